@@ -13,8 +13,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod bouncing_mass;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod bouncing_mass;
+
 /// Oscillator with a one-sided stop
 #[cfg(feature = "contact_oscillator")]
 #[rustfmt::skip]
@@ -23,8 +25,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod contact_oscillator;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod contact_oscillator;
+
 /// Oscillator with a one-sided stop, smoothed
 #[cfg(feature = "contact_oscillator_smooth")]
 #[rustfmt::skip]
@@ -33,8 +37,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod contact_oscillator_smooth;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod contact_oscillator_smooth;
+
 /// Oscillator braked by dry friction
 #[cfg(feature = "coulomb_oscillator")]
 #[rustfmt::skip]
@@ -43,8 +49,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod coulomb_oscillator;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod coulomb_oscillator;
+
 /// Four-bar linkage under gravity
 #[cfg(feature = "four_bar")]
 #[rustfmt::skip]
@@ -53,8 +61,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod four_bar;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod four_bar;
+
 /// Loom: motor, coupling, shaft and reed in one machine
 #[cfg(feature = "loom_drive")]
 #[rustfmt::skip]
@@ -63,8 +73,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod loom_drive;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod loom_drive;
+
 /// Induction motor running up empty
 #[cfg(feature = "motor_run_up")]
 #[rustfmt::skip]
@@ -73,8 +85,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod motor_run_up;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod motor_run_up;
+
 /// Induction motor running up empty, from its co-energy
 #[cfg(feature = "motor_stationary_axes")]
 #[rustfmt::skip]
@@ -83,8 +97,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod motor_stationary_axes;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod motor_stationary_axes;
+
 /// Chain of three pendulums
 #[cfg(feature = "pendulum_chain")]
 #[rustfmt::skip]
@@ -93,8 +109,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod pendulum_chain;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod pendulum_chain;
+
 /// Chain of three pendulums, by constraints
 #[cfg(feature = "pendulum_constrained")]
 #[rustfmt::skip]
@@ -103,8 +121,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod pendulum_constrained;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod pendulum_constrained;
+
 /// Chain of three pendulums, by relative angles
 #[cfg(feature = "pendulum_relative")]
 #[rustfmt::skip]
@@ -113,8 +133,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod pendulum_relative;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod pendulum_relative;
+
 /// Beat-up of a reed by an elastic shaft
 #[cfg(feature = "reed_beat_up")]
 #[rustfmt::skip]
@@ -123,8 +145,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod reed_beat_up;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod reed_beat_up;
+
 /// Saw gin: motor, coupling and saw cylinder
 #[cfg(feature = "saw_gin")]
 #[rustfmt::skip]
@@ -133,8 +157,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod saw_gin;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod saw_gin;
+
 /// Saw gin with the equations and numbers as printed
 #[cfg(feature = "saw_gin_as_printed")]
 #[rustfmt::skip]
@@ -143,8 +169,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod saw_gin_as_printed;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod saw_gin_as_printed;
+
 /// Saw gin with a distributed shaft
 #[cfg(feature = "saw_gin_shaft")]
 #[rustfmt::skip]
@@ -153,8 +181,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod saw_gin_shaft;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod saw_gin_shaft;
+
 /// Uniform shaft under a step of end torque
 #[cfg(feature = "shaft_step_torque")]
 #[rustfmt::skip]
@@ -163,8 +193,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod shaft_step_torque;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod shaft_step_torque;
+
 /// Shaft with a rotor at each end, let go twisted
 #[cfg(feature = "shaft_with_rotors")]
 #[rustfmt::skip]
@@ -173,8 +205,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod shaft_with_rotors;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod shaft_with_rotors;
+
 /// Slider-crank turned at constant speed
 #[cfg(feature = "slider_crank")]
 #[rustfmt::skip]
@@ -183,8 +217,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod slider_crank;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod slider_crank;
+
 /// Stick-slip oscillation on a belt
 #[cfg(feature = "stick_slip")]
 #[rustfmt::skip]
@@ -193,8 +229,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod stick_slip;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod stick_slip;
+
 /// Stick-slip oscillation on a belt, smoothed
 #[cfg(feature = "stick_slip_smooth")]
 #[rustfmt::skip]
@@ -203,8 +241,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod stick_slip_smooth;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod stick_slip_smooth;
+
 /// Two rotors on an elasto-dissipative coupling
 #[cfg(feature = "two_mass")]
 #[rustfmt::skip]
@@ -213,8 +253,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod two_mass;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod two_mass;
+
 /// Bobbin on a winding drum, all nonlinearities
 #[cfg(feature = "winder_full")]
 #[rustfmt::skip]
@@ -223,8 +265,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod winder_full;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod winder_full;
+
 /// Four-link bobbin holder, let go
 #[cfg(feature = "winder_holder_drop")]
 #[rustfmt::skip]
@@ -233,8 +277,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod winder_holder_drop;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod winder_holder_drop;
+
 /// Bobbin on a winding drum, linear layer
 #[cfg(feature = "winder_linear")]
 #[rustfmt::skip]
@@ -243,8 +289,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod winder_linear;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod winder_linear;
+
 /// Four-link bobbin holder, at work
 #[cfg(feature = "winder_linkage")]
 #[rustfmt::skip]
@@ -253,8 +301,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod winder_linkage;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod winder_linkage;
+
 /// Bobbin on a winding drum, stiffening layer
 #[cfg(feature = "winder_nonlinear")]
 #[rustfmt::skip]
@@ -263,8 +313,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")]
-        pub mod winder_nonlinear;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod winder_nonlinear;
+
 /// Names of all scenes whose feature is on, sorted.
 #[rustfmt::skip]
 pub const NAMES: &[&str] = &[

@@ -372,7 +372,9 @@ pub mod shaft_u {
     #[allow(
         clippy::wildcard_imports,
         unused_imports,
-        reason = "what a field needs of it")] use super::*;
+        reason = "what a field needs of it"
+    )]
+    use super::*;
     /// Parameters that the field depends on.
     pub const PARAMETERS: [u32; 6] = [3, 4, 5, 6, 7, 8];
     /// m, the inertia a length. 4 operations.

@@ -534,7 +534,9 @@ pub mod saws_phi {
     #[allow(
         clippy::wildcard_imports,
         unused_imports,
-        reason = "what a field needs of it")] use super::*;
+        reason = "what a field needs of it"
+    )]
+    use super::*;
     /// Parameters that the field depends on.
     pub const PARAMETERS: [u32; 12] = [13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24];
     /// m, the inertia a length. 1 operation.

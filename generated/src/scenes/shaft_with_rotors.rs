@@ -242,7 +242,9 @@ pub mod shaft_phi {
     #[allow(
         clippy::wildcard_imports,
         unused_imports,
-        reason = "what a field needs of it")] use super::*;
+        reason = "what a field needs of it"
+    )]
+    use super::*;
     /// Parameters that the field depends on.
     pub const PARAMETERS: [u32; 4] = [1, 2, 3, 4];
     /// m, the inertia a length. No operations.

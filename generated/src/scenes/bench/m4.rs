@@ -296,7 +296,9 @@ pub mod shaft_theta {
     #[allow(
         clippy::wildcard_imports,
         unused_imports,
-        reason = "what a field needs of it")] use super::*;
+        reason = "what a field needs of it"
+    )]
+    use super::*;
     /// Parameters that the field depends on.
     pub const PARAMETERS: [u32; 5] = [0, 1, 2, 3, 4];
     /// m, the inertia a length. 4 operations.

@@ -12,7 +12,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")] pub mod m1;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod m1;
+
 /// Benchmark M2: saw gin
 #[rustfmt::skip]
 #[allow(
@@ -20,7 +23,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")] pub mod m2;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod m2;
+
 /// Benchmark M3: motor and torsional shaft of equal pieces
 #[rustfmt::skip]
 #[allow(
@@ -28,7 +34,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")] pub mod m3;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod m3;
+
 /// Benchmark M3: motor and torsional shaft of 10 pieces
 #[rustfmt::skip]
 #[allow(
@@ -36,7 +45,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")] pub mod m3_10;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod m3_10;
+
 /// Benchmark M4: reed as a torsional shaft
 #[rustfmt::skip]
 #[allow(
@@ -44,7 +56,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")] pub mod m4;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod m4;
+
 /// Benchmark M4: reed as a torsional shaft of 7 pieces
 #[rustfmt::skip]
 #[allow(
@@ -52,7 +67,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")] pub mod m4_7;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod m4_7;
+
 /// Benchmark M5: winder
 #[rustfmt::skip]
 #[allow(
@@ -60,7 +78,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")] pub mod m5;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod m5;
+
 /// Benchmark M6: planar pendulum of 10 links
 #[rustfmt::skip]
 #[allow(
@@ -68,7 +89,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")] pub mod m6_10;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod m6_10;
+
 /// Benchmark M6: planar pendulum of 2 links
 #[rustfmt::skip]
 #[allow(
@@ -76,7 +100,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")] pub mod m6_2;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod m6_2;
+
 /// Benchmark M6: planar pendulum of 5 links
 #[rustfmt::skip]
 #[allow(
@@ -84,7 +111,10 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations")] pub mod m6_5;
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod m6_5;
+
 /// Names of all scenes, sorted.
 #[rustfmt::skip]
 pub const NAMES: &[&str] = &["m1", "m2", "m3_10", "m4_7", "m5", "m6_10", "m6_2", "m6_5"];

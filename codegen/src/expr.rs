@@ -7,6 +7,7 @@ pub mod abbreviate;
 mod cost;
 mod fold;
 mod graph;
+mod signs;
 mod terms;
 pub mod trigonometry;
 

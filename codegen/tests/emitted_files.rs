@@ -76,17 +76,17 @@ fn nothing_is_written_outside_the_folder() {
 #[test]
 fn a_check_names_what_is_not_fresh_and_the_command_that_mends_it() {
     let folder = tempfile::tempdir().expect("a folder");
-    let programs = [pendulum(), oddities()];
-    let summary = emit_scenes(folder.path(), &programs, Mode::Write).expect("written");
+    let models = [pendulum(), oddities()];
+    let summary = emit_scenes(folder.path(), &models, Mode::Write).expect("written");
     let created =
         ["mod.rs", "oddities.rs", "pendulum.rs"].map(|f| (f.to_owned(), Written::Created));
     assert_eq!(summary.files, created);
-    emit_scenes(folder.path(), &programs, Mode::Check).expect("fresh right after writing");
+    emit_scenes(folder.path(), &models, Mode::Check).expect("fresh right after writing");
 
     fs::write(folder.path().join("pendulum.rs"), "// edited by hand").expect("written");
     fs::remove_file(folder.path().join("oddities.rs")).expect("removed");
     fs::write(folder.path().join("by_hand.rs"), "// not ours").expect("written");
-    let error = emit_scenes(folder.path(), &programs, Mode::Check).expect_err("not fresh");
+    let error = emit_scenes(folder.path(), &models, Mode::Check).expect_err("not fresh");
     insta::assert_snapshot!(error, @r"
     emitted scenes are not what the specs give:
       oddities.rs is missing
@@ -125,9 +125,9 @@ fn no_scenes_give_an_index_of_nothing() {
 fn a_scene_that_cannot_be_emitted_leaves_all_files_as_they_were() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut broken = oddities();
-    broken.system.run.until = f64::NAN;
+    broken.run.until = f64::NAN;
     let error =
         emit_scenes(folder.path(), &[pendulum(), broken], Mode::Write).expect_err("no number");
-    insta::assert_snapshot!(error, @"scene `oddities`: run: NaN is not a finite number, so it cannot be emitted");
+    insta::assert_snapshot!(error, @"scene `oddities`: run: NaN is not a finite number");
     assert_eq!(names(folder.path()), Vec::<String>::new());
 }

@@ -5,9 +5,8 @@
 mod support;
 
 use machinist_contract::{Describe, Simulator};
-use machinist_model::Model;
-use machinist_model::Tape;
-use machinist_model::evaluate::Evaluator;
+use machinist_model::evaluate::{Evaluator, Inputs};
+use machinist_model::{Model, State, Tape};
 use proptest::prelude::*;
 
 #[deny(warnings, clippy::pedantic, missing_docs)]
@@ -36,10 +35,17 @@ mod oddities {
 }
 
 /// What `tape` gives by the evaluator.
-fn evaluated(program: &Model, tape: &Tape, (time, state, parameters): &Inputs) -> Vec<f64> {
+fn evaluated(model: &Model, tape: &Tape, (time, state, parameters): &Given) -> Vec<f64> {
     let mut results = vec![f64::NAN; tape.results.len()];
-    let tables = &program.system.tables;
-    Evaluator::new(tape).evaluate(*time, state, parameters, tables, &mut results);
+    let inputs = Inputs {
+        time: *time,
+        state,
+        parameters,
+        handed: &[],
+        constants: &[],
+        tables: &model.tables,
+    };
+    Evaluator::new(tape).evaluate(&inputs, &mut results);
     results
 }
 
@@ -58,60 +64,59 @@ fn assert_same_bits(what: &str, tape: &[f64], emitted: &[f64]) {
     }
 }
 
-fn assert_simulator_is_program(simulator: &impl Simulator<f64>, program: &Model, inputs: &Inputs) {
+fn assert_simulator_is_model(simulator: &impl Simulator<f64>, model: &Model, inputs: &Given) {
     let (t, y, p) = (inputs.0, &inputs.1[..], &inputs.2[..]);
     let s = simulator;
     let energy = s.energy(t, y, p);
     let balance = s.power_balance(t, y, p);
     let n = |tape: &Tape| tape.results.len();
     let c = simulated(s.constants(), |v| s.prepare(p, v));
-    let parts = program;
     let cases = [
-        ("initial_state", &parts.initial_state, simulated(3, |v| s.initial_state(p, v))),
-        ("discontinuities", &parts.discontinuities, simulated(1, |v| s.discontinuities(p, v))),
-        ("rate", &parts.rate, simulated(3, |v| s.rate(t, y, p, v))),
-        ("prepared_rate", &parts.rate, simulated(3, |v| s.prepared_rate(t, y, p, &c, v))),
+        ("initial_state", &model.initial_state, simulated(3, |v| s.initial_state(p, v))),
+        ("discontinuities", &model.discontinuities, simulated(1, |v| s.discontinuities(p, v))),
+        ("rate", &model.rate, simulated(3, |v| s.rate(t, y, p, v))),
+        ("prepared_rate", &model.rate, simulated(3, |v| s.prepared_rate(t, y, p, &c, v))),
         (
             "prepared_rate_jacobian",
-            &parts.rate_jacobian.tape,
-            simulated(n(&parts.rate_jacobian.tape), |v| {
+            &model.rate_jacobian.tape,
+            simulated(n(&model.rate_jacobian.tape), |v| {
                 s.prepared_rate_jacobian(t, y, p, &c, v);
             }),
         ),
         (
             "rate_jacobian",
-            &parts.rate_jacobian.tape,
-            simulated(n(&parts.rate_jacobian.tape), |v| s.rate_jacobian(t, y, p, v)),
+            &model.rate_jacobian.tape,
+            simulated(n(&model.rate_jacobian.tape), |v| s.rate_jacobian(t, y, p, v)),
         ),
         (
             "parameter_jacobian",
-            &parts.parameter_jacobian.tape,
-            simulated(n(&parts.parameter_jacobian.tape), |v| s.parameter_jacobian(t, y, p, v)),
+            &model.parameter_jacobian.tape,
+            simulated(n(&model.parameter_jacobian.tape), |v| s.parameter_jacobian(t, y, p, v)),
         ),
         (
             "time_derivative",
-            &parts.time_derivative,
+            &model.time_derivative,
             simulated(3, |v| s.time_derivative(t, y, p, v)),
         ),
-        ("mass_matrix", &parts.mass_matrix.tape, simulated(1, |v| s.mass_matrix(t, y, p, v))),
-        ("forcing", &parts.forcing, simulated(1, |v| s.forcing(t, y, p, v))),
-        ("outputs", &parts.outputs, simulated(n(&parts.outputs), |v| s.outputs(t, y, p, v))),
-        ("energy", &parts.energy, vec![energy.kinetic, energy.potential, energy.stored]),
+        ("mass_matrix", &model.mass_matrix.tape, simulated(1, |v| s.mass_matrix(t, y, p, v))),
+        ("forcing", &model.forcing, simulated(1, |v| s.forcing(t, y, p, v))),
+        ("outputs", &model.outputs, simulated(n(&model.outputs), |v| s.outputs(t, y, p, v))),
+        ("energy", &model.energy, vec![energy.kinetic, energy.potential, energy.stored]),
         (
             "power_balance",
-            &parts.power_balance,
+            &model.power_balance,
             vec![balance.stored_rate, balance.supplied, balance.dissipated],
         ),
     ];
     for (name, tape, emitted) in cases {
-        assert_same_bits(name, &evaluated(program, tape, inputs), &emitted);
+        assert_same_bits(name, &evaluated(model, tape, inputs), &emitted);
     }
 }
 
 /// Time, state, parameters.
-type Inputs = (f64, Vec<f64>, Vec<f64>);
+type Given = (f64, Vec<f64>, Vec<f64>);
 
-fn inputs() -> impl Strategy<Value = Inputs> {
+fn inputs() -> impl Strategy<Value = Given> {
     let number = -4.0..4.0_f64;
     let state = proptest::collection::vec(number.clone(), 3);
     (number.clone(), state, proptest::collection::vec(number, 6))
@@ -121,8 +126,8 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
     #[test]
     fn emitted_code_and_evaluator_agree_to_the_last_bit(inputs in inputs()) {
-        assert_simulator_is_program(&pendulum::Pendulum, &support::pendulum(), &inputs);
-        assert_simulator_is_program(&oddities::Oddities, &support::oddities(), &inputs);
+        assert_simulator_is_model(&pendulum::Pendulum, &support::pendulum(), &inputs);
+        assert_simulator_is_model(&oddities::Oddities, &support::oddities(), &inputs);
     }
 }
 
@@ -176,20 +181,19 @@ fn single_precision_runs_the_same_code() {
 
 #[test]
 fn a_simulator_describes_its_spec() {
-    let (machine, program) = (oddities::Oddities, support::oddities());
-    let system = &program.system;
-    assert_eq!(machine.name(), system.name);
-    assert_eq!(machine.title(), system.title);
-    assert_eq!(machine.shape().states(), program.layout.len());
-    for (index, quantity) in program.layout.quantities().enumerate() {
+    let (machine, model) = (oddities::Oddities, support::oddities());
+    assert_eq!(machine.name(), model.name);
+    assert_eq!(machine.title(), model.title);
+    assert_eq!(machine.shape().states(), model.states.len());
+    for (index, State { quantity, .. }) in model.states.iter().enumerate() {
         let described = machine.state(index);
         assert_eq!(described.name, quantity.name.path);
         assert_eq!((described.unit, described.doc), (&*quantity.unit, &*quantity.doc));
     }
-    for (index, parameter) in system.parameters.iter().enumerate() {
+    for (index, parameter) in model.parameters.iter().enumerate() {
         assert_eq!(machine.parameter_default(index).to_bits(), parameter.value.to_bits());
     }
-    assert_eq!(machine.run_defaults().points, system.run.points);
+    assert_eq!(machine.run_defaults().points, model.run.points);
     assert_eq!(machine.rate_jacobian_pattern(), oddities::RATE_JACOBIAN_PATTERN);
 }
 
@@ -203,7 +207,7 @@ fn parameters_and_outputs_keep_their_order() {
 }
 
 #[test]
-#[should_panic(expected = "the state has STATES entries")]
+#[should_panic(expected = "there are as many numbers as the simulator says")]
 fn a_state_of_another_length_is_refused() {
     pendulum::Pendulum.rate(0.0, &[0.0; 4], &[1.0; 6], &mut [0.0; 3]);
 }

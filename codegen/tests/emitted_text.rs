@@ -11,16 +11,17 @@ use machinist_codegen::emit::{EmitError, EmitOptions};
 use machinist_model::Model;
 use machinist_model::operations;
 use machinist_model::{Node, NodeId, Op, Tape};
+use proc_macro2::{TokenStream, TokenTree};
 use support::{HOSTILE, coupled, oddities, pendulum, recurrences, tape};
 
-fn emitted(program: &Model) -> String {
-    emit(program, &EmitOptions::for_build_script()).expect("a program that can be emitted")
+fn emitted(model: &Model) -> String {
+    emit(model, &EmitOptions::for_build_script()).expect("a model that can be emitted")
 }
 
-fn assert_kept(program: &Model) {
-    let name = format!("{}.rs", program.system.name);
+fn assert_kept(model: &Model) {
+    let name = format!("{}.rs", model.name);
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/emitted").join(name);
-    let text = emitted(program);
+    let text = emitted(model);
     if std::env::var_os("ACCEPT_EMITTED").is_some() {
         std::fs::write(&path, &text).expect("tests/emitted can be written");
     }
@@ -50,7 +51,7 @@ fn series_of_every_operation_and_of_coupled_coordinates_are_emitted_as_kept() {
 }
 
 #[test]
-fn the_same_program_gives_the_same_bytes() {
+fn the_same_model_gives_the_same_bytes() {
     assert_eq!(emitted(&pendulum()), emitted(&pendulum()));
 }
 
@@ -65,6 +66,9 @@ fn items(text: &str) -> Vec<String> {
         syn::Item::Mod(item) => format!("mod {}", item.ident),
         syn::Item::Use(_) => "use".to_owned(),
         syn::Item::Impl(_) => "impl".to_owned(),
+        syn::Item::Macro(item) => {
+            format!("macro {}", item.mac.path.segments.last().expect("a name").ident)
+        }
         _ => "something else".to_owned(),
     });
     items.collect()
@@ -73,11 +77,11 @@ fn items(text: &str) -> Vec<String> {
 #[test]
 fn hostile_text_adds_no_item() {
     let mut harmless = oddities();
-    harmless.system.title = "title".to_owned();
-    harmless.system.doc = "doc".to_owned();
-    harmless.system.source = "source".to_owned();
-    for output in &mut harmless.system.outputs {
-        output.quantity.doc = "doc".to_owned();
+    harmless.title = "title".to_owned();
+    harmless.doc = "doc".to_owned();
+    harmless.source = "source".to_owned();
+    for output in &mut harmless.wanted {
+        output.doc = "doc".to_owned();
     }
     assert_eq!(items(&emitted(&oddities())), items(&emitted(&harmless)));
     assert!(!items(&emitted(&oddities())).contains(&"fn main".to_owned()));
@@ -86,38 +90,41 @@ fn hostile_text_adds_no_item() {
 #[test]
 fn hostile_text_reaches_readers_unchanged() {
     let text = emitted(&oddities());
-    let file = syn::parse_file(&text).expect("emitted text is Rust");
-    let mut strings = Strings(Vec::new());
-    syn::visit::Visit::visit_file(&mut strings, &file);
-    assert!(strings.0.iter().any(|string| string == HOSTILE), "as the doc of a quantity");
+    let tokens: TokenStream = text.parse().expect("emitted text is Rust");
+    assert!(strings(tokens).iter().any(|string| string == HOSTILE), "as the doc of a quantity");
 }
 
-struct Strings(Vec<String>);
-
-impl syn::visit::Visit<'_> for Strings {
-    fn visit_lit_str(&mut self, literal: &syn::LitStr) {
-        self.0.push(literal.value());
-    }
+/// Every literal of a string, in macros too.
+fn strings(tokens: TokenStream) -> Vec<String> {
+    let strings = tokens.into_iter().flat_map(|token| match token {
+        TokenTree::Group(group) => strings(group.stream()),
+        TokenTree::Literal(literal) => syn::parse_str::<syn::LitStr>(&literal.to_string())
+            .map(|s| s.value())
+            .into_iter()
+            .collect(),
+        _ => vec![],
+    });
+    strings.collect()
 }
 
 #[test]
 fn a_number_without_a_literal_is_refused() {
-    let mut program = pendulum();
-    program.system.parameters[2].value = f64::INFINITY;
-    let error = emit(&program, &EmitOptions::for_scenes()).expect_err("infinite gravity");
-    insta::assert_snapshot!(error, @"parameter `arm.gravity`: inf is not a finite number, so it cannot be emitted");
+    let mut model = pendulum();
+    model.parameters[2].value = f64::INFINITY;
+    let error = emit(&model, &EmitOptions::for_scenes()).expect_err("infinite gravity");
+    insta::assert_snapshot!(error, @"parameter: inf is not a finite number");
 
-    let mut program = pendulum();
-    program.forcing = tape(|b| vec![b.number(f64::NAN)]);
-    let error = emit(&program, &EmitOptions::for_scenes()).expect_err("no number");
-    insta::assert_snapshot!(error, @"function `forcing`: NaN is not a finite number, so it cannot be emitted");
+    let mut model = pendulum();
+    model.forcing = tape(|b| vec![b.number(f64::NAN)]);
+    let error = emit(&model, &EmitOptions::for_scenes()).expect_err("no number");
+    insta::assert_snapshot!(error, @"forcing: NaN is not a finite number");
 }
 
 #[test]
 fn names_that_are_no_identifiers_are_refused() {
-    let mut program = pendulum();
-    program.system.parameters[0].quantity.name.ident = "mass; fn main() {}".to_owned();
-    let error = emit(&program, &EmitOptions::for_scenes()).expect_err("code as a name");
+    let mut model = pendulum();
+    model.parameters[0].quantity.name.ident = "mass; fn main() {}".to_owned();
+    let error = emit(&model, &EmitOptions::for_scenes()).expect_err("code as a name");
     assert_eq!(error, EmitError::Identifier { name: "mass; fn main() {}".to_owned() });
 }
 
@@ -132,8 +139,8 @@ fn tapes_that_break_their_rules_are_refused() {
         late,
     ];
     let reasons = cases.map(|tape| {
-        let program = Model { initial_state: tape, ..pendulum() };
-        let error = emit(&program, &EmitOptions::for_scenes()).expect_err("a broken rule");
+        let model = Model { initial_state: tape, ..pendulum() };
+        let error = emit(&model, &EmitOptions::for_scenes()).expect_err("a broken rule");
         error.to_string()
     });
     insta::assert_snapshot!(reasons.join("\n"));
@@ -141,8 +148,8 @@ fn tapes_that_break_their_rules_are_refused() {
 
 #[test]
 fn operations_without_a_use_are_not_counted() {
-    let program = pendulum();
-    let mut forcing = program.forcing.clone();
+    let model = pendulum();
+    let mut forcing = model.forcing.clone();
     assert_eq!(operations(&forcing), 7);
     forcing.nodes.push(Node { op: Op::Neg(NodeId(0)), name: None });
     assert_eq!(operations(&forcing), 7);

@@ -15,7 +15,7 @@ use machinist_codegen::mechanics::linearize::linearize;
 use machinist_codegen::scene::system::{Coordinate, GeneralizedForce, LagrangianSystem, Parameter};
 use machinist_model::Model;
 use machinist_model::Tape;
-use machinist_model::evaluate::Evaluator;
+use machinist_model::evaluate::{Evaluator, Inputs};
 use num_rational::BigRational;
 
 fn number(n: i64) -> Expr {
@@ -37,7 +37,7 @@ fn empty_system() -> LagrangianSystem {
         events: vec![],
         constraints: vec![],
         generalized_force: vec![],
-        ..support::pendulum().system
+        ..support::pendulum_system()
     }
 }
 
@@ -95,7 +95,9 @@ fn program(system: LagrangianSystem) -> Model {
 
 fn evaluate(tape: &Tape, state: &[f64]) -> Vec<f64> {
     let mut results = vec![0.0; tape.results.len()];
-    Evaluator::new(tape).evaluate(0.0, state, &[9.81], &[], &mut results);
+    let inputs =
+        Inputs { time: 0.0, state, parameters: &[9.81], handed: &[], constants: &[], tables: &[] };
+    Evaluator::new(tape).evaluate(&inputs, &mut results);
     results
 }
 

@@ -5,7 +5,7 @@ mod support;
 
 use machinist_contract::Simulator;
 use machinist_model::Model;
-use machinist_model::evaluate::Evaluator;
+use machinist_model::evaluate::{Evaluator, Inputs};
 use machinist_model::series::{Recurrence, SeriesEvaluator, recurrences};
 
 #[allow(dead_code, clippy::pedantic, reason = "tests need not use all; bodies are long")]
@@ -33,12 +33,16 @@ fn start(states: usize) -> (f64, Vec<f64>) {
     (0.4, state)
 }
 
-fn series(program: &Model, orders: usize) -> Vec<f64> {
-    let (time, state) = start(program.layout.len());
+fn inputs<'a>(model: &'a Model, time: f64, state: &'a [f64]) -> Inputs<'a> {
+    let tables = &model.tables;
+    Inputs { time, state, parameters: &PARAMETERS, handed: &[], constants: &[], tables }
+}
+
+fn series(model: &Model, orders: usize) -> Vec<f64> {
+    let (time, state) = start(model.states.len());
     let mut coefficients = vec![f64::NAN; orders * state.len()];
-    let tables = &program.system.tables;
-    let mut evaluator = SeriesEvaluator::new(recurrences(program));
-    evaluator.evaluate(time, &state, &PARAMETERS, tables, &mut coefficients);
+    let mut evaluator = SeriesEvaluator::new(recurrences(model));
+    evaluator.evaluate(&inputs(model, time, &state), &mut coefficients);
     coefficients
 }
 
@@ -56,30 +60,29 @@ fn sum(coefficients: &[f64], states: usize, step: f64) -> (Vec<f64>, Vec<f64>) {
 
 #[test]
 fn series_solve_the_equations_they_come_from() {
-    for program in [support::recurrences(), support::coupled(), support::pendulum()] {
-        let states = program.layout.len();
-        let coefficients = series(&program, ORDER + 1);
+    for model in [support::recurrences(), support::coupled(), support::pendulum()] {
+        let states = model.states.len();
+        let coefficients = series(&model, ORDER + 1);
         for step in [-0.06, -0.01, 0.0, 0.02, 0.06] {
             let (state, slope) = sum(&coefficients, states, step);
             let time = start(states).0 + step;
             let mut rate = vec![f64::NAN; states];
-            let tables = &program.system.tables;
-            let mut evaluator = Evaluator::new(&program.rate);
-            evaluator.evaluate(time, &state, &PARAMETERS, tables, &mut rate);
+            let mut evaluator = Evaluator::new(&model.rate);
+            evaluator.evaluate(&inputs(&model, time, &state), &mut rate);
             for (index, (slope, rate)) in slope.iter().zip(&rate).enumerate() {
                 let error = (slope - rate).abs() / rate.abs().max(1.0);
-                let name = &program.system.name;
+                let name = &model.name;
                 assert!(error < 3e-13, "{name} at {step}, state {index}: {slope:e} for {rate:e}");
             }
         }
     }
 }
 
-fn assert_emitted_as_interpreted(simulator: &dyn Simulator<f64>, program: &Model) {
-    let states = program.layout.len();
+fn assert_emitted_as_interpreted(simulator: &dyn Simulator<f64>, model: &Model) {
+    let states = model.states.len();
     let taylor = simulator.taylor().expect("emitted simulators have series");
     for orders in [1, 2, 3, ORDER + 1, 6] {
-        let interpreted = series(program, orders);
+        let interpreted = series(model, orders);
         let (time, state) = start(states);
         let mut workspace = vec![f64::NAN; taylor.series_workspace(orders - 1)];
         let mut emitted = vec![f64::NAN; orders * states];
@@ -89,7 +92,7 @@ fn assert_emitted_as_interpreted(simulator: &dyn Simulator<f64>, program: &Model
             let (order, entry) = (index / states, index % states);
             // Sums of many terms that nearly cancel agree to their largest term.
             let size = interpreted.abs().max(1e-3);
-            let name = &program.system.name;
+            let name = &model.name;
             assert!(
                 error <= 1e-11 * size,
                 "{name}, order {order} of state {entry}: {emitted:e} emitted, {interpreted:e} interpreted"

@@ -111,6 +111,20 @@ pub struct Constraint<'a> {
     pub is_of_positions: bool,
 }
 
+impl<'a> Constraint<'a> {
+    /// g(q, t) = 0.
+    #[must_use]
+    pub const fn of_positions(name: &'a str, unit: &'a str, doc: &'a str) -> Self {
+        Self { name, unit, doc, is_of_positions: true }
+    }
+
+    /// a(q, t) q' + b(q, t) = 0.
+    #[must_use]
+    pub const fn of_velocities(name: &'a str, unit: &'a str, doc: &'a str) -> Self {
+        Self { name, unit, doc, is_of_positions: false }
+    }
+}
+
 /// The run a scene asks for unless told otherwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RunDefaults<'a> {
@@ -247,20 +261,15 @@ pub trait Describe {
     }
 }
 
-/// The numbers of a simulator. Slices have the lengths of [`Shape`] and of the
-/// patterns; every method writes all of its output slice.
+/// The numbers of a simulator: the functions of their table
+/// ([`for_each_function`](crate::for_each_function)), and what else there may be. Slices
+/// have the lengths of [`Shape`] and of the patterns; every method writes all of its output
+/// slice.
 ///
 /// # Panics
 /// Every method panics if a slice has another length than stated.
 pub trait Simulator<R: Real>: Describe {
-    /// State at the start of the run, `states` long.
-    fn initial_state(&self, parameters: &[R], state: &mut [R]);
-    /// Times of known jumps of the right-hand side \[s\], unsorted.
-    fn discontinuities(&self, parameters: &[R], times: &mut [R]);
-    /// y': velocities, M^-1 (f + G^T lambda), h, in the order of the state.
-    fn rate(&self, time: R, state: &[R], parameters: &[R], rate: &mut [R]);
-    /// dy'/dy, values in the order of `rate_jacobian_pattern`.
-    fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]);
+    crate::for_each_function! { [crate::functions::methods] }
     /// How many constants [`Simulator::prepare`] computes; 0 if it has none.
     fn constants(&self) -> usize {
         0
@@ -268,69 +277,6 @@ pub trait Simulator<R: Real>: Describe {
     /// What rate and Jacobian need of the parameters, `constants` long: once a run, for
     /// [`Simulator::prepared_rate`] and [`Simulator::prepared_rate_jacobian`].
     fn prepare(&self, _parameters: &[R], _constants: &mut [R]) {}
-    /// As [`Simulator::rate`], to the last bit, by constants computed from the same
-    /// parameters.
-    fn prepared_rate(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        _constants: &[R],
-        rate: &mut [R],
-    ) {
-        self.rate(time, state, parameters, rate);
-    }
-    /// As [`Simulator::rate_jacobian`], to the last bit, by constants computed from the
-    /// same parameters.
-    fn prepared_rate_jacobian(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        _constants: &[R],
-        values: &mut [R],
-    ) {
-        self.rate_jacobian(time, state, parameters, values);
-    }
-    /// As [`Simulator::time_derivative`], by constants computed from the same parameters.
-    fn prepared_time_derivative(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        _constants: &[R],
-        derivative: &mut [R],
-    ) {
-        self.time_derivative(time, state, parameters, derivative);
-    }
-    /// dy'/dp, values in the order of `parameter_jacobian_pattern`.
-    fn parameter_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]);
-    /// Partial derivative of y' with respect to time, `states` long.
-    fn time_derivative(&self, time: R, state: &[R], parameters: &[R], derivative: &mut [R]);
-    /// M, values in the order of `mass_matrix_pattern`.
-    fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]);
-    /// f, `coordinates` long.
-    fn forcing(&self, time: R, state: &[R], parameters: &[R], forcing: &mut [R]);
-    /// Wanted outputs, `outputs` long.
-    fn outputs(&self, time: R, state: &[R], parameters: &[R], outputs: &mut [R]);
-    /// T, V and the energy of first-order states.
-    fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R>;
-    /// Power stored, supplied and dissipated.
-    fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R>;
-    /// What passes zero where events happen, `events` long.
-    fn guards(&self, _time: R, _state: &[R], _parameters: &[R], _guards: &mut [R]) {}
-    /// dg/dt of the guards along the motion, `events` long.
-    fn guard_rates(&self, _time: R, _state: &[R], _parameters: &[R], _rates: &mut [R]) {}
-    /// New values of the entries that each event sets, computed from the state before
-    /// it: first those of the first event, in the order of its [`Event::sets`], then
-    /// those of the second, and so on.
-    fn resets(&self, _time: R, _state: &[R], _parameters: &[R], _values: &mut [R]) {}
-    /// g of each constraint, zero for those of velocities alone, `constraints` long.
-    fn constraint_values(&self, _time: R, _state: &[R], _parameters: &[R], _values: &mut [R]) {}
-    /// g' of each constraint, `constraints` long.
-    fn constraint_rates(&self, _time: R, _state: &[R], _parameters: &[R], _rates: &mut [R]) {}
-    /// G, values in the order of `constraint_matrix_pattern`.
-    fn constraint_matrix(&self, _time: R, _state: &[R], _parameters: &[R], _values: &mut [R]) {}
     /// Taylor series of the solution, where the simulator has them.
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         None

@@ -243,6 +243,15 @@ pub trait FieldScene<R: Real>: Simulator<R> {
     }
 }
 
+/// What an emitted scene says to a number that none of its fields has.
+///
+/// # Panics
+/// Always.
+#[cold]
+pub fn no_field(index: usize) -> ! {
+    panic!("there is no field of number {index}")
+}
+
 /// Gauss-Lobatto points of the unit interval and the shape functions on them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rule<'a> {

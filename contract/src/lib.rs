@@ -26,12 +26,16 @@ compile_error!("elementary functions come from `std` or `libm`: turn on one of t
 
 mod contract;
 pub mod digits;
+pub mod emitted;
 pub mod exponential;
 pub mod field;
+mod field_scene;
+mod functions;
 mod include;
 pub mod linear;
 mod real;
 mod side_by_side;
+mod simulator;
 pub mod sine;
 mod sources;
 mod table;

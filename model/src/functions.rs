@@ -1,48 +1,12 @@
-//! The table of functions: what a model computes, listed once.
+//! The table of functions of a model: [the contract's](machinist_contract::for_each_function),
+//! with the tape of each.
 //!
 //! Emission, interpretation, checks of a model and tables of costs go by it. A new function
-//! is a row here, its tape in the [`Model`], and its method in the contract.
+//! is a row of the contract's table, and its tape in the [`Model`].
+
+use machinist_contract::for_each_function;
 
 use crate::{Model, SparsityPattern, Tape};
-
-/// A function of a model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum FunctionId {
-    /// State at the start.
-    InitialState,
-    /// Times at which the rate jumps.
-    Discontinuities,
-    /// y'.
-    Rate,
-    /// M.
-    MassMatrix,
-    /// f.
-    Forcing,
-    /// dy'/dy.
-    RateJacobian,
-    /// dy'/dp.
-    ParameterJacobian,
-    /// Partial y'/partial t.
-    TimeDerivative,
-    /// Wanted outputs.
-    Outputs,
-    /// T, V, stored energy.
-    Energy,
-    /// dE/dt, power supplied, power dissipated.
-    PowerBalance,
-    /// What passes zero where events happen.
-    Guards,
-    /// dg/dt of the guards.
-    GuardRates,
-    /// What events set entries of the state to.
-    Resets,
-    /// g.
-    ConstraintValues,
-    /// g'.
-    ConstraintRates,
-    /// G.
-    ConstraintMatrix,
-}
 
 /// What a function reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,6 +28,19 @@ pub enum Of {
     Constraints,
 }
 
+/// What a function gives, and how emitted code calls it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Gives {
+    /// As many numbers as the constant of this name says.
+    Numbers(&'static str),
+    /// As many numbers as the second says, in emitted code a struct of this name.
+    Record(&'static str, &'static str),
+    /// Values of the nonzeros of the pattern of this name.
+    Matrix(&'static str),
+    /// A struct of the contract, and its fields.
+    Structure(&'static str, &'static [&'static str]),
+}
+
 /// A row of the table.
 #[derive(Debug, Clone, Copy)]
 pub struct FunctionRow {
@@ -73,10 +50,16 @@ pub struct FunctionRow {
     pub name: &'static str,
     /// What it computes, in a few signs.
     pub meaning: &'static str,
+    /// What it computes, in Markdown.
+    pub doc: &'static str,
+    /// The name of the same by constants computed once a run, if there is such.
+    pub prepared: Option<&'static str>,
     /// What it reads.
     pub reads: Reads,
     /// Which models have it.
     pub of: Of,
+    /// What it gives.
+    pub gives: Gives,
     /// Its tape.
     pub tape: fn(&Model) -> &Tape,
     /// The nonzeros it computes, of functions that give a matrix.
@@ -85,59 +68,119 @@ pub struct FunctionRow {
     pub results: fn(&Model) -> usize,
 }
 
-/// A row of a function that gives numbers, as many as the last column says; or of one that
-/// gives the nonzeros of a matrix.
-macro_rules! row {
-    ($id:ident $name:ident $reads:ident $of:ident $meaning:literal, $results:expr) => {
+/// Numbers of a model by the names of the constants that hold them.
+macro_rules! count {
+    ($model:ident STATES) => {
+        $model.states.len()
+    };
+    ($model:ident COORDINATES) => {
+        $model.coordinates.len()
+    };
+    ($model:ident DISCONTINUITIES) => {
+        $model.discontinuities.results.len()
+    };
+    ($model:ident OUTPUTS) => {
+        $model.wanted.len()
+    };
+    ($model:ident EVENTS) => {
+        $model.events.len()
+    };
+    ($model:ident RESETS) => {
+        $model.events.iter().map(|event| event.sets.len()).sum()
+    };
+    ($model:ident CONSTRAINTS) => {
+        $model.constraints.len()
+    };
+}
+
+macro_rules! prepared {
+    () => {
+        None
+    };
+    ($name:ident) => {
+        Some(stringify!($name))
+    };
+}
+
+/// What a function gives, its tape, its pattern and the number of its results.
+macro_rules! with_result {
+    ($row:tt $name:ident [numbers $length:ident]) => {
+        with_result!(@ $row Gives::Numbers(stringify!($length)), |m| &m.$name, None,
+            |m| count!(m $length))
+    };
+    ($row:tt $name:ident [record $structure:ident $length:ident]) => {
+        with_result!(@ $row Gives::Record(stringify!($structure), stringify!($length)),
+            |m| &m.$name, None, |m| count!(m $length))
+    };
+    ($row:tt $name:ident [matrix $pattern:ident]) => {
+        with_result!(@ $row Gives::Matrix(stringify!($pattern)), |m| &m.$name.tape,
+            Some(|m| &m.$name.pattern), |m| m.$name.pattern.entries.len())
+    };
+    ($row:tt $name:ident [structure $structure:ident $($field:ident)*]) => {
+        with_result!(@ $row Gives::Structure(stringify!($structure), &[$(stringify!($field)),*]),
+            |m| &m.$name, None, |_| [$(stringify!($field)),*].len())
+    };
+    (@ [
+        $id:ident $name:ident $reads:ident $of:ident [$($prepared:ident)?] $meaning:literal
+        $doc:literal
+    ]
+        $gives:expr, $tape:expr, $pattern:expr, $results:expr) => {
         FunctionRow {
             id: FunctionId::$id,
             name: stringify!($name),
             meaning: $meaning,
+            doc: $doc,
+            prepared: prepared!($($prepared)?),
             reads: Reads::$reads,
             of: Of::$of,
-            tape: |model| &model.$name,
-            pattern: None,
+            gives: $gives,
+            tape: $tape,
+            pattern: $pattern,
             results: $results,
-        }
-    };
-    (matrix $id:ident $name:ident $of:ident $meaning:literal) => {
-        FunctionRow {
-            id: FunctionId::$id,
-            name: stringify!($name),
-            meaning: $meaning,
-            reads: Reads::Motion,
-            of: Of::$of,
-            tape: |model| &model.$name.tape,
-            pattern: Some(|model| &model.$name.pattern),
-            results: |model| model.$name.pattern.entries.len(),
         }
     };
 }
 
-/// Number of functions.
-pub const COUNT: usize = 17;
+macro_rules! rows {
+    (
+        []
+        every { $({ $id:ident $name:ident $reads:ident $result:tt $prepared:tt
+            $meaning:literal $doc:literal })* }
+        events { $({ $event_id:ident $event_name:ident $event_reads:ident $event_result:tt
+            $event_prepared:tt $event_meaning:literal $event_doc:literal })* }
+        constraints { $({ $constraint_id:ident $constraint_name:ident $constraint_reads:ident
+            $constraint_result:tt $constraint_prepared:tt $constraint_meaning:literal
+            $constraint_doc:literal })* }
+    ) => {
+        /// A function of a model.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum FunctionId {
+            $(#[doc = $doc] $id,)*
+            $(#[doc = $event_doc] $event_id,)*
+            $(#[doc = $constraint_doc] $constraint_id,)*
+        }
 
-/// Every function, in the order of an emitted module.
-#[rustfmt::skip]
-pub const FUNCTIONS: [FunctionRow; COUNT] = [
-    row!(InitialState initial_state Parameters Every "y at the start", |m| m.states.len()),
-    row!(Discontinuities discontinuities Parameters Every "times of jumps", |m| m.discontinuities.results.len()),
-    row!(Rate rate Motion Every "y' = [q', M^-1 f, z']", |m| m.states.len()),
-    row!(matrix MassMatrix mass_matrix Every "M"),
-    row!(Forcing forcing Motion Every "f", |m| m.coordinates.len()),
-    row!(matrix RateJacobian rate_jacobian Every "dy'/dy"),
-    row!(matrix ParameterJacobian parameter_jacobian Every "dy'/dp"),
-    row!(TimeDerivative time_derivative Motion Every "partial y'/partial t", |m| m.states.len()),
-    row!(Outputs outputs Motion Every "wanted outputs", |m| m.wanted.len()),
-    row!(Energy energy Motion Every "T, V, stored", |_| 3),
-    row!(PowerBalance power_balance Motion Every "dE/dt, supplied, dissipated", |_| 3),
-    row!(Guards guards Motion Events "what passes zero", |m| m.events.len()),
-    row!(GuardRates guard_rates Motion Events "rates of the guards", |m| m.events.len()),
-    row!(Resets resets Motion Events "new values", |m| m.events.iter().map(|event| event.sets.len()).sum()),
-    row!(ConstraintValues constraint_values Motion Constraints "g", |m| m.constraints.len()),
-    row!(ConstraintRates constraint_rates Motion Constraints "g'", |m| m.constraints.len()),
-    row!(matrix ConstraintMatrix constraint_matrix Constraints "G = dg'/dq'"),
-];
+        /// Number of functions.
+        pub const COUNT: usize =
+            [$(stringify!($name),)* $(stringify!($event_name),)* $(stringify!($constraint_name),)*].len();
+
+        /// Every function, in the order of an emitted module.
+        pub const FUNCTIONS: [FunctionRow; COUNT] = [
+            $(with_result!([$id $name $reads Every $prepared $meaning $doc] $name $result),)*
+            $(with_result!(
+                [$event_id $event_name $event_reads Events $event_prepared $event_meaning
+                    $event_doc]
+                $event_name $event_result
+            ),)*
+            $(with_result!(
+                [$constraint_id $constraint_name $constraint_reads Constraints
+                    $constraint_prepared $constraint_meaning $constraint_doc]
+                $constraint_name $constraint_result
+            ),)*
+        ];
+    };
+}
+for_each_function! { [rows] }
 
 impl FunctionId {
     /// Its row.

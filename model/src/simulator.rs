@@ -244,43 +244,50 @@ impl Describe for ModelSimulator {
     }
 }
 
-/// Methods that write the results of one function each.
+/// The methods of the table of functions.
 macro_rules! functions {
-    ($($name:ident = $id:ident),*) => {
-        $(
-            fn $name(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-                self.run(FunctionId::$id, &self.read(&time, state, parameters), values);
-            }
-        )*
+    (
+        []
+        every { $($every:tt)* }
+        events { $($events:tt)* }
+        constraints { $($constraints:tt)* }
+    ) => {
+        $(function! $every)*
+        $(function! $events)*
+        $(function! $constraints)*
+    };
+}
+
+macro_rules! function {
+    ($id:ident $name:ident Parameters $result:tt [] $meaning:literal $doc:literal) => {
+        fn $name(&self, parameters: &[R], values: &mut [R]) {
+            let zero = R::literal(0.0);
+            self.run(FunctionId::$id, &self.read_without_state(&zero, parameters), values);
+        }
+    };
+    (
+        $id:ident $name:ident Motion [structure $structure:ident $($field:ident)*] []
+        $meaning:literal $doc:literal
+    ) => {
+        fn $name(&self, time: R, state: &[R], parameters: &[R]) -> $structure<R> {
+            let mut values = [R::literal(0.0); [$(stringify!($field)),*].len()];
+            self.run(FunctionId::$id, &self.read(&time, state, parameters), &mut values);
+            let [$($field),*] = values;
+            $structure { $($field),* }
+        }
+    };
+    (
+        $id:ident $name:ident Motion $result:tt [$($prepared:ident)?] $meaning:literal
+        $doc:literal
+    ) => {
+        fn $name(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+            self.run(FunctionId::$id, &self.read(&time, state, parameters), values);
+        }
     };
 }
 
 impl<R: Lane> Simulator<R> for ModelSimulator {
-    fn initial_state(&self, parameters: &[R], state: &mut [R]) {
-        let zero = R::literal(0.0);
-        let read = self.read_without_state(&zero, parameters);
-        self.run(FunctionId::InitialState, &read, state);
-    }
-    fn discontinuities(&self, parameters: &[R], times: &mut [R]) {
-        let zero = R::literal(0.0);
-        let read = self.read_without_state(&zero, parameters);
-        self.run(FunctionId::Discontinuities, &read, times);
-    }
-    functions!(
-        rate = Rate,
-        rate_jacobian = RateJacobian,
-        parameter_jacobian = ParameterJacobian,
-        time_derivative = TimeDerivative,
-        mass_matrix = MassMatrix,
-        forcing = Forcing,
-        outputs = Outputs,
-        guards = Guards,
-        guard_rates = GuardRates,
-        resets = Resets,
-        constraint_values = ConstraintValues,
-        constraint_rates = ConstraintRates,
-        constraint_matrix = ConstraintMatrix
-    );
+    machinist_contract::for_each_function! { [functions] }
     fn constants(&self) -> usize {
         self.hoisted().constants.results.len()
     }
@@ -310,18 +317,6 @@ impl<R: Lane> Simulator<R> for ModelSimulator {
     ) {
         let read = Read { constants: R::numbers(constants), ..self.read(&time, state, parameters) };
         self.run_prepared((2, |hoisted| &hoisted.rate_jacobian), &read, values);
-    }
-    fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
-        let mut values = [R::literal(0.0); 3];
-        self.run(FunctionId::Energy, &self.read(&time, state, parameters), &mut values);
-        let [kinetic, potential, stored] = values;
-        Energy { kinetic, potential, stored }
-    }
-    fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
-        let mut values = [R::literal(0.0); 3];
-        self.run(FunctionId::PowerBalance, &self.read(&time, state, parameters), &mut values);
-        let [stored_rate, supplied, dissipated] = values;
-        PowerBalance { stored_rate, supplied, dissipated }
     }
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         self.model.constraints.is_empty().then_some(self as &dyn TaylorSeries<R>)

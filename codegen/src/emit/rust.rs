@@ -14,7 +14,9 @@ mod functions;
 mod fuse;
 mod header;
 mod items;
+mod layout;
 mod names;
+mod operation;
 mod plan;
 mod points;
 mod prepare;
@@ -24,15 +26,16 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::{EmitError, EmitOptions};
+use body::Scope;
 pub(crate) use header::MARK;
 use machinist_model::Model;
 use names::Namer;
 use prepare::Prepare;
 use series::Series;
 
-/// The text of a scene's module: constants, `Parameters`, `Outputs`, one
-/// function for each tape, and a unit struct that implements `Describe` and
-/// `Simulator`.
+/// The text of a scene's module: rows of the contract's macros, which make of them
+/// `Parameters`, `Outputs`, constants, and a unit struct that implements `Describe` and
+/// `Simulator`; and one function for each tape.
 ///
 /// # Errors
 /// [`EmitError`] if the model holds a number without a literal, a name that is
@@ -42,36 +45,23 @@ pub fn emit(model: &Model, options: &EmitOptions) -> Result<String, EmitError> {
     let scene = Scene::new(model)?;
     // What fields do is not in the machine's own series.
     let series = if model.fields.is_empty() { Series::new(&scene) } else { None };
-    let imports = imports(model, series.as_ref());
-    let constants = items::constants(&scene);
-    let machine = items::machine(&scene);
-    let parameters = items::parameters(&scene)?;
-    let outputs = items::outputs(&scene);
-    let state_indices = items::state_indices(&scene);
+    let imports = pretty(imports(model, series.as_ref()))?;
+    let description = describe::description(&scene, series.as_ref())?;
     let prepare = scene.prepare.items();
     let functions = functions::functions(&scene)?;
     let excitation = excitation::items(&scene)?;
-    let implementations = describe::implementations(&scene, series.is_some())?;
     let series = series.map(|series| series.items(&scene)).transpose()?;
     let fields = field::items(&scene)?;
     let tables = items::tables(&scene)?;
-    let tokens = quote! {
-        #imports
-        #constants
-        #machine
-        #parameters
-        #outputs
-        #state_indices
-        #prepare
-        #functions
-        #series
-        #excitation
-        #implementations
-        #fields
-        #tables
-    };
-    let module = pretty(tokens)?;
-    Ok(format!("{}\n{module}", header::header(model, options)))
+    let items = pretty(quote!(#prepare #functions #series #excitation #fields #tables))?;
+    let of_fields = field::description(&scene)?;
+    let header = header::header(model, options);
+    let parts = [header, imports, description, of_fields, items];
+    let text = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("\n");
+    match syn::parse_file(&text) {
+        Ok(_) => Ok(text),
+        Err(error) => Err(EmitError::Unparsable { reason: error.to_string() }),
+    }
 }
 
 /// Features of a crate of scenes that are no scenes, and so no names for scenes.
@@ -106,24 +96,7 @@ pub fn emit_index(models: &[&Model], options: &EmitOptions) -> Result<String, Em
 fn pretty(tokens: TokenStream) -> Result<String, EmitError> {
     let file =
         syn::parse2(tokens).map_err(|error| EmitError::Unparsable { reason: error.to_string() })?;
-    Ok(space_items(&prettyplease::unparse(&file)))
-}
-
-/// Puts an empty line between items, where the printer puts none.
-fn space_items(text: &str) -> String {
-    let mut spaced = String::with_capacity(text.len() + text.len() / 16);
-    let mut previous = "";
-    for line in text.lines() {
-        let ends_item = matches!(previous.bytes().last(), Some(b'}' | b';'))
-            && !previous.starts_with([' ', '/']);
-        if ends_item && !line.is_empty() && !line.starts_with([' ', '}']) {
-            spaced.push('\n');
-        }
-        spaced.push_str(line);
-        spaced.push('\n');
-        previous = line;
-    }
-    spaced
+    Ok(layout::lay_out(&prettyplease::unparse(&file)))
 }
 
 /// A model with the names of its emitted module.
@@ -180,6 +153,19 @@ impl<'a> Scene<'a> {
 }
 
 impl Scene<'_> {
+    /// What bodies of free functions may name.
+    fn scope<'a>(&'a self, constants: &'a [Ident]) -> Scope<'a> {
+        Scope {
+            states: &self.states,
+            parameters: self.own_parameters(),
+            handed: self.handed(),
+            constants,
+            tables: &self.tables,
+            is_in_loop: false,
+            namer: &self.locals,
+        }
+    }
+
     /// Fields of `Parameters` that are the machine's.
     fn own_parameters(&self) -> &[Ident] {
         &self.parameters[..self.model.parameters.len()]
@@ -194,16 +180,7 @@ impl Scene<'_> {
 /// `use` of exactly what the module needs.
 fn imports(model: &Model, series: Option<&Series>) -> TokenStream {
     let series = series.map(Series::imports);
-    let linear = model.excitation.is_some().then(|| quote!(linear::LinearEquations,));
-    let fields = (!model.fields.is_empty()).then(field::imports);
-    let events = (!model.events.is_empty()).then(|| quote!(Direction, Event,));
-    let constraint = (!model.constraints.is_empty()).then(|| quote!(Constraint,));
+    let field = (!model.fields.is_empty()).then(|| quote!(field::FieldPoint,));
     let table = (!model.tables.is_empty()).then(|| quote!(CubicTable,));
-    let kinds = (!model.is_whole()).then(|| quote!(StateKind,));
-    quote! {
-        use ::machinist_contract::{
-            #constraint #table Describe, #events Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-            SparsityPattern, #kinds #linear #series #fields
-        };
-    }
+    quote!(use ::machinist_contract::{#table Energy, PowerBalance, Real, #series #field};)
 }

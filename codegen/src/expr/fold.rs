@@ -47,18 +47,43 @@ fn add(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {
     match (graph.op(a), graph.op(b)) {
         _ if graph.is_zero(a) => Folded::Node(b),
         _ if graph.is_zero(b) => Folded::Node(a),
+        (Op::Neg(x), Op::Neg(y)) => {
+            let sum = graph.add(x, y);
+            Folded::Node(graph.neg(sum))
+        }
         (_, Op::Neg(y)) => Folded::Node(graph.sub(a, y)),
         (Op::Neg(x), _) => Folded::Node(graph.sub(b, x)),
+        (_, Op::Literal(value)) if value < 0.0 => {
+            let positive = graph.literal(-value);
+            Folded::Node(graph.sub(a, positive))
+        }
+        (Op::Literal(value), _) if value < 0.0 => {
+            let positive = graph.literal(-value);
+            Folded::Node(graph.sub(b, positive))
+        }
         _ => Folded::Op(Op::Add(a, b)),
     }
 }
 
 fn sub(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {
-    match graph.op(b) {
+    match (graph.op(a), graph.op(b)) {
         _ if a == b => Folded::Op(Op::Literal(0.0)),
         _ if graph.is_zero(b) => Folded::Node(a),
         _ if graph.is_zero(a) => Folded::Node(graph.neg(b)),
-        Op::Neg(y) => Folded::Node(graph.add(a, y)),
+        (_, Op::Neg(y)) => Folded::Node(graph.add(a, y)),
+        (_, Op::Literal(value)) if value < 0.0 => {
+            let positive = graph.literal(-value);
+            Folded::Node(graph.add(a, positive))
+        }
+        (Op::Neg(x), _) => {
+            let sum = graph.add(x, b);
+            Folded::Node(graph.neg(sum))
+        }
+        (Op::Literal(value), _) if value < 0.0 => {
+            let positive = graph.literal(-value);
+            let sum = graph.add(positive, b);
+            Folded::Node(graph.neg(sum))
+        }
         _ => Folded::Op(Op::Sub(a, b)),
     }
 }
@@ -68,8 +93,6 @@ fn mul(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {
         (Op::Literal(0.0), _) | (_, Op::Literal(0.0)) => Folded::Op(Op::Literal(0.0)),
         (Op::Literal(1.0), _) => Folded::Node(b),
         (_, Op::Literal(1.0)) => Folded::Node(a),
-        (Op::Literal(-1.0), _) => Folded::Node(graph.neg(b)),
-        (_, Op::Literal(-1.0)) => Folded::Node(graph.neg(a)),
         (Op::Neg(x), Op::Neg(y)) => Folded::Node(graph.mul(x, y)),
         (Op::Neg(x), _) => {
             let product = graph.mul(x, b);
@@ -77,6 +100,16 @@ fn mul(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {
         }
         (_, Op::Neg(y)) => {
             let product = graph.mul(a, y);
+            Folded::Node(graph.neg(product))
+        }
+        (Op::Literal(factor), _) if factor < 0.0 => {
+            let positive = graph.literal(-factor);
+            let product = graph.mul(positive, b);
+            Folded::Node(graph.neg(product))
+        }
+        (_, Op::Literal(factor)) if factor < 0.0 => {
+            let positive = graph.literal(-factor);
+            let product = graph.mul(a, positive);
             Folded::Node(graph.neg(product))
         }
         (Op::Literal(factor), _) => scaled(graph, b, factor).unwrap_or(Folded::Op(Op::Mul(a, b))),
@@ -106,9 +139,23 @@ fn div(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {
     match (graph.op(a), graph.op(b)) {
         (Op::Literal(0.0), _) => Folded::Op(Op::Literal(0.0)),
         (_, Op::Literal(1.0)) => Folded::Node(a),
-        (_, Op::Literal(-1.0)) => Folded::Node(graph.neg(a)),
+        (Op::Neg(x), Op::Neg(y)) => Folded::Node(graph.div(x, y)),
         (Op::Neg(x), _) => {
             let quotient = graph.div(x, b);
+            Folded::Node(graph.neg(quotient))
+        }
+        (_, Op::Neg(y)) => {
+            let quotient = graph.div(a, y);
+            Folded::Node(graph.neg(quotient))
+        }
+        (Op::Literal(value), _) if value < 0.0 => {
+            let positive = graph.literal(-value);
+            let quotient = graph.div(positive, b);
+            Folded::Node(graph.neg(quotient))
+        }
+        (_, Op::Literal(value)) if value < 0.0 => {
+            let positive = graph.literal(-value);
+            let quotient = graph.div(a, positive);
             Folded::Node(graph.neg(quotient))
         }
         _ => Folded::Op(Op::Div(a, b)),

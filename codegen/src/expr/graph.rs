@@ -222,6 +222,6 @@ impl Graph {
     /// The nodes that `results` need, in order, and nothing else.
     #[must_use]
     pub fn tape(&self, results: &[NodeId]) -> Tape {
-        reachable(&self.nodes, results)
+        super::signs::absorb(&reachable(&self.nodes, results))
     }
 }

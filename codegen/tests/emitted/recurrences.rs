@@ -14,399 +14,122 @@
 // Source:
 //   Worked out on paper.
 //
-// Shapes; all quantities are in SI units:
-//   coordinates               1
-//   first-order states       63
-//   states                   65
-//   parameters                6
-//   outputs                   0
-//   discontinuities           0
-//
-// State:
-//     0  arm.phi      [rad]    angle from the vertical
-//     1  arm.phi_dot  [rad/s]  speed of arm.phi
-//     2  z_2          [1]
-//     3  z_3          [1]
-//     4  z_4          [1]
-//     5  z_5          [1]
-//     6  z_6          [1]
-//     7  z_7          [1]
-//     8  z_8          [1]
-//     9  z_9          [1]
-//    10  z_10         [1]
-//    11  z_11         [1]
-//    12  z_12         [1]
-//    13  z_13         [1]
-//    14  z_14         [1]
-//    15  z_15         [1]
-//    16  z_16         [1]
-//    17  z_17         [1]
-//    18  z_18         [1]
-//    19  z_19         [1]
-//    20  z_20         [1]
-//    21  z_21         [1]
-//    22  z_22         [1]
-//    23  z_23         [1]
-//    24  z_24         [1]
-//    25  z_25         [1]
-//    26  z_26         [1]
-//    27  z_27         [1]
-//    28  z_28         [1]
-//    29  z_29         [1]
-//    30  z_30         [1]
-//    31  z_31         [1]
-//    32  z_32         [1]
-//    33  z_33         [1]
-//    34  z_34         [1]
-//    35  z_35         [1]
-//    36  z_36         [1]
-//    37  z_37         [1]
-//    38  z_38         [1]
-//    39  z_39         [1]
-//    40  z_40         [1]
-//    41  z_41         [1]
-//    42  z_42         [1]
-//    43  z_43         [1]
-//    44  z_44         [1]
-//    45  z_45         [1]
-//    46  z_46         [1]
-//    47  z_47         [1]
-//    48  z_48         [1]
-//    49  z_49         [1]
-//    50  z_50         [1]
-//    51  z_51         [1]
-//    52  z_52         [1]
-//    53  z_53         [1]
-//    54  z_54         [1]
-//    55  z_55         [1]
-//    56  z_56         [1]
-//    57  z_57         [1]
-//    58  z_58         [1]
-//    59  z_59         [1]
-//    60  z_60         [1]
-//    61  z_61         [1]
-//    62  z_62         [1]
-//    63  z_63         [1]
-//    64  z_64         [1]
-//
-// Nonzeros:
-//   mass_matrix               1 of 1 by 1
-//   rate_jacobian             0 of 65 by 65
-//   parameter_jacobian        0 of 65 by 6
-//
-// Operations:
-//   initial_state             0
-//   discontinuities           0
-//   rate                     70
-//   mass_matrix               0
-//   forcing                   1
-//   rate_jacobian             0
-//   parameter_jacobian        0
-//   time_derivative           0
-//   outputs                   0
-//   energy                   10
-//   power_balance             4
-// With constants of the parameters, prepared once a run:
-//   prepare                   1
-//   prepared_rate            69
-//   prepared_rate_jacobian    0
+// All quantities are in SI units.
+// Shapes: coordinates 1, first-order states 63, states 65, parameters 6.
+// Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 0 of 65 by 65, parameter_jacobian 0 of 65 by 6.
+// Operations: rate 70, forcing 1, energy 10, power_balance 4, prepare 1, prepared_rate 69.
 
 use ::machinist_contract::{
-    CubicTable, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
-    Simulator, SparsityPattern, taylor::{Bends, Lanes, TaylorSeries, order_and_inverse},
+    CubicTable, Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
 };
 
-/// Generalized coordinates, n.
-pub const COORDINATES: usize = 1;
-
-/// Length of the state y.
-pub const STATES: usize = 65;
-
-/// Parameters.
-pub const PARAMETERS: usize = 6;
-
-/// Wanted outputs.
-pub const OUTPUTS: usize = 0;
-
-/// Times at which the right-hand side jumps.
-pub const DISCONTINUITIES: usize = 0;
-
-/// Nonzeros of M, both triangles.
-pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 1,
-    columns: 1,
-    entries: &[(0, 0)],
-};
-
-/// Nonzeros of dy'/dy.
-pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 65,
-    columns: 65,
-    entries: &[],
-};
-
-/// Nonzeros of dy'/dp.
-pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 65,
-    columns: 6,
-    entries: &[],
-};
-
-/// Damped pendulum
-///
-/// A point mass on a rod.
-///
-/// Its torque follows a table with a lag.
-///
-/// Source: Worked out on paper.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Recurrences;
-
-/// Parameters, in SI units; the default holds the values of the spec.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Parameters<R> {
-    /// arm.mass: mass of the bob \[kg\]. In the spec: 4.2.
-    pub arm_mass: R,
-    /// arm.length: length of the rod \[m\]. In the spec: 0.75.
-    pub arm_length: R,
-    /// arm.gravity: acceleration of free fall \[m/s^2\]. In the spec: 9.80665.
-    pub arm_gravity: R,
-    /// arm.damping: viscous damping of the pivot \[N m s/rad\]. In the spec: 0.1285346.
-    pub arm_damping: R,
-    /// drive.lag: time constant of the drive \[s\]. In the spec: 0.01.
-    pub drive_lag: R,
-    /// start: time at which the drive starts \[s\]. In the spec: 0.1.
-    pub start: R,
+::machinist_contract::simulator! {
+    /// Damped pendulum
+    ///
+    /// A point mass on a rod.
+    ///
+    /// Its torque follows a table with a lag.
+    ///
+    /// Source: Worked out on paper.
+    Recurrences: "recurrences", "Damped pendulum";
+    run from 0.0, until 2.0, points 1001, rtol 1e-8, method "bdf";
+    quadratures 0, discontinuities 0;
+    prepared; series 41 Corners;
 }
 
-impl<R: Real> Parameters<R> {
-    /// From the numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn from_array(values: [R; PARAMETERS]) -> Self {
-        Self {
-            arm_mass: values[0],
-            arm_length: values[1],
-            arm_gravity: values[2],
-            arm_damping: values[3],
-            drive_lag: values[4],
-            start: values[5],
-        }
-    }
-    /// The numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn to_array(self) -> [R; PARAMETERS] {
-        [
-            self.arm_mass,
-            self.arm_length,
-            self.arm_gravity,
-            self.arm_damping,
-            self.drive_lag,
-            self.start,
-        ]
-    }
+::machinist_contract::parameters! {
+    arm_mass: 4.2, "kg", "arm.mass", "mass of the bob";
+    arm_length: 0.75, "m", "arm.length", "length of the rod";
+    arm_gravity: 9.80665, "m/s^2", "arm.gravity", "acceleration of free fall";
+    arm_damping: 0.128_534_6, "N m s/rad", "arm.damping", "viscous damping of the pivot";
+    drive_lag: 0.01, "s", "drive.lag", "time constant of the drive";
+    start: 0.1, "s", "start", "time at which the drive starts";
 }
 
-impl<R: Real> Default for Parameters<R> {
-    fn default() -> Self {
-        Self {
-            arm_mass: R::literal(4.2),
-            arm_length: R::literal(0.75),
-            arm_gravity: R::literal(9.80665),
-            arm_damping: R::literal(0.128_534_6),
-            drive_lag: R::literal(0.01),
-            start: R::literal(0.1),
-        }
-    }
+::machinist_contract::outputs! {}
+
+::machinist_contract::states! {
+    ARM_PHI: position, 1.0, "rad", "arm.phi", "angle from the vertical";
+    ARM_PHI_DOT: velocity, 10.0, "rad/s", "arm.phi_dot", "speed of arm.phi";
+    Z_2: first_order, 1.0, "1", "z_2", "";
+    Z_3: first_order, 1.0, "1", "z_3", "";
+    Z_4: first_order, 1.0, "1", "z_4", "";
+    Z_5: first_order, 1.0, "1", "z_5", "";
+    Z_6: first_order, 1.0, "1", "z_6", "";
+    Z_7: first_order, 1.0, "1", "z_7", "";
+    Z_8: first_order, 1.0, "1", "z_8", "";
+    Z_9: first_order, 1.0, "1", "z_9", "";
+    Z_10: first_order, 1.0, "1", "z_10", "";
+    Z_11: first_order, 1.0, "1", "z_11", "";
+    Z_12: first_order, 1.0, "1", "z_12", "";
+    Z_13: first_order, 1.0, "1", "z_13", "";
+    Z_14: first_order, 1.0, "1", "z_14", "";
+    Z_15: first_order, 1.0, "1", "z_15", "";
+    Z_16: first_order, 1.0, "1", "z_16", "";
+    Z_17: first_order, 1.0, "1", "z_17", "";
+    Z_18: first_order, 1.0, "1", "z_18", "";
+    Z_19: first_order, 1.0, "1", "z_19", "";
+    Z_20: first_order, 1.0, "1", "z_20", "";
+    Z_21: first_order, 1.0, "1", "z_21", "";
+    Z_22: first_order, 1.0, "1", "z_22", "";
+    Z_23: first_order, 1.0, "1", "z_23", "";
+    Z_24: first_order, 1.0, "1", "z_24", "";
+    Z_25: first_order, 1.0, "1", "z_25", "";
+    Z_26: first_order, 1.0, "1", "z_26", "";
+    Z_27: first_order, 1.0, "1", "z_27", "";
+    Z_28: first_order, 1.0, "1", "z_28", "";
+    Z_29: first_order, 1.0, "1", "z_29", "";
+    Z_30: first_order, 1.0, "1", "z_30", "";
+    Z_31: first_order, 1.0, "1", "z_31", "";
+    Z_32: first_order, 1.0, "1", "z_32", "";
+    Z_33: first_order, 1.0, "1", "z_33", "";
+    Z_34: first_order, 1.0, "1", "z_34", "";
+    Z_35: first_order, 1.0, "1", "z_35", "";
+    Z_36: first_order, 1.0, "1", "z_36", "";
+    Z_37: first_order, 1.0, "1", "z_37", "";
+    Z_38: first_order, 1.0, "1", "z_38", "";
+    Z_39: first_order, 1.0, "1", "z_39", "";
+    Z_40: first_order, 1.0, "1", "z_40", "";
+    Z_41: first_order, 1.0, "1", "z_41", "";
+    Z_42: first_order, 1.0, "1", "z_42", "";
+    Z_43: first_order, 1.0, "1", "z_43", "";
+    Z_44: first_order, 1.0, "1", "z_44", "";
+    Z_45: first_order, 1.0, "1", "z_45", "";
+    Z_46: first_order, 1.0, "1", "z_46", "";
+    Z_47: first_order, 1.0, "1", "z_47", "";
+    Z_48: first_order, 1.0, "1", "z_48", "";
+    Z_49: first_order, 1.0, "1", "z_49", "";
+    Z_50: first_order, 1.0, "1", "z_50", "";
+    Z_51: first_order, 1.0, "1", "z_51", "";
+    Z_52: first_order, 1.0, "1", "z_52", "";
+    Z_53: first_order, 1.0, "1", "z_53", "";
+    Z_54: first_order, 1.0, "1", "z_54", "";
+    Z_55: first_order, 1.0, "1", "z_55", "";
+    Z_56: first_order, 1.0, "1", "z_56", "";
+    Z_57: first_order, 1.0, "1", "z_57", "";
+    Z_58: first_order, 1.0, "1", "z_58", "";
+    Z_59: first_order, 1.0, "1", "z_59", "";
+    Z_60: first_order, 1.0, "1", "z_60", "";
+    Z_61: first_order, 1.0, "1", "z_61", "";
+    Z_62: first_order, 1.0, "1", "z_62", "";
+    Z_63: first_order, 1.0, "1", "z_63", "";
+    Z_64: first_order, 1.0, "1", "z_64", "";
 }
 
-/// Wanted outputs, in SI units.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Outputs<R> {
-    /// Nothing; there are no numbers here.
-    pub real: core::marker::PhantomData<R>,
+::machinist_contract::patterns! {
+    /// Nonzeros of M.
+    MASS_MATRIX_PATTERN: 1 by 1 { 0 [0] }
+    /// Nonzeros of dy'/dy.
+    RATE_JACOBIAN_PATTERN: 65 by 65 {  }
+    /// Nonzeros of dy'/dp.
+    PARAMETER_JACOBIAN_PATTERN: 65 by 6 {  }
 }
 
-impl<R: Real> Outputs<R> {
-    /// From the numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn from_array(_values: [R; OUTPUTS]) -> Self {
-        Self {
-            real: core::marker::PhantomData,
-        }
-    }
-    /// The numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn to_array(self) -> [R; OUTPUTS] {
-        []
-    }
+::machinist_contract::constants! {
+    t0
 }
 
-/// Where to find what in the state.
-pub mod state {
-    /// arm.phi: angle from the vertical \[rad\].
-    pub const ARM_PHI: usize = 0;
-    /// arm.phi_dot: speed of arm.phi \[rad/s\].
-    pub const ARM_PHI_DOT: usize = 1;
-    /// z_2 \[1\].
-    pub const Z_2: usize = 2;
-    /// z_3 \[1\].
-    pub const Z_3: usize = 3;
-    /// z_4 \[1\].
-    pub const Z_4: usize = 4;
-    /// z_5 \[1\].
-    pub const Z_5: usize = 5;
-    /// z_6 \[1\].
-    pub const Z_6: usize = 6;
-    /// z_7 \[1\].
-    pub const Z_7: usize = 7;
-    /// z_8 \[1\].
-    pub const Z_8: usize = 8;
-    /// z_9 \[1\].
-    pub const Z_9: usize = 9;
-    /// z_10 \[1\].
-    pub const Z_10: usize = 10;
-    /// z_11 \[1\].
-    pub const Z_11: usize = 11;
-    /// z_12 \[1\].
-    pub const Z_12: usize = 12;
-    /// z_13 \[1\].
-    pub const Z_13: usize = 13;
-    /// z_14 \[1\].
-    pub const Z_14: usize = 14;
-    /// z_15 \[1\].
-    pub const Z_15: usize = 15;
-    /// z_16 \[1\].
-    pub const Z_16: usize = 16;
-    /// z_17 \[1\].
-    pub const Z_17: usize = 17;
-    /// z_18 \[1\].
-    pub const Z_18: usize = 18;
-    /// z_19 \[1\].
-    pub const Z_19: usize = 19;
-    /// z_20 \[1\].
-    pub const Z_20: usize = 20;
-    /// z_21 \[1\].
-    pub const Z_21: usize = 21;
-    /// z_22 \[1\].
-    pub const Z_22: usize = 22;
-    /// z_23 \[1\].
-    pub const Z_23: usize = 23;
-    /// z_24 \[1\].
-    pub const Z_24: usize = 24;
-    /// z_25 \[1\].
-    pub const Z_25: usize = 25;
-    /// z_26 \[1\].
-    pub const Z_26: usize = 26;
-    /// z_27 \[1\].
-    pub const Z_27: usize = 27;
-    /// z_28 \[1\].
-    pub const Z_28: usize = 28;
-    /// z_29 \[1\].
-    pub const Z_29: usize = 29;
-    /// z_30 \[1\].
-    pub const Z_30: usize = 30;
-    /// z_31 \[1\].
-    pub const Z_31: usize = 31;
-    /// z_32 \[1\].
-    pub const Z_32: usize = 32;
-    /// z_33 \[1\].
-    pub const Z_33: usize = 33;
-    /// z_34 \[1\].
-    pub const Z_34: usize = 34;
-    /// z_35 \[1\].
-    pub const Z_35: usize = 35;
-    /// z_36 \[1\].
-    pub const Z_36: usize = 36;
-    /// z_37 \[1\].
-    pub const Z_37: usize = 37;
-    /// z_38 \[1\].
-    pub const Z_38: usize = 38;
-    /// z_39 \[1\].
-    pub const Z_39: usize = 39;
-    /// z_40 \[1\].
-    pub const Z_40: usize = 40;
-    /// z_41 \[1\].
-    pub const Z_41: usize = 41;
-    /// z_42 \[1\].
-    pub const Z_42: usize = 42;
-    /// z_43 \[1\].
-    pub const Z_43: usize = 43;
-    /// z_44 \[1\].
-    pub const Z_44: usize = 44;
-    /// z_45 \[1\].
-    pub const Z_45: usize = 45;
-    /// z_46 \[1\].
-    pub const Z_46: usize = 46;
-    /// z_47 \[1\].
-    pub const Z_47: usize = 47;
-    /// z_48 \[1\].
-    pub const Z_48: usize = 48;
-    /// z_49 \[1\].
-    pub const Z_49: usize = 49;
-    /// z_50 \[1\].
-    pub const Z_50: usize = 50;
-    /// z_51 \[1\].
-    pub const Z_51: usize = 51;
-    /// z_52 \[1\].
-    pub const Z_52: usize = 52;
-    /// z_53 \[1\].
-    pub const Z_53: usize = 53;
-    /// z_54 \[1\].
-    pub const Z_54: usize = 54;
-    /// z_55 \[1\].
-    pub const Z_55: usize = 55;
-    /// z_56 \[1\].
-    pub const Z_56: usize = 56;
-    /// z_57 \[1\].
-    pub const Z_57: usize = 57;
-    /// z_58 \[1\].
-    pub const Z_58: usize = 58;
-    /// z_59 \[1\].
-    pub const Z_59: usize = 59;
-    /// z_60 \[1\].
-    pub const Z_60: usize = 60;
-    /// z_61 \[1\].
-    pub const Z_61: usize = 61;
-    /// z_62 \[1\].
-    pub const Z_62: usize = 62;
-    /// z_63 \[1\].
-    pub const Z_63: usize = 63;
-    /// z_64 \[1\].
-    pub const Z_64: usize = 64;
-}
-
-/// Constants that `prepare` computes.
-pub const CONSTANTS: usize = 1;
-
-#[allow(missing_docs, reason = "`prepare` says what each is")]
-/// What parameters alone decide; `prepare` says what each is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Constants<R> {
-    pub t0: R,
-}
-
-impl<R: Real> Constants<R> {
-    /// From the numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn from_array(values: [R; CONSTANTS]) -> Self {
-        Self { t0: values[0] }
-    }
-    /// The numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn to_array(self) -> [R; CONSTANTS] {
-        [self.t0]
-    }
-}
-
-/// What `rate` and `rate_jacobian` need of the parameters, once a run.
-///
-/// 1 operation.
+/// What `rate` and `rate_jacobian` need of the parameters, once a run. 1 operation.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -414,126 +137,45 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     Constants { t0 }
 }
 
-/// State at the start of the run, in the units of the states.
-///
-/// No operations.
+/// State at the start of the run, in the units of the states. No operations.
 #[must_use]
 pub fn initial_state<R: Real>(_p: &Parameters<R>) -> [R; STATES] {
-    [
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-    ]
+    [R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
 
-/// Times at which the right-hand side jumps \[s\].
-///
-/// No operations.
+/// Times of known jumps of the right-hand side \[s\], unsorted. No operations.
 #[must_use]
 pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
-///
-/// 70 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 69 operations.
 #[must_use]
 #[inline]
-pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
-    prepared_rate(time, state, p, &prepare(p))
-}
-
-/// As `rate`, with the constants of the parameters from `prepare`.
-///
-/// 69 operations.
-#[must_use]
-#[inline]
-pub fn prepared_rate<R: Real>(
-    time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-    c: &Constants<R>,
-) -> [R; STATES] {
+pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; STATES] {
     let [arm_phi, arm_phi_dot, ..] = *state;
     let arm_phi_minus_arm_phi_dot = arm_phi - arm_phi_dot;
     let arm_phi_dot_minus_arm_phi = arm_phi_dot - arm_phi;
     let z_50_dot = (-p.drive_lag).add_product(p.arm_length, time);
     let minus_z_50_dot = -z_50_dot;
-    let [(z_8_dot, z_10_dot), (z_9_dot, z_11_dot), (z_55_dot, z_57_dot),
-    (z_56_dot, z_58_dot)] = R::sin_cos_each([
-        arm_phi_minus_arm_phi_dot,
-        arm_phi_dot_minus_arm_phi,
-        z_50_dot,
-        minus_z_50_dot,
-    ]);
-    let [z_24_dot, z_25_dot, z_63_dot, z_64_dot] = R::tanh_each([
-        arm_phi_minus_arm_phi_dot,
-        arm_phi_dot_minus_arm_phi,
-        z_50_dot,
-        minus_z_50_dot,
-    ]);
+    let [(z_8_dot, z_10_dot), (z_9_dot, z_11_dot), (z_55_dot, z_57_dot), (z_56_dot, z_58_dot)]
+        = R::sin_cos_each([arm_phi_minus_arm_phi_dot, arm_phi_dot_minus_arm_phi, z_50_dot,
+        minus_z_50_dot]);
+    let [z_24_dot, z_25_dot, z_63_dot, z_64_dot] = R::tanh_each([arm_phi_minus_arm_phi_dot,
+        arm_phi_dot_minus_arm_phi, z_50_dot, minus_z_50_dot]);
     let arm_phi_dot_dot = -arm_phi;
     let t0 = R::literal(2.0) + arm_phi;
     let z_2_dot = t0.sqrt();
@@ -586,255 +228,84 @@ pub fn prepared_rate<R: Real>(
     let z_60_dot = minus_z_50_dot.exp();
     let z_61_dot = z_50_dot.sinh();
     let z_62_dot = minus_z_50_dot.sinh();
-    [
-        arm_phi_dot,
-        arm_phi_dot_dot,
-        z_2_dot,
-        z_3_dot,
-        z_4_dot,
-        z_5_dot,
-        z_6_dot,
-        z_7_dot,
-        z_8_dot,
-        z_9_dot,
-        z_10_dot,
-        z_11_dot,
-        z_12_dot,
-        z_13_dot,
-        z_14_dot,
-        z_15_dot,
-        z_16_dot,
-        z_17_dot,
-        z_18_dot,
-        z_19_dot,
-        z_20_dot,
-        z_21_dot,
-        z_22_dot,
-        z_23_dot,
-        z_24_dot,
-        z_25_dot,
-        z_26_dot,
-        z_27_dot,
-        z_28_dot,
-        z_29_dot,
-        z_30_dot,
-        z_31_dot,
-        z_32_dot,
-        z_33_dot,
-        z_34_dot,
-        z_35_dot,
-        z_36_dot,
-        c.t0,
-        z_38_dot,
-        z_39_dot,
-        z_40_dot,
-        z_41_dot,
-        z_42_dot,
-        z_43_dot,
-        z_44_dot,
-        z_45_dot,
-        z_46_dot,
-        z_47_dot,
-        z_48_dot,
-        z_49_dot,
-        z_50_dot,
-        z_51_dot,
-        z_52_dot,
-        z_53_dot,
-        z_54_dot,
-        z_55_dot,
-        z_56_dot,
-        z_57_dot,
-        z_58_dot,
-        z_59_dot,
-        z_60_dot,
-        z_61_dot,
-        z_62_dot,
-        z_63_dot,
-        z_64_dot,
-    ]
+    [arm_phi_dot, arm_phi_dot_dot, z_2_dot, z_3_dot, z_4_dot, z_5_dot, z_6_dot, z_7_dot, z_8_dot,
+        z_9_dot, z_10_dot, z_11_dot, z_12_dot, z_13_dot, z_14_dot, z_15_dot, z_16_dot, z_17_dot,
+        z_18_dot, z_19_dot, z_20_dot, z_21_dot, z_22_dot, z_23_dot, z_24_dot, z_25_dot, z_26_dot,
+        z_27_dot, z_28_dot, z_29_dot, z_30_dot, z_31_dot, z_32_dot, z_33_dot, z_34_dot, z_35_dot,
+        z_36_dot, c.t0, z_38_dot, z_39_dot, z_40_dot, z_41_dot, z_42_dot, z_43_dot, z_44_dot,
+        z_45_dot, z_46_dot, z_47_dot, z_48_dot, z_49_dot, z_50_dot, z_51_dot, z_52_dot, z_53_dot,
+        z_54_dot, z_55_dot, z_56_dot, z_57_dot, z_58_dot, z_59_dot, z_60_dot, z_61_dot, z_62_dot,
+        z_63_dot, z_64_dot]
 }
 
-/// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
-///
-/// No operations.
+/// `M = d2L/dq'2`, values in the order of its pattern. No operations.
 #[must_use]
-pub fn mass_matrix<R: Real>(
-    _time: R,
-    _state: &[R; STATES],
-    _p: &Parameters<R>,
-) -> [R; 1] {
+pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) -> [R; 1] {
     [R::literal(1.0)]
 }
 
-/// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
-///
-/// 1 operation.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 1 operation.
 #[must_use]
-pub fn forcing<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    _p: &Parameters<R>,
-) -> [R; COORDINATES] {
+pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; COORDINATES] {
     let [arm_phi, ..] = *state;
     let arm_phi_forcing = -arm_phi;
     [arm_phi_forcing]
 }
 
-/// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
-///
-/// No operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. No operations.
 #[must_use]
-#[inline]
-pub fn rate_jacobian<R: Real>(
-    time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-) -> [R; 0] {
-    prepared_rate_jacobian(time, state, p, &prepare(p))
-}
-
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
-///
-/// No operations.
-#[must_use]
-pub fn prepared_rate_jacobian<R: Real>(
-    _time: R,
-    _state: &[R; STATES],
-    _p: &Parameters<R>,
-    _c: &Constants<R>,
-) -> [R; 0] {
+pub fn prepared_rate_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>,
+        _c: &Constants<R>) -> [R; 0] {
     []
 }
 
-/// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
-///
-/// No operations.
+/// `dy'/dp`, values in the order of its pattern. No operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(
-    _time: R,
-    _state: &[R; STATES],
-    _p: &Parameters<R>,
-) -> [R; 0] {
+pub fn parameter_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) -> [R; 0] {
     []
 }
 
-/// Partial derivative of `y'` with respect to time.
-///
-/// No operations.
+/// Partial derivative of `y'` with respect to time. No operations.
 #[must_use]
-pub fn time_derivative<R: Real>(
-    _time: R,
-    _state: &[R; STATES],
-    _p: &Parameters<R>,
-) -> [R; STATES] {
-    [
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-    ]
+pub fn time_derivative<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
+    [R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
 
-/// Wanted outputs.
-///
-/// No operations.
+/// Wanted outputs. No operations.
 #[must_use]
-pub fn outputs<R: Real>(
-    _time: R,
-    _state: &[R; STATES],
-    _p: &Parameters<R>,
-) -> Outputs<R> {
+pub fn outputs<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) -> Outputs<R> {
     Outputs {
         real: core::marker::PhantomData,
     }
 }
 
-/// T, V and the energy of first-order states \[J\].
-///
-/// 10 operations.
+/// T, V and the energy of first-order states \[J\]. 10 operations.
 #[must_use]
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
     let [arm_phi, arm_phi_dot, ..] = *state;
     let inertia = p.arm_mass * p.arm_length.powi(2);
     Energy {
         kinetic: inertia * arm_phi_dot.powi(2) / R::literal(2.0),
-        potential: p.arm_mass * p.arm_gravity
-            * (p.arm_length * (R::literal(1.0) - arm_phi.cos())),
+        potential: p.arm_mass * p.arm_gravity * (p.arm_length * (R::literal(1.0) - arm_phi.cos())),
         stored: R::literal(0.0),
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\].
-///
-/// 4 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 4 operations.
 #[must_use]
-pub fn power_balance<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-) -> PowerBalance<R> {
+pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [_, arm_phi_dot, z_2, ..] = *state;
     let supplied = z_2 * arm_phi_dot;
     let dissipated = p.arm_damping * arm_phi_dot.powi(2);
@@ -854,13 +325,8 @@ pub fn power_balance<R: Real>(
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
-pub fn series<R: Real>(
-    time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-    coefficients: &mut [[R; STATES]],
-    workspace: &mut [R],
-) {
+pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        coefficients: &mut [[R; STATES]], workspace: &mut [R]) {
     let (mut lanes, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
     let (mut lanes_1, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
     let (mut lanes_2, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
@@ -995,73 +461,10 @@ pub fn series<R: Real>(
     let mut t75_before = t75;
     let mut t76_before = t76;
     let mut t80_before = t80;
-    let mut rates = [
-        arm_phi_dot,
-        t0,
-        t2,
-        t3,
-        t6,
-        t6,
-        t7,
-        t8,
-        t9,
-        t11,
-        t10,
-        t10,
-        t12,
-        t15,
-        t19,
-        t20,
-        t21,
-        t25,
-        t27,
-        t28,
-        t29,
-        t31,
-        t30,
-        t30,
-        t32,
-        t35,
-        t36,
-        t37,
-        t38,
-        t39,
-        t41,
-        t42,
-        t44,
-        t45,
-        t46,
-        t47,
-        t48,
-        t49,
-        t52,
-        t53,
-        R::literal(1.0),
-        t40,
-        t50,
-        t51,
-        t55,
-        t56,
-        t57,
-        t60,
-        t61,
-        t62,
-        t64,
-        t66,
-        t67,
-        t68,
-        t69,
-        t70,
-        t72,
-        t71,
-        t71,
-        t73,
-        t74,
-        t75,
-        t77,
-        t78,
-        t81,
-    ];
+    let mut rates = [arm_phi_dot, t0, t2, t3, t6, t6, t7, t8, t9, t11, t10, t10, t12, t15, t19,
+        t20, t21, t25, t27, t28, t29, t31, t30, t30, t32, t35, t36, t37, t38, t39, t41, t42, t44,
+        t45, t46, t47, t48, t49, t52, t53, R::literal(1.0), t40, t50, t51, t55, t56, t57, t60, t61,
+        t62, t64, t66, t67, t68, t69, t70, t72, t71, t71, t73, t74, t75, t77, t78, t81];
     coefficients[0] = *state;
     let highest = coefficients.len() - 1;
     for (order, state_k) in coefficients.iter_mut().enumerate().skip(1) {
@@ -1119,8 +522,7 @@ pub fn series<R: Real>(
         let t37_k = t37_first * arm_phi_k + t37_second * sums[2] + t37_third * sums[3];
         let t38_k = t38_first * arm_phi_k + t38_second * sums[2] + t38_third * sums[3];
         let t39_k = t39_first * arm_phi_k + t39_second * sums[2] + t39_third * sums[3];
-        let t41_k = arm_phi
-            .mul_add(arm_phi_dot_k, arm_phi_dot.mul_add(arm_phi_k, sums[0]));
+        let t41_k = arm_phi.mul_add(arm_phi_dot_k, arm_phi_dot.mul_add(arm_phi_k, sums[0]));
         let t42_k = arm_phi_dot_k * p.arm_length;
         let t44_k = arm_phi_k * t43;
         let t45_k = arm_phi_k * R::literal(0.5);
@@ -1133,10 +535,10 @@ pub fn series<R: Real>(
         let t53_k = -arm_phi_k.mul_add(t53, sums_4[2]) * inverse_t40_3;
         let t54_k = (t50 + t50).mul_add(t50_k, sums_4[3]);
         let t55_k = t51.mul_add(t54_k, t54.mul_add(t51_k, sums_7[0]));
-        let t56_k = (p.arm_length * arm_phi_k.mul_add(t56, inverse * sums_5[0])
-            - inverse * sums_7[1]) * inverse_t40_4;
-        let t57_k = (R::literal(-2.5) * arm_phi_k.mul_add(t57, inverse * sums_5[1])
-            - inverse * sums_7[2]) * inverse_t40_5;
+        let t56_k = (p.arm_length * arm_phi_k.mul_add(t56, inverse * sums_5[0]) - inverse
+            * sums_7[1]) * inverse_t40_4;
+        let t57_k = (R::literal(-2.5) * arm_phi_k.mul_add(t57, inverse * sums_5[1]) - inverse
+            * sums_7[2]) * inverse_t40_5;
         let t58_k = (arm_phi_k - inverse * sums_7[3]) * inverse_t40_6;
         let t59_k = arm_phi_dot.mul_add(t58_k, t58.mul_add(arm_phi_dot_k, sums_5[2]));
         let t60_k = t59_k.mul_add(t60, inverse * sums_9[2]);
@@ -1147,8 +549,8 @@ pub fn series<R: Real>(
         let t66_k = time.mul_add(arm_phi_k, R::literal(1.0) * arm_phi_before);
         let t67_k = t64.mul_add(t65_k, p.arm_length * t65_before);
         let t68_k = time_k * p.arm_length + arm_phi_k;
-        let t69_k = t69_first * time_k * p.arm_length + t69_second * sums_5[3]
-            + t69_third * sums_6[0];
+        let t69_k = t69_first * time_k * p.arm_length + t69_second * sums_5[3] + t69_third
+            * sums_6[0];
         let t70_k = inverse * p.arm_length * t71_before;
         let t71_k = -inverse * p.arm_length * t70_before;
         let t72_k = -t70_k;
@@ -1161,62 +563,20 @@ pub fn series<R: Real>(
         let t79_k = (t78 + t78).mul_add(t78_k, sums_1[1]);
         let t80_k = -t79_k;
         let t81_k = -t78_k;
-        lanes
-            .set(
-                order,
-                [arm_phi_k, t4_k, arm_phi_k, arm_phi_k],
-                [arm_phi_dot_k, t4_k, arm_phi_k, sums[2]],
-            );
-        lanes_1
-            .set(
-                order,
-                [arm_phi_k, t78_k, t2_k, k * t4_k],
-                [arm_phi_k, t78_k, t2_k, t7_k],
-            );
-        lanes_2
-            .set(order, [k * t4_k, k * t4_k, t12_k, t5_k], [t10_k, t9_k, t12_k, t5_k]);
-        lanes_3
-            .set(
-                order,
-                [k * t4_k, k * t4_k, t32_k, arm_phi_k],
-                [t30_k, t29_k, t32_k, t46_k],
-            );
-        lanes_4
-            .set(
-                order,
-                [arm_phi_k, arm_phi_k, arm_phi_k, t50_k],
-                [t47_k, t50_k, t53_k, t50_k],
-            );
-        lanes_5
-            .set(
-                order,
-                [k * arm_phi_k, k * arm_phi_k, arm_phi_dot_k, time_k * p.arm_length],
-                [t56_k, t57_k, t58_k, time_k * p.arm_length],
-            );
-        lanes_6
-            .set(
-                order,
-                [time_k * p.arm_length, k * t3_k, k * t5_k, k * t27_k],
-                [sums_5[3], arm_phi_k, t8_k, t16_k],
-            );
-        lanes_7
-            .set(
-                order,
-                [t51_k, k * t56_k, k * t57_k, k * t58_k],
-                [t54_k, arm_phi_k, arm_phi_k, arm_phi_k],
-            );
-        lanes_8
-            .set(
-                order,
-                [k * t4_k, t18_k, k * t19_k, k * t21_k],
-                [t13_k, t18_k, t18_k, t18_k],
-            );
-        lanes_9
-            .set(
-                order,
-                [k * t4_k, t51_k, k * t59_k, t24_k],
-                [t34_k, t52_k, t60_k, t24_k],
-            );
+        lanes.set(order, [arm_phi_k, t4_k, arm_phi_k, arm_phi_k], [arm_phi_dot_k, t4_k, arm_phi_k,
+            sums[2]]);
+        lanes_1.set(order, [arm_phi_k, t78_k, t2_k, k * t4_k], [arm_phi_k, t78_k, t2_k, t7_k]);
+        lanes_2.set(order, [k * t4_k, k * t4_k, t12_k, t5_k], [t10_k, t9_k, t12_k, t5_k]);
+        lanes_3.set(order, [k * t4_k, k * t4_k, t32_k, arm_phi_k], [t30_k, t29_k, t32_k, t46_k]);
+        lanes_4.set(order, [arm_phi_k, arm_phi_k, arm_phi_k, t50_k], [t47_k, t50_k, t53_k, t50_k]);
+        lanes_5.set(order, [k * arm_phi_k, k * arm_phi_k, arm_phi_dot_k, time_k * p.arm_length],
+            [t56_k, t57_k, t58_k, time_k * p.arm_length]);
+        lanes_6.set(order, [time_k * p.arm_length, k * t3_k, k * t5_k, k * t27_k],
+            [sums_5[3], arm_phi_k, t8_k, t16_k]);
+        lanes_7.set(order, [t51_k, k * t56_k, k * t57_k, k * t58_k], [t54_k, arm_phi_k, arm_phi_k,
+            arm_phi_k]);
+        lanes_8.set(order, [k * t4_k, t18_k, k * t19_k, k * t21_k], [t13_k, t18_k, t18_k, t18_k]);
+        lanes_9.set(order, [k * t4_k, t51_k, k * t59_k, t24_k], [t34_k, t52_k, t60_k, t24_k]);
         lanes_10.set(order, [k * t25_k], [t24_k]);
         arm_phi_before = arm_phi_k;
         t65_before = t65_k;
@@ -1227,714 +587,14 @@ pub fn series<R: Real>(
         t75_before = t75_k;
         t76_before = t76_k;
         t80_before = t80_k;
-        rates = [
-            arm_phi_dot_k,
-            t0_k,
-            t2_k,
-            t3_k,
-            t6_k,
-            t6_k,
-            t7_k,
-            t8_k,
-            t9_k,
-            t11_k,
-            t10_k,
-            t10_k,
-            t12_k,
-            t15_k,
-            t19_k,
-            t20_k,
-            t21_k,
-            t25_k,
-            t27_k,
-            t28_k,
-            t29_k,
-            t31_k,
-            t30_k,
-            t30_k,
-            t32_k,
-            t35_k,
-            t36_k,
-            t37_k,
-            t38_k,
-            t39_k,
-            t41_k,
-            t42_k,
-            t44_k,
-            t45_k,
-            t46_k,
-            t47_k,
-            t48_k,
-            R::literal(0.0),
-            t52_k,
-            t53_k,
-            R::literal(0.0),
-            arm_phi_k,
-            t50_k,
-            t51_k,
-            t55_k,
-            t56_k,
-            t57_k,
-            t60_k,
-            t61_k,
-            t62_k,
-            time_k * p.arm_length,
-            t66_k,
-            t67_k,
-            t68_k,
-            t69_k,
-            t70_k,
-            t72_k,
-            t71_k,
-            t71_k,
-            t73_k,
-            t74_k,
-            t75_k,
-            t77_k,
-            t78_k,
-            t81_k,
-        ];
+        rates = [arm_phi_dot_k, t0_k, t2_k, t3_k, t6_k, t6_k, t7_k, t8_k, t9_k, t11_k, t10_k,
+            t10_k, t12_k, t15_k, t19_k, t20_k, t21_k, t25_k, t27_k, t28_k, t29_k, t31_k, t30_k,
+            t30_k, t32_k, t35_k, t36_k, t37_k, t38_k, t39_k, t41_k, t42_k, t44_k, t45_k, t46_k,
+            t47_k, t48_k, R::literal(0.0), t52_k, t53_k, R::literal(0.0), arm_phi_k, t50_k, t51_k,
+            t55_k, t56_k, t57_k, t60_k, t61_k, t62_k, time_k * p.arm_length, t66_k, t67_k, t68_k,
+            t69_k, t70_k, t72_k, t71_k, t71_k, t73_k, t74_k, t75_k, t77_k, t78_k, t81_k];
     }
 }
-
-impl<R: Real> TaylorSeries<R> for Recurrences {
-    fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 1>::workspace(order + 1)
-    }
-    fn series(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        coefficients: &mut [R],
-        workspace: &mut [R],
-    ) {
-        let (coefficients, rest) = coefficients.as_chunks_mut();
-        assert!(rest.is_empty(), "every order has STATES coefficients");
-        let p = parameters_of(parameters);
-        series(time, state_of(state), &p, coefficients, workspace);
-    }
-    fn bends(&self) -> Bends {
-        Bends::Corners
-    }
-}
-
-impl Describe for Recurrences {
-    fn name(&self) -> &'static str {
-        "recurrences"
-    }
-    fn title(&self) -> &'static str {
-        "Damped pendulum"
-    }
-    fn shape(&self) -> Shape {
-        Shape {
-            coordinates: COORDINATES,
-            positions: 1,
-            first_order: 63,
-            quadratures: 0,
-            parameters: PARAMETERS,
-            outputs: OUTPUTS,
-            discontinuities: DISCONTINUITIES,
-        }
-    }
-    fn state(&self, index: usize) -> Quantity<'_> {
-        STATE_QUANTITIES[index]
-    }
-    fn state_scale(&self, index: usize) -> f64 {
-        STATE_SCALES[index]
-    }
-    fn parameter(&self, index: usize) -> Quantity<'_> {
-        PARAMETER_QUANTITIES[index]
-    }
-    fn parameter_default(&self, index: usize) -> f64 {
-        PARAMETER_DEFAULTS[index]
-    }
-    fn output(&self, index: usize) -> Quantity<'_> {
-        OUTPUT_QUANTITIES[index]
-    }
-    fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
-        RATE_JACOBIAN_PATTERN
-    }
-    fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_> {
-        PARAMETER_JACOBIAN_PATTERN
-    }
-    fn mass_matrix_pattern(&self) -> SparsityPattern<'_> {
-        MASS_MATRIX_PATTERN
-    }
-    fn run_defaults(&self) -> RunDefaults<'_> {
-        RUN_DEFAULTS
-    }
-}
-
-impl<R: Real> Simulator<R> for Recurrences {
-    fn constants(&self) -> usize {
-        CONSTANTS
-    }
-    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
-        *array_of(constants) = prepare(&parameters_of(parameters)).to_array();
-    }
-    fn prepared_rate(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        constants: &[R],
-        values: &mut [R],
-    ) {
-        let (p, c) = (parameters_of(parameters), constants_of(constants));
-        *array_of(values) = prepared_rate(time, state_of(state), &p, &c);
-    }
-    fn prepared_rate_jacobian(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        constants: &[R],
-        values: &mut [R],
-    ) {
-        let (p, c) = (parameters_of(parameters), constants_of(constants));
-        *array_of(values) = prepared_rate_jacobian(time, state_of(state), &p, &c);
-    }
-    fn initial_state(&self, parameters: &[R], values: &mut [R]) {
-        *array_of(values) = initial_state(&parameters_of(parameters));
-    }
-    fn discontinuities(&self, parameters: &[R], values: &mut [R]) {
-        *array_of(values) = discontinuities(&parameters_of(parameters));
-    }
-    fn rate(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = rate(time, state_of(state), &parameters_of(parameters));
-    }
-    fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = rate_jacobian(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn parameter_jacobian(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        values: &mut [R],
-    ) {
-        *array_of(values) = parameter_jacobian(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn time_derivative(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = time_derivative(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = mass_matrix(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn forcing(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = forcing(time, state_of(state), &parameters_of(parameters));
-    }
-    fn outputs(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = outputs(time, state_of(state), &parameters_of(parameters))
-            .to_array();
-    }
-    fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
-        energy(time, state_of(state), &parameters_of(parameters))
-    }
-    fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
-        power_balance(time, state_of(state), &parameters_of(parameters))
-    }
-    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
-        Some(self)
-    }
-}
-
-#[inline]
-fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
-    let values: &[R; CONSTANTS] = constants
-        .try_into()
-        .expect("there are CONSTANTS constants");
-    Constants::from_array(*values)
-}
-
-#[inline]
-fn array_of<R, const N: usize>(values: &mut [R]) -> &mut [R; N] {
-    values.try_into().expect("there is one place for each value")
-}
-
-#[inline]
-fn state_of<R>(state: &[R]) -> &[R; STATES] {
-    state.try_into().expect("the state has STATES entries")
-}
-
-#[inline]
-fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
-    let values: &[R; PARAMETERS] = parameters
-        .try_into()
-        .expect("there are PARAMETERS parameters");
-    Parameters::from_array(*values)
-}
-
-static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
-    Quantity {
-        name: "arm.phi",
-        unit: "rad",
-        doc: "angle from the vertical",
-    },
-    Quantity {
-        name: "arm.phi_dot",
-        unit: "rad/s",
-        doc: "speed of arm.phi",
-    },
-    Quantity {
-        name: "z_2",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_3",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_4",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_5",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_6",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_7",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_8",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_9",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_10",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_11",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_12",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_13",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_14",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_15",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_16",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_17",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_18",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_19",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_20",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_21",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_22",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_23",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_24",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_25",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_26",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_27",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_28",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_29",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_30",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_31",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_32",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_33",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_34",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_35",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_36",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_37",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_38",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_39",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_40",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_41",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_42",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_43",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_44",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_45",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_46",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_47",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_48",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_49",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_50",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_51",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_52",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_53",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_54",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_55",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_56",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_57",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_58",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_59",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_60",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_61",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_62",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_63",
-        unit: "1",
-        doc: "",
-    },
-    Quantity {
-        name: "z_64",
-        unit: "1",
-        doc: "",
-    },
-];
-
-static STATE_SCALES: [f64; STATES] = [
-    1.0,
-    10.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-];
-
-static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [
-    Quantity {
-        name: "arm.mass",
-        unit: "kg",
-        doc: "mass of the bob",
-    },
-    Quantity {
-        name: "arm.length",
-        unit: "m",
-        doc: "length of the rod",
-    },
-    Quantity {
-        name: "arm.gravity",
-        unit: "m/s^2",
-        doc: "acceleration of free fall",
-    },
-    Quantity {
-        name: "arm.damping",
-        unit: "N m s/rad",
-        doc: "viscous damping of the pivot",
-    },
-    Quantity {
-        name: "drive.lag",
-        unit: "s",
-        doc: "time constant of the drive",
-    },
-    Quantity {
-        name: "start",
-        unit: "s",
-        doc: "time at which the drive starts",
-    },
-];
-
-static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [
-    4.2,
-    0.75,
-    9.80665,
-    0.128_534_6,
-    0.01,
-    0.1,
-];
-
-static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [];
-
-/// The run the spec asks for.
-pub const RUN_DEFAULTS: RunDefaults<'static> = RunDefaults {
-    from: 0.0,
-    until: 2.0,
-    points: 1001,
-    rtol: 1e-8,
-    method: "bdf",
-};
 
 /// Natural cubic spline drive.load.
 pub static DRIVE_LOAD_TABLE: CubicTable<'static> = CubicTable {

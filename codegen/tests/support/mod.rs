@@ -1,18 +1,16 @@
-//! Programs worked out by hand, without the stages that usually make them.
+//! Models worked out by hand, without the stages that usually make them.
 
 #![allow(dead_code, reason = "every test takes what it needs")]
 
-use machinist_codegen::expr::{Expr, Function};
-use machinist_codegen::mechanics::state::Layout;
+use machinist_codegen::expr::Expr;
 use machinist_codegen::scene::system::{
-    Coordinate, Definition, FirstOrderState, Freeze, GeneralizedForce, LagrangianSystem, Parameter,
+    Coordinate, Definition, FirstOrderState, GeneralizedForce, LagrangianSystem, Parameter,
 };
 use machinist_codegen::spec::SourceFile;
-use machinist_model::Reduction;
-use machinist_model::TableId;
-use machinist_model::{MatrixTape, Model, SparsityPattern};
-use machinist_model::{Name, Quantity, RunDefaults, Table};
-use machinist_model::{Node, NodeId, Op, Tape};
+use machinist_model::{
+    Freeze, Function, MatrixTape, Model, Name, Node, NodeId, Op, Quantity, RunDefaults,
+    SparsityPattern, State, StateKind, Table, TableId, Tape,
+};
 
 /// Builds a tape, writing equal operations once.
 #[derive(Default)]
@@ -99,12 +97,63 @@ const START: u32 = 5;
 /// torque' = (load(t) [t >= start] - torque)/lag
 /// ```
 pub fn pendulum() -> Model {
-    let system = pendulum_system();
+    pendulum_of(&pendulum_system())
+}
+
+/// What a model says of a system, all of whose coordinates are in the state; no tapes.
+fn described(system: &LagrangianSystem) -> Model {
+    let coordinates: Vec<machinist_model::Coordinate> = system
+        .coordinates
+        .iter()
+        .map(|c| machinist_model::Coordinate {
+            position: c.position.clone(),
+            velocity: c.velocity.clone(),
+        })
+        .collect();
+    let state = |quantity: &Quantity, kind, scale| State {
+        quantity: quantity.clone(),
+        kind,
+        scale,
+        is_given: true,
+    };
+    let of_coordinates = || system.coordinates.iter().zip(0..);
+    let positions =
+        of_coordinates().map(|(c, id)| state(&c.position, StateKind::Position(id), c.scale[0]));
+    let velocities =
+        of_coordinates().map(|(c, id)| state(&c.velocity, StateKind::Velocity(id), c.scale[1]));
+    let first_order = system.first_order.iter();
+    let first_order = first_order.map(|z| state(&z.quantity, StateKind::FirstOrder, z.scale));
+    let parameters = system.parameters.iter().map(|parameter| machinist_model::Parameter {
+        quantity: parameter.quantity.clone(),
+        value: parameter.value,
+    });
+    let files = system.files.iter().map(|file| machinist_model::SourceFile {
+        label: file.label.clone(),
+        sha256: file.sha256.clone(),
+    });
     Model {
-        excitation: None,
-        layout: Layout::of_all(&system),
-        reduction: Reduction::default(),
-        system,
+        name: system.name.clone(),
+        title: system.title.clone(),
+        doc: system.doc.clone(),
+        source: system.source.clone(),
+        files: files.collect(),
+        coordinates,
+        states: positions.chain(velocities).chain(first_order).collect(),
+        parameters: parameters.collect(),
+        wanted: system.outputs.iter().map(|output| output.quantity.clone()).collect(),
+        tables: system.tables.clone(),
+        run: system.run.clone(),
+        constraint_matrix: MatrixTape {
+            pattern: pattern(0, system.coordinates.len(), &[]),
+            tape: Tape::default(),
+        },
+        ..Model::default()
+    }
+}
+
+/// The pendulum's tapes under the names of a system.
+fn pendulum_of(system: &LagrangianSystem) -> Model {
+    Model {
         initial_state: tape(|b| vec![b.number(0.5), b.number(0.0), b.number(0.0)]),
         discontinuities: tape(|b| vec![b.parameter(START)]),
         rate: tape(|b| {
@@ -136,19 +185,12 @@ pub fn pendulum() -> Model {
         }),
         energy: tape(energy),
         power_balance: tape(power_balance),
-        events: vec![],
-        constraints: vec![],
-        guards: Tape::default(),
-        guard_rates: Tape::default(),
-        resets: Tape::default(),
-        constraint_values: Tape::default(),
-        constraint_rates: Tape::default(),
-        constraint_matrix: MatrixTape::default(),
-        fields: vec![],
+        ..described(system)
     }
 }
 
-fn pendulum_system() -> LagrangianSystem {
+/// The system that the pendulum would come from, without its expressions.
+pub fn pendulum_system() -> LagrangianSystem {
     LagrangianSystem {
         name: "pendulum".to_owned(),
         title: "Damped pendulum".to_owned(),
@@ -177,6 +219,7 @@ fn pendulum_system() -> LagrangianSystem {
             parameter("drive.lag", "s", 1e-2, "time constant of the drive"),
             parameter("start", "s", 0.1, "time at which the drive starts"),
         ],
+        handed: vec![],
         kinetic: zero(),
         potential: zero(),
         springs: vec![],
@@ -322,8 +365,7 @@ pub const HOSTILE: &str = "*/ } fn main() {} /* ` [main](x) <b> \"; // \\ \u{202
 /// A scene with every operation on its tape of outputs and with names and texts
 /// that ask for care.
 pub fn oddities() -> Model {
-    let mut program = pendulum();
-    let system = &mut program.system;
+    let mut system = pendulum_system();
     system.name = String::from("oddities");
     system.title = HOSTILE.into();
     system.doc = HOSTILE.into();
@@ -334,14 +376,13 @@ pub fn oddities() -> Model {
     system.first_order[0].quantity = quantity("p", HOSTILE, HOSTILE);
     system.parameters[0].quantity = quantity("STATES", "kg", HOSTILE);
     system.parameters[1].quantity = quantity("time", "m", HOSTILE);
-    program.outputs = tape(every_operation);
-    let outputs = (0..program.outputs.results.len()).map(|index| Definition {
+    let every_output = tape(every_operation);
+    let outputs = (0..every_output.results.len()).map(|index| Definition {
         quantity: quantity(&format!("output_{index}"), "1", HOSTILE),
         expr: zero(),
     });
-    program.system.outputs = outputs.collect();
-    program.layout = Layout::of_all(&program.system);
-    program
+    system.outputs = outputs.collect();
+    Model { outputs: every_output, ..pendulum_of(&system) }
 }
 
 fn every_operation(b: &mut Builder) -> Vec<NodeId> {
@@ -426,14 +467,8 @@ pub fn recurrences() -> Model {
         results
     });
     let states = rate.results.len();
-    let mut program = bare(pendulum(), "recurrences", &rate);
-    program.mass_matrix =
-        MatrixTape { pattern: pattern(1, 1, &[(0, 0)]), tape: tape(|b| vec![b.number(1.0)]) };
-    program.forcing = tape(|b| {
-        let x = b.state(0);
-        vec![b.push(Op::Neg(x))]
-    });
-    program.system.first_order = (2..states)
+    let mut system = pendulum_system();
+    system.first_order = (2..states)
         .map(|index| FirstOrderState {
             quantity: quantity(&format!("z_{index}"), "1", ""),
             rate: zero(),
@@ -442,9 +477,14 @@ pub fn recurrences() -> Model {
             is_mode: false,
         })
         .collect();
-    program.rate = rate;
-    program.layout = Layout::of_all(&program.system);
-    program
+    let mut model = bare(system, "recurrences", rate);
+    model.mass_matrix =
+        MatrixTape { pattern: pattern(1, 1, &[(0, 0)]), tape: tape(|b| vec![b.number(1.0)]) };
+    model.forcing = tape(|b| {
+        let x = b.state(0);
+        vec![b.push(Op::Neg(x))]
+    });
+    model
 }
 
 /// Two coordinates whose mass matrix moves, as those of a double pendulum:
@@ -466,33 +506,32 @@ pub fn coupled() -> Model {
         });
         vec![b.state(2), b.state(3), solved[0], solved[1]]
     });
-    let mut program = bare(pendulum(), "coupled", &rate);
+    let mut system = pendulum_system();
     let coordinate = |index: usize| Coordinate {
         position: quantity(&format!("q_{index}"), "rad", ""),
         velocity: quantity(&format!("q_{index}_dot"), "rad/s", ""),
-        ..program.system.coordinates[0].clone()
+        ..system.coordinates[0].clone()
     };
-    program.system.coordinates = (0..2).map(coordinate).collect();
-    program.system.first_order.clear();
-    program.mass_matrix = MatrixTape {
+    system.coordinates = (0..2).map(coordinate).collect();
+    system.first_order.clear();
+    let mut model = bare(system, "coupled", rate);
+    model.mass_matrix = MatrixTape {
         pattern: pattern(2, 2, &[(0, 0), (0, 1), (1, 0), (1, 1)]),
         tape: tape(|b| {
             let c = coupling(b);
             vec![b.number(2.0), c, c, b.number(1.0)]
         }),
     };
-    program.forcing = tape(|b| coupled_forcing(b).to_vec());
-    program.rate = rate;
-    program.layout = Layout::of_all(&program.system);
-    program
+    model.forcing = tape(|b| coupled_forcing(b).to_vec());
+    model
 }
 
-/// A program without outputs, jumps and derivatives, for tests of its rate.
-fn bare(mut program: Model, name: &str, rate: &Tape) -> Model {
+/// A model without outputs, jumps and derivatives, for tests of its rate.
+fn bare(mut system: LagrangianSystem, name: &str, rate: Tape) -> Model {
     let states = rate.results.len();
-    name.clone_into(&mut program.system.name);
-    program.system.outputs.clear();
-    program.system.discontinuities.clear();
+    name.clone_into(&mut system.name);
+    system.outputs.clear();
+    system.discontinuities.clear();
     let zeros = || tape(|b| vec![b.number(0.0); states]);
     let empty =
         |columns| MatrixTape { pattern: pattern(states, columns, &[]), ..Default::default() };
@@ -503,7 +542,8 @@ fn bare(mut program: Model, name: &str, rate: &Tape) -> Model {
         outputs: Tape::default(),
         rate_jacobian: empty(states),
         parameter_jacobian: empty(6),
-        ..program
+        rate,
+        ..pendulum_of(&system)
     }
 }
 

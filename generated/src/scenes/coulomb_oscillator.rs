@@ -14,546 +14,208 @@
 // Source:
 //   Textbook; exact half cycle by half cycle.
 //
-// Shapes; all quantities are in SI units:
-//   coordinates               1
-//   first-order states        1
-//   states                    3
-//   parameters                9
-//   outputs                   4
-//   discontinuities           0
-//   events                    4
-//
-// State:
-//     0  slider.x     [m]    deflection of the spring
-//     1  slider.v     [m/s]  rate of deflection of the spring
-//     2  slider.slip  [1]    -1 while the mass slides back on the belt, 0 while it sticks, 1 while it slides forth
-//
-// Nonzeros:
-//   mass_matrix               1 of 1 by 1
-//   rate_jacobian             4 of 3 by 3
-//   parameter_jacobian        7 of 3 by 9
-//
-// Operations:
-//   initial_state             0
-//   discontinuities           0
-//   rate                     17
-//   mass_matrix               0
-//   forcing                  15
-//   rate_jacobian            27
-//   parameter_jacobian       50
-//   time_derivative           0
-//   outputs                  14
-//   energy                    6
-//   power_balance            24
-//   guards                    6
-//   guard_rates              20
-//   resets                   12
-// With constants of the parameters, prepared once a run:
-//   prepare                   5
-//   prepared_rate            15
-//   prepared_rate_jacobian   22
+// All quantities are in SI units.
+// Shapes: coordinates 1, first-order states 1, states 3, parameters 9, outputs 4, events 4.
+// Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 4 of 3 by 3, parameter_jacobian 7 of 3 by 9.
+// Operations: rate 16, forcing 14, rate_jacobian 27, parameter_jacobian 49, outputs 13, energy 6,
+//     power_balance 23, guards 6, guard_rates 19, resets 12, prepare 6, prepared_rate 14,
+//     prepared_rate_jacobian 22.
 
 use ::machinist_contract::{
-    Describe, Direction, Event, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
-    Simulator, SparsityPattern, taylor::{Bends, Lanes, TaylorSeries, order_and_inverse},
+    Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
 };
 
-/// Generalized coordinates, n.
-pub const COORDINATES: usize = 1;
-
-/// Length of the state y.
-pub const STATES: usize = 3;
-
-/// Parameters.
-pub const PARAMETERS: usize = 9;
-
-/// Wanted outputs.
-pub const OUTPUTS: usize = 4;
-
-/// Times at which the right-hand side jumps.
-pub const DISCONTINUITIES: usize = 0;
-
-/// Events.
-pub const EVENTS: usize = 4;
-
-/// States that events set, those of all events.
-pub const RESETS: usize = 6;
-
-/// Nonzeros of M, both triangles.
-pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 1,
-    columns: 1,
-    entries: &[(0, 0)],
-};
-
-/// Nonzeros of dy'/dy.
-pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 3,
-    columns: 3,
-    entries: &[(0, 1), (1, 0), (1, 1), (1, 2)],
-};
-
-/// Nonzeros of dy'/dp.
-pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 3,
-    columns: 9,
-    entries: &[(1, 1), (1, 2), (1, 3), (1, 4), (1, 6), (1, 7), (1, 8)],
-};
-
-/// Oscillator braked by dry friction
-///
-/// The mass of \`stick_slip\` on a belt at rest, let go: half cycles about centres that lie off
-/// on either side, until friction holds it.
-///
-/// Source: Textbook; exact half cycle by half cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct CoulombOscillator;
-
-/// Parameters, in SI units; the default holds the values of the spec.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Parameters<R> {
-    /// deflection: deflection at the start, large enough to slide \[m\]. In the spec: 0.097.
-    pub deflection: R,
-    /// slider.mass: the mass \[kg\]. In the spec: 1.0.
-    pub slider_mass: R,
-    /// slider.stiffness: spring \[N/m\]. In the spec: 400.0.
-    pub slider_stiffness: R,
-    /// slider.damping: damper beside the spring \[N s/m\]. In the spec: 0.0.
-    pub slider_damping: R,
-    /// slider.normal_force: force that presses the mass on the belt \[N\]. In the spec: 10.0.
-    pub slider_normal_force: R,
-    /// slider.static_friction: largest friction while it sticks, over the normal force \[1\]. In the spec: 0.4.
-    pub slider_static_friction: R,
-    /// slider.kinetic_friction: friction at high sliding speed, likewise \[1\]. In the spec: 0.25.
-    pub slider_kinetic_friction: R,
-    /// slider.stribeck_friction: by how much it is larger at low sliding speed, likewise \[1\]. In the spec: 0.0.
-    pub slider_stribeck_friction: R,
-    /// slider.stribeck_speed: sliding speed over which that falls \[m/s\]. In the spec: 0.05.
-    pub slider_stribeck_speed: R,
+::machinist_contract::simulator! {
+    /// Oscillator braked by dry friction
+    ///
+    /// The mass of \`stick_slip\` on a belt at rest, let go: half cycles about centres that lie off
+    /// on either side, until friction holds it.
+    ///
+    /// Source: Textbook; exact half cycle by half cycle.
+    CoulombOscillator: "coulomb_oscillator", "Oscillator braked by dry friction";
+    run from 0.0, until 2.0, points 2001, rtol 1e-8, method "dop853";
+    quadratures 0, discontinuities 0;
+    events; prepared; series 2 Saturates;
 }
 
-impl<R: Real> Parameters<R> {
-    /// From the numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn from_array(values: [R; PARAMETERS]) -> Self {
-        Self {
-            deflection: values[0],
-            slider_mass: values[1],
-            slider_stiffness: values[2],
-            slider_damping: values[3],
-            slider_normal_force: values[4],
-            slider_static_friction: values[5],
-            slider_kinetic_friction: values[6],
-            slider_stribeck_friction: values[7],
-            slider_stribeck_speed: values[8],
-        }
-    }
-    /// The numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn to_array(self) -> [R; PARAMETERS] {
-        [
-            self.deflection,
-            self.slider_mass,
-            self.slider_stiffness,
-            self.slider_damping,
-            self.slider_normal_force,
-            self.slider_static_friction,
-            self.slider_kinetic_friction,
-            self.slider_stribeck_friction,
-            self.slider_stribeck_speed,
-        ]
-    }
+::machinist_contract::parameters! {
+    deflection: 0.097, "m", "deflection", "deflection at the start, large enough to slide";
+    slider_mass: 1.0, "kg", "slider.mass", "the mass";
+    slider_stiffness: 400.0, "N/m", "slider.stiffness", "spring";
+    slider_damping: 0.0, "N s/m", "slider.damping", "damper beside the spring";
+    slider_normal_force: 10.0, "N", "slider.normal_force", "force that presses the mass on the belt";
+    slider_static_friction: 0.4, "1", "slider.static_friction", "largest friction while it sticks, over the normal force";
+    slider_kinetic_friction: 0.25, "1", "slider.kinetic_friction", "friction at high sliding speed, likewise";
+    slider_stribeck_friction: 0.0, "1", "slider.stribeck_friction", "by how much it is larger at low sliding speed, likewise";
+    slider_stribeck_speed: 0.05, "m/s", "slider.stribeck_speed", "sliding speed over which that falls";
 }
 
-impl<R: Real> Default for Parameters<R> {
-    fn default() -> Self {
-        Self {
-            deflection: R::literal(0.097),
-            slider_mass: R::literal(1.0),
-            slider_stiffness: R::literal(400.0),
-            slider_damping: R::literal(0.0),
-            slider_normal_force: R::literal(10.0),
-            slider_static_friction: R::literal(0.4),
-            slider_kinetic_friction: R::literal(0.25),
-            slider_stribeck_friction: R::literal(0.0),
-            slider_stribeck_speed: R::literal(0.05),
-        }
-    }
+::machinist_contract::outputs! {
+    deflection: "m", "deflection", "deflection of the spring";
+    velocity: "m/s", "velocity", "rate of deflection of the spring";
+    friction: "N", "friction", "friction on the mass";
+    slip: "1", "slip", "-1 while the mass slides back on the belt, 0 while it sticks, 1 while it slides forth" as "slip: \\-1 while the mass slides back on the belt, 0 while it sticks, 1 while it slides forth \\[1\\].";
 }
 
-/// Wanted outputs, in SI units.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Outputs<R> {
-    /// deflection: deflection of the spring \[m\].
-    pub deflection: R,
-    /// velocity: rate of deflection of the spring \[m/s\].
-    pub velocity: R,
-    /// friction: friction on the mass \[N\].
-    pub friction: R,
-    /// slip: \-1 while the mass slides back on the belt, 0 while it sticks, 1 while it slides forth \[1\].
-    pub slip: R,
+::machinist_contract::states! {
+    SLIDER_X: position, 0.01, "m", "slider.x", "deflection of the spring";
+    SLIDER_V: velocity, 0.1, "m/s", "slider.v", "rate of deflection of the spring";
+    SLIDER_SLIP: mode, 1.0, "1", "slider.slip", "-1 while the mass slides back on the belt, 0 while it sticks, 1 while it slides forth" as "slider.slip: \\-1 while the mass slides back on the belt, 0 while it sticks, 1 while it slides forth \\[1\\].";
 }
 
-impl<R: Real> Outputs<R> {
-    /// From the numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn from_array(values: [R; OUTPUTS]) -> Self {
-        Self {
-            deflection: values[0],
-            velocity: values[1],
-            friction: values[2],
-            slip: values[3],
-        }
-    }
-    /// The numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn to_array(self) -> [R; OUTPUTS] {
-        [self.deflection, self.velocity, self.friction, self.slip]
-    }
+::machinist_contract::events! {
+    "slider.breaks_back": Rising, when [(2, 0.0)], sets [2], "friction holds no longer: the mass slides back";
+    "slider.breaks_forth": Falling, when [(2, 0.0)], sets [2], "friction holds no longer: the mass slides forth";
+    "slider.ends_back": Rising, when [(2, -1.0)], sets [1, 2], "the mass has slid back; it sticks or slides forth";
+    "slider.ends_forth": Falling, when [(2, 1.0)], sets [1, 2], "the mass has slid forth; it sticks or slides back";
 }
 
-/// Where to find what in the state.
-pub mod state {
-    /// slider.x: deflection of the spring \[m\].
-    pub const SLIDER_X: usize = 0;
-    /// slider.v: rate of deflection of the spring \[m/s\].
-    pub const SLIDER_V: usize = 1;
-    /// slider.slip: \-1 while the mass slides back on the belt, 0 while it sticks, 1 while it slides forth \[1\].
-    pub const SLIDER_SLIP: usize = 2;
+::machinist_contract::patterns! {
+    /// Nonzeros of M.
+    MASS_MATRIX_PATTERN: 1 by 1 { 0 [0] }
+    /// Nonzeros of dy'/dy.
+    RATE_JACOBIAN_PATTERN: 3 by 3 { 0 [1] 1 [0 1 2] }
+    /// Nonzeros of dy'/dp.
+    PARAMETER_JACOBIAN_PATTERN: 3 by 9 { 1 [1 2 3 4 6 7 8] }
 }
 
-/// Constants that `prepare` computes.
-pub const CONSTANTS: usize = 5;
-
-#[allow(missing_docs, reason = "`prepare` says what each is")]
-/// What parameters alone decide; `prepare` says what each is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Constants<R> {
-    pub inverse_slider_stribeck_speed: R,
-    pub inverse_slider_mass: R,
-    pub t0: R,
-    pub t1: R,
-    pub t2: R,
+::machinist_contract::constants! {
+    t0, inverse_slider_mass, inverse_slider_stribeck_speed, t1, t2, t3
 }
 
-impl<R: Real> Constants<R> {
-    /// From the numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn from_array(values: [R; CONSTANTS]) -> Self {
-        Self {
-            inverse_slider_stribeck_speed: values[0],
-            inverse_slider_mass: values[1],
-            t0: values[2],
-            t1: values[3],
-            t2: values[4],
-        }
-    }
-    /// The numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn to_array(self) -> [R; CONSTANTS] {
-        [
-            self.inverse_slider_stribeck_speed,
-            self.inverse_slider_mass,
-            self.t0,
-            self.t1,
-            self.t2,
-        ]
-    }
-}
-
-/// What `rate` and `rate_jacobian` need of the parameters, once a run.
-///
-/// 5 operations.
+/// What `rate` and `rate_jacobian` need of the parameters, once a run. 6 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
-    let inverse_slider_stribeck_speed = R::literal(1.0) / p.slider_stribeck_speed;
+    let t0 = R::literal(-1.0) / p.slider_stribeck_speed;
     let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
-    let t0 = p.slider_damping * p.slider_stribeck_speed;
-    let t1 = p.slider_normal_force * p.slider_stribeck_friction;
-    let t2 = t1 / p.slider_stribeck_speed;
-    Constants {
-        inverse_slider_stribeck_speed,
-        inverse_slider_mass,
-        t0,
-        t1,
-        t2,
-    }
+    let inverse_slider_stribeck_speed = R::literal(1.0) / p.slider_stribeck_speed;
+    let t1 = p.slider_damping * p.slider_stribeck_speed;
+    let t2 = p.slider_normal_force * p.slider_stribeck_friction;
+    let t3 = t2 / p.slider_stribeck_speed;
+    Constants { t0, inverse_slider_mass, inverse_slider_stribeck_speed, t1, t2, t3 }
 }
 
-/// State at the start of the run, in the units of the states.
-///
-/// No operations.
+/// State at the start of the run, in the units of the states. No operations.
 #[must_use]
 pub fn initial_state<R: Real>(p: &Parameters<R>) -> [R; STATES] {
     [p.deflection, R::literal(0.0), R::literal(-1.0)]
 }
 
-/// Times at which the right-hand side jumps \[s\].
-///
-/// No operations.
+/// Times of known jumps of the right-hand side \[s\], unsorted. No operations.
 #[must_use]
 pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
-///
-/// 17 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 14 operations.
 #[must_use]
 #[inline]
-pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
-    prepared_rate(time, state, p, &prepare(p))
-}
-
-/// As `rate`, with the constants of the parameters from `prepare`.
-///
-/// 15 operations.
-#[must_use]
-#[inline]
-pub fn prepared_rate<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-    c: &Constants<R>,
-) -> [R; STATES] {
+pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; STATES] {
     let [slider_x, slider_v, slider_slip] = *state;
-    let slider_held = (p.slider_stiffness * slider_x)
-        .add_product(p.slider_damping, slider_v);
-    let slider_dragged = p.slider_normal_force
-        * p
-            .slider_kinetic_friction
-            .add_product(
-                p.slider_stribeck_friction,
-                (-(c.inverse_slider_stribeck_speed * slider_v * slider_slip)).exp(),
-            );
-    let slider_friction = R::select_less(
-        slider_slip,
-        R::literal(-0.5),
-        slider_dragged,
-        R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged),
-    );
+    let slider_held = (p.slider_stiffness * slider_x).add_product(p.slider_damping, slider_v);
+    let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
+        .add_product(p.slider_stribeck_friction, (c.t0 * slider_v * slider_slip).exp());
+    let slider_friction = R::select_less(slider_slip, R::literal(-0.5), slider_dragged,
+        R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged));
     let slider_v_dot = (slider_friction - slider_held) * c.inverse_slider_mass;
     [slider_v, slider_v_dot, R::literal(0.0)]
 }
 
-/// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
-///
-/// No operations.
+/// `M = d2L/dq'2`, values in the order of its pattern. No operations.
 #[must_use]
-pub fn mass_matrix<R: Real>(
-    _time: R,
-    _state: &[R; STATES],
-    p: &Parameters<R>,
-) -> [R; 1] {
+pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -> [R; 1] {
     [p.slider_mass]
 }
 
-/// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
-///
-/// 15 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 14 operations.
 #[must_use]
-pub fn forcing<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-) -> [R; COORDINATES] {
+pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [slider_x, slider_v, slider_slip] = *state;
-    let slider_held = (p.slider_stiffness * slider_x)
-        .add_product(p.slider_damping, slider_v);
-    let slider_dragged = p.slider_normal_force
-        * p
-            .slider_kinetic_friction
-            .add_product(
-                p.slider_stribeck_friction,
-                (-(R::literal(1.0) / p.slider_stribeck_speed * slider_v * slider_slip))
-                    .exp(),
-            );
-    let slider_friction = R::select_less(
-        slider_slip,
-        R::literal(-0.5),
-        slider_dragged,
-        R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged),
-    );
+    let slider_held = (p.slider_stiffness * slider_x).add_product(p.slider_damping, slider_v);
+    let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
+        .add_product(p.slider_stribeck_friction, (R::literal(-1.0) / p.slider_stribeck_speed
+        * slider_v * slider_slip).exp());
+    let slider_friction = R::select_less(slider_slip, R::literal(-0.5), slider_dragged,
+        R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged));
     let slider_x_forcing = slider_friction - slider_held;
     [slider_x_forcing]
 }
 
-/// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
-///
-/// 27 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 22 operations.
 #[must_use]
-#[inline]
-pub fn rate_jacobian<R: Real>(
-    time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-) -> [R; 4] {
-    prepared_rate_jacobian(time, state, p, &prepare(p))
-}
-
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
-///
-/// 22 operations.
-#[must_use]
-pub fn prepared_rate_jacobian<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-    c: &Constants<R>,
-) -> [R; 4] {
+pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 4] {
     let [_, slider_v, slider_slip] = *state;
     let t0 = (-(c.inverse_slider_stribeck_speed * slider_v * slider_slip)).exp();
-    let slider_v_dot_by_slider_x = (R::select_less(
-        slider_slip,
-        R::literal(-0.5),
-        R::literal(0.0),
-        R::select_less(slider_slip, R::literal(0.5), p.slider_stiffness, R::literal(0.0)),
-    ) - p.slider_stiffness) * c.inverse_slider_mass;
-    let t1 = c.t1 * slider_slip * t0;
-    let slider_v_dot_by_slider_v = c.inverse_slider_stribeck_speed
-        * (R::select_less(
-            slider_slip,
-            R::literal(-0.5),
-            -t1,
-            R::select_less(slider_slip, R::literal(0.5), c.t0, t1),
-        ) - c.t0) * c.inverse_slider_mass;
-    let t2 = c.t2 * slider_v * t0;
-    let slider_v_dot_by_slider_slip = R::select_less(
-        slider_slip,
-        R::literal(-0.5),
-        -t2,
-        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), t2),
-    ) * c.inverse_slider_mass;
-    [
-        R::literal(1.0),
-        slider_v_dot_by_slider_x,
-        slider_v_dot_by_slider_v,
-        slider_v_dot_by_slider_slip,
-    ]
+    let slider_v_dot_by_slider_x = (R::select_less(slider_slip, R::literal(-0.5), R::literal(0.0),
+        R::select_less(slider_slip, R::literal(0.5), p.slider_stiffness, R::literal(0.0)))
+        - p.slider_stiffness) * c.inverse_slider_mass;
+    let t1 = c.t2 * slider_slip * t0;
+    let slider_v_dot_by_slider_v = c.inverse_slider_stribeck_speed * (R::select_less(slider_slip,
+        R::literal(-0.5), -t1, R::select_less(slider_slip, R::literal(0.5), c.t1, t1)) - c.t1)
+        * c.inverse_slider_mass;
+    let t2 = c.t3 * slider_v * t0;
+    let slider_v_dot_by_slider_slip = R::select_less(slider_slip, R::literal(-0.5), -t2,
+        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), t2)) * c.inverse_slider_mass;
+    [R::literal(1.0), slider_v_dot_by_slider_x, slider_v_dot_by_slider_v,
+        slider_v_dot_by_slider_slip]
 }
 
-/// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
-///
-/// 50 operations.
+/// `dy'/dp`, values in the order of its pattern. 49 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-) -> [R; 7] {
+pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 7] {
     let [slider_x, slider_v, slider_slip] = *state;
-    let slider_held = (p.slider_stiffness * slider_x)
-        .add_product(p.slider_damping, slider_v);
-    let t0 = (-(R::literal(1.0) / p.slider_stribeck_speed * slider_v * slider_slip))
-        .exp();
+    let slider_held = (p.slider_stiffness * slider_x).add_product(p.slider_damping, slider_v);
+    let t0 = (R::literal(-1.0) / p.slider_stribeck_speed * slider_v * slider_slip).exp();
     let t1 = p.slider_kinetic_friction.add_product(p.slider_stribeck_friction, t0);
     let slider_dragged = p.slider_normal_force * t1;
-    let slider_friction = R::select_less(
-        slider_slip,
-        R::literal(-0.5),
-        slider_dragged,
-        R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged),
-    );
+    let slider_friction = R::select_less(slider_slip, R::literal(-0.5), slider_dragged,
+        R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged));
     let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
     let slider_v_dot = (slider_friction - slider_held) * inverse_slider_mass;
     let slider_v_dot_by_slider_mass = -(slider_v_dot * inverse_slider_mass);
-    let slider_v_dot_by_slider_stiffness = (R::select_less(
-        slider_slip,
-        R::literal(-0.5),
-        R::literal(0.0),
-        R::select_less(slider_slip, R::literal(0.5), slider_x, R::literal(0.0)),
-    ) - slider_x) * inverse_slider_mass;
-    let slider_v_dot_by_slider_damping = (R::select_less(
-        slider_slip,
-        R::literal(-0.5),
-        R::literal(0.0),
-        R::select_less(slider_slip, R::literal(0.5), slider_v, R::literal(0.0)),
-    ) - slider_v) * inverse_slider_mass;
-    let slider_v_dot_by_slider_normal_force = R::select_less(
-        slider_slip,
-        R::literal(-0.5),
-        t1,
-        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t1),
-    ) * inverse_slider_mass;
-    let slider_v_dot_by_slider_kinetic_friction = R::select_less(
-        slider_slip,
-        R::literal(-0.5),
-        p.slider_normal_force,
-        R::select_less(
-            slider_slip,
-            R::literal(0.5),
-            R::literal(0.0),
-            -p.slider_normal_force,
-        ),
-    ) * inverse_slider_mass;
+    let slider_v_dot_by_slider_stiffness = (R::select_less(slider_slip, R::literal(-0.5),
+        R::literal(0.0), R::select_less(slider_slip, R::literal(0.5), slider_x, R::literal(0.0)))
+        - slider_x) * inverse_slider_mass;
+    let slider_v_dot_by_slider_damping = (R::select_less(slider_slip, R::literal(-0.5),
+        R::literal(0.0), R::select_less(slider_slip, R::literal(0.5), slider_v, R::literal(0.0)))
+        - slider_v) * inverse_slider_mass;
+    let slider_v_dot_by_slider_normal_force = R::select_less(slider_slip, R::literal(-0.5), t1,
+        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t1)) * inverse_slider_mass;
+    let slider_v_dot_by_slider_kinetic_friction = R::select_less(slider_slip, R::literal(-0.5),
+        p.slider_normal_force, R::select_less(slider_slip, R::literal(0.5), R::literal(0.0),
+        -p.slider_normal_force)) * inverse_slider_mass;
     let t2 = p.slider_normal_force * t0;
-    let slider_v_dot_by_slider_stribeck_friction = R::select_less(
-        slider_slip,
-        R::literal(-0.5),
-        t2,
-        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t2),
-    ) * inverse_slider_mass;
-    let t3 = p.slider_normal_force * p.slider_stribeck_friction
-        / (p.slider_stribeck_speed * p.slider_stribeck_speed) * slider_v * slider_slip
-        * t0;
-    let slider_v_dot_by_slider_stribeck_speed = R::select_less(
-        slider_slip,
-        R::literal(-0.5),
-        t3,
-        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t3),
-    ) * inverse_slider_mass;
-    [
-        slider_v_dot_by_slider_mass,
-        slider_v_dot_by_slider_stiffness,
-        slider_v_dot_by_slider_damping,
-        slider_v_dot_by_slider_normal_force,
-        slider_v_dot_by_slider_kinetic_friction,
-        slider_v_dot_by_slider_stribeck_friction,
-        slider_v_dot_by_slider_stribeck_speed,
-    ]
+    let slider_v_dot_by_slider_stribeck_friction = R::select_less(slider_slip, R::literal(-0.5),
+        t2, R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t2))
+        * inverse_slider_mass;
+    let t3 = p.slider_normal_force * p.slider_stribeck_friction / (p.slider_stribeck_speed
+        * p.slider_stribeck_speed) * slider_v * slider_slip * t0;
+    let slider_v_dot_by_slider_stribeck_speed = R::select_less(slider_slip, R::literal(-0.5), t3,
+        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t3)) * inverse_slider_mass;
+    [slider_v_dot_by_slider_mass, slider_v_dot_by_slider_stiffness, slider_v_dot_by_slider_damping,
+        slider_v_dot_by_slider_normal_force, slider_v_dot_by_slider_kinetic_friction,
+        slider_v_dot_by_slider_stribeck_friction, slider_v_dot_by_slider_stribeck_speed]
 }
 
-/// Partial derivative of `y'` with respect to time.
-///
-/// No operations.
+/// Partial derivative of `y'` with respect to time. No operations.
 #[must_use]
-pub fn time_derivative<R: Real>(
-    _time: R,
-    _state: &[R; STATES],
-    _p: &Parameters<R>,
-) -> [R; STATES] {
+pub fn time_derivative<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
     [R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
 
-/// Wanted outputs.
-///
-/// 14 operations.
+/// Wanted outputs. 13 operations.
 #[must_use]
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [slider_x, slider_v, slider_slip] = *state;
-    let slider_held = (p.slider_stiffness * slider_x)
-        .add_product(p.slider_damping, slider_v);
-    let slider_dragged = p.slider_normal_force
-        * p
-            .slider_kinetic_friction
-            .add_product(
-                p.slider_stribeck_friction,
-                (-(R::literal(1.0) / p.slider_stribeck_speed * slider_v * slider_slip))
-                    .exp(),
-            );
-    let slider_friction = R::select_less(
-        slider_slip,
-        R::literal(-0.5),
-        slider_dragged,
-        R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged),
-    );
+    let slider_held = (p.slider_stiffness * slider_x).add_product(p.slider_damping, slider_v);
+    let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
+        .add_product(p.slider_stribeck_friction, (R::literal(-1.0) / p.slider_stribeck_speed
+        * slider_v * slider_slip).exp());
+    let slider_friction = R::select_less(slider_slip, R::literal(-0.5), slider_dragged,
+        R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged));
     Outputs {
         deflection: slider_x,
         velocity: slider_v,
@@ -562,9 +224,7 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     }
 }
 
-/// T, V and the energy of first-order states \[J\].
-///
-/// 6 operations.
+/// T, V and the energy of first-order states \[J\]. 6 operations.
 #[must_use]
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
     let [slider_x, slider_v, ..] = *state;
@@ -575,127 +235,67 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\].
-///
-/// 24 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 23 operations.
 #[must_use]
-pub fn power_balance<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-) -> PowerBalance<R> {
+pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [slider_x, slider_v, slider_slip] = *state;
     let slider_stiffness_times_slider_x = p.slider_stiffness * slider_x;
-    let slider_held = slider_stiffness_times_slider_x
-        .add_product(p.slider_damping, slider_v);
-    let slider_dragged = p.slider_normal_force
-        * p
-            .slider_kinetic_friction
-            .add_product(
-                p.slider_stribeck_friction,
-                (-(R::literal(1.0) / p.slider_stribeck_speed * slider_v * slider_slip))
-                    .exp(),
-            );
-    let slider_friction = R::select_less(
-        slider_slip,
-        R::literal(-0.5),
-        slider_dragged,
-        R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged),
-    );
-    let slider_v_dot = (slider_friction - slider_held)
-        * (R::literal(1.0) / p.slider_mass);
+    let slider_held = slider_stiffness_times_slider_x.add_product(p.slider_damping, slider_v);
+    let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
+        .add_product(p.slider_stribeck_friction, (R::literal(-1.0) / p.slider_stribeck_speed
+        * slider_v * slider_slip).exp());
+    let slider_friction = R::select_less(slider_slip, R::literal(-0.5), slider_dragged,
+        R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged));
+    let slider_v_dot = (slider_friction - slider_held) * (R::literal(1.0) / p.slider_mass);
     PowerBalance {
-        stored_rate: (slider_stiffness_times_slider_x * slider_v)
-            .add_product(p.slider_mass * slider_v, slider_v_dot),
+        stored_rate: (slider_stiffness_times_slider_x * slider_v).add_product(p.slider_mass
+            * slider_v, slider_v_dot),
         supplied: slider_v * slider_friction,
         dissipated: p.slider_damping * (slider_v * slider_v),
     }
 }
 
-/// What passes zero where an event happens, in the order of `EVENT_SHAPES`.
-///
-/// 6 operations.
+/// What passes zero where events happen, one for each event. 6 operations.
 #[must_use]
 pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let [slider_x, slider_v, ..] = *state;
     let slider_limit = p.slider_normal_force * p.slider_static_friction;
-    let slider_held = (p.slider_stiffness * slider_x)
-        .add_product(p.slider_damping, slider_v);
+    let slider_held = (p.slider_stiffness * slider_x).add_product(p.slider_damping, slider_v);
     let slider_breaks_back_guard = slider_held - slider_limit;
     let slider_breaks_forth_guard = slider_limit + slider_held;
     [slider_breaks_back_guard, slider_breaks_forth_guard, slider_v, slider_v]
 }
 
-/// `dg/dt` of the guards along the motion.
-///
-/// 20 operations.
+/// `dg/dt` of the guards along the motion. 19 operations.
 #[must_use]
-pub fn guard_rates<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-) -> [R; EVENTS] {
+pub fn guard_rates<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let [slider_x, slider_v, slider_slip] = *state;
-    let slider_held = (p.slider_stiffness * slider_x)
-        .add_product(p.slider_damping, slider_v);
-    let slider_dragged = p.slider_normal_force
-        * p
-            .slider_kinetic_friction
-            .add_product(
-                p.slider_stribeck_friction,
-                (-(R::literal(1.0) / p.slider_stribeck_speed * slider_v * slider_slip))
-                    .exp(),
-            );
-    let slider_friction = R::select_less(
-        slider_slip,
-        R::literal(-0.5),
-        slider_dragged,
-        R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged),
-    );
-    let slider_v_dot = (slider_friction - slider_held)
-        * (R::literal(1.0) / p.slider_mass);
+    let slider_held = (p.slider_stiffness * slider_x).add_product(p.slider_damping, slider_v);
+    let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
+        .add_product(p.slider_stribeck_friction, (R::literal(-1.0) / p.slider_stribeck_speed
+        * slider_v * slider_slip).exp());
+    let slider_friction = R::select_less(slider_slip, R::literal(-0.5), slider_dragged,
+        R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged));
+    let slider_v_dot = (slider_friction - slider_held) * (R::literal(1.0) / p.slider_mass);
     let slider_breaks_back_guard_rate = (p.slider_stiffness * slider_v)
         .add_product(p.slider_damping, slider_v_dot);
-    [
-        slider_breaks_back_guard_rate,
-        slider_breaks_back_guard_rate,
-        slider_v_dot,
-        slider_v_dot,
-    ]
+    [slider_breaks_back_guard_rate, slider_breaks_back_guard_rate, slider_v_dot, slider_v_dot]
 }
 
-/// New values of the states that each event sets, event by event.
-///
-/// 12 operations.
+/// New values of the entries that each event sets, computed from the state before it: those of the
+/// first event, in the order of its `sets`, then those of the second, and so on. 12 operations.
 #[must_use]
 pub fn resets<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; RESETS] {
     let [slider_x, slider_v, ..] = *state;
     let slider_limit = p.slider_normal_force * p.slider_static_friction;
-    let slider_held = (p.slider_stiffness * slider_x)
-        .add_product(p.slider_damping, slider_v);
-    let slider_slip_after_slider_ends_back = R::literal(0.5)
-        * (R::literal(1.0)
-            - R::select_less(
-                slider_limit + slider_held,
-                R::literal(0.0),
-                R::literal(-1.0),
-                R::literal(1.0),
-            ));
-    let slider_slip_after_slider_ends_forth = R::literal(0.5)
-        * (R::select_less(
-            slider_limit - slider_held,
-            R::literal(0.0),
-            R::literal(-1.0),
-            R::literal(1.0),
-        ) - R::literal(1.0));
-    [
-        R::literal(-1.0),
-        R::literal(1.0),
-        R::literal(0.0),
-        slider_slip_after_slider_ends_back,
-        R::literal(0.0),
-        slider_slip_after_slider_ends_forth,
-    ]
+    let slider_held = (p.slider_stiffness * slider_x).add_product(p.slider_damping, slider_v);
+    let slider_slip_after_slider_ends_back = R::literal(0.5) * (R::literal(1.0)
+        - R::select_less(slider_limit + slider_held, R::literal(0.0), R::literal(-1.0),
+        R::literal(1.0)));
+    let slider_slip_after_slider_ends_forth = R::literal(0.5) * (R::select_less(slider_limit
+        - slider_held, R::literal(0.0), R::literal(-1.0), R::literal(1.0)) - R::literal(1.0));
+    [R::literal(-1.0), R::literal(1.0), R::literal(0.0), slider_slip_after_slider_ends_back,
+        R::literal(0.0), slider_slip_after_slider_ends_forth]
 }
 
 /// Normalized Taylor coefficients of the solution through `state`, order after order.
@@ -707,37 +307,26 @@ pub fn resets<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
-pub fn series<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-    coefficients: &mut [[R; STATES]],
-    workspace: &mut [R],
-) {
+pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        coefficients: &mut [[R; STATES]], workspace: &mut [R]) {
     let (mut lanes, _) = Lanes::<R, 2>::new(workspace, coefficients.len());
     let [slider_x, slider_v, slider_slip] = *state;
     let t0 = slider_x * p.slider_stiffness;
     let t1 = slider_v * p.slider_damping;
     let slider_held = t0 + t1;
-    let t2 = R::literal(1.0) / p.slider_stribeck_speed;
+    let t2 = R::literal(-1.0) / p.slider_stribeck_speed;
     let t3 = slider_v * t2;
     let t4 = t3 * slider_slip;
-    let t5 = -t4;
-    let t6 = t5.exp();
-    let t7 = t6 * p.slider_stribeck_friction;
-    let t8 = p.slider_kinetic_friction + t7;
-    let slider_dragged = t8 * p.slider_normal_force;
-    let t9 = -slider_dragged;
-    let t10 = R::select_less(slider_slip, R::literal(0.5), slider_held, t9);
-    let slider_friction = R::select_less(
-        slider_slip,
-        R::literal(-0.5),
-        slider_dragged,
-        t10,
-    );
-    let t11 = R::literal(1.0) / p.slider_mass;
-    let t12 = slider_friction - slider_held;
-    let slider_v_dot = t12 * t11;
+    let t5 = t4.exp();
+    let t6 = t5 * p.slider_stribeck_friction;
+    let t7 = p.slider_kinetic_friction + t6;
+    let slider_dragged = t7 * p.slider_normal_force;
+    let t8 = -slider_dragged;
+    let t9 = R::select_less(slider_slip, R::literal(0.5), slider_held, t8);
+    let slider_friction = R::select_less(slider_slip, R::literal(-0.5), slider_dragged, t9);
+    let t10 = R::literal(1.0) / p.slider_mass;
+    let t11 = slider_friction - slider_held;
+    let slider_v_dot = t11 * t10;
     let mut rates = [slider_v, slider_v_dot, R::literal(0.0)];
     coefficients[0] = *state;
     let highest = coefficients.len() - 1;
@@ -749,375 +338,18 @@ pub fn series<R: Real>(
         }
         let [slider_x_k, slider_v_k, slider_slip_k] = *state_k;
         let sums = lanes.sums(order);
-        let slider_held_k = slider_v_k
-            .mul_add(p.slider_damping, slider_x_k * p.slider_stiffness);
+        let slider_held_k = slider_v_k.mul_add(p.slider_damping, slider_x_k * p.slider_stiffness);
         let t3_k = slider_v_k * t2;
         let t4_k = slider_slip.mul_add(t3_k, t3.mul_add(slider_slip_k, sums[0]));
-        let t5_k = -t4_k;
-        let t6_k = t5_k.mul_add(t6, inverse * sums[1]);
-        let slider_dragged_k = t6_k * p.slider_stribeck_friction * p.slider_normal_force;
-        let t9_k = -slider_dragged_k;
-        let t10_k = R::select_less(slider_slip, R::literal(0.5), slider_held_k, t9_k);
-        let slider_friction_k = R::select_less(
-            slider_slip,
-            R::literal(-0.5),
-            slider_dragged_k,
-            t10_k,
-        );
-        let t12_k = slider_friction_k - slider_held_k;
-        let slider_v_dot_k = t12_k * t11;
-        lanes.set(order, [slider_slip_k, k * t5_k], [t3_k, t6_k]);
+        let t5_k = t4_k.mul_add(t5, inverse * sums[1]);
+        let slider_dragged_k = t5_k * p.slider_stribeck_friction * p.slider_normal_force;
+        let t8_k = -slider_dragged_k;
+        let t9_k = R::select_less(slider_slip, R::literal(0.5), slider_held_k, t8_k);
+        let slider_friction_k = R::select_less(slider_slip, R::literal(-0.5), slider_dragged_k,
+            t9_k);
+        let t11_k = slider_friction_k - slider_held_k;
+        let slider_v_dot_k = t11_k * t10;
+        lanes.set(order, [slider_slip_k, k * t4_k], [t3_k, t5_k]);
         rates = [slider_v_k, slider_v_dot_k, R::literal(0.0)];
     }
 }
-
-impl<R: Real> TaylorSeries<R> for CoulombOscillator {
-    fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 2>::workspace(order + 1)
-    }
-    fn series(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        coefficients: &mut [R],
-        workspace: &mut [R],
-    ) {
-        let (coefficients, rest) = coefficients.as_chunks_mut();
-        assert!(rest.is_empty(), "every order has STATES coefficients");
-        let p = parameters_of(parameters);
-        series(time, state_of(state), &p, coefficients, workspace);
-    }
-    fn bends(&self) -> Bends {
-        Bends::Saturates
-    }
-}
-
-impl Describe for CoulombOscillator {
-    fn name(&self) -> &'static str {
-        "coulomb_oscillator"
-    }
-    fn title(&self) -> &'static str {
-        "Oscillator braked by dry friction"
-    }
-    fn shape(&self) -> Shape {
-        Shape {
-            coordinates: COORDINATES,
-            positions: 1,
-            first_order: 1,
-            quadratures: 0,
-            parameters: PARAMETERS,
-            outputs: OUTPUTS,
-            discontinuities: DISCONTINUITIES,
-        }
-    }
-    fn state(&self, index: usize) -> Quantity<'_> {
-        STATE_QUANTITIES[index]
-    }
-    fn state_scale(&self, index: usize) -> f64 {
-        STATE_SCALES[index]
-    }
-    fn parameter(&self, index: usize) -> Quantity<'_> {
-        PARAMETER_QUANTITIES[index]
-    }
-    fn parameter_default(&self, index: usize) -> f64 {
-        PARAMETER_DEFAULTS[index]
-    }
-    fn output(&self, index: usize) -> Quantity<'_> {
-        OUTPUT_QUANTITIES[index]
-    }
-    fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
-        RATE_JACOBIAN_PATTERN
-    }
-    fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_> {
-        PARAMETER_JACOBIAN_PATTERN
-    }
-    fn mass_matrix_pattern(&self) -> SparsityPattern<'_> {
-        MASS_MATRIX_PATTERN
-    }
-    fn run_defaults(&self) -> RunDefaults<'_> {
-        RUN_DEFAULTS
-    }
-    fn events(&self) -> usize {
-        EVENTS
-    }
-    fn event(&self, index: usize) -> Event<'_> {
-        EVENT_SHAPES[index]
-    }
-    fn is_mode(&self, index: usize) -> bool {
-        matches!(index, 2)
-    }
-}
-
-impl<R: Real> Simulator<R> for CoulombOscillator {
-    fn constants(&self) -> usize {
-        CONSTANTS
-    }
-    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
-        *array_of(constants) = prepare(&parameters_of(parameters)).to_array();
-    }
-    fn prepared_rate(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        constants: &[R],
-        values: &mut [R],
-    ) {
-        let (p, c) = (parameters_of(parameters), constants_of(constants));
-        *array_of(values) = prepared_rate(time, state_of(state), &p, &c);
-    }
-    fn prepared_rate_jacobian(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        constants: &[R],
-        values: &mut [R],
-    ) {
-        let (p, c) = (parameters_of(parameters), constants_of(constants));
-        *array_of(values) = prepared_rate_jacobian(time, state_of(state), &p, &c);
-    }
-    fn initial_state(&self, parameters: &[R], values: &mut [R]) {
-        *array_of(values) = initial_state(&parameters_of(parameters));
-    }
-    fn discontinuities(&self, parameters: &[R], values: &mut [R]) {
-        *array_of(values) = discontinuities(&parameters_of(parameters));
-    }
-    fn rate(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = rate(time, state_of(state), &parameters_of(parameters));
-    }
-    fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = rate_jacobian(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn parameter_jacobian(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        values: &mut [R],
-    ) {
-        *array_of(values) = parameter_jacobian(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn time_derivative(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = time_derivative(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = mass_matrix(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn forcing(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = forcing(time, state_of(state), &parameters_of(parameters));
-    }
-    fn outputs(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = outputs(time, state_of(state), &parameters_of(parameters))
-            .to_array();
-    }
-    fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
-        energy(time, state_of(state), &parameters_of(parameters))
-    }
-    fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
-        power_balance(time, state_of(state), &parameters_of(parameters))
-    }
-    fn guards(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = guards(time, state_of(state), &parameters_of(parameters));
-    }
-    fn guard_rates(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = guard_rates(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn resets(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = resets(time, state_of(state), &parameters_of(parameters));
-    }
-    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
-        Some(self)
-    }
-}
-
-#[inline]
-fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
-    let values: &[R; CONSTANTS] = constants
-        .try_into()
-        .expect("there are CONSTANTS constants");
-    Constants::from_array(*values)
-}
-
-#[inline]
-fn array_of<R, const N: usize>(values: &mut [R]) -> &mut [R; N] {
-    values.try_into().expect("there is one place for each value")
-}
-
-#[inline]
-fn state_of<R>(state: &[R]) -> &[R; STATES] {
-    state.try_into().expect("the state has STATES entries")
-}
-
-#[inline]
-fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
-    let values: &[R; PARAMETERS] = parameters
-        .try_into()
-        .expect("there are PARAMETERS parameters");
-    Parameters::from_array(*values)
-}
-
-static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
-    Quantity {
-        name: "slider.x",
-        unit: "m",
-        doc: "deflection of the spring",
-    },
-    Quantity {
-        name: "slider.v",
-        unit: "m/s",
-        doc: "rate of deflection of the spring",
-    },
-    Quantity {
-        name: "slider.slip",
-        unit: "1",
-        doc: "-1 while the mass slides back on the belt, 0 while it sticks, 1 while it slides forth",
-    },
-];
-
-static STATE_SCALES: [f64; STATES] = [0.01, 0.1, 1.0];
-
-static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [
-    Quantity {
-        name: "deflection",
-        unit: "m",
-        doc: "deflection at the start, large enough to slide",
-    },
-    Quantity {
-        name: "slider.mass",
-        unit: "kg",
-        doc: "the mass",
-    },
-    Quantity {
-        name: "slider.stiffness",
-        unit: "N/m",
-        doc: "spring",
-    },
-    Quantity {
-        name: "slider.damping",
-        unit: "N s/m",
-        doc: "damper beside the spring",
-    },
-    Quantity {
-        name: "slider.normal_force",
-        unit: "N",
-        doc: "force that presses the mass on the belt",
-    },
-    Quantity {
-        name: "slider.static_friction",
-        unit: "1",
-        doc: "largest friction while it sticks, over the normal force",
-    },
-    Quantity {
-        name: "slider.kinetic_friction",
-        unit: "1",
-        doc: "friction at high sliding speed, likewise",
-    },
-    Quantity {
-        name: "slider.stribeck_friction",
-        unit: "1",
-        doc: "by how much it is larger at low sliding speed, likewise",
-    },
-    Quantity {
-        name: "slider.stribeck_speed",
-        unit: "m/s",
-        doc: "sliding speed over which that falls",
-    },
-];
-
-static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [
-    0.097,
-    1.0,
-    400.0,
-    0.0,
-    10.0,
-    0.4,
-    0.25,
-    0.0,
-    0.05,
-];
-
-static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [
-    Quantity {
-        name: "deflection",
-        unit: "m",
-        doc: "deflection of the spring",
-    },
-    Quantity {
-        name: "velocity",
-        unit: "m/s",
-        doc: "rate of deflection of the spring",
-    },
-    Quantity {
-        name: "friction",
-        unit: "N",
-        doc: "friction on the mass",
-    },
-    Quantity {
-        name: "slip",
-        unit: "1",
-        doc: "-1 while the mass slides back on the belt, 0 while it sticks, 1 while it slides forth",
-    },
-];
-
-/// The run the spec asks for.
-pub const RUN_DEFAULTS: RunDefaults<'static> = RunDefaults {
-    from: 0.0,
-    until: 2.0,
-    points: 2001,
-    rtol: 1e-8,
-    method: "dop853",
-};
-
-/// What happens where guards pass zero.
-pub static EVENT_SHAPES: [Event<'static>; EVENTS] = [
-    Event {
-        name: "slider.breaks_back",
-        doc: "friction holds no longer: the mass slides back",
-        direction: Direction::Rising,
-        when: &[(2, 0.0)],
-        sets: &[2],
-    },
-    Event {
-        name: "slider.breaks_forth",
-        doc: "friction holds no longer: the mass slides forth",
-        direction: Direction::Falling,
-        when: &[(2, 0.0)],
-        sets: &[2],
-    },
-    Event {
-        name: "slider.ends_back",
-        doc: "the mass has slid back; it sticks or slides forth",
-        direction: Direction::Rising,
-        when: &[(2, -1.0)],
-        sets: &[1, 2],
-    },
-    Event {
-        name: "slider.ends_forth",
-        doc: "the mass has slid forth; it sticks or slides back",
-        direction: Direction::Falling,
-        when: &[(2, 1.0)],
-        sets: &[1, 2],
-    },
-];

@@ -20,1012 +20,191 @@
 // Source:
 //   Study of a winding mechanism; dimensions are ours.
 //
-// Shapes; all quantities are in SI units:
-//   coordinates              18
-//   first-order states        0
-//   states                   36
-//   parameters                5
-//   outputs                   7
-//   discontinuities           0
-//   constraints              16
-//
-// State:
-//     0  post.x          [m]      centre of mass, sideways
-//     1  post.y          [m]      centre of mass, upwards
-//     2  post.phi        [rad]    angle of the bar from sideways
-//     3  plate.x         [m]      centre of mass, sideways
-//     4  plate.y         [m]      centre of mass, upwards
-//     5  plate.phi       [rad]    angle of the bar from sideways
-//     6  cylinder.x      [m]      centre of mass, sideways
-//     7  cylinder.y      [m]      centre of mass, upwards
-//     8  cylinder.phi    [rad]    angle of the bar from sideways
-//     9  rod.x           [m]      centre of mass, sideways
-//    10  rod.y           [m]      centre of mass, upwards
-//    11  rod.phi         [rad]    angle of the bar from sideways
-//    12  bobbin.x        [m]      centre of mass, sideways
-//    13  bobbin.y        [m]      centre of mass, upwards
-//    14  bobbin.phi      [rad]    angle of the bar from sideways
-//    15  drum.x          [m]      centre of mass, sideways
-//    16  drum.y          [m]      centre of mass, upwards
-//    17  drum.phi        [rad]    angle of the bar from sideways
-//    18  post.v_x        [m/s]    rate of centre of mass, sideways
-//    19  post.v_y        [m/s]    rate of centre of mass, upwards
-//    20  post.omega      [rad/s]  rate of angle of the bar from sideways
-//    21  plate.v_x       [m/s]    rate of centre of mass, sideways
-//    22  plate.v_y       [m/s]    rate of centre of mass, upwards
-//    23  plate.omega     [rad/s]  rate of angle of the bar from sideways
-//    24  cylinder.v_x    [m/s]    rate of centre of mass, sideways
-//    25  cylinder.v_y    [m/s]    rate of centre of mass, upwards
-//    26  cylinder.omega  [rad/s]  rate of angle of the bar from sideways
-//    27  rod.v_x         [m/s]    rate of centre of mass, sideways
-//    28  rod.v_y         [m/s]    rate of centre of mass, upwards
-//    29  rod.omega       [rad/s]  rate of angle of the bar from sideways
-//    30  bobbin.v_x      [m/s]    rate of centre of mass, sideways
-//    31  bobbin.v_y      [m/s]    rate of centre of mass, upwards
-//    32  bobbin.omega    [rad/s]  rate of angle of the bar from sideways
-//    33  drum.v_x        [m/s]    rate of centre of mass, sideways
-//    34  drum.v_y        [m/s]    rate of centre of mass, upwards
-//    35  drum.omega      [rad/s]  rate of angle of the bar from sideways
-//
-// Nonzeros:
-//   mass_matrix              18 of 18 by 18
-//   rate_jacobian           402 of 36 by 36
-//   parameter_jacobian       80 of 36 by 5
-//
-// Operations:
-//   initial_state             0
-//   discontinuities           0
-//   rate                   1006
-//   mass_matrix               0
-//   forcing                  51
-//   rate_jacobian          7665
-//   parameter_jacobian     2220
-//   time_derivative           0
-//   outputs                 800
-//   energy                   72
-//   power_balance          1099
-//   constraint_values        62
-//   constraint_rates         89
-//   constraint_matrix        48
-// With constants of the parameters, prepared once a run:
-//   prepare                   5
-//   prepared_rate          1001
-//   prepared_rate_jacobian 7660
+// All quantities are in SI units.
+// Shapes: coordinates 18, states 36, parameters 5, outputs 7, constraints 16.
+// Nonzeros: mass_matrix 18 of 18 by 18, rate_jacobian 402 of 36 by 36,
+//     parameter_jacobian 80 of 36 by 5, constraint_matrix 44 of 16 by 18.
+// Operations: rate 982, forcing 50, rate_jacobian 7233, parameter_jacobian 2133, outputs 780,
+//     energy 72, power_balance 1073, constraint_values 62, constraint_rates 89, constraint_matrix 43,
+//     prepare 4, prepared_rate 978, prepared_rate_jacobian 7229.
 
-use ::machinist_contract::{
-    Constraint, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
-    Simulator, SparsityPattern,
-};
+use ::machinist_contract::{Energy, PowerBalance, Real};
 
-/// Generalized coordinates, n.
-pub const COORDINATES: usize = 18;
-
-/// Length of the state y.
-pub const STATES: usize = 36;
-
-/// Parameters.
-pub const PARAMETERS: usize = 5;
-
-/// Wanted outputs.
-pub const OUTPUTS: usize = 7;
-
-/// Times at which the right-hand side jumps.
-pub const DISCONTINUITIES: usize = 0;
-
-/// Nonzeros of M, both triangles.
-pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 18,
-    columns: 18,
-    entries: &[
-        (0, 0),
-        (1, 1),
-        (2, 2),
-        (3, 3),
-        (4, 4),
-        (5, 5),
-        (6, 6),
-        (7, 7),
-        (8, 8),
-        (9, 9),
-        (10, 10),
-        (11, 11),
-        (12, 12),
-        (13, 13),
-        (14, 14),
-        (15, 15),
-        (16, 16),
-        (17, 17),
-    ],
-};
-
-/// Nonzeros of dy'/dy.
-pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 36,
-    columns: 36,
-    entries: &[
-        (0, 18),
-        (1, 19),
-        (2, 20),
-        (3, 21),
-        (4, 22),
-        (5, 23),
-        (6, 24),
-        (7, 25),
-        (8, 26),
-        (9, 27),
-        (10, 28),
-        (11, 29),
-        (12, 30),
-        (13, 31),
-        (14, 32),
-        (15, 33),
-        (16, 34),
-        (17, 35),
-        (18, 2),
-        (18, 5),
-        (18, 6),
-        (18, 7),
-        (18, 8),
-        (18, 9),
-        (18, 10),
-        (18, 11),
-        (18, 12),
-        (18, 13),
-        (18, 15),
-        (18, 16),
-        (18, 20),
-        (18, 23),
-        (18, 24),
-        (18, 25),
-        (18, 26),
-        (18, 27),
-        (18, 28),
-        (18, 29),
-        (18, 30),
-        (18, 31),
-        (18, 33),
-        (18, 34),
-        (19, 2),
-        (19, 5),
-        (19, 6),
-        (19, 7),
-        (19, 8),
-        (19, 9),
-        (19, 10),
-        (19, 11),
-        (19, 12),
-        (19, 13),
-        (19, 15),
-        (19, 16),
-        (19, 20),
-        (19, 23),
-        (19, 24),
-        (19, 25),
-        (19, 26),
-        (19, 27),
-        (19, 28),
-        (19, 29),
-        (19, 30),
-        (19, 31),
-        (19, 33),
-        (19, 34),
-        (20, 2),
-        (20, 5),
-        (20, 6),
-        (20, 7),
-        (20, 8),
-        (20, 9),
-        (20, 10),
-        (20, 11),
-        (20, 12),
-        (20, 13),
-        (20, 15),
-        (20, 16),
-        (20, 20),
-        (20, 23),
-        (20, 24),
-        (20, 25),
-        (20, 26),
-        (20, 27),
-        (20, 28),
-        (20, 29),
-        (20, 30),
-        (20, 31),
-        (20, 33),
-        (20, 34),
-        (21, 2),
-        (21, 5),
-        (21, 6),
-        (21, 7),
-        (21, 8),
-        (21, 9),
-        (21, 10),
-        (21, 11),
-        (21, 12),
-        (21, 13),
-        (21, 15),
-        (21, 16),
-        (21, 20),
-        (21, 23),
-        (21, 24),
-        (21, 25),
-        (21, 26),
-        (21, 27),
-        (21, 28),
-        (21, 29),
-        (21, 30),
-        (21, 31),
-        (21, 33),
-        (21, 34),
-        (22, 2),
-        (22, 5),
-        (22, 6),
-        (22, 7),
-        (22, 8),
-        (22, 9),
-        (22, 10),
-        (22, 11),
-        (22, 12),
-        (22, 13),
-        (22, 15),
-        (22, 16),
-        (22, 20),
-        (22, 23),
-        (22, 24),
-        (22, 25),
-        (22, 26),
-        (22, 27),
-        (22, 28),
-        (22, 29),
-        (22, 30),
-        (22, 31),
-        (22, 33),
-        (22, 34),
-        (23, 2),
-        (23, 5),
-        (23, 6),
-        (23, 7),
-        (23, 8),
-        (23, 9),
-        (23, 10),
-        (23, 11),
-        (23, 12),
-        (23, 13),
-        (23, 15),
-        (23, 16),
-        (23, 20),
-        (23, 23),
-        (23, 24),
-        (23, 25),
-        (23, 26),
-        (23, 27),
-        (23, 28),
-        (23, 29),
-        (23, 30),
-        (23, 31),
-        (23, 33),
-        (23, 34),
-        (24, 2),
-        (24, 5),
-        (24, 6),
-        (24, 7),
-        (24, 8),
-        (24, 9),
-        (24, 10),
-        (24, 11),
-        (24, 12),
-        (24, 13),
-        (24, 15),
-        (24, 16),
-        (24, 20),
-        (24, 23),
-        (24, 24),
-        (24, 25),
-        (24, 26),
-        (24, 27),
-        (24, 28),
-        (24, 29),
-        (24, 30),
-        (24, 31),
-        (24, 33),
-        (24, 34),
-        (25, 2),
-        (25, 5),
-        (25, 6),
-        (25, 7),
-        (25, 8),
-        (25, 9),
-        (25, 10),
-        (25, 11),
-        (25, 12),
-        (25, 13),
-        (25, 15),
-        (25, 16),
-        (25, 20),
-        (25, 23),
-        (25, 24),
-        (25, 25),
-        (25, 26),
-        (25, 27),
-        (25, 28),
-        (25, 29),
-        (25, 30),
-        (25, 31),
-        (25, 33),
-        (25, 34),
-        (26, 2),
-        (26, 5),
-        (26, 6),
-        (26, 7),
-        (26, 8),
-        (26, 9),
-        (26, 10),
-        (26, 11),
-        (26, 12),
-        (26, 13),
-        (26, 15),
-        (26, 16),
-        (26, 20),
-        (26, 23),
-        (26, 24),
-        (26, 25),
-        (26, 26),
-        (26, 27),
-        (26, 28),
-        (26, 29),
-        (26, 30),
-        (26, 31),
-        (26, 33),
-        (26, 34),
-        (27, 2),
-        (27, 5),
-        (27, 6),
-        (27, 7),
-        (27, 8),
-        (27, 9),
-        (27, 10),
-        (27, 11),
-        (27, 12),
-        (27, 13),
-        (27, 15),
-        (27, 16),
-        (27, 20),
-        (27, 23),
-        (27, 24),
-        (27, 25),
-        (27, 26),
-        (27, 27),
-        (27, 28),
-        (27, 29),
-        (27, 30),
-        (27, 31),
-        (27, 33),
-        (27, 34),
-        (28, 2),
-        (28, 5),
-        (28, 6),
-        (28, 7),
-        (28, 8),
-        (28, 9),
-        (28, 10),
-        (28, 11),
-        (28, 12),
-        (28, 13),
-        (28, 15),
-        (28, 16),
-        (28, 20),
-        (28, 23),
-        (28, 24),
-        (28, 25),
-        (28, 26),
-        (28, 27),
-        (28, 28),
-        (28, 29),
-        (28, 30),
-        (28, 31),
-        (28, 33),
-        (28, 34),
-        (29, 2),
-        (29, 5),
-        (29, 6),
-        (29, 7),
-        (29, 8),
-        (29, 9),
-        (29, 10),
-        (29, 11),
-        (29, 12),
-        (29, 13),
-        (29, 15),
-        (29, 16),
-        (29, 20),
-        (29, 23),
-        (29, 24),
-        (29, 25),
-        (29, 26),
-        (29, 27),
-        (29, 28),
-        (29, 29),
-        (29, 30),
-        (29, 31),
-        (29, 33),
-        (29, 34),
-        (30, 2),
-        (30, 5),
-        (30, 6),
-        (30, 7),
-        (30, 8),
-        (30, 9),
-        (30, 10),
-        (30, 11),
-        (30, 12),
-        (30, 13),
-        (30, 15),
-        (30, 16),
-        (30, 20),
-        (30, 23),
-        (30, 24),
-        (30, 25),
-        (30, 26),
-        (30, 27),
-        (30, 28),
-        (30, 29),
-        (30, 30),
-        (30, 31),
-        (30, 33),
-        (30, 34),
-        (31, 2),
-        (31, 5),
-        (31, 6),
-        (31, 7),
-        (31, 8),
-        (31, 9),
-        (31, 10),
-        (31, 11),
-        (31, 12),
-        (31, 13),
-        (31, 15),
-        (31, 16),
-        (31, 20),
-        (31, 23),
-        (31, 24),
-        (31, 25),
-        (31, 26),
-        (31, 27),
-        (31, 28),
-        (31, 29),
-        (31, 30),
-        (31, 31),
-        (31, 33),
-        (31, 34),
-        (33, 2),
-        (33, 5),
-        (33, 6),
-        (33, 7),
-        (33, 8),
-        (33, 9),
-        (33, 10),
-        (33, 11),
-        (33, 12),
-        (33, 13),
-        (33, 15),
-        (33, 16),
-        (33, 20),
-        (33, 23),
-        (33, 24),
-        (33, 25),
-        (33, 26),
-        (33, 27),
-        (33, 28),
-        (33, 29),
-        (33, 30),
-        (33, 31),
-        (33, 33),
-        (33, 34),
-        (34, 2),
-        (34, 5),
-        (34, 6),
-        (34, 7),
-        (34, 8),
-        (34, 9),
-        (34, 10),
-        (34, 11),
-        (34, 12),
-        (34, 13),
-        (34, 15),
-        (34, 16),
-        (34, 20),
-        (34, 23),
-        (34, 24),
-        (34, 25),
-        (34, 26),
-        (34, 27),
-        (34, 28),
-        (34, 29),
-        (34, 30),
-        (34, 31),
-        (34, 33),
-        (34, 34),
-    ],
-};
-
-/// Nonzeros of dy'/dp.
-pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 36,
-    columns: 5,
-    entries: &[
-        (18, 0),
-        (18, 1),
-        (18, 2),
-        (18, 3),
-        (18, 4),
-        (19, 0),
-        (19, 1),
-        (19, 2),
-        (19, 3),
-        (19, 4),
-        (20, 0),
-        (20, 1),
-        (20, 2),
-        (20, 3),
-        (20, 4),
-        (21, 0),
-        (21, 1),
-        (21, 2),
-        (21, 3),
-        (21, 4),
-        (22, 0),
-        (22, 1),
-        (22, 2),
-        (22, 3),
-        (22, 4),
-        (23, 0),
-        (23, 1),
-        (23, 2),
-        (23, 3),
-        (23, 4),
-        (24, 0),
-        (24, 1),
-        (24, 2),
-        (24, 3),
-        (24, 4),
-        (25, 0),
-        (25, 1),
-        (25, 2),
-        (25, 3),
-        (25, 4),
-        (26, 0),
-        (26, 1),
-        (26, 2),
-        (26, 3),
-        (26, 4),
-        (27, 0),
-        (27, 1),
-        (27, 2),
-        (27, 3),
-        (27, 4),
-        (28, 0),
-        (28, 1),
-        (28, 2),
-        (28, 3),
-        (28, 4),
-        (29, 0),
-        (29, 1),
-        (29, 2),
-        (29, 3),
-        (29, 4),
-        (30, 0),
-        (30, 1),
-        (30, 2),
-        (30, 3),
-        (30, 4),
-        (31, 0),
-        (31, 1),
-        (31, 2),
-        (31, 3),
-        (31, 4),
-        (33, 0),
-        (33, 1),
-        (33, 2),
-        (33, 3),
-        (33, 4),
-        (34, 0),
-        (34, 1),
-        (34, 2),
-        (34, 3),
-        (34, 4),
-    ],
-};
-
-/// Constraints.
-pub const CONSTRAINTS: usize = 16;
-
-/// Nonzeros of G = dg'/dq'.
-pub const CONSTRAINT_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 16,
-    columns: 18,
-    entries: &[
-        (0, 0),
-        (0, 2),
-        (1, 1),
-        (1, 2),
-        (2, 0),
-        (2, 2),
-        (2, 3),
-        (2, 5),
-        (3, 1),
-        (3, 2),
-        (3, 4),
-        (3, 5),
-        (4, 3),
-        (4, 5),
-        (4, 6),
-        (4, 8),
-        (5, 4),
-        (5, 5),
-        (5, 7),
-        (5, 8),
-        (6, 8),
-        (6, 11),
-        (7, 6),
-        (7, 7),
-        (7, 8),
-        (7, 9),
-        (7, 10),
-        (8, 9),
-        (8, 11),
-        (9, 10),
-        (9, 11),
-        (10, 3),
-        (10, 5),
-        (10, 12),
-        (11, 4),
-        (11, 5),
-        (11, 13),
-        (12, 15),
-        (13, 16),
-        (14, 12),
-        (14, 13),
-        (14, 15),
-        (14, 16),
-        (15, 2),
-    ],
-};
-
-/// Four-link bobbin holder, at work
-///
-/// The holder of a self-twist spinning machine: post OC, plate ACD that carries the bobbin at
-/// A, and a strut D-S-E, a spring and an oil damper in a cylinder that slides on a rod. The
-/// bobbin rests on the drum at K, the post on a stop at T. All six bodies are free in the
-/// plane and held by fourteen constraints of pins and slide and by the two of the contacts,
-/// whose forces are N and Q; the holder works steadily while both are above zero.
-///
-/// The study gives no dimensions; these are plausible ones.
-///
-/// Source: Study of a winding mechanism; dimensions are ours.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct WinderLinkage;
-
-/// Parameters, in SI units; the default holds the values of the spec.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Parameters<R> {
-    /// bobbin_radius: radius of the package on the bobbin \[m\]. In the spec: 0.06.
-    pub bobbin_radius: R,
-    /// winding_force: force of the drum on the bobbin along its surface, to the left over the drum \[N\]. In the spec: 0.0.
-    pub winding_force: R,
-    /// bobbin.mass: the mass \[kg\]. In the spec: 0.7.
-    pub bobbin_mass: R,
-    /// spring.stiffness: spring \[N/m\]. In the spec: 2000.0.
-    pub spring_stiffness: R,
-    /// spring.free_length: distance at which the spring is at rest \[m\]. In the spec: 0.116.
-    pub spring_free_length: R,
+::machinist_contract::simulator! {
+    /// Four-link bobbin holder, at work
+    ///
+    /// The holder of a self-twist spinning machine: post OC, plate ACD that carries the bobbin at
+    /// A, and a strut D-S-E, a spring and an oil damper in a cylinder that slides on a rod. The
+    /// bobbin rests on the drum at K, the post on a stop at T. All six bodies are free in the
+    /// plane and held by fourteen constraints of pins and slide and by the two of the contacts,
+    /// whose forces are N and Q; the holder works steadily while both are above zero.
+    ///
+    /// The study gives no dimensions; these are plausible ones.
+    ///
+    /// Source: Study of a winding mechanism; dimensions are ours.
+    WinderLinkage: "winder_linkage", "Four-link bobbin holder, at work";
+    run from 0.0, until 1.0, points 101, rtol 1e-8, method "dop853";
+    quadratures 0, discontinuities 0;
+    constraints; prepared;
 }
 
-impl<R: Real> Parameters<R> {
-    /// From the numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn from_array(values: [R; PARAMETERS]) -> Self {
-        Self {
-            bobbin_radius: values[0],
-            winding_force: values[1],
-            bobbin_mass: values[2],
-            spring_stiffness: values[3],
-            spring_free_length: values[4],
-        }
-    }
-    /// The numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn to_array(self) -> [R; PARAMETERS] {
-        [
-            self.bobbin_radius,
-            self.winding_force,
-            self.bobbin_mass,
-            self.spring_stiffness,
-            self.spring_free_length,
-        ]
-    }
+::machinist_contract::parameters! {
+    bobbin_radius: 0.06, "m", "bobbin_radius", "radius of the package on the bobbin";
+    winding_force: 0.0, "N", "winding_force", "force of the drum on the bobbin along its surface, to the left over the drum";
+    bobbin_mass: 0.7, "kg", "bobbin.mass", "the mass";
+    spring_stiffness: 2000.0, "N/m", "spring.stiffness", "spring";
+    spring_free_length: 0.116, "m", "spring.free_length", "distance at which the spring is at rest";
 }
 
-impl<R: Real> Default for Parameters<R> {
-    fn default() -> Self {
-        Self {
-            bobbin_radius: R::literal(0.06),
-            winding_force: R::literal(0.0),
-            bobbin_mass: R::literal(0.7),
-            spring_stiffness: R::literal(2000.0),
-            spring_free_length: R::literal(0.116),
-        }
-    }
+::machinist_contract::outputs! {
+    contact_force: "N", "contact_force", "N, force of the drum on the bobbin at K";
+    stop_force: "N", "stop_force", "Q, force of the stop on the post at T";
+    strut_push: "N", "strut_push", "force with which it pushes its ends apart";
+    post_angle: "rad", "post_angle", "angle of the bar from sideways";
+    plate_angle: "rad", "plate_angle", "angle of the bar from sideways";
+    bobbin_angle: "rad", "bobbin_angle", "angle of the bar from sideways";
+    drum_angle: "rad", "drum_angle", "angle of the bar from sideways";
 }
 
-/// Wanted outputs, in SI units.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Outputs<R> {
-    /// contact_force: N, force of the drum on the bobbin at K \[N\].
-    pub contact_force: R,
-    /// stop_force: Q, force of the stop on the post at T \[N\].
-    pub stop_force: R,
-    /// strut_push: force with which it pushes its ends apart \[N\].
-    pub strut_push: R,
-    /// post_angle: angle of the bar from sideways \[rad\].
-    pub post_angle: R,
-    /// plate_angle: angle of the bar from sideways \[rad\].
-    pub plate_angle: R,
-    /// bobbin_angle: angle of the bar from sideways \[rad\].
-    pub bobbin_angle: R,
-    /// drum_angle: angle of the bar from sideways \[rad\].
-    pub drum_angle: R,
+::machinist_contract::states! {
+    POST_X: position guess, 0.1, "m", "post.x", "centre of mass, sideways";
+    POST_Y: position guess, 0.1, "m", "post.y", "centre of mass, upwards";
+    POST_PHI: position guess, 1.0, "rad", "post.phi", "angle of the bar from sideways";
+    PLATE_X: position guess, 0.1, "m", "plate.x", "centre of mass, sideways";
+    PLATE_Y: position guess, 0.1, "m", "plate.y", "centre of mass, upwards";
+    PLATE_PHI: position guess, 1.0, "rad", "plate.phi", "angle of the bar from sideways";
+    CYLINDER_X: position guess, 0.1, "m", "cylinder.x", "centre of mass, sideways";
+    CYLINDER_Y: position guess, 0.1, "m", "cylinder.y", "centre of mass, upwards";
+    CYLINDER_PHI: position guess, 1.0, "rad", "cylinder.phi", "angle of the bar from sideways";
+    ROD_X: position guess, 0.1, "m", "rod.x", "centre of mass, sideways";
+    ROD_Y: position guess, 0.1, "m", "rod.y", "centre of mass, upwards";
+    ROD_PHI: position guess, 1.0, "rad", "rod.phi", "angle of the bar from sideways";
+    BOBBIN_X: position guess, 0.1, "m", "bobbin.x", "centre of mass, sideways";
+    BOBBIN_Y: position guess, 0.1, "m", "bobbin.y", "centre of mass, upwards";
+    BOBBIN_PHI: position guess, 1.0, "rad", "bobbin.phi", "angle of the bar from sideways";
+    DRUM_X: position guess, 0.1, "m", "drum.x", "centre of mass, sideways";
+    DRUM_Y: position guess, 0.1, "m", "drum.y", "centre of mass, upwards";
+    DRUM_PHI: position guess, 1.0, "rad", "drum.phi", "angle of the bar from sideways";
+    POST_V_X: velocity guess, 1.0, "m/s", "post.v_x", "rate of centre of mass, sideways";
+    POST_V_Y: velocity guess, 1.0, "m/s", "post.v_y", "rate of centre of mass, upwards";
+    POST_OMEGA: velocity guess, 10.0, "rad/s", "post.omega", "rate of angle of the bar from sideways";
+    PLATE_V_X: velocity guess, 1.0, "m/s", "plate.v_x", "rate of centre of mass, sideways";
+    PLATE_V_Y: velocity guess, 1.0, "m/s", "plate.v_y", "rate of centre of mass, upwards";
+    PLATE_OMEGA: velocity guess, 10.0, "rad/s", "plate.omega", "rate of angle of the bar from sideways";
+    CYLINDER_V_X: velocity guess, 1.0, "m/s", "cylinder.v_x", "rate of centre of mass, sideways";
+    CYLINDER_V_Y: velocity guess, 1.0, "m/s", "cylinder.v_y", "rate of centre of mass, upwards";
+    CYLINDER_OMEGA: velocity guess, 10.0, "rad/s", "cylinder.omega", "rate of angle of the bar from sideways";
+    ROD_V_X: velocity guess, 1.0, "m/s", "rod.v_x", "rate of centre of mass, sideways";
+    ROD_V_Y: velocity guess, 1.0, "m/s", "rod.v_y", "rate of centre of mass, upwards";
+    ROD_OMEGA: velocity guess, 10.0, "rad/s", "rod.omega", "rate of angle of the bar from sideways";
+    BOBBIN_V_X: velocity guess, 1.0, "m/s", "bobbin.v_x", "rate of centre of mass, sideways";
+    BOBBIN_V_Y: velocity guess, 1.0, "m/s", "bobbin.v_y", "rate of centre of mass, upwards";
+    BOBBIN_OMEGA: velocity, 10.0, "rad/s", "bobbin.omega", "rate of angle of the bar from sideways";
+    DRUM_V_X: velocity guess, 1.0, "m/s", "drum.v_x", "rate of centre of mass, sideways";
+    DRUM_V_Y: velocity guess, 1.0, "m/s", "drum.v_y", "rate of centre of mass, upwards";
+    DRUM_OMEGA: velocity, 10.0, "rad/s", "drum.omega", "rate of angle of the bar from sideways";
 }
 
-impl<R: Real> Outputs<R> {
-    /// From the numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn from_array(values: [R; OUTPUTS]) -> Self {
-        Self {
-            contact_force: values[0],
-            stop_force: values[1],
-            strut_push: values[2],
-            post_angle: values[3],
-            plate_angle: values[4],
-            bobbin_angle: values[5],
-            drum_angle: values[6],
-        }
-    }
-    /// The numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn to_array(self) -> [R; OUTPUTS] {
-        [
-            self.contact_force,
-            self.stop_force,
-            self.strut_push,
-            self.post_angle,
-            self.plate_angle,
-            self.bobbin_angle,
-            self.drum_angle,
-        ]
-    }
+::machinist_contract::constraints! {
+    "pin_o_x": of_positions, "m", "pin O in the frame, sideways";
+    "pin_o_y": of_positions, "m", "pin O in the frame, upwards";
+    "pin_c_x": of_positions, "m", "pin C of post and plate, sideways";
+    "pin_c_y": of_positions, "m", "pin C of post and plate, upwards";
+    "pin_d_x": of_positions, "m", "pin D of plate and cylinder, sideways";
+    "pin_d_y": of_positions, "m", "pin D of plate and cylinder, upwards";
+    "slide_angle": of_positions, "1", "S: rod and cylinder are parallel";
+    "slide_across": of_positions, "m", "S: and in line";
+    "pin_e_x": of_positions, "m", "pin E in the frame, sideways";
+    "pin_e_y": of_positions, "m", "pin E in the frame, upwards";
+    "axle_a_x": of_positions, "m", "axle A of the bobbin on the plate, sideways";
+    "axle_a_y": of_positions, "m", "axle A of the bobbin on the plate, upwards";
+    "axle_b_x": of_positions, "m", "axle B of the drum in the frame, sideways";
+    "axle_b_y": of_positions, "m", "axle B of the drum in the frame, upwards";
+    "contact": of_positions, "m", "K: the bobbin touches the drum";
+    "stop": of_positions, "m", "T: the post touches its stop";
 }
 
-/// Where to find what in the state.
-pub mod state {
-    /// post.x: centre of mass, sideways \[m\].
-    pub const POST_X: usize = 0;
-    /// post.y: centre of mass, upwards \[m\].
-    pub const POST_Y: usize = 1;
-    /// post.phi: angle of the bar from sideways \[rad\].
-    pub const POST_PHI: usize = 2;
-    /// plate.x: centre of mass, sideways \[m\].
-    pub const PLATE_X: usize = 3;
-    /// plate.y: centre of mass, upwards \[m\].
-    pub const PLATE_Y: usize = 4;
-    /// plate.phi: angle of the bar from sideways \[rad\].
-    pub const PLATE_PHI: usize = 5;
-    /// cylinder.x: centre of mass, sideways \[m\].
-    pub const CYLINDER_X: usize = 6;
-    /// cylinder.y: centre of mass, upwards \[m\].
-    pub const CYLINDER_Y: usize = 7;
-    /// cylinder.phi: angle of the bar from sideways \[rad\].
-    pub const CYLINDER_PHI: usize = 8;
-    /// rod.x: centre of mass, sideways \[m\].
-    pub const ROD_X: usize = 9;
-    /// rod.y: centre of mass, upwards \[m\].
-    pub const ROD_Y: usize = 10;
-    /// rod.phi: angle of the bar from sideways \[rad\].
-    pub const ROD_PHI: usize = 11;
-    /// bobbin.x: centre of mass, sideways \[m\].
-    pub const BOBBIN_X: usize = 12;
-    /// bobbin.y: centre of mass, upwards \[m\].
-    pub const BOBBIN_Y: usize = 13;
-    /// bobbin.phi: angle of the bar from sideways \[rad\].
-    pub const BOBBIN_PHI: usize = 14;
-    /// drum.x: centre of mass, sideways \[m\].
-    pub const DRUM_X: usize = 15;
-    /// drum.y: centre of mass, upwards \[m\].
-    pub const DRUM_Y: usize = 16;
-    /// drum.phi: angle of the bar from sideways \[rad\].
-    pub const DRUM_PHI: usize = 17;
-    /// post.v_x: rate of centre of mass, sideways \[m/s\].
-    pub const POST_V_X: usize = 18;
-    /// post.v_y: rate of centre of mass, upwards \[m/s\].
-    pub const POST_V_Y: usize = 19;
-    /// post.omega: rate of angle of the bar from sideways \[rad/s\].
-    pub const POST_OMEGA: usize = 20;
-    /// plate.v_x: rate of centre of mass, sideways \[m/s\].
-    pub const PLATE_V_X: usize = 21;
-    /// plate.v_y: rate of centre of mass, upwards \[m/s\].
-    pub const PLATE_V_Y: usize = 22;
-    /// plate.omega: rate of angle of the bar from sideways \[rad/s\].
-    pub const PLATE_OMEGA: usize = 23;
-    /// cylinder.v_x: rate of centre of mass, sideways \[m/s\].
-    pub const CYLINDER_V_X: usize = 24;
-    /// cylinder.v_y: rate of centre of mass, upwards \[m/s\].
-    pub const CYLINDER_V_Y: usize = 25;
-    /// cylinder.omega: rate of angle of the bar from sideways \[rad/s\].
-    pub const CYLINDER_OMEGA: usize = 26;
-    /// rod.v_x: rate of centre of mass, sideways \[m/s\].
-    pub const ROD_V_X: usize = 27;
-    /// rod.v_y: rate of centre of mass, upwards \[m/s\].
-    pub const ROD_V_Y: usize = 28;
-    /// rod.omega: rate of angle of the bar from sideways \[rad/s\].
-    pub const ROD_OMEGA: usize = 29;
-    /// bobbin.v_x: rate of centre of mass, sideways \[m/s\].
-    pub const BOBBIN_V_X: usize = 30;
-    /// bobbin.v_y: rate of centre of mass, upwards \[m/s\].
-    pub const BOBBIN_V_Y: usize = 31;
-    /// bobbin.omega: rate of angle of the bar from sideways \[rad/s\].
-    pub const BOBBIN_OMEGA: usize = 32;
-    /// drum.v_x: rate of centre of mass, sideways \[m/s\].
-    pub const DRUM_V_X: usize = 33;
-    /// drum.v_y: rate of centre of mass, upwards \[m/s\].
-    pub const DRUM_V_Y: usize = 34;
-    /// drum.omega: rate of angle of the bar from sideways \[rad/s\].
-    pub const DRUM_OMEGA: usize = 35;
+::machinist_contract::patterns! {
+    /// Nonzeros of M.
+    MASS_MATRIX_PATTERN: 18 by 18 { 0 [0] 1 [1] 2 [2] 3 [3] 4 [4] 5 [5] 6 [6] 7 [7] 8 [8] 9 [9]
+        10 [10] 11 [11] 12 [12] 13 [13] 14 [14] 15 [15] 16 [16] 17 [17] }
+    /// Nonzeros of dy'/dy.
+    RATE_JACOBIAN_PATTERN: 36 by 36 { 0 [18] 1 [19] 2 [20] 3 [21] 4 [22] 5 [23] 6 [24] 7 [25]
+        8 [26] 9 [27] 10 [28] 11 [29] 12 [30] 13 [31] 14 [32] 15 [33] 16 [34] 17 [35]
+        18 [2 5 6 7 8 9 10 11 12 13 15 16 20 23 24 25 26 27 28 29 30 31 33 34]
+        19 [2 5 6 7 8 9 10 11 12 13 15 16 20 23 24 25 26 27 28 29 30 31 33 34]
+        20 [2 5 6 7 8 9 10 11 12 13 15 16 20 23 24 25 26 27 28 29 30 31 33 34]
+        21 [2 5 6 7 8 9 10 11 12 13 15 16 20 23 24 25 26 27 28 29 30 31 33 34]
+        22 [2 5 6 7 8 9 10 11 12 13 15 16 20 23 24 25 26 27 28 29 30 31 33 34]
+        23 [2 5 6 7 8 9 10 11 12 13 15 16 20 23 24 25 26 27 28 29 30 31 33 34]
+        24 [2 5 6 7 8 9 10 11 12 13 15 16 20 23 24 25 26 27 28 29 30 31 33 34]
+        25 [2 5 6 7 8 9 10 11 12 13 15 16 20 23 24 25 26 27 28 29 30 31 33 34]
+        26 [2 5 6 7 8 9 10 11 12 13 15 16 20 23 24 25 26 27 28 29 30 31 33 34]
+        27 [2 5 6 7 8 9 10 11 12 13 15 16 20 23 24 25 26 27 28 29 30 31 33 34]
+        28 [2 5 6 7 8 9 10 11 12 13 15 16 20 23 24 25 26 27 28 29 30 31 33 34]
+        29 [2 5 6 7 8 9 10 11 12 13 15 16 20 23 24 25 26 27 28 29 30 31 33 34]
+        30 [2 5 6 7 8 9 10 11 12 13 15 16 20 23 24 25 26 27 28 29 30 31 33 34]
+        31 [2 5 6 7 8 9 10 11 12 13 15 16 20 23 24 25 26 27 28 29 30 31 33 34]
+        33 [2 5 6 7 8 9 10 11 12 13 15 16 20 23 24 25 26 27 28 29 30 31 33 34]
+        34 [2 5 6 7 8 9 10 11 12 13 15 16 20 23 24 25 26 27 28 29 30 31 33 34] }
+    /// Nonzeros of dy'/dp.
+    PARAMETER_JACOBIAN_PATTERN: 36 by 5 { 18 [0 1 2 3 4] 19 [0 1 2 3 4] 20 [0 1 2 3 4]
+        21 [0 1 2 3 4] 22 [0 1 2 3 4] 23 [0 1 2 3 4] 24 [0 1 2 3 4] 25 [0 1 2 3 4] 26 [0 1 2 3 4]
+        27 [0 1 2 3 4] 28 [0 1 2 3 4] 29 [0 1 2 3 4] 30 [0 1 2 3 4] 31 [0 1 2 3 4] 33 [0 1 2 3 4]
+        34 [0 1 2 3 4] }
+    /// Nonzeros of G = dg'/dq'.
+    CONSTRAINT_MATRIX_PATTERN: 16 by 18 { 0 [0 2] 1 [1 2] 2 [0 2 3 5] 3 [1 2 4 5] 4 [3 5 6 8]
+        5 [4 5 7 8] 6 [8 11] 7 [6 7 8 9 10] 8 [9 11] 9 [10 11] 10 [3 5 12] 11 [4 5 13] 12 [15]
+        13 [16] 14 [12 13 15 16] 15 [2] }
 }
 
-/// Constants that `prepare` computes.
-pub const CONSTANTS: usize = 4;
-
-#[allow(missing_docs, reason = "`prepare` says what each is")]
-/// What parameters alone decide; `prepare` says what each is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Constants<R> {
-    pub inverse_bobbin_mass: R,
-    pub bobbin_radius_times_winding_force: R,
-    pub t0: R,
-    pub t1: R,
+::machinist_contract::constants! {
+    inverse_bobbin_mass, bobbin_radius_times_winding_force, t0, t1
 }
 
-impl<R: Real> Constants<R> {
-    /// From the numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn from_array(values: [R; CONSTANTS]) -> Self {
-        Self {
-            inverse_bobbin_mass: values[0],
-            bobbin_radius_times_winding_force: values[1],
-            t0: values[2],
-            t1: values[3],
-        }
-    }
-    /// The numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn to_array(self) -> [R; CONSTANTS] {
-        [
-            self.inverse_bobbin_mass,
-            self.bobbin_radius_times_winding_force,
-            self.t0,
-            self.t1,
-        ]
-    }
-}
-
-/// What `rate` and `rate_jacobian` need of the parameters, once a run.
-///
-/// 5 operations.
+/// What `rate` and `rate_jacobian` need of the parameters, once a run. 4 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let inverse_bobbin_mass = R::literal(1.0) / p.bobbin_mass;
     let bobbin_radius_times_winding_force = p.bobbin_radius * p.winding_force;
     let t0 = R::literal(9.81) * p.bobbin_mass;
-    let t1 = -(bobbin_radius_times_winding_force * R::literal(400.0));
-    Constants {
-        inverse_bobbin_mass,
-        bobbin_radius_times_winding_force,
-        t0,
-        t1,
-    }
+    let t1 = bobbin_radius_times_winding_force * R::literal(400.0);
+    Constants { inverse_bobbin_mass, bobbin_radius_times_winding_force, t0, t1 }
 }
 
-/// State at the start of the run, in the units of the states.
-///
-/// No operations.
+/// State at the start of the run, in the units of the states. No operations.
 #[must_use]
 pub fn initial_state<R: Real>(_p: &Parameters<R>) -> [R; STATES] {
-    [
-        R::literal(0.096),
-        R::literal(0.03),
-        R::literal(0.3),
-        R::literal(0.172),
-        R::literal(0.116),
-        R::literal(1.9),
-        R::literal(0.103),
-        R::literal(0.207),
-        R::literal(2.53),
-        R::literal(0.049),
-        R::literal(0.245),
-        R::literal(2.53),
-        R::literal(0.269),
-        R::literal(0.139),
-        R::literal(0.0),
-        R::literal(0.328),
-        R::literal(0.058),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(-20.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(30.0),
-    ]
+    [R::literal(0.096), R::literal(0.03), R::literal(0.3), R::literal(0.172), R::literal(0.116),
+        R::literal(1.9), R::literal(0.103), R::literal(0.207), R::literal(2.53), R::literal(0.049),
+        R::literal(0.245), R::literal(2.53), R::literal(0.269), R::literal(0.139), R::literal(0.0),
+        R::literal(0.328), R::literal(0.058), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(-20.0), R::literal(0.0), R::literal(0.0),
+        R::literal(30.0)]
 }
 
-/// Times at which the right-hand side jumps \[s\].
-///
-/// No operations.
+/// Times of known jumps of the right-hand side \[s\], unsorted. No operations.
 #[must_use]
 pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// `y'`: velocities, `q''` of `M q'' = f + G^T lambda` with `g'' = 0`, `h`; in the units of the states per second.
-///
-/// 1006 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 978 operations.
 #[must_use]
 #[inline]
-pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
-    prepared_rate(time, state, p, &prepare(p))
-}
-
-/// As `rate`, with the constants of the parameters from `prepare`.
-///
-/// 1001 operations.
-#[must_use]
-#[inline]
-pub fn prepared_rate<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-    c: &Constants<R>,
-) -> [R; STATES] {
-    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x,
-    rod_y, rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, _, post_v_x, post_v_y,
-    post_omega, plate_v_x, plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y,
-    cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, bobbin_omega,
-    drum_v_x, drum_v_y, drum_omega] = *state;
-    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
-    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
-        post_phi,
-        plate_phi,
-        cylinder_phi,
-        rod_phi,
-    ]);
+pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; STATES] {
+    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y,
+        rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, _, post_v_x, post_v_y, post_omega,
+        plate_v_x, plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x,
+        rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, bobbin_omega, drum_v_x, drum_v_y, drum_omega]
+        = *state;
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi), (sin_cylinder_phi,
+        cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([post_phi, plate_phi,
+        cylinder_phi, rod_phi]);
     let t0 = R::literal(0.1) * cos_post_phi;
     let t1 = R::literal(0.1) * sin_post_phi;
     let t2 = R::literal(0.06) * cos_plate_phi;
@@ -1040,730 +219,405 @@ pub fn prepared_rate<R: Real>(
     let between = (bobbin_x_minus_drum_x_squared + bobbin_y_minus_drum_y_squared).sqrt();
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
-        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let t7 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
-        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
-    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
-        .add_product(cylinder_omega, t7)
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi).add_product(rod_y_minus_cylinder_y,
+        sin_cylinder_phi);
+    let t7 = (rod_y_minus_cylinder_y * cos_cylinder_phi).sub_product(rod_x_minus_cylinder_x,
+        sin_cylinder_phi);
+    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi).add_product(cylinder_omega, t7)
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
-    let t8 = (R::literal(0.044) * sin_post_phi)
-        .add_product(R::literal(0.143), cos_post_phi);
-    let t9 = (R::literal(0.01) * sin_plate_phi)
-        .add_product(R::literal(0.1), cos_plate_phi);
-    let t10 = (R::literal(0.01) * cos_plate_phi)
-        .sub_product(R::literal(0.1), sin_plate_phi);
+    let t8 = (R::literal(0.044) * sin_post_phi).add_product(R::literal(0.143), cos_post_phi);
+    let t9 = sin_plate_phi.add_product(R::literal(10.0), cos_plate_phi);
+    let t10 = R::literal(0.01) * t9;
+    let t11 = (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi);
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
     let bobbin_y_minus_drum_y_over_between = bobbin_y_minus_drum_y / between;
-    let t11 = R::literal(37.037_037_037_037_03) * sin_post_phi;
-    let t12 = R::literal(37.037_037_037_037_03) * cos_post_phi;
-    let t13 = t8 * R::literal(370.370_370_370_370_3);
-    let t14 = R::literal(24.0) * sin_plate_phi;
-    let t15 = R::literal(24.0) * cos_plate_phi;
-    let t16 = t9 * R::literal(400.0);
-    let t17 = t10 * R::literal(400.0);
-    let t18 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t19 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t20 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
-    let t21 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
-    let t22 = slide * R::literal(2_777.777_777_777_778);
-    let t23 = sin_cylinder_phi * R::literal(5.0);
-    let t24 = cos_cylinder_phi * R::literal(5.0);
-    let t25 = R::literal(250.0) * sin_rod_phi;
-    let t26 = R::literal(250.0) * cos_rod_phi;
-    let t27 = bobbin_x_minus_drum_x_over_between * c.inverse_bobbin_mass;
-    let t28 = bobbin_y_minus_drum_y_over_between * c.inverse_bobbin_mass;
-    let t29 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6);
-    let t30 = bobbin_y_minus_drum_y_over_between * R::literal(0.666_666_666_666_666_6);
-    let t31 = t11 * t1;
-    let t32 = R::literal(-1.25) - t31;
-    let t33 = R::literal(1.0) / t32;
-    let t34 = t12 * t1;
-    let t35 = t34 * t33;
-    let t36 = R::literal(1.25) - t31;
-    let t37 = t36 * t33;
-    let t38 = t13 * t1;
-    let t39 = t38 * t33;
-    let t40 = t12 * t0;
-    let t41 = R::literal(-1.25) - t40;
-    let t42 = t35 * t34;
-    let t43 = R::literal(1.0) / (t41 - t42);
-    let t44 = (t11 * t0).sub_product(t37, t34);
-    let t45 = t44 * t43;
-    let t46 = R::literal(1.25) - t40 - t42;
-    let t47 = t46 * t43;
-    let t48 = (t13 * t0).add_product(t39, t34);
-    let t49 = t48 * t43;
-    let t50 = t14 * t3;
-    let t51 = R::literal(1.0)
-        / (t32 - R::literal(0.833_333_333_333_333_4) - t50)
-            .sub_product(t37, t36)
-            .sub_product(t45, t44);
-    let t52 = t15 * t3;
-    let t53 = (t34 + t52).sub_product(t35, t36).sub_product(t47, t44);
-    let t54 = t53 * t51;
-    let t55 = R::literal(0.833_333_333_333_333_4) - t50;
-    let t56 = t55 * t51;
-    let t57 = t52 * t51;
-    let t58 = t16 * t3;
-    let t59 = R::literal(0.833_333_333_333_333_4) + t58;
-    let t60 = t59 * t51;
-    let t61 = t17 * t3;
-    let t62 = t61 * t51;
-    let t63 = (-t38).add_product(t39, t36).sub_product(t49, t44);
-    let t64 = t63 * t51;
-    let t65 = t15 * t2;
-    let t66 = R::literal(1.0)
-        / (t41 - R::literal(0.833_333_333_333_333_4) - t65 - t42)
-            .sub_product(t47, t46)
-            .sub_product(t54, t53);
-    let t67 = (t14 * t2).sub_product(t56, t53);
-    let t68 = t67 * t66;
-    let t69 = (R::literal(0.833_333_333_333_333_4) - t65).sub_product(t57, t53);
-    let t70 = t69 * t66;
-    let t71 = -(t16 * t2);
-    let t72 = t71.sub_product(t60, t53);
-    let t73 = t72 * t66;
-    let t74 = t17 * t2;
-    let t75 = (R::literal(0.833_333_333_333_333_4) + t74).add_product(t62, t53);
-    let t76 = t75 * t66;
-    let t77 = t48.sub_product(t49, t46).sub_product(t64, t53);
-    let t78 = t77 * t66;
-    let t79 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t50
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t20, t5)
-            .sub_product(t56, t55)
-            .sub_product(t68, t67);
-    let t80 = t52.add_product(t21, t5).sub_product(t57, t55).sub_product(t70, t67);
-    let t81 = t80 * t79;
-    let t82 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
-    let t83 = t82 * t79;
-    let t84 = (-t18).add_product(t22, t5);
-    let t85 = t84 * t79;
-    let t86 = (R::literal(-0.833_333_333_333_333_4) + t58)
-        .sub_product(t60, t55)
-        .sub_product(t73, t67);
-    let t87 = t86 * t79;
-    let t88 = (-t61).add_product(t62, t55).sub_product(t76, t67);
-    let t89 = t88 * t79;
-    let t90 = (-(t64 * t55)).sub_product(t78, t67);
-    let t91 = t90 * t79;
-    let t92 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t65
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t21, t4)
-            .sub_product(t57, t52)
-            .sub_product(t70, t69)
-            .sub_product(t81, t80);
-    let t93 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
-        .add_product(t83, t80);
+    let t12 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t13 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t14 = t8 * R::literal(370.370_370_370_370_3);
+    let t15 = R::literal(24.0) * sin_plate_phi;
+    let t16 = R::literal(24.0) * cos_plate_phi;
+    let t17 = R::literal(4.0) * t9;
+    let t18 = t11 * R::literal(400.0);
+    let t19 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t20 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t21 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t22 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t23 = slide * R::literal(2_777.777_777_777_778);
+    let t24 = sin_cylinder_phi * R::literal(5.0);
+    let t25 = cos_cylinder_phi * R::literal(5.0);
+    let t26 = R::literal(250.0) * sin_rod_phi;
+    let t27 = R::literal(250.0) * cos_rod_phi;
+    let t28 = bobbin_x_minus_drum_x_over_between * c.inverse_bobbin_mass;
+    let t29 = bobbin_y_minus_drum_y_over_between * c.inverse_bobbin_mass;
+    let t30 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6);
+    let t31 = bobbin_y_minus_drum_y_over_between * R::literal(0.666_666_666_666_666_6);
+    let t32 = t12 * t1;
+    let t33 = R::literal(1.25) + t32;
+    let t34 = R::literal(1.0) / t33;
+    let t35 = t13 * t1;
+    let t36 = t35 * t34;
+    let t37 = R::literal(1.25) - t32;
+    let t38 = t37 * t34;
+    let t39 = t14 * t1;
+    let t40 = t39 * t34;
+    let t41 = t13 * t0;
+    let t42 = R::literal(1.25) + t41;
+    let t43 = t36 * t35;
+    let t44 = R::literal(1.0) / (t43 - t42);
+    let t45 = (t12 * t0).add_product(t38, t35);
+    let t46 = t45 * t44;
+    let t47 = R::literal(1.25) - t41 + t43;
+    let t48 = t47 * t44;
+    let t49 = (t14 * t0).sub_product(t40, t35);
+    let t50 = t49 * t44;
+    let t51 = t15 * t3;
+    let t52 = R::literal(1.0) / (-(t33 + R::literal(0.833_333_333_333_333_4) + t51))
+        .add_product(t38, t37).sub_product(t46, t45);
+    let t53 = t16 * t3;
+    let t54 = (t35 + t53).add_product(t36, t37).sub_product(t48, t45);
+    let t55 = t54 * t52;
+    let t56 = R::literal(0.833_333_333_333_333_4) - t51;
+    let t57 = t56 * t52;
+    let t58 = t53 * t52;
+    let t59 = t17 * t3;
+    let t60 = R::literal(0.833_333_333_333_333_4) + t59;
+    let t61 = t60 * t52;
+    let t62 = t18 * t3;
+    let t63 = t62 * t52;
+    let t64 = t39.add_product(t40, t37).add_product(t50, t45);
+    let t65 = t64 * t52;
+    let t66 = t16 * t2;
+    let t67 = R::literal(1.0) / (t43 - (t42 + R::literal(0.833_333_333_333_333_4) + t66))
+        .sub_product(t48, t47).sub_product(t55, t54);
+    let t68 = (t15 * t2).sub_product(t57, t54);
+    let t69 = t68 * t67;
+    let t70 = (R::literal(0.833_333_333_333_333_4) - t66).sub_product(t58, t54);
+    let t71 = t70 * t67;
+    let t72 = t17 * t2;
+    let t73 = t72.add_product(t61, t54);
+    let t74 = t73 * t67;
+    let t75 = t18 * t2;
+    let t76 = (R::literal(0.833_333_333_333_333_4) + t75).add_product(t63, t54);
+    let t77 = t76 * t67;
+    let t78 = t49.sub_product(t50, t47).add_product(t65, t54);
+    let t79 = t78 * t67;
+    let t80 = R::literal(1.0) / (R::literal(0.833_333_333_333_333_4) + t51
+        + R::literal(3.333_333_333_333_333_5)).add_product(t21, t5).add_product(t57, t56)
+        .add_product(t69, t68);
+    let t81 = t53.add_product(t22, t5).sub_product(t58, t56).sub_product(t71, t68);
+    let t82 = t81 * t80;
+    let t83 = t21 * t80;
+    let t84 = (-t19).add_product(t23, t5);
+    let t85 = t84 * t80;
+    let t86 = (t59 - R::literal(0.833_333_333_333_333_4)).sub_product(t61, t56).add_product(t74,
+        t68);
+    let t87 = t86 * t80;
+    let t88 = (-t62).add_product(t63, t56).sub_product(t77, t68);
+    let t89 = t88 * t80;
+    let t90 = (t65 * t56).sub_product(t79, t68);
+    let t91 = t90 * t80;
+    let t92 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4) + t66
+        + R::literal(3.333_333_333_333_333_5)).add_product(t22, t4).add_product(t58, t53)
+        .add_product(t71, t70)).add_product(t82, t81);
+    let t93 = (-t22).add_product(t83, t81);
     let t94 = t93 * t92;
-    let t95 = t19.sub_product(t22, t4).sub_product(t85, t80);
+    let t95 = t20.sub_product(t23, t4).add_product(t85, t81);
     let t96 = t95 * t92;
-    let t97 = t71.sub_product(t60, t52).sub_product(t73, t69).sub_product(t87, t80);
+    let t97 = (-t72.add_product(t61, t53)).add_product(t74, t70).add_product(t87, t81);
     let t98 = t97 * t92;
-    let t99 = (R::literal(-0.833_333_333_333_333_4) + t74)
-        .add_product(t62, t52)
-        .sub_product(t76, t69)
-        .sub_product(t89, t80);
+    let t99 = (t75 - R::literal(0.833_333_333_333_333_4)).add_product(t63, t53).sub_product(t77,
+        t70).add_product(t89, t81);
     let t100 = t99 * t92;
-    let t101 = (-(t64 * t52)).sub_product(t78, t69).sub_product(t91, t80);
+    let t101 = (t65 * t53).sub_product(t79, t70).add_product(t91, t81);
     let t102 = t101 * t92;
-    let t103 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445).sub_product(t83, t82).sub_product(t94, t93);
-    let t104 = (-t22).add_product(t85, t82).sub_product(t96, t93);
+    let t103 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t83, t21)
+        .sub_product(t94, t93);
+    let t104 = (-t23).add_product(t85, t21).sub_product(t96, t93);
     let t105 = t104 * t103;
-    let t106 = t25 * t103;
-    let t107 = t26 * t103;
-    let t108 = (t87 * t82).sub_product(t98, t93);
+    let t106 = t26 * t103;
+    let t107 = t27 * t103;
+    let t108 = (t87 * t21).sub_product(t98, t93);
     let t109 = t108 * t103;
-    let t110 = (t89 * t82).sub_product(t100, t93);
+    let t110 = (t89 * t21).sub_product(t100, t93);
     let t111 = t110 * t103;
-    let t112 = (t91 * t82).sub_product(t102, t93);
+    let t112 = (t91 * t21).sub_product(t102, t93);
     let t113 = t112 * t103;
-    let t114 = R::literal(1.0)
-        / (-(t19 * cos_cylinder_phi))
-            .sub_product(t18, sin_cylinder_phi)
-            .sub_product(t22, slide)
-            .sub_product(t23, sin_cylinder_phi)
-            .sub_product(t24, cos_cylinder_phi)
-            .sub_product(t85, t84)
-            .sub_product(t96, t95)
-            .sub_product(t105, t104);
-    let t115 = t23.sub_product(t106, t104);
+    let t114 = R::literal(1.0) / (-(t19 * sin_cylinder_phi).add_product(t20, cos_cylinder_phi)
+        .add_product(t23, slide).add_product(t24, sin_cylinder_phi).add_product(t25,
+        cos_cylinder_phi)).add_product(t85, t84).sub_product(t96, t95).sub_product(t105, t104);
+    let t115 = t24.sub_product(t106, t104);
     let t116 = t115 * t114;
-    let t117 = (-t24).add_product(t107, t104);
+    let t117 = (-t25).add_product(t107, t104);
     let t118 = t117 * t114;
-    let t119 = (-(t87 * t84)).sub_product(t98, t95).sub_product(t109, t104);
+    let t119 = (t87 * t84).sub_product(t98, t95).sub_product(t109, t104);
     let t120 = t119 * t114;
-    let t121 = (-(t89 * t84)).sub_product(t100, t95).sub_product(t111, t104);
+    let t121 = (t89 * t84).sub_product(t100, t95).sub_product(t111, t104);
     let t122 = t121 * t114;
-    let t123 = (-(t91 * t84)).sub_product(t102, t95).sub_product(t113, t104);
+    let t123 = (t91 * t84).sub_product(t102, t95).sub_product(t113, t104);
     let t124 = t123 * t114;
-    let t125 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t25, t6)
-            .sub_product(t106, t25)
-            .sub_product(t116, t115);
-    let t126 = (t26 * t6).add_product(t107, t25).sub_product(t118, t115);
+    let t125 = R::literal(1.0) / R::literal(5.0).add_product(t26, t6).add_product(t106, t26)
+        .add_product(t116, t115);
+    let t126 = (t27 * t6).add_product(t107, t26).sub_product(t118, t115);
     let t127 = t126 * t125;
-    let t128 = (-(t109 * t25)).sub_product(t120, t115);
+    let t128 = (t109 * t26).add_product(t120, t115);
     let t129 = t128 * t125;
-    let t130 = (-(t111 * t25)).sub_product(t122, t115);
+    let t130 = (t111 * t26).add_product(t122, t115);
     let t131 = t130 * t125;
-    let t132 = (-(t113 * t25)).sub_product(t124, t115);
+    let t132 = (t113 * t26).add_product(t124, t115);
     let t133 = t132 * t125;
-    let t134 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t26, R::literal(0.06) * cos_rod_phi)
-            .sub_product(t107, t26)
-            .sub_product(t118, t117)
-            .sub_product(t127, t126);
-    let t135 = (t109 * t26).sub_product(t120, t117).sub_product(t129, t126);
+    let t134 = R::literal(1.0) / (-R::literal(5.0).add_product(t27, R::literal(0.06) * cos_rod_phi)
+        .add_product(t107, t27).add_product(t118, t117)).add_product(t127, t126);
+    let t135 = (t109 * t27).sub_product(t120, t117).sub_product(t129, t126);
     let t136 = t135 * t134;
-    let t137 = (t111 * t26).sub_product(t122, t117).sub_product(t131, t126);
+    let t137 = (t111 * t27).sub_product(t122, t117).sub_product(t131, t126);
     let t138 = t137 * t134;
-    let t139 = (t113 * t26).sub_product(t124, t117).sub_product(t133, t126);
+    let t139 = (t113 * t27).sub_product(t124, t117).sub_product(t133, t126);
     let t140 = t139 * t134;
-    let t141 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t16, t9)
-            - c.inverse_bobbin_mass)
-            .sub_product(t60, t59)
-            .sub_product(t73, t72)
-            .sub_product(t87, t86)
-            .sub_product(t98, t97)
-            .sub_product(t109, t108)
-            .sub_product(t120, t119)
-            .sub_product(t129, t128)
-            .sub_product(t136, t135);
-    let t142 = (t17 * t9)
-        .add_product(t62, t59)
-        .sub_product(t76, t72)
-        .sub_product(t89, t86)
-        .sub_product(t100, t97)
-        .sub_product(t111, t108)
-        .sub_product(t122, t119)
-        .sub_product(t131, t128)
-        .sub_product(t138, t135);
+    let t141 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t17, t10)
+        + c.inverse_bobbin_mass).add_product(t61, t60).add_product(t74, t73)).add_product(t87, t86)
+        .sub_product(t98, t97).sub_product(t109, t108).sub_product(t120, t119).add_product(t129,
+        t128).sub_product(t136, t135);
+    let t142 = (t18 * t10).add_product(t63, t60).add_product(t77, t73).add_product(t89, t86)
+        .sub_product(t100, t97).sub_product(t111, t108).sub_product(t122, t119).add_product(t131,
+        t128).sub_product(t138, t135);
     let t143 = t142 * t141;
-    let t144 = t27 * t141;
-    let t145 = (-(t64 * t59))
-        .sub_product(t78, t72)
-        .sub_product(t91, t86)
-        .sub_product(t102, t97)
-        .sub_product(t113, t108)
-        .sub_product(t124, t119)
-        .sub_product(t133, t128)
-        .sub_product(t140, t135);
+    let t144 = t28 * t141;
+    let t145 = (t65 * t60).add_product(t79, t73).add_product(t91, t86).sub_product(t102, t97)
+        .sub_product(t113, t108).sub_product(t124, t119).add_product(t133, t128).sub_product(t140,
+        t135);
     let t146 = t145 * t141;
-    let t147 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t10)
-            - c.inverse_bobbin_mass)
-            .sub_product(t62, t61)
-            .sub_product(t76, t75)
-            .sub_product(t89, t88)
-            .sub_product(t100, t99)
-            .sub_product(t111, t110)
-            .sub_product(t122, t121)
-            .sub_product(t131, t130)
-            .sub_product(t138, t137)
-            .sub_product(t143, t142);
-    let t148 = (-t28).add_product(t144, t142);
+    let t147 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t18, t11)
+        + c.inverse_bobbin_mass).add_product(t63, t62).add_product(t77, t76)).add_product(t89, t88)
+        .sub_product(t100, t99).sub_product(t111, t110).sub_product(t122, t121).add_product(t131,
+        t130).sub_product(t138, t137).sub_product(t143, t142);
+    let t148 = (-t29).add_product(t144, t142);
     let t149 = t148 * t147;
-    let t150 = (t64 * t61)
-        .sub_product(t78, t75)
-        .sub_product(t91, t88)
-        .sub_product(t102, t99)
-        .sub_product(t113, t110)
-        .sub_product(t124, t121)
-        .sub_product(t133, t130)
-        .sub_product(t140, t137)
-        .sub_product(t146, t142);
+    let t150 = (-(t65 * t62).add_product(t79, t76)).add_product(t91, t88).sub_product(t102, t99)
+        .sub_product(t113, t110).sub_product(t124, t121).add_product(t133, t130).sub_product(t140,
+        t137).sub_product(t146, t142);
     let t151 = t150 * t147;
-    let t152 = t29 * bobbin_x_minus_drum_x_over_between;
-    let t153 = t30 * bobbin_y_minus_drum_y_over_between;
-    let t154 = R::literal(1.0)
-        / (((-(t28 * bobbin_y_minus_drum_y_over_between))
-            .sub_product(t27, bobbin_x_minus_drum_x_over_between) - t152 - t153)
-            .sub_product(t144, t27)
-            .sub_product(t149, t148) + t152 + t153);
-    let t155 = (t146 * t27).sub_product(t151, t148);
+    let t152 = t30 * bobbin_x_minus_drum_x_over_between;
+    let t153 = t31 * bobbin_y_minus_drum_y_over_between;
+    let t154 = R::literal(1.0) / (t152 - ((t28 * bobbin_x_minus_drum_x_over_between)
+        .add_product(t29, bobbin_y_minus_drum_y_over_between) + t152 + t153).add_product(t144, t28)
+        .add_product(t149, t148) + t153);
+    let t155 = (t146 * t28).sub_product(t151, t148);
     let t156 = t155 * t154;
-    let t157 = R::literal(1.0)
-        / (-(t13 * t8))
-            .sub_product(t39, t38)
-            .sub_product(t49, t48)
-            .sub_product(t64, t63)
-            .sub_product(t78, t77)
-            .sub_product(t91, t90)
-            .sub_product(t102, t101)
-            .sub_product(t113, t112)
-            .sub_product(t124, t123)
-            .sub_product(t133, t132)
-            .sub_product(t140, t139)
-            .sub_product(t146, t145)
-            .sub_product(t151, t150)
-            .sub_product(t156, t155);
-    let t158 = R::literal(50.0) * slide_rate;
-    let t159 = t158 * cos_cylinder_phi;
-    let t160 = p.spring_stiffness * (slide - p.spring_free_length);
-    let t161 = t160 * cos_cylinder_phi;
-    let t162 = t159 + t161;
-    let t163 = t160 * sin_cylinder_phi;
-    let t164 = t158 * sin_cylinder_phi;
-    let t165 = t164 - (R::literal(2.943) - t163);
-    let t166 = (-(t160 * t7)).sub_product(t158, t7);
-    let t167 = -t159 - t161;
-    let t168 = -t164 - (R::literal(1.962) + t163);
-    let t169 = p.winding_force * bobbin_y_minus_drum_y / between;
-    let t170 = p.winding_force * bobbin_x_minus_drum_x / between - c.t0;
+    let t157 = R::literal(50.0) * slide_rate;
+    let t158 = p.spring_stiffness * (slide - p.spring_free_length);
+    let t159 = (t158 * cos_cylinder_phi).add_product(t157, cos_cylinder_phi);
+    let t160 = t158 * sin_cylinder_phi;
+    let t161 = t157 * sin_cylinder_phi;
+    let t162 = t161 - (R::literal(2.943) - t160);
+    let t163 = (t158 * t7).add_product(t157, t7);
+    let t164 = t161 + (R::literal(1.962) + t160);
+    let t165 = p.winding_force * bobbin_y_minus_drum_y / between;
+    let t166 = p.winding_force * bobbin_x_minus_drum_x / between - c.t0;
     let post_omega_squared = post_omega * post_omega;
-    let t171 = R::literal(0.1) * post_omega_squared;
-    let t172 = t171 * cos_post_phi;
-    let t173 = t171 * sin_post_phi;
+    let t167 = R::literal(0.1) * post_omega_squared;
+    let t168 = t167 * cos_post_phi;
+    let t169 = t167 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t174 = R::literal(0.06) * plate_omega_squared;
+    let t170 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t175 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t171 = R::literal(0.06) * (rod_omega * rod_omega);
     let between_squared_times_between = between * between * between;
-    let t176 = bobbin_v_x * bobbin_x_minus_drum_x_squared
-        / between_squared_times_between;
-    let t177 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t172 = bobbin_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t173 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
     let drum_v_x_over_between = drum_v_x / between;
     let bobbin_v_x_over_between = bobbin_v_x / between;
-    let t178 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
-    let t179 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t174 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t175 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t180 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t176 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t181 = bobbin_v_y * bobbin_y_minus_drum_y_squared
-        / between_squared_times_between;
+    let t177 = bobbin_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
     let drum_v_y_over_between = drum_v_y / between;
     let bobbin_v_y_over_between = bobbin_v_y / between;
-    let t182 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t178 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t183 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t184 = (bobbin_v_x
-        * (bobbin_v_x_over_between + t178 + t179 - t176 - t177 - drum_v_x_over_between))
-        .add_product(
-            bobbin_v_y,
-            bobbin_v_y_over_between + t182 + t183 - t180 - t181 - drum_v_y_over_between,
-        )
-        .add_product(
-            drum_v_x,
-            t176 + t177 + drum_v_x_over_between - bobbin_v_x_over_between - t178 - t179,
-        )
-        .add_product(
-            drum_v_y,
-            t180 + t181 + drum_v_y_over_between - bobbin_v_y_over_between - t182 - t183,
-        );
-    let t185 = t35 * t172;
-    let t186 = -t173 - R::literal(-9.81) + t185;
-    let t187 = t14 * c.bobbin_radius_times_winding_force;
-    let t188 = (t187 - t172.add_product(t174, cos_plate_phi))
-        .add_product(t37, t172)
-        .sub_product(t45, t186);
-    let t189 = t15 * c.bobbin_radius_times_winding_force;
-    let t190 = (-t173.add_product(t174, sin_plate_phi) - R::literal(9.81)
-        - R::literal(-9.81) - t189 + t185)
-        .sub_product(t47, t186)
-        .sub_product(t54, t188);
-    let t191 = R::literal(3.333_333_333_333_333_5) * t162;
-    let t192 = (t187
-        .sub_product(
-            R::literal(0.06),
-            (plate_omega_squared * cos_plate_phi)
-                .add_product(cylinder_omega_squared, cos_cylinder_phi),
-        ) - t191)
-        .sub_product(t20, t166)
-        .sub_product(t56, t188)
-        .sub_product(t68, t190);
-    let t193 = R::literal(3.333_333_333_333_333_5) * t165;
-    let t194 = (R::literal(-9.81)
-        .sub_product(
-            R::literal(0.06),
-            (plate_omega_squared * sin_plate_phi)
-                .add_product(cylinder_omega_squared, sin_cylinder_phi),
-        ) - t189 - t193)
-        .add_product(t21, t166)
-        .sub_product(t57, t188)
-        .sub_product(t70, t190)
-        .sub_product(t81, t192);
-    let t195 = (-(R::literal(-2_777.777_777_777_778) * t166))
-        .add_product(t83, t192)
-        .sub_product(t94, t194);
-    let t196 = (cylinder_omega
-        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
-            .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
-            .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
-            .add_product(rod_y * cylinder_omega, cos_cylinder_phi)
-            .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi)
-            .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
-            .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
-            .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
-        .sub_product(t18, t162)
-        .add_product(t19, t165)
-        .add_product(t22, t166)
-        .add_product(t23, t167)
-        .sub_product(t24, t168)
-        .sub_product(t85, t192)
-        .sub_product(t96, t194);
-    let t197 = t196.sub_product(t105, t195);
-    let t198 = R::literal(5.0) * t167;
-    let t199 = (-t198)
-        .add_product(t175, cos_rod_phi)
-        .sub_product(t106, t195)
-        .sub_product(t116, t197);
-    let t200 = R::literal(5.0) * t168;
-    let t201 = (-t200)
-        .add_product(t175, sin_rod_phi)
-        .add_product(t107, t195)
-        .sub_product(t118, t197)
-        .sub_product(t127, t199);
-    let t202 = c.inverse_bobbin_mass * t169;
-    let t203 = ((t10 * plate_omega_squared)
-        .sub_product(t16, c.bobbin_radius_times_winding_force) + t202)
-        .sub_product(t60, t188)
-        .sub_product(t73, t190)
-        .sub_product(t87, t192)
-        .sub_product(t98, t194)
-        .sub_product(t109, t195)
-        .sub_product(t120, t197)
-        .sub_product(t129, t199)
-        .sub_product(t136, t201);
-    let t204 = c.inverse_bobbin_mass * t170;
-    let t205 = (R::literal(-9.81)
-        .add_product(t9, plate_omega_squared)
-        .add_product(t17, c.bobbin_radius_times_winding_force) - t204)
-        .add_product(t62, t188)
-        .sub_product(t76, t190)
-        .sub_product(t89, t192)
-        .sub_product(t100, t194)
-        .sub_product(t111, t195)
-        .sub_product(t122, t197)
-        .sub_product(t131, t199)
-        .sub_product(t138, t201)
-        .sub_product(t143, t203);
-    let t206 = (-t184)
-        .add_product(t27, t169)
-        .sub_product(t28, t170)
-        .add_product(
-            R::literal(-9.809_999_999_999_999),
-            bobbin_y_minus_drum_y_over_between,
-        )
-        .add_product(t144, t203)
-        .sub_product(t149, t205)
-        .add_product(
-            bobbin_y_minus_drum_y_over_between,
-            R::literal(9.809_999_999_999_999),
-        );
-    let t207 = ((R::literal(0.143) * sin_post_phi)
-        .sub_product(R::literal(0.044), cos_post_phi) * post_omega_squared)
-        .sub_product(t39, t172)
-        .sub_product(t49, t186)
-        .sub_product(t64, t188)
-        .sub_product(t78, t190)
-        .sub_product(t91, t192)
-        .sub_product(t102, t194)
-        .sub_product(t113, t195)
-        .sub_product(t124, t197)
-        .sub_product(t133, t199)
-        .sub_product(t140, t201)
-        .sub_product(t146, t203)
-        .sub_product(t151, t205)
-        .sub_product(t156, t206) * t157;
-    let t208 = (t206 * t154).sub_product(t156, t207);
-    let t209 = (t205 * t147).sub_product(t149, t208).sub_product(t151, t207);
-    let t210 = (t203 * t141)
-        .sub_product(t143, t209)
-        .add_product(t144, t208)
-        .sub_product(t146, t207);
-    let t211 = (t201 * t134)
-        .sub_product(t136, t210)
-        .sub_product(t138, t209)
-        .sub_product(t140, t207);
-    let t212 = (t199 * t125)
-        .sub_product(t127, t211)
-        .sub_product(t129, t210)
-        .sub_product(t131, t209)
-        .sub_product(t133, t207);
-    let t213 = (t197 * t114)
-        .sub_product(t116, t212)
-        .sub_product(t118, t211)
-        .sub_product(t120, t210)
-        .sub_product(t122, t209)
-        .sub_product(t124, t207);
-    let t214 = (t195 * t103)
-        .sub_product(t105, t213)
-        .sub_product(t106, t212)
-        .add_product(t107, t211)
-        .sub_product(t109, t210)
-        .sub_product(t111, t209)
-        .sub_product(t113, t207);
-    let t215 = (t194 * t92)
-        .sub_product(t94, t214)
-        .sub_product(t96, t213)
-        .sub_product(t98, t210)
-        .sub_product(t100, t209)
-        .sub_product(t102, t207);
-    let t216 = (t192 * t79)
-        .sub_product(t81, t215)
-        .add_product(t83, t214)
-        .sub_product(t85, t213)
-        .sub_product(t87, t210)
-        .sub_product(t89, t209)
-        .sub_product(t91, t207);
-    let t217 = (t190 * t66)
-        .sub_product(t68, t216)
-        .sub_product(t70, t215)
-        .sub_product(t73, t210)
-        .sub_product(t76, t209)
-        .sub_product(t78, t207);
-    let t218 = (t188 * t51)
-        .sub_product(t54, t217)
-        .sub_product(t56, t216)
-        .sub_product(t57, t215)
-        .sub_product(t60, t210)
-        .add_product(t62, t209)
-        .sub_product(t64, t207);
-    let t219 = (t186 * t43)
-        .sub_product(t45, t218)
-        .sub_product(t47, t217)
-        .sub_product(t49, t207);
-    let t220 = (-(t172 * t33))
-        .sub_product(t35, t219)
-        .sub_product(t37, t218)
-        .sub_product(t35, t217)
-        .add_product(t39, t207);
-    let drum_v_y_dot = R::literal(-9.809_999_999_999_999)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            R::literal(-14.714_999_999_999_998)
-                .add_product(bobbin_y_minus_drum_y_over_between, t208),
-        )
-        .add_product(t30, t208);
-    let drum_v_x_dot = (t29 * t208)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t208,
-        );
-    let bobbin_v_y_dot = t204
-        .sub_product(c.inverse_bobbin_mass, t209)
-        .sub_product(t28, t208);
-    let bobbin_v_x_dot = (-t202)
-        .sub_product(c.inverse_bobbin_mass, t210)
-        .sub_product(t27, t208);
-    let rod_omega_dot = (t25 * t212)
-        .sub_product(R::literal(4_166.666_666_666_667), t214)
-        .sub_product(t26, t211);
-    let rod_v_y_dot = t200.sub_product(t24, t213).sub_product(R::literal(5.0), t211);
-    let rod_v_x_dot = t198.add_product(t23, t213).sub_product(R::literal(5.0), t212);
-    let cylinder_omega_dot = (t166 * R::literal(2_777.777_777_777_778))
-        .sub_product(t20, t216)
-        .add_product(t21, t215)
-        .sub_product(R::literal(-2_777.777_777_777_778), t214)
-        .add_product(t22, t213);
-    let cylinder_v_y_dot = t193
-        .sub_product(R::literal(3.333_333_333_333_333_5), t215)
-        .add_product(t19, t213);
-    let cylinder_v_x_dot = t191
-        .sub_product(R::literal(3.333_333_333_333_333_5), t216)
-        .sub_product(t18, t213);
-    let plate_omega_dot = c
-        .t1
-        .sub_product(t14, t218)
-        .add_product(t15, t217)
-        .sub_product(t14, t216)
-        .add_product(t15, t215)
-        .add_product(t16, t210)
-        .sub_product(t17, t209);
-    let plate_v_y_dot = R::literal(-9.81)
+    let t179 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t180 = (bobbin_v_x * (bobbin_v_x_over_between + t174 + t175 - t172 - t173
+        - drum_v_x_over_between)).add_product(bobbin_v_y, bobbin_v_y_over_between + t178 + t179
+        - t176 - t177 - drum_v_y_over_between).add_product(drum_v_x, t172 + t173
+        + drum_v_x_over_between - bobbin_v_x_over_between - t174 - t175).add_product(drum_v_y, t176
+        + t177 + drum_v_y_over_between - bobbin_v_y_over_between - t178 - t179);
+    let t181 = t36 * t168;
+    let t182 = R::literal(9.81) - t169 - t181;
+    let t183 = t15 * c.bobbin_radius_times_winding_force;
+    let t184 = (t183 - t168.add_product(t170, cos_plate_phi)).sub_product(t38, t168)
+        .sub_product(t46, t182);
+    let t185 = t16 * c.bobbin_radius_times_winding_force;
+    let t186 = (R::literal(9.81) - (t169.add_product(t170, sin_plate_phi) + R::literal(9.81))
+        - t185 - t181).sub_product(t48, t182).sub_product(t55, t184);
+    let t187 = R::literal(3.333_333_333_333_333_5) * t159;
+    let t188 = (t183.sub_product(R::literal(0.06), (plate_omega_squared * cos_plate_phi)
+        .add_product(cylinder_omega_squared, cos_cylinder_phi)) - t187).add_product(t21, t163)
+        .sub_product(t57, t184).sub_product(t69, t186);
+    let t189 = R::literal(3.333_333_333_333_333_5) * t162;
+    let t190 = (-(R::literal(9.81).add_product(R::literal(0.06), (plate_omega_squared
+        * sin_plate_phi).add_product(cylinder_omega_squared, sin_cylinder_phi)) + t185 + t189)
+        .add_product(t22, t163).add_product(t58, t184).add_product(t71, t186)).add_product(t82,
+        t188);
+    let t191 = R::literal(2_777.777_777_777_778) * t163;
+    let t192 = (-t191).add_product(t83, t188).sub_product(t94, t190);
+    let t193 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+        .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi).add_product(cylinder_x
+        * cylinder_omega, sin_cylinder_phi).add_product(rod_y * cylinder_omega, cos_cylinder_phi)
+        .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi).sub_product(R::literal(2.0)
+        * cylinder_v_y, sin_cylinder_phi).sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
+        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t19, t159)
+        .add_product(t20, t162).sub_product(t23, t163).sub_product(t24, t159).add_product(t25, t164)
+        .add_product(t85, t188).sub_product(t96, t190);
+    let t194 = t193.sub_product(t105, t192);
+    let t195 = R::literal(5.0) * t159;
+    let t196 = t195.add_product(t171, cos_rod_phi).sub_product(t106, t192).sub_product(t116, t194);
+    let t197 = R::literal(5.0) * t164;
+    let t198 = t197.add_product(t171, sin_rod_phi).add_product(t107, t192).sub_product(t118, t194)
+        .add_product(t127, t196);
+    let t199 = c.inverse_bobbin_mass * t165;
+    let t200 = ((t11 * plate_omega_squared).sub_product(t17, c.bobbin_radius_times_winding_force)
+        + t199).sub_product(t61, t184).add_product(t74, t186).add_product(t87, t188)
+        .sub_product(t98, t190).sub_product(t109, t192).sub_product(t120, t194).sub_product(t129,
+        t196).sub_product(t136, t198);
+    let t201 = c.inverse_bobbin_mass * t166;
+    let t202 = (R::literal(-9.81).add_product((R::literal(0.01) * sin_plate_phi)
+        .add_product(R::literal(0.1), cos_plate_phi), plate_omega_squared).add_product(t18,
+        c.bobbin_radius_times_winding_force) - t201).add_product(t63, t184).sub_product(t77, t186)
+        .add_product(t89, t188).sub_product(t100, t190).sub_product(t111, t192).sub_product(t122,
+        t194).sub_product(t131, t196).sub_product(t138, t198).sub_product(t143, t200);
+    let t203 = R::literal(9.809_999_999_999_999) * bobbin_y_minus_drum_y_over_between;
+    let t204 = ((-t180).add_product(t28, t165).sub_product(t29, t166) - t203).add_product(t144,
+        t200).sub_product(t149, t202) + t203;
+    let t205 = (-((R::literal(0.044) * cos_post_phi).sub_product(R::literal(0.143), sin_post_phi)
+        * post_omega_squared)).add_product(t40, t168).sub_product(t50, t182).add_product(t65, t184)
+        .sub_product(t79, t186).add_product(t91, t188).sub_product(t102, t190).sub_product(t113,
+        t192).sub_product(t124, t194).sub_product(t133, t196).sub_product(t140, t198)
+        .sub_product(t146, t200).sub_product(t151, t202).sub_product(t156, t204);
+    let t206 = t205 * (R::literal(1.0) / (-(t14 * t8)).add_product(t40, t39).sub_product(t50, t49)
+        .sub_product(t65, t64).sub_product(t79, t78).add_product(t91, t90).sub_product(t102, t101)
+        .sub_product(t113, t112).sub_product(t124, t123).add_product(t133, t132).sub_product(t140,
+        t139).sub_product(t146, t145).sub_product(t151, t150).sub_product(t156, t155));
+    let t207 = (t204 * t154).sub_product(t156, t206);
+    let t208 = (t202 * t147).sub_product(t149, t207).sub_product(t151, t206);
+    let t209 = (t200 * t141).sub_product(t143, t208).add_product(t144, t207).sub_product(t146,
+        t206);
+    let t210 = (t198 * t134).sub_product(t136, t209).sub_product(t138, t208).sub_product(t140,
+        t206);
+    let t211 = (-(t196 * t125)).add_product(t127, t210).sub_product(t129, t209).sub_product(t131,
+        t208).sub_product(t133, t206);
+    let t212 = (t194 * t114).sub_product(t116, t211).sub_product(t118, t210).sub_product(t120, t209)
+        .sub_product(t122, t208).sub_product(t124, t206);
+    let t213 = (t192 * t103).sub_product(t105, t212).sub_product(t106, t211).add_product(t107, t210)
+        .sub_product(t109, t209).sub_product(t111, t208).sub_product(t113, t206);
+    let t214 = (t190 * t92).sub_product(t94, t213).sub_product(t96, t212).sub_product(t98, t209)
+        .sub_product(t100, t208).sub_product(t102, t206);
+    let t215 = (-(t188 * t80)).add_product(t82, t214).add_product(t83, t213).add_product(t85, t212)
+        .add_product(t87, t209).add_product(t89, t208).add_product(t91, t206);
+    let t216 = (t186 * t67).sub_product(t69, t215).sub_product(t71, t214).add_product(t74, t209)
+        .sub_product(t77, t208).sub_product(t79, t206);
+    let t217 = (t184 * t52).sub_product(t55, t216).sub_product(t57, t215).sub_product(t58, t214)
+        .sub_product(t61, t209).add_product(t63, t208).add_product(t65, t206);
+    let t218 = (t182 * t44).sub_product(t46, t217).sub_product(t48, t216).sub_product(t50, t206);
+    let t219 = (t168 * t34).add_product(t36, t218).add_product(t38, t217).add_product(t36, t216)
+        .sub_product(t40, t206);
+    let drum_v_y_dot = (-R::literal(9.809_999_999_999_999)
+        .add_product(R::literal(0.666_666_666_666_666_6), R::literal(-14.714_999_999_999_998)
+        .add_product(bobbin_y_minus_drum_y_over_between, t207))).add_product(t31, t207);
+    let drum_v_x_dot = (t30 * t207).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_x_minus_drum_x_over_between * t207);
+    let bobbin_v_y_dot = t201.sub_product(c.inverse_bobbin_mass, t208).sub_product(t29, t207);
+    let bobbin_v_x_dot = -t199.add_product(c.inverse_bobbin_mass, t209).add_product(t28, t207);
+    let rod_omega_dot = (t26 * t211).sub_product(R::literal(4_166.666_666_666_667), t213)
+        .sub_product(t27, t210);
+    let rod_v_y_dot = -t197.add_product(t25, t212).add_product(R::literal(5.0), t210);
+    let rod_v_x_dot = (-t195).add_product(t24, t212).sub_product(R::literal(5.0), t211);
+    let cylinder_omega_dot = (-t191.add_product(t21, t215)).add_product(t22, t214)
+        .add_product(R::literal(2_777.777_777_777_778), t213).add_product(t23, t212);
+    let cylinder_v_y_dot = t189.sub_product(R::literal(3.333_333_333_333_333_5), t214)
+        .add_product(t20, t212);
+    let cylinder_v_x_dot = t187.sub_product(R::literal(3.333_333_333_333_333_5), t215)
+        .sub_product(t19, t212);
+    let plate_omega_dot = (-c.t1.add_product(t15, t217)).add_product(t16, t216).sub_product(t15,
+        t215).add_product(t16, t214).add_product(t17, t209).sub_product(t18, t208);
+    let plate_v_y_dot = (-R::literal(9.81).add_product(R::literal(0.833_333_333_333_333_4), t216))
+        .add_product(R::literal(0.833_333_333_333_333_4), t214)
+        .add_product(R::literal(0.833_333_333_333_333_4), t208);
+    let plate_v_x_dot = (R::literal(0.833_333_333_333_333_4) * t215)
         .sub_product(R::literal(0.833_333_333_333_333_4), t217)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t215)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t209);
-    let plate_v_x_dot = (-(R::literal(-0.833_333_333_333_333_4) * t216))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t218)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t210);
-    let post_omega_dot = (t12 * t219)
-        .sub_product(t11, t220)
-        .sub_product(t11, t218)
-        .add_product(t12, t217)
-        .sub_product(t13, t207);
-    let post_v_y_dot = R::literal(-9.81)
-        .sub_product(R::literal(1.25), t219)
-        .sub_product(R::literal(-1.25), t217);
-    let post_v_x_dot = (-(R::literal(-1.25) * t218)).sub_product(R::literal(1.25), t220);
-    [
-        post_v_x,
-        post_v_y,
-        post_omega,
-        plate_v_x,
-        plate_v_y,
-        plate_omega,
-        cylinder_v_x,
-        cylinder_v_y,
-        cylinder_omega,
-        rod_v_x,
-        rod_v_y,
-        rod_omega,
-        bobbin_v_x,
-        bobbin_v_y,
-        bobbin_omega,
-        drum_v_x,
-        drum_v_y,
-        drum_omega,
-        post_v_x_dot,
-        post_v_y_dot,
-        post_omega_dot,
-        plate_v_x_dot,
-        plate_v_y_dot,
-        plate_omega_dot,
-        cylinder_v_x_dot,
-        cylinder_v_y_dot,
-        cylinder_omega_dot,
-        rod_v_x_dot,
-        rod_v_y_dot,
-        rod_omega_dot,
-        bobbin_v_x_dot,
-        bobbin_v_y_dot,
-        R::literal(0.0),
-        drum_v_x_dot,
-        drum_v_y_dot,
-        R::literal(0.0),
-    ]
+        .add_product(R::literal(0.833_333_333_333_333_4), t209);
+    let post_omega_dot = (t13 * t218).sub_product(t12, t219).sub_product(t12, t217)
+        .add_product(t13, t216).sub_product(t14, t206);
+    let post_v_y_dot = (-R::literal(9.81).add_product(R::literal(1.25), t218))
+        .add_product(R::literal(1.25), t216);
+    let post_v_x_dot = (R::literal(1.25) * t217).sub_product(R::literal(1.25), t219);
+    [post_v_x, post_v_y, post_omega, plate_v_x, plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y,
+        cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, bobbin_omega,
+        drum_v_x, drum_v_y, drum_omega, post_v_x_dot, post_v_y_dot, post_omega_dot, plate_v_x_dot,
+        plate_v_y_dot, plate_omega_dot, cylinder_v_x_dot, cylinder_v_y_dot, cylinder_omega_dot,
+        rod_v_x_dot, rod_v_y_dot, rod_omega_dot, bobbin_v_x_dot, bobbin_v_y_dot, R::literal(0.0),
+        drum_v_x_dot, drum_v_y_dot, R::literal(0.0)]
 }
 
-/// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
-///
-/// No operations.
+/// `M = d2L/dq'2`, values in the order of its pattern. No operations.
 #[must_use]
-pub fn mass_matrix<R: Real>(
-    _time: R,
-    _state: &[R; STATES],
-    p: &Parameters<R>,
-) -> [R; 18] {
-    [
-        R::literal(0.8),
-        R::literal(0.8),
-        R::literal(0.0027),
-        R::literal(1.2),
-        R::literal(1.2),
-        R::literal(0.0025),
-        R::literal(0.3),
-        R::literal(0.3),
-        R::literal(0.00036),
-        R::literal(0.2),
-        R::literal(0.2),
-        R::literal(0.00024),
-        p.bobbin_mass,
-        p.bobbin_mass,
-        R::literal(0.0013),
-        R::literal(1.5),
-        R::literal(1.5),
-        R::literal(0.0012),
-    ]
+pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -> [R; 18] {
+    [R::literal(0.8), R::literal(0.8), R::literal(0.0027), R::literal(1.2), R::literal(1.2),
+        R::literal(0.0025), R::literal(0.3), R::literal(0.3), R::literal(0.00036), R::literal(0.2),
+        R::literal(0.2), R::literal(0.00024), p.bobbin_mass, p.bobbin_mass, R::literal(0.0013),
+        R::literal(1.5), R::literal(1.5), R::literal(0.0012)]
 }
 
-/// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
-///
-/// 51 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 50 operations.
 #[must_use]
-pub fn forcing<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-) -> [R; COORDINATES] {
-    let [_, _, _, _, _, _, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y, _,
-    bobbin_x, bobbin_y, _, drum_x, drum_y, _, _, _, _, _, _, _, cylinder_v_x,
-    cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, ..] = *state;
+pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
+    let [_, _, _, _, _, _, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y, _, bobbin_x,
+        bobbin_y, _, drum_x, drum_y, _, _, _, _, _, _, _, cylinder_v_x, cylinder_v_y,
+        cylinder_omega, rod_v_x, rod_v_y, ..] = *state;
     let (sin_cylinder_phi, cos_cylinder_phi) = cylinder_phi.sin_cos();
     let bobbin_x_minus_drum_x = bobbin_x - drum_x;
     let bobbin_y_minus_drum_y = bobbin_y - drum_y;
     let between = (bobbin_x_minus_drum_x * bobbin_x_minus_drum_x)
-        .add_product(bobbin_y_minus_drum_y, bobbin_y_minus_drum_y)
-        .sqrt();
+        .add_product(bobbin_y_minus_drum_y, bobbin_y_minus_drum_y).sqrt();
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
-        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let t0 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
-        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
-    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
-        .add_product(cylinder_omega, t0)
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi).add_product(rod_y_minus_cylinder_y,
+        sin_cylinder_phi);
+    let t0 = (rod_y_minus_cylinder_y * cos_cylinder_phi).sub_product(rod_x_minus_cylinder_x,
+        sin_cylinder_phi);
+    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi).add_product(cylinder_omega, t0)
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
     let plate_phi_forcing = -(p.bobbin_radius * p.winding_force);
     let t1 = R::literal(50.0) * slide_rate;
-    let t2 = t1 * cos_cylinder_phi;
-    let t3 = p.spring_stiffness * (slide - p.spring_free_length);
-    let t4 = t3 * cos_cylinder_phi;
-    let cylinder_x_forcing = t2 + t4;
-    let t5 = t3 * sin_cylinder_phi;
-    let t6 = t1 * sin_cylinder_phi;
-    let cylinder_y_forcing = t6 - (R::literal(2.943) - t5);
-    let cylinder_phi_forcing = (-(t3 * t0)).sub_product(t1, t0);
-    let rod_x_forcing = -t2 - t4;
-    let rod_y_forcing = -t6 - (R::literal(1.962) + t5);
+    let t2 = p.spring_stiffness * (slide - p.spring_free_length);
+    let cylinder_x_forcing = (t2 * cos_cylinder_phi).add_product(t1, cos_cylinder_phi);
+    let t3 = t2 * sin_cylinder_phi;
+    let t4 = t1 * sin_cylinder_phi;
+    let cylinder_y_forcing = t4 - (R::literal(2.943) - t3);
+    let cylinder_phi_forcing = -(t2 * t0).add_product(t1, t0);
+    let rod_x_forcing = -cylinder_x_forcing;
+    let rod_y_forcing = -(t4 + (R::literal(1.962) + t3));
     let bobbin_x_forcing = -(p.winding_force * bobbin_y_minus_drum_y / between);
     let bobbin_y_forcing = (p.winding_force * bobbin_x_minus_drum_x / between)
         .sub_product(R::literal(9.81), p.bobbin_mass);
-    [
-        R::literal(0.0),
-        R::literal(-7.848),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(-11.772),
-        plate_phi_forcing,
-        cylinder_x_forcing,
-        cylinder_y_forcing,
-        cylinder_phi_forcing,
-        rod_x_forcing,
-        rod_y_forcing,
-        R::literal(0.0),
-        bobbin_x_forcing,
-        bobbin_y_forcing,
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(-14.715),
-        R::literal(0.0),
-    ]
+    [R::literal(0.0), R::literal(-7.848), R::literal(0.0), R::literal(0.0), R::literal(-11.772),
+        plate_phi_forcing, cylinder_x_forcing, cylinder_y_forcing, cylinder_phi_forcing,
+        rod_x_forcing, rod_y_forcing, R::literal(0.0), bobbin_x_forcing, bobbin_y_forcing,
+        R::literal(0.0), R::literal(0.0), R::literal(-14.715), R::literal(0.0)]
 }
 
-/// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
-///
-/// 7665 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 7229 operations.
 #[must_use]
-#[inline]
-pub fn rate_jacobian<R: Real>(
-    time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-) -> [R; 402] {
-    prepared_rate_jacobian(time, state, p, &prepare(p))
-}
-
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
-///
-/// 7660 operations.
-#[must_use]
-pub fn prepared_rate_jacobian<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-    c: &Constants<R>,
-) -> [R; 402] {
-    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x,
-    rod_y, rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, _, _, _, post_omega, _, _,
-    plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, rod_omega,
-    bobbin_v_x, bobbin_v_y, _, drum_v_x, drum_v_y, ..] = *state;
-    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
-    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
-        post_phi,
-        plate_phi,
-        cylinder_phi,
-        rod_phi,
-    ]);
+pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 402] {
+    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y,
+        rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, _, _, _, post_omega, _, _, plate_omega,
+        cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x,
+        bobbin_v_y, _, drum_v_x, drum_v_y, ..] = *state;
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi), (sin_cylinder_phi,
+        cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([post_phi, plate_phi,
+        cylinder_phi, rod_phi]);
     let t0 = R::literal(0.1) * cos_post_phi;
     let t1 = R::literal(0.1) * sin_post_phi;
     let t2 = R::literal(0.06) * cos_plate_phi;
@@ -1772,10 +626,6 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t5 = R::literal(0.06) * sin_cylinder_phi;
     let t6 = R::literal(0.06) * cos_rod_phi;
     let t7 = R::literal(0.06) * sin_rod_phi;
-    let t8 = R::literal(0.01) * cos_plate_phi;
-    let t9 = R::literal(0.1) * sin_plate_phi;
-    let t10 = R::literal(0.1) * cos_plate_phi;
-    let t11 = R::literal(0.01) * sin_plate_phi;
     let bobbin_x_minus_drum_x = bobbin_x - drum_x;
     let bobbin_x_minus_drum_x_squared = bobbin_x_minus_drum_x * bobbin_x_minus_drum_x;
     let bobbin_y_minus_drum_y = bobbin_y - drum_y;
@@ -1783,4487 +633,2295 @@ pub fn prepared_rate_jacobian<R: Real>(
     let between = (bobbin_x_minus_drum_x_squared + bobbin_y_minus_drum_y_squared).sqrt();
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
-        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let t12 = rod_x_minus_cylinder_x * sin_cylinder_phi;
-    let t13 = rod_y_minus_cylinder_y * cos_cylinder_phi;
-    let t14 = t13 - t12;
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi).add_product(rod_y_minus_cylinder_y,
+        sin_cylinder_phi);
+    let t8 = rod_x_minus_cylinder_x * sin_cylinder_phi;
+    let t9 = rod_y_minus_cylinder_y * cos_cylinder_phi;
+    let t10 = t9 - t8;
     let rod_v_x_minus_cylinder_v_x = rod_v_x - cylinder_v_x;
     let rod_v_y_minus_cylinder_v_y = rod_v_y - cylinder_v_y;
-    let slide_rate = (rod_v_x_minus_cylinder_v_x * cos_cylinder_phi)
-        .add_product(cylinder_omega, t14)
-        .add_product(rod_v_y_minus_cylinder_v_y, sin_cylinder_phi);
-    let t15 = (R::literal(0.044) * sin_post_phi)
-        .add_product(R::literal(0.143), cos_post_phi);
-    let t16 = t11 + t10;
-    let t17 = t9 - t8;
-    let t18 = t8 - t9;
+    let slide_rate = (rod_v_x_minus_cylinder_v_x * cos_cylinder_phi).add_product(cylinder_omega,
+        t10).add_product(rod_v_y_minus_cylinder_v_y, sin_cylinder_phi);
+    let t11 = (R::literal(0.044) * sin_post_phi).add_product(R::literal(0.143), cos_post_phi);
+    let t12 = sin_plate_phi.add_product(R::literal(10.0), cos_plate_phi);
+    let t13 = R::literal(0.01) * t12;
+    let t14 = (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi);
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
     let bobbin_y_minus_drum_y_over_between = bobbin_y_minus_drum_y / between;
-    let t19 = R::literal(37.037_037_037_037_03) * sin_post_phi;
-    let t20 = R::literal(37.037_037_037_037_03) * cos_post_phi;
-    let t21 = t15 * R::literal(370.370_370_370_370_3);
-    let t22 = R::literal(24.0) * sin_plate_phi;
-    let t23 = R::literal(24.0) * cos_plate_phi;
-    let t24 = t16 * R::literal(400.0);
-    let t25 = t18 * R::literal(400.0);
-    let t26 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t27 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t28 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
-    let t29 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
-    let t30 = slide * R::literal(2_777.777_777_777_778);
-    let t31 = sin_cylinder_phi * R::literal(5.0);
-    let t32 = cos_cylinder_phi * R::literal(5.0);
-    let t33 = R::literal(250.0) * sin_rod_phi;
-    let t34 = R::literal(250.0) * cos_rod_phi;
-    let t35 = bobbin_x_minus_drum_x_over_between * c.inverse_bobbin_mass;
-    let t36 = bobbin_y_minus_drum_y_over_between * c.inverse_bobbin_mass;
-    let t37 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6);
-    let t38 = bobbin_y_minus_drum_y_over_between * R::literal(0.666_666_666_666_666_6);
-    let t39 = t19 * t1;
-    let t40 = R::literal(-1.25) - t39;
-    let t41 = R::literal(1.0) / t40;
-    let t42 = t20 * t1;
-    let t43 = t42 * t41;
-    let t44 = R::literal(1.25) - t39;
-    let t45 = t44 * t41;
-    let t46 = t21 * t1;
-    let t47 = t46 * t41;
-    let t48 = t20 * t0;
-    let t49 = R::literal(-1.25) - t48;
-    let t50 = t43 * t42;
-    let t51 = R::literal(1.0) / (t49 - t50);
-    let t52 = (t19 * t0).sub_product(t45, t42);
-    let t53 = t52 * t51;
-    let t54 = R::literal(1.25) - t48 - t50;
-    let t55 = t54 * t51;
-    let t56 = (t21 * t0).add_product(t47, t42);
-    let t57 = t56 * t51;
-    let t58 = t22 * t3;
-    let t59 = R::literal(1.0)
-        / (t40 - R::literal(0.833_333_333_333_333_4) - t58)
-            .sub_product(t45, t44)
-            .sub_product(t53, t52);
-    let t60 = t23 * t3;
-    let t61 = (t42 + t60).sub_product(t43, t44).sub_product(t55, t52);
-    let t62 = t61 * t59;
-    let t63 = R::literal(0.833_333_333_333_333_4) - t58;
-    let t64 = t63 * t59;
-    let t65 = t60 * t59;
-    let t66 = t24 * t3;
-    let t67 = R::literal(0.833_333_333_333_333_4) + t66;
-    let t68 = t67 * t59;
-    let t69 = t25 * t3;
-    let t70 = t69 * t59;
-    let t71 = (-t46).add_product(t47, t44).sub_product(t57, t52);
-    let t72 = t71 * t59;
-    let t73 = t23 * t2;
-    let t74 = R::literal(1.0)
-        / (t49 - R::literal(0.833_333_333_333_333_4) - t73 - t50)
-            .sub_product(t55, t54)
-            .sub_product(t62, t61);
-    let t75 = (t22 * t2).sub_product(t64, t61);
-    let t76 = t75 * t74;
-    let t77 = (R::literal(0.833_333_333_333_333_4) - t73).sub_product(t65, t61);
-    let t78 = t77 * t74;
-    let t79 = -(t24 * t2);
-    let t80 = t79.sub_product(t68, t61);
-    let t81 = t80 * t74;
-    let t82 = t25 * t2;
-    let t83 = (R::literal(0.833_333_333_333_333_4) + t82).add_product(t70, t61);
-    let t84 = t83 * t74;
-    let t85 = t56.sub_product(t57, t54).sub_product(t72, t61);
-    let t86 = t85 * t74;
-    let t87 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t58
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t28, t5)
-            .sub_product(t64, t63)
-            .sub_product(t76, t75);
-    let t88 = t60.add_product(t29, t5).sub_product(t65, t63).sub_product(t78, t75);
-    let t89 = t88 * t87;
-    let t90 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
-    let t91 = t90 * t87;
-    let t92 = (-t26).add_product(t30, t5);
-    let t93 = t92 * t87;
-    let t94 = (R::literal(-0.833_333_333_333_333_4) + t66)
-        .sub_product(t68, t63)
-        .sub_product(t81, t75);
-    let t95 = t94 * t87;
-    let t96 = (-t69).add_product(t70, t63).sub_product(t84, t75);
-    let t97 = t96 * t87;
-    let t98 = (-(t72 * t63)).sub_product(t86, t75);
-    let t99 = t98 * t87;
-    let t100 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t73
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t29, t4)
-            .sub_product(t65, t60)
-            .sub_product(t78, t77)
-            .sub_product(t89, t88);
-    let t101 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
-        .add_product(t91, t88);
-    let t102 = t101 * t100;
-    let t103 = t27.sub_product(t30, t4).sub_product(t93, t88);
-    let t104 = t103 * t100;
-    let t105 = t79.sub_product(t68, t60).sub_product(t81, t77).sub_product(t95, t88);
-    let t106 = t105 * t100;
-    let t107 = (R::literal(-0.833_333_333_333_333_4) + t82)
-        .add_product(t70, t60)
-        .sub_product(t84, t77)
-        .sub_product(t97, t88);
-    let t108 = t107 * t100;
-    let t109 = (-(t72 * t60)).sub_product(t86, t77).sub_product(t99, t88);
-    let t110 = t109 * t100;
-    let t111 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445)
-            .sub_product(t91, t90)
-            .sub_product(t102, t101);
-    let t112 = (-t30).add_product(t93, t90).sub_product(t104, t101);
-    let t113 = t112 * t111;
-    let t114 = t33 * t111;
-    let t115 = t34 * t111;
-    let t116 = (t95 * t90).sub_product(t106, t101);
-    let t117 = t116 * t111;
-    let t118 = (t97 * t90).sub_product(t108, t101);
-    let t119 = t118 * t111;
-    let t120 = (t99 * t90).sub_product(t110, t101);
-    let t121 = t120 * t111;
-    let t122 = R::literal(1.0)
-        / (-(t27 * cos_cylinder_phi))
-            .sub_product(t26, sin_cylinder_phi)
-            .sub_product(t30, slide)
-            .sub_product(t31, sin_cylinder_phi)
-            .sub_product(t32, cos_cylinder_phi)
-            .sub_product(t93, t92)
-            .sub_product(t104, t103)
-            .sub_product(t113, t112);
-    let t123 = t31.sub_product(t114, t112);
-    let t124 = t123 * t122;
-    let t125 = (-t32).add_product(t115, t112);
-    let t126 = t125 * t122;
-    let t127 = (-(t95 * t92)).sub_product(t106, t103).sub_product(t117, t112);
-    let t128 = t127 * t122;
-    let t129 = (-(t97 * t92)).sub_product(t108, t103).sub_product(t119, t112);
-    let t130 = t129 * t122;
-    let t131 = (-(t99 * t92)).sub_product(t110, t103).sub_product(t121, t112);
-    let t132 = t131 * t122;
-    let t133 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t33, t7)
-            .sub_product(t114, t33)
-            .sub_product(t124, t123);
-    let t134 = (t34 * t7).add_product(t115, t33).sub_product(t126, t123);
-    let t135 = t134 * t133;
-    let t136 = (-(t117 * t33)).sub_product(t128, t123);
-    let t137 = t136 * t133;
-    let t138 = (-(t119 * t33)).sub_product(t130, t123);
-    let t139 = t138 * t133;
-    let t140 = (-(t121 * t33)).sub_product(t132, t123);
-    let t141 = t140 * t133;
-    let t142 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t34, t6)
-            .sub_product(t115, t34)
-            .sub_product(t126, t125)
-            .sub_product(t135, t134);
-    let t143 = (t117 * t34).sub_product(t128, t125).sub_product(t137, t134);
-    let t144 = t143 * t142;
-    let t145 = (t119 * t34).sub_product(t130, t125).sub_product(t139, t134);
-    let t146 = t145 * t142;
-    let t147 = (t121 * t34).sub_product(t132, t125).sub_product(t141, t134);
-    let t148 = t147 * t142;
-    let t149 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t24, t16)
-            - c.inverse_bobbin_mass)
-            .sub_product(t68, t67)
-            .sub_product(t81, t80)
-            .sub_product(t95, t94)
-            .sub_product(t106, t105)
-            .sub_product(t117, t116)
-            .sub_product(t128, t127)
-            .sub_product(t137, t136)
-            .sub_product(t144, t143);
-    let t150 = (t25 * t16)
-        .add_product(t70, t67)
-        .sub_product(t84, t80)
-        .sub_product(t97, t94)
-        .sub_product(t108, t105)
-        .sub_product(t119, t116)
-        .sub_product(t130, t127)
-        .sub_product(t139, t136)
-        .sub_product(t146, t143);
-    let t151 = t150 * t149;
-    let t152 = t35 * t149;
-    let t153 = (-(t72 * t67))
-        .sub_product(t86, t80)
-        .sub_product(t99, t94)
-        .sub_product(t110, t105)
-        .sub_product(t121, t116)
-        .sub_product(t132, t127)
-        .sub_product(t141, t136)
-        .sub_product(t148, t143);
-    let t154 = t153 * t149;
-    let t155 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t25, t18)
-            - c.inverse_bobbin_mass)
-            .sub_product(t70, t69)
-            .sub_product(t84, t83)
-            .sub_product(t97, t96)
-            .sub_product(t108, t107)
-            .sub_product(t119, t118)
-            .sub_product(t130, t129)
-            .sub_product(t139, t138)
-            .sub_product(t146, t145)
-            .sub_product(t151, t150);
-    let t156 = (-t36).add_product(t152, t150);
-    let t157 = t156 * t155;
-    let t158 = (t72 * t69)
-        .sub_product(t86, t83)
-        .sub_product(t99, t96)
-        .sub_product(t110, t107)
-        .sub_product(t121, t118)
-        .sub_product(t132, t129)
-        .sub_product(t141, t138)
-        .sub_product(t148, t145)
-        .sub_product(t154, t150);
-    let t159 = t158 * t155;
-    let t160 = t37 * bobbin_x_minus_drum_x_over_between;
-    let t161 = t38 * bobbin_y_minus_drum_y_over_between;
-    let t162 = R::literal(1.0)
-        / (((-(t36 * bobbin_y_minus_drum_y_over_between))
-            .sub_product(t35, bobbin_x_minus_drum_x_over_between) - t160 - t161)
-            .sub_product(t152, t35)
-            .sub_product(t157, t156) + t160 + t161);
-    let t163 = (t154 * t35).sub_product(t159, t156);
-    let t164 = t163 * t162;
-    let t165 = R::literal(1.0)
-        / (-(t21 * t15))
-            .sub_product(t47, t46)
-            .sub_product(t57, t56)
-            .sub_product(t72, t71)
-            .sub_product(t86, t85)
-            .sub_product(t99, t98)
-            .sub_product(t110, t109)
-            .sub_product(t121, t120)
-            .sub_product(t132, t131)
-            .sub_product(t141, t140)
-            .sub_product(t148, t147)
-            .sub_product(t154, t153)
-            .sub_product(t159, t158)
-            .sub_product(t164, t163);
-    let t166 = R::literal(50.0) * slide_rate;
-    let t167 = t166 * cos_cylinder_phi;
+    let t15 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t16 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t17 = t11 * R::literal(370.370_370_370_370_3);
+    let t18 = R::literal(24.0) * sin_plate_phi;
+    let t19 = R::literal(24.0) * cos_plate_phi;
+    let t20 = R::literal(4.0) * t12;
+    let t21 = t14 * R::literal(400.0);
+    let t22 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t23 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t24 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t25 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t26 = slide * R::literal(2_777.777_777_777_778);
+    let t27 = sin_cylinder_phi * R::literal(5.0);
+    let t28 = cos_cylinder_phi * R::literal(5.0);
+    let t29 = R::literal(250.0) * sin_rod_phi;
+    let t30 = R::literal(250.0) * cos_rod_phi;
+    let t31 = bobbin_x_minus_drum_x_over_between * c.inverse_bobbin_mass;
+    let t32 = bobbin_y_minus_drum_y_over_between * c.inverse_bobbin_mass;
+    let t33 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6);
+    let t34 = bobbin_y_minus_drum_y_over_between * R::literal(0.666_666_666_666_666_6);
+    let t35 = t15 * t1;
+    let t36 = R::literal(1.25) + t35;
+    let t37 = R::literal(1.0) / t36;
+    let t38 = t16 * t1;
+    let t39 = t38 * t37;
+    let t40 = R::literal(1.25) - t35;
+    let t41 = t40 * t37;
+    let t42 = t17 * t1;
+    let t43 = t42 * t37;
+    let t44 = t16 * t0;
+    let t45 = R::literal(1.25) + t44;
+    let t46 = t39 * t38;
+    let t47 = R::literal(1.0) / (t46 - t45);
+    let t48 = (t15 * t0).add_product(t41, t38);
+    let t49 = t48 * t47;
+    let t50 = R::literal(1.25) - t44 + t46;
+    let t51 = t50 * t47;
+    let t52 = (t17 * t0).sub_product(t43, t38);
+    let t53 = t52 * t47;
+    let t54 = t18 * t3;
+    let t55 = R::literal(1.0) / (-(t36 + R::literal(0.833_333_333_333_333_4) + t54))
+        .add_product(t41, t40).sub_product(t49, t48);
+    let t56 = t19 * t3;
+    let t57 = (t38 + t56).add_product(t39, t40).sub_product(t51, t48);
+    let t58 = t57 * t55;
+    let t59 = R::literal(0.833_333_333_333_333_4) - t54;
+    let t60 = t59 * t55;
+    let t61 = t56 * t55;
+    let t62 = t20 * t3;
+    let t63 = R::literal(0.833_333_333_333_333_4) + t62;
+    let t64 = t63 * t55;
+    let t65 = t21 * t3;
+    let t66 = t65 * t55;
+    let t67 = t42.add_product(t43, t40).add_product(t53, t48);
+    let t68 = t67 * t55;
+    let t69 = t19 * t2;
+    let t70 = R::literal(1.0) / (t46 - (t45 + R::literal(0.833_333_333_333_333_4) + t69))
+        .sub_product(t51, t50).sub_product(t58, t57);
+    let t71 = (t18 * t2).sub_product(t60, t57);
+    let t72 = t71 * t70;
+    let t73 = (R::literal(0.833_333_333_333_333_4) - t69).sub_product(t61, t57);
+    let t74 = t73 * t70;
+    let t75 = t20 * t2;
+    let t76 = t75.add_product(t64, t57);
+    let t77 = t76 * t70;
+    let t78 = t21 * t2;
+    let t79 = (R::literal(0.833_333_333_333_333_4) + t78).add_product(t66, t57);
+    let t80 = t79 * t70;
+    let t81 = t52.sub_product(t53, t50).add_product(t68, t57);
+    let t82 = t81 * t70;
+    let t83 = R::literal(1.0) / (R::literal(0.833_333_333_333_333_4) + t54
+        + R::literal(3.333_333_333_333_333_5)).add_product(t24, t5).add_product(t60, t59)
+        .add_product(t72, t71);
+    let t84 = t56.add_product(t25, t5).sub_product(t61, t59).sub_product(t74, t71);
+    let t85 = t84 * t83;
+    let t86 = t24 * t83;
+    let t87 = (-t22).add_product(t26, t5);
+    let t88 = t87 * t83;
+    let t89 = (t62 - R::literal(0.833_333_333_333_333_4)).sub_product(t64, t59).add_product(t77,
+        t71);
+    let t90 = t89 * t83;
+    let t91 = (-t65).add_product(t66, t59).sub_product(t80, t71);
+    let t92 = t91 * t83;
+    let t93 = (t68 * t59).sub_product(t82, t71);
+    let t94 = t93 * t83;
+    let t95 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4) + t69
+        + R::literal(3.333_333_333_333_333_5)).add_product(t25, t4).add_product(t61, t56)
+        .add_product(t74, t73)).add_product(t85, t84);
+    let t96 = (-t25).add_product(t86, t84);
+    let t97 = t96 * t95;
+    let t98 = t23.sub_product(t26, t4).add_product(t88, t84);
+    let t99 = t98 * t95;
+    let t100 = (-t75.add_product(t64, t56)).add_product(t77, t73).add_product(t90, t84);
+    let t101 = t100 * t95;
+    let t102 = (t78 - R::literal(0.833_333_333_333_333_4)).add_product(t66, t56).sub_product(t80,
+        t73).add_product(t92, t84);
+    let t103 = t102 * t95;
+    let t104 = (t68 * t56).sub_product(t82, t73).add_product(t94, t84);
+    let t105 = t104 * t95;
+    let t106 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t86, t24)
+        .sub_product(t97, t96);
+    let t107 = (-t26).add_product(t88, t24).sub_product(t99, t96);
+    let t108 = t107 * t106;
+    let t109 = t29 * t106;
+    let t110 = t30 * t106;
+    let t111 = (t90 * t24).sub_product(t101, t96);
+    let t112 = t111 * t106;
+    let t113 = (t92 * t24).sub_product(t103, t96);
+    let t114 = t113 * t106;
+    let t115 = (t94 * t24).sub_product(t105, t96);
+    let t116 = t115 * t106;
+    let t117 = R::literal(1.0) / (-(t22 * sin_cylinder_phi).add_product(t23, cos_cylinder_phi)
+        .add_product(t26, slide).add_product(t27, sin_cylinder_phi).add_product(t28,
+        cos_cylinder_phi)).add_product(t88, t87).sub_product(t99, t98).sub_product(t108, t107);
+    let t118 = t27.sub_product(t109, t107);
+    let t119 = t118 * t117;
+    let t120 = (-t28).add_product(t110, t107);
+    let t121 = t120 * t117;
+    let t122 = (t90 * t87).sub_product(t101, t98).sub_product(t112, t107);
+    let t123 = t122 * t117;
+    let t124 = (t92 * t87).sub_product(t103, t98).sub_product(t114, t107);
+    let t125 = t124 * t117;
+    let t126 = (t94 * t87).sub_product(t105, t98).sub_product(t116, t107);
+    let t127 = t126 * t117;
+    let t128 = R::literal(1.0) / R::literal(5.0).add_product(t29, t7).add_product(t109, t29)
+        .add_product(t119, t118);
+    let t129 = (t30 * t7).add_product(t110, t29).sub_product(t121, t118);
+    let t130 = t129 * t128;
+    let t131 = (t112 * t29).add_product(t123, t118);
+    let t132 = t131 * t128;
+    let t133 = (t114 * t29).add_product(t125, t118);
+    let t134 = t133 * t128;
+    let t135 = (t116 * t29).add_product(t127, t118);
+    let t136 = t135 * t128;
+    let t137 = R::literal(1.0) / (-R::literal(5.0).add_product(t30, t6).add_product(t110, t30)
+        .add_product(t121, t120)).add_product(t130, t129);
+    let t138 = (t112 * t30).sub_product(t123, t120).sub_product(t132, t129);
+    let t139 = t138 * t137;
+    let t140 = (t114 * t30).sub_product(t125, t120).sub_product(t134, t129);
+    let t141 = t140 * t137;
+    let t142 = (t116 * t30).sub_product(t127, t120).sub_product(t136, t129);
+    let t143 = t142 * t137;
+    let t144 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t20, t13)
+        + c.inverse_bobbin_mass).add_product(t64, t63).add_product(t77, t76)).add_product(t90, t89)
+        .sub_product(t101, t100).sub_product(t112, t111).sub_product(t123, t122).add_product(t132,
+        t131).sub_product(t139, t138);
+    let t145 = (t21 * t13).add_product(t66, t63).add_product(t80, t76).add_product(t92, t89)
+        .sub_product(t103, t100).sub_product(t114, t111).sub_product(t125, t122).add_product(t134,
+        t131).sub_product(t141, t138);
+    let t146 = t145 * t144;
+    let t147 = t31 * t144;
+    let t148 = (t68 * t63).add_product(t82, t76).add_product(t94, t89).sub_product(t105, t100)
+        .sub_product(t116, t111).sub_product(t127, t122).add_product(t136, t131).sub_product(t143,
+        t138);
+    let t149 = t148 * t144;
+    let t150 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t21, t14)
+        + c.inverse_bobbin_mass).add_product(t66, t65).add_product(t80, t79)).add_product(t92, t91)
+        .sub_product(t103, t102).sub_product(t114, t113).sub_product(t125, t124).add_product(t134,
+        t133).sub_product(t141, t140).sub_product(t146, t145);
+    let t151 = (-t32).add_product(t147, t145);
+    let t152 = t151 * t150;
+    let t153 = (-(t68 * t65).add_product(t82, t79)).add_product(t94, t91).sub_product(t105, t102)
+        .sub_product(t116, t113).sub_product(t127, t124).add_product(t136, t133).sub_product(t143,
+        t140).sub_product(t149, t145);
+    let t154 = t153 * t150;
+    let t155 = t33 * bobbin_x_minus_drum_x_over_between;
+    let t156 = t34 * bobbin_y_minus_drum_y_over_between;
+    let t157 = R::literal(1.0) / (t155 - ((t31 * bobbin_x_minus_drum_x_over_between)
+        .add_product(t32, bobbin_y_minus_drum_y_over_between) + t155 + t156).add_product(t147, t31)
+        .add_product(t152, t151) + t156);
+    let t158 = (t149 * t31).sub_product(t154, t151);
+    let t159 = t158 * t157;
+    let t160 = R::literal(1.0) / (-(t17 * t11)).add_product(t43, t42).sub_product(t53, t52)
+        .sub_product(t68, t67).sub_product(t82, t81).add_product(t94, t93).sub_product(t105, t104)
+        .sub_product(t116, t115).sub_product(t127, t126).add_product(t136, t135).sub_product(t143,
+        t142).sub_product(t149, t148).sub_product(t154, t153).sub_product(t159, t158);
+    let t161 = R::literal(50.0) * slide_rate;
+    let t162 = t161 * cos_cylinder_phi;
     let slide_minus_spring_free_length = slide - p.spring_free_length;
-    let t168 = p.spring_stiffness * slide_minus_spring_free_length;
-    let t169 = t168 * cos_cylinder_phi;
-    let t170 = t167 + t169;
-    let t171 = t168 * sin_cylinder_phi;
-    let t172 = t166 * sin_cylinder_phi;
-    let t173 = t172 - (R::literal(2.943) - t171);
-    let t174 = (-(t168 * t14)).sub_product(t166, t14);
-    let t175 = -t167;
-    let t176 = t175 - t169;
-    let t177 = -t172 - (R::literal(1.962) + t171);
-    let t178 = p.winding_force * bobbin_y_minus_drum_y / between;
-    let t179 = p.winding_force * bobbin_x_minus_drum_x;
-    let t180 = t179 / between - c.t0;
+    let t163 = p.spring_stiffness * slide_minus_spring_free_length;
+    let t164 = t163 * cos_cylinder_phi;
+    let t165 = t162 + t164;
+    let t166 = t163 * sin_cylinder_phi;
+    let t167 = t161 * sin_cylinder_phi;
+    let t168 = t167 - (R::literal(2.943) - t166);
+    let t169 = (t163 * t10).add_product(t161, t10);
+    let t170 = t167 + (R::literal(1.962) + t166);
+    let t171 = p.winding_force * bobbin_y_minus_drum_y / between;
+    let t172 = p.winding_force * bobbin_x_minus_drum_x;
+    let t173 = t172 / between - c.t0;
     let post_omega_squared = post_omega * post_omega;
-    let t181 = R::literal(0.1) * post_omega_squared;
-    let t182 = t181 * cos_post_phi;
-    let t183 = t181 * sin_post_phi;
+    let t174 = R::literal(0.1) * post_omega_squared;
+    let t175 = t174 * cos_post_phi;
+    let t176 = t174 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t184 = R::literal(0.06) * plate_omega_squared;
-    let t185 = t184 * cos_plate_phi;
-    let t186 = t184 * sin_plate_phi;
+    let t177 = R::literal(0.06) * plate_omega_squared;
+    let t178 = t177 * cos_plate_phi;
+    let t179 = t177 * sin_plate_phi;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t187 = cylinder_omega_squared * cos_cylinder_phi;
-    let t188 = cylinder_omega_squared * sin_cylinder_phi;
-    let t189 = R::literal(2.0) * cylinder_v_x;
-    let t190 = R::literal(2.0) * cylinder_v_y;
+    let t180 = cylinder_omega_squared * cos_cylinder_phi;
+    let t181 = cylinder_omega_squared * sin_cylinder_phi;
+    let t182 = R::literal(2.0) * cylinder_v_x;
+    let t183 = R::literal(2.0) * cylinder_v_y;
     let cylinder_y_times_cylinder_omega = cylinder_y * cylinder_omega;
-    let t191 = cylinder_y_times_cylinder_omega * cos_cylinder_phi;
+    let t184 = cylinder_y_times_cylinder_omega * cos_cylinder_phi;
     let rod_x_times_cylinder_omega = rod_x * cylinder_omega;
-    let t192 = rod_x_times_cylinder_omega * sin_cylinder_phi;
-    let t193 = R::literal(2.0) * rod_v_x;
-    let t194 = R::literal(2.0) * rod_v_y;
+    let t185 = rod_x_times_cylinder_omega * sin_cylinder_phi;
+    let t186 = R::literal(2.0) * rod_v_x;
+    let t187 = R::literal(2.0) * rod_v_y;
     let cylinder_x_times_cylinder_omega = cylinder_x * cylinder_omega;
-    let t195 = cylinder_x_times_cylinder_omega * sin_cylinder_phi;
+    let t188 = cylinder_x_times_cylinder_omega * sin_cylinder_phi;
     let rod_y_times_cylinder_omega = rod_y * cylinder_omega;
-    let t196 = rod_y_times_cylinder_omega * cos_cylinder_phi;
-    let t197 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t198 = t197 * cos_rod_phi;
-    let t199 = t197 * sin_rod_phi;
-    let t200 = t18 * plate_omega_squared;
+    let t189 = rod_y_times_cylinder_omega * cos_cylinder_phi;
+    let t190 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t191 = t190 * cos_rod_phi;
+    let t192 = t190 * sin_rod_phi;
+    let t193 = t14 * plate_omega_squared;
     let between_squared = between * between;
     let between_squared_times_between = between_squared * between;
-    let t201 = bobbin_v_x * bobbin_x_minus_drum_x_squared
-        / between_squared_times_between;
-    let t202 = bobbin_v_y * bobbin_x_minus_drum_x;
-    let t203 = t202 * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t194 = bobbin_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t195 = bobbin_v_y * bobbin_x_minus_drum_x;
+    let t196 = t195 * bobbin_y_minus_drum_y / between_squared_times_between;
     let drum_v_x_over_between = drum_v_x / between;
     let bobbin_v_x_over_between = bobbin_v_x / between;
-    let t204 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t197 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
     let drum_v_y_times_bobbin_x_minus_drum_x = drum_v_y * bobbin_x_minus_drum_x;
-    let t205 = drum_v_y_times_bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t198 = drum_v_y_times_bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t206 = bobbin_v_x * bobbin_x_minus_drum_x;
-    let t207 = t206 * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t208 = bobbin_v_y * bobbin_y_minus_drum_y_squared
-        / between_squared_times_between;
+    let t199 = bobbin_v_x * bobbin_x_minus_drum_x;
+    let t200 = t199 * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t201 = bobbin_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
     let drum_v_y_over_between = drum_v_y / between;
     let bobbin_v_y_over_between = bobbin_v_y / between;
     let drum_v_x_times_bobbin_x_minus_drum_x = drum_v_x * bobbin_x_minus_drum_x;
-    let t209 = drum_v_x_times_bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t202 = drum_v_x_times_bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t210 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t211 = (bobbin_v_x
-        * (bobbin_v_x_over_between + t204 + t205 - t201 - t203 - drum_v_x_over_between))
-        .add_product(
-            bobbin_v_y,
-            bobbin_v_y_over_between + t209 + t210 - t207 - t208 - drum_v_y_over_between,
-        )
-        .add_product(
-            drum_v_x,
-            t201 + t203 + drum_v_x_over_between - bobbin_v_x_over_between - t204 - t205,
-        )
-        .add_product(
-            drum_v_y,
-            t207 + t208 + drum_v_y_over_between - bobbin_v_y_over_between - t209 - t210,
-        );
-    let t212 = R::literal(0.044) * cos_post_phi;
-    let t213 = R::literal(0.143) * sin_post_phi;
-    let t214 = t43 * t182;
-    let t215 = -t183 - R::literal(-9.81) + t214;
-    let t216 = t22 * c.bobbin_radius_times_winding_force;
-    let t217 = (t216 - (t185 + t182)).add_product(t45, t182).sub_product(t53, t215);
-    let t218 = t23 * c.bobbin_radius_times_winding_force;
-    let t219 = (-(t186 + t183) - R::literal(9.81) - R::literal(-9.81) - t218 + t214)
-        .sub_product(t55, t215)
-        .sub_product(t62, t217);
-    let t220 = R::literal(3.333_333_333_333_333_5) * t170;
-    let t221 = (t216
-        .sub_product(
-            R::literal(0.06),
-            t187.add_product(plate_omega_squared, cos_plate_phi),
-        ) - t220)
-        .sub_product(t28, t174)
-        .sub_product(t64, t217)
-        .sub_product(t76, t219);
-    let t222 = R::literal(3.333_333_333_333_333_5) * t173;
-    let t223 = (R::literal(-9.81)
-        .sub_product(
-            R::literal(0.06),
-            t188.add_product(plate_omega_squared, sin_plate_phi),
-        ) - t218 - t222)
-        .add_product(t29, t174)
-        .sub_product(t65, t217)
-        .sub_product(t78, t219)
-        .sub_product(t89, t221);
-    let t224 = (-(R::literal(-2_777.777_777_777_778) * t174))
-        .add_product(t91, t221)
-        .sub_product(t102, t223);
-    let t225 = (cylinder_omega
-        * (((t193 * cos_cylinder_phi).add_product(t194, sin_cylinder_phi) + t195 + t196)
-            .sub_product(t189, cos_cylinder_phi)
-            .sub_product(t190, sin_cylinder_phi) - t191 - t192))
-        .sub_product(t26, t170)
-        .add_product(t27, t173)
-        .add_product(t30, t174)
-        .add_product(t31, t176)
-        .sub_product(t32, t177)
-        .sub_product(t93, t221)
-        .sub_product(t104, t223)
-        .sub_product(t113, t224);
-    let t226 = R::literal(5.0) * t176;
-    let t227 = (t198 - t226).sub_product(t114, t224).sub_product(t124, t225);
-    let t228 = R::literal(5.0) * t177;
-    let t229 = (t199 - t228)
-        .add_product(t115, t224)
-        .sub_product(t126, t225)
-        .sub_product(t135, t227);
-    let t230 = c.inverse_bobbin_mass * t178;
-    let t231 = (t200.sub_product(t24, c.bobbin_radius_times_winding_force) + t230)
-        .sub_product(t68, t217)
-        .sub_product(t81, t219)
-        .sub_product(t95, t221)
-        .sub_product(t106, t223)
-        .sub_product(t117, t224)
-        .sub_product(t128, t225)
-        .sub_product(t137, t227)
-        .sub_product(t144, t229);
-    let t232 = c.inverse_bobbin_mass * t180;
-    let t233 = (R::literal(-9.81)
-        .add_product(t16, plate_omega_squared)
-        .add_product(t25, c.bobbin_radius_times_winding_force) - t232)
-        .add_product(t70, t217)
-        .sub_product(t84, t219)
-        .sub_product(t97, t221)
-        .sub_product(t108, t223)
-        .sub_product(t119, t224)
-        .sub_product(t130, t225)
-        .sub_product(t139, t227)
-        .sub_product(t146, t229)
-        .sub_product(t151, t231);
-    let t234 = (-t211)
-        .add_product(t35, t178)
-        .sub_product(t36, t180)
-        .add_product(
-            R::literal(-9.809_999_999_999_999),
-            bobbin_y_minus_drum_y_over_between,
-        )
-        .add_product(t152, t231)
-        .sub_product(t157, t233)
-        .add_product(
-            bobbin_y_minus_drum_y_over_between,
-            R::literal(9.809_999_999_999_999),
-        );
-    let t235 = ((t213 - t212) * post_omega_squared)
-        .sub_product(t47, t182)
-        .sub_product(t57, t215)
-        .sub_product(t72, t217)
-        .sub_product(t86, t219)
-        .sub_product(t99, t221)
-        .sub_product(t110, t223)
-        .sub_product(t121, t224)
-        .sub_product(t132, t225)
-        .sub_product(t141, t227)
-        .sub_product(t148, t229)
-        .sub_product(t154, t231)
-        .sub_product(t159, t233)
-        .sub_product(t164, t234) * t165;
-    let t236 = (t234 * t162).sub_product(t164, t235);
-    let t237 = (t233 * t155).sub_product(t157, t236).sub_product(t159, t235);
-    let t238 = (t231 * t149)
-        .sub_product(t151, t237)
-        .add_product(t152, t236)
-        .sub_product(t154, t235);
-    let t239 = (t229 * t142)
-        .sub_product(t144, t238)
-        .sub_product(t146, t237)
-        .sub_product(t148, t235);
-    let t240 = (t227 * t133)
-        .sub_product(t135, t239)
-        .sub_product(t137, t238)
-        .sub_product(t139, t237)
-        .sub_product(t141, t235);
-    let t241 = (t225 * t122)
-        .sub_product(t124, t240)
-        .sub_product(t126, t239)
-        .sub_product(t128, t238)
-        .sub_product(t130, t237)
-        .sub_product(t132, t235);
-    let t242 = (t224 * t111)
-        .sub_product(t113, t241)
-        .sub_product(t114, t240)
-        .add_product(t115, t239)
-        .sub_product(t117, t238)
-        .sub_product(t119, t237)
-        .sub_product(t121, t235);
-    let t243 = (t223 * t100)
-        .sub_product(t102, t242)
-        .sub_product(t104, t241)
-        .sub_product(t106, t238)
-        .sub_product(t108, t237)
-        .sub_product(t110, t235);
-    let t244 = (t221 * t87)
-        .sub_product(t89, t243)
-        .add_product(t91, t242)
-        .sub_product(t93, t241)
-        .sub_product(t95, t238)
-        .sub_product(t97, t237)
-        .sub_product(t99, t235);
-    let t245 = (t219 * t74)
-        .sub_product(t76, t244)
-        .sub_product(t78, t243)
-        .sub_product(t81, t238)
-        .sub_product(t84, t237)
-        .sub_product(t86, t235);
-    let t246 = (t217 * t59)
-        .sub_product(t62, t245)
-        .sub_product(t64, t244)
-        .sub_product(t65, t243)
-        .sub_product(t68, t238)
-        .add_product(t70, t237)
-        .sub_product(t72, t235);
-    let t247 = (t215 * t51)
-        .sub_product(t53, t246)
-        .sub_product(t55, t245)
-        .sub_product(t57, t235);
-    let t248 = (-(t182 * t41))
-        .sub_product(t43, t247)
-        .sub_product(t45, t246)
-        .sub_product(t43, t245)
-        .add_product(t47, t235);
-    let drum_v_y_dot = R::literal(-9.809_999_999_999_999)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            R::literal(-14.714_999_999_999_998)
-                .add_product(bobbin_y_minus_drum_y_over_between, t236),
-        )
-        .add_product(t38, t236);
-    let drum_v_x_dot = (t37 * t236)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t236,
-        );
-    let bobbin_v_y_dot = t232
-        .sub_product(c.inverse_bobbin_mass, t237)
-        .sub_product(t36, t236);
-    let bobbin_v_x_dot = (-t230)
-        .sub_product(c.inverse_bobbin_mass, t238)
-        .sub_product(t35, t236);
-    let rod_omega_dot = (t33 * t240)
-        .sub_product(R::literal(4_166.666_666_666_667), t242)
-        .sub_product(t34, t239);
-    let rod_v_y_dot = t228.sub_product(t32, t241).sub_product(R::literal(5.0), t239);
-    let rod_v_x_dot = t226.add_product(t31, t241).sub_product(R::literal(5.0), t240);
-    let cylinder_omega_dot = (t174 * R::literal(2_777.777_777_777_778))
-        .sub_product(t28, t244)
-        .add_product(t29, t243)
-        .sub_product(R::literal(-2_777.777_777_777_778), t242)
-        .add_product(t30, t241);
-    let cylinder_v_y_dot = t222
-        .sub_product(R::literal(3.333_333_333_333_333_5), t243)
-        .add_product(t27, t241);
-    let cylinder_v_x_dot = t220
-        .sub_product(R::literal(3.333_333_333_333_333_5), t244)
-        .sub_product(t26, t241);
-    let plate_omega_dot = c
-        .t1
-        .sub_product(t22, t246)
-        .add_product(t23, t245)
-        .sub_product(t22, t244)
-        .add_product(t23, t243)
-        .add_product(t24, t238)
-        .sub_product(t25, t237);
-    let post_omega_dot = (t20 * t247)
-        .sub_product(t19, t248)
-        .sub_product(t19, t246)
-        .add_product(t20, t245)
-        .sub_product(t21, t235);
-    let t249 = t212 - t213;
-    let t250 = (-(t1 * t247))
-        .sub_product(t0, t248)
-        .sub_product(t0, t246)
-        .sub_product(t1, t245)
-        .sub_product(t249, t235);
-    let t251 = t183.sub_product(t0, post_omega_dot).sub_product(t19, t250);
-    let t252 = (-t182)
-        .sub_product(t1, post_omega_dot)
-        .add_product(t20, t250)
-        .sub_product(t43, t251);
-    let t253 = t251.sub_product(t45, t251).sub_product(t53, t252);
-    let t254 = t252.sub_product(t55, t252).sub_product(t62, t253);
-    let t255 = (-(t64 * t253)).sub_product(t76, t254);
-    let t256 = (-(t65 * t253)).sub_product(t78, t254).sub_product(t89, t255);
-    let t257 = (t91 * t255).sub_product(t102, t256);
-    let t258 = (-(t93 * t255)).sub_product(t104, t256).sub_product(t113, t257);
-    let t259 = (-(t114 * t257)).sub_product(t124, t258);
-    let t260 = (t115 * t257).sub_product(t126, t258).sub_product(t135, t259);
-    let t261 = (-(t68 * t253))
-        .sub_product(t81, t254)
-        .sub_product(t95, t255)
-        .sub_product(t106, t256)
-        .sub_product(t117, t257)
-        .sub_product(t128, t258)
-        .sub_product(t137, t259)
-        .sub_product(t144, t260);
-    let t262 = (t70 * t253)
-        .sub_product(t84, t254)
-        .sub_product(t97, t255)
-        .sub_product(t108, t256)
-        .sub_product(t119, t257)
-        .sub_product(t130, t258)
-        .sub_product(t139, t259)
-        .sub_product(t146, t260)
-        .sub_product(t151, t261);
-    let t263 = (t152 * t261).sub_product(t157, t262);
-    let t264 = (t15 * post_omega_squared)
-        .sub_product(t249, post_omega_dot)
-        .sub_product(t21, t250)
-        .add_product(t47, t251)
-        .sub_product(t57, t252)
-        .sub_product(t72, t253)
-        .sub_product(t86, t254)
-        .sub_product(t99, t255)
-        .sub_product(t110, t256)
-        .sub_product(t121, t257)
-        .sub_product(t132, t258)
-        .sub_product(t141, t259)
-        .sub_product(t148, t260)
-        .sub_product(t154, t261)
-        .sub_product(t159, t262)
-        .sub_product(t164, t263) * t165;
-    let t265 = (t263 * t162).sub_product(t164, t264);
-    let t266 = (t262 * t155).sub_product(t157, t265).sub_product(t159, t264);
-    let t267 = (t261 * t149)
-        .sub_product(t151, t266)
-        .add_product(t152, t265)
-        .sub_product(t154, t264);
-    let t268 = (t260 * t142)
-        .sub_product(t144, t267)
-        .sub_product(t146, t266)
-        .sub_product(t148, t264);
-    let t269 = (t259 * t133)
-        .sub_product(t135, t268)
-        .sub_product(t137, t267)
-        .sub_product(t139, t266)
-        .sub_product(t141, t264);
-    let t270 = (t258 * t122)
-        .sub_product(t124, t269)
-        .sub_product(t126, t268)
-        .sub_product(t128, t267)
-        .sub_product(t130, t266)
-        .sub_product(t132, t264);
-    let t271 = (t257 * t111)
-        .sub_product(t113, t270)
-        .sub_product(t114, t269)
-        .add_product(t115, t268)
-        .sub_product(t117, t267)
-        .sub_product(t119, t266)
-        .sub_product(t121, t264);
-    let t272 = (t256 * t100)
-        .sub_product(t102, t271)
-        .sub_product(t104, t270)
-        .sub_product(t106, t267)
-        .sub_product(t108, t266)
-        .sub_product(t110, t264);
-    let t273 = (t255 * t87)
-        .sub_product(t89, t272)
-        .add_product(t91, t271)
-        .sub_product(t93, t270)
-        .sub_product(t95, t267)
-        .sub_product(t97, t266)
-        .sub_product(t99, t264);
-    let t274 = (t254 * t74)
-        .sub_product(t76, t273)
-        .sub_product(t78, t272)
-        .sub_product(t81, t267)
-        .sub_product(t84, t266)
-        .sub_product(t86, t264);
-    let t275 = (t253 * t59)
-        .sub_product(t62, t274)
-        .sub_product(t64, t273)
-        .sub_product(t65, t272)
-        .sub_product(t68, t267)
-        .add_product(t70, t266)
-        .sub_product(t72, t264);
-    let t276 = (t252 * t51)
-        .sub_product(t53, t275)
-        .sub_product(t55, t274)
-        .sub_product(t57, t264);
-    let t277 = (t251 * t41)
-        .sub_product(t43, t276)
-        .sub_product(t45, t275)
-        .sub_product(t43, t274)
-        .add_product(t47, t264);
-    let drum_v_y_dot_by_post_phi = (t38 * t265)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t265,
-        );
-    let drum_v_x_dot_by_post_phi = (t37 * t265)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t265,
-        );
-    let bobbin_v_y_dot_by_post_phi = (-(t36 * t265))
-        .sub_product(c.inverse_bobbin_mass, t266);
-    let bobbin_v_x_dot_by_post_phi = (-(t35 * t265))
-        .sub_product(c.inverse_bobbin_mass, t267);
-    let rod_omega_dot_by_post_phi = (t33 * t269)
-        .sub_product(R::literal(4_166.666_666_666_667), t271)
-        .sub_product(t34, t268);
-    let rod_v_y_dot_by_post_phi = (-(R::literal(5.0) * t268)).sub_product(t32, t270);
-    let rod_v_x_dot_by_post_phi = (-(R::literal(5.0) * t269)).add_product(t31, t270);
-    let cylinder_omega_dot_by_post_phi = (t29 * t272)
-        .sub_product(t28, t273)
-        .sub_product(R::literal(-2_777.777_777_777_778), t271)
-        .add_product(t30, t270);
-    let cylinder_v_y_dot_by_post_phi = (t27 * t270)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t272);
-    let cylinder_v_x_dot_by_post_phi = (-(t26 * t270))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t273);
-    let plate_omega_dot_by_post_phi = (t23 * t274)
-        .sub_product(t22, t275)
-        .sub_product(t22, t273)
-        .add_product(t23, t272)
-        .add_product(t24, t267)
-        .sub_product(t25, t266);
-    let plate_v_y_dot_by_post_phi = (-(R::literal(-0.833_333_333_333_333_4) * t272))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t274)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t266);
-    let plate_v_x_dot_by_post_phi = (-(R::literal(-0.833_333_333_333_333_4) * t273))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t275)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t267);
-    let post_omega_dot_by_post_phi = (t250 * R::literal(370.370_370_370_370_3))
-        .sub_product(t19, t277)
-        .add_product(t20, t276)
-        .sub_product(t19, t275)
-        .add_product(t20, t274)
-        .sub_product(t21, t264);
-    let post_v_y_dot_by_post_phi = (-(R::literal(-1.25) * t274))
-        .sub_product(R::literal(1.25), t276);
-    let post_v_x_dot_by_post_phi = (-(R::literal(-1.25) * t275))
-        .sub_product(R::literal(1.25), t277);
-    let t278 = (-(t3 * t245))
-        .sub_product(t2, t246)
-        .sub_product(t2, t244)
-        .sub_product(t3, t243)
-        .sub_product(t17, t238)
-        .add_product(t16, t237);
-    let t279 = t186.sub_product(t2, plate_omega_dot).sub_product(t22, t278);
-    let t280 = (-t185).sub_product(t3, plate_omega_dot).add_product(t23, t278);
-    let t281 = t280.sub_product(t62, t279);
-    let t282 = t279.sub_product(t64, t279).sub_product(t76, t281);
-    let t283 = t280.sub_product(t65, t279).sub_product(t78, t281).sub_product(t89, t282);
-    let t284 = (t91 * t282).sub_product(t102, t283);
-    let t285 = (-(t93 * t282)).sub_product(t104, t283).sub_product(t113, t284);
-    let t286 = (-(t114 * t284)).sub_product(t124, t285);
-    let t287 = (t115 * t284).sub_product(t126, t285).sub_product(t135, t286);
-    let t288 = ((-t10 - t11) * plate_omega_squared)
-        .sub_product(t17, plate_omega_dot)
-        .add_product(t24, t278)
-        .sub_product(t68, t279)
-        .sub_product(t81, t281)
-        .sub_product(t95, t282)
-        .sub_product(t106, t283)
-        .sub_product(t117, t284)
-        .sub_product(t128, t285)
-        .sub_product(t137, t286)
-        .sub_product(t144, t287);
-    let t289 = t200
-        .add_product(t16, plate_omega_dot)
-        .sub_product(t25, t278)
-        .add_product(t70, t279)
-        .sub_product(t84, t281)
-        .sub_product(t97, t282)
-        .sub_product(t108, t283)
-        .sub_product(t119, t284)
-        .sub_product(t130, t285)
-        .sub_product(t139, t286)
-        .sub_product(t146, t287)
-        .sub_product(t151, t288);
-    let t290 = (t152 * t288).sub_product(t157, t289);
-    let t291 = (-(t72 * t279))
-        .sub_product(t86, t281)
-        .sub_product(t99, t282)
-        .sub_product(t110, t283)
-        .sub_product(t121, t284)
-        .sub_product(t132, t285)
-        .sub_product(t141, t286)
-        .sub_product(t148, t287)
-        .sub_product(t154, t288)
-        .sub_product(t159, t289)
-        .sub_product(t164, t290) * t165;
-    let t292 = (t290 * t162).sub_product(t164, t291);
-    let t293 = (t289 * t155).sub_product(t157, t292).sub_product(t159, t291);
-    let t294 = (t288 * t149)
-        .sub_product(t151, t293)
-        .add_product(t152, t292)
-        .sub_product(t154, t291);
-    let t295 = (t287 * t142)
-        .sub_product(t144, t294)
-        .sub_product(t146, t293)
-        .sub_product(t148, t291);
-    let t296 = (t286 * t133)
-        .sub_product(t135, t295)
-        .sub_product(t137, t294)
-        .sub_product(t139, t293)
-        .sub_product(t141, t291);
-    let t297 = (t285 * t122)
-        .sub_product(t124, t296)
-        .sub_product(t126, t295)
-        .sub_product(t128, t294)
-        .sub_product(t130, t293)
-        .sub_product(t132, t291);
-    let t298 = (t284 * t111)
-        .sub_product(t113, t297)
-        .sub_product(t114, t296)
-        .add_product(t115, t295)
-        .sub_product(t117, t294)
-        .sub_product(t119, t293)
-        .sub_product(t121, t291);
-    let t299 = (t283 * t100)
-        .sub_product(t102, t298)
-        .sub_product(t104, t297)
-        .sub_product(t106, t294)
-        .sub_product(t108, t293)
-        .sub_product(t110, t291);
-    let t300 = (t282 * t87)
-        .sub_product(t89, t299)
-        .add_product(t91, t298)
-        .sub_product(t93, t297)
-        .sub_product(t95, t294)
-        .sub_product(t97, t293)
-        .sub_product(t99, t291);
-    let t301 = (t281 * t74)
-        .sub_product(t76, t300)
-        .sub_product(t78, t299)
-        .sub_product(t81, t294)
-        .sub_product(t84, t293)
-        .sub_product(t86, t291);
-    let t302 = (t279 * t59)
-        .sub_product(t62, t301)
-        .sub_product(t64, t300)
-        .sub_product(t65, t299)
-        .sub_product(t68, t294)
-        .add_product(t70, t293)
-        .sub_product(t72, t291);
-    let t303 = (-(t55 * t301)).sub_product(t53, t302).sub_product(t57, t291);
-    let t304 = (-(t45 * t302))
-        .sub_product(t43, t303)
-        .sub_product(t43, t301)
-        .add_product(t47, t291);
-    let drum_v_y_dot_by_plate_phi = (t38 * t292)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t292,
-        );
-    let drum_v_x_dot_by_plate_phi = (t37 * t292)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t292,
-        );
-    let bobbin_v_y_dot_by_plate_phi = (-(t36 * t292))
-        .sub_product(c.inverse_bobbin_mass, t293);
-    let bobbin_v_x_dot_by_plate_phi = (-(t35 * t292))
-        .sub_product(c.inverse_bobbin_mass, t294);
-    let rod_omega_dot_by_plate_phi = (t33 * t296)
-        .sub_product(R::literal(4_166.666_666_666_667), t298)
-        .sub_product(t34, t295);
-    let rod_v_y_dot_by_plate_phi = (-(R::literal(5.0) * t295)).sub_product(t32, t297);
-    let rod_v_x_dot_by_plate_phi = (-(R::literal(5.0) * t296)).add_product(t31, t297);
-    let cylinder_omega_dot_by_plate_phi = (t29 * t299)
-        .sub_product(t28, t300)
-        .sub_product(R::literal(-2_777.777_777_777_778), t298)
-        .add_product(t30, t297);
-    let cylinder_v_y_dot_by_plate_phi = (t27 * t297)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t299);
-    let cylinder_v_x_dot_by_plate_phi = (-(t26 * t297))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t300);
-    let plate_omega_dot_by_plate_phi = (t278 * R::literal(400.0))
-        .sub_product(t22, t302)
-        .add_product(t23, t301)
-        .sub_product(t22, t300)
-        .add_product(t23, t299)
-        .add_product(t24, t294)
-        .sub_product(t25, t293);
-    let plate_v_y_dot_by_plate_phi = (-(R::literal(-0.833_333_333_333_333_4) * t299))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t301)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t293);
-    let plate_v_x_dot_by_plate_phi = (-(R::literal(-0.833_333_333_333_333_4) * t300))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t302)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t294);
-    let post_omega_dot_by_plate_phi = (t20 * t303)
-        .sub_product(t19, t304)
-        .sub_product(t19, t302)
-        .add_product(t20, t301)
-        .sub_product(t21, t291);
-    let post_v_y_dot_by_plate_phi = (-(R::literal(-1.25) * t301))
-        .sub_product(R::literal(1.25), t303);
-    let post_v_x_dot_by_plate_phi = (-(R::literal(-1.25) * t302))
-        .sub_product(R::literal(1.25), t304);
-    let t305 = p.spring_stiffness * cos_cylinder_phi;
-    let t306 = R::literal(50.0) * cylinder_omega;
+    let t203 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t204 = (bobbin_v_x * (bobbin_v_x_over_between + t197 + t198 - t194 - t196
+        - drum_v_x_over_between)).add_product(bobbin_v_y, bobbin_v_y_over_between + t202 + t203
+        - t200 - t201 - drum_v_y_over_between).add_product(drum_v_x, t194 + t196
+        + drum_v_x_over_between - bobbin_v_x_over_between - t197 - t198).add_product(drum_v_y, t200
+        + t201 + drum_v_y_over_between - bobbin_v_y_over_between - t202 - t203);
+    let t205 = (R::literal(0.044) * cos_post_phi).sub_product(R::literal(0.143), sin_post_phi);
+    let t206 = t39 * t175;
+    let t207 = R::literal(9.81) - t176 - t206;
+    let t208 = t18 * c.bobbin_radius_times_winding_force;
+    let t209 = (t208 - (t178 + t175)).sub_product(t41, t175).sub_product(t49, t207);
+    let t210 = t19 * c.bobbin_radius_times_winding_force;
+    let t211 = (R::literal(9.81) - (t179 + t176 + R::literal(9.81)) - t210 - t206).sub_product(t51,
+        t207).sub_product(t58, t209);
+    let t212 = R::literal(3.333_333_333_333_333_5) * t165;
+    let t213 = (t208.sub_product(R::literal(0.06), t180.add_product(plate_omega_squared,
+        cos_plate_phi)) - t212).add_product(t24, t169).sub_product(t60, t209).sub_product(t72,
+        t211);
+    let t214 = R::literal(3.333_333_333_333_333_5) * t168;
+    let t215 = (-(R::literal(9.81).add_product(R::literal(0.06), t181
+        .add_product(plate_omega_squared, sin_plate_phi)) + t210 + t214).add_product(t25, t169)
+        .add_product(t61, t209).add_product(t74, t211)).add_product(t85, t213);
+    let t216 = R::literal(2_777.777_777_777_778) * t169;
+    let t217 = (-t216).add_product(t86, t213).sub_product(t97, t215);
+    let t218 = (cylinder_omega * (((t186 * cos_cylinder_phi).add_product(t187, sin_cylinder_phi)
+        + t188 + t189).sub_product(t182, cos_cylinder_phi).sub_product(t183, sin_cylinder_phi)
+        - t184 - t185)).sub_product(t22, t165).add_product(t23, t168).sub_product(t26, t169)
+        .sub_product(t27, t165).add_product(t28, t170).add_product(t88, t213).sub_product(t99, t215)
+        .sub_product(t108, t217);
+    let t219 = R::literal(5.0) * t165;
+    let t220 = (t191 + t219).sub_product(t109, t217).sub_product(t119, t218);
+    let t221 = R::literal(5.0) * t170;
+    let t222 = (t192 + t221).add_product(t110, t217).sub_product(t121, t218).add_product(t130,
+        t220);
+    let t223 = c.inverse_bobbin_mass * t171;
+    let t224 = (t193.sub_product(t20, c.bobbin_radius_times_winding_force) + t223).sub_product(t64,
+        t209).add_product(t77, t211).add_product(t90, t213).sub_product(t101, t215)
+        .sub_product(t112, t217).sub_product(t123, t218).sub_product(t132, t220).sub_product(t139,
+        t222);
+    let t225 = c.inverse_bobbin_mass * t173;
+    let t226 = (R::literal(-9.81).add_product((R::literal(0.01) * sin_plate_phi)
+        .add_product(R::literal(0.1), cos_plate_phi), plate_omega_squared).add_product(t21,
+        c.bobbin_radius_times_winding_force) - t225).add_product(t66, t209).sub_product(t80, t211)
+        .add_product(t92, t213).sub_product(t103, t215).sub_product(t114, t217).sub_product(t125,
+        t218).sub_product(t134, t220).sub_product(t141, t222).sub_product(t146, t224);
+    let t227 = R::literal(9.809_999_999_999_999) * bobbin_y_minus_drum_y_over_between;
+    let t228 = ((-t204).add_product(t31, t171).sub_product(t32, t173) - t227).add_product(t147,
+        t224).sub_product(t152, t226) + t227;
+    let t229 = (-(t205 * post_omega_squared)).add_product(t43, t175).sub_product(t53, t207)
+        .add_product(t68, t209).sub_product(t82, t211).add_product(t94, t213).sub_product(t105,
+        t215).sub_product(t116, t217).sub_product(t127, t218).sub_product(t136, t220)
+        .sub_product(t143, t222).sub_product(t149, t224).sub_product(t154, t226).sub_product(t159,
+        t228) * t160;
+    let t230 = (t228 * t157).sub_product(t159, t229);
+    let t231 = (t226 * t150).sub_product(t152, t230).sub_product(t154, t229);
+    let t232 = (t224 * t144).sub_product(t146, t231).add_product(t147, t230).sub_product(t149,
+        t229);
+    let t233 = (t222 * t137).sub_product(t139, t232).sub_product(t141, t231).sub_product(t143,
+        t229);
+    let t234 = (-(t220 * t128)).add_product(t130, t233).sub_product(t132, t232).sub_product(t134,
+        t231).sub_product(t136, t229);
+    let t235 = (t218 * t117).sub_product(t119, t234).sub_product(t121, t233).sub_product(t123, t232)
+        .sub_product(t125, t231).sub_product(t127, t229);
+    let t236 = (t217 * t106).sub_product(t108, t235).sub_product(t109, t234).add_product(t110, t233)
+        .sub_product(t112, t232).sub_product(t114, t231).sub_product(t116, t229);
+    let t237 = (t215 * t95).sub_product(t97, t236).sub_product(t99, t235).sub_product(t101, t232)
+        .sub_product(t103, t231).sub_product(t105, t229);
+    let t238 = (-(t213 * t83)).add_product(t85, t237).add_product(t86, t236).add_product(t88, t235)
+        .add_product(t90, t232).add_product(t92, t231).add_product(t94, t229);
+    let t239 = (t211 * t70).sub_product(t72, t238).sub_product(t74, t237).add_product(t77, t232)
+        .sub_product(t80, t231).sub_product(t82, t229);
+    let t240 = (t209 * t55).sub_product(t58, t239).sub_product(t60, t238).sub_product(t61, t237)
+        .sub_product(t64, t232).add_product(t66, t231).add_product(t68, t229);
+    let t241 = (t207 * t47).sub_product(t49, t240).sub_product(t51, t239).sub_product(t53, t229);
+    let t242 = (t175 * t37).add_product(t39, t241).add_product(t41, t240).add_product(t39, t239)
+        .sub_product(t43, t229);
+    let drum_v_y_dot = (-R::literal(9.809_999_999_999_999)
+        .add_product(R::literal(0.666_666_666_666_666_6), R::literal(-14.714_999_999_999_998)
+        .add_product(bobbin_y_minus_drum_y_over_between, t230))).add_product(t34, t230);
+    let drum_v_x_dot = (t33 * t230).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_x_minus_drum_x_over_between * t230);
+    let bobbin_v_y_dot = t225.sub_product(c.inverse_bobbin_mass, t231).sub_product(t32, t230);
+    let t243 = t223.add_product(c.inverse_bobbin_mass, t232).add_product(t31, t230);
+    let rod_omega_dot = (t29 * t234).sub_product(R::literal(4_166.666_666_666_667), t236)
+        .sub_product(t30, t233);
+    let rod_v_x_dot = (-t219).add_product(t27, t235).sub_product(R::literal(5.0), t234);
+    let cylinder_omega_dot = (-t216.add_product(t24, t238)).add_product(t25, t237)
+        .add_product(R::literal(2_777.777_777_777_778), t236).add_product(t26, t235);
+    let cylinder_v_y_dot = t214.sub_product(R::literal(3.333_333_333_333_333_5), t237)
+        .add_product(t23, t235);
+    let cylinder_v_x_dot = t212.sub_product(R::literal(3.333_333_333_333_333_5), t238)
+        .sub_product(t22, t235);
+    let plate_omega_dot = (-c.t1.add_product(t18, t240)).add_product(t19, t239).sub_product(t18,
+        t238).add_product(t19, t237).add_product(t20, t232).sub_product(t21, t231);
+    let post_omega_dot = (t16 * t241).sub_product(t15, t242).sub_product(t15, t240)
+        .add_product(t16, t239).sub_product(t17, t229);
+    let t244 = (t1 * t241).add_product(t0, t242).add_product(t0, t240).add_product(t1, t239)
+        .add_product(t205, t229);
+    let t245 = t176.sub_product(t0, post_omega_dot).add_product(t15, t244);
+    let t246 = (-t175.add_product(t1, post_omega_dot).add_product(t16, t244)).add_product(t39,
+        t245);
+    let t247 = t245.add_product(t41, t245).sub_product(t49, t246);
+    let t248 = t246.sub_product(t51, t246).sub_product(t58, t247);
+    let t249 = (t60 * t247).add_product(t72, t248);
+    let t250 = (t61 * t247).add_product(t74, t248).add_product(t85, t249);
+    let t251 = (-(t86 * t249)).add_product(t97, t250);
+    let t252 = (-(t88 * t249)).add_product(t99, t250).sub_product(t108, t251);
+    let t253 = (t109 * t251).add_product(t119, t252);
+    let t254 = (t110 * t251).sub_product(t121, t252).sub_product(t130, t253);
+    let t255 = (-(t64 * t247)).add_product(t77, t248).sub_product(t90, t249).add_product(t101, t250)
+        .sub_product(t112, t251).sub_product(t123, t252).add_product(t132, t253).sub_product(t139,
+        t254);
+    let t256 = (t66 * t247).sub_product(t80, t248).sub_product(t92, t249).add_product(t103, t250)
+        .sub_product(t114, t251).sub_product(t125, t252).add_product(t134, t253).sub_product(t141,
+        t254).sub_product(t146, t255);
+    let t257 = (t147 * t255).sub_product(t152, t256);
+    let t258 = (t11 * post_omega_squared).sub_product(t205, post_omega_dot).add_product(t17, t244)
+        .sub_product(t43, t245).sub_product(t53, t246).add_product(t68, t247).sub_product(t82, t248)
+        .sub_product(t94, t249).add_product(t105, t250).sub_product(t116, t251).sub_product(t127,
+        t252).add_product(t136, t253).sub_product(t143, t254).sub_product(t149, t255)
+        .sub_product(t154, t256).sub_product(t159, t257) * t160;
+    let t259 = (t257 * t157).sub_product(t159, t258);
+    let t260 = (t256 * t150).sub_product(t152, t259).sub_product(t154, t258);
+    let t261 = (t255 * t144).sub_product(t146, t260).add_product(t147, t259).sub_product(t149,
+        t258);
+    let t262 = (t254 * t137).sub_product(t139, t261).sub_product(t141, t260).sub_product(t143,
+        t258);
+    let t263 = (t253 * t128).add_product(t130, t262).sub_product(t132, t261).sub_product(t134, t260)
+        .sub_product(t136, t258);
+    let t264 = (t252 * t117).sub_product(t119, t263).sub_product(t121, t262).sub_product(t123, t261)
+        .sub_product(t125, t260).sub_product(t127, t258);
+    let t265 = (t251 * t106).sub_product(t108, t264).sub_product(t109, t263).add_product(t110, t262)
+        .sub_product(t112, t261).sub_product(t114, t260).sub_product(t116, t258);
+    let t266 = (t250 * t95).add_product(t97, t265).add_product(t99, t264).add_product(t101, t261)
+        .add_product(t103, t260).add_product(t105, t258);
+    let t267 = (t249 * t83).sub_product(t85, t266).add_product(t86, t265).add_product(t88, t264)
+        .add_product(t90, t261).add_product(t92, t260).add_product(t94, t258);
+    let t268 = (t248 * t70).sub_product(t72, t267).add_product(t74, t266).add_product(t77, t261)
+        .sub_product(t80, t260).sub_product(t82, t258);
+    let t269 = (t247 * t55).sub_product(t58, t268).sub_product(t60, t267).add_product(t61, t266)
+        .sub_product(t64, t261).add_product(t66, t260).add_product(t68, t258);
+    let t270 = (t246 * t47).sub_product(t49, t269).sub_product(t51, t268).sub_product(t53, t258);
+    let t271 = (-(t245 * t37)).add_product(t39, t270).add_product(t41, t269).add_product(t39, t268)
+        .sub_product(t43, t258);
+    let drum_v_y_dot_by_post_phi = (t34 * t259).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_y_minus_drum_y_over_between * t259);
+    let drum_v_x_dot_by_post_phi = (t33 * t259).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_x_minus_drum_x_over_between * t259);
+    let bobbin_v_y_dot_by_post_phi = -(t32 * t259).add_product(c.inverse_bobbin_mass, t260);
+    let bobbin_v_x_dot_by_post_phi = -(t31 * t259).add_product(c.inverse_bobbin_mass, t261);
+    let rod_omega_dot_by_post_phi = (t29 * t263).sub_product(R::literal(4_166.666_666_666_667),
+        t265).sub_product(t30, t262);
+    let rod_v_y_dot_by_post_phi = -(R::literal(5.0) * t262).add_product(t28, t264);
+    let rod_v_x_dot_by_post_phi = (R::literal(-5.0) * t263).add_product(t27, t264);
+    let cylinder_omega_dot_by_post_phi = (-(t25 * t266).add_product(t24, t267))
+        .add_product(R::literal(2_777.777_777_777_778), t265).add_product(t26, t264);
+    let cylinder_v_y_dot_by_post_phi = (t23 * t264)
+        .add_product(R::literal(3.333_333_333_333_333_5), t266);
+    let cylinder_v_x_dot_by_post_phi = -(t22 * t264)
+        .add_product(R::literal(3.333_333_333_333_333_5), t267);
+    let plate_omega_dot_by_post_phi = (t19 * t268).sub_product(t18, t269).sub_product(t18, t267)
+        .sub_product(t19, t266).add_product(t20, t261).sub_product(t21, t260);
+    let plate_v_y_dot_by_post_phi = (-(R::literal(0.833_333_333_333_333_4) * t266)
+        .add_product(R::literal(0.833_333_333_333_333_4), t268))
+        .add_product(R::literal(0.833_333_333_333_333_4), t260);
+    let plate_v_x_dot_by_post_phi = (R::literal(0.833_333_333_333_333_4) * t267)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t269)
+        .add_product(R::literal(0.833_333_333_333_333_4), t261);
+    let post_omega_dot_by_post_phi = (-(t244 * R::literal(370.370_370_370_370_3)).add_product(t15,
+        t271)).add_product(t16, t270).sub_product(t15, t269).add_product(t16, t268)
+        .sub_product(t17, t258);
+    let post_v_y_dot_by_post_phi = (R::literal(1.25) * t268).sub_product(R::literal(1.25), t270);
+    let post_v_x_dot_by_post_phi = (R::literal(1.25) * t269).sub_product(R::literal(1.25), t271);
+    let t272 = R::literal(0.01) * cos_plate_phi.sub_product(R::literal(10.0), sin_plate_phi);
+    let t273 = (-(t3 * t239).add_product(t2, t240).add_product(t2, t238).add_product(t3, t237))
+        .add_product(t272, t232).add_product(t13, t231);
+    let t274 = t179.sub_product(t2, plate_omega_dot).sub_product(t18, t273);
+    let t275 = (-t178.add_product(t3, plate_omega_dot)).add_product(t19, t273);
+    let t276 = t275.sub_product(t58, t274);
+    let t277 = t274.sub_product(t60, t274).sub_product(t72, t276);
+    let t278 = t275.sub_product(t61, t274).sub_product(t74, t276).add_product(t85, t277);
+    let t279 = (t86 * t277).sub_product(t97, t278);
+    let t280 = (t88 * t277).sub_product(t99, t278).sub_product(t108, t279);
+    let t281 = (t109 * t279).add_product(t119, t280);
+    let t282 = (t110 * t279).sub_product(t121, t280).sub_product(t130, t281);
+    let t283 = (-(t13 * plate_omega_squared)).add_product(t272, plate_omega_dot).add_product(t20,
+        t273).sub_product(t64, t274).add_product(t77, t276).add_product(t90, t277)
+        .sub_product(t101, t278).sub_product(t112, t279).sub_product(t123, t280).add_product(t132,
+        t281).sub_product(t139, t282);
+    let t284 = t193.add_product(t13, plate_omega_dot).sub_product(t21, t273).add_product(t66, t274)
+        .sub_product(t80, t276).add_product(t92, t277).sub_product(t103, t278).sub_product(t114,
+        t279).sub_product(t125, t280).add_product(t134, t281).sub_product(t141, t282)
+        .sub_product(t146, t283);
+    let t285 = (t147 * t283).sub_product(t152, t284);
+    let t286 = (t68 * t274).sub_product(t82, t276).add_product(t94, t277).sub_product(t105, t278)
+        .sub_product(t116, t279).sub_product(t127, t280).add_product(t136, t281).sub_product(t143,
+        t282).sub_product(t149, t283).sub_product(t154, t284).sub_product(t159, t285) * t160;
+    let t287 = (t285 * t157).sub_product(t159, t286);
+    let t288 = (t284 * t150).sub_product(t152, t287).sub_product(t154, t286);
+    let t289 = (t283 * t144).sub_product(t146, t288).add_product(t147, t287).sub_product(t149,
+        t286);
+    let t290 = (t282 * t137).sub_product(t139, t289).sub_product(t141, t288).sub_product(t143,
+        t286);
+    let t291 = (t281 * t128).add_product(t130, t290).sub_product(t132, t289).sub_product(t134, t288)
+        .sub_product(t136, t286);
+    let t292 = (t280 * t117).sub_product(t119, t291).sub_product(t121, t290).sub_product(t123, t289)
+        .sub_product(t125, t288).sub_product(t127, t286);
+    let t293 = (t279 * t106).sub_product(t108, t292).sub_product(t109, t291).add_product(t110, t290)
+        .sub_product(t112, t289).sub_product(t114, t288).sub_product(t116, t286);
+    let t294 = (t278 * t95).sub_product(t97, t293).sub_product(t99, t292).sub_product(t101, t289)
+        .sub_product(t103, t288).sub_product(t105, t286);
+    let t295 = (-(t277 * t83)).add_product(t85, t294).add_product(t86, t293).add_product(t88, t292)
+        .add_product(t90, t289).add_product(t92, t288).add_product(t94, t286);
+    let t296 = (t276 * t70).sub_product(t72, t295).sub_product(t74, t294).add_product(t77, t289)
+        .sub_product(t80, t288).sub_product(t82, t286);
+    let t297 = (t274 * t55).sub_product(t58, t296).sub_product(t60, t295).sub_product(t61, t294)
+        .sub_product(t64, t289).add_product(t66, t288).add_product(t68, t286);
+    let t298 = (t51 * t296).add_product(t49, t297).add_product(t53, t286);
+    let t299 = (t41 * t297).sub_product(t39, t298).add_product(t39, t296).sub_product(t43, t286);
+    let drum_v_y_dot_by_plate_phi = (t34 * t287).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_y_minus_drum_y_over_between * t287);
+    let drum_v_x_dot_by_plate_phi = (t33 * t287).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_x_minus_drum_x_over_between * t287);
+    let bobbin_v_y_dot_by_plate_phi = -(t32 * t287).add_product(c.inverse_bobbin_mass, t288);
+    let bobbin_v_x_dot_by_plate_phi = -(t31 * t287).add_product(c.inverse_bobbin_mass, t289);
+    let rod_omega_dot_by_plate_phi = (t29 * t291).sub_product(R::literal(4_166.666_666_666_667),
+        t293).sub_product(t30, t290);
+    let rod_v_y_dot_by_plate_phi = -(R::literal(5.0) * t290).add_product(t28, t292);
+    let rod_v_x_dot_by_plate_phi = (R::literal(-5.0) * t291).add_product(t27, t292);
+    let cylinder_omega_dot_by_plate_phi = (t25 * t294).sub_product(t24, t295)
+        .add_product(R::literal(2_777.777_777_777_778), t293).add_product(t26, t292);
+    let cylinder_v_y_dot_by_plate_phi = (t23 * t292)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t294);
+    let cylinder_v_x_dot_by_plate_phi = -(t22 * t292)
+        .add_product(R::literal(3.333_333_333_333_333_5), t295);
+    let plate_omega_dot_by_plate_phi = (t273 * R::literal(400.0)).sub_product(t18, t297)
+        .add_product(t19, t296).sub_product(t18, t295).add_product(t19, t294).add_product(t20, t289)
+        .sub_product(t21, t288);
+    let plate_v_y_dot_by_plate_phi = (R::literal(0.833_333_333_333_333_4) * t294)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t296)
+        .add_product(R::literal(0.833_333_333_333_333_4), t288);
+    let plate_v_x_dot_by_plate_phi = (R::literal(0.833_333_333_333_333_4) * t295)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t297)
+        .add_product(R::literal(0.833_333_333_333_333_4), t289);
+    let post_omega_dot_by_plate_phi = (-(t16 * t298).add_product(t15, t299).add_product(t15, t297))
+        .add_product(t16, t296).sub_product(t17, t286);
+    let post_v_y_dot_by_plate_phi = (R::literal(1.25) * t296).add_product(R::literal(1.25), t298);
+    let post_v_x_dot_by_plate_phi = (R::literal(1.25) * t297).sub_product(R::literal(1.25), t299);
+    let t300 = p.spring_stiffness * cos_cylinder_phi;
+    let t301 = R::literal(50.0) * cylinder_omega;
+    let t302 = t301 * sin_cylinder_phi;
+    let t303 = t302 - t300;
+    let t304 = t303 * cos_cylinder_phi;
+    let t305 = t303 * sin_cylinder_phi;
+    let t306 = t301 * t10;
     let t307 = t306 * sin_cylinder_phi;
-    let t308 = t307 - t305;
+    let t308 = p.spring_stiffness * t10;
     let t309 = t308 * cos_cylinder_phi;
-    let t310 = t308 * sin_cylinder_phi;
-    let t311 = t306 * t14;
-    let t312 = t311 * sin_cylinder_phi;
-    let t313 = p.spring_stiffness * t14;
-    let t314 = t313 * cos_cylinder_phi;
-    let t315 = t305 - t307;
-    let t316 = t315 * cos_cylinder_phi;
-    let t317 = t315 * sin_cylinder_phi;
-    let t318 = cos_cylinder_phi * t241;
-    let t319 = t314 - t312 - t172 - t171 - t318;
-    let t320 = cos_cylinder_phi * cylinder_omega_dot;
-    let t321 = R::literal(3.333_333_333_333_333_5) * t309;
-    let t322 = (-t321).sub_product(t28, t319);
-    let t323 = R::literal(3.333_333_333_333_333_5) * t310;
-    let t324 = (-t323).add_product(t29, t319).sub_product(t89, t322);
-    let t325 = (-(R::literal(-2_777.777_777_777_778) * t319))
-        .add_product(t91, t322)
-        .sub_product(t102, t324);
-    let t326 = (t188 - t320)
-        .sub_product(t26, t309)
-        .add_product(t27, t310)
-        .add_product(t30, t319)
-        .add_product(t31, t316)
-        .sub_product(t32, t317)
-        .sub_product(t93, t322)
-        .sub_product(t104, t324)
-        .sub_product(t113, t325);
-    let t327 = R::literal(5.0) * t316;
-    let t328 = (-t327).sub_product(t114, t325).sub_product(t124, t326);
-    let t329 = R::literal(5.0) * t317;
-    let t330 = (-t329)
-        .add_product(t115, t325)
-        .sub_product(t126, t326)
-        .sub_product(t135, t328);
-    let t331 = (-(t95 * t322))
-        .sub_product(t106, t324)
-        .sub_product(t117, t325)
-        .sub_product(t128, t326)
-        .sub_product(t137, t328)
-        .sub_product(t144, t330);
-    let t332 = (-(t97 * t322))
-        .sub_product(t108, t324)
-        .sub_product(t119, t325)
-        .sub_product(t130, t326)
-        .sub_product(t139, t328)
-        .sub_product(t146, t330)
-        .sub_product(t151, t331);
-    let t333 = (t152 * t331).sub_product(t157, t332);
-    let t334 = (-(t99 * t322))
-        .sub_product(t110, t324)
-        .sub_product(t121, t325)
-        .sub_product(t132, t326)
-        .sub_product(t141, t328)
-        .sub_product(t148, t330)
-        .sub_product(t154, t331)
-        .sub_product(t159, t332)
-        .sub_product(t164, t333) * t165;
-    let t335 = (t333 * t162).sub_product(t164, t334);
-    let t336 = (t332 * t155).sub_product(t157, t335).sub_product(t159, t334);
-    let t337 = (t331 * t149)
-        .sub_product(t151, t336)
-        .add_product(t152, t335)
-        .sub_product(t154, t334);
-    let t338 = (t330 * t142)
-        .sub_product(t144, t337)
-        .sub_product(t146, t336)
-        .sub_product(t148, t334);
-    let t339 = (t328 * t133)
-        .sub_product(t135, t338)
-        .sub_product(t137, t337)
-        .sub_product(t139, t336)
-        .sub_product(t141, t334);
-    let t340 = (t326 * t122)
-        .sub_product(t124, t339)
-        .sub_product(t126, t338)
-        .sub_product(t128, t337)
-        .sub_product(t130, t336)
-        .sub_product(t132, t334);
-    let t341 = (t325 * t111)
-        .sub_product(t113, t340)
-        .sub_product(t114, t339)
-        .add_product(t115, t338)
-        .sub_product(t117, t337)
-        .sub_product(t119, t336)
-        .sub_product(t121, t334);
-    let t342 = (t324 * t100)
-        .sub_product(t102, t341)
-        .sub_product(t104, t340)
-        .sub_product(t106, t337)
-        .sub_product(t108, t336)
-        .sub_product(t110, t334);
-    let t343 = (t322 * t87)
-        .sub_product(t89, t342)
-        .add_product(t91, t341)
-        .sub_product(t93, t340)
-        .sub_product(t95, t337)
-        .sub_product(t97, t336)
-        .sub_product(t99, t334);
-    let t344 = (-(t78 * t342))
-        .sub_product(t76, t343)
-        .sub_product(t81, t337)
-        .sub_product(t84, t336)
-        .sub_product(t86, t334);
-    let t345 = (-(t64 * t343))
-        .sub_product(t62, t344)
-        .sub_product(t65, t342)
-        .sub_product(t68, t337)
-        .add_product(t70, t336)
-        .sub_product(t72, t334);
-    let t346 = (-(t55 * t344)).sub_product(t53, t345).sub_product(t57, t334);
-    let t347 = (-(t45 * t345))
-        .sub_product(t43, t346)
-        .sub_product(t43, t344)
-        .add_product(t47, t334);
-    let drum_v_y_dot_by_cylinder_x = (t38 * t335)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t335,
-        );
-    let drum_v_x_dot_by_cylinder_x = (t37 * t335)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t335,
-        );
-    let bobbin_v_y_dot_by_cylinder_x = (-(t36 * t335))
-        .sub_product(c.inverse_bobbin_mass, t336);
-    let bobbin_v_x_dot_by_cylinder_x = (-(t35 * t335))
-        .sub_product(c.inverse_bobbin_mass, t337);
-    let rod_omega_dot_by_cylinder_x = (t33 * t339)
-        .sub_product(R::literal(4_166.666_666_666_667), t341)
-        .sub_product(t34, t338);
-    let rod_v_y_dot_by_cylinder_x = t329
-        .sub_product(t32, t340)
-        .sub_product(R::literal(5.0), t338);
-    let rod_v_x_dot_by_cylinder_x = t327
-        .add_product(t31, t340)
-        .sub_product(R::literal(5.0), t339);
-    let cylinder_omega_dot_by_cylinder_x = (t319 * R::literal(2_777.777_777_777_778))
-        .sub_product(t28, t343)
-        .add_product(t29, t342)
-        .sub_product(R::literal(-2_777.777_777_777_778), t341)
-        .add_product(t30, t340);
-    let cylinder_v_y_dot_by_cylinder_x = t323
-        .sub_product(R::literal(3.333_333_333_333_333_5), t342)
-        .add_product(t27, t340);
-    let cylinder_v_x_dot_by_cylinder_x = t321
-        .sub_product(R::literal(3.333_333_333_333_333_5), t343)
-        .sub_product(t26, t340);
-    let plate_omega_dot_by_cylinder_x = (t23 * t344)
-        .sub_product(t22, t345)
-        .sub_product(t22, t343)
-        .add_product(t23, t342)
-        .add_product(t24, t337)
-        .sub_product(t25, t336);
-    let plate_v_y_dot_by_cylinder_x = (-(R::literal(-0.833_333_333_333_333_4) * t342))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t344)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t336);
-    let plate_v_x_dot_by_cylinder_x = (-(R::literal(-0.833_333_333_333_333_4) * t343))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t345)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t337);
-    let post_omega_dot_by_cylinder_x = (t20 * t346)
-        .sub_product(t19, t347)
-        .sub_product(t19, t345)
-        .add_product(t20, t344)
-        .sub_product(t21, t334);
-    let post_v_y_dot_by_cylinder_x = (-(R::literal(-1.25) * t344))
-        .sub_product(R::literal(1.25), t346);
-    let post_v_x_dot_by_cylinder_x = (-(R::literal(-1.25) * t345))
-        .sub_product(R::literal(1.25), t347);
-    let t348 = t306 * cos_cylinder_phi;
-    let t349 = p.spring_stiffness * sin_cylinder_phi;
-    let t350 = -t348 - t349;
-    let t351 = t350 * cos_cylinder_phi;
-    let t352 = t350 * sin_cylinder_phi;
-    let t353 = t311 * cos_cylinder_phi;
-    let t354 = t313 * sin_cylinder_phi;
-    let t355 = t348 + t349;
-    let t356 = t355 * cos_cylinder_phi;
-    let t357 = t355 * sin_cylinder_phi;
-    let t358 = sin_cylinder_phi * t241;
-    let t359 = t353 + t167 + t169 + t354 - t358;
-    let t360 = sin_cylinder_phi * cylinder_omega_dot;
-    let t361 = R::literal(3.333_333_333_333_333_5) * t351;
-    let t362 = (-t361).sub_product(t28, t359);
-    let t363 = R::literal(3.333_333_333_333_333_5) * t352;
-    let t364 = (-t363).add_product(t29, t359).sub_product(t89, t362);
-    let t365 = (-(R::literal(-2_777.777_777_777_778) * t359))
-        .add_product(t91, t362)
-        .sub_product(t102, t364);
-    let t366 = (-t187 - t360)
-        .sub_product(t26, t351)
-        .add_product(t27, t352)
-        .add_product(t30, t359)
-        .add_product(t31, t356)
-        .sub_product(t32, t357)
-        .sub_product(t93, t362)
-        .sub_product(t104, t364)
-        .sub_product(t113, t365);
-    let t367 = R::literal(5.0) * t356;
-    let t368 = (-t367).sub_product(t114, t365).sub_product(t124, t366);
-    let t369 = R::literal(5.0) * t357;
-    let t370 = (-t369)
-        .add_product(t115, t365)
-        .sub_product(t126, t366)
-        .sub_product(t135, t368);
-    let t371 = (-(t95 * t362))
-        .sub_product(t106, t364)
-        .sub_product(t117, t365)
-        .sub_product(t128, t366)
-        .sub_product(t137, t368)
-        .sub_product(t144, t370);
-    let t372 = (-(t97 * t362))
-        .sub_product(t108, t364)
-        .sub_product(t119, t365)
-        .sub_product(t130, t366)
-        .sub_product(t139, t368)
-        .sub_product(t146, t370)
-        .sub_product(t151, t371);
-    let t373 = (t152 * t371).sub_product(t157, t372);
-    let t374 = (-(t99 * t362))
-        .sub_product(t110, t364)
-        .sub_product(t121, t365)
-        .sub_product(t132, t366)
-        .sub_product(t141, t368)
-        .sub_product(t148, t370)
-        .sub_product(t154, t371)
-        .sub_product(t159, t372)
-        .sub_product(t164, t373) * t165;
-    let t375 = (t373 * t162).sub_product(t164, t374);
-    let t376 = (t372 * t155).sub_product(t157, t375).sub_product(t159, t374);
-    let t377 = (t371 * t149)
-        .sub_product(t151, t376)
-        .add_product(t152, t375)
-        .sub_product(t154, t374);
-    let t378 = (t370 * t142)
-        .sub_product(t144, t377)
-        .sub_product(t146, t376)
-        .sub_product(t148, t374);
-    let t379 = (t368 * t133)
-        .sub_product(t135, t378)
-        .sub_product(t137, t377)
-        .sub_product(t139, t376)
-        .sub_product(t141, t374);
-    let t380 = (t366 * t122)
-        .sub_product(t124, t379)
-        .sub_product(t126, t378)
-        .sub_product(t128, t377)
-        .sub_product(t130, t376)
-        .sub_product(t132, t374);
-    let t381 = (t365 * t111)
-        .sub_product(t113, t380)
-        .sub_product(t114, t379)
-        .add_product(t115, t378)
-        .sub_product(t117, t377)
-        .sub_product(t119, t376)
-        .sub_product(t121, t374);
-    let t382 = (t364 * t100)
-        .sub_product(t102, t381)
-        .sub_product(t104, t380)
-        .sub_product(t106, t377)
-        .sub_product(t108, t376)
-        .sub_product(t110, t374);
-    let t383 = (t362 * t87)
-        .sub_product(t89, t382)
-        .add_product(t91, t381)
-        .sub_product(t93, t380)
-        .sub_product(t95, t377)
-        .sub_product(t97, t376)
-        .sub_product(t99, t374);
-    let t384 = (-(t78 * t382))
-        .sub_product(t76, t383)
-        .sub_product(t81, t377)
-        .sub_product(t84, t376)
-        .sub_product(t86, t374);
-    let t385 = (-(t64 * t383))
-        .sub_product(t62, t384)
-        .sub_product(t65, t382)
-        .sub_product(t68, t377)
-        .add_product(t70, t376)
-        .sub_product(t72, t374);
-    let t386 = (-(t55 * t384)).sub_product(t53, t385).sub_product(t57, t374);
-    let t387 = (-(t45 * t385))
-        .sub_product(t43, t386)
-        .sub_product(t43, t384)
-        .add_product(t47, t374);
-    let drum_v_y_dot_by_cylinder_y = (t38 * t375)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t375,
-        );
-    let drum_v_x_dot_by_cylinder_y = (t37 * t375)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t375,
-        );
-    let bobbin_v_y_dot_by_cylinder_y = (-(t36 * t375))
-        .sub_product(c.inverse_bobbin_mass, t376);
-    let bobbin_v_x_dot_by_cylinder_y = (-(t35 * t375))
-        .sub_product(c.inverse_bobbin_mass, t377);
-    let rod_omega_dot_by_cylinder_y = (t33 * t379)
-        .sub_product(R::literal(4_166.666_666_666_667), t381)
-        .sub_product(t34, t378);
-    let rod_v_y_dot_by_cylinder_y = t369
-        .sub_product(t32, t380)
-        .sub_product(R::literal(5.0), t378);
-    let rod_v_x_dot_by_cylinder_y = t367
-        .add_product(t31, t380)
-        .sub_product(R::literal(5.0), t379);
-    let cylinder_omega_dot_by_cylinder_y = (t359 * R::literal(2_777.777_777_777_778))
-        .sub_product(t28, t383)
-        .add_product(t29, t382)
-        .sub_product(R::literal(-2_777.777_777_777_778), t381)
-        .add_product(t30, t380);
-    let cylinder_v_y_dot_by_cylinder_y = t363
-        .sub_product(R::literal(3.333_333_333_333_333_5), t382)
-        .add_product(t27, t380);
-    let cylinder_v_x_dot_by_cylinder_y = t361
-        .sub_product(R::literal(3.333_333_333_333_333_5), t383)
-        .sub_product(t26, t380);
-    let plate_omega_dot_by_cylinder_y = (t23 * t384)
-        .sub_product(t22, t385)
-        .sub_product(t22, t383)
-        .add_product(t23, t382)
-        .add_product(t24, t377)
-        .sub_product(t25, t376);
-    let plate_v_y_dot_by_cylinder_y = (-(R::literal(-0.833_333_333_333_333_4) * t382))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t384)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t376);
-    let plate_v_x_dot_by_cylinder_y = (-(R::literal(-0.833_333_333_333_333_4) * t383))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t385)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t377);
-    let post_omega_dot_by_cylinder_y = (t20 * t386)
-        .sub_product(t19, t387)
-        .sub_product(t19, t385)
-        .add_product(t20, t384)
-        .sub_product(t21, t374);
-    let post_v_y_dot_by_cylinder_y = (-(R::literal(-1.25) * t384))
-        .sub_product(R::literal(1.25), t386);
-    let post_v_x_dot_by_cylinder_y = (-(R::literal(-1.25) * t385))
-        .sub_product(R::literal(1.25), t387);
-    let t388 = R::literal(50.0)
-        * (rod_v_y_minus_cylinder_v_y * cos_cylinder_phi)
-            .sub_product(cylinder_omega, slide)
-            .sub_product(rod_v_x_minus_cylinder_v_x, sin_cylinder_phi);
-    let t389 = t388 * cos_cylinder_phi;
-    let t390 = t388 * sin_cylinder_phi;
-    let t391 = t14 * t14;
-    let t392 = R::literal(0.06) * cylinder_omega_squared;
-    let t393 = t389 + t314 - t172 - t171 - t318;
-    let t394 = t167 + t390 - (-t169 - t354) - t358;
-    let t395 = t12 - t13;
-    let t396 = (p.spring_stiffness * slide * slide_minus_spring_free_length)
-        .add_product(R::literal(50.0) * slide, slide_rate)
-        .sub_product(t388, t14)
-        .sub_product(p.spring_stiffness, t391)
-        .sub_product(t4, t244)
-        .sub_product(t5, t243)
-        .sub_product(t395, t241);
-    let t397 = t172 + t171 - t389 - t314 + t318;
-    let t398 = t175 - t390 - (t169 + t354) + t358;
-    let t399 = R::literal(3.333_333_333_333_333_5) * t393;
-    let t400 = ((t392 * sin_cylinder_phi).sub_product(t4, cylinder_omega_dot) - t399)
-        .sub_product(t28, t396);
-    let t401 = R::literal(3.333_333_333_333_333_5) * t394;
-    let t402 = ((-(t392 * cos_cylinder_phi)).sub_product(t5, cylinder_omega_dot) - t401)
-        .add_product(t29, t396)
-        .sub_product(t89, t400);
-    let t403 = (-(R::literal(-2_777.777_777_777_778) * t396))
-        .add_product(t91, t400)
-        .sub_product(t102, t402);
-    let t404 = (cylinder_omega
-        * (t189 * sin_cylinder_phi)
-            .add_product(t194, cos_cylinder_phi)
-            .add_product(cylinder_x_times_cylinder_omega, cos_cylinder_phi)
-            .add_product(cylinder_y_times_cylinder_omega, sin_cylinder_phi)
-            .sub_product(t190, cos_cylinder_phi)
-            .sub_product(t193, sin_cylinder_phi)
-            .sub_product(rod_x_times_cylinder_omega, cos_cylinder_phi)
-            .sub_product(rod_y_times_cylinder_omega, sin_cylinder_phi))
-        .sub_product(cos_cylinder_phi, cylinder_v_x_dot)
-        .sub_product(sin_cylinder_phi, cylinder_v_y_dot)
-        .sub_product(t395, cylinder_omega_dot)
-        .add_product(cos_cylinder_phi, rod_v_x_dot)
-        .add_product(sin_cylinder_phi, rod_v_y_dot)
-        .sub_product(t26, t393)
-        .add_product(t27, t394)
-        .add_product(t30, t396)
-        .add_product(t31, t397)
-        .sub_product(t32, t398)
-        .sub_product(t93, t400)
-        .sub_product(t104, t402)
-        .sub_product(t113, t403);
-    let t405 = R::literal(5.0) * t397;
-    let t406 = (-t405).sub_product(t114, t403).sub_product(t124, t404);
-    let t407 = R::literal(5.0) * t398;
-    let t408 = (-t407)
-        .add_product(t115, t403)
-        .sub_product(t126, t404)
-        .sub_product(t135, t406);
-    let t409 = (-(t95 * t400))
-        .sub_product(t106, t402)
-        .sub_product(t117, t403)
-        .sub_product(t128, t404)
-        .sub_product(t137, t406)
-        .sub_product(t144, t408);
-    let t410 = (-(t97 * t400))
-        .sub_product(t108, t402)
-        .sub_product(t119, t403)
-        .sub_product(t130, t404)
-        .sub_product(t139, t406)
-        .sub_product(t146, t408)
-        .sub_product(t151, t409);
-    let t411 = (t152 * t409).sub_product(t157, t410);
-    let t412 = (-(t99 * t400))
-        .sub_product(t110, t402)
-        .sub_product(t121, t403)
-        .sub_product(t132, t404)
-        .sub_product(t141, t406)
-        .sub_product(t148, t408)
-        .sub_product(t154, t409)
-        .sub_product(t159, t410)
-        .sub_product(t164, t411) * t165;
-    let t413 = (t411 * t162).sub_product(t164, t412);
-    let t414 = (t410 * t155).sub_product(t157, t413).sub_product(t159, t412);
-    let t415 = (t409 * t149)
-        .sub_product(t151, t414)
-        .add_product(t152, t413)
-        .sub_product(t154, t412);
-    let t416 = (t408 * t142)
-        .sub_product(t144, t415)
-        .sub_product(t146, t414)
-        .sub_product(t148, t412);
-    let t417 = (t406 * t133)
-        .sub_product(t135, t416)
-        .sub_product(t137, t415)
-        .sub_product(t139, t414)
-        .sub_product(t141, t412);
-    let t418 = (t404 * t122)
-        .sub_product(t124, t417)
-        .sub_product(t126, t416)
-        .sub_product(t128, t415)
-        .sub_product(t130, t414)
-        .sub_product(t132, t412);
-    let t419 = (t403 * t111)
-        .sub_product(t113, t418)
-        .sub_product(t114, t417)
-        .add_product(t115, t416)
-        .sub_product(t117, t415)
-        .sub_product(t119, t414)
-        .sub_product(t121, t412);
-    let t420 = (t402 * t100)
-        .sub_product(t102, t419)
-        .sub_product(t104, t418)
-        .sub_product(t106, t415)
-        .sub_product(t108, t414)
-        .sub_product(t110, t412);
-    let t421 = (t400 * t87)
-        .sub_product(t89, t420)
-        .add_product(t91, t419)
-        .sub_product(t93, t418)
-        .sub_product(t95, t415)
-        .sub_product(t97, t414)
-        .sub_product(t99, t412);
-    let t422 = (-(t78 * t420))
-        .sub_product(t76, t421)
-        .sub_product(t81, t415)
-        .sub_product(t84, t414)
-        .sub_product(t86, t412);
-    let t423 = (-(t64 * t421))
-        .sub_product(t62, t422)
-        .sub_product(t65, t420)
-        .sub_product(t68, t415)
-        .add_product(t70, t414)
-        .sub_product(t72, t412);
-    let t424 = (-(t55 * t422)).sub_product(t53, t423).sub_product(t57, t412);
-    let t425 = (-(t45 * t423))
-        .sub_product(t43, t424)
-        .sub_product(t43, t422)
-        .add_product(t47, t412);
-    let drum_v_y_dot_by_cylinder_phi = (t38 * t413)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t413,
-        );
-    let drum_v_x_dot_by_cylinder_phi = (t37 * t413)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t413,
-        );
-    let bobbin_v_y_dot_by_cylinder_phi = (-(t36 * t413))
-        .sub_product(c.inverse_bobbin_mass, t414);
-    let bobbin_v_x_dot_by_cylinder_phi = (-(t35 * t413))
-        .sub_product(c.inverse_bobbin_mass, t415);
-    let rod_omega_dot_by_cylinder_phi = (t33 * t417)
-        .sub_product(R::literal(4_166.666_666_666_667), t419)
-        .sub_product(t34, t416);
-    let rod_v_y_dot_by_cylinder_phi = t407
-        .sub_product(t32, t418)
-        .sub_product(R::literal(5.0), t416);
-    let rod_v_x_dot_by_cylinder_phi = t405
-        .add_product(t31, t418)
-        .sub_product(R::literal(5.0), t417);
-    let cylinder_omega_dot_by_cylinder_phi = (t396 * R::literal(2_777.777_777_777_778))
-        .sub_product(t28, t421)
-        .add_product(t29, t420)
-        .sub_product(R::literal(-2_777.777_777_777_778), t419)
-        .add_product(t30, t418);
-    let cylinder_v_y_dot_by_cylinder_phi = t401
-        .sub_product(R::literal(3.333_333_333_333_333_5), t420)
-        .add_product(t27, t418);
-    let cylinder_v_x_dot_by_cylinder_phi = t399
-        .sub_product(R::literal(3.333_333_333_333_333_5), t421)
-        .sub_product(t26, t418);
-    let plate_omega_dot_by_cylinder_phi = (t23 * t422)
-        .sub_product(t22, t423)
-        .sub_product(t22, t421)
-        .add_product(t23, t420)
-        .add_product(t24, t415)
-        .sub_product(t25, t414);
-    let plate_v_y_dot_by_cylinder_phi = (-(R::literal(-0.833_333_333_333_333_4) * t420))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t422)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t414);
-    let plate_v_x_dot_by_cylinder_phi = (-(R::literal(-0.833_333_333_333_333_4) * t421))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t423)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t415);
-    let post_omega_dot_by_cylinder_phi = (t20 * t424)
-        .sub_product(t19, t425)
-        .sub_product(t19, t423)
-        .add_product(t20, t422)
-        .sub_product(t21, t412);
-    let post_v_y_dot_by_cylinder_phi = (-(R::literal(-1.25) * t422))
-        .sub_product(R::literal(1.25), t424);
-    let post_v_x_dot_by_cylinder_phi = (-(R::literal(-1.25) * t423))
-        .sub_product(R::literal(1.25), t425);
-    let t426 = t312 + t172 + t171 - t314 + t318;
-    let t427 = R::literal(3.333_333_333_333_333_5) * t316;
-    let t428 = (-t427).sub_product(t28, t426);
-    let t429 = R::literal(3.333_333_333_333_333_5) * t317;
-    let t430 = (-t429).add_product(t29, t426).sub_product(t89, t428);
-    let t431 = (-(R::literal(-2_777.777_777_777_778) * t426))
-        .add_product(t91, t428)
-        .sub_product(t102, t430);
-    let t432 = (t320 - t188)
-        .sub_product(t26, t316)
-        .add_product(t27, t317)
-        .add_product(t30, t426)
-        .add_product(t31, t309)
-        .sub_product(t32, t310)
-        .sub_product(t93, t428)
-        .sub_product(t104, t430)
-        .sub_product(t113, t431);
-    let t433 = R::literal(5.0) * t309;
-    let t434 = (-t433).sub_product(t114, t431).sub_product(t124, t432);
-    let t435 = R::literal(5.0) * t310;
-    let t436 = (-t435)
-        .add_product(t115, t431)
-        .sub_product(t126, t432)
-        .sub_product(t135, t434);
-    let t437 = (-(t95 * t428))
-        .sub_product(t106, t430)
-        .sub_product(t117, t431)
-        .sub_product(t128, t432)
-        .sub_product(t137, t434)
-        .sub_product(t144, t436);
-    let t438 = (-(t97 * t428))
-        .sub_product(t108, t430)
-        .sub_product(t119, t431)
-        .sub_product(t130, t432)
-        .sub_product(t139, t434)
-        .sub_product(t146, t436)
-        .sub_product(t151, t437);
-    let t439 = (t152 * t437).sub_product(t157, t438);
-    let t440 = (-(t99 * t428))
-        .sub_product(t110, t430)
-        .sub_product(t121, t431)
-        .sub_product(t132, t432)
-        .sub_product(t141, t434)
-        .sub_product(t148, t436)
-        .sub_product(t154, t437)
-        .sub_product(t159, t438)
-        .sub_product(t164, t439) * t165;
-    let t441 = (t439 * t162).sub_product(t164, t440);
-    let t442 = (t438 * t155).sub_product(t157, t441).sub_product(t159, t440);
-    let t443 = (t437 * t149)
-        .sub_product(t151, t442)
-        .add_product(t152, t441)
-        .sub_product(t154, t440);
-    let t444 = (t436 * t142)
-        .sub_product(t144, t443)
-        .sub_product(t146, t442)
-        .sub_product(t148, t440);
-    let t445 = (t434 * t133)
-        .sub_product(t135, t444)
-        .sub_product(t137, t443)
-        .sub_product(t139, t442)
-        .sub_product(t141, t440);
-    let t446 = (t432 * t122)
-        .sub_product(t124, t445)
-        .sub_product(t126, t444)
-        .sub_product(t128, t443)
-        .sub_product(t130, t442)
-        .sub_product(t132, t440);
-    let t447 = (t431 * t111)
-        .sub_product(t113, t446)
-        .sub_product(t114, t445)
-        .add_product(t115, t444)
-        .sub_product(t117, t443)
-        .sub_product(t119, t442)
-        .sub_product(t121, t440);
-    let t448 = (t430 * t100)
-        .sub_product(t102, t447)
-        .sub_product(t104, t446)
-        .sub_product(t106, t443)
-        .sub_product(t108, t442)
-        .sub_product(t110, t440);
-    let t449 = (t428 * t87)
-        .sub_product(t89, t448)
-        .add_product(t91, t447)
-        .sub_product(t93, t446)
-        .sub_product(t95, t443)
-        .sub_product(t97, t442)
-        .sub_product(t99, t440);
-    let t450 = (-(t78 * t448))
-        .sub_product(t76, t449)
-        .sub_product(t81, t443)
-        .sub_product(t84, t442)
-        .sub_product(t86, t440);
-    let t451 = (-(t64 * t449))
-        .sub_product(t62, t450)
-        .sub_product(t65, t448)
-        .sub_product(t68, t443)
-        .add_product(t70, t442)
-        .sub_product(t72, t440);
-    let t452 = (-(t55 * t450)).sub_product(t53, t451).sub_product(t57, t440);
-    let t453 = (-(t45 * t451))
-        .sub_product(t43, t452)
-        .sub_product(t43, t450)
-        .add_product(t47, t440);
-    let drum_v_y_dot_by_rod_x = (t38 * t441)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t441,
-        );
-    let drum_v_x_dot_by_rod_x = (t37 * t441)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t441,
-        );
-    let bobbin_v_y_dot_by_rod_x = (-(t36 * t441))
-        .sub_product(c.inverse_bobbin_mass, t442);
-    let bobbin_v_x_dot_by_rod_x = (-(t35 * t441))
-        .sub_product(c.inverse_bobbin_mass, t443);
-    let rod_omega_dot_by_rod_x = (t33 * t445)
-        .sub_product(R::literal(4_166.666_666_666_667), t447)
-        .sub_product(t34, t444);
-    let rod_v_y_dot_by_rod_x = t435
-        .sub_product(t32, t446)
-        .sub_product(R::literal(5.0), t444);
-    let rod_v_x_dot_by_rod_x = t433
-        .add_product(t31, t446)
-        .sub_product(R::literal(5.0), t445);
-    let cylinder_omega_dot_by_rod_x = (t426 * R::literal(2_777.777_777_777_778))
-        .sub_product(t28, t449)
-        .add_product(t29, t448)
-        .sub_product(R::literal(-2_777.777_777_777_778), t447)
-        .add_product(t30, t446);
-    let cylinder_v_y_dot_by_rod_x = t429
-        .sub_product(R::literal(3.333_333_333_333_333_5), t448)
-        .add_product(t27, t446);
-    let cylinder_v_x_dot_by_rod_x = t427
-        .sub_product(R::literal(3.333_333_333_333_333_5), t449)
-        .sub_product(t26, t446);
-    let plate_omega_dot_by_rod_x = (t23 * t450)
-        .sub_product(t22, t451)
-        .sub_product(t22, t449)
-        .add_product(t23, t448)
-        .add_product(t24, t443)
-        .sub_product(t25, t442);
-    let plate_v_y_dot_by_rod_x = (-(R::literal(-0.833_333_333_333_333_4) * t448))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t450)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t442);
-    let plate_v_x_dot_by_rod_x = (-(R::literal(-0.833_333_333_333_333_4) * t449))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t451)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t443);
-    let post_omega_dot_by_rod_x = (t20 * t452)
-        .sub_product(t19, t453)
-        .sub_product(t19, t451)
-        .add_product(t20, t450)
-        .sub_product(t21, t440);
-    let post_v_y_dot_by_rod_x = (-(R::literal(-1.25) * t450))
-        .sub_product(R::literal(1.25), t452);
-    let post_v_x_dot_by_rod_x = (-(R::literal(-1.25) * t451))
-        .sub_product(R::literal(1.25), t453);
-    let t454 = -t353 - t167 - t169 - t354 + t358;
-    let t455 = R::literal(3.333_333_333_333_333_5) * t356;
-    let t456 = (-t455).sub_product(t28, t454);
-    let t457 = R::literal(3.333_333_333_333_333_5) * t357;
-    let t458 = (-t457).add_product(t29, t454).sub_product(t89, t456);
-    let t459 = (-(R::literal(-2_777.777_777_777_778) * t454))
-        .add_product(t91, t456)
-        .sub_product(t102, t458);
-    let t460 = (t187 + t360)
-        .sub_product(t26, t356)
-        .add_product(t27, t357)
-        .add_product(t30, t454)
-        .add_product(t31, t351)
-        .sub_product(t32, t352)
-        .sub_product(t93, t456)
-        .sub_product(t104, t458)
-        .sub_product(t113, t459);
-    let t461 = R::literal(5.0) * t351;
-    let t462 = (-t461).sub_product(t114, t459).sub_product(t124, t460);
-    let t463 = R::literal(5.0) * t352;
-    let t464 = (-t463)
-        .add_product(t115, t459)
-        .sub_product(t126, t460)
-        .sub_product(t135, t462);
-    let t465 = (-(t95 * t456))
-        .sub_product(t106, t458)
-        .sub_product(t117, t459)
-        .sub_product(t128, t460)
-        .sub_product(t137, t462)
-        .sub_product(t144, t464);
-    let t466 = (-(t97 * t456))
-        .sub_product(t108, t458)
-        .sub_product(t119, t459)
-        .sub_product(t130, t460)
-        .sub_product(t139, t462)
-        .sub_product(t146, t464)
-        .sub_product(t151, t465);
-    let t467 = (t152 * t465).sub_product(t157, t466);
-    let t468 = (-(t99 * t456))
-        .sub_product(t110, t458)
-        .sub_product(t121, t459)
-        .sub_product(t132, t460)
-        .sub_product(t141, t462)
-        .sub_product(t148, t464)
-        .sub_product(t154, t465)
-        .sub_product(t159, t466)
-        .sub_product(t164, t467) * t165;
-    let t469 = (t467 * t162).sub_product(t164, t468);
-    let t470 = (t466 * t155).sub_product(t157, t469).sub_product(t159, t468);
-    let t471 = (t465 * t149)
-        .sub_product(t151, t470)
-        .add_product(t152, t469)
-        .sub_product(t154, t468);
-    let t472 = (t464 * t142)
-        .sub_product(t144, t471)
-        .sub_product(t146, t470)
-        .sub_product(t148, t468);
-    let t473 = (t462 * t133)
-        .sub_product(t135, t472)
-        .sub_product(t137, t471)
-        .sub_product(t139, t470)
-        .sub_product(t141, t468);
-    let t474 = (t460 * t122)
-        .sub_product(t124, t473)
-        .sub_product(t126, t472)
-        .sub_product(t128, t471)
-        .sub_product(t130, t470)
-        .sub_product(t132, t468);
-    let t475 = (t459 * t111)
-        .sub_product(t113, t474)
-        .sub_product(t114, t473)
-        .add_product(t115, t472)
-        .sub_product(t117, t471)
-        .sub_product(t119, t470)
-        .sub_product(t121, t468);
-    let t476 = (t458 * t100)
-        .sub_product(t102, t475)
-        .sub_product(t104, t474)
-        .sub_product(t106, t471)
-        .sub_product(t108, t470)
-        .sub_product(t110, t468);
-    let t477 = (t456 * t87)
-        .sub_product(t89, t476)
-        .add_product(t91, t475)
-        .sub_product(t93, t474)
-        .sub_product(t95, t471)
-        .sub_product(t97, t470)
-        .sub_product(t99, t468);
-    let t478 = (-(t78 * t476))
-        .sub_product(t76, t477)
-        .sub_product(t81, t471)
-        .sub_product(t84, t470)
-        .sub_product(t86, t468);
-    let t479 = (-(t64 * t477))
-        .sub_product(t62, t478)
-        .sub_product(t65, t476)
-        .sub_product(t68, t471)
-        .add_product(t70, t470)
-        .sub_product(t72, t468);
-    let t480 = (-(t55 * t478)).sub_product(t53, t479).sub_product(t57, t468);
-    let t481 = (-(t45 * t479))
-        .sub_product(t43, t480)
-        .sub_product(t43, t478)
-        .add_product(t47, t468);
-    let drum_v_y_dot_by_rod_y = (t38 * t469)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t469,
-        );
-    let drum_v_x_dot_by_rod_y = (t37 * t469)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t469,
-        );
-    let bobbin_v_y_dot_by_rod_y = (-(t36 * t469))
-        .sub_product(c.inverse_bobbin_mass, t470);
-    let bobbin_v_x_dot_by_rod_y = (-(t35 * t469))
-        .sub_product(c.inverse_bobbin_mass, t471);
-    let rod_omega_dot_by_rod_y = (t33 * t473)
-        .sub_product(R::literal(4_166.666_666_666_667), t475)
-        .sub_product(t34, t472);
-    let rod_v_y_dot_by_rod_y = t463
-        .sub_product(t32, t474)
-        .sub_product(R::literal(5.0), t472);
-    let rod_v_x_dot_by_rod_y = t461
-        .add_product(t31, t474)
-        .sub_product(R::literal(5.0), t473);
-    let cylinder_omega_dot_by_rod_y = (t454 * R::literal(2_777.777_777_777_778))
-        .sub_product(t28, t477)
-        .add_product(t29, t476)
-        .sub_product(R::literal(-2_777.777_777_777_778), t475)
-        .add_product(t30, t474);
-    let cylinder_v_y_dot_by_rod_y = t457
-        .sub_product(R::literal(3.333_333_333_333_333_5), t476)
-        .add_product(t27, t474);
-    let cylinder_v_x_dot_by_rod_y = t455
-        .sub_product(R::literal(3.333_333_333_333_333_5), t477)
-        .sub_product(t26, t474);
-    let plate_omega_dot_by_rod_y = (t23 * t478)
-        .sub_product(t22, t479)
-        .sub_product(t22, t477)
-        .add_product(t23, t476)
-        .add_product(t24, t471)
-        .sub_product(t25, t470);
-    let plate_v_y_dot_by_rod_y = (-(R::literal(-0.833_333_333_333_333_4) * t476))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t478)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t470);
-    let plate_v_x_dot_by_rod_y = (-(R::literal(-0.833_333_333_333_333_4) * t477))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t479)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t471);
-    let post_omega_dot_by_rod_y = (t20 * t480)
-        .sub_product(t19, t481)
-        .sub_product(t19, t479)
-        .add_product(t20, t478)
-        .sub_product(t21, t468);
-    let post_v_y_dot_by_rod_y = (-(R::literal(-1.25) * t478))
-        .sub_product(R::literal(1.25), t480);
-    let post_v_x_dot_by_rod_y = (-(R::literal(-1.25) * t479))
-        .sub_product(R::literal(1.25), t481);
-    let t482 = (t7 * t239).add_product(t6, t240);
-    let t483 = R::literal(4_166.666_666_666_667) * t482;
-    let t484 = t113 * t483;
-    let t485 = (-t199)
-        .add_product(t6, rod_omega_dot)
-        .add_product(t33, t482)
-        .add_product(t114, t483)
-        .sub_product(t124, t484);
-    let t486 = t198
-        .add_product(t7, rod_omega_dot)
-        .sub_product(t34, t482)
-        .sub_product(t115, t483)
-        .sub_product(t126, t484)
-        .sub_product(t135, t485);
-    let t487 = (t117 * t483)
-        .sub_product(t128, t484)
-        .sub_product(t137, t485)
-        .sub_product(t144, t486);
-    let t488 = (t119 * t483)
-        .sub_product(t130, t484)
-        .sub_product(t139, t485)
-        .sub_product(t146, t486)
-        .sub_product(t151, t487);
-    let t489 = (t152 * t487).sub_product(t157, t488);
-    let t490 = (t121 * t483)
-        .sub_product(t132, t484)
-        .sub_product(t141, t485)
-        .sub_product(t148, t486)
-        .sub_product(t154, t487)
-        .sub_product(t159, t488)
-        .sub_product(t164, t489) * t165;
-    let t491 = (t489 * t162).sub_product(t164, t490);
-    let t492 = (t488 * t155).sub_product(t157, t491).sub_product(t159, t490);
-    let t493 = (t487 * t149)
-        .sub_product(t151, t492)
-        .add_product(t152, t491)
-        .sub_product(t154, t490);
-    let t494 = (t486 * t142)
-        .sub_product(t144, t493)
-        .sub_product(t146, t492)
-        .sub_product(t148, t490);
-    let t495 = (t485 * t133)
-        .sub_product(t135, t494)
-        .sub_product(t137, t493)
-        .sub_product(t139, t492)
-        .sub_product(t141, t490);
-    let t496 = (t484 * t122)
-        .sub_product(t124, t495)
-        .sub_product(t126, t494)
-        .sub_product(t128, t493)
-        .sub_product(t130, t492)
-        .sub_product(t132, t490);
-    let t497 = (-(t483 * t111))
-        .sub_product(t113, t496)
-        .sub_product(t114, t495)
-        .add_product(t115, t494)
-        .sub_product(t117, t493)
-        .sub_product(t119, t492)
-        .sub_product(t121, t490);
-    let t498 = (-(t104 * t496))
-        .sub_product(t102, t497)
-        .sub_product(t106, t493)
-        .sub_product(t108, t492)
-        .sub_product(t110, t490);
-    let t499 = (t91 * t497)
-        .sub_product(t89, t498)
-        .sub_product(t93, t496)
-        .sub_product(t95, t493)
-        .sub_product(t97, t492)
-        .sub_product(t99, t490);
-    let t500 = (-(t78 * t498))
-        .sub_product(t76, t499)
-        .sub_product(t81, t493)
-        .sub_product(t84, t492)
-        .sub_product(t86, t490);
-    let t501 = (-(t64 * t499))
-        .sub_product(t62, t500)
-        .sub_product(t65, t498)
-        .sub_product(t68, t493)
-        .add_product(t70, t492)
-        .sub_product(t72, t490);
-    let t502 = (-(t55 * t500)).sub_product(t53, t501).sub_product(t57, t490);
-    let t503 = (-(t45 * t501))
-        .sub_product(t43, t502)
-        .sub_product(t43, t500)
-        .add_product(t47, t490);
-    let drum_v_y_dot_by_rod_phi = (t38 * t491)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t491,
-        );
-    let drum_v_x_dot_by_rod_phi = (t37 * t491)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t491,
-        );
-    let bobbin_v_y_dot_by_rod_phi = (-(t36 * t491))
-        .sub_product(c.inverse_bobbin_mass, t492);
-    let bobbin_v_x_dot_by_rod_phi = (-(t35 * t491))
-        .sub_product(c.inverse_bobbin_mass, t493);
-    let rod_omega_dot_by_rod_phi = t483
-        .sub_product(R::literal(4_166.666_666_666_667), t497)
-        .add_product(t33, t495)
-        .sub_product(t34, t494);
-    let rod_v_y_dot_by_rod_phi = (-(R::literal(5.0) * t494)).sub_product(t32, t496);
-    let rod_v_x_dot_by_rod_phi = (-(R::literal(5.0) * t495)).add_product(t31, t496);
-    let cylinder_omega_dot_by_rod_phi = (t29 * t498)
-        .sub_product(t28, t499)
-        .sub_product(R::literal(-2_777.777_777_777_778), t497)
-        .add_product(t30, t496);
-    let cylinder_v_y_dot_by_rod_phi = (t27 * t496)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t498);
-    let cylinder_v_x_dot_by_rod_phi = (-(t26 * t496))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t499);
-    let plate_omega_dot_by_rod_phi = (t23 * t500)
-        .sub_product(t22, t501)
-        .sub_product(t22, t499)
-        .add_product(t23, t498)
-        .add_product(t24, t493)
-        .sub_product(t25, t492);
-    let plate_v_y_dot_by_rod_phi = (-(R::literal(-0.833_333_333_333_333_4) * t498))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t500)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t492);
-    let plate_v_x_dot_by_rod_phi = (-(R::literal(-0.833_333_333_333_333_4) * t499))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t501)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t493);
-    let post_omega_dot_by_rod_phi = (t20 * t502)
-        .sub_product(t19, t503)
-        .sub_product(t19, t501)
-        .add_product(t20, t500)
-        .sub_product(t21, t490);
-    let post_v_y_dot_by_rod_phi = (-(R::literal(-1.25) * t500))
-        .sub_product(R::literal(1.25), t502);
-    let post_v_x_dot_by_rod_phi = (-(R::literal(-1.25) * t501))
-        .sub_product(R::literal(1.25), t503);
-    let t504 = t179 * bobbin_y_minus_drum_y / between_squared_times_between;
-    let winding_force_over_between = p.winding_force / between;
-    let t505 = R::literal(3.0) * bobbin_v_x;
-    let t506 = t505 * bobbin_x_minus_drum_x;
-    let t507 = t506 / between_squared_times_between;
-    let t508 = between.powi(5);
-    let t509 = bobbin_x_minus_drum_x_squared * bobbin_x_minus_drum_x;
-    let t510 = R::literal(3.0) * drum_v_x;
-    let t511 = t510 * t509 / t508;
-    let t512 = R::literal(3.0) * drum_v_y;
-    let t513 = t512 * bobbin_y_minus_drum_y;
-    let t514 = t513 * bobbin_x_minus_drum_x_squared / t508;
-    let t515 = bobbin_v_y * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t516 = t505 * t509 / t508;
-    let t517 = R::literal(3.0) * bobbin_v_y;
-    let t518 = t517 * bobbin_y_minus_drum_y;
-    let t519 = t518 * bobbin_x_minus_drum_x_squared / t508;
-    let t520 = t510 * bobbin_x_minus_drum_x;
-    let t521 = t520 / between_squared_times_between;
-    let t522 = drum_v_y * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t523 = t516 + t519 + t521 + t522 - t507 - t511 - t514 - t515;
-    let t524 = t510 * bobbin_y_minus_drum_y * bobbin_x_minus_drum_x_squared / t508;
-    let t525 = t512 * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y_squared / t508;
-    let t526 = bobbin_v_x * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t527 = t202 / between_squared_times_between;
-    let t528 = t505 * bobbin_y_minus_drum_y * bobbin_x_minus_drum_x_squared / t508;
-    let t529 = t517 * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y_squared / t508;
-    let t530 = drum_v_x * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t531 = drum_v_y_times_bobbin_x_minus_drum_x / between_squared_times_between;
-    let t532 = t528 + t529 + t530 + t531 - t524 - t525 - t526 - t527;
-    let t533 = t507 + t511 + t514 + t515 - t516 - t519 - t521 - t522;
-    let t534 = t524 + t525 + t526 + t527 - t528 - t529 - t530 - t531;
-    let inverse_between = R::literal(1.0) / between;
-    let t535 = inverse_between
-        - bobbin_x_minus_drum_x_squared / between_squared_times_between;
-    let t536 = t535 * t236;
-    let t537 = t504 - t536;
-    let t538 = bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
-        / between_squared_times_between;
-    let t539 = t538 * t236;
-    let t540 = winding_force_over_between
-        - p.winding_force * bobbin_x_minus_drum_x_squared / between_squared_times_between
-        + t539;
-    let t541 = t538 * bobbin_v_y_dot;
+    let t310 = t300 - t302;
+    let t311 = t310 * cos_cylinder_phi;
+    let t312 = t310 * sin_cylinder_phi;
+    let t313 = cos_cylinder_phi * t235;
+    let t314 = t309 - t307 - t167 - t166 - t313;
+    let t315 = cos_cylinder_phi * cylinder_omega_dot;
+    let t316 = R::literal(3.333_333_333_333_333_5) * t304;
+    let t317 = t316.add_product(t24, t314);
+    let t318 = R::literal(3.333_333_333_333_333_5) * t305;
+    let t319 = (-t318).add_product(t25, t314).sub_product(t85, t317);
+    let t320 = R::literal(2_777.777_777_777_778) * t314;
+    let t321 = t320.sub_product(t86, t317).sub_product(t97, t319);
+    let t322 = (t181 - t315).sub_product(t22, t304).add_product(t23, t305).add_product(t26, t314)
+        .add_product(t27, t311).sub_product(t28, t312).sub_product(t88, t317).sub_product(t99, t319)
+        .sub_product(t108, t321);
+    let t323 = R::literal(5.0) * t311;
+    let t324 = t323.add_product(t109, t321).add_product(t119, t322);
+    let t325 = R::literal(5.0) * t312;
+    let t326 = (-t325).add_product(t110, t321).sub_product(t121, t322).sub_product(t130, t324);
+    let t327 = (-(t90 * t317).add_product(t101, t319).add_product(t112, t321).add_product(t123,
+        t322)).add_product(t132, t324).sub_product(t139, t326);
+    let t328 = (-(t92 * t317).add_product(t103, t319).add_product(t114, t321).add_product(t125,
+        t322)).add_product(t134, t324).sub_product(t141, t326).sub_product(t146, t327);
+    let t329 = (t147 * t327).sub_product(t152, t328);
+    let t330 = (-(t94 * t317).add_product(t105, t319).add_product(t116, t321).add_product(t127,
+        t322)).add_product(t136, t324).sub_product(t143, t326).sub_product(t149, t327)
+        .sub_product(t154, t328).sub_product(t159, t329) * t160;
+    let t331 = (t329 * t157).sub_product(t159, t330);
+    let t332 = (t328 * t150).sub_product(t152, t331).sub_product(t154, t330);
+    let t333 = (t327 * t144).sub_product(t146, t332).add_product(t147, t331).sub_product(t149,
+        t330);
+    let t334 = (t326 * t137).sub_product(t139, t333).sub_product(t141, t332).sub_product(t143,
+        t330);
+    let t335 = (t324 * t128).add_product(t130, t334).sub_product(t132, t333).sub_product(t134, t332)
+        .sub_product(t136, t330);
+    let t336 = (t322 * t117).sub_product(t119, t335).sub_product(t121, t334).sub_product(t123, t333)
+        .sub_product(t125, t332).sub_product(t127, t330);
+    let t337 = (t321 * t106).sub_product(t108, t336).sub_product(t109, t335).add_product(t110, t334)
+        .sub_product(t112, t333).sub_product(t114, t332).sub_product(t116, t330);
+    let t338 = (t319 * t95).sub_product(t97, t337).sub_product(t99, t336).sub_product(t101, t333)
+        .sub_product(t103, t332).sub_product(t105, t330);
+    let t339 = (t317 * t83).add_product(t85, t338).add_product(t86, t337).add_product(t88, t336)
+        .add_product(t90, t333).add_product(t92, t332).add_product(t94, t330);
+    let t340 = (-(t74 * t338).add_product(t72, t339)).add_product(t77, t333).sub_product(t80, t332)
+        .sub_product(t82, t330);
+    let t341 = (-(t60 * t339).add_product(t58, t340).add_product(t61, t338).add_product(t64, t333))
+        .add_product(t66, t332).add_product(t68, t330);
+    let t342 = (t51 * t340).add_product(t49, t341).add_product(t53, t330);
+    let t343 = (t41 * t341).sub_product(t39, t342).add_product(t39, t340).sub_product(t43, t330);
+    let drum_v_y_dot_by_cylinder_x = (t34 * t331).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_y_minus_drum_y_over_between * t331);
+    let drum_v_x_dot_by_cylinder_x = (t33 * t331).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_x_minus_drum_x_over_between * t331);
+    let bobbin_v_y_dot_by_cylinder_x = -(t32 * t331).add_product(c.inverse_bobbin_mass, t332);
+    let bobbin_v_x_dot_by_cylinder_x = -(t31 * t331).add_product(c.inverse_bobbin_mass, t333);
+    let rod_omega_dot_by_cylinder_x = (t29 * t335).sub_product(R::literal(4_166.666_666_666_667),
+        t337).sub_product(t30, t334);
+    let rod_v_y_dot_by_cylinder_x = t325.sub_product(t28, t336).sub_product(R::literal(5.0), t334);
+    let rod_v_x_dot_by_cylinder_x = t323.add_product(t27, t336).sub_product(R::literal(5.0), t335);
+    let cylinder_omega_dot_by_cylinder_x = t320.sub_product(t24, t339).add_product(t25, t338)
+        .add_product(R::literal(2_777.777_777_777_778), t337).add_product(t26, t336);
+    let cylinder_v_y_dot_by_cylinder_x = t318.sub_product(R::literal(3.333_333_333_333_333_5), t338)
+        .add_product(t23, t336);
+    let cylinder_v_x_dot_by_cylinder_x = t316.sub_product(R::literal(3.333_333_333_333_333_5), t339)
+        .sub_product(t22, t336);
+    let plate_omega_dot_by_cylinder_x = (t19 * t340).sub_product(t18, t341).sub_product(t18, t339)
+        .add_product(t19, t338).add_product(t20, t333).sub_product(t21, t332);
+    let plate_v_y_dot_by_cylinder_x = (R::literal(0.833_333_333_333_333_4) * t338)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t340)
+        .add_product(R::literal(0.833_333_333_333_333_4), t332);
+    let plate_v_x_dot_by_cylinder_x = (R::literal(0.833_333_333_333_333_4) * t339)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t341)
+        .add_product(R::literal(0.833_333_333_333_333_4), t333);
+    let post_omega_dot_by_cylinder_x = (-(t16 * t342).add_product(t15, t343).add_product(t15, t341))
+        .add_product(t16, t340).sub_product(t17, t330);
+    let post_v_y_dot_by_cylinder_x = (R::literal(1.25) * t340).add_product(R::literal(1.25), t342);
+    let post_v_x_dot_by_cylinder_x = (R::literal(1.25) * t341).sub_product(R::literal(1.25), t343);
+    let t344 = (t301 * cos_cylinder_phi).add_product(p.spring_stiffness, sin_cylinder_phi);
+    let t345 = t344 * cos_cylinder_phi;
+    let t346 = t344 * sin_cylinder_phi;
+    let t347 = t308 * sin_cylinder_phi;
+    let t348 = t162.add_product(t306, cos_cylinder_phi) + t164 + t347;
+    let t349 = sin_cylinder_phi * t235;
+    let t350 = t348 - t349;
+    let t351 = t180.add_product(sin_cylinder_phi, cylinder_omega_dot);
+    let t352 = R::literal(3.333_333_333_333_333_5) * t345;
+    let t353 = t352.sub_product(t24, t350);
+    let t354 = R::literal(3.333_333_333_333_333_5) * t346;
+    let t355 = t354.add_product(t25, t350).add_product(t85, t353);
+    let t356 = R::literal(2_777.777_777_777_778) * t350;
+    let t357 = t356.add_product(t86, t353).sub_product(t97, t355);
+    let t358 = t22 * t345;
+    let t359 = t23 * t346;
+    let t360 = t27 * t345;
+    let t361 = t28 * t346;
+    let t362 = ((t358 - t351 - t359).add_product(t26, t350) + t360 - t361).add_product(t88, t353)
+        .sub_product(t99, t355).sub_product(t108, t357);
+    let t363 = R::literal(5.0) * t345;
+    let t364 = t363.add_product(t109, t357).add_product(t119, t362);
+    let t365 = R::literal(5.0) * t346;
+    let t366 = (-t365).add_product(t110, t357).sub_product(t121, t362).sub_product(t130, t364);
+    let t367 = (t90 * t353).sub_product(t101, t355).sub_product(t112, t357).sub_product(t123, t362)
+        .add_product(t132, t364).sub_product(t139, t366);
+    let t368 = (t92 * t353).sub_product(t103, t355).sub_product(t114, t357).sub_product(t125, t362)
+        .add_product(t134, t364).sub_product(t141, t366).sub_product(t146, t367);
+    let t369 = (t147 * t367).sub_product(t152, t368);
+    let t370 = (t94 * t353).sub_product(t105, t355).sub_product(t116, t357).sub_product(t127, t362)
+        .add_product(t136, t364).sub_product(t143, t366).sub_product(t149, t367).sub_product(t154,
+        t368).sub_product(t159, t369) * t160;
+    let t371 = (t369 * t157).sub_product(t159, t370);
+    let t372 = (t368 * t150).sub_product(t152, t371).sub_product(t154, t370);
+    let t373 = (t367 * t144).sub_product(t146, t372).add_product(t147, t371).sub_product(t149,
+        t370);
+    let t374 = (t366 * t137).sub_product(t139, t373).sub_product(t141, t372).sub_product(t143,
+        t370);
+    let t375 = (t364 * t128).add_product(t130, t374).sub_product(t132, t373).sub_product(t134, t372)
+        .sub_product(t136, t370);
+    let t376 = (t362 * t117).sub_product(t119, t375).sub_product(t121, t374).sub_product(t123, t373)
+        .sub_product(t125, t372).sub_product(t127, t370);
+    let t377 = (t357 * t106).sub_product(t108, t376).sub_product(t109, t375).add_product(t110, t374)
+        .sub_product(t112, t373).sub_product(t114, t372).sub_product(t116, t370);
+    let t378 = (t355 * t95).sub_product(t97, t377).sub_product(t99, t376).sub_product(t101, t373)
+        .sub_product(t103, t372).sub_product(t105, t370);
+    let t379 = (-(t353 * t83)).add_product(t85, t378).add_product(t86, t377).add_product(t88, t376)
+        .add_product(t90, t373).add_product(t92, t372).add_product(t94, t370);
+    let t380 = (-(t74 * t378).add_product(t72, t379)).add_product(t77, t373).sub_product(t80, t372)
+        .sub_product(t82, t370);
+    let t381 = (-(t60 * t379).add_product(t58, t380).add_product(t61, t378).add_product(t64, t373))
+        .add_product(t66, t372).add_product(t68, t370);
+    let t382 = (t51 * t380).add_product(t49, t381).add_product(t53, t370);
+    let t383 = (t41 * t381).sub_product(t39, t382).add_product(t39, t380).sub_product(t43, t370);
+    let drum_v_y_dot_by_cylinder_y = (t34 * t371).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_y_minus_drum_y_over_between * t371);
+    let drum_v_x_dot_by_cylinder_y = (t33 * t371).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_x_minus_drum_x_over_between * t371);
+    let bobbin_v_y_dot_by_cylinder_y = -(t32 * t371).add_product(c.inverse_bobbin_mass, t372);
+    let bobbin_v_x_dot_by_cylinder_y = -(t31 * t371).add_product(c.inverse_bobbin_mass, t373);
+    let rod_omega_dot_by_cylinder_y = (t29 * t375).sub_product(R::literal(4_166.666_666_666_667),
+        t377).sub_product(t30, t374);
+    let rod_v_y_dot_by_cylinder_y = t365.sub_product(t28, t376).sub_product(R::literal(5.0), t374);
+    let rod_v_x_dot_by_cylinder_y = t363.add_product(t27, t376).sub_product(R::literal(5.0), t375);
+    let cylinder_omega_dot_by_cylinder_y = t356.sub_product(t24, t379).add_product(t25, t378)
+        .add_product(R::literal(2_777.777_777_777_778), t377).add_product(t26, t376);
+    let cylinder_v_y_dot_by_cylinder_y = (-t354.add_product(R::literal(3.333_333_333_333_333_5),
+        t378)).add_product(t23, t376);
+    let cylinder_v_x_dot_by_cylinder_y = -t352.add_product(R::literal(3.333_333_333_333_333_5),
+        t379).add_product(t22, t376);
+    let plate_omega_dot_by_cylinder_y = (t19 * t380).sub_product(t18, t381).sub_product(t18, t379)
+        .add_product(t19, t378).add_product(t20, t373).sub_product(t21, t372);
+    let plate_v_y_dot_by_cylinder_y = (R::literal(0.833_333_333_333_333_4) * t378)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t380)
+        .add_product(R::literal(0.833_333_333_333_333_4), t372);
+    let plate_v_x_dot_by_cylinder_y = (R::literal(0.833_333_333_333_333_4) * t379)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t381)
+        .add_product(R::literal(0.833_333_333_333_333_4), t373);
+    let post_omega_dot_by_cylinder_y = (-(t16 * t382).add_product(t15, t383).add_product(t15, t381))
+        .add_product(t16, t380).sub_product(t17, t370);
+    let post_v_y_dot_by_cylinder_y = (R::literal(1.25) * t380).add_product(R::literal(1.25), t382);
+    let post_v_x_dot_by_cylinder_y = (R::literal(1.25) * t381).sub_product(R::literal(1.25), t383);
+    let t384 = R::literal(50.0) * (rod_v_y_minus_cylinder_v_y * cos_cylinder_phi)
+        .sub_product(cylinder_omega, slide).sub_product(rod_v_x_minus_cylinder_v_x,
+        sin_cylinder_phi);
+    let t385 = t384 * cos_cylinder_phi;
+    let t386 = t162.add_product(t384, sin_cylinder_phi) + (t164 + t347);
+    let t387 = t10 * t10;
+    let t388 = R::literal(0.06) * cylinder_omega_squared;
+    let t389 = t385 + t309 - t167 - t166 - t313;
+    let t390 = t386 - t349;
+    let t391 = t8 - t9;
+    let t392 = (p.spring_stiffness * slide * slide_minus_spring_free_length)
+        .add_product(R::literal(50.0) * slide, slide_rate).sub_product(t384, t10)
+        .sub_product(p.spring_stiffness, t387).sub_product(t4, t238).sub_product(t5, t237)
+        .sub_product(t391, t235);
+    let t393 = t167 + t166 - t385 - t309 + t313;
+    let t394 = t349 - t386;
+    let t395 = R::literal(3.333_333_333_333_333_5) * t389;
+    let t396 = ((t388 * sin_cylinder_phi).sub_product(t4, cylinder_omega_dot) - t395)
+        .sub_product(t24, t392);
+    let t397 = R::literal(3.333_333_333_333_333_5) * t390;
+    let t398 = (-((t388 * cos_cylinder_phi).add_product(t5, cylinder_omega_dot) + t397))
+        .add_product(t25, t392).add_product(t85, t396);
+    let t399 = R::literal(2_777.777_777_777_778) * t392;
+    let t400 = t399.add_product(t86, t396).sub_product(t97, t398);
+    let t401 = (cylinder_omega * (t182 * sin_cylinder_phi).add_product(t187, cos_cylinder_phi)
+        .add_product(cylinder_x_times_cylinder_omega, cos_cylinder_phi)
+        .add_product(cylinder_y_times_cylinder_omega, sin_cylinder_phi).sub_product(t183,
+        cos_cylinder_phi).sub_product(t186, sin_cylinder_phi)
+        .sub_product(rod_x_times_cylinder_omega, cos_cylinder_phi)
+        .sub_product(rod_y_times_cylinder_omega, sin_cylinder_phi)).sub_product(cos_cylinder_phi,
+        cylinder_v_x_dot).sub_product(sin_cylinder_phi, cylinder_v_y_dot).sub_product(t391,
+        cylinder_omega_dot).add_product(cos_cylinder_phi, rod_v_x_dot)
+        .sub_product(sin_cylinder_phi, t221.add_product(t28, t235).add_product(R::literal(5.0),
+        t233)).sub_product(t22, t389).add_product(t23, t390).add_product(t26, t392)
+        .add_product(t27, t393).sub_product(t28, t394).add_product(t88, t396).sub_product(t99, t398)
+        .sub_product(t108, t400);
+    let t402 = R::literal(5.0) * t393;
+    let t403 = t402.add_product(t109, t400).add_product(t119, t401);
+    let t404 = R::literal(5.0) * t394;
+    let t405 = (-t404).add_product(t110, t400).sub_product(t121, t401).sub_product(t130, t403);
+    let t406 = (t90 * t396).sub_product(t101, t398).sub_product(t112, t400).sub_product(t123, t401)
+        .add_product(t132, t403).sub_product(t139, t405);
+    let t407 = (t92 * t396).sub_product(t103, t398).sub_product(t114, t400).sub_product(t125, t401)
+        .add_product(t134, t403).sub_product(t141, t405).sub_product(t146, t406);
+    let t408 = (t147 * t406).sub_product(t152, t407);
+    let t409 = (t94 * t396).sub_product(t105, t398).sub_product(t116, t400).sub_product(t127, t401)
+        .add_product(t136, t403).sub_product(t143, t405).sub_product(t149, t406).sub_product(t154,
+        t407).sub_product(t159, t408) * t160;
+    let t410 = (t408 * t157).sub_product(t159, t409);
+    let t411 = (t407 * t150).sub_product(t152, t410).sub_product(t154, t409);
+    let t412 = (t406 * t144).sub_product(t146, t411).add_product(t147, t410).sub_product(t149,
+        t409);
+    let t413 = (t405 * t137).sub_product(t139, t412).sub_product(t141, t411).sub_product(t143,
+        t409);
+    let t414 = (t403 * t128).add_product(t130, t413).sub_product(t132, t412).sub_product(t134, t411)
+        .sub_product(t136, t409);
+    let t415 = (t401 * t117).sub_product(t119, t414).sub_product(t121, t413).sub_product(t123, t412)
+        .sub_product(t125, t411).sub_product(t127, t409);
+    let t416 = (t400 * t106).sub_product(t108, t415).sub_product(t109, t414).add_product(t110, t413)
+        .sub_product(t112, t412).sub_product(t114, t411).sub_product(t116, t409);
+    let t417 = (t398 * t95).sub_product(t97, t416).sub_product(t99, t415).sub_product(t101, t412)
+        .sub_product(t103, t411).sub_product(t105, t409);
+    let t418 = (-(t396 * t83)).add_product(t85, t417).add_product(t86, t416).add_product(t88, t415)
+        .add_product(t90, t412).add_product(t92, t411).add_product(t94, t409);
+    let t419 = (-(t74 * t417).add_product(t72, t418)).add_product(t77, t412).sub_product(t80, t411)
+        .sub_product(t82, t409);
+    let t420 = (-(t60 * t418).add_product(t58, t419).add_product(t61, t417).add_product(t64, t412))
+        .add_product(t66, t411).add_product(t68, t409);
+    let t421 = (t51 * t419).add_product(t49, t420).add_product(t53, t409);
+    let t422 = (t41 * t420).sub_product(t39, t421).add_product(t39, t419).sub_product(t43, t409);
+    let drum_v_y_dot_by_cylinder_phi = (t34 * t410)
+        .sub_product(R::literal(0.666_666_666_666_666_6), bobbin_y_minus_drum_y_over_between
+        * t410);
+    let drum_v_x_dot_by_cylinder_phi = (t33 * t410)
+        .sub_product(R::literal(0.666_666_666_666_666_6), bobbin_x_minus_drum_x_over_between
+        * t410);
+    let bobbin_v_y_dot_by_cylinder_phi = -(t32 * t410).add_product(c.inverse_bobbin_mass, t411);
+    let bobbin_v_x_dot_by_cylinder_phi = -(t31 * t410).add_product(c.inverse_bobbin_mass, t412);
+    let rod_omega_dot_by_cylinder_phi = (t29 * t414).sub_product(R::literal(4_166.666_666_666_667),
+        t416).sub_product(t30, t413);
+    let rod_v_y_dot_by_cylinder_phi = t404.sub_product(t28, t415).sub_product(R::literal(5.0),
+        t413);
+    let rod_v_x_dot_by_cylinder_phi = t402.add_product(t27, t415).sub_product(R::literal(5.0),
+        t414);
+    let cylinder_omega_dot_by_cylinder_phi = t399.sub_product(t24, t418).add_product(t25, t417)
+        .add_product(R::literal(2_777.777_777_777_778), t416).add_product(t26, t415);
+    let cylinder_v_y_dot_by_cylinder_phi = t397.sub_product(R::literal(3.333_333_333_333_333_5),
+        t417).add_product(t23, t415);
+    let cylinder_v_x_dot_by_cylinder_phi = t395.sub_product(R::literal(3.333_333_333_333_333_5),
+        t418).sub_product(t22, t415);
+    let plate_omega_dot_by_cylinder_phi = (t19 * t419).sub_product(t18, t420).sub_product(t18, t418)
+        .add_product(t19, t417).add_product(t20, t412).sub_product(t21, t411);
+    let plate_v_y_dot_by_cylinder_phi = (R::literal(0.833_333_333_333_333_4) * t417)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t419)
+        .add_product(R::literal(0.833_333_333_333_333_4), t411);
+    let plate_v_x_dot_by_cylinder_phi = (R::literal(0.833_333_333_333_333_4) * t418)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t420)
+        .add_product(R::literal(0.833_333_333_333_333_4), t412);
+    let post_omega_dot_by_cylinder_phi = (-(t16 * t421).add_product(t15, t422).add_product(t15,
+        t420)).add_product(t16, t419).sub_product(t17, t409);
+    let post_v_y_dot_by_cylinder_phi = (R::literal(1.25) * t419).add_product(R::literal(1.25),
+        t421);
+    let post_v_x_dot_by_cylinder_phi = (R::literal(1.25) * t420).sub_product(R::literal(1.25),
+        t422);
+    let t423 = t307 + t167 + t166 - t309 + t313;
+    let t424 = R::literal(3.333_333_333_333_333_5) * t311;
+    let t425 = t424.add_product(t24, t423);
+    let t426 = R::literal(3.333_333_333_333_333_5) * t312;
+    let t427 = (-t426).add_product(t25, t423).sub_product(t85, t425);
+    let t428 = R::literal(2_777.777_777_777_778) * t423;
+    let t429 = t428.sub_product(t86, t425).sub_product(t97, t427);
+    let t430 = (t315 - t181).sub_product(t22, t311).add_product(t23, t312).add_product(t26, t423)
+        .add_product(t27, t304).sub_product(t28, t305).sub_product(t88, t425).sub_product(t99, t427)
+        .sub_product(t108, t429);
+    let t431 = R::literal(5.0) * t304;
+    let t432 = t431.add_product(t109, t429).add_product(t119, t430);
+    let t433 = R::literal(5.0) * t305;
+    let t434 = (-t433).add_product(t110, t429).sub_product(t121, t430).sub_product(t130, t432);
+    let t435 = (-(t90 * t425).add_product(t101, t427).add_product(t112, t429).add_product(t123,
+        t430)).add_product(t132, t432).sub_product(t139, t434);
+    let t436 = (-(t92 * t425).add_product(t103, t427).add_product(t114, t429).add_product(t125,
+        t430)).add_product(t134, t432).sub_product(t141, t434).sub_product(t146, t435);
+    let t437 = (t147 * t435).sub_product(t152, t436);
+    let t438 = (-(t94 * t425).add_product(t105, t427).add_product(t116, t429).add_product(t127,
+        t430)).add_product(t136, t432).sub_product(t143, t434).sub_product(t149, t435)
+        .sub_product(t154, t436).sub_product(t159, t437) * t160;
+    let t439 = (t437 * t157).sub_product(t159, t438);
+    let t440 = (t436 * t150).sub_product(t152, t439).sub_product(t154, t438);
+    let t441 = (t435 * t144).sub_product(t146, t440).add_product(t147, t439).sub_product(t149,
+        t438);
+    let t442 = (t434 * t137).sub_product(t139, t441).sub_product(t141, t440).sub_product(t143,
+        t438);
+    let t443 = (t432 * t128).add_product(t130, t442).sub_product(t132, t441).sub_product(t134, t440)
+        .sub_product(t136, t438);
+    let t444 = (t430 * t117).sub_product(t119, t443).sub_product(t121, t442).sub_product(t123, t441)
+        .sub_product(t125, t440).sub_product(t127, t438);
+    let t445 = (t429 * t106).sub_product(t108, t444).sub_product(t109, t443).add_product(t110, t442)
+        .sub_product(t112, t441).sub_product(t114, t440).sub_product(t116, t438);
+    let t446 = (t427 * t95).sub_product(t97, t445).sub_product(t99, t444).sub_product(t101, t441)
+        .sub_product(t103, t440).sub_product(t105, t438);
+    let t447 = (t425 * t83).add_product(t85, t446).add_product(t86, t445).add_product(t88, t444)
+        .add_product(t90, t441).add_product(t92, t440).add_product(t94, t438);
+    let t448 = (-(t74 * t446).add_product(t72, t447)).add_product(t77, t441).sub_product(t80, t440)
+        .sub_product(t82, t438);
+    let t449 = (-(t60 * t447).add_product(t58, t448).add_product(t61, t446).add_product(t64, t441))
+        .add_product(t66, t440).add_product(t68, t438);
+    let t450 = (t51 * t448).add_product(t49, t449).add_product(t53, t438);
+    let t451 = (t41 * t449).sub_product(t39, t450).add_product(t39, t448).sub_product(t43, t438);
+    let drum_v_y_dot_by_rod_x = (t34 * t439).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_y_minus_drum_y_over_between * t439);
+    let drum_v_x_dot_by_rod_x = (t33 * t439).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_x_minus_drum_x_over_between * t439);
+    let bobbin_v_y_dot_by_rod_x = -(t32 * t439).add_product(c.inverse_bobbin_mass, t440);
+    let bobbin_v_x_dot_by_rod_x = -(t31 * t439).add_product(c.inverse_bobbin_mass, t441);
+    let rod_omega_dot_by_rod_x = (t29 * t443).sub_product(R::literal(4_166.666_666_666_667), t445)
+        .sub_product(t30, t442);
+    let rod_v_y_dot_by_rod_x = t433.sub_product(t28, t444).sub_product(R::literal(5.0), t442);
+    let rod_v_x_dot_by_rod_x = t431.add_product(t27, t444).sub_product(R::literal(5.0), t443);
+    let cylinder_omega_dot_by_rod_x = t428.sub_product(t24, t447).add_product(t25, t446)
+        .add_product(R::literal(2_777.777_777_777_778), t445).add_product(t26, t444);
+    let cylinder_v_y_dot_by_rod_x = t426.sub_product(R::literal(3.333_333_333_333_333_5), t446)
+        .add_product(t23, t444);
+    let cylinder_v_x_dot_by_rod_x = t424.sub_product(R::literal(3.333_333_333_333_333_5), t447)
+        .sub_product(t22, t444);
+    let plate_omega_dot_by_rod_x = (t19 * t448).sub_product(t18, t449).sub_product(t18, t447)
+        .add_product(t19, t446).add_product(t20, t441).sub_product(t21, t440);
+    let plate_v_y_dot_by_rod_x = (R::literal(0.833_333_333_333_333_4) * t446)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t448)
+        .add_product(R::literal(0.833_333_333_333_333_4), t440);
+    let plate_v_x_dot_by_rod_x = (R::literal(0.833_333_333_333_333_4) * t447)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t449)
+        .add_product(R::literal(0.833_333_333_333_333_4), t441);
+    let post_omega_dot_by_rod_x = (-(t16 * t450).add_product(t15, t451).add_product(t15, t449))
+        .add_product(t16, t448).sub_product(t17, t438);
+    let post_v_y_dot_by_rod_x = (R::literal(1.25) * t448).add_product(R::literal(1.25), t450);
+    let post_v_x_dot_by_rod_x = (R::literal(1.25) * t449).sub_product(R::literal(1.25), t451);
+    let t452 = t349 - t348;
+    let t453 = t352.add_product(t24, t452);
+    let t454 = (-t354).add_product(t25, t452).sub_product(t85, t453);
+    let t455 = R::literal(2_777.777_777_777_778) * t452;
+    let t456 = t455.sub_product(t86, t453).sub_product(t97, t454);
+    let t457 = ((t351 - t358 + t359).add_product(t26, t452) - t360 + t361).sub_product(t88, t453)
+        .sub_product(t99, t454).sub_product(t108, t456);
+    let t458 = t363.sub_product(t109, t456).sub_product(t119, t457);
+    let t459 = t365.add_product(t110, t456).sub_product(t121, t457).add_product(t130, t458);
+    let t460 = (t90 * t453).add_product(t101, t454).add_product(t112, t456).add_product(t123, t457)
+        .add_product(t132, t458).add_product(t139, t459);
+    let t461 = (-(t92 * t453).add_product(t103, t454).add_product(t114, t456).add_product(t125,
+        t457).add_product(t134, t458).add_product(t141, t459)).add_product(t146, t460);
+    let t462 = (t147 * t460).add_product(t152, t461);
+    let t463 = (-(t94 * t453).add_product(t105, t454).add_product(t116, t456).add_product(t127,
+        t457).add_product(t136, t458).add_product(t143, t459)).add_product(t149, t460)
+        .sub_product(t154, t461).add_product(t159, t462) * t160;
+    let t464 = (t462 * t157).add_product(t159, t463);
+    let t465 = (t461 * t150).add_product(t152, t464).sub_product(t154, t463);
+    let t466 = (t460 * t144).add_product(t146, t465).add_product(t147, t464).add_product(t149,
+        t463);
+    let t467 = (t459 * t137).add_product(t139, t466).sub_product(t141, t465).sub_product(t143,
+        t463);
+    let t468 = (-(t458 * t128)).add_product(t130, t467).add_product(t132, t466).sub_product(t134,
+        t465).sub_product(t136, t463);
+    let t469 = (t457 * t117).sub_product(t119, t468).sub_product(t121, t467).add_product(t123, t466)
+        .sub_product(t125, t465).sub_product(t127, t463);
+    let t470 = (t456 * t106).sub_product(t108, t469).sub_product(t109, t468).add_product(t110, t467)
+        .add_product(t112, t466).sub_product(t114, t465).sub_product(t116, t463);
+    let t471 = (t454 * t95).sub_product(t97, t470).sub_product(t99, t469).add_product(t101, t466)
+        .sub_product(t103, t465).sub_product(t105, t463);
+    let t472 = (t453 * t83).add_product(t85, t471).add_product(t86, t470).add_product(t88, t469)
+        .sub_product(t90, t466).add_product(t92, t465).add_product(t94, t463);
+    let t473 = (t74 * t471).add_product(t72, t472).add_product(t77, t466).add_product(t80, t465)
+        .add_product(t82, t463);
+    let t474 = (-(t60 * t472)).add_product(t58, t473).sub_product(t61, t471).add_product(t64, t466)
+        .add_product(t66, t465).add_product(t68, t463);
+    let t475 = (t51 * t473).sub_product(t49, t474).sub_product(t53, t463);
+    let t476 = (t41 * t474).add_product(t39, t475).sub_product(t39, t473).sub_product(t43, t463);
+    let drum_v_y_dot_by_rod_y = (-(t34 * t464)).add_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_y_minus_drum_y_over_between * t464);
+    let drum_v_x_dot_by_rod_y = (-(t33 * t464)).add_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_x_minus_drum_x_over_between * t464);
+    let bobbin_v_y_dot_by_rod_y = (t32 * t464).sub_product(c.inverse_bobbin_mass, t465);
+    let bobbin_v_x_dot_by_rod_y = (t31 * t464).add_product(c.inverse_bobbin_mass, t466);
+    let rod_omega_dot_by_rod_y = (t29 * t468).sub_product(R::literal(4_166.666_666_666_667), t470)
+        .sub_product(t30, t467);
+    let rod_v_y_dot_by_rod_y = -t365.add_product(t28, t469).add_product(R::literal(5.0), t467);
+    let rod_v_x_dot_by_rod_y = (-t363).add_product(t27, t469).sub_product(R::literal(5.0), t468);
+    let cylinder_omega_dot_by_rod_y = t455.sub_product(t24, t472).add_product(t25, t471)
+        .add_product(R::literal(2_777.777_777_777_778), t470).add_product(t26, t469);
+    let cylinder_v_y_dot_by_rod_y = t354.sub_product(R::literal(3.333_333_333_333_333_5), t471)
+        .add_product(t23, t469);
+    let cylinder_v_x_dot_by_rod_y = t352.sub_product(R::literal(3.333_333_333_333_333_5), t472)
+        .sub_product(t22, t469);
+    let plate_omega_dot_by_rod_y = (-(t19 * t473).add_product(t18, t474).add_product(t18, t472))
+        .add_product(t19, t471).sub_product(t20, t466).sub_product(t21, t465);
+    let plate_v_y_dot_by_rod_y = (R::literal(0.833_333_333_333_333_4) * t471)
+        .add_product(R::literal(0.833_333_333_333_333_4), t473)
+        .add_product(R::literal(0.833_333_333_333_333_4), t465);
+    let plate_v_x_dot_by_rod_y = (R::literal(0.833_333_333_333_333_4) * t472)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t474)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t466);
+    let post_omega_dot_by_rod_y = (t16 * t475).sub_product(t15, t476).sub_product(t15, t474)
+        .sub_product(t16, t473).sub_product(t17, t463);
+    let post_v_y_dot_by_rod_y = -(R::literal(1.25) * t473).add_product(R::literal(1.25), t475);
+    let post_v_x_dot_by_rod_y = (R::literal(1.25) * t474).sub_product(R::literal(1.25), t476);
+    let t477 = (t7 * t233).add_product(t6, t234);
+    let t478 = R::literal(4_166.666_666_666_667) * t477;
+    let t479 = t108 * t478;
+    let t480 = (-t192).add_product(t6, rod_omega_dot).add_product(t29, t477).add_product(t109, t478)
+        .sub_product(t119, t479);
+    let t481 = t191.add_product(t7, rod_omega_dot).sub_product(t30, t477).sub_product(t110, t478)
+        .sub_product(t121, t479).add_product(t130, t480);
+    let t482 = (t112 * t478).sub_product(t123, t479).sub_product(t132, t480).sub_product(t139,
+        t481);
+    let t483 = (t114 * t478).sub_product(t125, t479).sub_product(t134, t480).sub_product(t141, t481)
+        .sub_product(t146, t482);
+    let t484 = (t147 * t482).sub_product(t152, t483);
+    let t485 = (t116 * t478).sub_product(t127, t479).sub_product(t136, t480).sub_product(t143, t481)
+        .sub_product(t149, t482).sub_product(t154, t483).sub_product(t159, t484) * t160;
+    let t486 = (t484 * t157).sub_product(t159, t485);
+    let t487 = (t483 * t150).sub_product(t152, t486).sub_product(t154, t485);
+    let t488 = (t482 * t144).sub_product(t146, t487).add_product(t147, t486).sub_product(t149,
+        t485);
+    let t489 = (t481 * t137).sub_product(t139, t488).sub_product(t141, t487).sub_product(t143,
+        t485);
+    let t490 = (-(t480 * t128)).add_product(t130, t489).sub_product(t132, t488).sub_product(t134,
+        t487).sub_product(t136, t485);
+    let t491 = (t479 * t117).sub_product(t119, t490).sub_product(t121, t489).sub_product(t123, t488)
+        .sub_product(t125, t487).sub_product(t127, t485);
+    let t492 = (-(t478 * t106).add_product(t108, t491).add_product(t109, t490)).add_product(t110,
+        t489).sub_product(t112, t488).sub_product(t114, t487).sub_product(t116, t485);
+    let t493 = (t99 * t491).add_product(t97, t492).add_product(t101, t488).add_product(t103, t487)
+        .add_product(t105, t485);
+    let t494 = (t86 * t492).sub_product(t85, t493).add_product(t88, t491).add_product(t90, t488)
+        .add_product(t92, t487).add_product(t94, t485);
+    let t495 = (t74 * t493).sub_product(t72, t494).add_product(t77, t488).sub_product(t80, t487)
+        .sub_product(t82, t485);
+    let t496 = (-(t60 * t494).add_product(t58, t495)).add_product(t61, t493).sub_product(t64, t488)
+        .add_product(t66, t487).add_product(t68, t485);
+    let t497 = (t51 * t495).add_product(t49, t496).add_product(t53, t485);
+    let t498 = (t41 * t496).sub_product(t39, t497).add_product(t39, t495).sub_product(t43, t485);
+    let drum_v_y_dot_by_rod_phi = (t34 * t486).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_y_minus_drum_y_over_between * t486);
+    let drum_v_x_dot_by_rod_phi = (t33 * t486).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_x_minus_drum_x_over_between * t486);
+    let bobbin_v_y_dot_by_rod_phi = -(t32 * t486).add_product(c.inverse_bobbin_mass, t487);
+    let bobbin_v_x_dot_by_rod_phi = -(t31 * t486).add_product(c.inverse_bobbin_mass, t488);
+    let rod_omega_dot_by_rod_phi = t478.sub_product(R::literal(4_166.666_666_666_667), t492)
+        .add_product(t29, t490).sub_product(t30, t489);
+    let rod_v_y_dot_by_rod_phi = -(R::literal(5.0) * t489).add_product(t28, t491);
+    let rod_v_x_dot_by_rod_phi = (R::literal(-5.0) * t490).add_product(t27, t491);
+    let cylinder_omega_dot_by_rod_phi = (-(t25 * t493).add_product(t24, t494))
+        .add_product(R::literal(2_777.777_777_777_778), t492).add_product(t26, t491);
+    let cylinder_v_y_dot_by_rod_phi = (t23 * t491).add_product(R::literal(3.333_333_333_333_333_5),
+        t493);
+    let cylinder_v_x_dot_by_rod_phi = -(t22 * t491)
+        .add_product(R::literal(3.333_333_333_333_333_5), t494);
+    let plate_omega_dot_by_rod_phi = (t19 * t495).sub_product(t18, t496).sub_product(t18, t494)
+        .sub_product(t19, t493).add_product(t20, t488).sub_product(t21, t487);
+    let plate_v_y_dot_by_rod_phi = (-(R::literal(0.833_333_333_333_333_4) * t493)
+        .add_product(R::literal(0.833_333_333_333_333_4), t495))
+        .add_product(R::literal(0.833_333_333_333_333_4), t487);
+    let plate_v_x_dot_by_rod_phi = (R::literal(0.833_333_333_333_333_4) * t494)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t496)
+        .add_product(R::literal(0.833_333_333_333_333_4), t488);
+    let post_omega_dot_by_rod_phi = (-(t16 * t497).add_product(t15, t498).add_product(t15, t496))
+        .add_product(t16, t495).sub_product(t17, t485);
+    let post_v_y_dot_by_rod_phi = (R::literal(1.25) * t495).add_product(R::literal(1.25), t497);
+    let post_v_x_dot_by_rod_phi = (R::literal(1.25) * t496).sub_product(R::literal(1.25), t498);
+    let t499 = t172 * bobbin_y_minus_drum_y / between_squared_times_between;
     let bobbin_x_plus_between_minus_drum_x = bobbin_x + between - drum_x;
     let bobbin_x_minus_drum_x_minus_between = bobbin_x_minus_drum_x - between;
-    let t542 = bobbin_x_plus_between_minus_drum_x * bobbin_x_minus_drum_x_minus_between
+    let t500 = p.winding_force * bobbin_x_plus_between_minus_drum_x
+        * bobbin_x_minus_drum_x_minus_between / between_squared_times_between;
+    let t501 = R::literal(3.0) * bobbin_v_x;
+    let t502 = t501 * bobbin_x_minus_drum_x;
+    let t503 = t502 / between_squared_times_between;
+    let t504 = between.powi(5);
+    let t505 = bobbin_x_minus_drum_x_squared * bobbin_x_minus_drum_x;
+    let t506 = R::literal(3.0) * drum_v_x;
+    let t507 = t506 * t505 / t504;
+    let t508 = R::literal(3.0) * drum_v_y;
+    let t509 = t508 * bobbin_y_minus_drum_y;
+    let t510 = t509 * bobbin_x_minus_drum_x_squared / t504;
+    let t511 = bobbin_v_y * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t512 = t501 * t505 / t504;
+    let t513 = R::literal(3.0) * bobbin_v_y;
+    let t514 = t513 * bobbin_y_minus_drum_y;
+    let t515 = t514 * bobbin_x_minus_drum_x_squared / t504;
+    let t516 = t506 * bobbin_x_minus_drum_x;
+    let t517 = t516 / between_squared_times_between;
+    let t518 = drum_v_y * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t519 = t512 + t515 + t517 + t518 - t503 - t507 - t510 - t511;
+    let t520 = t506 * bobbin_y_minus_drum_y * bobbin_x_minus_drum_x_squared / t504;
+    let t521 = t508 * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y_squared / t504;
+    let t522 = bobbin_v_x * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t523 = t195 / between_squared_times_between;
+    let t524 = t501 * bobbin_y_minus_drum_y * bobbin_x_minus_drum_x_squared / t504;
+    let t525 = t513 * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y_squared / t504;
+    let t526 = drum_v_x * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t527 = drum_v_y_times_bobbin_x_minus_drum_x / between_squared_times_between;
+    let t528 = t524 + t525 + t526 + t527 - t520 - t521 - t522 - t523;
+    let t529 = t503 + t507 + t510 + t511 - t512 - t515 - t517 - t518;
+    let t530 = t520 + t521 + t522 + t523 - t524 - t525 - t526 - t527;
+    let t531 = bobbin_x_plus_between_minus_drum_x * bobbin_x_minus_drum_x_minus_between
         / between_squared_times_between;
-    let t543 = t542 * t236;
-    let t544 = t538 * drum_v_y_dot;
-    let t545 = c.inverse_bobbin_mass * t537;
-    let t546 = c.inverse_bobbin_mass * t540;
-    let t547 = (-t546).add_product(t151, t545);
-    let t548 = R::literal(0.666_666_666_666_666_6) * t543;
-    let t549 = R::literal(0.666_666_666_666_666_6) * t539;
-    let t550 = -t549;
-    let t551 = t38 * t539;
-    let t552 = bobbin_y_minus_drum_y_over_between * t549;
-    let t553 = ((((-(bobbin_v_x * t523)
-        .add_product(bobbin_v_y, t532)
-        .add_product(drum_v_x, t533)
-        .add_product(drum_v_y, t534))
-        .sub_product(t535, bobbin_v_x_dot) + t541)
-        .sub_product(t542, drum_v_x_dot) - t544)
-        .sub_product(t35, t537)
-        .sub_product(t36, t540)
-        .sub_product(t37, t543) - t551)
-        .sub_product(t152, t545)
-        .sub_product(t157, t547)
-        .add_product(bobbin_x_minus_drum_x_over_between, t548) + t552;
-    let t554 = (t154 * t545).sub_product(t159, t547).sub_product(t164, t553) * t165;
-    let t555 = (t553 * t162).sub_product(t164, t554);
-    let t556 = (t547 * t155).sub_product(t157, t555).sub_product(t159, t554);
-    let t557 = (-(t545 * t149))
-        .sub_product(t151, t556)
-        .add_product(t152, t555)
-        .sub_product(t154, t554);
-    let t558 = (-(t146 * t556)).sub_product(t144, t557).sub_product(t148, t554);
-    let t559 = (-(t137 * t557))
-        .sub_product(t135, t558)
-        .sub_product(t139, t556)
-        .sub_product(t141, t554);
-    let t560 = (-(t126 * t558))
-        .sub_product(t124, t559)
-        .sub_product(t128, t557)
-        .sub_product(t130, t556)
-        .sub_product(t132, t554);
-    let t561 = (-(t114 * t559))
-        .sub_product(t113, t560)
-        .add_product(t115, t558)
-        .sub_product(t117, t557)
-        .sub_product(t119, t556)
-        .sub_product(t121, t554);
-    let t562 = (-(t104 * t560))
-        .sub_product(t102, t561)
-        .sub_product(t106, t557)
-        .sub_product(t108, t556)
-        .sub_product(t110, t554);
-    let t563 = (t91 * t561)
-        .sub_product(t89, t562)
-        .sub_product(t93, t560)
-        .sub_product(t95, t557)
-        .sub_product(t97, t556)
-        .sub_product(t99, t554);
-    let t564 = (-(t78 * t562))
-        .sub_product(t76, t563)
-        .sub_product(t81, t557)
-        .sub_product(t84, t556)
-        .sub_product(t86, t554);
-    let t565 = (-(t64 * t563))
-        .sub_product(t62, t564)
-        .sub_product(t65, t562)
-        .sub_product(t68, t557)
-        .add_product(t70, t556)
-        .sub_product(t72, t554);
-    let t566 = (-(t55 * t564)).sub_product(t53, t565).sub_product(t57, t554);
-    let t567 = (-(t45 * t565))
-        .sub_product(t43, t566)
-        .sub_product(t43, t564)
-        .add_product(t47, t554);
-    let drum_v_y_dot_by_bobbin_x = t550
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            (-t539).add_product(bobbin_y_minus_drum_y_over_between, t555),
-        )
-        .add_product(t38, t555);
-    let drum_v_x_dot_by_bobbin_x = (-t548)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            (-t543).add_product(bobbin_x_minus_drum_x_over_between, t555),
-        )
-        .add_product(t37, t555);
-    let bobbin_v_y_dot_by_bobbin_x = t546
-        .sub_product(c.inverse_bobbin_mass, t556)
-        .sub_product(t36, t555);
-    let bobbin_v_x_dot_by_bobbin_x = t545
-        .sub_product(c.inverse_bobbin_mass, t557)
-        .sub_product(t35, t555);
-    let rod_omega_dot_by_bobbin_x = (t33 * t559)
-        .sub_product(R::literal(4_166.666_666_666_667), t561)
-        .sub_product(t34, t558);
-    let rod_v_y_dot_by_bobbin_x = (-(R::literal(5.0) * t558)).sub_product(t32, t560);
-    let rod_v_x_dot_by_bobbin_x = (-(R::literal(5.0) * t559)).add_product(t31, t560);
-    let cylinder_omega_dot_by_bobbin_x = (t29 * t562)
-        .sub_product(t28, t563)
-        .sub_product(R::literal(-2_777.777_777_777_778), t561)
-        .add_product(t30, t560);
-    let cylinder_v_y_dot_by_bobbin_x = (t27 * t560)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t562);
-    let cylinder_v_x_dot_by_bobbin_x = (-(t26 * t560))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t563);
-    let plate_omega_dot_by_bobbin_x = (t23 * t564)
-        .sub_product(t22, t565)
-        .sub_product(t22, t563)
-        .add_product(t23, t562)
-        .add_product(t24, t557)
-        .sub_product(t25, t556);
-    let plate_v_y_dot_by_bobbin_x = (-(R::literal(-0.833_333_333_333_333_4) * t562))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t564)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t556);
-    let plate_v_x_dot_by_bobbin_x = (-(R::literal(-0.833_333_333_333_333_4) * t563))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t565)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t557);
-    let post_omega_dot_by_bobbin_x = (t20 * t566)
-        .sub_product(t19, t567)
-        .sub_product(t19, t565)
-        .add_product(t20, t564)
-        .sub_product(t21, t554);
-    let post_v_y_dot_by_bobbin_x = (-(R::literal(-1.25) * t564))
-        .sub_product(R::literal(1.25), t566);
-    let post_v_x_dot_by_bobbin_x = (-(R::literal(-1.25) * t565))
-        .sub_product(R::literal(1.25), t567);
+    let t532 = t531 * t230;
+    let t533 = t499 + t532;
+    let t534 = t531 * t243;
+    let t535 = bobbin_x_minus_drum_x * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t536 = t535 * t230;
+    let t537 = t536 - t500;
+    let t538 = t535 * bobbin_v_y_dot;
+    let t539 = t531 * drum_v_x_dot;
+    let t540 = t535 * drum_v_y_dot;
+    let t541 = c.inverse_bobbin_mass * t533;
+    let t542 = c.inverse_bobbin_mass * t537;
+    let t543 = t146 * t541;
+    let t544 = t543 - t542;
+    let t545 = R::literal(0.666_666_666_666_666_6) * t532;
+    let t546 = R::literal(0.666_666_666_666_666_6) * t536;
+    let t547 = t31 * t533;
+    let t548 = t33 * t532;
+    let t549 = t34 * t536;
+    let t550 = t147 * t541;
+    let t551 = bobbin_x_minus_drum_x_over_between * t545;
+    let t552 = bobbin_y_minus_drum_y_over_between * t546;
+    let t553 = ((t538 - ((bobbin_v_x * t519).add_product(bobbin_v_y, t528).add_product(drum_v_x,
+        t529).add_product(drum_v_y, t530) + t534) - t539 - t540 - t547).sub_product(t32, t537)
+        - t548 - t549 - t550).sub_product(t152, t544) + t551 + t552;
+    let t554 = t149 * t541;
+    let t555 = t541 * t144;
+    let t556 = t554.sub_product(t154, t544).sub_product(t159, t553) * t160;
+    let t557 = (t553 * t157).sub_product(t159, t556);
+    let t558 = (t544 * t150).sub_product(t152, t557).sub_product(t154, t556);
+    let t559 = (-t555.add_product(t146, t558)).add_product(t147, t557).sub_product(t149, t556);
+    let t560 = (t141 * t558).add_product(t139, t559).add_product(t143, t556);
+    let t561 = (t132 * t559).add_product(t130, t560).add_product(t134, t558).add_product(t136,
+        t556);
+    let t562 = (t121 * t560).add_product(t119, t561).sub_product(t123, t559).sub_product(t125, t558)
+        .sub_product(t127, t556);
+    let t563 = (t109 * t561).sub_product(t108, t562).sub_product(t110, t560).sub_product(t112, t559)
+        .sub_product(t114, t558).sub_product(t116, t556);
+    let t564 = (t99 * t562).add_product(t97, t563).add_product(t101, t559).add_product(t103, t558)
+        .add_product(t105, t556);
+    let t565 = (t86 * t563).sub_product(t85, t564).add_product(t88, t562).add_product(t90, t559)
+        .add_product(t92, t558).add_product(t94, t556);
+    let t566 = (t74 * t564).sub_product(t72, t565).add_product(t77, t559).sub_product(t80, t558)
+        .sub_product(t82, t556);
+    let t567 = (-(t60 * t565).add_product(t58, t566)).add_product(t61, t564).sub_product(t64, t559)
+        .add_product(t66, t558).add_product(t68, t556);
+    let t568 = (t51 * t566).add_product(t49, t567).add_product(t53, t556);
+    let t569 = (t41 * t567).sub_product(t39, t568).add_product(t39, t566).sub_product(t43, t556);
+    let drum_v_y_dot_by_bobbin_x = (-t546.add_product(R::literal(0.666_666_666_666_666_6), (-t536)
+        .add_product(bobbin_y_minus_drum_y_over_between, t557))).add_product(t34, t557);
+    let drum_v_x_dot_by_bobbin_x = (-t545.add_product(R::literal(0.666_666_666_666_666_6), (-t532)
+        .add_product(bobbin_x_minus_drum_x_over_between, t557))).add_product(t33, t557);
+    let bobbin_v_y_dot_by_bobbin_x = t542.sub_product(c.inverse_bobbin_mass, t558).sub_product(t32,
+        t557);
+    let bobbin_v_x_dot_by_bobbin_x = t541.sub_product(c.inverse_bobbin_mass, t559).sub_product(t31,
+        t557);
+    let rod_omega_dot_by_bobbin_x = (-(t29 * t561).add_product(R::literal(4_166.666_666_666_667),
+        t563)).add_product(t30, t560);
+    let rod_v_y_dot_by_bobbin_x = (R::literal(5.0) * t560).sub_product(t28, t562);
+    let rod_v_x_dot_by_bobbin_x = (R::literal(5.0) * t561).add_product(t27, t562);
+    let cylinder_omega_dot_by_bobbin_x = (-(t25 * t564).add_product(t24, t565))
+        .add_product(R::literal(2_777.777_777_777_778), t563).add_product(t26, t562);
+    let cylinder_v_y_dot_by_bobbin_x = (t23 * t562)
+        .add_product(R::literal(3.333_333_333_333_333_5), t564);
+    let cylinder_v_x_dot_by_bobbin_x = -(t22 * t562)
+        .add_product(R::literal(3.333_333_333_333_333_5), t565);
+    let plate_omega_dot_by_bobbin_x = (t19 * t566).sub_product(t18, t567).sub_product(t18, t565)
+        .sub_product(t19, t564).add_product(t20, t559).sub_product(t21, t558);
+    let plate_v_y_dot_by_bobbin_x = (-(R::literal(0.833_333_333_333_333_4) * t564)
+        .add_product(R::literal(0.833_333_333_333_333_4), t566))
+        .add_product(R::literal(0.833_333_333_333_333_4), t558);
+    let plate_v_x_dot_by_bobbin_x = (R::literal(0.833_333_333_333_333_4) * t565)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t567)
+        .add_product(R::literal(0.833_333_333_333_333_4), t559);
+    let post_omega_dot_by_bobbin_x = (-(t16 * t568).add_product(t15, t569).add_product(t15, t567))
+        .add_product(t16, t566).sub_product(t17, t556);
+    let post_v_y_dot_by_bobbin_x = (R::literal(1.25) * t566).add_product(R::literal(1.25), t568);
+    let post_v_x_dot_by_bobbin_x = (R::literal(1.25) * t567).sub_product(R::literal(1.25), t569);
     let bobbin_y_plus_between_minus_drum_y = bobbin_y + between - drum_y;
     let bobbin_y_minus_drum_y_minus_between = bobbin_y_minus_drum_y - between;
-    let t568 = -t504;
-    let t569 = t518 / between_squared_times_between;
-    let t570 = t520 * bobbin_y_minus_drum_y_squared / t508;
-    let t571 = bobbin_y_minus_drum_y_squared * bobbin_y_minus_drum_y;
-    let t572 = t512 * t571 / t508;
-    let t573 = t206 / between_squared_times_between;
-    let t574 = t506 * bobbin_y_minus_drum_y_squared / t508;
-    let t575 = t517 * t571 / t508;
-    let t576 = t513 / between_squared_times_between;
-    let t577 = drum_v_x_times_bobbin_x_minus_drum_x / between_squared_times_between;
-    let t578 = t574 + t575 + t576 + t577 - t569 - t570 - t572 - t573;
-    let t579 = t569 + t570 + t572 + t573 - t574 - t575 - t576 - t577;
-    let t580 = p.winding_force * bobbin_y_plus_between_minus_drum_y
-        * bobbin_y_minus_drum_y_minus_between / between_squared_times_between + t539;
-    let t581 = t538 * bobbin_v_x_dot;
-    let t582 = inverse_between
-        - bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t583 = t582 * t236;
-    let t584 = t568 - t583;
-    let t585 = t538 * drum_v_x_dot;
-    let t586 = bobbin_y_plus_between_minus_drum_y * bobbin_y_minus_drum_y_minus_between
+    let t570 = t514 / between_squared_times_between;
+    let t571 = t516 * bobbin_y_minus_drum_y_squared / t504;
+    let t572 = bobbin_y_minus_drum_y_squared * bobbin_y_minus_drum_y;
+    let t573 = t508 * t572 / t504;
+    let t574 = t199 / between_squared_times_between;
+    let t575 = t502 * bobbin_y_minus_drum_y_squared / t504;
+    let t576 = t513 * t572 / t504;
+    let t577 = t509 / between_squared_times_between;
+    let t578 = drum_v_x_times_bobbin_x_minus_drum_x / between_squared_times_between;
+    let t579 = t575 + t576 + t577 + t578 - t570 - t571 - t573 - t574;
+    let t580 = t570 + t571 + t573 + t574 - t575 - t576 - t577 - t578;
+    let t581 = p.winding_force * bobbin_y_plus_between_minus_drum_y
+        * bobbin_y_minus_drum_y_minus_between / between_squared_times_between + t536;
+    let t582 = t535 * t243;
+    let t583 = bobbin_y_plus_between_minus_drum_y * bobbin_y_minus_drum_y_minus_between
         / between_squared_times_between;
-    let t587 = t586 * t236;
-    let t588 = c.inverse_bobbin_mass * t580;
-    let t589 = c.inverse_bobbin_mass * t584;
-    let t590 = (-t589).add_product(t151, t588);
-    let t591 = R::literal(0.666_666_666_666_666_6) * t587;
-    let t592 = t37 * t539;
-    let t593 = bobbin_x_minus_drum_x_over_between * t549;
-    let t594 = ((((t581
-        - (bobbin_v_x * t532)
-            .add_product(bobbin_v_y, t578)
-            .add_product(drum_v_x, t534)
-            .add_product(drum_v_y, t579))
-        .sub_product(t582, bobbin_v_y_dot) - t585)
-        .sub_product(t586, drum_v_y_dot)
-        .sub_product(t35, t580)
-        .sub_product(t36, t584) - t592)
-        .sub_product(t38, t587)
-        .sub_product(t152, t588)
-        .sub_product(t157, t590) + t593)
-        .add_product(bobbin_y_minus_drum_y_over_between, t591);
-    let t595 = (t154 * t588).sub_product(t159, t590).sub_product(t164, t594) * t165;
-    let t596 = (t594 * t162).sub_product(t164, t595);
-    let t597 = (t590 * t155).sub_product(t157, t596).sub_product(t159, t595);
-    let t598 = (-(t588 * t149))
-        .sub_product(t151, t597)
-        .add_product(t152, t596)
-        .sub_product(t154, t595);
-    let t599 = (-(t146 * t597)).sub_product(t144, t598).sub_product(t148, t595);
-    let t600 = (-(t137 * t598))
-        .sub_product(t135, t599)
-        .sub_product(t139, t597)
-        .sub_product(t141, t595);
-    let t601 = (-(t126 * t599))
-        .sub_product(t124, t600)
-        .sub_product(t128, t598)
-        .sub_product(t130, t597)
-        .sub_product(t132, t595);
-    let t602 = (-(t114 * t600))
-        .sub_product(t113, t601)
-        .add_product(t115, t599)
-        .sub_product(t117, t598)
-        .sub_product(t119, t597)
-        .sub_product(t121, t595);
-    let t603 = (-(t104 * t601))
-        .sub_product(t102, t602)
-        .sub_product(t106, t598)
-        .sub_product(t108, t597)
-        .sub_product(t110, t595);
-    let t604 = (t91 * t602)
-        .sub_product(t89, t603)
-        .sub_product(t93, t601)
-        .sub_product(t95, t598)
-        .sub_product(t97, t597)
-        .sub_product(t99, t595);
-    let t605 = (-(t78 * t603))
-        .sub_product(t76, t604)
-        .sub_product(t81, t598)
-        .sub_product(t84, t597)
-        .sub_product(t86, t595);
-    let t606 = (-(t64 * t604))
-        .sub_product(t62, t605)
-        .sub_product(t65, t603)
-        .sub_product(t68, t598)
-        .add_product(t70, t597)
-        .sub_product(t72, t595);
-    let t607 = (-(t55 * t605)).sub_product(t53, t606).sub_product(t57, t595);
-    let t608 = (-(t45 * t606))
-        .sub_product(t43, t607)
-        .sub_product(t43, t605)
-        .add_product(t47, t595);
-    let drum_v_y_dot_by_bobbin_y = (-t591)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            (-t587).add_product(bobbin_y_minus_drum_y_over_between, t596),
-        )
-        .add_product(t38, t596);
-    let drum_v_x_dot_by_bobbin_y = t550
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            (-t539).add_product(bobbin_x_minus_drum_x_over_between, t596),
-        )
-        .add_product(t37, t596);
-    let bobbin_v_y_dot_by_bobbin_y = t589
-        .sub_product(c.inverse_bobbin_mass, t597)
-        .sub_product(t36, t596);
-    let bobbin_v_x_dot_by_bobbin_y = t588
-        .sub_product(c.inverse_bobbin_mass, t598)
-        .sub_product(t35, t596);
-    let rod_omega_dot_by_bobbin_y = (t33 * t600)
-        .sub_product(R::literal(4_166.666_666_666_667), t602)
-        .sub_product(t34, t599);
-    let rod_v_y_dot_by_bobbin_y = (-(R::literal(5.0) * t599)).sub_product(t32, t601);
-    let rod_v_x_dot_by_bobbin_y = (-(R::literal(5.0) * t600)).add_product(t31, t601);
-    let cylinder_omega_dot_by_bobbin_y = (t29 * t603)
-        .sub_product(t28, t604)
-        .sub_product(R::literal(-2_777.777_777_777_778), t602)
-        .add_product(t30, t601);
-    let cylinder_v_y_dot_by_bobbin_y = (t27 * t601)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t603);
-    let cylinder_v_x_dot_by_bobbin_y = (-(t26 * t601))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t604);
-    let plate_omega_dot_by_bobbin_y = (t23 * t605)
-        .sub_product(t22, t606)
-        .sub_product(t22, t604)
-        .add_product(t23, t603)
-        .add_product(t24, t598)
-        .sub_product(t25, t597);
-    let plate_v_y_dot_by_bobbin_y = (-(R::literal(-0.833_333_333_333_333_4) * t603))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t605)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t597);
-    let plate_v_x_dot_by_bobbin_y = (-(R::literal(-0.833_333_333_333_333_4) * t604))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t606)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t598);
-    let post_omega_dot_by_bobbin_y = (t20 * t607)
-        .sub_product(t19, t608)
-        .sub_product(t19, t606)
-        .add_product(t20, t605)
-        .sub_product(t21, t595);
-    let post_v_y_dot_by_bobbin_y = (-(R::literal(-1.25) * t605))
-        .sub_product(R::literal(1.25), t607);
-    let post_v_x_dot_by_bobbin_y = (-(R::literal(-1.25) * t606))
-        .sub_product(R::literal(1.25), t608);
-    let t609 = t568 - t543;
-    let t610 = p.winding_force * bobbin_x_plus_between_minus_drum_x
-        * bobbin_x_minus_drum_x_minus_between / between_squared_times_between - t539;
-    let t611 = c.inverse_bobbin_mass * t609;
-    let t612 = c.inverse_bobbin_mass * t610;
-    let t613 = (-t612).add_product(t151, t611);
-    let t614 = R::literal(0.666_666_666_666_666_6) * t536;
-    let t615 = ((((-(bobbin_v_y * t534)
-        .add_product(bobbin_v_x, t533)
-        .add_product(drum_v_x, t523)
-        .add_product(drum_v_y, t532))
-        .sub_product(t542, bobbin_v_x_dot) - t541)
-        .sub_product(t535, drum_v_x_dot) + t544)
-        .sub_product(t35, t609)
-        .sub_product(t36, t610)
-        .sub_product(t37, t536) + t551)
-        .sub_product(t152, t611)
-        .sub_product(t157, t613)
-        .add_product(bobbin_x_minus_drum_x_over_between, t614) - t552;
-    let t616 = (t154 * t611).sub_product(t159, t613).sub_product(t164, t615) * t165;
-    let t617 = (t615 * t162).sub_product(t164, t616);
-    let t618 = (t613 * t155).sub_product(t157, t617).sub_product(t159, t616);
-    let t619 = (-(t611 * t149))
-        .sub_product(t151, t618)
-        .add_product(t152, t617)
-        .sub_product(t154, t616);
-    let t620 = (-(t146 * t618)).sub_product(t144, t619).sub_product(t148, t616);
-    let t621 = (-(t137 * t619))
-        .sub_product(t135, t620)
-        .sub_product(t139, t618)
-        .sub_product(t141, t616);
-    let t622 = (-(t126 * t620))
-        .sub_product(t124, t621)
-        .sub_product(t128, t619)
-        .sub_product(t130, t618)
-        .sub_product(t132, t616);
-    let t623 = (-(t114 * t621))
-        .sub_product(t113, t622)
-        .add_product(t115, t620)
-        .sub_product(t117, t619)
-        .sub_product(t119, t618)
-        .sub_product(t121, t616);
-    let t624 = (-(t104 * t622))
-        .sub_product(t102, t623)
-        .sub_product(t106, t619)
-        .sub_product(t108, t618)
-        .sub_product(t110, t616);
-    let t625 = (t91 * t623)
-        .sub_product(t89, t624)
-        .sub_product(t93, t622)
-        .sub_product(t95, t619)
-        .sub_product(t97, t618)
-        .sub_product(t99, t616);
-    let t626 = (-(t78 * t624))
-        .sub_product(t76, t625)
-        .sub_product(t81, t619)
-        .sub_product(t84, t618)
-        .sub_product(t86, t616);
-    let t627 = (-(t64 * t625))
-        .sub_product(t62, t626)
-        .sub_product(t65, t624)
-        .sub_product(t68, t619)
-        .add_product(t70, t618)
-        .sub_product(t72, t616);
-    let t628 = (-(t55 * t626)).sub_product(t53, t627).sub_product(t57, t616);
-    let t629 = (-(t45 * t627))
-        .sub_product(t43, t628)
-        .sub_product(t43, t626)
-        .add_product(t47, t616);
-    let drum_v_y_dot_by_drum_x = t549
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            t539.add_product(bobbin_y_minus_drum_y_over_between, t617),
-        )
-        .add_product(t38, t617);
-    let drum_v_x_dot_by_drum_x = (-t614)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            (-t536).add_product(bobbin_x_minus_drum_x_over_between, t617),
-        )
-        .add_product(t37, t617);
-    let bobbin_v_y_dot_by_drum_x = t612
-        .sub_product(c.inverse_bobbin_mass, t618)
-        .sub_product(t36, t617);
-    let bobbin_v_x_dot_by_drum_x = t611
-        .sub_product(c.inverse_bobbin_mass, t619)
-        .sub_product(t35, t617);
-    let rod_omega_dot_by_drum_x = (t33 * t621)
-        .sub_product(R::literal(4_166.666_666_666_667), t623)
-        .sub_product(t34, t620);
-    let rod_v_y_dot_by_drum_x = (-(R::literal(5.0) * t620)).sub_product(t32, t622);
-    let rod_v_x_dot_by_drum_x = (-(R::literal(5.0) * t621)).add_product(t31, t622);
-    let cylinder_omega_dot_by_drum_x = (t29 * t624)
-        .sub_product(t28, t625)
-        .sub_product(R::literal(-2_777.777_777_777_778), t623)
-        .add_product(t30, t622);
-    let cylinder_v_y_dot_by_drum_x = (t27 * t622)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t624);
-    let cylinder_v_x_dot_by_drum_x = (-(t26 * t622))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t625);
-    let plate_omega_dot_by_drum_x = (t23 * t626)
-        .sub_product(t22, t627)
-        .sub_product(t22, t625)
-        .add_product(t23, t624)
-        .add_product(t24, t619)
-        .sub_product(t25, t618);
-    let plate_v_y_dot_by_drum_x = (-(R::literal(-0.833_333_333_333_333_4) * t624))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t626)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t618);
-    let plate_v_x_dot_by_drum_x = (-(R::literal(-0.833_333_333_333_333_4) * t625))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t627)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t619);
-    let post_omega_dot_by_drum_x = (t20 * t628)
-        .sub_product(t19, t629)
-        .sub_product(t19, t627)
-        .add_product(t20, t626)
-        .sub_product(t21, t616);
-    let post_v_y_dot_by_drum_x = (-(R::literal(-1.25) * t626))
-        .sub_product(R::literal(1.25), t628);
-    let post_v_x_dot_by_drum_x = (-(R::literal(-1.25) * t627))
-        .sub_product(R::literal(1.25), t629);
-    let t630 = winding_force_over_between
-        - p.winding_force * bobbin_y_minus_drum_y_squared / between_squared_times_between
-        - t539;
-    let t631 = t504 - t587;
-    let t632 = c.inverse_bobbin_mass * t630;
-    let t633 = c.inverse_bobbin_mass * t631;
-    let t634 = (-t633).add_product(t151, t632);
-    let t635 = R::literal(0.666_666_666_666_666_6) * t583;
-    let t636 = ((((-(bobbin_v_x * t534)
-        .add_product(bobbin_v_y, t579)
-        .add_product(drum_v_x, t532)
-        .add_product(drum_v_y, t578) - t581)
-        .sub_product(t586, bobbin_v_y_dot) + t585)
-        .sub_product(t582, drum_v_y_dot)
-        .sub_product(t35, t630)
-        .sub_product(t36, t631) + t592)
-        .sub_product(t38, t583)
-        .sub_product(t152, t632)
-        .sub_product(t157, t634) - t593)
-        .add_product(bobbin_y_minus_drum_y_over_between, t635);
-    let t637 = (t154 * t632).sub_product(t159, t634).sub_product(t164, t636) * t165;
-    let t638 = (t636 * t162).sub_product(t164, t637);
-    let t639 = (t634 * t155).sub_product(t157, t638).sub_product(t159, t637);
-    let t640 = (-(t632 * t149))
-        .sub_product(t151, t639)
-        .add_product(t152, t638)
-        .sub_product(t154, t637);
-    let t641 = (-(t146 * t639)).sub_product(t144, t640).sub_product(t148, t637);
-    let t642 = (-(t137 * t640))
-        .sub_product(t135, t641)
-        .sub_product(t139, t639)
-        .sub_product(t141, t637);
-    let t643 = (-(t126 * t641))
-        .sub_product(t124, t642)
-        .sub_product(t128, t640)
-        .sub_product(t130, t639)
-        .sub_product(t132, t637);
-    let t644 = (-(t114 * t642))
-        .sub_product(t113, t643)
-        .add_product(t115, t641)
-        .sub_product(t117, t640)
-        .sub_product(t119, t639)
-        .sub_product(t121, t637);
-    let t645 = (-(t104 * t643))
-        .sub_product(t102, t644)
-        .sub_product(t106, t640)
-        .sub_product(t108, t639)
-        .sub_product(t110, t637);
-    let t646 = (t91 * t644)
-        .sub_product(t89, t645)
-        .sub_product(t93, t643)
-        .sub_product(t95, t640)
-        .sub_product(t97, t639)
-        .sub_product(t99, t637);
-    let t647 = (-(t78 * t645))
-        .sub_product(t76, t646)
-        .sub_product(t81, t640)
-        .sub_product(t84, t639)
-        .sub_product(t86, t637);
-    let t648 = (-(t64 * t646))
-        .sub_product(t62, t647)
-        .sub_product(t65, t645)
-        .sub_product(t68, t640)
-        .add_product(t70, t639)
-        .sub_product(t72, t637);
-    let t649 = (-(t55 * t647)).sub_product(t53, t648).sub_product(t57, t637);
-    let t650 = (-(t45 * t648))
-        .sub_product(t43, t649)
-        .sub_product(t43, t647)
-        .add_product(t47, t637);
-    let drum_v_y_dot_by_drum_y = (-t635)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            (-t583).add_product(bobbin_y_minus_drum_y_over_between, t638),
-        )
-        .add_product(t38, t638);
-    let drum_v_x_dot_by_drum_y = t549
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            t539.add_product(bobbin_x_minus_drum_x_over_between, t638),
-        )
-        .add_product(t37, t638);
-    let bobbin_v_y_dot_by_drum_y = t633
-        .sub_product(c.inverse_bobbin_mass, t639)
-        .sub_product(t36, t638);
-    let bobbin_v_x_dot_by_drum_y = t632
-        .sub_product(c.inverse_bobbin_mass, t640)
-        .sub_product(t35, t638);
-    let rod_omega_dot_by_drum_y = (t33 * t642)
-        .sub_product(R::literal(4_166.666_666_666_667), t644)
-        .sub_product(t34, t641);
-    let rod_v_y_dot_by_drum_y = (-(R::literal(5.0) * t641)).sub_product(t32, t643);
-    let rod_v_x_dot_by_drum_y = (-(R::literal(5.0) * t642)).add_product(t31, t643);
-    let cylinder_omega_dot_by_drum_y = (t29 * t645)
-        .sub_product(t28, t646)
-        .sub_product(R::literal(-2_777.777_777_777_778), t644)
-        .add_product(t30, t643);
-    let cylinder_v_y_dot_by_drum_y = (t27 * t643)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t645);
-    let cylinder_v_x_dot_by_drum_y = (-(t26 * t643))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t646);
-    let plate_omega_dot_by_drum_y = (t23 * t647)
-        .sub_product(t22, t648)
-        .sub_product(t22, t646)
-        .add_product(t23, t645)
-        .add_product(t24, t640)
-        .sub_product(t25, t639);
-    let plate_v_y_dot_by_drum_y = (-(R::literal(-0.833_333_333_333_333_4) * t645))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t647)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t639);
-    let plate_v_x_dot_by_drum_y = (-(R::literal(-0.833_333_333_333_333_4) * t646))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t648)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t640);
-    let post_omega_dot_by_drum_y = (t20 * t649)
-        .sub_product(t19, t650)
-        .sub_product(t19, t648)
-        .add_product(t20, t647)
-        .sub_product(t21, t637);
-    let post_v_y_dot_by_drum_y = (-(R::literal(-1.25) * t647))
-        .sub_product(R::literal(1.25), t649);
-    let post_v_x_dot_by_drum_y = (-(R::literal(-1.25) * t648))
-        .sub_product(R::literal(1.25), t650);
-    let t651 = R::literal(0.2) * post_omega;
-    let t652 = t651 * cos_post_phi;
-    let t653 = (-(t651 * sin_post_phi)).add_product(t43, t652);
-    let t654 = (-t652).add_product(t45, t652).sub_product(t53, t653);
-    let t655 = t653.sub_product(t55, t653).sub_product(t62, t654);
-    let t656 = (-(t64 * t654)).sub_product(t76, t655);
-    let t657 = (-(t65 * t654)).sub_product(t78, t655).sub_product(t89, t656);
-    let t658 = (t91 * t656).sub_product(t102, t657);
-    let t659 = (-(t93 * t656)).sub_product(t104, t657).sub_product(t113, t658);
-    let t660 = (-(t114 * t658)).sub_product(t124, t659);
-    let t661 = (t115 * t658).sub_product(t126, t659).sub_product(t135, t660);
-    let t662 = (-(t68 * t654))
-        .sub_product(t81, t655)
-        .sub_product(t95, t656)
-        .sub_product(t106, t657)
-        .sub_product(t117, t658)
-        .sub_product(t128, t659)
-        .sub_product(t137, t660)
-        .sub_product(t144, t661);
-    let t663 = (t70 * t654)
-        .sub_product(t84, t655)
-        .sub_product(t97, t656)
-        .sub_product(t108, t657)
-        .sub_product(t119, t658)
-        .sub_product(t130, t659)
-        .sub_product(t139, t660)
-        .sub_product(t146, t661)
-        .sub_product(t151, t662);
-    let t664 = (t152 * t662).sub_product(t157, t663);
-    let t665 = (post_omega
-        * (R::literal(0.286) * sin_post_phi)
-            .sub_product(R::literal(0.088), cos_post_phi))
-        .sub_product(t47, t652)
-        .sub_product(t57, t653)
-        .sub_product(t72, t654)
-        .sub_product(t86, t655)
-        .sub_product(t99, t656)
-        .sub_product(t110, t657)
-        .sub_product(t121, t658)
-        .sub_product(t132, t659)
-        .sub_product(t141, t660)
-        .sub_product(t148, t661)
-        .sub_product(t154, t662)
-        .sub_product(t159, t663)
-        .sub_product(t164, t664) * t165;
-    let t666 = (t664 * t162).sub_product(t164, t665);
-    let t667 = (t663 * t155).sub_product(t157, t666).sub_product(t159, t665);
-    let t668 = (t662 * t149)
-        .sub_product(t151, t667)
-        .add_product(t152, t666)
-        .sub_product(t154, t665);
-    let t669 = (t661 * t142)
-        .sub_product(t144, t668)
-        .sub_product(t146, t667)
-        .sub_product(t148, t665);
-    let t670 = (t660 * t133)
-        .sub_product(t135, t669)
-        .sub_product(t137, t668)
-        .sub_product(t139, t667)
-        .sub_product(t141, t665);
-    let t671 = (t659 * t122)
-        .sub_product(t124, t670)
-        .sub_product(t126, t669)
-        .sub_product(t128, t668)
-        .sub_product(t130, t667)
-        .sub_product(t132, t665);
-    let t672 = (t658 * t111)
-        .sub_product(t113, t671)
-        .sub_product(t114, t670)
-        .add_product(t115, t669)
-        .sub_product(t117, t668)
-        .sub_product(t119, t667)
-        .sub_product(t121, t665);
-    let t673 = (t657 * t100)
-        .sub_product(t102, t672)
-        .sub_product(t104, t671)
-        .sub_product(t106, t668)
-        .sub_product(t108, t667)
-        .sub_product(t110, t665);
-    let t674 = (t656 * t87)
-        .sub_product(t89, t673)
-        .add_product(t91, t672)
-        .sub_product(t93, t671)
-        .sub_product(t95, t668)
-        .sub_product(t97, t667)
-        .sub_product(t99, t665);
-    let t675 = (t655 * t74)
-        .sub_product(t76, t674)
-        .sub_product(t78, t673)
-        .sub_product(t81, t668)
-        .sub_product(t84, t667)
-        .sub_product(t86, t665);
-    let t676 = (t654 * t59)
-        .sub_product(t62, t675)
-        .sub_product(t64, t674)
-        .sub_product(t65, t673)
-        .sub_product(t68, t668)
-        .add_product(t70, t667)
-        .sub_product(t72, t665);
-    let t677 = (t653 * t51)
-        .sub_product(t53, t676)
-        .sub_product(t55, t675)
-        .sub_product(t57, t665);
-    let t678 = (-(t652 * t41))
-        .sub_product(t43, t677)
-        .sub_product(t45, t676)
-        .sub_product(t43, t675)
-        .add_product(t47, t665);
-    let drum_v_y_dot_by_post_omega = (t38 * t666)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t666,
-        );
-    let drum_v_x_dot_by_post_omega = (t37 * t666)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t666,
-        );
-    let bobbin_v_y_dot_by_post_omega = (-(t36 * t666))
-        .sub_product(c.inverse_bobbin_mass, t667);
-    let bobbin_v_x_dot_by_post_omega = (-(t35 * t666))
-        .sub_product(c.inverse_bobbin_mass, t668);
-    let rod_omega_dot_by_post_omega = (t33 * t670)
-        .sub_product(R::literal(4_166.666_666_666_667), t672)
-        .sub_product(t34, t669);
-    let rod_v_y_dot_by_post_omega = (-(R::literal(5.0) * t669)).sub_product(t32, t671);
-    let rod_v_x_dot_by_post_omega = (-(R::literal(5.0) * t670)).add_product(t31, t671);
-    let cylinder_omega_dot_by_post_omega = (t29 * t673)
-        .sub_product(t28, t674)
-        .sub_product(R::literal(-2_777.777_777_777_778), t672)
-        .add_product(t30, t671);
-    let cylinder_v_y_dot_by_post_omega = (t27 * t671)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t673);
-    let cylinder_v_x_dot_by_post_omega = (-(t26 * t671))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t674);
-    let plate_omega_dot_by_post_omega = (t23 * t675)
-        .sub_product(t22, t676)
-        .sub_product(t22, t674)
-        .add_product(t23, t673)
-        .add_product(t24, t668)
-        .sub_product(t25, t667);
-    let plate_v_y_dot_by_post_omega = (-(R::literal(-0.833_333_333_333_333_4) * t673))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t675)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t667);
-    let plate_v_x_dot_by_post_omega = (-(R::literal(-0.833_333_333_333_333_4) * t674))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t676)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t668);
-    let post_omega_dot_by_post_omega = (t20 * t677)
-        .sub_product(t19, t678)
-        .sub_product(t19, t676)
-        .add_product(t20, t675)
-        .sub_product(t21, t665);
-    let post_v_y_dot_by_post_omega = (-(R::literal(-1.25) * t675))
-        .sub_product(R::literal(1.25), t677);
-    let post_v_x_dot_by_post_omega = (-(R::literal(-1.25) * t676))
-        .sub_product(R::literal(1.25), t678);
-    let t679 = R::literal(0.12) * plate_omega;
-    let t680 = t679 * cos_plate_phi;
-    let t681 = t679 * sin_plate_phi;
-    let t682 = (-t681).add_product(t62, t680);
-    let t683 = (-t680).add_product(t64, t680).sub_product(t76, t682);
-    let t684 = (-t681)
-        .add_product(t65, t680)
-        .sub_product(t78, t682)
-        .sub_product(t89, t683);
-    let t685 = (t91 * t683).sub_product(t102, t684);
-    let t686 = (-(t93 * t683)).sub_product(t104, t684).sub_product(t113, t685);
-    let t687 = (-(t114 * t685)).sub_product(t124, t686);
-    let t688 = (t115 * t685).sub_product(t126, t686).sub_product(t135, t687);
-    let t689 = (plate_omega
-        * (R::literal(0.02) * cos_plate_phi).sub_product(R::literal(0.2), sin_plate_phi))
-        .add_product(t68, t680)
-        .sub_product(t81, t682)
-        .sub_product(t95, t683)
-        .sub_product(t106, t684)
-        .sub_product(t117, t685)
-        .sub_product(t128, t686)
-        .sub_product(t137, t687)
-        .sub_product(t144, t688);
-    let t690 = (plate_omega
-        * (R::literal(0.02) * sin_plate_phi).add_product(R::literal(0.2), cos_plate_phi))
-        .sub_product(t70, t680)
-        .sub_product(t84, t682)
-        .sub_product(t97, t683)
-        .sub_product(t108, t684)
-        .sub_product(t119, t685)
-        .sub_product(t130, t686)
-        .sub_product(t139, t687)
-        .sub_product(t146, t688)
-        .sub_product(t151, t689);
-    let t691 = (t152 * t689).sub_product(t157, t690);
-    let t692 = (t72 * t680)
-        .sub_product(t86, t682)
-        .sub_product(t99, t683)
-        .sub_product(t110, t684)
-        .sub_product(t121, t685)
-        .sub_product(t132, t686)
-        .sub_product(t141, t687)
-        .sub_product(t148, t688)
-        .sub_product(t154, t689)
-        .sub_product(t159, t690)
-        .sub_product(t164, t691) * t165;
-    let t693 = (t691 * t162).sub_product(t164, t692);
-    let t694 = (t690 * t155).sub_product(t157, t693).sub_product(t159, t692);
-    let t695 = (t689 * t149)
-        .sub_product(t151, t694)
-        .add_product(t152, t693)
-        .sub_product(t154, t692);
-    let t696 = (t688 * t142)
-        .sub_product(t144, t695)
-        .sub_product(t146, t694)
-        .sub_product(t148, t692);
-    let t697 = (t687 * t133)
-        .sub_product(t135, t696)
-        .sub_product(t137, t695)
-        .sub_product(t139, t694)
-        .sub_product(t141, t692);
-    let t698 = (t686 * t122)
-        .sub_product(t124, t697)
-        .sub_product(t126, t696)
-        .sub_product(t128, t695)
-        .sub_product(t130, t694)
-        .sub_product(t132, t692);
-    let t699 = (t685 * t111)
-        .sub_product(t113, t698)
-        .sub_product(t114, t697)
-        .add_product(t115, t696)
-        .sub_product(t117, t695)
-        .sub_product(t119, t694)
-        .sub_product(t121, t692);
-    let t700 = (t684 * t100)
-        .sub_product(t102, t699)
-        .sub_product(t104, t698)
-        .sub_product(t106, t695)
-        .sub_product(t108, t694)
-        .sub_product(t110, t692);
-    let t701 = (t683 * t87)
-        .sub_product(t89, t700)
-        .add_product(t91, t699)
-        .sub_product(t93, t698)
-        .sub_product(t95, t695)
-        .sub_product(t97, t694)
-        .sub_product(t99, t692);
-    let t702 = (t682 * t74)
-        .sub_product(t76, t701)
-        .sub_product(t78, t700)
-        .sub_product(t81, t695)
-        .sub_product(t84, t694)
-        .sub_product(t86, t692);
-    let t703 = (-(t680 * t59))
-        .sub_product(t62, t702)
-        .sub_product(t64, t701)
-        .sub_product(t65, t700)
-        .sub_product(t68, t695)
-        .add_product(t70, t694)
-        .sub_product(t72, t692);
-    let t704 = (-(t55 * t702)).sub_product(t53, t703).sub_product(t57, t692);
-    let t705 = (-(t45 * t703))
-        .sub_product(t43, t704)
-        .sub_product(t43, t702)
-        .add_product(t47, t692);
-    let drum_v_y_dot_by_plate_omega = (t38 * t693)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t693,
-        );
-    let drum_v_x_dot_by_plate_omega = (t37 * t693)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t693,
-        );
-    let bobbin_v_y_dot_by_plate_omega = (-(t36 * t693))
-        .sub_product(c.inverse_bobbin_mass, t694);
-    let bobbin_v_x_dot_by_plate_omega = (-(t35 * t693))
-        .sub_product(c.inverse_bobbin_mass, t695);
-    let rod_omega_dot_by_plate_omega = (t33 * t697)
-        .sub_product(R::literal(4_166.666_666_666_667), t699)
-        .sub_product(t34, t696);
-    let rod_v_y_dot_by_plate_omega = (-(R::literal(5.0) * t696)).sub_product(t32, t698);
-    let rod_v_x_dot_by_plate_omega = (-(R::literal(5.0) * t697)).add_product(t31, t698);
-    let cylinder_omega_dot_by_plate_omega = (t29 * t700)
-        .sub_product(t28, t701)
-        .sub_product(R::literal(-2_777.777_777_777_778), t699)
-        .add_product(t30, t698);
-    let cylinder_v_y_dot_by_plate_omega = (t27 * t698)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t700);
-    let cylinder_v_x_dot_by_plate_omega = (-(t26 * t698))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t701);
-    let plate_omega_dot_by_plate_omega = (t23 * t702)
-        .sub_product(t22, t703)
-        .sub_product(t22, t701)
-        .add_product(t23, t700)
-        .add_product(t24, t695)
-        .sub_product(t25, t694);
-    let plate_v_y_dot_by_plate_omega = (-(R::literal(-0.833_333_333_333_333_4) * t700))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t702)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t694);
-    let plate_v_x_dot_by_plate_omega = (-(R::literal(-0.833_333_333_333_333_4) * t701))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t703)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t695);
-    let post_omega_dot_by_plate_omega = (t20 * t704)
-        .sub_product(t19, t705)
-        .sub_product(t19, t703)
-        .add_product(t20, t702)
-        .sub_product(t21, t692);
-    let post_v_y_dot_by_plate_omega = (-(R::literal(-1.25) * t702))
-        .sub_product(R::literal(1.25), t704);
-    let post_v_x_dot_by_plate_omega = (-(R::literal(-1.25) * t703))
-        .sub_product(R::literal(1.25), t705);
+    let t584 = t583 * t230;
+    let t585 = t584 - t499;
+    let t586 = t583 * bobbin_v_y_dot;
+    let t587 = t535 * drum_v_x_dot;
+    let t588 = t583 * drum_v_y_dot;
+    let t589 = c.inverse_bobbin_mass * t581;
+    let t590 = c.inverse_bobbin_mass * t585;
+    let t591 = t146 * t589;
+    let t592 = t591 - t590;
+    let t593 = R::literal(0.666_666_666_666_666_6) * t584;
+    let t594 = t31 * t581;
+    let t595 = t33 * t536;
+    let t596 = t34 * t584;
+    let t597 = t147 * t589;
+    let t598 = bobbin_x_minus_drum_x_over_between * t546;
+    let t599 = bobbin_y_minus_drum_y_over_between * t593;
+    let t600 = ((t586 - ((bobbin_v_x * t528).add_product(bobbin_v_y, t579).add_product(drum_v_x,
+        t530).add_product(drum_v_y, t580) + t582) - t587 - t588 - t594).sub_product(t32, t585)
+        - t595 - t596 - t597).sub_product(t152, t592) + t598 + t599;
+    let t601 = t149 * t589;
+    let t602 = t589 * t144;
+    let t603 = t601.sub_product(t154, t592).sub_product(t159, t600) * t160;
+    let t604 = (t600 * t157).sub_product(t159, t603);
+    let t605 = (t592 * t150).sub_product(t152, t604).sub_product(t154, t603);
+    let t606 = (-t602.add_product(t146, t605)).add_product(t147, t604).sub_product(t149, t603);
+    let t607 = (t141 * t605).add_product(t139, t606).add_product(t143, t603);
+    let t608 = (t132 * t606).add_product(t130, t607).add_product(t134, t605).add_product(t136,
+        t603);
+    let t609 = (t121 * t607).add_product(t119, t608).sub_product(t123, t606).sub_product(t125, t605)
+        .sub_product(t127, t603);
+    let t610 = (t109 * t608).sub_product(t108, t609).sub_product(t110, t607).sub_product(t112, t606)
+        .sub_product(t114, t605).sub_product(t116, t603);
+    let t611 = (t99 * t609).add_product(t97, t610).add_product(t101, t606).add_product(t103, t605)
+        .add_product(t105, t603);
+    let t612 = (t86 * t610).sub_product(t85, t611).add_product(t88, t609).add_product(t90, t606)
+        .add_product(t92, t605).add_product(t94, t603);
+    let t613 = (t74 * t611).sub_product(t72, t612).add_product(t77, t606).sub_product(t80, t605)
+        .sub_product(t82, t603);
+    let t614 = (-(t60 * t612).add_product(t58, t613)).add_product(t61, t611).sub_product(t64, t606)
+        .add_product(t66, t605).add_product(t68, t603);
+    let t615 = (t51 * t613).add_product(t49, t614).add_product(t53, t603);
+    let t616 = (t41 * t614).sub_product(t39, t615).add_product(t39, t613).sub_product(t43, t603);
+    let drum_v_y_dot_by_bobbin_y = (-t593.add_product(R::literal(0.666_666_666_666_666_6), (-t584)
+        .add_product(bobbin_y_minus_drum_y_over_between, t604))).add_product(t34, t604);
+    let drum_v_x_dot_by_bobbin_y = (-t546.add_product(R::literal(0.666_666_666_666_666_6), (-t536)
+        .add_product(bobbin_x_minus_drum_x_over_between, t604))).add_product(t33, t604);
+    let bobbin_v_y_dot_by_bobbin_y = t590.sub_product(c.inverse_bobbin_mass, t605).sub_product(t32,
+        t604);
+    let bobbin_v_x_dot_by_bobbin_y = t589.sub_product(c.inverse_bobbin_mass, t606).sub_product(t31,
+        t604);
+    let rod_omega_dot_by_bobbin_y = (-(t29 * t608).add_product(R::literal(4_166.666_666_666_667),
+        t610)).add_product(t30, t607);
+    let rod_v_y_dot_by_bobbin_y = (R::literal(5.0) * t607).sub_product(t28, t609);
+    let rod_v_x_dot_by_bobbin_y = (R::literal(5.0) * t608).add_product(t27, t609);
+    let cylinder_omega_dot_by_bobbin_y = (-(t25 * t611).add_product(t24, t612))
+        .add_product(R::literal(2_777.777_777_777_778), t610).add_product(t26, t609);
+    let cylinder_v_y_dot_by_bobbin_y = (t23 * t609)
+        .add_product(R::literal(3.333_333_333_333_333_5), t611);
+    let cylinder_v_x_dot_by_bobbin_y = -(t22 * t609)
+        .add_product(R::literal(3.333_333_333_333_333_5), t612);
+    let plate_omega_dot_by_bobbin_y = (t19 * t613).sub_product(t18, t614).sub_product(t18, t612)
+        .sub_product(t19, t611).add_product(t20, t606).sub_product(t21, t605);
+    let plate_v_y_dot_by_bobbin_y = (-(R::literal(0.833_333_333_333_333_4) * t611)
+        .add_product(R::literal(0.833_333_333_333_333_4), t613))
+        .add_product(R::literal(0.833_333_333_333_333_4), t605);
+    let plate_v_x_dot_by_bobbin_y = (R::literal(0.833_333_333_333_333_4) * t612)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t614)
+        .add_product(R::literal(0.833_333_333_333_333_4), t606);
+    let post_omega_dot_by_bobbin_y = (-(t16 * t615).add_product(t15, t616).add_product(t15, t614))
+        .add_product(t16, t613).sub_product(t17, t603);
+    let post_v_y_dot_by_bobbin_y = (R::literal(1.25) * t613).add_product(R::literal(1.25), t615);
+    let post_v_x_dot_by_bobbin_y = (R::literal(1.25) * t614).sub_product(R::literal(1.25), t616);
+    let t617 = t500 - t536;
+    let t618 = c.inverse_bobbin_mass * t617;
+    let t619 = t618 + t543;
+    let t620 = ((t534 - (bobbin_v_y * t530).add_product(bobbin_v_x, t529).add_product(drum_v_x,
+        t519).add_product(drum_v_y, t528) - t538 + t539 + t540 + t547).sub_product(t32, t617)
+        + t548 + t549 + t550).add_product(t152, t619) - t551 - t552;
+    let t621 = (-t554).add_product(t154, t619).sub_product(t159, t620) * t160;
+    let t622 = (t620 * t157).sub_product(t159, t621);
+    let t623 = (t619 * t150).add_product(t152, t622).add_product(t154, t621);
+    let t624 = t555.add_product(t146, t623).add_product(t147, t622).sub_product(t149, t621);
+    let t625 = (t141 * t623).sub_product(t139, t624).sub_product(t143, t621);
+    let t626 = (-(t132 * t624)).add_product(t130, t625).add_product(t134, t623).sub_product(t136,
+        t621);
+    let t627 = (-(t121 * t625).add_product(t119, t626).add_product(t123, t624)).add_product(t125,
+        t623).sub_product(t127, t621);
+    let t628 = (-(t109 * t626).add_product(t108, t627)).add_product(t110, t625).sub_product(t112,
+        t624).add_product(t114, t623).sub_product(t116, t621);
+    let t629 = (-(t99 * t627).add_product(t97, t628).add_product(t101, t624)).add_product(t103,
+        t623).sub_product(t105, t621);
+    let t630 = (t86 * t628).add_product(t85, t629).add_product(t88, t627).add_product(t90, t624)
+        .sub_product(t92, t623).add_product(t94, t621);
+    let t631 = (-(t74 * t629).add_product(t72, t630)).add_product(t77, t624).add_product(t80, t623)
+        .sub_product(t82, t621);
+    let t632 = (-(t60 * t630).add_product(t58, t631).add_product(t61, t629).add_product(t64, t624)
+        .add_product(t66, t623)).add_product(t68, t621);
+    let t633 = (t51 * t631).add_product(t49, t632).add_product(t53, t621);
+    let t634 = (t41 * t632).sub_product(t39, t633).add_product(t39, t631).sub_product(t43, t621);
+    let drum_v_y_dot_by_drum_x = t546.sub_product(R::literal(0.666_666_666_666_666_6), t536
+        .add_product(bobbin_y_minus_drum_y_over_between, t622)).add_product(t34, t622);
+    let drum_v_x_dot_by_drum_x = t545.sub_product(R::literal(0.666_666_666_666_666_6), t532
+        .add_product(bobbin_x_minus_drum_x_over_between, t622)).add_product(t33, t622);
+    let bobbin_v_y_dot_by_drum_x = t618.add_product(c.inverse_bobbin_mass, t623).sub_product(t32,
+        t622);
+    let bobbin_v_x_dot_by_drum_x = -t541.add_product(c.inverse_bobbin_mass, t624).add_product(t31,
+        t622);
+    let rod_omega_dot_by_drum_x = (t29 * t626).sub_product(R::literal(4_166.666_666_666_667), t628)
+        .sub_product(t30, t625);
+    let rod_v_y_dot_by_drum_x = -(R::literal(5.0) * t625).add_product(t28, t627);
+    let rod_v_x_dot_by_drum_x = (R::literal(-5.0) * t626).add_product(t27, t627);
+    let cylinder_omega_dot_by_drum_x = (t25 * t629).sub_product(t24, t630)
+        .add_product(R::literal(2_777.777_777_777_778), t628).add_product(t26, t627);
+    let cylinder_v_y_dot_by_drum_x = (t23 * t627).sub_product(R::literal(3.333_333_333_333_333_5),
+        t629);
+    let cylinder_v_x_dot_by_drum_x = -(t22 * t627).add_product(R::literal(3.333_333_333_333_333_5),
+        t630);
+    let plate_omega_dot_by_drum_x = (t19 * t631).sub_product(t18, t632).sub_product(t18, t630)
+        .add_product(t19, t629).add_product(t20, t624).add_product(t21, t623);
+    let plate_v_y_dot_by_drum_x = (R::literal(0.833_333_333_333_333_4) * t629)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t631)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t623);
+    let plate_v_x_dot_by_drum_x = (R::literal(0.833_333_333_333_333_4) * t630)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t632)
+        .add_product(R::literal(0.833_333_333_333_333_4), t624);
+    let post_omega_dot_by_drum_x = (-(t16 * t633).add_product(t15, t634).add_product(t15, t632))
+        .add_product(t16, t631).sub_product(t17, t621);
+    let post_v_y_dot_by_drum_x = (R::literal(1.25) * t631).add_product(R::literal(1.25), t633);
+    let post_v_x_dot_by_drum_x = (R::literal(1.25) * t632).sub_product(R::literal(1.25), t634);
+    let t635 = t499 - t584;
+    let t636 = c.inverse_bobbin_mass * t635;
+    let t637 = t636 + t591;
+    let t638 = ((t582 - (bobbin_v_x * t530).add_product(bobbin_v_y, t580).add_product(drum_v_x,
+        t528).add_product(drum_v_y, t579) - t586 + t587 + t588 + t594).sub_product(t32, t635)
+        + t595 + t596 + t597).add_product(t152, t637) - t598 - t599;
+    let t639 = (-t601).add_product(t154, t637).sub_product(t159, t638) * t160;
+    let t640 = (t638 * t157).sub_product(t159, t639);
+    let t641 = (t637 * t150).add_product(t152, t640).add_product(t154, t639);
+    let t642 = t602.add_product(t146, t641).add_product(t147, t640).sub_product(t149, t639);
+    let t643 = (t141 * t641).sub_product(t139, t642).sub_product(t143, t639);
+    let t644 = (-(t132 * t642)).add_product(t130, t643).add_product(t134, t641).sub_product(t136,
+        t639);
+    let t645 = (-(t121 * t643).add_product(t119, t644).add_product(t123, t642)).add_product(t125,
+        t641).sub_product(t127, t639);
+    let t646 = (-(t109 * t644).add_product(t108, t645)).add_product(t110, t643).sub_product(t112,
+        t642).add_product(t114, t641).sub_product(t116, t639);
+    let t647 = (-(t99 * t645).add_product(t97, t646).add_product(t101, t642)).add_product(t103,
+        t641).sub_product(t105, t639);
+    let t648 = (t86 * t646).add_product(t85, t647).add_product(t88, t645).add_product(t90, t642)
+        .sub_product(t92, t641).add_product(t94, t639);
+    let t649 = (-(t74 * t647).add_product(t72, t648)).add_product(t77, t642).add_product(t80, t641)
+        .sub_product(t82, t639);
+    let t650 = (-(t60 * t648).add_product(t58, t649).add_product(t61, t647).add_product(t64, t642)
+        .add_product(t66, t641)).add_product(t68, t639);
+    let t651 = (t51 * t649).add_product(t49, t650).add_product(t53, t639);
+    let t652 = (t41 * t650).sub_product(t39, t651).add_product(t39, t649).sub_product(t43, t639);
+    let drum_v_y_dot_by_drum_y = t593.sub_product(R::literal(0.666_666_666_666_666_6), t584
+        .add_product(bobbin_y_minus_drum_y_over_between, t640)).add_product(t34, t640);
+    let drum_v_x_dot_by_drum_y = t546.sub_product(R::literal(0.666_666_666_666_666_6), t536
+        .add_product(bobbin_x_minus_drum_x_over_between, t640)).add_product(t33, t640);
+    let bobbin_v_y_dot_by_drum_y = t636.add_product(c.inverse_bobbin_mass, t641).sub_product(t32,
+        t640);
+    let bobbin_v_x_dot_by_drum_y = -t589.add_product(c.inverse_bobbin_mass, t642).add_product(t31,
+        t640);
+    let rod_omega_dot_by_drum_y = (t29 * t644).sub_product(R::literal(4_166.666_666_666_667), t646)
+        .sub_product(t30, t643);
+    let rod_v_y_dot_by_drum_y = -(R::literal(5.0) * t643).add_product(t28, t645);
+    let rod_v_x_dot_by_drum_y = (R::literal(-5.0) * t644).add_product(t27, t645);
+    let cylinder_omega_dot_by_drum_y = (t25 * t647).sub_product(t24, t648)
+        .add_product(R::literal(2_777.777_777_777_778), t646).add_product(t26, t645);
+    let cylinder_v_y_dot_by_drum_y = (t23 * t645).sub_product(R::literal(3.333_333_333_333_333_5),
+        t647);
+    let cylinder_v_x_dot_by_drum_y = -(t22 * t645).add_product(R::literal(3.333_333_333_333_333_5),
+        t648);
+    let plate_omega_dot_by_drum_y = (t19 * t649).sub_product(t18, t650).sub_product(t18, t648)
+        .add_product(t19, t647).add_product(t20, t642).add_product(t21, t641);
+    let plate_v_y_dot_by_drum_y = (R::literal(0.833_333_333_333_333_4) * t647)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t649)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t641);
+    let plate_v_x_dot_by_drum_y = (R::literal(0.833_333_333_333_333_4) * t648)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t650)
+        .add_product(R::literal(0.833_333_333_333_333_4), t642);
+    let post_omega_dot_by_drum_y = (-(t16 * t651).add_product(t15, t652).add_product(t15, t650))
+        .add_product(t16, t649).sub_product(t17, t639);
+    let post_v_y_dot_by_drum_y = (R::literal(1.25) * t649).add_product(R::literal(1.25), t651);
+    let post_v_x_dot_by_drum_y = (R::literal(1.25) * t650).sub_product(R::literal(1.25), t652);
+    let t653 = R::literal(0.2) * post_omega;
+    let t654 = t653 * cos_post_phi;
+    let t655 = (t653 * sin_post_phi).add_product(t39, t654);
+    let t656 = (-t654.add_product(t41, t654)).add_product(t49, t655);
+    let t657 = (-t655).add_product(t51, t655).sub_product(t58, t656);
+    let t658 = (t60 * t656).add_product(t72, t657);
+    let t659 = (t61 * t656).add_product(t74, t657).add_product(t85, t658);
+    let t660 = (-(t86 * t658)).add_product(t97, t659);
+    let t661 = (-(t88 * t658)).add_product(t99, t659).sub_product(t108, t660);
+    let t662 = (t109 * t660).add_product(t119, t661);
+    let t663 = (t110 * t660).sub_product(t121, t661).sub_product(t130, t662);
+    let t664 = (-(t64 * t656)).add_product(t77, t657).sub_product(t90, t658).add_product(t101, t659)
+        .sub_product(t112, t660).sub_product(t123, t661).add_product(t132, t662).sub_product(t139,
+        t663);
+    let t665 = (t66 * t656).sub_product(t80, t657).sub_product(t92, t658).add_product(t103, t659)
+        .sub_product(t114, t660).sub_product(t125, t661).add_product(t134, t662).sub_product(t141,
+        t663).sub_product(t146, t664);
+    let t666 = (t147 * t664).sub_product(t152, t665);
+    let t667 = (post_omega * (R::literal(0.286) * sin_post_phi).sub_product(R::literal(0.088),
+        cos_post_phi)).add_product(t43, t654).add_product(t53, t655).add_product(t68, t656)
+        .sub_product(t82, t657).sub_product(t94, t658).add_product(t105, t659).sub_product(t116,
+        t660).sub_product(t127, t661).add_product(t136, t662).sub_product(t143, t663)
+        .sub_product(t149, t664).sub_product(t154, t665).sub_product(t159, t666) * t160;
+    let t668 = (t666 * t157).sub_product(t159, t667);
+    let t669 = (t665 * t150).sub_product(t152, t668).sub_product(t154, t667);
+    let t670 = (t664 * t144).sub_product(t146, t669).add_product(t147, t668).sub_product(t149,
+        t667);
+    let t671 = (t663 * t137).sub_product(t139, t670).sub_product(t141, t669).sub_product(t143,
+        t667);
+    let t672 = (t662 * t128).add_product(t130, t671).sub_product(t132, t670).sub_product(t134, t669)
+        .sub_product(t136, t667);
+    let t673 = (t661 * t117).sub_product(t119, t672).sub_product(t121, t671).sub_product(t123, t670)
+        .sub_product(t125, t669).sub_product(t127, t667);
+    let t674 = (t660 * t106).sub_product(t108, t673).sub_product(t109, t672).add_product(t110, t671)
+        .sub_product(t112, t670).sub_product(t114, t669).sub_product(t116, t667);
+    let t675 = (t659 * t95).add_product(t97, t674).add_product(t99, t673).add_product(t101, t670)
+        .add_product(t103, t669).add_product(t105, t667);
+    let t676 = (t658 * t83).sub_product(t85, t675).add_product(t86, t674).add_product(t88, t673)
+        .add_product(t90, t670).add_product(t92, t669).add_product(t94, t667);
+    let t677 = (t657 * t70).sub_product(t72, t676).add_product(t74, t675).add_product(t77, t670)
+        .sub_product(t80, t669).sub_product(t82, t667);
+    let t678 = (t656 * t55).sub_product(t58, t677).sub_product(t60, t676).add_product(t61, t675)
+        .sub_product(t64, t670).add_product(t66, t669).add_product(t68, t667);
+    let t679 = (t655 * t47).add_product(t49, t678).add_product(t51, t677).add_product(t53, t667);
+    let t680 = (t654 * t37).sub_product(t39, t679).add_product(t41, t678).add_product(t39, t677)
+        .sub_product(t43, t667);
+    let drum_v_y_dot_by_post_omega = (t34 * t668).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_y_minus_drum_y_over_between * t668);
+    let drum_v_x_dot_by_post_omega = (t33 * t668).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_x_minus_drum_x_over_between * t668);
+    let bobbin_v_y_dot_by_post_omega = -(t32 * t668).add_product(c.inverse_bobbin_mass, t669);
+    let bobbin_v_x_dot_by_post_omega = -(t31 * t668).add_product(c.inverse_bobbin_mass, t670);
+    let rod_omega_dot_by_post_omega = (t29 * t672).sub_product(R::literal(4_166.666_666_666_667),
+        t674).sub_product(t30, t671);
+    let rod_v_y_dot_by_post_omega = -(R::literal(5.0) * t671).add_product(t28, t673);
+    let rod_v_x_dot_by_post_omega = (R::literal(-5.0) * t672).add_product(t27, t673);
+    let cylinder_omega_dot_by_post_omega = (-(t25 * t675).add_product(t24, t676))
+        .add_product(R::literal(2_777.777_777_777_778), t674).add_product(t26, t673);
+    let cylinder_v_y_dot_by_post_omega = (t23 * t673)
+        .add_product(R::literal(3.333_333_333_333_333_5), t675);
+    let cylinder_v_x_dot_by_post_omega = -(t22 * t673)
+        .add_product(R::literal(3.333_333_333_333_333_5), t676);
+    let plate_omega_dot_by_post_omega = (t19 * t677).sub_product(t18, t678).sub_product(t18, t676)
+        .sub_product(t19, t675).add_product(t20, t670).sub_product(t21, t669);
+    let plate_v_y_dot_by_post_omega = (-(R::literal(0.833_333_333_333_333_4) * t675)
+        .add_product(R::literal(0.833_333_333_333_333_4), t677))
+        .add_product(R::literal(0.833_333_333_333_333_4), t669);
+    let plate_v_x_dot_by_post_omega = (R::literal(0.833_333_333_333_333_4) * t676)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t678)
+        .add_product(R::literal(0.833_333_333_333_333_4), t670);
+    let post_omega_dot_by_post_omega = (-(t16 * t679).add_product(t15, t680).add_product(t15, t678))
+        .add_product(t16, t677).sub_product(t17, t667);
+    let post_v_y_dot_by_post_omega = (R::literal(1.25) * t677).add_product(R::literal(1.25), t679);
+    let post_v_x_dot_by_post_omega = (R::literal(1.25) * t678).sub_product(R::literal(1.25), t680);
+    let t681 = R::literal(0.12) * plate_omega;
+    let t682 = t681 * cos_plate_phi;
+    let t683 = t681 * sin_plate_phi;
+    let t684 = (-t683).add_product(t58, t682);
+    let t685 = (-t682).add_product(t60, t682).sub_product(t72, t684);
+    let t686 = (-t683).add_product(t61, t682).sub_product(t74, t684).add_product(t85, t685);
+    let t687 = (t86 * t685).sub_product(t97, t686);
+    let t688 = (t88 * t685).sub_product(t99, t686).sub_product(t108, t687);
+    let t689 = (t109 * t687).add_product(t119, t688);
+    let t690 = (t110 * t687).sub_product(t121, t688).sub_product(t130, t689);
+    let t691 = (plate_omega * (R::literal(0.02) * cos_plate_phi).sub_product(R::literal(0.2),
+        sin_plate_phi)).add_product(t64, t682).add_product(t77, t684).add_product(t90, t685)
+        .sub_product(t101, t686).sub_product(t112, t687).sub_product(t123, t688).add_product(t132,
+        t689).sub_product(t139, t690);
+    let t692 = (plate_omega * (R::literal(0.02) * sin_plate_phi).add_product(R::literal(0.2),
+        cos_plate_phi)).sub_product(t66, t682).sub_product(t80, t684).add_product(t92, t685)
+        .sub_product(t103, t686).sub_product(t114, t687).sub_product(t125, t688).add_product(t134,
+        t689).sub_product(t141, t690).sub_product(t146, t691);
+    let t693 = (t147 * t691).sub_product(t152, t692);
+    let t694 = (-(t68 * t682).add_product(t82, t684)).add_product(t94, t685).sub_product(t105, t686)
+        .sub_product(t116, t687).sub_product(t127, t688).add_product(t136, t689).sub_product(t143,
+        t690).sub_product(t149, t691).sub_product(t154, t692).sub_product(t159, t693) * t160;
+    let t695 = (t693 * t157).sub_product(t159, t694);
+    let t696 = (t692 * t150).sub_product(t152, t695).sub_product(t154, t694);
+    let t697 = (t691 * t144).sub_product(t146, t696).add_product(t147, t695).sub_product(t149,
+        t694);
+    let t698 = (t690 * t137).sub_product(t139, t697).sub_product(t141, t696).sub_product(t143,
+        t694);
+    let t699 = (t689 * t128).add_product(t130, t698).sub_product(t132, t697).sub_product(t134, t696)
+        .sub_product(t136, t694);
+    let t700 = (t688 * t117).sub_product(t119, t699).sub_product(t121, t698).sub_product(t123, t697)
+        .sub_product(t125, t696).sub_product(t127, t694);
+    let t701 = (t687 * t106).sub_product(t108, t700).sub_product(t109, t699).add_product(t110, t698)
+        .sub_product(t112, t697).sub_product(t114, t696).sub_product(t116, t694);
+    let t702 = (t686 * t95).sub_product(t97, t701).sub_product(t99, t700).sub_product(t101, t697)
+        .sub_product(t103, t696).sub_product(t105, t694);
+    let t703 = (-(t685 * t83)).add_product(t85, t702).add_product(t86, t701).add_product(t88, t700)
+        .add_product(t90, t697).add_product(t92, t696).add_product(t94, t694);
+    let t704 = (t684 * t70).sub_product(t72, t703).sub_product(t74, t702).add_product(t77, t697)
+        .sub_product(t80, t696).sub_product(t82, t694);
+    let t705 = (-(t682 * t55).add_product(t58, t704).add_product(t60, t703).add_product(t61, t702)
+        .add_product(t64, t697)).add_product(t66, t696).add_product(t68, t694);
+    let t706 = (t51 * t704).add_product(t49, t705).add_product(t53, t694);
+    let t707 = (t41 * t705).sub_product(t39, t706).add_product(t39, t704).sub_product(t43, t694);
+    let drum_v_y_dot_by_plate_omega = (t34 * t695).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_y_minus_drum_y_over_between * t695);
+    let drum_v_x_dot_by_plate_omega = (t33 * t695).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_x_minus_drum_x_over_between * t695);
+    let bobbin_v_y_dot_by_plate_omega = -(t32 * t695).add_product(c.inverse_bobbin_mass, t696);
+    let bobbin_v_x_dot_by_plate_omega = -(t31 * t695).add_product(c.inverse_bobbin_mass, t697);
+    let rod_omega_dot_by_plate_omega = (t29 * t699).sub_product(R::literal(4_166.666_666_666_667),
+        t701).sub_product(t30, t698);
+    let rod_v_y_dot_by_plate_omega = -(R::literal(5.0) * t698).add_product(t28, t700);
+    let rod_v_x_dot_by_plate_omega = (R::literal(-5.0) * t699).add_product(t27, t700);
+    let cylinder_omega_dot_by_plate_omega = (t25 * t702).sub_product(t24, t703)
+        .add_product(R::literal(2_777.777_777_777_778), t701).add_product(t26, t700);
+    let cylinder_v_y_dot_by_plate_omega = (t23 * t700)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t702);
+    let cylinder_v_x_dot_by_plate_omega = -(t22 * t700)
+        .add_product(R::literal(3.333_333_333_333_333_5), t703);
+    let plate_omega_dot_by_plate_omega = (t19 * t704).sub_product(t18, t705).sub_product(t18, t703)
+        .add_product(t19, t702).add_product(t20, t697).sub_product(t21, t696);
+    let plate_v_y_dot_by_plate_omega = (R::literal(0.833_333_333_333_333_4) * t702)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t704)
+        .add_product(R::literal(0.833_333_333_333_333_4), t696);
+    let plate_v_x_dot_by_plate_omega = (R::literal(0.833_333_333_333_333_4) * t703)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t705)
+        .add_product(R::literal(0.833_333_333_333_333_4), t697);
+    let post_omega_dot_by_plate_omega = (-(t16 * t706).add_product(t15, t707).add_product(t15,
+        t705)).add_product(t16, t704).sub_product(t17, t694);
+    let post_v_y_dot_by_plate_omega = (R::literal(1.25) * t704).add_product(R::literal(1.25), t706);
+    let post_v_x_dot_by_plate_omega = (R::literal(1.25) * t705).sub_product(R::literal(1.25), t707);
     let cos_cylinder_phi_squared = cos_cylinder_phi * cos_cylinder_phi;
-    let t706 = R::literal(50.0) * cos_cylinder_phi_squared;
-    let t707 = R::literal(50.0) * sin_cylinder_phi * cos_cylinder_phi;
-    let t708 = R::literal(50.0) * t14;
-    let t709 = t708 * cos_cylinder_phi;
-    let t710 = R::literal(2.0) * cylinder_omega;
+    let t708 = R::literal(50.0) * cos_cylinder_phi_squared;
+    let t709 = R::literal(50.0) * sin_cylinder_phi * cos_cylinder_phi;
+    let t710 = R::literal(50.0) * t10;
     let t711 = t710 * cos_cylinder_phi;
-    let t712 = R::literal(166.666_666_666_666_69) * cos_cylinder_phi_squared;
-    let t713 = t28 * t709;
-    let t714 = t712 - t713;
-    let t715 = R::literal(3.333_333_333_333_333_5) * t707;
-    let t716 = -t715;
-    let t717 = t29 * t709;
-    let t718 = (t715 + t717).sub_product(t89, t714);
-    let t719 = R::literal(-2_777.777_777_777_778) * t709;
-    let t720 = (-t719).add_product(t91, t714).sub_product(t102, t718);
-    let t721 = t26 * t706;
-    let t722 = t27 * t707;
-    let t723 = t30 * t709;
-    let t724 = t31 * t706;
-    let t725 = t32 * t707;
-    let t726 = (t721 - t711 - t722 + t723 + t724 - t725)
-        .sub_product(t93, t714)
-        .sub_product(t104, t718)
-        .sub_product(t113, t720);
-    let t727 = R::literal(250.0) * cos_cylinder_phi_squared;
-    let t728 = (-t727).sub_product(t114, t720).sub_product(t124, t726);
-    let t729 = R::literal(5.0) * t707;
-    let t730 = -t729;
-    let t731 = (-t729)
-        .add_product(t115, t720)
-        .sub_product(t126, t726)
-        .sub_product(t135, t728);
-    let t732 = (-(t95 * t714))
-        .sub_product(t106, t718)
-        .sub_product(t117, t720)
-        .sub_product(t128, t726)
-        .sub_product(t137, t728)
-        .sub_product(t144, t731);
-    let t733 = (-(t97 * t714))
-        .sub_product(t108, t718)
-        .sub_product(t119, t720)
-        .sub_product(t130, t726)
-        .sub_product(t139, t728)
-        .sub_product(t146, t731)
-        .sub_product(t151, t732);
-    let t734 = (t152 * t732).sub_product(t157, t733);
-    let t735 = t709 * R::literal(2_777.777_777_777_778);
-    let t736 = (-(t99 * t714))
-        .sub_product(t110, t718)
-        .sub_product(t121, t720)
-        .sub_product(t132, t726)
-        .sub_product(t141, t728)
-        .sub_product(t148, t731)
-        .sub_product(t154, t732)
-        .sub_product(t159, t733)
-        .sub_product(t164, t734) * t165;
-    let t737 = (t734 * t162).sub_product(t164, t736);
-    let t738 = (t733 * t155).sub_product(t157, t737).sub_product(t159, t736);
-    let t739 = (t732 * t149)
-        .sub_product(t151, t738)
-        .add_product(t152, t737)
-        .sub_product(t154, t736);
-    let t740 = (t731 * t142)
-        .sub_product(t144, t739)
-        .sub_product(t146, t738)
-        .sub_product(t148, t736);
-    let t741 = (t728 * t133)
-        .sub_product(t135, t740)
-        .sub_product(t137, t739)
-        .sub_product(t139, t738)
-        .sub_product(t141, t736);
-    let t742 = (t726 * t122)
-        .sub_product(t124, t741)
-        .sub_product(t126, t740)
-        .sub_product(t128, t739)
-        .sub_product(t130, t738)
-        .sub_product(t132, t736);
-    let t743 = (t720 * t111)
-        .sub_product(t113, t742)
-        .sub_product(t114, t741)
-        .add_product(t115, t740)
-        .sub_product(t117, t739)
-        .sub_product(t119, t738)
-        .sub_product(t121, t736);
-    let t744 = (t718 * t100)
-        .sub_product(t102, t743)
-        .sub_product(t104, t742)
-        .sub_product(t106, t739)
-        .sub_product(t108, t738)
-        .sub_product(t110, t736);
-    let t745 = (t714 * t87)
-        .sub_product(t89, t744)
-        .add_product(t91, t743)
-        .sub_product(t93, t742)
-        .sub_product(t95, t739)
-        .sub_product(t97, t738)
-        .sub_product(t99, t736);
-    let t746 = (-(t78 * t744))
-        .sub_product(t76, t745)
-        .sub_product(t81, t739)
-        .sub_product(t84, t738)
-        .sub_product(t86, t736);
-    let t747 = (-(t64 * t745))
-        .sub_product(t62, t746)
-        .sub_product(t65, t744)
-        .sub_product(t68, t739)
-        .add_product(t70, t738)
-        .sub_product(t72, t736);
-    let t748 = (-(t55 * t746)).sub_product(t53, t747).sub_product(t57, t736);
-    let t749 = (-(t45 * t747))
-        .sub_product(t43, t748)
-        .sub_product(t43, t746)
-        .add_product(t47, t736);
-    let drum_v_y_dot_by_cylinder_v_x = (t38 * t737)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t737,
-        );
-    let drum_v_x_dot_by_cylinder_v_x = (t37 * t737)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t737,
-        );
-    let bobbin_v_y_dot_by_cylinder_v_x = (-(t36 * t737))
-        .sub_product(c.inverse_bobbin_mass, t738);
-    let bobbin_v_x_dot_by_cylinder_v_x = (-(t35 * t737))
-        .sub_product(c.inverse_bobbin_mass, t739);
-    let rod_omega_dot_by_cylinder_v_x = (t33 * t741)
-        .sub_product(R::literal(4_166.666_666_666_667), t743)
-        .sub_product(t34, t740);
-    let rod_v_y_dot_by_cylinder_v_x = t729
-        .sub_product(t32, t742)
-        .sub_product(R::literal(5.0), t740);
-    let rod_v_x_dot_by_cylinder_v_x = t727
-        .add_product(t31, t742)
-        .sub_product(R::literal(5.0), t741);
-    let cylinder_omega_dot_by_cylinder_v_x = t735
-        .sub_product(t28, t745)
-        .add_product(t29, t744)
-        .sub_product(R::literal(-2_777.777_777_777_778), t743)
-        .add_product(t30, t742);
-    let cylinder_v_y_dot_by_cylinder_v_x = t716
-        .sub_product(R::literal(3.333_333_333_333_333_5), t744)
-        .add_product(t27, t742);
-    let cylinder_v_x_dot_by_cylinder_v_x = (-t712)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t745)
-        .sub_product(t26, t742);
-    let plate_omega_dot_by_cylinder_v_x = (t23 * t746)
-        .sub_product(t22, t747)
-        .sub_product(t22, t745)
-        .add_product(t23, t744)
-        .add_product(t24, t739)
-        .sub_product(t25, t738);
-    let plate_v_y_dot_by_cylinder_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t744))
+    let t712 = R::literal(2.0) * cylinder_omega;
+    let t713 = t712 * cos_cylinder_phi;
+    let t714 = R::literal(166.666_666_666_666_69) * cos_cylinder_phi_squared;
+    let t715 = t24 * t711;
+    let t716 = t714 - t715;
+    let t717 = R::literal(3.333_333_333_333_333_5) * t709;
+    let t718 = t717.add_product(t25, t711);
+    let t719 = t718.add_product(t85, t716);
+    let t720 = R::literal(2_777.777_777_777_778) * t711;
+    let t721 = t720.add_product(t86, t716).sub_product(t97, t719);
+    let t722 = t22 * t708;
+    let t723 = t23 * t709;
+    let t724 = t26 * t711;
+    let t725 = t27 * t708;
+    let t726 = t28 * t709;
+    let t727 = (t722 - t713 - t723 + t724 + t725 - t726).add_product(t88, t716).sub_product(t99,
+        t719).sub_product(t108, t721);
+    let t728 = R::literal(250.0) * cos_cylinder_phi_squared;
+    let t729 = t728.add_product(t109, t721).add_product(t119, t727);
+    let t730 = R::literal(5.0) * t709;
+    let t731 = (-t730).add_product(t110, t721).sub_product(t121, t727).sub_product(t130, t729);
+    let t732 = (t90 * t716).sub_product(t101, t719).sub_product(t112, t721).sub_product(t123, t727)
+        .add_product(t132, t729).sub_product(t139, t731);
+    let t733 = (t92 * t716).sub_product(t103, t719).sub_product(t114, t721).sub_product(t125, t727)
+        .add_product(t134, t729).sub_product(t141, t731).sub_product(t146, t732);
+    let t734 = (t147 * t732).sub_product(t152, t733);
+    let t735 = (t94 * t716).sub_product(t105, t719).sub_product(t116, t721).sub_product(t127, t727)
+        .add_product(t136, t729).sub_product(t143, t731).sub_product(t149, t732).sub_product(t154,
+        t733).sub_product(t159, t734) * t160;
+    let t736 = (t734 * t157).sub_product(t159, t735);
+    let t737 = (t733 * t150).sub_product(t152, t736).sub_product(t154, t735);
+    let t738 = (t732 * t144).sub_product(t146, t737).add_product(t147, t736).sub_product(t149,
+        t735);
+    let t739 = (t731 * t137).sub_product(t139, t738).sub_product(t141, t737).sub_product(t143,
+        t735);
+    let t740 = (t729 * t128).add_product(t130, t739).sub_product(t132, t738).sub_product(t134, t737)
+        .sub_product(t136, t735);
+    let t741 = (t727 * t117).sub_product(t119, t740).sub_product(t121, t739).sub_product(t123, t738)
+        .sub_product(t125, t737).sub_product(t127, t735);
+    let t742 = (t721 * t106).sub_product(t108, t741).sub_product(t109, t740).add_product(t110, t739)
+        .sub_product(t112, t738).sub_product(t114, t737).sub_product(t116, t735);
+    let t743 = (t719 * t95).sub_product(t97, t742).sub_product(t99, t741).sub_product(t101, t738)
+        .sub_product(t103, t737).sub_product(t105, t735);
+    let t744 = (-(t716 * t83)).add_product(t85, t743).add_product(t86, t742).add_product(t88, t741)
+        .add_product(t90, t738).add_product(t92, t737).add_product(t94, t735);
+    let t745 = (-(t74 * t743).add_product(t72, t744)).add_product(t77, t738).sub_product(t80, t737)
+        .sub_product(t82, t735);
+    let t746 = (-(t60 * t744).add_product(t58, t745).add_product(t61, t743).add_product(t64, t738))
+        .add_product(t66, t737).add_product(t68, t735);
+    let t747 = (t51 * t745).add_product(t49, t746).add_product(t53, t735);
+    let t748 = (t41 * t746).sub_product(t39, t747).add_product(t39, t745).sub_product(t43, t735);
+    let drum_v_y_dot_by_cylinder_v_x = (t34 * t736)
+        .sub_product(R::literal(0.666_666_666_666_666_6), bobbin_y_minus_drum_y_over_between
+        * t736);
+    let drum_v_x_dot_by_cylinder_v_x = (t33 * t736)
+        .sub_product(R::literal(0.666_666_666_666_666_6), bobbin_x_minus_drum_x_over_between
+        * t736);
+    let bobbin_v_y_dot_by_cylinder_v_x = -(t32 * t736).add_product(c.inverse_bobbin_mass, t737);
+    let bobbin_v_x_dot_by_cylinder_v_x = -(t31 * t736).add_product(c.inverse_bobbin_mass, t738);
+    let rod_omega_dot_by_cylinder_v_x = (t29 * t740).sub_product(R::literal(4_166.666_666_666_667),
+        t742).sub_product(t30, t739);
+    let rod_v_y_dot_by_cylinder_v_x = t730.sub_product(t28, t741).sub_product(R::literal(5.0),
+        t739);
+    let rod_v_x_dot_by_cylinder_v_x = t728.add_product(t27, t741).sub_product(R::literal(5.0),
+        t740);
+    let cylinder_omega_dot_by_cylinder_v_x = t720.sub_product(t24, t744).add_product(t25, t743)
+        .add_product(R::literal(2_777.777_777_777_778), t742).add_product(t26, t741);
+    let cylinder_v_y_dot_by_cylinder_v_x = (-t717.add_product(R::literal(3.333_333_333_333_333_5),
+        t743)).add_product(t23, t741);
+    let cylinder_v_x_dot_by_cylinder_v_x = -t714.add_product(R::literal(3.333_333_333_333_333_5),
+        t744).add_product(t22, t741);
+    let plate_omega_dot_by_cylinder_v_x = (t19 * t745).sub_product(t18, t746).sub_product(t18, t744)
+        .add_product(t19, t743).add_product(t20, t738).sub_product(t21, t737);
+    let plate_v_y_dot_by_cylinder_v_x = (R::literal(0.833_333_333_333_333_4) * t743)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t745)
+        .add_product(R::literal(0.833_333_333_333_333_4), t737);
+    let plate_v_x_dot_by_cylinder_v_x = (R::literal(0.833_333_333_333_333_4) * t744)
         .sub_product(R::literal(0.833_333_333_333_333_4), t746)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t738);
-    let plate_v_x_dot_by_cylinder_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t745))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t747)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t739);
-    let post_omega_dot_by_cylinder_v_x = (t20 * t748)
-        .sub_product(t19, t749)
-        .sub_product(t19, t747)
-        .add_product(t20, t746)
-        .sub_product(t21, t736);
-    let post_v_y_dot_by_cylinder_v_x = (-(R::literal(-1.25) * t746))
-        .sub_product(R::literal(1.25), t748);
-    let post_v_x_dot_by_cylinder_v_x = (-(R::literal(-1.25) * t747))
-        .sub_product(R::literal(1.25), t749);
+        .add_product(R::literal(0.833_333_333_333_333_4), t738);
+    let post_omega_dot_by_cylinder_v_x = (-(t16 * t747).add_product(t15, t748).add_product(t15,
+        t746)).add_product(t16, t745).sub_product(t17, t735);
+    let post_v_y_dot_by_cylinder_v_x = (R::literal(1.25) * t745).add_product(R::literal(1.25),
+        t747);
+    let post_v_x_dot_by_cylinder_v_x = (R::literal(1.25) * t746).sub_product(R::literal(1.25),
+        t748);
     let sin_cylinder_phi_squared = sin_cylinder_phi * sin_cylinder_phi;
-    let t750 = R::literal(50.0) * sin_cylinder_phi_squared;
-    let t751 = t708 * sin_cylinder_phi;
-    let t752 = t710 * sin_cylinder_phi;
-    let t753 = t28 * t751;
-    let t754 = t715 - t753;
-    let t755 = R::literal(166.666_666_666_666_69) * sin_cylinder_phi_squared;
-    let t756 = -t755;
-    let t757 = t29 * t751;
-    let t758 = (t755 + t757).sub_product(t89, t754);
-    let t759 = R::literal(-2_777.777_777_777_778) * t751;
-    let t760 = (-t759).add_product(t91, t754).sub_product(t102, t758);
-    let t761 = t26 * t707;
-    let t762 = t27 * t750;
-    let t763 = t30 * t751;
-    let t764 = t31 * t707;
-    let t765 = t32 * t750;
-    let t766 = (t761 - t752 - t762 + t763 + t764 - t765)
-        .sub_product(t93, t754)
-        .sub_product(t104, t758)
-        .sub_product(t113, t760);
-    let t767 = t730.sub_product(t114, t760).sub_product(t124, t766);
-    let t768 = R::literal(250.0) * sin_cylinder_phi_squared;
-    let t769 = (-t768)
-        .add_product(t115, t760)
-        .sub_product(t126, t766)
-        .sub_product(t135, t767);
-    let t770 = (-(t95 * t754))
-        .sub_product(t106, t758)
-        .sub_product(t117, t760)
-        .sub_product(t128, t766)
-        .sub_product(t137, t767)
-        .sub_product(t144, t769);
-    let t771 = (-(t97 * t754))
-        .sub_product(t108, t758)
-        .sub_product(t119, t760)
-        .sub_product(t130, t766)
-        .sub_product(t139, t767)
-        .sub_product(t146, t769)
-        .sub_product(t151, t770);
-    let t772 = (t152 * t770).sub_product(t157, t771);
-    let t773 = t751 * R::literal(2_777.777_777_777_778);
-    let t774 = (-(t99 * t754))
-        .sub_product(t110, t758)
-        .sub_product(t121, t760)
-        .sub_product(t132, t766)
-        .sub_product(t141, t767)
-        .sub_product(t148, t769)
-        .sub_product(t154, t770)
-        .sub_product(t159, t771)
-        .sub_product(t164, t772) * t165;
-    let t775 = (t772 * t162).sub_product(t164, t774);
-    let t776 = (t771 * t155).sub_product(t157, t775).sub_product(t159, t774);
-    let t777 = (t770 * t149)
-        .sub_product(t151, t776)
-        .add_product(t152, t775)
-        .sub_product(t154, t774);
-    let t778 = (t769 * t142)
-        .sub_product(t144, t777)
-        .sub_product(t146, t776)
-        .sub_product(t148, t774);
-    let t779 = (t767 * t133)
-        .sub_product(t135, t778)
-        .sub_product(t137, t777)
-        .sub_product(t139, t776)
-        .sub_product(t141, t774);
-    let t780 = (t766 * t122)
-        .sub_product(t124, t779)
-        .sub_product(t126, t778)
-        .sub_product(t128, t777)
-        .sub_product(t130, t776)
-        .sub_product(t132, t774);
-    let t781 = (t760 * t111)
-        .sub_product(t113, t780)
-        .sub_product(t114, t779)
-        .add_product(t115, t778)
-        .sub_product(t117, t777)
-        .sub_product(t119, t776)
-        .sub_product(t121, t774);
-    let t782 = (t758 * t100)
-        .sub_product(t102, t781)
-        .sub_product(t104, t780)
-        .sub_product(t106, t777)
-        .sub_product(t108, t776)
-        .sub_product(t110, t774);
-    let t783 = (t754 * t87)
-        .sub_product(t89, t782)
-        .add_product(t91, t781)
-        .sub_product(t93, t780)
-        .sub_product(t95, t777)
-        .sub_product(t97, t776)
-        .sub_product(t99, t774);
-    let t784 = (-(t78 * t782))
-        .sub_product(t76, t783)
-        .sub_product(t81, t777)
-        .sub_product(t84, t776)
-        .sub_product(t86, t774);
-    let t785 = (-(t64 * t783))
-        .sub_product(t62, t784)
-        .sub_product(t65, t782)
-        .sub_product(t68, t777)
-        .add_product(t70, t776)
-        .sub_product(t72, t774);
-    let t786 = (-(t55 * t784)).sub_product(t53, t785).sub_product(t57, t774);
-    let t787 = (-(t45 * t785))
-        .sub_product(t43, t786)
-        .sub_product(t43, t784)
-        .add_product(t47, t774);
-    let drum_v_y_dot_by_cylinder_v_y = (t38 * t775)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t775,
-        );
-    let drum_v_x_dot_by_cylinder_v_y = (t37 * t775)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t775,
-        );
-    let bobbin_v_y_dot_by_cylinder_v_y = (-(t36 * t775))
-        .sub_product(c.inverse_bobbin_mass, t776);
-    let bobbin_v_x_dot_by_cylinder_v_y = (-(t35 * t775))
-        .sub_product(c.inverse_bobbin_mass, t777);
-    let rod_omega_dot_by_cylinder_v_y = (t33 * t779)
-        .sub_product(R::literal(4_166.666_666_666_667), t781)
-        .sub_product(t34, t778);
-    let rod_v_y_dot_by_cylinder_v_y = t768
-        .sub_product(t32, t780)
-        .sub_product(R::literal(5.0), t778);
-    let rod_v_x_dot_by_cylinder_v_y = t729
-        .add_product(t31, t780)
-        .sub_product(R::literal(5.0), t779);
-    let cylinder_omega_dot_by_cylinder_v_y = t773
-        .sub_product(t28, t783)
-        .add_product(t29, t782)
-        .sub_product(R::literal(-2_777.777_777_777_778), t781)
-        .add_product(t30, t780);
-    let cylinder_v_y_dot_by_cylinder_v_y = t756
-        .sub_product(R::literal(3.333_333_333_333_333_5), t782)
-        .add_product(t27, t780);
-    let cylinder_v_x_dot_by_cylinder_v_y = t716
-        .sub_product(R::literal(3.333_333_333_333_333_5), t783)
-        .sub_product(t26, t780);
-    let plate_omega_dot_by_cylinder_v_y = (t23 * t784)
-        .sub_product(t22, t785)
-        .sub_product(t22, t783)
-        .add_product(t23, t782)
-        .add_product(t24, t777)
-        .sub_product(t25, t776);
-    let plate_v_y_dot_by_cylinder_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t782))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t784)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t776);
-    let plate_v_x_dot_by_cylinder_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t783))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t785)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t777);
-    let post_omega_dot_by_cylinder_v_y = (t20 * t786)
-        .sub_product(t19, t787)
-        .sub_product(t19, t785)
-        .add_product(t20, t784)
-        .sub_product(t21, t774);
-    let post_v_y_dot_by_cylinder_v_y = (-(R::literal(-1.25) * t784))
-        .sub_product(R::literal(1.25), t786);
-    let post_v_x_dot_by_cylinder_v_y = (-(R::literal(-1.25) * t785))
-        .sub_product(R::literal(1.25), t787);
-    let t788 = R::literal(50.0) * t391;
-    let t789 = R::literal(0.12) * cylinder_omega;
-    let t790 = R::literal(3.333_333_333_333_333_5) * t709;
-    let t791 = (-t790).sub_product(t789, cos_cylinder_phi).add_product(t28, t788);
-    let t792 = R::literal(3.333_333_333_333_333_5) * t751;
-    let t793 = (-t792)
-        .sub_product(t789, sin_cylinder_phi)
-        .sub_product(t29, t788)
-        .sub_product(t89, t791);
-    let t794 = (R::literal(-138_888.888_888_888_9) * t391)
-        .add_product(t91, t791)
-        .sub_product(t102, t793);
-    let t795 = (-(t26 * t709))
-        .add_product(
-            R::literal(2.0),
-            ((t195 + t196)
-                .add_product(rod_v_x, cos_cylinder_phi)
-                .add_product(rod_v_y, sin_cylinder_phi) - t191 - t192)
-                .sub_product(cylinder_v_x, cos_cylinder_phi)
-                .sub_product(cylinder_v_y, sin_cylinder_phi),
-        )
-        .add_product(t27, t751)
-        .sub_product(t30, t788)
-        .sub_product(t31, t709)
-        .add_product(t32, t751)
-        .sub_product(t93, t791)
-        .sub_product(t104, t793)
-        .sub_product(t113, t794);
-    let t796 = R::literal(5.0) * t709;
-    let t797 = t796.sub_product(t114, t794).sub_product(t124, t795);
-    let t798 = R::literal(5.0) * t751;
-    let t799 = t798
-        .add_product(t115, t794)
-        .sub_product(t126, t795)
-        .sub_product(t135, t797);
-    let t800 = (-(t95 * t791))
-        .sub_product(t106, t793)
-        .sub_product(t117, t794)
-        .sub_product(t128, t795)
-        .sub_product(t137, t797)
-        .sub_product(t144, t799);
-    let t801 = (-(t97 * t791))
-        .sub_product(t108, t793)
-        .sub_product(t119, t794)
-        .sub_product(t130, t795)
-        .sub_product(t139, t797)
-        .sub_product(t146, t799)
-        .sub_product(t151, t800);
-    let t802 = (t152 * t800).sub_product(t157, t801);
-    let t803 = (-(t99 * t791))
-        .sub_product(t110, t793)
-        .sub_product(t121, t794)
-        .sub_product(t132, t795)
-        .sub_product(t141, t797)
-        .sub_product(t148, t799)
-        .sub_product(t154, t800)
-        .sub_product(t159, t801)
-        .sub_product(t164, t802) * t165;
-    let t804 = (t802 * t162).sub_product(t164, t803);
-    let t805 = (t801 * t155).sub_product(t157, t804).sub_product(t159, t803);
-    let t806 = (t800 * t149)
-        .sub_product(t151, t805)
-        .add_product(t152, t804)
-        .sub_product(t154, t803);
-    let t807 = (t799 * t142)
-        .sub_product(t144, t806)
-        .sub_product(t146, t805)
-        .sub_product(t148, t803);
-    let t808 = (t797 * t133)
-        .sub_product(t135, t807)
-        .sub_product(t137, t806)
-        .sub_product(t139, t805)
-        .sub_product(t141, t803);
-    let t809 = (t795 * t122)
-        .sub_product(t124, t808)
-        .sub_product(t126, t807)
-        .sub_product(t128, t806)
-        .sub_product(t130, t805)
-        .sub_product(t132, t803);
-    let t810 = (t794 * t111)
-        .sub_product(t113, t809)
-        .sub_product(t114, t808)
-        .add_product(t115, t807)
-        .sub_product(t117, t806)
-        .sub_product(t119, t805)
-        .sub_product(t121, t803);
-    let t811 = (t793 * t100)
-        .sub_product(t102, t810)
-        .sub_product(t104, t809)
-        .sub_product(t106, t806)
-        .sub_product(t108, t805)
-        .sub_product(t110, t803);
-    let t812 = (t791 * t87)
-        .sub_product(t89, t811)
-        .add_product(t91, t810)
-        .sub_product(t93, t809)
-        .sub_product(t95, t806)
-        .sub_product(t97, t805)
-        .sub_product(t99, t803);
-    let t813 = (-(t78 * t811))
-        .sub_product(t76, t812)
-        .sub_product(t81, t806)
-        .sub_product(t84, t805)
-        .sub_product(t86, t803);
-    let t814 = (-(t64 * t812))
-        .sub_product(t62, t813)
-        .sub_product(t65, t811)
-        .sub_product(t68, t806)
-        .add_product(t70, t805)
-        .sub_product(t72, t803);
-    let t815 = (-(t55 * t813)).sub_product(t53, t814).sub_product(t57, t803);
-    let t816 = (-(t45 * t814))
-        .sub_product(t43, t815)
-        .sub_product(t43, t813)
-        .add_product(t47, t803);
-    let drum_v_y_dot_by_cylinder_omega = (t38 * t804)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t804,
-        );
-    let drum_v_x_dot_by_cylinder_omega = (t37 * t804)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t804,
-        );
-    let bobbin_v_y_dot_by_cylinder_omega = (-(t36 * t804))
-        .sub_product(c.inverse_bobbin_mass, t805);
-    let bobbin_v_x_dot_by_cylinder_omega = (-(t35 * t804))
-        .sub_product(c.inverse_bobbin_mass, t806);
-    let rod_omega_dot_by_cylinder_omega = (t33 * t808)
-        .sub_product(R::literal(4_166.666_666_666_667), t810)
-        .sub_product(t34, t807);
-    let rod_v_y_dot_by_cylinder_omega = (-t798)
-        .sub_product(t32, t809)
-        .sub_product(R::literal(5.0), t807);
-    let rod_v_x_dot_by_cylinder_omega = (-t796)
-        .add_product(t31, t809)
-        .sub_product(R::literal(5.0), t808);
-    let cylinder_omega_dot_by_cylinder_omega = (-(R::literal(138_888.888_888_888_9)
-        * t391))
-        .sub_product(t28, t812)
-        .add_product(t29, t811)
-        .sub_product(R::literal(-2_777.777_777_777_778), t810)
-        .add_product(t30, t809);
-    let cylinder_v_y_dot_by_cylinder_omega = t792
-        .sub_product(R::literal(3.333_333_333_333_333_5), t811)
-        .add_product(t27, t809);
-    let cylinder_v_x_dot_by_cylinder_omega = t790
-        .sub_product(R::literal(3.333_333_333_333_333_5), t812)
-        .sub_product(t26, t809);
-    let plate_omega_dot_by_cylinder_omega = (t23 * t813)
-        .sub_product(t22, t814)
-        .sub_product(t22, t812)
-        .add_product(t23, t811)
-        .add_product(t24, t806)
-        .sub_product(t25, t805);
-    let plate_v_y_dot_by_cylinder_omega = (-(R::literal(-0.833_333_333_333_333_4)
-        * t811))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t813)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t805);
-    let plate_v_x_dot_by_cylinder_omega = (-(R::literal(-0.833_333_333_333_333_4)
-        * t812))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t814)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t806);
-    let post_omega_dot_by_cylinder_omega = (t20 * t815)
-        .sub_product(t19, t816)
-        .sub_product(t19, t814)
-        .add_product(t20, t813)
-        .sub_product(t21, t803);
-    let post_v_y_dot_by_cylinder_omega = (-(R::literal(-1.25) * t813))
-        .sub_product(R::literal(1.25), t815);
-    let post_v_x_dot_by_cylinder_omega = (-(R::literal(-1.25) * t814))
-        .sub_product(R::literal(1.25), t816);
-    let t817 = t713 - t712;
-    let t818 = (t716 - t717).sub_product(t89, t817);
-    let t819 = t719.add_product(t91, t817).sub_product(t102, t818);
-    let t820 = (t711 - t721 + t722 - t723 - t724 + t725)
-        .sub_product(t93, t817)
-        .sub_product(t104, t818)
-        .sub_product(t113, t819);
-    let t821 = t727.sub_product(t114, t819).sub_product(t124, t820);
-    let t822 = t729
-        .add_product(t115, t819)
-        .sub_product(t126, t820)
-        .sub_product(t135, t821);
-    let t823 = (-(t95 * t817))
-        .sub_product(t106, t818)
-        .sub_product(t117, t819)
-        .sub_product(t128, t820)
-        .sub_product(t137, t821)
-        .sub_product(t144, t822);
-    let t824 = (-(t97 * t817))
-        .sub_product(t108, t818)
-        .sub_product(t119, t819)
-        .sub_product(t130, t820)
-        .sub_product(t139, t821)
-        .sub_product(t146, t822)
-        .sub_product(t151, t823);
-    let t825 = (t152 * t823).sub_product(t157, t824);
-    let t826 = (-(t99 * t817))
-        .sub_product(t110, t818)
-        .sub_product(t121, t819)
-        .sub_product(t132, t820)
-        .sub_product(t141, t821)
-        .sub_product(t148, t822)
-        .sub_product(t154, t823)
-        .sub_product(t159, t824)
-        .sub_product(t164, t825) * t165;
-    let t827 = (t825 * t162).sub_product(t164, t826);
-    let t828 = (t824 * t155).sub_product(t157, t827).sub_product(t159, t826);
-    let t829 = (t823 * t149)
-        .sub_product(t151, t828)
-        .add_product(t152, t827)
-        .sub_product(t154, t826);
-    let t830 = (t822 * t142)
-        .sub_product(t144, t829)
-        .sub_product(t146, t828)
-        .sub_product(t148, t826);
-    let t831 = (t821 * t133)
-        .sub_product(t135, t830)
-        .sub_product(t137, t829)
-        .sub_product(t139, t828)
-        .sub_product(t141, t826);
-    let t832 = (t820 * t122)
-        .sub_product(t124, t831)
-        .sub_product(t126, t830)
-        .sub_product(t128, t829)
-        .sub_product(t130, t828)
-        .sub_product(t132, t826);
-    let t833 = (t819 * t111)
-        .sub_product(t113, t832)
-        .sub_product(t114, t831)
-        .add_product(t115, t830)
-        .sub_product(t117, t829)
-        .sub_product(t119, t828)
-        .sub_product(t121, t826);
-    let t834 = (t818 * t100)
-        .sub_product(t102, t833)
-        .sub_product(t104, t832)
-        .sub_product(t106, t829)
-        .sub_product(t108, t828)
-        .sub_product(t110, t826);
-    let t835 = (t817 * t87)
-        .sub_product(t89, t834)
-        .add_product(t91, t833)
-        .sub_product(t93, t832)
-        .sub_product(t95, t829)
-        .sub_product(t97, t828)
-        .sub_product(t99, t826);
-    let t836 = (-(t78 * t834))
-        .sub_product(t76, t835)
-        .sub_product(t81, t829)
-        .sub_product(t84, t828)
-        .sub_product(t86, t826);
-    let t837 = (-(t64 * t835))
-        .sub_product(t62, t836)
-        .sub_product(t65, t834)
-        .sub_product(t68, t829)
-        .add_product(t70, t828)
-        .sub_product(t72, t826);
-    let t838 = (-(t55 * t836)).sub_product(t53, t837).sub_product(t57, t826);
-    let t839 = (-(t45 * t837))
-        .sub_product(t43, t838)
-        .sub_product(t43, t836)
-        .add_product(t47, t826);
-    let drum_v_y_dot_by_rod_v_x = (t38 * t827)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t827,
-        );
-    let drum_v_x_dot_by_rod_v_x = (t37 * t827)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t827,
-        );
-    let bobbin_v_y_dot_by_rod_v_x = (-(t36 * t827))
-        .sub_product(c.inverse_bobbin_mass, t828);
-    let bobbin_v_x_dot_by_rod_v_x = (-(t35 * t827))
-        .sub_product(c.inverse_bobbin_mass, t829);
-    let rod_omega_dot_by_rod_v_x = (t33 * t831)
-        .sub_product(R::literal(4_166.666_666_666_667), t833)
-        .sub_product(t34, t830);
-    let rod_v_y_dot_by_rod_v_x = t730
-        .sub_product(t32, t832)
-        .sub_product(R::literal(5.0), t830);
-    let rod_v_x_dot_by_rod_v_x = (-t727)
-        .add_product(t31, t832)
-        .sub_product(R::literal(5.0), t831);
-    let cylinder_omega_dot_by_rod_v_x = (-t735)
-        .sub_product(t28, t835)
-        .add_product(t29, t834)
-        .sub_product(R::literal(-2_777.777_777_777_778), t833)
-        .add_product(t30, t832);
-    let cylinder_v_y_dot_by_rod_v_x = t715
-        .sub_product(R::literal(3.333_333_333_333_333_5), t834)
-        .add_product(t27, t832);
-    let cylinder_v_x_dot_by_rod_v_x = t712
-        .sub_product(R::literal(3.333_333_333_333_333_5), t835)
-        .sub_product(t26, t832);
-    let plate_omega_dot_by_rod_v_x = (t23 * t836)
-        .sub_product(t22, t837)
-        .sub_product(t22, t835)
-        .add_product(t23, t834)
-        .add_product(t24, t829)
-        .sub_product(t25, t828);
-    let plate_v_y_dot_by_rod_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t834))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t836)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t828);
-    let plate_v_x_dot_by_rod_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t835))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t837)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t829);
-    let post_omega_dot_by_rod_v_x = (t20 * t838)
-        .sub_product(t19, t839)
-        .sub_product(t19, t837)
-        .add_product(t20, t836)
-        .sub_product(t21, t826);
-    let post_v_y_dot_by_rod_v_x = (-(R::literal(-1.25) * t836))
-        .sub_product(R::literal(1.25), t838);
-    let post_v_x_dot_by_rod_v_x = (-(R::literal(-1.25) * t837))
-        .sub_product(R::literal(1.25), t839);
-    let t840 = t753 - t715;
-    let t841 = (t756 - t757).sub_product(t89, t840);
-    let t842 = t759.add_product(t91, t840).sub_product(t102, t841);
-    let t843 = (t752 - t761 + t762 - t763 - t764 + t765)
-        .sub_product(t93, t840)
-        .sub_product(t104, t841)
-        .sub_product(t113, t842);
-    let t844 = t729.sub_product(t114, t842).sub_product(t124, t843);
-    let t845 = t768
-        .add_product(t115, t842)
-        .sub_product(t126, t843)
-        .sub_product(t135, t844);
-    let t846 = (-(t95 * t840))
-        .sub_product(t106, t841)
-        .sub_product(t117, t842)
-        .sub_product(t128, t843)
-        .sub_product(t137, t844)
-        .sub_product(t144, t845);
-    let t847 = (-(t97 * t840))
-        .sub_product(t108, t841)
-        .sub_product(t119, t842)
-        .sub_product(t130, t843)
-        .sub_product(t139, t844)
-        .sub_product(t146, t845)
-        .sub_product(t151, t846);
-    let t848 = (t152 * t846).sub_product(t157, t847);
-    let t849 = (-(t99 * t840))
-        .sub_product(t110, t841)
-        .sub_product(t121, t842)
-        .sub_product(t132, t843)
-        .sub_product(t141, t844)
-        .sub_product(t148, t845)
-        .sub_product(t154, t846)
-        .sub_product(t159, t847)
-        .sub_product(t164, t848) * t165;
-    let t850 = (t848 * t162).sub_product(t164, t849);
-    let t851 = (t847 * t155).sub_product(t157, t850).sub_product(t159, t849);
-    let t852 = (t846 * t149)
-        .sub_product(t151, t851)
-        .add_product(t152, t850)
-        .sub_product(t154, t849);
-    let t853 = (t845 * t142)
-        .sub_product(t144, t852)
-        .sub_product(t146, t851)
-        .sub_product(t148, t849);
-    let t854 = (t844 * t133)
-        .sub_product(t135, t853)
-        .sub_product(t137, t852)
-        .sub_product(t139, t851)
-        .sub_product(t141, t849);
-    let t855 = (t843 * t122)
-        .sub_product(t124, t854)
-        .sub_product(t126, t853)
-        .sub_product(t128, t852)
-        .sub_product(t130, t851)
-        .sub_product(t132, t849);
-    let t856 = (t842 * t111)
-        .sub_product(t113, t855)
-        .sub_product(t114, t854)
-        .add_product(t115, t853)
-        .sub_product(t117, t852)
-        .sub_product(t119, t851)
-        .sub_product(t121, t849);
-    let t857 = (t841 * t100)
-        .sub_product(t102, t856)
-        .sub_product(t104, t855)
-        .sub_product(t106, t852)
-        .sub_product(t108, t851)
-        .sub_product(t110, t849);
-    let t858 = (t840 * t87)
-        .sub_product(t89, t857)
-        .add_product(t91, t856)
-        .sub_product(t93, t855)
-        .sub_product(t95, t852)
-        .sub_product(t97, t851)
-        .sub_product(t99, t849);
-    let t859 = (-(t78 * t857))
-        .sub_product(t76, t858)
-        .sub_product(t81, t852)
-        .sub_product(t84, t851)
-        .sub_product(t86, t849);
-    let t860 = (-(t64 * t858))
-        .sub_product(t62, t859)
-        .sub_product(t65, t857)
-        .sub_product(t68, t852)
-        .add_product(t70, t851)
-        .sub_product(t72, t849);
-    let t861 = (-(t55 * t859)).sub_product(t53, t860).sub_product(t57, t849);
-    let t862 = (-(t45 * t860))
-        .sub_product(t43, t861)
-        .sub_product(t43, t859)
-        .add_product(t47, t849);
-    let drum_v_y_dot_by_rod_v_y = (t38 * t850)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t850,
-        );
-    let drum_v_x_dot_by_rod_v_y = (t37 * t850)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t850,
-        );
-    let bobbin_v_y_dot_by_rod_v_y = (-(t36 * t850))
-        .sub_product(c.inverse_bobbin_mass, t851);
-    let bobbin_v_x_dot_by_rod_v_y = (-(t35 * t850))
-        .sub_product(c.inverse_bobbin_mass, t852);
-    let rod_omega_dot_by_rod_v_y = (t33 * t854)
-        .sub_product(R::literal(4_166.666_666_666_667), t856)
-        .sub_product(t34, t853);
-    let rod_v_y_dot_by_rod_v_y = (-t768)
-        .sub_product(t32, t855)
-        .sub_product(R::literal(5.0), t853);
-    let rod_v_x_dot_by_rod_v_y = (-t729)
-        .add_product(t31, t855)
-        .sub_product(R::literal(5.0), t854);
-    let cylinder_omega_dot_by_rod_v_y = (-t773)
-        .sub_product(t28, t858)
-        .add_product(t29, t857)
-        .sub_product(R::literal(-2_777.777_777_777_778), t856)
-        .add_product(t30, t855);
-    let cylinder_v_y_dot_by_rod_v_y = t755
-        .sub_product(R::literal(3.333_333_333_333_333_5), t857)
-        .add_product(t27, t855);
-    let cylinder_v_x_dot_by_rod_v_y = t715
-        .sub_product(R::literal(3.333_333_333_333_333_5), t858)
-        .sub_product(t26, t855);
-    let plate_omega_dot_by_rod_v_y = (t23 * t859)
-        .sub_product(t22, t860)
-        .sub_product(t22, t858)
-        .add_product(t23, t857)
-        .add_product(t24, t852)
-        .sub_product(t25, t851);
-    let plate_v_y_dot_by_rod_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t857))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t859)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t851);
-    let plate_v_x_dot_by_rod_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t858))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t860)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t852);
-    let post_omega_dot_by_rod_v_y = (t20 * t861)
-        .sub_product(t19, t862)
-        .sub_product(t19, t860)
-        .add_product(t20, t859)
-        .sub_product(t21, t849);
-    let post_v_y_dot_by_rod_v_y = (-(R::literal(-1.25) * t859))
-        .sub_product(R::literal(1.25), t861);
-    let post_v_x_dot_by_rod_v_y = (-(R::literal(-1.25) * t860))
-        .sub_product(R::literal(1.25), t862);
-    let t863 = R::literal(0.12) * rod_omega;
-    let t864 = t863 * cos_rod_phi;
-    let t865 = (t863 * sin_rod_phi).sub_product(t135, t864);
-    let t866 = (-(t137 * t864)).sub_product(t144, t865);
-    let t867 = (-(t139 * t864)).sub_product(t146, t865).sub_product(t151, t866);
-    let t868 = (t152 * t866).sub_product(t157, t867);
-    let t869 = (-(t141 * t864))
-        .sub_product(t148, t865)
-        .sub_product(t154, t866)
-        .sub_product(t159, t867)
-        .sub_product(t164, t868) * t165;
-    let t870 = (t868 * t162).sub_product(t164, t869);
-    let t871 = (t867 * t155).sub_product(t157, t870).sub_product(t159, t869);
-    let t872 = (t866 * t149)
-        .sub_product(t151, t871)
-        .add_product(t152, t870)
-        .sub_product(t154, t869);
-    let t873 = (t865 * t142)
-        .sub_product(t144, t872)
-        .sub_product(t146, t871)
-        .sub_product(t148, t869);
-    let t874 = (t864 * t133)
-        .sub_product(t135, t873)
-        .sub_product(t137, t872)
-        .sub_product(t139, t871)
-        .sub_product(t141, t869);
-    let t875 = (-(t126 * t873))
-        .sub_product(t124, t874)
-        .sub_product(t128, t872)
-        .sub_product(t130, t871)
-        .sub_product(t132, t869);
-    let t876 = (-(t114 * t874))
-        .sub_product(t113, t875)
-        .add_product(t115, t873)
-        .sub_product(t117, t872)
-        .sub_product(t119, t871)
-        .sub_product(t121, t869);
-    let t877 = (-(t104 * t875))
-        .sub_product(t102, t876)
-        .sub_product(t106, t872)
-        .sub_product(t108, t871)
-        .sub_product(t110, t869);
-    let t878 = (t91 * t876)
-        .sub_product(t89, t877)
-        .sub_product(t93, t875)
-        .sub_product(t95, t872)
-        .sub_product(t97, t871)
-        .sub_product(t99, t869);
-    let t879 = (-(t78 * t877))
-        .sub_product(t76, t878)
-        .sub_product(t81, t872)
-        .sub_product(t84, t871)
-        .sub_product(t86, t869);
-    let t880 = (-(t64 * t878))
-        .sub_product(t62, t879)
-        .sub_product(t65, t877)
-        .sub_product(t68, t872)
-        .add_product(t70, t871)
-        .sub_product(t72, t869);
-    let t881 = (-(t55 * t879)).sub_product(t53, t880).sub_product(t57, t869);
-    let t882 = (-(t45 * t880))
-        .sub_product(t43, t881)
-        .sub_product(t43, t879)
-        .add_product(t47, t869);
-    let drum_v_y_dot_by_rod_omega = (t38 * t870)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t870,
-        );
-    let drum_v_x_dot_by_rod_omega = (t37 * t870)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t870,
-        );
-    let bobbin_v_y_dot_by_rod_omega = (-(t36 * t870))
-        .sub_product(c.inverse_bobbin_mass, t871);
-    let bobbin_v_x_dot_by_rod_omega = (-(t35 * t870))
-        .sub_product(c.inverse_bobbin_mass, t872);
-    let rod_omega_dot_by_rod_omega = (t33 * t874)
-        .sub_product(R::literal(4_166.666_666_666_667), t876)
-        .sub_product(t34, t873);
-    let rod_v_y_dot_by_rod_omega = (-(R::literal(5.0) * t873)).sub_product(t32, t875);
-    let rod_v_x_dot_by_rod_omega = (-(R::literal(5.0) * t874)).add_product(t31, t875);
-    let cylinder_omega_dot_by_rod_omega = (t29 * t877)
-        .sub_product(t28, t878)
-        .sub_product(R::literal(-2_777.777_777_777_778), t876)
-        .add_product(t30, t875);
-    let cylinder_v_y_dot_by_rod_omega = (t27 * t875)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t877);
-    let cylinder_v_x_dot_by_rod_omega = (-(t26 * t875))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t878);
-    let plate_omega_dot_by_rod_omega = (t23 * t879)
-        .sub_product(t22, t880)
-        .sub_product(t22, t878)
-        .add_product(t23, t877)
-        .add_product(t24, t872)
-        .sub_product(t25, t871);
-    let plate_v_y_dot_by_rod_omega = (-(R::literal(-0.833_333_333_333_333_4) * t877))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t879)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t871);
-    let plate_v_x_dot_by_rod_omega = (-(R::literal(-0.833_333_333_333_333_4) * t878))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t880)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t872);
-    let post_omega_dot_by_rod_omega = (t20 * t881)
-        .sub_product(t19, t882)
-        .sub_product(t19, t880)
-        .add_product(t20, t879)
-        .sub_product(t21, t869);
-    let post_v_y_dot_by_rod_omega = (-(R::literal(-1.25) * t879))
-        .sub_product(R::literal(1.25), t881);
-    let post_v_x_dot_by_rod_omega = (-(R::literal(-1.25) * t880))
-        .sub_product(R::literal(1.25), t882);
-    let t883 = R::literal(2.0) * bobbin_x * drum_x;
+    let t749 = R::literal(50.0) * sin_cylinder_phi_squared;
+    let t750 = t710 * sin_cylinder_phi;
+    let t751 = t712 * sin_cylinder_phi;
+    let t752 = t24 * t750;
+    let t753 = t717 - t752;
+    let t754 = R::literal(166.666_666_666_666_69) * sin_cylinder_phi_squared;
+    let t755 = t754.add_product(t25, t750);
+    let t756 = t755.add_product(t85, t753);
+    let t757 = R::literal(2_777.777_777_777_778) * t750;
+    let t758 = t757.add_product(t86, t753).sub_product(t97, t756);
+    let t759 = t22 * t709;
+    let t760 = t23 * t749;
+    let t761 = t26 * t750;
+    let t762 = t27 * t709;
+    let t763 = t28 * t749;
+    let t764 = (t759 - t751 - t760 + t761 + t762 - t763).add_product(t88, t753).sub_product(t99,
+        t756).sub_product(t108, t758);
+    let t765 = t730.add_product(t109, t758).add_product(t119, t764);
+    let t766 = R::literal(250.0) * sin_cylinder_phi_squared;
+    let t767 = (-t766).add_product(t110, t758).sub_product(t121, t764).sub_product(t130, t765);
+    let t768 = (t90 * t753).sub_product(t101, t756).sub_product(t112, t758).sub_product(t123, t764)
+        .add_product(t132, t765).sub_product(t139, t767);
+    let t769 = (t92 * t753).sub_product(t103, t756).sub_product(t114, t758).sub_product(t125, t764)
+        .add_product(t134, t765).sub_product(t141, t767).sub_product(t146, t768);
+    let t770 = (t147 * t768).sub_product(t152, t769);
+    let t771 = (t94 * t753).sub_product(t105, t756).sub_product(t116, t758).sub_product(t127, t764)
+        .add_product(t136, t765).sub_product(t143, t767).sub_product(t149, t768).sub_product(t154,
+        t769).sub_product(t159, t770) * t160;
+    let t772 = (t770 * t157).sub_product(t159, t771);
+    let t773 = (t769 * t150).sub_product(t152, t772).sub_product(t154, t771);
+    let t774 = (t768 * t144).sub_product(t146, t773).add_product(t147, t772).sub_product(t149,
+        t771);
+    let t775 = (t767 * t137).sub_product(t139, t774).sub_product(t141, t773).sub_product(t143,
+        t771);
+    let t776 = (t765 * t128).add_product(t130, t775).sub_product(t132, t774).sub_product(t134, t773)
+        .sub_product(t136, t771);
+    let t777 = (t764 * t117).sub_product(t119, t776).sub_product(t121, t775).sub_product(t123, t774)
+        .sub_product(t125, t773).sub_product(t127, t771);
+    let t778 = (t758 * t106).sub_product(t108, t777).sub_product(t109, t776).add_product(t110, t775)
+        .sub_product(t112, t774).sub_product(t114, t773).sub_product(t116, t771);
+    let t779 = (t756 * t95).sub_product(t97, t778).sub_product(t99, t777).sub_product(t101, t774)
+        .sub_product(t103, t773).sub_product(t105, t771);
+    let t780 = (-(t753 * t83)).add_product(t85, t779).add_product(t86, t778).add_product(t88, t777)
+        .add_product(t90, t774).add_product(t92, t773).add_product(t94, t771);
+    let t781 = (-(t74 * t779).add_product(t72, t780)).add_product(t77, t774).sub_product(t80, t773)
+        .sub_product(t82, t771);
+    let t782 = (-(t60 * t780).add_product(t58, t781).add_product(t61, t779).add_product(t64, t774))
+        .add_product(t66, t773).add_product(t68, t771);
+    let t783 = (t51 * t781).add_product(t49, t782).add_product(t53, t771);
+    let t784 = (t41 * t782).sub_product(t39, t783).add_product(t39, t781).sub_product(t43, t771);
+    let drum_v_y_dot_by_cylinder_v_y = (t34 * t772)
+        .sub_product(R::literal(0.666_666_666_666_666_6), bobbin_y_minus_drum_y_over_between
+        * t772);
+    let drum_v_x_dot_by_cylinder_v_y = (t33 * t772)
+        .sub_product(R::literal(0.666_666_666_666_666_6), bobbin_x_minus_drum_x_over_between
+        * t772);
+    let bobbin_v_y_dot_by_cylinder_v_y = -(t32 * t772).add_product(c.inverse_bobbin_mass, t773);
+    let bobbin_v_x_dot_by_cylinder_v_y = -(t31 * t772).add_product(c.inverse_bobbin_mass, t774);
+    let rod_omega_dot_by_cylinder_v_y = (t29 * t776).sub_product(R::literal(4_166.666_666_666_667),
+        t778).sub_product(t30, t775);
+    let rod_v_y_dot_by_cylinder_v_y = t766.sub_product(t28, t777).sub_product(R::literal(5.0),
+        t775);
+    let rod_v_x_dot_by_cylinder_v_y = t730.add_product(t27, t777).sub_product(R::literal(5.0),
+        t776);
+    let cylinder_omega_dot_by_cylinder_v_y = t757.sub_product(t24, t780).add_product(t25, t779)
+        .add_product(R::literal(2_777.777_777_777_778), t778).add_product(t26, t777);
+    let cylinder_v_y_dot_by_cylinder_v_y = (-t754.add_product(R::literal(3.333_333_333_333_333_5),
+        t779)).add_product(t23, t777);
+    let cylinder_v_x_dot_by_cylinder_v_y = -t717.add_product(R::literal(3.333_333_333_333_333_5),
+        t780).add_product(t22, t777);
+    let plate_omega_dot_by_cylinder_v_y = (t19 * t781).sub_product(t18, t782).sub_product(t18, t780)
+        .add_product(t19, t779).add_product(t20, t774).sub_product(t21, t773);
+    let plate_v_y_dot_by_cylinder_v_y = (R::literal(0.833_333_333_333_333_4) * t779)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t781)
+        .add_product(R::literal(0.833_333_333_333_333_4), t773);
+    let plate_v_x_dot_by_cylinder_v_y = (R::literal(0.833_333_333_333_333_4) * t780)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t782)
+        .add_product(R::literal(0.833_333_333_333_333_4), t774);
+    let post_omega_dot_by_cylinder_v_y = (-(t16 * t783).add_product(t15, t784).add_product(t15,
+        t782)).add_product(t16, t781).sub_product(t17, t771);
+    let post_v_y_dot_by_cylinder_v_y = (R::literal(1.25) * t781).add_product(R::literal(1.25),
+        t783);
+    let post_v_x_dot_by_cylinder_v_y = (R::literal(1.25) * t782).sub_product(R::literal(1.25),
+        t784);
+    let t785 = R::literal(50.0) * t387;
+    let t786 = R::literal(0.12) * cylinder_omega;
+    let t787 = R::literal(3.333_333_333_333_333_5) * t711;
+    let t788 = (-t787.add_product(t786, cos_cylinder_phi)).add_product(t24, t785);
+    let t789 = R::literal(3.333_333_333_333_333_5) * t750;
+    let t790 = (-t789.add_product(t786, sin_cylinder_phi).add_product(t25, t785)).add_product(t85,
+        t788);
+    let t791 = R::literal(138_888.888_888_888_9) * t387;
+    let t792 = (-t791).add_product(t86, t788).sub_product(t97, t790);
+    let t793 = (-(t22 * t711)).add_product(R::literal(2.0), ((t188 + t189).add_product(rod_v_x,
+        cos_cylinder_phi).add_product(rod_v_y, sin_cylinder_phi) - t184 - t185)
+        .sub_product(cylinder_v_x, cos_cylinder_phi).sub_product(cylinder_v_y, sin_cylinder_phi))
+        .add_product(t23, t750).sub_product(t26, t785).sub_product(t27, t711).add_product(t28, t750)
+        .add_product(t88, t788).sub_product(t99, t790).sub_product(t108, t792);
+    let t794 = R::literal(5.0) * t711;
+    let t795 = t794.sub_product(t109, t792).sub_product(t119, t793);
+    let t796 = R::literal(5.0) * t750;
+    let t797 = t796.add_product(t110, t792).sub_product(t121, t793).add_product(t130, t795);
+    let t798 = (t90 * t788).sub_product(t101, t790).sub_product(t112, t792).sub_product(t123, t793)
+        .sub_product(t132, t795).sub_product(t139, t797);
+    let t799 = (t92 * t788).sub_product(t103, t790).sub_product(t114, t792).sub_product(t125, t793)
+        .sub_product(t134, t795).sub_product(t141, t797).sub_product(t146, t798);
+    let t800 = (t147 * t798).sub_product(t152, t799);
+    let t801 = (t94 * t788).sub_product(t105, t790).sub_product(t116, t792).sub_product(t127, t793)
+        .sub_product(t136, t795).sub_product(t143, t797).sub_product(t149, t798).sub_product(t154,
+        t799).sub_product(t159, t800) * t160;
+    let t802 = (t800 * t157).sub_product(t159, t801);
+    let t803 = (t799 * t150).sub_product(t152, t802).sub_product(t154, t801);
+    let t804 = (t798 * t144).sub_product(t146, t803).add_product(t147, t802).sub_product(t149,
+        t801);
+    let t805 = (t797 * t137).sub_product(t139, t804).sub_product(t141, t803).sub_product(t143,
+        t801);
+    let t806 = (-(t795 * t128)).add_product(t130, t805).sub_product(t132, t804).sub_product(t134,
+        t803).sub_product(t136, t801);
+    let t807 = (t793 * t117).sub_product(t119, t806).sub_product(t121, t805).sub_product(t123, t804)
+        .sub_product(t125, t803).sub_product(t127, t801);
+    let t808 = (t792 * t106).sub_product(t108, t807).sub_product(t109, t806).add_product(t110, t805)
+        .sub_product(t112, t804).sub_product(t114, t803).sub_product(t116, t801);
+    let t809 = (t790 * t95).sub_product(t97, t808).sub_product(t99, t807).sub_product(t101, t804)
+        .sub_product(t103, t803).sub_product(t105, t801);
+    let t810 = (-(t788 * t83)).add_product(t85, t809).add_product(t86, t808).add_product(t88, t807)
+        .add_product(t90, t804).add_product(t92, t803).add_product(t94, t801);
+    let t811 = (-(t74 * t809).add_product(t72, t810)).add_product(t77, t804).sub_product(t80, t803)
+        .sub_product(t82, t801);
+    let t812 = (-(t60 * t810).add_product(t58, t811).add_product(t61, t809).add_product(t64, t804))
+        .add_product(t66, t803).add_product(t68, t801);
+    let t813 = (t51 * t811).add_product(t49, t812).add_product(t53, t801);
+    let t814 = (t41 * t812).sub_product(t39, t813).add_product(t39, t811).sub_product(t43, t801);
+    let drum_v_y_dot_by_cylinder_omega = (t34 * t802)
+        .sub_product(R::literal(0.666_666_666_666_666_6), bobbin_y_minus_drum_y_over_between
+        * t802);
+    let drum_v_x_dot_by_cylinder_omega = (t33 * t802)
+        .sub_product(R::literal(0.666_666_666_666_666_6), bobbin_x_minus_drum_x_over_between
+        * t802);
+    let bobbin_v_y_dot_by_cylinder_omega = -(t32 * t802).add_product(c.inverse_bobbin_mass, t803);
+    let bobbin_v_x_dot_by_cylinder_omega = -(t31 * t802).add_product(c.inverse_bobbin_mass, t804);
+    let rod_omega_dot_by_cylinder_omega = (t29 * t806)
+        .sub_product(R::literal(4_166.666_666_666_667), t808).sub_product(t30, t805);
+    let rod_v_y_dot_by_cylinder_omega = -t796.add_product(t28, t807).add_product(R::literal(5.0),
+        t805);
+    let rod_v_x_dot_by_cylinder_omega = (-t794).add_product(t27, t807).sub_product(R::literal(5.0),
+        t806);
+    let cylinder_omega_dot_by_cylinder_omega = (-t791.add_product(t24, t810)).add_product(t25, t809)
+        .add_product(R::literal(2_777.777_777_777_778), t808).add_product(t26, t807);
+    let cylinder_v_y_dot_by_cylinder_omega = t789.sub_product(R::literal(3.333_333_333_333_333_5),
+        t809).add_product(t23, t807);
+    let cylinder_v_x_dot_by_cylinder_omega = t787.sub_product(R::literal(3.333_333_333_333_333_5),
+        t810).sub_product(t22, t807);
+    let plate_omega_dot_by_cylinder_omega = (t19 * t811).sub_product(t18, t812).sub_product(t18,
+        t810).add_product(t19, t809).add_product(t20, t804).sub_product(t21, t803);
+    let plate_v_y_dot_by_cylinder_omega = (R::literal(0.833_333_333_333_333_4) * t809)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t811)
+        .add_product(R::literal(0.833_333_333_333_333_4), t803);
+    let plate_v_x_dot_by_cylinder_omega = (R::literal(0.833_333_333_333_333_4) * t810)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t812)
+        .add_product(R::literal(0.833_333_333_333_333_4), t804);
+    let post_omega_dot_by_cylinder_omega = (-(t16 * t813).add_product(t15, t814).add_product(t15,
+        t812)).add_product(t16, t811).sub_product(t17, t801);
+    let post_v_y_dot_by_cylinder_omega = (R::literal(1.25) * t811).add_product(R::literal(1.25),
+        t813);
+    let post_v_x_dot_by_cylinder_omega = (R::literal(1.25) * t812).sub_product(R::literal(1.25),
+        t814);
+    let t815 = t715 - t714;
+    let t816 = (-t718).add_product(t85, t815);
+    let t817 = (-t720).add_product(t86, t815).sub_product(t97, t816);
+    let t818 = (t713 - t722 + t723 - t724 - t725 + t726).add_product(t88, t815).sub_product(t99,
+        t816).sub_product(t108, t817);
+    let t819 = t728.sub_product(t109, t817).sub_product(t119, t818);
+    let t820 = t730.add_product(t110, t817).sub_product(t121, t818).add_product(t130, t819);
+    let t821 = (t90 * t815).sub_product(t101, t816).sub_product(t112, t817).sub_product(t123, t818)
+        .sub_product(t132, t819).sub_product(t139, t820);
+    let t822 = (t92 * t815).sub_product(t103, t816).sub_product(t114, t817).sub_product(t125, t818)
+        .sub_product(t134, t819).sub_product(t141, t820).sub_product(t146, t821);
+    let t823 = (t147 * t821).sub_product(t152, t822);
+    let t824 = (t94 * t815).sub_product(t105, t816).sub_product(t116, t817).sub_product(t127, t818)
+        .sub_product(t136, t819).sub_product(t143, t820).sub_product(t149, t821).sub_product(t154,
+        t822).sub_product(t159, t823) * t160;
+    let t825 = (t823 * t157).sub_product(t159, t824);
+    let t826 = (t822 * t150).sub_product(t152, t825).sub_product(t154, t824);
+    let t827 = (t821 * t144).sub_product(t146, t826).add_product(t147, t825).sub_product(t149,
+        t824);
+    let t828 = (t820 * t137).sub_product(t139, t827).sub_product(t141, t826).sub_product(t143,
+        t824);
+    let t829 = (-(t819 * t128)).add_product(t130, t828).sub_product(t132, t827).sub_product(t134,
+        t826).sub_product(t136, t824);
+    let t830 = (t818 * t117).sub_product(t119, t829).sub_product(t121, t828).sub_product(t123, t827)
+        .sub_product(t125, t826).sub_product(t127, t824);
+    let t831 = (t817 * t106).sub_product(t108, t830).sub_product(t109, t829).add_product(t110, t828)
+        .sub_product(t112, t827).sub_product(t114, t826).sub_product(t116, t824);
+    let t832 = (t816 * t95).sub_product(t97, t831).sub_product(t99, t830).sub_product(t101, t827)
+        .sub_product(t103, t826).sub_product(t105, t824);
+    let t833 = (-(t815 * t83)).add_product(t85, t832).add_product(t86, t831).add_product(t88, t830)
+        .add_product(t90, t827).add_product(t92, t826).add_product(t94, t824);
+    let t834 = (-(t74 * t832).add_product(t72, t833)).add_product(t77, t827).sub_product(t80, t826)
+        .sub_product(t82, t824);
+    let t835 = (-(t60 * t833).add_product(t58, t834).add_product(t61, t832).add_product(t64, t827))
+        .add_product(t66, t826).add_product(t68, t824);
+    let t836 = (t51 * t834).add_product(t49, t835).add_product(t53, t824);
+    let t837 = (t41 * t835).sub_product(t39, t836).add_product(t39, t834).sub_product(t43, t824);
+    let drum_v_y_dot_by_rod_v_x = (t34 * t825).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_y_minus_drum_y_over_between * t825);
+    let drum_v_x_dot_by_rod_v_x = (t33 * t825).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_x_minus_drum_x_over_between * t825);
+    let bobbin_v_y_dot_by_rod_v_x = -(t32 * t825).add_product(c.inverse_bobbin_mass, t826);
+    let bobbin_v_x_dot_by_rod_v_x = -(t31 * t825).add_product(c.inverse_bobbin_mass, t827);
+    let rod_omega_dot_by_rod_v_x = (t29 * t829).sub_product(R::literal(4_166.666_666_666_667), t831)
+        .sub_product(t30, t828);
+    let rod_v_y_dot_by_rod_v_x = -t730.add_product(t28, t830).add_product(R::literal(5.0), t828);
+    let rod_v_x_dot_by_rod_v_x = (-t728).add_product(t27, t830).sub_product(R::literal(5.0), t829);
+    let cylinder_omega_dot_by_rod_v_x = (-t720.add_product(t24, t833)).add_product(t25, t832)
+        .add_product(R::literal(2_777.777_777_777_778), t831).add_product(t26, t830);
+    let cylinder_v_y_dot_by_rod_v_x = t717.sub_product(R::literal(3.333_333_333_333_333_5), t832)
+        .add_product(t23, t830);
+    let cylinder_v_x_dot_by_rod_v_x = t714.sub_product(R::literal(3.333_333_333_333_333_5), t833)
+        .sub_product(t22, t830);
+    let plate_omega_dot_by_rod_v_x = (t19 * t834).sub_product(t18, t835).sub_product(t18, t833)
+        .add_product(t19, t832).add_product(t20, t827).sub_product(t21, t826);
+    let plate_v_y_dot_by_rod_v_x = (R::literal(0.833_333_333_333_333_4) * t832)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t834)
+        .add_product(R::literal(0.833_333_333_333_333_4), t826);
+    let plate_v_x_dot_by_rod_v_x = (R::literal(0.833_333_333_333_333_4) * t833)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t835)
+        .add_product(R::literal(0.833_333_333_333_333_4), t827);
+    let post_omega_dot_by_rod_v_x = (-(t16 * t836).add_product(t15, t837).add_product(t15, t835))
+        .add_product(t16, t834).sub_product(t17, t824);
+    let post_v_y_dot_by_rod_v_x = (R::literal(1.25) * t834).add_product(R::literal(1.25), t836);
+    let post_v_x_dot_by_rod_v_x = (R::literal(1.25) * t835).sub_product(R::literal(1.25), t837);
+    let t838 = t752 - t717;
+    let t839 = (-t755).add_product(t85, t838);
+    let t840 = (-t757).add_product(t86, t838).sub_product(t97, t839);
+    let t841 = (t751 - t759 + t760 - t761 - t762 + t763).add_product(t88, t838).sub_product(t99,
+        t839).sub_product(t108, t840);
+    let t842 = t730.sub_product(t109, t840).sub_product(t119, t841);
+    let t843 = t766.add_product(t110, t840).sub_product(t121, t841).add_product(t130, t842);
+    let t844 = (t90 * t838).sub_product(t101, t839).sub_product(t112, t840).sub_product(t123, t841)
+        .sub_product(t132, t842).sub_product(t139, t843);
+    let t845 = (t92 * t838).sub_product(t103, t839).sub_product(t114, t840).sub_product(t125, t841)
+        .sub_product(t134, t842).sub_product(t141, t843).sub_product(t146, t844);
+    let t846 = (t147 * t844).sub_product(t152, t845);
+    let t847 = (t94 * t838).sub_product(t105, t839).sub_product(t116, t840).sub_product(t127, t841)
+        .sub_product(t136, t842).sub_product(t143, t843).sub_product(t149, t844).sub_product(t154,
+        t845).sub_product(t159, t846) * t160;
+    let t848 = (t846 * t157).sub_product(t159, t847);
+    let t849 = (t845 * t150).sub_product(t152, t848).sub_product(t154, t847);
+    let t850 = (t844 * t144).sub_product(t146, t849).add_product(t147, t848).sub_product(t149,
+        t847);
+    let t851 = (t843 * t137).sub_product(t139, t850).sub_product(t141, t849).sub_product(t143,
+        t847);
+    let t852 = (-(t842 * t128)).add_product(t130, t851).sub_product(t132, t850).sub_product(t134,
+        t849).sub_product(t136, t847);
+    let t853 = (t841 * t117).sub_product(t119, t852).sub_product(t121, t851).sub_product(t123, t850)
+        .sub_product(t125, t849).sub_product(t127, t847);
+    let t854 = (t840 * t106).sub_product(t108, t853).sub_product(t109, t852).add_product(t110, t851)
+        .sub_product(t112, t850).sub_product(t114, t849).sub_product(t116, t847);
+    let t855 = (t839 * t95).sub_product(t97, t854).sub_product(t99, t853).sub_product(t101, t850)
+        .sub_product(t103, t849).sub_product(t105, t847);
+    let t856 = (-(t838 * t83)).add_product(t85, t855).add_product(t86, t854).add_product(t88, t853)
+        .add_product(t90, t850).add_product(t92, t849).add_product(t94, t847);
+    let t857 = (-(t74 * t855).add_product(t72, t856)).add_product(t77, t850).sub_product(t80, t849)
+        .sub_product(t82, t847);
+    let t858 = (-(t60 * t856).add_product(t58, t857).add_product(t61, t855).add_product(t64, t850))
+        .add_product(t66, t849).add_product(t68, t847);
+    let t859 = (t51 * t857).add_product(t49, t858).add_product(t53, t847);
+    let t860 = (t41 * t858).sub_product(t39, t859).add_product(t39, t857).sub_product(t43, t847);
+    let drum_v_y_dot_by_rod_v_y = (t34 * t848).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_y_minus_drum_y_over_between * t848);
+    let drum_v_x_dot_by_rod_v_y = (t33 * t848).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_x_minus_drum_x_over_between * t848);
+    let bobbin_v_y_dot_by_rod_v_y = -(t32 * t848).add_product(c.inverse_bobbin_mass, t849);
+    let bobbin_v_x_dot_by_rod_v_y = -(t31 * t848).add_product(c.inverse_bobbin_mass, t850);
+    let rod_omega_dot_by_rod_v_y = (t29 * t852).sub_product(R::literal(4_166.666_666_666_667), t854)
+        .sub_product(t30, t851);
+    let rod_v_y_dot_by_rod_v_y = -t766.add_product(t28, t853).add_product(R::literal(5.0), t851);
+    let rod_v_x_dot_by_rod_v_y = (-t730).add_product(t27, t853).sub_product(R::literal(5.0), t852);
+    let cylinder_omega_dot_by_rod_v_y = (-t757.add_product(t24, t856)).add_product(t25, t855)
+        .add_product(R::literal(2_777.777_777_777_778), t854).add_product(t26, t853);
+    let cylinder_v_y_dot_by_rod_v_y = t754.sub_product(R::literal(3.333_333_333_333_333_5), t855)
+        .add_product(t23, t853);
+    let cylinder_v_x_dot_by_rod_v_y = t717.sub_product(R::literal(3.333_333_333_333_333_5), t856)
+        .sub_product(t22, t853);
+    let plate_omega_dot_by_rod_v_y = (t19 * t857).sub_product(t18, t858).sub_product(t18, t856)
+        .add_product(t19, t855).add_product(t20, t850).sub_product(t21, t849);
+    let plate_v_y_dot_by_rod_v_y = (R::literal(0.833_333_333_333_333_4) * t855)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t857)
+        .add_product(R::literal(0.833_333_333_333_333_4), t849);
+    let plate_v_x_dot_by_rod_v_y = (R::literal(0.833_333_333_333_333_4) * t856)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t858)
+        .add_product(R::literal(0.833_333_333_333_333_4), t850);
+    let post_omega_dot_by_rod_v_y = (-(t16 * t859).add_product(t15, t860).add_product(t15, t858))
+        .add_product(t16, t857).sub_product(t17, t847);
+    let post_v_y_dot_by_rod_v_y = (R::literal(1.25) * t857).add_product(R::literal(1.25), t859);
+    let post_v_x_dot_by_rod_v_y = (R::literal(1.25) * t858).sub_product(R::literal(1.25), t860);
+    let t861 = R::literal(0.12) * rod_omega;
+    let t862 = t861 * cos_rod_phi;
+    let t863 = (t861 * sin_rod_phi).add_product(t130, t862);
+    let t864 = (t132 * t862).add_product(t139, t863);
+    let t865 = (-(t134 * t862).add_product(t141, t863)).add_product(t146, t864);
+    let t866 = (t147 * t864).add_product(t152, t865);
+    let t867 = (-(t136 * t862).add_product(t143, t863)).add_product(t149, t864).sub_product(t154,
+        t865).add_product(t159, t866) * t160;
+    let t868 = (t866 * t157).add_product(t159, t867);
+    let t869 = (t865 * t150).add_product(t152, t868).sub_product(t154, t867);
+    let t870 = (t864 * t144).add_product(t146, t869).add_product(t147, t868).add_product(t149,
+        t867);
+    let t871 = (t863 * t137).add_product(t139, t870).sub_product(t141, t869).sub_product(t143,
+        t867);
+    let t872 = (-(t862 * t128)).add_product(t130, t871).add_product(t132, t870).sub_product(t134,
+        t869).sub_product(t136, t867);
+    let t873 = (-(t121 * t871).add_product(t119, t872)).add_product(t123, t870).sub_product(t125,
+        t869).sub_product(t127, t867);
+    let t874 = (-(t109 * t872).add_product(t108, t873)).add_product(t110, t871).add_product(t112,
+        t870).sub_product(t114, t869).sub_product(t116, t867);
+    let t875 = (-(t99 * t873).add_product(t97, t874)).add_product(t101, t870).sub_product(t103,
+        t869).sub_product(t105, t867);
+    let t876 = (t86 * t874).add_product(t85, t875).add_product(t88, t873).sub_product(t90, t870)
+        .add_product(t92, t869).add_product(t94, t867);
+    let t877 = (t74 * t875).add_product(t72, t876).add_product(t77, t870).add_product(t80, t869)
+        .add_product(t82, t867);
+    let t878 = (-(t60 * t876)).add_product(t58, t877).sub_product(t61, t875).add_product(t64, t870)
+        .add_product(t66, t869).add_product(t68, t867);
+    let t879 = (t51 * t877).sub_product(t49, t878).sub_product(t53, t867);
+    let t880 = (t41 * t878).add_product(t39, t879).sub_product(t39, t877).sub_product(t43, t867);
+    let drum_v_y_dot_by_rod_omega = (-(t34 * t868))
+        .add_product(R::literal(0.666_666_666_666_666_6), bobbin_y_minus_drum_y_over_between
+        * t868);
+    let drum_v_x_dot_by_rod_omega = (-(t33 * t868))
+        .add_product(R::literal(0.666_666_666_666_666_6), bobbin_x_minus_drum_x_over_between
+        * t868);
+    let bobbin_v_y_dot_by_rod_omega = (t32 * t868).sub_product(c.inverse_bobbin_mass, t869);
+    let bobbin_v_x_dot_by_rod_omega = (t31 * t868).add_product(c.inverse_bobbin_mass, t870);
+    let rod_omega_dot_by_rod_omega = (t29 * t872).sub_product(R::literal(4_166.666_666_666_667),
+        t874).sub_product(t30, t871);
+    let rod_v_y_dot_by_rod_omega = -(R::literal(5.0) * t871).add_product(t28, t873);
+    let rod_v_x_dot_by_rod_omega = (R::literal(-5.0) * t872).add_product(t27, t873);
+    let cylinder_omega_dot_by_rod_omega = (t25 * t875).sub_product(t24, t876)
+        .add_product(R::literal(2_777.777_777_777_778), t874).add_product(t26, t873);
+    let cylinder_v_y_dot_by_rod_omega = (t23 * t873)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t875);
+    let cylinder_v_x_dot_by_rod_omega = -(t22 * t873)
+        .add_product(R::literal(3.333_333_333_333_333_5), t876);
+    let plate_omega_dot_by_rod_omega = (-(t19 * t877).add_product(t18, t878).add_product(t18, t876))
+        .add_product(t19, t875).sub_product(t20, t870).sub_product(t21, t869);
+    let plate_v_y_dot_by_rod_omega = (R::literal(0.833_333_333_333_333_4) * t875)
+        .add_product(R::literal(0.833_333_333_333_333_4), t877)
+        .add_product(R::literal(0.833_333_333_333_333_4), t869);
+    let plate_v_x_dot_by_rod_omega = (R::literal(0.833_333_333_333_333_4) * t876)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t878)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t870);
+    let post_omega_dot_by_rod_omega = (t16 * t879).sub_product(t15, t880).sub_product(t15, t878)
+        .sub_product(t16, t877).sub_product(t17, t867);
+    let post_v_y_dot_by_rod_omega = -(R::literal(1.25) * t877).add_product(R::literal(1.25), t879);
+    let post_v_x_dot_by_rod_omega = (R::literal(1.25) * t878).sub_product(R::literal(1.25), t880);
+    let t881 = R::literal(2.0) * bobbin_x * drum_x;
     let bobbin_x_times_bobbin_y = bobbin_x * bobbin_y;
     let bobbin_x_times_drum_y = bobbin_x * drum_y;
     let bobbin_y_times_drum_x = bobbin_y * drum_x;
     let drum_x_times_drum_y = drum_x * drum_y;
     let bobbin_x_squared = bobbin_x * bobbin_x;
     let drum_x_squared = drum_x * drum_x;
-    let t884 = R::literal(2.0)
-        * (bobbin_x_times_bobbin_y * bobbin_v_y)
-            .add_product(t883, drum_v_x)
-            .add_product(bobbin_x_times_drum_y, drum_v_y)
-            .add_product(bobbin_y_times_drum_x, drum_v_y)
-            .add_product(drum_x_times_drum_y, bobbin_v_y)
-            .add_product(bobbin_v_x, bobbin_x_squared)
-            .add_product(bobbin_v_x, drum_x_squared)
-            .add_product(drum_v_x, between_squared)
-            .sub_product(t883, bobbin_v_x)
-            .sub_product(bobbin_x_times_bobbin_y, drum_v_y)
-            .sub_product(bobbin_x_times_drum_y, bobbin_v_y)
-            .sub_product(bobbin_y_times_drum_x, bobbin_v_y)
-            .sub_product(drum_x_times_drum_y, drum_v_y)
-            .sub_product(bobbin_v_x, between_squared)
-            .sub_product(drum_v_x, bobbin_x_squared)
-            .sub_product(drum_v_x, drum_x_squared) / between_squared_times_between;
-    let t885 = t884 * t162;
-    let t886 = t164 * t884 * t165;
-    let t887 = t164 * t886;
-    let t888 = t885 + t887;
-    let t889 = t159 * t886;
-    let t890 = t889.sub_product(t157, t888);
-    let t891 = t154 * t886;
-    let t892 = (t152 * t888).sub_product(t151, t890) + t891;
-    let t893 = t148 * t886;
-    let t894 = (-(t146 * t890)).sub_product(t144, t892) + t893;
-    let t895 = t141 * t886;
-    let t896 = (-(t137 * t892)).sub_product(t135, t894).sub_product(t139, t890) + t895;
-    let t897 = t132 * t886;
-    let t898 = (-(t126 * t894))
-        .sub_product(t124, t896)
-        .sub_product(t128, t892)
-        .sub_product(t130, t890) + t897;
-    let t899 = t121 * t886;
-    let t900 = (-(t114 * t896))
-        .sub_product(t113, t898)
-        .add_product(t115, t894)
-        .sub_product(t117, t892)
-        .sub_product(t119, t890) + t899;
-    let t901 = t110 * t886;
-    let t902 = (-(t104 * t898))
-        .sub_product(t102, t900)
-        .sub_product(t106, t892)
-        .sub_product(t108, t890) + t901;
-    let t903 = t99 * t886;
-    let t904 = (t91 * t900)
-        .sub_product(t89, t902)
-        .sub_product(t93, t898)
-        .sub_product(t95, t892)
-        .sub_product(t97, t890) + t903;
-    let t905 = t86 * t886;
-    let t906 = (-(t78 * t902))
-        .sub_product(t76, t904)
-        .sub_product(t81, t892)
-        .sub_product(t84, t890) + t905;
-    let t907 = t72 * t886;
-    let t908 = (-(t64 * t904))
-        .sub_product(t62, t906)
-        .sub_product(t65, t902)
-        .sub_product(t68, t892)
-        .add_product(t70, t890) + t907;
-    let t909 = t57 * t886;
-    let t910 = (-(t55 * t906)).sub_product(t53, t908) + t909;
-    let t911 = t47 * t886;
-    let t912 = (-(t45 * t908)).sub_product(t43, t910).sub_product(t43, t906) - t911;
-    let drum_v_y_dot_by_bobbin_v_x = (t38 * t888)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t888,
-        );
-    let drum_v_x_dot_by_bobbin_v_x = (t37 * t888)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t888,
-        );
-    let bobbin_v_y_dot_by_bobbin_v_x = (-(t36 * t888))
-        .sub_product(c.inverse_bobbin_mass, t890);
-    let bobbin_v_x_dot_by_bobbin_v_x = (-(t35 * t888))
-        .sub_product(c.inverse_bobbin_mass, t892);
-    let rod_omega_dot_by_bobbin_v_x = (t33 * t896)
-        .sub_product(R::literal(4_166.666_666_666_667), t900)
-        .sub_product(t34, t894);
-    let rod_v_y_dot_by_bobbin_v_x = (-(R::literal(5.0) * t894)).sub_product(t32, t898);
-    let rod_v_x_dot_by_bobbin_v_x = (-(R::literal(5.0) * t896)).add_product(t31, t898);
-    let cylinder_omega_dot_by_bobbin_v_x = (t29 * t902)
-        .sub_product(t28, t904)
-        .sub_product(R::literal(-2_777.777_777_777_778), t900)
-        .add_product(t30, t898);
-    let cylinder_v_y_dot_by_bobbin_v_x = (t27 * t898)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t902);
-    let cylinder_v_x_dot_by_bobbin_v_x = (-(t26 * t898))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t904);
-    let plate_omega_dot_by_bobbin_v_x = (t23 * t906)
-        .sub_product(t22, t908)
-        .sub_product(t22, t904)
-        .add_product(t23, t902)
-        .add_product(t24, t892)
-        .sub_product(t25, t890);
-    let plate_v_y_dot_by_bobbin_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t902))
+    let t882 = R::literal(2.0) * (bobbin_x_times_bobbin_y * bobbin_v_y).add_product(t881, drum_v_x)
+        .add_product(bobbin_x_times_drum_y, drum_v_y).add_product(bobbin_y_times_drum_x, drum_v_y)
+        .add_product(drum_x_times_drum_y, bobbin_v_y).add_product(bobbin_v_x, bobbin_x_squared)
+        .add_product(bobbin_v_x, drum_x_squared).add_product(drum_v_x, between_squared)
+        .sub_product(t881, bobbin_v_x).sub_product(bobbin_x_times_bobbin_y, drum_v_y)
+        .sub_product(bobbin_x_times_drum_y, bobbin_v_y).sub_product(bobbin_y_times_drum_x,
+        bobbin_v_y).sub_product(drum_x_times_drum_y, drum_v_y).sub_product(bobbin_v_x,
+        between_squared).sub_product(drum_v_x, bobbin_x_squared).sub_product(drum_v_x,
+        drum_x_squared) / between_squared_times_between;
+    let t883 = t159 * t882 * t160;
+    let t884 = (t882 * t157).add_product(t159, t883);
+    let t885 = t152 * t884;
+    let t886 = t154 * t883;
+    let t887 = t886 - t885;
+    let t888 = t147 * t884;
+    let t889 = t149 * t883;
+    let t890 = t888.sub_product(t146, t887) + t889;
+    let t891 = t143 * t883;
+    let t892 = t891 - (t141 * t887).add_product(t139, t890);
+    let t893 = t136 * t883;
+    let t894 = (-(t132 * t890)).add_product(t130, t892).sub_product(t134, t887) + t893;
+    let t895 = t127 * t883;
+    let t896 = t895 - (t121 * t892).add_product(t119, t894).add_product(t123, t890)
+        .add_product(t125, t887);
+    let t897 = t116 * t883;
+    let t898 = (-(t109 * t894).add_product(t108, t896)).add_product(t110, t892).sub_product(t112,
+        t890).sub_product(t114, t887) + t897;
+    let t899 = t105 * t883;
+    let t900 = t899 - (t99 * t896).add_product(t97, t898).add_product(t101, t890).add_product(t103,
+        t887);
+    let t901 = t94 * t883;
+    let t902 = (t86 * t898).add_product(t85, t900).add_product(t88, t896).add_product(t90, t890)
+        .add_product(t92, t887) - t901;
+    let t903 = t82 * t883;
+    let t904 = (-(t74 * t900).add_product(t72, t902)).add_product(t77, t890).sub_product(t80, t887)
+        + t903;
+    let t905 = t68 * t883;
+    let t906 = (-(t60 * t902).add_product(t58, t904).add_product(t61, t900).add_product(t64, t890))
+        .add_product(t66, t887) - t905;
+    let t907 = t53 * t883;
+    let t908 = t907 - (t51 * t904).add_product(t49, t906);
+    let t909 = t43 * t883;
+    let t910 = (t41 * t906).add_product(t39, t908).add_product(t39, t904) + t909;
+    let t911 = R::literal(0.666_666_666_666_666_6) * (bobbin_y_minus_drum_y_over_between * t884);
+    let t912 = t34 * t884;
+    let drum_v_y_dot_by_bobbin_v_x = t912 - t911;
+    let t913 = R::literal(0.666_666_666_666_666_6) * (bobbin_x_minus_drum_x_over_between * t884);
+    let t914 = t33 * t884;
+    let drum_v_x_dot_by_bobbin_v_x = t914 - t913;
+    let t915 = t32 * t884;
+    let bobbin_v_y_dot_by_bobbin_v_x = -t915.add_product(c.inverse_bobbin_mass, t887);
+    let t916 = t31 * t884;
+    let bobbin_v_x_dot_by_bobbin_v_x = -t916.add_product(c.inverse_bobbin_mass, t890);
+    let rod_omega_dot_by_bobbin_v_x = (t29 * t894).sub_product(R::literal(4_166.666_666_666_667),
+        t898).sub_product(t30, t892);
+    let rod_v_y_dot_by_bobbin_v_x = -(R::literal(5.0) * t892).add_product(t28, t896);
+    let rod_v_x_dot_by_bobbin_v_x = (R::literal(-5.0) * t894).add_product(t27, t896);
+    let cylinder_omega_dot_by_bobbin_v_x = (t25 * t900).sub_product(t24, t902)
+        .add_product(R::literal(2_777.777_777_777_778), t898).add_product(t26, t896);
+    let cylinder_v_y_dot_by_bobbin_v_x = (t23 * t896)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t900);
+    let cylinder_v_x_dot_by_bobbin_v_x = -(t22 * t896)
+        .add_product(R::literal(3.333_333_333_333_333_5), t902);
+    let plate_omega_dot_by_bobbin_v_x = (t19 * t904).sub_product(t18, t906).sub_product(t18, t902)
+        .add_product(t19, t900).add_product(t20, t890).sub_product(t21, t887);
+    let plate_v_y_dot_by_bobbin_v_x = (R::literal(0.833_333_333_333_333_4) * t900)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t904)
+        .add_product(R::literal(0.833_333_333_333_333_4), t887);
+    let plate_v_x_dot_by_bobbin_v_x = (R::literal(0.833_333_333_333_333_4) * t902)
         .sub_product(R::literal(0.833_333_333_333_333_4), t906)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t890);
-    let plate_v_x_dot_by_bobbin_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t904))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t908)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t892);
-    let t913 = t21 * t886;
-    let post_omega_dot_by_bobbin_v_x = (t20 * t910)
-        .sub_product(t19, t912)
-        .sub_product(t19, t908)
-        .add_product(t20, t906) + t913;
-    let post_v_y_dot_by_bobbin_v_x = (-(R::literal(-1.25) * t906))
-        .sub_product(R::literal(1.25), t910);
-    let post_v_x_dot_by_bobbin_v_x = (-(R::literal(-1.25) * t908))
-        .sub_product(R::literal(1.25), t912);
-    let t914 = R::literal(2.0) * bobbin_y * drum_y;
+        .add_product(R::literal(0.833_333_333_333_333_4), t890);
+    let t917 = t17 * t883;
+    let post_omega_dot_by_bobbin_v_x = (t16 * t908).sub_product(t15, t910).sub_product(t15, t906)
+        .add_product(t16, t904) + t917;
+    let post_v_y_dot_by_bobbin_v_x = (R::literal(1.25) * t904).sub_product(R::literal(1.25), t908);
+    let post_v_x_dot_by_bobbin_v_x = (R::literal(1.25) * t906).sub_product(R::literal(1.25), t910);
+    let t918 = R::literal(2.0) * bobbin_y * drum_y;
     let bobbin_y_squared = bobbin_y * bobbin_y;
     let drum_y_squared = drum_y * drum_y;
-    let t915 = R::literal(2.0)
-        * (bobbin_x_times_bobbin_y * bobbin_v_x)
-            .add_product(t914, drum_v_y)
-            .add_product(bobbin_x_times_drum_y, drum_v_x)
-            .add_product(bobbin_y_times_drum_x, drum_v_x)
-            .add_product(drum_x_times_drum_y, bobbin_v_x)
-            .add_product(bobbin_v_y, bobbin_y_squared)
-            .add_product(bobbin_v_y, drum_y_squared)
-            .add_product(drum_v_y, between_squared)
-            .sub_product(t914, bobbin_v_y)
-            .sub_product(bobbin_x_times_bobbin_y, drum_v_x)
-            .sub_product(bobbin_x_times_drum_y, bobbin_v_x)
-            .sub_product(bobbin_y_times_drum_x, bobbin_v_x)
-            .sub_product(drum_x_times_drum_y, drum_v_x)
-            .sub_product(bobbin_v_y, between_squared)
-            .sub_product(drum_v_y, bobbin_y_squared)
-            .sub_product(drum_v_y, drum_y_squared) / between_squared_times_between;
-    let t916 = t915 * t162;
-    let t917 = t164 * t915 * t165;
-    let t918 = t164 * t917;
-    let t919 = t916 + t918;
-    let t920 = t159 * t917;
-    let t921 = t920.sub_product(t157, t919);
-    let t922 = t154 * t917;
-    let t923 = (t152 * t919).sub_product(t151, t921) + t922;
-    let t924 = t148 * t917;
-    let t925 = (-(t146 * t921)).sub_product(t144, t923) + t924;
-    let t926 = t141 * t917;
-    let t927 = (-(t137 * t923)).sub_product(t135, t925).sub_product(t139, t921) + t926;
-    let t928 = t132 * t917;
-    let t929 = (-(t126 * t925))
-        .sub_product(t124, t927)
-        .sub_product(t128, t923)
-        .sub_product(t130, t921) + t928;
-    let t930 = t121 * t917;
-    let t931 = (-(t114 * t927))
-        .sub_product(t113, t929)
-        .add_product(t115, t925)
-        .sub_product(t117, t923)
-        .sub_product(t119, t921) + t930;
-    let t932 = t110 * t917;
-    let t933 = (-(t104 * t929))
-        .sub_product(t102, t931)
-        .sub_product(t106, t923)
-        .sub_product(t108, t921) + t932;
-    let t934 = t99 * t917;
-    let t935 = (t91 * t931)
-        .sub_product(t89, t933)
-        .sub_product(t93, t929)
-        .sub_product(t95, t923)
-        .sub_product(t97, t921) + t934;
-    let t936 = t86 * t917;
-    let t937 = (-(t78 * t933))
-        .sub_product(t76, t935)
-        .sub_product(t81, t923)
-        .sub_product(t84, t921) + t936;
-    let t938 = t72 * t917;
-    let t939 = (-(t64 * t935))
-        .sub_product(t62, t937)
-        .sub_product(t65, t933)
-        .sub_product(t68, t923)
-        .add_product(t70, t921) + t938;
-    let t940 = t57 * t917;
-    let t941 = (-(t55 * t937)).sub_product(t53, t939) + t940;
-    let t942 = t47 * t917;
-    let t943 = (-(t45 * t939)).sub_product(t43, t941).sub_product(t43, t937) - t942;
-    let drum_v_y_dot_by_bobbin_v_y = (t38 * t919)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t919,
-        );
-    let drum_v_x_dot_by_bobbin_v_y = (t37 * t919)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t919,
-        );
-    let bobbin_v_y_dot_by_bobbin_v_y = (-(t36 * t919))
-        .sub_product(c.inverse_bobbin_mass, t921);
-    let bobbin_v_x_dot_by_bobbin_v_y = (-(t35 * t919))
-        .sub_product(c.inverse_bobbin_mass, t923);
-    let rod_omega_dot_by_bobbin_v_y = (t33 * t927)
-        .sub_product(R::literal(4_166.666_666_666_667), t931)
-        .sub_product(t34, t925);
-    let rod_v_y_dot_by_bobbin_v_y = (-(R::literal(5.0) * t925)).sub_product(t32, t929);
-    let rod_v_x_dot_by_bobbin_v_y = (-(R::literal(5.0) * t927)).add_product(t31, t929);
-    let cylinder_omega_dot_by_bobbin_v_y = (t29 * t933)
-        .sub_product(t28, t935)
-        .sub_product(R::literal(-2_777.777_777_777_778), t931)
-        .add_product(t30, t929);
-    let cylinder_v_y_dot_by_bobbin_v_y = (t27 * t929)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t933);
-    let cylinder_v_x_dot_by_bobbin_v_y = (-(t26 * t929))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t935);
-    let plate_omega_dot_by_bobbin_v_y = (t23 * t937)
-        .sub_product(t22, t939)
-        .sub_product(t22, t935)
-        .add_product(t23, t933)
-        .add_product(t24, t923)
-        .sub_product(t25, t921);
-    let plate_v_y_dot_by_bobbin_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t933))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t937)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t921);
-    let plate_v_x_dot_by_bobbin_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t935))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t939)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t923);
-    let t944 = t21 * t917;
-    let post_omega_dot_by_bobbin_v_y = (t20 * t941)
-        .sub_product(t19, t943)
-        .sub_product(t19, t939)
-        .add_product(t20, t937) + t944;
-    let post_v_y_dot_by_bobbin_v_y = (-(R::literal(-1.25) * t937))
-        .sub_product(R::literal(1.25), t941);
-    let post_v_x_dot_by_bobbin_v_y = (-(R::literal(-1.25) * t939))
-        .sub_product(R::literal(1.25), t943);
-    let t945 = -t885 - t887;
-    let t946 = (-t889).sub_product(t157, t945);
-    let t947 = (t152 * t945).sub_product(t151, t946) - t891;
-    let t948 = (-(t146 * t946)).sub_product(t144, t947) - t893;
-    let t949 = (-(t137 * t947)).sub_product(t135, t948).sub_product(t139, t946) - t895;
-    let t950 = (-(t126 * t948))
-        .sub_product(t124, t949)
-        .sub_product(t128, t947)
-        .sub_product(t130, t946) - t897;
-    let t951 = (-(t114 * t949))
-        .sub_product(t113, t950)
-        .add_product(t115, t948)
-        .sub_product(t117, t947)
-        .sub_product(t119, t946) - t899;
-    let t952 = (-(t104 * t950))
-        .sub_product(t102, t951)
-        .sub_product(t106, t947)
-        .sub_product(t108, t946) - t901;
-    let t953 = (t91 * t951)
-        .sub_product(t89, t952)
-        .sub_product(t93, t950)
-        .sub_product(t95, t947)
-        .sub_product(t97, t946) - t903;
-    let t954 = (-(t78 * t952))
-        .sub_product(t76, t953)
-        .sub_product(t81, t947)
-        .sub_product(t84, t946) - t905;
-    let t955 = (-(t64 * t953))
-        .sub_product(t62, t954)
-        .sub_product(t65, t952)
-        .sub_product(t68, t947)
-        .add_product(t70, t946) - t907;
-    let t956 = (-(t55 * t954)).sub_product(t53, t955) - t909;
-    let t957 = (-(t45 * t955)).sub_product(t43, t956).sub_product(t43, t954) + t911;
-    let drum_v_y_dot_by_drum_v_x = (t38 * t945)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t945,
-        );
-    let drum_v_x_dot_by_drum_v_x = (t37 * t945)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t945,
-        );
-    let bobbin_v_y_dot_by_drum_v_x = (-(t36 * t945))
-        .sub_product(c.inverse_bobbin_mass, t946);
-    let bobbin_v_x_dot_by_drum_v_x = (-(t35 * t945))
-        .sub_product(c.inverse_bobbin_mass, t947);
-    let rod_omega_dot_by_drum_v_x = (t33 * t949)
-        .sub_product(R::literal(4_166.666_666_666_667), t951)
-        .sub_product(t34, t948);
-    let rod_v_y_dot_by_drum_v_x = (-(R::literal(5.0) * t948)).sub_product(t32, t950);
-    let rod_v_x_dot_by_drum_v_x = (-(R::literal(5.0) * t949)).add_product(t31, t950);
-    let cylinder_omega_dot_by_drum_v_x = (t29 * t952)
-        .sub_product(t28, t953)
-        .sub_product(R::literal(-2_777.777_777_777_778), t951)
-        .add_product(t30, t950);
-    let cylinder_v_y_dot_by_drum_v_x = (t27 * t950)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t952);
-    let cylinder_v_x_dot_by_drum_v_x = (-(t26 * t950))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t953);
-    let plate_omega_dot_by_drum_v_x = (t23 * t954)
-        .sub_product(t22, t955)
-        .sub_product(t22, t953)
-        .add_product(t23, t952)
-        .add_product(t24, t947)
-        .sub_product(t25, t946);
-    let plate_v_y_dot_by_drum_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t952))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t954)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t946);
-    let plate_v_x_dot_by_drum_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t953))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t955)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t947);
-    let post_omega_dot_by_drum_v_x = (t20 * t956)
-        .sub_product(t19, t957)
-        .sub_product(t19, t955)
-        .add_product(t20, t954) - t913;
-    let post_v_y_dot_by_drum_v_x = (-(R::literal(-1.25) * t954))
-        .sub_product(R::literal(1.25), t956);
-    let post_v_x_dot_by_drum_v_x = (-(R::literal(-1.25) * t955))
-        .sub_product(R::literal(1.25), t957);
-    let t958 = -t916 - t918;
-    let t959 = (-t920).sub_product(t157, t958);
-    let t960 = (t152 * t958).sub_product(t151, t959) - t922;
-    let t961 = (-(t146 * t959)).sub_product(t144, t960) - t924;
-    let t962 = (-(t137 * t960)).sub_product(t135, t961).sub_product(t139, t959) - t926;
-    let t963 = (-(t126 * t961))
-        .sub_product(t124, t962)
-        .sub_product(t128, t960)
-        .sub_product(t130, t959) - t928;
-    let t964 = (-(t114 * t962))
-        .sub_product(t113, t963)
-        .add_product(t115, t961)
-        .sub_product(t117, t960)
-        .sub_product(t119, t959) - t930;
-    let t965 = (-(t104 * t963))
-        .sub_product(t102, t964)
-        .sub_product(t106, t960)
-        .sub_product(t108, t959) - t932;
-    let t966 = (t91 * t964)
-        .sub_product(t89, t965)
-        .sub_product(t93, t963)
-        .sub_product(t95, t960)
-        .sub_product(t97, t959) - t934;
-    let t967 = (-(t78 * t965))
-        .sub_product(t76, t966)
-        .sub_product(t81, t960)
-        .sub_product(t84, t959) - t936;
-    let t968 = (-(t64 * t966))
-        .sub_product(t62, t967)
-        .sub_product(t65, t965)
-        .sub_product(t68, t960)
-        .add_product(t70, t959) - t938;
-    let t969 = (-(t55 * t967)).sub_product(t53, t968) - t940;
-    let t970 = (-(t45 * t968)).sub_product(t43, t969).sub_product(t43, t967) + t942;
-    let drum_v_y_dot_by_drum_v_y = (t38 * t958)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t958,
-        );
-    let drum_v_x_dot_by_drum_v_y = (t37 * t958)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t958,
-        );
-    let bobbin_v_y_dot_by_drum_v_y = (-(t36 * t958))
-        .sub_product(c.inverse_bobbin_mass, t959);
-    let bobbin_v_x_dot_by_drum_v_y = (-(t35 * t958))
-        .sub_product(c.inverse_bobbin_mass, t960);
-    let rod_omega_dot_by_drum_v_y = (t33 * t962)
-        .sub_product(R::literal(4_166.666_666_666_667), t964)
-        .sub_product(t34, t961);
-    let rod_v_y_dot_by_drum_v_y = (-(R::literal(5.0) * t961)).sub_product(t32, t963);
-    let rod_v_x_dot_by_drum_v_y = (-(R::literal(5.0) * t962)).add_product(t31, t963);
-    let cylinder_omega_dot_by_drum_v_y = (t29 * t965)
-        .sub_product(t28, t966)
-        .sub_product(R::literal(-2_777.777_777_777_778), t964)
-        .add_product(t30, t963);
-    let cylinder_v_y_dot_by_drum_v_y = (t27 * t963)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t965);
-    let cylinder_v_x_dot_by_drum_v_y = (-(t26 * t963))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t966);
-    let plate_omega_dot_by_drum_v_y = (t23 * t967)
-        .sub_product(t22, t968)
-        .sub_product(t22, t966)
-        .add_product(t23, t965)
-        .add_product(t24, t960)
-        .sub_product(t25, t959);
-    let plate_v_y_dot_by_drum_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t965))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t967)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t959);
-    let plate_v_x_dot_by_drum_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t966))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t968)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t960);
-    let post_omega_dot_by_drum_v_y = (t20 * t969)
-        .sub_product(t19, t970)
-        .sub_product(t19, t968)
-        .add_product(t20, t967) - t944;
-    let post_v_y_dot_by_drum_v_y = (-(R::literal(-1.25) * t967))
-        .sub_product(R::literal(1.25), t969);
-    let post_v_x_dot_by_drum_v_y = (-(R::literal(-1.25) * t968))
-        .sub_product(R::literal(1.25), t970);
-    [
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        post_v_x_dot_by_post_phi,
-        post_v_x_dot_by_plate_phi,
-        post_v_x_dot_by_cylinder_x,
-        post_v_x_dot_by_cylinder_y,
-        post_v_x_dot_by_cylinder_phi,
-        post_v_x_dot_by_rod_x,
-        post_v_x_dot_by_rod_y,
-        post_v_x_dot_by_rod_phi,
-        post_v_x_dot_by_bobbin_x,
-        post_v_x_dot_by_bobbin_y,
-        post_v_x_dot_by_drum_x,
-        post_v_x_dot_by_drum_y,
-        post_v_x_dot_by_post_omega,
-        post_v_x_dot_by_plate_omega,
-        post_v_x_dot_by_cylinder_v_x,
-        post_v_x_dot_by_cylinder_v_y,
-        post_v_x_dot_by_cylinder_omega,
-        post_v_x_dot_by_rod_v_x,
-        post_v_x_dot_by_rod_v_y,
-        post_v_x_dot_by_rod_omega,
-        post_v_x_dot_by_bobbin_v_x,
-        post_v_x_dot_by_bobbin_v_y,
-        post_v_x_dot_by_drum_v_x,
-        post_v_x_dot_by_drum_v_y,
-        post_v_y_dot_by_post_phi,
-        post_v_y_dot_by_plate_phi,
-        post_v_y_dot_by_cylinder_x,
-        post_v_y_dot_by_cylinder_y,
-        post_v_y_dot_by_cylinder_phi,
-        post_v_y_dot_by_rod_x,
-        post_v_y_dot_by_rod_y,
-        post_v_y_dot_by_rod_phi,
-        post_v_y_dot_by_bobbin_x,
-        post_v_y_dot_by_bobbin_y,
-        post_v_y_dot_by_drum_x,
-        post_v_y_dot_by_drum_y,
-        post_v_y_dot_by_post_omega,
-        post_v_y_dot_by_plate_omega,
-        post_v_y_dot_by_cylinder_v_x,
-        post_v_y_dot_by_cylinder_v_y,
-        post_v_y_dot_by_cylinder_omega,
-        post_v_y_dot_by_rod_v_x,
-        post_v_y_dot_by_rod_v_y,
-        post_v_y_dot_by_rod_omega,
-        post_v_y_dot_by_bobbin_v_x,
-        post_v_y_dot_by_bobbin_v_y,
-        post_v_y_dot_by_drum_v_x,
-        post_v_y_dot_by_drum_v_y,
-        post_omega_dot_by_post_phi,
-        post_omega_dot_by_plate_phi,
-        post_omega_dot_by_cylinder_x,
-        post_omega_dot_by_cylinder_y,
-        post_omega_dot_by_cylinder_phi,
-        post_omega_dot_by_rod_x,
-        post_omega_dot_by_rod_y,
-        post_omega_dot_by_rod_phi,
-        post_omega_dot_by_bobbin_x,
-        post_omega_dot_by_bobbin_y,
-        post_omega_dot_by_drum_x,
-        post_omega_dot_by_drum_y,
-        post_omega_dot_by_post_omega,
-        post_omega_dot_by_plate_omega,
-        post_omega_dot_by_cylinder_v_x,
-        post_omega_dot_by_cylinder_v_y,
-        post_omega_dot_by_cylinder_omega,
-        post_omega_dot_by_rod_v_x,
-        post_omega_dot_by_rod_v_y,
-        post_omega_dot_by_rod_omega,
-        post_omega_dot_by_bobbin_v_x,
-        post_omega_dot_by_bobbin_v_y,
-        post_omega_dot_by_drum_v_x,
-        post_omega_dot_by_drum_v_y,
-        plate_v_x_dot_by_post_phi,
-        plate_v_x_dot_by_plate_phi,
-        plate_v_x_dot_by_cylinder_x,
-        plate_v_x_dot_by_cylinder_y,
-        plate_v_x_dot_by_cylinder_phi,
-        plate_v_x_dot_by_rod_x,
-        plate_v_x_dot_by_rod_y,
-        plate_v_x_dot_by_rod_phi,
-        plate_v_x_dot_by_bobbin_x,
-        plate_v_x_dot_by_bobbin_y,
-        plate_v_x_dot_by_drum_x,
-        plate_v_x_dot_by_drum_y,
-        plate_v_x_dot_by_post_omega,
-        plate_v_x_dot_by_plate_omega,
-        plate_v_x_dot_by_cylinder_v_x,
-        plate_v_x_dot_by_cylinder_v_y,
-        plate_v_x_dot_by_cylinder_omega,
-        plate_v_x_dot_by_rod_v_x,
-        plate_v_x_dot_by_rod_v_y,
-        plate_v_x_dot_by_rod_omega,
-        plate_v_x_dot_by_bobbin_v_x,
-        plate_v_x_dot_by_bobbin_v_y,
-        plate_v_x_dot_by_drum_v_x,
-        plate_v_x_dot_by_drum_v_y,
-        plate_v_y_dot_by_post_phi,
-        plate_v_y_dot_by_plate_phi,
-        plate_v_y_dot_by_cylinder_x,
-        plate_v_y_dot_by_cylinder_y,
-        plate_v_y_dot_by_cylinder_phi,
-        plate_v_y_dot_by_rod_x,
-        plate_v_y_dot_by_rod_y,
-        plate_v_y_dot_by_rod_phi,
-        plate_v_y_dot_by_bobbin_x,
-        plate_v_y_dot_by_bobbin_y,
-        plate_v_y_dot_by_drum_x,
-        plate_v_y_dot_by_drum_y,
-        plate_v_y_dot_by_post_omega,
-        plate_v_y_dot_by_plate_omega,
-        plate_v_y_dot_by_cylinder_v_x,
-        plate_v_y_dot_by_cylinder_v_y,
-        plate_v_y_dot_by_cylinder_omega,
-        plate_v_y_dot_by_rod_v_x,
-        plate_v_y_dot_by_rod_v_y,
-        plate_v_y_dot_by_rod_omega,
-        plate_v_y_dot_by_bobbin_v_x,
-        plate_v_y_dot_by_bobbin_v_y,
-        plate_v_y_dot_by_drum_v_x,
-        plate_v_y_dot_by_drum_v_y,
-        plate_omega_dot_by_post_phi,
-        plate_omega_dot_by_plate_phi,
-        plate_omega_dot_by_cylinder_x,
-        plate_omega_dot_by_cylinder_y,
-        plate_omega_dot_by_cylinder_phi,
-        plate_omega_dot_by_rod_x,
-        plate_omega_dot_by_rod_y,
-        plate_omega_dot_by_rod_phi,
-        plate_omega_dot_by_bobbin_x,
-        plate_omega_dot_by_bobbin_y,
-        plate_omega_dot_by_drum_x,
-        plate_omega_dot_by_drum_y,
-        plate_omega_dot_by_post_omega,
-        plate_omega_dot_by_plate_omega,
-        plate_omega_dot_by_cylinder_v_x,
-        plate_omega_dot_by_cylinder_v_y,
-        plate_omega_dot_by_cylinder_omega,
-        plate_omega_dot_by_rod_v_x,
-        plate_omega_dot_by_rod_v_y,
-        plate_omega_dot_by_rod_omega,
-        plate_omega_dot_by_bobbin_v_x,
-        plate_omega_dot_by_bobbin_v_y,
-        plate_omega_dot_by_drum_v_x,
-        plate_omega_dot_by_drum_v_y,
-        cylinder_v_x_dot_by_post_phi,
-        cylinder_v_x_dot_by_plate_phi,
-        cylinder_v_x_dot_by_cylinder_x,
-        cylinder_v_x_dot_by_cylinder_y,
-        cylinder_v_x_dot_by_cylinder_phi,
-        cylinder_v_x_dot_by_rod_x,
-        cylinder_v_x_dot_by_rod_y,
-        cylinder_v_x_dot_by_rod_phi,
-        cylinder_v_x_dot_by_bobbin_x,
-        cylinder_v_x_dot_by_bobbin_y,
-        cylinder_v_x_dot_by_drum_x,
-        cylinder_v_x_dot_by_drum_y,
-        cylinder_v_x_dot_by_post_omega,
-        cylinder_v_x_dot_by_plate_omega,
-        cylinder_v_x_dot_by_cylinder_v_x,
-        cylinder_v_x_dot_by_cylinder_v_y,
-        cylinder_v_x_dot_by_cylinder_omega,
-        cylinder_v_x_dot_by_rod_v_x,
-        cylinder_v_x_dot_by_rod_v_y,
-        cylinder_v_x_dot_by_rod_omega,
-        cylinder_v_x_dot_by_bobbin_v_x,
-        cylinder_v_x_dot_by_bobbin_v_y,
-        cylinder_v_x_dot_by_drum_v_x,
-        cylinder_v_x_dot_by_drum_v_y,
-        cylinder_v_y_dot_by_post_phi,
-        cylinder_v_y_dot_by_plate_phi,
-        cylinder_v_y_dot_by_cylinder_x,
-        cylinder_v_y_dot_by_cylinder_y,
-        cylinder_v_y_dot_by_cylinder_phi,
-        cylinder_v_y_dot_by_rod_x,
-        cylinder_v_y_dot_by_rod_y,
-        cylinder_v_y_dot_by_rod_phi,
-        cylinder_v_y_dot_by_bobbin_x,
-        cylinder_v_y_dot_by_bobbin_y,
-        cylinder_v_y_dot_by_drum_x,
-        cylinder_v_y_dot_by_drum_y,
-        cylinder_v_y_dot_by_post_omega,
-        cylinder_v_y_dot_by_plate_omega,
-        cylinder_v_y_dot_by_cylinder_v_x,
-        cylinder_v_y_dot_by_cylinder_v_y,
-        cylinder_v_y_dot_by_cylinder_omega,
-        cylinder_v_y_dot_by_rod_v_x,
-        cylinder_v_y_dot_by_rod_v_y,
-        cylinder_v_y_dot_by_rod_omega,
-        cylinder_v_y_dot_by_bobbin_v_x,
-        cylinder_v_y_dot_by_bobbin_v_y,
-        cylinder_v_y_dot_by_drum_v_x,
-        cylinder_v_y_dot_by_drum_v_y,
-        cylinder_omega_dot_by_post_phi,
-        cylinder_omega_dot_by_plate_phi,
-        cylinder_omega_dot_by_cylinder_x,
-        cylinder_omega_dot_by_cylinder_y,
-        cylinder_omega_dot_by_cylinder_phi,
-        cylinder_omega_dot_by_rod_x,
-        cylinder_omega_dot_by_rod_y,
-        cylinder_omega_dot_by_rod_phi,
-        cylinder_omega_dot_by_bobbin_x,
-        cylinder_omega_dot_by_bobbin_y,
-        cylinder_omega_dot_by_drum_x,
-        cylinder_omega_dot_by_drum_y,
-        cylinder_omega_dot_by_post_omega,
-        cylinder_omega_dot_by_plate_omega,
-        cylinder_omega_dot_by_cylinder_v_x,
-        cylinder_omega_dot_by_cylinder_v_y,
-        cylinder_omega_dot_by_cylinder_omega,
-        cylinder_omega_dot_by_rod_v_x,
-        cylinder_omega_dot_by_rod_v_y,
-        cylinder_omega_dot_by_rod_omega,
-        cylinder_omega_dot_by_bobbin_v_x,
-        cylinder_omega_dot_by_bobbin_v_y,
-        cylinder_omega_dot_by_drum_v_x,
-        cylinder_omega_dot_by_drum_v_y,
-        rod_v_x_dot_by_post_phi,
-        rod_v_x_dot_by_plate_phi,
-        rod_v_x_dot_by_cylinder_x,
-        rod_v_x_dot_by_cylinder_y,
-        rod_v_x_dot_by_cylinder_phi,
-        rod_v_x_dot_by_rod_x,
-        rod_v_x_dot_by_rod_y,
-        rod_v_x_dot_by_rod_phi,
-        rod_v_x_dot_by_bobbin_x,
-        rod_v_x_dot_by_bobbin_y,
-        rod_v_x_dot_by_drum_x,
-        rod_v_x_dot_by_drum_y,
-        rod_v_x_dot_by_post_omega,
-        rod_v_x_dot_by_plate_omega,
-        rod_v_x_dot_by_cylinder_v_x,
-        rod_v_x_dot_by_cylinder_v_y,
-        rod_v_x_dot_by_cylinder_omega,
-        rod_v_x_dot_by_rod_v_x,
-        rod_v_x_dot_by_rod_v_y,
-        rod_v_x_dot_by_rod_omega,
-        rod_v_x_dot_by_bobbin_v_x,
-        rod_v_x_dot_by_bobbin_v_y,
-        rod_v_x_dot_by_drum_v_x,
-        rod_v_x_dot_by_drum_v_y,
-        rod_v_y_dot_by_post_phi,
-        rod_v_y_dot_by_plate_phi,
-        rod_v_y_dot_by_cylinder_x,
-        rod_v_y_dot_by_cylinder_y,
-        rod_v_y_dot_by_cylinder_phi,
-        rod_v_y_dot_by_rod_x,
-        rod_v_y_dot_by_rod_y,
-        rod_v_y_dot_by_rod_phi,
-        rod_v_y_dot_by_bobbin_x,
-        rod_v_y_dot_by_bobbin_y,
-        rod_v_y_dot_by_drum_x,
-        rod_v_y_dot_by_drum_y,
-        rod_v_y_dot_by_post_omega,
-        rod_v_y_dot_by_plate_omega,
-        rod_v_y_dot_by_cylinder_v_x,
-        rod_v_y_dot_by_cylinder_v_y,
-        rod_v_y_dot_by_cylinder_omega,
-        rod_v_y_dot_by_rod_v_x,
-        rod_v_y_dot_by_rod_v_y,
-        rod_v_y_dot_by_rod_omega,
-        rod_v_y_dot_by_bobbin_v_x,
-        rod_v_y_dot_by_bobbin_v_y,
-        rod_v_y_dot_by_drum_v_x,
-        rod_v_y_dot_by_drum_v_y,
-        rod_omega_dot_by_post_phi,
-        rod_omega_dot_by_plate_phi,
-        rod_omega_dot_by_cylinder_x,
-        rod_omega_dot_by_cylinder_y,
-        rod_omega_dot_by_cylinder_phi,
-        rod_omega_dot_by_rod_x,
-        rod_omega_dot_by_rod_y,
-        rod_omega_dot_by_rod_phi,
-        rod_omega_dot_by_bobbin_x,
-        rod_omega_dot_by_bobbin_y,
-        rod_omega_dot_by_drum_x,
-        rod_omega_dot_by_drum_y,
-        rod_omega_dot_by_post_omega,
-        rod_omega_dot_by_plate_omega,
-        rod_omega_dot_by_cylinder_v_x,
-        rod_omega_dot_by_cylinder_v_y,
-        rod_omega_dot_by_cylinder_omega,
-        rod_omega_dot_by_rod_v_x,
-        rod_omega_dot_by_rod_v_y,
-        rod_omega_dot_by_rod_omega,
-        rod_omega_dot_by_bobbin_v_x,
-        rod_omega_dot_by_bobbin_v_y,
-        rod_omega_dot_by_drum_v_x,
-        rod_omega_dot_by_drum_v_y,
-        bobbin_v_x_dot_by_post_phi,
-        bobbin_v_x_dot_by_plate_phi,
-        bobbin_v_x_dot_by_cylinder_x,
-        bobbin_v_x_dot_by_cylinder_y,
-        bobbin_v_x_dot_by_cylinder_phi,
-        bobbin_v_x_dot_by_rod_x,
-        bobbin_v_x_dot_by_rod_y,
-        bobbin_v_x_dot_by_rod_phi,
-        bobbin_v_x_dot_by_bobbin_x,
-        bobbin_v_x_dot_by_bobbin_y,
-        bobbin_v_x_dot_by_drum_x,
-        bobbin_v_x_dot_by_drum_y,
-        bobbin_v_x_dot_by_post_omega,
-        bobbin_v_x_dot_by_plate_omega,
-        bobbin_v_x_dot_by_cylinder_v_x,
-        bobbin_v_x_dot_by_cylinder_v_y,
-        bobbin_v_x_dot_by_cylinder_omega,
-        bobbin_v_x_dot_by_rod_v_x,
-        bobbin_v_x_dot_by_rod_v_y,
-        bobbin_v_x_dot_by_rod_omega,
-        bobbin_v_x_dot_by_bobbin_v_x,
-        bobbin_v_x_dot_by_bobbin_v_y,
-        bobbin_v_x_dot_by_drum_v_x,
-        bobbin_v_x_dot_by_drum_v_y,
-        bobbin_v_y_dot_by_post_phi,
-        bobbin_v_y_dot_by_plate_phi,
-        bobbin_v_y_dot_by_cylinder_x,
-        bobbin_v_y_dot_by_cylinder_y,
-        bobbin_v_y_dot_by_cylinder_phi,
-        bobbin_v_y_dot_by_rod_x,
-        bobbin_v_y_dot_by_rod_y,
-        bobbin_v_y_dot_by_rod_phi,
-        bobbin_v_y_dot_by_bobbin_x,
-        bobbin_v_y_dot_by_bobbin_y,
-        bobbin_v_y_dot_by_drum_x,
-        bobbin_v_y_dot_by_drum_y,
-        bobbin_v_y_dot_by_post_omega,
-        bobbin_v_y_dot_by_plate_omega,
-        bobbin_v_y_dot_by_cylinder_v_x,
-        bobbin_v_y_dot_by_cylinder_v_y,
-        bobbin_v_y_dot_by_cylinder_omega,
-        bobbin_v_y_dot_by_rod_v_x,
-        bobbin_v_y_dot_by_rod_v_y,
-        bobbin_v_y_dot_by_rod_omega,
-        bobbin_v_y_dot_by_bobbin_v_x,
-        bobbin_v_y_dot_by_bobbin_v_y,
-        bobbin_v_y_dot_by_drum_v_x,
-        bobbin_v_y_dot_by_drum_v_y,
-        drum_v_x_dot_by_post_phi,
-        drum_v_x_dot_by_plate_phi,
-        drum_v_x_dot_by_cylinder_x,
-        drum_v_x_dot_by_cylinder_y,
-        drum_v_x_dot_by_cylinder_phi,
-        drum_v_x_dot_by_rod_x,
-        drum_v_x_dot_by_rod_y,
-        drum_v_x_dot_by_rod_phi,
-        drum_v_x_dot_by_bobbin_x,
-        drum_v_x_dot_by_bobbin_y,
-        drum_v_x_dot_by_drum_x,
-        drum_v_x_dot_by_drum_y,
-        drum_v_x_dot_by_post_omega,
-        drum_v_x_dot_by_plate_omega,
-        drum_v_x_dot_by_cylinder_v_x,
-        drum_v_x_dot_by_cylinder_v_y,
-        drum_v_x_dot_by_cylinder_omega,
-        drum_v_x_dot_by_rod_v_x,
-        drum_v_x_dot_by_rod_v_y,
-        drum_v_x_dot_by_rod_omega,
-        drum_v_x_dot_by_bobbin_v_x,
-        drum_v_x_dot_by_bobbin_v_y,
-        drum_v_x_dot_by_drum_v_x,
-        drum_v_x_dot_by_drum_v_y,
-        drum_v_y_dot_by_post_phi,
-        drum_v_y_dot_by_plate_phi,
-        drum_v_y_dot_by_cylinder_x,
-        drum_v_y_dot_by_cylinder_y,
-        drum_v_y_dot_by_cylinder_phi,
-        drum_v_y_dot_by_rod_x,
-        drum_v_y_dot_by_rod_y,
-        drum_v_y_dot_by_rod_phi,
-        drum_v_y_dot_by_bobbin_x,
-        drum_v_y_dot_by_bobbin_y,
-        drum_v_y_dot_by_drum_x,
-        drum_v_y_dot_by_drum_y,
-        drum_v_y_dot_by_post_omega,
-        drum_v_y_dot_by_plate_omega,
-        drum_v_y_dot_by_cylinder_v_x,
-        drum_v_y_dot_by_cylinder_v_y,
-        drum_v_y_dot_by_cylinder_omega,
-        drum_v_y_dot_by_rod_v_x,
-        drum_v_y_dot_by_rod_v_y,
-        drum_v_y_dot_by_rod_omega,
-        drum_v_y_dot_by_bobbin_v_x,
-        drum_v_y_dot_by_bobbin_v_y,
-        drum_v_y_dot_by_drum_v_x,
-        drum_v_y_dot_by_drum_v_y,
-    ]
+    let t919 = R::literal(2.0) * (bobbin_x_times_bobbin_y * bobbin_v_x).add_product(t918, drum_v_y)
+        .add_product(bobbin_x_times_drum_y, drum_v_x).add_product(bobbin_y_times_drum_x, drum_v_x)
+        .add_product(drum_x_times_drum_y, bobbin_v_x).add_product(bobbin_v_y, bobbin_y_squared)
+        .add_product(bobbin_v_y, drum_y_squared).add_product(drum_v_y, between_squared)
+        .sub_product(t918, bobbin_v_y).sub_product(bobbin_x_times_bobbin_y, drum_v_x)
+        .sub_product(bobbin_x_times_drum_y, bobbin_v_x).sub_product(bobbin_y_times_drum_x,
+        bobbin_v_x).sub_product(drum_x_times_drum_y, drum_v_x).sub_product(bobbin_v_y,
+        between_squared).sub_product(drum_v_y, bobbin_y_squared).sub_product(drum_v_y,
+        drum_y_squared) / between_squared_times_between;
+    let t920 = t159 * t919 * t160;
+    let t921 = (t919 * t157).add_product(t159, t920);
+    let t922 = t152 * t921;
+    let t923 = t154 * t920;
+    let t924 = t923 - t922;
+    let t925 = t147 * t921;
+    let t926 = t149 * t920;
+    let t927 = t925.sub_product(t146, t924) + t926;
+    let t928 = t143 * t920;
+    let t929 = t928 - (t141 * t924).add_product(t139, t927);
+    let t930 = t136 * t920;
+    let t931 = (-(t132 * t927)).add_product(t130, t929).sub_product(t134, t924) + t930;
+    let t932 = t127 * t920;
+    let t933 = t932 - (t121 * t929).add_product(t119, t931).add_product(t123, t927)
+        .add_product(t125, t924);
+    let t934 = t116 * t920;
+    let t935 = (-(t109 * t931).add_product(t108, t933)).add_product(t110, t929).sub_product(t112,
+        t927).sub_product(t114, t924) + t934;
+    let t936 = t105 * t920;
+    let t937 = t936 - (t99 * t933).add_product(t97, t935).add_product(t101, t927).add_product(t103,
+        t924);
+    let t938 = t94 * t920;
+    let t939 = (t86 * t935).add_product(t85, t937).add_product(t88, t933).add_product(t90, t927)
+        .add_product(t92, t924) - t938;
+    let t940 = t82 * t920;
+    let t941 = (-(t74 * t937).add_product(t72, t939)).add_product(t77, t927).sub_product(t80, t924)
+        + t940;
+    let t942 = t68 * t920;
+    let t943 = (-(t60 * t939).add_product(t58, t941).add_product(t61, t937).add_product(t64, t927))
+        .add_product(t66, t924) - t942;
+    let t944 = t53 * t920;
+    let t945 = t944 - (t51 * t941).add_product(t49, t943);
+    let t946 = t43 * t920;
+    let t947 = (t41 * t943).add_product(t39, t945).add_product(t39, t941) + t946;
+    let t948 = R::literal(0.666_666_666_666_666_6) * (bobbin_y_minus_drum_y_over_between * t921);
+    let t949 = t34 * t921;
+    let drum_v_y_dot_by_bobbin_v_y = t949 - t948;
+    let t950 = R::literal(0.666_666_666_666_666_6) * (bobbin_x_minus_drum_x_over_between * t921);
+    let t951 = t33 * t921;
+    let drum_v_x_dot_by_bobbin_v_y = t951 - t950;
+    let t952 = t32 * t921;
+    let bobbin_v_y_dot_by_bobbin_v_y = -t952.add_product(c.inverse_bobbin_mass, t924);
+    let t953 = t31 * t921;
+    let bobbin_v_x_dot_by_bobbin_v_y = -t953.add_product(c.inverse_bobbin_mass, t927);
+    let rod_omega_dot_by_bobbin_v_y = (t29 * t931).sub_product(R::literal(4_166.666_666_666_667),
+        t935).sub_product(t30, t929);
+    let rod_v_y_dot_by_bobbin_v_y = -(R::literal(5.0) * t929).add_product(t28, t933);
+    let rod_v_x_dot_by_bobbin_v_y = (R::literal(-5.0) * t931).add_product(t27, t933);
+    let cylinder_omega_dot_by_bobbin_v_y = (t25 * t937).sub_product(t24, t939)
+        .add_product(R::literal(2_777.777_777_777_778), t935).add_product(t26, t933);
+    let cylinder_v_y_dot_by_bobbin_v_y = (t23 * t933)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t937);
+    let cylinder_v_x_dot_by_bobbin_v_y = -(t22 * t933)
+        .add_product(R::literal(3.333_333_333_333_333_5), t939);
+    let plate_omega_dot_by_bobbin_v_y = (t19 * t941).sub_product(t18, t943).sub_product(t18, t939)
+        .add_product(t19, t937).add_product(t20, t927).sub_product(t21, t924);
+    let plate_v_y_dot_by_bobbin_v_y = (R::literal(0.833_333_333_333_333_4) * t937)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t941)
+        .add_product(R::literal(0.833_333_333_333_333_4), t924);
+    let plate_v_x_dot_by_bobbin_v_y = (R::literal(0.833_333_333_333_333_4) * t939)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t943)
+        .add_product(R::literal(0.833_333_333_333_333_4), t927);
+    let t954 = t17 * t920;
+    let post_omega_dot_by_bobbin_v_y = (t16 * t945).sub_product(t15, t947).sub_product(t15, t943)
+        .add_product(t16, t941) + t954;
+    let post_v_y_dot_by_bobbin_v_y = (R::literal(1.25) * t941).sub_product(R::literal(1.25), t945);
+    let post_v_x_dot_by_bobbin_v_y = (R::literal(1.25) * t943).sub_product(R::literal(1.25), t947);
+    let t955 = t885 - t886;
+    let t956 = t888.add_product(t146, t955) + t889;
+    let t957 = (-(t141 * t955)).add_product(t139, t956) - t891;
+    let t958 = (t132 * t956).add_product(t130, t957).sub_product(t134, t955) - t893;
+    let t959 = (-(t121 * t957).add_product(t119, t958)).add_product(t123, t956).sub_product(t125,
+        t955) - t895;
+    let t960 = (-(t109 * t958).add_product(t108, t959)).add_product(t110, t957).add_product(t112,
+        t956).sub_product(t114, t955) - t897;
+    let t961 = (-(t99 * t959).add_product(t97, t960)).add_product(t101, t956).sub_product(t103,
+        t955) - t899;
+    let t962 = (t86 * t960).add_product(t85, t961).add_product(t88, t959).sub_product(t90, t956)
+        .add_product(t92, t955) + t901;
+    let t963 = (t74 * t961).add_product(t72, t962).add_product(t77, t956).add_product(t80, t955)
+        + t903;
+    let t964 = (-(t60 * t962)).add_product(t58, t963).sub_product(t61, t961).add_product(t64, t956)
+        .add_product(t66, t955) + t905;
+    let t965 = (t51 * t963).sub_product(t49, t964) - t907;
+    let t966 = (t41 * t964).add_product(t39, t965).sub_product(t39, t963) - t909;
+    let drum_v_y_dot_by_drum_v_x = t911 - t912;
+    let drum_v_x_dot_by_drum_v_x = t913 - t914;
+    let bobbin_v_y_dot_by_drum_v_x = t915.sub_product(c.inverse_bobbin_mass, t955);
+    let bobbin_v_x_dot_by_drum_v_x = t916.add_product(c.inverse_bobbin_mass, t956);
+    let rod_omega_dot_by_drum_v_x = (t29 * t958).sub_product(R::literal(4_166.666_666_666_667),
+        t960).sub_product(t30, t957);
+    let rod_v_y_dot_by_drum_v_x = -(R::literal(5.0) * t957).add_product(t28, t959);
+    let rod_v_x_dot_by_drum_v_x = (R::literal(-5.0) * t958).add_product(t27, t959);
+    let cylinder_omega_dot_by_drum_v_x = (t25 * t961).sub_product(t24, t962)
+        .add_product(R::literal(2_777.777_777_777_778), t960).add_product(t26, t959);
+    let cylinder_v_y_dot_by_drum_v_x = (t23 * t959)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t961);
+    let cylinder_v_x_dot_by_drum_v_x = -(t22 * t959)
+        .add_product(R::literal(3.333_333_333_333_333_5), t962);
+    let plate_omega_dot_by_drum_v_x = (-(t19 * t963).add_product(t18, t964).add_product(t18, t962))
+        .add_product(t19, t961).sub_product(t20, t956).sub_product(t21, t955);
+    let plate_v_y_dot_by_drum_v_x = (R::literal(0.833_333_333_333_333_4) * t961)
+        .add_product(R::literal(0.833_333_333_333_333_4), t963)
+        .add_product(R::literal(0.833_333_333_333_333_4), t955);
+    let plate_v_x_dot_by_drum_v_x = (R::literal(0.833_333_333_333_333_4) * t962)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t964)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t956);
+    let post_omega_dot_by_drum_v_x = (t16 * t965).sub_product(t15, t966).sub_product(t15, t964)
+        .sub_product(t16, t963) - t917;
+    let post_v_y_dot_by_drum_v_x = -(R::literal(1.25) * t963).add_product(R::literal(1.25), t965);
+    let post_v_x_dot_by_drum_v_x = (R::literal(1.25) * t964).sub_product(R::literal(1.25), t966);
+    let t967 = t922 - t923;
+    let t968 = t925.add_product(t146, t967) + t926;
+    let t969 = (-(t141 * t967)).add_product(t139, t968) - t928;
+    let t970 = (t132 * t968).add_product(t130, t969).sub_product(t134, t967) - t930;
+    let t971 = (-(t121 * t969).add_product(t119, t970)).add_product(t123, t968).sub_product(t125,
+        t967) - t932;
+    let t972 = (-(t109 * t970).add_product(t108, t971)).add_product(t110, t969).add_product(t112,
+        t968).sub_product(t114, t967) - t934;
+    let t973 = (-(t99 * t971).add_product(t97, t972)).add_product(t101, t968).sub_product(t103,
+        t967) - t936;
+    let t974 = (t86 * t972).add_product(t85, t973).add_product(t88, t971).sub_product(t90, t968)
+        .add_product(t92, t967) + t938;
+    let t975 = (t74 * t973).add_product(t72, t974).add_product(t77, t968).add_product(t80, t967)
+        + t940;
+    let t976 = (-(t60 * t974)).add_product(t58, t975).sub_product(t61, t973).add_product(t64, t968)
+        .add_product(t66, t967) + t942;
+    let t977 = (t51 * t975).sub_product(t49, t976) - t944;
+    let t978 = (t41 * t976).add_product(t39, t977).sub_product(t39, t975) - t946;
+    let drum_v_y_dot_by_drum_v_y = t948 - t949;
+    let drum_v_x_dot_by_drum_v_y = t950 - t951;
+    let bobbin_v_y_dot_by_drum_v_y = t952.sub_product(c.inverse_bobbin_mass, t967);
+    let bobbin_v_x_dot_by_drum_v_y = t953.add_product(c.inverse_bobbin_mass, t968);
+    let rod_omega_dot_by_drum_v_y = (t29 * t970).sub_product(R::literal(4_166.666_666_666_667),
+        t972).sub_product(t30, t969);
+    let rod_v_y_dot_by_drum_v_y = -(R::literal(5.0) * t969).add_product(t28, t971);
+    let rod_v_x_dot_by_drum_v_y = (R::literal(-5.0) * t970).add_product(t27, t971);
+    let cylinder_omega_dot_by_drum_v_y = (t25 * t973).sub_product(t24, t974)
+        .add_product(R::literal(2_777.777_777_777_778), t972).add_product(t26, t971);
+    let cylinder_v_y_dot_by_drum_v_y = (t23 * t971)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t973);
+    let cylinder_v_x_dot_by_drum_v_y = -(t22 * t971)
+        .add_product(R::literal(3.333_333_333_333_333_5), t974);
+    let plate_omega_dot_by_drum_v_y = (-(t19 * t975).add_product(t18, t976).add_product(t18, t974))
+        .add_product(t19, t973).sub_product(t20, t968).sub_product(t21, t967);
+    let plate_v_y_dot_by_drum_v_y = (R::literal(0.833_333_333_333_333_4) * t973)
+        .add_product(R::literal(0.833_333_333_333_333_4), t975)
+        .add_product(R::literal(0.833_333_333_333_333_4), t967);
+    let plate_v_x_dot_by_drum_v_y = (R::literal(0.833_333_333_333_333_4) * t974)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t976)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t968);
+    let post_omega_dot_by_drum_v_y = (t16 * t977).sub_product(t15, t978).sub_product(t15, t976)
+        .sub_product(t16, t975) - t954;
+    let post_v_y_dot_by_drum_v_y = -(R::literal(1.25) * t975).add_product(R::literal(1.25), t977);
+    let post_v_x_dot_by_drum_v_y = (R::literal(1.25) * t976).sub_product(R::literal(1.25), t978);
+    [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
+        R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
+        R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
+        R::literal(1.0), R::literal(1.0), R::literal(1.0), post_v_x_dot_by_post_phi,
+        post_v_x_dot_by_plate_phi, post_v_x_dot_by_cylinder_x, post_v_x_dot_by_cylinder_y,
+        post_v_x_dot_by_cylinder_phi, post_v_x_dot_by_rod_x, post_v_x_dot_by_rod_y,
+        post_v_x_dot_by_rod_phi, post_v_x_dot_by_bobbin_x, post_v_x_dot_by_bobbin_y,
+        post_v_x_dot_by_drum_x, post_v_x_dot_by_drum_y, post_v_x_dot_by_post_omega,
+        post_v_x_dot_by_plate_omega, post_v_x_dot_by_cylinder_v_x, post_v_x_dot_by_cylinder_v_y,
+        post_v_x_dot_by_cylinder_omega, post_v_x_dot_by_rod_v_x, post_v_x_dot_by_rod_v_y,
+        post_v_x_dot_by_rod_omega, post_v_x_dot_by_bobbin_v_x, post_v_x_dot_by_bobbin_v_y,
+        post_v_x_dot_by_drum_v_x, post_v_x_dot_by_drum_v_y, post_v_y_dot_by_post_phi,
+        post_v_y_dot_by_plate_phi, post_v_y_dot_by_cylinder_x, post_v_y_dot_by_cylinder_y,
+        post_v_y_dot_by_cylinder_phi, post_v_y_dot_by_rod_x, post_v_y_dot_by_rod_y,
+        post_v_y_dot_by_rod_phi, post_v_y_dot_by_bobbin_x, post_v_y_dot_by_bobbin_y,
+        post_v_y_dot_by_drum_x, post_v_y_dot_by_drum_y, post_v_y_dot_by_post_omega,
+        post_v_y_dot_by_plate_omega, post_v_y_dot_by_cylinder_v_x, post_v_y_dot_by_cylinder_v_y,
+        post_v_y_dot_by_cylinder_omega, post_v_y_dot_by_rod_v_x, post_v_y_dot_by_rod_v_y,
+        post_v_y_dot_by_rod_omega, post_v_y_dot_by_bobbin_v_x, post_v_y_dot_by_bobbin_v_y,
+        post_v_y_dot_by_drum_v_x, post_v_y_dot_by_drum_v_y, post_omega_dot_by_post_phi,
+        post_omega_dot_by_plate_phi, post_omega_dot_by_cylinder_x, post_omega_dot_by_cylinder_y,
+        post_omega_dot_by_cylinder_phi, post_omega_dot_by_rod_x, post_omega_dot_by_rod_y,
+        post_omega_dot_by_rod_phi, post_omega_dot_by_bobbin_x, post_omega_dot_by_bobbin_y,
+        post_omega_dot_by_drum_x, post_omega_dot_by_drum_y, post_omega_dot_by_post_omega,
+        post_omega_dot_by_plate_omega, post_omega_dot_by_cylinder_v_x,
+        post_omega_dot_by_cylinder_v_y, post_omega_dot_by_cylinder_omega,
+        post_omega_dot_by_rod_v_x, post_omega_dot_by_rod_v_y, post_omega_dot_by_rod_omega,
+        post_omega_dot_by_bobbin_v_x, post_omega_dot_by_bobbin_v_y, post_omega_dot_by_drum_v_x,
+        post_omega_dot_by_drum_v_y, plate_v_x_dot_by_post_phi, plate_v_x_dot_by_plate_phi,
+        plate_v_x_dot_by_cylinder_x, plate_v_x_dot_by_cylinder_y, plate_v_x_dot_by_cylinder_phi,
+        plate_v_x_dot_by_rod_x, plate_v_x_dot_by_rod_y, plate_v_x_dot_by_rod_phi,
+        plate_v_x_dot_by_bobbin_x, plate_v_x_dot_by_bobbin_y, plate_v_x_dot_by_drum_x,
+        plate_v_x_dot_by_drum_y, plate_v_x_dot_by_post_omega, plate_v_x_dot_by_plate_omega,
+        plate_v_x_dot_by_cylinder_v_x, plate_v_x_dot_by_cylinder_v_y,
+        plate_v_x_dot_by_cylinder_omega, plate_v_x_dot_by_rod_v_x, plate_v_x_dot_by_rod_v_y,
+        plate_v_x_dot_by_rod_omega, plate_v_x_dot_by_bobbin_v_x, plate_v_x_dot_by_bobbin_v_y,
+        plate_v_x_dot_by_drum_v_x, plate_v_x_dot_by_drum_v_y, plate_v_y_dot_by_post_phi,
+        plate_v_y_dot_by_plate_phi, plate_v_y_dot_by_cylinder_x, plate_v_y_dot_by_cylinder_y,
+        plate_v_y_dot_by_cylinder_phi, plate_v_y_dot_by_rod_x, plate_v_y_dot_by_rod_y,
+        plate_v_y_dot_by_rod_phi, plate_v_y_dot_by_bobbin_x, plate_v_y_dot_by_bobbin_y,
+        plate_v_y_dot_by_drum_x, plate_v_y_dot_by_drum_y, plate_v_y_dot_by_post_omega,
+        plate_v_y_dot_by_plate_omega, plate_v_y_dot_by_cylinder_v_x, plate_v_y_dot_by_cylinder_v_y,
+        plate_v_y_dot_by_cylinder_omega, plate_v_y_dot_by_rod_v_x, plate_v_y_dot_by_rod_v_y,
+        plate_v_y_dot_by_rod_omega, plate_v_y_dot_by_bobbin_v_x, plate_v_y_dot_by_bobbin_v_y,
+        plate_v_y_dot_by_drum_v_x, plate_v_y_dot_by_drum_v_y, plate_omega_dot_by_post_phi,
+        plate_omega_dot_by_plate_phi, plate_omega_dot_by_cylinder_x, plate_omega_dot_by_cylinder_y,
+        plate_omega_dot_by_cylinder_phi, plate_omega_dot_by_rod_x, plate_omega_dot_by_rod_y,
+        plate_omega_dot_by_rod_phi, plate_omega_dot_by_bobbin_x, plate_omega_dot_by_bobbin_y,
+        plate_omega_dot_by_drum_x, plate_omega_dot_by_drum_y, plate_omega_dot_by_post_omega,
+        plate_omega_dot_by_plate_omega, plate_omega_dot_by_cylinder_v_x,
+        plate_omega_dot_by_cylinder_v_y, plate_omega_dot_by_cylinder_omega,
+        plate_omega_dot_by_rod_v_x, plate_omega_dot_by_rod_v_y, plate_omega_dot_by_rod_omega,
+        plate_omega_dot_by_bobbin_v_x, plate_omega_dot_by_bobbin_v_y, plate_omega_dot_by_drum_v_x,
+        plate_omega_dot_by_drum_v_y, cylinder_v_x_dot_by_post_phi, cylinder_v_x_dot_by_plate_phi,
+        cylinder_v_x_dot_by_cylinder_x, cylinder_v_x_dot_by_cylinder_y,
+        cylinder_v_x_dot_by_cylinder_phi, cylinder_v_x_dot_by_rod_x, cylinder_v_x_dot_by_rod_y,
+        cylinder_v_x_dot_by_rod_phi, cylinder_v_x_dot_by_bobbin_x, cylinder_v_x_dot_by_bobbin_y,
+        cylinder_v_x_dot_by_drum_x, cylinder_v_x_dot_by_drum_y, cylinder_v_x_dot_by_post_omega,
+        cylinder_v_x_dot_by_plate_omega, cylinder_v_x_dot_by_cylinder_v_x,
+        cylinder_v_x_dot_by_cylinder_v_y, cylinder_v_x_dot_by_cylinder_omega,
+        cylinder_v_x_dot_by_rod_v_x, cylinder_v_x_dot_by_rod_v_y, cylinder_v_x_dot_by_rod_omega,
+        cylinder_v_x_dot_by_bobbin_v_x, cylinder_v_x_dot_by_bobbin_v_y,
+        cylinder_v_x_dot_by_drum_v_x, cylinder_v_x_dot_by_drum_v_y, cylinder_v_y_dot_by_post_phi,
+        cylinder_v_y_dot_by_plate_phi, cylinder_v_y_dot_by_cylinder_x,
+        cylinder_v_y_dot_by_cylinder_y, cylinder_v_y_dot_by_cylinder_phi,
+        cylinder_v_y_dot_by_rod_x, cylinder_v_y_dot_by_rod_y, cylinder_v_y_dot_by_rod_phi,
+        cylinder_v_y_dot_by_bobbin_x, cylinder_v_y_dot_by_bobbin_y, cylinder_v_y_dot_by_drum_x,
+        cylinder_v_y_dot_by_drum_y, cylinder_v_y_dot_by_post_omega,
+        cylinder_v_y_dot_by_plate_omega, cylinder_v_y_dot_by_cylinder_v_x,
+        cylinder_v_y_dot_by_cylinder_v_y, cylinder_v_y_dot_by_cylinder_omega,
+        cylinder_v_y_dot_by_rod_v_x, cylinder_v_y_dot_by_rod_v_y, cylinder_v_y_dot_by_rod_omega,
+        cylinder_v_y_dot_by_bobbin_v_x, cylinder_v_y_dot_by_bobbin_v_y,
+        cylinder_v_y_dot_by_drum_v_x, cylinder_v_y_dot_by_drum_v_y, cylinder_omega_dot_by_post_phi,
+        cylinder_omega_dot_by_plate_phi, cylinder_omega_dot_by_cylinder_x,
+        cylinder_omega_dot_by_cylinder_y, cylinder_omega_dot_by_cylinder_phi,
+        cylinder_omega_dot_by_rod_x, cylinder_omega_dot_by_rod_y, cylinder_omega_dot_by_rod_phi,
+        cylinder_omega_dot_by_bobbin_x, cylinder_omega_dot_by_bobbin_y,
+        cylinder_omega_dot_by_drum_x, cylinder_omega_dot_by_drum_y,
+        cylinder_omega_dot_by_post_omega, cylinder_omega_dot_by_plate_omega,
+        cylinder_omega_dot_by_cylinder_v_x, cylinder_omega_dot_by_cylinder_v_y,
+        cylinder_omega_dot_by_cylinder_omega, cylinder_omega_dot_by_rod_v_x,
+        cylinder_omega_dot_by_rod_v_y, cylinder_omega_dot_by_rod_omega,
+        cylinder_omega_dot_by_bobbin_v_x, cylinder_omega_dot_by_bobbin_v_y,
+        cylinder_omega_dot_by_drum_v_x, cylinder_omega_dot_by_drum_v_y, rod_v_x_dot_by_post_phi,
+        rod_v_x_dot_by_plate_phi, rod_v_x_dot_by_cylinder_x, rod_v_x_dot_by_cylinder_y,
+        rod_v_x_dot_by_cylinder_phi, rod_v_x_dot_by_rod_x, rod_v_x_dot_by_rod_y,
+        rod_v_x_dot_by_rod_phi, rod_v_x_dot_by_bobbin_x, rod_v_x_dot_by_bobbin_y,
+        rod_v_x_dot_by_drum_x, rod_v_x_dot_by_drum_y, rod_v_x_dot_by_post_omega,
+        rod_v_x_dot_by_plate_omega, rod_v_x_dot_by_cylinder_v_x, rod_v_x_dot_by_cylinder_v_y,
+        rod_v_x_dot_by_cylinder_omega, rod_v_x_dot_by_rod_v_x, rod_v_x_dot_by_rod_v_y,
+        rod_v_x_dot_by_rod_omega, rod_v_x_dot_by_bobbin_v_x, rod_v_x_dot_by_bobbin_v_y,
+        rod_v_x_dot_by_drum_v_x, rod_v_x_dot_by_drum_v_y, rod_v_y_dot_by_post_phi,
+        rod_v_y_dot_by_plate_phi, rod_v_y_dot_by_cylinder_x, rod_v_y_dot_by_cylinder_y,
+        rod_v_y_dot_by_cylinder_phi, rod_v_y_dot_by_rod_x, rod_v_y_dot_by_rod_y,
+        rod_v_y_dot_by_rod_phi, rod_v_y_dot_by_bobbin_x, rod_v_y_dot_by_bobbin_y,
+        rod_v_y_dot_by_drum_x, rod_v_y_dot_by_drum_y, rod_v_y_dot_by_post_omega,
+        rod_v_y_dot_by_plate_omega, rod_v_y_dot_by_cylinder_v_x, rod_v_y_dot_by_cylinder_v_y,
+        rod_v_y_dot_by_cylinder_omega, rod_v_y_dot_by_rod_v_x, rod_v_y_dot_by_rod_v_y,
+        rod_v_y_dot_by_rod_omega, rod_v_y_dot_by_bobbin_v_x, rod_v_y_dot_by_bobbin_v_y,
+        rod_v_y_dot_by_drum_v_x, rod_v_y_dot_by_drum_v_y, rod_omega_dot_by_post_phi,
+        rod_omega_dot_by_plate_phi, rod_omega_dot_by_cylinder_x, rod_omega_dot_by_cylinder_y,
+        rod_omega_dot_by_cylinder_phi, rod_omega_dot_by_rod_x, rod_omega_dot_by_rod_y,
+        rod_omega_dot_by_rod_phi, rod_omega_dot_by_bobbin_x, rod_omega_dot_by_bobbin_y,
+        rod_omega_dot_by_drum_x, rod_omega_dot_by_drum_y, rod_omega_dot_by_post_omega,
+        rod_omega_dot_by_plate_omega, rod_omega_dot_by_cylinder_v_x, rod_omega_dot_by_cylinder_v_y,
+        rod_omega_dot_by_cylinder_omega, rod_omega_dot_by_rod_v_x, rod_omega_dot_by_rod_v_y,
+        rod_omega_dot_by_rod_omega, rod_omega_dot_by_bobbin_v_x, rod_omega_dot_by_bobbin_v_y,
+        rod_omega_dot_by_drum_v_x, rod_omega_dot_by_drum_v_y, bobbin_v_x_dot_by_post_phi,
+        bobbin_v_x_dot_by_plate_phi, bobbin_v_x_dot_by_cylinder_x, bobbin_v_x_dot_by_cylinder_y,
+        bobbin_v_x_dot_by_cylinder_phi, bobbin_v_x_dot_by_rod_x, bobbin_v_x_dot_by_rod_y,
+        bobbin_v_x_dot_by_rod_phi, bobbin_v_x_dot_by_bobbin_x, bobbin_v_x_dot_by_bobbin_y,
+        bobbin_v_x_dot_by_drum_x, bobbin_v_x_dot_by_drum_y, bobbin_v_x_dot_by_post_omega,
+        bobbin_v_x_dot_by_plate_omega, bobbin_v_x_dot_by_cylinder_v_x,
+        bobbin_v_x_dot_by_cylinder_v_y, bobbin_v_x_dot_by_cylinder_omega,
+        bobbin_v_x_dot_by_rod_v_x, bobbin_v_x_dot_by_rod_v_y, bobbin_v_x_dot_by_rod_omega,
+        bobbin_v_x_dot_by_bobbin_v_x, bobbin_v_x_dot_by_bobbin_v_y, bobbin_v_x_dot_by_drum_v_x,
+        bobbin_v_x_dot_by_drum_v_y, bobbin_v_y_dot_by_post_phi, bobbin_v_y_dot_by_plate_phi,
+        bobbin_v_y_dot_by_cylinder_x, bobbin_v_y_dot_by_cylinder_y, bobbin_v_y_dot_by_cylinder_phi,
+        bobbin_v_y_dot_by_rod_x, bobbin_v_y_dot_by_rod_y, bobbin_v_y_dot_by_rod_phi,
+        bobbin_v_y_dot_by_bobbin_x, bobbin_v_y_dot_by_bobbin_y, bobbin_v_y_dot_by_drum_x,
+        bobbin_v_y_dot_by_drum_y, bobbin_v_y_dot_by_post_omega, bobbin_v_y_dot_by_plate_omega,
+        bobbin_v_y_dot_by_cylinder_v_x, bobbin_v_y_dot_by_cylinder_v_y,
+        bobbin_v_y_dot_by_cylinder_omega, bobbin_v_y_dot_by_rod_v_x, bobbin_v_y_dot_by_rod_v_y,
+        bobbin_v_y_dot_by_rod_omega, bobbin_v_y_dot_by_bobbin_v_x, bobbin_v_y_dot_by_bobbin_v_y,
+        bobbin_v_y_dot_by_drum_v_x, bobbin_v_y_dot_by_drum_v_y, drum_v_x_dot_by_post_phi,
+        drum_v_x_dot_by_plate_phi, drum_v_x_dot_by_cylinder_x, drum_v_x_dot_by_cylinder_y,
+        drum_v_x_dot_by_cylinder_phi, drum_v_x_dot_by_rod_x, drum_v_x_dot_by_rod_y,
+        drum_v_x_dot_by_rod_phi, drum_v_x_dot_by_bobbin_x, drum_v_x_dot_by_bobbin_y,
+        drum_v_x_dot_by_drum_x, drum_v_x_dot_by_drum_y, drum_v_x_dot_by_post_omega,
+        drum_v_x_dot_by_plate_omega, drum_v_x_dot_by_cylinder_v_x, drum_v_x_dot_by_cylinder_v_y,
+        drum_v_x_dot_by_cylinder_omega, drum_v_x_dot_by_rod_v_x, drum_v_x_dot_by_rod_v_y,
+        drum_v_x_dot_by_rod_omega, drum_v_x_dot_by_bobbin_v_x, drum_v_x_dot_by_bobbin_v_y,
+        drum_v_x_dot_by_drum_v_x, drum_v_x_dot_by_drum_v_y, drum_v_y_dot_by_post_phi,
+        drum_v_y_dot_by_plate_phi, drum_v_y_dot_by_cylinder_x, drum_v_y_dot_by_cylinder_y,
+        drum_v_y_dot_by_cylinder_phi, drum_v_y_dot_by_rod_x, drum_v_y_dot_by_rod_y,
+        drum_v_y_dot_by_rod_phi, drum_v_y_dot_by_bobbin_x, drum_v_y_dot_by_bobbin_y,
+        drum_v_y_dot_by_drum_x, drum_v_y_dot_by_drum_y, drum_v_y_dot_by_post_omega,
+        drum_v_y_dot_by_plate_omega, drum_v_y_dot_by_cylinder_v_x, drum_v_y_dot_by_cylinder_v_y,
+        drum_v_y_dot_by_cylinder_omega, drum_v_y_dot_by_rod_v_x, drum_v_y_dot_by_rod_v_y,
+        drum_v_y_dot_by_rod_omega, drum_v_y_dot_by_bobbin_v_x, drum_v_y_dot_by_bobbin_v_y,
+        drum_v_y_dot_by_drum_v_x, drum_v_y_dot_by_drum_v_y]
 }
 
-/// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
-///
-/// 2220 operations.
+/// `dy'/dp`, values in the order of its pattern. 2133 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-) -> [R; 80] {
-    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x,
-    rod_y, rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, _, _, _, post_omega, _, _,
-    plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, rod_omega,
-    bobbin_v_x, bobbin_v_y, _, drum_v_x, drum_v_y, ..] = *state;
-    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
-    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
-        post_phi,
-        plate_phi,
-        cylinder_phi,
-        rod_phi,
-    ]);
+pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 80] {
+    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y,
+        rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, _, _, _, post_omega, _, _, plate_omega,
+        cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x,
+        bobbin_v_y, _, drum_v_x, drum_v_y, ..] = *state;
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi), (sin_cylinder_phi,
+        cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([post_phi, plate_phi,
+        cylinder_phi, rod_phi]);
     let t0 = R::literal(0.1) * cos_post_phi;
     let t1 = R::literal(0.1) * sin_post_phi;
     let t2 = R::literal(0.06) * cos_plate_phi;
@@ -6278,1346 +2936,725 @@ pub fn parameter_jacobian<R: Real>(
     let between = (bobbin_x_minus_drum_x_squared + bobbin_y_minus_drum_y_squared).sqrt();
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
-        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let t7 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
-        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
-    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
-        .add_product(cylinder_omega, t7)
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi).add_product(rod_y_minus_cylinder_y,
+        sin_cylinder_phi);
+    let t7 = (rod_y_minus_cylinder_y * cos_cylinder_phi).sub_product(rod_x_minus_cylinder_x,
+        sin_cylinder_phi);
+    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi).add_product(cylinder_omega, t7)
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
-    let t8 = (R::literal(0.044) * sin_post_phi)
-        .add_product(R::literal(0.143), cos_post_phi);
-    let t9 = (R::literal(0.01) * sin_plate_phi)
-        .add_product(R::literal(0.1), cos_plate_phi);
-    let t10 = (R::literal(0.01) * cos_plate_phi)
-        .sub_product(R::literal(0.1), sin_plate_phi);
+    let t8 = (R::literal(0.044) * sin_post_phi).add_product(R::literal(0.143), cos_post_phi);
+    let t9 = sin_plate_phi.add_product(R::literal(10.0), cos_plate_phi);
+    let t10 = R::literal(0.01) * t9;
+    let t11 = (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi);
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
     let bobbin_y_minus_drum_y_over_between = bobbin_y_minus_drum_y / between;
-    let t11 = R::literal(37.037_037_037_037_03) * sin_post_phi;
-    let t12 = R::literal(37.037_037_037_037_03) * cos_post_phi;
-    let t13 = t8 * R::literal(370.370_370_370_370_3);
-    let t14 = R::literal(24.0) * sin_plate_phi;
-    let t15 = R::literal(24.0) * cos_plate_phi;
-    let t16 = t9 * R::literal(400.0);
-    let t17 = t10 * R::literal(400.0);
-    let t18 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t19 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t20 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
-    let t21 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
-    let t22 = slide * R::literal(2_777.777_777_777_778);
-    let t23 = sin_cylinder_phi * R::literal(5.0);
-    let t24 = cos_cylinder_phi * R::literal(5.0);
-    let t25 = R::literal(250.0) * sin_rod_phi;
-    let t26 = R::literal(250.0) * cos_rod_phi;
+    let t12 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t13 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t14 = t8 * R::literal(370.370_370_370_370_3);
+    let t15 = R::literal(24.0) * sin_plate_phi;
+    let t16 = R::literal(24.0) * cos_plate_phi;
+    let t17 = R::literal(4.0) * t9;
+    let t18 = t11 * R::literal(400.0);
+    let t19 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t20 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t21 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t22 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t23 = slide * R::literal(2_777.777_777_777_778);
+    let t24 = sin_cylinder_phi * R::literal(5.0);
+    let t25 = cos_cylinder_phi * R::literal(5.0);
+    let t26 = R::literal(250.0) * sin_rod_phi;
+    let t27 = R::literal(250.0) * cos_rod_phi;
     let inverse_bobbin_mass = R::literal(1.0) / p.bobbin_mass;
-    let t27 = bobbin_x_minus_drum_x_over_between * inverse_bobbin_mass;
-    let t28 = bobbin_y_minus_drum_y_over_between * inverse_bobbin_mass;
-    let t29 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6);
-    let t30 = bobbin_y_minus_drum_y_over_between * R::literal(0.666_666_666_666_666_6);
-    let t31 = t11 * t1;
-    let t32 = R::literal(-1.25) - t31;
-    let t33 = R::literal(1.0) / t32;
-    let t34 = t12 * t1;
-    let t35 = t34 * t33;
-    let t36 = R::literal(1.25) - t31;
-    let t37 = t36 * t33;
-    let t38 = t13 * t1;
-    let t39 = t38 * t33;
-    let t40 = t12 * t0;
-    let t41 = R::literal(-1.25) - t40;
-    let t42 = t35 * t34;
-    let t43 = R::literal(1.0) / (t41 - t42);
-    let t44 = (t11 * t0).sub_product(t37, t34);
-    let t45 = t44 * t43;
-    let t46 = R::literal(1.25) - t40 - t42;
-    let t47 = t46 * t43;
-    let t48 = (t13 * t0).add_product(t39, t34);
-    let t49 = t48 * t43;
-    let t50 = t14 * t3;
-    let t51 = R::literal(1.0)
-        / (t32 - R::literal(0.833_333_333_333_333_4) - t50)
-            .sub_product(t37, t36)
-            .sub_product(t45, t44);
-    let t52 = t15 * t3;
-    let t53 = (t34 + t52).sub_product(t35, t36).sub_product(t47, t44);
-    let t54 = t53 * t51;
-    let t55 = R::literal(0.833_333_333_333_333_4) - t50;
-    let t56 = t55 * t51;
-    let t57 = t52 * t51;
-    let t58 = t16 * t3;
-    let t59 = R::literal(0.833_333_333_333_333_4) + t58;
-    let t60 = t59 * t51;
-    let t61 = t17 * t3;
-    let t62 = t61 * t51;
-    let t63 = (-t38).add_product(t39, t36).sub_product(t49, t44);
-    let t64 = t63 * t51;
-    let t65 = t15 * t2;
-    let t66 = R::literal(1.0)
-        / (t41 - R::literal(0.833_333_333_333_333_4) - t65 - t42)
-            .sub_product(t47, t46)
-            .sub_product(t54, t53);
-    let t67 = (t14 * t2).sub_product(t56, t53);
-    let t68 = t67 * t66;
-    let t69 = (R::literal(0.833_333_333_333_333_4) - t65).sub_product(t57, t53);
-    let t70 = t69 * t66;
-    let t71 = -(t16 * t2);
-    let t72 = t71.sub_product(t60, t53);
-    let t73 = t72 * t66;
-    let t74 = t17 * t2;
-    let t75 = (R::literal(0.833_333_333_333_333_4) + t74).add_product(t62, t53);
-    let t76 = t75 * t66;
-    let t77 = t48.sub_product(t49, t46).sub_product(t64, t53);
-    let t78 = t77 * t66;
-    let t79 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t50
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t20, t5)
-            .sub_product(t56, t55)
-            .sub_product(t68, t67);
-    let t80 = t52.add_product(t21, t5).sub_product(t57, t55).sub_product(t70, t67);
-    let t81 = t80 * t79;
-    let t82 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
-    let t83 = t82 * t79;
-    let t84 = (-t18).add_product(t22, t5);
-    let t85 = t84 * t79;
-    let t86 = (R::literal(-0.833_333_333_333_333_4) + t58)
-        .sub_product(t60, t55)
-        .sub_product(t73, t67);
-    let t87 = t86 * t79;
-    let t88 = (-t61).add_product(t62, t55).sub_product(t76, t67);
-    let t89 = t88 * t79;
-    let t90 = (-(t64 * t55)).sub_product(t78, t67);
-    let t91 = t90 * t79;
-    let t92 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t65
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t21, t4)
-            .sub_product(t57, t52)
-            .sub_product(t70, t69)
-            .sub_product(t81, t80);
-    let t93 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
-        .add_product(t83, t80);
+    let t28 = bobbin_x_minus_drum_x_over_between * inverse_bobbin_mass;
+    let t29 = bobbin_y_minus_drum_y_over_between * inverse_bobbin_mass;
+    let t30 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6);
+    let t31 = bobbin_y_minus_drum_y_over_between * R::literal(0.666_666_666_666_666_6);
+    let t32 = t12 * t1;
+    let t33 = R::literal(1.25) + t32;
+    let t34 = R::literal(1.0) / t33;
+    let t35 = t13 * t1;
+    let t36 = t35 * t34;
+    let t37 = R::literal(1.25) - t32;
+    let t38 = t37 * t34;
+    let t39 = t14 * t1;
+    let t40 = t39 * t34;
+    let t41 = t13 * t0;
+    let t42 = R::literal(1.25) + t41;
+    let t43 = t36 * t35;
+    let t44 = R::literal(1.0) / (t43 - t42);
+    let t45 = (t12 * t0).add_product(t38, t35);
+    let t46 = t45 * t44;
+    let t47 = R::literal(1.25) - t41 + t43;
+    let t48 = t47 * t44;
+    let t49 = (t14 * t0).sub_product(t40, t35);
+    let t50 = t49 * t44;
+    let t51 = t15 * t3;
+    let t52 = R::literal(1.0) / (-(t33 + R::literal(0.833_333_333_333_333_4) + t51))
+        .add_product(t38, t37).sub_product(t46, t45);
+    let t53 = t16 * t3;
+    let t54 = (t35 + t53).add_product(t36, t37).sub_product(t48, t45);
+    let t55 = t54 * t52;
+    let t56 = R::literal(0.833_333_333_333_333_4) - t51;
+    let t57 = t56 * t52;
+    let t58 = t53 * t52;
+    let t59 = t17 * t3;
+    let t60 = R::literal(0.833_333_333_333_333_4) + t59;
+    let t61 = t60 * t52;
+    let t62 = t18 * t3;
+    let t63 = t62 * t52;
+    let t64 = t39.add_product(t40, t37).add_product(t50, t45);
+    let t65 = t64 * t52;
+    let t66 = t16 * t2;
+    let t67 = R::literal(1.0) / (t43 - (t42 + R::literal(0.833_333_333_333_333_4) + t66))
+        .sub_product(t48, t47).sub_product(t55, t54);
+    let t68 = (t15 * t2).sub_product(t57, t54);
+    let t69 = t68 * t67;
+    let t70 = (R::literal(0.833_333_333_333_333_4) - t66).sub_product(t58, t54);
+    let t71 = t70 * t67;
+    let t72 = t17 * t2;
+    let t73 = t72.add_product(t61, t54);
+    let t74 = t73 * t67;
+    let t75 = t18 * t2;
+    let t76 = (R::literal(0.833_333_333_333_333_4) + t75).add_product(t63, t54);
+    let t77 = t76 * t67;
+    let t78 = t49.sub_product(t50, t47).add_product(t65, t54);
+    let t79 = t78 * t67;
+    let t80 = R::literal(1.0) / (R::literal(0.833_333_333_333_333_4) + t51
+        + R::literal(3.333_333_333_333_333_5)).add_product(t21, t5).add_product(t57, t56)
+        .add_product(t69, t68);
+    let t81 = t53.add_product(t22, t5).sub_product(t58, t56).sub_product(t71, t68);
+    let t82 = t81 * t80;
+    let t83 = t21 * t80;
+    let t84 = (-t19).add_product(t23, t5);
+    let t85 = t84 * t80;
+    let t86 = (t59 - R::literal(0.833_333_333_333_333_4)).sub_product(t61, t56).add_product(t74,
+        t68);
+    let t87 = t86 * t80;
+    let t88 = (-t62).add_product(t63, t56).sub_product(t77, t68);
+    let t89 = t88 * t80;
+    let t90 = (t65 * t56).sub_product(t79, t68);
+    let t91 = t90 * t80;
+    let t92 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4) + t66
+        + R::literal(3.333_333_333_333_333_5)).add_product(t22, t4).add_product(t58, t53)
+        .add_product(t71, t70)).add_product(t82, t81);
+    let t93 = (-t22).add_product(t83, t81);
     let t94 = t93 * t92;
-    let t95 = t19.sub_product(t22, t4).sub_product(t85, t80);
+    let t95 = t20.sub_product(t23, t4).add_product(t85, t81);
     let t96 = t95 * t92;
-    let t97 = t71.sub_product(t60, t52).sub_product(t73, t69).sub_product(t87, t80);
+    let t97 = (-t72.add_product(t61, t53)).add_product(t74, t70).add_product(t87, t81);
     let t98 = t97 * t92;
-    let t99 = (R::literal(-0.833_333_333_333_333_4) + t74)
-        .add_product(t62, t52)
-        .sub_product(t76, t69)
-        .sub_product(t89, t80);
+    let t99 = (t75 - R::literal(0.833_333_333_333_333_4)).add_product(t63, t53).sub_product(t77,
+        t70).add_product(t89, t81);
     let t100 = t99 * t92;
-    let t101 = (-(t64 * t52)).sub_product(t78, t69).sub_product(t91, t80);
+    let t101 = (t65 * t53).sub_product(t79, t70).add_product(t91, t81);
     let t102 = t101 * t92;
-    let t103 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445).sub_product(t83, t82).sub_product(t94, t93);
-    let t104 = (-t22).add_product(t85, t82).sub_product(t96, t93);
+    let t103 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t83, t21)
+        .sub_product(t94, t93);
+    let t104 = (-t23).add_product(t85, t21).sub_product(t96, t93);
     let t105 = t104 * t103;
-    let t106 = t25 * t103;
-    let t107 = t26 * t103;
-    let t108 = (t87 * t82).sub_product(t98, t93);
+    let t106 = t26 * t103;
+    let t107 = t27 * t103;
+    let t108 = (t87 * t21).sub_product(t98, t93);
     let t109 = t108 * t103;
-    let t110 = (t89 * t82).sub_product(t100, t93);
+    let t110 = (t89 * t21).sub_product(t100, t93);
     let t111 = t110 * t103;
-    let t112 = (t91 * t82).sub_product(t102, t93);
+    let t112 = (t91 * t21).sub_product(t102, t93);
     let t113 = t112 * t103;
-    let t114 = R::literal(1.0)
-        / (-(t19 * cos_cylinder_phi))
-            .sub_product(t18, sin_cylinder_phi)
-            .sub_product(t22, slide)
-            .sub_product(t23, sin_cylinder_phi)
-            .sub_product(t24, cos_cylinder_phi)
-            .sub_product(t85, t84)
-            .sub_product(t96, t95)
-            .sub_product(t105, t104);
-    let t115 = t23.sub_product(t106, t104);
+    let t114 = R::literal(1.0) / (-(t19 * sin_cylinder_phi).add_product(t20, cos_cylinder_phi)
+        .add_product(t23, slide).add_product(t24, sin_cylinder_phi).add_product(t25,
+        cos_cylinder_phi)).add_product(t85, t84).sub_product(t96, t95).sub_product(t105, t104);
+    let t115 = t24.sub_product(t106, t104);
     let t116 = t115 * t114;
-    let t117 = (-t24).add_product(t107, t104);
+    let t117 = (-t25).add_product(t107, t104);
     let t118 = t117 * t114;
-    let t119 = (-(t87 * t84)).sub_product(t98, t95).sub_product(t109, t104);
+    let t119 = (t87 * t84).sub_product(t98, t95).sub_product(t109, t104);
     let t120 = t119 * t114;
-    let t121 = (-(t89 * t84)).sub_product(t100, t95).sub_product(t111, t104);
+    let t121 = (t89 * t84).sub_product(t100, t95).sub_product(t111, t104);
     let t122 = t121 * t114;
-    let t123 = (-(t91 * t84)).sub_product(t102, t95).sub_product(t113, t104);
+    let t123 = (t91 * t84).sub_product(t102, t95).sub_product(t113, t104);
     let t124 = t123 * t114;
-    let t125 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t25, t6)
-            .sub_product(t106, t25)
-            .sub_product(t116, t115);
-    let t126 = (t26 * t6).add_product(t107, t25).sub_product(t118, t115);
+    let t125 = R::literal(1.0) / R::literal(5.0).add_product(t26, t6).add_product(t106, t26)
+        .add_product(t116, t115);
+    let t126 = (t27 * t6).add_product(t107, t26).sub_product(t118, t115);
     let t127 = t126 * t125;
-    let t128 = (-(t109 * t25)).sub_product(t120, t115);
+    let t128 = (t109 * t26).add_product(t120, t115);
     let t129 = t128 * t125;
-    let t130 = (-(t111 * t25)).sub_product(t122, t115);
+    let t130 = (t111 * t26).add_product(t122, t115);
     let t131 = t130 * t125;
-    let t132 = (-(t113 * t25)).sub_product(t124, t115);
+    let t132 = (t113 * t26).add_product(t124, t115);
     let t133 = t132 * t125;
-    let t134 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t26, R::literal(0.06) * cos_rod_phi)
-            .sub_product(t107, t26)
-            .sub_product(t118, t117)
-            .sub_product(t127, t126);
-    let t135 = (t109 * t26).sub_product(t120, t117).sub_product(t129, t126);
+    let t134 = R::literal(1.0) / (-R::literal(5.0).add_product(t27, R::literal(0.06) * cos_rod_phi)
+        .add_product(t107, t27).add_product(t118, t117)).add_product(t127, t126);
+    let t135 = (t109 * t27).sub_product(t120, t117).sub_product(t129, t126);
     let t136 = t135 * t134;
-    let t137 = (t111 * t26).sub_product(t122, t117).sub_product(t131, t126);
+    let t137 = (t111 * t27).sub_product(t122, t117).sub_product(t131, t126);
     let t138 = t137 * t134;
-    let t139 = (t113 * t26).sub_product(t124, t117).sub_product(t133, t126);
+    let t139 = (t113 * t27).sub_product(t124, t117).sub_product(t133, t126);
     let t140 = t139 * t134;
-    let t141 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t16, t9)
-            - inverse_bobbin_mass)
-            .sub_product(t60, t59)
-            .sub_product(t73, t72)
-            .sub_product(t87, t86)
-            .sub_product(t98, t97)
-            .sub_product(t109, t108)
-            .sub_product(t120, t119)
-            .sub_product(t129, t128)
-            .sub_product(t136, t135);
-    let t142 = (t17 * t9)
-        .add_product(t62, t59)
-        .sub_product(t76, t72)
-        .sub_product(t89, t86)
-        .sub_product(t100, t97)
-        .sub_product(t111, t108)
-        .sub_product(t122, t119)
-        .sub_product(t131, t128)
-        .sub_product(t138, t135);
+    let t141 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t17, t10)
+        + inverse_bobbin_mass).add_product(t61, t60).add_product(t74, t73)).add_product(t87, t86)
+        .sub_product(t98, t97).sub_product(t109, t108).sub_product(t120, t119).add_product(t129,
+        t128).sub_product(t136, t135);
+    let t142 = (t18 * t10).add_product(t63, t60).add_product(t77, t73).add_product(t89, t86)
+        .sub_product(t100, t97).sub_product(t111, t108).sub_product(t122, t119).add_product(t131,
+        t128).sub_product(t138, t135);
     let t143 = t142 * t141;
-    let t144 = t27 * t141;
-    let t145 = (-(t64 * t59))
-        .sub_product(t78, t72)
-        .sub_product(t91, t86)
-        .sub_product(t102, t97)
-        .sub_product(t113, t108)
-        .sub_product(t124, t119)
-        .sub_product(t133, t128)
-        .sub_product(t140, t135);
+    let t144 = t28 * t141;
+    let t145 = (t65 * t60).add_product(t79, t73).add_product(t91, t86).sub_product(t102, t97)
+        .sub_product(t113, t108).sub_product(t124, t119).add_product(t133, t128).sub_product(t140,
+        t135);
     let t146 = t145 * t141;
-    let t147 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t10)
-            - inverse_bobbin_mass)
-            .sub_product(t62, t61)
-            .sub_product(t76, t75)
-            .sub_product(t89, t88)
-            .sub_product(t100, t99)
-            .sub_product(t111, t110)
-            .sub_product(t122, t121)
-            .sub_product(t131, t130)
-            .sub_product(t138, t137)
-            .sub_product(t143, t142);
-    let t148 = (-t28).add_product(t144, t142);
+    let t147 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t18, t11)
+        + inverse_bobbin_mass).add_product(t63, t62).add_product(t77, t76)).add_product(t89, t88)
+        .sub_product(t100, t99).sub_product(t111, t110).sub_product(t122, t121).add_product(t131,
+        t130).sub_product(t138, t137).sub_product(t143, t142);
+    let t148 = (-t29).add_product(t144, t142);
     let t149 = t148 * t147;
-    let t150 = (t64 * t61)
-        .sub_product(t78, t75)
-        .sub_product(t91, t88)
-        .sub_product(t102, t99)
-        .sub_product(t113, t110)
-        .sub_product(t124, t121)
-        .sub_product(t133, t130)
-        .sub_product(t140, t137)
-        .sub_product(t146, t142);
+    let t150 = (-(t65 * t62).add_product(t79, t76)).add_product(t91, t88).sub_product(t102, t99)
+        .sub_product(t113, t110).sub_product(t124, t121).add_product(t133, t130).sub_product(t140,
+        t137).sub_product(t146, t142);
     let t151 = t150 * t147;
-    let t152 = t29 * bobbin_x_minus_drum_x_over_between;
-    let t153 = t30 * bobbin_y_minus_drum_y_over_between;
-    let t154 = R::literal(1.0)
-        / (((-(t28 * bobbin_y_minus_drum_y_over_between))
-            .sub_product(t27, bobbin_x_minus_drum_x_over_between) - t152 - t153)
-            .sub_product(t144, t27)
-            .sub_product(t149, t148) + t152 + t153);
-    let t155 = (t146 * t27).sub_product(t151, t148);
+    let t152 = t30 * bobbin_x_minus_drum_x_over_between;
+    let t153 = t31 * bobbin_y_minus_drum_y_over_between;
+    let t154 = R::literal(1.0) / (t152 - ((t28 * bobbin_x_minus_drum_x_over_between)
+        .add_product(t29, bobbin_y_minus_drum_y_over_between) + t152 + t153).add_product(t144, t28)
+        .add_product(t149, t148) + t153);
+    let t155 = (t146 * t28).sub_product(t151, t148);
     let t156 = t155 * t154;
-    let t157 = R::literal(1.0)
-        / (-(t13 * t8))
-            .sub_product(t39, t38)
-            .sub_product(t49, t48)
-            .sub_product(t64, t63)
-            .sub_product(t78, t77)
-            .sub_product(t91, t90)
-            .sub_product(t102, t101)
-            .sub_product(t113, t112)
-            .sub_product(t124, t123)
-            .sub_product(t133, t132)
-            .sub_product(t140, t139)
-            .sub_product(t146, t145)
-            .sub_product(t151, t150)
-            .sub_product(t156, t155);
+    let t157 = R::literal(1.0) / (-(t14 * t8)).add_product(t40, t39).sub_product(t50, t49)
+        .sub_product(t65, t64).sub_product(t79, t78).add_product(t91, t90).sub_product(t102, t101)
+        .sub_product(t113, t112).sub_product(t124, t123).add_product(t133, t132).sub_product(t140,
+        t139).sub_product(t146, t145).sub_product(t151, t150).sub_product(t156, t155);
     let bobbin_radius_times_winding_force = p.bobbin_radius * p.winding_force;
     let t158 = R::literal(50.0) * slide_rate;
-    let t159 = t158 * cos_cylinder_phi;
     let slide_minus_spring_free_length = slide - p.spring_free_length;
-    let t160 = p.spring_stiffness * slide_minus_spring_free_length;
-    let t161 = t160 * cos_cylinder_phi;
-    let t162 = t159 + t161;
-    let t163 = t160 * sin_cylinder_phi;
-    let t164 = t158 * sin_cylinder_phi;
-    let t165 = t164 - (R::literal(2.943) - t163);
-    let t166 = (-(t160 * t7)).sub_product(t158, t7);
-    let t167 = -t159 - t161;
-    let t168 = -t164 - (R::literal(1.962) + t163);
-    let t169 = p.winding_force * bobbin_y_minus_drum_y / between;
-    let t170 = (p.winding_force * bobbin_x_minus_drum_x / between)
-        .sub_product(R::literal(9.81), p.bobbin_mass);
+    let t159 = p.spring_stiffness * slide_minus_spring_free_length;
+    let t160 = (t159 * cos_cylinder_phi).add_product(t158, cos_cylinder_phi);
+    let t161 = t159 * sin_cylinder_phi;
+    let t162 = t158 * sin_cylinder_phi;
+    let t163 = t162 - (R::literal(2.943) - t161);
+    let t164 = (t159 * t7).add_product(t158, t7);
+    let t165 = t162 + (R::literal(1.962) + t161);
+    let t166 = p.winding_force * bobbin_y_minus_drum_y / between;
+    let t167 = (p.winding_force * bobbin_x_minus_drum_x / between).sub_product(R::literal(9.81),
+        p.bobbin_mass);
     let post_omega_squared = post_omega * post_omega;
-    let t171 = R::literal(0.1) * post_omega_squared;
-    let t172 = t171 * cos_post_phi;
-    let t173 = t171 * sin_post_phi;
+    let t168 = R::literal(0.1) * post_omega_squared;
+    let t169 = t168 * cos_post_phi;
+    let t170 = t168 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t174 = R::literal(0.06) * plate_omega_squared;
+    let t171 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t175 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t172 = R::literal(0.06) * (rod_omega * rod_omega);
     let between_squared_times_between = between * between * between;
-    let t176 = bobbin_v_x * bobbin_x_minus_drum_x_squared
-        / between_squared_times_between;
-    let t177 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t173 = bobbin_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t174 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
     let drum_v_x_over_between = drum_v_x / between;
     let bobbin_v_x_over_between = bobbin_v_x / between;
-    let t178 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
-    let t179 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t175 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t176 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t180 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t177 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t181 = bobbin_v_y * bobbin_y_minus_drum_y_squared
-        / between_squared_times_between;
+    let t178 = bobbin_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
     let drum_v_y_over_between = drum_v_y / between;
     let bobbin_v_y_over_between = bobbin_v_y / between;
-    let t182 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t179 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t183 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t184 = (bobbin_v_x
-        * (bobbin_v_x_over_between + t178 + t179 - t176 - t177 - drum_v_x_over_between))
-        .add_product(
-            bobbin_v_y,
-            bobbin_v_y_over_between + t182 + t183 - t180 - t181 - drum_v_y_over_between,
-        )
-        .add_product(
-            drum_v_x,
-            t176 + t177 + drum_v_x_over_between - bobbin_v_x_over_between - t178 - t179,
-        )
-        .add_product(
-            drum_v_y,
-            t180 + t181 + drum_v_y_over_between - bobbin_v_y_over_between - t182 - t183,
-        );
-    let t185 = t35 * t172;
-    let t186 = -t173 - R::literal(-9.81) + t185;
-    let t187 = t14 * bobbin_radius_times_winding_force;
-    let t188 = (t187 - t172.add_product(t174, cos_plate_phi))
-        .add_product(t37, t172)
-        .sub_product(t45, t186);
-    let t189 = t15 * bobbin_radius_times_winding_force;
-    let t190 = (-t173.add_product(t174, sin_plate_phi) - R::literal(9.81)
-        - R::literal(-9.81) - t189 + t185)
-        .sub_product(t47, t186)
-        .sub_product(t54, t188);
-    let t191 = t187
-        .sub_product(
-            R::literal(0.06),
-            (plate_omega_squared * cos_plate_phi)
-                .add_product(cylinder_omega_squared, cos_cylinder_phi),
-        )
-        .sub_product(R::literal(3.333_333_333_333_333_5), t162)
-        .sub_product(t20, t166)
-        .sub_product(t56, t188)
-        .sub_product(t68, t190);
-    let t192 = (R::literal(-9.81)
-        .sub_product(
-            R::literal(0.06),
-            (plate_omega_squared * sin_plate_phi)
-                .add_product(cylinder_omega_squared, sin_cylinder_phi),
-        ) - t189)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t165)
-        .add_product(t21, t166)
-        .sub_product(t57, t188)
-        .sub_product(t70, t190)
-        .sub_product(t81, t191);
-    let t193 = (-(R::literal(-2_777.777_777_777_778) * t166))
-        .add_product(t83, t191)
-        .sub_product(t94, t192);
-    let t194 = (cylinder_omega
-        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
-            .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
-            .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
-            .add_product(rod_y * cylinder_omega, cos_cylinder_phi)
-            .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi)
-            .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
-            .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
-            .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
-        .sub_product(t18, t162)
-        .add_product(t19, t165)
-        .add_product(t22, t166)
-        .add_product(t23, t167)
-        .sub_product(t24, t168)
-        .sub_product(t85, t191)
-        .sub_product(t96, t192);
-    let t195 = t194.sub_product(t105, t193);
-    let t196 = (t175 * cos_rod_phi)
-        .sub_product(R::literal(5.0), t167)
-        .sub_product(t106, t193)
-        .sub_product(t116, t195);
-    let t197 = (t175 * sin_rod_phi)
-        .sub_product(R::literal(5.0), t168)
-        .add_product(t107, t193)
-        .sub_product(t118, t195)
-        .sub_product(t127, t196);
-    let t198 = inverse_bobbin_mass * t169;
-    let t199 = ((t10 * plate_omega_squared)
-        .sub_product(t16, bobbin_radius_times_winding_force) + t198)
-        .sub_product(t60, t188)
-        .sub_product(t73, t190)
-        .sub_product(t87, t191)
-        .sub_product(t98, t192)
-        .sub_product(t109, t193)
-        .sub_product(t120, t195)
-        .sub_product(t129, t196)
-        .sub_product(t136, t197);
-    let t200 = inverse_bobbin_mass * t170;
-    let t201 = (R::literal(-9.81)
-        .add_product(t9, plate_omega_squared)
-        .add_product(t17, bobbin_radius_times_winding_force) - t200)
-        .add_product(t62, t188)
-        .sub_product(t76, t190)
-        .sub_product(t89, t191)
-        .sub_product(t100, t192)
-        .sub_product(t111, t193)
-        .sub_product(t122, t195)
-        .sub_product(t131, t196)
-        .sub_product(t138, t197)
-        .sub_product(t143, t199);
-    let t202 = (-t184)
-        .add_product(t27, t169)
-        .sub_product(t28, t170)
-        .add_product(
-            R::literal(-9.809_999_999_999_999),
-            bobbin_y_minus_drum_y_over_between,
-        )
-        .add_product(t144, t199)
-        .sub_product(t149, t201)
-        .add_product(
-            bobbin_y_minus_drum_y_over_between,
-            R::literal(9.809_999_999_999_999),
-        );
-    let t203 = ((R::literal(0.143) * sin_post_phi)
-        .sub_product(R::literal(0.044), cos_post_phi) * post_omega_squared)
-        .sub_product(t39, t172)
-        .sub_product(t49, t186)
-        .sub_product(t64, t188)
-        .sub_product(t78, t190)
-        .sub_product(t91, t191)
-        .sub_product(t102, t192)
-        .sub_product(t113, t193)
-        .sub_product(t124, t195)
-        .sub_product(t133, t196)
-        .sub_product(t140, t197)
-        .sub_product(t146, t199)
-        .sub_product(t151, t201)
-        .sub_product(t156, t202) * t157;
-    let t204 = (t202 * t154).sub_product(t156, t203);
-    let t205 = (t201 * t147).sub_product(t149, t204).sub_product(t151, t203);
-    let bobbin_v_y_dot = t200
-        .sub_product(inverse_bobbin_mass, t205)
-        .sub_product(t28, t204);
-    let t206 = p.spring_stiffness * cos_cylinder_phi;
-    let t207 = p.spring_stiffness * t7;
-    let t208 = p.spring_stiffness * sin_cylinder_phi;
-    let t209 = t14 * p.winding_force;
-    let t210 = -(t15 * p.winding_force);
-    let t211 = t210.sub_product(t54, t209);
-    let t212 = t209.sub_product(t56, t209).sub_product(t68, t211);
-    let t213 = t210.sub_product(t57, t209).sub_product(t70, t211).sub_product(t81, t212);
-    let t214 = (t83 * t212).sub_product(t94, t213);
-    let t215 = (-(t85 * t212)).sub_product(t96, t213).sub_product(t105, t214);
-    let t216 = (-(t106 * t214)).sub_product(t116, t215);
-    let t217 = (t107 * t214).sub_product(t118, t215).sub_product(t127, t216);
-    let t218 = (-(t16 * p.winding_force))
-        .sub_product(t60, t209)
-        .sub_product(t73, t211)
-        .sub_product(t87, t212)
-        .sub_product(t98, t213)
-        .sub_product(t109, t214)
-        .sub_product(t120, t215)
-        .sub_product(t129, t216)
-        .sub_product(t136, t217);
-    let t219 = (t17 * p.winding_force)
-        .add_product(t62, t209)
-        .sub_product(t76, t211)
-        .sub_product(t89, t212)
-        .sub_product(t100, t213)
-        .sub_product(t111, t214)
-        .sub_product(t122, t215)
-        .sub_product(t131, t216)
-        .sub_product(t138, t217)
-        .sub_product(t143, t218);
-    let t220 = (t144 * t218).sub_product(t149, t219);
-    let t221 = (-(t64 * t209))
-        .sub_product(t78, t211)
-        .sub_product(t91, t212)
-        .sub_product(t102, t213)
-        .sub_product(t113, t214)
-        .sub_product(t124, t215)
-        .sub_product(t133, t216)
-        .sub_product(t140, t217)
-        .sub_product(t146, t218)
-        .sub_product(t151, t219)
-        .sub_product(t156, t220) * t157;
-    let t222 = (t220 * t154).sub_product(t156, t221);
-    let t223 = (t219 * t147).sub_product(t149, t222).sub_product(t151, t221);
-    let t224 = (t218 * t141)
-        .sub_product(t143, t223)
-        .add_product(t144, t222)
-        .sub_product(t146, t221);
-    let t225 = (t217 * t134)
-        .sub_product(t136, t224)
-        .sub_product(t138, t223)
-        .sub_product(t140, t221);
-    let t226 = (t216 * t125)
-        .sub_product(t127, t225)
-        .sub_product(t129, t224)
-        .sub_product(t131, t223)
-        .sub_product(t133, t221);
-    let t227 = (t215 * t114)
-        .sub_product(t116, t226)
-        .sub_product(t118, t225)
-        .sub_product(t120, t224)
-        .sub_product(t122, t223)
-        .sub_product(t124, t221);
-    let t228 = (t214 * t103)
-        .sub_product(t105, t227)
-        .sub_product(t106, t226)
-        .add_product(t107, t225)
-        .sub_product(t109, t224)
-        .sub_product(t111, t223)
-        .sub_product(t113, t221);
-    let t229 = (t213 * t92)
-        .sub_product(t94, t228)
-        .sub_product(t96, t227)
-        .sub_product(t98, t224)
-        .sub_product(t100, t223)
-        .sub_product(t102, t221);
-    let t230 = (t212 * t79)
-        .sub_product(t81, t229)
-        .add_product(t83, t228)
-        .sub_product(t85, t227)
-        .sub_product(t87, t224)
-        .sub_product(t89, t223)
-        .sub_product(t91, t221);
-    let t231 = (t211 * t66)
-        .sub_product(t68, t230)
-        .sub_product(t70, t229)
-        .sub_product(t73, t224)
-        .sub_product(t76, t223)
-        .sub_product(t78, t221);
-    let t232 = (t209 * t51)
-        .sub_product(t54, t231)
-        .sub_product(t56, t230)
-        .sub_product(t57, t229)
-        .sub_product(t60, t224)
-        .add_product(t62, t223)
-        .sub_product(t64, t221);
-    let t233 = (-(t47 * t231)).sub_product(t45, t232).sub_product(t49, t221);
-    let t234 = (-(t37 * t232))
-        .sub_product(t35, t233)
-        .sub_product(t35, t231)
-        .add_product(t39, t221);
-    let drum_v_y_dot_by_bobbin_radius = (t30 * t222)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t222,
-        );
-    let drum_v_x_dot_by_bobbin_radius = (t29 * t222)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t222,
-        );
-    let bobbin_v_y_dot_by_bobbin_radius = (-(t28 * t222))
-        .sub_product(inverse_bobbin_mass, t223);
-    let bobbin_v_x_dot_by_bobbin_radius = (-(t27 * t222))
-        .sub_product(inverse_bobbin_mass, t224);
-    let rod_omega_dot_by_bobbin_radius = (t25 * t226)
-        .sub_product(R::literal(4_166.666_666_666_667), t228)
-        .sub_product(t26, t225);
-    let rod_v_y_dot_by_bobbin_radius = (-(R::literal(5.0) * t225))
-        .sub_product(t24, t227);
-    let rod_v_x_dot_by_bobbin_radius = (-(R::literal(5.0) * t226))
-        .add_product(t23, t227);
-    let cylinder_omega_dot_by_bobbin_radius = (t21 * t229)
-        .sub_product(t20, t230)
-        .sub_product(R::literal(-2_777.777_777_777_778), t228)
-        .add_product(t22, t227);
-    let cylinder_v_y_dot_by_bobbin_radius = (t19 * t227)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t229);
-    let cylinder_v_x_dot_by_bobbin_radius = (-(t18 * t227))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t230);
-    let plate_omega_dot_by_bobbin_radius = (-(p.winding_force * R::literal(400.0)))
-        .sub_product(t14, t232)
-        .add_product(t15, t231)
-        .sub_product(t14, t230)
-        .add_product(t15, t229)
-        .add_product(t16, t224)
-        .sub_product(t17, t223);
-    let plate_v_y_dot_by_bobbin_radius = (-(R::literal(-0.833_333_333_333_333_4) * t229))
+    let t180 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t181 = (bobbin_v_x * (bobbin_v_x_over_between + t175 + t176 - t173 - t174
+        - drum_v_x_over_between)).add_product(bobbin_v_y, bobbin_v_y_over_between + t179 + t180
+        - t177 - t178 - drum_v_y_over_between).add_product(drum_v_x, t173 + t174
+        + drum_v_x_over_between - bobbin_v_x_over_between - t175 - t176).add_product(drum_v_y, t177
+        + t178 + drum_v_y_over_between - bobbin_v_y_over_between - t179 - t180);
+    let t182 = t36 * t169;
+    let t183 = R::literal(9.81) - t170 - t182;
+    let t184 = t15 * bobbin_radius_times_winding_force;
+    let t185 = (t184 - t169.add_product(t171, cos_plate_phi)).sub_product(t38, t169)
+        .sub_product(t46, t183);
+    let t186 = t16 * bobbin_radius_times_winding_force;
+    let t187 = (R::literal(9.81) - (t170.add_product(t171, sin_plate_phi) + R::literal(9.81))
+        - t186 - t182).sub_product(t48, t183).sub_product(t55, t185);
+    let t188 = t184.sub_product(R::literal(0.06), (plate_omega_squared * cos_plate_phi)
+        .add_product(cylinder_omega_squared, cos_cylinder_phi))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t160).add_product(t21, t164)
+        .sub_product(t57, t185).sub_product(t69, t187);
+    let t189 = (-(R::literal(9.81).add_product(R::literal(0.06), (plate_omega_squared
+        * sin_plate_phi).add_product(cylinder_omega_squared, sin_cylinder_phi)) + t186)
+        .add_product(R::literal(3.333_333_333_333_333_5), t163).add_product(t22, t164)
+        .add_product(t58, t185).add_product(t71, t187)).add_product(t82, t188);
+    let t190 = (R::literal(-2_777.777_777_777_778) * t164).add_product(t83, t188).sub_product(t94,
+        t189);
+    let t191 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+        .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi).add_product(cylinder_x
+        * cylinder_omega, sin_cylinder_phi).add_product(rod_y * cylinder_omega, cos_cylinder_phi)
+        .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi).sub_product(R::literal(2.0)
+        * cylinder_v_y, sin_cylinder_phi).sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
+        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t19, t160)
+        .add_product(t20, t163).sub_product(t23, t164).sub_product(t24, t160).add_product(t25, t165)
+        .add_product(t85, t188).sub_product(t96, t189);
+    let t192 = t191.sub_product(t105, t190);
+    let t193 = (t172 * cos_rod_phi).add_product(R::literal(5.0), t160).sub_product(t106, t190)
+        .sub_product(t116, t192);
+    let t194 = (t172 * sin_rod_phi).add_product(R::literal(5.0), t165).add_product(t107, t190)
+        .sub_product(t118, t192).add_product(t127, t193);
+    let t195 = inverse_bobbin_mass * t166;
+    let t196 = ((t11 * plate_omega_squared).sub_product(t17, bobbin_radius_times_winding_force)
+        + t195).sub_product(t61, t185).add_product(t74, t187).add_product(t87, t188)
+        .sub_product(t98, t189).sub_product(t109, t190).sub_product(t120, t192).sub_product(t129,
+        t193).sub_product(t136, t194);
+    let t197 = inverse_bobbin_mass * t167;
+    let t198 = (R::literal(-9.81).add_product((R::literal(0.01) * sin_plate_phi)
+        .add_product(R::literal(0.1), cos_plate_phi), plate_omega_squared).add_product(t18,
+        bobbin_radius_times_winding_force) - t197).add_product(t63, t185).sub_product(t77, t187)
+        .add_product(t89, t188).sub_product(t100, t189).sub_product(t111, t190).sub_product(t122,
+        t192).sub_product(t131, t193).sub_product(t138, t194).sub_product(t143, t196);
+    let t199 = R::literal(9.809_999_999_999_999) * bobbin_y_minus_drum_y_over_between;
+    let t200 = ((-t181).add_product(t28, t166).sub_product(t29, t167) - t199).add_product(t144,
+        t196).sub_product(t149, t198) + t199;
+    let t201 = (-((R::literal(0.044) * cos_post_phi).sub_product(R::literal(0.143), sin_post_phi)
+        * post_omega_squared)).add_product(t40, t169).sub_product(t50, t183).add_product(t65, t185)
+        .sub_product(t79, t187).add_product(t91, t188).sub_product(t102, t189).sub_product(t113,
+        t190).sub_product(t124, t192).sub_product(t133, t193).sub_product(t140, t194)
+        .sub_product(t146, t196).sub_product(t151, t198).sub_product(t156, t200) * t157;
+    let t202 = (t200 * t154).sub_product(t156, t201);
+    let t203 = (t198 * t147).sub_product(t149, t202).sub_product(t151, t201);
+    let bobbin_v_y_dot = t197.sub_product(inverse_bobbin_mass, t203).sub_product(t29, t202);
+    let t204 = t195.add_product(inverse_bobbin_mass, (t196 * t141).sub_product(t143, t203)
+        .add_product(t144, t202).sub_product(t146, t201)).add_product(t28, t202);
+    let t205 = p.spring_stiffness * cos_cylinder_phi;
+    let t206 = p.spring_stiffness * t7;
+    let t207 = p.spring_stiffness * sin_cylinder_phi;
+    let t208 = t15 * p.winding_force;
+    let t209 = t16 * p.winding_force;
+    let t210 = t209.add_product(t55, t208);
+    let t211 = t208.sub_product(t57, t208).add_product(t69, t210);
+    let t212 = (-t209.add_product(t58, t208)).add_product(t71, t210).add_product(t82, t211);
+    let t213 = (t83 * t211).sub_product(t94, t212);
+    let t214 = (t85 * t211).sub_product(t96, t212).sub_product(t105, t213);
+    let t215 = (t106 * t213).add_product(t116, t214);
+    let t216 = (t107 * t213).sub_product(t118, t214).sub_product(t127, t215);
+    let t217 = (-(t17 * p.winding_force).add_product(t61, t208).add_product(t74, t210))
+        .add_product(t87, t211).sub_product(t98, t212).sub_product(t109, t213).sub_product(t120,
+        t214).add_product(t129, t215).sub_product(t136, t216);
+    let t218 = (t18 * p.winding_force).add_product(t63, t208).add_product(t77, t210)
+        .add_product(t89, t211).sub_product(t100, t212).sub_product(t111, t213).sub_product(t122,
+        t214).add_product(t131, t215).sub_product(t138, t216).sub_product(t143, t217);
+    let t219 = (t144 * t217).sub_product(t149, t218);
+    let t220 = (t65 * t208).add_product(t79, t210).add_product(t91, t211).sub_product(t102, t212)
+        .sub_product(t113, t213).sub_product(t124, t214).add_product(t133, t215).sub_product(t140,
+        t216).sub_product(t146, t217).sub_product(t151, t218).sub_product(t156, t219) * t157;
+    let t221 = (t219 * t154).sub_product(t156, t220);
+    let t222 = (t218 * t147).sub_product(t149, t221).sub_product(t151, t220);
+    let t223 = (t217 * t141).sub_product(t143, t222).add_product(t144, t221).sub_product(t146,
+        t220);
+    let t224 = (t216 * t134).sub_product(t136, t223).sub_product(t138, t222).sub_product(t140,
+        t220);
+    let t225 = (t215 * t125).add_product(t127, t224).sub_product(t129, t223).sub_product(t131, t222)
+        .sub_product(t133, t220);
+    let t226 = (t214 * t114).sub_product(t116, t225).sub_product(t118, t224).sub_product(t120, t223)
+        .sub_product(t122, t222).sub_product(t124, t220);
+    let t227 = (t213 * t103).sub_product(t105, t226).sub_product(t106, t225).add_product(t107, t224)
+        .sub_product(t109, t223).sub_product(t111, t222).sub_product(t113, t220);
+    let t228 = (t212 * t92).sub_product(t94, t227).sub_product(t96, t226).sub_product(t98, t223)
+        .sub_product(t100, t222).sub_product(t102, t220);
+    let t229 = (-(t211 * t80)).add_product(t82, t228).add_product(t83, t227).add_product(t85, t226)
+        .add_product(t87, t223).add_product(t89, t222).add_product(t91, t220);
+    let t230 = (-(t210 * t67).add_product(t69, t229).add_product(t71, t228)).add_product(t74, t223)
+        .sub_product(t77, t222).sub_product(t79, t220);
+    let t231 = (t208 * t52).sub_product(t55, t230).sub_product(t57, t229).sub_product(t58, t228)
+        .sub_product(t61, t223).add_product(t63, t222).add_product(t65, t220);
+    let t232 = (t48 * t230).add_product(t46, t231).add_product(t50, t220);
+    let t233 = (t38 * t231).sub_product(t36, t232).add_product(t36, t230).sub_product(t40, t220);
+    let drum_v_y_dot_by_bobbin_radius = (t31 * t221)
+        .sub_product(R::literal(0.666_666_666_666_666_6), bobbin_y_minus_drum_y_over_between
+        * t221);
+    let drum_v_x_dot_by_bobbin_radius = (t30 * t221)
+        .sub_product(R::literal(0.666_666_666_666_666_6), bobbin_x_minus_drum_x_over_between
+        * t221);
+    let bobbin_v_y_dot_by_bobbin_radius = -(t29 * t221).add_product(inverse_bobbin_mass, t222);
+    let bobbin_v_x_dot_by_bobbin_radius = -(t28 * t221).add_product(inverse_bobbin_mass, t223);
+    let rod_omega_dot_by_bobbin_radius = (t26 * t225)
+        .sub_product(R::literal(4_166.666_666_666_667), t227).sub_product(t27, t224);
+    let rod_v_y_dot_by_bobbin_radius = -(R::literal(5.0) * t224).add_product(t25, t226);
+    let rod_v_x_dot_by_bobbin_radius = (R::literal(-5.0) * t225).add_product(t24, t226);
+    let cylinder_omega_dot_by_bobbin_radius = (t22 * t228).sub_product(t21, t229)
+        .add_product(R::literal(2_777.777_777_777_778), t227).add_product(t23, t226);
+    let cylinder_v_y_dot_by_bobbin_radius = (t20 * t226)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t228);
+    let cylinder_v_x_dot_by_bobbin_radius = -(t19 * t226)
+        .add_product(R::literal(3.333_333_333_333_333_5), t229);
+    let plate_omega_dot_by_bobbin_radius = (-(p.winding_force * R::literal(400.0)).add_product(t15,
+        t231)).add_product(t16, t230).sub_product(t15, t229).add_product(t16, t228)
+        .add_product(t17, t223).sub_product(t18, t222);
+    let plate_v_y_dot_by_bobbin_radius = (R::literal(0.833_333_333_333_333_4) * t228)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t230)
+        .add_product(R::literal(0.833_333_333_333_333_4), t222);
+    let plate_v_x_dot_by_bobbin_radius = (R::literal(0.833_333_333_333_333_4) * t229)
         .sub_product(R::literal(0.833_333_333_333_333_4), t231)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t223);
-    let plate_v_x_dot_by_bobbin_radius = (-(R::literal(-0.833_333_333_333_333_4) * t230))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t232)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t224);
-    let post_omega_dot_by_bobbin_radius = (t12 * t233)
-        .sub_product(t11, t234)
-        .sub_product(t11, t232)
-        .add_product(t12, t231)
-        .sub_product(t13, t221);
-    let post_v_y_dot_by_bobbin_radius = (-(R::literal(-1.25) * t231))
-        .sub_product(R::literal(1.25), t233);
-    let post_v_x_dot_by_bobbin_radius = (-(R::literal(-1.25) * t232))
-        .sub_product(R::literal(1.25), t234);
-    let t235 = t14 * p.bobbin_radius;
-    let t236 = -(t15 * p.bobbin_radius);
-    let t237 = t236.sub_product(t54, t235);
-    let t238 = t235.sub_product(t56, t235).sub_product(t68, t237);
-    let t239 = t236.sub_product(t57, t235).sub_product(t70, t237).sub_product(t81, t238);
-    let t240 = (t83 * t238).sub_product(t94, t239);
-    let t241 = (-(t85 * t238)).sub_product(t96, t239).sub_product(t105, t240);
-    let t242 = (-(t106 * t240)).sub_product(t116, t241);
-    let t243 = (t107 * t240).sub_product(t118, t241).sub_product(t127, t242);
-    let t244 = t28
-        .sub_product(t16, p.bobbin_radius)
-        .sub_product(t60, t235)
-        .sub_product(t73, t237)
-        .sub_product(t87, t238)
-        .sub_product(t98, t239)
-        .sub_product(t109, t240)
-        .sub_product(t120, t241)
-        .sub_product(t129, t242)
-        .sub_product(t136, t243);
-    let t245 = (-t27)
-        .add_product(t17, p.bobbin_radius)
-        .add_product(t62, t235)
-        .sub_product(t76, t237)
-        .sub_product(t89, t238)
-        .sub_product(t100, t239)
-        .sub_product(t111, t240)
-        .sub_product(t122, t241)
-        .sub_product(t131, t242)
-        .sub_product(t138, t243)
-        .sub_product(t143, t244);
-    let t246 = (t27 * bobbin_y_minus_drum_y_over_between)
-        .sub_product(t28, bobbin_x_minus_drum_x_over_between)
-        .add_product(t144, t244)
-        .sub_product(t149, t245);
-    let t247 = (-(t64 * t235))
-        .sub_product(t78, t237)
-        .sub_product(t91, t238)
-        .sub_product(t102, t239)
-        .sub_product(t113, t240)
-        .sub_product(t124, t241)
-        .sub_product(t133, t242)
-        .sub_product(t140, t243)
-        .sub_product(t146, t244)
-        .sub_product(t151, t245)
-        .sub_product(t156, t246) * t157;
-    let t248 = (t246 * t154).sub_product(t156, t247);
-    let t249 = (t245 * t147).sub_product(t149, t248).sub_product(t151, t247);
-    let t250 = (t244 * t141)
-        .sub_product(t143, t249)
-        .add_product(t144, t248)
-        .sub_product(t146, t247);
-    let t251 = (t243 * t134)
-        .sub_product(t136, t250)
-        .sub_product(t138, t249)
-        .sub_product(t140, t247);
-    let t252 = (t242 * t125)
-        .sub_product(t127, t251)
-        .sub_product(t129, t250)
-        .sub_product(t131, t249)
-        .sub_product(t133, t247);
-    let t253 = (t241 * t114)
-        .sub_product(t116, t252)
-        .sub_product(t118, t251)
-        .sub_product(t120, t250)
-        .sub_product(t122, t249)
-        .sub_product(t124, t247);
-    let t254 = (t240 * t103)
-        .sub_product(t105, t253)
-        .sub_product(t106, t252)
-        .add_product(t107, t251)
-        .sub_product(t109, t250)
-        .sub_product(t111, t249)
-        .sub_product(t113, t247);
-    let t255 = (t239 * t92)
-        .sub_product(t94, t254)
-        .sub_product(t96, t253)
-        .sub_product(t98, t250)
-        .sub_product(t100, t249)
-        .sub_product(t102, t247);
-    let t256 = (t238 * t79)
-        .sub_product(t81, t255)
-        .add_product(t83, t254)
-        .sub_product(t85, t253)
-        .sub_product(t87, t250)
-        .sub_product(t89, t249)
-        .sub_product(t91, t247);
-    let t257 = (t237 * t66)
-        .sub_product(t68, t256)
-        .sub_product(t70, t255)
-        .sub_product(t73, t250)
-        .sub_product(t76, t249)
-        .sub_product(t78, t247);
-    let t258 = (t235 * t51)
-        .sub_product(t54, t257)
-        .sub_product(t56, t256)
-        .sub_product(t57, t255)
-        .sub_product(t60, t250)
-        .add_product(t62, t249)
-        .sub_product(t64, t247);
-    let t259 = (-(t47 * t257)).sub_product(t45, t258).sub_product(t49, t247);
-    let t260 = (-(t37 * t258))
-        .sub_product(t35, t259)
-        .sub_product(t35, t257)
-        .add_product(t39, t247);
-    let drum_v_y_dot_by_winding_force = (t30 * t248)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t248,
-        );
-    let drum_v_x_dot_by_winding_force = (t29 * t248)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t248,
-        );
-    let bobbin_v_y_dot_by_winding_force = t27
-        .sub_product(inverse_bobbin_mass, t249)
-        .sub_product(t28, t248);
-    let bobbin_v_x_dot_by_winding_force = (-t28)
-        .sub_product(inverse_bobbin_mass, t250)
-        .sub_product(t27, t248);
-    let rod_omega_dot_by_winding_force = (t25 * t252)
-        .sub_product(R::literal(4_166.666_666_666_667), t254)
-        .sub_product(t26, t251);
-    let rod_v_y_dot_by_winding_force = (-(R::literal(5.0) * t251))
-        .sub_product(t24, t253);
-    let rod_v_x_dot_by_winding_force = (-(R::literal(5.0) * t252))
-        .add_product(t23, t253);
-    let cylinder_omega_dot_by_winding_force = (t21 * t255)
-        .sub_product(t20, t256)
-        .sub_product(R::literal(-2_777.777_777_777_778), t254)
-        .add_product(t22, t253);
-    let cylinder_v_y_dot_by_winding_force = (t19 * t253)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t255);
-    let cylinder_v_x_dot_by_winding_force = (-(t18 * t253))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t256);
-    let plate_omega_dot_by_winding_force = (-(p.bobbin_radius * R::literal(400.0)))
-        .sub_product(t14, t258)
-        .add_product(t15, t257)
-        .sub_product(t14, t256)
-        .add_product(t15, t255)
-        .add_product(t16, t250)
-        .sub_product(t17, t249);
-    let plate_v_y_dot_by_winding_force = (-(R::literal(-0.833_333_333_333_333_4) * t255))
+        .add_product(R::literal(0.833_333_333_333_333_4), t223);
+    let post_omega_dot_by_bobbin_radius = (-(t13 * t232).add_product(t12, t233).add_product(t12,
+        t231)).add_product(t13, t230).sub_product(t14, t220);
+    let post_v_y_dot_by_bobbin_radius = (R::literal(1.25) * t230).add_product(R::literal(1.25),
+        t232);
+    let post_v_x_dot_by_bobbin_radius = (R::literal(1.25) * t231).sub_product(R::literal(1.25),
+        t233);
+    let t234 = t15 * p.bobbin_radius;
+    let t235 = t16 * p.bobbin_radius;
+    let t236 = t235.add_product(t55, t234);
+    let t237 = t234.sub_product(t57, t234).add_product(t69, t236);
+    let t238 = (-t235.add_product(t58, t234)).add_product(t71, t236).add_product(t82, t237);
+    let t239 = (t83 * t237).sub_product(t94, t238);
+    let t240 = (t85 * t237).sub_product(t96, t238).sub_product(t105, t239);
+    let t241 = (t106 * t239).add_product(t116, t240);
+    let t242 = (t107 * t239).sub_product(t118, t240).sub_product(t127, t241);
+    let t243 = t29.sub_product(t17, p.bobbin_radius).sub_product(t61, t234).sub_product(t74, t236)
+        .add_product(t87, t237).sub_product(t98, t238).sub_product(t109, t239).sub_product(t120,
+        t240).add_product(t129, t241).sub_product(t136, t242);
+    let t244 = (-t28).add_product(t18, p.bobbin_radius).add_product(t63, t234).add_product(t77,
+        t236).add_product(t89, t237).sub_product(t100, t238).sub_product(t111, t239)
+        .sub_product(t122, t240).add_product(t131, t241).sub_product(t138, t242).sub_product(t143,
+        t243);
+    let t245 = (t28 * bobbin_y_minus_drum_y_over_between).sub_product(t29,
+        bobbin_x_minus_drum_x_over_between).add_product(t144, t243).sub_product(t149, t244);
+    let t246 = (t65 * t234).add_product(t79, t236).add_product(t91, t237).sub_product(t102, t238)
+        .sub_product(t113, t239).sub_product(t124, t240).add_product(t133, t241).sub_product(t140,
+        t242).sub_product(t146, t243).sub_product(t151, t244).sub_product(t156, t245) * t157;
+    let t247 = (t245 * t154).sub_product(t156, t246);
+    let t248 = (t244 * t147).sub_product(t149, t247).sub_product(t151, t246);
+    let t249 = (t243 * t141).sub_product(t143, t248).add_product(t144, t247).sub_product(t146,
+        t246);
+    let t250 = (t242 * t134).sub_product(t136, t249).sub_product(t138, t248).sub_product(t140,
+        t246);
+    let t251 = (t241 * t125).add_product(t127, t250).sub_product(t129, t249).sub_product(t131, t248)
+        .sub_product(t133, t246);
+    let t252 = (t240 * t114).sub_product(t116, t251).sub_product(t118, t250).sub_product(t120, t249)
+        .sub_product(t122, t248).sub_product(t124, t246);
+    let t253 = (t239 * t103).sub_product(t105, t252).sub_product(t106, t251).add_product(t107, t250)
+        .sub_product(t109, t249).sub_product(t111, t248).sub_product(t113, t246);
+    let t254 = (t238 * t92).sub_product(t94, t253).sub_product(t96, t252).sub_product(t98, t249)
+        .sub_product(t100, t248).sub_product(t102, t246);
+    let t255 = (-(t237 * t80)).add_product(t82, t254).add_product(t83, t253).add_product(t85, t252)
+        .add_product(t87, t249).add_product(t89, t248).add_product(t91, t246);
+    let t256 = (-(t236 * t67).add_product(t69, t255).add_product(t71, t254)).add_product(t74, t249)
+        .sub_product(t77, t248).sub_product(t79, t246);
+    let t257 = (t234 * t52).sub_product(t55, t256).sub_product(t57, t255).sub_product(t58, t254)
+        .sub_product(t61, t249).add_product(t63, t248).add_product(t65, t246);
+    let t258 = (t48 * t256).add_product(t46, t257).add_product(t50, t246);
+    let t259 = (t38 * t257).sub_product(t36, t258).add_product(t36, t256).sub_product(t40, t246);
+    let drum_v_y_dot_by_winding_force = (t31 * t247)
+        .sub_product(R::literal(0.666_666_666_666_666_6), bobbin_y_minus_drum_y_over_between
+        * t247);
+    let drum_v_x_dot_by_winding_force = (t30 * t247)
+        .sub_product(R::literal(0.666_666_666_666_666_6), bobbin_x_minus_drum_x_over_between
+        * t247);
+    let bobbin_v_y_dot_by_winding_force = t28.sub_product(inverse_bobbin_mass, t248)
+        .sub_product(t29, t247);
+    let bobbin_v_x_dot_by_winding_force = -t29.add_product(inverse_bobbin_mass, t249)
+        .add_product(t28, t247);
+    let rod_omega_dot_by_winding_force = (t26 * t251)
+        .sub_product(R::literal(4_166.666_666_666_667), t253).sub_product(t27, t250);
+    let rod_v_y_dot_by_winding_force = -(R::literal(5.0) * t250).add_product(t25, t252);
+    let rod_v_x_dot_by_winding_force = (R::literal(-5.0) * t251).add_product(t24, t252);
+    let cylinder_omega_dot_by_winding_force = (t22 * t254).sub_product(t21, t255)
+        .add_product(R::literal(2_777.777_777_777_778), t253).add_product(t23, t252);
+    let cylinder_v_y_dot_by_winding_force = (t20 * t252)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t254);
+    let cylinder_v_x_dot_by_winding_force = -(t19 * t252)
+        .add_product(R::literal(3.333_333_333_333_333_5), t255);
+    let plate_omega_dot_by_winding_force = (-(p.bobbin_radius * R::literal(400.0)).add_product(t15,
+        t257)).add_product(t16, t256).sub_product(t15, t255).add_product(t16, t254)
+        .add_product(t17, t249).sub_product(t18, t248);
+    let plate_v_y_dot_by_winding_force = (R::literal(0.833_333_333_333_333_4) * t254)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t256)
+        .add_product(R::literal(0.833_333_333_333_333_4), t248);
+    let plate_v_x_dot_by_winding_force = (R::literal(0.833_333_333_333_333_4) * t255)
         .sub_product(R::literal(0.833_333_333_333_333_4), t257)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t249);
-    let plate_v_x_dot_by_winding_force = (-(R::literal(-0.833_333_333_333_333_4) * t256))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t258)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t250);
-    let post_omega_dot_by_winding_force = (t12 * t259)
-        .sub_product(t11, t260)
-        .sub_product(t11, t258)
-        .add_product(t12, t257)
-        .sub_product(t13, t247);
-    let post_v_y_dot_by_winding_force = (-(R::literal(-1.25) * t257))
-        .sub_product(R::literal(1.25), t259);
-    let post_v_x_dot_by_winding_force = (-(R::literal(-1.25) * t258))
-        .sub_product(R::literal(1.25), t260);
-    let t261 = (-(-t198)
-        .sub_product(
-            inverse_bobbin_mass,
-            (t199 * t141)
-                .sub_product(t143, t205)
-                .add_product(t144, t204)
-                .sub_product(t146, t203),
-        ))
-        .add_product(t27, t204);
-    let t262 = R::literal(-9.81) - bobbin_v_y_dot;
-    let t263 = inverse_bobbin_mass * t261;
-    let t264 = inverse_bobbin_mass * t262;
-    let t265 = (-t264).add_product(t143, t263);
-    let t266 = (-(t28 * t262))
-        .sub_product(t27, t261)
-        .sub_product(t144, t263)
-        .sub_product(t149, t265);
-    let t267 = (t146 * t263).sub_product(t151, t265).sub_product(t156, t266) * t157;
-    let t268 = (t266 * t154).sub_product(t156, t267);
-    let t269 = (t265 * t147).sub_product(t149, t268).sub_product(t151, t267);
-    let t270 = (-(t263 * t141))
-        .sub_product(t143, t269)
-        .add_product(t144, t268)
-        .sub_product(t146, t267);
-    let t271 = (-(t138 * t269)).sub_product(t136, t270).sub_product(t140, t267);
-    let t272 = (-(t129 * t270))
-        .sub_product(t127, t271)
-        .sub_product(t131, t269)
-        .sub_product(t133, t267);
-    let t273 = (-(t118 * t271))
-        .sub_product(t116, t272)
-        .sub_product(t120, t270)
-        .sub_product(t122, t269)
-        .sub_product(t124, t267);
-    let t274 = (-(t106 * t272))
-        .sub_product(t105, t273)
-        .add_product(t107, t271)
-        .sub_product(t109, t270)
-        .sub_product(t111, t269)
-        .sub_product(t113, t267);
-    let t275 = (-(t96 * t273))
-        .sub_product(t94, t274)
-        .sub_product(t98, t270)
-        .sub_product(t100, t269)
-        .sub_product(t102, t267);
-    let t276 = (t83 * t274)
-        .sub_product(t81, t275)
-        .sub_product(t85, t273)
-        .sub_product(t87, t270)
-        .sub_product(t89, t269)
-        .sub_product(t91, t267);
-    let t277 = (-(t70 * t275))
-        .sub_product(t68, t276)
-        .sub_product(t73, t270)
-        .sub_product(t76, t269)
-        .sub_product(t78, t267);
-    let t278 = (-(t56 * t276))
-        .sub_product(t54, t277)
-        .sub_product(t57, t275)
-        .sub_product(t60, t270)
-        .add_product(t62, t269)
-        .sub_product(t64, t267);
-    let t279 = (-(t47 * t277)).sub_product(t45, t278).sub_product(t49, t267);
-    let t280 = (-(t37 * t278))
-        .sub_product(t35, t279)
-        .sub_product(t35, t277)
-        .add_product(t39, t267);
-    let drum_v_y_dot_by_bobbin_mass = (t30 * t268)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t268,
-        );
-    let drum_v_x_dot_by_bobbin_mass = (t29 * t268)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t268,
-        );
-    let bobbin_v_y_dot_by_bobbin_mass = t264
-        .sub_product(inverse_bobbin_mass, t269)
-        .sub_product(t28, t268);
-    let bobbin_v_x_dot_by_bobbin_mass = t263
-        .sub_product(inverse_bobbin_mass, t270)
-        .sub_product(t27, t268);
-    let rod_omega_dot_by_bobbin_mass = (t25 * t272)
-        .sub_product(R::literal(4_166.666_666_666_667), t274)
-        .sub_product(t26, t271);
-    let rod_v_y_dot_by_bobbin_mass = (-(R::literal(5.0) * t271)).sub_product(t24, t273);
-    let rod_v_x_dot_by_bobbin_mass = (-(R::literal(5.0) * t272)).add_product(t23, t273);
-    let cylinder_omega_dot_by_bobbin_mass = (t21 * t275)
-        .sub_product(t20, t276)
-        .sub_product(R::literal(-2_777.777_777_777_778), t274)
-        .add_product(t22, t273);
-    let cylinder_v_y_dot_by_bobbin_mass = (t19 * t273)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t275);
-    let cylinder_v_x_dot_by_bobbin_mass = (-(t18 * t273))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t276);
-    let plate_omega_dot_by_bobbin_mass = (t15 * t277)
-        .sub_product(t14, t278)
-        .sub_product(t14, t276)
-        .add_product(t15, t275)
-        .add_product(t16, t270)
-        .sub_product(t17, t269);
-    let plate_v_y_dot_by_bobbin_mass = (-(R::literal(-0.833_333_333_333_333_4) * t275))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t277)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t269);
-    let plate_v_x_dot_by_bobbin_mass = (-(R::literal(-0.833_333_333_333_333_4) * t276))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t278)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t270);
-    let post_omega_dot_by_bobbin_mass = (t12 * t279)
-        .sub_product(t11, t280)
-        .sub_product(t11, t278)
-        .add_product(t12, t277)
-        .sub_product(t13, t267);
-    let post_v_y_dot_by_bobbin_mass = (-(R::literal(-1.25) * t277))
-        .sub_product(R::literal(1.25), t279);
-    let post_v_x_dot_by_bobbin_mass = (-(R::literal(-1.25) * t278))
-        .sub_product(R::literal(1.25), t280);
-    let t281 = slide_minus_spring_free_length * cos_cylinder_phi;
-    let t282 = slide_minus_spring_free_length * sin_cylinder_phi;
-    let t283 = slide_minus_spring_free_length * t7;
-    let t284 = R::literal(3.333_333_333_333_333_5) * t281;
-    let t285 = (-t284).add_product(t20, t283);
-    let t286 = R::literal(3.333_333_333_333_333_5) * t282;
-    let t287 = (-t286).sub_product(t21, t283).sub_product(t81, t285);
-    let t288 = (R::literal(-2_777.777_777_777_778) * t283)
-        .add_product(t83, t285)
-        .sub_product(t94, t287);
-    let t289 = (t19 * t282)
-        .sub_product(t18, t281)
-        .sub_product(t22, t283)
-        .sub_product(t23, t281)
-        .add_product(t24, t282)
-        .sub_product(t85, t285)
-        .sub_product(t96, t287)
-        .sub_product(t105, t288);
-    let t290 = R::literal(5.0) * t281;
-    let t291 = t290.sub_product(t106, t288).sub_product(t116, t289);
-    let t292 = R::literal(5.0) * t282;
-    let t293 = t292
-        .add_product(t107, t288)
-        .sub_product(t118, t289)
-        .sub_product(t127, t291);
-    let t294 = (-(t87 * t285))
-        .sub_product(t98, t287)
-        .sub_product(t109, t288)
-        .sub_product(t120, t289)
-        .sub_product(t129, t291)
-        .sub_product(t136, t293);
-    let t295 = (-(t89 * t285))
-        .sub_product(t100, t287)
-        .sub_product(t111, t288)
-        .sub_product(t122, t289)
-        .sub_product(t131, t291)
-        .sub_product(t138, t293)
-        .sub_product(t143, t294);
-    let t296 = (t144 * t294).sub_product(t149, t295);
-    let t297 = (-(t91 * t285))
-        .sub_product(t102, t287)
-        .sub_product(t113, t288)
-        .sub_product(t124, t289)
-        .sub_product(t133, t291)
-        .sub_product(t140, t293)
-        .sub_product(t146, t294)
-        .sub_product(t151, t295)
-        .sub_product(t156, t296) * t157;
-    let t298 = (t296 * t154).sub_product(t156, t297);
-    let t299 = (t295 * t147).sub_product(t149, t298).sub_product(t151, t297);
-    let t300 = (t294 * t141)
-        .sub_product(t143, t299)
-        .add_product(t144, t298)
-        .sub_product(t146, t297);
-    let t301 = (t293 * t134)
-        .sub_product(t136, t300)
-        .sub_product(t138, t299)
-        .sub_product(t140, t297);
-    let t302 = (t291 * t125)
-        .sub_product(t127, t301)
-        .sub_product(t129, t300)
-        .sub_product(t131, t299)
-        .sub_product(t133, t297);
-    let t303 = (t289 * t114)
-        .sub_product(t116, t302)
-        .sub_product(t118, t301)
-        .sub_product(t120, t300)
-        .sub_product(t122, t299)
-        .sub_product(t124, t297);
-    let t304 = (t288 * t103)
-        .sub_product(t105, t303)
-        .sub_product(t106, t302)
-        .add_product(t107, t301)
-        .sub_product(t109, t300)
-        .sub_product(t111, t299)
-        .sub_product(t113, t297);
-    let t305 = (t287 * t92)
-        .sub_product(t94, t304)
-        .sub_product(t96, t303)
-        .sub_product(t98, t300)
-        .sub_product(t100, t299)
-        .sub_product(t102, t297);
-    let t306 = (t285 * t79)
-        .sub_product(t81, t305)
-        .add_product(t83, t304)
-        .sub_product(t85, t303)
-        .sub_product(t87, t300)
-        .sub_product(t89, t299)
-        .sub_product(t91, t297);
-    let t307 = (-(t70 * t305))
-        .sub_product(t68, t306)
-        .sub_product(t73, t300)
-        .sub_product(t76, t299)
-        .sub_product(t78, t297);
-    let t308 = (-(t56 * t306))
-        .sub_product(t54, t307)
-        .sub_product(t57, t305)
-        .sub_product(t60, t300)
-        .add_product(t62, t299)
-        .sub_product(t64, t297);
-    let t309 = (-(t47 * t307)).sub_product(t45, t308).sub_product(t49, t297);
-    let t310 = (-(t37 * t308))
-        .sub_product(t35, t309)
-        .sub_product(t35, t307)
-        .add_product(t39, t297);
-    let drum_v_y_dot_by_spring_stiffness = (t30 * t298)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t298,
-        );
-    let drum_v_x_dot_by_spring_stiffness = (t29 * t298)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t298,
-        );
-    let bobbin_v_y_dot_by_spring_stiffness = (-(t28 * t298))
-        .sub_product(inverse_bobbin_mass, t299);
-    let bobbin_v_x_dot_by_spring_stiffness = (-(t27 * t298))
-        .sub_product(inverse_bobbin_mass, t300);
-    let rod_omega_dot_by_spring_stiffness = (t25 * t302)
-        .sub_product(R::literal(4_166.666_666_666_667), t304)
-        .sub_product(t26, t301);
-    let rod_v_y_dot_by_spring_stiffness = (-t292)
-        .sub_product(t24, t303)
+        .add_product(R::literal(0.833_333_333_333_333_4), t249);
+    let post_omega_dot_by_winding_force = (-(t13 * t258).add_product(t12, t259).add_product(t12,
+        t257)).add_product(t13, t256).sub_product(t14, t246);
+    let post_v_y_dot_by_winding_force = (R::literal(1.25) * t256).add_product(R::literal(1.25),
+        t258);
+    let post_v_x_dot_by_winding_force = (R::literal(1.25) * t257).sub_product(R::literal(1.25),
+        t259);
+    let t260 = R::literal(9.81) + bobbin_v_y_dot;
+    let t261 = inverse_bobbin_mass * t204;
+    let t262 = inverse_bobbin_mass * t260;
+    let t263 = t262.add_product(t143, t261);
+    let t264 = (t29 * t260).sub_product(t28, t204).sub_product(t144, t261).sub_product(t149, t263);
+    let t265 = (t146 * t261).sub_product(t151, t263).sub_product(t156, t264) * t157;
+    let t266 = (t264 * t154).sub_product(t156, t265);
+    let t267 = (t263 * t147).sub_product(t149, t266).sub_product(t151, t265);
+    let t268 = (-(t261 * t141).add_product(t143, t267)).add_product(t144, t266).sub_product(t146,
+        t265);
+    let t269 = (t138 * t267).add_product(t136, t268).add_product(t140, t265);
+    let t270 = (t129 * t268).add_product(t127, t269).add_product(t131, t267).add_product(t133,
+        t265);
+    let t271 = (t118 * t269).add_product(t116, t270).sub_product(t120, t268).sub_product(t122, t267)
+        .sub_product(t124, t265);
+    let t272 = (t106 * t270).sub_product(t105, t271).sub_product(t107, t269).sub_product(t109, t268)
+        .sub_product(t111, t267).sub_product(t113, t265);
+    let t273 = (t96 * t271).add_product(t94, t272).add_product(t98, t268).add_product(t100, t267)
+        .add_product(t102, t265);
+    let t274 = (t83 * t272).sub_product(t82, t273).add_product(t85, t271).add_product(t87, t268)
+        .add_product(t89, t267).add_product(t91, t265);
+    let t275 = (t71 * t273).sub_product(t69, t274).add_product(t74, t268).sub_product(t77, t267)
+        .sub_product(t79, t265);
+    let t276 = (-(t57 * t274).add_product(t55, t275)).add_product(t58, t273).sub_product(t61, t268)
+        .add_product(t63, t267).add_product(t65, t265);
+    let t277 = (t48 * t275).add_product(t46, t276).add_product(t50, t265);
+    let t278 = (t38 * t276).sub_product(t36, t277).add_product(t36, t275).sub_product(t40, t265);
+    let drum_v_y_dot_by_bobbin_mass = (t31 * t266).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_y_minus_drum_y_over_between * t266);
+    let drum_v_x_dot_by_bobbin_mass = (t30 * t266).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_x_minus_drum_x_over_between * t266);
+    let bobbin_v_y_dot_by_bobbin_mass = -t262.add_product(inverse_bobbin_mass, t267)
+        .add_product(t29, t266);
+    let bobbin_v_x_dot_by_bobbin_mass = t261.sub_product(inverse_bobbin_mass, t268)
+        .sub_product(t28, t266);
+    let rod_omega_dot_by_bobbin_mass = (-(t26 * t270)
+        .add_product(R::literal(4_166.666_666_666_667), t272)).add_product(t27, t269);
+    let rod_v_y_dot_by_bobbin_mass = (R::literal(5.0) * t269).sub_product(t25, t271);
+    let rod_v_x_dot_by_bobbin_mass = (R::literal(5.0) * t270).add_product(t24, t271);
+    let cylinder_omega_dot_by_bobbin_mass = (-(t22 * t273).add_product(t21, t274))
+        .add_product(R::literal(2_777.777_777_777_778), t272).add_product(t23, t271);
+    let cylinder_v_y_dot_by_bobbin_mass = (t20 * t271)
+        .add_product(R::literal(3.333_333_333_333_333_5), t273);
+    let cylinder_v_x_dot_by_bobbin_mass = -(t19 * t271)
+        .add_product(R::literal(3.333_333_333_333_333_5), t274);
+    let plate_omega_dot_by_bobbin_mass = (t16 * t275).sub_product(t15, t276).sub_product(t15, t274)
+        .sub_product(t16, t273).add_product(t17, t268).sub_product(t18, t267);
+    let plate_v_y_dot_by_bobbin_mass = (-(R::literal(0.833_333_333_333_333_4) * t273)
+        .add_product(R::literal(0.833_333_333_333_333_4), t275))
+        .add_product(R::literal(0.833_333_333_333_333_4), t267);
+    let plate_v_x_dot_by_bobbin_mass = (R::literal(0.833_333_333_333_333_4) * t274)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t276)
+        .add_product(R::literal(0.833_333_333_333_333_4), t268);
+    let post_omega_dot_by_bobbin_mass = (-(t13 * t277).add_product(t12, t278).add_product(t12,
+        t276)).add_product(t13, t275).sub_product(t14, t265);
+    let post_v_y_dot_by_bobbin_mass = (R::literal(1.25) * t275).add_product(R::literal(1.25), t277);
+    let post_v_x_dot_by_bobbin_mass = (R::literal(1.25) * t276).sub_product(R::literal(1.25), t278);
+    let t279 = slide_minus_spring_free_length * cos_cylinder_phi;
+    let t280 = slide_minus_spring_free_length * sin_cylinder_phi;
+    let t281 = slide_minus_spring_free_length * t7;
+    let t282 = R::literal(3.333_333_333_333_333_5) * t279;
+    let t283 = (-t282).add_product(t21, t281);
+    let t284 = R::literal(3.333_333_333_333_333_5) * t280;
+    let t285 = (-t284.add_product(t22, t281)).add_product(t82, t283);
+    let t286 = R::literal(2_777.777_777_777_778) * t281;
+    let t287 = (-t286).add_product(t83, t283).sub_product(t94, t285);
+    let t288 = (t20 * t280).sub_product(t19, t279).sub_product(t23, t281).sub_product(t24, t279)
+        .add_product(t25, t280).add_product(t85, t283).sub_product(t96, t285).sub_product(t105,
+        t287);
+    let t289 = R::literal(5.0) * t279;
+    let t290 = t289.sub_product(t106, t287).sub_product(t116, t288);
+    let t291 = R::literal(5.0) * t280;
+    let t292 = t291.add_product(t107, t287).sub_product(t118, t288).add_product(t127, t290);
+    let t293 = (t87 * t283).sub_product(t98, t285).sub_product(t109, t287).sub_product(t120, t288)
+        .sub_product(t129, t290).sub_product(t136, t292);
+    let t294 = (t89 * t283).sub_product(t100, t285).sub_product(t111, t287).sub_product(t122, t288)
+        .sub_product(t131, t290).sub_product(t138, t292).sub_product(t143, t293);
+    let t295 = (t144 * t293).sub_product(t149, t294);
+    let t296 = (t91 * t283).sub_product(t102, t285).sub_product(t113, t287).sub_product(t124, t288)
+        .sub_product(t133, t290).sub_product(t140, t292).sub_product(t146, t293).sub_product(t151,
+        t294).sub_product(t156, t295) * t157;
+    let t297 = (t295 * t154).sub_product(t156, t296);
+    let t298 = (t294 * t147).sub_product(t149, t297).sub_product(t151, t296);
+    let t299 = (t293 * t141).sub_product(t143, t298).add_product(t144, t297).sub_product(t146,
+        t296);
+    let t300 = (t292 * t134).sub_product(t136, t299).sub_product(t138, t298).sub_product(t140,
+        t296);
+    let t301 = (-(t290 * t125)).add_product(t127, t300).sub_product(t129, t299).sub_product(t131,
+        t298).sub_product(t133, t296);
+    let t302 = (t288 * t114).sub_product(t116, t301).sub_product(t118, t300).sub_product(t120, t299)
+        .sub_product(t122, t298).sub_product(t124, t296);
+    let t303 = (t287 * t103).sub_product(t105, t302).sub_product(t106, t301).add_product(t107, t300)
+        .sub_product(t109, t299).sub_product(t111, t298).sub_product(t113, t296);
+    let t304 = (t285 * t92).sub_product(t94, t303).sub_product(t96, t302).sub_product(t98, t299)
+        .sub_product(t100, t298).sub_product(t102, t296);
+    let t305 = (-(t283 * t80)).add_product(t82, t304).add_product(t83, t303).add_product(t85, t302)
+        .add_product(t87, t299).add_product(t89, t298).add_product(t91, t296);
+    let t306 = (-(t71 * t304).add_product(t69, t305)).add_product(t74, t299).sub_product(t77, t298)
+        .sub_product(t79, t296);
+    let t307 = (-(t57 * t305).add_product(t55, t306).add_product(t58, t304).add_product(t61, t299))
+        .add_product(t63, t298).add_product(t65, t296);
+    let t308 = (t48 * t306).add_product(t46, t307).add_product(t50, t296);
+    let t309 = (t38 * t307).sub_product(t36, t308).add_product(t36, t306).sub_product(t40, t296);
+    let drum_v_y_dot_by_spring_stiffness = (t31 * t297)
+        .sub_product(R::literal(0.666_666_666_666_666_6), bobbin_y_minus_drum_y_over_between
+        * t297);
+    let drum_v_x_dot_by_spring_stiffness = (t30 * t297)
+        .sub_product(R::literal(0.666_666_666_666_666_6), bobbin_x_minus_drum_x_over_between
+        * t297);
+    let bobbin_v_y_dot_by_spring_stiffness = -(t29 * t297).add_product(inverse_bobbin_mass, t298);
+    let bobbin_v_x_dot_by_spring_stiffness = -(t28 * t297).add_product(inverse_bobbin_mass, t299);
+    let rod_omega_dot_by_spring_stiffness = (t26 * t301)
+        .sub_product(R::literal(4_166.666_666_666_667), t303).sub_product(t27, t300);
+    let rod_v_y_dot_by_spring_stiffness = -t291.add_product(t25, t302).add_product(R::literal(5.0),
+        t300);
+    let rod_v_x_dot_by_spring_stiffness = (-t289).add_product(t24, t302)
         .sub_product(R::literal(5.0), t301);
-    let rod_v_x_dot_by_spring_stiffness = (-t290)
-        .add_product(t23, t303)
-        .sub_product(R::literal(5.0), t302);
-    let cylinder_omega_dot_by_spring_stiffness = (-(t283
-        * R::literal(2_777.777_777_777_778)))
-        .sub_product(t20, t306)
-        .add_product(t21, t305)
-        .sub_product(R::literal(-2_777.777_777_777_778), t304)
-        .add_product(t22, t303);
-    let cylinder_v_y_dot_by_spring_stiffness = t286
-        .sub_product(R::literal(3.333_333_333_333_333_5), t305)
-        .add_product(t19, t303);
-    let cylinder_v_x_dot_by_spring_stiffness = t284
-        .sub_product(R::literal(3.333_333_333_333_333_5), t306)
-        .sub_product(t18, t303);
-    let plate_omega_dot_by_spring_stiffness = (t15 * t307)
-        .sub_product(t14, t308)
-        .sub_product(t14, t306)
-        .add_product(t15, t305)
-        .add_product(t16, t300)
-        .sub_product(t17, t299);
-    let plate_v_y_dot_by_spring_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
-        * t305))
+    let cylinder_omega_dot_by_spring_stiffness = (-t286.add_product(t21, t305)).add_product(t22,
+        t304).add_product(R::literal(2_777.777_777_777_778), t303).add_product(t23, t302);
+    let cylinder_v_y_dot_by_spring_stiffness = t284
+        .sub_product(R::literal(3.333_333_333_333_333_5), t304).add_product(t20, t302);
+    let cylinder_v_x_dot_by_spring_stiffness = t282
+        .sub_product(R::literal(3.333_333_333_333_333_5), t305).sub_product(t19, t302);
+    let plate_omega_dot_by_spring_stiffness = (t16 * t306).sub_product(t15, t307).sub_product(t15,
+        t305).add_product(t16, t304).add_product(t17, t299).sub_product(t18, t298);
+    let plate_v_y_dot_by_spring_stiffness = (R::literal(0.833_333_333_333_333_4) * t304)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t306)
+        .add_product(R::literal(0.833_333_333_333_333_4), t298);
+    let plate_v_x_dot_by_spring_stiffness = (R::literal(0.833_333_333_333_333_4) * t305)
         .sub_product(R::literal(0.833_333_333_333_333_4), t307)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t299);
-    let plate_v_x_dot_by_spring_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
-        * t306))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t308)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t300);
-    let post_omega_dot_by_spring_stiffness = (t12 * t309)
-        .sub_product(t11, t310)
-        .sub_product(t11, t308)
-        .add_product(t12, t307)
-        .sub_product(t13, t297);
-    let post_v_y_dot_by_spring_stiffness = (-(R::literal(-1.25) * t307))
-        .sub_product(R::literal(1.25), t309);
-    let post_v_x_dot_by_spring_stiffness = (-(R::literal(-1.25) * t308))
-        .sub_product(R::literal(1.25), t310);
-    let t311 = R::literal(3.333_333_333_333_333_5) * t206;
-    let t312 = t311.sub_product(t20, t207);
-    let t313 = R::literal(3.333_333_333_333_333_5) * t208;
-    let t314 = t313.add_product(t21, t207).sub_product(t81, t312);
-    let t315 = (-(R::literal(-2_777.777_777_777_778) * t207))
-        .add_product(t83, t312)
-        .sub_product(t94, t314);
-    let t316 = (t18 * t206)
-        .sub_product(t19, t208)
-        .add_product(t22, t207)
-        .add_product(t23, t206)
-        .sub_product(t24, t208)
-        .sub_product(t85, t312)
-        .sub_product(t96, t314)
-        .sub_product(t105, t315);
-    let t317 = R::literal(5.0) * t206;
-    let t318 = (-t317).sub_product(t106, t315).sub_product(t116, t316);
-    let t319 = R::literal(5.0) * t208;
-    let t320 = (-t319)
-        .add_product(t107, t315)
-        .sub_product(t118, t316)
-        .sub_product(t127, t318);
-    let t321 = (-(t87 * t312))
-        .sub_product(t98, t314)
-        .sub_product(t109, t315)
-        .sub_product(t120, t316)
-        .sub_product(t129, t318)
-        .sub_product(t136, t320);
-    let t322 = (-(t89 * t312))
-        .sub_product(t100, t314)
-        .sub_product(t111, t315)
-        .sub_product(t122, t316)
-        .sub_product(t131, t318)
-        .sub_product(t138, t320)
-        .sub_product(t143, t321);
+        .add_product(R::literal(0.833_333_333_333_333_4), t299);
+    let post_omega_dot_by_spring_stiffness = (-(t13 * t308).add_product(t12, t309).add_product(t12,
+        t307)).add_product(t13, t306).sub_product(t14, t296);
+    let post_v_y_dot_by_spring_stiffness = (R::literal(1.25) * t306).add_product(R::literal(1.25),
+        t308);
+    let post_v_x_dot_by_spring_stiffness = (R::literal(1.25) * t307).sub_product(R::literal(1.25),
+        t309);
+    let t310 = R::literal(3.333_333_333_333_333_5) * t205;
+    let t311 = t310.sub_product(t21, t206);
+    let t312 = R::literal(3.333_333_333_333_333_5) * t207;
+    let t313 = t312.add_product(t22, t206).add_product(t82, t311);
+    let t314 = R::literal(2_777.777_777_777_778) * t206;
+    let t315 = t314.add_product(t83, t311).sub_product(t94, t313);
+    let t316 = (t19 * t205).sub_product(t20, t207).add_product(t23, t206).add_product(t24, t205)
+        .sub_product(t25, t207).add_product(t85, t311).sub_product(t96, t313).sub_product(t105,
+        t315);
+    let t317 = R::literal(5.0) * t205;
+    let t318 = t317.add_product(t106, t315).add_product(t116, t316);
+    let t319 = R::literal(5.0) * t207;
+    let t320 = (-t319).add_product(t107, t315).sub_product(t118, t316).sub_product(t127, t318);
+    let t321 = (t87 * t311).sub_product(t98, t313).sub_product(t109, t315).sub_product(t120, t316)
+        .add_product(t129, t318).sub_product(t136, t320);
+    let t322 = (t89 * t311).sub_product(t100, t313).sub_product(t111, t315).sub_product(t122, t316)
+        .add_product(t131, t318).sub_product(t138, t320).sub_product(t143, t321);
     let t323 = (t144 * t321).sub_product(t149, t322);
-    let t324 = (-(t91 * t312))
-        .sub_product(t102, t314)
-        .sub_product(t113, t315)
-        .sub_product(t124, t316)
-        .sub_product(t133, t318)
-        .sub_product(t140, t320)
-        .sub_product(t146, t321)
-        .sub_product(t151, t322)
-        .sub_product(t156, t323) * t157;
+    let t324 = (t91 * t311).sub_product(t102, t313).sub_product(t113, t315).sub_product(t124, t316)
+        .add_product(t133, t318).sub_product(t140, t320).sub_product(t146, t321).sub_product(t151,
+        t322).sub_product(t156, t323) * t157;
     let t325 = (t323 * t154).sub_product(t156, t324);
     let t326 = (t322 * t147).sub_product(t149, t325).sub_product(t151, t324);
-    let t327 = (t321 * t141)
-        .sub_product(t143, t326)
-        .add_product(t144, t325)
-        .sub_product(t146, t324);
-    let t328 = (t320 * t134)
-        .sub_product(t136, t327)
-        .sub_product(t138, t326)
-        .sub_product(t140, t324);
-    let t329 = (t318 * t125)
-        .sub_product(t127, t328)
-        .sub_product(t129, t327)
-        .sub_product(t131, t326)
+    let t327 = (t321 * t141).sub_product(t143, t326).add_product(t144, t325).sub_product(t146,
+        t324);
+    let t328 = (t320 * t134).sub_product(t136, t327).sub_product(t138, t326).sub_product(t140,
+        t324);
+    let t329 = (t318 * t125).add_product(t127, t328).sub_product(t129, t327).sub_product(t131, t326)
         .sub_product(t133, t324);
-    let t330 = (t316 * t114)
-        .sub_product(t116, t329)
-        .sub_product(t118, t328)
-        .sub_product(t120, t327)
-        .sub_product(t122, t326)
-        .sub_product(t124, t324);
-    let t331 = (t315 * t103)
-        .sub_product(t105, t330)
-        .sub_product(t106, t329)
-        .add_product(t107, t328)
-        .sub_product(t109, t327)
-        .sub_product(t111, t326)
-        .sub_product(t113, t324);
-    let t332 = (t314 * t92)
-        .sub_product(t94, t331)
-        .sub_product(t96, t330)
-        .sub_product(t98, t327)
-        .sub_product(t100, t326)
-        .sub_product(t102, t324);
-    let t333 = (t312 * t79)
-        .sub_product(t81, t332)
-        .add_product(t83, t331)
-        .sub_product(t85, t330)
-        .sub_product(t87, t327)
-        .sub_product(t89, t326)
-        .sub_product(t91, t324);
-    let t334 = (-(t70 * t332))
-        .sub_product(t68, t333)
-        .sub_product(t73, t327)
-        .sub_product(t76, t326)
-        .sub_product(t78, t324);
-    let t335 = (-(t56 * t333))
-        .sub_product(t54, t334)
-        .sub_product(t57, t332)
-        .sub_product(t60, t327)
-        .add_product(t62, t326)
-        .sub_product(t64, t324);
-    let t336 = (-(t47 * t334)).sub_product(t45, t335).sub_product(t49, t324);
-    let t337 = (-(t37 * t335))
-        .sub_product(t35, t336)
-        .sub_product(t35, t334)
-        .add_product(t39, t324);
-    let drum_v_y_dot_by_spring_free_length = (t30 * t325)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_y_minus_drum_y_over_between * t325,
-        );
-    let drum_v_x_dot_by_spring_free_length = (t29 * t325)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t325,
-        );
-    let bobbin_v_y_dot_by_spring_free_length = (-(t28 * t325))
-        .sub_product(inverse_bobbin_mass, t326);
-    let bobbin_v_x_dot_by_spring_free_length = (-(t27 * t325))
-        .sub_product(inverse_bobbin_mass, t327);
-    let rod_omega_dot_by_spring_free_length = (t25 * t329)
-        .sub_product(R::literal(4_166.666_666_666_667), t331)
-        .sub_product(t26, t328);
-    let rod_v_y_dot_by_spring_free_length = t319
-        .sub_product(t24, t330)
+    let t330 = (t316 * t114).sub_product(t116, t329).sub_product(t118, t328).sub_product(t120, t327)
+        .sub_product(t122, t326).sub_product(t124, t324);
+    let t331 = (t315 * t103).sub_product(t105, t330).sub_product(t106, t329).add_product(t107, t328)
+        .sub_product(t109, t327).sub_product(t111, t326).sub_product(t113, t324);
+    let t332 = (t313 * t92).sub_product(t94, t331).sub_product(t96, t330).sub_product(t98, t327)
+        .sub_product(t100, t326).sub_product(t102, t324);
+    let t333 = (-(t311 * t80)).add_product(t82, t332).add_product(t83, t331).add_product(t85, t330)
+        .add_product(t87, t327).add_product(t89, t326).add_product(t91, t324);
+    let t334 = (-(t71 * t332).add_product(t69, t333)).add_product(t74, t327).sub_product(t77, t326)
+        .sub_product(t79, t324);
+    let t335 = (-(t57 * t333).add_product(t55, t334).add_product(t58, t332).add_product(t61, t327))
+        .add_product(t63, t326).add_product(t65, t324);
+    let t336 = (t48 * t334).add_product(t46, t335).add_product(t50, t324);
+    let t337 = (t38 * t335).sub_product(t36, t336).add_product(t36, t334).sub_product(t40, t324);
+    let drum_v_y_dot_by_spring_free_length = (t31 * t325)
+        .sub_product(R::literal(0.666_666_666_666_666_6), bobbin_y_minus_drum_y_over_between
+        * t325);
+    let drum_v_x_dot_by_spring_free_length = (t30 * t325)
+        .sub_product(R::literal(0.666_666_666_666_666_6), bobbin_x_minus_drum_x_over_between
+        * t325);
+    let bobbin_v_y_dot_by_spring_free_length = -(t29 * t325).add_product(inverse_bobbin_mass, t326);
+    let bobbin_v_x_dot_by_spring_free_length = -(t28 * t325).add_product(inverse_bobbin_mass, t327);
+    let rod_omega_dot_by_spring_free_length = (t26 * t329)
+        .sub_product(R::literal(4_166.666_666_666_667), t331).sub_product(t27, t328);
+    let rod_v_y_dot_by_spring_free_length = t319.sub_product(t25, t330)
         .sub_product(R::literal(5.0), t328);
-    let rod_v_x_dot_by_spring_free_length = t317
-        .add_product(t23, t330)
+    let rod_v_x_dot_by_spring_free_length = t317.add_product(t24, t330)
         .sub_product(R::literal(5.0), t329);
-    let cylinder_omega_dot_by_spring_free_length = (t207
-        * R::literal(2_777.777_777_777_778))
-        .sub_product(t20, t333)
-        .add_product(t21, t332)
-        .sub_product(R::literal(-2_777.777_777_777_778), t331)
-        .add_product(t22, t330);
-    let cylinder_v_y_dot_by_spring_free_length = (-t313)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t332)
-        .add_product(t19, t330);
-    let cylinder_v_x_dot_by_spring_free_length = (-t311)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t333)
-        .sub_product(t18, t330);
-    let plate_omega_dot_by_spring_free_length = (t15 * t334)
-        .sub_product(t14, t335)
-        .sub_product(t14, t333)
-        .add_product(t15, t332)
-        .add_product(t16, t327)
-        .sub_product(t17, t326);
-    let plate_v_y_dot_by_spring_free_length = (-(R::literal(-0.833_333_333_333_333_4)
-        * t332))
+    let cylinder_omega_dot_by_spring_free_length = t314.sub_product(t21, t333).add_product(t22,
+        t332).add_product(R::literal(2_777.777_777_777_778), t331).add_product(t23, t330);
+    let cylinder_v_y_dot_by_spring_free_length = (-t312
+        .add_product(R::literal(3.333_333_333_333_333_5), t332)).add_product(t20, t330);
+    let cylinder_v_x_dot_by_spring_free_length = -t310
+        .add_product(R::literal(3.333_333_333_333_333_5), t333).add_product(t19, t330);
+    let plate_omega_dot_by_spring_free_length = (t16 * t334).sub_product(t15, t335)
+        .sub_product(t15, t333).add_product(t16, t332).add_product(t17, t327).sub_product(t18,
+        t326);
+    let plate_v_y_dot_by_spring_free_length = (R::literal(0.833_333_333_333_333_4) * t332)
         .sub_product(R::literal(0.833_333_333_333_333_4), t334)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t326);
-    let plate_v_x_dot_by_spring_free_length = (-(R::literal(-0.833_333_333_333_333_4)
-        * t333))
+        .add_product(R::literal(0.833_333_333_333_333_4), t326);
+    let plate_v_x_dot_by_spring_free_length = (R::literal(0.833_333_333_333_333_4) * t333)
         .sub_product(R::literal(0.833_333_333_333_333_4), t335)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t327);
-    let post_omega_dot_by_spring_free_length = (t12 * t336)
-        .sub_product(t11, t337)
-        .sub_product(t11, t335)
-        .add_product(t12, t334)
-        .sub_product(t13, t324);
-    let post_v_y_dot_by_spring_free_length = (-(R::literal(-1.25) * t334))
-        .sub_product(R::literal(1.25), t336);
-    let post_v_x_dot_by_spring_free_length = (-(R::literal(-1.25) * t335))
+        .add_product(R::literal(0.833_333_333_333_333_4), t327);
+    let post_omega_dot_by_spring_free_length = (-(t13 * t336).add_product(t12, t337)
+        .add_product(t12, t335)).add_product(t13, t334).sub_product(t14, t324);
+    let post_v_y_dot_by_spring_free_length = (R::literal(1.25) * t334)
+        .add_product(R::literal(1.25), t336);
+    let post_v_x_dot_by_spring_free_length = (R::literal(1.25) * t335)
         .sub_product(R::literal(1.25), t337);
-    [
-        post_v_x_dot_by_bobbin_radius,
-        post_v_x_dot_by_winding_force,
-        post_v_x_dot_by_bobbin_mass,
-        post_v_x_dot_by_spring_stiffness,
-        post_v_x_dot_by_spring_free_length,
-        post_v_y_dot_by_bobbin_radius,
-        post_v_y_dot_by_winding_force,
-        post_v_y_dot_by_bobbin_mass,
-        post_v_y_dot_by_spring_stiffness,
-        post_v_y_dot_by_spring_free_length,
-        post_omega_dot_by_bobbin_radius,
-        post_omega_dot_by_winding_force,
-        post_omega_dot_by_bobbin_mass,
-        post_omega_dot_by_spring_stiffness,
-        post_omega_dot_by_spring_free_length,
-        plate_v_x_dot_by_bobbin_radius,
-        plate_v_x_dot_by_winding_force,
-        plate_v_x_dot_by_bobbin_mass,
-        plate_v_x_dot_by_spring_stiffness,
-        plate_v_x_dot_by_spring_free_length,
-        plate_v_y_dot_by_bobbin_radius,
-        plate_v_y_dot_by_winding_force,
-        plate_v_y_dot_by_bobbin_mass,
-        plate_v_y_dot_by_spring_stiffness,
-        plate_v_y_dot_by_spring_free_length,
-        plate_omega_dot_by_bobbin_radius,
-        plate_omega_dot_by_winding_force,
-        plate_omega_dot_by_bobbin_mass,
-        plate_omega_dot_by_spring_stiffness,
-        plate_omega_dot_by_spring_free_length,
-        cylinder_v_x_dot_by_bobbin_radius,
-        cylinder_v_x_dot_by_winding_force,
-        cylinder_v_x_dot_by_bobbin_mass,
-        cylinder_v_x_dot_by_spring_stiffness,
-        cylinder_v_x_dot_by_spring_free_length,
-        cylinder_v_y_dot_by_bobbin_radius,
-        cylinder_v_y_dot_by_winding_force,
-        cylinder_v_y_dot_by_bobbin_mass,
-        cylinder_v_y_dot_by_spring_stiffness,
-        cylinder_v_y_dot_by_spring_free_length,
-        cylinder_omega_dot_by_bobbin_radius,
-        cylinder_omega_dot_by_winding_force,
-        cylinder_omega_dot_by_bobbin_mass,
-        cylinder_omega_dot_by_spring_stiffness,
-        cylinder_omega_dot_by_spring_free_length,
-        rod_v_x_dot_by_bobbin_radius,
-        rod_v_x_dot_by_winding_force,
-        rod_v_x_dot_by_bobbin_mass,
-        rod_v_x_dot_by_spring_stiffness,
-        rod_v_x_dot_by_spring_free_length,
-        rod_v_y_dot_by_bobbin_radius,
-        rod_v_y_dot_by_winding_force,
-        rod_v_y_dot_by_bobbin_mass,
-        rod_v_y_dot_by_spring_stiffness,
-        rod_v_y_dot_by_spring_free_length,
-        rod_omega_dot_by_bobbin_radius,
-        rod_omega_dot_by_winding_force,
-        rod_omega_dot_by_bobbin_mass,
-        rod_omega_dot_by_spring_stiffness,
-        rod_omega_dot_by_spring_free_length,
-        bobbin_v_x_dot_by_bobbin_radius,
-        bobbin_v_x_dot_by_winding_force,
-        bobbin_v_x_dot_by_bobbin_mass,
-        bobbin_v_x_dot_by_spring_stiffness,
-        bobbin_v_x_dot_by_spring_free_length,
-        bobbin_v_y_dot_by_bobbin_radius,
-        bobbin_v_y_dot_by_winding_force,
-        bobbin_v_y_dot_by_bobbin_mass,
-        bobbin_v_y_dot_by_spring_stiffness,
-        bobbin_v_y_dot_by_spring_free_length,
-        drum_v_x_dot_by_bobbin_radius,
-        drum_v_x_dot_by_winding_force,
-        drum_v_x_dot_by_bobbin_mass,
-        drum_v_x_dot_by_spring_stiffness,
-        drum_v_x_dot_by_spring_free_length,
-        drum_v_y_dot_by_bobbin_radius,
-        drum_v_y_dot_by_winding_force,
-        drum_v_y_dot_by_bobbin_mass,
-        drum_v_y_dot_by_spring_stiffness,
-        drum_v_y_dot_by_spring_free_length,
-    ]
+    [post_v_x_dot_by_bobbin_radius, post_v_x_dot_by_winding_force, post_v_x_dot_by_bobbin_mass,
+        post_v_x_dot_by_spring_stiffness, post_v_x_dot_by_spring_free_length,
+        post_v_y_dot_by_bobbin_radius, post_v_y_dot_by_winding_force, post_v_y_dot_by_bobbin_mass,
+        post_v_y_dot_by_spring_stiffness, post_v_y_dot_by_spring_free_length,
+        post_omega_dot_by_bobbin_radius, post_omega_dot_by_winding_force,
+        post_omega_dot_by_bobbin_mass, post_omega_dot_by_spring_stiffness,
+        post_omega_dot_by_spring_free_length, plate_v_x_dot_by_bobbin_radius,
+        plate_v_x_dot_by_winding_force, plate_v_x_dot_by_bobbin_mass,
+        plate_v_x_dot_by_spring_stiffness, plate_v_x_dot_by_spring_free_length,
+        plate_v_y_dot_by_bobbin_radius, plate_v_y_dot_by_winding_force,
+        plate_v_y_dot_by_bobbin_mass, plate_v_y_dot_by_spring_stiffness,
+        plate_v_y_dot_by_spring_free_length, plate_omega_dot_by_bobbin_radius,
+        plate_omega_dot_by_winding_force, plate_omega_dot_by_bobbin_mass,
+        plate_omega_dot_by_spring_stiffness, plate_omega_dot_by_spring_free_length,
+        cylinder_v_x_dot_by_bobbin_radius, cylinder_v_x_dot_by_winding_force,
+        cylinder_v_x_dot_by_bobbin_mass, cylinder_v_x_dot_by_spring_stiffness,
+        cylinder_v_x_dot_by_spring_free_length, cylinder_v_y_dot_by_bobbin_radius,
+        cylinder_v_y_dot_by_winding_force, cylinder_v_y_dot_by_bobbin_mass,
+        cylinder_v_y_dot_by_spring_stiffness, cylinder_v_y_dot_by_spring_free_length,
+        cylinder_omega_dot_by_bobbin_radius, cylinder_omega_dot_by_winding_force,
+        cylinder_omega_dot_by_bobbin_mass, cylinder_omega_dot_by_spring_stiffness,
+        cylinder_omega_dot_by_spring_free_length, rod_v_x_dot_by_bobbin_radius,
+        rod_v_x_dot_by_winding_force, rod_v_x_dot_by_bobbin_mass, rod_v_x_dot_by_spring_stiffness,
+        rod_v_x_dot_by_spring_free_length, rod_v_y_dot_by_bobbin_radius,
+        rod_v_y_dot_by_winding_force, rod_v_y_dot_by_bobbin_mass, rod_v_y_dot_by_spring_stiffness,
+        rod_v_y_dot_by_spring_free_length, rod_omega_dot_by_bobbin_radius,
+        rod_omega_dot_by_winding_force, rod_omega_dot_by_bobbin_mass,
+        rod_omega_dot_by_spring_stiffness, rod_omega_dot_by_spring_free_length,
+        bobbin_v_x_dot_by_bobbin_radius, bobbin_v_x_dot_by_winding_force,
+        bobbin_v_x_dot_by_bobbin_mass, bobbin_v_x_dot_by_spring_stiffness,
+        bobbin_v_x_dot_by_spring_free_length, bobbin_v_y_dot_by_bobbin_radius,
+        bobbin_v_y_dot_by_winding_force, bobbin_v_y_dot_by_bobbin_mass,
+        bobbin_v_y_dot_by_spring_stiffness, bobbin_v_y_dot_by_spring_free_length,
+        drum_v_x_dot_by_bobbin_radius, drum_v_x_dot_by_winding_force, drum_v_x_dot_by_bobbin_mass,
+        drum_v_x_dot_by_spring_stiffness, drum_v_x_dot_by_spring_free_length,
+        drum_v_y_dot_by_bobbin_radius, drum_v_y_dot_by_winding_force, drum_v_y_dot_by_bobbin_mass,
+        drum_v_y_dot_by_spring_stiffness, drum_v_y_dot_by_spring_free_length]
 }
 
-/// Partial derivative of `y'` with respect to time.
-///
-/// No operations.
+/// Partial derivative of `y'` with respect to time. No operations.
 #[must_use]
-pub fn time_derivative<R: Real>(
-    _time: R,
-    _state: &[R; STATES],
-    _p: &Parameters<R>,
-) -> [R; STATES] {
-    [
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-    ]
+pub fn time_derivative<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
+    [R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0)]
 }
 
-/// Wanted outputs.
-///
-/// 800 operations.
+/// Wanted outputs. 780 operations.
 #[must_use]
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
-    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x,
-    rod_y, rod_phi, bobbin_x, bobbin_y, bobbin_phi, drum_x, drum_y, drum_phi, _, _,
-    post_omega, _, _, plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x,
-    rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, _, drum_v_x, drum_v_y, ..] = *state;
-    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
-    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
-        post_phi,
-        plate_phi,
-        cylinder_phi,
-        rod_phi,
-    ]);
+    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y,
+        rod_phi, bobbin_x, bobbin_y, bobbin_phi, drum_x, drum_y, drum_phi, _, _, post_omega, _, _,
+        plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, rod_omega,
+        bobbin_v_x, bobbin_v_y, _, drum_v_x, drum_v_y, ..] = *state;
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi), (sin_cylinder_phi,
+        cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([post_phi, plate_phi,
+        cylinder_phi, rod_phi]);
     let t0 = R::literal(0.1) * cos_post_phi;
     let t1 = R::literal(0.1) * sin_post_phi;
     let t2 = R::literal(0.06) * cos_plate_phi;
@@ -7632,447 +3669,292 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let between = (bobbin_x_minus_drum_x_squared + bobbin_y_minus_drum_y_squared).sqrt();
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
-        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let t7 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
-        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
-    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
-        .add_product(cylinder_omega, t7)
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi).add_product(rod_y_minus_cylinder_y,
+        sin_cylinder_phi);
+    let t7 = (rod_y_minus_cylinder_y * cos_cylinder_phi).sub_product(rod_x_minus_cylinder_x,
+        sin_cylinder_phi);
+    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi).add_product(cylinder_omega, t7)
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
-    let t8 = (R::literal(0.044) * sin_post_phi)
-        .add_product(R::literal(0.143), cos_post_phi);
-    let t9 = (R::literal(0.01) * sin_plate_phi)
-        .add_product(R::literal(0.1), cos_plate_phi);
-    let t10 = (R::literal(0.01) * cos_plate_phi)
-        .sub_product(R::literal(0.1), sin_plate_phi);
+    let t8 = (R::literal(0.044) * sin_post_phi).add_product(R::literal(0.143), cos_post_phi);
+    let t9 = sin_plate_phi.add_product(R::literal(10.0), cos_plate_phi);
+    let t10 = R::literal(0.01) * t9;
+    let t11 = (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi);
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
     let bobbin_y_minus_drum_y_over_between = bobbin_y_minus_drum_y / between;
-    let t11 = R::literal(37.037_037_037_037_03) * sin_post_phi;
-    let t12 = R::literal(37.037_037_037_037_03) * cos_post_phi;
-    let t13 = t8 * R::literal(370.370_370_370_370_3);
-    let t14 = R::literal(24.0) * sin_plate_phi;
-    let t15 = R::literal(24.0) * cos_plate_phi;
-    let t16 = t9 * R::literal(400.0);
-    let t17 = t10 * R::literal(400.0);
-    let t18 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t19 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t20 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
-    let t21 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
-    let t22 = slide * R::literal(2_777.777_777_777_778);
-    let t23 = sin_cylinder_phi * R::literal(5.0);
-    let t24 = cos_cylinder_phi * R::literal(5.0);
-    let t25 = R::literal(250.0) * sin_rod_phi;
-    let t26 = R::literal(250.0) * cos_rod_phi;
+    let t12 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t13 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t14 = t8 * R::literal(370.370_370_370_370_3);
+    let t15 = R::literal(24.0) * sin_plate_phi;
+    let t16 = R::literal(24.0) * cos_plate_phi;
+    let t17 = R::literal(4.0) * t9;
+    let t18 = t11 * R::literal(400.0);
+    let t19 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t20 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t21 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t22 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t23 = slide * R::literal(2_777.777_777_777_778);
+    let t24 = sin_cylinder_phi * R::literal(5.0);
+    let t25 = cos_cylinder_phi * R::literal(5.0);
+    let t26 = R::literal(250.0) * sin_rod_phi;
+    let t27 = R::literal(250.0) * cos_rod_phi;
     let inverse_bobbin_mass = R::literal(1.0) / p.bobbin_mass;
-    let t27 = bobbin_x_minus_drum_x_over_between * inverse_bobbin_mass;
-    let t28 = bobbin_y_minus_drum_y_over_between * inverse_bobbin_mass;
-    let t29 = t11 * t1;
-    let t30 = R::literal(-1.25) - t29;
-    let t31 = R::literal(1.0) / t30;
-    let t32 = t12 * t1;
-    let t33 = t32 * t31;
-    let t34 = R::literal(1.25) - t29;
-    let t35 = t34 * t31;
-    let t36 = t13 * t1;
-    let t37 = t36 * t31;
-    let t38 = t12 * t0;
-    let t39 = R::literal(-1.25) - t38;
-    let t40 = t33 * t32;
-    let t41 = R::literal(1.0) / (t39 - t40);
-    let t42 = (t11 * t0).sub_product(t35, t32);
-    let t43 = t42 * t41;
-    let t44 = R::literal(1.25) - t38 - t40;
-    let t45 = t44 * t41;
-    let t46 = (t13 * t0).add_product(t37, t32);
-    let t47 = t46 * t41;
-    let t48 = t14 * t3;
-    let t49 = R::literal(1.0)
-        / (t30 - R::literal(0.833_333_333_333_333_4) - t48)
-            .sub_product(t35, t34)
-            .sub_product(t43, t42);
-    let t50 = t15 * t3;
-    let t51 = (t32 + t50).sub_product(t33, t34).sub_product(t45, t42);
-    let t52 = t51 * t49;
-    let t53 = R::literal(0.833_333_333_333_333_4) - t48;
-    let t54 = t53 * t49;
-    let t55 = t50 * t49;
-    let t56 = t16 * t3;
-    let t57 = R::literal(0.833_333_333_333_333_4) + t56;
-    let t58 = t57 * t49;
-    let t59 = t17 * t3;
-    let t60 = t59 * t49;
-    let t61 = (-t36).add_product(t37, t34).sub_product(t47, t42);
-    let t62 = t61 * t49;
-    let t63 = t15 * t2;
-    let t64 = R::literal(1.0)
-        / (t39 - R::literal(0.833_333_333_333_333_4) - t63 - t40)
-            .sub_product(t45, t44)
-            .sub_product(t52, t51);
-    let t65 = (t14 * t2).sub_product(t54, t51);
-    let t66 = t65 * t64;
-    let t67 = (R::literal(0.833_333_333_333_333_4) - t63).sub_product(t55, t51);
-    let t68 = t67 * t64;
-    let t69 = -(t16 * t2);
-    let t70 = t69.sub_product(t58, t51);
-    let t71 = t70 * t64;
-    let t72 = t17 * t2;
-    let t73 = (R::literal(0.833_333_333_333_333_4) + t72).add_product(t60, t51);
-    let t74 = t73 * t64;
-    let t75 = t46.sub_product(t47, t44).sub_product(t62, t51);
-    let t76 = t75 * t64;
-    let t77 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t48
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t20, t5)
-            .sub_product(t54, t53)
-            .sub_product(t66, t65);
-    let t78 = t50.add_product(t21, t5).sub_product(t55, t53).sub_product(t68, t65);
-    let t79 = t78 * t77;
-    let t80 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
-    let t81 = t80 * t77;
-    let t82 = (-t18).add_product(t22, t5);
-    let t83 = t82 * t77;
-    let t84 = (R::literal(-0.833_333_333_333_333_4) + t56)
-        .sub_product(t58, t53)
-        .sub_product(t71, t65);
-    let t85 = t84 * t77;
-    let t86 = (-t59).add_product(t60, t53).sub_product(t74, t65);
-    let t87 = t86 * t77;
-    let t88 = (-(t62 * t53)).sub_product(t76, t65);
-    let t89 = t88 * t77;
-    let t90 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t63
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t21, t4)
-            .sub_product(t55, t50)
-            .sub_product(t68, t67)
-            .sub_product(t79, t78);
-    let t91 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
-        .add_product(t81, t78);
+    let t28 = bobbin_x_minus_drum_x_over_between * inverse_bobbin_mass;
+    let t29 = bobbin_y_minus_drum_y_over_between * inverse_bobbin_mass;
+    let t30 = t12 * t1;
+    let t31 = R::literal(1.25) + t30;
+    let t32 = R::literal(1.0) / t31;
+    let t33 = t13 * t1;
+    let t34 = t33 * t32;
+    let t35 = R::literal(1.25) - t30;
+    let t36 = t35 * t32;
+    let t37 = t14 * t1;
+    let t38 = t37 * t32;
+    let t39 = t13 * t0;
+    let t40 = R::literal(1.25) + t39;
+    let t41 = t34 * t33;
+    let t42 = R::literal(1.0) / (t41 - t40);
+    let t43 = (t12 * t0).add_product(t36, t33);
+    let t44 = t43 * t42;
+    let t45 = R::literal(1.25) - t39 + t41;
+    let t46 = t45 * t42;
+    let t47 = (t14 * t0).sub_product(t38, t33);
+    let t48 = t47 * t42;
+    let t49 = t15 * t3;
+    let t50 = R::literal(1.0) / (-(t31 + R::literal(0.833_333_333_333_333_4) + t49))
+        .add_product(t36, t35).sub_product(t44, t43);
+    let t51 = t16 * t3;
+    let t52 = (t33 + t51).add_product(t34, t35).sub_product(t46, t43);
+    let t53 = t52 * t50;
+    let t54 = R::literal(0.833_333_333_333_333_4) - t49;
+    let t55 = t54 * t50;
+    let t56 = t51 * t50;
+    let t57 = t17 * t3;
+    let t58 = R::literal(0.833_333_333_333_333_4) + t57;
+    let t59 = t58 * t50;
+    let t60 = t18 * t3;
+    let t61 = t60 * t50;
+    let t62 = t37.add_product(t38, t35).add_product(t48, t43);
+    let t63 = t62 * t50;
+    let t64 = t16 * t2;
+    let t65 = R::literal(1.0) / (t41 - (t40 + R::literal(0.833_333_333_333_333_4) + t64))
+        .sub_product(t46, t45).sub_product(t53, t52);
+    let t66 = (t15 * t2).sub_product(t55, t52);
+    let t67 = t66 * t65;
+    let t68 = (R::literal(0.833_333_333_333_333_4) - t64).sub_product(t56, t52);
+    let t69 = t68 * t65;
+    let t70 = t17 * t2;
+    let t71 = t70.add_product(t59, t52);
+    let t72 = t71 * t65;
+    let t73 = t18 * t2;
+    let t74 = (R::literal(0.833_333_333_333_333_4) + t73).add_product(t61, t52);
+    let t75 = t74 * t65;
+    let t76 = t47.sub_product(t48, t45).add_product(t63, t52);
+    let t77 = t76 * t65;
+    let t78 = R::literal(1.0) / (R::literal(0.833_333_333_333_333_4) + t49
+        + R::literal(3.333_333_333_333_333_5)).add_product(t21, t5).add_product(t55, t54)
+        .add_product(t67, t66);
+    let t79 = t51.add_product(t22, t5).sub_product(t56, t54).sub_product(t69, t66);
+    let t80 = t79 * t78;
+    let t81 = t21 * t78;
+    let t82 = (-t19).add_product(t23, t5);
+    let t83 = t82 * t78;
+    let t84 = (t57 - R::literal(0.833_333_333_333_333_4)).sub_product(t59, t54).add_product(t72,
+        t66);
+    let t85 = t84 * t78;
+    let t86 = (-t60).add_product(t61, t54).sub_product(t75, t66);
+    let t87 = t86 * t78;
+    let t88 = (t63 * t54).sub_product(t77, t66);
+    let t89 = t88 * t78;
+    let t90 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4) + t64
+        + R::literal(3.333_333_333_333_333_5)).add_product(t22, t4).add_product(t56, t51)
+        .add_product(t69, t68)).add_product(t80, t79);
+    let t91 = (-t22).add_product(t81, t79);
     let t92 = t91 * t90;
-    let t93 = t19.sub_product(t22, t4).sub_product(t83, t78);
+    let t93 = t20.sub_product(t23, t4).add_product(t83, t79);
     let t94 = t93 * t90;
-    let t95 = t69.sub_product(t58, t50).sub_product(t71, t67).sub_product(t85, t78);
+    let t95 = (-t70.add_product(t59, t51)).add_product(t72, t68).add_product(t85, t79);
     let t96 = t95 * t90;
-    let t97 = (R::literal(-0.833_333_333_333_333_4) + t72)
-        .add_product(t60, t50)
-        .sub_product(t74, t67)
-        .sub_product(t87, t78);
+    let t97 = (t73 - R::literal(0.833_333_333_333_333_4)).add_product(t61, t51).sub_product(t75,
+        t68).add_product(t87, t79);
     let t98 = t97 * t90;
-    let t99 = (-(t62 * t50)).sub_product(t76, t67).sub_product(t89, t78);
+    let t99 = (t63 * t51).sub_product(t77, t68).add_product(t89, t79);
     let t100 = t99 * t90;
-    let t101 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445).sub_product(t81, t80).sub_product(t92, t91);
-    let t102 = (-t22).add_product(t83, t80).sub_product(t94, t91);
+    let t101 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t81, t21)
+        .sub_product(t92, t91);
+    let t102 = (-t23).add_product(t83, t21).sub_product(t94, t91);
     let t103 = t102 * t101;
-    let t104 = t25 * t101;
-    let t105 = t26 * t101;
-    let t106 = (t85 * t80).sub_product(t96, t91);
+    let t104 = t26 * t101;
+    let t105 = t27 * t101;
+    let t106 = (t85 * t21).sub_product(t96, t91);
     let t107 = t106 * t101;
-    let t108 = (t87 * t80).sub_product(t98, t91);
+    let t108 = (t87 * t21).sub_product(t98, t91);
     let t109 = t108 * t101;
-    let t110 = (t89 * t80).sub_product(t100, t91);
+    let t110 = (t89 * t21).sub_product(t100, t91);
     let t111 = t110 * t101;
-    let t112 = R::literal(1.0)
-        / (-(t19 * cos_cylinder_phi))
-            .sub_product(t18, sin_cylinder_phi)
-            .sub_product(t22, slide)
-            .sub_product(t23, sin_cylinder_phi)
-            .sub_product(t24, cos_cylinder_phi)
-            .sub_product(t83, t82)
-            .sub_product(t94, t93)
-            .sub_product(t103, t102);
-    let t113 = t23.sub_product(t104, t102);
+    let t112 = R::literal(1.0) / (-(t19 * sin_cylinder_phi).add_product(t20, cos_cylinder_phi)
+        .add_product(t23, slide).add_product(t24, sin_cylinder_phi).add_product(t25,
+        cos_cylinder_phi)).add_product(t83, t82).sub_product(t94, t93).sub_product(t103, t102);
+    let t113 = t24.sub_product(t104, t102);
     let t114 = t113 * t112;
-    let t115 = (-t24).add_product(t105, t102);
+    let t115 = (-t25).add_product(t105, t102);
     let t116 = t115 * t112;
-    let t117 = (-(t85 * t82)).sub_product(t96, t93).sub_product(t107, t102);
+    let t117 = (t85 * t82).sub_product(t96, t93).sub_product(t107, t102);
     let t118 = t117 * t112;
-    let t119 = (-(t87 * t82)).sub_product(t98, t93).sub_product(t109, t102);
+    let t119 = (t87 * t82).sub_product(t98, t93).sub_product(t109, t102);
     let t120 = t119 * t112;
-    let t121 = (-(t89 * t82)).sub_product(t100, t93).sub_product(t111, t102);
+    let t121 = (t89 * t82).sub_product(t100, t93).sub_product(t111, t102);
     let t122 = t121 * t112;
-    let t123 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t25, t6)
-            .sub_product(t104, t25)
-            .sub_product(t114, t113);
-    let t124 = (t26 * t6).add_product(t105, t25).sub_product(t116, t113);
+    let t123 = R::literal(1.0) / R::literal(5.0).add_product(t26, t6).add_product(t104, t26)
+        .add_product(t114, t113);
+    let t124 = (t27 * t6).add_product(t105, t26).sub_product(t116, t113);
     let t125 = t124 * t123;
-    let t126 = (-(t107 * t25)).sub_product(t118, t113);
+    let t126 = (t107 * t26).add_product(t118, t113);
     let t127 = t126 * t123;
-    let t128 = (-(t109 * t25)).sub_product(t120, t113);
+    let t128 = (t109 * t26).add_product(t120, t113);
     let t129 = t128 * t123;
-    let t130 = (-(t111 * t25)).sub_product(t122, t113);
+    let t130 = (t111 * t26).add_product(t122, t113);
     let t131 = t130 * t123;
-    let t132 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t26, R::literal(0.06) * cos_rod_phi)
-            .sub_product(t105, t26)
-            .sub_product(t116, t115)
-            .sub_product(t125, t124);
-    let t133 = (t107 * t26).sub_product(t118, t115).sub_product(t127, t124);
+    let t132 = R::literal(1.0) / (-R::literal(5.0).add_product(t27, R::literal(0.06) * cos_rod_phi)
+        .add_product(t105, t27).add_product(t116, t115)).add_product(t125, t124);
+    let t133 = (t107 * t27).sub_product(t118, t115).sub_product(t127, t124);
     let t134 = t133 * t132;
-    let t135 = (t109 * t26).sub_product(t120, t115).sub_product(t129, t124);
+    let t135 = (t109 * t27).sub_product(t120, t115).sub_product(t129, t124);
     let t136 = t135 * t132;
-    let t137 = (t111 * t26).sub_product(t122, t115).sub_product(t131, t124);
+    let t137 = (t111 * t27).sub_product(t122, t115).sub_product(t131, t124);
     let t138 = t137 * t132;
-    let t139 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t16, t9)
-            - inverse_bobbin_mass)
-            .sub_product(t58, t57)
-            .sub_product(t71, t70)
-            .sub_product(t85, t84)
-            .sub_product(t96, t95)
-            .sub_product(t107, t106)
-            .sub_product(t118, t117)
-            .sub_product(t127, t126)
-            .sub_product(t134, t133);
-    let t140 = (t17 * t9)
-        .add_product(t60, t57)
-        .sub_product(t74, t70)
-        .sub_product(t87, t84)
-        .sub_product(t98, t95)
-        .sub_product(t109, t106)
-        .sub_product(t120, t117)
-        .sub_product(t129, t126)
-        .sub_product(t136, t133);
+    let t139 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t17, t10)
+        + inverse_bobbin_mass).add_product(t59, t58).add_product(t72, t71)).add_product(t85, t84)
+        .sub_product(t96, t95).sub_product(t107, t106).sub_product(t118, t117).add_product(t127,
+        t126).sub_product(t134, t133);
+    let t140 = (t18 * t10).add_product(t61, t58).add_product(t75, t71).add_product(t87, t84)
+        .sub_product(t98, t95).sub_product(t109, t106).sub_product(t120, t117).add_product(t129,
+        t126).sub_product(t136, t133);
     let t141 = t140 * t139;
-    let t142 = t27 * t139;
-    let t143 = (-(t62 * t57))
-        .sub_product(t76, t70)
-        .sub_product(t89, t84)
-        .sub_product(t100, t95)
-        .sub_product(t111, t106)
-        .sub_product(t122, t117)
-        .sub_product(t131, t126)
-        .sub_product(t138, t133);
+    let t142 = t28 * t139;
+    let t143 = (t63 * t58).add_product(t77, t71).add_product(t89, t84).sub_product(t100, t95)
+        .sub_product(t111, t106).sub_product(t122, t117).add_product(t131, t126).sub_product(t138,
+        t133);
     let t144 = t143 * t139;
-    let t145 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t10)
-            - inverse_bobbin_mass)
-            .sub_product(t60, t59)
-            .sub_product(t74, t73)
-            .sub_product(t87, t86)
-            .sub_product(t98, t97)
-            .sub_product(t109, t108)
-            .sub_product(t120, t119)
-            .sub_product(t129, t128)
-            .sub_product(t136, t135)
-            .sub_product(t141, t140);
-    let t146 = (-t28).add_product(t142, t140);
+    let t145 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t18, t11)
+        + inverse_bobbin_mass).add_product(t61, t60).add_product(t75, t74)).add_product(t87, t86)
+        .sub_product(t98, t97).sub_product(t109, t108).sub_product(t120, t119).add_product(t129,
+        t128).sub_product(t136, t135).sub_product(t141, t140);
+    let t146 = (-t29).add_product(t142, t140);
     let t147 = t146 * t145;
-    let t148 = (t62 * t59)
-        .sub_product(t76, t73)
-        .sub_product(t89, t86)
-        .sub_product(t100, t97)
-        .sub_product(t111, t108)
-        .sub_product(t122, t119)
-        .sub_product(t131, t128)
-        .sub_product(t138, t135)
-        .sub_product(t144, t140);
+    let t148 = (-(t63 * t60).add_product(t77, t74)).add_product(t89, t86).sub_product(t100, t97)
+        .sub_product(t111, t108).sub_product(t122, t119).add_product(t131, t128).sub_product(t138,
+        t135).sub_product(t144, t140);
     let t149 = t148 * t145;
     let t150 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6)
         * bobbin_x_minus_drum_x_over_between;
     let t151 = bobbin_y_minus_drum_y_over_between * R::literal(0.666_666_666_666_666_6)
         * bobbin_y_minus_drum_y_over_between;
-    let t152 = R::literal(1.0)
-        / (((-(t28 * bobbin_y_minus_drum_y_over_between))
-            .sub_product(t27, bobbin_x_minus_drum_x_over_between) - t150 - t151)
-            .sub_product(t142, t27)
-            .sub_product(t147, t146) + t150 + t151);
-    let t153 = (t144 * t27).sub_product(t149, t146);
+    let t152 = R::literal(1.0) / (t150 - ((t28 * bobbin_x_minus_drum_x_over_between)
+        .add_product(t29, bobbin_y_minus_drum_y_over_between) + t150 + t151).add_product(t142, t28)
+        .add_product(t147, t146) + t151);
+    let t153 = (t144 * t28).sub_product(t149, t146);
     let t154 = t153 * t152;
-    let t155 = R::literal(1.0)
-        / (-(t13 * t8))
-            .sub_product(t37, t36)
-            .sub_product(t47, t46)
-            .sub_product(t62, t61)
-            .sub_product(t76, t75)
-            .sub_product(t89, t88)
-            .sub_product(t100, t99)
-            .sub_product(t111, t110)
-            .sub_product(t122, t121)
-            .sub_product(t131, t130)
-            .sub_product(t138, t137)
-            .sub_product(t144, t143)
-            .sub_product(t149, t148)
-            .sub_product(t154, t153);
     let bobbin_radius_times_winding_force = p.bobbin_radius * p.winding_force;
-    let t156 = R::literal(50.0) * slide_rate;
-    let t157 = t156 * cos_cylinder_phi;
-    let t158 = p.spring_stiffness * (slide - p.spring_free_length);
-    let t159 = t158 * cos_cylinder_phi;
-    let t160 = t157 + t159;
-    let t161 = t158 * sin_cylinder_phi;
-    let t162 = t156 * sin_cylinder_phi;
-    let t163 = t162 - (R::literal(2.943) - t161);
-    let t164 = (-(t158 * t7)).sub_product(t156, t7);
-    let t165 = -t157 - t159;
-    let t166 = -t162 - (R::literal(1.962) + t161);
-    let t167 = p.winding_force * bobbin_y_minus_drum_y / between;
-    let t168 = (p.winding_force * bobbin_x_minus_drum_x / between)
-        .sub_product(R::literal(9.81), p.bobbin_mass);
+    let t155 = R::literal(50.0) * slide_rate;
+    let t156 = p.spring_stiffness * (slide - p.spring_free_length);
+    let t157 = (t156 * cos_cylinder_phi).add_product(t155, cos_cylinder_phi);
+    let t158 = t156 * sin_cylinder_phi;
+    let t159 = t155 * sin_cylinder_phi;
+    let t160 = t159 - (R::literal(2.943) - t158);
+    let t161 = (t156 * t7).add_product(t155, t7);
+    let t162 = t159 + (R::literal(1.962) + t158);
+    let t163 = p.winding_force * bobbin_y_minus_drum_y / between;
+    let t164 = (p.winding_force * bobbin_x_minus_drum_x / between).sub_product(R::literal(9.81),
+        p.bobbin_mass);
     let post_omega_squared = post_omega * post_omega;
-    let t169 = R::literal(0.1) * post_omega_squared;
-    let t170 = t169 * cos_post_phi;
-    let t171 = t169 * sin_post_phi;
+    let t165 = R::literal(0.1) * post_omega_squared;
+    let t166 = t165 * cos_post_phi;
+    let t167 = t165 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t172 = R::literal(0.06) * plate_omega_squared;
+    let t168 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t173 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t169 = R::literal(0.06) * (rod_omega * rod_omega);
     let between_squared_times_between = between * between * between;
-    let t174 = bobbin_v_x * bobbin_x_minus_drum_x_squared
-        / between_squared_times_between;
-    let t175 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t170 = bobbin_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t171 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
     let drum_v_x_over_between = drum_v_x / between;
     let bobbin_v_x_over_between = bobbin_v_x / between;
-    let t176 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
-    let t177 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t172 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t173 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t178 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t174 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t179 = bobbin_v_y * bobbin_y_minus_drum_y_squared
-        / between_squared_times_between;
+    let t175 = bobbin_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
     let drum_v_y_over_between = drum_v_y / between;
     let bobbin_v_y_over_between = bobbin_v_y / between;
-    let t180 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t176 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t181 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t182 = (bobbin_v_x
-        * (bobbin_v_x_over_between + t176 + t177 - t174 - t175 - drum_v_x_over_between))
-        .add_product(
-            bobbin_v_y,
-            bobbin_v_y_over_between + t180 + t181 - t178 - t179 - drum_v_y_over_between,
-        )
-        .add_product(
-            drum_v_x,
-            t174 + t175 + drum_v_x_over_between - bobbin_v_x_over_between - t176 - t177,
-        )
-        .add_product(
-            drum_v_y,
-            t178 + t179 + drum_v_y_over_between - bobbin_v_y_over_between - t180 - t181,
-        );
-    let t183 = t33 * t170;
-    let t184 = -t171 - R::literal(-9.81) + t183;
-    let t185 = t14 * bobbin_radius_times_winding_force;
-    let t186 = (t185 - t170.add_product(t172, cos_plate_phi))
-        .add_product(t35, t170)
-        .sub_product(t43, t184);
-    let t187 = t15 * bobbin_radius_times_winding_force;
-    let t188 = (-t171.add_product(t172, sin_plate_phi) - R::literal(9.81)
-        - R::literal(-9.81) - t187 + t183)
-        .sub_product(t45, t184)
-        .sub_product(t52, t186);
-    let t189 = t185
-        .sub_product(
-            R::literal(0.06),
-            (plate_omega_squared * cos_plate_phi)
-                .add_product(cylinder_omega_squared, cos_cylinder_phi),
-        )
-        .sub_product(R::literal(3.333_333_333_333_333_5), t160)
-        .sub_product(t20, t164)
-        .sub_product(t54, t186)
-        .sub_product(t66, t188);
-    let t190 = (R::literal(-9.81)
-        .sub_product(
-            R::literal(0.06),
-            (plate_omega_squared * sin_plate_phi)
-                .add_product(cylinder_omega_squared, sin_cylinder_phi),
-        ) - t187)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t163)
-        .add_product(t21, t164)
-        .sub_product(t55, t186)
-        .sub_product(t68, t188)
-        .sub_product(t79, t189);
-    let t191 = (-(R::literal(-2_777.777_777_777_778) * t164))
-        .add_product(t81, t189)
-        .sub_product(t92, t190);
-    let t192 = (cylinder_omega
-        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
-            .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
-            .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
-            .add_product(rod_y * cylinder_omega, cos_cylinder_phi)
-            .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi)
-            .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
-            .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
-            .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
-        .sub_product(t18, t160)
-        .add_product(t19, t163)
-        .add_product(t22, t164)
-        .add_product(t23, t165)
-        .sub_product(t24, t166)
-        .sub_product(t83, t189)
-        .sub_product(t94, t190);
-    let t193 = t192.sub_product(t103, t191);
-    let t194 = (t173 * cos_rod_phi)
-        .sub_product(R::literal(5.0), t165)
-        .sub_product(t104, t191)
-        .sub_product(t114, t193);
-    let t195 = (t173 * sin_rod_phi)
-        .sub_product(R::literal(5.0), t166)
-        .add_product(t105, t191)
-        .sub_product(t116, t193)
-        .sub_product(t125, t194);
-    let t196 = (t10 * plate_omega_squared)
-        .sub_product(t16, bobbin_radius_times_winding_force)
-        .add_product(inverse_bobbin_mass, t167)
-        .sub_product(t58, t186)
-        .sub_product(t71, t188)
-        .sub_product(t85, t189)
-        .sub_product(t96, t190)
-        .sub_product(t107, t191)
-        .sub_product(t118, t193)
-        .sub_product(t127, t194)
-        .sub_product(t134, t195);
-    let t197 = R::literal(-9.81)
-        .add_product(t9, plate_omega_squared)
-        .add_product(t17, bobbin_radius_times_winding_force)
-        .sub_product(inverse_bobbin_mass, t168)
-        .add_product(t60, t186)
-        .sub_product(t74, t188)
-        .sub_product(t87, t189)
-        .sub_product(t98, t190)
-        .sub_product(t109, t191)
-        .sub_product(t120, t193)
-        .sub_product(t129, t194)
-        .sub_product(t136, t195)
-        .sub_product(t141, t196);
-    let t198 = (-t182)
-        .add_product(t27, t167)
-        .sub_product(t28, t168)
-        .add_product(
-            R::literal(-9.809_999_999_999_999),
-            bobbin_y_minus_drum_y_over_between,
-        )
-        .add_product(t142, t196)
-        .sub_product(t147, t197)
-        .add_product(
-            bobbin_y_minus_drum_y_over_between,
-            R::literal(9.809_999_999_999_999),
-        );
-    let t199 = ((R::literal(0.143) * sin_post_phi)
-        .sub_product(R::literal(0.044), cos_post_phi) * post_omega_squared)
-        .sub_product(t37, t170)
-        .sub_product(t47, t184)
-        .sub_product(t62, t186)
-        .sub_product(t76, t188)
-        .sub_product(t89, t189)
-        .sub_product(t100, t190)
-        .sub_product(t111, t191)
-        .sub_product(t122, t193)
-        .sub_product(t131, t194)
-        .sub_product(t138, t195)
-        .sub_product(t144, t196)
-        .sub_product(t149, t197)
-        .sub_product(t154, t198) * t155;
-    let contact = (-(t198 * t152)).add_product(t154, t199);
-    let stop = -t199;
+    let t177 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t178 = (bobbin_v_x * (bobbin_v_x_over_between + t172 + t173 - t170 - t171
+        - drum_v_x_over_between)).add_product(bobbin_v_y, bobbin_v_y_over_between + t176 + t177
+        - t174 - t175 - drum_v_y_over_between).add_product(drum_v_x, t170 + t171
+        + drum_v_x_over_between - bobbin_v_x_over_between - t172 - t173).add_product(drum_v_y, t174
+        + t175 + drum_v_y_over_between - bobbin_v_y_over_between - t176 - t177);
+    let t179 = t34 * t166;
+    let t180 = R::literal(9.81) - t167 - t179;
+    let t181 = t15 * bobbin_radius_times_winding_force;
+    let t182 = (t181 - t166.add_product(t168, cos_plate_phi)).sub_product(t36, t166)
+        .sub_product(t44, t180);
+    let t183 = t16 * bobbin_radius_times_winding_force;
+    let t184 = (R::literal(9.81) - (t167.add_product(t168, sin_plate_phi) + R::literal(9.81))
+        - t183 - t179).sub_product(t46, t180).sub_product(t53, t182);
+    let t185 = t181.sub_product(R::literal(0.06), (plate_omega_squared * cos_plate_phi)
+        .add_product(cylinder_omega_squared, cos_cylinder_phi))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t157).add_product(t21, t161)
+        .sub_product(t55, t182).sub_product(t67, t184);
+    let t186 = (-(R::literal(9.81).add_product(R::literal(0.06), (plate_omega_squared
+        * sin_plate_phi).add_product(cylinder_omega_squared, sin_cylinder_phi)) + t183)
+        .add_product(R::literal(3.333_333_333_333_333_5), t160).add_product(t22, t161)
+        .add_product(t56, t182).add_product(t69, t184)).add_product(t80, t185);
+    let t187 = (R::literal(-2_777.777_777_777_778) * t161).add_product(t81, t185).sub_product(t92,
+        t186);
+    let t188 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+        .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi).add_product(cylinder_x
+        * cylinder_omega, sin_cylinder_phi).add_product(rod_y * cylinder_omega, cos_cylinder_phi)
+        .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi).sub_product(R::literal(2.0)
+        * cylinder_v_y, sin_cylinder_phi).sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
+        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t19, t157)
+        .add_product(t20, t160).sub_product(t23, t161).sub_product(t24, t157).add_product(t25, t162)
+        .add_product(t83, t185).sub_product(t94, t186);
+    let t189 = t188.sub_product(t103, t187);
+    let t190 = (t169 * cos_rod_phi).add_product(R::literal(5.0), t157).sub_product(t104, t187)
+        .sub_product(t114, t189);
+    let t191 = (t169 * sin_rod_phi).add_product(R::literal(5.0), t162).add_product(t105, t187)
+        .sub_product(t116, t189).add_product(t125, t190);
+    let t192 = (t11 * plate_omega_squared).sub_product(t17, bobbin_radius_times_winding_force)
+        .add_product(inverse_bobbin_mass, t163).sub_product(t59, t182).add_product(t72, t184)
+        .add_product(t85, t185).sub_product(t96, t186).sub_product(t107, t187).sub_product(t118,
+        t189).sub_product(t127, t190).sub_product(t134, t191);
+    let t193 = R::literal(-9.81).add_product((R::literal(0.01) * sin_plate_phi)
+        .add_product(R::literal(0.1), cos_plate_phi), plate_omega_squared).add_product(t18,
+        bobbin_radius_times_winding_force).sub_product(inverse_bobbin_mass, t164).add_product(t61,
+        t182).sub_product(t75, t184).add_product(t87, t185).sub_product(t98, t186)
+        .sub_product(t109, t187).sub_product(t120, t189).sub_product(t129, t190).sub_product(t136,
+        t191).sub_product(t141, t192);
+    let t194 = R::literal(9.809_999_999_999_999) * bobbin_y_minus_drum_y_over_between;
+    let t195 = ((-t178).add_product(t28, t163).sub_product(t29, t164) - t194).add_product(t142,
+        t192).sub_product(t147, t193) + t194;
+    let t196 = (-((R::literal(0.044) * cos_post_phi).sub_product(R::literal(0.143), sin_post_phi)
+        * post_omega_squared)).add_product(t38, t166).sub_product(t48, t180).add_product(t63, t182)
+        .sub_product(t77, t184).add_product(t89, t185).sub_product(t100, t186).sub_product(t111,
+        t187).sub_product(t122, t189).sub_product(t131, t190).sub_product(t138, t191)
+        .sub_product(t144, t192).sub_product(t149, t193).sub_product(t154, t195);
+    let t197 = t196 * (R::literal(1.0) / (-(t14 * t8)).add_product(t38, t37).sub_product(t48, t47)
+        .sub_product(t63, t62).sub_product(t77, t76).add_product(t89, t88).sub_product(t100, t99)
+        .sub_product(t111, t110).sub_product(t122, t121).add_product(t131, t130).sub_product(t138,
+        t137).sub_product(t144, t143).sub_product(t149, t148).sub_product(t154, t153));
+    let contact = (-(t195 * t152)).add_product(t154, t197);
+    let stop = -t197;
     Outputs {
         contact_force: contact,
         stop_force: stop,
-        strut_push: -t156 - t158,
+        strut_push: -(t155 + t156),
         post_angle: post_phi,
         plate_angle: plate_phi,
         bobbin_angle: bobbin_phi,
@@ -8080,83 +3962,49 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     }
 }
 
-/// T, V and the energy of first-order states \[J\].
-///
-/// 72 operations.
+/// T, V and the energy of first-order states \[J\]. 72 operations.
 #[must_use]
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
-    let [_, post_y, _, _, plate_y, _, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y,
-    _, _, bobbin_y, _, _, drum_y, _, post_v_x, post_v_y, post_omega, plate_v_x,
-    plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y,
-    rod_omega, bobbin_v_x, bobbin_v_y, bobbin_omega, drum_v_x, drum_v_y, drum_omega] = *state;
+    let [_, post_y, _, _, plate_y, _, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y, _, _,
+        bobbin_y, _, _, drum_y, _, post_v_x, post_v_y, post_omega, plate_v_x, plate_v_y,
+        plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, rod_omega,
+        bobbin_v_x, bobbin_v_y, bobbin_omega, drum_v_x, drum_v_y, drum_omega] = *state;
     let (sin_cylinder_phi, cos_cylinder_phi) = cylinder_phi.sin_cos();
-    let slide = ((rod_x - cylinder_x) * cos_cylinder_phi)
-        .add_product(rod_y - cylinder_y, sin_cylinder_phi);
+    let slide = ((rod_x - cylinder_x) * cos_cylinder_phi).add_product(rod_y - cylinder_y,
+        sin_cylinder_phi);
     let slide_minus_spring_free_length = slide - p.spring_free_length;
-    let t0 = (R::literal(0.00012) * (rod_omega * rod_omega))
-        .add_product(R::literal(0.00018), cylinder_omega * cylinder_omega)
-        .add_product(R::literal(0.0006), drum_omega * drum_omega)
+    let t0 = (R::literal(0.00012) * (rod_omega * rod_omega)).add_product(R::literal(0.00018),
+        cylinder_omega * cylinder_omega).add_product(R::literal(0.0006), drum_omega * drum_omega)
         .add_product(R::literal(0.00065), bobbin_omega * bobbin_omega)
         .add_product(R::literal(0.00125), plate_omega * plate_omega)
-        .add_product(R::literal(0.00135), post_omega * post_omega)
-        .add_product(R::literal(0.1), (rod_v_x * rod_v_x).add_product(rod_v_y, rod_v_y))
-        .add_product(
-            R::literal(0.15),
-            (cylinder_v_x * cylinder_v_x).add_product(cylinder_v_y, cylinder_v_y),
-        )
-        .add_product(
-            R::literal(0.4),
-            (post_v_x * post_v_x).add_product(post_v_y, post_v_y),
-        );
+        .add_product(R::literal(0.00135), post_omega * post_omega).add_product(R::literal(0.1),
+        (rod_v_x * rod_v_x).add_product(rod_v_y, rod_v_y)).add_product(R::literal(0.15),
+        (cylinder_v_x * cylinder_v_x).add_product(cylinder_v_y, cylinder_v_y))
+        .add_product(R::literal(0.4), (post_v_x * post_v_x).add_product(post_v_y, post_v_y));
     Energy {
-        kinetic: t0
-            .add_product(
-                R::literal(0.5) * p.bobbin_mass,
-                (bobbin_v_x * bobbin_v_x).add_product(bobbin_v_y, bobbin_v_y),
-            )
-            .add_product(
-                R::literal(0.6),
-                (plate_v_x * plate_v_x).add_product(plate_v_y, plate_v_y),
-            )
-            .add_product(
-                R::literal(0.75),
-                (drum_v_x * drum_v_x).add_product(drum_v_y, drum_v_y),
-            ),
-        potential: (R::literal(1.962) * rod_y)
-            .add_product(
-                R::literal(0.5) * p.spring_stiffness,
-                slide_minus_spring_free_length * slide_minus_spring_free_length,
-            )
-            .add_product(R::literal(2.943), cylinder_y)
-            .add_product(R::literal(7.848), post_y)
+        kinetic: t0.add_product(R::literal(0.5) * p.bobbin_mass, (bobbin_v_x * bobbin_v_x)
+            .add_product(bobbin_v_y, bobbin_v_y)).add_product(R::literal(0.6),
+            (plate_v_x * plate_v_x).add_product(plate_v_y, plate_v_y))
+            .add_product(R::literal(0.75), (drum_v_x * drum_v_x).add_product(drum_v_y, drum_v_y)),
+        potential: (R::literal(1.962) * rod_y).add_product(R::literal(0.5) * p.spring_stiffness,
+            slide_minus_spring_free_length * slide_minus_spring_free_length)
+            .add_product(R::literal(2.943), cylinder_y).add_product(R::literal(7.848), post_y)
             .add_product(R::literal(9.81) * p.bobbin_mass, bobbin_y)
-            .add_product(R::literal(11.772), plate_y)
-            .add_product(R::literal(14.715), drum_y),
+            .add_product(R::literal(11.772), plate_y).add_product(R::literal(14.715), drum_y),
         stored: R::literal(0.0),
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\].
-///
-/// 1099 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 1073 operations.
 #[must_use]
-pub fn power_balance<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-) -> PowerBalance<R> {
-    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x,
-    rod_y, rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, _, post_v_x, post_v_y,
-    post_omega, plate_v_x, plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y,
-    cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, _, drum_v_x,
-    drum_v_y, ..] = *state;
-    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
-    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
-        post_phi,
-        plate_phi,
-        cylinder_phi,
-        rod_phi,
-    ]);
+pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
+    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y,
+        rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, _, post_v_x, post_v_y, post_omega,
+        plate_v_x, plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x,
+        rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, _, drum_v_x, drum_v_y, ..] = *state;
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi), (sin_cylinder_phi,
+        cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([post_phi, plate_phi,
+        cylinder_phi, rod_phi]);
     let t0 = R::literal(0.1) * cos_post_phi;
     let t1 = R::literal(0.1) * sin_post_phi;
     let t2 = R::literal(0.06) * cos_plate_phi;
@@ -8171,596 +4019,366 @@ pub fn power_balance<R: Real>(
     let between = (bobbin_x_minus_drum_x_squared + bobbin_y_minus_drum_y_squared).sqrt();
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
-        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let t7 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
-        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
-    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
-        .add_product(cylinder_omega, t7)
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi).add_product(rod_y_minus_cylinder_y,
+        sin_cylinder_phi);
+    let t7 = (rod_y_minus_cylinder_y * cos_cylinder_phi).sub_product(rod_x_minus_cylinder_x,
+        sin_cylinder_phi);
+    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi).add_product(cylinder_omega, t7)
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
-    let t8 = (R::literal(0.044) * sin_post_phi)
-        .add_product(R::literal(0.143), cos_post_phi);
-    let t9 = (R::literal(0.01) * sin_plate_phi)
-        .add_product(R::literal(0.1), cos_plate_phi);
-    let t10 = (R::literal(0.01) * cos_plate_phi)
-        .sub_product(R::literal(0.1), sin_plate_phi);
+    let t8 = (R::literal(0.044) * sin_post_phi).add_product(R::literal(0.143), cos_post_phi);
+    let t9 = sin_plate_phi.add_product(R::literal(10.0), cos_plate_phi);
+    let t10 = R::literal(0.01) * t9;
+    let t11 = (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi);
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
     let bobbin_y_minus_drum_y_over_between = bobbin_y_minus_drum_y / between;
-    let t11 = R::literal(37.037_037_037_037_03) * sin_post_phi;
-    let t12 = R::literal(37.037_037_037_037_03) * cos_post_phi;
-    let t13 = t8 * R::literal(370.370_370_370_370_3);
-    let t14 = R::literal(24.0) * sin_plate_phi;
-    let t15 = R::literal(24.0) * cos_plate_phi;
-    let t16 = t9 * R::literal(400.0);
-    let t17 = t10 * R::literal(400.0);
-    let t18 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t19 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t20 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
-    let t21 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
-    let t22 = slide * R::literal(2_777.777_777_777_778);
-    let t23 = sin_cylinder_phi * R::literal(5.0);
-    let t24 = cos_cylinder_phi * R::literal(5.0);
-    let t25 = R::literal(250.0) * sin_rod_phi;
-    let t26 = R::literal(250.0) * cos_rod_phi;
+    let t12 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t13 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t14 = t8 * R::literal(370.370_370_370_370_3);
+    let t15 = R::literal(24.0) * sin_plate_phi;
+    let t16 = R::literal(24.0) * cos_plate_phi;
+    let t17 = R::literal(4.0) * t9;
+    let t18 = t11 * R::literal(400.0);
+    let t19 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t20 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t21 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t22 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t23 = slide * R::literal(2_777.777_777_777_778);
+    let t24 = sin_cylinder_phi * R::literal(5.0);
+    let t25 = cos_cylinder_phi * R::literal(5.0);
+    let t26 = R::literal(250.0) * sin_rod_phi;
+    let t27 = R::literal(250.0) * cos_rod_phi;
     let inverse_bobbin_mass = R::literal(1.0) / p.bobbin_mass;
-    let t27 = bobbin_x_minus_drum_x_over_between * inverse_bobbin_mass;
-    let t28 = bobbin_y_minus_drum_y_over_between * inverse_bobbin_mass;
-    let t29 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6);
-    let t30 = bobbin_y_minus_drum_y_over_between * R::literal(0.666_666_666_666_666_6);
-    let t31 = t11 * t1;
-    let t32 = R::literal(-1.25) - t31;
-    let t33 = R::literal(1.0) / t32;
-    let t34 = t12 * t1;
-    let t35 = t34 * t33;
-    let t36 = R::literal(1.25) - t31;
-    let t37 = t36 * t33;
-    let t38 = t13 * t1;
-    let t39 = t38 * t33;
-    let t40 = t12 * t0;
-    let t41 = R::literal(-1.25) - t40;
-    let t42 = t35 * t34;
-    let t43 = R::literal(1.0) / (t41 - t42);
-    let t44 = (t11 * t0).sub_product(t37, t34);
-    let t45 = t44 * t43;
-    let t46 = R::literal(1.25) - t40 - t42;
-    let t47 = t46 * t43;
-    let t48 = (t13 * t0).add_product(t39, t34);
-    let t49 = t48 * t43;
-    let t50 = t14 * t3;
-    let t51 = R::literal(1.0)
-        / (t32 - R::literal(0.833_333_333_333_333_4) - t50)
-            .sub_product(t37, t36)
-            .sub_product(t45, t44);
-    let t52 = t15 * t3;
-    let t53 = (t34 + t52).sub_product(t35, t36).sub_product(t47, t44);
-    let t54 = t53 * t51;
-    let t55 = R::literal(0.833_333_333_333_333_4) - t50;
-    let t56 = t55 * t51;
-    let t57 = t52 * t51;
-    let t58 = t16 * t3;
-    let t59 = R::literal(0.833_333_333_333_333_4) + t58;
-    let t60 = t59 * t51;
-    let t61 = t17 * t3;
-    let t62 = t61 * t51;
-    let t63 = (-t38).add_product(t39, t36).sub_product(t49, t44);
-    let t64 = t63 * t51;
-    let t65 = t15 * t2;
-    let t66 = R::literal(1.0)
-        / (t41 - R::literal(0.833_333_333_333_333_4) - t65 - t42)
-            .sub_product(t47, t46)
-            .sub_product(t54, t53);
-    let t67 = (t14 * t2).sub_product(t56, t53);
-    let t68 = t67 * t66;
-    let t69 = (R::literal(0.833_333_333_333_333_4) - t65).sub_product(t57, t53);
-    let t70 = t69 * t66;
-    let t71 = -(t16 * t2);
-    let t72 = t71.sub_product(t60, t53);
-    let t73 = t72 * t66;
-    let t74 = t17 * t2;
-    let t75 = (R::literal(0.833_333_333_333_333_4) + t74).add_product(t62, t53);
-    let t76 = t75 * t66;
-    let t77 = t48.sub_product(t49, t46).sub_product(t64, t53);
-    let t78 = t77 * t66;
-    let t79 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t50
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t20, t5)
-            .sub_product(t56, t55)
-            .sub_product(t68, t67);
-    let t80 = t52.add_product(t21, t5).sub_product(t57, t55).sub_product(t70, t67);
-    let t81 = t80 * t79;
-    let t82 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
-    let t83 = t82 * t79;
-    let t84 = (-t18).add_product(t22, t5);
-    let t85 = t84 * t79;
-    let t86 = (R::literal(-0.833_333_333_333_333_4) + t58)
-        .sub_product(t60, t55)
-        .sub_product(t73, t67);
-    let t87 = t86 * t79;
-    let t88 = (-t61).add_product(t62, t55).sub_product(t76, t67);
-    let t89 = t88 * t79;
-    let t90 = (-(t64 * t55)).sub_product(t78, t67);
-    let t91 = t90 * t79;
-    let t92 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t65
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t21, t4)
-            .sub_product(t57, t52)
-            .sub_product(t70, t69)
-            .sub_product(t81, t80);
-    let t93 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
-        .add_product(t83, t80);
+    let t28 = bobbin_x_minus_drum_x_over_between * inverse_bobbin_mass;
+    let t29 = bobbin_y_minus_drum_y_over_between * inverse_bobbin_mass;
+    let t30 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6);
+    let t31 = bobbin_y_minus_drum_y_over_between * R::literal(0.666_666_666_666_666_6);
+    let t32 = t12 * t1;
+    let t33 = R::literal(1.25) + t32;
+    let t34 = R::literal(1.0) / t33;
+    let t35 = t13 * t1;
+    let t36 = t35 * t34;
+    let t37 = R::literal(1.25) - t32;
+    let t38 = t37 * t34;
+    let t39 = t14 * t1;
+    let t40 = t39 * t34;
+    let t41 = t13 * t0;
+    let t42 = R::literal(1.25) + t41;
+    let t43 = t36 * t35;
+    let t44 = R::literal(1.0) / (t43 - t42);
+    let t45 = (t12 * t0).add_product(t38, t35);
+    let t46 = t45 * t44;
+    let t47 = R::literal(1.25) - t41 + t43;
+    let t48 = t47 * t44;
+    let t49 = (t14 * t0).sub_product(t40, t35);
+    let t50 = t49 * t44;
+    let t51 = t15 * t3;
+    let t52 = R::literal(1.0) / (-(t33 + R::literal(0.833_333_333_333_333_4) + t51))
+        .add_product(t38, t37).sub_product(t46, t45);
+    let t53 = t16 * t3;
+    let t54 = (t35 + t53).add_product(t36, t37).sub_product(t48, t45);
+    let t55 = t54 * t52;
+    let t56 = R::literal(0.833_333_333_333_333_4) - t51;
+    let t57 = t56 * t52;
+    let t58 = t53 * t52;
+    let t59 = t17 * t3;
+    let t60 = R::literal(0.833_333_333_333_333_4) + t59;
+    let t61 = t60 * t52;
+    let t62 = t18 * t3;
+    let t63 = t62 * t52;
+    let t64 = t39.add_product(t40, t37).add_product(t50, t45);
+    let t65 = t64 * t52;
+    let t66 = t16 * t2;
+    let t67 = R::literal(1.0) / (t43 - (t42 + R::literal(0.833_333_333_333_333_4) + t66))
+        .sub_product(t48, t47).sub_product(t55, t54);
+    let t68 = (t15 * t2).sub_product(t57, t54);
+    let t69 = t68 * t67;
+    let t70 = (R::literal(0.833_333_333_333_333_4) - t66).sub_product(t58, t54);
+    let t71 = t70 * t67;
+    let t72 = t17 * t2;
+    let t73 = t72.add_product(t61, t54);
+    let t74 = t73 * t67;
+    let t75 = t18 * t2;
+    let t76 = (R::literal(0.833_333_333_333_333_4) + t75).add_product(t63, t54);
+    let t77 = t76 * t67;
+    let t78 = t49.sub_product(t50, t47).add_product(t65, t54);
+    let t79 = t78 * t67;
+    let t80 = R::literal(1.0) / (R::literal(0.833_333_333_333_333_4) + t51
+        + R::literal(3.333_333_333_333_333_5)).add_product(t21, t5).add_product(t57, t56)
+        .add_product(t69, t68);
+    let t81 = t53.add_product(t22, t5).sub_product(t58, t56).sub_product(t71, t68);
+    let t82 = t81 * t80;
+    let t83 = t21 * t80;
+    let t84 = (-t19).add_product(t23, t5);
+    let t85 = t84 * t80;
+    let t86 = (t59 - R::literal(0.833_333_333_333_333_4)).sub_product(t61, t56).add_product(t74,
+        t68);
+    let t87 = t86 * t80;
+    let t88 = (-t62).add_product(t63, t56).sub_product(t77, t68);
+    let t89 = t88 * t80;
+    let t90 = (t65 * t56).sub_product(t79, t68);
+    let t91 = t90 * t80;
+    let t92 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4) + t66
+        + R::literal(3.333_333_333_333_333_5)).add_product(t22, t4).add_product(t58, t53)
+        .add_product(t71, t70)).add_product(t82, t81);
+    let t93 = (-t22).add_product(t83, t81);
     let t94 = t93 * t92;
-    let t95 = t19.sub_product(t22, t4).sub_product(t85, t80);
+    let t95 = t20.sub_product(t23, t4).add_product(t85, t81);
     let t96 = t95 * t92;
-    let t97 = t71.sub_product(t60, t52).sub_product(t73, t69).sub_product(t87, t80);
+    let t97 = (-t72.add_product(t61, t53)).add_product(t74, t70).add_product(t87, t81);
     let t98 = t97 * t92;
-    let t99 = (R::literal(-0.833_333_333_333_333_4) + t74)
-        .add_product(t62, t52)
-        .sub_product(t76, t69)
-        .sub_product(t89, t80);
+    let t99 = (t75 - R::literal(0.833_333_333_333_333_4)).add_product(t63, t53).sub_product(t77,
+        t70).add_product(t89, t81);
     let t100 = t99 * t92;
-    let t101 = (-(t64 * t52)).sub_product(t78, t69).sub_product(t91, t80);
+    let t101 = (t65 * t53).sub_product(t79, t70).add_product(t91, t81);
     let t102 = t101 * t92;
-    let t103 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445).sub_product(t83, t82).sub_product(t94, t93);
-    let t104 = (-t22).add_product(t85, t82).sub_product(t96, t93);
+    let t103 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t83, t21)
+        .sub_product(t94, t93);
+    let t104 = (-t23).add_product(t85, t21).sub_product(t96, t93);
     let t105 = t104 * t103;
-    let t106 = t25 * t103;
-    let t107 = t26 * t103;
-    let t108 = (t87 * t82).sub_product(t98, t93);
+    let t106 = t26 * t103;
+    let t107 = t27 * t103;
+    let t108 = (t87 * t21).sub_product(t98, t93);
     let t109 = t108 * t103;
-    let t110 = (t89 * t82).sub_product(t100, t93);
+    let t110 = (t89 * t21).sub_product(t100, t93);
     let t111 = t110 * t103;
-    let t112 = (t91 * t82).sub_product(t102, t93);
+    let t112 = (t91 * t21).sub_product(t102, t93);
     let t113 = t112 * t103;
-    let t114 = R::literal(1.0)
-        / (-(t19 * cos_cylinder_phi))
-            .sub_product(t18, sin_cylinder_phi)
-            .sub_product(t22, slide)
-            .sub_product(t23, sin_cylinder_phi)
-            .sub_product(t24, cos_cylinder_phi)
-            .sub_product(t85, t84)
-            .sub_product(t96, t95)
-            .sub_product(t105, t104);
-    let t115 = t23.sub_product(t106, t104);
+    let t114 = R::literal(1.0) / (-(t19 * sin_cylinder_phi).add_product(t20, cos_cylinder_phi)
+        .add_product(t23, slide).add_product(t24, sin_cylinder_phi).add_product(t25,
+        cos_cylinder_phi)).add_product(t85, t84).sub_product(t96, t95).sub_product(t105, t104);
+    let t115 = t24.sub_product(t106, t104);
     let t116 = t115 * t114;
-    let t117 = (-t24).add_product(t107, t104);
+    let t117 = (-t25).add_product(t107, t104);
     let t118 = t117 * t114;
-    let t119 = (-(t87 * t84)).sub_product(t98, t95).sub_product(t109, t104);
+    let t119 = (t87 * t84).sub_product(t98, t95).sub_product(t109, t104);
     let t120 = t119 * t114;
-    let t121 = (-(t89 * t84)).sub_product(t100, t95).sub_product(t111, t104);
+    let t121 = (t89 * t84).sub_product(t100, t95).sub_product(t111, t104);
     let t122 = t121 * t114;
-    let t123 = (-(t91 * t84)).sub_product(t102, t95).sub_product(t113, t104);
+    let t123 = (t91 * t84).sub_product(t102, t95).sub_product(t113, t104);
     let t124 = t123 * t114;
-    let t125 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t25, t6)
-            .sub_product(t106, t25)
-            .sub_product(t116, t115);
-    let t126 = (t26 * t6).add_product(t107, t25).sub_product(t118, t115);
+    let t125 = R::literal(1.0) / R::literal(5.0).add_product(t26, t6).add_product(t106, t26)
+        .add_product(t116, t115);
+    let t126 = (t27 * t6).add_product(t107, t26).sub_product(t118, t115);
     let t127 = t126 * t125;
-    let t128 = (-(t109 * t25)).sub_product(t120, t115);
+    let t128 = (t109 * t26).add_product(t120, t115);
     let t129 = t128 * t125;
-    let t130 = (-(t111 * t25)).sub_product(t122, t115);
+    let t130 = (t111 * t26).add_product(t122, t115);
     let t131 = t130 * t125;
-    let t132 = (-(t113 * t25)).sub_product(t124, t115);
+    let t132 = (t113 * t26).add_product(t124, t115);
     let t133 = t132 * t125;
-    let t134 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t26, R::literal(0.06) * cos_rod_phi)
-            .sub_product(t107, t26)
-            .sub_product(t118, t117)
-            .sub_product(t127, t126);
-    let t135 = (t109 * t26).sub_product(t120, t117).sub_product(t129, t126);
+    let t134 = R::literal(1.0) / (-R::literal(5.0).add_product(t27, R::literal(0.06) * cos_rod_phi)
+        .add_product(t107, t27).add_product(t118, t117)).add_product(t127, t126);
+    let t135 = (t109 * t27).sub_product(t120, t117).sub_product(t129, t126);
     let t136 = t135 * t134;
-    let t137 = (t111 * t26).sub_product(t122, t117).sub_product(t131, t126);
+    let t137 = (t111 * t27).sub_product(t122, t117).sub_product(t131, t126);
     let t138 = t137 * t134;
-    let t139 = (t113 * t26).sub_product(t124, t117).sub_product(t133, t126);
+    let t139 = (t113 * t27).sub_product(t124, t117).sub_product(t133, t126);
     let t140 = t139 * t134;
-    let t141 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t16, t9)
-            - inverse_bobbin_mass)
-            .sub_product(t60, t59)
-            .sub_product(t73, t72)
-            .sub_product(t87, t86)
-            .sub_product(t98, t97)
-            .sub_product(t109, t108)
-            .sub_product(t120, t119)
-            .sub_product(t129, t128)
-            .sub_product(t136, t135);
-    let t142 = (t17 * t9)
-        .add_product(t62, t59)
-        .sub_product(t76, t72)
-        .sub_product(t89, t86)
-        .sub_product(t100, t97)
-        .sub_product(t111, t108)
-        .sub_product(t122, t119)
-        .sub_product(t131, t128)
-        .sub_product(t138, t135);
+    let t141 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t17, t10)
+        + inverse_bobbin_mass).add_product(t61, t60).add_product(t74, t73)).add_product(t87, t86)
+        .sub_product(t98, t97).sub_product(t109, t108).sub_product(t120, t119).add_product(t129,
+        t128).sub_product(t136, t135);
+    let t142 = (t18 * t10).add_product(t63, t60).add_product(t77, t73).add_product(t89, t86)
+        .sub_product(t100, t97).sub_product(t111, t108).sub_product(t122, t119).add_product(t131,
+        t128).sub_product(t138, t135);
     let t143 = t142 * t141;
-    let t144 = t27 * t141;
-    let t145 = (-(t64 * t59))
-        .sub_product(t78, t72)
-        .sub_product(t91, t86)
-        .sub_product(t102, t97)
-        .sub_product(t113, t108)
-        .sub_product(t124, t119)
-        .sub_product(t133, t128)
-        .sub_product(t140, t135);
+    let t144 = t28 * t141;
+    let t145 = (t65 * t60).add_product(t79, t73).add_product(t91, t86).sub_product(t102, t97)
+        .sub_product(t113, t108).sub_product(t124, t119).add_product(t133, t128).sub_product(t140,
+        t135);
     let t146 = t145 * t141;
-    let t147 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t10)
-            - inverse_bobbin_mass)
-            .sub_product(t62, t61)
-            .sub_product(t76, t75)
-            .sub_product(t89, t88)
-            .sub_product(t100, t99)
-            .sub_product(t111, t110)
-            .sub_product(t122, t121)
-            .sub_product(t131, t130)
-            .sub_product(t138, t137)
-            .sub_product(t143, t142);
-    let t148 = (-t28).add_product(t144, t142);
+    let t147 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t18, t11)
+        + inverse_bobbin_mass).add_product(t63, t62).add_product(t77, t76)).add_product(t89, t88)
+        .sub_product(t100, t99).sub_product(t111, t110).sub_product(t122, t121).add_product(t131,
+        t130).sub_product(t138, t137).sub_product(t143, t142);
+    let t148 = (-t29).add_product(t144, t142);
     let t149 = t148 * t147;
-    let t150 = (t64 * t61)
-        .sub_product(t78, t75)
-        .sub_product(t91, t88)
-        .sub_product(t102, t99)
-        .sub_product(t113, t110)
-        .sub_product(t124, t121)
-        .sub_product(t133, t130)
-        .sub_product(t140, t137)
-        .sub_product(t146, t142);
+    let t150 = (-(t65 * t62).add_product(t79, t76)).add_product(t91, t88).sub_product(t102, t99)
+        .sub_product(t113, t110).sub_product(t124, t121).add_product(t133, t130).sub_product(t140,
+        t137).sub_product(t146, t142);
     let t151 = t150 * t147;
-    let t152 = t29 * bobbin_x_minus_drum_x_over_between;
-    let t153 = t30 * bobbin_y_minus_drum_y_over_between;
-    let t154 = R::literal(1.0)
-        / (((-(t28 * bobbin_y_minus_drum_y_over_between))
-            .sub_product(t27, bobbin_x_minus_drum_x_over_between) - t152 - t153)
-            .sub_product(t144, t27)
-            .sub_product(t149, t148) + t152 + t153);
-    let t155 = (t146 * t27).sub_product(t151, t148);
+    let t152 = t30 * bobbin_x_minus_drum_x_over_between;
+    let t153 = t31 * bobbin_y_minus_drum_y_over_between;
+    let t154 = R::literal(1.0) / (t152 - ((t28 * bobbin_x_minus_drum_x_over_between)
+        .add_product(t29, bobbin_y_minus_drum_y_over_between) + t152 + t153).add_product(t144, t28)
+        .add_product(t149, t148) + t153);
+    let t155 = (t146 * t28).sub_product(t151, t148);
     let t156 = t155 * t154;
-    let t157 = R::literal(1.0)
-        / (-(t13 * t8))
-            .sub_product(t39, t38)
-            .sub_product(t49, t48)
-            .sub_product(t64, t63)
-            .sub_product(t78, t77)
-            .sub_product(t91, t90)
-            .sub_product(t102, t101)
-            .sub_product(t113, t112)
-            .sub_product(t124, t123)
-            .sub_product(t133, t132)
-            .sub_product(t140, t139)
-            .sub_product(t146, t145)
-            .sub_product(t151, t150)
-            .sub_product(t156, t155);
     let bobbin_radius_times_winding_force = p.bobbin_radius * p.winding_force;
-    let t158 = R::literal(50.0) * slide_rate;
+    let t157 = R::literal(50.0) * slide_rate;
+    let t158 = p.spring_stiffness * (slide - p.spring_free_length);
     let t159 = t158 * cos_cylinder_phi;
-    let t160 = p.spring_stiffness * (slide - p.spring_free_length);
-    let t161 = t160 * cos_cylinder_phi;
-    let t162 = t159 + t161;
-    let t163 = t160 * sin_cylinder_phi;
-    let t164 = R::literal(2.943) - t163;
-    let t165 = t158 * sin_cylinder_phi;
-    let t166 = t165 - t164;
-    let t167 = t160 * t7;
-    let t168 = (-t167).sub_product(t158, t7);
-    let t169 = -t159 - t161;
-    let t170 = R::literal(1.962) + t163;
-    let t171 = -t165 - t170;
-    let t172 = p.winding_force * bobbin_y_minus_drum_y / between;
-    let t173 = R::literal(9.81) * p.bobbin_mass;
-    let t174 = p.winding_force * bobbin_x_minus_drum_x / between - t173;
+    let t160 = t159.add_product(t157, cos_cylinder_phi);
+    let t161 = t158 * sin_cylinder_phi;
+    let t162 = R::literal(2.943) - t161;
+    let t163 = t157 * sin_cylinder_phi;
+    let t164 = t163 - t162;
+    let t165 = t158 * t7;
+    let t166 = t165.add_product(t157, t7);
+    let t167 = R::literal(1.962) + t161;
+    let t168 = t163 + t167;
+    let t169 = p.winding_force * bobbin_y_minus_drum_y / between;
+    let t170 = R::literal(9.81) * p.bobbin_mass;
+    let t171 = p.winding_force * bobbin_x_minus_drum_x / between - t170;
     let post_omega_squared = post_omega * post_omega;
-    let t175 = R::literal(0.1) * post_omega_squared;
-    let t176 = t175 * cos_post_phi;
-    let t177 = t175 * sin_post_phi;
+    let t172 = R::literal(0.1) * post_omega_squared;
+    let t173 = t172 * cos_post_phi;
+    let t174 = t172 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t178 = R::literal(0.06) * plate_omega_squared;
+    let t175 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t179 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t176 = R::literal(0.06) * (rod_omega * rod_omega);
     let between_squared_times_between = between * between * between;
-    let t180 = bobbin_v_x * bobbin_x_minus_drum_x_squared
-        / between_squared_times_between;
-    let t181 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t177 = bobbin_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t178 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
     let drum_v_x_over_between = drum_v_x / between;
     let bobbin_v_x_over_between = bobbin_v_x / between;
-    let t182 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
-    let t183 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t179 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t180 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t184 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t181 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t185 = bobbin_v_y * bobbin_y_minus_drum_y_squared
-        / between_squared_times_between;
+    let t182 = bobbin_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
     let drum_v_y_over_between = drum_v_y / between;
     let bobbin_v_y_over_between = bobbin_v_y / between;
-    let t186 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t183 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t187 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t188 = (bobbin_v_x
-        * (bobbin_v_x_over_between + t182 + t183 - t180 - t181 - drum_v_x_over_between))
-        .add_product(
-            bobbin_v_y,
-            bobbin_v_y_over_between + t186 + t187 - t184 - t185 - drum_v_y_over_between,
-        )
-        .add_product(
-            drum_v_x,
-            t180 + t181 + drum_v_x_over_between - bobbin_v_x_over_between - t182 - t183,
-        )
-        .add_product(
-            drum_v_y,
-            t184 + t185 + drum_v_y_over_between - bobbin_v_y_over_between - t186 - t187,
-        );
-    let t189 = t35 * t176;
-    let t190 = -t177 - R::literal(-9.81) + t189;
-    let t191 = t14 * bobbin_radius_times_winding_force;
-    let t192 = (t191 - t176.add_product(t178, cos_plate_phi))
-        .add_product(t37, t176)
-        .sub_product(t45, t190);
-    let t193 = t15 * bobbin_radius_times_winding_force;
-    let t194 = (-t177.add_product(t178, sin_plate_phi) - R::literal(9.81)
-        - R::literal(-9.81) - t193 + t189)
-        .sub_product(t47, t190)
-        .sub_product(t54, t192);
-    let t195 = R::literal(3.333_333_333_333_333_5) * t162;
-    let t196 = (t191
-        .sub_product(
-            R::literal(0.06),
-            (plate_omega_squared * cos_plate_phi)
-                .add_product(cylinder_omega_squared, cos_cylinder_phi),
-        ) - t195)
-        .sub_product(t20, t168)
-        .sub_product(t56, t192)
-        .sub_product(t68, t194);
-    let t197 = R::literal(3.333_333_333_333_333_5) * t166;
-    let t198 = (R::literal(-9.81)
-        .sub_product(
-            R::literal(0.06),
-            (plate_omega_squared * sin_plate_phi)
-                .add_product(cylinder_omega_squared, sin_cylinder_phi),
-        ) - t193 - t197)
-        .add_product(t21, t168)
-        .sub_product(t57, t192)
-        .sub_product(t70, t194)
-        .sub_product(t81, t196);
-    let t199 = (-(R::literal(-2_777.777_777_777_778) * t168))
-        .add_product(t83, t196)
-        .sub_product(t94, t198);
-    let t200 = (cylinder_omega
-        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
-            .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
-            .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
-            .add_product(rod_y * cylinder_omega, cos_cylinder_phi)
-            .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi)
-            .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
-            .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
-            .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
-        .sub_product(t18, t162)
-        .add_product(t19, t166)
-        .add_product(t22, t168)
-        .add_product(t23, t169)
-        .sub_product(t24, t171)
-        .sub_product(t85, t196)
-        .sub_product(t96, t198);
-    let t201 = t200.sub_product(t105, t199);
-    let t202 = R::literal(5.0) * t169;
-    let t203 = (-t202)
-        .add_product(t179, cos_rod_phi)
-        .sub_product(t106, t199)
-        .sub_product(t116, t201);
-    let t204 = R::literal(5.0) * t171;
-    let t205 = (-t204)
-        .add_product(t179, sin_rod_phi)
-        .add_product(t107, t199)
-        .sub_product(t118, t201)
-        .sub_product(t127, t203);
-    let t206 = inverse_bobbin_mass * t172;
-    let t207 = ((t10 * plate_omega_squared)
-        .sub_product(t16, bobbin_radius_times_winding_force) + t206)
-        .sub_product(t60, t192)
-        .sub_product(t73, t194)
-        .sub_product(t87, t196)
-        .sub_product(t98, t198)
-        .sub_product(t109, t199)
-        .sub_product(t120, t201)
-        .sub_product(t129, t203)
-        .sub_product(t136, t205);
-    let t208 = inverse_bobbin_mass * t174;
-    let t209 = (R::literal(-9.81)
-        .add_product(t9, plate_omega_squared)
-        .add_product(t17, bobbin_radius_times_winding_force) - t208)
-        .add_product(t62, t192)
-        .sub_product(t76, t194)
-        .sub_product(t89, t196)
-        .sub_product(t100, t198)
-        .sub_product(t111, t199)
-        .sub_product(t122, t201)
-        .sub_product(t131, t203)
-        .sub_product(t138, t205)
-        .sub_product(t143, t207);
-    let t210 = (-t188)
-        .add_product(t27, t172)
-        .sub_product(t28, t174)
-        .add_product(
-            R::literal(-9.809_999_999_999_999),
-            bobbin_y_minus_drum_y_over_between,
-        )
-        .add_product(t144, t207)
-        .sub_product(t149, t209)
-        .add_product(
-            bobbin_y_minus_drum_y_over_between,
-            R::literal(9.809_999_999_999_999),
-        );
-    let t211 = ((R::literal(0.143) * sin_post_phi)
-        .sub_product(R::literal(0.044), cos_post_phi) * post_omega_squared)
-        .sub_product(t39, t176)
-        .sub_product(t49, t190)
-        .sub_product(t64, t192)
-        .sub_product(t78, t194)
-        .sub_product(t91, t196)
-        .sub_product(t102, t198)
-        .sub_product(t113, t199)
-        .sub_product(t124, t201)
-        .sub_product(t133, t203)
-        .sub_product(t140, t205)
-        .sub_product(t146, t207)
-        .sub_product(t151, t209)
-        .sub_product(t156, t210) * t157;
-    let t212 = (t210 * t154).sub_product(t156, t211);
-    let t213 = (t209 * t147).sub_product(t149, t212).sub_product(t151, t211);
-    let t214 = (t207 * t141)
-        .sub_product(t143, t213)
-        .add_product(t144, t212)
-        .sub_product(t146, t211);
-    let t215 = (t205 * t134)
-        .sub_product(t136, t214)
-        .sub_product(t138, t213)
-        .sub_product(t140, t211);
-    let t216 = (t203 * t125)
-        .sub_product(t127, t215)
-        .sub_product(t129, t214)
-        .sub_product(t131, t213)
-        .sub_product(t133, t211);
-    let t217 = (t201 * t114)
-        .sub_product(t116, t216)
-        .sub_product(t118, t215)
-        .sub_product(t120, t214)
-        .sub_product(t122, t213)
-        .sub_product(t124, t211);
-    let t218 = (t199 * t103)
-        .sub_product(t105, t217)
-        .sub_product(t106, t216)
-        .add_product(t107, t215)
-        .sub_product(t109, t214)
-        .sub_product(t111, t213)
-        .sub_product(t113, t211);
-    let t219 = (t198 * t92)
-        .sub_product(t94, t218)
-        .sub_product(t96, t217)
-        .sub_product(t98, t214)
-        .sub_product(t100, t213)
-        .sub_product(t102, t211);
-    let t220 = (t196 * t79)
-        .sub_product(t81, t219)
-        .add_product(t83, t218)
-        .sub_product(t85, t217)
-        .sub_product(t87, t214)
-        .sub_product(t89, t213)
-        .sub_product(t91, t211);
-    let t221 = (t194 * t66)
-        .sub_product(t68, t220)
-        .sub_product(t70, t219)
-        .sub_product(t73, t214)
-        .sub_product(t76, t213)
-        .sub_product(t78, t211);
-    let t222 = (t192 * t51)
-        .sub_product(t54, t221)
-        .sub_product(t56, t220)
-        .sub_product(t57, t219)
-        .sub_product(t60, t214)
-        .add_product(t62, t213)
-        .sub_product(t64, t211);
-    let t223 = (t190 * t43)
-        .sub_product(t45, t222)
-        .sub_product(t47, t221)
-        .sub_product(t49, t211);
-    let t224 = (-(t176 * t33))
-        .sub_product(t35, t223)
-        .sub_product(t37, t222)
-        .sub_product(t35, t221)
-        .add_product(t39, t211);
-    let drum_v_y_dot = R::literal(-9.809_999_999_999_999)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            R::literal(-14.714_999_999_999_998)
-                .add_product(bobbin_y_minus_drum_y_over_between, t212),
-        )
-        .add_product(t30, t212);
-    let drum_v_x_dot = (t29 * t212)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            bobbin_x_minus_drum_x_over_between * t212,
-        );
-    let bobbin_v_y_dot = t208
-        .sub_product(inverse_bobbin_mass, t213)
-        .sub_product(t28, t212);
-    let bobbin_v_x_dot = (-t206)
-        .sub_product(inverse_bobbin_mass, t214)
-        .sub_product(t27, t212);
-    let rod_omega_dot = (t25 * t216)
-        .sub_product(R::literal(4_166.666_666_666_667), t218)
-        .sub_product(t26, t215);
-    let rod_v_y_dot = t204.sub_product(t24, t217).sub_product(R::literal(5.0), t215);
-    let rod_v_x_dot = t202.add_product(t23, t217).sub_product(R::literal(5.0), t216);
-    let cylinder_omega_dot = (t168 * R::literal(2_777.777_777_777_778))
-        .sub_product(t20, t220)
-        .add_product(t21, t219)
-        .sub_product(R::literal(-2_777.777_777_777_778), t218)
-        .add_product(t22, t217);
-    let cylinder_v_y_dot = t197
-        .sub_product(R::literal(3.333_333_333_333_333_5), t219)
-        .add_product(t19, t217);
-    let cylinder_v_x_dot = t195
-        .sub_product(R::literal(3.333_333_333_333_333_5), t220)
-        .sub_product(t18, t217);
-    let plate_omega_dot = (-(bobbin_radius_times_winding_force * R::literal(400.0)))
-        .sub_product(t14, t222)
-        .add_product(t15, t221)
-        .sub_product(t14, t220)
-        .add_product(t15, t219)
-        .add_product(t16, t214)
-        .sub_product(t17, t213);
-    let plate_v_y_dot = R::literal(-9.81)
-        .sub_product(R::literal(0.833_333_333_333_333_4), t221)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t219)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t213);
-    let plate_v_x_dot = (-(R::literal(-0.833_333_333_333_333_4) * t220))
+    let t184 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t185 = (bobbin_v_x * (bobbin_v_x_over_between + t179 + t180 - t177 - t178
+        - drum_v_x_over_between)).add_product(bobbin_v_y, bobbin_v_y_over_between + t183 + t184
+        - t181 - t182 - drum_v_y_over_between).add_product(drum_v_x, t177 + t178
+        + drum_v_x_over_between - bobbin_v_x_over_between - t179 - t180).add_product(drum_v_y, t181
+        + t182 + drum_v_y_over_between - bobbin_v_y_over_between - t183 - t184);
+    let t186 = t36 * t173;
+    let t187 = R::literal(9.81) - t174 - t186;
+    let t188 = t15 * bobbin_radius_times_winding_force;
+    let t189 = (t188 - t173.add_product(t175, cos_plate_phi)).sub_product(t38, t173)
+        .sub_product(t46, t187);
+    let t190 = t16 * bobbin_radius_times_winding_force;
+    let t191 = (R::literal(9.81) - (t174.add_product(t175, sin_plate_phi) + R::literal(9.81))
+        - t190 - t186).sub_product(t48, t187).sub_product(t55, t189);
+    let t192 = R::literal(3.333_333_333_333_333_5) * t160;
+    let t193 = (t188.sub_product(R::literal(0.06), (plate_omega_squared * cos_plate_phi)
+        .add_product(cylinder_omega_squared, cos_cylinder_phi)) - t192).add_product(t21, t166)
+        .sub_product(t57, t189).sub_product(t69, t191);
+    let t194 = R::literal(3.333_333_333_333_333_5) * t164;
+    let t195 = (-(R::literal(9.81).add_product(R::literal(0.06), (plate_omega_squared
+        * sin_plate_phi).add_product(cylinder_omega_squared, sin_cylinder_phi)) + t190 + t194)
+        .add_product(t22, t166).add_product(t58, t189).add_product(t71, t191)).add_product(t82,
+        t193);
+    let t196 = R::literal(2_777.777_777_777_778) * t166;
+    let t197 = (-t196).add_product(t83, t193).sub_product(t94, t195);
+    let t198 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+        .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi).add_product(cylinder_x
+        * cylinder_omega, sin_cylinder_phi).add_product(rod_y * cylinder_omega, cos_cylinder_phi)
+        .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi).sub_product(R::literal(2.0)
+        * cylinder_v_y, sin_cylinder_phi).sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
+        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t19, t160)
+        .add_product(t20, t164).sub_product(t23, t166).sub_product(t24, t160).add_product(t25, t168)
+        .add_product(t85, t193).sub_product(t96, t195);
+    let t199 = t198.sub_product(t105, t197);
+    let t200 = R::literal(5.0) * t160;
+    let t201 = t200.add_product(t176, cos_rod_phi).sub_product(t106, t197).sub_product(t116, t199);
+    let t202 = R::literal(5.0) * t168;
+    let t203 = t202.add_product(t176, sin_rod_phi).add_product(t107, t197).sub_product(t118, t199)
+        .add_product(t127, t201);
+    let t204 = inverse_bobbin_mass * t169;
+    let t205 = ((t11 * plate_omega_squared).sub_product(t17, bobbin_radius_times_winding_force)
+        + t204).sub_product(t61, t189).add_product(t74, t191).add_product(t87, t193)
+        .sub_product(t98, t195).sub_product(t109, t197).sub_product(t120, t199).sub_product(t129,
+        t201).sub_product(t136, t203);
+    let t206 = inverse_bobbin_mass * t171;
+    let t207 = (R::literal(-9.81).add_product((R::literal(0.01) * sin_plate_phi)
+        .add_product(R::literal(0.1), cos_plate_phi), plate_omega_squared).add_product(t18,
+        bobbin_radius_times_winding_force) - t206).add_product(t63, t189).sub_product(t77, t191)
+        .add_product(t89, t193).sub_product(t100, t195).sub_product(t111, t197).sub_product(t122,
+        t199).sub_product(t131, t201).sub_product(t138, t203).sub_product(t143, t205);
+    let t208 = R::literal(9.809_999_999_999_999) * bobbin_y_minus_drum_y_over_between;
+    let t209 = ((-t185).add_product(t28, t169).sub_product(t29, t171) - t208).add_product(t144,
+        t205).sub_product(t149, t207) + t208;
+    let t210 = (-((R::literal(0.044) * cos_post_phi).sub_product(R::literal(0.143), sin_post_phi)
+        * post_omega_squared)).add_product(t40, t173).sub_product(t50, t187).add_product(t65, t189)
+        .sub_product(t79, t191).add_product(t91, t193).sub_product(t102, t195).sub_product(t113,
+        t197).sub_product(t124, t199).sub_product(t133, t201).sub_product(t140, t203)
+        .sub_product(t146, t205).sub_product(t151, t207).sub_product(t156, t209);
+    let t211 = t210 * (R::literal(1.0) / (-(t14 * t8)).add_product(t40, t39).sub_product(t50, t49)
+        .sub_product(t65, t64).sub_product(t79, t78).add_product(t91, t90).sub_product(t102, t101)
+        .sub_product(t113, t112).sub_product(t124, t123).add_product(t133, t132).sub_product(t140,
+        t139).sub_product(t146, t145).sub_product(t151, t150).sub_product(t156, t155));
+    let t212 = (t209 * t154).sub_product(t156, t211);
+    let t213 = (t207 * t147).sub_product(t149, t212).sub_product(t151, t211);
+    let t214 = (t205 * t141).sub_product(t143, t213).add_product(t144, t212).sub_product(t146,
+        t211);
+    let t215 = (t203 * t134).sub_product(t136, t214).sub_product(t138, t213).sub_product(t140,
+        t211);
+    let t216 = (-(t201 * t125)).add_product(t127, t215).sub_product(t129, t214).sub_product(t131,
+        t213).sub_product(t133, t211);
+    let t217 = (t199 * t114).sub_product(t116, t216).sub_product(t118, t215).sub_product(t120, t214)
+        .sub_product(t122, t213).sub_product(t124, t211);
+    let t218 = (t197 * t103).sub_product(t105, t217).sub_product(t106, t216).add_product(t107, t215)
+        .sub_product(t109, t214).sub_product(t111, t213).sub_product(t113, t211);
+    let t219 = (t195 * t92).sub_product(t94, t218).sub_product(t96, t217).sub_product(t98, t214)
+        .sub_product(t100, t213).sub_product(t102, t211);
+    let t220 = (-(t193 * t80)).add_product(t82, t219).add_product(t83, t218).add_product(t85, t217)
+        .add_product(t87, t214).add_product(t89, t213).add_product(t91, t211);
+    let t221 = (t191 * t67).sub_product(t69, t220).sub_product(t71, t219).add_product(t74, t214)
+        .sub_product(t77, t213).sub_product(t79, t211);
+    let t222 = (t189 * t52).sub_product(t55, t221).sub_product(t57, t220).sub_product(t58, t219)
+        .sub_product(t61, t214).add_product(t63, t213).add_product(t65, t211);
+    let t223 = (t187 * t44).sub_product(t46, t222).sub_product(t48, t221).sub_product(t50, t211);
+    let t224 = (t173 * t34).add_product(t36, t223).add_product(t38, t222).add_product(t36, t221)
+        .sub_product(t40, t211);
+    let drum_v_y_dot = (-R::literal(9.809_999_999_999_999)
+        .add_product(R::literal(0.666_666_666_666_666_6), R::literal(-14.714_999_999_999_998)
+        .add_product(bobbin_y_minus_drum_y_over_between, t212))).add_product(t31, t212);
+    let drum_v_x_dot = (t30 * t212).sub_product(R::literal(0.666_666_666_666_666_6),
+        bobbin_x_minus_drum_x_over_between * t212);
+    let bobbin_v_y_dot = t206.sub_product(inverse_bobbin_mass, t213).sub_product(t29, t212);
+    let rod_omega_dot = (t26 * t216).sub_product(R::literal(4_166.666_666_666_667), t218)
+        .sub_product(t27, t215);
+    let rod_v_x_dot = (-t200).add_product(t24, t217).sub_product(R::literal(5.0), t216);
+    let cylinder_omega_dot = (-t196.add_product(t21, t220)).add_product(t22, t219)
+        .add_product(R::literal(2_777.777_777_777_778), t218).add_product(t23, t217);
+    let cylinder_v_y_dot = t194.sub_product(R::literal(3.333_333_333_333_333_5), t219)
+        .add_product(t20, t217);
+    let cylinder_v_x_dot = t192.sub_product(R::literal(3.333_333_333_333_333_5), t220)
+        .sub_product(t19, t217);
+    let plate_omega_dot = (-(bobbin_radius_times_winding_force * R::literal(400.0))
+        .add_product(t15, t222)).add_product(t16, t221).sub_product(t15, t220).add_product(t16,
+        t219).add_product(t17, t214).sub_product(t18, t213);
+    let plate_v_y_dot = (-R::literal(9.81).add_product(R::literal(0.833_333_333_333_333_4), t221))
+        .add_product(R::literal(0.833_333_333_333_333_4), t219)
+        .add_product(R::literal(0.833_333_333_333_333_4), t213);
+    let plate_v_x_dot = (R::literal(0.833_333_333_333_333_4) * t220)
         .sub_product(R::literal(0.833_333_333_333_333_4), t222)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t214);
-    let post_omega_dot = (t12 * t223)
-        .sub_product(t11, t224)
-        .sub_product(t11, t222)
-        .add_product(t12, t221)
-        .sub_product(t13, t211);
-    let post_v_y_dot = R::literal(-9.81)
-        .sub_product(R::literal(1.25), t223)
-        .sub_product(R::literal(-1.25), t221);
-    let post_v_x_dot = (-(R::literal(-1.25) * t222)).sub_product(R::literal(1.25), t224);
-    let t225 = (R::literal(7.848) * post_v_y)
-        .add_product(R::literal(11.772), plate_v_y)
-        .sub_product(t161, cylinder_v_x)
-        .add_product(t164, cylinder_v_y)
-        .add_product(t167, cylinder_omega)
-        .add_product(t161, rod_v_x)
-        .add_product(t170, rod_v_y)
-        .add_product(t173, bobbin_v_y)
-        .add_product(R::literal(14.715), drum_v_y)
-        .add_product(R::literal(0.8) * post_v_x, post_v_x_dot)
-        .add_product(R::literal(0.8) * post_v_y, post_v_y_dot)
-        .add_product(R::literal(0.0027) * post_omega, post_omega_dot)
-        .add_product(R::literal(1.2) * plate_v_x, plate_v_x_dot)
-        .add_product(R::literal(1.2) * plate_v_y, plate_v_y_dot)
-        .add_product(R::literal(0.0025) * plate_omega, plate_omega_dot)
-        .add_product(R::literal(0.3) * cylinder_v_x, cylinder_v_x_dot);
+        .add_product(R::literal(0.833_333_333_333_333_4), t214);
+    let post_omega_dot = (t13 * t223).sub_product(t12, t224).sub_product(t12, t222)
+        .add_product(t13, t221).sub_product(t14, t211);
+    let post_v_y_dot = (-R::literal(9.81).add_product(R::literal(1.25), t223))
+        .add_product(R::literal(1.25), t221);
+    let post_v_x_dot = (R::literal(1.25) * t222).sub_product(R::literal(1.25), t224);
+    let t225 = (R::literal(7.848) * post_v_y).add_product(R::literal(11.772), plate_v_y)
+        .sub_product(t159, cylinder_v_x).add_product(t162, cylinder_v_y).add_product(t165,
+        cylinder_omega).add_product(t159, rod_v_x).add_product(t167, rod_v_y).add_product(t170,
+        bobbin_v_y).add_product(R::literal(14.715), drum_v_y).add_product(R::literal(0.8)
+        * post_v_x, post_v_x_dot).add_product(R::literal(0.8) * post_v_y, post_v_y_dot)
+        .add_product(R::literal(0.0027) * post_omega, post_omega_dot).add_product(R::literal(1.2)
+        * plate_v_x, plate_v_x_dot).add_product(R::literal(1.2) * plate_v_y, plate_v_y_dot)
+        .add_product(R::literal(0.0025) * plate_omega, plate_omega_dot).add_product(R::literal(0.3)
+        * cylinder_v_x, cylinder_v_x_dot);
     PowerBalance {
-        stored_rate: t225
-            .add_product(R::literal(0.3) * cylinder_v_y, cylinder_v_y_dot)
+        stored_rate: t225.add_product(R::literal(0.3) * cylinder_v_y, cylinder_v_y_dot)
             .add_product(R::literal(0.00036) * cylinder_omega, cylinder_omega_dot)
-            .add_product(R::literal(0.2) * rod_v_x, rod_v_x_dot)
-            .add_product(R::literal(0.2) * rod_v_y, rod_v_y_dot)
-            .add_product(R::literal(0.00024) * rod_omega, rod_omega_dot)
-            .add_product(p.bobbin_mass * bobbin_v_x, bobbin_v_x_dot)
-            .add_product(p.bobbin_mass * bobbin_v_y, bobbin_v_y_dot)
-            .add_product(R::literal(1.5) * drum_v_x, drum_v_x_dot)
-            .add_product(R::literal(1.5) * drum_v_y, drum_v_y_dot),
+            .add_product(R::literal(0.2) * rod_v_x, rod_v_x_dot).sub_product(R::literal(0.2)
+            * rod_v_y, t202.add_product(t25, t217).add_product(R::literal(5.0), t215))
+            .add_product(R::literal(0.00024) * rod_omega, rod_omega_dot).sub_product(p.bobbin_mass
+            * bobbin_v_x, t204.add_product(inverse_bobbin_mass, t214).add_product(t28, t212))
+            .add_product(p.bobbin_mass * bobbin_v_y, bobbin_v_y_dot).add_product(R::literal(1.5)
+            * drum_v_x, drum_v_x_dot).add_product(R::literal(1.5) * drum_v_y, drum_v_y_dot),
         supplied: (p.winding_force * bobbin_v_y * bobbin_x_minus_drum_x / between)
-            .sub_product(bobbin_radius_times_winding_force, plate_omega)
-            - p.winding_force * bobbin_v_x * bobbin_y_minus_drum_y / between,
+            .sub_product(bobbin_radius_times_winding_force, plate_omega) - p.winding_force
+            * bobbin_v_x * bobbin_y_minus_drum_y / between,
         dissipated: (R::literal(50.0) * cylinder_omega * slide_rate * t7)
             .add_product(R::literal(50.0) * rod_v_x * slide_rate, cos_cylinder_phi)
             .add_product(R::literal(50.0) * rod_v_y * slide_rate, sin_cylinder_phi)
@@ -8769,24 +4387,15 @@ pub fn power_balance<R: Real>(
     }
 }
 
-/// `g`, zero on the constraints, in the order of `CONSTRAINT_SHAPES`.
-///
-/// 62 operations.
+/// `g` of each constraint, zero for those of velocities alone. 62 operations.
 #[must_use]
-pub fn constraint_values<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-) -> [R; CONSTRAINTS] {
+pub fn constraint_values<R: Real>(_time: R, state: &[R; STATES],
+        p: &Parameters<R>) -> [R; CONSTRAINTS] {
     let [post_x, post_y, post_phi, plate_x, plate_y, plate_phi, cylinder_x, cylinder_y,
-    cylinder_phi, rod_x, rod_y, rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, ..] = *state;
-    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
-    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
-        post_phi,
-        plate_phi,
-        cylinder_phi,
-        rod_phi,
-    ]);
+        cylinder_phi, rod_x, rod_y, rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, ..] = *state;
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi), (sin_cylinder_phi,
+        cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([post_phi, plate_phi,
+        cylinder_phi, rod_phi]);
     let t0 = R::literal(0.1) * cos_post_phi;
     let post_start_x = post_x - t0;
     let t1 = R::literal(0.1) * sin_post_phi;
@@ -8803,21 +4412,16 @@ pub fn constraint_values<R: Real>(
     let cylinder_start_y = cylinder_y.sub_product(R::literal(0.06), sin_cylinder_phi);
     let rod_end_x = rod_x.add_product(R::literal(0.06), cos_rod_phi);
     let rod_end_y = rod_y.add_product(R::literal(0.06), sin_rod_phi);
-    let axle_x = plate_x
-        .add_product(R::literal(0.1), sin_plate_phi)
-        .sub_product(R::literal(0.01), cos_plate_phi);
-    let axle_y = plate_y
-        .sub_product(R::literal(0.1), cos_plate_phi)
-        .sub_product(R::literal(0.01), sin_plate_phi);
+    let axle_x = plate_x.add_product(R::literal(0.1), sin_plate_phi).sub_product(R::literal(0.01),
+        cos_plate_phi);
+    let axle_y = plate_y.sub_product(R::literal(0.1), cos_plate_phi).sub_product(R::literal(0.01),
+        sin_plate_phi);
     let bobbin_x_minus_drum_x = bobbin_x - drum_x;
     let bobbin_y_minus_drum_y = bobbin_y - drum_y;
     let between = (bobbin_x_minus_drum_x * bobbin_x_minus_drum_x)
-        .add_product(bobbin_y_minus_drum_y, bobbin_y_minus_drum_y)
-        .sqrt();
-    let slide_across_value = ((rod_y - cylinder_y) * cos_cylinder_phi)
-        .sub_product(rod_x - cylinder_x, sin_cylinder_phi);
-    let stop_value = (R::literal(0.143) * sin_post_phi)
-        .sub_product(R::literal(0.044), cos_post_phi);
+        .add_product(bobbin_y_minus_drum_y, bobbin_y_minus_drum_y).sqrt();
+    let slide_across_value = ((rod_y - cylinder_y) * cos_cylinder_phi).sub_product(rod_x
+        - cylinder_x, sin_cylinder_phi);
     let pin_c_x_value = plate_start_x - post_end_x;
     let pin_c_y_value = plate_start_y - post_end_y;
     let pin_d_x_value = cylinder_start_x - plate_end_x;
@@ -8829,54 +4433,30 @@ pub fn constraint_values<R: Real>(
     let axle_b_x_value = drum_x - R::literal(0.328);
     let axle_b_y_value = drum_y - R::literal(0.058);
     let contact_value = between - R::literal(0.04) - p.bobbin_radius;
-    [
-        post_start_x,
-        post_start_y,
-        pin_c_x_value,
-        pin_c_y_value,
-        pin_d_x_value,
-        pin_d_y_value,
-        slide_angle_value,
-        slide_across_value,
-        rod_end_x,
-        pin_e_y_value,
-        axle_a_x_value,
-        axle_a_y_value,
-        axle_b_x_value,
-        axle_b_y_value,
-        contact_value,
-        stop_value,
-    ]
+    let stop_value = (R::literal(0.143) * sin_post_phi).sub_product(R::literal(0.044),
+        cos_post_phi);
+    [post_start_x, post_start_y, pin_c_x_value, pin_c_y_value, pin_d_x_value, pin_d_y_value,
+        slide_angle_value, slide_across_value, rod_end_x, pin_e_y_value, axle_a_x_value,
+        axle_a_y_value, axle_b_x_value, axle_b_y_value, contact_value, stop_value]
 }
 
-/// `g'`, zero on the constraints too.
-///
-/// 89 operations.
+/// `g'` of each constraint. 89 operations.
 #[must_use]
-pub fn constraint_rates<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    _p: &Parameters<R>,
-) -> [R; CONSTRAINTS] {
-    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x,
-    rod_y, rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, _, post_v_x, post_v_y,
-    post_omega, plate_v_x, plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y,
-    cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, _, drum_v_x,
-    drum_v_y, ..] = *state;
-    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
-    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
-        post_phi,
-        plate_phi,
-        cylinder_phi,
-        rod_phi,
-    ]);
+pub fn constraint_rates<R: Real>(_time: R, state: &[R; STATES],
+        _p: &Parameters<R>) -> [R; CONSTRAINTS] {
+    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y,
+        rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, _, post_v_x, post_v_y, post_omega,
+        plate_v_x, plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x,
+        rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, _, drum_v_x, drum_v_y, ..] = *state;
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi), (sin_cylinder_phi,
+        cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([post_phi, plate_phi,
+        cylinder_phi, rod_phi]);
     let bobbin_x_minus_drum_x = bobbin_x - drum_x;
     let bobbin_y_minus_drum_y = bobbin_y - drum_y;
     let between = (bobbin_x_minus_drum_x * bobbin_x_minus_drum_x)
-        .add_product(bobbin_y_minus_drum_y, bobbin_y_minus_drum_y)
-        .sqrt();
-    let slide = ((rod_x - cylinder_x) * cos_cylinder_phi)
-        .add_product(rod_y - cylinder_y, sin_cylinder_phi);
+        .add_product(bobbin_y_minus_drum_y, bobbin_y_minus_drum_y).sqrt();
+    let slide = ((rod_x - cylinder_x) * cos_cylinder_phi).add_product(rod_y - cylinder_y,
+        sin_cylinder_phi);
     let t0 = R::literal(0.1) * post_omega;
     let t1 = t0 * sin_post_phi;
     let pin_o_x_rate = post_v_x + t1;
@@ -8891,742 +4471,58 @@ pub fn constraint_rates<R: Real>(
     let pin_d_x_rate = (cylinder_v_x + t4).add_product(t6, sin_cylinder_phi) - plate_v_x;
     let pin_d_y_rate = (cylinder_v_y - plate_v_y - t5).sub_product(t6, cos_cylinder_phi);
     let slide_angle_rate = rod_omega - cylinder_omega;
-    let slide_across_rate = (cylinder_v_x * sin_cylinder_phi)
-        .add_product(rod_v_y, cos_cylinder_phi)
-        .sub_product(cylinder_v_y, cos_cylinder_phi)
-        .sub_product(cylinder_omega, slide)
+    let slide_across_rate = (cylinder_v_x * sin_cylinder_phi).add_product(rod_v_y, cos_cylinder_phi)
+        .sub_product(cylinder_v_y, cos_cylinder_phi).sub_product(cylinder_omega, slide)
         .sub_product(rod_v_x, sin_cylinder_phi);
     let t7 = R::literal(0.06) * rod_omega;
     let pin_e_x_rate = rod_v_x.sub_product(t7, sin_rod_phi);
     let pin_e_y_rate = rod_v_y.add_product(t7, cos_rod_phi);
-    let axle_a_x_rate = (bobbin_v_x - plate_v_x)
-        .sub_product(
-            plate_omega,
-            (R::literal(0.01) * sin_plate_phi)
-                .add_product(R::literal(0.1), cos_plate_phi),
-        );
-    let axle_a_y_rate = (bobbin_v_y - plate_v_y)
-        .sub_product(
-            plate_omega,
-            (R::literal(0.1) * sin_plate_phi)
-                .sub_product(R::literal(0.01), cos_plate_phi),
-        );
-    let contact_rate = (bobbin_x * bobbin_v_x)
-        .add_product(bobbin_y, bobbin_v_y)
-        .add_product(drum_x, drum_v_x)
-        .add_product(drum_y, drum_v_y)
-        .sub_product(bobbin_x, drum_v_x)
-        .sub_product(bobbin_y, drum_v_y)
-        .sub_product(drum_x, bobbin_v_x)
-        .sub_product(drum_y, bobbin_v_y) / between;
-    let stop_rate = post_omega
-        * (R::literal(0.044) * sin_post_phi)
-            .add_product(R::literal(0.143), cos_post_phi);
-    [
-        pin_o_x_rate,
-        pin_o_y_rate,
-        pin_c_x_rate,
-        pin_c_y_rate,
-        pin_d_x_rate,
-        pin_d_y_rate,
-        slide_angle_rate,
-        slide_across_rate,
-        pin_e_x_rate,
-        pin_e_y_rate,
-        axle_a_x_rate,
-        axle_a_y_rate,
-        drum_v_x,
-        drum_v_y,
-        contact_rate,
-        stop_rate,
-    ]
+    let axle_a_x_rate = (bobbin_v_x - plate_v_x).sub_product(plate_omega, (R::literal(0.01)
+        * sin_plate_phi).add_product(R::literal(0.1), cos_plate_phi));
+    let axle_a_y_rate = (bobbin_v_y - plate_v_y).sub_product(plate_omega, (R::literal(0.1)
+        * sin_plate_phi).sub_product(R::literal(0.01), cos_plate_phi));
+    let contact_rate = (bobbin_x * bobbin_v_x).add_product(bobbin_y, bobbin_v_y)
+        .add_product(drum_x, drum_v_x).add_product(drum_y, drum_v_y).sub_product(bobbin_x, drum_v_x)
+        .sub_product(bobbin_y, drum_v_y).sub_product(drum_x, bobbin_v_x).sub_product(drum_y,
+        bobbin_v_y) / between;
+    let stop_rate = post_omega * (R::literal(0.044) * sin_post_phi).add_product(R::literal(0.143),
+        cos_post_phi);
+    [pin_o_x_rate, pin_o_y_rate, pin_c_x_rate, pin_c_y_rate, pin_d_x_rate, pin_d_y_rate,
+        slide_angle_rate, slide_across_rate, pin_e_x_rate, pin_e_y_rate, axle_a_x_rate,
+        axle_a_y_rate, drum_v_x, drum_v_y, contact_rate, stop_rate]
 }
 
-/// `G = dg'/dq'`, values in the order of `CONSTRAINT_MATRIX_PATTERN`.
-///
-/// 48 operations.
+/// `G = dg'/dq'`, values in the order of its pattern. 43 operations.
 #[must_use]
-pub fn constraint_matrix<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    _p: &Parameters<R>,
-) -> [R; 44] {
-    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x,
-    rod_y, rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, ..] = *state;
-    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
-    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
-        post_phi,
-        plate_phi,
-        cylinder_phi,
-        rod_phi,
-    ]);
+pub fn constraint_matrix<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; 44] {
+    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y,
+        rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, ..] = *state;
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi), (sin_cylinder_phi,
+        cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([post_phi, plate_phi,
+        cylinder_phi, rod_phi]);
     let t0 = R::literal(0.1) * sin_post_phi;
     let t1 = R::literal(0.06) * sin_plate_phi;
     let bobbin_x_minus_drum_x = bobbin_x - drum_x;
     let bobbin_y_minus_drum_y = bobbin_y - drum_y;
     let between = (bobbin_x_minus_drum_x * bobbin_x_minus_drum_x)
-        .add_product(bobbin_y_minus_drum_y, bobbin_y_minus_drum_y)
-        .sqrt();
-    let slide = ((rod_x - cylinder_x) * cos_cylinder_phi)
-        .add_product(rod_y - cylinder_y, sin_cylinder_phi);
-    let t2 = -(R::literal(0.1) * cos_post_phi);
-    let t3 = -(R::literal(0.06) * cos_plate_phi);
+        .add_product(bobbin_y_minus_drum_y, bobbin_y_minus_drum_y).sqrt();
+    let slide = ((rod_x - cylinder_x) * cos_cylinder_phi).add_product(rod_y - cylinder_y,
+        sin_cylinder_phi);
+    let t2 = R::literal(-0.1) * cos_post_phi;
+    let t3 = R::literal(-0.06) * cos_plate_phi;
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
     let bobbin_y_minus_drum_y_over_between = bobbin_y_minus_drum_y / between;
-    [
-        R::literal(1.0),
-        t0,
-        R::literal(1.0),
-        t2,
-        R::literal(-1.0),
-        t0,
-        R::literal(1.0),
-        t1,
-        R::literal(-1.0),
-        t2,
-        R::literal(1.0),
-        t3,
-        R::literal(-1.0),
-        t1,
-        R::literal(1.0),
-        R::literal(0.06) * sin_cylinder_phi,
-        R::literal(-1.0),
-        t3,
-        R::literal(1.0),
-        -(R::literal(0.06) * cos_cylinder_phi),
-        R::literal(-1.0),
-        R::literal(1.0),
-        sin_cylinder_phi,
-        -cos_cylinder_phi,
-        -slide,
-        -sin_cylinder_phi,
-        cos_cylinder_phi,
-        R::literal(1.0),
-        -(R::literal(0.06) * sin_rod_phi),
-        R::literal(1.0),
-        R::literal(0.06) * cos_rod_phi,
-        R::literal(-1.0),
-        -(R::literal(0.01) * sin_plate_phi).add_product(R::literal(0.1), cos_plate_phi),
-        R::literal(1.0),
-        R::literal(-1.0),
-        (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        bobbin_x_minus_drum_x_over_between,
-        bobbin_y_minus_drum_y_over_between,
-        -bobbin_x_minus_drum_x_over_between,
-        -bobbin_y_minus_drum_y_over_between,
-        (R::literal(0.044) * sin_post_phi).add_product(R::literal(0.143), cos_post_phi),
-    ]
+    [R::literal(1.0), t0, R::literal(1.0), t2, R::literal(-1.0), t0, R::literal(1.0), t1,
+        R::literal(-1.0), t2, R::literal(1.0), t3, R::literal(-1.0), t1, R::literal(1.0),
+        R::literal(0.06) * sin_cylinder_phi, R::literal(-1.0), t3, R::literal(1.0),
+        R::literal(-0.06) * cos_cylinder_phi, R::literal(-1.0), R::literal(1.0), sin_cylinder_phi,
+        -cos_cylinder_phi, -slide, -sin_cylinder_phi, cos_cylinder_phi, R::literal(1.0),
+        R::literal(-0.06) * sin_rod_phi, R::literal(1.0), R::literal(0.06) * cos_rod_phi,
+        R::literal(-1.0), R::literal(-0.01) * sin_plate_phi.add_product(R::literal(10.0),
+        cos_plate_phi), R::literal(1.0), R::literal(-1.0), (R::literal(0.01)
+        * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi), R::literal(1.0),
+        R::literal(1.0), R::literal(1.0), bobbin_x_minus_drum_x_over_between,
+        bobbin_y_minus_drum_y_over_between, -bobbin_x_minus_drum_x_over_between,
+        -bobbin_y_minus_drum_y_over_between, (R::literal(0.044)
+        * sin_post_phi).add_product(R::literal(0.143), cos_post_phi)]
 }
-
-impl Describe for WinderLinkage {
-    fn name(&self) -> &'static str {
-        "winder_linkage"
-    }
-    fn title(&self) -> &'static str {
-        "Four-link bobbin holder, at work"
-    }
-    fn shape(&self) -> Shape {
-        Shape {
-            coordinates: COORDINATES,
-            positions: 18,
-            first_order: 0,
-            quadratures: 0,
-            parameters: PARAMETERS,
-            outputs: OUTPUTS,
-            discontinuities: DISCONTINUITIES,
-        }
-    }
-    fn state(&self, index: usize) -> Quantity<'_> {
-        STATE_QUANTITIES[index]
-    }
-    fn state_scale(&self, index: usize) -> f64 {
-        STATE_SCALES[index]
-    }
-    fn parameter(&self, index: usize) -> Quantity<'_> {
-        PARAMETER_QUANTITIES[index]
-    }
-    fn parameter_default(&self, index: usize) -> f64 {
-        PARAMETER_DEFAULTS[index]
-    }
-    fn output(&self, index: usize) -> Quantity<'_> {
-        OUTPUT_QUANTITIES[index]
-    }
-    fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
-        RATE_JACOBIAN_PATTERN
-    }
-    fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_> {
-        PARAMETER_JACOBIAN_PATTERN
-    }
-    fn mass_matrix_pattern(&self) -> SparsityPattern<'_> {
-        MASS_MATRIX_PATTERN
-    }
-    fn run_defaults(&self) -> RunDefaults<'_> {
-        RUN_DEFAULTS
-    }
-    fn constraints(&self) -> usize {
-        CONSTRAINTS
-    }
-    fn constraint(&self, index: usize) -> Constraint<'_> {
-        CONSTRAINT_SHAPES[index]
-    }
-    fn constraint_matrix_pattern(&self) -> SparsityPattern<'_> {
-        CONSTRAINT_MATRIX_PATTERN
-    }
-    fn is_given(&self, index: usize) -> bool {
-        matches!(index, 32 | 35)
-    }
-}
-
-impl<R: Real> Simulator<R> for WinderLinkage {
-    fn constants(&self) -> usize {
-        CONSTANTS
-    }
-    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
-        *array_of(constants) = prepare(&parameters_of(parameters)).to_array();
-    }
-    fn prepared_rate(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        constants: &[R],
-        values: &mut [R],
-    ) {
-        let (p, c) = (parameters_of(parameters), constants_of(constants));
-        *array_of(values) = prepared_rate(time, state_of(state), &p, &c);
-    }
-    fn prepared_rate_jacobian(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        constants: &[R],
-        values: &mut [R],
-    ) {
-        let (p, c) = (parameters_of(parameters), constants_of(constants));
-        *array_of(values) = prepared_rate_jacobian(time, state_of(state), &p, &c);
-    }
-    fn initial_state(&self, parameters: &[R], values: &mut [R]) {
-        *array_of(values) = initial_state(&parameters_of(parameters));
-    }
-    fn discontinuities(&self, parameters: &[R], values: &mut [R]) {
-        *array_of(values) = discontinuities(&parameters_of(parameters));
-    }
-    fn rate(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = rate(time, state_of(state), &parameters_of(parameters));
-    }
-    fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = rate_jacobian(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn parameter_jacobian(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        values: &mut [R],
-    ) {
-        *array_of(values) = parameter_jacobian(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn time_derivative(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = time_derivative(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = mass_matrix(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn forcing(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = forcing(time, state_of(state), &parameters_of(parameters));
-    }
-    fn outputs(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = outputs(time, state_of(state), &parameters_of(parameters))
-            .to_array();
-    }
-    fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
-        energy(time, state_of(state), &parameters_of(parameters))
-    }
-    fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
-        power_balance(time, state_of(state), &parameters_of(parameters))
-    }
-    fn constraint_values(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        values: &mut [R],
-    ) {
-        *array_of(values) = constraint_values(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn constraint_rates(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        values: &mut [R],
-    ) {
-        *array_of(values) = constraint_rates(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn constraint_matrix(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        values: &mut [R],
-    ) {
-        *array_of(values) = constraint_matrix(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-}
-
-#[inline]
-fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
-    let values: &[R; CONSTANTS] = constants
-        .try_into()
-        .expect("there are CONSTANTS constants");
-    Constants::from_array(*values)
-}
-
-#[inline]
-fn array_of<R, const N: usize>(values: &mut [R]) -> &mut [R; N] {
-    values.try_into().expect("there is one place for each value")
-}
-
-#[inline]
-fn state_of<R>(state: &[R]) -> &[R; STATES] {
-    state.try_into().expect("the state has STATES entries")
-}
-
-#[inline]
-fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
-    let values: &[R; PARAMETERS] = parameters
-        .try_into()
-        .expect("there are PARAMETERS parameters");
-    Parameters::from_array(*values)
-}
-
-static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
-    Quantity {
-        name: "post.x",
-        unit: "m",
-        doc: "centre of mass, sideways",
-    },
-    Quantity {
-        name: "post.y",
-        unit: "m",
-        doc: "centre of mass, upwards",
-    },
-    Quantity {
-        name: "post.phi",
-        unit: "rad",
-        doc: "angle of the bar from sideways",
-    },
-    Quantity {
-        name: "plate.x",
-        unit: "m",
-        doc: "centre of mass, sideways",
-    },
-    Quantity {
-        name: "plate.y",
-        unit: "m",
-        doc: "centre of mass, upwards",
-    },
-    Quantity {
-        name: "plate.phi",
-        unit: "rad",
-        doc: "angle of the bar from sideways",
-    },
-    Quantity {
-        name: "cylinder.x",
-        unit: "m",
-        doc: "centre of mass, sideways",
-    },
-    Quantity {
-        name: "cylinder.y",
-        unit: "m",
-        doc: "centre of mass, upwards",
-    },
-    Quantity {
-        name: "cylinder.phi",
-        unit: "rad",
-        doc: "angle of the bar from sideways",
-    },
-    Quantity {
-        name: "rod.x",
-        unit: "m",
-        doc: "centre of mass, sideways",
-    },
-    Quantity {
-        name: "rod.y",
-        unit: "m",
-        doc: "centre of mass, upwards",
-    },
-    Quantity {
-        name: "rod.phi",
-        unit: "rad",
-        doc: "angle of the bar from sideways",
-    },
-    Quantity {
-        name: "bobbin.x",
-        unit: "m",
-        doc: "centre of mass, sideways",
-    },
-    Quantity {
-        name: "bobbin.y",
-        unit: "m",
-        doc: "centre of mass, upwards",
-    },
-    Quantity {
-        name: "bobbin.phi",
-        unit: "rad",
-        doc: "angle of the bar from sideways",
-    },
-    Quantity {
-        name: "drum.x",
-        unit: "m",
-        doc: "centre of mass, sideways",
-    },
-    Quantity {
-        name: "drum.y",
-        unit: "m",
-        doc: "centre of mass, upwards",
-    },
-    Quantity {
-        name: "drum.phi",
-        unit: "rad",
-        doc: "angle of the bar from sideways",
-    },
-    Quantity {
-        name: "post.v_x",
-        unit: "m/s",
-        doc: "rate of centre of mass, sideways",
-    },
-    Quantity {
-        name: "post.v_y",
-        unit: "m/s",
-        doc: "rate of centre of mass, upwards",
-    },
-    Quantity {
-        name: "post.omega",
-        unit: "rad/s",
-        doc: "rate of angle of the bar from sideways",
-    },
-    Quantity {
-        name: "plate.v_x",
-        unit: "m/s",
-        doc: "rate of centre of mass, sideways",
-    },
-    Quantity {
-        name: "plate.v_y",
-        unit: "m/s",
-        doc: "rate of centre of mass, upwards",
-    },
-    Quantity {
-        name: "plate.omega",
-        unit: "rad/s",
-        doc: "rate of angle of the bar from sideways",
-    },
-    Quantity {
-        name: "cylinder.v_x",
-        unit: "m/s",
-        doc: "rate of centre of mass, sideways",
-    },
-    Quantity {
-        name: "cylinder.v_y",
-        unit: "m/s",
-        doc: "rate of centre of mass, upwards",
-    },
-    Quantity {
-        name: "cylinder.omega",
-        unit: "rad/s",
-        doc: "rate of angle of the bar from sideways",
-    },
-    Quantity {
-        name: "rod.v_x",
-        unit: "m/s",
-        doc: "rate of centre of mass, sideways",
-    },
-    Quantity {
-        name: "rod.v_y",
-        unit: "m/s",
-        doc: "rate of centre of mass, upwards",
-    },
-    Quantity {
-        name: "rod.omega",
-        unit: "rad/s",
-        doc: "rate of angle of the bar from sideways",
-    },
-    Quantity {
-        name: "bobbin.v_x",
-        unit: "m/s",
-        doc: "rate of centre of mass, sideways",
-    },
-    Quantity {
-        name: "bobbin.v_y",
-        unit: "m/s",
-        doc: "rate of centre of mass, upwards",
-    },
-    Quantity {
-        name: "bobbin.omega",
-        unit: "rad/s",
-        doc: "rate of angle of the bar from sideways",
-    },
-    Quantity {
-        name: "drum.v_x",
-        unit: "m/s",
-        doc: "rate of centre of mass, sideways",
-    },
-    Quantity {
-        name: "drum.v_y",
-        unit: "m/s",
-        doc: "rate of centre of mass, upwards",
-    },
-    Quantity {
-        name: "drum.omega",
-        unit: "rad/s",
-        doc: "rate of angle of the bar from sideways",
-    },
-];
-
-static STATE_SCALES: [f64; STATES] = [
-    0.1,
-    0.1,
-    1.0,
-    0.1,
-    0.1,
-    1.0,
-    0.1,
-    0.1,
-    1.0,
-    0.1,
-    0.1,
-    1.0,
-    0.1,
-    0.1,
-    1.0,
-    0.1,
-    0.1,
-    1.0,
-    1.0,
-    1.0,
-    10.0,
-    1.0,
-    1.0,
-    10.0,
-    1.0,
-    1.0,
-    10.0,
-    1.0,
-    1.0,
-    10.0,
-    1.0,
-    1.0,
-    10.0,
-    1.0,
-    1.0,
-    10.0,
-];
-
-static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [
-    Quantity {
-        name: "bobbin_radius",
-        unit: "m",
-        doc: "radius of the package on the bobbin",
-    },
-    Quantity {
-        name: "winding_force",
-        unit: "N",
-        doc: "force of the drum on the bobbin along its surface, to the left over the drum",
-    },
-    Quantity {
-        name: "bobbin.mass",
-        unit: "kg",
-        doc: "the mass",
-    },
-    Quantity {
-        name: "spring.stiffness",
-        unit: "N/m",
-        doc: "spring",
-    },
-    Quantity {
-        name: "spring.free_length",
-        unit: "m",
-        doc: "distance at which the spring is at rest",
-    },
-];
-
-static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [0.06, 0.0, 0.7, 2000.0, 0.116];
-
-static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [
-    Quantity {
-        name: "contact_force",
-        unit: "N",
-        doc: "N, force of the drum on the bobbin at K",
-    },
-    Quantity {
-        name: "stop_force",
-        unit: "N",
-        doc: "Q, force of the stop on the post at T",
-    },
-    Quantity {
-        name: "strut_push",
-        unit: "N",
-        doc: "force with which it pushes its ends apart",
-    },
-    Quantity {
-        name: "post_angle",
-        unit: "rad",
-        doc: "angle of the bar from sideways",
-    },
-    Quantity {
-        name: "plate_angle",
-        unit: "rad",
-        doc: "angle of the bar from sideways",
-    },
-    Quantity {
-        name: "bobbin_angle",
-        unit: "rad",
-        doc: "angle of the bar from sideways",
-    },
-    Quantity {
-        name: "drum_angle",
-        unit: "rad",
-        doc: "angle of the bar from sideways",
-    },
-];
-
-/// The run the spec asks for.
-pub const RUN_DEFAULTS: RunDefaults<'static> = RunDefaults {
-    from: 0.0,
-    until: 1.0,
-    points: 101,
-    rtol: 1e-8,
-    method: "dop853",
-};
-
-/// What coordinates must fulfil.
-pub static CONSTRAINT_SHAPES: [Constraint<'static>; CONSTRAINTS] = [
-    Constraint {
-        name: "pin_o_x",
-        unit: "m",
-        doc: "pin O in the frame, sideways",
-        is_of_positions: true,
-    },
-    Constraint {
-        name: "pin_o_y",
-        unit: "m",
-        doc: "pin O in the frame, upwards",
-        is_of_positions: true,
-    },
-    Constraint {
-        name: "pin_c_x",
-        unit: "m",
-        doc: "pin C of post and plate, sideways",
-        is_of_positions: true,
-    },
-    Constraint {
-        name: "pin_c_y",
-        unit: "m",
-        doc: "pin C of post and plate, upwards",
-        is_of_positions: true,
-    },
-    Constraint {
-        name: "pin_d_x",
-        unit: "m",
-        doc: "pin D of plate and cylinder, sideways",
-        is_of_positions: true,
-    },
-    Constraint {
-        name: "pin_d_y",
-        unit: "m",
-        doc: "pin D of plate and cylinder, upwards",
-        is_of_positions: true,
-    },
-    Constraint {
-        name: "slide_angle",
-        unit: "1",
-        doc: "S: rod and cylinder are parallel",
-        is_of_positions: true,
-    },
-    Constraint {
-        name: "slide_across",
-        unit: "m",
-        doc: "S: and in line",
-        is_of_positions: true,
-    },
-    Constraint {
-        name: "pin_e_x",
-        unit: "m",
-        doc: "pin E in the frame, sideways",
-        is_of_positions: true,
-    },
-    Constraint {
-        name: "pin_e_y",
-        unit: "m",
-        doc: "pin E in the frame, upwards",
-        is_of_positions: true,
-    },
-    Constraint {
-        name: "axle_a_x",
-        unit: "m",
-        doc: "axle A of the bobbin on the plate, sideways",
-        is_of_positions: true,
-    },
-    Constraint {
-        name: "axle_a_y",
-        unit: "m",
-        doc: "axle A of the bobbin on the plate, upwards",
-        is_of_positions: true,
-    },
-    Constraint {
-        name: "axle_b_x",
-        unit: "m",
-        doc: "axle B of the drum in the frame, sideways",
-        is_of_positions: true,
-    },
-    Constraint {
-        name: "axle_b_y",
-        unit: "m",
-        doc: "axle B of the drum in the frame, upwards",
-        is_of_positions: true,
-    },
-    Constraint {
-        name: "contact",
-        unit: "m",
-        doc: "K: the bobbin touches the drum",
-        is_of_positions: true,
-    },
-    Constraint {
-        name: "stop",
-        unit: "m",
-        doc: "T: the post touches its stop",
-        is_of_positions: true,
-    },
-];

@@ -9,16 +9,16 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens as _, format_ident, quote};
 
 use super::batch::{Batch, Kind, Step, steps};
 use super::fuse::{Fused, fuse};
 use super::names::{Namer, identifier};
+use super::operation::{Expressions, Strength, Written};
 use super::plan::{Place, plan};
 use crate::emit::EmitError;
-use crate::emit::literal::constant_or_literal;
-use machinist_model::{Function, NodeId, Op, TableId, Tape};
+use machinist_model::{NodeId, Op, Tape};
 
 /// Names a body may use.
 pub(super) struct Scope<'a> {
@@ -40,7 +40,7 @@ pub(super) struct Scope<'a> {
 
 impl Scope<'_> {
     /// The name of what is given to a run.
-    fn given(&self, op: &Op) -> Option<&Ident> {
+    pub(super) fn given(&self, op: &Op) -> Option<&Ident> {
         match *op {
             Op::Parameter(entry) => self.parameters.get(entry as usize),
             Op::Handed(entry) => self.handed.get(entry as usize),
@@ -121,32 +121,6 @@ pub(super) fn body(
     Ok(Body { statements, results, reads: writer.reads })
 }
 
-/// How tightly an expression binds, from weak to strong.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Strength {
-    Sum,
-    Product,
-    Minus,
-    Call,
-}
-
-struct Written {
-    tokens: TokenStream,
-    strength: Strength,
-}
-
-impl Written {
-    fn call(tokens: TokenStream) -> Self {
-        Self { tokens, strength: Strength::Call }
-    }
-
-    /// The tokens, in parentheses if they bind more weakly than `least`.
-    fn at_least(self, least: Strength) -> TokenStream {
-        let tokens = self.tokens;
-        if self.strength < least { quote!((#tokens)) } else { tokens }
-    }
-}
-
 struct Writer<'a> {
     function: &'static str,
     tape: &'a Tape,
@@ -160,6 +134,29 @@ struct Writer<'a> {
     namer: Namer,
     temporaries: u32,
     reads: Reads,
+}
+
+impl Expressions for Writer<'_> {
+    fn operand(&mut self, id: NodeId) -> Result<Written, EmitError> {
+        let index = id.0 as usize;
+        if self.places[index] == Place::Statement {
+            let name = self.variable(index);
+            return Ok(Written::call(quote!(#name)));
+        }
+        self.node(index)
+    }
+
+    fn scope(&self) -> &Scope<'_> {
+        self.scope
+    }
+
+    fn reads(&mut self) -> &mut Reads {
+        &mut self.reads
+    }
+
+    fn function(&self) -> &'static str {
+        self.function
+    }
 }
 
 impl Writer<'_> {
@@ -210,15 +207,6 @@ impl Writer<'_> {
         name
     }
 
-    fn operand(&mut self, id: NodeId) -> Result<Written, EmitError> {
-        let index = id.0 as usize;
-        if self.places[index] == Place::Statement {
-            let name = self.variable(index);
-            return Ok(Written::call(quote!(#name)));
-        }
-        self.node(index)
-    }
-
     fn operand_at_least(&mut self, id: NodeId, least: Strength) -> Result<TokenStream, EmitError> {
         Ok(self.operand(id)?.at_least(least))
     }
@@ -229,66 +217,8 @@ impl Writer<'_> {
             return self.fused(&fused);
         }
         match self.tape.nodes[index].op {
-            Op::Literal(value) => self.literal(value),
-            Op::Time => {
-                self.reads.time = true;
-                Ok(Written::call(quote!(time)))
-            }
-            Op::State(entry) => {
-                self.reads.state.insert(entry as usize);
-                let name = &self.scope.states[entry as usize];
-                Ok(Written::call(quote!(#name)))
-            }
-            Op::Parameter(entry) => {
-                self.reads.parameters = true;
-                let name = &self.scope.parameters[entry as usize];
-                Ok(Written::call(quote!(p.#name)))
-            }
-            Op::Handed(entry) => {
-                self.reads.parameters = true;
-                let name = &self.scope.handed[entry as usize];
-                Ok(Written::call(quote!(p.#name)))
-            }
-            Op::Constant(entry) => {
-                let name = &self.scope.constants[entry as usize];
-                if self.scope.is_in_loop {
-                    return Ok(Written::call(quote!(#name)));
-                }
-                self.reads.constants = true;
-                Ok(Written::call(quote!(c.#name)))
-            }
-            Op::Neg(a) => {
-                let a = self.operand_at_least(a, Strength::Call)?;
-                Ok(Written { tokens: quote!(-#a), strength: Strength::Minus })
-            }
-            Op::Add(a, b) => self.infix(a, &quote!(+), b, Strength::Sum, Strength::Product),
-            Op::Sub(a, b) => self.infix(a, &quote!(-), b, Strength::Sum, Strength::Product),
-            Op::Mul(a, b) => self.infix(a, &quote!(*), b, Strength::Product, Strength::Minus),
-            Op::Div(a, b) => self.infix(a, &quote!(/), b, Strength::Product, Strength::Minus),
-            Op::Powi(base, exponent) => {
-                let base = self.operand_at_least(base, Strength::Call)?;
-                let size = Literal::u32_unsuffixed(exponent.unsigned_abs());
-                let minus = (exponent < 0).then(|| quote!(-));
-                Ok(Written::call(quote!(#base.powi(#minus #size))))
-            }
-            Op::Powf(base, exponent) => {
-                let base = self.operand_at_least(base, Strength::Call)?;
-                let exponent = self.operand(exponent)?.tokens;
-                Ok(Written::call(quote!(#base.powf(#exponent))))
-            }
-            Op::Call(function, argument) => self.call(function, argument),
-            Op::SelectLess { lhs, rhs, then, otherwise } => {
-                let [lhs, rhs] = [self.operand(lhs)?.tokens, self.operand(rhs)?.tokens];
-                let [then, otherwise] =
-                    [self.operand(then)?.tokens, self.operand(otherwise)?.tokens];
-                Ok(Written::call(quote!(R::select_less(#lhs, #rhs, #then, #otherwise))))
-            }
-            Op::Table { table: TableId(table), order, argument } => {
-                let argument = self.operand(argument)?.tokens;
-                let table = &self.scope.tables[table as usize];
-                let order = Literal::u32_unsuffixed(order);
-                Ok(Written::call(quote!(R::interpolate(&#table, #order, #argument))))
-            }
+            Op::Neg(a) => self.opposite(a),
+            op => self.operation(&op),
         }
     }
 
@@ -327,13 +257,10 @@ impl Writer<'_> {
 
     /// A sum with a product in it.
     fn fused(&mut self, fused: &Fused) -> Result<Written, EmitError> {
-        let summand = match self.tape[fused.summand].op {
-            Op::Literal(value) if fused.is_summand_negative => self.literal(-value)?.tokens,
-            _ if fused.is_summand_negative => {
-                let summand = self.operand_at_least(fused.summand, Strength::Call)?;
-                quote!((-#summand))
-            }
-            _ => self.operand_at_least(fused.summand, Strength::Call)?,
+        let summand = if fused.is_summand_negative {
+            self.opposite(fused.summand)?.at_least(Strength::Call)
+        } else {
+            self.operand_at_least(fused.summand, Strength::Call)?
         };
         let [a, b] = fused.factors;
         let (a, b) = (self.operand(a)?.tokens, self.operand(b)?.tokens);
@@ -342,33 +269,33 @@ impl Writer<'_> {
         Ok(Written::call(quote!(#summand.#method(#a, #b))))
     }
 
-    fn literal(&self, value: f64) -> Result<Written, EmitError> {
-        let literal = constant_or_literal(value).map_err(|_| EmitError::NotFinite {
-            place: format!("function `{}`", self.function),
-            value,
-        })?;
-        Ok(Written::call(quote!(R::literal(#literal))))
+    /// -a, its sign in a literal where that stands in a product, so that it costs nothing.
+    fn opposite(&mut self, id: NodeId) -> Result<Written, EmitError> {
+        let index = id.0 as usize;
+        let is_inline = self.places[index] == Place::Inline && self.fused[index].is_none();
+        match self.tape.nodes[index].op {
+            Op::Literal(value) => self.literal(-value),
+            Op::Neg(a) if is_inline => self.operand(a),
+            Op::Mul(a, b) if is_inline && self.has_literal(a) => {
+                let a = self.opposite(a)?;
+                Ok(a.times(self.operand(b)?))
+            }
+            _ => Ok(self.operand(id)?.minus()),
+        }
     }
 
-    /// `a operator b`; the right side needs more strength than the left, because
-    /// all four operators associate to the left.
-    fn infix(
-        &mut self,
-        a: NodeId,
-        operator: &TokenStream,
-        b: NodeId,
-        left: Strength,
-        right: Strength,
-    ) -> Result<Written, EmitError> {
-        let a = self.operand_at_least(a, left)?;
-        let b = self.operand_at_least(b, right)?;
-        Ok(Written { tokens: quote!(#a #operator #b), strength: left })
-    }
-
-    fn call(&mut self, function: Function, argument: NodeId) -> Result<Written, EmitError> {
-        let method = format_ident!("{}", function.name());
-        let argument = self.operand_at_least(argument, Strength::Call)?;
-        Ok(Written::call(quote!(#argument.#method())))
+    /// Whether an expression is a literal or begins with one as a factor.
+    fn has_literal(&self, id: NodeId) -> bool {
+        let index = id.0 as usize;
+        match self.tape.nodes[index].op {
+            Op::Literal(_) => true,
+            Op::Mul(a, _) => {
+                self.places[index] == Place::Inline
+                    && self.fused[index].is_none()
+                    && self.has_literal(a)
+            }
+            _ => false,
+        }
     }
 
     /// A telling name for the value of an operation on named things.

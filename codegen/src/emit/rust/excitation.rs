@@ -1,36 +1,21 @@
-//! What a linear machine is excited by, and its implementation of the contract.
+//! What a linear machine is excited by.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Scene;
-use super::body::{ResultNames, Scope, body};
-use super::functions::counted;
+use super::body::{ResultNames, body};
+use super::functions::documentation;
 use crate::emit::EmitError;
 use crate::emit::text::doc;
 use machinist_model::{Excitation, operations};
 
-/// Constants, functions and implementation; nothing for a machine that is not linear.
+/// Constants and functions; nothing for a machine that is not linear.
 pub(super) fn items(scene: &Scene<'_>) -> Result<Option<TokenStream>, EmitError> {
     let Some(excitation) = &scene.model.excitation else { return Ok(None) };
     let terms = terms(excitation);
     let [values, switches] = functions(scene, excitation)?;
-    let machine = &scene.machine;
-    Ok(Some(quote! {
-        #terms
-        #values
-        #switches
-        impl<R: Real> LinearEquations<R> for #machine {
-            fn excitation_terms(&self) -> &[(u32, u32)] { &EXCITATION_TERMS }
-            fn excitation(&self, time: R, parameters: &[R], values: &mut [R]) {
-                values.copy_from_slice(&excitation(time, &parameters_of(parameters)));
-            }
-            fn switches(&self) -> usize { SWITCHES }
-            fn switch_times(&self, parameters: &[R], times: &mut [R]) {
-                times.copy_from_slice(&switches(&parameters_of(parameters)));
-            }
-        }
-    }))
+    Ok(Some(quote!(#terms #values #switches)))
 }
 
 fn terms(excitation: &Excitation) -> TokenStream {
@@ -73,22 +58,12 @@ fn function(
     meaning: &str,
     length: &TokenStream,
 ) -> Result<TokenStream, EmitError> {
-    let scope = Scope {
-        states: &scene.states,
-        parameters: scene.own_parameters(),
-        handed: scene.handed(),
-        constants: &[],
-        tables: &scene.tables,
-        is_in_loop: false,
-        namer: &scene.locals,
-    };
-    let body = body(name, tape, &scope, &ResultNames::default())?;
+    let body = body(name, tape, &scene.scope(&[]), &ResultNames::default())?;
     let (statements, results) = (&body.statements, &body.results);
     let p = if body.reads.parameters { format_ident!("p") } else { format_ident!("_p") };
     let time = if body.reads.time { quote!(time) } else { quote!(_time) };
     let time = (name == "excitation").then(|| quote!(#time: R,));
-    let operations = counted(operations(tape));
-    let docs = doc([meaning, "", operations.as_str()]);
+    let docs = documentation(meaning, operations(tape));
     let name = format_ident!("{name}");
     Ok(quote! {
         #docs

@@ -1,20 +1,21 @@
-//! The generic elements of a scene's fields: a module of point functions for each, and
-//! `FieldScene` for the machine.
+//! The generic elements of a scene's fields: a module of point functions for each, and the
+//! rows from which `FieldScene` follows.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Scene;
 use super::body::{Body, ResultNames, Scope, body};
-use super::items::meaning;
+use super::describe::{call, meaning, number, string};
+use super::functions::documentation;
+use super::layout::broken;
 use super::names::{Namer, argument, distinct};
 use super::points;
 use crate::emit::EmitError;
-use crate::emit::literal::literal;
 use crate::emit::text::doc;
-use machinist_model::{FieldModel, Model, Place, Quantity, Tape, operations};
+use machinist_model::{FieldModel, Place, Quantity, Tape, operations};
 
-/// Modules of all fields and the implementation; nothing for a scene without fields.
+/// Modules of all fields; nothing for a scene without fields.
 pub(super) fn items(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
     let fields = &scene.model.fields;
     if fields.is_empty() {
@@ -24,13 +25,7 @@ pub(super) fn items(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
     let modules = distinct(idents, "fields")?;
     let bodies = fields.iter().zip(&modules).map(|(field, name)| module(scene, field, name));
     let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
-    let implementation = implementation(scene, &modules)?;
-    Ok(quote!(#(#bodies)* #implementation))
-}
-
-/// Names to import from the contract's `field`.
-pub(super) fn imports() -> TokenStream {
-    quote!(field::{FieldAttachment, FieldDescription, FieldPlace, FieldPoint, FieldScene},)
+    Ok(quote!(#(#bodies)*))
 }
 
 /// How a point function is presented.
@@ -193,8 +188,7 @@ fn function(manner: &Manner, tape: &Tape, scope: &Scope<'_>) -> Result<TokenStre
         if of_point.contains(&entry) { quote!(#name) } else { quote!(_) }
     });
     let destructured = (!of_point.is_empty()).then(|| quote!(let [#(#states),*] = *#point;));
-    let operations = format!("{} operations.", operations(tape));
-    let docs = doc([manner.doc, "", operations.as_str()]);
+    let docs = documentation(manner.doc, operations(tape));
     let (length, ident) = (Literal::usize_unsuffixed(results.len()), format_ident!("{name}"));
     // The loop over points moves out what no point decides, if it sees it.
     let inline = if name == "inertia" { quote!(#[inline(always)]) } else { quote!(#[inline]) };
@@ -210,167 +204,48 @@ fn function(manner: &Manner, tape: &Tape, scope: &Scope<'_>) -> Result<TokenStre
     })
 }
 
-fn implementation(scene: &Scene<'_>, modules: &[Ident]) -> Result<TokenStream, EmitError> {
-    let machine = &scene.machine;
-    let fields = &scene.model.fields;
-    let own = scene.model.parameters.len() as u32;
-    let count = Literal::usize_unsuffixed(fields.len());
-    let statics = fields.iter().zip(modules).map(|(field, module)| statics(field, module, own));
-    let statics = statics.collect::<Result<Vec<_>, _>>()?;
-    let numbers: Vec<Literal> = (0..fields.len()).map(Literal::usize_unsuffixed).collect();
-    let names = modules.iter().map(constant).collect::<Vec<_>>();
-    let arms = |call: &TokenStream| {
-        quote! {
-            match index {
-                #(#numbers => #modules::#call,)*
-                _ => no_field(index),
-            }
+/// The rows of `field_scene!`; nothing for a scene without fields.
+pub(super) fn description(scene: &Scene<'_>) -> Result<String, EmitError> {
+    let model = scene.model;
+    if model.fields.is_empty() {
+        return Ok(String::new());
+    }
+    let reads_forces = model.jacobian_reads_forces();
+    let mut rows = vec![format!("{}: jacobian_reads_forces {reads_forces};", scene.machine)];
+    for (index, field) in model.fields.iter().enumerate() {
+        let place = format!("field `{}`", field.quantities[0].name.path);
+        let number = |value: f64| number(&place, value);
+        let [scale, scale_of_rate, length] =
+            [field.scale[0], field.scale[1], field.length].map(number);
+        let [start, end] = field.fixed;
+        let is_local = field.local.is_some();
+        let head = format!(
+            "{index} {}: linear {}, local {is_local}, scale [{}, {}], fixed [{start}, {end}], \
+             length {}, elements {}, order {};",
+            field.quantities[0].name.ident,
+            field.is_linear,
+            scale?,
+            scale_of_rate?,
+            length?,
+            field.elements,
+            field.order,
+        );
+        rows.extend(broken(&head, 4).iter().map(|line| line[4..].to_owned()));
+        for (what, index) in [("value", 0), ("rate", 2), ("slope", 1)] {
+            let Quantity { name, unit, doc } = &field.quantities[index];
+            rows.push(format!("{what} {}, {}, {};", string(unit), string(&name.path), string(doc)));
         }
-    };
-    let motion = |name: &str, length: usize| {
-        let (name, length) = (format_ident!("{name}"), Literal::usize_unsuffixed(length));
-        let method = format_ident!("field_{name}");
-        let arms = arms(&quote!(#name(time, x, point, &p)));
-        quote! {
-            fn #method(
-                &self, index: usize, time: R, x: R, point: &FieldPoint<R>, parameters: &[R],
-            ) -> [R; #length] {
-                let p = parameters_of(parameters);
-                #arms
-            }
-        }
-    };
-    let motions = [("force", 2), ("force_jacobian", 8), ("energy", 2), ("power", 3)]
-        .map(|(name, length)| motion(name, length));
-    let copied = |name: &str, arguments: &TokenStream, values: &TokenStream| {
-        let (name, method) = (format_ident!("{name}"), format_ident!("field_{name}"));
-        quote! {
-            fn #method(&self, index: usize, #arguments parameters: &[R], values: &mut [R]) {
-                let p = parameters_of(parameters);
-                match index {
-                    #(#numbers => values.copy_from_slice(&#modules::#name(#values &p)),)*
-                    _ => no_field(index),
-                }
-            }
-        }
-    };
-    let motion_arguments = quote!(time: R, x: R, point: &FieldPoint<R>,);
-    let copied = [
-        copied("inertia_gradient", &quote!(x: R,), &quote!(x,)),
-        copied("force_gradient", &motion_arguments, &quote!(time, x, point,)),
-        copied("places", &quote!(), &quote!()),
-        copied("places_gradient", &quote!(), &quote!()),
-    ];
-    let structure = structure(scene.model);
-    let many = points::methods(&numbers, modules, fields);
-    let inertia = arms(&quote!(inertia(x, &p)));
-    let initial = arms(&quote!(initial(x, &p)));
-    Ok(quote! {
-        impl<R: Real> FieldScene<R> for #machine {
-            fn fields(&self) -> usize { #count }
-            fn field(&self, index: usize) -> FieldDescription<'_> {
-                match index {
-                    #(#numbers => #names,)*
-                    _ => no_field(index),
-                }
-            }
-            fn field_inertia(&self, index: usize, x: R, parameters: &[R]) -> R {
-                let p = parameters_of(parameters);
-                let [inertia] = #inertia;
-                inertia
-            }
-            fn field_initial(&self, index: usize, x: R, parameters: &[R]) -> [R; 2] {
-                let p = parameters_of(parameters);
-                #initial
-            }
-            #(#motions)*
-            #(#copied)*
-            #structure
-            #many
-        }
-        #[cold]
-        fn no_field(index: usize) -> ! {
-            panic!("there is no field of number {index}")
-        }
-        #(#statics)*
-    })
-}
-
-/// What is known of the forms of the densities, where it is more than nothing.
-fn structure(model: &Model) -> TokenStream {
-    let fields = &model.fields;
-    let known = |name: &str, holds: &dyn Fn(&FieldModel) -> bool| {
-        let numbers = (0..fields.len()).filter(|index| holds(&fields[*index]));
-        let numbers: Vec<Literal> = numbers.map(Literal::usize_unsuffixed).collect();
-        let name = format_ident!("field_is_{name}");
-        (!numbers.is_empty()).then(|| {
-            quote! {
-                fn #name(&self, index: usize) -> bool {
-                    matches!(index, #(#numbers)|*)
-                }
-            }
-        })
-    };
-    let linear = known("linear", &|field| field.is_linear);
-    let local = known("local", &|field| field.local.is_some());
-    let reads_no_forces = (!model.jacobian_reads_forces()).then(|| {
-        quote! {
-            fn jacobian_reads_forces(&self) -> bool { false }
-        }
-    });
-    quote!(#reads_no_forces #linear #local)
-}
-
-/// The static that describes a field.
-fn constant(module: &Ident) -> Ident {
-    format_ident!("{}_FIELD", module.to_string().to_ascii_uppercase())
-}
-
-/// `own` is the number of parameters before what fields hand over.
-fn statics(field: &FieldModel, module: &Ident, own: u32) -> Result<TokenStream, EmitError> {
-    let place = || format!("field `{module}`");
-    let number =
-        |value: f64| literal(value).map_err(|_| EmitError::NotFinite { place: place(), value });
-    let quantity = |quantity: &Quantity| {
-        let (name, unit, doc) = (&quantity.name.path, &quantity.unit, &quantity.doc);
-        quote!(Quantity { name: #name, unit: #unit, doc: #doc })
-    };
-    let attachments = field.attachments.iter().map(|at| {
-        let coordinate = at.coordinate.map(Literal::u32_unsuffixed);
-        let coordinate = coordinate.map_or_else(|| quote!(None), |id| quote!(Some(#id)));
-        let place = format_ident!(
-            "{}",
-            match at.place {
+        for at in &field.attachments {
+            // Behind the machine's own parameters.
+            let handed = model.parameters.len() as u32 + at.handed;
+            let (coordinate, x) = (at.coordinate, number(at.x)?);
+            let place = match at.place {
                 Place::Start => "Start",
                 Place::Inside => "Inside",
                 Place::End => "End",
-            }
-        );
-        let handed = Literal::u32_unsuffixed(own + at.handed);
-        let x = number(at.x)?;
-        Ok(quote!(FieldAttachment {
-            coordinate: #coordinate, place: FieldPlace::#place, at: #x, handed: #handed,
-        }))
-    });
-    let attachments = attachments.collect::<Result<Vec<_>, EmitError>>()?;
-    let [value, slope, rate] = [0, 1, 2].map(|index| quantity(&field.quantities[index]));
-    let scale = [number(field.scale[0])?, number(field.scale[1])?];
-    let length = number(field.length)?;
-    let fixed = field.fixed;
-    let [elements, order] = [field.elements, field.order].map(Literal::usize_unsuffixed);
-    let name = constant(module);
-    Ok(quote! {
-        static #name: FieldDescription<'static> = FieldDescription {
-            value: #value,
-            rate: #rate,
-            slope: #slope,
-            scale: [#(#scale),*],
-            fixed: [#(#fixed),*],
-            length: #length,
-            attachments: &[#(#attachments),*],
-            parameters: &#module::PARAMETERS,
-            elements: #elements,
-            order: #order,
-        };
-    })
+            };
+            rows.push(format!("at {x} => {place}, coordinate {coordinate:?}, handed {handed};"));
+        }
+    }
+    Ok(call("field_scene", &rows))
 }

@@ -6,111 +6,57 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Scene;
-use super::body::{Body, ResultNames, Scope, body};
+use super::body::{Body, ResultNames, body};
 use super::items::phantom;
+use super::layout::WIDTH;
+use super::names::argument;
 use crate::emit::EmitError;
 use crate::emit::text::doc;
-use machinist_model::functions::FunctionId;
+use machinist_model::functions::{FunctionId, FunctionRow, Gives, Reads};
 use machinist_model::{SparsityPattern, Tape, operations};
 
 /// All functions, in the order of their table.
 pub(super) fn functions(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
-    let prepared = &scene.prepare.hoisted;
-    let functions = scene.model.functions().map(|row| {
-        let (name, tape) = (row.name, (row.tape)(scene.model));
-        match row.id {
-            _ if scene.prepare.is_empty() => function(scene, name, tape, false),
-            FunctionId::Rate => in_two(scene, name, tape, &prepared.rate),
-            FunctionId::RateJacobian => in_two(scene, name, tape, &prepared.rate_jacobian),
-            _ => function(scene, name, tape, false),
-        }
+    let hoisted = &scene.prepare.hoisted;
+    let functions = scene.model.functions().map(|row| match row.id {
+        _ if scene.prepare.is_empty() => function(scene, row, None),
+        FunctionId::Rate => function(scene, row, Some(&hoisted.rate)),
+        FunctionId::RateJacobian => function(scene, row, Some(&hoisted.rate_jacobian)),
+        _ => function(scene, row, None),
     });
     functions.collect()
 }
 
-/// A function whose constants `prepare` computes, and the one that goes by them.
-fn in_two(
-    scene: &Scene<'_>,
-    name: &'static str,
-    tape: &Tape,
-    prepared: &Tape,
-) -> Result<TokenStream, EmitError> {
-    let Manner { doc: meaning, returns, .. } = manner(scene, name);
-    let Returns::Array(length) = returns else { return function(scene, name, tape, false) };
-    let operations = counted(operations(tape));
-    let docs = doc([meaning.as_str(), "", operations.as_str()]);
-    let rest = function(scene, name, prepared, true)?;
-    let (name, prepared) = (format_ident!("{name}"), format_ident!("prepared_{name}"));
-    Ok(quote! {
-        #docs
-        #[must_use]
-        #[inline]
-        pub fn #name<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; #length] {
-            #prepared(time, state, p, &prepare(p))
-        }
-        #rest
-    })
-}
-
-/// What a function gives back.
-enum Returns {
-    /// An array of a length.
-    Array(TokenStream),
-    /// A struct with these fields.
-    Struct(TokenStream, Vec<Ident>),
-}
-
-/// How a function is presented.
-struct Manner {
-    /// Equation, shape and units.
-    doc: String,
-    returns: Returns,
-    names: ResultNames,
-    of_parameters_only: bool,
-}
-
-/// `is_prepared`: whether the tape reads constants, as `prepared_..`.
+/// The function of a row; or, by a tape that reads constants, its `prepared_` one, from which
+/// the contract makes the other.
 fn function(
     scene: &Scene<'_>,
-    name: &'static str,
-    tape: &Tape,
-    is_prepared: bool,
+    row: &FunctionRow,
+    prepared: Option<&Tape>,
 ) -> Result<TokenStream, EmitError> {
-    let mut manner = manner(scene, name);
-    if is_prepared {
-        manner.doc = format!("As `{name}`, with the constants of the parameters from `prepare`.");
-    }
-    let scope = Scope {
-        states: &scene.states,
-        parameters: scene.own_parameters(),
-        handed: scene.handed(),
-        constants: &scene.prepare.constants,
-        tables: &scene.tables,
-        is_in_loop: false,
-        namer: &scene.locals,
-    };
-    let Body { statements, results, reads } = body(name, tape, &scope, &manner.names)?;
-    let p = if reads.parameters { format_ident!("p") } else { format_ident!("_p") };
-    let time = if reads.time { format_ident!("time") } else { format_ident!("_time") };
-    let state =
-        if reads.state.is_empty() { format_ident!("_state") } else { format_ident!("state") };
-    let c = if reads.constants { format_ident!("c") } else { format_ident!("_c") };
+    let is_prepared = prepared.is_some();
+    let name = if is_prepared { row.prepared.unwrap_or(row.name) } else { row.name };
+    let tape = prepared.unwrap_or_else(|| (row.tape)(scene.model));
+    let names = result_names(scene, row);
+    let Body { statements, results, reads } =
+        body(row.name, tape, &scene.scope(&scene.prepare.constants), &names)?;
+    let p = argument(reads.parameters, "p");
+    let time = argument(reads.time, "time");
+    let state = argument(!reads.state.is_empty(), "state");
+    let c = argument(reads.constants, "c");
     let constants = is_prepared.then(|| quote!(, #c: &Constants<R>));
     let state_and_time =
-        (!manner.of_parameters_only).then(|| quote!(#time: R, #state: &[R; STATES],));
-    let (return_type, value) = match manner.returns {
-        Returns::Array(length) => (quote!([R; #length]), quote!([#(#results),*])),
-        Returns::Struct(name, fields) => {
-            let phantom = phantom(&fields);
-            let fields = fields.iter().zip(&results).map(|(field, result)| field_of(field, result));
-            (quote!(#name<R>), quote!(#name { #(#fields,)* #phantom }))
-        }
-    };
+        (row.reads == Reads::Motion).then(|| quote!(#time: R, #state: &[R; STATES],));
+    let (return_type, value) = returned(scene, row, &results);
     let destructured = destructure(scene, &reads.state);
-    let operations = counted(operations(tape));
-    let docs = doc([manner.doc.as_str(), "", operations.as_str()]);
-    let inline = (name == "rate").then(|| quote!(#[inline]));
-    let name = if is_prepared { format_ident!("prepared_{name}") } else { format_ident!("{name}") };
+    let doc = if is_prepared {
+        format!("As `{}`, with the constants of the parameters from `prepare`.", row.name)
+    } else {
+        row.doc.to_owned()
+    };
+    let docs = documentation(&doc, operations(tape));
+    let inline = (row.id == FunctionId::Rate).then(|| quote!(#[inline]));
+    let name = format_ident!("{name}");
     Ok(quote! {
         #docs
         #[must_use]
@@ -123,17 +69,60 @@ fn function(
     })
 }
 
+/// The type of what a function gives back, and the expression for it.
+fn returned(
+    scene: &Scene<'_>,
+    row: &FunctionRow,
+    results: &[TokenStream],
+) -> (TokenStream, TokenStream) {
+    let array = quote!([#(#results),*]);
+    let structure = |name: &str, fields: &[Ident]| {
+        let (name, phantom) = (format_ident!("{name}"), phantom(fields));
+        let fields = fields.iter().zip(results).map(|(field, result)| field_of(field, result));
+        (quote!(#name<R>), quote!(#name { #(#fields,)* #phantom }))
+    };
+    match row.gives {
+        Gives::Numbers(length) => {
+            let length = format_ident!("{length}");
+            (quote!([R; #length]), array)
+        }
+        Gives::Matrix(_) => {
+            let length = Literal::usize_unsuffixed(results.len());
+            (quote!([R; #length]), array)
+        }
+        Gives::Record(name, _) => structure(name, &scene.outputs),
+        Gives::Structure(name, fields) => {
+            let fields: Vec<Ident> = fields.iter().map(|name| format_ident!("{name}")).collect();
+            structure(name, &fields)
+        }
+    }
+}
+
 /// `field: result`, or `field` where the result is a variable of that name.
 fn field_of(field: &Ident, result: &TokenStream) -> TokenStream {
     if *field == result.to_string() { quote!(#field) } else { quote!(#field: #result) }
 }
 
-pub(super) fn counted(operations: usize) -> String {
-    match operations {
+/// What a function computes and how many operations that takes, in lines that fit.
+pub(super) fn documentation(meaning: &str, operations: usize) -> TokenStream {
+    let operations = match operations {
         0 => "No operations.".to_owned(),
         1 => "1 operation.".to_owned(),
         many => format!("{many} operations."),
+    };
+    let mut lines = vec![String::new()];
+    for word in meaning.split(' ').chain(operations.split(' ')) {
+        let line = lines.last_mut().expect("there is a line");
+        if line.is_empty() {
+            line.push_str(word);
+        } else if line.chars().count() + 1 + word.chars().count() <= WIDTH - 4 {
+            line.push(' ');
+            line.push_str(word);
+        } else {
+            lines.push(word.to_owned());
+        }
     }
+    doc(lines)
 }
 
 /// Binds the states a body reads: by one pattern if they are many, one by one if
@@ -155,131 +144,56 @@ fn destructure(scene: &Scene<'_>, read: &BTreeSet<usize>) -> Option<TokenStream>
     Some(quote!(let [#(#entries,)* #rest] = *state;))
 }
 
-/// A `let` for every result, so that an array of them is a list of names.
-fn spread(names: Vec<String>) -> ResultNames {
-    ResultNames { spread: !names.is_empty(), names }
-}
-
-fn manner(scene: &Scene<'_>, function: &str) -> Manner {
-    let array = |length: &str, doc: &str, names: Vec<String>| {
-        let length = format_ident!("{length}");
-        let returns = Returns::Array(quote!(#length));
-        Manner { doc: doc.to_owned(), returns, names: spread(names), of_parameters_only: false }
+/// Names of the results of a function that the spec does not name. Where there are any, or
+/// where they are entries of an array, there is a `let` for each, so that the array is a list
+/// of names.
+fn result_names(scene: &Scene<'_>, row: &FunctionRow) -> ResultNames {
+    let model = scene.model;
+    let rates = || scene.states.iter().map(|state| format!("{state}_dot"));
+    let derivatives = |of: &[Ident]| match row.pattern {
+        Some(pattern) => derivatives(pattern(model), &rates().collect::<Vec<_>>(), of),
+        None => vec![],
     };
-    let matrix = |pattern: &SparsityPattern, doc: &str, names: Vec<String>| {
-        let length = Literal::usize_unsuffixed(pattern.entries.len());
-        let returns = Returns::Array(quote!(#length));
-        Manner { doc: doc.to_owned(), returns, names: spread(names), of_parameters_only: false }
-    };
-    let structure = |name: &str, doc: &str, fields: Vec<Ident>| {
-        let names = fields.iter().map(ToString::to_string).collect();
-        let names = ResultNames { names, spread: false };
-        let name = format_ident!("{name}");
-        let returns = Returns::Struct(quote!(#name), fields);
-        Manner { doc: doc.to_owned(), returns, names, of_parameters_only: false }
-    };
-    let fields = |names: [&str; 3]| names.map(|name| format_ident!("{name}")).to_vec();
-    let rates: Vec<String> = scene.states.iter().map(|state| format!("{state}_dot")).collect();
-    let events = |what: &str| {
-        let events = scene.model.events.iter();
+    let of_events = |what: &str| {
+        let events = model.events.iter();
         events.map(|event| format!("{}_{what}", event.name.ident)).collect()
     };
-    match function {
-        "initial_state" => Manner {
-            of_parameters_only: true,
-            ..array("STATES", "State at the start of the run, in the units of the states.", vec![])
+    let of_constraints = |what: &str| {
+        let constraints = model.constraints.iter();
+        constraints.map(|constraint| format!("{}_{what}", constraint.name.ident)).collect()
+    };
+    let names: Vec<String> = match row.id {
+        FunctionId::InitialState
+        | FunctionId::Discontinuities
+        | FunctionId::MassMatrix
+        | FunctionId::ConstraintMatrix => vec![],
+        FunctionId::Rate => rates().collect(),
+        FunctionId::Forcing => {
+            let coordinates = model.coordinates.iter();
+            coordinates.map(|c| format!("{}_forcing", c.position.name.ident)).collect()
+        }
+        FunctionId::RateJacobian => derivatives(&scene.states),
+        FunctionId::ParameterJacobian => derivatives(&scene.parameters),
+        FunctionId::TimeDerivative => rates().map(|rate| format!("{rate}_by_time")).collect(),
+        FunctionId::Outputs => scene.outputs.iter().map(ToString::to_string).collect(),
+        FunctionId::Energy | FunctionId::PowerBalance => match row.gives {
+            Gives::Structure(_, fields) => fields.iter().map(|&name| name.to_owned()).collect(),
+            _ => vec![],
         },
-        "discontinuities" => Manner {
-            of_parameters_only: true,
-            ..array("DISCONTINUITIES", "Times at which the right-hand side jumps \\[s\\].", vec![])
-        },
-        "rate" if scene.model.constraints.is_empty() => array(
-            "STATES",
-            "`y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.",
-            rates,
-        ),
-        "rate" => array(
-            "STATES",
-            "`y'`: velocities, `q''` of `M q'' = f + G^T lambda` with `g'' = 0`, `h`; in the \
-             units of the states per second.",
-            rates,
-        ),
-        "mass_matrix" => {
-            let pattern = &scene.model.mass_matrix.pattern;
-            matrix(pattern, "`M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.", vec![])
-        }
-        "forcing" => {
-            let names = scene.model.coordinates.iter();
-            let names = names.map(|c| format!("{}_forcing", c.position.name.ident)).collect();
-            array("COORDINATES", "`f` of `M q'' = f(q, q', z, t)`, one for each coordinate.", names)
-        }
-        "rate_jacobian" => {
-            let pattern = &scene.model.rate_jacobian.pattern;
-            let names = derivatives(pattern, &rates, &scene.states);
-            matrix(pattern, "`dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.", names)
-        }
-        "parameter_jacobian" => {
-            let pattern = &scene.model.parameter_jacobian.pattern;
-            let names = derivatives(pattern, &rates, &scene.parameters);
-            matrix(pattern, "`dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.", names)
-        }
-        "time_derivative" => {
-            let names = rates.iter().map(|rate| format!("{rate}_by_time")).collect();
-            array("STATES", "Partial derivative of `y'` with respect to time.", names)
-        }
-        "outputs" => structure("Outputs", "Wanted outputs.", scene.outputs.clone()),
-        "guards" => array(
-            "EVENTS",
-            "What passes zero where an event happens, in the order of `EVENT_SHAPES`.",
-            events("guard"),
-        ),
-        "guard_rates" => {
-            array("EVENTS", "`dg/dt` of the guards along the motion.", events("guard_rate"))
-        }
-        "resets" => {
-            let sets = scene.model.events.iter().flat_map(|event| {
+        FunctionId::Guards => of_events("guard"),
+        FunctionId::GuardRates => of_events("guard_rate"),
+        FunctionId::Resets => {
+            let sets = model.events.iter().flat_map(|event| {
                 let states = event.sets.iter().filter_map(|s| scene.states.get(*s as usize));
                 states.map(|state| format!("{state}_after_{}", event.name.ident))
             });
-            let doc = "New values of the states that each event sets, event by event.";
-            array("RESETS", doc, sets.collect())
+            sets.collect()
         }
-        "constraint_values" | "constraint_rates" | "constraint_matrix" => {
-            of_constraints(scene, function)
-        }
-        "energy" => structure(
-            "Energy",
-            "T, V and the energy of first-order states \\[J\\].",
-            fields(["kinetic", "potential", "stored"]),
-        ),
-        _ => structure(
-            "PowerBalance",
-            "`dE/dt`, power supplied and power dissipated \\[W\\].",
-            fields(["stored_rate", "supplied", "dissipated"]),
-        ),
-    }
-}
-
-/// How the functions of constraints are presented.
-fn of_constraints(scene: &Scene<'_>, function: &str) -> Manner {
-    let (doc, what) = match function {
-        "constraint_values" => {
-            ("`g`, zero on the constraints, in the order of `CONSTRAINT_SHAPES`.", "value")
-        }
-        "constraint_rates" => ("`g'`, zero on the constraints too.", "rate"),
-        _ => ("`G = dg'/dq'`, values in the order of `CONSTRAINT_MATRIX_PATTERN`.", ""),
+        FunctionId::ConstraintValues => of_constraints("value"),
+        FunctionId::ConstraintRates => of_constraints("rate"),
     };
-    let (length, names) = if what.is_empty() {
-        let entries = scene.model.constraint_matrix.pattern.entries.len();
-        let length = Literal::usize_unsuffixed(entries);
-        (quote!(#length), vec![])
-    } else {
-        let constraints = scene.model.constraints.iter();
-        let names = constraints.map(|constraint| format!("{}_{what}", constraint.name.ident));
-        (quote!(CONSTRAINTS), names.collect())
-    };
-    let returns = Returns::Array(length);
-    Manner { doc: doc.to_owned(), returns, names: spread(names), of_parameters_only: false }
+    let is_array = matches!(row.gives, Gives::Numbers(_) | Gives::Matrix(_));
+    ResultNames { spread: is_array && !names.is_empty(), names }
 }
 
 /// `phi_dot_dot_by_phi` for every nonzero of a Jacobian.

@@ -1,6 +1,7 @@
 //! The comment at the top of an emitted file: where it comes from and what is
 //! in it.
 
+use super::layout::broken;
 use crate::emit::EmitOptions;
 use crate::emit::text::comment_lines;
 use machinist_model::hoist::Hoisted;
@@ -24,25 +25,12 @@ pub(super) fn header(model: &Model, options: &EmitOptions) -> String {
         lines.extend(comment_lines(&model.source).into_iter().map(|line| format!("  {line}")));
     }
     lines.push(String::new());
-    lines.extend(shapes(model));
-    lines.push(String::new());
-    lines.extend(states(model));
-    lines.push(String::new());
-    lines.extend(sparsity(model));
-    lines.push(String::new());
-    lines.push("Operations:".to_owned());
-    lines.extend(
-        model
-            .functions()
-            .map(|row| format!("  {:<20} {:>6}", row.name, operations((row.tape)(model)))),
-    );
-    let Hoisted { constants, rate, rate_jacobian } = Hoisted::new(model);
-    if !constants.results.is_empty() {
-        lines.push("With constants of the parameters, prepared once a run:".to_owned());
-        let row = |name, tape| format!("  {name:<22} {:>4}", operations(tape));
-        lines.push(row("prepare", &constants));
-        lines.push(row("prepared_rate", &rate));
-        lines.push(row("prepared_rate_jacobian", &rate_jacobian));
+    lines.push("All quantities are in SI units.".to_owned());
+    let lists =
+        [("Shapes", shapes(model)), ("Nonzeros", sparsity(model)), ("Operations", costs(model))];
+    for (title, items) in lists {
+        let text = format!("{title}: {}.", items.join(", "));
+        lines.extend(broken(&text, 0).into_iter().map(|line| line.trim_end().to_owned()));
     }
     as_comment(&lines)
 }
@@ -67,62 +55,43 @@ fn section(text: &str) -> Vec<String> {
 }
 
 fn shapes(model: &Model) -> Vec<String> {
-    let row = |name, count: usize| format!("  {name:<20} {count:>6}");
-    let mut rows = vec![
-        "Shapes; all quantities are in SI units:".to_owned(),
-        row("coordinates", model.coordinates.len()),
-        row("first-order states", model.first_order()),
-        row("states", model.states.len()),
-        row("parameters", model.all_parameters().count()),
-        row("outputs", model.wanted.len()),
-        row("discontinuities", model.discontinuities.results.len()),
+    let counts = [
+        ("coordinates", model.coordinates.len()),
+        ("first-order states", model.first_order()),
+        ("states", model.states.len()),
+        ("parameters", model.all_parameters().count()),
+        ("outputs", model.wanted.len()),
+        ("discontinuities", model.discontinuities.results.len()),
+        ("events", model.events.len()),
+        ("constraints", model.constraints.len()),
     ];
-    if !model.events.is_empty() {
-        rows.push(row("events", model.events.len()));
-    }
-    if !model.constraints.is_empty() {
-        rows.push(row("constraints", model.constraints.len()));
-    }
-    rows
-}
-
-/// The state as a table: index, name, unit, meaning.
-fn states(model: &Model) -> Vec<String> {
-    let width = |text: fn(&machinist_model::Quantity) -> &str| {
-        model
-            .states
-            .iter()
-            .map(|state| &state.quantity)
-            .map(|quantity| text(quantity).chars().count())
-            .max()
-            .unwrap_or(0)
-    };
-    let name_width = width(|quantity| &quantity.name.path);
-    let unit_width = width(|quantity| &quantity.unit) + 2;
-    let rows =
-        model.states.iter().map(|state| &state.quantity).enumerate().map(|(index, quantity)| {
-            let unit = format!("[{}]", quantity.unit);
-            let doc = comment_lines(&quantity.doc).join(" ");
-            let row = format!(
-                "  {index:>3}  {:<name_width$}  {unit:<unit_width$}  {doc}",
-                quantity.name.path,
-            );
-            row.trim_end().to_owned()
-        });
-    std::iter::once("State:".to_owned()).chain(rows).collect()
+    let counts = counts.into_iter().filter(|(_, count)| *count > 0);
+    counts.map(|(name, count)| format!("{name} {count}")).collect()
 }
 
 fn sparsity(model: &Model) -> Vec<String> {
-    let row = |name, pattern: &SparsityPattern| {
-        let (rows, columns) = (pattern.rows, pattern.columns);
-        format!("  {name:<20} {:>6} of {rows} by {columns}", pattern.entries.len())
-    };
-    vec![
-        "Nonzeros:".to_owned(),
-        row("mass_matrix", &model.mass_matrix.pattern),
-        row("rate_jacobian", &model.rate_jacobian.pattern),
-        row("parameter_jacobian", &model.parameter_jacobian.pattern),
-    ]
+    let rows = model.functions().filter_map(|row| Some((row.name, row.pattern?(model))));
+    let rows = rows.map(|(name, pattern)| {
+        let SparsityPattern { rows, columns, entries } = pattern;
+        format!("{name} {} of {rows} by {columns}", entries.len())
+    });
+    rows.collect()
+}
+
+/// Operations of every function, as without constants and with them.
+fn costs(model: &Model) -> Vec<String> {
+    let rows = model.functions().map(|row| (row.name, operations((row.tape)(model))));
+    let Hoisted { constants, rate, rate_jacobian } = Hoisted::new(model);
+    let prepared = [
+        ("prepare", &constants),
+        ("prepared_rate", &rate),
+        ("prepared_rate_jacobian", &rate_jacobian),
+    ];
+    let has_constants = !constants.results.is_empty();
+    let prepared = prepared.into_iter().filter(|_| has_constants);
+    let prepared = prepared.map(|(name, tape)| (name, operations(tape)));
+    let rows = rows.chain(prepared).filter(|(_, count)| *count > 0);
+    rows.map(|(name, count)| format!("{name} {count}")).collect()
 }
 
 /// Lines as `//` comments, each made harmless once more, for they hold names and

@@ -6,6 +6,7 @@ use proc_macro2::{Ident, Span};
 use quote::format_ident;
 
 use crate::emit::EmitError;
+use machinist_model::functions::Gives;
 
 /// An argument, with an underscore in front where the function does not read it.
 pub(super) fn argument(is_read: bool, name: &str) -> Ident {
@@ -25,53 +26,35 @@ const RESERVED: &[&str] = &[
     "Ok",
     "Err",
     "core",
-    "STATES",
-    "COORDINATES",
     "PARAMETERS",
-    "OUTPUTS",
-    "DISCONTINUITIES",
     "CONSTANTS",
-    "EVENTS",
-    "RESETS",
     "EVENT_SHAPES",
-    "CONSTRAINTS",
     "CONSTRAINT_SHAPES",
-    "CONSTRAINT_MATRIX_PATTERN",
-    "STATE_QUANTITIES",
-    "STATE_SCALES",
+    "STATE_ROWS",
     "PARAMETER_QUANTITIES",
     "PARAMETER_DEFAULTS",
     "OUTPUT_QUANTITIES",
+    "COORDINATE_QUANTITIES",
     "RUN_DEFAULTS",
-    "RATE_JACOBIAN_PATTERN",
-    "PARAMETER_JACOBIAN_PATTERN",
-    "MASS_MATRIX_PATTERN",
+    "EXCITATION_TERMS",
+    "SWITCHES",
 ];
 
-/// The tapes' functions; a local variable of the same name would mislead.
-const FUNCTIONS: &[&str] = &[
-    "initial_state",
-    "discontinuities",
-    "rate",
-    "mass_matrix",
-    "forcing",
-    "rate_jacobian",
-    "parameter_jacobian",
-    "time_derivative",
-    "outputs",
-    "energy",
-    "power_balance",
-    "guards",
-    "guard_rates",
-    "resets",
-    "constraint_values",
-    "constraint_rates",
-    "constraint_matrix",
-    "series",
-    "prepare",
-    "prepared_rate",
-    "prepared_rate_jacobian",
-];
+/// Functions that are not in their table.
+const FUNCTIONS: &[&str] = &["series", "prepare", "excitation", "switches"];
+
+/// Names of the functions, and of the constants that say how much they give.
+fn of_the_table() -> impl Iterator<Item = &'static str> {
+    machinist_model::functions::FUNCTIONS.iter().flat_map(|row| {
+        let given = match row.gives {
+            Gives::Numbers(constant) | Gives::Record(_, constant) | Gives::Matrix(constant) => {
+                Some(constant)
+            }
+            Gives::Structure(..) => None,
+        };
+        [Some(row.name), row.prepared, given].into_iter().flatten()
+    })
+}
 
 /// Types that the emitted module defines or imports.
 const TYPES: &[&str] = &[
@@ -142,13 +125,14 @@ pub(super) struct Namer {
 impl Namer {
     /// A namer for local variables of emitted functions.
     pub(super) fn for_locals() -> Self {
-        let taken = RESERVED.iter().chain(FUNCTIONS).map(|&name| name.to_owned()).collect();
-        Self { taken }
+        let taken = RESERVED.iter().chain(FUNCTIONS).copied().chain(of_the_table());
+        Self { taken: taken.map(str::to_owned).collect() }
     }
 
     /// A namer for constants of the emitted module.
     pub(super) fn for_constants() -> Self {
-        Self { taken: RESERVED.iter().map(|&name| name.to_owned()).collect() }
+        let taken = RESERVED.iter().copied().chain(of_the_table());
+        Self { taken: taken.map(str::to_owned).collect() }
     }
 
     /// A namer among nothing.

@@ -1,7 +1,7 @@
 //! Loops over many points of a field whose forces are local. What no point decides goes
 //! before the loop.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::body::{Body, ResultNames, Scope, body};
@@ -135,84 +135,4 @@ fn function(of: &Loop<'_>, scope: &Scope<'_>) -> Result<TokenStream, EmitError> 
             }
         }
     })
-}
-
-/// The contract's functions for many points, by those of the modules.
-pub(super) fn methods(
-    numbers: &[Literal],
-    modules: &[Ident],
-    fields: &[FieldModel],
-) -> TokenStream {
-    if !fields.iter().any(|field| field.local.is_some()) {
-        return TokenStream::new();
-    }
-    let arms = |body: &dyn Fn(&Ident) -> TokenStream| {
-        let arms = numbers.iter().zip(modules).zip(fields);
-        let arms = arms.filter(|(_, field)| field.local.is_some()).map(|((number, module), _)| {
-            let body = body(module);
-            quote!(#number => #body)
-        });
-        let arms: Vec<TokenStream> = arms.collect();
-        quote! {
-            let p = parameters_of(parameters);
-            match index {
-                #(#arms,)*
-                _ => no_field(index),
-            }
-        }
-    };
-    let inertias = arms(&|module| {
-        quote! {
-            for (inertia, x) in inertias.iter_mut().zip(x) {
-                [*inertia] = #module::inertia(*x, &p);
-            }
-        }
-    });
-    let of_values = |name: &str, results: TokenStream| {
-        let name = format_ident!("{name}");
-        arms(&|module| quote!(#module::#name(time, x, u, u_t, &p, #results)))
-    };
-    let of_slopes = |name: &str, results: TokenStream| {
-        let name = format_ident!("{name}");
-        arms(&|module| quote!(#module::#name(u_x, u_xt, &p, #results)))
-    };
-    let values = of_values("on_value", quote!(forces));
-    let values_jacobian = of_values("on_value_jacobian", quote!(by_u, by_u_t));
-    let values_by_time = of_values("on_value_by_time", quote!(by_time));
-    let slopes = of_slopes("on_slope", quote!(forces));
-    let slopes_jacobian = of_slopes("on_slope_jacobian", quote!(by_u_x, by_u_xt));
-    quote! {
-        fn field_inertias(&self, index: usize, x: &[R], parameters: &[R], inertias: &mut [R]) {
-            #inertias
-        }
-        fn field_forces_on_values(
-            &self, index: usize, time: R, [x, u, u_t]: [&[R]; 3], parameters: &[R],
-            forces: &mut [R],
-        ) {
-            #values
-        }
-        fn field_forces_on_values_jacobian(
-            &self, index: usize, time: R, [x, u, u_t]: [&[R]; 3], parameters: &[R],
-            [by_u, by_u_t]: [&mut [R]; 2],
-        ) {
-            #values_jacobian
-        }
-        fn field_forces_on_values_by_time(
-            &self, index: usize, time: R, [x, u, u_t]: [&[R]; 3], parameters: &[R],
-            (_, by_time): (&mut [R], &mut [R]),
-        ) {
-            #values_by_time
-        }
-        fn field_forces_on_slopes(
-            &self, index: usize, [u_x, u_xt]: [&[R]; 2], parameters: &[R], forces: &mut [R],
-        ) {
-            #slopes
-        }
-        fn field_forces_on_slopes_jacobian(
-            &self, index: usize, [u_x, u_xt]: [&[R]; 2], parameters: &[R],
-            [by_u_x, by_u_xt]: [&mut [R]; 2],
-        ) {
-            #slopes_jacobian
-        }
-    }
 }

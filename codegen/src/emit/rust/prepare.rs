@@ -1,14 +1,12 @@
-//! `Constants` and `prepare`: what parameters alone decide, once a run.
+//! `prepare`: what parameters alone decide, once a run.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::body::{ResultNames, Scope, body};
-use super::functions::{counted, derivatives};
-use super::items::{RecordNames, record};
+use super::functions::{derivatives, documentation};
 use super::names::Namer;
 use crate::emit::EmitError;
-use crate::emit::text::doc;
 use machinist_model::hoist::Hoisted;
 use machinist_model::{Model, Op, Tape};
 
@@ -55,39 +53,22 @@ impl Prepare {
         self.constants.is_empty()
     }
 
-    /// The struct and the function that computes it; nothing if it would be empty.
+    /// The function that computes them; nothing if there are none.
     pub(super) fn items(&self) -> Option<TokenStream> {
-        if self.is_empty() {
-            return None;
-        }
-        let constants = &self.constants;
-        let count = proc_macro2::Literal::usize_unsuffixed(constants.len());
-        let count_doc = doc(["Constants that `prepare` computes."]);
-        let structure = record(
-            &RecordNames { record: "Constants", length: "CONSTANTS" },
-            "What parameters alone decide; `prepare` says what each is.",
-            constants,
-            constants.iter().map(|_| TokenStream::new()),
-        );
-        let operations = counted(self.hoisted.operations());
-        let docs = doc([
+        let (constants, statements) = (&self.constants, &self.statements);
+        let docs = documentation(
             "What `rate` and `rate_jacobian` need of the parameters, once a run.",
-            "",
-            operations.as_str(),
-        ]);
-        let statements = &self.statements;
-        let name = format_ident!("Constants");
-        Some(quote! {
-            #count_doc
-            pub const CONSTANTS: usize = #count;
-            #[allow(missing_docs, reason = "`prepare` says what each is")]
-            #structure
-            #docs
-            #[must_use]
-            #[inline]
-            pub fn prepare<R: Real>(p: &Parameters<R>) -> #name<R> {
-                #(#statements)*
-                #name { #(#constants),* }
+            self.hoisted.operations(),
+        );
+        (!self.is_empty()).then(|| {
+            quote! {
+                #docs
+                #[must_use]
+                #[inline]
+                pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+                    #(#statements)*
+                    Constants { #(#constants),* }
+                }
             }
         })
     }

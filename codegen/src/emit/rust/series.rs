@@ -9,6 +9,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Scene;
+use super::names::argument;
 use crate::emit::EmitError;
 use crate::emit::text::doc;
 use coefficients::Writer;
@@ -45,16 +46,15 @@ impl Series {
     pub(super) fn imports(&self) -> TokenStream {
         let lanes = (!self.needs.convolutions.is_empty()).then(|| quote!(Lanes,));
         let factored = self.tape.mass_matrix.is_some().then(|| quote!(Factored,));
-        let bends = self.bends_name().map(|_| quote!(Bends,));
-        quote!(taylor::{#bends #factored #lanes TaylorSeries, order_and_inverse},)
+        quote!(taylor::{#factored #lanes order_and_inverse},)
     }
 
-    /// The variant of `Bends`, unless it is the one that goes without saying.
-    fn bends_name(&self) -> Option<Ident> {
+    /// The part of `simulator!` that implements `TaylorSeries`.
+    pub(super) fn part(&self) -> String {
+        let sums = self.needs.convolutions.len();
         match self.bends {
-            Bends::Nowhere => None,
-            Bends::Saturates => Some(format_ident!("Saturates")),
-            Bends::Corners => Some(format_ident!("Corners")),
+            Bends::Nowhere => format!("series {sums};"),
+            bends => format!("series {sums} {bends:?};"),
         }
     }
 
@@ -63,53 +63,8 @@ impl Series {
         self.needs.convolutions.chunks(LANES).collect()
     }
 
-    /// The function and its implementation of the contract.
+    /// The function.
     pub(super) fn items(&self, scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
-        let function = self.function(scene)?;
-        let implementation = self.implementation(scene);
-        Ok(quote!(#function #implementation))
-    }
-
-    fn implementation(&self, scene: &Scene<'_>) -> TokenStream {
-        let machine = &scene.machine;
-        let sizes = self.groups().into_iter().map(|group| {
-            let lanes = Literal::usize_unsuffixed(group.len());
-            quote!(Lanes::<R, #lanes>::workspace(order + 1))
-        });
-        let sizes = sizes.reduce(|sum, size| quote!(#sum + #size));
-        let order = if sizes.is_some() { quote!(order) } else { quote!(_order) };
-        let size = sizes.unwrap_or_else(|| quote!(0));
-        let bends = self.bends_name().map(|name| {
-            quote! {
-                fn bends(&self) -> Bends {
-                    Bends::#name
-                }
-            }
-        });
-        quote! {
-            impl<R: Real> TaylorSeries<R> for #machine {
-                fn series_workspace(&self, #order: usize) -> usize {
-                    #size
-                }
-                fn series(
-                    &self,
-                    time: R,
-                    state: &[R],
-                    parameters: &[R],
-                    coefficients: &mut [R],
-                    workspace: &mut [R],
-                ) {
-                    let (coefficients, rest) = coefficients.as_chunks_mut();
-                    assert!(rest.is_empty(), "every order has STATES coefficients");
-                    let p = parameters_of(parameters);
-                    series(time, state_of(state), &p, coefficients, workspace);
-                }
-                #bends
-            }
-        }
-    }
-
-    fn function(&self, scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
         let names = Names::new(scene);
         let mut writer = Writer::new(scene, &self.tape, &self.needs, names.clone());
         let zeroth = writer.zeroth()?;
@@ -131,8 +86,7 @@ impl Series {
         let higher_rates = writer.higher_rates();
         let newest_states = writer.newest_states();
         let reads = &writer.reads;
-        let p = if reads.parameters { quote!(p) } else { quote!(_p) };
-        let time = if reads.time { quote!(time) } else { quote!(_time) };
+        let (p, time) = (argument(reads.given.parameters, "p"), argument(reads.given.time, "time"));
         let workspace =
             if self.needs.convolutions.is_empty() { quote!(_workspace) } else { quote!(workspace) };
         let states = writer.states();

@@ -16,565 +16,133 @@
 // Source:
 //   Benchmark models of textile-machine dynamics.
 //
-// Shapes; all quantities are in SI units:
-//   coordinates               3
-//   first-order states        4
-//   states                   10
-//   parameters               33
-//   outputs                   3
-//   discontinuities           0
-//
-// State:
-//     0  motor.phi         [rad]    rotor angle
-//     1  shaft.driven      [rad]    angle of the section, at port driven
-//     2  shaft.end         [rad]    angle of the section, at port end
-//     3  motor.omega       [rad/s]  rate of rotor angle
-//     4  shaft.driven_dot  [rad/s]  rate of angle of the section, at port driven
-//     5  shaft.end_dot     [rad/s]  rate of angle of the section, at port end
-//     6  motor.psi_sx      [V s]    stator flux linkage along x
-//     7  motor.psi_sy      [V s]    stator flux linkage along y
-//     8  motor.psi_rx      [V s]    rotor flux linkage along x
-//     9  motor.psi_ry      [V s]    rotor flux linkage along y
-//
-// Nonzeros:
-//   mass_matrix               3 of 3 by 3
-//   rate_jacobian            30 of 10 by 10
-//   parameter_jacobian       50 of 10 by 33
-//
-// Operations:
-//   initial_state            18
-//   discontinuities           0
-//   rate                     92
-//   mass_matrix               4
-//   forcing                  51
-//   rate_jacobian            89
-//   parameter_jacobian      245
-//   time_derivative          47
-//   outputs                   0
-//   energy                   50
-//   power_balance           178
-// With constants of the parameters, prepared once a run:
-//   prepare                  55
-//   prepared_rate            63
-//   prepared_rate_jacobian   40
+// All quantities are in SI units.
+// Shapes: coordinates 3, first-order states 4, states 10, parameters 33, outputs 3.
+// Nonzeros: mass_matrix 3 of 3 by 3, rate_jacobian 30 of 10 by 10, parameter_jacobian 50 of 10 by 33.
+// Operations: initial_state 18, rate 91, mass_matrix 4, forcing 50, rate_jacobian 86,
+//     parameter_jacobian 243, time_derivative 44, energy 50, power_balance 177, prepare 51,
+//     prepared_rate 62, prepared_rate_jacobian 41.
 
-use ::machinist_contract::{
-    Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-    SparsityPattern,
-    field::{FieldAttachment, FieldDescription, FieldPlace, FieldPoint, FieldScene},
-};
+use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
-/// Generalized coordinates, n.
-pub const COORDINATES: usize = 3;
-
-/// Length of the state y.
-pub const STATES: usize = 10;
-
-/// Parameters.
-pub const PARAMETERS: usize = 33;
-
-/// Wanted outputs.
-pub const OUTPUTS: usize = 3;
-
-/// Times at which the right-hand side jumps.
-pub const DISCONTINUITIES: usize = 0;
-
-/// Nonzeros of M, both triangles.
-pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 3,
-    columns: 3,
-    entries: &[(0, 0), (1, 1), (2, 2)],
-};
-
-/// Nonzeros of dy'/dy.
-pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 10,
-    columns: 10,
-    entries: &[
-        (0, 3),
-        (1, 4),
-        (2, 5),
-        (3, 0),
-        (3, 1),
-        (3, 3),
-        (3, 4),
-        (3, 6),
-        (3, 7),
-        (3, 8),
-        (3, 9),
-        (4, 0),
-        (4, 1),
-        (4, 3),
-        (4, 4),
-        (5, 5),
-        (6, 6),
-        (6, 7),
-        (6, 8),
-        (7, 6),
-        (7, 7),
-        (7, 9),
-        (8, 3),
-        (8, 6),
-        (8, 8),
-        (8, 9),
-        (9, 3),
-        (9, 7),
-        (9, 8),
-        (9, 9),
-    ],
-};
-
-/// Nonzeros of dy'/dp.
-pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 10,
-    columns: 33,
-    entries: &[
-        (3, 0),
-        (3, 2),
-        (3, 4),
-        (3, 5),
-        (3, 6),
-        (3, 7),
-        (3, 10),
-        (3, 11),
-        (3, 12),
-        (4, 10),
-        (4, 11),
-        (4, 12),
-        (4, 14),
-        (4, 15),
-        (4, 19),
-        (4, 20),
-        (4, 21),
-        (4, 22),
-        (4, 23),
-        (4, 24),
-        (4, 25),
-        (4, 26),
-        (5, 14),
-        (5, 15),
-        (5, 19),
-        (5, 20),
-        (5, 21),
-        (5, 22),
-        (5, 23),
-        (5, 24),
-        (5, 29),
-        (5, 30),
-        (6, 1),
-        (6, 2),
-        (6, 3),
-        (6, 6),
-        (6, 8),
-        (7, 1),
-        (7, 2),
-        (7, 3),
-        (7, 6),
-        (7, 8),
-        (8, 2),
-        (8, 4),
-        (8, 5),
-        (8, 9),
-        (9, 2),
-        (9, 4),
-        (9, 5),
-        (9, 9),
-    ],
-};
-
-/// Benchmark M3: motor and torsional shaft of equal pieces
-///
-/// A motor at synchronous speed drives a shaft of equal pieces by the coupling of the saw
-/// gin. A load spread over the shaft engages at 0.15 s. M3:100 has 100 pieces: the
-/// parameter \`shaft.pieces\`, and one element of order 1 less, between their middles.
-///
-/// Source: Benchmark models of textile-machine dynamics.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct M3;
-
-/// Parameters, in SI units; the default holds the values of the spec.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Parameters<R> {
-    /// motor.inertia: moment of inertia of the rotor \[kg m^2\]. In the spec: 4.2.
-    pub motor_inertia: R,
-    /// motor.phase_voltage: root mean square of the phase voltage \[V\]. In the spec: 220.0.
-    pub motor_phase_voltage: R,
-    /// motor.supply_frequency: frequency of the supply \[Hz\]. In the spec: 50.0.
-    pub motor_supply_frequency: R,
-    /// motor.supply_phase: phase of the supply at the start \[rad\]. In the spec: 0.0.
-    pub motor_supply_phase: R,
-    /// motor.pole_pairs: pairs of poles \[1\]. In the spec: 4.0.
-    pub motor_pole_pairs: R,
-    /// motor.k_s: stator coupling factor x_mu/x_s \[1\]. In the spec: 0.956.
-    pub motor_k_s: R,
-    /// motor.k_r: rotor coupling factor x_mu/x_r \[1\]. In the spec: 0.952.
-    pub motor_k_r: R,
-    /// motor.x_s: stator reactance at supply frequency \[ohm\]. In the spec: 4.14.
-    pub motor_x_s: R,
-    /// motor.alpha_s: stator decay r_s/(sigma x_s) \[1\]. In the spec: 0.115.
-    pub motor_alpha_s: R,
-    /// motor.alpha_r: rotor decay r_r/(sigma x_r) \[1\]. In the spec: 0.0858.
-    pub motor_alpha_r: R,
-    /// coupling.stiffness: torsional stiffness \[N m/rad\]. In the spec: 23065.2.
-    pub coupling_stiffness: R,
-    /// coupling.damping: torsional damping \[N m s/rad\]. In the spec: 128.5346.
-    pub coupling_damping: R,
-    /// coupling.ratio: turns of the driving end for one turn of the driven end \[1\]. In the spec: 1.0.
-    pub coupling_ratio: R,
-    /// shaft.length: length \[m\]. In the spec: 2.322.
-    pub shaft_length: R,
-    /// shaft.pieces: number of pieces \[1\]. In the spec: 100.0.
-    pub shaft_pieces: R,
-    /// shaft.inertia: moment of inertia \[kg m^2\]. In the spec: 1.244.
-    pub shaft_inertia: R,
-    /// shaft.shear_modulus: shear modulus \[Pa\]. In the spec: 80000000000.0.
-    pub shaft_shear_modulus: R,
-    /// shaft.polar_moment: polar moment of the section \[m^4\]. In the spec: 9.817e-6.
-    pub shaft_polar_moment: R,
-    /// shaft.loss_time: damping over stiffness \[s\]. In the spec: 2e-5.
-    pub shaft_loss_time: R,
-    /// shaft.mean: mean torque of the load \[N m\]. In the spec: 843.72.
-    pub shaft_mean: R,
-    /// shaft.amplitude: amplitude of its harmonic part \[N m\]. In the spec: 78.78.
-    pub shaft_amplitude: R,
-    /// shaft.speed: nominal speed in revolutions per minute \[1\]. In the spec: 735.0.
-    pub shaft_speed: R,
-    /// shaft.engagement_time: time at which half of the load acts \[s\]. In the spec: 0.15.
-    pub shaft_engagement_time: R,
-    /// shaft.engagement_width: time constant of engagement \[s\]. In the spec: 0.02.
-    pub shaft_engagement_width: R,
-    /// shaft.standstill_band: speed below which the load fades out \[rad/s\]. In the spec: 0.5.
-    pub shaft_standstill_band: R,
-    /// shaft.driven_field_inertia: inertia of the field's node; the field sets it \[J s^2/(rad)^2\]. In the spec: 1.0.
-    pub shaft_driven_field_inertia: R,
-    /// shaft.driven_field_force: force of the field on its node; the field sets it \[J/(rad)\]. In the spec: 0.0.
-    pub shaft_driven_field_force: R,
-    /// shaft.driven_phi_x_before: slope of the field before the port; the field sets it \[rad/m\]. In the spec: 0.0.
-    pub shaft_driven_phi_x_before: R,
-    /// shaft.driven_phi_x_after: slope of the field after the port; the field sets it \[rad/m\]. In the spec: 0.0.
-    pub shaft_driven_phi_x_after: R,
-    /// shaft.end_field_inertia: inertia of the field's node; the field sets it \[J s^2/(rad)^2\]. In the spec: 1.0.
-    pub shaft_end_field_inertia: R,
-    /// shaft.end_field_force: force of the field on its node; the field sets it \[J/(rad)\]. In the spec: 0.0.
-    pub shaft_end_field_force: R,
-    /// shaft.end_phi_x_before: slope of the field before the port; the field sets it \[rad/m\]. In the spec: 0.0.
-    pub shaft_end_phi_x_before: R,
-    /// shaft.end_phi_x_after: slope of the field after the port; the field sets it \[rad/m\]. In the spec: 0.0.
-    pub shaft_end_phi_x_after: R,
+::machinist_contract::simulator! {
+    /// Benchmark M3: motor and torsional shaft of equal pieces
+    ///
+    /// A motor at synchronous speed drives a shaft of equal pieces by the coupling of the saw
+    /// gin. A load spread over the shaft engages at 0.15 s. M3:100 has 100 pieces: the
+    /// parameter \`shaft.pieces\`, and one element of order 1 less, between their middles.
+    ///
+    /// Source: Benchmark models of textile-machine dynamics.
+    M3: "m3", "Benchmark M3: motor and torsional shaft of equal pieces";
+    run from 0.0, until 0.5, points 501, rtol 1e-8, method "auto";
+    quadratures 0, discontinuities 0;
+    prepared;
 }
 
-impl<R: Real> Parameters<R> {
-    /// From the numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn from_array(values: [R; PARAMETERS]) -> Self {
-        Self {
-            motor_inertia: values[0],
-            motor_phase_voltage: values[1],
-            motor_supply_frequency: values[2],
-            motor_supply_phase: values[3],
-            motor_pole_pairs: values[4],
-            motor_k_s: values[5],
-            motor_k_r: values[6],
-            motor_x_s: values[7],
-            motor_alpha_s: values[8],
-            motor_alpha_r: values[9],
-            coupling_stiffness: values[10],
-            coupling_damping: values[11],
-            coupling_ratio: values[12],
-            shaft_length: values[13],
-            shaft_pieces: values[14],
-            shaft_inertia: values[15],
-            shaft_shear_modulus: values[16],
-            shaft_polar_moment: values[17],
-            shaft_loss_time: values[18],
-            shaft_mean: values[19],
-            shaft_amplitude: values[20],
-            shaft_speed: values[21],
-            shaft_engagement_time: values[22],
-            shaft_engagement_width: values[23],
-            shaft_standstill_band: values[24],
-            shaft_driven_field_inertia: values[25],
-            shaft_driven_field_force: values[26],
-            shaft_driven_phi_x_before: values[27],
-            shaft_driven_phi_x_after: values[28],
-            shaft_end_field_inertia: values[29],
-            shaft_end_field_force: values[30],
-            shaft_end_phi_x_before: values[31],
-            shaft_end_phi_x_after: values[32],
-        }
-    }
-    /// The numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn to_array(self) -> [R; PARAMETERS] {
-        [
-            self.motor_inertia,
-            self.motor_phase_voltage,
-            self.motor_supply_frequency,
-            self.motor_supply_phase,
-            self.motor_pole_pairs,
-            self.motor_k_s,
-            self.motor_k_r,
-            self.motor_x_s,
-            self.motor_alpha_s,
-            self.motor_alpha_r,
-            self.coupling_stiffness,
-            self.coupling_damping,
-            self.coupling_ratio,
-            self.shaft_length,
-            self.shaft_pieces,
-            self.shaft_inertia,
-            self.shaft_shear_modulus,
-            self.shaft_polar_moment,
-            self.shaft_loss_time,
-            self.shaft_mean,
-            self.shaft_amplitude,
-            self.shaft_speed,
-            self.shaft_engagement_time,
-            self.shaft_engagement_width,
-            self.shaft_standstill_band,
-            self.shaft_driven_field_inertia,
-            self.shaft_driven_field_force,
-            self.shaft_driven_phi_x_before,
-            self.shaft_driven_phi_x_after,
-            self.shaft_end_field_inertia,
-            self.shaft_end_field_force,
-            self.shaft_end_phi_x_before,
-            self.shaft_end_phi_x_after,
-        ]
-    }
+::machinist_contract::parameters! {
+    motor_inertia: 4.2, "kg m^2", "motor.inertia", "moment of inertia of the rotor";
+    motor_phase_voltage: 220.0, "V", "motor.phase_voltage", "root mean square of the phase voltage";
+    motor_supply_frequency: 50.0, "Hz", "motor.supply_frequency", "frequency of the supply";
+    motor_supply_phase: 0.0, "rad", "motor.supply_phase", "phase of the supply at the start";
+    motor_pole_pairs: 4.0, "1", "motor.pole_pairs", "pairs of poles";
+    motor_k_s: 0.956, "1", "motor.k_s", "stator coupling factor x_mu/x_s";
+    motor_k_r: 0.952, "1", "motor.k_r", "rotor coupling factor x_mu/x_r";
+    motor_x_s: 4.14, "ohm", "motor.x_s", "stator reactance at supply frequency";
+    motor_alpha_s: 0.115, "1", "motor.alpha_s", "stator decay r_s/(sigma x_s)";
+    motor_alpha_r: 0.0858, "1", "motor.alpha_r", "rotor decay r_r/(sigma x_r)";
+    coupling_stiffness: 23065.2, "N m/rad", "coupling.stiffness", "torsional stiffness";
+    coupling_damping: 128.5346, "N m s/rad", "coupling.damping", "torsional damping";
+    coupling_ratio: 1.0, "1", "coupling.ratio", "turns of the driving end for one turn of the driven end";
+    shaft_length: 2.322, "m", "shaft.length", "length";
+    shaft_pieces: 100.0, "1", "shaft.pieces", "number of pieces";
+    shaft_inertia: 1.244, "kg m^2", "shaft.inertia", "moment of inertia";
+    shaft_shear_modulus: 8e10, "Pa", "shaft.shear_modulus", "shear modulus";
+    shaft_polar_moment: 9.817e-6, "m^4", "shaft.polar_moment", "polar moment of the section";
+    shaft_loss_time: 2e-5, "s", "shaft.loss_time", "damping over stiffness";
+    shaft_mean: 843.72, "N m", "shaft.mean", "mean torque of the load";
+    shaft_amplitude: 78.78, "N m", "shaft.amplitude", "amplitude of its harmonic part";
+    shaft_speed: 735.0, "1", "shaft.speed", "nominal speed in revolutions per minute";
+    shaft_engagement_time: 0.15, "s", "shaft.engagement_time", "time at which half of the load acts";
+    shaft_engagement_width: 0.02, "s", "shaft.engagement_width", "time constant of engagement";
+    shaft_standstill_band: 0.5, "rad/s", "shaft.standstill_band", "speed below which the load fades out";
+    shaft_driven_field_inertia: 1.0, "J s^2/(rad)^2", "shaft.driven_field_inertia", "inertia of the field's node; the field sets it";
+    shaft_driven_field_force: 0.0, "J/(rad)", "shaft.driven_field_force", "force of the field on its node; the field sets it";
+    shaft_driven_phi_x_before: 0.0, "rad/m", "shaft.driven_phi_x_before", "slope of the field before the port; the field sets it";
+    shaft_driven_phi_x_after: 0.0, "rad/m", "shaft.driven_phi_x_after", "slope of the field after the port; the field sets it";
+    shaft_end_field_inertia: 1.0, "J s^2/(rad)^2", "shaft.end_field_inertia", "inertia of the field's node; the field sets it";
+    shaft_end_field_force: 0.0, "J/(rad)", "shaft.end_field_force", "force of the field on its node; the field sets it";
+    shaft_end_phi_x_before: 0.0, "rad/m", "shaft.end_phi_x_before", "slope of the field before the port; the field sets it";
+    shaft_end_phi_x_after: 0.0, "rad/m", "shaft.end_phi_x_after", "slope of the field after the port; the field sets it";
 }
 
-impl<R: Real> Default for Parameters<R> {
-    fn default() -> Self {
-        Self {
-            motor_inertia: R::literal(4.2),
-            motor_phase_voltage: R::literal(220.0),
-            motor_supply_frequency: R::literal(50.0),
-            motor_supply_phase: R::literal(0.0),
-            motor_pole_pairs: R::literal(4.0),
-            motor_k_s: R::literal(0.956),
-            motor_k_r: R::literal(0.952),
-            motor_x_s: R::literal(4.14),
-            motor_alpha_s: R::literal(0.115),
-            motor_alpha_r: R::literal(0.0858),
-            coupling_stiffness: R::literal(23065.2),
-            coupling_damping: R::literal(128.5346),
-            coupling_ratio: R::literal(1.0),
-            shaft_length: R::literal(2.322),
-            shaft_pieces: R::literal(100.0),
-            shaft_inertia: R::literal(1.244),
-            shaft_shear_modulus: R::literal(8e10),
-            shaft_polar_moment: R::literal(9.817e-6),
-            shaft_loss_time: R::literal(2e-5),
-            shaft_mean: R::literal(843.72),
-            shaft_amplitude: R::literal(78.78),
-            shaft_speed: R::literal(735.0),
-            shaft_engagement_time: R::literal(0.15),
-            shaft_engagement_width: R::literal(0.02),
-            shaft_standstill_band: R::literal(0.5),
-            shaft_driven_field_inertia: R::literal(1.0),
-            shaft_driven_field_force: R::literal(0.0),
-            shaft_driven_phi_x_before: R::literal(0.0),
-            shaft_driven_phi_x_after: R::literal(0.0),
-            shaft_end_field_inertia: R::literal(1.0),
-            shaft_end_field_force: R::literal(0.0),
-            shaft_end_phi_x_before: R::literal(0.0),
-            shaft_end_phi_x_after: R::literal(0.0),
-        }
-    }
+::machinist_contract::outputs! {
+    motor_speed: "rad/s", "motor_speed", "rate of rotor angle";
+    driven_speed: "rad/s", "driven_speed", "rate of angle of the section, at port driven";
+    end_speed: "rad/s", "end_speed", "rate of angle of the section, at port end";
 }
 
-/// Wanted outputs, in SI units.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Outputs<R> {
-    /// motor_speed: rate of rotor angle \[rad/s\].
-    pub motor_speed: R,
-    /// driven_speed: rate of angle of the section, at port driven \[rad/s\].
-    pub driven_speed: R,
-    /// end_speed: rate of angle of the section, at port end \[rad/s\].
-    pub end_speed: R,
+::machinist_contract::states! {
+    MOTOR_PHI: position, 150.0, "rad", "motor.phi", "rotor angle";
+    SHAFT_DRIVEN: position, 40.0, "rad", "shaft.driven", "angle of the section, at port driven";
+    SHAFT_END: position, 40.0, "rad", "shaft.end", "angle of the section, at port end";
+    MOTOR_OMEGA: velocity, 78.5, "rad/s", "motor.omega", "rate of rotor angle";
+    SHAFT_DRIVEN_DOT: velocity, 78.5, "rad/s", "shaft.driven_dot", "rate of angle of the section, at port driven";
+    SHAFT_END_DOT: velocity, 78.5, "rad/s", "shaft.end_dot", "rate of angle of the section, at port end";
+    MOTOR_PSI_SX: first_order, 1.0, "V s", "motor.psi_sx", "stator flux linkage along x";
+    MOTOR_PSI_SY: first_order, 1.0, "V s", "motor.psi_sy", "stator flux linkage along y";
+    MOTOR_PSI_RX: first_order, 1.0, "V s", "motor.psi_rx", "rotor flux linkage along x";
+    MOTOR_PSI_RY: first_order, 1.0, "V s", "motor.psi_ry", "rotor flux linkage along y";
 }
 
-impl<R: Real> Outputs<R> {
-    /// From the numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn from_array(values: [R; OUTPUTS]) -> Self {
-        Self {
-            motor_speed: values[0],
-            driven_speed: values[1],
-            end_speed: values[2],
-        }
-    }
-    /// The numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn to_array(self) -> [R; OUTPUTS] {
-        [self.motor_speed, self.driven_speed, self.end_speed]
-    }
+::machinist_contract::patterns! {
+    /// Nonzeros of M.
+    MASS_MATRIX_PATTERN: 3 by 3 { 0 [0] 1 [1] 2 [2] }
+    /// Nonzeros of dy'/dy.
+    RATE_JACOBIAN_PATTERN: 10 by 10 { 0 [3] 1 [4] 2 [5] 3 [0 1 3 4 6 7 8 9] 4 [0 1 3 4] 5 [5]
+        6 [6 7 8] 7 [6 7 9] 8 [3 6 8 9] 9 [3 7 8 9] }
+    /// Nonzeros of dy'/dp.
+    PARAMETER_JACOBIAN_PATTERN: 10 by 33 { 3 [0 2 4 5 6 7 10 11 12]
+        4 [10 11 12 14 15 19 20 21 22 23 24 25 26] 5 [14 15 19 20 21 22 23 24 29 30] 6 [1 2 3 6 8]
+        7 [1 2 3 6 8] 8 [2 4 5 9] 9 [2 4 5 9] }
 }
 
-/// Where to find what in the state.
-pub mod state {
-    /// motor.phi: rotor angle \[rad\].
-    pub const MOTOR_PHI: usize = 0;
-    /// shaft.driven: angle of the section, at port driven \[rad\].
-    pub const SHAFT_DRIVEN: usize = 1;
-    /// shaft.end: angle of the section, at port end \[rad\].
-    pub const SHAFT_END: usize = 2;
-    /// motor.omega: rate of rotor angle \[rad/s\].
-    pub const MOTOR_OMEGA: usize = 3;
-    /// shaft.driven_dot: rate of angle of the section, at port driven \[rad/s\].
-    pub const SHAFT_DRIVEN_DOT: usize = 4;
-    /// shaft.end_dot: rate of angle of the section, at port end \[rad/s\].
-    pub const SHAFT_END_DOT: usize = 5;
-    /// motor.psi_sx: stator flux linkage along x \[V s\].
-    pub const MOTOR_PSI_SX: usize = 6;
-    /// motor.psi_sy: stator flux linkage along y \[V s\].
-    pub const MOTOR_PSI_SY: usize = 7;
-    /// motor.psi_rx: rotor flux linkage along x \[V s\].
-    pub const MOTOR_PSI_RX: usize = 8;
-    /// motor.psi_ry: rotor flux linkage along y \[V s\].
-    pub const MOTOR_PSI_RY: usize = 9;
+::machinist_contract::constants! {
+    motor_omega_0, motor_u_x, motor_u_y, t1, t2, t3, inverse_motor_inertia, t5, t6,
+    inverse_shaft_standstill_band, t7, t8, t9, motor_alpha_s_times_motor_omega_0,
+    motor_alpha_r_times_motor_omega_0, motor_omega_dot_by_motor_phi,
+    shaft_driven_dot_dot_by_motor_phi, motor_omega_dot_by_shaft_driven,
+    shaft_driven_dot_dot_by_shaft_driven, motor_omega_dot_by_motor_omega,
+    shaft_driven_dot_dot_by_motor_omega, t10, t11, motor_omega_dot_by_shaft_driven_dot,
+    motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
+    motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
+    motor_psi_rx_dot_by_motor_psi_rx
 }
 
-/// Constants that `prepare` computes.
-pub const CONSTANTS: usize = 30;
-
-#[allow(missing_docs, reason = "`prepare` says what each is")]
-/// What parameters alone decide; `prepare` says what each is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Constants<R> {
-    pub motor_omega_0: R,
-    pub motor_u_x: R,
-    pub motor_u_y: R,
-    pub inverse_shaft_engagement_width: R,
-    pub t2: R,
-    pub t3: R,
-    pub inverse_motor_inertia: R,
-    pub t5: R,
-    pub t6: R,
-    pub inverse_shaft_standstill_band: R,
-    pub t7: R,
-    pub t8: R,
-    pub t9: R,
-    pub motor_alpha_s_times_motor_omega_0: R,
-    pub motor_alpha_r_times_motor_omega_0: R,
-    pub motor_omega_dot_by_motor_phi: R,
-    pub shaft_driven_dot_dot_by_motor_phi: R,
-    pub motor_omega_dot_by_shaft_driven: R,
-    pub shaft_driven_dot_dot_by_shaft_driven: R,
-    pub motor_omega_dot_by_motor_omega: R,
-    pub shaft_driven_dot_dot_by_motor_omega: R,
-    pub t10: R,
-    pub t11: R,
-    pub motor_omega_dot_by_shaft_driven_dot: R,
-    pub t12: R,
-    pub motor_psi_sx_dot_by_motor_psi_sx: R,
-    pub motor_psi_sy_dot_by_motor_psi_sx: R,
-    pub motor_psi_rx_dot_by_motor_psi_sx: R,
-    pub motor_psi_sx_dot_by_motor_psi_rx: R,
-    pub motor_psi_rx_dot_by_motor_psi_rx: R,
+::machinist_contract::field_scene! {
+    M3: jacobian_reads_forces false;
+    0 shaft_phi: linear false, local true, scale [40.0, 78.5], fixed [false, false], length 2.322,
+        elements 99, order 1;
+    value "rad", "shaft.phi", "angle of the section";
+    rate "rad/s", "shaft.phi_dot", "rate of angle of the section";
+    slope "rad/m", "shaft.phi_x", "slope of angle of the section";
+    at 0.0 => Start, coordinate Some(1), handed 25;
+    at 2.322 => End, coordinate Some(2), handed 29;
 }
 
-impl<R: Real> Constants<R> {
-    /// From the numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn from_array(values: [R; CONSTANTS]) -> Self {
-        Self {
-            motor_omega_0: values[0],
-            motor_u_x: values[1],
-            motor_u_y: values[2],
-            inverse_shaft_engagement_width: values[3],
-            t2: values[4],
-            t3: values[5],
-            inverse_motor_inertia: values[6],
-            t5: values[7],
-            t6: values[8],
-            inverse_shaft_standstill_band: values[9],
-            t7: values[10],
-            t8: values[11],
-            t9: values[12],
-            motor_alpha_s_times_motor_omega_0: values[13],
-            motor_alpha_r_times_motor_omega_0: values[14],
-            motor_omega_dot_by_motor_phi: values[15],
-            shaft_driven_dot_dot_by_motor_phi: values[16],
-            motor_omega_dot_by_shaft_driven: values[17],
-            shaft_driven_dot_dot_by_shaft_driven: values[18],
-            motor_omega_dot_by_motor_omega: values[19],
-            shaft_driven_dot_dot_by_motor_omega: values[20],
-            t10: values[21],
-            t11: values[22],
-            motor_omega_dot_by_shaft_driven_dot: values[23],
-            t12: values[24],
-            motor_psi_sx_dot_by_motor_psi_sx: values[25],
-            motor_psi_sy_dot_by_motor_psi_sx: values[26],
-            motor_psi_rx_dot_by_motor_psi_sx: values[27],
-            motor_psi_sx_dot_by_motor_psi_rx: values[28],
-            motor_psi_rx_dot_by_motor_psi_rx: values[29],
-        }
-    }
-    /// The numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn to_array(self) -> [R; CONSTANTS] {
-        [
-            self.motor_omega_0,
-            self.motor_u_x,
-            self.motor_u_y,
-            self.inverse_shaft_engagement_width,
-            self.t2,
-            self.t3,
-            self.inverse_motor_inertia,
-            self.t5,
-            self.t6,
-            self.inverse_shaft_standstill_band,
-            self.t7,
-            self.t8,
-            self.t9,
-            self.motor_alpha_s_times_motor_omega_0,
-            self.motor_alpha_r_times_motor_omega_0,
-            self.motor_omega_dot_by_motor_phi,
-            self.shaft_driven_dot_dot_by_motor_phi,
-            self.motor_omega_dot_by_shaft_driven,
-            self.shaft_driven_dot_dot_by_shaft_driven,
-            self.motor_omega_dot_by_motor_omega,
-            self.shaft_driven_dot_dot_by_motor_omega,
-            self.t10,
-            self.t11,
-            self.motor_omega_dot_by_shaft_driven_dot,
-            self.t12,
-            self.motor_psi_sx_dot_by_motor_psi_sx,
-            self.motor_psi_sy_dot_by_motor_psi_sx,
-            self.motor_psi_rx_dot_by_motor_psi_sx,
-            self.motor_psi_sx_dot_by_motor_psi_rx,
-            self.motor_psi_rx_dot_by_motor_psi_rx,
-        ]
-    }
-}
-
-/// What `rate` and `rate_jacobian` need of the parameters, once a run.
-///
-/// 55 operations.
+/// What `rate` and `rate_jacobian` need of the parameters, once a run. 51 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
-    let (sin_motor_supply_phase, cos_motor_supply_phase) = p
-        .motor_supply_phase
-        .sin_cos();
+    let (sin_motor_supply_phase, cos_motor_supply_phase) = p.motor_supply_phase.sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let shaft_omega_2 = R::literal(0.104_719_755_119_659_77) * p.shaft_speed;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
-    let inverse_shaft_engagement_width = R::literal(1.0) / p.shaft_engagement_width;
-    let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
-    let t2 = t1 / (p.motor_x_s * motor_sigma);
+    let t1 = R::literal(-1.0) / p.shaft_engagement_width;
+    let t2 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0 / (p.motor_x_s
+        * motor_sigma);
     let t3 = R::literal(core::f64::consts::PI) * shaft_omega_2;
     let t4 = R::literal(0.5) * p.shaft_inertia / p.shaft_pieces;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
@@ -590,56 +158,30 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let shaft_driven_dot_dot_by_motor_phi = t8 * t5;
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
     let motor_omega_dot_by_shaft_driven = t8 * inverse_motor_inertia;
-    let shaft_driven_dot_dot_by_shaft_driven = -(p.coupling_stiffness
-        * coupling_ratio_squared * t5);
+    let shaft_driven_dot_dot_by_shaft_driven = -(p.coupling_stiffness * coupling_ratio_squared
+        * t5);
     let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let shaft_driven_dot_dot_by_motor_omega = t9 * t5;
-    let t10 = R::literal(0.5) / (p.shaft_pieces * p.shaft_standstill_band);
-    let t11 = -(p.coupling_damping * coupling_ratio_squared);
+    let t10 = p.coupling_damping * coupling_ratio_squared;
+    let t11 = R::literal(0.5) / (p.shaft_pieces * p.shaft_standstill_band);
     let motor_omega_dot_by_shaft_driven_dot = t9 * inverse_motor_inertia;
-    let t12 = t1 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
     let motor_psi_sx_dot_by_motor_psi_sx = -motor_alpha_s_times_motor_omega_0;
     let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
     let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_rx = -motor_alpha_r_times_motor_omega_0;
-    Constants {
-        motor_omega_0,
-        motor_u_x,
-        motor_u_y,
-        inverse_shaft_engagement_width,
-        t2,
-        t3,
-        inverse_motor_inertia,
-        t5,
-        t6,
-        inverse_shaft_standstill_band,
-        t7,
-        t8,
-        t9,
-        motor_alpha_s_times_motor_omega_0,
-        motor_alpha_r_times_motor_omega_0,
-        motor_omega_dot_by_motor_phi,
-        shaft_driven_dot_dot_by_motor_phi,
-        motor_omega_dot_by_shaft_driven,
-        shaft_driven_dot_dot_by_shaft_driven,
-        motor_omega_dot_by_motor_omega,
-        shaft_driven_dot_dot_by_motor_omega,
-        t10,
-        t11,
-        motor_omega_dot_by_shaft_driven_dot,
-        t12,
-        motor_psi_sx_dot_by_motor_psi_sx,
-        motor_psi_sy_dot_by_motor_psi_sx,
-        motor_psi_rx_dot_by_motor_psi_sx,
-        motor_psi_sx_dot_by_motor_psi_rx,
-        motor_psi_rx_dot_by_motor_psi_rx,
-    }
+    Constants { motor_omega_0, motor_u_x, motor_u_y, t1, t2, t3, inverse_motor_inertia, t5, t6,
+        inverse_shaft_standstill_band, t7, t8, t9, motor_alpha_s_times_motor_omega_0,
+        motor_alpha_r_times_motor_omega_0, motor_omega_dot_by_motor_phi,
+        shaft_driven_dot_dot_by_motor_phi, motor_omega_dot_by_shaft_driven,
+        shaft_driven_dot_dot_by_shaft_driven, motor_omega_dot_by_motor_omega,
+        shaft_driven_dot_dot_by_motor_omega, t10, t11, motor_omega_dot_by_shaft_driven_dot,
+        motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
+        motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
+        motor_psi_rx_dot_by_motor_psi_rx }
 }
 
-/// State at the start of the run, in the units of the states.
-///
-/// 18 operations.
+/// State at the start of the run, in the units of the states. 18 operations.
 #[must_use]
 pub fn initial_state<R: Real>(p: &Parameters<R>) -> [R; STATES] {
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
@@ -649,282 +191,145 @@ pub fn initial_state<R: Real>(p: &Parameters<R>) -> [R; STATES] {
     let synchronous_speed = motor_omega_0 / p.motor_pole_pairs;
     let loss = p.motor_alpha_s * motor_sigma;
     let flux = motor_u_x / (motor_omega_0 * R::literal(1.0).add_product(loss, loss));
-    [
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        synchronous_speed,
-        synchronous_speed,
-        synchronous_speed,
-        loss * flux,
-        -flux,
-        p.motor_k_s * loss * flux,
-        -(p.motor_k_s * flux),
-    ]
+    [R::literal(0.0), R::literal(0.0), R::literal(0.0), synchronous_speed, synchronous_speed,
+        synchronous_speed, loss * flux, -flux, p.motor_k_s * loss * flux, -(p.motor_k_s * flux)]
 }
 
-/// Times at which the right-hand side jumps \[s\].
-///
-/// No operations.
+/// Times of known jumps of the right-hand side \[s\], unsorted. No operations.
 #[must_use]
 pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
-///
-/// 92 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 62 operations.
 #[must_use]
 #[inline]
-pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
-    prepared_rate(time, state, p, &prepare(p))
-}
-
-/// As `rate`, with the constants of the parameters from `prepare`.
-///
-/// 63 operations.
-#[must_use]
-#[inline]
-pub fn prepared_rate<R: Real>(
-    time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-    c: &Constants<R>,
-) -> [R; STATES] {
-    let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot,
-    motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
-    let [t0, t1] = R::tanh_each([
-        c.inverse_shaft_standstill_band * shaft_driven_dot,
-        c.inverse_shaft_standstill_band * shaft_end_dot,
-    ]);
+pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; STATES] {
+    let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot, motor_psi_sx,
+        motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [t0, t1] = R::tanh_each([c.inverse_shaft_standstill_band * shaft_driven_dot,
+        c.inverse_shaft_standstill_band * shaft_end_dot]);
     let coupling_twist = motor_phi.sub_product(p.coupling_ratio, shaft_driven);
-    let coupling_twist_rate = motor_omega
-        .sub_product(p.coupling_ratio, shaft_driven_dot);
+    let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, shaft_driven_dot);
     let motor_slip_speed = c.motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
-    let shaft_engagement = R::literal(1.0)
-        / (R::literal(1.0)
-            + (-(c.inverse_shaft_engagement_width * (time - p.shaft_engagement_time)))
-                .exp());
-    let coupling_torque = (p.coupling_stiffness * coupling_twist)
-        .add_product(p.coupling_damping, coupling_twist_rate);
-    let motor_torque = c.t2
-        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
-    let shaft_load = shaft_engagement
-        * p.shaft_mean.add_product(p.shaft_amplitude, (c.t3 * time).sin());
+    let shaft_engagement = R::literal(1.0) / (R::literal(1.0)
+        + (c.t1 * (time - p.shaft_engagement_time)).exp());
+    let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
+        coupling_twist_rate);
+    let motor_torque = c.t2 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
+    let shaft_load = shaft_engagement * p.shaft_mean.add_product(p.shaft_amplitude, (c.t3 * time)
+        .sin());
     let t2 = c.t7 * shaft_load;
     let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
-    let shaft_driven_dot_dot = p
-        .shaft_driven_field_force
-        .add_product(c.t8, coupling_twist)
-        .add_product(c.t9, coupling_twist_rate)
-        .sub_product(t2, t0) * c.t5;
+    let shaft_driven_dot_dot = p.shaft_driven_field_force.add_product(c.t8, coupling_twist)
+        .add_product(c.t9, coupling_twist_rate).sub_product(t2, t0) * c.t5;
     let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t2, t1) * c.t6;
-    let motor_psi_sx_dot = c
-        .motor_u_x
-        .add_product(c.motor_omega_0, motor_psi_sy)
-        .sub_product(
-            c.motor_alpha_s_times_motor_omega_0,
-            motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx),
-        );
-    let motor_psi_sy_dot = c
-        .motor_u_y
-        .sub_product(c.motor_omega_0, motor_psi_sx)
-        .sub_product(
-            c.motor_alpha_s_times_motor_omega_0,
-            motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry),
-        );
+    let motor_psi_sx_dot = c.motor_u_x.add_product(c.motor_omega_0, motor_psi_sy)
+        .sub_product(c.motor_alpha_s_times_motor_omega_0, motor_psi_sx.sub_product(p.motor_k_r,
+        motor_psi_rx));
+    let motor_psi_sy_dot = c.motor_u_y.sub_product(c.motor_omega_0, motor_psi_sx)
+        .sub_product(c.motor_alpha_s_times_motor_omega_0, motor_psi_sy.sub_product(p.motor_k_r,
+        motor_psi_ry));
     let motor_psi_rx_dot = (motor_psi_ry * motor_slip_speed)
-        .add_product(
-            c.motor_alpha_r_times_motor_omega_0,
-            (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx),
-        );
-    let motor_psi_ry_dot = (c.motor_alpha_r_times_motor_omega_0
-        * (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy))
-        .sub_product(motor_psi_rx, motor_slip_speed);
-    [
-        motor_omega,
-        shaft_driven_dot,
-        shaft_end_dot,
-        motor_omega_dot,
-        shaft_driven_dot_dot,
-        shaft_end_dot_dot,
-        motor_psi_sx_dot,
-        motor_psi_sy_dot,
-        motor_psi_rx_dot,
-        motor_psi_ry_dot,
-    ]
+        .add_product(c.motor_alpha_r_times_motor_omega_0, (-motor_psi_rx).add_product(p.motor_k_s,
+        motor_psi_sx));
+    let motor_psi_ry_dot = (c.motor_alpha_r_times_motor_omega_0 * (-motor_psi_ry)
+        .add_product(p.motor_k_s, motor_psi_sy)).sub_product(motor_psi_rx, motor_slip_speed);
+    [motor_omega, shaft_driven_dot, shaft_end_dot, motor_omega_dot, shaft_driven_dot_dot,
+        shaft_end_dot_dot, motor_psi_sx_dot, motor_psi_sy_dot, motor_psi_rx_dot, motor_psi_ry_dot]
 }
 
-/// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
-///
-/// 4 operations.
+/// `M = d2L/dq'2`, values in the order of its pattern. 4 operations.
 #[must_use]
-pub fn mass_matrix<R: Real>(
-    _time: R,
-    _state: &[R; STATES],
-    p: &Parameters<R>,
-) -> [R; 3] {
+pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -> [R; 3] {
     let t0 = R::literal(0.5) * p.shaft_inertia / p.shaft_pieces;
     [p.motor_inertia, t0 + p.shaft_driven_field_inertia, t0 + p.shaft_end_field_inertia]
 }
 
-/// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
-///
-/// 51 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 50 operations.
 #[must_use]
-pub fn forcing<R: Real>(
-    time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-) -> [R; COORDINATES] {
-    let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot,
-    motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
+    let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot, motor_psi_sx,
+        motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
-    let [t0, t1] = R::tanh_each([
-        inverse_shaft_standstill_band * shaft_driven_dot,
-        inverse_shaft_standstill_band * shaft_end_dot,
-    ]);
+    let [t0, t1] = R::tanh_each([inverse_shaft_standstill_band * shaft_driven_dot,
+        inverse_shaft_standstill_band * shaft_end_dot]);
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let shaft_omega_2 = R::literal(0.104_719_755_119_659_77) * p.shaft_speed;
     let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let coupling_twist = motor_phi.sub_product(p.coupling_ratio, shaft_driven);
-    let coupling_twist_rate = motor_omega
-        .sub_product(p.coupling_ratio, shaft_driven_dot);
-    let shaft_engagement = R::literal(1.0)
-        / (R::literal(1.0)
-            + (-(R::literal(1.0) / p.shaft_engagement_width
-                * (time - p.shaft_engagement_time)))
-                .exp());
-    let coupling_torque = (p.coupling_stiffness * coupling_twist)
-        .add_product(p.coupling_damping, coupling_twist_rate);
+    let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, shaft_driven_dot);
+    let shaft_engagement = R::literal(1.0) / (R::literal(1.0) + (R::literal(-1.0)
+        / p.shaft_engagement_width * (time - p.shaft_engagement_time)).exp());
+    let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
+        coupling_twist_rate);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
-        / (p.motor_x_s * motor_sigma)
-        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
-    let shaft_load = shaft_engagement
-        * p
-            .shaft_mean
-            .add_product(
-                p.shaft_amplitude,
-                (R::literal(core::f64::consts::PI) * shaft_omega_2 * time).sin(),
-            );
+        / (p.motor_x_s * motor_sigma) * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx,
+        motor_psi_ry);
+    let shaft_load = shaft_engagement * p.shaft_mean.add_product(p.shaft_amplitude,
+        (R::literal(core::f64::consts::PI) * shaft_omega_2 * time).sin());
     let motor_phi_forcing = motor_torque - coupling_torque;
     let t2 = R::literal(0.5) / p.shaft_pieces * shaft_load;
-    let shaft_driven_forcing = p
-        .shaft_driven_field_force
-        .add_product(p.coupling_stiffness * p.coupling_ratio, coupling_twist)
-        .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
-        .sub_product(t2, t0);
+    let shaft_driven_forcing = p.shaft_driven_field_force.add_product(p.coupling_stiffness
+        * p.coupling_ratio, coupling_twist).add_product(p.coupling_damping * p.coupling_ratio,
+        coupling_twist_rate).sub_product(t2, t0);
     let shaft_end_forcing = p.shaft_end_field_force.sub_product(t2, t1);
     [motor_phi_forcing, shaft_driven_forcing, shaft_end_forcing]
 }
 
-/// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
-///
-/// 89 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 41 operations.
 #[must_use]
-#[inline]
-pub fn rate_jacobian<R: Real>(
-    time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-) -> [R; 30] {
-    prepared_rate_jacobian(time, state, p, &prepare(p))
-}
-
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
-///
-/// 40 operations.
-#[must_use]
-pub fn prepared_rate_jacobian<R: Real>(
-    time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-    c: &Constants<R>,
-) -> [R; 30] {
-    let [_, _, _, motor_omega, shaft_driven_dot, shaft_end_dot, motor_psi_sx,
-    motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
-    let [t0, t1] = R::tanh_each([
-        c.inverse_shaft_standstill_band * shaft_driven_dot,
-        c.inverse_shaft_standstill_band * shaft_end_dot,
-    ]);
+pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 30] {
+    let [_, _, _, motor_omega, shaft_driven_dot, shaft_end_dot, motor_psi_sx, motor_psi_sy,
+        motor_psi_rx, motor_psi_ry] = *state;
+    let [t0, t1] = R::tanh_each([c.inverse_shaft_standstill_band * shaft_driven_dot,
+        c.inverse_shaft_standstill_band * shaft_end_dot]);
     let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
     let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
-    let shaft_engagement = R::literal(1.0)
-        / (R::literal(1.0)
-            + (-(c.inverse_shaft_engagement_width * (time - p.shaft_engagement_time)))
-                .exp());
-    let shaft_load = shaft_engagement
-        * p.shaft_mean.add_product(p.shaft_amplitude, (c.t3 * time).sin());
+    let shaft_engagement = R::literal(1.0) / (R::literal(1.0)
+        + (c.t1 * (time - p.shaft_engagement_time)).exp());
+    let shaft_load = shaft_engagement * p.shaft_mean.add_product(p.shaft_amplitude, (c.t3 * time)
+        .sin());
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
-    let t2 = c.t10 * shaft_load;
-    let shaft_driven_dot_dot_by_shaft_driven_dot = c
-        .t11
-        .sub_product(t2, R::literal(1.0).sub_product(t0, t0)) * c.t5;
-    let shaft_end_dot_dot_by_shaft_end_dot = -(t2 * R::literal(1.0).sub_product(t1, t1)
-        * c.t6);
-    let motor_omega_dot_by_motor_psi_sx = c.t12 * motor_psi_ry * c.inverse_motor_inertia;
+    let t2 = c.t11 * shaft_load;
+    let shaft_driven_dot_dot_by_shaft_driven_dot = -(c.t10.add_product(t2, R::literal(1.0)
+        .sub_product(t0, t0)) * c.t5);
+    let shaft_end_dot_dot_by_shaft_end_dot = t2 * R::literal(-1.0).add_product(t1, t1) * c.t6;
+    let motor_omega_dot_by_motor_psi_sx = -(c.t2 * motor_psi_ry * c.inverse_motor_inertia);
     let motor_omega_dot_by_motor_psi_sy = c.t2 * motor_psi_rx * c.inverse_motor_inertia;
     let motor_omega_dot_by_motor_psi_rx = c.t2 * motor_psi_sy * c.inverse_motor_inertia;
-    let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega
-        - c.motor_omega_0;
-    let motor_omega_dot_by_motor_psi_ry = c.t12 * motor_psi_sx * c.inverse_motor_inertia;
-    [
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        c.motor_omega_dot_by_motor_phi,
-        c.motor_omega_dot_by_shaft_driven,
-        c.motor_omega_dot_by_motor_omega,
-        c.motor_omega_dot_by_shaft_driven_dot,
-        motor_omega_dot_by_motor_psi_sx,
-        motor_omega_dot_by_motor_psi_sy,
-        motor_omega_dot_by_motor_psi_rx,
-        motor_omega_dot_by_motor_psi_ry,
-        c.shaft_driven_dot_dot_by_motor_phi,
-        c.shaft_driven_dot_dot_by_shaft_driven,
-        c.shaft_driven_dot_dot_by_motor_omega,
-        shaft_driven_dot_dot_by_shaft_driven_dot,
-        shaft_end_dot_dot_by_shaft_end_dot,
-        c.motor_psi_sx_dot_by_motor_psi_sx,
-        c.motor_omega_0,
-        c.motor_psi_sx_dot_by_motor_psi_rx,
-        c.motor_psi_sy_dot_by_motor_psi_sx,
-        c.motor_psi_sx_dot_by_motor_psi_sx,
-        c.motor_psi_sx_dot_by_motor_psi_rx,
-        motor_psi_rx_dot_by_motor_omega,
-        c.motor_psi_rx_dot_by_motor_psi_sx,
-        c.motor_psi_rx_dot_by_motor_psi_rx,
-        motor_slip_speed,
-        motor_psi_ry_dot_by_motor_omega,
-        c.motor_psi_rx_dot_by_motor_psi_sx,
-        motor_psi_ry_dot_by_motor_psi_rx,
-        c.motor_psi_rx_dot_by_motor_psi_rx,
-    ]
+    let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega - c.motor_omega_0;
+    let motor_omega_dot_by_motor_psi_ry = -(c.t2 * motor_psi_sx * c.inverse_motor_inertia);
+    [R::literal(1.0), R::literal(1.0), R::literal(1.0), c.motor_omega_dot_by_motor_phi,
+        c.motor_omega_dot_by_shaft_driven, c.motor_omega_dot_by_motor_omega,
+        c.motor_omega_dot_by_shaft_driven_dot, motor_omega_dot_by_motor_psi_sx,
+        motor_omega_dot_by_motor_psi_sy, motor_omega_dot_by_motor_psi_rx,
+        motor_omega_dot_by_motor_psi_ry, c.shaft_driven_dot_dot_by_motor_phi,
+        c.shaft_driven_dot_dot_by_shaft_driven, c.shaft_driven_dot_dot_by_motor_omega,
+        shaft_driven_dot_dot_by_shaft_driven_dot, shaft_end_dot_dot_by_shaft_end_dot,
+        c.motor_psi_sx_dot_by_motor_psi_sx, c.motor_omega_0, c.motor_psi_sx_dot_by_motor_psi_rx,
+        c.motor_psi_sy_dot_by_motor_psi_sx, c.motor_psi_sx_dot_by_motor_psi_sx,
+        c.motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_omega,
+        c.motor_psi_rx_dot_by_motor_psi_sx, c.motor_psi_rx_dot_by_motor_psi_rx, motor_slip_speed,
+        motor_psi_ry_dot_by_motor_omega, c.motor_psi_rx_dot_by_motor_psi_sx,
+        motor_psi_ry_dot_by_motor_psi_rx, c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
-///
-/// 245 operations.
+/// `dy'/dp`, values in the order of its pattern. 243 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(
-    time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-) -> [R; 50] {
-    let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot,
-    motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 50] {
+    let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot, motor_psi_sx,
+        motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let shaft_omega_2 = R::literal(0.104_719_755_119_659_77) * p.shaft_speed;
     let t0 = R::literal(core::f64::consts::PI) * shaft_omega_2 * time;
-    let [(sin_motor_supply_phase, cos_motor_supply_phase), (t1, t2)] = R::sin_cos_each([
-        p.motor_supply_phase,
-        t0,
-    ]);
+    let [(sin_motor_supply_phase, cos_motor_supply_phase), (t1, t2)]
+        = R::sin_cos_each([p.motor_supply_phase, t0]);
     let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
-    let [t3, t4] = R::tanh_each([
-        inverse_shaft_standstill_band * shaft_driven_dot,
-        inverse_shaft_standstill_band * shaft_end_dot,
-    ]);
+    let [t3, t4] = R::tanh_each([inverse_shaft_standstill_band * shaft_driven_dot,
+        inverse_shaft_standstill_band * shaft_end_dot]);
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
     let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
@@ -936,94 +341,82 @@ pub fn parameter_jacobian<R: Real>(
     let t6 = p.coupling_ratio * shaft_driven_dot;
     let coupling_twist_rate = motor_omega - t6;
     let time_minus_shaft_engagement_time = time - p.shaft_engagement_time;
-    let t7 = (-(R::literal(1.0) / p.shaft_engagement_width
-        * time_minus_shaft_engagement_time))
-        .exp();
+    let t7 = (R::literal(-1.0) / p.shaft_engagement_width * time_minus_shaft_engagement_time).exp();
     let t8 = R::literal(1.0) + t7;
     let shaft_engagement = R::literal(1.0) / t8;
-    let coupling_torque = (p.coupling_stiffness * coupling_twist)
-        .add_product(p.coupling_damping, coupling_twist_rate);
+    let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
+        coupling_twist_rate);
     let t9 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t10 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t11 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
-    let t12 = R::literal(1.5) * p.motor_pole_pairs;
-    let motor_torque = t12 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma
-        * t11;
-    let t13 = p.shaft_mean.add_product(p.shaft_amplitude, t1);
-    let shaft_load = shaft_engagement * t13;
-    let t14 = R::literal(0.5) * p.shaft_inertia;
-    let t15 = t14 / p.shaft_pieces;
+    let t10 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let t11 = R::literal(1.5) * p.motor_pole_pairs;
+    let motor_torque = t11 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t10;
+    let t12 = p.shaft_mean.add_product(p.shaft_amplitude, t1);
+    let shaft_load = shaft_engagement * t12;
+    let t13 = R::literal(0.5) * p.shaft_inertia;
+    let t14 = t13 / p.shaft_pieces;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let shaft_driven_dot_dot_by_shaft_driven_field_force = R::literal(1.0)
-        / (t15 + p.shaft_driven_field_inertia);
+        / (t14 + p.shaft_driven_field_inertia);
     let shaft_end_dot_dot_by_shaft_end_field_force = R::literal(1.0)
-        / (t15 + p.shaft_end_field_inertia);
-    let t16 = R::literal(0.5) / p.shaft_pieces;
-    let t17 = t16 * shaft_load;
+        / (t14 + p.shaft_end_field_inertia);
+    let t15 = R::literal(0.5) / p.shaft_pieces;
+    let t16 = t15 * shaft_load;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
-    let shaft_driven_dot_dot = p
-        .shaft_driven_field_force
-        .add_product(p.coupling_stiffness * p.coupling_ratio, coupling_twist)
-        .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
-        .sub_product(t17, t3) * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t17, t4)
+    let shaft_driven_dot_dot = p.shaft_driven_field_force.add_product(p.coupling_stiffness
+        * p.coupling_ratio, coupling_twist).add_product(p.coupling_damping * p.coupling_ratio,
+        coupling_twist_rate).sub_product(t16, t3)
+        * shaft_driven_dot_dot_by_shaft_driven_field_force;
+    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t16, t4)
         * shaft_end_dot_dot_by_shaft_end_field_force;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t18 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
+    let t17 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t19 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
-    let t20 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let t18 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * cos_motor_supply_phase;
     let motor_psi_sy_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * sin_motor_supply_phase;
-    let motor_omega_dot_by_motor_supply_frequency = R::literal(
-        3.0 * core::f64::consts::PI,
-    ) * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t11
+    let motor_omega_dot_by_motor_supply_frequency = R::literal(3.0 * core::f64::consts::PI)
+        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t10
         * inverse_motor_inertia;
-    let t21 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
     let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_sy)
-        .sub_product(t21, t9);
-    let motor_psi_sy_dot_by_motor_supply_frequency = (-(R::literal(
-        core::f64::consts::TAU,
-    ) * motor_psi_sx))
-        .sub_product(t21, t10);
-    let t22 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+        * motor_psi_sy).sub_product(R::literal(core::f64::consts::TAU) * p.motor_alpha_s, t9);
+    let motor_psi_sy_dot_by_motor_supply_frequency = R::literal(-6.283_185_307_179_586)
+        * motor_psi_sx.add_product(p.motor_alpha_s, motor_psi_sy).sub_product(p.motor_k_r
+        * p.motor_alpha_s, motor_psi_ry);
+    let t19 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
     let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_ry)
-        .add_product(t22, t18);
-    let motor_psi_ry_dot_by_motor_supply_frequency = (-(R::literal(
-        core::f64::consts::TAU,
-    ) * motor_psi_rx))
-        .add_product(t22, t19);
+        * motor_psi_ry).add_product(t19, t17);
+    let motor_psi_ry_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
+        * motor_psi_rx).add_product(t19, t18);
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
-    let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r
-        * motor_omega_0 / motor_x_s_times_motor_sigma * t11 * inverse_motor_inertia;
+    let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r * motor_omega_0
+        / motor_x_s_times_motor_sigma * t10 * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
     let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
         * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
     let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let motor_omega_dot_by_motor_k_r = -(t12 * motor_omega_0
-        / (p.motor_x_s * (t20 * t20))
-        * (motor_psi_sx_times_motor_psi_ry - motor_psi_sy_times_motor_psi_rx)
-        * inverse_motor_inertia);
+    let t20 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let motor_omega_dot_by_motor_k_r = t11 * motor_omega_0 / (p.motor_x_s * (t20 * t20))
+        * (motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry)
+        * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
     let motor_psi_sy_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
-    let motor_omega_dot_by_motor_x_s = -(R::literal(1.0) / p.motor_x_s * motor_torque
-        * inverse_motor_inertia);
+    let motor_omega_dot_by_motor_x_s = R::literal(-1.0) / p.motor_x_s * motor_torque
+        * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t9);
-    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t10);
-    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t18;
-    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t19;
-    let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_shaft_driven
-        - motor_phi) * inverse_motor_inertia;
+    let motor_psi_sy_dot_by_motor_alpha_s = motor_omega_0 * (-motor_psi_sy)
+        .add_product(p.motor_k_r, motor_psi_ry);
+    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t17;
+    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t18;
+    let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_shaft_driven - motor_phi)
+        * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let motor_omega_dot_by_coupling_damping = (t6 - motor_omega) * inverse_motor_inertia;
@@ -1032,179 +425,116 @@ pub fn parameter_jacobian<R: Real>(
     let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * shaft_driven)
         .add_product(p.coupling_damping, shaft_driven_dot) * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
-        .add_product(p.coupling_damping, motor_omega)
-        .sub_product(
-            R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio,
-            shaft_driven,
-        )
-        .sub_product(
-            R::literal(2.0) * p.coupling_damping * p.coupling_ratio,
-            shaft_driven_dot,
-        ) * shaft_driven_dot_dot_by_shaft_driven_field_force;
+        .add_product(p.coupling_damping, motor_omega).sub_product(R::literal(2.0)
+        * p.coupling_stiffness * p.coupling_ratio, shaft_driven).sub_product(R::literal(2.0)
+        * p.coupling_damping * p.coupling_ratio, shaft_driven_dot)
+        * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let shaft_pieces_squared = p.shaft_pieces * p.shaft_pieces;
-    let t23 = R::literal(0.5) / shaft_pieces_squared * shaft_load;
-    let t24 = t14 / shaft_pieces_squared;
-    let shaft_driven_dot_dot_by_shaft_pieces = (t23 * t3)
-        .add_product(t24, shaft_driven_dot_dot)
+    let t21 = R::literal(0.5) / shaft_pieces_squared * shaft_load;
+    let t22 = t13 / shaft_pieces_squared;
+    let shaft_driven_dot_dot_by_shaft_pieces = (t21 * t3).add_product(t22, shaft_driven_dot_dot)
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot_by_shaft_pieces = (t23 * t4)
-        .add_product(t24, shaft_end_dot_dot)
+    let shaft_end_dot_dot_by_shaft_pieces = (t21 * t4).add_product(t22, shaft_end_dot_dot)
         * shaft_end_dot_dot_by_shaft_end_field_force;
-    let shaft_driven_dot_dot_by_shaft_inertia = -(t16 * shaft_driven_dot_dot
+    let shaft_driven_dot_dot_by_shaft_inertia = -(t15 * shaft_driven_dot_dot
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let shaft_end_dot_dot_by_shaft_inertia = -(t16 * shaft_end_dot_dot
+    let shaft_end_dot_dot_by_shaft_inertia = -(t15 * shaft_end_dot_dot
         * shaft_end_dot_dot_by_shaft_end_field_force);
-    let t25 = t16 * shaft_engagement;
-    let shaft_driven_dot_dot_by_shaft_mean = -(t25 * t3
+    let t23 = t15 * shaft_engagement;
+    let shaft_driven_dot_dot_by_shaft_mean = -(t23 * t3
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let shaft_end_dot_dot_by_shaft_mean = -(t25 * t4
-        * shaft_end_dot_dot_by_shaft_end_field_force);
-    let t26 = t25 * t1;
-    let shaft_driven_dot_dot_by_shaft_amplitude = -(t26 * t3
+    let shaft_end_dot_dot_by_shaft_mean = -(t23 * t4 * shaft_end_dot_dot_by_shaft_end_field_force);
+    let t24 = t23 * t1;
+    let shaft_driven_dot_dot_by_shaft_amplitude = -(t24 * t3
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let shaft_end_dot_dot_by_shaft_amplitude = -(t26 * t4
+    let shaft_end_dot_dot_by_shaft_amplitude = -(t24 * t4
         * shaft_end_dot_dot_by_shaft_end_field_force);
-    let t27 = R::literal(0.164_493_406_684_822_62) * p.shaft_amplitude / p.shaft_pieces
-        * time * shaft_engagement * t2;
-    let shaft_driven_dot_dot_by_shaft_speed = -(t27 * t3
+    let t25 = R::literal(0.164_493_406_684_822_62) * p.shaft_amplitude / p.shaft_pieces * time
+        * shaft_engagement * t2;
+    let shaft_driven_dot_dot_by_shaft_speed = -(t25 * t3
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let shaft_end_dot_dot_by_shaft_speed = -(t27 * t4
-        * shaft_end_dot_dot_by_shaft_end_field_force);
-    let t28 = t8 * t8;
-    let t29 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width) * t13 * t7;
-    let shaft_driven_dot_dot_by_shaft_engagement_time = t29 * t3 / t28
+    let shaft_end_dot_dot_by_shaft_speed = -(t25 * t4 * shaft_end_dot_dot_by_shaft_end_field_force);
+    let t26 = t8 * t8;
+    let t27 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width) * t12 * t7;
+    let shaft_driven_dot_dot_by_shaft_engagement_time = t27 * t3 / t26
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot_by_shaft_engagement_time = t29 * t4 / t28
+    let shaft_end_dot_dot_by_shaft_engagement_time = t27 * t4 / t26
         * shaft_end_dot_dot_by_shaft_end_field_force;
-    let t30 = R::literal(0.5)
-        / (p.shaft_pieces * (p.shaft_engagement_width * p.shaft_engagement_width))
-        * time_minus_shaft_engagement_time * t13 * t7;
-    let shaft_driven_dot_dot_by_shaft_engagement_width = t30 * t3 / t28
+    let t28 = R::literal(0.5) / (p.shaft_pieces * (p.shaft_engagement_width
+        * p.shaft_engagement_width)) * time_minus_shaft_engagement_time * t12 * t7;
+    let shaft_driven_dot_dot_by_shaft_engagement_width = t28 * t3 / t26
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot_by_shaft_engagement_width = t30 * t4 / t28
+    let shaft_end_dot_dot_by_shaft_engagement_width = t28 * t4 / t26
         * shaft_end_dot_dot_by_shaft_end_field_force;
-    let t31 = R::literal(0.5)
-        / (p.shaft_pieces * (p.shaft_standstill_band * p.shaft_standstill_band));
-    let shaft_driven_dot_dot_by_shaft_standstill_band = t31 * shaft_driven_dot
-        * shaft_load * R::literal(1.0).sub_product(t3, t3)
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot_by_shaft_standstill_band = t31 * shaft_end_dot * shaft_load
-        * R::literal(1.0).sub_product(t4, t4)
-        * shaft_end_dot_dot_by_shaft_end_field_force;
+    let t29 = R::literal(0.5) / (p.shaft_pieces * (p.shaft_standstill_band
+        * p.shaft_standstill_band));
+    let shaft_driven_dot_dot_by_shaft_standstill_band = t29 * shaft_driven_dot * shaft_load
+        * R::literal(1.0).sub_product(t3, t3) * shaft_driven_dot_dot_by_shaft_driven_field_force;
+    let shaft_end_dot_dot_by_shaft_standstill_band = t29 * shaft_end_dot * shaft_load
+        * R::literal(1.0).sub_product(t4, t4) * shaft_end_dot_dot_by_shaft_end_field_force;
     let shaft_driven_dot_dot_by_shaft_driven_field_inertia = -(shaft_driven_dot_dot
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
     let shaft_end_dot_dot_by_shaft_end_field_inertia = -(shaft_end_dot_dot
         * shaft_end_dot_dot_by_shaft_end_field_force);
-    [
-        motor_omega_dot_by_motor_inertia,
-        motor_omega_dot_by_motor_supply_frequency,
-        motor_omega_dot_by_motor_pole_pairs,
-        motor_omega_dot_by_motor_k_s,
-        motor_omega_dot_by_motor_k_r,
-        motor_omega_dot_by_motor_x_s,
-        motor_omega_dot_by_coupling_stiffness,
-        motor_omega_dot_by_coupling_damping,
-        motor_omega_dot_by_coupling_ratio,
-        shaft_driven_dot_dot_by_coupling_stiffness,
-        shaft_driven_dot_dot_by_coupling_damping,
-        shaft_driven_dot_dot_by_coupling_ratio,
-        shaft_driven_dot_dot_by_shaft_pieces,
-        shaft_driven_dot_dot_by_shaft_inertia,
-        shaft_driven_dot_dot_by_shaft_mean,
-        shaft_driven_dot_dot_by_shaft_amplitude,
-        shaft_driven_dot_dot_by_shaft_speed,
-        shaft_driven_dot_dot_by_shaft_engagement_time,
+    [motor_omega_dot_by_motor_inertia, motor_omega_dot_by_motor_supply_frequency,
+        motor_omega_dot_by_motor_pole_pairs, motor_omega_dot_by_motor_k_s,
+        motor_omega_dot_by_motor_k_r, motor_omega_dot_by_motor_x_s,
+        motor_omega_dot_by_coupling_stiffness, motor_omega_dot_by_coupling_damping,
+        motor_omega_dot_by_coupling_ratio, shaft_driven_dot_dot_by_coupling_stiffness,
+        shaft_driven_dot_dot_by_coupling_damping, shaft_driven_dot_dot_by_coupling_ratio,
+        shaft_driven_dot_dot_by_shaft_pieces, shaft_driven_dot_dot_by_shaft_inertia,
+        shaft_driven_dot_dot_by_shaft_mean, shaft_driven_dot_dot_by_shaft_amplitude,
+        shaft_driven_dot_dot_by_shaft_speed, shaft_driven_dot_dot_by_shaft_engagement_time,
         shaft_driven_dot_dot_by_shaft_engagement_width,
         shaft_driven_dot_dot_by_shaft_standstill_band,
         shaft_driven_dot_dot_by_shaft_driven_field_inertia,
-        shaft_driven_dot_dot_by_shaft_driven_field_force,
-        shaft_end_dot_dot_by_shaft_pieces,
-        shaft_end_dot_dot_by_shaft_inertia,
-        shaft_end_dot_dot_by_shaft_mean,
-        shaft_end_dot_dot_by_shaft_amplitude,
-        shaft_end_dot_dot_by_shaft_speed,
-        shaft_end_dot_dot_by_shaft_engagement_time,
-        shaft_end_dot_dot_by_shaft_engagement_width,
-        shaft_end_dot_dot_by_shaft_standstill_band,
-        shaft_end_dot_dot_by_shaft_end_field_inertia,
-        shaft_end_dot_dot_by_shaft_end_field_force,
-        motor_psi_sx_dot_by_motor_phase_voltage,
-        motor_psi_sx_dot_by_motor_supply_frequency,
-        motor_psi_sx_dot_by_motor_supply_phase,
-        motor_psi_sx_dot_by_motor_k_r,
-        motor_psi_sx_dot_by_motor_alpha_s,
-        motor_psi_sy_dot_by_motor_phase_voltage,
-        motor_psi_sy_dot_by_motor_supply_frequency,
-        motor_u_x,
-        motor_psi_sy_dot_by_motor_k_r,
-        motor_psi_sy_dot_by_motor_alpha_s,
-        motor_psi_rx_dot_by_motor_supply_frequency,
-        motor_psi_rx_dot_by_motor_pole_pairs,
-        motor_psi_rx_dot_by_motor_k_s,
-        motor_psi_rx_dot_by_motor_alpha_r,
-        motor_psi_ry_dot_by_motor_supply_frequency,
-        motor_psi_ry_dot_by_motor_pole_pairs,
-        motor_psi_ry_dot_by_motor_k_s,
-        motor_psi_ry_dot_by_motor_alpha_r,
-    ]
+        shaft_driven_dot_dot_by_shaft_driven_field_force, shaft_end_dot_dot_by_shaft_pieces,
+        shaft_end_dot_dot_by_shaft_inertia, shaft_end_dot_dot_by_shaft_mean,
+        shaft_end_dot_dot_by_shaft_amplitude, shaft_end_dot_dot_by_shaft_speed,
+        shaft_end_dot_dot_by_shaft_engagement_time, shaft_end_dot_dot_by_shaft_engagement_width,
+        shaft_end_dot_dot_by_shaft_standstill_band, shaft_end_dot_dot_by_shaft_end_field_inertia,
+        shaft_end_dot_dot_by_shaft_end_field_force, motor_psi_sx_dot_by_motor_phase_voltage,
+        motor_psi_sx_dot_by_motor_supply_frequency, motor_psi_sx_dot_by_motor_supply_phase,
+        motor_psi_sx_dot_by_motor_k_r, motor_psi_sx_dot_by_motor_alpha_s,
+        motor_psi_sy_dot_by_motor_phase_voltage, motor_psi_sy_dot_by_motor_supply_frequency,
+        motor_u_x, motor_psi_sy_dot_by_motor_k_r, motor_psi_sy_dot_by_motor_alpha_s,
+        motor_psi_rx_dot_by_motor_supply_frequency, motor_psi_rx_dot_by_motor_pole_pairs,
+        motor_psi_rx_dot_by_motor_k_s, motor_psi_rx_dot_by_motor_alpha_r,
+        motor_psi_ry_dot_by_motor_supply_frequency, motor_psi_ry_dot_by_motor_pole_pairs,
+        motor_psi_ry_dot_by_motor_k_s, motor_psi_ry_dot_by_motor_alpha_r]
 }
 
-/// Partial derivative of `y'` with respect to time.
-///
-/// 47 operations.
+/// Partial derivative of `y'` with respect to time. 44 operations.
 #[must_use]
-pub fn time_derivative<R: Real>(
-    time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-) -> [R; STATES] {
+pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
     let [_, _, _, _, shaft_driven_dot, shaft_end_dot, ..] = *state;
     let shaft_omega_2 = R::literal(0.104_719_755_119_659_77) * p.shaft_speed;
     let t0 = R::literal(core::f64::consts::PI) * shaft_omega_2 * time;
     let (t1, t2) = t0.sin_cos();
     let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
-    let [t3, t4] = R::tanh_each([
-        inverse_shaft_standstill_band * shaft_driven_dot,
-        inverse_shaft_standstill_band * shaft_end_dot,
-    ]);
-    let t5 = (-(R::literal(1.0) / p.shaft_engagement_width
-        * (time - p.shaft_engagement_time)))
-        .exp();
+    let [t3, t4] = R::tanh_each([inverse_shaft_standstill_band * shaft_driven_dot,
+        inverse_shaft_standstill_band * shaft_end_dot]);
+    let t5 = (R::literal(-1.0) / p.shaft_engagement_width * (time - p.shaft_engagement_time)).exp();
     let t6 = R::literal(1.0) + t5;
     let shaft_engagement = R::literal(1.0) / t6;
     let t7 = R::literal(0.5) * p.shaft_inertia / p.shaft_pieces;
     let t8 = t6 * t6;
-    let t9 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width)
-        * p.shaft_mean.add_product(p.shaft_amplitude, t1) * t5;
-    let t10 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_amplitude
-        * shaft_omega_2 / p.shaft_pieces * shaft_engagement * t2;
-    let shaft_driven_dot_dot_by_time = (-(t9 * t3 / t8)).sub_product(t10, t3)
-        * (R::literal(1.0) / (t7 + p.shaft_driven_field_inertia));
-    let shaft_end_dot_dot_by_time = (-(t9 * t4 / t8)).sub_product(t10, t4)
-        * (R::literal(1.0) / (t7 + p.shaft_end_field_inertia));
-    [
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        shaft_driven_dot_dot_by_time,
-        shaft_end_dot_dot_by_time,
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-    ]
+    let t9 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width) * p.shaft_mean
+        .add_product(p.shaft_amplitude, t1) * t5;
+    let t10 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_amplitude * shaft_omega_2
+        / p.shaft_pieces * shaft_engagement * t2;
+    let shaft_driven_dot_dot_by_time = (t9 * t3 / t8).add_product(t10, t3) * (R::literal(-1.0)
+        / (t7 + p.shaft_driven_field_inertia));
+    let shaft_end_dot_dot_by_time = (t9 * t4 / t8).add_product(t10, t4) * (R::literal(-1.0)
+        / (t7 + p.shaft_end_field_inertia));
+    [R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        shaft_driven_dot_dot_by_time, shaft_end_dot_dot_by_time, R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0)]
 }
 
-/// Wanted outputs.
-///
-/// No operations.
+/// Wanted outputs. No operations.
 #[must_use]
-pub fn outputs<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    _p: &Parameters<R>,
-) -> Outputs<R> {
+pub fn outputs<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Outputs<R> {
     let [_, _, _, motor_omega, shaft_driven_dot, shaft_end_dot, ..] = *state;
     Outputs {
         motor_speed: motor_omega,
@@ -1213,13 +543,11 @@ pub fn outputs<R: Real>(
     }
 }
 
-/// T, V and the energy of first-order states \[J\].
-///
-/// 50 operations.
+/// T, V and the energy of first-order states \[J\]. 50 operations.
 #[must_use]
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
-    let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot,
-    motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot, motor_psi_sx,
+        motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
@@ -1234,49 +562,28 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     let shaft_end_dot_squared = shaft_end_dot * shaft_end_dot;
     Energy {
         kinetic: (R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega))
-            .add_product(
-                R::literal(0.25) * p.shaft_inertia / p.shaft_pieces,
-                shaft_driven_dot_squared + shaft_end_dot_squared,
-            )
-            .add_product(
-                R::literal(0.5) * p.shaft_driven_field_inertia,
-                shaft_driven_dot_squared,
-            )
-            .add_product(
-                R::literal(0.5) * p.shaft_end_field_inertia,
-                shaft_end_dot_squared,
-            ),
-        potential: R::literal(0.5) * p.coupling_stiffness
-            * (coupling_twist * coupling_twist),
-        stored: R::literal(0.75)
-            * (motor_psi_sx * motor_i_sx)
-                .add_product(motor_psi_sy, motor_i_sy)
-                .add_product(motor_psi_rx, motor_i_rx)
-                .add_product(motor_psi_ry, motor_i_ry),
+            .add_product(R::literal(0.25) * p.shaft_inertia / p.shaft_pieces,
+            shaft_driven_dot_squared + shaft_end_dot_squared).add_product(R::literal(0.5)
+            * p.shaft_driven_field_inertia, shaft_driven_dot_squared).add_product(R::literal(0.5)
+            * p.shaft_end_field_inertia, shaft_end_dot_squared),
+        potential: R::literal(0.5) * p.coupling_stiffness * (coupling_twist * coupling_twist),
+        stored: R::literal(0.75) * (motor_psi_sx * motor_i_sx).add_product(motor_psi_sy, motor_i_sy)
+            .add_product(motor_psi_rx, motor_i_rx).add_product(motor_psi_ry, motor_i_ry),
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\].
-///
-/// 178 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 177 operations.
 #[must_use]
-pub fn power_balance<R: Real>(
-    time: R,
-    state: &[R; STATES],
-    p: &Parameters<R>,
-) -> PowerBalance<R> {
-    let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot,
-    motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
+    let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot, motor_psi_sx,
+        motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let shaft_omega_2 = R::literal(0.104_719_755_119_659_77) * p.shaft_speed;
-    let [(sin_motor_supply_phase, cos_motor_supply_phase), (t0, _)] = R::sin_cos_each([
-        p.motor_supply_phase,
-        R::literal(core::f64::consts::PI) * shaft_omega_2 * time,
-    ]);
+    let [(sin_motor_supply_phase, cos_motor_supply_phase), (t0, _)]
+        = R::sin_cos_each([p.motor_supply_phase,
+        R::literal(core::f64::consts::PI) * shaft_omega_2 * time]);
     let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
-    let [t1, t2] = R::tanh_each([
-        inverse_shaft_standstill_band * shaft_driven_dot,
-        inverse_shaft_standstill_band * shaft_end_dot,
-    ]);
+    let [t1, t2] = R::tanh_each([inverse_shaft_standstill_band * shaft_driven_dot,
+        inverse_shaft_standstill_band * shaft_end_dot]);
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
@@ -1284,15 +591,11 @@ pub fn power_balance<R: Real>(
     let motor_u_x = t3 * cos_motor_supply_phase;
     let motor_u_y = t3 * sin_motor_supply_phase;
     let coupling_twist = motor_phi.sub_product(p.coupling_ratio, shaft_driven);
-    let coupling_twist_rate = motor_omega
-        .sub_product(p.coupling_ratio, shaft_driven_dot);
+    let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, shaft_driven_dot);
     let loss = p.motor_alpha_s * motor_sigma;
     let motor_slip_speed = motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
-    let shaft_engagement = R::literal(1.0)
-        / (R::literal(1.0)
-            + (-(R::literal(1.0) / p.shaft_engagement_width
-                * (time - p.shaft_engagement_time)))
-                .exp());
+    let shaft_engagement = R::literal(1.0) / (R::literal(1.0) + (R::literal(-1.0)
+        / p.shaft_engagement_width * (time - p.shaft_engagement_time)).exp());
     let t4 = p.coupling_stiffness * coupling_twist;
     let coupling_torque = t4.add_product(p.coupling_damping, coupling_twist_rate);
     let t5 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
@@ -1307,8 +610,8 @@ pub fn power_balance<R: Real>(
     let motor_k_s_times_motor_psi_sy = p.motor_k_s * motor_psi_sy;
     let motor_i_ry = t8 * (motor_psi_ry - motor_k_s_times_motor_psi_sy);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
-        / motor_x_s_times_motor_sigma
-        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
+        / motor_x_s_times_motor_sigma * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx,
+        motor_psi_ry);
     let shaft_load = shaft_engagement * p.shaft_mean.add_product(p.shaft_amplitude, t0);
     let t9 = R::literal(0.5) * p.shaft_inertia / p.shaft_pieces;
     let t10 = R::literal(0.5) / p.shaft_pieces * shaft_load;
@@ -1316,545 +619,44 @@ pub fn power_balance<R: Real>(
     let t12 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
     let t13 = p.coupling_damping * p.coupling_ratio;
     let t14 = p.shaft_end_field_force.sub_product(t10, t2);
-    let motor_omega_dot = (motor_torque - coupling_torque)
-        * (R::literal(1.0) / p.motor_inertia);
-    let shaft_driven_dot_dot = ((p.shaft_driven_field_force + t12)
-        .add_product(t13, coupling_twist_rate) - t11)
-        * (R::literal(1.0) / (t9 + p.shaft_driven_field_inertia));
+    let motor_omega_dot = (motor_torque - coupling_torque) * (R::literal(1.0) / p.motor_inertia);
+    let shaft_driven_dot_dot = ((p.shaft_driven_field_force + t12).add_product(t13,
+        coupling_twist_rate) - t11) * (R::literal(1.0) / (t9 + p.shaft_driven_field_inertia));
     let shaft_end_dot_dot = t14 * (R::literal(1.0) / (t9 + p.shaft_end_field_inertia));
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let motor_psi_sx_dot = motor_u_x
-        .add_product(motor_omega_0, motor_psi_sy)
+    let motor_psi_sx_dot = motor_u_x.add_product(motor_omega_0, motor_psi_sy)
         .sub_product(motor_alpha_s_times_motor_omega_0, t5);
-    let motor_psi_sy_dot = motor_u_y
-        .sub_product(motor_omega_0, motor_psi_sx)
+    let motor_psi_sy_dot = motor_u_y.sub_product(motor_omega_0, motor_psi_sx)
         .sub_product(motor_alpha_s_times_motor_omega_0, t7);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
     let motor_psi_rx_dot = (motor_psi_ry * motor_slip_speed)
-        .add_product(
-            motor_alpha_r_times_motor_omega_0,
-            motor_k_s_times_motor_psi_sx - motor_psi_rx,
-        );
-    let motor_psi_ry_dot = (motor_alpha_r_times_motor_omega_0
-        * (motor_k_s_times_motor_psi_sy - motor_psi_ry))
-        .sub_product(motor_psi_rx, motor_slip_speed);
+        .add_product(motor_alpha_r_times_motor_omega_0, motor_k_s_times_motor_psi_sx
+        - motor_psi_rx);
+    let motor_psi_ry_dot = (motor_alpha_r_times_motor_omega_0 * (motor_k_s_times_motor_psi_sy
+        - motor_psi_ry)).sub_product(motor_psi_rx, motor_slip_speed);
     let t15 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
-    let t16 = (t4 * motor_omega)
-        .sub_product(t12, shaft_driven_dot)
-        .add_product(p.motor_inertia * motor_omega, motor_omega_dot)
-        .add_product(
-            (shaft_driven_dot * p.shaft_driven_field_inertia)
-                .add_product(t9, shaft_driven_dot),
-            shaft_driven_dot_dot,
-        )
-        .add_product(
-            (shaft_end_dot * p.shaft_end_field_inertia).add_product(t9, shaft_end_dot),
-            shaft_end_dot_dot,
-        )
-        .add_product(
-            R::literal(0.75)
-                * motor_i_sx
-                    .add_product(t6, motor_psi_sx)
-                    .sub_product(t15, motor_psi_rx),
-            motor_psi_sx_dot,
-        )
-        .add_product(
-            R::literal(0.75)
-                * motor_i_sy
-                    .add_product(t6, motor_psi_sy)
-                    .sub_product(t15, motor_psi_ry),
-            motor_psi_sy_dot,
-        )
-        .add_product(
-            R::literal(0.75)
-                * motor_i_rx
-                    .add_product(t8, motor_psi_rx)
-                    .sub_product(t15, motor_psi_sx),
-            motor_psi_rx_dot,
-        );
+    let t16 = (t4 * motor_omega).sub_product(t12, shaft_driven_dot).add_product(p.motor_inertia
+        * motor_omega, motor_omega_dot).add_product((shaft_driven_dot
+        * p.shaft_driven_field_inertia).add_product(t9, shaft_driven_dot), shaft_driven_dot_dot)
+        .add_product((shaft_end_dot * p.shaft_end_field_inertia).add_product(t9, shaft_end_dot),
+        shaft_end_dot_dot).add_product(R::literal(0.75) * motor_i_sx.add_product(t6, motor_psi_sx)
+        .sub_product(t15, motor_psi_rx), motor_psi_sx_dot).add_product(R::literal(0.75) * motor_i_sy
+        .add_product(t6, motor_psi_sy).sub_product(t15, motor_psi_ry), motor_psi_sy_dot)
+        .add_product(R::literal(0.75) * motor_i_rx.add_product(t8, motor_psi_rx).sub_product(t15,
+        motor_psi_sx), motor_psi_rx_dot);
     PowerBalance {
-        stored_rate: t16
-            .add_product(
-                R::literal(0.75)
-                    * motor_i_ry
-                        .add_product(t8, motor_psi_ry)
-                        .sub_product(t15, motor_psi_sy),
-                motor_psi_ry_dot,
-            ),
-        supplied: (R::literal(1.5)
-            * (motor_u_x * motor_i_sx).add_product(motor_u_y, motor_i_sy))
+        stored_rate: t16.add_product(R::literal(0.75) * motor_i_ry.add_product(t8, motor_psi_ry)
+            .sub_product(t15, motor_psi_sy), motor_psi_ry_dot),
+        supplied: (R::literal(1.5) * (motor_u_x * motor_i_sx).add_product(motor_u_y, motor_i_sy))
             .add_product(shaft_driven_dot, p.shaft_driven_field_force - t11)
             .add_product(shaft_end_dot, t14),
         dissipated: (p.coupling_damping * motor_omega * coupling_twist_rate)
-            .add_product(
-                R::literal(1.5),
-                (p.motor_x_s * loss
-                    * (motor_i_sx * motor_i_sx).add_product(motor_i_sy, motor_i_sy))
-                    .add_product(
-                        p.motor_alpha_r * motor_sigma * motor_x_r,
-                        (motor_i_rx * motor_i_rx).add_product(motor_i_ry, motor_i_ry),
-                    ),
-            )
+            .add_product(R::literal(1.5), (p.motor_x_s * loss * (motor_i_sx * motor_i_sx)
+            .add_product(motor_i_sy, motor_i_sy)).add_product(p.motor_alpha_r * motor_sigma
+            * motor_x_r, (motor_i_rx * motor_i_rx).add_product(motor_i_ry, motor_i_ry)))
             .sub_product(t13 * shaft_driven_dot, coupling_twist_rate),
     }
 }
-
-impl Describe for M3 {
-    fn name(&self) -> &'static str {
-        "m3"
-    }
-    fn title(&self) -> &'static str {
-        "Benchmark M3: motor and torsional shaft of equal pieces"
-    }
-    fn shape(&self) -> Shape {
-        Shape {
-            coordinates: COORDINATES,
-            positions: 3,
-            first_order: 4,
-            quadratures: 0,
-            parameters: PARAMETERS,
-            outputs: OUTPUTS,
-            discontinuities: DISCONTINUITIES,
-        }
-    }
-    fn state(&self, index: usize) -> Quantity<'_> {
-        STATE_QUANTITIES[index]
-    }
-    fn state_scale(&self, index: usize) -> f64 {
-        STATE_SCALES[index]
-    }
-    fn parameter(&self, index: usize) -> Quantity<'_> {
-        PARAMETER_QUANTITIES[index]
-    }
-    fn parameter_default(&self, index: usize) -> f64 {
-        PARAMETER_DEFAULTS[index]
-    }
-    fn output(&self, index: usize) -> Quantity<'_> {
-        OUTPUT_QUANTITIES[index]
-    }
-    fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
-        RATE_JACOBIAN_PATTERN
-    }
-    fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_> {
-        PARAMETER_JACOBIAN_PATTERN
-    }
-    fn mass_matrix_pattern(&self) -> SparsityPattern<'_> {
-        MASS_MATRIX_PATTERN
-    }
-    fn run_defaults(&self) -> RunDefaults<'_> {
-        RUN_DEFAULTS
-    }
-}
-
-impl<R: Real> Simulator<R> for M3 {
-    fn constants(&self) -> usize {
-        CONSTANTS
-    }
-    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
-        *array_of(constants) = prepare(&parameters_of(parameters)).to_array();
-    }
-    fn prepared_rate(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        constants: &[R],
-        values: &mut [R],
-    ) {
-        let (p, c) = (parameters_of(parameters), constants_of(constants));
-        *array_of(values) = prepared_rate(time, state_of(state), &p, &c);
-    }
-    fn prepared_rate_jacobian(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        constants: &[R],
-        values: &mut [R],
-    ) {
-        let (p, c) = (parameters_of(parameters), constants_of(constants));
-        *array_of(values) = prepared_rate_jacobian(time, state_of(state), &p, &c);
-    }
-    fn initial_state(&self, parameters: &[R], values: &mut [R]) {
-        *array_of(values) = initial_state(&parameters_of(parameters));
-    }
-    fn discontinuities(&self, parameters: &[R], values: &mut [R]) {
-        *array_of(values) = discontinuities(&parameters_of(parameters));
-    }
-    fn rate(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = rate(time, state_of(state), &parameters_of(parameters));
-    }
-    fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = rate_jacobian(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn parameter_jacobian(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        values: &mut [R],
-    ) {
-        *array_of(values) = parameter_jacobian(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn time_derivative(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = time_derivative(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = mass_matrix(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn forcing(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = forcing(time, state_of(state), &parameters_of(parameters));
-    }
-    fn outputs(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = outputs(time, state_of(state), &parameters_of(parameters))
-            .to_array();
-    }
-    fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
-        energy(time, state_of(state), &parameters_of(parameters))
-    }
-    fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
-        power_balance(time, state_of(state), &parameters_of(parameters))
-    }
-}
-
-#[inline]
-fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
-    let values: &[R; CONSTANTS] = constants
-        .try_into()
-        .expect("there are CONSTANTS constants");
-    Constants::from_array(*values)
-}
-
-#[inline]
-fn array_of<R, const N: usize>(values: &mut [R]) -> &mut [R; N] {
-    values.try_into().expect("there is one place for each value")
-}
-
-#[inline]
-fn state_of<R>(state: &[R]) -> &[R; STATES] {
-    state.try_into().expect("the state has STATES entries")
-}
-
-#[inline]
-fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
-    let values: &[R; PARAMETERS] = parameters
-        .try_into()
-        .expect("there are PARAMETERS parameters");
-    Parameters::from_array(*values)
-}
-
-static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
-    Quantity {
-        name: "motor.phi",
-        unit: "rad",
-        doc: "rotor angle",
-    },
-    Quantity {
-        name: "shaft.driven",
-        unit: "rad",
-        doc: "angle of the section, at port driven",
-    },
-    Quantity {
-        name: "shaft.end",
-        unit: "rad",
-        doc: "angle of the section, at port end",
-    },
-    Quantity {
-        name: "motor.omega",
-        unit: "rad/s",
-        doc: "rate of rotor angle",
-    },
-    Quantity {
-        name: "shaft.driven_dot",
-        unit: "rad/s",
-        doc: "rate of angle of the section, at port driven",
-    },
-    Quantity {
-        name: "shaft.end_dot",
-        unit: "rad/s",
-        doc: "rate of angle of the section, at port end",
-    },
-    Quantity {
-        name: "motor.psi_sx",
-        unit: "V s",
-        doc: "stator flux linkage along x",
-    },
-    Quantity {
-        name: "motor.psi_sy",
-        unit: "V s",
-        doc: "stator flux linkage along y",
-    },
-    Quantity {
-        name: "motor.psi_rx",
-        unit: "V s",
-        doc: "rotor flux linkage along x",
-    },
-    Quantity {
-        name: "motor.psi_ry",
-        unit: "V s",
-        doc: "rotor flux linkage along y",
-    },
-];
-
-static STATE_SCALES: [f64; STATES] = [
-    150.0,
-    40.0,
-    40.0,
-    78.5,
-    78.5,
-    78.5,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-];
-
-static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [
-    Quantity {
-        name: "motor.inertia",
-        unit: "kg m^2",
-        doc: "moment of inertia of the rotor",
-    },
-    Quantity {
-        name: "motor.phase_voltage",
-        unit: "V",
-        doc: "root mean square of the phase voltage",
-    },
-    Quantity {
-        name: "motor.supply_frequency",
-        unit: "Hz",
-        doc: "frequency of the supply",
-    },
-    Quantity {
-        name: "motor.supply_phase",
-        unit: "rad",
-        doc: "phase of the supply at the start",
-    },
-    Quantity {
-        name: "motor.pole_pairs",
-        unit: "1",
-        doc: "pairs of poles",
-    },
-    Quantity {
-        name: "motor.k_s",
-        unit: "1",
-        doc: "stator coupling factor x_mu/x_s",
-    },
-    Quantity {
-        name: "motor.k_r",
-        unit: "1",
-        doc: "rotor coupling factor x_mu/x_r",
-    },
-    Quantity {
-        name: "motor.x_s",
-        unit: "ohm",
-        doc: "stator reactance at supply frequency",
-    },
-    Quantity {
-        name: "motor.alpha_s",
-        unit: "1",
-        doc: "stator decay r_s/(sigma x_s)",
-    },
-    Quantity {
-        name: "motor.alpha_r",
-        unit: "1",
-        doc: "rotor decay r_r/(sigma x_r)",
-    },
-    Quantity {
-        name: "coupling.stiffness",
-        unit: "N m/rad",
-        doc: "torsional stiffness",
-    },
-    Quantity {
-        name: "coupling.damping",
-        unit: "N m s/rad",
-        doc: "torsional damping",
-    },
-    Quantity {
-        name: "coupling.ratio",
-        unit: "1",
-        doc: "turns of the driving end for one turn of the driven end",
-    },
-    Quantity {
-        name: "shaft.length",
-        unit: "m",
-        doc: "length",
-    },
-    Quantity {
-        name: "shaft.pieces",
-        unit: "1",
-        doc: "number of pieces",
-    },
-    Quantity {
-        name: "shaft.inertia",
-        unit: "kg m^2",
-        doc: "moment of inertia",
-    },
-    Quantity {
-        name: "shaft.shear_modulus",
-        unit: "Pa",
-        doc: "shear modulus",
-    },
-    Quantity {
-        name: "shaft.polar_moment",
-        unit: "m^4",
-        doc: "polar moment of the section",
-    },
-    Quantity {
-        name: "shaft.loss_time",
-        unit: "s",
-        doc: "damping over stiffness",
-    },
-    Quantity {
-        name: "shaft.mean",
-        unit: "N m",
-        doc: "mean torque of the load",
-    },
-    Quantity {
-        name: "shaft.amplitude",
-        unit: "N m",
-        doc: "amplitude of its harmonic part",
-    },
-    Quantity {
-        name: "shaft.speed",
-        unit: "1",
-        doc: "nominal speed in revolutions per minute",
-    },
-    Quantity {
-        name: "shaft.engagement_time",
-        unit: "s",
-        doc: "time at which half of the load acts",
-    },
-    Quantity {
-        name: "shaft.engagement_width",
-        unit: "s",
-        doc: "time constant of engagement",
-    },
-    Quantity {
-        name: "shaft.standstill_band",
-        unit: "rad/s",
-        doc: "speed below which the load fades out",
-    },
-    Quantity {
-        name: "shaft.driven_field_inertia",
-        unit: "J s^2/(rad)^2",
-        doc: "inertia of the field's node; the field sets it",
-    },
-    Quantity {
-        name: "shaft.driven_field_force",
-        unit: "J/(rad)",
-        doc: "force of the field on its node; the field sets it",
-    },
-    Quantity {
-        name: "shaft.driven_phi_x_before",
-        unit: "rad/m",
-        doc: "slope of the field before the port; the field sets it",
-    },
-    Quantity {
-        name: "shaft.driven_phi_x_after",
-        unit: "rad/m",
-        doc: "slope of the field after the port; the field sets it",
-    },
-    Quantity {
-        name: "shaft.end_field_inertia",
-        unit: "J s^2/(rad)^2",
-        doc: "inertia of the field's node; the field sets it",
-    },
-    Quantity {
-        name: "shaft.end_field_force",
-        unit: "J/(rad)",
-        doc: "force of the field on its node; the field sets it",
-    },
-    Quantity {
-        name: "shaft.end_phi_x_before",
-        unit: "rad/m",
-        doc: "slope of the field before the port; the field sets it",
-    },
-    Quantity {
-        name: "shaft.end_phi_x_after",
-        unit: "rad/m",
-        doc: "slope of the field after the port; the field sets it",
-    },
-];
-
-static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [
-    4.2,
-    220.0,
-    50.0,
-    0.0,
-    4.0,
-    0.956,
-    0.952,
-    4.14,
-    0.115,
-    0.0858,
-    23065.2,
-    128.5346,
-    1.0,
-    2.322,
-    100.0,
-    1.244,
-    8e10,
-    9.817e-6,
-    2e-5,
-    843.72,
-    78.78,
-    735.0,
-    0.15,
-    0.02,
-    0.5,
-    1.0,
-    0.0,
-    0.0,
-    0.0,
-    1.0,
-    0.0,
-    0.0,
-    0.0,
-];
-
-static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [
-    Quantity {
-        name: "motor_speed",
-        unit: "rad/s",
-        doc: "rate of rotor angle",
-    },
-    Quantity {
-        name: "driven_speed",
-        unit: "rad/s",
-        doc: "rate of angle of the section, at port driven",
-    },
-    Quantity {
-        name: "end_speed",
-        unit: "rad/s",
-        doc: "rate of angle of the section, at port end",
-    },
-];
-
-/// The run the spec asks for.
-pub const RUN_DEFAULTS: RunDefaults<'static> = RunDefaults {
-    from: 0.0,
-    until: 0.5,
-    points: 501,
-    rtol: 1e-8,
-    method: "auto",
-};
 
 /// The field shaft.phi: angle of the section \[rad\].
 ///
@@ -1868,400 +670,202 @@ pub mod shaft_phi {
     use super::*;
     /// Parameters that the field depends on.
     pub const PARAMETERS: [u32; 12] = [13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24];
-    /// m, the inertia a length.
-    ///
-    /// 4 operations.
+    /// m, the inertia a length. 4 operations.
     #[must_use]
     #[inline(always)]
     pub fn inertia<R: Real>(_x: R, p: &Parameters<R>) -> [R; 1] {
-        [
-            p.shaft_inertia * (p.shaft_pieces - R::literal(1.0))
-                / (p.shaft_length * p.shaft_pieces),
-        ]
+        [p.shaft_inertia * (p.shaft_pieces - R::literal(1.0)) / (p.shaft_length * p.shaft_pieces)]
     }
-    /// dm/dx, then dm/dp of `PARAMETERS`.
-    ///
-    /// 11 operations.
+    /// dm/dx, then dm/dp of `PARAMETERS`. 11 operations.
     #[must_use]
     #[inline]
     pub fn inertia_gradient<R: Real>(_x: R, p: &Parameters<R>) -> [R; 13] {
-        [
-            R::literal(0.0),
-            p.shaft_inertia * (R::literal(1.0) - p.shaft_pieces)
-                / (p.shaft_length * p.shaft_length * p.shaft_pieces),
-            p.shaft_inertia / (p.shaft_length * (p.shaft_pieces * p.shaft_pieces)),
-            (p.shaft_pieces - R::literal(1.0)) / (p.shaft_length * p.shaft_pieces),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-        ]
+        let t0 = p.shaft_pieces - R::literal(1.0);
+        [R::literal(0.0), -(p.shaft_inertia * t0 / (p.shaft_length * p.shaft_length
+            * p.shaft_pieces)), p.shaft_inertia / (p.shaft_length * (p.shaft_pieces
+            * p.shaft_pieces)), t0 / (p.shaft_length * p.shaft_pieces), R::literal(0.0),
+            R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+            R::literal(0.0), R::literal(0.0), R::literal(0.0)]
     }
-    /// Forces a length: f_0 = dL/du - dD/du_t + Q on u, f_1 = dL/du_x - dD/du_xt on u_x.
-    ///
-    /// 29 operations.
+    /// Forces a length: f_0 = dL/du - dD/du_t + Q on u, f_1 = dL/du_x - dD/du_xt on u_x. 27 operations.
     #[must_use]
     #[inline]
-    pub fn force<R: Real>(
-        time: R,
-        _x: R,
-        point: &FieldPoint<R>,
-        p: &Parameters<R>,
-    ) -> [R; 2] {
+    pub fn force<R: Real>(time: R, _x: R, point: &FieldPoint<R>, p: &Parameters<R>) -> [R; 2] {
         let [_, phi_x, phi_dot, phi_x_dot] = *point;
-        [
-            -((R::literal(1.0) - R::literal(1.0) / p.shaft_pieces) / p.shaft_length
-                * p
-                    .shaft_mean
-                    .add_product(
-                        p.shaft_amplitude,
-                        (R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time)
-                            .sin(),
-                    ) * (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh()
-                / (R::literal(1.0)
-                    + (-(R::literal(1.0) / p.shaft_engagement_width
-                        * (time - p.shaft_engagement_time)))
-                        .exp())),
-            -(p.shaft_pieces * p.shaft_shear_modulus * p.shaft_polar_moment
-                / (p.shaft_pieces - R::literal(1.0))
-                * phi_x.add_product(p.shaft_loss_time, phi_x_dot)),
-        ]
+        [(R::literal(1.0) / p.shaft_pieces
+            - R::literal(1.0)) / p.shaft_length * p.shaft_mean.add_product(p.shaft_amplitude,
+            (R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time).sin()) * (R::literal(1.0)
+            / p.shaft_standstill_band * phi_dot).tanh() / (R::literal(1.0) + (R::literal(-1.0)
+            / p.shaft_engagement_width * (time - p.shaft_engagement_time)).exp()), -(p.shaft_pieces
+            * p.shaft_shear_modulus * p.shaft_polar_moment / (p.shaft_pieces - R::literal(1.0))
+            * phi_x.add_product(p.shaft_loss_time, phi_x_dot))]
     }
-    /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt.
-    ///
-    /// 32 operations.
+    /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt. 30 operations.
     #[must_use]
     #[inline]
-    pub fn force_jacobian<R: Real>(
-        time: R,
-        _x: R,
-        point: &FieldPoint<R>,
-        p: &Parameters<R>,
-    ) -> [R; 8] {
+    pub fn force_jacobian<R: Real>(time: R, _x: R, point: &FieldPoint<R>,
+            p: &Parameters<R>) -> [R; 8] {
         let [_, _, phi_dot, _] = *point;
         let t0 = p.shaft_pieces - R::literal(1.0);
         let t1 = (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh();
         let t2 = p.shaft_pieces * p.shaft_shear_modulus * p.shaft_polar_moment;
-        [
-            R::literal(0.0),
-            R::literal(0.0),
-            -((R::literal(1.0) - R::literal(1.0) / p.shaft_pieces)
-                / (p.shaft_length * p.shaft_standstill_band)
-                * R::literal(1.0).sub_product(t1, t1)
-                * p
-                    .shaft_mean
-                    .add_product(
-                        p.shaft_amplitude,
-                        (R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time)
-                            .sin(),
-                    )
-                / (R::literal(1.0)
-                    + (-(R::literal(1.0) / p.shaft_engagement_width
-                        * (time - p.shaft_engagement_time)))
-                        .exp())),
-            R::literal(0.0),
-            R::literal(0.0),
-            -(t2 / t0),
-            R::literal(0.0),
-            -(t2 * p.shaft_loss_time / t0),
-        ]
+        [R::literal(0.0), R::literal(0.0), (R::literal(1.0) / p.shaft_pieces
+            - R::literal(1.0)) / (p.shaft_length
+            * p.shaft_standstill_band) * R::literal(1.0).sub_product(t1,
+            t1) * p.shaft_mean.add_product(p.shaft_amplitude, (R::literal(0.328_986_813_369_645_25)
+            * p.shaft_speed * time).sin()) / (R::literal(1.0) + (R::literal(-1.0)
+            / p.shaft_engagement_width * (time - p.shaft_engagement_time)).exp()), R::literal(0.0),
+            R::literal(0.0), -(t2 / t0), R::literal(0.0), -(t2 * p.shaft_loss_time / t0)]
     }
-    /// Derivatives of f_0 and f_1 with respect to x, to t, then to `PARAMETERS`.
-    ///
-    /// 104 operations.
+    /// Derivatives of f_0 and f_1 with respect to x, to t, then to `PARAMETERS`. 95 operations.
     #[must_use]
     #[inline]
-    pub fn force_gradient<R: Real>(
-        time: R,
-        _x: R,
-        point: &FieldPoint<R>,
-        p: &Parameters<R>,
-    ) -> [R; 28] {
+    pub fn force_gradient<R: Real>(time: R, _x: R, point: &FieldPoint<R>,
+            p: &Parameters<R>) -> [R; 28] {
         let [_, phi_x, phi_dot, phi_x_dot] = *point;
         let t0 = R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time;
         let (t1, t2) = t0.sin_cos();
         let t3 = p.shaft_pieces - R::literal(1.0);
-        let shaft_length_times_shaft_pieces = p.shaft_length * p.shaft_pieces;
         let t4 = R::literal(1.0) - R::literal(1.0) / p.shaft_pieces;
         let t5 = p.shaft_mean.add_product(p.shaft_amplitude, t1);
         let time_minus_shaft_engagement_time = time - p.shaft_engagement_time;
-        let inverse_shaft_engagement_width = R::literal(1.0) / p.shaft_engagement_width;
-        let t6 = (-(inverse_shaft_engagement_width * time_minus_shaft_engagement_time))
+        let t6 = (R::literal(-1.0) / p.shaft_engagement_width * time_minus_shaft_engagement_time)
             .exp();
         let t7 = R::literal(1.0) + t6;
         let t8 = (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh();
-        let t9 = phi_x.add_product(p.shaft_loss_time, phi_x_dot);
-        let t10 = p.shaft_pieces * p.shaft_shear_modulus;
-        let t11 = t7 * t7;
-        let t12 = t4 / (p.shaft_length * p.shaft_engagement_width) * t5 * t6 * t8 / t11;
-        let t13 = R::literal(1.0)
-            + (p.shaft_engagement_time / p.shaft_engagement_width)
-                .sub_product(inverse_shaft_engagement_width, time)
-                .exp();
-        let t14 = (R::literal(1.0) - p.shaft_pieces) / shaft_length_times_shaft_pieces;
-        [
-            R::literal(0.0),
-            R::literal(0.0),
-            -t12
-                - R::literal(0.033_333_333_333_333_33) * p.shaft_amplitude
-                    * p.shaft_speed * t4
-                    * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-                    / p.shaft_length * t2 * t8 / t7,
-            R::literal(0.0),
-            t4 / (p.shaft_length * p.shaft_length) * t5 * t8 / t7,
-            R::literal(0.0),
-            -(R::literal(1.0) / (p.shaft_length * (p.shaft_pieces * p.shaft_pieces)) * t5
-                * t8 / t7),
-            p.shaft_shear_modulus * p.shaft_polar_moment / (t3 * t3) * t9,
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            -(p.shaft_pieces * p.shaft_polar_moment / t3 * t9),
-            R::literal(0.0),
-            -(t10 / t3 * t9),
-            R::literal(0.0),
-            -(t10 * p.shaft_polar_moment / t3 * phi_x_dot),
-            t14 * t8 / t13,
-            R::literal(0.0),
-            t14 * t1 * t8 / t13,
-            R::literal(0.0),
-            p.shaft_amplitude
-                * R::literal(0.033_333_333_333_333_33)
-                    .sub_product(R::literal(0.033_333_333_333_333_33), p.shaft_pieces)
-                * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-                / shaft_length_times_shaft_pieces * time * t2 * t8 / t13,
-            R::literal(0.0),
-            t12,
-            R::literal(0.0),
-            t4 / (p.shaft_length * (p.shaft_engagement_width * p.shaft_engagement_width))
-                * time_minus_shaft_engagement_time * t5 * t6 * t8 / t11,
-            R::literal(0.0),
-            t4 / (p.shaft_length * (p.shaft_standstill_band * p.shaft_standstill_band))
-                * phi_dot * R::literal(1.0).sub_product(t8, t8) * t5 / t7,
-            R::literal(0.0),
-        ]
+        let t9 = t4 / p.shaft_length;
+        let t10 = phi_x.add_product(p.shaft_loss_time, phi_x_dot);
+        let t11 = p.shaft_pieces * p.shaft_shear_modulus;
+        let t12 = t7 * t7;
+        let t13 = t4 / (p.shaft_length * p.shaft_engagement_width) * t5 * t6 * t8 / t12;
+        let t14 = R::literal(0.033_333_333_333_333_33) * p.shaft_amplitude;
+        [R::literal(0.0), R::literal(0.0), -(t13 + t14 * p.shaft_speed * t4
+            * R::literal(core::f64::consts::PI * core::f64::consts::PI) / p.shaft_length * t2 * t8
+            / t7), R::literal(0.0), t4 / (p.shaft_length * p.shaft_length) * t5 * t8 / t7,
+            R::literal(0.0), R::literal(-1.0) / (p.shaft_length * (p.shaft_pieces
+            * p.shaft_pieces)) * t5 * t8 / t7, p.shaft_shear_modulus * p.shaft_polar_moment / (t3
+            * t3) * t10, R::literal(0.0), R::literal(0.0), R::literal(0.0), -(p.shaft_pieces
+            * p.shaft_polar_moment / t3 * t10), R::literal(0.0), -(t11 / t3 * t10),
+            R::literal(0.0), -(t11 * p.shaft_polar_moment / t3 * phi_x_dot), -(t9 * t8 / t7),
+            R::literal(0.0), -(t9 * t1 * t8 / t7), R::literal(0.0),
+            t14 * t4 * R::literal(-9.869_604_401_089_358) / p.shaft_length * time * t2 * t8 / t7,
+            R::literal(0.0), t13, R::literal(0.0), t4 / (p.shaft_length * (p.shaft_engagement_width
+            * p.shaft_engagement_width)) * time_minus_shaft_engagement_time * t5 * t6 * t8 / t12,
+            R::literal(0.0), t4 / (p.shaft_length * (p.shaft_standstill_band
+            * p.shaft_standstill_band)) * phi_dot * R::literal(1.0).sub_product(t8, t8) * t5 / t7,
+            R::literal(0.0)]
     }
-    /// T and V a length \[J/m\].
-    ///
-    /// 12 operations.
+    /// T and V a length \[J/m\]. 12 operations.
     #[must_use]
     #[inline]
-    pub fn energy<R: Real>(
-        _time: R,
-        _x: R,
-        point: &FieldPoint<R>,
-        p: &Parameters<R>,
-    ) -> [R; 2] {
+    pub fn energy<R: Real>(_time: R, _x: R, point: &FieldPoint<R>, p: &Parameters<R>) -> [R; 2] {
         let [_, phi_x, phi_dot, _] = *point;
         let t0 = R::literal(1.0) - R::literal(1.0) / p.shaft_pieces;
-        [
-            R::literal(0.5) * p.shaft_inertia * t0 / p.shaft_length
-                * (phi_dot * phi_dot),
-            R::literal(0.5) * p.shaft_shear_modulus * p.shaft_polar_moment / t0
-                * (phi_x * phi_x),
-        ]
+        [R::literal(0.5) * p.shaft_inertia * t0 / p.shaft_length * (phi_dot * phi_dot),
+            R::literal(0.5) * p.shaft_shear_modulus * p.shaft_polar_moment / t0 * (phi_x * phi_x)]
     }
-    /// Rate of V, power supplied and power dissipated, a length \[W/m\].
-    ///
-    /// 30 operations.
+    /// Rate of V, power supplied and power dissipated, a length \[W/m\]. 29 operations.
     #[must_use]
     #[inline]
-    pub fn power<R: Real>(
-        time: R,
-        _x: R,
-        point: &FieldPoint<R>,
-        p: &Parameters<R>,
-    ) -> [R; 3] {
+    pub fn power<R: Real>(time: R, _x: R, point: &FieldPoint<R>, p: &Parameters<R>) -> [R; 3] {
         let [_, phi_x, phi_dot, phi_x_dot] = *point;
         let t0 = R::literal(1.0) - R::literal(1.0) / p.shaft_pieces;
         let t1 = p.shaft_shear_modulus * p.shaft_polar_moment;
-        [
-            t1 / t0 * phi_x * phi_x_dot,
-            -(t0 / p.shaft_length * phi_dot
-                * p
-                    .shaft_mean
-                    .add_product(
-                        p.shaft_amplitude,
-                        (R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time)
-                            .sin(),
-                    ) * (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh()
-                / (R::literal(1.0)
-                    + (-(R::literal(1.0) / p.shaft_engagement_width
-                        * (time - p.shaft_engagement_time)))
-                        .exp())),
-            t1 * p.shaft_loss_time / t0 * (phi_x_dot * phi_x_dot),
-        ]
+        [t1 / t0 * phi_x * phi_x_dot, -(t0 / p.shaft_length * phi_dot * p.shaft_mean
+            .add_product(p.shaft_amplitude, (R::literal(0.328_986_813_369_645_25) * p.shaft_speed
+            * time).sin()) * (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh()
+            / (R::literal(1.0) + (R::literal(-1.0) / p.shaft_engagement_width
+            * (time - p.shaft_engagement_time)).exp())), t1 * p.shaft_loss_time / t0 * (phi_x_dot
+            * phi_x_dot)]
     }
-    /// x of the attachments, then the length \[m\].
-    ///
-    /// 0 operations.
+    /// x of the attachments, then the length \[m\]. No operations.
     #[must_use]
     #[inline]
     pub fn places<R: Real>(p: &Parameters<R>) -> [R; 3] {
         [R::literal(0.0), p.shaft_length, p.shaft_length]
     }
-    /// Derivatives of `places` with respect to `PARAMETERS`, row by row.
-    ///
-    /// 0 operations.
+    /// Derivatives of `places` with respect to `PARAMETERS`, row by row. No operations.
     #[must_use]
     #[inline]
     pub fn places_gradient<R: Real>(_p: &Parameters<R>) -> [R; 36] {
-        [
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(1.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(1.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-        ]
+        [R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+            R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+            R::literal(0.0), R::literal(0.0), R::literal(1.0), R::literal(0.0), R::literal(0.0),
+            R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+            R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(1.0),
+            R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+            R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+            R::literal(0.0)]
     }
-    /// u and u_t at the start.
-    ///
-    /// 2 operations.
+    /// u and u_t at the start. 2 operations.
     #[must_use]
     #[inline]
     pub fn initial<R: Real>(_x: R, p: &Parameters<R>) -> [R; 2] {
-        [
-            R::literal(0.0),
-            R::literal(core::f64::consts::TAU) * p.motor_supply_frequency
-                / p.motor_pole_pairs,
-        ]
+        [R::literal(0.0), R::literal(core::f64::consts::TAU) * p.motor_supply_frequency
+            / p.motor_pole_pairs]
     }
     /// f_0 alone, at many points.
     ///
-    /// 16 operations for all points, 5 for each.
-    pub fn on_value<R: Real>(
-        time: R,
-        at: &[R],
-        u: &[R],
-        u_t: &[R],
-        p: &Parameters<R>,
-        force: &mut [R],
-    ) {
-        let t0 = R::literal(1.0)
-            + (-(R::literal(1.0) / p.shaft_engagement_width
-                * (time - p.shaft_engagement_time)))
-                .exp();
+    /// 15 operations for all points, 4 for each.
+    pub fn on_value<R: Real>(time: R, at: &[R], u: &[R], u_t: &[R], p: &Parameters<R>,
+            force: &mut [R]) {
+        let t0 = R::literal(1.0) + (R::literal(-1.0) / p.shaft_engagement_width
+            * (time - p.shaft_engagement_time)).exp();
         let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
-        let t1 = (R::literal(1.0) - R::literal(1.0) / p.shaft_pieces) / p.shaft_length
-            * p
-                .shaft_mean
-                .add_product(
-                    p.shaft_amplitude,
-                    (R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time).sin(),
-                );
+        let t1 = (R::literal(1.0) / p.shaft_pieces - R::literal(1.0)) / p.shaft_length
+            * p.shaft_mean.add_product(p.shaft_amplitude, (R::literal(0.328_986_813_369_645_25)
+            * p.shaft_speed * time).sin());
         for (((_, _), &phi_dot), force) in at.iter().zip(u).zip(u_t).zip(force) {
-            *force = -(t1 * (inverse_shaft_standstill_band * phi_dot).tanh() / t0);
+            *force = t1 * (inverse_shaft_standstill_band * phi_dot).tanh() / t0;
         }
     }
     /// df_0/du and df_0/du_t, at many points.
     ///
-    /// 16 operations for all points, 8 for each.
-    pub fn on_value_jacobian<R: Real>(
-        time: R,
-        at: &[R],
-        u: &[R],
-        u_t: &[R],
-        p: &Parameters<R>,
-        by_u: &mut [R],
-        by_u_t: &mut [R],
-    ) {
-        let t0 = p
-            .shaft_mean
-            .add_product(
-                p.shaft_amplitude,
-                (R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time).sin(),
-            );
-        let t1 = R::literal(1.0)
-            + (-(R::literal(1.0) / p.shaft_engagement_width
-                * (time - p.shaft_engagement_time)))
-                .exp();
+    /// 15 operations for all points, 7 for each.
+    pub fn on_value_jacobian<R: Real>(time: R, at: &[R], u: &[R], u_t: &[R], p: &Parameters<R>,
+            by_u: &mut [R], by_u_t: &mut [R]) {
+        let t0 = p.shaft_mean.add_product(p.shaft_amplitude, (R::literal(0.328_986_813_369_645_25)
+            * p.shaft_speed * time).sin());
+        let t1 = R::literal(1.0) + (R::literal(-1.0) / p.shaft_engagement_width
+            * (time - p.shaft_engagement_time)).exp();
         let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
-        let t2 = (R::literal(1.0) - R::literal(1.0) / p.shaft_pieces)
-            / (p.shaft_length * p.shaft_standstill_band);
-        for ((((_, _), &phi_dot), by_u), by_u_t) in at
-            .iter()
-            .zip(u)
-            .zip(u_t)
-            .zip(by_u)
-            .zip(by_u_t)
-        {
+        let t2 = (R::literal(1.0) / p.shaft_pieces - R::literal(1.0)) / (p.shaft_length
+            * p.shaft_standstill_band);
+        for ((((_, _), &phi_dot), by_u), by_u_t) in at.iter().zip(u).zip(u_t).zip(by_u)
+                .zip(by_u_t) {
             let t0_2 = (inverse_shaft_standstill_band * phi_dot).tanh();
             *by_u = R::literal(0.0);
-            *by_u_t = -(t2 * R::literal(1.0).sub_product(t0_2, t0_2) * t0 / t1);
+            *by_u_t = t2 * R::literal(1.0).sub_product(t0_2, t0_2) * t0 / t1;
         }
     }
     /// df_0/dt, at many points.
     ///
-    /// 26 operations for all points, 8 for each.
-    pub fn on_value_by_time<R: Real>(
-        time: R,
-        at: &[R],
-        u: &[R],
-        u_t: &[R],
-        p: &Parameters<R>,
-        by_time: &mut [R],
-    ) {
+    /// 25 operations for all points, 8 for each.
+    pub fn on_value_by_time<R: Real>(time: R, at: &[R], u: &[R], u_t: &[R], p: &Parameters<R>,
+            by_time: &mut [R]) {
         let t0 = R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time;
         let (t1, t2) = t0.sin_cos();
         let t3 = R::literal(1.0) - R::literal(1.0) / p.shaft_pieces;
-        let t4 = (-(R::literal(1.0) / p.shaft_engagement_width
-            * (time - p.shaft_engagement_time)))
+        let t4 = (R::literal(-1.0) / p.shaft_engagement_width * (time - p.shaft_engagement_time))
             .exp();
         let t5 = R::literal(1.0) + t4;
         let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
         let t6 = t5 * t5;
-        let t7 = t3 / (p.shaft_length * p.shaft_engagement_width)
-            * p.shaft_mean.add_product(p.shaft_amplitude, t1) * t4;
-        let t8 = R::literal(0.033_333_333_333_333_33) * p.shaft_amplitude * p.shaft_speed
-            * t3 * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-            / p.shaft_length * t2;
+        let t7 = t3 / (p.shaft_length * p.shaft_engagement_width) * p.shaft_mean
+            .add_product(p.shaft_amplitude, t1) * t4;
+        let t8 = R::literal(0.033_333_333_333_333_33) * p.shaft_amplitude * p.shaft_speed * t3
+            * R::literal(core::f64::consts::PI * core::f64::consts::PI) / p.shaft_length * t2;
         for (((_, _), &phi_dot), by_time) in at.iter().zip(u).zip(u_t).zip(by_time) {
             let t0 = (inverse_shaft_standstill_band * phi_dot).tanh();
-            *by_time = -(t7 * t0 / t6) - t8 * t0 / t5;
+            *by_time = -(t7 * t0 / t6 + t8 * t0 / t5);
         }
     }
     /// f_1 alone, at many points.
     ///
     /// 4 operations for all points, 4 for each.
     pub fn on_slope<R: Real>(u_x: &[R], u_xt: &[R], p: &Parameters<R>, force: &mut [R]) {
-        let t0 = p.shaft_pieces * p.shaft_shear_modulus * p.shaft_polar_moment
-            / (p.shaft_pieces - R::literal(1.0));
+        let t0 = p.shaft_pieces * p.shaft_shear_modulus * p.shaft_polar_moment / (p.shaft_pieces
+            - R::literal(1.0));
         for ((&phi_x, &phi_x_dot), force) in u_x.iter().zip(u_xt).zip(force) {
             *force = -(t0 * phi_x.add_product(p.shaft_loss_time, phi_x_dot));
         }
@@ -2269,297 +873,15 @@ pub mod shaft_phi {
     /// df_1/du_x and df_1/du_xt, at many points.
     ///
     /// 8 operations for all points, 0 for each.
-    pub fn on_slope_jacobian<R: Real>(
-        u_x: &[R],
-        u_xt: &[R],
-        p: &Parameters<R>,
-        by_u_x: &mut [R],
-        by_u_xt: &mut [R],
-    ) {
+    pub fn on_slope_jacobian<R: Real>(u_x: &[R], u_xt: &[R], p: &Parameters<R>, by_u_x: &mut [R],
+            by_u_xt: &mut [R]) {
         let t0 = p.shaft_pieces - R::literal(1.0);
         let t1 = p.shaft_pieces * p.shaft_shear_modulus * p.shaft_polar_moment;
         let t2 = -(t1 / t0);
         let t3 = -(t1 * p.shaft_loss_time / t0);
-        for (((_, _), by_u_x), by_u_xt) in u_x.iter().zip(u_xt).zip(by_u_x).zip(by_u_xt)
-        {
+        for (((_, _), by_u_x), by_u_xt) in u_x.iter().zip(u_xt).zip(by_u_x).zip(by_u_xt) {
             *by_u_x = t2;
             *by_u_xt = t3;
         }
     }
 }
-
-impl<R: Real> FieldScene<R> for M3 {
-    fn fields(&self) -> usize {
-        1
-    }
-    fn field(&self, index: usize) -> FieldDescription<'_> {
-        match index {
-            0 => SHAFT_PHI_FIELD,
-            _ => no_field(index),
-        }
-    }
-    fn field_inertia(&self, index: usize, x: R, parameters: &[R]) -> R {
-        let p = parameters_of(parameters);
-        let [inertia] = match index {
-            0 => shaft_phi::inertia(x, &p),
-            _ => no_field(index),
-        };
-        inertia
-    }
-    fn field_initial(&self, index: usize, x: R, parameters: &[R]) -> [R; 2] {
-        let p = parameters_of(parameters);
-        match index {
-            0 => shaft_phi::initial(x, &p),
-            _ => no_field(index),
-        }
-    }
-    fn field_force(
-        &self,
-        index: usize,
-        time: R,
-        x: R,
-        point: &FieldPoint<R>,
-        parameters: &[R],
-    ) -> [R; 2] {
-        let p = parameters_of(parameters);
-        match index {
-            0 => shaft_phi::force(time, x, point, &p),
-            _ => no_field(index),
-        }
-    }
-    fn field_force_jacobian(
-        &self,
-        index: usize,
-        time: R,
-        x: R,
-        point: &FieldPoint<R>,
-        parameters: &[R],
-    ) -> [R; 8] {
-        let p = parameters_of(parameters);
-        match index {
-            0 => shaft_phi::force_jacobian(time, x, point, &p),
-            _ => no_field(index),
-        }
-    }
-    fn field_energy(
-        &self,
-        index: usize,
-        time: R,
-        x: R,
-        point: &FieldPoint<R>,
-        parameters: &[R],
-    ) -> [R; 2] {
-        let p = parameters_of(parameters);
-        match index {
-            0 => shaft_phi::energy(time, x, point, &p),
-            _ => no_field(index),
-        }
-    }
-    fn field_power(
-        &self,
-        index: usize,
-        time: R,
-        x: R,
-        point: &FieldPoint<R>,
-        parameters: &[R],
-    ) -> [R; 3] {
-        let p = parameters_of(parameters);
-        match index {
-            0 => shaft_phi::power(time, x, point, &p),
-            _ => no_field(index),
-        }
-    }
-    fn field_inertia_gradient(
-        &self,
-        index: usize,
-        x: R,
-        parameters: &[R],
-        values: &mut [R],
-    ) {
-        let p = parameters_of(parameters);
-        match index {
-            0 => values.copy_from_slice(&shaft_phi::inertia_gradient(x, &p)),
-            _ => no_field(index),
-        }
-    }
-    fn field_force_gradient(
-        &self,
-        index: usize,
-        time: R,
-        x: R,
-        point: &FieldPoint<R>,
-        parameters: &[R],
-        values: &mut [R],
-    ) {
-        let p = parameters_of(parameters);
-        match index {
-            0 => values.copy_from_slice(&shaft_phi::force_gradient(time, x, point, &p)),
-            _ => no_field(index),
-        }
-    }
-    fn field_places(&self, index: usize, parameters: &[R], values: &mut [R]) {
-        let p = parameters_of(parameters);
-        match index {
-            0 => values.copy_from_slice(&shaft_phi::places(&p)),
-            _ => no_field(index),
-        }
-    }
-    fn field_places_gradient(&self, index: usize, parameters: &[R], values: &mut [R]) {
-        let p = parameters_of(parameters);
-        match index {
-            0 => values.copy_from_slice(&shaft_phi::places_gradient(&p)),
-            _ => no_field(index),
-        }
-    }
-    fn jacobian_reads_forces(&self) -> bool {
-        false
-    }
-    fn field_is_local(&self, index: usize) -> bool {
-        matches!(index, 0)
-    }
-    fn field_inertias(
-        &self,
-        index: usize,
-        x: &[R],
-        parameters: &[R],
-        inertias: &mut [R],
-    ) {
-        let p = parameters_of(parameters);
-        match index {
-            0 => {
-                for (inertia, x) in inertias.iter_mut().zip(x) {
-                    [*inertia] = shaft_phi::inertia(*x, &p);
-                }
-            }
-            _ => no_field(index),
-        }
-    }
-    fn field_forces_on_values(
-        &self,
-        index: usize,
-        time: R,
-        [x,
-        u,
-        u_t,
-        ]: [&[R]; 3],
-        parameters: &[R],
-        forces: &mut [R],
-    ) {
-        let p = parameters_of(parameters);
-        match index {
-            0 => shaft_phi::on_value(time, x, u, u_t, &p, forces),
-            _ => no_field(index),
-        }
-    }
-    fn field_forces_on_values_jacobian(
-        &self,
-        index: usize,
-        time: R,
-        [x,
-        u,
-        u_t,
-        ]: [&[R]; 3],
-        parameters: &[R],
-        [by_u,
-        by_u_t,
-        ]: [&mut [R]; 2],
-    ) {
-        let p = parameters_of(parameters);
-        match index {
-            0 => shaft_phi::on_value_jacobian(time, x, u, u_t, &p, by_u, by_u_t),
-            _ => no_field(index),
-        }
-    }
-    fn field_forces_on_values_by_time(
-        &self,
-        index: usize,
-        time: R,
-        [x,
-        u,
-        u_t,
-        ]: [&[R]; 3],
-        parameters: &[R],
-        (_, by_time): (&mut [R], &mut [R]),
-    ) {
-        let p = parameters_of(parameters);
-        match index {
-            0 => shaft_phi::on_value_by_time(time, x, u, u_t, &p, by_time),
-            _ => no_field(index),
-        }
-    }
-    fn field_forces_on_slopes(
-        &self,
-        index: usize,
-        [u_x,
-        u_xt,
-        ]: [&[R]; 2],
-        parameters: &[R],
-        forces: &mut [R],
-    ) {
-        let p = parameters_of(parameters);
-        match index {
-            0 => shaft_phi::on_slope(u_x, u_xt, &p, forces),
-            _ => no_field(index),
-        }
-    }
-    fn field_forces_on_slopes_jacobian(
-        &self,
-        index: usize,
-        [u_x,
-        u_xt,
-        ]: [&[R]; 2],
-        parameters: &[R],
-        [by_u_x,
-        by_u_xt,
-        ]: [&mut [R]; 2],
-    ) {
-        let p = parameters_of(parameters);
-        match index {
-            0 => shaft_phi::on_slope_jacobian(u_x, u_xt, &p, by_u_x, by_u_xt),
-            _ => no_field(index),
-        }
-    }
-}
-
-#[cold]
-fn no_field(index: usize) -> ! {
-    panic!("there is no field of number {index}")
-}
-
-static SHAFT_PHI_FIELD: FieldDescription<'static> = FieldDescription {
-    value: Quantity {
-        name: "shaft.phi",
-        unit: "rad",
-        doc: "angle of the section",
-    },
-    rate: Quantity {
-        name: "shaft.phi_dot",
-        unit: "rad/s",
-        doc: "rate of angle of the section",
-    },
-    slope: Quantity {
-        name: "shaft.phi_x",
-        unit: "rad/m",
-        doc: "slope of angle of the section",
-    },
-    scale: [40.0, 78.5],
-    fixed: [false, false],
-    length: 2.322,
-    attachments: &[
-        FieldAttachment {
-            coordinate: Some(1),
-            place: FieldPlace::Start,
-            at: 0.0,
-            handed: 25,
-        },
-        FieldAttachment {
-            coordinate: Some(2),
-            place: FieldPlace::End,
-            at: 2.322,
-            handed: 29,
-        },
-    ],
-    parameters: &shaft_phi::PARAMETERS,
-    elements: 99,
-    order: 1,
-};

@@ -13,773 +13,250 @@
 // Source:
 //   Benchmark models of textile-machine dynamics.
 //
-// Shapes; all quantities are in SI units:
-//   coordinates              10
-//   first-order states        0
-//   states                   20
-//   parameters                0
-//   outputs                  20
-//   discontinuities           0
-//
-// State:
-//     0  chain.theta_1   [rad]    angle of link 1 from the vertical
-//     1  chain.theta_2   [rad]    angle of link 2 from the vertical
-//     2  chain.theta_3   [rad]    angle of link 3 from the vertical
-//     3  chain.theta_4   [rad]    angle of link 4 from the vertical
-//     4  chain.theta_5   [rad]    angle of link 5 from the vertical
-//     5  chain.theta_6   [rad]    angle of link 6 from the vertical
-//     6  chain.theta_7   [rad]    angle of link 7 from the vertical
-//     7  chain.theta_8   [rad]    angle of link 8 from the vertical
-//     8  chain.theta_9   [rad]    angle of link 9 from the vertical
-//     9  chain.theta_10  [rad]    angle of link 10 from the vertical
-//    10  chain.omega_1   [rad/s]  rate of angle of link 1 from the vertical
-//    11  chain.omega_2   [rad/s]  rate of angle of link 2 from the vertical
-//    12  chain.omega_3   [rad/s]  rate of angle of link 3 from the vertical
-//    13  chain.omega_4   [rad/s]  rate of angle of link 4 from the vertical
-//    14  chain.omega_5   [rad/s]  rate of angle of link 5 from the vertical
-//    15  chain.omega_6   [rad/s]  rate of angle of link 6 from the vertical
-//    16  chain.omega_7   [rad/s]  rate of angle of link 7 from the vertical
-//    17  chain.omega_8   [rad/s]  rate of angle of link 8 from the vertical
-//    18  chain.omega_9   [rad/s]  rate of angle of link 9 from the vertical
-//    19  chain.omega_10  [rad/s]  rate of angle of link 10 from the vertical
-//
-// Nonzeros:
-//   mass_matrix             100 of 10 by 10
-//   rate_jacobian           210 of 20 by 20
-//   parameter_jacobian        0 of 20 by 0
-//
-// Operations:
-//   initial_state             0
-//   discontinuities           0
-//   rate                   1145
-//   mass_matrix             126
-//   forcing                 345
-//   rate_jacobian          5576
-//   parameter_jacobian        0
-//   time_derivative           0
-//   outputs                   0
-//   energy                  118
-//   power_balance          1652
+// All quantities are in SI units.
+// Shapes: coordinates 10, states 20, outputs 20.
+// Nonzeros: mass_matrix 100 of 10 by 10, rate_jacobian 210 of 20 by 20,
+//     parameter_jacobian 0 of 20 by 0.
+// Operations: rate 1145, mass_matrix 126, forcing 345, rate_jacobian 5565, energy 117,
+//     power_balance 1651.
 
 use ::machinist_contract::{
-    Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-    SparsityPattern, taylor::{Factored, Lanes, TaylorSeries, order_and_inverse},
+    Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
 };
 
-/// Generalized coordinates, n.
-pub const COORDINATES: usize = 10;
-
-/// Length of the state y.
-pub const STATES: usize = 20;
-
-/// Parameters.
-pub const PARAMETERS: usize = 0;
-
-/// Wanted outputs.
-pub const OUTPUTS: usize = 20;
-
-/// Times at which the right-hand side jumps.
-pub const DISCONTINUITIES: usize = 0;
-
-/// Nonzeros of M, both triangles.
-pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 10,
-    columns: 10,
-    entries: &[
-        (0, 0),
-        (0, 1),
-        (0, 2),
-        (0, 3),
-        (0, 4),
-        (0, 5),
-        (0, 6),
-        (0, 7),
-        (0, 8),
-        (0, 9),
-        (1, 0),
-        (1, 1),
-        (1, 2),
-        (1, 3),
-        (1, 4),
-        (1, 5),
-        (1, 6),
-        (1, 7),
-        (1, 8),
-        (1, 9),
-        (2, 0),
-        (2, 1),
-        (2, 2),
-        (2, 3),
-        (2, 4),
-        (2, 5),
-        (2, 6),
-        (2, 7),
-        (2, 8),
-        (2, 9),
-        (3, 0),
-        (3, 1),
-        (3, 2),
-        (3, 3),
-        (3, 4),
-        (3, 5),
-        (3, 6),
-        (3, 7),
-        (3, 8),
-        (3, 9),
-        (4, 0),
-        (4, 1),
-        (4, 2),
-        (4, 3),
-        (4, 4),
-        (4, 5),
-        (4, 6),
-        (4, 7),
-        (4, 8),
-        (4, 9),
-        (5, 0),
-        (5, 1),
-        (5, 2),
-        (5, 3),
-        (5, 4),
-        (5, 5),
-        (5, 6),
-        (5, 7),
-        (5, 8),
-        (5, 9),
-        (6, 0),
-        (6, 1),
-        (6, 2),
-        (6, 3),
-        (6, 4),
-        (6, 5),
-        (6, 6),
-        (6, 7),
-        (6, 8),
-        (6, 9),
-        (7, 0),
-        (7, 1),
-        (7, 2),
-        (7, 3),
-        (7, 4),
-        (7, 5),
-        (7, 6),
-        (7, 7),
-        (7, 8),
-        (7, 9),
-        (8, 0),
-        (8, 1),
-        (8, 2),
-        (8, 3),
-        (8, 4),
-        (8, 5),
-        (8, 6),
-        (8, 7),
-        (8, 8),
-        (8, 9),
-        (9, 0),
-        (9, 1),
-        (9, 2),
-        (9, 3),
-        (9, 4),
-        (9, 5),
-        (9, 6),
-        (9, 7),
-        (9, 8),
-        (9, 9),
-    ],
-};
-
-/// Nonzeros of dy'/dy.
-pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 20,
-    columns: 20,
-    entries: &[
-        (0, 10),
-        (1, 11),
-        (2, 12),
-        (3, 13),
-        (4, 14),
-        (5, 15),
-        (6, 16),
-        (7, 17),
-        (8, 18),
-        (9, 19),
-        (10, 0),
-        (10, 1),
-        (10, 2),
-        (10, 3),
-        (10, 4),
-        (10, 5),
-        (10, 6),
-        (10, 7),
-        (10, 8),
-        (10, 9),
-        (10, 10),
-        (10, 11),
-        (10, 12),
-        (10, 13),
-        (10, 14),
-        (10, 15),
-        (10, 16),
-        (10, 17),
-        (10, 18),
-        (10, 19),
-        (11, 0),
-        (11, 1),
-        (11, 2),
-        (11, 3),
-        (11, 4),
-        (11, 5),
-        (11, 6),
-        (11, 7),
-        (11, 8),
-        (11, 9),
-        (11, 10),
-        (11, 11),
-        (11, 12),
-        (11, 13),
-        (11, 14),
-        (11, 15),
-        (11, 16),
-        (11, 17),
-        (11, 18),
-        (11, 19),
-        (12, 0),
-        (12, 1),
-        (12, 2),
-        (12, 3),
-        (12, 4),
-        (12, 5),
-        (12, 6),
-        (12, 7),
-        (12, 8),
-        (12, 9),
-        (12, 10),
-        (12, 11),
-        (12, 12),
-        (12, 13),
-        (12, 14),
-        (12, 15),
-        (12, 16),
-        (12, 17),
-        (12, 18),
-        (12, 19),
-        (13, 0),
-        (13, 1),
-        (13, 2),
-        (13, 3),
-        (13, 4),
-        (13, 5),
-        (13, 6),
-        (13, 7),
-        (13, 8),
-        (13, 9),
-        (13, 10),
-        (13, 11),
-        (13, 12),
-        (13, 13),
-        (13, 14),
-        (13, 15),
-        (13, 16),
-        (13, 17),
-        (13, 18),
-        (13, 19),
-        (14, 0),
-        (14, 1),
-        (14, 2),
-        (14, 3),
-        (14, 4),
-        (14, 5),
-        (14, 6),
-        (14, 7),
-        (14, 8),
-        (14, 9),
-        (14, 10),
-        (14, 11),
-        (14, 12),
-        (14, 13),
-        (14, 14),
-        (14, 15),
-        (14, 16),
-        (14, 17),
-        (14, 18),
-        (14, 19),
-        (15, 0),
-        (15, 1),
-        (15, 2),
-        (15, 3),
-        (15, 4),
-        (15, 5),
-        (15, 6),
-        (15, 7),
-        (15, 8),
-        (15, 9),
-        (15, 10),
-        (15, 11),
-        (15, 12),
-        (15, 13),
-        (15, 14),
-        (15, 15),
-        (15, 16),
-        (15, 17),
-        (15, 18),
-        (15, 19),
-        (16, 0),
-        (16, 1),
-        (16, 2),
-        (16, 3),
-        (16, 4),
-        (16, 5),
-        (16, 6),
-        (16, 7),
-        (16, 8),
-        (16, 9),
-        (16, 10),
-        (16, 11),
-        (16, 12),
-        (16, 13),
-        (16, 14),
-        (16, 15),
-        (16, 16),
-        (16, 17),
-        (16, 18),
-        (16, 19),
-        (17, 0),
-        (17, 1),
-        (17, 2),
-        (17, 3),
-        (17, 4),
-        (17, 5),
-        (17, 6),
-        (17, 7),
-        (17, 8),
-        (17, 9),
-        (17, 10),
-        (17, 11),
-        (17, 12),
-        (17, 13),
-        (17, 14),
-        (17, 15),
-        (17, 16),
-        (17, 17),
-        (17, 18),
-        (17, 19),
-        (18, 0),
-        (18, 1),
-        (18, 2),
-        (18, 3),
-        (18, 4),
-        (18, 5),
-        (18, 6),
-        (18, 7),
-        (18, 8),
-        (18, 9),
-        (18, 10),
-        (18, 11),
-        (18, 12),
-        (18, 13),
-        (18, 14),
-        (18, 15),
-        (18, 16),
-        (18, 17),
-        (18, 18),
-        (18, 19),
-        (19, 0),
-        (19, 1),
-        (19, 2),
-        (19, 3),
-        (19, 4),
-        (19, 5),
-        (19, 6),
-        (19, 7),
-        (19, 8),
-        (19, 9),
-        (19, 10),
-        (19, 11),
-        (19, 12),
-        (19, 13),
-        (19, 14),
-        (19, 15),
-        (19, 16),
-        (19, 17),
-        (19, 18),
-        (19, 19),
-    ],
-};
-
-/// Nonzeros of dy'/dp.
-pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 20,
-    columns: 0,
-    entries: &[],
-};
-
-/// Benchmark M6: planar pendulum of 10 links
-///
-/// Point masses on 10 massless links, angles from the downward vertical, released
-/// horizontal and at rest.
-///
-/// Source: Benchmark models of textile-machine dynamics.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct M610;
-
-/// Parameters, in SI units; the default holds the values of the spec.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Parameters<R> {
-    /// Nothing; there are no numbers here.
-    pub real: core::marker::PhantomData<R>,
+::machinist_contract::simulator! {
+    /// Benchmark M6: planar pendulum of 10 links
+    ///
+    /// Point masses on 10 massless links, angles from the downward vertical, released
+    /// horizontal and at rest.
+    ///
+    /// Source: Benchmark models of textile-machine dynamics.
+    M610: "m6_10", "Benchmark M6: planar pendulum of 10 links";
+    run from 0.0, until 5.0, points 501, rtol 1e-8, method "auto";
+    quadratures 0, discontinuities 0;
+    series 300;
 }
 
-impl<R: Real> Parameters<R> {
-    /// From the numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn from_array(_values: [R; PARAMETERS]) -> Self {
-        Self {
-            real: core::marker::PhantomData,
-        }
-    }
-    /// The numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn to_array(self) -> [R; PARAMETERS] {
-        []
-    }
+::machinist_contract::parameters! {}
+
+::machinist_contract::outputs! {
+    theta_1: "rad", "theta_1", "angle of link 1 from the vertical";
+    theta_2: "rad", "theta_2", "angle of link 2 from the vertical";
+    theta_3: "rad", "theta_3", "angle of link 3 from the vertical";
+    theta_4: "rad", "theta_4", "angle of link 4 from the vertical";
+    theta_5: "rad", "theta_5", "angle of link 5 from the vertical";
+    theta_6: "rad", "theta_6", "angle of link 6 from the vertical";
+    theta_7: "rad", "theta_7", "angle of link 7 from the vertical";
+    theta_8: "rad", "theta_8", "angle of link 8 from the vertical";
+    theta_9: "rad", "theta_9", "angle of link 9 from the vertical";
+    theta_10: "rad", "theta_10", "angle of link 10 from the vertical";
+    omega_1: "rad/s", "omega_1", "rate of angle of link 1 from the vertical";
+    omega_2: "rad/s", "omega_2", "rate of angle of link 2 from the vertical";
+    omega_3: "rad/s", "omega_3", "rate of angle of link 3 from the vertical";
+    omega_4: "rad/s", "omega_4", "rate of angle of link 4 from the vertical";
+    omega_5: "rad/s", "omega_5", "rate of angle of link 5 from the vertical";
+    omega_6: "rad/s", "omega_6", "rate of angle of link 6 from the vertical";
+    omega_7: "rad/s", "omega_7", "rate of angle of link 7 from the vertical";
+    omega_8: "rad/s", "omega_8", "rate of angle of link 8 from the vertical";
+    omega_9: "rad/s", "omega_9", "rate of angle of link 9 from the vertical";
+    omega_10: "rad/s", "omega_10", "rate of angle of link 10 from the vertical";
 }
 
-impl<R: Real> Default for Parameters<R> {
-    fn default() -> Self {
-        Self {
-            real: core::marker::PhantomData,
-        }
-    }
+::machinist_contract::states! {
+    CHAIN_THETA_1: position, 1.0, "rad", "chain.theta_1", "angle of link 1 from the vertical";
+    CHAIN_THETA_2: position, 1.0, "rad", "chain.theta_2", "angle of link 2 from the vertical";
+    CHAIN_THETA_3: position, 1.0, "rad", "chain.theta_3", "angle of link 3 from the vertical";
+    CHAIN_THETA_4: position, 1.0, "rad", "chain.theta_4", "angle of link 4 from the vertical";
+    CHAIN_THETA_5: position, 1.0, "rad", "chain.theta_5", "angle of link 5 from the vertical";
+    CHAIN_THETA_6: position, 1.0, "rad", "chain.theta_6", "angle of link 6 from the vertical";
+    CHAIN_THETA_7: position, 1.0, "rad", "chain.theta_7", "angle of link 7 from the vertical";
+    CHAIN_THETA_8: position, 1.0, "rad", "chain.theta_8", "angle of link 8 from the vertical";
+    CHAIN_THETA_9: position, 1.0, "rad", "chain.theta_9", "angle of link 9 from the vertical";
+    CHAIN_THETA_10: position, 1.0, "rad", "chain.theta_10", "angle of link 10 from the vertical";
+    CHAIN_OMEGA_1: velocity, 5.0, "rad/s", "chain.omega_1", "rate of angle of link 1 from the vertical";
+    CHAIN_OMEGA_2: velocity, 5.0, "rad/s", "chain.omega_2", "rate of angle of link 2 from the vertical";
+    CHAIN_OMEGA_3: velocity, 5.0, "rad/s", "chain.omega_3", "rate of angle of link 3 from the vertical";
+    CHAIN_OMEGA_4: velocity, 5.0, "rad/s", "chain.omega_4", "rate of angle of link 4 from the vertical";
+    CHAIN_OMEGA_5: velocity, 5.0, "rad/s", "chain.omega_5", "rate of angle of link 5 from the vertical";
+    CHAIN_OMEGA_6: velocity, 5.0, "rad/s", "chain.omega_6", "rate of angle of link 6 from the vertical";
+    CHAIN_OMEGA_7: velocity, 5.0, "rad/s", "chain.omega_7", "rate of angle of link 7 from the vertical";
+    CHAIN_OMEGA_8: velocity, 5.0, "rad/s", "chain.omega_8", "rate of angle of link 8 from the vertical";
+    CHAIN_OMEGA_9: velocity, 5.0, "rad/s", "chain.omega_9", "rate of angle of link 9 from the vertical";
+    CHAIN_OMEGA_10: velocity, 5.0, "rad/s", "chain.omega_10", "rate of angle of link 10 from the vertical";
 }
 
-/// Wanted outputs, in SI units.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Outputs<R> {
-    /// theta_1: angle of link 1 from the vertical \[rad\].
-    pub theta_1: R,
-    /// theta_2: angle of link 2 from the vertical \[rad\].
-    pub theta_2: R,
-    /// theta_3: angle of link 3 from the vertical \[rad\].
-    pub theta_3: R,
-    /// theta_4: angle of link 4 from the vertical \[rad\].
-    pub theta_4: R,
-    /// theta_5: angle of link 5 from the vertical \[rad\].
-    pub theta_5: R,
-    /// theta_6: angle of link 6 from the vertical \[rad\].
-    pub theta_6: R,
-    /// theta_7: angle of link 7 from the vertical \[rad\].
-    pub theta_7: R,
-    /// theta_8: angle of link 8 from the vertical \[rad\].
-    pub theta_8: R,
-    /// theta_9: angle of link 9 from the vertical \[rad\].
-    pub theta_9: R,
-    /// theta_10: angle of link 10 from the vertical \[rad\].
-    pub theta_10: R,
-    /// omega_1: rate of angle of link 1 from the vertical \[rad/s\].
-    pub omega_1: R,
-    /// omega_2: rate of angle of link 2 from the vertical \[rad/s\].
-    pub omega_2: R,
-    /// omega_3: rate of angle of link 3 from the vertical \[rad/s\].
-    pub omega_3: R,
-    /// omega_4: rate of angle of link 4 from the vertical \[rad/s\].
-    pub omega_4: R,
-    /// omega_5: rate of angle of link 5 from the vertical \[rad/s\].
-    pub omega_5: R,
-    /// omega_6: rate of angle of link 6 from the vertical \[rad/s\].
-    pub omega_6: R,
-    /// omega_7: rate of angle of link 7 from the vertical \[rad/s\].
-    pub omega_7: R,
-    /// omega_8: rate of angle of link 8 from the vertical \[rad/s\].
-    pub omega_8: R,
-    /// omega_9: rate of angle of link 9 from the vertical \[rad/s\].
-    pub omega_9: R,
-    /// omega_10: rate of angle of link 10 from the vertical \[rad/s\].
-    pub omega_10: R,
+::machinist_contract::patterns! {
+    /// Nonzeros of M.
+    MASS_MATRIX_PATTERN: 10 by 10 { 0 [0 1 2 3 4 5 6 7 8 9] 1 [0 1 2 3 4 5 6 7 8 9]
+        2 [0 1 2 3 4 5 6 7 8 9] 3 [0 1 2 3 4 5 6 7 8 9] 4 [0 1 2 3 4 5 6 7 8 9]
+        5 [0 1 2 3 4 5 6 7 8 9] 6 [0 1 2 3 4 5 6 7 8 9] 7 [0 1 2 3 4 5 6 7 8 9]
+        8 [0 1 2 3 4 5 6 7 8 9] 9 [0 1 2 3 4 5 6 7 8 9] }
+    /// Nonzeros of dy'/dy.
+    RATE_JACOBIAN_PATTERN: 20 by 20 { 0 [10] 1 [11] 2 [12] 3 [13] 4 [14] 5 [15] 6 [16] 7 [17]
+        8 [18] 9 [19] 10 [0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19]
+        11 [0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19]
+        12 [0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19]
+        13 [0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19]
+        14 [0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19]
+        15 [0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19]
+        16 [0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19]
+        17 [0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19]
+        18 [0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19]
+        19 [0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19] }
+    /// Nonzeros of dy'/dp.
+    PARAMETER_JACOBIAN_PATTERN: 20 by 0 {  }
 }
 
-impl<R: Real> Outputs<R> {
-    /// From the numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn from_array(values: [R; OUTPUTS]) -> Self {
-        Self {
-            theta_1: values[0],
-            theta_2: values[1],
-            theta_3: values[2],
-            theta_4: values[3],
-            theta_5: values[4],
-            theta_6: values[5],
-            theta_7: values[6],
-            theta_8: values[7],
-            theta_9: values[8],
-            theta_10: values[9],
-            omega_1: values[10],
-            omega_2: values[11],
-            omega_3: values[12],
-            omega_4: values[13],
-            omega_5: values[14],
-            omega_6: values[15],
-            omega_7: values[16],
-            omega_8: values[17],
-            omega_9: values[18],
-            omega_10: values[19],
-        }
-    }
-    /// The numbers in their order.
-    #[must_use]
-    #[inline]
-    pub fn to_array(self) -> [R; OUTPUTS] {
-        [
-            self.theta_1,
-            self.theta_2,
-            self.theta_3,
-            self.theta_4,
-            self.theta_5,
-            self.theta_6,
-            self.theta_7,
-            self.theta_8,
-            self.theta_9,
-            self.theta_10,
-            self.omega_1,
-            self.omega_2,
-            self.omega_3,
-            self.omega_4,
-            self.omega_5,
-            self.omega_6,
-            self.omega_7,
-            self.omega_8,
-            self.omega_9,
-            self.omega_10,
-        ]
-    }
-}
-
-/// Where to find what in the state.
-pub mod state {
-    /// chain.theta_1: angle of link 1 from the vertical \[rad\].
-    pub const CHAIN_THETA_1: usize = 0;
-    /// chain.theta_2: angle of link 2 from the vertical \[rad\].
-    pub const CHAIN_THETA_2: usize = 1;
-    /// chain.theta_3: angle of link 3 from the vertical \[rad\].
-    pub const CHAIN_THETA_3: usize = 2;
-    /// chain.theta_4: angle of link 4 from the vertical \[rad\].
-    pub const CHAIN_THETA_4: usize = 3;
-    /// chain.theta_5: angle of link 5 from the vertical \[rad\].
-    pub const CHAIN_THETA_5: usize = 4;
-    /// chain.theta_6: angle of link 6 from the vertical \[rad\].
-    pub const CHAIN_THETA_6: usize = 5;
-    /// chain.theta_7: angle of link 7 from the vertical \[rad\].
-    pub const CHAIN_THETA_7: usize = 6;
-    /// chain.theta_8: angle of link 8 from the vertical \[rad\].
-    pub const CHAIN_THETA_8: usize = 7;
-    /// chain.theta_9: angle of link 9 from the vertical \[rad\].
-    pub const CHAIN_THETA_9: usize = 8;
-    /// chain.theta_10: angle of link 10 from the vertical \[rad\].
-    pub const CHAIN_THETA_10: usize = 9;
-    /// chain.omega_1: rate of angle of link 1 from the vertical \[rad/s\].
-    pub const CHAIN_OMEGA_1: usize = 10;
-    /// chain.omega_2: rate of angle of link 2 from the vertical \[rad/s\].
-    pub const CHAIN_OMEGA_2: usize = 11;
-    /// chain.omega_3: rate of angle of link 3 from the vertical \[rad/s\].
-    pub const CHAIN_OMEGA_3: usize = 12;
-    /// chain.omega_4: rate of angle of link 4 from the vertical \[rad/s\].
-    pub const CHAIN_OMEGA_4: usize = 13;
-    /// chain.omega_5: rate of angle of link 5 from the vertical \[rad/s\].
-    pub const CHAIN_OMEGA_5: usize = 14;
-    /// chain.omega_6: rate of angle of link 6 from the vertical \[rad/s\].
-    pub const CHAIN_OMEGA_6: usize = 15;
-    /// chain.omega_7: rate of angle of link 7 from the vertical \[rad/s\].
-    pub const CHAIN_OMEGA_7: usize = 16;
-    /// chain.omega_8: rate of angle of link 8 from the vertical \[rad/s\].
-    pub const CHAIN_OMEGA_8: usize = 17;
-    /// chain.omega_9: rate of angle of link 9 from the vertical \[rad/s\].
-    pub const CHAIN_OMEGA_9: usize = 18;
-    /// chain.omega_10: rate of angle of link 10 from the vertical \[rad/s\].
-    pub const CHAIN_OMEGA_10: usize = 19;
-}
-
-/// State at the start of the run, in the units of the states.
-///
-/// No operations.
+/// State at the start of the run, in the units of the states. No operations.
 #[must_use]
 pub fn initial_state<R: Real>(_p: &Parameters<R>) -> [R; STATES] {
-    [
-        R::literal(core::f64::consts::FRAC_PI_2),
-        R::literal(core::f64::consts::FRAC_PI_2),
-        R::literal(core::f64::consts::FRAC_PI_2),
-        R::literal(core::f64::consts::FRAC_PI_2),
-        R::literal(core::f64::consts::FRAC_PI_2),
-        R::literal(core::f64::consts::FRAC_PI_2),
-        R::literal(core::f64::consts::FRAC_PI_2),
-        R::literal(core::f64::consts::FRAC_PI_2),
-        R::literal(core::f64::consts::FRAC_PI_2),
-        R::literal(core::f64::consts::FRAC_PI_2),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-    ]
+    [R::literal(core::f64::consts::FRAC_PI_2), R::literal(core::f64::consts::FRAC_PI_2),
+        R::literal(core::f64::consts::FRAC_PI_2), R::literal(core::f64::consts::FRAC_PI_2),
+        R::literal(core::f64::consts::FRAC_PI_2), R::literal(core::f64::consts::FRAC_PI_2),
+        R::literal(core::f64::consts::FRAC_PI_2), R::literal(core::f64::consts::FRAC_PI_2),
+        R::literal(core::f64::consts::FRAC_PI_2), R::literal(core::f64::consts::FRAC_PI_2),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
 
-/// Times at which the right-hand side jumps \[s\].
-///
-/// No operations.
+/// Times of known jumps of the right-hand side \[s\], unsorted. No operations.
 #[must_use]
 pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
-///
+/// `y'`: velocities, `q''` of `M q'' = f + G^T lambda`, `h`; in the units of the states per second.
 /// 1145 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
-    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
-    chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
-    chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
-    chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10] = *state;
+    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_theta_6,
+        chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10, chain_omega_1, chain_omega_2,
+        chain_omega_3, chain_omega_4, chain_omega_5, chain_omega_6, chain_omega_7, chain_omega_8,
+        chain_omega_9, chain_omega_10] = *state;
     let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
-    (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
-    (sin_chain_theta_5, cos_chain_theta_5), (sin_chain_theta_6, cos_chain_theta_6),
-    (sin_chain_theta_7, cos_chain_theta_7), (sin_chain_theta_8, cos_chain_theta_8),
-    (sin_chain_theta_9, cos_chain_theta_9), (sin_chain_theta_10, cos_chain_theta_10)] = R::sin_cos_each([
-        chain_theta_1,
-        chain_theta_2,
-        chain_theta_3,
-        chain_theta_4,
-        chain_theta_5,
-        chain_theta_6,
-        chain_theta_7,
-        chain_theta_8,
-        chain_theta_9,
-        chain_theta_10,
-    ]);
-    let t0 = (sin_chain_theta_1 * cos_chain_theta_2)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_2);
-    let t1 = (cos_chain_theta_1 * cos_chain_theta_2)
-        .add_product(sin_chain_theta_1, sin_chain_theta_2);
+        (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
+        (sin_chain_theta_5, cos_chain_theta_5), (sin_chain_theta_6, cos_chain_theta_6),
+        (sin_chain_theta_7, cos_chain_theta_7), (sin_chain_theta_8, cos_chain_theta_8),
+        (sin_chain_theta_9, cos_chain_theta_9), (sin_chain_theta_10, cos_chain_theta_10)]
+        = R::sin_cos_each([chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4,
+        chain_theta_5, chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10]);
+    let t0 = (sin_chain_theta_1 * cos_chain_theta_2).sub_product(cos_chain_theta_1,
+        sin_chain_theta_2);
+    let t1 = (cos_chain_theta_1 * cos_chain_theta_2).add_product(sin_chain_theta_1,
+        sin_chain_theta_2);
     let t2 = R::literal(9.0) * t1;
-    let t3 = (sin_chain_theta_1 * cos_chain_theta_3)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_3);
-    let t4 = (cos_chain_theta_1 * cos_chain_theta_3)
-        .add_product(sin_chain_theta_1, sin_chain_theta_3);
+    let t3 = (sin_chain_theta_1 * cos_chain_theta_3).sub_product(cos_chain_theta_1,
+        sin_chain_theta_3);
+    let t4 = (cos_chain_theta_1 * cos_chain_theta_3).add_product(sin_chain_theta_1,
+        sin_chain_theta_3);
     let t5 = R::literal(8.0) * t4;
-    let t6 = (sin_chain_theta_1 * cos_chain_theta_4)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_4);
-    let t7 = (cos_chain_theta_1 * cos_chain_theta_4)
-        .add_product(sin_chain_theta_1, sin_chain_theta_4);
+    let t6 = (sin_chain_theta_1 * cos_chain_theta_4).sub_product(cos_chain_theta_1,
+        sin_chain_theta_4);
+    let t7 = (cos_chain_theta_1 * cos_chain_theta_4).add_product(sin_chain_theta_1,
+        sin_chain_theta_4);
     let t8 = R::literal(7.0) * t7;
-    let t9 = (sin_chain_theta_1 * cos_chain_theta_5)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_5);
-    let t10 = (cos_chain_theta_1 * cos_chain_theta_5)
-        .add_product(sin_chain_theta_1, sin_chain_theta_5);
+    let t9 = (sin_chain_theta_1 * cos_chain_theta_5).sub_product(cos_chain_theta_1,
+        sin_chain_theta_5);
+    let t10 = (cos_chain_theta_1 * cos_chain_theta_5).add_product(sin_chain_theta_1,
+        sin_chain_theta_5);
     let t11 = R::literal(6.0) * t10;
-    let t12 = (sin_chain_theta_1 * cos_chain_theta_6)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_6);
-    let t13 = (cos_chain_theta_1 * cos_chain_theta_6)
-        .add_product(sin_chain_theta_1, sin_chain_theta_6);
+    let t12 = (sin_chain_theta_1 * cos_chain_theta_6).sub_product(cos_chain_theta_1,
+        sin_chain_theta_6);
+    let t13 = (cos_chain_theta_1 * cos_chain_theta_6).add_product(sin_chain_theta_1,
+        sin_chain_theta_6);
     let t14 = R::literal(5.0) * t13;
-    let t15 = (sin_chain_theta_1 * cos_chain_theta_7)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_7);
-    let t16 = (cos_chain_theta_1 * cos_chain_theta_7)
-        .add_product(sin_chain_theta_1, sin_chain_theta_7);
+    let t15 = (sin_chain_theta_1 * cos_chain_theta_7).sub_product(cos_chain_theta_1,
+        sin_chain_theta_7);
+    let t16 = (cos_chain_theta_1 * cos_chain_theta_7).add_product(sin_chain_theta_1,
+        sin_chain_theta_7);
     let t17 = R::literal(4.0) * t16;
-    let t18 = (sin_chain_theta_1 * cos_chain_theta_8)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_8);
-    let t19 = (cos_chain_theta_1 * cos_chain_theta_8)
-        .add_product(sin_chain_theta_1, sin_chain_theta_8);
+    let t18 = (sin_chain_theta_1 * cos_chain_theta_8).sub_product(cos_chain_theta_1,
+        sin_chain_theta_8);
+    let t19 = (cos_chain_theta_1 * cos_chain_theta_8).add_product(sin_chain_theta_1,
+        sin_chain_theta_8);
     let t20 = R::literal(3.0) * t19;
-    let t21 = (sin_chain_theta_1 * cos_chain_theta_9)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_9);
-    let t22 = (cos_chain_theta_1 * cos_chain_theta_9)
-        .add_product(sin_chain_theta_1, sin_chain_theta_9);
+    let t21 = (sin_chain_theta_1 * cos_chain_theta_9).sub_product(cos_chain_theta_1,
+        sin_chain_theta_9);
+    let t22 = (cos_chain_theta_1 * cos_chain_theta_9).add_product(sin_chain_theta_1,
+        sin_chain_theta_9);
     let t23 = R::literal(2.0) * t22;
-    let t24 = (sin_chain_theta_1 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_10);
-    let t25 = (cos_chain_theta_1 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_1, sin_chain_theta_10);
-    let t26 = (sin_chain_theta_2 * cos_chain_theta_3)
-        .sub_product(cos_chain_theta_2, sin_chain_theta_3);
-    let t27 = (sin_chain_theta_2 * cos_chain_theta_4)
-        .sub_product(cos_chain_theta_2, sin_chain_theta_4);
-    let t28 = (sin_chain_theta_2 * cos_chain_theta_5)
-        .sub_product(cos_chain_theta_2, sin_chain_theta_5);
-    let t29 = (sin_chain_theta_2 * cos_chain_theta_6)
-        .sub_product(cos_chain_theta_2, sin_chain_theta_6);
-    let t30 = (sin_chain_theta_2 * cos_chain_theta_7)
-        .sub_product(cos_chain_theta_2, sin_chain_theta_7);
-    let t31 = (sin_chain_theta_2 * cos_chain_theta_8)
-        .sub_product(cos_chain_theta_2, sin_chain_theta_8);
-    let t32 = (sin_chain_theta_2 * cos_chain_theta_9)
-        .sub_product(cos_chain_theta_2, sin_chain_theta_9);
-    let t33 = (sin_chain_theta_2 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_2, sin_chain_theta_10);
-    let t34 = (sin_chain_theta_3 * cos_chain_theta_4)
-        .sub_product(cos_chain_theta_3, sin_chain_theta_4);
-    let t35 = (sin_chain_theta_3 * cos_chain_theta_5)
-        .sub_product(cos_chain_theta_3, sin_chain_theta_5);
-    let t36 = (sin_chain_theta_3 * cos_chain_theta_6)
-        .sub_product(cos_chain_theta_3, sin_chain_theta_6);
-    let t37 = (sin_chain_theta_3 * cos_chain_theta_7)
-        .sub_product(cos_chain_theta_3, sin_chain_theta_7);
-    let t38 = (sin_chain_theta_3 * cos_chain_theta_8)
-        .sub_product(cos_chain_theta_3, sin_chain_theta_8);
-    let t39 = (sin_chain_theta_3 * cos_chain_theta_9)
-        .sub_product(cos_chain_theta_3, sin_chain_theta_9);
-    let t40 = (sin_chain_theta_3 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_3, sin_chain_theta_10);
-    let t41 = (sin_chain_theta_4 * cos_chain_theta_5)
-        .sub_product(cos_chain_theta_4, sin_chain_theta_5);
-    let t42 = (sin_chain_theta_4 * cos_chain_theta_6)
-        .sub_product(cos_chain_theta_4, sin_chain_theta_6);
-    let t43 = (sin_chain_theta_4 * cos_chain_theta_7)
-        .sub_product(cos_chain_theta_4, sin_chain_theta_7);
-    let t44 = (sin_chain_theta_4 * cos_chain_theta_8)
-        .sub_product(cos_chain_theta_4, sin_chain_theta_8);
-    let t45 = (sin_chain_theta_4 * cos_chain_theta_9)
-        .sub_product(cos_chain_theta_4, sin_chain_theta_9);
-    let t46 = (sin_chain_theta_4 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_4, sin_chain_theta_10);
-    let t47 = (sin_chain_theta_5 * cos_chain_theta_6)
-        .sub_product(cos_chain_theta_5, sin_chain_theta_6);
-    let t48 = (sin_chain_theta_5 * cos_chain_theta_7)
-        .sub_product(cos_chain_theta_5, sin_chain_theta_7);
-    let t49 = (sin_chain_theta_5 * cos_chain_theta_8)
-        .sub_product(cos_chain_theta_5, sin_chain_theta_8);
-    let t50 = (sin_chain_theta_5 * cos_chain_theta_9)
-        .sub_product(cos_chain_theta_5, sin_chain_theta_9);
-    let t51 = (sin_chain_theta_5 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_5, sin_chain_theta_10);
-    let t52 = (sin_chain_theta_6 * cos_chain_theta_7)
-        .sub_product(cos_chain_theta_6, sin_chain_theta_7);
-    let t53 = (sin_chain_theta_6 * cos_chain_theta_8)
-        .sub_product(cos_chain_theta_6, sin_chain_theta_8);
-    let t54 = (sin_chain_theta_6 * cos_chain_theta_9)
-        .sub_product(cos_chain_theta_6, sin_chain_theta_9);
-    let t55 = (sin_chain_theta_6 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_6, sin_chain_theta_10);
-    let t56 = (sin_chain_theta_7 * cos_chain_theta_8)
-        .sub_product(cos_chain_theta_7, sin_chain_theta_8);
-    let t57 = (sin_chain_theta_7 * cos_chain_theta_9)
-        .sub_product(cos_chain_theta_7, sin_chain_theta_9);
-    let t58 = (sin_chain_theta_7 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_7, sin_chain_theta_10);
-    let t59 = (sin_chain_theta_8 * cos_chain_theta_9)
-        .sub_product(cos_chain_theta_8, sin_chain_theta_9);
-    let t60 = (sin_chain_theta_8 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_8, sin_chain_theta_10);
-    let t61 = (sin_chain_theta_9 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_9, sin_chain_theta_10);
+    let t24 = (sin_chain_theta_1 * cos_chain_theta_10).sub_product(cos_chain_theta_1,
+        sin_chain_theta_10);
+    let t25 = (cos_chain_theta_1 * cos_chain_theta_10).add_product(sin_chain_theta_1,
+        sin_chain_theta_10);
+    let t26 = (sin_chain_theta_2 * cos_chain_theta_3).sub_product(cos_chain_theta_2,
+        sin_chain_theta_3);
+    let t27 = (sin_chain_theta_2 * cos_chain_theta_4).sub_product(cos_chain_theta_2,
+        sin_chain_theta_4);
+    let t28 = (sin_chain_theta_2 * cos_chain_theta_5).sub_product(cos_chain_theta_2,
+        sin_chain_theta_5);
+    let t29 = (sin_chain_theta_2 * cos_chain_theta_6).sub_product(cos_chain_theta_2,
+        sin_chain_theta_6);
+    let t30 = (sin_chain_theta_2 * cos_chain_theta_7).sub_product(cos_chain_theta_2,
+        sin_chain_theta_7);
+    let t31 = (sin_chain_theta_2 * cos_chain_theta_8).sub_product(cos_chain_theta_2,
+        sin_chain_theta_8);
+    let t32 = (sin_chain_theta_2 * cos_chain_theta_9).sub_product(cos_chain_theta_2,
+        sin_chain_theta_9);
+    let t33 = (sin_chain_theta_2 * cos_chain_theta_10).sub_product(cos_chain_theta_2,
+        sin_chain_theta_10);
+    let t34 = (sin_chain_theta_3 * cos_chain_theta_4).sub_product(cos_chain_theta_3,
+        sin_chain_theta_4);
+    let t35 = (sin_chain_theta_3 * cos_chain_theta_5).sub_product(cos_chain_theta_3,
+        sin_chain_theta_5);
+    let t36 = (sin_chain_theta_3 * cos_chain_theta_6).sub_product(cos_chain_theta_3,
+        sin_chain_theta_6);
+    let t37 = (sin_chain_theta_3 * cos_chain_theta_7).sub_product(cos_chain_theta_3,
+        sin_chain_theta_7);
+    let t38 = (sin_chain_theta_3 * cos_chain_theta_8).sub_product(cos_chain_theta_3,
+        sin_chain_theta_8);
+    let t39 = (sin_chain_theta_3 * cos_chain_theta_9).sub_product(cos_chain_theta_3,
+        sin_chain_theta_9);
+    let t40 = (sin_chain_theta_3 * cos_chain_theta_10).sub_product(cos_chain_theta_3,
+        sin_chain_theta_10);
+    let t41 = (sin_chain_theta_4 * cos_chain_theta_5).sub_product(cos_chain_theta_4,
+        sin_chain_theta_5);
+    let t42 = (sin_chain_theta_4 * cos_chain_theta_6).sub_product(cos_chain_theta_4,
+        sin_chain_theta_6);
+    let t43 = (sin_chain_theta_4 * cos_chain_theta_7).sub_product(cos_chain_theta_4,
+        sin_chain_theta_7);
+    let t44 = (sin_chain_theta_4 * cos_chain_theta_8).sub_product(cos_chain_theta_4,
+        sin_chain_theta_8);
+    let t45 = (sin_chain_theta_4 * cos_chain_theta_9).sub_product(cos_chain_theta_4,
+        sin_chain_theta_9);
+    let t46 = (sin_chain_theta_4 * cos_chain_theta_10).sub_product(cos_chain_theta_4,
+        sin_chain_theta_10);
+    let t47 = (sin_chain_theta_5 * cos_chain_theta_6).sub_product(cos_chain_theta_5,
+        sin_chain_theta_6);
+    let t48 = (sin_chain_theta_5 * cos_chain_theta_7).sub_product(cos_chain_theta_5,
+        sin_chain_theta_7);
+    let t49 = (sin_chain_theta_5 * cos_chain_theta_8).sub_product(cos_chain_theta_5,
+        sin_chain_theta_8);
+    let t50 = (sin_chain_theta_5 * cos_chain_theta_9).sub_product(cos_chain_theta_5,
+        sin_chain_theta_9);
+    let t51 = (sin_chain_theta_5 * cos_chain_theta_10).sub_product(cos_chain_theta_5,
+        sin_chain_theta_10);
+    let t52 = (sin_chain_theta_6 * cos_chain_theta_7).sub_product(cos_chain_theta_6,
+        sin_chain_theta_7);
+    let t53 = (sin_chain_theta_6 * cos_chain_theta_8).sub_product(cos_chain_theta_6,
+        sin_chain_theta_8);
+    let t54 = (sin_chain_theta_6 * cos_chain_theta_9).sub_product(cos_chain_theta_6,
+        sin_chain_theta_9);
+    let t55 = (sin_chain_theta_6 * cos_chain_theta_10).sub_product(cos_chain_theta_6,
+        sin_chain_theta_10);
+    let t56 = (sin_chain_theta_7 * cos_chain_theta_8).sub_product(cos_chain_theta_7,
+        sin_chain_theta_8);
+    let t57 = (sin_chain_theta_7 * cos_chain_theta_9).sub_product(cos_chain_theta_7,
+        sin_chain_theta_9);
+    let t58 = (sin_chain_theta_7 * cos_chain_theta_10).sub_product(cos_chain_theta_7,
+        sin_chain_theta_10);
+    let t59 = (sin_chain_theta_8 * cos_chain_theta_9).sub_product(cos_chain_theta_8,
+        sin_chain_theta_9);
+    let t60 = (sin_chain_theta_8 * cos_chain_theta_10).sub_product(cos_chain_theta_8,
+        sin_chain_theta_10);
+    let t61 = (sin_chain_theta_9 * cos_chain_theta_10).sub_product(cos_chain_theta_9,
+        sin_chain_theta_10);
     let t62 = R::literal(0.9) * t1;
     let t63 = R::literal(0.8) * t4;
     let t64 = R::literal(0.700_000_000_000_000_1) * t7;
@@ -790,308 +267,160 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
     let t69 = R::literal(0.2) * t22;
     let t70 = t25 * R::literal(0.1);
     let t71 = R::literal(1.0) / R::literal(9.0).sub_product(t62, t2);
-    let t72 = (R::literal(8.0)
-        * (cos_chain_theta_2 * cos_chain_theta_3)
-            .add_product(sin_chain_theta_2, sin_chain_theta_3))
-        .sub_product(t63, t2);
+    let t72 = (R::literal(8.0) * (cos_chain_theta_2 * cos_chain_theta_3)
+        .add_product(sin_chain_theta_2, sin_chain_theta_3)).sub_product(t63, t2);
     let t73 = t72 * t71;
-    let t74 = (R::literal(7.0)
-        * (cos_chain_theta_2 * cos_chain_theta_4)
-            .add_product(sin_chain_theta_2, sin_chain_theta_4))
-        .sub_product(t64, t2);
+    let t74 = (R::literal(7.0) * (cos_chain_theta_2 * cos_chain_theta_4)
+        .add_product(sin_chain_theta_2, sin_chain_theta_4)).sub_product(t64, t2);
     let t75 = t74 * t71;
-    let t76 = (R::literal(6.0)
-        * (cos_chain_theta_2 * cos_chain_theta_5)
-            .add_product(sin_chain_theta_2, sin_chain_theta_5))
-        .sub_product(t65, t2);
+    let t76 = (R::literal(6.0) * (cos_chain_theta_2 * cos_chain_theta_5)
+        .add_product(sin_chain_theta_2, sin_chain_theta_5)).sub_product(t65, t2);
     let t77 = t76 * t71;
-    let t78 = (R::literal(5.0)
-        * (cos_chain_theta_2 * cos_chain_theta_6)
-            .add_product(sin_chain_theta_2, sin_chain_theta_6))
-        .sub_product(t66, t2);
+    let t78 = (R::literal(5.0) * (cos_chain_theta_2 * cos_chain_theta_6)
+        .add_product(sin_chain_theta_2, sin_chain_theta_6)).sub_product(t66, t2);
     let t79 = t78 * t71;
-    let t80 = (R::literal(4.0)
-        * (cos_chain_theta_2 * cos_chain_theta_7)
-            .add_product(sin_chain_theta_2, sin_chain_theta_7))
-        .sub_product(t67, t2);
+    let t80 = (R::literal(4.0) * (cos_chain_theta_2 * cos_chain_theta_7)
+        .add_product(sin_chain_theta_2, sin_chain_theta_7)).sub_product(t67, t2);
     let t81 = t80 * t71;
-    let t82 = (R::literal(3.0)
-        * (cos_chain_theta_2 * cos_chain_theta_8)
-            .add_product(sin_chain_theta_2, sin_chain_theta_8))
-        .sub_product(t68, t2);
+    let t82 = (R::literal(3.0) * (cos_chain_theta_2 * cos_chain_theta_8)
+        .add_product(sin_chain_theta_2, sin_chain_theta_8)).sub_product(t68, t2);
     let t83 = t82 * t71;
-    let t84 = (R::literal(2.0)
-        * (cos_chain_theta_2 * cos_chain_theta_9)
-            .add_product(sin_chain_theta_2, sin_chain_theta_9))
-        .sub_product(t69, t2);
+    let t84 = (R::literal(2.0) * (cos_chain_theta_2 * cos_chain_theta_9)
+        .add_product(sin_chain_theta_2, sin_chain_theta_9)).sub_product(t69, t2);
     let t85 = t84 * t71;
-    let t86 = (cos_chain_theta_2 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_2, sin_chain_theta_10)
-        .sub_product(t70, t2);
+    let t86 = (cos_chain_theta_2 * cos_chain_theta_10).add_product(sin_chain_theta_2,
+        sin_chain_theta_10).sub_product(t70, t2);
     let t87 = t86 * t71;
-    let t88 = R::literal(1.0)
-        / R::literal(8.0).sub_product(t63, t5).sub_product(t73, t72);
-    let t89 = (R::literal(7.0)
-        * (cos_chain_theta_3 * cos_chain_theta_4)
-            .add_product(sin_chain_theta_3, sin_chain_theta_4))
-        .sub_product(t64, t5)
-        .sub_product(t75, t72);
+    let t88 = R::literal(1.0) / R::literal(8.0).sub_product(t63, t5).sub_product(t73, t72);
+    let t89 = (R::literal(7.0) * (cos_chain_theta_3 * cos_chain_theta_4)
+        .add_product(sin_chain_theta_3, sin_chain_theta_4)).sub_product(t64, t5).sub_product(t75,
+        t72);
     let t90 = t89 * t88;
-    let t91 = (R::literal(6.0)
-        * (cos_chain_theta_3 * cos_chain_theta_5)
-            .add_product(sin_chain_theta_3, sin_chain_theta_5))
-        .sub_product(t65, t5)
-        .sub_product(t77, t72);
+    let t91 = (R::literal(6.0) * (cos_chain_theta_3 * cos_chain_theta_5)
+        .add_product(sin_chain_theta_3, sin_chain_theta_5)).sub_product(t65, t5).sub_product(t77,
+        t72);
     let t92 = t91 * t88;
-    let t93 = (R::literal(5.0)
-        * (cos_chain_theta_3 * cos_chain_theta_6)
-            .add_product(sin_chain_theta_3, sin_chain_theta_6))
-        .sub_product(t66, t5)
-        .sub_product(t79, t72);
+    let t93 = (R::literal(5.0) * (cos_chain_theta_3 * cos_chain_theta_6)
+        .add_product(sin_chain_theta_3, sin_chain_theta_6)).sub_product(t66, t5).sub_product(t79,
+        t72);
     let t94 = t93 * t88;
-    let t95 = (R::literal(4.0)
-        * (cos_chain_theta_3 * cos_chain_theta_7)
-            .add_product(sin_chain_theta_3, sin_chain_theta_7))
-        .sub_product(t67, t5)
-        .sub_product(t81, t72);
+    let t95 = (R::literal(4.0) * (cos_chain_theta_3 * cos_chain_theta_7)
+        .add_product(sin_chain_theta_3, sin_chain_theta_7)).sub_product(t67, t5).sub_product(t81,
+        t72);
     let t96 = t95 * t88;
-    let t97 = (R::literal(3.0)
-        * (cos_chain_theta_3 * cos_chain_theta_8)
-            .add_product(sin_chain_theta_3, sin_chain_theta_8))
-        .sub_product(t68, t5)
-        .sub_product(t83, t72);
+    let t97 = (R::literal(3.0) * (cos_chain_theta_3 * cos_chain_theta_8)
+        .add_product(sin_chain_theta_3, sin_chain_theta_8)).sub_product(t68, t5).sub_product(t83,
+        t72);
     let t98 = t97 * t88;
-    let t99 = (R::literal(2.0)
-        * (cos_chain_theta_3 * cos_chain_theta_9)
-            .add_product(sin_chain_theta_3, sin_chain_theta_9))
-        .sub_product(t69, t5)
-        .sub_product(t85, t72);
+    let t99 = (R::literal(2.0) * (cos_chain_theta_3 * cos_chain_theta_9)
+        .add_product(sin_chain_theta_3, sin_chain_theta_9)).sub_product(t69, t5).sub_product(t85,
+        t72);
     let t100 = t99 * t88;
-    let t101 = (cos_chain_theta_3 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_3, sin_chain_theta_10)
-        .sub_product(t70, t5)
-        .sub_product(t87, t72);
+    let t101 = (cos_chain_theta_3 * cos_chain_theta_10).add_product(sin_chain_theta_3,
+        sin_chain_theta_10).sub_product(t70, t5).sub_product(t87, t72);
     let t102 = t101 * t88;
-    let t103 = R::literal(1.0)
-        / R::literal(7.0)
-            .sub_product(t64, t8)
-            .sub_product(t75, t74)
-            .sub_product(t90, t89);
-    let t104 = (R::literal(6.0)
-        * (cos_chain_theta_4 * cos_chain_theta_5)
-            .add_product(sin_chain_theta_4, sin_chain_theta_5))
-        .sub_product(t65, t8)
-        .sub_product(t77, t74)
-        .sub_product(t92, t89);
+    let t103 = R::literal(1.0) / R::literal(7.0).sub_product(t64, t8).sub_product(t75, t74)
+        .sub_product(t90, t89);
+    let t104 = (R::literal(6.0) * (cos_chain_theta_4 * cos_chain_theta_5)
+        .add_product(sin_chain_theta_4, sin_chain_theta_5)).sub_product(t65, t8).sub_product(t77,
+        t74).sub_product(t92, t89);
     let t105 = t104 * t103;
-    let t106 = (R::literal(5.0)
-        * (cos_chain_theta_4 * cos_chain_theta_6)
-            .add_product(sin_chain_theta_4, sin_chain_theta_6))
-        .sub_product(t66, t8)
-        .sub_product(t79, t74)
-        .sub_product(t94, t89);
+    let t106 = (R::literal(5.0) * (cos_chain_theta_4 * cos_chain_theta_6)
+        .add_product(sin_chain_theta_4, sin_chain_theta_6)).sub_product(t66, t8).sub_product(t79,
+        t74).sub_product(t94, t89);
     let t107 = t106 * t103;
-    let t108 = (R::literal(4.0)
-        * (cos_chain_theta_4 * cos_chain_theta_7)
-            .add_product(sin_chain_theta_4, sin_chain_theta_7))
-        .sub_product(t67, t8)
-        .sub_product(t81, t74)
-        .sub_product(t96, t89);
+    let t108 = (R::literal(4.0) * (cos_chain_theta_4 * cos_chain_theta_7)
+        .add_product(sin_chain_theta_4, sin_chain_theta_7)).sub_product(t67, t8).sub_product(t81,
+        t74).sub_product(t96, t89);
     let t109 = t108 * t103;
-    let t110 = (R::literal(3.0)
-        * (cos_chain_theta_4 * cos_chain_theta_8)
-            .add_product(sin_chain_theta_4, sin_chain_theta_8))
-        .sub_product(t68, t8)
-        .sub_product(t83, t74)
-        .sub_product(t98, t89);
+    let t110 = (R::literal(3.0) * (cos_chain_theta_4 * cos_chain_theta_8)
+        .add_product(sin_chain_theta_4, sin_chain_theta_8)).sub_product(t68, t8).sub_product(t83,
+        t74).sub_product(t98, t89);
     let t111 = t110 * t103;
-    let t112 = (R::literal(2.0)
-        * (cos_chain_theta_4 * cos_chain_theta_9)
-            .add_product(sin_chain_theta_4, sin_chain_theta_9))
-        .sub_product(t69, t8)
-        .sub_product(t85, t74)
-        .sub_product(t100, t89);
+    let t112 = (R::literal(2.0) * (cos_chain_theta_4 * cos_chain_theta_9)
+        .add_product(sin_chain_theta_4, sin_chain_theta_9)).sub_product(t69, t8).sub_product(t85,
+        t74).sub_product(t100, t89);
     let t113 = t112 * t103;
-    let t114 = (cos_chain_theta_4 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_4, sin_chain_theta_10)
-        .sub_product(t70, t8)
-        .sub_product(t87, t74)
-        .sub_product(t102, t89);
+    let t114 = (cos_chain_theta_4 * cos_chain_theta_10).add_product(sin_chain_theta_4,
+        sin_chain_theta_10).sub_product(t70, t8).sub_product(t87, t74).sub_product(t102, t89);
     let t115 = t114 * t103;
-    let t116 = R::literal(1.0)
-        / R::literal(6.0)
-            .sub_product(t65, t11)
-            .sub_product(t77, t76)
-            .sub_product(t92, t91)
-            .sub_product(t105, t104);
-    let t117 = (R::literal(5.0)
-        * (cos_chain_theta_5 * cos_chain_theta_6)
-            .add_product(sin_chain_theta_5, sin_chain_theta_6))
-        .sub_product(t66, t11)
-        .sub_product(t79, t76)
-        .sub_product(t94, t91)
-        .sub_product(t107, t104);
+    let t116 = R::literal(1.0) / R::literal(6.0).sub_product(t65, t11).sub_product(t77, t76)
+        .sub_product(t92, t91).sub_product(t105, t104);
+    let t117 = (R::literal(5.0) * (cos_chain_theta_5 * cos_chain_theta_6)
+        .add_product(sin_chain_theta_5, sin_chain_theta_6)).sub_product(t66, t11).sub_product(t79,
+        t76).sub_product(t94, t91).sub_product(t107, t104);
     let t118 = t117 * t116;
-    let t119 = (R::literal(4.0)
-        * (cos_chain_theta_5 * cos_chain_theta_7)
-            .add_product(sin_chain_theta_5, sin_chain_theta_7))
-        .sub_product(t67, t11)
-        .sub_product(t81, t76)
-        .sub_product(t96, t91)
-        .sub_product(t109, t104);
+    let t119 = (R::literal(4.0) * (cos_chain_theta_5 * cos_chain_theta_7)
+        .add_product(sin_chain_theta_5, sin_chain_theta_7)).sub_product(t67, t11).sub_product(t81,
+        t76).sub_product(t96, t91).sub_product(t109, t104);
     let t120 = t119 * t116;
-    let t121 = (R::literal(3.0)
-        * (cos_chain_theta_5 * cos_chain_theta_8)
-            .add_product(sin_chain_theta_5, sin_chain_theta_8))
-        .sub_product(t68, t11)
-        .sub_product(t83, t76)
-        .sub_product(t98, t91)
-        .sub_product(t111, t104);
+    let t121 = (R::literal(3.0) * (cos_chain_theta_5 * cos_chain_theta_8)
+        .add_product(sin_chain_theta_5, sin_chain_theta_8)).sub_product(t68, t11).sub_product(t83,
+        t76).sub_product(t98, t91).sub_product(t111, t104);
     let t122 = t121 * t116;
-    let t123 = (R::literal(2.0)
-        * (cos_chain_theta_5 * cos_chain_theta_9)
-            .add_product(sin_chain_theta_5, sin_chain_theta_9))
-        .sub_product(t69, t11)
-        .sub_product(t85, t76)
-        .sub_product(t100, t91)
-        .sub_product(t113, t104);
+    let t123 = (R::literal(2.0) * (cos_chain_theta_5 * cos_chain_theta_9)
+        .add_product(sin_chain_theta_5, sin_chain_theta_9)).sub_product(t69, t11).sub_product(t85,
+        t76).sub_product(t100, t91).sub_product(t113, t104);
     let t124 = t123 * t116;
-    let t125 = (cos_chain_theta_5 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_5, sin_chain_theta_10)
-        .sub_product(t70, t11)
-        .sub_product(t87, t76)
-        .sub_product(t102, t91)
+    let t125 = (cos_chain_theta_5 * cos_chain_theta_10).add_product(sin_chain_theta_5,
+        sin_chain_theta_10).sub_product(t70, t11).sub_product(t87, t76).sub_product(t102, t91)
         .sub_product(t115, t104);
     let t126 = t125 * t116;
-    let t127 = R::literal(1.0)
-        / R::literal(5.0)
-            .sub_product(t66, t14)
-            .sub_product(t79, t78)
-            .sub_product(t94, t93)
-            .sub_product(t107, t106)
-            .sub_product(t118, t117);
-    let t128 = (R::literal(4.0)
-        * (cos_chain_theta_6 * cos_chain_theta_7)
-            .add_product(sin_chain_theta_6, sin_chain_theta_7))
-        .sub_product(t67, t14)
-        .sub_product(t81, t78)
-        .sub_product(t96, t93)
-        .sub_product(t109, t106)
-        .sub_product(t120, t117);
+    let t127 = R::literal(1.0) / R::literal(5.0).sub_product(t66, t14).sub_product(t79, t78)
+        .sub_product(t94, t93).sub_product(t107, t106).sub_product(t118, t117);
+    let t128 = (R::literal(4.0) * (cos_chain_theta_6 * cos_chain_theta_7)
+        .add_product(sin_chain_theta_6, sin_chain_theta_7)).sub_product(t67, t14).sub_product(t81,
+        t78).sub_product(t96, t93).sub_product(t109, t106).sub_product(t120, t117);
     let t129 = t128 * t127;
-    let t130 = (R::literal(3.0)
-        * (cos_chain_theta_6 * cos_chain_theta_8)
-            .add_product(sin_chain_theta_6, sin_chain_theta_8))
-        .sub_product(t68, t14)
-        .sub_product(t83, t78)
-        .sub_product(t98, t93)
-        .sub_product(t111, t106)
-        .sub_product(t122, t117);
+    let t130 = (R::literal(3.0) * (cos_chain_theta_6 * cos_chain_theta_8)
+        .add_product(sin_chain_theta_6, sin_chain_theta_8)).sub_product(t68, t14).sub_product(t83,
+        t78).sub_product(t98, t93).sub_product(t111, t106).sub_product(t122, t117);
     let t131 = t130 * t127;
-    let t132 = (R::literal(2.0)
-        * (cos_chain_theta_6 * cos_chain_theta_9)
-            .add_product(sin_chain_theta_6, sin_chain_theta_9))
-        .sub_product(t69, t14)
-        .sub_product(t85, t78)
-        .sub_product(t100, t93)
-        .sub_product(t113, t106)
-        .sub_product(t124, t117);
+    let t132 = (R::literal(2.0) * (cos_chain_theta_6 * cos_chain_theta_9)
+        .add_product(sin_chain_theta_6, sin_chain_theta_9)).sub_product(t69, t14).sub_product(t85,
+        t78).sub_product(t100, t93).sub_product(t113, t106).sub_product(t124, t117);
     let t133 = t132 * t127;
-    let t134 = (cos_chain_theta_6 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_6, sin_chain_theta_10)
-        .sub_product(t70, t14)
-        .sub_product(t87, t78)
-        .sub_product(t102, t93)
-        .sub_product(t115, t106)
-        .sub_product(t126, t117);
+    let t134 = (cos_chain_theta_6 * cos_chain_theta_10).add_product(sin_chain_theta_6,
+        sin_chain_theta_10).sub_product(t70, t14).sub_product(t87, t78).sub_product(t102, t93)
+        .sub_product(t115, t106).sub_product(t126, t117);
     let t135 = t134 * t127;
-    let t136 = R::literal(1.0)
-        / R::literal(4.0)
-            .sub_product(t67, t17)
-            .sub_product(t81, t80)
-            .sub_product(t96, t95)
-            .sub_product(t109, t108)
-            .sub_product(t120, t119)
-            .sub_product(t129, t128);
-    let t137 = (R::literal(3.0)
-        * (cos_chain_theta_7 * cos_chain_theta_8)
-            .add_product(sin_chain_theta_7, sin_chain_theta_8))
-        .sub_product(t68, t17)
-        .sub_product(t83, t80)
-        .sub_product(t98, t95)
-        .sub_product(t111, t108)
-        .sub_product(t122, t119)
+    let t136 = R::literal(1.0) / R::literal(4.0).sub_product(t67, t17).sub_product(t81, t80)
+        .sub_product(t96, t95).sub_product(t109, t108).sub_product(t120, t119).sub_product(t129,
+        t128);
+    let t137 = (R::literal(3.0) * (cos_chain_theta_7 * cos_chain_theta_8)
+        .add_product(sin_chain_theta_7, sin_chain_theta_8)).sub_product(t68, t17).sub_product(t83,
+        t80).sub_product(t98, t95).sub_product(t111, t108).sub_product(t122, t119)
         .sub_product(t131, t128);
     let t138 = t137 * t136;
-    let t139 = (R::literal(2.0)
-        * (cos_chain_theta_7 * cos_chain_theta_9)
-            .add_product(sin_chain_theta_7, sin_chain_theta_9))
-        .sub_product(t69, t17)
-        .sub_product(t85, t80)
-        .sub_product(t100, t95)
-        .sub_product(t113, t108)
-        .sub_product(t124, t119)
+    let t139 = (R::literal(2.0) * (cos_chain_theta_7 * cos_chain_theta_9)
+        .add_product(sin_chain_theta_7, sin_chain_theta_9)).sub_product(t69, t17).sub_product(t85,
+        t80).sub_product(t100, t95).sub_product(t113, t108).sub_product(t124, t119)
         .sub_product(t133, t128);
     let t140 = t139 * t136;
-    let t141 = (cos_chain_theta_7 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_7, sin_chain_theta_10)
-        .sub_product(t70, t17)
-        .sub_product(t87, t80)
-        .sub_product(t102, t95)
-        .sub_product(t115, t108)
-        .sub_product(t126, t119)
-        .sub_product(t135, t128);
+    let t141 = (cos_chain_theta_7 * cos_chain_theta_10).add_product(sin_chain_theta_7,
+        sin_chain_theta_10).sub_product(t70, t17).sub_product(t87, t80).sub_product(t102, t95)
+        .sub_product(t115, t108).sub_product(t126, t119).sub_product(t135, t128);
     let t142 = t141 * t136;
-    let t143 = R::literal(1.0)
-        / R::literal(3.0)
-            .sub_product(t68, t20)
-            .sub_product(t83, t82)
-            .sub_product(t98, t97)
-            .sub_product(t111, t110)
-            .sub_product(t122, t121)
-            .sub_product(t131, t130)
-            .sub_product(t138, t137);
-    let t144 = (R::literal(2.0)
-        * (cos_chain_theta_8 * cos_chain_theta_9)
-            .add_product(sin_chain_theta_8, sin_chain_theta_9))
-        .sub_product(t69, t20)
-        .sub_product(t85, t82)
-        .sub_product(t100, t97)
-        .sub_product(t113, t110)
-        .sub_product(t124, t121)
-        .sub_product(t133, t130)
-        .sub_product(t140, t137);
+    let t143 = R::literal(1.0) / R::literal(3.0).sub_product(t68, t20).sub_product(t83, t82)
+        .sub_product(t98, t97).sub_product(t111, t110).sub_product(t122, t121).sub_product(t131,
+        t130).sub_product(t138, t137);
+    let t144 = (R::literal(2.0) * (cos_chain_theta_8 * cos_chain_theta_9)
+        .add_product(sin_chain_theta_8, sin_chain_theta_9)).sub_product(t69, t20).sub_product(t85,
+        t82).sub_product(t100, t97).sub_product(t113, t110).sub_product(t124, t121)
+        .sub_product(t133, t130).sub_product(t140, t137);
     let t145 = t144 * t143;
-    let t146 = (cos_chain_theta_8 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_8, sin_chain_theta_10)
-        .sub_product(t70, t20)
-        .sub_product(t87, t82)
-        .sub_product(t102, t97)
-        .sub_product(t115, t110)
-        .sub_product(t126, t121)
-        .sub_product(t135, t130)
-        .sub_product(t142, t137);
+    let t146 = (cos_chain_theta_8 * cos_chain_theta_10).add_product(sin_chain_theta_8,
+        sin_chain_theta_10).sub_product(t70, t20).sub_product(t87, t82).sub_product(t102, t97)
+        .sub_product(t115, t110).sub_product(t126, t121).sub_product(t135, t130).sub_product(t142,
+        t137);
     let t147 = t146 * t143;
-    let t148 = R::literal(1.0)
-        / R::literal(2.0)
-            .sub_product(t69, t23)
-            .sub_product(t85, t84)
-            .sub_product(t100, t99)
-            .sub_product(t113, t112)
-            .sub_product(t124, t123)
-            .sub_product(t133, t132)
-            .sub_product(t140, t139)
-            .sub_product(t145, t144);
-    let t149 = (cos_chain_theta_9 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_9, sin_chain_theta_10)
-        .sub_product(t70, t23)
-        .sub_product(t87, t84)
-        .sub_product(t102, t99)
-        .sub_product(t115, t112)
-        .sub_product(t126, t123)
-        .sub_product(t135, t132)
-        .sub_product(t142, t139)
-        .sub_product(t147, t144);
+    let t148 = R::literal(1.0) / R::literal(2.0).sub_product(t69, t23).sub_product(t85, t84)
+        .sub_product(t100, t99).sub_product(t113, t112).sub_product(t124, t123).sub_product(t133,
+        t132).sub_product(t140, t139).sub_product(t145, t144);
+    let t149 = (cos_chain_theta_9 * cos_chain_theta_10).add_product(sin_chain_theta_9,
+        sin_chain_theta_10).sub_product(t70, t23).sub_product(t87, t84).sub_product(t102, t99)
+        .sub_product(t115, t112).sub_product(t126, t123).sub_product(t135, t132).sub_product(t142,
+        t139).sub_product(t147, t144);
     let t150 = t149 * t148;
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
@@ -1109,303 +438,144 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
     let t157 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t158 = (-(R::literal(98.1) * sin_chain_theta_1))
-        .sub_product(R::literal(9.0) * chain_omega_2_squared, t0)
-        .sub_product(t151, t3)
-        .sub_product(t152, t6)
-        .sub_product(t153, t9)
-        .sub_product(t154, t12)
-        .sub_product(t155, t15)
-        .sub_product(t156, t18)
-        .sub_product(t157, t21)
-        .sub_product(chain_omega_10_squared, t24);
+    let t158 = (R::literal(98.1) * sin_chain_theta_1).add_product(R::literal(9.0)
+        * chain_omega_2_squared, t0).add_product(t151, t3).add_product(t152, t6).add_product(t153,
+        t9).add_product(t154, t12).add_product(t155, t15).add_product(t156, t18).add_product(t157,
+        t21).add_product(chain_omega_10_squared, t24);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let t159 = (-(R::literal(88.29) * sin_chain_theta_2))
-        .add_product(R::literal(9.0) * chain_omega_1_squared, t0)
-        .sub_product(t151, t26)
-        .sub_product(t152, t27)
-        .sub_product(t153, t28)
-        .sub_product(t154, t29)
-        .sub_product(t155, t30)
-        .sub_product(t156, t31)
-        .sub_product(t157, t32)
-        .sub_product(chain_omega_10_squared, t33)
-        .sub_product(t62, t158);
-    let t160 = (R::literal(8.0) * chain_omega_1_squared * t3)
-        .add_product(R::literal(8.0) * chain_omega_2_squared, t26)
-        .sub_product(R::literal(78.48), sin_chain_theta_3)
-        .sub_product(t152, t34)
-        .sub_product(t153, t35)
-        .sub_product(t154, t36)
-        .sub_product(t155, t37)
-        .sub_product(t156, t38)
-        .sub_product(t157, t39)
-        .sub_product(chain_omega_10_squared, t40)
-        .sub_product(t63, t158)
-        .sub_product(t73, t159);
-    let t161 = (R::literal(7.0) * chain_omega_1_squared * t6)
-        .add_product(R::literal(7.0) * chain_omega_2_squared, t27)
-        .add_product(R::literal(7.0) * chain_omega_3_squared, t34)
-        .sub_product(R::literal(68.67), sin_chain_theta_4)
-        .sub_product(t153, t41)
-        .sub_product(t154, t42)
-        .sub_product(t155, t43)
-        .sub_product(t156, t44)
-        .sub_product(t157, t45)
-        .sub_product(chain_omega_10_squared, t46)
-        .sub_product(t64, t158)
-        .sub_product(t75, t159)
+    let t159 = (R::literal(-88.29) * sin_chain_theta_2).add_product(R::literal(9.0)
+        * chain_omega_1_squared, t0).sub_product(t151, t26).sub_product(t152, t27)
+        .sub_product(t153, t28).sub_product(t154, t29).sub_product(t155, t30).sub_product(t156, t31)
+        .sub_product(t157, t32).sub_product(chain_omega_10_squared, t33).add_product(t62, t158);
+    let t160 = (R::literal(8.0) * chain_omega_1_squared * t3).add_product(R::literal(8.0)
+        * chain_omega_2_squared, t26).sub_product(R::literal(78.48), sin_chain_theta_3)
+        .sub_product(t152, t34).sub_product(t153, t35).sub_product(t154, t36).sub_product(t155, t37)
+        .sub_product(t156, t38).sub_product(t157, t39).sub_product(chain_omega_10_squared, t40)
+        .add_product(t63, t158).sub_product(t73, t159);
+    let t161 = (R::literal(7.0) * chain_omega_1_squared * t6).add_product(R::literal(7.0)
+        * chain_omega_2_squared, t27).add_product(R::literal(7.0) * chain_omega_3_squared, t34)
+        .sub_product(R::literal(68.67), sin_chain_theta_4).sub_product(t153, t41).sub_product(t154,
+        t42).sub_product(t155, t43).sub_product(t156, t44).sub_product(t157, t45)
+        .sub_product(chain_omega_10_squared, t46).add_product(t64, t158).sub_product(t75, t159)
         .sub_product(t90, t160);
-    let t162 = (R::literal(6.0) * chain_omega_1_squared * t9)
-        .add_product(R::literal(6.0) * chain_omega_2_squared, t28)
-        .add_product(R::literal(6.0) * chain_omega_3_squared, t35)
-        .add_product(R::literal(6.0) * chain_omega_4_squared, t41)
-        .sub_product(R::literal(58.86), sin_chain_theta_5)
-        .sub_product(t154, t47)
-        .sub_product(t155, t48)
-        .sub_product(t156, t49)
-        .sub_product(t157, t50)
-        .sub_product(chain_omega_10_squared, t51)
-        .sub_product(t65, t158)
-        .sub_product(t77, t159)
-        .sub_product(t92, t160)
-        .sub_product(t105, t161);
-    let t163 = (R::literal(5.0) * chain_omega_1_squared * t12)
-        .add_product(R::literal(5.0) * chain_omega_2_squared, t29)
-        .add_product(R::literal(5.0) * chain_omega_3_squared, t36)
-        .add_product(R::literal(5.0) * chain_omega_4_squared, t42)
-        .add_product(R::literal(5.0) * chain_omega_5_squared, t47)
-        .sub_product(R::literal(49.05), sin_chain_theta_6)
-        .sub_product(t155, t52)
-        .sub_product(t156, t53)
-        .sub_product(t157, t54)
-        .sub_product(chain_omega_10_squared, t55)
-        .sub_product(t66, t158)
-        .sub_product(t79, t159)
-        .sub_product(t94, t160)
-        .sub_product(t107, t161)
-        .sub_product(t118, t162);
-    let t164 = (R::literal(4.0) * chain_omega_1_squared * t15)
-        .add_product(R::literal(4.0) * chain_omega_2_squared, t30)
-        .add_product(R::literal(4.0) * chain_omega_3_squared, t37)
-        .add_product(R::literal(4.0) * chain_omega_4_squared, t43)
-        .add_product(R::literal(4.0) * chain_omega_5_squared, t48)
-        .add_product(R::literal(4.0) * chain_omega_6_squared, t52)
-        .sub_product(R::literal(39.24), sin_chain_theta_7)
-        .sub_product(t156, t56)
-        .sub_product(t157, t57)
-        .sub_product(chain_omega_10_squared, t58)
-        .sub_product(t67, t158)
-        .sub_product(t81, t159)
-        .sub_product(t96, t160)
-        .sub_product(t109, t161)
-        .sub_product(t120, t162)
-        .sub_product(t129, t163);
-    let t165 = (R::literal(3.0) * chain_omega_1_squared * t18)
-        .add_product(R::literal(3.0) * chain_omega_2_squared, t31)
-        .add_product(R::literal(3.0) * chain_omega_3_squared, t38)
-        .add_product(R::literal(3.0) * chain_omega_4_squared, t44)
-        .add_product(R::literal(3.0) * chain_omega_5_squared, t49)
-        .add_product(R::literal(3.0) * chain_omega_6_squared, t53)
-        .add_product(R::literal(3.0) * chain_omega_7_squared, t56)
-        .sub_product(R::literal(29.43), sin_chain_theta_8)
-        .sub_product(t157, t59)
-        .sub_product(chain_omega_10_squared, t60)
-        .sub_product(t68, t158)
-        .sub_product(t83, t159)
-        .sub_product(t98, t160)
-        .sub_product(t111, t161)
-        .sub_product(t122, t162)
-        .sub_product(t131, t163)
-        .sub_product(t138, t164);
-    let t166 = (R::literal(2.0) * chain_omega_1_squared * t21)
-        .add_product(R::literal(2.0) * chain_omega_2_squared, t32)
-        .add_product(R::literal(2.0) * chain_omega_3_squared, t39)
-        .add_product(R::literal(2.0) * chain_omega_4_squared, t45)
-        .add_product(R::literal(2.0) * chain_omega_5_squared, t50)
-        .add_product(R::literal(2.0) * chain_omega_6_squared, t54)
-        .add_product(R::literal(2.0) * chain_omega_7_squared, t57)
-        .add_product(R::literal(2.0) * chain_omega_8_squared, t59)
-        .sub_product(R::literal(19.62), sin_chain_theta_9)
-        .sub_product(chain_omega_10_squared, t61)
-        .sub_product(t69, t158)
-        .sub_product(t85, t159)
-        .sub_product(t100, t160)
-        .sub_product(t113, t161)
-        .sub_product(t124, t162)
-        .sub_product(t133, t163);
+    let t162 = (R::literal(6.0) * chain_omega_1_squared * t9).add_product(R::literal(6.0)
+        * chain_omega_2_squared, t28).add_product(R::literal(6.0) * chain_omega_3_squared, t35)
+        .add_product(R::literal(6.0) * chain_omega_4_squared, t41).sub_product(R::literal(58.86),
+        sin_chain_theta_5).sub_product(t154, t47).sub_product(t155, t48).sub_product(t156, t49)
+        .sub_product(t157, t50).sub_product(chain_omega_10_squared, t51).add_product(t65, t158)
+        .sub_product(t77, t159).sub_product(t92, t160).sub_product(t105, t161);
+    let t163 = (R::literal(5.0) * chain_omega_1_squared * t12).add_product(R::literal(5.0)
+        * chain_omega_2_squared, t29).add_product(R::literal(5.0) * chain_omega_3_squared, t36)
+        .add_product(R::literal(5.0) * chain_omega_4_squared, t42).add_product(R::literal(5.0)
+        * chain_omega_5_squared, t47).sub_product(R::literal(49.05), sin_chain_theta_6)
+        .sub_product(t155, t52).sub_product(t156, t53).sub_product(t157, t54)
+        .sub_product(chain_omega_10_squared, t55).add_product(t66, t158).sub_product(t79, t159)
+        .sub_product(t94, t160).sub_product(t107, t161).sub_product(t118, t162);
+    let t164 = (R::literal(4.0) * chain_omega_1_squared * t15).add_product(R::literal(4.0)
+        * chain_omega_2_squared, t30).add_product(R::literal(4.0) * chain_omega_3_squared, t37)
+        .add_product(R::literal(4.0) * chain_omega_4_squared, t43).add_product(R::literal(4.0)
+        * chain_omega_5_squared, t48).add_product(R::literal(4.0) * chain_omega_6_squared, t52)
+        .sub_product(R::literal(39.24), sin_chain_theta_7).sub_product(t156, t56).sub_product(t157,
+        t57).sub_product(chain_omega_10_squared, t58).add_product(t67, t158).sub_product(t81, t159)
+        .sub_product(t96, t160).sub_product(t109, t161).sub_product(t120, t162).sub_product(t129,
+        t163);
+    let t165 = (R::literal(3.0) * chain_omega_1_squared * t18).add_product(R::literal(3.0)
+        * chain_omega_2_squared, t31).add_product(R::literal(3.0) * chain_omega_3_squared, t38)
+        .add_product(R::literal(3.0) * chain_omega_4_squared, t44).add_product(R::literal(3.0)
+        * chain_omega_5_squared, t49).add_product(R::literal(3.0) * chain_omega_6_squared, t53)
+        .add_product(R::literal(3.0) * chain_omega_7_squared, t56).sub_product(R::literal(29.43),
+        sin_chain_theta_8).sub_product(t157, t59).sub_product(chain_omega_10_squared, t60)
+        .add_product(t68, t158).sub_product(t83, t159).sub_product(t98, t160).sub_product(t111,
+        t161).sub_product(t122, t162).sub_product(t131, t163).sub_product(t138, t164);
+    let t166 = (R::literal(2.0) * chain_omega_1_squared * t21).add_product(R::literal(2.0)
+        * chain_omega_2_squared, t32).add_product(R::literal(2.0) * chain_omega_3_squared, t39)
+        .add_product(R::literal(2.0) * chain_omega_4_squared, t45).add_product(R::literal(2.0)
+        * chain_omega_5_squared, t50).add_product(R::literal(2.0) * chain_omega_6_squared, t54)
+        .add_product(R::literal(2.0) * chain_omega_7_squared, t57).add_product(R::literal(2.0)
+        * chain_omega_8_squared, t59).sub_product(R::literal(19.62), sin_chain_theta_9)
+        .sub_product(chain_omega_10_squared, t61).add_product(t69, t158).sub_product(t85, t159)
+        .sub_product(t100, t160).sub_product(t113, t161).sub_product(t124, t162).sub_product(t133,
+        t163);
     let t167 = t166.sub_product(t140, t164).sub_product(t145, t165);
-    let t168 = (chain_omega_1_squared * t24)
-        .add_product(chain_omega_2_squared, t33)
-        .add_product(chain_omega_3_squared, t40)
-        .add_product(chain_omega_4_squared, t46)
-        .add_product(chain_omega_5_squared, t51)
-        .add_product(chain_omega_6_squared, t55)
-        .add_product(chain_omega_7_squared, t58)
-        .add_product(chain_omega_8_squared, t60)
-        .add_product(chain_omega_9_squared, t61)
-        .sub_product(R::literal(9.81), sin_chain_theta_10)
-        .sub_product(t70, t158)
-        .sub_product(t87, t159)
-        .sub_product(t102, t160)
-        .sub_product(t115, t161)
-        .sub_product(t126, t162)
-        .sub_product(t135, t163)
-        .sub_product(t142, t164)
-        .sub_product(t147, t165)
-        .sub_product(t150, t167);
-    let chain_omega_10_dot = t168
-        * (R::literal(1.0)
-            / R::literal(1.0)
-                .sub_product(t70, t25)
-                .sub_product(t87, t86)
-                .sub_product(t102, t101)
-                .sub_product(t115, t114)
-                .sub_product(t126, t125)
-                .sub_product(t135, t134)
-                .sub_product(t142, t141)
-                .sub_product(t147, t146)
-                .sub_product(t150, t149));
+    let t168 = (chain_omega_1_squared * t24).add_product(chain_omega_2_squared, t33)
+        .add_product(chain_omega_3_squared, t40).add_product(chain_omega_4_squared, t46)
+        .add_product(chain_omega_5_squared, t51).add_product(chain_omega_6_squared, t55)
+        .add_product(chain_omega_7_squared, t58).add_product(chain_omega_8_squared, t60)
+        .add_product(chain_omega_9_squared, t61).sub_product(R::literal(9.81), sin_chain_theta_10)
+        .add_product(t70, t158).sub_product(t87, t159).sub_product(t102, t160).sub_product(t115,
+        t161).sub_product(t126, t162).sub_product(t135, t163).sub_product(t142, t164)
+        .sub_product(t147, t165).sub_product(t150, t167);
+    let chain_omega_10_dot = t168 * (R::literal(1.0) / R::literal(1.0).sub_product(t70, t25)
+        .sub_product(t87, t86).sub_product(t102, t101).sub_product(t115, t114).sub_product(t126,
+        t125).sub_product(t135, t134).sub_product(t142, t141).sub_product(t147, t146)
+        .sub_product(t150, t149));
     let chain_omega_9_dot = (t167 * t148).sub_product(t150, chain_omega_10_dot);
-    let chain_omega_8_dot = (t165 * t143)
-        .sub_product(t145, chain_omega_9_dot)
-        .sub_product(t147, chain_omega_10_dot);
-    let chain_omega_7_dot = (t164 * t136)
-        .sub_product(t138, chain_omega_8_dot)
-        .sub_product(t140, chain_omega_9_dot)
-        .sub_product(t142, chain_omega_10_dot);
-    let chain_omega_6_dot = (t163 * t127)
-        .sub_product(t129, chain_omega_7_dot)
-        .sub_product(t131, chain_omega_8_dot)
-        .sub_product(t133, chain_omega_9_dot)
-        .sub_product(t135, chain_omega_10_dot);
-    let chain_omega_5_dot = (t162 * t116)
-        .sub_product(t118, chain_omega_6_dot)
-        .sub_product(t120, chain_omega_7_dot)
-        .sub_product(t122, chain_omega_8_dot)
-        .sub_product(t124, chain_omega_9_dot)
+    let chain_omega_8_dot = (t165 * t143).sub_product(t145, chain_omega_9_dot).sub_product(t147,
+        chain_omega_10_dot);
+    let chain_omega_7_dot = (t164 * t136).sub_product(t138, chain_omega_8_dot).sub_product(t140,
+        chain_omega_9_dot).sub_product(t142, chain_omega_10_dot);
+    let chain_omega_6_dot = (t163 * t127).sub_product(t129, chain_omega_7_dot).sub_product(t131,
+        chain_omega_8_dot).sub_product(t133, chain_omega_9_dot).sub_product(t135,
+        chain_omega_10_dot);
+    let chain_omega_5_dot = (t162 * t116).sub_product(t118, chain_omega_6_dot).sub_product(t120,
+        chain_omega_7_dot).sub_product(t122, chain_omega_8_dot).sub_product(t124, chain_omega_9_dot)
         .sub_product(t126, chain_omega_10_dot);
-    let chain_omega_4_dot = (t161 * t103)
-        .sub_product(t105, chain_omega_5_dot)
-        .sub_product(t107, chain_omega_6_dot)
-        .sub_product(t109, chain_omega_7_dot)
-        .sub_product(t111, chain_omega_8_dot)
-        .sub_product(t113, chain_omega_9_dot)
-        .sub_product(t115, chain_omega_10_dot);
-    let chain_omega_3_dot = (t160 * t88)
-        .sub_product(t90, chain_omega_4_dot)
-        .sub_product(t92, chain_omega_5_dot)
-        .sub_product(t94, chain_omega_6_dot)
-        .sub_product(t96, chain_omega_7_dot)
-        .sub_product(t98, chain_omega_8_dot)
-        .sub_product(t100, chain_omega_9_dot)
-        .sub_product(t102, chain_omega_10_dot);
-    let chain_omega_2_dot = (t159 * t71)
-        .sub_product(t73, chain_omega_3_dot)
-        .sub_product(t75, chain_omega_4_dot)
-        .sub_product(t77, chain_omega_5_dot)
-        .sub_product(t79, chain_omega_6_dot)
-        .sub_product(t81, chain_omega_7_dot)
-        .sub_product(t83, chain_omega_8_dot)
-        .sub_product(t85, chain_omega_9_dot)
-        .sub_product(t87, chain_omega_10_dot);
-    let chain_omega_1_dot = (t158 * R::literal(0.1))
-        .sub_product(t62, chain_omega_2_dot)
-        .sub_product(t63, chain_omega_3_dot)
-        .sub_product(t64, chain_omega_4_dot)
-        .sub_product(t65, chain_omega_5_dot)
-        .sub_product(t66, chain_omega_6_dot)
-        .sub_product(t67, chain_omega_7_dot)
-        .sub_product(t68, chain_omega_8_dot)
-        .sub_product(t69, chain_omega_9_dot)
-        .sub_product(t70, chain_omega_10_dot);
-    [
-        chain_omega_1,
-        chain_omega_2,
-        chain_omega_3,
-        chain_omega_4,
-        chain_omega_5,
-        chain_omega_6,
-        chain_omega_7,
-        chain_omega_8,
-        chain_omega_9,
-        chain_omega_10,
-        chain_omega_1_dot,
-        chain_omega_2_dot,
-        chain_omega_3_dot,
-        chain_omega_4_dot,
-        chain_omega_5_dot,
-        chain_omega_6_dot,
-        chain_omega_7_dot,
-        chain_omega_8_dot,
-        chain_omega_9_dot,
-        chain_omega_10_dot,
-    ]
+    let chain_omega_4_dot = (t161 * t103).sub_product(t105, chain_omega_5_dot).sub_product(t107,
+        chain_omega_6_dot).sub_product(t109, chain_omega_7_dot).sub_product(t111, chain_omega_8_dot)
+        .sub_product(t113, chain_omega_9_dot).sub_product(t115, chain_omega_10_dot);
+    let chain_omega_3_dot = (t160 * t88).sub_product(t90, chain_omega_4_dot).sub_product(t92,
+        chain_omega_5_dot).sub_product(t94, chain_omega_6_dot).sub_product(t96, chain_omega_7_dot)
+        .sub_product(t98, chain_omega_8_dot).sub_product(t100, chain_omega_9_dot).sub_product(t102,
+        chain_omega_10_dot);
+    let chain_omega_2_dot = (t159 * t71).sub_product(t73, chain_omega_3_dot).sub_product(t75,
+        chain_omega_4_dot).sub_product(t77, chain_omega_5_dot).sub_product(t79, chain_omega_6_dot)
+        .sub_product(t81, chain_omega_7_dot).sub_product(t83, chain_omega_8_dot).sub_product(t85,
+        chain_omega_9_dot).sub_product(t87, chain_omega_10_dot);
+    let chain_omega_1_dot = -(t158 * R::literal(0.1)).add_product(t62, chain_omega_2_dot)
+        .add_product(t63, chain_omega_3_dot).add_product(t64, chain_omega_4_dot).add_product(t65,
+        chain_omega_5_dot).add_product(t66, chain_omega_6_dot).add_product(t67, chain_omega_7_dot)
+        .add_product(t68, chain_omega_8_dot).add_product(t69, chain_omega_9_dot).add_product(t70,
+        chain_omega_10_dot);
+    [chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5, chain_omega_6,
+        chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10, chain_omega_1_dot,
+        chain_omega_2_dot, chain_omega_3_dot, chain_omega_4_dot, chain_omega_5_dot,
+        chain_omega_6_dot, chain_omega_7_dot, chain_omega_8_dot, chain_omega_9_dot,
+        chain_omega_10_dot]
 }
 
-/// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
-///
-/// 126 operations.
+/// `M = d2L/dq'2`, values in the order of its pattern. 126 operations.
 #[must_use]
-pub fn mass_matrix<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    _p: &Parameters<R>,
-) -> [R; 100] {
-    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
-    chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10, ..] = *state;
-    let [(_, t0), (_, t1), (_, t2), (_, t3), (_, t4), (_, t5), (_, t6), (_, t7), (_, t8),
-    (_, t9), (_, t10), (_, t11), (_, t12), (_, t13), (_, t14), (_, t15), (_, t16),
-    (_, t17), (_, t18), (_, t19), (_, t20), (_, t21), (_, t22), (_, t23), (_, t24),
-    (_, t25), (_, t26), (_, t27), (_, t28), (_, t29), (_, t30), (_, t31), (_, t32),
-    (_, t33), (_, t34), (_, t35), (_, t36), (_, t37), (_, t38), (_, t39), (_, t40),
-    (_, t41), (_, t42), (_, t43), (_, t44)] = R::sin_cos_each([
-        chain_theta_1 - chain_theta_2,
-        chain_theta_1 - chain_theta_3,
-        chain_theta_1 - chain_theta_4,
-        chain_theta_1 - chain_theta_5,
-        chain_theta_1 - chain_theta_6,
-        chain_theta_1 - chain_theta_7,
-        chain_theta_1 - chain_theta_8,
-        chain_theta_1 - chain_theta_9,
-        chain_theta_1 - chain_theta_10,
-        chain_theta_2 - chain_theta_3,
-        chain_theta_2 - chain_theta_4,
-        chain_theta_2 - chain_theta_5,
-        chain_theta_2 - chain_theta_6,
-        chain_theta_2 - chain_theta_7,
-        chain_theta_2 - chain_theta_8,
-        chain_theta_2 - chain_theta_9,
-        chain_theta_2 - chain_theta_10,
-        chain_theta_3 - chain_theta_4,
-        chain_theta_3 - chain_theta_5,
-        chain_theta_3 - chain_theta_6,
-        chain_theta_3 - chain_theta_7,
-        chain_theta_3 - chain_theta_8,
-        chain_theta_3 - chain_theta_9,
-        chain_theta_3 - chain_theta_10,
-        chain_theta_4 - chain_theta_5,
-        chain_theta_4 - chain_theta_6,
-        chain_theta_4 - chain_theta_7,
-        chain_theta_4 - chain_theta_8,
-        chain_theta_4 - chain_theta_9,
-        chain_theta_4 - chain_theta_10,
-        chain_theta_5 - chain_theta_6,
-        chain_theta_5 - chain_theta_7,
-        chain_theta_5 - chain_theta_8,
-        chain_theta_5 - chain_theta_9,
-        chain_theta_5 - chain_theta_10,
-        chain_theta_6 - chain_theta_7,
-        chain_theta_6 - chain_theta_8,
-        chain_theta_6 - chain_theta_9,
-        chain_theta_6 - chain_theta_10,
-        chain_theta_7 - chain_theta_8,
-        chain_theta_7 - chain_theta_9,
-        chain_theta_7 - chain_theta_10,
-        chain_theta_8 - chain_theta_9,
-        chain_theta_8 - chain_theta_10,
-        chain_theta_9 - chain_theta_10,
-    ]);
+pub fn mass_matrix<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; 100] {
+    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_theta_6,
+        chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10, ..] = *state;
+    let [(_, t0), (_, t1), (_, t2), (_, t3), (_, t4), (_, t5), (_, t6), (_, t7), (_, t8), (_, t9),
+        (_, t10), (_, t11), (_, t12), (_, t13), (_, t14), (_, t15), (_, t16), (_, t17), (_, t18),
+        (_, t19), (_, t20), (_, t21), (_, t22), (_, t23), (_, t24), (_, t25), (_, t26), (_, t27),
+        (_, t28), (_, t29), (_, t30), (_, t31), (_, t32), (_, t33), (_, t34), (_, t35), (_, t36),
+        (_, t37), (_, t38), (_, t39), (_, t40), (_, t41), (_, t42), (_, t43), (_, t44)]
+        = R::sin_cos_each([chain_theta_1 - chain_theta_2, chain_theta_1 - chain_theta_3,
+        chain_theta_1 - chain_theta_4, chain_theta_1 - chain_theta_5,
+        chain_theta_1 - chain_theta_6, chain_theta_1 - chain_theta_7,
+        chain_theta_1 - chain_theta_8, chain_theta_1 - chain_theta_9,
+        chain_theta_1 - chain_theta_10, chain_theta_2 - chain_theta_3,
+        chain_theta_2 - chain_theta_4, chain_theta_2 - chain_theta_5,
+        chain_theta_2 - chain_theta_6, chain_theta_2 - chain_theta_7,
+        chain_theta_2 - chain_theta_8, chain_theta_2 - chain_theta_9,
+        chain_theta_2 - chain_theta_10, chain_theta_3 - chain_theta_4,
+        chain_theta_3 - chain_theta_5, chain_theta_3 - chain_theta_6,
+        chain_theta_3 - chain_theta_7, chain_theta_3 - chain_theta_8,
+        chain_theta_3 - chain_theta_9, chain_theta_3 - chain_theta_10,
+        chain_theta_4 - chain_theta_5, chain_theta_4 - chain_theta_6,
+        chain_theta_4 - chain_theta_7, chain_theta_4 - chain_theta_8,
+        chain_theta_4 - chain_theta_9, chain_theta_4 - chain_theta_10,
+        chain_theta_5 - chain_theta_6, chain_theta_5 - chain_theta_7,
+        chain_theta_5 - chain_theta_8, chain_theta_5 - chain_theta_9,
+        chain_theta_5 - chain_theta_10, chain_theta_6 - chain_theta_7,
+        chain_theta_6 - chain_theta_8, chain_theta_6 - chain_theta_9,
+        chain_theta_6 - chain_theta_10, chain_theta_7 - chain_theta_8,
+        chain_theta_7 - chain_theta_9, chain_theta_7 - chain_theta_10,
+        chain_theta_8 - chain_theta_9, chain_theta_8 - chain_theta_10,
+        chain_theta_9 - chain_theta_10]);
     let t45 = R::literal(9.0) * t0;
     let t46 = R::literal(8.0) * t1;
     let t47 = R::literal(7.0) * t2;
@@ -1442,188 +612,55 @@ pub fn mass_matrix<R: Real>(
     let t78 = R::literal(3.0) * t39;
     let t79 = R::literal(2.0) * t40;
     let t80 = R::literal(2.0) * t42;
-    [
-        R::literal(10.0),
-        t45,
-        t46,
-        t47,
-        t48,
-        t49,
-        t50,
-        t51,
-        t52,
-        t8,
-        t45,
-        R::literal(9.0),
-        t53,
-        t54,
-        t55,
-        t56,
-        t57,
-        t58,
-        t59,
-        t16,
-        t46,
-        t53,
-        R::literal(8.0),
-        t60,
-        t61,
-        t62,
-        t63,
-        t64,
-        t65,
-        t23,
-        t47,
-        t54,
-        t60,
-        R::literal(7.0),
-        t66,
-        t67,
-        t68,
-        t69,
-        t70,
-        t29,
-        t48,
-        t55,
-        t61,
-        t66,
-        R::literal(6.0),
-        t71,
-        t72,
-        t73,
-        t74,
-        t34,
-        t49,
-        t56,
-        t62,
-        t67,
-        t71,
-        R::literal(5.0),
-        t75,
-        t76,
-        t77,
-        t38,
-        t50,
-        t57,
-        t63,
-        t68,
-        t72,
-        t75,
-        R::literal(4.0),
-        t78,
-        t79,
-        t41,
-        t51,
-        t58,
-        t64,
-        t69,
-        t73,
-        t76,
-        t78,
-        R::literal(3.0),
-        t80,
-        t43,
-        t52,
-        t59,
-        t65,
-        t70,
-        t74,
-        t77,
-        t79,
-        t80,
-        R::literal(2.0),
-        t44,
-        t8,
-        t16,
-        t23,
-        t29,
-        t34,
-        t38,
-        t41,
-        t43,
-        t44,
-        R::literal(1.0),
-    ]
+    [R::literal(10.0), t45, t46, t47, t48, t49, t50, t51, t52, t8, t45, R::literal(9.0), t53, t54,
+        t55, t56, t57, t58, t59, t16, t46, t53, R::literal(8.0), t60, t61, t62, t63, t64, t65, t23,
+        t47, t54, t60, R::literal(7.0), t66, t67, t68, t69, t70, t29, t48, t55, t61, t66,
+        R::literal(6.0), t71, t72, t73, t74, t34, t49, t56, t62, t67, t71, R::literal(5.0), t75,
+        t76, t77, t38, t50, t57, t63, t68, t72, t75, R::literal(4.0), t78, t79, t41, t51, t58, t64,
+        t69, t73, t76, t78, R::literal(3.0), t80, t43, t52, t59, t65, t70, t74, t77, t79, t80,
+        R::literal(2.0), t44, t8, t16, t23, t29, t34, t38, t41, t43, t44, R::literal(1.0)]
 }
 
-/// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
-///
-/// 345 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 345 operations.
 #[must_use]
-pub fn forcing<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    _p: &Parameters<R>,
-) -> [R; COORDINATES] {
-    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
-    chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
-    chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
-    chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10] = *state;
+pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; COORDINATES] {
+    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_theta_6,
+        chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10, chain_omega_1, chain_omega_2,
+        chain_omega_3, chain_omega_4, chain_omega_5, chain_omega_6, chain_omega_7, chain_omega_8,
+        chain_omega_9, chain_omega_10] = *state;
     let [(sin_chain_theta_1, _), (sin_chain_theta_2, _), (sin_chain_theta_3, _),
-    (sin_chain_theta_4, _), (sin_chain_theta_5, _), (sin_chain_theta_6, _),
-    (sin_chain_theta_7, _), (sin_chain_theta_8, _), (sin_chain_theta_9, _),
-    (sin_chain_theta_10, _), (t0, _), (t1, _), (t2, _), (t3, _), (t4, _), (t5, _),
-    (t6, _), (t7, _), (t8, _), (t9, _), (t10, _), (t11, _), (t12, _), (t13, _), (t14, _),
-    (t15, _), (t16, _), (t17, _), (t18, _), (t19, _), (t20, _), (t21, _), (t22, _),
-    (t23, _), (t24, _), (t25, _), (t26, _), (t27, _), (t28, _), (t29, _), (t30, _),
-    (t31, _), (t32, _), (t33, _), (t34, _), (t35, _), (t36, _), (t37, _), (t38, _),
-    (t39, _), (t40, _), (t41, _), (t42, _), (t43, _), (t44, _)] = R::sin_cos_each([
-        chain_theta_1,
-        chain_theta_2,
-        chain_theta_3,
-        chain_theta_4,
-        chain_theta_5,
-        chain_theta_6,
-        chain_theta_7,
-        chain_theta_8,
-        chain_theta_9,
-        chain_theta_10,
-        chain_theta_1 - chain_theta_2,
-        chain_theta_1 - chain_theta_3,
-        chain_theta_1 - chain_theta_4,
-        chain_theta_1 - chain_theta_5,
-        chain_theta_1 - chain_theta_6,
-        chain_theta_1 - chain_theta_7,
-        chain_theta_1 - chain_theta_8,
-        chain_theta_1 - chain_theta_9,
-        chain_theta_1 - chain_theta_10,
-        chain_theta_2 - chain_theta_3,
-        chain_theta_2 - chain_theta_4,
-        chain_theta_2 - chain_theta_5,
-        chain_theta_2 - chain_theta_6,
-        chain_theta_2 - chain_theta_7,
-        chain_theta_2 - chain_theta_8,
-        chain_theta_2 - chain_theta_9,
-        chain_theta_2 - chain_theta_10,
-        chain_theta_3 - chain_theta_4,
-        chain_theta_3 - chain_theta_5,
-        chain_theta_3 - chain_theta_6,
-        chain_theta_3 - chain_theta_7,
-        chain_theta_3 - chain_theta_8,
-        chain_theta_3 - chain_theta_9,
-        chain_theta_3 - chain_theta_10,
-        chain_theta_4 - chain_theta_5,
-        chain_theta_4 - chain_theta_6,
-        chain_theta_4 - chain_theta_7,
-        chain_theta_4 - chain_theta_8,
-        chain_theta_4 - chain_theta_9,
-        chain_theta_4 - chain_theta_10,
-        chain_theta_5 - chain_theta_6,
-        chain_theta_5 - chain_theta_7,
-        chain_theta_5 - chain_theta_8,
-        chain_theta_5 - chain_theta_9,
-        chain_theta_5 - chain_theta_10,
-        chain_theta_6 - chain_theta_7,
-        chain_theta_6 - chain_theta_8,
-        chain_theta_6 - chain_theta_9,
-        chain_theta_6 - chain_theta_10,
-        chain_theta_7 - chain_theta_8,
-        chain_theta_7 - chain_theta_9,
-        chain_theta_7 - chain_theta_10,
-        chain_theta_8 - chain_theta_9,
-        chain_theta_8 - chain_theta_10,
-        chain_theta_9 - chain_theta_10,
-    ]);
+        (sin_chain_theta_4, _), (sin_chain_theta_5, _), (sin_chain_theta_6, _), (sin_chain_theta_7,
+        _), (sin_chain_theta_8, _), (sin_chain_theta_9, _), (sin_chain_theta_10, _), (t0, _),
+        (t1, _), (t2, _), (t3, _), (t4, _), (t5, _), (t6, _), (t7, _), (t8, _), (t9, _), (t10, _),
+        (t11, _), (t12, _), (t13, _), (t14, _), (t15, _), (t16, _), (t17, _), (t18, _), (t19, _),
+        (t20, _), (t21, _), (t22, _), (t23, _), (t24, _), (t25, _), (t26, _), (t27, _), (t28, _),
+        (t29, _), (t30, _), (t31, _), (t32, _), (t33, _), (t34, _), (t35, _), (t36, _), (t37, _),
+        (t38, _), (t39, _), (t40, _), (t41, _), (t42, _), (t43, _), (t44, _)]
+        = R::sin_cos_each([chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4,
+        chain_theta_5, chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
+        chain_theta_1 - chain_theta_2, chain_theta_1 - chain_theta_3,
+        chain_theta_1 - chain_theta_4, chain_theta_1 - chain_theta_5,
+        chain_theta_1 - chain_theta_6, chain_theta_1 - chain_theta_7,
+        chain_theta_1 - chain_theta_8, chain_theta_1 - chain_theta_9,
+        chain_theta_1 - chain_theta_10, chain_theta_2 - chain_theta_3,
+        chain_theta_2 - chain_theta_4, chain_theta_2 - chain_theta_5,
+        chain_theta_2 - chain_theta_6, chain_theta_2 - chain_theta_7,
+        chain_theta_2 - chain_theta_8, chain_theta_2 - chain_theta_9,
+        chain_theta_2 - chain_theta_10, chain_theta_3 - chain_theta_4,
+        chain_theta_3 - chain_theta_5, chain_theta_3 - chain_theta_6,
+        chain_theta_3 - chain_theta_7, chain_theta_3 - chain_theta_8,
+        chain_theta_3 - chain_theta_9, chain_theta_3 - chain_theta_10,
+        chain_theta_4 - chain_theta_5, chain_theta_4 - chain_theta_6,
+        chain_theta_4 - chain_theta_7, chain_theta_4 - chain_theta_8,
+        chain_theta_4 - chain_theta_9, chain_theta_4 - chain_theta_10,
+        chain_theta_5 - chain_theta_6, chain_theta_5 - chain_theta_7,
+        chain_theta_5 - chain_theta_8, chain_theta_5 - chain_theta_9,
+        chain_theta_5 - chain_theta_10, chain_theta_6 - chain_theta_7,
+        chain_theta_6 - chain_theta_8, chain_theta_6 - chain_theta_9,
+        chain_theta_6 - chain_theta_10, chain_theta_7 - chain_theta_8,
+        chain_theta_7 - chain_theta_9, chain_theta_7 - chain_theta_10,
+        chain_theta_8 - chain_theta_9, chain_theta_8 - chain_theta_10,
+        chain_theta_9 - chain_theta_10]);
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
     let t45 = R::literal(8.0) * chain_omega_3_squared;
@@ -1640,338 +677,268 @@ pub fn forcing<R: Real>(
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
     let t51 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let chain_theta_1_forcing = (-(R::literal(98.1) * sin_chain_theta_1))
-        .sub_product(R::literal(9.0) * chain_omega_2_squared, t0)
-        .sub_product(t45, t1)
-        .sub_product(t46, t2)
-        .sub_product(t47, t3)
-        .sub_product(t48, t4)
-        .sub_product(t49, t5)
-        .sub_product(t50, t6)
-        .sub_product(t51, t7)
-        .sub_product(chain_omega_10_squared, t8);
+    let chain_theta_1_forcing = -(R::literal(98.1) * sin_chain_theta_1).add_product(R::literal(9.0)
+        * chain_omega_2_squared, t0).add_product(t45, t1).add_product(t46, t2).add_product(t47, t3)
+        .add_product(t48, t4).add_product(t49, t5).add_product(t50, t6).add_product(t51, t7)
+        .add_product(chain_omega_10_squared, t8);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let chain_theta_2_forcing = (-(R::literal(88.29) * sin_chain_theta_2))
-        .add_product(R::literal(9.0) * chain_omega_1_squared, t0)
-        .sub_product(t45, t9)
-        .sub_product(t46, t10)
-        .sub_product(t47, t11)
-        .sub_product(t48, t12)
-        .sub_product(t49, t13)
-        .sub_product(t50, t14)
-        .sub_product(t51, t15)
-        .sub_product(chain_omega_10_squared, t16);
+    let chain_theta_2_forcing = (R::literal(-88.29) * sin_chain_theta_2)
+        .add_product(R::literal(9.0) * chain_omega_1_squared, t0).sub_product(t45, t9)
+        .sub_product(t46, t10).sub_product(t47, t11).sub_product(t48, t12).sub_product(t49, t13)
+        .sub_product(t50, t14).sub_product(t51, t15).sub_product(chain_omega_10_squared, t16);
     let chain_theta_3_forcing = (R::literal(8.0) * chain_omega_1_squared * t1)
-        .add_product(R::literal(8.0) * chain_omega_2_squared, t9)
-        .sub_product(R::literal(78.48), sin_chain_theta_3)
-        .sub_product(t46, t17)
-        .sub_product(t47, t18)
-        .sub_product(t48, t19)
-        .sub_product(t49, t20)
-        .sub_product(t50, t21)
-        .sub_product(t51, t22)
+        .add_product(R::literal(8.0) * chain_omega_2_squared, t9).sub_product(R::literal(78.48),
+        sin_chain_theta_3).sub_product(t46, t17).sub_product(t47, t18).sub_product(t48, t19)
+        .sub_product(t49, t20).sub_product(t50, t21).sub_product(t51, t22)
         .sub_product(chain_omega_10_squared, t23);
     let chain_theta_4_forcing = (R::literal(7.0) * chain_omega_1_squared * t2)
-        .add_product(R::literal(7.0) * chain_omega_2_squared, t10)
-        .add_product(R::literal(7.0) * chain_omega_3_squared, t17)
-        .sub_product(R::literal(68.67), sin_chain_theta_4)
-        .sub_product(t47, t24)
-        .sub_product(t48, t25)
-        .sub_product(t49, t26)
-        .sub_product(t50, t27)
-        .sub_product(t51, t28)
-        .sub_product(chain_omega_10_squared, t29);
+        .add_product(R::literal(7.0) * chain_omega_2_squared, t10).add_product(R::literal(7.0)
+        * chain_omega_3_squared, t17).sub_product(R::literal(68.67), sin_chain_theta_4)
+        .sub_product(t47, t24).sub_product(t48, t25).sub_product(t49, t26).sub_product(t50, t27)
+        .sub_product(t51, t28).sub_product(chain_omega_10_squared, t29);
     let chain_theta_5_forcing = (R::literal(6.0) * chain_omega_1_squared * t3)
-        .add_product(R::literal(6.0) * chain_omega_2_squared, t11)
-        .add_product(R::literal(6.0) * chain_omega_3_squared, t18)
-        .add_product(R::literal(6.0) * chain_omega_4_squared, t24)
-        .sub_product(R::literal(58.86), sin_chain_theta_5)
-        .sub_product(t48, t30)
-        .sub_product(t49, t31)
-        .sub_product(t50, t32)
-        .sub_product(t51, t33)
-        .sub_product(chain_omega_10_squared, t34);
+        .add_product(R::literal(6.0) * chain_omega_2_squared, t11).add_product(R::literal(6.0)
+        * chain_omega_3_squared, t18).add_product(R::literal(6.0) * chain_omega_4_squared, t24)
+        .sub_product(R::literal(58.86), sin_chain_theta_5).sub_product(t48, t30).sub_product(t49,
+        t31).sub_product(t50, t32).sub_product(t51, t33).sub_product(chain_omega_10_squared, t34);
     let chain_theta_6_forcing = (R::literal(5.0) * chain_omega_1_squared * t4)
-        .add_product(R::literal(5.0) * chain_omega_2_squared, t12)
-        .add_product(R::literal(5.0) * chain_omega_3_squared, t19)
-        .add_product(R::literal(5.0) * chain_omega_4_squared, t25)
-        .add_product(R::literal(5.0) * chain_omega_5_squared, t30)
-        .sub_product(R::literal(49.05), sin_chain_theta_6)
-        .sub_product(t49, t35)
-        .sub_product(t50, t36)
-        .sub_product(t51, t37)
+        .add_product(R::literal(5.0) * chain_omega_2_squared, t12).add_product(R::literal(5.0)
+        * chain_omega_3_squared, t19).add_product(R::literal(5.0) * chain_omega_4_squared, t25)
+        .add_product(R::literal(5.0) * chain_omega_5_squared, t30).sub_product(R::literal(49.05),
+        sin_chain_theta_6).sub_product(t49, t35).sub_product(t50, t36).sub_product(t51, t37)
         .sub_product(chain_omega_10_squared, t38);
     let chain_theta_7_forcing = (R::literal(4.0) * chain_omega_1_squared * t5)
-        .add_product(R::literal(4.0) * chain_omega_2_squared, t13)
-        .add_product(R::literal(4.0) * chain_omega_3_squared, t20)
-        .add_product(R::literal(4.0) * chain_omega_4_squared, t26)
-        .add_product(R::literal(4.0) * chain_omega_5_squared, t31)
-        .add_product(R::literal(4.0) * chain_omega_6_squared, t35)
-        .sub_product(R::literal(39.24), sin_chain_theta_7)
-        .sub_product(t50, t39)
-        .sub_product(t51, t40)
-        .sub_product(chain_omega_10_squared, t41);
+        .add_product(R::literal(4.0) * chain_omega_2_squared, t13).add_product(R::literal(4.0)
+        * chain_omega_3_squared, t20).add_product(R::literal(4.0) * chain_omega_4_squared, t26)
+        .add_product(R::literal(4.0) * chain_omega_5_squared, t31).add_product(R::literal(4.0)
+        * chain_omega_6_squared, t35).sub_product(R::literal(39.24), sin_chain_theta_7)
+        .sub_product(t50, t39).sub_product(t51, t40).sub_product(chain_omega_10_squared, t41);
     let chain_theta_8_forcing = (R::literal(3.0) * chain_omega_1_squared * t6)
-        .add_product(R::literal(3.0) * chain_omega_2_squared, t14)
-        .add_product(R::literal(3.0) * chain_omega_3_squared, t21)
-        .add_product(R::literal(3.0) * chain_omega_4_squared, t27)
-        .add_product(R::literal(3.0) * chain_omega_5_squared, t32)
-        .add_product(R::literal(3.0) * chain_omega_6_squared, t36)
-        .add_product(R::literal(3.0) * chain_omega_7_squared, t39)
-        .sub_product(R::literal(29.43), sin_chain_theta_8)
-        .sub_product(t51, t42)
+        .add_product(R::literal(3.0) * chain_omega_2_squared, t14).add_product(R::literal(3.0)
+        * chain_omega_3_squared, t21).add_product(R::literal(3.0) * chain_omega_4_squared, t27)
+        .add_product(R::literal(3.0) * chain_omega_5_squared, t32).add_product(R::literal(3.0)
+        * chain_omega_6_squared, t36).add_product(R::literal(3.0) * chain_omega_7_squared, t39)
+        .sub_product(R::literal(29.43), sin_chain_theta_8).sub_product(t51, t42)
         .sub_product(chain_omega_10_squared, t43);
     let chain_theta_9_forcing = (R::literal(2.0) * chain_omega_1_squared * t7)
-        .add_product(R::literal(2.0) * chain_omega_2_squared, t15)
-        .add_product(R::literal(2.0) * chain_omega_3_squared, t22)
-        .add_product(R::literal(2.0) * chain_omega_4_squared, t28)
-        .add_product(R::literal(2.0) * chain_omega_5_squared, t33)
-        .add_product(R::literal(2.0) * chain_omega_6_squared, t37)
-        .add_product(R::literal(2.0) * chain_omega_7_squared, t40)
-        .add_product(R::literal(2.0) * chain_omega_8_squared, t42)
-        .sub_product(R::literal(19.62), sin_chain_theta_9)
-        .sub_product(chain_omega_10_squared, t44);
-    let chain_theta_10_forcing = (chain_omega_1_squared * t8)
-        .add_product(chain_omega_2_squared, t16)
-        .add_product(chain_omega_3_squared, t23)
-        .add_product(chain_omega_4_squared, t29)
-        .add_product(chain_omega_5_squared, t34)
-        .add_product(chain_omega_6_squared, t38)
-        .add_product(chain_omega_7_squared, t41)
-        .add_product(chain_omega_8_squared, t43)
-        .add_product(chain_omega_9_squared, t44)
-        .sub_product(R::literal(9.81), sin_chain_theta_10);
-    [
-        chain_theta_1_forcing,
-        chain_theta_2_forcing,
-        chain_theta_3_forcing,
-        chain_theta_4_forcing,
-        chain_theta_5_forcing,
-        chain_theta_6_forcing,
-        chain_theta_7_forcing,
-        chain_theta_8_forcing,
-        chain_theta_9_forcing,
-        chain_theta_10_forcing,
-    ]
+        .add_product(R::literal(2.0) * chain_omega_2_squared, t15).add_product(R::literal(2.0)
+        * chain_omega_3_squared, t22).add_product(R::literal(2.0) * chain_omega_4_squared, t28)
+        .add_product(R::literal(2.0) * chain_omega_5_squared, t33).add_product(R::literal(2.0)
+        * chain_omega_6_squared, t37).add_product(R::literal(2.0) * chain_omega_7_squared, t40)
+        .add_product(R::literal(2.0) * chain_omega_8_squared, t42).sub_product(R::literal(19.62),
+        sin_chain_theta_9).sub_product(chain_omega_10_squared, t44);
+    let chain_theta_10_forcing = (chain_omega_1_squared * t8).add_product(chain_omega_2_squared,
+        t16).add_product(chain_omega_3_squared, t23).add_product(chain_omega_4_squared, t29)
+        .add_product(chain_omega_5_squared, t34).add_product(chain_omega_6_squared, t38)
+        .add_product(chain_omega_7_squared, t41).add_product(chain_omega_8_squared, t43)
+        .add_product(chain_omega_9_squared, t44).sub_product(R::literal(9.81), sin_chain_theta_10);
+    [chain_theta_1_forcing, chain_theta_2_forcing, chain_theta_3_forcing, chain_theta_4_forcing,
+        chain_theta_5_forcing, chain_theta_6_forcing, chain_theta_7_forcing, chain_theta_8_forcing,
+        chain_theta_9_forcing, chain_theta_10_forcing]
 }
 
-/// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
-///
-/// 5576 operations.
+/// `dy'/dy`, values in the order of its pattern. 5565 operations.
 #[must_use]
-pub fn rate_jacobian<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    _p: &Parameters<R>,
-) -> [R; 210] {
-    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
-    chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
-    chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
-    chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10] = *state;
+pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; 210] {
+    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_theta_6,
+        chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10, chain_omega_1, chain_omega_2,
+        chain_omega_3, chain_omega_4, chain_omega_5, chain_omega_6, chain_omega_7, chain_omega_8,
+        chain_omega_9, chain_omega_10] = *state;
     let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
-    (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
-    (sin_chain_theta_5, cos_chain_theta_5), (sin_chain_theta_6, cos_chain_theta_6),
-    (sin_chain_theta_7, cos_chain_theta_7), (sin_chain_theta_8, cos_chain_theta_8),
-    (sin_chain_theta_9, cos_chain_theta_9), (sin_chain_theta_10, cos_chain_theta_10)] = R::sin_cos_each([
-        chain_theta_1,
-        chain_theta_2,
-        chain_theta_3,
-        chain_theta_4,
-        chain_theta_5,
-        chain_theta_6,
-        chain_theta_7,
-        chain_theta_8,
-        chain_theta_9,
-        chain_theta_10,
-    ]);
-    let t0 = (sin_chain_theta_1 * cos_chain_theta_2)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_2);
-    let t1 = (cos_chain_theta_1 * cos_chain_theta_2)
-        .add_product(sin_chain_theta_1, sin_chain_theta_2);
+        (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
+        (sin_chain_theta_5, cos_chain_theta_5), (sin_chain_theta_6, cos_chain_theta_6),
+        (sin_chain_theta_7, cos_chain_theta_7), (sin_chain_theta_8, cos_chain_theta_8),
+        (sin_chain_theta_9, cos_chain_theta_9), (sin_chain_theta_10, cos_chain_theta_10)]
+        = R::sin_cos_each([chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4,
+        chain_theta_5, chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10]);
+    let t0 = (sin_chain_theta_1 * cos_chain_theta_2).sub_product(cos_chain_theta_1,
+        sin_chain_theta_2);
+    let t1 = (cos_chain_theta_1 * cos_chain_theta_2).add_product(sin_chain_theta_1,
+        sin_chain_theta_2);
     let t2 = R::literal(9.0) * t1;
-    let t3 = (sin_chain_theta_1 * cos_chain_theta_3)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_3);
-    let t4 = (cos_chain_theta_1 * cos_chain_theta_3)
-        .add_product(sin_chain_theta_1, sin_chain_theta_3);
+    let t3 = (sin_chain_theta_1 * cos_chain_theta_3).sub_product(cos_chain_theta_1,
+        sin_chain_theta_3);
+    let t4 = (cos_chain_theta_1 * cos_chain_theta_3).add_product(sin_chain_theta_1,
+        sin_chain_theta_3);
     let t5 = R::literal(8.0) * t4;
-    let t6 = (sin_chain_theta_1 * cos_chain_theta_4)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_4);
-    let t7 = (cos_chain_theta_1 * cos_chain_theta_4)
-        .add_product(sin_chain_theta_1, sin_chain_theta_4);
+    let t6 = (sin_chain_theta_1 * cos_chain_theta_4).sub_product(cos_chain_theta_1,
+        sin_chain_theta_4);
+    let t7 = (cos_chain_theta_1 * cos_chain_theta_4).add_product(sin_chain_theta_1,
+        sin_chain_theta_4);
     let t8 = R::literal(7.0) * t7;
-    let t9 = (sin_chain_theta_1 * cos_chain_theta_5)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_5);
-    let t10 = (cos_chain_theta_1 * cos_chain_theta_5)
-        .add_product(sin_chain_theta_1, sin_chain_theta_5);
+    let t9 = (sin_chain_theta_1 * cos_chain_theta_5).sub_product(cos_chain_theta_1,
+        sin_chain_theta_5);
+    let t10 = (cos_chain_theta_1 * cos_chain_theta_5).add_product(sin_chain_theta_1,
+        sin_chain_theta_5);
     let t11 = R::literal(6.0) * t10;
-    let t12 = (sin_chain_theta_1 * cos_chain_theta_6)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_6);
-    let t13 = (cos_chain_theta_1 * cos_chain_theta_6)
-        .add_product(sin_chain_theta_1, sin_chain_theta_6);
+    let t12 = (sin_chain_theta_1 * cos_chain_theta_6).sub_product(cos_chain_theta_1,
+        sin_chain_theta_6);
+    let t13 = (cos_chain_theta_1 * cos_chain_theta_6).add_product(sin_chain_theta_1,
+        sin_chain_theta_6);
     let t14 = R::literal(5.0) * t13;
-    let t15 = (sin_chain_theta_1 * cos_chain_theta_7)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_7);
-    let t16 = (cos_chain_theta_1 * cos_chain_theta_7)
-        .add_product(sin_chain_theta_1, sin_chain_theta_7);
+    let t15 = (sin_chain_theta_1 * cos_chain_theta_7).sub_product(cos_chain_theta_1,
+        sin_chain_theta_7);
+    let t16 = (cos_chain_theta_1 * cos_chain_theta_7).add_product(sin_chain_theta_1,
+        sin_chain_theta_7);
     let t17 = R::literal(4.0) * t16;
-    let t18 = (sin_chain_theta_1 * cos_chain_theta_8)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_8);
-    let t19 = (cos_chain_theta_1 * cos_chain_theta_8)
-        .add_product(sin_chain_theta_1, sin_chain_theta_8);
+    let t18 = (sin_chain_theta_1 * cos_chain_theta_8).sub_product(cos_chain_theta_1,
+        sin_chain_theta_8);
+    let t19 = (cos_chain_theta_1 * cos_chain_theta_8).add_product(sin_chain_theta_1,
+        sin_chain_theta_8);
     let t20 = R::literal(3.0) * t19;
-    let t21 = (sin_chain_theta_1 * cos_chain_theta_9)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_9);
-    let t22 = (cos_chain_theta_1 * cos_chain_theta_9)
-        .add_product(sin_chain_theta_1, sin_chain_theta_9);
+    let t21 = (sin_chain_theta_1 * cos_chain_theta_9).sub_product(cos_chain_theta_1,
+        sin_chain_theta_9);
+    let t22 = (cos_chain_theta_1 * cos_chain_theta_9).add_product(sin_chain_theta_1,
+        sin_chain_theta_9);
     let t23 = R::literal(2.0) * t22;
-    let t24 = (sin_chain_theta_1 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_1, sin_chain_theta_10);
-    let t25 = (cos_chain_theta_1 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_1, sin_chain_theta_10);
-    let t26 = (sin_chain_theta_2 * cos_chain_theta_3)
-        .sub_product(cos_chain_theta_2, sin_chain_theta_3);
-    let t27 = (cos_chain_theta_2 * cos_chain_theta_3)
-        .add_product(sin_chain_theta_2, sin_chain_theta_3);
-    let t28 = (sin_chain_theta_2 * cos_chain_theta_4)
-        .sub_product(cos_chain_theta_2, sin_chain_theta_4);
-    let t29 = (cos_chain_theta_2 * cos_chain_theta_4)
-        .add_product(sin_chain_theta_2, sin_chain_theta_4);
-    let t30 = (sin_chain_theta_2 * cos_chain_theta_5)
-        .sub_product(cos_chain_theta_2, sin_chain_theta_5);
-    let t31 = (cos_chain_theta_2 * cos_chain_theta_5)
-        .add_product(sin_chain_theta_2, sin_chain_theta_5);
-    let t32 = (sin_chain_theta_2 * cos_chain_theta_6)
-        .sub_product(cos_chain_theta_2, sin_chain_theta_6);
-    let t33 = (cos_chain_theta_2 * cos_chain_theta_6)
-        .add_product(sin_chain_theta_2, sin_chain_theta_6);
-    let t34 = (sin_chain_theta_2 * cos_chain_theta_7)
-        .sub_product(cos_chain_theta_2, sin_chain_theta_7);
-    let t35 = (cos_chain_theta_2 * cos_chain_theta_7)
-        .add_product(sin_chain_theta_2, sin_chain_theta_7);
-    let t36 = (sin_chain_theta_2 * cos_chain_theta_8)
-        .sub_product(cos_chain_theta_2, sin_chain_theta_8);
-    let t37 = (cos_chain_theta_2 * cos_chain_theta_8)
-        .add_product(sin_chain_theta_2, sin_chain_theta_8);
-    let t38 = (sin_chain_theta_2 * cos_chain_theta_9)
-        .sub_product(cos_chain_theta_2, sin_chain_theta_9);
-    let t39 = (cos_chain_theta_2 * cos_chain_theta_9)
-        .add_product(sin_chain_theta_2, sin_chain_theta_9);
-    let t40 = (sin_chain_theta_2 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_2, sin_chain_theta_10);
-    let t41 = (cos_chain_theta_2 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_2, sin_chain_theta_10);
-    let t42 = (sin_chain_theta_3 * cos_chain_theta_4)
-        .sub_product(cos_chain_theta_3, sin_chain_theta_4);
-    let t43 = (cos_chain_theta_3 * cos_chain_theta_4)
-        .add_product(sin_chain_theta_3, sin_chain_theta_4);
-    let t44 = (sin_chain_theta_3 * cos_chain_theta_5)
-        .sub_product(cos_chain_theta_3, sin_chain_theta_5);
-    let t45 = (cos_chain_theta_3 * cos_chain_theta_5)
-        .add_product(sin_chain_theta_3, sin_chain_theta_5);
-    let t46 = (sin_chain_theta_3 * cos_chain_theta_6)
-        .sub_product(cos_chain_theta_3, sin_chain_theta_6);
-    let t47 = (cos_chain_theta_3 * cos_chain_theta_6)
-        .add_product(sin_chain_theta_3, sin_chain_theta_6);
-    let t48 = (sin_chain_theta_3 * cos_chain_theta_7)
-        .sub_product(cos_chain_theta_3, sin_chain_theta_7);
-    let t49 = (cos_chain_theta_3 * cos_chain_theta_7)
-        .add_product(sin_chain_theta_3, sin_chain_theta_7);
-    let t50 = (sin_chain_theta_3 * cos_chain_theta_8)
-        .sub_product(cos_chain_theta_3, sin_chain_theta_8);
-    let t51 = (cos_chain_theta_3 * cos_chain_theta_8)
-        .add_product(sin_chain_theta_3, sin_chain_theta_8);
-    let t52 = (sin_chain_theta_3 * cos_chain_theta_9)
-        .sub_product(cos_chain_theta_3, sin_chain_theta_9);
-    let t53 = (cos_chain_theta_3 * cos_chain_theta_9)
-        .add_product(sin_chain_theta_3, sin_chain_theta_9);
-    let t54 = (sin_chain_theta_3 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_3, sin_chain_theta_10);
-    let t55 = (cos_chain_theta_3 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_3, sin_chain_theta_10);
-    let t56 = (sin_chain_theta_4 * cos_chain_theta_5)
-        .sub_product(cos_chain_theta_4, sin_chain_theta_5);
-    let t57 = (cos_chain_theta_4 * cos_chain_theta_5)
-        .add_product(sin_chain_theta_4, sin_chain_theta_5);
-    let t58 = (sin_chain_theta_4 * cos_chain_theta_6)
-        .sub_product(cos_chain_theta_4, sin_chain_theta_6);
-    let t59 = (cos_chain_theta_4 * cos_chain_theta_6)
-        .add_product(sin_chain_theta_4, sin_chain_theta_6);
-    let t60 = (sin_chain_theta_4 * cos_chain_theta_7)
-        .sub_product(cos_chain_theta_4, sin_chain_theta_7);
-    let t61 = (cos_chain_theta_4 * cos_chain_theta_7)
-        .add_product(sin_chain_theta_4, sin_chain_theta_7);
-    let t62 = (sin_chain_theta_4 * cos_chain_theta_8)
-        .sub_product(cos_chain_theta_4, sin_chain_theta_8);
-    let t63 = (cos_chain_theta_4 * cos_chain_theta_8)
-        .add_product(sin_chain_theta_4, sin_chain_theta_8);
-    let t64 = (sin_chain_theta_4 * cos_chain_theta_9)
-        .sub_product(cos_chain_theta_4, sin_chain_theta_9);
-    let t65 = (cos_chain_theta_4 * cos_chain_theta_9)
-        .add_product(sin_chain_theta_4, sin_chain_theta_9);
-    let t66 = (sin_chain_theta_4 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_4, sin_chain_theta_10);
-    let t67 = (cos_chain_theta_4 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_4, sin_chain_theta_10);
-    let t68 = (sin_chain_theta_5 * cos_chain_theta_6)
-        .sub_product(cos_chain_theta_5, sin_chain_theta_6);
-    let t69 = (cos_chain_theta_5 * cos_chain_theta_6)
-        .add_product(sin_chain_theta_5, sin_chain_theta_6);
-    let t70 = (sin_chain_theta_5 * cos_chain_theta_7)
-        .sub_product(cos_chain_theta_5, sin_chain_theta_7);
-    let t71 = (cos_chain_theta_5 * cos_chain_theta_7)
-        .add_product(sin_chain_theta_5, sin_chain_theta_7);
-    let t72 = (sin_chain_theta_5 * cos_chain_theta_8)
-        .sub_product(cos_chain_theta_5, sin_chain_theta_8);
-    let t73 = (cos_chain_theta_5 * cos_chain_theta_8)
-        .add_product(sin_chain_theta_5, sin_chain_theta_8);
-    let t74 = (sin_chain_theta_5 * cos_chain_theta_9)
-        .sub_product(cos_chain_theta_5, sin_chain_theta_9);
-    let t75 = (cos_chain_theta_5 * cos_chain_theta_9)
-        .add_product(sin_chain_theta_5, sin_chain_theta_9);
-    let t76 = (sin_chain_theta_5 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_5, sin_chain_theta_10);
-    let t77 = (cos_chain_theta_5 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_5, sin_chain_theta_10);
-    let t78 = (sin_chain_theta_6 * cos_chain_theta_7)
-        .sub_product(cos_chain_theta_6, sin_chain_theta_7);
-    let t79 = (cos_chain_theta_6 * cos_chain_theta_7)
-        .add_product(sin_chain_theta_6, sin_chain_theta_7);
-    let t80 = (sin_chain_theta_6 * cos_chain_theta_8)
-        .sub_product(cos_chain_theta_6, sin_chain_theta_8);
-    let t81 = (cos_chain_theta_6 * cos_chain_theta_8)
-        .add_product(sin_chain_theta_6, sin_chain_theta_8);
-    let t82 = (sin_chain_theta_6 * cos_chain_theta_9)
-        .sub_product(cos_chain_theta_6, sin_chain_theta_9);
-    let t83 = (cos_chain_theta_6 * cos_chain_theta_9)
-        .add_product(sin_chain_theta_6, sin_chain_theta_9);
-    let t84 = (sin_chain_theta_6 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_6, sin_chain_theta_10);
-    let t85 = (cos_chain_theta_6 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_6, sin_chain_theta_10);
-    let t86 = (sin_chain_theta_7 * cos_chain_theta_8)
-        .sub_product(cos_chain_theta_7, sin_chain_theta_8);
-    let t87 = (cos_chain_theta_7 * cos_chain_theta_8)
-        .add_product(sin_chain_theta_7, sin_chain_theta_8);
-    let t88 = (sin_chain_theta_7 * cos_chain_theta_9)
-        .sub_product(cos_chain_theta_7, sin_chain_theta_9);
-    let t89 = (cos_chain_theta_7 * cos_chain_theta_9)
-        .add_product(sin_chain_theta_7, sin_chain_theta_9);
-    let t90 = (sin_chain_theta_7 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_7, sin_chain_theta_10);
-    let t91 = (cos_chain_theta_7 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_7, sin_chain_theta_10);
-    let t92 = (sin_chain_theta_8 * cos_chain_theta_9)
-        .sub_product(cos_chain_theta_8, sin_chain_theta_9);
-    let t93 = (cos_chain_theta_8 * cos_chain_theta_9)
-        .add_product(sin_chain_theta_8, sin_chain_theta_9);
-    let t94 = (sin_chain_theta_8 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_8, sin_chain_theta_10);
-    let t95 = (cos_chain_theta_8 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_8, sin_chain_theta_10);
-    let t96 = (sin_chain_theta_9 * cos_chain_theta_10)
-        .sub_product(cos_chain_theta_9, sin_chain_theta_10);
-    let t97 = (cos_chain_theta_9 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_9, sin_chain_theta_10);
+    let t24 = (sin_chain_theta_1 * cos_chain_theta_10).sub_product(cos_chain_theta_1,
+        sin_chain_theta_10);
+    let t25 = (cos_chain_theta_1 * cos_chain_theta_10).add_product(sin_chain_theta_1,
+        sin_chain_theta_10);
+    let t26 = (sin_chain_theta_2 * cos_chain_theta_3).sub_product(cos_chain_theta_2,
+        sin_chain_theta_3);
+    let t27 = (cos_chain_theta_2 * cos_chain_theta_3).add_product(sin_chain_theta_2,
+        sin_chain_theta_3);
+    let t28 = (sin_chain_theta_2 * cos_chain_theta_4).sub_product(cos_chain_theta_2,
+        sin_chain_theta_4);
+    let t29 = (cos_chain_theta_2 * cos_chain_theta_4).add_product(sin_chain_theta_2,
+        sin_chain_theta_4);
+    let t30 = (sin_chain_theta_2 * cos_chain_theta_5).sub_product(cos_chain_theta_2,
+        sin_chain_theta_5);
+    let t31 = (cos_chain_theta_2 * cos_chain_theta_5).add_product(sin_chain_theta_2,
+        sin_chain_theta_5);
+    let t32 = (sin_chain_theta_2 * cos_chain_theta_6).sub_product(cos_chain_theta_2,
+        sin_chain_theta_6);
+    let t33 = (cos_chain_theta_2 * cos_chain_theta_6).add_product(sin_chain_theta_2,
+        sin_chain_theta_6);
+    let t34 = (sin_chain_theta_2 * cos_chain_theta_7).sub_product(cos_chain_theta_2,
+        sin_chain_theta_7);
+    let t35 = (cos_chain_theta_2 * cos_chain_theta_7).add_product(sin_chain_theta_2,
+        sin_chain_theta_7);
+    let t36 = (sin_chain_theta_2 * cos_chain_theta_8).sub_product(cos_chain_theta_2,
+        sin_chain_theta_8);
+    let t37 = (cos_chain_theta_2 * cos_chain_theta_8).add_product(sin_chain_theta_2,
+        sin_chain_theta_8);
+    let t38 = (sin_chain_theta_2 * cos_chain_theta_9).sub_product(cos_chain_theta_2,
+        sin_chain_theta_9);
+    let t39 = (cos_chain_theta_2 * cos_chain_theta_9).add_product(sin_chain_theta_2,
+        sin_chain_theta_9);
+    let t40 = (sin_chain_theta_2 * cos_chain_theta_10).sub_product(cos_chain_theta_2,
+        sin_chain_theta_10);
+    let t41 = (cos_chain_theta_2 * cos_chain_theta_10).add_product(sin_chain_theta_2,
+        sin_chain_theta_10);
+    let t42 = (sin_chain_theta_3 * cos_chain_theta_4).sub_product(cos_chain_theta_3,
+        sin_chain_theta_4);
+    let t43 = (cos_chain_theta_3 * cos_chain_theta_4).add_product(sin_chain_theta_3,
+        sin_chain_theta_4);
+    let t44 = (sin_chain_theta_3 * cos_chain_theta_5).sub_product(cos_chain_theta_3,
+        sin_chain_theta_5);
+    let t45 = (cos_chain_theta_3 * cos_chain_theta_5).add_product(sin_chain_theta_3,
+        sin_chain_theta_5);
+    let t46 = (sin_chain_theta_3 * cos_chain_theta_6).sub_product(cos_chain_theta_3,
+        sin_chain_theta_6);
+    let t47 = (cos_chain_theta_3 * cos_chain_theta_6).add_product(sin_chain_theta_3,
+        sin_chain_theta_6);
+    let t48 = (sin_chain_theta_3 * cos_chain_theta_7).sub_product(cos_chain_theta_3,
+        sin_chain_theta_7);
+    let t49 = (cos_chain_theta_3 * cos_chain_theta_7).add_product(sin_chain_theta_3,
+        sin_chain_theta_7);
+    let t50 = (sin_chain_theta_3 * cos_chain_theta_8).sub_product(cos_chain_theta_3,
+        sin_chain_theta_8);
+    let t51 = (cos_chain_theta_3 * cos_chain_theta_8).add_product(sin_chain_theta_3,
+        sin_chain_theta_8);
+    let t52 = (sin_chain_theta_3 * cos_chain_theta_9).sub_product(cos_chain_theta_3,
+        sin_chain_theta_9);
+    let t53 = (cos_chain_theta_3 * cos_chain_theta_9).add_product(sin_chain_theta_3,
+        sin_chain_theta_9);
+    let t54 = (sin_chain_theta_3 * cos_chain_theta_10).sub_product(cos_chain_theta_3,
+        sin_chain_theta_10);
+    let t55 = (cos_chain_theta_3 * cos_chain_theta_10).add_product(sin_chain_theta_3,
+        sin_chain_theta_10);
+    let t56 = (sin_chain_theta_4 * cos_chain_theta_5).sub_product(cos_chain_theta_4,
+        sin_chain_theta_5);
+    let t57 = (cos_chain_theta_4 * cos_chain_theta_5).add_product(sin_chain_theta_4,
+        sin_chain_theta_5);
+    let t58 = (sin_chain_theta_4 * cos_chain_theta_6).sub_product(cos_chain_theta_4,
+        sin_chain_theta_6);
+    let t59 = (cos_chain_theta_4 * cos_chain_theta_6).add_product(sin_chain_theta_4,
+        sin_chain_theta_6);
+    let t60 = (sin_chain_theta_4 * cos_chain_theta_7).sub_product(cos_chain_theta_4,
+        sin_chain_theta_7);
+    let t61 = (cos_chain_theta_4 * cos_chain_theta_7).add_product(sin_chain_theta_4,
+        sin_chain_theta_7);
+    let t62 = (sin_chain_theta_4 * cos_chain_theta_8).sub_product(cos_chain_theta_4,
+        sin_chain_theta_8);
+    let t63 = (cos_chain_theta_4 * cos_chain_theta_8).add_product(sin_chain_theta_4,
+        sin_chain_theta_8);
+    let t64 = (sin_chain_theta_4 * cos_chain_theta_9).sub_product(cos_chain_theta_4,
+        sin_chain_theta_9);
+    let t65 = (cos_chain_theta_4 * cos_chain_theta_9).add_product(sin_chain_theta_4,
+        sin_chain_theta_9);
+    let t66 = (sin_chain_theta_4 * cos_chain_theta_10).sub_product(cos_chain_theta_4,
+        sin_chain_theta_10);
+    let t67 = (cos_chain_theta_4 * cos_chain_theta_10).add_product(sin_chain_theta_4,
+        sin_chain_theta_10);
+    let t68 = (sin_chain_theta_5 * cos_chain_theta_6).sub_product(cos_chain_theta_5,
+        sin_chain_theta_6);
+    let t69 = (cos_chain_theta_5 * cos_chain_theta_6).add_product(sin_chain_theta_5,
+        sin_chain_theta_6);
+    let t70 = (sin_chain_theta_5 * cos_chain_theta_7).sub_product(cos_chain_theta_5,
+        sin_chain_theta_7);
+    let t71 = (cos_chain_theta_5 * cos_chain_theta_7).add_product(sin_chain_theta_5,
+        sin_chain_theta_7);
+    let t72 = (sin_chain_theta_5 * cos_chain_theta_8).sub_product(cos_chain_theta_5,
+        sin_chain_theta_8);
+    let t73 = (cos_chain_theta_5 * cos_chain_theta_8).add_product(sin_chain_theta_5,
+        sin_chain_theta_8);
+    let t74 = (sin_chain_theta_5 * cos_chain_theta_9).sub_product(cos_chain_theta_5,
+        sin_chain_theta_9);
+    let t75 = (cos_chain_theta_5 * cos_chain_theta_9).add_product(sin_chain_theta_5,
+        sin_chain_theta_9);
+    let t76 = (sin_chain_theta_5 * cos_chain_theta_10).sub_product(cos_chain_theta_5,
+        sin_chain_theta_10);
+    let t77 = (cos_chain_theta_5 * cos_chain_theta_10).add_product(sin_chain_theta_5,
+        sin_chain_theta_10);
+    let t78 = (sin_chain_theta_6 * cos_chain_theta_7).sub_product(cos_chain_theta_6,
+        sin_chain_theta_7);
+    let t79 = (cos_chain_theta_6 * cos_chain_theta_7).add_product(sin_chain_theta_6,
+        sin_chain_theta_7);
+    let t80 = (sin_chain_theta_6 * cos_chain_theta_8).sub_product(cos_chain_theta_6,
+        sin_chain_theta_8);
+    let t81 = (cos_chain_theta_6 * cos_chain_theta_8).add_product(sin_chain_theta_6,
+        sin_chain_theta_8);
+    let t82 = (sin_chain_theta_6 * cos_chain_theta_9).sub_product(cos_chain_theta_6,
+        sin_chain_theta_9);
+    let t83 = (cos_chain_theta_6 * cos_chain_theta_9).add_product(sin_chain_theta_6,
+        sin_chain_theta_9);
+    let t84 = (sin_chain_theta_6 * cos_chain_theta_10).sub_product(cos_chain_theta_6,
+        sin_chain_theta_10);
+    let t85 = (cos_chain_theta_6 * cos_chain_theta_10).add_product(sin_chain_theta_6,
+        sin_chain_theta_10);
+    let t86 = (sin_chain_theta_7 * cos_chain_theta_8).sub_product(cos_chain_theta_7,
+        sin_chain_theta_8);
+    let t87 = (cos_chain_theta_7 * cos_chain_theta_8).add_product(sin_chain_theta_7,
+        sin_chain_theta_8);
+    let t88 = (sin_chain_theta_7 * cos_chain_theta_9).sub_product(cos_chain_theta_7,
+        sin_chain_theta_9);
+    let t89 = (cos_chain_theta_7 * cos_chain_theta_9).add_product(sin_chain_theta_7,
+        sin_chain_theta_9);
+    let t90 = (sin_chain_theta_7 * cos_chain_theta_10).sub_product(cos_chain_theta_7,
+        sin_chain_theta_10);
+    let t91 = (cos_chain_theta_7 * cos_chain_theta_10).add_product(sin_chain_theta_7,
+        sin_chain_theta_10);
+    let t92 = (sin_chain_theta_8 * cos_chain_theta_9).sub_product(cos_chain_theta_8,
+        sin_chain_theta_9);
+    let t93 = (cos_chain_theta_8 * cos_chain_theta_9).add_product(sin_chain_theta_8,
+        sin_chain_theta_9);
+    let t94 = (sin_chain_theta_8 * cos_chain_theta_10).sub_product(cos_chain_theta_8,
+        sin_chain_theta_10);
+    let t95 = (cos_chain_theta_8 * cos_chain_theta_10).add_product(sin_chain_theta_8,
+        sin_chain_theta_10);
+    let t96 = (sin_chain_theta_9 * cos_chain_theta_10).sub_product(cos_chain_theta_9,
+        sin_chain_theta_10);
+    let t97 = (cos_chain_theta_9 * cos_chain_theta_10).add_product(sin_chain_theta_9,
+        sin_chain_theta_10);
     let t98 = R::literal(0.9) * t1;
     let t99 = R::literal(0.8) * t4;
     let t100 = R::literal(0.700_000_000_000_000_1) * t7;
@@ -1998,8 +965,7 @@ pub fn rate_jacobian<R: Real>(
     let t121 = t120 * t107;
     let t122 = t41.sub_product(t106, t2);
     let t123 = t122 * t107;
-    let t124 = R::literal(1.0)
-        / R::literal(8.0).sub_product(t99, t5).sub_product(t109, t108);
+    let t124 = R::literal(1.0) / R::literal(8.0).sub_product(t99, t5).sub_product(t109, t108);
     let t125 = (R::literal(7.0) * t43).sub_product(t100, t5).sub_product(t111, t108);
     let t126 = t125 * t124;
     let t127 = (R::literal(6.0) * t45).sub_product(t101, t5).sub_product(t113, t108);
@@ -2014,199 +980,91 @@ pub fn rate_jacobian<R: Real>(
     let t136 = t135 * t124;
     let t137 = t55.sub_product(t106, t5).sub_product(t123, t108);
     let t138 = t137 * t124;
-    let t139 = R::literal(1.0)
-        / R::literal(7.0)
-            .sub_product(t100, t8)
-            .sub_product(t111, t110)
-            .sub_product(t126, t125);
-    let t140 = (R::literal(6.0) * t57)
-        .sub_product(t101, t8)
-        .sub_product(t113, t110)
+    let t139 = R::literal(1.0) / R::literal(7.0).sub_product(t100, t8).sub_product(t111, t110)
+        .sub_product(t126, t125);
+    let t140 = (R::literal(6.0) * t57).sub_product(t101, t8).sub_product(t113, t110)
         .sub_product(t128, t125);
     let t141 = t140 * t139;
-    let t142 = (R::literal(5.0) * t59)
-        .sub_product(t102, t8)
-        .sub_product(t115, t110)
+    let t142 = (R::literal(5.0) * t59).sub_product(t102, t8).sub_product(t115, t110)
         .sub_product(t130, t125);
     let t143 = t142 * t139;
-    let t144 = (R::literal(4.0) * t61)
-        .sub_product(t103, t8)
-        .sub_product(t117, t110)
+    let t144 = (R::literal(4.0) * t61).sub_product(t103, t8).sub_product(t117, t110)
         .sub_product(t132, t125);
     let t145 = t144 * t139;
-    let t146 = (R::literal(3.0) * t63)
-        .sub_product(t104, t8)
-        .sub_product(t119, t110)
+    let t146 = (R::literal(3.0) * t63).sub_product(t104, t8).sub_product(t119, t110)
         .sub_product(t134, t125);
     let t147 = t146 * t139;
-    let t148 = (R::literal(2.0) * t65)
-        .sub_product(t105, t8)
-        .sub_product(t121, t110)
+    let t148 = (R::literal(2.0) * t65).sub_product(t105, t8).sub_product(t121, t110)
         .sub_product(t136, t125);
     let t149 = t148 * t139;
     let t150 = t67.sub_product(t106, t8).sub_product(t123, t110).sub_product(t138, t125);
     let t151 = t150 * t139;
-    let t152 = R::literal(1.0)
-        / R::literal(6.0)
-            .sub_product(t101, t11)
-            .sub_product(t113, t112)
-            .sub_product(t128, t127)
-            .sub_product(t141, t140);
-    let t153 = (R::literal(5.0) * t69)
-        .sub_product(t102, t11)
-        .sub_product(t115, t112)
-        .sub_product(t130, t127)
-        .sub_product(t143, t140);
+    let t152 = R::literal(1.0) / R::literal(6.0).sub_product(t101, t11).sub_product(t113, t112)
+        .sub_product(t128, t127).sub_product(t141, t140);
+    let t153 = (R::literal(5.0) * t69).sub_product(t102, t11).sub_product(t115, t112)
+        .sub_product(t130, t127).sub_product(t143, t140);
     let t154 = t153 * t152;
-    let t155 = (R::literal(4.0) * t71)
-        .sub_product(t103, t11)
-        .sub_product(t117, t112)
-        .sub_product(t132, t127)
-        .sub_product(t145, t140);
+    let t155 = (R::literal(4.0) * t71).sub_product(t103, t11).sub_product(t117, t112)
+        .sub_product(t132, t127).sub_product(t145, t140);
     let t156 = t155 * t152;
-    let t157 = (R::literal(3.0) * t73)
-        .sub_product(t104, t11)
-        .sub_product(t119, t112)
-        .sub_product(t134, t127)
-        .sub_product(t147, t140);
+    let t157 = (R::literal(3.0) * t73).sub_product(t104, t11).sub_product(t119, t112)
+        .sub_product(t134, t127).sub_product(t147, t140);
     let t158 = t157 * t152;
-    let t159 = (R::literal(2.0) * t75)
-        .sub_product(t105, t11)
-        .sub_product(t121, t112)
-        .sub_product(t136, t127)
-        .sub_product(t149, t140);
+    let t159 = (R::literal(2.0) * t75).sub_product(t105, t11).sub_product(t121, t112)
+        .sub_product(t136, t127).sub_product(t149, t140);
     let t160 = t159 * t152;
-    let t161 = t77
-        .sub_product(t106, t11)
-        .sub_product(t123, t112)
-        .sub_product(t138, t127)
+    let t161 = t77.sub_product(t106, t11).sub_product(t123, t112).sub_product(t138, t127)
         .sub_product(t151, t140);
     let t162 = t161 * t152;
-    let t163 = R::literal(1.0)
-        / R::literal(5.0)
-            .sub_product(t102, t14)
-            .sub_product(t115, t114)
-            .sub_product(t130, t129)
-            .sub_product(t143, t142)
-            .sub_product(t154, t153);
-    let t164 = (R::literal(4.0) * t79)
-        .sub_product(t103, t14)
-        .sub_product(t117, t114)
-        .sub_product(t132, t129)
-        .sub_product(t145, t142)
-        .sub_product(t156, t153);
+    let t163 = R::literal(1.0) / R::literal(5.0).sub_product(t102, t14).sub_product(t115, t114)
+        .sub_product(t130, t129).sub_product(t143, t142).sub_product(t154, t153);
+    let t164 = (R::literal(4.0) * t79).sub_product(t103, t14).sub_product(t117, t114)
+        .sub_product(t132, t129).sub_product(t145, t142).sub_product(t156, t153);
     let t165 = t164 * t163;
-    let t166 = (R::literal(3.0) * t81)
-        .sub_product(t104, t14)
-        .sub_product(t119, t114)
-        .sub_product(t134, t129)
-        .sub_product(t147, t142)
-        .sub_product(t158, t153);
+    let t166 = (R::literal(3.0) * t81).sub_product(t104, t14).sub_product(t119, t114)
+        .sub_product(t134, t129).sub_product(t147, t142).sub_product(t158, t153);
     let t167 = t166 * t163;
-    let t168 = (R::literal(2.0) * t83)
-        .sub_product(t105, t14)
-        .sub_product(t121, t114)
-        .sub_product(t136, t129)
-        .sub_product(t149, t142)
-        .sub_product(t160, t153);
+    let t168 = (R::literal(2.0) * t83).sub_product(t105, t14).sub_product(t121, t114)
+        .sub_product(t136, t129).sub_product(t149, t142).sub_product(t160, t153);
     let t169 = t168 * t163;
-    let t170 = t85
-        .sub_product(t106, t14)
-        .sub_product(t123, t114)
-        .sub_product(t138, t129)
-        .sub_product(t151, t142)
-        .sub_product(t162, t153);
+    let t170 = t85.sub_product(t106, t14).sub_product(t123, t114).sub_product(t138, t129)
+        .sub_product(t151, t142).sub_product(t162, t153);
     let t171 = t170 * t163;
-    let t172 = R::literal(1.0)
-        / R::literal(4.0)
-            .sub_product(t103, t17)
-            .sub_product(t117, t116)
-            .sub_product(t132, t131)
-            .sub_product(t145, t144)
-            .sub_product(t156, t155)
-            .sub_product(t165, t164);
-    let t173 = (R::literal(3.0) * t87)
-        .sub_product(t104, t17)
-        .sub_product(t119, t116)
-        .sub_product(t134, t131)
-        .sub_product(t147, t144)
-        .sub_product(t158, t155)
-        .sub_product(t167, t164);
+    let t172 = R::literal(1.0) / R::literal(4.0).sub_product(t103, t17).sub_product(t117, t116)
+        .sub_product(t132, t131).sub_product(t145, t144).sub_product(t156, t155).sub_product(t165,
+        t164);
+    let t173 = (R::literal(3.0) * t87).sub_product(t104, t17).sub_product(t119, t116)
+        .sub_product(t134, t131).sub_product(t147, t144).sub_product(t158, t155).sub_product(t167,
+        t164);
     let t174 = t173 * t172;
-    let t175 = (R::literal(2.0) * t89)
-        .sub_product(t105, t17)
-        .sub_product(t121, t116)
-        .sub_product(t136, t131)
-        .sub_product(t149, t144)
-        .sub_product(t160, t155)
-        .sub_product(t169, t164);
+    let t175 = (R::literal(2.0) * t89).sub_product(t105, t17).sub_product(t121, t116)
+        .sub_product(t136, t131).sub_product(t149, t144).sub_product(t160, t155).sub_product(t169,
+        t164);
     let t176 = t175 * t172;
-    let t177 = t91
-        .sub_product(t106, t17)
-        .sub_product(t123, t116)
-        .sub_product(t138, t131)
-        .sub_product(t151, t144)
-        .sub_product(t162, t155)
-        .sub_product(t171, t164);
+    let t177 = t91.sub_product(t106, t17).sub_product(t123, t116).sub_product(t138, t131)
+        .sub_product(t151, t144).sub_product(t162, t155).sub_product(t171, t164);
     let t178 = t177 * t172;
-    let t179 = R::literal(1.0)
-        / R::literal(3.0)
-            .sub_product(t104, t20)
-            .sub_product(t119, t118)
-            .sub_product(t134, t133)
-            .sub_product(t147, t146)
-            .sub_product(t158, t157)
-            .sub_product(t167, t166)
-            .sub_product(t174, t173);
-    let t180 = (R::literal(2.0) * t93)
-        .sub_product(t105, t20)
-        .sub_product(t121, t118)
-        .sub_product(t136, t133)
-        .sub_product(t149, t146)
-        .sub_product(t160, t157)
-        .sub_product(t169, t166)
-        .sub_product(t176, t173);
+    let t179 = R::literal(1.0) / R::literal(3.0).sub_product(t104, t20).sub_product(t119, t118)
+        .sub_product(t134, t133).sub_product(t147, t146).sub_product(t158, t157).sub_product(t167,
+        t166).sub_product(t174, t173);
+    let t180 = (R::literal(2.0) * t93).sub_product(t105, t20).sub_product(t121, t118)
+        .sub_product(t136, t133).sub_product(t149, t146).sub_product(t160, t157).sub_product(t169,
+        t166).sub_product(t176, t173);
     let t181 = t180 * t179;
-    let t182 = t95
-        .sub_product(t106, t20)
-        .sub_product(t123, t118)
-        .sub_product(t138, t133)
-        .sub_product(t151, t146)
-        .sub_product(t162, t157)
-        .sub_product(t171, t166)
-        .sub_product(t178, t173);
+    let t182 = t95.sub_product(t106, t20).sub_product(t123, t118).sub_product(t138, t133)
+        .sub_product(t151, t146).sub_product(t162, t157).sub_product(t171, t166).sub_product(t178,
+        t173);
     let t183 = t182 * t179;
-    let t184 = R::literal(1.0)
-        / R::literal(2.0)
-            .sub_product(t105, t23)
-            .sub_product(t121, t120)
-            .sub_product(t136, t135)
-            .sub_product(t149, t148)
-            .sub_product(t160, t159)
-            .sub_product(t169, t168)
-            .sub_product(t176, t175)
-            .sub_product(t181, t180);
-    let t185 = t97
-        .sub_product(t106, t23)
-        .sub_product(t123, t120)
-        .sub_product(t138, t135)
-        .sub_product(t151, t148)
-        .sub_product(t162, t159)
-        .sub_product(t171, t168)
-        .sub_product(t178, t175)
-        .sub_product(t183, t180);
+    let t184 = R::literal(1.0) / R::literal(2.0).sub_product(t105, t23).sub_product(t121, t120)
+        .sub_product(t136, t135).sub_product(t149, t148).sub_product(t160, t159).sub_product(t169,
+        t168).sub_product(t176, t175).sub_product(t181, t180);
+    let t185 = t97.sub_product(t106, t23).sub_product(t123, t120).sub_product(t138, t135)
+        .sub_product(t151, t148).sub_product(t162, t159).sub_product(t171, t168).sub_product(t178,
+        t175).sub_product(t183, t180);
     let t186 = t185 * t184;
-    let t187 = R::literal(1.0)
-        / R::literal(1.0)
-            .sub_product(t106, t25)
-            .sub_product(t123, t122)
-            .sub_product(t138, t137)
-            .sub_product(t151, t150)
-            .sub_product(t162, t161)
-            .sub_product(t171, t170)
-            .sub_product(t178, t177)
-            .sub_product(t183, t182)
-            .sub_product(t186, t185);
+    let t187 = R::literal(1.0) / R::literal(1.0).sub_product(t106, t25).sub_product(t123, t122)
+        .sub_product(t138, t137).sub_product(t151, t150).sub_product(t162, t161).sub_product(t171,
+        t170).sub_product(t178, t177).sub_product(t183, t182).sub_product(t186, t185);
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
     let t188 = R::literal(9.0) * chain_omega_2_squared;
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
@@ -2224,16 +1082,9 @@ pub fn rate_jacobian<R: Real>(
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
     let t195 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t196 = (-(R::literal(98.1) * sin_chain_theta_1))
-        .sub_product(t188, t0)
-        .sub_product(t189, t3)
-        .sub_product(t190, t6)
-        .sub_product(t191, t9)
-        .sub_product(t192, t12)
-        .sub_product(t193, t15)
-        .sub_product(t194, t18)
-        .sub_product(t195, t21)
-        .sub_product(chain_omega_10_squared, t24);
+    let t196 = (R::literal(98.1) * sin_chain_theta_1).add_product(t188, t0).add_product(t189, t3)
+        .add_product(t190, t6).add_product(t191, t9).add_product(t192, t12).add_product(t193, t15)
+        .add_product(t194, t18).add_product(t195, t21).add_product(chain_omega_10_squared, t24);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let t197 = R::literal(9.0) * chain_omega_1_squared;
     let t198 = R::literal(8.0) * chain_omega_1_squared;
@@ -2271,2818 +1122,1658 @@ pub fn rate_jacobian<R: Real>(
     let t230 = R::literal(2.0) * chain_omega_6_squared;
     let t231 = R::literal(2.0) * chain_omega_7_squared;
     let t232 = R::literal(2.0) * chain_omega_8_squared;
-    let t233 = (-(R::literal(88.29) * sin_chain_theta_2))
-        .add_product(t197, t0)
-        .sub_product(t189, t26)
-        .sub_product(t190, t28)
-        .sub_product(t191, t30)
-        .sub_product(t192, t32)
-        .sub_product(t193, t34)
-        .sub_product(t194, t36)
-        .sub_product(t195, t38)
-        .sub_product(chain_omega_10_squared, t40)
-        .sub_product(t98, t196);
-    let t234 = (t198 * t3)
-        .add_product(t199, t26)
-        .sub_product(R::literal(78.48), sin_chain_theta_3)
-        .sub_product(t190, t42)
-        .sub_product(t191, t44)
-        .sub_product(t192, t46)
-        .sub_product(t193, t48)
-        .sub_product(t194, t50)
-        .sub_product(t195, t52)
-        .sub_product(chain_omega_10_squared, t54)
-        .sub_product(t99, t196)
-        .sub_product(t109, t233);
-    let t235 = (t200 * t6)
-        .add_product(t201, t28)
-        .add_product(t202, t42)
-        .sub_product(R::literal(68.67), sin_chain_theta_4)
-        .sub_product(t191, t56)
-        .sub_product(t192, t58)
-        .sub_product(t193, t60)
-        .sub_product(t194, t62)
-        .sub_product(t195, t64)
-        .sub_product(chain_omega_10_squared, t66)
-        .sub_product(t100, t196)
-        .sub_product(t111, t233)
+    let t233 = (R::literal(-88.29) * sin_chain_theta_2).add_product(t197, t0).sub_product(t189, t26)
+        .sub_product(t190, t28).sub_product(t191, t30).sub_product(t192, t32).sub_product(t193, t34)
+        .sub_product(t194, t36).sub_product(t195, t38).sub_product(chain_omega_10_squared, t40)
+        .add_product(t98, t196);
+    let t234 = (t198 * t3).add_product(t199, t26).sub_product(R::literal(78.48), sin_chain_theta_3)
+        .sub_product(t190, t42).sub_product(t191, t44).sub_product(t192, t46).sub_product(t193, t48)
+        .sub_product(t194, t50).sub_product(t195, t52).sub_product(chain_omega_10_squared, t54)
+        .add_product(t99, t196).sub_product(t109, t233);
+    let t235 = (t200 * t6).add_product(t201, t28).add_product(t202, t42)
+        .sub_product(R::literal(68.67), sin_chain_theta_4).sub_product(t191, t56).sub_product(t192,
+        t58).sub_product(t193, t60).sub_product(t194, t62).sub_product(t195, t64)
+        .sub_product(chain_omega_10_squared, t66).add_product(t100, t196).sub_product(t111, t233)
         .sub_product(t126, t234);
-    let t236 = (t203 * t9)
-        .add_product(t204, t30)
-        .add_product(t205, t44)
-        .add_product(t206, t56)
-        .sub_product(R::literal(58.86), sin_chain_theta_5)
-        .sub_product(t192, t68)
-        .sub_product(t193, t70)
-        .sub_product(t194, t72)
-        .sub_product(t195, t74)
-        .sub_product(chain_omega_10_squared, t76)
-        .sub_product(t101, t196)
-        .sub_product(t113, t233)
-        .sub_product(t128, t234)
-        .sub_product(t141, t235);
-    let t237 = (t207 * t12)
-        .add_product(t208, t32)
-        .add_product(t209, t46)
-        .add_product(t210, t58)
-        .add_product(t211, t68)
-        .sub_product(R::literal(49.05), sin_chain_theta_6)
-        .sub_product(t193, t78)
-        .sub_product(t194, t80)
-        .sub_product(t195, t82)
-        .sub_product(chain_omega_10_squared, t84)
-        .sub_product(t102, t196)
-        .sub_product(t115, t233)
-        .sub_product(t130, t234)
-        .sub_product(t143, t235)
-        .sub_product(t154, t236);
-    let t238 = (t212 * t15)
-        .add_product(t213, t34)
-        .add_product(t214, t48)
-        .add_product(t215, t60)
-        .add_product(t216, t70)
-        .add_product(t217, t78)
-        .sub_product(R::literal(39.24), sin_chain_theta_7)
-        .sub_product(t194, t86)
-        .sub_product(t195, t88)
-        .sub_product(chain_omega_10_squared, t90)
-        .sub_product(t103, t196)
-        .sub_product(t117, t233)
-        .sub_product(t132, t234)
-        .sub_product(t145, t235)
-        .sub_product(t156, t236)
-        .sub_product(t165, t237);
-    let t239 = (t218 * t18)
-        .add_product(t219, t36)
-        .add_product(t220, t50)
-        .add_product(t221, t62)
-        .add_product(t222, t72)
-        .add_product(t223, t80)
-        .add_product(t224, t86)
-        .sub_product(R::literal(29.43), sin_chain_theta_8)
-        .sub_product(t195, t92)
-        .sub_product(chain_omega_10_squared, t94)
-        .sub_product(t104, t196)
-        .sub_product(t119, t233)
-        .sub_product(t134, t234)
-        .sub_product(t147, t235)
-        .sub_product(t158, t236)
-        .sub_product(t167, t237)
-        .sub_product(t174, t238);
-    let t240 = (t225 * t21)
-        .add_product(t226, t38)
-        .add_product(t227, t52)
-        .add_product(t228, t64)
-        .add_product(t229, t74)
-        .add_product(t230, t82)
-        .add_product(t231, t88)
-        .add_product(t232, t92)
-        .sub_product(R::literal(19.62), sin_chain_theta_9)
-        .sub_product(chain_omega_10_squared, t96)
-        .sub_product(t105, t196)
-        .sub_product(t121, t233)
-        .sub_product(t136, t234)
-        .sub_product(t149, t235)
-        .sub_product(t160, t236)
-        .sub_product(t169, t237)
-        .sub_product(t176, t238)
+    let t236 = (t203 * t9).add_product(t204, t30).add_product(t205, t44).add_product(t206, t56)
+        .sub_product(R::literal(58.86), sin_chain_theta_5).sub_product(t192, t68).sub_product(t193,
+        t70).sub_product(t194, t72).sub_product(t195, t74).sub_product(chain_omega_10_squared, t76)
+        .add_product(t101, t196).sub_product(t113, t233).sub_product(t128, t234).sub_product(t141,
+        t235);
+    let t237 = (t207 * t12).add_product(t208, t32).add_product(t209, t46).add_product(t210, t58)
+        .add_product(t211, t68).sub_product(R::literal(49.05), sin_chain_theta_6).sub_product(t193,
+        t78).sub_product(t194, t80).sub_product(t195, t82).sub_product(chain_omega_10_squared, t84)
+        .add_product(t102, t196).sub_product(t115, t233).sub_product(t130, t234).sub_product(t143,
+        t235).sub_product(t154, t236);
+    let t238 = (t212 * t15).add_product(t213, t34).add_product(t214, t48).add_product(t215, t60)
+        .add_product(t216, t70).add_product(t217, t78).sub_product(R::literal(39.24),
+        sin_chain_theta_7).sub_product(t194, t86).sub_product(t195, t88)
+        .sub_product(chain_omega_10_squared, t90).add_product(t103, t196).sub_product(t117, t233)
+        .sub_product(t132, t234).sub_product(t145, t235).sub_product(t156, t236).sub_product(t165,
+        t237);
+    let t239 = (t218 * t18).add_product(t219, t36).add_product(t220, t50).add_product(t221, t62)
+        .add_product(t222, t72).add_product(t223, t80).add_product(t224, t86)
+        .sub_product(R::literal(29.43), sin_chain_theta_8).sub_product(t195, t92)
+        .sub_product(chain_omega_10_squared, t94).add_product(t104, t196).sub_product(t119, t233)
+        .sub_product(t134, t234).sub_product(t147, t235).sub_product(t158, t236).sub_product(t167,
+        t237).sub_product(t174, t238);
+    let t240 = (t225 * t21).add_product(t226, t38).add_product(t227, t52).add_product(t228, t64)
+        .add_product(t229, t74).add_product(t230, t82).add_product(t231, t88).add_product(t232, t92)
+        .sub_product(R::literal(19.62), sin_chain_theta_9).sub_product(chain_omega_10_squared, t96)
+        .add_product(t105, t196).sub_product(t121, t233).sub_product(t136, t234).sub_product(t149,
+        t235).sub_product(t160, t236).sub_product(t169, t237).sub_product(t176, t238)
         .sub_product(t181, t239);
-    let chain_omega_10_dot = (chain_omega_1_squared * t24)
-        .add_product(chain_omega_2_squared, t40)
-        .add_product(chain_omega_3_squared, t54)
-        .add_product(chain_omega_4_squared, t66)
-        .add_product(chain_omega_5_squared, t76)
-        .add_product(chain_omega_6_squared, t84)
-        .add_product(chain_omega_7_squared, t90)
-        .add_product(chain_omega_8_squared, t94)
-        .add_product(chain_omega_9_squared, t96)
-        .sub_product(R::literal(9.81), sin_chain_theta_10)
-        .sub_product(t106, t196)
-        .sub_product(t123, t233)
-        .sub_product(t138, t234)
-        .sub_product(t151, t235)
-        .sub_product(t162, t236)
-        .sub_product(t171, t237)
-        .sub_product(t178, t238)
-        .sub_product(t183, t239)
-        .sub_product(t186, t240) * t187;
+    let chain_omega_10_dot = (chain_omega_1_squared * t24).add_product(chain_omega_2_squared, t40)
+        .add_product(chain_omega_3_squared, t54).add_product(chain_omega_4_squared, t66)
+        .add_product(chain_omega_5_squared, t76).add_product(chain_omega_6_squared, t84)
+        .add_product(chain_omega_7_squared, t90).add_product(chain_omega_8_squared, t94)
+        .add_product(chain_omega_9_squared, t96).sub_product(R::literal(9.81), sin_chain_theta_10)
+        .add_product(t106, t196).sub_product(t123, t233).sub_product(t138, t234).sub_product(t151,
+        t235).sub_product(t162, t236).sub_product(t171, t237).sub_product(t178, t238)
+        .sub_product(t183, t239).sub_product(t186, t240) * t187;
     let chain_omega_9_dot = (t240 * t184).sub_product(t186, chain_omega_10_dot);
-    let chain_omega_8_dot = (t239 * t179)
-        .sub_product(t181, chain_omega_9_dot)
-        .sub_product(t183, chain_omega_10_dot);
-    let chain_omega_7_dot = (t238 * t172)
-        .sub_product(t174, chain_omega_8_dot)
-        .sub_product(t176, chain_omega_9_dot)
-        .sub_product(t178, chain_omega_10_dot);
-    let chain_omega_6_dot = (t237 * t163)
-        .sub_product(t165, chain_omega_7_dot)
-        .sub_product(t167, chain_omega_8_dot)
-        .sub_product(t169, chain_omega_9_dot)
-        .sub_product(t171, chain_omega_10_dot);
-    let chain_omega_5_dot = (t236 * t152)
-        .sub_product(t154, chain_omega_6_dot)
-        .sub_product(t156, chain_omega_7_dot)
-        .sub_product(t158, chain_omega_8_dot)
-        .sub_product(t160, chain_omega_9_dot)
+    let chain_omega_8_dot = (t239 * t179).sub_product(t181, chain_omega_9_dot).sub_product(t183,
+        chain_omega_10_dot);
+    let chain_omega_7_dot = (t238 * t172).sub_product(t174, chain_omega_8_dot).sub_product(t176,
+        chain_omega_9_dot).sub_product(t178, chain_omega_10_dot);
+    let chain_omega_6_dot = (t237 * t163).sub_product(t165, chain_omega_7_dot).sub_product(t167,
+        chain_omega_8_dot).sub_product(t169, chain_omega_9_dot).sub_product(t171,
+        chain_omega_10_dot);
+    let chain_omega_5_dot = (t236 * t152).sub_product(t154, chain_omega_6_dot).sub_product(t156,
+        chain_omega_7_dot).sub_product(t158, chain_omega_8_dot).sub_product(t160, chain_omega_9_dot)
         .sub_product(t162, chain_omega_10_dot);
-    let chain_omega_4_dot = (t235 * t139)
-        .sub_product(t141, chain_omega_5_dot)
-        .sub_product(t143, chain_omega_6_dot)
-        .sub_product(t145, chain_omega_7_dot)
-        .sub_product(t147, chain_omega_8_dot)
-        .sub_product(t149, chain_omega_9_dot)
-        .sub_product(t151, chain_omega_10_dot);
-    let chain_omega_3_dot = (t234 * t124)
-        .sub_product(t126, chain_omega_4_dot)
-        .sub_product(t128, chain_omega_5_dot)
-        .sub_product(t130, chain_omega_6_dot)
-        .sub_product(t132, chain_omega_7_dot)
-        .sub_product(t134, chain_omega_8_dot)
-        .sub_product(t136, chain_omega_9_dot)
+    let chain_omega_4_dot = (t235 * t139).sub_product(t141, chain_omega_5_dot).sub_product(t143,
+        chain_omega_6_dot).sub_product(t145, chain_omega_7_dot).sub_product(t147, chain_omega_8_dot)
+        .sub_product(t149, chain_omega_9_dot).sub_product(t151, chain_omega_10_dot);
+    let chain_omega_3_dot = (t234 * t124).sub_product(t126, chain_omega_4_dot).sub_product(t128,
+        chain_omega_5_dot).sub_product(t130, chain_omega_6_dot).sub_product(t132, chain_omega_7_dot)
+        .sub_product(t134, chain_omega_8_dot).sub_product(t136, chain_omega_9_dot)
         .sub_product(t138, chain_omega_10_dot);
-    let chain_omega_2_dot = (t233 * t107)
-        .sub_product(t109, chain_omega_3_dot)
-        .sub_product(t111, chain_omega_4_dot)
-        .sub_product(t113, chain_omega_5_dot)
-        .sub_product(t115, chain_omega_6_dot)
-        .sub_product(t117, chain_omega_7_dot)
-        .sub_product(t119, chain_omega_8_dot)
-        .sub_product(t121, chain_omega_9_dot)
-        .sub_product(t123, chain_omega_10_dot);
-    let chain_omega_1_dot = (t196 * R::literal(0.1))
-        .sub_product(t98, chain_omega_2_dot)
-        .sub_product(t99, chain_omega_3_dot)
-        .sub_product(t100, chain_omega_4_dot)
-        .sub_product(t101, chain_omega_5_dot)
-        .sub_product(t102, chain_omega_6_dot)
-        .sub_product(t103, chain_omega_7_dot)
-        .sub_product(t104, chain_omega_8_dot)
-        .sub_product(t105, chain_omega_9_dot)
-        .sub_product(t106, chain_omega_10_dot);
-    let t241 = t188 * t1;
-    let t242 = t189 * t4;
-    let t243 = t190 * t7;
-    let t244 = t191 * t10;
-    let t245 = t192 * t13;
-    let t246 = t193 * t16;
-    let t247 = t194 * t19;
-    let t248 = t195 * t22;
-    let t249 = chain_omega_10_squared * t25;
-    let t250 = t197 * t1;
-    let t251 = t198 * t4;
-    let t252 = t200 * t7;
-    let t253 = t203 * t10;
-    let t254 = t207 * t13;
-    let t255 = t212 * t16;
-    let t256 = t218 * t19;
-    let t257 = t225 * t22;
-    let t258 = chain_omega_1_squared * t25;
-    let t259 = R::literal(9.0) * t0;
-    let t260 = t259 * chain_omega_2_dot;
-    let t261 = t259 * chain_omega_1_dot;
-    let t262 = R::literal(8.0) * t3;
-    let t263 = t262 * chain_omega_3_dot;
-    let t264 = t262 * chain_omega_1_dot;
-    let t265 = R::literal(7.0) * t6;
-    let t266 = t265 * chain_omega_4_dot;
-    let t267 = t265 * chain_omega_1_dot;
-    let t268 = R::literal(6.0) * t9;
-    let t269 = t268 * chain_omega_5_dot;
-    let t270 = t268 * chain_omega_1_dot;
-    let t271 = R::literal(5.0) * t12;
-    let t272 = t271 * chain_omega_6_dot;
-    let t273 = t271 * chain_omega_1_dot;
-    let t274 = R::literal(4.0) * t15;
-    let t275 = t274 * chain_omega_7_dot;
-    let t276 = t274 * chain_omega_1_dot;
-    let t277 = R::literal(3.0) * t18;
-    let t278 = t277 * chain_omega_8_dot;
-    let t279 = t277 * chain_omega_1_dot;
-    let t280 = R::literal(2.0) * t21;
-    let t281 = t280 * chain_omega_9_dot;
-    let t282 = t280 * chain_omega_1_dot;
-    let t283 = t24 * chain_omega_10_dot;
-    let t284 = (-t241).sub_product(R::literal(98.1), cos_chain_theta_1) - t242 - t243
-        - t244 - t245 - t246 - t247 - t248 - t249 + t260 + t263 + t266 + t269 + t272
-        + t275 + t278 + t281 + t283;
-    let t285 = t24 * chain_omega_1_dot;
-    let t286 = (t250 + t261).sub_product(t98, t284);
-    let t287 = (t251 + t264).sub_product(t99, t284).sub_product(t109, t286);
-    let t288 = (t252 + t267)
-        .sub_product(t100, t284)
-        .sub_product(t111, t286)
-        .sub_product(t126, t287);
-    let t289 = (t253 + t270)
-        .sub_product(t101, t284)
-        .sub_product(t113, t286)
-        .sub_product(t128, t287)
-        .sub_product(t141, t288);
-    let t290 = (t254 + t273)
-        .sub_product(t102, t284)
-        .sub_product(t115, t286)
-        .sub_product(t130, t287)
-        .sub_product(t143, t288)
-        .sub_product(t154, t289);
-    let t291 = (t255 + t276)
-        .sub_product(t103, t284)
-        .sub_product(t117, t286)
-        .sub_product(t132, t287)
-        .sub_product(t145, t288)
-        .sub_product(t156, t289)
-        .sub_product(t165, t290);
-    let t292 = (t256 + t279)
-        .sub_product(t104, t284)
-        .sub_product(t119, t286)
-        .sub_product(t134, t287)
-        .sub_product(t147, t288)
-        .sub_product(t158, t289)
-        .sub_product(t167, t290)
-        .sub_product(t174, t291);
-    let t293 = (t257 + t282)
-        .sub_product(t105, t284)
-        .sub_product(t121, t286)
-        .sub_product(t136, t287)
-        .sub_product(t149, t288)
-        .sub_product(t160, t289)
-        .sub_product(t169, t290)
-        .sub_product(t176, t291)
-        .sub_product(t181, t292);
-    let chain_omega_10_dot_by_chain_theta_1 = (t258 + t285)
-        .sub_product(t106, t284)
-        .sub_product(t123, t286)
-        .sub_product(t138, t287)
-        .sub_product(t151, t288)
-        .sub_product(t162, t289)
-        .sub_product(t171, t290)
-        .sub_product(t178, t291)
-        .sub_product(t183, t292)
-        .sub_product(t186, t293) * t187;
-    let chain_omega_9_dot_by_chain_theta_1 = (t293 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_8_dot_by_chain_theta_1 = (t292 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_theta_1)
-        .sub_product(t183, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_7_dot_by_chain_theta_1 = (t291 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_theta_1)
-        .sub_product(t176, chain_omega_9_dot_by_chain_theta_1)
+    let chain_omega_2_dot = (t233 * t107).sub_product(t109, chain_omega_3_dot).sub_product(t111,
+        chain_omega_4_dot).sub_product(t113, chain_omega_5_dot).sub_product(t115, chain_omega_6_dot)
+        .sub_product(t117, chain_omega_7_dot).sub_product(t119, chain_omega_8_dot)
+        .sub_product(t121, chain_omega_9_dot).sub_product(t123, chain_omega_10_dot);
+    let t241 = (t196 * R::literal(0.1)).add_product(t98, chain_omega_2_dot).add_product(t99,
+        chain_omega_3_dot).add_product(t100, chain_omega_4_dot).add_product(t101, chain_omega_5_dot)
+        .add_product(t102, chain_omega_6_dot).add_product(t103, chain_omega_7_dot)
+        .add_product(t104, chain_omega_8_dot).add_product(t105, chain_omega_9_dot)
+        .add_product(t106, chain_omega_10_dot);
+    let t242 = t188 * t1;
+    let t243 = t189 * t4;
+    let t244 = t190 * t7;
+    let t245 = t191 * t10;
+    let t246 = t192 * t13;
+    let t247 = t193 * t16;
+    let t248 = t194 * t19;
+    let t249 = t195 * t22;
+    let t250 = chain_omega_10_squared * t25;
+    let t251 = t197 * t1;
+    let t252 = t198 * t4;
+    let t253 = t200 * t7;
+    let t254 = t203 * t10;
+    let t255 = t207 * t13;
+    let t256 = t212 * t16;
+    let t257 = t218 * t19;
+    let t258 = t225 * t22;
+    let t259 = chain_omega_1_squared * t25;
+    let t260 = R::literal(9.0) * t0;
+    let t261 = t260 * chain_omega_2_dot;
+    let t262 = t260 * t241;
+    let t263 = R::literal(8.0) * t3;
+    let t264 = t263 * chain_omega_3_dot;
+    let t265 = t263 * t241;
+    let t266 = R::literal(7.0) * t6;
+    let t267 = t266 * chain_omega_4_dot;
+    let t268 = t266 * t241;
+    let t269 = R::literal(6.0) * t9;
+    let t270 = t269 * chain_omega_5_dot;
+    let t271 = t269 * t241;
+    let t272 = R::literal(5.0) * t12;
+    let t273 = t272 * chain_omega_6_dot;
+    let t274 = t272 * t241;
+    let t275 = R::literal(4.0) * t15;
+    let t276 = t275 * chain_omega_7_dot;
+    let t277 = t275 * t241;
+    let t278 = R::literal(3.0) * t18;
+    let t279 = t278 * chain_omega_8_dot;
+    let t280 = t278 * t241;
+    let t281 = R::literal(2.0) * t21;
+    let t282 = t281 * chain_omega_9_dot;
+    let t283 = t281 * t241;
+    let t284 = t24 * chain_omega_10_dot;
+    let t285 = t261 - (t242.add_product(R::literal(98.1), cos_chain_theta_1) + t243 + t244 + t245
+        + t246 + t247 + t248 + t249 + t250) + t264 + t267 + t270 + t273 + t276 + t279 + t282 + t284;
+    let t286 = t24 * t241;
+    let t287 = (t251 - t262).sub_product(t98, t285);
+    let t288 = (t252 - t265).sub_product(t99, t285).sub_product(t109, t287);
+    let t289 = (t253 - t268).sub_product(t100, t285).sub_product(t111, t287).sub_product(t126,
+        t288);
+    let t290 = (t254 - t271).sub_product(t101, t285).sub_product(t113, t287).sub_product(t128, t288)
+        .sub_product(t141, t289);
+    let t291 = (t255 - t274).sub_product(t102, t285).sub_product(t115, t287).sub_product(t130, t288)
+        .sub_product(t143, t289).sub_product(t154, t290);
+    let t292 = (t256 - t277).sub_product(t103, t285).sub_product(t117, t287).sub_product(t132, t288)
+        .sub_product(t145, t289).sub_product(t156, t290).sub_product(t165, t291);
+    let t293 = (t257 - t280).sub_product(t104, t285).sub_product(t119, t287).sub_product(t134, t288)
+        .sub_product(t147, t289).sub_product(t158, t290).sub_product(t167, t291).sub_product(t174,
+        t292);
+    let t294 = (t258 - t283).sub_product(t105, t285).sub_product(t121, t287).sub_product(t136, t288)
+        .sub_product(t149, t289).sub_product(t160, t290).sub_product(t169, t291).sub_product(t176,
+        t292).sub_product(t181, t293);
+    let chain_omega_10_dot_by_chain_theta_1 = (t259 - t286).sub_product(t106, t285)
+        .sub_product(t123, t287).sub_product(t138, t288).sub_product(t151, t289).sub_product(t162,
+        t290).sub_product(t171, t291).sub_product(t178, t292).sub_product(t183, t293)
+        .sub_product(t186, t294) * t187;
+    let chain_omega_9_dot_by_chain_theta_1 = (t294 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_theta_1);
+    let chain_omega_8_dot_by_chain_theta_1 = (t293 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_theta_1).sub_product(t183, chain_omega_10_dot_by_chain_theta_1);
+    let chain_omega_7_dot_by_chain_theta_1 = (t292 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_theta_1).sub_product(t176, chain_omega_9_dot_by_chain_theta_1)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_6_dot_by_chain_theta_1 = (t290 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_theta_1)
-        .sub_product(t167, chain_omega_8_dot_by_chain_theta_1)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_1)
-        .sub_product(t171, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_5_dot_by_chain_theta_1 = (t289 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_theta_1)
-        .sub_product(t156, chain_omega_7_dot_by_chain_theta_1)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_1)
-        .sub_product(t160, chain_omega_9_dot_by_chain_theta_1)
-        .sub_product(t162, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_4_dot_by_chain_theta_1 = (t288 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_theta_1)
-        .sub_product(t143, chain_omega_6_dot_by_chain_theta_1)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_1)
-        .sub_product(t147, chain_omega_8_dot_by_chain_theta_1)
-        .sub_product(t149, chain_omega_9_dot_by_chain_theta_1)
+    let chain_omega_6_dot_by_chain_theta_1 = (t291 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_theta_1).sub_product(t167, chain_omega_8_dot_by_chain_theta_1)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_1).sub_product(t171,
+        chain_omega_10_dot_by_chain_theta_1);
+    let chain_omega_5_dot_by_chain_theta_1 = (t290 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_theta_1).sub_product(t156, chain_omega_7_dot_by_chain_theta_1)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_1).sub_product(t160,
+        chain_omega_9_dot_by_chain_theta_1).sub_product(t162, chain_omega_10_dot_by_chain_theta_1);
+    let chain_omega_4_dot_by_chain_theta_1 = (t289 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_theta_1).sub_product(t143, chain_omega_6_dot_by_chain_theta_1)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_1).sub_product(t147,
+        chain_omega_8_dot_by_chain_theta_1).sub_product(t149, chain_omega_9_dot_by_chain_theta_1)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_3_dot_by_chain_theta_1 = (t287 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_theta_1)
-        .sub_product(t128, chain_omega_5_dot_by_chain_theta_1)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_1)
-        .sub_product(t132, chain_omega_7_dot_by_chain_theta_1)
-        .sub_product(t134, chain_omega_8_dot_by_chain_theta_1)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_1)
-        .sub_product(t138, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_2_dot_by_chain_theta_1 = (t286 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_theta_1)
-        .sub_product(t111, chain_omega_4_dot_by_chain_theta_1)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_1)
-        .sub_product(t115, chain_omega_6_dot_by_chain_theta_1)
-        .sub_product(t117, chain_omega_7_dot_by_chain_theta_1)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_1)
-        .sub_product(t121, chain_omega_9_dot_by_chain_theta_1)
-        .sub_product(t123, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_1_dot_by_chain_theta_1 = (t284 * R::literal(0.1))
-        .sub_product(t98, chain_omega_2_dot_by_chain_theta_1)
-        .sub_product(t99, chain_omega_3_dot_by_chain_theta_1)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_1)
-        .sub_product(t101, chain_omega_5_dot_by_chain_theta_1)
-        .sub_product(t102, chain_omega_6_dot_by_chain_theta_1)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_1)
-        .sub_product(t104, chain_omega_8_dot_by_chain_theta_1)
-        .sub_product(t105, chain_omega_9_dot_by_chain_theta_1)
+    let chain_omega_3_dot_by_chain_theta_1 = (t288 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_theta_1).sub_product(t128, chain_omega_5_dot_by_chain_theta_1)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_1).sub_product(t132,
+        chain_omega_7_dot_by_chain_theta_1).sub_product(t134, chain_omega_8_dot_by_chain_theta_1)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_1).sub_product(t138,
+        chain_omega_10_dot_by_chain_theta_1);
+    let chain_omega_2_dot_by_chain_theta_1 = (t287 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_theta_1).sub_product(t111, chain_omega_4_dot_by_chain_theta_1)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_1).sub_product(t115,
+        chain_omega_6_dot_by_chain_theta_1).sub_product(t117, chain_omega_7_dot_by_chain_theta_1)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_1).sub_product(t121,
+        chain_omega_9_dot_by_chain_theta_1).sub_product(t123, chain_omega_10_dot_by_chain_theta_1);
+    let chain_omega_1_dot_by_chain_theta_1 = (t285 * R::literal(0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_theta_1).sub_product(t99, chain_omega_3_dot_by_chain_theta_1)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_1).sub_product(t101,
+        chain_omega_5_dot_by_chain_theta_1).sub_product(t102, chain_omega_6_dot_by_chain_theta_1)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_1).sub_product(t104,
+        chain_omega_8_dot_by_chain_theta_1).sub_product(t105, chain_omega_9_dot_by_chain_theta_1)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_1);
-    let t294 = t189 * t27;
-    let t295 = t190 * t29;
-    let t296 = t191 * t31;
-    let t297 = t192 * t33;
-    let t298 = t193 * t35;
-    let t299 = t194 * t37;
-    let t300 = t195 * t39;
-    let t301 = chain_omega_10_squared * t41;
-    let t302 = t199 * t27;
-    let t303 = t201 * t29;
-    let t304 = t204 * t31;
-    let t305 = t208 * t33;
-    let t306 = t213 * t35;
-    let t307 = t219 * t37;
-    let t308 = t226 * t39;
-    let t309 = chain_omega_2_squared * t41;
-    let t310 = t241 - t260;
-    let t311 = R::literal(8.0) * t26;
-    let t312 = t311 * chain_omega_3_dot;
-    let t313 = t311 * chain_omega_2_dot;
-    let t314 = R::literal(7.0) * t28;
-    let t315 = t314 * chain_omega_4_dot;
-    let t316 = t314 * chain_omega_2_dot;
-    let t317 = R::literal(6.0) * t30;
-    let t318 = t317 * chain_omega_5_dot;
-    let t319 = t317 * chain_omega_2_dot;
-    let t320 = R::literal(5.0) * t32;
-    let t321 = t320 * chain_omega_6_dot;
-    let t322 = t320 * chain_omega_2_dot;
-    let t323 = R::literal(4.0) * t34;
-    let t324 = t323 * chain_omega_7_dot;
-    let t325 = t323 * chain_omega_2_dot;
-    let t326 = R::literal(3.0) * t36;
-    let t327 = t326 * chain_omega_8_dot;
-    let t328 = t326 * chain_omega_2_dot;
-    let t329 = R::literal(2.0) * t38;
-    let t330 = t329 * chain_omega_9_dot;
-    let t331 = t329 * chain_omega_2_dot;
-    let t332 = t40 * chain_omega_10_dot;
-    let t333 = t40 * chain_omega_2_dot;
-    let t334 = ((-t250).sub_product(R::literal(88.29), cos_chain_theta_2) - t294 - t295
-        - t296 - t297 - t298 - t299 - t300 - t301 - t261 + t312 + t315 + t318 + t321
-        + t324 + t327 + t330 + t332)
-        .sub_product(t98, t310);
-    let t335 = (t302 + t313).sub_product(t99, t310).sub_product(t109, t334);
-    let t336 = (t303 + t316)
-        .sub_product(t100, t310)
-        .sub_product(t111, t334)
-        .sub_product(t126, t335);
-    let t337 = (t304 + t319)
-        .sub_product(t101, t310)
-        .sub_product(t113, t334)
-        .sub_product(t128, t335)
-        .sub_product(t141, t336);
-    let t338 = (t305 + t322)
-        .sub_product(t102, t310)
-        .sub_product(t115, t334)
-        .sub_product(t130, t335)
-        .sub_product(t143, t336)
-        .sub_product(t154, t337);
-    let t339 = (t306 + t325)
-        .sub_product(t103, t310)
-        .sub_product(t117, t334)
-        .sub_product(t132, t335)
-        .sub_product(t145, t336)
-        .sub_product(t156, t337)
-        .sub_product(t165, t338);
-    let t340 = (t307 + t328)
-        .sub_product(t104, t310)
-        .sub_product(t119, t334)
-        .sub_product(t134, t335)
-        .sub_product(t147, t336)
-        .sub_product(t158, t337)
-        .sub_product(t167, t338)
-        .sub_product(t174, t339);
-    let t341 = (t308 + t331)
-        .sub_product(t105, t310)
-        .sub_product(t121, t334)
-        .sub_product(t136, t335)
-        .sub_product(t149, t336)
-        .sub_product(t160, t337)
-        .sub_product(t169, t338)
-        .sub_product(t176, t339)
-        .sub_product(t181, t340);
-    let chain_omega_10_dot_by_chain_theta_2 = (t309 + t333)
-        .sub_product(t106, t310)
-        .sub_product(t123, t334)
-        .sub_product(t138, t335)
-        .sub_product(t151, t336)
-        .sub_product(t162, t337)
-        .sub_product(t171, t338)
-        .sub_product(t178, t339)
-        .sub_product(t183, t340)
-        .sub_product(t186, t341) * t187;
-    let chain_omega_9_dot_by_chain_theta_2 = (t341 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_8_dot_by_chain_theta_2 = (t340 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_theta_2)
-        .sub_product(t183, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_7_dot_by_chain_theta_2 = (t339 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_theta_2)
-        .sub_product(t176, chain_omega_9_dot_by_chain_theta_2)
+    let t295 = t189 * t27;
+    let t296 = t190 * t29;
+    let t297 = t191 * t31;
+    let t298 = t192 * t33;
+    let t299 = t193 * t35;
+    let t300 = t194 * t37;
+    let t301 = t195 * t39;
+    let t302 = chain_omega_10_squared * t41;
+    let t303 = t199 * t27;
+    let t304 = t201 * t29;
+    let t305 = t204 * t31;
+    let t306 = t208 * t33;
+    let t307 = t213 * t35;
+    let t308 = t219 * t37;
+    let t309 = t226 * t39;
+    let t310 = chain_omega_2_squared * t41;
+    let t311 = t242 - t261;
+    let t312 = R::literal(8.0) * t26;
+    let t313 = t312 * chain_omega_3_dot;
+    let t314 = t312 * chain_omega_2_dot;
+    let t315 = R::literal(7.0) * t28;
+    let t316 = t315 * chain_omega_4_dot;
+    let t317 = t315 * chain_omega_2_dot;
+    let t318 = R::literal(6.0) * t30;
+    let t319 = t318 * chain_omega_5_dot;
+    let t320 = t318 * chain_omega_2_dot;
+    let t321 = R::literal(5.0) * t32;
+    let t322 = t321 * chain_omega_6_dot;
+    let t323 = t321 * chain_omega_2_dot;
+    let t324 = R::literal(4.0) * t34;
+    let t325 = t324 * chain_omega_7_dot;
+    let t326 = t324 * chain_omega_2_dot;
+    let t327 = R::literal(3.0) * t36;
+    let t328 = t327 * chain_omega_8_dot;
+    let t329 = t327 * chain_omega_2_dot;
+    let t330 = R::literal(2.0) * t38;
+    let t331 = t330 * chain_omega_9_dot;
+    let t332 = t330 * chain_omega_2_dot;
+    let t333 = t40 * chain_omega_10_dot;
+    let t334 = t40 * chain_omega_2_dot;
+    let t335 = (t262 - (t251.add_product(R::literal(88.29), cos_chain_theta_2) + t295 + t296 + t297
+        + t298 + t299 + t300 + t301 + t302) + t313 + t316 + t319 + t322 + t325 + t328 + t331 + t333)
+        .sub_product(t98, t311);
+    let t336 = (t303 + t314).sub_product(t99, t311).sub_product(t109, t335);
+    let t337 = (t304 + t317).sub_product(t100, t311).sub_product(t111, t335).sub_product(t126,
+        t336);
+    let t338 = (t305 + t320).sub_product(t101, t311).sub_product(t113, t335).sub_product(t128, t336)
+        .sub_product(t141, t337);
+    let t339 = (t306 + t323).sub_product(t102, t311).sub_product(t115, t335).sub_product(t130, t336)
+        .sub_product(t143, t337).sub_product(t154, t338);
+    let t340 = (t307 + t326).sub_product(t103, t311).sub_product(t117, t335).sub_product(t132, t336)
+        .sub_product(t145, t337).sub_product(t156, t338).sub_product(t165, t339);
+    let t341 = (t308 + t329).sub_product(t104, t311).sub_product(t119, t335).sub_product(t134, t336)
+        .sub_product(t147, t337).sub_product(t158, t338).sub_product(t167, t339).sub_product(t174,
+        t340);
+    let t342 = (t309 + t332).sub_product(t105, t311).sub_product(t121, t335).sub_product(t136, t336)
+        .sub_product(t149, t337).sub_product(t160, t338).sub_product(t169, t339).sub_product(t176,
+        t340).sub_product(t181, t341);
+    let chain_omega_10_dot_by_chain_theta_2 = (t310 + t334).sub_product(t106, t311)
+        .sub_product(t123, t335).sub_product(t138, t336).sub_product(t151, t337).sub_product(t162,
+        t338).sub_product(t171, t339).sub_product(t178, t340).sub_product(t183, t341)
+        .sub_product(t186, t342) * t187;
+    let chain_omega_9_dot_by_chain_theta_2 = (t342 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_theta_2);
+    let chain_omega_8_dot_by_chain_theta_2 = (t341 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_theta_2).sub_product(t183, chain_omega_10_dot_by_chain_theta_2);
+    let chain_omega_7_dot_by_chain_theta_2 = (t340 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_theta_2).sub_product(t176, chain_omega_9_dot_by_chain_theta_2)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_6_dot_by_chain_theta_2 = (t338 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_theta_2)
-        .sub_product(t167, chain_omega_8_dot_by_chain_theta_2)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_2)
-        .sub_product(t171, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_5_dot_by_chain_theta_2 = (t337 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_theta_2)
-        .sub_product(t156, chain_omega_7_dot_by_chain_theta_2)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_2)
-        .sub_product(t160, chain_omega_9_dot_by_chain_theta_2)
-        .sub_product(t162, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_4_dot_by_chain_theta_2 = (t336 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_theta_2)
-        .sub_product(t143, chain_omega_6_dot_by_chain_theta_2)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_2)
-        .sub_product(t147, chain_omega_8_dot_by_chain_theta_2)
-        .sub_product(t149, chain_omega_9_dot_by_chain_theta_2)
+    let chain_omega_6_dot_by_chain_theta_2 = (t339 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_theta_2).sub_product(t167, chain_omega_8_dot_by_chain_theta_2)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_2).sub_product(t171,
+        chain_omega_10_dot_by_chain_theta_2);
+    let chain_omega_5_dot_by_chain_theta_2 = (t338 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_theta_2).sub_product(t156, chain_omega_7_dot_by_chain_theta_2)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_2).sub_product(t160,
+        chain_omega_9_dot_by_chain_theta_2).sub_product(t162, chain_omega_10_dot_by_chain_theta_2);
+    let chain_omega_4_dot_by_chain_theta_2 = (t337 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_theta_2).sub_product(t143, chain_omega_6_dot_by_chain_theta_2)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_2).sub_product(t147,
+        chain_omega_8_dot_by_chain_theta_2).sub_product(t149, chain_omega_9_dot_by_chain_theta_2)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_3_dot_by_chain_theta_2 = (t335 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_theta_2)
-        .sub_product(t128, chain_omega_5_dot_by_chain_theta_2)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_2)
-        .sub_product(t132, chain_omega_7_dot_by_chain_theta_2)
-        .sub_product(t134, chain_omega_8_dot_by_chain_theta_2)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_2)
-        .sub_product(t138, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_2_dot_by_chain_theta_2 = (t334 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_theta_2)
-        .sub_product(t111, chain_omega_4_dot_by_chain_theta_2)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_2)
-        .sub_product(t115, chain_omega_6_dot_by_chain_theta_2)
-        .sub_product(t117, chain_omega_7_dot_by_chain_theta_2)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_2)
-        .sub_product(t121, chain_omega_9_dot_by_chain_theta_2)
-        .sub_product(t123, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_1_dot_by_chain_theta_2 = (t310 * R::literal(0.1))
-        .sub_product(t98, chain_omega_2_dot_by_chain_theta_2)
-        .sub_product(t99, chain_omega_3_dot_by_chain_theta_2)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_2)
-        .sub_product(t101, chain_omega_5_dot_by_chain_theta_2)
-        .sub_product(t102, chain_omega_6_dot_by_chain_theta_2)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_2)
-        .sub_product(t104, chain_omega_8_dot_by_chain_theta_2)
-        .sub_product(t105, chain_omega_9_dot_by_chain_theta_2)
+    let chain_omega_3_dot_by_chain_theta_2 = (t336 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_theta_2).sub_product(t128, chain_omega_5_dot_by_chain_theta_2)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_2).sub_product(t132,
+        chain_omega_7_dot_by_chain_theta_2).sub_product(t134, chain_omega_8_dot_by_chain_theta_2)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_2).sub_product(t138,
+        chain_omega_10_dot_by_chain_theta_2);
+    let chain_omega_2_dot_by_chain_theta_2 = (t335 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_theta_2).sub_product(t111, chain_omega_4_dot_by_chain_theta_2)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_2).sub_product(t115,
+        chain_omega_6_dot_by_chain_theta_2).sub_product(t117, chain_omega_7_dot_by_chain_theta_2)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_2).sub_product(t121,
+        chain_omega_9_dot_by_chain_theta_2).sub_product(t123, chain_omega_10_dot_by_chain_theta_2);
+    let chain_omega_1_dot_by_chain_theta_2 = (t311 * R::literal(0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_theta_2).sub_product(t99, chain_omega_3_dot_by_chain_theta_2)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_2).sub_product(t101,
+        chain_omega_5_dot_by_chain_theta_2).sub_product(t102, chain_omega_6_dot_by_chain_theta_2)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_2).sub_product(t104,
+        chain_omega_8_dot_by_chain_theta_2).sub_product(t105, chain_omega_9_dot_by_chain_theta_2)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_2);
-    let t342 = t190 * t43;
-    let t343 = t191 * t45;
-    let t344 = t192 * t47;
-    let t345 = t193 * t49;
-    let t346 = t194 * t51;
-    let t347 = t195 * t53;
-    let t348 = chain_omega_10_squared * t55;
-    let t349 = t202 * t43;
-    let t350 = t205 * t45;
-    let t351 = t209 * t47;
-    let t352 = t214 * t49;
-    let t353 = t220 * t51;
-    let t354 = t227 * t53;
-    let t355 = chain_omega_3_squared * t55;
-    let t356 = t242 - t263;
-    let t357 = R::literal(7.0) * t42;
-    let t358 = t357 * chain_omega_4_dot;
-    let t359 = t357 * chain_omega_3_dot;
-    let t360 = R::literal(6.0) * t44;
-    let t361 = t360 * chain_omega_5_dot;
-    let t362 = t360 * chain_omega_3_dot;
-    let t363 = R::literal(5.0) * t46;
-    let t364 = t363 * chain_omega_6_dot;
-    let t365 = t363 * chain_omega_3_dot;
-    let t366 = R::literal(4.0) * t48;
-    let t367 = t366 * chain_omega_7_dot;
-    let t368 = t366 * chain_omega_3_dot;
-    let t369 = R::literal(3.0) * t50;
-    let t370 = t369 * chain_omega_8_dot;
-    let t371 = t369 * chain_omega_3_dot;
-    let t372 = R::literal(2.0) * t52;
-    let t373 = t372 * chain_omega_9_dot;
-    let t374 = t372 * chain_omega_3_dot;
-    let t375 = t54 * chain_omega_10_dot;
-    let t376 = t54 * chain_omega_3_dot;
-    let t377 = (t294 - t312).sub_product(t98, t356);
-    let t378 = ((-t251).sub_product(R::literal(78.48), cos_chain_theta_3) - t302 - t342
-        - t343 - t344 - t345 - t346 - t347 - t348 - t264 - t313 + t358 + t361 + t364
-        + t367 + t370 + t373 + t375)
-        .sub_product(t99, t356)
-        .sub_product(t109, t377);
-    let t379 = (t349 + t359)
-        .sub_product(t100, t356)
-        .sub_product(t111, t377)
-        .sub_product(t126, t378);
-    let t380 = (t350 + t362)
-        .sub_product(t101, t356)
-        .sub_product(t113, t377)
-        .sub_product(t128, t378)
-        .sub_product(t141, t379);
-    let t381 = (t351 + t365)
-        .sub_product(t102, t356)
-        .sub_product(t115, t377)
-        .sub_product(t130, t378)
-        .sub_product(t143, t379)
-        .sub_product(t154, t380);
-    let t382 = (t352 + t368)
-        .sub_product(t103, t356)
-        .sub_product(t117, t377)
-        .sub_product(t132, t378)
-        .sub_product(t145, t379)
-        .sub_product(t156, t380)
-        .sub_product(t165, t381);
-    let t383 = (t353 + t371)
-        .sub_product(t104, t356)
-        .sub_product(t119, t377)
-        .sub_product(t134, t378)
-        .sub_product(t147, t379)
-        .sub_product(t158, t380)
-        .sub_product(t167, t381)
-        .sub_product(t174, t382);
-    let t384 = (t354 + t374)
-        .sub_product(t105, t356)
-        .sub_product(t121, t377)
-        .sub_product(t136, t378)
-        .sub_product(t149, t379)
-        .sub_product(t160, t380)
-        .sub_product(t169, t381)
-        .sub_product(t176, t382)
-        .sub_product(t181, t383);
-    let chain_omega_10_dot_by_chain_theta_3 = (t355 + t376)
-        .sub_product(t106, t356)
-        .sub_product(t123, t377)
-        .sub_product(t138, t378)
-        .sub_product(t151, t379)
-        .sub_product(t162, t380)
-        .sub_product(t171, t381)
-        .sub_product(t178, t382)
-        .sub_product(t183, t383)
-        .sub_product(t186, t384) * t187;
-    let chain_omega_9_dot_by_chain_theta_3 = (t384 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_8_dot_by_chain_theta_3 = (t383 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_theta_3)
-        .sub_product(t183, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_7_dot_by_chain_theta_3 = (t382 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_theta_3)
-        .sub_product(t176, chain_omega_9_dot_by_chain_theta_3)
+    let t343 = t190 * t43;
+    let t344 = t191 * t45;
+    let t345 = t192 * t47;
+    let t346 = t193 * t49;
+    let t347 = t194 * t51;
+    let t348 = t195 * t53;
+    let t349 = chain_omega_10_squared * t55;
+    let t350 = t202 * t43;
+    let t351 = t205 * t45;
+    let t352 = t209 * t47;
+    let t353 = t214 * t49;
+    let t354 = t220 * t51;
+    let t355 = t227 * t53;
+    let t356 = chain_omega_3_squared * t55;
+    let t357 = t243 - t264;
+    let t358 = R::literal(7.0) * t42;
+    let t359 = t358 * chain_omega_4_dot;
+    let t360 = t358 * chain_omega_3_dot;
+    let t361 = R::literal(6.0) * t44;
+    let t362 = t361 * chain_omega_5_dot;
+    let t363 = t361 * chain_omega_3_dot;
+    let t364 = R::literal(5.0) * t46;
+    let t365 = t364 * chain_omega_6_dot;
+    let t366 = t364 * chain_omega_3_dot;
+    let t367 = R::literal(4.0) * t48;
+    let t368 = t367 * chain_omega_7_dot;
+    let t369 = t367 * chain_omega_3_dot;
+    let t370 = R::literal(3.0) * t50;
+    let t371 = t370 * chain_omega_8_dot;
+    let t372 = t370 * chain_omega_3_dot;
+    let t373 = R::literal(2.0) * t52;
+    let t374 = t373 * chain_omega_9_dot;
+    let t375 = t373 * chain_omega_3_dot;
+    let t376 = t54 * chain_omega_10_dot;
+    let t377 = t54 * chain_omega_3_dot;
+    let t378 = (t295 - t313).sub_product(t98, t357);
+    let t379 = (t265 - (t252.add_product(R::literal(78.48), cos_chain_theta_3) + t303 + t343 + t344
+        + t345 + t346 + t347 + t348 + t349) - t314 + t359 + t362 + t365 + t368 + t371 + t374 + t376)
+        .sub_product(t99, t357).sub_product(t109, t378);
+    let t380 = (t350 + t360).sub_product(t100, t357).sub_product(t111, t378).sub_product(t126,
+        t379);
+    let t381 = (t351 + t363).sub_product(t101, t357).sub_product(t113, t378).sub_product(t128, t379)
+        .sub_product(t141, t380);
+    let t382 = (t352 + t366).sub_product(t102, t357).sub_product(t115, t378).sub_product(t130, t379)
+        .sub_product(t143, t380).sub_product(t154, t381);
+    let t383 = (t353 + t369).sub_product(t103, t357).sub_product(t117, t378).sub_product(t132, t379)
+        .sub_product(t145, t380).sub_product(t156, t381).sub_product(t165, t382);
+    let t384 = (t354 + t372).sub_product(t104, t357).sub_product(t119, t378).sub_product(t134, t379)
+        .sub_product(t147, t380).sub_product(t158, t381).sub_product(t167, t382).sub_product(t174,
+        t383);
+    let t385 = (t355 + t375).sub_product(t105, t357).sub_product(t121, t378).sub_product(t136, t379)
+        .sub_product(t149, t380).sub_product(t160, t381).sub_product(t169, t382).sub_product(t176,
+        t383).sub_product(t181, t384);
+    let chain_omega_10_dot_by_chain_theta_3 = (t356 + t377).sub_product(t106, t357)
+        .sub_product(t123, t378).sub_product(t138, t379).sub_product(t151, t380).sub_product(t162,
+        t381).sub_product(t171, t382).sub_product(t178, t383).sub_product(t183, t384)
+        .sub_product(t186, t385) * t187;
+    let chain_omega_9_dot_by_chain_theta_3 = (t385 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_theta_3);
+    let chain_omega_8_dot_by_chain_theta_3 = (t384 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_theta_3).sub_product(t183, chain_omega_10_dot_by_chain_theta_3);
+    let chain_omega_7_dot_by_chain_theta_3 = (t383 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_theta_3).sub_product(t176, chain_omega_9_dot_by_chain_theta_3)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_6_dot_by_chain_theta_3 = (t381 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_theta_3)
-        .sub_product(t167, chain_omega_8_dot_by_chain_theta_3)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_3)
-        .sub_product(t171, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_5_dot_by_chain_theta_3 = (t380 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_theta_3)
-        .sub_product(t156, chain_omega_7_dot_by_chain_theta_3)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_3)
-        .sub_product(t160, chain_omega_9_dot_by_chain_theta_3)
-        .sub_product(t162, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_4_dot_by_chain_theta_3 = (t379 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_theta_3)
-        .sub_product(t143, chain_omega_6_dot_by_chain_theta_3)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_3)
-        .sub_product(t147, chain_omega_8_dot_by_chain_theta_3)
-        .sub_product(t149, chain_omega_9_dot_by_chain_theta_3)
+    let chain_omega_6_dot_by_chain_theta_3 = (t382 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_theta_3).sub_product(t167, chain_omega_8_dot_by_chain_theta_3)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_3).sub_product(t171,
+        chain_omega_10_dot_by_chain_theta_3);
+    let chain_omega_5_dot_by_chain_theta_3 = (t381 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_theta_3).sub_product(t156, chain_omega_7_dot_by_chain_theta_3)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_3).sub_product(t160,
+        chain_omega_9_dot_by_chain_theta_3).sub_product(t162, chain_omega_10_dot_by_chain_theta_3);
+    let chain_omega_4_dot_by_chain_theta_3 = (t380 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_theta_3).sub_product(t143, chain_omega_6_dot_by_chain_theta_3)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_3).sub_product(t147,
+        chain_omega_8_dot_by_chain_theta_3).sub_product(t149, chain_omega_9_dot_by_chain_theta_3)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_3_dot_by_chain_theta_3 = (t378 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_theta_3)
-        .sub_product(t128, chain_omega_5_dot_by_chain_theta_3)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_3)
-        .sub_product(t132, chain_omega_7_dot_by_chain_theta_3)
-        .sub_product(t134, chain_omega_8_dot_by_chain_theta_3)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_3)
-        .sub_product(t138, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_2_dot_by_chain_theta_3 = (t377 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_theta_3)
-        .sub_product(t111, chain_omega_4_dot_by_chain_theta_3)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_3)
-        .sub_product(t115, chain_omega_6_dot_by_chain_theta_3)
-        .sub_product(t117, chain_omega_7_dot_by_chain_theta_3)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_3)
-        .sub_product(t121, chain_omega_9_dot_by_chain_theta_3)
-        .sub_product(t123, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_1_dot_by_chain_theta_3 = (t356 * R::literal(0.1))
-        .sub_product(t98, chain_omega_2_dot_by_chain_theta_3)
-        .sub_product(t99, chain_omega_3_dot_by_chain_theta_3)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_3)
-        .sub_product(t101, chain_omega_5_dot_by_chain_theta_3)
-        .sub_product(t102, chain_omega_6_dot_by_chain_theta_3)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_3)
-        .sub_product(t104, chain_omega_8_dot_by_chain_theta_3)
-        .sub_product(t105, chain_omega_9_dot_by_chain_theta_3)
+    let chain_omega_3_dot_by_chain_theta_3 = (t379 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_theta_3).sub_product(t128, chain_omega_5_dot_by_chain_theta_3)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_3).sub_product(t132,
+        chain_omega_7_dot_by_chain_theta_3).sub_product(t134, chain_omega_8_dot_by_chain_theta_3)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_3).sub_product(t138,
+        chain_omega_10_dot_by_chain_theta_3);
+    let chain_omega_2_dot_by_chain_theta_3 = (t378 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_theta_3).sub_product(t111, chain_omega_4_dot_by_chain_theta_3)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_3).sub_product(t115,
+        chain_omega_6_dot_by_chain_theta_3).sub_product(t117, chain_omega_7_dot_by_chain_theta_3)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_3).sub_product(t121,
+        chain_omega_9_dot_by_chain_theta_3).sub_product(t123, chain_omega_10_dot_by_chain_theta_3);
+    let chain_omega_1_dot_by_chain_theta_3 = (t357 * R::literal(0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_theta_3).sub_product(t99, chain_omega_3_dot_by_chain_theta_3)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_3).sub_product(t101,
+        chain_omega_5_dot_by_chain_theta_3).sub_product(t102, chain_omega_6_dot_by_chain_theta_3)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_3).sub_product(t104,
+        chain_omega_8_dot_by_chain_theta_3).sub_product(t105, chain_omega_9_dot_by_chain_theta_3)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_3);
-    let t385 = t191 * t57;
-    let t386 = t192 * t59;
-    let t387 = t193 * t61;
-    let t388 = t194 * t63;
-    let t389 = t195 * t65;
-    let t390 = chain_omega_10_squared * t67;
-    let t391 = t206 * t57;
-    let t392 = t210 * t59;
-    let t393 = t215 * t61;
-    let t394 = t221 * t63;
-    let t395 = t228 * t65;
-    let t396 = chain_omega_4_squared * t67;
-    let t397 = t243 - t266;
-    let t398 = R::literal(6.0) * t56;
-    let t399 = t398 * chain_omega_5_dot;
-    let t400 = t398 * chain_omega_4_dot;
-    let t401 = R::literal(5.0) * t58;
-    let t402 = t401 * chain_omega_6_dot;
-    let t403 = t401 * chain_omega_4_dot;
-    let t404 = R::literal(4.0) * t60;
-    let t405 = t404 * chain_omega_7_dot;
-    let t406 = t404 * chain_omega_4_dot;
-    let t407 = R::literal(3.0) * t62;
-    let t408 = t407 * chain_omega_8_dot;
-    let t409 = t407 * chain_omega_4_dot;
-    let t410 = R::literal(2.0) * t64;
-    let t411 = t410 * chain_omega_9_dot;
-    let t412 = t410 * chain_omega_4_dot;
-    let t413 = t66 * chain_omega_10_dot;
-    let t414 = t66 * chain_omega_4_dot;
-    let t415 = (t295 - t315).sub_product(t98, t397);
-    let t416 = (t342 - t358).sub_product(t99, t397).sub_product(t109, t415);
-    let t417 = ((-t252).sub_product(R::literal(68.67), cos_chain_theta_4) - t303 - t349
-        - t385 - t386 - t387 - t388 - t389 - t390 - t267 - t316 - t359 + t399 + t402
-        + t405 + t408 + t411 + t413)
-        .sub_product(t100, t397)
-        .sub_product(t111, t415)
-        .sub_product(t126, t416);
-    let t418 = (t391 + t400)
-        .sub_product(t101, t397)
-        .sub_product(t113, t415)
-        .sub_product(t128, t416)
-        .sub_product(t141, t417);
-    let t419 = (t392 + t403)
-        .sub_product(t102, t397)
-        .sub_product(t115, t415)
-        .sub_product(t130, t416)
-        .sub_product(t143, t417)
-        .sub_product(t154, t418);
-    let t420 = (t393 + t406)
-        .sub_product(t103, t397)
-        .sub_product(t117, t415)
-        .sub_product(t132, t416)
-        .sub_product(t145, t417)
-        .sub_product(t156, t418)
-        .sub_product(t165, t419);
-    let t421 = (t394 + t409)
-        .sub_product(t104, t397)
-        .sub_product(t119, t415)
-        .sub_product(t134, t416)
-        .sub_product(t147, t417)
-        .sub_product(t158, t418)
-        .sub_product(t167, t419)
-        .sub_product(t174, t420);
-    let t422 = (t395 + t412)
-        .sub_product(t105, t397)
-        .sub_product(t121, t415)
-        .sub_product(t136, t416)
-        .sub_product(t149, t417)
-        .sub_product(t160, t418)
-        .sub_product(t169, t419)
-        .sub_product(t176, t420)
-        .sub_product(t181, t421);
-    let chain_omega_10_dot_by_chain_theta_4 = (t396 + t414)
-        .sub_product(t106, t397)
-        .sub_product(t123, t415)
-        .sub_product(t138, t416)
-        .sub_product(t151, t417)
-        .sub_product(t162, t418)
-        .sub_product(t171, t419)
-        .sub_product(t178, t420)
-        .sub_product(t183, t421)
-        .sub_product(t186, t422) * t187;
-    let chain_omega_9_dot_by_chain_theta_4 = (t422 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_8_dot_by_chain_theta_4 = (t421 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_theta_4)
-        .sub_product(t183, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_7_dot_by_chain_theta_4 = (t420 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_theta_4)
-        .sub_product(t176, chain_omega_9_dot_by_chain_theta_4)
+    let t386 = t191 * t57;
+    let t387 = t192 * t59;
+    let t388 = t193 * t61;
+    let t389 = t194 * t63;
+    let t390 = t195 * t65;
+    let t391 = chain_omega_10_squared * t67;
+    let t392 = t206 * t57;
+    let t393 = t210 * t59;
+    let t394 = t215 * t61;
+    let t395 = t221 * t63;
+    let t396 = t228 * t65;
+    let t397 = chain_omega_4_squared * t67;
+    let t398 = t244 - t267;
+    let t399 = R::literal(6.0) * t56;
+    let t400 = t399 * chain_omega_5_dot;
+    let t401 = t399 * chain_omega_4_dot;
+    let t402 = R::literal(5.0) * t58;
+    let t403 = t402 * chain_omega_6_dot;
+    let t404 = t402 * chain_omega_4_dot;
+    let t405 = R::literal(4.0) * t60;
+    let t406 = t405 * chain_omega_7_dot;
+    let t407 = t405 * chain_omega_4_dot;
+    let t408 = R::literal(3.0) * t62;
+    let t409 = t408 * chain_omega_8_dot;
+    let t410 = t408 * chain_omega_4_dot;
+    let t411 = R::literal(2.0) * t64;
+    let t412 = t411 * chain_omega_9_dot;
+    let t413 = t411 * chain_omega_4_dot;
+    let t414 = t66 * chain_omega_10_dot;
+    let t415 = t66 * chain_omega_4_dot;
+    let t416 = (t296 - t316).sub_product(t98, t398);
+    let t417 = (t343 - t359).sub_product(t99, t398).sub_product(t109, t416);
+    let t418 = (t268 - (t253.add_product(R::literal(68.67), cos_chain_theta_4) + t304 + t350 + t386
+        + t387 + t388 + t389 + t390 + t391) - t317 - t360 + t400 + t403 + t406 + t409 + t412 + t414)
+        .sub_product(t100, t398).sub_product(t111, t416).sub_product(t126, t417);
+    let t419 = (t392 + t401).sub_product(t101, t398).sub_product(t113, t416).sub_product(t128, t417)
+        .sub_product(t141, t418);
+    let t420 = (t393 + t404).sub_product(t102, t398).sub_product(t115, t416).sub_product(t130, t417)
+        .sub_product(t143, t418).sub_product(t154, t419);
+    let t421 = (t394 + t407).sub_product(t103, t398).sub_product(t117, t416).sub_product(t132, t417)
+        .sub_product(t145, t418).sub_product(t156, t419).sub_product(t165, t420);
+    let t422 = (t395 + t410).sub_product(t104, t398).sub_product(t119, t416).sub_product(t134, t417)
+        .sub_product(t147, t418).sub_product(t158, t419).sub_product(t167, t420).sub_product(t174,
+        t421);
+    let t423 = (t396 + t413).sub_product(t105, t398).sub_product(t121, t416).sub_product(t136, t417)
+        .sub_product(t149, t418).sub_product(t160, t419).sub_product(t169, t420).sub_product(t176,
+        t421).sub_product(t181, t422);
+    let chain_omega_10_dot_by_chain_theta_4 = (t397 + t415).sub_product(t106, t398)
+        .sub_product(t123, t416).sub_product(t138, t417).sub_product(t151, t418).sub_product(t162,
+        t419).sub_product(t171, t420).sub_product(t178, t421).sub_product(t183, t422)
+        .sub_product(t186, t423) * t187;
+    let chain_omega_9_dot_by_chain_theta_4 = (t423 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_theta_4);
+    let chain_omega_8_dot_by_chain_theta_4 = (t422 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_theta_4).sub_product(t183, chain_omega_10_dot_by_chain_theta_4);
+    let chain_omega_7_dot_by_chain_theta_4 = (t421 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_theta_4).sub_product(t176, chain_omega_9_dot_by_chain_theta_4)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_6_dot_by_chain_theta_4 = (t419 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_theta_4)
-        .sub_product(t167, chain_omega_8_dot_by_chain_theta_4)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_4)
-        .sub_product(t171, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_5_dot_by_chain_theta_4 = (t418 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_theta_4)
-        .sub_product(t156, chain_omega_7_dot_by_chain_theta_4)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_4)
-        .sub_product(t160, chain_omega_9_dot_by_chain_theta_4)
-        .sub_product(t162, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_4_dot_by_chain_theta_4 = (t417 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_theta_4)
-        .sub_product(t143, chain_omega_6_dot_by_chain_theta_4)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_4)
-        .sub_product(t147, chain_omega_8_dot_by_chain_theta_4)
-        .sub_product(t149, chain_omega_9_dot_by_chain_theta_4)
+    let chain_omega_6_dot_by_chain_theta_4 = (t420 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_theta_4).sub_product(t167, chain_omega_8_dot_by_chain_theta_4)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_4).sub_product(t171,
+        chain_omega_10_dot_by_chain_theta_4);
+    let chain_omega_5_dot_by_chain_theta_4 = (t419 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_theta_4).sub_product(t156, chain_omega_7_dot_by_chain_theta_4)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_4).sub_product(t160,
+        chain_omega_9_dot_by_chain_theta_4).sub_product(t162, chain_omega_10_dot_by_chain_theta_4);
+    let chain_omega_4_dot_by_chain_theta_4 = (t418 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_theta_4).sub_product(t143, chain_omega_6_dot_by_chain_theta_4)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_4).sub_product(t147,
+        chain_omega_8_dot_by_chain_theta_4).sub_product(t149, chain_omega_9_dot_by_chain_theta_4)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_3_dot_by_chain_theta_4 = (t416 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_theta_4)
-        .sub_product(t128, chain_omega_5_dot_by_chain_theta_4)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_4)
-        .sub_product(t132, chain_omega_7_dot_by_chain_theta_4)
-        .sub_product(t134, chain_omega_8_dot_by_chain_theta_4)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_4)
-        .sub_product(t138, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_2_dot_by_chain_theta_4 = (t415 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_theta_4)
-        .sub_product(t111, chain_omega_4_dot_by_chain_theta_4)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_4)
-        .sub_product(t115, chain_omega_6_dot_by_chain_theta_4)
-        .sub_product(t117, chain_omega_7_dot_by_chain_theta_4)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_4)
-        .sub_product(t121, chain_omega_9_dot_by_chain_theta_4)
-        .sub_product(t123, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_1_dot_by_chain_theta_4 = (t397 * R::literal(0.1))
-        .sub_product(t98, chain_omega_2_dot_by_chain_theta_4)
-        .sub_product(t99, chain_omega_3_dot_by_chain_theta_4)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_4)
-        .sub_product(t101, chain_omega_5_dot_by_chain_theta_4)
-        .sub_product(t102, chain_omega_6_dot_by_chain_theta_4)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_4)
-        .sub_product(t104, chain_omega_8_dot_by_chain_theta_4)
-        .sub_product(t105, chain_omega_9_dot_by_chain_theta_4)
+    let chain_omega_3_dot_by_chain_theta_4 = (t417 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_theta_4).sub_product(t128, chain_omega_5_dot_by_chain_theta_4)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_4).sub_product(t132,
+        chain_omega_7_dot_by_chain_theta_4).sub_product(t134, chain_omega_8_dot_by_chain_theta_4)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_4).sub_product(t138,
+        chain_omega_10_dot_by_chain_theta_4);
+    let chain_omega_2_dot_by_chain_theta_4 = (t416 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_theta_4).sub_product(t111, chain_omega_4_dot_by_chain_theta_4)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_4).sub_product(t115,
+        chain_omega_6_dot_by_chain_theta_4).sub_product(t117, chain_omega_7_dot_by_chain_theta_4)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_4).sub_product(t121,
+        chain_omega_9_dot_by_chain_theta_4).sub_product(t123, chain_omega_10_dot_by_chain_theta_4);
+    let chain_omega_1_dot_by_chain_theta_4 = (t398 * R::literal(0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_theta_4).sub_product(t99, chain_omega_3_dot_by_chain_theta_4)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_4).sub_product(t101,
+        chain_omega_5_dot_by_chain_theta_4).sub_product(t102, chain_omega_6_dot_by_chain_theta_4)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_4).sub_product(t104,
+        chain_omega_8_dot_by_chain_theta_4).sub_product(t105, chain_omega_9_dot_by_chain_theta_4)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_4);
-    let t423 = t192 * t69;
-    let t424 = t193 * t71;
-    let t425 = t194 * t73;
-    let t426 = t195 * t75;
-    let t427 = chain_omega_10_squared * t77;
-    let t428 = t211 * t69;
-    let t429 = t216 * t71;
-    let t430 = t222 * t73;
-    let t431 = t229 * t75;
-    let t432 = chain_omega_5_squared * t77;
-    let t433 = t244 - t269;
-    let t434 = R::literal(5.0) * t68;
-    let t435 = t434 * chain_omega_6_dot;
-    let t436 = t434 * chain_omega_5_dot;
-    let t437 = R::literal(4.0) * t70;
-    let t438 = t437 * chain_omega_7_dot;
-    let t439 = t437 * chain_omega_5_dot;
-    let t440 = R::literal(3.0) * t72;
-    let t441 = t440 * chain_omega_8_dot;
-    let t442 = t440 * chain_omega_5_dot;
-    let t443 = R::literal(2.0) * t74;
-    let t444 = t443 * chain_omega_9_dot;
-    let t445 = t443 * chain_omega_5_dot;
-    let t446 = t76 * chain_omega_10_dot;
-    let t447 = t76 * chain_omega_5_dot;
-    let t448 = (t296 - t318).sub_product(t98, t433);
-    let t449 = (t343 - t361).sub_product(t99, t433).sub_product(t109, t448);
-    let t450 = (t385 - t399)
-        .sub_product(t100, t433)
-        .sub_product(t111, t448)
-        .sub_product(t126, t449);
-    let t451 = ((-t253).sub_product(R::literal(58.86), cos_chain_theta_5) - t304 - t350
-        - t391 - t423 - t424 - t425 - t426 - t427 - t270 - t319 - t362 - t400 + t435
-        + t438 + t441 + t444 + t446)
-        .sub_product(t101, t433)
-        .sub_product(t113, t448)
-        .sub_product(t128, t449)
-        .sub_product(t141, t450);
-    let t452 = (t428 + t436)
-        .sub_product(t102, t433)
-        .sub_product(t115, t448)
-        .sub_product(t130, t449)
-        .sub_product(t143, t450)
-        .sub_product(t154, t451);
-    let t453 = (t429 + t439)
-        .sub_product(t103, t433)
-        .sub_product(t117, t448)
-        .sub_product(t132, t449)
-        .sub_product(t145, t450)
-        .sub_product(t156, t451)
-        .sub_product(t165, t452);
-    let t454 = (t430 + t442)
-        .sub_product(t104, t433)
-        .sub_product(t119, t448)
-        .sub_product(t134, t449)
-        .sub_product(t147, t450)
-        .sub_product(t158, t451)
-        .sub_product(t167, t452)
-        .sub_product(t174, t453);
-    let t455 = (t431 + t445)
-        .sub_product(t105, t433)
-        .sub_product(t121, t448)
-        .sub_product(t136, t449)
-        .sub_product(t149, t450)
-        .sub_product(t160, t451)
-        .sub_product(t169, t452)
-        .sub_product(t176, t453)
-        .sub_product(t181, t454);
-    let chain_omega_10_dot_by_chain_theta_5 = (t432 + t447)
-        .sub_product(t106, t433)
-        .sub_product(t123, t448)
-        .sub_product(t138, t449)
-        .sub_product(t151, t450)
-        .sub_product(t162, t451)
-        .sub_product(t171, t452)
-        .sub_product(t178, t453)
-        .sub_product(t183, t454)
-        .sub_product(t186, t455) * t187;
-    let chain_omega_9_dot_by_chain_theta_5 = (t455 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_8_dot_by_chain_theta_5 = (t454 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_theta_5)
-        .sub_product(t183, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_7_dot_by_chain_theta_5 = (t453 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_theta_5)
-        .sub_product(t176, chain_omega_9_dot_by_chain_theta_5)
+    let t424 = t192 * t69;
+    let t425 = t193 * t71;
+    let t426 = t194 * t73;
+    let t427 = t195 * t75;
+    let t428 = chain_omega_10_squared * t77;
+    let t429 = t211 * t69;
+    let t430 = t216 * t71;
+    let t431 = t222 * t73;
+    let t432 = t229 * t75;
+    let t433 = chain_omega_5_squared * t77;
+    let t434 = t245 - t270;
+    let t435 = R::literal(5.0) * t68;
+    let t436 = t435 * chain_omega_6_dot;
+    let t437 = t435 * chain_omega_5_dot;
+    let t438 = R::literal(4.0) * t70;
+    let t439 = t438 * chain_omega_7_dot;
+    let t440 = t438 * chain_omega_5_dot;
+    let t441 = R::literal(3.0) * t72;
+    let t442 = t441 * chain_omega_8_dot;
+    let t443 = t441 * chain_omega_5_dot;
+    let t444 = R::literal(2.0) * t74;
+    let t445 = t444 * chain_omega_9_dot;
+    let t446 = t444 * chain_omega_5_dot;
+    let t447 = t76 * chain_omega_10_dot;
+    let t448 = t76 * chain_omega_5_dot;
+    let t449 = (t297 - t319).sub_product(t98, t434);
+    let t450 = (t344 - t362).sub_product(t99, t434).sub_product(t109, t449);
+    let t451 = (t386 - t400).sub_product(t100, t434).sub_product(t111, t449).sub_product(t126,
+        t450);
+    let t452 = (t271 - (t254.add_product(R::literal(58.86), cos_chain_theta_5) + t305 + t351 + t392
+        + t424 + t425 + t426 + t427 + t428) - t320 - t363 - t401 + t436 + t439 + t442 + t445 + t447)
+        .sub_product(t101, t434).sub_product(t113, t449).sub_product(t128, t450).sub_product(t141,
+        t451);
+    let t453 = (t429 + t437).sub_product(t102, t434).sub_product(t115, t449).sub_product(t130, t450)
+        .sub_product(t143, t451).sub_product(t154, t452);
+    let t454 = (t430 + t440).sub_product(t103, t434).sub_product(t117, t449).sub_product(t132, t450)
+        .sub_product(t145, t451).sub_product(t156, t452).sub_product(t165, t453);
+    let t455 = (t431 + t443).sub_product(t104, t434).sub_product(t119, t449).sub_product(t134, t450)
+        .sub_product(t147, t451).sub_product(t158, t452).sub_product(t167, t453).sub_product(t174,
+        t454);
+    let t456 = (t432 + t446).sub_product(t105, t434).sub_product(t121, t449).sub_product(t136, t450)
+        .sub_product(t149, t451).sub_product(t160, t452).sub_product(t169, t453).sub_product(t176,
+        t454).sub_product(t181, t455);
+    let chain_omega_10_dot_by_chain_theta_5 = (t433 + t448).sub_product(t106, t434)
+        .sub_product(t123, t449).sub_product(t138, t450).sub_product(t151, t451).sub_product(t162,
+        t452).sub_product(t171, t453).sub_product(t178, t454).sub_product(t183, t455)
+        .sub_product(t186, t456) * t187;
+    let chain_omega_9_dot_by_chain_theta_5 = (t456 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_theta_5);
+    let chain_omega_8_dot_by_chain_theta_5 = (t455 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_theta_5).sub_product(t183, chain_omega_10_dot_by_chain_theta_5);
+    let chain_omega_7_dot_by_chain_theta_5 = (t454 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_theta_5).sub_product(t176, chain_omega_9_dot_by_chain_theta_5)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_6_dot_by_chain_theta_5 = (t452 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_theta_5)
-        .sub_product(t167, chain_omega_8_dot_by_chain_theta_5)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_5)
-        .sub_product(t171, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_5_dot_by_chain_theta_5 = (t451 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_theta_5)
-        .sub_product(t156, chain_omega_7_dot_by_chain_theta_5)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_5)
-        .sub_product(t160, chain_omega_9_dot_by_chain_theta_5)
-        .sub_product(t162, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_4_dot_by_chain_theta_5 = (t450 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_theta_5)
-        .sub_product(t143, chain_omega_6_dot_by_chain_theta_5)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_5)
-        .sub_product(t147, chain_omega_8_dot_by_chain_theta_5)
-        .sub_product(t149, chain_omega_9_dot_by_chain_theta_5)
+    let chain_omega_6_dot_by_chain_theta_5 = (t453 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_theta_5).sub_product(t167, chain_omega_8_dot_by_chain_theta_5)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_5).sub_product(t171,
+        chain_omega_10_dot_by_chain_theta_5);
+    let chain_omega_5_dot_by_chain_theta_5 = (t452 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_theta_5).sub_product(t156, chain_omega_7_dot_by_chain_theta_5)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_5).sub_product(t160,
+        chain_omega_9_dot_by_chain_theta_5).sub_product(t162, chain_omega_10_dot_by_chain_theta_5);
+    let chain_omega_4_dot_by_chain_theta_5 = (t451 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_theta_5).sub_product(t143, chain_omega_6_dot_by_chain_theta_5)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_5).sub_product(t147,
+        chain_omega_8_dot_by_chain_theta_5).sub_product(t149, chain_omega_9_dot_by_chain_theta_5)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_3_dot_by_chain_theta_5 = (t449 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_theta_5)
-        .sub_product(t128, chain_omega_5_dot_by_chain_theta_5)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_5)
-        .sub_product(t132, chain_omega_7_dot_by_chain_theta_5)
-        .sub_product(t134, chain_omega_8_dot_by_chain_theta_5)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_5)
-        .sub_product(t138, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_2_dot_by_chain_theta_5 = (t448 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_theta_5)
-        .sub_product(t111, chain_omega_4_dot_by_chain_theta_5)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_5)
-        .sub_product(t115, chain_omega_6_dot_by_chain_theta_5)
-        .sub_product(t117, chain_omega_7_dot_by_chain_theta_5)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_5)
-        .sub_product(t121, chain_omega_9_dot_by_chain_theta_5)
-        .sub_product(t123, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_1_dot_by_chain_theta_5 = (t433 * R::literal(0.1))
-        .sub_product(t98, chain_omega_2_dot_by_chain_theta_5)
-        .sub_product(t99, chain_omega_3_dot_by_chain_theta_5)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_5)
-        .sub_product(t101, chain_omega_5_dot_by_chain_theta_5)
-        .sub_product(t102, chain_omega_6_dot_by_chain_theta_5)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_5)
-        .sub_product(t104, chain_omega_8_dot_by_chain_theta_5)
-        .sub_product(t105, chain_omega_9_dot_by_chain_theta_5)
+    let chain_omega_3_dot_by_chain_theta_5 = (t450 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_theta_5).sub_product(t128, chain_omega_5_dot_by_chain_theta_5)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_5).sub_product(t132,
+        chain_omega_7_dot_by_chain_theta_5).sub_product(t134, chain_omega_8_dot_by_chain_theta_5)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_5).sub_product(t138,
+        chain_omega_10_dot_by_chain_theta_5);
+    let chain_omega_2_dot_by_chain_theta_5 = (t449 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_theta_5).sub_product(t111, chain_omega_4_dot_by_chain_theta_5)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_5).sub_product(t115,
+        chain_omega_6_dot_by_chain_theta_5).sub_product(t117, chain_omega_7_dot_by_chain_theta_5)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_5).sub_product(t121,
+        chain_omega_9_dot_by_chain_theta_5).sub_product(t123, chain_omega_10_dot_by_chain_theta_5);
+    let chain_omega_1_dot_by_chain_theta_5 = (t434 * R::literal(0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_theta_5).sub_product(t99, chain_omega_3_dot_by_chain_theta_5)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_5).sub_product(t101,
+        chain_omega_5_dot_by_chain_theta_5).sub_product(t102, chain_omega_6_dot_by_chain_theta_5)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_5).sub_product(t104,
+        chain_omega_8_dot_by_chain_theta_5).sub_product(t105, chain_omega_9_dot_by_chain_theta_5)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_5);
-    let t456 = t193 * t79;
-    let t457 = t194 * t81;
-    let t458 = t195 * t83;
-    let t459 = chain_omega_10_squared * t85;
-    let t460 = t217 * t79;
-    let t461 = t223 * t81;
-    let t462 = t230 * t83;
-    let t463 = chain_omega_6_squared * t85;
-    let t464 = t245 - t272;
-    let t465 = R::literal(4.0) * t78;
-    let t466 = t465 * chain_omega_7_dot;
-    let t467 = t465 * chain_omega_6_dot;
-    let t468 = R::literal(3.0) * t80;
-    let t469 = t468 * chain_omega_8_dot;
-    let t470 = t468 * chain_omega_6_dot;
-    let t471 = R::literal(2.0) * t82;
-    let t472 = t471 * chain_omega_9_dot;
-    let t473 = t471 * chain_omega_6_dot;
-    let t474 = t84 * chain_omega_10_dot;
-    let t475 = t84 * chain_omega_6_dot;
-    let t476 = (t297 - t321).sub_product(t98, t464);
-    let t477 = (t344 - t364).sub_product(t99, t464).sub_product(t109, t476);
-    let t478 = (t386 - t402)
-        .sub_product(t100, t464)
-        .sub_product(t111, t476)
-        .sub_product(t126, t477);
-    let t479 = (t423 - t435)
-        .sub_product(t101, t464)
-        .sub_product(t113, t476)
-        .sub_product(t128, t477)
-        .sub_product(t141, t478);
-    let t480 = ((-t254).sub_product(R::literal(49.05), cos_chain_theta_6) - t305 - t351
-        - t392 - t428 - t456 - t457 - t458 - t459 - t273 - t322 - t365 - t403 - t436
-        + t466 + t469 + t472 + t474)
-        .sub_product(t102, t464)
-        .sub_product(t115, t476)
-        .sub_product(t130, t477)
-        .sub_product(t143, t478)
-        .sub_product(t154, t479);
-    let t481 = (t460 + t467)
-        .sub_product(t103, t464)
-        .sub_product(t117, t476)
-        .sub_product(t132, t477)
-        .sub_product(t145, t478)
-        .sub_product(t156, t479)
-        .sub_product(t165, t480);
-    let t482 = (t461 + t470)
-        .sub_product(t104, t464)
-        .sub_product(t119, t476)
-        .sub_product(t134, t477)
-        .sub_product(t147, t478)
-        .sub_product(t158, t479)
-        .sub_product(t167, t480)
-        .sub_product(t174, t481);
-    let t483 = (t462 + t473)
-        .sub_product(t105, t464)
-        .sub_product(t121, t476)
-        .sub_product(t136, t477)
-        .sub_product(t149, t478)
-        .sub_product(t160, t479)
-        .sub_product(t169, t480)
-        .sub_product(t176, t481)
-        .sub_product(t181, t482);
-    let chain_omega_10_dot_by_chain_theta_6 = (t463 + t475)
-        .sub_product(t106, t464)
-        .sub_product(t123, t476)
-        .sub_product(t138, t477)
-        .sub_product(t151, t478)
-        .sub_product(t162, t479)
-        .sub_product(t171, t480)
-        .sub_product(t178, t481)
-        .sub_product(t183, t482)
-        .sub_product(t186, t483) * t187;
-    let chain_omega_9_dot_by_chain_theta_6 = (t483 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_8_dot_by_chain_theta_6 = (t482 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_theta_6)
-        .sub_product(t183, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_7_dot_by_chain_theta_6 = (t481 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_theta_6)
-        .sub_product(t176, chain_omega_9_dot_by_chain_theta_6)
+    let t457 = t193 * t79;
+    let t458 = t194 * t81;
+    let t459 = t195 * t83;
+    let t460 = chain_omega_10_squared * t85;
+    let t461 = t217 * t79;
+    let t462 = t223 * t81;
+    let t463 = t230 * t83;
+    let t464 = chain_omega_6_squared * t85;
+    let t465 = t246 - t273;
+    let t466 = R::literal(4.0) * t78;
+    let t467 = t466 * chain_omega_7_dot;
+    let t468 = t466 * chain_omega_6_dot;
+    let t469 = R::literal(3.0) * t80;
+    let t470 = t469 * chain_omega_8_dot;
+    let t471 = t469 * chain_omega_6_dot;
+    let t472 = R::literal(2.0) * t82;
+    let t473 = t472 * chain_omega_9_dot;
+    let t474 = t472 * chain_omega_6_dot;
+    let t475 = t84 * chain_omega_10_dot;
+    let t476 = t84 * chain_omega_6_dot;
+    let t477 = (t298 - t322).sub_product(t98, t465);
+    let t478 = (t345 - t365).sub_product(t99, t465).sub_product(t109, t477);
+    let t479 = (t387 - t403).sub_product(t100, t465).sub_product(t111, t477).sub_product(t126,
+        t478);
+    let t480 = (t424 - t436).sub_product(t101, t465).sub_product(t113, t477).sub_product(t128, t478)
+        .sub_product(t141, t479);
+    let t481 = (t274 - (t255.add_product(R::literal(49.05), cos_chain_theta_6) + t306 + t352 + t393
+        + t429 + t457 + t458 + t459 + t460) - t323 - t366 - t404 - t437 + t467 + t470 + t473 + t475)
+        .sub_product(t102, t465).sub_product(t115, t477).sub_product(t130, t478).sub_product(t143,
+        t479).sub_product(t154, t480);
+    let t482 = (t461 + t468).sub_product(t103, t465).sub_product(t117, t477).sub_product(t132, t478)
+        .sub_product(t145, t479).sub_product(t156, t480).sub_product(t165, t481);
+    let t483 = (t462 + t471).sub_product(t104, t465).sub_product(t119, t477).sub_product(t134, t478)
+        .sub_product(t147, t479).sub_product(t158, t480).sub_product(t167, t481).sub_product(t174,
+        t482);
+    let t484 = (t463 + t474).sub_product(t105, t465).sub_product(t121, t477).sub_product(t136, t478)
+        .sub_product(t149, t479).sub_product(t160, t480).sub_product(t169, t481).sub_product(t176,
+        t482).sub_product(t181, t483);
+    let chain_omega_10_dot_by_chain_theta_6 = (t464 + t476).sub_product(t106, t465)
+        .sub_product(t123, t477).sub_product(t138, t478).sub_product(t151, t479).sub_product(t162,
+        t480).sub_product(t171, t481).sub_product(t178, t482).sub_product(t183, t483)
+        .sub_product(t186, t484) * t187;
+    let chain_omega_9_dot_by_chain_theta_6 = (t484 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_theta_6);
+    let chain_omega_8_dot_by_chain_theta_6 = (t483 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_theta_6).sub_product(t183, chain_omega_10_dot_by_chain_theta_6);
+    let chain_omega_7_dot_by_chain_theta_6 = (t482 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_theta_6).sub_product(t176, chain_omega_9_dot_by_chain_theta_6)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_6_dot_by_chain_theta_6 = (t480 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_theta_6)
-        .sub_product(t167, chain_omega_8_dot_by_chain_theta_6)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_6)
-        .sub_product(t171, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_5_dot_by_chain_theta_6 = (t479 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_theta_6)
-        .sub_product(t156, chain_omega_7_dot_by_chain_theta_6)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_6)
-        .sub_product(t160, chain_omega_9_dot_by_chain_theta_6)
-        .sub_product(t162, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_4_dot_by_chain_theta_6 = (t478 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_theta_6)
-        .sub_product(t143, chain_omega_6_dot_by_chain_theta_6)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_6)
-        .sub_product(t147, chain_omega_8_dot_by_chain_theta_6)
-        .sub_product(t149, chain_omega_9_dot_by_chain_theta_6)
+    let chain_omega_6_dot_by_chain_theta_6 = (t481 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_theta_6).sub_product(t167, chain_omega_8_dot_by_chain_theta_6)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_6).sub_product(t171,
+        chain_omega_10_dot_by_chain_theta_6);
+    let chain_omega_5_dot_by_chain_theta_6 = (t480 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_theta_6).sub_product(t156, chain_omega_7_dot_by_chain_theta_6)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_6).sub_product(t160,
+        chain_omega_9_dot_by_chain_theta_6).sub_product(t162, chain_omega_10_dot_by_chain_theta_6);
+    let chain_omega_4_dot_by_chain_theta_6 = (t479 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_theta_6).sub_product(t143, chain_omega_6_dot_by_chain_theta_6)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_6).sub_product(t147,
+        chain_omega_8_dot_by_chain_theta_6).sub_product(t149, chain_omega_9_dot_by_chain_theta_6)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_3_dot_by_chain_theta_6 = (t477 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_theta_6)
-        .sub_product(t128, chain_omega_5_dot_by_chain_theta_6)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_6)
-        .sub_product(t132, chain_omega_7_dot_by_chain_theta_6)
-        .sub_product(t134, chain_omega_8_dot_by_chain_theta_6)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_6)
-        .sub_product(t138, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_2_dot_by_chain_theta_6 = (t476 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_theta_6)
-        .sub_product(t111, chain_omega_4_dot_by_chain_theta_6)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_6)
-        .sub_product(t115, chain_omega_6_dot_by_chain_theta_6)
-        .sub_product(t117, chain_omega_7_dot_by_chain_theta_6)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_6)
-        .sub_product(t121, chain_omega_9_dot_by_chain_theta_6)
-        .sub_product(t123, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_1_dot_by_chain_theta_6 = (t464 * R::literal(0.1))
-        .sub_product(t98, chain_omega_2_dot_by_chain_theta_6)
-        .sub_product(t99, chain_omega_3_dot_by_chain_theta_6)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_6)
-        .sub_product(t101, chain_omega_5_dot_by_chain_theta_6)
-        .sub_product(t102, chain_omega_6_dot_by_chain_theta_6)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_6)
-        .sub_product(t104, chain_omega_8_dot_by_chain_theta_6)
-        .sub_product(t105, chain_omega_9_dot_by_chain_theta_6)
+    let chain_omega_3_dot_by_chain_theta_6 = (t478 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_theta_6).sub_product(t128, chain_omega_5_dot_by_chain_theta_6)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_6).sub_product(t132,
+        chain_omega_7_dot_by_chain_theta_6).sub_product(t134, chain_omega_8_dot_by_chain_theta_6)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_6).sub_product(t138,
+        chain_omega_10_dot_by_chain_theta_6);
+    let chain_omega_2_dot_by_chain_theta_6 = (t477 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_theta_6).sub_product(t111, chain_omega_4_dot_by_chain_theta_6)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_6).sub_product(t115,
+        chain_omega_6_dot_by_chain_theta_6).sub_product(t117, chain_omega_7_dot_by_chain_theta_6)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_6).sub_product(t121,
+        chain_omega_9_dot_by_chain_theta_6).sub_product(t123, chain_omega_10_dot_by_chain_theta_6);
+    let chain_omega_1_dot_by_chain_theta_6 = (t465 * R::literal(0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_theta_6).sub_product(t99, chain_omega_3_dot_by_chain_theta_6)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_6).sub_product(t101,
+        chain_omega_5_dot_by_chain_theta_6).sub_product(t102, chain_omega_6_dot_by_chain_theta_6)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_6).sub_product(t104,
+        chain_omega_8_dot_by_chain_theta_6).sub_product(t105, chain_omega_9_dot_by_chain_theta_6)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_6);
-    let t484 = t194 * t87;
-    let t485 = t195 * t89;
-    let t486 = chain_omega_10_squared * t91;
-    let t487 = t224 * t87;
-    let t488 = t231 * t89;
-    let t489 = chain_omega_7_squared * t91;
-    let t490 = t246 - t275;
-    let t491 = R::literal(3.0) * t86;
-    let t492 = t491 * chain_omega_8_dot;
-    let t493 = t491 * chain_omega_7_dot;
-    let t494 = R::literal(2.0) * t88;
-    let t495 = t494 * chain_omega_9_dot;
-    let t496 = t494 * chain_omega_7_dot;
-    let t497 = t90 * chain_omega_10_dot;
-    let t498 = t90 * chain_omega_7_dot;
-    let t499 = (t298 - t324).sub_product(t98, t490);
-    let t500 = (t345 - t367).sub_product(t99, t490).sub_product(t109, t499);
-    let t501 = (t387 - t405)
-        .sub_product(t100, t490)
-        .sub_product(t111, t499)
-        .sub_product(t126, t500);
-    let t502 = (t424 - t438)
-        .sub_product(t101, t490)
-        .sub_product(t113, t499)
-        .sub_product(t128, t500)
-        .sub_product(t141, t501);
-    let t503 = (t456 - t466)
-        .sub_product(t102, t490)
-        .sub_product(t115, t499)
-        .sub_product(t130, t500)
-        .sub_product(t143, t501)
-        .sub_product(t154, t502);
-    let t504 = ((-t255).sub_product(R::literal(39.24), cos_chain_theta_7) - t306 - t352
-        - t393 - t429 - t460 - t484 - t485 - t486 - t276 - t325 - t368 - t406 - t439
-        - t467 + t492 + t495 + t497)
-        .sub_product(t103, t490)
-        .sub_product(t117, t499)
-        .sub_product(t132, t500)
-        .sub_product(t145, t501)
-        .sub_product(t156, t502)
-        .sub_product(t165, t503);
-    let t505 = (t487 + t493)
-        .sub_product(t104, t490)
-        .sub_product(t119, t499)
-        .sub_product(t134, t500)
-        .sub_product(t147, t501)
-        .sub_product(t158, t502)
-        .sub_product(t167, t503)
-        .sub_product(t174, t504);
-    let t506 = (t488 + t496)
-        .sub_product(t105, t490)
-        .sub_product(t121, t499)
-        .sub_product(t136, t500)
-        .sub_product(t149, t501)
-        .sub_product(t160, t502)
-        .sub_product(t169, t503)
-        .sub_product(t176, t504)
-        .sub_product(t181, t505);
-    let chain_omega_10_dot_by_chain_theta_7 = (t489 + t498)
-        .sub_product(t106, t490)
-        .sub_product(t123, t499)
-        .sub_product(t138, t500)
-        .sub_product(t151, t501)
-        .sub_product(t162, t502)
-        .sub_product(t171, t503)
-        .sub_product(t178, t504)
-        .sub_product(t183, t505)
-        .sub_product(t186, t506) * t187;
-    let chain_omega_9_dot_by_chain_theta_7 = (t506 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_8_dot_by_chain_theta_7 = (t505 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_theta_7)
-        .sub_product(t183, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_7_dot_by_chain_theta_7 = (t504 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_theta_7)
-        .sub_product(t176, chain_omega_9_dot_by_chain_theta_7)
+    let t485 = t194 * t87;
+    let t486 = t195 * t89;
+    let t487 = chain_omega_10_squared * t91;
+    let t488 = t224 * t87;
+    let t489 = t231 * t89;
+    let t490 = chain_omega_7_squared * t91;
+    let t491 = t247 - t276;
+    let t492 = R::literal(3.0) * t86;
+    let t493 = t492 * chain_omega_8_dot;
+    let t494 = t492 * chain_omega_7_dot;
+    let t495 = R::literal(2.0) * t88;
+    let t496 = t495 * chain_omega_9_dot;
+    let t497 = t495 * chain_omega_7_dot;
+    let t498 = t90 * chain_omega_10_dot;
+    let t499 = t90 * chain_omega_7_dot;
+    let t500 = (t299 - t325).sub_product(t98, t491);
+    let t501 = (t346 - t368).sub_product(t99, t491).sub_product(t109, t500);
+    let t502 = (t388 - t406).sub_product(t100, t491).sub_product(t111, t500).sub_product(t126,
+        t501);
+    let t503 = (t425 - t439).sub_product(t101, t491).sub_product(t113, t500).sub_product(t128, t501)
+        .sub_product(t141, t502);
+    let t504 = (t457 - t467).sub_product(t102, t491).sub_product(t115, t500).sub_product(t130, t501)
+        .sub_product(t143, t502).sub_product(t154, t503);
+    let t505 = (t277 - (t256.add_product(R::literal(39.24), cos_chain_theta_7) + t307 + t353 + t394
+        + t430 + t461 + t485 + t486 + t487) - t326 - t369 - t407 - t440 - t468 + t493 + t496 + t498)
+        .sub_product(t103, t491).sub_product(t117, t500).sub_product(t132, t501).sub_product(t145,
+        t502).sub_product(t156, t503).sub_product(t165, t504);
+    let t506 = (t488 + t494).sub_product(t104, t491).sub_product(t119, t500).sub_product(t134, t501)
+        .sub_product(t147, t502).sub_product(t158, t503).sub_product(t167, t504).sub_product(t174,
+        t505);
+    let t507 = (t489 + t497).sub_product(t105, t491).sub_product(t121, t500).sub_product(t136, t501)
+        .sub_product(t149, t502).sub_product(t160, t503).sub_product(t169, t504).sub_product(t176,
+        t505).sub_product(t181, t506);
+    let chain_omega_10_dot_by_chain_theta_7 = (t490 + t499).sub_product(t106, t491)
+        .sub_product(t123, t500).sub_product(t138, t501).sub_product(t151, t502).sub_product(t162,
+        t503).sub_product(t171, t504).sub_product(t178, t505).sub_product(t183, t506)
+        .sub_product(t186, t507) * t187;
+    let chain_omega_9_dot_by_chain_theta_7 = (t507 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_theta_7);
+    let chain_omega_8_dot_by_chain_theta_7 = (t506 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_theta_7).sub_product(t183, chain_omega_10_dot_by_chain_theta_7);
+    let chain_omega_7_dot_by_chain_theta_7 = (t505 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_theta_7).sub_product(t176, chain_omega_9_dot_by_chain_theta_7)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_6_dot_by_chain_theta_7 = (t503 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_theta_7)
-        .sub_product(t167, chain_omega_8_dot_by_chain_theta_7)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_7)
-        .sub_product(t171, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_5_dot_by_chain_theta_7 = (t502 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_theta_7)
-        .sub_product(t156, chain_omega_7_dot_by_chain_theta_7)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_7)
-        .sub_product(t160, chain_omega_9_dot_by_chain_theta_7)
-        .sub_product(t162, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_4_dot_by_chain_theta_7 = (t501 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_theta_7)
-        .sub_product(t143, chain_omega_6_dot_by_chain_theta_7)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_7)
-        .sub_product(t147, chain_omega_8_dot_by_chain_theta_7)
-        .sub_product(t149, chain_omega_9_dot_by_chain_theta_7)
+    let chain_omega_6_dot_by_chain_theta_7 = (t504 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_theta_7).sub_product(t167, chain_omega_8_dot_by_chain_theta_7)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_7).sub_product(t171,
+        chain_omega_10_dot_by_chain_theta_7);
+    let chain_omega_5_dot_by_chain_theta_7 = (t503 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_theta_7).sub_product(t156, chain_omega_7_dot_by_chain_theta_7)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_7).sub_product(t160,
+        chain_omega_9_dot_by_chain_theta_7).sub_product(t162, chain_omega_10_dot_by_chain_theta_7);
+    let chain_omega_4_dot_by_chain_theta_7 = (t502 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_theta_7).sub_product(t143, chain_omega_6_dot_by_chain_theta_7)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_7).sub_product(t147,
+        chain_omega_8_dot_by_chain_theta_7).sub_product(t149, chain_omega_9_dot_by_chain_theta_7)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_3_dot_by_chain_theta_7 = (t500 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_theta_7)
-        .sub_product(t128, chain_omega_5_dot_by_chain_theta_7)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_7)
-        .sub_product(t132, chain_omega_7_dot_by_chain_theta_7)
-        .sub_product(t134, chain_omega_8_dot_by_chain_theta_7)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_7)
-        .sub_product(t138, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_2_dot_by_chain_theta_7 = (t499 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_theta_7)
-        .sub_product(t111, chain_omega_4_dot_by_chain_theta_7)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_7)
-        .sub_product(t115, chain_omega_6_dot_by_chain_theta_7)
-        .sub_product(t117, chain_omega_7_dot_by_chain_theta_7)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_7)
-        .sub_product(t121, chain_omega_9_dot_by_chain_theta_7)
-        .sub_product(t123, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_1_dot_by_chain_theta_7 = (t490 * R::literal(0.1))
-        .sub_product(t98, chain_omega_2_dot_by_chain_theta_7)
-        .sub_product(t99, chain_omega_3_dot_by_chain_theta_7)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_7)
-        .sub_product(t101, chain_omega_5_dot_by_chain_theta_7)
-        .sub_product(t102, chain_omega_6_dot_by_chain_theta_7)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_7)
-        .sub_product(t104, chain_omega_8_dot_by_chain_theta_7)
-        .sub_product(t105, chain_omega_9_dot_by_chain_theta_7)
+    let chain_omega_3_dot_by_chain_theta_7 = (t501 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_theta_7).sub_product(t128, chain_omega_5_dot_by_chain_theta_7)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_7).sub_product(t132,
+        chain_omega_7_dot_by_chain_theta_7).sub_product(t134, chain_omega_8_dot_by_chain_theta_7)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_7).sub_product(t138,
+        chain_omega_10_dot_by_chain_theta_7);
+    let chain_omega_2_dot_by_chain_theta_7 = (t500 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_theta_7).sub_product(t111, chain_omega_4_dot_by_chain_theta_7)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_7).sub_product(t115,
+        chain_omega_6_dot_by_chain_theta_7).sub_product(t117, chain_omega_7_dot_by_chain_theta_7)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_7).sub_product(t121,
+        chain_omega_9_dot_by_chain_theta_7).sub_product(t123, chain_omega_10_dot_by_chain_theta_7);
+    let chain_omega_1_dot_by_chain_theta_7 = (t491 * R::literal(0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_theta_7).sub_product(t99, chain_omega_3_dot_by_chain_theta_7)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_7).sub_product(t101,
+        chain_omega_5_dot_by_chain_theta_7).sub_product(t102, chain_omega_6_dot_by_chain_theta_7)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_7).sub_product(t104,
+        chain_omega_8_dot_by_chain_theta_7).sub_product(t105, chain_omega_9_dot_by_chain_theta_7)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_7);
-    let t507 = t195 * t93;
-    let t508 = chain_omega_10_squared * t95;
-    let t509 = t232 * t93;
-    let t510 = chain_omega_8_squared * t95;
-    let t511 = t247 - t278;
-    let t512 = R::literal(2.0) * t92;
-    let t513 = t512 * chain_omega_9_dot;
-    let t514 = t512 * chain_omega_8_dot;
-    let t515 = t94 * chain_omega_10_dot;
-    let t516 = t94 * chain_omega_8_dot;
-    let t517 = (t299 - t327).sub_product(t98, t511);
-    let t518 = (t346 - t370).sub_product(t99, t511).sub_product(t109, t517);
-    let t519 = (t388 - t408)
-        .sub_product(t100, t511)
-        .sub_product(t111, t517)
-        .sub_product(t126, t518);
-    let t520 = (t425 - t441)
-        .sub_product(t101, t511)
-        .sub_product(t113, t517)
-        .sub_product(t128, t518)
-        .sub_product(t141, t519);
-    let t521 = (t457 - t469)
-        .sub_product(t102, t511)
-        .sub_product(t115, t517)
-        .sub_product(t130, t518)
-        .sub_product(t143, t519)
-        .sub_product(t154, t520);
-    let t522 = (t484 - t492)
-        .sub_product(t103, t511)
-        .sub_product(t117, t517)
-        .sub_product(t132, t518)
-        .sub_product(t145, t519)
-        .sub_product(t156, t520)
-        .sub_product(t165, t521);
-    let t523 = ((-t256).sub_product(R::literal(29.43), cos_chain_theta_8) - t307 - t353
-        - t394 - t430 - t461 - t487 - t507 - t508 - t279 - t328 - t371 - t409 - t442
-        - t470 - t493 + t513 + t515)
-        .sub_product(t104, t511)
-        .sub_product(t119, t517)
-        .sub_product(t134, t518)
-        .sub_product(t147, t519)
-        .sub_product(t158, t520)
-        .sub_product(t167, t521);
-    let t524 = t523.sub_product(t174, t522);
-    let t525 = (t509 + t514)
-        .sub_product(t105, t511)
-        .sub_product(t121, t517)
-        .sub_product(t136, t518)
-        .sub_product(t149, t519)
-        .sub_product(t160, t520)
-        .sub_product(t169, t521)
-        .sub_product(t176, t522)
-        .sub_product(t181, t524);
-    let chain_omega_10_dot_by_chain_theta_8 = (t510 + t516)
-        .sub_product(t106, t511)
-        .sub_product(t123, t517)
-        .sub_product(t138, t518)
-        .sub_product(t151, t519)
-        .sub_product(t162, t520)
-        .sub_product(t171, t521)
-        .sub_product(t178, t522)
-        .sub_product(t183, t524)
-        .sub_product(t186, t525) * t187;
-    let chain_omega_9_dot_by_chain_theta_8 = (t525 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_8_dot_by_chain_theta_8 = (t524 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_theta_8)
-        .sub_product(t183, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_7_dot_by_chain_theta_8 = (t522 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_theta_8)
-        .sub_product(t176, chain_omega_9_dot_by_chain_theta_8)
+    let t508 = t195 * t93;
+    let t509 = chain_omega_10_squared * t95;
+    let t510 = t232 * t93;
+    let t511 = chain_omega_8_squared * t95;
+    let t512 = t248 - t279;
+    let t513 = R::literal(2.0) * t92;
+    let t514 = t513 * chain_omega_9_dot;
+    let t515 = t513 * chain_omega_8_dot;
+    let t516 = t94 * chain_omega_10_dot;
+    let t517 = t94 * chain_omega_8_dot;
+    let t518 = (t300 - t328).sub_product(t98, t512);
+    let t519 = (t347 - t371).sub_product(t99, t512).sub_product(t109, t518);
+    let t520 = (t389 - t409).sub_product(t100, t512).sub_product(t111, t518).sub_product(t126,
+        t519);
+    let t521 = (t426 - t442).sub_product(t101, t512).sub_product(t113, t518).sub_product(t128, t519)
+        .sub_product(t141, t520);
+    let t522 = (t458 - t470).sub_product(t102, t512).sub_product(t115, t518).sub_product(t130, t519)
+        .sub_product(t143, t520).sub_product(t154, t521);
+    let t523 = (t485 - t493).sub_product(t103, t512).sub_product(t117, t518).sub_product(t132, t519)
+        .sub_product(t145, t520).sub_product(t156, t521).sub_product(t165, t522);
+    let t524 = (t280 - (t257.add_product(R::literal(29.43), cos_chain_theta_8) + t308 + t354 + t395
+        + t431 + t462 + t488 + t508 + t509) - t329 - t372 - t410 - t443 - t471 - t494 + t514 + t516)
+        .sub_product(t104, t512).sub_product(t119, t518).sub_product(t134, t519).sub_product(t147,
+        t520).sub_product(t158, t521).sub_product(t167, t522);
+    let t525 = t524.sub_product(t174, t523);
+    let t526 = (t510 + t515).sub_product(t105, t512).sub_product(t121, t518).sub_product(t136, t519)
+        .sub_product(t149, t520).sub_product(t160, t521).sub_product(t169, t522).sub_product(t176,
+        t523).sub_product(t181, t525);
+    let chain_omega_10_dot_by_chain_theta_8 = (t511 + t517).sub_product(t106, t512)
+        .sub_product(t123, t518).sub_product(t138, t519).sub_product(t151, t520).sub_product(t162,
+        t521).sub_product(t171, t522).sub_product(t178, t523).sub_product(t183, t525)
+        .sub_product(t186, t526) * t187;
+    let chain_omega_9_dot_by_chain_theta_8 = (t526 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_theta_8);
+    let chain_omega_8_dot_by_chain_theta_8 = (t525 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_theta_8).sub_product(t183, chain_omega_10_dot_by_chain_theta_8);
+    let chain_omega_7_dot_by_chain_theta_8 = (t523 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_theta_8).sub_product(t176, chain_omega_9_dot_by_chain_theta_8)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_6_dot_by_chain_theta_8 = (t521 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_theta_8)
-        .sub_product(t167, chain_omega_8_dot_by_chain_theta_8)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_8)
-        .sub_product(t171, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_5_dot_by_chain_theta_8 = (t520 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_theta_8)
-        .sub_product(t156, chain_omega_7_dot_by_chain_theta_8)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_8)
-        .sub_product(t160, chain_omega_9_dot_by_chain_theta_8)
-        .sub_product(t162, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_4_dot_by_chain_theta_8 = (t519 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_theta_8)
-        .sub_product(t143, chain_omega_6_dot_by_chain_theta_8)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_8)
-        .sub_product(t147, chain_omega_8_dot_by_chain_theta_8)
-        .sub_product(t149, chain_omega_9_dot_by_chain_theta_8)
+    let chain_omega_6_dot_by_chain_theta_8 = (t522 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_theta_8).sub_product(t167, chain_omega_8_dot_by_chain_theta_8)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_8).sub_product(t171,
+        chain_omega_10_dot_by_chain_theta_8);
+    let chain_omega_5_dot_by_chain_theta_8 = (t521 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_theta_8).sub_product(t156, chain_omega_7_dot_by_chain_theta_8)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_8).sub_product(t160,
+        chain_omega_9_dot_by_chain_theta_8).sub_product(t162, chain_omega_10_dot_by_chain_theta_8);
+    let chain_omega_4_dot_by_chain_theta_8 = (t520 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_theta_8).sub_product(t143, chain_omega_6_dot_by_chain_theta_8)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_8).sub_product(t147,
+        chain_omega_8_dot_by_chain_theta_8).sub_product(t149, chain_omega_9_dot_by_chain_theta_8)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_3_dot_by_chain_theta_8 = (t518 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_theta_8)
-        .sub_product(t128, chain_omega_5_dot_by_chain_theta_8)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_8)
-        .sub_product(t132, chain_omega_7_dot_by_chain_theta_8)
-        .sub_product(t134, chain_omega_8_dot_by_chain_theta_8)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_8)
-        .sub_product(t138, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_2_dot_by_chain_theta_8 = (t517 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_theta_8)
-        .sub_product(t111, chain_omega_4_dot_by_chain_theta_8)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_8)
-        .sub_product(t115, chain_omega_6_dot_by_chain_theta_8)
-        .sub_product(t117, chain_omega_7_dot_by_chain_theta_8)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_8)
-        .sub_product(t121, chain_omega_9_dot_by_chain_theta_8)
-        .sub_product(t123, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_1_dot_by_chain_theta_8 = (t511 * R::literal(0.1))
-        .sub_product(t98, chain_omega_2_dot_by_chain_theta_8)
-        .sub_product(t99, chain_omega_3_dot_by_chain_theta_8)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_8)
-        .sub_product(t101, chain_omega_5_dot_by_chain_theta_8)
-        .sub_product(t102, chain_omega_6_dot_by_chain_theta_8)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_8)
-        .sub_product(t104, chain_omega_8_dot_by_chain_theta_8)
-        .sub_product(t105, chain_omega_9_dot_by_chain_theta_8)
+    let chain_omega_3_dot_by_chain_theta_8 = (t519 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_theta_8).sub_product(t128, chain_omega_5_dot_by_chain_theta_8)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_8).sub_product(t132,
+        chain_omega_7_dot_by_chain_theta_8).sub_product(t134, chain_omega_8_dot_by_chain_theta_8)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_8).sub_product(t138,
+        chain_omega_10_dot_by_chain_theta_8);
+    let chain_omega_2_dot_by_chain_theta_8 = (t518 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_theta_8).sub_product(t111, chain_omega_4_dot_by_chain_theta_8)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_8).sub_product(t115,
+        chain_omega_6_dot_by_chain_theta_8).sub_product(t117, chain_omega_7_dot_by_chain_theta_8)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_8).sub_product(t121,
+        chain_omega_9_dot_by_chain_theta_8).sub_product(t123, chain_omega_10_dot_by_chain_theta_8);
+    let chain_omega_1_dot_by_chain_theta_8 = (t512 * R::literal(0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_theta_8).sub_product(t99, chain_omega_3_dot_by_chain_theta_8)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_8).sub_product(t101,
+        chain_omega_5_dot_by_chain_theta_8).sub_product(t102, chain_omega_6_dot_by_chain_theta_8)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_8).sub_product(t104,
+        chain_omega_8_dot_by_chain_theta_8).sub_product(t105, chain_omega_9_dot_by_chain_theta_8)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_8);
-    let t526 = chain_omega_10_squared * t97;
-    let t527 = chain_omega_9_squared * t97;
-    let t528 = t248 - t281;
-    let t529 = t96 * chain_omega_10_dot;
-    let t530 = t96 * chain_omega_9_dot;
-    let t531 = (t300 - t330).sub_product(t98, t528);
-    let t532 = (t347 - t373).sub_product(t99, t528).sub_product(t109, t531);
-    let t533 = (t389 - t411)
-        .sub_product(t100, t528)
-        .sub_product(t111, t531)
-        .sub_product(t126, t532);
-    let t534 = (t426 - t444)
-        .sub_product(t101, t528)
-        .sub_product(t113, t531)
-        .sub_product(t128, t532)
-        .sub_product(t141, t533);
-    let t535 = (t458 - t472)
-        .sub_product(t102, t528)
-        .sub_product(t115, t531)
-        .sub_product(t130, t532)
-        .sub_product(t143, t533)
-        .sub_product(t154, t534);
-    let t536 = (t485 - t495)
-        .sub_product(t103, t528)
-        .sub_product(t117, t531)
-        .sub_product(t132, t532)
-        .sub_product(t145, t533)
-        .sub_product(t156, t534)
-        .sub_product(t165, t535);
-    let t537 = (t507 - t513)
-        .sub_product(t104, t528)
-        .sub_product(t119, t531)
-        .sub_product(t134, t532)
-        .sub_product(t147, t533)
-        .sub_product(t158, t534)
-        .sub_product(t167, t535)
-        .sub_product(t174, t536);
-    let t538 = ((-t257).sub_product(R::literal(19.62), cos_chain_theta_9) - t308 - t354
-        - t395 - t431 - t462 - t488 - t509 - t526 - t282 - t331 - t374 - t412 - t445
-        - t473 - t496 - t514 + t529)
-        .sub_product(t105, t528)
-        .sub_product(t121, t531)
-        .sub_product(t136, t532)
-        .sub_product(t149, t533)
-        .sub_product(t160, t534)
-        .sub_product(t169, t535);
-    let t539 = t538.sub_product(t176, t536).sub_product(t181, t537);
-    let chain_omega_10_dot_by_chain_theta_9 = (t527 + t530)
-        .sub_product(t106, t528)
-        .sub_product(t123, t531)
-        .sub_product(t138, t532)
-        .sub_product(t151, t533)
-        .sub_product(t162, t534)
-        .sub_product(t171, t535)
-        .sub_product(t178, t536)
-        .sub_product(t183, t537)
-        .sub_product(t186, t539) * t187;
-    let chain_omega_9_dot_by_chain_theta_9 = (t539 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_8_dot_by_chain_theta_9 = (t537 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_theta_9)
-        .sub_product(t183, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_7_dot_by_chain_theta_9 = (t536 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_theta_9)
-        .sub_product(t176, chain_omega_9_dot_by_chain_theta_9)
+    let t527 = chain_omega_10_squared * t97;
+    let t528 = chain_omega_9_squared * t97;
+    let t529 = t249 - t282;
+    let t530 = t96 * chain_omega_10_dot;
+    let t531 = t96 * chain_omega_9_dot;
+    let t532 = (t301 - t331).sub_product(t98, t529);
+    let t533 = (t348 - t374).sub_product(t99, t529).sub_product(t109, t532);
+    let t534 = (t390 - t412).sub_product(t100, t529).sub_product(t111, t532).sub_product(t126,
+        t533);
+    let t535 = (t427 - t445).sub_product(t101, t529).sub_product(t113, t532).sub_product(t128, t533)
+        .sub_product(t141, t534);
+    let t536 = (t459 - t473).sub_product(t102, t529).sub_product(t115, t532).sub_product(t130, t533)
+        .sub_product(t143, t534).sub_product(t154, t535);
+    let t537 = (t486 - t496).sub_product(t103, t529).sub_product(t117, t532).sub_product(t132, t533)
+        .sub_product(t145, t534).sub_product(t156, t535).sub_product(t165, t536);
+    let t538 = (t508 - t514).sub_product(t104, t529).sub_product(t119, t532).sub_product(t134, t533)
+        .sub_product(t147, t534).sub_product(t158, t535).sub_product(t167, t536).sub_product(t174,
+        t537);
+    let t539 = (t283 - (t258.add_product(R::literal(19.62), cos_chain_theta_9) + t309 + t355 + t396
+        + t432 + t463 + t489 + t510 + t527) - t332 - t375 - t413 - t446 - t474 - t497 - t515 + t530)
+        .sub_product(t105, t529).sub_product(t121, t532).sub_product(t136, t533).sub_product(t149,
+        t534).sub_product(t160, t535).sub_product(t169, t536);
+    let t540 = t539.sub_product(t176, t537).sub_product(t181, t538);
+    let chain_omega_10_dot_by_chain_theta_9 = (t528 + t531).sub_product(t106, t529)
+        .sub_product(t123, t532).sub_product(t138, t533).sub_product(t151, t534).sub_product(t162,
+        t535).sub_product(t171, t536).sub_product(t178, t537).sub_product(t183, t538)
+        .sub_product(t186, t540) * t187;
+    let chain_omega_9_dot_by_chain_theta_9 = (t540 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_theta_9);
+    let chain_omega_8_dot_by_chain_theta_9 = (t538 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_theta_9).sub_product(t183, chain_omega_10_dot_by_chain_theta_9);
+    let chain_omega_7_dot_by_chain_theta_9 = (t537 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_theta_9).sub_product(t176, chain_omega_9_dot_by_chain_theta_9)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_6_dot_by_chain_theta_9 = (t535 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_theta_9)
-        .sub_product(t167, chain_omega_8_dot_by_chain_theta_9)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_9)
-        .sub_product(t171, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_5_dot_by_chain_theta_9 = (t534 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_theta_9)
-        .sub_product(t156, chain_omega_7_dot_by_chain_theta_9)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_9)
-        .sub_product(t160, chain_omega_9_dot_by_chain_theta_9)
-        .sub_product(t162, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_4_dot_by_chain_theta_9 = (t533 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_theta_9)
-        .sub_product(t143, chain_omega_6_dot_by_chain_theta_9)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_9)
-        .sub_product(t147, chain_omega_8_dot_by_chain_theta_9)
-        .sub_product(t149, chain_omega_9_dot_by_chain_theta_9)
+    let chain_omega_6_dot_by_chain_theta_9 = (t536 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_theta_9).sub_product(t167, chain_omega_8_dot_by_chain_theta_9)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_9).sub_product(t171,
+        chain_omega_10_dot_by_chain_theta_9);
+    let chain_omega_5_dot_by_chain_theta_9 = (t535 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_theta_9).sub_product(t156, chain_omega_7_dot_by_chain_theta_9)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_9).sub_product(t160,
+        chain_omega_9_dot_by_chain_theta_9).sub_product(t162, chain_omega_10_dot_by_chain_theta_9);
+    let chain_omega_4_dot_by_chain_theta_9 = (t534 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_theta_9).sub_product(t143, chain_omega_6_dot_by_chain_theta_9)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_9).sub_product(t147,
+        chain_omega_8_dot_by_chain_theta_9).sub_product(t149, chain_omega_9_dot_by_chain_theta_9)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_3_dot_by_chain_theta_9 = (t532 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_theta_9)
-        .sub_product(t128, chain_omega_5_dot_by_chain_theta_9)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_9)
-        .sub_product(t132, chain_omega_7_dot_by_chain_theta_9)
-        .sub_product(t134, chain_omega_8_dot_by_chain_theta_9)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_9)
-        .sub_product(t138, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_2_dot_by_chain_theta_9 = (t531 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_theta_9)
-        .sub_product(t111, chain_omega_4_dot_by_chain_theta_9)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_9)
-        .sub_product(t115, chain_omega_6_dot_by_chain_theta_9)
-        .sub_product(t117, chain_omega_7_dot_by_chain_theta_9)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_9)
-        .sub_product(t121, chain_omega_9_dot_by_chain_theta_9)
-        .sub_product(t123, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_1_dot_by_chain_theta_9 = (t528 * R::literal(0.1))
-        .sub_product(t98, chain_omega_2_dot_by_chain_theta_9)
-        .sub_product(t99, chain_omega_3_dot_by_chain_theta_9)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_9)
-        .sub_product(t101, chain_omega_5_dot_by_chain_theta_9)
-        .sub_product(t102, chain_omega_6_dot_by_chain_theta_9)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_9)
-        .sub_product(t104, chain_omega_8_dot_by_chain_theta_9)
-        .sub_product(t105, chain_omega_9_dot_by_chain_theta_9)
+    let chain_omega_3_dot_by_chain_theta_9 = (t533 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_theta_9).sub_product(t128, chain_omega_5_dot_by_chain_theta_9)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_9).sub_product(t132,
+        chain_omega_7_dot_by_chain_theta_9).sub_product(t134, chain_omega_8_dot_by_chain_theta_9)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_9).sub_product(t138,
+        chain_omega_10_dot_by_chain_theta_9);
+    let chain_omega_2_dot_by_chain_theta_9 = (t532 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_theta_9).sub_product(t111, chain_omega_4_dot_by_chain_theta_9)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_9).sub_product(t115,
+        chain_omega_6_dot_by_chain_theta_9).sub_product(t117, chain_omega_7_dot_by_chain_theta_9)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_9).sub_product(t121,
+        chain_omega_9_dot_by_chain_theta_9).sub_product(t123, chain_omega_10_dot_by_chain_theta_9);
+    let chain_omega_1_dot_by_chain_theta_9 = (t529 * R::literal(0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_theta_9).sub_product(t99, chain_omega_3_dot_by_chain_theta_9)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_9).sub_product(t101,
+        chain_omega_5_dot_by_chain_theta_9).sub_product(t102, chain_omega_6_dot_by_chain_theta_9)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_9).sub_product(t104,
+        chain_omega_8_dot_by_chain_theta_9).sub_product(t105, chain_omega_9_dot_by_chain_theta_9)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_9);
-    let t540 = t249 - t283;
-    let t541 = (t301 - t332).sub_product(t98, t540);
-    let t542 = (t348 - t375).sub_product(t99, t540).sub_product(t109, t541);
-    let t543 = (t390 - t413)
-        .sub_product(t100, t540)
-        .sub_product(t111, t541)
-        .sub_product(t126, t542);
-    let t544 = (t427 - t446)
-        .sub_product(t101, t540)
-        .sub_product(t113, t541)
-        .sub_product(t128, t542)
-        .sub_product(t141, t543);
-    let t545 = (t459 - t474)
-        .sub_product(t102, t540)
-        .sub_product(t115, t541)
-        .sub_product(t130, t542)
-        .sub_product(t143, t543)
-        .sub_product(t154, t544);
-    let t546 = (t486 - t497)
-        .sub_product(t103, t540)
-        .sub_product(t117, t541)
-        .sub_product(t132, t542)
-        .sub_product(t145, t543)
-        .sub_product(t156, t544)
-        .sub_product(t165, t545);
-    let t547 = (t508 - t515)
-        .sub_product(t104, t540)
-        .sub_product(t119, t541)
-        .sub_product(t134, t542)
-        .sub_product(t147, t543)
-        .sub_product(t158, t544)
-        .sub_product(t167, t545)
-        .sub_product(t174, t546);
-    let t548 = (t526 - t529)
-        .sub_product(t105, t540)
-        .sub_product(t121, t541)
-        .sub_product(t136, t542)
-        .sub_product(t149, t543)
-        .sub_product(t160, t544)
-        .sub_product(t169, t545)
-        .sub_product(t176, t546)
-        .sub_product(t181, t547);
-    let t549 = ((-t258).sub_product(R::literal(9.81), cos_chain_theta_10) - t309 - t355
-        - t396 - t432 - t463 - t489 - t510 - t527 - t285 - t333 - t376 - t414 - t447
-        - t475 - t498 - t516 - t530)
-        .sub_product(t106, t540)
-        .sub_product(t123, t541)
-        .sub_product(t138, t542)
-        .sub_product(t151, t543)
-        .sub_product(t162, t544)
-        .sub_product(t171, t545);
-    let chain_omega_10_dot_by_chain_theta_10 = t549
-        .sub_product(t178, t546)
-        .sub_product(t183, t547)
-        .sub_product(t186, t548) * t187;
-    let chain_omega_9_dot_by_chain_theta_10 = (t548 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_8_dot_by_chain_theta_10 = (t547 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_theta_10)
-        .sub_product(t183, chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_7_dot_by_chain_theta_10 = (t546 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_theta_10)
-        .sub_product(t176, chain_omega_9_dot_by_chain_theta_10)
+    let t541 = t250 - t284;
+    let t542 = (t302 - t333).sub_product(t98, t541);
+    let t543 = (t349 - t376).sub_product(t99, t541).sub_product(t109, t542);
+    let t544 = (t391 - t414).sub_product(t100, t541).sub_product(t111, t542).sub_product(t126,
+        t543);
+    let t545 = (t428 - t447).sub_product(t101, t541).sub_product(t113, t542).sub_product(t128, t543)
+        .sub_product(t141, t544);
+    let t546 = (t460 - t475).sub_product(t102, t541).sub_product(t115, t542).sub_product(t130, t543)
+        .sub_product(t143, t544).sub_product(t154, t545);
+    let t547 = (t487 - t498).sub_product(t103, t541).sub_product(t117, t542).sub_product(t132, t543)
+        .sub_product(t145, t544).sub_product(t156, t545).sub_product(t165, t546);
+    let t548 = (t509 - t516).sub_product(t104, t541).sub_product(t119, t542).sub_product(t134, t543)
+        .sub_product(t147, t544).sub_product(t158, t545).sub_product(t167, t546).sub_product(t174,
+        t547);
+    let t549 = (t527 - t530).sub_product(t105, t541).sub_product(t121, t542).sub_product(t136, t543)
+        .sub_product(t149, t544).sub_product(t160, t545).sub_product(t169, t546).sub_product(t176,
+        t547).sub_product(t181, t548);
+    let t550 = (t286 - (t259.add_product(R::literal(9.81), cos_chain_theta_10) + t310 + t356 + t397
+        + t433 + t464 + t490 + t511 + t528) - t334 - t377 - t415 - t448 - t476 - t499 - t517 - t531)
+        .sub_product(t106, t541).sub_product(t123, t542).sub_product(t138, t543).sub_product(t151,
+        t544).sub_product(t162, t545).sub_product(t171, t546);
+    let chain_omega_10_dot_by_chain_theta_10 = t550.sub_product(t178, t547).sub_product(t183, t548)
+        .sub_product(t186, t549) * t187;
+    let chain_omega_9_dot_by_chain_theta_10 = (t549 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_theta_10);
+    let chain_omega_8_dot_by_chain_theta_10 = (t548 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_theta_10).sub_product(t183,
+        chain_omega_10_dot_by_chain_theta_10);
+    let chain_omega_7_dot_by_chain_theta_10 = (t547 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_theta_10).sub_product(t176, chain_omega_9_dot_by_chain_theta_10)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_6_dot_by_chain_theta_10 = (t545 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_theta_10)
-        .sub_product(t167, chain_omega_8_dot_by_chain_theta_10)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_10)
-        .sub_product(t171, chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_5_dot_by_chain_theta_10 = (t544 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_theta_10)
-        .sub_product(t156, chain_omega_7_dot_by_chain_theta_10)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_10)
-        .sub_product(t160, chain_omega_9_dot_by_chain_theta_10)
-        .sub_product(t162, chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_4_dot_by_chain_theta_10 = (t543 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_theta_10)
-        .sub_product(t143, chain_omega_6_dot_by_chain_theta_10)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_10)
-        .sub_product(t147, chain_omega_8_dot_by_chain_theta_10)
-        .sub_product(t149, chain_omega_9_dot_by_chain_theta_10)
+    let chain_omega_6_dot_by_chain_theta_10 = (t546 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_theta_10).sub_product(t167, chain_omega_8_dot_by_chain_theta_10)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_10).sub_product(t171,
+        chain_omega_10_dot_by_chain_theta_10);
+    let chain_omega_5_dot_by_chain_theta_10 = (t545 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_theta_10).sub_product(t156, chain_omega_7_dot_by_chain_theta_10)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_10).sub_product(t160,
+        chain_omega_9_dot_by_chain_theta_10).sub_product(t162,
+        chain_omega_10_dot_by_chain_theta_10);
+    let chain_omega_4_dot_by_chain_theta_10 = (t544 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_theta_10).sub_product(t143, chain_omega_6_dot_by_chain_theta_10)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_10).sub_product(t147,
+        chain_omega_8_dot_by_chain_theta_10).sub_product(t149, chain_omega_9_dot_by_chain_theta_10)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_3_dot_by_chain_theta_10 = (t542 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_theta_10)
-        .sub_product(t128, chain_omega_5_dot_by_chain_theta_10)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_10)
-        .sub_product(t132, chain_omega_7_dot_by_chain_theta_10)
-        .sub_product(t134, chain_omega_8_dot_by_chain_theta_10)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_10)
-        .sub_product(t138, chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_2_dot_by_chain_theta_10 = (t541 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_theta_10)
-        .sub_product(t111, chain_omega_4_dot_by_chain_theta_10)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_10)
-        .sub_product(t115, chain_omega_6_dot_by_chain_theta_10)
-        .sub_product(t117, chain_omega_7_dot_by_chain_theta_10)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_10)
-        .sub_product(t121, chain_omega_9_dot_by_chain_theta_10)
-        .sub_product(t123, chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_1_dot_by_chain_theta_10 = (t540 * R::literal(0.1))
-        .sub_product(t98, chain_omega_2_dot_by_chain_theta_10)
-        .sub_product(t99, chain_omega_3_dot_by_chain_theta_10)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_10)
-        .sub_product(t101, chain_omega_5_dot_by_chain_theta_10)
-        .sub_product(t102, chain_omega_6_dot_by_chain_theta_10)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_10)
-        .sub_product(t104, chain_omega_8_dot_by_chain_theta_10)
-        .sub_product(t105, chain_omega_9_dot_by_chain_theta_10)
+    let chain_omega_3_dot_by_chain_theta_10 = (t543 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_theta_10).sub_product(t128, chain_omega_5_dot_by_chain_theta_10)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_10).sub_product(t132,
+        chain_omega_7_dot_by_chain_theta_10).sub_product(t134, chain_omega_8_dot_by_chain_theta_10)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_10).sub_product(t138,
+        chain_omega_10_dot_by_chain_theta_10);
+    let chain_omega_2_dot_by_chain_theta_10 = (t542 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_theta_10).sub_product(t111, chain_omega_4_dot_by_chain_theta_10)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_10).sub_product(t115,
+        chain_omega_6_dot_by_chain_theta_10).sub_product(t117, chain_omega_7_dot_by_chain_theta_10)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_10).sub_product(t121,
+        chain_omega_9_dot_by_chain_theta_10).sub_product(t123,
+        chain_omega_10_dot_by_chain_theta_10);
+    let chain_omega_1_dot_by_chain_theta_10 = (t541 * R::literal(0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_theta_10).sub_product(t99, chain_omega_3_dot_by_chain_theta_10)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_10).sub_product(t101,
+        chain_omega_5_dot_by_chain_theta_10).sub_product(t102, chain_omega_6_dot_by_chain_theta_10)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_10).sub_product(t104,
+        chain_omega_8_dot_by_chain_theta_10).sub_product(t105, chain_omega_9_dot_by_chain_theta_10)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_10);
-    let t550 = R::literal(18.0) * chain_omega_1 * t0;
-    let t551 = (R::literal(16.0) * chain_omega_1 * t3).sub_product(t109, t550);
-    let t552 = (R::literal(14.0) * chain_omega_1 * t6)
-        .sub_product(t111, t550)
-        .sub_product(t126, t551);
-    let t553 = (R::literal(12.0) * chain_omega_1 * t9)
-        .sub_product(t113, t550)
-        .sub_product(t128, t551)
-        .sub_product(t141, t552);
-    let t554 = (R::literal(10.0) * chain_omega_1 * t12)
-        .sub_product(t115, t550)
-        .sub_product(t130, t551)
-        .sub_product(t143, t552)
-        .sub_product(t154, t553);
-    let t555 = (R::literal(8.0) * chain_omega_1 * t15)
-        .sub_product(t117, t550)
-        .sub_product(t132, t551)
-        .sub_product(t145, t552)
-        .sub_product(t156, t553)
-        .sub_product(t165, t554);
-    let t556 = (R::literal(6.0) * chain_omega_1 * t18)
-        .sub_product(t119, t550)
-        .sub_product(t134, t551)
-        .sub_product(t147, t552)
-        .sub_product(t158, t553)
-        .sub_product(t167, t554)
-        .sub_product(t174, t555);
-    let t557 = (R::literal(4.0) * chain_omega_1 * t21)
-        .sub_product(t121, t550)
-        .sub_product(t136, t551)
-        .sub_product(t149, t552)
-        .sub_product(t160, t553)
-        .sub_product(t169, t554)
-        .sub_product(t176, t555)
-        .sub_product(t181, t556);
+    let t551 = R::literal(18.0) * chain_omega_1 * t0;
+    let t552 = (R::literal(16.0) * chain_omega_1 * t3).sub_product(t109, t551);
+    let t553 = (R::literal(14.0) * chain_omega_1 * t6).sub_product(t111, t551).sub_product(t126,
+        t552);
+    let t554 = (R::literal(12.0) * chain_omega_1 * t9).sub_product(t113, t551).sub_product(t128,
+        t552).sub_product(t141, t553);
+    let t555 = (R::literal(10.0) * chain_omega_1 * t12).sub_product(t115, t551).sub_product(t130,
+        t552).sub_product(t143, t553).sub_product(t154, t554);
+    let t556 = (R::literal(8.0) * chain_omega_1 * t15).sub_product(t117, t551).sub_product(t132,
+        t552).sub_product(t145, t553).sub_product(t156, t554).sub_product(t165, t555);
+    let t557 = (R::literal(6.0) * chain_omega_1 * t18).sub_product(t119, t551).sub_product(t134,
+        t552).sub_product(t147, t553).sub_product(t158, t554).sub_product(t167, t555)
+        .sub_product(t174, t556);
+    let t558 = (R::literal(4.0) * chain_omega_1 * t21).sub_product(t121, t551).sub_product(t136,
+        t552).sub_product(t149, t553).sub_product(t160, t554).sub_product(t169, t555)
+        .sub_product(t176, t556).sub_product(t181, t557);
     let chain_omega_10_dot_by_chain_omega_1 = (R::literal(2.0) * chain_omega_1 * t24)
-        .sub_product(t123, t550)
-        .sub_product(t138, t551)
-        .sub_product(t151, t552)
-        .sub_product(t162, t553)
-        .sub_product(t171, t554)
-        .sub_product(t178, t555)
-        .sub_product(t183, t556)
-        .sub_product(t186, t557) * t187;
-    let chain_omega_9_dot_by_chain_omega_1 = (t557 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_8_dot_by_chain_omega_1 = (t556 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_omega_1)
-        .sub_product(t183, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_7_dot_by_chain_omega_1 = (t555 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_omega_1)
-        .sub_product(t176, chain_omega_9_dot_by_chain_omega_1)
+        .sub_product(t123, t551).sub_product(t138, t552).sub_product(t151, t553).sub_product(t162,
+        t554).sub_product(t171, t555).sub_product(t178, t556).sub_product(t183, t557)
+        .sub_product(t186, t558) * t187;
+    let chain_omega_9_dot_by_chain_omega_1 = (t558 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_omega_1);
+    let chain_omega_8_dot_by_chain_omega_1 = (t557 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_omega_1).sub_product(t183, chain_omega_10_dot_by_chain_omega_1);
+    let chain_omega_7_dot_by_chain_omega_1 = (t556 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_omega_1).sub_product(t176, chain_omega_9_dot_by_chain_omega_1)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_6_dot_by_chain_omega_1 = (t554 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_omega_1)
-        .sub_product(t167, chain_omega_8_dot_by_chain_omega_1)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_1)
-        .sub_product(t171, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_5_dot_by_chain_omega_1 = (t553 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_omega_1)
-        .sub_product(t156, chain_omega_7_dot_by_chain_omega_1)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_1)
-        .sub_product(t160, chain_omega_9_dot_by_chain_omega_1)
-        .sub_product(t162, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_4_dot_by_chain_omega_1 = (t552 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_omega_1)
-        .sub_product(t143, chain_omega_6_dot_by_chain_omega_1)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_1)
-        .sub_product(t147, chain_omega_8_dot_by_chain_omega_1)
-        .sub_product(t149, chain_omega_9_dot_by_chain_omega_1)
+    let chain_omega_6_dot_by_chain_omega_1 = (t555 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_omega_1).sub_product(t167, chain_omega_8_dot_by_chain_omega_1)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_1).sub_product(t171,
+        chain_omega_10_dot_by_chain_omega_1);
+    let chain_omega_5_dot_by_chain_omega_1 = (t554 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_omega_1).sub_product(t156, chain_omega_7_dot_by_chain_omega_1)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_1).sub_product(t160,
+        chain_omega_9_dot_by_chain_omega_1).sub_product(t162, chain_omega_10_dot_by_chain_omega_1);
+    let chain_omega_4_dot_by_chain_omega_1 = (t553 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_omega_1).sub_product(t143, chain_omega_6_dot_by_chain_omega_1)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_1).sub_product(t147,
+        chain_omega_8_dot_by_chain_omega_1).sub_product(t149, chain_omega_9_dot_by_chain_omega_1)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_3_dot_by_chain_omega_1 = (t551 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_omega_1)
-        .sub_product(t128, chain_omega_5_dot_by_chain_omega_1)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_1)
-        .sub_product(t132, chain_omega_7_dot_by_chain_omega_1)
-        .sub_product(t134, chain_omega_8_dot_by_chain_omega_1)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_1)
-        .sub_product(t138, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_2_dot_by_chain_omega_1 = (t550 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_omega_1)
-        .sub_product(t111, chain_omega_4_dot_by_chain_omega_1)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_1)
-        .sub_product(t115, chain_omega_6_dot_by_chain_omega_1)
-        .sub_product(t117, chain_omega_7_dot_by_chain_omega_1)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_1)
-        .sub_product(t121, chain_omega_9_dot_by_chain_omega_1)
-        .sub_product(t123, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_1_dot_by_chain_omega_1 = (-(t99
-        * chain_omega_3_dot_by_chain_omega_1))
-        .sub_product(t98, chain_omega_2_dot_by_chain_omega_1)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_1)
-        .sub_product(t101, chain_omega_5_dot_by_chain_omega_1)
-        .sub_product(t102, chain_omega_6_dot_by_chain_omega_1)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_1)
-        .sub_product(t104, chain_omega_8_dot_by_chain_omega_1)
-        .sub_product(t105, chain_omega_9_dot_by_chain_omega_1)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_1);
-    let t558 = R::literal(18.0) * chain_omega_2 * t0;
-    let t559 = t98 * t558;
-    let t560 = (R::literal(16.0) * chain_omega_2 * t26)
-        .add_product(t99, t558)
-        .sub_product(t109, t559);
-    let t561 = (R::literal(14.0) * chain_omega_2 * t28)
-        .add_product(t100, t558)
-        .sub_product(t111, t559)
-        .sub_product(t126, t560);
-    let t562 = (R::literal(12.0) * chain_omega_2 * t30)
-        .add_product(t101, t558)
-        .sub_product(t113, t559)
-        .sub_product(t128, t560)
-        .sub_product(t141, t561);
-    let t563 = (R::literal(10.0) * chain_omega_2 * t32)
-        .add_product(t102, t558)
-        .sub_product(t115, t559)
-        .sub_product(t130, t560)
-        .sub_product(t143, t561)
-        .sub_product(t154, t562);
-    let t564 = (R::literal(8.0) * chain_omega_2 * t34)
-        .add_product(t103, t558)
-        .sub_product(t117, t559)
-        .sub_product(t132, t560)
-        .sub_product(t145, t561)
-        .sub_product(t156, t562)
-        .sub_product(t165, t563);
-    let t565 = (R::literal(6.0) * chain_omega_2 * t36)
-        .add_product(t104, t558)
-        .sub_product(t119, t559)
-        .sub_product(t134, t560)
-        .sub_product(t147, t561)
-        .sub_product(t158, t562)
-        .sub_product(t167, t563)
-        .sub_product(t174, t564);
-    let t566 = (R::literal(4.0) * chain_omega_2 * t38)
-        .add_product(t105, t558)
-        .sub_product(t121, t559)
-        .sub_product(t136, t560)
-        .sub_product(t149, t561)
-        .sub_product(t160, t562)
-        .sub_product(t169, t563)
-        .sub_product(t176, t564)
-        .sub_product(t181, t565);
+    let chain_omega_3_dot_by_chain_omega_1 = (t552 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_omega_1).sub_product(t128, chain_omega_5_dot_by_chain_omega_1)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_1).sub_product(t132,
+        chain_omega_7_dot_by_chain_omega_1).sub_product(t134, chain_omega_8_dot_by_chain_omega_1)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_1).sub_product(t138,
+        chain_omega_10_dot_by_chain_omega_1);
+    let chain_omega_2_dot_by_chain_omega_1 = (t551 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_omega_1).sub_product(t111, chain_omega_4_dot_by_chain_omega_1)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_1).sub_product(t115,
+        chain_omega_6_dot_by_chain_omega_1).sub_product(t117, chain_omega_7_dot_by_chain_omega_1)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_1).sub_product(t121,
+        chain_omega_9_dot_by_chain_omega_1).sub_product(t123, chain_omega_10_dot_by_chain_omega_1);
+    let chain_omega_1_dot_by_chain_omega_1 = -(t99 * chain_omega_3_dot_by_chain_omega_1)
+        .add_product(t98, chain_omega_2_dot_by_chain_omega_1).add_product(t100,
+        chain_omega_4_dot_by_chain_omega_1).add_product(t101, chain_omega_5_dot_by_chain_omega_1)
+        .add_product(t102, chain_omega_6_dot_by_chain_omega_1).add_product(t103,
+        chain_omega_7_dot_by_chain_omega_1).add_product(t104, chain_omega_8_dot_by_chain_omega_1)
+        .add_product(t105, chain_omega_9_dot_by_chain_omega_1).add_product(t106,
+        chain_omega_10_dot_by_chain_omega_1);
+    let t559 = R::literal(18.0) * chain_omega_2 * t0;
+    let t560 = t98 * t559;
+    let t561 = (R::literal(16.0) * chain_omega_2 * t26).add_product(t99, t559).sub_product(t109,
+        t560);
+    let t562 = (R::literal(14.0) * chain_omega_2 * t28).add_product(t100, t559).sub_product(t111,
+        t560).sub_product(t126, t561);
+    let t563 = (R::literal(12.0) * chain_omega_2 * t30).add_product(t101, t559).sub_product(t113,
+        t560).sub_product(t128, t561).sub_product(t141, t562);
+    let t564 = (R::literal(10.0) * chain_omega_2 * t32).add_product(t102, t559).sub_product(t115,
+        t560).sub_product(t130, t561).sub_product(t143, t562).sub_product(t154, t563);
+    let t565 = (R::literal(8.0) * chain_omega_2 * t34).add_product(t103, t559).sub_product(t117,
+        t560).sub_product(t132, t561).sub_product(t145, t562).sub_product(t156, t563)
+        .sub_product(t165, t564);
+    let t566 = (R::literal(6.0) * chain_omega_2 * t36).add_product(t104, t559).sub_product(t119,
+        t560).sub_product(t134, t561).sub_product(t147, t562).sub_product(t158, t563)
+        .sub_product(t167, t564).sub_product(t174, t565);
+    let t567 = (R::literal(4.0) * chain_omega_2 * t38).add_product(t105, t559).sub_product(t121,
+        t560).sub_product(t136, t561).sub_product(t149, t562).sub_product(t160, t563)
+        .sub_product(t169, t564).sub_product(t176, t565).sub_product(t181, t566);
     let chain_omega_10_dot_by_chain_omega_2 = (R::literal(2.0) * chain_omega_2 * t40)
-        .add_product(t106, t558)
-        .sub_product(t123, t559)
-        .sub_product(t138, t560)
-        .sub_product(t151, t561)
-        .sub_product(t162, t562)
-        .sub_product(t171, t563)
-        .sub_product(t178, t564)
-        .sub_product(t183, t565)
-        .sub_product(t186, t566) * t187;
-    let chain_omega_9_dot_by_chain_omega_2 = (t566 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_8_dot_by_chain_omega_2 = (t565 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_omega_2)
-        .sub_product(t183, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_7_dot_by_chain_omega_2 = (t564 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_omega_2)
-        .sub_product(t176, chain_omega_9_dot_by_chain_omega_2)
+        .add_product(t106, t559).sub_product(t123, t560).sub_product(t138, t561).sub_product(t151,
+        t562).sub_product(t162, t563).sub_product(t171, t564).sub_product(t178, t565)
+        .sub_product(t183, t566).sub_product(t186, t567) * t187;
+    let chain_omega_9_dot_by_chain_omega_2 = (t567 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_omega_2);
+    let chain_omega_8_dot_by_chain_omega_2 = (t566 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_omega_2).sub_product(t183, chain_omega_10_dot_by_chain_omega_2);
+    let chain_omega_7_dot_by_chain_omega_2 = (t565 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_omega_2).sub_product(t176, chain_omega_9_dot_by_chain_omega_2)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_6_dot_by_chain_omega_2 = (t563 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_omega_2)
-        .sub_product(t167, chain_omega_8_dot_by_chain_omega_2)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_2)
-        .sub_product(t171, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_5_dot_by_chain_omega_2 = (t562 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_omega_2)
-        .sub_product(t156, chain_omega_7_dot_by_chain_omega_2)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_2)
-        .sub_product(t160, chain_omega_9_dot_by_chain_omega_2)
-        .sub_product(t162, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_4_dot_by_chain_omega_2 = (t561 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_omega_2)
-        .sub_product(t143, chain_omega_6_dot_by_chain_omega_2)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_2)
-        .sub_product(t147, chain_omega_8_dot_by_chain_omega_2)
-        .sub_product(t149, chain_omega_9_dot_by_chain_omega_2)
+    let chain_omega_6_dot_by_chain_omega_2 = (t564 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_omega_2).sub_product(t167, chain_omega_8_dot_by_chain_omega_2)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_2).sub_product(t171,
+        chain_omega_10_dot_by_chain_omega_2);
+    let chain_omega_5_dot_by_chain_omega_2 = (t563 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_omega_2).sub_product(t156, chain_omega_7_dot_by_chain_omega_2)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_2).sub_product(t160,
+        chain_omega_9_dot_by_chain_omega_2).sub_product(t162, chain_omega_10_dot_by_chain_omega_2);
+    let chain_omega_4_dot_by_chain_omega_2 = (t562 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_omega_2).sub_product(t143, chain_omega_6_dot_by_chain_omega_2)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_2).sub_product(t147,
+        chain_omega_8_dot_by_chain_omega_2).sub_product(t149, chain_omega_9_dot_by_chain_omega_2)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_3_dot_by_chain_omega_2 = (t560 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_omega_2)
-        .sub_product(t128, chain_omega_5_dot_by_chain_omega_2)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_2)
-        .sub_product(t132, chain_omega_7_dot_by_chain_omega_2)
-        .sub_product(t134, chain_omega_8_dot_by_chain_omega_2)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_2)
-        .sub_product(t138, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_2_dot_by_chain_omega_2 = (t559 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_omega_2)
-        .sub_product(t111, chain_omega_4_dot_by_chain_omega_2)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_2)
-        .sub_product(t115, chain_omega_6_dot_by_chain_omega_2)
-        .sub_product(t117, chain_omega_7_dot_by_chain_omega_2)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_2)
-        .sub_product(t121, chain_omega_9_dot_by_chain_omega_2)
-        .sub_product(t123, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_1_dot_by_chain_omega_2 = (-(t558 * R::literal(0.1)))
-        .sub_product(t98, chain_omega_2_dot_by_chain_omega_2)
-        .sub_product(t99, chain_omega_3_dot_by_chain_omega_2)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_2)
-        .sub_product(t101, chain_omega_5_dot_by_chain_omega_2)
-        .sub_product(t102, chain_omega_6_dot_by_chain_omega_2)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_2)
-        .sub_product(t104, chain_omega_8_dot_by_chain_omega_2)
-        .sub_product(t105, chain_omega_9_dot_by_chain_omega_2)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_2);
-    let t567 = R::literal(16.0) * chain_omega_3;
-    let t568 = t567 * t3;
-    let t569 = (-(t567 * t26)).add_product(t98, t568);
-    let t570 = (t99 * t568).sub_product(t109, t569);
-    let t571 = (R::literal(14.0) * chain_omega_3 * t42)
-        .add_product(t100, t568)
-        .sub_product(t111, t569)
-        .sub_product(t126, t570);
-    let t572 = (R::literal(12.0) * chain_omega_3 * t44)
-        .add_product(t101, t568)
-        .sub_product(t113, t569)
-        .sub_product(t128, t570)
-        .sub_product(t141, t571);
-    let t573 = (R::literal(10.0) * chain_omega_3 * t46)
-        .add_product(t102, t568)
-        .sub_product(t115, t569)
-        .sub_product(t130, t570)
-        .sub_product(t143, t571)
-        .sub_product(t154, t572);
-    let t574 = (R::literal(8.0) * chain_omega_3 * t48)
-        .add_product(t103, t568)
-        .sub_product(t117, t569)
-        .sub_product(t132, t570)
-        .sub_product(t145, t571)
-        .sub_product(t156, t572)
-        .sub_product(t165, t573);
-    let t575 = (R::literal(6.0) * chain_omega_3 * t50)
-        .add_product(t104, t568)
-        .sub_product(t119, t569)
-        .sub_product(t134, t570)
-        .sub_product(t147, t571)
-        .sub_product(t158, t572)
-        .sub_product(t167, t573)
-        .sub_product(t174, t574);
-    let t576 = (R::literal(4.0) * chain_omega_3 * t52)
-        .add_product(t105, t568)
-        .sub_product(t121, t569)
-        .sub_product(t136, t570)
-        .sub_product(t149, t571)
-        .sub_product(t160, t572)
-        .sub_product(t169, t573)
-        .sub_product(t176, t574)
-        .sub_product(t181, t575);
+    let chain_omega_3_dot_by_chain_omega_2 = (t561 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_omega_2).sub_product(t128, chain_omega_5_dot_by_chain_omega_2)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_2).sub_product(t132,
+        chain_omega_7_dot_by_chain_omega_2).sub_product(t134, chain_omega_8_dot_by_chain_omega_2)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_2).sub_product(t138,
+        chain_omega_10_dot_by_chain_omega_2);
+    let chain_omega_2_dot_by_chain_omega_2 = (t560 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_omega_2).sub_product(t111, chain_omega_4_dot_by_chain_omega_2)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_2).sub_product(t115,
+        chain_omega_6_dot_by_chain_omega_2).sub_product(t117, chain_omega_7_dot_by_chain_omega_2)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_2).sub_product(t121,
+        chain_omega_9_dot_by_chain_omega_2).sub_product(t123, chain_omega_10_dot_by_chain_omega_2);
+    let chain_omega_1_dot_by_chain_omega_2 = -(t559 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_2).add_product(t99, chain_omega_3_dot_by_chain_omega_2)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_2).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_2).add_product(t102, chain_omega_6_dot_by_chain_omega_2)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_2).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_2).add_product(t105, chain_omega_9_dot_by_chain_omega_2)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_2);
+    let t568 = R::literal(16.0) * chain_omega_3;
+    let t569 = t568 * t3;
+    let t570 = (-(t568 * t26)).add_product(t98, t569);
+    let t571 = (t99 * t569).sub_product(t109, t570);
+    let t572 = (R::literal(14.0) * chain_omega_3 * t42).add_product(t100, t569).sub_product(t111,
+        t570).sub_product(t126, t571);
+    let t573 = (R::literal(12.0) * chain_omega_3 * t44).add_product(t101, t569).sub_product(t113,
+        t570).sub_product(t128, t571).sub_product(t141, t572);
+    let t574 = (R::literal(10.0) * chain_omega_3 * t46).add_product(t102, t569).sub_product(t115,
+        t570).sub_product(t130, t571).sub_product(t143, t572).sub_product(t154, t573);
+    let t575 = (R::literal(8.0) * chain_omega_3 * t48).add_product(t103, t569).sub_product(t117,
+        t570).sub_product(t132, t571).sub_product(t145, t572).sub_product(t156, t573)
+        .sub_product(t165, t574);
+    let t576 = (R::literal(6.0) * chain_omega_3 * t50).add_product(t104, t569).sub_product(t119,
+        t570).sub_product(t134, t571).sub_product(t147, t572).sub_product(t158, t573)
+        .sub_product(t167, t574).sub_product(t174, t575);
+    let t577 = (R::literal(4.0) * chain_omega_3 * t52).add_product(t105, t569).sub_product(t121,
+        t570).sub_product(t136, t571).sub_product(t149, t572).sub_product(t160, t573)
+        .sub_product(t169, t574).sub_product(t176, t575).sub_product(t181, t576);
     let chain_omega_10_dot_by_chain_omega_3 = (R::literal(2.0) * chain_omega_3 * t54)
-        .add_product(t106, t568)
-        .sub_product(t123, t569)
-        .sub_product(t138, t570)
-        .sub_product(t151, t571)
-        .sub_product(t162, t572)
-        .sub_product(t171, t573)
-        .sub_product(t178, t574)
-        .sub_product(t183, t575)
-        .sub_product(t186, t576) * t187;
-    let chain_omega_9_dot_by_chain_omega_3 = (t576 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_8_dot_by_chain_omega_3 = (t575 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_omega_3)
-        .sub_product(t183, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_7_dot_by_chain_omega_3 = (t574 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_omega_3)
-        .sub_product(t176, chain_omega_9_dot_by_chain_omega_3)
+        .add_product(t106, t569).sub_product(t123, t570).sub_product(t138, t571).sub_product(t151,
+        t572).sub_product(t162, t573).sub_product(t171, t574).sub_product(t178, t575)
+        .sub_product(t183, t576).sub_product(t186, t577) * t187;
+    let chain_omega_9_dot_by_chain_omega_3 = (t577 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_omega_3);
+    let chain_omega_8_dot_by_chain_omega_3 = (t576 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_omega_3).sub_product(t183, chain_omega_10_dot_by_chain_omega_3);
+    let chain_omega_7_dot_by_chain_omega_3 = (t575 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_omega_3).sub_product(t176, chain_omega_9_dot_by_chain_omega_3)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_6_dot_by_chain_omega_3 = (t573 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_omega_3)
-        .sub_product(t167, chain_omega_8_dot_by_chain_omega_3)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_3)
-        .sub_product(t171, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_5_dot_by_chain_omega_3 = (t572 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_omega_3)
-        .sub_product(t156, chain_omega_7_dot_by_chain_omega_3)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_3)
-        .sub_product(t160, chain_omega_9_dot_by_chain_omega_3)
-        .sub_product(t162, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_4_dot_by_chain_omega_3 = (t571 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_omega_3)
-        .sub_product(t143, chain_omega_6_dot_by_chain_omega_3)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_3)
-        .sub_product(t147, chain_omega_8_dot_by_chain_omega_3)
-        .sub_product(t149, chain_omega_9_dot_by_chain_omega_3)
+    let chain_omega_6_dot_by_chain_omega_3 = (t574 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_omega_3).sub_product(t167, chain_omega_8_dot_by_chain_omega_3)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_3).sub_product(t171,
+        chain_omega_10_dot_by_chain_omega_3);
+    let chain_omega_5_dot_by_chain_omega_3 = (t573 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_omega_3).sub_product(t156, chain_omega_7_dot_by_chain_omega_3)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_3).sub_product(t160,
+        chain_omega_9_dot_by_chain_omega_3).sub_product(t162, chain_omega_10_dot_by_chain_omega_3);
+    let chain_omega_4_dot_by_chain_omega_3 = (t572 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_omega_3).sub_product(t143, chain_omega_6_dot_by_chain_omega_3)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_3).sub_product(t147,
+        chain_omega_8_dot_by_chain_omega_3).sub_product(t149, chain_omega_9_dot_by_chain_omega_3)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_3_dot_by_chain_omega_3 = (t570 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_omega_3)
-        .sub_product(t128, chain_omega_5_dot_by_chain_omega_3)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_3)
-        .sub_product(t132, chain_omega_7_dot_by_chain_omega_3)
-        .sub_product(t134, chain_omega_8_dot_by_chain_omega_3)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_3)
-        .sub_product(t138, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_2_dot_by_chain_omega_3 = (t569 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_omega_3)
-        .sub_product(t111, chain_omega_4_dot_by_chain_omega_3)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_3)
-        .sub_product(t115, chain_omega_6_dot_by_chain_omega_3)
-        .sub_product(t117, chain_omega_7_dot_by_chain_omega_3)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_3)
-        .sub_product(t121, chain_omega_9_dot_by_chain_omega_3)
-        .sub_product(t123, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_1_dot_by_chain_omega_3 = (-(t568 * R::literal(0.1)))
-        .sub_product(t98, chain_omega_2_dot_by_chain_omega_3)
-        .sub_product(t99, chain_omega_3_dot_by_chain_omega_3)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_3)
-        .sub_product(t101, chain_omega_5_dot_by_chain_omega_3)
-        .sub_product(t102, chain_omega_6_dot_by_chain_omega_3)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_3)
-        .sub_product(t104, chain_omega_8_dot_by_chain_omega_3)
-        .sub_product(t105, chain_omega_9_dot_by_chain_omega_3)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_3);
-    let t577 = R::literal(14.0) * chain_omega_4;
-    let t578 = t577 * t6;
-    let t579 = (-(t577 * t28)).add_product(t98, t578);
-    let t580 = (-(t577 * t42)).add_product(t99, t578).sub_product(t109, t579);
-    let t581 = (t100 * t578).sub_product(t111, t579).sub_product(t126, t580);
-    let t582 = (R::literal(12.0) * chain_omega_4 * t56)
-        .add_product(t101, t578)
-        .sub_product(t113, t579)
-        .sub_product(t128, t580)
-        .sub_product(t141, t581);
-    let t583 = (R::literal(10.0) * chain_omega_4 * t58)
-        .add_product(t102, t578)
-        .sub_product(t115, t579)
-        .sub_product(t130, t580)
-        .sub_product(t143, t581)
-        .sub_product(t154, t582);
-    let t584 = (R::literal(8.0) * chain_omega_4 * t60)
-        .add_product(t103, t578)
-        .sub_product(t117, t579)
-        .sub_product(t132, t580)
-        .sub_product(t145, t581)
-        .sub_product(t156, t582)
-        .sub_product(t165, t583);
-    let t585 = (R::literal(6.0) * chain_omega_4 * t62)
-        .add_product(t104, t578)
-        .sub_product(t119, t579)
-        .sub_product(t134, t580)
-        .sub_product(t147, t581)
-        .sub_product(t158, t582)
-        .sub_product(t167, t583)
-        .sub_product(t174, t584);
-    let t586 = (R::literal(4.0) * chain_omega_4 * t64)
-        .add_product(t105, t578)
-        .sub_product(t121, t579)
-        .sub_product(t136, t580)
-        .sub_product(t149, t581)
-        .sub_product(t160, t582)
-        .sub_product(t169, t583)
-        .sub_product(t176, t584)
-        .sub_product(t181, t585);
+    let chain_omega_3_dot_by_chain_omega_3 = (t571 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_omega_3).sub_product(t128, chain_omega_5_dot_by_chain_omega_3)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_3).sub_product(t132,
+        chain_omega_7_dot_by_chain_omega_3).sub_product(t134, chain_omega_8_dot_by_chain_omega_3)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_3).sub_product(t138,
+        chain_omega_10_dot_by_chain_omega_3);
+    let chain_omega_2_dot_by_chain_omega_3 = (t570 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_omega_3).sub_product(t111, chain_omega_4_dot_by_chain_omega_3)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_3).sub_product(t115,
+        chain_omega_6_dot_by_chain_omega_3).sub_product(t117, chain_omega_7_dot_by_chain_omega_3)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_3).sub_product(t121,
+        chain_omega_9_dot_by_chain_omega_3).sub_product(t123, chain_omega_10_dot_by_chain_omega_3);
+    let chain_omega_1_dot_by_chain_omega_3 = -(t569 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_3).add_product(t99, chain_omega_3_dot_by_chain_omega_3)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_3).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_3).add_product(t102, chain_omega_6_dot_by_chain_omega_3)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_3).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_3).add_product(t105, chain_omega_9_dot_by_chain_omega_3)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_3);
+    let t578 = R::literal(14.0) * chain_omega_4;
+    let t579 = t578 * t6;
+    let t580 = (-(t578 * t28)).add_product(t98, t579);
+    let t581 = (-(t578 * t42)).add_product(t99, t579).sub_product(t109, t580);
+    let t582 = (t100 * t579).sub_product(t111, t580).sub_product(t126, t581);
+    let t583 = (R::literal(12.0) * chain_omega_4 * t56).add_product(t101, t579).sub_product(t113,
+        t580).sub_product(t128, t581).sub_product(t141, t582);
+    let t584 = (R::literal(10.0) * chain_omega_4 * t58).add_product(t102, t579).sub_product(t115,
+        t580).sub_product(t130, t581).sub_product(t143, t582).sub_product(t154, t583);
+    let t585 = (R::literal(8.0) * chain_omega_4 * t60).add_product(t103, t579).sub_product(t117,
+        t580).sub_product(t132, t581).sub_product(t145, t582).sub_product(t156, t583)
+        .sub_product(t165, t584);
+    let t586 = (R::literal(6.0) * chain_omega_4 * t62).add_product(t104, t579).sub_product(t119,
+        t580).sub_product(t134, t581).sub_product(t147, t582).sub_product(t158, t583)
+        .sub_product(t167, t584).sub_product(t174, t585);
+    let t587 = (R::literal(4.0) * chain_omega_4 * t64).add_product(t105, t579).sub_product(t121,
+        t580).sub_product(t136, t581).sub_product(t149, t582).sub_product(t160, t583)
+        .sub_product(t169, t584).sub_product(t176, t585).sub_product(t181, t586);
     let chain_omega_10_dot_by_chain_omega_4 = (R::literal(2.0) * chain_omega_4 * t66)
-        .add_product(t106, t578)
-        .sub_product(t123, t579)
-        .sub_product(t138, t580)
-        .sub_product(t151, t581)
-        .sub_product(t162, t582)
-        .sub_product(t171, t583)
-        .sub_product(t178, t584)
-        .sub_product(t183, t585)
-        .sub_product(t186, t586) * t187;
-    let chain_omega_9_dot_by_chain_omega_4 = (t586 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_8_dot_by_chain_omega_4 = (t585 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_omega_4)
-        .sub_product(t183, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_7_dot_by_chain_omega_4 = (t584 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_omega_4)
-        .sub_product(t176, chain_omega_9_dot_by_chain_omega_4)
+        .add_product(t106, t579).sub_product(t123, t580).sub_product(t138, t581).sub_product(t151,
+        t582).sub_product(t162, t583).sub_product(t171, t584).sub_product(t178, t585)
+        .sub_product(t183, t586).sub_product(t186, t587) * t187;
+    let chain_omega_9_dot_by_chain_omega_4 = (t587 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_omega_4);
+    let chain_omega_8_dot_by_chain_omega_4 = (t586 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_omega_4).sub_product(t183, chain_omega_10_dot_by_chain_omega_4);
+    let chain_omega_7_dot_by_chain_omega_4 = (t585 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_omega_4).sub_product(t176, chain_omega_9_dot_by_chain_omega_4)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_6_dot_by_chain_omega_4 = (t583 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_omega_4)
-        .sub_product(t167, chain_omega_8_dot_by_chain_omega_4)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_4)
-        .sub_product(t171, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_5_dot_by_chain_omega_4 = (t582 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_omega_4)
-        .sub_product(t156, chain_omega_7_dot_by_chain_omega_4)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_4)
-        .sub_product(t160, chain_omega_9_dot_by_chain_omega_4)
-        .sub_product(t162, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_4_dot_by_chain_omega_4 = (t581 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_omega_4)
-        .sub_product(t143, chain_omega_6_dot_by_chain_omega_4)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_4)
-        .sub_product(t147, chain_omega_8_dot_by_chain_omega_4)
-        .sub_product(t149, chain_omega_9_dot_by_chain_omega_4)
+    let chain_omega_6_dot_by_chain_omega_4 = (t584 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_omega_4).sub_product(t167, chain_omega_8_dot_by_chain_omega_4)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_4).sub_product(t171,
+        chain_omega_10_dot_by_chain_omega_4);
+    let chain_omega_5_dot_by_chain_omega_4 = (t583 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_omega_4).sub_product(t156, chain_omega_7_dot_by_chain_omega_4)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_4).sub_product(t160,
+        chain_omega_9_dot_by_chain_omega_4).sub_product(t162, chain_omega_10_dot_by_chain_omega_4);
+    let chain_omega_4_dot_by_chain_omega_4 = (t582 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_omega_4).sub_product(t143, chain_omega_6_dot_by_chain_omega_4)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_4).sub_product(t147,
+        chain_omega_8_dot_by_chain_omega_4).sub_product(t149, chain_omega_9_dot_by_chain_omega_4)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_3_dot_by_chain_omega_4 = (t580 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_omega_4)
-        .sub_product(t128, chain_omega_5_dot_by_chain_omega_4)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_4)
-        .sub_product(t132, chain_omega_7_dot_by_chain_omega_4)
-        .sub_product(t134, chain_omega_8_dot_by_chain_omega_4)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_4)
-        .sub_product(t138, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_2_dot_by_chain_omega_4 = (t579 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_omega_4)
-        .sub_product(t111, chain_omega_4_dot_by_chain_omega_4)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_4)
-        .sub_product(t115, chain_omega_6_dot_by_chain_omega_4)
-        .sub_product(t117, chain_omega_7_dot_by_chain_omega_4)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_4)
-        .sub_product(t121, chain_omega_9_dot_by_chain_omega_4)
-        .sub_product(t123, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_1_dot_by_chain_omega_4 = (-(t578 * R::literal(0.1)))
-        .sub_product(t98, chain_omega_2_dot_by_chain_omega_4)
-        .sub_product(t99, chain_omega_3_dot_by_chain_omega_4)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_4)
-        .sub_product(t101, chain_omega_5_dot_by_chain_omega_4)
-        .sub_product(t102, chain_omega_6_dot_by_chain_omega_4)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_4)
-        .sub_product(t104, chain_omega_8_dot_by_chain_omega_4)
-        .sub_product(t105, chain_omega_9_dot_by_chain_omega_4)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_4);
-    let t587 = R::literal(12.0) * chain_omega_5;
-    let t588 = t587 * t9;
-    let t589 = (-(t587 * t30)).add_product(t98, t588);
-    let t590 = (-(t587 * t44)).add_product(t99, t588).sub_product(t109, t589);
-    let t591 = (-(t587 * t56))
-        .add_product(t100, t588)
-        .sub_product(t111, t589)
-        .sub_product(t126, t590);
-    let t592 = (t101 * t588)
-        .sub_product(t113, t589)
-        .sub_product(t128, t590)
-        .sub_product(t141, t591);
-    let t593 = (R::literal(10.0) * chain_omega_5 * t68)
-        .add_product(t102, t588)
-        .sub_product(t115, t589)
-        .sub_product(t130, t590)
-        .sub_product(t143, t591)
-        .sub_product(t154, t592);
-    let t594 = (R::literal(8.0) * chain_omega_5 * t70)
-        .add_product(t103, t588)
-        .sub_product(t117, t589)
-        .sub_product(t132, t590)
-        .sub_product(t145, t591)
-        .sub_product(t156, t592)
-        .sub_product(t165, t593);
-    let t595 = (R::literal(6.0) * chain_omega_5 * t72)
-        .add_product(t104, t588)
-        .sub_product(t119, t589)
-        .sub_product(t134, t590)
-        .sub_product(t147, t591)
-        .sub_product(t158, t592)
-        .sub_product(t167, t593)
-        .sub_product(t174, t594);
-    let t596 = (R::literal(4.0) * chain_omega_5 * t74)
-        .add_product(t105, t588)
-        .sub_product(t121, t589)
-        .sub_product(t136, t590)
-        .sub_product(t149, t591)
-        .sub_product(t160, t592)
-        .sub_product(t169, t593)
-        .sub_product(t176, t594)
-        .sub_product(t181, t595);
+    let chain_omega_3_dot_by_chain_omega_4 = (t581 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_omega_4).sub_product(t128, chain_omega_5_dot_by_chain_omega_4)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_4).sub_product(t132,
+        chain_omega_7_dot_by_chain_omega_4).sub_product(t134, chain_omega_8_dot_by_chain_omega_4)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_4).sub_product(t138,
+        chain_omega_10_dot_by_chain_omega_4);
+    let chain_omega_2_dot_by_chain_omega_4 = (t580 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_omega_4).sub_product(t111, chain_omega_4_dot_by_chain_omega_4)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_4).sub_product(t115,
+        chain_omega_6_dot_by_chain_omega_4).sub_product(t117, chain_omega_7_dot_by_chain_omega_4)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_4).sub_product(t121,
+        chain_omega_9_dot_by_chain_omega_4).sub_product(t123, chain_omega_10_dot_by_chain_omega_4);
+    let chain_omega_1_dot_by_chain_omega_4 = -(t579 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_4).add_product(t99, chain_omega_3_dot_by_chain_omega_4)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_4).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_4).add_product(t102, chain_omega_6_dot_by_chain_omega_4)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_4).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_4).add_product(t105, chain_omega_9_dot_by_chain_omega_4)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_4);
+    let t588 = R::literal(12.0) * chain_omega_5;
+    let t589 = t588 * t9;
+    let t590 = (-(t588 * t30)).add_product(t98, t589);
+    let t591 = (-(t588 * t44)).add_product(t99, t589).sub_product(t109, t590);
+    let t592 = (-(t588 * t56)).add_product(t100, t589).sub_product(t111, t590).sub_product(t126,
+        t591);
+    let t593 = (t101 * t589).sub_product(t113, t590).sub_product(t128, t591).sub_product(t141,
+        t592);
+    let t594 = (R::literal(10.0) * chain_omega_5 * t68).add_product(t102, t589).sub_product(t115,
+        t590).sub_product(t130, t591).sub_product(t143, t592).sub_product(t154, t593);
+    let t595 = (R::literal(8.0) * chain_omega_5 * t70).add_product(t103, t589).sub_product(t117,
+        t590).sub_product(t132, t591).sub_product(t145, t592).sub_product(t156, t593)
+        .sub_product(t165, t594);
+    let t596 = (R::literal(6.0) * chain_omega_5 * t72).add_product(t104, t589).sub_product(t119,
+        t590).sub_product(t134, t591).sub_product(t147, t592).sub_product(t158, t593)
+        .sub_product(t167, t594).sub_product(t174, t595);
+    let t597 = (R::literal(4.0) * chain_omega_5 * t74).add_product(t105, t589).sub_product(t121,
+        t590).sub_product(t136, t591).sub_product(t149, t592).sub_product(t160, t593)
+        .sub_product(t169, t594).sub_product(t176, t595).sub_product(t181, t596);
     let chain_omega_10_dot_by_chain_omega_5 = (R::literal(2.0) * chain_omega_5 * t76)
-        .add_product(t106, t588)
-        .sub_product(t123, t589)
-        .sub_product(t138, t590)
-        .sub_product(t151, t591)
-        .sub_product(t162, t592)
-        .sub_product(t171, t593)
-        .sub_product(t178, t594)
-        .sub_product(t183, t595)
-        .sub_product(t186, t596) * t187;
-    let chain_omega_9_dot_by_chain_omega_5 = (t596 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_8_dot_by_chain_omega_5 = (t595 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_omega_5)
-        .sub_product(t183, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_7_dot_by_chain_omega_5 = (t594 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_omega_5)
-        .sub_product(t176, chain_omega_9_dot_by_chain_omega_5)
+        .add_product(t106, t589).sub_product(t123, t590).sub_product(t138, t591).sub_product(t151,
+        t592).sub_product(t162, t593).sub_product(t171, t594).sub_product(t178, t595)
+        .sub_product(t183, t596).sub_product(t186, t597) * t187;
+    let chain_omega_9_dot_by_chain_omega_5 = (t597 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_omega_5);
+    let chain_omega_8_dot_by_chain_omega_5 = (t596 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_omega_5).sub_product(t183, chain_omega_10_dot_by_chain_omega_5);
+    let chain_omega_7_dot_by_chain_omega_5 = (t595 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_omega_5).sub_product(t176, chain_omega_9_dot_by_chain_omega_5)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_6_dot_by_chain_omega_5 = (t593 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_omega_5)
-        .sub_product(t167, chain_omega_8_dot_by_chain_omega_5)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_5)
-        .sub_product(t171, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_5_dot_by_chain_omega_5 = (t592 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_omega_5)
-        .sub_product(t156, chain_omega_7_dot_by_chain_omega_5)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_5)
-        .sub_product(t160, chain_omega_9_dot_by_chain_omega_5)
-        .sub_product(t162, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_4_dot_by_chain_omega_5 = (t591 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_omega_5)
-        .sub_product(t143, chain_omega_6_dot_by_chain_omega_5)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_5)
-        .sub_product(t147, chain_omega_8_dot_by_chain_omega_5)
-        .sub_product(t149, chain_omega_9_dot_by_chain_omega_5)
+    let chain_omega_6_dot_by_chain_omega_5 = (t594 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_omega_5).sub_product(t167, chain_omega_8_dot_by_chain_omega_5)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_5).sub_product(t171,
+        chain_omega_10_dot_by_chain_omega_5);
+    let chain_omega_5_dot_by_chain_omega_5 = (t593 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_omega_5).sub_product(t156, chain_omega_7_dot_by_chain_omega_5)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_5).sub_product(t160,
+        chain_omega_9_dot_by_chain_omega_5).sub_product(t162, chain_omega_10_dot_by_chain_omega_5);
+    let chain_omega_4_dot_by_chain_omega_5 = (t592 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_omega_5).sub_product(t143, chain_omega_6_dot_by_chain_omega_5)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_5).sub_product(t147,
+        chain_omega_8_dot_by_chain_omega_5).sub_product(t149, chain_omega_9_dot_by_chain_omega_5)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_3_dot_by_chain_omega_5 = (t590 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_omega_5)
-        .sub_product(t128, chain_omega_5_dot_by_chain_omega_5)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_5)
-        .sub_product(t132, chain_omega_7_dot_by_chain_omega_5)
-        .sub_product(t134, chain_omega_8_dot_by_chain_omega_5)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_5)
-        .sub_product(t138, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_2_dot_by_chain_omega_5 = (t589 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_omega_5)
-        .sub_product(t111, chain_omega_4_dot_by_chain_omega_5)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_5)
-        .sub_product(t115, chain_omega_6_dot_by_chain_omega_5)
-        .sub_product(t117, chain_omega_7_dot_by_chain_omega_5)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_5)
-        .sub_product(t121, chain_omega_9_dot_by_chain_omega_5)
-        .sub_product(t123, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_1_dot_by_chain_omega_5 = (-(t588 * R::literal(0.1)))
-        .sub_product(t98, chain_omega_2_dot_by_chain_omega_5)
-        .sub_product(t99, chain_omega_3_dot_by_chain_omega_5)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_5)
-        .sub_product(t101, chain_omega_5_dot_by_chain_omega_5)
-        .sub_product(t102, chain_omega_6_dot_by_chain_omega_5)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_5)
-        .sub_product(t104, chain_omega_8_dot_by_chain_omega_5)
-        .sub_product(t105, chain_omega_9_dot_by_chain_omega_5)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_5);
-    let t597 = R::literal(10.0) * chain_omega_6;
-    let t598 = t597 * t12;
-    let t599 = (-(t597 * t32)).add_product(t98, t598);
-    let t600 = (-(t597 * t46)).add_product(t99, t598).sub_product(t109, t599);
-    let t601 = (-(t597 * t58))
-        .add_product(t100, t598)
-        .sub_product(t111, t599)
-        .sub_product(t126, t600);
-    let t602 = (-(t597 * t68))
-        .add_product(t101, t598)
-        .sub_product(t113, t599)
-        .sub_product(t128, t600)
-        .sub_product(t141, t601);
-    let t603 = (t102 * t598)
-        .sub_product(t115, t599)
-        .sub_product(t130, t600)
-        .sub_product(t143, t601)
-        .sub_product(t154, t602);
-    let t604 = (R::literal(8.0) * chain_omega_6 * t78)
-        .add_product(t103, t598)
-        .sub_product(t117, t599)
-        .sub_product(t132, t600)
-        .sub_product(t145, t601)
-        .sub_product(t156, t602)
-        .sub_product(t165, t603);
-    let t605 = (R::literal(6.0) * chain_omega_6 * t80)
-        .add_product(t104, t598)
-        .sub_product(t119, t599)
-        .sub_product(t134, t600)
-        .sub_product(t147, t601)
-        .sub_product(t158, t602)
-        .sub_product(t167, t603)
-        .sub_product(t174, t604);
-    let t606 = (R::literal(4.0) * chain_omega_6 * t82)
-        .add_product(t105, t598)
-        .sub_product(t121, t599)
-        .sub_product(t136, t600)
-        .sub_product(t149, t601)
-        .sub_product(t160, t602)
-        .sub_product(t169, t603)
-        .sub_product(t176, t604)
-        .sub_product(t181, t605);
+    let chain_omega_3_dot_by_chain_omega_5 = (t591 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_omega_5).sub_product(t128, chain_omega_5_dot_by_chain_omega_5)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_5).sub_product(t132,
+        chain_omega_7_dot_by_chain_omega_5).sub_product(t134, chain_omega_8_dot_by_chain_omega_5)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_5).sub_product(t138,
+        chain_omega_10_dot_by_chain_omega_5);
+    let chain_omega_2_dot_by_chain_omega_5 = (t590 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_omega_5).sub_product(t111, chain_omega_4_dot_by_chain_omega_5)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_5).sub_product(t115,
+        chain_omega_6_dot_by_chain_omega_5).sub_product(t117, chain_omega_7_dot_by_chain_omega_5)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_5).sub_product(t121,
+        chain_omega_9_dot_by_chain_omega_5).sub_product(t123, chain_omega_10_dot_by_chain_omega_5);
+    let chain_omega_1_dot_by_chain_omega_5 = -(t589 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_5).add_product(t99, chain_omega_3_dot_by_chain_omega_5)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_5).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_5).add_product(t102, chain_omega_6_dot_by_chain_omega_5)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_5).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_5).add_product(t105, chain_omega_9_dot_by_chain_omega_5)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_5);
+    let t598 = R::literal(10.0) * chain_omega_6;
+    let t599 = t598 * t12;
+    let t600 = (-(t598 * t32)).add_product(t98, t599);
+    let t601 = (-(t598 * t46)).add_product(t99, t599).sub_product(t109, t600);
+    let t602 = (-(t598 * t58)).add_product(t100, t599).sub_product(t111, t600).sub_product(t126,
+        t601);
+    let t603 = (-(t598 * t68)).add_product(t101, t599).sub_product(t113, t600).sub_product(t128,
+        t601).sub_product(t141, t602);
+    let t604 = (t102 * t599).sub_product(t115, t600).sub_product(t130, t601).sub_product(t143, t602)
+        .sub_product(t154, t603);
+    let t605 = (R::literal(8.0) * chain_omega_6 * t78).add_product(t103, t599).sub_product(t117,
+        t600).sub_product(t132, t601).sub_product(t145, t602).sub_product(t156, t603)
+        .sub_product(t165, t604);
+    let t606 = (R::literal(6.0) * chain_omega_6 * t80).add_product(t104, t599).sub_product(t119,
+        t600).sub_product(t134, t601).sub_product(t147, t602).sub_product(t158, t603)
+        .sub_product(t167, t604).sub_product(t174, t605);
+    let t607 = (R::literal(4.0) * chain_omega_6 * t82).add_product(t105, t599).sub_product(t121,
+        t600).sub_product(t136, t601).sub_product(t149, t602).sub_product(t160, t603)
+        .sub_product(t169, t604).sub_product(t176, t605).sub_product(t181, t606);
     let chain_omega_10_dot_by_chain_omega_6 = (R::literal(2.0) * chain_omega_6 * t84)
-        .add_product(t106, t598)
-        .sub_product(t123, t599)
-        .sub_product(t138, t600)
-        .sub_product(t151, t601)
-        .sub_product(t162, t602)
-        .sub_product(t171, t603)
-        .sub_product(t178, t604)
-        .sub_product(t183, t605)
-        .sub_product(t186, t606) * t187;
-    let chain_omega_9_dot_by_chain_omega_6 = (t606 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_8_dot_by_chain_omega_6 = (t605 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_omega_6)
-        .sub_product(t183, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_7_dot_by_chain_omega_6 = (t604 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_omega_6)
-        .sub_product(t176, chain_omega_9_dot_by_chain_omega_6)
+        .add_product(t106, t599).sub_product(t123, t600).sub_product(t138, t601).sub_product(t151,
+        t602).sub_product(t162, t603).sub_product(t171, t604).sub_product(t178, t605)
+        .sub_product(t183, t606).sub_product(t186, t607) * t187;
+    let chain_omega_9_dot_by_chain_omega_6 = (t607 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_omega_6);
+    let chain_omega_8_dot_by_chain_omega_6 = (t606 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_omega_6).sub_product(t183, chain_omega_10_dot_by_chain_omega_6);
+    let chain_omega_7_dot_by_chain_omega_6 = (t605 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_omega_6).sub_product(t176, chain_omega_9_dot_by_chain_omega_6)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_6_dot_by_chain_omega_6 = (t603 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_omega_6)
-        .sub_product(t167, chain_omega_8_dot_by_chain_omega_6)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_6)
-        .sub_product(t171, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_5_dot_by_chain_omega_6 = (t602 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_omega_6)
-        .sub_product(t156, chain_omega_7_dot_by_chain_omega_6)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_6)
-        .sub_product(t160, chain_omega_9_dot_by_chain_omega_6)
-        .sub_product(t162, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_4_dot_by_chain_omega_6 = (t601 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_omega_6)
-        .sub_product(t143, chain_omega_6_dot_by_chain_omega_6)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_6)
-        .sub_product(t147, chain_omega_8_dot_by_chain_omega_6)
-        .sub_product(t149, chain_omega_9_dot_by_chain_omega_6)
+    let chain_omega_6_dot_by_chain_omega_6 = (t604 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_omega_6).sub_product(t167, chain_omega_8_dot_by_chain_omega_6)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_6).sub_product(t171,
+        chain_omega_10_dot_by_chain_omega_6);
+    let chain_omega_5_dot_by_chain_omega_6 = (t603 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_omega_6).sub_product(t156, chain_omega_7_dot_by_chain_omega_6)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_6).sub_product(t160,
+        chain_omega_9_dot_by_chain_omega_6).sub_product(t162, chain_omega_10_dot_by_chain_omega_6);
+    let chain_omega_4_dot_by_chain_omega_6 = (t602 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_omega_6).sub_product(t143, chain_omega_6_dot_by_chain_omega_6)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_6).sub_product(t147,
+        chain_omega_8_dot_by_chain_omega_6).sub_product(t149, chain_omega_9_dot_by_chain_omega_6)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_3_dot_by_chain_omega_6 = (t600 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_omega_6)
-        .sub_product(t128, chain_omega_5_dot_by_chain_omega_6)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_6)
-        .sub_product(t132, chain_omega_7_dot_by_chain_omega_6)
-        .sub_product(t134, chain_omega_8_dot_by_chain_omega_6)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_6)
-        .sub_product(t138, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_2_dot_by_chain_omega_6 = (t599 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_omega_6)
-        .sub_product(t111, chain_omega_4_dot_by_chain_omega_6)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_6)
-        .sub_product(t115, chain_omega_6_dot_by_chain_omega_6)
-        .sub_product(t117, chain_omega_7_dot_by_chain_omega_6)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_6)
-        .sub_product(t121, chain_omega_9_dot_by_chain_omega_6)
-        .sub_product(t123, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_1_dot_by_chain_omega_6 = (-(t598 * R::literal(0.1)))
-        .sub_product(t98, chain_omega_2_dot_by_chain_omega_6)
-        .sub_product(t99, chain_omega_3_dot_by_chain_omega_6)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_6)
-        .sub_product(t101, chain_omega_5_dot_by_chain_omega_6)
-        .sub_product(t102, chain_omega_6_dot_by_chain_omega_6)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_6)
-        .sub_product(t104, chain_omega_8_dot_by_chain_omega_6)
-        .sub_product(t105, chain_omega_9_dot_by_chain_omega_6)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_6);
-    let t607 = R::literal(8.0) * chain_omega_7;
-    let t608 = t607 * t15;
-    let t609 = (-(t607 * t34)).add_product(t98, t608);
-    let t610 = (-(t607 * t48)).add_product(t99, t608).sub_product(t109, t609);
-    let t611 = (-(t607 * t60))
-        .add_product(t100, t608)
-        .sub_product(t111, t609)
-        .sub_product(t126, t610);
-    let t612 = (-(t607 * t70))
-        .add_product(t101, t608)
-        .sub_product(t113, t609)
-        .sub_product(t128, t610)
-        .sub_product(t141, t611);
-    let t613 = (-(t607 * t78))
-        .add_product(t102, t608)
-        .sub_product(t115, t609)
-        .sub_product(t130, t610)
-        .sub_product(t143, t611)
-        .sub_product(t154, t612);
-    let t614 = (t103 * t608)
-        .sub_product(t117, t609)
-        .sub_product(t132, t610)
-        .sub_product(t145, t611)
-        .sub_product(t156, t612)
-        .sub_product(t165, t613);
-    let t615 = (R::literal(6.0) * chain_omega_7 * t86)
-        .add_product(t104, t608)
-        .sub_product(t119, t609)
-        .sub_product(t134, t610)
-        .sub_product(t147, t611)
-        .sub_product(t158, t612)
-        .sub_product(t167, t613)
-        .sub_product(t174, t614);
-    let t616 = (R::literal(4.0) * chain_omega_7 * t88)
-        .add_product(t105, t608)
-        .sub_product(t121, t609)
-        .sub_product(t136, t610)
-        .sub_product(t149, t611)
-        .sub_product(t160, t612)
-        .sub_product(t169, t613)
-        .sub_product(t176, t614)
-        .sub_product(t181, t615);
+    let chain_omega_3_dot_by_chain_omega_6 = (t601 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_omega_6).sub_product(t128, chain_omega_5_dot_by_chain_omega_6)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_6).sub_product(t132,
+        chain_omega_7_dot_by_chain_omega_6).sub_product(t134, chain_omega_8_dot_by_chain_omega_6)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_6).sub_product(t138,
+        chain_omega_10_dot_by_chain_omega_6);
+    let chain_omega_2_dot_by_chain_omega_6 = (t600 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_omega_6).sub_product(t111, chain_omega_4_dot_by_chain_omega_6)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_6).sub_product(t115,
+        chain_omega_6_dot_by_chain_omega_6).sub_product(t117, chain_omega_7_dot_by_chain_omega_6)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_6).sub_product(t121,
+        chain_omega_9_dot_by_chain_omega_6).sub_product(t123, chain_omega_10_dot_by_chain_omega_6);
+    let chain_omega_1_dot_by_chain_omega_6 = -(t599 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_6).add_product(t99, chain_omega_3_dot_by_chain_omega_6)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_6).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_6).add_product(t102, chain_omega_6_dot_by_chain_omega_6)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_6).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_6).add_product(t105, chain_omega_9_dot_by_chain_omega_6)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_6);
+    let t608 = R::literal(8.0) * chain_omega_7;
+    let t609 = t608 * t15;
+    let t610 = (-(t608 * t34)).add_product(t98, t609);
+    let t611 = (-(t608 * t48)).add_product(t99, t609).sub_product(t109, t610);
+    let t612 = (-(t608 * t60)).add_product(t100, t609).sub_product(t111, t610).sub_product(t126,
+        t611);
+    let t613 = (-(t608 * t70)).add_product(t101, t609).sub_product(t113, t610).sub_product(t128,
+        t611).sub_product(t141, t612);
+    let t614 = (-(t608 * t78)).add_product(t102, t609).sub_product(t115, t610).sub_product(t130,
+        t611).sub_product(t143, t612).sub_product(t154, t613);
+    let t615 = (t103 * t609).sub_product(t117, t610).sub_product(t132, t611).sub_product(t145, t612)
+        .sub_product(t156, t613).sub_product(t165, t614);
+    let t616 = (R::literal(6.0) * chain_omega_7 * t86).add_product(t104, t609).sub_product(t119,
+        t610).sub_product(t134, t611).sub_product(t147, t612).sub_product(t158, t613)
+        .sub_product(t167, t614).sub_product(t174, t615);
+    let t617 = (R::literal(4.0) * chain_omega_7 * t88).add_product(t105, t609).sub_product(t121,
+        t610).sub_product(t136, t611).sub_product(t149, t612).sub_product(t160, t613)
+        .sub_product(t169, t614).sub_product(t176, t615).sub_product(t181, t616);
     let chain_omega_10_dot_by_chain_omega_7 = (R::literal(2.0) * chain_omega_7 * t90)
-        .add_product(t106, t608)
-        .sub_product(t123, t609)
-        .sub_product(t138, t610)
-        .sub_product(t151, t611)
-        .sub_product(t162, t612)
-        .sub_product(t171, t613)
-        .sub_product(t178, t614)
-        .sub_product(t183, t615)
-        .sub_product(t186, t616) * t187;
-    let chain_omega_9_dot_by_chain_omega_7 = (t616 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_8_dot_by_chain_omega_7 = (t615 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_omega_7)
-        .sub_product(t183, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_7_dot_by_chain_omega_7 = (t614 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_omega_7)
-        .sub_product(t176, chain_omega_9_dot_by_chain_omega_7)
+        .add_product(t106, t609).sub_product(t123, t610).sub_product(t138, t611).sub_product(t151,
+        t612).sub_product(t162, t613).sub_product(t171, t614).sub_product(t178, t615)
+        .sub_product(t183, t616).sub_product(t186, t617) * t187;
+    let chain_omega_9_dot_by_chain_omega_7 = (t617 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_omega_7);
+    let chain_omega_8_dot_by_chain_omega_7 = (t616 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_omega_7).sub_product(t183, chain_omega_10_dot_by_chain_omega_7);
+    let chain_omega_7_dot_by_chain_omega_7 = (t615 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_omega_7).sub_product(t176, chain_omega_9_dot_by_chain_omega_7)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_6_dot_by_chain_omega_7 = (t613 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_omega_7)
-        .sub_product(t167, chain_omega_8_dot_by_chain_omega_7)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_7)
-        .sub_product(t171, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_5_dot_by_chain_omega_7 = (t612 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_omega_7)
-        .sub_product(t156, chain_omega_7_dot_by_chain_omega_7)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_7)
-        .sub_product(t160, chain_omega_9_dot_by_chain_omega_7)
-        .sub_product(t162, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_4_dot_by_chain_omega_7 = (t611 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_omega_7)
-        .sub_product(t143, chain_omega_6_dot_by_chain_omega_7)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_7)
-        .sub_product(t147, chain_omega_8_dot_by_chain_omega_7)
-        .sub_product(t149, chain_omega_9_dot_by_chain_omega_7)
+    let chain_omega_6_dot_by_chain_omega_7 = (t614 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_omega_7).sub_product(t167, chain_omega_8_dot_by_chain_omega_7)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_7).sub_product(t171,
+        chain_omega_10_dot_by_chain_omega_7);
+    let chain_omega_5_dot_by_chain_omega_7 = (t613 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_omega_7).sub_product(t156, chain_omega_7_dot_by_chain_omega_7)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_7).sub_product(t160,
+        chain_omega_9_dot_by_chain_omega_7).sub_product(t162, chain_omega_10_dot_by_chain_omega_7);
+    let chain_omega_4_dot_by_chain_omega_7 = (t612 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_omega_7).sub_product(t143, chain_omega_6_dot_by_chain_omega_7)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_7).sub_product(t147,
+        chain_omega_8_dot_by_chain_omega_7).sub_product(t149, chain_omega_9_dot_by_chain_omega_7)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_3_dot_by_chain_omega_7 = (t610 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_omega_7)
-        .sub_product(t128, chain_omega_5_dot_by_chain_omega_7)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_7)
-        .sub_product(t132, chain_omega_7_dot_by_chain_omega_7)
-        .sub_product(t134, chain_omega_8_dot_by_chain_omega_7)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_7)
-        .sub_product(t138, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_2_dot_by_chain_omega_7 = (t609 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_omega_7)
-        .sub_product(t111, chain_omega_4_dot_by_chain_omega_7)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_7)
-        .sub_product(t115, chain_omega_6_dot_by_chain_omega_7)
-        .sub_product(t117, chain_omega_7_dot_by_chain_omega_7)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_7)
-        .sub_product(t121, chain_omega_9_dot_by_chain_omega_7)
-        .sub_product(t123, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_1_dot_by_chain_omega_7 = (-(t608 * R::literal(0.1)))
-        .sub_product(t98, chain_omega_2_dot_by_chain_omega_7)
-        .sub_product(t99, chain_omega_3_dot_by_chain_omega_7)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_7)
-        .sub_product(t101, chain_omega_5_dot_by_chain_omega_7)
-        .sub_product(t102, chain_omega_6_dot_by_chain_omega_7)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_7)
-        .sub_product(t104, chain_omega_8_dot_by_chain_omega_7)
-        .sub_product(t105, chain_omega_9_dot_by_chain_omega_7)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_7);
-    let t617 = R::literal(6.0) * chain_omega_8;
-    let t618 = t617 * t18;
-    let t619 = (-(t617 * t36)).add_product(t98, t618);
-    let t620 = (-(t617 * t50)).add_product(t99, t618).sub_product(t109, t619);
-    let t621 = (-(t617 * t62))
-        .add_product(t100, t618)
-        .sub_product(t111, t619)
-        .sub_product(t126, t620);
-    let t622 = (-(t617 * t72))
-        .add_product(t101, t618)
-        .sub_product(t113, t619)
-        .sub_product(t128, t620)
-        .sub_product(t141, t621);
-    let t623 = (-(t617 * t80))
-        .add_product(t102, t618)
-        .sub_product(t115, t619)
-        .sub_product(t130, t620)
-        .sub_product(t143, t621)
-        .sub_product(t154, t622);
-    let t624 = (-(t617 * t86))
-        .add_product(t103, t618)
-        .sub_product(t117, t619)
-        .sub_product(t132, t620)
-        .sub_product(t145, t621)
-        .sub_product(t156, t622)
-        .sub_product(t165, t623);
-    let t625 = (t104 * t618)
-        .sub_product(t119, t619)
-        .sub_product(t134, t620)
-        .sub_product(t147, t621)
-        .sub_product(t158, t622)
-        .sub_product(t167, t623)
-        .sub_product(t174, t624);
-    let t626 = (R::literal(4.0) * chain_omega_8 * t92)
-        .add_product(t105, t618)
-        .sub_product(t121, t619)
-        .sub_product(t136, t620)
-        .sub_product(t149, t621)
-        .sub_product(t160, t622)
-        .sub_product(t169, t623)
-        .sub_product(t176, t624)
-        .sub_product(t181, t625);
+    let chain_omega_3_dot_by_chain_omega_7 = (t611 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_omega_7).sub_product(t128, chain_omega_5_dot_by_chain_omega_7)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_7).sub_product(t132,
+        chain_omega_7_dot_by_chain_omega_7).sub_product(t134, chain_omega_8_dot_by_chain_omega_7)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_7).sub_product(t138,
+        chain_omega_10_dot_by_chain_omega_7);
+    let chain_omega_2_dot_by_chain_omega_7 = (t610 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_omega_7).sub_product(t111, chain_omega_4_dot_by_chain_omega_7)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_7).sub_product(t115,
+        chain_omega_6_dot_by_chain_omega_7).sub_product(t117, chain_omega_7_dot_by_chain_omega_7)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_7).sub_product(t121,
+        chain_omega_9_dot_by_chain_omega_7).sub_product(t123, chain_omega_10_dot_by_chain_omega_7);
+    let chain_omega_1_dot_by_chain_omega_7 = -(t609 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_7).add_product(t99, chain_omega_3_dot_by_chain_omega_7)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_7).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_7).add_product(t102, chain_omega_6_dot_by_chain_omega_7)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_7).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_7).add_product(t105, chain_omega_9_dot_by_chain_omega_7)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_7);
+    let t618 = R::literal(6.0) * chain_omega_8;
+    let t619 = t618 * t18;
+    let t620 = (-(t618 * t36)).add_product(t98, t619);
+    let t621 = (-(t618 * t50)).add_product(t99, t619).sub_product(t109, t620);
+    let t622 = (-(t618 * t62)).add_product(t100, t619).sub_product(t111, t620).sub_product(t126,
+        t621);
+    let t623 = (-(t618 * t72)).add_product(t101, t619).sub_product(t113, t620).sub_product(t128,
+        t621).sub_product(t141, t622);
+    let t624 = (-(t618 * t80)).add_product(t102, t619).sub_product(t115, t620).sub_product(t130,
+        t621).sub_product(t143, t622).sub_product(t154, t623);
+    let t625 = (-(t618 * t86)).add_product(t103, t619).sub_product(t117, t620).sub_product(t132,
+        t621).sub_product(t145, t622).sub_product(t156, t623).sub_product(t165, t624);
+    let t626 = (t104 * t619).sub_product(t119, t620).sub_product(t134, t621).sub_product(t147, t622)
+        .sub_product(t158, t623).sub_product(t167, t624).sub_product(t174, t625);
+    let t627 = (R::literal(4.0) * chain_omega_8 * t92).add_product(t105, t619).sub_product(t121,
+        t620).sub_product(t136, t621).sub_product(t149, t622).sub_product(t160, t623)
+        .sub_product(t169, t624).sub_product(t176, t625).sub_product(t181, t626);
     let chain_omega_10_dot_by_chain_omega_8 = (R::literal(2.0) * chain_omega_8 * t94)
-        .add_product(t106, t618)
-        .sub_product(t123, t619)
-        .sub_product(t138, t620)
-        .sub_product(t151, t621)
-        .sub_product(t162, t622)
-        .sub_product(t171, t623)
-        .sub_product(t178, t624)
-        .sub_product(t183, t625)
-        .sub_product(t186, t626) * t187;
-    let chain_omega_9_dot_by_chain_omega_8 = (t626 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_8_dot_by_chain_omega_8 = (t625 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_omega_8)
-        .sub_product(t183, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_7_dot_by_chain_omega_8 = (t624 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_omega_8)
-        .sub_product(t176, chain_omega_9_dot_by_chain_omega_8)
+        .add_product(t106, t619).sub_product(t123, t620).sub_product(t138, t621).sub_product(t151,
+        t622).sub_product(t162, t623).sub_product(t171, t624).sub_product(t178, t625)
+        .sub_product(t183, t626).sub_product(t186, t627) * t187;
+    let chain_omega_9_dot_by_chain_omega_8 = (t627 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_omega_8);
+    let chain_omega_8_dot_by_chain_omega_8 = (t626 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_omega_8).sub_product(t183, chain_omega_10_dot_by_chain_omega_8);
+    let chain_omega_7_dot_by_chain_omega_8 = (t625 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_omega_8).sub_product(t176, chain_omega_9_dot_by_chain_omega_8)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_6_dot_by_chain_omega_8 = (t623 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_omega_8)
-        .sub_product(t167, chain_omega_8_dot_by_chain_omega_8)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_8)
-        .sub_product(t171, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_5_dot_by_chain_omega_8 = (t622 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_omega_8)
-        .sub_product(t156, chain_omega_7_dot_by_chain_omega_8)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_8)
-        .sub_product(t160, chain_omega_9_dot_by_chain_omega_8)
-        .sub_product(t162, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_4_dot_by_chain_omega_8 = (t621 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_omega_8)
-        .sub_product(t143, chain_omega_6_dot_by_chain_omega_8)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_8)
-        .sub_product(t147, chain_omega_8_dot_by_chain_omega_8)
-        .sub_product(t149, chain_omega_9_dot_by_chain_omega_8)
+    let chain_omega_6_dot_by_chain_omega_8 = (t624 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_omega_8).sub_product(t167, chain_omega_8_dot_by_chain_omega_8)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_8).sub_product(t171,
+        chain_omega_10_dot_by_chain_omega_8);
+    let chain_omega_5_dot_by_chain_omega_8 = (t623 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_omega_8).sub_product(t156, chain_omega_7_dot_by_chain_omega_8)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_8).sub_product(t160,
+        chain_omega_9_dot_by_chain_omega_8).sub_product(t162, chain_omega_10_dot_by_chain_omega_8);
+    let chain_omega_4_dot_by_chain_omega_8 = (t622 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_omega_8).sub_product(t143, chain_omega_6_dot_by_chain_omega_8)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_8).sub_product(t147,
+        chain_omega_8_dot_by_chain_omega_8).sub_product(t149, chain_omega_9_dot_by_chain_omega_8)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_3_dot_by_chain_omega_8 = (t620 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_omega_8)
-        .sub_product(t128, chain_omega_5_dot_by_chain_omega_8)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_8)
-        .sub_product(t132, chain_omega_7_dot_by_chain_omega_8)
-        .sub_product(t134, chain_omega_8_dot_by_chain_omega_8)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_8)
-        .sub_product(t138, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_2_dot_by_chain_omega_8 = (t619 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_omega_8)
-        .sub_product(t111, chain_omega_4_dot_by_chain_omega_8)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_8)
-        .sub_product(t115, chain_omega_6_dot_by_chain_omega_8)
-        .sub_product(t117, chain_omega_7_dot_by_chain_omega_8)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_8)
-        .sub_product(t121, chain_omega_9_dot_by_chain_omega_8)
-        .sub_product(t123, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_1_dot_by_chain_omega_8 = (-(t618 * R::literal(0.1)))
-        .sub_product(t98, chain_omega_2_dot_by_chain_omega_8)
-        .sub_product(t99, chain_omega_3_dot_by_chain_omega_8)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_8)
-        .sub_product(t101, chain_omega_5_dot_by_chain_omega_8)
-        .sub_product(t102, chain_omega_6_dot_by_chain_omega_8)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_8)
-        .sub_product(t104, chain_omega_8_dot_by_chain_omega_8)
-        .sub_product(t105, chain_omega_9_dot_by_chain_omega_8)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_8);
-    let t627 = R::literal(4.0) * chain_omega_9;
-    let t628 = t627 * t21;
-    let t629 = (-(t627 * t38)).add_product(t98, t628);
-    let t630 = (-(t627 * t52)).add_product(t99, t628).sub_product(t109, t629);
-    let t631 = (-(t627 * t64))
-        .add_product(t100, t628)
-        .sub_product(t111, t629)
-        .sub_product(t126, t630);
-    let t632 = (-(t627 * t74))
-        .add_product(t101, t628)
-        .sub_product(t113, t629)
-        .sub_product(t128, t630)
-        .sub_product(t141, t631);
-    let t633 = (-(t627 * t82))
-        .add_product(t102, t628)
-        .sub_product(t115, t629)
-        .sub_product(t130, t630)
-        .sub_product(t143, t631)
-        .sub_product(t154, t632);
-    let t634 = (-(t627 * t88))
-        .add_product(t103, t628)
-        .sub_product(t117, t629)
-        .sub_product(t132, t630)
-        .sub_product(t145, t631)
-        .sub_product(t156, t632)
-        .sub_product(t165, t633);
-    let t635 = (-(t627 * t92))
-        .add_product(t104, t628)
-        .sub_product(t119, t629)
-        .sub_product(t134, t630)
-        .sub_product(t147, t631)
-        .sub_product(t158, t632)
-        .sub_product(t167, t633)
-        .sub_product(t174, t634);
-    let t636 = (t105 * t628)
-        .sub_product(t121, t629)
-        .sub_product(t136, t630)
-        .sub_product(t149, t631)
-        .sub_product(t160, t632)
-        .sub_product(t169, t633)
-        .sub_product(t176, t634)
-        .sub_product(t181, t635);
+    let chain_omega_3_dot_by_chain_omega_8 = (t621 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_omega_8).sub_product(t128, chain_omega_5_dot_by_chain_omega_8)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_8).sub_product(t132,
+        chain_omega_7_dot_by_chain_omega_8).sub_product(t134, chain_omega_8_dot_by_chain_omega_8)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_8).sub_product(t138,
+        chain_omega_10_dot_by_chain_omega_8);
+    let chain_omega_2_dot_by_chain_omega_8 = (t620 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_omega_8).sub_product(t111, chain_omega_4_dot_by_chain_omega_8)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_8).sub_product(t115,
+        chain_omega_6_dot_by_chain_omega_8).sub_product(t117, chain_omega_7_dot_by_chain_omega_8)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_8).sub_product(t121,
+        chain_omega_9_dot_by_chain_omega_8).sub_product(t123, chain_omega_10_dot_by_chain_omega_8);
+    let chain_omega_1_dot_by_chain_omega_8 = -(t619 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_8).add_product(t99, chain_omega_3_dot_by_chain_omega_8)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_8).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_8).add_product(t102, chain_omega_6_dot_by_chain_omega_8)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_8).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_8).add_product(t105, chain_omega_9_dot_by_chain_omega_8)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_8);
+    let t628 = R::literal(4.0) * chain_omega_9;
+    let t629 = t628 * t21;
+    let t630 = (-(t628 * t38)).add_product(t98, t629);
+    let t631 = (-(t628 * t52)).add_product(t99, t629).sub_product(t109, t630);
+    let t632 = (-(t628 * t64)).add_product(t100, t629).sub_product(t111, t630).sub_product(t126,
+        t631);
+    let t633 = (-(t628 * t74)).add_product(t101, t629).sub_product(t113, t630).sub_product(t128,
+        t631).sub_product(t141, t632);
+    let t634 = (-(t628 * t82)).add_product(t102, t629).sub_product(t115, t630).sub_product(t130,
+        t631).sub_product(t143, t632).sub_product(t154, t633);
+    let t635 = (-(t628 * t88)).add_product(t103, t629).sub_product(t117, t630).sub_product(t132,
+        t631).sub_product(t145, t632).sub_product(t156, t633).sub_product(t165, t634);
+    let t636 = (-(t628 * t92)).add_product(t104, t629).sub_product(t119, t630).sub_product(t134,
+        t631).sub_product(t147, t632).sub_product(t158, t633).sub_product(t167, t634)
+        .sub_product(t174, t635);
+    let t637 = (t105 * t629).sub_product(t121, t630).sub_product(t136, t631).sub_product(t149, t632)
+        .sub_product(t160, t633).sub_product(t169, t634).sub_product(t176, t635).sub_product(t181,
+        t636);
     let chain_omega_10_dot_by_chain_omega_9 = (R::literal(2.0) * chain_omega_9 * t96)
-        .add_product(t106, t628)
-        .sub_product(t123, t629)
-        .sub_product(t138, t630)
-        .sub_product(t151, t631)
-        .sub_product(t162, t632)
-        .sub_product(t171, t633)
-        .sub_product(t178, t634)
-        .sub_product(t183, t635)
-        .sub_product(t186, t636) * t187;
-    let chain_omega_9_dot_by_chain_omega_9 = (t636 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_8_dot_by_chain_omega_9 = (t635 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_omega_9)
-        .sub_product(t183, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_7_dot_by_chain_omega_9 = (t634 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_omega_9)
-        .sub_product(t176, chain_omega_9_dot_by_chain_omega_9)
+        .add_product(t106, t629).sub_product(t123, t630).sub_product(t138, t631).sub_product(t151,
+        t632).sub_product(t162, t633).sub_product(t171, t634).sub_product(t178, t635)
+        .sub_product(t183, t636).sub_product(t186, t637) * t187;
+    let chain_omega_9_dot_by_chain_omega_9 = (t637 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_omega_9);
+    let chain_omega_8_dot_by_chain_omega_9 = (t636 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_omega_9).sub_product(t183, chain_omega_10_dot_by_chain_omega_9);
+    let chain_omega_7_dot_by_chain_omega_9 = (t635 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_omega_9).sub_product(t176, chain_omega_9_dot_by_chain_omega_9)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_6_dot_by_chain_omega_9 = (t633 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_omega_9)
-        .sub_product(t167, chain_omega_8_dot_by_chain_omega_9)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_9)
-        .sub_product(t171, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_5_dot_by_chain_omega_9 = (t632 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_omega_9)
-        .sub_product(t156, chain_omega_7_dot_by_chain_omega_9)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_9)
-        .sub_product(t160, chain_omega_9_dot_by_chain_omega_9)
-        .sub_product(t162, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_4_dot_by_chain_omega_9 = (t631 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_omega_9)
-        .sub_product(t143, chain_omega_6_dot_by_chain_omega_9)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_9)
-        .sub_product(t147, chain_omega_8_dot_by_chain_omega_9)
-        .sub_product(t149, chain_omega_9_dot_by_chain_omega_9)
+    let chain_omega_6_dot_by_chain_omega_9 = (t634 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_omega_9).sub_product(t167, chain_omega_8_dot_by_chain_omega_9)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_9).sub_product(t171,
+        chain_omega_10_dot_by_chain_omega_9);
+    let chain_omega_5_dot_by_chain_omega_9 = (t633 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_omega_9).sub_product(t156, chain_omega_7_dot_by_chain_omega_9)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_9).sub_product(t160,
+        chain_omega_9_dot_by_chain_omega_9).sub_product(t162, chain_omega_10_dot_by_chain_omega_9);
+    let chain_omega_4_dot_by_chain_omega_9 = (t632 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_omega_9).sub_product(t143, chain_omega_6_dot_by_chain_omega_9)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_9).sub_product(t147,
+        chain_omega_8_dot_by_chain_omega_9).sub_product(t149, chain_omega_9_dot_by_chain_omega_9)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_3_dot_by_chain_omega_9 = (t630 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_omega_9)
-        .sub_product(t128, chain_omega_5_dot_by_chain_omega_9)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_9)
-        .sub_product(t132, chain_omega_7_dot_by_chain_omega_9)
-        .sub_product(t134, chain_omega_8_dot_by_chain_omega_9)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_9)
-        .sub_product(t138, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_2_dot_by_chain_omega_9 = (t629 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_omega_9)
-        .sub_product(t111, chain_omega_4_dot_by_chain_omega_9)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_9)
-        .sub_product(t115, chain_omega_6_dot_by_chain_omega_9)
-        .sub_product(t117, chain_omega_7_dot_by_chain_omega_9)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_9)
-        .sub_product(t121, chain_omega_9_dot_by_chain_omega_9)
-        .sub_product(t123, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_1_dot_by_chain_omega_9 = (-(t628 * R::literal(0.1)))
-        .sub_product(t98, chain_omega_2_dot_by_chain_omega_9)
-        .sub_product(t99, chain_omega_3_dot_by_chain_omega_9)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_9)
-        .sub_product(t101, chain_omega_5_dot_by_chain_omega_9)
-        .sub_product(t102, chain_omega_6_dot_by_chain_omega_9)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_9)
-        .sub_product(t104, chain_omega_8_dot_by_chain_omega_9)
-        .sub_product(t105, chain_omega_9_dot_by_chain_omega_9)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_9);
-    let t637 = R::literal(2.0) * chain_omega_10;
-    let t638 = t637 * t24;
-    let t639 = (-(t637 * t40)).add_product(t98, t638);
-    let t640 = (-(t637 * t54)).add_product(t99, t638).sub_product(t109, t639);
-    let t641 = (-(t637 * t66))
-        .add_product(t100, t638)
-        .sub_product(t111, t639)
-        .sub_product(t126, t640);
-    let t642 = (-(t637 * t76))
-        .add_product(t101, t638)
-        .sub_product(t113, t639)
-        .sub_product(t128, t640)
-        .sub_product(t141, t641);
-    let t643 = (-(t637 * t84))
-        .add_product(t102, t638)
-        .sub_product(t115, t639)
-        .sub_product(t130, t640)
-        .sub_product(t143, t641)
-        .sub_product(t154, t642);
-    let t644 = (-(t637 * t90))
-        .add_product(t103, t638)
-        .sub_product(t117, t639)
-        .sub_product(t132, t640)
-        .sub_product(t145, t641)
-        .sub_product(t156, t642)
-        .sub_product(t165, t643);
-    let t645 = (-(t637 * t94))
-        .add_product(t104, t638)
-        .sub_product(t119, t639)
-        .sub_product(t134, t640)
-        .sub_product(t147, t641)
-        .sub_product(t158, t642)
-        .sub_product(t167, t643)
-        .sub_product(t174, t644);
-    let t646 = (-(t637 * t96))
-        .add_product(t105, t638)
-        .sub_product(t121, t639)
-        .sub_product(t136, t640)
-        .sub_product(t149, t641)
-        .sub_product(t160, t642)
-        .sub_product(t169, t643)
-        .sub_product(t176, t644)
-        .sub_product(t181, t645);
-    let chain_omega_10_dot_by_chain_omega_10 = (t106 * t638)
-        .sub_product(t123, t639)
-        .sub_product(t138, t640)
-        .sub_product(t151, t641)
-        .sub_product(t162, t642)
-        .sub_product(t171, t643)
-        .sub_product(t178, t644)
-        .sub_product(t183, t645)
-        .sub_product(t186, t646) * t187;
-    let chain_omega_9_dot_by_chain_omega_10 = (t646 * t184)
-        .sub_product(t186, chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_8_dot_by_chain_omega_10 = (t645 * t179)
-        .sub_product(t181, chain_omega_9_dot_by_chain_omega_10)
-        .sub_product(t183, chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_7_dot_by_chain_omega_10 = (t644 * t172)
-        .sub_product(t174, chain_omega_8_dot_by_chain_omega_10)
-        .sub_product(t176, chain_omega_9_dot_by_chain_omega_10)
+    let chain_omega_3_dot_by_chain_omega_9 = (t631 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_omega_9).sub_product(t128, chain_omega_5_dot_by_chain_omega_9)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_9).sub_product(t132,
+        chain_omega_7_dot_by_chain_omega_9).sub_product(t134, chain_omega_8_dot_by_chain_omega_9)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_9).sub_product(t138,
+        chain_omega_10_dot_by_chain_omega_9);
+    let chain_omega_2_dot_by_chain_omega_9 = (t630 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_omega_9).sub_product(t111, chain_omega_4_dot_by_chain_omega_9)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_9).sub_product(t115,
+        chain_omega_6_dot_by_chain_omega_9).sub_product(t117, chain_omega_7_dot_by_chain_omega_9)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_9).sub_product(t121,
+        chain_omega_9_dot_by_chain_omega_9).sub_product(t123, chain_omega_10_dot_by_chain_omega_9);
+    let chain_omega_1_dot_by_chain_omega_9 = -(t629 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_9).add_product(t99, chain_omega_3_dot_by_chain_omega_9)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_9).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_9).add_product(t102, chain_omega_6_dot_by_chain_omega_9)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_9).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_9).add_product(t105, chain_omega_9_dot_by_chain_omega_9)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_9);
+    let t638 = R::literal(2.0) * chain_omega_10;
+    let t639 = t638 * t24;
+    let t640 = (-(t638 * t40)).add_product(t98, t639);
+    let t641 = (-(t638 * t54)).add_product(t99, t639).sub_product(t109, t640);
+    let t642 = (-(t638 * t66)).add_product(t100, t639).sub_product(t111, t640).sub_product(t126,
+        t641);
+    let t643 = (-(t638 * t76)).add_product(t101, t639).sub_product(t113, t640).sub_product(t128,
+        t641).sub_product(t141, t642);
+    let t644 = (-(t638 * t84)).add_product(t102, t639).sub_product(t115, t640).sub_product(t130,
+        t641).sub_product(t143, t642).sub_product(t154, t643);
+    let t645 = (-(t638 * t90)).add_product(t103, t639).sub_product(t117, t640).sub_product(t132,
+        t641).sub_product(t145, t642).sub_product(t156, t643).sub_product(t165, t644);
+    let t646 = (-(t638 * t94)).add_product(t104, t639).sub_product(t119, t640).sub_product(t134,
+        t641).sub_product(t147, t642).sub_product(t158, t643).sub_product(t167, t644)
+        .sub_product(t174, t645);
+    let t647 = (-(t638 * t96)).add_product(t105, t639).sub_product(t121, t640).sub_product(t136,
+        t641).sub_product(t149, t642).sub_product(t160, t643).sub_product(t169, t644)
+        .sub_product(t176, t645).sub_product(t181, t646);
+    let chain_omega_10_dot_by_chain_omega_10 = (t106 * t639).sub_product(t123, t640)
+        .sub_product(t138, t641).sub_product(t151, t642).sub_product(t162, t643).sub_product(t171,
+        t644).sub_product(t178, t645).sub_product(t183, t646).sub_product(t186, t647) * t187;
+    let chain_omega_9_dot_by_chain_omega_10 = (t647 * t184).sub_product(t186,
+        chain_omega_10_dot_by_chain_omega_10);
+    let chain_omega_8_dot_by_chain_omega_10 = (t646 * t179).sub_product(t181,
+        chain_omega_9_dot_by_chain_omega_10).sub_product(t183,
+        chain_omega_10_dot_by_chain_omega_10);
+    let chain_omega_7_dot_by_chain_omega_10 = (t645 * t172).sub_product(t174,
+        chain_omega_8_dot_by_chain_omega_10).sub_product(t176, chain_omega_9_dot_by_chain_omega_10)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_6_dot_by_chain_omega_10 = (t643 * t163)
-        .sub_product(t165, chain_omega_7_dot_by_chain_omega_10)
-        .sub_product(t167, chain_omega_8_dot_by_chain_omega_10)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_10)
-        .sub_product(t171, chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_5_dot_by_chain_omega_10 = (t642 * t152)
-        .sub_product(t154, chain_omega_6_dot_by_chain_omega_10)
-        .sub_product(t156, chain_omega_7_dot_by_chain_omega_10)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_10)
-        .sub_product(t160, chain_omega_9_dot_by_chain_omega_10)
-        .sub_product(t162, chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_4_dot_by_chain_omega_10 = (t641 * t139)
-        .sub_product(t141, chain_omega_5_dot_by_chain_omega_10)
-        .sub_product(t143, chain_omega_6_dot_by_chain_omega_10)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_10)
-        .sub_product(t147, chain_omega_8_dot_by_chain_omega_10)
-        .sub_product(t149, chain_omega_9_dot_by_chain_omega_10)
+    let chain_omega_6_dot_by_chain_omega_10 = (t644 * t163).sub_product(t165,
+        chain_omega_7_dot_by_chain_omega_10).sub_product(t167, chain_omega_8_dot_by_chain_omega_10)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_10).sub_product(t171,
+        chain_omega_10_dot_by_chain_omega_10);
+    let chain_omega_5_dot_by_chain_omega_10 = (t643 * t152).sub_product(t154,
+        chain_omega_6_dot_by_chain_omega_10).sub_product(t156, chain_omega_7_dot_by_chain_omega_10)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_10).sub_product(t160,
+        chain_omega_9_dot_by_chain_omega_10).sub_product(t162,
+        chain_omega_10_dot_by_chain_omega_10);
+    let chain_omega_4_dot_by_chain_omega_10 = (t642 * t139).sub_product(t141,
+        chain_omega_5_dot_by_chain_omega_10).sub_product(t143, chain_omega_6_dot_by_chain_omega_10)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_10).sub_product(t147,
+        chain_omega_8_dot_by_chain_omega_10).sub_product(t149, chain_omega_9_dot_by_chain_omega_10)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_3_dot_by_chain_omega_10 = (t640 * t124)
-        .sub_product(t126, chain_omega_4_dot_by_chain_omega_10)
-        .sub_product(t128, chain_omega_5_dot_by_chain_omega_10)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_10)
-        .sub_product(t132, chain_omega_7_dot_by_chain_omega_10)
-        .sub_product(t134, chain_omega_8_dot_by_chain_omega_10)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_10)
-        .sub_product(t138, chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_2_dot_by_chain_omega_10 = (t639 * t107)
-        .sub_product(t109, chain_omega_3_dot_by_chain_omega_10)
-        .sub_product(t111, chain_omega_4_dot_by_chain_omega_10)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_10)
-        .sub_product(t115, chain_omega_6_dot_by_chain_omega_10)
-        .sub_product(t117, chain_omega_7_dot_by_chain_omega_10)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_10)
-        .sub_product(t121, chain_omega_9_dot_by_chain_omega_10)
-        .sub_product(t123, chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_1_dot_by_chain_omega_10 = (-(t638 * R::literal(0.1)))
-        .sub_product(t98, chain_omega_2_dot_by_chain_omega_10)
-        .sub_product(t99, chain_omega_3_dot_by_chain_omega_10)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_10)
-        .sub_product(t101, chain_omega_5_dot_by_chain_omega_10)
-        .sub_product(t102, chain_omega_6_dot_by_chain_omega_10)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_10)
-        .sub_product(t104, chain_omega_8_dot_by_chain_omega_10)
-        .sub_product(t105, chain_omega_9_dot_by_chain_omega_10)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_10);
-    [
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        chain_omega_1_dot_by_chain_theta_1,
-        chain_omega_1_dot_by_chain_theta_2,
-        chain_omega_1_dot_by_chain_theta_3,
-        chain_omega_1_dot_by_chain_theta_4,
-        chain_omega_1_dot_by_chain_theta_5,
-        chain_omega_1_dot_by_chain_theta_6,
-        chain_omega_1_dot_by_chain_theta_7,
-        chain_omega_1_dot_by_chain_theta_8,
-        chain_omega_1_dot_by_chain_theta_9,
-        chain_omega_1_dot_by_chain_theta_10,
-        chain_omega_1_dot_by_chain_omega_1,
-        chain_omega_1_dot_by_chain_omega_2,
-        chain_omega_1_dot_by_chain_omega_3,
-        chain_omega_1_dot_by_chain_omega_4,
-        chain_omega_1_dot_by_chain_omega_5,
-        chain_omega_1_dot_by_chain_omega_6,
-        chain_omega_1_dot_by_chain_omega_7,
-        chain_omega_1_dot_by_chain_omega_8,
-        chain_omega_1_dot_by_chain_omega_9,
-        chain_omega_1_dot_by_chain_omega_10,
-        chain_omega_2_dot_by_chain_theta_1,
-        chain_omega_2_dot_by_chain_theta_2,
-        chain_omega_2_dot_by_chain_theta_3,
-        chain_omega_2_dot_by_chain_theta_4,
-        chain_omega_2_dot_by_chain_theta_5,
-        chain_omega_2_dot_by_chain_theta_6,
-        chain_omega_2_dot_by_chain_theta_7,
-        chain_omega_2_dot_by_chain_theta_8,
-        chain_omega_2_dot_by_chain_theta_9,
-        chain_omega_2_dot_by_chain_theta_10,
-        chain_omega_2_dot_by_chain_omega_1,
-        chain_omega_2_dot_by_chain_omega_2,
-        chain_omega_2_dot_by_chain_omega_3,
-        chain_omega_2_dot_by_chain_omega_4,
-        chain_omega_2_dot_by_chain_omega_5,
-        chain_omega_2_dot_by_chain_omega_6,
-        chain_omega_2_dot_by_chain_omega_7,
-        chain_omega_2_dot_by_chain_omega_8,
-        chain_omega_2_dot_by_chain_omega_9,
-        chain_omega_2_dot_by_chain_omega_10,
-        chain_omega_3_dot_by_chain_theta_1,
-        chain_omega_3_dot_by_chain_theta_2,
-        chain_omega_3_dot_by_chain_theta_3,
-        chain_omega_3_dot_by_chain_theta_4,
-        chain_omega_3_dot_by_chain_theta_5,
-        chain_omega_3_dot_by_chain_theta_6,
-        chain_omega_3_dot_by_chain_theta_7,
-        chain_omega_3_dot_by_chain_theta_8,
-        chain_omega_3_dot_by_chain_theta_9,
-        chain_omega_3_dot_by_chain_theta_10,
-        chain_omega_3_dot_by_chain_omega_1,
-        chain_omega_3_dot_by_chain_omega_2,
-        chain_omega_3_dot_by_chain_omega_3,
-        chain_omega_3_dot_by_chain_omega_4,
-        chain_omega_3_dot_by_chain_omega_5,
-        chain_omega_3_dot_by_chain_omega_6,
-        chain_omega_3_dot_by_chain_omega_7,
-        chain_omega_3_dot_by_chain_omega_8,
-        chain_omega_3_dot_by_chain_omega_9,
-        chain_omega_3_dot_by_chain_omega_10,
-        chain_omega_4_dot_by_chain_theta_1,
-        chain_omega_4_dot_by_chain_theta_2,
-        chain_omega_4_dot_by_chain_theta_3,
-        chain_omega_4_dot_by_chain_theta_4,
-        chain_omega_4_dot_by_chain_theta_5,
-        chain_omega_4_dot_by_chain_theta_6,
-        chain_omega_4_dot_by_chain_theta_7,
-        chain_omega_4_dot_by_chain_theta_8,
-        chain_omega_4_dot_by_chain_theta_9,
-        chain_omega_4_dot_by_chain_theta_10,
-        chain_omega_4_dot_by_chain_omega_1,
-        chain_omega_4_dot_by_chain_omega_2,
-        chain_omega_4_dot_by_chain_omega_3,
-        chain_omega_4_dot_by_chain_omega_4,
-        chain_omega_4_dot_by_chain_omega_5,
-        chain_omega_4_dot_by_chain_omega_6,
-        chain_omega_4_dot_by_chain_omega_7,
-        chain_omega_4_dot_by_chain_omega_8,
-        chain_omega_4_dot_by_chain_omega_9,
-        chain_omega_4_dot_by_chain_omega_10,
-        chain_omega_5_dot_by_chain_theta_1,
-        chain_omega_5_dot_by_chain_theta_2,
-        chain_omega_5_dot_by_chain_theta_3,
-        chain_omega_5_dot_by_chain_theta_4,
-        chain_omega_5_dot_by_chain_theta_5,
-        chain_omega_5_dot_by_chain_theta_6,
-        chain_omega_5_dot_by_chain_theta_7,
-        chain_omega_5_dot_by_chain_theta_8,
-        chain_omega_5_dot_by_chain_theta_9,
-        chain_omega_5_dot_by_chain_theta_10,
-        chain_omega_5_dot_by_chain_omega_1,
-        chain_omega_5_dot_by_chain_omega_2,
-        chain_omega_5_dot_by_chain_omega_3,
-        chain_omega_5_dot_by_chain_omega_4,
-        chain_omega_5_dot_by_chain_omega_5,
-        chain_omega_5_dot_by_chain_omega_6,
-        chain_omega_5_dot_by_chain_omega_7,
-        chain_omega_5_dot_by_chain_omega_8,
-        chain_omega_5_dot_by_chain_omega_9,
-        chain_omega_5_dot_by_chain_omega_10,
-        chain_omega_6_dot_by_chain_theta_1,
-        chain_omega_6_dot_by_chain_theta_2,
-        chain_omega_6_dot_by_chain_theta_3,
-        chain_omega_6_dot_by_chain_theta_4,
-        chain_omega_6_dot_by_chain_theta_5,
-        chain_omega_6_dot_by_chain_theta_6,
-        chain_omega_6_dot_by_chain_theta_7,
-        chain_omega_6_dot_by_chain_theta_8,
-        chain_omega_6_dot_by_chain_theta_9,
-        chain_omega_6_dot_by_chain_theta_10,
-        chain_omega_6_dot_by_chain_omega_1,
-        chain_omega_6_dot_by_chain_omega_2,
-        chain_omega_6_dot_by_chain_omega_3,
-        chain_omega_6_dot_by_chain_omega_4,
-        chain_omega_6_dot_by_chain_omega_5,
-        chain_omega_6_dot_by_chain_omega_6,
-        chain_omega_6_dot_by_chain_omega_7,
-        chain_omega_6_dot_by_chain_omega_8,
-        chain_omega_6_dot_by_chain_omega_9,
-        chain_omega_6_dot_by_chain_omega_10,
-        chain_omega_7_dot_by_chain_theta_1,
-        chain_omega_7_dot_by_chain_theta_2,
-        chain_omega_7_dot_by_chain_theta_3,
-        chain_omega_7_dot_by_chain_theta_4,
-        chain_omega_7_dot_by_chain_theta_5,
-        chain_omega_7_dot_by_chain_theta_6,
-        chain_omega_7_dot_by_chain_theta_7,
-        chain_omega_7_dot_by_chain_theta_8,
-        chain_omega_7_dot_by_chain_theta_9,
-        chain_omega_7_dot_by_chain_theta_10,
-        chain_omega_7_dot_by_chain_omega_1,
-        chain_omega_7_dot_by_chain_omega_2,
-        chain_omega_7_dot_by_chain_omega_3,
-        chain_omega_7_dot_by_chain_omega_4,
-        chain_omega_7_dot_by_chain_omega_5,
-        chain_omega_7_dot_by_chain_omega_6,
-        chain_omega_7_dot_by_chain_omega_7,
-        chain_omega_7_dot_by_chain_omega_8,
-        chain_omega_7_dot_by_chain_omega_9,
-        chain_omega_7_dot_by_chain_omega_10,
-        chain_omega_8_dot_by_chain_theta_1,
-        chain_omega_8_dot_by_chain_theta_2,
-        chain_omega_8_dot_by_chain_theta_3,
-        chain_omega_8_dot_by_chain_theta_4,
-        chain_omega_8_dot_by_chain_theta_5,
-        chain_omega_8_dot_by_chain_theta_6,
-        chain_omega_8_dot_by_chain_theta_7,
-        chain_omega_8_dot_by_chain_theta_8,
-        chain_omega_8_dot_by_chain_theta_9,
-        chain_omega_8_dot_by_chain_theta_10,
-        chain_omega_8_dot_by_chain_omega_1,
-        chain_omega_8_dot_by_chain_omega_2,
-        chain_omega_8_dot_by_chain_omega_3,
-        chain_omega_8_dot_by_chain_omega_4,
-        chain_omega_8_dot_by_chain_omega_5,
-        chain_omega_8_dot_by_chain_omega_6,
-        chain_omega_8_dot_by_chain_omega_7,
-        chain_omega_8_dot_by_chain_omega_8,
-        chain_omega_8_dot_by_chain_omega_9,
-        chain_omega_8_dot_by_chain_omega_10,
-        chain_omega_9_dot_by_chain_theta_1,
-        chain_omega_9_dot_by_chain_theta_2,
-        chain_omega_9_dot_by_chain_theta_3,
-        chain_omega_9_dot_by_chain_theta_4,
-        chain_omega_9_dot_by_chain_theta_5,
-        chain_omega_9_dot_by_chain_theta_6,
-        chain_omega_9_dot_by_chain_theta_7,
-        chain_omega_9_dot_by_chain_theta_8,
-        chain_omega_9_dot_by_chain_theta_9,
-        chain_omega_9_dot_by_chain_theta_10,
-        chain_omega_9_dot_by_chain_omega_1,
-        chain_omega_9_dot_by_chain_omega_2,
-        chain_omega_9_dot_by_chain_omega_3,
-        chain_omega_9_dot_by_chain_omega_4,
-        chain_omega_9_dot_by_chain_omega_5,
-        chain_omega_9_dot_by_chain_omega_6,
-        chain_omega_9_dot_by_chain_omega_7,
-        chain_omega_9_dot_by_chain_omega_8,
-        chain_omega_9_dot_by_chain_omega_9,
-        chain_omega_9_dot_by_chain_omega_10,
-        chain_omega_10_dot_by_chain_theta_1,
-        chain_omega_10_dot_by_chain_theta_2,
-        chain_omega_10_dot_by_chain_theta_3,
-        chain_omega_10_dot_by_chain_theta_4,
-        chain_omega_10_dot_by_chain_theta_5,
-        chain_omega_10_dot_by_chain_theta_6,
-        chain_omega_10_dot_by_chain_theta_7,
-        chain_omega_10_dot_by_chain_theta_8,
-        chain_omega_10_dot_by_chain_theta_9,
-        chain_omega_10_dot_by_chain_theta_10,
-        chain_omega_10_dot_by_chain_omega_1,
-        chain_omega_10_dot_by_chain_omega_2,
-        chain_omega_10_dot_by_chain_omega_3,
-        chain_omega_10_dot_by_chain_omega_4,
-        chain_omega_10_dot_by_chain_omega_5,
-        chain_omega_10_dot_by_chain_omega_6,
-        chain_omega_10_dot_by_chain_omega_7,
-        chain_omega_10_dot_by_chain_omega_8,
-        chain_omega_10_dot_by_chain_omega_9,
-        chain_omega_10_dot_by_chain_omega_10,
-    ]
+    let chain_omega_3_dot_by_chain_omega_10 = (t641 * t124).sub_product(t126,
+        chain_omega_4_dot_by_chain_omega_10).sub_product(t128, chain_omega_5_dot_by_chain_omega_10)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_10).sub_product(t132,
+        chain_omega_7_dot_by_chain_omega_10).sub_product(t134, chain_omega_8_dot_by_chain_omega_10)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_10).sub_product(t138,
+        chain_omega_10_dot_by_chain_omega_10);
+    let chain_omega_2_dot_by_chain_omega_10 = (t640 * t107).sub_product(t109,
+        chain_omega_3_dot_by_chain_omega_10).sub_product(t111, chain_omega_4_dot_by_chain_omega_10)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_10).sub_product(t115,
+        chain_omega_6_dot_by_chain_omega_10).sub_product(t117, chain_omega_7_dot_by_chain_omega_10)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_10).sub_product(t121,
+        chain_omega_9_dot_by_chain_omega_10).sub_product(t123,
+        chain_omega_10_dot_by_chain_omega_10);
+    let chain_omega_1_dot_by_chain_omega_10 = -(t639 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_10).add_product(t99, chain_omega_3_dot_by_chain_omega_10)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_10).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_10).add_product(t102, chain_omega_6_dot_by_chain_omega_10)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_10).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_10).add_product(t105, chain_omega_9_dot_by_chain_omega_10)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_10);
+    [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
+        R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
+        chain_omega_1_dot_by_chain_theta_1, chain_omega_1_dot_by_chain_theta_2,
+        chain_omega_1_dot_by_chain_theta_3, chain_omega_1_dot_by_chain_theta_4,
+        chain_omega_1_dot_by_chain_theta_5, chain_omega_1_dot_by_chain_theta_6,
+        chain_omega_1_dot_by_chain_theta_7, chain_omega_1_dot_by_chain_theta_8,
+        chain_omega_1_dot_by_chain_theta_9, chain_omega_1_dot_by_chain_theta_10,
+        chain_omega_1_dot_by_chain_omega_1, chain_omega_1_dot_by_chain_omega_2,
+        chain_omega_1_dot_by_chain_omega_3, chain_omega_1_dot_by_chain_omega_4,
+        chain_omega_1_dot_by_chain_omega_5, chain_omega_1_dot_by_chain_omega_6,
+        chain_omega_1_dot_by_chain_omega_7, chain_omega_1_dot_by_chain_omega_8,
+        chain_omega_1_dot_by_chain_omega_9, chain_omega_1_dot_by_chain_omega_10,
+        chain_omega_2_dot_by_chain_theta_1, chain_omega_2_dot_by_chain_theta_2,
+        chain_omega_2_dot_by_chain_theta_3, chain_omega_2_dot_by_chain_theta_4,
+        chain_omega_2_dot_by_chain_theta_5, chain_omega_2_dot_by_chain_theta_6,
+        chain_omega_2_dot_by_chain_theta_7, chain_omega_2_dot_by_chain_theta_8,
+        chain_omega_2_dot_by_chain_theta_9, chain_omega_2_dot_by_chain_theta_10,
+        chain_omega_2_dot_by_chain_omega_1, chain_omega_2_dot_by_chain_omega_2,
+        chain_omega_2_dot_by_chain_omega_3, chain_omega_2_dot_by_chain_omega_4,
+        chain_omega_2_dot_by_chain_omega_5, chain_omega_2_dot_by_chain_omega_6,
+        chain_omega_2_dot_by_chain_omega_7, chain_omega_2_dot_by_chain_omega_8,
+        chain_omega_2_dot_by_chain_omega_9, chain_omega_2_dot_by_chain_omega_10,
+        chain_omega_3_dot_by_chain_theta_1, chain_omega_3_dot_by_chain_theta_2,
+        chain_omega_3_dot_by_chain_theta_3, chain_omega_3_dot_by_chain_theta_4,
+        chain_omega_3_dot_by_chain_theta_5, chain_omega_3_dot_by_chain_theta_6,
+        chain_omega_3_dot_by_chain_theta_7, chain_omega_3_dot_by_chain_theta_8,
+        chain_omega_3_dot_by_chain_theta_9, chain_omega_3_dot_by_chain_theta_10,
+        chain_omega_3_dot_by_chain_omega_1, chain_omega_3_dot_by_chain_omega_2,
+        chain_omega_3_dot_by_chain_omega_3, chain_omega_3_dot_by_chain_omega_4,
+        chain_omega_3_dot_by_chain_omega_5, chain_omega_3_dot_by_chain_omega_6,
+        chain_omega_3_dot_by_chain_omega_7, chain_omega_3_dot_by_chain_omega_8,
+        chain_omega_3_dot_by_chain_omega_9, chain_omega_3_dot_by_chain_omega_10,
+        chain_omega_4_dot_by_chain_theta_1, chain_omega_4_dot_by_chain_theta_2,
+        chain_omega_4_dot_by_chain_theta_3, chain_omega_4_dot_by_chain_theta_4,
+        chain_omega_4_dot_by_chain_theta_5, chain_omega_4_dot_by_chain_theta_6,
+        chain_omega_4_dot_by_chain_theta_7, chain_omega_4_dot_by_chain_theta_8,
+        chain_omega_4_dot_by_chain_theta_9, chain_omega_4_dot_by_chain_theta_10,
+        chain_omega_4_dot_by_chain_omega_1, chain_omega_4_dot_by_chain_omega_2,
+        chain_omega_4_dot_by_chain_omega_3, chain_omega_4_dot_by_chain_omega_4,
+        chain_omega_4_dot_by_chain_omega_5, chain_omega_4_dot_by_chain_omega_6,
+        chain_omega_4_dot_by_chain_omega_7, chain_omega_4_dot_by_chain_omega_8,
+        chain_omega_4_dot_by_chain_omega_9, chain_omega_4_dot_by_chain_omega_10,
+        chain_omega_5_dot_by_chain_theta_1, chain_omega_5_dot_by_chain_theta_2,
+        chain_omega_5_dot_by_chain_theta_3, chain_omega_5_dot_by_chain_theta_4,
+        chain_omega_5_dot_by_chain_theta_5, chain_omega_5_dot_by_chain_theta_6,
+        chain_omega_5_dot_by_chain_theta_7, chain_omega_5_dot_by_chain_theta_8,
+        chain_omega_5_dot_by_chain_theta_9, chain_omega_5_dot_by_chain_theta_10,
+        chain_omega_5_dot_by_chain_omega_1, chain_omega_5_dot_by_chain_omega_2,
+        chain_omega_5_dot_by_chain_omega_3, chain_omega_5_dot_by_chain_omega_4,
+        chain_omega_5_dot_by_chain_omega_5, chain_omega_5_dot_by_chain_omega_6,
+        chain_omega_5_dot_by_chain_omega_7, chain_omega_5_dot_by_chain_omega_8,
+        chain_omega_5_dot_by_chain_omega_9, chain_omega_5_dot_by_chain_omega_10,
+        chain_omega_6_dot_by_chain_theta_1, chain_omega_6_dot_by_chain_theta_2,
+        chain_omega_6_dot_by_chain_theta_3, chain_omega_6_dot_by_chain_theta_4,
+        chain_omega_6_dot_by_chain_theta_5, chain_omega_6_dot_by_chain_theta_6,
+        chain_omega_6_dot_by_chain_theta_7, chain_omega_6_dot_by_chain_theta_8,
+        chain_omega_6_dot_by_chain_theta_9, chain_omega_6_dot_by_chain_theta_10,
+        chain_omega_6_dot_by_chain_omega_1, chain_omega_6_dot_by_chain_omega_2,
+        chain_omega_6_dot_by_chain_omega_3, chain_omega_6_dot_by_chain_omega_4,
+        chain_omega_6_dot_by_chain_omega_5, chain_omega_6_dot_by_chain_omega_6,
+        chain_omega_6_dot_by_chain_omega_7, chain_omega_6_dot_by_chain_omega_8,
+        chain_omega_6_dot_by_chain_omega_9, chain_omega_6_dot_by_chain_omega_10,
+        chain_omega_7_dot_by_chain_theta_1, chain_omega_7_dot_by_chain_theta_2,
+        chain_omega_7_dot_by_chain_theta_3, chain_omega_7_dot_by_chain_theta_4,
+        chain_omega_7_dot_by_chain_theta_5, chain_omega_7_dot_by_chain_theta_6,
+        chain_omega_7_dot_by_chain_theta_7, chain_omega_7_dot_by_chain_theta_8,
+        chain_omega_7_dot_by_chain_theta_9, chain_omega_7_dot_by_chain_theta_10,
+        chain_omega_7_dot_by_chain_omega_1, chain_omega_7_dot_by_chain_omega_2,
+        chain_omega_7_dot_by_chain_omega_3, chain_omega_7_dot_by_chain_omega_4,
+        chain_omega_7_dot_by_chain_omega_5, chain_omega_7_dot_by_chain_omega_6,
+        chain_omega_7_dot_by_chain_omega_7, chain_omega_7_dot_by_chain_omega_8,
+        chain_omega_7_dot_by_chain_omega_9, chain_omega_7_dot_by_chain_omega_10,
+        chain_omega_8_dot_by_chain_theta_1, chain_omega_8_dot_by_chain_theta_2,
+        chain_omega_8_dot_by_chain_theta_3, chain_omega_8_dot_by_chain_theta_4,
+        chain_omega_8_dot_by_chain_theta_5, chain_omega_8_dot_by_chain_theta_6,
+        chain_omega_8_dot_by_chain_theta_7, chain_omega_8_dot_by_chain_theta_8,
+        chain_omega_8_dot_by_chain_theta_9, chain_omega_8_dot_by_chain_theta_10,
+        chain_omega_8_dot_by_chain_omega_1, chain_omega_8_dot_by_chain_omega_2,
+        chain_omega_8_dot_by_chain_omega_3, chain_omega_8_dot_by_chain_omega_4,
+        chain_omega_8_dot_by_chain_omega_5, chain_omega_8_dot_by_chain_omega_6,
+        chain_omega_8_dot_by_chain_omega_7, chain_omega_8_dot_by_chain_omega_8,
+        chain_omega_8_dot_by_chain_omega_9, chain_omega_8_dot_by_chain_omega_10,
+        chain_omega_9_dot_by_chain_theta_1, chain_omega_9_dot_by_chain_theta_2,
+        chain_omega_9_dot_by_chain_theta_3, chain_omega_9_dot_by_chain_theta_4,
+        chain_omega_9_dot_by_chain_theta_5, chain_omega_9_dot_by_chain_theta_6,
+        chain_omega_9_dot_by_chain_theta_7, chain_omega_9_dot_by_chain_theta_8,
+        chain_omega_9_dot_by_chain_theta_9, chain_omega_9_dot_by_chain_theta_10,
+        chain_omega_9_dot_by_chain_omega_1, chain_omega_9_dot_by_chain_omega_2,
+        chain_omega_9_dot_by_chain_omega_3, chain_omega_9_dot_by_chain_omega_4,
+        chain_omega_9_dot_by_chain_omega_5, chain_omega_9_dot_by_chain_omega_6,
+        chain_omega_9_dot_by_chain_omega_7, chain_omega_9_dot_by_chain_omega_8,
+        chain_omega_9_dot_by_chain_omega_9, chain_omega_9_dot_by_chain_omega_10,
+        chain_omega_10_dot_by_chain_theta_1, chain_omega_10_dot_by_chain_theta_2,
+        chain_omega_10_dot_by_chain_theta_3, chain_omega_10_dot_by_chain_theta_4,
+        chain_omega_10_dot_by_chain_theta_5, chain_omega_10_dot_by_chain_theta_6,
+        chain_omega_10_dot_by_chain_theta_7, chain_omega_10_dot_by_chain_theta_8,
+        chain_omega_10_dot_by_chain_theta_9, chain_omega_10_dot_by_chain_theta_10,
+        chain_omega_10_dot_by_chain_omega_1, chain_omega_10_dot_by_chain_omega_2,
+        chain_omega_10_dot_by_chain_omega_3, chain_omega_10_dot_by_chain_omega_4,
+        chain_omega_10_dot_by_chain_omega_5, chain_omega_10_dot_by_chain_omega_6,
+        chain_omega_10_dot_by_chain_omega_7, chain_omega_10_dot_by_chain_omega_8,
+        chain_omega_10_dot_by_chain_omega_9, chain_omega_10_dot_by_chain_omega_10]
 }
 
-/// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
-///
-/// No operations.
+/// `dy'/dp`, values in the order of its pattern. No operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(
-    _time: R,
-    _state: &[R; STATES],
-    _p: &Parameters<R>,
-) -> [R; 0] {
+pub fn parameter_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) -> [R; 0] {
     []
 }
 
-/// Partial derivative of `y'` with respect to time.
-///
-/// No operations.
+/// Partial derivative of `y'` with respect to time. No operations.
 #[must_use]
-pub fn time_derivative<R: Real>(
-    _time: R,
-    _state: &[R; STATES],
-    _p: &Parameters<R>,
-) -> [R; STATES] {
-    [
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-    ]
+pub fn time_derivative<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
+    [R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
 
-/// Wanted outputs.
-///
-/// No operations.
+/// Wanted outputs. No operations.
 #[must_use]
-pub fn outputs<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    _p: &Parameters<R>,
-) -> Outputs<R> {
-    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
-    chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
-    chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
-    chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10] = *state;
+pub fn outputs<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Outputs<R> {
+    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_theta_6,
+        chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10, chain_omega_1, chain_omega_2,
+        chain_omega_3, chain_omega_4, chain_omega_5, chain_omega_6, chain_omega_7, chain_omega_8,
+        chain_omega_9, chain_omega_10] = *state;
     Outputs {
         theta_1: chain_theta_1,
         theta_2: chain_theta_2,
@@ -5107,31 +2798,20 @@ pub fn outputs<R: Real>(
     }
 }
 
-/// T, V and the energy of first-order states \[J\].
-///
-/// 118 operations.
+/// T, V and the energy of first-order states \[J\]. 117 operations.
 #[must_use]
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Energy<R> {
-    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
-    chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
-    chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
-    chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10] = *state;
+    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_theta_6,
+        chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10, chain_omega_1, chain_omega_2,
+        chain_omega_3, chain_omega_4, chain_omega_5, chain_omega_6, chain_omega_7, chain_omega_8,
+        chain_omega_9, chain_omega_10] = *state;
     let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
-    (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
-    (sin_chain_theta_5, cos_chain_theta_5), (sin_chain_theta_6, cos_chain_theta_6),
-    (sin_chain_theta_7, cos_chain_theta_7), (sin_chain_theta_8, cos_chain_theta_8),
-    (sin_chain_theta_9, cos_chain_theta_9), (sin_chain_theta_10, cos_chain_theta_10)] = R::sin_cos_each([
-        chain_theta_1,
-        chain_theta_2,
-        chain_theta_3,
-        chain_theta_4,
-        chain_theta_5,
-        chain_theta_6,
-        chain_theta_7,
-        chain_theta_8,
-        chain_theta_9,
-        chain_theta_10,
-    ]);
+        (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
+        (sin_chain_theta_5, cos_chain_theta_5), (sin_chain_theta_6, cos_chain_theta_6),
+        (sin_chain_theta_7, cos_chain_theta_7), (sin_chain_theta_8, cos_chain_theta_8),
+        (sin_chain_theta_9, cos_chain_theta_9), (sin_chain_theta_10, cos_chain_theta_10)]
+        = R::sin_cos_each([chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4,
+        chain_theta_5, chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10]);
     let chain_u_1 = chain_omega_1 * cos_chain_theta_1;
     let chain_v_1 = chain_omega_1 * sin_chain_theta_1;
     let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
@@ -5153,54 +2833,35 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
     let chain_u_10 = chain_u_9.add_product(chain_omega_10, cos_chain_theta_10);
     let chain_v_10 = chain_v_9.add_product(chain_omega_10, sin_chain_theta_10);
     Energy {
-        kinetic: R::literal(0.5)
-            * (chain_u_1 * chain_u_1)
-                .add_product(chain_v_1, chain_v_1)
-                .add_product(chain_u_2, chain_u_2)
-                .add_product(chain_v_2, chain_v_2)
-                .add_product(chain_u_3, chain_u_3)
-                .add_product(chain_v_3, chain_v_3)
-                .add_product(chain_u_4, chain_u_4)
-                .add_product(chain_v_4, chain_v_4)
-                .add_product(chain_u_5, chain_u_5)
-                .add_product(chain_v_5, chain_v_5)
-                .add_product(chain_u_6, chain_u_6)
-                .add_product(chain_v_6, chain_v_6)
-                .add_product(chain_u_7, chain_u_7)
-                .add_product(chain_v_7, chain_v_7)
-                .add_product(chain_u_8, chain_u_8)
-                .add_product(chain_v_8, chain_v_8)
-                .add_product(chain_u_9, chain_u_9)
-                .add_product(chain_v_9, chain_v_9)
-                .add_product(chain_u_10, chain_u_10)
-                .add_product(chain_v_10, chain_v_10),
-        potential: R::literal(9.81)
-            * ((-(R::literal(9.0) * cos_chain_theta_2))
-                .sub_product(R::literal(10.0), cos_chain_theta_1)
-                .sub_product(R::literal(8.0), cos_chain_theta_3)
-                .sub_product(R::literal(7.0), cos_chain_theta_4)
-                .sub_product(R::literal(6.0), cos_chain_theta_5)
-                .sub_product(R::literal(5.0), cos_chain_theta_6)
-                .sub_product(R::literal(4.0), cos_chain_theta_7)
-                .sub_product(R::literal(3.0), cos_chain_theta_8)
-                .sub_product(R::literal(2.0), cos_chain_theta_9) - cos_chain_theta_10),
+        kinetic: R::literal(0.5) * (chain_u_1 * chain_u_1).add_product(chain_v_1, chain_v_1)
+            .add_product(chain_u_2, chain_u_2).add_product(chain_v_2, chain_v_2)
+            .add_product(chain_u_3, chain_u_3).add_product(chain_v_3, chain_v_3)
+            .add_product(chain_u_4, chain_u_4).add_product(chain_v_4, chain_v_4)
+            .add_product(chain_u_5, chain_u_5).add_product(chain_v_5, chain_v_5)
+            .add_product(chain_u_6, chain_u_6).add_product(chain_v_6, chain_v_6)
+            .add_product(chain_u_7, chain_u_7).add_product(chain_v_7, chain_v_7)
+            .add_product(chain_u_8, chain_u_8).add_product(chain_v_8, chain_v_8)
+            .add_product(chain_u_9, chain_u_9).add_product(chain_v_9, chain_v_9)
+            .add_product(chain_u_10, chain_u_10).add_product(chain_v_10, chain_v_10),
+        potential: R::literal(-9.81) * ((R::literal(10.0) * cos_chain_theta_1)
+            .add_product(R::literal(9.0), cos_chain_theta_2).add_product(R::literal(8.0),
+            cos_chain_theta_3).add_product(R::literal(7.0), cos_chain_theta_4)
+            .add_product(R::literal(6.0), cos_chain_theta_5).add_product(R::literal(5.0),
+            cos_chain_theta_6).add_product(R::literal(4.0), cos_chain_theta_7)
+            .add_product(R::literal(3.0), cos_chain_theta_8).add_product(R::literal(2.0),
+            cos_chain_theta_9) + cos_chain_theta_10),
         stored: R::literal(0.0),
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\].
-///
-/// 1652 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 1651 operations.
 #[must_use]
-pub fn power_balance<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    _p: &Parameters<R>,
-) -> PowerBalance<R> {
-    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
-    chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
-    chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
-    chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10] = *state;
+pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
+        _p: &Parameters<R>) -> PowerBalance<R> {
+    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_theta_6,
+        chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10, chain_omega_1, chain_omega_2,
+        chain_omega_3, chain_omega_4, chain_omega_5, chain_omega_6, chain_omega_7, chain_omega_8,
+        chain_omega_9, chain_omega_10] = *state;
     let chain_theta_1_minus_chain_theta_2 = chain_theta_1 - chain_theta_2;
     let chain_theta_1_minus_chain_theta_3 = chain_theta_1 - chain_theta_3;
     let chain_theta_1_minus_chain_theta_4 = chain_theta_1 - chain_theta_4;
@@ -5247,73 +2908,41 @@ pub fn power_balance<R: Real>(
     let chain_theta_8_minus_chain_theta_10 = chain_theta_8 - chain_theta_10;
     let chain_theta_9_minus_chain_theta_10 = chain_theta_9 - chain_theta_10;
     let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
-    (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
-    (sin_chain_theta_5, cos_chain_theta_5), (sin_chain_theta_6, cos_chain_theta_6),
-    (sin_chain_theta_7, cos_chain_theta_7), (sin_chain_theta_8, cos_chain_theta_8),
-    (sin_chain_theta_9, cos_chain_theta_9), (sin_chain_theta_10, cos_chain_theta_10),
-    (t0, t1), (t2, t3), (t4, t5), (t6, t7), (t8, t9), (t10, t11), (t12, t13), (t14, t15),
-    (t16, t17), (t18, t19), (t20, t21), (t22, t23), (t24, t25), (t26, t27), (t28, t29),
-    (t30, t31), (t32, t33), (t34, t35), (t36, t37), (t38, t39), (t40, t41), (t42, t43),
-    (t44, t45), (t46, t47), (t48, t49), (t50, t51), (t52, t53), (t54, t55), (t56, t57),
-    (t58, t59), (t60, t61), (t62, t63), (t64, t65), (t66, t67), (t68, t69), (t70, t71),
-    (t72, t73), (t74, t75), (t76, t77), (t78, t79), (t80, t81), (t82, t83), (t84, t85),
-    (t86, t87), (t88, t89)] = R::sin_cos_each([
-        chain_theta_1,
-        chain_theta_2,
-        chain_theta_3,
-        chain_theta_4,
-        chain_theta_5,
-        chain_theta_6,
-        chain_theta_7,
-        chain_theta_8,
-        chain_theta_9,
-        chain_theta_10,
-        chain_theta_1_minus_chain_theta_2,
-        chain_theta_1_minus_chain_theta_3,
-        chain_theta_1_minus_chain_theta_4,
-        chain_theta_1_minus_chain_theta_5,
-        chain_theta_1_minus_chain_theta_6,
-        chain_theta_1_minus_chain_theta_7,
-        chain_theta_1_minus_chain_theta_8,
-        chain_theta_1_minus_chain_theta_9,
-        chain_theta_1_minus_chain_theta_10,
-        chain_theta_2_minus_chain_theta_3,
-        chain_theta_2_minus_chain_theta_4,
-        chain_theta_2_minus_chain_theta_5,
-        chain_theta_2_minus_chain_theta_6,
-        chain_theta_2_minus_chain_theta_7,
-        chain_theta_2_minus_chain_theta_8,
-        chain_theta_2_minus_chain_theta_9,
-        chain_theta_2_minus_chain_theta_10,
-        chain_theta_3_minus_chain_theta_4,
-        chain_theta_3_minus_chain_theta_5,
-        chain_theta_3_minus_chain_theta_6,
-        chain_theta_3_minus_chain_theta_7,
-        chain_theta_3_minus_chain_theta_8,
-        chain_theta_3_minus_chain_theta_9,
-        chain_theta_3_minus_chain_theta_10,
-        chain_theta_4_minus_chain_theta_5,
-        chain_theta_4_minus_chain_theta_6,
-        chain_theta_4_minus_chain_theta_7,
-        chain_theta_4_minus_chain_theta_8,
-        chain_theta_4_minus_chain_theta_9,
-        chain_theta_4_minus_chain_theta_10,
-        chain_theta_5_minus_chain_theta_6,
-        chain_theta_5_minus_chain_theta_7,
-        chain_theta_5_minus_chain_theta_8,
-        chain_theta_5_minus_chain_theta_9,
-        chain_theta_5_minus_chain_theta_10,
-        chain_theta_6_minus_chain_theta_7,
-        chain_theta_6_minus_chain_theta_8,
-        chain_theta_6_minus_chain_theta_9,
-        chain_theta_6_minus_chain_theta_10,
-        chain_theta_7_minus_chain_theta_8,
-        chain_theta_7_minus_chain_theta_9,
-        chain_theta_7_minus_chain_theta_10,
-        chain_theta_8_minus_chain_theta_9,
-        chain_theta_8_minus_chain_theta_10,
-        chain_theta_9_minus_chain_theta_10,
-    ]);
+        (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
+        (sin_chain_theta_5, cos_chain_theta_5), (sin_chain_theta_6, cos_chain_theta_6),
+        (sin_chain_theta_7, cos_chain_theta_7), (sin_chain_theta_8, cos_chain_theta_8),
+        (sin_chain_theta_9, cos_chain_theta_9), (sin_chain_theta_10, cos_chain_theta_10), (t0, t1),
+        (t2, t3), (t4, t5), (t6, t7), (t8, t9), (t10, t11), (t12, t13), (t14, t15), (t16, t17),
+        (t18, t19), (t20, t21), (t22, t23), (t24, t25), (t26, t27), (t28, t29), (t30, t31),
+        (t32, t33), (t34, t35), (t36, t37), (t38, t39), (t40, t41), (t42, t43), (t44, t45),
+        (t46, t47), (t48, t49), (t50, t51), (t52, t53), (t54, t55), (t56, t57), (t58, t59),
+        (t60, t61), (t62, t63), (t64, t65), (t66, t67), (t68, t69), (t70, t71), (t72, t73),
+        (t74, t75), (t76, t77), (t78, t79), (t80, t81), (t82, t83), (t84, t85), (t86, t87),
+        (t88, t89)] = R::sin_cos_each([chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4,
+        chain_theta_5, chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
+        chain_theta_1_minus_chain_theta_2, chain_theta_1_minus_chain_theta_3,
+        chain_theta_1_minus_chain_theta_4, chain_theta_1_minus_chain_theta_5,
+        chain_theta_1_minus_chain_theta_6, chain_theta_1_minus_chain_theta_7,
+        chain_theta_1_minus_chain_theta_8, chain_theta_1_minus_chain_theta_9,
+        chain_theta_1_minus_chain_theta_10, chain_theta_2_minus_chain_theta_3,
+        chain_theta_2_minus_chain_theta_4, chain_theta_2_minus_chain_theta_5,
+        chain_theta_2_minus_chain_theta_6, chain_theta_2_minus_chain_theta_7,
+        chain_theta_2_minus_chain_theta_8, chain_theta_2_minus_chain_theta_9,
+        chain_theta_2_minus_chain_theta_10, chain_theta_3_minus_chain_theta_4,
+        chain_theta_3_minus_chain_theta_5, chain_theta_3_minus_chain_theta_6,
+        chain_theta_3_minus_chain_theta_7, chain_theta_3_minus_chain_theta_8,
+        chain_theta_3_minus_chain_theta_9, chain_theta_3_minus_chain_theta_10,
+        chain_theta_4_minus_chain_theta_5, chain_theta_4_minus_chain_theta_6,
+        chain_theta_4_minus_chain_theta_7, chain_theta_4_minus_chain_theta_8,
+        chain_theta_4_minus_chain_theta_9, chain_theta_4_minus_chain_theta_10,
+        chain_theta_5_minus_chain_theta_6, chain_theta_5_minus_chain_theta_7,
+        chain_theta_5_minus_chain_theta_8, chain_theta_5_minus_chain_theta_9,
+        chain_theta_5_minus_chain_theta_10, chain_theta_6_minus_chain_theta_7,
+        chain_theta_6_minus_chain_theta_8, chain_theta_6_minus_chain_theta_9,
+        chain_theta_6_minus_chain_theta_10, chain_theta_7_minus_chain_theta_8,
+        chain_theta_7_minus_chain_theta_9, chain_theta_7_minus_chain_theta_10,
+        chain_theta_8_minus_chain_theta_9, chain_theta_8_minus_chain_theta_10,
+        chain_theta_9_minus_chain_theta_10]);
     let chain_u_1 = chain_omega_1 * cos_chain_theta_1;
     let chain_v_1 = chain_omega_1 * sin_chain_theta_1;
     let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
@@ -5368,8 +2997,7 @@ pub fn power_balance<R: Real>(
     let t121 = t120 * t107;
     let t122 = t33.sub_product(t106, t90);
     let t123 = t122 * t107;
-    let t124 = R::literal(1.0)
-        / R::literal(8.0).sub_product(t99, t91).sub_product(t109, t108);
+    let t124 = R::literal(1.0) / R::literal(8.0).sub_product(t99, t91).sub_product(t109, t108);
     let t125 = (R::literal(7.0) * t35).sub_product(t100, t91).sub_product(t111, t108);
     let t126 = t125 * t124;
     let t127 = (R::literal(6.0) * t37).sub_product(t101, t91).sub_product(t113, t108);
@@ -5384,190 +3012,87 @@ pub fn power_balance<R: Real>(
     let t136 = t135 * t124;
     let t137 = t47.sub_product(t106, t91).sub_product(t123, t108);
     let t138 = t137 * t124;
-    let t139 = R::literal(1.0)
-        / R::literal(7.0)
-            .sub_product(t100, t92)
-            .sub_product(t111, t110)
-            .sub_product(t126, t125);
-    let t140 = (R::literal(6.0) * t49)
-        .sub_product(t101, t92)
-        .sub_product(t113, t110)
+    let t139 = R::literal(1.0) / R::literal(7.0).sub_product(t100, t92).sub_product(t111, t110)
+        .sub_product(t126, t125);
+    let t140 = (R::literal(6.0) * t49).sub_product(t101, t92).sub_product(t113, t110)
         .sub_product(t128, t125);
     let t141 = t140 * t139;
-    let t142 = (R::literal(5.0) * t51)
-        .sub_product(t102, t92)
-        .sub_product(t115, t110)
+    let t142 = (R::literal(5.0) * t51).sub_product(t102, t92).sub_product(t115, t110)
         .sub_product(t130, t125);
     let t143 = t142 * t139;
-    let t144 = (R::literal(4.0) * t53)
-        .sub_product(t103, t92)
-        .sub_product(t117, t110)
+    let t144 = (R::literal(4.0) * t53).sub_product(t103, t92).sub_product(t117, t110)
         .sub_product(t132, t125);
     let t145 = t144 * t139;
-    let t146 = (R::literal(3.0) * t55)
-        .sub_product(t104, t92)
-        .sub_product(t119, t110)
+    let t146 = (R::literal(3.0) * t55).sub_product(t104, t92).sub_product(t119, t110)
         .sub_product(t134, t125);
     let t147 = t146 * t139;
-    let t148 = (R::literal(2.0) * t57)
-        .sub_product(t105, t92)
-        .sub_product(t121, t110)
+    let t148 = (R::literal(2.0) * t57).sub_product(t105, t92).sub_product(t121, t110)
         .sub_product(t136, t125);
     let t149 = t148 * t139;
-    let t150 = t59
-        .sub_product(t106, t92)
-        .sub_product(t123, t110)
-        .sub_product(t138, t125);
+    let t150 = t59.sub_product(t106, t92).sub_product(t123, t110).sub_product(t138, t125);
     let t151 = t150 * t139;
-    let t152 = R::literal(1.0)
-        / R::literal(6.0)
-            .sub_product(t101, t93)
-            .sub_product(t113, t112)
-            .sub_product(t128, t127)
-            .sub_product(t141, t140);
-    let t153 = (R::literal(5.0) * t61)
-        .sub_product(t102, t93)
-        .sub_product(t115, t112)
-        .sub_product(t130, t127)
-        .sub_product(t143, t140);
+    let t152 = R::literal(1.0) / R::literal(6.0).sub_product(t101, t93).sub_product(t113, t112)
+        .sub_product(t128, t127).sub_product(t141, t140);
+    let t153 = (R::literal(5.0) * t61).sub_product(t102, t93).sub_product(t115, t112)
+        .sub_product(t130, t127).sub_product(t143, t140);
     let t154 = t153 * t152;
-    let t155 = (R::literal(4.0) * t63)
-        .sub_product(t103, t93)
-        .sub_product(t117, t112)
-        .sub_product(t132, t127)
-        .sub_product(t145, t140);
+    let t155 = (R::literal(4.0) * t63).sub_product(t103, t93).sub_product(t117, t112)
+        .sub_product(t132, t127).sub_product(t145, t140);
     let t156 = t155 * t152;
-    let t157 = (R::literal(3.0) * t65)
-        .sub_product(t104, t93)
-        .sub_product(t119, t112)
-        .sub_product(t134, t127)
-        .sub_product(t147, t140);
+    let t157 = (R::literal(3.0) * t65).sub_product(t104, t93).sub_product(t119, t112)
+        .sub_product(t134, t127).sub_product(t147, t140);
     let t158 = t157 * t152;
-    let t159 = (R::literal(2.0) * t67)
-        .sub_product(t105, t93)
-        .sub_product(t121, t112)
-        .sub_product(t136, t127)
-        .sub_product(t149, t140);
+    let t159 = (R::literal(2.0) * t67).sub_product(t105, t93).sub_product(t121, t112)
+        .sub_product(t136, t127).sub_product(t149, t140);
     let t160 = t159 * t152;
-    let t161 = t69
-        .sub_product(t106, t93)
-        .sub_product(t123, t112)
-        .sub_product(t138, t127)
+    let t161 = t69.sub_product(t106, t93).sub_product(t123, t112).sub_product(t138, t127)
         .sub_product(t151, t140);
     let t162 = t161 * t152;
-    let t163 = R::literal(1.0)
-        / R::literal(5.0)
-            .sub_product(t102, t94)
-            .sub_product(t115, t114)
-            .sub_product(t130, t129)
-            .sub_product(t143, t142)
-            .sub_product(t154, t153);
-    let t164 = (R::literal(4.0) * t71)
-        .sub_product(t103, t94)
-        .sub_product(t117, t114)
-        .sub_product(t132, t129)
-        .sub_product(t145, t142)
-        .sub_product(t156, t153);
+    let t163 = R::literal(1.0) / R::literal(5.0).sub_product(t102, t94).sub_product(t115, t114)
+        .sub_product(t130, t129).sub_product(t143, t142).sub_product(t154, t153);
+    let t164 = (R::literal(4.0) * t71).sub_product(t103, t94).sub_product(t117, t114)
+        .sub_product(t132, t129).sub_product(t145, t142).sub_product(t156, t153);
     let t165 = t164 * t163;
-    let t166 = (R::literal(3.0) * t73)
-        .sub_product(t104, t94)
-        .sub_product(t119, t114)
-        .sub_product(t134, t129)
-        .sub_product(t147, t142)
-        .sub_product(t158, t153);
+    let t166 = (R::literal(3.0) * t73).sub_product(t104, t94).sub_product(t119, t114)
+        .sub_product(t134, t129).sub_product(t147, t142).sub_product(t158, t153);
     let t167 = t166 * t163;
-    let t168 = (R::literal(2.0) * t75)
-        .sub_product(t105, t94)
-        .sub_product(t121, t114)
-        .sub_product(t136, t129)
-        .sub_product(t149, t142)
-        .sub_product(t160, t153);
+    let t168 = (R::literal(2.0) * t75).sub_product(t105, t94).sub_product(t121, t114)
+        .sub_product(t136, t129).sub_product(t149, t142).sub_product(t160, t153);
     let t169 = t168 * t163;
-    let t170 = t77
-        .sub_product(t106, t94)
-        .sub_product(t123, t114)
-        .sub_product(t138, t129)
-        .sub_product(t151, t142)
-        .sub_product(t162, t153);
+    let t170 = t77.sub_product(t106, t94).sub_product(t123, t114).sub_product(t138, t129)
+        .sub_product(t151, t142).sub_product(t162, t153);
     let t171 = t170 * t163;
-    let t172 = R::literal(1.0)
-        / R::literal(4.0)
-            .sub_product(t103, t95)
-            .sub_product(t117, t116)
-            .sub_product(t132, t131)
-            .sub_product(t145, t144)
-            .sub_product(t156, t155)
-            .sub_product(t165, t164);
-    let t173 = (R::literal(3.0) * t79)
-        .sub_product(t104, t95)
-        .sub_product(t119, t116)
-        .sub_product(t134, t131)
-        .sub_product(t147, t144)
-        .sub_product(t158, t155)
-        .sub_product(t167, t164);
+    let t172 = R::literal(1.0) / R::literal(4.0).sub_product(t103, t95).sub_product(t117, t116)
+        .sub_product(t132, t131).sub_product(t145, t144).sub_product(t156, t155).sub_product(t165,
+        t164);
+    let t173 = (R::literal(3.0) * t79).sub_product(t104, t95).sub_product(t119, t116)
+        .sub_product(t134, t131).sub_product(t147, t144).sub_product(t158, t155).sub_product(t167,
+        t164);
     let t174 = t173 * t172;
-    let t175 = (R::literal(2.0) * t81)
-        .sub_product(t105, t95)
-        .sub_product(t121, t116)
-        .sub_product(t136, t131)
-        .sub_product(t149, t144)
-        .sub_product(t160, t155)
-        .sub_product(t169, t164);
+    let t175 = (R::literal(2.0) * t81).sub_product(t105, t95).sub_product(t121, t116)
+        .sub_product(t136, t131).sub_product(t149, t144).sub_product(t160, t155).sub_product(t169,
+        t164);
     let t176 = t175 * t172;
-    let t177 = t83
-        .sub_product(t106, t95)
-        .sub_product(t123, t116)
-        .sub_product(t138, t131)
-        .sub_product(t151, t144)
-        .sub_product(t162, t155)
-        .sub_product(t171, t164);
+    let t177 = t83.sub_product(t106, t95).sub_product(t123, t116).sub_product(t138, t131)
+        .sub_product(t151, t144).sub_product(t162, t155).sub_product(t171, t164);
     let t178 = t177 * t172;
-    let t179 = R::literal(1.0)
-        / R::literal(3.0)
-            .sub_product(t104, t96)
-            .sub_product(t119, t118)
-            .sub_product(t134, t133)
-            .sub_product(t147, t146)
-            .sub_product(t158, t157)
-            .sub_product(t167, t166)
-            .sub_product(t174, t173);
-    let t180 = (R::literal(2.0) * t85)
-        .sub_product(t105, t96)
-        .sub_product(t121, t118)
-        .sub_product(t136, t133)
-        .sub_product(t149, t146)
-        .sub_product(t160, t157)
-        .sub_product(t169, t166)
-        .sub_product(t176, t173);
+    let t179 = R::literal(1.0) / R::literal(3.0).sub_product(t104, t96).sub_product(t119, t118)
+        .sub_product(t134, t133).sub_product(t147, t146).sub_product(t158, t157).sub_product(t167,
+        t166).sub_product(t174, t173);
+    let t180 = (R::literal(2.0) * t85).sub_product(t105, t96).sub_product(t121, t118)
+        .sub_product(t136, t133).sub_product(t149, t146).sub_product(t160, t157).sub_product(t169,
+        t166).sub_product(t176, t173);
     let t181 = t180 * t179;
-    let t182 = t87
-        .sub_product(t106, t96)
-        .sub_product(t123, t118)
-        .sub_product(t138, t133)
-        .sub_product(t151, t146)
-        .sub_product(t162, t157)
-        .sub_product(t171, t166)
-        .sub_product(t178, t173);
+    let t182 = t87.sub_product(t106, t96).sub_product(t123, t118).sub_product(t138, t133)
+        .sub_product(t151, t146).sub_product(t162, t157).sub_product(t171, t166).sub_product(t178,
+        t173);
     let t183 = t182 * t179;
-    let t184 = R::literal(1.0)
-        / R::literal(2.0)
-            .sub_product(t105, t97)
-            .sub_product(t121, t120)
-            .sub_product(t136, t135)
-            .sub_product(t149, t148)
-            .sub_product(t160, t159)
-            .sub_product(t169, t168)
-            .sub_product(t176, t175)
-            .sub_product(t181, t180);
-    let t185 = t89
-        .sub_product(t106, t97)
-        .sub_product(t123, t120)
-        .sub_product(t138, t135)
-        .sub_product(t151, t148)
-        .sub_product(t162, t159)
-        .sub_product(t171, t168)
-        .sub_product(t178, t175)
-        .sub_product(t183, t180);
+    let t184 = R::literal(1.0) / R::literal(2.0).sub_product(t105, t97).sub_product(t121, t120)
+        .sub_product(t136, t135).sub_product(t149, t148).sub_product(t160, t159).sub_product(t169,
+        t168).sub_product(t176, t175).sub_product(t181, t180);
+    let t185 = t89.sub_product(t106, t97).sub_product(t123, t120).sub_product(t138, t135)
+        .sub_product(t151, t148).sub_product(t162, t159).sub_product(t171, t168).sub_product(t178,
+        t175).sub_product(t183, t180);
     let t186 = t185 * t184;
     let t187 = R::literal(98.1) * sin_chain_theta_1;
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
@@ -5586,16 +3111,9 @@ pub fn power_balance<R: Real>(
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
     let t194 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t195 = (-t187)
-        .sub_product(R::literal(9.0) * chain_omega_2_squared, t0)
-        .sub_product(t188, t2)
-        .sub_product(t189, t4)
-        .sub_product(t190, t6)
-        .sub_product(t191, t8)
-        .sub_product(t192, t10)
-        .sub_product(t193, t12)
-        .sub_product(t194, t14)
-        .sub_product(chain_omega_10_squared, t16);
+    let t195 = t187.add_product(R::literal(9.0) * chain_omega_2_squared, t0).add_product(t188, t2)
+        .add_product(t189, t4).add_product(t190, t6).add_product(t191, t8).add_product(t192, t10)
+        .add_product(t193, t12).add_product(t194, t14).add_product(chain_omega_10_squared, t16);
     let t196 = R::literal(88.29) * sin_chain_theta_2;
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let t197 = R::literal(78.48) * sin_chain_theta_3;
@@ -5606,197 +3124,90 @@ pub fn power_balance<R: Real>(
     let t202 = R::literal(29.43) * sin_chain_theta_8;
     let t203 = R::literal(19.62) * sin_chain_theta_9;
     let t204 = R::literal(9.81) * sin_chain_theta_10;
-    let t205 = (-t196)
-        .add_product(R::literal(9.0) * chain_omega_1_squared, t0)
-        .sub_product(t188, t18)
-        .sub_product(t189, t20)
-        .sub_product(t190, t22)
-        .sub_product(t191, t24)
-        .sub_product(t192, t26)
-        .sub_product(t193, t28)
-        .sub_product(t194, t30)
-        .sub_product(chain_omega_10_squared, t32)
-        .sub_product(t98, t195);
-    let t206 = ((R::literal(8.0) * chain_omega_1_squared * t2)
-        .add_product(R::literal(8.0) * chain_omega_2_squared, t18) - t197)
-        .sub_product(t189, t34)
-        .sub_product(t190, t36)
-        .sub_product(t191, t38)
-        .sub_product(t192, t40)
-        .sub_product(t193, t42)
-        .sub_product(t194, t44)
-        .sub_product(chain_omega_10_squared, t46)
-        .sub_product(t99, t195)
-        .sub_product(t109, t205);
-    let t207 = ((R::literal(7.0) * chain_omega_1_squared * t4)
-        .add_product(R::literal(7.0) * chain_omega_2_squared, t20)
-        .add_product(R::literal(7.0) * chain_omega_3_squared, t34) - t198)
-        .sub_product(t190, t48)
-        .sub_product(t191, t50)
-        .sub_product(t192, t52)
-        .sub_product(t193, t54)
-        .sub_product(t194, t56)
-        .sub_product(chain_omega_10_squared, t58)
-        .sub_product(t100, t195)
-        .sub_product(t111, t205)
-        .sub_product(t126, t206);
-    let t208 = ((R::literal(6.0) * chain_omega_1_squared * t6)
-        .add_product(R::literal(6.0) * chain_omega_2_squared, t22)
-        .add_product(R::literal(6.0) * chain_omega_3_squared, t36)
-        .add_product(R::literal(6.0) * chain_omega_4_squared, t48) - t199)
-        .sub_product(t191, t60)
-        .sub_product(t192, t62)
-        .sub_product(t193, t64)
-        .sub_product(t194, t66)
-        .sub_product(chain_omega_10_squared, t68)
-        .sub_product(t101, t195)
-        .sub_product(t113, t205)
-        .sub_product(t128, t206)
-        .sub_product(t141, t207);
-    let t209 = ((R::literal(5.0) * chain_omega_1_squared * t8)
-        .add_product(R::literal(5.0) * chain_omega_2_squared, t24)
-        .add_product(R::literal(5.0) * chain_omega_3_squared, t38)
-        .add_product(R::literal(5.0) * chain_omega_4_squared, t50)
-        .add_product(R::literal(5.0) * chain_omega_5_squared, t60) - t200)
-        .sub_product(t192, t70)
-        .sub_product(t193, t72)
-        .sub_product(t194, t74)
-        .sub_product(chain_omega_10_squared, t76)
-        .sub_product(t102, t195)
-        .sub_product(t115, t205)
-        .sub_product(t130, t206)
-        .sub_product(t143, t207)
-        .sub_product(t154, t208);
-    let t210 = ((R::literal(4.0) * chain_omega_1_squared * t10)
-        .add_product(R::literal(4.0) * chain_omega_2_squared, t26)
-        .add_product(R::literal(4.0) * chain_omega_3_squared, t40)
-        .add_product(R::literal(4.0) * chain_omega_4_squared, t52)
-        .add_product(R::literal(4.0) * chain_omega_5_squared, t62)
-        .add_product(R::literal(4.0) * chain_omega_6_squared, t70) - t201)
-        .sub_product(t193, t78)
-        .sub_product(t194, t80)
-        .sub_product(chain_omega_10_squared, t82)
-        .sub_product(t103, t195)
-        .sub_product(t117, t205)
-        .sub_product(t132, t206)
-        .sub_product(t145, t207)
-        .sub_product(t156, t208)
-        .sub_product(t165, t209);
-    let t211 = ((R::literal(3.0) * chain_omega_1_squared * t12)
-        .add_product(R::literal(3.0) * chain_omega_2_squared, t28)
-        .add_product(R::literal(3.0) * chain_omega_3_squared, t42)
-        .add_product(R::literal(3.0) * chain_omega_4_squared, t54)
-        .add_product(R::literal(3.0) * chain_omega_5_squared, t64)
-        .add_product(R::literal(3.0) * chain_omega_6_squared, t72)
-        .add_product(R::literal(3.0) * chain_omega_7_squared, t78) - t202)
-        .sub_product(t194, t84)
-        .sub_product(chain_omega_10_squared, t86)
-        .sub_product(t104, t195)
-        .sub_product(t119, t205)
-        .sub_product(t134, t206)
-        .sub_product(t147, t207)
-        .sub_product(t158, t208)
-        .sub_product(t167, t209)
-        .sub_product(t174, t210);
-    let t212 = ((R::literal(2.0) * chain_omega_1_squared * t14)
-        .add_product(R::literal(2.0) * chain_omega_2_squared, t30)
-        .add_product(R::literal(2.0) * chain_omega_3_squared, t44)
-        .add_product(R::literal(2.0) * chain_omega_4_squared, t56)
-        .add_product(R::literal(2.0) * chain_omega_5_squared, t66)
-        .add_product(R::literal(2.0) * chain_omega_6_squared, t74)
-        .add_product(R::literal(2.0) * chain_omega_7_squared, t80)
-        .add_product(R::literal(2.0) * chain_omega_8_squared, t84) - t203)
-        .sub_product(chain_omega_10_squared, t88)
-        .sub_product(t105, t195)
-        .sub_product(t121, t205)
-        .sub_product(t136, t206)
-        .sub_product(t149, t207)
-        .sub_product(t160, t208)
-        .sub_product(t169, t209);
+    let t205 = (-t196).add_product(R::literal(9.0) * chain_omega_1_squared, t0).sub_product(t188,
+        t18).sub_product(t189, t20).sub_product(t190, t22).sub_product(t191, t24).sub_product(t192,
+        t26).sub_product(t193, t28).sub_product(t194, t30).sub_product(chain_omega_10_squared, t32)
+        .add_product(t98, t195);
+    let t206 = ((R::literal(8.0) * chain_omega_1_squared * t2).add_product(R::literal(8.0)
+        * chain_omega_2_squared, t18) - t197).sub_product(t189, t34).sub_product(t190, t36)
+        .sub_product(t191, t38).sub_product(t192, t40).sub_product(t193, t42).sub_product(t194, t44)
+        .sub_product(chain_omega_10_squared, t46).add_product(t99, t195).sub_product(t109, t205);
+    let t207 = ((R::literal(7.0) * chain_omega_1_squared * t4).add_product(R::literal(7.0)
+        * chain_omega_2_squared, t20).add_product(R::literal(7.0) * chain_omega_3_squared, t34)
+        - t198).sub_product(t190, t48).sub_product(t191, t50).sub_product(t192, t52)
+        .sub_product(t193, t54).sub_product(t194, t56).sub_product(chain_omega_10_squared, t58)
+        .add_product(t100, t195).sub_product(t111, t205).sub_product(t126, t206);
+    let t208 = ((R::literal(6.0) * chain_omega_1_squared * t6).add_product(R::literal(6.0)
+        * chain_omega_2_squared, t22).add_product(R::literal(6.0) * chain_omega_3_squared, t36)
+        .add_product(R::literal(6.0) * chain_omega_4_squared, t48) - t199).sub_product(t191, t60)
+        .sub_product(t192, t62).sub_product(t193, t64).sub_product(t194, t66)
+        .sub_product(chain_omega_10_squared, t68).add_product(t101, t195).sub_product(t113, t205)
+        .sub_product(t128, t206).sub_product(t141, t207);
+    let t209 = ((R::literal(5.0) * chain_omega_1_squared * t8).add_product(R::literal(5.0)
+        * chain_omega_2_squared, t24).add_product(R::literal(5.0) * chain_omega_3_squared, t38)
+        .add_product(R::literal(5.0) * chain_omega_4_squared, t50).add_product(R::literal(5.0)
+        * chain_omega_5_squared, t60) - t200).sub_product(t192, t70).sub_product(t193, t72)
+        .sub_product(t194, t74).sub_product(chain_omega_10_squared, t76).add_product(t102, t195)
+        .sub_product(t115, t205).sub_product(t130, t206).sub_product(t143, t207).sub_product(t154,
+        t208);
+    let t210 = ((R::literal(4.0) * chain_omega_1_squared * t10).add_product(R::literal(4.0)
+        * chain_omega_2_squared, t26).add_product(R::literal(4.0) * chain_omega_3_squared, t40)
+        .add_product(R::literal(4.0) * chain_omega_4_squared, t52).add_product(R::literal(4.0)
+        * chain_omega_5_squared, t62).add_product(R::literal(4.0) * chain_omega_6_squared, t70)
+        - t201).sub_product(t193, t78).sub_product(t194, t80).sub_product(chain_omega_10_squared,
+        t82).add_product(t103, t195).sub_product(t117, t205).sub_product(t132, t206)
+        .sub_product(t145, t207).sub_product(t156, t208).sub_product(t165, t209);
+    let t211 = ((R::literal(3.0) * chain_omega_1_squared * t12).add_product(R::literal(3.0)
+        * chain_omega_2_squared, t28).add_product(R::literal(3.0) * chain_omega_3_squared, t42)
+        .add_product(R::literal(3.0) * chain_omega_4_squared, t54).add_product(R::literal(3.0)
+        * chain_omega_5_squared, t64).add_product(R::literal(3.0) * chain_omega_6_squared, t72)
+        .add_product(R::literal(3.0) * chain_omega_7_squared, t78) - t202).sub_product(t194, t84)
+        .sub_product(chain_omega_10_squared, t86).add_product(t104, t195).sub_product(t119, t205)
+        .sub_product(t134, t206).sub_product(t147, t207).sub_product(t158, t208).sub_product(t167,
+        t209).sub_product(t174, t210);
+    let t212 = ((R::literal(2.0) * chain_omega_1_squared * t14).add_product(R::literal(2.0)
+        * chain_omega_2_squared, t30).add_product(R::literal(2.0) * chain_omega_3_squared, t44)
+        .add_product(R::literal(2.0) * chain_omega_4_squared, t56).add_product(R::literal(2.0)
+        * chain_omega_5_squared, t66).add_product(R::literal(2.0) * chain_omega_6_squared, t74)
+        .add_product(R::literal(2.0) * chain_omega_7_squared, t80).add_product(R::literal(2.0)
+        * chain_omega_8_squared, t84) - t203).sub_product(chain_omega_10_squared, t88)
+        .add_product(t105, t195).sub_product(t121, t205).sub_product(t136, t206).sub_product(t149,
+        t207).sub_product(t160, t208).sub_product(t169, t209);
     let t213 = t212.sub_product(t176, t210).sub_product(t181, t211);
-    let t214 = ((chain_omega_1_squared * t16)
-        .add_product(chain_omega_2_squared, t32)
-        .add_product(chain_omega_3_squared, t46)
-        .add_product(chain_omega_4_squared, t58)
-        .add_product(chain_omega_5_squared, t68)
-        .add_product(chain_omega_6_squared, t76)
-        .add_product(chain_omega_7_squared, t82)
-        .add_product(chain_omega_8_squared, t86)
-        .add_product(chain_omega_9_squared, t88) - t204)
-        .sub_product(t106, t195)
-        .sub_product(t123, t205)
-        .sub_product(t138, t206)
-        .sub_product(t151, t207)
-        .sub_product(t162, t208)
-        .sub_product(t171, t209)
-        .sub_product(t178, t210)
-        .sub_product(t183, t211)
-        .sub_product(t186, t213);
-    let chain_omega_10_dot = t214
-        * (R::literal(1.0)
-            / R::literal(1.0)
-                .sub_product(t106, t17)
-                .sub_product(t123, t122)
-                .sub_product(t138, t137)
-                .sub_product(t151, t150)
-                .sub_product(t162, t161)
-                .sub_product(t171, t170)
-                .sub_product(t178, t177)
-                .sub_product(t183, t182)
-                .sub_product(t186, t185));
+    let t214 = ((chain_omega_1_squared * t16).add_product(chain_omega_2_squared, t32)
+        .add_product(chain_omega_3_squared, t46).add_product(chain_omega_4_squared, t58)
+        .add_product(chain_omega_5_squared, t68).add_product(chain_omega_6_squared, t76)
+        .add_product(chain_omega_7_squared, t82).add_product(chain_omega_8_squared, t86)
+        .add_product(chain_omega_9_squared, t88) - t204).add_product(t106, t195).sub_product(t123,
+        t205).sub_product(t138, t206).sub_product(t151, t207).sub_product(t162, t208)
+        .sub_product(t171, t209).sub_product(t178, t210).sub_product(t183, t211).sub_product(t186,
+        t213);
+    let chain_omega_10_dot = t214 * (R::literal(1.0) / R::literal(1.0).sub_product(t106, t17)
+        .sub_product(t123, t122).sub_product(t138, t137).sub_product(t151, t150).sub_product(t162,
+        t161).sub_product(t171, t170).sub_product(t178, t177).sub_product(t183, t182)
+        .sub_product(t186, t185));
     let chain_omega_9_dot = (t213 * t184).sub_product(t186, chain_omega_10_dot);
-    let chain_omega_8_dot = (t211 * t179)
-        .sub_product(t181, chain_omega_9_dot)
-        .sub_product(t183, chain_omega_10_dot);
-    let chain_omega_7_dot = (t210 * t172)
-        .sub_product(t174, chain_omega_8_dot)
-        .sub_product(t176, chain_omega_9_dot)
-        .sub_product(t178, chain_omega_10_dot);
-    let chain_omega_6_dot = (t209 * t163)
-        .sub_product(t165, chain_omega_7_dot)
-        .sub_product(t167, chain_omega_8_dot)
-        .sub_product(t169, chain_omega_9_dot)
-        .sub_product(t171, chain_omega_10_dot);
-    let chain_omega_5_dot = (t208 * t152)
-        .sub_product(t154, chain_omega_6_dot)
-        .sub_product(t156, chain_omega_7_dot)
-        .sub_product(t158, chain_omega_8_dot)
-        .sub_product(t160, chain_omega_9_dot)
+    let chain_omega_8_dot = (t211 * t179).sub_product(t181, chain_omega_9_dot).sub_product(t183,
+        chain_omega_10_dot);
+    let chain_omega_7_dot = (t210 * t172).sub_product(t174, chain_omega_8_dot).sub_product(t176,
+        chain_omega_9_dot).sub_product(t178, chain_omega_10_dot);
+    let chain_omega_6_dot = (t209 * t163).sub_product(t165, chain_omega_7_dot).sub_product(t167,
+        chain_omega_8_dot).sub_product(t169, chain_omega_9_dot).sub_product(t171,
+        chain_omega_10_dot);
+    let chain_omega_5_dot = (t208 * t152).sub_product(t154, chain_omega_6_dot).sub_product(t156,
+        chain_omega_7_dot).sub_product(t158, chain_omega_8_dot).sub_product(t160, chain_omega_9_dot)
         .sub_product(t162, chain_omega_10_dot);
-    let chain_omega_4_dot = (t207 * t139)
-        .sub_product(t141, chain_omega_5_dot)
-        .sub_product(t143, chain_omega_6_dot)
-        .sub_product(t145, chain_omega_7_dot)
-        .sub_product(t147, chain_omega_8_dot)
-        .sub_product(t149, chain_omega_9_dot)
-        .sub_product(t151, chain_omega_10_dot);
-    let chain_omega_3_dot = (t206 * t124)
-        .sub_product(t126, chain_omega_4_dot)
-        .sub_product(t128, chain_omega_5_dot)
-        .sub_product(t130, chain_omega_6_dot)
-        .sub_product(t132, chain_omega_7_dot)
-        .sub_product(t134, chain_omega_8_dot)
-        .sub_product(t136, chain_omega_9_dot)
+    let chain_omega_4_dot = (t207 * t139).sub_product(t141, chain_omega_5_dot).sub_product(t143,
+        chain_omega_6_dot).sub_product(t145, chain_omega_7_dot).sub_product(t147, chain_omega_8_dot)
+        .sub_product(t149, chain_omega_9_dot).sub_product(t151, chain_omega_10_dot);
+    let chain_omega_3_dot = (t206 * t124).sub_product(t126, chain_omega_4_dot).sub_product(t128,
+        chain_omega_5_dot).sub_product(t130, chain_omega_6_dot).sub_product(t132, chain_omega_7_dot)
+        .sub_product(t134, chain_omega_8_dot).sub_product(t136, chain_omega_9_dot)
         .sub_product(t138, chain_omega_10_dot);
-    let chain_omega_2_dot = (t205 * t107)
-        .sub_product(t109, chain_omega_3_dot)
-        .sub_product(t111, chain_omega_4_dot)
-        .sub_product(t113, chain_omega_5_dot)
-        .sub_product(t115, chain_omega_6_dot)
-        .sub_product(t117, chain_omega_7_dot)
-        .sub_product(t119, chain_omega_8_dot)
-        .sub_product(t121, chain_omega_9_dot)
-        .sub_product(t123, chain_omega_10_dot);
-    let chain_omega_1_dot = (t195 * R::literal(0.1))
-        .sub_product(t98, chain_omega_2_dot)
-        .sub_product(t99, chain_omega_3_dot)
-        .sub_product(t100, chain_omega_4_dot)
-        .sub_product(t101, chain_omega_5_dot)
-        .sub_product(t102, chain_omega_6_dot)
-        .sub_product(t103, chain_omega_7_dot)
-        .sub_product(t104, chain_omega_8_dot)
-        .sub_product(t105, chain_omega_9_dot)
-        .sub_product(t106, chain_omega_10_dot);
+    let chain_omega_2_dot = (t205 * t107).sub_product(t109, chain_omega_3_dot).sub_product(t111,
+        chain_omega_4_dot).sub_product(t113, chain_omega_5_dot).sub_product(t115, chain_omega_6_dot)
+        .sub_product(t117, chain_omega_7_dot).sub_product(t119, chain_omega_8_dot)
+        .sub_product(t121, chain_omega_9_dot).sub_product(t123, chain_omega_10_dot);
     let t215 = R::literal(2.0) * chain_omega_2;
     let t216 = R::literal(2.0) * chain_omega_3;
     let t217 = R::literal(2.0) * chain_omega_4;
@@ -5808,346 +3219,163 @@ pub fn power_balance<R: Real>(
     let t223 = R::literal(2.0) * chain_omega_10;
     let t224 = R::literal(2.0) * chain_v_1;
     let t225 = R::literal(2.0) * chain_u_1;
-    let t226 = t187
-        .add_product(
-            R::literal(0.5),
-            (t225 * chain_v_2)
-                .add_product(t225, chain_v_3)
-                .add_product(t225, chain_v_4)
-                .add_product(t225, chain_v_5)
-                .add_product(t225, chain_v_6)
-                .add_product(t225, chain_v_7)
-                .add_product(t225, chain_v_8)
-                .add_product(t225, chain_v_9)
-                .add_product(t225, chain_v_10)
-                .sub_product(t224, chain_u_2)
-                .sub_product(t224, chain_u_3)
-                .sub_product(t224, chain_u_4)
-                .sub_product(t224, chain_u_5)
-                .sub_product(t224, chain_u_6)
-                .sub_product(t224, chain_u_7)
-                .sub_product(t224, chain_u_8)
-                .sub_product(t224, chain_u_9)
-                .sub_product(t224, chain_u_10),
-        ) * chain_omega_1;
-    let t227 = (t215 * chain_v_2 * cos_chain_theta_2)
-        .add_product(t215 * chain_v_3, cos_chain_theta_2)
-        .add_product(t215 * chain_v_4, cos_chain_theta_2)
-        .add_product(t215 * chain_v_5, cos_chain_theta_2)
-        .add_product(t215 * chain_v_6, cos_chain_theta_2)
-        .add_product(t215 * chain_v_7, cos_chain_theta_2)
-        .add_product(t215 * chain_v_8, cos_chain_theta_2)
-        .add_product(t215 * chain_v_9, cos_chain_theta_2)
-        .add_product(t215 * chain_v_10, cos_chain_theta_2)
-        .sub_product(t215 * chain_u_2, sin_chain_theta_2)
-        .sub_product(t215 * chain_u_3, sin_chain_theta_2)
-        .sub_product(t215 * chain_u_4, sin_chain_theta_2);
-    let t228 = (t216 * chain_v_3 * cos_chain_theta_3)
-        .add_product(t216 * chain_v_4, cos_chain_theta_3)
-        .add_product(t216 * chain_v_5, cos_chain_theta_3)
-        .add_product(t216 * chain_v_6, cos_chain_theta_3)
-        .add_product(t216 * chain_v_7, cos_chain_theta_3)
-        .add_product(t216 * chain_v_8, cos_chain_theta_3)
-        .add_product(t216 * chain_v_9, cos_chain_theta_3)
-        .add_product(t216 * chain_v_10, cos_chain_theta_3)
-        .sub_product(t216 * chain_u_3, sin_chain_theta_3)
-        .sub_product(t216 * chain_u_4, sin_chain_theta_3)
-        .sub_product(t216 * chain_u_5, sin_chain_theta_3)
-        .sub_product(t216 * chain_u_6, sin_chain_theta_3);
-    let t229 = t226
-        .add_product(
-            t196
-                .add_product(
-                    R::literal(0.5),
-                    t227
-                        .sub_product(t215 * chain_u_5, sin_chain_theta_2)
-                        .sub_product(t215 * chain_u_6, sin_chain_theta_2)
-                        .sub_product(t215 * chain_u_7, sin_chain_theta_2)
-                        .sub_product(t215 * chain_u_8, sin_chain_theta_2)
-                        .sub_product(t215 * chain_u_9, sin_chain_theta_2)
-                        .sub_product(t215 * chain_u_10, sin_chain_theta_2),
-                ),
-            chain_omega_2,
-        )
-        .add_product(
-            t197
-                .add_product(
-                    R::literal(0.5),
-                    t228
-                        .sub_product(t216 * chain_u_7, sin_chain_theta_3)
-                        .sub_product(t216 * chain_u_8, sin_chain_theta_3)
-                        .sub_product(t216 * chain_u_9, sin_chain_theta_3)
-                        .sub_product(t216 * chain_u_10, sin_chain_theta_3),
-                ),
-            chain_omega_3,
-        );
-    let t230 = (t217 * chain_v_4 * cos_chain_theta_4)
-        .add_product(t217 * chain_v_5, cos_chain_theta_4)
-        .add_product(t217 * chain_v_6, cos_chain_theta_4)
-        .add_product(t217 * chain_v_7, cos_chain_theta_4)
-        .add_product(t217 * chain_v_8, cos_chain_theta_4)
-        .add_product(t217 * chain_v_9, cos_chain_theta_4)
-        .add_product(t217 * chain_v_10, cos_chain_theta_4)
-        .sub_product(t217 * chain_u_4, sin_chain_theta_4)
-        .sub_product(t217 * chain_u_5, sin_chain_theta_4)
-        .sub_product(t217 * chain_u_6, sin_chain_theta_4)
-        .sub_product(t217 * chain_u_7, sin_chain_theta_4)
-        .sub_product(t217 * chain_u_8, sin_chain_theta_4);
-    let t231 = (t218 * chain_v_5 * cos_chain_theta_5)
-        .add_product(t218 * chain_v_6, cos_chain_theta_5)
-        .add_product(t218 * chain_v_7, cos_chain_theta_5)
-        .add_product(t218 * chain_v_8, cos_chain_theta_5)
-        .add_product(t218 * chain_v_9, cos_chain_theta_5)
-        .add_product(t218 * chain_v_10, cos_chain_theta_5)
-        .sub_product(t218 * chain_u_5, sin_chain_theta_5)
-        .sub_product(t218 * chain_u_6, sin_chain_theta_5)
-        .sub_product(t218 * chain_u_7, sin_chain_theta_5)
-        .sub_product(t218 * chain_u_8, sin_chain_theta_5)
-        .sub_product(t218 * chain_u_9, sin_chain_theta_5)
-        .sub_product(t218 * chain_u_10, sin_chain_theta_5);
-    let t232 = t200
-        .add_product(
-            R::literal(0.5),
-            (t219 * chain_v_6 * cos_chain_theta_6)
-                .add_product(t219 * chain_v_7, cos_chain_theta_6)
-                .add_product(t219 * chain_v_8, cos_chain_theta_6)
-                .add_product(t219 * chain_v_9, cos_chain_theta_6)
-                .add_product(t219 * chain_v_10, cos_chain_theta_6)
-                .sub_product(t219 * chain_u_6, sin_chain_theta_6)
-                .sub_product(t219 * chain_u_7, sin_chain_theta_6)
-                .sub_product(t219 * chain_u_8, sin_chain_theta_6)
-                .sub_product(t219 * chain_u_9, sin_chain_theta_6)
-                .sub_product(t219 * chain_u_10, sin_chain_theta_6),
-        );
-    let t233 = t201
-        .add_product(
-            R::literal(0.5),
-            (t220 * chain_v_7 * cos_chain_theta_7)
-                .add_product(t220 * chain_v_8, cos_chain_theta_7)
-                .add_product(t220 * chain_v_9, cos_chain_theta_7)
-                .add_product(t220 * chain_v_10, cos_chain_theta_7)
-                .sub_product(t220 * chain_u_7, sin_chain_theta_7)
-                .sub_product(t220 * chain_u_8, sin_chain_theta_7)
-                .sub_product(t220 * chain_u_9, sin_chain_theta_7)
-                .sub_product(t220 * chain_u_10, sin_chain_theta_7),
-        );
-    let t234 = t229
-        .add_product(
-            t198
-                .add_product(
-                    R::literal(0.5),
-                    t230
-                        .sub_product(t217 * chain_u_9, sin_chain_theta_4)
-                        .sub_product(t217 * chain_u_10, sin_chain_theta_4),
-                ),
-            chain_omega_4,
-        )
-        .add_product(t199.add_product(R::literal(0.5), t231), chain_omega_5)
-        .add_product(t232, chain_omega_6)
-        .add_product(t233, chain_omega_7)
-        .add_product(
-            t202
-                .add_product(
-                    R::literal(0.5),
-                    (t221 * chain_v_8 * cos_chain_theta_8)
-                        .add_product(t221 * chain_v_9, cos_chain_theta_8)
-                        .add_product(t221 * chain_v_10, cos_chain_theta_8)
-                        .sub_product(t221 * chain_u_8, sin_chain_theta_8)
-                        .sub_product(t221 * chain_u_9, sin_chain_theta_8)
-                        .sub_product(t221 * chain_u_10, sin_chain_theta_8),
-                ),
-            chain_omega_8,
-        );
-    let t235 = R::literal(2.0) * chain_u_2;
-    let t236 = R::literal(2.0) * chain_v_2;
-    let t237 = R::literal(2.0) * chain_u_3;
-    let t238 = R::literal(2.0) * chain_v_3;
-    let t239 = R::literal(2.0) * chain_u_4;
-    let t240 = R::literal(2.0) * chain_v_4;
-    let t241 = R::literal(2.0) * chain_u_5;
-    let t242 = R::literal(2.0) * chain_v_5;
-    let t243 = R::literal(2.0) * chain_u_6;
-    let t244 = R::literal(2.0) * chain_v_6;
-    let t245 = R::literal(2.0) * chain_u_7;
-    let t246 = R::literal(2.0) * chain_v_7;
-    let t247 = R::literal(2.0) * chain_u_8;
-    let t248 = R::literal(2.0) * chain_v_8;
-    let t249 = R::literal(2.0) * chain_u_9;
-    let t250 = R::literal(2.0) * chain_v_9;
-    let t251 = R::literal(2.0) * chain_u_10;
-    let t252 = R::literal(2.0) * chain_v_10;
-    let t253 = R::literal(0.5)
-        * (t225 * cos_chain_theta_1)
-            .add_product(t224, sin_chain_theta_1)
-            .add_product(t235, cos_chain_theta_1)
-            .add_product(t236, sin_chain_theta_1)
-            .add_product(t237, cos_chain_theta_1)
-            .add_product(t238, sin_chain_theta_1)
-            .add_product(t239, cos_chain_theta_1)
-            .add_product(t240, sin_chain_theta_1)
-            .add_product(t241, cos_chain_theta_1)
-            .add_product(t242, sin_chain_theta_1)
-            .add_product(t243, cos_chain_theta_1)
-            .add_product(t244, sin_chain_theta_1)
-            .add_product(t245, cos_chain_theta_1)
-            .add_product(t246, sin_chain_theta_1)
-            .add_product(t247, cos_chain_theta_1)
-            .add_product(t248, sin_chain_theta_1)
-            .add_product(t249, cos_chain_theta_1)
-            .add_product(t250, sin_chain_theta_1)
-            .add_product(t251, cos_chain_theta_1)
-            .add_product(t252, sin_chain_theta_1);
-    let t254 = R::literal(0.5)
-        * (t235 * cos_chain_theta_2)
-            .add_product(t236, sin_chain_theta_2)
-            .add_product(t237, cos_chain_theta_2)
-            .add_product(t238, sin_chain_theta_2)
-            .add_product(t239, cos_chain_theta_2)
-            .add_product(t240, sin_chain_theta_2)
-            .add_product(t241, cos_chain_theta_2)
-            .add_product(t242, sin_chain_theta_2)
-            .add_product(t243, cos_chain_theta_2)
-            .add_product(t244, sin_chain_theta_2)
-            .add_product(t245, cos_chain_theta_2)
-            .add_product(t246, sin_chain_theta_2)
-            .add_product(t247, cos_chain_theta_2)
-            .add_product(t248, sin_chain_theta_2)
-            .add_product(t249, cos_chain_theta_2)
-            .add_product(t250, sin_chain_theta_2)
-            .add_product(t251, cos_chain_theta_2)
-            .add_product(t252, sin_chain_theta_2);
-    let t255 = t234
-        .add_product(
-            t203
-                .add_product(
-                    R::literal(0.5),
-                    (t222 * chain_v_9 * cos_chain_theta_9)
-                        .add_product(t222 * chain_v_10, cos_chain_theta_9)
-                        .sub_product(t222 * chain_u_9, sin_chain_theta_9)
-                        .sub_product(t222 * chain_u_10, sin_chain_theta_9),
-                ),
-            chain_omega_9,
-        )
-        .add_product(
-            t204
-                .add_product(
-                    R::literal(0.5),
-                    (t223 * chain_v_10 * cos_chain_theta_10)
-                        .sub_product(t223 * chain_u_10, sin_chain_theta_10),
-                ),
-            chain_omega_10,
-        )
-        .add_product(t253, chain_omega_1_dot)
-        .add_product(t254, chain_omega_2_dot);
-    let t256 = t255
-        .add_product(
-            R::literal(0.5)
-                * (t237 * cos_chain_theta_3)
-                    .add_product(t238, sin_chain_theta_3)
-                    .add_product(t239, cos_chain_theta_3)
-                    .add_product(t240, sin_chain_theta_3)
-                    .add_product(t241, cos_chain_theta_3)
-                    .add_product(t242, sin_chain_theta_3)
-                    .add_product(t243, cos_chain_theta_3)
-                    .add_product(t244, sin_chain_theta_3)
-                    .add_product(t245, cos_chain_theta_3)
-                    .add_product(t246, sin_chain_theta_3)
-                    .add_product(t247, cos_chain_theta_3)
-                    .add_product(t248, sin_chain_theta_3)
-                    .add_product(t249, cos_chain_theta_3)
-                    .add_product(t250, sin_chain_theta_3)
-                    .add_product(t251, cos_chain_theta_3)
-                    .add_product(t252, sin_chain_theta_3),
-            chain_omega_3_dot,
-        );
-    let t257 = t256
-        .add_product(
-            R::literal(0.5)
-                * (t239 * cos_chain_theta_4)
-                    .add_product(t240, sin_chain_theta_4)
-                    .add_product(t241, cos_chain_theta_4)
-                    .add_product(t242, sin_chain_theta_4)
-                    .add_product(t243, cos_chain_theta_4)
-                    .add_product(t244, sin_chain_theta_4)
-                    .add_product(t245, cos_chain_theta_4)
-                    .add_product(t246, sin_chain_theta_4)
-                    .add_product(t247, cos_chain_theta_4)
-                    .add_product(t248, sin_chain_theta_4)
-                    .add_product(t249, cos_chain_theta_4)
-                    .add_product(t250, sin_chain_theta_4)
-                    .add_product(t251, cos_chain_theta_4)
-                    .add_product(t252, sin_chain_theta_4),
-            chain_omega_4_dot,
-        );
-    let t258 = t257
-        .add_product(
-            R::literal(0.5)
-                * (t241 * cos_chain_theta_5)
-                    .add_product(t242, sin_chain_theta_5)
-                    .add_product(t243, cos_chain_theta_5)
-                    .add_product(t244, sin_chain_theta_5)
-                    .add_product(t245, cos_chain_theta_5)
-                    .add_product(t246, sin_chain_theta_5)
-                    .add_product(t247, cos_chain_theta_5)
-                    .add_product(t248, sin_chain_theta_5)
-                    .add_product(t249, cos_chain_theta_5)
-                    .add_product(t250, sin_chain_theta_5)
-                    .add_product(t251, cos_chain_theta_5)
-                    .add_product(t252, sin_chain_theta_5),
-            chain_omega_5_dot,
-        );
-    let t259 = t258
-        .add_product(
-            R::literal(0.5)
-                * (t243 * cos_chain_theta_6)
-                    .add_product(t244, sin_chain_theta_6)
-                    .add_product(t245, cos_chain_theta_6)
-                    .add_product(t246, sin_chain_theta_6)
-                    .add_product(t247, cos_chain_theta_6)
-                    .add_product(t248, sin_chain_theta_6)
-                    .add_product(t249, cos_chain_theta_6)
-                    .add_product(t250, sin_chain_theta_6)
-                    .add_product(t251, cos_chain_theta_6)
-                    .add_product(t252, sin_chain_theta_6),
-            chain_omega_6_dot,
-        )
-        .add_product(
-            R::literal(0.5)
-                * (t245 * cos_chain_theta_7)
-                    .add_product(t246, sin_chain_theta_7)
-                    .add_product(t247, cos_chain_theta_7)
-                    .add_product(t248, sin_chain_theta_7)
-                    .add_product(t249, cos_chain_theta_7)
-                    .add_product(t250, sin_chain_theta_7)
-                    .add_product(t251, cos_chain_theta_7)
-                    .add_product(t252, sin_chain_theta_7),
-            chain_omega_7_dot,
-        );
+    let t226 = t187.add_product(R::literal(0.5), (t225 * chain_v_2).add_product(t225, chain_v_3)
+        .add_product(t225, chain_v_4).add_product(t225, chain_v_5).add_product(t225, chain_v_6)
+        .add_product(t225, chain_v_7).add_product(t225, chain_v_8).add_product(t225, chain_v_9)
+        .add_product(t225, chain_v_10).sub_product(t224, chain_u_2).sub_product(t224, chain_u_3)
+        .sub_product(t224, chain_u_4).sub_product(t224, chain_u_5).sub_product(t224, chain_u_6)
+        .sub_product(t224, chain_u_7).sub_product(t224, chain_u_8).sub_product(t224, chain_u_9)
+        .sub_product(t224, chain_u_10)) * chain_omega_1;
+    let t227 = (t215 * chain_v_2 * cos_chain_theta_2).add_product(t215 * chain_v_3,
+        cos_chain_theta_2).add_product(t215 * chain_v_4, cos_chain_theta_2).add_product(t215
+        * chain_v_5, cos_chain_theta_2).add_product(t215 * chain_v_6, cos_chain_theta_2)
+        .add_product(t215 * chain_v_7, cos_chain_theta_2).add_product(t215 * chain_v_8,
+        cos_chain_theta_2).add_product(t215 * chain_v_9, cos_chain_theta_2).add_product(t215
+        * chain_v_10, cos_chain_theta_2).sub_product(t215 * chain_u_2, sin_chain_theta_2)
+        .sub_product(t215 * chain_u_3, sin_chain_theta_2).sub_product(t215 * chain_u_4,
+        sin_chain_theta_2);
+    let t228 = (t216 * chain_v_3 * cos_chain_theta_3).add_product(t216 * chain_v_4,
+        cos_chain_theta_3).add_product(t216 * chain_v_5, cos_chain_theta_3).add_product(t216
+        * chain_v_6, cos_chain_theta_3).add_product(t216 * chain_v_7, cos_chain_theta_3)
+        .add_product(t216 * chain_v_8, cos_chain_theta_3).add_product(t216 * chain_v_9,
+        cos_chain_theta_3).add_product(t216 * chain_v_10, cos_chain_theta_3).sub_product(t216
+        * chain_u_3, sin_chain_theta_3).sub_product(t216 * chain_u_4, sin_chain_theta_3)
+        .sub_product(t216 * chain_u_5, sin_chain_theta_3).sub_product(t216 * chain_u_6,
+        sin_chain_theta_3);
+    let t229 = t226.add_product(t196.add_product(R::literal(0.5), t227.sub_product(t215
+        * chain_u_5, sin_chain_theta_2).sub_product(t215 * chain_u_6, sin_chain_theta_2)
+        .sub_product(t215 * chain_u_7, sin_chain_theta_2).sub_product(t215 * chain_u_8,
+        sin_chain_theta_2).sub_product(t215 * chain_u_9, sin_chain_theta_2).sub_product(t215
+        * chain_u_10, sin_chain_theta_2)), chain_omega_2).add_product(t197
+        .add_product(R::literal(0.5), t228.sub_product(t216 * chain_u_7, sin_chain_theta_3)
+        .sub_product(t216 * chain_u_8, sin_chain_theta_3).sub_product(t216 * chain_u_9,
+        sin_chain_theta_3).sub_product(t216 * chain_u_10, sin_chain_theta_3)), chain_omega_3);
+    let t230 = (t217 * chain_v_4 * cos_chain_theta_4).add_product(t217 * chain_v_5,
+        cos_chain_theta_4).add_product(t217 * chain_v_6, cos_chain_theta_4).add_product(t217
+        * chain_v_7, cos_chain_theta_4).add_product(t217 * chain_v_8, cos_chain_theta_4)
+        .add_product(t217 * chain_v_9, cos_chain_theta_4).add_product(t217 * chain_v_10,
+        cos_chain_theta_4).sub_product(t217 * chain_u_4, sin_chain_theta_4).sub_product(t217
+        * chain_u_5, sin_chain_theta_4).sub_product(t217 * chain_u_6, sin_chain_theta_4)
+        .sub_product(t217 * chain_u_7, sin_chain_theta_4).sub_product(t217 * chain_u_8,
+        sin_chain_theta_4);
+    let t231 = (t218 * chain_v_5 * cos_chain_theta_5).add_product(t218 * chain_v_6,
+        cos_chain_theta_5).add_product(t218 * chain_v_7, cos_chain_theta_5).add_product(t218
+        * chain_v_8, cos_chain_theta_5).add_product(t218 * chain_v_9, cos_chain_theta_5)
+        .add_product(t218 * chain_v_10, cos_chain_theta_5).sub_product(t218 * chain_u_5,
+        sin_chain_theta_5).sub_product(t218 * chain_u_6, sin_chain_theta_5).sub_product(t218
+        * chain_u_7, sin_chain_theta_5).sub_product(t218 * chain_u_8, sin_chain_theta_5)
+        .sub_product(t218 * chain_u_9, sin_chain_theta_5).sub_product(t218 * chain_u_10,
+        sin_chain_theta_5);
+    let t232 = t200.add_product(R::literal(0.5), (t219 * chain_v_6 * cos_chain_theta_6)
+        .add_product(t219 * chain_v_7, cos_chain_theta_6).add_product(t219 * chain_v_8,
+        cos_chain_theta_6).add_product(t219 * chain_v_9, cos_chain_theta_6).add_product(t219
+        * chain_v_10, cos_chain_theta_6).sub_product(t219 * chain_u_6, sin_chain_theta_6)
+        .sub_product(t219 * chain_u_7, sin_chain_theta_6).sub_product(t219 * chain_u_8,
+        sin_chain_theta_6).sub_product(t219 * chain_u_9, sin_chain_theta_6).sub_product(t219
+        * chain_u_10, sin_chain_theta_6));
+    let t233 = t201.add_product(R::literal(0.5), (t220 * chain_v_7 * cos_chain_theta_7)
+        .add_product(t220 * chain_v_8, cos_chain_theta_7).add_product(t220 * chain_v_9,
+        cos_chain_theta_7).add_product(t220 * chain_v_10, cos_chain_theta_7).sub_product(t220
+        * chain_u_7, sin_chain_theta_7).sub_product(t220 * chain_u_8, sin_chain_theta_7)
+        .sub_product(t220 * chain_u_9, sin_chain_theta_7).sub_product(t220 * chain_u_10,
+        sin_chain_theta_7));
+    let t234 = t229.add_product(t198.add_product(R::literal(0.5), t230.sub_product(t217
+        * chain_u_9, sin_chain_theta_4).sub_product(t217 * chain_u_10, sin_chain_theta_4)),
+        chain_omega_4).add_product(t199.add_product(R::literal(0.5), t231), chain_omega_5)
+        .add_product(t232, chain_omega_6).add_product(t233, chain_omega_7).add_product(t202
+        .add_product(R::literal(0.5), (t221 * chain_v_8 * cos_chain_theta_8).add_product(t221
+        * chain_v_9, cos_chain_theta_8).add_product(t221 * chain_v_10, cos_chain_theta_8)
+        .sub_product(t221 * chain_u_8, sin_chain_theta_8).sub_product(t221 * chain_u_9,
+        sin_chain_theta_8).sub_product(t221 * chain_u_10, sin_chain_theta_8)), chain_omega_8);
+    let t235 = t234.add_product(t203.add_product(R::literal(0.5), (t222 * chain_v_9
+        * cos_chain_theta_9).add_product(t222 * chain_v_10, cos_chain_theta_9).sub_product(t222
+        * chain_u_9, sin_chain_theta_9).sub_product(t222 * chain_u_10, sin_chain_theta_9)),
+        chain_omega_9).add_product(t204.add_product(R::literal(0.5), (t223 * chain_v_10
+        * cos_chain_theta_10).sub_product(t223 * chain_u_10, sin_chain_theta_10)), chain_omega_10);
+    let t236 = R::literal(2.0) * chain_u_2;
+    let t237 = R::literal(2.0) * chain_v_2;
+    let t238 = R::literal(2.0) * chain_u_3;
+    let t239 = R::literal(2.0) * chain_v_3;
+    let t240 = R::literal(2.0) * chain_u_4;
+    let t241 = R::literal(2.0) * chain_v_4;
+    let t242 = R::literal(2.0) * chain_u_5;
+    let t243 = R::literal(2.0) * chain_v_5;
+    let t244 = R::literal(2.0) * chain_u_6;
+    let t245 = R::literal(2.0) * chain_v_6;
+    let t246 = R::literal(2.0) * chain_u_7;
+    let t247 = R::literal(2.0) * chain_v_7;
+    let t248 = R::literal(2.0) * chain_u_8;
+    let t249 = R::literal(2.0) * chain_v_8;
+    let t250 = R::literal(2.0) * chain_u_9;
+    let t251 = R::literal(2.0) * chain_v_9;
+    let t252 = R::literal(2.0) * chain_u_10;
+    let t253 = R::literal(2.0) * chain_v_10;
+    let t254 = R::literal(0.5) * (t225 * cos_chain_theta_1).add_product(t224, sin_chain_theta_1)
+        .add_product(t236, cos_chain_theta_1).add_product(t237, sin_chain_theta_1)
+        .add_product(t238, cos_chain_theta_1).add_product(t239, sin_chain_theta_1)
+        .add_product(t240, cos_chain_theta_1).add_product(t241, sin_chain_theta_1)
+        .add_product(t242, cos_chain_theta_1).add_product(t243, sin_chain_theta_1)
+        .add_product(t244, cos_chain_theta_1).add_product(t245, sin_chain_theta_1)
+        .add_product(t246, cos_chain_theta_1).add_product(t247, sin_chain_theta_1)
+        .add_product(t248, cos_chain_theta_1).add_product(t249, sin_chain_theta_1)
+        .add_product(t250, cos_chain_theta_1).add_product(t251, sin_chain_theta_1)
+        .add_product(t252, cos_chain_theta_1).add_product(t253, sin_chain_theta_1);
+    let t255 = R::literal(0.5) * (t236 * cos_chain_theta_2).add_product(t237, sin_chain_theta_2)
+        .add_product(t238, cos_chain_theta_2).add_product(t239, sin_chain_theta_2)
+        .add_product(t240, cos_chain_theta_2).add_product(t241, sin_chain_theta_2)
+        .add_product(t242, cos_chain_theta_2).add_product(t243, sin_chain_theta_2)
+        .add_product(t244, cos_chain_theta_2).add_product(t245, sin_chain_theta_2)
+        .add_product(t246, cos_chain_theta_2).add_product(t247, sin_chain_theta_2)
+        .add_product(t248, cos_chain_theta_2).add_product(t249, sin_chain_theta_2)
+        .add_product(t250, cos_chain_theta_2).add_product(t251, sin_chain_theta_2)
+        .add_product(t252, cos_chain_theta_2).add_product(t253, sin_chain_theta_2);
+    let t256 = R::literal(0.5) * (t238 * cos_chain_theta_3).add_product(t239, sin_chain_theta_3)
+        .add_product(t240, cos_chain_theta_3).add_product(t241, sin_chain_theta_3)
+        .add_product(t242, cos_chain_theta_3).add_product(t243, sin_chain_theta_3)
+        .add_product(t244, cos_chain_theta_3).add_product(t245, sin_chain_theta_3)
+        .add_product(t246, cos_chain_theta_3).add_product(t247, sin_chain_theta_3)
+        .add_product(t248, cos_chain_theta_3).add_product(t249, sin_chain_theta_3)
+        .add_product(t250, cos_chain_theta_3).add_product(t251, sin_chain_theta_3)
+        .add_product(t252, cos_chain_theta_3).add_product(t253, sin_chain_theta_3);
+    let t257 = R::literal(0.5) * (t240 * cos_chain_theta_4).add_product(t241, sin_chain_theta_4)
+        .add_product(t242, cos_chain_theta_4).add_product(t243, sin_chain_theta_4)
+        .add_product(t244, cos_chain_theta_4).add_product(t245, sin_chain_theta_4)
+        .add_product(t246, cos_chain_theta_4).add_product(t247, sin_chain_theta_4)
+        .add_product(t248, cos_chain_theta_4).add_product(t249, sin_chain_theta_4)
+        .add_product(t250, cos_chain_theta_4).add_product(t251, sin_chain_theta_4)
+        .add_product(t252, cos_chain_theta_4).add_product(t253, sin_chain_theta_4);
+    let t258 = t235.sub_product(t254, (t195 * R::literal(0.1)).add_product(t98, chain_omega_2_dot)
+        .add_product(t99, chain_omega_3_dot).add_product(t100, chain_omega_4_dot).add_product(t101,
+        chain_omega_5_dot).add_product(t102, chain_omega_6_dot).add_product(t103, chain_omega_7_dot)
+        .add_product(t104, chain_omega_8_dot).add_product(t105, chain_omega_9_dot)
+        .add_product(t106, chain_omega_10_dot)).add_product(t255, chain_omega_2_dot)
+        .add_product(t256, chain_omega_3_dot).add_product(t257, chain_omega_4_dot);
+    let t259 = t258.add_product(R::literal(0.5) * (t242 * cos_chain_theta_5).add_product(t243,
+        sin_chain_theta_5).add_product(t244, cos_chain_theta_5).add_product(t245, sin_chain_theta_5)
+        .add_product(t246, cos_chain_theta_5).add_product(t247, sin_chain_theta_5)
+        .add_product(t248, cos_chain_theta_5).add_product(t249, sin_chain_theta_5)
+        .add_product(t250, cos_chain_theta_5).add_product(t251, sin_chain_theta_5)
+        .add_product(t252, cos_chain_theta_5).add_product(t253, sin_chain_theta_5),
+        chain_omega_5_dot);
+    let t260 = t259.add_product(R::literal(0.5) * (t244 * cos_chain_theta_6).add_product(t245,
+        sin_chain_theta_6).add_product(t246, cos_chain_theta_6).add_product(t247, sin_chain_theta_6)
+        .add_product(t248, cos_chain_theta_6).add_product(t249, sin_chain_theta_6)
+        .add_product(t250, cos_chain_theta_6).add_product(t251, sin_chain_theta_6)
+        .add_product(t252, cos_chain_theta_6).add_product(t253, sin_chain_theta_6),
+        chain_omega_6_dot).add_product(R::literal(0.5) * (t246 * cos_chain_theta_7)
+        .add_product(t247, sin_chain_theta_7).add_product(t248, cos_chain_theta_7)
+        .add_product(t249, sin_chain_theta_7).add_product(t250, cos_chain_theta_7)
+        .add_product(t251, sin_chain_theta_7).add_product(t252, cos_chain_theta_7)
+        .add_product(t253, sin_chain_theta_7), chain_omega_7_dot);
     PowerBalance {
-        stored_rate: t259
-            .add_product(
-                R::literal(0.5)
-                    * (t247 * cos_chain_theta_8)
-                        .add_product(t248, sin_chain_theta_8)
-                        .add_product(t249, cos_chain_theta_8)
-                        .add_product(t250, sin_chain_theta_8)
-                        .add_product(t251, cos_chain_theta_8)
-                        .add_product(t252, sin_chain_theta_8),
-                chain_omega_8_dot,
-            )
-            .add_product(
-                R::literal(0.5)
-                    * (t249 * cos_chain_theta_9)
-                        .add_product(t250, sin_chain_theta_9)
-                        .add_product(t251, cos_chain_theta_9)
-                        .add_product(t252, sin_chain_theta_9),
-                chain_omega_9_dot,
-            )
-            .add_product(
-                R::literal(0.5)
-                    * (t251 * cos_chain_theta_10).add_product(t252, sin_chain_theta_10),
-                chain_omega_10_dot,
-            ),
+        stored_rate: t260.add_product(R::literal(0.5) * (t248 * cos_chain_theta_8)
+            .add_product(t249, sin_chain_theta_8).add_product(t250, cos_chain_theta_8)
+            .add_product(t251, sin_chain_theta_8).add_product(t252, cos_chain_theta_8)
+            .add_product(t253, sin_chain_theta_8), chain_omega_8_dot).add_product(R::literal(0.5)
+            * (t250 * cos_chain_theta_9).add_product(t251, sin_chain_theta_9).add_product(t252,
+            cos_chain_theta_9).add_product(t253, sin_chain_theta_9), chain_omega_9_dot)
+            .add_product(R::literal(0.5) * (t252 * cos_chain_theta_10).add_product(t253,
+            sin_chain_theta_10), chain_omega_10_dot),
         supplied: R::literal(0.0),
         dissipated: R::literal(0.0),
     }
@@ -6162,13 +3390,8 @@ pub fn power_balance<R: Real>(
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
-pub fn series<R: Real>(
-    _time: R,
-    state: &[R; STATES],
-    _p: &Parameters<R>,
-    coefficients: &mut [[R; STATES]],
-    workspace: &mut [R],
-) {
+pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
+        coefficients: &mut [[R; STATES]], workspace: &mut [R]) {
     let (mut lanes, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
     let (mut lanes_1, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
     let (mut lanes_2, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
@@ -6244,10 +3467,10 @@ pub fn series<R: Real>(
     let (mut lanes_72, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
     let (mut lanes_73, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
     let (mut lanes_74, _) = Lanes::<R, 4>::new(workspace, coefficients.len());
-    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
-    chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
-    chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
-    chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10] = *state;
+    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_theta_6,
+        chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10, chain_omega_1, chain_omega_2,
+        chain_omega_3, chain_omega_4, chain_omega_5, chain_omega_6, chain_omega_7, chain_omega_8,
+        chain_omega_9, chain_omega_10] = *state;
     let t0 = chain_theta_1 - chain_theta_2;
     let t1 = t0.sin();
     let t2 = t0.cos();
@@ -6466,16 +3689,16 @@ pub fn series<R: Real>(
     let t195 = t194 * t29;
     let t196 = chain_omega_10 * chain_omega_10;
     let t197 = t196 * t33;
-    let t198 = -t171;
-    let t199 = t198 - t174;
-    let t200 = t199 - t177;
-    let t201 = t200 - t180;
-    let t202 = t201 - t183;
-    let t203 = t202 - t186;
-    let t204 = t203 - t189;
-    let t205 = t204 - t192;
-    let t206 = t205 - t195;
-    let t207 = t206 - t197;
+    let t198 = t171 + t174;
+    let t199 = t198 + t177;
+    let t200 = t199 + t180;
+    let t201 = t200 + t183;
+    let t202 = t201 + t186;
+    let t203 = t202 + t189;
+    let t204 = t203 + t192;
+    let t205 = t204 + t195;
+    let t206 = t205 + t197;
+    let t207 = -t206;
     let t208 = sin_chain_theta_2 * R::literal(88.29);
     let t209 = t176 * t36;
     let t210 = t179 * t40;
@@ -6684,132 +3907,30 @@ pub fn series<R: Real>(
     let t413 = t412 + t405;
     let t414 = t413 + t406;
     let t415 = t414 - t397;
-    let factored = Factored::new([
-        [
-            R::literal(10.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-        ],
-        [
-            t3,
-            R::literal(9.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-        ],
-        [
-            t7,
-            t38,
-            R::literal(8.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-        ],
-        [
-            t11,
-            t42,
-            t69,
-            R::literal(7.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-        ],
-        [
-            t15,
-            t46,
-            t73,
-            t96,
-            R::literal(6.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-        ],
-        [
-            t19,
-            t50,
-            t77,
-            t100,
-            t119,
-            R::literal(5.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-        ],
-        [
-            t23,
-            t54,
-            t81,
-            t104,
-            t123,
-            t138,
-            R::literal(4.0),
-            R::literal(0.0),
-            R::literal(0.0),
-            R::literal(0.0),
-        ],
-        [
-            t27,
-            t58,
-            t85,
-            t108,
-            t127,
-            t142,
-            t153,
-            R::literal(3.0),
-            R::literal(0.0),
-            R::literal(0.0),
-        ],
-        [t31, t62, t89, t112, t131, t146, t157, t164, R::literal(2.0), R::literal(0.0)],
-        [t34, t65, t92, t115, t134, t149, t160, t167, t170, R::literal(1.0)],
-    ]);
+    let factored = Factored::new([[R::literal(10.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0)], [t3, R::literal(9.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0)], [t7, t38, R::literal(8.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)],
+        [t11, t42, t69, R::literal(7.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0)], [t15, t46, t73, t96, R::literal(6.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)],
+        [t19, t50, t77, t100, t119, R::literal(5.0), R::literal(0.0), R::literal(0.0),
+        R::literal(0.0), R::literal(0.0)], [t23, t54, t81, t104, t123, t138, R::literal(4.0),
+        R::literal(0.0), R::literal(0.0), R::literal(0.0)], [t27, t58, t85, t108, t127, t142, t153,
+        R::literal(3.0), R::literal(0.0), R::literal(0.0)], [t31, t62, t89, t112, t131, t146, t157,
+        t164, R::literal(2.0), R::literal(0.0)], [t34, t65, t92, t115, t134, t149, t160, t167,
+        t170, R::literal(1.0)]]);
     let [chain_omega_1_dot, chain_omega_2_dot, chain_omega_3_dot, chain_omega_4_dot,
-    chain_omega_5_dot, chain_omega_6_dot, chain_omega_7_dot, chain_omega_8_dot,
-    chain_omega_9_dot, chain_omega_10_dot] = factored
-        .solve([t207, t228, t249, t271, t294, t318, t343, t369, t396, t415]);
-    let mut rates = [
-        chain_omega_1,
-        chain_omega_2,
-        chain_omega_3,
-        chain_omega_4,
-        chain_omega_5,
-        chain_omega_6,
-        chain_omega_7,
-        chain_omega_8,
-        chain_omega_9,
-        chain_omega_10,
-        chain_omega_1_dot,
-        chain_omega_2_dot,
-        chain_omega_3_dot,
-        chain_omega_4_dot,
-        chain_omega_5_dot,
-        chain_omega_6_dot,
-        chain_omega_7_dot,
-        chain_omega_8_dot,
-        chain_omega_9_dot,
-        chain_omega_10_dot,
-    ];
+        chain_omega_5_dot, chain_omega_6_dot, chain_omega_7_dot, chain_omega_8_dot,
+        chain_omega_9_dot, chain_omega_10_dot] = factored.solve([t207, t228, t249, t271, t294,
+        t318, t343, t369, t396, t415]);
+    let mut rates = [chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
+        chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10,
+        chain_omega_1_dot, chain_omega_2_dot, chain_omega_3_dot, chain_omega_4_dot,
+        chain_omega_5_dot, chain_omega_6_dot, chain_omega_7_dot, chain_omega_8_dot,
+        chain_omega_9_dot, chain_omega_10_dot];
     coefficients[0] = *state;
     let highest = coefficients.len() - 1;
     for (order, state_k) in coefficients.iter_mut().enumerate().skip(1) {
@@ -6818,11 +3939,11 @@ pub fn series<R: Real>(
         if order == highest {
             break;
         }
-        let [chain_theta_1_k, chain_theta_2_k, chain_theta_3_k, chain_theta_4_k,
-        chain_theta_5_k, chain_theta_6_k, chain_theta_7_k, chain_theta_8_k,
-        chain_theta_9_k, chain_theta_10_k, chain_omega_1_k, chain_omega_2_k,
-        chain_omega_3_k, chain_omega_4_k, chain_omega_5_k, chain_omega_6_k,
-        chain_omega_7_k, chain_omega_8_k, chain_omega_9_k, chain_omega_10_k] = *state_k;
+        let [chain_theta_1_k, chain_theta_2_k, chain_theta_3_k, chain_theta_4_k, chain_theta_5_k,
+            chain_theta_6_k, chain_theta_7_k, chain_theta_8_k, chain_theta_9_k, chain_theta_10_k,
+            chain_omega_1_k, chain_omega_2_k, chain_omega_3_k, chain_omega_4_k, chain_omega_5_k,
+            chain_omega_6_k, chain_omega_7_k, chain_omega_8_k, chain_omega_9_k, chain_omega_10_k]
+            = *state_k;
         let sums = lanes.sums(order);
         let sums_1 = lanes_1.sums(order);
         let sums_2 = lanes_2.sums(order);
@@ -7069,47 +4190,28 @@ pub fn series<R: Real>(
         let t168_k = chain_theta_9_k - chain_theta_10_k;
         let t169_k = t168_k.mul_add(t170, inverse * sums_29[2]);
         let t170_k = -t168_k.mul_add(t169, inverse * sums_29[3]);
-        let sin_chain_theta_1_k = chain_theta_1_k
-            .mul_add(cos_chain_theta_1, inverse * sums_2[2]);
-        let cos_chain_theta_1_k = -chain_theta_1_k
-            .mul_add(sin_chain_theta_1, inverse * sums_2[3]);
-        let sin_chain_theta_2_k = chain_theta_2_k
-            .mul_add(cos_chain_theta_2, inverse * sums_3[0]);
-        let cos_chain_theta_2_k = -chain_theta_2_k
-            .mul_add(sin_chain_theta_2, inverse * sums_3[1]);
-        let sin_chain_theta_3_k = chain_theta_3_k
-            .mul_add(cos_chain_theta_3, inverse * sums_3[2]);
-        let cos_chain_theta_3_k = -chain_theta_3_k
-            .mul_add(sin_chain_theta_3, inverse * sums_3[3]);
-        let sin_chain_theta_4_k = chain_theta_4_k
-            .mul_add(cos_chain_theta_4, inverse * sums_4[0]);
-        let cos_chain_theta_4_k = -chain_theta_4_k
-            .mul_add(sin_chain_theta_4, inverse * sums_4[1]);
-        let sin_chain_theta_5_k = chain_theta_5_k
-            .mul_add(cos_chain_theta_5, inverse * sums_4[2]);
-        let cos_chain_theta_5_k = -chain_theta_5_k
-            .mul_add(sin_chain_theta_5, inverse * sums_4[3]);
-        let sin_chain_theta_6_k = chain_theta_6_k
-            .mul_add(cos_chain_theta_6, inverse * sums_5[0]);
-        let cos_chain_theta_6_k = -chain_theta_6_k
-            .mul_add(sin_chain_theta_6, inverse * sums_5[1]);
-        let sin_chain_theta_7_k = chain_theta_7_k
-            .mul_add(cos_chain_theta_7, inverse * sums_5[2]);
-        let cos_chain_theta_7_k = -chain_theta_7_k
-            .mul_add(sin_chain_theta_7, inverse * sums_5[3]);
-        let sin_chain_theta_8_k = chain_theta_8_k
-            .mul_add(cos_chain_theta_8, inverse * sums_6[0]);
-        let cos_chain_theta_8_k = -chain_theta_8_k
-            .mul_add(sin_chain_theta_8, inverse * sums_6[1]);
-        let sin_chain_theta_9_k = chain_theta_9_k
-            .mul_add(cos_chain_theta_9, inverse * sums_6[2]);
-        let cos_chain_theta_9_k = -chain_theta_9_k
-            .mul_add(sin_chain_theta_9, inverse * sums_6[3]);
-        let sin_chain_theta_10_k = chain_theta_10_k
-            .mul_add(cos_chain_theta_10, inverse * sums_7[0]);
-        let cos_chain_theta_10_k = -chain_theta_10_k
-            .mul_add(sin_chain_theta_10, inverse * sums_7[1]);
-        let t171_k = sin_chain_theta_1_k * R::literal(98.1);
+        let sin_chain_theta_1_k = chain_theta_1_k.mul_add(cos_chain_theta_1, inverse * sums_2[2]);
+        let cos_chain_theta_1_k = -chain_theta_1_k.mul_add(sin_chain_theta_1, inverse * sums_2[3]);
+        let sin_chain_theta_2_k = chain_theta_2_k.mul_add(cos_chain_theta_2, inverse * sums_3[0]);
+        let cos_chain_theta_2_k = -chain_theta_2_k.mul_add(sin_chain_theta_2, inverse * sums_3[1]);
+        let sin_chain_theta_3_k = chain_theta_3_k.mul_add(cos_chain_theta_3, inverse * sums_3[2]);
+        let cos_chain_theta_3_k = -chain_theta_3_k.mul_add(sin_chain_theta_3, inverse * sums_3[3]);
+        let sin_chain_theta_4_k = chain_theta_4_k.mul_add(cos_chain_theta_4, inverse * sums_4[0]);
+        let cos_chain_theta_4_k = -chain_theta_4_k.mul_add(sin_chain_theta_4, inverse * sums_4[1]);
+        let sin_chain_theta_5_k = chain_theta_5_k.mul_add(cos_chain_theta_5, inverse * sums_4[2]);
+        let cos_chain_theta_5_k = -chain_theta_5_k.mul_add(sin_chain_theta_5, inverse * sums_4[3]);
+        let sin_chain_theta_6_k = chain_theta_6_k.mul_add(cos_chain_theta_6, inverse * sums_5[0]);
+        let cos_chain_theta_6_k = -chain_theta_6_k.mul_add(sin_chain_theta_6, inverse * sums_5[1]);
+        let sin_chain_theta_7_k = chain_theta_7_k.mul_add(cos_chain_theta_7, inverse * sums_5[2]);
+        let cos_chain_theta_7_k = -chain_theta_7_k.mul_add(sin_chain_theta_7, inverse * sums_5[3]);
+        let sin_chain_theta_8_k = chain_theta_8_k.mul_add(cos_chain_theta_8, inverse * sums_6[0]);
+        let cos_chain_theta_8_k = -chain_theta_8_k.mul_add(sin_chain_theta_8, inverse * sums_6[1]);
+        let sin_chain_theta_9_k = chain_theta_9_k.mul_add(cos_chain_theta_9, inverse * sums_6[2]);
+        let cos_chain_theta_9_k = -chain_theta_9_k.mul_add(sin_chain_theta_9, inverse * sums_6[3]);
+        let sin_chain_theta_10_k = chain_theta_10_k.mul_add(cos_chain_theta_10, inverse
+            * sums_7[0]);
+        let cos_chain_theta_10_k = -chain_theta_10_k.mul_add(sin_chain_theta_10, inverse
+            * sums_7[1]);
         let t172_k = (chain_omega_2 + chain_omega_2).mul_add(chain_omega_2_k, sums[0]);
         let t173_k = t172_k * R::literal(9.0);
         let t174_k = t173.mul_add(t1_k, t1.mul_add(t173_k, sums_30[0]));
@@ -7134,19 +4236,18 @@ pub fn series<R: Real>(
         let t193_k = (chain_omega_9 + chain_omega_9).mul_add(chain_omega_9_k, sums_1[3]);
         let t194_k = t193_k * R::literal(2.0);
         let t195_k = t194.mul_add(t29_k, t29.mul_add(t194_k, sums_31[3]));
-        let t196_k = (chain_omega_10 + chain_omega_10)
-            .mul_add(chain_omega_10_k, sums_2[0]);
+        let t196_k = (chain_omega_10 + chain_omega_10).mul_add(chain_omega_10_k, sums_2[0]);
         let t197_k = t196.mul_add(t33_k, t33.mul_add(t196_k, sums_32[0]));
-        let t198_k = -t171_k;
-        let t199_k = t198_k - t174_k;
-        let t200_k = t199_k - t177_k;
-        let t201_k = t200_k - t180_k;
-        let t202_k = t201_k - t183_k;
-        let t203_k = t202_k - t186_k;
-        let t204_k = t203_k - t189_k;
-        let t205_k = t204_k - t192_k;
-        let t206_k = t205_k - t195_k;
-        let t207_k = t206_k - t197_k;
+        let t198_k = sin_chain_theta_1_k.mul_add(R::literal(98.1), t174_k);
+        let t199_k = t198_k + t177_k;
+        let t200_k = t199_k + t180_k;
+        let t201_k = t200_k + t183_k;
+        let t202_k = t201_k + t186_k;
+        let t203_k = t202_k + t189_k;
+        let t204_k = t203_k + t192_k;
+        let t205_k = t204_k + t195_k;
+        let t206_k = t205_k + t197_k;
+        let t207_k = -t206_k;
         let t209_k = t176.mul_add(t36_k, t36.mul_add(t176_k, sums_32[1]));
         let t210_k = t179.mul_add(t40_k, t40.mul_add(t179_k, sums_32[2]));
         let t211_k = t182.mul_add(t44_k, t44.mul_add(t182_k, sums_32[3]));
@@ -7526,1021 +4627,146 @@ pub fn series<R: Real>(
         let n663_k = n660_k + n662_k;
         let n664_k = n659_k + n663_k;
         let t415_k_2 = t415_k - n664_k;
-        let [chain_omega_1_dot_k, chain_omega_2_dot_k, chain_omega_3_dot_k,
-        chain_omega_4_dot_k, chain_omega_5_dot_k, chain_omega_6_dot_k,
-        chain_omega_7_dot_k, chain_omega_8_dot_k, chain_omega_9_dot_k,
-        chain_omega_10_dot_k] = factored
-            .solve([
-                t207_k_2,
-                t228_k_2,
-                t249_k_2,
-                t271_k_2,
-                t294_k_2,
-                t318_k_2,
-                t343_k_2,
-                t369_k_2,
-                t396_k_2,
-                t415_k_2,
-            ]);
-        lanes
-            .set(
-                order,
-                [chain_omega_2_k, chain_omega_3_k, chain_omega_4_k, chain_omega_5_k],
-                [chain_omega_2_k, chain_omega_3_k, chain_omega_4_k, chain_omega_5_k],
-            );
-        lanes_1
-            .set(
-                order,
-                [chain_omega_6_k, chain_omega_7_k, chain_omega_8_k, chain_omega_9_k],
-                [chain_omega_6_k, chain_omega_7_k, chain_omega_8_k, chain_omega_9_k],
-            );
-        lanes_2
-            .set(
-                order,
-                [
-                    chain_omega_10_k,
-                    chain_omega_1_k,
-                    k * chain_theta_1_k,
-                    k * chain_theta_1_k,
-                ],
-                [
-                    chain_omega_10_k,
-                    chain_omega_1_k,
-                    cos_chain_theta_1_k,
-                    sin_chain_theta_1_k,
-                ],
-            );
-        lanes_3
-            .set(
-                order,
-                [
-                    k * chain_theta_2_k,
-                    k * chain_theta_2_k,
-                    k * chain_theta_3_k,
-                    k * chain_theta_3_k,
-                ],
-                [
-                    cos_chain_theta_2_k,
-                    sin_chain_theta_2_k,
-                    cos_chain_theta_3_k,
-                    sin_chain_theta_3_k,
-                ],
-            );
-        lanes_4
-            .set(
-                order,
-                [
-                    k * chain_theta_4_k,
-                    k * chain_theta_4_k,
-                    k * chain_theta_5_k,
-                    k * chain_theta_5_k,
-                ],
-                [
-                    cos_chain_theta_4_k,
-                    sin_chain_theta_4_k,
-                    cos_chain_theta_5_k,
-                    sin_chain_theta_5_k,
-                ],
-            );
-        lanes_5
-            .set(
-                order,
-                [
-                    k * chain_theta_6_k,
-                    k * chain_theta_6_k,
-                    k * chain_theta_7_k,
-                    k * chain_theta_7_k,
-                ],
-                [
-                    cos_chain_theta_6_k,
-                    sin_chain_theta_6_k,
-                    cos_chain_theta_7_k,
-                    sin_chain_theta_7_k,
-                ],
-            );
-        lanes_6
-            .set(
-                order,
-                [
-                    k * chain_theta_8_k,
-                    k * chain_theta_8_k,
-                    k * chain_theta_9_k,
-                    k * chain_theta_9_k,
-                ],
-                [
-                    cos_chain_theta_8_k,
-                    sin_chain_theta_8_k,
-                    cos_chain_theta_9_k,
-                    sin_chain_theta_9_k,
-                ],
-            );
-        lanes_7
-            .set(
-                order,
-                [k * chain_theta_10_k, k * chain_theta_10_k, k * t0_k, k * t0_k],
-                [cos_chain_theta_10_k, sin_chain_theta_10_k, t2_k, t1_k],
-            );
-        lanes_8
-            .set(
-                order,
-                [k * t4_k, k * t4_k, k * t8_k, k * t8_k],
-                [t6_k, t5_k, t10_k, t9_k],
-            );
-        lanes_9
-            .set(
-                order,
-                [k * t12_k, k * t12_k, k * t16_k, k * t16_k],
-                [t14_k, t13_k, t18_k, t17_k],
-            );
-        lanes_10
-            .set(
-                order,
-                [k * t20_k, k * t20_k, k * t24_k, k * t24_k],
-                [t22_k, t21_k, t26_k, t25_k],
-            );
-        lanes_11
-            .set(
-                order,
-                [k * t28_k, k * t28_k, k * t32_k, k * t32_k],
-                [t30_k, t29_k, t34_k, t33_k],
-            );
-        lanes_12
-            .set(
-                order,
-                [k * t35_k, k * t35_k, k * t39_k, k * t39_k],
-                [t37_k, t36_k, t41_k, t40_k],
-            );
-        lanes_13
-            .set(
-                order,
-                [k * t43_k, k * t43_k, k * t47_k, k * t47_k],
-                [t45_k, t44_k, t49_k, t48_k],
-            );
-        lanes_14
-            .set(
-                order,
-                [k * t51_k, k * t51_k, k * t55_k, k * t55_k],
-                [t53_k, t52_k, t57_k, t56_k],
-            );
-        lanes_15
-            .set(
-                order,
-                [k * t59_k, k * t59_k, k * t63_k, k * t63_k],
-                [t61_k, t60_k, t65_k, t64_k],
-            );
-        lanes_16
-            .set(
-                order,
-                [k * t66_k, k * t66_k, k * t70_k, k * t70_k],
-                [t68_k, t67_k, t72_k, t71_k],
-            );
-        lanes_17
-            .set(
-                order,
-                [k * t74_k, k * t74_k, k * t78_k, k * t78_k],
-                [t76_k, t75_k, t80_k, t79_k],
-            );
-        lanes_18
-            .set(
-                order,
-                [k * t82_k, k * t82_k, k * t86_k, k * t86_k],
-                [t84_k, t83_k, t88_k, t87_k],
-            );
-        lanes_19
-            .set(
-                order,
-                [k * t90_k, k * t90_k, k * t93_k, k * t93_k],
-                [t92_k, t91_k, t95_k, t94_k],
-            );
-        lanes_20
-            .set(
-                order,
-                [k * t97_k, k * t97_k, k * t101_k, k * t101_k],
-                [t99_k, t98_k, t103_k, t102_k],
-            );
-        lanes_21
-            .set(
-                order,
-                [k * t105_k, k * t105_k, k * t109_k, k * t109_k],
-                [t107_k, t106_k, t111_k, t110_k],
-            );
-        lanes_22
-            .set(
-                order,
-                [k * t113_k, k * t113_k, k * t116_k, k * t116_k],
-                [t115_k, t114_k, t118_k, t117_k],
-            );
-        lanes_23
-            .set(
-                order,
-                [k * t120_k, k * t120_k, k * t124_k, k * t124_k],
-                [t122_k, t121_k, t126_k, t125_k],
-            );
-        lanes_24
-            .set(
-                order,
-                [k * t128_k, k * t128_k, k * t132_k, k * t132_k],
-                [t130_k, t129_k, t134_k, t133_k],
-            );
-        lanes_25
-            .set(
-                order,
-                [k * t135_k, k * t135_k, k * t139_k, k * t139_k],
-                [t137_k, t136_k, t141_k, t140_k],
-            );
-        lanes_26
-            .set(
-                order,
-                [k * t143_k, k * t143_k, k * t147_k, k * t147_k],
-                [t145_k, t144_k, t149_k, t148_k],
-            );
-        lanes_27
-            .set(
-                order,
-                [k * t150_k, k * t150_k, k * t154_k, k * t154_k],
-                [t152_k, t151_k, t156_k, t155_k],
-            );
-        lanes_28
-            .set(
-                order,
-                [k * t158_k, k * t158_k, k * t161_k, k * t161_k],
-                [t160_k, t159_k, t163_k, t162_k],
-            );
-        lanes_29
-            .set(
-                order,
-                [k * t165_k, k * t165_k, k * t168_k, k * t168_k],
-                [t167_k, t166_k, t170_k, t169_k],
-            );
+        let [chain_omega_1_dot_k, chain_omega_2_dot_k, chain_omega_3_dot_k, chain_omega_4_dot_k,
+            chain_omega_5_dot_k, chain_omega_6_dot_k, chain_omega_7_dot_k, chain_omega_8_dot_k,
+            chain_omega_9_dot_k, chain_omega_10_dot_k] = factored.solve([t207_k_2, t228_k_2,
+            t249_k_2, t271_k_2, t294_k_2, t318_k_2, t343_k_2, t369_k_2, t396_k_2, t415_k_2]);
+        lanes.set(order, [chain_omega_2_k, chain_omega_3_k, chain_omega_4_k, chain_omega_5_k],
+            [chain_omega_2_k, chain_omega_3_k, chain_omega_4_k, chain_omega_5_k]);
+        lanes_1.set(order, [chain_omega_6_k, chain_omega_7_k, chain_omega_8_k, chain_omega_9_k],
+            [chain_omega_6_k, chain_omega_7_k, chain_omega_8_k, chain_omega_9_k]);
+        lanes_2.set(order, [chain_omega_10_k, chain_omega_1_k, k * chain_theta_1_k,
+            k * chain_theta_1_k], [chain_omega_10_k, chain_omega_1_k, cos_chain_theta_1_k,
+            sin_chain_theta_1_k]);
+        lanes_3.set(order, [k * chain_theta_2_k, k * chain_theta_2_k, k * chain_theta_3_k,
+            k * chain_theta_3_k], [cos_chain_theta_2_k, sin_chain_theta_2_k, cos_chain_theta_3_k,
+            sin_chain_theta_3_k]);
+        lanes_4.set(order, [k * chain_theta_4_k, k * chain_theta_4_k, k * chain_theta_5_k,
+            k * chain_theta_5_k], [cos_chain_theta_4_k, sin_chain_theta_4_k, cos_chain_theta_5_k,
+            sin_chain_theta_5_k]);
+        lanes_5.set(order, [k * chain_theta_6_k, k * chain_theta_6_k, k * chain_theta_7_k,
+            k * chain_theta_7_k], [cos_chain_theta_6_k, sin_chain_theta_6_k, cos_chain_theta_7_k,
+            sin_chain_theta_7_k]);
+        lanes_6.set(order, [k * chain_theta_8_k, k * chain_theta_8_k, k * chain_theta_9_k,
+            k * chain_theta_9_k], [cos_chain_theta_8_k, sin_chain_theta_8_k, cos_chain_theta_9_k,
+            sin_chain_theta_9_k]);
+        lanes_7.set(order, [k * chain_theta_10_k, k * chain_theta_10_k, k * t0_k, k * t0_k],
+            [cos_chain_theta_10_k, sin_chain_theta_10_k, t2_k, t1_k]);
+        lanes_8.set(order, [k * t4_k, k * t4_k, k * t8_k, k * t8_k], [t6_k, t5_k, t10_k, t9_k]);
+        lanes_9.set(order, [k * t12_k, k * t12_k, k * t16_k, k * t16_k], [t14_k, t13_k, t18_k,
+            t17_k]);
+        lanes_10.set(order, [k * t20_k, k * t20_k, k * t24_k, k * t24_k], [t22_k, t21_k, t26_k,
+            t25_k]);
+        lanes_11.set(order, [k * t28_k, k * t28_k, k * t32_k, k * t32_k], [t30_k, t29_k, t34_k,
+            t33_k]);
+        lanes_12.set(order, [k * t35_k, k * t35_k, k * t39_k, k * t39_k], [t37_k, t36_k, t41_k,
+            t40_k]);
+        lanes_13.set(order, [k * t43_k, k * t43_k, k * t47_k, k * t47_k], [t45_k, t44_k, t49_k,
+            t48_k]);
+        lanes_14.set(order, [k * t51_k, k * t51_k, k * t55_k, k * t55_k], [t53_k, t52_k, t57_k,
+            t56_k]);
+        lanes_15.set(order, [k * t59_k, k * t59_k, k * t63_k, k * t63_k], [t61_k, t60_k, t65_k,
+            t64_k]);
+        lanes_16.set(order, [k * t66_k, k * t66_k, k * t70_k, k * t70_k], [t68_k, t67_k, t72_k,
+            t71_k]);
+        lanes_17.set(order, [k * t74_k, k * t74_k, k * t78_k, k * t78_k], [t76_k, t75_k, t80_k,
+            t79_k]);
+        lanes_18.set(order, [k * t82_k, k * t82_k, k * t86_k, k * t86_k], [t84_k, t83_k, t88_k,
+            t87_k]);
+        lanes_19.set(order, [k * t90_k, k * t90_k, k * t93_k, k * t93_k], [t92_k, t91_k, t95_k,
+            t94_k]);
+        lanes_20.set(order, [k * t97_k, k * t97_k, k * t101_k, k * t101_k], [t99_k, t98_k, t103_k,
+            t102_k]);
+        lanes_21.set(order, [k * t105_k, k * t105_k, k * t109_k, k * t109_k], [t107_k, t106_k,
+            t111_k, t110_k]);
+        lanes_22.set(order, [k * t113_k, k * t113_k, k * t116_k, k * t116_k], [t115_k, t114_k,
+            t118_k, t117_k]);
+        lanes_23.set(order, [k * t120_k, k * t120_k, k * t124_k, k * t124_k], [t122_k, t121_k,
+            t126_k, t125_k]);
+        lanes_24.set(order, [k * t128_k, k * t128_k, k * t132_k, k * t132_k], [t130_k, t129_k,
+            t134_k, t133_k]);
+        lanes_25.set(order, [k * t135_k, k * t135_k, k * t139_k, k * t139_k], [t137_k, t136_k,
+            t141_k, t140_k]);
+        lanes_26.set(order, [k * t143_k, k * t143_k, k * t147_k, k * t147_k], [t145_k, t144_k,
+            t149_k, t148_k]);
+        lanes_27.set(order, [k * t150_k, k * t150_k, k * t154_k, k * t154_k], [t152_k, t151_k,
+            t156_k, t155_k]);
+        lanes_28.set(order, [k * t158_k, k * t158_k, k * t161_k, k * t161_k], [t160_k, t159_k,
+            t163_k, t162_k]);
+        lanes_29.set(order, [k * t165_k, k * t165_k, k * t168_k, k * t168_k], [t167_k, t166_k,
+            t170_k, t169_k]);
         lanes_30.set(order, [t1_k, t5_k, t9_k, t13_k], [t173_k, t176_k, t179_k, t182_k]);
-        lanes_31
-            .set(order, [t17_k, t21_k, t25_k, t29_k], [t185_k, t188_k, t191_k, t194_k]);
-        lanes_32
-            .set(order, [t33_k, t36_k, t40_k, t44_k], [t196_k, t176_k, t179_k, t182_k]);
-        lanes_33
-            .set(order, [t48_k, t52_k, t56_k, t60_k], [t185_k, t188_k, t191_k, t194_k]);
-        lanes_34
-            .set(order, [t64_k, t1_k, t67_k, t71_k], [t196_k, t218_k, t179_k, t182_k]);
-        lanes_35
-            .set(order, [t75_k, t79_k, t83_k, t87_k], [t185_k, t188_k, t191_k, t194_k]);
-        lanes_36
-            .set(order, [t91_k, t5_k, t36_k, t94_k], [t196_k, t237_k, t239_k, t182_k]);
-        lanes_37
-            .set(
-                order,
-                [t98_k, t102_k, t106_k, t110_k],
-                [t185_k, t188_k, t191_k, t194_k],
-            );
-        lanes_38
-            .set(order, [t114_k, t9_k, t40_k, t67_k], [t196_k, t257_k, t259_k, t261_k]);
-        lanes_39
-            .set(
-                order,
-                [t117_k, t121_k, t125_k, t129_k],
-                [t185_k, t188_k, t191_k, t194_k],
-            );
-        lanes_40
-            .set(order, [t133_k, t13_k, t44_k, t71_k], [t196_k, t278_k, t280_k, t282_k]);
-        lanes_41
-            .set(
-                order,
-                [t94_k, t136_k, t140_k, t144_k],
-                [t284_k, t188_k, t191_k, t194_k],
-            );
-        lanes_42
-            .set(order, [t148_k, t17_k, t48_k, t75_k], [t196_k, t300_k, t302_k, t304_k]);
-        lanes_43
-            .set(
-                order,
-                [t98_k, t117_k, t151_k, t155_k],
-                [t306_k, t308_k, t191_k, t194_k],
-            );
-        lanes_44
-            .set(order, [t159_k, t21_k, t52_k, t79_k], [t196_k, t323_k, t325_k, t327_k]);
-        lanes_45
-            .set(
-                order,
-                [t102_k, t121_k, t136_k, t162_k],
-                [t329_k, t331_k, t333_k, t194_k],
-            );
-        lanes_46
-            .set(order, [t166_k, t25_k, t56_k, t83_k], [t196_k, t347_k, t349_k, t351_k]);
-        lanes_47
-            .set(
-                order,
-                [t106_k, t125_k, t140_k, t151_k],
-                [t353_k, t355_k, t357_k, t359_k],
-            );
-        lanes_48
-            .set(order, [t169_k, t29_k, t60_k, t87_k], [t196_k, t372_k, t374_k, t376_k]);
-        lanes_49
-            .set(
-                order,
-                [t110_k, t129_k, t144_k, t155_k],
-                [t378_k, t380_k, t382_k, t384_k],
-            );
-        lanes_50
-            .set(order, [t162_k, t33_k, t64_k, t91_k], [t386_k, t217_k, t172_k, t175_k]);
-        lanes_51
-            .set(
-                order,
-                [t114_k, t133_k, t148_k, t159_k],
-                [t178_k, t181_k, t184_k, t187_k],
-            );
-        lanes_52
-            .set(
-                order,
-                [t166_k, t169_k, t3_k, t7_k],
-                [t190_k, t193_k, chain_omega_2_dot_k, chain_omega_3_dot_k],
-            );
-        lanes_53
-            .set(
-                order,
-                [t11_k, t15_k, t19_k, t23_k],
-                [
-                    chain_omega_4_dot_k,
-                    chain_omega_5_dot_k,
-                    chain_omega_6_dot_k,
-                    chain_omega_7_dot_k,
-                ],
-            );
-        lanes_54
-            .set(
-                order,
-                [t27_k, t31_k, t34_k, t3_k],
-                [
-                    chain_omega_8_dot_k,
-                    chain_omega_9_dot_k,
-                    chain_omega_10_dot_k,
-                    chain_omega_1_dot_k,
-                ],
-            );
-        lanes_55
-            .set(
-                order,
-                [t38_k, t42_k, t46_k, t50_k],
-                [
-                    chain_omega_3_dot_k,
-                    chain_omega_4_dot_k,
-                    chain_omega_5_dot_k,
-                    chain_omega_6_dot_k,
-                ],
-            );
-        lanes_56
-            .set(
-                order,
-                [t54_k, t58_k, t62_k, t65_k],
-                [
-                    chain_omega_7_dot_k,
-                    chain_omega_8_dot_k,
-                    chain_omega_9_dot_k,
-                    chain_omega_10_dot_k,
-                ],
-            );
-        lanes_57
-            .set(
-                order,
-                [t7_k, t38_k, t69_k, t73_k],
-                [
-                    chain_omega_1_dot_k,
-                    chain_omega_2_dot_k,
-                    chain_omega_4_dot_k,
-                    chain_omega_5_dot_k,
-                ],
-            );
-        lanes_58
-            .set(
-                order,
-                [t77_k, t81_k, t85_k, t89_k],
-                [
-                    chain_omega_6_dot_k,
-                    chain_omega_7_dot_k,
-                    chain_omega_8_dot_k,
-                    chain_omega_9_dot_k,
-                ],
-            );
-        lanes_59
-            .set(
-                order,
-                [t92_k, t11_k, t42_k, t69_k],
-                [
-                    chain_omega_10_dot_k,
-                    chain_omega_1_dot_k,
-                    chain_omega_2_dot_k,
-                    chain_omega_3_dot_k,
-                ],
-            );
-        lanes_60
-            .set(
-                order,
-                [t96_k, t100_k, t104_k, t108_k],
-                [
-                    chain_omega_5_dot_k,
-                    chain_omega_6_dot_k,
-                    chain_omega_7_dot_k,
-                    chain_omega_8_dot_k,
-                ],
-            );
-        lanes_61
-            .set(
-                order,
-                [t112_k, t115_k, t15_k, t46_k],
-                [
-                    chain_omega_9_dot_k,
-                    chain_omega_10_dot_k,
-                    chain_omega_1_dot_k,
-                    chain_omega_2_dot_k,
-                ],
-            );
-        lanes_62
-            .set(
-                order,
-                [t73_k, t96_k, t119_k, t123_k],
-                [
-                    chain_omega_3_dot_k,
-                    chain_omega_4_dot_k,
-                    chain_omega_6_dot_k,
-                    chain_omega_7_dot_k,
-                ],
-            );
-        lanes_63
-            .set(
-                order,
-                [t127_k, t131_k, t134_k, t19_k],
-                [
-                    chain_omega_8_dot_k,
-                    chain_omega_9_dot_k,
-                    chain_omega_10_dot_k,
-                    chain_omega_1_dot_k,
-                ],
-            );
-        lanes_64
-            .set(
-                order,
-                [t50_k, t77_k, t100_k, t119_k],
-                [
-                    chain_omega_2_dot_k,
-                    chain_omega_3_dot_k,
-                    chain_omega_4_dot_k,
-                    chain_omega_5_dot_k,
-                ],
-            );
-        lanes_65
-            .set(
-                order,
-                [t138_k, t142_k, t146_k, t149_k],
-                [
-                    chain_omega_7_dot_k,
-                    chain_omega_8_dot_k,
-                    chain_omega_9_dot_k,
-                    chain_omega_10_dot_k,
-                ],
-            );
-        lanes_66
-            .set(
-                order,
-                [t23_k, t54_k, t81_k, t104_k],
-                [
-                    chain_omega_1_dot_k,
-                    chain_omega_2_dot_k,
-                    chain_omega_3_dot_k,
-                    chain_omega_4_dot_k,
-                ],
-            );
-        lanes_67
-            .set(
-                order,
-                [t123_k, t138_k, t153_k, t157_k],
-                [
-                    chain_omega_5_dot_k,
-                    chain_omega_6_dot_k,
-                    chain_omega_8_dot_k,
-                    chain_omega_9_dot_k,
-                ],
-            );
-        lanes_68
-            .set(
-                order,
-                [t160_k, t27_k, t58_k, t85_k],
-                [
-                    chain_omega_10_dot_k,
-                    chain_omega_1_dot_k,
-                    chain_omega_2_dot_k,
-                    chain_omega_3_dot_k,
-                ],
-            );
-        lanes_69
-            .set(
-                order,
-                [t108_k, t127_k, t142_k, t153_k],
-                [
-                    chain_omega_4_dot_k,
-                    chain_omega_5_dot_k,
-                    chain_omega_6_dot_k,
-                    chain_omega_7_dot_k,
-                ],
-            );
-        lanes_70
-            .set(
-                order,
-                [t164_k, t167_k, t31_k, t62_k],
-                [
-                    chain_omega_9_dot_k,
-                    chain_omega_10_dot_k,
-                    chain_omega_1_dot_k,
-                    chain_omega_2_dot_k,
-                ],
-            );
-        lanes_71
-            .set(
-                order,
-                [t89_k, t112_k, t131_k, t146_k],
-                [
-                    chain_omega_3_dot_k,
-                    chain_omega_4_dot_k,
-                    chain_omega_5_dot_k,
-                    chain_omega_6_dot_k,
-                ],
-            );
-        lanes_72
-            .set(
-                order,
-                [t157_k, t164_k, t170_k, t34_k],
-                [
-                    chain_omega_7_dot_k,
-                    chain_omega_8_dot_k,
-                    chain_omega_10_dot_k,
-                    chain_omega_1_dot_k,
-                ],
-            );
-        lanes_73
-            .set(
-                order,
-                [t65_k, t92_k, t115_k, t134_k],
-                [
-                    chain_omega_2_dot_k,
-                    chain_omega_3_dot_k,
-                    chain_omega_4_dot_k,
-                    chain_omega_5_dot_k,
-                ],
-            );
-        lanes_74
-            .set(
-                order,
-                [t149_k, t160_k, t167_k, t170_k],
-                [
-                    chain_omega_6_dot_k,
-                    chain_omega_7_dot_k,
-                    chain_omega_8_dot_k,
-                    chain_omega_9_dot_k,
-                ],
-            );
-        rates = [
-            chain_omega_1_k,
-            chain_omega_2_k,
-            chain_omega_3_k,
-            chain_omega_4_k,
-            chain_omega_5_k,
-            chain_omega_6_k,
-            chain_omega_7_k,
-            chain_omega_8_k,
-            chain_omega_9_k,
-            chain_omega_10_k,
-            chain_omega_1_dot_k,
-            chain_omega_2_dot_k,
-            chain_omega_3_dot_k,
-            chain_omega_4_dot_k,
-            chain_omega_5_dot_k,
-            chain_omega_6_dot_k,
-            chain_omega_7_dot_k,
-            chain_omega_8_dot_k,
-            chain_omega_9_dot_k,
-            chain_omega_10_dot_k,
-        ];
+        lanes_31.set(order, [t17_k, t21_k, t25_k, t29_k], [t185_k, t188_k, t191_k, t194_k]);
+        lanes_32.set(order, [t33_k, t36_k, t40_k, t44_k], [t196_k, t176_k, t179_k, t182_k]);
+        lanes_33.set(order, [t48_k, t52_k, t56_k, t60_k], [t185_k, t188_k, t191_k, t194_k]);
+        lanes_34.set(order, [t64_k, t1_k, t67_k, t71_k], [t196_k, t218_k, t179_k, t182_k]);
+        lanes_35.set(order, [t75_k, t79_k, t83_k, t87_k], [t185_k, t188_k, t191_k, t194_k]);
+        lanes_36.set(order, [t91_k, t5_k, t36_k, t94_k], [t196_k, t237_k, t239_k, t182_k]);
+        lanes_37.set(order, [t98_k, t102_k, t106_k, t110_k], [t185_k, t188_k, t191_k, t194_k]);
+        lanes_38.set(order, [t114_k, t9_k, t40_k, t67_k], [t196_k, t257_k, t259_k, t261_k]);
+        lanes_39.set(order, [t117_k, t121_k, t125_k, t129_k], [t185_k, t188_k, t191_k, t194_k]);
+        lanes_40.set(order, [t133_k, t13_k, t44_k, t71_k], [t196_k, t278_k, t280_k, t282_k]);
+        lanes_41.set(order, [t94_k, t136_k, t140_k, t144_k], [t284_k, t188_k, t191_k, t194_k]);
+        lanes_42.set(order, [t148_k, t17_k, t48_k, t75_k], [t196_k, t300_k, t302_k, t304_k]);
+        lanes_43.set(order, [t98_k, t117_k, t151_k, t155_k], [t306_k, t308_k, t191_k, t194_k]);
+        lanes_44.set(order, [t159_k, t21_k, t52_k, t79_k], [t196_k, t323_k, t325_k, t327_k]);
+        lanes_45.set(order, [t102_k, t121_k, t136_k, t162_k], [t329_k, t331_k, t333_k, t194_k]);
+        lanes_46.set(order, [t166_k, t25_k, t56_k, t83_k], [t196_k, t347_k, t349_k, t351_k]);
+        lanes_47.set(order, [t106_k, t125_k, t140_k, t151_k], [t353_k, t355_k, t357_k, t359_k]);
+        lanes_48.set(order, [t169_k, t29_k, t60_k, t87_k], [t196_k, t372_k, t374_k, t376_k]);
+        lanes_49.set(order, [t110_k, t129_k, t144_k, t155_k], [t378_k, t380_k, t382_k, t384_k]);
+        lanes_50.set(order, [t162_k, t33_k, t64_k, t91_k], [t386_k, t217_k, t172_k, t175_k]);
+        lanes_51.set(order, [t114_k, t133_k, t148_k, t159_k], [t178_k, t181_k, t184_k, t187_k]);
+        lanes_52.set(order, [t166_k, t169_k, t3_k, t7_k], [t190_k, t193_k, chain_omega_2_dot_k,
+            chain_omega_3_dot_k]);
+        lanes_53.set(order, [t11_k, t15_k, t19_k, t23_k], [chain_omega_4_dot_k,
+            chain_omega_5_dot_k, chain_omega_6_dot_k, chain_omega_7_dot_k]);
+        lanes_54.set(order, [t27_k, t31_k, t34_k, t3_k], [chain_omega_8_dot_k, chain_omega_9_dot_k,
+            chain_omega_10_dot_k, chain_omega_1_dot_k]);
+        lanes_55.set(order, [t38_k, t42_k, t46_k, t50_k], [chain_omega_3_dot_k,
+            chain_omega_4_dot_k, chain_omega_5_dot_k, chain_omega_6_dot_k]);
+        lanes_56.set(order, [t54_k, t58_k, t62_k, t65_k], [chain_omega_7_dot_k,
+            chain_omega_8_dot_k, chain_omega_9_dot_k, chain_omega_10_dot_k]);
+        lanes_57.set(order, [t7_k, t38_k, t69_k, t73_k], [chain_omega_1_dot_k, chain_omega_2_dot_k,
+            chain_omega_4_dot_k, chain_omega_5_dot_k]);
+        lanes_58.set(order, [t77_k, t81_k, t85_k, t89_k], [chain_omega_6_dot_k,
+            chain_omega_7_dot_k, chain_omega_8_dot_k, chain_omega_9_dot_k]);
+        lanes_59.set(order, [t92_k, t11_k, t42_k, t69_k], [chain_omega_10_dot_k,
+            chain_omega_1_dot_k, chain_omega_2_dot_k, chain_omega_3_dot_k]);
+        lanes_60.set(order, [t96_k, t100_k, t104_k, t108_k], [chain_omega_5_dot_k,
+            chain_omega_6_dot_k, chain_omega_7_dot_k, chain_omega_8_dot_k]);
+        lanes_61.set(order, [t112_k, t115_k, t15_k, t46_k], [chain_omega_9_dot_k,
+            chain_omega_10_dot_k, chain_omega_1_dot_k, chain_omega_2_dot_k]);
+        lanes_62.set(order, [t73_k, t96_k, t119_k, t123_k], [chain_omega_3_dot_k,
+            chain_omega_4_dot_k, chain_omega_6_dot_k, chain_omega_7_dot_k]);
+        lanes_63.set(order, [t127_k, t131_k, t134_k, t19_k], [chain_omega_8_dot_k,
+            chain_omega_9_dot_k, chain_omega_10_dot_k, chain_omega_1_dot_k]);
+        lanes_64.set(order, [t50_k, t77_k, t100_k, t119_k], [chain_omega_2_dot_k,
+            chain_omega_3_dot_k, chain_omega_4_dot_k, chain_omega_5_dot_k]);
+        lanes_65.set(order, [t138_k, t142_k, t146_k, t149_k], [chain_omega_7_dot_k,
+            chain_omega_8_dot_k, chain_omega_9_dot_k, chain_omega_10_dot_k]);
+        lanes_66.set(order, [t23_k, t54_k, t81_k, t104_k], [chain_omega_1_dot_k,
+            chain_omega_2_dot_k, chain_omega_3_dot_k, chain_omega_4_dot_k]);
+        lanes_67.set(order, [t123_k, t138_k, t153_k, t157_k], [chain_omega_5_dot_k,
+            chain_omega_6_dot_k, chain_omega_8_dot_k, chain_omega_9_dot_k]);
+        lanes_68.set(order, [t160_k, t27_k, t58_k, t85_k], [chain_omega_10_dot_k,
+            chain_omega_1_dot_k, chain_omega_2_dot_k, chain_omega_3_dot_k]);
+        lanes_69.set(order, [t108_k, t127_k, t142_k, t153_k], [chain_omega_4_dot_k,
+            chain_omega_5_dot_k, chain_omega_6_dot_k, chain_omega_7_dot_k]);
+        lanes_70.set(order, [t164_k, t167_k, t31_k, t62_k], [chain_omega_9_dot_k,
+            chain_omega_10_dot_k, chain_omega_1_dot_k, chain_omega_2_dot_k]);
+        lanes_71.set(order, [t89_k, t112_k, t131_k, t146_k], [chain_omega_3_dot_k,
+            chain_omega_4_dot_k, chain_omega_5_dot_k, chain_omega_6_dot_k]);
+        lanes_72.set(order, [t157_k, t164_k, t170_k, t34_k], [chain_omega_7_dot_k,
+            chain_omega_8_dot_k, chain_omega_10_dot_k, chain_omega_1_dot_k]);
+        lanes_73.set(order, [t65_k, t92_k, t115_k, t134_k], [chain_omega_2_dot_k,
+            chain_omega_3_dot_k, chain_omega_4_dot_k, chain_omega_5_dot_k]);
+        lanes_74.set(order, [t149_k, t160_k, t167_k, t170_k], [chain_omega_6_dot_k,
+            chain_omega_7_dot_k, chain_omega_8_dot_k, chain_omega_9_dot_k]);
+        rates = [chain_omega_1_k, chain_omega_2_k, chain_omega_3_k, chain_omega_4_k,
+            chain_omega_5_k, chain_omega_6_k, chain_omega_7_k, chain_omega_8_k, chain_omega_9_k,
+            chain_omega_10_k, chain_omega_1_dot_k, chain_omega_2_dot_k, chain_omega_3_dot_k,
+            chain_omega_4_dot_k, chain_omega_5_dot_k, chain_omega_6_dot_k, chain_omega_7_dot_k,
+            chain_omega_8_dot_k, chain_omega_9_dot_k, chain_omega_10_dot_k];
     }
 }
-
-impl<R: Real> TaylorSeries<R> for M610 {
-    fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1)
-    }
-    fn series(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        coefficients: &mut [R],
-        workspace: &mut [R],
-    ) {
-        let (coefficients, rest) = coefficients.as_chunks_mut();
-        assert!(rest.is_empty(), "every order has STATES coefficients");
-        let p = parameters_of(parameters);
-        series(time, state_of(state), &p, coefficients, workspace);
-    }
-}
-
-impl Describe for M610 {
-    fn name(&self) -> &'static str {
-        "m6_10"
-    }
-    fn title(&self) -> &'static str {
-        "Benchmark M6: planar pendulum of 10 links"
-    }
-    fn shape(&self) -> Shape {
-        Shape {
-            coordinates: COORDINATES,
-            positions: 10,
-            first_order: 0,
-            quadratures: 0,
-            parameters: PARAMETERS,
-            outputs: OUTPUTS,
-            discontinuities: DISCONTINUITIES,
-        }
-    }
-    fn state(&self, index: usize) -> Quantity<'_> {
-        STATE_QUANTITIES[index]
-    }
-    fn state_scale(&self, index: usize) -> f64 {
-        STATE_SCALES[index]
-    }
-    fn parameter(&self, index: usize) -> Quantity<'_> {
-        PARAMETER_QUANTITIES[index]
-    }
-    fn parameter_default(&self, index: usize) -> f64 {
-        PARAMETER_DEFAULTS[index]
-    }
-    fn output(&self, index: usize) -> Quantity<'_> {
-        OUTPUT_QUANTITIES[index]
-    }
-    fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
-        RATE_JACOBIAN_PATTERN
-    }
-    fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_> {
-        PARAMETER_JACOBIAN_PATTERN
-    }
-    fn mass_matrix_pattern(&self) -> SparsityPattern<'_> {
-        MASS_MATRIX_PATTERN
-    }
-    fn run_defaults(&self) -> RunDefaults<'_> {
-        RUN_DEFAULTS
-    }
-}
-
-impl<R: Real> Simulator<R> for M610 {
-    fn initial_state(&self, parameters: &[R], values: &mut [R]) {
-        *array_of(values) = initial_state(&parameters_of(parameters));
-    }
-    fn discontinuities(&self, parameters: &[R], values: &mut [R]) {
-        *array_of(values) = discontinuities(&parameters_of(parameters));
-    }
-    fn rate(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = rate(time, state_of(state), &parameters_of(parameters));
-    }
-    fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = rate_jacobian(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn parameter_jacobian(
-        &self,
-        time: R,
-        state: &[R],
-        parameters: &[R],
-        values: &mut [R],
-    ) {
-        *array_of(values) = parameter_jacobian(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn time_derivative(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = time_derivative(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = mass_matrix(
-            time,
-            state_of(state),
-            &parameters_of(parameters),
-        );
-    }
-    fn forcing(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = forcing(time, state_of(state), &parameters_of(parameters));
-    }
-    fn outputs(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        *array_of(values) = outputs(time, state_of(state), &parameters_of(parameters))
-            .to_array();
-    }
-    fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
-        energy(time, state_of(state), &parameters_of(parameters))
-    }
-    fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
-        power_balance(time, state_of(state), &parameters_of(parameters))
-    }
-    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
-        Some(self)
-    }
-}
-
-#[inline]
-fn array_of<R, const N: usize>(values: &mut [R]) -> &mut [R; N] {
-    values.try_into().expect("there is one place for each value")
-}
-
-#[inline]
-fn state_of<R>(state: &[R]) -> &[R; STATES] {
-    state.try_into().expect("the state has STATES entries")
-}
-
-#[inline]
-fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
-    let values: &[R; PARAMETERS] = parameters
-        .try_into()
-        .expect("there are PARAMETERS parameters");
-    Parameters::from_array(*values)
-}
-
-static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
-    Quantity {
-        name: "chain.theta_1",
-        unit: "rad",
-        doc: "angle of link 1 from the vertical",
-    },
-    Quantity {
-        name: "chain.theta_2",
-        unit: "rad",
-        doc: "angle of link 2 from the vertical",
-    },
-    Quantity {
-        name: "chain.theta_3",
-        unit: "rad",
-        doc: "angle of link 3 from the vertical",
-    },
-    Quantity {
-        name: "chain.theta_4",
-        unit: "rad",
-        doc: "angle of link 4 from the vertical",
-    },
-    Quantity {
-        name: "chain.theta_5",
-        unit: "rad",
-        doc: "angle of link 5 from the vertical",
-    },
-    Quantity {
-        name: "chain.theta_6",
-        unit: "rad",
-        doc: "angle of link 6 from the vertical",
-    },
-    Quantity {
-        name: "chain.theta_7",
-        unit: "rad",
-        doc: "angle of link 7 from the vertical",
-    },
-    Quantity {
-        name: "chain.theta_8",
-        unit: "rad",
-        doc: "angle of link 8 from the vertical",
-    },
-    Quantity {
-        name: "chain.theta_9",
-        unit: "rad",
-        doc: "angle of link 9 from the vertical",
-    },
-    Quantity {
-        name: "chain.theta_10",
-        unit: "rad",
-        doc: "angle of link 10 from the vertical",
-    },
-    Quantity {
-        name: "chain.omega_1",
-        unit: "rad/s",
-        doc: "rate of angle of link 1 from the vertical",
-    },
-    Quantity {
-        name: "chain.omega_2",
-        unit: "rad/s",
-        doc: "rate of angle of link 2 from the vertical",
-    },
-    Quantity {
-        name: "chain.omega_3",
-        unit: "rad/s",
-        doc: "rate of angle of link 3 from the vertical",
-    },
-    Quantity {
-        name: "chain.omega_4",
-        unit: "rad/s",
-        doc: "rate of angle of link 4 from the vertical",
-    },
-    Quantity {
-        name: "chain.omega_5",
-        unit: "rad/s",
-        doc: "rate of angle of link 5 from the vertical",
-    },
-    Quantity {
-        name: "chain.omega_6",
-        unit: "rad/s",
-        doc: "rate of angle of link 6 from the vertical",
-    },
-    Quantity {
-        name: "chain.omega_7",
-        unit: "rad/s",
-        doc: "rate of angle of link 7 from the vertical",
-    },
-    Quantity {
-        name: "chain.omega_8",
-        unit: "rad/s",
-        doc: "rate of angle of link 8 from the vertical",
-    },
-    Quantity {
-        name: "chain.omega_9",
-        unit: "rad/s",
-        doc: "rate of angle of link 9 from the vertical",
-    },
-    Quantity {
-        name: "chain.omega_10",
-        unit: "rad/s",
-        doc: "rate of angle of link 10 from the vertical",
-    },
-];
-
-static STATE_SCALES: [f64; STATES] = [
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    1.0,
-    5.0,
-    5.0,
-    5.0,
-    5.0,
-    5.0,
-    5.0,
-    5.0,
-    5.0,
-    5.0,
-    5.0,
-];
-
-static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [];
-
-static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [];
-
-static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [
-    Quantity {
-        name: "theta_1",
-        unit: "rad",
-        doc: "angle of link 1 from the vertical",
-    },
-    Quantity {
-        name: "theta_2",
-        unit: "rad",
-        doc: "angle of link 2 from the vertical",
-    },
-    Quantity {
-        name: "theta_3",
-        unit: "rad",
-        doc: "angle of link 3 from the vertical",
-    },
-    Quantity {
-        name: "theta_4",
-        unit: "rad",
-        doc: "angle of link 4 from the vertical",
-    },
-    Quantity {
-        name: "theta_5",
-        unit: "rad",
-        doc: "angle of link 5 from the vertical",
-    },
-    Quantity {
-        name: "theta_6",
-        unit: "rad",
-        doc: "angle of link 6 from the vertical",
-    },
-    Quantity {
-        name: "theta_7",
-        unit: "rad",
-        doc: "angle of link 7 from the vertical",
-    },
-    Quantity {
-        name: "theta_8",
-        unit: "rad",
-        doc: "angle of link 8 from the vertical",
-    },
-    Quantity {
-        name: "theta_9",
-        unit: "rad",
-        doc: "angle of link 9 from the vertical",
-    },
-    Quantity {
-        name: "theta_10",
-        unit: "rad",
-        doc: "angle of link 10 from the vertical",
-    },
-    Quantity {
-        name: "omega_1",
-        unit: "rad/s",
-        doc: "rate of angle of link 1 from the vertical",
-    },
-    Quantity {
-        name: "omega_2",
-        unit: "rad/s",
-        doc: "rate of angle of link 2 from the vertical",
-    },
-    Quantity {
-        name: "omega_3",
-        unit: "rad/s",
-        doc: "rate of angle of link 3 from the vertical",
-    },
-    Quantity {
-        name: "omega_4",
-        unit: "rad/s",
-        doc: "rate of angle of link 4 from the vertical",
-    },
-    Quantity {
-        name: "omega_5",
-        unit: "rad/s",
-        doc: "rate of angle of link 5 from the vertical",
-    },
-    Quantity {
-        name: "omega_6",
-        unit: "rad/s",
-        doc: "rate of angle of link 6 from the vertical",
-    },
-    Quantity {
-        name: "omega_7",
-        unit: "rad/s",
-        doc: "rate of angle of link 7 from the vertical",
-    },
-    Quantity {
-        name: "omega_8",
-        unit: "rad/s",
-        doc: "rate of angle of link 8 from the vertical",
-    },
-    Quantity {
-        name: "omega_9",
-        unit: "rad/s",
-        doc: "rate of angle of link 9 from the vertical",
-    },
-    Quantity {
-        name: "omega_10",
-        unit: "rad/s",
-        doc: "rate of angle of link 10 from the vertical",
-    },
-];
-
-/// The run the spec asks for.
-pub const RUN_DEFAULTS: RunDefaults<'static> = RunDefaults {
-    from: 0.0,
-    until: 5.0,
-    points: 501,
-    rtol: 1e-8,
-    method: "auto",
-};

@@ -1,30 +1,32 @@
 //! One line for each coefficient.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::needs::{Needs, in_order, line_and_other};
 use super::{LANES, Names};
 use crate::emit::EmitError;
-use crate::emit::literal::constant_or_literal;
 use crate::emit::rust::Scene;
+use crate::emit::rust::body::{self, Scope};
+use crate::emit::rust::operation::{Expressions, Strength, Written};
 use machinist_model::series::{Convolution, MassMatrix, Recurrence, TaylorTape};
-use machinist_model::{Function, NodeId, Op, TableId};
+use machinist_model::{Function, NodeId, Op};
 
 /// What the function reads, for names in its signature.
 #[derive(Default)]
 pub(super) struct Reads {
-    pub(super) time: bool,
-    pub(super) parameters: bool,
+    /// As other functions.
+    pub(super) given: body::Reads,
     /// The order as a number.
     pub(super) order: bool,
-    states: Vec<bool>,
-    newest_states: Vec<bool>,
+    newest_states: BTreeSet<usize>,
 }
 
 /// Writes coefficients and remembers under which name.
 pub(super) struct Writer<'a> {
-    scene: &'a Scene<'a>,
+    scope: Scope<'a>,
     tape: &'a TaylorTape,
     needs: &'a Needs,
     names: Names,
@@ -44,6 +46,25 @@ pub(super) struct Writer<'a> {
     pub(super) reads: Reads,
 }
 
+impl Expressions for Writer<'_> {
+    /// Zeroth coefficients.
+    fn operand(&mut self, id: NodeId) -> Result<Written, EmitError> {
+        Ok(Written::call(self.value(id)))
+    }
+
+    fn scope(&self) -> &Scope<'_> {
+        &self.scope
+    }
+
+    fn reads(&mut self) -> &mut body::Reads {
+        &mut self.reads.given
+    }
+
+    fn function(&self) -> &'static str {
+        "series"
+    }
+}
+
 impl<'a> Writer<'a> {
     pub(super) fn new(
         scene: &'a Scene<'a>,
@@ -54,14 +75,9 @@ impl<'a> Writer<'a> {
         let newest_states =
             scene.states.iter().map(|state| names.namer.claim(&format!("{state}_k")));
         let newest_states = newest_states.collect();
-        let (count, states) = (tape.nodes.len(), scene.states.len());
-        let reads = Reads {
-            states: vec![false; states],
-            newest_states: vec![false; states],
-            ..Reads::default()
-        };
+        let count = tape.nodes.len();
         Self {
-            scene,
+            scope: scene.scope(&[]),
             tape,
             needs,
             names,
@@ -73,7 +89,7 @@ impl<'a> Writer<'a> {
             derivatives: vec![None; count],
             newest_states,
             temporaries: 0,
-            reads,
+            reads: Reads::default(),
         }
     }
 
@@ -91,7 +107,7 @@ impl<'a> Writer<'a> {
             }
         }
         for id in self.ids() {
-            self.table_derivatives(id, &mut statements);
+            self.table_derivatives(id, &mut statements)?;
             let line = match self.tape[id].recurrence {
                 Recurrence::Integral { argument, .. } => Some(argument),
                 _ => line_and_other(self.tape, id).map(|(line, _)| line),
@@ -130,17 +146,10 @@ impl<'a> Writer<'a> {
     /// The zeroth coefficient, and whether it needs no `let`.
     fn zeroth_of(&mut self, id: NodeId) -> Result<(Option<TokenStream>, bool), EmitError> {
         let recurrence = self.tape[id].recurrence;
-        let value = match recurrence {
-            Recurrence::Constant(op) => return self.constant(op),
-            Recurrence::Time => {
-                self.reads.time = true;
-                return Ok((Some(quote!(time)), true));
-            }
-            Recurrence::State(entry) => {
-                self.reads.states[entry as usize] = true;
-                let name = &self.scene.states[entry as usize];
-                return Ok((Some(quote!(#name)), true));
-            }
+        let op = match recurrence {
+            Recurrence::Constant(op) => op,
+            Recurrence::Time => Op::Time,
+            Recurrence::State(entry) => Op::State(entry),
             Recurrence::Tail(..) | Recurrence::Lagged { .. } | Recurrence::Acceleration(_) => {
                 return Ok((None, true));
             }
@@ -148,98 +157,21 @@ impl<'a> Writer<'a> {
                 return Ok(linear(&recurrence, |id| self.values[index(id)].clone()));
             }
             Recurrence::Scaled { series: a, factor: b } | Recurrence::Product(a, b) => {
-                let [a, b] = [a, b].map(|id| self.value(id));
-                quote!(#a * #b)
+                Op::Mul(a, b)
             }
-            Recurrence::Quotient(a, b) => {
-                let [a, b] = [a, b].map(|id| self.value(id));
-                quote!(#a / #b)
-            }
-            Recurrence::Root(a) => {
-                let a = self.value(a);
-                quote!(#a.sqrt())
-            }
+            Recurrence::Quotient(a, b) => Op::Div(a, b),
+            Recurrence::Root(a) => Op::Call(Function::Sqrt, a),
             Recurrence::Integral { function, argument, .. }
-            | Recurrence::IntegralOver { function, argument, .. } => {
-                self.operation(Op::Call(function, argument))?
-            }
-            Recurrence::Power { base, exponent } => self.operation(Op::Powf(base, exponent))?,
+            | Recurrence::IntegralOver { function, argument, .. } => Op::Call(function, argument),
+            Recurrence::Power { base, exponent } => Op::Powf(base, exponent),
             Recurrence::Select { lhs, rhs, then, otherwise } => {
-                self.operation(Op::SelectLess { lhs, rhs, then, otherwise })?
+                Op::SelectLess { lhs, rhs, then, otherwise }
             }
             Recurrence::Table { table, order, argument, .. } => {
-                self.operation(Op::Table { table, order, argument })?
+                Op::Table { table, order, argument }
             }
         };
-        Ok((Some(value), false))
-    }
-
-    fn constant(&mut self, op: Op) -> Result<(Option<TokenStream>, bool), EmitError> {
-        let value = match op {
-            Op::Literal(value) => {
-                let place = || "function `series`".to_owned();
-                let literal = constant_or_literal(value)
-                    .map_err(|_| EmitError::NotFinite { place: place(), value })?;
-                quote!(R::literal(#literal))
-            }
-            Op::Parameter(entry) => {
-                self.reads.parameters = true;
-                let name = &self.scene.parameters[entry as usize];
-                quote!(p.#name)
-            }
-            _ => return Ok((Some(self.operation(op)?), false)),
-        };
-        Ok((Some(value), true))
-    }
-
-    /// An operation on zeroth coefficients.
-    fn operation(&self, op: Op) -> Result<TokenStream, EmitError> {
-        let value = |id| self.value(id);
-        let infix = |a, operator: TokenStream, b| {
-            let (a, b) = (value(a), value(b));
-            quote!(#a #operator #b)
-        };
-        Ok(match op {
-            Op::Neg(a) => {
-                let a = value(a);
-                quote!(-#a)
-            }
-            Op::Add(a, b) => infix(a, quote!(+), b),
-            Op::Sub(a, b) => infix(a, quote!(-), b),
-            Op::Mul(a, b) => infix(a, quote!(*), b),
-            Op::Div(a, b) => infix(a, quote!(/), b),
-            Op::Powi(base, exponent) => {
-                let base = value(base);
-                let size = Literal::u32_unsuffixed(exponent.unsigned_abs());
-                let minus = (exponent < 0).then(|| quote!(-));
-                quote!(#base.powi(#minus #size))
-            }
-            Op::Powf(base, exponent) => {
-                let (base, exponent) = (value(base), value(exponent));
-                quote!(#base.powf(#exponent))
-            }
-            Op::Call(function, argument) => {
-                let (method, argument) = (format_ident!("{}", function.name()), value(argument));
-                quote!(#argument.#method())
-            }
-            Op::SelectLess { lhs, rhs, then, otherwise } => {
-                let [lhs, rhs, then, otherwise] = [lhs, rhs, then, otherwise].map(value);
-                quote!(R::select_less(#lhs, #rhs, #then, #otherwise))
-            }
-            Op::Table { table, order, argument } => self.interpolate(table, order, argument),
-            Op::Literal(_)
-            | Op::Time
-            | Op::State(_)
-            | Op::Parameter(_)
-            | Op::Handed(_)
-            | Op::Constant(_) => quote!(),
-        })
-    }
-
-    fn interpolate(&self, table: TableId, order: u32, argument: NodeId) -> TokenStream {
-        let (table, argument) = (&self.scene.tables[table.0 as usize], self.value(argument));
-        let order = Literal::u32_unsuffixed(order);
-        quote!(R::interpolate(&#table, #order, #argument))
+        Ok((Some(self.operation(&op)?.tokens), !op.is_arithmetic()))
     }
 
     /// The newest coefficient, and whether it needs no `let`.
@@ -256,7 +188,7 @@ impl<'a> Writer<'a> {
                 quote!(R::literal(if #order == 1 { 1.0 } else { 0.0 }))
             }
             Recurrence::State(entry) => {
-                self.reads.newest_states[entry as usize] = true;
+                self.reads.newest_states.insert(entry as usize);
                 let name = &self.newest_states[entry as usize];
                 return (Some(quote!(#name)), true);
             }
@@ -478,9 +410,13 @@ impl<'a> Writer<'a> {
     }
 
     /// Derivatives of a table at the zeroth coefficient, by factorials.
-    fn table_derivatives(&mut self, id: NodeId, statements: &mut Vec<TokenStream>) {
+    fn table_derivatives(
+        &mut self,
+        id: NodeId,
+        statements: &mut Vec<TokenStream>,
+    ) -> Result<(), EmitError> {
         let Recurrence::Table { table, order, argument, .. } = self.tape[id].recurrence else {
-            return;
+            return Ok(());
         };
         let word = self.word(id);
         let names =
@@ -488,10 +424,12 @@ impl<'a> Writer<'a> {
         let factors =
             [None, Some(quote!(R::literal(0.5) *)), Some(quote!(R::literal(1.0 / 6.0) *))];
         for ((name, factor), more) in names.iter().zip(factors).zip(1..) {
-            let value = self.interpolate(table, order + more, argument);
+            let value = self.operation(&Op::Table { table, order: order + more, argument })?;
+            let value = value.at_least(Strength::Call);
             statements.push(quote!(let #name = #factor #value;));
         }
         self.derivatives[index(id)] = Some(names);
+        Ok(())
     }
 
     pub(super) fn rates(&self) -> Vec<TokenStream> {
@@ -544,7 +482,7 @@ impl<'a> Writer<'a> {
 
     /// Binds the states.
     pub(super) fn states(&self) -> Option<TokenStream> {
-        pattern(&self.scene.states, &self.reads.states)
+        pattern(self.scope.states, &self.reads.given.state)
             .map(|pattern| quote!(let #pattern = *state;))
     }
 
@@ -613,13 +551,11 @@ fn zero() -> TokenStream {
 }
 
 /// `[a, _, c]` of the names that are read.
-fn pattern(names: &[Ident], read: &[bool]) -> Option<TokenStream> {
-    let last = read.iter().rposition(|read| *read)?;
-    let entries = names
-        .iter()
-        .zip(read)
-        .take(last + 1)
-        .map(|(name, read)| if *read { quote!(#name) } else { quote!(_) });
+fn pattern(names: &[Ident], read: &BTreeSet<usize>) -> Option<TokenStream> {
+    let last = *read.last()?;
+    let entries = names.iter().enumerate().take(last + 1);
+    let entries =
+        entries.map(|(at, name)| if read.contains(&at) { quote!(#name) } else { quote!(_) });
     let rest = (last + 1 < names.len()).then(|| quote!(, ..));
     Some(quote!([#(#entries),* #rest]))
 }

@@ -1,0 +1,371 @@
+//! What emitted modules are made of: descriptions with one row a line, and the items that
+//! follow from them.
+
+use crate::{Event, Quantity, Shape, StateKind};
+
+/// What is known of an entry of the state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StateRow<'a> {
+    /// Name, unit and meaning.
+    pub quantity: Quantity<'a>,
+    /// What it is.
+    pub kind: StateKind,
+    /// Typical size, which scales its absolute tolerance.
+    pub scale: f64,
+    /// Whether it is a whole number that only events change.
+    pub is_mode: bool,
+    /// Whether its initial value is given, so that constraints may not move it.
+    pub is_given: bool,
+}
+
+impl<'a> StateRow<'a> {
+    const fn of(kind: StateKind, scale: f64, quantity: Quantity<'a>) -> Self {
+        Self { quantity, kind, scale, is_mode: false, is_given: true }
+    }
+
+    /// A position, or the difference of two.
+    #[must_use]
+    pub const fn position(scale: f64, quantity: Quantity<'a>) -> Self {
+        Self::of(StateKind::Position, scale, quantity)
+    }
+
+    /// A velocity.
+    #[must_use]
+    pub const fn velocity(scale: f64, quantity: Quantity<'a>) -> Self {
+        Self::of(StateKind::Velocity, scale, quantity)
+    }
+
+    /// A first-order state.
+    #[must_use]
+    pub const fn first_order(scale: f64, quantity: Quantity<'a>) -> Self {
+        Self::of(StateKind::FirstOrder, scale, quantity)
+    }
+
+    /// A mode.
+    #[must_use]
+    pub const fn mode(scale: f64, quantity: Quantity<'a>) -> Self {
+        Self { is_mode: true, ..Self::first_order(scale, quantity) }
+    }
+
+    /// The same, if its initial value is but a guess.
+    #[must_use]
+    pub const fn guess(self) -> Self {
+        Self { is_given: false, ..self }
+    }
+}
+
+/// How many of everything there is, as far as the rows of the states tell.
+#[must_use]
+pub const fn shape_of(states: &[StateRow<'_>]) -> Shape {
+    let mut shape = Shape {
+        coordinates: 0,
+        positions: 0,
+        first_order: 0,
+        quadratures: 0,
+        parameters: 0,
+        outputs: 0,
+        discontinuities: 0,
+    };
+    let mut index = 0;
+    while index < states.len() {
+        match states[index].kind {
+            StateKind::Position => shape.positions += 1,
+            StateKind::Velocity => shape.coordinates += 1,
+            StateKind::FirstOrder => shape.first_order += 1,
+        }
+        index += 1;
+    }
+    shape
+}
+
+/// How many new values events give to states.
+#[must_use]
+pub const fn resets_of(events: &[Event<'_>]) -> usize {
+    let (mut resets, mut index) = (0, 0);
+    while index < events.len() {
+        resets += events[index].sets.len();
+        index += 1;
+    }
+    resets
+}
+
+/// The numbers of a slice, as many as there are.
+///
+/// # Panics
+/// If the slice has another length; likewise below.
+#[inline]
+#[must_use]
+pub fn array_of<R, const N: usize>(values: &[R]) -> &[R; N] {
+    values.try_into().expect("there are as many numbers as the simulator says")
+}
+
+/// Places for numbers, as many as there are.
+///
+/// # Panics
+/// As [`array_of`].
+#[inline]
+#[must_use]
+pub fn places_of<R, const N: usize>(values: &mut [R]) -> &mut [R; N] {
+    values.try_into().expect("there are as many places as the simulator has numbers")
+}
+
+/// `Parameters<R>`, whose default holds the values of the rows; their number `PARAMETERS`;
+/// and what `simulator!` needs of them. A row is
+///
+/// ```text
+/// field: value, "unit", "spec.name", "meaning";
+/// ```
+///
+/// with `as "documentation"` behind it where name, meaning and unit are not fit for Markdown.
+#[macro_export]
+macro_rules! parameters {
+    ($($name:ident: $value:expr, $unit:literal, $path:literal, $doc:literal $(as $markdown:literal)?;)*) => {
+        $crate::__record! {
+            Parameters PARAMETERS
+            ["Parameters." "Parameters, in SI units; the default holds the values of the spec."]
+            $($name [
+                $crate::__meaning!($path, $unit, $doc $(, $markdown)?),
+                " In the spec: ", stringify!($value), "."
+            ])*
+        }
+        const PARAMETER_QUANTITIES: &[$crate::Quantity<'static>] =
+            &[$($crate::Quantity { name: $path, unit: $unit, doc: $doc }),*];
+        const PARAMETER_DEFAULTS: &[f64] = &[$($value),*];
+        impl<R: $crate::Real> ::core::default::Default for Parameters<R> {
+            fn default() -> Self {
+                $crate::__new_record! { $($name: <R as $crate::Real>::literal($value)),* }
+            }
+        }
+    };
+}
+
+/// `Outputs<R>`, their number `OUTPUTS`, and what `simulator!` needs of them. A row is
+///
+/// ```text
+/// field: "unit", "spec.name", "meaning";
+/// ```
+#[macro_export]
+macro_rules! outputs {
+    ($($name:ident: $unit:literal, $path:literal, $doc:literal $(as $markdown:literal)?;)*) => {
+        $crate::__record! {
+            Outputs OUTPUTS ["Wanted outputs." "Wanted outputs, in SI units."]
+            $($name [$crate::__meaning!($path, $unit, $doc $(, $markdown)?)])*
+        }
+        const OUTPUT_QUANTITIES: &[$crate::Quantity<'static>] =
+            &[$($crate::Quantity { name: $path, unit: $unit, doc: $doc }),*];
+    };
+}
+
+/// `Constants<R>`, what parameters alone decide, and their number `CONSTANTS`, from names.
+#[macro_export]
+macro_rules! constants {
+    ($($name:ident),+ $(,)?) => {
+        $crate::__record! {
+            Constants CONSTANTS
+            ["Constants that `prepare` computes."
+                "What parameters alone decide; `prepare` says what each is."]
+            $($name ["See `prepare`."])*
+        }
+    };
+}
+
+/// The length `STATES` of the state, the index of each of its entries in the module `state`,
+/// and what `simulator!` needs of them. A row is
+///
+/// ```text
+/// INDEX: position, scale, "unit", "spec.name", "meaning";
+/// ```
+///
+/// where `position` may be `velocity`, `first_order` or `mode`, each with `guess` behind it
+/// where the initial value is not given.
+#[macro_export]
+macro_rules! states {
+    ($(
+        $name:ident: $kind:ident $($guess:ident)?, $scale:expr, $unit:literal, $path:literal,
+        $doc:literal $(as $markdown:literal)?;
+    )*) => {
+        /// Length of the state y.
+        pub const STATES: usize = STATE_ROWS.len();
+        /// Generalized coordinates, n.
+        pub const COORDINATES: usize = $crate::emitted::shape_of(STATE_ROWS).coordinates;
+        /// Where to find what in the state.
+        pub mod state {
+            #[allow(clippy::upper_case_acronyms, non_camel_case_types, dead_code)]
+            enum Place { $($name),* }
+            $(
+                #[doc = $crate::__meaning!($path, $unit, $doc $(, $markdown)?)]
+                pub const $name: usize = Place::$name as usize;
+            )*
+        }
+        const STATE_ROWS: &[$crate::emitted::StateRow<'static>] = &[$(
+            $crate::emitted::StateRow::$kind(
+                $scale,
+                $crate::Quantity { name: $path, unit: $unit, doc: $doc },
+            )$(.$guess())?
+        ),*];
+    };
+}
+
+/// Generalized coordinates of a simulator whose state does not begin with them. A row is
+///
+/// ```text
+/// "spec.name", "unit", "meaning";
+/// ```
+#[macro_export]
+macro_rules! coordinates {
+    ($($path:literal, $unit:literal, $doc:literal;)*) => {
+        const COORDINATE_QUANTITIES: [$crate::Quantity<'static>; COORDINATES] =
+            [$($crate::Quantity { name: $path, unit: $unit, doc: $doc }),*];
+    };
+}
+
+/// Events: `EVENT_SHAPES`, their number `EVENTS`, and that of the values they set, `RESETS`.
+/// A row is
+///
+/// ```text
+/// "spec.name": Rising, when [(mode, value), ..], sets [entry, ..], "meaning";
+/// ```
+#[macro_export]
+macro_rules! events {
+    ($($path:literal: $direction:ident, when [$($when:tt)*], sets [$($set:tt)*], $doc:literal;)*) => {
+        /// Events.
+        pub const EVENTS: usize = EVENT_SHAPES.len();
+        /// States that events set, those of all events.
+        pub const RESETS: usize = $crate::emitted::resets_of(EVENT_SHAPES);
+        /// What happens where guards pass zero.
+        pub const EVENT_SHAPES: &[$crate::Event<'static>] = &[$($crate::Event {
+            name: $path,
+            doc: $doc,
+            direction: $crate::Direction::$direction,
+            when: &[$($when)*],
+            sets: &[$($set)*],
+        }),*];
+    };
+}
+
+/// Constraints: `CONSTRAINT_SHAPES` and their number `CONSTRAINTS`. A row is
+///
+/// ```text
+/// "spec.name": of_positions, "unit", "meaning";
+/// ```
+///
+/// where `of_positions` may be `of_velocities`.
+#[macro_export]
+macro_rules! constraints {
+    ($($path:literal: $kind:ident, $unit:literal, $doc:literal;)*) => {
+        /// Constraints.
+        pub const CONSTRAINTS: usize = CONSTRAINT_SHAPES.len();
+        /// What coordinates must fulfil.
+        pub const CONSTRAINT_SHAPES: &[$crate::Constraint<'static>] =
+            &[$($crate::Constraint::$kind($path, $unit, $doc)),*];
+    };
+}
+
+/// Structural nonzeros, row by row:
+///
+/// ```text
+/// /// Nonzeros of M.
+/// MASS_MATRIX_PATTERN: rows by columns { row [column ..] row [column ..] }
+/// ```
+#[macro_export]
+macro_rules! patterns {
+    ($(
+        $(#[$attribute:meta])*
+        $name:ident: $rows:literal by $columns:literal { $($row:literal [$($column:literal)*])* }
+    )*) => {$(
+        $(#[$attribute])*
+        pub const $name: $crate::SparsityPattern<'static> = $crate::SparsityPattern {
+            rows: $rows,
+            columns: $columns,
+            entries: &[$($(($row, $column)),*),*],
+        };
+    )*};
+}
+
+/// What a quantity is, in Markdown.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __meaning {
+    ($path:literal, $unit:literal, "") => {
+        concat!($path, " \\[", $unit, "\\].")
+    };
+    ($path:literal, $unit:literal, $doc:literal) => {
+        concat!($path, ": ", $doc, " \\[", $unit, "\\].")
+    };
+    ($path:literal, $unit:literal, $doc:literal, $markdown:literal) => {
+        $markdown
+    };
+}
+
+/// A struct of numbers that converts from and to an array.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __record {
+    ($record:ident $length:ident [$count:literal $meaning:literal] $($name:ident [$($doc:tt)*])+) => {
+        #[doc = $meaning]
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct $record<R> {
+            $(#[doc = concat!($($doc)*)] pub $name: R,)*
+        }
+        $crate::__conversions! { $record $length $count $($name)* }
+    };
+    ($record:ident $length:ident [$count:literal $meaning:literal]) => {
+        #[doc = $meaning]
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct $record<R> {
+            /// Nothing; there are no numbers here.
+            pub real: ::core::marker::PhantomData<R>,
+        }
+        $crate::__conversions! { $record $length $count }
+    };
+}
+
+/// A value of such a struct.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __new_record {
+    () => {
+        Self { real: ::core::marker::PhantomData }
+    };
+    ($($field:ident: $value:expr),+) => {
+        Self { $($field: $value),* }
+    };
+}
+
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __conversions {
+    ($record:ident $length:ident $count:literal $($name:ident)*) => {
+        #[doc = $count]
+        pub const $length: usize = {
+            const NAMES: &[&str] = &[$(stringify!($name)),*];
+            NAMES.len()
+        };
+        impl<R: $crate::Real> $record<R> {
+            /// From the numbers in their order.
+            #[must_use]
+            #[inline]
+            pub fn from_array(values: [R; $length]) -> Self {
+                #[allow(non_camel_case_types, clippy::upper_case_acronyms)]
+                enum Place { $($name),* }
+                let _ = &values;
+                $crate::__new_record! { $($name: values[Place::$name as usize]),* }
+            }
+            /// The numbers in their order.
+            #[must_use]
+            #[inline]
+            pub fn to_array(self) -> [R; $length] {
+                [$(self.$name),*]
+            }
+            /// From a slice of the numbers in their order.
+            ///
+            /// # Panics
+            /// If it has another length.
+            #[must_use]
+            #[inline]
+            pub fn from_slice(values: &[R]) -> Self {
+                Self::from_array(*$crate::emitted::array_of(values))
+            }
+        }
+    };
+}

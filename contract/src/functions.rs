@@ -1,0 +1,145 @@
+//! The table of functions: what every simulator computes, listed once.
+//!
+//! The methods of [`Simulator`](crate::Simulator), the rows of models, the methods of those
+//! who interpret or compile them, and the signatures and docs of emitted code all follow from
+//! it. A new function is a row here and what computes it.
+
+/// Calls a macro with the table of functions, after arguments of one's own:
+///
+/// ```text
+/// for_each_function! { [my_macro] arguments }
+/// // becomes
+/// my_macro! { [arguments] every { ROWS } events { ROWS } constraints { ROWS } }
+/// ```
+///
+/// Rows stand in groups: those of every simulator, of those with events, of those with
+/// constraints. A row is
+///
+/// ```text
+/// { Id name Reads [result] [prepared] "few signs" "documentation" }
+/// ```
+///
+/// where `Reads` is `Parameters` or `Motion` (time, state and parameters); `prepared` is the
+/// name of the same by constants computed once a run, or nothing; and the result is
+///
+/// ```text
+/// [numbers LENGTH]               as many numbers as the constant of that name says
+/// [record Struct LENGTH]         likewise, a struct of them in emitted code
+/// [matrix PATTERN]               values of the nonzeros of a pattern
+/// [structure Struct fields ..]   a struct of the contract
+/// ```
+#[macro_export]
+macro_rules! for_each_function {
+    ([$($callback:tt)+] $($arguments:tt)*) => {
+        $($callback)+! {
+            [$($arguments)*]
+            every {
+                { InitialState initial_state Parameters [numbers STATES] [] "y at the start"
+                    "State at the start of the run, in the units of the states." }
+                { Discontinuities discontinuities Parameters [numbers DISCONTINUITIES] []
+                    "times of jumps"
+                    "Times of known jumps of the right-hand side \\[s\\], unsorted." }
+                { Rate rate Motion [numbers STATES] [prepared_rate] "y' = [q', M^-1 f, z']"
+                    "`y'`: velocities, `q''` of `M q'' = f + G^T lambda`, `h`; in the units of \
+                     the states per second." }
+                { MassMatrix mass_matrix Motion [matrix MASS_MATRIX_PATTERN] [] "M"
+                    "`M = d2L/dq'2`, values in the order of its pattern." }
+                { Forcing forcing Motion [numbers COORDINATES] [] "f"
+                    "`f` of `M q'' = f + G^T lambda`, one for each coordinate." }
+                { RateJacobian rate_jacobian Motion [matrix RATE_JACOBIAN_PATTERN]
+                    [prepared_rate_jacobian] "dy'/dy"
+                    "`dy'/dy`, values in the order of its pattern." }
+                { ParameterJacobian parameter_jacobian Motion [matrix PARAMETER_JACOBIAN_PATTERN]
+                    [] "dy'/dp"
+                    "`dy'/dp`, values in the order of its pattern." }
+                { TimeDerivative time_derivative Motion [numbers STATES]
+                    [prepared_time_derivative] "partial y'/partial t"
+                    "Partial derivative of `y'` with respect to time." }
+                { Outputs outputs Motion [record Outputs OUTPUTS] [] "wanted outputs"
+                    "Wanted outputs." }
+                { Energy energy Motion [structure Energy kinetic potential stored] []
+                    "T, V, stored"
+                    "T, V and the energy of first-order states \\[J\\]." }
+                { PowerBalance power_balance Motion
+                    [structure PowerBalance stored_rate supplied dissipated] []
+                    "dE/dt, supplied, dissipated"
+                    "`dE/dt`, power supplied and power dissipated \\[W\\]." }
+            }
+            events {
+                { Guards guards Motion [numbers EVENTS] [] "what passes zero"
+                    "What passes zero where events happen, one for each event." }
+                { GuardRates guard_rates Motion [numbers EVENTS] [] "rates of the guards"
+                    "`dg/dt` of the guards along the motion." }
+                { Resets resets Motion [numbers RESETS] [] "new values"
+                    "New values of the entries that each event sets, computed from the state \
+                     before it: those of the first event, in the order of its `sets`, then those \
+                     of the second, and so on." }
+            }
+            constraints {
+                { ConstraintValues constraint_values Motion [numbers CONSTRAINTS] [] "g"
+                    "`g` of each constraint, zero for those of velocities alone." }
+                { ConstraintRates constraint_rates Motion [numbers CONSTRAINTS] [] "g'"
+                    "`g'` of each constraint." }
+                { ConstraintMatrix constraint_matrix Motion [matrix CONSTRAINT_MATRIX_PATTERN] []
+                    "G = dg'/dq'"
+                    "`G = dg'/dq'`, values in the order of its pattern." }
+            }
+        }
+    };
+}
+
+/// Methods of [`Simulator`](crate::Simulator): those of every simulator have to be written,
+/// those of events and constraints compute nothing unless written.
+macro_rules! methods {
+    ([] every { $($every:tt)* } events { $($events:tt)* } constraints { $($constraints:tt)* }) => {
+        $(crate::functions::method! { required $every })*
+        $(crate::functions::method! { provided $events })*
+        $(crate::functions::method! { provided $constraints })*
+    };
+}
+pub(crate) use methods;
+
+macro_rules! method {
+    (required {
+        $id:ident $name:ident Parameters $result:tt [] $meaning:literal $doc:literal
+    }) => {
+        #[doc = $doc]
+        fn $name(&self, parameters: &[R], values: &mut [R]);
+    };
+    (required {
+        $id:ident $name:ident Motion [structure $structure:ident $($field:ident)*] [] $meaning:literal
+        $doc:literal
+    }) => {
+        #[doc = $doc]
+        fn $name(&self, time: R, state: &[R], parameters: &[R]) -> crate::$structure<R>;
+    };
+    (required {
+        $id:ident $name:ident Motion $result:tt [$($prepared:ident)?] $meaning:literal $doc:literal
+    }) => {
+        #[doc = $doc]
+        fn $name(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]);
+        $(
+            #[doc = concat!(
+                "As [`Simulator::", stringify!($name), "`], to the last bit, by constants that ",
+                "[`Simulator::prepare`] has computed from the same parameters."
+            )]
+            fn $prepared(
+                &self,
+                time: R,
+                state: &[R],
+                parameters: &[R],
+                _constants: &[R],
+                values: &mut [R],
+            ) {
+                self.$name(time, state, parameters, values);
+            }
+        )?
+    };
+    (provided {
+        $id:ident $name:ident Motion $result:tt [] $meaning:literal $doc:literal
+    }) => {
+        #[doc = $doc]
+        fn $name(&self, _time: R, _state: &[R], _parameters: &[R], _values: &mut [R]) {}
+    };
+}
+pub(crate) use method;

@@ -1,0 +1,307 @@
+//! `Describe` and `Simulator` of an emitted module, from its descriptions and free functions.
+
+/// The unit struct that stands for a machine, with the traits of the contract, by what
+/// `parameters!`, `outputs!`, `states!` and `patterns!` have defined and by free functions
+/// named as in the [table](crate::for_each_function):
+///
+/// ```text
+/// simulator! {
+///     /// Documentation.
+///     Machine: "name", "title";
+///     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "taylor";
+///     quadratures 0, discontinuities 0;
+///     parts
+/// }
+/// ```
+///
+/// Parts are what not every machine has, each followed by a semicolon: `coordinates`
+/// (see `coordinates!`), `events`, `constraints`, `prepared` (see `constants!`),
+/// `series LANES` or `series LANES Bends` (as many sums of products an order), and `linear`.
+#[macro_export]
+macro_rules! simulator {
+    (
+        $(#[$attribute:meta])*
+        $machine:ident: $name:literal, $title:literal;
+        run from $from:expr, until $until:expr, points $points:literal, rtol $rtol:expr,
+            method $method:literal;
+        quadratures $quadratures:literal, discontinuities $discontinuities:literal;
+        $($part:ident $($argument:literal $($bends:ident)?)?;)*
+    ) => {
+        $(#[$attribute])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+        pub struct $machine;
+
+        /// Times at which the right-hand side jumps.
+        pub const DISCONTINUITIES: usize = $discontinuities;
+
+        /// The run the spec asks for.
+        pub const RUN_DEFAULTS: $crate::RunDefaults<'static> = $crate::RunDefaults {
+            from: $from,
+            until: $until,
+            points: $points,
+            rtol: $rtol,
+            method: $method,
+        };
+
+        impl $crate::Describe for $machine {
+            fn name(&self) -> &'static str {
+                $name
+            }
+            fn title(&self) -> &'static str {
+                $title
+            }
+            fn shape(&self) -> $crate::Shape {
+                const SHAPE: $crate::Shape = $crate::Shape {
+                    quadratures: $quadratures,
+                    parameters: PARAMETERS,
+                    outputs: OUTPUTS,
+                    discontinuities: DISCONTINUITIES,
+                    ..$crate::emitted::shape_of(STATE_ROWS)
+                };
+                SHAPE
+            }
+            fn state(&self, index: usize) -> $crate::Quantity<'_> {
+                STATE_ROWS[index].quantity
+            }
+            fn state_kind(&self, index: usize) -> $crate::StateKind {
+                STATE_ROWS[index].kind
+            }
+            fn state_scale(&self, index: usize) -> f64 {
+                STATE_ROWS[index].scale
+            }
+            fn parameter(&self, index: usize) -> $crate::Quantity<'_> {
+                PARAMETER_QUANTITIES[index]
+            }
+            fn parameter_default(&self, index: usize) -> f64 {
+                PARAMETER_DEFAULTS[index]
+            }
+            fn output(&self, index: usize) -> $crate::Quantity<'_> {
+                OUTPUT_QUANTITIES[index]
+            }
+            fn rate_jacobian_pattern(&self) -> $crate::SparsityPattern<'_> {
+                RATE_JACOBIAN_PATTERN
+            }
+            fn parameter_jacobian_pattern(&self) -> $crate::SparsityPattern<'_> {
+                PARAMETER_JACOBIAN_PATTERN
+            }
+            fn mass_matrix_pattern(&self) -> $crate::SparsityPattern<'_> {
+                MASS_MATRIX_PATTERN
+            }
+            fn run_defaults(&self) -> $crate::RunDefaults<'_> {
+                RUN_DEFAULTS
+            }
+            fn is_mode(&self, index: usize) -> bool {
+                STATE_ROWS[index].is_mode
+            }
+            fn is_given(&self, index: usize) -> bool {
+                STATE_ROWS[index].is_given
+            }
+            $($crate::__describe_part! { $part })*
+        }
+
+        impl<R: $crate::Real> $crate::Simulator<R> for $machine {
+            $crate::for_each_function! { [$crate::__delegate] every }
+            $($crate::__simulate_part! { $part })*
+        }
+
+        $($crate::__part! { $machine $part $($argument $($bends)?)? })*
+    };
+}
+
+/// What a part adds to `Describe`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __describe_part {
+    (coordinates) => {
+        fn coordinate(&self, index: usize) -> $crate::Quantity<'_> {
+            COORDINATE_QUANTITIES[index]
+        }
+    };
+    (events) => {
+        fn events(&self) -> usize {
+            EVENTS
+        }
+        fn event(&self, index: usize) -> $crate::Event<'_> {
+            EVENT_SHAPES[index]
+        }
+    };
+    (constraints) => {
+        fn constraints(&self) -> usize {
+            CONSTRAINTS
+        }
+        fn constraint(&self, index: usize) -> $crate::Constraint<'_> {
+            CONSTRAINT_SHAPES[index]
+        }
+        fn constraint_matrix_pattern(&self) -> $crate::SparsityPattern<'_> {
+            CONSTRAINT_MATRIX_PATTERN
+        }
+    };
+    ($other:ident) => {};
+}
+
+/// What a part adds to `Simulator`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __simulate_part {
+    (events) => {
+        $crate::for_each_function! { [$crate::__delegate] events }
+    };
+    (constraints) => {
+        $crate::for_each_function! { [$crate::__delegate] constraints }
+    };
+    (prepared) => {
+        fn constants(&self) -> usize {
+            CONSTANTS
+        }
+        fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+            *$crate::emitted::places_of(constants) =
+                prepare(&Parameters::from_slice(parameters)).to_array();
+        }
+        $crate::__simulate_part! { by_constants prepared_rate }
+        $crate::__simulate_part! { by_constants prepared_rate_jacobian }
+    };
+    (by_constants $name:ident) => {
+        fn $name(&self, time: R, state: &[R], parameters: &[R], constants: &[R], values: &mut [R]) {
+            let (p, c) = (Parameters::from_slice(parameters), Constants::from_slice(constants));
+            *$crate::emitted::places_of(values) =
+                $name(time, $crate::emitted::array_of(state), &p, &c);
+        }
+    };
+    (series) => {
+        fn taylor(&self) -> ::core::option::Option<&dyn $crate::taylor::TaylorSeries<R>> {
+            ::core::option::Option::Some(self)
+        }
+    };
+    (linear) => {
+        fn linear(&self) -> ::core::option::Option<&dyn $crate::linear::LinearEquations<R>> {
+            ::core::option::Option::Some(self)
+        }
+    };
+    ($other:ident) => {};
+}
+
+/// What a part adds besides.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __part {
+    ($machine:ident prepared) => {
+        /// `y'`: [`prepared_rate`] by constants that [`prepare`] computes on the way.
+        #[must_use]
+        #[inline]
+        pub fn rate<R: $crate::Real>(
+            time: R,
+            state: &[R; STATES],
+            p: &Parameters<R>,
+        ) -> [R; STATES] {
+            prepared_rate(time, state, p, &prepare(p))
+        }
+        /// `dy'/dy`: [`prepared_rate_jacobian`] by constants that [`prepare`] computes on the
+        /// way.
+        #[must_use]
+        #[inline]
+        pub fn rate_jacobian<R: $crate::Real>(
+            time: R,
+            state: &[R; STATES],
+            p: &Parameters<R>,
+        ) -> [R; RATE_JACOBIAN_PATTERN.entries.len()] {
+            prepared_rate_jacobian(time, state, p, &prepare(p))
+        }
+    };
+    ($machine:ident series $lanes:literal) => {
+        $crate::__part! { $machine series $lanes Nowhere }
+    };
+    ($machine:ident series $lanes:literal $bends:ident) => {
+        impl<R: $crate::Real> $crate::taylor::TaylorSeries<R> for $machine {
+            fn series_workspace(&self, order: usize) -> usize {
+                $crate::taylor::Lanes::<R, $lanes>::workspace(order + 1)
+            }
+            fn series(
+                &self,
+                time: R,
+                state: &[R],
+                parameters: &[R],
+                coefficients: &mut [R],
+                workspace: &mut [R],
+            ) {
+                let (coefficients, rest) = coefficients.as_chunks_mut();
+                assert!(rest.is_empty(), "every order has STATES coefficients");
+                let p = Parameters::from_slice(parameters);
+                let state = $crate::emitted::array_of(state);
+                series(time, state, &p, coefficients, workspace);
+            }
+            fn bends(&self) -> $crate::taylor::Bends {
+                $crate::taylor::Bends::$bends
+            }
+        }
+    };
+    ($machine:ident linear) => {
+        impl<R: $crate::Real> $crate::linear::LinearEquations<R> for $machine {
+            fn excitation_terms(&self) -> &[(u32, u32)] {
+                &EXCITATION_TERMS
+            }
+            fn excitation(&self, time: R, parameters: &[R], values: &mut [R]) {
+                values.copy_from_slice(&excitation(time, &Parameters::from_slice(parameters)));
+            }
+            fn switches(&self) -> usize {
+                SWITCHES
+            }
+            fn switch_times(&self, parameters: &[R], times: &mut [R]) {
+                times.copy_from_slice(&switches(&Parameters::from_slice(parameters)));
+            }
+        }
+    };
+    ($machine:ident $other:ident) => {};
+}
+
+/// Methods that call the free functions of a group of the table.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __delegate {
+    ([every] every { $($row:tt)* } events $events:tt constraints $constraints:tt) => {
+        $($crate::__delegate_function! $row)*
+    };
+    ([events] every $every:tt events { $($row:tt)* } constraints $constraints:tt) => {
+        $($crate::__delegate_function! $row)*
+    };
+    ([constraints] every $every:tt events $events:tt constraints { $($row:tt)* }) => {
+        $($crate::__delegate_function! $row)*
+    };
+}
+
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __delegate_function {
+    ($id:ident $name:ident Parameters $result:tt [] $meaning:literal $doc:literal) => {
+        fn $name(&self, parameters: &[R], values: &mut [R]) {
+            *$crate::emitted::places_of(values) = $name(&Parameters::from_slice(parameters));
+        }
+    };
+    (
+        $id:ident $name:ident Motion [structure $structure:ident $($field:ident)*] []
+        $meaning:literal $doc:literal
+    ) => {
+        fn $name(&self, time: R, state: &[R], parameters: &[R]) -> $crate::$structure<R> {
+            let p = Parameters::from_slice(parameters);
+            $name(time, $crate::emitted::array_of(state), &p)
+        }
+    };
+    (
+        $id:ident $name:ident Motion [record $structure:ident $length:ident] [] $meaning:literal
+        $doc:literal
+    ) => {
+        fn $name(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+            let p = Parameters::from_slice(parameters);
+            *$crate::emitted::places_of(values) =
+                $name(time, $crate::emitted::array_of(state), &p).to_array();
+        }
+    };
+    (
+        $id:ident $name:ident Motion $result:tt [$($prepared:ident)?] $meaning:literal
+        $doc:literal
+    ) => {
+        fn $name(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+            let p = Parameters::from_slice(parameters);
+            *$crate::emitted::places_of(values) = $name(time, $crate::emitted::array_of(state), &p);
+        }
+    };
+}

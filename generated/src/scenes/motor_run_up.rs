@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   9cb3bc06b90741bd6579fe343a29720adfbbf2f1c299afe86f08de34d6c7fd6b  scenes/motor_run_up.toml
+//   cd46b5dd2787e2c7e2f8f0ced82de665f8064be9ca50f95ea3af96badbbee49f  scenes/motor_run_up.toml
 //   fe2f2deb5f36655ff87e1d6f2bb763716b1c76007878e37e8e41643655074862  units/induction_motor.toml
 //
 // Induction motor running up empty
@@ -30,7 +30,7 @@ use ::machinist_contract::{
     ///
     /// Source: Saw-gin study (2020), equations (2).
     MotorRunUp: "motor_run_up", "Induction motor running up empty";
-    run from 0.0, until 2.0, points 2001, rtol 1e-8, method "tsit45";
+    run from 0.0, until 2.0, points 2001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
     coordinates; prepared; series 4;
 }

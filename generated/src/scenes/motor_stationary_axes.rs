@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   8f45f0151bd7f9b04f50979fb7764e35ffae7dd1654b0dd483ce7f48b551ad63  scenes/motor_stationary_axes.toml
+//   87eeff5720dce2810ad788e37b7912d61bb118f7cdabd0c29c5e373e23f6a192  scenes/motor_stationary_axes.toml
 //   e8422c9ed02eea8c3a709bd8932dbac067c759a5c771209ef9b59cb86800c611  units/induction_motor_stationary.toml
 //
 // Induction motor running up empty, from its co-energy
@@ -31,7 +31,7 @@ use ::machinist_contract::{
     ///
     /// Source: Saw-gin study (2020), motor of equations (2), as a Lagrangian.
     MotorStationaryAxes: "motor_stationary_axes", "Induction motor running up empty, from its co-energy";
-    run from 0.0, until 2.0, points 2001, rtol 1e-8, method "tsit45";
+    run from 0.0, until 2.0, points 2001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
     coordinates; prepared; series 29;
 }

@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   c02cb12d2b09b1ef614d114dc34181b68d27d0240de63b453c85dcf0f0091503  scenes/pendulum_chain.toml
+//   f36e6f7a8a295ae89f1ec04eab3bdf7608ba19982828192f803ec3e196da05d2  scenes/pendulum_chain.toml
 //   0cffc4a4ddaf5edfd00f248740ed9408fe25ba00e6486e49d46fc843757b7a78  units/three_pendulums.toml
 //
 // Chain of three pendulums
@@ -31,7 +31,7 @@ use ::machinist_contract::{
     ///
     /// Source: Textbook.
     PendulumChain: "pendulum_chain", "Chain of three pendulums";
-    run from 0.0, until 5.0, points 1001, rtol 1e-8, method "tsit45";
+    run from 0.0, until 5.0, points 1001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
     prepared; series 29;
 }

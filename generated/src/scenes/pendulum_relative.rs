@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   0ef43e66537a3898084c7eff67a00d42ce3331b678823244e9fb34c025087a6a  scenes/pendulum_relative.toml
+//   b8ca232eee40e97f96f2049b40a93136df6317800ed11c3e41e4ae52056e4270  scenes/pendulum_relative.toml
 //   2dff14c7fde2a579d8be25941f9964c4fb4a70b3507b299bd5e949c6b9d9de6d  units/three_pendulums_relative.toml
 //
 // Chain of three pendulums, by relative angles
@@ -31,7 +31,7 @@ use ::machinist_contract::{
     ///
     /// Source: Textbook.
     PendulumRelative: "pendulum_relative", "Chain of three pendulums, by relative angles";
-    run from 0.0, until 5.0, points 1001, rtol 1e-8, method "tsit45";
+    run from 0.0, until 5.0, points 1001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
     prepared; series 54;
 }

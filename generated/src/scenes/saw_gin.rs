@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   a84965a91db7cfa103c22695ba1ae6324662522399db683b4171fce80e13d5b7  scenes/saw_gin.toml
+//   4c3737fb08e100789e170e85685bb603d80b46af4b65afbf02cc428114ed99d9  scenes/saw_gin.toml
 //   fe2f2deb5f36655ff87e1d6f2bb763716b1c76007878e37e8e41643655074862  units/induction_motor.toml
 //   a479b553f0542fe4aecc9e2a030097bc5b34e101f44a5e7297713fb52484327b  units/coupling.toml
 //   192155c0a8dc7b884c45e939d6fe1b122b135258825141b94f360d68f1612fb5  units/rotor.toml
@@ -36,7 +36,7 @@ use ::machinist_contract::{
     ///
     /// Source: Saw-gin study (2020), equations (1) and (2), in their consistent reading.
     SawGin: "saw_gin", "Saw gin: motor, coupling and saw cylinder";
-    run from 0.0, until 2.0, points 2001, rtol 1e-8, method "tsit45";
+    run from 0.0, until 2.0, points 2001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
     coordinates; prepared; series 9 Saturates;
 }

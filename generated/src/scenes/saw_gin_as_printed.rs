@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   0a7b80ba16c86a18f99ecf8fe5cd7f2f59fdf61c6adcb99c671c96cf5a3e4e66  scenes/saw_gin_as_printed.toml
+//   a2403aab864d64bd8b1b4fa874724e8ff8bc26ab5acf3acb5e9ae1870397f1bf  scenes/saw_gin_as_printed.toml
 //   495ad7f7a1034ceca85b1f336cdb757e19f20ef1f884d8c24b8ad9f1dc96fd39  units/induction_motor_as_printed.toml
 //   a479b553f0542fe4aecc9e2a030097bc5b34e101f44a5e7297713fb52484327b  units/coupling.toml
 //   192155c0a8dc7b884c45e939d6fe1b122b135258825141b94f360d68f1612fb5  units/rotor.toml
@@ -34,7 +34,7 @@ use ::machinist_contract::{
     ///
     /// Source: Saw-gin study (2020), equations (1) and (2), as printed.
     SawGinAsPrinted: "saw_gin_as_printed", "Saw gin with the equations and numbers as printed";
-    run from 0.0, until 3.0, points 3001, rtol 1e-8, method "tsit45";
+    run from 0.0, until 3.0, points 3001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
     prepared; series 9 Saturates;
 }

@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   7d11b427e35d3b5e342aeab78644622db3f121423f6c82e2f25a2bc4b9d6bb13  scenes/two_mass.toml
+//   5623d9c21ce98e1aed41a1f9a9f9209929035ebecccba58003cfb7c33a790c3c  scenes/two_mass.toml
 //   192155c0a8dc7b884c45e939d6fe1b122b135258825141b94f360d68f1612fb5  units/rotor.toml
 //   a479b553f0542fe4aecc9e2a030097bc5b34e101f44a5e7297713fb52484327b  units/coupling.toml
 //
@@ -29,7 +29,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     ///
     /// Source: Saw-gin study (2020), equations (1).
     TwoMass: "two_mass", "Two rotors on an elasto-dissipative coupling";
-    run from 0.0, until 0.5, points 1001, rtol 1e-8, method "tsit45";
+    run from 0.0, until 0.5, points 1001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
     coordinates; prepared; linear; series 0;
 }

@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   f0e4c157d923f03fe1f24e6494b85ae5624f758f3a117cd1a67d3c2da881f90e  scenes/winder_linear.toml
+//   03b22d4d9554adef0c3fc4ca26d46400ccd8ebc835b65b9517eb3e1297f3e093  scenes/winder_linear.toml
 //   07413a1109bdf680c087c4354aa37c0ca961bda7ffa02d4c885b7a671cdda9ec  units/bobbin_holder.toml
 //   7f906df57d36c587350f4f96bf186ba57a3eefffbc8a08954a65b16a979eb1d8  units/yarn_layer.toml
 //
@@ -31,7 +31,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     ///
     /// Source: Winder study, first stage of modelling; mass, viscosity, stiffnesses and disturbances of its bench model M5. Arms, speed and radii are plausible ones.
     WinderLinear: "winder_linear", "Bobbin on a winding drum, linear layer";
-    run from 0.0, until 0.5, points 2001, rtol 1e-8, method "tsit45";
+    run from 0.0, until 0.5, points 2001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
     prepared; linear; series 0;
 }

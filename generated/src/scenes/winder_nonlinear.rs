@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   1337400118feb94abb8b29a57c72fc9842b8be8ed7d92e7167aef55c282cd458  scenes/winder_nonlinear.toml
+//   f63237fe587c99a6ad651b37ca93a48c08e8b6265e675d4e13497400519a5c5e  scenes/winder_nonlinear.toml
 //   07413a1109bdf680c087c4354aa37c0ca961bda7ffa02d4c885b7a671cdda9ec  units/bobbin_holder.toml
 //   474b1451b6ea41282e5d85fdf4dc2eeb669545db8d2c64c0e8a9661494cc2ae8  units/yarn_layer_cubic.toml
 //
@@ -34,7 +34,7 @@ use ::machinist_contract::{
     ///
     /// Source: Winder study, second stage of modelling; mass, viscosity, stiffnesses and disturbances of its bench model M5. Arms, speed and radii are plausible ones.
     WinderNonlinear: "winder_nonlinear", "Bobbin on a winding drum, stiffening layer";
-    run from 0.0, until 0.5, points 2001, rtol 1e-8, method "tsit45";
+    run from 0.0, until 0.5, points 2001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
     prepared; series 2;
 }

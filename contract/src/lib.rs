@@ -28,6 +28,7 @@ mod contract;
 pub mod digits;
 pub mod exponential;
 pub mod field;
+pub mod implicit;
 mod include;
 pub mod linear;
 mod real;

@@ -13,6 +13,7 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("sources.rs", include_str!("sources.rs")),
     ("table.rs", include_str!("table.rs")),
     ("field.rs", include_str!("field.rs")),
+    ("implicit.rs", include_str!("implicit.rs")),
     ("linear.rs", include_str!("linear.rs")),
     ("taylor.rs", include_str!("taylor.rs")),
 ];

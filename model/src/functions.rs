@@ -3,7 +3,7 @@
 //! Emission, interpretation, checks of a model and tables of costs go by it. A new function
 //! is a row here, its tape in the [`Model`], and its method in the contract.
 
-use crate::{Model, SparsityPattern, Tape};
+use crate::{MatrixTape, Model, Op, Solve, SparsityPattern, Tape};
 
 /// A function of a model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -81,6 +81,8 @@ pub struct FunctionRow {
     pub tape: fn(&Model) -> &Tape,
     /// The nonzeros it computes, of functions that give a matrix.
     pub pattern: Option<fn(&Model) -> &SparsityPattern>,
+    /// The matrix itself.
+    pub matrix: Option<fn(&Model) -> &MatrixTape>,
     /// How many results it has.
     pub results: fn(&Model) -> usize,
 }
@@ -97,6 +99,7 @@ macro_rules! row {
             of: Of::$of,
             tape: |model| &model.$name,
             pattern: None,
+            matrix: None,
             results: $results,
         }
     };
@@ -109,6 +112,7 @@ macro_rules! row {
             of: Of::$of,
             tape: |model| &model.$name.tape,
             pattern: Some(|model| &model.$name.pattern),
+            matrix: Some(|model| &model.$name),
             results: |model| model.$name.pattern.entries.len(),
         }
     };
@@ -163,6 +167,19 @@ impl Model {
     /// The functions it has, in the order of the table.
     pub fn functions(&self) -> impl Iterator<Item = &'static FunctionRow> {
         FUNCTIONS.iter().filter(|row| row.is_of(self))
+    }
+
+    /// How a function solves for its results, if it does.
+    #[must_use]
+    pub fn solve(&self, id: FunctionId) -> Option<&Solve> {
+        id.row().matrix.and_then(|matrix| matrix(self).solve.as_ref())
+    }
+
+    /// Whether a function goes by what the motion's tape computes.
+    #[must_use]
+    pub fn reads_motion(&self, id: FunctionId) -> bool {
+        let is_read = |tape: &Tape| tape.nodes.iter().any(|node| matches!(node.op, Op::Motion(_)));
+        self.motion.is_some() && (self.solve(id).is_some() || is_read(self.tape(id)))
     }
 
     /// The tape of a function.

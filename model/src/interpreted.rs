@@ -1,6 +1,7 @@
 //! Models run straight from their tapes.
 
 mod field;
+mod motion;
 
 use std::cell::RefCell;
 
@@ -29,6 +30,10 @@ pub struct InterpretedSimulator {
     functions: [RefCell<Evaluator>; FUNCTIONS.len()],
     /// What parameters alone decide, then rate and Jacobian that read it.
     prepared: [RefCell<Evaluator>; 3],
+    /// What goes before functions that read it, and the same by constants.
+    motion: Option<RefCell<motion::Motion>>,
+    /// Which functions do.
+    reads_motion: [bool; FUNCTIONS.len()],
     series: RefCell<SeriesEvaluator>,
     bends: Bends,
     /// Excitation and switches.
@@ -46,6 +51,8 @@ impl InterpretedSimulator {
         Self {
             functions: FUNCTIONS.each_ref().map(|row| prepared((row.tape)(&model))),
             prepared: [&hoisted.constants, &hoisted.rate, &hoisted.rate_jacobian].map(prepared),
+            motion: motion::Motion::new(&model, &hoisted).map(RefCell::new),
+            reads_motion: FUNCTIONS.each_ref().map(|row| model.reads_motion(row.id)),
             bends: series.bends(model.discontinuities.results.len()),
             series: RefCell::new(SeriesEvaluator::new(series)),
             linear: model
@@ -77,11 +84,37 @@ impl InterpretedSimulator {
         let [own, handed] = [self.model.parameters.len(), self.model.handed.len()];
         assert_eq!(parameters.len(), own + handed, "number of parameters");
         let (parameters, handed) = parameters.split_at(own);
-        Inputs { time, state: &[], parameters, handed, constants: &[], tables: &self.model.tables }
+        Inputs {
+            time,
+            state: &[],
+            parameters,
+            handed,
+            constants: &[],
+            motion: &[],
+            tables: &self.model.tables,
+        }
     }
 
     fn run(&self, function: FunctionId, inputs: &Inputs<'_>, results: &mut [f64]) {
-        self.functions[function as usize].borrow_mut().evaluate(inputs, results);
+        let mut tape = self.functions[function as usize].borrow_mut();
+        self.run_tape(function, &mut tape, inputs, results);
+    }
+
+    /// A tape of a function, behind that of the motion if it goes by it.
+    fn run_tape(
+        &self,
+        function: FunctionId,
+        tape: &mut Evaluator,
+        inputs: &Inputs<'_>,
+        results: &mut [f64],
+    ) {
+        match &self.motion {
+            Some(motion) if self.reads_motion[function as usize] => {
+                let solve = self.model.solve(function);
+                motion.borrow_mut().run(tape, solve, inputs, results);
+            }
+            _ => tape.evaluate(inputs, results),
+        }
     }
 }
 
@@ -253,7 +286,8 @@ impl Simulator<f64> for InterpretedSimulator {
         values: &mut [f64],
     ) {
         let inputs = Inputs { constants, ..self.inputs(time, state, parameters) };
-        self.prepared[2].borrow_mut().evaluate(&inputs, values);
+        let mut tape = self.prepared[2].borrow_mut();
+        self.run_tape(FunctionId::RateJacobian, &mut tape, &inputs, values);
     }
     fn energy(&self, time: f64, state: &[f64], parameters: &[f64]) -> Energy<f64> {
         let mut values = [0.0; 3];

@@ -14,6 +14,7 @@ mod functions;
 mod fuse;
 mod header;
 mod items;
+mod motion;
 mod names;
 mod plan;
 mod points;
@@ -24,8 +25,10 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::{EmitError, EmitOptions};
+use body::Scope;
 pub(crate) use header::MARK;
 use machinist_model::Model;
+use motion::Motion;
 use names::Namer;
 use prepare::Prepare;
 use series::Series;
@@ -49,6 +52,7 @@ pub fn emit(model: &Model, options: &EmitOptions) -> Result<String, EmitError> {
     let outputs = items::outputs(&scene);
     let state_indices = items::state_indices(&scene);
     let prepare = scene.prepare.items();
+    let motion = &scene.motion.items;
     let functions = functions::functions(&scene)?;
     let excitation = excitation::items(&scene)?;
     let implementations = describe::implementations(&scene, series.is_some())?;
@@ -63,6 +67,7 @@ pub fn emit(model: &Model, options: &EmitOptions) -> Result<String, EmitError> {
         #outputs
         #state_indices
         #prepare
+        #motion
         #functions
         #series
         #excitation
@@ -106,7 +111,44 @@ pub fn emit_index(models: &[&Model], options: &EmitOptions) -> Result<String, Em
 fn pretty(tokens: TokenStream) -> Result<String, EmitError> {
     let file =
         syn::parse2(tokens).map_err(|error| EmitError::Unparsable { reason: error.to_string() })?;
-    Ok(space_items(&prettyplease::unparse(&file)))
+    Ok(pack(&space_items(&prettyplease::unparse(&file))))
+}
+
+/// Puts lists of numbers, and of places in an array, several into a line, where the printer
+/// puts each into one of its own.
+fn pack(text: &str) -> String {
+    const WIDTH: usize = 100;
+    let is_number = |word: &str| word.bytes().all(|b| b.is_ascii_digit());
+    let is_place = |item: &str| {
+        let mut words = item.split([',', ' ', '(', ')', '[', ']']);
+        words.all(|word| word == "x" || is_number(word))
+    };
+    let is_packed = |line: &str| {
+        let item = line.trim_start();
+        let is_short = item.len() < WIDTH / 4 && item.starts_with(|c: char| c != ']' && c != ')');
+        is_short && item.strip_suffix(',').is_some_and(is_place)
+    };
+    let mut packed = String::with_capacity(text.len());
+    // Length of the line that is open for more, if one is.
+    let mut open = None;
+    for line in text.lines() {
+        let item = line.trim_start();
+        let length = match open {
+            Some(length) if is_packed(line) && length + 1 + item.len() <= WIDTH => {
+                packed.pop();
+                packed.push(' ');
+                packed.push_str(item);
+                length + 1 + item.len()
+            }
+            _ => {
+                packed.push_str(line);
+                line.len()
+            }
+        };
+        packed.push('\n');
+        open = is_packed(line).then_some(length);
+    }
+    packed
 }
 
 /// Puts an empty line between items, where the printer puts none.
@@ -138,6 +180,8 @@ struct Scene<'a> {
     locals: Namer,
     /// What is done once a run.
     prepare: Prepare,
+    /// What several functions read.
+    motion: Motion,
 }
 
 impl<'a> Scene<'a> {
@@ -169,13 +213,28 @@ impl<'a> Scene<'a> {
         for constant in &tables {
             locals.reserve(&constant.to_string());
         }
+        if model.motion.is_some() {
+            motion::LOCALS.iter().for_each(|name| locals.reserve(name));
+        }
         let states: Vec<Ident> =
             states.iter().map(|state| locals.claim(&state.to_string())).collect();
         for parameter in &parameters {
             locals.reserve(&parameter.to_string());
         }
         let prepare = Prepare::new(model, &states, &parameters, &tables, &locals)?;
-        Ok(Self { model, machine, states, parameters, outputs, tables, locals, prepare })
+        let (own, handed) = parameters.split_at(model.parameters.len());
+        let scope = Scope {
+            states: &states,
+            parameters: own,
+            handed,
+            constants: &prepare.constants,
+            motion: &[],
+            tables: &tables,
+            is_in_loop: false,
+            namer: &locals,
+        };
+        let motion = Motion::new(model, &prepare.hoisted, &scope)?;
+        Ok(Self { model, machine, states, parameters, outputs, tables, locals, prepare, motion })
     }
 }
 
@@ -194,6 +253,9 @@ impl Scene<'_> {
 /// `use` of exactly what the module needs.
 fn imports(model: &Model, series: Option<&Series>) -> TokenStream {
     let series = series.map(Series::imports);
+    let solves = [&model.rate_jacobian, &model.parameter_jacobian];
+    let implicit = solves.iter().any(|matrix| matrix.solve.is_some());
+    let implicit = implicit.then(|| quote!(implicit::{Step, substitute},));
     let linear = model.excitation.is_some().then(|| quote!(linear::LinearEquations,));
     let fields = (!model.fields.is_empty()).then(field::imports);
     let events = (!model.events.is_empty()).then(|| quote!(Direction, Event,));
@@ -203,7 +265,7 @@ fn imports(model: &Model, series: Option<&Series>) -> TokenStream {
     quote! {
         use ::machinist_contract::{
             #constraint #table Describe, #events Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-            SparsityPattern, #kinds #linear #series #fields
+            SparsityPattern, #kinds #implicit #linear #series #fields
         };
     }
 }

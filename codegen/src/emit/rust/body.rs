@@ -30,6 +30,8 @@ pub(super) struct Scope<'a> {
     pub(super) handed: &'a [Ident],
     /// What is known before: fields of `Constants`, or variables where `is_in_loop`.
     pub(super) constants: &'a [Ident],
+    /// What stands for the results of the motion.
+    pub(super) motion: &'a [TokenStream],
     /// Constants of the tables.
     pub(super) tables: &'a [Ident],
     /// Whether it is run for many points, which compilers put into vectors on their own.
@@ -56,6 +58,7 @@ pub(super) struct Reads {
     pub(super) time: bool,
     pub(super) parameters: bool,
     pub(super) constants: bool,
+    pub(super) motion: bool,
     /// Entries of the state.
     pub(super) state: BTreeSet<usize>,
 }
@@ -256,6 +259,10 @@ impl Writer<'_> {
                 }
                 self.reads.constants = true;
                 Ok(Written::call(quote!(c.#name)))
+            }
+            Op::Motion(entry) => {
+                self.reads.motion = true;
+                Ok(Written::call(self.scope.motion[entry as usize].clone()))
             }
             Op::Neg(a) => {
                 let a = self.operand_at_least(a, Strength::Call)?;

@@ -78,6 +78,7 @@ fn function(
         parameters: scene.own_parameters(),
         handed: scene.handed(),
         constants: &[],
+        motion: &[],
         tables: &scene.tables,
         is_in_loop: false,
         namer: &scene.locals,

@@ -8,16 +8,17 @@ use quote::{format_ident, quote};
 use super::Scene;
 use super::body::{Body, ResultNames, Scope, body};
 use super::items::phantom;
+use super::motion::{solved, statics as statics_of};
 use crate::emit::EmitError;
 use crate::emit::text::doc;
-use machinist_model::functions::FunctionId;
+use machinist_model::functions::{FunctionId, FunctionRow};
 use machinist_model::{SparsityPattern, Tape, operations};
 
 /// All functions, in the order of their table.
 pub(super) fn functions(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
     let prepared = &scene.prepare.hoisted;
     let functions = scene.model.functions().map(|row| {
-        let (name, tape) = (row.name, (row.tape)(scene.model));
+        let (name, tape) = (row, (row.tape)(scene.model));
         match row.id {
             _ if scene.prepare.is_empty() => function(scene, name, tape, false),
             FunctionId::Rate => in_two(scene, name, tape, &prepared.rate),
@@ -31,15 +32,16 @@ pub(super) fn functions(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
 /// A function whose constants `prepare` computes, and the one that goes by them.
 fn in_two(
     scene: &Scene<'_>,
-    name: &'static str,
+    row: &FunctionRow,
     tape: &Tape,
     prepared: &Tape,
 ) -> Result<TokenStream, EmitError> {
+    let name = row.name;
     let Manner { doc: meaning, returns, .. } = manner(scene, name);
-    let Returns::Array(length) = returns else { return function(scene, name, tape, false) };
+    let Returns::Array(length) = returns else { return function(scene, row, tape, false) };
     let operations = counted(operations(tape));
     let docs = doc([meaning.as_str(), "", operations.as_str()]);
-    let rest = function(scene, name, prepared, true)?;
+    let rest = function(scene, row, prepared, true)?;
     let (name, prepared) = (format_ident!("{name}"), format_ident!("prepared_{name}"));
     Ok(quote! {
         #docs
@@ -72,10 +74,11 @@ struct Manner {
 /// `is_prepared`: whether the tape reads constants, as `prepared_..`.
 fn function(
     scene: &Scene<'_>,
-    name: &'static str,
+    row: &FunctionRow,
     tape: &Tape,
     is_prepared: bool,
 ) -> Result<TokenStream, EmitError> {
+    let name = row.name;
     let mut manner = manner(scene, name);
     if is_prepared {
         manner.doc = format!("As `{name}`, with the constants of the parameters from `prepare`.");
@@ -85,28 +88,49 @@ fn function(
         parameters: scene.own_parameters(),
         handed: scene.handed(),
         constants: &scene.prepare.constants,
+        motion: &scene.motion.results,
         tables: &scene.tables,
         is_in_loop: false,
         namer: &scene.locals,
     };
-    let Body { statements, results, reads } = body(name, tape, &scope, &manner.names)?;
+    let solve = scene.model.solve(row.id);
+    if solve.is_some() {
+        // What is solved for has no names of its own.
+        manner.names = ResultNames::default();
+    }
+    let Body { statements, results, mut reads } = body(name, tape, &scope, &manner.names)?;
+    let reads_motion = reads.motion || solve.is_some();
+    let motion = reads_motion.then(|| motion_of(scene, is_prepared));
+    if reads_motion {
+        (reads.time, reads.parameters, reads.constants) = (true, true, is_prepared);
+    }
     let p = if reads.parameters { format_ident!("p") } else { format_ident!("_p") };
     let time = if reads.time { format_ident!("time") } else { format_ident!("_time") };
-    let state =
-        if reads.state.is_empty() { format_ident!("_state") } else { format_ident!("state") };
+    let state = if reads.state.is_empty() && !reads_motion {
+        format_ident!("_state")
+    } else {
+        format_ident!("state")
+    };
     let c = if reads.constants { format_ident!("c") } else { format_ident!("_c") };
     let constants = is_prepared.then(|| quote!(, #c: &Constants<R>));
     let state_and_time =
         (!manner.of_parameters_only).then(|| quote!(#time: R, #state: &[R; STATES],));
     let (return_type, value) = match manner.returns {
-        Returns::Array(length) => (quote!([R; #length]), quote!([#(#results),*])),
+        Returns::Array(length) => {
+            let value = match solve {
+                None => quote!([#(#results),*]),
+                Some(solve) => solved(name, solve, &results),
+            };
+            (quote!([R; #length]), value)
+        }
         Returns::Struct(name, fields) => {
             let phantom = phantom(&fields);
             let fields = fields.iter().zip(&results).map(|(field, result)| field_of(field, result));
             (quote!(#name<R>), quote!(#name { #(#fields,)* #phantom }))
         }
     };
-    let destructured = destructure(scene, &reads.state);
+    let destructured = destructure(&scene.states, &reads.state);
+    let statics = solve.map(|solve| statics_of(name, solve));
     let operations = counted(operations(tape));
     let docs = doc([manner.doc.as_str(), "", operations.as_str()]);
     let inline = (name == "rate").then(|| quote!(#[inline]));
@@ -117,10 +141,22 @@ fn function(
         #inline
         pub fn #name<R: Real>(#state_and_time #p: &Parameters<R> #constants) -> #return_type {
             #destructured
+            #motion
             #(#statements)*
             #value
         }
+        #statics
     })
+}
+
+/// The motion, known as `m`.
+fn motion_of(scene: &Scene<'_>, is_prepared: bool) -> TokenStream {
+    let constants = match (scene.prepare.is_empty(), is_prepared) {
+        (true, _) => quote!(),
+        (false, true) => quote!(, c),
+        (false, false) => quote!(, &prepare(p)),
+    };
+    quote!(let m = &motion(time, state, p #constants);)
 }
 
 /// `field: result`, or `field` where the result is a variable of that name.
@@ -138,20 +174,20 @@ pub(super) fn counted(operations: usize) -> String {
 
 /// Binds the states a body reads: by one pattern if they are many, one by one if
 /// they are few among many.
-fn destructure(scene: &Scene<'_>, read: &BTreeSet<usize>) -> Option<TokenStream> {
+pub(super) fn destructure(states: &[Ident], read: &BTreeSet<usize>) -> Option<TokenStream> {
     let span = read.last()? + 1;
     if span > 8 && read.len() * 3 < span {
         let lets = read.iter().map(|&index| {
-            let (name, index) = (&scene.states[index], Literal::usize_unsuffixed(index));
+            let (name, index) = (&states[index], Literal::usize_unsuffixed(index));
             quote!(let #name = state[#index];)
         });
         return Some(quote!(#(#lets)*));
     }
     let entries = (0..span).map(|index| {
-        let name = &scene.states[index];
+        let name = &states[index];
         if read.contains(&index) { quote!(#name) } else { quote!(_) }
     });
-    let rest = (span < scene.states.len()).then(|| quote!(..));
+    let rest = (span < states.len()).then(|| quote!(..));
     Some(quote!(let [#(#entries,)* #rest] = *state;))
 }
 

@@ -36,13 +36,20 @@ pub(super) fn header(model: &Model, options: &EmitOptions) -> String {
             .functions()
             .map(|row| format!("  {:<20} {:>6}", row.name, operations((row.tape)(model)))),
     );
-    let Hoisted { constants, rate, rate_jacobian } = Hoisted::new(model);
+    if let Some(motion) = &model.motion {
+        lines.push("Before those that read it:".to_owned());
+        lines.push(format!("  {:<20} {:>6}", "motion", operations(&motion.tape)));
+    }
+    let Hoisted { constants, rate, rate_jacobian, motion } = Hoisted::new(model);
     if !constants.results.is_empty() {
         lines.push("With constants of the parameters, prepared once a run:".to_owned());
         let row = |name, tape| format!("  {name:<22} {:>4}", operations(tape));
         lines.push(row("prepare", &constants));
         lines.push(row("prepared_rate", &rate));
         lines.push(row("prepared_rate_jacobian", &rate_jacobian));
+        if model.motion.is_some() {
+            lines.push(row("motion", &motion));
+        }
     }
     as_comment(&lines)
 }

@@ -46,6 +46,8 @@ const RESERVED: &[&str] = &[
     "RATE_JACOBIAN_PATTERN",
     "PARAMETER_JACOBIAN_PATTERN",
     "MASS_MATRIX_PATTERN",
+    "RATE_JACOBIAN_STEPS",
+    "PARAMETER_JACOBIAN_STEPS",
 ];
 
 /// The tapes' functions; a local variable of the same name would mislead.
@@ -71,6 +73,7 @@ const FUNCTIONS: &[&str] = &[
     "prepare",
     "prepared_rate",
     "prepared_rate_jacobian",
+    "substitute",
 ];
 
 /// Types that the emitted module defines or imports.
@@ -78,6 +81,8 @@ const TYPES: &[&str] = &[
     "Parameters",
     "Outputs",
     "Constants",
+    "Motion",
+    "Step",
     "Constraint",
     "CubicTable",
     "Describe",

@@ -232,7 +232,8 @@ impl<'a> Writer<'a> {
             | Op::State(_)
             | Op::Parameter(_)
             | Op::Handed(_)
-            | Op::Constant(_) => quote!(),
+            | Op::Constant(_)
+            | Op::Motion(_) => quote!(),
         })
     }
 

@@ -12,6 +12,9 @@ use machinist_model::{NodeId, Solve, SolveStep, SparsityPattern};
 
 use super::substitute::{Step, needed};
 
+/// Part of the products of a loop that have to be of nonzeros, as a fraction.
+const DENSE: [usize; 2] = [3, 5];
+
 /// What columns of a Jacobian are made of; (row, column) of nonzeros only.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Columns {
@@ -24,7 +27,7 @@ pub struct Columns {
 }
 
 /// A Jacobian that is solved for.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Implicit {
     /// Its nonzeros.
     pub pattern: SparsityPattern,
@@ -32,6 +35,8 @@ pub struct Implicit {
     pub inputs: Vec<NodeId>,
     /// What is solved with.
     pub steps: Vec<Step>,
+    /// Products of nonzeros in all steps.
+    products: usize,
     /// As in [`Solve`].
     rows: u32,
     columns: u32,
@@ -87,11 +92,36 @@ pub fn implicit(
         given,
         right_sides: sides.iter().map(|((row, column), _)| (*row as u32, place[column])).collect(),
         solved,
+        products: needed.products,
         steps: needed.steps,
     }
 }
 
 impl Implicit {
+    /// One of which every nonzero is known.
+    #[must_use]
+    pub fn unrolled(
+        nonzeros: &BTreeMap<(usize, usize), NodeId>,
+        rows: usize,
+        columns: usize,
+    ) -> Self {
+        let entries = nonzeros.keys().map(|(row, column)| (*row as u32, *column as u32)).collect();
+        Implicit {
+            pattern: SparsityPattern { rows, columns, entries },
+            inputs: nonzeros.values().copied().collect(),
+            ..Self::default()
+        }
+    }
+
+    /// Whether a loop over all columns does little that is not needed: most products in it
+    /// are of what is not zero.
+    #[must_use]
+    pub fn is_dense(&self) -> bool {
+        let all: usize = self.steps.iter().map(|step| step.terms.len()).sum();
+        let all = all * self.columns as usize;
+        self.products * DENSE[1] >= all * DENSE[0]
+    }
+
     /// Whether anything is left to solve for.
     #[must_use]
     pub fn is_solved(&self) -> bool {

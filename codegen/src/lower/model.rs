@@ -54,8 +54,9 @@ pub fn lower(linearization: &Linearization) -> Model {
     build.of_motion(model, jacobians, &motion)
 }
 
-/// Products in all columns of an unrolled solve, beyond which it is a loop.
-const LARGE: usize = 1;
+/// Products of a solve in all columns of the Jacobian, beyond which functions share the
+/// motion. Below, calling it costs about what it saves.
+const LARGE: usize = 1500;
 
 /// dy'/dy and dy'/dp.
 enum Jacobians {
@@ -231,6 +232,23 @@ impl<'a> Build<'a> {
         column
     }
 
+    /// A Jacobian each column of which is solved for on the graph.
+    fn unrolled(&mut self, columns: &Columns, velocities: &[(usize, usize)]) -> Implicit {
+        let mut nonzeros = columns.given.clone();
+        let zero = self.graph.literal(0.0);
+        for column in 0..columns.count {
+            let side = |row| columns.sides.get(&(row, column)).copied().unwrap_or(zero);
+            let side: Vec<NodeId> = (0..self.solution.len()).map(side).collect();
+            let solved = self.substitution.accelerations(&mut self.graph, &side);
+            for (entry, coordinate) in velocities {
+                if !self.graph.is_zero(solved[*coordinate]) {
+                    nonzeros.insert((*entry, column), solved[*coordinate]);
+                }
+            }
+        }
+        Implicit::unrolled(&nonzeros, self.rate.len(), columns.count)
+    }
+
     /// A Jacobian by columns, stored by rows.
     fn jacobian(&mut self, partials: &[Partials]) -> MatrixTape {
         let columns: Vec<Vec<NodeId>> = partials.iter().map(|p| self.column(p)).collect();
@@ -248,7 +266,7 @@ impl<'a> Build<'a> {
     }
 
     /// The functions that need accelerations or factors.
-    fn of_motion(self, model: Model, jacobians: Jacobians, motion: &OfMotion) -> Model {
+    fn of_motion(mut self, model: Model, jacobians: Jacobians, motion: &OfMotion) -> Model {
         let columns = match jacobians {
             Jacobians::Implicit(columns) => columns,
             Jacobians::Unrolled([mut rate_jacobian, parameter_jacobian]) => {
@@ -268,7 +286,9 @@ impl<'a> Build<'a> {
         };
         let velocities: Vec<(usize, usize)> = self.velocities().collect();
         let implicit = columns.map(|columns| {
-            implicit(&columns, &self.substitution.steps, &velocities, self.rate.len())
+            let steps = &self.substitution.steps;
+            let implicit = implicit(&columns, steps, &velocities, self.rate.len());
+            if implicit.is_dense() { implicit } else { self.unrolled(&columns, &velocities) }
         });
         let (shared, tapes) = self.shared(&implicit, motion);
         let [first, second, time_derivative, outputs, power_balance, guard_rates] = tapes;

@@ -228,6 +228,8 @@ pub struct Needed {
     pub steps: Vec<Step>,
     /// Rows of right sides that have a say.
     pub sides: BTreeSet<usize>,
+    /// Products of nonzeros, in all columns.
+    pub products: usize,
     /// Columns in which a row may be nonzero afterwards.
     pub columns: BTreeMap<usize, BTreeSet<usize>>,
 }
@@ -253,17 +255,19 @@ pub fn needed(
             continue;
         }
         let more: Vec<usize> = terms.iter().flat_map(|(_, from)| columns[from].clone()).collect();
+        let products = more.len();
         columns.entry(step.row).or_default().extend(more);
-        forward.push(Step { row: step.row, scale, terms });
+        forward.push((Step { row: step.row, scale, terms }, products));
     }
     let mut live = wanted.clone();
-    let mut kept = Vec::new();
-    for step in forward.into_iter().rev() {
+    let (mut kept, mut products) = (Vec::new(), 0);
+    for (step, own) in forward.into_iter().rev() {
         if live.contains(&step.row) {
             live.extend(step.terms.iter().map(|(_, from)| *from));
             kept.push(step);
+            products += own;
         }
     }
     kept.reverse();
-    Needed { steps: kept, sides: live, columns }
+    Needed { steps: kept, sides: live, products, columns }
 }

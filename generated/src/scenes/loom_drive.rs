@@ -100,45 +100,10 @@ pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
     rows: 16,
     columns: 16,
     entries: &[
-        (0, 6),
-        (1, 7),
-        (2, 8),
-        (3, 9),
-        (4, 10),
-        (5, 11),
-        (6, 0),
-        (6, 1),
-        (6, 6),
-        (6, 7),
-        (6, 12),
-        (6, 13),
-        (6, 14),
-        (6, 15),
-        (7, 0),
-        (7, 1),
-        (7, 2),
-        (7, 6),
-        (7, 7),
-        (8, 1),
-        (8, 2),
-        (9, 3),
-        (9, 5),
-        (11, 3),
-        (11, 5),
-        (12, 12),
-        (12, 13),
-        (12, 14),
-        (13, 12),
-        (13, 13),
-        (13, 15),
-        (14, 6),
-        (14, 12),
-        (14, 14),
-        (14, 15),
-        (15, 6),
-        (15, 13),
-        (15, 14),
-        (15, 15),
+        (0, 6), (1, 7), (2, 8), (3, 9), (4, 10), (5, 11), (6, 0), (6, 1), (6, 6), (6, 7), (6, 12),
+        (6, 13), (6, 14), (6, 15), (7, 0), (7, 1), (7, 2), (7, 6), (7, 7), (8, 1), (8, 2), (9, 3),
+        (9, 5), (11, 3), (11, 5), (12, 12), (12, 13), (12, 14), (13, 12), (13, 13), (13, 15),
+        (14, 6), (14, 12), (14, 14), (14, 15), (15, 6), (15, 13), (15, 14), (15, 15),
     ],
 };
 
@@ -147,53 +112,11 @@ pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern
     rows: 16,
     columns: 39,
     entries: &[
-        (6, 0),
-        (6, 2),
-        (6, 4),
-        (6, 5),
-        (6, 6),
-        (6, 7),
-        (6, 10),
-        (6, 11),
-        (6, 12),
-        (7, 10),
-        (7, 11),
-        (7, 12),
-        (7, 13),
-        (7, 14),
-        (7, 15),
-        (7, 16),
-        (8, 14),
-        (8, 15),
-        (8, 27),
-        (8, 28),
-        (9, 25),
-        (9, 31),
-        (9, 32),
-        (10, 35),
-        (10, 36),
-        (11, 23),
-        (11, 24),
-        (11, 25),
-        (11, 26),
-        (12, 1),
-        (12, 2),
-        (12, 3),
-        (12, 6),
-        (12, 8),
-        (13, 1),
-        (13, 2),
-        (13, 3),
-        (13, 6),
-        (13, 8),
-        (14, 2),
-        (14, 4),
-        (14, 5),
-        (14, 9),
-        (15, 2),
-        (15, 4),
-        (15, 5),
-        (15, 9),
+        (6, 0), (6, 2), (6, 4), (6, 5), (6, 6), (6, 7), (6, 10), (6, 11), (6, 12), (7, 10), (7, 11),
+        (7, 12), (7, 13), (7, 14), (7, 15), (7, 16), (8, 14), (8, 15), (8, 27), (8, 28), (9, 25),
+        (9, 31), (9, 32), (10, 35), (10, 36), (11, 23), (11, 24), (11, 25), (11, 26), (12, 1),
+        (12, 2), (12, 3), (12, 6), (12, 8), (13, 1), (13, 2), (13, 3), (13, 6), (13, 8), (14, 2),
+        (14, 4), (14, 5), (14, 9), (15, 2), (15, 4), (15, 5), (15, 9),
     ],
 };
 
@@ -543,20 +466,20 @@ pub struct Constants<R> {
     pub t5: R,
     pub motor_alpha_s_times_motor_omega_0: R,
     pub motor_alpha_r_times_motor_omega_0: R,
-    pub motor_omega_dot_by_motor_phi: R,
     pub crank_turn_speed_dot_by_motor_phi: R,
+    pub motor_omega_dot_by_motor_phi: R,
     pub t6: R,
     pub t7: R,
     pub motor_omega_dot_by_crank_turn: R,
     pub shaft_driven_dot_dot_by_shaft_driven: R,
+    pub reed_speed_dot_by_shaft_reed: R,
     pub t8: R,
     pub shaft_reed_dot_dot_by_shaft_reed: R,
-    pub reed_speed_dot_by_shaft_reed: R,
     pub reed_speed_dot_by_reed_angle: R,
-    pub motor_omega_dot_by_motor_omega: R,
     pub crank_turn_speed_dot_by_motor_omega: R,
-    pub motor_omega_dot_by_crank_turn_speed: R,
+    pub motor_omega_dot_by_motor_omega: R,
     pub crank_turn_speed_dot_by_crank_turn_speed: R,
+    pub motor_omega_dot_by_crank_turn_speed: R,
     pub t9: R,
     pub motor_psi_sx_dot_by_motor_psi_sx: R,
     pub motor_psi_sy_dot_by_motor_psi_sx: R,
@@ -586,20 +509,20 @@ impl<R: Real> Constants<R> {
             t5: values[12],
             motor_alpha_s_times_motor_omega_0: values[13],
             motor_alpha_r_times_motor_omega_0: values[14],
-            motor_omega_dot_by_motor_phi: values[15],
-            crank_turn_speed_dot_by_motor_phi: values[16],
+            crank_turn_speed_dot_by_motor_phi: values[15],
+            motor_omega_dot_by_motor_phi: values[16],
             t6: values[17],
             t7: values[18],
             motor_omega_dot_by_crank_turn: values[19],
             shaft_driven_dot_dot_by_shaft_driven: values[20],
-            t8: values[21],
-            shaft_reed_dot_dot_by_shaft_reed: values[22],
-            reed_speed_dot_by_shaft_reed: values[23],
+            reed_speed_dot_by_shaft_reed: values[21],
+            t8: values[22],
+            shaft_reed_dot_dot_by_shaft_reed: values[23],
             reed_speed_dot_by_reed_angle: values[24],
-            motor_omega_dot_by_motor_omega: values[25],
-            crank_turn_speed_dot_by_motor_omega: values[26],
-            motor_omega_dot_by_crank_turn_speed: values[27],
-            crank_turn_speed_dot_by_crank_turn_speed: values[28],
+            crank_turn_speed_dot_by_motor_omega: values[25],
+            motor_omega_dot_by_motor_omega: values[26],
+            crank_turn_speed_dot_by_crank_turn_speed: values[27],
+            motor_omega_dot_by_crank_turn_speed: values[28],
             t9: values[29],
             motor_psi_sx_dot_by_motor_psi_sx: values[30],
             motor_psi_sy_dot_by_motor_psi_sx: values[31],
@@ -628,20 +551,20 @@ impl<R: Real> Constants<R> {
             self.t5,
             self.motor_alpha_s_times_motor_omega_0,
             self.motor_alpha_r_times_motor_omega_0,
-            self.motor_omega_dot_by_motor_phi,
             self.crank_turn_speed_dot_by_motor_phi,
+            self.motor_omega_dot_by_motor_phi,
             self.t6,
             self.t7,
             self.motor_omega_dot_by_crank_turn,
             self.shaft_driven_dot_dot_by_shaft_driven,
+            self.reed_speed_dot_by_shaft_reed,
             self.t8,
             self.shaft_reed_dot_dot_by_shaft_reed,
-            self.reed_speed_dot_by_shaft_reed,
             self.reed_speed_dot_by_reed_angle,
-            self.motor_omega_dot_by_motor_omega,
             self.crank_turn_speed_dot_by_motor_omega,
-            self.motor_omega_dot_by_crank_turn_speed,
+            self.motor_omega_dot_by_motor_omega,
             self.crank_turn_speed_dot_by_crank_turn_speed,
+            self.motor_omega_dot_by_crank_turn_speed,
             self.t9,
             self.motor_psi_sx_dot_by_motor_psi_sx,
             self.motor_psi_sy_dot_by_motor_psi_sx,
@@ -682,25 +605,25 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t5 = p.coupling_damping * p.coupling_ratio;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let crank_turn_speed_dot_by_motor_phi = t4 * inverse_crank_inertia;
+    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
     let t6 = p.coupling_stiffness * coupling_ratio_squared;
     let t7 = p.crank_stiffness * (p.crank_ratio * p.crank_ratio);
     let motor_omega_dot_by_crank_turn = t4 * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_shaft_driven = -(p.crank_stiffness
         * inverse_shaft_driven_field_inertia);
+    let reed_speed_dot_by_shaft_reed = p.reed_stiffness * t3;
     let t8 = p.reed_stiffness * inverse_shaft_reed_field_inertia;
     let shaft_reed_dot_dot_by_shaft_reed = -t8;
-    let reed_speed_dot_by_shaft_reed = p.reed_stiffness * t3;
     let reed_speed_dot_by_reed_angle = -((p.reed_stiffness + p.fell_stiffness) * t3);
-    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let crank_turn_speed_dot_by_motor_omega = t5 * inverse_crank_inertia;
-    let motor_omega_dot_by_crank_turn_speed = t5 * inverse_motor_inertia;
+    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let crank_turn_speed_dot_by_crank_turn_speed = -(p
         .crank_drag
         .add_product(p.coupling_damping, coupling_ratio_squared)
         * inverse_crank_inertia);
+    let motor_omega_dot_by_crank_turn_speed = t5 * inverse_motor_inertia;
     let t9 = t1 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
     let motor_psi_sx_dot_by_motor_psi_sx = -motor_alpha_s_times_motor_omega_0;
     let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
@@ -723,20 +646,20 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         t5,
         motor_alpha_s_times_motor_omega_0,
         motor_alpha_r_times_motor_omega_0,
-        motor_omega_dot_by_motor_phi,
         crank_turn_speed_dot_by_motor_phi,
+        motor_omega_dot_by_motor_phi,
         t6,
         t7,
         motor_omega_dot_by_crank_turn,
         shaft_driven_dot_dot_by_shaft_driven,
+        reed_speed_dot_by_shaft_reed,
         t8,
         shaft_reed_dot_dot_by_shaft_reed,
-        reed_speed_dot_by_shaft_reed,
         reed_speed_dot_by_reed_angle,
-        motor_omega_dot_by_motor_omega,
         crank_turn_speed_dot_by_motor_omega,
-        motor_omega_dot_by_crank_turn_speed,
+        motor_omega_dot_by_motor_omega,
         crank_turn_speed_dot_by_crank_turn_speed,
+        motor_omega_dot_by_crank_turn_speed,
         t9,
         motor_psi_sx_dot_by_motor_psi_sx,
         motor_psi_sy_dot_by_motor_psi_sx,
@@ -815,22 +738,22 @@ pub fn prepared_rate<R: Real>(
         * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
     let t0 = p.reed_stiffness * (shaft_reed - reed_angle);
-    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
+    let reed_speed_dot = (t0 - fell_torque) * c.t3;
+    let shaft_middle_dot_dot = p.shaft_middle_field_force
+        * c.inverse_shaft_middle_field_inertia;
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0)
+        * c.inverse_shaft_reed_field_inertia;
+    let shaft_driven_dot_dot = p
+        .shaft_driven_field_force
+        .sub_product(p.crank_stiffness, shaft_driven_minus_crank_angle)
+        * c.inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot = ((c.t4 * coupling_twist)
         .add_product(
             c.crank_ratio_times_crank_stiffness * shaft_driven_minus_crank_angle,
             cos_crank_turn,
         ) - (p.crank_drag * crank_turn_speed).sub_product(c.t5, coupling_twist_rate))
         * c.inverse_crank_inertia;
-    let shaft_driven_dot_dot = p
-        .shaft_driven_field_force
-        .sub_product(p.crank_stiffness, shaft_driven_minus_crank_angle)
-        * c.inverse_shaft_driven_field_inertia;
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0)
-        * c.inverse_shaft_reed_field_inertia;
-    let shaft_middle_dot_dot = p.shaft_middle_field_force
-        * c.inverse_shaft_middle_field_inertia;
-    let reed_speed_dot = (t0 - fell_torque) * c.t3;
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot = c
         .motor_u_x
         .add_product(c.motor_omega_0, motor_psi_sy)
@@ -972,11 +895,11 @@ pub fn prepared_rate_jacobian<R: Real>(
     let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
     let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
     let t0 = c.crank_ratio_times_crank_stiffness * cos_crank_turn;
+    let shaft_driven_dot_dot_by_crank_turn = t0 * c.inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot_by_crank_turn = -(c
         .t6
         .add_product(p.crank_stiffness * crank_angle, shaft_driven - crank_angle)
         .add_product(c.t7, cos_crank_turn * cos_crank_turn) * c.inverse_crank_inertia);
-    let shaft_driven_dot_dot_by_crank_turn = t0 * c.inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot_by_shaft_driven = t0 * c.inverse_crank_inertia;
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
@@ -1081,7 +1004,15 @@ pub fn parameter_jacobian<R: Real>(
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
     let shaft_reed_minus_reed_angle = shaft_reed - reed_angle;
     let t7 = p.reed_stiffness * shaft_reed_minus_reed_angle;
-    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
+    let reed_speed_dot = (t7 - fell_torque) * t6;
+    let shaft_middle_dot_dot = p.shaft_middle_field_force
+        * inverse_shaft_middle_field_inertia;
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t7)
+        * inverse_shaft_reed_field_inertia;
+    let shaft_driven_dot_dot = p
+        .shaft_driven_field_force
+        .sub_product(p.crank_stiffness, shaft_driven_minus_crank_angle)
+        * inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot = ((p.coupling_stiffness * p.coupling_ratio
         * coupling_twist)
         .add_product(
@@ -1091,15 +1022,7 @@ pub fn parameter_jacobian<R: Real>(
         - (p.crank_drag * crank_turn_speed)
             .sub_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate))
         * inverse_crank_inertia;
-    let shaft_driven_dot_dot = p
-        .shaft_driven_field_force
-        .sub_product(p.crank_stiffness, shaft_driven_minus_crank_angle)
-        * inverse_shaft_driven_field_inertia;
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t7)
-        * inverse_shaft_reed_field_inertia;
-    let shaft_middle_dot_dot = p.shaft_middle_field_force
-        * inverse_shaft_middle_field_inertia;
-    let reed_speed_dot = (t7 - fell_torque) * t6;
+    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let t8 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
@@ -1150,15 +1073,13 @@ pub fn parameter_jacobian<R: Real>(
     let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t3);
     let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t8;
     let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t9;
-    let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_crank_turn
-        - motor_phi) * inverse_motor_inertia;
     let crank_turn_speed_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
         * inverse_crank_inertia;
-    let motor_omega_dot_by_coupling_damping = (t1 - motor_omega) * inverse_motor_inertia;
+    let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_crank_turn
+        - motor_phi) * inverse_motor_inertia;
     let crank_turn_speed_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * inverse_crank_inertia;
-    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * crank_turn)
-        .add_product(p.coupling_damping, crank_turn_speed) * inverse_motor_inertia;
+    let motor_omega_dot_by_coupling_damping = (t1 - motor_omega) * inverse_motor_inertia;
     let crank_turn_speed_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
         .add_product(p.coupling_damping, motor_omega)
         .sub_product(
@@ -1169,24 +1090,26 @@ pub fn parameter_jacobian<R: Real>(
             R::literal(2.0) * p.coupling_damping * p.coupling_ratio,
             crank_turn_speed,
         ) * inverse_crank_inertia;
+    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * crank_turn)
+        .add_product(p.coupling_damping, crank_turn_speed) * inverse_motor_inertia;
     let crank_turn_speed_dot_by_crank_inertia = -(crank_turn_speed_dot
         * inverse_crank_inertia);
+    let shaft_driven_dot_dot_by_crank_ratio = p.crank_stiffness * sin_crank_turn
+        * inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot_by_crank_ratio = p.crank_stiffness
         * shaft_driven.sub_product(R::literal(2.0), crank_angle) * cos_crank_turn
         * inverse_crank_inertia;
-    let shaft_driven_dot_dot_by_crank_ratio = p.crank_stiffness * sin_crank_turn
+    let shaft_driven_dot_dot_by_crank_stiffness = (crank_angle - shaft_driven)
         * inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot_by_crank_stiffness = p.crank_ratio
         * shaft_driven_minus_crank_angle * cos_crank_turn * inverse_crank_inertia;
-    let shaft_driven_dot_dot_by_crank_stiffness = (crank_angle - shaft_driven)
-        * inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot_by_crank_drag = -(crank_turn_speed * inverse_crank_inertia);
     let reed_speed_dot_by_reed_mass = -(reed_arm_squared * reed_speed_dot * t6);
     let reed_speed_dot_by_reed_arm = -(R::literal(2.0) * p.reed_mass * p.reed_arm
         * reed_speed_dot * t6);
+    let reed_speed_dot_by_reed_stiffness = shaft_reed_minus_reed_angle * t6;
     let shaft_reed_dot_dot_by_reed_stiffness = (reed_angle - shaft_reed)
         * inverse_shaft_reed_field_inertia;
-    let reed_speed_dot_by_reed_stiffness = shaft_reed_minus_reed_angle * t6;
     let reed_speed_dot_by_fell_stiffness = -(reed_angle * t6);
     let shaft_driven_dot_dot_by_shaft_driven_field_inertia = -(shaft_driven_dot_dot
         * inverse_shaft_driven_field_inertia);
@@ -1419,17 +1342,17 @@ pub fn power_balance<R: Real>(
         .sub_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate);
     let t9 = p.crank_stiffness * shaft_driven_minus_crank_angle;
     let t10 = p.reed_stiffness * (shaft_reed - reed_angle);
-    let motor_omega_dot = (motor_torque - coupling_torque)
-        * (R::literal(1.0) / p.motor_inertia);
-    let crank_turn_speed_dot = (t7 + t6 - t8) * (R::literal(1.0) / p.crank_inertia);
-    let shaft_driven_dot_dot = (p.shaft_driven_field_force - t9)
-        * (R::literal(1.0) / p.shaft_driven_field_inertia);
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t10)
-        * (R::literal(1.0) / p.shaft_reed_field_inertia);
-    let shaft_middle_dot_dot = p.shaft_middle_field_force
-        * (R::literal(1.0) / p.shaft_middle_field_inertia);
     let reed_speed_dot = (t10 - fell_torque)
         * (R::literal(1.0) / reed_mass_times_reed_arm_squared);
+    let shaft_middle_dot_dot = p.shaft_middle_field_force
+        * (R::literal(1.0) / p.shaft_middle_field_inertia);
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t10)
+        * (R::literal(1.0) / p.shaft_reed_field_inertia);
+    let shaft_driven_dot_dot = (p.shaft_driven_field_force - t9)
+        * (R::literal(1.0) / p.shaft_driven_field_inertia);
+    let crank_turn_speed_dot = (t7 + t6 - t8) * (R::literal(1.0) / p.crank_inertia);
+    let motor_omega_dot = (motor_torque - coupling_torque)
+        * (R::literal(1.0) / p.motor_inertia);
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_psi_sx_dot = motor_u_x
         .add_product(motor_omega_0, motor_psi_sy)

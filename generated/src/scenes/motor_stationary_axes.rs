@@ -77,19 +77,8 @@ pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
     rows: 5,
     columns: 5,
     entries: &[
-        (0, 0),
-        (0, 2),
-        (0, 3),
-        (1, 1),
-        (1, 2),
-        (1, 3),
-        (2, 0),
-        (2, 1),
-        (2, 2),
-        (3, 0),
-        (3, 1),
-        (3, 3),
-        (4, 4),
+        (0, 0), (0, 2), (0, 3), (1, 1), (1, 2), (1, 3), (2, 0), (2, 1), (2, 2), (3, 0), (3, 1),
+        (3, 3), (4, 4),
     ],
 };
 
@@ -98,36 +87,9 @@ pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
     rows: 6,
     columns: 6,
     entries: &[
-        (0, 5),
-        (1, 0),
-        (1, 1),
-        (1, 2),
-        (1, 3),
-        (1, 4),
-        (1, 5),
-        (2, 0),
-        (2, 1),
-        (2, 2),
-        (2, 3),
-        (2, 4),
-        (2, 5),
-        (3, 0),
-        (3, 1),
-        (3, 2),
-        (3, 3),
-        (3, 4),
-        (3, 5),
-        (4, 0),
-        (4, 1),
-        (4, 2),
-        (4, 3),
-        (4, 4),
-        (4, 5),
-        (5, 0),
-        (5, 1),
-        (5, 2),
-        (5, 3),
-        (5, 4),
+        (0, 5), (1, 0), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (2, 0), (2, 1), (2, 2), (2, 3),
+        (2, 4), (2, 5), (3, 0), (3, 1), (3, 2), (3, 3), (3, 4), (3, 5), (4, 0), (4, 1), (4, 2),
+        (4, 3), (4, 4), (4, 5), (5, 0), (5, 1), (5, 2), (5, 3), (5, 4),
     ],
 };
 
@@ -136,47 +98,10 @@ pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern
     rows: 6,
     columns: 11,
     entries: &[
-        (1, 2),
-        (1, 3),
-        (1, 4),
-        (1, 5),
-        (1, 6),
-        (1, 7),
-        (1, 8),
-        (1, 9),
-        (1, 10),
-        (2, 2),
-        (2, 3),
-        (2, 4),
-        (2, 5),
-        (2, 6),
-        (2, 7),
-        (2, 8),
-        (2, 9),
-        (2, 10),
-        (3, 2),
-        (3, 3),
-        (3, 4),
-        (3, 5),
-        (3, 6),
-        (3, 7),
-        (3, 8),
-        (3, 9),
-        (3, 10),
-        (4, 2),
-        (4, 3),
-        (4, 4),
-        (4, 5),
-        (4, 6),
-        (4, 7),
-        (4, 8),
-        (4, 9),
-        (4, 10),
-        (5, 1),
-        (5, 3),
-        (5, 5),
-        (5, 6),
-        (5, 8),
+        (1, 2), (1, 3), (1, 4), (1, 5), (1, 6), (1, 7), (1, 8), (1, 9), (1, 10), (2, 2), (2, 3),
+        (2, 4), (2, 5), (2, 6), (2, 7), (2, 8), (2, 9), (2, 10), (3, 2), (3, 3), (3, 4), (3, 5),
+        (3, 6), (3, 7), (3, 8), (3, 9), (3, 10), (4, 2), (4, 3), (4, 4), (4, 5), (4, 6), (4, 7),
+        (4, 8), (4, 9), (4, 10), (5, 1), (5, 3), (5, 5), (5, 6), (5, 8),
     ],
 };
 
@@ -574,6 +499,10 @@ pub fn prepared_rate<R: Real>(
             .sub_product(c.t6, motor_i_ra))
         .sub_product(t5, t13)
         .sub_product(t6, t14);
+    let motor_omega_dot = c.t1
+        * (p.motor_pole_pairs * motor_across * cos_motor_theta)
+            .sub_product(p.motor_pole_pairs * motor_along, sin_motor_theta)
+        * c.inverse_motor_inertia;
     let motor_i_rb_dot = (c.t8
         * (t16 * cos_motor_theta)
             .add_product(t15, sin_motor_theta)
@@ -583,10 +512,6 @@ pub fn prepared_rate<R: Real>(
         .sub_product(t5, t14)
         .sub_product(t11, t17)
         * (R::literal(1.0) / (c.t2 - t8 - t7).sub_product(t11, t10));
-    let motor_omega_dot = c.t1
-        * (p.motor_pole_pairs * motor_across * cos_motor_theta)
-            .sub_product(p.motor_pole_pairs * motor_along, sin_motor_theta)
-        * c.inverse_motor_inertia;
     let motor_i_ra_dot = (t17 * t9).sub_product(t11, motor_i_rb_dot);
     let motor_i_sb_dot = (t14 * c.t3)
         .sub_product(t6, motor_i_ra_dot)
@@ -806,6 +731,10 @@ pub fn prepared_rate_jacobian<R: Real>(
         .sub_product(t24, motor_i_sb_dot)
         .sub_product(t5, t25)
         .sub_product(t6, t26);
+    let motor_omega_dot_by_motor_phi = c.t1
+        * (-(c.motor_pole_pairs_squared * motor_across * sin_motor_theta))
+            .sub_product(c.motor_pole_pairs_squared * motor_along, cos_motor_theta)
+        * c.inverse_motor_inertia;
     let motor_i_rb_dot_by_motor_phi = (c.t11 * motor_omega
         * (R::literal(0.75) * motor_i_sb * cos_motor_theta)
             .sub_product(R::literal(0.75) * motor_i_sa, sin_motor_theta))
@@ -814,10 +743,6 @@ pub fn prepared_rate_jacobian<R: Real>(
         .add_product(t6, t25)
         .sub_product(t5, t26)
         .sub_product(t11, t27) * t12;
-    let motor_omega_dot_by_motor_phi = c.t1
-        * (-(c.motor_pole_pairs_squared * motor_across * sin_motor_theta))
-            .sub_product(c.motor_pole_pairs_squared * motor_along, cos_motor_theta)
-        * c.inverse_motor_inertia;
     let motor_i_ra_dot_by_motor_phi = (t27 * t9)
         .sub_product(t11, motor_i_rb_dot_by_motor_phi);
     let motor_i_sb_dot_by_motor_phi = (t26 * c.t3)
@@ -832,8 +757,8 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t31 = c.t9 * t21;
     let t32 = t29.sub_product(t5, c.t13);
     let t33 = t6 * c.t13;
-    let motor_i_rb_dot_by_motor_i_sa = (t30 + t33).sub_product(t11, t32) * t12;
     let motor_omega_dot_by_motor_i_sa = -(t31 * c.inverse_motor_inertia);
+    let motor_i_rb_dot_by_motor_i_sa = (t30 + t33).sub_product(t11, t32) * t12;
     let motor_i_ra_dot_by_motor_i_sa = (t32 * t9)
         .sub_product(t11, motor_i_rb_dot_by_motor_i_sa);
     let motor_i_sb_dot_by_motor_i_sa = (-(t5 * motor_i_rb_dot_by_motor_i_sa))
@@ -843,8 +768,8 @@ pub fn prepared_rate_jacobian<R: Real>(
         .sub_product(t5, motor_i_ra_dot_by_motor_i_sa)
         .add_product(t6, motor_i_rb_dot_by_motor_i_sa);
     let t34 = -t30 - t33;
-    let motor_i_rb_dot_by_motor_i_sb = t32.sub_product(t11, t34) * t12;
     let motor_omega_dot_by_motor_i_sb = c.t9 * t19 * c.inverse_motor_inertia;
+    let motor_i_rb_dot_by_motor_i_sb = t32.sub_product(t11, t34) * t12;
     let motor_i_ra_dot_by_motor_i_sb = (t34 * t9)
         .sub_product(t11, motor_i_rb_dot_by_motor_i_sb);
     let motor_i_sb_dot_by_motor_i_sb = c
@@ -858,31 +783,31 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t37 = c.t15 - t35 + t36;
     let t38 = t6 * t29;
     let t39 = t5 * t30;
-    let t40 = t29 * c.t3;
-    let t41 = t30 * c.t3;
-    let motor_i_rb_dot_by_motor_i_ra = (t38 + t39).sub_product(t11, t37) * t12;
     let motor_omega_dot_by_motor_i_ra = c.t1
         * (p.motor_pole_pairs * motor_i_sb * cos_motor_theta)
             .sub_product(p.motor_pole_pairs * motor_i_sa, sin_motor_theta)
         * c.inverse_motor_inertia;
+    let motor_i_rb_dot_by_motor_i_ra = (t38 + t39).sub_product(t11, t37) * t12;
     let motor_i_ra_dot_by_motor_i_ra = (t37 * t9)
         .sub_product(t11, motor_i_rb_dot_by_motor_i_ra);
-    let motor_i_sb_dot_by_motor_i_ra = (-t41)
+    let t40 = t30 * c.t3;
+    let motor_i_sb_dot_by_motor_i_ra = (-t40)
         .sub_product(t6, motor_i_ra_dot_by_motor_i_ra)
         .sub_product(t5, motor_i_rb_dot_by_motor_i_ra);
-    let motor_i_sa_dot_by_motor_i_ra = t40
+    let t41 = t29 * c.t3;
+    let motor_i_sa_dot_by_motor_i_ra = t41
         .sub_product(t5, motor_i_ra_dot_by_motor_i_ra)
         .add_product(t6, motor_i_rb_dot_by_motor_i_ra);
     let t42 = c.t9 * t22;
     let t43 = -t39 - t38;
-    let motor_i_rb_dot_by_motor_i_rb = (c.t15 + t36 - t35).sub_product(t11, t43) * t12;
     let motor_omega_dot_by_motor_i_rb = -(t42 * c.inverse_motor_inertia);
+    let motor_i_rb_dot_by_motor_i_rb = (c.t15 + t36 - t35).sub_product(t11, t43) * t12;
     let motor_i_ra_dot_by_motor_i_rb = (t43 * t9)
         .sub_product(t11, motor_i_rb_dot_by_motor_i_rb);
-    let motor_i_sb_dot_by_motor_i_rb = t40
+    let motor_i_sb_dot_by_motor_i_rb = t41
         .sub_product(t6, motor_i_ra_dot_by_motor_i_rb)
         .sub_product(t5, motor_i_rb_dot_by_motor_i_rb);
-    let motor_i_sa_dot_by_motor_i_rb = t41
+    let motor_i_sa_dot_by_motor_i_rb = t40
         .sub_product(t5, motor_i_ra_dot_by_motor_i_rb)
         .add_product(t6, motor_i_rb_dot_by_motor_i_rb);
     let t44 = c.t16
@@ -1009,11 +934,11 @@ pub fn parameter_jacobian<R: Real>(
     let t39 = (p.motor_pole_pairs * motor_across * cos_motor_theta)
         .sub_product(p.motor_pole_pairs * motor_along, sin_motor_theta);
     let t40 = (t35 * t34).sub_product(t10, t22).sub_product(t11, t25);
+    let motor_omega_dot = t5 * t39 * inverse_motor_inertia;
     let motor_i_rb_dot = (t35 * t38)
         .add_product(t11, t22)
         .sub_product(t10, t25)
         .sub_product(t16, t40) * t17;
-    let motor_omega_dot = t5 * t39 * inverse_motor_inertia;
     let motor_i_ra_dot = (t40 * t14).sub_product(t16, motor_i_rb_dot);
     let motor_i_sb_dot = (t25 * t9)
         .sub_product(t11, motor_i_ra_dot)
@@ -1067,6 +992,7 @@ pub fn parameter_jacobian<R: Real>(
         .add_product(t55, motor_i_ra_dot)
         .sub_product(t10, t53)
         .sub_product(t11, t54);
+    let motor_omega_dot_by_motor_supply_frequency = -(t48 * t39 * inverse_motor_inertia);
     let motor_i_rb_dot_by_motor_supply_frequency = (-(R::literal(1.5)
         * p.motor_pole_pairs * motor_M / p.motor_supply_frequency * motor_omega
         * (motor_i_sa_times_cos_motor_theta + motor_i_sb_times_sin_motor_theta)))
@@ -1076,7 +1002,6 @@ pub fn parameter_jacobian<R: Real>(
         .add_product(t11, t53)
         .sub_product(t10, t54)
         .sub_product(t16, t56) * t17;
-    let motor_omega_dot_by_motor_supply_frequency = -(t48 * t39 * inverse_motor_inertia);
     let motor_i_ra_dot_by_motor_supply_frequency = (t56 * t14)
         .sub_product(t16, motor_i_rb_dot_by_motor_supply_frequency);
     let motor_i_sb_dot_by_motor_supply_frequency = (t54 * t9)
@@ -1127,6 +1052,11 @@ pub fn parameter_jacobian<R: Real>(
         .sub_product(t60, motor_i_sb_dot)
         .sub_product(t10, t61)
         .sub_product(t11, t62);
+    let motor_omega_dot_by_motor_pole_pairs = t5
+        * (motor_across * cos_motor_theta)
+            .sub_product(motor_theta * motor_along, cos_motor_theta)
+            .sub_product(motor_theta * motor_across, sin_motor_theta)
+            .sub_product(motor_along, sin_motor_theta) * inverse_motor_inertia;
     let motor_i_rb_dot_by_motor_pole_pairs = (-(t20
         * ((-motor_i_sa_times_cos_motor_theta)
             .add_product(motor_i_sa_times_motor_theta, sin_motor_theta)
@@ -1137,11 +1067,6 @@ pub fn parameter_jacobian<R: Real>(
         .add_product(t11, t61)
         .sub_product(t10, t62)
         .sub_product(t16, t63) * t17;
-    let motor_omega_dot_by_motor_pole_pairs = t5
-        * (motor_across * cos_motor_theta)
-            .sub_product(motor_theta * motor_along, cos_motor_theta)
-            .sub_product(motor_theta * motor_across, sin_motor_theta)
-            .sub_product(motor_along, sin_motor_theta) * inverse_motor_inertia;
     let motor_i_ra_dot_by_motor_pole_pairs = (t63 * t14)
         .sub_product(t16, motor_i_rb_dot_by_motor_pole_pairs);
     let motor_i_sb_dot_by_motor_pole_pairs = (t62 * t9)
@@ -1171,6 +1096,7 @@ pub fn parameter_jacobian<R: Real>(
         .sub_product(t72, motor_i_ra_dot)
         .sub_product(t10, t70)
         .sub_product(t11, t71);
+    let motor_omega_dot_by_motor_k_s = t4 * t39 * inverse_motor_inertia;
     let motor_i_rb_dot_by_motor_k_s = (t67 * (t37.add_product(t66, motor_i_rb) - t36))
         .add_product(t69, motor_i_sa_dot)
         .sub_product(t68, motor_i_sb_dot)
@@ -1178,7 +1104,6 @@ pub fn parameter_jacobian<R: Real>(
         .add_product(t11, t70)
         .sub_product(t10, t71)
         .sub_product(t16, t73) * t17;
-    let motor_omega_dot_by_motor_k_s = t4 * t39 * inverse_motor_inertia;
     let motor_i_ra_dot_by_motor_k_s = (t73 * t14)
         .sub_product(t16, motor_i_rb_dot_by_motor_k_s);
     let motor_i_sb_dot_by_motor_k_s = (t71 * t9)
@@ -1235,6 +1160,7 @@ pub fn parameter_jacobian<R: Real>(
         .sub_product(t90, motor_i_ra_dot)
         .sub_product(t10, t88)
         .sub_product(t11, t89);
+    let motor_omega_dot_by_motor_x_s = t82 * t39 * inverse_motor_inertia;
     let motor_i_rb_dot_by_motor_x_s = (t84 * t38)
         .add_product(t87, motor_i_sa_dot)
         .sub_product(t86, motor_i_sb_dot)
@@ -1242,7 +1168,6 @@ pub fn parameter_jacobian<R: Real>(
         .add_product(t11, t88)
         .sub_product(t10, t89)
         .sub_product(t16, t91) * t17;
-    let motor_omega_dot_by_motor_x_s = t82 * t39 * inverse_motor_inertia;
     let motor_i_ra_dot_by_motor_x_s = (t91 * t14)
         .sub_product(t16, motor_i_rb_dot_by_motor_x_s);
     let motor_i_sb_dot_by_motor_x_s = (t89 * t9)
@@ -1523,6 +1448,7 @@ pub fn power_balance<R: Real>(
             .sub_product(t23, motor_i_ra))
         .sub_product(t10, t19)
         .sub_product(t11, t20);
+    let motor_omega_dot = t27 * (R::literal(1.0) / p.motor_inertia);
     let motor_i_rb_dot = (t26
         * (t24 * cos_motor_theta)
             .add_product(t22, sin_motor_theta)
@@ -1532,7 +1458,6 @@ pub fn power_balance<R: Real>(
         .sub_product(t10, t20)
         .sub_product(t16, t28)
         * (R::literal(1.0) / (t8 - t13 - t12).sub_product(t16, t15));
-    let motor_omega_dot = t27 * (R::literal(1.0) / p.motor_inertia);
     let motor_i_ra_dot = (t28 * t14).sub_product(t16, motor_i_rb_dot);
     let motor_i_sb_dot = (t20 * t9)
         .sub_product(t11, motor_i_ra_dot)

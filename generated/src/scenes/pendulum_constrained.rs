@@ -94,84 +94,14 @@ pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
     rows: 12,
     columns: 12,
     entries: &[
-        (0, 6),
-        (1, 7),
-        (2, 8),
-        (3, 9),
-        (4, 10),
-        (5, 11),
-        (6, 0),
-        (6, 1),
-        (6, 2),
-        (6, 3),
-        (6, 4),
-        (6, 5),
-        (6, 6),
-        (6, 7),
-        (6, 8),
-        (6, 9),
-        (6, 10),
-        (6, 11),
-        (7, 0),
-        (7, 1),
-        (7, 2),
-        (7, 3),
-        (7, 4),
-        (7, 5),
-        (7, 6),
-        (7, 7),
-        (7, 8),
-        (7, 9),
-        (7, 10),
-        (7, 11),
-        (8, 0),
-        (8, 1),
-        (8, 2),
-        (8, 3),
-        (8, 4),
-        (8, 5),
-        (8, 6),
-        (8, 7),
-        (8, 8),
-        (8, 9),
-        (8, 10),
-        (8, 11),
-        (9, 0),
-        (9, 1),
-        (9, 2),
-        (9, 3),
-        (9, 4),
-        (9, 5),
-        (9, 6),
-        (9, 7),
-        (9, 8),
-        (9, 9),
-        (9, 10),
-        (9, 11),
-        (10, 0),
-        (10, 1),
-        (10, 2),
-        (10, 3),
-        (10, 4),
-        (10, 5),
-        (10, 6),
-        (10, 7),
-        (10, 8),
-        (10, 9),
-        (10, 10),
-        (10, 11),
-        (11, 0),
-        (11, 1),
-        (11, 2),
-        (11, 3),
-        (11, 4),
-        (11, 5),
-        (11, 6),
-        (11, 7),
-        (11, 8),
-        (11, 9),
-        (11, 10),
-        (11, 11),
+        (0, 6), (1, 7), (2, 8), (3, 9), (4, 10), (5, 11), (6, 0), (6, 1), (6, 2), (6, 3), (6, 4),
+        (6, 5), (6, 6), (6, 7), (6, 8), (6, 9), (6, 10), (6, 11), (7, 0), (7, 1), (7, 2), (7, 3),
+        (7, 4), (7, 5), (7, 6), (7, 7), (7, 8), (7, 9), (7, 10), (7, 11), (8, 0), (8, 1), (8, 2),
+        (8, 3), (8, 4), (8, 5), (8, 6), (8, 7), (8, 8), (8, 9), (8, 10), (8, 11), (9, 0), (9, 1),
+        (9, 2), (9, 3), (9, 4), (9, 5), (9, 6), (9, 7), (9, 8), (9, 9), (9, 10), (9, 11), (10, 0),
+        (10, 1), (10, 2), (10, 3), (10, 4), (10, 5), (10, 6), (10, 7), (10, 8), (10, 9), (10, 10),
+        (10, 11), (11, 0), (11, 1), (11, 2), (11, 3), (11, 4), (11, 5), (11, 6), (11, 7), (11, 8),
+        (11, 9), (11, 10), (11, 11),
     ],
 };
 
@@ -180,59 +110,11 @@ pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern
     rows: 12,
     columns: 12,
     entries: &[
-        (6, 0),
-        (6, 1),
-        (6, 2),
-        (6, 6),
-        (6, 7),
-        (6, 8),
-        (6, 9),
-        (6, 10),
-        (6, 11),
-        (7, 0),
-        (7, 1),
-        (7, 2),
-        (7, 6),
-        (7, 7),
-        (7, 8),
-        (7, 9),
-        (7, 10),
-        (7, 11),
-        (8, 0),
-        (8, 1),
-        (8, 2),
-        (8, 6),
-        (8, 7),
-        (8, 8),
-        (8, 9),
-        (8, 10),
-        (8, 11),
-        (9, 0),
-        (9, 1),
-        (9, 2),
-        (9, 6),
-        (9, 7),
-        (9, 8),
-        (9, 9),
-        (9, 10),
-        (9, 11),
-        (10, 0),
-        (10, 1),
-        (10, 2),
-        (10, 6),
-        (10, 7),
-        (10, 8),
-        (10, 9),
-        (10, 10),
-        (10, 11),
-        (11, 0),
-        (11, 1),
-        (11, 2),
-        (11, 6),
-        (11, 7),
-        (11, 8),
-        (11, 9),
-        (11, 10),
+        (6, 0), (6, 1), (6, 2), (6, 6), (6, 7), (6, 8), (6, 9), (6, 10), (6, 11), (7, 0), (7, 1),
+        (7, 2), (7, 6), (7, 7), (7, 8), (7, 9), (7, 10), (7, 11), (8, 0), (8, 1), (8, 2), (8, 6),
+        (8, 7), (8, 8), (8, 9), (8, 10), (8, 11), (9, 0), (9, 1), (9, 2), (9, 6), (9, 7), (9, 8),
+        (9, 9), (9, 10), (9, 11), (10, 0), (10, 1), (10, 2), (10, 6), (10, 7), (10, 8), (10, 9),
+        (10, 10), (10, 11), (11, 0), (11, 1), (11, 2), (11, 6), (11, 7), (11, 8), (11, 9), (11, 10),
         (11, 11),
     ],
 };
@@ -245,16 +127,7 @@ pub const CONSTRAINT_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern 
     rows: 3,
     columns: 6,
     entries: &[
-        (0, 0),
-        (0, 1),
-        (1, 0),
-        (1, 1),
-        (1, 2),
-        (1, 3),
-        (2, 2),
-        (2, 3),
-        (2, 4),
-        (2, 5),
+        (0, 0), (0, 1), (1, 0), (1, 1), (1, 2), (1, 3), (2, 2), (2, 3), (2, 4), (2, 5),
     ],
 };
 
@@ -506,9 +379,9 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let first_mass_times_first_gravity = p.first_mass * p.first_gravity;
     let second_mass_times_second_gravity = p.second_mass * p.second_gravity;
     let third_mass_times_third_gravity = p.third_mass * p.third_gravity;
-    let t0 = -(first_mass_times_first_gravity * inverse_first_mass);
+    let t0 = -(third_mass_times_third_gravity * inverse_third_mass);
     let t1 = -(second_mass_times_second_gravity * inverse_second_mass);
-    let t2 = -(third_mass_times_third_gravity * inverse_third_mass);
+    let t2 = -(first_mass_times_first_gravity * inverse_first_mass);
     let t3 = R::literal(2.0) / p.l_1;
     let t4 = R::literal(2.0) / p.l_2;
     let t5 = R::literal(2.0) / p.l_3;
@@ -657,11 +530,11 @@ pub fn prepared_rate<R: Real>(
                 .sub_product(t23, t22));
     let t27 = (t25 * t21).sub_product(t23, t26);
     let t28 = (t24 * t18).sub_product(t20, t27);
-    let third_v_y_dot = c.t2.sub_product(t17, t26);
+    let third_v_y_dot = c.t0.sub_product(t17, t26);
     let third_v_x_dot = -(t16 * t26);
     let second_v_y_dot = c.t1.sub_product(t14, t27).sub_product(t15, t26);
     let second_v_x_dot = (-(t13 * t26)).sub_product(t12, t27);
-    let first_v_y_dot = c.t0.sub_product(t10, t28).sub_product(t11, t27);
+    let first_v_y_dot = c.t2.sub_product(t10, t28).sub_product(t11, t27);
     let first_v_x_dot = (-(t9 * t27)).sub_product(t8, t28);
     [
         first_v_x,
@@ -813,10 +686,10 @@ pub fn prepared_rate_jacobian<R: Real>(
         .sub_product(t23, t26) * t24;
     let t28 = (t26 * t21).sub_product(t23, t27);
     let t29 = (t25 * t18).sub_product(t20, t28);
-    let third_v_y_dot = c.t2.sub_product(t17, t27);
+    let third_v_y_dot = c.t0.sub_product(t17, t27);
     let second_v_y_dot = c.t1.sub_product(t14, t28).sub_product(t15, t27);
     let second_v_x_dot = (-(t13 * t27)).sub_product(t12, t28);
-    let first_v_y_dot = c.t0.sub_product(t10, t29).sub_product(t11, t28);
+    let first_v_y_dot = c.t2.sub_product(t10, t29).sub_product(t11, t28);
     let first_v_x_dot = (-(t9 * t28)).sub_product(t8, t29);
     let t30 = c.inverse_l_2 * t28;
     let t31 = (-t30).sub_product(c.inverse_l_1, t29);
@@ -827,17 +700,17 @@ pub fn prepared_rate_jacobian<R: Real>(
         .sub_product(t9, t31)
         .sub_product(t12, t30)
         .sub_product(t20, t32);
-    let t34 = t31 * c.inverse_first_mass;
-    let t35 = t30 * c.inverse_second_mass;
-    let t36 = (-(t13 * t30)).sub_product(t23, t33) * t24;
-    let t37 = (t33 * t21).sub_product(t23, t36);
-    let t38 = (t32 * t18).sub_product(t20, t37);
-    let third_v_y_dot_by_first_x = -(t17 * t36);
-    let third_v_x_dot_by_first_x = -(t16 * t36);
-    let second_v_y_dot_by_first_x = (-(t15 * t36)).sub_product(t14, t37);
-    let second_v_x_dot_by_first_x = t35.sub_product(t12, t37).sub_product(t13, t36);
-    let first_v_y_dot_by_first_x = (-(t11 * t37)).sub_product(t10, t38);
-    let first_v_x_dot_by_first_x = t34.sub_product(t8, t38).sub_product(t9, t37);
+    let t34 = (-(t13 * t30)).sub_product(t23, t33) * t24;
+    let t35 = (t33 * t21).sub_product(t23, t34);
+    let t36 = (t32 * t18).sub_product(t20, t35);
+    let third_v_y_dot_by_first_x = -(t17 * t34);
+    let third_v_x_dot_by_first_x = -(t16 * t34);
+    let second_v_y_dot_by_first_x = (-(t15 * t34)).sub_product(t14, t35);
+    let t37 = t30 * c.inverse_second_mass;
+    let second_v_x_dot_by_first_x = t37.sub_product(t12, t35).sub_product(t13, t34);
+    let first_v_y_dot_by_first_x = (-(t11 * t35)).sub_product(t10, t36);
+    let t38 = t31 * c.inverse_first_mass;
+    let first_v_x_dot_by_first_x = t38.sub_product(t8, t36).sub_product(t9, t35);
     let inverse_l_2_times_first_v_y_dot = c.inverse_l_2 * first_v_y_dot;
     let inverse_l_2_times_second_v_y_dot = c.inverse_l_2 * second_v_y_dot;
     let t39 = (-(t10 * t31)).sub_product(c.inverse_l_1, first_v_y_dot);
@@ -850,9 +723,9 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t43 = (t39 * t18).sub_product(t20, t42);
     let third_v_y_dot_by_first_y = -(t17 * t41);
     let third_v_x_dot_by_first_y = -(t16 * t41);
-    let second_v_y_dot_by_first_y = t35.sub_product(t14, t42).sub_product(t15, t41);
+    let second_v_y_dot_by_first_y = t37.sub_product(t14, t42).sub_product(t15, t41);
     let second_v_x_dot_by_first_y = (-(t13 * t41)).sub_product(t12, t42);
-    let first_v_y_dot_by_first_y = t34.sub_product(t10, t43).sub_product(t11, t42);
+    let first_v_y_dot_by_first_y = t38.sub_product(t10, t43).sub_product(t11, t42);
     let first_v_x_dot_by_first_y = (-(t9 * t42)).sub_product(t8, t43);
     let t44 = c.inverse_l_3 * t27;
     let t45 = -t30 - t44;
@@ -864,19 +737,19 @@ pub fn prepared_rate_jacobian<R: Real>(
         .sub_product(t12, t45)
         .add_product(t20, t47);
     let t49 = t16 * t44;
-    let t50 = t30 * c.inverse_first_mass;
-    let t51 = t45 * c.inverse_second_mass;
-    let t52 = t44 * c.inverse_third_mass;
-    let t53 = ((-inverse_l_3_times_second_v_x_dot - t46).sub_product(t13, t45) - t49)
+    let t50 = ((-inverse_l_3_times_second_v_x_dot - t46).sub_product(t13, t45) - t49)
         .sub_product(t23, t48) * t24;
-    let t54 = (t48 * t21).sub_product(t23, t53);
-    let t55 = (-(t47 * t18)).sub_product(t20, t54);
-    let third_v_y_dot_by_second_x = -(t17 * t53);
-    let third_v_x_dot_by_second_x = t52.sub_product(t16, t53);
-    let second_v_y_dot_by_second_x = (-(t15 * t53)).sub_product(t14, t54);
-    let second_v_x_dot_by_second_x = t51.sub_product(t12, t54).sub_product(t13, t53);
-    let first_v_y_dot_by_second_x = (-(t11 * t54)).sub_product(t10, t55);
-    let first_v_x_dot_by_second_x = t50.sub_product(t8, t55).sub_product(t9, t54);
+    let t51 = (t48 * t21).sub_product(t23, t50);
+    let t52 = (-(t47 * t18)).sub_product(t20, t51);
+    let third_v_y_dot_by_second_x = -(t17 * t50);
+    let t53 = t44 * c.inverse_third_mass;
+    let third_v_x_dot_by_second_x = t53.sub_product(t16, t50);
+    let second_v_y_dot_by_second_x = (-(t15 * t50)).sub_product(t14, t51);
+    let t54 = t45 * c.inverse_second_mass;
+    let second_v_x_dot_by_second_x = t54.sub_product(t12, t51).sub_product(t13, t50);
+    let first_v_y_dot_by_second_x = (-(t11 * t51)).sub_product(t10, t52);
+    let t55 = t30 * c.inverse_first_mass;
+    let first_v_x_dot_by_second_x = t55.sub_product(t8, t52).sub_product(t9, t51);
     let inverse_l_3_times_second_v_y_dot = c.inverse_l_3 * second_v_y_dot;
     let inverse_l_3_times_third_v_y_dot = c.inverse_l_3 * third_v_y_dot;
     let t56 = t10 * t30;
@@ -890,34 +763,34 @@ pub fn prepared_rate_jacobian<R: Real>(
         .sub_product(t23, t57) * t24;
     let t60 = (t57 * t21).sub_product(t23, t59);
     let t61 = (-(t56 * t18)).sub_product(t20, t60);
-    let third_v_y_dot_by_second_y = t52.sub_product(t17, t59);
+    let third_v_y_dot_by_second_y = t53.sub_product(t17, t59);
     let third_v_x_dot_by_second_y = -(t16 * t59);
-    let second_v_y_dot_by_second_y = t51.sub_product(t14, t60).sub_product(t15, t59);
+    let second_v_y_dot_by_second_y = t54.sub_product(t14, t60).sub_product(t15, t59);
     let second_v_x_dot_by_second_y = (-(t13 * t59)).sub_product(t12, t60);
-    let first_v_y_dot_by_second_y = t50.sub_product(t10, t61).sub_product(t11, t60);
+    let first_v_y_dot_by_second_y = t55.sub_product(t10, t61).sub_product(t11, t60);
     let first_v_x_dot_by_second_y = (-(t9 * t60)).sub_product(t8, t61);
     let t62 = t12 * t44;
-    let t63 = t44 * c.inverse_second_mass;
-    let t64 = -t52;
-    let t65 = ((inverse_l_3_times_second_v_x_dot + t46).sub_product(t13, t44) + t49)
+    let t63 = ((inverse_l_3_times_second_v_x_dot + t46).sub_product(t13, t44) + t49)
         .add_product(t23, t62) * t24;
-    let t66 = (-(t62 * t21)).sub_product(t23, t65);
-    let t67 = t20 * t66;
-    let third_v_y_dot_by_third_x = -(t17 * t65);
-    let third_v_x_dot_by_third_x = t64.sub_product(t16, t65);
-    let second_v_y_dot_by_third_x = (-(t15 * t65)).sub_product(t14, t66);
-    let second_v_x_dot_by_third_x = t63.sub_product(t12, t66).sub_product(t13, t65);
-    let first_v_y_dot_by_third_x = (-(t11 * t66)).add_product(t10, t67);
-    let first_v_x_dot_by_third_x = (-(t9 * t66)).add_product(t8, t67);
+    let t64 = (-(t62 * t21)).sub_product(t23, t63);
+    let t65 = t20 * t64;
+    let third_v_y_dot_by_third_x = -(t17 * t63);
+    let t66 = -t53;
+    let third_v_x_dot_by_third_x = t66.sub_product(t16, t63);
+    let second_v_y_dot_by_third_x = (-(t15 * t63)).sub_product(t14, t64);
+    let t67 = t44 * c.inverse_second_mass;
+    let second_v_x_dot_by_third_x = t67.sub_product(t12, t64).sub_product(t13, t63);
+    let first_v_y_dot_by_third_x = (-(t11 * t64)).add_product(t10, t65);
+    let first_v_x_dot_by_third_x = (-(t9 * t64)).add_product(t8, t65);
     let t68 = t14 * t44;
     let t69 = ((inverse_l_3_times_second_v_y_dot - inverse_l_3_times_third_v_y_dot)
         .sub_product(t15, t44) + t58)
         .add_product(t23, t68) * t24;
     let t70 = (-(t68 * t21)).sub_product(t23, t69);
     let t71 = t20 * t70;
-    let third_v_y_dot_by_third_y = t64.sub_product(t17, t69);
+    let third_v_y_dot_by_third_y = t66.sub_product(t17, t69);
     let third_v_x_dot_by_third_y = -(t16 * t69);
-    let second_v_y_dot_by_third_y = t63.sub_product(t14, t70).sub_product(t15, t69);
+    let second_v_y_dot_by_third_y = t67.sub_product(t14, t70).sub_product(t15, t69);
     let second_v_x_dot_by_third_y = (-(t13 * t69)).sub_product(t12, t70);
     let first_v_y_dot_by_third_y = (-(t11 * t70)).add_product(t10, t71);
     let first_v_x_dot_by_third_y = (-(t9 * t70)).add_product(t8, t71);
@@ -1499,8 +1372,7 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
         )
         .add_product(t12, second_mass_times_second_gravity)
         .sub_product(t17, t21);
-    let t23 = t22 * t18;
-    let t24 = (t13 * second_mass_times_second_gravity)
+    let t23 = (t13 * second_mass_times_second_gravity)
         .add_product(
             inverse_l_3,
             ((R::literal(2.0) * second_v_x * third_v_x)
@@ -1517,10 +1389,11 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
                 .sub_product(t6 * inverse_third_mass, t6)
                 .sub_product(t14, t7)
                 .sub_product(t20, t19));
-    let t25 = t20 * t24;
-    let link_1 = (-(t21 * t15)).add_product(t17, t23 - t25);
-    let link_2 = t25 - t23;
-    let link_3 = -t24;
+    let t24 = t22 * t18;
+    let t25 = t20 * t23;
+    let link_1 = (-(t21 * t15)).add_product(t17, t24 - t25);
+    let link_2 = t25 - t24;
+    let link_3 = -t23;
     Outputs {
         end_x: third_x,
         end_y: third_y,

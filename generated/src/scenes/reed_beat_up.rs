@@ -98,20 +98,8 @@ pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern
     rows: 8,
     columns: 25,
     entries: &[
-        (4, 0),
-        (4, 1),
-        (4, 2),
-        (4, 13),
-        (4, 14),
-        (5, 11),
-        (5, 17),
-        (5, 18),
-        (6, 21),
-        (6, 22),
-        (7, 9),
-        (7, 10),
-        (7, 11),
-        (7, 12),
+        (4, 0), (4, 1), (4, 2), (4, 13), (4, 14), (5, 11), (5, 17), (5, 18), (6, 21), (6, 22),
+        (7, 9), (7, 10), (7, 11), (7, 12),
     ],
 };
 
@@ -365,9 +353,9 @@ pub struct Constants<R> {
     pub inverse_shaft_middle_field_inertia: R,
     pub t0: R,
     pub shaft_driven_dot_dot_by_shaft_driven: R,
+    pub reed_speed_dot_by_shaft_reed: R,
     pub t1: R,
     pub shaft_reed_dot_dot_by_shaft_reed: R,
-    pub reed_speed_dot_by_shaft_reed: R,
     pub reed_speed_dot_by_reed_angle: R,
 }
 
@@ -382,9 +370,9 @@ impl<R: Real> Constants<R> {
             inverse_shaft_middle_field_inertia: values[2],
             t0: values[3],
             shaft_driven_dot_dot_by_shaft_driven: values[4],
-            t1: values[5],
-            shaft_reed_dot_dot_by_shaft_reed: values[6],
-            reed_speed_dot_by_shaft_reed: values[7],
+            reed_speed_dot_by_shaft_reed: values[5],
+            t1: values[6],
+            shaft_reed_dot_dot_by_shaft_reed: values[7],
             reed_speed_dot_by_reed_angle: values[8],
         }
     }
@@ -398,9 +386,9 @@ impl<R: Real> Constants<R> {
             self.inverse_shaft_middle_field_inertia,
             self.t0,
             self.shaft_driven_dot_dot_by_shaft_driven,
+            self.reed_speed_dot_by_shaft_reed,
             self.t1,
             self.shaft_reed_dot_dot_by_shaft_reed,
-            self.reed_speed_dot_by_shaft_reed,
             self.reed_speed_dot_by_reed_angle,
         ]
     }
@@ -420,9 +408,9 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t0 = R::literal(1.0) / (p.reed_mass * (p.reed_arm * p.reed_arm));
     let shaft_driven_dot_dot_by_shaft_driven = -(p.drive_stiffness
         * inverse_shaft_driven_field_inertia);
+    let reed_speed_dot_by_shaft_reed = p.reed_stiffness * t0;
     let t1 = p.reed_stiffness * inverse_shaft_reed_field_inertia;
     let shaft_reed_dot_dot_by_shaft_reed = -t1;
-    let reed_speed_dot_by_shaft_reed = p.reed_stiffness * t0;
     let reed_speed_dot_by_reed_angle = -((p.reed_stiffness + p.fell_stiffness) * t0);
     Constants {
         inverse_shaft_driven_field_inertia,
@@ -430,9 +418,9 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         inverse_shaft_middle_field_inertia,
         t0,
         shaft_driven_dot_dot_by_shaft_driven,
+        reed_speed_dot_by_shaft_reed,
         t1,
         shaft_reed_dot_dot_by_shaft_reed,
-        reed_speed_dot_by_shaft_reed,
         reed_speed_dot_by_reed_angle,
     }
 }
@@ -487,15 +475,15 @@ pub fn prepared_rate<R: Real>(
     let fell_torque = p.fell_stiffness * reed_angle;
     let drive_angle = p.drive_amplitude * (p.drive_frequency * time).sin();
     let t0 = p.reed_stiffness * (shaft_reed - reed_angle);
+    let reed_speed_dot = (t0 - fell_torque) * c.t0;
+    let shaft_middle_dot_dot = p.shaft_middle_field_force
+        * c.inverse_shaft_middle_field_inertia;
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0)
+        * c.inverse_shaft_reed_field_inertia;
     let shaft_driven_dot_dot = p
         .shaft_driven_field_force
         .sub_product(p.drive_stiffness, shaft_driven - drive_angle)
         * c.inverse_shaft_driven_field_inertia;
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0)
-        * c.inverse_shaft_reed_field_inertia;
-    let shaft_middle_dot_dot = p.shaft_middle_field_force
-        * c.inverse_shaft_middle_field_inertia;
-    let reed_speed_dot = (t0 - fell_torque) * c.t0;
     [
         shaft_driven_dot,
         shaft_reed_dot,
@@ -611,15 +599,15 @@ pub fn parameter_jacobian<R: Real>(
     let t0 = R::literal(1.0) / (p.reed_mass * reed_arm_squared);
     let shaft_reed_minus_reed_angle = shaft_reed - reed_angle;
     let t1 = p.reed_stiffness * shaft_reed_minus_reed_angle;
+    let reed_speed_dot = (t1 - fell_torque) * t0;
+    let shaft_middle_dot_dot = p.shaft_middle_field_force
+        * inverse_shaft_middle_field_inertia;
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t1)
+        * inverse_shaft_reed_field_inertia;
     let shaft_driven_dot_dot = p
         .shaft_driven_field_force
         .sub_product(p.drive_stiffness, shaft_driven - drive_angle)
         * inverse_shaft_driven_field_inertia;
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t1)
-        * inverse_shaft_reed_field_inertia;
-    let shaft_middle_dot_dot = p.shaft_middle_field_force
-        * inverse_shaft_middle_field_inertia;
-    let reed_speed_dot = (t1 - fell_torque) * t0;
     let shaft_driven_dot_dot_by_drive_stiffness = (drive_angle - shaft_driven)
         * inverse_shaft_driven_field_inertia;
     let shaft_driven_dot_dot_by_drive_amplitude = p.drive_stiffness
@@ -629,9 +617,9 @@ pub fn parameter_jacobian<R: Real>(
     let reed_speed_dot_by_reed_mass = -(reed_arm_squared * reed_speed_dot * t0);
     let reed_speed_dot_by_reed_arm = -(R::literal(2.0) * p.reed_mass * p.reed_arm
         * reed_speed_dot * t0);
+    let reed_speed_dot_by_reed_stiffness = shaft_reed_minus_reed_angle * t0;
     let shaft_reed_dot_dot_by_reed_stiffness = (reed_angle - shaft_reed)
         * inverse_shaft_reed_field_inertia;
-    let reed_speed_dot_by_reed_stiffness = shaft_reed_minus_reed_angle * t0;
     let reed_speed_dot_by_fell_stiffness = -(reed_angle * t0);
     let shaft_driven_dot_dot_by_shaft_driven_field_inertia = -(shaft_driven_dot_dot
         * inverse_shaft_driven_field_inertia);
@@ -761,14 +749,14 @@ pub fn power_balance<R: Real>(
     let shaft_driven_minus_drive_angle = shaft_driven - drive_angle;
     let t0 = p.drive_stiffness * shaft_driven_minus_drive_angle;
     let t1 = p.reed_stiffness * (shaft_reed - reed_angle);
-    let shaft_driven_dot_dot = (p.shaft_driven_field_force - t0)
-        * (R::literal(1.0) / p.shaft_driven_field_inertia);
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t1)
-        * (R::literal(1.0) / p.shaft_reed_field_inertia);
-    let shaft_middle_dot_dot = p.shaft_middle_field_force
-        * (R::literal(1.0) / p.shaft_middle_field_inertia);
     let reed_speed_dot = (t1 - fell_torque)
         * (R::literal(1.0) / reed_mass_times_reed_arm_squared);
+    let shaft_middle_dot_dot = p.shaft_middle_field_force
+        * (R::literal(1.0) / p.shaft_middle_field_inertia);
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t1)
+        * (R::literal(1.0) / p.shaft_reed_field_inertia);
+    let shaft_driven_dot_dot = (p.shaft_driven_field_force - t0)
+        * (R::literal(1.0) / p.shaft_driven_field_inertia);
     let t2 = p.drive_stiffness * p.drive_amplitude * p.drive_frequency
         * shaft_driven_minus_drive_angle * cos_drive_frequency_times_time;
     PowerBalance {

@@ -88,32 +88,9 @@ pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
     rows: 7,
     columns: 7,
     entries: &[
-        (0, 1),
-        (0, 2),
-        (1, 0),
-        (1, 1),
-        (1, 2),
-        (1, 3),
-        (1, 4),
-        (1, 5),
-        (1, 6),
-        (2, 0),
-        (2, 1),
-        (2, 2),
-        (3, 3),
-        (3, 4),
-        (3, 5),
-        (4, 3),
-        (4, 4),
-        (4, 6),
-        (5, 1),
-        (5, 3),
-        (5, 5),
-        (5, 6),
-        (6, 1),
-        (6, 4),
-        (6, 5),
-        (6, 6),
+        (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 6), (2, 0), (2, 1),
+        (2, 2), (3, 3), (3, 4), (3, 5), (4, 3), (4, 4), (4, 6), (5, 1), (5, 3), (5, 5), (5, 6),
+        (6, 1), (6, 4), (6, 5), (6, 6),
     ],
 };
 
@@ -122,45 +99,10 @@ pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern
     rows: 7,
     columns: 21,
     entries: &[
-        (0, 12),
-        (1, 0),
-        (1, 2),
-        (1, 4),
-        (1, 5),
-        (1, 6),
-        (1, 7),
-        (1, 10),
-        (1, 11),
-        (1, 12),
-        (2, 10),
-        (2, 11),
-        (2, 12),
-        (2, 13),
-        (2, 14),
-        (2, 15),
-        (2, 16),
-        (2, 17),
-        (2, 18),
-        (2, 19),
-        (2, 20),
-        (3, 1),
-        (3, 2),
-        (3, 3),
-        (3, 6),
-        (3, 8),
-        (4, 1),
-        (4, 2),
-        (4, 3),
-        (4, 6),
-        (4, 8),
-        (5, 2),
-        (5, 4),
-        (5, 5),
-        (5, 9),
-        (6, 2),
-        (6, 4),
-        (6, 5),
-        (6, 9),
+        (0, 12), (1, 0), (1, 2), (1, 4), (1, 5), (1, 6), (1, 7), (1, 10), (1, 11), (1, 12), (2, 10),
+        (2, 11), (2, 12), (2, 13), (2, 14), (2, 15), (2, 16), (2, 17), (2, 18), (2, 19), (2, 20),
+        (3, 1), (3, 2), (3, 3), (3, 6), (3, 8), (4, 1), (4, 2), (4, 3), (4, 6), (4, 8), (5, 2),
+        (5, 4), (5, 5), (5, 9), (6, 2), (6, 4), (6, 5), (6, 9),
     ],
 };
 
@@ -399,10 +341,10 @@ pub struct Constants<R> {
     pub t5: R,
     pub motor_alpha_s_times_motor_omega_0: R,
     pub motor_alpha_r_times_motor_omega_0: R,
-    pub motor_omega_dot_by_coupling_twist: R,
     pub cylinder_omega_dot_by_coupling_twist: R,
-    pub motor_omega_dot_by_motor_omega: R,
+    pub motor_omega_dot_by_coupling_twist: R,
     pub cylinder_omega_dot_by_motor_omega: R,
+    pub motor_omega_dot_by_motor_omega: R,
     pub t6: R,
     pub motor_omega_dot_by_cylinder_omega: R,
     pub coupling_twist_dot_by_cylinder_omega: R,
@@ -433,10 +375,10 @@ impl<R: Real> Constants<R> {
             t5: values[10],
             motor_alpha_s_times_motor_omega_0: values[11],
             motor_alpha_r_times_motor_omega_0: values[12],
-            motor_omega_dot_by_coupling_twist: values[13],
-            cylinder_omega_dot_by_coupling_twist: values[14],
-            motor_omega_dot_by_motor_omega: values[15],
-            cylinder_omega_dot_by_motor_omega: values[16],
+            cylinder_omega_dot_by_coupling_twist: values[13],
+            motor_omega_dot_by_coupling_twist: values[14],
+            cylinder_omega_dot_by_motor_omega: values[15],
+            motor_omega_dot_by_motor_omega: values[16],
             t6: values[17],
             motor_omega_dot_by_cylinder_omega: values[18],
             coupling_twist_dot_by_cylinder_omega: values[19],
@@ -466,10 +408,10 @@ impl<R: Real> Constants<R> {
             self.t5,
             self.motor_alpha_s_times_motor_omega_0,
             self.motor_alpha_r_times_motor_omega_0,
-            self.motor_omega_dot_by_coupling_twist,
             self.cylinder_omega_dot_by_coupling_twist,
-            self.motor_omega_dot_by_motor_omega,
+            self.motor_omega_dot_by_coupling_twist,
             self.cylinder_omega_dot_by_motor_omega,
+            self.motor_omega_dot_by_motor_omega,
             self.t6,
             self.motor_omega_dot_by_cylinder_omega,
             self.coupling_twist_dot_by_cylinder_omega,
@@ -510,11 +452,11 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t5 = p.coupling_damping * p.coupling_ratio;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
+    let cylinder_omega_dot_by_coupling_twist = t4 * inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_twist = -(p.coupling_stiffness
         * inverse_motor_inertia);
-    let cylinder_omega_dot_by_coupling_twist = t4 * inverse_cylinder_inertia;
-    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let cylinder_omega_dot_by_motor_omega = t5 * inverse_cylinder_inertia;
+    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let t6 = -(p.coupling_damping * (p.coupling_ratio * p.coupling_ratio));
     let motor_omega_dot_by_cylinder_omega = t5 * inverse_motor_inertia;
     let coupling_twist_dot_by_cylinder_omega = -p.coupling_ratio;
@@ -538,10 +480,10 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         t5,
         motor_alpha_s_times_motor_omega_0,
         motor_alpha_r_times_motor_omega_0,
-        motor_omega_dot_by_coupling_twist,
         cylinder_omega_dot_by_coupling_twist,
-        motor_omega_dot_by_motor_omega,
+        motor_omega_dot_by_coupling_twist,
         cylinder_omega_dot_by_motor_omega,
+        motor_omega_dot_by_motor_omega,
         t6,
         motor_omega_dot_by_cylinder_omega,
         coupling_twist_dot_by_cylinder_omega,
@@ -615,10 +557,10 @@ pub fn prepared_rate<R: Real>(
             .load_mean
             .add_product(p.load_amplitude, p.load_phase.add_product(c.t3, time).sin())
         * (c.inverse_load_standstill_band * cylinder_omega).tanh();
-    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let cylinder_omega_dot = ((c.t4 * coupling_twist)
         .add_product(c.t5, coupling_twist_rate) - load_resistance)
         * c.inverse_cylinder_inertia;
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot = c
         .motor_u_x
         .add_product(c.motor_omega_0, motor_psi_sy)
@@ -836,10 +778,10 @@ pub fn parameter_jacobian<R: Real>(
     let load_resistance = load_engagement * t11 * t12;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
         .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
         - load_resistance) * inverse_cylinder_inertia;
+    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let t13 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
@@ -891,22 +833,22 @@ pub fn parameter_jacobian<R: Real>(
     let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t8);
     let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t13;
     let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t14;
+    let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
+        * inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_stiffness = -(coupling_twist
         * inverse_motor_inertia);
-    let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
+    let cylinder_omega_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_damping = (coupling_ratio_times_cylinder_omega
         - motor_omega) * inverse_motor_inertia;
-    let cylinder_omega_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
-        * inverse_cylinder_inertia;
-    let motor_omega_dot_by_coupling_ratio = p.coupling_damping * cylinder_omega
-        * inverse_motor_inertia;
     let cylinder_omega_dot_by_coupling_ratio = t4
         .add_product(p.coupling_damping, motor_omega)
         .sub_product(
             R::literal(2.0) * p.coupling_damping * p.coupling_ratio,
             cylinder_omega,
         ) * inverse_cylinder_inertia;
+    let motor_omega_dot_by_coupling_ratio = p.coupling_damping * cylinder_omega
+        * inverse_motor_inertia;
     let coupling_twist_dot_by_coupling_ratio = -cylinder_omega;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot
         * inverse_cylinder_inertia);
@@ -1143,11 +1085,11 @@ pub fn power_balance<R: Real>(
     let load_resistance = load_engagement * p.load_mean.add_product(p.load_amplitude, t0)
         * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let t7 = p.coupling_damping * p.coupling_ratio;
-    let motor_omega_dot = (motor_torque - coupling_torque)
-        * (R::literal(1.0) / p.motor_inertia);
     let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
         .add_product(t7, coupling_twist_rate) - load_resistance)
         * (R::literal(1.0) / p.cylinder_inertia);
+    let motor_omega_dot = (motor_torque - coupling_torque)
+        * (R::literal(1.0) / p.motor_inertia);
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_psi_sx_dot = motor_u_x
         .add_product(motor_omega_0, motor_psi_sy)
@@ -1296,8 +1238,8 @@ pub fn series<R: Real>(
     let t47 = coupling_twist_rate * t46;
     let t48 = t45 + t47;
     let t49 = t48 - load_resistance;
-    let motor_omega_dot = t43 * t41;
     let cylinder_omega_dot = t49 * t42;
+    let motor_omega_dot = t43 * t41;
     let t50 = p.motor_alpha_s * motor_omega_0;
     let t51 = t15 * t50;
     let t52 = motor_psi_sy * motor_omega_0;
@@ -1373,8 +1315,8 @@ pub fn series<R: Real>(
         let t43_k = t23_k.mul_add(t27, -coupling_torque_k);
         let t48_k = coupling_twist_rate_k.mul_add(t46, coupling_twist_k * t44);
         let t49_k = t48_k - load_resistance_k;
-        let motor_omega_dot_k = t43_k * t41;
         let cylinder_omega_dot_k = t49_k * t42;
+        let motor_omega_dot_k = t43_k * t41;
         let motor_psi_sx_dot_k = (-t15_k).mul_add(t50, motor_psi_sy_k * motor_omega_0);
         let t56_k = -motor_psi_sx_k * motor_omega_0;
         let motor_psi_sy_dot_k = (-t18_k).mul_add(t50, t56_k);

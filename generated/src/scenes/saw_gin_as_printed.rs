@@ -88,36 +88,9 @@ pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
     rows: 8,
     columns: 8,
     entries: &[
-        (0, 2),
-        (1, 3),
-        (2, 0),
-        (2, 1),
-        (2, 2),
-        (2, 3),
-        (2, 4),
-        (2, 5),
-        (2, 6),
-        (2, 7),
-        (3, 0),
-        (3, 1),
-        (3, 2),
-        (3, 3),
-        (4, 4),
-        (4, 5),
-        (4, 6),
-        (5, 4),
-        (5, 5),
-        (5, 7),
-        (6, 0),
-        (6, 2),
-        (6, 4),
-        (6, 6),
-        (6, 7),
-        (7, 0),
-        (7, 2),
-        (7, 5),
-        (7, 6),
-        (7, 7),
+        (0, 2), (1, 3), (2, 0), (2, 1), (2, 2), (2, 3), (2, 4), (2, 5), (2, 6), (2, 7), (3, 0),
+        (3, 1), (3, 2), (3, 3), (4, 4), (4, 5), (4, 6), (5, 4), (5, 5), (5, 7), (6, 0), (6, 2),
+        (6, 4), (6, 6), (6, 7), (7, 0), (7, 2), (7, 5), (7, 6), (7, 7),
     ],
 };
 
@@ -126,44 +99,10 @@ pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern
     rows: 8,
     columns: 23,
     entries: &[
-        (2, 0),
-        (2, 3),
-        (2, 4),
-        (2, 6),
-        (2, 7),
-        (2, 8),
-        (2, 12),
-        (2, 13),
-        (2, 14),
-        (3, 12),
-        (3, 13),
-        (3, 14),
-        (3, 15),
-        (3, 16),
-        (3, 17),
-        (3, 18),
-        (3, 19),
-        (3, 20),
-        (3, 21),
-        (3, 22),
-        (4, 1),
-        (4, 2),
-        (4, 3),
-        (4, 6),
-        (4, 9),
-        (5, 1),
-        (5, 2),
-        (5, 3),
-        (5, 6),
-        (5, 9),
-        (6, 3),
-        (6, 5),
-        (6, 10),
-        (6, 11),
-        (7, 3),
-        (7, 5),
-        (7, 10),
-        (7, 11),
+        (2, 0), (2, 3), (2, 4), (2, 6), (2, 7), (2, 8), (2, 12), (2, 13), (2, 14), (3, 12), (3, 13),
+        (3, 14), (3, 15), (3, 16), (3, 17), (3, 18), (3, 19), (3, 20), (3, 21), (3, 22), (4, 1),
+        (4, 2), (4, 3), (4, 6), (4, 9), (5, 1), (5, 2), (5, 3), (5, 6), (5, 9), (6, 3), (6, 5),
+        (6, 10), (6, 11), (7, 3), (7, 5), (7, 10), (7, 11),
     ],
 };
 
@@ -403,12 +342,12 @@ pub struct Constants<R> {
     pub motor_u_m_times_sin_motor_gamma: R,
     pub motor_omega_0_times_motor_alpha_r: R,
     pub t6: R,
-    pub motor_omega_dot_by_motor_phi: R,
     pub cylinder_omega_dot_by_motor_phi: R,
-    pub motor_omega_dot_by_cylinder_phi: R,
+    pub motor_omega_dot_by_motor_phi: R,
     pub cylinder_omega_dot_by_cylinder_phi: R,
-    pub motor_omega_dot_by_motor_omega: R,
+    pub motor_omega_dot_by_cylinder_phi: R,
     pub cylinder_omega_dot_by_motor_omega: R,
+    pub motor_omega_dot_by_motor_omega: R,
     pub t7: R,
     pub t8: R,
     pub motor_omega_dot_by_cylinder_omega: R,
@@ -438,12 +377,12 @@ impl<R: Real> Constants<R> {
             motor_u_m_times_sin_motor_gamma: values[12],
             motor_omega_0_times_motor_alpha_r: values[13],
             t6: values[14],
-            motor_omega_dot_by_motor_phi: values[15],
-            cylinder_omega_dot_by_motor_phi: values[16],
-            motor_omega_dot_by_cylinder_phi: values[17],
-            cylinder_omega_dot_by_cylinder_phi: values[18],
-            motor_omega_dot_by_motor_omega: values[19],
-            cylinder_omega_dot_by_motor_omega: values[20],
+            cylinder_omega_dot_by_motor_phi: values[15],
+            motor_omega_dot_by_motor_phi: values[16],
+            cylinder_omega_dot_by_cylinder_phi: values[17],
+            motor_omega_dot_by_cylinder_phi: values[18],
+            cylinder_omega_dot_by_motor_omega: values[19],
+            motor_omega_dot_by_motor_omega: values[20],
             t7: values[21],
             t8: values[22],
             motor_omega_dot_by_cylinder_omega: values[23],
@@ -472,12 +411,12 @@ impl<R: Real> Constants<R> {
             self.motor_u_m_times_sin_motor_gamma,
             self.motor_omega_0_times_motor_alpha_r,
             self.t6,
-            self.motor_omega_dot_by_motor_phi,
             self.cylinder_omega_dot_by_motor_phi,
-            self.motor_omega_dot_by_cylinder_phi,
+            self.motor_omega_dot_by_motor_phi,
             self.cylinder_omega_dot_by_cylinder_phi,
-            self.motor_omega_dot_by_motor_omega,
+            self.motor_omega_dot_by_cylinder_phi,
             self.cylinder_omega_dot_by_motor_omega,
+            self.motor_omega_dot_by_motor_omega,
             self.t7,
             self.t8,
             self.motor_omega_dot_by_cylinder_omega,
@@ -512,14 +451,14 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let motor_u_m_times_sin_motor_gamma = p.motor_u_m * sin_motor_gamma;
     let motor_omega_0_times_motor_alpha_r = p.motor_omega_0 * p.motor_alpha_r;
     let t6 = p.motor_omega_0 * p.motor_k_s * p.motor_alpha_r;
-    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let cylinder_omega_dot_by_motor_phi = t3 * inverse_cylinder_inertia;
+    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
-    let motor_omega_dot_by_cylinder_phi = t3 * inverse_motor_inertia;
     let cylinder_omega_dot_by_cylinder_phi = -(p.coupling_stiffness
         * coupling_ratio_squared * inverse_cylinder_inertia);
-    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
+    let motor_omega_dot_by_cylinder_phi = t3 * inverse_motor_inertia;
     let cylinder_omega_dot_by_motor_omega = t4 * inverse_cylinder_inertia;
+    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let t7 = p.motor_literal - R::literal(1.0);
     let t8 = -(p.coupling_damping * coupling_ratio_squared);
     let motor_omega_dot_by_cylinder_omega = t4 * inverse_motor_inertia;
@@ -542,12 +481,12 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         motor_u_m_times_sin_motor_gamma,
         motor_omega_0_times_motor_alpha_r,
         t6,
-        motor_omega_dot_by_motor_phi,
         cylinder_omega_dot_by_motor_phi,
-        motor_omega_dot_by_cylinder_phi,
+        motor_omega_dot_by_motor_phi,
         cylinder_omega_dot_by_cylinder_phi,
-        motor_omega_dot_by_motor_omega,
+        motor_omega_dot_by_cylinder_phi,
         cylinder_omega_dot_by_motor_omega,
+        motor_omega_dot_by_motor_omega,
         t7,
         t8,
         motor_omega_dot_by_cylinder_omega,
@@ -620,10 +559,10 @@ pub fn prepared_rate<R: Real>(
             .load_mean
             .add_product(p.load_amplitude, p.load_phase.add_product(c.t2, time).sin())
         * (c.inverse_load_standstill_band * cylinder_omega).tanh();
-    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let cylinder_omega_dot = ((c.t3 * coupling_twist)
         .add_product(c.t4, coupling_twist_rate) - load_resistance)
         * c.inverse_cylinder_inertia;
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let motor_psi_x1_dot = c
         .motor_u_m_times_cos_motor_gamma
         .add_product(p.motor_omega_0, motor_psi_y1)
@@ -839,10 +778,10 @@ pub fn parameter_jacobian<R: Real>(
     let load_resistance = load_engagement * t9 * t10;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
         .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
         - load_resistance) * inverse_cylinder_inertia;
+    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let motor_omega_0_times_motor_alpha_s = p.motor_omega_0 * p.motor_alpha_s;
     let motor_psi_y1_dot_by_motor_gamma = p.motor_u_m * cos_motor_gamma;
     let motor_omega_0_times_motor_alpha_r = p.motor_omega_0 * p.motor_alpha_r;
@@ -887,16 +826,14 @@ pub fn parameter_jacobian<R: Real>(
         * (-motor_psi_y2).add_product(p.motor_k_s, motor_psi_y1);
     let motor_psi_x2_dot_by_motor_literal = motor_psi_y2 * (motor_omega - motor_phi);
     let motor_psi_y2_dot_by_motor_literal = motor_psi_x2 * (motor_phi - motor_omega);
+    let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
+        * inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_cylinder_phi
         - motor_phi) * inverse_motor_inertia;
-    let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
+    let cylinder_omega_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_damping = (coupling_ratio_times_cylinder_omega
         - motor_omega) * inverse_motor_inertia;
-    let cylinder_omega_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
-        * inverse_cylinder_inertia;
-    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * cylinder_phi)
-        .add_product(p.coupling_damping, cylinder_omega) * inverse_motor_inertia;
     let cylinder_omega_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
         .add_product(p.coupling_damping, motor_omega)
         .sub_product(
@@ -907,6 +844,8 @@ pub fn parameter_jacobian<R: Real>(
             R::literal(2.0) * p.coupling_damping * p.coupling_ratio,
             cylinder_omega,
         ) * inverse_cylinder_inertia;
+    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * cylinder_phi)
+        .add_product(p.coupling_damping, cylinder_omega) * inverse_motor_inertia;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot
         * inverse_cylinder_inertia);
     let cylinder_omega_dot_by_load_mean = -(load_engagement * t10
@@ -1107,10 +1046,10 @@ pub fn power_balance<R: Real>(
             ) * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let t1 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
     let t2 = p.coupling_damping * p.coupling_ratio;
-    let motor_omega_dot = (motor_torque - coupling_torque)
-        * (R::literal(1.0) / p.motor_inertia);
     let cylinder_omega_dot = (t1.add_product(t2, coupling_twist_rate) - load_resistance)
         * (R::literal(1.0) / p.cylinder_inertia);
+    let motor_omega_dot = (motor_torque - coupling_torque)
+        * (R::literal(1.0) / p.motor_inertia);
     PowerBalance {
         stored_rate: (t0 * motor_omega)
             .sub_product(t1, cylinder_omega)
@@ -1195,8 +1134,8 @@ pub fn series<R: Real>(
     let t40 = coupling_twist_rate * t39;
     let t41 = t38 + t40;
     let t42 = t41 - load_resistance;
-    let motor_omega_dot = t36 * t34;
     let cylinder_omega_dot = t42 * t35;
+    let motor_omega_dot = t36 * t34;
     let t43 = p.motor_omega_0 * p.motor_alpha_s;
     let t44 = motor_psi_x1 * t43;
     let t45 = motor_psi_y1 * p.motor_omega_0;
@@ -1291,8 +1230,8 @@ pub fn series<R: Real>(
         let t36_k = t15_k.mul_add(t20, -coupling_torque_k);
         let t41_k = coupling_twist_rate_k.mul_add(t39, coupling_twist_k * t37);
         let t42_k = t41_k - load_resistance_k;
-        let motor_omega_dot_k = t36_k * t34;
         let cylinder_omega_dot_k = t42_k * t35;
+        let motor_omega_dot_k = t36_k * t34;
         let t52_k = motor_psi_x2_k.mul_add(t47, motor_psi_y1_k * p.motor_omega_0);
         let motor_psi_x1_dot_k = (-motor_psi_x1_k).mul_add(t43, t52_k);
         let t59_k = (-motor_psi_x1_k).mul_add(p.motor_omega_0, motor_psi_y2_k * t47);

@@ -91,35 +91,9 @@ pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
     rows: 10,
     columns: 10,
     entries: &[
-        (0, 3),
-        (1, 4),
-        (2, 5),
-        (3, 0),
-        (3, 1),
-        (3, 3),
-        (3, 4),
-        (3, 6),
-        (3, 7),
-        (3, 8),
-        (3, 9),
-        (4, 0),
-        (4, 1),
-        (4, 3),
-        (4, 4),
-        (6, 6),
-        (6, 7),
-        (6, 8),
-        (7, 6),
-        (7, 7),
-        (7, 9),
-        (8, 3),
-        (8, 6),
-        (8, 8),
-        (8, 9),
-        (9, 3),
-        (9, 7),
-        (9, 8),
-        (9, 9),
+        (0, 3), (1, 4), (2, 5), (3, 0), (3, 1), (3, 3), (3, 4), (3, 6), (3, 7), (3, 8), (3, 9),
+        (4, 0), (4, 1), (4, 3), (4, 4), (6, 6), (6, 7), (6, 8), (7, 6), (7, 7), (7, 9), (8, 3),
+        (8, 6), (8, 8), (8, 9), (9, 3), (9, 7), (9, 8), (9, 9),
     ],
 };
 
@@ -128,39 +102,9 @@ pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern
     rows: 10,
     columns: 33,
     entries: &[
-        (3, 0),
-        (3, 2),
-        (3, 4),
-        (3, 5),
-        (3, 6),
-        (3, 7),
-        (3, 10),
-        (3, 11),
-        (3, 12),
-        (4, 10),
-        (4, 11),
-        (4, 12),
-        (4, 25),
-        (4, 26),
-        (5, 29),
-        (5, 30),
-        (6, 1),
-        (6, 2),
-        (6, 3),
-        (6, 6),
-        (6, 8),
-        (7, 1),
-        (7, 2),
-        (7, 3),
-        (7, 6),
-        (7, 8),
-        (8, 2),
-        (8, 4),
-        (8, 5),
-        (8, 9),
-        (9, 2),
-        (9, 4),
-        (9, 5),
+        (3, 0), (3, 2), (3, 4), (3, 5), (3, 6), (3, 7), (3, 10), (3, 11), (3, 12), (4, 10), (4, 11),
+        (4, 12), (4, 25), (4, 26), (5, 29), (5, 30), (6, 1), (6, 2), (6, 3), (6, 6), (6, 8), (7, 1),
+        (7, 2), (7, 3), (7, 6), (7, 8), (8, 2), (8, 4), (8, 5), (8, 9), (9, 2), (9, 4), (9, 5),
         (9, 9),
     ],
 };
@@ -464,14 +408,14 @@ pub struct Constants<R> {
     pub t4: R,
     pub motor_alpha_s_times_motor_omega_0: R,
     pub motor_alpha_r_times_motor_omega_0: R,
-    pub motor_omega_dot_by_motor_phi: R,
     pub saws_driven_dot_dot_by_motor_phi: R,
-    pub motor_omega_dot_by_saws_driven: R,
+    pub motor_omega_dot_by_motor_phi: R,
     pub saws_driven_dot_dot_by_saws_driven: R,
-    pub motor_omega_dot_by_motor_omega: R,
+    pub motor_omega_dot_by_saws_driven: R,
     pub saws_driven_dot_dot_by_motor_omega: R,
-    pub motor_omega_dot_by_saws_driven_dot: R,
+    pub motor_omega_dot_by_motor_omega: R,
     pub saws_driven_dot_dot_by_saws_driven_dot: R,
+    pub motor_omega_dot_by_saws_driven_dot: R,
     pub t5: R,
     pub motor_psi_sx_dot_by_motor_psi_sx: R,
     pub motor_psi_sy_dot_by_motor_psi_sx: R,
@@ -497,14 +441,14 @@ impl<R: Real> Constants<R> {
             t4: values[8],
             motor_alpha_s_times_motor_omega_0: values[9],
             motor_alpha_r_times_motor_omega_0: values[10],
-            motor_omega_dot_by_motor_phi: values[11],
-            saws_driven_dot_dot_by_motor_phi: values[12],
-            motor_omega_dot_by_saws_driven: values[13],
-            saws_driven_dot_dot_by_saws_driven: values[14],
-            motor_omega_dot_by_motor_omega: values[15],
-            saws_driven_dot_dot_by_motor_omega: values[16],
-            motor_omega_dot_by_saws_driven_dot: values[17],
-            saws_driven_dot_dot_by_saws_driven_dot: values[18],
+            saws_driven_dot_dot_by_motor_phi: values[11],
+            motor_omega_dot_by_motor_phi: values[12],
+            saws_driven_dot_dot_by_saws_driven: values[13],
+            motor_omega_dot_by_saws_driven: values[14],
+            saws_driven_dot_dot_by_motor_omega: values[15],
+            motor_omega_dot_by_motor_omega: values[16],
+            saws_driven_dot_dot_by_saws_driven_dot: values[17],
+            motor_omega_dot_by_saws_driven_dot: values[18],
             t5: values[19],
             motor_psi_sx_dot_by_motor_psi_sx: values[20],
             motor_psi_sy_dot_by_motor_psi_sx: values[21],
@@ -529,14 +473,14 @@ impl<R: Real> Constants<R> {
             self.t4,
             self.motor_alpha_s_times_motor_omega_0,
             self.motor_alpha_r_times_motor_omega_0,
-            self.motor_omega_dot_by_motor_phi,
             self.saws_driven_dot_dot_by_motor_phi,
-            self.motor_omega_dot_by_saws_driven,
+            self.motor_omega_dot_by_motor_phi,
             self.saws_driven_dot_dot_by_saws_driven,
-            self.motor_omega_dot_by_motor_omega,
+            self.motor_omega_dot_by_saws_driven,
             self.saws_driven_dot_dot_by_motor_omega,
-            self.motor_omega_dot_by_saws_driven_dot,
+            self.motor_omega_dot_by_motor_omega,
             self.saws_driven_dot_dot_by_saws_driven_dot,
+            self.motor_omega_dot_by_saws_driven_dot,
             self.t5,
             self.motor_psi_sx_dot_by_motor_psi_sx,
             self.motor_psi_sy_dot_by_motor_psi_sx,
@@ -572,17 +516,17 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t4 = p.coupling_damping * p.coupling_ratio;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let saws_driven_dot_dot_by_motor_phi = t3 * inverse_saws_driven_field_inertia;
+    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
-    let motor_omega_dot_by_saws_driven = t3 * inverse_motor_inertia;
     let saws_driven_dot_dot_by_saws_driven = -(p.coupling_stiffness
         * coupling_ratio_squared * inverse_saws_driven_field_inertia);
-    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
+    let motor_omega_dot_by_saws_driven = t3 * inverse_motor_inertia;
     let saws_driven_dot_dot_by_motor_omega = t4 * inverse_saws_driven_field_inertia;
-    let motor_omega_dot_by_saws_driven_dot = t4 * inverse_motor_inertia;
+    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let saws_driven_dot_dot_by_saws_driven_dot = -(p.coupling_damping
         * coupling_ratio_squared * inverse_saws_driven_field_inertia);
+    let motor_omega_dot_by_saws_driven_dot = t4 * inverse_motor_inertia;
     let t5 = t1 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
     let motor_psi_sx_dot_by_motor_psi_sx = -motor_alpha_s_times_motor_omega_0;
     let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
@@ -601,14 +545,14 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         t4,
         motor_alpha_s_times_motor_omega_0,
         motor_alpha_r_times_motor_omega_0,
-        motor_omega_dot_by_motor_phi,
         saws_driven_dot_dot_by_motor_phi,
-        motor_omega_dot_by_saws_driven,
+        motor_omega_dot_by_motor_phi,
         saws_driven_dot_dot_by_saws_driven,
-        motor_omega_dot_by_motor_omega,
+        motor_omega_dot_by_saws_driven,
         saws_driven_dot_dot_by_motor_omega,
-        motor_omega_dot_by_saws_driven_dot,
+        motor_omega_dot_by_motor_omega,
         saws_driven_dot_dot_by_saws_driven_dot,
+        motor_omega_dot_by_saws_driven_dot,
         t5,
         motor_psi_sx_dot_by_motor_psi_sx,
         motor_psi_sy_dot_by_motor_psi_sx,
@@ -674,12 +618,12 @@ pub fn prepared_rate<R: Real>(
         .add_product(p.coupling_damping, coupling_twist_rate);
     let motor_torque = c.t2
         * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
-    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
+    let saws_end_dot_dot = p.saws_end_field_force * c.inverse_saws_end_field_inertia;
     let saws_driven_dot_dot = p
         .saws_driven_field_force
         .add_product(c.t3, coupling_twist)
         .add_product(c.t4, coupling_twist_rate) * c.inverse_saws_driven_field_inertia;
-    let saws_end_dot_dot = p.saws_end_field_force * c.inverse_saws_end_field_inertia;
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot = c
         .motor_u_x
         .add_product(c.motor_omega_0, motor_psi_sy)
@@ -863,13 +807,13 @@ pub fn parameter_jacobian<R: Real>(
     let inverse_saws_driven_field_inertia = R::literal(1.0)
         / p.saws_driven_field_inertia;
     let inverse_saws_end_field_inertia = R::literal(1.0) / p.saws_end_field_inertia;
-    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
+    let saws_end_dot_dot = p.saws_end_field_force * inverse_saws_end_field_inertia;
     let saws_driven_dot_dot = p
         .saws_driven_field_force
         .add_product(p.coupling_stiffness * p.coupling_ratio, coupling_twist)
         .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
         * inverse_saws_driven_field_inertia;
-    let saws_end_dot_dot = p.saws_end_field_force * inverse_saws_end_field_inertia;
+    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let t5 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
@@ -920,16 +864,14 @@ pub fn parameter_jacobian<R: Real>(
     let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t2);
     let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t5;
     let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t6;
+    let saws_driven_dot_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
+        * inverse_saws_driven_field_inertia;
     let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_saws_driven
         - motor_phi) * inverse_motor_inertia;
-    let saws_driven_dot_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
+    let saws_driven_dot_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * inverse_saws_driven_field_inertia;
     let motor_omega_dot_by_coupling_damping = (coupling_ratio_times_saws_driven_dot
         - motor_omega) * inverse_motor_inertia;
-    let saws_driven_dot_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
-        * inverse_saws_driven_field_inertia;
-    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * saws_driven)
-        .add_product(p.coupling_damping, saws_driven_dot) * inverse_motor_inertia;
     let saws_driven_dot_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
         .add_product(p.coupling_damping, motor_omega)
         .sub_product(
@@ -940,6 +882,8 @@ pub fn parameter_jacobian<R: Real>(
             R::literal(2.0) * p.coupling_damping * p.coupling_ratio,
             saws_driven_dot,
         ) * inverse_saws_driven_field_inertia;
+    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * saws_driven)
+        .add_product(p.coupling_damping, saws_driven_dot) * inverse_motor_inertia;
     let saws_driven_dot_dot_by_saws_driven_field_inertia = -(saws_driven_dot_dot
         * inverse_saws_driven_field_inertia);
     let saws_end_dot_dot_by_saws_end_field_inertia = -(saws_end_dot_dot
@@ -1112,13 +1056,13 @@ pub fn power_balance<R: Real>(
         * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let t6 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
     let t7 = p.coupling_damping * p.coupling_ratio;
-    let motor_omega_dot = (motor_torque - coupling_torque)
-        * (R::literal(1.0) / p.motor_inertia);
+    let saws_end_dot_dot = p.saws_end_field_force
+        * (R::literal(1.0) / p.saws_end_field_inertia);
     let saws_driven_dot_dot = (p.saws_driven_field_force + t6)
         .add_product(t7, coupling_twist_rate)
         * (R::literal(1.0) / p.saws_driven_field_inertia);
-    let saws_end_dot_dot = p.saws_end_field_force
-        * (R::literal(1.0) / p.saws_end_field_inertia);
+    let motor_omega_dot = (motor_torque - coupling_torque)
+        * (R::literal(1.0) / p.motor_inertia);
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_psi_sx_dot = motor_u_x
         .add_product(motor_omega_0, motor_psi_sy)

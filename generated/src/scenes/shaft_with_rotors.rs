@@ -324,8 +324,8 @@ pub fn prepared_rate<R: Real>(
     c: &Constants<R>,
 ) -> [R; STATES] {
     let [_, _, shaft_start_dot, shaft_end_dot] = *state;
-    let shaft_start_dot_dot = p.shaft_start_field_force * c.t0;
     let shaft_end_dot_dot = p.shaft_end_field_force * c.t1;
+    let shaft_start_dot_dot = p.shaft_start_field_force * c.t0;
     [shaft_start_dot, shaft_end_dot, shaft_start_dot_dot, shaft_end_dot_dot]
 }
 
@@ -395,10 +395,10 @@ pub fn parameter_jacobian<R: Real>(
         / (p.driving_inertia + p.shaft_start_field_inertia);
     let shaft_end_dot_dot_by_shaft_end_field_force = R::literal(1.0)
         / (p.driven_inertia + p.shaft_end_field_inertia);
-    let shaft_start_dot_dot = p.shaft_start_field_force
-        * shaft_start_dot_dot_by_shaft_start_field_force;
     let shaft_end_dot_dot = p.shaft_end_field_force
         * shaft_end_dot_dot_by_shaft_end_field_force;
+    let shaft_start_dot_dot = p.shaft_start_field_force
+        * shaft_start_dot_dot_by_shaft_start_field_force;
     let shaft_end_dot_dot_by_driven_inertia = -(shaft_end_dot_dot
         * shaft_end_dot_dot_by_shaft_end_field_force);
     let shaft_start_dot_dot_by_driving_inertia = -(shaft_start_dot_dot
@@ -475,10 +475,10 @@ pub fn power_balance<R: Real>(
     p: &Parameters<R>,
 ) -> PowerBalance<R> {
     let [_, _, shaft_start_dot, shaft_end_dot] = *state;
-    let shaft_start_dot_dot = p.shaft_start_field_force
-        * (R::literal(1.0) / (p.driving_inertia + p.shaft_start_field_inertia));
     let shaft_end_dot_dot = p.shaft_end_field_force
         * (R::literal(1.0) / (p.driven_inertia + p.shaft_end_field_inertia));
+    let shaft_start_dot_dot = p.shaft_start_field_force
+        * (R::literal(1.0) / (p.driving_inertia + p.shaft_start_field_inertia));
     PowerBalance {
         stored_rate: ((p.driving_inertia * shaft_start_dot)
             .add_product(shaft_start_dot, p.shaft_start_field_inertia)

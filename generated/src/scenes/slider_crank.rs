@@ -43,28 +43,28 @@
 //
 // Nonzeros:
 //   mass_matrix               8 of 8 by 8
-//   rate_jacobian            40 of 16 by 16
-//   parameter_jacobian       80 of 16 by 12
+//   rate_jacobian            28 of 16 by 16
+//   parameter_jacobian       10 of 16 by 12
 //
 // Operations:
 //   initial_state             0
 //   discontinuities           0
-//   rate                    300
+//   rate                     63
 //   mass_matrix               0
 //   forcing                   6
-//   rate_jacobian           753
-//   parameter_jacobian     1395
+//   rate_jacobian           133
+//   parameter_jacobian       94
 //   time_derivative           0
-//   outputs                 232
+//   outputs                 101
 //   energy                   33
-//   power_balance           330
+//   power_balance           124
 //   constraint_values        25
 //   constraint_rates         25
 //   constraint_matrix        12
 // With constants of the parameters, prepared once a run:
-//   prepare                  20
-//   prepared_rate           280
-//   prepared_rate_jacobian  736
+//   prepare                   5
+//   prepared_rate            58
+//   prepared_rate_jacobian  128
 
 use ::machinist_contract::{
     Constraint, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
@@ -98,46 +98,9 @@ pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
     rows: 16,
     columns: 16,
     entries: &[
-        (0, 8),
-        (1, 9),
-        (2, 10),
-        (3, 11),
-        (4, 12),
-        (5, 13),
-        (6, 14),
-        (7, 15),
-        (8, 2),
-        (8, 5),
-        (8, 10),
-        (8, 13),
-        (9, 2),
-        (9, 5),
-        (9, 10),
-        (9, 13),
-        (10, 2),
-        (10, 5),
-        (10, 10),
-        (10, 13),
-        (11, 2),
-        (11, 5),
-        (11, 10),
-        (11, 13),
-        (12, 2),
-        (12, 5),
-        (12, 10),
-        (12, 13),
-        (13, 2),
-        (13, 5),
-        (13, 10),
-        (13, 13),
-        (14, 2),
-        (14, 5),
-        (14, 10),
-        (14, 13),
-        (15, 2),
-        (15, 5),
-        (15, 10),
-        (15, 13),
+        (0, 8), (1, 9), (2, 10), (3, 11), (4, 12), (5, 13), (6, 14), (7, 15), (8, 2), (8, 10),
+        (9, 2), (9, 10), (11, 2), (11, 5), (11, 10), (11, 13), (12, 2), (12, 5), (12, 10), (12, 13),
+        (13, 2), (13, 5), (13, 10), (13, 13), (14, 2), (14, 5), (14, 10), (14, 13),
     ],
 };
 
@@ -146,86 +109,7 @@ pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern
     rows: 16,
     columns: 12,
     entries: &[
-        (8, 2),
-        (8, 3),
-        (8, 4),
-        (8, 5),
-        (8, 6),
-        (8, 7),
-        (8, 8),
-        (8, 9),
-        (8, 10),
-        (8, 11),
-        (9, 2),
-        (9, 3),
-        (9, 4),
-        (9, 5),
-        (9, 6),
-        (9, 7),
-        (9, 8),
-        (9, 9),
-        (9, 10),
-        (9, 11),
-        (10, 2),
-        (10, 3),
-        (10, 4),
-        (10, 5),
-        (10, 6),
-        (10, 7),
-        (10, 8),
-        (10, 9),
-        (10, 10),
-        (10, 11),
-        (11, 2),
-        (11, 3),
-        (11, 4),
-        (11, 5),
-        (11, 6),
-        (11, 7),
-        (11, 8),
-        (11, 9),
-        (11, 10),
-        (11, 11),
-        (12, 2),
-        (12, 3),
-        (12, 4),
-        (12, 5),
-        (12, 6),
-        (12, 7),
-        (12, 8),
-        (12, 9),
-        (12, 10),
-        (12, 11),
-        (13, 2),
-        (13, 3),
-        (13, 4),
-        (13, 5),
-        (13, 6),
-        (13, 7),
-        (13, 8),
-        (13, 9),
-        (13, 10),
-        (13, 11),
-        (14, 2),
-        (14, 3),
-        (14, 4),
-        (14, 5),
-        (14, 6),
-        (14, 7),
-        (14, 8),
-        (14, 9),
-        (14, 10),
-        (14, 11),
-        (15, 2),
-        (15, 3),
-        (15, 4),
-        (15, 5),
-        (15, 6),
-        (15, 7),
-        (15, 8),
-        (15, 9),
-        (15, 10),
-        (15, 11),
+        (8, 2), (9, 2), (11, 2), (11, 6), (12, 2), (12, 6), (13, 2), (13, 6), (14, 2), (14, 6),
     ],
 };
 
@@ -237,26 +121,8 @@ pub const CONSTRAINT_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern 
     rows: 8,
     columns: 8,
     entries: &[
-        (0, 0),
-        (0, 2),
-        (1, 1),
-        (1, 2),
-        (2, 0),
-        (2, 2),
-        (2, 3),
-        (2, 5),
-        (3, 1),
-        (3, 2),
-        (3, 4),
-        (3, 5),
-        (4, 3),
-        (4, 5),
-        (4, 6),
-        (5, 4),
-        (5, 5),
-        (5, 7),
-        (6, 7),
-        (7, 2),
+        (0, 0), (0, 2), (1, 1), (1, 2), (2, 0), (2, 2), (2, 3), (2, 5), (3, 1), (3, 2), (3, 4),
+        (3, 5), (4, 3), (4, 5), (4, 6), (5, 4), (5, 5), (5, 7), (6, 7), (7, 2),
     ],
 };
 
@@ -445,7 +311,7 @@ pub mod state {
 }
 
 /// Constants that `prepare` computes.
-pub const CONSTANTS: usize = 17;
+pub const CONSTANTS: usize = 5;
 
 #[allow(missing_docs, reason = "`prepare` says what each is")]
 /// What parameters alone decide; `prepare` says what each is.
@@ -453,21 +319,9 @@ pub const CONSTANTS: usize = 17;
 pub struct Constants<R> {
     pub t0: R,
     pub t1: R,
-    pub inverse_crank_mass: R,
-    pub minus_inverse_crank_mass: R,
-    pub inverse_crank_inertia: R,
     pub inverse_rod_mass: R,
     pub minus_inverse_rod_mass: R,
     pub inverse_rod_inertia: R,
-    pub inverse_slider_mass: R,
-    pub minus_inverse_slider_mass: R,
-    pub minus_inverse_crank_inertia: R,
-    pub t2: R,
-    pub t3: R,
-    pub t4: R,
-    pub t5: R,
-    pub t6: R,
-    pub t7: R,
 }
 
 impl<R: Real> Constants<R> {
@@ -478,21 +332,9 @@ impl<R: Real> Constants<R> {
         Self {
             t0: values[0],
             t1: values[1],
-            inverse_crank_mass: values[2],
-            minus_inverse_crank_mass: values[3],
-            inverse_crank_inertia: values[4],
-            inverse_rod_mass: values[5],
-            minus_inverse_rod_mass: values[6],
-            inverse_rod_inertia: values[7],
-            inverse_slider_mass: values[8],
-            minus_inverse_slider_mass: values[9],
-            minus_inverse_crank_inertia: values[10],
-            t2: values[11],
-            t3: values[12],
-            t4: values[13],
-            t5: values[14],
-            t6: values[15],
-            t7: values[16],
+            inverse_rod_mass: values[2],
+            minus_inverse_rod_mass: values[3],
+            inverse_rod_inertia: values[4],
         }
     }
     /// The numbers in their order.
@@ -502,66 +344,30 @@ impl<R: Real> Constants<R> {
         [
             self.t0,
             self.t1,
-            self.inverse_crank_mass,
-            self.minus_inverse_crank_mass,
-            self.inverse_crank_inertia,
             self.inverse_rod_mass,
             self.minus_inverse_rod_mass,
             self.inverse_rod_inertia,
-            self.inverse_slider_mass,
-            self.minus_inverse_slider_mass,
-            self.minus_inverse_crank_inertia,
-            self.t2,
-            self.t3,
-            self.t4,
-            self.t5,
-            self.t6,
-            self.t7,
         ]
     }
 }
 
 /// What `rate` and `rate_jacobian` need of the parameters, once a run.
 ///
-/// 20 operations.
+/// 5 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t0 = R::literal(0.5) * p.crank_length;
     let t1 = R::literal(0.5) * p.rod_length;
-    let inverse_crank_mass = R::literal(1.0) / p.crank_mass;
-    let minus_inverse_crank_mass = -inverse_crank_mass;
-    let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
     let inverse_rod_mass = R::literal(1.0) / p.rod_mass;
     let minus_inverse_rod_mass = -inverse_rod_mass;
     let inverse_rod_inertia = R::literal(1.0) / p.rod_inertia;
-    let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
-    let minus_inverse_slider_mass = -inverse_slider_mass;
-    let minus_inverse_crank_inertia = -inverse_crank_inertia;
-    let t2 = inverse_crank_mass * (p.crank_mass * p.crank_gravity);
-    let t3 = -t2;
-    let t4 = inverse_rod_mass * (p.rod_mass * p.rod_gravity);
-    let t5 = -t4;
-    let t6 = inverse_slider_mass * (p.slider_mass * p.slider_gravity);
-    let t7 = -t6;
     Constants {
         t0,
         t1,
-        inverse_crank_mass,
-        minus_inverse_crank_mass,
-        inverse_crank_inertia,
         inverse_rod_mass,
         minus_inverse_rod_mass,
         inverse_rod_inertia,
-        inverse_slider_mass,
-        minus_inverse_slider_mass,
-        minus_inverse_crank_inertia,
-        t2,
-        t3,
-        t4,
-        t5,
-        t6,
-        t7,
     }
 }
 
@@ -600,7 +406,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 
 /// `y'`: velocities, `q''` of `M q'' = f + G^T lambda` with `g'' = 0`, `h`; in the units of the states per second.
 ///
-/// 300 operations.
+/// 63 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
@@ -609,7 +415,7 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
 
 /// As `rate`, with the constants of the parameters from `prepare`.
 ///
-/// 280 operations.
+/// 58 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(
@@ -624,165 +430,43 @@ pub fn prepared_rate<R: Real>(
         crank_phi,
         rod_phi,
     ]);
-    let t0 = c.t0 * cos_crank_phi;
-    let t1 = c.t0 * sin_crank_phi;
-    let t2 = c.t1 * cos_rod_phi;
-    let t3 = c.t1 * sin_rod_phi;
-    let t4 = t1 * c.inverse_crank_inertia;
-    let t5 = t0 * c.inverse_crank_inertia;
-    let t6 = t3 * c.inverse_rod_inertia;
-    let t7 = t2 * c.inverse_rod_inertia;
-    let t8 = t4 * t1;
-    let t9 = c.minus_inverse_crank_mass - t8;
-    let t10 = R::literal(1.0) / t9;
-    let t11 = t5 * t1;
-    let t12 = t11 * t10;
-    let t13 = c.inverse_crank_mass - t8;
-    let t14 = t13 * t10;
-    let t15 = t4 * t10;
-    let t16 = t5 * t0;
-    let t17 = c.minus_inverse_crank_mass - t16;
-    let t18 = t12 * t11;
-    let t19 = R::literal(1.0) / (t17 - t18);
-    let t20 = (t4 * t0).sub_product(t14, t11);
-    let t21 = t20 * t19;
-    let t22 = c.inverse_crank_mass - t16 - t18;
-    let t23 = t22 * t19;
-    let t24 = t5.add_product(t15, t11);
-    let t25 = t24 * t19;
-    let t26 = t6 * t3;
-    let t27 = R::literal(1.0)
-        / (t9 - c.inverse_rod_mass - t26).sub_product(t14, t13).sub_product(t21, t20);
-    let t28 = t7 * t3;
-    let t29 = (t11 + t28).sub_product(t12, t13).sub_product(t23, t20);
-    let t30 = t29 * t27;
-    let t31 = c.inverse_rod_mass - t26;
-    let t32 = t31 * t27;
-    let t33 = t28 * t27;
-    let t34 = (-t4).add_product(t15, t13).sub_product(t25, t20);
-    let t35 = t34 * t27;
-    let t36 = t7 * t2;
-    let t37 = R::literal(1.0)
-        / (t17 - c.inverse_rod_mass - t36 - t18)
-            .sub_product(t23, t22)
-            .sub_product(t30, t29);
-    let t38 = (t6 * t2).sub_product(t32, t29);
-    let t39 = t38 * t37;
-    let t40 = (c.inverse_rod_mass - t36).sub_product(t33, t29);
-    let t41 = t40 * t37;
-    let t42 = t24.sub_product(t25, t22).sub_product(t35, t29);
-    let t43 = t42 * t37;
-    let t44 = R::literal(1.0)
-        / (c.minus_inverse_rod_mass - t26 - c.inverse_slider_mass)
-            .sub_product(t32, t31)
-            .sub_product(t39, t38);
-    let t45 = t28.sub_product(t33, t31).sub_product(t41, t38);
-    let t46 = t45 * t44;
-    let t47 = (-(t35 * t31)).sub_product(t43, t38);
-    let t48 = t47 * t44;
-    let t49 = R::literal(1.0)
-        / (c.minus_inverse_rod_mass - t36 - c.inverse_slider_mass)
-            .sub_product(t33, t28)
-            .sub_product(t41, t40)
-            .sub_product(t46, t45);
-    let t50 = c.inverse_slider_mass * t49;
-    let t51 = (-(t35 * t28)).sub_product(t43, t40).sub_product(t48, t45);
-    let t52 = t51 * t49;
-    let t53 = R::literal(1.0)
-        / c.minus_inverse_slider_mass.sub_product(t50, c.inverse_slider_mass);
-    let t54 = t52 * c.inverse_slider_mass;
-    let t55 = t54 * t53;
+    let t0 = c.t1 * cos_rod_phi;
+    let t1 = t0 * c.inverse_rod_inertia;
+    let t2 = t1 * t0;
+    let t3 = c.minus_inverse_rod_mass - t2;
+    let t4 = R::literal(1.0) / t3;
+    let t5 = c.inverse_rod_mass - t2;
+    let t6 = t5 * t4;
     let crank_omega_squared = crank_omega * crank_omega;
-    let t56 = c.t0 * crank_omega_squared;
-    let t57 = t56 * cos_crank_phi;
-    let t58 = p.crank_length * crank_omega_squared;
+    let t7 = c.t0 * crank_omega_squared;
+    let t8 = t7 * cos_crank_phi;
+    let crank_v_x_dot = -t8;
+    let t9 = t7 * sin_crank_phi;
+    let crank_v_y_dot = -t9;
+    let t10 = p.crank_length * crank_omega_squared;
     let rod_omega_squared = rod_omega * rod_omega;
     let rod_length_times_rod_omega_squared = p.rod_length * rod_omega_squared;
-    let t59 = c.t1 * rod_omega_squared;
-    let t60 = t12 * t57;
-    let t61 = c.t2.sub_product(t56, sin_crank_phi) + t60;
-    let t62 = (-(R::literal(0.5)
-        * (t58 * cos_crank_phi)
-            .add_product(rod_length_times_rod_omega_squared, cos_rod_phi)))
-        .add_product(t14, t57)
-        .sub_product(t21, t61);
-    let t63 = ((-c.t2)
+    let t11 = c.t1 * rod_omega_squared;
+    let t12 = (-t9)
         .sub_product(
             R::literal(0.5),
-            (t58 * sin_crank_phi)
+            (t10 * sin_crank_phi)
                 .add_product(rod_length_times_rod_omega_squared, sin_rod_phi),
-        ) + c.t4 + t60)
-        .sub_product(t23, t61)
-        .sub_product(t30, t62);
-    let t64 = (-(t59 * cos_rod_phi)).sub_product(t32, t62).sub_product(t39, t63);
-    let t65 = ((-c.t4).sub_product(t59, sin_rod_phi) + c.t6)
-        .sub_product(t33, t62)
-        .sub_product(t41, t63)
-        .sub_product(t46, t64);
-    let t66 = c.t6.add_product(t50, t65);
-    let t67 = (-(t15 * t57))
-        .sub_product(t25, t61)
-        .sub_product(t35, t62)
-        .sub_product(t43, t63)
-        .sub_product(t48, t64)
-        .sub_product(t52, t65)
-        .sub_product(t55, t66)
-        * (R::literal(1.0)
-            / c
-                .minus_inverse_crank_inertia
-                .sub_product(t15, t4)
-                .sub_product(t25, t24)
-                .sub_product(t35, t34)
-                .sub_product(t43, t42)
-                .sub_product(t48, t47)
-                .sub_product(t52, t51)
-                .sub_product(t55, t54));
-    let t68 = (t66 * t53).sub_product(t55, t67);
-    let t69 = (t65 * t49).add_product(t50, t68).sub_product(t52, t67);
-    let t70 = (t64 * t44).sub_product(t46, t69).sub_product(t48, t67);
-    let t71 = (t63 * t37)
-        .sub_product(t39, t70)
-        .sub_product(t41, t69)
-        .sub_product(t43, t67);
-    let t72 = (t62 * t27)
-        .sub_product(t30, t71)
-        .sub_product(t32, t70)
-        .sub_product(t33, t69)
-        .sub_product(t35, t67);
-    let t73 = (t61 * t19)
-        .sub_product(t21, t72)
-        .sub_product(t23, t71)
-        .sub_product(t25, t67);
-    let t74 = (-(t57 * t10))
-        .sub_product(t12, t73)
-        .sub_product(t14, t72)
-        .sub_product(t12, t71)
-        .add_product(t15, t67);
-    let slider_v_y_dot = c
-        .t7
-        .sub_product(c.inverse_slider_mass, t69)
-        .sub_product(c.inverse_slider_mass, t68);
-    let slider_v_x_dot = -(c.inverse_slider_mass * t70);
-    let rod_omega_dot = (t7 * t71)
-        .sub_product(t6, t72)
-        .sub_product(t6, t70)
-        .add_product(t7, t69);
-    let rod_v_y_dot = c
-        .t5
-        .sub_product(c.inverse_rod_mass, t71)
-        .add_product(c.inverse_rod_mass, t69);
-    let rod_v_x_dot = (c.inverse_rod_mass * t70).sub_product(c.inverse_rod_mass, t72);
-    let crank_omega_dot = (t5 * t73)
-        .sub_product(t4, t74)
-        .sub_product(t4, t72)
-        .add_product(t5, t71)
-        .sub_product(c.inverse_crank_inertia, t67);
-    let crank_v_y_dot = c
-        .t3
-        .sub_product(c.inverse_crank_mass, t73)
-        .add_product(c.inverse_crank_mass, t71);
-    let crank_v_x_dot = (c.inverse_crank_mass * t72)
-        .sub_product(c.inverse_crank_mass, t74);
+        );
+    let t13 = (-(t11 * sin_rod_phi)).sub_product(t6, t12)
+        * (R::literal(1.0) / t3.sub_product(t6, t5));
+    let t14 = (t12 * t4).sub_product(t6, t13);
+    let rod_omega_dot = (t1 * t13).add_product(t1, t14);
+    let rod_v_y_dot = (c.inverse_rod_mass * t13).sub_product(c.inverse_rod_mass, t14);
+    let t15 = (-t8)
+        .sub_product(
+            R::literal(0.5),
+            (t10 * cos_crank_phi)
+                .add_product(rod_length_times_rod_omega_squared, cos_rod_phi),
+        );
+    let t16 = c.t1 * sin_rod_phi * rod_omega_dot;
+    let rod_v_x_dot = t15 - t16;
+    let slider_v_x_dot = (-t16).sub_product(t11, cos_rod_phi) - (t16 - t15);
     [
         crank_v_x,
         crank_v_y,
@@ -794,12 +478,12 @@ pub fn prepared_rate<R: Real>(
         slider_v_y,
         crank_v_x_dot,
         crank_v_y_dot,
-        crank_omega_dot,
+        R::literal(0.0),
         rod_v_x_dot,
         rod_v_y_dot,
         rod_omega_dot,
         slider_v_x_dot,
-        slider_v_y_dot,
+        R::literal(0.0),
     ]
 }
 
@@ -850,27 +534,27 @@ pub fn forcing<R: Real>(
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
 ///
-/// 753 operations.
+/// 133 operations.
 #[must_use]
 #[inline]
 pub fn rate_jacobian<R: Real>(
     time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
-) -> [R; 40] {
+) -> [R; 28] {
     prepared_rate_jacobian(time, state, p, &prepare(p))
 }
 
 /// As `rate_jacobian`, with the constants of the parameters from `prepare`.
 ///
-/// 736 operations.
+/// 128 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(
     _time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
     c: &Constants<R>,
-) -> [R; 40] {
+) -> [R; 28] {
     let crank_phi = state[2];
     let rod_phi = state[5];
     let crank_omega = state[10];
@@ -879,380 +563,78 @@ pub fn prepared_rate_jacobian<R: Real>(
         crank_phi,
         rod_phi,
     ]);
-    let t0 = c.t0 * cos_crank_phi;
-    let t1 = c.t0 * sin_crank_phi;
-    let t2 = c.t1 * cos_rod_phi;
-    let t3 = c.t1 * sin_rod_phi;
-    let t4 = t1 * c.inverse_crank_inertia;
-    let t5 = t0 * c.inverse_crank_inertia;
-    let t6 = t3 * c.inverse_rod_inertia;
-    let t7 = t2 * c.inverse_rod_inertia;
-    let t8 = t4 * t1;
-    let t9 = c.minus_inverse_crank_mass - t8;
-    let t10 = R::literal(1.0) / t9;
-    let t11 = t5 * t1;
-    let t12 = t11 * t10;
-    let t13 = c.inverse_crank_mass - t8;
-    let t14 = t13 * t10;
-    let t15 = t4 * t10;
-    let t16 = t5 * t0;
-    let t17 = c.minus_inverse_crank_mass - t16;
-    let t18 = t12 * t11;
-    let t19 = R::literal(1.0) / (t17 - t18);
-    let t20 = (t4 * t0).sub_product(t14, t11);
-    let t21 = t20 * t19;
-    let t22 = c.inverse_crank_mass - t16 - t18;
-    let t23 = t22 * t19;
-    let t24 = t5.add_product(t15, t11);
-    let t25 = t24 * t19;
-    let t26 = t6 * t3;
-    let t27 = R::literal(1.0)
-        / (t9 - c.inverse_rod_mass - t26).sub_product(t14, t13).sub_product(t21, t20);
-    let t28 = t7 * t3;
-    let t29 = (t11 + t28).sub_product(t12, t13).sub_product(t23, t20);
-    let t30 = t29 * t27;
-    let t31 = c.inverse_rod_mass - t26;
-    let t32 = t31 * t27;
-    let t33 = t28 * t27;
-    let t34 = (-t4).add_product(t15, t13).sub_product(t25, t20);
-    let t35 = t34 * t27;
-    let t36 = t7 * t2;
-    let t37 = R::literal(1.0)
-        / (t17 - c.inverse_rod_mass - t36 - t18)
-            .sub_product(t23, t22)
-            .sub_product(t30, t29);
-    let t38 = (t6 * t2).sub_product(t32, t29);
-    let t39 = t38 * t37;
-    let t40 = (c.inverse_rod_mass - t36).sub_product(t33, t29);
-    let t41 = t40 * t37;
-    let t42 = t24.sub_product(t25, t22).sub_product(t35, t29);
-    let t43 = t42 * t37;
-    let t44 = R::literal(1.0)
-        / (c.minus_inverse_rod_mass - t26 - c.inverse_slider_mass)
-            .sub_product(t32, t31)
-            .sub_product(t39, t38);
-    let t45 = t28.sub_product(t33, t31).sub_product(t41, t38);
-    let t46 = t45 * t44;
-    let t47 = (-(t35 * t31)).sub_product(t43, t38);
-    let t48 = t47 * t44;
-    let t49 = R::literal(1.0)
-        / (c.minus_inverse_rod_mass - t36 - c.inverse_slider_mass)
-            .sub_product(t33, t28)
-            .sub_product(t41, t40)
-            .sub_product(t46, t45);
-    let t50 = c.inverse_slider_mass * t49;
-    let t51 = (-(t35 * t28)).sub_product(t43, t40).sub_product(t48, t45);
-    let t52 = t51 * t49;
-    let t53 = R::literal(1.0)
-        / c.minus_inverse_slider_mass.sub_product(t50, c.inverse_slider_mass);
-    let t54 = t52 * c.inverse_slider_mass;
-    let t55 = t54 * t53;
-    let t56 = R::literal(1.0)
-        / c
-            .minus_inverse_crank_inertia
-            .sub_product(t15, t4)
-            .sub_product(t25, t24)
-            .sub_product(t35, t34)
-            .sub_product(t43, t42)
-            .sub_product(t48, t47)
-            .sub_product(t52, t51)
-            .sub_product(t55, t54);
+    let t0 = c.t1 * cos_rod_phi;
+    let t1 = c.t1 * sin_rod_phi;
+    let t2 = t0 * c.inverse_rod_inertia;
+    let t3 = t2 * t0;
+    let t4 = c.minus_inverse_rod_mass - t3;
+    let t5 = R::literal(1.0) / t4;
+    let t6 = c.inverse_rod_mass - t3;
+    let t7 = t6 * t5;
+    let t8 = R::literal(1.0) / t4.sub_product(t7, t6);
     let crank_omega_squared = crank_omega * crank_omega;
-    let t57 = c.t0 * crank_omega_squared;
-    let t58 = t57 * cos_crank_phi;
-    let t59 = t57 * sin_crank_phi;
-    let t60 = p.crank_length * crank_omega_squared;
+    let t9 = c.t0 * crank_omega_squared;
+    let t10 = t9 * cos_crank_phi;
+    let crank_v_x_dot = -t10;
+    let crank_v_x_dot_by_crank_phi = t9 * sin_crank_phi;
     let rod_omega_squared = rod_omega * rod_omega;
-    let rod_length_times_rod_omega_squared = p.rod_length * rod_omega_squared;
-    let t61 = c.t1 * rod_omega_squared;
-    let t62 = -(t61 * cos_rod_phi);
-    let t63 = t61 * sin_rod_phi;
-    let t64 = t12 * t58;
-    let t65 = c.t2 - t59 + t64;
-    let t66 = (-(R::literal(0.5)
-        * (t60 * cos_crank_phi)
-            .add_product(rod_length_times_rod_omega_squared, cos_rod_phi)))
-        .add_product(t14, t58)
-        .sub_product(t21, t65);
-    let t67 = ((-c.t2)
+    let t11 = c.t1 * rod_omega_squared;
+    let t12 = t11 * sin_rod_phi;
+    let t13 = (-crank_v_x_dot_by_crank_phi)
         .sub_product(
             R::literal(0.5),
-            (t60 * sin_crank_phi)
-                .add_product(rod_length_times_rod_omega_squared, sin_rod_phi),
-        ) + c.t4 + t64)
-        .sub_product(t23, t65)
-        .sub_product(t30, t66);
-    let t68 = t62.sub_product(t32, t66).sub_product(t39, t67);
-    let t69 = (-t63 - c.t4 + c.t6)
-        .sub_product(t33, t66)
-        .sub_product(t41, t67)
-        .sub_product(t46, t68);
-    let t70 = c.t6.add_product(t50, t69);
-    let t71 = (-(t15 * t58))
-        .sub_product(t25, t65)
-        .sub_product(t35, t66)
-        .sub_product(t43, t67)
-        .sub_product(t48, t68)
-        .sub_product(t52, t69)
-        .sub_product(t55, t70) * t56;
-    let t72 = (t69 * t49)
-        .add_product(t50, (t70 * t53).sub_product(t55, t71))
-        .sub_product(t52, t71);
-    let t73 = (t68 * t44).sub_product(t46, t72).sub_product(t48, t71);
-    let t74 = (t67 * t37)
-        .sub_product(t39, t73)
-        .sub_product(t41, t72)
-        .sub_product(t43, t71);
-    let t75 = (t66 * t27)
-        .sub_product(t30, t74)
-        .sub_product(t32, t73)
-        .sub_product(t33, t72)
-        .sub_product(t35, t71);
-    let t76 = (t65 * t19)
-        .sub_product(t21, t75)
-        .sub_product(t23, t74)
-        .sub_product(t25, t71);
-    let t77 = (-(t58 * t10))
-        .sub_product(t12, t76)
-        .sub_product(t14, t75)
-        .sub_product(t12, t74)
-        .add_product(t15, t71);
-    let rod_omega_dot = (t7 * t74)
-        .sub_product(t6, t75)
-        .sub_product(t6, t73)
-        .add_product(t7, t72);
-    let crank_omega_dot = (t5 * t76)
-        .sub_product(t4, t77)
-        .sub_product(t4, t75)
-        .add_product(t5, t74)
-        .sub_product(c.inverse_crank_inertia, t71);
-    let t78 = (-(t1 * t76))
-        .sub_product(t0, t77)
-        .sub_product(t0, t75)
-        .sub_product(t1, t74);
-    let t79 = t59.sub_product(t0, crank_omega_dot).sub_product(t4, t78);
-    let t80 = (-t58)
-        .sub_product(t1, crank_omega_dot)
-        .add_product(t5, t78)
-        .sub_product(t12, t79);
-    let t81 = t79.sub_product(t14, t79).sub_product(t21, t80);
-    let t82 = t80.sub_product(t23, t80).sub_product(t30, t81);
-    let t83 = (-(t32 * t81)).sub_product(t39, t82);
-    let t84 = (-(t33 * t81)).sub_product(t41, t82).sub_product(t46, t83);
-    let t85 = t50 * t84;
-    let t86 = c.inverse_crank_inertia * t78;
-    let t87 = (-t86)
-        .add_product(t15, t79)
-        .sub_product(t25, t80)
-        .sub_product(t35, t81)
-        .sub_product(t43, t82)
-        .sub_product(t48, t83)
-        .sub_product(t52, t84)
-        .sub_product(t55, t85) * t56;
-    let t88 = (t85 * t53).sub_product(t55, t87);
-    let t89 = (t84 * t49).add_product(t50, t88).sub_product(t52, t87);
-    let t90 = (t83 * t44).sub_product(t46, t89).sub_product(t48, t87);
-    let t91 = (t82 * t37)
-        .sub_product(t39, t90)
-        .sub_product(t41, t89)
-        .sub_product(t43, t87);
-    let t92 = (t81 * t27)
-        .sub_product(t30, t91)
-        .sub_product(t32, t90)
-        .sub_product(t33, t89)
-        .sub_product(t35, t87);
-    let t93 = (t80 * t19)
-        .sub_product(t21, t92)
-        .sub_product(t23, t91)
-        .sub_product(t25, t87);
-    let t94 = (t79 * t10)
-        .sub_product(t12, t93)
-        .sub_product(t14, t92)
-        .sub_product(t12, t91)
-        .add_product(t15, t87);
-    let slider_v_y_dot_by_crank_phi = (-(c.inverse_slider_mass * t88))
-        .sub_product(c.inverse_slider_mass, t89);
-    let slider_v_x_dot_by_crank_phi = -(c.inverse_slider_mass * t90);
-    let rod_omega_dot_by_crank_phi = (t7 * t91)
-        .sub_product(t6, t92)
-        .sub_product(t6, t90)
-        .add_product(t7, t89);
-    let rod_v_y_dot_by_crank_phi = (c.inverse_rod_mass * t89)
-        .sub_product(c.inverse_rod_mass, t91);
-    let rod_v_x_dot_by_crank_phi = (c.inverse_rod_mass * t90)
-        .sub_product(c.inverse_rod_mass, t92);
-    let crank_omega_dot_by_crank_phi = t86
-        .sub_product(t4, t94)
-        .add_product(t5, t93)
-        .sub_product(t4, t92)
-        .add_product(t5, t91)
-        .sub_product(c.inverse_crank_inertia, t87);
-    let crank_v_y_dot_by_crank_phi = (c.inverse_crank_mass * t91)
-        .sub_product(c.inverse_crank_mass, t93);
-    let crank_v_x_dot_by_crank_phi = (c.inverse_crank_mass * t92)
-        .sub_product(c.inverse_crank_mass, t94);
-    let t95 = (-(t3 * t74))
-        .sub_product(t2, t75)
-        .sub_product(t2, t73)
-        .sub_product(t3, t72);
-    let t96 = t63.sub_product(t2, rod_omega_dot).sub_product(t6, t95);
-    let t97 = t62.sub_product(t3, rod_omega_dot).add_product(t7, t95);
-    let t98 = t97.sub_product(t30, t96);
-    let t99 = t96.sub_product(t32, t96).sub_product(t39, t98);
-    let t100 = t97.sub_product(t33, t96).sub_product(t41, t98).sub_product(t46, t99);
-    let t101 = t50 * t100;
-    let t102 = (-(t35 * t96))
-        .sub_product(t43, t98)
-        .sub_product(t48, t99)
-        .sub_product(t52, t100)
-        .sub_product(t55, t101) * t56;
-    let t103 = (t101 * t53).sub_product(t55, t102);
-    let t104 = (t100 * t49).add_product(t50, t103).sub_product(t52, t102);
-    let t105 = (t99 * t44).sub_product(t46, t104).sub_product(t48, t102);
-    let t106 = (t98 * t37)
-        .sub_product(t39, t105)
-        .sub_product(t41, t104)
-        .sub_product(t43, t102);
-    let t107 = (t96 * t27)
-        .sub_product(t30, t106)
-        .sub_product(t32, t105)
-        .sub_product(t33, t104)
-        .sub_product(t35, t102);
-    let t108 = (-(t23 * t106)).sub_product(t21, t107).sub_product(t25, t102);
-    let t109 = (-(t14 * t107))
-        .sub_product(t12, t108)
-        .sub_product(t12, t106)
-        .add_product(t15, t102);
-    let slider_v_y_dot_by_rod_phi = (-(c.inverse_slider_mass * t103))
-        .sub_product(c.inverse_slider_mass, t104);
-    let slider_v_x_dot_by_rod_phi = -(c.inverse_slider_mass * t105);
-    let rod_omega_dot_by_rod_phi = (t95 * c.inverse_rod_inertia)
-        .sub_product(t6, t107)
-        .add_product(t7, t106)
-        .sub_product(t6, t105)
-        .add_product(t7, t104);
-    let rod_v_y_dot_by_rod_phi = (c.inverse_rod_mass * t104)
-        .sub_product(c.inverse_rod_mass, t106);
-    let rod_v_x_dot_by_rod_phi = (c.inverse_rod_mass * t105)
-        .sub_product(c.inverse_rod_mass, t107);
-    let crank_omega_dot_by_rod_phi = (t5 * t108)
-        .sub_product(t4, t109)
-        .sub_product(t4, t107)
-        .add_product(t5, t106)
-        .sub_product(c.inverse_crank_inertia, t102);
-    let crank_v_y_dot_by_rod_phi = (c.inverse_crank_mass * t106)
-        .sub_product(c.inverse_crank_mass, t108);
-    let crank_v_x_dot_by_rod_phi = (c.inverse_crank_mass * t107)
-        .sub_product(c.inverse_crank_mass, t109);
+            (p.crank_length * crank_omega_squared * sin_crank_phi)
+                .add_product(p.rod_length * rod_omega_squared, sin_rod_phi),
+        );
+    let t14 = (-t12).sub_product(t7, t13) * t8;
+    let rod_omega_dot = (t2 * t14).add_product(t2, (t13 * t5).sub_product(t7, t14));
+    let t15 = (-(t11 * cos_rod_phi)).sub_product(t1, rod_omega_dot);
+    let t16 = crank_v_x_dot - t10;
+    let t17 = t7 * t16 * t8;
+    let t18 = (t16 * t5).add_product(t7, t17);
+    let rod_omega_dot_by_crank_phi = (-(t2 * t17)).add_product(t2, t18);
+    let rod_v_y_dot_by_crank_phi = (-(c.inverse_rod_mass * t17))
+        .sub_product(c.inverse_rod_mass, t18);
+    let t19 = crank_v_x_dot_by_crank_phi + crank_v_x_dot_by_crank_phi;
+    let t20 = t1 * rod_omega_dot_by_crank_phi;
+    let rod_v_x_dot_by_crank_phi = t19 - t20;
+    let slider_v_x_dot_by_crank_phi = -(t20 - t19 + t20);
+    let t21 = t12.sub_product(t0, rod_omega_dot);
+    let t22 = t15.sub_product(t7, t15) * t8;
+    let t23 = (t15 * t5).sub_product(t7, t22);
+    let rod_omega_dot_by_rod_phi = (t2 * t22).add_product(t2, t23);
+    let rod_v_y_dot_by_rod_phi = (c.inverse_rod_mass * t22)
+        .sub_product(c.inverse_rod_mass, t23);
+    let t24 = t1 * rod_omega_dot_by_rod_phi;
+    let rod_v_x_dot_by_rod_phi = t21 - t24;
+    let slider_v_x_dot_by_rod_phi = rod_v_x_dot_by_rod_phi - (t24 - t21);
     let crank_length_times_crank_omega = p.crank_length * crank_omega;
-    let t110 = crank_length_times_crank_omega * cos_crank_phi;
-    let t111 = (-(crank_length_times_crank_omega * sin_crank_phi))
-        .add_product(t12, t110);
-    let t112 = (-t110).add_product(t14, t110).sub_product(t21, t111);
-    let t113 = t111.sub_product(t23, t111).sub_product(t30, t112);
-    let t114 = (-(t32 * t112)).sub_product(t39, t113);
-    let t115 = (-(t33 * t112)).sub_product(t41, t113).sub_product(t46, t114);
-    let t116 = t50 * t115;
-    let t117 = (-(t15 * t110))
-        .sub_product(t25, t111)
-        .sub_product(t35, t112)
-        .sub_product(t43, t113)
-        .sub_product(t48, t114)
-        .sub_product(t52, t115)
-        .sub_product(t55, t116) * t56;
-    let t118 = (t116 * t53).sub_product(t55, t117);
-    let t119 = (t115 * t49).add_product(t50, t118).sub_product(t52, t117);
-    let t120 = (t114 * t44).sub_product(t46, t119).sub_product(t48, t117);
-    let t121 = (t113 * t37)
-        .sub_product(t39, t120)
-        .sub_product(t41, t119)
-        .sub_product(t43, t117);
-    let t122 = (t112 * t27)
-        .sub_product(t30, t121)
-        .sub_product(t32, t120)
-        .sub_product(t33, t119)
-        .sub_product(t35, t117);
-    let t123 = (t111 * t19)
-        .sub_product(t21, t122)
-        .sub_product(t23, t121)
-        .sub_product(t25, t117);
-    let t124 = (-(t110 * t10))
-        .sub_product(t12, t123)
-        .sub_product(t14, t122)
-        .sub_product(t12, t121)
-        .add_product(t15, t117);
-    let slider_v_y_dot_by_crank_omega = (-(c.inverse_slider_mass * t118))
-        .sub_product(c.inverse_slider_mass, t119);
-    let slider_v_x_dot_by_crank_omega = -(c.inverse_slider_mass * t120);
-    let rod_omega_dot_by_crank_omega = (t7 * t121)
-        .sub_product(t6, t122)
-        .sub_product(t6, t120)
-        .add_product(t7, t119);
-    let rod_v_y_dot_by_crank_omega = (c.inverse_rod_mass * t119)
-        .sub_product(c.inverse_rod_mass, t121);
-    let rod_v_x_dot_by_crank_omega = (c.inverse_rod_mass * t120)
-        .sub_product(c.inverse_rod_mass, t122);
-    let crank_omega_dot_by_crank_omega = (t5 * t123)
-        .sub_product(t4, t124)
-        .sub_product(t4, t122)
-        .add_product(t5, t121)
-        .sub_product(c.inverse_crank_inertia, t117);
-    let crank_v_y_dot_by_crank_omega = (c.inverse_crank_mass * t121)
-        .sub_product(c.inverse_crank_mass, t123);
-    let crank_v_x_dot_by_crank_omega = (c.inverse_crank_mass * t122)
-        .sub_product(c.inverse_crank_mass, t124);
+    let t25 = crank_length_times_crank_omega * cos_crank_phi;
+    let crank_v_x_dot_by_crank_omega = -t25;
+    let t26 = crank_length_times_crank_omega * sin_crank_phi;
+    let crank_v_y_dot_by_crank_omega = -t26;
+    let t27 = crank_v_y_dot_by_crank_omega - t26;
+    let t28 = t7 * t27 * t8;
+    let t29 = (t27 * t5).add_product(t7, t28);
+    let rod_omega_dot_by_crank_omega = (-(t2 * t28)).add_product(t2, t29);
+    let rod_v_y_dot_by_crank_omega = (-(c.inverse_rod_mass * t28))
+        .sub_product(c.inverse_rod_mass, t29);
+    let t30 = crank_v_x_dot_by_crank_omega - t25;
+    let t31 = t1 * rod_omega_dot_by_crank_omega;
+    let rod_v_x_dot_by_crank_omega = t30 - t31;
+    let slider_v_x_dot_by_crank_omega = -(t31 - t30 + t31);
     let rod_length_times_rod_omega = p.rod_length * rod_omega;
-    let t125 = rod_length_times_rod_omega * cos_rod_phi;
-    let t126 = rod_length_times_rod_omega * sin_rod_phi;
-    let t127 = (-t126).add_product(t30, t125);
-    let t128 = (-t125).add_product(t32, t125).sub_product(t39, t127);
-    let t129 = (-t126)
-        .add_product(t33, t125)
-        .sub_product(t41, t127)
-        .sub_product(t46, t128);
-    let t130 = t50 * t129;
-    let t131 = (t35 * t125)
-        .sub_product(t43, t127)
-        .sub_product(t48, t128)
-        .sub_product(t52, t129)
-        .sub_product(t55, t130) * t56;
-    let t132 = (t130 * t53).sub_product(t55, t131);
-    let t133 = (t129 * t49).add_product(t50, t132).sub_product(t52, t131);
-    let t134 = (t128 * t44).sub_product(t46, t133).sub_product(t48, t131);
-    let t135 = (t127 * t37)
-        .sub_product(t39, t134)
-        .sub_product(t41, t133)
-        .sub_product(t43, t131);
-    let t136 = (-(t125 * t27))
-        .sub_product(t30, t135)
-        .sub_product(t32, t134)
-        .sub_product(t33, t133)
-        .sub_product(t35, t131);
-    let t137 = (-(t23 * t135)).sub_product(t21, t136).sub_product(t25, t131);
-    let t138 = (-(t14 * t136))
-        .sub_product(t12, t137)
-        .sub_product(t12, t135)
-        .add_product(t15, t131);
-    let slider_v_y_dot_by_rod_omega = (-(c.inverse_slider_mass * t132))
-        .sub_product(c.inverse_slider_mass, t133);
-    let slider_v_x_dot_by_rod_omega = -(c.inverse_slider_mass * t134);
-    let rod_omega_dot_by_rod_omega = (t7 * t135)
-        .sub_product(t6, t136)
-        .sub_product(t6, t134)
-        .add_product(t7, t133);
-    let rod_v_y_dot_by_rod_omega = (c.inverse_rod_mass * t133)
-        .sub_product(c.inverse_rod_mass, t135);
-    let rod_v_x_dot_by_rod_omega = (c.inverse_rod_mass * t134)
-        .sub_product(c.inverse_rod_mass, t136);
-    let crank_omega_dot_by_rod_omega = (t5 * t137)
-        .sub_product(t4, t138)
-        .sub_product(t4, t136)
-        .add_product(t5, t135)
-        .sub_product(c.inverse_crank_inertia, t131);
-    let crank_v_y_dot_by_rod_omega = (c.inverse_crank_mass * t135)
-        .sub_product(c.inverse_crank_mass, t137);
-    let crank_v_x_dot_by_rod_omega = (c.inverse_crank_mass * t136)
-        .sub_product(c.inverse_crank_mass, t138);
+    let t32 = rod_length_times_rod_omega * cos_rod_phi;
+    let t33 = rod_length_times_rod_omega * sin_rod_phi;
+    let t34 = (-t33).add_product(t7, t33) * t8;
+    let t35 = (-(t33 * t5)).sub_product(t7, t34);
+    let rod_omega_dot_by_rod_omega = (t2 * t34).add_product(t2, t35);
+    let rod_v_y_dot_by_rod_omega = (c.inverse_rod_mass * t34)
+        .sub_product(c.inverse_rod_mass, t35);
+    let t36 = t1 * rod_omega_dot_by_rod_omega;
+    let t37 = t36 + t32;
+    let rod_v_x_dot_by_rod_omega = -t37;
+    let slider_v_x_dot_by_rod_omega = -t32 - t36 - t37;
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -1263,17 +645,9 @@ pub fn prepared_rate_jacobian<R: Real>(
         R::literal(1.0),
         R::literal(1.0),
         crank_v_x_dot_by_crank_phi,
-        crank_v_x_dot_by_rod_phi,
         crank_v_x_dot_by_crank_omega,
-        crank_v_x_dot_by_rod_omega,
-        crank_v_y_dot_by_crank_phi,
-        crank_v_y_dot_by_rod_phi,
+        crank_v_x_dot,
         crank_v_y_dot_by_crank_omega,
-        crank_v_y_dot_by_rod_omega,
-        crank_omega_dot_by_crank_phi,
-        crank_omega_dot_by_rod_phi,
-        crank_omega_dot_by_crank_omega,
-        crank_omega_dot_by_rod_omega,
         rod_v_x_dot_by_crank_phi,
         rod_v_x_dot_by_rod_phi,
         rod_v_x_dot_by_crank_omega,
@@ -1290,22 +664,18 @@ pub fn prepared_rate_jacobian<R: Real>(
         slider_v_x_dot_by_rod_phi,
         slider_v_x_dot_by_crank_omega,
         slider_v_x_dot_by_rod_omega,
-        slider_v_y_dot_by_crank_phi,
-        slider_v_y_dot_by_rod_phi,
-        slider_v_y_dot_by_crank_omega,
-        slider_v_y_dot_by_rod_omega,
     ]
 }
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 1395 operations.
+/// 94 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     _time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
-) -> [R; 80] {
+) -> [R; 10] {
     let crank_phi = state[2];
     let rod_phi = state[5];
     let crank_omega = state[10];
@@ -1314,777 +684,66 @@ pub fn parameter_jacobian<R: Real>(
         crank_phi,
         rod_phi,
     ]);
-    let t0 = R::literal(0.5) * p.crank_length;
-    let t1 = t0 * cos_crank_phi;
-    let t2 = t0 * sin_crank_phi;
-    let t3 = R::literal(0.5) * p.rod_length;
-    let t4 = t3 * cos_rod_phi;
-    let t5 = t3 * sin_rod_phi;
-    let inverse_crank_mass = R::literal(1.0) / p.crank_mass;
-    let minus_inverse_crank_mass = -inverse_crank_mass;
-    let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
-    let t6 = t2 * inverse_crank_inertia;
-    let t7 = t1 * inverse_crank_inertia;
+    let t0 = R::literal(0.5) * p.rod_length;
+    let t1 = t0 * cos_rod_phi;
+    let t2 = t0 * sin_rod_phi;
     let inverse_rod_mass = R::literal(1.0) / p.rod_mass;
-    let minus_inverse_rod_mass = -inverse_rod_mass;
-    let inverse_rod_inertia = R::literal(1.0) / p.rod_inertia;
-    let t8 = t5 * inverse_rod_inertia;
-    let t9 = t4 * inverse_rod_inertia;
-    let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
-    let t10 = t6 * t2;
-    let t11 = minus_inverse_crank_mass - t10;
-    let t12 = R::literal(1.0) / t11;
-    let t13 = t7 * t2;
-    let t14 = t13 * t12;
-    let t15 = inverse_crank_mass - t10;
-    let t16 = t15 * t12;
-    let t17 = t6 * t12;
-    let t18 = t7 * t1;
-    let t19 = minus_inverse_crank_mass - t18;
-    let t20 = t14 * t13;
-    let t21 = R::literal(1.0) / (t19 - t20);
-    let t22 = (t6 * t1).sub_product(t16, t13);
-    let t23 = t22 * t21;
-    let t24 = inverse_crank_mass - t18 - t20;
-    let t25 = t24 * t21;
-    let t26 = t7.add_product(t17, t13);
-    let t27 = t26 * t21;
-    let t28 = t8 * t5;
-    let t29 = R::literal(1.0)
-        / (t11 - inverse_rod_mass - t28).sub_product(t16, t15).sub_product(t23, t22);
-    let t30 = t9 * t5;
-    let t31 = (t13 + t30).sub_product(t14, t15).sub_product(t25, t22);
-    let t32 = t31 * t29;
-    let t33 = inverse_rod_mass - t28;
-    let t34 = t33 * t29;
-    let t35 = t30 * t29;
-    let t36 = (-t6).add_product(t17, t15).sub_product(t27, t22);
-    let t37 = t36 * t29;
-    let t38 = t9 * t4;
-    let t39 = R::literal(1.0)
-        / (t19 - inverse_rod_mass - t38 - t20)
-            .sub_product(t25, t24)
-            .sub_product(t32, t31);
-    let t40 = (t8 * t4).sub_product(t34, t31);
-    let t41 = t40 * t39;
-    let t42 = (inverse_rod_mass - t38).sub_product(t35, t31);
-    let t43 = t42 * t39;
-    let t44 = t26.sub_product(t27, t24).sub_product(t37, t31);
-    let t45 = t44 * t39;
-    let t46 = R::literal(1.0)
-        / (minus_inverse_rod_mass - t28 - inverse_slider_mass)
-            .sub_product(t34, t33)
-            .sub_product(t41, t40);
-    let t47 = t30.sub_product(t35, t33).sub_product(t43, t40);
-    let t48 = t47 * t46;
-    let t49 = (-(t37 * t33)).sub_product(t45, t40);
-    let t50 = t49 * t46;
-    let t51 = R::literal(1.0)
-        / (minus_inverse_rod_mass - t38 - inverse_slider_mass)
-            .sub_product(t35, t30)
-            .sub_product(t43, t42)
-            .sub_product(t48, t47);
-    let t52 = inverse_slider_mass * t51;
-    let t53 = (-(t37 * t30)).sub_product(t45, t42).sub_product(t50, t47);
-    let t54 = t53 * t51;
-    let t55 = R::literal(1.0)
-        / (-inverse_slider_mass).sub_product(t52, inverse_slider_mass);
-    let t56 = t54 * inverse_slider_mass;
-    let t57 = t56 * t55;
-    let t58 = R::literal(1.0)
-        / (-inverse_crank_inertia)
-            .sub_product(t17, t6)
-            .sub_product(t27, t26)
-            .sub_product(t37, t36)
-            .sub_product(t45, t44)
-            .sub_product(t50, t49)
-            .sub_product(t54, t53)
-            .sub_product(t57, t56);
+    let t3 = t1 * (R::literal(1.0) / p.rod_inertia);
+    let t4 = t3 * t1;
+    let t5 = -inverse_rod_mass - t4;
+    let t6 = R::literal(1.0) / t5;
+    let t7 = inverse_rod_mass - t4;
+    let t8 = t7 * t6;
+    let t9 = R::literal(1.0) / t5.sub_product(t8, t7);
     let crank_omega_squared = crank_omega * crank_omega;
-    let t59 = t0 * crank_omega_squared;
-    let t60 = t59 * cos_crank_phi;
-    let t61 = p.crank_length * crank_omega_squared;
     let rod_omega_squared = rod_omega * rod_omega;
-    let rod_length_times_rod_omega_squared = p.rod_length * rod_omega_squared;
-    let t62 = t3 * rod_omega_squared;
-    let t63 = inverse_crank_mass * (p.crank_mass * p.crank_gravity);
-    let t64 = t14 * t60;
-    let t65 = t63.sub_product(t59, sin_crank_phi) + t64;
-    let t66 = (-(R::literal(0.5)
-        * (t61 * cos_crank_phi)
-            .add_product(rod_length_times_rod_omega_squared, cos_rod_phi)))
-        .add_product(t16, t60)
-        .sub_product(t23, t65);
-    let t67 = inverse_rod_mass * (p.rod_mass * p.rod_gravity);
-    let t68 = ((-t63)
+    let t10 = (-(R::literal(0.5) * p.crank_length * crank_omega_squared * sin_crank_phi))
         .sub_product(
             R::literal(0.5),
-            (t61 * sin_crank_phi)
-                .add_product(rod_length_times_rod_omega_squared, sin_rod_phi),
-        ) + t67 + t64)
-        .sub_product(t25, t65)
-        .sub_product(t32, t66);
-    let t69 = (-(t62 * cos_rod_phi)).sub_product(t34, t66).sub_product(t41, t68);
-    let t70 = inverse_slider_mass * (p.slider_mass * p.slider_gravity);
-    let t71 = ((-t67).sub_product(t62, sin_rod_phi) + t70)
-        .sub_product(t35, t66)
-        .sub_product(t43, t68)
-        .sub_product(t48, t69);
-    let t72 = t70.add_product(t52, t71);
-    let t73 = (-(t17 * t60))
-        .sub_product(t27, t65)
-        .sub_product(t37, t66)
-        .sub_product(t45, t68)
-        .sub_product(t50, t69)
-        .sub_product(t54, t71)
-        .sub_product(t57, t72) * t58;
-    let t74 = (t72 * t55).sub_product(t57, t73);
-    let t75 = (t71 * t51).add_product(t52, t74).sub_product(t54, t73);
-    let t76 = (t69 * t46).sub_product(t48, t75).sub_product(t50, t73);
-    let t77 = (t68 * t39)
-        .sub_product(t41, t76)
-        .sub_product(t43, t75)
-        .sub_product(t45, t73);
-    let t78 = (t66 * t29)
-        .sub_product(t32, t77)
-        .sub_product(t34, t76)
-        .sub_product(t35, t75)
-        .sub_product(t37, t73);
-    let t79 = (t65 * t21)
-        .sub_product(t23, t78)
-        .sub_product(t25, t77)
-        .sub_product(t27, t73);
-    let t80 = (-(t60 * t12))
-        .sub_product(t14, t79)
-        .sub_product(t16, t78)
-        .sub_product(t14, t77)
-        .add_product(t17, t73);
-    let slider_v_y_dot = (-t70)
-        .sub_product(inverse_slider_mass, t75)
-        .sub_product(inverse_slider_mass, t74);
-    let rod_omega_dot = (t9 * t77)
-        .sub_product(t8, t78)
-        .sub_product(t8, t76)
-        .add_product(t9, t75);
-    let rod_v_y_dot = (-t67)
-        .sub_product(inverse_rod_mass, t77)
-        .add_product(inverse_rod_mass, t75);
-    let t81 = (t7 * t79).sub_product(t6, t80).sub_product(t6, t78).add_product(t7, t77);
-    let t82 = inverse_crank_inertia * t73;
-    let crank_omega_dot = t81 - t82;
-    let crank_v_y_dot = (-t63)
-        .sub_product(inverse_crank_mass, t79)
-        .add_product(inverse_crank_mass, t77);
-    let t83 = R::literal(0.5) * crank_omega_squared;
-    let t84 = R::literal(0.5) * sin_crank_phi;
-    let t85 = R::literal(0.5) * cos_crank_phi;
-    let t86 = (t85 * t79)
-        .sub_product(t84, t80)
-        .sub_product(t84, t78)
-        .add_product(t85, t77);
-    let t87 = (-(t83 * cos_crank_phi))
-        .sub_product(t84, crank_omega_dot)
-        .sub_product(t6, t86);
-    let t88 = (-(t83 * sin_crank_phi))
-        .add_product(t85, crank_omega_dot)
-        .add_product(t7, t86)
-        .sub_product(t14, t87);
-    let t89 = t87.sub_product(t16, t87).sub_product(t23, t88);
-    let t90 = t88.sub_product(t25, t88).sub_product(t32, t89);
-    let t91 = (-(t34 * t89)).sub_product(t41, t90);
-    let t92 = (-(t35 * t89)).sub_product(t43, t90).sub_product(t48, t91);
-    let t93 = t52 * t92;
-    let t94 = inverse_crank_inertia * t86;
-    let t95 = (-t94)
-        .add_product(t17, t87)
-        .sub_product(t27, t88)
-        .sub_product(t37, t89)
-        .sub_product(t45, t90)
-        .sub_product(t50, t91)
-        .sub_product(t54, t92)
-        .sub_product(t57, t93) * t58;
-    let t96 = (t93 * t55).sub_product(t57, t95);
-    let t97 = (t92 * t51).add_product(t52, t96).sub_product(t54, t95);
-    let t98 = (t91 * t46).sub_product(t48, t97).sub_product(t50, t95);
-    let t99 = (t90 * t39)
-        .sub_product(t41, t98)
-        .sub_product(t43, t97)
-        .sub_product(t45, t95);
-    let t100 = (t89 * t29)
-        .sub_product(t32, t99)
-        .sub_product(t34, t98)
-        .sub_product(t35, t97)
-        .sub_product(t37, t95);
-    let t101 = (t88 * t21)
-        .sub_product(t23, t100)
-        .sub_product(t25, t99)
-        .sub_product(t27, t95);
-    let t102 = (t87 * t12)
-        .sub_product(t14, t101)
-        .sub_product(t16, t100)
-        .sub_product(t14, t99)
-        .add_product(t17, t95);
-    let slider_v_y_dot_by_crank_length = (-(inverse_slider_mass * t96))
-        .sub_product(inverse_slider_mass, t97);
-    let slider_v_x_dot_by_crank_length = -(inverse_slider_mass * t98);
-    let rod_omega_dot_by_crank_length = (t9 * t99)
-        .sub_product(t8, t100)
-        .sub_product(t8, t98)
-        .add_product(t9, t97);
-    let rod_v_y_dot_by_crank_length = (inverse_rod_mass * t97)
-        .sub_product(inverse_rod_mass, t99);
-    let rod_v_x_dot_by_crank_length = (inverse_rod_mass * t98)
-        .sub_product(inverse_rod_mass, t100);
-    let crank_omega_dot_by_crank_length = t94
-        .sub_product(t6, t102)
-        .add_product(t7, t101)
-        .sub_product(t6, t100)
-        .add_product(t7, t99)
-        .sub_product(inverse_crank_inertia, t95);
-    let crank_v_y_dot_by_crank_length = (inverse_crank_mass * t99)
-        .sub_product(inverse_crank_mass, t101);
-    let crank_v_x_dot_by_crank_length = (inverse_crank_mass * t100)
-        .sub_product(inverse_crank_mass, t102);
-    let t103 = inverse_crank_mass
-        * (-(inverse_crank_mass * t78)).add_product(inverse_crank_mass, t80);
-    let t104 = inverse_crank_mass * (-p.crank_gravity - crank_v_y_dot);
-    let t105 = t14 * t103;
-    let t106 = t105 - t104;
-    let t107 = t103.add_product(t16, t103).sub_product(t23, t106);
-    let t108 = (t104 + t105).sub_product(t25, t106).sub_product(t32, t107);
-    let t109 = (-(t34 * t107)).sub_product(t41, t108);
-    let t110 = (-(t35 * t107)).sub_product(t43, t108).sub_product(t48, t109);
-    let t111 = t52 * t110;
-    let t112 = (-(t17 * t103))
-        .sub_product(t27, t106)
-        .sub_product(t37, t107)
-        .sub_product(t45, t108)
-        .sub_product(t50, t109)
-        .sub_product(t54, t110)
-        .sub_product(t57, t111) * t58;
-    let t113 = (t111 * t55).sub_product(t57, t112);
-    let t114 = (t110 * t51).add_product(t52, t113).sub_product(t54, t112);
-    let t115 = (t109 * t46).sub_product(t48, t114).sub_product(t50, t112);
-    let t116 = (t108 * t39)
-        .sub_product(t41, t115)
-        .sub_product(t43, t114)
-        .sub_product(t45, t112);
-    let t117 = (t107 * t29)
-        .sub_product(t32, t116)
-        .sub_product(t34, t115)
-        .sub_product(t35, t114)
-        .sub_product(t37, t112);
-    let t118 = (t106 * t21)
-        .sub_product(t23, t117)
-        .sub_product(t25, t116)
-        .sub_product(t27, t112);
-    let t119 = (-(t103 * t12))
-        .sub_product(t14, t118)
-        .sub_product(t16, t117)
-        .sub_product(t14, t116)
-        .add_product(t17, t112);
-    let slider_v_y_dot_by_crank_mass = (-(inverse_slider_mass * t113))
-        .sub_product(inverse_slider_mass, t114);
-    let slider_v_x_dot_by_crank_mass = -(inverse_slider_mass * t115);
-    let rod_omega_dot_by_crank_mass = (t9 * t116)
-        .sub_product(t8, t117)
-        .sub_product(t8, t115)
-        .add_product(t9, t114);
-    let rod_v_y_dot_by_crank_mass = (inverse_rod_mass * t114)
-        .sub_product(inverse_rod_mass, t116);
-    let rod_v_x_dot_by_crank_mass = (inverse_rod_mass * t115)
-        .sub_product(inverse_rod_mass, t117);
-    let crank_omega_dot_by_crank_mass = (t7 * t118)
-        .sub_product(t6, t119)
-        .sub_product(t6, t117)
-        .add_product(t7, t116)
-        .sub_product(inverse_crank_inertia, t112);
-    let crank_v_y_dot_by_crank_mass = t104
-        .sub_product(inverse_crank_mass, t118)
-        .add_product(inverse_crank_mass, t116);
-    let crank_v_x_dot_by_crank_mass = t103
-        .sub_product(inverse_crank_mass, t119)
-        .add_product(inverse_crank_mass, t117);
-    let t120 = t82 - t81;
-    let t121 = t6 * t120;
-    let t122 = (t7 * t120).add_product(t14, t121);
-    let t123 = (-t121).add_product(t16, t121).sub_product(t23, t122);
-    let t124 = t122.sub_product(t25, t122).sub_product(t32, t123);
-    let t125 = (-(t34 * t123)).sub_product(t41, t124);
-    let t126 = (-(t35 * t123)).sub_product(t43, t124).sub_product(t48, t125);
-    let t127 = t52 * t126;
-    let t128 = inverse_crank_inertia * t120;
-    let t129 = (-t128)
-        .sub_product(t17, t121)
-        .sub_product(t27, t122)
-        .sub_product(t37, t123)
-        .sub_product(t45, t124)
-        .sub_product(t50, t125)
-        .sub_product(t54, t126)
-        .sub_product(t57, t127) * t58;
-    let t130 = (t127 * t55).sub_product(t57, t129);
-    let t131 = (t126 * t51).add_product(t52, t130).sub_product(t54, t129);
-    let t132 = (t125 * t46).sub_product(t48, t131).sub_product(t50, t129);
-    let t133 = (t124 * t39)
-        .sub_product(t41, t132)
-        .sub_product(t43, t131)
-        .sub_product(t45, t129);
-    let t134 = (t123 * t29)
-        .sub_product(t32, t133)
-        .sub_product(t34, t132)
-        .sub_product(t35, t131)
-        .sub_product(t37, t129);
-    let t135 = (t122 * t21)
-        .sub_product(t23, t134)
-        .sub_product(t25, t133)
-        .sub_product(t27, t129);
-    let t136 = (-(t121 * t12))
-        .sub_product(t14, t135)
-        .sub_product(t16, t134)
-        .sub_product(t14, t133)
-        .add_product(t17, t129);
-    let slider_v_y_dot_by_crank_inertia = (-(inverse_slider_mass * t130))
-        .sub_product(inverse_slider_mass, t131);
-    let slider_v_x_dot_by_crank_inertia = -(inverse_slider_mass * t132);
-    let rod_omega_dot_by_crank_inertia = (t9 * t133)
-        .sub_product(t8, t134)
-        .sub_product(t8, t132)
-        .add_product(t9, t131);
-    let rod_v_y_dot_by_crank_inertia = (inverse_rod_mass * t131)
-        .sub_product(inverse_rod_mass, t133);
-    let rod_v_x_dot_by_crank_inertia = (inverse_rod_mass * t132)
-        .sub_product(inverse_rod_mass, t134);
-    let crank_omega_dot_by_crank_inertia = t128
-        .sub_product(t6, t136)
-        .add_product(t7, t135)
-        .sub_product(t6, t134)
-        .add_product(t7, t133)
-        .sub_product(inverse_crank_inertia, t129);
-    let crank_v_y_dot_by_crank_inertia = (inverse_crank_mass * t133)
-        .sub_product(inverse_crank_mass, t135);
-    let crank_v_x_dot_by_crank_inertia = (inverse_crank_mass * t134)
-        .sub_product(inverse_crank_mass, t136);
-    let inverse_crank_mass_times_crank_mass = inverse_crank_mass * p.crank_mass;
-    let t137 = -inverse_crank_mass_times_crank_mass;
-    let t138 = t23 * inverse_crank_mass_times_crank_mass;
-    let t139 = t137
-        .sub_product(t25, inverse_crank_mass_times_crank_mass)
-        .add_product(t32, t138);
-    let t140 = (t34 * t138).sub_product(t41, t139);
-    let t141 = (t35 * t138).sub_product(t43, t139).sub_product(t48, t140);
-    let t142 = t52 * t141;
-    let t143 = (-(t27 * inverse_crank_mass_times_crank_mass))
-        .add_product(t37, t138)
-        .sub_product(t45, t139)
-        .sub_product(t50, t140)
-        .sub_product(t54, t141)
-        .sub_product(t57, t142) * t58;
-    let t144 = (t142 * t55).sub_product(t57, t143);
-    let t145 = (t141 * t51).add_product(t52, t144).sub_product(t54, t143);
-    let t146 = (t140 * t46).sub_product(t48, t145).sub_product(t50, t143);
-    let t147 = (t139 * t39)
-        .sub_product(t41, t146)
-        .sub_product(t43, t145)
-        .sub_product(t45, t143);
-    let t148 = (-(t138 * t29))
-        .sub_product(t32, t147)
-        .sub_product(t34, t146)
-        .sub_product(t35, t145)
-        .sub_product(t37, t143);
-    let t149 = (inverse_crank_mass_times_crank_mass * t21)
-        .sub_product(t23, t148)
-        .sub_product(t25, t147)
-        .sub_product(t27, t143);
-    let t150 = (-(t16 * t148))
-        .sub_product(t14, t149)
-        .sub_product(t14, t147)
-        .add_product(t17, t143);
-    let slider_v_y_dot_by_crank_gravity = (-(inverse_slider_mass * t144))
-        .sub_product(inverse_slider_mass, t145);
-    let slider_v_x_dot_by_crank_gravity = -(inverse_slider_mass * t146);
-    let rod_omega_dot_by_crank_gravity = (t9 * t147)
-        .sub_product(t8, t148)
-        .sub_product(t8, t146)
-        .add_product(t9, t145);
-    let rod_v_y_dot_by_crank_gravity = (inverse_rod_mass * t145)
-        .sub_product(inverse_rod_mass, t147);
-    let rod_v_x_dot_by_crank_gravity = (inverse_rod_mass * t146)
-        .sub_product(inverse_rod_mass, t148);
-    let crank_omega_dot_by_crank_gravity = (t7 * t149)
-        .sub_product(t6, t150)
-        .sub_product(t6, t148)
-        .add_product(t7, t147)
-        .sub_product(inverse_crank_inertia, t143);
-    let crank_v_y_dot_by_crank_gravity = t137
-        .sub_product(inverse_crank_mass, t149)
-        .add_product(inverse_crank_mass, t147);
-    let crank_v_x_dot_by_crank_gravity = (inverse_crank_mass * t148)
-        .sub_product(inverse_crank_mass, t150);
-    let t151 = R::literal(0.5) * rod_omega_squared;
-    let t152 = R::literal(0.5) * sin_rod_phi;
-    let t153 = R::literal(0.5) * cos_rod_phi;
-    let t154 = (t153 * t77)
-        .sub_product(t152, t78)
-        .sub_product(t152, t76)
-        .add_product(t153, t75);
-    let t155 = (-(t151 * cos_rod_phi))
-        .sub_product(t152, rod_omega_dot)
-        .sub_product(t8, t154);
-    let t156 = (-(t151 * sin_rod_phi))
-        .add_product(t153, rod_omega_dot)
-        .add_product(t9, t154);
-    let t157 = t156.sub_product(t32, t155);
-    let t158 = t155.sub_product(t34, t155).sub_product(t41, t157);
-    let t159 = t156.sub_product(t35, t155).sub_product(t43, t157).sub_product(t48, t158);
-    let t160 = t52 * t159;
-    let t161 = (-(t37 * t155))
-        .sub_product(t45, t157)
-        .sub_product(t50, t158)
-        .sub_product(t54, t159)
-        .sub_product(t57, t160) * t58;
-    let t162 = (t160 * t55).sub_product(t57, t161);
-    let t163 = (t159 * t51).add_product(t52, t162).sub_product(t54, t161);
-    let t164 = (t158 * t46).sub_product(t48, t163).sub_product(t50, t161);
-    let t165 = (t157 * t39)
-        .sub_product(t41, t164)
-        .sub_product(t43, t163)
-        .sub_product(t45, t161);
-    let t166 = (t155 * t29)
-        .sub_product(t32, t165)
-        .sub_product(t34, t164)
-        .sub_product(t35, t163)
-        .sub_product(t37, t161);
-    let t167 = (-(t25 * t165)).sub_product(t23, t166).sub_product(t27, t161);
-    let t168 = (-(t16 * t166))
-        .sub_product(t14, t167)
-        .sub_product(t14, t165)
-        .add_product(t17, t161);
-    let slider_v_y_dot_by_rod_length = (-(inverse_slider_mass * t162))
-        .sub_product(inverse_slider_mass, t163);
-    let slider_v_x_dot_by_rod_length = -(inverse_slider_mass * t164);
-    let rod_omega_dot_by_rod_length = (t154 * inverse_rod_inertia)
-        .sub_product(t8, t166)
-        .add_product(t9, t165)
-        .sub_product(t8, t164)
-        .add_product(t9, t163);
-    let rod_v_y_dot_by_rod_length = (inverse_rod_mass * t163)
-        .sub_product(inverse_rod_mass, t165);
-    let rod_v_x_dot_by_rod_length = (inverse_rod_mass * t164)
-        .sub_product(inverse_rod_mass, t166);
-    let crank_omega_dot_by_rod_length = (t7 * t167)
-        .sub_product(t6, t168)
-        .sub_product(t6, t166)
-        .add_product(t7, t165)
-        .sub_product(inverse_crank_inertia, t161);
-    let crank_v_y_dot_by_rod_length = (inverse_crank_mass * t165)
-        .sub_product(inverse_crank_mass, t167);
-    let crank_v_x_dot_by_rod_length = (inverse_crank_mass * t166)
-        .sub_product(inverse_crank_mass, t168);
-    let t169 = inverse_rod_mass
-        * (-(inverse_rod_mass * t76)).add_product(inverse_rod_mass, t78);
-    let t170 = inverse_rod_mass * (-p.rod_gravity - rod_v_y_dot);
-    let t171 = (-t170).add_product(t32, t169);
-    let t172 = t169.add_product(t34, t169).sub_product(t41, t171);
-    let t173 = t170.add_product(t35, t169).sub_product(t43, t171).sub_product(t48, t172);
-    let t174 = t52 * t173;
-    let t175 = (t37 * t169)
-        .sub_product(t45, t171)
-        .sub_product(t50, t172)
-        .sub_product(t54, t173)
-        .sub_product(t57, t174) * t58;
-    let t176 = (t174 * t55).sub_product(t57, t175);
-    let t177 = (t173 * t51).add_product(t52, t176).sub_product(t54, t175);
-    let t178 = (t172 * t46).sub_product(t48, t177).sub_product(t50, t175);
-    let t179 = (t171 * t39)
-        .sub_product(t41, t178)
-        .sub_product(t43, t177)
-        .sub_product(t45, t175);
-    let t180 = (-(t169 * t29))
-        .sub_product(t32, t179)
-        .sub_product(t34, t178)
-        .sub_product(t35, t177)
-        .sub_product(t37, t175);
-    let t181 = (-(t25 * t179)).sub_product(t23, t180).sub_product(t27, t175);
-    let t182 = (-(t16 * t180))
-        .sub_product(t14, t181)
-        .sub_product(t14, t179)
-        .add_product(t17, t175);
-    let slider_v_y_dot_by_rod_mass = (-(inverse_slider_mass * t176))
-        .sub_product(inverse_slider_mass, t177);
-    let slider_v_x_dot_by_rod_mass = -(inverse_slider_mass * t178);
-    let rod_omega_dot_by_rod_mass = (t9 * t179)
-        .sub_product(t8, t180)
-        .sub_product(t8, t178)
-        .add_product(t9, t177);
-    let rod_v_y_dot_by_rod_mass = t170
-        .sub_product(inverse_rod_mass, t179)
-        .add_product(inverse_rod_mass, t177);
-    let rod_v_x_dot_by_rod_mass = t169
-        .sub_product(inverse_rod_mass, t180)
-        .add_product(inverse_rod_mass, t178);
-    let crank_omega_dot_by_rod_mass = (t7 * t181)
-        .sub_product(t6, t182)
-        .sub_product(t6, t180)
-        .add_product(t7, t179)
-        .sub_product(inverse_crank_inertia, t175);
-    let crank_v_y_dot_by_rod_mass = (inverse_crank_mass * t179)
-        .sub_product(inverse_crank_mass, t181);
-    let crank_v_x_dot_by_rod_mass = (inverse_crank_mass * t180)
-        .sub_product(inverse_crank_mass, t182);
-    let t183 = t8 * rod_omega_dot;
-    let t184 = -(t9 * rod_omega_dot);
-    let t185 = t184.sub_product(t32, t183);
-    let t186 = t183.sub_product(t34, t183).sub_product(t41, t185);
-    let t187 = t184.sub_product(t35, t183).sub_product(t43, t185).sub_product(t48, t186);
-    let t188 = t52 * t187;
-    let t189 = (-(t37 * t183))
-        .sub_product(t45, t185)
-        .sub_product(t50, t186)
-        .sub_product(t54, t187)
-        .sub_product(t57, t188) * t58;
-    let t190 = (t188 * t55).sub_product(t57, t189);
-    let t191 = (t187 * t51).add_product(t52, t190).sub_product(t54, t189);
-    let t192 = (t186 * t46).sub_product(t48, t191).sub_product(t50, t189);
-    let t193 = (t185 * t39)
-        .sub_product(t41, t192)
-        .sub_product(t43, t191)
-        .sub_product(t45, t189);
-    let t194 = (t183 * t29)
-        .sub_product(t32, t193)
-        .sub_product(t34, t192)
-        .sub_product(t35, t191)
-        .sub_product(t37, t189);
-    let t195 = (-(t25 * t193)).sub_product(t23, t194).sub_product(t27, t189);
-    let t196 = (-(t16 * t194))
-        .sub_product(t14, t195)
-        .sub_product(t14, t193)
-        .add_product(t17, t189);
-    let slider_v_y_dot_by_rod_inertia = (-(inverse_slider_mass * t190))
-        .sub_product(inverse_slider_mass, t191);
-    let slider_v_x_dot_by_rod_inertia = -(inverse_slider_mass * t192);
-    let rod_omega_dot_by_rod_inertia = (-(rod_omega_dot * inverse_rod_inertia))
-        .sub_product(t8, t194)
-        .add_product(t9, t193)
-        .sub_product(t8, t192)
-        .add_product(t9, t191);
-    let rod_v_y_dot_by_rod_inertia = (inverse_rod_mass * t191)
-        .sub_product(inverse_rod_mass, t193);
-    let rod_v_x_dot_by_rod_inertia = (inverse_rod_mass * t192)
-        .sub_product(inverse_rod_mass, t194);
-    let crank_omega_dot_by_rod_inertia = (t7 * t195)
-        .sub_product(t6, t196)
-        .sub_product(t6, t194)
-        .add_product(t7, t193)
-        .sub_product(inverse_crank_inertia, t189);
-    let crank_v_y_dot_by_rod_inertia = (inverse_crank_mass * t193)
-        .sub_product(inverse_crank_mass, t195);
-    let crank_v_x_dot_by_rod_inertia = (inverse_crank_mass * t194)
-        .sub_product(inverse_crank_mass, t196);
-    let inverse_rod_mass_times_rod_mass = inverse_rod_mass * p.rod_mass;
-    let t197 = -inverse_rod_mass_times_rod_mass;
-    let t198 = t41 * inverse_rod_mass_times_rod_mass;
-    let t199 = t197
-        .sub_product(t43, inverse_rod_mass_times_rod_mass)
-        .add_product(t48, t198);
-    let t200 = t52 * t199;
-    let t201 = (-(t45 * inverse_rod_mass_times_rod_mass))
-        .add_product(t50, t198)
-        .sub_product(t54, t199)
-        .sub_product(t57, t200) * t58;
-    let t202 = (t200 * t55).sub_product(t57, t201);
-    let t203 = (t199 * t51).add_product(t52, t202).sub_product(t54, t201);
-    let t204 = (-(t198 * t46)).sub_product(t48, t203).sub_product(t50, t201);
-    let t205 = (inverse_rod_mass_times_rod_mass * t39)
-        .sub_product(t41, t204)
-        .sub_product(t43, t203)
-        .sub_product(t45, t201);
-    let t206 = (-(t34 * t204))
-        .sub_product(t32, t205)
-        .sub_product(t35, t203)
-        .sub_product(t37, t201);
-    let t207 = (-(t25 * t205)).sub_product(t23, t206).sub_product(t27, t201);
-    let t208 = (-(t16 * t206))
-        .sub_product(t14, t207)
-        .sub_product(t14, t205)
-        .add_product(t17, t201);
-    let slider_v_y_dot_by_rod_gravity = (-(inverse_slider_mass * t202))
-        .sub_product(inverse_slider_mass, t203);
-    let slider_v_x_dot_by_rod_gravity = -(inverse_slider_mass * t204);
-    let rod_omega_dot_by_rod_gravity = (t9 * t205)
-        .sub_product(t8, t206)
-        .sub_product(t8, t204)
-        .add_product(t9, t203);
-    let rod_v_y_dot_by_rod_gravity = t197
-        .sub_product(inverse_rod_mass, t205)
-        .add_product(inverse_rod_mass, t203);
-    let rod_v_x_dot_by_rod_gravity = (inverse_rod_mass * t204)
-        .sub_product(inverse_rod_mass, t206);
-    let crank_omega_dot_by_rod_gravity = (t7 * t207)
-        .sub_product(t6, t208)
-        .sub_product(t6, t206)
-        .add_product(t7, t205)
-        .sub_product(inverse_crank_inertia, t201);
-    let crank_v_y_dot_by_rod_gravity = (inverse_crank_mass * t205)
-        .sub_product(inverse_crank_mass, t207);
-    let crank_v_x_dot_by_rod_gravity = (inverse_crank_mass * t206)
-        .sub_product(inverse_crank_mass, t208);
-    let t209 = inverse_slider_mass * (inverse_slider_mass * t76);
-    let t210 = inverse_slider_mass * (-p.slider_gravity - slider_v_y_dot);
-    let t211 = (-t210).add_product(t48, t209);
-    let t212 = (-t210).add_product(t52, t211);
-    let t213 = (t50 * t209).sub_product(t54, t211).sub_product(t57, t212) * t58;
-    let t214 = (t212 * t55).sub_product(t57, t213);
-    let t215 = (t211 * t51).add_product(t52, t214).sub_product(t54, t213);
-    let t216 = (-(t209 * t46)).sub_product(t48, t215).sub_product(t50, t213);
-    let t217 = (-(t43 * t215)).sub_product(t41, t216).sub_product(t45, t213);
-    let t218 = (-(t34 * t216))
-        .sub_product(t32, t217)
-        .sub_product(t35, t215)
-        .sub_product(t37, t213);
-    let t219 = (-(t25 * t217)).sub_product(t23, t218).sub_product(t27, t213);
-    let t220 = (-(t16 * t218))
-        .sub_product(t14, t219)
-        .sub_product(t14, t217)
-        .add_product(t17, t213);
-    let slider_v_y_dot_by_slider_mass = t210
-        .sub_product(inverse_slider_mass, t215)
-        .sub_product(inverse_slider_mass, t214);
-    let slider_v_x_dot_by_slider_mass = t209.sub_product(inverse_slider_mass, t216);
-    let rod_omega_dot_by_slider_mass = (t9 * t217)
-        .sub_product(t8, t218)
-        .sub_product(t8, t216)
-        .add_product(t9, t215);
-    let rod_v_y_dot_by_slider_mass = (inverse_rod_mass * t215)
-        .sub_product(inverse_rod_mass, t217);
-    let rod_v_x_dot_by_slider_mass = (inverse_rod_mass * t216)
-        .sub_product(inverse_rod_mass, t218);
-    let crank_omega_dot_by_slider_mass = (t7 * t219)
-        .sub_product(t6, t220)
-        .sub_product(t6, t218)
-        .add_product(t7, t217)
-        .sub_product(inverse_crank_inertia, t213);
-    let crank_v_y_dot_by_slider_mass = (inverse_crank_mass * t217)
-        .sub_product(inverse_crank_mass, t219);
-    let crank_v_x_dot_by_slider_mass = (inverse_crank_mass * t218)
-        .sub_product(inverse_crank_mass, t220);
-    let t221 = inverse_slider_mass * p.slider_mass;
-    let t222 = t221.add_product(t52, t221);
-    let t223 = (-(t54 * t221)).sub_product(t57, t222) * t58;
-    let t224 = (t222 * t55).sub_product(t57, t223);
-    let t225 = (t221 * t51).add_product(t52, t224).sub_product(t54, t223);
-    let t226 = (-(t50 * t223)).sub_product(t48, t225);
-    let t227 = (-(t43 * t225)).sub_product(t41, t226).sub_product(t45, t223);
-    let t228 = (-(t34 * t226))
-        .sub_product(t32, t227)
-        .sub_product(t35, t225)
-        .sub_product(t37, t223);
-    let t229 = (-(t25 * t227)).sub_product(t23, t228).sub_product(t27, t223);
-    let t230 = (-(t16 * t228))
-        .sub_product(t14, t229)
-        .sub_product(t14, t227)
-        .add_product(t17, t223);
-    let slider_v_y_dot_by_slider_gravity = (-t221)
-        .sub_product(inverse_slider_mass, t225)
-        .sub_product(inverse_slider_mass, t224);
-    let slider_v_x_dot_by_slider_gravity = -(inverse_slider_mass * t226);
-    let rod_omega_dot_by_slider_gravity = (t9 * t227)
-        .sub_product(t8, t228)
-        .sub_product(t8, t226)
-        .add_product(t9, t225);
-    let rod_v_y_dot_by_slider_gravity = (inverse_rod_mass * t225)
-        .sub_product(inverse_rod_mass, t227);
-    let rod_v_x_dot_by_slider_gravity = (inverse_rod_mass * t226)
-        .sub_product(inverse_rod_mass, t228);
-    let crank_omega_dot_by_slider_gravity = (t7 * t229)
-        .sub_product(t6, t230)
-        .sub_product(t6, t228)
-        .add_product(t7, t227)
-        .sub_product(inverse_crank_inertia, t223);
-    let crank_v_y_dot_by_slider_gravity = (inverse_crank_mass * t227)
-        .sub_product(inverse_crank_mass, t229);
-    let crank_v_x_dot_by_slider_gravity = (inverse_crank_mass * t228)
-        .sub_product(inverse_crank_mass, t230);
+            (p.crank_length * crank_omega_squared * sin_crank_phi)
+                .add_product(p.rod_length * rod_omega_squared, sin_rod_phi),
+        );
+    let t11 = (-(t0 * rod_omega_squared * sin_rod_phi)).sub_product(t8, t10) * t9;
+    let rod_omega_dot = (t3 * t11).add_product(t3, (t10 * t6).sub_product(t8, t11));
+    let t12 = R::literal(0.5) * crank_omega_squared;
+    let t13 = t12 * cos_crank_phi;
+    let crank_v_x_dot_by_crank_length = -t13;
+    let t14 = t12 * sin_crank_phi;
+    let crank_v_y_dot_by_crank_length = -t14;
+    let t15 = crank_v_y_dot_by_crank_length - t14;
+    let t16 = t8 * t15 * t9;
+    let t17 = (t15 * t6).add_product(t8, t16);
+    let rod_omega_dot_by_crank_length = (-(t3 * t16)).add_product(t3, t17);
+    let rod_v_y_dot_by_crank_length = (-(inverse_rod_mass * t16))
+        .sub_product(inverse_rod_mass, t17);
+    let t18 = crank_v_x_dot_by_crank_length - t13;
+    let t19 = t2 * rod_omega_dot_by_crank_length;
+    let rod_v_x_dot_by_crank_length = t18 - t19;
+    let slider_v_x_dot_by_crank_length = -(t19 - t18 + t19);
+    let t20 = R::literal(0.5) * rod_omega_squared;
+    let t21 = (-(t20 * cos_rod_phi))
+        .sub_product(R::literal(0.5) * sin_rod_phi, rod_omega_dot);
+    let t22 = (-(t20 * sin_rod_phi))
+        .add_product(R::literal(0.5) * cos_rod_phi, rod_omega_dot);
+    let t23 = t22.sub_product(t8, t22) * t9;
+    let t24 = (t22 * t6).sub_product(t8, t23);
+    let rod_omega_dot_by_rod_length = (t3 * t23).add_product(t3, t24);
+    let rod_v_y_dot_by_rod_length = (inverse_rod_mass * t23)
+        .sub_product(inverse_rod_mass, t24);
+    let t25 = t2 * rod_omega_dot_by_rod_length;
+    let rod_v_x_dot_by_rod_length = t21 - t25;
+    let slider_v_x_dot_by_rod_length = rod_v_x_dot_by_rod_length - (t25 - t21);
     [
         crank_v_x_dot_by_crank_length,
-        crank_v_x_dot_by_crank_mass,
-        crank_v_x_dot_by_crank_inertia,
-        crank_v_x_dot_by_crank_gravity,
-        crank_v_x_dot_by_rod_length,
-        crank_v_x_dot_by_rod_mass,
-        crank_v_x_dot_by_rod_inertia,
-        crank_v_x_dot_by_rod_gravity,
-        crank_v_x_dot_by_slider_mass,
-        crank_v_x_dot_by_slider_gravity,
         crank_v_y_dot_by_crank_length,
-        crank_v_y_dot_by_crank_mass,
-        crank_v_y_dot_by_crank_inertia,
-        crank_v_y_dot_by_crank_gravity,
-        crank_v_y_dot_by_rod_length,
-        crank_v_y_dot_by_rod_mass,
-        crank_v_y_dot_by_rod_inertia,
-        crank_v_y_dot_by_rod_gravity,
-        crank_v_y_dot_by_slider_mass,
-        crank_v_y_dot_by_slider_gravity,
-        crank_omega_dot_by_crank_length,
-        crank_omega_dot_by_crank_mass,
-        crank_omega_dot_by_crank_inertia,
-        crank_omega_dot_by_crank_gravity,
-        crank_omega_dot_by_rod_length,
-        crank_omega_dot_by_rod_mass,
-        crank_omega_dot_by_rod_inertia,
-        crank_omega_dot_by_rod_gravity,
-        crank_omega_dot_by_slider_mass,
-        crank_omega_dot_by_slider_gravity,
         rod_v_x_dot_by_crank_length,
-        rod_v_x_dot_by_crank_mass,
-        rod_v_x_dot_by_crank_inertia,
-        rod_v_x_dot_by_crank_gravity,
         rod_v_x_dot_by_rod_length,
-        rod_v_x_dot_by_rod_mass,
-        rod_v_x_dot_by_rod_inertia,
-        rod_v_x_dot_by_rod_gravity,
-        rod_v_x_dot_by_slider_mass,
-        rod_v_x_dot_by_slider_gravity,
         rod_v_y_dot_by_crank_length,
-        rod_v_y_dot_by_crank_mass,
-        rod_v_y_dot_by_crank_inertia,
-        rod_v_y_dot_by_crank_gravity,
         rod_v_y_dot_by_rod_length,
-        rod_v_y_dot_by_rod_mass,
-        rod_v_y_dot_by_rod_inertia,
-        rod_v_y_dot_by_rod_gravity,
-        rod_v_y_dot_by_slider_mass,
-        rod_v_y_dot_by_slider_gravity,
         rod_omega_dot_by_crank_length,
-        rod_omega_dot_by_crank_mass,
-        rod_omega_dot_by_crank_inertia,
-        rod_omega_dot_by_crank_gravity,
         rod_omega_dot_by_rod_length,
-        rod_omega_dot_by_rod_mass,
-        rod_omega_dot_by_rod_inertia,
-        rod_omega_dot_by_rod_gravity,
-        rod_omega_dot_by_slider_mass,
-        rod_omega_dot_by_slider_gravity,
         slider_v_x_dot_by_crank_length,
-        slider_v_x_dot_by_crank_mass,
-        slider_v_x_dot_by_crank_inertia,
-        slider_v_x_dot_by_crank_gravity,
         slider_v_x_dot_by_rod_length,
-        slider_v_x_dot_by_rod_mass,
-        slider_v_x_dot_by_rod_inertia,
-        slider_v_x_dot_by_rod_gravity,
-        slider_v_x_dot_by_slider_mass,
-        slider_v_x_dot_by_slider_gravity,
-        slider_v_y_dot_by_crank_length,
-        slider_v_y_dot_by_crank_mass,
-        slider_v_y_dot_by_crank_inertia,
-        slider_v_y_dot_by_crank_gravity,
-        slider_v_y_dot_by_rod_length,
-        slider_v_y_dot_by_rod_mass,
-        slider_v_y_dot_by_rod_inertia,
-        slider_v_y_dot_by_rod_gravity,
-        slider_v_y_dot_by_slider_mass,
-        slider_v_y_dot_by_slider_gravity,
     ]
 }
 
@@ -2119,7 +778,7 @@ pub fn time_derivative<R: Real>(
 
 /// Wanted outputs.
 ///
-/// 232 operations.
+/// 101 operations.
 #[must_use]
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [_, _, crank_phi, _, _, rod_phi, slider_x, _, _, _, crank_omega, _, _, rod_omega,
@@ -2134,135 +793,62 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let t3 = R::literal(0.5) * p.rod_length;
     let t4 = t3 * cos_rod_phi;
     let t5 = t3 * sin_rod_phi;
-    let inverse_crank_mass = R::literal(1.0) / p.crank_mass;
-    let minus_inverse_crank_mass = -inverse_crank_mass;
-    let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
-    let t6 = t2 * inverse_crank_inertia;
-    let t7 = t1 * inverse_crank_inertia;
     let inverse_rod_mass = R::literal(1.0) / p.rod_mass;
-    let minus_inverse_rod_mass = -inverse_rod_mass;
-    let inverse_rod_inertia = R::literal(1.0) / p.rod_inertia;
-    let t8 = t5 * inverse_rod_inertia;
-    let t9 = t4 * inverse_rod_inertia;
-    let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
-    let t10 = t6 * t2;
-    let t11 = minus_inverse_crank_mass - t10;
-    let t12 = R::literal(1.0) / t11;
-    let t13 = t7 * t2;
-    let t14 = t13 * t12;
-    let t15 = inverse_crank_mass - t10;
-    let t16 = t15 * t12;
-    let t17 = t6 * t12;
-    let t18 = t7 * t1;
-    let t19 = minus_inverse_crank_mass - t18;
-    let t20 = t14 * t13;
-    let t21 = R::literal(1.0) / (t19 - t20);
-    let t22 = (t6 * t1).sub_product(t16, t13);
-    let t23 = t22 * t21;
-    let t24 = inverse_crank_mass - t18 - t20;
-    let t25 = t24 * t21;
-    let t26 = t7.add_product(t17, t13);
-    let t27 = t26 * t21;
-    let t28 = t8 * t5;
-    let t29 = R::literal(1.0)
-        / (t11 - inverse_rod_mass - t28).sub_product(t16, t15).sub_product(t23, t22);
-    let t30 = t9 * t5;
-    let t31 = (t13 + t30).sub_product(t14, t15).sub_product(t25, t22);
-    let t32 = t31 * t29;
-    let t33 = inverse_rod_mass - t28;
-    let t34 = t33 * t29;
-    let t35 = t30 * t29;
-    let t36 = (-t6).add_product(t17, t15).sub_product(t27, t22);
-    let t37 = t36 * t29;
-    let t38 = t9 * t4;
-    let t39 = R::literal(1.0)
-        / (t19 - inverse_rod_mass - t38 - t20)
-            .sub_product(t25, t24)
-            .sub_product(t32, t31);
-    let t40 = (t8 * t4).sub_product(t34, t31);
-    let t41 = t40 * t39;
-    let t42 = (inverse_rod_mass - t38).sub_product(t35, t31);
-    let t43 = t42 * t39;
-    let t44 = t26.sub_product(t27, t24).sub_product(t37, t31);
-    let t45 = t44 * t39;
-    let t46 = R::literal(1.0)
-        / (minus_inverse_rod_mass - t28 - inverse_slider_mass)
-            .sub_product(t34, t33)
-            .sub_product(t41, t40);
-    let t47 = t30.sub_product(t35, t33).sub_product(t43, t40);
-    let t48 = t47 * t46;
-    let t49 = (-(t37 * t33)).sub_product(t45, t40);
-    let t50 = t49 * t46;
-    let t51 = R::literal(1.0)
-        / (minus_inverse_rod_mass - t38 - inverse_slider_mass)
-            .sub_product(t35, t30)
-            .sub_product(t43, t42)
-            .sub_product(t48, t47);
-    let t52 = inverse_slider_mass * t51;
-    let t53 = (-(t37 * t30)).sub_product(t45, t42).sub_product(t50, t47);
-    let t54 = t53 * t51;
-    let t55 = R::literal(1.0)
-        / (-inverse_slider_mass).sub_product(t52, inverse_slider_mass);
-    let t56 = t54 * inverse_slider_mass;
-    let t57 = t56 * t55;
+    let t6 = t4 * (R::literal(1.0) / p.rod_inertia);
+    let t7 = t6 * t4;
+    let t8 = -inverse_rod_mass - t7;
+    let t9 = R::literal(1.0) / t8;
+    let t10 = inverse_rod_mass - t7;
+    let t11 = t10 * t9;
+    let t12 = R::literal(1.0) / t8.sub_product(t11, t10);
     let crank_omega_squared = crank_omega * crank_omega;
-    let t58 = t0 * crank_omega_squared;
-    let t59 = t58 * cos_crank_phi;
-    let t60 = p.crank_length * crank_omega_squared;
+    let t13 = t0 * crank_omega_squared;
+    let t14 = t13 * cos_crank_phi;
+    let t15 = t13 * sin_crank_phi;
+    let t16 = p.crank_length * crank_omega_squared;
     let rod_omega_squared = rod_omega * rod_omega;
     let rod_length_times_rod_omega_squared = p.rod_length * rod_omega_squared;
-    let t61 = t3 * rod_omega_squared;
-    let t62 = inverse_crank_mass * (p.crank_mass * p.crank_gravity);
-    let t63 = t14 * t59;
-    let t64 = t62.sub_product(t58, sin_crank_phi) + t63;
-    let t65 = (-(R::literal(0.5)
-        * (t60 * cos_crank_phi)
-            .add_product(rod_length_times_rod_omega_squared, cos_rod_phi)))
-        .add_product(t16, t59)
-        .sub_product(t23, t64);
-    let t66 = inverse_rod_mass * (p.rod_mass * p.rod_gravity);
-    let t67 = ((-t62)
+    let t17 = t3 * rod_omega_squared;
+    let t18 = (-t15)
         .sub_product(
             R::literal(0.5),
-            (t60 * sin_crank_phi)
+            (t16 * sin_crank_phi)
                 .add_product(rod_length_times_rod_omega_squared, sin_rod_phi),
-        ) + t66 + t63)
-        .sub_product(t25, t64)
-        .sub_product(t32, t65);
-    let t68 = (-(t61 * cos_rod_phi)).sub_product(t34, t65).sub_product(t41, t67);
-    let t69 = inverse_slider_mass * (p.slider_mass * p.slider_gravity);
-    let t70 = ((-t66).sub_product(t61, sin_rod_phi) + t69)
-        .sub_product(t35, t65)
-        .sub_product(t43, t67)
-        .sub_product(t48, t68);
-    let t71 = t69.add_product(t52, t70);
-    let t72 = t71 * t55;
-    let t73 = (-(t17 * t59))
-        .sub_product(t27, t64)
-        .sub_product(t37, t65)
-        .sub_product(t45, t67)
-        .sub_product(t50, t68)
-        .sub_product(t54, t70)
-        .sub_product(t57, t71)
-        * (R::literal(1.0)
-            / (-inverse_crank_inertia)
-                .sub_product(t17, t6)
-                .sub_product(t27, t26)
-                .sub_product(t37, t36)
-                .sub_product(t45, t44)
-                .sub_product(t50, t49)
-                .sub_product(t54, t53)
-                .sub_product(t57, t56));
-    let t74 = t57 * t73;
-    let slider_v_x_dot = -(inverse_slider_mass
-        * (t68 * t46)
-            .sub_product(
-                t48,
-                (t70 * t51).add_product(t52, t72 - t74).sub_product(t54, t73),
-            )
-            .sub_product(t50, t73));
-    let guide = t74 - t72;
-    let drive = -t73;
+        );
+    let t19 = (-(t17 * sin_rod_phi)).sub_product(t11, t18) * t12;
+    let t20 = (t18 * t9).sub_product(t11, t19);
+    let rod_omega_dot = (t6 * t19).add_product(t6, t20);
+    let rod_v_y_dot = (inverse_rod_mass * t19).sub_product(inverse_rod_mass, t20);
+    let t21 = (-t14)
+        .sub_product(
+            R::literal(0.5),
+            (t16 * cos_crank_phi)
+                .add_product(rod_length_times_rod_omega_squared, cos_rod_phi),
+        );
+    let t22 = t5 * rod_omega_dot;
+    let rod_v_x_dot = t21 - t22;
+    let slider_v_x_dot = (-t22).sub_product(t17, cos_rod_phi) - (t22 - t21);
+    let pin_b_x = p.slider_mass * slider_v_x_dot;
+    let pin_a_x = pin_b_x.add_product(p.rod_mass, rod_v_x_dot);
+    let t23 = inverse_rod_mass
+        * (-(p.rod_mass * p.rod_gravity)).sub_product(p.rod_mass, rod_v_y_dot);
+    let t24 = t6
+        * (-(p.rod_inertia * rod_omega_dot))
+            .add_product(t5, pin_b_x)
+            .add_product(t5, pin_a_x);
+    let t25 = t24 - t23;
+    let t26 = t25 * t9;
+    let t27 = (t23 + t24).sub_product(t11, t25) * t12;
+    let t28 = t11 * t27;
+    let guide = t27.add_product(p.slider_mass, p.slider_gravity);
+    let pin_a_y = t28 - t26;
+    let drive = (-(t2 * pin_a_x)
+        .add_product(t1, t26 - t28)
+        .add_product(
+            t1,
+            (-(p.crank_mass * p.crank_gravity)).add_product(p.crank_mass, t15) - pin_a_y,
+        ))
+        .add_product(t2, (-pin_a_x).add_product(p.crank_mass, t14));
     Outputs {
         angle: crank_phi,
         rod_angle: rod_phi,
@@ -2305,7 +891,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
 
 /// `dE/dt`, power supplied and power dissipated \[W\].
 ///
-/// 330 operations.
+/// 124 operations.
 #[must_use]
 pub fn power_balance<R: Real>(
     _time: R,
@@ -2324,181 +910,73 @@ pub fn power_balance<R: Real>(
     let t3 = R::literal(0.5) * p.rod_length;
     let t4 = t3 * cos_rod_phi;
     let t5 = t3 * sin_rod_phi;
-    let inverse_crank_mass = R::literal(1.0) / p.crank_mass;
-    let minus_inverse_crank_mass = -inverse_crank_mass;
-    let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
-    let t6 = t2 * inverse_crank_inertia;
-    let t7 = t1 * inverse_crank_inertia;
     let inverse_rod_mass = R::literal(1.0) / p.rod_mass;
-    let minus_inverse_rod_mass = -inverse_rod_mass;
-    let inverse_rod_inertia = R::literal(1.0) / p.rod_inertia;
-    let t8 = t5 * inverse_rod_inertia;
-    let t9 = t4 * inverse_rod_inertia;
-    let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
-    let t10 = t6 * t2;
-    let t11 = minus_inverse_crank_mass - t10;
-    let t12 = R::literal(1.0) / t11;
-    let t13 = t7 * t2;
-    let t14 = t13 * t12;
-    let t15 = inverse_crank_mass - t10;
-    let t16 = t15 * t12;
-    let t17 = t6 * t12;
-    let t18 = t7 * t1;
-    let t19 = minus_inverse_crank_mass - t18;
-    let t20 = t14 * t13;
-    let t21 = R::literal(1.0) / (t19 - t20);
-    let t22 = (t6 * t1).sub_product(t16, t13);
-    let t23 = t22 * t21;
-    let t24 = inverse_crank_mass - t18 - t20;
-    let t25 = t24 * t21;
-    let t26 = t7.add_product(t17, t13);
-    let t27 = t26 * t21;
-    let t28 = t8 * t5;
-    let t29 = R::literal(1.0)
-        / (t11 - inverse_rod_mass - t28).sub_product(t16, t15).sub_product(t23, t22);
-    let t30 = t9 * t5;
-    let t31 = (t13 + t30).sub_product(t14, t15).sub_product(t25, t22);
-    let t32 = t31 * t29;
-    let t33 = inverse_rod_mass - t28;
-    let t34 = t33 * t29;
-    let t35 = t30 * t29;
-    let t36 = (-t6).add_product(t17, t15).sub_product(t27, t22);
-    let t37 = t36 * t29;
-    let t38 = t9 * t4;
-    let t39 = R::literal(1.0)
-        / (t19 - inverse_rod_mass - t38 - t20)
-            .sub_product(t25, t24)
-            .sub_product(t32, t31);
-    let t40 = (t8 * t4).sub_product(t34, t31);
-    let t41 = t40 * t39;
-    let t42 = (inverse_rod_mass - t38).sub_product(t35, t31);
-    let t43 = t42 * t39;
-    let t44 = t26.sub_product(t27, t24).sub_product(t37, t31);
-    let t45 = t44 * t39;
-    let t46 = R::literal(1.0)
-        / (minus_inverse_rod_mass - t28 - inverse_slider_mass)
-            .sub_product(t34, t33)
-            .sub_product(t41, t40);
-    let t47 = t30.sub_product(t35, t33).sub_product(t43, t40);
-    let t48 = t47 * t46;
-    let t49 = (-(t37 * t33)).sub_product(t45, t40);
-    let t50 = t49 * t46;
-    let t51 = R::literal(1.0)
-        / (minus_inverse_rod_mass - t38 - inverse_slider_mass)
-            .sub_product(t35, t30)
-            .sub_product(t43, t42)
-            .sub_product(t48, t47);
-    let t52 = inverse_slider_mass * t51;
-    let t53 = (-(t37 * t30)).sub_product(t45, t42).sub_product(t50, t47);
-    let t54 = t53 * t51;
-    let t55 = R::literal(1.0)
-        / (-inverse_slider_mass).sub_product(t52, inverse_slider_mass);
-    let t56 = t54 * inverse_slider_mass;
-    let t57 = t56 * t55;
+    let t6 = t4 * (R::literal(1.0) / p.rod_inertia);
+    let t7 = t6 * t4;
+    let t8 = -inverse_rod_mass - t7;
+    let t9 = R::literal(1.0) / t8;
+    let t10 = inverse_rod_mass - t7;
+    let t11 = t10 * t9;
+    let t12 = R::literal(1.0) / t8.sub_product(t11, t10);
     let crank_mass_times_crank_gravity = p.crank_mass * p.crank_gravity;
     let rod_mass_times_rod_gravity = p.rod_mass * p.rod_gravity;
-    let slider_mass_times_slider_gravity = p.slider_mass * p.slider_gravity;
     let crank_omega_squared = crank_omega * crank_omega;
-    let t58 = t0 * crank_omega_squared;
-    let t59 = t58 * cos_crank_phi;
-    let t60 = p.crank_length * crank_omega_squared;
+    let t13 = t0 * crank_omega_squared;
+    let t14 = t13 * cos_crank_phi;
+    let t15 = t13 * sin_crank_phi;
+    let t16 = p.crank_length * crank_omega_squared;
     let rod_omega_squared = rod_omega * rod_omega;
     let rod_length_times_rod_omega_squared = p.rod_length * rod_omega_squared;
-    let t61 = t3 * rod_omega_squared;
-    let t62 = inverse_crank_mass * crank_mass_times_crank_gravity;
-    let t63 = t14 * t59;
-    let t64 = t62.sub_product(t58, sin_crank_phi) + t63;
-    let t65 = (-(R::literal(0.5)
-        * (t60 * cos_crank_phi)
-            .add_product(rod_length_times_rod_omega_squared, cos_rod_phi)))
-        .add_product(t16, t59)
-        .sub_product(t23, t64);
-    let t66 = inverse_rod_mass * rod_mass_times_rod_gravity;
-    let t67 = ((-t62)
+    let t17 = t3 * rod_omega_squared;
+    let t18 = (-t15)
         .sub_product(
             R::literal(0.5),
-            (t60 * sin_crank_phi)
+            (t16 * sin_crank_phi)
                 .add_product(rod_length_times_rod_omega_squared, sin_rod_phi),
-        ) + t66 + t63)
-        .sub_product(t25, t64)
-        .sub_product(t32, t65);
-    let t68 = (-(t61 * cos_rod_phi)).sub_product(t34, t65).sub_product(t41, t67);
-    let t69 = inverse_slider_mass * slider_mass_times_slider_gravity;
-    let t70 = ((-t66).sub_product(t61, sin_rod_phi) + t69)
-        .sub_product(t35, t65)
-        .sub_product(t43, t67)
-        .sub_product(t48, t68);
-    let t71 = t69.add_product(t52, t70);
-    let t72 = (-(t17 * t59))
-        .sub_product(t27, t64)
-        .sub_product(t37, t65)
-        .sub_product(t45, t67)
-        .sub_product(t50, t68)
-        .sub_product(t54, t70)
-        .sub_product(t57, t71)
-        * (R::literal(1.0)
-            / (-inverse_crank_inertia)
-                .sub_product(t17, t6)
-                .sub_product(t27, t26)
-                .sub_product(t37, t36)
-                .sub_product(t45, t44)
-                .sub_product(t50, t49)
-                .sub_product(t54, t53)
-                .sub_product(t57, t56));
-    let t73 = (t71 * t55).sub_product(t57, t72);
-    let t74 = (t70 * t51).add_product(t52, t73).sub_product(t54, t72);
-    let t75 = (t68 * t46).sub_product(t48, t74).sub_product(t50, t72);
-    let t76 = (t67 * t39)
-        .sub_product(t41, t75)
-        .sub_product(t43, t74)
-        .sub_product(t45, t72);
-    let t77 = (t65 * t29)
-        .sub_product(t32, t76)
-        .sub_product(t34, t75)
-        .sub_product(t35, t74)
-        .sub_product(t37, t72);
-    let t78 = (t64 * t21)
-        .sub_product(t23, t77)
-        .sub_product(t25, t76)
-        .sub_product(t27, t72);
-    let t79 = (-(t59 * t12))
-        .sub_product(t14, t78)
-        .sub_product(t16, t77)
-        .sub_product(t14, t76)
-        .add_product(t17, t72);
-    let slider_v_y_dot = (-t69)
-        .sub_product(inverse_slider_mass, t74)
-        .sub_product(inverse_slider_mass, t73);
-    let rod_omega_dot = (t9 * t76)
-        .sub_product(t8, t77)
-        .sub_product(t8, t75)
-        .add_product(t9, t74);
-    let rod_v_y_dot = (-t66)
-        .sub_product(inverse_rod_mass, t76)
-        .add_product(inverse_rod_mass, t74);
-    let rod_v_x_dot = (inverse_rod_mass * t75).sub_product(inverse_rod_mass, t77);
-    let crank_omega_dot = (t7 * t78)
-        .sub_product(t6, t79)
-        .sub_product(t6, t77)
-        .add_product(t7, t76)
-        .sub_product(inverse_crank_inertia, t72);
-    let crank_v_y_dot = (-t62)
-        .sub_product(inverse_crank_mass, t78)
-        .add_product(inverse_crank_mass, t76);
-    let crank_v_x_dot = (inverse_crank_mass * t77).sub_product(inverse_crank_mass, t79);
+        );
+    let t19 = (-(t17 * sin_rod_phi)).sub_product(t11, t18) * t12;
+    let t20 = (t18 * t9).sub_product(t11, t19);
+    let rod_omega_dot = (t6 * t19).add_product(t6, t20);
+    let rod_v_y_dot = (inverse_rod_mass * t19).sub_product(inverse_rod_mass, t20);
+    let t21 = (-t14)
+        .sub_product(
+            R::literal(0.5),
+            (t16 * cos_crank_phi)
+                .add_product(rod_length_times_rod_omega_squared, cos_rod_phi),
+        );
+    let t22 = t5 * rod_omega_dot;
+    let rod_v_x_dot = t21 - t22;
+    let slider_v_x_dot = (-t22).sub_product(t17, cos_rod_phi) - (t22 - t21);
+    let pin_b_x = p.slider_mass * slider_v_x_dot;
+    let pin_a_x = pin_b_x.add_product(p.rod_mass, rod_v_x_dot);
+    let t23 = inverse_rod_mass
+        * (-rod_mass_times_rod_gravity).sub_product(p.rod_mass, rod_v_y_dot);
+    let t24 = t6
+        * (-(p.rod_inertia * rod_omega_dot))
+            .add_product(t5, pin_b_x)
+            .add_product(t5, pin_a_x);
+    let t25 = t24 - t23;
+    let t26 = t25 * t9;
+    let t27 = t11 * ((t23 + t24).sub_product(t11, t25) * t12);
+    let pin_a_y = t27 - t26;
+    let drive = (-(t2 * pin_a_x)
+        .add_product(t1, t26 - t27)
+        .add_product(
+            t1,
+            (-crank_mass_times_crank_gravity).add_product(p.crank_mass, t15) - pin_a_y,
+        ))
+        .add_product(t2, (-pin_a_x).add_product(p.crank_mass, t14));
     PowerBalance {
         stored_rate: (crank_mass_times_crank_gravity * crank_v_y)
             .add_product(rod_mass_times_rod_gravity, rod_v_y)
-            .add_product(slider_mass_times_slider_gravity, slider_v_y)
-            .add_product(p.crank_mass * crank_v_x, crank_v_x_dot)
-            .add_product(p.crank_mass * crank_v_y, crank_v_y_dot)
-            .add_product(p.crank_inertia * crank_omega, crank_omega_dot)
+            .add_product(p.slider_mass * p.slider_gravity, slider_v_y)
+            .sub_product(p.crank_mass * crank_v_x, t14)
+            .sub_product(p.crank_mass * crank_v_y, t15)
             .add_product(p.rod_mass * rod_v_x, rod_v_x_dot)
             .add_product(p.rod_mass * rod_v_y, rod_v_y_dot)
             .add_product(p.rod_inertia * rod_omega, rod_omega_dot)
-            .sub_product(p.slider_mass * slider_v_x, inverse_slider_mass * t75)
-            .add_product(p.slider_mass * slider_v_y, slider_v_y_dot),
-        supplied: -(p.speed * t72),
+            .add_product(p.slider_mass * slider_v_x, slider_v_x_dot),
+        supplied: p.speed * drive,
         dissipated: R::literal(0.0),
     }
 }

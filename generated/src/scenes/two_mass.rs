@@ -89,19 +89,8 @@ pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern
     rows: 3,
     columns: 11,
     entries: &[
-        (0, 9),
-        (1, 0),
-        (1, 6),
-        (1, 7),
-        (1, 8),
-        (1, 9),
-        (2, 1),
-        (2, 2),
-        (2, 3),
-        (2, 7),
-        (2, 8),
-        (2, 9),
-        (2, 10),
+        (0, 9), (1, 0), (1, 6), (1, 7), (1, 8), (1, 9), (2, 1), (2, 2), (2, 3), (2, 7), (2, 8),
+        (2, 9), (2, 10),
     ],
 };
 
@@ -251,12 +240,12 @@ pub struct Constants<R> {
     pub inverse_cylinder_inertia: R,
     pub t0: R,
     pub t1: R,
-    pub driver_omega_dot_by_coupling_twist: R,
     pub cylinder_omega_dot_by_coupling_twist: R,
-    pub driver_omega_dot_by_driver_omega: R,
+    pub driver_omega_dot_by_coupling_twist: R,
     pub cylinder_omega_dot_by_driver_omega: R,
-    pub driver_omega_dot_by_cylinder_omega: R,
+    pub driver_omega_dot_by_driver_omega: R,
     pub cylinder_omega_dot_by_cylinder_omega: R,
+    pub driver_omega_dot_by_cylinder_omega: R,
     pub coupling_twist_dot_by_cylinder_omega: R,
 }
 
@@ -270,12 +259,12 @@ impl<R: Real> Constants<R> {
             inverse_cylinder_inertia: values[1],
             t0: values[2],
             t1: values[3],
-            driver_omega_dot_by_coupling_twist: values[4],
-            cylinder_omega_dot_by_coupling_twist: values[5],
-            driver_omega_dot_by_driver_omega: values[6],
-            cylinder_omega_dot_by_driver_omega: values[7],
-            driver_omega_dot_by_cylinder_omega: values[8],
-            cylinder_omega_dot_by_cylinder_omega: values[9],
+            cylinder_omega_dot_by_coupling_twist: values[4],
+            driver_omega_dot_by_coupling_twist: values[5],
+            cylinder_omega_dot_by_driver_omega: values[6],
+            driver_omega_dot_by_driver_omega: values[7],
+            cylinder_omega_dot_by_cylinder_omega: values[8],
+            driver_omega_dot_by_cylinder_omega: values[9],
             coupling_twist_dot_by_cylinder_omega: values[10],
         }
     }
@@ -288,12 +277,12 @@ impl<R: Real> Constants<R> {
             self.inverse_cylinder_inertia,
             self.t0,
             self.t1,
-            self.driver_omega_dot_by_coupling_twist,
             self.cylinder_omega_dot_by_coupling_twist,
-            self.driver_omega_dot_by_driver_omega,
+            self.driver_omega_dot_by_coupling_twist,
             self.cylinder_omega_dot_by_driver_omega,
-            self.driver_omega_dot_by_cylinder_omega,
+            self.driver_omega_dot_by_driver_omega,
             self.cylinder_omega_dot_by_cylinder_omega,
+            self.driver_omega_dot_by_cylinder_omega,
             self.coupling_twist_dot_by_cylinder_omega,
         ]
     }
@@ -309,27 +298,27 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
     let t0 = p.coupling_stiffness * p.coupling_ratio;
     let t1 = p.coupling_damping * p.coupling_ratio;
+    let cylinder_omega_dot_by_coupling_twist = t0 * inverse_cylinder_inertia;
     let driver_omega_dot_by_coupling_twist = -(p.coupling_stiffness
         * inverse_driver_inertia);
-    let cylinder_omega_dot_by_coupling_twist = t0 * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_driver_omega = t1 * inverse_cylinder_inertia;
     let driver_omega_dot_by_driver_omega = -(p.coupling_damping
         * inverse_driver_inertia);
-    let cylinder_omega_dot_by_driver_omega = t1 * inverse_cylinder_inertia;
-    let driver_omega_dot_by_cylinder_omega = t1 * inverse_driver_inertia;
     let cylinder_omega_dot_by_cylinder_omega = -(p.coupling_damping
         * (p.coupling_ratio * p.coupling_ratio) * inverse_cylinder_inertia);
+    let driver_omega_dot_by_cylinder_omega = t1 * inverse_driver_inertia;
     let coupling_twist_dot_by_cylinder_omega = -p.coupling_ratio;
     Constants {
         inverse_driver_inertia,
         inverse_cylinder_inertia,
         t0,
         t1,
-        driver_omega_dot_by_coupling_twist,
         cylinder_omega_dot_by_coupling_twist,
-        driver_omega_dot_by_driver_omega,
+        driver_omega_dot_by_coupling_twist,
         cylinder_omega_dot_by_driver_omega,
-        driver_omega_dot_by_cylinder_omega,
+        driver_omega_dot_by_driver_omega,
         cylinder_omega_dot_by_cylinder_omega,
+        driver_omega_dot_by_cylinder_omega,
         coupling_twist_dot_by_cylinder_omega,
     }
 }
@@ -377,10 +366,10 @@ pub fn prepared_rate<R: Real>(
         .add_product(p.load_amplitude, (p.load_frequency * time).sin());
     let coupling_torque = (p.coupling_stiffness * coupling_twist)
         .add_product(p.coupling_damping, coupling_twist_rate);
-    let driver_omega_dot = (p.drive_torque - coupling_torque) * c.inverse_driver_inertia;
     let cylinder_omega_dot = ((c.t0 * coupling_twist)
         .add_product(c.t1, coupling_twist_rate) - resistance)
         * c.inverse_cylinder_inertia;
+    let driver_omega_dot = (p.drive_torque - coupling_torque) * c.inverse_driver_inertia;
     [coupling_twist_rate, driver_omega_dot, cylinder_omega_dot]
 }
 
@@ -476,10 +465,10 @@ pub fn parameter_jacobian<R: Real>(
     let coupling_torque = t0.add_product(p.coupling_damping, coupling_twist_rate);
     let inverse_driver_inertia = R::literal(1.0) / p.driver_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let driver_omega_dot = (p.drive_torque - coupling_torque) * inverse_driver_inertia;
     let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
         .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
         - resistance) * inverse_cylinder_inertia;
+    let driver_omega_dot = (p.drive_torque - coupling_torque) * inverse_driver_inertia;
     let cylinder_omega_dot_by_load_torque = -inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_amplitude = -(sin_load_frequency_times_time
         * inverse_cylinder_inertia);
@@ -487,22 +476,22 @@ pub fn parameter_jacobian<R: Real>(
         * cos_load_frequency_times_time * inverse_cylinder_inertia);
     let driver_omega_dot_by_driver_inertia = -(driver_omega_dot
         * inverse_driver_inertia);
+    let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
+        * inverse_cylinder_inertia;
     let driver_omega_dot_by_coupling_stiffness = -(coupling_twist
         * inverse_driver_inertia);
-    let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
+    let cylinder_omega_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * inverse_cylinder_inertia;
     let driver_omega_dot_by_coupling_damping = (coupling_ratio_times_cylinder_omega
         - driver_omega) * inverse_driver_inertia;
-    let cylinder_omega_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
-        * inverse_cylinder_inertia;
-    let driver_omega_dot_by_coupling_ratio = p.coupling_damping * cylinder_omega
-        * inverse_driver_inertia;
     let cylinder_omega_dot_by_coupling_ratio = t0
         .add_product(p.coupling_damping, driver_omega)
         .sub_product(
             R::literal(2.0) * p.coupling_damping * p.coupling_ratio,
             cylinder_omega,
         ) * inverse_cylinder_inertia;
+    let driver_omega_dot_by_coupling_ratio = p.coupling_damping * cylinder_omega
+        * inverse_driver_inertia;
     let coupling_twist_dot_by_coupling_ratio = -cylinder_omega;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot
         * inverse_cylinder_inertia);
@@ -589,11 +578,11 @@ pub fn power_balance<R: Real>(
     let t0 = p.coupling_stiffness * coupling_twist;
     let coupling_torque = t0.add_product(p.coupling_damping, coupling_twist_rate);
     let t1 = p.coupling_damping * p.coupling_ratio;
-    let driver_omega_dot = (p.drive_torque - coupling_torque)
-        * (R::literal(1.0) / p.driver_inertia);
     let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
         .add_product(t1, coupling_twist_rate) - resistance)
         * (R::literal(1.0) / p.cylinder_inertia);
+    let driver_omega_dot = (p.drive_torque - coupling_torque)
+        * (R::literal(1.0) / p.driver_inertia);
     PowerBalance {
         stored_rate: (t0 * coupling_twist_rate)
             .add_product(p.driver_inertia * driver_omega, driver_omega_dot)
@@ -641,8 +630,8 @@ pub fn series<R: Real>(
     let t13 = coupling_twist_rate * t12;
     let t14 = t11 + t13;
     let t15 = t14 - resistance;
-    let driver_omega_dot = t9 * t7;
     let cylinder_omega_dot = t15 * t8;
+    let driver_omega_dot = t9 * t7;
     let mut t2_before = t2;
     let mut t3_before = t3;
     let mut rates = [coupling_twist_rate, driver_omega_dot, cylinder_omega_dot];
@@ -664,8 +653,8 @@ pub fn series<R: Real>(
         let t9_k = -coupling_torque_k;
         let t14_k = coupling_twist_rate_k.mul_add(t12, coupling_twist_k * t10);
         let t15_k = t14_k - t2_k * p.load_amplitude;
-        let driver_omega_dot_k = t9_k * t7;
         let cylinder_omega_dot_k = t15_k * t8;
+        let driver_omega_dot_k = t9_k * t7;
         t2_before = t2_k;
         t3_before = t3_k;
         rates = [coupling_twist_rate_k, driver_omega_dot_k, cylinder_omega_dot_k];

@@ -99,20 +99,8 @@ pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
     rows: 8,
     columns: 8,
     entries: &[
-        (0, 2),
-        (1, 3),
-        (2, 0),
-        (2, 1),
-        (2, 2),
-        (2, 3),
-        (2, 6),
-        (3, 0),
-        (3, 2),
-        (3, 3),
-        (3, 6),
-        (4, 2),
-        (4, 4),
-        (6, 3),
+        (0, 2), (1, 3), (2, 0), (2, 1), (2, 2), (2, 3), (2, 6), (3, 0), (3, 2), (3, 3), (3, 6),
+        (4, 2), (4, 4), (6, 3),
     ],
 };
 
@@ -121,57 +109,11 @@ pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern
     rows: 8,
     columns: 30,
     entries: &[
-        (2, 0),
-        (2, 1),
-        (2, 2),
-        (2, 3),
-        (2, 4),
-        (2, 5),
-        (2, 6),
-        (2, 7),
-        (2, 8),
-        (2, 11),
-        (2, 12),
-        (2, 13),
-        (2, 14),
-        (2, 15),
-        (2, 16),
-        (2, 17),
-        (2, 18),
-        (2, 19),
-        (2, 20),
-        (2, 22),
-        (2, 23),
-        (2, 24),
-        (3, 0),
-        (3, 1),
-        (3, 6),
-        (3, 7),
-        (3, 8),
-        (3, 16),
-        (3, 17),
-        (3, 18),
-        (3, 19),
-        (3, 20),
-        (3, 22),
-        (3, 23),
-        (3, 24),
-        (3, 25),
-        (3, 26),
-        (3, 27),
-        (3, 28),
-        (3, 29),
-        (4, 0),
-        (4, 1),
-        (4, 6),
-        (4, 7),
-        (4, 8),
-        (4, 16),
-        (4, 17),
-        (4, 18),
-        (4, 19),
-        (6, 22),
-        (6, 24),
+        (2, 0), (2, 1), (2, 2), (2, 3), (2, 4), (2, 5), (2, 6), (2, 7), (2, 8), (2, 11), (2, 12),
+        (2, 13), (2, 14), (2, 15), (2, 16), (2, 17), (2, 18), (2, 19), (2, 20), (2, 22), (2, 23),
+        (2, 24), (3, 0), (3, 1), (3, 6), (3, 7), (3, 8), (3, 16), (3, 17), (3, 18), (3, 19),
+        (3, 20), (3, 22), (3, 23), (3, 24), (3, 25), (3, 26), (3, 27), (3, 28), (3, 29), (4, 0),
+        (4, 1), (4, 6), (4, 7), (4, 8), (4, 16), (4, 17), (4, 18), (4, 19), (6, 22), (6, 24),
     ],
 };
 
@@ -693,6 +635,12 @@ pub fn prepared_rate<R: Real>(
             ),
         ),
     );
+    let pair_omega_dot = R::select_less(
+        pair_slip,
+        R::literal(-1.5),
+        R::literal(0.0),
+        pair_radius * (pair_carried - pair_resistance),
+    ) * (R::literal(1.0) / pair_inertia);
     let holder_v_dot = ((force
         + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t6))
         .sub_product(c.t8 * holder_v * pair_omega, pair_radius)
@@ -703,12 +651,6 @@ pub fn prepared_rate<R: Real>(
                 R::literal(0.0),
                 c.minus_holder_preload - t4 - t5,
             ))) * (R::literal(1.0) / holder_mass);
-    let pair_omega_dot = R::select_less(
-        pair_slip,
-        R::literal(-1.5),
-        R::literal(0.0),
-        pair_radius * (pair_carried - pair_resistance),
-    ) * (R::literal(1.0) / pair_inertia);
     let layer_surface_dot = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -945,6 +887,12 @@ pub fn prepared_rate_jacobian<R: Real>(
     let inverse_pair_inertia = R::literal(1.0) / pair_inertia;
     let t8 = c.t8 * holder_v;
     let t9 = t8 * pair_omega;
+    let pair_omega_dot = R::select_less(
+        pair_slip,
+        R::literal(-1.5),
+        R::literal(0.0),
+        pair_radius * (pair_carried - pair_resistance),
+    ) * inverse_pair_inertia;
     let holder_v_dot = ((force
         + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t6))
         .sub_product(t9, pair_radius)
@@ -955,12 +903,6 @@ pub fn prepared_rate_jacobian<R: Real>(
                 R::literal(0.0),
                 c.minus_holder_preload - t4 - t5,
             ))) * inverse_holder_mass;
-    let pair_omega_dot = R::select_less(
-        pair_slip,
-        R::literal(-1.5),
-        R::literal(0.0),
-        pair_radius * (pair_carried - pair_resistance),
-    ) * inverse_pair_inertia;
     let t10 = c.t9 * layer_compression_squared;
     let t11 = c.minus_layer_stiffness - t10;
     let t12 = c.t7 * t11 / pair_radius;
@@ -971,13 +913,6 @@ pub fn prepared_rate_jacobian<R: Real>(
         R::literal(0.0),
         R::literal(1.0),
     );
-    let holder_v_dot_by_holder_x = -((p.holder_stiffness
-        + R::select_less(
-            layer_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            p.layer_stiffness + t10,
-        )) * inverse_holder_mass);
     let pair_omega_dot_by_holder_x = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -990,16 +925,16 @@ pub fn prepared_rate_jacobian<R: Real>(
                 R::select_less(pair_slip, R::literal(0.5), t12, -t13),
             ) - t12) * t14,
     ) * inverse_pair_inertia;
-    let holder_v_dot_by_pair_phi = -(p.package_force * sin_package_phase_plus_pair_phi
-        * inverse_holder_mass);
-    let pair_friction_times_pair_radius = p.pair_friction * pair_radius;
-    let holder_v_dot_by_holder_v = R::select_less(
+    let holder_v_dot_by_holder_x = -((p.holder_stiffness
+        + R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
-            c.minus_layer_viscosity,
-        )
-        .sub_product(c.t8 * pair_omega, pair_radius) * inverse_holder_mass;
+            p.layer_stiffness + t10,
+        )) * inverse_holder_mass);
+    let holder_v_dot_by_pair_phi = -(p.package_force * sin_package_phase_plus_pair_phi
+        * inverse_holder_mass);
+    let pair_friction_times_pair_radius = p.pair_friction * pair_radius;
     let pair_omega_dot_by_holder_v = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1018,13 +953,19 @@ pub fn prepared_rate_jacobian<R: Real>(
                     ),
                 )) * t14,
     ) * inverse_pair_inertia;
+    let holder_v_dot_by_holder_v = R::select_less(
+            layer_closed,
+            R::literal(0.5),
+            R::literal(0.0),
+            c.minus_layer_viscosity,
+        )
+        .sub_product(c.t8 * pair_omega, pair_radius) * inverse_holder_mass;
     let layer_surface_dot_by_holder_v = R::select_less(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
         R::literal(-1.0),
     );
-    let holder_v_dot_by_pair_omega = -(t8 * pair_radius * inverse_holder_mass);
     let pair_omega_dot_by_pair_omega = R::select_less(
         pair_slip,
         R::literal(-1.5),
@@ -1043,6 +984,7 @@ pub fn prepared_rate_jacobian<R: Real>(
                 R::literal(0.0),
             ) / pair_radius),
     ) * inverse_pair_inertia;
+    let holder_v_dot_by_pair_omega = -(t8 * pair_radius * inverse_holder_mass);
     let layer_surface_dot_by_layer_surface = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1052,8 +994,6 @@ pub fn prepared_rate_jacobian<R: Real>(
     );
     let t15 = t7 / pair_radius_squared;
     let t16 = pair_radius_squared * pair_radius;
-    let holder_v_dot_by_pair_radius = (-t9)
-        .sub_product(c.t11 * pair_radius, holder_v_dot) * inverse_holder_mass;
     let pair_omega_dot_by_pair_radius = R::select_less(
             pair_slip,
             R::literal(-1.5),
@@ -1084,6 +1024,8 @@ pub fn prepared_rate_jacobian<R: Real>(
                 ) - pair_resistance,
         )
         .sub_product(c.t11 * t16, pair_omega_dot) * inverse_pair_inertia;
+    let holder_v_dot_by_pair_radius = (-t9)
+        .sub_product(c.t11 * pair_radius, holder_v_dot) * inverse_holder_mass;
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -1199,6 +1141,12 @@ pub fn parameter_jacobian<R: Real>(
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let inverse_pair_inertia = R::literal(1.0) / pair_inertia;
     let t20 = p.pair_yarn_density * p.pair_thread_area;
+    let pair_omega_dot = R::select_less(
+        pair_slip,
+        R::literal(-1.5),
+        R::literal(0.0),
+        pair_radius * (pair_carried - pair_resistance),
+    ) * inverse_pair_inertia;
     let holder_v_dot = ((force
         + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t18))
         .sub_product(t20 * holder_v * pair_omega, pair_radius)
@@ -1209,12 +1157,6 @@ pub fn parameter_jacobian<R: Real>(
                 R::literal(0.0),
                 -p.holder_preload - t15 - t17,
             ))) * inverse_holder_mass;
-    let pair_omega_dot = R::select_less(
-        pair_slip,
-        R::literal(-1.5),
-        R::literal(0.0),
-        pair_radius * (pair_carried - pair_resistance),
-    ) * inverse_pair_inertia;
     let inverse_layer_viscosity = R::literal(1.0) / p.layer_viscosity;
     let t21 = R::literal(3.0) * p.layer_cubic_stiffness;
     let t22 = t21 * layer_compression_squared;
@@ -1270,13 +1212,6 @@ pub fn parameter_jacobian<R: Real>(
     let t37 = t30 + t31 + t36;
     let t38 = t19 * t37 / pair_radius;
     let t39 = p.pair_friction * t37;
-    let holder_v_dot_by_winding_speed = R::select_less(
-            layer_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            t36 - (-t30 - t31),
-        )
-        .sub_product(p.force_amplitude / p.drum_radius * time, t3) * inverse_holder_mass;
     let pair_omega_dot_by_winding_speed = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1289,6 +1224,13 @@ pub fn parameter_jacobian<R: Real>(
                 R::select_less(pair_slip, R::literal(0.5), t38, -t39),
             ) - t38) * t23,
     ) * inverse_pair_inertia;
+    let holder_v_dot_by_winding_speed = R::select_less(
+            layer_closed,
+            R::literal(0.5),
+            R::literal(0.0),
+            t36 - (-t30 - t31),
+        )
+        .sub_product(p.force_amplitude / p.drum_radius * time, t3) * inverse_holder_mass;
     let layer_surface_dot_by_winding_speed = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1311,14 +1253,6 @@ pub fn parameter_jacobian<R: Real>(
     let t46 = t42 + t43 + t45;
     let t47 = t19 * t46 / pair_radius;
     let t48 = p.pair_friction * t46;
-    let holder_v_dot_by_drum_radius = R::select_less(
-            layer_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            t45 - (-t42 - t43),
-        )
-        .add_product(p.force_amplitude * drum_speed / p.drum_radius * time, t3)
-        * inverse_holder_mass;
     let pair_omega_dot_by_drum_radius = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1331,6 +1265,14 @@ pub fn parameter_jacobian<R: Real>(
                 R::select_less(pair_slip, R::literal(0.5), t47, -t48),
             ) - t47) * t23,
     ) * inverse_pair_inertia;
+    let holder_v_dot_by_drum_radius = R::select_less(
+            layer_closed,
+            R::literal(0.5),
+            R::literal(0.0),
+            t45 - (-t42 - t43),
+        )
+        .add_product(p.force_amplitude * drum_speed / p.drum_radius * time, t3)
+        * inverse_holder_mass;
     let layer_surface_dot_by_drum_radius = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1347,12 +1289,6 @@ pub fn parameter_jacobian<R: Real>(
     let t52 = t50 + t51 - t49;
     let t53 = t19 * t52 / pair_radius;
     let t54 = p.pair_friction * t52;
-    let holder_v_dot_by_ovality = R::select_less(
-        layer_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        -t49 - (-t50 - t51),
-    ) * inverse_holder_mass;
     let pair_omega_dot_by_ovality = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1365,6 +1301,12 @@ pub fn parameter_jacobian<R: Real>(
                 R::select_less(pair_slip, R::literal(0.5), t53, -t54),
             ) - t53) * t23,
     ) * inverse_pair_inertia;
+    let holder_v_dot_by_ovality = R::select_less(
+        layer_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        -t49 - (-t50 - t51),
+    ) * inverse_holder_mass;
     let layer_surface_dot_by_ovality = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1378,12 +1320,6 @@ pub fn parameter_jacobian<R: Real>(
     let t58 = -t56 - t55 - t57;
     let t59 = t19 * t58 / pair_radius;
     let t60 = p.pair_friction * t58;
-    let holder_v_dot_by_ovality_phase = R::select_less(
-        layer_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        -t55 - (t56 + t57),
-    ) * inverse_holder_mass;
     let pair_omega_dot_by_ovality_phase = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1396,6 +1332,12 @@ pub fn parameter_jacobian<R: Real>(
                 R::select_less(pair_slip, R::literal(0.5), t59, -t60),
             ) - t59) * t23,
     ) * inverse_pair_inertia;
+    let holder_v_dot_by_ovality_phase = R::select_less(
+        layer_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        -t55 - (t56 + t57),
+    ) * inverse_holder_mass;
     let layer_surface_dot_by_ovality_phase = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1408,12 +1350,6 @@ pub fn parameter_jacobian<R: Real>(
     let t64 = t62 + t63 - t61;
     let t65 = t19 * t64 / pair_radius;
     let t66 = p.pair_friction * t64;
-    let holder_v_dot_by_eccentricity = R::select_less(
-        layer_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        -t61 - (-t62 - t63),
-    ) * inverse_holder_mass;
     let pair_omega_dot_by_eccentricity = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1426,6 +1362,12 @@ pub fn parameter_jacobian<R: Real>(
                 R::select_less(pair_slip, R::literal(0.5), t65, -t66),
             ) - t65) * t23,
     ) * inverse_pair_inertia;
+    let holder_v_dot_by_eccentricity = R::select_less(
+        layer_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        -t61 - (-t62 - t63),
+    ) * inverse_holder_mass;
     let layer_surface_dot_by_eccentricity = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1441,12 +1383,6 @@ pub fn parameter_jacobian<R: Real>(
         / (p.holder_holder_arm * p.holder_holder_arm) * holder_v_dot
         * inverse_holder_mass;
     let holder_v_dot_by_holder_stiffness = -(holder_x * inverse_holder_mass);
-    let holder_v_dot_by_holder_preload = (R::select_less(
-        layer_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        R::literal(1.0),
-    ) - R::literal(1.0)) * inverse_holder_mass;
     let pair_omega_dot_by_holder_preload = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1463,24 +1399,30 @@ pub fn parameter_jacobian<R: Real>(
             ) - p.pair_support_arm - p.pair_rolling_arm,
         ),
     ) * inverse_pair_inertia;
+    let holder_v_dot_by_holder_preload = (R::select_less(
+        layer_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        R::literal(1.0),
+    ) - R::literal(1.0)) * inverse_holder_mass;
     let layer_surface_dot_by_holder_preload = R::select_less(
         layer_closed,
         R::literal(0.5),
         -inverse_layer_viscosity,
         R::literal(0.0),
     );
-    let holder_v_dot_by_layer_stiffness = R::select_less(
-        layer_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        layer_compression,
-    ) * inverse_holder_mass;
     let pair_omega_dot_by_layer_stiffness = R::select_less(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
         -(layer_compression * t25 * t23),
     ) * inverse_pair_inertia;
+    let holder_v_dot_by_layer_stiffness = R::select_less(
+        layer_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        layer_compression,
+    ) * inverse_holder_mass;
     let layer_surface_dot_by_layer_stiffness = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1488,18 +1430,18 @@ pub fn parameter_jacobian<R: Real>(
         R::literal(0.0),
     );
     let holder_x_minus_shape = holder_x - shape;
-    let holder_v_dot_by_layer_cubic_stiffness = R::select_less(
-        layer_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        t16,
-    ) * inverse_holder_mass;
     let pair_omega_dot_by_layer_cubic_stiffness = R::select_less(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
         t25 * (holder_x_minus_shape * holder_x_minus_shape * holder_x_minus_shape) * t23,
     ) * inverse_pair_inertia;
+    let holder_v_dot_by_layer_cubic_stiffness = R::select_less(
+        layer_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        t16,
+    ) * inverse_holder_mass;
     let layer_surface_dot_by_layer_cubic_stiffness = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1508,12 +1450,6 @@ pub fn parameter_jacobian<R: Real>(
     );
     let t67 = t19 * layer_compression_rate / pair_radius;
     let t68 = p.pair_friction * layer_compression_rate;
-    let holder_v_dot_by_layer_viscosity = R::select_less(
-        layer_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        layer_compression_rate,
-    ) * inverse_holder_mass;
     let pair_omega_dot_by_layer_viscosity = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1526,6 +1462,12 @@ pub fn parameter_jacobian<R: Real>(
                 R::select_less(pair_slip, R::literal(0.5), t67, -t68),
             ) - t67) * t23,
     ) * inverse_pair_inertia;
+    let holder_v_dot_by_layer_viscosity = R::select_less(
+        layer_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        layer_compression_rate,
+    ) * inverse_holder_mass;
     let layer_surface_dot_by_layer_viscosity = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1533,9 +1475,6 @@ pub fn parameter_jacobian<R: Real>(
         R::literal(0.0),
     );
     let t69 = pair_bobbin_radius_squared * p.pair_bobbin_radius;
-    let holder_v_dot_by_pair_bobbin_radius = R::literal(core::f64::consts::TAU)
-        * p.pair_bobbin_radius * p.pair_package_width * p.pair_yarn_density
-        * holder_v_dot * inverse_holder_mass;
     let pair_omega_dot_by_pair_bobbin_radius = R::select_less(
             pair_slip,
             R::literal(-1.5),
@@ -1547,8 +1486,9 @@ pub fn parameter_jacobian<R: Real>(
                 * p.pair_yarn_density * t69,
             pair_omega_dot,
         ) * inverse_pair_inertia;
-    let holder_v_dot_by_pair_package_width = -(R::literal(core::f64::consts::PI)
-        * p.pair_yarn_density * t9 * holder_v_dot * inverse_holder_mass);
+    let holder_v_dot_by_pair_bobbin_radius = R::literal(core::f64::consts::TAU)
+        * p.pair_bobbin_radius * p.pair_package_width * p.pair_yarn_density
+        * holder_v_dot * inverse_holder_mass;
     let pair_omega_dot_by_pair_package_width = R::select_less(
             pair_slip,
             R::literal(-1.5),
@@ -1560,12 +1500,11 @@ pub fn parameter_jacobian<R: Real>(
             R::literal(core::f64::consts::FRAC_PI_2) * p.pair_yarn_density * t10,
             pair_omega_dot,
         ) * inverse_pair_inertia;
+    let holder_v_dot_by_pair_package_width = -(R::literal(core::f64::consts::PI)
+        * p.pair_yarn_density * t9 * holder_v_dot * inverse_holder_mass);
     let pair_radius_dot_by_pair_package_width = -(R::literal(1.0) / p.pair_package_width
         * pair_growth);
     let t70 = R::literal(0.25) * p.pair_thread_area;
-    let holder_v_dot_by_pair_yarn_density = (-(p.pair_thread_area * holder_v * pair_omega
-        * pair_radius))
-        .sub_product(t8 * t9, holder_v_dot) * inverse_holder_mass;
     let pair_omega_dot_by_pair_yarn_density = R::select_less(
             pair_slip,
             R::literal(-1.5),
@@ -1588,15 +1527,18 @@ pub fn parameter_jacobian<R: Real>(
             ),
         )
         .sub_product(t11 * t10, pair_omega_dot) * inverse_pair_inertia;
+    let holder_v_dot_by_pair_yarn_density = (-(p.pair_thread_area * holder_v * pair_omega
+        * pair_radius))
+        .sub_product(t8 * t9, holder_v_dot) * inverse_holder_mass;
     let t71 = R::literal(0.5) / t8;
-    let holder_v_dot_by_pair_thread_area = -(p.pair_yarn_density * holder_v * pair_omega
-        * pair_radius * inverse_holder_mass);
     let pair_omega_dot_by_pair_thread_area = R::select_less(
         pair_slip,
         R::literal(-1.5),
         R::literal(0.0),
         -(t71 * pair_inertia * pair_omega_squared * t26 * t27 / pair_radius),
     ) * inverse_pair_inertia;
+    let holder_v_dot_by_pair_thread_area = -(p.pair_yarn_density * holder_v * pair_omega
+        * pair_radius * inverse_holder_mass);
     let pair_radius_dot_by_pair_thread_area = t71 * pair_omega;
     let pair_omega_dot_by_pair_bobbin_inertia = (R::select_less(
         pair_slip,
@@ -1749,14 +1691,6 @@ pub fn time_derivative<R: Real>(
     let t8 = t6 + layer_stiffness_times_shape_rate + t7;
     let t9 = (p.pair_support_arm + p.pair_rolling_arm) * t8 / pair_radius;
     let t10 = p.pair_friction * t8;
-    let holder_v_dot_by_time = R::select_less(
-            layer_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            t7 - (-t6 - layer_stiffness_times_shape_rate),
-        )
-        .sub_product(p.force_amplitude * drum_speed, t3)
-        * (R::literal(1.0) / holder_mass);
     let pair_omega_dot_by_time = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1775,6 +1709,14 @@ pub fn time_derivative<R: Real>(
                 R::literal(1.0),
             ),
     ) * (R::literal(1.0) / pair_inertia);
+    let holder_v_dot_by_time = R::select_less(
+            layer_closed,
+            R::literal(0.5),
+            R::literal(0.0),
+            t7 - (-t6 - layer_stiffness_times_shape_rate),
+        )
+        .sub_product(p.force_amplitude * drum_speed, t3)
+        * (R::literal(1.0) / holder_mass);
     let layer_surface_dot_by_time = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -2055,11 +1997,11 @@ pub fn power_balance<R: Real>(
         R::literal(0.0),
         pair_radius * (pair_carried - pair_resistance),
     );
+    let pair_omega_dot = t12 * (R::literal(1.0) / pair_inertia);
     let holder_v_dot = ((force
         + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t9))
         .sub_product(t10 * holder_v * pair_omega, pair_radius) - t11)
         * (R::literal(1.0) / holder_mass);
-    let pair_omega_dot = t12 * (R::literal(1.0) / pair_inertia);
     let inverse_layer_viscosity = R::literal(1.0) / p.layer_viscosity;
     let layer_surface_dot = R::select_less(
         layer_closed,
@@ -2279,6 +2221,12 @@ pub fn guard_rates<R: Real>(
         ),
     );
     let t11 = p.pair_yarn_density * p.pair_thread_area;
+    let pair_omega_dot = R::select_less(
+        pair_slip,
+        R::literal(-1.5),
+        R::literal(0.0),
+        pair_radius * (pair_carried - pair_resistance),
+    ) * (R::literal(1.0) / pair_inertia);
     let holder_v_dot = ((force
         + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t8))
         .sub_product(t11 * holder_v * pair_omega, pair_radius)
@@ -2289,12 +2237,6 @@ pub fn guard_rates<R: Real>(
                 R::literal(0.0),
                 -p.holder_preload - t6 - t7,
             ))) * (R::literal(1.0) / holder_mass);
-    let pair_omega_dot = R::select_less(
-        pair_slip,
-        R::literal(-1.5),
-        R::literal(0.0),
-        pair_radius * (pair_carried - pair_resistance),
-    ) * (R::literal(1.0) / pair_inertia);
     let layer_surface_dot = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -2619,8 +2561,8 @@ pub fn series<R: Real>(
     let t80 = pair_carried - pair_resistance;
     let t81 = pair_radius * t80;
     let t82 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), t81);
-    let holder_v_dot = t79 * t63;
     let pair_omega_dot = t82 * t64;
+    let holder_v_dot = t79 * t63;
     let t83 = R::literal(1.0) / p.layer_viscosity;
     let t84 = layer_swelling * t83;
     let t85 = -t84;
@@ -2757,8 +2699,8 @@ pub fn series<R: Real>(
         let t80_k = pair_carried_k - t56_k;
         let t81_k = pair_radius.mul_add(t80_k, t80.mul_add(pair_radius_k, sums_4[1]));
         let t82_k = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), t81_k);
-        let holder_v_dot_k = t63.mul_add(t79_k, t79.mul_add(t63_k, sums_4[0]));
         let pair_omega_dot_k = t64.mul_add(t82_k, t82.mul_add(t64_k, sums_4[2]));
+        let holder_v_dot_k = t63.mul_add(t79_k, t79.mul_add(t63_k, sums_4[0]));
         let t84_k = layer_swelling_k * t83;
         let t85_k = -t84_k;
         let layer_surface_dot_k = R::select_less(

@@ -70,26 +70,29 @@
 //   rate                    741
 //   mass_matrix               0
 //   forcing                  81
-//   rate_jacobian          5083
-//   parameter_jacobian     1133
+//   rate_jacobian           360
+//   parameter_jacobian       57
 //   time_derivative           0
 //   outputs                  52
 //   energy                   78
-//   power_balance           838
+//   power_balance           106
 //   guards                   28
-//   guard_rates             727
+//   guard_rates              50
 //   resets                    0
 //   constraint_values        49
 //   constraint_rates         63
 //   constraint_matrix        35
+// Before those that read it:
+//   motion                  752
 // With constants of the parameters, prepared once a run:
 //   prepare                   1
 //   prepared_rate           741
-//   prepared_rate_jacobian 5082
+//   prepared_rate_jacobian  359
+//   motion                  752
 
 use ::machinist_contract::{
     Constraint, Describe, Direction, Event, Energy, PowerBalance, Quantity, Real,
-    RunDefaults, Shape, Simulator, SparsityPattern,
+    RunDefaults, Shape, Simulator, SparsityPattern, implicit::{Step, substitute},
 };
 
 /// Generalized coordinates, n.
@@ -118,20 +121,8 @@ pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
     rows: 14,
     columns: 14,
     entries: &[
-        (0, 0),
-        (1, 1),
-        (2, 2),
-        (3, 3),
-        (4, 4),
-        (5, 5),
-        (6, 6),
-        (7, 7),
-        (8, 8),
-        (9, 9),
-        (10, 10),
-        (11, 11),
-        (12, 12),
-        (13, 13),
+        (0, 0), (1, 1), (2, 2), (3, 3), (4, 4), (5, 5), (6, 6), (7, 7), (8, 8), (9, 9), (10, 10),
+        (11, 11), (12, 12), (13, 13),
     ],
 };
 
@@ -140,300 +131,39 @@ pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
     rows: 30,
     columns: 30,
     entries: &[
-        (0, 14),
-        (1, 15),
-        (2, 16),
-        (3, 17),
-        (4, 18),
-        (5, 19),
-        (6, 20),
-        (7, 21),
-        (8, 22),
-        (9, 23),
-        (10, 24),
-        (11, 25),
-        (12, 26),
-        (13, 27),
-        (14, 2),
-        (14, 5),
-        (14, 6),
-        (14, 7),
-        (14, 8),
-        (14, 9),
-        (14, 10),
-        (14, 11),
-        (14, 12),
-        (14, 13),
-        (14, 16),
-        (14, 19),
-        (14, 20),
-        (14, 21),
-        (14, 22),
-        (14, 23),
-        (14, 24),
-        (14, 25),
-        (14, 26),
-        (14, 27),
-        (15, 2),
-        (15, 5),
-        (15, 6),
-        (15, 7),
-        (15, 8),
-        (15, 9),
-        (15, 10),
-        (15, 11),
-        (15, 12),
-        (15, 13),
-        (15, 16),
-        (15, 19),
-        (15, 20),
-        (15, 21),
-        (15, 22),
-        (15, 23),
-        (15, 24),
-        (15, 25),
-        (15, 26),
-        (15, 27),
-        (16, 2),
-        (16, 5),
-        (16, 6),
-        (16, 7),
-        (16, 8),
-        (16, 9),
-        (16, 10),
-        (16, 11),
-        (16, 12),
-        (16, 13),
-        (16, 16),
-        (16, 19),
-        (16, 20),
-        (16, 21),
-        (16, 22),
-        (16, 23),
-        (16, 24),
-        (16, 25),
-        (16, 26),
-        (16, 27),
-        (17, 2),
-        (17, 5),
-        (17, 6),
-        (17, 7),
-        (17, 8),
-        (17, 9),
-        (17, 10),
-        (17, 11),
-        (17, 12),
-        (17, 13),
-        (17, 16),
-        (17, 19),
-        (17, 20),
-        (17, 21),
-        (17, 22),
-        (17, 23),
-        (17, 24),
-        (17, 25),
-        (17, 26),
-        (17, 27),
-        (18, 2),
-        (18, 5),
-        (18, 6),
-        (18, 7),
-        (18, 8),
-        (18, 9),
-        (18, 10),
-        (18, 11),
-        (18, 12),
-        (18, 13),
-        (18, 16),
-        (18, 19),
-        (18, 20),
-        (18, 21),
-        (18, 22),
-        (18, 23),
-        (18, 24),
-        (18, 25),
-        (18, 26),
-        (18, 27),
-        (19, 2),
-        (19, 5),
-        (19, 6),
-        (19, 7),
-        (19, 8),
-        (19, 9),
-        (19, 10),
-        (19, 11),
-        (19, 12),
-        (19, 13),
-        (19, 16),
-        (19, 19),
-        (19, 20),
-        (19, 21),
-        (19, 22),
-        (19, 23),
-        (19, 24),
-        (19, 25),
-        (19, 26),
-        (19, 27),
-        (20, 2),
-        (20, 5),
-        (20, 6),
-        (20, 7),
-        (20, 8),
-        (20, 9),
-        (20, 10),
-        (20, 11),
-        (20, 12),
-        (20, 13),
-        (20, 16),
-        (20, 19),
-        (20, 20),
-        (20, 21),
-        (20, 22),
-        (20, 23),
-        (20, 24),
-        (20, 25),
-        (20, 26),
-        (20, 27),
-        (21, 2),
-        (21, 5),
-        (21, 6),
-        (21, 7),
-        (21, 8),
-        (21, 9),
-        (21, 10),
-        (21, 11),
-        (21, 12),
-        (21, 13),
-        (21, 16),
-        (21, 19),
-        (21, 20),
-        (21, 21),
-        (21, 22),
-        (21, 23),
-        (21, 24),
-        (21, 25),
-        (21, 26),
-        (21, 27),
-        (22, 2),
-        (22, 5),
-        (22, 6),
-        (22, 7),
-        (22, 8),
-        (22, 9),
-        (22, 10),
-        (22, 11),
-        (22, 12),
-        (22, 13),
-        (22, 16),
-        (22, 19),
-        (22, 20),
-        (22, 21),
-        (22, 22),
-        (22, 23),
-        (22, 24),
-        (22, 25),
-        (22, 26),
-        (22, 27),
-        (23, 2),
-        (23, 5),
-        (23, 6),
-        (23, 7),
-        (23, 8),
-        (23, 9),
-        (23, 10),
-        (23, 11),
-        (23, 12),
-        (23, 13),
-        (23, 16),
-        (23, 19),
-        (23, 20),
-        (23, 21),
-        (23, 22),
-        (23, 23),
-        (23, 24),
-        (23, 25),
-        (23, 26),
-        (23, 27),
-        (24, 2),
-        (24, 5),
-        (24, 6),
-        (24, 7),
-        (24, 8),
-        (24, 9),
-        (24, 10),
-        (24, 11),
-        (24, 12),
-        (24, 13),
-        (24, 16),
-        (24, 19),
-        (24, 20),
-        (24, 21),
-        (24, 22),
-        (24, 23),
-        (24, 24),
-        (24, 25),
-        (24, 26),
-        (24, 27),
-        (25, 2),
-        (25, 5),
-        (25, 6),
-        (25, 7),
-        (25, 8),
-        (25, 9),
-        (25, 10),
-        (25, 11),
-        (25, 12),
-        (25, 13),
-        (25, 16),
-        (25, 19),
-        (25, 20),
-        (25, 21),
-        (25, 22),
-        (25, 23),
-        (25, 24),
-        (25, 25),
-        (25, 26),
-        (25, 27),
-        (26, 2),
-        (26, 5),
-        (26, 6),
-        (26, 7),
-        (26, 8),
-        (26, 9),
-        (26, 10),
-        (26, 11),
-        (26, 12),
-        (26, 13),
-        (26, 16),
-        (26, 19),
-        (26, 20),
-        (26, 21),
-        (26, 22),
-        (26, 23),
-        (26, 24),
-        (26, 25),
-        (26, 26),
-        (26, 27),
-        (27, 2),
-        (27, 5),
-        (27, 6),
-        (27, 7),
-        (27, 8),
-        (27, 9),
-        (27, 10),
-        (27, 11),
-        (27, 12),
-        (27, 13),
-        (27, 16),
-        (27, 19),
-        (27, 20),
-        (27, 21),
-        (27, 22),
-        (27, 23),
-        (27, 24),
-        (27, 25),
-        (27, 26),
-        (27, 27),
+        (0, 14), (1, 15), (2, 16), (3, 17), (4, 18), (5, 19), (6, 20), (7, 21), (8, 22), (9, 23),
+        (10, 24), (11, 25), (12, 26), (13, 27), (14, 2), (14, 5), (14, 6), (14, 7), (14, 8),
+        (14, 9), (14, 10), (14, 11), (14, 12), (14, 13), (14, 16), (14, 19), (14, 20), (14, 21),
+        (14, 22), (14, 23), (14, 24), (14, 25), (14, 26), (14, 27), (15, 2), (15, 5), (15, 6),
+        (15, 7), (15, 8), (15, 9), (15, 10), (15, 11), (15, 12), (15, 13), (15, 16), (15, 19),
+        (15, 20), (15, 21), (15, 22), (15, 23), (15, 24), (15, 25), (15, 26), (15, 27), (16, 2),
+        (16, 5), (16, 6), (16, 7), (16, 8), (16, 9), (16, 10), (16, 11), (16, 12), (16, 13),
+        (16, 16), (16, 19), (16, 20), (16, 21), (16, 22), (16, 23), (16, 24), (16, 25), (16, 26),
+        (16, 27), (17, 2), (17, 5), (17, 6), (17, 7), (17, 8), (17, 9), (17, 10), (17, 11),
+        (17, 12), (17, 13), (17, 16), (17, 19), (17, 20), (17, 21), (17, 22), (17, 23), (17, 24),
+        (17, 25), (17, 26), (17, 27), (18, 2), (18, 5), (18, 6), (18, 7), (18, 8), (18, 9),
+        (18, 10), (18, 11), (18, 12), (18, 13), (18, 16), (18, 19), (18, 20), (18, 21), (18, 22),
+        (18, 23), (18, 24), (18, 25), (18, 26), (18, 27), (19, 2), (19, 5), (19, 6), (19, 7),
+        (19, 8), (19, 9), (19, 10), (19, 11), (19, 12), (19, 13), (19, 16), (19, 19), (19, 20),
+        (19, 21), (19, 22), (19, 23), (19, 24), (19, 25), (19, 26), (19, 27), (20, 2), (20, 5),
+        (20, 6), (20, 7), (20, 8), (20, 9), (20, 10), (20, 11), (20, 12), (20, 13), (20, 16),
+        (20, 19), (20, 20), (20, 21), (20, 22), (20, 23), (20, 24), (20, 25), (20, 26), (20, 27),
+        (21, 2), (21, 5), (21, 6), (21, 7), (21, 8), (21, 9), (21, 10), (21, 11), (21, 12),
+        (21, 13), (21, 16), (21, 19), (21, 20), (21, 21), (21, 22), (21, 23), (21, 24), (21, 25),
+        (21, 26), (21, 27), (22, 2), (22, 5), (22, 6), (22, 7), (22, 8), (22, 9), (22, 10),
+        (22, 11), (22, 12), (22, 13), (22, 16), (22, 19), (22, 20), (22, 21), (22, 22), (22, 23),
+        (22, 24), (22, 25), (22, 26), (22, 27), (23, 2), (23, 5), (23, 6), (23, 7), (23, 8),
+        (23, 9), (23, 10), (23, 11), (23, 12), (23, 13), (23, 16), (23, 19), (23, 20), (23, 21),
+        (23, 22), (23, 23), (23, 24), (23, 25), (23, 26), (23, 27), (24, 2), (24, 5), (24, 6),
+        (24, 7), (24, 8), (24, 9), (24, 10), (24, 11), (24, 12), (24, 13), (24, 16), (24, 19),
+        (24, 20), (24, 21), (24, 22), (24, 23), (24, 24), (24, 25), (24, 26), (24, 27), (25, 2),
+        (25, 5), (25, 6), (25, 7), (25, 8), (25, 9), (25, 10), (25, 11), (25, 12), (25, 13),
+        (25, 16), (25, 19), (25, 20), (25, 21), (25, 22), (25, 23), (25, 24), (25, 25), (25, 26),
+        (25, 27), (26, 2), (26, 5), (26, 6), (26, 7), (26, 8), (26, 9), (26, 10), (26, 11),
+        (26, 12), (26, 13), (26, 16), (26, 19), (26, 20), (26, 21), (26, 22), (26, 23), (26, 24),
+        (26, 25), (26, 26), (26, 27), (27, 2), (27, 5), (27, 6), (27, 7), (27, 8), (27, 9),
+        (27, 10), (27, 11), (27, 12), (27, 13), (27, 16), (27, 19), (27, 20), (27, 21), (27, 22),
+        (27, 23), (27, 24), (27, 25), (27, 26), (27, 27),
     ],
 };
 
@@ -442,62 +172,12 @@ pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern
     rows: 30,
     columns: 5,
     entries: &[
-        (14, 1),
-        (14, 2),
-        (14, 3),
-        (14, 4),
-        (15, 1),
-        (15, 2),
-        (15, 3),
-        (15, 4),
-        (16, 1),
-        (16, 2),
-        (16, 3),
-        (16, 4),
-        (17, 1),
-        (17, 2),
-        (17, 3),
-        (17, 4),
-        (18, 1),
-        (18, 2),
-        (18, 3),
-        (18, 4),
-        (19, 1),
-        (19, 2),
-        (19, 3),
-        (19, 4),
-        (20, 1),
-        (20, 2),
-        (20, 3),
-        (20, 4),
-        (21, 1),
-        (21, 2),
-        (21, 3),
-        (21, 4),
-        (22, 1),
-        (22, 2),
-        (22, 3),
-        (22, 4),
-        (23, 1),
-        (23, 2),
-        (23, 3),
-        (23, 4),
-        (24, 1),
-        (24, 2),
-        (24, 3),
-        (24, 4),
-        (25, 1),
-        (25, 2),
-        (25, 3),
-        (25, 4),
-        (26, 1),
-        (26, 2),
-        (26, 3),
-        (26, 4),
-        (27, 1),
-        (27, 2),
-        (27, 3),
-        (27, 4),
+        (14, 1), (14, 2), (14, 3), (14, 4), (15, 1), (15, 2), (15, 3), (15, 4), (16, 1), (16, 2),
+        (16, 3), (16, 4), (17, 1), (17, 2), (17, 3), (17, 4), (18, 1), (18, 2), (18, 3), (18, 4),
+        (19, 1), (19, 2), (19, 3), (19, 4), (20, 1), (20, 2), (20, 3), (20, 4), (21, 1), (21, 2),
+        (21, 3), (21, 4), (22, 1), (22, 2), (22, 3), (22, 4), (23, 1), (23, 2), (23, 3), (23, 4),
+        (24, 1), (24, 2), (24, 3), (24, 4), (25, 1), (25, 2), (25, 3), (25, 4), (26, 1), (26, 2),
+        (26, 3), (26, 4), (27, 1), (27, 2), (27, 3), (27, 4),
     ],
 };
 
@@ -509,43 +189,10 @@ pub const CONSTRAINT_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern 
     rows: 12,
     columns: 14,
     entries: &[
-        (0, 0),
-        (0, 2),
-        (1, 1),
-        (1, 2),
-        (2, 0),
-        (2, 2),
-        (2, 3),
-        (2, 5),
-        (3, 1),
-        (3, 2),
-        (3, 4),
-        (3, 5),
-        (4, 3),
-        (4, 5),
-        (4, 6),
-        (4, 8),
-        (5, 4),
-        (5, 5),
-        (5, 7),
-        (5, 8),
-        (6, 8),
-        (6, 11),
-        (7, 6),
-        (7, 7),
-        (7, 8),
-        (7, 9),
-        (7, 10),
-        (8, 9),
-        (8, 11),
-        (9, 10),
-        (9, 11),
-        (10, 3),
-        (10, 5),
-        (10, 12),
-        (11, 4),
-        (11, 5),
-        (11, 13),
+        (0, 0), (0, 2), (1, 1), (1, 2), (2, 0), (2, 2), (2, 3), (2, 5), (3, 1), (3, 2), (3, 4),
+        (3, 5), (4, 3), (4, 5), (4, 6), (4, 8), (5, 4), (5, 5), (5, 7), (5, 8), (6, 8), (6, 11),
+        (7, 6), (7, 7), (7, 8), (7, 9), (7, 10), (8, 9), (8, 11), (9, 10), (9, 11), (10, 3),
+        (10, 5), (10, 12), (11, 4), (11, 5), (11, 13),
     ],
 };
 
@@ -760,6 +407,676 @@ impl<R: Real> Constants<R> {
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t0 = R::literal(2.0) * p.contact_damping;
     Constants { t0 }
+}
+
+/// What several functions need of the motion; `motion` says what each is.
+#[allow(missing_docs, reason = "`motion` says what each is")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Motion<R> {
+    pub factors: [R; 76],
+    pub cos_post_phi: R,
+    pub sin_post_phi: R,
+    pub cos_plate_phi: R,
+    pub sin_plate_phi: R,
+    pub cos_cylinder_phi: R,
+    pub sin_cylinder_phi: R,
+    pub cos_rod_phi: R,
+    pub sin_rod_phi: R,
+    pub stop_gap: R,
+    pub t7: R,
+    pub t9: R,
+    pub t11: R,
+    pub between: R,
+    pub slide: R,
+    pub contact_rate: R,
+    pub t12: R,
+    pub slide_rate: R,
+    pub t13: R,
+    pub t14: R,
+    pub t137: R,
+    pub t140: R,
+    pub t143: R,
+    pub t147: R,
+    pub t148: R,
+    pub t149: R,
+    pub t150: R,
+    pub t151: R,
+    pub t153: R,
+    pub t154: R,
+    pub t156: R,
+    pub t157: R,
+    pub t159: R,
+    pub t160: R,
+    pub t182: R,
+    pub t183: R,
+    pub t184: R,
+    pub t185: R,
+    pub t186: R,
+    pub t187: R,
+    pub t190: R,
+    pub t192: R,
+    pub t194: R,
+    pub t195: R,
+    pub t196: R,
+    pub t197: R,
+    pub bobbin_v_y_dot: R,
+    pub bobbin_v_x_dot: R,
+    pub rod_omega_dot: R,
+    pub rod_v_y_dot: R,
+    pub rod_v_x_dot: R,
+    pub cylinder_omega_dot: R,
+    pub cylinder_v_y_dot: R,
+    pub cylinder_v_x_dot: R,
+    pub plate_omega_dot: R,
+    pub plate_v_y_dot: R,
+    pub plate_v_x_dot: R,
+    pub post_omega_dot: R,
+    pub post_v_y_dot: R,
+    pub post_v_x_dot: R,
+}
+
+/// Accelerations, factors of the linear equations they solve, and whatever else several functions need.
+///
+/// 752 operations.
+#[must_use]
+pub fn motion<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    _c: &Constants<R>,
+) -> Motion<R> {
+    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x,
+    rod_y, rod_phi, bobbin_x, bobbin_y, _, _, post_omega, _, _, plate_omega,
+    cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x,
+    bobbin_v_y, contact_closed, stop_closed] = *state;
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
+    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        post_phi,
+        plate_phi,
+        cylinder_phi,
+        rod_phi,
+    ]);
+    let t0 = R::literal(0.1) * cos_post_phi;
+    let t1 = R::literal(0.1) * sin_post_phi;
+    let t2 = R::literal(0.06) * cos_plate_phi;
+    let t3 = R::literal(0.06) * sin_plate_phi;
+    let t4 = R::literal(0.06) * cos_cylinder_phi;
+    let t5 = R::literal(0.06) * sin_cylinder_phi;
+    let t6 = R::literal(0.06) * sin_rod_phi;
+    let stop_gap = (R::literal(0.143) * sin_post_phi)
+        .sub_product(R::literal(0.044), cos_post_phi);
+    let t7 = (R::literal(0.044) * sin_post_phi)
+        .add_product(R::literal(0.143), cos_post_phi);
+    let stop_rate = post_omega * t7;
+    let t8 = bobbin_x - R::literal(0.328);
+    let t9 = t8 * t8;
+    let t10 = bobbin_y - R::literal(0.058);
+    let t11 = t10 * t10;
+    let between = (t9 + t11).sqrt();
+    let contact_gap = between - R::literal(0.1);
+    let rod_x_minus_cylinder_x = rod_x - cylinder_x;
+    let rod_y_minus_cylinder_y = rod_y - cylinder_y;
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
+        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
+    let contact_rate = (bobbin_v_x * t8).add_product(bobbin_v_y, t10) / between;
+    let t12 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
+    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
+        .add_product(cylinder_omega, t12)
+        .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
+    let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
+    let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
+    let t13 = (R::literal(0.01) * sin_plate_phi)
+        .add_product(R::literal(0.1), cos_plate_phi);
+    let t14 = (R::literal(0.01) * cos_plate_phi)
+        .sub_product(R::literal(0.1), sin_plate_phi);
+    let t15 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t16 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t17 = -t16;
+    let t18 = R::literal(24.0) * sin_plate_phi;
+    let t19 = R::literal(24.0) * cos_plate_phi;
+    let t20 = -t19;
+    let t21 = t13 * R::literal(400.0);
+    let t22 = -t21;
+    let t23 = t14 * R::literal(400.0);
+    let t24 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t25 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t26 = -t25;
+    let t27 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t28 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t29 = -t28;
+    let t30 = slide * R::literal(2_777.777_777_777_778);
+    let t31 = -t30;
+    let t32 = sin_cylinder_phi * R::literal(5.0);
+    let t33 = -t32;
+    let t34 = cos_cylinder_phi * R::literal(5.0);
+    let t35 = R::literal(250.0) * sin_rod_phi;
+    let t36 = -t35;
+    let t37 = R::literal(250.0) * cos_rod_phi;
+    let t38 = t15 * t1;
+    let t39 = R::literal(-1.25) - t38;
+    let t40 = R::literal(1.0) / t39;
+    let t41 = t16 * t1;
+    let t42 = t41 * t40;
+    let t43 = R::literal(1.25) - t38;
+    let t44 = t43 * t40;
+    let t45 = t16 * t0;
+    let t46 = R::literal(-1.25) - t45;
+    let t47 = t42 * t41;
+    let t48 = R::literal(1.0) / (t46 - t47);
+    let t49 = (t15 * t0).sub_product(t44, t41);
+    let t50 = t49 * t48;
+    let t51 = R::literal(1.25) - t45 - t47;
+    let t52 = t51 * t48;
+    let t53 = t18 * t3;
+    let t54 = R::literal(1.0)
+        / (t39 - R::literal(0.833_333_333_333_333_4) - t53)
+            .sub_product(t44, t43)
+            .sub_product(t50, t49);
+    let t55 = t19 * t3;
+    let t56 = (t41 + t55).sub_product(t42, t43).sub_product(t52, t49);
+    let t57 = t56 * t54;
+    let t58 = R::literal(0.833_333_333_333_333_4) - t53;
+    let t59 = t58 * t54;
+    let t60 = t55 * t54;
+    let t61 = t21 * t3;
+    let t62 = R::literal(0.833_333_333_333_333_4) + t61;
+    let t63 = t62 * t54;
+    let t64 = t23 * t3;
+    let t65 = t64 * t54;
+    let t66 = -t65;
+    let t67 = t19 * t2;
+    let t68 = R::literal(1.0)
+        / (t46 - R::literal(0.833_333_333_333_333_4) - t67 - t47)
+            .sub_product(t52, t51)
+            .sub_product(t57, t56);
+    let t69 = (t18 * t2).sub_product(t59, t56);
+    let t70 = t69 * t68;
+    let t71 = (R::literal(0.833_333_333_333_333_4) - t67).sub_product(t60, t56);
+    let t72 = t71 * t68;
+    let t73 = -(t21 * t2);
+    let t74 = t73.sub_product(t63, t56);
+    let t75 = t74 * t68;
+    let t76 = t23 * t2;
+    let t77 = (R::literal(0.833_333_333_333_333_4) + t76).add_product(t65, t56);
+    let t78 = t77 * t68;
+    let t79 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t53
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t27, t5)
+            .sub_product(t59, t58)
+            .sub_product(t70, t69);
+    let t80 = t55.add_product(t28, t5).sub_product(t60, t58).sub_product(t72, t69);
+    let t81 = t80 * t79;
+    let t82 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
+    let t83 = t82 * t79;
+    let t84 = -t83;
+    let t85 = (-t24).add_product(t30, t5);
+    let t86 = t85 * t79;
+    let t87 = (R::literal(-0.833_333_333_333_333_4) + t61)
+        .sub_product(t63, t58)
+        .sub_product(t75, t69);
+    let t88 = t87 * t79;
+    let t89 = (-t64).add_product(t65, t58).sub_product(t78, t69);
+    let t90 = t89 * t79;
+    let t91 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t67
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t28, t4)
+            .sub_product(t60, t55)
+            .sub_product(t72, t71)
+            .sub_product(t81, t80);
+    let t92 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
+        .add_product(t83, t80);
+    let t93 = t92 * t91;
+    let t94 = t25.sub_product(t30, t4).sub_product(t86, t80);
+    let t95 = t94 * t91;
+    let t96 = t73.sub_product(t63, t55).sub_product(t75, t71).sub_product(t88, t80);
+    let t97 = t96 * t91;
+    let t98 = (R::literal(-0.833_333_333_333_333_4) + t76)
+        .add_product(t65, t55)
+        .sub_product(t78, t71)
+        .sub_product(t90, t80);
+    let t99 = t98 * t91;
+    let t100 = R::literal(1.0)
+        / R::literal(-6_944.444_444_444_445).sub_product(t83, t82).sub_product(t93, t92);
+    let t101 = (-t30).add_product(t86, t82).sub_product(t95, t92);
+    let t102 = t101 * t100;
+    let t103 = t35 * t100;
+    let t104 = t37 * t100;
+    let t105 = -t104;
+    let t106 = (t88 * t82).sub_product(t97, t92);
+    let t107 = t106 * t100;
+    let t108 = (t90 * t82).sub_product(t99, t92);
+    let t109 = t108 * t100;
+    let t110 = R::literal(1.0)
+        / (-(t25 * cos_cylinder_phi))
+            .sub_product(t24, sin_cylinder_phi)
+            .sub_product(t30, slide)
+            .sub_product(t32, sin_cylinder_phi)
+            .sub_product(t34, cos_cylinder_phi)
+            .sub_product(t86, t85)
+            .sub_product(t95, t94)
+            .sub_product(t102, t101);
+    let t111 = t32.sub_product(t103, t101);
+    let t112 = t111 * t110;
+    let t113 = (-t34).add_product(t104, t101);
+    let t114 = t113 * t110;
+    let t115 = (-(t88 * t85)).sub_product(t97, t94).sub_product(t107, t101);
+    let t116 = t115 * t110;
+    let t117 = (-(t90 * t85)).sub_product(t99, t94).sub_product(t109, t101);
+    let t118 = t117 * t110;
+    let t119 = R::literal(1.0)
+        / R::literal(-5.0)
+            .sub_product(t35, t6)
+            .sub_product(t103, t35)
+            .sub_product(t112, t111);
+    let t120 = (t37 * t6).add_product(t104, t35).sub_product(t114, t111);
+    let t121 = t120 * t119;
+    let t122 = (-(t107 * t35)).sub_product(t116, t111);
+    let t123 = t122 * t119;
+    let t124 = (-(t109 * t35)).sub_product(t118, t111);
+    let t125 = t124 * t119;
+    let t126 = R::literal(1.0)
+        / R::literal(-5.0)
+            .sub_product(t37, R::literal(0.06) * cos_rod_phi)
+            .sub_product(t104, t37)
+            .sub_product(t114, t113)
+            .sub_product(t121, t120);
+    let t127 = (t107 * t37).sub_product(t116, t113).sub_product(t123, t120);
+    let t128 = t127 * t126;
+    let t129 = (t109 * t37).sub_product(t118, t113).sub_product(t125, t120);
+    let t130 = t129 * t126;
+    let t131 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t21, t13)
+            - R::literal(1.428_571_428_571_428_6))
+            .sub_product(t63, t62)
+            .sub_product(t75, t74)
+            .sub_product(t88, t87)
+            .sub_product(t97, t96)
+            .sub_product(t107, t106)
+            .sub_product(t116, t115)
+            .sub_product(t123, t122)
+            .sub_product(t128, t127);
+    let t132 = (t23 * t13)
+        .add_product(t65, t62)
+        .sub_product(t78, t74)
+        .sub_product(t90, t87)
+        .sub_product(t99, t96)
+        .sub_product(t109, t106)
+        .sub_product(t118, t115)
+        .sub_product(t125, t122)
+        .sub_product(t130, t127);
+    let t133 = t132 * t131;
+    let t134 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t23, t14)
+            - R::literal(1.428_571_428_571_428_6))
+            .sub_product(t65, t64)
+            .sub_product(t78, t77)
+            .sub_product(t90, t89)
+            .sub_product(t99, t98)
+            .sub_product(t109, t108)
+            .sub_product(t118, t117)
+            .sub_product(t125, t124)
+            .sub_product(t130, t129)
+            .sub_product(t133, t132);
+    let t135 = R::select_less(
+        stop_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        (-(R::literal(1_000_000.0) * stop_gap * t7))
+            .sub_product(R::literal(1500.0) * stop_rate, t7),
+    );
+    let t136 = p.spring_stiffness * (slide - R::literal(0.116));
+    let t137 = t136 * cos_cylinder_phi;
+    let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
+    let t138 = spring_damping_times_slide_rate * cos_cylinder_phi;
+    let t139 = t137 + t138;
+    let t140 = t136 * sin_cylinder_phi;
+    let t141 = spring_damping_times_slide_rate * sin_cylinder_phi;
+    let t142 = t141 - (R::literal(2.943) - t140);
+    let t143 = t136 * t12;
+    let t144 = (-t143).sub_product(spring_damping_times_slide_rate, t12);
+    let t145 = -t137 - t138;
+    let t146 = -t141 - (R::literal(1.962) + t140);
+    let t147 = contact_stiffness_times_contact_gap * t8;
+    let t148 = t147 / between;
+    let t149 = contact_damping_times_contact_rate * t8;
+    let t150 = contact_stiffness_times_contact_gap * t10 / between;
+    let t151 = contact_damping_times_contact_rate * t10;
+    let t152 = R::literal(0.1) * (post_omega * post_omega);
+    let t153 = t152 * cos_post_phi;
+    let t154 = t152 * sin_post_phi;
+    let plate_omega_squared = plate_omega * plate_omega;
+    let t155 = R::literal(0.06) * plate_omega_squared;
+    let t156 = t155 * cos_plate_phi;
+    let t157 = t155 * sin_plate_phi;
+    let cylinder_omega_squared = cylinder_omega * cylinder_omega;
+    let t158 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t159 = t158 * cos_rod_phi;
+    let t160 = t158 * sin_rod_phi;
+    let t161 = t15 * t135;
+    let t162 = -t153 - t161;
+    let t163 = t16 * t135;
+    let t164 = t42 * t162;
+    let t165 = -t154 - R::literal(-9.81) + t163 - t164;
+    let t166 = (-(t156 + t153) - t161).sub_product(t44, t162).sub_product(t50, t165);
+    let t167 = (-(t157 + t154) - R::literal(9.81) + t163 - R::literal(-9.81) - t164)
+        .sub_product(t52, t165)
+        .sub_product(t57, t166);
+    let t168 = R::literal(3.333_333_333_333_333_5) * t139;
+    let t169 = (-t168)
+        .sub_product(
+            R::literal(0.06),
+            (plate_omega_squared * cos_plate_phi)
+                .add_product(cylinder_omega_squared, cos_cylinder_phi),
+        )
+        .sub_product(t27, t144)
+        .sub_product(t59, t166)
+        .sub_product(t70, t167);
+    let t170 = R::literal(3.333_333_333_333_333_5) * t142;
+    let t171 = (R::literal(-9.81)
+        .sub_product(
+            R::literal(0.06),
+            (plate_omega_squared * sin_plate_phi)
+                .add_product(cylinder_omega_squared, sin_cylinder_phi),
+        ) - t170)
+        .add_product(t28, t144)
+        .sub_product(t60, t166)
+        .sub_product(t72, t167)
+        .sub_product(t81, t169);
+    let t172 = (-(R::literal(-2_777.777_777_777_778) * t144))
+        .add_product(t83, t169)
+        .sub_product(t93, t171);
+    let t173 = (cylinder_omega
+        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+            .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
+            .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
+            .add_product(rod_y * cylinder_omega, cos_cylinder_phi)
+            .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi)
+            .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
+            .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
+            .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
+        .sub_product(t24, t139)
+        .add_product(t25, t142)
+        .add_product(t30, t144)
+        .add_product(t32, t145)
+        .sub_product(t34, t146)
+        .sub_product(t86, t169)
+        .sub_product(t95, t171);
+    let t174 = t173.sub_product(t102, t172);
+    let t175 = R::literal(5.0) * t145;
+    let t176 = (t159 - t175).sub_product(t103, t172).sub_product(t112, t174);
+    let t177 = R::literal(5.0) * t146;
+    let t178 = (t160 - t177)
+        .add_product(t104, t172)
+        .sub_product(t114, t174)
+        .sub_product(t121, t176);
+    let t179 = R::literal(1.428_571_428_571_428_6)
+        * R::select_less(
+            contact_closed,
+            R::literal(0.5),
+            R::literal(0.0),
+            -t148 - t149 / between,
+        );
+    let t180 = (-t179)
+        .add_product(t14, plate_omega_squared)
+        .sub_product(t63, t166)
+        .sub_product(t75, t167)
+        .sub_product(t88, t169)
+        .sub_product(t97, t171)
+        .sub_product(t107, t172)
+        .sub_product(t116, t174)
+        .sub_product(t123, t176)
+        .sub_product(t128, t178);
+    let t181 = R::literal(1.428_571_428_571_428_6)
+        * (R::select_less(
+            contact_closed,
+            R::literal(0.5),
+            R::literal(0.0),
+            -(t151 / between),
+        )
+            - (R::literal(6.867)
+                + R::select_less(
+                    contact_closed,
+                    R::literal(0.5),
+                    R::literal(0.0),
+                    t150,
+                )));
+    let t182 = (R::literal(-9.81).add_product(t13, plate_omega_squared) - t181)
+        .add_product(t65, t166)
+        .sub_product(t78, t167)
+        .sub_product(t90, t169)
+        .sub_product(t99, t171)
+        .sub_product(t109, t172)
+        .sub_product(t118, t174)
+        .sub_product(t125, t176)
+        .sub_product(t130, t178)
+        .sub_product(t133, t180) * t134;
+    let t183 = (t180 * t131).sub_product(t133, t182);
+    let t184 = (t178 * t126).sub_product(t128, t183).sub_product(t130, t182);
+    let t185 = (t176 * t119)
+        .sub_product(t121, t184)
+        .sub_product(t123, t183)
+        .sub_product(t125, t182);
+    let t186 = (t174 * t110)
+        .sub_product(t112, t185)
+        .sub_product(t114, t184)
+        .sub_product(t116, t183);
+    let t187 = t118 * t182;
+    let t188 = t186 - t187;
+    let t189 = (t172 * t100)
+        .sub_product(t102, t188)
+        .sub_product(t103, t185)
+        .add_product(t104, t184)
+        .sub_product(t107, t183)
+        .sub_product(t109, t182);
+    let t190 = (t171 * t91)
+        .sub_product(t93, t189)
+        .sub_product(t95, t188)
+        .sub_product(t97, t183);
+    let t191 = t190.sub_product(t99, t182);
+    let t192 = (t169 * t79)
+        .sub_product(t81, t191)
+        .add_product(t83, t189)
+        .sub_product(t86, t188)
+        .sub_product(t88, t183);
+    let t193 = t192.sub_product(t90, t182);
+    let t194 = (t167 * t68)
+        .sub_product(t70, t193)
+        .sub_product(t72, t191)
+        .sub_product(t75, t183)
+        .sub_product(t78, t182);
+    let t195 = (t166 * t54)
+        .sub_product(t57, t194)
+        .sub_product(t59, t193)
+        .sub_product(t60, t191)
+        .sub_product(t63, t183)
+        .add_product(t65, t182);
+    let t196 = (t165 * t48).sub_product(t50, t195).sub_product(t52, t194);
+    let t197 = (t162 * t40)
+        .sub_product(t42, t196)
+        .sub_product(t44, t195)
+        .sub_product(t42, t194);
+    let bobbin_v_y_dot = t181.sub_product(R::literal(1.428_571_428_571_428_6), t182);
+    let bobbin_v_x_dot = t179.sub_product(R::literal(1.428_571_428_571_428_6), t183);
+    let rod_omega_dot = (t35 * t185)
+        .sub_product(R::literal(4_166.666_666_666_667), t189)
+        .sub_product(t37, t184);
+    let rod_v_y_dot = t177.sub_product(t34, t188).sub_product(R::literal(5.0), t184);
+    let rod_v_x_dot = t175.add_product(t32, t188).sub_product(R::literal(5.0), t185);
+    let cylinder_omega_dot = (t144 * R::literal(2_777.777_777_777_778))
+        .sub_product(t27, t193)
+        .add_product(t28, t191)
+        .sub_product(R::literal(-2_777.777_777_777_778), t189)
+        .add_product(t30, t188);
+    let cylinder_v_y_dot = t170
+        .sub_product(R::literal(3.333_333_333_333_333_5), t191)
+        .add_product(t25, t188);
+    let cylinder_v_x_dot = t168
+        .sub_product(R::literal(3.333_333_333_333_333_5), t193)
+        .sub_product(t24, t188);
+    let plate_omega_dot = (t19 * t194)
+        .sub_product(t18, t195)
+        .sub_product(t18, t193)
+        .add_product(t19, t191)
+        .add_product(t21, t183)
+        .sub_product(t23, t182);
+    let plate_v_y_dot = R::literal(-9.81)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t194)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t191)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t182);
+    let plate_v_x_dot = (-(R::literal(-0.833_333_333_333_333_4) * t193))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t195)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t183);
+    let post_omega_dot = (t135 * R::literal(370.370_370_370_370_3))
+        .sub_product(t15, t197)
+        .add_product(t16, t196)
+        .sub_product(t15, t195)
+        .add_product(t16, t194);
+    let post_v_y_dot = R::literal(-9.81)
+        .sub_product(R::literal(1.25), t196)
+        .sub_product(R::literal(-1.25), t194);
+    let post_v_x_dot = (-(R::literal(-1.25) * t195)).sub_product(R::literal(1.25), t197);
+    Motion {
+        factors: [
+            t15,
+            t17,
+            t42,
+            t18,
+            t44,
+            t50,
+            t20,
+            t52,
+            t57,
+            R::literal(3.333_333_333_333_333_5),
+            t27,
+            t59,
+            t70,
+            t29,
+            t60,
+            t72,
+            t81,
+            R::literal(-2_777.777_777_777_778),
+            R::literal(4_166.666_666_666_667),
+            t84,
+            t93,
+            t24,
+            t26,
+            t31,
+            t33,
+            t34,
+            t86,
+            t95,
+            t102,
+            R::literal(5.0),
+            t36,
+            t103,
+            t112,
+            t37,
+            t105,
+            t114,
+            t121,
+            t22,
+            R::literal(1.428_571_428_571_428_6),
+            t63,
+            t75,
+            t88,
+            t97,
+            t107,
+            t116,
+            t123,
+            t128,
+            t23,
+            t66,
+            t78,
+            t90,
+            t99,
+            t109,
+            t118,
+            t125,
+            t130,
+            t133,
+            t134,
+            t131,
+            t126,
+            t119,
+            t110,
+            t100,
+            t91,
+            t79,
+            t68,
+            t54,
+            t48,
+            t40,
+            R::literal(2_777.777_777_777_778),
+            R::literal(400.0),
+            R::literal(0.833_333_333_333_333_4),
+            R::literal(-0.833_333_333_333_333_4),
+            R::literal(370.370_370_370_370_3),
+            R::literal(1.25),
+            R::literal(-1.25),
+        ],
+        cos_post_phi,
+        sin_post_phi,
+        cos_plate_phi,
+        sin_plate_phi,
+        cos_cylinder_phi,
+        sin_cylinder_phi,
+        cos_rod_phi,
+        sin_rod_phi,
+        stop_gap,
+        t7,
+        t9,
+        t11,
+        between,
+        slide,
+        contact_rate,
+        t12,
+        slide_rate,
+        t13,
+        t14,
+        t137,
+        t140,
+        t143,
+        t147,
+        t148,
+        t149,
+        t150,
+        t151,
+        t153,
+        t154,
+        t156,
+        t157,
+        t159,
+        t160,
+        t182,
+        t183,
+        t184,
+        t185,
+        t186,
+        t187,
+        t190,
+        t192,
+        t194,
+        t195,
+        t196,
+        t197,
+        bobbin_v_y_dot,
+        bobbin_v_x_dot,
+        rod_omega_dot,
+        rod_v_y_dot,
+        rod_v_x_dot,
+        cylinder_omega_dot,
+        cylinder_v_y_dot,
+        cylinder_v_x_dot,
+        plate_omega_dot,
+        plate_v_y_dot,
+        plate_v_x_dot,
+        post_omega_dot,
+        post_v_y_dot,
+        post_v_x_dot,
+    }
 }
 
 /// State at the start of the run, in the units of the states.
@@ -1424,7 +1741,7 @@ pub fn forcing<R: Real>(
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
 ///
-/// 5083 operations.
+/// 360 operations.
 #[must_use]
 #[inline]
 pub fn rate_jacobian<R: Real>(
@@ -1437,2671 +1754,321 @@ pub fn rate_jacobian<R: Real>(
 
 /// As `rate_jacobian`, with the constants of the parameters from `prepare`.
 ///
-/// 5082 operations.
+/// 359 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(
-    _time: R,
+    time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
     c: &Constants<R>,
 ) -> [R; 294] {
-    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x,
-    rod_y, rod_phi, bobbin_x, bobbin_y, _, _, post_omega, _, _, plate_omega,
-    cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x,
-    bobbin_v_y, contact_closed, stop_closed] = *state;
-    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
-    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
-        post_phi,
-        plate_phi,
-        cylinder_phi,
-        rod_phi,
-    ]);
-    let t0 = R::literal(0.1) * cos_post_phi;
-    let t1 = R::literal(0.1) * sin_post_phi;
-    let t2 = R::literal(0.06) * cos_plate_phi;
-    let t3 = R::literal(0.06) * sin_plate_phi;
-    let t4 = R::literal(0.06) * cos_cylinder_phi;
-    let t5 = R::literal(0.06) * sin_cylinder_phi;
-    let t6 = R::literal(0.06) * cos_rod_phi;
-    let t7 = R::literal(0.06) * sin_rod_phi;
-    let stop_gap = (R::literal(0.143) * sin_post_phi)
-        .sub_product(R::literal(0.044), cos_post_phi);
-    let t8 = R::literal(0.01) * cos_plate_phi;
-    let t9 = R::literal(0.1) * sin_plate_phi;
-    let t10 = R::literal(0.1) * cos_plate_phi;
-    let t11 = R::literal(0.01) * sin_plate_phi;
-    let t12 = (R::literal(0.044) * sin_post_phi)
-        .add_product(R::literal(0.143), cos_post_phi);
-    let stop_rate = post_omega * t12;
-    let t13 = bobbin_x - R::literal(0.328);
-    let t14 = t13 * t13;
-    let t15 = bobbin_y - R::literal(0.058);
-    let t16 = t15 * t15;
-    let between = (t14 + t16).sqrt();
-    let contact_gap = between - R::literal(0.1);
-    let rod_x_minus_cylinder_x = rod_x - cylinder_x;
-    let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
-        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let contact_rate = (bobbin_v_x * t13).add_product(bobbin_v_y, t15) / between;
-    let t17 = rod_x_minus_cylinder_x * sin_cylinder_phi;
-    let t18 = rod_y_minus_cylinder_y * cos_cylinder_phi;
-    let t19 = t18 - t17;
-    let rod_v_x_minus_cylinder_v_x = rod_v_x - cylinder_v_x;
-    let rod_v_y_minus_cylinder_v_y = rod_v_y - cylinder_v_y;
-    let slide_rate = (rod_v_x_minus_cylinder_v_x * cos_cylinder_phi)
-        .add_product(cylinder_omega, t19)
-        .add_product(rod_v_y_minus_cylinder_v_y, sin_cylinder_phi);
+    let [_, _, _, _, _, _, cylinder_x, cylinder_y, _, rod_x, rod_y, _, bobbin_x,
+    bobbin_y, _, _, post_omega, _, _, plate_omega, cylinder_v_x, cylinder_v_y,
+    cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, contact_closed,
+    stop_closed] = *state;
+    let m = &motion(time, state, p, c);
+    let t0 = R::literal(0.1) * m.cos_post_phi;
+    let t1 = R::literal(0.1) * m.sin_post_phi;
+    let t2 = R::literal(0.06) * m.cos_plate_phi;
+    let t3 = R::literal(0.06) * m.sin_plate_phi;
+    let t4 = R::literal(0.06) * m.cos_cylinder_phi;
+    let t5 = R::literal(0.06) * m.sin_cylinder_phi;
+    let t6 = R::literal(0.06) * m.cos_rod_phi;
+    let t7 = R::literal(0.06) * m.sin_rod_phi;
+    let stop_rate = post_omega * m.t7;
+    let t8 = bobbin_x - R::literal(0.328);
+    let t9 = bobbin_y - R::literal(0.058);
+    let contact_gap = m.between - R::literal(0.1);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
-    let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
-    let t20 = t11 + t10;
-    let t21 = t9 - t8;
-    let t22 = t8 - t9;
-    let t23 = R::literal(37.037_037_037_037_03) * sin_post_phi;
-    let t24 = R::literal(37.037_037_037_037_03) * cos_post_phi;
-    let t25 = R::literal(24.0) * sin_plate_phi;
-    let t26 = R::literal(24.0) * cos_plate_phi;
-    let t27 = t20 * R::literal(400.0);
-    let t28 = t22 * R::literal(400.0);
-    let t29 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t30 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t31 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
-    let t32 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
-    let t33 = slide * R::literal(2_777.777_777_777_778);
-    let t34 = sin_cylinder_phi * R::literal(5.0);
-    let t35 = cos_cylinder_phi * R::literal(5.0);
-    let t36 = R::literal(250.0) * sin_rod_phi;
-    let t37 = R::literal(250.0) * cos_rod_phi;
-    let t38 = t23 * t1;
-    let t39 = R::literal(-1.25) - t38;
-    let t40 = R::literal(1.0) / t39;
-    let t41 = t24 * t1;
-    let t42 = t41 * t40;
-    let t43 = R::literal(1.25) - t38;
-    let t44 = t43 * t40;
-    let t45 = t24 * t0;
-    let t46 = R::literal(-1.25) - t45;
-    let t47 = t42 * t41;
-    let t48 = R::literal(1.0) / (t46 - t47);
-    let t49 = (t23 * t0).sub_product(t44, t41);
-    let t50 = t49 * t48;
-    let t51 = R::literal(1.25) - t45 - t47;
-    let t52 = t51 * t48;
-    let t53 = t25 * t3;
-    let t54 = R::literal(1.0)
-        / (t39 - R::literal(0.833_333_333_333_333_4) - t53)
-            .sub_product(t44, t43)
-            .sub_product(t50, t49);
-    let t55 = t26 * t3;
-    let t56 = (t41 + t55).sub_product(t42, t43).sub_product(t52, t49);
-    let t57 = t56 * t54;
-    let t58 = R::literal(0.833_333_333_333_333_4) - t53;
-    let t59 = t58 * t54;
-    let t60 = t55 * t54;
-    let t61 = t27 * t3;
-    let t62 = R::literal(0.833_333_333_333_333_4) + t61;
-    let t63 = t62 * t54;
-    let t64 = t28 * t3;
-    let t65 = t64 * t54;
-    let t66 = t26 * t2;
-    let t67 = R::literal(1.0)
-        / (t46 - R::literal(0.833_333_333_333_333_4) - t66 - t47)
-            .sub_product(t52, t51)
-            .sub_product(t57, t56);
-    let t68 = (t25 * t2).sub_product(t59, t56);
-    let t69 = t68 * t67;
-    let t70 = (R::literal(0.833_333_333_333_333_4) - t66).sub_product(t60, t56);
-    let t71 = t70 * t67;
-    let t72 = -(t27 * t2);
-    let t73 = t72.sub_product(t63, t56);
-    let t74 = t73 * t67;
-    let t75 = t28 * t2;
-    let t76 = (R::literal(0.833_333_333_333_333_4) + t75).add_product(t65, t56);
-    let t77 = t76 * t67;
-    let t78 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t53
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t31, t5)
-            .sub_product(t59, t58)
-            .sub_product(t69, t68);
-    let t79 = t55.add_product(t32, t5).sub_product(t60, t58).sub_product(t71, t68);
-    let t80 = t79 * t78;
-    let t81 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
-    let t82 = t81 * t78;
-    let t83 = (-t29).add_product(t33, t5);
-    let t84 = t83 * t78;
-    let t85 = (R::literal(-0.833_333_333_333_333_4) + t61)
-        .sub_product(t63, t58)
-        .sub_product(t74, t68);
-    let t86 = t85 * t78;
-    let t87 = (-t64).add_product(t65, t58).sub_product(t77, t68);
-    let t88 = t87 * t78;
-    let t89 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t66
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t32, t4)
-            .sub_product(t60, t55)
-            .sub_product(t71, t70)
-            .sub_product(t80, t79);
-    let t90 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
-        .add_product(t82, t79);
-    let t91 = t90 * t89;
-    let t92 = t30.sub_product(t33, t4).sub_product(t84, t79);
-    let t93 = t92 * t89;
-    let t94 = t72.sub_product(t63, t55).sub_product(t74, t70).sub_product(t86, t79);
-    let t95 = t94 * t89;
-    let t96 = (R::literal(-0.833_333_333_333_333_4) + t75)
-        .add_product(t65, t55)
-        .sub_product(t77, t70)
-        .sub_product(t88, t79);
-    let t97 = t96 * t89;
-    let t98 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445).sub_product(t82, t81).sub_product(t91, t90);
-    let t99 = (-t33).add_product(t84, t81).sub_product(t93, t90);
-    let t100 = t99 * t98;
-    let t101 = t36 * t98;
-    let t102 = t37 * t98;
-    let t103 = (t86 * t81).sub_product(t95, t90);
-    let t104 = t103 * t98;
-    let t105 = (t88 * t81).sub_product(t97, t90);
-    let t106 = t105 * t98;
-    let t107 = R::literal(1.0)
-        / (-(t30 * cos_cylinder_phi))
-            .sub_product(t29, sin_cylinder_phi)
-            .sub_product(t33, slide)
-            .sub_product(t34, sin_cylinder_phi)
-            .sub_product(t35, cos_cylinder_phi)
-            .sub_product(t84, t83)
-            .sub_product(t93, t92)
-            .sub_product(t100, t99);
-    let t108 = t34.sub_product(t101, t99);
-    let t109 = t108 * t107;
-    let t110 = (-t35).add_product(t102, t99);
-    let t111 = t110 * t107;
-    let t112 = (-(t86 * t83)).sub_product(t95, t92).sub_product(t104, t99);
-    let t113 = t112 * t107;
-    let t114 = (-(t88 * t83)).sub_product(t97, t92).sub_product(t106, t99);
-    let t115 = t114 * t107;
-    let t116 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t36, t7)
-            .sub_product(t101, t36)
-            .sub_product(t109, t108);
-    let t117 = (t37 * t7).add_product(t102, t36).sub_product(t111, t108);
-    let t118 = t117 * t116;
-    let t119 = (-(t104 * t36)).sub_product(t113, t108);
-    let t120 = t119 * t116;
-    let t121 = (-(t106 * t36)).sub_product(t115, t108);
-    let t122 = t121 * t116;
-    let t123 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t37, t6)
-            .sub_product(t102, t37)
-            .sub_product(t111, t110)
-            .sub_product(t118, t117);
-    let t124 = (t104 * t37).sub_product(t113, t110).sub_product(t120, t117);
-    let t125 = t124 * t123;
-    let t126 = (t106 * t37).sub_product(t115, t110).sub_product(t122, t117);
-    let t127 = t126 * t123;
-    let t128 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t27, t20)
-            - R::literal(1.428_571_428_571_428_6))
-            .sub_product(t63, t62)
-            .sub_product(t74, t73)
-            .sub_product(t86, t85)
-            .sub_product(t95, t94)
-            .sub_product(t104, t103)
-            .sub_product(t113, t112)
-            .sub_product(t120, t119)
-            .sub_product(t125, t124);
-    let t129 = (t28 * t20)
-        .add_product(t65, t62)
-        .sub_product(t77, t73)
-        .sub_product(t88, t85)
-        .sub_product(t97, t94)
-        .sub_product(t106, t103)
-        .sub_product(t115, t112)
-        .sub_product(t122, t119)
-        .sub_product(t127, t124);
-    let t130 = t129 * t128;
-    let t131 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t28, t22)
-            - R::literal(1.428_571_428_571_428_6))
-            .sub_product(t65, t64)
-            .sub_product(t77, t76)
-            .sub_product(t88, t87)
-            .sub_product(t97, t96)
-            .sub_product(t106, t105)
-            .sub_product(t115, t114)
-            .sub_product(t122, t121)
-            .sub_product(t127, t126)
-            .sub_product(t130, t129);
-    let t132 = R::select_less(
-        stop_closed,
+    let t10 = (R::literal(0.1) * m.sin_plate_phi)
+        .sub_product(R::literal(0.01), m.cos_plate_phi);
+    let t11 = p.spring_damping * m.slide_rate;
+    let t12 = t11 * m.cos_cylinder_phi;
+    let t13 = t11 * m.sin_cylinder_phi;
+    let plate_omega_squared = plate_omega * plate_omega;
+    let cylinder_omega_squared = cylinder_omega * cylinder_omega;
+    let t14 = cylinder_omega_squared * m.cos_cylinder_phi;
+    let t15 = cylinder_omega_squared * m.sin_cylinder_phi;
+    let cylinder_y_times_cylinder_omega = cylinder_y * cylinder_omega;
+    let rod_x_times_cylinder_omega = rod_x * cylinder_omega;
+    let cylinder_x_times_cylinder_omega = cylinder_x * cylinder_omega;
+    let rod_y_times_cylinder_omega = rod_y * cylinder_omega;
+    let t16 = m.t186 - m.t187;
+    let t17 = m.t190.sub_product(m.factors[51], m.t182);
+    let t18 = m.t192.sub_product(m.factors[50], m.t182);
+    let t19 = m.t7 * m.t7;
+    let t20 = m.t154.sub_product(t0, m.post_omega_dot);
+    let t21 = (-m.t153).sub_product(t1, m.post_omega_dot);
+    let t22 = m.t157.sub_product(t2, m.plate_omega_dot);
+    let t23 = (-m.t156).sub_product(t3, m.plate_omega_dot);
+    let t24 = p.spring_stiffness * m.cos_cylinder_phi;
+    let spring_damping_times_cylinder_omega = p.spring_damping * cylinder_omega;
+    let t25 = spring_damping_times_cylinder_omega * m.sin_cylinder_phi;
+    let t26 = t25 - t24;
+    let t27 = t26 * m.cos_cylinder_phi;
+    let t28 = t26 * m.sin_cylinder_phi;
+    let t29 = spring_damping_times_cylinder_omega * m.t12;
+    let t30 = t29 * m.sin_cylinder_phi;
+    let t31 = p.spring_stiffness * m.t12;
+    let t32 = t31 * m.cos_cylinder_phi;
+    let t33 = t24 - t25;
+    let t34 = t33 * m.cos_cylinder_phi;
+    let t35 = t33 * m.sin_cylinder_phi;
+    let t36 = m.cos_cylinder_phi * t16;
+    let t37 = m.cos_cylinder_phi * m.cylinder_omega_dot;
+    let t38 = (p.spring_stiffness * m.sin_cylinder_phi)
+        .add_product(spring_damping_times_cylinder_omega, m.cos_cylinder_phi);
+    let t39 = t38 * m.cos_cylinder_phi;
+    let t40 = -t39;
+    let t41 = t38 * m.sin_cylinder_phi;
+    let t42 = -t41;
+    let t43 = t29 * m.cos_cylinder_phi;
+    let t44 = t31 * m.sin_cylinder_phi;
+    let t45 = m.sin_cylinder_phi * t16;
+    let t46 = m.sin_cylinder_phi * m.cylinder_omega_dot;
+    let t47 = p.spring_damping
+        * (-(cylinder_omega * m.slide))
+            .add_product(rod_v_y - cylinder_v_y, m.cos_cylinder_phi)
+            .sub_product(rod_v_x - cylinder_v_x, m.sin_cylinder_phi);
+    let t48 = t47 * m.cos_cylinder_phi;
+    let t49 = t47 * m.sin_cylinder_phi;
+    let t50 = m.t12 * m.t12;
+    let t51 = R::literal(0.06) * cylinder_omega_squared;
+    let t52 = ((rod_x - cylinder_x) * m.sin_cylinder_phi)
+        .sub_product(rod_y - cylinder_y, m.cos_cylinder_phi);
+    let t53 = m.between * m.between;
+    let contact_damping_times_bobbin_v_x = p.contact_damping * bobbin_v_x;
+    let t54 = contact_stiffness_times_contact_gap / m.between;
+    let t55 = p.contact_damping * m.contact_rate / m.between;
+    let t56 = t53 * m.between;
+    let t57 = c.t0 * m.contact_rate;
+    let t58 = t57 * t8 * t9 / t56;
+    let t59 = m.t147 * t9 / t56;
+    let t60 = p.contact_stiffness * t8 * t9 / t53;
+    let contact_damping_times_bobbin_v_y = p.contact_damping * bobbin_v_y;
+    let t61 = R::literal(0.2) * post_omega;
+    let t62 = -(t61 * m.cos_post_phi);
+    let t63 = -(t61 * m.sin_post_phi);
+    let t64 = R::literal(0.12) * plate_omega;
+    let t65 = -(t64 * m.cos_plate_phi);
+    let t66 = -(t64 * m.sin_plate_phi);
+    let t67 = p.spring_damping * (m.cos_cylinder_phi * m.cos_cylinder_phi);
+    let t68 = -t67;
+    let t69 = p.spring_damping * m.sin_cylinder_phi * m.cos_cylinder_phi;
+    let t70 = -t69;
+    let t71 = p.spring_damping * m.t12;
+    let t72 = t71 * m.cos_cylinder_phi;
+    let t73 = R::literal(2.0) * cylinder_omega;
+    let t74 = t73 * m.cos_cylinder_phi;
+    let t75 = p.spring_damping * (m.sin_cylinder_phi * m.sin_cylinder_phi);
+    let t76 = -t75;
+    let t77 = t71 * m.sin_cylinder_phi;
+    let t78 = t73 * m.sin_cylinder_phi;
+    let t79 = -t72;
+    let t80 = -t77;
+    let t81 = R::literal(0.12) * cylinder_omega;
+    let t82 = R::literal(0.12) * rod_omega;
+    let t83 = R::select_less(
+        contact_closed,
         R::literal(0.5),
         R::literal(0.0),
-        (-(R::literal(1_000_000.0) * stop_gap * t12))
-            .sub_product(R::literal(1500.0) * stop_rate, t12),
+        -(p.contact_damping * t8 * t9 / t53),
     );
-    let t133 = slide - R::literal(0.116);
-    let t134 = p.spring_stiffness * t133;
-    let t135 = t134 * cos_cylinder_phi;
-    let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
-    let t136 = spring_damping_times_slide_rate * cos_cylinder_phi;
-    let t137 = t135 + t136;
-    let t138 = t134 * sin_cylinder_phi;
-    let t139 = spring_damping_times_slide_rate * sin_cylinder_phi;
-    let t140 = t139 - (R::literal(2.943) - t138);
-    let t141 = (-(t134 * t19)).sub_product(spring_damping_times_slide_rate, t19);
-    let t142 = -t135;
-    let t143 = t142 - t136;
-    let t144 = -t139 - (R::literal(1.962) + t138);
-    let t145 = contact_stiffness_times_contact_gap * t13;
-    let t146 = R::literal(0.1) * (post_omega * post_omega);
-    let t147 = t146 * cos_post_phi;
-    let t148 = -t147;
-    let t149 = t146 * sin_post_phi;
-    let plate_omega_squared = plate_omega * plate_omega;
-    let t150 = R::literal(0.06) * plate_omega_squared;
-    let t151 = t150 * cos_plate_phi;
-    let t152 = t150 * sin_plate_phi;
-    let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t153 = cylinder_omega_squared * cos_cylinder_phi;
-    let t154 = cylinder_omega_squared * sin_cylinder_phi;
-    let t155 = R::literal(2.0) * cylinder_v_x;
-    let t156 = R::literal(2.0) * cylinder_v_y;
-    let cylinder_y_times_cylinder_omega = cylinder_y * cylinder_omega;
-    let t157 = cylinder_y_times_cylinder_omega * cos_cylinder_phi;
-    let rod_x_times_cylinder_omega = rod_x * cylinder_omega;
-    let t158 = rod_x_times_cylinder_omega * sin_cylinder_phi;
-    let t159 = R::literal(2.0) * rod_v_x;
-    let t160 = R::literal(2.0) * rod_v_y;
-    let cylinder_x_times_cylinder_omega = cylinder_x * cylinder_omega;
-    let t161 = cylinder_x_times_cylinder_omega * sin_cylinder_phi;
-    let rod_y_times_cylinder_omega = rod_y * cylinder_omega;
-    let t162 = rod_y_times_cylinder_omega * cos_cylinder_phi;
-    let t163 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t164 = t163 * cos_rod_phi;
-    let t165 = t163 * sin_rod_phi;
-    let t166 = t22 * plate_omega_squared;
-    let t167 = t23 * t132;
-    let t168 = t148 - t167;
-    let t169 = t24 * t132;
-    let t170 = t42 * t168;
-    let t171 = -t149 - R::literal(-9.81) + t169 - t170;
-    let t172 = (-(t151 + t147) - t167).sub_product(t44, t168).sub_product(t50, t171);
-    let t173 = (-(t152 + t149) - R::literal(9.81) + t169 - R::literal(-9.81) - t170)
-        .sub_product(t52, t171)
-        .sub_product(t57, t172);
-    let t174 = R::literal(3.333_333_333_333_333_5) * t137;
-    let t175 = (-t174)
-        .sub_product(
-            R::literal(0.06),
-            t153.add_product(plate_omega_squared, cos_plate_phi),
-        )
-        .sub_product(t31, t141)
-        .sub_product(t59, t172)
-        .sub_product(t69, t173);
-    let t176 = R::literal(3.333_333_333_333_333_5) * t140;
-    let t177 = (R::literal(-9.81)
-        .sub_product(
-            R::literal(0.06),
-            t154.add_product(plate_omega_squared, sin_plate_phi),
-        ) - t176)
-        .add_product(t32, t141)
-        .sub_product(t60, t172)
-        .sub_product(t71, t173)
-        .sub_product(t80, t175);
-    let t178 = (-(R::literal(-2_777.777_777_777_778) * t141))
-        .add_product(t82, t175)
-        .sub_product(t91, t177);
-    let t179 = (cylinder_omega
-        * (((t159 * cos_cylinder_phi).add_product(t160, sin_cylinder_phi) + t161 + t162)
-            .sub_product(t155, cos_cylinder_phi)
-            .sub_product(t156, sin_cylinder_phi) - t157 - t158))
-        .sub_product(t29, t137)
-        .add_product(t30, t140)
-        .add_product(t33, t141)
-        .add_product(t34, t143)
-        .sub_product(t35, t144)
-        .sub_product(t84, t175)
-        .sub_product(t93, t177)
-        .sub_product(t100, t178);
-    let t180 = R::literal(5.0) * t143;
-    let t181 = (t164 - t180).sub_product(t101, t178).sub_product(t109, t179);
-    let t182 = R::literal(5.0) * t144;
-    let t183 = (t165 - t182)
-        .add_product(t102, t178)
-        .sub_product(t111, t179)
-        .sub_product(t118, t181);
-    let t184 = t166
-        .sub_product(
-            R::literal(1.428_571_428_571_428_6),
-            R::select_less(
-                contact_closed,
-                R::literal(0.5),
-                R::literal(0.0),
-                -(t145 / between) - contact_damping_times_contact_rate * t13 / between,
-            ),
-        )
-        .sub_product(t63, t172)
-        .sub_product(t74, t173)
-        .sub_product(t86, t175)
-        .sub_product(t95, t177)
-        .sub_product(t104, t178)
-        .sub_product(t113, t179)
-        .sub_product(t120, t181)
-        .sub_product(t125, t183);
-    let t185 = R::literal(-9.81)
-        .add_product(t20, plate_omega_squared)
-        .sub_product(
-            R::literal(1.428_571_428_571_428_6),
-            R::select_less(
-                contact_closed,
-                R::literal(0.5),
-                R::literal(0.0),
-                -(contact_damping_times_contact_rate * t15 / between),
-            )
-                - (R::literal(6.867)
-                    + R::select_less(
-                        contact_closed,
-                        R::literal(0.5),
-                        R::literal(0.0),
-                        contact_stiffness_times_contact_gap * t15 / between,
-                    )),
-        )
-        .add_product(t65, t172)
-        .sub_product(t77, t173)
-        .sub_product(t88, t175)
-        .sub_product(t97, t177)
-        .sub_product(t106, t178)
-        .sub_product(t115, t179)
-        .sub_product(t122, t181)
-        .sub_product(t127, t183)
-        .sub_product(t130, t184) * t131;
-    let t186 = (t184 * t128).sub_product(t130, t185);
-    let t187 = (t183 * t123).sub_product(t125, t186).sub_product(t127, t185);
-    let t188 = (t181 * t116)
-        .sub_product(t118, t187)
-        .sub_product(t120, t186)
-        .sub_product(t122, t185);
-    let t189 = (t179 * t107)
-        .sub_product(t109, t188)
-        .sub_product(t111, t187)
-        .sub_product(t113, t186)
-        .sub_product(t115, t185);
-    let t190 = (t178 * t98)
-        .sub_product(t100, t189)
-        .sub_product(t101, t188)
-        .add_product(t102, t187)
-        .sub_product(t104, t186)
-        .sub_product(t106, t185);
-    let t191 = (t177 * t89)
-        .sub_product(t91, t190)
-        .sub_product(t93, t189)
-        .sub_product(t95, t186)
-        .sub_product(t97, t185);
-    let t192 = (t175 * t78)
-        .sub_product(t80, t191)
-        .add_product(t82, t190)
-        .sub_product(t84, t189)
-        .sub_product(t86, t186)
-        .sub_product(t88, t185);
-    let t193 = (t173 * t67)
-        .sub_product(t69, t192)
-        .sub_product(t71, t191)
-        .sub_product(t74, t186)
-        .sub_product(t77, t185);
-    let t194 = (t172 * t54)
-        .sub_product(t57, t193)
-        .sub_product(t59, t192)
-        .sub_product(t60, t191)
-        .sub_product(t63, t186)
-        .add_product(t65, t185);
-    let t195 = (t171 * t48).sub_product(t50, t194).sub_product(t52, t193);
-    let t196 = (t168 * t40)
-        .sub_product(t42, t195)
-        .sub_product(t44, t194)
-        .sub_product(t42, t193);
-    let rod_omega_dot = (t36 * t188)
-        .sub_product(R::literal(4_166.666_666_666_667), t190)
-        .sub_product(t37, t187);
-    let rod_v_y_dot = t182.sub_product(t35, t189).sub_product(R::literal(5.0), t187);
-    let rod_v_x_dot = t180.add_product(t34, t189).sub_product(R::literal(5.0), t188);
-    let cylinder_omega_dot = (t141 * R::literal(2_777.777_777_777_778))
-        .sub_product(t31, t192)
-        .add_product(t32, t191)
-        .sub_product(R::literal(-2_777.777_777_777_778), t190)
-        .add_product(t33, t189);
-    let cylinder_v_y_dot = t176
-        .sub_product(R::literal(3.333_333_333_333_333_5), t191)
-        .add_product(t30, t189);
-    let cylinder_v_x_dot = t174
-        .sub_product(R::literal(3.333_333_333_333_333_5), t192)
-        .sub_product(t29, t189);
-    let plate_omega_dot = (t26 * t193)
-        .sub_product(t25, t194)
-        .sub_product(t25, t192)
-        .add_product(t26, t191)
-        .add_product(t27, t186)
-        .sub_product(t28, t185);
-    let post_omega_dot = (t132 * R::literal(370.370_370_370_370_3))
-        .sub_product(t23, t196)
-        .add_product(t24, t195)
-        .sub_product(t23, t194)
-        .add_product(t24, t193);
-    let t197 = t12 * t12;
-    let t198 = R::select_less(
+    let mut x = [[R::literal(0.0); 20]; 26];
+    x[2][0] = R::select_less(
             stop_closed,
             R::literal(0.5),
             R::literal(0.0),
-            (R::literal(3000.0) * stop_gap * stop_rate)
-                .add_product(R::literal(1_000_000.0), stop_gap * stop_gap)
-                .sub_product(R::literal(1_000_000.0), t197),
+            (R::literal(3000.0) * m.stop_gap * stop_rate)
+                .add_product(R::literal(1_000_000.0), m.stop_gap * m.stop_gap)
+                .sub_product(R::literal(1_000_000.0), t19),
         )
-        .sub_product(t0, t196)
-        .sub_product(t1, t195)
-        .sub_product(t0, t194)
-        .sub_product(t1, t193);
-    let t199 = t149.sub_product(t0, post_omega_dot).sub_product(t23, t198);
-    let t200 = t148
-        .sub_product(t1, post_omega_dot)
-        .add_product(t24, t198)
-        .sub_product(t42, t199);
-    let t201 = t199.sub_product(t44, t199).sub_product(t50, t200);
-    let t202 = t200.sub_product(t52, t200).sub_product(t57, t201);
-    let t203 = (-(t59 * t201)).sub_product(t69, t202);
-    let t204 = (-(t60 * t201)).sub_product(t71, t202).sub_product(t80, t203);
-    let t205 = (t82 * t203).sub_product(t91, t204);
-    let t206 = (-(t84 * t203)).sub_product(t93, t204).sub_product(t100, t205);
-    let t207 = (-(t101 * t205)).sub_product(t109, t206);
-    let t208 = (t102 * t205).sub_product(t111, t206).sub_product(t118, t207);
-    let t209 = (-(t63 * t201))
-        .sub_product(t74, t202)
-        .sub_product(t86, t203)
-        .sub_product(t95, t204)
-        .sub_product(t104, t205)
-        .sub_product(t113, t206)
-        .sub_product(t120, t207)
-        .sub_product(t125, t208);
-    let t210 = (t65 * t201)
-        .sub_product(t77, t202)
-        .sub_product(t88, t203)
-        .sub_product(t97, t204)
-        .sub_product(t106, t205)
-        .sub_product(t115, t206)
-        .sub_product(t122, t207)
-        .sub_product(t127, t208)
-        .sub_product(t130, t209) * t131;
-    let t211 = (t209 * t128).sub_product(t130, t210);
-    let t212 = (t208 * t123).sub_product(t125, t211).sub_product(t127, t210);
-    let t213 = (t207 * t116)
-        .sub_product(t118, t212)
-        .sub_product(t120, t211)
-        .sub_product(t122, t210);
-    let t214 = (t206 * t107)
-        .sub_product(t109, t213)
-        .sub_product(t111, t212)
-        .sub_product(t113, t211)
-        .sub_product(t115, t210);
-    let t215 = (t205 * t98)
-        .sub_product(t100, t214)
-        .sub_product(t101, t213)
-        .add_product(t102, t212)
-        .sub_product(t104, t211)
-        .sub_product(t106, t210);
-    let t216 = (t204 * t89)
-        .sub_product(t91, t215)
-        .sub_product(t93, t214)
-        .sub_product(t95, t211)
-        .sub_product(t97, t210);
-    let t217 = (t203 * t78)
-        .sub_product(t80, t216)
-        .add_product(t82, t215)
-        .sub_product(t84, t214)
-        .sub_product(t86, t211)
-        .sub_product(t88, t210);
-    let t218 = (t202 * t67)
-        .sub_product(t69, t217)
-        .sub_product(t71, t216)
-        .sub_product(t74, t211)
-        .sub_product(t77, t210);
-    let t219 = (t201 * t54)
-        .sub_product(t57, t218)
-        .sub_product(t59, t217)
-        .sub_product(t60, t216)
-        .sub_product(t63, t211)
-        .add_product(t65, t210);
-    let t220 = (t200 * t48).sub_product(t50, t219).sub_product(t52, t218);
-    let t221 = (t199 * t40)
-        .sub_product(t42, t220)
-        .sub_product(t44, t219)
-        .sub_product(t42, t218);
-    let bobbin_v_y_dot_by_post_phi = -(R::literal(1.428_571_428_571_428_6) * t210);
-    let bobbin_v_x_dot_by_post_phi = -(R::literal(1.428_571_428_571_428_6) * t211);
-    let rod_omega_dot_by_post_phi = (t36 * t213)
-        .sub_product(R::literal(4_166.666_666_666_667), t215)
-        .sub_product(t37, t212);
-    let rod_v_y_dot_by_post_phi = (-(R::literal(5.0) * t212)).sub_product(t35, t214);
-    let rod_v_x_dot_by_post_phi = (-(R::literal(5.0) * t213)).add_product(t34, t214);
-    let cylinder_omega_dot_by_post_phi = (t32 * t216)
-        .sub_product(t31, t217)
-        .sub_product(R::literal(-2_777.777_777_777_778), t215)
-        .add_product(t33, t214);
-    let cylinder_v_y_dot_by_post_phi = (t30 * t214)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t216);
-    let cylinder_v_x_dot_by_post_phi = (-(t29 * t214))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t217);
-    let plate_omega_dot_by_post_phi = (t26 * t218)
-        .sub_product(t25, t219)
-        .sub_product(t25, t217)
-        .add_product(t26, t216)
-        .add_product(t27, t211)
-        .sub_product(t28, t210);
-    let plate_v_y_dot_by_post_phi = (-(R::literal(-0.833_333_333_333_333_4) * t216))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t218)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t210);
-    let plate_v_x_dot_by_post_phi = (-(R::literal(-0.833_333_333_333_333_4) * t217))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t219)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t211);
-    let post_omega_dot_by_post_phi = (t198 * R::literal(370.370_370_370_370_3))
-        .sub_product(t23, t221)
-        .add_product(t24, t220)
-        .sub_product(t23, t219)
-        .add_product(t24, t218);
-    let post_v_y_dot_by_post_phi = (-(R::literal(-1.25) * t218))
-        .sub_product(R::literal(1.25), t220);
-    let post_v_x_dot_by_post_phi = (-(R::literal(-1.25) * t219))
-        .sub_product(R::literal(1.25), t221);
-    let t222 = (-(t3 * t193))
-        .sub_product(t2, t194)
-        .sub_product(t2, t192)
-        .sub_product(t3, t191)
-        .sub_product(t21, t186)
-        .add_product(t20, t185);
-    let t223 = t152.sub_product(t2, plate_omega_dot).sub_product(t25, t222);
-    let t224 = (-t151).sub_product(t3, plate_omega_dot).add_product(t26, t222);
-    let t225 = t224.sub_product(t57, t223);
-    let t226 = t223.sub_product(t59, t223).sub_product(t69, t225);
-    let t227 = t224.sub_product(t60, t223).sub_product(t71, t225).sub_product(t80, t226);
-    let t228 = (t82 * t226).sub_product(t91, t227);
-    let t229 = (-(t84 * t226)).sub_product(t93, t227).sub_product(t100, t228);
-    let t230 = (-(t101 * t228)).sub_product(t109, t229);
-    let t231 = (t102 * t228).sub_product(t111, t229).sub_product(t118, t230);
-    let t232 = ((-t10 - t11) * plate_omega_squared)
-        .sub_product(t21, plate_omega_dot)
-        .add_product(t27, t222)
-        .sub_product(t63, t223)
-        .sub_product(t74, t225)
-        .sub_product(t86, t226)
-        .sub_product(t95, t227)
-        .sub_product(t104, t228)
-        .sub_product(t113, t229)
-        .sub_product(t120, t230)
-        .sub_product(t125, t231);
-    let t233 = t166
-        .add_product(t20, plate_omega_dot)
-        .sub_product(t28, t222)
-        .add_product(t65, t223)
-        .sub_product(t77, t225)
-        .sub_product(t88, t226)
-        .sub_product(t97, t227)
-        .sub_product(t106, t228)
-        .sub_product(t115, t229)
-        .sub_product(t122, t230)
-        .sub_product(t127, t231)
-        .sub_product(t130, t232) * t131;
-    let t234 = (t232 * t128).sub_product(t130, t233);
-    let t235 = (t231 * t123).sub_product(t125, t234).sub_product(t127, t233);
-    let t236 = (t230 * t116)
-        .sub_product(t118, t235)
-        .sub_product(t120, t234)
-        .sub_product(t122, t233);
-    let t237 = (t229 * t107)
-        .sub_product(t109, t236)
-        .sub_product(t111, t235)
-        .sub_product(t113, t234)
-        .sub_product(t115, t233);
-    let t238 = (t228 * t98)
-        .sub_product(t100, t237)
-        .sub_product(t101, t236)
-        .add_product(t102, t235)
-        .sub_product(t104, t234)
-        .sub_product(t106, t233);
-    let t239 = (t227 * t89)
-        .sub_product(t91, t238)
-        .sub_product(t93, t237)
-        .sub_product(t95, t234)
-        .sub_product(t97, t233);
-    let t240 = (t226 * t78)
-        .sub_product(t80, t239)
-        .add_product(t82, t238)
-        .sub_product(t84, t237)
-        .sub_product(t86, t234)
-        .sub_product(t88, t233);
-    let t241 = (t225 * t67)
-        .sub_product(t69, t240)
-        .sub_product(t71, t239)
-        .sub_product(t74, t234)
-        .sub_product(t77, t233);
-    let t242 = (t223 * t54)
-        .sub_product(t57, t241)
-        .sub_product(t59, t240)
-        .sub_product(t60, t239)
-        .sub_product(t63, t234)
-        .add_product(t65, t233);
-    let t243 = (-(t52 * t241)).sub_product(t50, t242);
-    let t244 = (-(t44 * t242)).sub_product(t42, t243).sub_product(t42, t241);
-    let bobbin_v_y_dot_by_plate_phi = -(R::literal(1.428_571_428_571_428_6) * t233);
-    let bobbin_v_x_dot_by_plate_phi = -(R::literal(1.428_571_428_571_428_6) * t234);
-    let rod_omega_dot_by_plate_phi = (t36 * t236)
-        .sub_product(R::literal(4_166.666_666_666_667), t238)
-        .sub_product(t37, t235);
-    let rod_v_y_dot_by_plate_phi = (-(R::literal(5.0) * t235)).sub_product(t35, t237);
-    let rod_v_x_dot_by_plate_phi = (-(R::literal(5.0) * t236)).add_product(t34, t237);
-    let cylinder_omega_dot_by_plate_phi = (t32 * t239)
-        .sub_product(t31, t240)
-        .sub_product(R::literal(-2_777.777_777_777_778), t238)
-        .add_product(t33, t237);
-    let cylinder_v_y_dot_by_plate_phi = (t30 * t237)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t239);
-    let cylinder_v_x_dot_by_plate_phi = (-(t29 * t237))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t240);
-    let plate_omega_dot_by_plate_phi = (t222 * R::literal(400.0))
-        .sub_product(t25, t242)
-        .add_product(t26, t241)
-        .sub_product(t25, t240)
-        .add_product(t26, t239)
-        .add_product(t27, t234)
-        .sub_product(t28, t233);
-    let plate_v_y_dot_by_plate_phi = (-(R::literal(-0.833_333_333_333_333_4) * t239))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t241)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t233);
-    let plate_v_x_dot_by_plate_phi = (-(R::literal(-0.833_333_333_333_333_4) * t240))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t242)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t234);
-    let post_omega_dot_by_plate_phi = (t24 * t243)
-        .sub_product(t23, t244)
-        .sub_product(t23, t242)
-        .add_product(t24, t241);
-    let post_v_y_dot_by_plate_phi = (-(R::literal(-1.25) * t241))
-        .sub_product(R::literal(1.25), t243);
-    let post_v_x_dot_by_plate_phi = (-(R::literal(-1.25) * t242))
-        .sub_product(R::literal(1.25), t244);
-    let t245 = p.spring_stiffness * cos_cylinder_phi;
-    let spring_damping_times_cylinder_omega = p.spring_damping * cylinder_omega;
-    let t246 = spring_damping_times_cylinder_omega * sin_cylinder_phi;
-    let t247 = t246 - t245;
-    let t248 = t247 * cos_cylinder_phi;
-    let t249 = t247 * sin_cylinder_phi;
-    let t250 = spring_damping_times_cylinder_omega * t19;
-    let t251 = t250 * sin_cylinder_phi;
-    let t252 = p.spring_stiffness * t19;
-    let t253 = t252 * cos_cylinder_phi;
-    let t254 = t245 - t246;
-    let t255 = t254 * cos_cylinder_phi;
-    let t256 = t254 * sin_cylinder_phi;
-    let t257 = cos_cylinder_phi * t189;
-    let t258 = t253 - t251 - t138 - t139 - t257;
-    let t259 = cos_cylinder_phi * cylinder_omega_dot;
-    let t260 = R::literal(3.333_333_333_333_333_5) * t248;
-    let t261 = (-t260).sub_product(t31, t258);
-    let t262 = R::literal(3.333_333_333_333_333_5) * t249;
-    let t263 = (-t262).add_product(t32, t258).sub_product(t80, t261);
-    let t264 = (-(R::literal(-2_777.777_777_777_778) * t258))
-        .add_product(t82, t261)
-        .sub_product(t91, t263);
-    let t265 = (t154 - t259)
-        .sub_product(t29, t248)
-        .add_product(t30, t249)
-        .add_product(t33, t258)
-        .add_product(t34, t255)
-        .sub_product(t35, t256)
-        .sub_product(t84, t261)
-        .sub_product(t93, t263)
-        .sub_product(t100, t264);
-    let t266 = R::literal(5.0) * t255;
-    let t267 = (-t266).sub_product(t101, t264).sub_product(t109, t265);
-    let t268 = R::literal(5.0) * t256;
-    let t269 = (-t268)
-        .add_product(t102, t264)
-        .sub_product(t111, t265)
-        .sub_product(t118, t267);
-    let t270 = (-(t86 * t261))
-        .sub_product(t95, t263)
-        .sub_product(t104, t264)
-        .sub_product(t113, t265)
-        .sub_product(t120, t267)
-        .sub_product(t125, t269);
-    let t271 = (-(t88 * t261))
-        .sub_product(t97, t263)
-        .sub_product(t106, t264)
-        .sub_product(t115, t265)
-        .sub_product(t122, t267)
-        .sub_product(t127, t269)
-        .sub_product(t130, t270) * t131;
-    let t272 = (t270 * t128).sub_product(t130, t271);
-    let t273 = (t269 * t123).sub_product(t125, t272).sub_product(t127, t271);
-    let t274 = (t267 * t116)
-        .sub_product(t118, t273)
-        .sub_product(t120, t272)
-        .sub_product(t122, t271);
-    let t275 = (t265 * t107)
-        .sub_product(t109, t274)
-        .sub_product(t111, t273)
-        .sub_product(t113, t272)
-        .sub_product(t115, t271);
-    let t276 = (t264 * t98)
-        .sub_product(t100, t275)
-        .sub_product(t101, t274)
-        .add_product(t102, t273)
-        .sub_product(t104, t272)
-        .sub_product(t106, t271);
-    let t277 = (t263 * t89)
-        .sub_product(t91, t276)
-        .sub_product(t93, t275)
-        .sub_product(t95, t272)
-        .sub_product(t97, t271);
-    let t278 = (t261 * t78)
-        .sub_product(t80, t277)
-        .add_product(t82, t276)
-        .sub_product(t84, t275)
-        .sub_product(t86, t272)
-        .sub_product(t88, t271);
-    let t279 = (-(t71 * t277))
-        .sub_product(t69, t278)
-        .sub_product(t74, t272)
-        .sub_product(t77, t271);
-    let t280 = (-(t59 * t278))
-        .sub_product(t57, t279)
-        .sub_product(t60, t277)
-        .sub_product(t63, t272)
-        .add_product(t65, t271);
-    let t281 = (-(t52 * t279)).sub_product(t50, t280);
-    let t282 = (-(t44 * t280)).sub_product(t42, t281).sub_product(t42, t279);
-    let bobbin_v_y_dot_by_cylinder_x = -(R::literal(1.428_571_428_571_428_6) * t271);
-    let bobbin_v_x_dot_by_cylinder_x = -(R::literal(1.428_571_428_571_428_6) * t272);
-    let rod_omega_dot_by_cylinder_x = (t36 * t274)
-        .sub_product(R::literal(4_166.666_666_666_667), t276)
-        .sub_product(t37, t273);
-    let rod_v_y_dot_by_cylinder_x = t268
-        .sub_product(t35, t275)
-        .sub_product(R::literal(5.0), t273);
-    let rod_v_x_dot_by_cylinder_x = t266
-        .add_product(t34, t275)
-        .sub_product(R::literal(5.0), t274);
-    let cylinder_omega_dot_by_cylinder_x = (t258 * R::literal(2_777.777_777_777_778))
-        .sub_product(t31, t278)
-        .add_product(t32, t277)
-        .sub_product(R::literal(-2_777.777_777_777_778), t276)
-        .add_product(t33, t275);
-    let cylinder_v_y_dot_by_cylinder_x = t262
-        .sub_product(R::literal(3.333_333_333_333_333_5), t277)
-        .add_product(t30, t275);
-    let cylinder_v_x_dot_by_cylinder_x = t260
-        .sub_product(R::literal(3.333_333_333_333_333_5), t278)
-        .sub_product(t29, t275);
-    let plate_omega_dot_by_cylinder_x = (t26 * t279)
-        .sub_product(t25, t280)
-        .sub_product(t25, t278)
-        .add_product(t26, t277)
-        .add_product(t27, t272)
-        .sub_product(t28, t271);
-    let plate_v_y_dot_by_cylinder_x = (-(R::literal(-0.833_333_333_333_333_4) * t277))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t279)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t271);
-    let plate_v_x_dot_by_cylinder_x = (-(R::literal(-0.833_333_333_333_333_4) * t278))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t280)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t272);
-    let post_omega_dot_by_cylinder_x = (t24 * t281)
-        .sub_product(t23, t282)
-        .sub_product(t23, t280)
-        .add_product(t24, t279);
-    let post_v_y_dot_by_cylinder_x = (-(R::literal(-1.25) * t279))
-        .sub_product(R::literal(1.25), t281);
-    let post_v_x_dot_by_cylinder_x = (-(R::literal(-1.25) * t280))
-        .sub_product(R::literal(1.25), t282);
-    let t283 = (spring_damping_times_cylinder_omega * cos_cylinder_phi)
-        .add_product(p.spring_stiffness, sin_cylinder_phi);
-    let t284 = t283 * cos_cylinder_phi;
-    let t285 = t283 * sin_cylinder_phi;
-    let t286 = t250 * cos_cylinder_phi;
-    let t287 = t252 * sin_cylinder_phi;
-    let t288 = sin_cylinder_phi * t189;
-    let t289 = t286 + t135 + t287 + t136 - t288;
-    let t290 = sin_cylinder_phi * cylinder_omega_dot;
-    let t291 = R::literal(3.333_333_333_333_333_5) * t284;
-    let t292 = -t291;
-    let t293 = t291.sub_product(t31, t289);
-    let t294 = R::literal(3.333_333_333_333_333_5) * t285;
-    let t295 = t294.add_product(t32, t289).sub_product(t80, t293);
-    let t296 = (-(R::literal(-2_777.777_777_777_778) * t289))
-        .add_product(t82, t293)
-        .sub_product(t91, t295);
-    let t297 = t29 * t284;
-    let t298 = t30 * t285;
-    let t299 = t34 * t284;
-    let t300 = t35 * t285;
-    let t301 = ((-t153 - t290 + t297 - t298).add_product(t33, t289) + t299 - t300)
-        .sub_product(t84, t293)
-        .sub_product(t93, t295)
-        .sub_product(t100, t296);
-    let t302 = R::literal(5.0) * t284;
-    let t303 = (-t302).sub_product(t101, t296).sub_product(t109, t301);
-    let t304 = R::literal(5.0) * t285;
-    let t305 = (-t304)
-        .add_product(t102, t296)
-        .sub_product(t111, t301)
-        .sub_product(t118, t303);
-    let t306 = (-(t86 * t293))
-        .sub_product(t95, t295)
-        .sub_product(t104, t296)
-        .sub_product(t113, t301)
-        .sub_product(t120, t303)
-        .sub_product(t125, t305);
-    let t307 = (-(t88 * t293))
-        .sub_product(t97, t295)
-        .sub_product(t106, t296)
-        .sub_product(t115, t301)
-        .sub_product(t122, t303)
-        .sub_product(t127, t305)
-        .sub_product(t130, t306) * t131;
-    let t308 = (t306 * t128).sub_product(t130, t307);
-    let t309 = (t305 * t123).sub_product(t125, t308).sub_product(t127, t307);
-    let t310 = (t303 * t116)
-        .sub_product(t118, t309)
-        .sub_product(t120, t308)
-        .sub_product(t122, t307);
-    let t311 = (t301 * t107)
-        .sub_product(t109, t310)
-        .sub_product(t111, t309)
-        .sub_product(t113, t308)
-        .sub_product(t115, t307);
-    let t312 = (t296 * t98)
-        .sub_product(t100, t311)
-        .sub_product(t101, t310)
-        .add_product(t102, t309)
-        .sub_product(t104, t308)
-        .sub_product(t106, t307);
-    let t313 = (t295 * t89)
-        .sub_product(t91, t312)
-        .sub_product(t93, t311)
-        .sub_product(t95, t308)
-        .sub_product(t97, t307);
-    let t314 = (t293 * t78)
-        .sub_product(t80, t313)
-        .add_product(t82, t312)
-        .sub_product(t84, t311)
-        .sub_product(t86, t308)
-        .sub_product(t88, t307);
-    let t315 = (-(t71 * t313))
-        .sub_product(t69, t314)
-        .sub_product(t74, t308)
-        .sub_product(t77, t307);
-    let t316 = (-(t59 * t314))
-        .sub_product(t57, t315)
-        .sub_product(t60, t313)
-        .sub_product(t63, t308)
-        .add_product(t65, t307);
-    let t317 = (-(t52 * t315)).sub_product(t50, t316);
-    let t318 = (-(t44 * t316)).sub_product(t42, t317).sub_product(t42, t315);
-    let bobbin_v_y_dot_by_cylinder_y = -(R::literal(1.428_571_428_571_428_6) * t307);
-    let bobbin_v_x_dot_by_cylinder_y = -(R::literal(1.428_571_428_571_428_6) * t308);
-    let rod_omega_dot_by_cylinder_y = (t36 * t310)
-        .sub_product(R::literal(4_166.666_666_666_667), t312)
-        .sub_product(t37, t309);
-    let rod_v_y_dot_by_cylinder_y = t304
-        .sub_product(t35, t311)
-        .sub_product(R::literal(5.0), t309);
-    let rod_v_x_dot_by_cylinder_y = t302
-        .add_product(t34, t311)
-        .sub_product(R::literal(5.0), t310);
-    let cylinder_omega_dot_by_cylinder_y = (t289 * R::literal(2_777.777_777_777_778))
-        .sub_product(t31, t314)
-        .add_product(t32, t313)
-        .sub_product(R::literal(-2_777.777_777_777_778), t312)
-        .add_product(t33, t311);
-    let cylinder_v_y_dot_by_cylinder_y = (-t294)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t313)
-        .add_product(t30, t311);
-    let cylinder_v_x_dot_by_cylinder_y = t292
-        .sub_product(R::literal(3.333_333_333_333_333_5), t314)
-        .sub_product(t29, t311);
-    let plate_omega_dot_by_cylinder_y = (t26 * t315)
-        .sub_product(t25, t316)
-        .sub_product(t25, t314)
-        .add_product(t26, t313)
-        .add_product(t27, t308)
-        .sub_product(t28, t307);
-    let plate_v_y_dot_by_cylinder_y = (-(R::literal(-0.833_333_333_333_333_4) * t313))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t315)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t307);
-    let plate_v_x_dot_by_cylinder_y = (-(R::literal(-0.833_333_333_333_333_4) * t314))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t316)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t308);
-    let post_omega_dot_by_cylinder_y = (t24 * t317)
-        .sub_product(t23, t318)
-        .sub_product(t23, t316)
-        .add_product(t24, t315);
-    let post_v_y_dot_by_cylinder_y = (-(R::literal(-1.25) * t315))
-        .sub_product(R::literal(1.25), t317);
-    let post_v_x_dot_by_cylinder_y = (-(R::literal(-1.25) * t316))
-        .sub_product(R::literal(1.25), t318);
-    let t319 = p.spring_damping
-        * (rod_v_y_minus_cylinder_v_y * cos_cylinder_phi)
-            .sub_product(cylinder_omega, slide)
-            .sub_product(rod_v_x_minus_cylinder_v_x, sin_cylinder_phi);
-    let t320 = t319 * cos_cylinder_phi;
-    let t321 = t319 * sin_cylinder_phi;
-    let t322 = t19 * t19;
-    let t323 = R::literal(0.06) * cylinder_omega_squared;
-    let t324 = t253 + t320 - t138 - t139 - t257;
-    let t325 = t136 + t321 - (t142 - t287) - t288;
-    let t326 = t17 - t18;
-    let t327 = (p.spring_stiffness * slide * t133)
-        .add_product(p.spring_damping * slide, slide_rate)
-        .sub_product(p.spring_stiffness, t322)
-        .sub_product(t319, t19)
-        .sub_product(t4, t192)
-        .sub_product(t5, t191)
-        .sub_product(t326, t189);
-    let t328 = t138 + t139 - t253 - t320 + t257;
-    let t329 = -t136 - t321 - (t135 + t287) + t288;
-    let t330 = R::literal(3.333_333_333_333_333_5) * t324;
-    let t331 = ((t323 * sin_cylinder_phi).sub_product(t4, cylinder_omega_dot) - t330)
-        .sub_product(t31, t327);
-    let t332 = R::literal(3.333_333_333_333_333_5) * t325;
-    let t333 = ((-(t323 * cos_cylinder_phi)).sub_product(t5, cylinder_omega_dot) - t332)
-        .add_product(t32, t327)
-        .sub_product(t80, t331);
-    let t334 = (-(R::literal(-2_777.777_777_777_778) * t327))
-        .add_product(t82, t331)
-        .sub_product(t91, t333);
-    let t335 = (cylinder_omega
-        * (t155 * sin_cylinder_phi)
-            .add_product(t160, cos_cylinder_phi)
-            .add_product(cylinder_x_times_cylinder_omega, cos_cylinder_phi)
-            .add_product(cylinder_y_times_cylinder_omega, sin_cylinder_phi)
-            .sub_product(t156, cos_cylinder_phi)
-            .sub_product(t159, sin_cylinder_phi)
-            .sub_product(rod_x_times_cylinder_omega, cos_cylinder_phi)
-            .sub_product(rod_y_times_cylinder_omega, sin_cylinder_phi))
-        .sub_product(cos_cylinder_phi, cylinder_v_x_dot)
-        .sub_product(sin_cylinder_phi, cylinder_v_y_dot)
-        .sub_product(t326, cylinder_omega_dot)
-        .add_product(cos_cylinder_phi, rod_v_x_dot)
-        .add_product(sin_cylinder_phi, rod_v_y_dot)
-        .sub_product(t29, t324)
-        .add_product(t30, t325)
-        .add_product(t33, t327)
-        .add_product(t34, t328)
-        .sub_product(t35, t329)
-        .sub_product(t84, t331)
-        .sub_product(t93, t333)
-        .sub_product(t100, t334);
-    let t336 = R::literal(5.0) * t328;
-    let t337 = (-t336).sub_product(t101, t334).sub_product(t109, t335);
-    let t338 = R::literal(5.0) * t329;
-    let t339 = (-t338)
-        .add_product(t102, t334)
-        .sub_product(t111, t335)
-        .sub_product(t118, t337);
-    let t340 = (-(t86 * t331))
-        .sub_product(t95, t333)
-        .sub_product(t104, t334)
-        .sub_product(t113, t335)
-        .sub_product(t120, t337)
-        .sub_product(t125, t339);
-    let t341 = (-(t88 * t331))
-        .sub_product(t97, t333)
-        .sub_product(t106, t334)
-        .sub_product(t115, t335)
-        .sub_product(t122, t337)
-        .sub_product(t127, t339)
-        .sub_product(t130, t340) * t131;
-    let t342 = (t340 * t128).sub_product(t130, t341);
-    let t343 = (t339 * t123).sub_product(t125, t342).sub_product(t127, t341);
-    let t344 = (t337 * t116)
-        .sub_product(t118, t343)
-        .sub_product(t120, t342)
-        .sub_product(t122, t341);
-    let t345 = (t335 * t107)
-        .sub_product(t109, t344)
-        .sub_product(t111, t343)
-        .sub_product(t113, t342)
-        .sub_product(t115, t341);
-    let t346 = (t334 * t98)
-        .sub_product(t100, t345)
-        .sub_product(t101, t344)
-        .add_product(t102, t343)
-        .sub_product(t104, t342)
-        .sub_product(t106, t341);
-    let t347 = (t333 * t89)
-        .sub_product(t91, t346)
-        .sub_product(t93, t345)
-        .sub_product(t95, t342)
-        .sub_product(t97, t341);
-    let t348 = (t331 * t78)
-        .sub_product(t80, t347)
-        .add_product(t82, t346)
-        .sub_product(t84, t345)
-        .sub_product(t86, t342)
-        .sub_product(t88, t341);
-    let t349 = (-(t71 * t347))
-        .sub_product(t69, t348)
-        .sub_product(t74, t342)
-        .sub_product(t77, t341);
-    let t350 = (-(t59 * t348))
-        .sub_product(t57, t349)
-        .sub_product(t60, t347)
-        .sub_product(t63, t342)
-        .add_product(t65, t341);
-    let t351 = (-(t52 * t349)).sub_product(t50, t350);
-    let t352 = (-(t44 * t350)).sub_product(t42, t351).sub_product(t42, t349);
-    let bobbin_v_y_dot_by_cylinder_phi = -(R::literal(1.428_571_428_571_428_6) * t341);
-    let bobbin_v_x_dot_by_cylinder_phi = -(R::literal(1.428_571_428_571_428_6) * t342);
-    let rod_omega_dot_by_cylinder_phi = (t36 * t344)
-        .sub_product(R::literal(4_166.666_666_666_667), t346)
-        .sub_product(t37, t343);
-    let rod_v_y_dot_by_cylinder_phi = t338
-        .sub_product(t35, t345)
-        .sub_product(R::literal(5.0), t343);
-    let rod_v_x_dot_by_cylinder_phi = t336
-        .add_product(t34, t345)
-        .sub_product(R::literal(5.0), t344);
-    let cylinder_omega_dot_by_cylinder_phi = (t327 * R::literal(2_777.777_777_777_778))
-        .sub_product(t31, t348)
-        .add_product(t32, t347)
-        .sub_product(R::literal(-2_777.777_777_777_778), t346)
-        .add_product(t33, t345);
-    let cylinder_v_y_dot_by_cylinder_phi = t332
-        .sub_product(R::literal(3.333_333_333_333_333_5), t347)
-        .add_product(t30, t345);
-    let cylinder_v_x_dot_by_cylinder_phi = t330
-        .sub_product(R::literal(3.333_333_333_333_333_5), t348)
-        .sub_product(t29, t345);
-    let plate_omega_dot_by_cylinder_phi = (t26 * t349)
-        .sub_product(t25, t350)
-        .sub_product(t25, t348)
-        .add_product(t26, t347)
-        .add_product(t27, t342)
-        .sub_product(t28, t341);
-    let plate_v_y_dot_by_cylinder_phi = (-(R::literal(-0.833_333_333_333_333_4) * t347))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t349)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t341);
-    let plate_v_x_dot_by_cylinder_phi = (-(R::literal(-0.833_333_333_333_333_4) * t348))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t350)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t342);
-    let post_omega_dot_by_cylinder_phi = (t24 * t351)
-        .sub_product(t23, t352)
-        .sub_product(t23, t350)
-        .add_product(t24, t349);
-    let post_v_y_dot_by_cylinder_phi = (-(R::literal(-1.25) * t349))
-        .sub_product(R::literal(1.25), t351);
-    let post_v_x_dot_by_cylinder_phi = (-(R::literal(-1.25) * t350))
-        .sub_product(R::literal(1.25), t352);
-    let t353 = t251 + t138 + t139 - t253 + t257;
-    let t354 = R::literal(3.333_333_333_333_333_5) * t255;
-    let t355 = (-t354).sub_product(t31, t353);
-    let t356 = R::literal(3.333_333_333_333_333_5) * t256;
-    let t357 = (-t356).add_product(t32, t353).sub_product(t80, t355);
-    let t358 = (-(R::literal(-2_777.777_777_777_778) * t353))
-        .add_product(t82, t355)
-        .sub_product(t91, t357);
-    let t359 = (t259 - t154)
-        .sub_product(t29, t255)
-        .add_product(t30, t256)
-        .add_product(t33, t353)
-        .add_product(t34, t248)
-        .sub_product(t35, t249)
-        .sub_product(t84, t355)
-        .sub_product(t93, t357)
-        .sub_product(t100, t358);
-    let t360 = R::literal(5.0) * t248;
-    let t361 = (-t360).sub_product(t101, t358).sub_product(t109, t359);
-    let t362 = R::literal(5.0) * t249;
-    let t363 = (-t362)
-        .add_product(t102, t358)
-        .sub_product(t111, t359)
-        .sub_product(t118, t361);
-    let t364 = (-(t86 * t355))
-        .sub_product(t95, t357)
-        .sub_product(t104, t358)
-        .sub_product(t113, t359)
-        .sub_product(t120, t361)
-        .sub_product(t125, t363);
-    let t365 = (-(t88 * t355))
-        .sub_product(t97, t357)
-        .sub_product(t106, t358)
-        .sub_product(t115, t359)
-        .sub_product(t122, t361)
-        .sub_product(t127, t363)
-        .sub_product(t130, t364) * t131;
-    let t366 = (t364 * t128).sub_product(t130, t365);
-    let t367 = (t363 * t123).sub_product(t125, t366).sub_product(t127, t365);
-    let t368 = (t361 * t116)
-        .sub_product(t118, t367)
-        .sub_product(t120, t366)
-        .sub_product(t122, t365);
-    let t369 = (t359 * t107)
-        .sub_product(t109, t368)
-        .sub_product(t111, t367)
-        .sub_product(t113, t366)
-        .sub_product(t115, t365);
-    let t370 = (t358 * t98)
-        .sub_product(t100, t369)
-        .sub_product(t101, t368)
-        .add_product(t102, t367)
-        .sub_product(t104, t366)
-        .sub_product(t106, t365);
-    let t371 = (t357 * t89)
-        .sub_product(t91, t370)
-        .sub_product(t93, t369)
-        .sub_product(t95, t366)
-        .sub_product(t97, t365);
-    let t372 = (t355 * t78)
-        .sub_product(t80, t371)
-        .add_product(t82, t370)
-        .sub_product(t84, t369)
-        .sub_product(t86, t366)
-        .sub_product(t88, t365);
-    let t373 = (-(t71 * t371))
-        .sub_product(t69, t372)
-        .sub_product(t74, t366)
-        .sub_product(t77, t365);
-    let t374 = (-(t59 * t372))
-        .sub_product(t57, t373)
-        .sub_product(t60, t371)
-        .sub_product(t63, t366)
-        .add_product(t65, t365);
-    let t375 = (-(t52 * t373)).sub_product(t50, t374);
-    let t376 = (-(t44 * t374)).sub_product(t42, t375).sub_product(t42, t373);
-    let bobbin_v_y_dot_by_rod_x = -(R::literal(1.428_571_428_571_428_6) * t365);
-    let bobbin_v_x_dot_by_rod_x = -(R::literal(1.428_571_428_571_428_6) * t366);
-    let rod_omega_dot_by_rod_x = (t36 * t368)
-        .sub_product(R::literal(4_166.666_666_666_667), t370)
-        .sub_product(t37, t367);
-    let rod_v_y_dot_by_rod_x = t362
-        .sub_product(t35, t369)
-        .sub_product(R::literal(5.0), t367);
-    let rod_v_x_dot_by_rod_x = t360
-        .add_product(t34, t369)
-        .sub_product(R::literal(5.0), t368);
-    let cylinder_omega_dot_by_rod_x = (t353 * R::literal(2_777.777_777_777_778))
-        .sub_product(t31, t372)
-        .add_product(t32, t371)
-        .sub_product(R::literal(-2_777.777_777_777_778), t370)
-        .add_product(t33, t369);
-    let cylinder_v_y_dot_by_rod_x = t356
-        .sub_product(R::literal(3.333_333_333_333_333_5), t371)
-        .add_product(t30, t369);
-    let cylinder_v_x_dot_by_rod_x = t354
-        .sub_product(R::literal(3.333_333_333_333_333_5), t372)
-        .sub_product(t29, t369);
-    let plate_omega_dot_by_rod_x = (t26 * t373)
-        .sub_product(t25, t374)
-        .sub_product(t25, t372)
-        .add_product(t26, t371)
-        .add_product(t27, t366)
-        .sub_product(t28, t365);
-    let plate_v_y_dot_by_rod_x = (-(R::literal(-0.833_333_333_333_333_4) * t371))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t373)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t365);
-    let plate_v_x_dot_by_rod_x = (-(R::literal(-0.833_333_333_333_333_4) * t372))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t374)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t366);
-    let post_omega_dot_by_rod_x = (t24 * t375)
-        .sub_product(t23, t376)
-        .sub_product(t23, t374)
-        .add_product(t24, t373);
-    let post_v_y_dot_by_rod_x = (-(R::literal(-1.25) * t373))
-        .sub_product(R::literal(1.25), t375);
-    let post_v_x_dot_by_rod_x = (-(R::literal(-1.25) * t374))
-        .sub_product(R::literal(1.25), t376);
-    let t377 = -t286 - t135 - t287 - t136 + t288;
-    let t378 = t292.sub_product(t31, t377);
-    let t379 = (-t294).add_product(t32, t377).sub_product(t80, t378);
-    let t380 = (-(R::literal(-2_777.777_777_777_778) * t377))
-        .add_product(t82, t378)
-        .sub_product(t91, t379);
-    let t381 = ((t153 + t290 - t297 + t298).add_product(t33, t377) - t299 + t300)
-        .sub_product(t84, t378)
-        .sub_product(t93, t379)
-        .sub_product(t100, t380);
-    let t382 = t302.sub_product(t101, t380).sub_product(t109, t381);
-    let t383 = t304
-        .add_product(t102, t380)
-        .sub_product(t111, t381)
-        .sub_product(t118, t382);
-    let t384 = (-(t86 * t378))
-        .sub_product(t95, t379)
-        .sub_product(t104, t380)
-        .sub_product(t113, t381)
-        .sub_product(t120, t382)
-        .sub_product(t125, t383);
-    let t385 = (-(t88 * t378))
-        .sub_product(t97, t379)
-        .sub_product(t106, t380)
-        .sub_product(t115, t381)
-        .sub_product(t122, t382)
-        .sub_product(t127, t383)
-        .sub_product(t130, t384) * t131;
-    let t386 = (t384 * t128).sub_product(t130, t385);
-    let t387 = (t383 * t123).sub_product(t125, t386).sub_product(t127, t385);
-    let t388 = (t382 * t116)
-        .sub_product(t118, t387)
-        .sub_product(t120, t386)
-        .sub_product(t122, t385);
-    let t389 = (t381 * t107)
-        .sub_product(t109, t388)
-        .sub_product(t111, t387)
-        .sub_product(t113, t386)
-        .sub_product(t115, t385);
-    let t390 = (t380 * t98)
-        .sub_product(t100, t389)
-        .sub_product(t101, t388)
-        .add_product(t102, t387)
-        .sub_product(t104, t386)
-        .sub_product(t106, t385);
-    let t391 = (t379 * t89)
-        .sub_product(t91, t390)
-        .sub_product(t93, t389)
-        .sub_product(t95, t386)
-        .sub_product(t97, t385);
-    let t392 = (t378 * t78)
-        .sub_product(t80, t391)
-        .add_product(t82, t390)
-        .sub_product(t84, t389)
-        .sub_product(t86, t386)
-        .sub_product(t88, t385);
-    let t393 = (-(t71 * t391))
-        .sub_product(t69, t392)
-        .sub_product(t74, t386)
-        .sub_product(t77, t385);
-    let t394 = (-(t59 * t392))
-        .sub_product(t57, t393)
-        .sub_product(t60, t391)
-        .sub_product(t63, t386)
-        .add_product(t65, t385);
-    let t395 = (-(t52 * t393)).sub_product(t50, t394);
-    let t396 = (-(t44 * t394)).sub_product(t42, t395).sub_product(t42, t393);
-    let bobbin_v_y_dot_by_rod_y = -(R::literal(1.428_571_428_571_428_6) * t385);
-    let bobbin_v_x_dot_by_rod_y = -(R::literal(1.428_571_428_571_428_6) * t386);
-    let rod_omega_dot_by_rod_y = (t36 * t388)
-        .sub_product(R::literal(4_166.666_666_666_667), t390)
-        .sub_product(t37, t387);
-    let rod_v_y_dot_by_rod_y = (-t304)
-        .sub_product(t35, t389)
-        .sub_product(R::literal(5.0), t387);
-    let rod_v_x_dot_by_rod_y = (-t302)
-        .add_product(t34, t389)
-        .sub_product(R::literal(5.0), t388);
-    let cylinder_omega_dot_by_rod_y = (t377 * R::literal(2_777.777_777_777_778))
-        .sub_product(t31, t392)
-        .add_product(t32, t391)
-        .sub_product(R::literal(-2_777.777_777_777_778), t390)
-        .add_product(t33, t389);
-    let cylinder_v_y_dot_by_rod_y = t294
-        .sub_product(R::literal(3.333_333_333_333_333_5), t391)
-        .add_product(t30, t389);
-    let cylinder_v_x_dot_by_rod_y = t291
-        .sub_product(R::literal(3.333_333_333_333_333_5), t392)
-        .sub_product(t29, t389);
-    let plate_omega_dot_by_rod_y = (t26 * t393)
-        .sub_product(t25, t394)
-        .sub_product(t25, t392)
-        .add_product(t26, t391)
-        .add_product(t27, t386)
-        .sub_product(t28, t385);
-    let plate_v_y_dot_by_rod_y = (-(R::literal(-0.833_333_333_333_333_4) * t391))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t393)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t385);
-    let plate_v_x_dot_by_rod_y = (-(R::literal(-0.833_333_333_333_333_4) * t392))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t394)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t386);
-    let post_omega_dot_by_rod_y = (t24 * t395)
-        .sub_product(t23, t396)
-        .sub_product(t23, t394)
-        .add_product(t24, t393);
-    let post_v_y_dot_by_rod_y = (-(R::literal(-1.25) * t393))
-        .sub_product(R::literal(1.25), t395);
-    let post_v_x_dot_by_rod_y = (-(R::literal(-1.25) * t394))
-        .sub_product(R::literal(1.25), t396);
-    let t397 = (t7 * t187).add_product(t6, t188);
-    let t398 = R::literal(4_166.666_666_666_667) * t397;
-    let t399 = t100 * t398;
-    let t400 = (-t165)
-        .add_product(t6, rod_omega_dot)
-        .add_product(t36, t397)
-        .add_product(t101, t398)
-        .sub_product(t109, t399);
-    let t401 = t164
-        .add_product(t7, rod_omega_dot)
-        .sub_product(t37, t397)
-        .sub_product(t102, t398)
-        .sub_product(t111, t399)
-        .sub_product(t118, t400);
-    let t402 = (t104 * t398)
-        .sub_product(t113, t399)
-        .sub_product(t120, t400)
-        .sub_product(t125, t401);
-    let t403 = (t106 * t398)
-        .sub_product(t115, t399)
-        .sub_product(t122, t400)
-        .sub_product(t127, t401)
-        .sub_product(t130, t402) * t131;
-    let t404 = (t402 * t128).sub_product(t130, t403);
-    let t405 = (t401 * t123).sub_product(t125, t404).sub_product(t127, t403);
-    let t406 = (t400 * t116)
-        .sub_product(t118, t405)
-        .sub_product(t120, t404)
-        .sub_product(t122, t403);
-    let t407 = (t399 * t107)
-        .sub_product(t109, t406)
-        .sub_product(t111, t405)
-        .sub_product(t113, t404)
-        .sub_product(t115, t403);
-    let t408 = (-(t398 * t98))
-        .sub_product(t100, t407)
-        .sub_product(t101, t406)
-        .add_product(t102, t405)
-        .sub_product(t104, t404)
-        .sub_product(t106, t403);
-    let t409 = (-(t93 * t407))
-        .sub_product(t91, t408)
-        .sub_product(t95, t404)
-        .sub_product(t97, t403);
-    let t410 = (t82 * t408)
-        .sub_product(t80, t409)
-        .sub_product(t84, t407)
-        .sub_product(t86, t404)
-        .sub_product(t88, t403);
-    let t411 = (-(t71 * t409))
-        .sub_product(t69, t410)
-        .sub_product(t74, t404)
-        .sub_product(t77, t403);
-    let t412 = (-(t59 * t410))
-        .sub_product(t57, t411)
-        .sub_product(t60, t409)
-        .sub_product(t63, t404)
-        .add_product(t65, t403);
-    let t413 = (-(t52 * t411)).sub_product(t50, t412);
-    let t414 = (-(t44 * t412)).sub_product(t42, t413).sub_product(t42, t411);
-    let bobbin_v_y_dot_by_rod_phi = -(R::literal(1.428_571_428_571_428_6) * t403);
-    let bobbin_v_x_dot_by_rod_phi = -(R::literal(1.428_571_428_571_428_6) * t404);
-    let rod_omega_dot_by_rod_phi = t398
-        .sub_product(R::literal(4_166.666_666_666_667), t408)
-        .add_product(t36, t406)
-        .sub_product(t37, t405);
-    let rod_v_y_dot_by_rod_phi = (-(R::literal(5.0) * t405)).sub_product(t35, t407);
-    let rod_v_x_dot_by_rod_phi = (-(R::literal(5.0) * t406)).add_product(t34, t407);
-    let cylinder_omega_dot_by_rod_phi = (t32 * t409)
-        .sub_product(t31, t410)
-        .sub_product(R::literal(-2_777.777_777_777_778), t408)
-        .add_product(t33, t407);
-    let cylinder_v_y_dot_by_rod_phi = (t30 * t407)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t409);
-    let cylinder_v_x_dot_by_rod_phi = (-(t29 * t407))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t410);
-    let plate_omega_dot_by_rod_phi = (t26 * t411)
-        .sub_product(t25, t412)
-        .sub_product(t25, t410)
-        .add_product(t26, t409)
-        .add_product(t27, t404)
-        .sub_product(t28, t403);
-    let plate_v_y_dot_by_rod_phi = (-(R::literal(-0.833_333_333_333_333_4) * t409))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t411)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t403);
-    let plate_v_x_dot_by_rod_phi = (-(R::literal(-0.833_333_333_333_333_4) * t410))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t412)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t404);
-    let post_omega_dot_by_rod_phi = (t24 * t413)
-        .sub_product(t23, t414)
-        .sub_product(t23, t412)
-        .add_product(t24, t411);
-    let post_v_y_dot_by_rod_phi = (-(R::literal(-1.25) * t411))
-        .sub_product(R::literal(1.25), t413);
-    let post_v_x_dot_by_rod_phi = (-(R::literal(-1.25) * t412))
-        .sub_product(R::literal(1.25), t414);
-    let between_squared = between * between;
-    let contact_damping_times_bobbin_v_x = p.contact_damping * bobbin_v_x;
-    let t415 = contact_stiffness_times_contact_gap / between;
-    let t416 = contact_damping_times_contact_rate / between;
-    let between_squared_times_between = between_squared * between;
-    let t417 = c.t0 * contact_rate;
-    let t418 = t417 * t13 * t15 / between_squared_times_between;
-    let t419 = t145 * t15 / between_squared_times_between;
-    let t420 = p.contact_stiffness * t13 * t15 / between_squared;
-    let t421 = R::literal(1.428_571_428_571_428_6)
-        * R::select_less(
-            contact_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            t417 * t14 / between_squared_times_between
-                + contact_stiffness_times_contact_gap * t14
-                    / between_squared_times_between
-                - contact_damping_times_bobbin_v_x * t13 / between_squared - t415
-                - p.contact_stiffness * t14 / between_squared - t416,
+        .sub_product(t0, m.t197)
+        .sub_product(t1, m.t196)
+        .sub_product(t0, m.t195)
+        .sub_product(t1, m.t194);
+    x[14][0] = t20;
+    x[15][0] = t21;
+    x[16][0] = t20;
+    x[17][0] = t21;
+    x[5][1] = (-(t3 * m.t194))
+        .sub_product(t2, m.t195)
+        .sub_product(t2, t18)
+        .sub_product(t3, t17)
+        .sub_product(t10, m.t183)
+        .add_product(m.t13, m.t182);
+    x[16][1] = t22;
+    x[17][1] = t23;
+    x[18][1] = t22;
+    x[19][1] = t23;
+    x[24][1] = (-(t10 * m.plate_omega_dot))
+        .add_product(
+            (-(R::literal(0.01) * m.sin_plate_phi))
+                .sub_product(R::literal(0.1), m.cos_plate_phi),
+            plate_omega_squared,
         );
-    let t422 = R::literal(1.428_571_428_571_428_6)
-        * R::select_less(
-            contact_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            t418 - contact_damping_times_bobbin_v_x * t15 / between_squared
-                - (t420 - t419),
-        );
-    let t423 = (-t422).add_product(t130, t421) * t131;
-    let t424 = (-(t421 * t128)).sub_product(t130, t423);
-    let t425 = (-(t127 * t423)).sub_product(t125, t424);
-    let t426 = (-(t120 * t424)).sub_product(t118, t425).sub_product(t122, t423);
-    let t427 = (-(t111 * t425))
-        .sub_product(t109, t426)
-        .sub_product(t113, t424)
-        .sub_product(t115, t423);
-    let t428 = (-(t101 * t426))
-        .sub_product(t100, t427)
-        .add_product(t102, t425)
-        .sub_product(t104, t424)
-        .sub_product(t106, t423);
-    let t429 = (-(t93 * t427))
-        .sub_product(t91, t428)
-        .sub_product(t95, t424)
-        .sub_product(t97, t423);
-    let t430 = (t82 * t428)
-        .sub_product(t80, t429)
-        .sub_product(t84, t427)
-        .sub_product(t86, t424)
-        .sub_product(t88, t423);
-    let t431 = (-(t71 * t429))
-        .sub_product(t69, t430)
-        .sub_product(t74, t424)
-        .sub_product(t77, t423);
-    let t432 = (-(t59 * t430))
-        .sub_product(t57, t431)
-        .sub_product(t60, t429)
-        .sub_product(t63, t424)
-        .add_product(t65, t423);
-    let t433 = (-(t52 * t431)).sub_product(t50, t432);
-    let t434 = (-(t44 * t432)).sub_product(t42, t433).sub_product(t42, t431);
-    let bobbin_v_y_dot_by_bobbin_x = t422
-        .sub_product(R::literal(1.428_571_428_571_428_6), t423);
-    let bobbin_v_x_dot_by_bobbin_x = t421
-        .sub_product(R::literal(1.428_571_428_571_428_6), t424);
-    let rod_omega_dot_by_bobbin_x = (t36 * t426)
-        .sub_product(R::literal(4_166.666_666_666_667), t428)
-        .sub_product(t37, t425);
-    let rod_v_y_dot_by_bobbin_x = (-(R::literal(5.0) * t425)).sub_product(t35, t427);
-    let rod_v_x_dot_by_bobbin_x = (-(R::literal(5.0) * t426)).add_product(t34, t427);
-    let cylinder_omega_dot_by_bobbin_x = (t32 * t429)
-        .sub_product(t31, t430)
-        .sub_product(R::literal(-2_777.777_777_777_778), t428)
-        .add_product(t33, t427);
-    let cylinder_v_y_dot_by_bobbin_x = (t30 * t427)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t429);
-    let cylinder_v_x_dot_by_bobbin_x = (-(t29 * t427))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t430);
-    let plate_omega_dot_by_bobbin_x = (t26 * t431)
-        .sub_product(t25, t432)
-        .sub_product(t25, t430)
-        .add_product(t26, t429)
-        .add_product(t27, t424)
-        .sub_product(t28, t423);
-    let plate_v_y_dot_by_bobbin_x = (-(R::literal(-0.833_333_333_333_333_4) * t429))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t431)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t423);
-    let plate_v_x_dot_by_bobbin_x = (-(R::literal(-0.833_333_333_333_333_4) * t430))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t432)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t424);
-    let post_omega_dot_by_bobbin_x = (t24 * t433)
-        .sub_product(t23, t434)
-        .sub_product(t23, t432)
-        .add_product(t24, t431);
-    let post_v_y_dot_by_bobbin_x = (-(R::literal(-1.25) * t431))
-        .sub_product(R::literal(1.25), t433);
-    let post_v_x_dot_by_bobbin_x = (-(R::literal(-1.25) * t432))
-        .sub_product(R::literal(1.25), t434);
-    let contact_damping_times_bobbin_v_y = p.contact_damping * bobbin_v_y;
-    let t435 = R::literal(1.428_571_428_571_428_6)
-        * R::select_less(
-            contact_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            t418 + t419 - contact_damping_times_bobbin_v_y * t13 / between_squared - t420,
-        );
-    let t436 = R::literal(1.428_571_428_571_428_6)
-        * R::select_less(
-            contact_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            t417 * t16 / between_squared_times_between
-                - contact_damping_times_bobbin_v_y * t15 / between_squared - t416
-                - (t415 + p.contact_stiffness * t16 / between_squared
-                    - contact_stiffness_times_contact_gap * t16
-                        / between_squared_times_between),
-        );
-    let t437 = (-t436).add_product(t130, t435) * t131;
-    let t438 = (-(t435 * t128)).sub_product(t130, t437);
-    let t439 = (-(t127 * t437)).sub_product(t125, t438);
-    let t440 = (-(t120 * t438)).sub_product(t118, t439).sub_product(t122, t437);
-    let t441 = (-(t111 * t439))
-        .sub_product(t109, t440)
-        .sub_product(t113, t438)
-        .sub_product(t115, t437);
-    let t442 = (-(t101 * t440))
-        .sub_product(t100, t441)
-        .add_product(t102, t439)
-        .sub_product(t104, t438)
-        .sub_product(t106, t437);
-    let t443 = (-(t93 * t441))
-        .sub_product(t91, t442)
-        .sub_product(t95, t438)
-        .sub_product(t97, t437);
-    let t444 = (t82 * t442)
-        .sub_product(t80, t443)
-        .sub_product(t84, t441)
-        .sub_product(t86, t438)
-        .sub_product(t88, t437);
-    let t445 = (-(t71 * t443))
-        .sub_product(t69, t444)
-        .sub_product(t74, t438)
-        .sub_product(t77, t437);
-    let t446 = (-(t59 * t444))
-        .sub_product(t57, t445)
-        .sub_product(t60, t443)
-        .sub_product(t63, t438)
-        .add_product(t65, t437);
-    let t447 = (-(t52 * t445)).sub_product(t50, t446);
-    let t448 = (-(t44 * t446)).sub_product(t42, t447).sub_product(t42, t445);
-    let bobbin_v_y_dot_by_bobbin_y = t436
-        .sub_product(R::literal(1.428_571_428_571_428_6), t437);
-    let bobbin_v_x_dot_by_bobbin_y = t435
-        .sub_product(R::literal(1.428_571_428_571_428_6), t438);
-    let rod_omega_dot_by_bobbin_y = (t36 * t440)
-        .sub_product(R::literal(4_166.666_666_666_667), t442)
-        .sub_product(t37, t439);
-    let rod_v_y_dot_by_bobbin_y = (-(R::literal(5.0) * t439)).sub_product(t35, t441);
-    let rod_v_x_dot_by_bobbin_y = (-(R::literal(5.0) * t440)).add_product(t34, t441);
-    let cylinder_omega_dot_by_bobbin_y = (t32 * t443)
-        .sub_product(t31, t444)
-        .sub_product(R::literal(-2_777.777_777_777_778), t442)
-        .add_product(t33, t441);
-    let cylinder_v_y_dot_by_bobbin_y = (t30 * t441)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t443);
-    let cylinder_v_x_dot_by_bobbin_y = (-(t29 * t441))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t444);
-    let plate_omega_dot_by_bobbin_y = (t26 * t445)
-        .sub_product(t25, t446)
-        .sub_product(t25, t444)
-        .add_product(t26, t443)
-        .add_product(t27, t438)
-        .sub_product(t28, t437);
-    let plate_v_y_dot_by_bobbin_y = (-(R::literal(-0.833_333_333_333_333_4) * t443))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t445)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t437);
-    let plate_v_x_dot_by_bobbin_y = (-(R::literal(-0.833_333_333_333_333_4) * t444))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t446)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t438);
-    let post_omega_dot_by_bobbin_y = (t24 * t447)
-        .sub_product(t23, t448)
-        .sub_product(t23, t446)
-        .add_product(t24, t445);
-    let post_v_y_dot_by_bobbin_y = (-(R::literal(-1.25) * t445))
-        .sub_product(R::literal(1.25), t447);
-    let post_v_x_dot_by_bobbin_y = (-(R::literal(-1.25) * t446))
-        .sub_product(R::literal(1.25), t448);
-    let t449 = R::select_less(
+    x[25][1] = (m.t13 * m.plate_omega_dot).add_product(m.t14, plate_omega_squared);
+    x[6][2] = t27;
+    x[7][2] = t28;
+    x[8][2] = t32 - t30 - m.t140 - t13 - t36;
+    x[9][2] = t34;
+    x[10][2] = t35;
+    x[21][2] = t15 - t37;
+    x[6][3] = t40;
+    x[7][3] = t42;
+    x[8][3] = t43 + m.t137 + t44 + t12 - t45;
+    x[9][3] = t39;
+    x[10][3] = t41;
+    x[21][3] = -t14 - t46;
+    x[6][4] = t32 + t48 - m.t140 - t13 - t36;
+    x[7][4] = t12 + t49 - (-m.t137 - t44) - t45;
+    x[8][4] = (p.spring_stiffness * m.slide * (m.slide - R::literal(0.116)))
+        .add_product(p.spring_damping * m.slide, m.slide_rate)
+        .sub_product(p.spring_stiffness, t50)
+        .sub_product(t47, m.t12)
+        .sub_product(t4, t18)
+        .sub_product(t5, t17)
+        .sub_product(t52, t16);
+    x[9][4] = m.t140 + t13 - t32 - t48 + t36;
+    x[10][4] = -t12 - t49 - (m.t137 + t44) + t45;
+    x[18][4] = (-(t4 * m.cylinder_omega_dot)).add_product(t51, m.sin_cylinder_phi);
+    x[19][4] = (-(t5 * m.cylinder_omega_dot)).sub_product(t51, m.cos_cylinder_phi);
+    x[21][4] = (-(m.cos_cylinder_phi * m.cylinder_v_x_dot))
+        .add_product(
+            cylinder_omega,
+            (R::literal(2.0) * cylinder_v_x * m.sin_cylinder_phi)
+                .add_product(R::literal(2.0) * rod_v_y, m.cos_cylinder_phi)
+                .add_product(cylinder_x_times_cylinder_omega, m.cos_cylinder_phi)
+                .add_product(cylinder_y_times_cylinder_omega, m.sin_cylinder_phi)
+                .sub_product(R::literal(2.0) * cylinder_v_y, m.cos_cylinder_phi)
+                .sub_product(R::literal(2.0) * rod_v_x, m.sin_cylinder_phi)
+                .sub_product(rod_x_times_cylinder_omega, m.cos_cylinder_phi)
+                .sub_product(rod_y_times_cylinder_omega, m.sin_cylinder_phi),
+        )
+        .sub_product(m.sin_cylinder_phi, m.cylinder_v_y_dot)
+        .sub_product(t52, m.cylinder_omega_dot)
+        .add_product(m.cos_cylinder_phi, m.rod_v_x_dot)
+        .add_product(m.sin_cylinder_phi, m.rod_v_y_dot);
+    x[6][5] = t34;
+    x[7][5] = t35;
+    x[8][5] = t30 + m.t140 + t13 - t32 + t36;
+    x[9][5] = t27;
+    x[10][5] = t28;
+    x[21][5] = t37 - t15;
+    x[6][6] = t39;
+    x[7][6] = t41;
+    x[8][6] = -t43 - m.t137 - t44 - t12 + t45;
+    x[9][6] = t40;
+    x[10][6] = t42;
+    x[21][6] = t14 + t46;
+    x[11][7] = (t6 * m.t185).add_product(t7, m.t184);
+    x[22][7] = (-m.t160).add_product(t6, m.rod_omega_dot);
+    x[23][7] = m.t159.add_product(t7, m.rod_omega_dot);
+    x[12][8] = R::select_less(
+        contact_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        t57 * m.t9 / t56 + contact_stiffness_times_contact_gap * m.t9 / t56
+            - contact_damping_times_bobbin_v_x * t8 / t53 - t54
+            - p.contact_stiffness * m.t9 / t53 - t55,
+    );
+    x[13][8] = R::select_less(
+        contact_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        t58 - contact_damping_times_bobbin_v_x * t9 / t53 - (t60 - t59),
+    );
+    x[12][9] = R::select_less(
+        contact_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        t58 + t59 - contact_damping_times_bobbin_v_y * t8 / t53 - t60,
+    );
+    x[13][9] = R::select_less(
+        contact_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        t57 * m.t11 / t56 - contact_damping_times_bobbin_v_y * t9 / t53 - t55
+            - (t54 + p.contact_stiffness * m.t11 / t53
+                - contact_stiffness_times_contact_gap * m.t11 / t56),
+    );
+    x[2][10] = R::select_less(
         stop_closed,
         R::literal(0.5),
         R::literal(0.0),
-        -(R::literal(1500.0) * t197),
+        -(R::literal(1500.0) * t19),
     );
-    let t450 = R::literal(0.2) * post_omega;
-    let t451 = (-(t450 * cos_post_phi)).sub_product(t23, t449);
-    let t452 = (-(t450 * sin_post_phi)).add_product(t24, t449).sub_product(t42, t451);
-    let t453 = t451.sub_product(t44, t451).sub_product(t50, t452);
-    let t454 = t452.sub_product(t52, t452).sub_product(t57, t453);
-    let t455 = (-(t59 * t453)).sub_product(t69, t454);
-    let t456 = (-(t60 * t453)).sub_product(t71, t454).sub_product(t80, t455);
-    let t457 = (t82 * t455).sub_product(t91, t456);
-    let t458 = (-(t84 * t455)).sub_product(t93, t456).sub_product(t100, t457);
-    let t459 = (-(t101 * t457)).sub_product(t109, t458);
-    let t460 = (t102 * t457).sub_product(t111, t458).sub_product(t118, t459);
-    let t461 = (-(t63 * t453))
-        .sub_product(t74, t454)
-        .sub_product(t86, t455)
-        .sub_product(t95, t456)
-        .sub_product(t104, t457)
-        .sub_product(t113, t458)
-        .sub_product(t120, t459)
-        .sub_product(t125, t460);
-    let t462 = (t65 * t453)
-        .sub_product(t77, t454)
-        .sub_product(t88, t455)
-        .sub_product(t97, t456)
-        .sub_product(t106, t457)
-        .sub_product(t115, t458)
-        .sub_product(t122, t459)
-        .sub_product(t127, t460)
-        .sub_product(t130, t461) * t131;
-    let t463 = (t461 * t128).sub_product(t130, t462);
-    let t464 = (t460 * t123).sub_product(t125, t463).sub_product(t127, t462);
-    let t465 = (t459 * t116)
-        .sub_product(t118, t464)
-        .sub_product(t120, t463)
-        .sub_product(t122, t462);
-    let t466 = (t458 * t107)
-        .sub_product(t109, t465)
-        .sub_product(t111, t464)
-        .sub_product(t113, t463)
-        .sub_product(t115, t462);
-    let t467 = (t457 * t98)
-        .sub_product(t100, t466)
-        .sub_product(t101, t465)
-        .add_product(t102, t464)
-        .sub_product(t104, t463)
-        .sub_product(t106, t462);
-    let t468 = (t456 * t89)
-        .sub_product(t91, t467)
-        .sub_product(t93, t466)
-        .sub_product(t95, t463)
-        .sub_product(t97, t462);
-    let t469 = (t455 * t78)
-        .sub_product(t80, t468)
-        .add_product(t82, t467)
-        .sub_product(t84, t466)
-        .sub_product(t86, t463)
-        .sub_product(t88, t462);
-    let t470 = (t454 * t67)
-        .sub_product(t69, t469)
-        .sub_product(t71, t468)
-        .sub_product(t74, t463)
-        .sub_product(t77, t462);
-    let t471 = (t453 * t54)
-        .sub_product(t57, t470)
-        .sub_product(t59, t469)
-        .sub_product(t60, t468)
-        .sub_product(t63, t463)
-        .add_product(t65, t462);
-    let t472 = (t452 * t48).sub_product(t50, t471).sub_product(t52, t470);
-    let t473 = (t451 * t40)
-        .sub_product(t42, t472)
-        .sub_product(t44, t471)
-        .sub_product(t42, t470);
-    let bobbin_v_y_dot_by_post_omega = -(R::literal(1.428_571_428_571_428_6) * t462);
-    let bobbin_v_x_dot_by_post_omega = -(R::literal(1.428_571_428_571_428_6) * t463);
-    let rod_omega_dot_by_post_omega = (t36 * t465)
-        .sub_product(R::literal(4_166.666_666_666_667), t467)
-        .sub_product(t37, t464);
-    let rod_v_y_dot_by_post_omega = (-(R::literal(5.0) * t464)).sub_product(t35, t466);
-    let rod_v_x_dot_by_post_omega = (-(R::literal(5.0) * t465)).add_product(t34, t466);
-    let cylinder_omega_dot_by_post_omega = (t32 * t468)
-        .sub_product(t31, t469)
-        .sub_product(R::literal(-2_777.777_777_777_778), t467)
-        .add_product(t33, t466);
-    let cylinder_v_y_dot_by_post_omega = (t30 * t466)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t468);
-    let cylinder_v_x_dot_by_post_omega = (-(t29 * t466))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t469);
-    let plate_omega_dot_by_post_omega = (t26 * t470)
-        .sub_product(t25, t471)
-        .sub_product(t25, t469)
-        .add_product(t26, t468)
-        .add_product(t27, t463)
-        .sub_product(t28, t462);
-    let plate_v_y_dot_by_post_omega = (-(R::literal(-0.833_333_333_333_333_4) * t468))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t470)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t462);
-    let plate_v_x_dot_by_post_omega = (-(R::literal(-0.833_333_333_333_333_4) * t469))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t471)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t463);
-    let post_omega_dot_by_post_omega = (t449 * R::literal(370.370_370_370_370_3))
-        .sub_product(t23, t473)
-        .add_product(t24, t472)
-        .sub_product(t23, t471)
-        .add_product(t24, t470);
-    let post_v_y_dot_by_post_omega = (-(R::literal(-1.25) * t470))
-        .sub_product(R::literal(1.25), t472);
-    let post_v_x_dot_by_post_omega = (-(R::literal(-1.25) * t471))
-        .sub_product(R::literal(1.25), t473);
-    let t474 = R::literal(0.12) * plate_omega;
-    let t475 = t474 * cos_plate_phi;
-    let t476 = t474 * sin_plate_phi;
-    let t477 = (-t476).add_product(t57, t475);
-    let t478 = (-t475).add_product(t59, t475).sub_product(t69, t477);
-    let t479 = (-t476)
-        .add_product(t60, t475)
-        .sub_product(t71, t477)
-        .sub_product(t80, t478);
-    let t480 = (t82 * t478).sub_product(t91, t479);
-    let t481 = (-(t84 * t478)).sub_product(t93, t479).sub_product(t100, t480);
-    let t482 = (-(t101 * t480)).sub_product(t109, t481);
-    let t483 = (t102 * t480).sub_product(t111, t481).sub_product(t118, t482);
-    let t484 = (plate_omega
-        * (R::literal(0.02) * cos_plate_phi).sub_product(R::literal(0.2), sin_plate_phi))
-        .add_product(t63, t475)
-        .sub_product(t74, t477)
-        .sub_product(t86, t478)
-        .sub_product(t95, t479)
-        .sub_product(t104, t480)
-        .sub_product(t113, t481)
-        .sub_product(t120, t482)
-        .sub_product(t125, t483);
-    let t485 = (plate_omega
-        * (R::literal(0.02) * sin_plate_phi).add_product(R::literal(0.2), cos_plate_phi))
-        .sub_product(t65, t475)
-        .sub_product(t77, t477)
-        .sub_product(t88, t478)
-        .sub_product(t97, t479)
-        .sub_product(t106, t480)
-        .sub_product(t115, t481)
-        .sub_product(t122, t482)
-        .sub_product(t127, t483)
-        .sub_product(t130, t484) * t131;
-    let t486 = (t484 * t128).sub_product(t130, t485);
-    let t487 = (t483 * t123).sub_product(t125, t486).sub_product(t127, t485);
-    let t488 = (t482 * t116)
-        .sub_product(t118, t487)
-        .sub_product(t120, t486)
-        .sub_product(t122, t485);
-    let t489 = (t481 * t107)
-        .sub_product(t109, t488)
-        .sub_product(t111, t487)
-        .sub_product(t113, t486)
-        .sub_product(t115, t485);
-    let t490 = (t480 * t98)
-        .sub_product(t100, t489)
-        .sub_product(t101, t488)
-        .add_product(t102, t487)
-        .sub_product(t104, t486)
-        .sub_product(t106, t485);
-    let t491 = (t479 * t89)
-        .sub_product(t91, t490)
-        .sub_product(t93, t489)
-        .sub_product(t95, t486)
-        .sub_product(t97, t485);
-    let t492 = (t478 * t78)
-        .sub_product(t80, t491)
-        .add_product(t82, t490)
-        .sub_product(t84, t489)
-        .sub_product(t86, t486)
-        .sub_product(t88, t485);
-    let t493 = (t477 * t67)
-        .sub_product(t69, t492)
-        .sub_product(t71, t491)
-        .sub_product(t74, t486)
-        .sub_product(t77, t485);
-    let t494 = (-(t475 * t54))
-        .sub_product(t57, t493)
-        .sub_product(t59, t492)
-        .sub_product(t60, t491)
-        .sub_product(t63, t486)
-        .add_product(t65, t485);
-    let t495 = (-(t52 * t493)).sub_product(t50, t494);
-    let t496 = (-(t44 * t494)).sub_product(t42, t495).sub_product(t42, t493);
-    let bobbin_v_y_dot_by_plate_omega = -(R::literal(1.428_571_428_571_428_6) * t485);
-    let bobbin_v_x_dot_by_plate_omega = -(R::literal(1.428_571_428_571_428_6) * t486);
-    let rod_omega_dot_by_plate_omega = (t36 * t488)
-        .sub_product(R::literal(4_166.666_666_666_667), t490)
-        .sub_product(t37, t487);
-    let rod_v_y_dot_by_plate_omega = (-(R::literal(5.0) * t487)).sub_product(t35, t489);
-    let rod_v_x_dot_by_plate_omega = (-(R::literal(5.0) * t488)).add_product(t34, t489);
-    let cylinder_omega_dot_by_plate_omega = (t32 * t491)
-        .sub_product(t31, t492)
-        .sub_product(R::literal(-2_777.777_777_777_778), t490)
-        .add_product(t33, t489);
-    let cylinder_v_y_dot_by_plate_omega = (t30 * t489)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t491);
-    let cylinder_v_x_dot_by_plate_omega = (-(t29 * t489))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t492);
-    let plate_omega_dot_by_plate_omega = (t26 * t493)
-        .sub_product(t25, t494)
-        .sub_product(t25, t492)
-        .add_product(t26, t491)
-        .add_product(t27, t486)
-        .sub_product(t28, t485);
-    let plate_v_y_dot_by_plate_omega = (-(R::literal(-0.833_333_333_333_333_4) * t491))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t493)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t485);
-    let plate_v_x_dot_by_plate_omega = (-(R::literal(-0.833_333_333_333_333_4) * t492))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t494)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t486);
-    let post_omega_dot_by_plate_omega = (t24 * t495)
-        .sub_product(t23, t496)
-        .sub_product(t23, t494)
-        .add_product(t24, t493);
-    let post_v_y_dot_by_plate_omega = (-(R::literal(-1.25) * t493))
-        .sub_product(R::literal(1.25), t495);
-    let post_v_x_dot_by_plate_omega = (-(R::literal(-1.25) * t494))
-        .sub_product(R::literal(1.25), t496);
-    let t497 = p.spring_damping * (cos_cylinder_phi * cos_cylinder_phi);
-    let t498 = p.spring_damping * sin_cylinder_phi * cos_cylinder_phi;
-    let t499 = p.spring_damping * t19;
-    let t500 = t499 * cos_cylinder_phi;
-    let t501 = R::literal(2.0) * cylinder_omega;
-    let t502 = t501 * cos_cylinder_phi;
-    let t503 = R::literal(3.333_333_333_333_333_5) * t497;
-    let t504 = t31 * t500;
-    let t505 = t503 - t504;
-    let t506 = R::literal(3.333_333_333_333_333_5) * t498;
-    let t507 = -t506;
-    let t508 = t32 * t500;
-    let t509 = (t506 + t508).sub_product(t80, t505);
-    let t510 = R::literal(-2_777.777_777_777_778) * t500;
-    let t511 = (-t510).add_product(t82, t505).sub_product(t91, t509);
-    let t512 = t29 * t497;
-    let t513 = t30 * t498;
-    let t514 = t33 * t500;
-    let t515 = t34 * t497;
-    let t516 = t35 * t498;
-    let t517 = (t512 - t502 - t513 + t514 + t515 - t516)
-        .sub_product(t84, t505)
-        .sub_product(t93, t509)
-        .sub_product(t100, t511);
-    let t518 = R::literal(5.0) * t497;
-    let t519 = (-t518).sub_product(t101, t511).sub_product(t109, t517);
-    let t520 = R::literal(5.0) * t498;
-    let t521 = -t520;
-    let t522 = (-t520)
-        .add_product(t102, t511)
-        .sub_product(t111, t517)
-        .sub_product(t118, t519);
-    let t523 = (-(t86 * t505))
-        .sub_product(t95, t509)
-        .sub_product(t104, t511)
-        .sub_product(t113, t517)
-        .sub_product(t120, t519)
-        .sub_product(t125, t522);
-    let t524 = t500 * R::literal(2_777.777_777_777_778);
-    let t525 = (-(t88 * t505))
-        .sub_product(t97, t509)
-        .sub_product(t106, t511)
-        .sub_product(t115, t517)
-        .sub_product(t122, t519)
-        .sub_product(t127, t522)
-        .sub_product(t130, t523) * t131;
-    let t526 = (t523 * t128).sub_product(t130, t525);
-    let t527 = (t522 * t123).sub_product(t125, t526).sub_product(t127, t525);
-    let t528 = (t519 * t116)
-        .sub_product(t118, t527)
-        .sub_product(t120, t526)
-        .sub_product(t122, t525);
-    let t529 = (t517 * t107)
-        .sub_product(t109, t528)
-        .sub_product(t111, t527)
-        .sub_product(t113, t526)
-        .sub_product(t115, t525);
-    let t530 = (t511 * t98)
-        .sub_product(t100, t529)
-        .sub_product(t101, t528)
-        .add_product(t102, t527)
-        .sub_product(t104, t526)
-        .sub_product(t106, t525);
-    let t531 = (t509 * t89)
-        .sub_product(t91, t530)
-        .sub_product(t93, t529)
-        .sub_product(t95, t526)
-        .sub_product(t97, t525);
-    let t532 = (t505 * t78)
-        .sub_product(t80, t531)
-        .add_product(t82, t530)
-        .sub_product(t84, t529)
-        .sub_product(t86, t526)
-        .sub_product(t88, t525);
-    let t533 = (-(t71 * t531))
-        .sub_product(t69, t532)
-        .sub_product(t74, t526)
-        .sub_product(t77, t525);
-    let t534 = (-(t59 * t532))
-        .sub_product(t57, t533)
-        .sub_product(t60, t531)
-        .sub_product(t63, t526)
-        .add_product(t65, t525);
-    let t535 = (-(t52 * t533)).sub_product(t50, t534);
-    let t536 = (-(t44 * t534)).sub_product(t42, t535).sub_product(t42, t533);
-    let bobbin_v_y_dot_by_cylinder_v_x = -(R::literal(1.428_571_428_571_428_6) * t525);
-    let bobbin_v_x_dot_by_cylinder_v_x = -(R::literal(1.428_571_428_571_428_6) * t526);
-    let rod_omega_dot_by_cylinder_v_x = (t36 * t528)
-        .sub_product(R::literal(4_166.666_666_666_667), t530)
-        .sub_product(t37, t527);
-    let rod_v_y_dot_by_cylinder_v_x = t520
-        .sub_product(t35, t529)
-        .sub_product(R::literal(5.0), t527);
-    let rod_v_x_dot_by_cylinder_v_x = t518
-        .add_product(t34, t529)
-        .sub_product(R::literal(5.0), t528);
-    let cylinder_omega_dot_by_cylinder_v_x = t524
-        .sub_product(t31, t532)
-        .add_product(t32, t531)
-        .sub_product(R::literal(-2_777.777_777_777_778), t530)
-        .add_product(t33, t529);
-    let cylinder_v_y_dot_by_cylinder_v_x = t507
-        .sub_product(R::literal(3.333_333_333_333_333_5), t531)
-        .add_product(t30, t529);
-    let cylinder_v_x_dot_by_cylinder_v_x = (-t503)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t532)
-        .sub_product(t29, t529);
-    let plate_omega_dot_by_cylinder_v_x = (t26 * t533)
-        .sub_product(t25, t534)
-        .sub_product(t25, t532)
-        .add_product(t26, t531)
-        .add_product(t27, t526)
-        .sub_product(t28, t525);
-    let plate_v_y_dot_by_cylinder_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t531))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t533)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t525);
-    let plate_v_x_dot_by_cylinder_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t532))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t534)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t526);
-    let post_omega_dot_by_cylinder_v_x = (t24 * t535)
-        .sub_product(t23, t536)
-        .sub_product(t23, t534)
-        .add_product(t24, t533);
-    let post_v_y_dot_by_cylinder_v_x = (-(R::literal(-1.25) * t533))
-        .sub_product(R::literal(1.25), t535);
-    let post_v_x_dot_by_cylinder_v_x = (-(R::literal(-1.25) * t534))
-        .sub_product(R::literal(1.25), t536);
-    let t537 = p.spring_damping * (sin_cylinder_phi * sin_cylinder_phi);
-    let t538 = t499 * sin_cylinder_phi;
-    let t539 = t501 * sin_cylinder_phi;
-    let t540 = t31 * t538;
-    let t541 = t506 - t540;
-    let t542 = R::literal(3.333_333_333_333_333_5) * t537;
-    let t543 = -t542;
-    let t544 = t32 * t538;
-    let t545 = (t542 + t544).sub_product(t80, t541);
-    let t546 = R::literal(-2_777.777_777_777_778) * t538;
-    let t547 = (-t546).add_product(t82, t541).sub_product(t91, t545);
-    let t548 = t29 * t498;
-    let t549 = t30 * t537;
-    let t550 = t33 * t538;
-    let t551 = t34 * t498;
-    let t552 = t35 * t537;
-    let t553 = (t548 - t539 - t549 + t550 + t551 - t552)
-        .sub_product(t84, t541)
-        .sub_product(t93, t545)
-        .sub_product(t100, t547);
-    let t554 = t521.sub_product(t101, t547).sub_product(t109, t553);
-    let t555 = R::literal(5.0) * t537;
-    let t556 = (-t555)
-        .add_product(t102, t547)
-        .sub_product(t111, t553)
-        .sub_product(t118, t554);
-    let t557 = (-(t86 * t541))
-        .sub_product(t95, t545)
-        .sub_product(t104, t547)
-        .sub_product(t113, t553)
-        .sub_product(t120, t554)
-        .sub_product(t125, t556);
-    let t558 = t538 * R::literal(2_777.777_777_777_778);
-    let t559 = (-(t88 * t541))
-        .sub_product(t97, t545)
-        .sub_product(t106, t547)
-        .sub_product(t115, t553)
-        .sub_product(t122, t554)
-        .sub_product(t127, t556)
-        .sub_product(t130, t557) * t131;
-    let t560 = (t557 * t128).sub_product(t130, t559);
-    let t561 = (t556 * t123).sub_product(t125, t560).sub_product(t127, t559);
-    let t562 = (t554 * t116)
-        .sub_product(t118, t561)
-        .sub_product(t120, t560)
-        .sub_product(t122, t559);
-    let t563 = (t553 * t107)
-        .sub_product(t109, t562)
-        .sub_product(t111, t561)
-        .sub_product(t113, t560)
-        .sub_product(t115, t559);
-    let t564 = (t547 * t98)
-        .sub_product(t100, t563)
-        .sub_product(t101, t562)
-        .add_product(t102, t561)
-        .sub_product(t104, t560)
-        .sub_product(t106, t559);
-    let t565 = (t545 * t89)
-        .sub_product(t91, t564)
-        .sub_product(t93, t563)
-        .sub_product(t95, t560)
-        .sub_product(t97, t559);
-    let t566 = (t541 * t78)
-        .sub_product(t80, t565)
-        .add_product(t82, t564)
-        .sub_product(t84, t563)
-        .sub_product(t86, t560)
-        .sub_product(t88, t559);
-    let t567 = (-(t71 * t565))
-        .sub_product(t69, t566)
-        .sub_product(t74, t560)
-        .sub_product(t77, t559);
-    let t568 = (-(t59 * t566))
-        .sub_product(t57, t567)
-        .sub_product(t60, t565)
-        .sub_product(t63, t560)
-        .add_product(t65, t559);
-    let t569 = (-(t52 * t567)).sub_product(t50, t568);
-    let t570 = (-(t44 * t568)).sub_product(t42, t569).sub_product(t42, t567);
-    let bobbin_v_y_dot_by_cylinder_v_y = -(R::literal(1.428_571_428_571_428_6) * t559);
-    let bobbin_v_x_dot_by_cylinder_v_y = -(R::literal(1.428_571_428_571_428_6) * t560);
-    let rod_omega_dot_by_cylinder_v_y = (t36 * t562)
-        .sub_product(R::literal(4_166.666_666_666_667), t564)
-        .sub_product(t37, t561);
-    let rod_v_y_dot_by_cylinder_v_y = t555
-        .sub_product(t35, t563)
-        .sub_product(R::literal(5.0), t561);
-    let rod_v_x_dot_by_cylinder_v_y = t520
-        .add_product(t34, t563)
-        .sub_product(R::literal(5.0), t562);
-    let cylinder_omega_dot_by_cylinder_v_y = t558
-        .sub_product(t31, t566)
-        .add_product(t32, t565)
-        .sub_product(R::literal(-2_777.777_777_777_778), t564)
-        .add_product(t33, t563);
-    let cylinder_v_y_dot_by_cylinder_v_y = t543
-        .sub_product(R::literal(3.333_333_333_333_333_5), t565)
-        .add_product(t30, t563);
-    let cylinder_v_x_dot_by_cylinder_v_y = t507
-        .sub_product(R::literal(3.333_333_333_333_333_5), t566)
-        .sub_product(t29, t563);
-    let plate_omega_dot_by_cylinder_v_y = (t26 * t567)
-        .sub_product(t25, t568)
-        .sub_product(t25, t566)
-        .add_product(t26, t565)
-        .add_product(t27, t560)
-        .sub_product(t28, t559);
-    let plate_v_y_dot_by_cylinder_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t565))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t567)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t559);
-    let plate_v_x_dot_by_cylinder_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t566))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t568)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t560);
-    let post_omega_dot_by_cylinder_v_y = (t24 * t569)
-        .sub_product(t23, t570)
-        .sub_product(t23, t568)
-        .add_product(t24, t567);
-    let post_v_y_dot_by_cylinder_v_y = (-(R::literal(-1.25) * t567))
-        .sub_product(R::literal(1.25), t569);
-    let post_v_x_dot_by_cylinder_v_y = (-(R::literal(-1.25) * t568))
-        .sub_product(R::literal(1.25), t570);
-    let t571 = p.spring_damping * t322;
-    let t572 = R::literal(0.12) * cylinder_omega;
-    let t573 = R::literal(3.333_333_333_333_333_5) * t500;
-    let t574 = (-t573).sub_product(t572, cos_cylinder_phi).add_product(t31, t571);
-    let t575 = R::literal(3.333_333_333_333_333_5) * t538;
-    let t576 = (-t575)
-        .sub_product(t572, sin_cylinder_phi)
-        .sub_product(t32, t571)
-        .sub_product(t80, t574);
-    let t577 = (R::literal(-2_777.777_777_777_778) * t571)
-        .add_product(t82, t574)
-        .sub_product(t91, t576);
-    let t578 = (-(t29 * t500))
-        .add_product(
-            R::literal(2.0),
-            ((t161 + t162)
-                .add_product(rod_v_x, cos_cylinder_phi)
-                .add_product(rod_v_y, sin_cylinder_phi) - t157 - t158)
-                .sub_product(cylinder_v_x, cos_cylinder_phi)
-                .sub_product(cylinder_v_y, sin_cylinder_phi),
-        )
-        .add_product(t30, t538)
-        .sub_product(t33, t571)
-        .sub_product(t34, t500)
-        .add_product(t35, t538)
-        .sub_product(t84, t574)
-        .sub_product(t93, t576)
-        .sub_product(t100, t577);
-    let t579 = R::literal(5.0) * t500;
-    let t580 = t579.sub_product(t101, t577).sub_product(t109, t578);
-    let t581 = R::literal(5.0) * t538;
-    let t582 = t581
-        .add_product(t102, t577)
-        .sub_product(t111, t578)
-        .sub_product(t118, t580);
-    let t583 = (-(t86 * t574))
-        .sub_product(t95, t576)
-        .sub_product(t104, t577)
-        .sub_product(t113, t578)
-        .sub_product(t120, t580)
-        .sub_product(t125, t582);
-    let t584 = (-(t88 * t574))
-        .sub_product(t97, t576)
-        .sub_product(t106, t577)
-        .sub_product(t115, t578)
-        .sub_product(t122, t580)
-        .sub_product(t127, t582)
-        .sub_product(t130, t583) * t131;
-    let t585 = (t583 * t128).sub_product(t130, t584);
-    let t586 = (t582 * t123).sub_product(t125, t585).sub_product(t127, t584);
-    let t587 = (t580 * t116)
-        .sub_product(t118, t586)
-        .sub_product(t120, t585)
-        .sub_product(t122, t584);
-    let t588 = (t578 * t107)
-        .sub_product(t109, t587)
-        .sub_product(t111, t586)
-        .sub_product(t113, t585)
-        .sub_product(t115, t584);
-    let t589 = (t577 * t98)
-        .sub_product(t100, t588)
-        .sub_product(t101, t587)
-        .add_product(t102, t586)
-        .sub_product(t104, t585)
-        .sub_product(t106, t584);
-    let t590 = (t576 * t89)
-        .sub_product(t91, t589)
-        .sub_product(t93, t588)
-        .sub_product(t95, t585)
-        .sub_product(t97, t584);
-    let t591 = (t574 * t78)
-        .sub_product(t80, t590)
-        .add_product(t82, t589)
-        .sub_product(t84, t588)
-        .sub_product(t86, t585)
-        .sub_product(t88, t584);
-    let t592 = (-(t71 * t590))
-        .sub_product(t69, t591)
-        .sub_product(t74, t585)
-        .sub_product(t77, t584);
-    let t593 = (-(t59 * t591))
-        .sub_product(t57, t592)
-        .sub_product(t60, t590)
-        .sub_product(t63, t585)
-        .add_product(t65, t584);
-    let t594 = (-(t52 * t592)).sub_product(t50, t593);
-    let t595 = (-(t44 * t593)).sub_product(t42, t594).sub_product(t42, t592);
-    let bobbin_v_y_dot_by_cylinder_omega = -(R::literal(1.428_571_428_571_428_6) * t584);
-    let bobbin_v_x_dot_by_cylinder_omega = -(R::literal(1.428_571_428_571_428_6) * t585);
-    let rod_omega_dot_by_cylinder_omega = (t36 * t587)
-        .sub_product(R::literal(4_166.666_666_666_667), t589)
-        .sub_product(t37, t586);
-    let rod_v_y_dot_by_cylinder_omega = (-t581)
-        .sub_product(t35, t588)
-        .sub_product(R::literal(5.0), t586);
-    let rod_v_x_dot_by_cylinder_omega = (-t579)
-        .add_product(t34, t588)
-        .sub_product(R::literal(5.0), t587);
-    let cylinder_omega_dot_by_cylinder_omega = (-(t571
-        * R::literal(2_777.777_777_777_778)))
-        .sub_product(t31, t591)
-        .add_product(t32, t590)
-        .sub_product(R::literal(-2_777.777_777_777_778), t589)
-        .add_product(t33, t588);
-    let cylinder_v_y_dot_by_cylinder_omega = t575
-        .sub_product(R::literal(3.333_333_333_333_333_5), t590)
-        .add_product(t30, t588);
-    let cylinder_v_x_dot_by_cylinder_omega = t573
-        .sub_product(R::literal(3.333_333_333_333_333_5), t591)
-        .sub_product(t29, t588);
-    let plate_omega_dot_by_cylinder_omega = (t26 * t592)
-        .sub_product(t25, t593)
-        .sub_product(t25, t591)
-        .add_product(t26, t590)
-        .add_product(t27, t585)
-        .sub_product(t28, t584);
-    let plate_v_y_dot_by_cylinder_omega = (-(R::literal(-0.833_333_333_333_333_4)
-        * t590))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t592)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t584);
-    let plate_v_x_dot_by_cylinder_omega = (-(R::literal(-0.833_333_333_333_333_4)
-        * t591))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t593)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t585);
-    let post_omega_dot_by_cylinder_omega = (t24 * t594)
-        .sub_product(t23, t595)
-        .sub_product(t23, t593)
-        .add_product(t24, t592);
-    let post_v_y_dot_by_cylinder_omega = (-(R::literal(-1.25) * t592))
-        .sub_product(R::literal(1.25), t594);
-    let post_v_x_dot_by_cylinder_omega = (-(R::literal(-1.25) * t593))
-        .sub_product(R::literal(1.25), t595);
-    let t596 = t504 - t503;
-    let t597 = (t507 - t508).sub_product(t80, t596);
-    let t598 = t510.add_product(t82, t596).sub_product(t91, t597);
-    let t599 = (t502 - t512 + t513 - t514 - t515 + t516)
-        .sub_product(t84, t596)
-        .sub_product(t93, t597)
-        .sub_product(t100, t598);
-    let t600 = t518.sub_product(t101, t598).sub_product(t109, t599);
-    let t601 = t520
-        .add_product(t102, t598)
-        .sub_product(t111, t599)
-        .sub_product(t118, t600);
-    let t602 = (-(t86 * t596))
-        .sub_product(t95, t597)
-        .sub_product(t104, t598)
-        .sub_product(t113, t599)
-        .sub_product(t120, t600)
-        .sub_product(t125, t601);
-    let t603 = (-(t88 * t596))
-        .sub_product(t97, t597)
-        .sub_product(t106, t598)
-        .sub_product(t115, t599)
-        .sub_product(t122, t600)
-        .sub_product(t127, t601)
-        .sub_product(t130, t602) * t131;
-    let t604 = (t602 * t128).sub_product(t130, t603);
-    let t605 = (t601 * t123).sub_product(t125, t604).sub_product(t127, t603);
-    let t606 = (t600 * t116)
-        .sub_product(t118, t605)
-        .sub_product(t120, t604)
-        .sub_product(t122, t603);
-    let t607 = (t599 * t107)
-        .sub_product(t109, t606)
-        .sub_product(t111, t605)
-        .sub_product(t113, t604)
-        .sub_product(t115, t603);
-    let t608 = (t598 * t98)
-        .sub_product(t100, t607)
-        .sub_product(t101, t606)
-        .add_product(t102, t605)
-        .sub_product(t104, t604)
-        .sub_product(t106, t603);
-    let t609 = (t597 * t89)
-        .sub_product(t91, t608)
-        .sub_product(t93, t607)
-        .sub_product(t95, t604)
-        .sub_product(t97, t603);
-    let t610 = (t596 * t78)
-        .sub_product(t80, t609)
-        .add_product(t82, t608)
-        .sub_product(t84, t607)
-        .sub_product(t86, t604)
-        .sub_product(t88, t603);
-    let t611 = (-(t71 * t609))
-        .sub_product(t69, t610)
-        .sub_product(t74, t604)
-        .sub_product(t77, t603);
-    let t612 = (-(t59 * t610))
-        .sub_product(t57, t611)
-        .sub_product(t60, t609)
-        .sub_product(t63, t604)
-        .add_product(t65, t603);
-    let t613 = (-(t52 * t611)).sub_product(t50, t612);
-    let t614 = (-(t44 * t612)).sub_product(t42, t613).sub_product(t42, t611);
-    let bobbin_v_y_dot_by_rod_v_x = -(R::literal(1.428_571_428_571_428_6) * t603);
-    let bobbin_v_x_dot_by_rod_v_x = -(R::literal(1.428_571_428_571_428_6) * t604);
-    let rod_omega_dot_by_rod_v_x = (t36 * t606)
-        .sub_product(R::literal(4_166.666_666_666_667), t608)
-        .sub_product(t37, t605);
-    let rod_v_y_dot_by_rod_v_x = t521
-        .sub_product(t35, t607)
-        .sub_product(R::literal(5.0), t605);
-    let rod_v_x_dot_by_rod_v_x = (-t518)
-        .add_product(t34, t607)
-        .sub_product(R::literal(5.0), t606);
-    let cylinder_omega_dot_by_rod_v_x = (-t524)
-        .sub_product(t31, t610)
-        .add_product(t32, t609)
-        .sub_product(R::literal(-2_777.777_777_777_778), t608)
-        .add_product(t33, t607);
-    let cylinder_v_y_dot_by_rod_v_x = t506
-        .sub_product(R::literal(3.333_333_333_333_333_5), t609)
-        .add_product(t30, t607);
-    let cylinder_v_x_dot_by_rod_v_x = t503
-        .sub_product(R::literal(3.333_333_333_333_333_5), t610)
-        .sub_product(t29, t607);
-    let plate_omega_dot_by_rod_v_x = (t26 * t611)
-        .sub_product(t25, t612)
-        .sub_product(t25, t610)
-        .add_product(t26, t609)
-        .add_product(t27, t604)
-        .sub_product(t28, t603);
-    let plate_v_y_dot_by_rod_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t609))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t611)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t603);
-    let plate_v_x_dot_by_rod_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t610))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t612)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t604);
-    let post_omega_dot_by_rod_v_x = (t24 * t613)
-        .sub_product(t23, t614)
-        .sub_product(t23, t612)
-        .add_product(t24, t611);
-    let post_v_y_dot_by_rod_v_x = (-(R::literal(-1.25) * t611))
-        .sub_product(R::literal(1.25), t613);
-    let post_v_x_dot_by_rod_v_x = (-(R::literal(-1.25) * t612))
-        .sub_product(R::literal(1.25), t614);
-    let t615 = t540 - t506;
-    let t616 = (t543 - t544).sub_product(t80, t615);
-    let t617 = t546.add_product(t82, t615).sub_product(t91, t616);
-    let t618 = (t539 - t548 + t549 - t550 - t551 + t552)
-        .sub_product(t84, t615)
-        .sub_product(t93, t616)
-        .sub_product(t100, t617);
-    let t619 = t520.sub_product(t101, t617).sub_product(t109, t618);
-    let t620 = t555
-        .add_product(t102, t617)
-        .sub_product(t111, t618)
-        .sub_product(t118, t619);
-    let t621 = (-(t86 * t615))
-        .sub_product(t95, t616)
-        .sub_product(t104, t617)
-        .sub_product(t113, t618)
-        .sub_product(t120, t619)
-        .sub_product(t125, t620);
-    let t622 = (-(t88 * t615))
-        .sub_product(t97, t616)
-        .sub_product(t106, t617)
-        .sub_product(t115, t618)
-        .sub_product(t122, t619)
-        .sub_product(t127, t620)
-        .sub_product(t130, t621) * t131;
-    let t623 = (t621 * t128).sub_product(t130, t622);
-    let t624 = (t620 * t123).sub_product(t125, t623).sub_product(t127, t622);
-    let t625 = (t619 * t116)
-        .sub_product(t118, t624)
-        .sub_product(t120, t623)
-        .sub_product(t122, t622);
-    let t626 = (t618 * t107)
-        .sub_product(t109, t625)
-        .sub_product(t111, t624)
-        .sub_product(t113, t623)
-        .sub_product(t115, t622);
-    let t627 = (t617 * t98)
-        .sub_product(t100, t626)
-        .sub_product(t101, t625)
-        .add_product(t102, t624)
-        .sub_product(t104, t623)
-        .sub_product(t106, t622);
-    let t628 = (t616 * t89)
-        .sub_product(t91, t627)
-        .sub_product(t93, t626)
-        .sub_product(t95, t623)
-        .sub_product(t97, t622);
-    let t629 = (t615 * t78)
-        .sub_product(t80, t628)
-        .add_product(t82, t627)
-        .sub_product(t84, t626)
-        .sub_product(t86, t623)
-        .sub_product(t88, t622);
-    let t630 = (-(t71 * t628))
-        .sub_product(t69, t629)
-        .sub_product(t74, t623)
-        .sub_product(t77, t622);
-    let t631 = (-(t59 * t629))
-        .sub_product(t57, t630)
-        .sub_product(t60, t628)
-        .sub_product(t63, t623)
-        .add_product(t65, t622);
-    let t632 = (-(t52 * t630)).sub_product(t50, t631);
-    let t633 = (-(t44 * t631)).sub_product(t42, t632).sub_product(t42, t630);
-    let bobbin_v_y_dot_by_rod_v_y = -(R::literal(1.428_571_428_571_428_6) * t622);
-    let bobbin_v_x_dot_by_rod_v_y = -(R::literal(1.428_571_428_571_428_6) * t623);
-    let rod_omega_dot_by_rod_v_y = (t36 * t625)
-        .sub_product(R::literal(4_166.666_666_666_667), t627)
-        .sub_product(t37, t624);
-    let rod_v_y_dot_by_rod_v_y = (-t555)
-        .sub_product(t35, t626)
-        .sub_product(R::literal(5.0), t624);
-    let rod_v_x_dot_by_rod_v_y = (-t520)
-        .add_product(t34, t626)
-        .sub_product(R::literal(5.0), t625);
-    let cylinder_omega_dot_by_rod_v_y = (-t558)
-        .sub_product(t31, t629)
-        .add_product(t32, t628)
-        .sub_product(R::literal(-2_777.777_777_777_778), t627)
-        .add_product(t33, t626);
-    let cylinder_v_y_dot_by_rod_v_y = t542
-        .sub_product(R::literal(3.333_333_333_333_333_5), t628)
-        .add_product(t30, t626);
-    let cylinder_v_x_dot_by_rod_v_y = t506
-        .sub_product(R::literal(3.333_333_333_333_333_5), t629)
-        .sub_product(t29, t626);
-    let plate_omega_dot_by_rod_v_y = (t26 * t630)
-        .sub_product(t25, t631)
-        .sub_product(t25, t629)
-        .add_product(t26, t628)
-        .add_product(t27, t623)
-        .sub_product(t28, t622);
-    let plate_v_y_dot_by_rod_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t628))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t630)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t622);
-    let plate_v_x_dot_by_rod_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t629))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t631)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t623);
-    let post_omega_dot_by_rod_v_y = (t24 * t632)
-        .sub_product(t23, t633)
-        .sub_product(t23, t631)
-        .add_product(t24, t630);
-    let post_v_y_dot_by_rod_v_y = (-(R::literal(-1.25) * t630))
-        .sub_product(R::literal(1.25), t632);
-    let post_v_x_dot_by_rod_v_y = (-(R::literal(-1.25) * t631))
-        .sub_product(R::literal(1.25), t633);
-    let t634 = R::literal(0.12) * rod_omega;
-    let t635 = t634 * cos_rod_phi;
-    let t636 = (t634 * sin_rod_phi).sub_product(t118, t635);
-    let t637 = (-(t120 * t635)).sub_product(t125, t636);
-    let t638 = (-(t122 * t635)).sub_product(t127, t636).sub_product(t130, t637) * t131;
-    let t639 = (t637 * t128).sub_product(t130, t638);
-    let t640 = (t636 * t123).sub_product(t125, t639).sub_product(t127, t638);
-    let t641 = (t635 * t116)
-        .sub_product(t118, t640)
-        .sub_product(t120, t639)
-        .sub_product(t122, t638);
-    let t642 = (-(t111 * t640))
-        .sub_product(t109, t641)
-        .sub_product(t113, t639)
-        .sub_product(t115, t638);
-    let t643 = (-(t101 * t641))
-        .sub_product(t100, t642)
-        .add_product(t102, t640)
-        .sub_product(t104, t639)
-        .sub_product(t106, t638);
-    let t644 = (-(t93 * t642))
-        .sub_product(t91, t643)
-        .sub_product(t95, t639)
-        .sub_product(t97, t638);
-    let t645 = (t82 * t643)
-        .sub_product(t80, t644)
-        .sub_product(t84, t642)
-        .sub_product(t86, t639)
-        .sub_product(t88, t638);
-    let t646 = (-(t71 * t644))
-        .sub_product(t69, t645)
-        .sub_product(t74, t639)
-        .sub_product(t77, t638);
-    let t647 = (-(t59 * t645))
-        .sub_product(t57, t646)
-        .sub_product(t60, t644)
-        .sub_product(t63, t639)
-        .add_product(t65, t638);
-    let t648 = (-(t52 * t646)).sub_product(t50, t647);
-    let t649 = (-(t44 * t647)).sub_product(t42, t648).sub_product(t42, t646);
-    let bobbin_v_y_dot_by_rod_omega = -(R::literal(1.428_571_428_571_428_6) * t638);
-    let bobbin_v_x_dot_by_rod_omega = -(R::literal(1.428_571_428_571_428_6) * t639);
-    let rod_omega_dot_by_rod_omega = (t36 * t641)
-        .sub_product(R::literal(4_166.666_666_666_667), t643)
-        .sub_product(t37, t640);
-    let rod_v_y_dot_by_rod_omega = (-(R::literal(5.0) * t640)).sub_product(t35, t642);
-    let rod_v_x_dot_by_rod_omega = (-(R::literal(5.0) * t641)).add_product(t34, t642);
-    let cylinder_omega_dot_by_rod_omega = (t32 * t644)
-        .sub_product(t31, t645)
-        .sub_product(R::literal(-2_777.777_777_777_778), t643)
-        .add_product(t33, t642);
-    let cylinder_v_y_dot_by_rod_omega = (t30 * t642)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t644);
-    let cylinder_v_x_dot_by_rod_omega = (-(t29 * t642))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t645);
-    let plate_omega_dot_by_rod_omega = (t26 * t646)
-        .sub_product(t25, t647)
-        .sub_product(t25, t645)
-        .add_product(t26, t644)
-        .add_product(t27, t639)
-        .sub_product(t28, t638);
-    let plate_v_y_dot_by_rod_omega = (-(R::literal(-0.833_333_333_333_333_4) * t644))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t646)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t638);
-    let plate_v_x_dot_by_rod_omega = (-(R::literal(-0.833_333_333_333_333_4) * t645))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t647)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t639);
-    let post_omega_dot_by_rod_omega = (t24 * t648)
-        .sub_product(t23, t649)
-        .sub_product(t23, t647)
-        .add_product(t24, t646);
-    let post_v_y_dot_by_rod_omega = (-(R::literal(-1.25) * t646))
-        .sub_product(R::literal(1.25), t648);
-    let post_v_x_dot_by_rod_omega = (-(R::literal(-1.25) * t647))
-        .sub_product(R::literal(1.25), t649);
-    let t650 = R::literal(1.428_571_428_571_428_6)
-        * R::select_less(
-            contact_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            -(p.contact_damping * t14 / between_squared),
-        );
-    let t651 = R::literal(1.428_571_428_571_428_6)
-        * R::select_less(
-            contact_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            -(p.contact_damping * t13 * t15 / between_squared),
-        );
-    let t652 = (-t651).add_product(t130, t650) * t131;
-    let t653 = (-(t650 * t128)).sub_product(t130, t652);
-    let t654 = (-(t127 * t652)).sub_product(t125, t653);
-    let t655 = (-(t120 * t653)).sub_product(t118, t654).sub_product(t122, t652);
-    let t656 = (-(t111 * t654))
-        .sub_product(t109, t655)
-        .sub_product(t113, t653)
-        .sub_product(t115, t652);
-    let t657 = (-(t101 * t655))
-        .sub_product(t100, t656)
-        .add_product(t102, t654)
-        .sub_product(t104, t653)
-        .sub_product(t106, t652);
-    let t658 = (-(t93 * t656))
-        .sub_product(t91, t657)
-        .sub_product(t95, t653)
-        .sub_product(t97, t652);
-    let t659 = (t82 * t657)
-        .sub_product(t80, t658)
-        .sub_product(t84, t656)
-        .sub_product(t86, t653)
-        .sub_product(t88, t652);
-    let t660 = (-(t71 * t658))
-        .sub_product(t69, t659)
-        .sub_product(t74, t653)
-        .sub_product(t77, t652);
-    let t661 = (-(t59 * t659))
-        .sub_product(t57, t660)
-        .sub_product(t60, t658)
-        .sub_product(t63, t653)
-        .add_product(t65, t652);
-    let t662 = (-(t52 * t660)).sub_product(t50, t661);
-    let t663 = (-(t44 * t661)).sub_product(t42, t662).sub_product(t42, t660);
-    let bobbin_v_y_dot_by_bobbin_v_x = t651
-        .sub_product(R::literal(1.428_571_428_571_428_6), t652);
-    let bobbin_v_x_dot_by_bobbin_v_x = t650
-        .sub_product(R::literal(1.428_571_428_571_428_6), t653);
-    let rod_omega_dot_by_bobbin_v_x = (t36 * t655)
-        .sub_product(R::literal(4_166.666_666_666_667), t657)
-        .sub_product(t37, t654);
-    let rod_v_y_dot_by_bobbin_v_x = (-(R::literal(5.0) * t654)).sub_product(t35, t656);
-    let rod_v_x_dot_by_bobbin_v_x = (-(R::literal(5.0) * t655)).add_product(t34, t656);
-    let cylinder_omega_dot_by_bobbin_v_x = (t32 * t658)
-        .sub_product(t31, t659)
-        .sub_product(R::literal(-2_777.777_777_777_778), t657)
-        .add_product(t33, t656);
-    let cylinder_v_y_dot_by_bobbin_v_x = (t30 * t656)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t658);
-    let cylinder_v_x_dot_by_bobbin_v_x = (-(t29 * t656))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t659);
-    let plate_omega_dot_by_bobbin_v_x = (t26 * t660)
-        .sub_product(t25, t661)
-        .sub_product(t25, t659)
-        .add_product(t26, t658)
-        .add_product(t27, t653)
-        .sub_product(t28, t652);
-    let plate_v_y_dot_by_bobbin_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t658))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t660)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t652);
-    let plate_v_x_dot_by_bobbin_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t659))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t661)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t653);
-    let post_omega_dot_by_bobbin_v_x = (t24 * t662)
-        .sub_product(t23, t663)
-        .sub_product(t23, t661)
-        .add_product(t24, t660);
-    let post_v_y_dot_by_bobbin_v_x = (-(R::literal(-1.25) * t660))
-        .sub_product(R::literal(1.25), t662);
-    let post_v_x_dot_by_bobbin_v_x = (-(R::literal(-1.25) * t661))
-        .sub_product(R::literal(1.25), t663);
-    let t664 = R::literal(1.428_571_428_571_428_6)
-        * R::select_less(
-            contact_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            -(p.contact_damping * t16 / between_squared),
-        );
-    let t665 = (-t664).add_product(t130, t651) * t131;
-    let t666 = (-(t651 * t128)).sub_product(t130, t665);
-    let t667 = (-(t127 * t665)).sub_product(t125, t666);
-    let t668 = (-(t120 * t666)).sub_product(t118, t667).sub_product(t122, t665);
-    let t669 = (-(t111 * t667))
-        .sub_product(t109, t668)
-        .sub_product(t113, t666)
-        .sub_product(t115, t665);
-    let t670 = (-(t101 * t668))
-        .sub_product(t100, t669)
-        .add_product(t102, t667)
-        .sub_product(t104, t666)
-        .sub_product(t106, t665);
-    let t671 = (-(t93 * t669))
-        .sub_product(t91, t670)
-        .sub_product(t95, t666)
-        .sub_product(t97, t665);
-    let t672 = (t82 * t670)
-        .sub_product(t80, t671)
-        .sub_product(t84, t669)
-        .sub_product(t86, t666)
-        .sub_product(t88, t665);
-    let t673 = (-(t71 * t671))
-        .sub_product(t69, t672)
-        .sub_product(t74, t666)
-        .sub_product(t77, t665);
-    let t674 = (-(t59 * t672))
-        .sub_product(t57, t673)
-        .sub_product(t60, t671)
-        .sub_product(t63, t666)
-        .add_product(t65, t665);
-    let t675 = (-(t52 * t673)).sub_product(t50, t674);
-    let t676 = (-(t44 * t674)).sub_product(t42, t675).sub_product(t42, t673);
-    let bobbin_v_y_dot_by_bobbin_v_y = t664
-        .sub_product(R::literal(1.428_571_428_571_428_6), t665);
-    let bobbin_v_x_dot_by_bobbin_v_y = t651
-        .sub_product(R::literal(1.428_571_428_571_428_6), t666);
-    let rod_omega_dot_by_bobbin_v_y = (t36 * t668)
-        .sub_product(R::literal(4_166.666_666_666_667), t670)
-        .sub_product(t37, t667);
-    let rod_v_y_dot_by_bobbin_v_y = (-(R::literal(5.0) * t667)).sub_product(t35, t669);
-    let rod_v_x_dot_by_bobbin_v_y = (-(R::literal(5.0) * t668)).add_product(t34, t669);
-    let cylinder_omega_dot_by_bobbin_v_y = (t32 * t671)
-        .sub_product(t31, t672)
-        .sub_product(R::literal(-2_777.777_777_777_778), t670)
-        .add_product(t33, t669);
-    let cylinder_v_y_dot_by_bobbin_v_y = (t30 * t669)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t671);
-    let cylinder_v_x_dot_by_bobbin_v_y = (-(t29 * t669))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t672);
-    let plate_omega_dot_by_bobbin_v_y = (t26 * t673)
-        .sub_product(t25, t674)
-        .sub_product(t25, t672)
-        .add_product(t26, t671)
-        .add_product(t27, t666)
-        .sub_product(t28, t665);
-    let plate_v_y_dot_by_bobbin_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t671))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t673)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t665);
-    let plate_v_x_dot_by_bobbin_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t672))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t674)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t666);
-    let post_omega_dot_by_bobbin_v_y = (t24 * t675)
-        .sub_product(t23, t676)
-        .sub_product(t23, t674)
-        .add_product(t24, t673);
-    let post_v_y_dot_by_bobbin_v_y = (-(R::literal(-1.25) * t673))
-        .sub_product(R::literal(1.25), t675);
-    let post_v_x_dot_by_bobbin_v_y = (-(R::literal(-1.25) * t674))
-        .sub_product(R::literal(1.25), t676);
+    x[14][10] = t62;
+    x[15][10] = t63;
+    x[16][10] = t62;
+    x[17][10] = t63;
+    x[16][11] = t65;
+    x[17][11] = t66;
+    x[18][11] = t65;
+    x[19][11] = t66;
+    x[24][11] = plate_omega
+        * (R::literal(0.02) * m.cos_plate_phi)
+            .sub_product(R::literal(0.2), m.sin_plate_phi);
+    x[25][11] = plate_omega
+        * (R::literal(0.02) * m.sin_plate_phi)
+            .add_product(R::literal(0.2), m.cos_plate_phi);
+    x[6][12] = t68;
+    x[7][12] = t70;
+    x[8][12] = t72;
+    x[9][12] = t67;
+    x[10][12] = t69;
+    x[21][12] = -t74;
+    x[6][13] = t70;
+    x[7][13] = t76;
+    x[8][13] = t77;
+    x[9][13] = t69;
+    x[10][13] = t75;
+    x[21][13] = -t78;
+    x[6][14] = t72;
+    x[7][14] = t77;
+    x[8][14] = -(p.spring_damping * t50);
+    x[9][14] = t79;
+    x[10][14] = t80;
+    x[18][14] = -(t81 * m.cos_cylinder_phi);
+    x[19][14] = -(t81 * m.sin_cylinder_phi);
+    x[21][14] = R::literal(2.0)
+        * (cylinder_x_times_cylinder_omega * m.sin_cylinder_phi)
+            .add_product(rod_y_times_cylinder_omega, m.cos_cylinder_phi)
+            .add_product(rod_v_x, m.cos_cylinder_phi)
+            .add_product(rod_v_y, m.sin_cylinder_phi)
+            .sub_product(cylinder_y_times_cylinder_omega, m.cos_cylinder_phi)
+            .sub_product(rod_x_times_cylinder_omega, m.sin_cylinder_phi)
+            .sub_product(cylinder_v_x, m.cos_cylinder_phi)
+            .sub_product(cylinder_v_y, m.sin_cylinder_phi);
+    x[6][15] = t67;
+    x[7][15] = t69;
+    x[8][15] = t79;
+    x[9][15] = t68;
+    x[10][15] = t70;
+    x[21][15] = t74;
+    x[6][16] = t69;
+    x[7][16] = t75;
+    x[8][16] = t80;
+    x[9][16] = t70;
+    x[10][16] = t76;
+    x[21][16] = t78;
+    x[22][17] = t82 * m.cos_rod_phi;
+    x[23][17] = t82 * m.sin_rod_phi;
+    x[12][18] = R::select_less(
+        contact_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        -(p.contact_damping * m.t9 / t53),
+    );
+    x[13][18] = t83;
+    x[12][19] = t83;
+    x[13][19] = R::select_less(
+        contact_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        -(p.contact_damping * m.t11 / t53),
+    );
+    substitute(RATE_JACOBIAN_STEPS.iter().copied(), &m.factors, &mut x);
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -4117,994 +2084,220 @@ pub fn prepared_rate_jacobian<R: Real>(
         R::literal(1.0),
         R::literal(1.0),
         R::literal(1.0),
-        post_v_x_dot_by_post_phi,
-        post_v_x_dot_by_plate_phi,
-        post_v_x_dot_by_cylinder_x,
-        post_v_x_dot_by_cylinder_y,
-        post_v_x_dot_by_cylinder_phi,
-        post_v_x_dot_by_rod_x,
-        post_v_x_dot_by_rod_y,
-        post_v_x_dot_by_rod_phi,
-        post_v_x_dot_by_bobbin_x,
-        post_v_x_dot_by_bobbin_y,
-        post_v_x_dot_by_post_omega,
-        post_v_x_dot_by_plate_omega,
-        post_v_x_dot_by_cylinder_v_x,
-        post_v_x_dot_by_cylinder_v_y,
-        post_v_x_dot_by_cylinder_omega,
-        post_v_x_dot_by_rod_v_x,
-        post_v_x_dot_by_rod_v_y,
-        post_v_x_dot_by_rod_omega,
-        post_v_x_dot_by_bobbin_v_x,
-        post_v_x_dot_by_bobbin_v_y,
-        post_v_y_dot_by_post_phi,
-        post_v_y_dot_by_plate_phi,
-        post_v_y_dot_by_cylinder_x,
-        post_v_y_dot_by_cylinder_y,
-        post_v_y_dot_by_cylinder_phi,
-        post_v_y_dot_by_rod_x,
-        post_v_y_dot_by_rod_y,
-        post_v_y_dot_by_rod_phi,
-        post_v_y_dot_by_bobbin_x,
-        post_v_y_dot_by_bobbin_y,
-        post_v_y_dot_by_post_omega,
-        post_v_y_dot_by_plate_omega,
-        post_v_y_dot_by_cylinder_v_x,
-        post_v_y_dot_by_cylinder_v_y,
-        post_v_y_dot_by_cylinder_omega,
-        post_v_y_dot_by_rod_v_x,
-        post_v_y_dot_by_rod_v_y,
-        post_v_y_dot_by_rod_omega,
-        post_v_y_dot_by_bobbin_v_x,
-        post_v_y_dot_by_bobbin_v_y,
-        post_omega_dot_by_post_phi,
-        post_omega_dot_by_plate_phi,
-        post_omega_dot_by_cylinder_x,
-        post_omega_dot_by_cylinder_y,
-        post_omega_dot_by_cylinder_phi,
-        post_omega_dot_by_rod_x,
-        post_omega_dot_by_rod_y,
-        post_omega_dot_by_rod_phi,
-        post_omega_dot_by_bobbin_x,
-        post_omega_dot_by_bobbin_y,
-        post_omega_dot_by_post_omega,
-        post_omega_dot_by_plate_omega,
-        post_omega_dot_by_cylinder_v_x,
-        post_omega_dot_by_cylinder_v_y,
-        post_omega_dot_by_cylinder_omega,
-        post_omega_dot_by_rod_v_x,
-        post_omega_dot_by_rod_v_y,
-        post_omega_dot_by_rod_omega,
-        post_omega_dot_by_bobbin_v_x,
-        post_omega_dot_by_bobbin_v_y,
-        plate_v_x_dot_by_post_phi,
-        plate_v_x_dot_by_plate_phi,
-        plate_v_x_dot_by_cylinder_x,
-        plate_v_x_dot_by_cylinder_y,
-        plate_v_x_dot_by_cylinder_phi,
-        plate_v_x_dot_by_rod_x,
-        plate_v_x_dot_by_rod_y,
-        plate_v_x_dot_by_rod_phi,
-        plate_v_x_dot_by_bobbin_x,
-        plate_v_x_dot_by_bobbin_y,
-        plate_v_x_dot_by_post_omega,
-        plate_v_x_dot_by_plate_omega,
-        plate_v_x_dot_by_cylinder_v_x,
-        plate_v_x_dot_by_cylinder_v_y,
-        plate_v_x_dot_by_cylinder_omega,
-        plate_v_x_dot_by_rod_v_x,
-        plate_v_x_dot_by_rod_v_y,
-        plate_v_x_dot_by_rod_omega,
-        plate_v_x_dot_by_bobbin_v_x,
-        plate_v_x_dot_by_bobbin_v_y,
-        plate_v_y_dot_by_post_phi,
-        plate_v_y_dot_by_plate_phi,
-        plate_v_y_dot_by_cylinder_x,
-        plate_v_y_dot_by_cylinder_y,
-        plate_v_y_dot_by_cylinder_phi,
-        plate_v_y_dot_by_rod_x,
-        plate_v_y_dot_by_rod_y,
-        plate_v_y_dot_by_rod_phi,
-        plate_v_y_dot_by_bobbin_x,
-        plate_v_y_dot_by_bobbin_y,
-        plate_v_y_dot_by_post_omega,
-        plate_v_y_dot_by_plate_omega,
-        plate_v_y_dot_by_cylinder_v_x,
-        plate_v_y_dot_by_cylinder_v_y,
-        plate_v_y_dot_by_cylinder_omega,
-        plate_v_y_dot_by_rod_v_x,
-        plate_v_y_dot_by_rod_v_y,
-        plate_v_y_dot_by_rod_omega,
-        plate_v_y_dot_by_bobbin_v_x,
-        plate_v_y_dot_by_bobbin_v_y,
-        plate_omega_dot_by_post_phi,
-        plate_omega_dot_by_plate_phi,
-        plate_omega_dot_by_cylinder_x,
-        plate_omega_dot_by_cylinder_y,
-        plate_omega_dot_by_cylinder_phi,
-        plate_omega_dot_by_rod_x,
-        plate_omega_dot_by_rod_y,
-        plate_omega_dot_by_rod_phi,
-        plate_omega_dot_by_bobbin_x,
-        plate_omega_dot_by_bobbin_y,
-        plate_omega_dot_by_post_omega,
-        plate_omega_dot_by_plate_omega,
-        plate_omega_dot_by_cylinder_v_x,
-        plate_omega_dot_by_cylinder_v_y,
-        plate_omega_dot_by_cylinder_omega,
-        plate_omega_dot_by_rod_v_x,
-        plate_omega_dot_by_rod_v_y,
-        plate_omega_dot_by_rod_omega,
-        plate_omega_dot_by_bobbin_v_x,
-        plate_omega_dot_by_bobbin_v_y,
-        cylinder_v_x_dot_by_post_phi,
-        cylinder_v_x_dot_by_plate_phi,
-        cylinder_v_x_dot_by_cylinder_x,
-        cylinder_v_x_dot_by_cylinder_y,
-        cylinder_v_x_dot_by_cylinder_phi,
-        cylinder_v_x_dot_by_rod_x,
-        cylinder_v_x_dot_by_rod_y,
-        cylinder_v_x_dot_by_rod_phi,
-        cylinder_v_x_dot_by_bobbin_x,
-        cylinder_v_x_dot_by_bobbin_y,
-        cylinder_v_x_dot_by_post_omega,
-        cylinder_v_x_dot_by_plate_omega,
-        cylinder_v_x_dot_by_cylinder_v_x,
-        cylinder_v_x_dot_by_cylinder_v_y,
-        cylinder_v_x_dot_by_cylinder_omega,
-        cylinder_v_x_dot_by_rod_v_x,
-        cylinder_v_x_dot_by_rod_v_y,
-        cylinder_v_x_dot_by_rod_omega,
-        cylinder_v_x_dot_by_bobbin_v_x,
-        cylinder_v_x_dot_by_bobbin_v_y,
-        cylinder_v_y_dot_by_post_phi,
-        cylinder_v_y_dot_by_plate_phi,
-        cylinder_v_y_dot_by_cylinder_x,
-        cylinder_v_y_dot_by_cylinder_y,
-        cylinder_v_y_dot_by_cylinder_phi,
-        cylinder_v_y_dot_by_rod_x,
-        cylinder_v_y_dot_by_rod_y,
-        cylinder_v_y_dot_by_rod_phi,
-        cylinder_v_y_dot_by_bobbin_x,
-        cylinder_v_y_dot_by_bobbin_y,
-        cylinder_v_y_dot_by_post_omega,
-        cylinder_v_y_dot_by_plate_omega,
-        cylinder_v_y_dot_by_cylinder_v_x,
-        cylinder_v_y_dot_by_cylinder_v_y,
-        cylinder_v_y_dot_by_cylinder_omega,
-        cylinder_v_y_dot_by_rod_v_x,
-        cylinder_v_y_dot_by_rod_v_y,
-        cylinder_v_y_dot_by_rod_omega,
-        cylinder_v_y_dot_by_bobbin_v_x,
-        cylinder_v_y_dot_by_bobbin_v_y,
-        cylinder_omega_dot_by_post_phi,
-        cylinder_omega_dot_by_plate_phi,
-        cylinder_omega_dot_by_cylinder_x,
-        cylinder_omega_dot_by_cylinder_y,
-        cylinder_omega_dot_by_cylinder_phi,
-        cylinder_omega_dot_by_rod_x,
-        cylinder_omega_dot_by_rod_y,
-        cylinder_omega_dot_by_rod_phi,
-        cylinder_omega_dot_by_bobbin_x,
-        cylinder_omega_dot_by_bobbin_y,
-        cylinder_omega_dot_by_post_omega,
-        cylinder_omega_dot_by_plate_omega,
-        cylinder_omega_dot_by_cylinder_v_x,
-        cylinder_omega_dot_by_cylinder_v_y,
-        cylinder_omega_dot_by_cylinder_omega,
-        cylinder_omega_dot_by_rod_v_x,
-        cylinder_omega_dot_by_rod_v_y,
-        cylinder_omega_dot_by_rod_omega,
-        cylinder_omega_dot_by_bobbin_v_x,
-        cylinder_omega_dot_by_bobbin_v_y,
-        rod_v_x_dot_by_post_phi,
-        rod_v_x_dot_by_plate_phi,
-        rod_v_x_dot_by_cylinder_x,
-        rod_v_x_dot_by_cylinder_y,
-        rod_v_x_dot_by_cylinder_phi,
-        rod_v_x_dot_by_rod_x,
-        rod_v_x_dot_by_rod_y,
-        rod_v_x_dot_by_rod_phi,
-        rod_v_x_dot_by_bobbin_x,
-        rod_v_x_dot_by_bobbin_y,
-        rod_v_x_dot_by_post_omega,
-        rod_v_x_dot_by_plate_omega,
-        rod_v_x_dot_by_cylinder_v_x,
-        rod_v_x_dot_by_cylinder_v_y,
-        rod_v_x_dot_by_cylinder_omega,
-        rod_v_x_dot_by_rod_v_x,
-        rod_v_x_dot_by_rod_v_y,
-        rod_v_x_dot_by_rod_omega,
-        rod_v_x_dot_by_bobbin_v_x,
-        rod_v_x_dot_by_bobbin_v_y,
-        rod_v_y_dot_by_post_phi,
-        rod_v_y_dot_by_plate_phi,
-        rod_v_y_dot_by_cylinder_x,
-        rod_v_y_dot_by_cylinder_y,
-        rod_v_y_dot_by_cylinder_phi,
-        rod_v_y_dot_by_rod_x,
-        rod_v_y_dot_by_rod_y,
-        rod_v_y_dot_by_rod_phi,
-        rod_v_y_dot_by_bobbin_x,
-        rod_v_y_dot_by_bobbin_y,
-        rod_v_y_dot_by_post_omega,
-        rod_v_y_dot_by_plate_omega,
-        rod_v_y_dot_by_cylinder_v_x,
-        rod_v_y_dot_by_cylinder_v_y,
-        rod_v_y_dot_by_cylinder_omega,
-        rod_v_y_dot_by_rod_v_x,
-        rod_v_y_dot_by_rod_v_y,
-        rod_v_y_dot_by_rod_omega,
-        rod_v_y_dot_by_bobbin_v_x,
-        rod_v_y_dot_by_bobbin_v_y,
-        rod_omega_dot_by_post_phi,
-        rod_omega_dot_by_plate_phi,
-        rod_omega_dot_by_cylinder_x,
-        rod_omega_dot_by_cylinder_y,
-        rod_omega_dot_by_cylinder_phi,
-        rod_omega_dot_by_rod_x,
-        rod_omega_dot_by_rod_y,
-        rod_omega_dot_by_rod_phi,
-        rod_omega_dot_by_bobbin_x,
-        rod_omega_dot_by_bobbin_y,
-        rod_omega_dot_by_post_omega,
-        rod_omega_dot_by_plate_omega,
-        rod_omega_dot_by_cylinder_v_x,
-        rod_omega_dot_by_cylinder_v_y,
-        rod_omega_dot_by_cylinder_omega,
-        rod_omega_dot_by_rod_v_x,
-        rod_omega_dot_by_rod_v_y,
-        rod_omega_dot_by_rod_omega,
-        rod_omega_dot_by_bobbin_v_x,
-        rod_omega_dot_by_bobbin_v_y,
-        bobbin_v_x_dot_by_post_phi,
-        bobbin_v_x_dot_by_plate_phi,
-        bobbin_v_x_dot_by_cylinder_x,
-        bobbin_v_x_dot_by_cylinder_y,
-        bobbin_v_x_dot_by_cylinder_phi,
-        bobbin_v_x_dot_by_rod_x,
-        bobbin_v_x_dot_by_rod_y,
-        bobbin_v_x_dot_by_rod_phi,
-        bobbin_v_x_dot_by_bobbin_x,
-        bobbin_v_x_dot_by_bobbin_y,
-        bobbin_v_x_dot_by_post_omega,
-        bobbin_v_x_dot_by_plate_omega,
-        bobbin_v_x_dot_by_cylinder_v_x,
-        bobbin_v_x_dot_by_cylinder_v_y,
-        bobbin_v_x_dot_by_cylinder_omega,
-        bobbin_v_x_dot_by_rod_v_x,
-        bobbin_v_x_dot_by_rod_v_y,
-        bobbin_v_x_dot_by_rod_omega,
-        bobbin_v_x_dot_by_bobbin_v_x,
-        bobbin_v_x_dot_by_bobbin_v_y,
-        bobbin_v_y_dot_by_post_phi,
-        bobbin_v_y_dot_by_plate_phi,
-        bobbin_v_y_dot_by_cylinder_x,
-        bobbin_v_y_dot_by_cylinder_y,
-        bobbin_v_y_dot_by_cylinder_phi,
-        bobbin_v_y_dot_by_rod_x,
-        bobbin_v_y_dot_by_rod_y,
-        bobbin_v_y_dot_by_rod_phi,
-        bobbin_v_y_dot_by_bobbin_x,
-        bobbin_v_y_dot_by_bobbin_y,
-        bobbin_v_y_dot_by_post_omega,
-        bobbin_v_y_dot_by_plate_omega,
-        bobbin_v_y_dot_by_cylinder_v_x,
-        bobbin_v_y_dot_by_cylinder_v_y,
-        bobbin_v_y_dot_by_cylinder_omega,
-        bobbin_v_y_dot_by_rod_v_x,
-        bobbin_v_y_dot_by_rod_v_y,
-        bobbin_v_y_dot_by_rod_omega,
-        bobbin_v_y_dot_by_bobbin_v_x,
-        bobbin_v_y_dot_by_bobbin_v_y,
+        x[0][0], x[0][1], x[0][2], x[0][3], x[0][4], x[0][5], x[0][6], x[0][7], x[0][8], x[0][9],
+        x[0][10], x[0][11], x[0][12], x[0][13], x[0][14], x[0][15], x[0][16], x[0][17], x[0][18],
+        x[0][19], x[1][0], x[1][1], x[1][2], x[1][3], x[1][4], x[1][5], x[1][6], x[1][7], x[1][8],
+        x[1][9], x[1][10], x[1][11], x[1][12], x[1][13], x[1][14], x[1][15], x[1][16], x[1][17],
+        x[1][18], x[1][19], x[2][0], x[2][1], x[2][2], x[2][3], x[2][4], x[2][5], x[2][6], x[2][7],
+        x[2][8], x[2][9], x[2][10], x[2][11], x[2][12], x[2][13], x[2][14], x[2][15], x[2][16],
+        x[2][17], x[2][18], x[2][19], x[3][0], x[3][1], x[3][2], x[3][3], x[3][4], x[3][5], x[3][6],
+        x[3][7], x[3][8], x[3][9], x[3][10], x[3][11], x[3][12], x[3][13], x[3][14], x[3][15],
+        x[3][16], x[3][17], x[3][18], x[3][19], x[4][0], x[4][1], x[4][2], x[4][3], x[4][4],
+        x[4][5], x[4][6], x[4][7], x[4][8], x[4][9], x[4][10], x[4][11], x[4][12], x[4][13],
+        x[4][14], x[4][15], x[4][16], x[4][17], x[4][18], x[4][19], x[5][0], x[5][1], x[5][2],
+        x[5][3], x[5][4], x[5][5], x[5][6], x[5][7], x[5][8], x[5][9], x[5][10], x[5][11], x[5][12],
+        x[5][13], x[5][14], x[5][15], x[5][16], x[5][17], x[5][18], x[5][19], x[6][0], x[6][1],
+        x[6][2], x[6][3], x[6][4], x[6][5], x[6][6], x[6][7], x[6][8], x[6][9], x[6][10], x[6][11],
+        x[6][12], x[6][13], x[6][14], x[6][15], x[6][16], x[6][17], x[6][18], x[6][19], x[7][0],
+        x[7][1], x[7][2], x[7][3], x[7][4], x[7][5], x[7][6], x[7][7], x[7][8], x[7][9], x[7][10],
+        x[7][11], x[7][12], x[7][13], x[7][14], x[7][15], x[7][16], x[7][17], x[7][18], x[7][19],
+        x[8][0], x[8][1], x[8][2], x[8][3], x[8][4], x[8][5], x[8][6], x[8][7], x[8][8], x[8][9],
+        x[8][10], x[8][11], x[8][12], x[8][13], x[8][14], x[8][15], x[8][16], x[8][17], x[8][18],
+        x[8][19], x[9][0], x[9][1], x[9][2], x[9][3], x[9][4], x[9][5], x[9][6], x[9][7], x[9][8],
+        x[9][9], x[9][10], x[9][11], x[9][12], x[9][13], x[9][14], x[9][15], x[9][16], x[9][17],
+        x[9][18], x[9][19], x[10][0], x[10][1], x[10][2], x[10][3], x[10][4], x[10][5], x[10][6],
+        x[10][7], x[10][8], x[10][9], x[10][10], x[10][11], x[10][12], x[10][13], x[10][14],
+        x[10][15], x[10][16], x[10][17], x[10][18], x[10][19], x[11][0], x[11][1], x[11][2],
+        x[11][3], x[11][4], x[11][5], x[11][6], x[11][7], x[11][8], x[11][9], x[11][10], x[11][11],
+        x[11][12], x[11][13], x[11][14], x[11][15], x[11][16], x[11][17], x[11][18], x[11][19],
+        x[12][0], x[12][1], x[12][2], x[12][3], x[12][4], x[12][5], x[12][6], x[12][7], x[12][8],
+        x[12][9], x[12][10], x[12][11], x[12][12], x[12][13], x[12][14], x[12][15], x[12][16],
+        x[12][17], x[12][18], x[12][19], x[13][0], x[13][1], x[13][2], x[13][3], x[13][4], x[13][5],
+        x[13][6], x[13][7], x[13][8], x[13][9], x[13][10], x[13][11], x[13][12], x[13][13],
+        x[13][14], x[13][15], x[13][16], x[13][17], x[13][18], x[13][19],
     ]
 }
 
+static RATE_JACOBIAN_STEPS: &[Step<'static>] = &[
+    Step::less(14, &[(0, 2)]),
+    Step::less(15, &[(1, 2), (2, 14)]),
+    Step::less(16, &[(0, 2), (3, 5), (4, 14), (5, 15)]),
+    Step::less(17, &[(1, 2), (6, 5), (2, 14), (7, 15), (8, 16)]),
+    Step::less(18, &[(3, 5), (9, 6), (10, 8), (11, 16), (12, 17)]),
+    Step::less(19, &[(6, 5), (9, 7), (13, 8), (14, 16), (15, 17), (16, 18)]),
+    Step::less(20, &[(17, 8), (18, 11), (19, 18), (20, 19)]),
+    Step::less(
+        21,
+        &[(21, 6), (22, 7), (23, 8), (24, 9), (25, 10), (26, 18), (27, 19), (28, 20)],
+    ),
+    Step::less(22, &[(29, 9), (30, 11), (31, 20), (32, 21)]),
+    Step::less(23, &[(29, 10), (33, 11), (34, 20), (35, 21), (36, 22)]),
+    Step::less(
+        24,
+        &[
+            (37, 5), (38, 12), (39, 16), (40, 17), (41, 18), (42, 19), (43, 20), (44, 21), (45, 22),
+            (46, 23),
+        ],
+    ),
+    Step::less(
+        25,
+        &[
+            (47, 5), (38, 13), (48, 16), (49, 17), (50, 18), (51, 19), (52, 20), (53, 21), (54, 22),
+            (55, 23), (56, 24),
+        ],
+    ),
+    Step::scaled(25, 57, &[]),
+    Step::scaled(24, 58, &[(56, 25)]),
+    Step::scaled(23, 59, &[(46, 24), (55, 25)]),
+    Step::scaled(22, 60, &[(36, 23), (45, 24), (54, 25)]),
+    Step::scaled(21, 61, &[(32, 22), (35, 23), (44, 24), (53, 25)]),
+    Step::scaled(20, 62, &[(28, 21), (31, 22), (34, 23), (43, 24), (52, 25)]),
+    Step::scaled(19, 63, &[(20, 20), (27, 21), (42, 24), (51, 25)]),
+    Step::scaled(18, 64, &[(16, 19), (19, 20), (26, 21), (41, 24), (50, 25)]),
+    Step::scaled(17, 65, &[(12, 18), (15, 19), (40, 24), (49, 25)]),
+    Step::scaled(16, 66, &[(8, 17), (11, 18), (14, 19), (39, 24), (48, 25)]),
+    Step::scaled(15, 67, &[(5, 16), (7, 17)]),
+    Step::scaled(14, 68, &[(2, 15), (4, 16), (2, 17)]),
+    Step::scaled(13, 38, &[(38, 25)]),
+    Step::scaled(12, 38, &[(38, 24)]),
+    Step::scaled(11, 18, &[(18, 20), (30, 22), (33, 23)]),
+    Step::scaled(10, 29, &[(25, 21), (29, 23)]),
+    Step::scaled(9, 29, &[(24, 21), (29, 22)]),
+    Step::scaled(8, 69, &[(10, 18), (13, 19), (17, 20), (23, 21)]),
+    Step::scaled(7, 9, &[(9, 19), (22, 21)]),
+    Step::scaled(6, 9, &[(9, 18), (21, 21)]),
+    Step::scaled(5, 70, &[(3, 16), (6, 17), (3, 18), (6, 19), (37, 24), (47, 25)]),
+    Step::less(4, &[(71, 17), (72, 19), (72, 25)]),
+    Step::less(3, &[(71, 16), (72, 18), (72, 24)]),
+    Step::scaled(2, 73, &[(0, 14), (1, 15), (0, 16), (1, 17)]),
+    Step::less(1, &[(74, 15), (75, 17)]),
+    Step::less(0, &[(74, 14), (75, 16)]),
+];
+
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 1133 operations.
+/// 57 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
-    _time: R,
+    time: R,
     state: &[R; STATES],
-    _p: &Parameters<R>,
+    p: &Parameters<R>,
 ) -> [R; 56] {
-    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x,
-    rod_y, rod_phi, bobbin_x, bobbin_y, _, _, _, _, _, _, cylinder_v_x, cylinder_v_y,
-    cylinder_omega, rod_v_x, rod_v_y, _, bobbin_v_x, bobbin_v_y, contact_closed, ..] = *state;
-    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
-    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
-        post_phi,
-        plate_phi,
-        cylinder_phi,
-        rod_phi,
-    ]);
-    let t0 = R::literal(0.1) * cos_post_phi;
-    let t1 = R::literal(0.1) * sin_post_phi;
-    let t2 = R::literal(0.06) * cos_plate_phi;
-    let t3 = R::literal(0.06) * sin_plate_phi;
-    let t4 = R::literal(0.06) * cos_cylinder_phi;
-    let t5 = R::literal(0.06) * sin_cylinder_phi;
-    let t6 = R::literal(0.06) * sin_rod_phi;
-    let t7 = bobbin_x - R::literal(0.328);
-    let t8 = bobbin_y - R::literal(0.058);
-    let between = (t7 * t7).add_product(t8, t8).sqrt();
+    let [_, _, _, _, _, _, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y, _,
+    bobbin_x, bobbin_y, _, _, _, _, _, _, cylinder_v_x, cylinder_v_y, cylinder_omega,
+    rod_v_x, rod_v_y, _, bobbin_v_x, bobbin_v_y, contact_closed, ..] = *state;
+    let m = &motion(time, state, p, &prepare(p));
+    let (sin_cylinder_phi, cos_cylinder_phi) = cylinder_phi.sin_cos();
+    let t0 = bobbin_x - R::literal(0.328);
+    let t1 = bobbin_y - R::literal(0.058);
+    let between = (t0 * t0).add_product(t1, t1).sqrt();
     let contact_gap = between - R::literal(0.1);
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
     let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
         .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let contact_rate = (bobbin_v_x * t7).add_product(bobbin_v_y, t8) / between;
-    let t9 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+    let contact_rate = (bobbin_v_x * t0).add_product(bobbin_v_y, t1) / between;
+    let t2 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
         .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
     let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
-        .add_product(cylinder_omega, t9)
+        .add_product(cylinder_omega, t2)
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
-    let t10 = (R::literal(0.01) * sin_plate_phi)
-        .add_product(R::literal(0.1), cos_plate_phi);
-    let t11 = (R::literal(0.01) * cos_plate_phi)
-        .sub_product(R::literal(0.1), sin_plate_phi);
-    let t12 = R::literal(37.037_037_037_037_03) * sin_post_phi;
-    let t13 = R::literal(37.037_037_037_037_03) * cos_post_phi;
-    let t14 = R::literal(24.0) * sin_plate_phi;
-    let t15 = R::literal(24.0) * cos_plate_phi;
-    let t16 = t10 * R::literal(400.0);
-    let t17 = t11 * R::literal(400.0);
-    let t18 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t19 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t20 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
-    let t21 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
-    let t22 = slide * R::literal(2_777.777_777_777_778);
-    let t23 = sin_cylinder_phi * R::literal(5.0);
-    let t24 = cos_cylinder_phi * R::literal(5.0);
-    let t25 = R::literal(250.0) * sin_rod_phi;
-    let t26 = R::literal(250.0) * cos_rod_phi;
-    let t27 = t12 * t1;
-    let t28 = R::literal(-1.25) - t27;
-    let t29 = R::literal(1.0) / t28;
-    let t30 = t13 * t1;
-    let t31 = t30 * t29;
-    let t32 = R::literal(1.25) - t27;
-    let t33 = t32 * t29;
-    let t34 = t13 * t0;
-    let t35 = R::literal(-1.25) - t34;
-    let t36 = t31 * t30;
-    let t37 = R::literal(1.0) / (t35 - t36);
-    let t38 = (t12 * t0).sub_product(t33, t30);
-    let t39 = t38 * t37;
-    let t40 = R::literal(1.25) - t34 - t36;
-    let t41 = t40 * t37;
-    let t42 = t14 * t3;
-    let t43 = R::literal(1.0)
-        / (t28 - R::literal(0.833_333_333_333_333_4) - t42)
-            .sub_product(t33, t32)
-            .sub_product(t39, t38);
-    let t44 = t15 * t3;
-    let t45 = (t30 + t44).sub_product(t31, t32).sub_product(t41, t38);
-    let t46 = t45 * t43;
-    let t47 = R::literal(0.833_333_333_333_333_4) - t42;
-    let t48 = t47 * t43;
-    let t49 = t44 * t43;
-    let t50 = t16 * t3;
-    let t51 = R::literal(0.833_333_333_333_333_4) + t50;
-    let t52 = t51 * t43;
-    let t53 = t17 * t3;
-    let t54 = t53 * t43;
-    let t55 = t15 * t2;
-    let t56 = R::literal(1.0)
-        / (t35 - R::literal(0.833_333_333_333_333_4) - t55 - t36)
-            .sub_product(t41, t40)
-            .sub_product(t46, t45);
-    let t57 = (t14 * t2).sub_product(t48, t45);
-    let t58 = t57 * t56;
-    let t59 = (R::literal(0.833_333_333_333_333_4) - t55).sub_product(t49, t45);
-    let t60 = t59 * t56;
-    let t61 = -(t16 * t2);
-    let t62 = t61.sub_product(t52, t45);
-    let t63 = t62 * t56;
-    let t64 = t17 * t2;
-    let t65 = (R::literal(0.833_333_333_333_333_4) + t64).add_product(t54, t45);
-    let t66 = t65 * t56;
-    let t67 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t42
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t20, t5)
-            .sub_product(t48, t47)
-            .sub_product(t58, t57);
-    let t68 = t44.add_product(t21, t5).sub_product(t49, t47).sub_product(t60, t57);
-    let t69 = t68 * t67;
-    let t70 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
-    let t71 = t70 * t67;
-    let t72 = (-t18).add_product(t22, t5);
-    let t73 = t72 * t67;
-    let t74 = (R::literal(-0.833_333_333_333_333_4) + t50)
-        .sub_product(t52, t47)
-        .sub_product(t63, t57);
-    let t75 = t74 * t67;
-    let t76 = (-t53).add_product(t54, t47).sub_product(t66, t57);
-    let t77 = t76 * t67;
-    let t78 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t55
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t21, t4)
-            .sub_product(t49, t44)
-            .sub_product(t60, t59)
-            .sub_product(t69, t68);
-    let t79 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
-        .add_product(t71, t68);
-    let t80 = t79 * t78;
-    let t81 = t19.sub_product(t22, t4).sub_product(t73, t68);
-    let t82 = t81 * t78;
-    let t83 = t61.sub_product(t52, t44).sub_product(t63, t59).sub_product(t75, t68);
-    let t84 = t83 * t78;
-    let t85 = (R::literal(-0.833_333_333_333_333_4) + t64)
-        .add_product(t54, t44)
-        .sub_product(t66, t59)
-        .sub_product(t77, t68);
-    let t86 = t85 * t78;
-    let t87 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445).sub_product(t71, t70).sub_product(t80, t79);
-    let t88 = (-t22).add_product(t73, t70).sub_product(t82, t79);
-    let t89 = t88 * t87;
-    let t90 = t25 * t87;
-    let t91 = t26 * t87;
-    let t92 = (t75 * t70).sub_product(t84, t79);
-    let t93 = t92 * t87;
-    let t94 = (t77 * t70).sub_product(t86, t79);
-    let t95 = t94 * t87;
-    let t96 = R::literal(1.0)
-        / (-(t19 * cos_cylinder_phi))
-            .sub_product(t18, sin_cylinder_phi)
-            .sub_product(t22, slide)
-            .sub_product(t23, sin_cylinder_phi)
-            .sub_product(t24, cos_cylinder_phi)
-            .sub_product(t73, t72)
-            .sub_product(t82, t81)
-            .sub_product(t89, t88);
-    let t97 = t23.sub_product(t90, t88);
-    let t98 = t97 * t96;
-    let t99 = (-t24).add_product(t91, t88);
-    let t100 = t99 * t96;
-    let t101 = (-(t75 * t72)).sub_product(t84, t81).sub_product(t93, t88);
-    let t102 = t101 * t96;
-    let t103 = (-(t77 * t72)).sub_product(t86, t81).sub_product(t95, t88);
-    let t104 = t103 * t96;
-    let t105 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t25, t6)
-            .sub_product(t90, t25)
-            .sub_product(t98, t97);
-    let t106 = (t26 * t6).add_product(t91, t25).sub_product(t100, t97);
-    let t107 = t106 * t105;
-    let t108 = (-(t93 * t25)).sub_product(t102, t97);
-    let t109 = t108 * t105;
-    let t110 = (-(t95 * t25)).sub_product(t104, t97);
-    let t111 = t110 * t105;
-    let t112 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t26, R::literal(0.06) * cos_rod_phi)
-            .sub_product(t91, t26)
-            .sub_product(t100, t99)
-            .sub_product(t107, t106);
-    let t113 = (t93 * t26).sub_product(t102, t99).sub_product(t109, t106);
-    let t114 = t113 * t112;
-    let t115 = (t95 * t26).sub_product(t104, t99).sub_product(t111, t106);
-    let t116 = t115 * t112;
-    let t117 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t16, t10)
-            - R::literal(1.428_571_428_571_428_6))
-            .sub_product(t52, t51)
-            .sub_product(t63, t62)
-            .sub_product(t75, t74)
-            .sub_product(t84, t83)
-            .sub_product(t93, t92)
-            .sub_product(t102, t101)
-            .sub_product(t109, t108)
-            .sub_product(t114, t113);
-    let t118 = (t17 * t10)
-        .add_product(t54, t51)
-        .sub_product(t66, t62)
-        .sub_product(t77, t74)
-        .sub_product(t86, t83)
-        .sub_product(t95, t92)
-        .sub_product(t104, t101)
-        .sub_product(t111, t108)
-        .sub_product(t116, t113);
-    let t119 = t118 * t117;
-    let t120 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t11)
-            - R::literal(1.428_571_428_571_428_6))
-            .sub_product(t54, t53)
-            .sub_product(t66, t65)
-            .sub_product(t77, t76)
-            .sub_product(t86, t85)
-            .sub_product(t95, t94)
-            .sub_product(t104, t103)
-            .sub_product(t111, t110)
-            .sub_product(t116, t115)
-            .sub_product(t119, t118);
-    let t121 = slide - R::literal(0.116);
-    let t122 = t121 * cos_cylinder_phi;
-    let t123 = t121 * sin_cylinder_phi;
-    let t124 = t121 * t9;
-    let t125 = R::literal(3.333_333_333_333_333_5) * t122;
-    let t126 = (-t125).add_product(t20, t124);
-    let t127 = R::literal(3.333_333_333_333_333_5) * t123;
-    let t128 = (-t127).sub_product(t21, t124).sub_product(t69, t126);
-    let t129 = (R::literal(-2_777.777_777_777_778) * t124)
-        .add_product(t71, t126)
-        .sub_product(t80, t128);
-    let t130 = (t19 * t123)
-        .sub_product(t18, t122)
-        .sub_product(t22, t124)
-        .sub_product(t23, t122)
-        .add_product(t24, t123)
-        .sub_product(t73, t126)
-        .sub_product(t82, t128)
-        .sub_product(t89, t129);
-    let t131 = R::literal(5.0) * t122;
-    let t132 = t131.sub_product(t90, t129).sub_product(t98, t130);
-    let t133 = R::literal(5.0) * t123;
-    let t134 = t133
-        .add_product(t91, t129)
-        .sub_product(t100, t130)
-        .sub_product(t107, t132);
-    let t135 = (-(t75 * t126))
-        .sub_product(t84, t128)
-        .sub_product(t93, t129)
-        .sub_product(t102, t130)
-        .sub_product(t109, t132)
-        .sub_product(t114, t134);
-    let t136 = (-(t77 * t126))
-        .sub_product(t86, t128)
-        .sub_product(t95, t129)
-        .sub_product(t104, t130)
-        .sub_product(t111, t132)
-        .sub_product(t116, t134)
-        .sub_product(t119, t135) * t120;
-    let t137 = (t135 * t117).sub_product(t119, t136);
-    let t138 = (t134 * t112).sub_product(t114, t137).sub_product(t116, t136);
-    let t139 = (t132 * t105)
-        .sub_product(t107, t138)
-        .sub_product(t109, t137)
-        .sub_product(t111, t136);
-    let t140 = (t130 * t96)
-        .sub_product(t98, t139)
-        .sub_product(t100, t138)
-        .sub_product(t102, t137)
-        .sub_product(t104, t136);
-    let t141 = (t129 * t87)
-        .sub_product(t89, t140)
-        .sub_product(t90, t139)
-        .add_product(t91, t138)
-        .sub_product(t93, t137)
-        .sub_product(t95, t136);
-    let t142 = (t128 * t78)
-        .sub_product(t80, t141)
-        .sub_product(t82, t140)
-        .sub_product(t84, t137)
-        .sub_product(t86, t136);
-    let t143 = (t126 * t67)
-        .sub_product(t69, t142)
-        .add_product(t71, t141)
-        .sub_product(t73, t140)
-        .sub_product(t75, t137)
-        .sub_product(t77, t136);
-    let t144 = (-(t60 * t142))
-        .sub_product(t58, t143)
-        .sub_product(t63, t137)
-        .sub_product(t66, t136);
-    let t145 = (-(t48 * t143))
-        .sub_product(t46, t144)
-        .sub_product(t49, t142)
-        .sub_product(t52, t137)
-        .add_product(t54, t136);
-    let t146 = (-(t41 * t144)).sub_product(t39, t145);
-    let t147 = (-(t33 * t145)).sub_product(t31, t146).sub_product(t31, t144);
-    let bobbin_v_y_dot_by_spring_stiffness = -(R::literal(1.428_571_428_571_428_6)
-        * t136);
-    let bobbin_v_x_dot_by_spring_stiffness = -(R::literal(1.428_571_428_571_428_6)
-        * t137);
-    let rod_omega_dot_by_spring_stiffness = (t25 * t139)
-        .sub_product(R::literal(4_166.666_666_666_667), t141)
-        .sub_product(t26, t138);
-    let rod_v_y_dot_by_spring_stiffness = (-t133)
-        .sub_product(t24, t140)
-        .sub_product(R::literal(5.0), t138);
-    let rod_v_x_dot_by_spring_stiffness = (-t131)
-        .add_product(t23, t140)
-        .sub_product(R::literal(5.0), t139);
-    let cylinder_omega_dot_by_spring_stiffness = (-(t124
-        * R::literal(2_777.777_777_777_778)))
-        .sub_product(t20, t143)
-        .add_product(t21, t142)
-        .sub_product(R::literal(-2_777.777_777_777_778), t141)
-        .add_product(t22, t140);
-    let cylinder_v_y_dot_by_spring_stiffness = t127
-        .sub_product(R::literal(3.333_333_333_333_333_5), t142)
-        .add_product(t19, t140);
-    let cylinder_v_x_dot_by_spring_stiffness = t125
-        .sub_product(R::literal(3.333_333_333_333_333_5), t143)
-        .sub_product(t18, t140);
-    let plate_omega_dot_by_spring_stiffness = (t15 * t144)
-        .sub_product(t14, t145)
-        .sub_product(t14, t143)
-        .add_product(t15, t142)
-        .add_product(t16, t137)
-        .sub_product(t17, t136);
-    let plate_v_y_dot_by_spring_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
-        * t142))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t144)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t136);
-    let plate_v_x_dot_by_spring_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
-        * t143))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t145)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t137);
-    let post_omega_dot_by_spring_stiffness = (t13 * t146)
-        .sub_product(t12, t147)
-        .sub_product(t12, t145)
-        .add_product(t13, t144);
-    let post_v_y_dot_by_spring_stiffness = (-(R::literal(-1.25) * t144))
-        .sub_product(R::literal(1.25), t146);
-    let post_v_x_dot_by_spring_stiffness = (-(R::literal(-1.25) * t145))
-        .sub_product(R::literal(1.25), t147);
+    let t3 = slide - R::literal(0.116);
+    let t4 = t3 * cos_cylinder_phi;
+    let t5 = t3 * sin_cylinder_phi;
     let slide_rate_times_cos_cylinder_phi = slide_rate * cos_cylinder_phi;
     let slide_rate_times_sin_cylinder_phi = slide_rate * sin_cylinder_phi;
-    let t148 = slide_rate * t9;
-    let t149 = R::literal(3.333_333_333_333_333_5) * slide_rate_times_cos_cylinder_phi;
-    let t150 = (-t149).add_product(t20, t148);
-    let t151 = R::literal(3.333_333_333_333_333_5) * slide_rate_times_sin_cylinder_phi;
-    let t152 = (-t151).sub_product(t21, t148).sub_product(t69, t150);
-    let t153 = (R::literal(-2_777.777_777_777_778) * t148)
-        .add_product(t71, t150)
-        .sub_product(t80, t152);
-    let t154 = (t19 * slide_rate_times_sin_cylinder_phi)
-        .sub_product(t18, slide_rate_times_cos_cylinder_phi)
-        .sub_product(t22, t148)
-        .sub_product(t23, slide_rate_times_cos_cylinder_phi)
-        .add_product(t24, slide_rate_times_sin_cylinder_phi)
-        .sub_product(t73, t150)
-        .sub_product(t82, t152)
-        .sub_product(t89, t153);
-    let t155 = R::literal(5.0) * slide_rate_times_cos_cylinder_phi;
-    let t156 = t155.sub_product(t90, t153).sub_product(t98, t154);
-    let t157 = R::literal(5.0) * slide_rate_times_sin_cylinder_phi;
-    let t158 = t157
-        .add_product(t91, t153)
-        .sub_product(t100, t154)
-        .sub_product(t107, t156);
-    let t159 = (-(t75 * t150))
-        .sub_product(t84, t152)
-        .sub_product(t93, t153)
-        .sub_product(t102, t154)
-        .sub_product(t109, t156)
-        .sub_product(t114, t158);
-    let t160 = (-(t77 * t150))
-        .sub_product(t86, t152)
-        .sub_product(t95, t153)
-        .sub_product(t104, t154)
-        .sub_product(t111, t156)
-        .sub_product(t116, t158)
-        .sub_product(t119, t159) * t120;
-    let t161 = (t159 * t117).sub_product(t119, t160);
-    let t162 = (t158 * t112).sub_product(t114, t161).sub_product(t116, t160);
-    let t163 = (t156 * t105)
-        .sub_product(t107, t162)
-        .sub_product(t109, t161)
-        .sub_product(t111, t160);
-    let t164 = (t154 * t96)
-        .sub_product(t98, t163)
-        .sub_product(t100, t162)
-        .sub_product(t102, t161)
-        .sub_product(t104, t160);
-    let t165 = (t153 * t87)
-        .sub_product(t89, t164)
-        .sub_product(t90, t163)
-        .add_product(t91, t162)
-        .sub_product(t93, t161)
-        .sub_product(t95, t160);
-    let t166 = (t152 * t78)
-        .sub_product(t80, t165)
-        .sub_product(t82, t164)
-        .sub_product(t84, t161)
-        .sub_product(t86, t160);
-    let t167 = (t150 * t67)
-        .sub_product(t69, t166)
-        .add_product(t71, t165)
-        .sub_product(t73, t164)
-        .sub_product(t75, t161)
-        .sub_product(t77, t160);
-    let t168 = (-(t60 * t166))
-        .sub_product(t58, t167)
-        .sub_product(t63, t161)
-        .sub_product(t66, t160);
-    let t169 = (-(t48 * t167))
-        .sub_product(t46, t168)
-        .sub_product(t49, t166)
-        .sub_product(t52, t161)
-        .add_product(t54, t160);
-    let t170 = (-(t41 * t168)).sub_product(t39, t169);
-    let t171 = (-(t33 * t169)).sub_product(t31, t170).sub_product(t31, t168);
-    let bobbin_v_y_dot_by_spring_damping = -(R::literal(1.428_571_428_571_428_6) * t160);
-    let bobbin_v_x_dot_by_spring_damping = -(R::literal(1.428_571_428_571_428_6) * t161);
-    let rod_omega_dot_by_spring_damping = (t25 * t163)
-        .sub_product(R::literal(4_166.666_666_666_667), t165)
-        .sub_product(t26, t162);
-    let rod_v_y_dot_by_spring_damping = (-t157)
-        .sub_product(t24, t164)
-        .sub_product(R::literal(5.0), t162);
-    let rod_v_x_dot_by_spring_damping = (-t155)
-        .add_product(t23, t164)
-        .sub_product(R::literal(5.0), t163);
-    let cylinder_omega_dot_by_spring_damping = (-(t148
-        * R::literal(2_777.777_777_777_778)))
-        .sub_product(t20, t167)
-        .add_product(t21, t166)
-        .sub_product(R::literal(-2_777.777_777_777_778), t165)
-        .add_product(t22, t164);
-    let cylinder_v_y_dot_by_spring_damping = t151
-        .sub_product(R::literal(3.333_333_333_333_333_5), t166)
-        .add_product(t19, t164);
-    let cylinder_v_x_dot_by_spring_damping = t149
-        .sub_product(R::literal(3.333_333_333_333_333_5), t167)
-        .sub_product(t18, t164);
-    let plate_omega_dot_by_spring_damping = (t15 * t168)
-        .sub_product(t14, t169)
-        .sub_product(t14, t167)
-        .add_product(t15, t166)
-        .add_product(t16, t161)
-        .sub_product(t17, t160);
-    let plate_v_y_dot_by_spring_damping = (-(R::literal(-0.833_333_333_333_333_4)
-        * t166))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t168)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t160);
-    let plate_v_x_dot_by_spring_damping = (-(R::literal(-0.833_333_333_333_333_4)
-        * t167))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t169)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t161);
-    let post_omega_dot_by_spring_damping = (t13 * t170)
-        .sub_product(t12, t171)
-        .sub_product(t12, t169)
-        .add_product(t13, t168);
-    let post_v_y_dot_by_spring_damping = (-(R::literal(-1.25) * t168))
-        .sub_product(R::literal(1.25), t170);
-    let post_v_x_dot_by_spring_damping = (-(R::literal(-1.25) * t169))
-        .sub_product(R::literal(1.25), t171);
-    let t172 = R::literal(1.428_571_428_571_428_6)
-        * R::select_less(
-            contact_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            -(contact_gap * t7 / between),
-        );
-    let t173 = R::literal(1.428_571_428_571_428_6)
-        * R::select_less(
-            contact_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            -(contact_gap * t8 / between),
-        );
-    let t174 = (-t173).add_product(t119, t172) * t120;
-    let t175 = (-(t172 * t117)).sub_product(t119, t174);
-    let t176 = (-(t116 * t174)).sub_product(t114, t175);
-    let t177 = (-(t109 * t175)).sub_product(t107, t176).sub_product(t111, t174);
-    let t178 = (-(t100 * t176))
-        .sub_product(t98, t177)
-        .sub_product(t102, t175)
-        .sub_product(t104, t174);
-    let t179 = (-(t90 * t177))
-        .sub_product(t89, t178)
-        .add_product(t91, t176)
-        .sub_product(t93, t175)
-        .sub_product(t95, t174);
-    let t180 = (-(t82 * t178))
-        .sub_product(t80, t179)
-        .sub_product(t84, t175)
-        .sub_product(t86, t174);
-    let t181 = (t71 * t179)
-        .sub_product(t69, t180)
-        .sub_product(t73, t178)
-        .sub_product(t75, t175)
-        .sub_product(t77, t174);
-    let t182 = (-(t60 * t180))
-        .sub_product(t58, t181)
-        .sub_product(t63, t175)
-        .sub_product(t66, t174);
-    let t183 = (-(t48 * t181))
-        .sub_product(t46, t182)
-        .sub_product(t49, t180)
-        .sub_product(t52, t175)
-        .add_product(t54, t174);
-    let t184 = (-(t41 * t182)).sub_product(t39, t183);
-    let t185 = (-(t33 * t183)).sub_product(t31, t184).sub_product(t31, t182);
-    let bobbin_v_y_dot_by_contact_stiffness = t173
-        .sub_product(R::literal(1.428_571_428_571_428_6), t174);
-    let bobbin_v_x_dot_by_contact_stiffness = t172
-        .sub_product(R::literal(1.428_571_428_571_428_6), t175);
-    let rod_omega_dot_by_contact_stiffness = (t25 * t177)
-        .sub_product(R::literal(4_166.666_666_666_667), t179)
-        .sub_product(t26, t176);
-    let rod_v_y_dot_by_contact_stiffness = (-(R::literal(5.0) * t176))
-        .sub_product(t24, t178);
-    let rod_v_x_dot_by_contact_stiffness = (-(R::literal(5.0) * t177))
-        .add_product(t23, t178);
-    let cylinder_omega_dot_by_contact_stiffness = (t21 * t180)
-        .sub_product(t20, t181)
-        .sub_product(R::literal(-2_777.777_777_777_778), t179)
-        .add_product(t22, t178);
-    let cylinder_v_y_dot_by_contact_stiffness = (t19 * t178)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t180);
-    let cylinder_v_x_dot_by_contact_stiffness = (-(t18 * t178))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t181);
-    let plate_omega_dot_by_contact_stiffness = (t15 * t182)
-        .sub_product(t14, t183)
-        .sub_product(t14, t181)
-        .add_product(t15, t180)
-        .add_product(t16, t175)
-        .sub_product(t17, t174);
-    let plate_v_y_dot_by_contact_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
-        * t180))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t182)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t174);
-    let plate_v_x_dot_by_contact_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
-        * t181))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t183)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t175);
-    let post_omega_dot_by_contact_stiffness = (t13 * t184)
-        .sub_product(t12, t185)
-        .sub_product(t12, t183)
-        .add_product(t13, t182);
-    let post_v_y_dot_by_contact_stiffness = (-(R::literal(-1.25) * t182))
-        .sub_product(R::literal(1.25), t184);
-    let post_v_x_dot_by_contact_stiffness = (-(R::literal(-1.25) * t183))
-        .sub_product(R::literal(1.25), t185);
-    let t186 = R::literal(1.428_571_428_571_428_6)
-        * R::select_less(
-            contact_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            -(contact_rate * t7 / between),
-        );
-    let t187 = R::literal(1.428_571_428_571_428_6)
-        * R::select_less(
-            contact_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            -(contact_rate * t8 / between),
-        );
-    let t188 = (-t187).add_product(t119, t186) * t120;
-    let t189 = (-(t186 * t117)).sub_product(t119, t188);
-    let t190 = (-(t116 * t188)).sub_product(t114, t189);
-    let t191 = (-(t109 * t189)).sub_product(t107, t190).sub_product(t111, t188);
-    let t192 = (-(t100 * t190))
-        .sub_product(t98, t191)
-        .sub_product(t102, t189)
-        .sub_product(t104, t188);
-    let t193 = (-(t90 * t191))
-        .sub_product(t89, t192)
-        .add_product(t91, t190)
-        .sub_product(t93, t189)
-        .sub_product(t95, t188);
-    let t194 = (-(t82 * t192))
-        .sub_product(t80, t193)
-        .sub_product(t84, t189)
-        .sub_product(t86, t188);
-    let t195 = (t71 * t193)
-        .sub_product(t69, t194)
-        .sub_product(t73, t192)
-        .sub_product(t75, t189)
-        .sub_product(t77, t188);
-    let t196 = (-(t60 * t194))
-        .sub_product(t58, t195)
-        .sub_product(t63, t189)
-        .sub_product(t66, t188);
-    let t197 = (-(t48 * t195))
-        .sub_product(t46, t196)
-        .sub_product(t49, t194)
-        .sub_product(t52, t189)
-        .add_product(t54, t188);
-    let t198 = (-(t41 * t196)).sub_product(t39, t197);
-    let t199 = (-(t33 * t197)).sub_product(t31, t198).sub_product(t31, t196);
-    let bobbin_v_y_dot_by_contact_damping = t187
-        .sub_product(R::literal(1.428_571_428_571_428_6), t188);
-    let bobbin_v_x_dot_by_contact_damping = t186
-        .sub_product(R::literal(1.428_571_428_571_428_6), t189);
-    let rod_omega_dot_by_contact_damping = (t25 * t191)
-        .sub_product(R::literal(4_166.666_666_666_667), t193)
-        .sub_product(t26, t190);
-    let rod_v_y_dot_by_contact_damping = (-(R::literal(5.0) * t190))
-        .sub_product(t24, t192);
-    let rod_v_x_dot_by_contact_damping = (-(R::literal(5.0) * t191))
-        .add_product(t23, t192);
-    let cylinder_omega_dot_by_contact_damping = (t21 * t194)
-        .sub_product(t20, t195)
-        .sub_product(R::literal(-2_777.777_777_777_778), t193)
-        .add_product(t22, t192);
-    let cylinder_v_y_dot_by_contact_damping = (t19 * t192)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t194);
-    let cylinder_v_x_dot_by_contact_damping = (-(t18 * t192))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t195);
-    let plate_omega_dot_by_contact_damping = (t15 * t196)
-        .sub_product(t14, t197)
-        .sub_product(t14, t195)
-        .add_product(t15, t194)
-        .add_product(t16, t189)
-        .sub_product(t17, t188);
-    let plate_v_y_dot_by_contact_damping = (-(R::literal(-0.833_333_333_333_333_4)
-        * t194))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t196)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t188);
-    let plate_v_x_dot_by_contact_damping = (-(R::literal(-0.833_333_333_333_333_4)
-        * t195))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t197)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t189);
-    let post_omega_dot_by_contact_damping = (t13 * t198)
-        .sub_product(t12, t199)
-        .sub_product(t12, t197)
-        .add_product(t13, t196);
-    let post_v_y_dot_by_contact_damping = (-(R::literal(-1.25) * t196))
-        .sub_product(R::literal(1.25), t198);
-    let post_v_x_dot_by_contact_damping = (-(R::literal(-1.25) * t197))
-        .sub_product(R::literal(1.25), t199);
+    let mut x = [[R::literal(0.0); 4]; 26];
+    x[6][0] = t4;
+    x[7][0] = t5;
+    x[8][0] = -(t3 * t2);
+    x[9][0] = -t4;
+    x[10][0] = -t5;
+    x[6][1] = slide_rate_times_cos_cylinder_phi;
+    x[7][1] = slide_rate_times_sin_cylinder_phi;
+    x[8][1] = -(slide_rate * t2);
+    x[9][1] = -slide_rate_times_cos_cylinder_phi;
+    x[10][1] = -slide_rate_times_sin_cylinder_phi;
+    x[12][2] = R::select_less(
+        contact_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        -(contact_gap * t0 / between),
+    );
+    x[13][2] = R::select_less(
+        contact_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        -(contact_gap * t1 / between),
+    );
+    x[12][3] = R::select_less(
+        contact_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        -(contact_rate * t0 / between),
+    );
+    x[13][3] = R::select_less(
+        contact_closed,
+        R::literal(0.5),
+        R::literal(0.0),
+        -(contact_rate * t1 / between),
+    );
+    substitute(PARAMETER_JACOBIAN_STEPS.iter().copied(), &m.factors, &mut x);
     [
-        post_v_x_dot_by_spring_stiffness,
-        post_v_x_dot_by_spring_damping,
-        post_v_x_dot_by_contact_stiffness,
-        post_v_x_dot_by_contact_damping,
-        post_v_y_dot_by_spring_stiffness,
-        post_v_y_dot_by_spring_damping,
-        post_v_y_dot_by_contact_stiffness,
-        post_v_y_dot_by_contact_damping,
-        post_omega_dot_by_spring_stiffness,
-        post_omega_dot_by_spring_damping,
-        post_omega_dot_by_contact_stiffness,
-        post_omega_dot_by_contact_damping,
-        plate_v_x_dot_by_spring_stiffness,
-        plate_v_x_dot_by_spring_damping,
-        plate_v_x_dot_by_contact_stiffness,
-        plate_v_x_dot_by_contact_damping,
-        plate_v_y_dot_by_spring_stiffness,
-        plate_v_y_dot_by_spring_damping,
-        plate_v_y_dot_by_contact_stiffness,
-        plate_v_y_dot_by_contact_damping,
-        plate_omega_dot_by_spring_stiffness,
-        plate_omega_dot_by_spring_damping,
-        plate_omega_dot_by_contact_stiffness,
-        plate_omega_dot_by_contact_damping,
-        cylinder_v_x_dot_by_spring_stiffness,
-        cylinder_v_x_dot_by_spring_damping,
-        cylinder_v_x_dot_by_contact_stiffness,
-        cylinder_v_x_dot_by_contact_damping,
-        cylinder_v_y_dot_by_spring_stiffness,
-        cylinder_v_y_dot_by_spring_damping,
-        cylinder_v_y_dot_by_contact_stiffness,
-        cylinder_v_y_dot_by_contact_damping,
-        cylinder_omega_dot_by_spring_stiffness,
-        cylinder_omega_dot_by_spring_damping,
-        cylinder_omega_dot_by_contact_stiffness,
-        cylinder_omega_dot_by_contact_damping,
-        rod_v_x_dot_by_spring_stiffness,
-        rod_v_x_dot_by_spring_damping,
-        rod_v_x_dot_by_contact_stiffness,
-        rod_v_x_dot_by_contact_damping,
-        rod_v_y_dot_by_spring_stiffness,
-        rod_v_y_dot_by_spring_damping,
-        rod_v_y_dot_by_contact_stiffness,
-        rod_v_y_dot_by_contact_damping,
-        rod_omega_dot_by_spring_stiffness,
-        rod_omega_dot_by_spring_damping,
-        rod_omega_dot_by_contact_stiffness,
-        rod_omega_dot_by_contact_damping,
-        bobbin_v_x_dot_by_spring_stiffness,
-        bobbin_v_x_dot_by_spring_damping,
-        bobbin_v_x_dot_by_contact_stiffness,
-        bobbin_v_x_dot_by_contact_damping,
-        bobbin_v_y_dot_by_spring_stiffness,
-        bobbin_v_y_dot_by_spring_damping,
-        bobbin_v_y_dot_by_contact_stiffness,
-        bobbin_v_y_dot_by_contact_damping,
+        x[0][0], x[0][1], x[0][2], x[0][3], x[1][0], x[1][1], x[1][2], x[1][3], x[2][0], x[2][1],
+        x[2][2], x[2][3], x[3][0], x[3][1], x[3][2], x[3][3], x[4][0], x[4][1], x[4][2], x[4][3],
+        x[5][0], x[5][1], x[5][2], x[5][3], x[6][0], x[6][1], x[6][2], x[6][3], x[7][0], x[7][1],
+        x[7][2], x[7][3], x[8][0], x[8][1], x[8][2], x[8][3], x[9][0], x[9][1], x[9][2], x[9][3],
+        x[10][0], x[10][1], x[10][2], x[10][3], x[11][0], x[11][1], x[11][2], x[11][3], x[12][0],
+        x[12][1], x[12][2], x[12][3], x[13][0], x[13][1], x[13][2], x[13][3],
     ]
 }
+
+static PARAMETER_JACOBIAN_STEPS: &[Step<'static>] = &[
+    Step::less(18, &[(9, 6), (10, 8)]),
+    Step::less(19, &[(9, 7), (13, 8), (16, 18)]),
+    Step::less(20, &[(17, 8), (19, 18), (20, 19)]),
+    Step::less(
+        21,
+        &[(21, 6), (22, 7), (23, 8), (24, 9), (25, 10), (26, 18), (27, 19), (28, 20)],
+    ),
+    Step::less(22, &[(29, 9), (31, 20), (32, 21)]),
+    Step::less(23, &[(29, 10), (34, 20), (35, 21), (36, 22)]),
+    Step::less(
+        24,
+        &[(38, 12), (41, 18), (42, 19), (43, 20), (44, 21), (45, 22), (46, 23)],
+    ),
+    Step::less(
+        25,
+        &[(38, 13), (50, 18), (51, 19), (52, 20), (53, 21), (54, 22), (55, 23), (56, 24)],
+    ),
+    Step::scaled(25, 57, &[]),
+    Step::scaled(24, 58, &[(56, 25)]),
+    Step::scaled(23, 59, &[(46, 24), (55, 25)]),
+    Step::scaled(22, 60, &[(36, 23), (45, 24), (54, 25)]),
+    Step::scaled(21, 61, &[(32, 22), (35, 23), (44, 24), (53, 25)]),
+    Step::scaled(20, 62, &[(28, 21), (31, 22), (34, 23), (43, 24), (52, 25)]),
+    Step::scaled(19, 63, &[(20, 20), (27, 21), (42, 24), (51, 25)]),
+    Step::scaled(18, 64, &[(16, 19), (19, 20), (26, 21), (41, 24), (50, 25)]),
+    Step::less(17, &[(12, 18), (15, 19), (40, 24), (49, 25)]),
+    Step::less(16, &[(8, 17), (11, 18), (14, 19), (39, 24), (48, 25)]),
+    Step::less(15, &[(5, 16), (7, 17)]),
+    Step::less(14, &[(2, 15), (4, 16), (2, 17)]),
+    Step::scaled(13, 38, &[(38, 25)]),
+    Step::scaled(12, 38, &[(38, 24)]),
+    Step::less(11, &[(18, 20), (30, 22), (33, 23)]),
+    Step::scaled(10, 29, &[(25, 21), (29, 23)]),
+    Step::scaled(9, 29, &[(24, 21), (29, 22)]),
+    Step::scaled(8, 69, &[(10, 18), (13, 19), (17, 20), (23, 21)]),
+    Step::scaled(7, 9, &[(9, 19), (22, 21)]),
+    Step::scaled(6, 9, &[(9, 18), (21, 21)]),
+    Step::less(5, &[(3, 16), (6, 17), (3, 18), (6, 19), (37, 24), (47, 25)]),
+    Step::less(4, &[(71, 17), (72, 19), (72, 25)]),
+    Step::less(3, &[(71, 16), (72, 18), (72, 24)]),
+    Step::less(2, &[(0, 14), (1, 15), (0, 16), (1, 17)]),
+    Step::less(1, &[(74, 15), (75, 17)]),
+    Step::less(0, &[(74, 14), (75, 16)]),
+];
 
 /// Partial derivative of `y'` with respect to time.
 ///
@@ -5280,505 +2473,93 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
 
 /// `dE/dt`, power supplied and power dissipated \[W\].
 ///
-/// 838 operations.
+/// 106 operations.
 #[must_use]
 pub fn power_balance<R: Real>(
-    _time: R,
+    time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> PowerBalance<R> {
-    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x,
-    rod_y, rod_phi, bobbin_x, bobbin_y, post_v_x, post_v_y, post_omega, plate_v_x,
-    plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y,
-    rod_omega, bobbin_v_x, bobbin_v_y, contact_closed, stop_closed] = *state;
-    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
-    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
-        post_phi,
-        plate_phi,
-        cylinder_phi,
-        rod_phi,
-    ]);
-    let t0 = R::literal(0.1) * cos_post_phi;
-    let t1 = R::literal(0.1) * sin_post_phi;
-    let t2 = R::literal(0.06) * cos_plate_phi;
-    let t3 = R::literal(0.06) * sin_plate_phi;
-    let t4 = R::literal(0.06) * cos_cylinder_phi;
-    let t5 = R::literal(0.06) * sin_cylinder_phi;
-    let t6 = R::literal(0.06) * sin_rod_phi;
-    let stop_gap = (R::literal(0.143) * sin_post_phi)
-        .sub_product(R::literal(0.044), cos_post_phi);
-    let t7 = (R::literal(0.044) * sin_post_phi)
-        .add_product(R::literal(0.143), cos_post_phi);
-    let stop_rate = post_omega * t7;
-    let t8 = bobbin_x - R::literal(0.328);
-    let t9 = bobbin_y - R::literal(0.058);
-    let between = (t8 * t8).add_product(t9, t9).sqrt();
-    let contact_gap = between - R::literal(0.1);
-    let rod_x_minus_cylinder_x = rod_x - cylinder_x;
-    let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
-        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let contact_rate = (bobbin_v_x * t8).add_product(bobbin_v_y, t9) / between;
-    let t10 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
-        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
-    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
-        .add_product(cylinder_omega, t10)
-        .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
-    let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
-    let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
-    let t11 = (R::literal(0.01) * sin_plate_phi)
-        .add_product(R::literal(0.1), cos_plate_phi);
-    let t12 = (R::literal(0.01) * cos_plate_phi)
-        .sub_product(R::literal(0.1), sin_plate_phi);
-    let t13 = R::literal(37.037_037_037_037_03) * sin_post_phi;
-    let t14 = R::literal(37.037_037_037_037_03) * cos_post_phi;
-    let t15 = R::literal(24.0) * sin_plate_phi;
-    let t16 = R::literal(24.0) * cos_plate_phi;
-    let t17 = t11 * R::literal(400.0);
-    let t18 = t12 * R::literal(400.0);
-    let t19 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t20 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t21 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
-    let t22 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
-    let t23 = slide * R::literal(2_777.777_777_777_778);
-    let t24 = sin_cylinder_phi * R::literal(5.0);
-    let t25 = cos_cylinder_phi * R::literal(5.0);
-    let t26 = R::literal(250.0) * sin_rod_phi;
-    let t27 = R::literal(250.0) * cos_rod_phi;
-    let t28 = t13 * t1;
-    let t29 = R::literal(-1.25) - t28;
-    let t30 = R::literal(1.0) / t29;
-    let t31 = t14 * t1;
-    let t32 = t31 * t30;
-    let t33 = R::literal(1.25) - t28;
-    let t34 = t33 * t30;
-    let t35 = t14 * t0;
-    let t36 = R::literal(-1.25) - t35;
-    let t37 = t32 * t31;
-    let t38 = R::literal(1.0) / (t36 - t37);
-    let t39 = (t13 * t0).sub_product(t34, t31);
-    let t40 = t39 * t38;
-    let t41 = R::literal(1.25) - t35 - t37;
-    let t42 = t41 * t38;
-    let t43 = t15 * t3;
-    let t44 = R::literal(1.0)
-        / (t29 - R::literal(0.833_333_333_333_333_4) - t43)
-            .sub_product(t34, t33)
-            .sub_product(t40, t39);
-    let t45 = t16 * t3;
-    let t46 = (t31 + t45).sub_product(t32, t33).sub_product(t42, t39);
-    let t47 = t46 * t44;
-    let t48 = R::literal(0.833_333_333_333_333_4) - t43;
-    let t49 = t48 * t44;
-    let t50 = t45 * t44;
-    let t51 = t17 * t3;
-    let t52 = R::literal(0.833_333_333_333_333_4) + t51;
-    let t53 = t52 * t44;
-    let t54 = t18 * t3;
-    let t55 = t54 * t44;
-    let t56 = t16 * t2;
-    let t57 = R::literal(1.0)
-        / (t36 - R::literal(0.833_333_333_333_333_4) - t56 - t37)
-            .sub_product(t42, t41)
-            .sub_product(t47, t46);
-    let t58 = (t15 * t2).sub_product(t49, t46);
-    let t59 = t58 * t57;
-    let t60 = (R::literal(0.833_333_333_333_333_4) - t56).sub_product(t50, t46);
-    let t61 = t60 * t57;
-    let t62 = -(t17 * t2);
-    let t63 = t62.sub_product(t53, t46);
-    let t64 = t63 * t57;
-    let t65 = t18 * t2;
-    let t66 = (R::literal(0.833_333_333_333_333_4) + t65).add_product(t55, t46);
-    let t67 = t66 * t57;
-    let t68 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t43
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t21, t5)
-            .sub_product(t49, t48)
-            .sub_product(t59, t58);
-    let t69 = t45.add_product(t22, t5).sub_product(t50, t48).sub_product(t61, t58);
-    let t70 = t69 * t68;
-    let t71 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
-    let t72 = t71 * t68;
-    let t73 = (-t19).add_product(t23, t5);
-    let t74 = t73 * t68;
-    let t75 = (R::literal(-0.833_333_333_333_333_4) + t51)
-        .sub_product(t53, t48)
-        .sub_product(t64, t58);
-    let t76 = t75 * t68;
-    let t77 = (-t54).add_product(t55, t48).sub_product(t67, t58);
-    let t78 = t77 * t68;
-    let t79 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t56
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t22, t4)
-            .sub_product(t50, t45)
-            .sub_product(t61, t60)
-            .sub_product(t70, t69);
-    let t80 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
-        .add_product(t72, t69);
-    let t81 = t80 * t79;
-    let t82 = t20.sub_product(t23, t4).sub_product(t74, t69);
-    let t83 = t82 * t79;
-    let t84 = t62.sub_product(t53, t45).sub_product(t64, t60).sub_product(t76, t69);
-    let t85 = t84 * t79;
-    let t86 = (R::literal(-0.833_333_333_333_333_4) + t65)
-        .add_product(t55, t45)
-        .sub_product(t67, t60)
-        .sub_product(t78, t69);
-    let t87 = t86 * t79;
-    let t88 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445).sub_product(t72, t71).sub_product(t81, t80);
-    let t89 = (-t23).add_product(t74, t71).sub_product(t83, t80);
-    let t90 = t89 * t88;
-    let t91 = t26 * t88;
-    let t92 = t27 * t88;
-    let t93 = (t76 * t71).sub_product(t85, t80);
-    let t94 = t93 * t88;
-    let t95 = (t78 * t71).sub_product(t87, t80);
-    let t96 = t95 * t88;
-    let t97 = R::literal(1.0)
-        / (-(t20 * cos_cylinder_phi))
-            .sub_product(t19, sin_cylinder_phi)
-            .sub_product(t23, slide)
-            .sub_product(t24, sin_cylinder_phi)
-            .sub_product(t25, cos_cylinder_phi)
-            .sub_product(t74, t73)
-            .sub_product(t83, t82)
-            .sub_product(t90, t89);
-    let t98 = t24.sub_product(t91, t89);
-    let t99 = t98 * t97;
-    let t100 = (-t25).add_product(t92, t89);
-    let t101 = t100 * t97;
-    let t102 = (-(t76 * t73)).sub_product(t85, t82).sub_product(t94, t89);
-    let t103 = t102 * t97;
-    let t104 = (-(t78 * t73)).sub_product(t87, t82).sub_product(t96, t89);
-    let t105 = t104 * t97;
-    let t106 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t26, t6)
-            .sub_product(t91, t26)
-            .sub_product(t99, t98);
-    let t107 = (t27 * t6).add_product(t92, t26).sub_product(t101, t98);
-    let t108 = t107 * t106;
-    let t109 = (-(t94 * t26)).sub_product(t103, t98);
-    let t110 = t109 * t106;
-    let t111 = (-(t96 * t26)).sub_product(t105, t98);
-    let t112 = t111 * t106;
-    let t113 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t27, R::literal(0.06) * cos_rod_phi)
-            .sub_product(t92, t27)
-            .sub_product(t101, t100)
-            .sub_product(t108, t107);
-    let t114 = (t94 * t27).sub_product(t103, t100).sub_product(t110, t107);
-    let t115 = t114 * t113;
-    let t116 = (t96 * t27).sub_product(t105, t100).sub_product(t112, t107);
-    let t117 = t116 * t113;
-    let t118 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t11)
-            - R::literal(1.428_571_428_571_428_6))
-            .sub_product(t53, t52)
-            .sub_product(t64, t63)
-            .sub_product(t76, t75)
-            .sub_product(t85, t84)
-            .sub_product(t94, t93)
-            .sub_product(t103, t102)
-            .sub_product(t110, t109)
-            .sub_product(t115, t114);
-    let t119 = (t18 * t11)
-        .add_product(t55, t52)
-        .sub_product(t67, t63)
-        .sub_product(t78, t75)
-        .sub_product(t87, t84)
-        .sub_product(t96, t93)
-        .sub_product(t105, t102)
-        .sub_product(t112, t109)
-        .sub_product(t117, t114);
-    let t120 = t119 * t118;
-    let t121 = R::literal(1_000_000.0) * stop_gap * t7;
-    let t122 = R::select_less(
-        stop_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        (-t121).sub_product(R::literal(1500.0) * stop_rate, t7),
-    );
-    let t123 = p.spring_stiffness * (slide - R::literal(0.116));
-    let t124 = t123 * cos_cylinder_phi;
-    let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
-    let t125 = spring_damping_times_slide_rate * cos_cylinder_phi;
-    let t126 = t124 + t125;
-    let t127 = t123 * sin_cylinder_phi;
-    let t128 = R::literal(2.943) - t127;
-    let t129 = spring_damping_times_slide_rate * sin_cylinder_phi;
-    let t130 = t129 - t128;
-    let t131 = t123 * t10;
-    let t132 = (-t131).sub_product(spring_damping_times_slide_rate, t10);
-    let t133 = -t124 - t125;
-    let t134 = R::literal(1.962) + t127;
-    let t135 = -t129 - t134;
-    let t136 = contact_stiffness_times_contact_gap * t8 / between;
-    let t137 = R::literal(6.867)
-        + R::select_less(
-            contact_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            contact_stiffness_times_contact_gap * t9 / between,
-        );
-    let t138 = R::literal(0.1) * (post_omega * post_omega);
-    let t139 = t138 * cos_post_phi;
-    let t140 = t138 * sin_post_phi;
-    let plate_omega_squared = plate_omega * plate_omega;
-    let t141 = R::literal(0.06) * plate_omega_squared;
-    let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t142 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t143 = t13 * t122;
-    let t144 = -t139 - t143;
-    let t145 = t14 * t122;
-    let t146 = t32 * t144;
-    let t147 = -t140 - R::literal(-9.81) + t145 - t146;
-    let t148 = (-t139.add_product(t141, cos_plate_phi) - t143)
-        .sub_product(t34, t144)
-        .sub_product(t40, t147);
-    let t149 = (-t140.add_product(t141, sin_plate_phi) - R::literal(9.81) + t145
-        - R::literal(-9.81) - t146)
-        .sub_product(t42, t147)
-        .sub_product(t47, t148);
-    let t150 = R::literal(3.333_333_333_333_333_5) * t126;
-    let t151 = (-t150)
-        .sub_product(
-            R::literal(0.06),
-            (plate_omega_squared * cos_plate_phi)
-                .add_product(cylinder_omega_squared, cos_cylinder_phi),
-        )
-        .sub_product(t21, t132)
-        .sub_product(t49, t148)
-        .sub_product(t59, t149);
-    let t152 = R::literal(3.333_333_333_333_333_5) * t130;
-    let t153 = (R::literal(-9.81)
-        .sub_product(
-            R::literal(0.06),
-            (plate_omega_squared * sin_plate_phi)
-                .add_product(cylinder_omega_squared, sin_cylinder_phi),
-        ) - t152)
-        .add_product(t22, t132)
-        .sub_product(t50, t148)
-        .sub_product(t61, t149)
-        .sub_product(t70, t151);
-    let t154 = (-(R::literal(-2_777.777_777_777_778) * t132))
-        .add_product(t72, t151)
-        .sub_product(t81, t153);
-    let t155 = (cylinder_omega
-        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
-            .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
-            .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
-            .add_product(rod_y * cylinder_omega, cos_cylinder_phi)
-            .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi)
-            .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
-            .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
-            .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
-        .sub_product(t19, t126)
-        .add_product(t20, t130)
-        .add_product(t23, t132)
-        .add_product(t24, t133)
-        .sub_product(t25, t135)
-        .sub_product(t74, t151)
-        .sub_product(t83, t153);
-    let t156 = t155.sub_product(t90, t154);
-    let t157 = R::literal(5.0) * t133;
-    let t158 = (-t157)
-        .add_product(t142, cos_rod_phi)
-        .sub_product(t91, t154)
-        .sub_product(t99, t156);
-    let t159 = R::literal(5.0) * t135;
-    let t160 = (-t159)
-        .add_product(t142, sin_rod_phi)
-        .add_product(t92, t154)
-        .sub_product(t101, t156)
-        .sub_product(t108, t158);
-    let t161 = R::literal(1.428_571_428_571_428_6)
-        * R::select_less(
-            contact_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            -t136 - contact_damping_times_contact_rate * t8 / between,
-        );
-    let t162 = (-t161)
-        .add_product(t12, plate_omega_squared)
-        .sub_product(t53, t148)
-        .sub_product(t64, t149)
-        .sub_product(t76, t151)
-        .sub_product(t85, t153)
-        .sub_product(t94, t154)
-        .sub_product(t103, t156)
-        .sub_product(t110, t158)
-        .sub_product(t115, t160);
-    let t163 = R::literal(1.428_571_428_571_428_6)
-        * (R::select_less(
-            contact_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            -(contact_damping_times_contact_rate * t9 / between),
-        ) - t137);
-    let t164 = (R::literal(-9.81).add_product(t11, plate_omega_squared) - t163)
-        .add_product(t55, t148)
-        .sub_product(t67, t149)
-        .sub_product(t78, t151)
-        .sub_product(t87, t153)
-        .sub_product(t96, t154)
-        .sub_product(t105, t156)
-        .sub_product(t112, t158)
-        .sub_product(t117, t160)
-        .sub_product(t120, t162)
-        * (R::literal(1.0)
-            / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t12)
-                - R::literal(1.428_571_428_571_428_6))
-                .sub_product(t55, t54)
-                .sub_product(t67, t66)
-                .sub_product(t78, t77)
-                .sub_product(t87, t86)
-                .sub_product(t96, t95)
-                .sub_product(t105, t104)
-                .sub_product(t112, t111)
-                .sub_product(t117, t116)
-                .sub_product(t120, t119));
-    let t165 = (t162 * t118).sub_product(t120, t164);
-    let t166 = (t160 * t113).sub_product(t115, t165).sub_product(t117, t164);
-    let t167 = (t158 * t106)
-        .sub_product(t108, t166)
-        .sub_product(t110, t165)
-        .sub_product(t112, t164);
-    let t168 = (t156 * t97)
-        .sub_product(t99, t167)
-        .sub_product(t101, t166)
-        .sub_product(t103, t165)
-        .sub_product(t105, t164);
-    let t169 = (t154 * t88)
-        .sub_product(t90, t168)
-        .sub_product(t91, t167)
-        .add_product(t92, t166)
-        .sub_product(t94, t165)
-        .sub_product(t96, t164);
-    let t170 = (t153 * t79)
-        .sub_product(t81, t169)
-        .sub_product(t83, t168)
-        .sub_product(t85, t165)
-        .sub_product(t87, t164);
-    let t171 = (t151 * t68)
-        .sub_product(t70, t170)
-        .add_product(t72, t169)
-        .sub_product(t74, t168)
-        .sub_product(t76, t165)
-        .sub_product(t78, t164);
-    let t172 = (t149 * t57)
-        .sub_product(t59, t171)
-        .sub_product(t61, t170)
-        .sub_product(t64, t165)
-        .sub_product(t67, t164);
-    let t173 = (t148 * t44)
-        .sub_product(t47, t172)
-        .sub_product(t49, t171)
-        .sub_product(t50, t170)
-        .sub_product(t53, t165)
-        .add_product(t55, t164);
-    let t174 = (t147 * t38).sub_product(t40, t173).sub_product(t42, t172);
-    let t175 = (t144 * t30)
-        .sub_product(t32, t174)
-        .sub_product(t34, t173)
-        .sub_product(t32, t172);
-    let bobbin_v_y_dot = t163.sub_product(R::literal(1.428_571_428_571_428_6), t164);
-    let bobbin_v_x_dot = t161.sub_product(R::literal(1.428_571_428_571_428_6), t165);
-    let rod_omega_dot = (t26 * t167)
-        .sub_product(R::literal(4_166.666_666_666_667), t169)
-        .sub_product(t27, t166);
-    let rod_v_y_dot = t159.sub_product(t25, t168).sub_product(R::literal(5.0), t166);
-    let rod_v_x_dot = t157.add_product(t24, t168).sub_product(R::literal(5.0), t167);
-    let cylinder_omega_dot = (t132 * R::literal(2_777.777_777_777_778))
-        .sub_product(t21, t171)
-        .add_product(t22, t170)
-        .sub_product(R::literal(-2_777.777_777_777_778), t169)
-        .add_product(t23, t168);
-    let cylinder_v_y_dot = t152
-        .sub_product(R::literal(3.333_333_333_333_333_5), t170)
-        .add_product(t20, t168);
-    let cylinder_v_x_dot = t150
-        .sub_product(R::literal(3.333_333_333_333_333_5), t171)
-        .sub_product(t19, t168);
-    let plate_omega_dot = (t16 * t172)
-        .sub_product(t15, t173)
-        .sub_product(t15, t171)
-        .add_product(t16, t170)
-        .add_product(t17, t165)
-        .sub_product(t18, t164);
-    let plate_v_y_dot = R::literal(-9.81)
-        .sub_product(R::literal(0.833_333_333_333_333_4), t172)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t170)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t164);
-    let plate_v_x_dot = (-(R::literal(-0.833_333_333_333_333_4) * t171))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t173)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t165);
-    let post_omega_dot = (t122 * R::literal(370.370_370_370_370_3))
-        .sub_product(t13, t175)
-        .add_product(t14, t174)
-        .sub_product(t13, t173)
-        .add_product(t14, t172);
-    let post_v_y_dot = R::literal(-9.81)
-        .sub_product(R::literal(1.25), t174)
-        .sub_product(R::literal(-1.25), t172);
-    let post_v_x_dot = (-(R::literal(-1.25) * t173)).sub_product(R::literal(1.25), t175);
-    let t176 = (R::literal(7.848) * post_v_y)
+    let [_, _, _, _, _, _, _, _, _, _, _, _, bobbin_x, bobbin_y, post_v_x, post_v_y,
+    post_omega, plate_v_x, plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y,
+    cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, contact_closed,
+    stop_closed] = *state;
+    let m = &motion(time, state, p, &prepare(p));
+    let stop_rate = post_omega * m.t7;
+    let t0 = (R::literal(7.848) * post_v_y)
         .add_product(
-            R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), t121),
+            R::select_less(
+                stop_closed,
+                R::literal(0.5),
+                R::literal(0.0),
+                R::literal(1_000_000.0) * m.stop_gap * m.t7,
+            ),
             post_omega,
         )
         .add_product(R::literal(11.772), plate_v_y)
-        .sub_product(t124, cylinder_v_x)
-        .add_product(t128, cylinder_v_y)
-        .add_product(t131, cylinder_omega)
-        .add_product(t124, rod_v_x)
-        .add_product(t134, rod_v_y)
+        .sub_product(m.t137, cylinder_v_x)
+        .add_product(R::literal(2.943) - m.t140, cylinder_v_y)
+        .add_product(m.t143, cylinder_omega)
+        .add_product(m.t137, rod_v_x)
+        .add_product(R::literal(1.962) + m.t140, rod_v_y)
         .add_product(
-            R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t136),
+            R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), m.t148),
             bobbin_v_x,
         )
-        .add_product(t137, bobbin_v_y)
-        .add_product(R::literal(0.8) * post_v_x, post_v_x_dot)
-        .add_product(R::literal(0.8) * post_v_y, post_v_y_dot)
-        .add_product(R::literal(0.0027) * post_omega, post_omega_dot)
-        .add_product(R::literal(1.2) * plate_v_x, plate_v_x_dot)
-        .add_product(R::literal(1.2) * plate_v_y, plate_v_y_dot)
-        .add_product(R::literal(0.0025) * plate_omega, plate_omega_dot);
-    let t177 = (p.spring_damping * cylinder_omega * slide_rate * t10)
-        .add_product(p.spring_damping * rod_v_x * slide_rate, cos_cylinder_phi)
-        .add_product(p.spring_damping * rod_v_y * slide_rate, sin_cylinder_phi)
+        .add_product(
+            R::literal(6.867)
+                + R::select_less(
+                    contact_closed,
+                    R::literal(0.5),
+                    R::literal(0.0),
+                    m.t150,
+                ),
+            bobbin_v_y,
+        )
+        .add_product(R::literal(0.8) * post_v_x, m.post_v_x_dot)
+        .add_product(R::literal(0.8) * post_v_y, m.post_v_y_dot)
+        .add_product(R::literal(0.0027) * post_omega, m.post_omega_dot);
+    let t1 = (p.spring_damping * cylinder_omega * m.slide_rate * m.t12)
+        .add_product(p.spring_damping * rod_v_x * m.slide_rate, m.cos_cylinder_phi)
+        .add_product(p.spring_damping * rod_v_y * m.slide_rate, m.sin_cylinder_phi)
         + R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            p.contact_damping * bobbin_v_x * contact_rate * t8 / between
-                + p.contact_damping * bobbin_v_y * contact_rate * t9 / between,
-        )
-        + R::select_less(
-            stop_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            R::literal(1500.0) * (stop_rate * stop_rate),
+            p.contact_damping * bobbin_v_x * m.contact_rate
+                * (bobbin_x - R::literal(0.328)) / m.between
+                + p.contact_damping * bobbin_v_y * m.contact_rate
+                    * (bobbin_y - R::literal(0.058)) / m.between,
         );
     PowerBalance {
-        stored_rate: t176
-            .add_product(R::literal(0.3) * cylinder_v_x, cylinder_v_x_dot)
-            .add_product(R::literal(0.3) * cylinder_v_y, cylinder_v_y_dot)
-            .add_product(R::literal(0.00036) * cylinder_omega, cylinder_omega_dot)
-            .add_product(R::literal(0.2) * rod_v_x, rod_v_x_dot)
-            .add_product(R::literal(0.2) * rod_v_y, rod_v_y_dot)
-            .add_product(R::literal(0.00024) * rod_omega, rod_omega_dot)
-            .add_product(R::literal(0.7) * bobbin_v_x, bobbin_v_x_dot)
-            .add_product(R::literal(0.7) * bobbin_v_y, bobbin_v_y_dot),
+        stored_rate: t0
+            .add_product(R::literal(1.2) * plate_v_x, m.plate_v_x_dot)
+            .add_product(R::literal(1.2) * plate_v_y, m.plate_v_y_dot)
+            .add_product(R::literal(0.0025) * plate_omega, m.plate_omega_dot)
+            .add_product(R::literal(0.3) * cylinder_v_x, m.cylinder_v_x_dot)
+            .add_product(R::literal(0.3) * cylinder_v_y, m.cylinder_v_y_dot)
+            .add_product(R::literal(0.00036) * cylinder_omega, m.cylinder_omega_dot)
+            .add_product(R::literal(0.2) * rod_v_x, m.rod_v_x_dot)
+            .add_product(R::literal(0.2) * rod_v_y, m.rod_v_y_dot)
+            .add_product(R::literal(0.00024) * rod_omega, m.rod_omega_dot)
+            .add_product(R::literal(0.7) * bobbin_v_x, m.bobbin_v_x_dot)
+            .add_product(R::literal(0.7) * bobbin_v_y, m.bobbin_v_y_dot),
         supplied: R::literal(0.0),
-        dissipated: t177
-            .sub_product(p.spring_damping * cylinder_v_x * slide_rate, cos_cylinder_phi)
-            .sub_product(p.spring_damping * cylinder_v_y * slide_rate, sin_cylinder_phi),
+        dissipated: (t1
+            + R::select_less(
+                stop_closed,
+                R::literal(0.5),
+                R::literal(0.0),
+                R::literal(1500.0) * (stop_rate * stop_rate),
+            ))
+            .sub_product(
+                p.spring_damping * cylinder_v_x * m.slide_rate,
+                m.cos_cylinder_phi,
+            )
+            .sub_product(
+                p.spring_damping * cylinder_v_y * m.slide_rate,
+                m.sin_cylinder_phi,
+            ),
     }
 }
 
@@ -5813,436 +2594,43 @@ pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
 
 /// `dg/dt` of the guards along the motion.
 ///
-/// 727 operations.
+/// 50 operations.
 #[must_use]
 pub fn guard_rates<R: Real>(
-    _time: R,
+    time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; EVENTS] {
-    let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x,
-    rod_y, rod_phi, bobbin_x, bobbin_y, _, _, post_omega, _, _, plate_omega,
-    cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x,
-    bobbin_v_y, contact_closed, stop_closed] = *state;
-    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
-    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
-        post_phi,
-        plate_phi,
-        cylinder_phi,
-        rod_phi,
-    ]);
-    let t0 = R::literal(0.1) * cos_post_phi;
-    let t1 = R::literal(0.1) * sin_post_phi;
-    let t2 = R::literal(0.06) * cos_plate_phi;
-    let t3 = R::literal(0.06) * sin_plate_phi;
-    let t4 = R::literal(0.06) * cos_cylinder_phi;
-    let t5 = R::literal(0.06) * sin_cylinder_phi;
-    let t6 = R::literal(0.06) * sin_rod_phi;
-    let stop_gap = (R::literal(0.143) * sin_post_phi)
-        .sub_product(R::literal(0.044), cos_post_phi);
-    let t7 = (R::literal(0.044) * sin_post_phi)
-        .add_product(R::literal(0.143), cos_post_phi);
-    let stop_rate = post_omega * t7;
-    let t8 = bobbin_x - R::literal(0.328);
-    let t9 = bobbin_y - R::literal(0.058);
-    let between = (t8 * t8).add_product(t9, t9).sqrt();
-    let contact_gap = between - R::literal(0.1);
-    let rod_x_minus_cylinder_x = rod_x - cylinder_x;
-    let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
-        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let contact_rate = (bobbin_v_x * t8).add_product(bobbin_v_y, t9) / between;
-    let t10 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
-        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
-    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
-        .add_product(cylinder_omega, t10)
-        .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
-    let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
-    let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
-    let t11 = (R::literal(0.01) * sin_plate_phi)
-        .add_product(R::literal(0.1), cos_plate_phi);
-    let t12 = (R::literal(0.01) * cos_plate_phi)
-        .sub_product(R::literal(0.1), sin_plate_phi);
-    let t13 = R::literal(37.037_037_037_037_03) * sin_post_phi;
-    let t14 = R::literal(37.037_037_037_037_03) * cos_post_phi;
-    let t15 = R::literal(24.0) * sin_plate_phi;
-    let t16 = R::literal(24.0) * cos_plate_phi;
-    let t17 = t11 * R::literal(400.0);
-    let t18 = t12 * R::literal(400.0);
-    let t19 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t20 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t21 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
-    let t22 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
-    let t23 = slide * R::literal(2_777.777_777_777_778);
-    let t24 = sin_cylinder_phi * R::literal(5.0);
-    let t25 = cos_cylinder_phi * R::literal(5.0);
-    let t26 = R::literal(250.0) * sin_rod_phi;
-    let t27 = R::literal(250.0) * cos_rod_phi;
-    let t28 = t13 * t1;
-    let t29 = R::literal(-1.25) - t28;
-    let t30 = R::literal(1.0) / t29;
-    let t31 = t14 * t1;
-    let t32 = t31 * t30;
-    let t33 = R::literal(1.25) - t28;
-    let t34 = t33 * t30;
-    let t35 = t14 * t0;
-    let t36 = R::literal(-1.25) - t35;
-    let t37 = t32 * t31;
-    let t38 = R::literal(1.0) / (t36 - t37);
-    let t39 = (t13 * t0).sub_product(t34, t31);
-    let t40 = t39 * t38;
-    let t41 = R::literal(1.25) - t35 - t37;
-    let t42 = t41 * t38;
-    let t43 = t15 * t3;
-    let t44 = R::literal(1.0)
-        / (t29 - R::literal(0.833_333_333_333_333_4) - t43)
-            .sub_product(t34, t33)
-            .sub_product(t40, t39);
-    let t45 = t16 * t3;
-    let t46 = (t31 + t45).sub_product(t32, t33).sub_product(t42, t39);
-    let t47 = t46 * t44;
-    let t48 = R::literal(0.833_333_333_333_333_4) - t43;
-    let t49 = t48 * t44;
-    let t50 = t45 * t44;
-    let t51 = t17 * t3;
-    let t52 = R::literal(0.833_333_333_333_333_4) + t51;
-    let t53 = t52 * t44;
-    let t54 = t18 * t3;
-    let t55 = t54 * t44;
-    let t56 = t16 * t2;
-    let t57 = R::literal(1.0)
-        / (t36 - R::literal(0.833_333_333_333_333_4) - t56 - t37)
-            .sub_product(t42, t41)
-            .sub_product(t47, t46);
-    let t58 = (t15 * t2).sub_product(t49, t46);
-    let t59 = t58 * t57;
-    let t60 = (R::literal(0.833_333_333_333_333_4) - t56).sub_product(t50, t46);
-    let t61 = t60 * t57;
-    let t62 = -(t17 * t2);
-    let t63 = t62.sub_product(t53, t46);
-    let t64 = t63 * t57;
-    let t65 = t18 * t2;
-    let t66 = (R::literal(0.833_333_333_333_333_4) + t65).add_product(t55, t46);
-    let t67 = t66 * t57;
-    let t68 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t43
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t21, t5)
-            .sub_product(t49, t48)
-            .sub_product(t59, t58);
-    let t69 = t45.add_product(t22, t5).sub_product(t50, t48).sub_product(t61, t58);
-    let t70 = t69 * t68;
-    let t71 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
-    let t72 = t71 * t68;
-    let t73 = (-t19).add_product(t23, t5);
-    let t74 = t73 * t68;
-    let t75 = (R::literal(-0.833_333_333_333_333_4) + t51)
-        .sub_product(t53, t48)
-        .sub_product(t64, t58);
-    let t76 = t75 * t68;
-    let t77 = (-t54).add_product(t55, t48).sub_product(t67, t58);
-    let t78 = t77 * t68;
-    let t79 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t56
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t22, t4)
-            .sub_product(t50, t45)
-            .sub_product(t61, t60)
-            .sub_product(t70, t69);
-    let t80 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
-        .add_product(t72, t69);
-    let t81 = t80 * t79;
-    let t82 = t20.sub_product(t23, t4).sub_product(t74, t69);
-    let t83 = t82 * t79;
-    let t84 = t62.sub_product(t53, t45).sub_product(t64, t60).sub_product(t76, t69);
-    let t85 = t84 * t79;
-    let t86 = (R::literal(-0.833_333_333_333_333_4) + t65)
-        .add_product(t55, t45)
-        .sub_product(t67, t60)
-        .sub_product(t78, t69);
-    let t87 = t86 * t79;
-    let t88 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445).sub_product(t72, t71).sub_product(t81, t80);
-    let t89 = (-t23).add_product(t74, t71).sub_product(t83, t80);
-    let t90 = t89 * t88;
-    let t91 = t26 * t88;
-    let t92 = t27 * t88;
-    let t93 = (t76 * t71).sub_product(t85, t80);
-    let t94 = t93 * t88;
-    let t95 = (t78 * t71).sub_product(t87, t80);
-    let t96 = t95 * t88;
-    let t97 = R::literal(1.0)
-        / (-(t20 * cos_cylinder_phi))
-            .sub_product(t19, sin_cylinder_phi)
-            .sub_product(t23, slide)
-            .sub_product(t24, sin_cylinder_phi)
-            .sub_product(t25, cos_cylinder_phi)
-            .sub_product(t74, t73)
-            .sub_product(t83, t82)
-            .sub_product(t90, t89);
-    let t98 = t24.sub_product(t91, t89);
-    let t99 = t98 * t97;
-    let t100 = (-t25).add_product(t92, t89);
-    let t101 = t100 * t97;
-    let t102 = (-(t76 * t73)).sub_product(t85, t82).sub_product(t94, t89);
-    let t103 = t102 * t97;
-    let t104 = (-(t78 * t73)).sub_product(t87, t82).sub_product(t96, t89);
-    let t105 = t104 * t97;
-    let t106 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t26, t6)
-            .sub_product(t91, t26)
-            .sub_product(t99, t98);
-    let t107 = (t27 * t6).add_product(t92, t26).sub_product(t101, t98);
-    let t108 = t107 * t106;
-    let t109 = (-(t94 * t26)).sub_product(t103, t98);
-    let t110 = t109 * t106;
-    let t111 = (-(t96 * t26)).sub_product(t105, t98);
-    let t112 = t111 * t106;
-    let t113 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t27, R::literal(0.06) * cos_rod_phi)
-            .sub_product(t92, t27)
-            .sub_product(t101, t100)
-            .sub_product(t108, t107);
-    let t114 = (t94 * t27).sub_product(t103, t100).sub_product(t110, t107);
-    let t115 = t114 * t113;
-    let t116 = (t96 * t27).sub_product(t105, t100).sub_product(t112, t107);
-    let t117 = t116 * t113;
-    let t118 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t11)
-            - R::literal(1.428_571_428_571_428_6))
-            .sub_product(t53, t52)
-            .sub_product(t64, t63)
-            .sub_product(t76, t75)
-            .sub_product(t85, t84)
-            .sub_product(t94, t93)
-            .sub_product(t103, t102)
-            .sub_product(t110, t109)
-            .sub_product(t115, t114);
-    let t119 = (t18 * t11)
-        .add_product(t55, t52)
-        .sub_product(t67, t63)
-        .sub_product(t78, t75)
-        .sub_product(t87, t84)
-        .sub_product(t96, t93)
-        .sub_product(t105, t102)
-        .sub_product(t112, t109)
-        .sub_product(t117, t114);
-    let t120 = t119 * t118;
-    let t121 = R::select_less(
-        stop_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        (-(R::literal(1_000_000.0) * stop_gap * t7))
-            .sub_product(R::literal(1500.0) * stop_rate, t7),
-    );
-    let t122 = p.spring_stiffness * (slide - R::literal(0.116));
-    let t123 = t122 * cos_cylinder_phi;
-    let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
-    let t124 = spring_damping_times_slide_rate * cos_cylinder_phi;
-    let t125 = t123 + t124;
-    let t126 = t122 * sin_cylinder_phi;
-    let t127 = spring_damping_times_slide_rate * sin_cylinder_phi;
-    let t128 = t127 - (R::literal(2.943) - t126);
-    let t129 = (-(t122 * t10)).sub_product(spring_damping_times_slide_rate, t10);
-    let t130 = -t123 - t124;
-    let t131 = -t127 - (R::literal(1.962) + t126);
-    let t132 = contact_damping_times_contact_rate * t8;
-    let t133 = contact_damping_times_contact_rate * t9;
-    let t134 = R::literal(0.1) * (post_omega * post_omega);
-    let t135 = t134 * cos_post_phi;
-    let t136 = t134 * sin_post_phi;
-    let plate_omega_squared = plate_omega * plate_omega;
-    let t137 = R::literal(0.06) * plate_omega_squared;
-    let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t138 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t139 = t13 * t121;
-    let t140 = -t135 - t139;
-    let t141 = t14 * t121;
-    let t142 = t32 * t140;
-    let t143 = -t136 - R::literal(-9.81) + t141 - t142;
-    let t144 = (-t135.add_product(t137, cos_plate_phi) - t139)
-        .sub_product(t34, t140)
-        .sub_product(t40, t143);
-    let t145 = (-t136.add_product(t137, sin_plate_phi) - R::literal(9.81) + t141
-        - R::literal(-9.81) - t142)
-        .sub_product(t42, t143)
-        .sub_product(t47, t144);
-    let t146 = (-(R::literal(0.06)
-        * (plate_omega_squared * cos_plate_phi)
-            .add_product(cylinder_omega_squared, cos_cylinder_phi)))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t125)
-        .sub_product(t21, t129)
-        .sub_product(t49, t144)
-        .sub_product(t59, t145);
-    let t147 = R::literal(-9.81)
-        .sub_product(
-            R::literal(0.06),
-            (plate_omega_squared * sin_plate_phi)
-                .add_product(cylinder_omega_squared, sin_cylinder_phi),
-        )
-        .sub_product(R::literal(3.333_333_333_333_333_5), t128)
-        .add_product(t22, t129)
-        .sub_product(t50, t144)
-        .sub_product(t61, t145)
-        .sub_product(t70, t146);
-    let t148 = (-(R::literal(-2_777.777_777_777_778) * t129))
-        .add_product(t72, t146)
-        .sub_product(t81, t147);
-    let t149 = (cylinder_omega
-        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
-            .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
-            .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
-            .add_product(rod_y * cylinder_omega, cos_cylinder_phi)
-            .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi)
-            .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
-            .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
-            .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
-        .sub_product(t19, t125)
-        .add_product(t20, t128)
-        .add_product(t23, t129)
-        .add_product(t24, t130)
-        .sub_product(t25, t131)
-        .sub_product(t74, t146)
-        .sub_product(t83, t147);
-    let t150 = t149.sub_product(t90, t148);
-    let t151 = (t138 * cos_rod_phi)
-        .sub_product(R::literal(5.0), t130)
-        .sub_product(t91, t148)
-        .sub_product(t99, t150);
-    let t152 = (t138 * sin_rod_phi)
-        .sub_product(R::literal(5.0), t131)
-        .add_product(t92, t148)
-        .sub_product(t101, t150)
-        .sub_product(t108, t151);
-    let t153 = R::literal(1.428_571_428_571_428_6)
-        * R::select_less(
-            contact_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            -(contact_stiffness_times_contact_gap * t8 / between) - t132 / between,
-        );
-    let t154 = (-t153)
-        .add_product(t12, plate_omega_squared)
-        .sub_product(t53, t144)
-        .sub_product(t64, t145)
-        .sub_product(t76, t146)
-        .sub_product(t85, t147)
-        .sub_product(t94, t148)
-        .sub_product(t103, t150)
-        .sub_product(t110, t151)
-        .sub_product(t115, t152);
-    let t155 = R::literal(1.428_571_428_571_428_6)
-        * (R::select_less(
-            contact_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            -(t133 / between),
-        )
-            - (R::literal(6.867)
-                + R::select_less(
-                    contact_closed,
-                    R::literal(0.5),
-                    R::literal(0.0),
-                    contact_stiffness_times_contact_gap * t9 / between,
-                )));
-    let t156 = (R::literal(-9.81).add_product(t11, plate_omega_squared) - t155)
-        .add_product(t55, t144)
-        .sub_product(t67, t145)
-        .sub_product(t78, t146)
-        .sub_product(t87, t147)
-        .sub_product(t96, t148)
-        .sub_product(t105, t150)
-        .sub_product(t112, t151)
-        .sub_product(t117, t152)
-        .sub_product(t120, t154)
-        * (R::literal(1.0)
-            / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t12)
-                - R::literal(1.428_571_428_571_428_6))
-                .sub_product(t55, t54)
-                .sub_product(t67, t66)
-                .sub_product(t78, t77)
-                .sub_product(t87, t86)
-                .sub_product(t96, t95)
-                .sub_product(t105, t104)
-                .sub_product(t112, t111)
-                .sub_product(t117, t116)
-                .sub_product(t120, t119));
-    let t157 = (t154 * t118).sub_product(t120, t156);
-    let t158 = (t152 * t113).sub_product(t115, t157).sub_product(t117, t156);
-    let t159 = (t151 * t106)
-        .sub_product(t108, t158)
-        .sub_product(t110, t157)
-        .sub_product(t112, t156);
-    let t160 = (t150 * t97)
-        .sub_product(t99, t159)
-        .sub_product(t101, t158)
-        .sub_product(t103, t157)
-        .sub_product(t105, t156);
-    let t161 = (t148 * t88)
-        .sub_product(t90, t160)
-        .sub_product(t91, t159)
-        .add_product(t92, t158)
-        .sub_product(t94, t157)
-        .sub_product(t96, t156);
-    let t162 = (t147 * t79)
-        .sub_product(t81, t161)
-        .sub_product(t83, t160)
-        .sub_product(t85, t157)
-        .sub_product(t87, t156);
-    let t163 = (t146 * t68)
-        .sub_product(t70, t162)
-        .add_product(t72, t161)
-        .sub_product(t74, t160)
-        .sub_product(t76, t157)
-        .sub_product(t78, t156);
-    let t164 = (t145 * t57)
-        .sub_product(t59, t163)
-        .sub_product(t61, t162)
-        .sub_product(t64, t157)
-        .sub_product(t67, t156);
-    let t165 = (t144 * t44)
-        .sub_product(t47, t164)
-        .sub_product(t49, t163)
-        .sub_product(t50, t162)
-        .sub_product(t53, t157)
-        .add_product(t55, t156);
-    let t166 = (t143 * t38).sub_product(t40, t165).sub_product(t42, t164);
-    let bobbin_v_y_dot = t155.sub_product(R::literal(1.428_571_428_571_428_6), t156);
-    let bobbin_v_x_dot = t153.sub_product(R::literal(1.428_571_428_571_428_6), t157);
-    let post_omega_dot = (t121 * R::literal(370.370_370_370_370_3))
-        .sub_product(
-            t13,
-            (t140 * t30)
-                .sub_product(t32, t166)
-                .sub_product(t34, t165)
-                .sub_product(t32, t164),
-        )
-        .add_product(t14, t166)
-        .sub_product(t13, t165)
-        .add_product(t14, t164);
-    let between_squared = between * between;
-    let contact_touches_guard_rate = (t8 / between * bobbin_v_x)
-        .add_product(t9 / between, bobbin_v_y);
-    let contact_opens_guard_rate = ((t132 / between_squared
-        - p.contact_damping * bobbin_v_x / between - p.contact_stiffness * t8 / between)
-        * bobbin_v_x)
+    let bobbin_x = state[12];
+    let bobbin_y = state[13];
+    let post_omega = state[16];
+    let bobbin_v_x = state[26];
+    let bobbin_v_y = state[27];
+    let m = &motion(time, state, p, &prepare(p));
+    let stop_rate = post_omega * m.t7;
+    let t0 = bobbin_x - R::literal(0.328);
+    let t1 = bobbin_y - R::literal(0.058);
+    let t2 = m.between * m.between;
+    let contact_touches_guard_rate = (t0 / m.between * bobbin_v_x)
+        .add_product(t1 / m.between, bobbin_v_y);
+    let contact_opens_guard_rate = ((m.t149 / t2
+        - p.contact_damping * bobbin_v_x / m.between
+        - p.contact_stiffness * t0 / m.between) * bobbin_v_x)
         .add_product(
-            t133 / between_squared - p.contact_damping * bobbin_v_y / between
-                - p.contact_stiffness * t9 / between,
+            m.t151 / t2 - p.contact_damping * bobbin_v_y / m.between
+                - p.contact_stiffness * t1 / m.between,
             bobbin_v_y,
         )
-        .sub_product(p.contact_damping * t8 / between, bobbin_v_x_dot)
-        .sub_product(p.contact_damping * t9 / between, bobbin_v_y_dot);
-    let stop_opens_guard_rate = ((R::literal(214.5) * post_omega * sin_post_phi)
-        .sub_product(R::literal(143_000.0), cos_post_phi)
-        .sub_product(R::literal(44000.0), sin_post_phi)
-        .sub_product(R::literal(66.0) * post_omega, cos_post_phi) * post_omega)
+        .sub_product(p.contact_damping * t0 / m.between, m.bobbin_v_x_dot)
+        .sub_product(p.contact_damping * t1 / m.between, m.bobbin_v_y_dot);
+    let stop_opens_guard_rate = ((-(R::literal(66.0) * m.sin_post_phi))
+        .sub_product(R::literal(214.5), m.cos_post_phi) * m.post_omega_dot)
         .add_product(
-            (-(R::literal(66.0) * sin_post_phi))
-                .sub_product(R::literal(214.5), cos_post_phi),
-            post_omega_dot,
+            (-(R::literal(143_000.0) * m.cos_post_phi))
+                .add_product(R::literal(214.5) * post_omega, m.sin_post_phi)
+                .sub_product(R::literal(44000.0), m.sin_post_phi)
+                .sub_product(R::literal(66.0) * post_omega, m.cos_post_phi),
+            post_omega,
         );
     [
         contact_touches_guard_rate,

@@ -9,6 +9,7 @@ use super::functions::{counted, destructure};
 use super::names::{argument, constant_name};
 use crate::emit::EmitError;
 use crate::emit::text::doc;
+use machinist_contract::implicit::LANES;
 use machinist_model::hoist::Hoisted;
 use machinist_model::{Model, Solve, operations};
 
@@ -60,6 +61,9 @@ impl Motion {
             quote!(, #c: &Constants<R>)
         });
         let count = Literal::usize_unsuffixed(factors.len());
+        let has_factors = !factors.is_empty();
+        let factors_field = has_factors.then(|| quote!(pub factors: [R; #count],));
+        let factors_value = has_factors.then(|| quote!(factors: [#(#factors),*],));
         let statements = &body.statements;
         let operations = counted(operations(&motion.tape));
         let docs = doc([
@@ -75,7 +79,7 @@ impl Motion {
             #[allow(missing_docs, reason = "`motion` says what each is")]
             #[derive(Debug, Clone, Copy, PartialEq)]
             pub struct Motion<R> {
-                pub factors: [R; #count],
+                #factors_field
                 #(pub #fields: R,)*
             }
             #docs
@@ -88,7 +92,7 @@ impl Motion {
             ) -> Motion<R> {
                 #destructured
                 #(#statements)*
-                Motion { factors: [#(#factors),*], #(#fields),* }
+                Motion { #factors_value #(#fields),* }
             }
         };
         Ok(Self { results, items: Some(items) })
@@ -130,7 +134,9 @@ pub(super) fn statics(function: &str, solve: &Solve) -> TokenStream {
 pub(super) fn solved(function: &str, solve: &Solve, results: &[TokenStream]) -> TokenStream {
     let number = |value: u32| Literal::u32_unsuffixed(value);
     let steps = steps_name(function);
-    let (rows, columns) = (number(solve.rows), number(solve.columns));
+    // A few columns more are cheaper than columns one by one.
+    let padded = solve.columns.next_multiple_of(LANES as u32 / 2);
+    let (rows, columns) = (number(solve.rows), number(padded));
     let (given, sides) = results.split_at(solve.given.len());
     let sides = solve.right_sides.iter().zip(sides).map(|(&(row, column), side)| {
         let (row, column) = (number(row), number(column));

@@ -89,33 +89,9 @@ pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
     rows: 8,
     columns: 8,
     entries: &[
-        (0, 1),
-        (0, 2),
-        (1, 0),
-        (1, 1),
-        (1, 2),
-        (1, 3),
-        (1, 4),
-        (1, 5),
-        (1, 6),
-        (2, 0),
-        (2, 1),
-        (2, 2),
-        (3, 3),
-        (3, 4),
-        (3, 5),
-        (4, 3),
-        (4, 4),
-        (4, 6),
-        (5, 1),
-        (5, 3),
-        (5, 5),
-        (5, 6),
-        (6, 1),
-        (6, 4),
-        (6, 5),
-        (6, 6),
-        (7, 2),
+        (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 6), (2, 0), (2, 1),
+        (2, 2), (3, 3), (3, 4), (3, 5), (4, 3), (4, 4), (4, 6), (5, 1), (5, 3), (5, 5), (5, 6),
+        (6, 1), (6, 4), (6, 5), (6, 6), (7, 2),
     ],
 };
 
@@ -248,8 +224,8 @@ pub const CONSTANTS: usize = 2;
 /// What parameters alone decide; `prepare` says what each is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Constants<R> {
-    pub motor_omega_dot_by_coupling_twist: R,
     pub cylinder_omega_dot_by_coupling_twist: R,
+    pub motor_omega_dot_by_coupling_twist: R,
 }
 
 impl<R: Real> Constants<R> {
@@ -258,8 +234,8 @@ impl<R: Real> Constants<R> {
     #[inline]
     pub fn from_array(values: [R; CONSTANTS]) -> Self {
         Self {
-            motor_omega_dot_by_coupling_twist: values[0],
-            cylinder_omega_dot_by_coupling_twist: values[1],
+            cylinder_omega_dot_by_coupling_twist: values[0],
+            motor_omega_dot_by_coupling_twist: values[1],
         }
     }
     /// The numbers in their order.
@@ -267,8 +243,8 @@ impl<R: Real> Constants<R> {
     #[inline]
     pub fn to_array(self) -> [R; CONSTANTS] {
         [
-            self.motor_omega_dot_by_coupling_twist,
             self.cylinder_omega_dot_by_coupling_twist,
+            self.motor_omega_dot_by_coupling_twist,
         ]
     }
 }
@@ -279,13 +255,13 @@ impl<R: Real> Constants<R> {
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
-    let motor_omega_dot_by_coupling_twist = -(p.coupling_stiffness
-        * R::literal(0.238_095_238_095_238_08));
     let cylinder_omega_dot_by_coupling_twist = p.coupling_stiffness
         * R::literal(0.803_858_520_900_321_5);
+    let motor_omega_dot_by_coupling_twist = -(p.coupling_stiffness
+        * R::literal(0.238_095_238_095_238_08));
     Constants {
-        motor_omega_dot_by_coupling_twist,
         cylinder_omega_dot_by_coupling_twist,
+        motor_omega_dot_by_coupling_twist,
     }
 }
 
@@ -355,10 +331,10 @@ pub fn prepared_rate<R: Real>(
                 R::literal(78.78),
                 (R::literal(241.805_307_826_689_27) * time).sin(),
             ) * (R::literal(2.0) * cylinder_omega).tanh();
-    let motor_omega_dot = (motor_torque - coupling_torque)
-        * R::literal(0.238_095_238_095_238_08);
     let cylinder_omega_dot = (coupling_torque - load_resistance)
         * R::literal(0.803_858_520_900_321_5);
+    let motor_omega_dot = (motor_torque - coupling_torque)
+        * R::literal(0.238_095_238_095_238_08);
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
         .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
         .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
@@ -514,10 +490,10 @@ pub fn parameter_jacobian<R: Real>(
     _p: &Parameters<R>,
 ) -> [R; 2] {
     let [coupling_twist, ..] = *state;
-    let motor_omega_dot_by_coupling_stiffness = -(coupling_twist
-        * R::literal(0.238_095_238_095_238_08));
     let cylinder_omega_dot_by_coupling_stiffness = coupling_twist
         * R::literal(0.803_858_520_900_321_5);
+    let motor_omega_dot_by_coupling_stiffness = -(coupling_twist
+        * R::literal(0.238_095_238_095_238_08));
     [motor_omega_dot_by_coupling_stiffness, cylinder_omega_dot_by_coupling_stiffness]
 }
 
@@ -638,10 +614,10 @@ pub fn power_balance<R: Real>(
                 R::literal(78.78),
                 (R::literal(241.805_307_826_689_27) * time).sin(),
             ) * (R::literal(2.0) * cylinder_omega).tanh();
-    let motor_omega_dot = (motor_torque - coupling_torque)
-        * R::literal(0.238_095_238_095_238_08);
     let cylinder_omega_dot = (coupling_torque - load_resistance)
         * R::literal(0.803_858_520_900_321_5);
+    let motor_omega_dot = (motor_torque - coupling_torque)
+        * R::literal(0.238_095_238_095_238_08);
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
         .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
         .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
@@ -755,8 +731,8 @@ pub fn series<R: Real>(
     let load_resistance = t26 * t23;
     let t27 = motor_torque - coupling_torque;
     let t28 = coupling_torque - load_resistance;
-    let motor_omega_dot = t27 * R::literal(0.238_095_238_095_238_08);
     let cylinder_omega_dot = t28 * R::literal(0.803_858_520_900_321_5);
+    let motor_omega_dot = t27 * R::literal(0.238_095_238_095_238_08);
     let t29 = t2 * R::literal(36.128_315_516_282_626);
     let t30 = motor_psi_sy * R::literal(314.159_265_358_979_3);
     let t31 = R::literal(311.126_983_722_080_9) + t30;
@@ -829,8 +805,8 @@ pub fn series<R: Real>(
         let load_resistance_k = t23.mul_add(t26_k, t26.mul_add(t23_k, sums_2[0]));
         let t27_k = t14_k.mul_add(R::literal(4_822.097_783_227_635), -coupling_torque_k);
         let t28_k = coupling_torque_k - load_resistance_k;
-        let motor_omega_dot_k = t27_k * R::literal(0.238_095_238_095_238_08);
         let cylinder_omega_dot_k = t28_k * R::literal(0.803_858_520_900_321_5);
+        let motor_omega_dot_k = t27_k * R::literal(0.238_095_238_095_238_08);
         let motor_psi_sx_dot_k = (-t2_k)
             .mul_add(
                 R::literal(36.128_315_516_282_626),

@@ -91,36 +91,9 @@ pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
     rows: 10,
     columns: 10,
     entries: &[
-        (0, 3),
-        (1, 4),
-        (2, 5),
-        (3, 0),
-        (3, 1),
-        (3, 3),
-        (3, 4),
-        (3, 6),
-        (3, 7),
-        (3, 8),
-        (3, 9),
-        (4, 0),
-        (4, 1),
-        (4, 3),
-        (4, 4),
-        (5, 5),
-        (6, 6),
-        (6, 7),
-        (6, 8),
-        (7, 6),
-        (7, 7),
-        (7, 9),
-        (8, 3),
-        (8, 6),
-        (8, 8),
-        (8, 9),
-        (9, 3),
-        (9, 7),
-        (9, 8),
-        (9, 9),
+        (0, 3), (1, 4), (2, 5), (3, 0), (3, 1), (3, 3), (3, 4), (3, 6), (3, 7), (3, 8), (3, 9),
+        (4, 0), (4, 1), (4, 3), (4, 4), (5, 5), (6, 6), (6, 7), (6, 8), (7, 6), (7, 7), (7, 9),
+        (8, 3), (8, 6), (8, 8), (8, 9), (9, 3), (9, 7), (9, 8), (9, 9),
     ],
 };
 
@@ -129,56 +102,11 @@ pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern
     rows: 10,
     columns: 33,
     entries: &[
-        (3, 0),
-        (3, 2),
-        (3, 4),
-        (3, 5),
-        (3, 6),
-        (3, 7),
-        (3, 10),
-        (3, 11),
-        (3, 12),
-        (4, 10),
-        (4, 11),
-        (4, 12),
-        (4, 14),
-        (4, 15),
-        (4, 19),
-        (4, 20),
-        (4, 21),
-        (4, 22),
-        (4, 23),
-        (4, 24),
-        (4, 25),
-        (4, 26),
-        (5, 14),
-        (5, 15),
-        (5, 19),
-        (5, 20),
-        (5, 21),
-        (5, 22),
-        (5, 23),
-        (5, 24),
-        (5, 29),
-        (5, 30),
-        (6, 1),
-        (6, 2),
-        (6, 3),
-        (6, 6),
-        (6, 8),
-        (7, 1),
-        (7, 2),
-        (7, 3),
-        (7, 6),
-        (7, 8),
-        (8, 2),
-        (8, 4),
-        (8, 5),
-        (8, 9),
-        (9, 2),
-        (9, 4),
-        (9, 5),
-        (9, 9),
+        (3, 0), (3, 2), (3, 4), (3, 5), (3, 6), (3, 7), (3, 10), (3, 11), (3, 12), (4, 10), (4, 11),
+        (4, 12), (4, 14), (4, 15), (4, 19), (4, 20), (4, 21), (4, 22), (4, 23), (4, 24), (4, 25),
+        (4, 26), (5, 14), (5, 15), (5, 19), (5, 20), (5, 21), (5, 22), (5, 23), (5, 24), (5, 29),
+        (5, 30), (6, 1), (6, 2), (6, 3), (6, 6), (6, 8), (7, 1), (7, 2), (7, 3), (7, 6), (7, 8),
+        (8, 2), (8, 4), (8, 5), (8, 9), (9, 2), (9, 4), (9, 5), (9, 9),
     ],
 };
 
@@ -462,12 +390,12 @@ pub struct Constants<R> {
     pub t9: R,
     pub motor_alpha_s_times_motor_omega_0: R,
     pub motor_alpha_r_times_motor_omega_0: R,
-    pub motor_omega_dot_by_motor_phi: R,
     pub shaft_driven_dot_dot_by_motor_phi: R,
-    pub motor_omega_dot_by_shaft_driven: R,
+    pub motor_omega_dot_by_motor_phi: R,
     pub shaft_driven_dot_dot_by_shaft_driven: R,
-    pub motor_omega_dot_by_motor_omega: R,
+    pub motor_omega_dot_by_shaft_driven: R,
     pub shaft_driven_dot_dot_by_motor_omega: R,
+    pub motor_omega_dot_by_motor_omega: R,
     pub t10: R,
     pub t11: R,
     pub motor_omega_dot_by_shaft_driven_dot: R,
@@ -500,12 +428,12 @@ impl<R: Real> Constants<R> {
             t9: values[12],
             motor_alpha_s_times_motor_omega_0: values[13],
             motor_alpha_r_times_motor_omega_0: values[14],
-            motor_omega_dot_by_motor_phi: values[15],
-            shaft_driven_dot_dot_by_motor_phi: values[16],
-            motor_omega_dot_by_shaft_driven: values[17],
-            shaft_driven_dot_dot_by_shaft_driven: values[18],
-            motor_omega_dot_by_motor_omega: values[19],
-            shaft_driven_dot_dot_by_motor_omega: values[20],
+            shaft_driven_dot_dot_by_motor_phi: values[15],
+            motor_omega_dot_by_motor_phi: values[16],
+            shaft_driven_dot_dot_by_shaft_driven: values[17],
+            motor_omega_dot_by_shaft_driven: values[18],
+            shaft_driven_dot_dot_by_motor_omega: values[19],
+            motor_omega_dot_by_motor_omega: values[20],
             t10: values[21],
             t11: values[22],
             motor_omega_dot_by_shaft_driven_dot: values[23],
@@ -537,12 +465,12 @@ impl<R: Real> Constants<R> {
             self.t9,
             self.motor_alpha_s_times_motor_omega_0,
             self.motor_alpha_r_times_motor_omega_0,
-            self.motor_omega_dot_by_motor_phi,
             self.shaft_driven_dot_dot_by_motor_phi,
-            self.motor_omega_dot_by_shaft_driven,
+            self.motor_omega_dot_by_motor_phi,
             self.shaft_driven_dot_dot_by_shaft_driven,
-            self.motor_omega_dot_by_motor_omega,
+            self.motor_omega_dot_by_shaft_driven,
             self.shaft_driven_dot_dot_by_motor_omega,
+            self.motor_omega_dot_by_motor_omega,
             self.t10,
             self.t11,
             self.motor_omega_dot_by_shaft_driven_dot,
@@ -586,14 +514,14 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t9 = p.coupling_damping * p.coupling_ratio;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let shaft_driven_dot_dot_by_motor_phi = t8 * t5;
+    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
-    let motor_omega_dot_by_shaft_driven = t8 * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_shaft_driven = -(p.coupling_stiffness
         * coupling_ratio_squared * t5);
-    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
+    let motor_omega_dot_by_shaft_driven = t8 * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_motor_omega = t9 * t5;
+    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let t10 = R::literal(0.5) / (p.shaft_pieces * p.shaft_standstill_band);
     let t11 = -(p.coupling_damping * coupling_ratio_squared);
     let motor_omega_dot_by_shaft_driven_dot = t9 * inverse_motor_inertia;
@@ -619,12 +547,12 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         t9,
         motor_alpha_s_times_motor_omega_0,
         motor_alpha_r_times_motor_omega_0,
-        motor_omega_dot_by_motor_phi,
         shaft_driven_dot_dot_by_motor_phi,
-        motor_omega_dot_by_shaft_driven,
+        motor_omega_dot_by_motor_phi,
         shaft_driven_dot_dot_by_shaft_driven,
-        motor_omega_dot_by_motor_omega,
+        motor_omega_dot_by_shaft_driven,
         shaft_driven_dot_dot_by_motor_omega,
+        motor_omega_dot_by_motor_omega,
         t10,
         t11,
         motor_omega_dot_by_shaft_driven_dot,
@@ -712,13 +640,13 @@ pub fn prepared_rate<R: Real>(
     let shaft_load = shaft_engagement
         * p.shaft_mean.add_product(p.shaft_amplitude, (c.t3 * time).sin());
     let t2 = c.t7 * shaft_load;
-    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
+    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t2, t1) * c.t6;
     let shaft_driven_dot_dot = p
         .shaft_driven_field_force
         .add_product(c.t8, coupling_twist)
         .add_product(c.t9, coupling_twist_rate)
         .sub_product(t2, t0) * c.t5;
-    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t2, t1) * c.t6;
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot = c
         .motor_u_x
         .add_product(c.motor_omega_0, motor_psi_sy)
@@ -963,14 +891,14 @@ pub fn parameter_jacobian<R: Real>(
         / (t15 + p.shaft_end_field_inertia);
     let t16 = R::literal(0.5) / p.shaft_pieces;
     let t17 = t16 * shaft_load;
-    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
+    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t17, t4)
+        * shaft_end_dot_dot_by_shaft_end_field_force;
     let shaft_driven_dot_dot = p
         .shaft_driven_field_force
         .add_product(p.coupling_stiffness * p.coupling_ratio, coupling_twist)
         .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
         .sub_product(t17, t3) * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t17, t4)
-        * shaft_end_dot_dot_by_shaft_end_field_force;
+    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let t18 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
@@ -1022,15 +950,13 @@ pub fn parameter_jacobian<R: Real>(
     let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t10);
     let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t18;
     let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t19;
-    let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_shaft_driven
-        - motor_phi) * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let motor_omega_dot_by_coupling_damping = (t6 - motor_omega) * inverse_motor_inertia;
+    let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_shaft_driven
+        - motor_phi) * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * shaft_driven)
-        .add_product(p.coupling_damping, shaft_driven_dot) * inverse_motor_inertia;
+    let motor_omega_dot_by_coupling_damping = (t6 - motor_omega) * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
         .add_product(p.coupling_damping, motor_omega)
         .sub_product(
@@ -1041,56 +967,58 @@ pub fn parameter_jacobian<R: Real>(
             R::literal(2.0) * p.coupling_damping * p.coupling_ratio,
             shaft_driven_dot,
         ) * shaft_driven_dot_dot_by_shaft_driven_field_force;
+    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * shaft_driven)
+        .add_product(p.coupling_damping, shaft_driven_dot) * inverse_motor_inertia;
     let shaft_pieces_squared = p.shaft_pieces * p.shaft_pieces;
     let t23 = R::literal(0.5) / shaft_pieces_squared * shaft_load;
     let t24 = t14 / shaft_pieces_squared;
-    let shaft_driven_dot_dot_by_shaft_pieces = (t23 * t3)
-        .add_product(t24, shaft_driven_dot_dot)
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let shaft_end_dot_dot_by_shaft_pieces = (t23 * t4)
         .add_product(t24, shaft_end_dot_dot)
         * shaft_end_dot_dot_by_shaft_end_field_force;
-    let shaft_driven_dot_dot_by_shaft_inertia = -(t16 * shaft_driven_dot_dot
-        * shaft_driven_dot_dot_by_shaft_driven_field_force);
+    let shaft_driven_dot_dot_by_shaft_pieces = (t23 * t3)
+        .add_product(t24, shaft_driven_dot_dot)
+        * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let shaft_end_dot_dot_by_shaft_inertia = -(t16 * shaft_end_dot_dot
         * shaft_end_dot_dot_by_shaft_end_field_force);
-    let t25 = t16 * shaft_engagement;
-    let shaft_driven_dot_dot_by_shaft_mean = -(t25 * t3
+    let shaft_driven_dot_dot_by_shaft_inertia = -(t16 * shaft_driven_dot_dot
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
+    let t25 = t16 * shaft_engagement;
     let shaft_end_dot_dot_by_shaft_mean = -(t25 * t4
         * shaft_end_dot_dot_by_shaft_end_field_force);
-    let t26 = t25 * t1;
-    let shaft_driven_dot_dot_by_shaft_amplitude = -(t26 * t3
+    let shaft_driven_dot_dot_by_shaft_mean = -(t25 * t3
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
+    let t26 = t25 * t1;
     let shaft_end_dot_dot_by_shaft_amplitude = -(t26 * t4
         * shaft_end_dot_dot_by_shaft_end_field_force);
+    let shaft_driven_dot_dot_by_shaft_amplitude = -(t26 * t3
+        * shaft_driven_dot_dot_by_shaft_driven_field_force);
     let t27 = R::literal(0.164_493_406_684_822_62) * p.shaft_amplitude / p.shaft_pieces
         * time * shaft_engagement * t2;
-    let shaft_driven_dot_dot_by_shaft_speed = -(t27 * t3
-        * shaft_driven_dot_dot_by_shaft_driven_field_force);
     let shaft_end_dot_dot_by_shaft_speed = -(t27 * t4
         * shaft_end_dot_dot_by_shaft_end_field_force);
+    let shaft_driven_dot_dot_by_shaft_speed = -(t27 * t3
+        * shaft_driven_dot_dot_by_shaft_driven_field_force);
     let t28 = t8 * t8;
     let t29 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width) * t13 * t7;
-    let shaft_driven_dot_dot_by_shaft_engagement_time = t29 * t3 / t28
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let shaft_end_dot_dot_by_shaft_engagement_time = t29 * t4 / t28
         * shaft_end_dot_dot_by_shaft_end_field_force;
+    let shaft_driven_dot_dot_by_shaft_engagement_time = t29 * t3 / t28
+        * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let t30 = R::literal(0.5)
         / (p.shaft_pieces * (p.shaft_engagement_width * p.shaft_engagement_width))
         * time_minus_shaft_engagement_time * t13 * t7;
-    let shaft_driven_dot_dot_by_shaft_engagement_width = t30 * t3 / t28
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let shaft_end_dot_dot_by_shaft_engagement_width = t30 * t4 / t28
         * shaft_end_dot_dot_by_shaft_end_field_force;
+    let shaft_driven_dot_dot_by_shaft_engagement_width = t30 * t3 / t28
+        * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let t31 = R::literal(0.5)
         / (p.shaft_pieces * (p.shaft_standstill_band * p.shaft_standstill_band));
-    let shaft_driven_dot_dot_by_shaft_standstill_band = t31 * shaft_driven_dot
-        * shaft_load * R::literal(1.0).sub_product(t3, t3)
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let shaft_end_dot_dot_by_shaft_standstill_band = t31 * shaft_end_dot * shaft_load
         * R::literal(1.0).sub_product(t4, t4)
         * shaft_end_dot_dot_by_shaft_end_field_force;
+    let shaft_driven_dot_dot_by_shaft_standstill_band = t31 * shaft_driven_dot
+        * shaft_load * R::literal(1.0).sub_product(t3, t3)
+        * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let shaft_driven_dot_dot_by_shaft_driven_field_inertia = -(shaft_driven_dot_dot
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
     let shaft_end_dot_dot_by_shaft_end_field_inertia = -(shaft_end_dot_dot
@@ -1178,10 +1106,10 @@ pub fn time_derivative<R: Real>(
         * p.shaft_mean.add_product(p.shaft_amplitude, t1) * t5;
     let t10 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_amplitude
         * shaft_omega_2 / p.shaft_pieces * shaft_engagement * t2;
-    let shaft_driven_dot_dot_by_time = (-(t9 * t3 / t8)).sub_product(t10, t3)
-        * (R::literal(1.0) / (t7 + p.shaft_driven_field_inertia));
     let shaft_end_dot_dot_by_time = (-(t9 * t4 / t8)).sub_product(t10, t4)
         * (R::literal(1.0) / (t7 + p.shaft_end_field_inertia));
+    let shaft_driven_dot_dot_by_time = (-(t9 * t3 / t8)).sub_product(t10, t3)
+        * (R::literal(1.0) / (t7 + p.shaft_driven_field_inertia));
     [
         R::literal(0.0),
         R::literal(0.0),
@@ -1316,12 +1244,12 @@ pub fn power_balance<R: Real>(
     let t12 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
     let t13 = p.coupling_damping * p.coupling_ratio;
     let t14 = p.shaft_end_field_force.sub_product(t10, t2);
-    let motor_omega_dot = (motor_torque - coupling_torque)
-        * (R::literal(1.0) / p.motor_inertia);
+    let shaft_end_dot_dot = t14 * (R::literal(1.0) / (t9 + p.shaft_end_field_inertia));
     let shaft_driven_dot_dot = ((p.shaft_driven_field_force + t12)
         .add_product(t13, coupling_twist_rate) - t11)
         * (R::literal(1.0) / (t9 + p.shaft_driven_field_inertia));
-    let shaft_end_dot_dot = t14 * (R::literal(1.0) / (t9 + p.shaft_end_field_inertia));
+    let motor_omega_dot = (motor_torque - coupling_torque)
+        * (R::literal(1.0) / p.motor_inertia);
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_psi_sx_dot = motor_u_x
         .add_product(motor_omega_0, motor_psi_sy)

@@ -96,17 +96,7 @@ pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
     rows: 11,
     columns: 11,
     entries: &[
-        (0, 0),
-        (1, 1),
-        (2, 2),
-        (3, 3),
-        (4, 4),
-        (5, 5),
-        (6, 6),
-        (7, 7),
-        (8, 8),
-        (9, 9),
-        (10, 10),
+        (0, 0), (1, 1), (2, 2), (3, 3), (4, 4), (5, 5), (6, 6), (7, 7), (8, 8), (9, 9), (10, 10),
     ],
 };
 
@@ -115,105 +105,17 @@ pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
     rows: 26,
     columns: 26,
     entries: &[
-        (0, 10),
-        (0, 20),
-        (1, 11),
-        (1, 20),
-        (2, 12),
-        (2, 20),
-        (3, 13),
-        (3, 20),
-        (4, 14),
-        (4, 20),
-        (5, 15),
-        (5, 20),
-        (6, 16),
-        (6, 20),
-        (7, 17),
-        (7, 20),
-        (8, 18),
-        (8, 20),
-        (9, 19),
-        (9, 20),
-        (10, 0),
-        (10, 1),
-        (10, 10),
-        (10, 11),
-        (10, 21),
-        (10, 22),
-        (10, 23),
-        (10, 24),
-        (11, 0),
-        (11, 1),
-        (11, 2),
-        (11, 10),
-        (11, 11),
-        (11, 12),
-        (12, 1),
-        (12, 2),
-        (12, 3),
-        (12, 11),
-        (12, 12),
-        (12, 13),
-        (13, 2),
-        (13, 3),
-        (13, 4),
-        (13, 12),
-        (13, 13),
-        (13, 14),
-        (14, 3),
-        (14, 4),
-        (14, 5),
-        (14, 13),
-        (14, 14),
-        (14, 15),
-        (15, 4),
-        (15, 5),
-        (15, 6),
-        (15, 14),
-        (15, 15),
-        (15, 16),
-        (16, 5),
-        (16, 6),
-        (16, 7),
-        (16, 15),
-        (16, 16),
-        (16, 17),
-        (17, 6),
-        (17, 7),
-        (17, 8),
-        (17, 16),
-        (17, 17),
-        (17, 18),
-        (18, 7),
-        (18, 8),
-        (18, 9),
-        (18, 17),
-        (18, 18),
-        (18, 19),
-        (19, 8),
-        (19, 9),
-        (19, 18),
-        (19, 19),
-        (19, 20),
-        (20, 9),
-        (20, 19),
-        (20, 20),
-        (21, 21),
-        (21, 22),
-        (21, 23),
-        (22, 21),
-        (22, 22),
-        (22, 24),
-        (23, 10),
-        (23, 21),
-        (23, 23),
-        (23, 24),
-        (24, 10),
-        (24, 22),
-        (24, 23),
-        (24, 24),
-        (25, 20),
+        (0, 10), (0, 20), (1, 11), (1, 20), (2, 12), (2, 20), (3, 13), (3, 20), (4, 14), (4, 20),
+        (5, 15), (5, 20), (6, 16), (6, 20), (7, 17), (7, 20), (8, 18), (8, 20), (9, 19), (9, 20),
+        (10, 0), (10, 1), (10, 10), (10, 11), (10, 21), (10, 22), (10, 23), (10, 24), (11, 0),
+        (11, 1), (11, 2), (11, 10), (11, 11), (11, 12), (12, 1), (12, 2), (12, 3), (12, 11),
+        (12, 12), (12, 13), (13, 2), (13, 3), (13, 4), (13, 12), (13, 13), (13, 14), (14, 3),
+        (14, 4), (14, 5), (14, 13), (14, 14), (14, 15), (15, 4), (15, 5), (15, 6), (15, 14),
+        (15, 15), (15, 16), (16, 5), (16, 6), (16, 7), (16, 15), (16, 16), (16, 17), (17, 6),
+        (17, 7), (17, 8), (17, 16), (17, 17), (17, 18), (18, 7), (18, 8), (18, 9), (18, 17),
+        (18, 18), (18, 19), (19, 8), (19, 9), (19, 18), (19, 19), (19, 20), (20, 9), (20, 19),
+        (20, 20), (21, 21), (21, 22), (21, 23), (22, 21), (22, 22), (22, 24), (23, 10), (23, 21),
+        (23, 23), (23, 24), (24, 10), (24, 22), (24, 23), (24, 24), (25, 20),
     ],
 };
 
@@ -573,28 +475,28 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; ST
     let t29 = R::literal(3_382_256.675_279_931) * piece_9_phi_relative;
     let piece_9_omega_minus_piece_10_omega = piece_9_omega - piece_10_omega;
     let t30 = R::literal(67.645_133_505_598_62) * piece_9_omega_minus_piece_10_omega;
-    let motor_omega_dot = (motor_torque - coupling_torque)
-        * R::literal(0.238_095_238_095_238_08);
-    let piece_1_omega_dot = (-load_1_resistance - (t13 - t11) - (t14 - t10))
-        * R::literal(8.038_585_209_003_216);
-    let piece_2_omega_dot = (-load_2_resistance - (t15 - t13) - (t16 - t14))
-        * R::literal(8.038_585_209_003_216);
-    let piece_3_omega_dot = (-load_3_resistance - (t17 - t15) - (t18 - t16))
-        * R::literal(8.038_585_209_003_216);
-    let piece_4_omega_dot = (-load_4_resistance - (t19 - t17) - (t20 - t18))
-        * R::literal(8.038_585_209_003_216);
-    let piece_5_omega_dot = (-load_5_resistance - (t21 - t19) - (t22 - t20))
-        * R::literal(8.038_585_209_003_216);
-    let piece_6_omega_dot = (-load_6_resistance - (t23 - t21) - (t24 - t22))
-        * R::literal(8.038_585_209_003_216);
-    let piece_7_omega_dot = (-load_7_resistance - (t25 - t23) - (t26 - t24))
-        * R::literal(8.038_585_209_003_216);
-    let piece_8_omega_dot = (-load_8_resistance - (t27 - t25) - (t28 - t26))
+    let piece_10_omega_dot = (t30 + t29 - load_10_resistance)
         * R::literal(8.038_585_209_003_216);
     let piece_9_omega_dot = (-load_9_resistance - (t29 - t27) - (t30 - t28))
         * R::literal(8.038_585_209_003_216);
-    let piece_10_omega_dot = (t30 + t29 - load_10_resistance)
+    let piece_8_omega_dot = (-load_8_resistance - (t27 - t25) - (t28 - t26))
         * R::literal(8.038_585_209_003_216);
+    let piece_7_omega_dot = (-load_7_resistance - (t25 - t23) - (t26 - t24))
+        * R::literal(8.038_585_209_003_216);
+    let piece_6_omega_dot = (-load_6_resistance - (t23 - t21) - (t24 - t22))
+        * R::literal(8.038_585_209_003_216);
+    let piece_5_omega_dot = (-load_5_resistance - (t21 - t19) - (t22 - t20))
+        * R::literal(8.038_585_209_003_216);
+    let piece_4_omega_dot = (-load_4_resistance - (t19 - t17) - (t20 - t18))
+        * R::literal(8.038_585_209_003_216);
+    let piece_3_omega_dot = (-load_3_resistance - (t17 - t15) - (t18 - t16))
+        * R::literal(8.038_585_209_003_216);
+    let piece_2_omega_dot = (-load_2_resistance - (t15 - t13) - (t16 - t14))
+        * R::literal(8.038_585_209_003_216);
+    let piece_1_omega_dot = (-load_1_resistance - (t13 - t11) - (t14 - t10))
+        * R::literal(8.038_585_209_003_216);
+    let motor_omega_dot = (motor_torque - coupling_torque)
+        * R::literal(0.238_095_238_095_238_08);
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
         .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
         .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
@@ -998,25 +900,25 @@ pub fn time_derivative<R: Real>(
     let t16 = t14 * t14;
     let t17 = R::literal(50.0) * R::literal(84.372).add_product(R::literal(7.878), t1)
         * t13;
-    let piece_1_omega_dot_by_time = (-(t17 * t3 / t16)).sub_product(t15, t3)
-        * R::literal(8.038_585_209_003_216);
-    let piece_2_omega_dot_by_time = (-(t17 * t4 / t16)).sub_product(t15, t4)
-        * R::literal(8.038_585_209_003_216);
-    let piece_3_omega_dot_by_time = (-(t17 * t5 / t16)).sub_product(t15, t5)
-        * R::literal(8.038_585_209_003_216);
-    let piece_4_omega_dot_by_time = (-(t17 * t6 / t16)).sub_product(t15, t6)
-        * R::literal(8.038_585_209_003_216);
-    let piece_5_omega_dot_by_time = (-(t17 * t7 / t16)).sub_product(t15, t7)
-        * R::literal(8.038_585_209_003_216);
-    let piece_6_omega_dot_by_time = (-(t17 * t8 / t16)).sub_product(t15, t8)
-        * R::literal(8.038_585_209_003_216);
-    let piece_7_omega_dot_by_time = (-(t17 * t9 / t16)).sub_product(t15, t9)
-        * R::literal(8.038_585_209_003_216);
-    let piece_8_omega_dot_by_time = (-(t17 * t10 / t16)).sub_product(t15, t10)
+    let piece_10_omega_dot_by_time = (-(t17 * t12 / t16)).sub_product(t15, t12)
         * R::literal(8.038_585_209_003_216);
     let piece_9_omega_dot_by_time = (-(t17 * t11 / t16)).sub_product(t15, t11)
         * R::literal(8.038_585_209_003_216);
-    let piece_10_omega_dot_by_time = (-(t17 * t12 / t16)).sub_product(t15, t12)
+    let piece_8_omega_dot_by_time = (-(t17 * t10 / t16)).sub_product(t15, t10)
+        * R::literal(8.038_585_209_003_216);
+    let piece_7_omega_dot_by_time = (-(t17 * t9 / t16)).sub_product(t15, t9)
+        * R::literal(8.038_585_209_003_216);
+    let piece_6_omega_dot_by_time = (-(t17 * t8 / t16)).sub_product(t15, t8)
+        * R::literal(8.038_585_209_003_216);
+    let piece_5_omega_dot_by_time = (-(t17 * t7 / t16)).sub_product(t15, t7)
+        * R::literal(8.038_585_209_003_216);
+    let piece_4_omega_dot_by_time = (-(t17 * t6 / t16)).sub_product(t15, t6)
+        * R::literal(8.038_585_209_003_216);
+    let piece_3_omega_dot_by_time = (-(t17 * t5 / t16)).sub_product(t15, t5)
+        * R::literal(8.038_585_209_003_216);
+    let piece_2_omega_dot_by_time = (-(t17 * t4 / t16)).sub_product(t15, t4)
+        * R::literal(8.038_585_209_003_216);
+    let piece_1_omega_dot_by_time = (-(t17 * t3 / t16)).sub_product(t15, t3)
         * R::literal(8.038_585_209_003_216);
     [
         R::literal(0.0),
@@ -1262,28 +1164,28 @@ pub fn power_balance<R: Real>(
     let piece_9_omega_minus_piece_10_omega = piece_9_omega - piece_10_omega;
     let t49 = R::literal(67.645_133_505_598_62) * piece_9_omega_minus_piece_10_omega;
     let t50 = t49 - t45;
-    let motor_omega_dot = (motor_torque - coupling_torque)
-        * R::literal(0.238_095_238_095_238_08);
-    let piece_1_omega_dot = (-load_1_resistance - t16 - t18)
-        * R::literal(8.038_585_209_003_216);
-    let piece_2_omega_dot = (-load_2_resistance - t20 - t22)
-        * R::literal(8.038_585_209_003_216);
-    let piece_3_omega_dot = (-load_3_resistance - t24 - t26)
-        * R::literal(8.038_585_209_003_216);
-    let piece_4_omega_dot = (-load_4_resistance - t28 - t30)
-        * R::literal(8.038_585_209_003_216);
-    let piece_5_omega_dot = (-load_5_resistance - t32 - t34)
-        * R::literal(8.038_585_209_003_216);
-    let piece_6_omega_dot = (-load_6_resistance - t36 - t38)
-        * R::literal(8.038_585_209_003_216);
-    let piece_7_omega_dot = (-load_7_resistance - t40 - t42)
-        * R::literal(8.038_585_209_003_216);
-    let piece_8_omega_dot = (-load_8_resistance - t44 - t46)
+    let piece_10_omega_dot = (t49 + t47 - load_10_resistance)
         * R::literal(8.038_585_209_003_216);
     let piece_9_omega_dot = (-load_9_resistance - t48 - t50)
         * R::literal(8.038_585_209_003_216);
-    let piece_10_omega_dot = (t49 + t47 - load_10_resistance)
+    let piece_8_omega_dot = (-load_8_resistance - t44 - t46)
         * R::literal(8.038_585_209_003_216);
+    let piece_7_omega_dot = (-load_7_resistance - t40 - t42)
+        * R::literal(8.038_585_209_003_216);
+    let piece_6_omega_dot = (-load_6_resistance - t36 - t38)
+        * R::literal(8.038_585_209_003_216);
+    let piece_5_omega_dot = (-load_5_resistance - t32 - t34)
+        * R::literal(8.038_585_209_003_216);
+    let piece_4_omega_dot = (-load_4_resistance - t28 - t30)
+        * R::literal(8.038_585_209_003_216);
+    let piece_3_omega_dot = (-load_3_resistance - t24 - t26)
+        * R::literal(8.038_585_209_003_216);
+    let piece_2_omega_dot = (-load_2_resistance - t20 - t22)
+        * R::literal(8.038_585_209_003_216);
+    let piece_1_omega_dot = (-load_1_resistance - t16 - t18)
+        * R::literal(8.038_585_209_003_216);
+    let motor_omega_dot = (motor_torque - coupling_torque)
+        * R::literal(0.238_095_238_095_238_08);
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
         .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
         .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
@@ -1576,17 +1478,17 @@ pub fn series<R: Real>(
     let t143 = t142 - t140;
     let t144 = t139 + t136;
     let t145 = t144 - load_10_resistance;
-    let motor_omega_dot = t63 * R::literal(0.238_095_238_095_238_08);
-    let piece_1_omega_dot = t72 * R::literal(8.038_585_209_003_216);
-    let piece_2_omega_dot = t81 * R::literal(8.038_585_209_003_216);
-    let piece_3_omega_dot = t90 * R::literal(8.038_585_209_003_216);
-    let piece_4_omega_dot = t99 * R::literal(8.038_585_209_003_216);
-    let piece_5_omega_dot = t108 * R::literal(8.038_585_209_003_216);
-    let piece_6_omega_dot = t117 * R::literal(8.038_585_209_003_216);
-    let piece_7_omega_dot = t126 * R::literal(8.038_585_209_003_216);
-    let piece_8_omega_dot = t135 * R::literal(8.038_585_209_003_216);
-    let piece_9_omega_dot = t143 * R::literal(8.038_585_209_003_216);
     let piece_10_omega_dot = t145 * R::literal(8.038_585_209_003_216);
+    let piece_9_omega_dot = t143 * R::literal(8.038_585_209_003_216);
+    let piece_8_omega_dot = t135 * R::literal(8.038_585_209_003_216);
+    let piece_7_omega_dot = t126 * R::literal(8.038_585_209_003_216);
+    let piece_6_omega_dot = t117 * R::literal(8.038_585_209_003_216);
+    let piece_5_omega_dot = t108 * R::literal(8.038_585_209_003_216);
+    let piece_4_omega_dot = t99 * R::literal(8.038_585_209_003_216);
+    let piece_3_omega_dot = t90 * R::literal(8.038_585_209_003_216);
+    let piece_2_omega_dot = t81 * R::literal(8.038_585_209_003_216);
+    let piece_1_omega_dot = t72 * R::literal(8.038_585_209_003_216);
+    let motor_omega_dot = t63 * R::literal(0.238_095_238_095_238_08);
     let t146 = t2 * R::literal(36.128_315_516_282_626);
     let t147 = motor_psi_sy * R::literal(314.159_265_358_979_3);
     let t148 = R::literal(311.126_983_722_080_9) + t147;
@@ -1826,17 +1728,17 @@ pub fn series<R: Real>(
         let t143_k = t142_k - t140_k;
         let t144_k = t139_k + t136_k;
         let t145_k = t144_k - load_10_resistance_k;
-        let motor_omega_dot_k = t63_k * R::literal(0.238_095_238_095_238_08);
-        let piece_1_omega_dot_k = t72_k * R::literal(8.038_585_209_003_216);
-        let piece_2_omega_dot_k = t81_k * R::literal(8.038_585_209_003_216);
-        let piece_3_omega_dot_k = t90_k * R::literal(8.038_585_209_003_216);
-        let piece_4_omega_dot_k = t99_k * R::literal(8.038_585_209_003_216);
-        let piece_5_omega_dot_k = t108_k * R::literal(8.038_585_209_003_216);
-        let piece_6_omega_dot_k = t117_k * R::literal(8.038_585_209_003_216);
-        let piece_7_omega_dot_k = t126_k * R::literal(8.038_585_209_003_216);
-        let piece_8_omega_dot_k = t135_k * R::literal(8.038_585_209_003_216);
-        let piece_9_omega_dot_k = t143_k * R::literal(8.038_585_209_003_216);
         let piece_10_omega_dot_k = t145_k * R::literal(8.038_585_209_003_216);
+        let piece_9_omega_dot_k = t143_k * R::literal(8.038_585_209_003_216);
+        let piece_8_omega_dot_k = t135_k * R::literal(8.038_585_209_003_216);
+        let piece_7_omega_dot_k = t126_k * R::literal(8.038_585_209_003_216);
+        let piece_6_omega_dot_k = t117_k * R::literal(8.038_585_209_003_216);
+        let piece_5_omega_dot_k = t108_k * R::literal(8.038_585_209_003_216);
+        let piece_4_omega_dot_k = t99_k * R::literal(8.038_585_209_003_216);
+        let piece_3_omega_dot_k = t90_k * R::literal(8.038_585_209_003_216);
+        let piece_2_omega_dot_k = t81_k * R::literal(8.038_585_209_003_216);
+        let piece_1_omega_dot_k = t72_k * R::literal(8.038_585_209_003_216);
+        let motor_omega_dot_k = t63_k * R::literal(0.238_095_238_095_238_08);
         let motor_psi_sx_dot_k = (-t2_k)
             .mul_add(
                 R::literal(36.128_315_516_282_626),

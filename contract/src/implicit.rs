@@ -50,6 +50,7 @@ impl<'a> Step<'a> {
 /// # Panics
 /// If a step mentions a row or a factor that is not there.
 #[inline]
+#[allow(clippy::needless_pass_by_value, reason = "an iterator, cloned for each group of columns")]
 pub fn substitute<'s, R: Real, const COLUMNS: usize>(
     steps: impl Iterator<Item = Step<'s>> + Clone,
     factors: &[R],

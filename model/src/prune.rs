@@ -62,7 +62,7 @@ pub fn needed_nodes(tape: &Tape) -> Vec<bool> {
 /// Whether a number that a field hands over is the inertia of its node, which parameters
 /// alone decide.
 fn is_inertia(number: u32) -> bool {
-    number as usize % HANDED == 0
+    (number as usize).is_multiple_of(HANDED)
 }
 
 /// For each node, whether it depends on time and whether on the state.

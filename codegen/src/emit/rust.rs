@@ -214,7 +214,9 @@ impl<'a> Scene<'a> {
             locals.reserve(&constant.to_string());
         }
         if model.motion.is_some() {
-            motion::LOCALS.iter().for_each(|name| locals.reserve(name));
+            for name in motion::LOCALS {
+                locals.reserve(name);
+            }
         }
         let states: Vec<Ident> =
             states.iter().map(|state| locals.claim(&state.to_string())).collect();

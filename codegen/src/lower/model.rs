@@ -61,7 +61,7 @@ const LARGE: usize = 1500;
 /// dy'/dy and dy'/dp.
 enum Jacobians {
     /// Each column solved for on the graph.
-    Unrolled([MatrixTape; 2]),
+    Unrolled(Box<[MatrixTape; 2]>),
     /// To be solved for in a loop.
     Implicit([Columns; 2]),
 }
@@ -157,7 +157,7 @@ impl<'a> Build<'a> {
         if self.is_large() {
             Jacobians::Implicit(partials.map(|partials| self.columns(partials)))
         } else {
-            Jacobians::Unrolled(partials.map(|partials| self.jacobian(partials)))
+            Jacobians::Unrolled(Box::new(partials.map(|partials| self.jacobian(partials))))
         }
     }
 
@@ -269,7 +269,8 @@ impl<'a> Build<'a> {
     fn of_motion(mut self, model: Model, jacobians: Jacobians, motion: &OfMotion) -> Model {
         let columns = match jacobians {
             Jacobians::Implicit(columns) => columns,
-            Jacobians::Unrolled([mut rate_jacobian, parameter_jacobian]) => {
+            Jacobians::Unrolled(matrices) => {
+                let [mut rate_jacobian, parameter_jacobian] = *matrices;
                 rate_jacobian.tape = expand(&rate_jacobian.tape);
                 let [time_derivative, outputs, power_balance, guard_rates] =
                     motion.each().map(|results| self.graph.tape(results));

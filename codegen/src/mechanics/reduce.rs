@@ -58,6 +58,7 @@ impl Keep {
 
 /// What a step of reduction gives.
 #[derive(Debug, Clone)]
+#[allow(clippy::large_enum_variant, reason = "there is one at a time")]
 pub enum Step {
     /// Equations with less in them.
     Equations(EquationsOfMotion),

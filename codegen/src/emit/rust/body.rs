@@ -54,6 +54,7 @@ impl Scope<'_> {
 
 /// What a body reads.
 #[derive(Default)]
+#[allow(clippy::struct_excessive_bools, reason = "one for each argument of a function")]
 pub(super) struct Reads {
     pub(super) time: bool,
     pub(super) parameters: bool,

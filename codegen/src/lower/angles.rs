@@ -128,7 +128,7 @@ fn parts(tape: &Tape, angle: NodeId) -> BTreeSet<NodeId> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use machinist_model::evaluate::Evaluator;
+    use machinist_model::evaluate::{Evaluator, Inputs};
 
     fn calls(tape: &Tape) -> usize {
         tape.nodes.iter().filter(|node| matches!(node.op, Op::Call(..))).count()
@@ -151,7 +151,16 @@ mod tests {
 
     fn values(tape: &Tape, state: &[f64]) -> Vec<f64> {
         let mut results = vec![0.0; tape.results.len()];
-        Evaluator::new(tape).evaluate(0.3, state, &[0.7], &[], &mut results);
+        let inputs = Inputs {
+            time: 0.3,
+            state,
+            parameters: &[0.7],
+            handed: &[],
+            constants: &[],
+            motion: &[],
+            tables: &[],
+        };
+        Evaluator::new(tape).evaluate(&inputs, &mut results);
         results
     }
 

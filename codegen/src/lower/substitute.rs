@@ -271,3 +271,104 @@ pub fn needed(
     kept.reverse();
     Needed { steps: kept, sides: live, products, columns }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use machinist_model::Op;
+    use machinist_model::evaluate::{Evaluator, Inputs};
+
+    /// M (diagonal but for one coupling) and G of a machine whose first two coordinates are
+    /// pinned one by one, the next two together, and three left with one constraint.
+    const MASS: [(usize, usize); 8] =
+        [(0, 0), (1, 1), (2, 2), (3, 3), (4, 4), (5, 5), (6, 6), (1, 4)];
+    const BORDER: [&[usize]; 5] = [&[0], &[0, 1], &[1, 2, 3], &[2, 3], &[3, 4, 5]];
+    const N: usize = 7;
+    const SIZE: usize = N + BORDER.len();
+
+    /// The bordered matrix in numbers, and where it is not zero.
+    fn numbers() -> [[f64; SIZE]; SIZE] {
+        let mut matrix = [[0.0; SIZE]; SIZE];
+        let mut set = |i: usize, j: usize, value| {
+            matrix[i][j] = value;
+            matrix[j][i] = value;
+        };
+        for (k, (i, j)) in MASS.into_iter().enumerate() {
+            set(i, j, if i == j { 1.0 + 0.3 * k as f64 } else { 0.4 });
+        }
+        for (c, held) in BORDER.into_iter().enumerate() {
+            for (k, coordinate) in held.iter().enumerate() {
+                set(N + c, *coordinate, 0.7 + 0.9 * ((3 * c + 5 * k) as f64).sin());
+            }
+        }
+        matrix
+    }
+
+    fn values(tape: &machinist_model::Tape, state: &[f64]) -> Vec<f64> {
+        let inputs = Inputs {
+            time: 0.0,
+            state,
+            parameters: &[],
+            handed: &[],
+            constants: &[],
+            motion: &[],
+            tables: &[],
+        };
+        let mut values = vec![0.0; tape.results.len()];
+        Evaluator::new(tape).evaluate(&inputs, &mut values);
+        values
+    }
+
+    /// A graph whose state is the entries of the matrix, then the right side.
+    fn built() -> (Graph, Substitution, Vec<NodeId>, Vec<f64>) {
+        let mut graph = Graph::new();
+        let zero = graph.literal(0.0);
+        let matrix = numbers();
+        let mut state = matrix.as_flattened().to_vec();
+        let mut entry = |i: usize, j: usize| {
+            let place = (i.max(j) * SIZE + i.min(j)) as u32;
+            if matrix[i][j] == 0.0 { zero } else { graph.insert(Op::State(place)) }
+        };
+        let nodes = (0..SIZE).map(|i| (0..SIZE).map(|j| entry(i, j)).collect()).collect();
+        let substitution = Substitution::new(&mut graph, nodes, N);
+        let side = (0..SIZE).map(|i| graph.insert(Op::State((SIZE * SIZE + i) as u32))).collect();
+        state.extend((0..SIZE).map(|i| (i as f64 + 0.5).cos()));
+        (graph, substitution, side, state)
+    }
+
+    #[test]
+    fn accelerations_and_multipliers_fulfil_the_equations() {
+        let (mut graph, substitution, side, state) = built();
+        let solution = substitution.solve(&mut graph, &side);
+        let x = values(&graph.tape(&solution), &state);
+        for (row, right) in numbers().iter().zip(&state[SIZE * SIZE..]) {
+            let left: f64 = row.iter().zip(&x).map(|(entry, x)| entry * x).sum();
+            assert!((left - right).abs() < 1e-11, "{left} {right}");
+        }
+    }
+
+    #[test]
+    fn no_force_has_a_say_in_what_is_pinned() {
+        let (graph, substitution, ..) = built();
+        assert!((0..4).all(|row| !substitution.is_read(row)));
+        assert!((4..SIZE).all(|row| substitution.is_read(row)));
+        // A column for each row of right sides that is read.
+        let sides = (4..SIZE).map(|row| (row, row)).collect();
+        let needed = needed(&substitution.steps, &sides, &(0..N).collect());
+        let columns = |row: usize| needed.columns[&row].iter().copied().collect::<Vec<_>>();
+        assert_eq!(columns(0), [N]);
+        assert_eq!(columns(1), [N, N + 1]);
+        assert_eq!(columns(2), [N, N + 1, N + 2, N + 3]);
+        assert_eq!(columns(6), [6]);
+        assert!(needed.steps.iter().flat_map(Step::factors).all(|factor| !graph.is_zero(factor)));
+    }
+
+    #[test]
+    fn nothing_is_left_for_sides_without_a_say() {
+        let (_, substitution, ..) = built();
+        let sides = BTreeSet::from([(6, 0)]);
+        let needed = needed(&substitution.steps, &sides, &BTreeSet::from([0, 1, 4]));
+        assert!(needed.steps.is_empty());
+        assert!(!needed.sides.contains(&6));
+    }
+}

@@ -1,10 +1,15 @@
 //! Linearized equations to a model: one tape for each function.
 
 pub mod angles;
+pub mod blocks;
 pub mod density;
+mod describe;
 pub mod excitation;
 mod factor;
+mod implicit;
 mod model;
+mod share;
 pub mod structure;
+pub mod substitute;
 
 pub use model::lower;

@@ -42,6 +42,7 @@ fn evaluated(model: &Model, tape: &Tape, (time, state, parameters): &Given) -> V
         state,
         parameters,
         handed: &[],
+        motion: &[],
         constants: &[],
         tables: &model.tables,
     };

@@ -35,13 +35,21 @@ fn start(states: usize) -> (f64, Vec<f64>) {
 
 fn inputs<'a>(model: &'a Model, time: f64, state: &'a [f64]) -> Inputs<'a> {
     let tables = &model.tables;
-    Inputs { time, state, parameters: &PARAMETERS, handed: &[], constants: &[], tables }
+    Inputs {
+        time,
+        state,
+        parameters: &PARAMETERS,
+        handed: &[],
+        constants: &[],
+        motion: &[],
+        tables,
+    }
 }
 
 fn series(model: &Model, orders: usize) -> Vec<f64> {
     let (time, state) = start(model.states.len());
     let mut coefficients = vec![f64::NAN; orders * state.len()];
-    let mut evaluator = SeriesEvaluator::new(recurrences(model));
+    let evaluator = SeriesEvaluator::new(recurrences(model));
     evaluator.evaluate(&inputs(model, time, &state), &mut coefficients);
     coefficients
 }
@@ -67,7 +75,7 @@ fn series_solve_the_equations_they_come_from() {
             let (state, slope) = sum(&coefficients, states, step);
             let time = start(states).0 + step;
             let mut rate = vec![f64::NAN; states];
-            let mut evaluator = Evaluator::new(&model.rate);
+            let evaluator = Evaluator::new(&model.rate);
             evaluator.evaluate(&inputs(&model, time, &state), &mut rate);
             for (index, (slope, rate)) in slope.iter().zip(&rate).enumerate() {
                 let error = (slope - rate).abs() / rate.abs().max(1.0);

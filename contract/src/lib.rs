@@ -31,6 +31,7 @@ pub mod exponential;
 pub mod field;
 mod field_scene;
 mod functions;
+pub mod implicit;
 mod include;
 pub mod linear;
 mod real;

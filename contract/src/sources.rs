@@ -17,6 +17,7 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("table.rs", include_str!("table.rs")),
     ("field.rs", include_str!("field.rs")),
     ("field_scene.rs", include_str!("field_scene.rs")),
+    ("implicit.rs", include_str!("implicit.rs")),
     ("linear.rs", include_str!("linear.rs")),
     ("taylor.rs", include_str!("taylor.rs")),
 ];

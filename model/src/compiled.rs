@@ -61,9 +61,9 @@ impl CompiledTape {
     /// that the tape reads.
     #[inline(always)]
     pub fn evaluate(&self, inputs: &Inputs<'_>, results: &mut [f64]) {
-        let Inputs { ref time, state, parameters, handed, constants, .. } = *inputs;
+        let Inputs { ref time, state, parameters, handed, constants, motion, .. } = *inputs;
         let time = std::slice::from_ref(time);
-        self.run(&Regions { time, state, parameters, handed, constants }, results);
+        self.run(&Regions { time, state, parameters, handed, constants, motion }, results);
     }
 
     #[inline(always)]

@@ -21,6 +21,8 @@ pub struct Inputs<'a> {
     pub handed: &'a [f64],
     /// Results of the tape that goes before.
     pub constants: &'a [f64],
+    /// Results of the motion's tape.
+    pub motion: &'a [f64],
     /// Tables of the model.
     pub tables: &'a [Table],
 }
@@ -86,6 +88,7 @@ pub fn operate(op: Op, value: impl Fn(NodeId) -> f64, inputs: &Inputs<'_>) -> f6
         Op::Parameter(entry) => inputs.parameters[entry as usize],
         Op::Handed(entry) => inputs.handed[entry as usize],
         Op::Constant(entry) => inputs.constants[entry as usize],
+        Op::Motion(entry) => inputs.motion[entry as usize],
         Op::Neg(a) => -value(a),
         Op::Add(a, b) => value(a) + value(b),
         Op::Sub(a, b) => value(a) - value(b),

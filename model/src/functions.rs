@@ -6,7 +6,7 @@
 
 use machinist_contract::for_each_function;
 
-use crate::{Model, SparsityPattern, Tape};
+use crate::{MatrixTape, Model, Op, Solve, SparsityPattern, Tape};
 
 /// What a function reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,6 +64,8 @@ pub struct FunctionRow {
     pub tape: fn(&Model) -> &Tape,
     /// The nonzeros it computes, of functions that give a matrix.
     pub pattern: Option<fn(&Model) -> &SparsityPattern>,
+    /// The matrix itself.
+    pub matrix: Option<fn(&Model) -> &MatrixTape>,
     /// How many results it has.
     pub results: fn(&Model) -> usize,
 }
@@ -105,26 +107,26 @@ macro_rules! prepared {
 /// What a function gives, its tape, its pattern and the number of its results.
 macro_rules! with_result {
     ($row:tt $name:ident [numbers $length:ident]) => {
-        with_result!(@ $row Gives::Numbers(stringify!($length)), |m| &m.$name, None,
+        with_result!(@ $row Gives::Numbers(stringify!($length)), |m| &m.$name, None, None,
             |m| count!(m $length))
     };
     ($row:tt $name:ident [record $structure:ident $length:ident]) => {
         with_result!(@ $row Gives::Record(stringify!($structure), stringify!($length)),
-            |m| &m.$name, None, |m| count!(m $length))
+            |m| &m.$name, None, None, |m| count!(m $length))
     };
     ($row:tt $name:ident [matrix $pattern:ident]) => {
         with_result!(@ $row Gives::Matrix(stringify!($pattern)), |m| &m.$name.tape,
-            Some(|m| &m.$name.pattern), |m| m.$name.pattern.entries.len())
+            Some(|m| &m.$name.pattern), Some(|m| &m.$name), |m| m.$name.pattern.entries.len())
     };
     ($row:tt $name:ident [structure $structure:ident $($field:ident)*]) => {
         with_result!(@ $row Gives::Structure(stringify!($structure), &[$(stringify!($field)),*]),
-            |m| &m.$name, None, |_| [$(stringify!($field)),*].len())
+            |m| &m.$name, None, None, |_| [$(stringify!($field)),*].len())
     };
     (@ [
         $id:ident $name:ident $reads:ident $of:ident [$($prepared:ident)?] $meaning:literal
         $doc:literal
     ]
-        $gives:expr, $tape:expr, $pattern:expr, $results:expr) => {
+        $gives:expr, $tape:expr, $pattern:expr, $matrix:expr, $results:expr) => {
         FunctionRow {
             id: FunctionId::$id,
             name: stringify!($name),
@@ -136,6 +138,7 @@ macro_rules! with_result {
             gives: $gives,
             tape: $tape,
             pattern: $pattern,
+            matrix: $matrix,
             results: $results,
         }
     };
@@ -206,6 +209,19 @@ impl Model {
     /// The functions it has, in the order of the table.
     pub fn functions(&self) -> impl Iterator<Item = &'static FunctionRow> {
         FUNCTIONS.iter().filter(|row| row.is_of(self))
+    }
+
+    /// How a function solves for its results, if it does.
+    #[must_use]
+    pub fn solve(&self, id: FunctionId) -> Option<&Solve> {
+        id.row().matrix.and_then(|matrix| matrix(self).solve.as_ref())
+    }
+
+    /// Whether a function goes by what the motion's tape computes.
+    #[must_use]
+    pub fn reads_motion(&self, id: FunctionId) -> bool {
+        let is_read = |tape: &Tape| tape.nodes.iter().any(|node| matches!(node.op, Op::Motion(_)));
+        self.motion.is_some() && (self.solve(id).is_some() || is_read(self.tape(id)))
     }
 
     /// The tape of a function.

@@ -20,6 +20,8 @@ pub struct Hoisted {
     pub rate: Tape,
     /// dy'/dy.
     pub rate_jacobian: Tape,
+    /// What goes before dy'/dy and other functions; empty if nothing does.
+    pub motion: Tape,
 }
 
 impl Hoisted {
@@ -30,7 +32,9 @@ impl Hoisted {
         let mut constants = Constants::new(Known::OnceARun);
         let rate = constants.hoist(&model.rate);
         let rate_jacobian = constants.hoist(&model.rate_jacobian.tape);
-        Self { constants: constants.tape, rate, rate_jacobian }
+        let motion = model.motion.as_ref().map(|motion| constants.hoist(&motion.tape));
+        let motion = motion.unwrap_or_default();
+        Self { constants: constants.tape, rate, rate_jacobian, motion }
     }
 
     /// Operations done once a run.

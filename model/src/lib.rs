@@ -17,6 +17,7 @@ pub mod functions;
 pub mod hoist;
 mod lanes;
 mod model;
+mod motion;
 mod names;
 mod prune;
 mod reduction;
@@ -32,6 +33,7 @@ pub use model::{
     Attachment, Constraint, Coordinate, Event, FieldModel, Freeze, LocalForces, MatrixTape, Model,
     Parameter, SparsityPattern, State, StateKind,
 };
+pub use motion::{Motion, Solve, SolveStep};
 pub use names::{Direction, Name, Place, Quantity, RunDefaults, SourceFile, Table};
 pub use prune::{Dependence, needed_nodes, operations, reachable};
 pub use reduction::{LeftOut, Reduction, What, Why};

@@ -5,8 +5,8 @@ use machinist_contract::field::{FieldAttachment, FieldPlace};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Direction, Excitation, Name, Op, Place, Quantity, Reduction, RunDefaults, SourceFile, Table,
-    Tape,
+    Direction, Excitation, Motion, Name, Op, Place, Quantity, Reduction, RunDefaults, Solve,
+    SourceFile, Table, Tape,
 };
 
 /// Structural nonzeros, sorted by row, then by column.
@@ -29,13 +29,24 @@ impl SparsityPattern {
     }
 }
 
-/// A matrix: the tape's results are its structural nonzeros in pattern order.
+/// A matrix: the tape's results are its structural nonzeros in pattern order, unless some of
+/// them are solved for.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct MatrixTape {
     /// Where the nonzeros are.
     pub pattern: SparsityPattern,
-    /// Their values.
+    /// Their values, or what they are solved from.
     pub tape: Tape,
+    /// How they are solved for, if some are.
+    pub solve: Option<Solve>,
+}
+
+impl MatrixTape {
+    /// How many results its tape has.
+    #[must_use]
+    pub fn inputs(&self) -> usize {
+        self.solve.as_ref().map_or(self.pattern.entries.len(), Solve::inputs)
+    }
 }
 
 /// An event as a simulator describes it; what it computes is on tapes.
@@ -174,6 +185,8 @@ pub struct Model {
     pub initial_state: Tape,
     /// One result for each discontinuity.
     pub discontinuities: Tape,
+    /// What goes before functions that read it, if any does.
+    pub motion: Option<Motion>,
     /// `states` results.
     pub rate: Tape,
     /// dy'/dy.
@@ -256,9 +269,11 @@ impl Model {
         let attachments = self.fields.iter().flat_map(|field| &field.attachments);
         // Behind the inertia of the node.
         let forces: Vec<u32> = attachments.map(|at| at.handed + 1).collect();
+        let motion = self.motion.as_ref().map(|motion| &motion.tape);
         let tapes = [&self.rate_jacobian.tape, &self.time_derivative];
         tapes
             .into_iter()
+            .chain(motion)
             .flat_map(|tape| &tape.nodes)
             .any(|node| matches!(node.op, Op::Handed(number) if forces.contains(&number)))
     }

@@ -77,7 +77,8 @@ impl Dependence {
         for node in &tape.nodes {
             known.push(match node.op {
                 Op::Time => (true, false),
-                Op::State(_) => (false, true),
+                // The motion is that of a state.
+                Op::State(_) | Op::Motion(_) => (false, true),
                 Op::Handed(number) => (false, !is_inertia(number)),
                 ref op => op.operands().iter().fold((false, false), |(time, state), id| {
                     let of = known[id.0 as usize];

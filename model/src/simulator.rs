@@ -1,6 +1,7 @@
 //! Models as simulators, compiled or interpreted.
 
 mod field;
+mod motion;
 mod run;
 
 use std::sync::{Arc, OnceLock};
@@ -34,6 +35,8 @@ pub struct ModelSimulator {
     tables: Arc<[Table]>,
     /// One for each row of the table of functions.
     functions: [TapeFunction; FUNCTIONS.len()],
+    /// What goes before functions that read it.
+    motion: motion::MotionFunction,
     hoisted: OnceLock<Hoisted>,
     /// What parameters alone decide, then rate and Jacobian that read it.
     prepared: [TapeFunction; 3],
@@ -66,6 +69,7 @@ impl ModelSimulator {
             running,
             tables: model.tables.clone().into(),
             functions: Default::default(),
+            motion: motion::MotionFunction::new(&model),
             hoisted: OnceLock::new(),
             prepared: Default::default(),
             series: Series::default(),
@@ -109,6 +113,7 @@ impl ModelSimulator {
             parameters: R::numbers(parameters),
             handed: R::numbers(handed),
             constants: &[],
+            motion: &[],
             tables: &self.tables,
         }
     }
@@ -117,7 +122,12 @@ impl ModelSimulator {
     fn run<R: Lane>(&self, function: FunctionId, read: &Read<'_>, results: &mut [R]) {
         let tape = (|| self.model.tape(function), self.running);
         let results = R::numbers_mut(results);
-        self.functions[function as usize].run(tape, R::COUNT, read, results);
+        let ready = &self.functions[function as usize];
+        if self.motion.is_read_by(function) {
+            self.run_behind_motion((function, ready), tape, R::COUNT, read, results);
+        } else {
+            ready.run(tape, R::COUNT, read, results);
+        }
     }
 
     fn hoisted(&self) -> &Hoisted {
@@ -132,7 +142,14 @@ impl ModelSimulator {
         results: &mut [R],
     ) {
         let tape = (|| tape(self.hoisted()), self.running);
-        self.prepared[index].run(tape, R::COUNT, read, R::numbers_mut(results));
+        let (ready, results) = (&self.prepared[index], R::numbers_mut(results));
+        // Of what is prepared only the Jacobian may be behind the motion.
+        let jacobian = FunctionId::RateJacobian;
+        if index == 2 && self.motion.is_read_by(jacobian) {
+            self.run_behind_motion((jacobian, ready), tape, R::COUNT, read, results);
+        } else {
+            ready.run(tape, R::COUNT, read, results);
+        }
     }
 }
 

@@ -96,6 +96,8 @@ pub enum Op {
     /// The k-th result of the tape that goes before this one, whose results are known
     /// when this one is run: see [`hoist`](crate::hoist).
     Constant(u32),
+    /// The k-th result of the motion's tape: see [`Motion`](crate::Motion).
+    Motion(u32),
     /// -a.
     Neg(NodeId),
     /// a + b.
@@ -169,7 +171,8 @@ impl Op {
             | Op::State(_)
             | Op::Parameter(_)
             | Op::Handed(_)
-            | Op::Constant(_) => vec![],
+            | Op::Constant(_)
+            | Op::Motion(_) => vec![],
             Op::Neg(a) | Op::Powi(a, _) | Op::Call(_, a) | Op::Table { argument: a, .. } => vec![a],
             Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) | Op::Powf(a, b) => {
                 vec![a, b]
@@ -187,7 +190,8 @@ impl Op {
             | Op::State(_)
             | Op::Parameter(_)
             | Op::Handed(_)
-            | Op::Constant(_) => self,
+            | Op::Constant(_)
+            | Op::Motion(_) => self,
             Op::Neg(a) => Op::Neg(to(a)),
             Op::Add(a, b) => Op::Add(to(a), to(b)),
             Op::Sub(a, b) => Op::Sub(to(a), to(b)),
@@ -228,6 +232,7 @@ impl Op {
                 | Op::Parameter(_)
                 | Op::Handed(_)
                 | Op::Constant(_)
+                | Op::Motion(_)
         )
     }
 
@@ -257,6 +262,7 @@ impl Op {
             Op::Table { table, order, argument } => {
                 (15, [u64::from(table.0), u64::from(order), n(argument), 0])
             }
+            Op::Motion(index) => (16, [u64::from(index), 0, 0, 0]),
         };
         OpKey(kind, reads)
     }

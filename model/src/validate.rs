@@ -2,8 +2,8 @@
 
 use thiserror::Error;
 
-use crate::functions::Reads;
-use crate::{FieldModel, Model, NodeId, Op, SparsityPattern, StateKind, Tape};
+use crate::functions::{FunctionId, Reads};
+use crate::{FieldModel, MatrixTape, Model, NodeId, Op, SparsityPattern, StateKind, Tape};
 
 /// A rule that a model breaks.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -22,6 +22,7 @@ struct Room {
     parameters: usize,
     handed: usize,
     constants: usize,
+    motion: usize,
     tables: usize,
 }
 
@@ -39,12 +40,17 @@ impl Model {
                 states: if of_motion { self.states.len() } else { 0 },
                 ..self.room()
             };
+            let room = Room { motion: self.motion_results(row.id), ..room };
             let tape = (row.tape)(self);
-            check(row.name, tape, &room, (row.results)(self))?;
-            if let Some(pattern) = row.pattern {
-                self.check_pattern(row.name, pattern(self))?;
+            let matrix = row.matrix.map(|matrix| matrix(self));
+            let results = matrix.map_or_else(|| (row.results)(self), MatrixTape::inputs);
+            check(row.name, tape, &room, results)?;
+            if let Some(matrix) = matrix {
+                self.check_pattern(row.name, &matrix.pattern)?;
+                self.check_solve(row.name, matrix)?;
             }
         }
+        self.check_motion()?;
         self.check_shapes()?;
         self.check_state()?;
         self.check_numbers()?;
@@ -75,7 +81,60 @@ impl Model {
             parameters: self.parameters.len(),
             handed: self.handed.len(),
             constants: 0,
+            motion: 0,
             tables: self.tables.len(),
+        }
+    }
+
+    /// Results of the motion's tape that a function may read. Those of which series are made,
+    /// and those of parameters alone, stand by themselves.
+    fn motion_results(&self, id: FunctionId) -> usize {
+        let stands = id.row().reads == Reads::Parameters
+            || matches!(id, FunctionId::Rate | FunctionId::MassMatrix | FunctionId::Forcing);
+        self.motion.as_ref().filter(|_| !stands).map_or(0, |motion| motion.tape.results.len())
+    }
+
+    fn check_motion(&self) -> Result<(), Malformed> {
+        let Some(motion) = &self.motion else { return Ok(()) };
+        let results = motion.tape.results.len();
+        let room = Room { time: true, states: self.states.len(), ..self.room() };
+        check("motion", &motion.tape, &room, results)?;
+        match motion.factors.iter().find(|factor| **factor as usize >= results) {
+            Some(factor) => broken("motion", format!("factor {factor} of {results} results")),
+            None => Ok(()),
+        }
+    }
+
+    /// That steps and places of a solve are within their bounds, that columns are sorted, and
+    /// that every entry of the pattern is given or solved for, once.
+    fn check_solve(&self, part: &str, matrix: &MatrixTape) -> Result<(), Malformed> {
+        let Some(solve) = &matrix.solve else { return Ok(()) };
+        let factors = self.motion.as_ref().map_or(0, |motion| motion.factors.len());
+        let is_row = |row: u32| row < solve.rows;
+        let is_factor = |factor: u32| (factor as usize) < factors;
+        let is_step = |step: &crate::SolveStep| {
+            is_row(step.row)
+                && step.scale.is_none_or(is_factor)
+                && step.terms.iter().all(|&(factor, from)| is_factor(factor) && is_row(from))
+        };
+        let steps = solve.steps.iter().all(is_step);
+        let is_place = |row: u32, column: u32| is_row(row) && column < solve.columns;
+        let places = solve.right_sides.iter().all(|&(row, column)| is_place(row, column))
+            && solve.solved.iter().all(|&(_, row, column)| is_place(row, column));
+        let sorted = solve.right_sides.is_sorted_by_key(|(_, column)| *column)
+            && solve.solved.is_sorted_by_key(|(_, _, column)| *column);
+        // Bounds first, so that a hostile model asks for no more room than it has bytes.
+        let mut entries: Vec<u32> = solve.solved.iter().map(|(entry, _, _)| *entry).collect();
+        entries.extend(&solve.given);
+        entries.sort_unstable();
+        let complete =
+            entries.iter().map(|&entry| entry as usize).eq(0..matrix.pattern.entries.len());
+        let small = solve.rows as usize <= 2 * self.coordinates.len() + self.constraints.len()
+            && solve.columns as usize <= matrix.pattern.columns;
+        if steps && places && sorted && complete && small {
+            Ok(())
+        } else {
+            broken(part, "what it solves for is out of order or out of bounds")
         }
     }
 
@@ -227,6 +286,7 @@ fn check(part: &str, tape: &Tape, room: &Room, results: usize) -> Result<(), Mal
             Op::Parameter(entry) => (entry, room.parameters, "parameter"),
             Op::Handed(entry) => (entry, room.handed, "handed number"),
             Op::Constant(entry) => (entry, room.constants, "constant"),
+            Op::Motion(entry) => (entry, room.motion, "result of the motion"),
             Op::Table { table, .. } => (table.0, room.tables, "table"),
             _ => continue,
         };

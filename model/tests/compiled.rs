@@ -36,6 +36,7 @@ fn check(rng: &mut Rng, tape: &Tape, what: &str) {
             state: &state,
             parameters: &parameters,
             handed: &handed,
+            motion: &[],
             constants: &constants,
             tables: &tables,
         };
@@ -99,6 +100,7 @@ fn a_state_that_is_too_short_is_refused() {
         time: 0.0,
         state: &[1.0; 3],
         parameters: &[],
+        motion: &[],
         handed: &[],
         constants: &[],
         tables: &[],

@@ -15,6 +15,7 @@ mod fuse;
 mod header;
 mod items;
 mod layout;
+mod motion;
 mod names;
 mod operation;
 mod plan;
@@ -29,6 +30,7 @@ use crate::emit::{EmitError, EmitOptions};
 use body::Scope;
 pub(crate) use header::MARK;
 use machinist_model::Model;
+use motion::Motion;
 use names::Namer;
 use prepare::Prepare;
 use series::Series;
@@ -48,12 +50,13 @@ pub fn emit(model: &Model, options: &EmitOptions) -> Result<String, EmitError> {
     let imports = pretty(imports(model, series.as_ref()))?;
     let description = describe::description(&scene, series.as_ref())?;
     let prepare = scene.prepare.items();
+    let motion = &scene.motion.items;
     let functions = functions::functions(&scene)?;
     let excitation = excitation::items(&scene)?;
     let series = series.map(|series| series.items(&scene)).transpose()?;
     let fields = field::items(&scene)?;
     let tables = items::tables(&scene)?;
-    let items = pretty(quote!(#prepare #functions #series #excitation #fields #tables))?;
+    let items = pretty(quote!(#prepare #motion #functions #series #excitation #fields #tables))?;
     let of_fields = field::description(&scene)?;
     let header = header::header(model, options);
     let parts = [header, imports, description, of_fields, items];
@@ -111,6 +114,8 @@ struct Scene<'a> {
     locals: Namer,
     /// What is done once a run.
     prepare: Prepare,
+    /// What several functions read.
+    motion: Motion,
 }
 
 impl<'a> Scene<'a> {
@@ -142,13 +147,30 @@ impl<'a> Scene<'a> {
         for constant in &tables {
             locals.reserve(&constant.to_string());
         }
+        if model.motion.is_some() {
+            for name in motion::LOCALS {
+                locals.reserve(name);
+            }
+        }
         let states: Vec<Ident> =
             states.iter().map(|state| locals.claim(&state.to_string())).collect();
         for parameter in &parameters {
             locals.reserve(&parameter.to_string());
         }
         let prepare = Prepare::new(model, &states, &parameters, &tables, &locals)?;
-        Ok(Self { model, machine, states, parameters, outputs, tables, locals, prepare })
+        let (own, handed) = parameters.split_at(model.parameters.len());
+        let scope = Scope {
+            states: &states,
+            parameters: own,
+            handed,
+            constants: &prepare.constants,
+            motion: &[],
+            tables: &tables,
+            is_in_loop: false,
+            namer: &locals,
+        };
+        let motion = Motion::new(model, &prepare.hoisted, &scope)?;
+        Ok(Self { model, machine, states, parameters, outputs, tables, locals, prepare, motion })
     }
 }
 
@@ -160,6 +182,7 @@ impl Scene<'_> {
             parameters: self.own_parameters(),
             handed: self.handed(),
             constants,
+            motion: &self.motion.results,
             tables: &self.tables,
             is_in_loop: false,
             namer: &self.locals,
@@ -180,7 +203,10 @@ impl Scene<'_> {
 /// `use` of exactly what the module needs.
 fn imports(model: &Model, series: Option<&Series>) -> TokenStream {
     let series = series.map(Series::imports);
+    let solves = [&model.rate_jacobian, &model.parameter_jacobian];
+    let implicit = solves.iter().any(|matrix| matrix.solve.is_some());
+    let implicit = implicit.then(|| quote!(implicit::{Step, substitute},));
     let field = (!model.fields.is_empty()).then(|| quote!(field::FieldPoint,));
     let table = (!model.tables.is_empty()).then(|| quote!(CubicTable,));
-    quote!(use ::machinist_contract::{#table Energy, PowerBalance, Real, #series #field};)
+    quote!(use ::machinist_contract::{#table Energy, PowerBalance, Real, #implicit #series #field};)
 }

@@ -157,6 +157,7 @@ mod tests {
             parameters: &[0.7],
             handed: &[],
             constants: &[],
+            motion: &[],
             tables: &[],
         };
         Evaluator::new(tape).evaluate(&inputs, &mut results);

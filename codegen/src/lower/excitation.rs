@@ -59,6 +59,7 @@ fn follow(algebra: &mut Algebra, tape: &Tape) -> Option<Vec<Sum>> {
         let sum = match *op {
             Op::Literal(value) => algebra.literal(value),
             Op::Parameter(_) | Op::Handed(_) | Op::Constant(_) => algebra.given(*op),
+            Op::Motion(_) => return None,
             Op::Time => algebra.time(),
             Op::State(entry) => algebra.state(entry),
             Op::Neg(a) => algebra.negative(of(a)),

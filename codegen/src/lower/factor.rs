@@ -10,8 +10,10 @@ use machinist_model::NodeId;
 
 /// L (unit lower triangle) and 1/D.
 pub struct Factorization {
-    lower: Vec<Vec<NodeId>>,
-    inverse_diagonal: Vec<NodeId>,
+    /// L, of which the part below the diagonal is not zero.
+    pub lower: Vec<Vec<NodeId>>,
+    /// 1/D.
+    pub inverse_diagonal: Vec<NodeId>,
 }
 
 /// Factors a symmetric positive definite matrix given by its nodes.

@@ -1,152 +1,89 @@
 //! The functions of a scene, put together on one graph.
 
-use machinist_model::{
-    Constraint, Coordinate, Event, MatrixTape, Model, NodeId, Parameter, SourceFile,
-    SparsityPattern, State, StateKind,
-};
+use machinist_model::{MatrixTape, Model, NodeId, SparsityPattern, Tape};
 
 use crate::expr::abbreviate::Abbreviations;
-use crate::expr::{Expr, Graph, Symbol};
+use crate::expr::{Expr, Graph};
 use crate::lower::angles::expand;
+use crate::lower::describe::{constraints, describe, events};
 use crate::lower::excitation::excitation;
-use crate::lower::factor::{Factorization, factor};
-use crate::mechanics::lagrange::EquationsOfMotion;
+use crate::lower::implicit::{Columns, Implicit, implicit};
+use crate::lower::share::{Parts, share};
+use crate::lower::substitute::{Step, Substitution};
 use crate::mechanics::linearize::{Linearization, Partials};
 use crate::mechanics::state::Motion;
-use crate::scene::system::LagrangianSystem;
 
-/// One tape for each function of a simulator.
+/// One tape for each function of a simulator, behind one for what several of them need
+/// where the machine is large.
 #[must_use]
 pub fn lower(linearization: &Linearization) -> Model {
     let mut build = Build::new(linearization);
     let system = &linearization.equations.system;
-    let mut rate_jacobian = build.jacobian(&linearization.state);
-    rate_jacobian.tape = expand(&rate_jacobian.tape);
-    let parameter_jacobian = build.jacobian(&linearization.parameters);
-    let time_column = build.column(&linearization.time);
+    let jacobians = build.jacobians();
+    let time_derivative = build.column(&linearization.time);
     let initial = build.initial_state();
     let discontinuities: Vec<NodeId> =
         system.discontinuities.iter().map(|time| build.lower(time)).collect();
-    let outputs: Vec<NodeId> =
-        linearization.equations.outputs.iter().map(|output| build.lower(output)).collect();
+    let outputs = linearization.equations.outputs.iter().map(|o| build.lower(o)).collect();
     let energy = linearization.equations.energy.each_ref().map(|e| build.lower(e));
-    let balance = build.power_balance();
+    let power_balance = build.power_balance().to_vec();
     let [guards, guard_rates, resets] = build.events();
     let [constraint_values, constraint_rates] = build.constraints();
+    let motion = OfMotion { time_derivative, outputs, power_balance, guard_rates };
     let graph = &build.graph;
     let rate = graph.tape(&build.rate);
     // What events and constraints do is not in the rate. What fields do is, by parameters.
     let is_whole = system.events.is_empty() && system.constraints.is_empty();
-    let about = describe(&linearization.equations);
-    Model {
+    let model = Model {
         excitation: is_whole.then(|| excitation(&rate)).flatten(),
         initial_state: graph.tape(&initial),
         discontinuities: graph.tape(&discontinuities),
         rate: expand(&rate),
-        rate_jacobian,
-        parameter_jacobian,
-        time_derivative: graph.tape(&time_column),
         mass_matrix: build.mass_matrix_tape(),
         forcing: graph.tape(&build.forcing),
-        outputs: graph.tape(&outputs),
         energy: graph.tape(&energy),
-        power_balance: graph.tape(&balance),
         guards: graph.tape(&guards),
-        guard_rates: graph.tape(&guard_rates),
         resets: graph.tape(&resets),
         events: events(&linearization.equations),
         constraint_values: graph.tape(&constraint_values),
         constraint_rates: graph.tape(&constraint_rates),
         constraint_matrix: build.constraint_matrix_tape(),
         constraints: constraints(system),
-        ..about
+        ..describe(&linearization.equations)
+    };
+    build.of_motion(model, jacobians, &motion)
+}
+
+/// Products of a solve in all columns of the Jacobian, beyond which functions share the
+/// motion. Below, calling it costs about what it saves.
+const LARGE: usize = 1500;
+
+/// dy'/dy and dy'/dp.
+enum Jacobians {
+    /// Each column solved for on the graph.
+    Unrolled(Box<[MatrixTape; 2]>),
+    /// To be solved for in a loop.
+    Implicit([Columns; 2]),
+}
+
+/// Results of functions that need accelerations, of which the Jacobians are not.
+struct OfMotion {
+    time_derivative: Vec<NodeId>,
+    outputs: Vec<NodeId>,
+    power_balance: Vec<NodeId>,
+    guard_rates: Vec<NodeId>,
+}
+
+impl OfMotion {
+    fn each(&self) -> [&Vec<NodeId>; 4] {
+        [&self.time_derivative, &self.outputs, &self.power_balance, &self.guard_rates]
     }
 }
 
-/// What a model says of itself, without its tapes.
-fn describe(equations: &EquationsOfMotion) -> Model {
-    let system = &equations.system;
-    let coordinate = |c: &crate::scene::system::Coordinate| Coordinate {
-        position: c.position.clone(),
-        velocity: c.velocity.clone(),
-    };
-    let file = |file: &crate::spec::SourceFile| SourceFile {
-        label: file.label.clone(),
-        sha256: file.sha256.clone(),
-    };
-    let parameter = |p: &crate::scene::system::Parameter| Parameter {
-        quantity: p.quantity.clone(),
-        value: p.value,
-    };
-    Model {
-        name: system.name.clone(),
-        title: system.title.clone(),
-        doc: system.doc.clone(),
-        source: system.source.clone(),
-        files: system.files.iter().map(file).collect(),
-        coordinates: system.coordinates.iter().map(coordinate).collect(),
-        states: states(equations),
-        quadratures: equations.layout.quadratures,
-        parameters: system.parameters.iter().map(parameter).collect(),
-        handed: system.handed.iter().map(parameter).collect(),
-        wanted: system.outputs.iter().map(|output| output.quantity.clone()).collect(),
-        tables: system.tables.clone(),
-        run: system.run.clone(),
-        freeze: system.freeze.clone(),
-        reduction: equations.reduction.clone(),
-        ..Model::default()
-    }
-}
-
-fn states(equations: &EquationsOfMotion) -> Vec<State> {
-    let system = &equations.system;
-    let states = equations.layout.states.iter().map(|state| {
-        let (kind, is_given) = match state.motion {
-            Motion::Position { coordinate, .. } => {
-                let is_given = system.coordinates[coordinate.0 as usize].is_given[0];
-                (StateKind::Position(coordinate.0), is_given)
-            }
-            Motion::Velocity(id) => {
-                (StateKind::Velocity(id.0), system.coordinates[id.0 as usize].is_given[1])
-            }
-            Motion::FirstOrder(id) if system.first_order[id.0 as usize].is_mode => {
-                (StateKind::Mode, true)
-            }
-            Motion::FirstOrder(_) => (StateKind::FirstOrder, true),
-        };
-        State { quantity: state.quantity.clone(), kind, scale: state.scale, is_given }
-    });
-    states.collect()
-}
-
-/// Events with entries of the state in place of what expressions call them.
-fn events(equations: &EquationsOfMotion) -> Vec<Event> {
-    let entry = |symbol: Symbol| {
-        let place = equations.layout.symbols().position(|known| known == symbol);
-        place.expect("what events watch and set is in the state") as u32
-    };
-    let shapes = equations.events.iter().map(|event| Event {
-        name: event.name.clone(),
-        doc: event.doc.clone(),
-        direction: event.direction,
-        when: event
-            .when
-            .iter()
-            .map(|(id, value)| (entry(Symbol::FirstOrder(*id)), f64::from(*value)))
-            .collect(),
-        sets: event.set.iter().map(|(symbol, _)| entry(*symbol)).collect(),
-    });
-    shapes.collect()
-}
-
-fn constraints(system: &LagrangianSystem) -> Vec<Constraint> {
-    let shapes = system.constraints.iter().map(|constraint| Constraint {
-        name: constraint.name.clone(),
-        doc: constraint.doc.clone(),
-        unit: constraint.unit.clone(),
-        is_of_positions: constraint.is_of_positions,
-    });
-    shapes.collect()
+/// The motion, and what its factors are on the graph.
+struct Shared {
+    motion: machinist_model::Motion,
+    factors: Vec<NodeId>,
 }
 
 struct Build<'a> {
@@ -155,7 +92,7 @@ struct Build<'a> {
     graph: Graph,
     /// M, bordered by G below and G^T beside it.
     matrix: Vec<Vec<NodeId>>,
-    factorization: Factorization,
+    substitution: Substitution,
     forcing: Vec<NodeId>,
     /// q'', then -lambda.
     solution: Vec<NodeId>,
@@ -178,9 +115,10 @@ impl<'a> Build<'a> {
         let (rows, right_side) = equations.bordered();
         let matrix: Vec<Vec<NodeId>> =
             rows.iter().map(|row| row.iter().map(|e| graph.lower(&short(e))).collect()).collect();
-        let factorization = factor(&mut graph, &matrix);
+        let coordinates = equations.forcing.len();
+        let substitution = Substitution::new(&mut graph, matrix.clone(), coordinates);
         let mut forcing: Vec<NodeId> = right_side.iter().map(|f| graph.lower(&short(f))).collect();
-        let solution = factorization.solve(&mut graph, &forcing);
+        let solution = substitution.solve(&mut graph, &forcing);
         forcing.truncate(equations.forcing.len());
         let (accelerations, negative) = solution.split_at(forcing.len());
         for (coordinate, node) in system.coordinates.iter().zip(accelerations) {
@@ -201,16 +139,7 @@ impl<'a> Build<'a> {
             Motion::FirstOrder(id) => rates[id.0 as usize],
         });
         let rate = rate.collect();
-        Build {
-            linearization,
-            abbreviations,
-            graph,
-            matrix,
-            factorization,
-            forcing,
-            solution,
-            rate,
-        }
+        Build { linearization, abbreviations, graph, matrix, substitution, forcing, solution, rate }
     }
 
     fn lower(&mut self, expr: &Expr) -> NodeId {
@@ -222,31 +151,49 @@ impl<'a> Build<'a> {
         self.forcing.len()
     }
 
-    /// One column of a Jacobian of the rate: dy'/ds.
-    fn column(&mut self, partials: &Partials) -> Vec<NodeId> {
+    /// dy'/dy and dy'/dp.
+    fn jacobians(&mut self) -> Jacobians {
+        let partials = [&self.linearization.state, &self.linearization.parameters];
+        if self.is_large() {
+            Jacobians::Implicit(partials.map(|partials| self.columns(partials)))
+        } else {
+            Jacobians::Unrolled(Box::new(partials.map(|partials| self.jacobian(partials))))
+        }
+    }
+
+    /// Columns of a Jacobian of the rate, dy'/ds, to be solved for.
+    fn columns(&mut self, partials: &[Partials]) -> Columns {
+        let mut columns = Columns { count: partials.len(), ..Columns::default() };
+        for (column, partials) in partials.iter().enumerate() {
+            let side = self.side(partials).into_iter().enumerate();
+            let is_read = |row: usize| self.substitution.is_read(row);
+            let side = side.filter(|(row, node)| is_read(*row) && !self.graph.is_zero(*node));
+            columns.sides.extend(side.map(|(row, node)| ((row, column), node)));
+            for (entry, expr) in &partials.rates {
+                let node = self.lower(expr);
+                if !self.graph.is_zero(node) {
+                    columns.given.insert((*entry, column), node);
+                }
+            }
+        }
+        columns
+    }
+
+    /// Right side of the equations of dq''/ds.
+    fn side(&mut self, partials: &Partials) -> Vec<NodeId> {
         let zero = self.graph.literal(0.0);
-        let mut right_side = vec![zero; self.solution.len()];
+        let mut side = vec![zero; self.solution.len()];
         for (row, expr) in &partials.forcing {
-            right_side[*row] = self.lower(expr);
+            side[*row] = self.lower(expr);
         }
         for (i, j, expr) in &partials.mass_matrix {
             let entry = self.lower(expr);
-            self.subtract_product(&mut right_side, *i, entry, *j);
+            self.subtract_product(&mut side, *i, entry, *j);
             if i != j {
-                self.subtract_product(&mut right_side, *j, entry, *i);
+                self.subtract_product(&mut side, *j, entry, *i);
             }
         }
-        let accelerations = self.factorization.solve(&mut self.graph, &right_side);
-        let mut column = vec![zero; self.rate.len()];
-        for (entry, state) in self.linearization.equations.layout.states.iter().enumerate() {
-            if let Motion::Velocity(id) = state.motion {
-                column[entry] = accelerations[id.0 as usize];
-            }
-        }
-        for (entry, expr) in &partials.rates {
-            column[*entry] = self.lower(expr);
-        }
-        column
+        side
     }
 
     /// right_side\[row\] -= entry solution\[column\]
@@ -261,10 +208,134 @@ impl<'a> Build<'a> {
         right_side[row] = self.graph.sub(right_side[row], part);
     }
 
+    /// Entries of the state that are velocities, with their coordinates.
+    fn velocities(&self) -> impl Iterator<Item = (usize, usize)> + use<'a> {
+        let states = self.linearization.equations.layout.states.iter().enumerate();
+        states.filter_map(|(entry, state)| match state.motion {
+            Motion::Velocity(id) => Some((entry, id.0 as usize)),
+            _ => None,
+        })
+    }
+
+    /// One column of a Jacobian of the rate: dy'/ds, solved for on the graph.
+    fn column(&mut self, partials: &Partials) -> Vec<NodeId> {
+        let side = self.side(partials);
+        let accelerations = self.substitution.accelerations(&mut self.graph, &side);
+        let zero = self.graph.literal(0.0);
+        let mut column = vec![zero; self.rate.len()];
+        for (entry, coordinate) in self.velocities() {
+            column[entry] = accelerations[coordinate];
+        }
+        for (entry, expr) in &partials.rates {
+            column[*entry] = self.lower(expr);
+        }
+        column
+    }
+
+    /// A Jacobian each column of which is solved for on the graph.
+    fn unrolled(&mut self, columns: &Columns, velocities: &[(usize, usize)]) -> Implicit {
+        let mut nonzeros = columns.given.clone();
+        let zero = self.graph.literal(0.0);
+        for column in 0..columns.count {
+            let side = |row| columns.sides.get(&(row, column)).copied().unwrap_or(zero);
+            let side: Vec<NodeId> = (0..self.solution.len()).map(side).collect();
+            let solved = self.substitution.accelerations(&mut self.graph, &side);
+            for (entry, coordinate) in velocities {
+                if !self.graph.is_zero(solved[*coordinate]) {
+                    nonzeros.insert((*entry, column), solved[*coordinate]);
+                }
+            }
+        }
+        Implicit::unrolled(&nonzeros, self.rate.len(), columns.count)
+    }
+
     /// A Jacobian by columns, stored by rows.
-    fn jacobian(&mut self, columns: &[Partials]) -> MatrixTape {
-        let columns: Vec<Vec<NodeId>> = columns.iter().map(|p| self.column(p)).collect();
+    fn jacobian(&mut self, partials: &[Partials]) -> MatrixTape {
+        let columns: Vec<Vec<NodeId>> = partials.iter().map(|p| self.column(p)).collect();
         self.matrix_tape(self.rate.len(), columns.len(), |row, column| columns[column][row])
+    }
+
+    /// Whether derivatives are worth a solve by factors: where factors change with the state,
+    /// and unrolled solves would be long.
+    fn is_large(&self) -> bool {
+        let steps = &self.substitution.steps;
+        let factors = steps.iter().flat_map(Step::factors);
+        let moves = factors.into_iter().any(|factor| !self.graph.is_constant(factor));
+        let products: usize = steps.iter().map(|step| step.terms.len()).sum();
+        moves && products * self.rate.len() >= LARGE
+    }
+
+    /// The functions that need accelerations or factors.
+    fn of_motion(mut self, model: Model, jacobians: Jacobians, motion: &OfMotion) -> Model {
+        let columns = match jacobians {
+            Jacobians::Implicit(columns) => columns,
+            Jacobians::Unrolled(matrices) => {
+                let [mut rate_jacobian, parameter_jacobian] = *matrices;
+                rate_jacobian.tape = expand(&rate_jacobian.tape);
+                let [time_derivative, outputs, power_balance, guard_rates] =
+                    motion.each().map(|results| self.graph.tape(results));
+                return Model {
+                    rate_jacobian,
+                    parameter_jacobian,
+                    time_derivative,
+                    outputs,
+                    power_balance,
+                    guard_rates,
+                    ..model
+                };
+            }
+        };
+        let velocities: Vec<(usize, usize)> = self.velocities().collect();
+        let implicit = columns.map(|columns| {
+            let steps = &self.substitution.steps;
+            let implicit = implicit(&columns, steps, &velocities, self.rate.len());
+            if implicit.is_dense() { implicit } else { self.unrolled(&columns, &velocities) }
+        });
+        let (shared, tapes) = self.shared(&implicit, motion);
+        let [first, second, time_derivative, outputs, power_balance, guard_rates] = tapes;
+        let [rate_jacobian, parameter_jacobian] = implicit;
+        let with = |matrix: Implicit, tape| MatrixTape {
+            solve: matrix.is_solved().then(|| matrix.solve(&shared.factors)),
+            pattern: matrix.pattern,
+            tape,
+        };
+        Model {
+            rate_jacobian: with(rate_jacobian, first),
+            parameter_jacobian: with(parameter_jacobian, second),
+            time_derivative,
+            outputs,
+            power_balance,
+            guard_rates,
+            motion: Some(shared.motion),
+            ..model
+        }
+    }
+
+    /// The motion, and what reads it.
+    fn shared(&self, matrices: &[Implicit; 2], motion: &OfMotion) -> (Shared, [Tape; 6]) {
+        let mut factors: Vec<NodeId> = Vec::new();
+        for factor in matrices.iter().flat_map(|matrix| &matrix.steps).flat_map(Step::factors) {
+            if !factors.contains(&factor) {
+                factors.push(factor);
+            }
+        }
+        let scales = self.substitution.steps.iter().filter_map(|step| step.scale);
+        let accelerations = self.velocities().map(|(_, id)| self.solution[id]);
+        let costly = accelerations.chain(scales).filter(|id| !self.graph.is_constant(*id));
+        let costly: Vec<NodeId> = costly.collect();
+        let [first, second] = matrices.each_ref().map(|matrix| &matrix.inputs);
+        let [time, outputs, power, guards] = motion.each();
+        let functions = [first, second, time, outputs, power, guards];
+        let lists = [&factors, &costly].into_iter().chain(functions);
+        let all: Vec<NodeId> = lists.clone().flatten().copied().collect();
+        let tape = expand(&self.graph.tape(&all));
+        let mut results = tape.results.iter().copied();
+        let mut lists = lists.map(|list| results.by_ref().take(list.len()).collect::<Vec<_>>());
+        let [on_tape, costly] = [lists.next(), lists.next()].map(Option::unwrap_or_default);
+        let parts = Parts { factors: on_tape, costly, functions: lists.collect() };
+        let (motion, tapes) = share(&tape, &parts);
+        let tapes = <[Tape; 6]>::try_from(tapes).expect("one tape for each function");
+        (Shared { motion, factors }, tapes)
     }
 
     fn mass_matrix_tape(&self) -> MatrixTape {
@@ -292,6 +363,7 @@ impl<'a> Build<'a> {
         MatrixTape {
             pattern: SparsityPattern { rows, columns, entries },
             tape: self.graph.tape(&results),
+            solve: None,
         }
     }
 

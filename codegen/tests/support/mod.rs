@@ -144,6 +144,7 @@ fn described(system: &LagrangianSystem) -> Model {
         tables: system.tables.clone(),
         run: system.run.clone(),
         constraint_matrix: MatrixTape {
+            solve: None,
             pattern: pattern(0, system.coordinates.len(), &[]),
             tape: Tape::default(),
         },
@@ -161,10 +162,12 @@ fn pendulum_of(system: &LagrangianSystem) -> Model {
             vec![speed, acceleration, torque_rate(b)]
         }),
         rate_jacobian: MatrixTape {
+            solve: None,
             pattern: pattern(3, 3, &[(0, 1), (1, 0), (1, 1), (1, 2), (2, 2)]),
             tape: tape(rate_jacobian),
         },
         parameter_jacobian: MatrixTape {
+            solve: None,
             pattern: pattern(3, 6, &[(1, 2), (1, 3)]),
             tape: tape(parameter_jacobian),
         },
@@ -175,6 +178,7 @@ fn pendulum_of(system: &LagrangianSystem) -> Model {
             vec![zero, zero, b.push(Op::Div(slope, lag))]
         }),
         mass_matrix: MatrixTape {
+            solve: None,
             pattern: pattern(1, 1, &[(0, 0)]),
             tape: tape(|b| vec![inertia(b)]),
         },
@@ -478,8 +482,11 @@ pub fn recurrences() -> Model {
         })
         .collect();
     let mut model = bare(system, "recurrences", rate);
-    model.mass_matrix =
-        MatrixTape { pattern: pattern(1, 1, &[(0, 0)]), tape: tape(|b| vec![b.number(1.0)]) };
+    model.mass_matrix = MatrixTape {
+        solve: None,
+        pattern: pattern(1, 1, &[(0, 0)]),
+        tape: tape(|b| vec![b.number(1.0)]),
+    };
     model.forcing = tape(|b| {
         let x = b.state(0);
         vec![b.push(Op::Neg(x))]
@@ -516,6 +523,7 @@ pub fn coupled() -> Model {
     system.first_order.clear();
     let mut model = bare(system, "coupled", rate);
     model.mass_matrix = MatrixTape {
+        solve: None,
         pattern: pattern(2, 2, &[(0, 0), (0, 1), (1, 0), (1, 1)]),
         tape: tape(|b| {
             let c = coupling(b);
@@ -533,8 +541,11 @@ fn bare(mut system: LagrangianSystem, name: &str, rate: Tape) -> Model {
     system.outputs.clear();
     system.discontinuities.clear();
     let zeros = || tape(|b| vec![b.number(0.0); states]);
-    let empty =
-        |columns| MatrixTape { pattern: pattern(states, columns, &[]), ..Default::default() };
+    let empty = |columns| MatrixTape {
+        solve: None,
+        pattern: pattern(states, columns, &[]),
+        ..Default::default()
+    };
     Model {
         initial_state: zeros(),
         time_derivative: zeros(),

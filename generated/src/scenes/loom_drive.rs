@@ -132,14 +132,14 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     inverse_shaft_driven_field_inertia, inverse_shaft_reed_field_inertia,
     inverse_shaft_middle_field_inertia, t2, t3, crank_ratio_times_crank_stiffness, t4,
     motor_alpha_s_times_motor_omega_0, motor_alpha_r_times_motor_omega_0,
-    motor_omega_dot_by_motor_phi, crank_turn_speed_dot_by_motor_phi, t5, t6,
-    motor_omega_dot_by_crank_turn, shaft_driven_dot_dot_by_shaft_driven, t7,
-    shaft_reed_dot_dot_by_shaft_reed, reed_speed_dot_by_shaft_reed, reed_speed_dot_by_reed_angle,
-    motor_omega_dot_by_motor_omega, crank_turn_speed_dot_by_motor_omega,
-    motor_omega_dot_by_crank_turn_speed, crank_turn_speed_dot_by_crank_turn_speed,
-    motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
-    motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
-    motor_psi_rx_dot_by_motor_psi_rx
+    crank_turn_speed_dot_by_motor_phi, motor_omega_dot_by_motor_phi, t5, t6,
+    motor_omega_dot_by_crank_turn, shaft_driven_dot_dot_by_shaft_driven,
+    reed_speed_dot_by_shaft_reed, t7, shaft_reed_dot_dot_by_shaft_reed,
+    reed_speed_dot_by_reed_angle, crank_turn_speed_dot_by_motor_omega,
+    motor_omega_dot_by_motor_omega, crank_turn_speed_dot_by_crank_turn_speed,
+    motor_omega_dot_by_crank_turn_speed, motor_psi_sx_dot_by_motor_psi_sx,
+    motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
+    motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx
 }
 
 ::machinist_contract::field_scene! {
@@ -177,23 +177,23 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t4 = p.coupling_damping * p.coupling_ratio;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let crank_turn_speed_dot_by_motor_phi = t3 * inverse_crank_inertia;
+    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
     let t5 = p.coupling_stiffness * coupling_ratio_squared;
     let t6 = p.crank_stiffness * (p.crank_ratio * p.crank_ratio);
     let motor_omega_dot_by_crank_turn = t3 * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_shaft_driven = -(p.crank_stiffness
         * inverse_shaft_driven_field_inertia);
+    let reed_speed_dot_by_shaft_reed = p.reed_stiffness * t2;
     let t7 = p.reed_stiffness * inverse_shaft_reed_field_inertia;
     let shaft_reed_dot_dot_by_shaft_reed = -t7;
-    let reed_speed_dot_by_shaft_reed = p.reed_stiffness * t2;
     let reed_speed_dot_by_reed_angle = -((p.reed_stiffness + p.fell_stiffness) * t2);
-    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let crank_turn_speed_dot_by_motor_omega = t4 * inverse_crank_inertia;
-    let motor_omega_dot_by_crank_turn_speed = t4 * inverse_motor_inertia;
+    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let crank_turn_speed_dot_by_crank_turn_speed = -(p.crank_drag.add_product(p.coupling_damping,
         coupling_ratio_squared) * inverse_crank_inertia);
+    let motor_omega_dot_by_crank_turn_speed = t4 * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_psi_sx = -motor_alpha_s_times_motor_omega_0;
     let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
@@ -203,14 +203,15 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         inverse_crank_inertia, inverse_shaft_driven_field_inertia,
         inverse_shaft_reed_field_inertia, inverse_shaft_middle_field_inertia, t2, t3,
         crank_ratio_times_crank_stiffness, t4, motor_alpha_s_times_motor_omega_0,
-        motor_alpha_r_times_motor_omega_0, motor_omega_dot_by_motor_phi,
-        crank_turn_speed_dot_by_motor_phi, t5, t6, motor_omega_dot_by_crank_turn,
-        shaft_driven_dot_dot_by_shaft_driven, t7, shaft_reed_dot_dot_by_shaft_reed,
-        reed_speed_dot_by_shaft_reed, reed_speed_dot_by_reed_angle, motor_omega_dot_by_motor_omega,
-        crank_turn_speed_dot_by_motor_omega, motor_omega_dot_by_crank_turn_speed,
-        crank_turn_speed_dot_by_crank_turn_speed, motor_psi_sx_dot_by_motor_psi_sx,
-        motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
-        motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx }
+        motor_alpha_r_times_motor_omega_0, crank_turn_speed_dot_by_motor_phi,
+        motor_omega_dot_by_motor_phi, t5, t6, motor_omega_dot_by_crank_turn,
+        shaft_driven_dot_dot_by_shaft_driven, reed_speed_dot_by_shaft_reed, t7,
+        shaft_reed_dot_dot_by_shaft_reed, reed_speed_dot_by_reed_angle,
+        crank_turn_speed_dot_by_motor_omega, motor_omega_dot_by_motor_omega,
+        crank_turn_speed_dot_by_crank_turn_speed, motor_omega_dot_by_crank_turn_speed,
+        motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
+        motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
+        motor_psi_rx_dot_by_motor_psi_rx }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -247,16 +248,16 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let motor_torque = c.t1 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
     let t0 = p.reed_stiffness * (shaft_reed - reed_angle);
-    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
+    let reed_speed_dot = (t0 - fell_torque) * c.t2;
+    let shaft_middle_dot_dot = p.shaft_middle_field_force * c.inverse_shaft_middle_field_inertia;
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0) * c.inverse_shaft_reed_field_inertia;
+    let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.crank_stiffness,
+        shaft_driven_minus_crank_angle) * c.inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot = ((c.t3 * coupling_twist)
         .add_product(c.crank_ratio_times_crank_stiffness * shaft_driven_minus_crank_angle,
         cos_crank_turn) - (p.crank_drag * crank_turn_speed).sub_product(c.t4, coupling_twist_rate))
         * c.inverse_crank_inertia;
-    let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.crank_stiffness,
-        shaft_driven_minus_crank_angle) * c.inverse_shaft_driven_field_inertia;
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0) * c.inverse_shaft_reed_field_inertia;
-    let shaft_middle_dot_dot = p.shaft_middle_field_force * c.inverse_shaft_middle_field_inertia;
-    let reed_speed_dot = (t0 - fell_torque) * c.t2;
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot = c.motor_u_x.add_product(c.motor_omega_0, motor_psi_sy)
         .sub_product(c.motor_alpha_s_times_motor_omega_0, motor_psi_sx.sub_product(p.motor_k_r,
         motor_psi_rx));
@@ -325,10 +326,10 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
     let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
     let t0 = c.crank_ratio_times_crank_stiffness * cos_crank_turn;
+    let shaft_driven_dot_dot_by_crank_turn = t0 * c.inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot_by_crank_turn = -(c.t5.add_product(p.crank_stiffness * crank_angle,
         shaft_driven - crank_angle).add_product(c.t6, cos_crank_turn * cos_crank_turn)
         * c.inverse_crank_inertia);
-    let shaft_driven_dot_dot_by_crank_turn = t0 * c.inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot_by_shaft_driven = t0 * c.inverse_crank_inertia;
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
@@ -394,16 +395,16 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
     let shaft_reed_minus_reed_angle = shaft_reed - reed_angle;
     let t6 = p.reed_stiffness * shaft_reed_minus_reed_angle;
-    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
+    let reed_speed_dot = (t6 - fell_torque) * t5;
+    let shaft_middle_dot_dot = p.shaft_middle_field_force * inverse_shaft_middle_field_inertia;
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t6) * inverse_shaft_reed_field_inertia;
+    let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.crank_stiffness,
+        shaft_driven_minus_crank_angle) * inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
         .add_product(p.crank_ratio * p.crank_stiffness * shaft_driven_minus_crank_angle,
         cos_crank_turn) - (p.crank_drag * crank_turn_speed).sub_product(p.coupling_damping
         * p.coupling_ratio, coupling_twist_rate)) * inverse_crank_inertia;
-    let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.crank_stiffness,
-        shaft_driven_minus_crank_angle) * inverse_shaft_driven_field_inertia;
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t6) * inverse_shaft_reed_field_inertia;
-    let shaft_middle_dot_dot = p.shaft_middle_field_force * inverse_shaft_middle_field_inertia;
-    let reed_speed_dot = (t6 - fell_torque) * t5;
+    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let t7 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
@@ -448,35 +449,35 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
         .add_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t7;
     let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t8;
-    let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_crank_turn - motor_phi)
-        * inverse_motor_inertia;
     let crank_turn_speed_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
         * inverse_crank_inertia;
-    let motor_omega_dot_by_coupling_damping = (t1 - motor_omega) * inverse_motor_inertia;
+    let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_crank_turn - motor_phi)
+        * inverse_motor_inertia;
     let crank_turn_speed_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * inverse_crank_inertia;
-    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * crank_turn)
-        .add_product(p.coupling_damping, crank_turn_speed) * inverse_motor_inertia;
+    let motor_omega_dot_by_coupling_damping = (t1 - motor_omega) * inverse_motor_inertia;
     let crank_turn_speed_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
         .add_product(p.coupling_damping, motor_omega).sub_product(R::literal(2.0)
         * p.coupling_stiffness * p.coupling_ratio, crank_turn).sub_product(R::literal(2.0)
         * p.coupling_damping * p.coupling_ratio, crank_turn_speed) * inverse_crank_inertia;
+    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * crank_turn)
+        .add_product(p.coupling_damping, crank_turn_speed) * inverse_motor_inertia;
     let crank_turn_speed_dot_by_crank_inertia = -(crank_turn_speed_dot * inverse_crank_inertia);
+    let shaft_driven_dot_dot_by_crank_ratio = p.crank_stiffness * sin_crank_turn
+        * inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot_by_crank_ratio = p.crank_stiffness * shaft_driven
         .sub_product(R::literal(2.0), crank_angle) * cos_crank_turn * inverse_crank_inertia;
-    let shaft_driven_dot_dot_by_crank_ratio = p.crank_stiffness * sin_crank_turn
+    let shaft_driven_dot_dot_by_crank_stiffness = (crank_angle - shaft_driven)
         * inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot_by_crank_stiffness = p.crank_ratio * shaft_driven_minus_crank_angle
         * cos_crank_turn * inverse_crank_inertia;
-    let shaft_driven_dot_dot_by_crank_stiffness = (crank_angle - shaft_driven)
-        * inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot_by_crank_drag = -(crank_turn_speed * inverse_crank_inertia);
     let reed_speed_dot_by_reed_mass = -(reed_arm_squared * reed_speed_dot * t5);
     let reed_speed_dot_by_reed_arm = R::literal(-2.0) * p.reed_mass * p.reed_arm * reed_speed_dot
         * t5;
+    let reed_speed_dot_by_reed_stiffness = shaft_reed_minus_reed_angle * t5;
     let shaft_reed_dot_dot_by_reed_stiffness = (reed_angle - shaft_reed)
         * inverse_shaft_reed_field_inertia;
-    let reed_speed_dot_by_reed_stiffness = shaft_reed_minus_reed_angle * t5;
     let reed_speed_dot_by_fell_stiffness = -(reed_angle * t5);
     let shaft_driven_dot_dot_by_shaft_driven_field_inertia = -(shaft_driven_dot_dot
         * inverse_shaft_driven_field_inertia);
@@ -624,15 +625,15 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
         coupling_twist_rate);
     let t8 = p.crank_stiffness * shaft_driven_minus_crank_angle;
     let t9 = p.reed_stiffness * (shaft_reed - reed_angle);
-    let motor_omega_dot = (motor_torque - coupling_torque) * (R::literal(1.0) / p.motor_inertia);
-    let crank_turn_speed_dot = (t6 - t7) * (R::literal(1.0) / p.crank_inertia);
-    let shaft_driven_dot_dot = (p.shaft_driven_field_force - t8) * (R::literal(1.0)
-        / p.shaft_driven_field_inertia);
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t9) * (R::literal(1.0)
-        / p.shaft_reed_field_inertia);
+    let reed_speed_dot = (t9 - fell_torque) * (R::literal(1.0) / reed_mass_times_reed_arm_squared);
     let shaft_middle_dot_dot = p.shaft_middle_field_force * (R::literal(1.0)
         / p.shaft_middle_field_inertia);
-    let reed_speed_dot = (t9 - fell_torque) * (R::literal(1.0) / reed_mass_times_reed_arm_squared);
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t9) * (R::literal(1.0)
+        / p.shaft_reed_field_inertia);
+    let shaft_driven_dot_dot = (p.shaft_driven_field_force - t8) * (R::literal(1.0)
+        / p.shaft_driven_field_inertia);
+    let crank_turn_speed_dot = (t6 - t7) * (R::literal(1.0) / p.crank_inertia);
+    let motor_omega_dot = (motor_torque - coupling_torque) * (R::literal(1.0) / p.motor_inertia);
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_psi_sx_dot = motor_u_x.add_product(motor_omega_0, motor_psi_sy)
         .sub_product(motor_alpha_s_times_motor_omega_0, t2);

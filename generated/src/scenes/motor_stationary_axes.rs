@@ -175,12 +175,12 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let t15 = (c.t9 * (c.t8 * motor_i_ra).add_product(c.t6 * motor_i_sa * motor_omega,
         sin_motor_theta).sub_product(c.t6 * motor_i_sb * motor_omega, cos_motor_theta)
         .sub_product(c.t7, motor_i_ra)).sub_product(t5, t13).sub_product(t6, t14);
+    let motor_omega_dot = c.t2 * (p.motor_pole_pairs * motor_across * cos_motor_theta)
+        .sub_product(p.motor_pole_pairs * motor_along, sin_motor_theta) * c.inverse_motor_inertia;
     let motor_i_rb_dot = (-(c.t10 * motor_i_rb)).add_product(t12, (p.motor_pole_pairs * motor_i_sa
         * cos_motor_theta).add_product(p.motor_pole_pairs * motor_i_sb, sin_motor_theta))
         .add_product(t6, t13).sub_product(t5, t14).sub_product(t11, t15) * (R::literal(1.0)
         / (c.t3 - t8 - t7).sub_product(t11, t10));
-    let motor_omega_dot = c.t2 * (p.motor_pole_pairs * motor_across * cos_motor_theta)
-        .sub_product(p.motor_pole_pairs * motor_along, sin_motor_theta) * c.inverse_motor_inertia;
     let motor_i_ra_dot = (t15 * t9).sub_product(t11, motor_i_rb_dot);
     let motor_i_sb_dot = (t14 * c.t4).sub_product(t6, motor_i_ra_dot).sub_product(t5,
         motor_i_rb_dot);
@@ -305,12 +305,12 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let t25 = (t18 * t19).sub_product(t23, motor_i_ra_dot).add_product(t22, motor_i_rb_dot);
     let t26 = (t18 * t20).add_product(t22, motor_i_sa_dot).sub_product(t23, motor_i_sb_dot)
         .sub_product(t5, t24).sub_product(t6, t25);
-    let motor_i_rb_dot_by_motor_phi = (-(t18 * t21)).add_product(t23, motor_i_sa_dot)
-        .add_product(t22, motor_i_sb_dot).add_product(t6, t24).sub_product(t5, t25)
-        .sub_product(t11, t26) * t12;
     let motor_omega_dot_by_motor_phi = -(c.t2 * (c.motor_pole_pairs_squared * motor_along
         * cos_motor_theta).add_product(c.motor_pole_pairs_squared * motor_across, sin_motor_theta)
         * c.inverse_motor_inertia);
+    let motor_i_rb_dot_by_motor_phi = (-(t18 * t21)).add_product(t23, motor_i_sa_dot)
+        .add_product(t22, motor_i_sb_dot).add_product(t6, t24).sub_product(t5, t25)
+        .sub_product(t11, t26) * t12;
     let motor_i_ra_dot_by_motor_phi = (t26 * t9).sub_product(t11, motor_i_rb_dot_by_motor_phi);
     let motor_i_sb_dot_by_motor_phi = (t25 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_phi)
         .sub_product(t5, motor_i_rb_dot_by_motor_phi);
@@ -322,8 +322,8 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let t30 = c.t11 * t19;
     let t31 = t28.add_product(t5, c.t5);
     let t32 = t6 * c.t5;
-    let motor_i_rb_dot_by_motor_i_sa = (t29 - t32).sub_product(t11, t31) * t12;
     let motor_omega_dot_by_motor_i_sa = -(t30 * c.inverse_motor_inertia);
+    let motor_i_rb_dot_by_motor_i_sa = (t29 - t32).sub_product(t11, t31) * t12;
     let motor_i_ra_dot_by_motor_i_sa = (t31 * t9).sub_product(t11, motor_i_rb_dot_by_motor_i_sa);
     let motor_i_sb_dot_by_motor_i_sa = -(t5 * motor_i_rb_dot_by_motor_i_sa).add_product(t6,
         motor_i_ra_dot_by_motor_i_sa);
@@ -331,8 +331,8 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         .add_product(t6, motor_i_rb_dot_by_motor_i_sa);
     let t33 = c.t11 * t17;
     let t34 = t32 - t29;
-    let motor_i_rb_dot_by_motor_i_sb = t31.sub_product(t11, t34) * t12;
     let motor_omega_dot_by_motor_i_sb = t33 * c.inverse_motor_inertia;
+    let motor_i_rb_dot_by_motor_i_sb = t31.sub_product(t11, t34) * t12;
     let motor_i_ra_dot_by_motor_i_sb = (t34 * t9).sub_product(t11, motor_i_rb_dot_by_motor_i_sb);
     let motor_i_sb_dot_by_motor_i_sb = -c.t13.add_product(t6, motor_i_ra_dot_by_motor_i_sb)
         .add_product(t5, motor_i_rb_dot_by_motor_i_sb);
@@ -343,23 +343,23 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let t37 = t6 * t29;
     let t38 = c.t14 - t36 + t37;
     let t39 = (t6 * t28).add_product(t5, t29);
-    let t40 = t28 * c.t4;
-    let t41 = t29 * c.t4;
-    let motor_i_rb_dot_by_motor_i_ra = t39.sub_product(t11, t38) * t12;
     let motor_omega_dot_by_motor_i_ra = -(t35 * c.inverse_motor_inertia);
+    let motor_i_rb_dot_by_motor_i_ra = t39.sub_product(t11, t38) * t12;
     let motor_i_ra_dot_by_motor_i_ra = (t38 * t9).sub_product(t11, motor_i_rb_dot_by_motor_i_ra);
-    let motor_i_sb_dot_by_motor_i_ra = -t41.add_product(t6, motor_i_ra_dot_by_motor_i_ra)
+    let t40 = t29 * c.t4;
+    let motor_i_sb_dot_by_motor_i_ra = -t40.add_product(t6, motor_i_ra_dot_by_motor_i_ra)
         .add_product(t5, motor_i_rb_dot_by_motor_i_ra);
-    let motor_i_sa_dot_by_motor_i_ra = t40.sub_product(t5, motor_i_ra_dot_by_motor_i_ra)
+    let t41 = t28 * c.t4;
+    let motor_i_sa_dot_by_motor_i_ra = t41.sub_product(t5, motor_i_ra_dot_by_motor_i_ra)
         .add_product(t6, motor_i_rb_dot_by_motor_i_ra);
     let t42 = c.t11 * t20;
-    let motor_i_rb_dot_by_motor_i_rb = (t37 - c.t10 - t36).add_product(t11, t39) * t12;
     let motor_omega_dot_by_motor_i_rb = -(t42 * c.inverse_motor_inertia);
+    let motor_i_rb_dot_by_motor_i_rb = (t37 - c.t10 - t36).add_product(t11, t39) * t12;
     let t43 = (t39 * t9).add_product(t11, motor_i_rb_dot_by_motor_i_rb);
     let motor_i_ra_dot_by_motor_i_rb = -t43;
-    let motor_i_sb_dot_by_motor_i_rb = t40.add_product(t6, t43).sub_product(t5,
+    let motor_i_sb_dot_by_motor_i_rb = t41.add_product(t6, t43).sub_product(t5,
         motor_i_rb_dot_by_motor_i_rb);
-    let motor_i_sa_dot_by_motor_i_rb = t41.add_product(t5, t43).add_product(t6,
+    let motor_i_sa_dot_by_motor_i_rb = t40.add_product(t5, t43).add_product(t6,
         motor_i_rb_dot_by_motor_i_rb);
     let t44 = t35.sub_product(t5, t30).add_product(t6, t33);
     let motor_i_rb_dot_by_motor_omega = t42.add_product(t6, t30).add_product(t5, t33)
@@ -442,9 +442,9 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t35 = (p.motor_pole_pairs * motor_across * cos_motor_theta).sub_product(p.motor_pole_pairs
         * motor_along, sin_motor_theta);
     let t36 = (R::literal(2.0) * motor_L_r * t33).sub_product(t10, t22).sub_product(t11, t25);
+    let motor_omega_dot = t5 * t35 * inverse_motor_inertia;
     let motor_i_rb_dot = (R::literal(-1.5) * motor_R_r * motor_i_rb).add_product(t20, t34)
         .add_product(t11, t22).sub_product(t10, t25).sub_product(t16, t36) * t17;
-    let motor_omega_dot = t5 * t35 * inverse_motor_inertia;
     let motor_i_ra_dot = (t36 * t14).sub_product(t16, motor_i_rb_dot);
     let motor_i_sb_dot = (t25 * t9).sub_product(t11, motor_i_ra_dot).sub_product(t10,
         motor_i_rb_dot);
@@ -484,11 +484,11 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t53 = (-(t46 * (motor_i_sa_times_sin_motor_theta - motor_i_sb_times_cos_motor_theta)))
         .add_product(t48, motor_i_sa_dot).add_product(t49, motor_i_sb_dot).add_product(t52,
         motor_i_ra_dot).sub_product(t10, t50).sub_product(t11, t51);
+    let motor_omega_dot_by_motor_supply_frequency = -(t44 * t35 * inverse_motor_inertia);
     let motor_i_rb_dot_by_motor_supply_frequency = (-(t46 * (motor_i_sa_times_cos_motor_theta
         + motor_i_sb_times_sin_motor_theta)).add_product(t49, motor_i_sa_dot)).add_product(t48,
         motor_i_sb_dot).add_product(t52, motor_i_rb_dot).add_product(t11, t50).sub_product(t10, t51)
         .sub_product(t16, t53) * t17;
-    let motor_omega_dot_by_motor_supply_frequency = -(t44 * t35 * inverse_motor_inertia);
     let motor_i_ra_dot_by_motor_supply_frequency = (t53 * t14).sub_product(t16,
         motor_i_rb_dot_by_motor_supply_frequency);
     let motor_i_sb_dot_by_motor_supply_frequency = (t51 * t9).sub_product(t11,
@@ -524,15 +524,15 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         cos_motor_theta).add_product(motor_i_sb_times_motor_theta, sin_motor_theta)
         - motor_i_sb_times_cos_motor_theta)).add_product(t57, motor_i_sa_dot).sub_product(t58,
         motor_i_sb_dot).sub_product(t10, t59).sub_product(t11, t60);
+    let motor_omega_dot_by_motor_pole_pairs = t5 * (motor_across * cos_motor_theta)
+        .sub_product(motor_theta * motor_along, cos_motor_theta).sub_product(motor_theta
+        * motor_across, sin_motor_theta).sub_product(motor_along, sin_motor_theta)
+        * inverse_motor_inertia;
     let motor_i_rb_dot_by_motor_pole_pairs = (-(t20 * ((-motor_i_sa_times_cos_motor_theta)
         .add_product(motor_i_sa_times_motor_theta, sin_motor_theta)
         .sub_product(motor_i_sb_times_motor_theta, cos_motor_theta)
         - motor_i_sb_times_sin_motor_theta))).add_product(t58, motor_i_sa_dot).add_product(t57,
         motor_i_sb_dot).add_product(t11, t59).sub_product(t10, t60).sub_product(t16, t61) * t17;
-    let motor_omega_dot_by_motor_pole_pairs = t5 * (motor_across * cos_motor_theta)
-        .sub_product(motor_theta * motor_along, cos_motor_theta).sub_product(motor_theta
-        * motor_across, sin_motor_theta).sub_product(motor_along, sin_motor_theta)
-        * inverse_motor_inertia;
     let motor_i_ra_dot_by_motor_pole_pairs = (t61 * t14).sub_product(t16,
         motor_i_rb_dot_by_motor_pole_pairs);
     let motor_i_sb_dot_by_motor_pole_pairs = (t60 * t9).sub_product(t11,
@@ -553,11 +553,11 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t71 = (t65 * (t32.add_product(t64, motor_i_ra) - t28 - t30)).sub_product(t66,
         motor_i_sa_dot).sub_product(t67, motor_i_sb_dot).sub_product(t70, motor_i_ra_dot)
         .sub_product(t10, t68).sub_product(t11, t69);
+    let motor_omega_dot_by_motor_k_s = t4 * t35 * inverse_motor_inertia;
     let motor_i_rb_dot_by_motor_k_s = (t65 * (t31 * cos_motor_theta).add_product(t27,
         sin_motor_theta).add_product(t64, motor_i_rb).sub_product(t29, motor_i_rb))
         .add_product(t67, motor_i_sa_dot).sub_product(t66, motor_i_sb_dot).sub_product(t70,
         motor_i_rb_dot).add_product(t11, t68).sub_product(t10, t69).sub_product(t16, t71) * t17;
-    let motor_omega_dot_by_motor_k_s = t4 * t35 * inverse_motor_inertia;
     let motor_i_ra_dot_by_motor_k_s = (t71 * t14).sub_product(t16, motor_i_rb_dot_by_motor_k_s);
     let motor_i_sb_dot_by_motor_k_s = (t69 * t9).sub_product(t11, motor_i_ra_dot_by_motor_k_s)
         .sub_product(t10, motor_i_rb_dot_by_motor_k_s);
@@ -593,11 +593,11 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t88 = (R::literal(2.0) * p.motor_k_s / motor_k_r_times_motor_omega_0 * t33)
         .sub_product(t83, motor_i_sa_dot).sub_product(t84, motor_i_sb_dot).sub_product(t87,
         motor_i_ra_dot).sub_product(t10, t85).add_product(t11, t86);
+    let motor_omega_dot_by_motor_x_s = t80 * t35 * inverse_motor_inertia;
     let motor_i_rb_dot_by_motor_x_s = (-(t37 * p.motor_alpha_r * motor_sigma / p.motor_k_r
         * motor_i_rb)).add_product(t81, t34).add_product(t84, motor_i_sa_dot).sub_product(t83,
         motor_i_sb_dot).sub_product(t87, motor_i_rb_dot).add_product(t11, t85).add_product(t10, t86)
         .sub_product(t16, t88) * t17;
-    let motor_omega_dot_by_motor_x_s = t80 * t35 * inverse_motor_inertia;
     let motor_i_ra_dot_by_motor_x_s = (t88 * t14).sub_product(t16, motor_i_rb_dot_by_motor_x_s);
     let motor_i_sb_dot_by_motor_x_s = -(t86 * t9).add_product(t11, motor_i_ra_dot_by_motor_x_s)
         .add_product(t10, motor_i_rb_dot_by_motor_x_s);
@@ -786,11 +786,11 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
         sin_motor_theta).sub_product(t21 * motor_i_sb * motor_omega, cos_motor_theta)
         .sub_product(R::literal(0.75) * p.motor_alpha_r * motor_omega_0, motor_i_ra))
         .sub_product(t10, t19).sub_product(t11, t20);
+    let motor_omega_dot = t23 * (R::literal(1.0) / p.motor_inertia);
     let motor_i_rb_dot = (-(t22 * motor_i_rb)).add_product(t18, (p.motor_pole_pairs * motor_i_sa
         * cos_motor_theta).add_product(p.motor_pole_pairs * motor_i_sb, sin_motor_theta))
         .add_product(t11, t19).sub_product(t10, t20).sub_product(t16, t24) * (R::literal(1.0)
         / (t8 - t13 - t12).sub_product(t16, t15));
-    let motor_omega_dot = t23 * (R::literal(1.0) / p.motor_inertia);
     let motor_i_ra_dot = (t24 * t14).sub_product(t16, motor_i_rb_dot);
     let motor_i_sb_dot = (t20 * t9).sub_product(t11, motor_i_ra_dot).sub_product(t10,
         motor_i_rb_dot);

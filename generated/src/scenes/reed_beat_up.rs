@@ -101,8 +101,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
 ::machinist_contract::constants! {
     inverse_shaft_driven_field_inertia, inverse_shaft_reed_field_inertia,
-    inverse_shaft_middle_field_inertia, t0, shaft_driven_dot_dot_by_shaft_driven, t1,
-    shaft_reed_dot_dot_by_shaft_reed, reed_speed_dot_by_shaft_reed, reed_speed_dot_by_reed_angle
+    inverse_shaft_middle_field_inertia, t0, shaft_driven_dot_dot_by_shaft_driven,
+    reed_speed_dot_by_shaft_reed, t1, shaft_reed_dot_dot_by_shaft_reed, reed_speed_dot_by_reed_angle
 }
 
 ::machinist_contract::field_scene! {
@@ -127,13 +127,13 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t0 = R::literal(1.0) / (p.reed_mass * (p.reed_arm * p.reed_arm));
     let shaft_driven_dot_dot_by_shaft_driven = p.drive_stiffness * (R::literal(-1.0)
         / p.shaft_driven_field_inertia);
+    let reed_speed_dot_by_shaft_reed = p.reed_stiffness * t0;
     let t1 = p.reed_stiffness * inverse_shaft_reed_field_inertia;
     let shaft_reed_dot_dot_by_shaft_reed = -t1;
-    let reed_speed_dot_by_shaft_reed = p.reed_stiffness * t0;
     let reed_speed_dot_by_reed_angle = -((p.reed_stiffness + p.fell_stiffness) * t0);
     Constants { inverse_shaft_driven_field_inertia, inverse_shaft_reed_field_inertia,
-        inverse_shaft_middle_field_inertia, t0, shaft_driven_dot_dot_by_shaft_driven, t1,
-        shaft_reed_dot_dot_by_shaft_reed, reed_speed_dot_by_shaft_reed,
+        inverse_shaft_middle_field_inertia, t0, shaft_driven_dot_dot_by_shaft_driven,
+        reed_speed_dot_by_shaft_reed, t1, shaft_reed_dot_dot_by_shaft_reed,
         reed_speed_dot_by_reed_angle }
 }
 
@@ -160,11 +160,11 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let fell_torque = p.fell_stiffness * reed_angle;
     let drive_angle = p.drive_amplitude * (p.drive_frequency * time).sin();
     let t0 = p.reed_stiffness * (shaft_reed - reed_angle);
+    let reed_speed_dot = (t0 - fell_torque) * c.t0;
+    let shaft_middle_dot_dot = p.shaft_middle_field_force * c.inverse_shaft_middle_field_inertia;
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0) * c.inverse_shaft_reed_field_inertia;
     let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.drive_stiffness,
         shaft_driven - drive_angle) * c.inverse_shaft_driven_field_inertia;
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0) * c.inverse_shaft_reed_field_inertia;
-    let shaft_middle_dot_dot = p.shaft_middle_field_force * c.inverse_shaft_middle_field_inertia;
-    let reed_speed_dot = (t0 - fell_torque) * c.t0;
     [shaft_driven_dot, shaft_reed_dot, shaft_middle_dot, reed_speed, shaft_driven_dot_dot,
         shaft_reed_dot_dot, shaft_middle_dot_dot, reed_speed_dot]
 }
@@ -215,11 +215,11 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t0 = R::literal(1.0) / (p.reed_mass * reed_arm_squared);
     let shaft_reed_minus_reed_angle = shaft_reed - reed_angle;
     let t1 = p.reed_stiffness * shaft_reed_minus_reed_angle;
+    let reed_speed_dot = (t1 - fell_torque) * t0;
+    let shaft_middle_dot_dot = p.shaft_middle_field_force * inverse_shaft_middle_field_inertia;
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t1) * inverse_shaft_reed_field_inertia;
     let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.drive_stiffness,
         shaft_driven - drive_angle) * inverse_shaft_driven_field_inertia;
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t1) * inverse_shaft_reed_field_inertia;
-    let shaft_middle_dot_dot = p.shaft_middle_field_force * inverse_shaft_middle_field_inertia;
-    let reed_speed_dot = (t1 - fell_torque) * t0;
     let shaft_driven_dot_dot_by_drive_stiffness = (drive_angle - shaft_driven)
         * inverse_shaft_driven_field_inertia;
     let shaft_driven_dot_dot_by_drive_amplitude = p.drive_stiffness
@@ -229,9 +229,9 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let reed_speed_dot_by_reed_mass = -(reed_arm_squared * reed_speed_dot * t0);
     let reed_speed_dot_by_reed_arm = R::literal(-2.0) * p.reed_mass * p.reed_arm * reed_speed_dot
         * t0;
+    let reed_speed_dot_by_reed_stiffness = shaft_reed_minus_reed_angle * t0;
     let shaft_reed_dot_dot_by_reed_stiffness = (reed_angle - shaft_reed)
         * inverse_shaft_reed_field_inertia;
-    let reed_speed_dot_by_reed_stiffness = shaft_reed_minus_reed_angle * t0;
     let reed_speed_dot_by_fell_stiffness = -(reed_angle * t0);
     let shaft_driven_dot_dot_by_shaft_driven_field_inertia = -(shaft_driven_dot_dot
         * inverse_shaft_driven_field_inertia);
@@ -315,13 +315,13 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let shaft_driven_minus_drive_angle = shaft_driven - drive_angle;
     let t0 = p.drive_stiffness * shaft_driven_minus_drive_angle;
     let t1 = p.reed_stiffness * (shaft_reed - reed_angle);
-    let shaft_driven_dot_dot = (p.shaft_driven_field_force - t0) * (R::literal(1.0)
-        / p.shaft_driven_field_inertia);
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t1) * (R::literal(1.0)
-        / p.shaft_reed_field_inertia);
+    let reed_speed_dot = (t1 - fell_torque) * (R::literal(1.0) / reed_mass_times_reed_arm_squared);
     let shaft_middle_dot_dot = p.shaft_middle_field_force * (R::literal(1.0)
         / p.shaft_middle_field_inertia);
-    let reed_speed_dot = (t1 - fell_torque) * (R::literal(1.0) / reed_mass_times_reed_arm_squared);
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t1) * (R::literal(1.0)
+        / p.shaft_reed_field_inertia);
+    let shaft_driven_dot_dot = (p.shaft_driven_field_force - t0) * (R::literal(1.0)
+        / p.shaft_driven_field_inertia);
     let t2 = p.drive_stiffness * p.drive_amplitude * p.drive_frequency
         * shaft_driven_minus_drive_angle * cos_drive_frequency_times_time;
     PowerBalance {

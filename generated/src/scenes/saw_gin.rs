@@ -105,9 +105,9 @@ use ::machinist_contract::{
 ::machinist_contract::constants! {
     motor_omega_0, motor_u_x, motor_u_y, t1, t2, t3, inverse_load_standstill_band,
     inverse_motor_inertia, inverse_cylinder_inertia, t4, t5, motor_alpha_s_times_motor_omega_0,
-    motor_alpha_r_times_motor_omega_0, motor_omega_dot_by_coupling_twist,
-    cylinder_omega_dot_by_coupling_twist, motor_omega_dot_by_motor_omega,
-    cylinder_omega_dot_by_motor_omega, t6, motor_omega_dot_by_cylinder_omega,
+    motor_alpha_r_times_motor_omega_0, cylinder_omega_dot_by_coupling_twist,
+    motor_omega_dot_by_coupling_twist, cylinder_omega_dot_by_motor_omega,
+    motor_omega_dot_by_motor_omega, t6, motor_omega_dot_by_cylinder_omega,
     coupling_twist_dot_by_cylinder_omega, motor_psi_sx_dot_by_motor_psi_sx,
     motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
     motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx
@@ -135,10 +135,10 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t5 = p.coupling_damping * p.coupling_ratio;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let motor_omega_dot_by_coupling_twist = -(p.coupling_stiffness * inverse_motor_inertia);
     let cylinder_omega_dot_by_coupling_twist = t4 * inverse_cylinder_inertia;
-    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
+    let motor_omega_dot_by_coupling_twist = -(p.coupling_stiffness * inverse_motor_inertia);
     let cylinder_omega_dot_by_motor_omega = t5 * inverse_cylinder_inertia;
+    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let t6 = p.coupling_damping * (p.coupling_ratio * p.coupling_ratio);
     let motor_omega_dot_by_cylinder_omega = t5 * inverse_motor_inertia;
     let coupling_twist_dot_by_cylinder_omega = -p.coupling_ratio;
@@ -149,9 +149,9 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let motor_psi_rx_dot_by_motor_psi_rx = -motor_alpha_r_times_motor_omega_0;
     Constants { motor_omega_0, motor_u_x, motor_u_y, t1, t2, t3, inverse_load_standstill_band,
         inverse_motor_inertia, inverse_cylinder_inertia, t4, t5, motor_alpha_s_times_motor_omega_0,
-        motor_alpha_r_times_motor_omega_0, motor_omega_dot_by_coupling_twist,
-        cylinder_omega_dot_by_coupling_twist, motor_omega_dot_by_motor_omega,
-        cylinder_omega_dot_by_motor_omega, t6, motor_omega_dot_by_cylinder_omega,
+        motor_alpha_r_times_motor_omega_0, cylinder_omega_dot_by_coupling_twist,
+        motor_omega_dot_by_coupling_twist, cylinder_omega_dot_by_motor_omega,
+        motor_omega_dot_by_motor_omega, t6, motor_omega_dot_by_cylinder_omega,
         coupling_twist_dot_by_cylinder_omega, motor_psi_sx_dot_by_motor_psi_sx,
         motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
         motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx }
@@ -186,9 +186,9 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let motor_torque = c.t2 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let load_resistance = load_engagement * p.load_mean.add_product(p.load_amplitude, p.load_phase
         .add_product(c.t3, time).sin()) * (c.inverse_load_standstill_band * cylinder_omega).tanh();
-    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let cylinder_omega_dot = ((c.t4 * coupling_twist).add_product(c.t5, coupling_twist_rate)
         - load_resistance) * c.inverse_cylinder_inertia;
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot = c.motor_u_x.add_product(c.motor_omega_0, motor_psi_sy)
         .sub_product(c.motor_alpha_s_times_motor_omega_0, motor_psi_sx.sub_product(p.motor_k_r,
         motor_psi_rx));
@@ -307,10 +307,10 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let load_resistance = load_engagement * t10 * t11;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
         .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate) - load_resistance)
         * inverse_cylinder_inertia;
+    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let t12 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
@@ -355,18 +355,18 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         .add_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t12;
     let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t13;
-    let motor_omega_dot_by_coupling_stiffness = -(coupling_twist * inverse_motor_inertia);
     let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
         * inverse_cylinder_inertia;
-    let motor_omega_dot_by_coupling_damping = (coupling_ratio_times_cylinder_omega - motor_omega)
-        * inverse_motor_inertia;
+    let motor_omega_dot_by_coupling_stiffness = -(coupling_twist * inverse_motor_inertia);
     let cylinder_omega_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * inverse_cylinder_inertia;
-    let motor_omega_dot_by_coupling_ratio = p.coupling_damping * cylinder_omega
+    let motor_omega_dot_by_coupling_damping = (coupling_ratio_times_cylinder_omega - motor_omega)
         * inverse_motor_inertia;
     let cylinder_omega_dot_by_coupling_ratio = t4.add_product(p.coupling_damping, motor_omega)
         .sub_product(R::literal(2.0) * p.coupling_damping * p.coupling_ratio, cylinder_omega)
         * inverse_cylinder_inertia;
+    let motor_omega_dot_by_coupling_ratio = p.coupling_damping * cylinder_omega
+        * inverse_motor_inertia;
     let coupling_twist_dot_by_coupling_ratio = -cylinder_omega;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot * inverse_cylinder_inertia);
     let cylinder_omega_dot_by_load_mean = -(load_engagement * t11 * inverse_cylinder_inertia);
@@ -525,10 +525,10 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let load_resistance = load_engagement * p.load_mean.add_product(p.load_amplitude, t0)
         * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let t7 = p.coupling_damping * p.coupling_ratio;
-    let motor_omega_dot = (motor_torque - coupling_torque) * (R::literal(1.0) / p.motor_inertia);
     let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
         .add_product(t7, coupling_twist_rate) - load_resistance) * (R::literal(1.0)
         / p.cylinder_inertia);
+    let motor_omega_dot = (motor_torque - coupling_torque) * (R::literal(1.0) / p.motor_inertia);
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_psi_sx_dot = motor_u_x.add_product(motor_omega_0, motor_psi_sy)
         .sub_product(motor_alpha_s_times_motor_omega_0, t3);
@@ -638,8 +638,8 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let t46 = coupling_twist_rate * t45;
     let t47 = t44 + t46;
     let t48 = t47 - load_resistance;
-    let motor_omega_dot = t42 * t40;
     let cylinder_omega_dot = t48 * t41;
+    let motor_omega_dot = t42 * t40;
     let t49 = p.motor_alpha_s * motor_omega_0;
     let t50 = t14 * t49;
     let t51 = motor_psi_sy * motor_omega_0;
@@ -703,8 +703,8 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         let t42_k = t22_k.mul_add(t26, -coupling_torque_k);
         let t47_k = coupling_twist_rate_k.mul_add(t45, coupling_twist_k * t43);
         let t48_k = t47_k - load_resistance_k;
-        let motor_omega_dot_k = t42_k * t40;
         let cylinder_omega_dot_k = t48_k * t41;
+        let motor_omega_dot_k = t42_k * t40;
         let motor_psi_sx_dot_k = (-t14_k).mul_add(t49, motor_psi_sy_k * motor_omega_0);
         let t55_k = -motor_psi_sx_k * motor_omega_0;
         let motor_psi_sy_dot_k = (-t17_k).mul_add(t49, t55_k);

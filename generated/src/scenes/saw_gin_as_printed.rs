@@ -100,11 +100,11 @@ use ::machinist_contract::{
     t0, t1, t2, t3, inverse_load_standstill_band, inverse_motor_inertia, inverse_cylinder_inertia, t4,
     t5, motor_omega_0_times_motor_alpha_s, t6, motor_u_m_times_cos_motor_gamma,
     motor_u_m_times_sin_motor_gamma, motor_omega_0_times_motor_alpha_r, t7,
-    motor_omega_dot_by_motor_phi, cylinder_omega_dot_by_motor_phi, motor_omega_dot_by_cylinder_phi,
-    cylinder_omega_dot_by_cylinder_phi, motor_omega_dot_by_motor_omega,
-    cylinder_omega_dot_by_motor_omega, t8, motor_omega_dot_by_cylinder_omega,
-    motor_psi_x1_dot_by_motor_psi_x1, motor_psi_y1_dot_by_motor_psi_x1,
-    motor_psi_x2_dot_by_motor_psi_x2
+    cylinder_omega_dot_by_motor_phi, motor_omega_dot_by_motor_phi,
+    cylinder_omega_dot_by_cylinder_phi, motor_omega_dot_by_cylinder_phi,
+    cylinder_omega_dot_by_motor_omega, motor_omega_dot_by_motor_omega, t8,
+    motor_omega_dot_by_cylinder_omega, motor_psi_x1_dot_by_motor_psi_x1,
+    motor_psi_y1_dot_by_motor_psi_x1, motor_psi_x2_dot_by_motor_psi_x2
 }
 
 /// What `rate` and `rate_jacobian` need of the parameters, once a run. 40 operations.
@@ -129,14 +129,14 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let motor_u_m_times_sin_motor_gamma = p.motor_u_m * sin_motor_gamma;
     let motor_omega_0_times_motor_alpha_r = p.motor_omega_0 * p.motor_alpha_r;
     let t7 = p.motor_omega_0 * p.motor_k_s * p.motor_alpha_r;
-    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let cylinder_omega_dot_by_motor_phi = t4 * inverse_cylinder_inertia;
+    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
-    let motor_omega_dot_by_cylinder_phi = t4 * inverse_motor_inertia;
     let cylinder_omega_dot_by_cylinder_phi = -(p.coupling_stiffness * coupling_ratio_squared
         * inverse_cylinder_inertia);
-    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
+    let motor_omega_dot_by_cylinder_phi = t4 * inverse_motor_inertia;
     let cylinder_omega_dot_by_motor_omega = t5 * inverse_cylinder_inertia;
+    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let t8 = p.coupling_damping * coupling_ratio_squared;
     let motor_omega_dot_by_cylinder_omega = t5 * inverse_motor_inertia;
     let motor_psi_x1_dot_by_motor_psi_x1 = -motor_omega_0_times_motor_alpha_s;
@@ -145,10 +145,10 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     Constants { t0, t1, t2, t3, inverse_load_standstill_band, inverse_motor_inertia,
         inverse_cylinder_inertia, t4, t5, motor_omega_0_times_motor_alpha_s, t6,
         motor_u_m_times_cos_motor_gamma, motor_u_m_times_sin_motor_gamma,
-        motor_omega_0_times_motor_alpha_r, t7, motor_omega_dot_by_motor_phi,
-        cylinder_omega_dot_by_motor_phi, motor_omega_dot_by_cylinder_phi,
-        cylinder_omega_dot_by_cylinder_phi, motor_omega_dot_by_motor_omega,
-        cylinder_omega_dot_by_motor_omega, t8, motor_omega_dot_by_cylinder_omega,
+        motor_omega_0_times_motor_alpha_r, t7, cylinder_omega_dot_by_motor_phi,
+        motor_omega_dot_by_motor_phi, cylinder_omega_dot_by_cylinder_phi,
+        motor_omega_dot_by_cylinder_phi, cylinder_omega_dot_by_motor_omega,
+        motor_omega_dot_by_motor_omega, t8, motor_omega_dot_by_cylinder_omega,
         motor_psi_x1_dot_by_motor_psi_x1, motor_psi_y1_dot_by_motor_psi_x1,
         motor_psi_x2_dot_by_motor_psi_x2 }
 }
@@ -183,9 +183,9 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let motor_torque = c.t2 * (motor_psi_y1 * motor_psi_x2).sub_product(motor_psi_x1, motor_psi_y2);
     let load_resistance = load_engagement * p.load_mean.add_product(p.load_amplitude, p.load_phase
         .add_product(c.t3, time).sin()) * (c.inverse_load_standstill_band * cylinder_omega).tanh();
-    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let cylinder_omega_dot = ((c.t4 * coupling_twist).add_product(c.t5, coupling_twist_rate)
         - load_resistance) * c.inverse_cylinder_inertia;
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let motor_psi_x1_dot = c.motor_u_m_times_cos_motor_gamma.add_product(p.motor_omega_0,
         motor_psi_y1).add_product(c.t6, motor_psi_x2)
         .sub_product(c.motor_omega_0_times_motor_alpha_s, motor_psi_x1);
@@ -299,10 +299,10 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let load_resistance = load_engagement * t8 * t9;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
         .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate) - load_resistance)
         * inverse_cylinder_inertia;
+    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let motor_omega_0_times_motor_alpha_s = p.motor_omega_0 * p.motor_alpha_s;
     let motor_psi_y1_dot_by_motor_gamma = p.motor_u_m * cos_motor_gamma;
     let motor_omega_0_times_motor_alpha_r = p.motor_omega_0 * p.motor_alpha_r;
@@ -345,20 +345,20 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let motor_phi_minus_motor_omega = motor_phi - motor_omega;
     let motor_psi_x2_dot_by_motor_literal = -(motor_psi_y2 * motor_phi_minus_motor_omega);
     let motor_psi_y2_dot_by_motor_literal = motor_psi_x2 * motor_phi_minus_motor_omega;
-    let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_cylinder_phi - motor_phi)
-        * inverse_motor_inertia;
     let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
         * inverse_cylinder_inertia;
-    let motor_omega_dot_by_coupling_damping = (coupling_ratio_times_cylinder_omega - motor_omega)
+    let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_cylinder_phi - motor_phi)
         * inverse_motor_inertia;
     let cylinder_omega_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * inverse_cylinder_inertia;
-    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * cylinder_phi)
-        .add_product(p.coupling_damping, cylinder_omega) * inverse_motor_inertia;
+    let motor_omega_dot_by_coupling_damping = (coupling_ratio_times_cylinder_omega - motor_omega)
+        * inverse_motor_inertia;
     let cylinder_omega_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
         .add_product(p.coupling_damping, motor_omega).sub_product(R::literal(2.0)
         * p.coupling_stiffness * p.coupling_ratio, cylinder_phi).sub_product(R::literal(2.0)
         * p.coupling_damping * p.coupling_ratio, cylinder_omega) * inverse_cylinder_inertia;
+    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * cylinder_phi)
+        .add_product(p.coupling_damping, cylinder_omega) * inverse_motor_inertia;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot * inverse_cylinder_inertia);
     let cylinder_omega_dot_by_load_mean = -(load_engagement * t9 * inverse_cylinder_inertia);
     let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t9
@@ -479,9 +479,9 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
         * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let t1 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
     let t2 = p.coupling_damping * p.coupling_ratio;
-    let motor_omega_dot = (motor_torque - coupling_torque) * (R::literal(1.0) / p.motor_inertia);
     let cylinder_omega_dot = (t1.add_product(t2, coupling_twist_rate) - load_resistance)
         * (R::literal(1.0) / p.cylinder_inertia);
+    let motor_omega_dot = (motor_torque - coupling_torque) * (R::literal(1.0) / p.motor_inertia);
     PowerBalance {
         stored_rate: (t0 * motor_omega).sub_product(t1, cylinder_omega).add_product(p.motor_inertia
             * motor_omega, motor_omega_dot).add_product(p.cylinder_inertia * cylinder_omega,
@@ -558,8 +558,8 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let t39 = coupling_twist_rate * t38;
     let t40 = t37 + t39;
     let t41 = t40 - load_resistance;
-    let motor_omega_dot = t35 * t33;
     let cylinder_omega_dot = t41 * t34;
+    let motor_omega_dot = t35 * t33;
     let t42 = p.motor_omega_0 * p.motor_alpha_s;
     let t43 = motor_psi_x1 * t42;
     let t44 = motor_psi_y1 * p.motor_omega_0;
@@ -640,8 +640,8 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         let t35_k = t14_k.mul_add(t19, -coupling_torque_k);
         let t40_k = coupling_twist_rate_k.mul_add(t38, coupling_twist_k * t36);
         let t41_k = t40_k - load_resistance_k;
-        let motor_omega_dot_k = t35_k * t33;
         let cylinder_omega_dot_k = t41_k * t34;
+        let motor_omega_dot_k = t35_k * t33;
         let t51_k = motor_psi_x2_k.mul_add(t46, motor_psi_y1_k * p.motor_omega_0);
         let motor_psi_x1_dot_k = (-motor_psi_x1_k).mul_add(t42, t51_k);
         let t58_k = (-motor_psi_x1_k).mul_add(p.motor_omega_0, motor_psi_y2_k * t46);

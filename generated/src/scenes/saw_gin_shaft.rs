@@ -111,11 +111,11 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 ::machinist_contract::constants! {
     motor_omega_0, motor_u_x, motor_u_y, t1, inverse_motor_inertia, inverse_saws_driven_field_inertia,
     inverse_saws_end_field_inertia, t2, t3, motor_alpha_s_times_motor_omega_0,
-    motor_alpha_r_times_motor_omega_0, motor_omega_dot_by_motor_phi,
-    saws_driven_dot_dot_by_motor_phi, motor_omega_dot_by_saws_driven,
-    saws_driven_dot_dot_by_saws_driven, motor_omega_dot_by_motor_omega,
-    saws_driven_dot_dot_by_motor_omega, motor_omega_dot_by_saws_driven_dot,
-    saws_driven_dot_dot_by_saws_driven_dot, motor_psi_sx_dot_by_motor_psi_sx,
+    motor_alpha_r_times_motor_omega_0, saws_driven_dot_dot_by_motor_phi,
+    motor_omega_dot_by_motor_phi, saws_driven_dot_dot_by_saws_driven,
+    motor_omega_dot_by_saws_driven, saws_driven_dot_dot_by_motor_omega,
+    motor_omega_dot_by_motor_omega, saws_driven_dot_dot_by_saws_driven_dot,
+    motor_omega_dot_by_saws_driven_dot, motor_psi_sx_dot_by_motor_psi_sx,
     motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
     motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx
 }
@@ -150,17 +150,17 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t3 = p.coupling_damping * p.coupling_ratio;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let saws_driven_dot_dot_by_motor_phi = t2 * inverse_saws_driven_field_inertia;
+    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
-    let motor_omega_dot_by_saws_driven = t2 * inverse_motor_inertia;
     let saws_driven_dot_dot_by_saws_driven = -(p.coupling_stiffness * coupling_ratio_squared
         * inverse_saws_driven_field_inertia);
-    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
+    let motor_omega_dot_by_saws_driven = t2 * inverse_motor_inertia;
     let saws_driven_dot_dot_by_motor_omega = t3 * inverse_saws_driven_field_inertia;
-    let motor_omega_dot_by_saws_driven_dot = t3 * inverse_motor_inertia;
+    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let saws_driven_dot_dot_by_saws_driven_dot = -(p.coupling_damping * coupling_ratio_squared
         * inverse_saws_driven_field_inertia);
+    let motor_omega_dot_by_saws_driven_dot = t3 * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_psi_sx = -motor_alpha_s_times_motor_omega_0;
     let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
@@ -169,10 +169,10 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     Constants { motor_omega_0, motor_u_x, motor_u_y, t1, inverse_motor_inertia,
         inverse_saws_driven_field_inertia, inverse_saws_end_field_inertia, t2, t3,
         motor_alpha_s_times_motor_omega_0, motor_alpha_r_times_motor_omega_0,
-        motor_omega_dot_by_motor_phi, saws_driven_dot_dot_by_motor_phi,
-        motor_omega_dot_by_saws_driven, saws_driven_dot_dot_by_saws_driven,
-        motor_omega_dot_by_motor_omega, saws_driven_dot_dot_by_motor_omega,
-        motor_omega_dot_by_saws_driven_dot, saws_driven_dot_dot_by_saws_driven_dot,
+        saws_driven_dot_dot_by_motor_phi, motor_omega_dot_by_motor_phi,
+        saws_driven_dot_dot_by_saws_driven, motor_omega_dot_by_saws_driven,
+        saws_driven_dot_dot_by_motor_omega, motor_omega_dot_by_motor_omega,
+        saws_driven_dot_dot_by_saws_driven_dot, motor_omega_dot_by_saws_driven_dot,
         motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
         motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
         motor_psi_rx_dot_by_motor_psi_rx }
@@ -204,10 +204,10 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
     let motor_torque = c.t1 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
-    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
+    let saws_end_dot_dot = p.saws_end_field_force * c.inverse_saws_end_field_inertia;
     let saws_driven_dot_dot = p.saws_driven_field_force.add_product(c.t2, coupling_twist)
         .add_product(c.t3, coupling_twist_rate) * c.inverse_saws_driven_field_inertia;
-    let saws_end_dot_dot = p.saws_end_field_force * c.inverse_saws_end_field_inertia;
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot = c.motor_u_x.add_product(c.motor_omega_0, motor_psi_sy)
         .sub_product(c.motor_alpha_s_times_motor_omega_0, motor_psi_sx.sub_product(p.motor_k_r,
         motor_psi_rx));
@@ -308,11 +308,11 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_saws_driven_field_inertia = R::literal(1.0) / p.saws_driven_field_inertia;
     let inverse_saws_end_field_inertia = R::literal(1.0) / p.saws_end_field_inertia;
-    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
+    let saws_end_dot_dot = p.saws_end_field_force * inverse_saws_end_field_inertia;
     let saws_driven_dot_dot = p.saws_driven_field_force.add_product(p.coupling_stiffness
         * p.coupling_ratio, coupling_twist).add_product(p.coupling_damping * p.coupling_ratio,
         coupling_twist_rate) * inverse_saws_driven_field_inertia;
-    let saws_end_dot_dot = p.saws_end_field_force * inverse_saws_end_field_inertia;
+    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let t4 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
@@ -357,21 +357,21 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
         .add_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t4;
     let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t5;
-    let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_saws_driven - motor_phi)
-        * inverse_motor_inertia;
     let saws_driven_dot_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
         * inverse_saws_driven_field_inertia;
-    let motor_omega_dot_by_coupling_damping = (coupling_ratio_times_saws_driven_dot - motor_omega)
+    let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_saws_driven - motor_phi)
         * inverse_motor_inertia;
     let saws_driven_dot_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * inverse_saws_driven_field_inertia;
-    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * saws_driven)
-        .add_product(p.coupling_damping, saws_driven_dot) * inverse_motor_inertia;
+    let motor_omega_dot_by_coupling_damping = (coupling_ratio_times_saws_driven_dot - motor_omega)
+        * inverse_motor_inertia;
     let saws_driven_dot_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
         .add_product(p.coupling_damping, motor_omega).sub_product(R::literal(2.0)
         * p.coupling_stiffness * p.coupling_ratio, saws_driven).sub_product(R::literal(2.0)
         * p.coupling_damping * p.coupling_ratio, saws_driven_dot)
         * inverse_saws_driven_field_inertia;
+    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * saws_driven)
+        .add_product(p.coupling_damping, saws_driven_dot) * inverse_motor_inertia;
     let saws_driven_dot_dot_by_saws_driven_field_inertia = -(saws_driven_dot_dot
         * inverse_saws_driven_field_inertia);
     let saws_end_dot_dot_by_saws_end_field_inertia = -(saws_end_dot_dot
@@ -487,10 +487,10 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
         motor_psi_ry);
     let t6 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
     let t7 = p.coupling_damping * p.coupling_ratio;
-    let motor_omega_dot = (motor_torque - coupling_torque) * (R::literal(1.0) / p.motor_inertia);
+    let saws_end_dot_dot = p.saws_end_field_force * (R::literal(1.0) / p.saws_end_field_inertia);
     let saws_driven_dot_dot = (p.saws_driven_field_force + t6).add_product(t7, coupling_twist_rate)
         * (R::literal(1.0) / p.saws_driven_field_inertia);
-    let saws_end_dot_dot = p.saws_end_field_force * (R::literal(1.0) / p.saws_end_field_inertia);
+    let motor_omega_dot = (motor_torque - coupling_torque) * (R::literal(1.0) / p.motor_inertia);
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_psi_sx_dot = motor_u_x.add_product(motor_omega_0, motor_psi_sy)
         .sub_product(motor_alpha_s_times_motor_omega_0, t2);

@@ -119,8 +119,8 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; STATES] {
     let [_, _, shaft_start_dot, shaft_end_dot] = *state;
-    let shaft_start_dot_dot = p.shaft_start_field_force * c.t0;
     let shaft_end_dot_dot = p.shaft_end_field_force * c.t1;
+    let shaft_start_dot_dot = p.shaft_start_field_force * c.t0;
     [shaft_start_dot, shaft_end_dot, shaft_start_dot_dot, shaft_end_dot_dot]
 }
 
@@ -150,9 +150,9 @@ pub fn parameter_jacobian<R: Real>(_time: R, _state: &[R; STATES], p: &Parameter
         + p.shaft_start_field_inertia);
     let shaft_end_dot_dot_by_shaft_end_field_force = R::literal(1.0) / (p.driven_inertia
         + p.shaft_end_field_inertia);
+    let shaft_end_dot_dot = p.shaft_end_field_force * shaft_end_dot_dot_by_shaft_end_field_force;
     let shaft_start_dot_dot = p.shaft_start_field_force
         * shaft_start_dot_dot_by_shaft_start_field_force;
-    let shaft_end_dot_dot = p.shaft_end_field_force * shaft_end_dot_dot_by_shaft_end_field_force;
     let shaft_end_dot_dot_by_driven_inertia = -(shaft_end_dot_dot
         * shaft_end_dot_dot_by_shaft_end_field_force);
     let shaft_start_dot_dot_by_driving_inertia = -(shaft_start_dot_dot
@@ -198,10 +198,10 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
 #[must_use]
 pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [_, _, shaft_start_dot, shaft_end_dot] = *state;
-    let shaft_start_dot_dot = p.shaft_start_field_force * (R::literal(1.0) / (p.driving_inertia
-        + p.shaft_start_field_inertia));
     let shaft_end_dot_dot = p.shaft_end_field_force * (R::literal(1.0) / (p.driven_inertia
         + p.shaft_end_field_inertia));
+    let shaft_start_dot_dot = p.shaft_start_field_force * (R::literal(1.0) / (p.driving_inertia
+        + p.shaft_start_field_inertia));
     PowerBalance {
         stored_rate: ((p.driving_inertia * shaft_start_dot).add_product(shaft_start_dot,
             p.shaft_start_field_inertia) * shaft_start_dot_dot).add_product((p.driven_inertia

@@ -76,10 +76,10 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
 }
 
 ::machinist_contract::constants! {
-    inverse_driver_inertia, inverse_cylinder_inertia, t0, t1, driver_omega_dot_by_coupling_twist,
-    cylinder_omega_dot_by_coupling_twist, driver_omega_dot_by_driver_omega,
-    cylinder_omega_dot_by_driver_omega, driver_omega_dot_by_cylinder_omega,
-    cylinder_omega_dot_by_cylinder_omega, coupling_twist_dot_by_cylinder_omega
+    inverse_driver_inertia, inverse_cylinder_inertia, t0, t1, cylinder_omega_dot_by_coupling_twist,
+    driver_omega_dot_by_coupling_twist, cylinder_omega_dot_by_driver_omega,
+    driver_omega_dot_by_driver_omega, cylinder_omega_dot_by_cylinder_omega,
+    driver_omega_dot_by_cylinder_omega, coupling_twist_dot_by_cylinder_omega
 }
 
 /// What `rate` and `rate_jacobian` need of the parameters, once a run. 16 operations.
@@ -90,18 +90,18 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
     let t0 = p.coupling_stiffness * p.coupling_ratio;
     let t1 = p.coupling_damping * p.coupling_ratio;
-    let driver_omega_dot_by_coupling_twist = -(p.coupling_stiffness * inverse_driver_inertia);
     let cylinder_omega_dot_by_coupling_twist = t0 * inverse_cylinder_inertia;
-    let driver_omega_dot_by_driver_omega = -(p.coupling_damping * inverse_driver_inertia);
+    let driver_omega_dot_by_coupling_twist = -(p.coupling_stiffness * inverse_driver_inertia);
     let cylinder_omega_dot_by_driver_omega = t1 * inverse_cylinder_inertia;
-    let driver_omega_dot_by_cylinder_omega = t1 * inverse_driver_inertia;
+    let driver_omega_dot_by_driver_omega = -(p.coupling_damping * inverse_driver_inertia);
     let cylinder_omega_dot_by_cylinder_omega = -(p.coupling_damping * (p.coupling_ratio
         * p.coupling_ratio) * inverse_cylinder_inertia);
+    let driver_omega_dot_by_cylinder_omega = t1 * inverse_driver_inertia;
     let coupling_twist_dot_by_cylinder_omega = -p.coupling_ratio;
     Constants { inverse_driver_inertia, inverse_cylinder_inertia, t0, t1,
-        driver_omega_dot_by_coupling_twist, cylinder_omega_dot_by_coupling_twist,
-        driver_omega_dot_by_driver_omega, cylinder_omega_dot_by_driver_omega,
-        driver_omega_dot_by_cylinder_omega, cylinder_omega_dot_by_cylinder_omega,
+        cylinder_omega_dot_by_coupling_twist, driver_omega_dot_by_coupling_twist,
+        cylinder_omega_dot_by_driver_omega, driver_omega_dot_by_driver_omega,
+        cylinder_omega_dot_by_cylinder_omega, driver_omega_dot_by_cylinder_omega,
         coupling_twist_dot_by_cylinder_omega }
 }
 
@@ -127,9 +127,9 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let resistance = p.load_torque.add_product(p.load_amplitude, (p.load_frequency * time).sin());
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
-    let driver_omega_dot = (p.drive_torque - coupling_torque) * c.inverse_driver_inertia;
     let cylinder_omega_dot = ((c.t0 * coupling_twist).add_product(c.t1, coupling_twist_rate)
         - resistance) * c.inverse_cylinder_inertia;
+    let driver_omega_dot = (p.drive_torque - coupling_torque) * c.inverse_driver_inertia;
     [coupling_twist_rate, driver_omega_dot, cylinder_omega_dot]
 }
 
@@ -177,28 +177,28 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let coupling_torque = t0.add_product(p.coupling_damping, coupling_twist_rate);
     let inverse_driver_inertia = R::literal(1.0) / p.driver_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let driver_omega_dot = (p.drive_torque - coupling_torque) * inverse_driver_inertia;
     let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
         .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate) - resistance)
         * inverse_cylinder_inertia;
+    let driver_omega_dot = (p.drive_torque - coupling_torque) * inverse_driver_inertia;
     let cylinder_omega_dot_by_load_torque = -inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_amplitude = -(sin_load_frequency_times_time
         * inverse_cylinder_inertia);
     let cylinder_omega_dot_by_load_frequency = -(p.load_amplitude * time
         * cos_load_frequency_times_time * inverse_cylinder_inertia);
     let driver_omega_dot_by_driver_inertia = -(driver_omega_dot * inverse_driver_inertia);
-    let driver_omega_dot_by_coupling_stiffness = -(coupling_twist * inverse_driver_inertia);
     let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
         * inverse_cylinder_inertia;
-    let driver_omega_dot_by_coupling_damping = (coupling_ratio_times_cylinder_omega - driver_omega)
-        * inverse_driver_inertia;
+    let driver_omega_dot_by_coupling_stiffness = -(coupling_twist * inverse_driver_inertia);
     let cylinder_omega_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * inverse_cylinder_inertia;
-    let driver_omega_dot_by_coupling_ratio = p.coupling_damping * cylinder_omega
+    let driver_omega_dot_by_coupling_damping = (coupling_ratio_times_cylinder_omega - driver_omega)
         * inverse_driver_inertia;
     let cylinder_omega_dot_by_coupling_ratio = t0.add_product(p.coupling_damping, driver_omega)
         .sub_product(R::literal(2.0) * p.coupling_damping * p.coupling_ratio, cylinder_omega)
         * inverse_cylinder_inertia;
+    let driver_omega_dot_by_coupling_ratio = p.coupling_damping * cylinder_omega
+        * inverse_driver_inertia;
     let coupling_twist_dot_by_coupling_ratio = -cylinder_omega;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot * inverse_cylinder_inertia);
     [coupling_twist_dot_by_coupling_ratio, inverse_driver_inertia,
@@ -254,11 +254,11 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let t0 = p.coupling_stiffness * coupling_twist;
     let coupling_torque = t0.add_product(p.coupling_damping, coupling_twist_rate);
     let t1 = p.coupling_damping * p.coupling_ratio;
-    let driver_omega_dot = (p.drive_torque - coupling_torque) * (R::literal(1.0)
-        / p.driver_inertia);
     let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
         .add_product(t1, coupling_twist_rate) - resistance) * (R::literal(1.0)
         / p.cylinder_inertia);
+    let driver_omega_dot = (p.drive_torque - coupling_torque) * (R::literal(1.0)
+        / p.driver_inertia);
     PowerBalance {
         stored_rate: (t0 * coupling_twist_rate).add_product(p.driver_inertia * driver_omega,
             driver_omega_dot).add_product(p.cylinder_inertia * cylinder_omega, cylinder_omega_dot),
@@ -299,8 +299,8 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let t13 = coupling_twist_rate * t12;
     let t14 = t11 + t13;
     let t15 = t14 - resistance;
-    let driver_omega_dot = t9 * t7;
     let cylinder_omega_dot = t15 * t8;
+    let driver_omega_dot = t9 * t7;
     let mut t2_before = t2;
     let mut t3_before = t3;
     let mut rates = [coupling_twist_rate, driver_omega_dot, cylinder_omega_dot];
@@ -321,8 +321,8 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         let t9_k = -coupling_torque_k;
         let t14_k = coupling_twist_rate_k.mul_add(t12, coupling_twist_k * t10);
         let t15_k = t14_k - t2_k * p.load_amplitude;
-        let driver_omega_dot_k = t9_k * t7;
         let cylinder_omega_dot_k = t15_k * t8;
+        let driver_omega_dot_k = t9_k * t7;
         t2_before = t2_k;
         t3_before = t3_k;
         rates = [coupling_twist_rate_k, driver_omega_dot_k, cylinder_omega_dot_k];

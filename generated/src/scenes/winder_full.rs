@@ -210,12 +210,12 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let pair_carried = R::select_less(pair_slip, R::literal(-0.5), pair_limit,
         R::select_less(pair_slip, R::literal(0.5), pair_held, R::select_less(layer_closed,
         R::literal(0.5), R::literal(0.0), -pair_friction_times_layer_push)));
+    let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
+        * (pair_carried - pair_resistance)) * (R::literal(1.0) / pair_inertia);
     let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         -t5)).sub_product(c.t8 * holder_v * pair_omega, pair_radius) - (p.holder_preload
         .add_product(p.holder_stiffness, holder_x) + R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -t6))) * (R::literal(1.0) / holder_mass);
-    let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
-        * (pair_carried - pair_resistance)) * (R::literal(1.0) / pair_inertia);
     let layer_surface_dot = R::select_less(layer_closed, R::literal(0.5), c.t9 * layer_swelling,
         layer_compression_rate);
     [holder_v, pair_omega, holder_v_dot, pair_omega_dot, layer_surface_dot, R::literal(0.0),
@@ -328,43 +328,41 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let inverse_pair_inertia = R::literal(1.0) / pair_inertia;
     let t7 = c.t8 * holder_v;
     let t8 = t7 * pair_omega;
+    let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
+        * (pair_carried - pair_resistance)) * inverse_pair_inertia;
     let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         -t4)).sub_product(t8, pair_radius) - (p.holder_preload.add_product(p.holder_stiffness,
         holder_x) + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t5)))
         * inverse_holder_mass;
-    let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
-        * (pair_carried - pair_resistance)) * inverse_pair_inertia;
     let t9 = p.layer_stiffness.add_product(c.t10, layer_compression_squared);
     let t10 = c.t7 * t9 / pair_radius;
     let t11 = p.pair_friction * t9;
     let t12 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), R::literal(1.0));
-    let holder_v_dot_by_holder_x = -((p.holder_stiffness + R::select_less(layer_closed,
-        R::literal(0.5), R::literal(0.0), t9)) * inverse_holder_mass);
     let pair_omega_dot_by_holder_x = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t11, R::select_less(pair_slip,
         R::literal(0.5), -t10, t11)) + t10) * t12) * inverse_pair_inertia;
+    let holder_v_dot_by_holder_x = -((p.holder_stiffness + R::select_less(layer_closed,
+        R::literal(0.5), R::literal(0.0), t9)) * inverse_holder_mass);
     let holder_v_dot_by_pair_phi = -(p.package_force * sin_package_phase_plus_pair_phi
         * inverse_holder_mass);
     let pair_friction_times_pair_radius = p.pair_friction * pair_radius;
-    let holder_v_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        c.minus_layer_viscosity).sub_product(c.t8 * pair_omega, pair_radius) * inverse_holder_mass;
     let pair_omega_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         p.layer_viscosity * (c.t7 + R::select_less(pair_slip, R::literal(-0.5),
         -pair_friction_times_pair_radius, R::select_less(pair_slip, R::literal(0.5), c.t11,
         pair_friction_times_pair_radius))) * t12) * inverse_pair_inertia;
+    let holder_v_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
+        c.minus_layer_viscosity).sub_product(c.t8 * pair_omega, pair_radius) * inverse_holder_mass;
     let layer_surface_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), R::literal(-1.0));
-    let holder_v_dot_by_pair_omega = -(t7 * pair_radius * inverse_holder_mass);
     let pair_omega_dot_by_pair_omega = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0),
         R::literal(-2.0) * pair_growth * pair_inertia * R::select_less(pair_slip, R::literal(-0.5),
         R::literal(0.0), R::literal(1.0)) * R::select_less(pair_slip, R::literal(0.5),
         R::literal(1.0), R::literal(0.0)) / pair_radius) * inverse_pair_inertia;
+    let holder_v_dot_by_pair_omega = -(t7 * pair_radius * inverse_holder_mass);
     let layer_surface_dot_by_layer_surface = R::select_less(layer_closed, R::literal(0.5), c.t9
         * p.layer_stiffness.add_product(c.t10, layer_surface * layer_surface), R::literal(0.0));
     let t13 = t6 / pair_radius_squared;
     let t14 = pair_radius_squared * pair_radius;
-    let holder_v_dot_by_pair_radius = -(t8.add_product(c.t12 * pair_radius, holder_v_dot)
-        * inverse_holder_mass);
     let pair_omega_dot_by_pair_radius = R::select_less(pair_slip, R::literal(-1.5),
         R::literal(0.0), pair_carried.add_product(pair_radius, R::select_less(layer_closed,
         R::literal(0.5), R::literal(0.0), t13) + R::select_less(pair_slip, R::literal(-0.5),
@@ -373,6 +371,8 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         R::literal(0.0), -t13)).sub_product(c.t8 * pair_radius, pair_omega * pair_omega),
         R::literal(0.0)))) - pair_resistance).sub_product(c.t12 * t14, pair_omega_dot)
         * inverse_pair_inertia;
+    let holder_v_dot_by_pair_radius = -(t8.add_product(c.t12 * pair_radius, holder_v_dot)
+        * inverse_holder_mass);
     [R::literal(1.0), R::literal(1.0), holder_v_dot_by_holder_x, holder_v_dot_by_pair_phi,
         holder_v_dot_by_holder_v, holder_v_dot_by_pair_omega, holder_v_dot_by_pair_radius,
         pair_omega_dot_by_holder_x, pair_omega_dot_by_holder_v, pair_omega_dot_by_pair_omega,
@@ -440,12 +440,12 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let inverse_pair_inertia = R::literal(1.0) / pair_inertia;
     let t20 = p.pair_yarn_density * p.pair_thread_area;
+    let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
+        * (pair_carried - pair_resistance)) * inverse_pair_inertia;
     let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         -t17)).sub_product(t20 * holder_v * pair_omega, pair_radius) - (p.holder_preload
         .add_product(p.holder_stiffness, holder_x) + R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -t18))) * inverse_holder_mass;
-    let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
-        * (pair_carried - pair_resistance)) * inverse_pair_inertia;
     let inverse_layer_viscosity = R::literal(1.0) / p.layer_viscosity;
     let t21 = R::literal(3.0) * p.layer_cubic_stiffness;
     let t22 = t21 * layer_compression_squared;
@@ -473,12 +473,12 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         .add_product(p.layer_viscosity, t33);
     let t35 = t19 * t34 / pair_radius;
     let t36 = p.pair_friction * t34;
-    let holder_v_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -t34).sub_product(p.force_amplitude / p.drum_radius * time, t3)
-        * inverse_holder_mass;
     let pair_omega_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t36,
         R::select_less(pair_slip, R::literal(0.5), -t35, t36)) + t35) * t23) * inverse_pair_inertia;
+    let holder_v_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), -t34).sub_product(p.force_amplitude / p.drum_radius * time, t3)
+        * inverse_holder_mass;
     let layer_surface_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -t33);
     let t37 = t14 / p.drum_radius;
@@ -491,12 +491,12 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         .add_product(p.layer_viscosity, t39);
     let t41 = t19 * t40 / pair_radius;
     let t42 = p.pair_friction * t40;
-    let holder_v_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t40).add_product(p.force_amplitude * drum_speed / p.drum_radius * time,
-        t3) * inverse_holder_mass;
     let pair_omega_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t42,
         R::select_less(pair_slip, R::literal(0.5), t41, -t42)) - t41) * t23) * inverse_pair_inertia;
+    let holder_v_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), t40).add_product(p.force_amplitude * drum_speed / p.drum_radius * time,
+        t3) * inverse_holder_mass;
     let layer_surface_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), t39);
     let holder_v_dot_by_force_amplitude = t4 * inverse_holder_mass;
@@ -506,11 +506,11 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         * p.layer_viscosity * drum_speed, t5);
     let t44 = t19 * t43 / pair_radius;
     let t45 = p.pair_friction * t43;
-    let holder_v_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        t43) * inverse_holder_mass;
     let pair_omega_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t45, R::select_less(pair_slip,
         R::literal(0.5), t44, -t45)) - t44) * t23) * inverse_pair_inertia;
+    let holder_v_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
+        t43) * inverse_holder_mass;
     let layer_surface_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -(t1 * t5));
     let t46 = t13 * p.layer_viscosity * drum_speed * t6;
@@ -520,11 +520,11 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t49 = t47 + t46 + t48;
     let t50 = t19 * t49 / pair_radius;
     let t51 = p.pair_friction * t49;
-    let holder_v_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -(t46 + (t47 + t48))) * inverse_holder_mass;
     let pair_omega_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t51,
         R::select_less(pair_slip, R::literal(0.5), -t50, t51)) + t50) * t23) * inverse_pair_inertia;
+    let holder_v_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), -(t46 + (t47 + t48))) * inverse_holder_mass;
     let layer_surface_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -(t14 * t6));
     let t52 = (p.layer_stiffness * cos_drum_speed_times_time).add_product(t22,
@@ -532,11 +532,11 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         sin_drum_speed_times_time);
     let t53 = t19 * t52 / pair_radius;
     let t54 = p.pair_friction * t52;
-    let holder_v_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t52) * inverse_holder_mass;
     let pair_omega_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t54,
         R::select_less(pair_slip, R::literal(0.5), t53, -t54)) - t53) * t23) * inverse_pair_inertia;
+    let holder_v_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), t52) * inverse_holder_mass;
     let layer_surface_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -(drum_speed * sin_drum_speed_times_time));
     let holder_v_dot_by_holder_bobbin_mass = -(holder_v_dot * inverse_holder_mass);
@@ -547,66 +547,66 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let holder_v_dot_by_holder_holder_arm = t12 / (p.holder_holder_arm * p.holder_holder_arm)
         * holder_v_dot * inverse_holder_mass;
     let holder_v_dot_by_holder_stiffness = -(holder_x * inverse_holder_mass);
-    let holder_v_dot_by_holder_preload = (R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), R::literal(1.0)) - R::literal(1.0)) * inverse_holder_mass;
     let pair_omega_dot_by_holder_preload = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0),
         R::select_less(pair_slip, R::literal(-0.5), pair_friction_times_pair_radius,
         R::select_less(pair_slip, R::literal(0.5), t19, t24)) - p.pair_support_arm
         - p.pair_rolling_arm)) * inverse_pair_inertia;
+    let holder_v_dot_by_holder_preload = (R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), R::literal(1.0)) - R::literal(1.0)) * inverse_holder_mass;
     let layer_surface_dot_by_holder_preload = R::select_less(layer_closed, R::literal(0.5),
         -inverse_layer_viscosity, R::literal(0.0));
-    let holder_v_dot_by_layer_stiffness = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), layer_compression) * inverse_holder_mass;
     let pair_omega_dot_by_layer_stiffness = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -(layer_compression * t25 * t23)) * inverse_pair_inertia;
+    let holder_v_dot_by_layer_stiffness = R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), layer_compression) * inverse_holder_mass;
     let layer_surface_dot_by_layer_stiffness = R::select_less(layer_closed, R::literal(0.5),
         -(inverse_layer_viscosity * layer_surface), R::literal(0.0));
     let holder_x_minus_shape = holder_x - shape;
-    let holder_v_dot_by_layer_cubic_stiffness = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t16) * inverse_holder_mass;
     let pair_omega_dot_by_layer_cubic_stiffness = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), t25 * (holder_x_minus_shape * holder_x_minus_shape * holder_x_minus_shape)
         * t23) * inverse_pair_inertia;
+    let holder_v_dot_by_layer_cubic_stiffness = R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), t16) * inverse_holder_mass;
     let layer_surface_dot_by_layer_cubic_stiffness = R::select_less(layer_closed, R::literal(0.5),
         -(inverse_layer_viscosity * t7), R::literal(0.0));
     let t55 = t19 * t15 / pair_radius;
     let t56 = p.pair_friction * t15;
-    let holder_v_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), layer_compression_rate) * inverse_holder_mass;
     let pair_omega_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t56,
         R::select_less(pair_slip, R::literal(0.5), -t55, t56)) + t55) * t23) * inverse_pair_inertia;
+    let holder_v_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), layer_compression_rate) * inverse_holder_mass;
     let layer_surface_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
         R::literal(1.0) / (p.layer_viscosity * p.layer_viscosity) * layer_swelling,
         R::literal(0.0));
     let t57 = pair_bobbin_radius_squared * p.pair_bobbin_radius;
-    let holder_v_dot_by_pair_bobbin_radius = R::literal(core::f64::consts::TAU)
-        * p.pair_bobbin_radius * p.pair_package_width * p.pair_yarn_density * holder_v_dot
-        * inverse_holder_mass;
     let pair_omega_dot_by_pair_bobbin_radius = R::select_less(pair_slip, R::literal(-1.5),
         R::literal(0.0), t20 * t57 * pair_omega_squared * t26 * t27 / pair_radius)
         .add_product(R::literal(core::f64::consts::TAU) * p.pair_package_width
         * p.pair_yarn_density * t57, pair_omega_dot) * inverse_pair_inertia;
-    let holder_v_dot_by_pair_package_width = R::literal(-3.141_592_653_589_793)
-        * p.pair_yarn_density * t9 * holder_v_dot * inverse_holder_mass;
+    let holder_v_dot_by_pair_bobbin_radius = R::literal(core::f64::consts::TAU)
+        * p.pair_bobbin_radius * p.pair_package_width * p.pair_yarn_density * holder_v_dot
+        * inverse_holder_mass;
     let pair_omega_dot_by_pair_package_width = R::select_less(pair_slip, R::literal(-1.5),
         R::literal(0.0), p.pair_bobbin_inertia / p.pair_package_width * pair_omega * pair_growth
         * t26 * t27 / pair_radius).sub_product(R::literal(core::f64::consts::FRAC_PI_2)
         * p.pair_yarn_density * t10, pair_omega_dot) * inverse_pair_inertia;
+    let holder_v_dot_by_pair_package_width = R::literal(-3.141_592_653_589_793)
+        * p.pair_yarn_density * t9 * holder_v_dot * inverse_holder_mass;
     let pair_radius_dot_by_pair_package_width = R::literal(-1.0) / p.pair_package_width
         * pair_growth;
-    let holder_v_dot_by_pair_yarn_density = -((p.pair_thread_area * holder_v * pair_omega
-        * pair_radius).add_product(t8 * t9, holder_v_dot) * inverse_holder_mass);
     let pair_omega_dot_by_pair_yarn_density = R::select_less(pair_slip, R::literal(-1.5),
         R::literal(0.0), R::literal(-0.25) * p.pair_thread_area * t10 * pair_omega_squared * t26
         * t27 / pair_radius).sub_product(t11 * t10, pair_omega_dot) * inverse_pair_inertia;
+    let holder_v_dot_by_pair_yarn_density = -((p.pair_thread_area * holder_v * pair_omega
+        * pair_radius).add_product(t8 * t9, holder_v_dot) * inverse_holder_mass);
     let t58 = R::literal(0.5) / t8;
-    let holder_v_dot_by_pair_thread_area = -(p.pair_yarn_density * holder_v * pair_omega
-        * pair_radius * inverse_holder_mass);
     let pair_omega_dot_by_pair_thread_area = R::select_less(pair_slip, R::literal(-1.5),
         R::literal(0.0), -(t58 * pair_inertia * pair_omega_squared * t26 * t27 / pair_radius))
         * inverse_pair_inertia;
+    let holder_v_dot_by_pair_thread_area = -(p.pair_yarn_density * holder_v * pair_omega
+        * pair_radius * inverse_holder_mass);
     let pair_radius_dot_by_pair_thread_area = t58 * pair_omega;
     let pair_omega_dot_by_pair_bobbin_inertia = (R::select_less(pair_slip, R::literal(-1.5),
         R::literal(0.0), -(pair_omega_times_pair_growth * t26 * t27 / pair_radius))
@@ -680,12 +680,12 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>)
         * drum_speed_squared * cos_drum_speed_times_time).add_product(t6 * drum_speed_squared, t2));
     let t8 = (p.pair_support_arm + p.pair_rolling_arm) * t7 / pair_radius;
     let t9 = p.pair_friction * t7;
-    let holder_v_dot_by_time = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t7)
-        .sub_product(p.force_amplitude * drum_speed, t3) * (R::literal(1.0) / holder_mass);
     let pair_omega_dot_by_time = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t9, R::select_less(pair_slip,
         R::literal(0.5), -t8, t9)) + t8) * R::select_less(pair_slip, R::literal(-1.5),
         R::literal(0.0), R::literal(1.0))) * (R::literal(1.0) / pair_inertia);
+    let holder_v_dot_by_time = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t7)
+        .sub_product(p.force_amplitude * drum_speed, t3) * (R::literal(1.0) / holder_mass);
     let layer_surface_dot_by_time = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         -(drum_speed_squared * t4.add_product(t6, t2)));
     [R::literal(0.0), R::literal(0.0), holder_v_dot_by_time, pair_omega_dot_by_time,
@@ -832,10 +832,10 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
         + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t11);
     let t14 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
         * (pair_carried - pair_resistance));
+    let pair_omega_dot = t14 * (R::literal(1.0) / pair_inertia);
     let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         -t10)).sub_product(t12 * holder_v * pair_omega, pair_radius) - t13) * (R::literal(1.0)
         / holder_mass);
-    let pair_omega_dot = t14 * (R::literal(1.0) / pair_inertia);
     let inverse_layer_viscosity = R::literal(1.0) / p.layer_viscosity;
     let layer_surface_dot = R::select_less(layer_closed, R::literal(0.5), -(inverse_layer_viscosity
         * layer_swelling), layer_compression_rate);
@@ -950,12 +950,12 @@ pub fn guard_rates<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> 
         R::select_less(pair_slip, R::literal(0.5), pair_held, R::select_less(layer_closed,
         R::literal(0.5), R::literal(0.0), -pair_friction_times_layer_push)));
     let t12 = p.pair_yarn_density * p.pair_thread_area;
+    let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
+        * (pair_carried - pair_resistance)) * (R::literal(1.0) / pair_inertia);
     let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         -t8)).sub_product(t12 * holder_v * pair_omega, pair_radius) - (p.holder_preload
         .add_product(p.holder_stiffness, holder_x) + R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -t9))) * (R::literal(1.0) / holder_mass);
-    let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
-        * (pair_carried - pair_resistance)) * (R::literal(1.0) / pair_inertia);
     let layer_surface_dot = R::select_less(layer_closed, R::literal(0.5), R::literal(-1.0)
         / p.layer_viscosity * layer_swelling, layer_compression_rate);
     let t13 = R::literal(3.0) * p.layer_cubic_stiffness;
@@ -1166,8 +1166,8 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let t80 = pair_carried - pair_resistance;
     let t81 = pair_radius * t80;
     let t82 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), t81);
-    let holder_v_dot = t79 * t65;
     let pair_omega_dot = t82 * t66;
+    let holder_v_dot = t79 * t65;
     let t83 = R::literal(-1.0) / p.layer_viscosity;
     let t84 = layer_swelling * t83;
     let layer_surface_dot = R::select_less(layer_closed, R::literal(0.5), t84,
@@ -1254,8 +1254,8 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         let t80_k = pair_carried_k - t58_k;
         let t81_k = pair_radius.mul_add(t80_k, t80.mul_add(pair_radius_k, sums_4[1]));
         let t82_k = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), t81_k);
-        let holder_v_dot_k = t65.mul_add(t79_k, t79.mul_add(t65_k, sums_4[0]));
         let pair_omega_dot_k = t66.mul_add(t82_k, t82.mul_add(t66_k, sums_4[2]));
+        let holder_v_dot_k = t65.mul_add(t79_k, t79.mul_add(t65_k, sums_4[0]));
         let t84_k = layer_swelling_k * t83;
         let layer_surface_dot_k = R::select_less(layer_closed, R::literal(0.5), t84_k,
             layer_compression_rate_k);

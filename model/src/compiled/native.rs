@@ -26,6 +26,7 @@ type Piece = unsafe extern "C" fn(
     *const f64,
     *const f64,
     *const f64,
+    *const f64,
     *mut f64,
     *mut MaybeUninit<f64>,
 );
@@ -46,6 +47,8 @@ pub struct Regions<'a> {
     pub handed: &'a [f64],
     /// What was computed before.
     pub constants: &'a [f64],
+    /// Results of the motion.
+    pub motion: &'a [f64],
 }
 
 /// Machine code of a program.
@@ -174,13 +177,15 @@ impl Code {
     /// If a region is shorter than what the program reads or writes of it.
     #[inline(always)]
     pub fn run(&self, read: &Regions<'_>, results: &mut [f64]) {
-        let Regions { time, state, parameters, handed, constants } = *read;
-        let [of_time, of_state, of_parameters, of_handed, of_constants, of_results] = self.needs;
+        let Regions { time, state, parameters, handed, constants, motion } = *read;
+        let [of_time, of_state, of_parameters, of_handed, of_constants, of_motion, of_results] =
+            self.needs;
         let is_there = time.len() >= of_time
             && state.len() >= of_state
             && parameters.len() >= of_parameters
             && handed.len() >= of_handed
             && constants.len() >= of_constants
+            && motion.len() >= of_motion
             && results.len() >= of_results
             && self.walks.is_none_or(|row| is_walk(parameters, state, row));
         if !is_there {
@@ -206,16 +211,16 @@ impl Code {
 
     #[cold]
     fn refuse(&self, read: &Regions<'_>, results: usize) -> ! {
-        let Regions { time, state, parameters, handed, constants } = *read;
-        let [time, state, parameters, handed, constants] =
-            [time, state, parameters, handed, constants].map(<[f64]>::len);
-        let lengths = [time, state, parameters, handed, constants, results];
+        let Regions { time, state, parameters, handed, constants, motion } = *read;
+        let [time, state, parameters, handed, constants, motion] =
+            [time, state, parameters, handed, constants, motion].map(<[f64]>::len);
+        let lengths = [time, state, parameters, handed, constants, motion, results];
         panic!("there are {lengths:?} numbers of {:?} that are read and written", self.needs);
     }
 
     #[inline(always)]
     fn call(&self, read: &Regions<'_>, results: &mut [f64], room: &mut [MaybeUninit<f64>]) {
-        let Regions { time, state, parameters, handed, constants } = *read;
+        let Regions { time, state, parameters, handed, constants, motion } = *read;
         for piece in &self.pieces {
             // SAFETY: the code reads and writes no entry beyond `needs` and `room`, which
             // the caller has compared with the lengths, nor, if it walks, beyond the rows
@@ -229,6 +234,7 @@ impl Code {
                     parameters.as_ptr(),
                     handed.as_ptr(),
                     constants.as_ptr(),
+                    motion.as_ptr(),
                     results.as_mut_ptr(),
                     room.as_mut_ptr(),
                 );

@@ -97,7 +97,7 @@ impl CompiledSeries {
     pub fn evaluate(&self, inputs: &Inputs<'_>, coefficients: &mut [f64], workspace: &mut [f64]) {
         let Inputs { ref time, state, parameters, handed, .. } = *inputs;
         let time = std::slice::from_ref(time);
-        let read = Regions { time, state, parameters, handed, constants: &[] };
+        let read = Regions { time, state, parameters, handed, constants: &[], motion: &[] };
         self.run(&read, coefficients, workspace);
     }
 

@@ -24,13 +24,15 @@ pub enum Region {
     Handed,
     /// What was computed before.
     Constants,
+    /// Results of the motion.
+    Motion,
     /// What is computed: the only one that is written.
     Results,
 }
 
 impl Region {
     /// How many there are.
-    pub const COUNT: usize = 6;
+    pub const COUNT: usize = 7;
 }
 
 /// One operation.
@@ -192,6 +194,7 @@ impl Straight {
             Op::Parameter(entry) => Step::Read(Region::Parameters, entry),
             Op::Handed(entry) => Step::Read(Region::Handed, entry),
             Op::Constant(entry) => Step::Read(Region::Constants, entry),
+            Op::Motion(entry) => Step::Read(Region::Motion, entry),
             Op::Neg(a) => Step::Neg(of(a)?),
             Op::Add(a, b) => Step::Add(of(a)?, of(b)?),
             Op::Sub(a, b) => Step::Sub(of(a)?, of(b)?),

@@ -102,6 +102,7 @@ impl Builder {
             Op::Literal(_) | Op::Parameter(_) | Op::Handed(_) | Op::Constant(_) => {
                 self.push(Recurrence::Constant(op))
             }
+            Op::Motion(_) => unreachable!("the tapes that series are made of stand by themselves"),
             Op::Time => self.push(Recurrence::Time),
             Op::State(entry) => self.push(Recurrence::State(entry)),
             Op::Neg(a) => self.push(Recurrence::Neg(a)),

@@ -27,6 +27,7 @@ pub(super) struct Read<'a> {
     pub parameters: &'a [f64],
     pub handed: &'a [f64],
     pub constants: &'a [f64],
+    pub motion: &'a [f64],
     pub tables: &'a Arc<[Table]>,
 }
 
@@ -34,13 +35,13 @@ impl Read<'_> {
     #[cfg(feature = "compiled")]
     #[inline(always)]
     fn regions(&self) -> Regions<'_> {
-        let Self { time, state, parameters, handed, constants, .. } = *self;
-        Regions { time, state, parameters, handed, constants }
+        let Self { time, state, parameters, handed, constants, motion, .. } = *self;
+        Regions { time, state, parameters, handed, constants, motion }
     }
 
     fn inputs(&self) -> Inputs<'_> {
-        let Self { time, state, parameters, handed, constants, tables } = *self;
-        Inputs { time: time[0], state, parameters, handed, constants, tables }
+        let Self { time, state, parameters, handed, constants, motion, tables } = *self;
+        Inputs { time: time[0], state, parameters, handed, constants, motion, tables }
     }
 
     /// Runs something for each of so many lanes, with inputs and results of one.
@@ -53,20 +54,22 @@ impl Read<'_> {
         if lanes == 1 {
             return run(&self.inputs(), results);
         }
-        let [state, parameters, handed, constants] =
-            [self.state, self.parameters, self.handed, self.constants].map(<[f64]>::len);
-        let counts =
-            [state, parameters, handed, constants, results.len()].map(|count| count / lanes);
+        let [state, parameters, handed, constants, motion] =
+            [self.state, self.parameters, self.handed, self.constants, self.motion]
+                .map(<[f64]>::len);
+        let counts = [state, parameters, handed, constants, motion, results.len()]
+            .map(|count| count / lanes);
         with_room(counts.iter().sum(), |room| {
             for lane in 0..lanes {
                 let mut rest = &mut *room;
-                let [state, parameters, handed, constants, alone] = counts.map(|count| {
+                let [state, parameters, handed, constants, motion, alone] = counts.map(|count| {
                     let (first, others) = std::mem::take(&mut rest).split_at_mut(count);
                     rest = others;
                     first
                 });
-                let read = [self.state, self.parameters, self.handed, self.constants];
-                let of_lane = [&mut *state, &mut *parameters, &mut *handed, &mut *constants];
+                let read = [self.state, self.parameters, self.handed, self.constants, self.motion];
+                let of_lane =
+                    [&mut *state, &mut *parameters, &mut *handed, &mut *constants, &mut *motion];
                 for (alone, all) in of_lane.into_iter().zip(read) {
                     for (one, all) in alone.iter_mut().zip(all.chunks_exact(lanes)) {
                         *one = all[lane];
@@ -78,6 +81,7 @@ impl Read<'_> {
                     parameters,
                     handed,
                     constants,
+                    motion,
                     tables: self.tables,
                 };
                 run(&inputs, alone);

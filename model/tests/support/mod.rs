@@ -106,7 +106,11 @@ pub fn quantity(path: &str) -> Quantity {
 }
 
 pub fn matrix(rows: usize, columns: usize, entries: &[(u32, u32)], tape: Tape) -> MatrixTape {
-    MatrixTape { pattern: SparsityPattern { rows, columns, entries: entries.to_vec() }, tape }
+    MatrixTape {
+        pattern: SparsityPattern { rows, columns, entries: entries.to_vec() },
+        tape,
+        solve: None,
+    }
 }
 
 /// Writes tapes.
@@ -156,6 +160,7 @@ pub fn model(n: usize, rate: Tape, mass: MatrixTape, forcing: Tape) -> Model {
         quadratures: 0,
         parameters: (0..PARAMETERS).map(parameter).collect(),
         handed: vec![],
+        motion: None,
         wanted: vec![],
         tables: vec![table()],
         run: RunDefaults {

@@ -30,6 +30,8 @@ pub(super) struct Scope<'a> {
     pub(super) handed: &'a [Ident],
     /// What is known before: fields of `Constants`, or variables where `is_in_loop`.
     pub(super) constants: &'a [Ident],
+    /// What stands for the results of the motion.
+    pub(super) motion: &'a [TokenStream],
     /// Constants of the tables.
     pub(super) tables: &'a [Ident],
     /// Whether it is run for many points, which compilers put into vectors on their own.
@@ -52,10 +54,12 @@ impl Scope<'_> {
 
 /// What a body reads.
 #[derive(Default)]
+#[allow(clippy::struct_excessive_bools, reason = "one for each argument of a function")]
 pub(super) struct Reads {
     pub(super) time: bool,
     pub(super) parameters: bool,
     pub(super) constants: bool,
+    pub(super) motion: bool,
     /// Entries of the state.
     pub(super) state: BTreeSet<usize>,
 }

@@ -132,6 +132,7 @@ fn module(scene: &Scene<'_>, field: &FieldModel, name: &Ident) -> Result<TokenSt
         parameters: scene.own_parameters(),
         handed: scene.handed(),
         constants: &[],
+        motion: &[],
         tables: &scene.tables,
         is_in_loop: false,
         namer: &locals,

@@ -9,6 +9,7 @@ use super::Scene;
 use super::body::{Body, ResultNames, body};
 use super::items::phantom;
 use super::layout::WIDTH;
+use super::motion::{solved, statics as steps};
 use super::names::argument;
 use crate::emit::EmitError;
 use crate::emit::text::doc;
@@ -37,18 +38,29 @@ fn function(
     let is_prepared = prepared.is_some();
     let name = if is_prepared { row.prepared.unwrap_or(row.name) } else { row.name };
     let tape = prepared.unwrap_or_else(|| (row.tape)(scene.model));
-    let names = result_names(scene, row);
+    let solve = scene.model.solve(row.id);
+    // What is solved for has no names of its own.
+    let names = solve.map_or_else(|| result_names(scene, row), |_| ResultNames::default());
     let Body { statements, results, reads } =
         body(row.name, tape, &scene.scope(&scene.prepare.constants), &names)?;
-    let p = argument(reads.parameters, "p");
-    let time = argument(reads.time, "time");
-    let state = argument(!reads.state.is_empty(), "state");
-    let c = argument(reads.constants, "c");
+    let reads_motion = reads.motion || solve.is_some();
+    let motion = reads_motion.then(|| motion_of(scene, is_prepared));
+    let p = argument(reads.parameters || reads_motion, "p");
+    let time = argument(reads.time || reads_motion, "time");
+    let state = argument(!reads.state.is_empty() || reads_motion, "state");
+    let c = argument(reads.constants || (reads_motion && is_prepared), "c");
     let constants = is_prepared.then(|| quote!(, #c: &Constants<R>));
     let state_and_time =
         (row.reads == Reads::Motion).then(|| quote!(#time: R, #state: &[R; STATES],));
-    let (return_type, value) = returned(scene, row, &results);
-    let destructured = destructure(scene, &reads.state);
+    let (return_type, value) = match (solve, row.matrix) {
+        (Some(solve), Some(matrix)) => {
+            let length = Literal::usize_unsuffixed(matrix(scene.model).pattern.entries.len());
+            (quote!([R; #length]), solved(row.name, solve, &results))
+        }
+        _ => returned(scene, row, &results),
+    };
+    let statics = solve.map(|solve| steps(row.name, solve));
+    let destructured = destructure(&scene.states, &reads.state);
     let doc = if is_prepared {
         format!("As `{}`, with the constants of the parameters from `prepare`.", row.name)
     } else {
@@ -63,10 +75,22 @@ fn function(
         #inline
         pub fn #name<R: Real>(#state_and_time #p: &Parameters<R> #constants) -> #return_type {
             #destructured
+            #motion
             #(#statements)*
             #value
         }
+        #statics
     })
+}
+
+/// The motion, known as `m`.
+fn motion_of(scene: &Scene<'_>, is_prepared: bool) -> TokenStream {
+    let constants = match (scene.prepare.is_empty(), is_prepared) {
+        (true, _) => quote!(),
+        (false, true) => quote!(, c),
+        (false, false) => quote!(, &prepare(p)),
+    };
+    quote!(let m = &motion(time, state, p #constants);)
 }
 
 /// The type of what a function gives back, and the expression for it.
@@ -127,20 +151,20 @@ pub(super) fn documentation(meaning: &str, operations: usize) -> TokenStream {
 
 /// Binds the states a body reads: by one pattern if they are many, one by one if
 /// they are few among many.
-fn destructure(scene: &Scene<'_>, read: &BTreeSet<usize>) -> Option<TokenStream> {
+pub(super) fn destructure(states: &[Ident], read: &BTreeSet<usize>) -> Option<TokenStream> {
     let span = read.last()? + 1;
     if span > 8 && read.len() * 3 < span {
         let lets = read.iter().map(|&index| {
-            let (name, index) = (&scene.states[index], Literal::usize_unsuffixed(index));
+            let (name, index) = (&states[index], Literal::usize_unsuffixed(index));
             quote!(let #name = state[#index];)
         });
         return Some(quote!(#(#lets)*));
     }
     let entries = (0..span).map(|index| {
-        let name = &scene.states[index];
+        let name = &states[index];
         if read.contains(&index) { quote!(#name) } else { quote!(_) }
     });
-    let rest = (span < scene.states.len()).then(|| quote!(..));
+    let rest = (span < states.len()).then(|| quote!(..));
     Some(quote!(let [#(#entries,)* #rest] = *state;))
 }
 

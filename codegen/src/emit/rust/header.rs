@@ -81,16 +81,19 @@ fn sparsity(model: &Model) -> Vec<String> {
 /// Operations of every function, as without constants and with them.
 fn costs(model: &Model) -> Vec<String> {
     let rows = model.functions().map(|row| (row.name, operations((row.tape)(model))));
-    let Hoisted { constants, rate, rate_jacobian } = Hoisted::new(model);
+    let Hoisted { constants, rate, rate_jacobian, motion } = Hoisted::new(model);
     let prepared = [
         ("prepare", &constants),
         ("prepared_rate", &rate),
         ("prepared_rate_jacobian", &rate_jacobian),
+        ("motion", &motion),
     ];
     let has_constants = !constants.results.is_empty();
     let prepared = prepared.into_iter().filter(|_| has_constants);
     let prepared = prepared.map(|(name, tape)| (name, operations(tape)));
-    let rows = rows.chain(prepared).filter(|(_, count)| *count > 0);
+    let motion = model.motion.iter().map(|motion| ("motion", operations(&motion.tape)));
+    let motion = motion.filter(|_| !has_constants);
+    let rows = rows.chain(prepared).chain(motion).filter(|(_, count)| *count > 0);
     rows.map(|(name, count)| format!("{name} {count}")).collect()
 }
 

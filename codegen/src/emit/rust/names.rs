@@ -37,11 +37,13 @@ const RESERVED: &[&str] = &[
     "COORDINATE_QUANTITIES",
     "RUN_DEFAULTS",
     "EXCITATION_TERMS",
+    "RATE_JACOBIAN_STEPS",
+    "PARAMETER_JACOBIAN_STEPS",
     "SWITCHES",
 ];
 
 /// Functions that are not in their table.
-const FUNCTIONS: &[&str] = &["series", "prepare", "excitation", "switches"];
+const FUNCTIONS: &[&str] = &["series", "prepare", "excitation", "switches", "substitute"];
 
 /// Names of the functions, and of the constants that say how much they give.
 fn of_the_table() -> impl Iterator<Item = &'static str> {
@@ -61,6 +63,8 @@ const TYPES: &[&str] = &[
     "Parameters",
     "Outputs",
     "Constants",
+    "Motion",
+    "Step",
     "Constraint",
     "CubicTable",
     "Describe",

@@ -99,6 +99,10 @@ pub(super) trait Expressions {
                 let name = self.scope().given(op);
                 quote!(c.#name)
             }
+            Op::Motion(entry) => {
+                self.reads().motion = true;
+                self.scope().motion[entry as usize].clone()
+            }
             _ => return self.arithmetic(op),
         };
         Ok(Written::call(name))
@@ -145,7 +149,8 @@ pub(super) trait Expressions {
             | Op::State(_)
             | Op::Parameter(_)
             | Op::Handed(_)
-            | Op::Constant(_) => self.operation(op)?,
+            | Op::Constant(_)
+            | Op::Motion(_) => self.operation(op)?,
         })
     }
 

@@ -34,6 +34,7 @@ impl Prepare {
             parameters,
             handed,
             constants: &[],
+            motion: &[],
             tables,
             is_in_loop: false,
             namer: locals,
@@ -76,6 +77,9 @@ impl Prepare {
 
 /// Names constants that are nothing but an entry of the Jacobian by that entry.
 fn name_entries(hoisted: &mut Hoisted, model: &Model, states: &[Ident]) {
+    if model.rate_jacobian.solve.is_some() {
+        return;
+    }
     let rates: Vec<String> = states.iter().map(|state| format!("{state}_dot")).collect();
     let names = derivatives(&model.rate_jacobian.pattern, &rates, states);
     let reads = |tape: &Tape, constant: u32| {

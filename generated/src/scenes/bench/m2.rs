@@ -82,18 +82,18 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    motor_omega_dot_by_coupling_twist, cylinder_omega_dot_by_coupling_twist
+    cylinder_omega_dot_by_coupling_twist, motor_omega_dot_by_coupling_twist
 }
 
 /// What `rate` and `rate_jacobian` need of the parameters, once a run. 2 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
-    let motor_omega_dot_by_coupling_twist = p.coupling_stiffness
-        * R::literal(-0.238_095_238_095_238_08);
     let cylinder_omega_dot_by_coupling_twist = p.coupling_stiffness
         * R::literal(0.803_858_520_900_321_5);
-    Constants { motor_omega_dot_by_coupling_twist, cylinder_omega_dot_by_coupling_twist }
+    let motor_omega_dot_by_coupling_twist = p.coupling_stiffness
+        * R::literal(-0.238_095_238_095_238_08);
+    Constants { cylinder_omega_dot_by_coupling_twist, motor_omega_dot_by_coupling_twist }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -132,9 +132,9 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let load_resistance = load_engagement * R::literal(843.72).add_product(R::literal(78.78),
         (R::literal(241.805_307_826_689_27) * time).sin()) * (R::literal(2.0) * cylinder_omega)
         .tanh();
-    let motor_omega_dot = (motor_torque - coupling_torque) * R::literal(0.238_095_238_095_238_08);
     let cylinder_omega_dot = (coupling_torque - load_resistance)
         * R::literal(0.803_858_520_900_321_5);
+    let motor_omega_dot = (motor_torque - coupling_torque) * R::literal(0.238_095_238_095_238_08);
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
         .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
         .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
@@ -214,10 +214,10 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], _p: &Parame
 #[must_use]
 pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; 2] {
     let [coupling_twist, ..] = *state;
-    let motor_omega_dot_by_coupling_stiffness = coupling_twist
-        * R::literal(-0.238_095_238_095_238_08);
     let cylinder_omega_dot_by_coupling_stiffness = coupling_twist
         * R::literal(0.803_858_520_900_321_5);
+    let motor_omega_dot_by_coupling_stiffness = coupling_twist
+        * R::literal(-0.238_095_238_095_238_08);
     [motor_omega_dot_by_coupling_stiffness, cylinder_omega_dot_by_coupling_stiffness]
 }
 
@@ -303,9 +303,9 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let load_resistance = load_engagement * R::literal(843.72).add_product(R::literal(78.78),
         (R::literal(241.805_307_826_689_27) * time).sin()) * (R::literal(2.0) * cylinder_omega)
         .tanh();
-    let motor_omega_dot = (motor_torque - coupling_torque) * R::literal(0.238_095_238_095_238_08);
     let cylinder_omega_dot = (coupling_torque - load_resistance)
         * R::literal(0.803_858_520_900_321_5);
+    let motor_omega_dot = (motor_torque - coupling_torque) * R::literal(0.238_095_238_095_238_08);
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
         .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
         .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
@@ -390,8 +390,8 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let load_resistance = t25 * t22;
     let t26 = motor_torque - coupling_torque;
     let t27 = coupling_torque - load_resistance;
-    let motor_omega_dot = t26 * R::literal(0.238_095_238_095_238_08);
     let cylinder_omega_dot = t27 * R::literal(0.803_858_520_900_321_5);
+    let motor_omega_dot = t26 * R::literal(0.238_095_238_095_238_08);
     let t28 = t2 * R::literal(36.128_315_516_282_626);
     let t29 = motor_psi_sy * R::literal(314.159_265_358_979_3);
     let t30 = R::literal(311.126_983_722_080_9) + t29;
@@ -452,8 +452,8 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         let load_resistance_k = t22.mul_add(t25_k, t25.mul_add(t22_k, sums_2[0]));
         let t26_k = t13_k.mul_add(R::literal(4_822.097_783_227_635), -coupling_torque_k);
         let t27_k = coupling_torque_k - load_resistance_k;
-        let motor_omega_dot_k = t26_k * R::literal(0.238_095_238_095_238_08);
         let cylinder_omega_dot_k = t27_k * R::literal(0.803_858_520_900_321_5);
+        let motor_omega_dot_k = t26_k * R::literal(0.238_095_238_095_238_08);
         let motor_psi_sx_dot_k = (-t2_k).mul_add(R::literal(36.128_315_516_282_626), motor_psi_sy_k
             * R::literal(314.159_265_358_979_3));
         let t33_k = t4_k.mul_add(R::literal(36.128_315_516_282_626), motor_psi_sx_k

@@ -109,10 +109,10 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 ::machinist_contract::constants! {
     motor_omega_0, motor_u_x, motor_u_y, t1, t2, t3, inverse_motor_inertia, t5, t6,
     inverse_shaft_standstill_band, t7, t8, t9, motor_alpha_s_times_motor_omega_0,
-    motor_alpha_r_times_motor_omega_0, motor_omega_dot_by_motor_phi,
-    shaft_driven_dot_dot_by_motor_phi, motor_omega_dot_by_shaft_driven,
-    shaft_driven_dot_dot_by_shaft_driven, motor_omega_dot_by_motor_omega,
-    shaft_driven_dot_dot_by_motor_omega, t10, t11, motor_omega_dot_by_shaft_driven_dot,
+    motor_alpha_r_times_motor_omega_0, shaft_driven_dot_dot_by_motor_phi,
+    motor_omega_dot_by_motor_phi, shaft_driven_dot_dot_by_shaft_driven,
+    motor_omega_dot_by_shaft_driven, shaft_driven_dot_dot_by_motor_omega,
+    motor_omega_dot_by_motor_omega, t10, t11, motor_omega_dot_by_shaft_driven_dot,
     motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
     motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
     motor_psi_rx_dot_by_motor_psi_rx
@@ -154,14 +154,14 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t9 = p.coupling_damping * p.coupling_ratio;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let shaft_driven_dot_dot_by_motor_phi = t8 * t5;
+    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
-    let motor_omega_dot_by_shaft_driven = t8 * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_shaft_driven = -(p.coupling_stiffness * coupling_ratio_squared
         * t5);
-    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
+    let motor_omega_dot_by_shaft_driven = t8 * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_motor_omega = t9 * t5;
+    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let t10 = p.coupling_damping * coupling_ratio_squared;
     let t11 = R::literal(0.5) / (p.shaft_pieces * p.shaft_standstill_band);
     let motor_omega_dot_by_shaft_driven_dot = t9 * inverse_motor_inertia;
@@ -172,10 +172,10 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let motor_psi_rx_dot_by_motor_psi_rx = -motor_alpha_r_times_motor_omega_0;
     Constants { motor_omega_0, motor_u_x, motor_u_y, t1, t2, t3, inverse_motor_inertia, t5, t6,
         inverse_shaft_standstill_band, t7, t8, t9, motor_alpha_s_times_motor_omega_0,
-        motor_alpha_r_times_motor_omega_0, motor_omega_dot_by_motor_phi,
-        shaft_driven_dot_dot_by_motor_phi, motor_omega_dot_by_shaft_driven,
-        shaft_driven_dot_dot_by_shaft_driven, motor_omega_dot_by_motor_omega,
-        shaft_driven_dot_dot_by_motor_omega, t10, t11, motor_omega_dot_by_shaft_driven_dot,
+        motor_alpha_r_times_motor_omega_0, shaft_driven_dot_dot_by_motor_phi,
+        motor_omega_dot_by_motor_phi, shaft_driven_dot_dot_by_shaft_driven,
+        motor_omega_dot_by_shaft_driven, shaft_driven_dot_dot_by_motor_omega,
+        motor_omega_dot_by_motor_omega, t10, t11, motor_omega_dot_by_shaft_driven_dot,
         motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
         motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
         motor_psi_rx_dot_by_motor_psi_rx }
@@ -221,10 +221,10 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let shaft_load = shaft_engagement * p.shaft_mean.add_product(p.shaft_amplitude, (c.t3 * time)
         .sin());
     let t2 = c.t7 * shaft_load;
-    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
+    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t2, t1) * c.t6;
     let shaft_driven_dot_dot = p.shaft_driven_field_force.add_product(c.t8, coupling_twist)
         .add_product(c.t9, coupling_twist_rate).sub_product(t2, t0) * c.t5;
-    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t2, t1) * c.t6;
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot = c.motor_u_x.add_product(c.motor_omega_0, motor_psi_sy)
         .sub_product(c.motor_alpha_s_times_motor_omega_0, motor_psi_sx.sub_product(p.motor_k_r,
         motor_psi_rx));
@@ -364,13 +364,13 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         / (t14 + p.shaft_end_field_inertia);
     let t15 = R::literal(0.5) / p.shaft_pieces;
     let t16 = t15 * shaft_load;
-    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
+    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t16, t4)
+        * shaft_end_dot_dot_by_shaft_end_field_force;
     let shaft_driven_dot_dot = p.shaft_driven_field_force.add_product(p.coupling_stiffness
         * p.coupling_ratio, coupling_twist).add_product(p.coupling_damping * p.coupling_ratio,
         coupling_twist_rate).sub_product(t16, t3)
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t16, t4)
-        * shaft_end_dot_dot_by_shaft_end_field_force;
+    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let t17 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
@@ -415,63 +415,63 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         .add_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t17;
     let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t18;
-    let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_shaft_driven - motor_phi)
-        * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let motor_omega_dot_by_coupling_damping = (t6 - motor_omega) * inverse_motor_inertia;
+    let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_shaft_driven - motor_phi)
+        * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * shaft_driven)
-        .add_product(p.coupling_damping, shaft_driven_dot) * inverse_motor_inertia;
+    let motor_omega_dot_by_coupling_damping = (t6 - motor_omega) * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
         .add_product(p.coupling_damping, motor_omega).sub_product(R::literal(2.0)
         * p.coupling_stiffness * p.coupling_ratio, shaft_driven).sub_product(R::literal(2.0)
         * p.coupling_damping * p.coupling_ratio, shaft_driven_dot)
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
+    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * shaft_driven)
+        .add_product(p.coupling_damping, shaft_driven_dot) * inverse_motor_inertia;
     let shaft_pieces_squared = p.shaft_pieces * p.shaft_pieces;
     let t21 = R::literal(0.5) / shaft_pieces_squared * shaft_load;
     let t22 = t13 / shaft_pieces_squared;
-    let shaft_driven_dot_dot_by_shaft_pieces = (t21 * t3).add_product(t22, shaft_driven_dot_dot)
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let shaft_end_dot_dot_by_shaft_pieces = (t21 * t4).add_product(t22, shaft_end_dot_dot)
         * shaft_end_dot_dot_by_shaft_end_field_force;
-    let shaft_driven_dot_dot_by_shaft_inertia = -(t15 * shaft_driven_dot_dot
-        * shaft_driven_dot_dot_by_shaft_driven_field_force);
+    let shaft_driven_dot_dot_by_shaft_pieces = (t21 * t3).add_product(t22, shaft_driven_dot_dot)
+        * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let shaft_end_dot_dot_by_shaft_inertia = -(t15 * shaft_end_dot_dot
         * shaft_end_dot_dot_by_shaft_end_field_force);
+    let shaft_driven_dot_dot_by_shaft_inertia = -(t15 * shaft_driven_dot_dot
+        * shaft_driven_dot_dot_by_shaft_driven_field_force);
     let t23 = t15 * shaft_engagement;
+    let shaft_end_dot_dot_by_shaft_mean = -(t23 * t4 * shaft_end_dot_dot_by_shaft_end_field_force);
     let shaft_driven_dot_dot_by_shaft_mean = -(t23 * t3
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let shaft_end_dot_dot_by_shaft_mean = -(t23 * t4 * shaft_end_dot_dot_by_shaft_end_field_force);
     let t24 = t23 * t1;
-    let shaft_driven_dot_dot_by_shaft_amplitude = -(t24 * t3
-        * shaft_driven_dot_dot_by_shaft_driven_field_force);
     let shaft_end_dot_dot_by_shaft_amplitude = -(t24 * t4
         * shaft_end_dot_dot_by_shaft_end_field_force);
+    let shaft_driven_dot_dot_by_shaft_amplitude = -(t24 * t3
+        * shaft_driven_dot_dot_by_shaft_driven_field_force);
     let t25 = R::literal(0.164_493_406_684_822_62) * p.shaft_amplitude / p.shaft_pieces * time
         * shaft_engagement * t2;
+    let shaft_end_dot_dot_by_shaft_speed = -(t25 * t4 * shaft_end_dot_dot_by_shaft_end_field_force);
     let shaft_driven_dot_dot_by_shaft_speed = -(t25 * t3
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let shaft_end_dot_dot_by_shaft_speed = -(t25 * t4 * shaft_end_dot_dot_by_shaft_end_field_force);
     let t26 = t8 * t8;
     let t27 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width) * t12 * t7;
-    let shaft_driven_dot_dot_by_shaft_engagement_time = t27 * t3 / t26
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let shaft_end_dot_dot_by_shaft_engagement_time = t27 * t4 / t26
         * shaft_end_dot_dot_by_shaft_end_field_force;
+    let shaft_driven_dot_dot_by_shaft_engagement_time = t27 * t3 / t26
+        * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let t28 = R::literal(0.5) / (p.shaft_pieces * (p.shaft_engagement_width
         * p.shaft_engagement_width)) * time_minus_shaft_engagement_time * t12 * t7;
-    let shaft_driven_dot_dot_by_shaft_engagement_width = t28 * t3 / t26
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let shaft_end_dot_dot_by_shaft_engagement_width = t28 * t4 / t26
         * shaft_end_dot_dot_by_shaft_end_field_force;
+    let shaft_driven_dot_dot_by_shaft_engagement_width = t28 * t3 / t26
+        * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let t29 = R::literal(0.5) / (p.shaft_pieces * (p.shaft_standstill_band
         * p.shaft_standstill_band));
-    let shaft_driven_dot_dot_by_shaft_standstill_band = t29 * shaft_driven_dot * shaft_load
-        * R::literal(1.0).sub_product(t3, t3) * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let shaft_end_dot_dot_by_shaft_standstill_band = t29 * shaft_end_dot * shaft_load
         * R::literal(1.0).sub_product(t4, t4) * shaft_end_dot_dot_by_shaft_end_field_force;
+    let shaft_driven_dot_dot_by_shaft_standstill_band = t29 * shaft_driven_dot * shaft_load
+        * R::literal(1.0).sub_product(t3, t3) * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let shaft_driven_dot_dot_by_shaft_driven_field_inertia = -(shaft_driven_dot_dot
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
     let shaft_end_dot_dot_by_shaft_end_field_inertia = -(shaft_end_dot_dot
@@ -523,10 +523,10 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>)
         .add_product(p.shaft_amplitude, t1) * t5;
     let t10 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_amplitude * shaft_omega_2
         / p.shaft_pieces * shaft_engagement * t2;
-    let shaft_driven_dot_dot_by_time = (t9 * t3 / t8).add_product(t10, t3) * (R::literal(-1.0)
-        / (t7 + p.shaft_driven_field_inertia));
     let shaft_end_dot_dot_by_time = (t9 * t4 / t8).add_product(t10, t4) * (R::literal(-1.0)
         / (t7 + p.shaft_end_field_inertia));
+    let shaft_driven_dot_dot_by_time = (t9 * t3 / t8).add_product(t10, t3) * (R::literal(-1.0)
+        / (t7 + p.shaft_driven_field_inertia));
     [R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
         shaft_driven_dot_dot_by_time, shaft_end_dot_dot_by_time, R::literal(0.0), R::literal(0.0),
         R::literal(0.0), R::literal(0.0)]
@@ -619,10 +619,10 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let t12 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
     let t13 = p.coupling_damping * p.coupling_ratio;
     let t14 = p.shaft_end_field_force.sub_product(t10, t2);
-    let motor_omega_dot = (motor_torque - coupling_torque) * (R::literal(1.0) / p.motor_inertia);
+    let shaft_end_dot_dot = t14 * (R::literal(1.0) / (t9 + p.shaft_end_field_inertia));
     let shaft_driven_dot_dot = ((p.shaft_driven_field_force + t12).add_product(t13,
         coupling_twist_rate) - t11) * (R::literal(1.0) / (t9 + p.shaft_driven_field_inertia));
-    let shaft_end_dot_dot = t14 * (R::literal(1.0) / (t9 + p.shaft_end_field_inertia));
+    let motor_omega_dot = (motor_torque - coupling_torque) * (R::literal(1.0) / p.motor_inertia);
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_psi_sx_dot = motor_u_x.add_product(motor_omega_0, motor_psi_sy)
         .sub_product(motor_alpha_s_times_motor_omega_0, t5);

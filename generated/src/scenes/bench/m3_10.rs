@@ -212,26 +212,26 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; ST
     let t29 = R::literal(3_382_256.675_279_931) * piece_9_phi_relative;
     let piece_9_omega_minus_piece_10_omega = piece_9_omega - piece_10_omega;
     let t30 = R::literal(67.645_133_505_598_62) * piece_9_omega_minus_piece_10_omega;
-    let motor_omega_dot = (motor_torque - coupling_torque) * R::literal(0.238_095_238_095_238_08);
-    let piece_1_omega_dot = (load_1_resistance + (t13 - t11) + (t14 - t10))
-        * R::literal(-8.038_585_209_003_216);
-    let piece_2_omega_dot = (load_2_resistance + (t15 - t13) + (t16 - t14))
-        * R::literal(-8.038_585_209_003_216);
-    let piece_3_omega_dot = (load_3_resistance + (t17 - t15) + (t18 - t16))
-        * R::literal(-8.038_585_209_003_216);
-    let piece_4_omega_dot = (load_4_resistance + (t19 - t17) + (t20 - t18))
-        * R::literal(-8.038_585_209_003_216);
-    let piece_5_omega_dot = (load_5_resistance + (t21 - t19) + (t22 - t20))
-        * R::literal(-8.038_585_209_003_216);
-    let piece_6_omega_dot = (load_6_resistance + (t23 - t21) + (t24 - t22))
-        * R::literal(-8.038_585_209_003_216);
-    let piece_7_omega_dot = (load_7_resistance + (t25 - t23) + (t26 - t24))
+    let piece_10_omega_dot = (t30 + t29 - load_10_resistance) * R::literal(8.038_585_209_003_216);
+    let piece_9_omega_dot = (load_9_resistance + (t29 - t27) + (t30 - t28))
         * R::literal(-8.038_585_209_003_216);
     let piece_8_omega_dot = (load_8_resistance + (t27 - t25) + (t28 - t26))
         * R::literal(-8.038_585_209_003_216);
-    let piece_9_omega_dot = (load_9_resistance + (t29 - t27) + (t30 - t28))
+    let piece_7_omega_dot = (load_7_resistance + (t25 - t23) + (t26 - t24))
         * R::literal(-8.038_585_209_003_216);
-    let piece_10_omega_dot = (t30 + t29 - load_10_resistance) * R::literal(8.038_585_209_003_216);
+    let piece_6_omega_dot = (load_6_resistance + (t23 - t21) + (t24 - t22))
+        * R::literal(-8.038_585_209_003_216);
+    let piece_5_omega_dot = (load_5_resistance + (t21 - t19) + (t22 - t20))
+        * R::literal(-8.038_585_209_003_216);
+    let piece_4_omega_dot = (load_4_resistance + (t19 - t17) + (t20 - t18))
+        * R::literal(-8.038_585_209_003_216);
+    let piece_3_omega_dot = (load_3_resistance + (t17 - t15) + (t18 - t16))
+        * R::literal(-8.038_585_209_003_216);
+    let piece_2_omega_dot = (load_2_resistance + (t15 - t13) + (t16 - t14))
+        * R::literal(-8.038_585_209_003_216);
+    let piece_1_omega_dot = (load_1_resistance + (t13 - t11) + (t14 - t10))
+        * R::literal(-8.038_585_209_003_216);
+    let motor_omega_dot = (motor_torque - coupling_torque) * R::literal(0.238_095_238_095_238_08);
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
         .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
         .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
@@ -454,25 +454,25 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>
     let t15 = R::literal(1_904.942_215_058_658_1) * load_1_engagement * t2;
     let t16 = t14 * t14;
     let t17 = R::literal(50.0) * R::literal(84.372).add_product(R::literal(7.878), t1) * t13;
-    let piece_1_omega_dot_by_time = (t17 * t3 / t16).add_product(t15, t3)
-        * R::literal(-8.038_585_209_003_216);
-    let piece_2_omega_dot_by_time = (t17 * t4 / t16).add_product(t15, t4)
-        * R::literal(-8.038_585_209_003_216);
-    let piece_3_omega_dot_by_time = (t17 * t5 / t16).add_product(t15, t5)
-        * R::literal(-8.038_585_209_003_216);
-    let piece_4_omega_dot_by_time = (t17 * t6 / t16).add_product(t15, t6)
-        * R::literal(-8.038_585_209_003_216);
-    let piece_5_omega_dot_by_time = (t17 * t7 / t16).add_product(t15, t7)
-        * R::literal(-8.038_585_209_003_216);
-    let piece_6_omega_dot_by_time = (t17 * t8 / t16).add_product(t15, t8)
-        * R::literal(-8.038_585_209_003_216);
-    let piece_7_omega_dot_by_time = (t17 * t9 / t16).add_product(t15, t9)
-        * R::literal(-8.038_585_209_003_216);
-    let piece_8_omega_dot_by_time = (t17 * t10 / t16).add_product(t15, t10)
+    let piece_10_omega_dot_by_time = (t17 * t12 / t16).add_product(t15, t12)
         * R::literal(-8.038_585_209_003_216);
     let piece_9_omega_dot_by_time = (t17 * t11 / t16).add_product(t15, t11)
         * R::literal(-8.038_585_209_003_216);
-    let piece_10_omega_dot_by_time = (t17 * t12 / t16).add_product(t15, t12)
+    let piece_8_omega_dot_by_time = (t17 * t10 / t16).add_product(t15, t10)
+        * R::literal(-8.038_585_209_003_216);
+    let piece_7_omega_dot_by_time = (t17 * t9 / t16).add_product(t15, t9)
+        * R::literal(-8.038_585_209_003_216);
+    let piece_6_omega_dot_by_time = (t17 * t8 / t16).add_product(t15, t8)
+        * R::literal(-8.038_585_209_003_216);
+    let piece_5_omega_dot_by_time = (t17 * t7 / t16).add_product(t15, t7)
+        * R::literal(-8.038_585_209_003_216);
+    let piece_4_omega_dot_by_time = (t17 * t6 / t16).add_product(t15, t6)
+        * R::literal(-8.038_585_209_003_216);
+    let piece_3_omega_dot_by_time = (t17 * t5 / t16).add_product(t15, t5)
+        * R::literal(-8.038_585_209_003_216);
+    let piece_2_omega_dot_by_time = (t17 * t4 / t16).add_product(t15, t4)
+        * R::literal(-8.038_585_209_003_216);
+    let piece_1_omega_dot_by_time = (t17 * t3 / t16).add_product(t15, t3)
         * R::literal(-8.038_585_209_003_216);
     [R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
         R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
@@ -658,8 +658,8 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) 
     let piece_9_omega_minus_piece_10_omega = piece_9_omega - piece_10_omega;
     let t49 = R::literal(67.645_133_505_598_62) * piece_9_omega_minus_piece_10_omega;
     let t50 = t49 - t45;
-    let motor_omega_dot = (motor_torque - coupling_torque) * R::literal(0.238_095_238_095_238_08);
     let piece_10_omega_dot = (t49 + t47 - load_10_resistance) * R::literal(8.038_585_209_003_216);
+    let motor_omega_dot = (motor_torque - coupling_torque) * R::literal(0.238_095_238_095_238_08);
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
         .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
         .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
@@ -901,17 +901,17 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>,
     let t133 = t132 + t131;
     let t134 = t130 + t127;
     let t135 = t134 - load_10_resistance;
-    let motor_omega_dot = t62 * R::literal(0.238_095_238_095_238_08);
-    let piece_1_omega_dot = t70 * R::literal(-8.038_585_209_003_216);
-    let piece_2_omega_dot = t78 * R::literal(-8.038_585_209_003_216);
-    let piece_3_omega_dot = t86 * R::literal(-8.038_585_209_003_216);
-    let piece_4_omega_dot = t94 * R::literal(-8.038_585_209_003_216);
-    let piece_5_omega_dot = t102 * R::literal(-8.038_585_209_003_216);
-    let piece_6_omega_dot = t110 * R::literal(-8.038_585_209_003_216);
-    let piece_7_omega_dot = t118 * R::literal(-8.038_585_209_003_216);
-    let piece_8_omega_dot = t126 * R::literal(-8.038_585_209_003_216);
-    let piece_9_omega_dot = t133 * R::literal(-8.038_585_209_003_216);
     let piece_10_omega_dot = t135 * R::literal(8.038_585_209_003_216);
+    let piece_9_omega_dot = t133 * R::literal(-8.038_585_209_003_216);
+    let piece_8_omega_dot = t126 * R::literal(-8.038_585_209_003_216);
+    let piece_7_omega_dot = t118 * R::literal(-8.038_585_209_003_216);
+    let piece_6_omega_dot = t110 * R::literal(-8.038_585_209_003_216);
+    let piece_5_omega_dot = t102 * R::literal(-8.038_585_209_003_216);
+    let piece_4_omega_dot = t94 * R::literal(-8.038_585_209_003_216);
+    let piece_3_omega_dot = t86 * R::literal(-8.038_585_209_003_216);
+    let piece_2_omega_dot = t78 * R::literal(-8.038_585_209_003_216);
+    let piece_1_omega_dot = t70 * R::literal(-8.038_585_209_003_216);
+    let motor_omega_dot = t62 * R::literal(0.238_095_238_095_238_08);
     let t136 = t2 * R::literal(36.128_315_516_282_626);
     let t137 = motor_psi_sy * R::literal(314.159_265_358_979_3);
     let t138 = R::literal(311.126_983_722_080_9) + t137;
@@ -1114,17 +1114,17 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>,
         let t133_k = t132_k + t131_k;
         let t134_k = t130_k + t127_k;
         let t135_k = t134_k - load_10_resistance_k;
-        let motor_omega_dot_k = t62_k * R::literal(0.238_095_238_095_238_08);
-        let piece_1_omega_dot_k = t70_k * R::literal(-8.038_585_209_003_216);
-        let piece_2_omega_dot_k = t78_k * R::literal(-8.038_585_209_003_216);
-        let piece_3_omega_dot_k = t86_k * R::literal(-8.038_585_209_003_216);
-        let piece_4_omega_dot_k = t94_k * R::literal(-8.038_585_209_003_216);
-        let piece_5_omega_dot_k = t102_k * R::literal(-8.038_585_209_003_216);
-        let piece_6_omega_dot_k = t110_k * R::literal(-8.038_585_209_003_216);
-        let piece_7_omega_dot_k = t118_k * R::literal(-8.038_585_209_003_216);
-        let piece_8_omega_dot_k = t126_k * R::literal(-8.038_585_209_003_216);
-        let piece_9_omega_dot_k = t133_k * R::literal(-8.038_585_209_003_216);
         let piece_10_omega_dot_k = t135_k * R::literal(8.038_585_209_003_216);
+        let piece_9_omega_dot_k = t133_k * R::literal(-8.038_585_209_003_216);
+        let piece_8_omega_dot_k = t126_k * R::literal(-8.038_585_209_003_216);
+        let piece_7_omega_dot_k = t118_k * R::literal(-8.038_585_209_003_216);
+        let piece_6_omega_dot_k = t110_k * R::literal(-8.038_585_209_003_216);
+        let piece_5_omega_dot_k = t102_k * R::literal(-8.038_585_209_003_216);
+        let piece_4_omega_dot_k = t94_k * R::literal(-8.038_585_209_003_216);
+        let piece_3_omega_dot_k = t86_k * R::literal(-8.038_585_209_003_216);
+        let piece_2_omega_dot_k = t78_k * R::literal(-8.038_585_209_003_216);
+        let piece_1_omega_dot_k = t70_k * R::literal(-8.038_585_209_003_216);
+        let motor_omega_dot_k = t62_k * R::literal(0.238_095_238_095_238_08);
         let motor_psi_sx_dot_k = (-t2_k).mul_add(R::literal(36.128_315_516_282_626), motor_psi_sy_k
             * R::literal(314.159_265_358_979_3));
         let t141_k = t4_k.mul_add(R::literal(36.128_315_516_282_626), motor_psi_sx_k

@@ -128,10 +128,10 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; STATES] {
     let [shaft_driven, shaft_reed, shaft_driven_dot, shaft_reed_dot] = *state;
     let drive = R::literal(0.12) * (R::literal(8.0 * core::f64::consts::PI) * time).sin();
-    let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.drive_spring_stiffness,
-        shaft_driven - drive) * c.inverse_shaft_driven_field_inertia;
     let shaft_reed_dot_dot = p.shaft_reed_field_force.sub_product(p.ground_spring_stiffness,
         shaft_reed) * c.t1;
+    let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.drive_spring_stiffness,
+        shaft_driven - drive) * c.inverse_shaft_driven_field_inertia;
     [shaft_driven_dot, shaft_reed_dot, shaft_driven_dot_dot, shaft_reed_dot_dot]
 }
 
@@ -171,10 +171,10 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let inverse_shaft_driven_field_inertia = R::literal(1.0) / p.shaft_driven_field_inertia;
     let shaft_reed_dot_dot_by_shaft_reed_field_force = R::literal(1.0) / p.shaft_reed_field_inertia
         .add_product(p.reed_mass, reed_radius_squared);
-    let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.drive_spring_stiffness,
-        shaft_driven - drive) * inverse_shaft_driven_field_inertia;
     let shaft_reed_dot_dot = p.shaft_reed_field_force.sub_product(p.ground_spring_stiffness,
         shaft_reed) * shaft_reed_dot_dot_by_shaft_reed_field_force;
+    let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.drive_spring_stiffness,
+        shaft_driven - drive) * inverse_shaft_driven_field_inertia;
     let shaft_reed_dot_dot_by_reed_mass = -(reed_radius_squared * shaft_reed_dot_dot
         * shaft_reed_dot_dot_by_shaft_reed_field_force);
     let shaft_reed_dot_dot_by_reed_radius = R::literal(-2.0) * p.reed_mass * p.reed_radius
@@ -246,10 +246,10 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let shaft_driven_minus_drive = shaft_driven - drive;
     let t3 = p.drive_spring_stiffness * shaft_driven_minus_drive;
     let t4 = p.ground_spring_stiffness * shaft_reed;
-    let shaft_driven_dot_dot = (p.shaft_driven_field_force - t3) * (R::literal(1.0)
-        / p.shaft_driven_field_inertia);
     let shaft_reed_dot_dot = (p.shaft_reed_field_force - t4) * (R::literal(1.0)
         / (reed_mass_times_reed_radius_squared + p.shaft_reed_field_inertia));
+    let shaft_driven_dot_dot = (p.shaft_driven_field_force - t3) * (R::literal(1.0)
+        / p.shaft_driven_field_inertia);
     let t5 = R::literal(3.015_928_947_446_201) * p.drive_spring_stiffness
         * shaft_driven_minus_drive * t2;
     PowerBalance {

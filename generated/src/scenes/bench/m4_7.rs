@@ -107,24 +107,24 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; ST
         node_6_theta, node_7_theta, node_0_omega, node_1_omega, node_2_omega, node_3_omega,
         node_4_omega, node_5_omega, node_6_omega, node_7_omega] = *state;
     let drive = R::literal(0.12) * (R::literal(8.0 * core::f64::consts::PI) * time).sin();
-    let node_0_omega_dot = (R::literal(188_797.635_432_078_9) * (node_0_theta - node_1_theta))
-        .add_product(R::literal(45200.0), node_0_theta - drive)
-        * R::literal(-1_702.307_473_310_885);
-    let node_1_omega_dot = R::literal(160_695_812.869_725_9) * (node_0_theta + node_2_theta)
-        .sub_product(R::literal(2.0), node_1_theta);
-    let node_2_omega_dot = R::literal(160_695_812.869_725_9) * (node_1_theta + node_3_theta)
-        .sub_product(R::literal(2.0), node_2_theta);
-    let node_3_omega_dot = R::literal(160_695_812.869_725_9) * (node_2_theta + node_4_theta)
-        .sub_product(R::literal(2.0), node_3_theta);
+    let node_7_omega_dot = R::literal(321_391_625.739_451_8) * (node_6_theta - node_7_theta);
+    let node_6_omega_dot = R::literal(160_695_812.869_725_9) * (node_5_theta + node_7_theta)
+        .sub_product(R::literal(2.0), node_6_theta);
+    let node_5_omega_dot = R::literal(160_695_812.869_725_9) * (node_4_theta + node_6_theta)
+        .sub_product(R::literal(2.0), node_5_theta);
     let node_4_omega_dot = (-(R::literal(15600.0) * node_4_theta)
         .add_product(R::literal(188_797.635_432_078_9), node_4_theta - node_5_theta))
         .add_product(R::literal(188_797.635_432_078_9), node_3_theta - node_4_theta)
         * R::literal(19.069_821_446_680_283);
-    let node_5_omega_dot = R::literal(160_695_812.869_725_9) * (node_4_theta + node_6_theta)
-        .sub_product(R::literal(2.0), node_5_theta);
-    let node_6_omega_dot = R::literal(160_695_812.869_725_9) * (node_5_theta + node_7_theta)
-        .sub_product(R::literal(2.0), node_6_theta);
-    let node_7_omega_dot = R::literal(321_391_625.739_451_8) * (node_6_theta - node_7_theta);
+    let node_3_omega_dot = R::literal(160_695_812.869_725_9) * (node_2_theta + node_4_theta)
+        .sub_product(R::literal(2.0), node_3_theta);
+    let node_2_omega_dot = R::literal(160_695_812.869_725_9) * (node_1_theta + node_3_theta)
+        .sub_product(R::literal(2.0), node_2_theta);
+    let node_1_omega_dot = R::literal(160_695_812.869_725_9) * (node_0_theta + node_2_theta)
+        .sub_product(R::literal(2.0), node_1_theta);
+    let node_0_omega_dot = (R::literal(188_797.635_432_078_9) * (node_0_theta - node_1_theta))
+        .add_product(R::literal(45200.0), node_0_theta - drive)
+        * R::literal(-1_702.307_473_310_885);
     [node_0_omega, node_1_omega, node_2_omega, node_3_omega, node_4_omega, node_5_omega,
         node_6_omega, node_7_omega, node_0_omega_dot, node_1_omega_dot, node_2_omega_dot,
         node_3_omega_dot, node_4_omega_dot, node_5_omega_dot, node_6_omega_dot, node_7_omega_dot]
@@ -284,18 +284,18 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) 
     let t7 = t6.add_product(R::literal(15600.0), node_4_theta);
     let node_6_theta_minus_node_7_theta = node_6_theta - node_7_theta;
     let t8 = R::literal(188_797.635_432_078_9) * node_6_theta_minus_node_7_theta;
-    let node_1_omega_dot = R::literal(160_695_812.869_725_9) * (node_0_theta + node_2_theta)
-        .sub_product(R::literal(2.0), node_1_theta);
-    let node_2_omega_dot = R::literal(160_695_812.869_725_9) * (node_1_theta + node_3_theta)
-        .sub_product(R::literal(2.0), node_2_theta);
-    let node_3_omega_dot = R::literal(160_695_812.869_725_9) * (node_2_theta + node_4_theta)
-        .sub_product(R::literal(2.0), node_3_theta);
-    let node_4_omega_dot = (t5 - t7) * R::literal(19.069_821_446_680_283);
-    let node_5_omega_dot = R::literal(160_695_812.869_725_9) * (node_4_theta + node_6_theta)
-        .sub_product(R::literal(2.0), node_5_theta);
+    let node_7_omega_dot = R::literal(321_391_625.739_451_8) * node_6_theta_minus_node_7_theta;
     let node_6_omega_dot = R::literal(160_695_812.869_725_9) * (node_5_theta + node_7_theta)
         .sub_product(R::literal(2.0), node_6_theta);
-    let node_7_omega_dot = R::literal(321_391_625.739_451_8) * node_6_theta_minus_node_7_theta;
+    let node_5_omega_dot = R::literal(160_695_812.869_725_9) * (node_4_theta + node_6_theta)
+        .sub_product(R::literal(2.0), node_5_theta);
+    let node_4_omega_dot = (t5 - t7) * R::literal(19.069_821_446_680_283);
+    let node_3_omega_dot = R::literal(160_695_812.869_725_9) * (node_2_theta + node_4_theta)
+        .sub_product(R::literal(2.0), node_3_theta);
+    let node_2_omega_dot = R::literal(160_695_812.869_725_9) * (node_1_theta + node_3_theta)
+        .sub_product(R::literal(2.0), node_2_theta);
+    let node_1_omega_dot = R::literal(160_695_812.869_725_9) * (node_0_theta + node_2_theta)
+        .sub_product(R::literal(2.0), node_1_theta);
     let t9 = R::literal(136_319.988_424_568_3) * node_0_theta_minus_drive * t2;
     let t10 = R::literal(188_797.635_432_078_9) * (node_1_theta - node_2_theta);
     let t11 = R::literal(188_797.635_432_078_9) * (node_2_theta - node_3_theta);
@@ -365,14 +365,14 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>,
     let t28 = node_5_theta + node_7_theta;
     let t29 = t28 - t27;
     let t30 = node_6_theta - node_7_theta;
-    let node_0_omega_dot = t7 * R::literal(-1_702.307_473_310_885);
-    let node_1_omega_dot = t10 * R::literal(160_695_812.869_725_9);
-    let node_2_omega_dot = t13 * R::literal(160_695_812.869_725_9);
-    let node_3_omega_dot = t16 * R::literal(160_695_812.869_725_9);
-    let node_4_omega_dot = t23 * R::literal(19.069_821_446_680_283);
-    let node_5_omega_dot = t26 * R::literal(160_695_812.869_725_9);
-    let node_6_omega_dot = t29 * R::literal(160_695_812.869_725_9);
     let node_7_omega_dot = t30 * R::literal(321_391_625.739_451_8);
+    let node_6_omega_dot = t29 * R::literal(160_695_812.869_725_9);
+    let node_5_omega_dot = t26 * R::literal(160_695_812.869_725_9);
+    let node_4_omega_dot = t23 * R::literal(19.069_821_446_680_283);
+    let node_3_omega_dot = t16 * R::literal(160_695_812.869_725_9);
+    let node_2_omega_dot = t13 * R::literal(160_695_812.869_725_9);
+    let node_1_omega_dot = t10 * R::literal(160_695_812.869_725_9);
+    let node_0_omega_dot = t7 * R::literal(-1_702.307_473_310_885);
     let mut t1_before = t1;
     let mut t2_before = t2;
     let mut rates = [node_0_omega, node_1_omega, node_2_omega, node_3_omega, node_4_omega,
@@ -412,14 +412,14 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>,
         let t28_k = node_5_theta_k + node_7_theta_k;
         let t29_k = (-node_6_theta_k).mul_add(R::literal(2.0), t28_k);
         let t30_k = node_6_theta_k - node_7_theta_k;
-        let node_0_omega_dot_k = t7_k * R::literal(-1_702.307_473_310_885);
-        let node_1_omega_dot_k = t10_k * R::literal(160_695_812.869_725_9);
-        let node_2_omega_dot_k = t13_k * R::literal(160_695_812.869_725_9);
-        let node_3_omega_dot_k = t16_k * R::literal(160_695_812.869_725_9);
-        let node_4_omega_dot_k = t23_k * R::literal(19.069_821_446_680_283);
-        let node_5_omega_dot_k = t26_k * R::literal(160_695_812.869_725_9);
-        let node_6_omega_dot_k = t29_k * R::literal(160_695_812.869_725_9);
         let node_7_omega_dot_k = t30_k * R::literal(321_391_625.739_451_8);
+        let node_6_omega_dot_k = t29_k * R::literal(160_695_812.869_725_9);
+        let node_5_omega_dot_k = t26_k * R::literal(160_695_812.869_725_9);
+        let node_4_omega_dot_k = t23_k * R::literal(19.069_821_446_680_283);
+        let node_3_omega_dot_k = t16_k * R::literal(160_695_812.869_725_9);
+        let node_2_omega_dot_k = t13_k * R::literal(160_695_812.869_725_9);
+        let node_1_omega_dot_k = t10_k * R::literal(160_695_812.869_725_9);
+        let node_0_omega_dot_k = t7_k * R::literal(-1_702.307_473_310_885);
         t1_before = t1_k;
         t2_before = t2_k;
         rates = [node_0_omega_k, node_1_omega_k, node_2_omega_k, node_3_omega_k, node_4_omega_k,

@@ -17,11 +17,12 @@
 // Shapes: coordinates 10, states 20, outputs 20.
 // Nonzeros: mass_matrix 100 of 10 by 10, rate_jacobian 210 of 20 by 20,
 //     parameter_jacobian 0 of 20 by 0.
-// Operations: rate 1145, mass_matrix 126, forcing 345, rate_jacobian 5565, energy 117,
-//     power_balance 1651.
+// Operations: rate 1145, mass_matrix 126, forcing 345, rate_jacobian 738, energy 117,
+//     power_balance 652, motion 1144.
 
 use ::machinist_contract::{
-    Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
+    Energy, PowerBalance, Real, implicit::{Step, substitute},
+    taylor::{Factored, Lanes, order_and_inverse},
 };
 
 ::machinist_contract::simulator! {
@@ -105,6 +106,701 @@ use ::machinist_contract::{
         19 [0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19] }
     /// Nonzeros of dy'/dp.
     PARAMETER_JACOBIAN_PATTERN: 20 by 0 {  }
+}
+
+/// What several functions need of the motion; `motion` says what each is.
+#[allow(missing_docs, reason = "`motion` says what each is")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Motion<R> {
+    pub factors: [R; 55],
+    pub sin_chain_theta_1: R,
+    pub cos_chain_theta_1: R,
+    pub sin_chain_theta_2: R,
+    pub cos_chain_theta_2: R,
+    pub sin_chain_theta_3: R,
+    pub cos_chain_theta_3: R,
+    pub sin_chain_theta_4: R,
+    pub cos_chain_theta_4: R,
+    pub sin_chain_theta_5: R,
+    pub cos_chain_theta_5: R,
+    pub sin_chain_theta_6: R,
+    pub cos_chain_theta_6: R,
+    pub sin_chain_theta_7: R,
+    pub cos_chain_theta_7: R,
+    pub sin_chain_theta_8: R,
+    pub cos_chain_theta_8: R,
+    pub sin_chain_theta_9: R,
+    pub cos_chain_theta_9: R,
+    pub sin_chain_theta_10: R,
+    pub cos_chain_theta_10: R,
+    pub t0: R,
+    pub t1: R,
+    pub t3: R,
+    pub t4: R,
+    pub t6: R,
+    pub t7: R,
+    pub t9: R,
+    pub t10: R,
+    pub t12: R,
+    pub t13: R,
+    pub t15: R,
+    pub t16: R,
+    pub t18: R,
+    pub t19: R,
+    pub t21: R,
+    pub t22: R,
+    pub t24: R,
+    pub t25: R,
+    pub t26: R,
+    pub t27: R,
+    pub t28: R,
+    pub t29: R,
+    pub t30: R,
+    pub t31: R,
+    pub t32: R,
+    pub t33: R,
+    pub t34: R,
+    pub t35: R,
+    pub t36: R,
+    pub t37: R,
+    pub t38: R,
+    pub t39: R,
+    pub t40: R,
+    pub t41: R,
+    pub t42: R,
+    pub t43: R,
+    pub t44: R,
+    pub t45: R,
+    pub t46: R,
+    pub t47: R,
+    pub t48: R,
+    pub t49: R,
+    pub t50: R,
+    pub t51: R,
+    pub t52: R,
+    pub t53: R,
+    pub t54: R,
+    pub t55: R,
+    pub t56: R,
+    pub t57: R,
+    pub t58: R,
+    pub t59: R,
+    pub t60: R,
+    pub t61: R,
+    pub t62: R,
+    pub t63: R,
+    pub t64: R,
+    pub t65: R,
+    pub t66: R,
+    pub t67: R,
+    pub t68: R,
+    pub t69: R,
+    pub t70: R,
+    pub t71: R,
+    pub t72: R,
+    pub t73: R,
+    pub t74: R,
+    pub t75: R,
+    pub t76: R,
+    pub t77: R,
+    pub t78: R,
+    pub t79: R,
+    pub t80: R,
+    pub t81: R,
+    pub t82: R,
+    pub t83: R,
+    pub t84: R,
+    pub t85: R,
+    pub t86: R,
+    pub t87: R,
+    pub t88: R,
+    pub t89: R,
+    pub t90: R,
+    pub t91: R,
+    pub t92: R,
+    pub t93: R,
+    pub t94: R,
+    pub t95: R,
+    pub t96: R,
+    pub t97: R,
+    pub chain_omega_10_dot: R,
+    pub chain_omega_9_dot: R,
+    pub chain_omega_8_dot: R,
+    pub chain_omega_7_dot: R,
+    pub chain_omega_6_dot: R,
+    pub chain_omega_5_dot: R,
+    pub chain_omega_4_dot: R,
+    pub chain_omega_3_dot: R,
+    pub chain_omega_2_dot: R,
+    pub t205: R,
+}
+
+/// Accelerations, factors of the linear equations they solve, and whatever else several functions
+/// need. 1144 operations.
+#[must_use]
+pub fn motion<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Motion<R> {
+    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_theta_6,
+        chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10, chain_omega_1, chain_omega_2,
+        chain_omega_3, chain_omega_4, chain_omega_5, chain_omega_6, chain_omega_7, chain_omega_8,
+        chain_omega_9, chain_omega_10] = *state;
+    let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
+        (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
+        (sin_chain_theta_5, cos_chain_theta_5), (sin_chain_theta_6, cos_chain_theta_6),
+        (sin_chain_theta_7, cos_chain_theta_7), (sin_chain_theta_8, cos_chain_theta_8),
+        (sin_chain_theta_9, cos_chain_theta_9), (sin_chain_theta_10, cos_chain_theta_10)]
+        = R::sin_cos_each([chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4,
+        chain_theta_5, chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10]);
+    let t0 = (sin_chain_theta_1 * cos_chain_theta_2).sub_product(cos_chain_theta_1,
+        sin_chain_theta_2);
+    let t1 = (cos_chain_theta_1 * cos_chain_theta_2).add_product(sin_chain_theta_1,
+        sin_chain_theta_2);
+    let t2 = R::literal(9.0) * t1;
+    let t3 = (sin_chain_theta_1 * cos_chain_theta_3).sub_product(cos_chain_theta_1,
+        sin_chain_theta_3);
+    let t4 = (cos_chain_theta_1 * cos_chain_theta_3).add_product(sin_chain_theta_1,
+        sin_chain_theta_3);
+    let t5 = R::literal(8.0) * t4;
+    let t6 = (sin_chain_theta_1 * cos_chain_theta_4).sub_product(cos_chain_theta_1,
+        sin_chain_theta_4);
+    let t7 = (cos_chain_theta_1 * cos_chain_theta_4).add_product(sin_chain_theta_1,
+        sin_chain_theta_4);
+    let t8 = R::literal(7.0) * t7;
+    let t9 = (sin_chain_theta_1 * cos_chain_theta_5).sub_product(cos_chain_theta_1,
+        sin_chain_theta_5);
+    let t10 = (cos_chain_theta_1 * cos_chain_theta_5).add_product(sin_chain_theta_1,
+        sin_chain_theta_5);
+    let t11 = R::literal(6.0) * t10;
+    let t12 = (sin_chain_theta_1 * cos_chain_theta_6).sub_product(cos_chain_theta_1,
+        sin_chain_theta_6);
+    let t13 = (cos_chain_theta_1 * cos_chain_theta_6).add_product(sin_chain_theta_1,
+        sin_chain_theta_6);
+    let t14 = R::literal(5.0) * t13;
+    let t15 = (sin_chain_theta_1 * cos_chain_theta_7).sub_product(cos_chain_theta_1,
+        sin_chain_theta_7);
+    let t16 = (cos_chain_theta_1 * cos_chain_theta_7).add_product(sin_chain_theta_1,
+        sin_chain_theta_7);
+    let t17 = R::literal(4.0) * t16;
+    let t18 = (sin_chain_theta_1 * cos_chain_theta_8).sub_product(cos_chain_theta_1,
+        sin_chain_theta_8);
+    let t19 = (cos_chain_theta_1 * cos_chain_theta_8).add_product(sin_chain_theta_1,
+        sin_chain_theta_8);
+    let t20 = R::literal(3.0) * t19;
+    let t21 = (sin_chain_theta_1 * cos_chain_theta_9).sub_product(cos_chain_theta_1,
+        sin_chain_theta_9);
+    let t22 = (cos_chain_theta_1 * cos_chain_theta_9).add_product(sin_chain_theta_1,
+        sin_chain_theta_9);
+    let t23 = R::literal(2.0) * t22;
+    let t24 = (sin_chain_theta_1 * cos_chain_theta_10).sub_product(cos_chain_theta_1,
+        sin_chain_theta_10);
+    let t25 = (cos_chain_theta_1 * cos_chain_theta_10).add_product(sin_chain_theta_1,
+        sin_chain_theta_10);
+    let t26 = (sin_chain_theta_2 * cos_chain_theta_3).sub_product(cos_chain_theta_2,
+        sin_chain_theta_3);
+    let t27 = (cos_chain_theta_2 * cos_chain_theta_3).add_product(sin_chain_theta_2,
+        sin_chain_theta_3);
+    let t28 = (sin_chain_theta_2 * cos_chain_theta_4).sub_product(cos_chain_theta_2,
+        sin_chain_theta_4);
+    let t29 = (cos_chain_theta_2 * cos_chain_theta_4).add_product(sin_chain_theta_2,
+        sin_chain_theta_4);
+    let t30 = (sin_chain_theta_2 * cos_chain_theta_5).sub_product(cos_chain_theta_2,
+        sin_chain_theta_5);
+    let t31 = (cos_chain_theta_2 * cos_chain_theta_5).add_product(sin_chain_theta_2,
+        sin_chain_theta_5);
+    let t32 = (sin_chain_theta_2 * cos_chain_theta_6).sub_product(cos_chain_theta_2,
+        sin_chain_theta_6);
+    let t33 = (cos_chain_theta_2 * cos_chain_theta_6).add_product(sin_chain_theta_2,
+        sin_chain_theta_6);
+    let t34 = (sin_chain_theta_2 * cos_chain_theta_7).sub_product(cos_chain_theta_2,
+        sin_chain_theta_7);
+    let t35 = (cos_chain_theta_2 * cos_chain_theta_7).add_product(sin_chain_theta_2,
+        sin_chain_theta_7);
+    let t36 = (sin_chain_theta_2 * cos_chain_theta_8).sub_product(cos_chain_theta_2,
+        sin_chain_theta_8);
+    let t37 = (cos_chain_theta_2 * cos_chain_theta_8).add_product(sin_chain_theta_2,
+        sin_chain_theta_8);
+    let t38 = (sin_chain_theta_2 * cos_chain_theta_9).sub_product(cos_chain_theta_2,
+        sin_chain_theta_9);
+    let t39 = (cos_chain_theta_2 * cos_chain_theta_9).add_product(sin_chain_theta_2,
+        sin_chain_theta_9);
+    let t40 = (sin_chain_theta_2 * cos_chain_theta_10).sub_product(cos_chain_theta_2,
+        sin_chain_theta_10);
+    let t41 = (cos_chain_theta_2 * cos_chain_theta_10).add_product(sin_chain_theta_2,
+        sin_chain_theta_10);
+    let t42 = (sin_chain_theta_3 * cos_chain_theta_4).sub_product(cos_chain_theta_3,
+        sin_chain_theta_4);
+    let t43 = (cos_chain_theta_3 * cos_chain_theta_4).add_product(sin_chain_theta_3,
+        sin_chain_theta_4);
+    let t44 = (sin_chain_theta_3 * cos_chain_theta_5).sub_product(cos_chain_theta_3,
+        sin_chain_theta_5);
+    let t45 = (cos_chain_theta_3 * cos_chain_theta_5).add_product(sin_chain_theta_3,
+        sin_chain_theta_5);
+    let t46 = (sin_chain_theta_3 * cos_chain_theta_6).sub_product(cos_chain_theta_3,
+        sin_chain_theta_6);
+    let t47 = (cos_chain_theta_3 * cos_chain_theta_6).add_product(sin_chain_theta_3,
+        sin_chain_theta_6);
+    let t48 = (sin_chain_theta_3 * cos_chain_theta_7).sub_product(cos_chain_theta_3,
+        sin_chain_theta_7);
+    let t49 = (cos_chain_theta_3 * cos_chain_theta_7).add_product(sin_chain_theta_3,
+        sin_chain_theta_7);
+    let t50 = (sin_chain_theta_3 * cos_chain_theta_8).sub_product(cos_chain_theta_3,
+        sin_chain_theta_8);
+    let t51 = (cos_chain_theta_3 * cos_chain_theta_8).add_product(sin_chain_theta_3,
+        sin_chain_theta_8);
+    let t52 = (sin_chain_theta_3 * cos_chain_theta_9).sub_product(cos_chain_theta_3,
+        sin_chain_theta_9);
+    let t53 = (cos_chain_theta_3 * cos_chain_theta_9).add_product(sin_chain_theta_3,
+        sin_chain_theta_9);
+    let t54 = (sin_chain_theta_3 * cos_chain_theta_10).sub_product(cos_chain_theta_3,
+        sin_chain_theta_10);
+    let t55 = (cos_chain_theta_3 * cos_chain_theta_10).add_product(sin_chain_theta_3,
+        sin_chain_theta_10);
+    let t56 = (sin_chain_theta_4 * cos_chain_theta_5).sub_product(cos_chain_theta_4,
+        sin_chain_theta_5);
+    let t57 = (cos_chain_theta_4 * cos_chain_theta_5).add_product(sin_chain_theta_4,
+        sin_chain_theta_5);
+    let t58 = (sin_chain_theta_4 * cos_chain_theta_6).sub_product(cos_chain_theta_4,
+        sin_chain_theta_6);
+    let t59 = (cos_chain_theta_4 * cos_chain_theta_6).add_product(sin_chain_theta_4,
+        sin_chain_theta_6);
+    let t60 = (sin_chain_theta_4 * cos_chain_theta_7).sub_product(cos_chain_theta_4,
+        sin_chain_theta_7);
+    let t61 = (cos_chain_theta_4 * cos_chain_theta_7).add_product(sin_chain_theta_4,
+        sin_chain_theta_7);
+    let t62 = (sin_chain_theta_4 * cos_chain_theta_8).sub_product(cos_chain_theta_4,
+        sin_chain_theta_8);
+    let t63 = (cos_chain_theta_4 * cos_chain_theta_8).add_product(sin_chain_theta_4,
+        sin_chain_theta_8);
+    let t64 = (sin_chain_theta_4 * cos_chain_theta_9).sub_product(cos_chain_theta_4,
+        sin_chain_theta_9);
+    let t65 = (cos_chain_theta_4 * cos_chain_theta_9).add_product(sin_chain_theta_4,
+        sin_chain_theta_9);
+    let t66 = (sin_chain_theta_4 * cos_chain_theta_10).sub_product(cos_chain_theta_4,
+        sin_chain_theta_10);
+    let t67 = (cos_chain_theta_4 * cos_chain_theta_10).add_product(sin_chain_theta_4,
+        sin_chain_theta_10);
+    let t68 = (sin_chain_theta_5 * cos_chain_theta_6).sub_product(cos_chain_theta_5,
+        sin_chain_theta_6);
+    let t69 = (cos_chain_theta_5 * cos_chain_theta_6).add_product(sin_chain_theta_5,
+        sin_chain_theta_6);
+    let t70 = (sin_chain_theta_5 * cos_chain_theta_7).sub_product(cos_chain_theta_5,
+        sin_chain_theta_7);
+    let t71 = (cos_chain_theta_5 * cos_chain_theta_7).add_product(sin_chain_theta_5,
+        sin_chain_theta_7);
+    let t72 = (sin_chain_theta_5 * cos_chain_theta_8).sub_product(cos_chain_theta_5,
+        sin_chain_theta_8);
+    let t73 = (cos_chain_theta_5 * cos_chain_theta_8).add_product(sin_chain_theta_5,
+        sin_chain_theta_8);
+    let t74 = (sin_chain_theta_5 * cos_chain_theta_9).sub_product(cos_chain_theta_5,
+        sin_chain_theta_9);
+    let t75 = (cos_chain_theta_5 * cos_chain_theta_9).add_product(sin_chain_theta_5,
+        sin_chain_theta_9);
+    let t76 = (sin_chain_theta_5 * cos_chain_theta_10).sub_product(cos_chain_theta_5,
+        sin_chain_theta_10);
+    let t77 = (cos_chain_theta_5 * cos_chain_theta_10).add_product(sin_chain_theta_5,
+        sin_chain_theta_10);
+    let t78 = (sin_chain_theta_6 * cos_chain_theta_7).sub_product(cos_chain_theta_6,
+        sin_chain_theta_7);
+    let t79 = (cos_chain_theta_6 * cos_chain_theta_7).add_product(sin_chain_theta_6,
+        sin_chain_theta_7);
+    let t80 = (sin_chain_theta_6 * cos_chain_theta_8).sub_product(cos_chain_theta_6,
+        sin_chain_theta_8);
+    let t81 = (cos_chain_theta_6 * cos_chain_theta_8).add_product(sin_chain_theta_6,
+        sin_chain_theta_8);
+    let t82 = (sin_chain_theta_6 * cos_chain_theta_9).sub_product(cos_chain_theta_6,
+        sin_chain_theta_9);
+    let t83 = (cos_chain_theta_6 * cos_chain_theta_9).add_product(sin_chain_theta_6,
+        sin_chain_theta_9);
+    let t84 = (sin_chain_theta_6 * cos_chain_theta_10).sub_product(cos_chain_theta_6,
+        sin_chain_theta_10);
+    let t85 = (cos_chain_theta_6 * cos_chain_theta_10).add_product(sin_chain_theta_6,
+        sin_chain_theta_10);
+    let t86 = (sin_chain_theta_7 * cos_chain_theta_8).sub_product(cos_chain_theta_7,
+        sin_chain_theta_8);
+    let t87 = (cos_chain_theta_7 * cos_chain_theta_8).add_product(sin_chain_theta_7,
+        sin_chain_theta_8);
+    let t88 = (sin_chain_theta_7 * cos_chain_theta_9).sub_product(cos_chain_theta_7,
+        sin_chain_theta_9);
+    let t89 = (cos_chain_theta_7 * cos_chain_theta_9).add_product(sin_chain_theta_7,
+        sin_chain_theta_9);
+    let t90 = (sin_chain_theta_7 * cos_chain_theta_10).sub_product(cos_chain_theta_7,
+        sin_chain_theta_10);
+    let t91 = (cos_chain_theta_7 * cos_chain_theta_10).add_product(sin_chain_theta_7,
+        sin_chain_theta_10);
+    let t92 = (sin_chain_theta_8 * cos_chain_theta_9).sub_product(cos_chain_theta_8,
+        sin_chain_theta_9);
+    let t93 = (cos_chain_theta_8 * cos_chain_theta_9).add_product(sin_chain_theta_8,
+        sin_chain_theta_9);
+    let t94 = (sin_chain_theta_8 * cos_chain_theta_10).sub_product(cos_chain_theta_8,
+        sin_chain_theta_10);
+    let t95 = (cos_chain_theta_8 * cos_chain_theta_10).add_product(sin_chain_theta_8,
+        sin_chain_theta_10);
+    let t96 = (sin_chain_theta_9 * cos_chain_theta_10).sub_product(cos_chain_theta_9,
+        sin_chain_theta_10);
+    let t97 = (cos_chain_theta_9 * cos_chain_theta_10).add_product(sin_chain_theta_9,
+        sin_chain_theta_10);
+    let t98 = R::literal(0.9) * t1;
+    let t99 = R::literal(0.8) * t4;
+    let t100 = R::literal(0.700_000_000_000_000_1) * t7;
+    let t101 = R::literal(0.600_000_000_000_000_1) * t10;
+    let t102 = R::literal(0.5) * t13;
+    let t103 = R::literal(0.4) * t16;
+    let t104 = R::literal(0.300_000_000_000_000_04) * t19;
+    let t105 = R::literal(0.2) * t22;
+    let t106 = t25 * R::literal(0.1);
+    let t107 = R::literal(1.0) / R::literal(9.0).sub_product(t98, t2);
+    let t108 = (R::literal(8.0) * t27).sub_product(t99, t2);
+    let t109 = t108 * t107;
+    let t110 = (R::literal(7.0) * t29).sub_product(t100, t2);
+    let t111 = t110 * t107;
+    let t112 = (R::literal(6.0) * t31).sub_product(t101, t2);
+    let t113 = t112 * t107;
+    let t114 = (R::literal(5.0) * t33).sub_product(t102, t2);
+    let t115 = t114 * t107;
+    let t116 = (R::literal(4.0) * t35).sub_product(t103, t2);
+    let t117 = t116 * t107;
+    let t118 = (R::literal(3.0) * t37).sub_product(t104, t2);
+    let t119 = t118 * t107;
+    let t120 = (R::literal(2.0) * t39).sub_product(t105, t2);
+    let t121 = t120 * t107;
+    let t122 = t41.sub_product(t106, t2);
+    let t123 = t122 * t107;
+    let t124 = R::literal(1.0) / R::literal(8.0).sub_product(t99, t5).sub_product(t109, t108);
+    let t125 = (R::literal(7.0) * t43).sub_product(t100, t5).sub_product(t111, t108);
+    let t126 = t125 * t124;
+    let t127 = (R::literal(6.0) * t45).sub_product(t101, t5).sub_product(t113, t108);
+    let t128 = t127 * t124;
+    let t129 = (R::literal(5.0) * t47).sub_product(t102, t5).sub_product(t115, t108);
+    let t130 = t129 * t124;
+    let t131 = (R::literal(4.0) * t49).sub_product(t103, t5).sub_product(t117, t108);
+    let t132 = t131 * t124;
+    let t133 = (R::literal(3.0) * t51).sub_product(t104, t5).sub_product(t119, t108);
+    let t134 = t133 * t124;
+    let t135 = (R::literal(2.0) * t53).sub_product(t105, t5).sub_product(t121, t108);
+    let t136 = t135 * t124;
+    let t137 = t55.sub_product(t106, t5).sub_product(t123, t108);
+    let t138 = t137 * t124;
+    let t139 = R::literal(1.0) / R::literal(7.0).sub_product(t100, t8).sub_product(t111, t110)
+        .sub_product(t126, t125);
+    let t140 = (R::literal(6.0) * t57).sub_product(t101, t8).sub_product(t113, t110)
+        .sub_product(t128, t125);
+    let t141 = t140 * t139;
+    let t142 = (R::literal(5.0) * t59).sub_product(t102, t8).sub_product(t115, t110)
+        .sub_product(t130, t125);
+    let t143 = t142 * t139;
+    let t144 = (R::literal(4.0) * t61).sub_product(t103, t8).sub_product(t117, t110)
+        .sub_product(t132, t125);
+    let t145 = t144 * t139;
+    let t146 = (R::literal(3.0) * t63).sub_product(t104, t8).sub_product(t119, t110)
+        .sub_product(t134, t125);
+    let t147 = t146 * t139;
+    let t148 = (R::literal(2.0) * t65).sub_product(t105, t8).sub_product(t121, t110)
+        .sub_product(t136, t125);
+    let t149 = t148 * t139;
+    let t150 = t67.sub_product(t106, t8).sub_product(t123, t110).sub_product(t138, t125);
+    let t151 = t150 * t139;
+    let t152 = R::literal(1.0) / R::literal(6.0).sub_product(t101, t11).sub_product(t113, t112)
+        .sub_product(t128, t127).sub_product(t141, t140);
+    let t153 = (R::literal(5.0) * t69).sub_product(t102, t11).sub_product(t115, t112)
+        .sub_product(t130, t127).sub_product(t143, t140);
+    let t154 = t153 * t152;
+    let t155 = (R::literal(4.0) * t71).sub_product(t103, t11).sub_product(t117, t112)
+        .sub_product(t132, t127).sub_product(t145, t140);
+    let t156 = t155 * t152;
+    let t157 = (R::literal(3.0) * t73).sub_product(t104, t11).sub_product(t119, t112)
+        .sub_product(t134, t127).sub_product(t147, t140);
+    let t158 = t157 * t152;
+    let t159 = (R::literal(2.0) * t75).sub_product(t105, t11).sub_product(t121, t112)
+        .sub_product(t136, t127).sub_product(t149, t140);
+    let t160 = t159 * t152;
+    let t161 = t77.sub_product(t106, t11).sub_product(t123, t112).sub_product(t138, t127)
+        .sub_product(t151, t140);
+    let t162 = t161 * t152;
+    let t163 = R::literal(1.0) / R::literal(5.0).sub_product(t102, t14).sub_product(t115, t114)
+        .sub_product(t130, t129).sub_product(t143, t142).sub_product(t154, t153);
+    let t164 = (R::literal(4.0) * t79).sub_product(t103, t14).sub_product(t117, t114)
+        .sub_product(t132, t129).sub_product(t145, t142).sub_product(t156, t153);
+    let t165 = t164 * t163;
+    let t166 = (R::literal(3.0) * t81).sub_product(t104, t14).sub_product(t119, t114)
+        .sub_product(t134, t129).sub_product(t147, t142).sub_product(t158, t153);
+    let t167 = t166 * t163;
+    let t168 = (R::literal(2.0) * t83).sub_product(t105, t14).sub_product(t121, t114)
+        .sub_product(t136, t129).sub_product(t149, t142).sub_product(t160, t153);
+    let t169 = t168 * t163;
+    let t170 = t85.sub_product(t106, t14).sub_product(t123, t114).sub_product(t138, t129)
+        .sub_product(t151, t142).sub_product(t162, t153);
+    let t171 = t170 * t163;
+    let t172 = R::literal(1.0) / R::literal(4.0).sub_product(t103, t17).sub_product(t117, t116)
+        .sub_product(t132, t131).sub_product(t145, t144).sub_product(t156, t155).sub_product(t165,
+        t164);
+    let t173 = (R::literal(3.0) * t87).sub_product(t104, t17).sub_product(t119, t116)
+        .sub_product(t134, t131).sub_product(t147, t144).sub_product(t158, t155).sub_product(t167,
+        t164);
+    let t174 = t173 * t172;
+    let t175 = (R::literal(2.0) * t89).sub_product(t105, t17).sub_product(t121, t116)
+        .sub_product(t136, t131).sub_product(t149, t144).sub_product(t160, t155).sub_product(t169,
+        t164);
+    let t176 = t175 * t172;
+    let t177 = t91.sub_product(t106, t17).sub_product(t123, t116).sub_product(t138, t131)
+        .sub_product(t151, t144).sub_product(t162, t155).sub_product(t171, t164);
+    let t178 = t177 * t172;
+    let t179 = R::literal(1.0) / R::literal(3.0).sub_product(t104, t20).sub_product(t119, t118)
+        .sub_product(t134, t133).sub_product(t147, t146).sub_product(t158, t157).sub_product(t167,
+        t166).sub_product(t174, t173);
+    let t180 = (R::literal(2.0) * t93).sub_product(t105, t20).sub_product(t121, t118)
+        .sub_product(t136, t133).sub_product(t149, t146).sub_product(t160, t157).sub_product(t169,
+        t166).sub_product(t176, t173);
+    let t181 = t180 * t179;
+    let t182 = t95.sub_product(t106, t20).sub_product(t123, t118).sub_product(t138, t133)
+        .sub_product(t151, t146).sub_product(t162, t157).sub_product(t171, t166).sub_product(t178,
+        t173);
+    let t183 = t182 * t179;
+    let t184 = R::literal(1.0) / R::literal(2.0).sub_product(t105, t23).sub_product(t121, t120)
+        .sub_product(t136, t135).sub_product(t149, t148).sub_product(t160, t159).sub_product(t169,
+        t168).sub_product(t176, t175).sub_product(t181, t180);
+    let t185 = t97.sub_product(t106, t23).sub_product(t123, t120).sub_product(t138, t135)
+        .sub_product(t151, t148).sub_product(t162, t159).sub_product(t171, t168).sub_product(t178,
+        t175).sub_product(t183, t180);
+    let t186 = t185 * t184;
+    let t187 = R::literal(1.0) / R::literal(1.0).sub_product(t106, t25).sub_product(t123, t122)
+        .sub_product(t138, t137).sub_product(t151, t150).sub_product(t162, t161).sub_product(t171,
+        t170).sub_product(t178, t177).sub_product(t183, t182).sub_product(t186, t185);
+    let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
+    let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
+    let t188 = R::literal(8.0) * chain_omega_3_squared;
+    let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
+    let t189 = R::literal(7.0) * chain_omega_4_squared;
+    let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
+    let t190 = R::literal(6.0) * chain_omega_5_squared;
+    let chain_omega_6_squared = chain_omega_6 * chain_omega_6;
+    let t191 = R::literal(5.0) * chain_omega_6_squared;
+    let chain_omega_7_squared = chain_omega_7 * chain_omega_7;
+    let t192 = R::literal(4.0) * chain_omega_7_squared;
+    let chain_omega_8_squared = chain_omega_8 * chain_omega_8;
+    let t193 = R::literal(3.0) * chain_omega_8_squared;
+    let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
+    let t194 = R::literal(2.0) * chain_omega_9_squared;
+    let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
+    let t195 = (R::literal(98.1) * sin_chain_theta_1).add_product(R::literal(9.0)
+        * chain_omega_2_squared, t0).add_product(t188, t3).add_product(t189, t6).add_product(t190,
+        t9).add_product(t191, t12).add_product(t192, t15).add_product(t193, t18).add_product(t194,
+        t21).add_product(chain_omega_10_squared, t24);
+    let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
+    let t196 = (R::literal(-88.29) * sin_chain_theta_2).add_product(R::literal(9.0)
+        * chain_omega_1_squared, t0).sub_product(t188, t26).sub_product(t189, t28)
+        .sub_product(t190, t30).sub_product(t191, t32).sub_product(t192, t34).sub_product(t193, t36)
+        .sub_product(t194, t38).sub_product(chain_omega_10_squared, t40).add_product(t98, t195);
+    let t197 = (R::literal(8.0) * chain_omega_1_squared * t3).add_product(R::literal(8.0)
+        * chain_omega_2_squared, t26).sub_product(R::literal(78.48), sin_chain_theta_3)
+        .sub_product(t189, t42).sub_product(t190, t44).sub_product(t191, t46).sub_product(t192, t48)
+        .sub_product(t193, t50).sub_product(t194, t52).sub_product(chain_omega_10_squared, t54)
+        .add_product(t99, t195).sub_product(t109, t196);
+    let t198 = (R::literal(7.0) * chain_omega_1_squared * t6).add_product(R::literal(7.0)
+        * chain_omega_2_squared, t28).add_product(R::literal(7.0) * chain_omega_3_squared, t42)
+        .sub_product(R::literal(68.67), sin_chain_theta_4).sub_product(t190, t56).sub_product(t191,
+        t58).sub_product(t192, t60).sub_product(t193, t62).sub_product(t194, t64)
+        .sub_product(chain_omega_10_squared, t66).add_product(t100, t195).sub_product(t111, t196)
+        .sub_product(t126, t197);
+    let t199 = (R::literal(6.0) * chain_omega_1_squared * t9).add_product(R::literal(6.0)
+        * chain_omega_2_squared, t30).add_product(R::literal(6.0) * chain_omega_3_squared, t44)
+        .add_product(R::literal(6.0) * chain_omega_4_squared, t56).sub_product(R::literal(58.86),
+        sin_chain_theta_5).sub_product(t191, t68).sub_product(t192, t70).sub_product(t193, t72)
+        .sub_product(t194, t74).sub_product(chain_omega_10_squared, t76).add_product(t101, t195)
+        .sub_product(t113, t196).sub_product(t128, t197).sub_product(t141, t198);
+    let t200 = (R::literal(5.0) * chain_omega_1_squared * t12).add_product(R::literal(5.0)
+        * chain_omega_2_squared, t32).add_product(R::literal(5.0) * chain_omega_3_squared, t46)
+        .add_product(R::literal(5.0) * chain_omega_4_squared, t58).add_product(R::literal(5.0)
+        * chain_omega_5_squared, t68).sub_product(R::literal(49.05), sin_chain_theta_6)
+        .sub_product(t192, t78).sub_product(t193, t80).sub_product(t194, t82)
+        .sub_product(chain_omega_10_squared, t84).add_product(t102, t195).sub_product(t115, t196)
+        .sub_product(t130, t197).sub_product(t143, t198).sub_product(t154, t199);
+    let t201 = (R::literal(4.0) * chain_omega_1_squared * t15).add_product(R::literal(4.0)
+        * chain_omega_2_squared, t34).add_product(R::literal(4.0) * chain_omega_3_squared, t48)
+        .add_product(R::literal(4.0) * chain_omega_4_squared, t60).add_product(R::literal(4.0)
+        * chain_omega_5_squared, t70).add_product(R::literal(4.0) * chain_omega_6_squared, t78)
+        .sub_product(R::literal(39.24), sin_chain_theta_7).sub_product(t193, t86).sub_product(t194,
+        t88).sub_product(chain_omega_10_squared, t90).add_product(t103, t195).sub_product(t117,
+        t196).sub_product(t132, t197).sub_product(t145, t198).sub_product(t156, t199)
+        .sub_product(t165, t200);
+    let t202 = (R::literal(3.0) * chain_omega_1_squared * t18).add_product(R::literal(3.0)
+        * chain_omega_2_squared, t36).add_product(R::literal(3.0) * chain_omega_3_squared, t50)
+        .add_product(R::literal(3.0) * chain_omega_4_squared, t62).add_product(R::literal(3.0)
+        * chain_omega_5_squared, t72).add_product(R::literal(3.0) * chain_omega_6_squared, t80)
+        .add_product(R::literal(3.0) * chain_omega_7_squared, t86).sub_product(R::literal(29.43),
+        sin_chain_theta_8).sub_product(t194, t92).sub_product(chain_omega_10_squared, t94)
+        .add_product(t104, t195).sub_product(t119, t196).sub_product(t134, t197).sub_product(t147,
+        t198).sub_product(t158, t199).sub_product(t167, t200).sub_product(t174, t201);
+    let t203 = (R::literal(2.0) * chain_omega_1_squared * t21).add_product(R::literal(2.0)
+        * chain_omega_2_squared, t38).add_product(R::literal(2.0) * chain_omega_3_squared, t52)
+        .add_product(R::literal(2.0) * chain_omega_4_squared, t64).add_product(R::literal(2.0)
+        * chain_omega_5_squared, t74).add_product(R::literal(2.0) * chain_omega_6_squared, t82)
+        .add_product(R::literal(2.0) * chain_omega_7_squared, t88).add_product(R::literal(2.0)
+        * chain_omega_8_squared, t92).sub_product(R::literal(19.62), sin_chain_theta_9)
+        .sub_product(chain_omega_10_squared, t96).add_product(t105, t195).sub_product(t121, t196)
+        .sub_product(t136, t197).sub_product(t149, t198).sub_product(t160, t199).sub_product(t169,
+        t200);
+    let t204 = t203.sub_product(t176, t201).sub_product(t181, t202);
+    let chain_omega_10_dot = (chain_omega_1_squared * t24).add_product(chain_omega_2_squared, t40)
+        .add_product(chain_omega_3_squared, t54).add_product(chain_omega_4_squared, t66)
+        .add_product(chain_omega_5_squared, t76).add_product(chain_omega_6_squared, t84)
+        .add_product(chain_omega_7_squared, t90).add_product(chain_omega_8_squared, t94)
+        .add_product(chain_omega_9_squared, t96).sub_product(R::literal(9.81), sin_chain_theta_10)
+        .add_product(t106, t195).sub_product(t123, t196).sub_product(t138, t197).sub_product(t151,
+        t198).sub_product(t162, t199).sub_product(t171, t200).sub_product(t178, t201)
+        .sub_product(t183, t202).sub_product(t186, t204) * t187;
+    let chain_omega_9_dot = (t204 * t184).sub_product(t186, chain_omega_10_dot);
+    let chain_omega_8_dot = (t202 * t179).sub_product(t181, chain_omega_9_dot).sub_product(t183,
+        chain_omega_10_dot);
+    let chain_omega_7_dot = (t201 * t172).sub_product(t174, chain_omega_8_dot).sub_product(t176,
+        chain_omega_9_dot).sub_product(t178, chain_omega_10_dot);
+    let chain_omega_6_dot = (t200 * t163).sub_product(t165, chain_omega_7_dot).sub_product(t167,
+        chain_omega_8_dot).sub_product(t169, chain_omega_9_dot).sub_product(t171,
+        chain_omega_10_dot);
+    let chain_omega_5_dot = (t199 * t152).sub_product(t154, chain_omega_6_dot).sub_product(t156,
+        chain_omega_7_dot).sub_product(t158, chain_omega_8_dot).sub_product(t160, chain_omega_9_dot)
+        .sub_product(t162, chain_omega_10_dot);
+    let chain_omega_4_dot = (t198 * t139).sub_product(t141, chain_omega_5_dot).sub_product(t143,
+        chain_omega_6_dot).sub_product(t145, chain_omega_7_dot).sub_product(t147, chain_omega_8_dot)
+        .sub_product(t149, chain_omega_9_dot).sub_product(t151, chain_omega_10_dot);
+    let chain_omega_3_dot = (t197 * t124).sub_product(t126, chain_omega_4_dot).sub_product(t128,
+        chain_omega_5_dot).sub_product(t130, chain_omega_6_dot).sub_product(t132, chain_omega_7_dot)
+        .sub_product(t134, chain_omega_8_dot).sub_product(t136, chain_omega_9_dot)
+        .sub_product(t138, chain_omega_10_dot);
+    let chain_omega_2_dot = (t196 * t107).sub_product(t109, chain_omega_3_dot).sub_product(t111,
+        chain_omega_4_dot).sub_product(t113, chain_omega_5_dot).sub_product(t115, chain_omega_6_dot)
+        .sub_product(t117, chain_omega_7_dot).sub_product(t119, chain_omega_8_dot)
+        .sub_product(t121, chain_omega_9_dot).sub_product(t123, chain_omega_10_dot);
+    let t205 = (t195 * R::literal(0.1)).add_product(t98, chain_omega_2_dot).add_product(t99,
+        chain_omega_3_dot).add_product(t100, chain_omega_4_dot).add_product(t101, chain_omega_5_dot)
+        .add_product(t102, chain_omega_6_dot).add_product(t103, chain_omega_7_dot)
+        .add_product(t104, chain_omega_8_dot).add_product(t105, chain_omega_9_dot)
+        .add_product(t106, chain_omega_10_dot);
+    Motion {
+        factors: [t98, t99, t109, t100, t111, t126, t101, t113, t128, t141, t102, t115, t130, t143,
+            t154, t103, t117, t132, t145, t156, t165, t104, t119, t134, t147, t158, t167, t174,
+            t105, t121, t136, t149, t160, t169, t176, t181, t106, t123, t138, t151, t162, t171,
+            t178, t183, t186, t187, t184, t179, t172, t163, t152, t139, t124, t107,
+            R::literal(0.1)],
+        sin_chain_theta_1,
+        cos_chain_theta_1,
+        sin_chain_theta_2,
+        cos_chain_theta_2,
+        sin_chain_theta_3,
+        cos_chain_theta_3,
+        sin_chain_theta_4,
+        cos_chain_theta_4,
+        sin_chain_theta_5,
+        cos_chain_theta_5,
+        sin_chain_theta_6,
+        cos_chain_theta_6,
+        sin_chain_theta_7,
+        cos_chain_theta_7,
+        sin_chain_theta_8,
+        cos_chain_theta_8,
+        sin_chain_theta_9,
+        cos_chain_theta_9,
+        sin_chain_theta_10,
+        cos_chain_theta_10,
+        t0,
+        t1,
+        t3,
+        t4,
+        t6,
+        t7,
+        t9,
+        t10,
+        t12,
+        t13,
+        t15,
+        t16,
+        t18,
+        t19,
+        t21,
+        t22,
+        t24,
+        t25,
+        t26,
+        t27,
+        t28,
+        t29,
+        t30,
+        t31,
+        t32,
+        t33,
+        t34,
+        t35,
+        t36,
+        t37,
+        t38,
+        t39,
+        t40,
+        t41,
+        t42,
+        t43,
+        t44,
+        t45,
+        t46,
+        t47,
+        t48,
+        t49,
+        t50,
+        t51,
+        t52,
+        t53,
+        t54,
+        t55,
+        t56,
+        t57,
+        t58,
+        t59,
+        t60,
+        t61,
+        t62,
+        t63,
+        t64,
+        t65,
+        t66,
+        t67,
+        t68,
+        t69,
+        t70,
+        t71,
+        t72,
+        t73,
+        t74,
+        t75,
+        t76,
+        t77,
+        t78,
+        t79,
+        t80,
+        t81,
+        t82,
+        t83,
+        t84,
+        t85,
+        t86,
+        t87,
+        t88,
+        t89,
+        t90,
+        t91,
+        t92,
+        t93,
+        t94,
+        t95,
+        t96,
+        t97,
+        chain_omega_10_dot,
+        chain_omega_9_dot,
+        chain_omega_8_dot,
+        chain_omega_7_dot,
+        chain_omega_6_dot,
+        chain_omega_5_dot,
+        chain_omega_4_dot,
+        chain_omega_3_dot,
+        chain_omega_2_dot,
+        t205,
+    }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -737,2021 +1433,496 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R
         chain_theta_9_forcing, chain_theta_10_forcing]
 }
 
-/// `dy'/dy`, values in the order of its pattern. 5565 operations.
+/// `dy'/dy`, values in the order of its pattern. 738 operations.
 #[must_use]
-pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; 210] {
-    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_theta_6,
-        chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10, chain_omega_1, chain_omega_2,
-        chain_omega_3, chain_omega_4, chain_omega_5, chain_omega_6, chain_omega_7, chain_omega_8,
-        chain_omega_9, chain_omega_10] = *state;
-    let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
-        (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
-        (sin_chain_theta_5, cos_chain_theta_5), (sin_chain_theta_6, cos_chain_theta_6),
-        (sin_chain_theta_7, cos_chain_theta_7), (sin_chain_theta_8, cos_chain_theta_8),
-        (sin_chain_theta_9, cos_chain_theta_9), (sin_chain_theta_10, cos_chain_theta_10)]
-        = R::sin_cos_each([chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4,
-        chain_theta_5, chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10]);
-    let t0 = (sin_chain_theta_1 * cos_chain_theta_2).sub_product(cos_chain_theta_1,
-        sin_chain_theta_2);
-    let t1 = (cos_chain_theta_1 * cos_chain_theta_2).add_product(sin_chain_theta_1,
-        sin_chain_theta_2);
-    let t2 = R::literal(9.0) * t1;
-    let t3 = (sin_chain_theta_1 * cos_chain_theta_3).sub_product(cos_chain_theta_1,
-        sin_chain_theta_3);
-    let t4 = (cos_chain_theta_1 * cos_chain_theta_3).add_product(sin_chain_theta_1,
-        sin_chain_theta_3);
-    let t5 = R::literal(8.0) * t4;
-    let t6 = (sin_chain_theta_1 * cos_chain_theta_4).sub_product(cos_chain_theta_1,
-        sin_chain_theta_4);
-    let t7 = (cos_chain_theta_1 * cos_chain_theta_4).add_product(sin_chain_theta_1,
-        sin_chain_theta_4);
-    let t8 = R::literal(7.0) * t7;
-    let t9 = (sin_chain_theta_1 * cos_chain_theta_5).sub_product(cos_chain_theta_1,
-        sin_chain_theta_5);
-    let t10 = (cos_chain_theta_1 * cos_chain_theta_5).add_product(sin_chain_theta_1,
-        sin_chain_theta_5);
-    let t11 = R::literal(6.0) * t10;
-    let t12 = (sin_chain_theta_1 * cos_chain_theta_6).sub_product(cos_chain_theta_1,
-        sin_chain_theta_6);
-    let t13 = (cos_chain_theta_1 * cos_chain_theta_6).add_product(sin_chain_theta_1,
-        sin_chain_theta_6);
-    let t14 = R::literal(5.0) * t13;
-    let t15 = (sin_chain_theta_1 * cos_chain_theta_7).sub_product(cos_chain_theta_1,
-        sin_chain_theta_7);
-    let t16 = (cos_chain_theta_1 * cos_chain_theta_7).add_product(sin_chain_theta_1,
-        sin_chain_theta_7);
-    let t17 = R::literal(4.0) * t16;
-    let t18 = (sin_chain_theta_1 * cos_chain_theta_8).sub_product(cos_chain_theta_1,
-        sin_chain_theta_8);
-    let t19 = (cos_chain_theta_1 * cos_chain_theta_8).add_product(sin_chain_theta_1,
-        sin_chain_theta_8);
-    let t20 = R::literal(3.0) * t19;
-    let t21 = (sin_chain_theta_1 * cos_chain_theta_9).sub_product(cos_chain_theta_1,
-        sin_chain_theta_9);
-    let t22 = (cos_chain_theta_1 * cos_chain_theta_9).add_product(sin_chain_theta_1,
-        sin_chain_theta_9);
-    let t23 = R::literal(2.0) * t22;
-    let t24 = (sin_chain_theta_1 * cos_chain_theta_10).sub_product(cos_chain_theta_1,
-        sin_chain_theta_10);
-    let t25 = (cos_chain_theta_1 * cos_chain_theta_10).add_product(sin_chain_theta_1,
-        sin_chain_theta_10);
-    let t26 = (sin_chain_theta_2 * cos_chain_theta_3).sub_product(cos_chain_theta_2,
-        sin_chain_theta_3);
-    let t27 = (cos_chain_theta_2 * cos_chain_theta_3).add_product(sin_chain_theta_2,
-        sin_chain_theta_3);
-    let t28 = (sin_chain_theta_2 * cos_chain_theta_4).sub_product(cos_chain_theta_2,
-        sin_chain_theta_4);
-    let t29 = (cos_chain_theta_2 * cos_chain_theta_4).add_product(sin_chain_theta_2,
-        sin_chain_theta_4);
-    let t30 = (sin_chain_theta_2 * cos_chain_theta_5).sub_product(cos_chain_theta_2,
-        sin_chain_theta_5);
-    let t31 = (cos_chain_theta_2 * cos_chain_theta_5).add_product(sin_chain_theta_2,
-        sin_chain_theta_5);
-    let t32 = (sin_chain_theta_2 * cos_chain_theta_6).sub_product(cos_chain_theta_2,
-        sin_chain_theta_6);
-    let t33 = (cos_chain_theta_2 * cos_chain_theta_6).add_product(sin_chain_theta_2,
-        sin_chain_theta_6);
-    let t34 = (sin_chain_theta_2 * cos_chain_theta_7).sub_product(cos_chain_theta_2,
-        sin_chain_theta_7);
-    let t35 = (cos_chain_theta_2 * cos_chain_theta_7).add_product(sin_chain_theta_2,
-        sin_chain_theta_7);
-    let t36 = (sin_chain_theta_2 * cos_chain_theta_8).sub_product(cos_chain_theta_2,
-        sin_chain_theta_8);
-    let t37 = (cos_chain_theta_2 * cos_chain_theta_8).add_product(sin_chain_theta_2,
-        sin_chain_theta_8);
-    let t38 = (sin_chain_theta_2 * cos_chain_theta_9).sub_product(cos_chain_theta_2,
-        sin_chain_theta_9);
-    let t39 = (cos_chain_theta_2 * cos_chain_theta_9).add_product(sin_chain_theta_2,
-        sin_chain_theta_9);
-    let t40 = (sin_chain_theta_2 * cos_chain_theta_10).sub_product(cos_chain_theta_2,
-        sin_chain_theta_10);
-    let t41 = (cos_chain_theta_2 * cos_chain_theta_10).add_product(sin_chain_theta_2,
-        sin_chain_theta_10);
-    let t42 = (sin_chain_theta_3 * cos_chain_theta_4).sub_product(cos_chain_theta_3,
-        sin_chain_theta_4);
-    let t43 = (cos_chain_theta_3 * cos_chain_theta_4).add_product(sin_chain_theta_3,
-        sin_chain_theta_4);
-    let t44 = (sin_chain_theta_3 * cos_chain_theta_5).sub_product(cos_chain_theta_3,
-        sin_chain_theta_5);
-    let t45 = (cos_chain_theta_3 * cos_chain_theta_5).add_product(sin_chain_theta_3,
-        sin_chain_theta_5);
-    let t46 = (sin_chain_theta_3 * cos_chain_theta_6).sub_product(cos_chain_theta_3,
-        sin_chain_theta_6);
-    let t47 = (cos_chain_theta_3 * cos_chain_theta_6).add_product(sin_chain_theta_3,
-        sin_chain_theta_6);
-    let t48 = (sin_chain_theta_3 * cos_chain_theta_7).sub_product(cos_chain_theta_3,
-        sin_chain_theta_7);
-    let t49 = (cos_chain_theta_3 * cos_chain_theta_7).add_product(sin_chain_theta_3,
-        sin_chain_theta_7);
-    let t50 = (sin_chain_theta_3 * cos_chain_theta_8).sub_product(cos_chain_theta_3,
-        sin_chain_theta_8);
-    let t51 = (cos_chain_theta_3 * cos_chain_theta_8).add_product(sin_chain_theta_3,
-        sin_chain_theta_8);
-    let t52 = (sin_chain_theta_3 * cos_chain_theta_9).sub_product(cos_chain_theta_3,
-        sin_chain_theta_9);
-    let t53 = (cos_chain_theta_3 * cos_chain_theta_9).add_product(sin_chain_theta_3,
-        sin_chain_theta_9);
-    let t54 = (sin_chain_theta_3 * cos_chain_theta_10).sub_product(cos_chain_theta_3,
-        sin_chain_theta_10);
-    let t55 = (cos_chain_theta_3 * cos_chain_theta_10).add_product(sin_chain_theta_3,
-        sin_chain_theta_10);
-    let t56 = (sin_chain_theta_4 * cos_chain_theta_5).sub_product(cos_chain_theta_4,
-        sin_chain_theta_5);
-    let t57 = (cos_chain_theta_4 * cos_chain_theta_5).add_product(sin_chain_theta_4,
-        sin_chain_theta_5);
-    let t58 = (sin_chain_theta_4 * cos_chain_theta_6).sub_product(cos_chain_theta_4,
-        sin_chain_theta_6);
-    let t59 = (cos_chain_theta_4 * cos_chain_theta_6).add_product(sin_chain_theta_4,
-        sin_chain_theta_6);
-    let t60 = (sin_chain_theta_4 * cos_chain_theta_7).sub_product(cos_chain_theta_4,
-        sin_chain_theta_7);
-    let t61 = (cos_chain_theta_4 * cos_chain_theta_7).add_product(sin_chain_theta_4,
-        sin_chain_theta_7);
-    let t62 = (sin_chain_theta_4 * cos_chain_theta_8).sub_product(cos_chain_theta_4,
-        sin_chain_theta_8);
-    let t63 = (cos_chain_theta_4 * cos_chain_theta_8).add_product(sin_chain_theta_4,
-        sin_chain_theta_8);
-    let t64 = (sin_chain_theta_4 * cos_chain_theta_9).sub_product(cos_chain_theta_4,
-        sin_chain_theta_9);
-    let t65 = (cos_chain_theta_4 * cos_chain_theta_9).add_product(sin_chain_theta_4,
-        sin_chain_theta_9);
-    let t66 = (sin_chain_theta_4 * cos_chain_theta_10).sub_product(cos_chain_theta_4,
-        sin_chain_theta_10);
-    let t67 = (cos_chain_theta_4 * cos_chain_theta_10).add_product(sin_chain_theta_4,
-        sin_chain_theta_10);
-    let t68 = (sin_chain_theta_5 * cos_chain_theta_6).sub_product(cos_chain_theta_5,
-        sin_chain_theta_6);
-    let t69 = (cos_chain_theta_5 * cos_chain_theta_6).add_product(sin_chain_theta_5,
-        sin_chain_theta_6);
-    let t70 = (sin_chain_theta_5 * cos_chain_theta_7).sub_product(cos_chain_theta_5,
-        sin_chain_theta_7);
-    let t71 = (cos_chain_theta_5 * cos_chain_theta_7).add_product(sin_chain_theta_5,
-        sin_chain_theta_7);
-    let t72 = (sin_chain_theta_5 * cos_chain_theta_8).sub_product(cos_chain_theta_5,
-        sin_chain_theta_8);
-    let t73 = (cos_chain_theta_5 * cos_chain_theta_8).add_product(sin_chain_theta_5,
-        sin_chain_theta_8);
-    let t74 = (sin_chain_theta_5 * cos_chain_theta_9).sub_product(cos_chain_theta_5,
-        sin_chain_theta_9);
-    let t75 = (cos_chain_theta_5 * cos_chain_theta_9).add_product(sin_chain_theta_5,
-        sin_chain_theta_9);
-    let t76 = (sin_chain_theta_5 * cos_chain_theta_10).sub_product(cos_chain_theta_5,
-        sin_chain_theta_10);
-    let t77 = (cos_chain_theta_5 * cos_chain_theta_10).add_product(sin_chain_theta_5,
-        sin_chain_theta_10);
-    let t78 = (sin_chain_theta_6 * cos_chain_theta_7).sub_product(cos_chain_theta_6,
-        sin_chain_theta_7);
-    let t79 = (cos_chain_theta_6 * cos_chain_theta_7).add_product(sin_chain_theta_6,
-        sin_chain_theta_7);
-    let t80 = (sin_chain_theta_6 * cos_chain_theta_8).sub_product(cos_chain_theta_6,
-        sin_chain_theta_8);
-    let t81 = (cos_chain_theta_6 * cos_chain_theta_8).add_product(sin_chain_theta_6,
-        sin_chain_theta_8);
-    let t82 = (sin_chain_theta_6 * cos_chain_theta_9).sub_product(cos_chain_theta_6,
-        sin_chain_theta_9);
-    let t83 = (cos_chain_theta_6 * cos_chain_theta_9).add_product(sin_chain_theta_6,
-        sin_chain_theta_9);
-    let t84 = (sin_chain_theta_6 * cos_chain_theta_10).sub_product(cos_chain_theta_6,
-        sin_chain_theta_10);
-    let t85 = (cos_chain_theta_6 * cos_chain_theta_10).add_product(sin_chain_theta_6,
-        sin_chain_theta_10);
-    let t86 = (sin_chain_theta_7 * cos_chain_theta_8).sub_product(cos_chain_theta_7,
-        sin_chain_theta_8);
-    let t87 = (cos_chain_theta_7 * cos_chain_theta_8).add_product(sin_chain_theta_7,
-        sin_chain_theta_8);
-    let t88 = (sin_chain_theta_7 * cos_chain_theta_9).sub_product(cos_chain_theta_7,
-        sin_chain_theta_9);
-    let t89 = (cos_chain_theta_7 * cos_chain_theta_9).add_product(sin_chain_theta_7,
-        sin_chain_theta_9);
-    let t90 = (sin_chain_theta_7 * cos_chain_theta_10).sub_product(cos_chain_theta_7,
-        sin_chain_theta_10);
-    let t91 = (cos_chain_theta_7 * cos_chain_theta_10).add_product(sin_chain_theta_7,
-        sin_chain_theta_10);
-    let t92 = (sin_chain_theta_8 * cos_chain_theta_9).sub_product(cos_chain_theta_8,
-        sin_chain_theta_9);
-    let t93 = (cos_chain_theta_8 * cos_chain_theta_9).add_product(sin_chain_theta_8,
-        sin_chain_theta_9);
-    let t94 = (sin_chain_theta_8 * cos_chain_theta_10).sub_product(cos_chain_theta_8,
-        sin_chain_theta_10);
-    let t95 = (cos_chain_theta_8 * cos_chain_theta_10).add_product(sin_chain_theta_8,
-        sin_chain_theta_10);
-    let t96 = (sin_chain_theta_9 * cos_chain_theta_10).sub_product(cos_chain_theta_9,
-        sin_chain_theta_10);
-    let t97 = (cos_chain_theta_9 * cos_chain_theta_10).add_product(sin_chain_theta_9,
-        sin_chain_theta_10);
-    let t98 = R::literal(0.9) * t1;
-    let t99 = R::literal(0.8) * t4;
-    let t100 = R::literal(0.700_000_000_000_000_1) * t7;
-    let t101 = R::literal(0.600_000_000_000_000_1) * t10;
-    let t102 = R::literal(0.5) * t13;
-    let t103 = R::literal(0.4) * t16;
-    let t104 = R::literal(0.300_000_000_000_000_04) * t19;
-    let t105 = R::literal(0.2) * t22;
-    let t106 = t25 * R::literal(0.1);
-    let t107 = R::literal(1.0) / R::literal(9.0).sub_product(t98, t2);
-    let t108 = (R::literal(8.0) * t27).sub_product(t99, t2);
-    let t109 = t108 * t107;
-    let t110 = (R::literal(7.0) * t29).sub_product(t100, t2);
-    let t111 = t110 * t107;
-    let t112 = (R::literal(6.0) * t31).sub_product(t101, t2);
-    let t113 = t112 * t107;
-    let t114 = (R::literal(5.0) * t33).sub_product(t102, t2);
-    let t115 = t114 * t107;
-    let t116 = (R::literal(4.0) * t35).sub_product(t103, t2);
-    let t117 = t116 * t107;
-    let t118 = (R::literal(3.0) * t37).sub_product(t104, t2);
-    let t119 = t118 * t107;
-    let t120 = (R::literal(2.0) * t39).sub_product(t105, t2);
-    let t121 = t120 * t107;
-    let t122 = t41.sub_product(t106, t2);
-    let t123 = t122 * t107;
-    let t124 = R::literal(1.0) / R::literal(8.0).sub_product(t99, t5).sub_product(t109, t108);
-    let t125 = (R::literal(7.0) * t43).sub_product(t100, t5).sub_product(t111, t108);
-    let t126 = t125 * t124;
-    let t127 = (R::literal(6.0) * t45).sub_product(t101, t5).sub_product(t113, t108);
-    let t128 = t127 * t124;
-    let t129 = (R::literal(5.0) * t47).sub_product(t102, t5).sub_product(t115, t108);
-    let t130 = t129 * t124;
-    let t131 = (R::literal(4.0) * t49).sub_product(t103, t5).sub_product(t117, t108);
-    let t132 = t131 * t124;
-    let t133 = (R::literal(3.0) * t51).sub_product(t104, t5).sub_product(t119, t108);
-    let t134 = t133 * t124;
-    let t135 = (R::literal(2.0) * t53).sub_product(t105, t5).sub_product(t121, t108);
-    let t136 = t135 * t124;
-    let t137 = t55.sub_product(t106, t5).sub_product(t123, t108);
-    let t138 = t137 * t124;
-    let t139 = R::literal(1.0) / R::literal(7.0).sub_product(t100, t8).sub_product(t111, t110)
-        .sub_product(t126, t125);
-    let t140 = (R::literal(6.0) * t57).sub_product(t101, t8).sub_product(t113, t110)
-        .sub_product(t128, t125);
-    let t141 = t140 * t139;
-    let t142 = (R::literal(5.0) * t59).sub_product(t102, t8).sub_product(t115, t110)
-        .sub_product(t130, t125);
-    let t143 = t142 * t139;
-    let t144 = (R::literal(4.0) * t61).sub_product(t103, t8).sub_product(t117, t110)
-        .sub_product(t132, t125);
-    let t145 = t144 * t139;
-    let t146 = (R::literal(3.0) * t63).sub_product(t104, t8).sub_product(t119, t110)
-        .sub_product(t134, t125);
-    let t147 = t146 * t139;
-    let t148 = (R::literal(2.0) * t65).sub_product(t105, t8).sub_product(t121, t110)
-        .sub_product(t136, t125);
-    let t149 = t148 * t139;
-    let t150 = t67.sub_product(t106, t8).sub_product(t123, t110).sub_product(t138, t125);
-    let t151 = t150 * t139;
-    let t152 = R::literal(1.0) / R::literal(6.0).sub_product(t101, t11).sub_product(t113, t112)
-        .sub_product(t128, t127).sub_product(t141, t140);
-    let t153 = (R::literal(5.0) * t69).sub_product(t102, t11).sub_product(t115, t112)
-        .sub_product(t130, t127).sub_product(t143, t140);
-    let t154 = t153 * t152;
-    let t155 = (R::literal(4.0) * t71).sub_product(t103, t11).sub_product(t117, t112)
-        .sub_product(t132, t127).sub_product(t145, t140);
-    let t156 = t155 * t152;
-    let t157 = (R::literal(3.0) * t73).sub_product(t104, t11).sub_product(t119, t112)
-        .sub_product(t134, t127).sub_product(t147, t140);
-    let t158 = t157 * t152;
-    let t159 = (R::literal(2.0) * t75).sub_product(t105, t11).sub_product(t121, t112)
-        .sub_product(t136, t127).sub_product(t149, t140);
-    let t160 = t159 * t152;
-    let t161 = t77.sub_product(t106, t11).sub_product(t123, t112).sub_product(t138, t127)
-        .sub_product(t151, t140);
-    let t162 = t161 * t152;
-    let t163 = R::literal(1.0) / R::literal(5.0).sub_product(t102, t14).sub_product(t115, t114)
-        .sub_product(t130, t129).sub_product(t143, t142).sub_product(t154, t153);
-    let t164 = (R::literal(4.0) * t79).sub_product(t103, t14).sub_product(t117, t114)
-        .sub_product(t132, t129).sub_product(t145, t142).sub_product(t156, t153);
-    let t165 = t164 * t163;
-    let t166 = (R::literal(3.0) * t81).sub_product(t104, t14).sub_product(t119, t114)
-        .sub_product(t134, t129).sub_product(t147, t142).sub_product(t158, t153);
-    let t167 = t166 * t163;
-    let t168 = (R::literal(2.0) * t83).sub_product(t105, t14).sub_product(t121, t114)
-        .sub_product(t136, t129).sub_product(t149, t142).sub_product(t160, t153);
-    let t169 = t168 * t163;
-    let t170 = t85.sub_product(t106, t14).sub_product(t123, t114).sub_product(t138, t129)
-        .sub_product(t151, t142).sub_product(t162, t153);
-    let t171 = t170 * t163;
-    let t172 = R::literal(1.0) / R::literal(4.0).sub_product(t103, t17).sub_product(t117, t116)
-        .sub_product(t132, t131).sub_product(t145, t144).sub_product(t156, t155).sub_product(t165,
-        t164);
-    let t173 = (R::literal(3.0) * t87).sub_product(t104, t17).sub_product(t119, t116)
-        .sub_product(t134, t131).sub_product(t147, t144).sub_product(t158, t155).sub_product(t167,
-        t164);
-    let t174 = t173 * t172;
-    let t175 = (R::literal(2.0) * t89).sub_product(t105, t17).sub_product(t121, t116)
-        .sub_product(t136, t131).sub_product(t149, t144).sub_product(t160, t155).sub_product(t169,
-        t164);
-    let t176 = t175 * t172;
-    let t177 = t91.sub_product(t106, t17).sub_product(t123, t116).sub_product(t138, t131)
-        .sub_product(t151, t144).sub_product(t162, t155).sub_product(t171, t164);
-    let t178 = t177 * t172;
-    let t179 = R::literal(1.0) / R::literal(3.0).sub_product(t104, t20).sub_product(t119, t118)
-        .sub_product(t134, t133).sub_product(t147, t146).sub_product(t158, t157).sub_product(t167,
-        t166).sub_product(t174, t173);
-    let t180 = (R::literal(2.0) * t93).sub_product(t105, t20).sub_product(t121, t118)
-        .sub_product(t136, t133).sub_product(t149, t146).sub_product(t160, t157).sub_product(t169,
-        t166).sub_product(t176, t173);
-    let t181 = t180 * t179;
-    let t182 = t95.sub_product(t106, t20).sub_product(t123, t118).sub_product(t138, t133)
-        .sub_product(t151, t146).sub_product(t162, t157).sub_product(t171, t166).sub_product(t178,
-        t173);
-    let t183 = t182 * t179;
-    let t184 = R::literal(1.0) / R::literal(2.0).sub_product(t105, t23).sub_product(t121, t120)
-        .sub_product(t136, t135).sub_product(t149, t148).sub_product(t160, t159).sub_product(t169,
-        t168).sub_product(t176, t175).sub_product(t181, t180);
-    let t185 = t97.sub_product(t106, t23).sub_product(t123, t120).sub_product(t138, t135)
-        .sub_product(t151, t148).sub_product(t162, t159).sub_product(t171, t168).sub_product(t178,
-        t175).sub_product(t183, t180);
-    let t186 = t185 * t184;
-    let t187 = R::literal(1.0) / R::literal(1.0).sub_product(t106, t25).sub_product(t123, t122)
-        .sub_product(t138, t137).sub_product(t151, t150).sub_product(t162, t161).sub_product(t171,
-        t170).sub_product(t178, t177).sub_product(t183, t182).sub_product(t186, t185);
+pub fn rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 210] {
+    let [_, _, _, _, _, _, _, _, _, _, chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4,
+        chain_omega_5, chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10]
+        = *state;
+    let m = &motion(time, state, p);
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
-    let t188 = R::literal(9.0) * chain_omega_2_squared;
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t189 = R::literal(8.0) * chain_omega_3_squared;
+    let t0 = R::literal(8.0) * chain_omega_3_squared;
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t190 = R::literal(7.0) * chain_omega_4_squared;
+    let t1 = R::literal(7.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t191 = R::literal(6.0) * chain_omega_5_squared;
+    let t2 = R::literal(6.0) * chain_omega_5_squared;
     let chain_omega_6_squared = chain_omega_6 * chain_omega_6;
-    let t192 = R::literal(5.0) * chain_omega_6_squared;
+    let t3 = R::literal(5.0) * chain_omega_6_squared;
     let chain_omega_7_squared = chain_omega_7 * chain_omega_7;
-    let t193 = R::literal(4.0) * chain_omega_7_squared;
+    let t4 = R::literal(4.0) * chain_omega_7_squared;
     let chain_omega_8_squared = chain_omega_8 * chain_omega_8;
-    let t194 = R::literal(3.0) * chain_omega_8_squared;
+    let t5 = R::literal(3.0) * chain_omega_8_squared;
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
-    let t195 = R::literal(2.0) * chain_omega_9_squared;
+    let t6 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t196 = (R::literal(98.1) * sin_chain_theta_1).add_product(t188, t0).add_product(t189, t3)
-        .add_product(t190, t6).add_product(t191, t9).add_product(t192, t12).add_product(t193, t15)
-        .add_product(t194, t18).add_product(t195, t21).add_product(chain_omega_10_squared, t24);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let t197 = R::literal(9.0) * chain_omega_1_squared;
-    let t198 = R::literal(8.0) * chain_omega_1_squared;
-    let t199 = R::literal(8.0) * chain_omega_2_squared;
-    let t200 = R::literal(7.0) * chain_omega_1_squared;
-    let t201 = R::literal(7.0) * chain_omega_2_squared;
-    let t202 = R::literal(7.0) * chain_omega_3_squared;
-    let t203 = R::literal(6.0) * chain_omega_1_squared;
-    let t204 = R::literal(6.0) * chain_omega_2_squared;
-    let t205 = R::literal(6.0) * chain_omega_3_squared;
-    let t206 = R::literal(6.0) * chain_omega_4_squared;
-    let t207 = R::literal(5.0) * chain_omega_1_squared;
-    let t208 = R::literal(5.0) * chain_omega_2_squared;
-    let t209 = R::literal(5.0) * chain_omega_3_squared;
-    let t210 = R::literal(5.0) * chain_omega_4_squared;
-    let t211 = R::literal(5.0) * chain_omega_5_squared;
-    let t212 = R::literal(4.0) * chain_omega_1_squared;
-    let t213 = R::literal(4.0) * chain_omega_2_squared;
-    let t214 = R::literal(4.0) * chain_omega_3_squared;
-    let t215 = R::literal(4.0) * chain_omega_4_squared;
-    let t216 = R::literal(4.0) * chain_omega_5_squared;
-    let t217 = R::literal(4.0) * chain_omega_6_squared;
-    let t218 = R::literal(3.0) * chain_omega_1_squared;
-    let t219 = R::literal(3.0) * chain_omega_2_squared;
-    let t220 = R::literal(3.0) * chain_omega_3_squared;
-    let t221 = R::literal(3.0) * chain_omega_4_squared;
-    let t222 = R::literal(3.0) * chain_omega_5_squared;
-    let t223 = R::literal(3.0) * chain_omega_6_squared;
-    let t224 = R::literal(3.0) * chain_omega_7_squared;
-    let t225 = R::literal(2.0) * chain_omega_1_squared;
-    let t226 = R::literal(2.0) * chain_omega_2_squared;
-    let t227 = R::literal(2.0) * chain_omega_3_squared;
-    let t228 = R::literal(2.0) * chain_omega_4_squared;
-    let t229 = R::literal(2.0) * chain_omega_5_squared;
-    let t230 = R::literal(2.0) * chain_omega_6_squared;
-    let t231 = R::literal(2.0) * chain_omega_7_squared;
-    let t232 = R::literal(2.0) * chain_omega_8_squared;
-    let t233 = (R::literal(-88.29) * sin_chain_theta_2).add_product(t197, t0).sub_product(t189, t26)
-        .sub_product(t190, t28).sub_product(t191, t30).sub_product(t192, t32).sub_product(t193, t34)
-        .sub_product(t194, t36).sub_product(t195, t38).sub_product(chain_omega_10_squared, t40)
-        .add_product(t98, t196);
-    let t234 = (t198 * t3).add_product(t199, t26).sub_product(R::literal(78.48), sin_chain_theta_3)
-        .sub_product(t190, t42).sub_product(t191, t44).sub_product(t192, t46).sub_product(t193, t48)
-        .sub_product(t194, t50).sub_product(t195, t52).sub_product(chain_omega_10_squared, t54)
-        .add_product(t99, t196).sub_product(t109, t233);
-    let t235 = (t200 * t6).add_product(t201, t28).add_product(t202, t42)
-        .sub_product(R::literal(68.67), sin_chain_theta_4).sub_product(t191, t56).sub_product(t192,
-        t58).sub_product(t193, t60).sub_product(t194, t62).sub_product(t195, t64)
-        .sub_product(chain_omega_10_squared, t66).add_product(t100, t196).sub_product(t111, t233)
-        .sub_product(t126, t234);
-    let t236 = (t203 * t9).add_product(t204, t30).add_product(t205, t44).add_product(t206, t56)
-        .sub_product(R::literal(58.86), sin_chain_theta_5).sub_product(t192, t68).sub_product(t193,
-        t70).sub_product(t194, t72).sub_product(t195, t74).sub_product(chain_omega_10_squared, t76)
-        .add_product(t101, t196).sub_product(t113, t233).sub_product(t128, t234).sub_product(t141,
-        t235);
-    let t237 = (t207 * t12).add_product(t208, t32).add_product(t209, t46).add_product(t210, t58)
-        .add_product(t211, t68).sub_product(R::literal(49.05), sin_chain_theta_6).sub_product(t193,
-        t78).sub_product(t194, t80).sub_product(t195, t82).sub_product(chain_omega_10_squared, t84)
-        .add_product(t102, t196).sub_product(t115, t233).sub_product(t130, t234).sub_product(t143,
-        t235).sub_product(t154, t236);
-    let t238 = (t212 * t15).add_product(t213, t34).add_product(t214, t48).add_product(t215, t60)
-        .add_product(t216, t70).add_product(t217, t78).sub_product(R::literal(39.24),
-        sin_chain_theta_7).sub_product(t194, t86).sub_product(t195, t88)
-        .sub_product(chain_omega_10_squared, t90).add_product(t103, t196).sub_product(t117, t233)
-        .sub_product(t132, t234).sub_product(t145, t235).sub_product(t156, t236).sub_product(t165,
-        t237);
-    let t239 = (t218 * t18).add_product(t219, t36).add_product(t220, t50).add_product(t221, t62)
-        .add_product(t222, t72).add_product(t223, t80).add_product(t224, t86)
-        .sub_product(R::literal(29.43), sin_chain_theta_8).sub_product(t195, t92)
-        .sub_product(chain_omega_10_squared, t94).add_product(t104, t196).sub_product(t119, t233)
-        .sub_product(t134, t234).sub_product(t147, t235).sub_product(t158, t236).sub_product(t167,
-        t237).sub_product(t174, t238);
-    let t240 = (t225 * t21).add_product(t226, t38).add_product(t227, t52).add_product(t228, t64)
-        .add_product(t229, t74).add_product(t230, t82).add_product(t231, t88).add_product(t232, t92)
-        .sub_product(R::literal(19.62), sin_chain_theta_9).sub_product(chain_omega_10_squared, t96)
-        .add_product(t105, t196).sub_product(t121, t233).sub_product(t136, t234).sub_product(t149,
-        t235).sub_product(t160, t236).sub_product(t169, t237).sub_product(t176, t238)
-        .sub_product(t181, t239);
-    let chain_omega_10_dot = (chain_omega_1_squared * t24).add_product(chain_omega_2_squared, t40)
-        .add_product(chain_omega_3_squared, t54).add_product(chain_omega_4_squared, t66)
-        .add_product(chain_omega_5_squared, t76).add_product(chain_omega_6_squared, t84)
-        .add_product(chain_omega_7_squared, t90).add_product(chain_omega_8_squared, t94)
-        .add_product(chain_omega_9_squared, t96).sub_product(R::literal(9.81), sin_chain_theta_10)
-        .add_product(t106, t196).sub_product(t123, t233).sub_product(t138, t234).sub_product(t151,
-        t235).sub_product(t162, t236).sub_product(t171, t237).sub_product(t178, t238)
-        .sub_product(t183, t239).sub_product(t186, t240) * t187;
-    let chain_omega_9_dot = (t240 * t184).sub_product(t186, chain_omega_10_dot);
-    let chain_omega_8_dot = (t239 * t179).sub_product(t181, chain_omega_9_dot).sub_product(t183,
-        chain_omega_10_dot);
-    let chain_omega_7_dot = (t238 * t172).sub_product(t174, chain_omega_8_dot).sub_product(t176,
-        chain_omega_9_dot).sub_product(t178, chain_omega_10_dot);
-    let chain_omega_6_dot = (t237 * t163).sub_product(t165, chain_omega_7_dot).sub_product(t167,
-        chain_omega_8_dot).sub_product(t169, chain_omega_9_dot).sub_product(t171,
-        chain_omega_10_dot);
-    let chain_omega_5_dot = (t236 * t152).sub_product(t154, chain_omega_6_dot).sub_product(t156,
-        chain_omega_7_dot).sub_product(t158, chain_omega_8_dot).sub_product(t160, chain_omega_9_dot)
-        .sub_product(t162, chain_omega_10_dot);
-    let chain_omega_4_dot = (t235 * t139).sub_product(t141, chain_omega_5_dot).sub_product(t143,
-        chain_omega_6_dot).sub_product(t145, chain_omega_7_dot).sub_product(t147, chain_omega_8_dot)
-        .sub_product(t149, chain_omega_9_dot).sub_product(t151, chain_omega_10_dot);
-    let chain_omega_3_dot = (t234 * t124).sub_product(t126, chain_omega_4_dot).sub_product(t128,
-        chain_omega_5_dot).sub_product(t130, chain_omega_6_dot).sub_product(t132, chain_omega_7_dot)
-        .sub_product(t134, chain_omega_8_dot).sub_product(t136, chain_omega_9_dot)
-        .sub_product(t138, chain_omega_10_dot);
-    let chain_omega_2_dot = (t233 * t107).sub_product(t109, chain_omega_3_dot).sub_product(t111,
-        chain_omega_4_dot).sub_product(t113, chain_omega_5_dot).sub_product(t115, chain_omega_6_dot)
-        .sub_product(t117, chain_omega_7_dot).sub_product(t119, chain_omega_8_dot)
-        .sub_product(t121, chain_omega_9_dot).sub_product(t123, chain_omega_10_dot);
-    let t241 = (t196 * R::literal(0.1)).add_product(t98, chain_omega_2_dot).add_product(t99,
-        chain_omega_3_dot).add_product(t100, chain_omega_4_dot).add_product(t101, chain_omega_5_dot)
-        .add_product(t102, chain_omega_6_dot).add_product(t103, chain_omega_7_dot)
-        .add_product(t104, chain_omega_8_dot).add_product(t105, chain_omega_9_dot)
-        .add_product(t106, chain_omega_10_dot);
-    let t242 = t188 * t1;
-    let t243 = t189 * t4;
-    let t244 = t190 * t7;
-    let t245 = t191 * t10;
-    let t246 = t192 * t13;
-    let t247 = t193 * t16;
-    let t248 = t194 * t19;
-    let t249 = t195 * t22;
-    let t250 = chain_omega_10_squared * t25;
-    let t251 = t197 * t1;
-    let t252 = t198 * t4;
-    let t253 = t200 * t7;
-    let t254 = t203 * t10;
-    let t255 = t207 * t13;
-    let t256 = t212 * t16;
-    let t257 = t218 * t19;
-    let t258 = t225 * t22;
-    let t259 = chain_omega_1_squared * t25;
-    let t260 = R::literal(9.0) * t0;
-    let t261 = t260 * chain_omega_2_dot;
-    let t262 = t260 * t241;
-    let t263 = R::literal(8.0) * t3;
-    let t264 = t263 * chain_omega_3_dot;
-    let t265 = t263 * t241;
-    let t266 = R::literal(7.0) * t6;
-    let t267 = t266 * chain_omega_4_dot;
-    let t268 = t266 * t241;
-    let t269 = R::literal(6.0) * t9;
-    let t270 = t269 * chain_omega_5_dot;
-    let t271 = t269 * t241;
-    let t272 = R::literal(5.0) * t12;
-    let t273 = t272 * chain_omega_6_dot;
-    let t274 = t272 * t241;
-    let t275 = R::literal(4.0) * t15;
-    let t276 = t275 * chain_omega_7_dot;
-    let t277 = t275 * t241;
-    let t278 = R::literal(3.0) * t18;
-    let t279 = t278 * chain_omega_8_dot;
-    let t280 = t278 * t241;
-    let t281 = R::literal(2.0) * t21;
-    let t282 = t281 * chain_omega_9_dot;
-    let t283 = t281 * t241;
-    let t284 = t24 * chain_omega_10_dot;
-    let t285 = t261 - (t242.add_product(R::literal(98.1), cos_chain_theta_1) + t243 + t244 + t245
-        + t246 + t247 + t248 + t249 + t250) + t264 + t267 + t270 + t273 + t276 + t279 + t282 + t284;
-    let t286 = t24 * t241;
-    let t287 = (t251 - t262).sub_product(t98, t285);
-    let t288 = (t252 - t265).sub_product(t99, t285).sub_product(t109, t287);
-    let t289 = (t253 - t268).sub_product(t100, t285).sub_product(t111, t287).sub_product(t126,
-        t288);
-    let t290 = (t254 - t271).sub_product(t101, t285).sub_product(t113, t287).sub_product(t128, t288)
-        .sub_product(t141, t289);
-    let t291 = (t255 - t274).sub_product(t102, t285).sub_product(t115, t287).sub_product(t130, t288)
-        .sub_product(t143, t289).sub_product(t154, t290);
-    let t292 = (t256 - t277).sub_product(t103, t285).sub_product(t117, t287).sub_product(t132, t288)
-        .sub_product(t145, t289).sub_product(t156, t290).sub_product(t165, t291);
-    let t293 = (t257 - t280).sub_product(t104, t285).sub_product(t119, t287).sub_product(t134, t288)
-        .sub_product(t147, t289).sub_product(t158, t290).sub_product(t167, t291).sub_product(t174,
-        t292);
-    let t294 = (t258 - t283).sub_product(t105, t285).sub_product(t121, t287).sub_product(t136, t288)
-        .sub_product(t149, t289).sub_product(t160, t290).sub_product(t169, t291).sub_product(t176,
-        t292).sub_product(t181, t293);
-    let chain_omega_10_dot_by_chain_theta_1 = (t259 - t286).sub_product(t106, t285)
-        .sub_product(t123, t287).sub_product(t138, t288).sub_product(t151, t289).sub_product(t162,
-        t290).sub_product(t171, t291).sub_product(t178, t292).sub_product(t183, t293)
-        .sub_product(t186, t294) * t187;
-    let chain_omega_9_dot_by_chain_theta_1 = (t294 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_8_dot_by_chain_theta_1 = (t293 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_theta_1).sub_product(t183, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_7_dot_by_chain_theta_1 = (t292 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_theta_1).sub_product(t176, chain_omega_9_dot_by_chain_theta_1)
-        .sub_product(t178, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_6_dot_by_chain_theta_1 = (t291 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_theta_1).sub_product(t167, chain_omega_8_dot_by_chain_theta_1)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_1).sub_product(t171,
-        chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_5_dot_by_chain_theta_1 = (t290 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_theta_1).sub_product(t156, chain_omega_7_dot_by_chain_theta_1)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_1).sub_product(t160,
-        chain_omega_9_dot_by_chain_theta_1).sub_product(t162, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_4_dot_by_chain_theta_1 = (t289 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_theta_1).sub_product(t143, chain_omega_6_dot_by_chain_theta_1)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_1).sub_product(t147,
-        chain_omega_8_dot_by_chain_theta_1).sub_product(t149, chain_omega_9_dot_by_chain_theta_1)
-        .sub_product(t151, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_3_dot_by_chain_theta_1 = (t288 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_theta_1).sub_product(t128, chain_omega_5_dot_by_chain_theta_1)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_1).sub_product(t132,
-        chain_omega_7_dot_by_chain_theta_1).sub_product(t134, chain_omega_8_dot_by_chain_theta_1)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_1).sub_product(t138,
-        chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_2_dot_by_chain_theta_1 = (t287 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_theta_1).sub_product(t111, chain_omega_4_dot_by_chain_theta_1)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_1).sub_product(t115,
-        chain_omega_6_dot_by_chain_theta_1).sub_product(t117, chain_omega_7_dot_by_chain_theta_1)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_1).sub_product(t121,
-        chain_omega_9_dot_by_chain_theta_1).sub_product(t123, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_1_dot_by_chain_theta_1 = (t285 * R::literal(0.1)).sub_product(t98,
-        chain_omega_2_dot_by_chain_theta_1).sub_product(t99, chain_omega_3_dot_by_chain_theta_1)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_1).sub_product(t101,
-        chain_omega_5_dot_by_chain_theta_1).sub_product(t102, chain_omega_6_dot_by_chain_theta_1)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_1).sub_product(t104,
-        chain_omega_8_dot_by_chain_theta_1).sub_product(t105, chain_omega_9_dot_by_chain_theta_1)
-        .sub_product(t106, chain_omega_10_dot_by_chain_theta_1);
-    let t295 = t189 * t27;
-    let t296 = t190 * t29;
-    let t297 = t191 * t31;
-    let t298 = t192 * t33;
-    let t299 = t193 * t35;
-    let t300 = t194 * t37;
-    let t301 = t195 * t39;
-    let t302 = chain_omega_10_squared * t41;
-    let t303 = t199 * t27;
-    let t304 = t201 * t29;
-    let t305 = t204 * t31;
-    let t306 = t208 * t33;
-    let t307 = t213 * t35;
-    let t308 = t219 * t37;
-    let t309 = t226 * t39;
-    let t310 = chain_omega_2_squared * t41;
-    let t311 = t242 - t261;
-    let t312 = R::literal(8.0) * t26;
-    let t313 = t312 * chain_omega_3_dot;
-    let t314 = t312 * chain_omega_2_dot;
-    let t315 = R::literal(7.0) * t28;
-    let t316 = t315 * chain_omega_4_dot;
-    let t317 = t315 * chain_omega_2_dot;
-    let t318 = R::literal(6.0) * t30;
-    let t319 = t318 * chain_omega_5_dot;
-    let t320 = t318 * chain_omega_2_dot;
-    let t321 = R::literal(5.0) * t32;
-    let t322 = t321 * chain_omega_6_dot;
-    let t323 = t321 * chain_omega_2_dot;
-    let t324 = R::literal(4.0) * t34;
-    let t325 = t324 * chain_omega_7_dot;
-    let t326 = t324 * chain_omega_2_dot;
-    let t327 = R::literal(3.0) * t36;
-    let t328 = t327 * chain_omega_8_dot;
-    let t329 = t327 * chain_omega_2_dot;
-    let t330 = R::literal(2.0) * t38;
-    let t331 = t330 * chain_omega_9_dot;
-    let t332 = t330 * chain_omega_2_dot;
-    let t333 = t40 * chain_omega_10_dot;
-    let t334 = t40 * chain_omega_2_dot;
-    let t335 = (t262 - (t251.add_product(R::literal(88.29), cos_chain_theta_2) + t295 + t296 + t297
-        + t298 + t299 + t300 + t301 + t302) + t313 + t316 + t319 + t322 + t325 + t328 + t331 + t333)
-        .sub_product(t98, t311);
-    let t336 = (t303 + t314).sub_product(t99, t311).sub_product(t109, t335);
-    let t337 = (t304 + t317).sub_product(t100, t311).sub_product(t111, t335).sub_product(t126,
-        t336);
-    let t338 = (t305 + t320).sub_product(t101, t311).sub_product(t113, t335).sub_product(t128, t336)
-        .sub_product(t141, t337);
-    let t339 = (t306 + t323).sub_product(t102, t311).sub_product(t115, t335).sub_product(t130, t336)
-        .sub_product(t143, t337).sub_product(t154, t338);
-    let t340 = (t307 + t326).sub_product(t103, t311).sub_product(t117, t335).sub_product(t132, t336)
-        .sub_product(t145, t337).sub_product(t156, t338).sub_product(t165, t339);
-    let t341 = (t308 + t329).sub_product(t104, t311).sub_product(t119, t335).sub_product(t134, t336)
-        .sub_product(t147, t337).sub_product(t158, t338).sub_product(t167, t339).sub_product(t174,
-        t340);
-    let t342 = (t309 + t332).sub_product(t105, t311).sub_product(t121, t335).sub_product(t136, t336)
-        .sub_product(t149, t337).sub_product(t160, t338).sub_product(t169, t339).sub_product(t176,
-        t340).sub_product(t181, t341);
-    let chain_omega_10_dot_by_chain_theta_2 = (t310 + t334).sub_product(t106, t311)
-        .sub_product(t123, t335).sub_product(t138, t336).sub_product(t151, t337).sub_product(t162,
-        t338).sub_product(t171, t339).sub_product(t178, t340).sub_product(t183, t341)
-        .sub_product(t186, t342) * t187;
-    let chain_omega_9_dot_by_chain_theta_2 = (t342 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_8_dot_by_chain_theta_2 = (t341 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_theta_2).sub_product(t183, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_7_dot_by_chain_theta_2 = (t340 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_theta_2).sub_product(t176, chain_omega_9_dot_by_chain_theta_2)
-        .sub_product(t178, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_6_dot_by_chain_theta_2 = (t339 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_theta_2).sub_product(t167, chain_omega_8_dot_by_chain_theta_2)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_2).sub_product(t171,
-        chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_5_dot_by_chain_theta_2 = (t338 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_theta_2).sub_product(t156, chain_omega_7_dot_by_chain_theta_2)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_2).sub_product(t160,
-        chain_omega_9_dot_by_chain_theta_2).sub_product(t162, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_4_dot_by_chain_theta_2 = (t337 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_theta_2).sub_product(t143, chain_omega_6_dot_by_chain_theta_2)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_2).sub_product(t147,
-        chain_omega_8_dot_by_chain_theta_2).sub_product(t149, chain_omega_9_dot_by_chain_theta_2)
-        .sub_product(t151, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_3_dot_by_chain_theta_2 = (t336 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_theta_2).sub_product(t128, chain_omega_5_dot_by_chain_theta_2)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_2).sub_product(t132,
-        chain_omega_7_dot_by_chain_theta_2).sub_product(t134, chain_omega_8_dot_by_chain_theta_2)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_2).sub_product(t138,
-        chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_2_dot_by_chain_theta_2 = (t335 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_theta_2).sub_product(t111, chain_omega_4_dot_by_chain_theta_2)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_2).sub_product(t115,
-        chain_omega_6_dot_by_chain_theta_2).sub_product(t117, chain_omega_7_dot_by_chain_theta_2)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_2).sub_product(t121,
-        chain_omega_9_dot_by_chain_theta_2).sub_product(t123, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_1_dot_by_chain_theta_2 = (t311 * R::literal(0.1)).sub_product(t98,
-        chain_omega_2_dot_by_chain_theta_2).sub_product(t99, chain_omega_3_dot_by_chain_theta_2)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_2).sub_product(t101,
-        chain_omega_5_dot_by_chain_theta_2).sub_product(t102, chain_omega_6_dot_by_chain_theta_2)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_2).sub_product(t104,
-        chain_omega_8_dot_by_chain_theta_2).sub_product(t105, chain_omega_9_dot_by_chain_theta_2)
-        .sub_product(t106, chain_omega_10_dot_by_chain_theta_2);
-    let t343 = t190 * t43;
-    let t344 = t191 * t45;
-    let t345 = t192 * t47;
-    let t346 = t193 * t49;
-    let t347 = t194 * t51;
-    let t348 = t195 * t53;
-    let t349 = chain_omega_10_squared * t55;
-    let t350 = t202 * t43;
-    let t351 = t205 * t45;
-    let t352 = t209 * t47;
-    let t353 = t214 * t49;
-    let t354 = t220 * t51;
-    let t355 = t227 * t53;
-    let t356 = chain_omega_3_squared * t55;
-    let t357 = t243 - t264;
-    let t358 = R::literal(7.0) * t42;
-    let t359 = t358 * chain_omega_4_dot;
-    let t360 = t358 * chain_omega_3_dot;
-    let t361 = R::literal(6.0) * t44;
-    let t362 = t361 * chain_omega_5_dot;
-    let t363 = t361 * chain_omega_3_dot;
-    let t364 = R::literal(5.0) * t46;
-    let t365 = t364 * chain_omega_6_dot;
-    let t366 = t364 * chain_omega_3_dot;
-    let t367 = R::literal(4.0) * t48;
-    let t368 = t367 * chain_omega_7_dot;
-    let t369 = t367 * chain_omega_3_dot;
-    let t370 = R::literal(3.0) * t50;
-    let t371 = t370 * chain_omega_8_dot;
-    let t372 = t370 * chain_omega_3_dot;
-    let t373 = R::literal(2.0) * t52;
-    let t374 = t373 * chain_omega_9_dot;
-    let t375 = t373 * chain_omega_3_dot;
-    let t376 = t54 * chain_omega_10_dot;
-    let t377 = t54 * chain_omega_3_dot;
-    let t378 = (t295 - t313).sub_product(t98, t357);
-    let t379 = (t265 - (t252.add_product(R::literal(78.48), cos_chain_theta_3) + t303 + t343 + t344
-        + t345 + t346 + t347 + t348 + t349) - t314 + t359 + t362 + t365 + t368 + t371 + t374 + t376)
-        .sub_product(t99, t357).sub_product(t109, t378);
-    let t380 = (t350 + t360).sub_product(t100, t357).sub_product(t111, t378).sub_product(t126,
-        t379);
-    let t381 = (t351 + t363).sub_product(t101, t357).sub_product(t113, t378).sub_product(t128, t379)
-        .sub_product(t141, t380);
-    let t382 = (t352 + t366).sub_product(t102, t357).sub_product(t115, t378).sub_product(t130, t379)
-        .sub_product(t143, t380).sub_product(t154, t381);
-    let t383 = (t353 + t369).sub_product(t103, t357).sub_product(t117, t378).sub_product(t132, t379)
-        .sub_product(t145, t380).sub_product(t156, t381).sub_product(t165, t382);
-    let t384 = (t354 + t372).sub_product(t104, t357).sub_product(t119, t378).sub_product(t134, t379)
-        .sub_product(t147, t380).sub_product(t158, t381).sub_product(t167, t382).sub_product(t174,
-        t383);
-    let t385 = (t355 + t375).sub_product(t105, t357).sub_product(t121, t378).sub_product(t136, t379)
-        .sub_product(t149, t380).sub_product(t160, t381).sub_product(t169, t382).sub_product(t176,
-        t383).sub_product(t181, t384);
-    let chain_omega_10_dot_by_chain_theta_3 = (t356 + t377).sub_product(t106, t357)
-        .sub_product(t123, t378).sub_product(t138, t379).sub_product(t151, t380).sub_product(t162,
-        t381).sub_product(t171, t382).sub_product(t178, t383).sub_product(t183, t384)
-        .sub_product(t186, t385) * t187;
-    let chain_omega_9_dot_by_chain_theta_3 = (t385 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_8_dot_by_chain_theta_3 = (t384 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_theta_3).sub_product(t183, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_7_dot_by_chain_theta_3 = (t383 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_theta_3).sub_product(t176, chain_omega_9_dot_by_chain_theta_3)
-        .sub_product(t178, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_6_dot_by_chain_theta_3 = (t382 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_theta_3).sub_product(t167, chain_omega_8_dot_by_chain_theta_3)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_3).sub_product(t171,
-        chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_5_dot_by_chain_theta_3 = (t381 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_theta_3).sub_product(t156, chain_omega_7_dot_by_chain_theta_3)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_3).sub_product(t160,
-        chain_omega_9_dot_by_chain_theta_3).sub_product(t162, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_4_dot_by_chain_theta_3 = (t380 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_theta_3).sub_product(t143, chain_omega_6_dot_by_chain_theta_3)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_3).sub_product(t147,
-        chain_omega_8_dot_by_chain_theta_3).sub_product(t149, chain_omega_9_dot_by_chain_theta_3)
-        .sub_product(t151, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_3_dot_by_chain_theta_3 = (t379 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_theta_3).sub_product(t128, chain_omega_5_dot_by_chain_theta_3)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_3).sub_product(t132,
-        chain_omega_7_dot_by_chain_theta_3).sub_product(t134, chain_omega_8_dot_by_chain_theta_3)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_3).sub_product(t138,
-        chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_2_dot_by_chain_theta_3 = (t378 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_theta_3).sub_product(t111, chain_omega_4_dot_by_chain_theta_3)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_3).sub_product(t115,
-        chain_omega_6_dot_by_chain_theta_3).sub_product(t117, chain_omega_7_dot_by_chain_theta_3)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_3).sub_product(t121,
-        chain_omega_9_dot_by_chain_theta_3).sub_product(t123, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_1_dot_by_chain_theta_3 = (t357 * R::literal(0.1)).sub_product(t98,
-        chain_omega_2_dot_by_chain_theta_3).sub_product(t99, chain_omega_3_dot_by_chain_theta_3)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_3).sub_product(t101,
-        chain_omega_5_dot_by_chain_theta_3).sub_product(t102, chain_omega_6_dot_by_chain_theta_3)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_3).sub_product(t104,
-        chain_omega_8_dot_by_chain_theta_3).sub_product(t105, chain_omega_9_dot_by_chain_theta_3)
-        .sub_product(t106, chain_omega_10_dot_by_chain_theta_3);
-    let t386 = t191 * t57;
-    let t387 = t192 * t59;
-    let t388 = t193 * t61;
-    let t389 = t194 * t63;
-    let t390 = t195 * t65;
-    let t391 = chain_omega_10_squared * t67;
-    let t392 = t206 * t57;
-    let t393 = t210 * t59;
-    let t394 = t215 * t61;
-    let t395 = t221 * t63;
-    let t396 = t228 * t65;
-    let t397 = chain_omega_4_squared * t67;
-    let t398 = t244 - t267;
-    let t399 = R::literal(6.0) * t56;
-    let t400 = t399 * chain_omega_5_dot;
-    let t401 = t399 * chain_omega_4_dot;
-    let t402 = R::literal(5.0) * t58;
-    let t403 = t402 * chain_omega_6_dot;
-    let t404 = t402 * chain_omega_4_dot;
-    let t405 = R::literal(4.0) * t60;
-    let t406 = t405 * chain_omega_7_dot;
-    let t407 = t405 * chain_omega_4_dot;
-    let t408 = R::literal(3.0) * t62;
-    let t409 = t408 * chain_omega_8_dot;
-    let t410 = t408 * chain_omega_4_dot;
-    let t411 = R::literal(2.0) * t64;
-    let t412 = t411 * chain_omega_9_dot;
-    let t413 = t411 * chain_omega_4_dot;
-    let t414 = t66 * chain_omega_10_dot;
-    let t415 = t66 * chain_omega_4_dot;
-    let t416 = (t296 - t316).sub_product(t98, t398);
-    let t417 = (t343 - t359).sub_product(t99, t398).sub_product(t109, t416);
-    let t418 = (t268 - (t253.add_product(R::literal(68.67), cos_chain_theta_4) + t304 + t350 + t386
-        + t387 + t388 + t389 + t390 + t391) - t317 - t360 + t400 + t403 + t406 + t409 + t412 + t414)
-        .sub_product(t100, t398).sub_product(t111, t416).sub_product(t126, t417);
-    let t419 = (t392 + t401).sub_product(t101, t398).sub_product(t113, t416).sub_product(t128, t417)
-        .sub_product(t141, t418);
-    let t420 = (t393 + t404).sub_product(t102, t398).sub_product(t115, t416).sub_product(t130, t417)
-        .sub_product(t143, t418).sub_product(t154, t419);
-    let t421 = (t394 + t407).sub_product(t103, t398).sub_product(t117, t416).sub_product(t132, t417)
-        .sub_product(t145, t418).sub_product(t156, t419).sub_product(t165, t420);
-    let t422 = (t395 + t410).sub_product(t104, t398).sub_product(t119, t416).sub_product(t134, t417)
-        .sub_product(t147, t418).sub_product(t158, t419).sub_product(t167, t420).sub_product(t174,
-        t421);
-    let t423 = (t396 + t413).sub_product(t105, t398).sub_product(t121, t416).sub_product(t136, t417)
-        .sub_product(t149, t418).sub_product(t160, t419).sub_product(t169, t420).sub_product(t176,
-        t421).sub_product(t181, t422);
-    let chain_omega_10_dot_by_chain_theta_4 = (t397 + t415).sub_product(t106, t398)
-        .sub_product(t123, t416).sub_product(t138, t417).sub_product(t151, t418).sub_product(t162,
-        t419).sub_product(t171, t420).sub_product(t178, t421).sub_product(t183, t422)
-        .sub_product(t186, t423) * t187;
-    let chain_omega_9_dot_by_chain_theta_4 = (t423 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_8_dot_by_chain_theta_4 = (t422 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_theta_4).sub_product(t183, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_7_dot_by_chain_theta_4 = (t421 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_theta_4).sub_product(t176, chain_omega_9_dot_by_chain_theta_4)
-        .sub_product(t178, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_6_dot_by_chain_theta_4 = (t420 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_theta_4).sub_product(t167, chain_omega_8_dot_by_chain_theta_4)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_4).sub_product(t171,
-        chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_5_dot_by_chain_theta_4 = (t419 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_theta_4).sub_product(t156, chain_omega_7_dot_by_chain_theta_4)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_4).sub_product(t160,
-        chain_omega_9_dot_by_chain_theta_4).sub_product(t162, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_4_dot_by_chain_theta_4 = (t418 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_theta_4).sub_product(t143, chain_omega_6_dot_by_chain_theta_4)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_4).sub_product(t147,
-        chain_omega_8_dot_by_chain_theta_4).sub_product(t149, chain_omega_9_dot_by_chain_theta_4)
-        .sub_product(t151, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_3_dot_by_chain_theta_4 = (t417 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_theta_4).sub_product(t128, chain_omega_5_dot_by_chain_theta_4)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_4).sub_product(t132,
-        chain_omega_7_dot_by_chain_theta_4).sub_product(t134, chain_omega_8_dot_by_chain_theta_4)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_4).sub_product(t138,
-        chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_2_dot_by_chain_theta_4 = (t416 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_theta_4).sub_product(t111, chain_omega_4_dot_by_chain_theta_4)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_4).sub_product(t115,
-        chain_omega_6_dot_by_chain_theta_4).sub_product(t117, chain_omega_7_dot_by_chain_theta_4)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_4).sub_product(t121,
-        chain_omega_9_dot_by_chain_theta_4).sub_product(t123, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_1_dot_by_chain_theta_4 = (t398 * R::literal(0.1)).sub_product(t98,
-        chain_omega_2_dot_by_chain_theta_4).sub_product(t99, chain_omega_3_dot_by_chain_theta_4)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_4).sub_product(t101,
-        chain_omega_5_dot_by_chain_theta_4).sub_product(t102, chain_omega_6_dot_by_chain_theta_4)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_4).sub_product(t104,
-        chain_omega_8_dot_by_chain_theta_4).sub_product(t105, chain_omega_9_dot_by_chain_theta_4)
-        .sub_product(t106, chain_omega_10_dot_by_chain_theta_4);
-    let t424 = t192 * t69;
-    let t425 = t193 * t71;
-    let t426 = t194 * t73;
-    let t427 = t195 * t75;
-    let t428 = chain_omega_10_squared * t77;
-    let t429 = t211 * t69;
-    let t430 = t216 * t71;
-    let t431 = t222 * t73;
-    let t432 = t229 * t75;
-    let t433 = chain_omega_5_squared * t77;
-    let t434 = t245 - t270;
-    let t435 = R::literal(5.0) * t68;
-    let t436 = t435 * chain_omega_6_dot;
-    let t437 = t435 * chain_omega_5_dot;
-    let t438 = R::literal(4.0) * t70;
-    let t439 = t438 * chain_omega_7_dot;
-    let t440 = t438 * chain_omega_5_dot;
-    let t441 = R::literal(3.0) * t72;
-    let t442 = t441 * chain_omega_8_dot;
-    let t443 = t441 * chain_omega_5_dot;
-    let t444 = R::literal(2.0) * t74;
-    let t445 = t444 * chain_omega_9_dot;
-    let t446 = t444 * chain_omega_5_dot;
-    let t447 = t76 * chain_omega_10_dot;
-    let t448 = t76 * chain_omega_5_dot;
-    let t449 = (t297 - t319).sub_product(t98, t434);
-    let t450 = (t344 - t362).sub_product(t99, t434).sub_product(t109, t449);
-    let t451 = (t386 - t400).sub_product(t100, t434).sub_product(t111, t449).sub_product(t126,
-        t450);
-    let t452 = (t271 - (t254.add_product(R::literal(58.86), cos_chain_theta_5) + t305 + t351 + t392
-        + t424 + t425 + t426 + t427 + t428) - t320 - t363 - t401 + t436 + t439 + t442 + t445 + t447)
-        .sub_product(t101, t434).sub_product(t113, t449).sub_product(t128, t450).sub_product(t141,
-        t451);
-    let t453 = (t429 + t437).sub_product(t102, t434).sub_product(t115, t449).sub_product(t130, t450)
-        .sub_product(t143, t451).sub_product(t154, t452);
-    let t454 = (t430 + t440).sub_product(t103, t434).sub_product(t117, t449).sub_product(t132, t450)
-        .sub_product(t145, t451).sub_product(t156, t452).sub_product(t165, t453);
-    let t455 = (t431 + t443).sub_product(t104, t434).sub_product(t119, t449).sub_product(t134, t450)
-        .sub_product(t147, t451).sub_product(t158, t452).sub_product(t167, t453).sub_product(t174,
-        t454);
-    let t456 = (t432 + t446).sub_product(t105, t434).sub_product(t121, t449).sub_product(t136, t450)
-        .sub_product(t149, t451).sub_product(t160, t452).sub_product(t169, t453).sub_product(t176,
-        t454).sub_product(t181, t455);
-    let chain_omega_10_dot_by_chain_theta_5 = (t433 + t448).sub_product(t106, t434)
-        .sub_product(t123, t449).sub_product(t138, t450).sub_product(t151, t451).sub_product(t162,
-        t452).sub_product(t171, t453).sub_product(t178, t454).sub_product(t183, t455)
-        .sub_product(t186, t456) * t187;
-    let chain_omega_9_dot_by_chain_theta_5 = (t456 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_8_dot_by_chain_theta_5 = (t455 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_theta_5).sub_product(t183, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_7_dot_by_chain_theta_5 = (t454 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_theta_5).sub_product(t176, chain_omega_9_dot_by_chain_theta_5)
-        .sub_product(t178, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_6_dot_by_chain_theta_5 = (t453 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_theta_5).sub_product(t167, chain_omega_8_dot_by_chain_theta_5)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_5).sub_product(t171,
-        chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_5_dot_by_chain_theta_5 = (t452 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_theta_5).sub_product(t156, chain_omega_7_dot_by_chain_theta_5)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_5).sub_product(t160,
-        chain_omega_9_dot_by_chain_theta_5).sub_product(t162, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_4_dot_by_chain_theta_5 = (t451 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_theta_5).sub_product(t143, chain_omega_6_dot_by_chain_theta_5)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_5).sub_product(t147,
-        chain_omega_8_dot_by_chain_theta_5).sub_product(t149, chain_omega_9_dot_by_chain_theta_5)
-        .sub_product(t151, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_3_dot_by_chain_theta_5 = (t450 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_theta_5).sub_product(t128, chain_omega_5_dot_by_chain_theta_5)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_5).sub_product(t132,
-        chain_omega_7_dot_by_chain_theta_5).sub_product(t134, chain_omega_8_dot_by_chain_theta_5)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_5).sub_product(t138,
-        chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_2_dot_by_chain_theta_5 = (t449 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_theta_5).sub_product(t111, chain_omega_4_dot_by_chain_theta_5)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_5).sub_product(t115,
-        chain_omega_6_dot_by_chain_theta_5).sub_product(t117, chain_omega_7_dot_by_chain_theta_5)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_5).sub_product(t121,
-        chain_omega_9_dot_by_chain_theta_5).sub_product(t123, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_1_dot_by_chain_theta_5 = (t434 * R::literal(0.1)).sub_product(t98,
-        chain_omega_2_dot_by_chain_theta_5).sub_product(t99, chain_omega_3_dot_by_chain_theta_5)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_5).sub_product(t101,
-        chain_omega_5_dot_by_chain_theta_5).sub_product(t102, chain_omega_6_dot_by_chain_theta_5)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_5).sub_product(t104,
-        chain_omega_8_dot_by_chain_theta_5).sub_product(t105, chain_omega_9_dot_by_chain_theta_5)
-        .sub_product(t106, chain_omega_10_dot_by_chain_theta_5);
-    let t457 = t193 * t79;
-    let t458 = t194 * t81;
-    let t459 = t195 * t83;
-    let t460 = chain_omega_10_squared * t85;
-    let t461 = t217 * t79;
-    let t462 = t223 * t81;
-    let t463 = t230 * t83;
-    let t464 = chain_omega_6_squared * t85;
-    let t465 = t246 - t273;
-    let t466 = R::literal(4.0) * t78;
-    let t467 = t466 * chain_omega_7_dot;
-    let t468 = t466 * chain_omega_6_dot;
-    let t469 = R::literal(3.0) * t80;
-    let t470 = t469 * chain_omega_8_dot;
-    let t471 = t469 * chain_omega_6_dot;
-    let t472 = R::literal(2.0) * t82;
-    let t473 = t472 * chain_omega_9_dot;
-    let t474 = t472 * chain_omega_6_dot;
-    let t475 = t84 * chain_omega_10_dot;
-    let t476 = t84 * chain_omega_6_dot;
-    let t477 = (t298 - t322).sub_product(t98, t465);
-    let t478 = (t345 - t365).sub_product(t99, t465).sub_product(t109, t477);
-    let t479 = (t387 - t403).sub_product(t100, t465).sub_product(t111, t477).sub_product(t126,
-        t478);
-    let t480 = (t424 - t436).sub_product(t101, t465).sub_product(t113, t477).sub_product(t128, t478)
-        .sub_product(t141, t479);
-    let t481 = (t274 - (t255.add_product(R::literal(49.05), cos_chain_theta_6) + t306 + t352 + t393
-        + t429 + t457 + t458 + t459 + t460) - t323 - t366 - t404 - t437 + t467 + t470 + t473 + t475)
-        .sub_product(t102, t465).sub_product(t115, t477).sub_product(t130, t478).sub_product(t143,
-        t479).sub_product(t154, t480);
-    let t482 = (t461 + t468).sub_product(t103, t465).sub_product(t117, t477).sub_product(t132, t478)
-        .sub_product(t145, t479).sub_product(t156, t480).sub_product(t165, t481);
-    let t483 = (t462 + t471).sub_product(t104, t465).sub_product(t119, t477).sub_product(t134, t478)
-        .sub_product(t147, t479).sub_product(t158, t480).sub_product(t167, t481).sub_product(t174,
-        t482);
-    let t484 = (t463 + t474).sub_product(t105, t465).sub_product(t121, t477).sub_product(t136, t478)
-        .sub_product(t149, t479).sub_product(t160, t480).sub_product(t169, t481).sub_product(t176,
-        t482).sub_product(t181, t483);
-    let chain_omega_10_dot_by_chain_theta_6 = (t464 + t476).sub_product(t106, t465)
-        .sub_product(t123, t477).sub_product(t138, t478).sub_product(t151, t479).sub_product(t162,
-        t480).sub_product(t171, t481).sub_product(t178, t482).sub_product(t183, t483)
-        .sub_product(t186, t484) * t187;
-    let chain_omega_9_dot_by_chain_theta_6 = (t484 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_8_dot_by_chain_theta_6 = (t483 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_theta_6).sub_product(t183, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_7_dot_by_chain_theta_6 = (t482 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_theta_6).sub_product(t176, chain_omega_9_dot_by_chain_theta_6)
-        .sub_product(t178, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_6_dot_by_chain_theta_6 = (t481 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_theta_6).sub_product(t167, chain_omega_8_dot_by_chain_theta_6)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_6).sub_product(t171,
-        chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_5_dot_by_chain_theta_6 = (t480 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_theta_6).sub_product(t156, chain_omega_7_dot_by_chain_theta_6)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_6).sub_product(t160,
-        chain_omega_9_dot_by_chain_theta_6).sub_product(t162, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_4_dot_by_chain_theta_6 = (t479 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_theta_6).sub_product(t143, chain_omega_6_dot_by_chain_theta_6)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_6).sub_product(t147,
-        chain_omega_8_dot_by_chain_theta_6).sub_product(t149, chain_omega_9_dot_by_chain_theta_6)
-        .sub_product(t151, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_3_dot_by_chain_theta_6 = (t478 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_theta_6).sub_product(t128, chain_omega_5_dot_by_chain_theta_6)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_6).sub_product(t132,
-        chain_omega_7_dot_by_chain_theta_6).sub_product(t134, chain_omega_8_dot_by_chain_theta_6)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_6).sub_product(t138,
-        chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_2_dot_by_chain_theta_6 = (t477 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_theta_6).sub_product(t111, chain_omega_4_dot_by_chain_theta_6)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_6).sub_product(t115,
-        chain_omega_6_dot_by_chain_theta_6).sub_product(t117, chain_omega_7_dot_by_chain_theta_6)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_6).sub_product(t121,
-        chain_omega_9_dot_by_chain_theta_6).sub_product(t123, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_1_dot_by_chain_theta_6 = (t465 * R::literal(0.1)).sub_product(t98,
-        chain_omega_2_dot_by_chain_theta_6).sub_product(t99, chain_omega_3_dot_by_chain_theta_6)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_6).sub_product(t101,
-        chain_omega_5_dot_by_chain_theta_6).sub_product(t102, chain_omega_6_dot_by_chain_theta_6)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_6).sub_product(t104,
-        chain_omega_8_dot_by_chain_theta_6).sub_product(t105, chain_omega_9_dot_by_chain_theta_6)
-        .sub_product(t106, chain_omega_10_dot_by_chain_theta_6);
-    let t485 = t194 * t87;
-    let t486 = t195 * t89;
-    let t487 = chain_omega_10_squared * t91;
-    let t488 = t224 * t87;
-    let t489 = t231 * t89;
-    let t490 = chain_omega_7_squared * t91;
-    let t491 = t247 - t276;
-    let t492 = R::literal(3.0) * t86;
-    let t493 = t492 * chain_omega_8_dot;
-    let t494 = t492 * chain_omega_7_dot;
-    let t495 = R::literal(2.0) * t88;
-    let t496 = t495 * chain_omega_9_dot;
-    let t497 = t495 * chain_omega_7_dot;
-    let t498 = t90 * chain_omega_10_dot;
-    let t499 = t90 * chain_omega_7_dot;
-    let t500 = (t299 - t325).sub_product(t98, t491);
-    let t501 = (t346 - t368).sub_product(t99, t491).sub_product(t109, t500);
-    let t502 = (t388 - t406).sub_product(t100, t491).sub_product(t111, t500).sub_product(t126,
-        t501);
-    let t503 = (t425 - t439).sub_product(t101, t491).sub_product(t113, t500).sub_product(t128, t501)
-        .sub_product(t141, t502);
-    let t504 = (t457 - t467).sub_product(t102, t491).sub_product(t115, t500).sub_product(t130, t501)
-        .sub_product(t143, t502).sub_product(t154, t503);
-    let t505 = (t277 - (t256.add_product(R::literal(39.24), cos_chain_theta_7) + t307 + t353 + t394
-        + t430 + t461 + t485 + t486 + t487) - t326 - t369 - t407 - t440 - t468 + t493 + t496 + t498)
-        .sub_product(t103, t491).sub_product(t117, t500).sub_product(t132, t501).sub_product(t145,
-        t502).sub_product(t156, t503).sub_product(t165, t504);
-    let t506 = (t488 + t494).sub_product(t104, t491).sub_product(t119, t500).sub_product(t134, t501)
-        .sub_product(t147, t502).sub_product(t158, t503).sub_product(t167, t504).sub_product(t174,
-        t505);
-    let t507 = (t489 + t497).sub_product(t105, t491).sub_product(t121, t500).sub_product(t136, t501)
-        .sub_product(t149, t502).sub_product(t160, t503).sub_product(t169, t504).sub_product(t176,
-        t505).sub_product(t181, t506);
-    let chain_omega_10_dot_by_chain_theta_7 = (t490 + t499).sub_product(t106, t491)
-        .sub_product(t123, t500).sub_product(t138, t501).sub_product(t151, t502).sub_product(t162,
-        t503).sub_product(t171, t504).sub_product(t178, t505).sub_product(t183, t506)
-        .sub_product(t186, t507) * t187;
-    let chain_omega_9_dot_by_chain_theta_7 = (t507 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_8_dot_by_chain_theta_7 = (t506 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_theta_7).sub_product(t183, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_7_dot_by_chain_theta_7 = (t505 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_theta_7).sub_product(t176, chain_omega_9_dot_by_chain_theta_7)
-        .sub_product(t178, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_6_dot_by_chain_theta_7 = (t504 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_theta_7).sub_product(t167, chain_omega_8_dot_by_chain_theta_7)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_7).sub_product(t171,
-        chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_5_dot_by_chain_theta_7 = (t503 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_theta_7).sub_product(t156, chain_omega_7_dot_by_chain_theta_7)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_7).sub_product(t160,
-        chain_omega_9_dot_by_chain_theta_7).sub_product(t162, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_4_dot_by_chain_theta_7 = (t502 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_theta_7).sub_product(t143, chain_omega_6_dot_by_chain_theta_7)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_7).sub_product(t147,
-        chain_omega_8_dot_by_chain_theta_7).sub_product(t149, chain_omega_9_dot_by_chain_theta_7)
-        .sub_product(t151, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_3_dot_by_chain_theta_7 = (t501 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_theta_7).sub_product(t128, chain_omega_5_dot_by_chain_theta_7)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_7).sub_product(t132,
-        chain_omega_7_dot_by_chain_theta_7).sub_product(t134, chain_omega_8_dot_by_chain_theta_7)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_7).sub_product(t138,
-        chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_2_dot_by_chain_theta_7 = (t500 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_theta_7).sub_product(t111, chain_omega_4_dot_by_chain_theta_7)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_7).sub_product(t115,
-        chain_omega_6_dot_by_chain_theta_7).sub_product(t117, chain_omega_7_dot_by_chain_theta_7)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_7).sub_product(t121,
-        chain_omega_9_dot_by_chain_theta_7).sub_product(t123, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_1_dot_by_chain_theta_7 = (t491 * R::literal(0.1)).sub_product(t98,
-        chain_omega_2_dot_by_chain_theta_7).sub_product(t99, chain_omega_3_dot_by_chain_theta_7)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_7).sub_product(t101,
-        chain_omega_5_dot_by_chain_theta_7).sub_product(t102, chain_omega_6_dot_by_chain_theta_7)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_7).sub_product(t104,
-        chain_omega_8_dot_by_chain_theta_7).sub_product(t105, chain_omega_9_dot_by_chain_theta_7)
-        .sub_product(t106, chain_omega_10_dot_by_chain_theta_7);
-    let t508 = t195 * t93;
-    let t509 = chain_omega_10_squared * t95;
-    let t510 = t232 * t93;
-    let t511 = chain_omega_8_squared * t95;
-    let t512 = t248 - t279;
-    let t513 = R::literal(2.0) * t92;
-    let t514 = t513 * chain_omega_9_dot;
-    let t515 = t513 * chain_omega_8_dot;
-    let t516 = t94 * chain_omega_10_dot;
-    let t517 = t94 * chain_omega_8_dot;
-    let t518 = (t300 - t328).sub_product(t98, t512);
-    let t519 = (t347 - t371).sub_product(t99, t512).sub_product(t109, t518);
-    let t520 = (t389 - t409).sub_product(t100, t512).sub_product(t111, t518).sub_product(t126,
-        t519);
-    let t521 = (t426 - t442).sub_product(t101, t512).sub_product(t113, t518).sub_product(t128, t519)
-        .sub_product(t141, t520);
-    let t522 = (t458 - t470).sub_product(t102, t512).sub_product(t115, t518).sub_product(t130, t519)
-        .sub_product(t143, t520).sub_product(t154, t521);
-    let t523 = (t485 - t493).sub_product(t103, t512).sub_product(t117, t518).sub_product(t132, t519)
-        .sub_product(t145, t520).sub_product(t156, t521).sub_product(t165, t522);
-    let t524 = (t280 - (t257.add_product(R::literal(29.43), cos_chain_theta_8) + t308 + t354 + t395
-        + t431 + t462 + t488 + t508 + t509) - t329 - t372 - t410 - t443 - t471 - t494 + t514 + t516)
-        .sub_product(t104, t512).sub_product(t119, t518).sub_product(t134, t519).sub_product(t147,
-        t520).sub_product(t158, t521).sub_product(t167, t522);
-    let t525 = t524.sub_product(t174, t523);
-    let t526 = (t510 + t515).sub_product(t105, t512).sub_product(t121, t518).sub_product(t136, t519)
-        .sub_product(t149, t520).sub_product(t160, t521).sub_product(t169, t522).sub_product(t176,
-        t523).sub_product(t181, t525);
-    let chain_omega_10_dot_by_chain_theta_8 = (t511 + t517).sub_product(t106, t512)
-        .sub_product(t123, t518).sub_product(t138, t519).sub_product(t151, t520).sub_product(t162,
-        t521).sub_product(t171, t522).sub_product(t178, t523).sub_product(t183, t525)
-        .sub_product(t186, t526) * t187;
-    let chain_omega_9_dot_by_chain_theta_8 = (t526 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_8_dot_by_chain_theta_8 = (t525 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_theta_8).sub_product(t183, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_7_dot_by_chain_theta_8 = (t523 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_theta_8).sub_product(t176, chain_omega_9_dot_by_chain_theta_8)
-        .sub_product(t178, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_6_dot_by_chain_theta_8 = (t522 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_theta_8).sub_product(t167, chain_omega_8_dot_by_chain_theta_8)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_8).sub_product(t171,
-        chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_5_dot_by_chain_theta_8 = (t521 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_theta_8).sub_product(t156, chain_omega_7_dot_by_chain_theta_8)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_8).sub_product(t160,
-        chain_omega_9_dot_by_chain_theta_8).sub_product(t162, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_4_dot_by_chain_theta_8 = (t520 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_theta_8).sub_product(t143, chain_omega_6_dot_by_chain_theta_8)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_8).sub_product(t147,
-        chain_omega_8_dot_by_chain_theta_8).sub_product(t149, chain_omega_9_dot_by_chain_theta_8)
-        .sub_product(t151, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_3_dot_by_chain_theta_8 = (t519 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_theta_8).sub_product(t128, chain_omega_5_dot_by_chain_theta_8)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_8).sub_product(t132,
-        chain_omega_7_dot_by_chain_theta_8).sub_product(t134, chain_omega_8_dot_by_chain_theta_8)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_8).sub_product(t138,
-        chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_2_dot_by_chain_theta_8 = (t518 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_theta_8).sub_product(t111, chain_omega_4_dot_by_chain_theta_8)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_8).sub_product(t115,
-        chain_omega_6_dot_by_chain_theta_8).sub_product(t117, chain_omega_7_dot_by_chain_theta_8)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_8).sub_product(t121,
-        chain_omega_9_dot_by_chain_theta_8).sub_product(t123, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_1_dot_by_chain_theta_8 = (t512 * R::literal(0.1)).sub_product(t98,
-        chain_omega_2_dot_by_chain_theta_8).sub_product(t99, chain_omega_3_dot_by_chain_theta_8)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_8).sub_product(t101,
-        chain_omega_5_dot_by_chain_theta_8).sub_product(t102, chain_omega_6_dot_by_chain_theta_8)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_8).sub_product(t104,
-        chain_omega_8_dot_by_chain_theta_8).sub_product(t105, chain_omega_9_dot_by_chain_theta_8)
-        .sub_product(t106, chain_omega_10_dot_by_chain_theta_8);
-    let t527 = chain_omega_10_squared * t97;
-    let t528 = chain_omega_9_squared * t97;
-    let t529 = t249 - t282;
-    let t530 = t96 * chain_omega_10_dot;
-    let t531 = t96 * chain_omega_9_dot;
-    let t532 = (t301 - t331).sub_product(t98, t529);
-    let t533 = (t348 - t374).sub_product(t99, t529).sub_product(t109, t532);
-    let t534 = (t390 - t412).sub_product(t100, t529).sub_product(t111, t532).sub_product(t126,
-        t533);
-    let t535 = (t427 - t445).sub_product(t101, t529).sub_product(t113, t532).sub_product(t128, t533)
-        .sub_product(t141, t534);
-    let t536 = (t459 - t473).sub_product(t102, t529).sub_product(t115, t532).sub_product(t130, t533)
-        .sub_product(t143, t534).sub_product(t154, t535);
-    let t537 = (t486 - t496).sub_product(t103, t529).sub_product(t117, t532).sub_product(t132, t533)
-        .sub_product(t145, t534).sub_product(t156, t535).sub_product(t165, t536);
-    let t538 = (t508 - t514).sub_product(t104, t529).sub_product(t119, t532).sub_product(t134, t533)
-        .sub_product(t147, t534).sub_product(t158, t535).sub_product(t167, t536).sub_product(t174,
-        t537);
-    let t539 = (t283 - (t258.add_product(R::literal(19.62), cos_chain_theta_9) + t309 + t355 + t396
-        + t432 + t463 + t489 + t510 + t527) - t332 - t375 - t413 - t446 - t474 - t497 - t515 + t530)
-        .sub_product(t105, t529).sub_product(t121, t532).sub_product(t136, t533).sub_product(t149,
-        t534).sub_product(t160, t535).sub_product(t169, t536);
-    let t540 = t539.sub_product(t176, t537).sub_product(t181, t538);
-    let chain_omega_10_dot_by_chain_theta_9 = (t528 + t531).sub_product(t106, t529)
-        .sub_product(t123, t532).sub_product(t138, t533).sub_product(t151, t534).sub_product(t162,
-        t535).sub_product(t171, t536).sub_product(t178, t537).sub_product(t183, t538)
-        .sub_product(t186, t540) * t187;
-    let chain_omega_9_dot_by_chain_theta_9 = (t540 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_8_dot_by_chain_theta_9 = (t538 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_theta_9).sub_product(t183, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_7_dot_by_chain_theta_9 = (t537 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_theta_9).sub_product(t176, chain_omega_9_dot_by_chain_theta_9)
-        .sub_product(t178, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_6_dot_by_chain_theta_9 = (t536 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_theta_9).sub_product(t167, chain_omega_8_dot_by_chain_theta_9)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_9).sub_product(t171,
-        chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_5_dot_by_chain_theta_9 = (t535 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_theta_9).sub_product(t156, chain_omega_7_dot_by_chain_theta_9)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_9).sub_product(t160,
-        chain_omega_9_dot_by_chain_theta_9).sub_product(t162, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_4_dot_by_chain_theta_9 = (t534 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_theta_9).sub_product(t143, chain_omega_6_dot_by_chain_theta_9)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_9).sub_product(t147,
-        chain_omega_8_dot_by_chain_theta_9).sub_product(t149, chain_omega_9_dot_by_chain_theta_9)
-        .sub_product(t151, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_3_dot_by_chain_theta_9 = (t533 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_theta_9).sub_product(t128, chain_omega_5_dot_by_chain_theta_9)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_9).sub_product(t132,
-        chain_omega_7_dot_by_chain_theta_9).sub_product(t134, chain_omega_8_dot_by_chain_theta_9)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_9).sub_product(t138,
-        chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_2_dot_by_chain_theta_9 = (t532 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_theta_9).sub_product(t111, chain_omega_4_dot_by_chain_theta_9)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_9).sub_product(t115,
-        chain_omega_6_dot_by_chain_theta_9).sub_product(t117, chain_omega_7_dot_by_chain_theta_9)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_9).sub_product(t121,
-        chain_omega_9_dot_by_chain_theta_9).sub_product(t123, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_1_dot_by_chain_theta_9 = (t529 * R::literal(0.1)).sub_product(t98,
-        chain_omega_2_dot_by_chain_theta_9).sub_product(t99, chain_omega_3_dot_by_chain_theta_9)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_9).sub_product(t101,
-        chain_omega_5_dot_by_chain_theta_9).sub_product(t102, chain_omega_6_dot_by_chain_theta_9)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_9).sub_product(t104,
-        chain_omega_8_dot_by_chain_theta_9).sub_product(t105, chain_omega_9_dot_by_chain_theta_9)
-        .sub_product(t106, chain_omega_10_dot_by_chain_theta_9);
-    let t541 = t250 - t284;
-    let t542 = (t302 - t333).sub_product(t98, t541);
-    let t543 = (t349 - t376).sub_product(t99, t541).sub_product(t109, t542);
-    let t544 = (t391 - t414).sub_product(t100, t541).sub_product(t111, t542).sub_product(t126,
-        t543);
-    let t545 = (t428 - t447).sub_product(t101, t541).sub_product(t113, t542).sub_product(t128, t543)
-        .sub_product(t141, t544);
-    let t546 = (t460 - t475).sub_product(t102, t541).sub_product(t115, t542).sub_product(t130, t543)
-        .sub_product(t143, t544).sub_product(t154, t545);
-    let t547 = (t487 - t498).sub_product(t103, t541).sub_product(t117, t542).sub_product(t132, t543)
-        .sub_product(t145, t544).sub_product(t156, t545).sub_product(t165, t546);
-    let t548 = (t509 - t516).sub_product(t104, t541).sub_product(t119, t542).sub_product(t134, t543)
-        .sub_product(t147, t544).sub_product(t158, t545).sub_product(t167, t546).sub_product(t174,
-        t547);
-    let t549 = (t527 - t530).sub_product(t105, t541).sub_product(t121, t542).sub_product(t136, t543)
-        .sub_product(t149, t544).sub_product(t160, t545).sub_product(t169, t546).sub_product(t176,
-        t547).sub_product(t181, t548);
-    let t550 = (t286 - (t259.add_product(R::literal(9.81), cos_chain_theta_10) + t310 + t356 + t397
-        + t433 + t464 + t490 + t511 + t528) - t334 - t377 - t415 - t448 - t476 - t499 - t517 - t531)
-        .sub_product(t106, t541).sub_product(t123, t542).sub_product(t138, t543).sub_product(t151,
-        t544).sub_product(t162, t545).sub_product(t171, t546);
-    let chain_omega_10_dot_by_chain_theta_10 = t550.sub_product(t178, t547).sub_product(t183, t548)
-        .sub_product(t186, t549) * t187;
-    let chain_omega_9_dot_by_chain_theta_10 = (t549 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_8_dot_by_chain_theta_10 = (t548 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_theta_10).sub_product(t183,
-        chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_7_dot_by_chain_theta_10 = (t547 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_theta_10).sub_product(t176, chain_omega_9_dot_by_chain_theta_10)
-        .sub_product(t178, chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_6_dot_by_chain_theta_10 = (t546 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_theta_10).sub_product(t167, chain_omega_8_dot_by_chain_theta_10)
-        .sub_product(t169, chain_omega_9_dot_by_chain_theta_10).sub_product(t171,
-        chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_5_dot_by_chain_theta_10 = (t545 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_theta_10).sub_product(t156, chain_omega_7_dot_by_chain_theta_10)
-        .sub_product(t158, chain_omega_8_dot_by_chain_theta_10).sub_product(t160,
-        chain_omega_9_dot_by_chain_theta_10).sub_product(t162,
-        chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_4_dot_by_chain_theta_10 = (t544 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_theta_10).sub_product(t143, chain_omega_6_dot_by_chain_theta_10)
-        .sub_product(t145, chain_omega_7_dot_by_chain_theta_10).sub_product(t147,
-        chain_omega_8_dot_by_chain_theta_10).sub_product(t149, chain_omega_9_dot_by_chain_theta_10)
-        .sub_product(t151, chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_3_dot_by_chain_theta_10 = (t543 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_theta_10).sub_product(t128, chain_omega_5_dot_by_chain_theta_10)
-        .sub_product(t130, chain_omega_6_dot_by_chain_theta_10).sub_product(t132,
-        chain_omega_7_dot_by_chain_theta_10).sub_product(t134, chain_omega_8_dot_by_chain_theta_10)
-        .sub_product(t136, chain_omega_9_dot_by_chain_theta_10).sub_product(t138,
-        chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_2_dot_by_chain_theta_10 = (t542 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_theta_10).sub_product(t111, chain_omega_4_dot_by_chain_theta_10)
-        .sub_product(t113, chain_omega_5_dot_by_chain_theta_10).sub_product(t115,
-        chain_omega_6_dot_by_chain_theta_10).sub_product(t117, chain_omega_7_dot_by_chain_theta_10)
-        .sub_product(t119, chain_omega_8_dot_by_chain_theta_10).sub_product(t121,
-        chain_omega_9_dot_by_chain_theta_10).sub_product(t123,
-        chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_1_dot_by_chain_theta_10 = (t541 * R::literal(0.1)).sub_product(t98,
-        chain_omega_2_dot_by_chain_theta_10).sub_product(t99, chain_omega_3_dot_by_chain_theta_10)
-        .sub_product(t100, chain_omega_4_dot_by_chain_theta_10).sub_product(t101,
-        chain_omega_5_dot_by_chain_theta_10).sub_product(t102, chain_omega_6_dot_by_chain_theta_10)
-        .sub_product(t103, chain_omega_7_dot_by_chain_theta_10).sub_product(t104,
-        chain_omega_8_dot_by_chain_theta_10).sub_product(t105, chain_omega_9_dot_by_chain_theta_10)
-        .sub_product(t106, chain_omega_10_dot_by_chain_theta_10);
-    let t551 = R::literal(18.0) * chain_omega_1 * t0;
-    let t552 = (R::literal(16.0) * chain_omega_1 * t3).sub_product(t109, t551);
-    let t553 = (R::literal(14.0) * chain_omega_1 * t6).sub_product(t111, t551).sub_product(t126,
-        t552);
-    let t554 = (R::literal(12.0) * chain_omega_1 * t9).sub_product(t113, t551).sub_product(t128,
-        t552).sub_product(t141, t553);
-    let t555 = (R::literal(10.0) * chain_omega_1 * t12).sub_product(t115, t551).sub_product(t130,
-        t552).sub_product(t143, t553).sub_product(t154, t554);
-    let t556 = (R::literal(8.0) * chain_omega_1 * t15).sub_product(t117, t551).sub_product(t132,
-        t552).sub_product(t145, t553).sub_product(t156, t554).sub_product(t165, t555);
-    let t557 = (R::literal(6.0) * chain_omega_1 * t18).sub_product(t119, t551).sub_product(t134,
-        t552).sub_product(t147, t553).sub_product(t158, t554).sub_product(t167, t555)
-        .sub_product(t174, t556);
-    let t558 = (R::literal(4.0) * chain_omega_1 * t21).sub_product(t121, t551).sub_product(t136,
-        t552).sub_product(t149, t553).sub_product(t160, t554).sub_product(t169, t555)
-        .sub_product(t176, t556).sub_product(t181, t557);
-    let chain_omega_10_dot_by_chain_omega_1 = (R::literal(2.0) * chain_omega_1 * t24)
-        .sub_product(t123, t551).sub_product(t138, t552).sub_product(t151, t553).sub_product(t162,
-        t554).sub_product(t171, t555).sub_product(t178, t556).sub_product(t183, t557)
-        .sub_product(t186, t558) * t187;
-    let chain_omega_9_dot_by_chain_omega_1 = (t558 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_8_dot_by_chain_omega_1 = (t557 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_omega_1).sub_product(t183, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_7_dot_by_chain_omega_1 = (t556 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_omega_1).sub_product(t176, chain_omega_9_dot_by_chain_omega_1)
-        .sub_product(t178, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_6_dot_by_chain_omega_1 = (t555 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_omega_1).sub_product(t167, chain_omega_8_dot_by_chain_omega_1)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_1).sub_product(t171,
-        chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_5_dot_by_chain_omega_1 = (t554 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_omega_1).sub_product(t156, chain_omega_7_dot_by_chain_omega_1)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_1).sub_product(t160,
-        chain_omega_9_dot_by_chain_omega_1).sub_product(t162, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_4_dot_by_chain_omega_1 = (t553 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_omega_1).sub_product(t143, chain_omega_6_dot_by_chain_omega_1)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_1).sub_product(t147,
-        chain_omega_8_dot_by_chain_omega_1).sub_product(t149, chain_omega_9_dot_by_chain_omega_1)
-        .sub_product(t151, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_3_dot_by_chain_omega_1 = (t552 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_omega_1).sub_product(t128, chain_omega_5_dot_by_chain_omega_1)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_1).sub_product(t132,
-        chain_omega_7_dot_by_chain_omega_1).sub_product(t134, chain_omega_8_dot_by_chain_omega_1)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_1).sub_product(t138,
-        chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_2_dot_by_chain_omega_1 = (t551 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_omega_1).sub_product(t111, chain_omega_4_dot_by_chain_omega_1)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_1).sub_product(t115,
-        chain_omega_6_dot_by_chain_omega_1).sub_product(t117, chain_omega_7_dot_by_chain_omega_1)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_1).sub_product(t121,
-        chain_omega_9_dot_by_chain_omega_1).sub_product(t123, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_1_dot_by_chain_omega_1 = -(t99 * chain_omega_3_dot_by_chain_omega_1)
-        .add_product(t98, chain_omega_2_dot_by_chain_omega_1).add_product(t100,
-        chain_omega_4_dot_by_chain_omega_1).add_product(t101, chain_omega_5_dot_by_chain_omega_1)
-        .add_product(t102, chain_omega_6_dot_by_chain_omega_1).add_product(t103,
-        chain_omega_7_dot_by_chain_omega_1).add_product(t104, chain_omega_8_dot_by_chain_omega_1)
-        .add_product(t105, chain_omega_9_dot_by_chain_omega_1).add_product(t106,
-        chain_omega_10_dot_by_chain_omega_1);
-    let t559 = R::literal(18.0) * chain_omega_2 * t0;
-    let t560 = t98 * t559;
-    let t561 = (R::literal(16.0) * chain_omega_2 * t26).add_product(t99, t559).sub_product(t109,
-        t560);
-    let t562 = (R::literal(14.0) * chain_omega_2 * t28).add_product(t100, t559).sub_product(t111,
-        t560).sub_product(t126, t561);
-    let t563 = (R::literal(12.0) * chain_omega_2 * t30).add_product(t101, t559).sub_product(t113,
-        t560).sub_product(t128, t561).sub_product(t141, t562);
-    let t564 = (R::literal(10.0) * chain_omega_2 * t32).add_product(t102, t559).sub_product(t115,
-        t560).sub_product(t130, t561).sub_product(t143, t562).sub_product(t154, t563);
-    let t565 = (R::literal(8.0) * chain_omega_2 * t34).add_product(t103, t559).sub_product(t117,
-        t560).sub_product(t132, t561).sub_product(t145, t562).sub_product(t156, t563)
-        .sub_product(t165, t564);
-    let t566 = (R::literal(6.0) * chain_omega_2 * t36).add_product(t104, t559).sub_product(t119,
-        t560).sub_product(t134, t561).sub_product(t147, t562).sub_product(t158, t563)
-        .sub_product(t167, t564).sub_product(t174, t565);
-    let t567 = (R::literal(4.0) * chain_omega_2 * t38).add_product(t105, t559).sub_product(t121,
-        t560).sub_product(t136, t561).sub_product(t149, t562).sub_product(t160, t563)
-        .sub_product(t169, t564).sub_product(t176, t565).sub_product(t181, t566);
-    let chain_omega_10_dot_by_chain_omega_2 = (R::literal(2.0) * chain_omega_2 * t40)
-        .add_product(t106, t559).sub_product(t123, t560).sub_product(t138, t561).sub_product(t151,
-        t562).sub_product(t162, t563).sub_product(t171, t564).sub_product(t178, t565)
-        .sub_product(t183, t566).sub_product(t186, t567) * t187;
-    let chain_omega_9_dot_by_chain_omega_2 = (t567 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_8_dot_by_chain_omega_2 = (t566 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_omega_2).sub_product(t183, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_7_dot_by_chain_omega_2 = (t565 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_omega_2).sub_product(t176, chain_omega_9_dot_by_chain_omega_2)
-        .sub_product(t178, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_6_dot_by_chain_omega_2 = (t564 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_omega_2).sub_product(t167, chain_omega_8_dot_by_chain_omega_2)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_2).sub_product(t171,
-        chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_5_dot_by_chain_omega_2 = (t563 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_omega_2).sub_product(t156, chain_omega_7_dot_by_chain_omega_2)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_2).sub_product(t160,
-        chain_omega_9_dot_by_chain_omega_2).sub_product(t162, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_4_dot_by_chain_omega_2 = (t562 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_omega_2).sub_product(t143, chain_omega_6_dot_by_chain_omega_2)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_2).sub_product(t147,
-        chain_omega_8_dot_by_chain_omega_2).sub_product(t149, chain_omega_9_dot_by_chain_omega_2)
-        .sub_product(t151, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_3_dot_by_chain_omega_2 = (t561 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_omega_2).sub_product(t128, chain_omega_5_dot_by_chain_omega_2)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_2).sub_product(t132,
-        chain_omega_7_dot_by_chain_omega_2).sub_product(t134, chain_omega_8_dot_by_chain_omega_2)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_2).sub_product(t138,
-        chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_2_dot_by_chain_omega_2 = (t560 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_omega_2).sub_product(t111, chain_omega_4_dot_by_chain_omega_2)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_2).sub_product(t115,
-        chain_omega_6_dot_by_chain_omega_2).sub_product(t117, chain_omega_7_dot_by_chain_omega_2)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_2).sub_product(t121,
-        chain_omega_9_dot_by_chain_omega_2).sub_product(t123, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_1_dot_by_chain_omega_2 = -(t559 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_2).add_product(t99, chain_omega_3_dot_by_chain_omega_2)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_2).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_2).add_product(t102, chain_omega_6_dot_by_chain_omega_2)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_2).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_2).add_product(t105, chain_omega_9_dot_by_chain_omega_2)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_2);
-    let t568 = R::literal(16.0) * chain_omega_3;
-    let t569 = t568 * t3;
-    let t570 = (-(t568 * t26)).add_product(t98, t569);
-    let t571 = (t99 * t569).sub_product(t109, t570);
-    let t572 = (R::literal(14.0) * chain_omega_3 * t42).add_product(t100, t569).sub_product(t111,
-        t570).sub_product(t126, t571);
-    let t573 = (R::literal(12.0) * chain_omega_3 * t44).add_product(t101, t569).sub_product(t113,
-        t570).sub_product(t128, t571).sub_product(t141, t572);
-    let t574 = (R::literal(10.0) * chain_omega_3 * t46).add_product(t102, t569).sub_product(t115,
-        t570).sub_product(t130, t571).sub_product(t143, t572).sub_product(t154, t573);
-    let t575 = (R::literal(8.0) * chain_omega_3 * t48).add_product(t103, t569).sub_product(t117,
-        t570).sub_product(t132, t571).sub_product(t145, t572).sub_product(t156, t573)
-        .sub_product(t165, t574);
-    let t576 = (R::literal(6.0) * chain_omega_3 * t50).add_product(t104, t569).sub_product(t119,
-        t570).sub_product(t134, t571).sub_product(t147, t572).sub_product(t158, t573)
-        .sub_product(t167, t574).sub_product(t174, t575);
-    let t577 = (R::literal(4.0) * chain_omega_3 * t52).add_product(t105, t569).sub_product(t121,
-        t570).sub_product(t136, t571).sub_product(t149, t572).sub_product(t160, t573)
-        .sub_product(t169, t574).sub_product(t176, t575).sub_product(t181, t576);
-    let chain_omega_10_dot_by_chain_omega_3 = (R::literal(2.0) * chain_omega_3 * t54)
-        .add_product(t106, t569).sub_product(t123, t570).sub_product(t138, t571).sub_product(t151,
-        t572).sub_product(t162, t573).sub_product(t171, t574).sub_product(t178, t575)
-        .sub_product(t183, t576).sub_product(t186, t577) * t187;
-    let chain_omega_9_dot_by_chain_omega_3 = (t577 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_8_dot_by_chain_omega_3 = (t576 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_omega_3).sub_product(t183, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_7_dot_by_chain_omega_3 = (t575 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_omega_3).sub_product(t176, chain_omega_9_dot_by_chain_omega_3)
-        .sub_product(t178, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_6_dot_by_chain_omega_3 = (t574 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_omega_3).sub_product(t167, chain_omega_8_dot_by_chain_omega_3)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_3).sub_product(t171,
-        chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_5_dot_by_chain_omega_3 = (t573 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_omega_3).sub_product(t156, chain_omega_7_dot_by_chain_omega_3)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_3).sub_product(t160,
-        chain_omega_9_dot_by_chain_omega_3).sub_product(t162, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_4_dot_by_chain_omega_3 = (t572 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_omega_3).sub_product(t143, chain_omega_6_dot_by_chain_omega_3)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_3).sub_product(t147,
-        chain_omega_8_dot_by_chain_omega_3).sub_product(t149, chain_omega_9_dot_by_chain_omega_3)
-        .sub_product(t151, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_3_dot_by_chain_omega_3 = (t571 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_omega_3).sub_product(t128, chain_omega_5_dot_by_chain_omega_3)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_3).sub_product(t132,
-        chain_omega_7_dot_by_chain_omega_3).sub_product(t134, chain_omega_8_dot_by_chain_omega_3)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_3).sub_product(t138,
-        chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_2_dot_by_chain_omega_3 = (t570 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_omega_3).sub_product(t111, chain_omega_4_dot_by_chain_omega_3)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_3).sub_product(t115,
-        chain_omega_6_dot_by_chain_omega_3).sub_product(t117, chain_omega_7_dot_by_chain_omega_3)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_3).sub_product(t121,
-        chain_omega_9_dot_by_chain_omega_3).sub_product(t123, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_1_dot_by_chain_omega_3 = -(t569 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_3).add_product(t99, chain_omega_3_dot_by_chain_omega_3)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_3).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_3).add_product(t102, chain_omega_6_dot_by_chain_omega_3)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_3).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_3).add_product(t105, chain_omega_9_dot_by_chain_omega_3)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_3);
-    let t578 = R::literal(14.0) * chain_omega_4;
-    let t579 = t578 * t6;
-    let t580 = (-(t578 * t28)).add_product(t98, t579);
-    let t581 = (-(t578 * t42)).add_product(t99, t579).sub_product(t109, t580);
-    let t582 = (t100 * t579).sub_product(t111, t580).sub_product(t126, t581);
-    let t583 = (R::literal(12.0) * chain_omega_4 * t56).add_product(t101, t579).sub_product(t113,
-        t580).sub_product(t128, t581).sub_product(t141, t582);
-    let t584 = (R::literal(10.0) * chain_omega_4 * t58).add_product(t102, t579).sub_product(t115,
-        t580).sub_product(t130, t581).sub_product(t143, t582).sub_product(t154, t583);
-    let t585 = (R::literal(8.0) * chain_omega_4 * t60).add_product(t103, t579).sub_product(t117,
-        t580).sub_product(t132, t581).sub_product(t145, t582).sub_product(t156, t583)
-        .sub_product(t165, t584);
-    let t586 = (R::literal(6.0) * chain_omega_4 * t62).add_product(t104, t579).sub_product(t119,
-        t580).sub_product(t134, t581).sub_product(t147, t582).sub_product(t158, t583)
-        .sub_product(t167, t584).sub_product(t174, t585);
-    let t587 = (R::literal(4.0) * chain_omega_4 * t64).add_product(t105, t579).sub_product(t121,
-        t580).sub_product(t136, t581).sub_product(t149, t582).sub_product(t160, t583)
-        .sub_product(t169, t584).sub_product(t176, t585).sub_product(t181, t586);
-    let chain_omega_10_dot_by_chain_omega_4 = (R::literal(2.0) * chain_omega_4 * t66)
-        .add_product(t106, t579).sub_product(t123, t580).sub_product(t138, t581).sub_product(t151,
-        t582).sub_product(t162, t583).sub_product(t171, t584).sub_product(t178, t585)
-        .sub_product(t183, t586).sub_product(t186, t587) * t187;
-    let chain_omega_9_dot_by_chain_omega_4 = (t587 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_8_dot_by_chain_omega_4 = (t586 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_omega_4).sub_product(t183, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_7_dot_by_chain_omega_4 = (t585 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_omega_4).sub_product(t176, chain_omega_9_dot_by_chain_omega_4)
-        .sub_product(t178, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_6_dot_by_chain_omega_4 = (t584 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_omega_4).sub_product(t167, chain_omega_8_dot_by_chain_omega_4)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_4).sub_product(t171,
-        chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_5_dot_by_chain_omega_4 = (t583 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_omega_4).sub_product(t156, chain_omega_7_dot_by_chain_omega_4)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_4).sub_product(t160,
-        chain_omega_9_dot_by_chain_omega_4).sub_product(t162, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_4_dot_by_chain_omega_4 = (t582 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_omega_4).sub_product(t143, chain_omega_6_dot_by_chain_omega_4)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_4).sub_product(t147,
-        chain_omega_8_dot_by_chain_omega_4).sub_product(t149, chain_omega_9_dot_by_chain_omega_4)
-        .sub_product(t151, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_3_dot_by_chain_omega_4 = (t581 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_omega_4).sub_product(t128, chain_omega_5_dot_by_chain_omega_4)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_4).sub_product(t132,
-        chain_omega_7_dot_by_chain_omega_4).sub_product(t134, chain_omega_8_dot_by_chain_omega_4)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_4).sub_product(t138,
-        chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_2_dot_by_chain_omega_4 = (t580 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_omega_4).sub_product(t111, chain_omega_4_dot_by_chain_omega_4)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_4).sub_product(t115,
-        chain_omega_6_dot_by_chain_omega_4).sub_product(t117, chain_omega_7_dot_by_chain_omega_4)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_4).sub_product(t121,
-        chain_omega_9_dot_by_chain_omega_4).sub_product(t123, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_1_dot_by_chain_omega_4 = -(t579 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_4).add_product(t99, chain_omega_3_dot_by_chain_omega_4)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_4).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_4).add_product(t102, chain_omega_6_dot_by_chain_omega_4)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_4).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_4).add_product(t105, chain_omega_9_dot_by_chain_omega_4)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_4);
-    let t588 = R::literal(12.0) * chain_omega_5;
-    let t589 = t588 * t9;
-    let t590 = (-(t588 * t30)).add_product(t98, t589);
-    let t591 = (-(t588 * t44)).add_product(t99, t589).sub_product(t109, t590);
-    let t592 = (-(t588 * t56)).add_product(t100, t589).sub_product(t111, t590).sub_product(t126,
-        t591);
-    let t593 = (t101 * t589).sub_product(t113, t590).sub_product(t128, t591).sub_product(t141,
-        t592);
-    let t594 = (R::literal(10.0) * chain_omega_5 * t68).add_product(t102, t589).sub_product(t115,
-        t590).sub_product(t130, t591).sub_product(t143, t592).sub_product(t154, t593);
-    let t595 = (R::literal(8.0) * chain_omega_5 * t70).add_product(t103, t589).sub_product(t117,
-        t590).sub_product(t132, t591).sub_product(t145, t592).sub_product(t156, t593)
-        .sub_product(t165, t594);
-    let t596 = (R::literal(6.0) * chain_omega_5 * t72).add_product(t104, t589).sub_product(t119,
-        t590).sub_product(t134, t591).sub_product(t147, t592).sub_product(t158, t593)
-        .sub_product(t167, t594).sub_product(t174, t595);
-    let t597 = (R::literal(4.0) * chain_omega_5 * t74).add_product(t105, t589).sub_product(t121,
-        t590).sub_product(t136, t591).sub_product(t149, t592).sub_product(t160, t593)
-        .sub_product(t169, t594).sub_product(t176, t595).sub_product(t181, t596);
-    let chain_omega_10_dot_by_chain_omega_5 = (R::literal(2.0) * chain_omega_5 * t76)
-        .add_product(t106, t589).sub_product(t123, t590).sub_product(t138, t591).sub_product(t151,
-        t592).sub_product(t162, t593).sub_product(t171, t594).sub_product(t178, t595)
-        .sub_product(t183, t596).sub_product(t186, t597) * t187;
-    let chain_omega_9_dot_by_chain_omega_5 = (t597 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_8_dot_by_chain_omega_5 = (t596 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_omega_5).sub_product(t183, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_7_dot_by_chain_omega_5 = (t595 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_omega_5).sub_product(t176, chain_omega_9_dot_by_chain_omega_5)
-        .sub_product(t178, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_6_dot_by_chain_omega_5 = (t594 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_omega_5).sub_product(t167, chain_omega_8_dot_by_chain_omega_5)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_5).sub_product(t171,
-        chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_5_dot_by_chain_omega_5 = (t593 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_omega_5).sub_product(t156, chain_omega_7_dot_by_chain_omega_5)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_5).sub_product(t160,
-        chain_omega_9_dot_by_chain_omega_5).sub_product(t162, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_4_dot_by_chain_omega_5 = (t592 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_omega_5).sub_product(t143, chain_omega_6_dot_by_chain_omega_5)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_5).sub_product(t147,
-        chain_omega_8_dot_by_chain_omega_5).sub_product(t149, chain_omega_9_dot_by_chain_omega_5)
-        .sub_product(t151, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_3_dot_by_chain_omega_5 = (t591 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_omega_5).sub_product(t128, chain_omega_5_dot_by_chain_omega_5)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_5).sub_product(t132,
-        chain_omega_7_dot_by_chain_omega_5).sub_product(t134, chain_omega_8_dot_by_chain_omega_5)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_5).sub_product(t138,
-        chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_2_dot_by_chain_omega_5 = (t590 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_omega_5).sub_product(t111, chain_omega_4_dot_by_chain_omega_5)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_5).sub_product(t115,
-        chain_omega_6_dot_by_chain_omega_5).sub_product(t117, chain_omega_7_dot_by_chain_omega_5)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_5).sub_product(t121,
-        chain_omega_9_dot_by_chain_omega_5).sub_product(t123, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_1_dot_by_chain_omega_5 = -(t589 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_5).add_product(t99, chain_omega_3_dot_by_chain_omega_5)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_5).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_5).add_product(t102, chain_omega_6_dot_by_chain_omega_5)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_5).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_5).add_product(t105, chain_omega_9_dot_by_chain_omega_5)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_5);
-    let t598 = R::literal(10.0) * chain_omega_6;
-    let t599 = t598 * t12;
-    let t600 = (-(t598 * t32)).add_product(t98, t599);
-    let t601 = (-(t598 * t46)).add_product(t99, t599).sub_product(t109, t600);
-    let t602 = (-(t598 * t58)).add_product(t100, t599).sub_product(t111, t600).sub_product(t126,
-        t601);
-    let t603 = (-(t598 * t68)).add_product(t101, t599).sub_product(t113, t600).sub_product(t128,
-        t601).sub_product(t141, t602);
-    let t604 = (t102 * t599).sub_product(t115, t600).sub_product(t130, t601).sub_product(t143, t602)
-        .sub_product(t154, t603);
-    let t605 = (R::literal(8.0) * chain_omega_6 * t78).add_product(t103, t599).sub_product(t117,
-        t600).sub_product(t132, t601).sub_product(t145, t602).sub_product(t156, t603)
-        .sub_product(t165, t604);
-    let t606 = (R::literal(6.0) * chain_omega_6 * t80).add_product(t104, t599).sub_product(t119,
-        t600).sub_product(t134, t601).sub_product(t147, t602).sub_product(t158, t603)
-        .sub_product(t167, t604).sub_product(t174, t605);
-    let t607 = (R::literal(4.0) * chain_omega_6 * t82).add_product(t105, t599).sub_product(t121,
-        t600).sub_product(t136, t601).sub_product(t149, t602).sub_product(t160, t603)
-        .sub_product(t169, t604).sub_product(t176, t605).sub_product(t181, t606);
-    let chain_omega_10_dot_by_chain_omega_6 = (R::literal(2.0) * chain_omega_6 * t84)
-        .add_product(t106, t599).sub_product(t123, t600).sub_product(t138, t601).sub_product(t151,
-        t602).sub_product(t162, t603).sub_product(t171, t604).sub_product(t178, t605)
-        .sub_product(t183, t606).sub_product(t186, t607) * t187;
-    let chain_omega_9_dot_by_chain_omega_6 = (t607 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_8_dot_by_chain_omega_6 = (t606 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_omega_6).sub_product(t183, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_7_dot_by_chain_omega_6 = (t605 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_omega_6).sub_product(t176, chain_omega_9_dot_by_chain_omega_6)
-        .sub_product(t178, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_6_dot_by_chain_omega_6 = (t604 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_omega_6).sub_product(t167, chain_omega_8_dot_by_chain_omega_6)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_6).sub_product(t171,
-        chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_5_dot_by_chain_omega_6 = (t603 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_omega_6).sub_product(t156, chain_omega_7_dot_by_chain_omega_6)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_6).sub_product(t160,
-        chain_omega_9_dot_by_chain_omega_6).sub_product(t162, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_4_dot_by_chain_omega_6 = (t602 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_omega_6).sub_product(t143, chain_omega_6_dot_by_chain_omega_6)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_6).sub_product(t147,
-        chain_omega_8_dot_by_chain_omega_6).sub_product(t149, chain_omega_9_dot_by_chain_omega_6)
-        .sub_product(t151, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_3_dot_by_chain_omega_6 = (t601 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_omega_6).sub_product(t128, chain_omega_5_dot_by_chain_omega_6)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_6).sub_product(t132,
-        chain_omega_7_dot_by_chain_omega_6).sub_product(t134, chain_omega_8_dot_by_chain_omega_6)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_6).sub_product(t138,
-        chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_2_dot_by_chain_omega_6 = (t600 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_omega_6).sub_product(t111, chain_omega_4_dot_by_chain_omega_6)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_6).sub_product(t115,
-        chain_omega_6_dot_by_chain_omega_6).sub_product(t117, chain_omega_7_dot_by_chain_omega_6)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_6).sub_product(t121,
-        chain_omega_9_dot_by_chain_omega_6).sub_product(t123, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_1_dot_by_chain_omega_6 = -(t599 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_6).add_product(t99, chain_omega_3_dot_by_chain_omega_6)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_6).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_6).add_product(t102, chain_omega_6_dot_by_chain_omega_6)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_6).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_6).add_product(t105, chain_omega_9_dot_by_chain_omega_6)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_6);
-    let t608 = R::literal(8.0) * chain_omega_7;
-    let t609 = t608 * t15;
-    let t610 = (-(t608 * t34)).add_product(t98, t609);
-    let t611 = (-(t608 * t48)).add_product(t99, t609).sub_product(t109, t610);
-    let t612 = (-(t608 * t60)).add_product(t100, t609).sub_product(t111, t610).sub_product(t126,
-        t611);
-    let t613 = (-(t608 * t70)).add_product(t101, t609).sub_product(t113, t610).sub_product(t128,
-        t611).sub_product(t141, t612);
-    let t614 = (-(t608 * t78)).add_product(t102, t609).sub_product(t115, t610).sub_product(t130,
-        t611).sub_product(t143, t612).sub_product(t154, t613);
-    let t615 = (t103 * t609).sub_product(t117, t610).sub_product(t132, t611).sub_product(t145, t612)
-        .sub_product(t156, t613).sub_product(t165, t614);
-    let t616 = (R::literal(6.0) * chain_omega_7 * t86).add_product(t104, t609).sub_product(t119,
-        t610).sub_product(t134, t611).sub_product(t147, t612).sub_product(t158, t613)
-        .sub_product(t167, t614).sub_product(t174, t615);
-    let t617 = (R::literal(4.0) * chain_omega_7 * t88).add_product(t105, t609).sub_product(t121,
-        t610).sub_product(t136, t611).sub_product(t149, t612).sub_product(t160, t613)
-        .sub_product(t169, t614).sub_product(t176, t615).sub_product(t181, t616);
-    let chain_omega_10_dot_by_chain_omega_7 = (R::literal(2.0) * chain_omega_7 * t90)
-        .add_product(t106, t609).sub_product(t123, t610).sub_product(t138, t611).sub_product(t151,
-        t612).sub_product(t162, t613).sub_product(t171, t614).sub_product(t178, t615)
-        .sub_product(t183, t616).sub_product(t186, t617) * t187;
-    let chain_omega_9_dot_by_chain_omega_7 = (t617 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_8_dot_by_chain_omega_7 = (t616 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_omega_7).sub_product(t183, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_7_dot_by_chain_omega_7 = (t615 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_omega_7).sub_product(t176, chain_omega_9_dot_by_chain_omega_7)
-        .sub_product(t178, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_6_dot_by_chain_omega_7 = (t614 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_omega_7).sub_product(t167, chain_omega_8_dot_by_chain_omega_7)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_7).sub_product(t171,
-        chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_5_dot_by_chain_omega_7 = (t613 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_omega_7).sub_product(t156, chain_omega_7_dot_by_chain_omega_7)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_7).sub_product(t160,
-        chain_omega_9_dot_by_chain_omega_7).sub_product(t162, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_4_dot_by_chain_omega_7 = (t612 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_omega_7).sub_product(t143, chain_omega_6_dot_by_chain_omega_7)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_7).sub_product(t147,
-        chain_omega_8_dot_by_chain_omega_7).sub_product(t149, chain_omega_9_dot_by_chain_omega_7)
-        .sub_product(t151, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_3_dot_by_chain_omega_7 = (t611 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_omega_7).sub_product(t128, chain_omega_5_dot_by_chain_omega_7)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_7).sub_product(t132,
-        chain_omega_7_dot_by_chain_omega_7).sub_product(t134, chain_omega_8_dot_by_chain_omega_7)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_7).sub_product(t138,
-        chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_2_dot_by_chain_omega_7 = (t610 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_omega_7).sub_product(t111, chain_omega_4_dot_by_chain_omega_7)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_7).sub_product(t115,
-        chain_omega_6_dot_by_chain_omega_7).sub_product(t117, chain_omega_7_dot_by_chain_omega_7)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_7).sub_product(t121,
-        chain_omega_9_dot_by_chain_omega_7).sub_product(t123, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_1_dot_by_chain_omega_7 = -(t609 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_7).add_product(t99, chain_omega_3_dot_by_chain_omega_7)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_7).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_7).add_product(t102, chain_omega_6_dot_by_chain_omega_7)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_7).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_7).add_product(t105, chain_omega_9_dot_by_chain_omega_7)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_7);
-    let t618 = R::literal(6.0) * chain_omega_8;
-    let t619 = t618 * t18;
-    let t620 = (-(t618 * t36)).add_product(t98, t619);
-    let t621 = (-(t618 * t50)).add_product(t99, t619).sub_product(t109, t620);
-    let t622 = (-(t618 * t62)).add_product(t100, t619).sub_product(t111, t620).sub_product(t126,
-        t621);
-    let t623 = (-(t618 * t72)).add_product(t101, t619).sub_product(t113, t620).sub_product(t128,
-        t621).sub_product(t141, t622);
-    let t624 = (-(t618 * t80)).add_product(t102, t619).sub_product(t115, t620).sub_product(t130,
-        t621).sub_product(t143, t622).sub_product(t154, t623);
-    let t625 = (-(t618 * t86)).add_product(t103, t619).sub_product(t117, t620).sub_product(t132,
-        t621).sub_product(t145, t622).sub_product(t156, t623).sub_product(t165, t624);
-    let t626 = (t104 * t619).sub_product(t119, t620).sub_product(t134, t621).sub_product(t147, t622)
-        .sub_product(t158, t623).sub_product(t167, t624).sub_product(t174, t625);
-    let t627 = (R::literal(4.0) * chain_omega_8 * t92).add_product(t105, t619).sub_product(t121,
-        t620).sub_product(t136, t621).sub_product(t149, t622).sub_product(t160, t623)
-        .sub_product(t169, t624).sub_product(t176, t625).sub_product(t181, t626);
-    let chain_omega_10_dot_by_chain_omega_8 = (R::literal(2.0) * chain_omega_8 * t94)
-        .add_product(t106, t619).sub_product(t123, t620).sub_product(t138, t621).sub_product(t151,
-        t622).sub_product(t162, t623).sub_product(t171, t624).sub_product(t178, t625)
-        .sub_product(t183, t626).sub_product(t186, t627) * t187;
-    let chain_omega_9_dot_by_chain_omega_8 = (t627 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_8_dot_by_chain_omega_8 = (t626 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_omega_8).sub_product(t183, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_7_dot_by_chain_omega_8 = (t625 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_omega_8).sub_product(t176, chain_omega_9_dot_by_chain_omega_8)
-        .sub_product(t178, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_6_dot_by_chain_omega_8 = (t624 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_omega_8).sub_product(t167, chain_omega_8_dot_by_chain_omega_8)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_8).sub_product(t171,
-        chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_5_dot_by_chain_omega_8 = (t623 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_omega_8).sub_product(t156, chain_omega_7_dot_by_chain_omega_8)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_8).sub_product(t160,
-        chain_omega_9_dot_by_chain_omega_8).sub_product(t162, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_4_dot_by_chain_omega_8 = (t622 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_omega_8).sub_product(t143, chain_omega_6_dot_by_chain_omega_8)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_8).sub_product(t147,
-        chain_omega_8_dot_by_chain_omega_8).sub_product(t149, chain_omega_9_dot_by_chain_omega_8)
-        .sub_product(t151, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_3_dot_by_chain_omega_8 = (t621 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_omega_8).sub_product(t128, chain_omega_5_dot_by_chain_omega_8)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_8).sub_product(t132,
-        chain_omega_7_dot_by_chain_omega_8).sub_product(t134, chain_omega_8_dot_by_chain_omega_8)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_8).sub_product(t138,
-        chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_2_dot_by_chain_omega_8 = (t620 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_omega_8).sub_product(t111, chain_omega_4_dot_by_chain_omega_8)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_8).sub_product(t115,
-        chain_omega_6_dot_by_chain_omega_8).sub_product(t117, chain_omega_7_dot_by_chain_omega_8)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_8).sub_product(t121,
-        chain_omega_9_dot_by_chain_omega_8).sub_product(t123, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_1_dot_by_chain_omega_8 = -(t619 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_8).add_product(t99, chain_omega_3_dot_by_chain_omega_8)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_8).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_8).add_product(t102, chain_omega_6_dot_by_chain_omega_8)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_8).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_8).add_product(t105, chain_omega_9_dot_by_chain_omega_8)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_8);
-    let t628 = R::literal(4.0) * chain_omega_9;
-    let t629 = t628 * t21;
-    let t630 = (-(t628 * t38)).add_product(t98, t629);
-    let t631 = (-(t628 * t52)).add_product(t99, t629).sub_product(t109, t630);
-    let t632 = (-(t628 * t64)).add_product(t100, t629).sub_product(t111, t630).sub_product(t126,
-        t631);
-    let t633 = (-(t628 * t74)).add_product(t101, t629).sub_product(t113, t630).sub_product(t128,
-        t631).sub_product(t141, t632);
-    let t634 = (-(t628 * t82)).add_product(t102, t629).sub_product(t115, t630).sub_product(t130,
-        t631).sub_product(t143, t632).sub_product(t154, t633);
-    let t635 = (-(t628 * t88)).add_product(t103, t629).sub_product(t117, t630).sub_product(t132,
-        t631).sub_product(t145, t632).sub_product(t156, t633).sub_product(t165, t634);
-    let t636 = (-(t628 * t92)).add_product(t104, t629).sub_product(t119, t630).sub_product(t134,
-        t631).sub_product(t147, t632).sub_product(t158, t633).sub_product(t167, t634)
-        .sub_product(t174, t635);
-    let t637 = (t105 * t629).sub_product(t121, t630).sub_product(t136, t631).sub_product(t149, t632)
-        .sub_product(t160, t633).sub_product(t169, t634).sub_product(t176, t635).sub_product(t181,
-        t636);
-    let chain_omega_10_dot_by_chain_omega_9 = (R::literal(2.0) * chain_omega_9 * t96)
-        .add_product(t106, t629).sub_product(t123, t630).sub_product(t138, t631).sub_product(t151,
-        t632).sub_product(t162, t633).sub_product(t171, t634).sub_product(t178, t635)
-        .sub_product(t183, t636).sub_product(t186, t637) * t187;
-    let chain_omega_9_dot_by_chain_omega_9 = (t637 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_8_dot_by_chain_omega_9 = (t636 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_omega_9).sub_product(t183, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_7_dot_by_chain_omega_9 = (t635 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_omega_9).sub_product(t176, chain_omega_9_dot_by_chain_omega_9)
-        .sub_product(t178, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_6_dot_by_chain_omega_9 = (t634 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_omega_9).sub_product(t167, chain_omega_8_dot_by_chain_omega_9)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_9).sub_product(t171,
-        chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_5_dot_by_chain_omega_9 = (t633 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_omega_9).sub_product(t156, chain_omega_7_dot_by_chain_omega_9)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_9).sub_product(t160,
-        chain_omega_9_dot_by_chain_omega_9).sub_product(t162, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_4_dot_by_chain_omega_9 = (t632 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_omega_9).sub_product(t143, chain_omega_6_dot_by_chain_omega_9)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_9).sub_product(t147,
-        chain_omega_8_dot_by_chain_omega_9).sub_product(t149, chain_omega_9_dot_by_chain_omega_9)
-        .sub_product(t151, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_3_dot_by_chain_omega_9 = (t631 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_omega_9).sub_product(t128, chain_omega_5_dot_by_chain_omega_9)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_9).sub_product(t132,
-        chain_omega_7_dot_by_chain_omega_9).sub_product(t134, chain_omega_8_dot_by_chain_omega_9)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_9).sub_product(t138,
-        chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_2_dot_by_chain_omega_9 = (t630 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_omega_9).sub_product(t111, chain_omega_4_dot_by_chain_omega_9)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_9).sub_product(t115,
-        chain_omega_6_dot_by_chain_omega_9).sub_product(t117, chain_omega_7_dot_by_chain_omega_9)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_9).sub_product(t121,
-        chain_omega_9_dot_by_chain_omega_9).sub_product(t123, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_1_dot_by_chain_omega_9 = -(t629 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_9).add_product(t99, chain_omega_3_dot_by_chain_omega_9)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_9).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_9).add_product(t102, chain_omega_6_dot_by_chain_omega_9)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_9).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_9).add_product(t105, chain_omega_9_dot_by_chain_omega_9)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_9);
-    let t638 = R::literal(2.0) * chain_omega_10;
-    let t639 = t638 * t24;
-    let t640 = (-(t638 * t40)).add_product(t98, t639);
-    let t641 = (-(t638 * t54)).add_product(t99, t639).sub_product(t109, t640);
-    let t642 = (-(t638 * t66)).add_product(t100, t639).sub_product(t111, t640).sub_product(t126,
-        t641);
-    let t643 = (-(t638 * t76)).add_product(t101, t639).sub_product(t113, t640).sub_product(t128,
-        t641).sub_product(t141, t642);
-    let t644 = (-(t638 * t84)).add_product(t102, t639).sub_product(t115, t640).sub_product(t130,
-        t641).sub_product(t143, t642).sub_product(t154, t643);
-    let t645 = (-(t638 * t90)).add_product(t103, t639).sub_product(t117, t640).sub_product(t132,
-        t641).sub_product(t145, t642).sub_product(t156, t643).sub_product(t165, t644);
-    let t646 = (-(t638 * t94)).add_product(t104, t639).sub_product(t119, t640).sub_product(t134,
-        t641).sub_product(t147, t642).sub_product(t158, t643).sub_product(t167, t644)
-        .sub_product(t174, t645);
-    let t647 = (-(t638 * t96)).add_product(t105, t639).sub_product(t121, t640).sub_product(t136,
-        t641).sub_product(t149, t642).sub_product(t160, t643).sub_product(t169, t644)
-        .sub_product(t176, t645).sub_product(t181, t646);
-    let chain_omega_10_dot_by_chain_omega_10 = (t106 * t639).sub_product(t123, t640)
-        .sub_product(t138, t641).sub_product(t151, t642).sub_product(t162, t643).sub_product(t171,
-        t644).sub_product(t178, t645).sub_product(t183, t646).sub_product(t186, t647) * t187;
-    let chain_omega_9_dot_by_chain_omega_10 = (t647 * t184).sub_product(t186,
-        chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_8_dot_by_chain_omega_10 = (t646 * t179).sub_product(t181,
-        chain_omega_9_dot_by_chain_omega_10).sub_product(t183,
-        chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_7_dot_by_chain_omega_10 = (t645 * t172).sub_product(t174,
-        chain_omega_8_dot_by_chain_omega_10).sub_product(t176, chain_omega_9_dot_by_chain_omega_10)
-        .sub_product(t178, chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_6_dot_by_chain_omega_10 = (t644 * t163).sub_product(t165,
-        chain_omega_7_dot_by_chain_omega_10).sub_product(t167, chain_omega_8_dot_by_chain_omega_10)
-        .sub_product(t169, chain_omega_9_dot_by_chain_omega_10).sub_product(t171,
-        chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_5_dot_by_chain_omega_10 = (t643 * t152).sub_product(t154,
-        chain_omega_6_dot_by_chain_omega_10).sub_product(t156, chain_omega_7_dot_by_chain_omega_10)
-        .sub_product(t158, chain_omega_8_dot_by_chain_omega_10).sub_product(t160,
-        chain_omega_9_dot_by_chain_omega_10).sub_product(t162,
-        chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_4_dot_by_chain_omega_10 = (t642 * t139).sub_product(t141,
-        chain_omega_5_dot_by_chain_omega_10).sub_product(t143, chain_omega_6_dot_by_chain_omega_10)
-        .sub_product(t145, chain_omega_7_dot_by_chain_omega_10).sub_product(t147,
-        chain_omega_8_dot_by_chain_omega_10).sub_product(t149, chain_omega_9_dot_by_chain_omega_10)
-        .sub_product(t151, chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_3_dot_by_chain_omega_10 = (t641 * t124).sub_product(t126,
-        chain_omega_4_dot_by_chain_omega_10).sub_product(t128, chain_omega_5_dot_by_chain_omega_10)
-        .sub_product(t130, chain_omega_6_dot_by_chain_omega_10).sub_product(t132,
-        chain_omega_7_dot_by_chain_omega_10).sub_product(t134, chain_omega_8_dot_by_chain_omega_10)
-        .sub_product(t136, chain_omega_9_dot_by_chain_omega_10).sub_product(t138,
-        chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_2_dot_by_chain_omega_10 = (t640 * t107).sub_product(t109,
-        chain_omega_3_dot_by_chain_omega_10).sub_product(t111, chain_omega_4_dot_by_chain_omega_10)
-        .sub_product(t113, chain_omega_5_dot_by_chain_omega_10).sub_product(t115,
-        chain_omega_6_dot_by_chain_omega_10).sub_product(t117, chain_omega_7_dot_by_chain_omega_10)
-        .sub_product(t119, chain_omega_8_dot_by_chain_omega_10).sub_product(t121,
-        chain_omega_9_dot_by_chain_omega_10).sub_product(t123,
-        chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_1_dot_by_chain_omega_10 = -(t639 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_10).add_product(t99, chain_omega_3_dot_by_chain_omega_10)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_10).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_10).add_product(t102, chain_omega_6_dot_by_chain_omega_10)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_10).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_10).add_product(t105, chain_omega_9_dot_by_chain_omega_10)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_10);
+    let t7 = R::literal(9.0) * chain_omega_2_squared * m.t1;
+    let t8 = t0 * m.t4;
+    let t9 = t1 * m.t7;
+    let t10 = t2 * m.t10;
+    let t11 = t3 * m.t13;
+    let t12 = t4 * m.t16;
+    let t13 = t5 * m.t19;
+    let t14 = t6 * m.t22;
+    let t15 = chain_omega_10_squared * m.t25;
+    let t16 = R::literal(9.0) * chain_omega_1_squared * m.t1;
+    let t17 = R::literal(8.0) * chain_omega_1_squared * m.t4;
+    let t18 = R::literal(7.0) * chain_omega_1_squared * m.t7;
+    let t19 = R::literal(6.0) * chain_omega_1_squared * m.t10;
+    let t20 = R::literal(5.0) * chain_omega_1_squared * m.t13;
+    let t21 = R::literal(4.0) * chain_omega_1_squared * m.t16;
+    let t22 = R::literal(3.0) * chain_omega_1_squared * m.t19;
+    let t23 = R::literal(2.0) * chain_omega_1_squared * m.t22;
+    let t24 = chain_omega_1_squared * m.t25;
+    let t25 = R::literal(9.0) * m.t0;
+    let t26 = t25 * m.chain_omega_2_dot;
+    let t27 = t25 * m.t205;
+    let t28 = R::literal(8.0) * m.t3;
+    let t29 = t28 * m.chain_omega_3_dot;
+    let t30 = t28 * m.t205;
+    let t31 = R::literal(7.0) * m.t6;
+    let t32 = t31 * m.chain_omega_4_dot;
+    let t33 = t31 * m.t205;
+    let t34 = R::literal(6.0) * m.t9;
+    let t35 = t34 * m.chain_omega_5_dot;
+    let t36 = t34 * m.t205;
+    let t37 = R::literal(5.0) * m.t12;
+    let t38 = t37 * m.chain_omega_6_dot;
+    let t39 = t37 * m.t205;
+    let t40 = R::literal(4.0) * m.t15;
+    let t41 = t40 * m.chain_omega_7_dot;
+    let t42 = t40 * m.t205;
+    let t43 = R::literal(3.0) * m.t18;
+    let t44 = t43 * m.chain_omega_8_dot;
+    let t45 = t43 * m.t205;
+    let t46 = R::literal(2.0) * m.t21;
+    let t47 = t46 * m.chain_omega_9_dot;
+    let t48 = t46 * m.t205;
+    let t49 = m.t24 * m.chain_omega_10_dot;
+    let t50 = m.t24 * m.t205;
+    let t51 = t0 * m.t27;
+    let t52 = t1 * m.t29;
+    let t53 = t2 * m.t31;
+    let t54 = t3 * m.t33;
+    let t55 = t4 * m.t35;
+    let t56 = t5 * m.t37;
+    let t57 = t6 * m.t39;
+    let t58 = chain_omega_10_squared * m.t41;
+    let t59 = R::literal(8.0) * chain_omega_2_squared * m.t27;
+    let t60 = R::literal(7.0) * chain_omega_2_squared * m.t29;
+    let t61 = R::literal(6.0) * chain_omega_2_squared * m.t31;
+    let t62 = R::literal(5.0) * chain_omega_2_squared * m.t33;
+    let t63 = R::literal(4.0) * chain_omega_2_squared * m.t35;
+    let t64 = R::literal(3.0) * chain_omega_2_squared * m.t37;
+    let t65 = R::literal(2.0) * chain_omega_2_squared * m.t39;
+    let t66 = chain_omega_2_squared * m.t41;
+    let t67 = R::literal(8.0) * m.t26;
+    let t68 = t67 * m.chain_omega_3_dot;
+    let t69 = t67 * m.chain_omega_2_dot;
+    let t70 = R::literal(7.0) * m.t28;
+    let t71 = t70 * m.chain_omega_4_dot;
+    let t72 = t70 * m.chain_omega_2_dot;
+    let t73 = R::literal(6.0) * m.t30;
+    let t74 = t73 * m.chain_omega_5_dot;
+    let t75 = t73 * m.chain_omega_2_dot;
+    let t76 = R::literal(5.0) * m.t32;
+    let t77 = t76 * m.chain_omega_6_dot;
+    let t78 = t76 * m.chain_omega_2_dot;
+    let t79 = R::literal(4.0) * m.t34;
+    let t80 = t79 * m.chain_omega_7_dot;
+    let t81 = t79 * m.chain_omega_2_dot;
+    let t82 = R::literal(3.0) * m.t36;
+    let t83 = t82 * m.chain_omega_8_dot;
+    let t84 = t82 * m.chain_omega_2_dot;
+    let t85 = R::literal(2.0) * m.t38;
+    let t86 = t85 * m.chain_omega_9_dot;
+    let t87 = t85 * m.chain_omega_2_dot;
+    let t88 = m.t40 * m.chain_omega_10_dot;
+    let t89 = m.t40 * m.chain_omega_2_dot;
+    let t90 = t1 * m.t43;
+    let t91 = t2 * m.t45;
+    let t92 = t3 * m.t47;
+    let t93 = t4 * m.t49;
+    let t94 = t5 * m.t51;
+    let t95 = t6 * m.t53;
+    let t96 = chain_omega_10_squared * m.t55;
+    let t97 = R::literal(7.0) * chain_omega_3_squared * m.t43;
+    let t98 = R::literal(6.0) * chain_omega_3_squared * m.t45;
+    let t99 = R::literal(5.0) * chain_omega_3_squared * m.t47;
+    let t100 = R::literal(4.0) * chain_omega_3_squared * m.t49;
+    let t101 = R::literal(3.0) * chain_omega_3_squared * m.t51;
+    let t102 = R::literal(2.0) * chain_omega_3_squared * m.t53;
+    let t103 = chain_omega_3_squared * m.t55;
+    let t104 = R::literal(7.0) * m.t42;
+    let t105 = t104 * m.chain_omega_4_dot;
+    let t106 = t104 * m.chain_omega_3_dot;
+    let t107 = R::literal(6.0) * m.t44;
+    let t108 = t107 * m.chain_omega_5_dot;
+    let t109 = t107 * m.chain_omega_3_dot;
+    let t110 = R::literal(5.0) * m.t46;
+    let t111 = t110 * m.chain_omega_6_dot;
+    let t112 = t110 * m.chain_omega_3_dot;
+    let t113 = R::literal(4.0) * m.t48;
+    let t114 = t113 * m.chain_omega_7_dot;
+    let t115 = t113 * m.chain_omega_3_dot;
+    let t116 = R::literal(3.0) * m.t50;
+    let t117 = t116 * m.chain_omega_8_dot;
+    let t118 = t116 * m.chain_omega_3_dot;
+    let t119 = R::literal(2.0) * m.t52;
+    let t120 = t119 * m.chain_omega_9_dot;
+    let t121 = t119 * m.chain_omega_3_dot;
+    let t122 = m.t54 * m.chain_omega_10_dot;
+    let t123 = m.t54 * m.chain_omega_3_dot;
+    let t124 = t2 * m.t57;
+    let t125 = t3 * m.t59;
+    let t126 = t4 * m.t61;
+    let t127 = t5 * m.t63;
+    let t128 = t6 * m.t65;
+    let t129 = chain_omega_10_squared * m.t67;
+    let t130 = R::literal(6.0) * chain_omega_4_squared * m.t57;
+    let t131 = R::literal(5.0) * chain_omega_4_squared * m.t59;
+    let t132 = R::literal(4.0) * chain_omega_4_squared * m.t61;
+    let t133 = R::literal(3.0) * chain_omega_4_squared * m.t63;
+    let t134 = R::literal(2.0) * chain_omega_4_squared * m.t65;
+    let t135 = chain_omega_4_squared * m.t67;
+    let t136 = R::literal(6.0) * m.t56;
+    let t137 = t136 * m.chain_omega_5_dot;
+    let t138 = t136 * m.chain_omega_4_dot;
+    let t139 = R::literal(5.0) * m.t58;
+    let t140 = t139 * m.chain_omega_6_dot;
+    let t141 = t139 * m.chain_omega_4_dot;
+    let t142 = R::literal(4.0) * m.t60;
+    let t143 = t142 * m.chain_omega_7_dot;
+    let t144 = t142 * m.chain_omega_4_dot;
+    let t145 = R::literal(3.0) * m.t62;
+    let t146 = t145 * m.chain_omega_8_dot;
+    let t147 = t145 * m.chain_omega_4_dot;
+    let t148 = R::literal(2.0) * m.t64;
+    let t149 = t148 * m.chain_omega_9_dot;
+    let t150 = t148 * m.chain_omega_4_dot;
+    let t151 = m.t66 * m.chain_omega_10_dot;
+    let t152 = m.t66 * m.chain_omega_4_dot;
+    let t153 = t3 * m.t69;
+    let t154 = t4 * m.t71;
+    let t155 = t5 * m.t73;
+    let t156 = t6 * m.t75;
+    let t157 = chain_omega_10_squared * m.t77;
+    let t158 = R::literal(5.0) * chain_omega_5_squared * m.t69;
+    let t159 = R::literal(4.0) * chain_omega_5_squared * m.t71;
+    let t160 = R::literal(3.0) * chain_omega_5_squared * m.t73;
+    let t161 = R::literal(2.0) * chain_omega_5_squared * m.t75;
+    let t162 = chain_omega_5_squared * m.t77;
+    let t163 = R::literal(5.0) * m.t68;
+    let t164 = t163 * m.chain_omega_6_dot;
+    let t165 = t163 * m.chain_omega_5_dot;
+    let t166 = R::literal(4.0) * m.t70;
+    let t167 = t166 * m.chain_omega_7_dot;
+    let t168 = t166 * m.chain_omega_5_dot;
+    let t169 = R::literal(3.0) * m.t72;
+    let t170 = t169 * m.chain_omega_8_dot;
+    let t171 = t169 * m.chain_omega_5_dot;
+    let t172 = R::literal(2.0) * m.t74;
+    let t173 = t172 * m.chain_omega_9_dot;
+    let t174 = t172 * m.chain_omega_5_dot;
+    let t175 = m.t76 * m.chain_omega_10_dot;
+    let t176 = m.t76 * m.chain_omega_5_dot;
+    let t177 = t4 * m.t79;
+    let t178 = t5 * m.t81;
+    let t179 = t6 * m.t83;
+    let t180 = chain_omega_10_squared * m.t85;
+    let t181 = R::literal(4.0) * chain_omega_6_squared * m.t79;
+    let t182 = R::literal(3.0) * chain_omega_6_squared * m.t81;
+    let t183 = R::literal(2.0) * chain_omega_6_squared * m.t83;
+    let t184 = chain_omega_6_squared * m.t85;
+    let t185 = R::literal(4.0) * m.t78;
+    let t186 = t185 * m.chain_omega_7_dot;
+    let t187 = t185 * m.chain_omega_6_dot;
+    let t188 = R::literal(3.0) * m.t80;
+    let t189 = t188 * m.chain_omega_8_dot;
+    let t190 = t188 * m.chain_omega_6_dot;
+    let t191 = R::literal(2.0) * m.t82;
+    let t192 = t191 * m.chain_omega_9_dot;
+    let t193 = t191 * m.chain_omega_6_dot;
+    let t194 = m.t84 * m.chain_omega_10_dot;
+    let t195 = m.t84 * m.chain_omega_6_dot;
+    let t196 = t5 * m.t87;
+    let t197 = t6 * m.t89;
+    let t198 = chain_omega_10_squared * m.t91;
+    let t199 = R::literal(3.0) * chain_omega_7_squared * m.t87;
+    let t200 = R::literal(2.0) * chain_omega_7_squared * m.t89;
+    let t201 = chain_omega_7_squared * m.t91;
+    let t202 = R::literal(3.0) * m.t86;
+    let t203 = t202 * m.chain_omega_8_dot;
+    let t204 = t202 * m.chain_omega_7_dot;
+    let t205 = R::literal(2.0) * m.t88;
+    let t206 = t205 * m.chain_omega_9_dot;
+    let t207 = t205 * m.chain_omega_7_dot;
+    let t208 = m.t90 * m.chain_omega_10_dot;
+    let t209 = m.t90 * m.chain_omega_7_dot;
+    let t210 = t6 * m.t93;
+    let t211 = chain_omega_10_squared * m.t95;
+    let t212 = R::literal(2.0) * chain_omega_8_squared * m.t93;
+    let t213 = chain_omega_8_squared * m.t95;
+    let t214 = R::literal(2.0) * m.t92;
+    let t215 = t214 * m.chain_omega_9_dot;
+    let t216 = t214 * m.chain_omega_8_dot;
+    let t217 = m.t94 * m.chain_omega_10_dot;
+    let t218 = m.t94 * m.chain_omega_8_dot;
+    let t219 = chain_omega_10_squared * m.t97;
+    let t220 = chain_omega_9_squared * m.t97;
+    let t221 = m.t96 * m.chain_omega_10_dot;
+    let t222 = m.t96 * m.chain_omega_9_dot;
+    let t223 = R::literal(16.0) * chain_omega_3;
+    let t224 = R::literal(14.0) * chain_omega_4;
+    let t225 = R::literal(12.0) * chain_omega_5;
+    let t226 = R::literal(10.0) * chain_omega_6;
+    let t227 = R::literal(8.0) * chain_omega_7;
+    let t228 = R::literal(6.0) * chain_omega_8;
+    let t229 = R::literal(4.0) * chain_omega_9;
+    let t230 = R::literal(2.0) * chain_omega_10;
+    let mut x = [[R::literal(0.0); 20]; 10];
+    x[0][0] = t26 - (t7.add_product(R::literal(98.1), m.cos_chain_theta_1) + t8 + t9 + t10 + t11
+        + t12 + t13 + t14 + t15) + t29 + t32 + t35 + t38 + t41 + t44 + t47 + t49;
+    x[1][0] = t16 - t27;
+    x[2][0] = t17 - t30;
+    x[3][0] = t18 - t33;
+    x[4][0] = t19 - t36;
+    x[5][0] = t20 - t39;
+    x[6][0] = t21 - t42;
+    x[7][0] = t22 - t45;
+    x[8][0] = t23 - t48;
+    x[9][0] = t24 - t50;
+    x[0][1] = t7 - t26;
+    x[1][1] = t27 - (t16.add_product(R::literal(88.29), m.cos_chain_theta_2) + t51 + t52 + t53
+        + t54 + t55 + t56 + t57 + t58) + t68 + t71 + t74 + t77 + t80 + t83 + t86 + t88;
+    x[2][1] = t59 + t69;
+    x[3][1] = t60 + t72;
+    x[4][1] = t61 + t75;
+    x[5][1] = t62 + t78;
+    x[6][1] = t63 + t81;
+    x[7][1] = t64 + t84;
+    x[8][1] = t65 + t87;
+    x[9][1] = t66 + t89;
+    x[0][2] = t8 - t29;
+    x[1][2] = t51 - t68;
+    x[2][2] = t30 - (t17.add_product(R::literal(78.48), m.cos_chain_theta_3) + t59 + t90 + t91
+        + t92 + t93 + t94 + t95 + t96) - t69 + t105 + t108 + t111 + t114 + t117 + t120 + t122;
+    x[3][2] = t97 + t106;
+    x[4][2] = t98 + t109;
+    x[5][2] = t99 + t112;
+    x[6][2] = t100 + t115;
+    x[7][2] = t101 + t118;
+    x[8][2] = t102 + t121;
+    x[9][2] = t103 + t123;
+    x[0][3] = t9 - t32;
+    x[1][3] = t52 - t71;
+    x[2][3] = t90 - t105;
+    x[3][3] = t33 - (t18.add_product(R::literal(68.67), m.cos_chain_theta_4) + t60 + t97 + t124
+        + t125 + t126 + t127 + t128 + t129) - t72 - t106 + t137 + t140 + t143 + t146 + t149 + t151;
+    x[4][3] = t130 + t138;
+    x[5][3] = t131 + t141;
+    x[6][3] = t132 + t144;
+    x[7][3] = t133 + t147;
+    x[8][3] = t134 + t150;
+    x[9][3] = t135 + t152;
+    x[0][4] = t10 - t35;
+    x[1][4] = t53 - t74;
+    x[2][4] = t91 - t108;
+    x[3][4] = t124 - t137;
+    x[4][4] = t36 - (t19.add_product(R::literal(58.86), m.cos_chain_theta_5) + t61 + t98 + t130
+        + t153 + t154 + t155 + t156 + t157) - t75 - t109 - t138 + t164 + t167 + t170 + t173 + t175;
+    x[5][4] = t158 + t165;
+    x[6][4] = t159 + t168;
+    x[7][4] = t160 + t171;
+    x[8][4] = t161 + t174;
+    x[9][4] = t162 + t176;
+    x[0][5] = t11 - t38;
+    x[1][5] = t54 - t77;
+    x[2][5] = t92 - t111;
+    x[3][5] = t125 - t140;
+    x[4][5] = t153 - t164;
+    x[5][5] = t39 - (t20.add_product(R::literal(49.05), m.cos_chain_theta_6) + t62 + t99 + t131
+        + t158 + t177 + t178 + t179 + t180) - t78 - t112 - t141 - t165 + t186 + t189 + t192 + t194;
+    x[6][5] = t181 + t187;
+    x[7][5] = t182 + t190;
+    x[8][5] = t183 + t193;
+    x[9][5] = t184 + t195;
+    x[0][6] = t12 - t41;
+    x[1][6] = t55 - t80;
+    x[2][6] = t93 - t114;
+    x[3][6] = t126 - t143;
+    x[4][6] = t154 - t167;
+    x[5][6] = t177 - t186;
+    x[6][6] = t42 - (t21.add_product(R::literal(39.24), m.cos_chain_theta_7) + t63 + t100 + t132
+        + t159 + t181 + t196 + t197 + t198) - t81 - t115 - t144 - t168 - t187 + t203 + t206 + t208;
+    x[7][6] = t199 + t204;
+    x[8][6] = t200 + t207;
+    x[9][6] = t201 + t209;
+    x[0][7] = t13 - t44;
+    x[1][7] = t56 - t83;
+    x[2][7] = t94 - t117;
+    x[3][7] = t127 - t146;
+    x[4][7] = t155 - t170;
+    x[5][7] = t178 - t189;
+    x[6][7] = t196 - t203;
+    x[7][7] = t45 - (t22.add_product(R::literal(29.43), m.cos_chain_theta_8) + t64 + t101 + t133
+        + t160 + t182 + t199 + t210 + t211) - t84 - t118 - t147 - t171 - t190 - t204 + t215 + t217;
+    x[8][7] = t212 + t216;
+    x[9][7] = t213 + t218;
+    x[0][8] = t14 - t47;
+    x[1][8] = t57 - t86;
+    x[2][8] = t95 - t120;
+    x[3][8] = t128 - t149;
+    x[4][8] = t156 - t173;
+    x[5][8] = t179 - t192;
+    x[6][8] = t197 - t206;
+    x[7][8] = t210 - t215;
+    x[8][8] = t48 - (t23.add_product(R::literal(19.62), m.cos_chain_theta_9) + t65 + t102 + t134
+        + t161 + t183 + t200 + t212 + t219) - t87 - t121 - t150 - t174 - t193 - t207 - t216 + t221;
+    x[9][8] = t220 + t222;
+    x[0][9] = t15 - t49;
+    x[1][9] = t58 - t88;
+    x[2][9] = t96 - t122;
+    x[3][9] = t129 - t151;
+    x[4][9] = t157 - t175;
+    x[5][9] = t180 - t194;
+    x[6][9] = t198 - t208;
+    x[7][9] = t211 - t217;
+    x[8][9] = t219 - t221;
+    x[9][9] = t50 - (t24.add_product(R::literal(9.81), m.cos_chain_theta_10) + t66 + t103 + t135
+        + t162 + t184 + t201 + t213 + t220) - t89 - t123 - t152 - t176 - t195 - t209 - t218 - t222;
+    x[1][10] = R::literal(18.0) * chain_omega_1 * m.t0;
+    x[2][10] = R::literal(16.0) * chain_omega_1 * m.t3;
+    x[3][10] = R::literal(14.0) * chain_omega_1 * m.t6;
+    x[4][10] = R::literal(12.0) * chain_omega_1 * m.t9;
+    x[5][10] = R::literal(10.0) * chain_omega_1 * m.t12;
+    x[6][10] = R::literal(8.0) * chain_omega_1 * m.t15;
+    x[7][10] = R::literal(6.0) * chain_omega_1 * m.t18;
+    x[8][10] = R::literal(4.0) * chain_omega_1 * m.t21;
+    x[9][10] = R::literal(2.0) * chain_omega_1 * m.t24;
+    x[0][11] = R::literal(-18.0) * chain_omega_2 * m.t0;
+    x[2][11] = R::literal(16.0) * chain_omega_2 * m.t26;
+    x[3][11] = R::literal(14.0) * chain_omega_2 * m.t28;
+    x[4][11] = R::literal(12.0) * chain_omega_2 * m.t30;
+    x[5][11] = R::literal(10.0) * chain_omega_2 * m.t32;
+    x[6][11] = R::literal(8.0) * chain_omega_2 * m.t34;
+    x[7][11] = R::literal(6.0) * chain_omega_2 * m.t36;
+    x[8][11] = R::literal(4.0) * chain_omega_2 * m.t38;
+    x[9][11] = R::literal(2.0) * chain_omega_2 * m.t40;
+    x[0][12] = -(t223 * m.t3);
+    x[1][12] = -(t223 * m.t26);
+    x[3][12] = R::literal(14.0) * chain_omega_3 * m.t42;
+    x[4][12] = R::literal(12.0) * chain_omega_3 * m.t44;
+    x[5][12] = R::literal(10.0) * chain_omega_3 * m.t46;
+    x[6][12] = R::literal(8.0) * chain_omega_3 * m.t48;
+    x[7][12] = R::literal(6.0) * chain_omega_3 * m.t50;
+    x[8][12] = R::literal(4.0) * chain_omega_3 * m.t52;
+    x[9][12] = R::literal(2.0) * chain_omega_3 * m.t54;
+    x[0][13] = -(t224 * m.t6);
+    x[1][13] = -(t224 * m.t28);
+    x[2][13] = -(t224 * m.t42);
+    x[4][13] = R::literal(12.0) * chain_omega_4 * m.t56;
+    x[5][13] = R::literal(10.0) * chain_omega_4 * m.t58;
+    x[6][13] = R::literal(8.0) * chain_omega_4 * m.t60;
+    x[7][13] = R::literal(6.0) * chain_omega_4 * m.t62;
+    x[8][13] = R::literal(4.0) * chain_omega_4 * m.t64;
+    x[9][13] = R::literal(2.0) * chain_omega_4 * m.t66;
+    x[0][14] = -(t225 * m.t9);
+    x[1][14] = -(t225 * m.t30);
+    x[2][14] = -(t225 * m.t44);
+    x[3][14] = -(t225 * m.t56);
+    x[5][14] = R::literal(10.0) * chain_omega_5 * m.t68;
+    x[6][14] = R::literal(8.0) * chain_omega_5 * m.t70;
+    x[7][14] = R::literal(6.0) * chain_omega_5 * m.t72;
+    x[8][14] = R::literal(4.0) * chain_omega_5 * m.t74;
+    x[9][14] = R::literal(2.0) * chain_omega_5 * m.t76;
+    x[0][15] = -(t226 * m.t12);
+    x[1][15] = -(t226 * m.t32);
+    x[2][15] = -(t226 * m.t46);
+    x[3][15] = -(t226 * m.t58);
+    x[4][15] = -(t226 * m.t68);
+    x[6][15] = R::literal(8.0) * chain_omega_6 * m.t78;
+    x[7][15] = R::literal(6.0) * chain_omega_6 * m.t80;
+    x[8][15] = R::literal(4.0) * chain_omega_6 * m.t82;
+    x[9][15] = R::literal(2.0) * chain_omega_6 * m.t84;
+    x[0][16] = -(t227 * m.t15);
+    x[1][16] = -(t227 * m.t34);
+    x[2][16] = -(t227 * m.t48);
+    x[3][16] = -(t227 * m.t60);
+    x[4][16] = -(t227 * m.t70);
+    x[5][16] = -(t227 * m.t78);
+    x[7][16] = R::literal(6.0) * chain_omega_7 * m.t86;
+    x[8][16] = R::literal(4.0) * chain_omega_7 * m.t88;
+    x[9][16] = R::literal(2.0) * chain_omega_7 * m.t90;
+    x[0][17] = -(t228 * m.t18);
+    x[1][17] = -(t228 * m.t36);
+    x[2][17] = -(t228 * m.t50);
+    x[3][17] = -(t228 * m.t62);
+    x[4][17] = -(t228 * m.t72);
+    x[5][17] = -(t228 * m.t80);
+    x[6][17] = -(t228 * m.t86);
+    x[8][17] = R::literal(4.0) * chain_omega_8 * m.t92;
+    x[9][17] = R::literal(2.0) * chain_omega_8 * m.t94;
+    x[0][18] = -(t229 * m.t21);
+    x[1][18] = -(t229 * m.t38);
+    x[2][18] = -(t229 * m.t52);
+    x[3][18] = -(t229 * m.t64);
+    x[4][18] = -(t229 * m.t74);
+    x[5][18] = -(t229 * m.t82);
+    x[6][18] = -(t229 * m.t88);
+    x[7][18] = -(t229 * m.t92);
+    x[9][18] = R::literal(2.0) * chain_omega_9 * m.t96;
+    x[0][19] = -(t230 * m.t24);
+    x[1][19] = -(t230 * m.t40);
+    x[2][19] = -(t230 * m.t54);
+    x[3][19] = -(t230 * m.t66);
+    x[4][19] = -(t230 * m.t76);
+    x[5][19] = -(t230 * m.t84);
+    x[6][19] = -(t230 * m.t90);
+    x[7][19] = -(t230 * m.t94);
+    x[8][19] = -(t230 * m.t96);
+    substitute(RATE_JACOBIAN_STEPS.iter().copied(), &m.factors, &mut x);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
-        chain_omega_1_dot_by_chain_theta_1, chain_omega_1_dot_by_chain_theta_2,
-        chain_omega_1_dot_by_chain_theta_3, chain_omega_1_dot_by_chain_theta_4,
-        chain_omega_1_dot_by_chain_theta_5, chain_omega_1_dot_by_chain_theta_6,
-        chain_omega_1_dot_by_chain_theta_7, chain_omega_1_dot_by_chain_theta_8,
-        chain_omega_1_dot_by_chain_theta_9, chain_omega_1_dot_by_chain_theta_10,
-        chain_omega_1_dot_by_chain_omega_1, chain_omega_1_dot_by_chain_omega_2,
-        chain_omega_1_dot_by_chain_omega_3, chain_omega_1_dot_by_chain_omega_4,
-        chain_omega_1_dot_by_chain_omega_5, chain_omega_1_dot_by_chain_omega_6,
-        chain_omega_1_dot_by_chain_omega_7, chain_omega_1_dot_by_chain_omega_8,
-        chain_omega_1_dot_by_chain_omega_9, chain_omega_1_dot_by_chain_omega_10,
-        chain_omega_2_dot_by_chain_theta_1, chain_omega_2_dot_by_chain_theta_2,
-        chain_omega_2_dot_by_chain_theta_3, chain_omega_2_dot_by_chain_theta_4,
-        chain_omega_2_dot_by_chain_theta_5, chain_omega_2_dot_by_chain_theta_6,
-        chain_omega_2_dot_by_chain_theta_7, chain_omega_2_dot_by_chain_theta_8,
-        chain_omega_2_dot_by_chain_theta_9, chain_omega_2_dot_by_chain_theta_10,
-        chain_omega_2_dot_by_chain_omega_1, chain_omega_2_dot_by_chain_omega_2,
-        chain_omega_2_dot_by_chain_omega_3, chain_omega_2_dot_by_chain_omega_4,
-        chain_omega_2_dot_by_chain_omega_5, chain_omega_2_dot_by_chain_omega_6,
-        chain_omega_2_dot_by_chain_omega_7, chain_omega_2_dot_by_chain_omega_8,
-        chain_omega_2_dot_by_chain_omega_9, chain_omega_2_dot_by_chain_omega_10,
-        chain_omega_3_dot_by_chain_theta_1, chain_omega_3_dot_by_chain_theta_2,
-        chain_omega_3_dot_by_chain_theta_3, chain_omega_3_dot_by_chain_theta_4,
-        chain_omega_3_dot_by_chain_theta_5, chain_omega_3_dot_by_chain_theta_6,
-        chain_omega_3_dot_by_chain_theta_7, chain_omega_3_dot_by_chain_theta_8,
-        chain_omega_3_dot_by_chain_theta_9, chain_omega_3_dot_by_chain_theta_10,
-        chain_omega_3_dot_by_chain_omega_1, chain_omega_3_dot_by_chain_omega_2,
-        chain_omega_3_dot_by_chain_omega_3, chain_omega_3_dot_by_chain_omega_4,
-        chain_omega_3_dot_by_chain_omega_5, chain_omega_3_dot_by_chain_omega_6,
-        chain_omega_3_dot_by_chain_omega_7, chain_omega_3_dot_by_chain_omega_8,
-        chain_omega_3_dot_by_chain_omega_9, chain_omega_3_dot_by_chain_omega_10,
-        chain_omega_4_dot_by_chain_theta_1, chain_omega_4_dot_by_chain_theta_2,
-        chain_omega_4_dot_by_chain_theta_3, chain_omega_4_dot_by_chain_theta_4,
-        chain_omega_4_dot_by_chain_theta_5, chain_omega_4_dot_by_chain_theta_6,
-        chain_omega_4_dot_by_chain_theta_7, chain_omega_4_dot_by_chain_theta_8,
-        chain_omega_4_dot_by_chain_theta_9, chain_omega_4_dot_by_chain_theta_10,
-        chain_omega_4_dot_by_chain_omega_1, chain_omega_4_dot_by_chain_omega_2,
-        chain_omega_4_dot_by_chain_omega_3, chain_omega_4_dot_by_chain_omega_4,
-        chain_omega_4_dot_by_chain_omega_5, chain_omega_4_dot_by_chain_omega_6,
-        chain_omega_4_dot_by_chain_omega_7, chain_omega_4_dot_by_chain_omega_8,
-        chain_omega_4_dot_by_chain_omega_9, chain_omega_4_dot_by_chain_omega_10,
-        chain_omega_5_dot_by_chain_theta_1, chain_omega_5_dot_by_chain_theta_2,
-        chain_omega_5_dot_by_chain_theta_3, chain_omega_5_dot_by_chain_theta_4,
-        chain_omega_5_dot_by_chain_theta_5, chain_omega_5_dot_by_chain_theta_6,
-        chain_omega_5_dot_by_chain_theta_7, chain_omega_5_dot_by_chain_theta_8,
-        chain_omega_5_dot_by_chain_theta_9, chain_omega_5_dot_by_chain_theta_10,
-        chain_omega_5_dot_by_chain_omega_1, chain_omega_5_dot_by_chain_omega_2,
-        chain_omega_5_dot_by_chain_omega_3, chain_omega_5_dot_by_chain_omega_4,
-        chain_omega_5_dot_by_chain_omega_5, chain_omega_5_dot_by_chain_omega_6,
-        chain_omega_5_dot_by_chain_omega_7, chain_omega_5_dot_by_chain_omega_8,
-        chain_omega_5_dot_by_chain_omega_9, chain_omega_5_dot_by_chain_omega_10,
-        chain_omega_6_dot_by_chain_theta_1, chain_omega_6_dot_by_chain_theta_2,
-        chain_omega_6_dot_by_chain_theta_3, chain_omega_6_dot_by_chain_theta_4,
-        chain_omega_6_dot_by_chain_theta_5, chain_omega_6_dot_by_chain_theta_6,
-        chain_omega_6_dot_by_chain_theta_7, chain_omega_6_dot_by_chain_theta_8,
-        chain_omega_6_dot_by_chain_theta_9, chain_omega_6_dot_by_chain_theta_10,
-        chain_omega_6_dot_by_chain_omega_1, chain_omega_6_dot_by_chain_omega_2,
-        chain_omega_6_dot_by_chain_omega_3, chain_omega_6_dot_by_chain_omega_4,
-        chain_omega_6_dot_by_chain_omega_5, chain_omega_6_dot_by_chain_omega_6,
-        chain_omega_6_dot_by_chain_omega_7, chain_omega_6_dot_by_chain_omega_8,
-        chain_omega_6_dot_by_chain_omega_9, chain_omega_6_dot_by_chain_omega_10,
-        chain_omega_7_dot_by_chain_theta_1, chain_omega_7_dot_by_chain_theta_2,
-        chain_omega_7_dot_by_chain_theta_3, chain_omega_7_dot_by_chain_theta_4,
-        chain_omega_7_dot_by_chain_theta_5, chain_omega_7_dot_by_chain_theta_6,
-        chain_omega_7_dot_by_chain_theta_7, chain_omega_7_dot_by_chain_theta_8,
-        chain_omega_7_dot_by_chain_theta_9, chain_omega_7_dot_by_chain_theta_10,
-        chain_omega_7_dot_by_chain_omega_1, chain_omega_7_dot_by_chain_omega_2,
-        chain_omega_7_dot_by_chain_omega_3, chain_omega_7_dot_by_chain_omega_4,
-        chain_omega_7_dot_by_chain_omega_5, chain_omega_7_dot_by_chain_omega_6,
-        chain_omega_7_dot_by_chain_omega_7, chain_omega_7_dot_by_chain_omega_8,
-        chain_omega_7_dot_by_chain_omega_9, chain_omega_7_dot_by_chain_omega_10,
-        chain_omega_8_dot_by_chain_theta_1, chain_omega_8_dot_by_chain_theta_2,
-        chain_omega_8_dot_by_chain_theta_3, chain_omega_8_dot_by_chain_theta_4,
-        chain_omega_8_dot_by_chain_theta_5, chain_omega_8_dot_by_chain_theta_6,
-        chain_omega_8_dot_by_chain_theta_7, chain_omega_8_dot_by_chain_theta_8,
-        chain_omega_8_dot_by_chain_theta_9, chain_omega_8_dot_by_chain_theta_10,
-        chain_omega_8_dot_by_chain_omega_1, chain_omega_8_dot_by_chain_omega_2,
-        chain_omega_8_dot_by_chain_omega_3, chain_omega_8_dot_by_chain_omega_4,
-        chain_omega_8_dot_by_chain_omega_5, chain_omega_8_dot_by_chain_omega_6,
-        chain_omega_8_dot_by_chain_omega_7, chain_omega_8_dot_by_chain_omega_8,
-        chain_omega_8_dot_by_chain_omega_9, chain_omega_8_dot_by_chain_omega_10,
-        chain_omega_9_dot_by_chain_theta_1, chain_omega_9_dot_by_chain_theta_2,
-        chain_omega_9_dot_by_chain_theta_3, chain_omega_9_dot_by_chain_theta_4,
-        chain_omega_9_dot_by_chain_theta_5, chain_omega_9_dot_by_chain_theta_6,
-        chain_omega_9_dot_by_chain_theta_7, chain_omega_9_dot_by_chain_theta_8,
-        chain_omega_9_dot_by_chain_theta_9, chain_omega_9_dot_by_chain_theta_10,
-        chain_omega_9_dot_by_chain_omega_1, chain_omega_9_dot_by_chain_omega_2,
-        chain_omega_9_dot_by_chain_omega_3, chain_omega_9_dot_by_chain_omega_4,
-        chain_omega_9_dot_by_chain_omega_5, chain_omega_9_dot_by_chain_omega_6,
-        chain_omega_9_dot_by_chain_omega_7, chain_omega_9_dot_by_chain_omega_8,
-        chain_omega_9_dot_by_chain_omega_9, chain_omega_9_dot_by_chain_omega_10,
-        chain_omega_10_dot_by_chain_theta_1, chain_omega_10_dot_by_chain_theta_2,
-        chain_omega_10_dot_by_chain_theta_3, chain_omega_10_dot_by_chain_theta_4,
-        chain_omega_10_dot_by_chain_theta_5, chain_omega_10_dot_by_chain_theta_6,
-        chain_omega_10_dot_by_chain_theta_7, chain_omega_10_dot_by_chain_theta_8,
-        chain_omega_10_dot_by_chain_theta_9, chain_omega_10_dot_by_chain_theta_10,
-        chain_omega_10_dot_by_chain_omega_1, chain_omega_10_dot_by_chain_omega_2,
-        chain_omega_10_dot_by_chain_omega_3, chain_omega_10_dot_by_chain_omega_4,
-        chain_omega_10_dot_by_chain_omega_5, chain_omega_10_dot_by_chain_omega_6,
-        chain_omega_10_dot_by_chain_omega_7, chain_omega_10_dot_by_chain_omega_8,
-        chain_omega_10_dot_by_chain_omega_9, chain_omega_10_dot_by_chain_omega_10]
+        x[0][0], x[0][1], x[0][2], x[0][3], x[0][4], x[0][5], x[0][6], x[0][7], x[0][8], x[0][9],
+        x[0][10], x[0][11], x[0][12], x[0][13], x[0][14], x[0][15], x[0][16], x[0][17], x[0][18],
+        x[0][19], x[1][0], x[1][1], x[1][2], x[1][3], x[1][4], x[1][5], x[1][6], x[1][7], x[1][8],
+        x[1][9], x[1][10], x[1][11], x[1][12], x[1][13], x[1][14], x[1][15], x[1][16], x[1][17],
+        x[1][18], x[1][19], x[2][0], x[2][1], x[2][2], x[2][3], x[2][4], x[2][5], x[2][6], x[2][7],
+        x[2][8], x[2][9], x[2][10], x[2][11], x[2][12], x[2][13], x[2][14], x[2][15], x[2][16],
+        x[2][17], x[2][18], x[2][19], x[3][0], x[3][1], x[3][2], x[3][3], x[3][4], x[3][5],
+        x[3][6], x[3][7], x[3][8], x[3][9], x[3][10], x[3][11], x[3][12], x[3][13], x[3][14],
+        x[3][15], x[3][16], x[3][17], x[3][18], x[3][19], x[4][0], x[4][1], x[4][2], x[4][3],
+        x[4][4], x[4][5], x[4][6], x[4][7], x[4][8], x[4][9], x[4][10], x[4][11], x[4][12],
+        x[4][13], x[4][14], x[4][15], x[4][16], x[4][17], x[4][18], x[4][19], x[5][0], x[5][1],
+        x[5][2], x[5][3], x[5][4], x[5][5], x[5][6], x[5][7], x[5][8], x[5][9], x[5][10], x[5][11],
+        x[5][12], x[5][13], x[5][14], x[5][15], x[5][16], x[5][17], x[5][18], x[5][19], x[6][0],
+        x[6][1], x[6][2], x[6][3], x[6][4], x[6][5], x[6][6], x[6][7], x[6][8], x[6][9], x[6][10],
+        x[6][11], x[6][12], x[6][13], x[6][14], x[6][15], x[6][16], x[6][17], x[6][18], x[6][19],
+        x[7][0], x[7][1], x[7][2], x[7][3], x[7][4], x[7][5], x[7][6], x[7][7], x[7][8], x[7][9],
+        x[7][10], x[7][11], x[7][12], x[7][13], x[7][14], x[7][15], x[7][16], x[7][17], x[7][18],
+        x[7][19], x[8][0], x[8][1], x[8][2], x[8][3], x[8][4], x[8][5], x[8][6], x[8][7], x[8][8],
+        x[8][9], x[8][10], x[8][11], x[8][12], x[8][13], x[8][14], x[8][15], x[8][16], x[8][17],
+        x[8][18], x[8][19], x[9][0], x[9][1], x[9][2], x[9][3], x[9][4], x[9][5], x[9][6], x[9][7],
+        x[9][8], x[9][9], x[9][10], x[9][11], x[9][12], x[9][13], x[9][14], x[9][15], x[9][16],
+        x[9][17], x[9][18], x[9][19]]
 }
 
+static RATE_JACOBIAN_STEPS: &[Step<'static>] = &[Step::less(1, &[(0, 0)]), Step::less(2,
+    &[(1, 0), (2, 1)]), Step::less(3, &[(3, 0), (4, 1), (5, 2)]), Step::less(4, &[(6, 0), (7, 1),
+    (8, 2), (9, 3)]), Step::less(5, &[(10, 0), (11, 1), (12, 2), (13, 3), (14, 4)]), Step::less(6,
+    &[(15, 0), (16, 1), (17, 2), (18, 3), (19, 4), (20, 5)]), Step::less(7, &[(21, 0), (22, 1),
+    (23, 2), (24, 3), (25, 4), (26, 5), (27, 6)]), Step::less(8, &[(28, 0), (29, 1), (30, 2),
+    (31, 3), (32, 4), (33, 5), (34, 6), (35, 7)]), Step::less(9, &[(36, 0), (37, 1), (38, 2),
+    (39, 3), (40, 4), (41, 5), (42, 6), (43, 7), (44, 8)]), Step::scaled(9, 45, &[]),
+    Step::scaled(8, 46, &[(44, 9)]), Step::scaled(7, 47, &[(35, 8), (43, 9)]), Step::scaled(6, 48,
+    &[(27, 7), (34, 8), (42, 9)]), Step::scaled(5, 49, &[(20, 6), (26, 7), (33, 8), (41, 9)]),
+    Step::scaled(4, 50, &[(14, 5), (19, 6), (25, 7), (32, 8), (40, 9)]), Step::scaled(3, 51,
+    &[(9, 4), (13, 5), (18, 6), (24, 7), (31, 8), (39, 9)]), Step::scaled(2, 52, &[(5, 3), (8, 4),
+    (12, 5), (17, 6), (23, 7), (30, 8), (38, 9)]), Step::scaled(1, 53, &[(2, 2), (4, 3), (7, 4),
+    (11, 5), (16, 6), (22, 7), (29, 8), (37, 9)]), Step::scaled(0, 54, &[(0, 1), (1, 2), (3, 3),
+    (6, 4), (10, 5), (15, 6), (21, 7), (28, 8), (36, 9)])];
 /// `dy'/dp`, values in the order of its pattern. No operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) -> [R; 0] {
@@ -2854,528 +2025,204 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 1651 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 652 operations.
 #[must_use]
-pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
-        _p: &Parameters<R>) -> PowerBalance<R> {
-    let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_theta_6,
-        chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10, chain_omega_1, chain_omega_2,
-        chain_omega_3, chain_omega_4, chain_omega_5, chain_omega_6, chain_omega_7, chain_omega_8,
-        chain_omega_9, chain_omega_10] = *state;
-    let chain_theta_1_minus_chain_theta_2 = chain_theta_1 - chain_theta_2;
-    let chain_theta_1_minus_chain_theta_3 = chain_theta_1 - chain_theta_3;
-    let chain_theta_1_minus_chain_theta_4 = chain_theta_1 - chain_theta_4;
-    let chain_theta_1_minus_chain_theta_5 = chain_theta_1 - chain_theta_5;
-    let chain_theta_1_minus_chain_theta_6 = chain_theta_1 - chain_theta_6;
-    let chain_theta_1_minus_chain_theta_7 = chain_theta_1 - chain_theta_7;
-    let chain_theta_1_minus_chain_theta_8 = chain_theta_1 - chain_theta_8;
-    let chain_theta_1_minus_chain_theta_9 = chain_theta_1 - chain_theta_9;
-    let chain_theta_1_minus_chain_theta_10 = chain_theta_1 - chain_theta_10;
-    let chain_theta_2_minus_chain_theta_3 = chain_theta_2 - chain_theta_3;
-    let chain_theta_2_minus_chain_theta_4 = chain_theta_2 - chain_theta_4;
-    let chain_theta_2_minus_chain_theta_5 = chain_theta_2 - chain_theta_5;
-    let chain_theta_2_minus_chain_theta_6 = chain_theta_2 - chain_theta_6;
-    let chain_theta_2_minus_chain_theta_7 = chain_theta_2 - chain_theta_7;
-    let chain_theta_2_minus_chain_theta_8 = chain_theta_2 - chain_theta_8;
-    let chain_theta_2_minus_chain_theta_9 = chain_theta_2 - chain_theta_9;
-    let chain_theta_2_minus_chain_theta_10 = chain_theta_2 - chain_theta_10;
-    let chain_theta_3_minus_chain_theta_4 = chain_theta_3 - chain_theta_4;
-    let chain_theta_3_minus_chain_theta_5 = chain_theta_3 - chain_theta_5;
-    let chain_theta_3_minus_chain_theta_6 = chain_theta_3 - chain_theta_6;
-    let chain_theta_3_minus_chain_theta_7 = chain_theta_3 - chain_theta_7;
-    let chain_theta_3_minus_chain_theta_8 = chain_theta_3 - chain_theta_8;
-    let chain_theta_3_minus_chain_theta_9 = chain_theta_3 - chain_theta_9;
-    let chain_theta_3_minus_chain_theta_10 = chain_theta_3 - chain_theta_10;
-    let chain_theta_4_minus_chain_theta_5 = chain_theta_4 - chain_theta_5;
-    let chain_theta_4_minus_chain_theta_6 = chain_theta_4 - chain_theta_6;
-    let chain_theta_4_minus_chain_theta_7 = chain_theta_4 - chain_theta_7;
-    let chain_theta_4_minus_chain_theta_8 = chain_theta_4 - chain_theta_8;
-    let chain_theta_4_minus_chain_theta_9 = chain_theta_4 - chain_theta_9;
-    let chain_theta_4_minus_chain_theta_10 = chain_theta_4 - chain_theta_10;
-    let chain_theta_5_minus_chain_theta_6 = chain_theta_5 - chain_theta_6;
-    let chain_theta_5_minus_chain_theta_7 = chain_theta_5 - chain_theta_7;
-    let chain_theta_5_minus_chain_theta_8 = chain_theta_5 - chain_theta_8;
-    let chain_theta_5_minus_chain_theta_9 = chain_theta_5 - chain_theta_9;
-    let chain_theta_5_minus_chain_theta_10 = chain_theta_5 - chain_theta_10;
-    let chain_theta_6_minus_chain_theta_7 = chain_theta_6 - chain_theta_7;
-    let chain_theta_6_minus_chain_theta_8 = chain_theta_6 - chain_theta_8;
-    let chain_theta_6_minus_chain_theta_9 = chain_theta_6 - chain_theta_9;
-    let chain_theta_6_minus_chain_theta_10 = chain_theta_6 - chain_theta_10;
-    let chain_theta_7_minus_chain_theta_8 = chain_theta_7 - chain_theta_8;
-    let chain_theta_7_minus_chain_theta_9 = chain_theta_7 - chain_theta_9;
-    let chain_theta_7_minus_chain_theta_10 = chain_theta_7 - chain_theta_10;
-    let chain_theta_8_minus_chain_theta_9 = chain_theta_8 - chain_theta_9;
-    let chain_theta_8_minus_chain_theta_10 = chain_theta_8 - chain_theta_10;
-    let chain_theta_9_minus_chain_theta_10 = chain_theta_9 - chain_theta_10;
-    let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
-        (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
-        (sin_chain_theta_5, cos_chain_theta_5), (sin_chain_theta_6, cos_chain_theta_6),
-        (sin_chain_theta_7, cos_chain_theta_7), (sin_chain_theta_8, cos_chain_theta_8),
-        (sin_chain_theta_9, cos_chain_theta_9), (sin_chain_theta_10, cos_chain_theta_10), (t0, t1),
-        (t2, t3), (t4, t5), (t6, t7), (t8, t9), (t10, t11), (t12, t13), (t14, t15), (t16, t17),
-        (t18, t19), (t20, t21), (t22, t23), (t24, t25), (t26, t27), (t28, t29), (t30, t31),
-        (t32, t33), (t34, t35), (t36, t37), (t38, t39), (t40, t41), (t42, t43), (t44, t45),
-        (t46, t47), (t48, t49), (t50, t51), (t52, t53), (t54, t55), (t56, t57), (t58, t59),
-        (t60, t61), (t62, t63), (t64, t65), (t66, t67), (t68, t69), (t70, t71), (t72, t73),
-        (t74, t75), (t76, t77), (t78, t79), (t80, t81), (t82, t83), (t84, t85), (t86, t87),
-        (t88, t89)] = R::sin_cos_each([chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4,
-        chain_theta_5, chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
-        chain_theta_1_minus_chain_theta_2, chain_theta_1_minus_chain_theta_3,
-        chain_theta_1_minus_chain_theta_4, chain_theta_1_minus_chain_theta_5,
-        chain_theta_1_minus_chain_theta_6, chain_theta_1_minus_chain_theta_7,
-        chain_theta_1_minus_chain_theta_8, chain_theta_1_minus_chain_theta_9,
-        chain_theta_1_minus_chain_theta_10, chain_theta_2_minus_chain_theta_3,
-        chain_theta_2_minus_chain_theta_4, chain_theta_2_minus_chain_theta_5,
-        chain_theta_2_minus_chain_theta_6, chain_theta_2_minus_chain_theta_7,
-        chain_theta_2_minus_chain_theta_8, chain_theta_2_minus_chain_theta_9,
-        chain_theta_2_minus_chain_theta_10, chain_theta_3_minus_chain_theta_4,
-        chain_theta_3_minus_chain_theta_5, chain_theta_3_minus_chain_theta_6,
-        chain_theta_3_minus_chain_theta_7, chain_theta_3_minus_chain_theta_8,
-        chain_theta_3_minus_chain_theta_9, chain_theta_3_minus_chain_theta_10,
-        chain_theta_4_minus_chain_theta_5, chain_theta_4_minus_chain_theta_6,
-        chain_theta_4_minus_chain_theta_7, chain_theta_4_minus_chain_theta_8,
-        chain_theta_4_minus_chain_theta_9, chain_theta_4_minus_chain_theta_10,
-        chain_theta_5_minus_chain_theta_6, chain_theta_5_minus_chain_theta_7,
-        chain_theta_5_minus_chain_theta_8, chain_theta_5_minus_chain_theta_9,
-        chain_theta_5_minus_chain_theta_10, chain_theta_6_minus_chain_theta_7,
-        chain_theta_6_minus_chain_theta_8, chain_theta_6_minus_chain_theta_9,
-        chain_theta_6_minus_chain_theta_10, chain_theta_7_minus_chain_theta_8,
-        chain_theta_7_minus_chain_theta_9, chain_theta_7_minus_chain_theta_10,
-        chain_theta_8_minus_chain_theta_9, chain_theta_8_minus_chain_theta_10,
-        chain_theta_9_minus_chain_theta_10]);
-    let chain_u_1 = chain_omega_1 * cos_chain_theta_1;
-    let chain_v_1 = chain_omega_1 * sin_chain_theta_1;
-    let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
-    let chain_v_2 = chain_v_1.add_product(chain_omega_2, sin_chain_theta_2);
-    let chain_u_3 = chain_u_2.add_product(chain_omega_3, cos_chain_theta_3);
-    let chain_v_3 = chain_v_2.add_product(chain_omega_3, sin_chain_theta_3);
-    let chain_u_4 = chain_u_3.add_product(chain_omega_4, cos_chain_theta_4);
-    let chain_v_4 = chain_v_3.add_product(chain_omega_4, sin_chain_theta_4);
-    let chain_u_5 = chain_u_4.add_product(chain_omega_5, cos_chain_theta_5);
-    let chain_v_5 = chain_v_4.add_product(chain_omega_5, sin_chain_theta_5);
-    let chain_u_6 = chain_u_5.add_product(chain_omega_6, cos_chain_theta_6);
-    let chain_v_6 = chain_v_5.add_product(chain_omega_6, sin_chain_theta_6);
-    let chain_u_7 = chain_u_6.add_product(chain_omega_7, cos_chain_theta_7);
-    let chain_v_7 = chain_v_6.add_product(chain_omega_7, sin_chain_theta_7);
-    let chain_u_8 = chain_u_7.add_product(chain_omega_8, cos_chain_theta_8);
-    let chain_v_8 = chain_v_7.add_product(chain_omega_8, sin_chain_theta_8);
-    let chain_u_9 = chain_u_8.add_product(chain_omega_9, cos_chain_theta_9);
-    let chain_v_9 = chain_v_8.add_product(chain_omega_9, sin_chain_theta_9);
-    let chain_u_10 = chain_u_9.add_product(chain_omega_10, cos_chain_theta_10);
-    let chain_v_10 = chain_v_9.add_product(chain_omega_10, sin_chain_theta_10);
-    let t90 = R::literal(9.0) * t1;
-    let t91 = R::literal(8.0) * t3;
-    let t92 = R::literal(7.0) * t5;
-    let t93 = R::literal(6.0) * t7;
-    let t94 = R::literal(5.0) * t9;
-    let t95 = R::literal(4.0) * t11;
-    let t96 = R::literal(3.0) * t13;
-    let t97 = R::literal(2.0) * t15;
-    let t98 = R::literal(0.9) * t1;
-    let t99 = R::literal(0.8) * t3;
-    let t100 = R::literal(0.700_000_000_000_000_1) * t5;
-    let t101 = R::literal(0.600_000_000_000_000_1) * t7;
-    let t102 = R::literal(0.5) * t9;
-    let t103 = R::literal(0.4) * t11;
-    let t104 = R::literal(0.300_000_000_000_000_04) * t13;
-    let t105 = R::literal(0.2) * t15;
-    let t106 = t17 * R::literal(0.1);
-    let t107 = R::literal(1.0) / R::literal(9.0).sub_product(t98, t90);
-    let t108 = (R::literal(8.0) * t19).sub_product(t99, t90);
-    let t109 = t108 * t107;
-    let t110 = (R::literal(7.0) * t21).sub_product(t100, t90);
-    let t111 = t110 * t107;
-    let t112 = (R::literal(6.0) * t23).sub_product(t101, t90);
-    let t113 = t112 * t107;
-    let t114 = (R::literal(5.0) * t25).sub_product(t102, t90);
-    let t115 = t114 * t107;
-    let t116 = (R::literal(4.0) * t27).sub_product(t103, t90);
-    let t117 = t116 * t107;
-    let t118 = (R::literal(3.0) * t29).sub_product(t104, t90);
-    let t119 = t118 * t107;
-    let t120 = (R::literal(2.0) * t31).sub_product(t105, t90);
-    let t121 = t120 * t107;
-    let t122 = t33.sub_product(t106, t90);
-    let t123 = t122 * t107;
-    let t124 = R::literal(1.0) / R::literal(8.0).sub_product(t99, t91).sub_product(t109, t108);
-    let t125 = (R::literal(7.0) * t35).sub_product(t100, t91).sub_product(t111, t108);
-    let t126 = t125 * t124;
-    let t127 = (R::literal(6.0) * t37).sub_product(t101, t91).sub_product(t113, t108);
-    let t128 = t127 * t124;
-    let t129 = (R::literal(5.0) * t39).sub_product(t102, t91).sub_product(t115, t108);
-    let t130 = t129 * t124;
-    let t131 = (R::literal(4.0) * t41).sub_product(t103, t91).sub_product(t117, t108);
-    let t132 = t131 * t124;
-    let t133 = (R::literal(3.0) * t43).sub_product(t104, t91).sub_product(t119, t108);
-    let t134 = t133 * t124;
-    let t135 = (R::literal(2.0) * t45).sub_product(t105, t91).sub_product(t121, t108);
-    let t136 = t135 * t124;
-    let t137 = t47.sub_product(t106, t91).sub_product(t123, t108);
-    let t138 = t137 * t124;
-    let t139 = R::literal(1.0) / R::literal(7.0).sub_product(t100, t92).sub_product(t111, t110)
-        .sub_product(t126, t125);
-    let t140 = (R::literal(6.0) * t49).sub_product(t101, t92).sub_product(t113, t110)
-        .sub_product(t128, t125);
-    let t141 = t140 * t139;
-    let t142 = (R::literal(5.0) * t51).sub_product(t102, t92).sub_product(t115, t110)
-        .sub_product(t130, t125);
-    let t143 = t142 * t139;
-    let t144 = (R::literal(4.0) * t53).sub_product(t103, t92).sub_product(t117, t110)
-        .sub_product(t132, t125);
-    let t145 = t144 * t139;
-    let t146 = (R::literal(3.0) * t55).sub_product(t104, t92).sub_product(t119, t110)
-        .sub_product(t134, t125);
-    let t147 = t146 * t139;
-    let t148 = (R::literal(2.0) * t57).sub_product(t105, t92).sub_product(t121, t110)
-        .sub_product(t136, t125);
-    let t149 = t148 * t139;
-    let t150 = t59.sub_product(t106, t92).sub_product(t123, t110).sub_product(t138, t125);
-    let t151 = t150 * t139;
-    let t152 = R::literal(1.0) / R::literal(6.0).sub_product(t101, t93).sub_product(t113, t112)
-        .sub_product(t128, t127).sub_product(t141, t140);
-    let t153 = (R::literal(5.0) * t61).sub_product(t102, t93).sub_product(t115, t112)
-        .sub_product(t130, t127).sub_product(t143, t140);
-    let t154 = t153 * t152;
-    let t155 = (R::literal(4.0) * t63).sub_product(t103, t93).sub_product(t117, t112)
-        .sub_product(t132, t127).sub_product(t145, t140);
-    let t156 = t155 * t152;
-    let t157 = (R::literal(3.0) * t65).sub_product(t104, t93).sub_product(t119, t112)
-        .sub_product(t134, t127).sub_product(t147, t140);
-    let t158 = t157 * t152;
-    let t159 = (R::literal(2.0) * t67).sub_product(t105, t93).sub_product(t121, t112)
-        .sub_product(t136, t127).sub_product(t149, t140);
-    let t160 = t159 * t152;
-    let t161 = t69.sub_product(t106, t93).sub_product(t123, t112).sub_product(t138, t127)
-        .sub_product(t151, t140);
-    let t162 = t161 * t152;
-    let t163 = R::literal(1.0) / R::literal(5.0).sub_product(t102, t94).sub_product(t115, t114)
-        .sub_product(t130, t129).sub_product(t143, t142).sub_product(t154, t153);
-    let t164 = (R::literal(4.0) * t71).sub_product(t103, t94).sub_product(t117, t114)
-        .sub_product(t132, t129).sub_product(t145, t142).sub_product(t156, t153);
-    let t165 = t164 * t163;
-    let t166 = (R::literal(3.0) * t73).sub_product(t104, t94).sub_product(t119, t114)
-        .sub_product(t134, t129).sub_product(t147, t142).sub_product(t158, t153);
-    let t167 = t166 * t163;
-    let t168 = (R::literal(2.0) * t75).sub_product(t105, t94).sub_product(t121, t114)
-        .sub_product(t136, t129).sub_product(t149, t142).sub_product(t160, t153);
-    let t169 = t168 * t163;
-    let t170 = t77.sub_product(t106, t94).sub_product(t123, t114).sub_product(t138, t129)
-        .sub_product(t151, t142).sub_product(t162, t153);
-    let t171 = t170 * t163;
-    let t172 = R::literal(1.0) / R::literal(4.0).sub_product(t103, t95).sub_product(t117, t116)
-        .sub_product(t132, t131).sub_product(t145, t144).sub_product(t156, t155).sub_product(t165,
-        t164);
-    let t173 = (R::literal(3.0) * t79).sub_product(t104, t95).sub_product(t119, t116)
-        .sub_product(t134, t131).sub_product(t147, t144).sub_product(t158, t155).sub_product(t167,
-        t164);
-    let t174 = t173 * t172;
-    let t175 = (R::literal(2.0) * t81).sub_product(t105, t95).sub_product(t121, t116)
-        .sub_product(t136, t131).sub_product(t149, t144).sub_product(t160, t155).sub_product(t169,
-        t164);
-    let t176 = t175 * t172;
-    let t177 = t83.sub_product(t106, t95).sub_product(t123, t116).sub_product(t138, t131)
-        .sub_product(t151, t144).sub_product(t162, t155).sub_product(t171, t164);
-    let t178 = t177 * t172;
-    let t179 = R::literal(1.0) / R::literal(3.0).sub_product(t104, t96).sub_product(t119, t118)
-        .sub_product(t134, t133).sub_product(t147, t146).sub_product(t158, t157).sub_product(t167,
-        t166).sub_product(t174, t173);
-    let t180 = (R::literal(2.0) * t85).sub_product(t105, t96).sub_product(t121, t118)
-        .sub_product(t136, t133).sub_product(t149, t146).sub_product(t160, t157).sub_product(t169,
-        t166).sub_product(t176, t173);
-    let t181 = t180 * t179;
-    let t182 = t87.sub_product(t106, t96).sub_product(t123, t118).sub_product(t138, t133)
-        .sub_product(t151, t146).sub_product(t162, t157).sub_product(t171, t166).sub_product(t178,
-        t173);
-    let t183 = t182 * t179;
-    let t184 = R::literal(1.0) / R::literal(2.0).sub_product(t105, t97).sub_product(t121, t120)
-        .sub_product(t136, t135).sub_product(t149, t148).sub_product(t160, t159).sub_product(t169,
-        t168).sub_product(t176, t175).sub_product(t181, t180);
-    let t185 = t89.sub_product(t106, t97).sub_product(t123, t120).sub_product(t138, t135)
-        .sub_product(t151, t148).sub_product(t162, t159).sub_product(t171, t168).sub_product(t178,
-        t175).sub_product(t183, t180);
-    let t186 = t185 * t184;
-    let t187 = R::literal(98.1) * sin_chain_theta_1;
-    let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
-    let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t188 = R::literal(8.0) * chain_omega_3_squared;
-    let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t189 = R::literal(7.0) * chain_omega_4_squared;
-    let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t190 = R::literal(6.0) * chain_omega_5_squared;
-    let chain_omega_6_squared = chain_omega_6 * chain_omega_6;
-    let t191 = R::literal(5.0) * chain_omega_6_squared;
-    let chain_omega_7_squared = chain_omega_7 * chain_omega_7;
-    let t192 = R::literal(4.0) * chain_omega_7_squared;
-    let chain_omega_8_squared = chain_omega_8 * chain_omega_8;
-    let t193 = R::literal(3.0) * chain_omega_8_squared;
-    let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
-    let t194 = R::literal(2.0) * chain_omega_9_squared;
-    let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t195 = t187.add_product(R::literal(9.0) * chain_omega_2_squared, t0).add_product(t188, t2)
-        .add_product(t189, t4).add_product(t190, t6).add_product(t191, t8).add_product(t192, t10)
-        .add_product(t193, t12).add_product(t194, t14).add_product(chain_omega_10_squared, t16);
-    let t196 = R::literal(88.29) * sin_chain_theta_2;
-    let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let t197 = R::literal(78.48) * sin_chain_theta_3;
-    let t198 = R::literal(68.67) * sin_chain_theta_4;
-    let t199 = R::literal(58.86) * sin_chain_theta_5;
-    let t200 = R::literal(49.05) * sin_chain_theta_6;
-    let t201 = R::literal(39.24) * sin_chain_theta_7;
-    let t202 = R::literal(29.43) * sin_chain_theta_8;
-    let t203 = R::literal(19.62) * sin_chain_theta_9;
-    let t204 = R::literal(9.81) * sin_chain_theta_10;
-    let t205 = (-t196).add_product(R::literal(9.0) * chain_omega_1_squared, t0).sub_product(t188,
-        t18).sub_product(t189, t20).sub_product(t190, t22).sub_product(t191, t24).sub_product(t192,
-        t26).sub_product(t193, t28).sub_product(t194, t30).sub_product(chain_omega_10_squared, t32)
-        .add_product(t98, t195);
-    let t206 = ((R::literal(8.0) * chain_omega_1_squared * t2).add_product(R::literal(8.0)
-        * chain_omega_2_squared, t18) - t197).sub_product(t189, t34).sub_product(t190, t36)
-        .sub_product(t191, t38).sub_product(t192, t40).sub_product(t193, t42).sub_product(t194, t44)
-        .sub_product(chain_omega_10_squared, t46).add_product(t99, t195).sub_product(t109, t205);
-    let t207 = ((R::literal(7.0) * chain_omega_1_squared * t4).add_product(R::literal(7.0)
-        * chain_omega_2_squared, t20).add_product(R::literal(7.0) * chain_omega_3_squared, t34)
-        - t198).sub_product(t190, t48).sub_product(t191, t50).sub_product(t192, t52)
-        .sub_product(t193, t54).sub_product(t194, t56).sub_product(chain_omega_10_squared, t58)
-        .add_product(t100, t195).sub_product(t111, t205).sub_product(t126, t206);
-    let t208 = ((R::literal(6.0) * chain_omega_1_squared * t6).add_product(R::literal(6.0)
-        * chain_omega_2_squared, t22).add_product(R::literal(6.0) * chain_omega_3_squared, t36)
-        .add_product(R::literal(6.0) * chain_omega_4_squared, t48) - t199).sub_product(t191, t60)
-        .sub_product(t192, t62).sub_product(t193, t64).sub_product(t194, t66)
-        .sub_product(chain_omega_10_squared, t68).add_product(t101, t195).sub_product(t113, t205)
-        .sub_product(t128, t206).sub_product(t141, t207);
-    let t209 = ((R::literal(5.0) * chain_omega_1_squared * t8).add_product(R::literal(5.0)
-        * chain_omega_2_squared, t24).add_product(R::literal(5.0) * chain_omega_3_squared, t38)
-        .add_product(R::literal(5.0) * chain_omega_4_squared, t50).add_product(R::literal(5.0)
-        * chain_omega_5_squared, t60) - t200).sub_product(t192, t70).sub_product(t193, t72)
-        .sub_product(t194, t74).sub_product(chain_omega_10_squared, t76).add_product(t102, t195)
-        .sub_product(t115, t205).sub_product(t130, t206).sub_product(t143, t207).sub_product(t154,
-        t208);
-    let t210 = ((R::literal(4.0) * chain_omega_1_squared * t10).add_product(R::literal(4.0)
-        * chain_omega_2_squared, t26).add_product(R::literal(4.0) * chain_omega_3_squared, t40)
-        .add_product(R::literal(4.0) * chain_omega_4_squared, t52).add_product(R::literal(4.0)
-        * chain_omega_5_squared, t62).add_product(R::literal(4.0) * chain_omega_6_squared, t70)
-        - t201).sub_product(t193, t78).sub_product(t194, t80).sub_product(chain_omega_10_squared,
-        t82).add_product(t103, t195).sub_product(t117, t205).sub_product(t132, t206)
-        .sub_product(t145, t207).sub_product(t156, t208).sub_product(t165, t209);
-    let t211 = ((R::literal(3.0) * chain_omega_1_squared * t12).add_product(R::literal(3.0)
-        * chain_omega_2_squared, t28).add_product(R::literal(3.0) * chain_omega_3_squared, t42)
-        .add_product(R::literal(3.0) * chain_omega_4_squared, t54).add_product(R::literal(3.0)
-        * chain_omega_5_squared, t64).add_product(R::literal(3.0) * chain_omega_6_squared, t72)
-        .add_product(R::literal(3.0) * chain_omega_7_squared, t78) - t202).sub_product(t194, t84)
-        .sub_product(chain_omega_10_squared, t86).add_product(t104, t195).sub_product(t119, t205)
-        .sub_product(t134, t206).sub_product(t147, t207).sub_product(t158, t208).sub_product(t167,
-        t209).sub_product(t174, t210);
-    let t212 = ((R::literal(2.0) * chain_omega_1_squared * t14).add_product(R::literal(2.0)
-        * chain_omega_2_squared, t30).add_product(R::literal(2.0) * chain_omega_3_squared, t44)
-        .add_product(R::literal(2.0) * chain_omega_4_squared, t56).add_product(R::literal(2.0)
-        * chain_omega_5_squared, t66).add_product(R::literal(2.0) * chain_omega_6_squared, t74)
-        .add_product(R::literal(2.0) * chain_omega_7_squared, t80).add_product(R::literal(2.0)
-        * chain_omega_8_squared, t84) - t203).sub_product(chain_omega_10_squared, t88)
-        .add_product(t105, t195).sub_product(t121, t205).sub_product(t136, t206).sub_product(t149,
-        t207).sub_product(t160, t208).sub_product(t169, t209);
-    let t213 = t212.sub_product(t176, t210).sub_product(t181, t211);
-    let t214 = ((chain_omega_1_squared * t16).add_product(chain_omega_2_squared, t32)
-        .add_product(chain_omega_3_squared, t46).add_product(chain_omega_4_squared, t58)
-        .add_product(chain_omega_5_squared, t68).add_product(chain_omega_6_squared, t76)
-        .add_product(chain_omega_7_squared, t82).add_product(chain_omega_8_squared, t86)
-        .add_product(chain_omega_9_squared, t88) - t204).add_product(t106, t195).sub_product(t123,
-        t205).sub_product(t138, t206).sub_product(t151, t207).sub_product(t162, t208)
-        .sub_product(t171, t209).sub_product(t178, t210).sub_product(t183, t211).sub_product(t186,
-        t213);
-    let chain_omega_10_dot = t214 * (R::literal(1.0) / R::literal(1.0).sub_product(t106, t17)
-        .sub_product(t123, t122).sub_product(t138, t137).sub_product(t151, t150).sub_product(t162,
-        t161).sub_product(t171, t170).sub_product(t178, t177).sub_product(t183, t182)
-        .sub_product(t186, t185));
-    let chain_omega_9_dot = (t213 * t184).sub_product(t186, chain_omega_10_dot);
-    let chain_omega_8_dot = (t211 * t179).sub_product(t181, chain_omega_9_dot).sub_product(t183,
-        chain_omega_10_dot);
-    let chain_omega_7_dot = (t210 * t172).sub_product(t174, chain_omega_8_dot).sub_product(t176,
-        chain_omega_9_dot).sub_product(t178, chain_omega_10_dot);
-    let chain_omega_6_dot = (t209 * t163).sub_product(t165, chain_omega_7_dot).sub_product(t167,
-        chain_omega_8_dot).sub_product(t169, chain_omega_9_dot).sub_product(t171,
-        chain_omega_10_dot);
-    let chain_omega_5_dot = (t208 * t152).sub_product(t154, chain_omega_6_dot).sub_product(t156,
-        chain_omega_7_dot).sub_product(t158, chain_omega_8_dot).sub_product(t160, chain_omega_9_dot)
-        .sub_product(t162, chain_omega_10_dot);
-    let chain_omega_4_dot = (t207 * t139).sub_product(t141, chain_omega_5_dot).sub_product(t143,
-        chain_omega_6_dot).sub_product(t145, chain_omega_7_dot).sub_product(t147, chain_omega_8_dot)
-        .sub_product(t149, chain_omega_9_dot).sub_product(t151, chain_omega_10_dot);
-    let chain_omega_3_dot = (t206 * t124).sub_product(t126, chain_omega_4_dot).sub_product(t128,
-        chain_omega_5_dot).sub_product(t130, chain_omega_6_dot).sub_product(t132, chain_omega_7_dot)
-        .sub_product(t134, chain_omega_8_dot).sub_product(t136, chain_omega_9_dot)
-        .sub_product(t138, chain_omega_10_dot);
-    let chain_omega_2_dot = (t205 * t107).sub_product(t109, chain_omega_3_dot).sub_product(t111,
-        chain_omega_4_dot).sub_product(t113, chain_omega_5_dot).sub_product(t115, chain_omega_6_dot)
-        .sub_product(t117, chain_omega_7_dot).sub_product(t119, chain_omega_8_dot)
-        .sub_product(t121, chain_omega_9_dot).sub_product(t123, chain_omega_10_dot);
-    let t215 = R::literal(2.0) * chain_omega_2;
-    let t216 = R::literal(2.0) * chain_omega_3;
-    let t217 = R::literal(2.0) * chain_omega_4;
-    let t218 = R::literal(2.0) * chain_omega_5;
-    let t219 = R::literal(2.0) * chain_omega_6;
-    let t220 = R::literal(2.0) * chain_omega_7;
-    let t221 = R::literal(2.0) * chain_omega_8;
-    let t222 = R::literal(2.0) * chain_omega_9;
-    let t223 = R::literal(2.0) * chain_omega_10;
-    let t224 = R::literal(2.0) * chain_v_1;
-    let t225 = R::literal(2.0) * chain_u_1;
-    let t226 = t187.add_product(R::literal(0.5), (t225 * chain_v_2).add_product(t225, chain_v_3)
-        .add_product(t225, chain_v_4).add_product(t225, chain_v_5).add_product(t225, chain_v_6)
-        .add_product(t225, chain_v_7).add_product(t225, chain_v_8).add_product(t225, chain_v_9)
-        .add_product(t225, chain_v_10).sub_product(t224, chain_u_2).sub_product(t224, chain_u_3)
-        .sub_product(t224, chain_u_4).sub_product(t224, chain_u_5).sub_product(t224, chain_u_6)
-        .sub_product(t224, chain_u_7).sub_product(t224, chain_u_8).sub_product(t224, chain_u_9)
-        .sub_product(t224, chain_u_10)) * chain_omega_1;
-    let t227 = (t215 * chain_v_2 * cos_chain_theta_2).add_product(t215 * chain_v_3,
-        cos_chain_theta_2).add_product(t215 * chain_v_4, cos_chain_theta_2).add_product(t215
-        * chain_v_5, cos_chain_theta_2).add_product(t215 * chain_v_6, cos_chain_theta_2)
-        .add_product(t215 * chain_v_7, cos_chain_theta_2).add_product(t215 * chain_v_8,
-        cos_chain_theta_2).add_product(t215 * chain_v_9, cos_chain_theta_2).add_product(t215
-        * chain_v_10, cos_chain_theta_2).sub_product(t215 * chain_u_2, sin_chain_theta_2)
-        .sub_product(t215 * chain_u_3, sin_chain_theta_2).sub_product(t215 * chain_u_4,
-        sin_chain_theta_2);
-    let t228 = (t216 * chain_v_3 * cos_chain_theta_3).add_product(t216 * chain_v_4,
-        cos_chain_theta_3).add_product(t216 * chain_v_5, cos_chain_theta_3).add_product(t216
-        * chain_v_6, cos_chain_theta_3).add_product(t216 * chain_v_7, cos_chain_theta_3)
-        .add_product(t216 * chain_v_8, cos_chain_theta_3).add_product(t216 * chain_v_9,
-        cos_chain_theta_3).add_product(t216 * chain_v_10, cos_chain_theta_3).sub_product(t216
-        * chain_u_3, sin_chain_theta_3).sub_product(t216 * chain_u_4, sin_chain_theta_3)
-        .sub_product(t216 * chain_u_5, sin_chain_theta_3).sub_product(t216 * chain_u_6,
-        sin_chain_theta_3);
-    let t229 = t226.add_product(t196.add_product(R::literal(0.5), t227.sub_product(t215
-        * chain_u_5, sin_chain_theta_2).sub_product(t215 * chain_u_6, sin_chain_theta_2)
-        .sub_product(t215 * chain_u_7, sin_chain_theta_2).sub_product(t215 * chain_u_8,
-        sin_chain_theta_2).sub_product(t215 * chain_u_9, sin_chain_theta_2).sub_product(t215
-        * chain_u_10, sin_chain_theta_2)), chain_omega_2).add_product(t197
-        .add_product(R::literal(0.5), t228.sub_product(t216 * chain_u_7, sin_chain_theta_3)
-        .sub_product(t216 * chain_u_8, sin_chain_theta_3).sub_product(t216 * chain_u_9,
-        sin_chain_theta_3).sub_product(t216 * chain_u_10, sin_chain_theta_3)), chain_omega_3);
-    let t230 = (t217 * chain_v_4 * cos_chain_theta_4).add_product(t217 * chain_v_5,
-        cos_chain_theta_4).add_product(t217 * chain_v_6, cos_chain_theta_4).add_product(t217
-        * chain_v_7, cos_chain_theta_4).add_product(t217 * chain_v_8, cos_chain_theta_4)
-        .add_product(t217 * chain_v_9, cos_chain_theta_4).add_product(t217 * chain_v_10,
-        cos_chain_theta_4).sub_product(t217 * chain_u_4, sin_chain_theta_4).sub_product(t217
-        * chain_u_5, sin_chain_theta_4).sub_product(t217 * chain_u_6, sin_chain_theta_4)
-        .sub_product(t217 * chain_u_7, sin_chain_theta_4).sub_product(t217 * chain_u_8,
-        sin_chain_theta_4);
-    let t231 = (t218 * chain_v_5 * cos_chain_theta_5).add_product(t218 * chain_v_6,
-        cos_chain_theta_5).add_product(t218 * chain_v_7, cos_chain_theta_5).add_product(t218
-        * chain_v_8, cos_chain_theta_5).add_product(t218 * chain_v_9, cos_chain_theta_5)
-        .add_product(t218 * chain_v_10, cos_chain_theta_5).sub_product(t218 * chain_u_5,
-        sin_chain_theta_5).sub_product(t218 * chain_u_6, sin_chain_theta_5).sub_product(t218
-        * chain_u_7, sin_chain_theta_5).sub_product(t218 * chain_u_8, sin_chain_theta_5)
-        .sub_product(t218 * chain_u_9, sin_chain_theta_5).sub_product(t218 * chain_u_10,
-        sin_chain_theta_5);
-    let t232 = t200.add_product(R::literal(0.5), (t219 * chain_v_6 * cos_chain_theta_6)
-        .add_product(t219 * chain_v_7, cos_chain_theta_6).add_product(t219 * chain_v_8,
-        cos_chain_theta_6).add_product(t219 * chain_v_9, cos_chain_theta_6).add_product(t219
-        * chain_v_10, cos_chain_theta_6).sub_product(t219 * chain_u_6, sin_chain_theta_6)
-        .sub_product(t219 * chain_u_7, sin_chain_theta_6).sub_product(t219 * chain_u_8,
-        sin_chain_theta_6).sub_product(t219 * chain_u_9, sin_chain_theta_6).sub_product(t219
-        * chain_u_10, sin_chain_theta_6));
-    let t233 = t201.add_product(R::literal(0.5), (t220 * chain_v_7 * cos_chain_theta_7)
-        .add_product(t220 * chain_v_8, cos_chain_theta_7).add_product(t220 * chain_v_9,
-        cos_chain_theta_7).add_product(t220 * chain_v_10, cos_chain_theta_7).sub_product(t220
-        * chain_u_7, sin_chain_theta_7).sub_product(t220 * chain_u_8, sin_chain_theta_7)
-        .sub_product(t220 * chain_u_9, sin_chain_theta_7).sub_product(t220 * chain_u_10,
-        sin_chain_theta_7));
-    let t234 = t229.add_product(t198.add_product(R::literal(0.5), t230.sub_product(t217
-        * chain_u_9, sin_chain_theta_4).sub_product(t217 * chain_u_10, sin_chain_theta_4)),
-        chain_omega_4).add_product(t199.add_product(R::literal(0.5), t231), chain_omega_5)
-        .add_product(t232, chain_omega_6).add_product(t233, chain_omega_7).add_product(t202
-        .add_product(R::literal(0.5), (t221 * chain_v_8 * cos_chain_theta_8).add_product(t221
-        * chain_v_9, cos_chain_theta_8).add_product(t221 * chain_v_10, cos_chain_theta_8)
-        .sub_product(t221 * chain_u_8, sin_chain_theta_8).sub_product(t221 * chain_u_9,
-        sin_chain_theta_8).sub_product(t221 * chain_u_10, sin_chain_theta_8)), chain_omega_8);
-    let t235 = t234.add_product(t203.add_product(R::literal(0.5), (t222 * chain_v_9
-        * cos_chain_theta_9).add_product(t222 * chain_v_10, cos_chain_theta_9).sub_product(t222
-        * chain_u_9, sin_chain_theta_9).sub_product(t222 * chain_u_10, sin_chain_theta_9)),
-        chain_omega_9).add_product(t204.add_product(R::literal(0.5), (t223 * chain_v_10
-        * cos_chain_theta_10).sub_product(t223 * chain_u_10, sin_chain_theta_10)), chain_omega_10);
-    let t236 = R::literal(2.0) * chain_u_2;
-    let t237 = R::literal(2.0) * chain_v_2;
-    let t238 = R::literal(2.0) * chain_u_3;
-    let t239 = R::literal(2.0) * chain_v_3;
-    let t240 = R::literal(2.0) * chain_u_4;
-    let t241 = R::literal(2.0) * chain_v_4;
-    let t242 = R::literal(2.0) * chain_u_5;
-    let t243 = R::literal(2.0) * chain_v_5;
-    let t244 = R::literal(2.0) * chain_u_6;
-    let t245 = R::literal(2.0) * chain_v_6;
-    let t246 = R::literal(2.0) * chain_u_7;
-    let t247 = R::literal(2.0) * chain_v_7;
-    let t248 = R::literal(2.0) * chain_u_8;
-    let t249 = R::literal(2.0) * chain_v_8;
-    let t250 = R::literal(2.0) * chain_u_9;
-    let t251 = R::literal(2.0) * chain_v_9;
-    let t252 = R::literal(2.0) * chain_u_10;
-    let t253 = R::literal(2.0) * chain_v_10;
-    let t254 = R::literal(0.5) * (t225 * cos_chain_theta_1).add_product(t224, sin_chain_theta_1)
-        .add_product(t236, cos_chain_theta_1).add_product(t237, sin_chain_theta_1)
-        .add_product(t238, cos_chain_theta_1).add_product(t239, sin_chain_theta_1)
-        .add_product(t240, cos_chain_theta_1).add_product(t241, sin_chain_theta_1)
-        .add_product(t242, cos_chain_theta_1).add_product(t243, sin_chain_theta_1)
-        .add_product(t244, cos_chain_theta_1).add_product(t245, sin_chain_theta_1)
-        .add_product(t246, cos_chain_theta_1).add_product(t247, sin_chain_theta_1)
-        .add_product(t248, cos_chain_theta_1).add_product(t249, sin_chain_theta_1)
-        .add_product(t250, cos_chain_theta_1).add_product(t251, sin_chain_theta_1)
-        .add_product(t252, cos_chain_theta_1).add_product(t253, sin_chain_theta_1);
-    let t255 = R::literal(0.5) * (t236 * cos_chain_theta_2).add_product(t237, sin_chain_theta_2)
-        .add_product(t238, cos_chain_theta_2).add_product(t239, sin_chain_theta_2)
-        .add_product(t240, cos_chain_theta_2).add_product(t241, sin_chain_theta_2)
-        .add_product(t242, cos_chain_theta_2).add_product(t243, sin_chain_theta_2)
-        .add_product(t244, cos_chain_theta_2).add_product(t245, sin_chain_theta_2)
-        .add_product(t246, cos_chain_theta_2).add_product(t247, sin_chain_theta_2)
-        .add_product(t248, cos_chain_theta_2).add_product(t249, sin_chain_theta_2)
-        .add_product(t250, cos_chain_theta_2).add_product(t251, sin_chain_theta_2)
-        .add_product(t252, cos_chain_theta_2).add_product(t253, sin_chain_theta_2);
-    let t256 = R::literal(0.5) * (t238 * cos_chain_theta_3).add_product(t239, sin_chain_theta_3)
-        .add_product(t240, cos_chain_theta_3).add_product(t241, sin_chain_theta_3)
-        .add_product(t242, cos_chain_theta_3).add_product(t243, sin_chain_theta_3)
-        .add_product(t244, cos_chain_theta_3).add_product(t245, sin_chain_theta_3)
-        .add_product(t246, cos_chain_theta_3).add_product(t247, sin_chain_theta_3)
-        .add_product(t248, cos_chain_theta_3).add_product(t249, sin_chain_theta_3)
-        .add_product(t250, cos_chain_theta_3).add_product(t251, sin_chain_theta_3)
-        .add_product(t252, cos_chain_theta_3).add_product(t253, sin_chain_theta_3);
-    let t257 = R::literal(0.5) * (t240 * cos_chain_theta_4).add_product(t241, sin_chain_theta_4)
-        .add_product(t242, cos_chain_theta_4).add_product(t243, sin_chain_theta_4)
-        .add_product(t244, cos_chain_theta_4).add_product(t245, sin_chain_theta_4)
-        .add_product(t246, cos_chain_theta_4).add_product(t247, sin_chain_theta_4)
-        .add_product(t248, cos_chain_theta_4).add_product(t249, sin_chain_theta_4)
-        .add_product(t250, cos_chain_theta_4).add_product(t251, sin_chain_theta_4)
-        .add_product(t252, cos_chain_theta_4).add_product(t253, sin_chain_theta_4);
-    let t258 = t235.sub_product(t254, (t195 * R::literal(0.1)).add_product(t98, chain_omega_2_dot)
-        .add_product(t99, chain_omega_3_dot).add_product(t100, chain_omega_4_dot).add_product(t101,
-        chain_omega_5_dot).add_product(t102, chain_omega_6_dot).add_product(t103, chain_omega_7_dot)
-        .add_product(t104, chain_omega_8_dot).add_product(t105, chain_omega_9_dot)
-        .add_product(t106, chain_omega_10_dot)).add_product(t255, chain_omega_2_dot)
-        .add_product(t256, chain_omega_3_dot).add_product(t257, chain_omega_4_dot);
-    let t259 = t258.add_product(R::literal(0.5) * (t242 * cos_chain_theta_5).add_product(t243,
-        sin_chain_theta_5).add_product(t244, cos_chain_theta_5).add_product(t245, sin_chain_theta_5)
-        .add_product(t246, cos_chain_theta_5).add_product(t247, sin_chain_theta_5)
-        .add_product(t248, cos_chain_theta_5).add_product(t249, sin_chain_theta_5)
-        .add_product(t250, cos_chain_theta_5).add_product(t251, sin_chain_theta_5)
-        .add_product(t252, cos_chain_theta_5).add_product(t253, sin_chain_theta_5),
-        chain_omega_5_dot);
-    let t260 = t259.add_product(R::literal(0.5) * (t244 * cos_chain_theta_6).add_product(t245,
-        sin_chain_theta_6).add_product(t246, cos_chain_theta_6).add_product(t247, sin_chain_theta_6)
-        .add_product(t248, cos_chain_theta_6).add_product(t249, sin_chain_theta_6)
-        .add_product(t250, cos_chain_theta_6).add_product(t251, sin_chain_theta_6)
-        .add_product(t252, cos_chain_theta_6).add_product(t253, sin_chain_theta_6),
-        chain_omega_6_dot).add_product(R::literal(0.5) * (t246 * cos_chain_theta_7)
-        .add_product(t247, sin_chain_theta_7).add_product(t248, cos_chain_theta_7)
-        .add_product(t249, sin_chain_theta_7).add_product(t250, cos_chain_theta_7)
-        .add_product(t251, sin_chain_theta_7).add_product(t252, cos_chain_theta_7)
-        .add_product(t253, sin_chain_theta_7), chain_omega_7_dot);
+pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
+    let [_, _, _, _, _, _, _, _, _, _, chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4,
+        chain_omega_5, chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10]
+        = *state;
+    let m = &motion(time, state, p);
+    let chain_u_1 = chain_omega_1 * m.cos_chain_theta_1;
+    let chain_v_1 = chain_omega_1 * m.sin_chain_theta_1;
+    let chain_u_2 = chain_u_1.add_product(chain_omega_2, m.cos_chain_theta_2);
+    let chain_v_2 = chain_v_1.add_product(chain_omega_2, m.sin_chain_theta_2);
+    let chain_u_3 = chain_u_2.add_product(chain_omega_3, m.cos_chain_theta_3);
+    let chain_v_3 = chain_v_2.add_product(chain_omega_3, m.sin_chain_theta_3);
+    let chain_u_4 = chain_u_3.add_product(chain_omega_4, m.cos_chain_theta_4);
+    let chain_v_4 = chain_v_3.add_product(chain_omega_4, m.sin_chain_theta_4);
+    let chain_u_5 = chain_u_4.add_product(chain_omega_5, m.cos_chain_theta_5);
+    let chain_v_5 = chain_v_4.add_product(chain_omega_5, m.sin_chain_theta_5);
+    let chain_u_6 = chain_u_5.add_product(chain_omega_6, m.cos_chain_theta_6);
+    let chain_v_6 = chain_v_5.add_product(chain_omega_6, m.sin_chain_theta_6);
+    let chain_u_7 = chain_u_6.add_product(chain_omega_7, m.cos_chain_theta_7);
+    let chain_v_7 = chain_v_6.add_product(chain_omega_7, m.sin_chain_theta_7);
+    let chain_u_8 = chain_u_7.add_product(chain_omega_8, m.cos_chain_theta_8);
+    let chain_v_8 = chain_v_7.add_product(chain_omega_8, m.sin_chain_theta_8);
+    let chain_u_9 = chain_u_8.add_product(chain_omega_9, m.cos_chain_theta_9);
+    let chain_v_9 = chain_v_8.add_product(chain_omega_9, m.sin_chain_theta_9);
+    let chain_u_10 = chain_u_9.add_product(chain_omega_10, m.cos_chain_theta_10);
+    let chain_v_10 = chain_v_9.add_product(chain_omega_10, m.sin_chain_theta_10);
+    let t0 = R::literal(2.0) * chain_omega_2;
+    let t1 = R::literal(2.0) * chain_omega_3;
+    let t2 = R::literal(2.0) * chain_omega_4;
+    let t3 = R::literal(2.0) * chain_omega_5;
+    let t4 = R::literal(2.0) * chain_omega_6;
+    let t5 = R::literal(2.0) * chain_omega_7;
+    let t6 = R::literal(2.0) * chain_omega_8;
+    let t7 = R::literal(2.0) * chain_omega_9;
+    let t8 = R::literal(2.0) * chain_omega_10;
+    let t9 = R::literal(2.0) * chain_v_1;
+    let t10 = R::literal(2.0) * chain_u_1;
+    let t11 = (R::literal(98.1) * m.sin_chain_theta_1).add_product(R::literal(0.5),
+        (t10 * chain_v_2).add_product(t10, chain_v_3).add_product(t10, chain_v_4).add_product(t10,
+        chain_v_5).add_product(t10, chain_v_6).add_product(t10, chain_v_7).add_product(t10,
+        chain_v_8).add_product(t10, chain_v_9).add_product(t10, chain_v_10).sub_product(t9,
+        chain_u_2).sub_product(t9, chain_u_3).sub_product(t9, chain_u_4).sub_product(t9, chain_u_5)
+        .sub_product(t9, chain_u_6).sub_product(t9, chain_u_7).sub_product(t9, chain_u_8)
+        .sub_product(t9, chain_u_9).sub_product(t9, chain_u_10)) * chain_omega_1;
+    let t12 = (t0 * chain_v_2 * m.cos_chain_theta_2).add_product(t0 * chain_v_3,
+        m.cos_chain_theta_2).add_product(t0 * chain_v_4, m.cos_chain_theta_2).add_product(t0
+        * chain_v_5, m.cos_chain_theta_2).add_product(t0 * chain_v_6, m.cos_chain_theta_2)
+        .add_product(t0 * chain_v_7, m.cos_chain_theta_2).add_product(t0 * chain_v_8,
+        m.cos_chain_theta_2).add_product(t0 * chain_v_9, m.cos_chain_theta_2).add_product(t0
+        * chain_v_10, m.cos_chain_theta_2).sub_product(t0 * chain_u_2, m.sin_chain_theta_2)
+        .sub_product(t0 * chain_u_3, m.sin_chain_theta_2).sub_product(t0 * chain_u_4,
+        m.sin_chain_theta_2);
+    let t13 = t11.add_product((R::literal(88.29) * m.sin_chain_theta_2)
+        .add_product(R::literal(0.5), t12.sub_product(t0 * chain_u_5, m.sin_chain_theta_2)
+        .sub_product(t0 * chain_u_6, m.sin_chain_theta_2).sub_product(t0 * chain_u_7,
+        m.sin_chain_theta_2).sub_product(t0 * chain_u_8, m.sin_chain_theta_2).sub_product(t0
+        * chain_u_9, m.sin_chain_theta_2).sub_product(t0 * chain_u_10, m.sin_chain_theta_2)),
+        chain_omega_2);
+    let t14 = (t1 * chain_v_3 * m.cos_chain_theta_3).add_product(t1 * chain_v_4,
+        m.cos_chain_theta_3).add_product(t1 * chain_v_5, m.cos_chain_theta_3).add_product(t1
+        * chain_v_6, m.cos_chain_theta_3).add_product(t1 * chain_v_7, m.cos_chain_theta_3)
+        .add_product(t1 * chain_v_8, m.cos_chain_theta_3).add_product(t1 * chain_v_9,
+        m.cos_chain_theta_3).add_product(t1 * chain_v_10, m.cos_chain_theta_3).sub_product(t1
+        * chain_u_3, m.sin_chain_theta_3).sub_product(t1 * chain_u_4, m.sin_chain_theta_3)
+        .sub_product(t1 * chain_u_5, m.sin_chain_theta_3).sub_product(t1 * chain_u_6,
+        m.sin_chain_theta_3);
+    let t15 = (t2 * chain_v_4 * m.cos_chain_theta_4).add_product(t2 * chain_v_5,
+        m.cos_chain_theta_4).add_product(t2 * chain_v_6, m.cos_chain_theta_4).add_product(t2
+        * chain_v_7, m.cos_chain_theta_4).add_product(t2 * chain_v_8, m.cos_chain_theta_4)
+        .add_product(t2 * chain_v_9, m.cos_chain_theta_4).add_product(t2 * chain_v_10,
+        m.cos_chain_theta_4).sub_product(t2 * chain_u_4, m.sin_chain_theta_4).sub_product(t2
+        * chain_u_5, m.sin_chain_theta_4).sub_product(t2 * chain_u_6, m.sin_chain_theta_4)
+        .sub_product(t2 * chain_u_7, m.sin_chain_theta_4).sub_product(t2 * chain_u_8,
+        m.sin_chain_theta_4);
+    let t16 = (t3 * chain_v_5 * m.cos_chain_theta_5).add_product(t3 * chain_v_6,
+        m.cos_chain_theta_5).add_product(t3 * chain_v_7, m.cos_chain_theta_5).add_product(t3
+        * chain_v_8, m.cos_chain_theta_5).add_product(t3 * chain_v_9, m.cos_chain_theta_5)
+        .add_product(t3 * chain_v_10, m.cos_chain_theta_5).sub_product(t3 * chain_u_5,
+        m.sin_chain_theta_5).sub_product(t3 * chain_u_6, m.sin_chain_theta_5).sub_product(t3
+        * chain_u_7, m.sin_chain_theta_5).sub_product(t3 * chain_u_8, m.sin_chain_theta_5)
+        .sub_product(t3 * chain_u_9, m.sin_chain_theta_5).sub_product(t3 * chain_u_10,
+        m.sin_chain_theta_5);
+    let t17 = (R::literal(49.05) * m.sin_chain_theta_6).add_product(R::literal(0.5),
+        (t4 * chain_v_6 * m.cos_chain_theta_6).add_product(t4 * chain_v_7, m.cos_chain_theta_6)
+        .add_product(t4 * chain_v_8, m.cos_chain_theta_6).add_product(t4 * chain_v_9,
+        m.cos_chain_theta_6).add_product(t4 * chain_v_10, m.cos_chain_theta_6).sub_product(t4
+        * chain_u_6, m.sin_chain_theta_6).sub_product(t4 * chain_u_7, m.sin_chain_theta_6)
+        .sub_product(t4 * chain_u_8, m.sin_chain_theta_6).sub_product(t4 * chain_u_9,
+        m.sin_chain_theta_6).sub_product(t4 * chain_u_10, m.sin_chain_theta_6));
+    let t18 = t13.add_product((R::literal(78.48) * m.sin_chain_theta_3)
+        .add_product(R::literal(0.5), t14.sub_product(t1 * chain_u_7, m.sin_chain_theta_3)
+        .sub_product(t1 * chain_u_8, m.sin_chain_theta_3).sub_product(t1 * chain_u_9,
+        m.sin_chain_theta_3).sub_product(t1 * chain_u_10, m.sin_chain_theta_3)), chain_omega_3)
+        .add_product((R::literal(68.67) * m.sin_chain_theta_4).add_product(R::literal(0.5), t15
+        .sub_product(t2 * chain_u_9, m.sin_chain_theta_4).sub_product(t2 * chain_u_10,
+        m.sin_chain_theta_4)), chain_omega_4).add_product((R::literal(58.86) * m.sin_chain_theta_5)
+        .add_product(R::literal(0.5), t16), chain_omega_5).add_product(t17, chain_omega_6);
+    let t19 = t18.add_product((R::literal(39.24) * m.sin_chain_theta_7)
+        .add_product(R::literal(0.5), (t5 * chain_v_7 * m.cos_chain_theta_7).add_product(t5
+        * chain_v_8, m.cos_chain_theta_7).add_product(t5 * chain_v_9, m.cos_chain_theta_7)
+        .add_product(t5 * chain_v_10, m.cos_chain_theta_7).sub_product(t5 * chain_u_7,
+        m.sin_chain_theta_7).sub_product(t5 * chain_u_8, m.sin_chain_theta_7).sub_product(t5
+        * chain_u_9, m.sin_chain_theta_7).sub_product(t5 * chain_u_10, m.sin_chain_theta_7)),
+        chain_omega_7);
+    let t20 = t19.add_product((R::literal(29.43) * m.sin_chain_theta_8)
+        .add_product(R::literal(0.5), (t6 * chain_v_8 * m.cos_chain_theta_8).add_product(t6
+        * chain_v_9, m.cos_chain_theta_8).add_product(t6 * chain_v_10, m.cos_chain_theta_8)
+        .sub_product(t6 * chain_u_8, m.sin_chain_theta_8).sub_product(t6 * chain_u_9,
+        m.sin_chain_theta_8).sub_product(t6 * chain_u_10, m.sin_chain_theta_8)), chain_omega_8);
+    let t21 = R::literal(2.0) * chain_u_2;
+    let t22 = R::literal(2.0) * chain_v_2;
+    let t23 = R::literal(2.0) * chain_u_3;
+    let t24 = R::literal(2.0) * chain_v_3;
+    let t25 = R::literal(2.0) * chain_u_4;
+    let t26 = R::literal(2.0) * chain_v_4;
+    let t27 = R::literal(2.0) * chain_u_5;
+    let t28 = R::literal(2.0) * chain_v_5;
+    let t29 = R::literal(2.0) * chain_u_6;
+    let t30 = R::literal(2.0) * chain_v_6;
+    let t31 = R::literal(2.0) * chain_u_7;
+    let t32 = R::literal(2.0) * chain_v_7;
+    let t33 = R::literal(2.0) * chain_u_8;
+    let t34 = R::literal(2.0) * chain_v_8;
+    let t35 = R::literal(2.0) * chain_u_9;
+    let t36 = R::literal(2.0) * chain_v_9;
+    let t37 = R::literal(2.0) * chain_u_10;
+    let t38 = R::literal(2.0) * chain_v_10;
+    let t39 = R::literal(0.5) * (t10 * m.cos_chain_theta_1).add_product(t9, m.sin_chain_theta_1)
+        .add_product(t21, m.cos_chain_theta_1).add_product(t22, m.sin_chain_theta_1)
+        .add_product(t23, m.cos_chain_theta_1).add_product(t24, m.sin_chain_theta_1)
+        .add_product(t25, m.cos_chain_theta_1).add_product(t26, m.sin_chain_theta_1)
+        .add_product(t27, m.cos_chain_theta_1).add_product(t28, m.sin_chain_theta_1)
+        .add_product(t29, m.cos_chain_theta_1).add_product(t30, m.sin_chain_theta_1)
+        .add_product(t31, m.cos_chain_theta_1).add_product(t32, m.sin_chain_theta_1)
+        .add_product(t33, m.cos_chain_theta_1).add_product(t34, m.sin_chain_theta_1)
+        .add_product(t35, m.cos_chain_theta_1).add_product(t36, m.sin_chain_theta_1)
+        .add_product(t37, m.cos_chain_theta_1).add_product(t38, m.sin_chain_theta_1);
+    let t40 = R::literal(0.5) * (t21 * m.cos_chain_theta_2).add_product(t22, m.sin_chain_theta_2)
+        .add_product(t23, m.cos_chain_theta_2).add_product(t24, m.sin_chain_theta_2)
+        .add_product(t25, m.cos_chain_theta_2).add_product(t26, m.sin_chain_theta_2)
+        .add_product(t27, m.cos_chain_theta_2).add_product(t28, m.sin_chain_theta_2)
+        .add_product(t29, m.cos_chain_theta_2).add_product(t30, m.sin_chain_theta_2)
+        .add_product(t31, m.cos_chain_theta_2).add_product(t32, m.sin_chain_theta_2)
+        .add_product(t33, m.cos_chain_theta_2).add_product(t34, m.sin_chain_theta_2)
+        .add_product(t35, m.cos_chain_theta_2).add_product(t36, m.sin_chain_theta_2)
+        .add_product(t37, m.cos_chain_theta_2).add_product(t38, m.sin_chain_theta_2);
+    let t41 = t20.add_product((R::literal(19.62) * m.sin_chain_theta_9)
+        .add_product(R::literal(0.5), (t7 * chain_v_9 * m.cos_chain_theta_9).add_product(t7
+        * chain_v_10, m.cos_chain_theta_9).sub_product(t7 * chain_u_9, m.sin_chain_theta_9)
+        .sub_product(t7 * chain_u_10, m.sin_chain_theta_9)), chain_omega_9)
+        .add_product((R::literal(9.81) * m.sin_chain_theta_10).add_product(R::literal(0.5),
+        (t8 * chain_v_10 * m.cos_chain_theta_10).sub_product(t8 * chain_u_10,
+        m.sin_chain_theta_10)), chain_omega_10).sub_product(t39, m.t205).add_product(t40,
+        m.chain_omega_2_dot);
+    let t42 = t41.add_product(R::literal(0.5) * (t23 * m.cos_chain_theta_3).add_product(t24,
+        m.sin_chain_theta_3).add_product(t25, m.cos_chain_theta_3).add_product(t26,
+        m.sin_chain_theta_3).add_product(t27, m.cos_chain_theta_3).add_product(t28,
+        m.sin_chain_theta_3).add_product(t29, m.cos_chain_theta_3).add_product(t30,
+        m.sin_chain_theta_3).add_product(t31, m.cos_chain_theta_3).add_product(t32,
+        m.sin_chain_theta_3).add_product(t33, m.cos_chain_theta_3).add_product(t34,
+        m.sin_chain_theta_3).add_product(t35, m.cos_chain_theta_3).add_product(t36,
+        m.sin_chain_theta_3).add_product(t37, m.cos_chain_theta_3).add_product(t38,
+        m.sin_chain_theta_3), m.chain_omega_3_dot);
+    let t43 = t42.add_product(R::literal(0.5) * (t25 * m.cos_chain_theta_4).add_product(t26,
+        m.sin_chain_theta_4).add_product(t27, m.cos_chain_theta_4).add_product(t28,
+        m.sin_chain_theta_4).add_product(t29, m.cos_chain_theta_4).add_product(t30,
+        m.sin_chain_theta_4).add_product(t31, m.cos_chain_theta_4).add_product(t32,
+        m.sin_chain_theta_4).add_product(t33, m.cos_chain_theta_4).add_product(t34,
+        m.sin_chain_theta_4).add_product(t35, m.cos_chain_theta_4).add_product(t36,
+        m.sin_chain_theta_4).add_product(t37, m.cos_chain_theta_4).add_product(t38,
+        m.sin_chain_theta_4), m.chain_omega_4_dot);
+    let t44 = t43.add_product(R::literal(0.5) * (t27 * m.cos_chain_theta_5).add_product(t28,
+        m.sin_chain_theta_5).add_product(t29, m.cos_chain_theta_5).add_product(t30,
+        m.sin_chain_theta_5).add_product(t31, m.cos_chain_theta_5).add_product(t32,
+        m.sin_chain_theta_5).add_product(t33, m.cos_chain_theta_5).add_product(t34,
+        m.sin_chain_theta_5).add_product(t35, m.cos_chain_theta_5).add_product(t36,
+        m.sin_chain_theta_5).add_product(t37, m.cos_chain_theta_5).add_product(t38,
+        m.sin_chain_theta_5), m.chain_omega_5_dot);
+    let t45 = t44.add_product(R::literal(0.5) * (t29 * m.cos_chain_theta_6).add_product(t30,
+        m.sin_chain_theta_6).add_product(t31, m.cos_chain_theta_6).add_product(t32,
+        m.sin_chain_theta_6).add_product(t33, m.cos_chain_theta_6).add_product(t34,
+        m.sin_chain_theta_6).add_product(t35, m.cos_chain_theta_6).add_product(t36,
+        m.sin_chain_theta_6).add_product(t37, m.cos_chain_theta_6).add_product(t38,
+        m.sin_chain_theta_6), m.chain_omega_6_dot).add_product(R::literal(0.5)
+        * (t31 * m.cos_chain_theta_7).add_product(t32, m.sin_chain_theta_7).add_product(t33,
+        m.cos_chain_theta_7).add_product(t34, m.sin_chain_theta_7).add_product(t35,
+        m.cos_chain_theta_7).add_product(t36, m.sin_chain_theta_7).add_product(t37,
+        m.cos_chain_theta_7).add_product(t38, m.sin_chain_theta_7), m.chain_omega_7_dot);
     PowerBalance {
-        stored_rate: t260.add_product(R::literal(0.5) * (t248 * cos_chain_theta_8)
-            .add_product(t249, sin_chain_theta_8).add_product(t250, cos_chain_theta_8)
-            .add_product(t251, sin_chain_theta_8).add_product(t252, cos_chain_theta_8)
-            .add_product(t253, sin_chain_theta_8), chain_omega_8_dot).add_product(R::literal(0.5)
-            * (t250 * cos_chain_theta_9).add_product(t251, sin_chain_theta_9).add_product(t252,
-            cos_chain_theta_9).add_product(t253, sin_chain_theta_9), chain_omega_9_dot)
-            .add_product(R::literal(0.5) * (t252 * cos_chain_theta_10).add_product(t253,
-            sin_chain_theta_10), chain_omega_10_dot),
+        stored_rate: t45.add_product(R::literal(0.5) * (t33 * m.cos_chain_theta_8).add_product(t34,
+            m.sin_chain_theta_8).add_product(t35, m.cos_chain_theta_8).add_product(t36,
+            m.sin_chain_theta_8).add_product(t37, m.cos_chain_theta_8).add_product(t38,
+            m.sin_chain_theta_8), m.chain_omega_8_dot).add_product(R::literal(0.5)
+            * (t35 * m.cos_chain_theta_9).add_product(t36, m.sin_chain_theta_9).add_product(t37,
+            m.cos_chain_theta_9).add_product(t38, m.sin_chain_theta_9), m.chain_omega_9_dot)
+            .add_product(R::literal(0.5) * (t37 * m.cos_chain_theta_10).add_product(t38,
+            m.sin_chain_theta_10), m.chain_omega_10_dot),
         supplied: R::literal(0.0),
         dissipated: R::literal(0.0),
     }

@@ -1,0 +1,97 @@
+//! What a model says of itself, but for its tapes.
+
+use machinist_model::{
+    Constraint, Coordinate, Event, Model, Parameter, SourceFile, State, StateKind,
+};
+
+use crate::expr::Symbol;
+use crate::mechanics::lagrange::EquationsOfMotion;
+use crate::mechanics::state::Motion;
+use crate::scene::system::LagrangianSystem;
+
+/// What a model says of itself, without its tapes.
+pub fn describe(equations: &EquationsOfMotion) -> Model {
+    let system = &equations.system;
+    let coordinate = |c: &crate::scene::system::Coordinate| Coordinate {
+        position: c.position.clone(),
+        velocity: c.velocity.clone(),
+    };
+    let file = |file: &crate::spec::SourceFile| SourceFile {
+        label: file.label.clone(),
+        sha256: file.sha256.clone(),
+    };
+    let parameter = |p: &crate::scene::system::Parameter| Parameter {
+        quantity: p.quantity.clone(),
+        value: p.value,
+    };
+    Model {
+        name: system.name.clone(),
+        title: system.title.clone(),
+        doc: system.doc.clone(),
+        source: system.source.clone(),
+        files: system.files.iter().map(file).collect(),
+        coordinates: system.coordinates.iter().map(coordinate).collect(),
+        states: states(equations),
+        quadratures: equations.layout.quadratures,
+        parameters: system.parameters.iter().map(parameter).collect(),
+        handed: system.handed.iter().map(parameter).collect(),
+        wanted: system.outputs.iter().map(|output| output.quantity.clone()).collect(),
+        tables: system.tables.clone(),
+        run: system.run.clone(),
+        freeze: system.freeze.clone(),
+        reduction: equations.reduction.clone(),
+        ..Model::default()
+    }
+}
+
+fn states(equations: &EquationsOfMotion) -> Vec<State> {
+    let system = &equations.system;
+    let states = equations.layout.states.iter().map(|state| {
+        let (kind, is_given) = match state.motion {
+            Motion::Position { coordinate, .. } => {
+                let is_given = system.coordinates[coordinate.0 as usize].is_given[0];
+                (StateKind::Position(coordinate.0), is_given)
+            }
+            Motion::Velocity(id) => {
+                (StateKind::Velocity(id.0), system.coordinates[id.0 as usize].is_given[1])
+            }
+            Motion::FirstOrder(id) if system.first_order[id.0 as usize].is_mode => {
+                (StateKind::Mode, true)
+            }
+            Motion::FirstOrder(_) => (StateKind::FirstOrder, true),
+        };
+        State { quantity: state.quantity.clone(), kind, scale: state.scale, is_given }
+    });
+    states.collect()
+}
+
+/// Events with entries of the state in place of what expressions call them.
+pub fn events(equations: &EquationsOfMotion) -> Vec<Event> {
+    let entry = |symbol: Symbol| {
+        let place = equations.layout.symbols().position(|known| known == symbol);
+        place.expect("what events watch and set is in the state") as u32
+    };
+    let shapes = equations.events.iter().map(|event| Event {
+        name: event.name.clone(),
+        doc: event.doc.clone(),
+        direction: event.direction,
+        when: event
+            .when
+            .iter()
+            .map(|(id, value)| (entry(Symbol::FirstOrder(*id)), f64::from(*value)))
+            .collect(),
+        sets: event.set.iter().map(|(symbol, _)| entry(*symbol)).collect(),
+    });
+    shapes.collect()
+}
+
+/// Its constraints, but for what they compute.
+pub fn constraints(system: &LagrangianSystem) -> Vec<Constraint> {
+    let shapes = system.constraints.iter().map(|constraint| Constraint {
+        name: constraint.name.clone(),
+        doc: constraint.doc.clone(),
+        unit: constraint.unit.clone(),
+        is_of_positions: constraint.is_of_positions,
+    });
+    shapes.collect()
+}

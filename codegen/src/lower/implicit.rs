@@ -1,0 +1,158 @@
+//! Jacobians of the rate by the factors of the mass matrix.
+//!
+//! ```text
+//! M q'' = f + G^T lambda      M dq''/ds = df/ds - (dM/ds) q'' + ...
+//! ```
+//!
+//! Right sides are on a tape; the solve of all columns is data for a loop.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use machinist_model::{NodeId, Solve, SolveStep, SparsityPattern};
+
+use super::substitute::{Step, needed};
+
+/// Part of the products of a loop that have to be of nonzeros, as a fraction.
+const DENSE: [usize; 2] = [3, 5];
+
+/// What columns of a Jacobian are made of; (row, column) of nonzeros only.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Columns {
+    /// How many.
+    pub count: usize,
+    /// Right sides of the equations of accelerations.
+    pub sides: BTreeMap<(usize, usize), NodeId>,
+    /// Entries that are not accelerations.
+    pub given: BTreeMap<(usize, usize), NodeId>,
+}
+
+/// A Jacobian that is solved for.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Implicit {
+    /// Its nonzeros.
+    pub pattern: SparsityPattern,
+    /// What is given, then the right sides.
+    pub inputs: Vec<NodeId>,
+    /// What is solved with.
+    pub steps: Vec<Step>,
+    /// Products of nonzeros in all steps.
+    products: usize,
+    /// As in [`Solve`].
+    rows: u32,
+    columns: u32,
+    given: Vec<u32>,
+    right_sides: Vec<(u32, u32)>,
+    solved: Vec<(u32, u32, u32)>,
+}
+
+/// Where everything is, of columns of the derivative of `rows` rates; `velocities` are the
+/// entries of the state that are velocities, with their coordinates.
+#[must_use]
+pub fn implicit(
+    columns: &Columns,
+    steps: &[Step],
+    velocities: &[(usize, usize)],
+    rows: usize,
+) -> Implicit {
+    let wanted = velocities.iter().map(|(_, coordinate)| *coordinate).collect();
+    let needed = needed(steps, &columns.sides.keys().copied().collect(), &wanted);
+    // Right sides by column, those only that have a say.
+    let mut sides: Vec<((usize, usize), NodeId)> = columns.sides.clone().into_iter().collect();
+    sides.retain(|((row, _), _)| needed.sides.contains(row));
+    sides.sort_by_key(|((row, column), _)| (*column, *row));
+    let used: BTreeSet<usize> = sides.iter().map(|((_, column), _)| *column).collect();
+    let place: BTreeMap<usize, u32> = used.into_iter().zip(0..).collect();
+    // Nonzeros of the result by row: given, or row of the solution.
+    let mut entries: BTreeMap<(usize, usize), Option<usize>> =
+        columns.given.keys().map(|at| (*at, None)).collect();
+    for (entry, coordinate) in velocities {
+        for column in needed.columns.get(coordinate).into_iter().flatten() {
+            entries.insert((*entry, *column), Some(*coordinate));
+        }
+    }
+    let (mut given, mut solved) = (Vec::new(), Vec::new());
+    for (index, ((_, column), row)) in (0..).zip(&entries) {
+        match row {
+            None => given.push(index),
+            Some(row) => solved.push((index, *row as u32, place[column])),
+        }
+    }
+    solved.sort_by_key(|(entry, _, column)| (*column, *entry));
+    let entries = entries.keys().map(|(row, column)| (*row as u32, *column as u32)).collect();
+    let largest = needed
+        .steps
+        .iter()
+        .flat_map(|step| step.terms.iter().map(|(_, from)| *from).chain([step.row]));
+    let largest = largest.chain(sides.iter().map(|((row, _), _)| *row)).max();
+    Implicit {
+        pattern: SparsityPattern { rows, columns: columns.count, entries },
+        inputs: columns.given.values().copied().chain(sides.iter().map(|(_, n)| *n)).collect(),
+        rows: largest.map_or(0, |row| row as u32 + 1),
+        columns: place.len() as u32,
+        given,
+        right_sides: sides.iter().map(|((row, column), _)| (*row as u32, place[column])).collect(),
+        solved,
+        products: needed.products,
+        steps: needed.steps,
+    }
+}
+
+impl Implicit {
+    /// One of which every nonzero is known.
+    #[must_use]
+    pub fn unrolled(
+        nonzeros: &BTreeMap<(usize, usize), NodeId>,
+        rows: usize,
+        columns: usize,
+    ) -> Self {
+        let entries = nonzeros.keys().map(|(row, column)| (*row as u32, *column as u32)).collect();
+        Implicit {
+            pattern: SparsityPattern { rows, columns, entries },
+            inputs: nonzeros.values().copied().collect(),
+            ..Self::default()
+        }
+    }
+
+    /// Whether a loop over all columns does little that is not needed: most products in it
+    /// are of what is not zero.
+    #[must_use]
+    pub fn is_dense(&self) -> bool {
+        let all: usize = self.steps.iter().map(|step| step.terms.len()).sum();
+        let all = all * self.columns as usize;
+        self.products * DENSE[1] >= all * DENSE[0]
+    }
+
+    /// Whether anything is left to solve for.
+    #[must_use]
+    pub fn is_solved(&self) -> bool {
+        !self.solved.is_empty()
+    }
+
+    /// As a model has it, with what it multiplies by among `factors`.
+    ///
+    /// # Panics
+    /// If a factor is not among them.
+    #[must_use]
+    pub fn solve(&self, factors: &[NodeId]) -> Solve {
+        let place = |factor: NodeId| {
+            let place = factors.iter().position(|known| *known == factor);
+            place.expect("factors are those of all steps") as u32
+        };
+        let terms = |step: &Step| {
+            step.terms.iter().map(|(factor, from)| (place(*factor), *from as u32)).collect()
+        };
+        let steps = self.steps.iter().map(|step| SolveStep {
+            row: step.row as u32,
+            scale: step.scale.map(place),
+            terms: terms(step),
+        });
+        Solve {
+            rows: self.rows,
+            columns: self.columns,
+            steps: steps.collect(),
+            given: self.given.clone(),
+            right_sides: self.right_sides.clone(),
+            solved: self.solved.clone(),
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! What several functions of a machine need of its motion, computed by one tape, and
+//! matrices that are solved for with its factors.
+
+use machinist_contract::implicit::{LANES, Step, substitute};
+use serde::{Deserialize, Serialize};
+
+use crate::Tape;
+
+/// A tape that goes before those of other functions: accelerations, factors of the mass
+/// matrix, sines and cosines, so that no function repeats them. Others read its k-th
+/// result as [`Op::Motion`](crate::Op::Motion).
+///
+/// Only where that pays; of a small machine each function is complete by itself. The
+/// rate always is.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Motion {
+    /// Of time, state and parameters.
+    pub tape: Tape,
+    /// Which of its results are the factors that steps of a [`Solve`] multiply by.
+    pub factors: Vec<u32>,
+}
+
+/// A matrix of derivatives some entries of which are solved for by the factors of the
+/// motion, with [`substitute`]. The results of the matrix's tape are then first
+/// what is given, then the right sides.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Solve {
+    /// Rows that the steps work on.
+    pub rows: u32,
+    /// Columns that are solved for.
+    pub columns: u32,
+    /// One after the other.
+    pub steps: Vec<SolveStep>,
+    /// Entries of the pattern that the tape's first results are.
+    pub given: Vec<u32>,
+    /// (row, column) of the right side that each of the tape's other results is, sorted by
+    /// column.
+    pub right_sides: Vec<(u32, u32)>,
+    /// (entry of the pattern, row, column) of what is read from the solution, sorted by
+    /// column.
+    pub solved: Vec<(u32, u32, u32)>,
+}
+
+/// `x_row = scale x_row - sum of factor x_from`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct SolveStep {
+    /// The row that changes.
+    pub row: u32,
+    /// Which of the factors it is scaled by before, if by any.
+    pub scale: Option<u32>,
+    /// (which of the factors, from which other row) of each product.
+    pub terms: Vec<(u32, u32)>,
+}
+
+impl SolveStep {
+    /// As the contract takes it.
+    #[must_use]
+    pub fn borrowed(&self) -> Step<'_> {
+        Step { row: self.row, scale: self.scale, terms: &self.terms }
+    }
+}
+
+impl Solve {
+    /// Results of the matrix's tape.
+    #[must_use]
+    pub fn inputs(&self) -> usize {
+        self.given.len() + self.right_sides.len()
+    }
+
+    /// The matrix, by `factors` and the results of its tape; `work` has a place for each row.
+    ///
+    /// # Panics
+    /// If there are fewer of any than the steps and places mention.
+    pub fn write(
+        &self,
+        factors: &[f64],
+        inputs: &[f64],
+        work: &mut [[f64; LANES]],
+        values: &mut [f64],
+    ) {
+        let (given, right_sides) = inputs.split_at(self.given.len());
+        for (&entry, &value) in self.given.iter().zip(given) {
+            values[entry as usize] = value;
+        }
+        let mut right_sides = self.right_sides.iter().zip(right_sides).peekable();
+        let mut solved = self.solved.iter().peekable();
+        for first in (0..self.columns).step_by(LANES) {
+            let end = first + LANES as u32;
+            work.fill([0.0; LANES]);
+            while let Some((&(row, column), &value)) =
+                right_sides.next_if(|((_, column), _)| *column < end)
+            {
+                work[row as usize][(column - first) as usize] = value;
+            }
+            substitute(self.steps.iter().map(SolveStep::borrowed), factors, work);
+            while let Some(&(entry, row, column)) = solved.next_if(|(_, _, column)| *column < end) {
+                values[entry as usize] = work[row as usize][(column - first) as usize];
+            }
+        }
+    }
+}

@@ -98,9 +98,10 @@ fn hostile_text_reaches_readers_unchanged() {
 fn strings(tokens: TokenStream) -> Vec<String> {
     let strings = tokens.into_iter().flat_map(|token| match token {
         TokenTree::Group(group) => strings(group.stream()),
-        TokenTree::Literal(literal) => {
-            syn::parse_str::<syn::LitStr>(&literal.to_string()).map(|s| s.value()).into_iter().collect()
-        }
+        TokenTree::Literal(literal) => syn::parse_str::<syn::LitStr>(&literal.to_string())
+            .map(|s| s.value())
+            .into_iter()
+            .collect(),
         _ => vec![],
     });
     strings.collect()

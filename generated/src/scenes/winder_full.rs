@@ -547,8 +547,8 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let holder_v_dot_by_holder_holder_arm = t12 / (p.holder_holder_arm * p.holder_holder_arm)
         * holder_v_dot * inverse_holder_mass;
     let holder_v_dot_by_holder_stiffness = -(holder_x * inverse_holder_mass);
-    let holder_v_dot_by_holder_preload = (R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), R::literal(1.0)) - R::literal(1.0)) * inverse_holder_mass;
+    let holder_v_dot_by_holder_preload = (R::literal(-1.0) - R::select_less(layer_closed,
+        R::literal(0.5), R::literal(0.0), R::literal(-1.0))) * inverse_holder_mass;
     let pair_omega_dot_by_holder_preload = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0),
         R::select_less(pair_slip, R::literal(-0.5), pair_friction_times_pair_radius,

@@ -17,7 +17,7 @@
 // Shapes: coordinates 10, states 20, outputs 20.
 // Nonzeros: mass_matrix 100 of 10 by 10, rate_jacobian 210 of 20 by 20,
 //     parameter_jacobian 0 of 20 by 0.
-// Operations: rate 1145, mass_matrix 126, forcing 345, rate_jacobian 5565, energy 117,
+// Operations: rate 1144, mass_matrix 126, forcing 344, rate_jacobian 5556, energy 117,
 //     power_balance 1651.
 
 use ::machinist_contract::{
@@ -126,7 +126,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 }
 
 /// `y'`: velocities, `q''` of `M q'' = f + G^T lambda`, `h`; in the units of the states per second.
-/// 1145 operations.
+/// 1144 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
@@ -531,10 +531,10 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
         chain_omega_4_dot).sub_product(t77, chain_omega_5_dot).sub_product(t79, chain_omega_6_dot)
         .sub_product(t81, chain_omega_7_dot).sub_product(t83, chain_omega_8_dot).sub_product(t85,
         chain_omega_9_dot).sub_product(t87, chain_omega_10_dot);
-    let chain_omega_1_dot = -(t158 * R::literal(0.1)).add_product(t62, chain_omega_2_dot)
-        .add_product(t63, chain_omega_3_dot).add_product(t64, chain_omega_4_dot).add_product(t65,
-        chain_omega_5_dot).add_product(t66, chain_omega_6_dot).add_product(t67, chain_omega_7_dot)
-        .add_product(t68, chain_omega_8_dot).add_product(t69, chain_omega_9_dot).add_product(t70,
+    let chain_omega_1_dot = (t158 * R::literal(-0.1)).sub_product(t62, chain_omega_2_dot)
+        .sub_product(t63, chain_omega_3_dot).sub_product(t64, chain_omega_4_dot).sub_product(t65,
+        chain_omega_5_dot).sub_product(t66, chain_omega_6_dot).sub_product(t67, chain_omega_7_dot)
+        .sub_product(t68, chain_omega_8_dot).sub_product(t69, chain_omega_9_dot).sub_product(t70,
         chain_omega_10_dot);
     [chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5, chain_omega_6,
         chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10, chain_omega_1_dot,
@@ -621,7 +621,7 @@ pub fn mass_matrix<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -
         R::literal(2.0), t44, t8, t16, t23, t29, t34, t38, t41, t43, t44, R::literal(1.0)]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 345 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 344 operations.
 #[must_use]
 pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; COORDINATES] {
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_theta_6,
@@ -677,10 +677,10 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
     let t51 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let chain_theta_1_forcing = -(R::literal(98.1) * sin_chain_theta_1).add_product(R::literal(9.0)
-        * chain_omega_2_squared, t0).add_product(t45, t1).add_product(t46, t2).add_product(t47, t3)
-        .add_product(t48, t4).add_product(t49, t5).add_product(t50, t6).add_product(t51, t7)
-        .add_product(chain_omega_10_squared, t8);
+    let chain_theta_1_forcing = (R::literal(-98.1) * sin_chain_theta_1).sub_product(R::literal(9.0)
+        * chain_omega_2_squared, t0).sub_product(t45, t1).sub_product(t46, t2).sub_product(t47, t3)
+        .sub_product(t48, t4).sub_product(t49, t5).sub_product(t50, t6).sub_product(t51, t7)
+        .sub_product(chain_omega_10_squared, t8);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let chain_theta_2_forcing = (R::literal(-88.29) * sin_chain_theta_2)
         .add_product(R::literal(9.0) * chain_omega_1_squared, t0).sub_product(t45, t9)
@@ -737,7 +737,7 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R
         chain_theta_9_forcing, chain_theta_10_forcing]
 }
 
-/// `dy'/dy`, values in the order of its pattern. 5565 operations.
+/// `dy'/dy`, values in the order of its pattern. 5556 operations.
 #[must_use]
 pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; 210] {
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_theta_6,
@@ -2149,13 +2149,13 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
         chain_omega_6_dot_by_chain_omega_2).sub_product(t117, chain_omega_7_dot_by_chain_omega_2)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_2).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_2).sub_product(t123, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_1_dot_by_chain_omega_2 = -(t559 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_2).add_product(t99, chain_omega_3_dot_by_chain_omega_2)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_2).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_2).add_product(t102, chain_omega_6_dot_by_chain_omega_2)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_2).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_2).add_product(t105, chain_omega_9_dot_by_chain_omega_2)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_2);
+    let chain_omega_1_dot_by_chain_omega_2 = (t559 * R::literal(-0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_omega_2).sub_product(t99, chain_omega_3_dot_by_chain_omega_2)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_2).sub_product(t101,
+        chain_omega_5_dot_by_chain_omega_2).sub_product(t102, chain_omega_6_dot_by_chain_omega_2)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_2).sub_product(t104,
+        chain_omega_8_dot_by_chain_omega_2).sub_product(t105, chain_omega_9_dot_by_chain_omega_2)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_2);
     let t568 = R::literal(16.0) * chain_omega_3;
     let t569 = t568 * t3;
     let t570 = (-(t568 * t26)).add_product(t98, t569);
@@ -2211,13 +2211,13 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
         chain_omega_6_dot_by_chain_omega_3).sub_product(t117, chain_omega_7_dot_by_chain_omega_3)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_3).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_3).sub_product(t123, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_1_dot_by_chain_omega_3 = -(t569 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_3).add_product(t99, chain_omega_3_dot_by_chain_omega_3)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_3).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_3).add_product(t102, chain_omega_6_dot_by_chain_omega_3)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_3).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_3).add_product(t105, chain_omega_9_dot_by_chain_omega_3)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_3);
+    let chain_omega_1_dot_by_chain_omega_3 = (t569 * R::literal(-0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_omega_3).sub_product(t99, chain_omega_3_dot_by_chain_omega_3)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_3).sub_product(t101,
+        chain_omega_5_dot_by_chain_omega_3).sub_product(t102, chain_omega_6_dot_by_chain_omega_3)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_3).sub_product(t104,
+        chain_omega_8_dot_by_chain_omega_3).sub_product(t105, chain_omega_9_dot_by_chain_omega_3)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_3);
     let t578 = R::literal(14.0) * chain_omega_4;
     let t579 = t578 * t6;
     let t580 = (-(t578 * t28)).add_product(t98, t579);
@@ -2272,13 +2272,13 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
         chain_omega_6_dot_by_chain_omega_4).sub_product(t117, chain_omega_7_dot_by_chain_omega_4)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_4).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_4).sub_product(t123, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_1_dot_by_chain_omega_4 = -(t579 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_4).add_product(t99, chain_omega_3_dot_by_chain_omega_4)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_4).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_4).add_product(t102, chain_omega_6_dot_by_chain_omega_4)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_4).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_4).add_product(t105, chain_omega_9_dot_by_chain_omega_4)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_4);
+    let chain_omega_1_dot_by_chain_omega_4 = (t579 * R::literal(-0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_omega_4).sub_product(t99, chain_omega_3_dot_by_chain_omega_4)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_4).sub_product(t101,
+        chain_omega_5_dot_by_chain_omega_4).sub_product(t102, chain_omega_6_dot_by_chain_omega_4)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_4).sub_product(t104,
+        chain_omega_8_dot_by_chain_omega_4).sub_product(t105, chain_omega_9_dot_by_chain_omega_4)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_4);
     let t588 = R::literal(12.0) * chain_omega_5;
     let t589 = t588 * t9;
     let t590 = (-(t588 * t30)).add_product(t98, t589);
@@ -2334,13 +2334,13 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
         chain_omega_6_dot_by_chain_omega_5).sub_product(t117, chain_omega_7_dot_by_chain_omega_5)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_5).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_5).sub_product(t123, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_1_dot_by_chain_omega_5 = -(t589 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_5).add_product(t99, chain_omega_3_dot_by_chain_omega_5)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_5).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_5).add_product(t102, chain_omega_6_dot_by_chain_omega_5)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_5).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_5).add_product(t105, chain_omega_9_dot_by_chain_omega_5)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_5);
+    let chain_omega_1_dot_by_chain_omega_5 = (t589 * R::literal(-0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_omega_5).sub_product(t99, chain_omega_3_dot_by_chain_omega_5)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_5).sub_product(t101,
+        chain_omega_5_dot_by_chain_omega_5).sub_product(t102, chain_omega_6_dot_by_chain_omega_5)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_5).sub_product(t104,
+        chain_omega_8_dot_by_chain_omega_5).sub_product(t105, chain_omega_9_dot_by_chain_omega_5)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_5);
     let t598 = R::literal(10.0) * chain_omega_6;
     let t599 = t598 * t12;
     let t600 = (-(t598 * t32)).add_product(t98, t599);
@@ -2396,13 +2396,13 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
         chain_omega_6_dot_by_chain_omega_6).sub_product(t117, chain_omega_7_dot_by_chain_omega_6)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_6).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_6).sub_product(t123, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_1_dot_by_chain_omega_6 = -(t599 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_6).add_product(t99, chain_omega_3_dot_by_chain_omega_6)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_6).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_6).add_product(t102, chain_omega_6_dot_by_chain_omega_6)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_6).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_6).add_product(t105, chain_omega_9_dot_by_chain_omega_6)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_6);
+    let chain_omega_1_dot_by_chain_omega_6 = (t599 * R::literal(-0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_omega_6).sub_product(t99, chain_omega_3_dot_by_chain_omega_6)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_6).sub_product(t101,
+        chain_omega_5_dot_by_chain_omega_6).sub_product(t102, chain_omega_6_dot_by_chain_omega_6)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_6).sub_product(t104,
+        chain_omega_8_dot_by_chain_omega_6).sub_product(t105, chain_omega_9_dot_by_chain_omega_6)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_6);
     let t608 = R::literal(8.0) * chain_omega_7;
     let t609 = t608 * t15;
     let t610 = (-(t608 * t34)).add_product(t98, t609);
@@ -2457,13 +2457,13 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
         chain_omega_6_dot_by_chain_omega_7).sub_product(t117, chain_omega_7_dot_by_chain_omega_7)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_7).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_7).sub_product(t123, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_1_dot_by_chain_omega_7 = -(t609 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_7).add_product(t99, chain_omega_3_dot_by_chain_omega_7)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_7).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_7).add_product(t102, chain_omega_6_dot_by_chain_omega_7)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_7).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_7).add_product(t105, chain_omega_9_dot_by_chain_omega_7)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_7);
+    let chain_omega_1_dot_by_chain_omega_7 = (t609 * R::literal(-0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_omega_7).sub_product(t99, chain_omega_3_dot_by_chain_omega_7)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_7).sub_product(t101,
+        chain_omega_5_dot_by_chain_omega_7).sub_product(t102, chain_omega_6_dot_by_chain_omega_7)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_7).sub_product(t104,
+        chain_omega_8_dot_by_chain_omega_7).sub_product(t105, chain_omega_9_dot_by_chain_omega_7)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_7);
     let t618 = R::literal(6.0) * chain_omega_8;
     let t619 = t618 * t18;
     let t620 = (-(t618 * t36)).add_product(t98, t619);
@@ -2517,13 +2517,13 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
         chain_omega_6_dot_by_chain_omega_8).sub_product(t117, chain_omega_7_dot_by_chain_omega_8)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_8).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_8).sub_product(t123, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_1_dot_by_chain_omega_8 = -(t619 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_8).add_product(t99, chain_omega_3_dot_by_chain_omega_8)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_8).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_8).add_product(t102, chain_omega_6_dot_by_chain_omega_8)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_8).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_8).add_product(t105, chain_omega_9_dot_by_chain_omega_8)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_8);
+    let chain_omega_1_dot_by_chain_omega_8 = (t619 * R::literal(-0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_omega_8).sub_product(t99, chain_omega_3_dot_by_chain_omega_8)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_8).sub_product(t101,
+        chain_omega_5_dot_by_chain_omega_8).sub_product(t102, chain_omega_6_dot_by_chain_omega_8)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_8).sub_product(t104,
+        chain_omega_8_dot_by_chain_omega_8).sub_product(t105, chain_omega_9_dot_by_chain_omega_8)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_8);
     let t628 = R::literal(4.0) * chain_omega_9;
     let t629 = t628 * t21;
     let t630 = (-(t628 * t38)).add_product(t98, t629);
@@ -2578,13 +2578,13 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
         chain_omega_6_dot_by_chain_omega_9).sub_product(t117, chain_omega_7_dot_by_chain_omega_9)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_9).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_9).sub_product(t123, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_1_dot_by_chain_omega_9 = -(t629 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_9).add_product(t99, chain_omega_3_dot_by_chain_omega_9)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_9).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_9).add_product(t102, chain_omega_6_dot_by_chain_omega_9)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_9).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_9).add_product(t105, chain_omega_9_dot_by_chain_omega_9)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_9);
+    let chain_omega_1_dot_by_chain_omega_9 = (t629 * R::literal(-0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_omega_9).sub_product(t99, chain_omega_3_dot_by_chain_omega_9)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_9).sub_product(t101,
+        chain_omega_5_dot_by_chain_omega_9).sub_product(t102, chain_omega_6_dot_by_chain_omega_9)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_9).sub_product(t104,
+        chain_omega_8_dot_by_chain_omega_9).sub_product(t105, chain_omega_9_dot_by_chain_omega_9)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_9);
     let t638 = R::literal(2.0) * chain_omega_10;
     let t639 = t638 * t24;
     let t640 = (-(t638 * t40)).add_product(t98, t639);
@@ -2641,13 +2641,13 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_10).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_10).sub_product(t123,
         chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_1_dot_by_chain_omega_10 = -(t639 * R::literal(0.1)).add_product(t98,
-        chain_omega_2_dot_by_chain_omega_10).add_product(t99, chain_omega_3_dot_by_chain_omega_10)
-        .add_product(t100, chain_omega_4_dot_by_chain_omega_10).add_product(t101,
-        chain_omega_5_dot_by_chain_omega_10).add_product(t102, chain_omega_6_dot_by_chain_omega_10)
-        .add_product(t103, chain_omega_7_dot_by_chain_omega_10).add_product(t104,
-        chain_omega_8_dot_by_chain_omega_10).add_product(t105, chain_omega_9_dot_by_chain_omega_10)
-        .add_product(t106, chain_omega_10_dot_by_chain_omega_10);
+    let chain_omega_1_dot_by_chain_omega_10 = (t639 * R::literal(-0.1)).sub_product(t98,
+        chain_omega_2_dot_by_chain_omega_10).sub_product(t99, chain_omega_3_dot_by_chain_omega_10)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_10).sub_product(t101,
+        chain_omega_5_dot_by_chain_omega_10).sub_product(t102, chain_omega_6_dot_by_chain_omega_10)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_10).sub_product(t104,
+        chain_omega_8_dot_by_chain_omega_10).sub_product(t105, chain_omega_9_dot_by_chain_omega_10)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_10);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         chain_omega_1_dot_by_chain_theta_1, chain_omega_1_dot_by_chain_theta_2,
@@ -3386,7 +3386,7 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 666 recurrences. 300 sums of products an order.
+/// 665 recurrences. 300 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -3662,55 +3662,55 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
     let cos_chain_theta_9 = chain_theta_9.cos();
     let sin_chain_theta_10 = chain_theta_10.sin();
     let cos_chain_theta_10 = chain_theta_10.cos();
-    let t171 = sin_chain_theta_1 * R::literal(98.1);
-    let t172 = chain_omega_2 * chain_omega_2;
-    let t173 = t172 * R::literal(9.0);
-    let t174 = t173 * t1;
-    let t175 = chain_omega_3 * chain_omega_3;
-    let t176 = t175 * R::literal(8.0);
-    let t177 = t176 * t5;
-    let t178 = chain_omega_4 * chain_omega_4;
-    let t179 = t178 * R::literal(7.0);
-    let t180 = t179 * t9;
-    let t181 = chain_omega_5 * chain_omega_5;
-    let t182 = t181 * R::literal(6.0);
-    let t183 = t182 * t13;
-    let t184 = chain_omega_6 * chain_omega_6;
-    let t185 = t184 * R::literal(5.0);
-    let t186 = t185 * t17;
-    let t187 = chain_omega_7 * chain_omega_7;
-    let t188 = t187 * R::literal(4.0);
-    let t189 = t188 * t21;
-    let t190 = chain_omega_8 * chain_omega_8;
-    let t191 = t190 * R::literal(3.0);
-    let t192 = t191 * t25;
-    let t193 = chain_omega_9 * chain_omega_9;
-    let t194 = t193 * R::literal(2.0);
-    let t195 = t194 * t29;
-    let t196 = chain_omega_10 * chain_omega_10;
-    let t197 = t196 * t33;
-    let t198 = t171 + t174;
-    let t199 = t198 + t177;
-    let t200 = t199 + t180;
-    let t201 = t200 + t183;
-    let t202 = t201 + t186;
-    let t203 = t202 + t189;
-    let t204 = t203 + t192;
-    let t205 = t204 + t195;
-    let t206 = t205 + t197;
-    let t207 = -t206;
-    let t208 = sin_chain_theta_2 * R::literal(88.29);
-    let t209 = t176 * t36;
-    let t210 = t179 * t40;
-    let t211 = t182 * t44;
-    let t212 = t185 * t48;
-    let t213 = t188 * t52;
-    let t214 = t191 * t56;
-    let t215 = t194 * t60;
-    let t216 = t196 * t64;
-    let t217 = chain_omega_1 * chain_omega_1;
-    let t218 = t217 * R::literal(9.0);
-    let t219 = t218 * t1;
+    let t171 = chain_omega_2 * chain_omega_2;
+    let t172 = t171 * R::literal(9.0);
+    let t173 = t172 * t1;
+    let t174 = chain_omega_3 * chain_omega_3;
+    let t175 = t174 * R::literal(8.0);
+    let t176 = t175 * t5;
+    let t177 = chain_omega_4 * chain_omega_4;
+    let t178 = t177 * R::literal(7.0);
+    let t179 = t178 * t9;
+    let t180 = chain_omega_5 * chain_omega_5;
+    let t181 = t180 * R::literal(6.0);
+    let t182 = t181 * t13;
+    let t183 = chain_omega_6 * chain_omega_6;
+    let t184 = t183 * R::literal(5.0);
+    let t185 = t184 * t17;
+    let t186 = chain_omega_7 * chain_omega_7;
+    let t187 = t186 * R::literal(4.0);
+    let t188 = t187 * t21;
+    let t189 = chain_omega_8 * chain_omega_8;
+    let t190 = t189 * R::literal(3.0);
+    let t191 = t190 * t25;
+    let t192 = chain_omega_9 * chain_omega_9;
+    let t193 = t192 * R::literal(2.0);
+    let t194 = t193 * t29;
+    let t195 = chain_omega_10 * chain_omega_10;
+    let t196 = t195 * t33;
+    let t197 = sin_chain_theta_1 * R::literal(-98.1);
+    let t198 = t197 - t173;
+    let t199 = t198 - t176;
+    let t200 = t199 - t179;
+    let t201 = t200 - t182;
+    let t202 = t201 - t185;
+    let t203 = t202 - t188;
+    let t204 = t203 - t191;
+    let t205 = t204 - t194;
+    let t206 = t205 - t196;
+    let t207 = sin_chain_theta_2 * R::literal(88.29);
+    let t208 = t175 * t36;
+    let t209 = t178 * t40;
+    let t210 = t181 * t44;
+    let t211 = t184 * t48;
+    let t212 = t187 * t52;
+    let t213 = t190 * t56;
+    let t214 = t193 * t60;
+    let t215 = t195 * t64;
+    let t216 = chain_omega_1 * chain_omega_1;
+    let t217 = t216 * R::literal(9.0);
+    let t218 = t217 * t1;
+    let t219 = t218 - t207;
     let t220 = t219 - t208;
     let t221 = t220 - t209;
     let t222 = t221 - t210;
@@ -3719,20 +3719,20 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
     let t225 = t224 - t213;
     let t226 = t225 - t214;
     let t227 = t226 - t215;
-    let t228 = t227 - t216;
-    let t229 = sin_chain_theta_3 * R::literal(78.48);
-    let t230 = t179 * t67;
-    let t231 = t182 * t71;
-    let t232 = t185 * t75;
-    let t233 = t188 * t79;
-    let t234 = t191 * t83;
-    let t235 = t194 * t87;
-    let t236 = t196 * t91;
-    let t237 = t217 * R::literal(8.0);
-    let t238 = t237 * t5;
-    let t239 = t172 * R::literal(8.0);
-    let t240 = t239 * t36;
-    let t241 = t238 + t240;
+    let t228 = sin_chain_theta_3 * R::literal(78.48);
+    let t229 = t178 * t67;
+    let t230 = t181 * t71;
+    let t231 = t184 * t75;
+    let t232 = t187 * t79;
+    let t233 = t190 * t83;
+    let t234 = t193 * t87;
+    let t235 = t195 * t91;
+    let t236 = t216 * R::literal(8.0);
+    let t237 = t236 * t5;
+    let t238 = t171 * R::literal(8.0);
+    let t239 = t238 * t36;
+    let t240 = t237 + t239;
+    let t241 = t240 - t228;
     let t242 = t241 - t229;
     let t243 = t242 - t230;
     let t244 = t243 - t231;
@@ -3740,173 +3740,172 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
     let t246 = t245 - t233;
     let t247 = t246 - t234;
     let t248 = t247 - t235;
-    let t249 = t248 - t236;
-    let t250 = sin_chain_theta_4 * R::literal(68.67);
-    let t251 = t182 * t94;
-    let t252 = t185 * t98;
-    let t253 = t188 * t102;
-    let t254 = t191 * t106;
-    let t255 = t194 * t110;
-    let t256 = t196 * t114;
-    let t257 = t217 * R::literal(7.0);
-    let t258 = t257 * t9;
-    let t259 = t172 * R::literal(7.0);
-    let t260 = t259 * t40;
-    let t261 = t175 * R::literal(7.0);
-    let t262 = t261 * t67;
-    let t263 = t258 + t260;
-    let t264 = t263 + t262;
+    let t249 = sin_chain_theta_4 * R::literal(68.67);
+    let t250 = t181 * t94;
+    let t251 = t184 * t98;
+    let t252 = t187 * t102;
+    let t253 = t190 * t106;
+    let t254 = t193 * t110;
+    let t255 = t195 * t114;
+    let t256 = t216 * R::literal(7.0);
+    let t257 = t256 * t9;
+    let t258 = t171 * R::literal(7.0);
+    let t259 = t258 * t40;
+    let t260 = t174 * R::literal(7.0);
+    let t261 = t260 * t67;
+    let t262 = t257 + t259;
+    let t263 = t262 + t261;
+    let t264 = t263 - t249;
     let t265 = t264 - t250;
     let t266 = t265 - t251;
     let t267 = t266 - t252;
     let t268 = t267 - t253;
     let t269 = t268 - t254;
     let t270 = t269 - t255;
-    let t271 = t270 - t256;
-    let t272 = sin_chain_theta_5 * R::literal(58.86);
-    let t273 = t185 * t117;
-    let t274 = t188 * t121;
-    let t275 = t191 * t125;
-    let t276 = t194 * t129;
-    let t277 = t196 * t133;
-    let t278 = t217 * R::literal(6.0);
-    let t279 = t278 * t13;
-    let t280 = t172 * R::literal(6.0);
-    let t281 = t280 * t44;
-    let t282 = t175 * R::literal(6.0);
-    let t283 = t282 * t71;
-    let t284 = t178 * R::literal(6.0);
-    let t285 = t284 * t94;
-    let t286 = t279 + t281;
-    let t287 = t286 + t283;
-    let t288 = t287 + t285;
+    let t271 = sin_chain_theta_5 * R::literal(58.86);
+    let t272 = t184 * t117;
+    let t273 = t187 * t121;
+    let t274 = t190 * t125;
+    let t275 = t193 * t129;
+    let t276 = t195 * t133;
+    let t277 = t216 * R::literal(6.0);
+    let t278 = t277 * t13;
+    let t279 = t171 * R::literal(6.0);
+    let t280 = t279 * t44;
+    let t281 = t174 * R::literal(6.0);
+    let t282 = t281 * t71;
+    let t283 = t177 * R::literal(6.0);
+    let t284 = t283 * t94;
+    let t285 = t278 + t280;
+    let t286 = t285 + t282;
+    let t287 = t286 + t284;
+    let t288 = t287 - t271;
     let t289 = t288 - t272;
     let t290 = t289 - t273;
     let t291 = t290 - t274;
     let t292 = t291 - t275;
     let t293 = t292 - t276;
-    let t294 = t293 - t277;
-    let t295 = sin_chain_theta_6 * R::literal(49.05);
-    let t296 = t188 * t136;
-    let t297 = t191 * t140;
-    let t298 = t194 * t144;
-    let t299 = t196 * t148;
-    let t300 = t217 * R::literal(5.0);
-    let t301 = t300 * t17;
-    let t302 = t172 * R::literal(5.0);
-    let t303 = t302 * t48;
-    let t304 = t175 * R::literal(5.0);
-    let t305 = t304 * t75;
-    let t306 = t178 * R::literal(5.0);
-    let t307 = t306 * t98;
-    let t308 = t181 * R::literal(5.0);
-    let t309 = t308 * t117;
-    let t310 = t301 + t303;
-    let t311 = t310 + t305;
-    let t312 = t311 + t307;
-    let t313 = t312 + t309;
+    let t294 = sin_chain_theta_6 * R::literal(49.05);
+    let t295 = t187 * t136;
+    let t296 = t190 * t140;
+    let t297 = t193 * t144;
+    let t298 = t195 * t148;
+    let t299 = t216 * R::literal(5.0);
+    let t300 = t299 * t17;
+    let t301 = t171 * R::literal(5.0);
+    let t302 = t301 * t48;
+    let t303 = t174 * R::literal(5.0);
+    let t304 = t303 * t75;
+    let t305 = t177 * R::literal(5.0);
+    let t306 = t305 * t98;
+    let t307 = t180 * R::literal(5.0);
+    let t308 = t307 * t117;
+    let t309 = t300 + t302;
+    let t310 = t309 + t304;
+    let t311 = t310 + t306;
+    let t312 = t311 + t308;
+    let t313 = t312 - t294;
     let t314 = t313 - t295;
     let t315 = t314 - t296;
     let t316 = t315 - t297;
     let t317 = t316 - t298;
-    let t318 = t317 - t299;
-    let t319 = sin_chain_theta_7 * R::literal(39.24);
-    let t320 = t191 * t151;
-    let t321 = t194 * t155;
-    let t322 = t196 * t159;
-    let t323 = t217 * R::literal(4.0);
-    let t324 = t323 * t21;
-    let t325 = t172 * R::literal(4.0);
-    let t326 = t325 * t52;
-    let t327 = t175 * R::literal(4.0);
-    let t328 = t327 * t79;
-    let t329 = t178 * R::literal(4.0);
-    let t330 = t329 * t102;
-    let t331 = t181 * R::literal(4.0);
-    let t332 = t331 * t121;
-    let t333 = t184 * R::literal(4.0);
-    let t334 = t333 * t136;
-    let t335 = t324 + t326;
-    let t336 = t335 + t328;
-    let t337 = t336 + t330;
-    let t338 = t337 + t332;
-    let t339 = t338 + t334;
+    let t318 = sin_chain_theta_7 * R::literal(39.24);
+    let t319 = t190 * t151;
+    let t320 = t193 * t155;
+    let t321 = t195 * t159;
+    let t322 = t216 * R::literal(4.0);
+    let t323 = t322 * t21;
+    let t324 = t171 * R::literal(4.0);
+    let t325 = t324 * t52;
+    let t326 = t174 * R::literal(4.0);
+    let t327 = t326 * t79;
+    let t328 = t177 * R::literal(4.0);
+    let t329 = t328 * t102;
+    let t330 = t180 * R::literal(4.0);
+    let t331 = t330 * t121;
+    let t332 = t183 * R::literal(4.0);
+    let t333 = t332 * t136;
+    let t334 = t323 + t325;
+    let t335 = t334 + t327;
+    let t336 = t335 + t329;
+    let t337 = t336 + t331;
+    let t338 = t337 + t333;
+    let t339 = t338 - t318;
     let t340 = t339 - t319;
     let t341 = t340 - t320;
     let t342 = t341 - t321;
-    let t343 = t342 - t322;
-    let t344 = sin_chain_theta_8 * R::literal(29.43);
-    let t345 = t194 * t162;
-    let t346 = t196 * t166;
-    let t347 = t217 * R::literal(3.0);
-    let t348 = t347 * t25;
-    let t349 = t172 * R::literal(3.0);
-    let t350 = t349 * t56;
-    let t351 = t175 * R::literal(3.0);
-    let t352 = t351 * t83;
-    let t353 = t178 * R::literal(3.0);
-    let t354 = t353 * t106;
-    let t355 = t181 * R::literal(3.0);
-    let t356 = t355 * t125;
-    let t357 = t184 * R::literal(3.0);
-    let t358 = t357 * t140;
-    let t359 = t187 * R::literal(3.0);
-    let t360 = t359 * t151;
-    let t361 = t348 + t350;
-    let t362 = t361 + t352;
-    let t363 = t362 + t354;
-    let t364 = t363 + t356;
-    let t365 = t364 + t358;
-    let t366 = t365 + t360;
+    let t343 = sin_chain_theta_8 * R::literal(29.43);
+    let t344 = t193 * t162;
+    let t345 = t195 * t166;
+    let t346 = t216 * R::literal(3.0);
+    let t347 = t346 * t25;
+    let t348 = t171 * R::literal(3.0);
+    let t349 = t348 * t56;
+    let t350 = t174 * R::literal(3.0);
+    let t351 = t350 * t83;
+    let t352 = t177 * R::literal(3.0);
+    let t353 = t352 * t106;
+    let t354 = t180 * R::literal(3.0);
+    let t355 = t354 * t125;
+    let t356 = t183 * R::literal(3.0);
+    let t357 = t356 * t140;
+    let t358 = t186 * R::literal(3.0);
+    let t359 = t358 * t151;
+    let t360 = t347 + t349;
+    let t361 = t360 + t351;
+    let t362 = t361 + t353;
+    let t363 = t362 + t355;
+    let t364 = t363 + t357;
+    let t365 = t364 + t359;
+    let t366 = t365 - t343;
     let t367 = t366 - t344;
     let t368 = t367 - t345;
-    let t369 = t368 - t346;
-    let t370 = sin_chain_theta_9 * R::literal(19.62);
-    let t371 = t196 * t169;
-    let t372 = t217 * R::literal(2.0);
-    let t373 = t372 * t29;
-    let t374 = t172 * R::literal(2.0);
-    let t375 = t374 * t60;
-    let t376 = t175 * R::literal(2.0);
-    let t377 = t376 * t87;
-    let t378 = t178 * R::literal(2.0);
-    let t379 = t378 * t110;
-    let t380 = t181 * R::literal(2.0);
-    let t381 = t380 * t129;
-    let t382 = t184 * R::literal(2.0);
-    let t383 = t382 * t144;
-    let t384 = t187 * R::literal(2.0);
-    let t385 = t384 * t155;
-    let t386 = t190 * R::literal(2.0);
-    let t387 = t386 * t162;
-    let t388 = t373 + t375;
-    let t389 = t388 + t377;
-    let t390 = t389 + t379;
-    let t391 = t390 + t381;
-    let t392 = t391 + t383;
-    let t393 = t392 + t385;
-    let t394 = t393 + t387;
+    let t369 = sin_chain_theta_9 * R::literal(19.62);
+    let t370 = t195 * t169;
+    let t371 = t216 * R::literal(2.0);
+    let t372 = t371 * t29;
+    let t373 = t171 * R::literal(2.0);
+    let t374 = t373 * t60;
+    let t375 = t174 * R::literal(2.0);
+    let t376 = t375 * t87;
+    let t377 = t177 * R::literal(2.0);
+    let t378 = t377 * t110;
+    let t379 = t180 * R::literal(2.0);
+    let t380 = t379 * t129;
+    let t381 = t183 * R::literal(2.0);
+    let t382 = t381 * t144;
+    let t383 = t186 * R::literal(2.0);
+    let t384 = t383 * t155;
+    let t385 = t189 * R::literal(2.0);
+    let t386 = t385 * t162;
+    let t387 = t372 + t374;
+    let t388 = t387 + t376;
+    let t389 = t388 + t378;
+    let t390 = t389 + t380;
+    let t391 = t390 + t382;
+    let t392 = t391 + t384;
+    let t393 = t392 + t386;
+    let t394 = t393 - t369;
     let t395 = t394 - t370;
-    let t396 = t395 - t371;
-    let t397 = sin_chain_theta_10 * R::literal(9.81);
-    let t398 = t217 * t33;
-    let t399 = t172 * t64;
-    let t400 = t175 * t91;
-    let t401 = t178 * t114;
-    let t402 = t181 * t133;
-    let t403 = t184 * t148;
-    let t404 = t187 * t159;
-    let t405 = t190 * t166;
-    let t406 = t193 * t169;
-    let t407 = t398 + t399;
+    let t396 = sin_chain_theta_10 * R::literal(9.81);
+    let t397 = t216 * t33;
+    let t398 = t171 * t64;
+    let t399 = t174 * t91;
+    let t400 = t177 * t114;
+    let t401 = t180 * t133;
+    let t402 = t183 * t148;
+    let t403 = t186 * t159;
+    let t404 = t189 * t166;
+    let t405 = t192 * t169;
+    let t406 = t397 + t398;
+    let t407 = t406 + t399;
     let t408 = t407 + t400;
     let t409 = t408 + t401;
     let t410 = t409 + t402;
     let t411 = t410 + t403;
     let t412 = t411 + t404;
     let t413 = t412 + t405;
-    let t414 = t413 + t406;
-    let t415 = t414 - t397;
+    let t414 = t413 - t396;
     let factored = Factored::new([[R::literal(10.0), R::literal(0.0), R::literal(0.0),
         R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
         R::literal(0.0), R::literal(0.0)], [t3, R::literal(9.0), R::literal(0.0), R::literal(0.0),
@@ -3924,8 +3923,8 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
         t170, R::literal(1.0)]]);
     let [chain_omega_1_dot, chain_omega_2_dot, chain_omega_3_dot, chain_omega_4_dot,
         chain_omega_5_dot, chain_omega_6_dot, chain_omega_7_dot, chain_omega_8_dot,
-        chain_omega_9_dot, chain_omega_10_dot] = factored.solve([t207, t228, t249, t271, t294,
-        t318, t343, t369, t396, t415]);
+        chain_omega_9_dot, chain_omega_10_dot] = factored.solve([t206, t227, t248, t270, t293,
+        t317, t342, t368, t395, t414]);
     let mut rates = [chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
         chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10,
         chain_omega_1_dot, chain_omega_2_dot, chain_omega_3_dot, chain_omega_4_dot,
@@ -4212,54 +4211,54 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
             * sums_7[0]);
         let cos_chain_theta_10_k = -chain_theta_10_k.mul_add(sin_chain_theta_10, inverse
             * sums_7[1]);
-        let t172_k = (chain_omega_2 + chain_omega_2).mul_add(chain_omega_2_k, sums[0]);
-        let t173_k = t172_k * R::literal(9.0);
-        let t174_k = t173.mul_add(t1_k, t1.mul_add(t173_k, sums_30[0]));
-        let t175_k = (chain_omega_3 + chain_omega_3).mul_add(chain_omega_3_k, sums[1]);
-        let t176_k = t175_k * R::literal(8.0);
-        let t177_k = t176.mul_add(t5_k, t5.mul_add(t176_k, sums_30[1]));
-        let t178_k = (chain_omega_4 + chain_omega_4).mul_add(chain_omega_4_k, sums[2]);
-        let t179_k = t178_k * R::literal(7.0);
-        let t180_k = t179.mul_add(t9_k, t9.mul_add(t179_k, sums_30[2]));
-        let t181_k = (chain_omega_5 + chain_omega_5).mul_add(chain_omega_5_k, sums[3]);
-        let t182_k = t181_k * R::literal(6.0);
-        let t183_k = t182.mul_add(t13_k, t13.mul_add(t182_k, sums_30[3]));
-        let t184_k = (chain_omega_6 + chain_omega_6).mul_add(chain_omega_6_k, sums_1[0]);
-        let t185_k = t184_k * R::literal(5.0);
-        let t186_k = t185.mul_add(t17_k, t17.mul_add(t185_k, sums_31[0]));
-        let t187_k = (chain_omega_7 + chain_omega_7).mul_add(chain_omega_7_k, sums_1[1]);
-        let t188_k = t187_k * R::literal(4.0);
-        let t189_k = t188.mul_add(t21_k, t21.mul_add(t188_k, sums_31[1]));
-        let t190_k = (chain_omega_8 + chain_omega_8).mul_add(chain_omega_8_k, sums_1[2]);
-        let t191_k = t190_k * R::literal(3.0);
-        let t192_k = t191.mul_add(t25_k, t25.mul_add(t191_k, sums_31[2]));
-        let t193_k = (chain_omega_9 + chain_omega_9).mul_add(chain_omega_9_k, sums_1[3]);
-        let t194_k = t193_k * R::literal(2.0);
-        let t195_k = t194.mul_add(t29_k, t29.mul_add(t194_k, sums_31[3]));
-        let t196_k = (chain_omega_10 + chain_omega_10).mul_add(chain_omega_10_k, sums_2[0]);
-        let t197_k = t196.mul_add(t33_k, t33.mul_add(t196_k, sums_32[0]));
-        let t198_k = sin_chain_theta_1_k.mul_add(R::literal(98.1), t174_k);
-        let t199_k = t198_k + t177_k;
-        let t200_k = t199_k + t180_k;
-        let t201_k = t200_k + t183_k;
-        let t202_k = t201_k + t186_k;
-        let t203_k = t202_k + t189_k;
-        let t204_k = t203_k + t192_k;
-        let t205_k = t204_k + t195_k;
-        let t206_k = t205_k + t197_k;
-        let t207_k = -t206_k;
-        let t209_k = t176.mul_add(t36_k, t36.mul_add(t176_k, sums_32[1]));
-        let t210_k = t179.mul_add(t40_k, t40.mul_add(t179_k, sums_32[2]));
-        let t211_k = t182.mul_add(t44_k, t44.mul_add(t182_k, sums_32[3]));
-        let t212_k = t185.mul_add(t48_k, t48.mul_add(t185_k, sums_33[0]));
-        let t213_k = t188.mul_add(t52_k, t52.mul_add(t188_k, sums_33[1]));
-        let t214_k = t191.mul_add(t56_k, t56.mul_add(t191_k, sums_33[2]));
-        let t215_k = t194.mul_add(t60_k, t60.mul_add(t194_k, sums_33[3]));
-        let t216_k = t196.mul_add(t64_k, t64.mul_add(t196_k, sums_34[0]));
-        let t217_k = (chain_omega_1 + chain_omega_1).mul_add(chain_omega_1_k, sums_2[1]);
-        let t218_k = t217_k * R::literal(9.0);
-        let t219_k = t218.mul_add(t1_k, t1.mul_add(t218_k, sums_34[1]));
-        let t220_k = (-sin_chain_theta_2_k).mul_add(R::literal(88.29), t219_k);
+        let t171_k = (chain_omega_2 + chain_omega_2).mul_add(chain_omega_2_k, sums[0]);
+        let t172_k = t171_k * R::literal(9.0);
+        let t173_k = t172.mul_add(t1_k, t1.mul_add(t172_k, sums_30[0]));
+        let t174_k = (chain_omega_3 + chain_omega_3).mul_add(chain_omega_3_k, sums[1]);
+        let t175_k = t174_k * R::literal(8.0);
+        let t176_k = t175.mul_add(t5_k, t5.mul_add(t175_k, sums_30[1]));
+        let t177_k = (chain_omega_4 + chain_omega_4).mul_add(chain_omega_4_k, sums[2]);
+        let t178_k = t177_k * R::literal(7.0);
+        let t179_k = t178.mul_add(t9_k, t9.mul_add(t178_k, sums_30[2]));
+        let t180_k = (chain_omega_5 + chain_omega_5).mul_add(chain_omega_5_k, sums[3]);
+        let t181_k = t180_k * R::literal(6.0);
+        let t182_k = t181.mul_add(t13_k, t13.mul_add(t181_k, sums_30[3]));
+        let t183_k = (chain_omega_6 + chain_omega_6).mul_add(chain_omega_6_k, sums_1[0]);
+        let t184_k = t183_k * R::literal(5.0);
+        let t185_k = t184.mul_add(t17_k, t17.mul_add(t184_k, sums_31[0]));
+        let t186_k = (chain_omega_7 + chain_omega_7).mul_add(chain_omega_7_k, sums_1[1]);
+        let t187_k = t186_k * R::literal(4.0);
+        let t188_k = t187.mul_add(t21_k, t21.mul_add(t187_k, sums_31[1]));
+        let t189_k = (chain_omega_8 + chain_omega_8).mul_add(chain_omega_8_k, sums_1[2]);
+        let t190_k = t189_k * R::literal(3.0);
+        let t191_k = t190.mul_add(t25_k, t25.mul_add(t190_k, sums_31[2]));
+        let t192_k = (chain_omega_9 + chain_omega_9).mul_add(chain_omega_9_k, sums_1[3]);
+        let t193_k = t192_k * R::literal(2.0);
+        let t194_k = t193.mul_add(t29_k, t29.mul_add(t193_k, sums_31[3]));
+        let t195_k = (chain_omega_10 + chain_omega_10).mul_add(chain_omega_10_k, sums_2[0]);
+        let t196_k = t195.mul_add(t33_k, t33.mul_add(t195_k, sums_32[0]));
+        let t198_k = sin_chain_theta_1_k.mul_add(R::literal(-98.1), -t173_k);
+        let t199_k = t198_k - t176_k;
+        let t200_k = t199_k - t179_k;
+        let t201_k = t200_k - t182_k;
+        let t202_k = t201_k - t185_k;
+        let t203_k = t202_k - t188_k;
+        let t204_k = t203_k - t191_k;
+        let t205_k = t204_k - t194_k;
+        let t206_k = t205_k - t196_k;
+        let t208_k = t175.mul_add(t36_k, t36.mul_add(t175_k, sums_32[1]));
+        let t209_k = t178.mul_add(t40_k, t40.mul_add(t178_k, sums_32[2]));
+        let t210_k = t181.mul_add(t44_k, t44.mul_add(t181_k, sums_32[3]));
+        let t211_k = t184.mul_add(t48_k, t48.mul_add(t184_k, sums_33[0]));
+        let t212_k = t187.mul_add(t52_k, t52.mul_add(t187_k, sums_33[1]));
+        let t213_k = t190.mul_add(t56_k, t56.mul_add(t190_k, sums_33[2]));
+        let t214_k = t193.mul_add(t60_k, t60.mul_add(t193_k, sums_33[3]));
+        let t215_k = t195.mul_add(t64_k, t64.mul_add(t195_k, sums_34[0]));
+        let t216_k = (chain_omega_1 + chain_omega_1).mul_add(chain_omega_1_k, sums_2[1]);
+        let t217_k = t216_k * R::literal(9.0);
+        let t218_k = t217.mul_add(t1_k, t1.mul_add(t217_k, sums_34[1]));
+        let t219_k = (-sin_chain_theta_2_k).mul_add(R::literal(88.29), t218_k);
+        let t220_k = t219_k - t208_k;
         let t221_k = t220_k - t209_k;
         let t222_k = t221_k - t210_k;
         let t223_k = t222_k - t211_k;
@@ -4267,370 +4266,369 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
         let t225_k = t224_k - t213_k;
         let t226_k = t225_k - t214_k;
         let t227_k = t226_k - t215_k;
-        let t228_k = t227_k - t216_k;
-        let t230_k = t179.mul_add(t67_k, t67.mul_add(t179_k, sums_34[2]));
-        let t231_k = t182.mul_add(t71_k, t71.mul_add(t182_k, sums_34[3]));
-        let t232_k = t185.mul_add(t75_k, t75.mul_add(t185_k, sums_35[0]));
-        let t233_k = t188.mul_add(t79_k, t79.mul_add(t188_k, sums_35[1]));
-        let t234_k = t191.mul_add(t83_k, t83.mul_add(t191_k, sums_35[2]));
-        let t235_k = t194.mul_add(t87_k, t87.mul_add(t194_k, sums_35[3]));
-        let t236_k = t196.mul_add(t91_k, t91.mul_add(t196_k, sums_36[0]));
-        let t237_k = t217_k * R::literal(8.0);
-        let t238_k = t237.mul_add(t5_k, t5.mul_add(t237_k, sums_36[1]));
-        let t239_k = t172_k * R::literal(8.0);
-        let t240_k = t239.mul_add(t36_k, t36.mul_add(t239_k, sums_36[2]));
-        let t241_k = t238_k + t240_k;
-        let t242_k = (-sin_chain_theta_3_k).mul_add(R::literal(78.48), t241_k);
+        let t229_k = t178.mul_add(t67_k, t67.mul_add(t178_k, sums_34[2]));
+        let t230_k = t181.mul_add(t71_k, t71.mul_add(t181_k, sums_34[3]));
+        let t231_k = t184.mul_add(t75_k, t75.mul_add(t184_k, sums_35[0]));
+        let t232_k = t187.mul_add(t79_k, t79.mul_add(t187_k, sums_35[1]));
+        let t233_k = t190.mul_add(t83_k, t83.mul_add(t190_k, sums_35[2]));
+        let t234_k = t193.mul_add(t87_k, t87.mul_add(t193_k, sums_35[3]));
+        let t235_k = t195.mul_add(t91_k, t91.mul_add(t195_k, sums_36[0]));
+        let t236_k = t216_k * R::literal(8.0);
+        let t237_k = t236.mul_add(t5_k, t5.mul_add(t236_k, sums_36[1]));
+        let t238_k = t171_k * R::literal(8.0);
+        let t239_k = t238.mul_add(t36_k, t36.mul_add(t238_k, sums_36[2]));
+        let t240_k = t237_k + t239_k;
+        let t241_k = (-sin_chain_theta_3_k).mul_add(R::literal(78.48), t240_k);
+        let t242_k = t241_k - t229_k;
         let t243_k = t242_k - t230_k;
         let t244_k = t243_k - t231_k;
         let t245_k = t244_k - t232_k;
         let t246_k = t245_k - t233_k;
         let t247_k = t246_k - t234_k;
         let t248_k = t247_k - t235_k;
-        let t249_k = t248_k - t236_k;
-        let t251_k = t182.mul_add(t94_k, t94.mul_add(t182_k, sums_36[3]));
-        let t252_k = t185.mul_add(t98_k, t98.mul_add(t185_k, sums_37[0]));
-        let t253_k = t188.mul_add(t102_k, t102.mul_add(t188_k, sums_37[1]));
-        let t254_k = t191.mul_add(t106_k, t106.mul_add(t191_k, sums_37[2]));
-        let t255_k = t194.mul_add(t110_k, t110.mul_add(t194_k, sums_37[3]));
-        let t256_k = t196.mul_add(t114_k, t114.mul_add(t196_k, sums_38[0]));
-        let t257_k = t217_k * R::literal(7.0);
-        let t258_k = t257.mul_add(t9_k, t9.mul_add(t257_k, sums_38[1]));
-        let t259_k = t172_k * R::literal(7.0);
-        let t260_k = t259.mul_add(t40_k, t40.mul_add(t259_k, sums_38[2]));
-        let t261_k = t175_k * R::literal(7.0);
-        let t262_k = t261.mul_add(t67_k, t67.mul_add(t261_k, sums_38[3]));
-        let t263_k = t258_k + t260_k;
-        let t264_k = t263_k + t262_k;
-        let t265_k = (-sin_chain_theta_4_k).mul_add(R::literal(68.67), t264_k);
+        let t250_k = t181.mul_add(t94_k, t94.mul_add(t181_k, sums_36[3]));
+        let t251_k = t184.mul_add(t98_k, t98.mul_add(t184_k, sums_37[0]));
+        let t252_k = t187.mul_add(t102_k, t102.mul_add(t187_k, sums_37[1]));
+        let t253_k = t190.mul_add(t106_k, t106.mul_add(t190_k, sums_37[2]));
+        let t254_k = t193.mul_add(t110_k, t110.mul_add(t193_k, sums_37[3]));
+        let t255_k = t195.mul_add(t114_k, t114.mul_add(t195_k, sums_38[0]));
+        let t256_k = t216_k * R::literal(7.0);
+        let t257_k = t256.mul_add(t9_k, t9.mul_add(t256_k, sums_38[1]));
+        let t258_k = t171_k * R::literal(7.0);
+        let t259_k = t258.mul_add(t40_k, t40.mul_add(t258_k, sums_38[2]));
+        let t260_k = t174_k * R::literal(7.0);
+        let t261_k = t260.mul_add(t67_k, t67.mul_add(t260_k, sums_38[3]));
+        let t262_k = t257_k + t259_k;
+        let t263_k = t262_k + t261_k;
+        let t264_k = (-sin_chain_theta_4_k).mul_add(R::literal(68.67), t263_k);
+        let t265_k = t264_k - t250_k;
         let t266_k = t265_k - t251_k;
         let t267_k = t266_k - t252_k;
         let t268_k = t267_k - t253_k;
         let t269_k = t268_k - t254_k;
         let t270_k = t269_k - t255_k;
-        let t271_k = t270_k - t256_k;
-        let t273_k = t185.mul_add(t117_k, t117.mul_add(t185_k, sums_39[0]));
-        let t274_k = t188.mul_add(t121_k, t121.mul_add(t188_k, sums_39[1]));
-        let t275_k = t191.mul_add(t125_k, t125.mul_add(t191_k, sums_39[2]));
-        let t276_k = t194.mul_add(t129_k, t129.mul_add(t194_k, sums_39[3]));
-        let t277_k = t196.mul_add(t133_k, t133.mul_add(t196_k, sums_40[0]));
-        let t278_k = t217_k * R::literal(6.0);
-        let t279_k = t278.mul_add(t13_k, t13.mul_add(t278_k, sums_40[1]));
-        let t280_k = t172_k * R::literal(6.0);
-        let t281_k = t280.mul_add(t44_k, t44.mul_add(t280_k, sums_40[2]));
-        let t282_k = t175_k * R::literal(6.0);
-        let t283_k = t282.mul_add(t71_k, t71.mul_add(t282_k, sums_40[3]));
-        let t284_k = t178_k * R::literal(6.0);
-        let t285_k = t284.mul_add(t94_k, t94.mul_add(t284_k, sums_41[0]));
-        let t286_k = t279_k + t281_k;
-        let t287_k = t286_k + t283_k;
-        let t288_k = t287_k + t285_k;
-        let t289_k = (-sin_chain_theta_5_k).mul_add(R::literal(58.86), t288_k);
+        let t272_k = t184.mul_add(t117_k, t117.mul_add(t184_k, sums_39[0]));
+        let t273_k = t187.mul_add(t121_k, t121.mul_add(t187_k, sums_39[1]));
+        let t274_k = t190.mul_add(t125_k, t125.mul_add(t190_k, sums_39[2]));
+        let t275_k = t193.mul_add(t129_k, t129.mul_add(t193_k, sums_39[3]));
+        let t276_k = t195.mul_add(t133_k, t133.mul_add(t195_k, sums_40[0]));
+        let t277_k = t216_k * R::literal(6.0);
+        let t278_k = t277.mul_add(t13_k, t13.mul_add(t277_k, sums_40[1]));
+        let t279_k = t171_k * R::literal(6.0);
+        let t280_k = t279.mul_add(t44_k, t44.mul_add(t279_k, sums_40[2]));
+        let t281_k = t174_k * R::literal(6.0);
+        let t282_k = t281.mul_add(t71_k, t71.mul_add(t281_k, sums_40[3]));
+        let t283_k = t177_k * R::literal(6.0);
+        let t284_k = t283.mul_add(t94_k, t94.mul_add(t283_k, sums_41[0]));
+        let t285_k = t278_k + t280_k;
+        let t286_k = t285_k + t282_k;
+        let t287_k = t286_k + t284_k;
+        let t288_k = (-sin_chain_theta_5_k).mul_add(R::literal(58.86), t287_k);
+        let t289_k = t288_k - t272_k;
         let t290_k = t289_k - t273_k;
         let t291_k = t290_k - t274_k;
         let t292_k = t291_k - t275_k;
         let t293_k = t292_k - t276_k;
-        let t294_k = t293_k - t277_k;
-        let t296_k = t188.mul_add(t136_k, t136.mul_add(t188_k, sums_41[1]));
-        let t297_k = t191.mul_add(t140_k, t140.mul_add(t191_k, sums_41[2]));
-        let t298_k = t194.mul_add(t144_k, t144.mul_add(t194_k, sums_41[3]));
-        let t299_k = t196.mul_add(t148_k, t148.mul_add(t196_k, sums_42[0]));
-        let t300_k = t217_k * R::literal(5.0);
-        let t301_k = t300.mul_add(t17_k, t17.mul_add(t300_k, sums_42[1]));
-        let t302_k = t172_k * R::literal(5.0);
-        let t303_k = t302.mul_add(t48_k, t48.mul_add(t302_k, sums_42[2]));
-        let t304_k = t175_k * R::literal(5.0);
-        let t305_k = t304.mul_add(t75_k, t75.mul_add(t304_k, sums_42[3]));
-        let t306_k = t178_k * R::literal(5.0);
-        let t307_k = t306.mul_add(t98_k, t98.mul_add(t306_k, sums_43[0]));
-        let t308_k = t181_k * R::literal(5.0);
-        let t309_k = t308.mul_add(t117_k, t117.mul_add(t308_k, sums_43[1]));
-        let t310_k = t301_k + t303_k;
-        let t311_k = t310_k + t305_k;
-        let t312_k = t311_k + t307_k;
-        let t313_k = t312_k + t309_k;
-        let t314_k = (-sin_chain_theta_6_k).mul_add(R::literal(49.05), t313_k);
+        let t295_k = t187.mul_add(t136_k, t136.mul_add(t187_k, sums_41[1]));
+        let t296_k = t190.mul_add(t140_k, t140.mul_add(t190_k, sums_41[2]));
+        let t297_k = t193.mul_add(t144_k, t144.mul_add(t193_k, sums_41[3]));
+        let t298_k = t195.mul_add(t148_k, t148.mul_add(t195_k, sums_42[0]));
+        let t299_k = t216_k * R::literal(5.0);
+        let t300_k = t299.mul_add(t17_k, t17.mul_add(t299_k, sums_42[1]));
+        let t301_k = t171_k * R::literal(5.0);
+        let t302_k = t301.mul_add(t48_k, t48.mul_add(t301_k, sums_42[2]));
+        let t303_k = t174_k * R::literal(5.0);
+        let t304_k = t303.mul_add(t75_k, t75.mul_add(t303_k, sums_42[3]));
+        let t305_k = t177_k * R::literal(5.0);
+        let t306_k = t305.mul_add(t98_k, t98.mul_add(t305_k, sums_43[0]));
+        let t307_k = t180_k * R::literal(5.0);
+        let t308_k = t307.mul_add(t117_k, t117.mul_add(t307_k, sums_43[1]));
+        let t309_k = t300_k + t302_k;
+        let t310_k = t309_k + t304_k;
+        let t311_k = t310_k + t306_k;
+        let t312_k = t311_k + t308_k;
+        let t313_k = (-sin_chain_theta_6_k).mul_add(R::literal(49.05), t312_k);
+        let t314_k = t313_k - t295_k;
         let t315_k = t314_k - t296_k;
         let t316_k = t315_k - t297_k;
         let t317_k = t316_k - t298_k;
-        let t318_k = t317_k - t299_k;
-        let t320_k = t191.mul_add(t151_k, t151.mul_add(t191_k, sums_43[2]));
-        let t321_k = t194.mul_add(t155_k, t155.mul_add(t194_k, sums_43[3]));
-        let t322_k = t196.mul_add(t159_k, t159.mul_add(t196_k, sums_44[0]));
-        let t323_k = t217_k * R::literal(4.0);
-        let t324_k = t323.mul_add(t21_k, t21.mul_add(t323_k, sums_44[1]));
-        let t325_k = t172_k * R::literal(4.0);
-        let t326_k = t325.mul_add(t52_k, t52.mul_add(t325_k, sums_44[2]));
-        let t327_k = t175_k * R::literal(4.0);
-        let t328_k = t327.mul_add(t79_k, t79.mul_add(t327_k, sums_44[3]));
-        let t329_k = t178_k * R::literal(4.0);
-        let t330_k = t329.mul_add(t102_k, t102.mul_add(t329_k, sums_45[0]));
-        let t331_k = t181_k * R::literal(4.0);
-        let t332_k = t331.mul_add(t121_k, t121.mul_add(t331_k, sums_45[1]));
-        let t333_k = t184_k * R::literal(4.0);
-        let t334_k = t333.mul_add(t136_k, t136.mul_add(t333_k, sums_45[2]));
-        let t335_k = t324_k + t326_k;
-        let t336_k = t335_k + t328_k;
-        let t337_k = t336_k + t330_k;
-        let t338_k = t337_k + t332_k;
-        let t339_k = t338_k + t334_k;
-        let t340_k = (-sin_chain_theta_7_k).mul_add(R::literal(39.24), t339_k);
+        let t319_k = t190.mul_add(t151_k, t151.mul_add(t190_k, sums_43[2]));
+        let t320_k = t193.mul_add(t155_k, t155.mul_add(t193_k, sums_43[3]));
+        let t321_k = t195.mul_add(t159_k, t159.mul_add(t195_k, sums_44[0]));
+        let t322_k = t216_k * R::literal(4.0);
+        let t323_k = t322.mul_add(t21_k, t21.mul_add(t322_k, sums_44[1]));
+        let t324_k = t171_k * R::literal(4.0);
+        let t325_k = t324.mul_add(t52_k, t52.mul_add(t324_k, sums_44[2]));
+        let t326_k = t174_k * R::literal(4.0);
+        let t327_k = t326.mul_add(t79_k, t79.mul_add(t326_k, sums_44[3]));
+        let t328_k = t177_k * R::literal(4.0);
+        let t329_k = t328.mul_add(t102_k, t102.mul_add(t328_k, sums_45[0]));
+        let t330_k = t180_k * R::literal(4.0);
+        let t331_k = t330.mul_add(t121_k, t121.mul_add(t330_k, sums_45[1]));
+        let t332_k = t183_k * R::literal(4.0);
+        let t333_k = t332.mul_add(t136_k, t136.mul_add(t332_k, sums_45[2]));
+        let t334_k = t323_k + t325_k;
+        let t335_k = t334_k + t327_k;
+        let t336_k = t335_k + t329_k;
+        let t337_k = t336_k + t331_k;
+        let t338_k = t337_k + t333_k;
+        let t339_k = (-sin_chain_theta_7_k).mul_add(R::literal(39.24), t338_k);
+        let t340_k = t339_k - t319_k;
         let t341_k = t340_k - t320_k;
         let t342_k = t341_k - t321_k;
-        let t343_k = t342_k - t322_k;
-        let t345_k = t194.mul_add(t162_k, t162.mul_add(t194_k, sums_45[3]));
-        let t346_k = t196.mul_add(t166_k, t166.mul_add(t196_k, sums_46[0]));
-        let t347_k = t217_k * R::literal(3.0);
-        let t348_k = t347.mul_add(t25_k, t25.mul_add(t347_k, sums_46[1]));
-        let t349_k = t172_k * R::literal(3.0);
-        let t350_k = t349.mul_add(t56_k, t56.mul_add(t349_k, sums_46[2]));
-        let t351_k = t175_k * R::literal(3.0);
-        let t352_k = t351.mul_add(t83_k, t83.mul_add(t351_k, sums_46[3]));
-        let t353_k = t178_k * R::literal(3.0);
-        let t354_k = t353.mul_add(t106_k, t106.mul_add(t353_k, sums_47[0]));
-        let t355_k = t181_k * R::literal(3.0);
-        let t356_k = t355.mul_add(t125_k, t125.mul_add(t355_k, sums_47[1]));
-        let t357_k = t184_k * R::literal(3.0);
-        let t358_k = t357.mul_add(t140_k, t140.mul_add(t357_k, sums_47[2]));
-        let t359_k = t187_k * R::literal(3.0);
-        let t360_k = t359.mul_add(t151_k, t151.mul_add(t359_k, sums_47[3]));
-        let t361_k = t348_k + t350_k;
-        let t362_k = t361_k + t352_k;
-        let t363_k = t362_k + t354_k;
-        let t364_k = t363_k + t356_k;
-        let t365_k = t364_k + t358_k;
-        let t366_k = t365_k + t360_k;
-        let t367_k = (-sin_chain_theta_8_k).mul_add(R::literal(29.43), t366_k);
+        let t344_k = t193.mul_add(t162_k, t162.mul_add(t193_k, sums_45[3]));
+        let t345_k = t195.mul_add(t166_k, t166.mul_add(t195_k, sums_46[0]));
+        let t346_k = t216_k * R::literal(3.0);
+        let t347_k = t346.mul_add(t25_k, t25.mul_add(t346_k, sums_46[1]));
+        let t348_k = t171_k * R::literal(3.0);
+        let t349_k = t348.mul_add(t56_k, t56.mul_add(t348_k, sums_46[2]));
+        let t350_k = t174_k * R::literal(3.0);
+        let t351_k = t350.mul_add(t83_k, t83.mul_add(t350_k, sums_46[3]));
+        let t352_k = t177_k * R::literal(3.0);
+        let t353_k = t352.mul_add(t106_k, t106.mul_add(t352_k, sums_47[0]));
+        let t354_k = t180_k * R::literal(3.0);
+        let t355_k = t354.mul_add(t125_k, t125.mul_add(t354_k, sums_47[1]));
+        let t356_k = t183_k * R::literal(3.0);
+        let t357_k = t356.mul_add(t140_k, t140.mul_add(t356_k, sums_47[2]));
+        let t358_k = t186_k * R::literal(3.0);
+        let t359_k = t358.mul_add(t151_k, t151.mul_add(t358_k, sums_47[3]));
+        let t360_k = t347_k + t349_k;
+        let t361_k = t360_k + t351_k;
+        let t362_k = t361_k + t353_k;
+        let t363_k = t362_k + t355_k;
+        let t364_k = t363_k + t357_k;
+        let t365_k = t364_k + t359_k;
+        let t366_k = (-sin_chain_theta_8_k).mul_add(R::literal(29.43), t365_k);
+        let t367_k = t366_k - t344_k;
         let t368_k = t367_k - t345_k;
-        let t369_k = t368_k - t346_k;
-        let t371_k = t196.mul_add(t169_k, t169.mul_add(t196_k, sums_48[0]));
-        let t372_k = t217_k * R::literal(2.0);
-        let t373_k = t372.mul_add(t29_k, t29.mul_add(t372_k, sums_48[1]));
-        let t374_k = t172_k * R::literal(2.0);
-        let t375_k = t374.mul_add(t60_k, t60.mul_add(t374_k, sums_48[2]));
-        let t376_k = t175_k * R::literal(2.0);
-        let t377_k = t376.mul_add(t87_k, t87.mul_add(t376_k, sums_48[3]));
-        let t378_k = t178_k * R::literal(2.0);
-        let t379_k = t378.mul_add(t110_k, t110.mul_add(t378_k, sums_49[0]));
-        let t380_k = t181_k * R::literal(2.0);
-        let t381_k = t380.mul_add(t129_k, t129.mul_add(t380_k, sums_49[1]));
-        let t382_k = t184_k * R::literal(2.0);
-        let t383_k = t382.mul_add(t144_k, t144.mul_add(t382_k, sums_49[2]));
-        let t384_k = t187_k * R::literal(2.0);
-        let t385_k = t384.mul_add(t155_k, t155.mul_add(t384_k, sums_49[3]));
-        let t386_k = t190_k * R::literal(2.0);
-        let t387_k = t386.mul_add(t162_k, t162.mul_add(t386_k, sums_50[0]));
-        let t388_k = t373_k + t375_k;
-        let t389_k = t388_k + t377_k;
-        let t390_k = t389_k + t379_k;
-        let t391_k = t390_k + t381_k;
-        let t392_k = t391_k + t383_k;
-        let t393_k = t392_k + t385_k;
-        let t394_k = t393_k + t387_k;
-        let t395_k = (-sin_chain_theta_9_k).mul_add(R::literal(19.62), t394_k);
-        let t396_k = t395_k - t371_k;
-        let t398_k = t217.mul_add(t33_k, t33.mul_add(t217_k, sums_50[1]));
-        let t399_k = t172.mul_add(t64_k, t64.mul_add(t172_k, sums_50[2]));
-        let t400_k = t175.mul_add(t91_k, t91.mul_add(t175_k, sums_50[3]));
-        let t401_k = t178.mul_add(t114_k, t114.mul_add(t178_k, sums_51[0]));
-        let t402_k = t181.mul_add(t133_k, t133.mul_add(t181_k, sums_51[1]));
-        let t403_k = t184.mul_add(t148_k, t148.mul_add(t184_k, sums_51[2]));
-        let t404_k = t187.mul_add(t159_k, t159.mul_add(t187_k, sums_51[3]));
-        let t405_k = t190.mul_add(t166_k, t166.mul_add(t190_k, sums_52[0]));
-        let t406_k = t193.mul_add(t169_k, t169.mul_add(t193_k, sums_52[1]));
-        let t407_k = t398_k + t399_k;
+        let t370_k = t195.mul_add(t169_k, t169.mul_add(t195_k, sums_48[0]));
+        let t371_k = t216_k * R::literal(2.0);
+        let t372_k = t371.mul_add(t29_k, t29.mul_add(t371_k, sums_48[1]));
+        let t373_k = t171_k * R::literal(2.0);
+        let t374_k = t373.mul_add(t60_k, t60.mul_add(t373_k, sums_48[2]));
+        let t375_k = t174_k * R::literal(2.0);
+        let t376_k = t375.mul_add(t87_k, t87.mul_add(t375_k, sums_48[3]));
+        let t377_k = t177_k * R::literal(2.0);
+        let t378_k = t377.mul_add(t110_k, t110.mul_add(t377_k, sums_49[0]));
+        let t379_k = t180_k * R::literal(2.0);
+        let t380_k = t379.mul_add(t129_k, t129.mul_add(t379_k, sums_49[1]));
+        let t381_k = t183_k * R::literal(2.0);
+        let t382_k = t381.mul_add(t144_k, t144.mul_add(t381_k, sums_49[2]));
+        let t383_k = t186_k * R::literal(2.0);
+        let t384_k = t383.mul_add(t155_k, t155.mul_add(t383_k, sums_49[3]));
+        let t385_k = t189_k * R::literal(2.0);
+        let t386_k = t385.mul_add(t162_k, t162.mul_add(t385_k, sums_50[0]));
+        let t387_k = t372_k + t374_k;
+        let t388_k = t387_k + t376_k;
+        let t389_k = t388_k + t378_k;
+        let t390_k = t389_k + t380_k;
+        let t391_k = t390_k + t382_k;
+        let t392_k = t391_k + t384_k;
+        let t393_k = t392_k + t386_k;
+        let t394_k = (-sin_chain_theta_9_k).mul_add(R::literal(19.62), t393_k);
+        let t395_k = t394_k - t370_k;
+        let t397_k = t216.mul_add(t33_k, t33.mul_add(t216_k, sums_50[1]));
+        let t398_k = t171.mul_add(t64_k, t64.mul_add(t171_k, sums_50[2]));
+        let t399_k = t174.mul_add(t91_k, t91.mul_add(t174_k, sums_50[3]));
+        let t400_k = t177.mul_add(t114_k, t114.mul_add(t177_k, sums_51[0]));
+        let t401_k = t180.mul_add(t133_k, t133.mul_add(t180_k, sums_51[1]));
+        let t402_k = t183.mul_add(t148_k, t148.mul_add(t183_k, sums_51[2]));
+        let t403_k = t186.mul_add(t159_k, t159.mul_add(t186_k, sums_51[3]));
+        let t404_k = t189.mul_add(t166_k, t166.mul_add(t189_k, sums_52[0]));
+        let t405_k = t192.mul_add(t169_k, t169.mul_add(t192_k, sums_52[1]));
+        let t406_k = t397_k + t398_k;
+        let t407_k = t406_k + t399_k;
         let t408_k = t407_k + t400_k;
         let t409_k = t408_k + t401_k;
         let t410_k = t409_k + t402_k;
         let t411_k = t410_k + t403_k;
         let t412_k = t411_k + t404_k;
         let t413_k = t412_k + t405_k;
-        let t414_k = t413_k + t406_k;
-        let t415_k = (-sin_chain_theta_10_k).mul_add(R::literal(9.81), t414_k);
-        let n486_k = t3_k.mul_add(chain_omega_2_dot, sums_52[2]);
-        let n487_k = t7_k.mul_add(chain_omega_3_dot, sums_52[3]);
-        let n488_k = t11_k.mul_add(chain_omega_4_dot, sums_53[0]);
-        let n489_k = t15_k.mul_add(chain_omega_5_dot, sums_53[1]);
-        let n490_k = t19_k.mul_add(chain_omega_6_dot, sums_53[2]);
-        let n491_k = t23_k.mul_add(chain_omega_7_dot, sums_53[3]);
-        let n492_k = t27_k.mul_add(chain_omega_8_dot, sums_54[0]);
-        let n493_k = t31_k.mul_add(chain_omega_9_dot, sums_54[1]);
-        let n494_k = t34_k.mul_add(chain_omega_10_dot, sums_54[2]);
-        let n495_k = t3_k.mul_add(chain_omega_1_dot, sums_54[3]);
-        let n496_k = t38_k.mul_add(chain_omega_3_dot, sums_55[0]);
-        let n497_k = t42_k.mul_add(chain_omega_4_dot, sums_55[1]);
-        let n498_k = t46_k.mul_add(chain_omega_5_dot, sums_55[2]);
-        let n499_k = t50_k.mul_add(chain_omega_6_dot, sums_55[3]);
-        let n500_k = t54_k.mul_add(chain_omega_7_dot, sums_56[0]);
-        let n501_k = t58_k.mul_add(chain_omega_8_dot, sums_56[1]);
-        let n502_k = t62_k.mul_add(chain_omega_9_dot, sums_56[2]);
-        let n503_k = t65_k.mul_add(chain_omega_10_dot, sums_56[3]);
-        let n504_k = t7_k.mul_add(chain_omega_1_dot, sums_57[0]);
-        let n505_k = t38_k.mul_add(chain_omega_2_dot, sums_57[1]);
-        let n506_k = t69_k.mul_add(chain_omega_4_dot, sums_57[2]);
-        let n507_k = t73_k.mul_add(chain_omega_5_dot, sums_57[3]);
-        let n508_k = t77_k.mul_add(chain_omega_6_dot, sums_58[0]);
-        let n509_k = t81_k.mul_add(chain_omega_7_dot, sums_58[1]);
-        let n510_k = t85_k.mul_add(chain_omega_8_dot, sums_58[2]);
-        let n511_k = t89_k.mul_add(chain_omega_9_dot, sums_58[3]);
-        let n512_k = t92_k.mul_add(chain_omega_10_dot, sums_59[0]);
-        let n513_k = t11_k.mul_add(chain_omega_1_dot, sums_59[1]);
-        let n514_k = t42_k.mul_add(chain_omega_2_dot, sums_59[2]);
-        let n515_k = t69_k.mul_add(chain_omega_3_dot, sums_59[3]);
-        let n516_k = t96_k.mul_add(chain_omega_5_dot, sums_60[0]);
-        let n517_k = t100_k.mul_add(chain_omega_6_dot, sums_60[1]);
-        let n518_k = t104_k.mul_add(chain_omega_7_dot, sums_60[2]);
-        let n519_k = t108_k.mul_add(chain_omega_8_dot, sums_60[3]);
-        let n520_k = t112_k.mul_add(chain_omega_9_dot, sums_61[0]);
-        let n521_k = t115_k.mul_add(chain_omega_10_dot, sums_61[1]);
-        let n522_k = t15_k.mul_add(chain_omega_1_dot, sums_61[2]);
-        let n523_k = t46_k.mul_add(chain_omega_2_dot, sums_61[3]);
-        let n524_k = t73_k.mul_add(chain_omega_3_dot, sums_62[0]);
-        let n525_k = t96_k.mul_add(chain_omega_4_dot, sums_62[1]);
-        let n526_k = t119_k.mul_add(chain_omega_6_dot, sums_62[2]);
-        let n527_k = t123_k.mul_add(chain_omega_7_dot, sums_62[3]);
-        let n528_k = t127_k.mul_add(chain_omega_8_dot, sums_63[0]);
-        let n529_k = t131_k.mul_add(chain_omega_9_dot, sums_63[1]);
-        let n530_k = t134_k.mul_add(chain_omega_10_dot, sums_63[2]);
-        let n531_k = t19_k.mul_add(chain_omega_1_dot, sums_63[3]);
-        let n532_k = t50_k.mul_add(chain_omega_2_dot, sums_64[0]);
-        let n533_k = t77_k.mul_add(chain_omega_3_dot, sums_64[1]);
-        let n534_k = t100_k.mul_add(chain_omega_4_dot, sums_64[2]);
-        let n535_k = t119_k.mul_add(chain_omega_5_dot, sums_64[3]);
-        let n536_k = t138_k.mul_add(chain_omega_7_dot, sums_65[0]);
-        let n537_k = t142_k.mul_add(chain_omega_8_dot, sums_65[1]);
-        let n538_k = t146_k.mul_add(chain_omega_9_dot, sums_65[2]);
-        let n539_k = t149_k.mul_add(chain_omega_10_dot, sums_65[3]);
-        let n540_k = t23_k.mul_add(chain_omega_1_dot, sums_66[0]);
-        let n541_k = t54_k.mul_add(chain_omega_2_dot, sums_66[1]);
-        let n542_k = t81_k.mul_add(chain_omega_3_dot, sums_66[2]);
-        let n543_k = t104_k.mul_add(chain_omega_4_dot, sums_66[3]);
-        let n544_k = t123_k.mul_add(chain_omega_5_dot, sums_67[0]);
-        let n545_k = t138_k.mul_add(chain_omega_6_dot, sums_67[1]);
-        let n546_k = t153_k.mul_add(chain_omega_8_dot, sums_67[2]);
-        let n547_k = t157_k.mul_add(chain_omega_9_dot, sums_67[3]);
-        let n548_k = t160_k.mul_add(chain_omega_10_dot, sums_68[0]);
-        let n549_k = t27_k.mul_add(chain_omega_1_dot, sums_68[1]);
-        let n550_k = t58_k.mul_add(chain_omega_2_dot, sums_68[2]);
-        let n551_k = t85_k.mul_add(chain_omega_3_dot, sums_68[3]);
-        let n552_k = t108_k.mul_add(chain_omega_4_dot, sums_69[0]);
-        let n553_k = t127_k.mul_add(chain_omega_5_dot, sums_69[1]);
-        let n554_k = t142_k.mul_add(chain_omega_6_dot, sums_69[2]);
-        let n555_k = t153_k.mul_add(chain_omega_7_dot, sums_69[3]);
-        let n556_k = t164_k.mul_add(chain_omega_9_dot, sums_70[0]);
-        let n557_k = t167_k.mul_add(chain_omega_10_dot, sums_70[1]);
-        let n558_k = t31_k.mul_add(chain_omega_1_dot, sums_70[2]);
-        let n559_k = t62_k.mul_add(chain_omega_2_dot, sums_70[3]);
-        let n560_k = t89_k.mul_add(chain_omega_3_dot, sums_71[0]);
-        let n561_k = t112_k.mul_add(chain_omega_4_dot, sums_71[1]);
-        let n562_k = t131_k.mul_add(chain_omega_5_dot, sums_71[2]);
-        let n563_k = t146_k.mul_add(chain_omega_6_dot, sums_71[3]);
-        let n564_k = t157_k.mul_add(chain_omega_7_dot, sums_72[0]);
-        let n565_k = t164_k.mul_add(chain_omega_8_dot, sums_72[1]);
-        let n566_k = t170_k.mul_add(chain_omega_10_dot, sums_72[2]);
-        let n567_k = t34_k.mul_add(chain_omega_1_dot, sums_72[3]);
-        let n568_k = t65_k.mul_add(chain_omega_2_dot, sums_73[0]);
-        let n569_k = t92_k.mul_add(chain_omega_3_dot, sums_73[1]);
-        let n570_k = t115_k.mul_add(chain_omega_4_dot, sums_73[2]);
-        let n571_k = t134_k.mul_add(chain_omega_5_dot, sums_73[3]);
-        let n572_k = t149_k.mul_add(chain_omega_6_dot, sums_74[0]);
-        let n573_k = t160_k.mul_add(chain_omega_7_dot, sums_74[1]);
-        let n574_k = t167_k.mul_add(chain_omega_8_dot, sums_74[2]);
-        let n575_k = t170_k.mul_add(chain_omega_9_dot, sums_74[3]);
-        let n576_k = n486_k + n487_k;
-        let n577_k = n488_k + n489_k;
-        let n578_k = n576_k + n577_k;
-        let n579_k = n490_k + n491_k;
-        let n580_k = n493_k + n494_k;
-        let n581_k = n492_k + n580_k;
-        let n582_k = n579_k + n581_k;
-        let n583_k = n578_k + n582_k;
-        let t207_k_2 = t207_k - n583_k;
-        let n585_k = n495_k + n496_k;
-        let n586_k = n497_k + n498_k;
-        let n587_k = n585_k + n586_k;
-        let n588_k = n499_k + n500_k;
-        let n589_k = n502_k + n503_k;
-        let n590_k = n501_k + n589_k;
-        let n591_k = n588_k + n590_k;
-        let n592_k = n587_k + n591_k;
-        let t228_k_2 = t228_k - n592_k;
-        let n594_k = n504_k + n505_k;
-        let n595_k = n506_k + n507_k;
-        let n596_k = n594_k + n595_k;
-        let n597_k = n508_k + n509_k;
-        let n598_k = n511_k + n512_k;
-        let n599_k = n510_k + n598_k;
-        let n600_k = n597_k + n599_k;
-        let n601_k = n596_k + n600_k;
-        let t249_k_2 = t249_k - n601_k;
-        let n603_k = n513_k + n514_k;
-        let n604_k = n515_k + n516_k;
-        let n605_k = n603_k + n604_k;
-        let n606_k = n517_k + n518_k;
-        let n607_k = n520_k + n521_k;
-        let n608_k = n519_k + n607_k;
-        let n609_k = n606_k + n608_k;
-        let n610_k = n605_k + n609_k;
-        let t271_k_2 = t271_k - n610_k;
-        let n612_k = n522_k + n523_k;
-        let n613_k = n524_k + n525_k;
-        let n614_k = n612_k + n613_k;
-        let n615_k = n526_k + n527_k;
-        let n616_k = n529_k + n530_k;
-        let n617_k = n528_k + n616_k;
-        let n618_k = n615_k + n617_k;
-        let n619_k = n614_k + n618_k;
-        let t294_k_2 = t294_k - n619_k;
-        let n621_k = n531_k + n532_k;
-        let n622_k = n533_k + n534_k;
-        let n623_k = n621_k + n622_k;
-        let n624_k = n535_k + n536_k;
-        let n625_k = n538_k + n539_k;
-        let n626_k = n537_k + n625_k;
-        let n627_k = n624_k + n626_k;
-        let n628_k = n623_k + n627_k;
-        let t318_k_2 = t318_k - n628_k;
-        let n630_k = n540_k + n541_k;
-        let n631_k = n542_k + n543_k;
-        let n632_k = n630_k + n631_k;
-        let n633_k = n544_k + n545_k;
-        let n634_k = n547_k + n548_k;
-        let n635_k = n546_k + n634_k;
-        let n636_k = n633_k + n635_k;
-        let n637_k = n632_k + n636_k;
-        let t343_k_2 = t343_k - n637_k;
-        let n639_k = n549_k + n550_k;
-        let n640_k = n551_k + n552_k;
-        let n641_k = n639_k + n640_k;
-        let n642_k = n553_k + n554_k;
-        let n643_k = n556_k + n557_k;
-        let n644_k = n555_k + n643_k;
-        let n645_k = n642_k + n644_k;
-        let n646_k = n641_k + n645_k;
-        let t369_k_2 = t369_k - n646_k;
-        let n648_k = n558_k + n559_k;
-        let n649_k = n560_k + n561_k;
-        let n650_k = n648_k + n649_k;
-        let n651_k = n562_k + n563_k;
-        let n652_k = n565_k + n566_k;
-        let n653_k = n564_k + n652_k;
-        let n654_k = n651_k + n653_k;
-        let n655_k = n650_k + n654_k;
-        let t396_k_2 = t396_k - n655_k;
-        let n657_k = n567_k + n568_k;
-        let n658_k = n569_k + n570_k;
-        let n659_k = n657_k + n658_k;
-        let n660_k = n571_k + n572_k;
-        let n661_k = n574_k + n575_k;
-        let n662_k = n573_k + n661_k;
-        let n663_k = n660_k + n662_k;
-        let n664_k = n659_k + n663_k;
-        let t415_k_2 = t415_k - n664_k;
+        let t414_k = (-sin_chain_theta_10_k).mul_add(R::literal(9.81), t413_k);
+        let n485_k = t3_k.mul_add(chain_omega_2_dot, sums_52[2]);
+        let n486_k = t7_k.mul_add(chain_omega_3_dot, sums_52[3]);
+        let n487_k = t11_k.mul_add(chain_omega_4_dot, sums_53[0]);
+        let n488_k = t15_k.mul_add(chain_omega_5_dot, sums_53[1]);
+        let n489_k = t19_k.mul_add(chain_omega_6_dot, sums_53[2]);
+        let n490_k = t23_k.mul_add(chain_omega_7_dot, sums_53[3]);
+        let n491_k = t27_k.mul_add(chain_omega_8_dot, sums_54[0]);
+        let n492_k = t31_k.mul_add(chain_omega_9_dot, sums_54[1]);
+        let n493_k = t34_k.mul_add(chain_omega_10_dot, sums_54[2]);
+        let n494_k = t3_k.mul_add(chain_omega_1_dot, sums_54[3]);
+        let n495_k = t38_k.mul_add(chain_omega_3_dot, sums_55[0]);
+        let n496_k = t42_k.mul_add(chain_omega_4_dot, sums_55[1]);
+        let n497_k = t46_k.mul_add(chain_omega_5_dot, sums_55[2]);
+        let n498_k = t50_k.mul_add(chain_omega_6_dot, sums_55[3]);
+        let n499_k = t54_k.mul_add(chain_omega_7_dot, sums_56[0]);
+        let n500_k = t58_k.mul_add(chain_omega_8_dot, sums_56[1]);
+        let n501_k = t62_k.mul_add(chain_omega_9_dot, sums_56[2]);
+        let n502_k = t65_k.mul_add(chain_omega_10_dot, sums_56[3]);
+        let n503_k = t7_k.mul_add(chain_omega_1_dot, sums_57[0]);
+        let n504_k = t38_k.mul_add(chain_omega_2_dot, sums_57[1]);
+        let n505_k = t69_k.mul_add(chain_omega_4_dot, sums_57[2]);
+        let n506_k = t73_k.mul_add(chain_omega_5_dot, sums_57[3]);
+        let n507_k = t77_k.mul_add(chain_omega_6_dot, sums_58[0]);
+        let n508_k = t81_k.mul_add(chain_omega_7_dot, sums_58[1]);
+        let n509_k = t85_k.mul_add(chain_omega_8_dot, sums_58[2]);
+        let n510_k = t89_k.mul_add(chain_omega_9_dot, sums_58[3]);
+        let n511_k = t92_k.mul_add(chain_omega_10_dot, sums_59[0]);
+        let n512_k = t11_k.mul_add(chain_omega_1_dot, sums_59[1]);
+        let n513_k = t42_k.mul_add(chain_omega_2_dot, sums_59[2]);
+        let n514_k = t69_k.mul_add(chain_omega_3_dot, sums_59[3]);
+        let n515_k = t96_k.mul_add(chain_omega_5_dot, sums_60[0]);
+        let n516_k = t100_k.mul_add(chain_omega_6_dot, sums_60[1]);
+        let n517_k = t104_k.mul_add(chain_omega_7_dot, sums_60[2]);
+        let n518_k = t108_k.mul_add(chain_omega_8_dot, sums_60[3]);
+        let n519_k = t112_k.mul_add(chain_omega_9_dot, sums_61[0]);
+        let n520_k = t115_k.mul_add(chain_omega_10_dot, sums_61[1]);
+        let n521_k = t15_k.mul_add(chain_omega_1_dot, sums_61[2]);
+        let n522_k = t46_k.mul_add(chain_omega_2_dot, sums_61[3]);
+        let n523_k = t73_k.mul_add(chain_omega_3_dot, sums_62[0]);
+        let n524_k = t96_k.mul_add(chain_omega_4_dot, sums_62[1]);
+        let n525_k = t119_k.mul_add(chain_omega_6_dot, sums_62[2]);
+        let n526_k = t123_k.mul_add(chain_omega_7_dot, sums_62[3]);
+        let n527_k = t127_k.mul_add(chain_omega_8_dot, sums_63[0]);
+        let n528_k = t131_k.mul_add(chain_omega_9_dot, sums_63[1]);
+        let n529_k = t134_k.mul_add(chain_omega_10_dot, sums_63[2]);
+        let n530_k = t19_k.mul_add(chain_omega_1_dot, sums_63[3]);
+        let n531_k = t50_k.mul_add(chain_omega_2_dot, sums_64[0]);
+        let n532_k = t77_k.mul_add(chain_omega_3_dot, sums_64[1]);
+        let n533_k = t100_k.mul_add(chain_omega_4_dot, sums_64[2]);
+        let n534_k = t119_k.mul_add(chain_omega_5_dot, sums_64[3]);
+        let n535_k = t138_k.mul_add(chain_omega_7_dot, sums_65[0]);
+        let n536_k = t142_k.mul_add(chain_omega_8_dot, sums_65[1]);
+        let n537_k = t146_k.mul_add(chain_omega_9_dot, sums_65[2]);
+        let n538_k = t149_k.mul_add(chain_omega_10_dot, sums_65[3]);
+        let n539_k = t23_k.mul_add(chain_omega_1_dot, sums_66[0]);
+        let n540_k = t54_k.mul_add(chain_omega_2_dot, sums_66[1]);
+        let n541_k = t81_k.mul_add(chain_omega_3_dot, sums_66[2]);
+        let n542_k = t104_k.mul_add(chain_omega_4_dot, sums_66[3]);
+        let n543_k = t123_k.mul_add(chain_omega_5_dot, sums_67[0]);
+        let n544_k = t138_k.mul_add(chain_omega_6_dot, sums_67[1]);
+        let n545_k = t153_k.mul_add(chain_omega_8_dot, sums_67[2]);
+        let n546_k = t157_k.mul_add(chain_omega_9_dot, sums_67[3]);
+        let n547_k = t160_k.mul_add(chain_omega_10_dot, sums_68[0]);
+        let n548_k = t27_k.mul_add(chain_omega_1_dot, sums_68[1]);
+        let n549_k = t58_k.mul_add(chain_omega_2_dot, sums_68[2]);
+        let n550_k = t85_k.mul_add(chain_omega_3_dot, sums_68[3]);
+        let n551_k = t108_k.mul_add(chain_omega_4_dot, sums_69[0]);
+        let n552_k = t127_k.mul_add(chain_omega_5_dot, sums_69[1]);
+        let n553_k = t142_k.mul_add(chain_omega_6_dot, sums_69[2]);
+        let n554_k = t153_k.mul_add(chain_omega_7_dot, sums_69[3]);
+        let n555_k = t164_k.mul_add(chain_omega_9_dot, sums_70[0]);
+        let n556_k = t167_k.mul_add(chain_omega_10_dot, sums_70[1]);
+        let n557_k = t31_k.mul_add(chain_omega_1_dot, sums_70[2]);
+        let n558_k = t62_k.mul_add(chain_omega_2_dot, sums_70[3]);
+        let n559_k = t89_k.mul_add(chain_omega_3_dot, sums_71[0]);
+        let n560_k = t112_k.mul_add(chain_omega_4_dot, sums_71[1]);
+        let n561_k = t131_k.mul_add(chain_omega_5_dot, sums_71[2]);
+        let n562_k = t146_k.mul_add(chain_omega_6_dot, sums_71[3]);
+        let n563_k = t157_k.mul_add(chain_omega_7_dot, sums_72[0]);
+        let n564_k = t164_k.mul_add(chain_omega_8_dot, sums_72[1]);
+        let n565_k = t170_k.mul_add(chain_omega_10_dot, sums_72[2]);
+        let n566_k = t34_k.mul_add(chain_omega_1_dot, sums_72[3]);
+        let n567_k = t65_k.mul_add(chain_omega_2_dot, sums_73[0]);
+        let n568_k = t92_k.mul_add(chain_omega_3_dot, sums_73[1]);
+        let n569_k = t115_k.mul_add(chain_omega_4_dot, sums_73[2]);
+        let n570_k = t134_k.mul_add(chain_omega_5_dot, sums_73[3]);
+        let n571_k = t149_k.mul_add(chain_omega_6_dot, sums_74[0]);
+        let n572_k = t160_k.mul_add(chain_omega_7_dot, sums_74[1]);
+        let n573_k = t167_k.mul_add(chain_omega_8_dot, sums_74[2]);
+        let n574_k = t170_k.mul_add(chain_omega_9_dot, sums_74[3]);
+        let n575_k = n485_k + n486_k;
+        let n576_k = n487_k + n488_k;
+        let n577_k = n575_k + n576_k;
+        let n578_k = n489_k + n490_k;
+        let n579_k = n492_k + n493_k;
+        let n580_k = n491_k + n579_k;
+        let n581_k = n578_k + n580_k;
+        let n582_k = n577_k + n581_k;
+        let t206_k_2 = t206_k - n582_k;
+        let n584_k = n494_k + n495_k;
+        let n585_k = n496_k + n497_k;
+        let n586_k = n584_k + n585_k;
+        let n587_k = n498_k + n499_k;
+        let n588_k = n501_k + n502_k;
+        let n589_k = n500_k + n588_k;
+        let n590_k = n587_k + n589_k;
+        let n591_k = n586_k + n590_k;
+        let t227_k_2 = t227_k - n591_k;
+        let n593_k = n503_k + n504_k;
+        let n594_k = n505_k + n506_k;
+        let n595_k = n593_k + n594_k;
+        let n596_k = n507_k + n508_k;
+        let n597_k = n510_k + n511_k;
+        let n598_k = n509_k + n597_k;
+        let n599_k = n596_k + n598_k;
+        let n600_k = n595_k + n599_k;
+        let t248_k_2 = t248_k - n600_k;
+        let n602_k = n512_k + n513_k;
+        let n603_k = n514_k + n515_k;
+        let n604_k = n602_k + n603_k;
+        let n605_k = n516_k + n517_k;
+        let n606_k = n519_k + n520_k;
+        let n607_k = n518_k + n606_k;
+        let n608_k = n605_k + n607_k;
+        let n609_k = n604_k + n608_k;
+        let t270_k_2 = t270_k - n609_k;
+        let n611_k = n521_k + n522_k;
+        let n612_k = n523_k + n524_k;
+        let n613_k = n611_k + n612_k;
+        let n614_k = n525_k + n526_k;
+        let n615_k = n528_k + n529_k;
+        let n616_k = n527_k + n615_k;
+        let n617_k = n614_k + n616_k;
+        let n618_k = n613_k + n617_k;
+        let t293_k_2 = t293_k - n618_k;
+        let n620_k = n530_k + n531_k;
+        let n621_k = n532_k + n533_k;
+        let n622_k = n620_k + n621_k;
+        let n623_k = n534_k + n535_k;
+        let n624_k = n537_k + n538_k;
+        let n625_k = n536_k + n624_k;
+        let n626_k = n623_k + n625_k;
+        let n627_k = n622_k + n626_k;
+        let t317_k_2 = t317_k - n627_k;
+        let n629_k = n539_k + n540_k;
+        let n630_k = n541_k + n542_k;
+        let n631_k = n629_k + n630_k;
+        let n632_k = n543_k + n544_k;
+        let n633_k = n546_k + n547_k;
+        let n634_k = n545_k + n633_k;
+        let n635_k = n632_k + n634_k;
+        let n636_k = n631_k + n635_k;
+        let t342_k_2 = t342_k - n636_k;
+        let n638_k = n548_k + n549_k;
+        let n639_k = n550_k + n551_k;
+        let n640_k = n638_k + n639_k;
+        let n641_k = n552_k + n553_k;
+        let n642_k = n555_k + n556_k;
+        let n643_k = n554_k + n642_k;
+        let n644_k = n641_k + n643_k;
+        let n645_k = n640_k + n644_k;
+        let t368_k_2 = t368_k - n645_k;
+        let n647_k = n557_k + n558_k;
+        let n648_k = n559_k + n560_k;
+        let n649_k = n647_k + n648_k;
+        let n650_k = n561_k + n562_k;
+        let n651_k = n564_k + n565_k;
+        let n652_k = n563_k + n651_k;
+        let n653_k = n650_k + n652_k;
+        let n654_k = n649_k + n653_k;
+        let t395_k_2 = t395_k - n654_k;
+        let n656_k = n566_k + n567_k;
+        let n657_k = n568_k + n569_k;
+        let n658_k = n656_k + n657_k;
+        let n659_k = n570_k + n571_k;
+        let n660_k = n573_k + n574_k;
+        let n661_k = n572_k + n660_k;
+        let n662_k = n659_k + n661_k;
+        let n663_k = n658_k + n662_k;
+        let t414_k_2 = t414_k - n663_k;
         let [chain_omega_1_dot_k, chain_omega_2_dot_k, chain_omega_3_dot_k, chain_omega_4_dot_k,
             chain_omega_5_dot_k, chain_omega_6_dot_k, chain_omega_7_dot_k, chain_omega_8_dot_k,
-            chain_omega_9_dot_k, chain_omega_10_dot_k] = factored.solve([t207_k_2, t228_k_2,
-            t249_k_2, t271_k_2, t294_k_2, t318_k_2, t343_k_2, t369_k_2, t396_k_2, t415_k_2]);
+            chain_omega_9_dot_k, chain_omega_10_dot_k] = factored.solve([t206_k_2, t227_k_2,
+            t248_k_2, t270_k_2, t293_k_2, t317_k_2, t342_k_2, t368_k_2, t395_k_2, t414_k_2]);
         lanes.set(order, [chain_omega_2_k, chain_omega_3_k, chain_omega_4_k, chain_omega_5_k],
             [chain_omega_2_k, chain_omega_3_k, chain_omega_4_k, chain_omega_5_k]);
         lanes_1.set(order, [chain_omega_6_k, chain_omega_7_k, chain_omega_8_k, chain_omega_9_k],
@@ -4695,29 +4693,29 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
             t163_k, t162_k]);
         lanes_29.set(order, [k * t165_k, k * t165_k, k * t168_k, k * t168_k], [t167_k, t166_k,
             t170_k, t169_k]);
-        lanes_30.set(order, [t1_k, t5_k, t9_k, t13_k], [t173_k, t176_k, t179_k, t182_k]);
-        lanes_31.set(order, [t17_k, t21_k, t25_k, t29_k], [t185_k, t188_k, t191_k, t194_k]);
-        lanes_32.set(order, [t33_k, t36_k, t40_k, t44_k], [t196_k, t176_k, t179_k, t182_k]);
-        lanes_33.set(order, [t48_k, t52_k, t56_k, t60_k], [t185_k, t188_k, t191_k, t194_k]);
-        lanes_34.set(order, [t64_k, t1_k, t67_k, t71_k], [t196_k, t218_k, t179_k, t182_k]);
-        lanes_35.set(order, [t75_k, t79_k, t83_k, t87_k], [t185_k, t188_k, t191_k, t194_k]);
-        lanes_36.set(order, [t91_k, t5_k, t36_k, t94_k], [t196_k, t237_k, t239_k, t182_k]);
-        lanes_37.set(order, [t98_k, t102_k, t106_k, t110_k], [t185_k, t188_k, t191_k, t194_k]);
-        lanes_38.set(order, [t114_k, t9_k, t40_k, t67_k], [t196_k, t257_k, t259_k, t261_k]);
-        lanes_39.set(order, [t117_k, t121_k, t125_k, t129_k], [t185_k, t188_k, t191_k, t194_k]);
-        lanes_40.set(order, [t133_k, t13_k, t44_k, t71_k], [t196_k, t278_k, t280_k, t282_k]);
-        lanes_41.set(order, [t94_k, t136_k, t140_k, t144_k], [t284_k, t188_k, t191_k, t194_k]);
-        lanes_42.set(order, [t148_k, t17_k, t48_k, t75_k], [t196_k, t300_k, t302_k, t304_k]);
-        lanes_43.set(order, [t98_k, t117_k, t151_k, t155_k], [t306_k, t308_k, t191_k, t194_k]);
-        lanes_44.set(order, [t159_k, t21_k, t52_k, t79_k], [t196_k, t323_k, t325_k, t327_k]);
-        lanes_45.set(order, [t102_k, t121_k, t136_k, t162_k], [t329_k, t331_k, t333_k, t194_k]);
-        lanes_46.set(order, [t166_k, t25_k, t56_k, t83_k], [t196_k, t347_k, t349_k, t351_k]);
-        lanes_47.set(order, [t106_k, t125_k, t140_k, t151_k], [t353_k, t355_k, t357_k, t359_k]);
-        lanes_48.set(order, [t169_k, t29_k, t60_k, t87_k], [t196_k, t372_k, t374_k, t376_k]);
-        lanes_49.set(order, [t110_k, t129_k, t144_k, t155_k], [t378_k, t380_k, t382_k, t384_k]);
-        lanes_50.set(order, [t162_k, t33_k, t64_k, t91_k], [t386_k, t217_k, t172_k, t175_k]);
-        lanes_51.set(order, [t114_k, t133_k, t148_k, t159_k], [t178_k, t181_k, t184_k, t187_k]);
-        lanes_52.set(order, [t166_k, t169_k, t3_k, t7_k], [t190_k, t193_k, chain_omega_2_dot_k,
+        lanes_30.set(order, [t1_k, t5_k, t9_k, t13_k], [t172_k, t175_k, t178_k, t181_k]);
+        lanes_31.set(order, [t17_k, t21_k, t25_k, t29_k], [t184_k, t187_k, t190_k, t193_k]);
+        lanes_32.set(order, [t33_k, t36_k, t40_k, t44_k], [t195_k, t175_k, t178_k, t181_k]);
+        lanes_33.set(order, [t48_k, t52_k, t56_k, t60_k], [t184_k, t187_k, t190_k, t193_k]);
+        lanes_34.set(order, [t64_k, t1_k, t67_k, t71_k], [t195_k, t217_k, t178_k, t181_k]);
+        lanes_35.set(order, [t75_k, t79_k, t83_k, t87_k], [t184_k, t187_k, t190_k, t193_k]);
+        lanes_36.set(order, [t91_k, t5_k, t36_k, t94_k], [t195_k, t236_k, t238_k, t181_k]);
+        lanes_37.set(order, [t98_k, t102_k, t106_k, t110_k], [t184_k, t187_k, t190_k, t193_k]);
+        lanes_38.set(order, [t114_k, t9_k, t40_k, t67_k], [t195_k, t256_k, t258_k, t260_k]);
+        lanes_39.set(order, [t117_k, t121_k, t125_k, t129_k], [t184_k, t187_k, t190_k, t193_k]);
+        lanes_40.set(order, [t133_k, t13_k, t44_k, t71_k], [t195_k, t277_k, t279_k, t281_k]);
+        lanes_41.set(order, [t94_k, t136_k, t140_k, t144_k], [t283_k, t187_k, t190_k, t193_k]);
+        lanes_42.set(order, [t148_k, t17_k, t48_k, t75_k], [t195_k, t299_k, t301_k, t303_k]);
+        lanes_43.set(order, [t98_k, t117_k, t151_k, t155_k], [t305_k, t307_k, t190_k, t193_k]);
+        lanes_44.set(order, [t159_k, t21_k, t52_k, t79_k], [t195_k, t322_k, t324_k, t326_k]);
+        lanes_45.set(order, [t102_k, t121_k, t136_k, t162_k], [t328_k, t330_k, t332_k, t193_k]);
+        lanes_46.set(order, [t166_k, t25_k, t56_k, t83_k], [t195_k, t346_k, t348_k, t350_k]);
+        lanes_47.set(order, [t106_k, t125_k, t140_k, t151_k], [t352_k, t354_k, t356_k, t358_k]);
+        lanes_48.set(order, [t169_k, t29_k, t60_k, t87_k], [t195_k, t371_k, t373_k, t375_k]);
+        lanes_49.set(order, [t110_k, t129_k, t144_k, t155_k], [t377_k, t379_k, t381_k, t383_k]);
+        lanes_50.set(order, [t162_k, t33_k, t64_k, t91_k], [t385_k, t216_k, t171_k, t174_k]);
+        lanes_51.set(order, [t114_k, t133_k, t148_k, t159_k], [t177_k, t180_k, t183_k, t186_k]);
+        lanes_52.set(order, [t166_k, t169_k, t3_k, t7_k], [t189_k, t192_k, chain_omega_2_dot_k,
             chain_omega_3_dot_k]);
         lanes_53.set(order, [t11_k, t15_k, t19_k, t23_k], [chain_omega_4_dot_k,
             chain_omega_5_dot_k, chain_omega_6_dot_k, chain_omega_7_dot_k]);

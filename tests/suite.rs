@@ -10,6 +10,7 @@ mod constraints;
 mod events;
 mod exact;
 mod fields;
+mod interpreted;
 mod linear_analysis;
 mod methods;
 mod orders;

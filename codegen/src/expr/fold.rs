@@ -93,6 +93,8 @@ fn mul(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {
         (Op::Literal(0.0), _) | (_, Op::Literal(0.0)) => Folded::Op(Op::Literal(0.0)),
         (Op::Literal(1.0), _) => Folded::Node(b),
         (_, Op::Literal(1.0)) => Folded::Node(a),
+        (Op::Literal(-1.0), _) => Folded::Node(graph.neg(b)),
+        (_, Op::Literal(-1.0)) => Folded::Node(graph.neg(a)),
         (Op::Neg(x), Op::Neg(y)) => Folded::Node(graph.mul(x, y)),
         (Op::Neg(x), _) => {
             let product = graph.mul(x, b);
@@ -100,16 +102,6 @@ fn mul(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {
         }
         (_, Op::Neg(y)) => {
             let product = graph.mul(a, y);
-            Folded::Node(graph.neg(product))
-        }
-        (Op::Literal(factor), _) if factor < 0.0 => {
-            let positive = graph.literal(-factor);
-            let product = graph.mul(positive, b);
-            Folded::Node(graph.neg(product))
-        }
-        (_, Op::Literal(factor)) if factor < 0.0 => {
-            let positive = graph.literal(-factor);
-            let product = graph.mul(a, positive);
             Folded::Node(graph.neg(product))
         }
         (Op::Literal(factor), _) => scaled(graph, b, factor).unwrap_or(Folded::Op(Op::Mul(a, b))),

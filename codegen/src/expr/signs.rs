@@ -1,4 +1,4 @@
-//! Signs that stand before a product go into it: into a literal, or into a difference that
+//! Signs that stand before a product or a sum go into it: into a literal, or into a difference that
 //! nothing else reads, which is taken the other way round. Every result keeps its bits, but
 //! for the sign of a zero.
 
@@ -56,6 +56,14 @@ impl Absorbed<'_> {
         }
         match node.op {
             Op::Sub(x, y) => Some(self.again(Op::Sub(y, x))),
+            Op::Add(x, y) => {
+                let (x, y) = match self.opposite(x) {
+                    Some(minus_x) => (minus_x, y),
+                    None => (self.opposite(y)?, x),
+                };
+                let x = self.push(x, None);
+                Some(Op::Sub(x, self.moved[y.0 as usize]))
+            }
             Op::Mul(x, y) => {
                 if let Some(x) = self.opposite(x) {
                     let x = self.push(x, None);

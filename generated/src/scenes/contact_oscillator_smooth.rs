@@ -17,8 +17,8 @@
 // All quantities are in SI units.
 // Shapes: coordinates 1, states 2, parameters 7, outputs 2.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 6 of 2 by 7.
-// Operations: rate 17, forcing 16, rate_jacobian 25, parameter_jacobian 40, energy 16,
-//     power_balance 23, prepare 6, prepared_rate 14, prepared_rate_jacobian 20.
+// Operations: rate 17, forcing 15, rate_jacobian 24, parameter_jacobian 40, energy 16,
+//     power_balance 23, prepare 6, prepared_rate 14, prepared_rate_jacobian 19.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -66,7 +66,7 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    stop_width_squared, t0, t1, inverse_oscillator_mass, oscillator_v_dot_by_oscillator_v
+    stop_width_squared, inverse_oscillator_mass, t0, t1, oscillator_v_dot_by_oscillator_v
 }
 
 /// What `rate` and `rate_jacobian` need of the parameters, once a run. 6 operations.
@@ -74,11 +74,11 @@ use ::machinist_contract::{
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let stop_width_squared = p.stop_width * p.stop_width;
-    let t0 = R::literal(0.25) * p.stop_stiffness;
-    let t1 = R::literal(-1.0) / p.oscillator_mass;
     let inverse_oscillator_mass = R::literal(1.0) / p.oscillator_mass;
+    let t0 = R::literal(-0.25) * p.stop_stiffness;
+    let t1 = R::literal(0.25) * p.stop_stiffness;
     let oscillator_v_dot_by_oscillator_v = -(p.oscillator_damping * inverse_oscillator_mass);
-    Constants { stop_width_squared, t0, t1, inverse_oscillator_mass,
+    Constants { stop_width_squared, inverse_oscillator_mass, t0, t1,
         oscillator_v_dot_by_oscillator_v }
 }
 
@@ -103,10 +103,10 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let oscillator_x_minus_stop_distance = oscillator_x - p.stop_distance;
     let t0 = c.stop_width_squared.add_product(oscillator_x_minus_stop_distance,
         oscillator_x_minus_stop_distance).sqrt();
-    let oscillator_v_dot = (p.oscillator_stiffness * oscillator_x).add_product(c.t0
+    let oscillator_v_dot = (-(p.oscillator_stiffness * oscillator_x)).add_product(c.t0
         * (R::literal(1.0) + oscillator_x_minus_stop_distance / t0),
-        oscillator_x_minus_stop_distance + t0).add_product(p.oscillator_damping, oscillator_v)
-        * c.t1;
+        oscillator_x_minus_stop_distance + t0).sub_product(p.oscillator_damping, oscillator_v)
+        * c.inverse_oscillator_mass;
     [oscillator_v, oscillator_v_dot]
 }
 
@@ -116,21 +116,21 @@ pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -
     [p.oscillator_mass]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 16 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 15 operations.
 #[must_use]
 pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [oscillator_x, oscillator_v] = *state;
     let oscillator_x_minus_stop_distance = oscillator_x - p.stop_distance;
     let t0 = (p.stop_width * p.stop_width).add_product(oscillator_x_minus_stop_distance,
         oscillator_x_minus_stop_distance).sqrt();
-    let oscillator_x_forcing = -(p.oscillator_stiffness * oscillator_x)
-        .add_product(R::literal(0.25) * p.stop_stiffness * (R::literal(1.0)
+    let oscillator_x_forcing = (-(p.oscillator_stiffness * oscillator_x))
+        .add_product(R::literal(-0.25) * p.stop_stiffness * (R::literal(1.0)
         + oscillator_x_minus_stop_distance / t0), oscillator_x_minus_stop_distance + t0)
-        .add_product(p.oscillator_damping, oscillator_v);
+        .sub_product(p.oscillator_damping, oscillator_v);
     [oscillator_x_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 20 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 19 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 3] {
@@ -139,9 +139,9 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let t0 = oscillator_x_minus_stop_distance * oscillator_x_minus_stop_distance;
     let t1 = (c.stop_width_squared + t0).sqrt();
     let t2 = R::literal(1.0) + oscillator_x_minus_stop_distance / t1;
-    let oscillator_v_dot_by_oscillator_x = -(p.oscillator_stiffness.add_product(c.t0
-        * (oscillator_x_minus_stop_distance + t1), R::literal(1.0) / t1 - t0 / (t1 * t1 * t1))
-        .add_product(c.t0, t2 * t2) * c.inverse_oscillator_mass);
+    let oscillator_v_dot_by_oscillator_x = (-p.oscillator_stiffness).add_product(c.t1
+        * (oscillator_x_minus_stop_distance + t1), t0 / (t1 * t1 * t1) - R::literal(1.0) / t1)
+        .sub_product(c.t1, t2 * t2) * c.inverse_oscillator_mass;
     [R::literal(1.0), oscillator_v_dot_by_oscillator_x, c.oscillator_v_dot_by_oscillator_v]
 }
 
@@ -228,7 +228,7 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 28 recurrences. 4 sums of products an order.
+/// 27 recurrences. 4 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -242,17 +242,17 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let t3 = t0 + t2;
     let t4 = t3.sqrt();
     let t5 = t1 + t4;
-    let t6 = oscillator_v * p.oscillator_damping;
-    let t7 = t1 / t4;
-    let t8 = R::literal(1.0) + t7;
-    let t9 = R::literal(0.25) * p.stop_stiffness;
-    let t10 = t8 * t9;
-    let t11 = t10 * t5;
-    let t12 = oscillator_x * p.oscillator_stiffness;
-    let t13 = t11 + t12;
-    let t14 = t6 + t13;
-    let t15 = R::literal(-1.0) / p.oscillator_mass;
-    let oscillator_v_dot = t14 * t15;
+    let t6 = R::literal(1.0) / p.oscillator_mass;
+    let t7 = oscillator_v * p.oscillator_damping;
+    let t8 = t1 / t4;
+    let t9 = R::literal(1.0) + t8;
+    let t10 = oscillator_x * p.oscillator_stiffness;
+    let t11 = R::literal(-0.25) * p.stop_stiffness;
+    let t12 = t9 * t11;
+    let t13 = t12 * t5;
+    let t14 = t13 - t10;
+    let t15 = t14 - t7;
+    let oscillator_v_dot = t15 * t6;
     let inverse_t4 = R::literal(1.0) / (t4 + t4);
     let inverse_t4_2 = R::literal(1.0) / t4;
     let mut rates = [oscillator_v, oscillator_v_dot];
@@ -269,13 +269,13 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         let t2_k = (t1 + t1).mul_add(oscillator_x_k, sums[0]);
         let t4_k = (t2_k - sums[1]) * inverse_t4;
         let t5_k = oscillator_x_k + t4_k;
-        let t7_k = (-t4_k).mul_add(t7, oscillator_x_k - sums[2]) * inverse_t4_2;
-        let t10_k = t7_k * t9;
-        let t11_k = t5.mul_add(t10_k, t10.mul_add(t5_k, sums[3]));
-        let t13_k = oscillator_x_k.mul_add(p.oscillator_stiffness, t11_k);
-        let t14_k = oscillator_v_k.mul_add(p.oscillator_damping, t13_k);
-        let oscillator_v_dot_k = t14_k * t15;
-        lanes.set(order, [oscillator_x_k, t4_k, t4_k, t5_k], [oscillator_x_k, t4_k, t7_k, t10_k]);
+        let t8_k = (-t4_k).mul_add(t8, oscillator_x_k - sums[2]) * inverse_t4_2;
+        let t12_k = t8_k * t11;
+        let t13_k = t5.mul_add(t12_k, t12.mul_add(t5_k, sums[3]));
+        let t14_k = (-oscillator_x_k).mul_add(p.oscillator_stiffness, t13_k);
+        let t15_k = (-oscillator_v_k).mul_add(p.oscillator_damping, t14_k);
+        let oscillator_v_dot_k = t15_k * t6;
+        lanes.set(order, [oscillator_x_k, t4_k, t4_k, t5_k], [oscillator_x_k, t4_k, t8_k, t12_k]);
         rates = [oscillator_v_k, oscillator_v_dot_k];
     }
 }

@@ -18,7 +18,7 @@
 // Shapes: coordinates 9, states 18, parameters 15, outputs 6, constraints 8.
 // Nonzeros: mass_matrix 9 of 9 by 9, rate_jacobian 63 of 18 by 18,
 //     parameter_jacobian 108 of 18 by 15, constraint_matrix 24 of 8 by 9.
-// Operations: rate 292, forcing 6, rate_jacobian 912, parameter_jacobian 1523, outputs 249,
+// Operations: rate 292, forcing 6, rate_jacobian 912, parameter_jacobian 1523, outputs 248,
 //     energy 37, power_balance 321, constraint_values 32, constraint_rates 34, constraint_matrix 19,
 //     prepare 15, prepared_rate 277, prepared_rate_jacobian 897.
 
@@ -1231,7 +1231,7 @@ pub fn time_derivative<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<
         R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
 
-/// Wanted outputs. 249 operations.
+/// Wanted outputs. 248 operations.
 #[must_use]
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [_, _, crank_phi, _, _, coupler_phi, _, _, rocker_phi, _, _, crank_omega, _, _,
@@ -1344,8 +1344,8 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let pin_a_x = (t72 * t31).add_product(t34, t83).add_product(t36, t82).add_product(t37, t81);
     let t84 = (t71 * t25).add_product(t27, pin_a_x);
     let t85 = t29 * t83;
-    let pin_o_x = -(t62 * t17).add_product(t19, t84 - t85).sub_product(t21, pin_a_x)
-        .add_product(t19, t83);
+    let pin_o_x = (-(t62 * t17).add_product(t19, t84 - t85)).add_product(t21, pin_a_x)
+        .sub_product(t19, t83);
     let pin_o_y = t85 - t84;
     Outputs {
         crank_angle: crank_phi,

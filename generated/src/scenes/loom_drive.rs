@@ -22,9 +22,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 6, first-order states 4, states 16, parameters 39, outputs 8.
 // Nonzeros: mass_matrix 6 of 6 by 6, rate_jacobian 39 of 16 by 16, parameter_jacobian 47 of 16 by 39.
-// Operations: rate 87, mass_matrix 2, forcing 42, rate_jacobian 82, parameter_jacobian 187,
+// Operations: rate 87, mass_matrix 2, forcing 42, rate_jacobian 81, parameter_jacobian 185,
 //     outputs 17, energy 75, power_balance 185, prepare 57, prepared_rate 61,
-//     prepared_rate_jacobian 31.
+//     prepared_rate_jacobian 30.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
@@ -315,7 +315,7 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R;
         p.shaft_middle_field_force, reed_angle_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 31 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 30 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 39] {
@@ -327,9 +327,9 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
     let t0 = c.crank_ratio_times_crank_stiffness * cos_crank_turn;
     let shaft_driven_dot_dot_by_crank_turn = t0 * c.inverse_shaft_driven_field_inertia;
-    let crank_turn_speed_dot_by_crank_turn = -(c.t5.add_product(p.crank_stiffness * crank_angle,
-        shaft_driven - crank_angle).add_product(c.t6, cos_crank_turn * cos_crank_turn)
-        * c.inverse_crank_inertia);
+    let crank_turn_speed_dot_by_crank_turn = (-c.t5).add_product(p.crank_stiffness * crank_angle,
+        crank_angle - shaft_driven).sub_product(c.t6, cos_crank_turn * cos_crank_turn)
+        * c.inverse_crank_inertia;
     let crank_turn_speed_dot_by_shaft_driven = t0 * c.inverse_crank_inertia;
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
@@ -356,7 +356,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         motor_psi_ry_dot_by_motor_psi_rx, c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 187 operations.
+/// `dy'/dp`, values in the order of its pattern. 185 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 47] {
     let [motor_phi, crank_turn, shaft_driven, shaft_reed, _, reed_angle, motor_omega,
@@ -380,24 +380,25 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
         coupling_twist_rate);
     let t2 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
+    let t3 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t3 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
-    let t4 = R::literal(1.5) * p.motor_pole_pairs;
-    let motor_torque = t4 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t3;
+    let t4 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let t5 = R::literal(1.5) * p.motor_pole_pairs;
+    let motor_torque = t5 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t4;
     let reed_arm_squared = p.reed_arm * p.reed_arm;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
     let inverse_shaft_driven_field_inertia = R::literal(1.0) / p.shaft_driven_field_inertia;
     let inverse_shaft_reed_field_inertia = R::literal(1.0) / p.shaft_reed_field_inertia;
     let inverse_shaft_middle_field_inertia = R::literal(1.0) / p.shaft_middle_field_inertia;
-    let t5 = R::literal(1.0) / (p.reed_mass * reed_arm_squared);
+    let t6 = R::literal(1.0) / (p.reed_mass * reed_arm_squared);
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
     let shaft_reed_minus_reed_angle = shaft_reed - reed_angle;
-    let t6 = p.reed_stiffness * shaft_reed_minus_reed_angle;
-    let reed_speed_dot = (t6 - fell_torque) * t5;
+    let t7 = p.reed_stiffness * shaft_reed_minus_reed_angle;
+    let reed_speed_dot = (t7 - fell_torque) * t6;
     let shaft_middle_dot_dot = p.shaft_middle_field_force * inverse_shaft_middle_field_inertia;
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t6) * inverse_shaft_reed_field_inertia;
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t7) * inverse_shaft_reed_field_inertia;
     let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.crank_stiffness,
         shaft_driven_minus_crank_angle) * inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
@@ -406,38 +407,38 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
         * p.coupling_ratio, coupling_twist_rate)) * inverse_crank_inertia;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t7 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
+    let t8 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t8 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
+    let t9 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * cos_motor_supply_phase;
     let motor_psi_sy_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * sin_motor_supply_phase;
     let motor_omega_dot_by_motor_supply_frequency = R::literal(3.0 * core::f64::consts::PI)
-        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t3
+        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t4
         * inverse_motor_inertia;
+    let t10 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
     let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_sy).sub_product(R::literal(core::f64::consts::TAU) * p.motor_alpha_s, t2);
-    let motor_psi_sy_dot_by_motor_supply_frequency = R::literal(-6.283_185_307_179_586)
-        * motor_psi_sx.add_product(p.motor_alpha_s, motor_psi_sy).sub_product(p.motor_k_r
-        * p.motor_alpha_s, motor_psi_ry);
-    let t9 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+        * motor_psi_sy).sub_product(t10, t2);
+    let motor_psi_sy_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
+        * motor_psi_sx).sub_product(t10, t3);
+    let t11 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
     let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_ry).add_product(t9, t7);
+        * motor_psi_ry).add_product(t11, t8);
     let motor_psi_ry_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
-        * motor_psi_rx).add_product(t9, t8);
+        * motor_psi_rx).add_product(t11, t9);
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
     let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r * motor_omega_0
-        / motor_x_s_times_motor_sigma * t3 * inverse_motor_inertia;
+        / motor_x_s_times_motor_sigma * t4 * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
     let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
         * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
     let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let t10 = motor_k_s_times_motor_k_r - R::literal(1.0);
-    let motor_omega_dot_by_motor_k_r = t4 * motor_omega_0 / (p.motor_x_s * (t10 * t10))
+    let t12 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let motor_omega_dot_by_motor_k_r = t5 * motor_omega_0 / (p.motor_x_s * (t12 * t12))
         * (motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry)
         * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
@@ -445,10 +446,9 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let motor_omega_dot_by_motor_x_s = R::literal(-1.0) / p.motor_x_s * motor_torque
         * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t2);
-    let motor_psi_sy_dot_by_motor_alpha_s = motor_omega_0 * (-motor_psi_sy)
-        .add_product(p.motor_k_r, motor_psi_ry);
-    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t7;
-    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t8;
+    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t3);
+    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t8;
+    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t9;
     let crank_turn_speed_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
         * inverse_crank_inertia;
     let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_crank_turn - motor_phi)
@@ -472,13 +472,13 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let crank_turn_speed_dot_by_crank_stiffness = p.crank_ratio * shaft_driven_minus_crank_angle
         * cos_crank_turn * inverse_crank_inertia;
     let crank_turn_speed_dot_by_crank_drag = -(crank_turn_speed * inverse_crank_inertia);
-    let reed_speed_dot_by_reed_mass = -(reed_arm_squared * reed_speed_dot * t5);
+    let reed_speed_dot_by_reed_mass = -(reed_arm_squared * reed_speed_dot * t6);
     let reed_speed_dot_by_reed_arm = R::literal(-2.0) * p.reed_mass * p.reed_arm * reed_speed_dot
-        * t5;
-    let reed_speed_dot_by_reed_stiffness = shaft_reed_minus_reed_angle * t5;
+        * t6;
+    let reed_speed_dot_by_reed_stiffness = shaft_reed_minus_reed_angle * t6;
     let shaft_reed_dot_dot_by_reed_stiffness = (reed_angle - shaft_reed)
         * inverse_shaft_reed_field_inertia;
-    let reed_speed_dot_by_fell_stiffness = -(reed_angle * t5);
+    let reed_speed_dot_by_fell_stiffness = -(reed_angle * t6);
     let shaft_driven_dot_dot_by_shaft_driven_field_inertia = -(shaft_driven_dot_dot
         * inverse_shaft_driven_field_inertia);
     let shaft_reed_dot_dot_by_shaft_reed_field_inertia = -(shaft_reed_dot_dot

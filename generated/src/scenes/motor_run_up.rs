@@ -16,7 +16,7 @@
 // All quantities are in SI units.
 // Shapes: coordinates 1, first-order states 4, states 5, parameters 11, outputs 4.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 18 of 5 by 5, parameter_jacobian 24 of 5 by 11.
-// Operations: rate 45, forcing 12, rate_jacobian 34, parameter_jacobian 87, outputs 27, energy 32,
+// Operations: rate 45, forcing 12, rate_jacobian 34, parameter_jacobian 85, outputs 27, energy 32,
 //     power_balance 106, prepare 23, prepared_rate 29, prepared_rate_jacobian 16.
 
 use ::machinist_contract::{
@@ -189,7 +189,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         motor_psi_ry_dot_by_motor_psi_rx, c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 87 operations.
+/// `dy'/dp`, values in the order of its pattern. 85 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 24] {
     let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
@@ -202,46 +202,47 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let motor_u_y = t0 * sin_motor_supply_phase;
     let t1 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
+    let t2 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t2 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
-    let t3 = R::literal(1.5) * p.motor_pole_pairs;
-    let motor_torque = t3 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t2;
+    let t3 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let t4 = R::literal(1.5) * p.motor_pole_pairs;
+    let motor_torque = t4 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t3;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let motor_omega_dot = motor_torque * inverse_motor_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t4 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
+    let t5 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t5 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
+    let t6 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * cos_motor_supply_phase;
     let motor_psi_sy_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * sin_motor_supply_phase;
     let motor_omega_dot_by_motor_supply_frequency = R::literal(3.0 * core::f64::consts::PI)
-        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t2
+        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t3
         * inverse_motor_inertia;
+    let t7 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
     let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_sy).sub_product(R::literal(core::f64::consts::TAU) * p.motor_alpha_s, t1);
-    let motor_psi_sy_dot_by_motor_supply_frequency = R::literal(-6.283_185_307_179_586)
-        * motor_psi_sx.add_product(p.motor_alpha_s, motor_psi_sy).sub_product(p.motor_k_r
-        * p.motor_alpha_s, motor_psi_ry);
-    let t6 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+        * motor_psi_sy).sub_product(t7, t1);
+    let motor_psi_sy_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
+        * motor_psi_sx).sub_product(t7, t2);
+    let t8 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
     let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_ry).add_product(t6, t4);
+        * motor_psi_ry).add_product(t8, t5);
     let motor_psi_ry_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
-        * motor_psi_rx).add_product(t6, t5);
+        * motor_psi_rx).add_product(t8, t6);
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
     let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r * motor_omega_0
-        / motor_x_s_times_motor_sigma * t2 * inverse_motor_inertia;
+        / motor_x_s_times_motor_sigma * t3 * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
     let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
         * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
     let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let t7 = motor_k_s_times_motor_k_r - R::literal(1.0);
-    let motor_omega_dot_by_motor_k_r = t3 * motor_omega_0 / (p.motor_x_s * (t7 * t7))
+    let t9 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let motor_omega_dot_by_motor_k_r = t4 * motor_omega_0 / (p.motor_x_s * (t9 * t9))
         * (motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry)
         * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
@@ -249,10 +250,9 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let motor_omega_dot_by_motor_x_s = R::literal(-1.0) / p.motor_x_s * motor_torque
         * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t1);
-    let motor_psi_sy_dot_by_motor_alpha_s = motor_omega_0 * (-motor_psi_sy)
-        .add_product(p.motor_k_r, motor_psi_ry);
-    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t4;
-    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t5;
+    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t2);
+    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t5;
+    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t6;
     [motor_omega_dot_by_motor_inertia, motor_omega_dot_by_motor_supply_frequency,
         motor_omega_dot_by_motor_pole_pairs, motor_omega_dot_by_motor_k_s,
         motor_omega_dot_by_motor_k_r, motor_omega_dot_by_motor_x_s,

@@ -16,9 +16,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 5, states 6, parameters 11, outputs 9.
 // Nonzeros: mass_matrix 13 of 5 by 5, rate_jacobian 30 of 6 by 6, parameter_jacobian 41 of 6 by 11.
-// Operations: rate 132, mass_matrix 13, forcing 85, rate_jacobian 315, parameter_jacobian 584,
-//     time_derivative 63, outputs 25, energy 33, power_balance 184, prepare 39, prepared_rate 103,
-//     prepared_rate_jacobian 276.
+// Operations: rate 118, mass_matrix 13, forcing 69, rate_jacobian 295, parameter_jacobian 575,
+//     time_derivative 63, outputs 25, energy 33, power_balance 169, prepare 25, prepared_rate 98,
+//     prepared_rate_jacobian 270.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
@@ -33,7 +33,7 @@ use ::machinist_contract::{
     MotorStationaryAxes: "motor_stationary_axes", "Induction motor running up empty, from its co-energy";
     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
-    coordinates; prepared; series 29;
+    coordinates; prepared; series 28;
 }
 
 ::machinist_contract::parameters! {
@@ -91,11 +91,10 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    motor_omega_0, t0, t2, t3, t4, inverse_motor_inertia, t5, t6, t7, t8, t9, t10, t11,
-    motor_pole_pairs_squared, t12, t13, t14
+    motor_omega_0, t0, t1, t2, t3, inverse_motor_inertia, t4, t5, t6, motor_pole_pairs_squared, t7, t8
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 39 operations.
+/// What `rate` and `rate_jacobian` need of the parameters, once a run. 25 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -106,26 +105,19 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let motor_M = p.motor_k_s * motor_L_s;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_L_r = motor_M / p.motor_k_r;
-    let t1 = p.motor_k_s * p.motor_x_s * p.motor_alpha_r;
-    let motor_R_r = t1 * motor_sigma / p.motor_k_r;
-    let t2 = R::literal(1.5) * motor_M;
-    let t3 = R::literal(1.5) * motor_L_r;
-    let t4 = R::literal(1.0) / (R::literal(1.5) * motor_L_s);
+    let motor_R_r = p.motor_k_s * p.motor_x_s * p.motor_alpha_r * motor_sigma / p.motor_k_r;
+    let t1 = R::literal(1.5) * motor_M;
+    let t2 = R::literal(1.5) * motor_L_r;
+    let t3 = R::literal(1.0) / (R::literal(1.5) * motor_L_s);
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
-    let t5 = R::literal(1.5) * motor_R_s;
-    let t6 = R::literal(0.75) * p.motor_pole_pairs * p.motor_k_r;
-    let t7 = R::literal(0.75) * p.motor_alpha_r * motor_omega_0;
-    let t8 = R::literal(0.75) * p.motor_k_s * p.motor_k_r * p.motor_alpha_r * motor_omega_0;
-    let t9 = R::literal(2.0) * motor_L_r;
-    let t10 = R::literal(1.5) * motor_R_r;
-    let t11 = R::literal(1.5) * p.motor_pole_pairs * motor_M;
+    let t4 = R::literal(1.5) * motor_R_s;
+    let t5 = R::literal(1.5) * motor_R_r;
+    let t6 = R::literal(1.5) * p.motor_pole_pairs * motor_M;
     let motor_pole_pairs_squared = p.motor_pole_pairs * p.motor_pole_pairs;
-    let t12 = t2 * motor_pole_pairs_squared;
-    let t13 = t5 * t4;
-    let t14 = t1 * R::literal(-1.5).add_product(R::literal(1.5) * p.motor_k_s, p.motor_k_r)
-        / p.motor_k_r;
-    Constants { motor_omega_0, t0, t2, t3, t4, inverse_motor_inertia, t5, t6, t7, t8, t9, t10, t11,
-        motor_pole_pairs_squared, t12, t13, t14 }
+    let t7 = t1 * motor_pole_pairs_squared;
+    let t8 = t4 * t3;
+    Constants { motor_omega_0, t0, t1, t2, t3, inverse_motor_inertia, t4, t5, t6,
+        motor_pole_pairs_squared, t7, t8 }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -141,7 +133,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 103 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 98 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
@@ -154,38 +146,39 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
     let motor_u_a = c.t0 * t2;
     let motor_u_b = c.t0 * t1;
-    let t3 = c.t2 * cos_motor_theta;
-    let t4 = c.t2 * sin_motor_theta;
-    let t5 = t3 * c.t4;
-    let t6 = t4 * c.t4;
+    let t3 = c.t1 * cos_motor_theta;
+    let t4 = c.t1 * sin_motor_theta;
+    let t5 = t3 * c.t3;
+    let t6 = t4 * c.t3;
     let t7 = t5 * t3;
     let t8 = t6 * t4;
-    let t9 = R::literal(1.0) / (c.t3 - t7 - t8);
+    let t9 = R::literal(1.0) / (c.t2 - t7 - t8);
     let t10 = (t6 * t3).sub_product(t5, t4);
     let t11 = t10 * t9;
     let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
     let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
-    let t12 = c.t2 * motor_omega;
-    let t13 = (-(c.t5 * motor_i_sa)).add_product(R::literal(1.5), motor_u_a).add_product(t12,
+    let t12 = c.t1 * motor_omega;
+    let t13 = (-(c.t4 * motor_i_sa)).add_product(R::literal(1.5), motor_u_a).add_product(t12,
         (motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
         .add_product(motor_pole_pairs_times_motor_i_rb, cos_motor_theta));
-    let t14 = (-(c.t5 * motor_i_sb)).add_product(R::literal(1.5), motor_u_b).sub_product(t12,
+    let t14 = (-(c.t4 * motor_i_sb)).add_product(R::literal(1.5), motor_u_b).sub_product(t12,
         (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
         .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta));
-    let t15 = (c.t9 * (c.t8 * motor_i_ra).add_product(c.t6 * motor_i_sa * motor_omega,
-        sin_motor_theta).sub_product(c.t6 * motor_i_sb * motor_omega, cos_motor_theta)
-        .sub_product(c.t7, motor_i_ra)).sub_product(t5, t13).sub_product(t6, t14);
-    let motor_omega_dot = c.t2 * (p.motor_pole_pairs * motor_across * cos_motor_theta)
+    let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
+    let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
+    let t15 = (c.t5 * motor_i_ra).add_product(t12, (motor_pole_pairs_times_motor_i_sb
+        * cos_motor_theta).sub_product(motor_pole_pairs_times_motor_i_sa, sin_motor_theta))
+        .add_product(t5, t13).add_product(t6, t14);
+    let motor_omega_dot = c.t1 * (p.motor_pole_pairs * motor_across * cos_motor_theta)
         .sub_product(p.motor_pole_pairs * motor_along, sin_motor_theta) * c.inverse_motor_inertia;
-    let motor_i_rb_dot = (-(c.t10 * motor_i_rb)).add_product(t12, (p.motor_pole_pairs * motor_i_sa
-        * cos_motor_theta).add_product(p.motor_pole_pairs * motor_i_sb, sin_motor_theta))
-        .add_product(t6, t13).sub_product(t5, t14).sub_product(t11, t15) * (R::literal(1.0)
-        / (c.t3 - t8 - t7).sub_product(t11, t10));
-    let motor_i_ra_dot = (t15 * t9).sub_product(t11, motor_i_rb_dot);
-    let motor_i_sb_dot = (t14 * c.t4).sub_product(t6, motor_i_ra_dot).sub_product(t5,
-        motor_i_rb_dot);
-    let motor_i_sa_dot = (t13 * c.t4).sub_product(t5, motor_i_ra_dot).add_product(t6,
-        motor_i_rb_dot);
+    let motor_i_rb_dot = (-(c.t5 * motor_i_rb)).add_product(t12, (motor_pole_pairs_times_motor_i_sa
+        * cos_motor_theta).add_product(motor_pole_pairs_times_motor_i_sb, sin_motor_theta))
+        .add_product(t6, t13).sub_product(t5, t14).add_product(t11, t15) * (R::literal(1.0)
+        / (c.t2 - t8 - t7).sub_product(t11, t10));
+    let t16 = (t15 * t9).add_product(t11, motor_i_rb_dot);
+    let motor_i_ra_dot = -t16;
+    let motor_i_sb_dot = (t14 * c.t3).add_product(t6, t16).sub_product(t5, motor_i_rb_dot);
+    let motor_i_sa_dot = (t13 * c.t3).add_product(t5, t16).add_product(t6, motor_i_rb_dot);
     [motor_omega, motor_i_sa_dot, motor_i_sb_dot, motor_i_ra_dot, motor_i_rb_dot, motor_omega_dot]
 }
 
@@ -208,7 +201,7 @@ pub fn mass_matrix<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) ->
     [t0, t2, t4, t0, t3, t2, t2, t3, t5, t4, t2, t5, p.motor_inertia]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 85 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 69 operations.
 #[must_use]
 pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
@@ -225,7 +218,6 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     let t3 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_a = t3 * t2;
     let motor_u_b = t3 * t1;
-    let motor_L_r = motor_M / p.motor_k_r;
     let motor_R_r = p.motor_k_s * p.motor_x_s * p.motor_alpha_r * motor_sigma / p.motor_k_r;
     let t4 = R::literal(1.5) * motor_M;
     let t5 = R::literal(1.5) * motor_R_s;
@@ -238,21 +230,22 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     let motor_q_sb_forcing = (-(t5 * motor_i_sb)).add_product(R::literal(1.5), motor_u_b)
         .sub_product(t6, (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
         .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta));
-    let t7 = R::literal(0.75) * p.motor_pole_pairs * p.motor_k_r;
-    let motor_q_ra_forcing = R::literal(2.0) * motor_L_r * (R::literal(0.75) * p.motor_k_s
-        * p.motor_k_r * p.motor_alpha_r * motor_omega_0 * motor_i_ra).add_product(t7 * motor_i_sa
-        * motor_omega, sin_motor_theta).sub_product(t7 * motor_i_sb * motor_omega, cos_motor_theta)
-        .sub_product(R::literal(0.75) * p.motor_alpha_r * motor_omega_0, motor_i_ra);
-    let motor_q_rb_forcing = (R::literal(-1.5) * motor_R_r * motor_i_rb).add_product(t6,
-        (p.motor_pole_pairs * motor_i_sa * cos_motor_theta).add_product(p.motor_pole_pairs
-        * motor_i_sb, sin_motor_theta));
+    let t7 = R::literal(1.5) * motor_R_r;
+    let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
+    let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
+    let motor_q_ra_forcing = (-(t7 * motor_i_ra)).add_product(t6,
+        (motor_pole_pairs_times_motor_i_sa * sin_motor_theta)
+        .sub_product(motor_pole_pairs_times_motor_i_sb, cos_motor_theta));
+    let motor_q_rb_forcing = (-(t7 * motor_i_rb)).add_product(t6,
+        (motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
+        .add_product(motor_pole_pairs_times_motor_i_sb, sin_motor_theta));
     let motor_phi_forcing = t4 * (p.motor_pole_pairs * motor_across * cos_motor_theta)
         .sub_product(p.motor_pole_pairs * motor_along, sin_motor_theta);
     [motor_q_sa_forcing, motor_q_sb_forcing, motor_q_ra_forcing, motor_q_rb_forcing,
         motor_phi_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 276 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 270 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 30] {
@@ -264,110 +257,110 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
     let motor_u_a = c.t0 * t2;
     let motor_u_b = c.t0 * t1;
-    let t3 = c.t2 * cos_motor_theta;
-    let t4 = c.t2 * sin_motor_theta;
-    let t5 = t3 * c.t4;
-    let t6 = t4 * c.t4;
+    let t3 = c.t1 * cos_motor_theta;
+    let t4 = c.t1 * sin_motor_theta;
+    let t5 = t3 * c.t3;
+    let t6 = t4 * c.t3;
     let t7 = t5 * t3;
     let t8 = t6 * t4;
-    let t9 = R::literal(1.0) / (c.t3 - t7 - t8);
+    let t9 = R::literal(1.0) / (c.t2 - t7 - t8);
     let t10 = (t6 * t3).sub_product(t5, t4);
     let t11 = t10 * t9;
-    let t12 = R::literal(1.0) / (c.t3 - t8 - t7).sub_product(t11, t10);
+    let t12 = R::literal(1.0) / (c.t2 - t8 - t7).sub_product(t11, t10);
     let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
     let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
-    let t13 = c.t2 * motor_omega;
-    let t14 = (-(c.t5 * motor_i_sa)).add_product(R::literal(1.5), motor_u_a).add_product(t13,
+    let t13 = c.t1 * motor_omega;
+    let t14 = (-(c.t4 * motor_i_sa)).add_product(R::literal(1.5), motor_u_a).add_product(t13,
         (motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
         .add_product(motor_pole_pairs_times_motor_i_rb, cos_motor_theta));
-    let t15 = (-(c.t5 * motor_i_sb)).add_product(R::literal(1.5), motor_u_b).sub_product(t13,
+    let t15 = (-(c.t4 * motor_i_sb)).add_product(R::literal(1.5), motor_u_b).sub_product(t13,
         (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
         .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta));
-    let t16 = (c.t9 * (c.t8 * motor_i_ra).add_product(c.t6 * motor_i_sa * motor_omega,
-        sin_motor_theta).sub_product(c.t6 * motor_i_sb * motor_omega, cos_motor_theta)
-        .sub_product(c.t7, motor_i_ra)).sub_product(t5, t14).sub_product(t6, t15);
-    let motor_i_rb_dot = (-(c.t10 * motor_i_rb)).add_product(t13, (p.motor_pole_pairs * motor_i_sa
-        * cos_motor_theta).add_product(p.motor_pole_pairs * motor_i_sb, sin_motor_theta))
-        .add_product(t6, t14).sub_product(t5, t15).sub_product(t11, t16) * t12;
-    let motor_i_ra_dot = (t16 * t9).sub_product(t11, motor_i_rb_dot);
-    let motor_i_sb_dot = (t15 * c.t4).sub_product(t6, motor_i_ra_dot).sub_product(t5,
-        motor_i_rb_dot);
-    let motor_i_sa_dot = (t14 * c.t4).sub_product(t5, motor_i_ra_dot).add_product(t6,
-        motor_i_rb_dot);
-    let t17 = (motor_i_ra * cos_motor_theta).sub_product(motor_i_rb, sin_motor_theta);
-    let t18 = c.t12 * motor_omega;
-    let t19 = (motor_i_ra * sin_motor_theta).add_product(motor_i_rb, cos_motor_theta);
-    let t20 = (motor_i_sa * cos_motor_theta).add_product(motor_i_sb, sin_motor_theta);
-    let t21 = (motor_i_sa * sin_motor_theta).sub_product(motor_i_sb, cos_motor_theta);
-    let t22 = c.t11 * sin_motor_theta;
-    let t23 = c.t11 * cos_motor_theta;
-    let t24 = (t18 * t17).add_product(t22, motor_i_ra_dot).add_product(t23, motor_i_rb_dot);
-    let t25 = (t18 * t19).sub_product(t23, motor_i_ra_dot).add_product(t22, motor_i_rb_dot);
-    let t26 = (t18 * t20).add_product(t22, motor_i_sa_dot).sub_product(t23, motor_i_sb_dot)
-        .sub_product(t5, t24).sub_product(t6, t25);
-    let motor_omega_dot_by_motor_phi = -(c.t2 * (c.motor_pole_pairs_squared * motor_along
+    let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
+    let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
+    let t16 = (c.t5 * motor_i_ra).add_product(t13, (motor_pole_pairs_times_motor_i_sb
+        * cos_motor_theta).sub_product(motor_pole_pairs_times_motor_i_sa, sin_motor_theta))
+        .add_product(t5, t14).add_product(t6, t15);
+    let motor_i_rb_dot = (-(c.t5 * motor_i_rb)).add_product(t13, (motor_pole_pairs_times_motor_i_sa
+        * cos_motor_theta).add_product(motor_pole_pairs_times_motor_i_sb, sin_motor_theta))
+        .add_product(t6, t14).sub_product(t5, t15).add_product(t11, t16) * t12;
+    let t17 = (t16 * t9).add_product(t11, motor_i_rb_dot);
+    let motor_i_sb_dot = (t15 * c.t3).add_product(t6, t17).sub_product(t5, motor_i_rb_dot);
+    let motor_i_sa_dot = (t14 * c.t3).add_product(t5, t17).add_product(t6, motor_i_rb_dot);
+    let t18 = (motor_i_ra * cos_motor_theta).sub_product(motor_i_rb, sin_motor_theta);
+    let t19 = c.t7 * motor_omega;
+    let t20 = (motor_i_ra * sin_motor_theta).add_product(motor_i_rb, cos_motor_theta);
+    let t21 = (motor_i_sa * cos_motor_theta).add_product(motor_i_sb, sin_motor_theta);
+    let t22 = (motor_i_sa * sin_motor_theta).sub_product(motor_i_sb, cos_motor_theta);
+    let t23 = c.t6 * sin_motor_theta;
+    let t24 = c.t6 * cos_motor_theta;
+    let t25 = (t19 * t18).sub_product(t23, t17).add_product(t24, motor_i_rb_dot);
+    let t26 = (t19 * t20).add_product(t24, t17).add_product(t23, motor_i_rb_dot);
+    let t27 = (t19 * t21).add_product(t23, motor_i_sa_dot).sub_product(t24, motor_i_sb_dot)
+        .sub_product(t5, t25).sub_product(t6, t26);
+    let motor_omega_dot_by_motor_phi = -(c.t1 * (c.motor_pole_pairs_squared * motor_along
         * cos_motor_theta).add_product(c.motor_pole_pairs_squared * motor_across, sin_motor_theta)
         * c.inverse_motor_inertia);
-    let motor_i_rb_dot_by_motor_phi = (-(t18 * t21)).add_product(t23, motor_i_sa_dot)
-        .add_product(t22, motor_i_sb_dot).add_product(t6, t24).sub_product(t5, t25)
-        .sub_product(t11, t26) * t12;
-    let motor_i_ra_dot_by_motor_phi = (t26 * t9).sub_product(t11, motor_i_rb_dot_by_motor_phi);
-    let motor_i_sb_dot_by_motor_phi = (t25 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_phi)
+    let motor_i_rb_dot_by_motor_phi = (-(t19 * t22)).add_product(t24, motor_i_sa_dot)
+        .add_product(t23, motor_i_sb_dot).add_product(t6, t25).sub_product(t5, t26)
+        .sub_product(t11, t27) * t12;
+    let motor_i_ra_dot_by_motor_phi = (t27 * t9).sub_product(t11, motor_i_rb_dot_by_motor_phi);
+    let motor_i_sb_dot_by_motor_phi = (t26 * c.t3).sub_product(t6, motor_i_ra_dot_by_motor_phi)
         .sub_product(t5, motor_i_rb_dot_by_motor_phi);
-    let motor_i_sa_dot_by_motor_phi = (t24 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_phi)
+    let motor_i_sa_dot_by_motor_phi = (t25 * c.t3).sub_product(t5, motor_i_ra_dot_by_motor_phi)
         .add_product(t6, motor_i_rb_dot_by_motor_phi);
-    let t27 = c.t11 * motor_omega;
-    let t28 = t27 * sin_motor_theta;
-    let t29 = t27 * cos_motor_theta;
-    let t30 = c.t11 * t19;
-    let t31 = t28.add_product(t5, c.t5);
-    let t32 = t6 * c.t5;
-    let motor_omega_dot_by_motor_i_sa = -(t30 * c.inverse_motor_inertia);
-    let motor_i_rb_dot_by_motor_i_sa = (t29 - t32).sub_product(t11, t31) * t12;
-    let motor_i_ra_dot_by_motor_i_sa = (t31 * t9).sub_product(t11, motor_i_rb_dot_by_motor_i_sa);
+    let t28 = c.t6 * motor_omega;
+    let t29 = t28 * sin_motor_theta;
+    let t30 = t28 * cos_motor_theta;
+    let t31 = c.t6 * t20;
+    let t32 = t29.add_product(t5, c.t4);
+    let t33 = t6 * c.t4;
+    let motor_omega_dot_by_motor_i_sa = -(t31 * c.inverse_motor_inertia);
+    let motor_i_rb_dot_by_motor_i_sa = (t30 - t33).sub_product(t11, t32) * t12;
+    let motor_i_ra_dot_by_motor_i_sa = (t32 * t9).sub_product(t11, motor_i_rb_dot_by_motor_i_sa);
     let motor_i_sb_dot_by_motor_i_sa = -(t5 * motor_i_rb_dot_by_motor_i_sa).add_product(t6,
         motor_i_ra_dot_by_motor_i_sa);
-    let motor_i_sa_dot_by_motor_i_sa = (-c.t13.add_product(t5, motor_i_ra_dot_by_motor_i_sa))
+    let motor_i_sa_dot_by_motor_i_sa = (-c.t8.add_product(t5, motor_i_ra_dot_by_motor_i_sa))
         .add_product(t6, motor_i_rb_dot_by_motor_i_sa);
-    let t33 = c.t11 * t17;
-    let t34 = t32 - t29;
-    let motor_omega_dot_by_motor_i_sb = t33 * c.inverse_motor_inertia;
-    let motor_i_rb_dot_by_motor_i_sb = t31.sub_product(t11, t34) * t12;
-    let motor_i_ra_dot_by_motor_i_sb = (t34 * t9).sub_product(t11, motor_i_rb_dot_by_motor_i_sb);
-    let motor_i_sb_dot_by_motor_i_sb = -c.t13.add_product(t6, motor_i_ra_dot_by_motor_i_sb)
+    let t34 = c.t6 * t18;
+    let t35 = t33 - t30;
+    let motor_omega_dot_by_motor_i_sb = t34 * c.inverse_motor_inertia;
+    let motor_i_rb_dot_by_motor_i_sb = t32.sub_product(t11, t35) * t12;
+    let motor_i_ra_dot_by_motor_i_sb = (t35 * t9).sub_product(t11, motor_i_rb_dot_by_motor_i_sb);
+    let motor_i_sb_dot_by_motor_i_sb = -c.t8.add_product(t6, motor_i_ra_dot_by_motor_i_sb)
         .add_product(t5, motor_i_rb_dot_by_motor_i_sb);
     let motor_i_sa_dot_by_motor_i_sb = (t6 * motor_i_rb_dot_by_motor_i_sb).sub_product(t5,
         motor_i_ra_dot_by_motor_i_sb);
-    let t35 = c.t11 * t21;
-    let t36 = t5 * t28;
-    let t37 = t6 * t29;
-    let t38 = c.t14 - t36 + t37;
-    let t39 = (t6 * t28).add_product(t5, t29);
-    let motor_omega_dot_by_motor_i_ra = -(t35 * c.inverse_motor_inertia);
-    let motor_i_rb_dot_by_motor_i_ra = t39.sub_product(t11, t38) * t12;
-    let motor_i_ra_dot_by_motor_i_ra = (t38 * t9).sub_product(t11, motor_i_rb_dot_by_motor_i_ra);
-    let t40 = t29 * c.t4;
-    let motor_i_sb_dot_by_motor_i_ra = -t40.add_product(t6, motor_i_ra_dot_by_motor_i_ra)
+    let t36 = c.t6 * t22;
+    let t37 = t5 * t29;
+    let t38 = t6 * t30;
+    let t39 = t38 - (c.t5 + t37);
+    let t40 = (t6 * t29).add_product(t5, t30);
+    let motor_omega_dot_by_motor_i_ra = -(t36 * c.inverse_motor_inertia);
+    let motor_i_rb_dot_by_motor_i_ra = t40.sub_product(t11, t39) * t12;
+    let motor_i_ra_dot_by_motor_i_ra = (t39 * t9).sub_product(t11, motor_i_rb_dot_by_motor_i_ra);
+    let t41 = t30 * c.t3;
+    let motor_i_sb_dot_by_motor_i_ra = -t41.add_product(t6, motor_i_ra_dot_by_motor_i_ra)
         .add_product(t5, motor_i_rb_dot_by_motor_i_ra);
-    let t41 = t28 * c.t4;
-    let motor_i_sa_dot_by_motor_i_ra = t41.sub_product(t5, motor_i_ra_dot_by_motor_i_ra)
+    let t42 = t29 * c.t3;
+    let motor_i_sa_dot_by_motor_i_ra = t42.sub_product(t5, motor_i_ra_dot_by_motor_i_ra)
         .add_product(t6, motor_i_rb_dot_by_motor_i_ra);
-    let t42 = c.t11 * t20;
-    let motor_omega_dot_by_motor_i_rb = -(t42 * c.inverse_motor_inertia);
-    let motor_i_rb_dot_by_motor_i_rb = (t37 - c.t10 - t36).add_product(t11, t39) * t12;
-    let t43 = (t39 * t9).add_product(t11, motor_i_rb_dot_by_motor_i_rb);
-    let motor_i_ra_dot_by_motor_i_rb = -t43;
-    let motor_i_sb_dot_by_motor_i_rb = t41.add_product(t6, t43).sub_product(t5,
+    let t43 = c.t6 * t21;
+    let motor_omega_dot_by_motor_i_rb = -(t43 * c.inverse_motor_inertia);
+    let motor_i_rb_dot_by_motor_i_rb = (t38 - c.t5 - t37).add_product(t11, t40) * t12;
+    let t44 = (t40 * t9).add_product(t11, motor_i_rb_dot_by_motor_i_rb);
+    let motor_i_ra_dot_by_motor_i_rb = -t44;
+    let motor_i_sb_dot_by_motor_i_rb = t42.add_product(t6, t44).sub_product(t5,
         motor_i_rb_dot_by_motor_i_rb);
-    let motor_i_sa_dot_by_motor_i_rb = t40.add_product(t5, t43).add_product(t6,
+    let motor_i_sa_dot_by_motor_i_rb = t41.add_product(t5, t44).add_product(t6,
         motor_i_rb_dot_by_motor_i_rb);
-    let t44 = t35.sub_product(t5, t30).add_product(t6, t33);
-    let motor_i_rb_dot_by_motor_omega = t42.add_product(t6, t30).add_product(t5, t33)
-        .sub_product(t11, t44) * t12;
-    let motor_i_ra_dot_by_motor_omega = (t44 * t9).sub_product(t11, motor_i_rb_dot_by_motor_omega);
-    let motor_i_sb_dot_by_motor_omega = -(t33 * c.t4).add_product(t6, motor_i_ra_dot_by_motor_omega)
+    let t45 = t36.sub_product(t5, t31).add_product(t6, t34);
+    let motor_i_rb_dot_by_motor_omega = t43.add_product(t6, t31).add_product(t5, t34)
+        .sub_product(t11, t45) * t12;
+    let motor_i_ra_dot_by_motor_omega = (t45 * t9).sub_product(t11, motor_i_rb_dot_by_motor_omega);
+    let motor_i_sb_dot_by_motor_omega = -(t34 * c.t3).add_product(t6, motor_i_ra_dot_by_motor_omega)
         .add_product(t5, motor_i_rb_dot_by_motor_omega);
-    let motor_i_sa_dot_by_motor_omega = (t30 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_omega)
+    let motor_i_sa_dot_by_motor_omega = (t31 * c.t3).sub_product(t5, motor_i_ra_dot_by_motor_omega)
         .add_product(t6, motor_i_rb_dot_by_motor_omega);
     [R::literal(1.0), motor_i_sa_dot_by_motor_phi, motor_i_sa_dot_by_motor_i_sa,
         motor_i_sa_dot_by_motor_i_sb, motor_i_sa_dot_by_motor_i_ra, motor_i_sa_dot_by_motor_i_rb,
@@ -381,7 +374,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         motor_omega_dot_by_motor_i_sb, motor_omega_dot_by_motor_i_ra, motor_omega_dot_by_motor_i_rb]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 584 operations.
+/// `dy'/dp`, values in the order of its pattern. 575 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 41] {
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
@@ -399,8 +392,7 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let motor_u_a = t3 * t2;
     let motor_u_b = t3 * t1;
     let motor_L_r = motor_M / p.motor_k_r;
-    let motor_k_s_times_motor_x_s = p.motor_k_s * p.motor_x_s;
-    let motor_R_r = motor_k_s_times_motor_x_s * p.motor_alpha_r * motor_sigma / p.motor_k_r;
+    let motor_R_r = p.motor_k_s * p.motor_x_s * p.motor_alpha_r * motor_sigma / p.motor_k_r;
     let t4 = R::literal(1.5) * motor_L_s;
     let t5 = R::literal(1.5) * motor_M;
     let t6 = t5 * cos_motor_theta;
@@ -428,102 +420,95 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta);
     let t24 = R::literal(1.5) * motor_u_b;
     let t25 = t24.sub_product(t18, motor_i_sb).sub_product(t20, t23);
-    let t26 = R::literal(0.75) * p.motor_pole_pairs * p.motor_k_r;
-    let t27 = t26 * motor_i_sb * motor_omega;
-    let t28 = t27 * cos_motor_theta;
-    let t29 = R::literal(0.75) * p.motor_alpha_r * motor_omega_0;
-    let t30 = t29 * motor_i_ra;
-    let t31 = t26 * motor_i_sa * motor_omega;
-    let t32 = t31 * sin_motor_theta;
-    let t33 = t32.add_product(R::literal(0.75) * p.motor_k_s * p.motor_k_r * p.motor_alpha_r
-        * motor_omega_0, motor_i_ra) - t28 - t30;
-    let t34 = (p.motor_pole_pairs * motor_i_sa * cos_motor_theta).add_product(p.motor_pole_pairs
-        * motor_i_sb, sin_motor_theta);
-    let t35 = (p.motor_pole_pairs * motor_across * cos_motor_theta).sub_product(p.motor_pole_pairs
+    let t26 = R::literal(1.5) * motor_R_r;
+    let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
+    let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
+    let t27 = (motor_pole_pairs_times_motor_i_sb * cos_motor_theta)
+        .sub_product(motor_pole_pairs_times_motor_i_sa, sin_motor_theta);
+    let t28 = (motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
+        .add_product(motor_pole_pairs_times_motor_i_sb, sin_motor_theta);
+    let t29 = (p.motor_pole_pairs * motor_across * cos_motor_theta).sub_product(p.motor_pole_pairs
         * motor_along, sin_motor_theta);
-    let t36 = (R::literal(2.0) * motor_L_r * t33).sub_product(t10, t22).sub_product(t11, t25);
-    let motor_omega_dot = t5 * t35 * inverse_motor_inertia;
-    let motor_i_rb_dot = (R::literal(-1.5) * motor_R_r * motor_i_rb).add_product(t20, t34)
-        .add_product(t11, t22).sub_product(t10, t25).sub_product(t16, t36) * t17;
-    let motor_i_ra_dot = (t36 * t14).sub_product(t16, motor_i_rb_dot);
-    let motor_i_sb_dot = (t25 * t9).sub_product(t11, motor_i_ra_dot).sub_product(t10,
-        motor_i_rb_dot);
-    let motor_i_sa_dot = (t22 * t9).sub_product(t10, motor_i_ra_dot).add_product(t11,
-        motor_i_rb_dot);
+    let t30 = (t26 * motor_i_ra).add_product(t20, t27).add_product(t10, t22).add_product(t11, t25);
+    let motor_omega_dot = t5 * t29 * inverse_motor_inertia;
+    let motor_i_rb_dot = (-(t26 * motor_i_rb)).add_product(t20, t28).add_product(t11, t22)
+        .sub_product(t10, t25).add_product(t16, t30) * t17;
+    let t31 = (t30 * t14).add_product(t16, motor_i_rb_dot);
+    let motor_i_sb_dot = (t25 * t9).add_product(t11, t31).sub_product(t10, motor_i_rb_dot);
+    let motor_i_sa_dot = (t22 * t9).add_product(t10, t31).add_product(t11, motor_i_rb_dot);
     let motor_i_sa_times_cos_motor_theta = motor_i_sa * cos_motor_theta;
     let motor_i_sb_times_sin_motor_theta = motor_i_sb * sin_motor_theta;
     let motor_i_sb_times_cos_motor_theta = motor_i_sb * cos_motor_theta;
     let motor_i_sa_times_sin_motor_theta = motor_i_sa * sin_motor_theta;
-    let t37 = R::literal(1.5) * p.motor_k_s;
-    let t38 = t37 * p.motor_k_r;
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
-    let t39 = R::literal(2.121_320_343_559_643) * t2;
-    let t40 = R::literal(2.121_320_343_559_643) * t1;
-    let t41 = (t10 * t39).add_product(t11, t40);
-    let motor_i_rb_dot_by_motor_phase_voltage = (t11 * t39).sub_product(t10, t40).add_product(t16,
-        t41) * t17;
-    let t42 = (t41 * t14).add_product(t16, motor_i_rb_dot_by_motor_phase_voltage);
-    let motor_i_ra_dot_by_motor_phase_voltage = -t42;
-    let motor_i_sb_dot_by_motor_phase_voltage = (t40 * t9).add_product(t11, t42).sub_product(t10,
+    let t32 = R::literal(2.121_320_343_559_643) * t2;
+    let t33 = R::literal(2.121_320_343_559_643) * t1;
+    let t34 = (t10 * t32).add_product(t11, t33);
+    let motor_i_rb_dot_by_motor_phase_voltage = (t11 * t32).sub_product(t10, t33).add_product(t16,
+        t34) * t17;
+    let t35 = (t34 * t14).add_product(t16, motor_i_rb_dot_by_motor_phase_voltage);
+    let motor_i_ra_dot_by_motor_phase_voltage = -t35;
+    let motor_i_sb_dot_by_motor_phase_voltage = (t33 * t9).add_product(t11, t35).sub_product(t10,
         motor_i_rb_dot_by_motor_phase_voltage);
-    let motor_i_sa_dot_by_motor_phase_voltage = (t39 * t9).add_product(t10, t42).add_product(t11,
+    let motor_i_sa_dot_by_motor_phase_voltage = (t32 * t9).add_product(t10, t35).add_product(t11,
         motor_i_rb_dot_by_motor_phase_voltage);
-    let t43 = R::literal(3.0 * core::f64::consts::PI) * time;
-    let t44 = t5 / p.motor_supply_frequency;
-    let t45 = t44 * motor_omega;
-    let t46 = R::literal(1.5) * p.motor_pole_pairs * motor_M / p.motor_supply_frequency
+    let t36 = R::literal(3.0 * core::f64::consts::PI) * time;
+    let t37 = t5 / p.motor_supply_frequency;
+    let t38 = t37 * motor_omega;
+    let t39 = R::literal(1.5) * p.motor_pole_pairs * motor_M / p.motor_supply_frequency
         * motor_omega;
-    let t47 = t4 / p.motor_supply_frequency;
-    let t48 = t44 * cos_motor_theta;
-    let t49 = t44 * sin_motor_theta;
-    let t50 = (-(t45 * t19).add_product(t43, motor_u_b)).add_product(t47, motor_i_sa_dot)
-        .add_product(t48, motor_i_ra_dot).sub_product(t49, motor_i_rb_dot);
-    let t51 = (t45 * t23).add_product(t43, motor_u_a).add_product(t47, motor_i_sb_dot)
-        .add_product(t49, motor_i_ra_dot).add_product(t48, motor_i_rb_dot);
-    let t52 = t8 / p.motor_supply_frequency;
-    let t53 = (-(t46 * (motor_i_sa_times_sin_motor_theta - motor_i_sb_times_cos_motor_theta)))
-        .add_product(t48, motor_i_sa_dot).add_product(t49, motor_i_sb_dot).add_product(t52,
-        motor_i_ra_dot).sub_product(t10, t50).sub_product(t11, t51);
-    let motor_omega_dot_by_motor_supply_frequency = -(t44 * t35 * inverse_motor_inertia);
-    let motor_i_rb_dot_by_motor_supply_frequency = (-(t46 * (motor_i_sa_times_cos_motor_theta
-        + motor_i_sb_times_sin_motor_theta)).add_product(t49, motor_i_sa_dot)).add_product(t48,
-        motor_i_sb_dot).add_product(t52, motor_i_rb_dot).add_product(t11, t50).sub_product(t10, t51)
-        .sub_product(t16, t53) * t17;
-    let motor_i_ra_dot_by_motor_supply_frequency = (t53 * t14).sub_product(t16,
+    let t40 = t4 / p.motor_supply_frequency;
+    let t41 = t37 * cos_motor_theta;
+    let t42 = t37 * sin_motor_theta;
+    let t43 = (-(t38 * t19).add_product(t36, motor_u_b)).add_product(t40, motor_i_sa_dot)
+        .sub_product(t41, t31).sub_product(t42, motor_i_rb_dot);
+    let t44 = (t38 * t23).add_product(t36, motor_u_a).add_product(t40, motor_i_sb_dot)
+        .sub_product(t42, t31).add_product(t41, motor_i_rb_dot);
+    let t45 = t8 / p.motor_supply_frequency;
+    let t46 = (-(t39 * (motor_i_sa_times_sin_motor_theta - motor_i_sb_times_cos_motor_theta)))
+        .add_product(t41, motor_i_sa_dot).add_product(t42, motor_i_sb_dot).sub_product(t45, t31)
+        .sub_product(t10, t43).sub_product(t11, t44);
+    let motor_omega_dot_by_motor_supply_frequency = -(t37 * t29 * inverse_motor_inertia);
+    let motor_i_rb_dot_by_motor_supply_frequency = (-(t39 * (motor_i_sa_times_cos_motor_theta
+        + motor_i_sb_times_sin_motor_theta)).add_product(t42, motor_i_sa_dot)).add_product(t41,
+        motor_i_sb_dot).add_product(t45, motor_i_rb_dot).add_product(t11, t43).sub_product(t10, t44)
+        .sub_product(t16, t46) * t17;
+    let motor_i_ra_dot_by_motor_supply_frequency = (t46 * t14).sub_product(t16,
         motor_i_rb_dot_by_motor_supply_frequency);
-    let motor_i_sb_dot_by_motor_supply_frequency = (t51 * t9).sub_product(t11,
+    let motor_i_sb_dot_by_motor_supply_frequency = (t44 * t9).sub_product(t11,
         motor_i_ra_dot_by_motor_supply_frequency).sub_product(t10,
         motor_i_rb_dot_by_motor_supply_frequency);
-    let motor_i_sa_dot_by_motor_supply_frequency = (t50 * t9).sub_product(t10,
+    let motor_i_sa_dot_by_motor_supply_frequency = (t43 * t9).sub_product(t10,
         motor_i_ra_dot_by_motor_supply_frequency).add_product(t11,
         motor_i_rb_dot_by_motor_supply_frequency);
-    let t54 = (t10 * t24).sub_product(t11, t21);
-    let t55 = (t11 * t24).add_product(t10, t21).add_product(t16, t54) * t17;
-    let motor_i_rb_dot_by_motor_supply_phase = -t55;
-    let motor_i_ra_dot_by_motor_supply_phase = (t54 * t14).add_product(t16, t55);
+    let t47 = (t10 * t24).sub_product(t11, t21);
+    let t48 = (t11 * t24).add_product(t10, t21).add_product(t16, t47) * t17;
+    let motor_i_rb_dot_by_motor_supply_phase = -t48;
+    let motor_i_ra_dot_by_motor_supply_phase = (t47 * t14).add_product(t16, t48);
     let motor_i_sb_dot_by_motor_supply_phase = (t21 * t9).sub_product(t11,
-        motor_i_ra_dot_by_motor_supply_phase).add_product(t10, t55);
+        motor_i_ra_dot_by_motor_supply_phase).add_product(t10, t48);
     let motor_i_sa_dot_by_motor_supply_phase = -(t24 * t9).add_product(t10,
-        motor_i_ra_dot_by_motor_supply_phase).add_product(t11, t55);
+        motor_i_ra_dot_by_motor_supply_phase).add_product(t11, t48);
     let motor_i_ra_times_motor_theta = motor_i_ra * motor_theta;
     let motor_i_rb_times_motor_theta = motor_i_rb * motor_theta;
     let motor_i_sa_times_motor_theta = motor_i_sa * motor_theta;
     let motor_i_sb_times_motor_theta = motor_i_sb * motor_theta;
-    let t56 = t5 * motor_phi;
-    let t57 = t56 * sin_motor_theta;
-    let t58 = t56 * cos_motor_theta;
-    let t59 = (-(t20 * (motor_i_rb_times_motor_theta * sin_motor_theta)
+    let t49 = t5 * motor_phi;
+    let t50 = t49 * sin_motor_theta;
+    let t51 = t49 * cos_motor_theta;
+    let t52 = (-(t20 * (motor_i_rb_times_motor_theta * sin_motor_theta)
         .sub_product(motor_i_ra_times_motor_theta, cos_motor_theta).sub_product(motor_i_ra,
-        sin_motor_theta).sub_product(motor_i_rb, cos_motor_theta))).add_product(t57, motor_i_ra_dot)
-        .add_product(t58, motor_i_rb_dot);
-    let t60 = (-(t20 * (motor_i_ra * cos_motor_theta).sub_product(motor_i_ra_times_motor_theta,
+        sin_motor_theta).sub_product(motor_i_rb, cos_motor_theta)).add_product(t50, t31))
+        .add_product(t51, motor_i_rb_dot);
+    let t53 = (-(t20 * (motor_i_ra * cos_motor_theta).sub_product(motor_i_ra_times_motor_theta,
         sin_motor_theta).sub_product(motor_i_rb_times_motor_theta, cos_motor_theta)
-        .sub_product(motor_i_rb, sin_motor_theta)).add_product(t58, motor_i_ra_dot))
-        .add_product(t57, motor_i_rb_dot);
-    let t61 = (t20 * (motor_i_sa_times_sin_motor_theta.add_product(motor_i_sa_times_motor_theta,
-        cos_motor_theta).add_product(motor_i_sb_times_motor_theta, sin_motor_theta)
-        - motor_i_sb_times_cos_motor_theta)).add_product(t57, motor_i_sa_dot).sub_product(t58,
-        motor_i_sb_dot).sub_product(t10, t59).sub_product(t11, t60);
+        .sub_product(motor_i_rb, sin_motor_theta))).add_product(t51, t31).add_product(t50,
+        motor_i_rb_dot);
+    let t54 = (-(t20 * (motor_i_sb_times_cos_motor_theta.sub_product(motor_i_sa_times_motor_theta,
+        cos_motor_theta) - motor_i_sa_times_sin_motor_theta)
+        .sub_product(motor_i_sb_times_motor_theta, sin_motor_theta))).add_product(t50,
+        motor_i_sa_dot).sub_product(t51, motor_i_sb_dot).sub_product(t10, t52).sub_product(t11,
+        t53);
     let motor_omega_dot_by_motor_pole_pairs = t5 * (motor_across * cos_motor_theta)
         .sub_product(motor_theta * motor_along, cos_motor_theta).sub_product(motor_theta
         * motor_across, sin_motor_theta).sub_product(motor_along, sin_motor_theta)
@@ -531,98 +516,103 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let motor_i_rb_dot_by_motor_pole_pairs = (-(t20 * ((-motor_i_sa_times_cos_motor_theta)
         .add_product(motor_i_sa_times_motor_theta, sin_motor_theta)
         .sub_product(motor_i_sb_times_motor_theta, cos_motor_theta)
-        - motor_i_sb_times_sin_motor_theta))).add_product(t58, motor_i_sa_dot).add_product(t57,
-        motor_i_sb_dot).add_product(t11, t59).sub_product(t10, t60).sub_product(t16, t61) * t17;
-    let motor_i_ra_dot_by_motor_pole_pairs = (t61 * t14).sub_product(t16,
+        - motor_i_sb_times_sin_motor_theta))).add_product(t51, motor_i_sa_dot).add_product(t50,
+        motor_i_sb_dot).add_product(t11, t52).sub_product(t10, t53).sub_product(t16, t54) * t17;
+    let motor_i_ra_dot_by_motor_pole_pairs = (t54 * t14).sub_product(t16,
         motor_i_rb_dot_by_motor_pole_pairs);
-    let motor_i_sb_dot_by_motor_pole_pairs = (t60 * t9).sub_product(t11,
+    let motor_i_sb_dot_by_motor_pole_pairs = (t53 * t9).sub_product(t11,
         motor_i_ra_dot_by_motor_pole_pairs).sub_product(t10, motor_i_rb_dot_by_motor_pole_pairs);
-    let motor_i_sa_dot_by_motor_pole_pairs = (t59 * t9).sub_product(t10,
+    let motor_i_sa_dot_by_motor_pole_pairs = (t52 * t9).sub_product(t10,
         motor_i_ra_dot_by_motor_pole_pairs).add_product(t11, motor_i_rb_dot_by_motor_pole_pairs);
-    let t62 = t4 * motor_omega;
-    let t63 = R::literal(1.5) * p.motor_k_r * p.motor_x_s * p.motor_alpha_s;
-    let t64 = t38 * p.motor_alpha_r * motor_omega_0;
-    let t65 = R::literal(2.0) * motor_L_s / p.motor_k_r;
-    let t66 = t4 * cos_motor_theta;
-    let t67 = t4 * sin_motor_theta;
-    let t68 = (t63 * motor_i_sa).add_product(t62, t19).sub_product(t66, motor_i_ra_dot)
-        .add_product(t67, motor_i_rb_dot);
-    let t69 = (t63 * motor_i_sb).sub_product(t62, t23).sub_product(t67, motor_i_ra_dot)
-        .sub_product(t66, motor_i_rb_dot);
-    let t70 = t4 / p.motor_k_r;
-    let t71 = (t65 * (t32.add_product(t64, motor_i_ra) - t28 - t30)).sub_product(t66,
-        motor_i_sa_dot).sub_product(t67, motor_i_sb_dot).sub_product(t70, motor_i_ra_dot)
-        .sub_product(t10, t68).sub_product(t11, t69);
-    let motor_omega_dot_by_motor_k_s = t4 * t35 * inverse_motor_inertia;
-    let motor_i_rb_dot_by_motor_k_s = (t65 * (t31 * cos_motor_theta).add_product(t27,
-        sin_motor_theta).add_product(t64, motor_i_rb).sub_product(t29, motor_i_rb))
-        .add_product(t67, motor_i_sa_dot).sub_product(t66, motor_i_sb_dot).sub_product(t70,
-        motor_i_rb_dot).add_product(t11, t68).sub_product(t10, t69).sub_product(t16, t71) * t17;
-    let motor_i_ra_dot_by_motor_k_s = (t71 * t14).sub_product(t16, motor_i_rb_dot_by_motor_k_s);
-    let motor_i_sb_dot_by_motor_k_s = (t69 * t9).sub_product(t11, motor_i_ra_dot_by_motor_k_s)
+    let t55 = t4 * motor_omega;
+    let t56 = R::literal(1.5) * p.motor_k_r * p.motor_x_s * p.motor_alpha_s;
+    let t57 = R::literal(0.75) * p.motor_pole_pairs * p.motor_k_r;
+    let t58 = t57 * motor_i_sb * motor_omega;
+    let t59 = R::literal(0.75) * p.motor_alpha_r * motor_omega_0;
+    let t60 = t57 * motor_i_sa * motor_omega;
+    let t61 = R::literal(1.5) * p.motor_k_s;
+    let t62 = t61 * p.motor_k_r * p.motor_alpha_r * motor_omega_0;
+    let t63 = R::literal(2.0) * motor_L_s / p.motor_k_r;
+    let t64 = t4 * cos_motor_theta;
+    let t65 = t4 * sin_motor_theta;
+    let t66 = (t56 * motor_i_sa).add_product(t55, t19).add_product(t64, t31).add_product(t65,
+        motor_i_rb_dot);
+    let t67 = (t56 * motor_i_sb).sub_product(t55, t23).add_product(t65, t31).sub_product(t64,
+        motor_i_rb_dot);
+    let t68 = t4 / p.motor_k_r;
+    let t69 = (t63 * (t62 * motor_i_ra).add_product(t60, sin_motor_theta).sub_product(t58,
+        cos_motor_theta).sub_product(t59, motor_i_ra)).sub_product(t64, motor_i_sa_dot)
+        .sub_product(t65, motor_i_sb_dot).add_product(t68, t31).sub_product(t10, t66)
+        .sub_product(t11, t67);
+    let motor_omega_dot_by_motor_k_s = t4 * t29 * inverse_motor_inertia;
+    let motor_i_rb_dot_by_motor_k_s = (t63 * (t60 * cos_motor_theta).add_product(t58,
+        sin_motor_theta).add_product(t62, motor_i_rb).sub_product(t59, motor_i_rb))
+        .add_product(t65, motor_i_sa_dot).sub_product(t64, motor_i_sb_dot).sub_product(t68,
+        motor_i_rb_dot).add_product(t11, t66).sub_product(t10, t67).sub_product(t16, t69) * t17;
+    let motor_i_ra_dot_by_motor_k_s = (t69 * t14).sub_product(t16, motor_i_rb_dot_by_motor_k_s);
+    let motor_i_sb_dot_by_motor_k_s = (t67 * t9).sub_product(t11, motor_i_ra_dot_by_motor_k_s)
         .sub_product(t10, motor_i_rb_dot_by_motor_k_s);
-    let motor_i_sa_dot_by_motor_k_s = (t68 * t9).sub_product(t10, motor_i_ra_dot_by_motor_k_s)
+    let motor_i_sa_dot_by_motor_k_s = (t66 * t9).sub_product(t10, motor_i_ra_dot_by_motor_k_s)
         .add_product(t11, motor_i_rb_dot_by_motor_k_s);
-    let t72 = t37 * p.motor_x_s;
-    let t73 = t72 * p.motor_alpha_s;
-    let t74 = t73 * motor_i_sa;
-    let t75 = t73 * motor_i_sb;
-    let t76 = t72 * p.motor_alpha_r / (p.motor_k_r * p.motor_k_r);
-    let t77 = t8 / p.motor_k_r;
-    let t78 = (t76 * motor_i_ra).add_product(t77, motor_i_ra_dot).sub_product(t10, t74)
-        .sub_product(t11, t75);
-    let motor_i_rb_dot_by_motor_k_r = (t76 * motor_i_rb).add_product(t77, motor_i_rb_dot)
-        .add_product(t11, t74).sub_product(t10, t75).sub_product(t16, t78) * t17;
-    let motor_i_ra_dot_by_motor_k_r = (t78 * t14).sub_product(t16, motor_i_rb_dot_by_motor_k_r);
-    let motor_i_sb_dot_by_motor_k_r = (t75 * t9).sub_product(t11, motor_i_ra_dot_by_motor_k_r)
+    let t70 = t61 * p.motor_x_s;
+    let t71 = t70 * p.motor_alpha_s;
+    let t72 = t71 * motor_i_sa;
+    let t73 = t71 * motor_i_sb;
+    let t74 = t70 * p.motor_alpha_r / (p.motor_k_r * p.motor_k_r);
+    let t75 = t8 / p.motor_k_r;
+    let t76 = (t74 * motor_i_ra).sub_product(t75, t31).sub_product(t10, t72).sub_product(t11, t73);
+    let motor_i_rb_dot_by_motor_k_r = (t74 * motor_i_rb).add_product(t75, motor_i_rb_dot)
+        .add_product(t11, t72).sub_product(t10, t73).sub_product(t16, t76) * t17;
+    let motor_i_ra_dot_by_motor_k_r = (t76 * t14).sub_product(t16, motor_i_rb_dot_by_motor_k_r);
+    let motor_i_sb_dot_by_motor_k_r = (t73 * t9).sub_product(t11, motor_i_ra_dot_by_motor_k_r)
         .sub_product(t10, motor_i_rb_dot_by_motor_k_r);
-    let motor_i_sa_dot_by_motor_k_r = (t74 * t9).sub_product(t10, motor_i_ra_dot_by_motor_k_r)
+    let motor_i_sa_dot_by_motor_k_r = (t72 * t9).sub_product(t10, motor_i_ra_dot_by_motor_k_r)
         .add_product(t11, motor_i_rb_dot_by_motor_k_r);
-    let t79 = R::literal(1.5) * p.motor_alpha_s * motor_sigma;
-    let t80 = t37 / motor_omega_0;
-    let t81 = t80 * motor_omega;
-    let motor_k_r_times_motor_omega_0 = p.motor_k_r * motor_omega_0;
-    let t82 = R::literal(1.5) / motor_omega_0;
-    let t83 = t80 * cos_motor_theta;
-    let t84 = t80 * sin_motor_theta;
-    let t85 = (-(t79 * motor_i_sa)).add_product(t81, t19).sub_product(t82, motor_i_sa_dot)
-        .sub_product(t83, motor_i_ra_dot).add_product(t84, motor_i_rb_dot);
-    let t86 = (t79 * motor_i_sb).add_product(t81, t23).add_product(t82, motor_i_sb_dot)
-        .add_product(t84, motor_i_ra_dot).add_product(t83, motor_i_rb_dot);
-    let t87 = t37 / motor_k_r_times_motor_omega_0;
-    let t88 = (R::literal(2.0) * p.motor_k_s / motor_k_r_times_motor_omega_0 * t33)
-        .sub_product(t83, motor_i_sa_dot).sub_product(t84, motor_i_sb_dot).sub_product(t87,
-        motor_i_ra_dot).sub_product(t10, t85).add_product(t11, t86);
-    let motor_omega_dot_by_motor_x_s = t80 * t35 * inverse_motor_inertia;
-    let motor_i_rb_dot_by_motor_x_s = (-(t37 * p.motor_alpha_r * motor_sigma / p.motor_k_r
-        * motor_i_rb)).add_product(t81, t34).add_product(t84, motor_i_sa_dot).sub_product(t83,
-        motor_i_sb_dot).sub_product(t87, motor_i_rb_dot).add_product(t11, t85).add_product(t10, t86)
-        .sub_product(t16, t88) * t17;
-    let motor_i_ra_dot_by_motor_x_s = (t88 * t14).sub_product(t16, motor_i_rb_dot_by_motor_x_s);
-    let motor_i_sb_dot_by_motor_x_s = -(t86 * t9).add_product(t11, motor_i_ra_dot_by_motor_x_s)
-        .add_product(t10, motor_i_rb_dot_by_motor_x_s);
-    let motor_i_sa_dot_by_motor_x_s = (t85 * t9).sub_product(t10, motor_i_ra_dot_by_motor_x_s)
+    let t77 = R::literal(1.5) * p.motor_alpha_s * motor_sigma;
+    let t78 = t61 / motor_omega_0;
+    let t79 = t78 * motor_omega;
+    let t80 = t61 * p.motor_alpha_r * motor_sigma / p.motor_k_r;
+    let t81 = R::literal(1.5) / motor_omega_0;
+    let t82 = t78 * cos_motor_theta;
+    let t83 = t78 * sin_motor_theta;
+    let t84 = (-(t77 * motor_i_sa)).add_product(t79, t19).sub_product(t81, motor_i_sa_dot)
+        .add_product(t82, t31).add_product(t83, motor_i_rb_dot);
+    let t85 = (-(t77 * motor_i_sb).add_product(t79, t23).add_product(t81, motor_i_sb_dot))
+        .add_product(t83, t31).sub_product(t82, motor_i_rb_dot);
+    let t86 = t61 / (p.motor_k_r * motor_omega_0);
+    let t87 = (-(t80 * motor_i_ra).add_product(t79, t27).add_product(t82, motor_i_sa_dot)
+        .add_product(t83, motor_i_sb_dot)).add_product(t86, t31).sub_product(t10, t84)
+        .sub_product(t11, t85);
+    let motor_omega_dot_by_motor_x_s = t78 * t29 * inverse_motor_inertia;
+    let motor_i_rb_dot_by_motor_x_s = (-(t80 * motor_i_rb)).add_product(t79, t28).add_product(t83,
+        motor_i_sa_dot).sub_product(t82, motor_i_sb_dot).sub_product(t86, motor_i_rb_dot)
+        .add_product(t11, t84).sub_product(t10, t85).sub_product(t16, t87) * t17;
+    let motor_i_ra_dot_by_motor_x_s = (t87 * t14).sub_product(t16, motor_i_rb_dot_by_motor_x_s);
+    let motor_i_sb_dot_by_motor_x_s = (t85 * t9).sub_product(t11, motor_i_ra_dot_by_motor_x_s)
+        .sub_product(t10, motor_i_rb_dot_by_motor_x_s);
+    let motor_i_sa_dot_by_motor_x_s = (t84 * t9).sub_product(t10, motor_i_ra_dot_by_motor_x_s)
         .add_product(t11, motor_i_rb_dot_by_motor_x_s);
-    let t89 = R::literal(1.5) * p.motor_x_s * motor_sigma;
-    let t90 = t89 * motor_i_sa;
-    let t91 = t89 * motor_i_sb;
-    let t92 = (t10 * t90).add_product(t11, t91);
-    let motor_i_rb_dot_by_motor_alpha_s = (t10 * t91).sub_product(t11, t90).sub_product(t16, t92)
+    let t88 = R::literal(1.5) * p.motor_x_s * motor_sigma;
+    let t89 = t88 * motor_i_sa;
+    let t90 = t88 * motor_i_sb;
+    let t91 = (t10 * t89).add_product(t11, t90);
+    let motor_i_rb_dot_by_motor_alpha_s = (t10 * t90).sub_product(t11, t89).sub_product(t16, t91)
         * t17;
-    let motor_i_ra_dot_by_motor_alpha_s = (t92 * t14).sub_product(t16,
+    let motor_i_ra_dot_by_motor_alpha_s = (t91 * t14).sub_product(t16,
         motor_i_rb_dot_by_motor_alpha_s);
-    let motor_i_sb_dot_by_motor_alpha_s = -(t91 * t9).add_product(t11,
+    let motor_i_sb_dot_by_motor_alpha_s = -(t90 * t9).add_product(t11,
         motor_i_ra_dot_by_motor_alpha_s).add_product(t10, motor_i_rb_dot_by_motor_alpha_s);
-    let motor_i_sa_dot_by_motor_alpha_s = (-(t90 * t9).add_product(t10,
+    let motor_i_sa_dot_by_motor_alpha_s = (-(t89 * t9).add_product(t10,
         motor_i_ra_dot_by_motor_alpha_s)).add_product(t11, motor_i_rb_dot_by_motor_alpha_s);
-    let t93 = motor_k_s_times_motor_x_s * (t38 - R::literal(1.5)) / p.motor_k_r * motor_i_ra;
-    let t94 = (t72 * motor_sigma / p.motor_k_r * motor_i_rb).add_product(t16, t93) * t17;
-    let motor_i_rb_dot_by_motor_alpha_r = -t94;
-    let motor_i_ra_dot_by_motor_alpha_r = (t93 * t14).add_product(t16, t94);
-    let motor_i_sb_dot_by_motor_alpha_r = (t10 * t94).sub_product(t11,
-        motor_i_ra_dot_by_motor_alpha_r);
-    let motor_i_sa_dot_by_motor_alpha_r = -(t11 * t94).add_product(t10,
-        motor_i_ra_dot_by_motor_alpha_r);
+    let t92 = t70 * motor_sigma / p.motor_k_r;
+    let t93 = t92 * motor_i_ra;
+    let motor_i_rb_dot_by_motor_alpha_r = (-(t92 * motor_i_rb)).add_product(t16, t93) * t17;
+    let t94 = (t93 * t14).add_product(t16, motor_i_rb_dot_by_motor_alpha_r);
+    let motor_i_ra_dot_by_motor_alpha_r = -t94;
+    let motor_i_sb_dot_by_motor_alpha_r = (-(t10 * motor_i_rb_dot_by_motor_alpha_r))
+        .add_product(t11, t94);
+    let motor_i_sa_dot_by_motor_alpha_r = (t11 * motor_i_rb_dot_by_motor_alpha_r).add_product(t10,
+        t94);
     [motor_i_sa_dot_by_motor_phase_voltage, motor_i_sa_dot_by_motor_supply_frequency,
         motor_i_sa_dot_by_motor_supply_phase, motor_i_sa_dot_by_motor_pole_pairs,
         motor_i_sa_dot_by_motor_k_s, motor_i_sa_dot_by_motor_k_r, motor_i_sa_dot_by_motor_x_s,
@@ -735,7 +725,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 184 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 169 operations.
 #[must_use]
 pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
@@ -777,39 +767,36 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let t20 = (-(t17 * motor_i_sb)).add_product(R::literal(1.5), motor_u_b).sub_product(t18,
         (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
         .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta));
-    let t21 = R::literal(0.75) * p.motor_pole_pairs * p.motor_k_r;
-    let t22 = R::literal(1.5) * motor_R_r;
-    let t23 = t5 * (p.motor_pole_pairs * motor_across * cos_motor_theta)
+    let t21 = R::literal(1.5) * motor_R_r;
+    let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
+    let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
+    let t22 = t5 * (p.motor_pole_pairs * motor_across * cos_motor_theta)
         .sub_product(p.motor_pole_pairs * motor_along, sin_motor_theta);
-    let t24 = (R::literal(2.0) * motor_L_r * (R::literal(0.75) * p.motor_k_s * p.motor_k_r
-        * p.motor_alpha_r * motor_omega_0 * motor_i_ra).add_product(t21 * motor_i_sa * motor_omega,
-        sin_motor_theta).sub_product(t21 * motor_i_sb * motor_omega, cos_motor_theta)
-        .sub_product(R::literal(0.75) * p.motor_alpha_r * motor_omega_0, motor_i_ra))
-        .sub_product(t10, t19).sub_product(t11, t20);
-    let motor_omega_dot = t23 * (R::literal(1.0) / p.motor_inertia);
-    let motor_i_rb_dot = (-(t22 * motor_i_rb)).add_product(t18, (p.motor_pole_pairs * motor_i_sa
-        * cos_motor_theta).add_product(p.motor_pole_pairs * motor_i_sb, sin_motor_theta))
-        .add_product(t11, t19).sub_product(t10, t20).sub_product(t16, t24) * (R::literal(1.0)
+    let t23 = (t21 * motor_i_ra).add_product(t18, (motor_pole_pairs_times_motor_i_sb
+        * cos_motor_theta).sub_product(motor_pole_pairs_times_motor_i_sa, sin_motor_theta))
+        .add_product(t10, t19).add_product(t11, t20);
+    let motor_omega_dot = t22 * (R::literal(1.0) / p.motor_inertia);
+    let motor_i_rb_dot = (-(t21 * motor_i_rb)).add_product(t18, (motor_pole_pairs_times_motor_i_sa
+        * cos_motor_theta).add_product(motor_pole_pairs_times_motor_i_sb, sin_motor_theta))
+        .add_product(t11, t19).sub_product(t10, t20).add_product(t16, t23) * (R::literal(1.0)
         / (t8 - t13 - t12).sub_product(t16, t15));
-    let motor_i_ra_dot = (t24 * t14).sub_product(t16, motor_i_rb_dot);
-    let motor_i_sb_dot = (t20 * t9).sub_product(t11, motor_i_ra_dot).sub_product(t10,
-        motor_i_rb_dot);
-    let motor_i_sa_dot = (t19 * t9).sub_product(t10, motor_i_ra_dot).add_product(t11,
-        motor_i_rb_dot);
+    let t24 = (t23 * t14).add_product(t16, motor_i_rb_dot);
+    let motor_i_sb_dot = (t20 * t9).add_product(t11, t24).sub_product(t10, motor_i_rb_dot);
+    let motor_i_sa_dot = (t19 * t9).add_product(t10, t24).add_product(t11, motor_i_rb_dot);
     PowerBalance {
-        stored_rate: (t23 * motor_omega).add_product((t4 * motor_i_sa).add_product(t5,
+        stored_rate: (t22 * motor_omega).add_product((t4 * motor_i_sa).add_product(t5,
             (motor_i_ra * cos_motor_theta).sub_product(motor_i_rb, sin_motor_theta)),
             motor_i_sa_dot).add_product((t4 * motor_i_sb).add_product(t5,
             (motor_i_ra * sin_motor_theta).add_product(motor_i_rb, cos_motor_theta)),
-            motor_i_sb_dot).add_product((t8 * motor_i_ra).add_product(t5,
-            (motor_i_sa * cos_motor_theta).add_product(motor_i_sb, sin_motor_theta)),
-            motor_i_ra_dot).add_product((t8 * motor_i_rb).add_product(t5,
-            (motor_i_sb * cos_motor_theta).sub_product(motor_i_sa, sin_motor_theta)),
-            motor_i_rb_dot).add_product(p.motor_inertia * motor_omega, motor_omega_dot),
+            motor_i_sb_dot).sub_product((t8 * motor_i_ra).add_product(t5,
+            (motor_i_sa * cos_motor_theta).add_product(motor_i_sb, sin_motor_theta)), t24)
+            .add_product((t8 * motor_i_rb).add_product(t5, (motor_i_sb * cos_motor_theta)
+            .sub_product(motor_i_sa, sin_motor_theta)), motor_i_rb_dot).add_product(p.motor_inertia
+            * motor_omega, motor_omega_dot),
         supplied: (R::literal(1.5) * motor_i_sa * motor_u_a).add_product(R::literal(1.5)
             * motor_i_sb, motor_u_b),
         dissipated: (t17 * (motor_i_sa * motor_i_sa)).add_product(t17, motor_i_sb * motor_i_sb)
-            .add_product(t22, motor_i_ra * motor_i_ra).add_product(t22, motor_i_rb * motor_i_rb),
+            .add_product(t21, motor_i_ra * motor_i_ra).add_product(t21, motor_i_rb * motor_i_rb),
     }
 }
 
@@ -818,7 +805,7 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 133 recurrences. 29 sums of products an order.
+/// 116 recurrences. 28 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -830,8 +817,7 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let (mut lanes_3, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
     let (mut lanes_4, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
     let (mut lanes_5, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
-    let (mut lanes_6, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
-    let (mut lanes_7, _) = Lanes::<R, 1>::new(workspace, coefficients.len());
+    let (mut lanes_6, _) = Lanes::<R, 4>::new(workspace, coefficients.len());
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = motor_phi * p.motor_pole_pairs;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
@@ -886,49 +872,34 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let t38 = t14 * t29;
     let t39 = t38 - t33;
     let t40 = t39 - t37;
-    let t41 = R::literal(0.75) * p.motor_pole_pairs;
-    let t42 = t41 * p.motor_k_r;
-    let t43 = motor_i_sb * t42;
-    let t44 = t43 * motor_omega;
-    let t45 = t44 * cos_motor_theta;
-    let t46 = R::literal(0.75) * p.motor_alpha_r;
-    let t47 = t46 * motor_omega_0;
-    let t48 = motor_i_ra * t47;
-    let t49 = motor_i_sa * t42;
-    let t50 = t49 * motor_omega;
-    let t51 = t50 * sin_motor_theta;
-    let t52 = R::literal(0.75) * p.motor_k_s;
-    let t53 = t52 * p.motor_k_r;
-    let t54 = t53 * p.motor_alpha_r;
-    let t55 = t54 * motor_omega_0;
-    let t56 = motor_i_ra * t55;
-    let t57 = t51 + t56;
-    let t58 = t57 - t45;
-    let t59 = t58 - t48;
-    let t60 = R::literal(2.0) * motor_L_r;
-    let t61 = t59 * t60;
-    let t62 = R::literal(1.5) * motor_R_r;
-    let t63 = motor_i_rb * t62;
-    let t64 = motor_i_sa * p.motor_pole_pairs;
-    let t65 = t64 * cos_motor_theta;
-    let t66 = motor_i_sb * p.motor_pole_pairs;
-    let t67 = t66 * sin_motor_theta;
-    let t68 = t65 + t67;
-    let t69 = t27 * t68;
-    let t70 = t69 - t63;
-    let t71 = motor_along * p.motor_pole_pairs;
-    let t72 = t71 * sin_motor_theta;
-    let t73 = motor_across * p.motor_pole_pairs;
-    let t74 = t73 * cos_motor_theta;
-    let t75 = t74 - t72;
-    let t76 = t75 * t1;
+    let t41 = R::literal(1.5) * motor_R_r;
+    let t42 = motor_i_ra * t41;
+    let t43 = motor_i_sa * p.motor_pole_pairs;
+    let t44 = t43 * sin_motor_theta;
+    let t45 = motor_i_sb * p.motor_pole_pairs;
+    let t46 = t45 * cos_motor_theta;
+    let t47 = t44 - t46;
+    let t48 = t27 * t47;
+    let t49 = t48 - t42;
+    let t50 = motor_i_rb * t41;
+    let t51 = t43 * cos_motor_theta;
+    let t52 = t45 * sin_motor_theta;
+    let t53 = t51 + t52;
+    let t54 = t27 * t53;
+    let t55 = t54 - t50;
+    let t56 = motor_along * p.motor_pole_pairs;
+    let t57 = t56 * sin_motor_theta;
+    let t58 = motor_across * p.motor_pole_pairs;
+    let t59 = t58 * cos_motor_theta;
+    let t60 = t59 - t57;
+    let t61 = t60 * t1;
     let factored = Factored::new([[t0, R::literal(0.0), R::literal(0.0), R::literal(0.0),
         R::literal(0.0)], [R::literal(0.0), t0, R::literal(0.0), R::literal(0.0), R::literal(0.0)],
         [t2, t3, t5, R::literal(0.0), R::literal(0.0)], [t4, t2, R::literal(0.0), t5,
         R::literal(0.0)], [R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
         p.motor_inertia]]);
     let [motor_i_sa_dot, motor_i_sb_dot, motor_i_ra_dot, motor_i_rb_dot, motor_omega_dot] = factored
-        .solve([t32, t40, t61, t70, t76]);
+        .solve([t32, t40, t49, t55, t61]);
     let mut t14_before = t14;
     let mut t15_before = t15;
     let mut rates = [motor_omega, motor_i_sa_dot, motor_i_sb_dot, motor_i_ra_dot, motor_i_rb_dot,
@@ -950,10 +921,9 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         let sums_4 = lanes_4.sums(order);
         let sums_5 = lanes_5.sums(order);
         let sums_6 = lanes_6.sums(order);
-        let sums_7 = lanes_7.sums(order);
         let motor_theta_k = motor_phi_k * p.motor_pole_pairs;
-        let sin_motor_theta_k = motor_theta_k.mul_add(cos_motor_theta, inverse * sums_1[2]);
-        let cos_motor_theta_k = -motor_theta_k.mul_add(sin_motor_theta, inverse * sums_1[3]);
+        let sin_motor_theta_k = motor_theta_k.mul_add(cos_motor_theta, inverse * sums_1[0]);
+        let cos_motor_theta_k = -motor_theta_k.mul_add(sin_motor_theta, inverse * sums_1[1]);
         let t2_k = cos_motor_theta_k * t1;
         let t3_k = sin_motor_theta_k * t1;
         let t4_k = -t3_k;
@@ -966,75 +936,69 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         let t14_k = inverse * motor_omega_0 * t15_before;
         let t15_k = -inverse * motor_omega_0 * t14_before;
         let t22_k = motor_i_ra_k * p.motor_pole_pairs;
-        let t23_k = t22.mul_add(sin_motor_theta_k, sin_motor_theta.mul_add(t22_k, sums_2[0]));
+        let t23_k = t22.mul_add(sin_motor_theta_k, sin_motor_theta.mul_add(t22_k, sums_1[2]));
         let t24_k = motor_i_rb_k * p.motor_pole_pairs;
-        let t25_k = t24.mul_add(cos_motor_theta_k, cos_motor_theta.mul_add(t24_k, sums_2[1]));
+        let t25_k = t24.mul_add(cos_motor_theta_k, cos_motor_theta.mul_add(t24_k, sums_1[3]));
         let t26_k = t23_k + t25_k;
         let t27_k = motor_omega_k * t1;
-        let t28_k = t27.mul_add(t26_k, t26.mul_add(t27_k, sums_4[2]));
+        let t28_k = t27.mul_add(t26_k, t26.mul_add(t27_k, sums_4[0]));
         let t31_k = (-motor_i_sa_k).mul_add(t20, t15_k * t29);
         let t32_k = t31_k + t28_k;
-        let t34_k = t24.mul_add(sin_motor_theta_k, sin_motor_theta.mul_add(t24_k, sums_2[2]));
-        let t35_k = t22.mul_add(cos_motor_theta_k, cos_motor_theta.mul_add(t22_k, sums_2[3]));
+        let t34_k = t24.mul_add(sin_motor_theta_k, sin_motor_theta.mul_add(t24_k, sums_2[0]));
+        let t35_k = t22.mul_add(cos_motor_theta_k, cos_motor_theta.mul_add(t22_k, sums_2[1]));
         let t36_k = t35_k - t34_k;
-        let t37_k = t27.mul_add(t36_k, t36.mul_add(t27_k, sums_4[3]));
+        let t37_k = t27.mul_add(t36_k, t36.mul_add(t27_k, sums_4[1]));
         let t39_k = (-motor_i_sb_k).mul_add(t20, t14_k * t29);
         let t40_k = t39_k - t37_k;
-        let t43_k = motor_i_sb_k * t42;
-        let t44_k = motor_omega.mul_add(t43_k, t43.mul_add(motor_omega_k, sums_1[0]));
-        let t45_k = t44.mul_add(cos_motor_theta_k, cos_motor_theta.mul_add(t44_k, sums_3[0]));
-        let t49_k = motor_i_sa_k * t42;
-        let t50_k = motor_omega.mul_add(t49_k, t49.mul_add(motor_omega_k, sums_1[1]));
-        let t51_k = t50.mul_add(sin_motor_theta_k, sin_motor_theta.mul_add(t50_k, sums_3[1]));
-        let t57_k = motor_i_ra_k.mul_add(t55, t51_k);
-        let t58_k = t57_k - t45_k;
-        let t59_k = (-motor_i_ra_k).mul_add(t47, t58_k);
-        let t64_k = motor_i_sa_k * p.motor_pole_pairs;
-        let t65_k = t64.mul_add(cos_motor_theta_k, cos_motor_theta.mul_add(t64_k, sums_3[2]));
-        let t66_k = motor_i_sb_k * p.motor_pole_pairs;
-        let t67_k = t66.mul_add(sin_motor_theta_k, sin_motor_theta.mul_add(t66_k, sums_3[3]));
-        let t68_k = t65_k + t67_k;
-        let t69_k = t27.mul_add(t68_k, t68.mul_add(t27_k, sums_5[0]));
-        let t70_k = (-motor_i_rb_k).mul_add(t62, t69_k);
-        let t71_k = motor_along_k * p.motor_pole_pairs;
-        let t72_k = sin_motor_theta.mul_add(t71_k, t71.mul_add(sin_motor_theta_k, sums_4[0]));
-        let t73_k = motor_across_k * p.motor_pole_pairs;
-        let t74_k = cos_motor_theta.mul_add(t73_k, t73.mul_add(cos_motor_theta_k, sums_4[1]));
-        let t75_k = t74_k - t72_k;
-        let t76_k = t75_k * t1;
-        let n117_k = t2_k.mul_add(motor_i_ra_dot, sums_5[1]);
-        let n118_k = t4_k.mul_add(motor_i_rb_dot, sums_5[2]);
-        let n119_k = t3_k.mul_add(motor_i_ra_dot, sums_5[3]);
-        let n120_k = t2_k.mul_add(motor_i_rb_dot, sums_6[0]);
-        let n121_k = t2_k.mul_add(motor_i_sa_dot, sums_6[1]);
-        let n122_k = t3_k.mul_add(motor_i_sb_dot, sums_6[2]);
-        let n123_k = t4_k.mul_add(motor_i_sa_dot, sums_6[3]);
-        let n124_k = t2_k.mul_add(motor_i_sb_dot, sums_7[0]);
-        let n125_k = n117_k + n118_k;
-        let t32_k_2 = t32_k - n125_k;
-        let n127_k = n119_k + n120_k;
-        let t40_k_2 = t40_k - n127_k;
-        let n129_k = n121_k + n122_k;
-        let t61_k = t59_k.mul_add(t60, -n129_k);
-        let n131_k = n123_k + n124_k;
-        let t70_k_2 = t70_k - n131_k;
+        let t43_k = motor_i_sa_k * p.motor_pole_pairs;
+        let t44_k = t43.mul_add(sin_motor_theta_k, sin_motor_theta.mul_add(t43_k, sums_2[2]));
+        let t45_k = motor_i_sb_k * p.motor_pole_pairs;
+        let t46_k = t45.mul_add(cos_motor_theta_k, cos_motor_theta.mul_add(t45_k, sums_2[3]));
+        let t47_k = t44_k - t46_k;
+        let t48_k = t27.mul_add(t47_k, t47.mul_add(t27_k, sums_4[2]));
+        let t49_k = (-motor_i_ra_k).mul_add(t41, t48_k);
+        let t51_k = t43.mul_add(cos_motor_theta_k, cos_motor_theta.mul_add(t43_k, sums_3[0]));
+        let t52_k = t45.mul_add(sin_motor_theta_k, sin_motor_theta.mul_add(t45_k, sums_3[1]));
+        let t53_k = t51_k + t52_k;
+        let t54_k = t27.mul_add(t53_k, t53.mul_add(t27_k, sums_4[3]));
+        let t55_k = (-motor_i_rb_k).mul_add(t41, t54_k);
+        let t56_k = motor_along_k * p.motor_pole_pairs;
+        let t57_k = sin_motor_theta.mul_add(t56_k, t56.mul_add(sin_motor_theta_k, sums_3[2]));
+        let t58_k = motor_across_k * p.motor_pole_pairs;
+        let t59_k = cos_motor_theta.mul_add(t58_k, t58.mul_add(cos_motor_theta_k, sums_3[3]));
+        let t60_k = t59_k - t57_k;
+        let t61_k = t60_k * t1;
+        let n100_k = t2_k.mul_add(motor_i_ra_dot, sums_5[0]);
+        let n101_k = t4_k.mul_add(motor_i_rb_dot, sums_5[1]);
+        let n102_k = t3_k.mul_add(motor_i_ra_dot, sums_5[2]);
+        let n103_k = t2_k.mul_add(motor_i_rb_dot, sums_5[3]);
+        let n104_k = t2_k.mul_add(motor_i_sa_dot, sums_6[0]);
+        let n105_k = t3_k.mul_add(motor_i_sb_dot, sums_6[1]);
+        let n106_k = t4_k.mul_add(motor_i_sa_dot, sums_6[2]);
+        let n107_k = t2_k.mul_add(motor_i_sb_dot, sums_6[3]);
+        let n108_k = n100_k + n101_k;
+        let t32_k_2 = t32_k - n108_k;
+        let n110_k = n102_k + n103_k;
+        let t40_k_2 = t40_k - n110_k;
+        let n112_k = n104_k + n105_k;
+        let t49_k_2 = t49_k - n112_k;
+        let n114_k = n106_k + n107_k;
+        let t55_k_2 = t55_k - n114_k;
         let [motor_i_sa_dot_k, motor_i_sb_dot_k, motor_i_ra_dot_k, motor_i_rb_dot_k,
-            motor_omega_dot_k] = factored.solve([t32_k_2, t40_k_2, t61_k, t70_k_2, t76_k]);
+            motor_omega_dot_k] = factored.solve([t32_k_2, t40_k_2, t49_k_2, t55_k_2, t61_k]);
         lanes.set(order, [motor_i_sa_k, motor_i_sb_k, motor_i_sa_k, motor_i_ra_k], [motor_i_ra_k,
             motor_i_rb_k, motor_i_rb_k, motor_i_sb_k]);
-        lanes_1.set(order, [motor_omega_k, motor_omega_k, k * motor_theta_k, k * motor_theta_k],
-            [t43_k, t49_k, cos_motor_theta_k, sin_motor_theta_k]);
+        lanes_1.set(order, [k * motor_theta_k, k * motor_theta_k, sin_motor_theta_k,
+            cos_motor_theta_k], [cos_motor_theta_k, sin_motor_theta_k, t22_k, t24_k]);
         lanes_2.set(order, [sin_motor_theta_k, cos_motor_theta_k, sin_motor_theta_k,
-            cos_motor_theta_k], [t22_k, t24_k, t24_k, t22_k]);
-        lanes_3.set(order, [cos_motor_theta_k, sin_motor_theta_k, cos_motor_theta_k,
-            sin_motor_theta_k], [t44_k, t50_k, t64_k, t66_k]);
-        lanes_4.set(order, [sin_motor_theta_k, cos_motor_theta_k, t26_k, t27_k], [t71_k, t73_k,
-            t27_k, t36_k]);
-        lanes_5.set(order, [t27_k, t2_k, t4_k, t3_k], [t68_k, motor_i_ra_dot_k, motor_i_rb_dot_k,
-            motor_i_ra_dot_k]);
-        lanes_6.set(order, [t2_k, t2_k, t3_k, t4_k], [motor_i_rb_dot_k, motor_i_sa_dot_k,
-            motor_i_sb_dot_k, motor_i_sa_dot_k]);
-        lanes_7.set(order, [t2_k], [motor_i_sb_dot_k]);
+            cos_motor_theta_k], [t24_k, t22_k, t43_k, t45_k]);
+        lanes_3.set(order, [cos_motor_theta_k, sin_motor_theta_k, sin_motor_theta_k,
+            cos_motor_theta_k], [t43_k, t45_k, t56_k, t58_k]);
+        lanes_4.set(order, [t26_k, t27_k, t27_k, t27_k], [t27_k, t36_k, t47_k, t53_k]);
+        lanes_5.set(order, [t2_k, t4_k, t3_k, t2_k], [motor_i_ra_dot_k, motor_i_rb_dot_k,
+            motor_i_ra_dot_k, motor_i_rb_dot_k]);
+        lanes_6.set(order, [t2_k, t3_k, t4_k, t2_k], [motor_i_sa_dot_k, motor_i_sb_dot_k,
+            motor_i_sa_dot_k, motor_i_sb_dot_k]);
         t14_before = t14_k;
         t15_before = t15_k;
         rates = [motor_omega_k, motor_i_sa_dot_k, motor_i_sb_dot_k, motor_i_ra_dot_k,

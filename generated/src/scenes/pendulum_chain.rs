@@ -151,9 +151,9 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         t4).add_product(c.chain_m_3_times_chain_gravity, sin_chain_th_2)
         .sub_product(c.chain_m_2_times_chain_l_1 * chain_w_1_squared, t0)
         .sub_product(c.chain_m_3_times_chain_l_1 * chain_w_1_squared, t0))).add_product(t5, t11);
-    let chain_w_3_dot = (c.chain_m_3_times_chain_l_3 * (p.chain_l_1 * chain_w_1_squared * t2)
-        .add_product(p.chain_l_2 * chain_w_2_squared, t4).sub_product(p.chain_gravity,
-        sin_chain_th_3)).add_product(t6, t11).sub_product(t9, t12) * (R::literal(1.0)
+    let chain_w_3_dot = (-(c.chain_m_3_times_chain_l_3 * (p.chain_gravity * sin_chain_th_3)
+        .sub_product(p.chain_l_1 * chain_w_1_squared, t2).sub_product(p.chain_l_2
+        * chain_w_2_squared, t4))).add_product(t6, t11).sub_product(t9, t12) * (R::literal(1.0)
         / c.chain_m_3_times_chain_l_3_squared.sub_product(t6, t3).sub_product(t9, t8));
     let chain_w_2_dot = (t12 * t7).sub_product(t9, chain_w_3_dot);
     let chain_w_1_dot = -(t11 * c.t4).add_product(t5, chain_w_2_dot).add_product(t6, chain_w_3_dot);
@@ -202,9 +202,9 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R;
         * p.chain_l_1 * chain_w_1_squared, sin_chain_th_1_minus_chain_th_2))
         .add_product(p.chain_m_3 * p.chain_l_1 * chain_w_1_squared,
         sin_chain_th_1_minus_chain_th_2);
-    let chain_th_3_forcing = chain_m_3_times_chain_l_3 * (p.chain_l_1 * chain_w_1_squared
-        * sin_chain_th_1_minus_chain_th_3).add_product(p.chain_l_2 * chain_w_2_squared,
-        sin_chain_th_2_minus_chain_th_3).sub_product(p.chain_gravity, sin_chain_th_3);
+    let chain_th_3_forcing = chain_m_3_times_chain_l_3 * (-(p.chain_gravity * sin_chain_th_3)
+        .sub_product(p.chain_l_1 * chain_w_1_squared, sin_chain_th_1_minus_chain_th_3))
+        .add_product(p.chain_l_2 * chain_w_2_squared, sin_chain_th_2_minus_chain_th_3);
     [chain_th_1_forcing, chain_th_2_forcing, chain_th_3_forcing]
 }
 
@@ -246,9 +246,10 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let t20 = (-(p.chain_l_2 * (c.chain_m_2_times_chain_gravity * sin_chain_th_2).add_product(t16,
         t6).add_product(c.chain_m_3_times_chain_gravity, sin_chain_th_2).sub_product(t18, t0)
         .sub_product(t19, t0))).add_product(t8, t17);
-    let chain_w_3_dot = (c.chain_m_3_times_chain_l_3 * (chain_l_1_times_chain_w_1_squared * t3)
-        .add_product(chain_l_2_times_chain_w_2_squared, t6).sub_product(p.chain_gravity,
-        sin_chain_th_3)).add_product(t9, t17).sub_product(t12, t20) * t13;
+    let chain_w_3_dot = (-(c.chain_m_3_times_chain_l_3 * (p.chain_gravity * sin_chain_th_3)
+        .sub_product(chain_l_1_times_chain_w_1_squared, t3)
+        .sub_product(chain_l_2_times_chain_w_2_squared, t6))).add_product(t9, t17).sub_product(t12,
+        t20) * t13;
     let chain_w_2_dot = (t20 * t10).sub_product(t12, chain_w_3_dot);
     let t21 = (t17 * c.t4).add_product(t8, chain_w_2_dot).add_product(t9, chain_w_3_dot);
     let t22 = c.t0 * t0;
@@ -369,12 +370,12 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
         sin_chain_th_1_minus_chain_th_2);
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
     let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
-    let t15 = (chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_3)
-        .add_product(chain_l_2_times_chain_w_2_squared, sin_chain_th_2_minus_chain_th_3)
-        .sub_product(p.chain_gravity, sin_chain_th_3);
+    let t15 = (p.chain_gravity * sin_chain_th_3).sub_product(chain_l_1_times_chain_w_1_squared,
+        sin_chain_th_1_minus_chain_th_3).sub_product(chain_l_2_times_chain_w_2_squared,
+        sin_chain_th_2_minus_chain_th_3);
     let t16 = (-(p.chain_l_2 * (t14 - t13))).add_product(t4, t12);
-    let chain_w_3_dot = (chain_m_3_times_chain_l_3 * t15).add_product(t5, t12).sub_product(t8, t16)
-        * t9;
+    let chain_w_3_dot = (-(chain_m_3_times_chain_l_3 * t15)).add_product(t5, t12).sub_product(t8,
+        t16) * t9;
     let chain_w_2_dot = (t16 * t6).sub_product(t8, chain_w_3_dot);
     let t17 = (t12 * t3).add_product(t4, chain_w_2_dot).add_product(t5, chain_w_3_dot);
     let t18 = chain_l_1_squared * t17;
@@ -410,7 +411,7 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let t34 = (t27.sub_product(p.chain_l_2, chain_gravity_times_sin_chain_th_2
         .add_product(chain_l_3_times_chain_w_3_squared, sin_chain_th_2_minus_chain_th_3) - t23)
         - t28).sub_product(t33, chain_w_3_dot).sub_product(t4, t32);
-    let chain_w_3_dot_by_chain_m_3 = (p.chain_l_3 * t15).add_product(t31, t17).sub_product(t33,
+    let chain_w_3_dot_by_chain_m_3 = (-(p.chain_l_3 * t15)).add_product(t31, t17).sub_product(t33,
         chain_w_2_dot).sub_product(chain_l_3_squared, chain_w_3_dot).sub_product(t5, t32)
         .sub_product(t8, t34) * t9;
     let chain_w_2_dot_by_chain_m_3 = (t34 * t6).sub_product(t8, chain_w_3_dot_by_chain_m_3);
@@ -449,7 +450,7 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let t47 = chain_m_3_times_chain_l_2 * cos_chain_th_2_minus_chain_th_3;
     let t48 = (-(chain_m_3_times_chain_l_2 * chain_w_3_squared * sin_chain_th_2_minus_chain_th_3)
         .add_product(t47, chain_w_3_dot)).add_product(t4, t46);
-    let chain_w_3_dot_by_chain_l_3 = (p.chain_m_3 * t15).add_product(t45, t17).sub_product(t47,
+    let chain_w_3_dot_by_chain_l_3 = (-(p.chain_m_3 * t15)).add_product(t45, t17).sub_product(t47,
         chain_w_2_dot).sub_product(R::literal(2.0) * p.chain_m_3 * p.chain_l_3, chain_w_3_dot)
         .add_product(t5, t46).sub_product(t8, t48) * t9;
     let chain_w_2_dot_by_chain_l_3 = (t48 * t6).sub_product(t8, chain_w_3_dot_by_chain_l_3);
@@ -579,9 +580,9 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
         .sub_product(p.chain_m_2 * p.chain_l_1 * chain_w_1_squared, sin_chain_th_1_minus_chain_th_2)
         .sub_product(chain_m_3_times_chain_l_1 * chain_w_1_squared,
         sin_chain_th_1_minus_chain_th_2))).add_product(t3, t9);
-    let chain_w_3_dot = (chain_m_3_times_chain_l_3 * (p.chain_l_1 * chain_w_1_squared
-        * sin_chain_th_1_minus_chain_th_3).add_product(p.chain_l_2 * chain_w_2_squared,
-        sin_chain_th_2_minus_chain_th_3).sub_product(p.chain_gravity, sin_chain_th_3))
+    let chain_w_3_dot = (-(chain_m_3_times_chain_l_3 * (p.chain_gravity * sin_chain_th_3)
+        .sub_product(p.chain_l_1 * chain_w_1_squared, sin_chain_th_1_minus_chain_th_3)
+        .sub_product(p.chain_l_2 * chain_w_2_squared, sin_chain_th_2_minus_chain_th_3)))
         .add_product(t4, t9).sub_product(t7, t10) * (R::literal(1.0) / (p.chain_m_3 * (p.chain_l_3
         * p.chain_l_3)).sub_product(t4, t1).sub_product(t7, t6));
     let chain_w_2_dot = (t10 * t5).sub_product(t7, chain_w_3_dot);
@@ -710,13 +711,13 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let t61 = t60 - t53;
     let t62 = t55 - t61;
     let t63 = t62 * p.chain_l_2;
-    let t64 = sin_chain_th_3 * p.chain_gravity;
-    let t65 = t50 * p.chain_l_1;
-    let t66 = t65 * t12;
-    let t67 = t29 * p.chain_l_2;
-    let t68 = t67 * t20;
-    let t69 = t66 + t68;
-    let t70 = t69 - t64;
+    let t64 = t50 * p.chain_l_1;
+    let t65 = t64 * t12;
+    let t66 = t29 * p.chain_l_2;
+    let t67 = t66 * t20;
+    let t68 = sin_chain_th_3 * p.chain_gravity;
+    let t69 = t68 - t65;
+    let t70 = t67 - t69;
     let t71 = t70 * t38;
     let factored = Factored::new([[t3, R::literal(0.0), R::literal(0.0)],
         [t10, t18, R::literal(0.0)], [t16, t24, t26]]);
@@ -783,12 +784,12 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         let t60_k = sin_chain_th_2_k.mul_add(t41, t59_k);
         let t61_k = t60_k - t53_k;
         let t62_k = t55_k - t61_k;
-        let t65_k = t50_k * p.chain_l_1;
-        let t66_k = t65.mul_add(t12_k, t12.mul_add(t65_k, sums_5[1]));
-        let t67_k = t29_k * p.chain_l_2;
-        let t68_k = t67.mul_add(t20_k, t20.mul_add(t67_k, sums_5[2]));
-        let t69_k = t66_k + t68_k;
-        let t70_k = (-sin_chain_th_3_k).mul_add(p.chain_gravity, t69_k);
+        let t64_k = t50_k * p.chain_l_1;
+        let t65_k = t64.mul_add(t12_k, t12.mul_add(t64_k, sums_5[1]));
+        let t66_k = t29_k * p.chain_l_2;
+        let t67_k = t66.mul_add(t20_k, t20.mul_add(t66_k, sums_5[2]));
+        let t69_k = sin_chain_th_3_k.mul_add(p.chain_gravity, -t65_k);
+        let t70_k = t67_k - t69_k;
         let n94_k = t10_k.mul_add(chain_w_2_dot, sums_5[3]);
         let n95_k = t16_k.mul_add(chain_w_3_dot, sums_6[0]);
         let n96_k = t10_k.mul_add(chain_w_1_dot, sums_6[1]);
@@ -812,7 +813,7 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
             t7_k, t6_k, t13_k]);
         lanes_3.set(order, [k * t11_k, k * t19_k, k * t19_k, t6_k], [t12_k, t21_k, t20_k, t31_k]);
         lanes_4.set(order, [t6_k, t12_k, t6_k, t6_k], [t35_k, t39_k, t52_k, t54_k]);
-        lanes_5.set(order, [t20_k, t12_k, t20_k, t10_k], [t39_k, t65_k, t67_k, chain_w_2_dot_k]);
+        lanes_5.set(order, [t20_k, t12_k, t20_k, t10_k], [t39_k, t64_k, t66_k, chain_w_2_dot_k]);
         lanes_6.set(order, [t16_k, t10_k, t24_k, t16_k], [chain_w_3_dot_k, chain_w_1_dot_k,
             chain_w_3_dot_k, chain_w_1_dot_k]);
         lanes_7.set(order, [t24_k], [chain_w_2_dot_k]);

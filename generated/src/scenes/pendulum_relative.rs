@@ -16,7 +16,7 @@
 // All quantities are in SI units.
 // Shapes: coordinates 3, states 6, parameters 7, outputs 2.
 // Nonzeros: mass_matrix 9 of 3 by 3, rate_jacobian 21 of 6 by 6, parameter_jacobian 21 of 6 by 7.
-// Operations: rate 218, mass_matrix 61, forcing 127, rate_jacobian 504, parameter_jacobian 627,
+// Operations: rate 218, mass_matrix 61, forcing 126, rate_jacobian 504, parameter_jacobian 627,
 //     outputs 19, energy 52, power_balance 310, prepare 43, prepared_rate 177,
 //     prepared_rate_jacobian 461.
 
@@ -236,7 +236,7 @@ pub fn mass_matrix<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) ->
         chain_m_3_times_chain_l_3_squared]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 127 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 126 operations.
 #[must_use]
 pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
@@ -268,17 +268,17 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R;
         * sin_chain_a_2_minus_chain_a_3;
     let t12 = chain_m_3_times_chain_l_2 * p.chain_gravity * sin_chain_a_2;
     let t13 = chain_m_3_times_chain_l_3 * p.chain_gravity * sin_chain_a_3;
-    let t14 = (((R::literal(2.0) * p.chain_m_2 * p.chain_l_1 * p.chain_l_2 * chain_w_1 * chain_w_2
-        * sin_chain_th_1_minus_chain_a_2).add_product(t1 * p.chain_l_2 * chain_w_1 * chain_w_2,
-        sin_chain_th_1_minus_chain_a_2).add_product(t7 * chain_w_2, sin_chain_th_1_minus_chain_a_3)
-        .add_product(t7 * chain_w_3, sin_chain_th_1_minus_chain_a_3) + t8).add_product(t2
-        * chain_w_2 * chain_w_3, sin_chain_th_1_minus_chain_a_3) + t9).add_product(p.chain_m_1
-        * p.chain_gravity, chain_x_1).add_product(t4 * chain_w_2_squared,
-        sin_chain_th_1_minus_chain_a_2) + t10;
-    let chain_th_1_forcing = -(t14.add_product(p.chain_m_2 * p.chain_gravity, chain_x_1)
-        .add_product(t5 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2).add_product(t6
-        * chain_w_2_squared, sin_chain_th_1_minus_chain_a_3).add_product(t6 * chain_w_3_squared,
-        sin_chain_th_1_minus_chain_a_3) + t11 + t12 + t13).add_product(p.chain_m_3
+    let t14 = (((R::literal(-2.0) * p.chain_m_2 * p.chain_l_1 * p.chain_l_2 * chain_w_1 * chain_w_2
+        * sin_chain_th_1_minus_chain_a_2).sub_product(t1 * p.chain_l_2 * chain_w_1 * chain_w_2,
+        sin_chain_th_1_minus_chain_a_2).sub_product(t7 * chain_w_2, sin_chain_th_1_minus_chain_a_3)
+        .sub_product(t7 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t8).sub_product(t2
+        * chain_w_2 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t9).sub_product(p.chain_m_1
+        * p.chain_gravity, chain_x_1).sub_product(t4 * chain_w_2_squared,
+        sin_chain_th_1_minus_chain_a_2) - t10;
+    let chain_th_1_forcing = (t14.sub_product(p.chain_m_2 * p.chain_gravity, chain_x_1)
+        .sub_product(t5 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2).sub_product(t6
+        * chain_w_2_squared, sin_chain_th_1_minus_chain_a_3).sub_product(t6 * chain_w_3_squared,
+        sin_chain_th_1_minus_chain_a_3) - t11 - t12 - t13).sub_product(p.chain_m_3
         * p.chain_gravity, chain_x_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
     let chain_th_2_forcing = -(((t8 + t9).add_product(t4 * chain_w_1_squared, sin_chain_th_2) + t10)
@@ -939,7 +939,7 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 208 recurrences. 54 sums of products an order.
+/// 211 recurrences. 54 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -1030,114 +1030,116 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let cos_chain_a_2 = chain_a_2.cos();
     let sin_chain_a_3 = chain_a_3.sin();
     let cos_chain_a_3 = chain_a_3.cos();
-    let t62 = chain_w_1 * t5;
+    let t62 = chain_w_1 * t9;
     let t63 = t62 * chain_w_2;
     let t64 = t63 * t1;
-    let t65 = chain_w_1 * t9;
+    let t65 = chain_w_1 * t14;
     let t66 = t65 * chain_w_2;
-    let t67 = t66 * t1;
-    let t68 = chain_w_1 * t14;
-    let t69 = t68 * chain_w_2;
-    let t70 = t69 * t12;
-    let t71 = t68 * chain_w_3;
-    let t72 = t71 * t12;
-    let t73 = chain_w_1 * t20;
+    let t67 = t66 * t12;
+    let t68 = t65 * chain_w_3;
+    let t69 = t68 * t12;
+    let t70 = chain_w_1 * t20;
+    let t71 = t70 * chain_w_3;
+    let t72 = t71 * t17;
+    let t73 = chain_w_2 * t14;
     let t74 = t73 * chain_w_3;
-    let t75 = t74 * t17;
-    let t76 = chain_w_2 * t14;
+    let t75 = t74 * t12;
+    let t76 = chain_w_2 * t20;
     let t77 = t76 * chain_w_3;
-    let t78 = t77 * t12;
-    let t79 = chain_w_2 * t20;
-    let t80 = t79 * chain_w_3;
-    let t81 = t80 * t17;
-    let t82 = p.chain_m_1 * p.chain_gravity;
-    let t83 = p.chain_l_1 * t82;
-    let t84 = sin_chain_th_1 * t83;
-    let t85 = chain_w_2 * chain_w_2;
-    let t86 = t85 * t41;
-    let t87 = t86 * t1;
-    let t88 = p.chain_m_2 * p.chain_l_2;
-    let t89 = t88 * p.chain_gravity;
-    let t90 = sin_chain_a_2 * t89;
-    let t91 = p.chain_m_2 * p.chain_gravity;
-    let t92 = p.chain_l_1 * t91;
-    let t93 = sin_chain_th_1 * t92;
-    let t94 = t85 * t44;
-    let t95 = t94 * t1;
-    let t96 = t85 * t46;
+    let t78 = t77 * t17;
+    let t79 = p.chain_m_1 * p.chain_gravity;
+    let t80 = p.chain_l_1 * t79;
+    let t81 = sin_chain_th_1 * t80;
+    let t82 = chain_w_2 * chain_w_2;
+    let t83 = t82 * t41;
+    let t84 = t83 * t1;
+    let t85 = p.chain_m_2 * p.chain_l_2;
+    let t86 = t85 * p.chain_gravity;
+    let t87 = sin_chain_a_2 * t86;
+    let t88 = p.chain_m_2 * p.chain_gravity;
+    let t89 = p.chain_l_1 * t88;
+    let t90 = sin_chain_th_1 * t89;
+    let t91 = t82 * t44;
+    let t92 = t91 * t1;
+    let t93 = t82 * t46;
+    let t94 = t93 * t12;
+    let t95 = chain_w_3 * chain_w_3;
+    let t96 = t95 * t46;
     let t97 = t96 * t12;
-    let t98 = chain_w_3 * chain_w_3;
-    let t99 = t98 * t46;
-    let t100 = t99 * t12;
-    let t101 = p.chain_m_3 * p.chain_l_2;
-    let t102 = t101 * p.chain_l_3;
-    let t103 = t98 * t102;
-    let t104 = t103 * t17;
-    let t105 = t101 * p.chain_gravity;
-    let t106 = sin_chain_a_2 * t105;
-    let t107 = t58 * p.chain_gravity;
-    let t108 = sin_chain_a_3 * t107;
-    let t109 = p.chain_m_3 * p.chain_gravity;
-    let t110 = p.chain_l_1 * t109;
-    let t111 = sin_chain_th_1 * t110;
-    let t112 = t64 + t67;
-    let t113 = t112 + t70;
-    let t114 = t113 + t72;
-    let t115 = t114 + t75;
-    let t116 = t115 + t78;
-    let t117 = t116 + t81;
-    let t118 = t117 + t84;
-    let t119 = t118 + t87;
-    let t120 = t119 + t90;
-    let t121 = t120 + t93;
-    let t122 = t121 + t95;
-    let t123 = t122 + t97;
-    let t124 = t123 + t100;
-    let t125 = t124 + t104;
-    let t126 = t125 + t106;
-    let t127 = t126 + t108;
-    let t128 = t127 + t111;
-    let t129 = -t128;
-    let t130 = chain_w_1 * chain_w_1;
+    let t98 = p.chain_m_3 * p.chain_l_2;
+    let t99 = t98 * p.chain_l_3;
+    let t100 = t95 * t99;
+    let t101 = t100 * t17;
+    let t102 = t98 * p.chain_gravity;
+    let t103 = sin_chain_a_2 * t102;
+    let t104 = t58 * p.chain_gravity;
+    let t105 = sin_chain_a_3 * t104;
+    let t106 = p.chain_m_3 * p.chain_gravity;
+    let t107 = p.chain_l_1 * t106;
+    let t108 = sin_chain_th_1 * t107;
+    let t109 = R::literal(-2.0) * p.chain_m_2;
+    let t110 = t109 * p.chain_l_1;
+    let t111 = t110 * p.chain_l_2;
+    let t112 = chain_w_1 * t111;
+    let t113 = t112 * chain_w_2;
+    let t114 = t113 * t1;
+    let t115 = t114 - t64;
+    let t116 = t115 - t67;
+    let t117 = t116 - t69;
+    let t118 = t117 - t72;
+    let t119 = t118 - t75;
+    let t120 = t119 - t78;
+    let t121 = t120 - t81;
+    let t122 = t121 - t84;
+    let t123 = t122 - t87;
+    let t124 = t123 - t90;
+    let t125 = t124 - t92;
+    let t126 = t125 - t94;
+    let t127 = t126 - t97;
+    let t128 = t127 - t101;
+    let t129 = t128 - t103;
+    let t130 = t129 - t105;
+    let t131 = t130 - t108;
+    let t132 = chain_w_1 * chain_w_1;
     let sin_chain_th_2 = chain_th_2.sin();
     let cos_chain_th_2 = chain_th_2.cos();
-    let t131 = t130 * t41;
-    let t132 = t131 * sin_chain_th_2;
-    let t133 = t130 * t44;
+    let t133 = t132 * t41;
     let t134 = t133 * sin_chain_th_2;
-    let t135 = chain_th_2 + chain_th_3;
-    let t136 = t135.sin();
-    let t137 = t135.cos();
-    let t138 = t130 * t46;
-    let t139 = t138 * t136;
-    let t140 = t75 + t81;
-    let t141 = t140 + t132;
-    let t142 = t141 + t90;
+    let t135 = t132 * t44;
+    let t136 = t135 * sin_chain_th_2;
+    let t137 = chain_th_2 + chain_th_3;
+    let t138 = t137.sin();
+    let t139 = t137.cos();
+    let t140 = t132 * t46;
+    let t141 = t140 * t138;
+    let t142 = t72 + t78;
     let t143 = t142 + t134;
-    let t144 = t143 + t139;
-    let t145 = t144 + t104;
-    let t146 = t145 + t106;
-    let t147 = t146 + t108;
-    let t148 = -t147;
-    let t149 = R::literal(2.0) * p.chain_l_2;
-    let t150 = chain_w_1 * t149;
-    let t151 = t150 * chain_w_2;
-    let t152 = t151 * t17;
-    let t153 = t130 * p.chain_l_1;
-    let t154 = t153 * t136;
-    let t155 = t130 * p.chain_l_2;
-    let t156 = t155 * t17;
-    let t157 = t85 * p.chain_l_2;
+    let t144 = t143 + t87;
+    let t145 = t144 + t136;
+    let t146 = t145 + t141;
+    let t147 = t146 + t101;
+    let t148 = t147 + t103;
+    let t149 = t148 + t105;
+    let t150 = -t149;
+    let t151 = R::literal(2.0) * p.chain_l_2;
+    let t152 = chain_w_1 * t151;
+    let t153 = t152 * chain_w_2;
+    let t154 = t153 * t17;
+    let t155 = t132 * p.chain_l_1;
+    let t156 = t155 * t138;
+    let t157 = t132 * p.chain_l_2;
     let t158 = t157 * t17;
-    let t159 = sin_chain_a_3 * p.chain_gravity;
-    let t160 = t152 - t154;
-    let t161 = t160 + t156;
-    let t162 = t161 + t158;
-    let t163 = t162 - t159;
-    let t164 = t163 * t58;
+    let t159 = t82 * p.chain_l_2;
+    let t160 = t159 * t17;
+    let t161 = sin_chain_a_3 * p.chain_gravity;
+    let t162 = t154 - t156;
+    let t163 = t162 + t158;
+    let t164 = t163 + t160;
+    let t165 = t164 - t161;
+    let t166 = t165 * t58;
     let factored = Factored::new([[t39, R::literal(0.0), R::literal(0.0)],
         [t53, t50, R::literal(0.0)], [t59, t61, t30]]);
-    let [chain_w_1_dot, chain_w_2_dot, chain_w_3_dot] = factored.solve([t129, t148, t164]);
+    let [chain_w_1_dot, chain_w_2_dot, chain_w_3_dot] = factored.solve([t131, t150, t166]);
     let mut rates = [chain_w_1, chain_w_2, chain_w_3, chain_w_1_dot, chain_w_2_dot, chain_w_3_dot];
     coefficients[0] = *state;
     let highest = coefficients.len() - 1;
@@ -1191,129 +1193,128 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         let cos_chain_a_2_k = -chain_a_2_k.mul_add(sin_chain_a_2, inverse * sums_4[0]);
         let sin_chain_a_3_k = chain_a_3_k.mul_add(cos_chain_a_3, inverse * sums_6[1]);
         let cos_chain_a_3_k = -chain_a_3_k.mul_add(sin_chain_a_3, inverse * sums_6[2]);
-        let t62_k = chain_w_1_k * t5;
+        let t62_k = chain_w_1_k * t9;
         let t63_k = chain_w_2.mul_add(t62_k, t62.mul_add(chain_w_2_k, sums_1[1]));
         let t64_k = t63.mul_add(t1_k, t1.mul_add(t63_k, sums_6[3]));
-        let t65_k = chain_w_1_k * t9;
+        let t65_k = chain_w_1_k * t14;
         let t66_k = chain_w_2.mul_add(t65_k, t65.mul_add(chain_w_2_k, sums_1[2]));
-        let t67_k = t66.mul_add(t1_k, t1.mul_add(t66_k, sums_7[0]));
-        let t68_k = chain_w_1_k * t14;
-        let t69_k = chain_w_2.mul_add(t68_k, t68.mul_add(chain_w_2_k, sums_1[3]));
-        let t70_k = t69.mul_add(t12_k, t12.mul_add(t69_k, sums_8[3]));
-        let t71_k = chain_w_3.mul_add(t68_k, t68.mul_add(chain_w_3_k, sums_2[0]));
-        let t72_k = t71.mul_add(t12_k, t12.mul_add(t71_k, sums_9[0]));
-        let t73_k = chain_w_1_k * t20;
+        let t67_k = t66.mul_add(t12_k, t12.mul_add(t66_k, sums_8[3]));
+        let t68_k = chain_w_3.mul_add(t65_k, t65.mul_add(chain_w_3_k, sums_1[3]));
+        let t69_k = t68.mul_add(t12_k, t12.mul_add(t68_k, sums_9[0]));
+        let t70_k = chain_w_1_k * t20;
+        let t71_k = chain_w_3.mul_add(t70_k, t70.mul_add(chain_w_3_k, sums_2[0]));
+        let t72_k = t71.mul_add(t17_k, t17.mul_add(t71_k, sums_9[1]));
+        let t73_k = chain_w_2_k * t14;
         let t74_k = chain_w_3.mul_add(t73_k, t73.mul_add(chain_w_3_k, sums_2[1]));
-        let t75_k = t74.mul_add(t17_k, t17.mul_add(t74_k, sums_9[1]));
-        let t76_k = chain_w_2_k * t14;
+        let t75_k = t74.mul_add(t12_k, t12.mul_add(t74_k, sums_9[2]));
+        let t76_k = chain_w_2_k * t20;
         let t77_k = chain_w_3.mul_add(t76_k, t76.mul_add(chain_w_3_k, sums_2[2]));
-        let t78_k = t77.mul_add(t12_k, t12.mul_add(t77_k, sums_9[2]));
-        let t79_k = chain_w_2_k * t20;
-        let t80_k = chain_w_3.mul_add(t79_k, t79.mul_add(chain_w_3_k, sums_2[3]));
-        let t81_k = t80.mul_add(t17_k, t17.mul_add(t80_k, sums_9[3]));
-        let t85_k = (chain_w_2 + chain_w_2).mul_add(chain_w_2_k, sums[0]);
-        let t86_k = t85_k * t41;
-        let t87_k = t86.mul_add(t1_k, t1.mul_add(t86_k, sums_7[1]));
-        let t90_k = sin_chain_a_2_k * t89;
-        let t94_k = t85_k * t44;
-        let t95_k = t94.mul_add(t1_k, t1.mul_add(t94_k, sums_7[2]));
-        let t96_k = t85_k * t46;
-        let t97_k = t96.mul_add(t12_k, t12.mul_add(t96_k, sums_10[0]));
-        let t98_k = (chain_w_3 + chain_w_3).mul_add(chain_w_3_k, sums[1]);
-        let t99_k = t98_k * t46;
-        let t100_k = t99.mul_add(t12_k, t12.mul_add(t99_k, sums_10[1]));
-        let t103_k = t98_k * t102;
-        let t104_k = t103.mul_add(t17_k, t17.mul_add(t103_k, sums_10[2]));
-        let t106_k = sin_chain_a_2_k * t105;
-        let t108_k = sin_chain_a_3_k * t107;
-        let t112_k = t64_k + t67_k;
-        let t113_k = t112_k + t70_k;
-        let t114_k = t113_k + t72_k;
-        let t115_k = t114_k + t75_k;
-        let t116_k = t115_k + t78_k;
-        let t117_k = t116_k + t81_k;
-        let t118_k = sin_chain_th_1_k.mul_add(t83, t117_k);
-        let t119_k = t118_k + t87_k;
-        let t120_k = t119_k + t90_k;
-        let t121_k = sin_chain_th_1_k.mul_add(t92, t120_k);
-        let t122_k = t121_k + t95_k;
-        let t123_k = t122_k + t97_k;
-        let t124_k = t123_k + t100_k;
-        let t125_k = t124_k + t104_k;
-        let t126_k = t125_k + t106_k;
-        let t127_k = t126_k + t108_k;
-        let t128_k = sin_chain_th_1_k.mul_add(t110, t127_k);
-        let t129_k = -t128_k;
-        let t130_k = (chain_w_1 + chain_w_1).mul_add(chain_w_1_k, sums[2]);
+        let t78_k = t77.mul_add(t17_k, t17.mul_add(t77_k, sums_9[3]));
+        let t82_k = (chain_w_2 + chain_w_2).mul_add(chain_w_2_k, sums[0]);
+        let t83_k = t82_k * t41;
+        let t84_k = t83.mul_add(t1_k, t1.mul_add(t83_k, sums_7[0]));
+        let t87_k = sin_chain_a_2_k * t86;
+        let t91_k = t82_k * t44;
+        let t92_k = t91.mul_add(t1_k, t1.mul_add(t91_k, sums_7[1]));
+        let t93_k = t82_k * t46;
+        let t94_k = t93.mul_add(t12_k, t12.mul_add(t93_k, sums_10[0]));
+        let t95_k = (chain_w_3 + chain_w_3).mul_add(chain_w_3_k, sums[1]);
+        let t96_k = t95_k * t46;
+        let t97_k = t96.mul_add(t12_k, t12.mul_add(t96_k, sums_10[1]));
+        let t100_k = t95_k * t99;
+        let t101_k = t100.mul_add(t17_k, t17.mul_add(t100_k, sums_10[2]));
+        let t103_k = sin_chain_a_2_k * t102;
+        let t105_k = sin_chain_a_3_k * t104;
+        let t112_k = chain_w_1_k * t111;
+        let t113_k = chain_w_2.mul_add(t112_k, t112.mul_add(chain_w_2_k, sums_2[3]));
+        let t114_k = t113.mul_add(t1_k, t1.mul_add(t113_k, sums_7[2]));
+        let t115_k = t114_k - t64_k;
+        let t116_k = t115_k - t67_k;
+        let t117_k = t116_k - t69_k;
+        let t118_k = t117_k - t72_k;
+        let t119_k = t118_k - t75_k;
+        let t120_k = t119_k - t78_k;
+        let t121_k = (-sin_chain_th_1_k).mul_add(t80, t120_k);
+        let t122_k = t121_k - t84_k;
+        let t123_k = t122_k - t87_k;
+        let t124_k = (-sin_chain_th_1_k).mul_add(t89, t123_k);
+        let t125_k = t124_k - t92_k;
+        let t126_k = t125_k - t94_k;
+        let t127_k = t126_k - t97_k;
+        let t128_k = t127_k - t101_k;
+        let t129_k = t128_k - t103_k;
+        let t130_k = t129_k - t105_k;
+        let t131_k = (-sin_chain_th_1_k).mul_add(t107, t130_k);
+        let t132_k = (chain_w_1 + chain_w_1).mul_add(chain_w_1_k, sums[2]);
         let sin_chain_th_2_k = chain_th_2_k.mul_add(cos_chain_th_2, inverse * sums_3[0]);
         let cos_chain_th_2_k = -chain_th_2_k.mul_add(sin_chain_th_2, inverse * sums_3[1]);
-        let t131_k = t130_k * t41;
-        let t132_k = sin_chain_th_2.mul_add(t131_k, t131.mul_add(sin_chain_th_2_k, sums_4[1]));
-        let t133_k = t130_k * t44;
-        let t134_k = sin_chain_th_2.mul_add(t133_k, t133.mul_add(sin_chain_th_2_k, sums_4[2]));
-        let t135_k = chain_th_2_k + chain_th_3_k;
-        let t136_k = t135_k.mul_add(t137, inverse * sums_4[3]);
-        let t137_k = -t135_k.mul_add(t136, inverse * sums_5[0]);
-        let t138_k = t130_k * t46;
-        let t139_k = t138.mul_add(t136_k, t136.mul_add(t138_k, sums_5[1]));
-        let t140_k = t75_k + t81_k;
-        let t141_k = t140_k + t132_k;
-        let t142_k = t141_k + t90_k;
+        let t133_k = t132_k * t41;
+        let t134_k = sin_chain_th_2.mul_add(t133_k, t133.mul_add(sin_chain_th_2_k, sums_4[1]));
+        let t135_k = t132_k * t44;
+        let t136_k = sin_chain_th_2.mul_add(t135_k, t135.mul_add(sin_chain_th_2_k, sums_4[2]));
+        let t137_k = chain_th_2_k + chain_th_3_k;
+        let t138_k = t137_k.mul_add(t139, inverse * sums_4[3]);
+        let t139_k = -t137_k.mul_add(t138, inverse * sums_5[0]);
+        let t140_k = t132_k * t46;
+        let t141_k = t140.mul_add(t138_k, t138.mul_add(t140_k, sums_5[1]));
+        let t142_k = t72_k + t78_k;
         let t143_k = t142_k + t134_k;
-        let t144_k = t143_k + t139_k;
-        let t145_k = t144_k + t104_k;
-        let t146_k = t145_k + t106_k;
-        let t147_k = t146_k + t108_k;
-        let t148_k = -t147_k;
-        let t150_k = chain_w_1_k * t149;
-        let t151_k = chain_w_2.mul_add(t150_k, t150.mul_add(chain_w_2_k, sums_3[2]));
-        let t152_k = t151.mul_add(t17_k, t17.mul_add(t151_k, sums_10[3]));
-        let t153_k = t130_k * p.chain_l_1;
-        let t154_k = t153.mul_add(t136_k, t136.mul_add(t153_k, sums_5[2]));
-        let t155_k = t130_k * p.chain_l_2;
-        let t156_k = t155.mul_add(t17_k, t17.mul_add(t155_k, sums_11[0]));
-        let t157_k = t85_k * p.chain_l_2;
-        let t158_k = t157.mul_add(t17_k, t17.mul_add(t157_k, sums_11[1]));
-        let t160_k = t152_k - t154_k;
-        let t161_k = t160_k + t156_k;
-        let t162_k = t161_k + t158_k;
-        let t163_k = (-sin_chain_a_3_k).mul_add(p.chain_gravity, t162_k);
-        let n192_k = t39_k.mul_add(chain_w_1_dot, sums_11[2]);
-        let n193_k = t53_k.mul_add(chain_w_2_dot, sums_11[3]);
-        let n194_k = t59_k.mul_add(chain_w_3_dot, sums_12[0]);
-        let n195_k = t53_k.mul_add(chain_w_1_dot, sums_12[1]);
-        let n196_k = t21_k.mul_add(chain_w_2_dot, sums_12[2]);
-        let n197_k = t61_k.mul_add(chain_w_3_dot, sums_12[3]);
-        let n198_k = t59_k.mul_add(chain_w_1_dot, sums_13[0]);
-        let n199_k = t61_k.mul_add(chain_w_2_dot, sums_13[1]);
-        let n200_k = n193_k + n194_k;
-        let n201_k = n192_k + n200_k;
-        let t129_k_2 = t129_k - n201_k;
+        let t144_k = t143_k + t87_k;
+        let t145_k = t144_k + t136_k;
+        let t146_k = t145_k + t141_k;
+        let t147_k = t146_k + t101_k;
+        let t148_k = t147_k + t103_k;
+        let t149_k = t148_k + t105_k;
+        let t150_k = -t149_k;
+        let t152_k = chain_w_1_k * t151;
+        let t153_k = chain_w_2.mul_add(t152_k, t152.mul_add(chain_w_2_k, sums_3[2]));
+        let t154_k = t153.mul_add(t17_k, t17.mul_add(t153_k, sums_10[3]));
+        let t155_k = t132_k * p.chain_l_1;
+        let t156_k = t155.mul_add(t138_k, t138.mul_add(t155_k, sums_5[2]));
+        let t157_k = t132_k * p.chain_l_2;
+        let t158_k = t157.mul_add(t17_k, t17.mul_add(t157_k, sums_11[0]));
+        let t159_k = t82_k * p.chain_l_2;
+        let t160_k = t159.mul_add(t17_k, t17.mul_add(t159_k, sums_11[1]));
+        let t162_k = t154_k - t156_k;
+        let t163_k = t162_k + t158_k;
+        let t164_k = t163_k + t160_k;
+        let t165_k = (-sin_chain_a_3_k).mul_add(p.chain_gravity, t164_k);
+        let n195_k = t39_k.mul_add(chain_w_1_dot, sums_11[2]);
+        let n196_k = t53_k.mul_add(chain_w_2_dot, sums_11[3]);
+        let n197_k = t59_k.mul_add(chain_w_3_dot, sums_12[0]);
+        let n198_k = t53_k.mul_add(chain_w_1_dot, sums_12[1]);
+        let n199_k = t21_k.mul_add(chain_w_2_dot, sums_12[2]);
+        let n200_k = t61_k.mul_add(chain_w_3_dot, sums_12[3]);
+        let n201_k = t59_k.mul_add(chain_w_1_dot, sums_13[0]);
+        let n202_k = t61_k.mul_add(chain_w_2_dot, sums_13[1]);
         let n203_k = n196_k + n197_k;
         let n204_k = n195_k + n203_k;
-        let t148_k_2 = t148_k - n204_k;
-        let n206_k = n198_k + n199_k;
-        let t164_k = t163_k.mul_add(t58, -n206_k);
+        let t131_k_2 = t131_k - n204_k;
+        let n206_k = n199_k + n200_k;
+        let n207_k = n198_k + n206_k;
+        let t150_k_2 = t150_k - n207_k;
+        let n209_k = n201_k + n202_k;
+        let t166_k = t165_k.mul_add(t58, -n209_k);
         let [chain_w_1_dot_k, chain_w_2_dot_k, chain_w_3_dot_k] = factored
-            .solve([t129_k_2, t148_k_2, t164_k]);
+            .solve([t131_k_2, t150_k_2, t166_k]);
         lanes.set(order, [chain_w_2_k, chain_w_3_k, chain_w_1_k, k * chain_th_1_k], [chain_w_2_k,
             chain_w_3_k, chain_w_1_k, cos_chain_th_1_k]);
-        lanes_1.set(order, [k * chain_th_1_k, chain_w_2_k, chain_w_2_k, chain_w_2_k],
-            [sin_chain_th_1_k, t62_k, t65_k, t68_k]);
-        lanes_2.set(order, [chain_w_3_k, chain_w_3_k, chain_w_3_k, chain_w_3_k], [t68_k, t73_k,
-            t76_k, t79_k]);
+        lanes_1.set(order, [k * chain_th_1_k, chain_w_2_k, chain_w_2_k, chain_w_3_k],
+            [sin_chain_th_1_k, t62_k, t65_k, t65_k]);
+        lanes_2.set(order, [chain_w_3_k, chain_w_3_k, chain_w_3_k, chain_w_2_k], [t70_k, t73_k,
+            t76_k, t112_k]);
         lanes_3.set(order, [k * chain_th_2_k, k * chain_th_2_k, chain_w_2_k, k * chain_a_2_k],
-            [cos_chain_th_2_k, sin_chain_th_2_k, t150_k, cos_chain_a_2_k]);
-        lanes_4.set(order, [k * chain_a_2_k, sin_chain_th_2_k, sin_chain_th_2_k, k * t135_k],
-            [sin_chain_a_2_k, t131_k, t133_k, t137_k]);
-        lanes_5.set(order, [k * t135_k, t136_k, t136_k, k * t0_k], [t136_k, t138_k, t153_k, t2_k]);
+            [cos_chain_th_2_k, sin_chain_th_2_k, t152_k, cos_chain_a_2_k]);
+        lanes_4.set(order, [k * chain_a_2_k, sin_chain_th_2_k, sin_chain_th_2_k, k * t137_k],
+            [sin_chain_a_2_k, t133_k, t135_k, t139_k]);
+        lanes_5.set(order, [k * t137_k, t138_k, t138_k, k * t0_k], [t138_k, t140_k, t155_k, t2_k]);
         lanes_6.set(order, [k * t0_k, k * chain_a_3_k, k * chain_a_3_k, t1_k],
             [t1_k, cos_chain_a_3_k, sin_chain_a_3_k, t63_k]);
-        lanes_7.set(order, [t1_k, t1_k, t1_k, k * t11_k], [t66_k, t86_k, t94_k, t13_k]);
-        lanes_8.set(order, [k * t11_k, k * t16_k, k * t16_k, t12_k], [t12_k, t18_k, t17_k, t69_k]);
-        lanes_9.set(order, [t12_k, t17_k, t12_k, t17_k], [t71_k, t74_k, t77_k, t80_k]);
-        lanes_10.set(order, [t12_k, t12_k, t17_k, t17_k], [t96_k, t99_k, t103_k, t151_k]);
-        lanes_11.set(order, [t17_k, t17_k, t39_k, t53_k], [t155_k, t157_k, chain_w_1_dot_k,
+        lanes_7.set(order, [t1_k, t1_k, t1_k, k * t11_k], [t83_k, t91_k, t113_k, t13_k]);
+        lanes_8.set(order, [k * t11_k, k * t16_k, k * t16_k, t12_k], [t12_k, t18_k, t17_k, t66_k]);
+        lanes_9.set(order, [t12_k, t17_k, t12_k, t17_k], [t68_k, t71_k, t74_k, t77_k]);
+        lanes_10.set(order, [t12_k, t12_k, t17_k, t17_k], [t93_k, t96_k, t100_k, t153_k]);
+        lanes_11.set(order, [t17_k, t17_k, t39_k, t53_k], [t157_k, t159_k, chain_w_1_dot_k,
             chain_w_2_dot_k]);
         lanes_12.set(order, [t59_k, t53_k, t21_k, t61_k], [chain_w_3_dot_k, chain_w_1_dot_k,
             chain_w_2_dot_k, chain_w_3_dot_k]);

@@ -20,9 +20,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 2, first-order states 4, states 7, parameters 21, outputs 8.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 26 of 7 by 7, parameter_jacobian 39 of 7 by 21.
-// Operations: rate 77, forcing 42, rate_jacobian 71, parameter_jacobian 182, time_derivative 30,
+// Operations: rate 77, forcing 42, rate_jacobian 70, parameter_jacobian 180, time_derivative 30,
 //     outputs 54, energy 39, power_balance 151, prepare 40, prepared_rate 54,
-//     prepared_rate_jacobian 36.
+//     prepared_rate_jacobian 35.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -235,7 +235,7 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     [motor_phi_forcing, cylinder_phi_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 36 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 35 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 26] {
@@ -248,10 +248,10 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let t0 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
-    let cylinder_omega_dot_by_cylinder_omega = -(c.t6.add_product(c.inverse_load_standstill_band
-        * load_engagement * R::literal(1.0).sub_product(t0, t0), p.load_mean
+    let cylinder_omega_dot_by_cylinder_omega = (-c.t6).add_product(c.inverse_load_standstill_band
+        * load_engagement * R::literal(-1.0).add_product(t0, t0), p.load_mean
         .add_product(p.load_amplitude, p.load_phase.add_product(c.t3, time).sin()))
-        * c.inverse_cylinder_inertia);
+        * c.inverse_cylinder_inertia;
     let motor_omega_dot_by_motor_psi_sx = -(c.t2 * motor_psi_ry * c.inverse_motor_inertia);
     let motor_omega_dot_by_motor_psi_sy = c.t2 * motor_psi_rx * c.inverse_motor_inertia;
     let motor_omega_dot_by_motor_psi_rx = c.t2 * motor_psi_sy * c.inverse_motor_inertia;
@@ -271,7 +271,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 182 operations.
+/// `dy'/dp`, values in the order of its pattern. 180 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 39] {
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
@@ -297,14 +297,15 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let load_engagement = R::literal(1.0) / t6;
     let t7 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
+    let t8 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t8 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
-    let t9 = R::literal(1.5) * p.motor_pole_pairs;
-    let motor_torque = t9 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t8;
-    let t10 = p.load_mean.add_product(p.load_amplitude, t1);
-    let t11 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let load_resistance = load_engagement * t10 * t11;
+    let t9 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let t10 = R::literal(1.5) * p.motor_pole_pairs;
+    let motor_torque = t10 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t9;
+    let t11 = p.load_mean.add_product(p.load_amplitude, t1);
+    let t12 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let load_resistance = load_engagement * t11 * t12;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
     let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
@@ -312,38 +313,38 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         * inverse_cylinder_inertia;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t12 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
+    let t13 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t13 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
+    let t14 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * cos_motor_supply_phase;
     let motor_psi_sy_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * sin_motor_supply_phase;
     let motor_omega_dot_by_motor_supply_frequency = R::literal(3.0 * core::f64::consts::PI)
-        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t8
+        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t9
         * inverse_motor_inertia;
+    let t15 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
     let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_sy).sub_product(R::literal(core::f64::consts::TAU) * p.motor_alpha_s, t7);
-    let motor_psi_sy_dot_by_motor_supply_frequency = R::literal(-6.283_185_307_179_586)
-        * motor_psi_sx.add_product(p.motor_alpha_s, motor_psi_sy).sub_product(p.motor_k_r
-        * p.motor_alpha_s, motor_psi_ry);
-    let t14 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+        * motor_psi_sy).sub_product(t15, t7);
+    let motor_psi_sy_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
+        * motor_psi_sx).sub_product(t15, t8);
+    let t16 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
     let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_ry).add_product(t14, t12);
+        * motor_psi_ry).add_product(t16, t13);
     let motor_psi_ry_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
-        * motor_psi_rx).add_product(t14, t13);
+        * motor_psi_rx).add_product(t16, t14);
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
     let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r * motor_omega_0
-        / motor_x_s_times_motor_sigma * t8 * inverse_motor_inertia;
+        / motor_x_s_times_motor_sigma * t9 * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
     let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
         * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
     let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let t15 = motor_k_s_times_motor_k_r - R::literal(1.0);
-    let motor_omega_dot_by_motor_k_r = t9 * motor_omega_0 / (p.motor_x_s * (t15 * t15))
+    let t17 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let motor_omega_dot_by_motor_k_r = t10 * motor_omega_0 / (p.motor_x_s * (t17 * t17))
         * (motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry)
         * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
@@ -351,10 +352,9 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let motor_omega_dot_by_motor_x_s = R::literal(-1.0) / p.motor_x_s * motor_torque
         * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t7);
-    let motor_psi_sy_dot_by_motor_alpha_s = motor_omega_0 * (-motor_psi_sy)
-        .add_product(p.motor_k_r, motor_psi_ry);
-    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t12;
-    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t13;
+    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t8);
+    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t13;
+    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t14;
     let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
         * inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_stiffness = -(coupling_twist * inverse_motor_inertia);
@@ -369,22 +369,22 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         * inverse_motor_inertia;
     let coupling_twist_dot_by_coupling_ratio = -cylinder_omega;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_mean = -(load_engagement * t11 * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t11
+    let cylinder_omega_dot_by_load_mean = -(load_engagement * t12 * inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t12
         * inverse_cylinder_inertia);
     let cylinder_omega_dot_by_load_speed = R::literal(-0.328_986_813_369_645_25) * p.load_amplitude
-        * time * load_engagement * t2 * t11 * inverse_cylinder_inertia;
-    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2 * t11
+        * time * load_engagement * t2 * t12 * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2 * t12
         * inverse_cylinder_inertia);
-    let t16 = t6 * t6;
-    let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t10 * t5 * t11
-        / t16 * inverse_cylinder_inertia;
+    let t18 = t6 * t6;
+    let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t11 * t5 * t12
+        / t18 * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_engagement_width = R::literal(1.0) / (p.load_engagement_width
-        * p.load_engagement_width) * time_minus_load_engagement_time * t10 * t5 * t11 / t16
+        * p.load_engagement_width) * time_minus_load_engagement_time * t11 * t5 * t12 / t18
         * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_standstill_band = R::literal(1.0) / (p.load_standstill_band
         * p.load_standstill_band) * cylinder_omega * load_engagement * R::literal(1.0)
-        .sub_product(t11, t11) * t10 * inverse_cylinder_inertia;
+        .sub_product(t12, t12) * t11 * inverse_cylinder_inertia;
     [coupling_twist_dot_by_coupling_ratio, motor_omega_dot_by_motor_inertia,
         motor_omega_dot_by_motor_supply_frequency, motor_omega_dot_by_motor_pole_pairs,
         motor_omega_dot_by_motor_k_s, motor_omega_dot_by_motor_k_r, motor_omega_dot_by_motor_x_s,
@@ -418,10 +418,10 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>)
     let t4 = R::literal(1.0) + t3;
     let load_engagement = R::literal(1.0) / t4;
     let t5 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let cylinder_omega_dot_by_time = (inverse_load_engagement_width * p.load_mean
-        .add_product(p.load_amplitude, t1) * t3 * t5 / (t4 * t4))
-        .add_product(R::literal(core::f64::consts::PI) * p.load_amplitude * load_omega_2
-        * load_engagement * t2, t5) * (R::literal(-1.0) / p.cylinder_inertia);
+    let cylinder_omega_dot_by_time = (-(inverse_load_engagement_width * p.load_mean
+        .add_product(p.load_amplitude, t1) * t3 * t5 / (t4 * t4)))
+        .add_product(R::literal(-3.141_592_653_589_793) * p.load_amplitude * load_omega_2
+        * load_engagement * t2, t5) * (R::literal(1.0) / p.cylinder_inertia);
     [R::literal(0.0), R::literal(0.0), cylinder_omega_dot_by_time, R::literal(0.0),
         R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }

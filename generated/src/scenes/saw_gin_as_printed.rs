@@ -19,9 +19,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 2, first-order states 4, states 8, parameters 23, outputs 5.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 30 of 8 by 8, parameter_jacobian 38 of 8 by 23.
-// Operations: rate 85, forcing 41, rate_jacobian 77, parameter_jacobian 179, time_derivative 30,
+// Operations: rate 85, forcing 41, rate_jacobian 76, parameter_jacobian 179, time_derivative 30,
 //     outputs 42, energy 12, power_balance 62, prepare 40, prepared_rate 61,
-//     prepared_rate_jacobian 41.
+//     prepared_rate_jacobian 40.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -232,7 +232,7 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     [motor_phi_forcing, cylinder_phi_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 41 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 40 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 30] {
@@ -246,10 +246,10 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let motor_psi_y2_dot_by_motor_phi = p.motor_literal * motor_psi_x2;
     let motor_psi_x2_dot_by_motor_omega = -(c.t0 * motor_psi_y2);
     let motor_psi_y2_dot_by_motor_omega = c.t0 * motor_psi_x2;
-    let cylinder_omega_dot_by_cylinder_omega = -(c.t8.add_product(c.inverse_load_standstill_band
-        * load_engagement * R::literal(1.0).sub_product(t0, t0), p.load_mean
+    let cylinder_omega_dot_by_cylinder_omega = (-c.t8).add_product(c.inverse_load_standstill_band
+        * load_engagement * R::literal(-1.0).add_product(t0, t0), p.load_mean
         .add_product(p.load_amplitude, p.load_phase.add_product(c.t3, time).sin()))
-        * c.inverse_cylinder_inertia);
+        * c.inverse_cylinder_inertia;
     let motor_omega_dot_by_motor_psi_x1 = -(c.t2 * motor_psi_y2 * c.inverse_motor_inertia);
     let motor_omega_dot_by_motor_psi_y1 = c.t2 * motor_psi_x2 * c.inverse_motor_inertia;
     let motor_omega_dot_by_motor_psi_x2 = c.t2 * motor_psi_y1 * c.inverse_motor_inertia;
@@ -408,10 +408,10 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>)
     let t4 = R::literal(1.0) + t3;
     let load_engagement = R::literal(1.0) / t4;
     let t5 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let cylinder_omega_dot_by_time = (inverse_load_engagement_width * p.load_mean
-        .add_product(p.load_amplitude, t1) * t3 * t5 / (t4 * t4))
-        .add_product(R::literal(core::f64::consts::PI) * p.load_amplitude * load_omega_2
-        * load_engagement * t2, t5) * (R::literal(-1.0) / p.cylinder_inertia);
+    let cylinder_omega_dot_by_time = (-(inverse_load_engagement_width * p.load_mean
+        .add_product(p.load_amplitude, t1) * t3 * t5 / (t4 * t4)))
+        .add_product(R::literal(-3.141_592_653_589_793) * p.load_amplitude * load_omega_2
+        * load_engagement * t2, t5) * (R::literal(1.0) / p.cylinder_inertia);
     [R::literal(0.0), R::literal(0.0), R::literal(0.0), cylinder_omega_dot_by_time,
         R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }

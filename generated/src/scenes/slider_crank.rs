@@ -18,9 +18,9 @@
 // Shapes: coordinates 8, states 16, parameters 12, outputs 7, constraints 8.
 // Nonzeros: mass_matrix 8 of 8 by 8, rate_jacobian 28 of 16 by 16, parameter_jacobian 10 of 16 by 12,
 //     constraint_matrix 20 of 8 by 8.
-// Operations: rate 60, forcing 6, rate_jacobian 129, parameter_jacobian 91, outputs 94, energy 33,
+// Operations: rate 60, forcing 6, rate_jacobian 128, parameter_jacobian 91, outputs 94, energy 33,
 //     power_balance 116, constraint_values 25, constraint_rates 25, constraint_matrix 12, prepare 4,
-//     prepared_rate 56, prepared_rate_jacobian 125.
+//     prepared_rate 56, prepared_rate_jacobian 124.
 
 use ::machinist_contract::{Energy, PowerBalance, Real};
 
@@ -195,7 +195,7 @@ pub fn forcing<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -> [R
         R::literal(0.0), R::literal(0.0), slider_y_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 125 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 124 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 28] {
@@ -236,7 +236,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let t19 = crank_v_x_dot_by_crank_phi + crank_v_x_dot_by_crank_phi;
     let t20 = t1 * rod_omega_dot_by_crank_phi;
     let rod_v_x_dot_by_crank_phi = t19 - t20;
-    let slider_v_x_dot_by_crank_phi = -(t20 + (t20 - t19));
+    let slider_v_x_dot_by_crank_phi = t19 - t20 - t20;
     let t21 = t12.sub_product(t0, rod_omega_dot);
     let t22 = t15.add_product(t7, t15) * t8;
     let t23 = (t15 * t5).sub_product(t7, t22);

@@ -552,8 +552,8 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         R::select_less(pair_slip, R::literal(-0.5), pair_friction_times_pair_radius,
         R::select_less(pair_slip, R::literal(0.5), t19, t24)) - p.pair_support_arm
         - p.pair_rolling_arm)) * inverse_pair_inertia;
-    let holder_v_dot_by_holder_preload = (R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), R::literal(1.0)) - R::literal(1.0)) * inverse_holder_mass;
+    let holder_v_dot_by_holder_preload = (R::literal(-1.0) - R::select_less(layer_closed,
+        R::literal(0.5), R::literal(0.0), R::literal(-1.0))) * inverse_holder_mass;
     let layer_surface_dot_by_holder_preload = R::select_less(layer_closed, R::literal(0.5),
         -inverse_layer_viscosity, R::literal(0.0));
     let pair_omega_dot_by_layer_stiffness = R::select_less(layer_closed, R::literal(0.5),

@@ -22,10 +22,10 @@
 //     constraints 12.
 // Nonzeros: mass_matrix 14 of 14 by 14, rate_jacobian 294 of 30 by 30,
 //     parameter_jacobian 56 of 30 by 5, constraint_matrix 37 of 12 by 14.
-// Operations: initial_state 1, rate 724, forcing 80, rate_jacobian 343, parameter_jacobian 57,
-//     outputs 52, energy 78, power_balance 108, guards 28, guard_rates 47, constraint_values 49,
-//     constraint_rates 63, constraint_matrix 30, prepare 1, prepared_rate 724,
-//     prepared_rate_jacobian 342, motion 743.
+// Operations: initial_state 1, rate 722, forcing 78, rate_jacobian 348, parameter_jacobian 57,
+//     outputs 52, energy 78, power_balance 109, guards 27, guard_rates 49, constraint_values 49,
+//     constraint_rates 63, constraint_matrix 30, prepare 1, prepared_rate 722,
+//     prepared_rate_jacobian 347, motion 747.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitute}};
 
@@ -180,53 +180,59 @@ pub struct Motion<R> {
     pub contact_rate: R,
     pub t12: R,
     pub slide_rate: R,
+    pub t13: R,
     pub t14: R,
-    pub t15: R,
-    pub t148: R,
-    pub t150: R,
     pub t153: R,
-    pub t156: R,
-    pub t157: R,
+    pub t155: R,
     pub t158: R,
-    pub t159: R,
-    pub t160: R,
+    pub t161: R,
     pub t162: R,
     pub t163: R,
+    pub t164: R,
     pub t165: R,
-    pub t166: R,
+    pub t167: R,
     pub t168: R,
-    pub t169: R,
-    pub t192: R,
-    pub t193: R,
-    pub t194: R,
-    pub t195: R,
+    pub t170: R,
+    pub t171: R,
+    pub t173: R,
+    pub t174: R,
     pub t196: R,
     pub t197: R,
     pub t199: R,
+    pub t200: R,
     pub t201: R,
     pub t202: R,
     pub t203: R,
-    pub t204: R,
     pub t205: R,
     pub t206: R,
+    pub t209: R,
+    pub t210: R,
+    pub t212: R,
+    pub t213: R,
+    pub t215: R,
+    pub t216: R,
+    pub t217: R,
+    pub t219: R,
+    pub t220: R,
     pub bobbin_v_y_dot: R,
     pub bobbin_v_x_dot: R,
     pub rod_omega_dot: R,
-    pub t207: R,
+    pub t221: R,
     pub rod_v_x_dot: R,
     pub cylinder_omega_dot: R,
     pub cylinder_v_y_dot: R,
     pub cylinder_v_x_dot: R,
     pub plate_omega_dot: R,
-    pub plate_v_y_dot: R,
-    pub plate_v_x_dot: R,
+    pub t222: R,
+    pub t223: R,
+    pub t224: R,
     pub post_omega_dot: R,
-    pub post_v_y_dot: R,
-    pub post_v_x_dot: R,
+    pub t225: R,
+    pub t226: R,
 }
 
 /// Accelerations, factors of the linear equations they solve, and whatever else several functions
-/// need. 743 operations.
+/// need. 747 operations.
 #[must_use]
 pub fn motion<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         _c: &Constants<R>) -> Motion<R> {
@@ -264,287 +270,300 @@ pub fn motion<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
     let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
-    let t13 = sin_plate_phi.add_product(R::literal(10.0), cos_plate_phi);
-    let t14 = R::literal(0.01) * t13;
-    let t15 = (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi);
-    let t16 = R::literal(37.037_037_037_037_03) * sin_post_phi;
-    let t17 = R::literal(37.037_037_037_037_03) * cos_post_phi;
-    let t18 = -t17;
-    let t19 = R::literal(24.0) * sin_plate_phi;
-    let t20 = R::literal(24.0) * cos_plate_phi;
-    let t21 = -t20;
-    let t22 = R::literal(4.0) * t13;
-    let t23 = -t22;
-    let t24 = t15 * R::literal(400.0);
-    let t25 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t26 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t27 = -t26;
-    let t28 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
-    let t29 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
-    let t30 = -t29;
-    let t31 = slide * R::literal(2_777.777_777_777_778);
-    let t32 = -t31;
-    let t33 = sin_cylinder_phi * R::literal(5.0);
-    let t34 = -t33;
-    let t35 = cos_cylinder_phi * R::literal(5.0);
-    let t36 = R::literal(250.0) * sin_rod_phi;
-    let t37 = -t36;
-    let t38 = R::literal(250.0) * cos_rod_phi;
-    let t39 = t16 * t1;
-    let t40 = R::literal(1.25) + t39;
-    let t41 = R::literal(1.0) / t40;
-    let t42 = -t41;
-    let t43 = t17 * t1;
-    let t44 = t43 * t41;
-    let t45 = -t44;
-    let t46 = R::literal(1.25) - t39;
-    let t47 = t46 * t41;
-    let t48 = -t47;
-    let t49 = t17 * t0;
-    let t50 = R::literal(1.25) + t49;
-    let t51 = t44 * t43;
-    let t52 = R::literal(1.0) / (t51 - t50);
-    let t53 = (t16 * t0).add_product(t47, t43);
-    let t54 = t53 * t52;
-    let t55 = R::literal(1.25) - t49 + t51;
-    let t56 = t55 * t52;
-    let t57 = t19 * t3;
-    let t58 = R::literal(1.0) / (-(t40 + R::literal(0.833_333_333_333_333_4) + t57))
-        .add_product(t47, t46).sub_product(t54, t53);
-    let t59 = t20 * t3;
-    let t60 = (t43 + t59).add_product(t44, t46).sub_product(t56, t53);
-    let t61 = t60 * t58;
-    let t62 = R::literal(0.833_333_333_333_333_4) - t57;
-    let t63 = t62 * t58;
-    let t64 = t59 * t58;
-    let t65 = t22 * t3;
-    let t66 = R::literal(0.833_333_333_333_333_4) + t65;
-    let t67 = t66 * t58;
-    let t68 = t24 * t3;
-    let t69 = t68 * t58;
-    let t70 = -t69;
-    let t71 = t20 * t2;
-    let t72 = R::literal(1.0) / (t51 - (t50 + R::literal(0.833_333_333_333_333_4) + t71))
-        .sub_product(t56, t55).sub_product(t61, t60);
-    let t73 = (t19 * t2).sub_product(t63, t60);
-    let t74 = t73 * t72;
-    let t75 = (R::literal(0.833_333_333_333_333_4) - t71).sub_product(t64, t60);
-    let t76 = t75 * t72;
-    let t77 = t22 * t2;
-    let t78 = t77.add_product(t67, t60);
-    let t79 = t78 * t72;
-    let t80 = -t79;
-    let t81 = t24 * t2;
-    let t82 = (R::literal(0.833_333_333_333_333_4) + t81).add_product(t69, t60);
-    let t83 = t82 * t72;
-    let t84 = R::literal(1.0) / (R::literal(0.833_333_333_333_333_4) + t57
-        + R::literal(3.333_333_333_333_333_5)).add_product(t28, t5).add_product(t63, t62)
-        .add_product(t74, t73);
-    let t85 = -t84;
-    let t86 = t59.add_product(t29, t5).sub_product(t64, t62).sub_product(t76, t73);
-    let t87 = t86 * t84;
-    let t88 = -t87;
-    let t89 = t28 * t84;
-    let t90 = -t89;
-    let t91 = (-t25).add_product(t31, t5);
-    let t92 = t91 * t84;
-    let t93 = -t92;
-    let t94 = (t65 - R::literal(0.833_333_333_333_333_4)).sub_product(t67, t62).add_product(t79,
-        t73);
-    let t95 = t94 * t84;
-    let t96 = -t95;
-    let t97 = (-t68).add_product(t69, t62).sub_product(t83, t73);
-    let t98 = t97 * t84;
-    let t99 = -t98;
-    let t100 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4) + t71
-        + R::literal(3.333_333_333_333_333_5)).add_product(t29, t4).add_product(t64, t59)
-        .add_product(t76, t75)).add_product(t87, t86);
-    let t101 = (-t29).add_product(t89, t86);
-    let t102 = t101 * t100;
-    let t103 = t26.sub_product(t31, t4).add_product(t92, t86);
-    let t104 = t103 * t100;
-    let t105 = (-t77.add_product(t67, t59)).add_product(t79, t75).add_product(t95, t86);
-    let t106 = t105 * t100;
-    let t107 = (t81 - R::literal(0.833_333_333_333_333_4)).add_product(t69, t59).sub_product(t83,
-        t75).add_product(t98, t86);
-    let t108 = t107 * t100;
-    let t109 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t89, t28)
-        .sub_product(t102, t101);
-    let t110 = (-t31).add_product(t92, t28).sub_product(t104, t101);
-    let t111 = t110 * t109;
-    let t112 = t36 * t109;
-    let t113 = t38 * t109;
+    let t13 = (R::literal(0.01) * sin_plate_phi).add_product(R::literal(0.1), cos_plate_phi);
+    let t14 = (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi);
+    let t15 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t16 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t17 = -t16;
+    let t18 = R::literal(24.0) * sin_plate_phi;
+    let t19 = R::literal(24.0) * cos_plate_phi;
+    let t20 = -t19;
+    let t21 = t13 * R::literal(400.0);
+    let t22 = -t21;
+    let t23 = t14 * R::literal(400.0);
+    let t24 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t25 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t26 = -t25;
+    let t27 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t28 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t29 = -t28;
+    let t30 = slide * R::literal(2_777.777_777_777_778);
+    let t31 = -t30;
+    let t32 = sin_cylinder_phi * R::literal(5.0);
+    let t33 = -t32;
+    let t34 = cos_cylinder_phi * R::literal(5.0);
+    let t35 = R::literal(250.0) * sin_rod_phi;
+    let t36 = -t35;
+    let t37 = R::literal(250.0) * cos_rod_phi;
+    let t38 = t15 * t1;
+    let t39 = R::literal(1.25) + t38;
+    let t40 = R::literal(1.0) / t39;
+    let t41 = -t40;
+    let t42 = t16 * t1;
+    let t43 = t42 * t40;
+    let t44 = -t43;
+    let t45 = R::literal(1.25) - t38;
+    let t46 = t45 * t40;
+    let t47 = -t46;
+    let t48 = t16 * t0;
+    let t49 = R::literal(1.25) + t48;
+    let t50 = t43 * t42;
+    let t51 = R::literal(1.0) / (t50 - t49);
+    let t52 = (t15 * t0).add_product(t46, t42);
+    let t53 = t52 * t51;
+    let t54 = R::literal(1.25) - t48 + t50;
+    let t55 = t54 * t51;
+    let t56 = t18 * t3;
+    let t57 = R::literal(1.0) / (-(t39 + R::literal(0.833_333_333_333_333_4) + t56))
+        .add_product(t46, t45).sub_product(t53, t52);
+    let t58 = t19 * t3;
+    let t59 = (t42 + t58).add_product(t43, t45).sub_product(t55, t52);
+    let t60 = t59 * t57;
+    let t61 = R::literal(0.833_333_333_333_333_4) - t56;
+    let t62 = t61 * t57;
+    let t63 = t58 * t57;
+    let t64 = t21 * t3;
+    let t65 = R::literal(0.833_333_333_333_333_4) + t64;
+    let t66 = t65 * t57;
+    let t67 = t23 * t3;
+    let t68 = t67 * t57;
+    let t69 = -t68;
+    let t70 = t19 * t2;
+    let t71 = R::literal(1.0) / (t50 - (t49 + R::literal(0.833_333_333_333_333_4) + t70))
+        .sub_product(t55, t54).sub_product(t60, t59);
+    let t72 = (t18 * t2).sub_product(t62, t59);
+    let t73 = t72 * t71;
+    let t74 = (R::literal(0.833_333_333_333_333_4) - t70).sub_product(t63, t59);
+    let t75 = t74 * t71;
+    let t76 = t21 * t2;
+    let t77 = t76.add_product(t66, t59);
+    let t78 = t77 * t71;
+    let t79 = -t78;
+    let t80 = t23 * t2;
+    let t81 = (R::literal(0.833_333_333_333_333_4) + t80).add_product(t68, t59);
+    let t82 = t81 * t71;
+    let t83 = R::literal(1.0) / (R::literal(0.833_333_333_333_333_4) + t56
+        + R::literal(3.333_333_333_333_333_5)).add_product(t27, t5).add_product(t62, t61)
+        .add_product(t73, t72);
+    let t84 = -t83;
+    let t85 = t58.add_product(t28, t5).sub_product(t63, t61).sub_product(t75, t72);
+    let t86 = t85 * t83;
+    let t87 = -t86;
+    let t88 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
+    let t89 = t88 * t83;
+    let t90 = (-t24).add_product(t30, t5);
+    let t91 = t90 * t83;
+    let t92 = -t91;
+    let t93 = (t64 - R::literal(0.833_333_333_333_333_4)).sub_product(t66, t61).add_product(t78,
+        t72);
+    let t94 = t93 * t83;
+    let t95 = -t94;
+    let t96 = (-t67).add_product(t68, t61).sub_product(t82, t72);
+    let t97 = t96 * t83;
+    let t98 = -t97;
+    let t99 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4) + t70
+        + R::literal(3.333_333_333_333_333_5)).add_product(t28, t4).add_product(t63, t58)
+        .add_product(t75, t74)).add_product(t86, t85);
+    let t100 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi).sub_product(t89, t85);
+    let t101 = t100 * t99;
+    let t102 = t25.sub_product(t30, t4).add_product(t91, t85);
+    let t103 = t102 * t99;
+    let t104 = (-t76.add_product(t66, t58)).add_product(t78, t74).add_product(t94, t85);
+    let t105 = t104 * t99;
+    let t106 = (t80 - R::literal(0.833_333_333_333_333_4)).add_product(t68, t58).sub_product(t82,
+        t74).add_product(t97, t85);
+    let t107 = t106 * t99;
+    let t108 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t89, t88)
+        .sub_product(t101, t100);
+    let t109 = t30.add_product(t91, t88).add_product(t103, t100);
+    let t110 = t109 * t108;
+    let t111 = -t110;
+    let t112 = t35 * t108;
+    let t113 = t37 * t108;
     let t114 = -t113;
-    let t115 = (t95 * t28).sub_product(t106, t101);
-    let t116 = t115 * t109;
-    let t117 = (t98 * t28).sub_product(t108, t101);
-    let t118 = t117 * t109;
-    let t119 = R::literal(1.0) / (-(t25 * sin_cylinder_phi).add_product(t26, cos_cylinder_phi)
-        .add_product(t31, slide).add_product(t33, sin_cylinder_phi).add_product(t35,
-        cos_cylinder_phi)).add_product(t92, t91).sub_product(t104, t103).sub_product(t111, t110);
-    let t120 = t33.sub_product(t112, t110);
-    let t121 = t120 * t119;
-    let t122 = (-t35).add_product(t113, t110);
-    let t123 = t122 * t119;
-    let t124 = (t95 * t91).sub_product(t106, t103).sub_product(t116, t110);
-    let t125 = t124 * t119;
-    let t126 = (t98 * t91).sub_product(t108, t103).sub_product(t118, t110);
-    let t127 = t126 * t119;
-    let t128 = R::literal(1.0) / R::literal(5.0).add_product(t36, t6).add_product(t112, t36)
-        .add_product(t121, t120);
-    let t129 = -t128;
-    let t130 = (t38 * t6).add_product(t113, t36).sub_product(t123, t120);
-    let t131 = t130 * t128;
+    let t115 = (t94 * t88).add_product(t105, t100);
+    let t116 = t115 * t108;
+    let t117 = -t116;
+    let t118 = (t97 * t88).add_product(t107, t100);
+    let t119 = t118 * t108;
+    let t120 = -t119;
+    let t121 = R::literal(1.0) / (-(t24 * sin_cylinder_phi).add_product(t25, cos_cylinder_phi)
+        .add_product(t30, slide).add_product(t32, sin_cylinder_phi).add_product(t34,
+        cos_cylinder_phi)).add_product(t91, t90).sub_product(t103, t102).sub_product(t110, t109);
+    let t122 = t32.add_product(t112, t109);
+    let t123 = t122 * t121;
+    let t124 = t34.add_product(t113, t109);
+    let t125 = t124 * t121;
+    let t126 = -t125;
+    let t127 = (t94 * t90).sub_product(t105, t102).sub_product(t116, t109);
+    let t128 = t127 * t121;
+    let t129 = (t97 * t90).sub_product(t107, t102).sub_product(t119, t109);
+    let t130 = t129 * t121;
+    let t131 = R::literal(1.0) / R::literal(5.0).add_product(t35, t6).add_product(t112, t35)
+        .add_product(t123, t122);
     let t132 = -t131;
-    let t133 = (t116 * t36).add_product(t125, t120);
-    let t134 = t133 * t128;
-    let t135 = (t118 * t36).add_product(t127, t120);
-    let t136 = t135 * t128;
-    let t137 = R::literal(1.0) / (-R::literal(5.0).add_product(t38, R::literal(0.06) * cos_rod_phi)
-        .add_product(t113, t38).add_product(t123, t122)).add_product(t131, t130);
-    let t138 = (t116 * t38).sub_product(t125, t122).sub_product(t134, t130);
-    let t139 = t138 * t137;
-    let t140 = (t118 * t38).sub_product(t127, t122).sub_product(t136, t130);
-    let t141 = t140 * t137;
-    let t142 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t22, t14)
-        + R::literal(1.428_571_428_571_428_6)).add_product(t67, t66).add_product(t79, t78))
-        .add_product(t95, t94).sub_product(t106, t105).sub_product(t116, t115).sub_product(t125,
-        t124).add_product(t134, t133).sub_product(t139, t138);
-    let t143 = (t24 * t14).add_product(t69, t66).add_product(t83, t78).add_product(t98, t94)
-        .sub_product(t108, t105).sub_product(t118, t115).sub_product(t127, t124).add_product(t136,
-        t133).sub_product(t141, t138);
+    let t133 = (t37 * t6).add_product(t113, t35).add_product(t125, t122);
+    let t134 = t133 * t131;
+    let t135 = -t134;
+    let t136 = (t116 * t35).sub_product(t128, t122);
+    let t137 = t136 * t131;
+    let t138 = -t137;
+    let t139 = (t119 * t35).sub_product(t130, t122);
+    let t140 = t139 * t131;
+    let t141 = -t140;
+    let t142 = R::literal(1.0) / (-R::literal(5.0).add_product(t37, R::literal(0.06) * cos_rod_phi)
+        .add_product(t113, t37).add_product(t125, t124)).add_product(t134, t133);
+    let t143 = (-(t116 * t37)).add_product(t128, t124).add_product(t137, t133);
     let t144 = t143 * t142;
-    let t145 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t24, t15)
-        + R::literal(1.428_571_428_571_428_6)).add_product(t69, t68).add_product(t83, t82))
-        .add_product(t98, t97).sub_product(t108, t107).sub_product(t118, t117).sub_product(t127,
-        t126).add_product(t136, t135).sub_product(t141, t140).sub_product(t144, t143);
-    let t146 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0),
+    let t145 = (-(t119 * t37)).add_product(t130, t124).add_product(t140, t133);
+    let t146 = t145 * t142;
+    let t147 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t21, t13)
+        + R::literal(1.428_571_428_571_428_6)).add_product(t66, t65).add_product(t78, t77))
+        .add_product(t94, t93).sub_product(t105, t104).sub_product(t116, t115).sub_product(t128,
+        t127).add_product(t137, t136).sub_product(t144, t143);
+    let t148 = (t23 * t13).add_product(t68, t65).add_product(t82, t77).add_product(t97, t93)
+        .sub_product(t107, t104).sub_product(t119, t115).sub_product(t130, t127).add_product(t140,
+        t136).sub_product(t146, t143);
+    let t149 = t148 * t147;
+    let t150 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t23, t14)
+        + R::literal(1.428_571_428_571_428_6)).add_product(t68, t67).add_product(t82, t81))
+        .add_product(t97, t96).sub_product(t107, t106).sub_product(t119, t118).sub_product(t130,
+        t129).add_product(t140, t139).sub_product(t146, t145).sub_product(t149, t148);
+    let t151 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0),
         -(R::literal(1_000_000.0) * stop_gap * t7).add_product(R::literal(1500.0) * stop_rate, t7));
-    let t147 = p.spring_stiffness * (slide - R::literal(0.116));
-    let t148 = t147 * cos_cylinder_phi;
+    let t152 = p.spring_stiffness * (slide - R::literal(0.116));
+    let t153 = t152 * cos_cylinder_phi;
     let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
-    let t149 = t148.add_product(spring_damping_times_slide_rate, cos_cylinder_phi);
-    let t150 = t147 * sin_cylinder_phi;
-    let t151 = spring_damping_times_slide_rate * sin_cylinder_phi;
-    let t152 = t151 - (R::literal(2.943) - t150);
-    let t153 = t147 * t12;
-    let t154 = t153.add_product(spring_damping_times_slide_rate, t12);
-    let t155 = t151 + (R::literal(1.962) + t150);
-    let t156 = contact_stiffness_times_contact_gap * t8;
-    let t157 = t156 / between;
-    let t158 = contact_damping_times_contact_rate * t8;
-    let t159 = contact_stiffness_times_contact_gap * t10 / between;
-    let t160 = contact_damping_times_contact_rate * t10;
-    let t161 = R::literal(0.1) * (post_omega * post_omega);
-    let t162 = t161 * cos_post_phi;
-    let t163 = t161 * sin_post_phi;
+    let t154 = t153.add_product(spring_damping_times_slide_rate, cos_cylinder_phi);
+    let t155 = t152 * sin_cylinder_phi;
+    let t156 = spring_damping_times_slide_rate * sin_cylinder_phi;
+    let t157 = t156 - (R::literal(2.943) - t155);
+    let t158 = t152 * t12;
+    let t159 = t158.add_product(spring_damping_times_slide_rate, t12);
+    let t160 = t156 + (R::literal(1.962) + t155);
+    let t161 = contact_stiffness_times_contact_gap * t8;
+    let t162 = t161 / between;
+    let t163 = contact_damping_times_contact_rate * t8;
+    let t164 = contact_stiffness_times_contact_gap * t10 / between;
+    let t165 = contact_damping_times_contact_rate * t10;
+    let t166 = R::literal(0.1) * (post_omega * post_omega);
+    let t167 = t166 * cos_post_phi;
+    let t168 = t166 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t164 = R::literal(0.06) * plate_omega_squared;
-    let t165 = t164 * cos_plate_phi;
-    let t166 = t164 * sin_plate_phi;
+    let t169 = R::literal(0.06) * plate_omega_squared;
+    let t170 = t169 * cos_plate_phi;
+    let t171 = t169 * sin_plate_phi;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t167 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t168 = t167 * cos_rod_phi;
-    let t169 = t167 * sin_rod_phi;
-    let t170 = t16 * t146;
-    let t171 = t162 + t170;
-    let t172 = t17 * t146;
-    let t173 = t44 * t171;
-    let t174 = R::literal(9.81) - t163 + t172 - t173;
-    let t175 = (t165 + t162 + t170).add_product(t47, t171).add_product(t54, t174);
-    let t176 = (t172 - (t166 + t163 + R::literal(9.81)) + R::literal(9.81) - t173).sub_product(t56,
-        t174).add_product(t61, t175);
-    let t177 = R::literal(3.333_333_333_333_333_5) * t149;
-    let t178 = (-t177.add_product(R::literal(0.06), (plate_omega_squared * cos_plate_phi)
-        .add_product(cylinder_omega_squared, cos_cylinder_phi))).add_product(t28, t154)
-        .add_product(t63, t175).sub_product(t74, t176);
-    let t179 = R::literal(3.333_333_333_333_333_5) * t152;
-    let t180 = (-(R::literal(9.81).add_product(R::literal(0.06), (plate_omega_squared
-        * sin_plate_phi).add_product(cylinder_omega_squared, sin_cylinder_phi)) + t179)
-        .add_product(t29, t154)).add_product(t64, t175).sub_product(t76, t176).add_product(t87,
-        t178);
-    let t181 = R::literal(2_777.777_777_777_778) * t154;
-    let t182 = (-t181).add_product(t89, t178).sub_product(t102, t180);
-    let t183 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+    let t172 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t173 = t172 * cos_rod_phi;
+    let t174 = t172 * sin_rod_phi;
+    let t175 = t15 * t151;
+    let t176 = t167 + t175;
+    let t177 = t16 * t151;
+    let t178 = t43 * t176;
+    let t179 = R::literal(9.81) - t168 + t177 - t178;
+    let t180 = (t170 + t167 + t175).add_product(t46, t176).add_product(t53, t179);
+    let t181 = (t177 - (t171 + t168 + R::literal(9.81)) + R::literal(9.81) - t178).sub_product(t55,
+        t179).add_product(t60, t180);
+    let t182 = R::literal(3.333_333_333_333_333_5) * t154;
+    let t183 = (-t182.add_product(R::literal(0.06), (plate_omega_squared * cos_plate_phi)
+        .add_product(cylinder_omega_squared, cos_cylinder_phi))).add_product(t27, t159)
+        .add_product(t62, t180).sub_product(t73, t181);
+    let t184 = R::literal(3.333_333_333_333_333_5) * t157;
+    let t185 = (-(R::literal(9.81).add_product(R::literal(0.06), (plate_omega_squared
+        * sin_plate_phi).add_product(cylinder_omega_squared, sin_cylinder_phi)) + t184)
+        .add_product(t28, t159)).add_product(t63, t180).sub_product(t75, t181).add_product(t86,
+        t183);
+    let t186 = (R::literal(-2_777.777_777_777_778) * t159).sub_product(t89, t183).sub_product(t101,
+        t185);
+    let t187 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
         .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi).add_product(cylinder_x
         * cylinder_omega, sin_cylinder_phi).add_product(rod_y * cylinder_omega, cos_cylinder_phi)
         .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi).sub_product(R::literal(2.0)
         * cylinder_v_y, sin_cylinder_phi).sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
-        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t25, t149)
-        .add_product(t26, t152).sub_product(t31, t154).sub_product(t33, t149).add_product(t35, t155)
-        .add_product(t92, t178).sub_product(t104, t180);
-    let t184 = t183.sub_product(t111, t182);
-    let t185 = R::literal(5.0) * t149;
-    let t186 = (t168 + t185).sub_product(t112, t182).sub_product(t121, t184);
-    let t187 = R::literal(5.0) * t155;
-    let t188 = (t169 + t187).add_product(t113, t182).sub_product(t123, t184).add_product(t131,
-        t186);
-    let t189 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), -(t157 + t158 / between));
-    let t190 = (-t189).add_product(t15, plate_omega_squared).add_product(t67, t175)
-        .add_product(t79, t176).add_product(t95, t178).sub_product(t106, t180).sub_product(t116,
-        t182).sub_product(t125, t184).sub_product(t134, t186).sub_product(t139, t188);
-    let t191 = R::literal(1.428_571_428_571_428_6) * (R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), -(t160 / between)) - (R::literal(6.867)
-        + R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t159)));
-    let t192 = (R::literal(-9.81).add_product((R::literal(0.01) * sin_plate_phi)
-        .add_product(R::literal(0.1), cos_plate_phi), plate_omega_squared) - t191).sub_product(t69,
-        t175).sub_product(t83, t176).add_product(t98, t178).sub_product(t108, t180)
-        .sub_product(t118, t182).sub_product(t127, t184).sub_product(t136, t186).sub_product(t141,
-        t188).sub_product(t144, t190) * t145;
-    let t193 = (t190 * t142).sub_product(t144, t192);
-    let t194 = (t188 * t137).sub_product(t139, t193).sub_product(t141, t192);
-    let t195 = (-(t186 * t128)).add_product(t131, t194);
-    let t196 = t134 * t193;
-    let t197 = t136 * t192;
-    let t198 = t195 - t196 - t197;
-    let t199 = (t184 * t119).sub_product(t121, t198).sub_product(t123, t194).sub_product(t125, t193)
-        .sub_product(t127, t192);
-    let t200 = (t182 * t109).sub_product(t111, t199).sub_product(t112, t198).add_product(t113, t194)
-        .sub_product(t116, t193).sub_product(t118, t192);
-    let t201 = (t180 * t100).sub_product(t102, t200).sub_product(t104, t199).sub_product(t106, t193)
-        .sub_product(t108, t192);
-    let t202 = (-(t178 * t84)).add_product(t87, t201).add_product(t89, t200).add_product(t92, t199)
-        .add_product(t95, t193).add_product(t98, t192);
-    let t203 = (t176 * t72).sub_product(t74, t202).sub_product(t76, t201).add_product(t79, t193)
-        .sub_product(t83, t192);
-    let t204 = (-(t175 * t58).add_product(t61, t203).add_product(t63, t202).add_product(t64, t201)
-        .add_product(t67, t193)).add_product(t69, t192);
-    let t205 = (t174 * t52).sub_product(t54, t204).sub_product(t56, t203);
-    let t206 = (t171 * t41).add_product(t44, t205).add_product(t47, t204).add_product(t44, t203);
-    let bobbin_v_y_dot = t191.sub_product(R::literal(1.428_571_428_571_428_6), t192);
-    let bobbin_v_x_dot = t189.sub_product(R::literal(1.428_571_428_571_428_6), t193);
-    let rod_omega_dot = (t36 * t198).sub_product(R::literal(4_166.666_666_666_667), t200)
-        .sub_product(t38, t194);
-    let t207 = t187.add_product(t35, t199);
-    let rod_v_x_dot = (-t185).add_product(t33, t199).sub_product(R::literal(5.0), t198);
-    let cylinder_omega_dot = (-t181.add_product(t28, t202)).add_product(t29, t201)
-        .add_product(R::literal(2_777.777_777_777_778), t200).add_product(t31, t199);
-    let cylinder_v_y_dot = t179.sub_product(R::literal(3.333_333_333_333_333_5), t201)
-        .add_product(t26, t199);
-    let cylinder_v_x_dot = t177.sub_product(R::literal(3.333_333_333_333_333_5), t202)
-        .sub_product(t25, t199);
-    let plate_omega_dot = (t20 * t203).sub_product(t19, t204).sub_product(t19, t202)
-        .add_product(t20, t201).add_product(t22, t193).sub_product(t24, t192);
-    let plate_v_y_dot = (-R::literal(9.81).add_product(R::literal(0.833_333_333_333_333_4), t203))
-        .add_product(R::literal(0.833_333_333_333_333_4), t201)
-        .add_product(R::literal(0.833_333_333_333_333_4), t192);
-    let plate_v_x_dot = (R::literal(0.833_333_333_333_333_4) * t202)
-        .sub_product(R::literal(0.833_333_333_333_333_4), t204)
-        .add_product(R::literal(0.833_333_333_333_333_4), t193);
-    let post_omega_dot = (t146 * R::literal(370.370_370_370_370_3)).sub_product(t16, t206)
-        .add_product(t17, t205).sub_product(t16, t204).add_product(t17, t203);
-    let post_v_y_dot = (-R::literal(9.81).add_product(R::literal(1.25), t205))
-        .add_product(R::literal(1.25), t203);
-    let post_v_x_dot = (R::literal(1.25) * t204).sub_product(R::literal(1.25), t206);
+        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t24, t154)
+        .add_product(t25, t157).sub_product(t30, t159).sub_product(t32, t154).add_product(t34, t160)
+        .add_product(t91, t183).sub_product(t103, t185);
+    let t188 = t187.add_product(t110, t186);
+    let t189 = R::literal(5.0) * t154;
+    let t190 = (t173 + t189).sub_product(t112, t186).sub_product(t123, t188);
+    let t191 = R::literal(5.0) * t160;
+    let t192 = (t174 + t191).add_product(t113, t186).add_product(t125, t188).add_product(t134,
+        t190);
+    let t193 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), -(t162 + t163 / between));
+    let t194 = (-t193).add_product(t14, plate_omega_squared).add_product(t66, t180)
+        .add_product(t78, t181).add_product(t94, t183).sub_product(t105, t185).add_product(t116,
+        t186).sub_product(t128, t188).add_product(t137, t190).sub_product(t144, t192);
+    let t195 = R::literal(1.428_571_428_571_428_6) * (R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), -(t165 / between)) - (R::literal(6.867)
+        + R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t164)));
+    let t196 = (R::literal(-9.81).add_product(t13, plate_omega_squared) - t195).sub_product(t68,
+        t180).sub_product(t82, t181).add_product(t97, t183).sub_product(t107, t185)
+        .add_product(t119, t186).sub_product(t130, t188).add_product(t140, t190).sub_product(t146,
+        t192);
+    let t197 = t149 * t194;
+    let t198 = (t196 - t197) * t150;
+    let t199 = (t194 * t147).sub_product(t149, t198);
+    let t200 = (t192 * t142).sub_product(t144, t199).sub_product(t146, t198);
+    let t201 = (-(t190 * t131)).add_product(t134, t200);
+    let t202 = t137 * t199;
+    let t203 = t140 * t198;
+    let t204 = t201 + t202 + t203;
+    let t205 = (t188 * t121).sub_product(t123, t204).add_product(t125, t200).sub_product(t128,
+        t199);
+    let t206 = t130 * t198;
+    let t207 = t205 - t206;
+    let t208 = (t186 * t108).add_product(t110, t207).sub_product(t112, t204).add_product(t113, t200)
+        .add_product(t116, t199).add_product(t119, t198);
+    let t209 = (t185 * t99).sub_product(t101, t208).sub_product(t103, t207).sub_product(t105, t199);
+    let t210 = t107 * t198;
+    let t211 = t209 - t210;
+    let t212 = (-(t183 * t83)).add_product(t86, t211).sub_product(t89, t208).add_product(t91, t207)
+        .add_product(t94, t199);
+    let t213 = t97 * t198;
+    let t214 = t212 + t213;
+    let t215 = (t181 * t71).sub_product(t73, t214).sub_product(t75, t211).add_product(t78, t199)
+        .sub_product(t82, t198);
+    let t216 = (t180 * t57).add_product(t60, t215).add_product(t62, t214).add_product(t63, t211)
+        .add_product(t66, t199);
+    let t217 = t68 * t198;
+    let t218 = t217 - t216;
+    let t219 = (t179 * t51).sub_product(t53, t218).sub_product(t55, t215);
+    let t220 = (t176 * t40).add_product(t43, t219).add_product(t46, t218).add_product(t43, t215);
+    let bobbin_v_y_dot = t195.sub_product(R::literal(1.428_571_428_571_428_6), t198);
+    let bobbin_v_x_dot = t193.sub_product(R::literal(1.428_571_428_571_428_6), t199);
+    let rod_omega_dot = (t35 * t204).sub_product(R::literal(4_166.666_666_666_667), t208)
+        .sub_product(t37, t200);
+    let t221 = t191.add_product(t34, t207).add_product(R::literal(5.0), t200);
+    let rod_v_x_dot = (-t189).add_product(t32, t207).sub_product(R::literal(5.0), t204);
+    let cylinder_omega_dot = (-(t159 * R::literal(2_777.777_777_777_778)).add_product(t27, t214))
+        .add_product(t28, t211).sub_product(R::literal(-2_777.777_777_777_778), t208)
+        .add_product(t30, t207);
+    let cylinder_v_y_dot = t184.sub_product(R::literal(3.333_333_333_333_333_5), t211)
+        .add_product(t25, t207);
+    let cylinder_v_x_dot = t182.sub_product(R::literal(3.333_333_333_333_333_5), t214)
+        .sub_product(t24, t207);
+    let plate_omega_dot = (t19 * t215).sub_product(t18, t218).sub_product(t18, t214)
+        .add_product(t19, t211).add_product(t21, t199).sub_product(t23, t198);
+    let t222 = R::literal(9.81).add_product(R::literal(0.833_333_333_333_333_4), t215)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t211);
+    let t223 = R::literal(-0.833_333_333_333_333_4) * t198;
+    let t224 = (R::literal(-0.833_333_333_333_333_4) * t214)
+        .add_product(R::literal(0.833_333_333_333_333_4), t218);
+    let post_omega_dot = (t151 * R::literal(370.370_370_370_370_3)).sub_product(t15, t220)
+        .add_product(t16, t219).sub_product(t15, t218).add_product(t16, t215);
+    let t225 = R::literal(9.81).add_product(R::literal(1.25), t219).add_product(R::literal(-1.25),
+        t215);
+    let t226 = (R::literal(-1.25) * t218).add_product(R::literal(1.25), t220);
     Motion {
-        factors: [t16, t18, t45, t19, t48, t54, t21, t56, t61, R::literal(3.333_333_333_333_333_5),
-            t28, t63, t74, t30, t64, t76, t88, R::literal(-2_777.777_777_777_778),
-            R::literal(4_166.666_666_666_667), t90, t102, t25, t27, t32, t34, t35, t93, t104, t111,
-            R::literal(5.0), t37, t112, t121, t38, t114, t123, t132, t23,
-            R::literal(1.428_571_428_571_428_6), t67, t80, t96, t106, t116, t125, t134, t139, t24,
-            t70, t83, t99, t108, t118, t127, t136, t141, t144, t145, t142, t137, t129, t119, t109,
-            t100, t85, t72, t58, t52, t42, R::literal(2_777.777_777_777_778), R::literal(400.0),
+        factors: [t15, t17, t44, t18, t47, t53, t20, t55, t60, R::literal(3.333_333_333_333_333_5),
+            t27, t62, t73, t29, t63, t75, t87, R::literal(-2_777.777_777_777_778),
+            R::literal(4_166.666_666_666_667), t89, t101, t24, t26, t31, t33, t34, t92, t103, t111,
+            R::literal(5.0), t36, t112, t123, t37, t114, t126, t135, t22,
+            R::literal(1.428_571_428_571_428_6), t66, t79, t95, t105, t117, t128, t138, t144, t23,
+            t69, t82, t98, t107, t120, t130, t141, t146, t149, t150, t147, t142, t132, t121, t108,
+            t99, t84, t71, t57, t51, t41, R::literal(2_777.777_777_777_778), R::literal(400.0),
             R::literal(0.833_333_333_333_333_4), R::literal(-0.833_333_333_333_333_4),
             R::literal(370.370_370_370_370_3), R::literal(1.25), R::literal(-1.25)],
         cos_post_phi,
@@ -564,49 +583,55 @@ pub fn motion<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         contact_rate,
         t12,
         slide_rate,
+        t13,
         t14,
-        t15,
-        t148,
-        t150,
         t153,
-        t156,
-        t157,
+        t155,
         t158,
-        t159,
-        t160,
+        t161,
         t162,
         t163,
+        t164,
         t165,
-        t166,
+        t167,
         t168,
-        t169,
-        t192,
-        t193,
-        t194,
-        t195,
+        t170,
+        t171,
+        t173,
+        t174,
         t196,
         t197,
         t199,
+        t200,
         t201,
         t202,
         t203,
-        t204,
         t205,
         t206,
+        t209,
+        t210,
+        t212,
+        t213,
+        t215,
+        t216,
+        t217,
+        t219,
+        t220,
         bobbin_v_y_dot,
         bobbin_v_x_dot,
         rod_omega_dot,
-        t207,
+        t221,
         rod_v_x_dot,
         cylinder_omega_dot,
         cylinder_v_y_dot,
         cylinder_v_x_dot,
         plate_omega_dot,
-        plate_v_y_dot,
-        plate_v_x_dot,
+        t222,
+        t223,
+        t224,
         post_omega_dot,
-        post_v_y_dot,
-        post_v_x_dot,
+        t225,
+        t226,
     }
 }
 
@@ -628,7 +653,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 724 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 722 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
@@ -665,136 +690,136 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
     let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
-    let t11 = sin_plate_phi.add_product(R::literal(10.0), cos_plate_phi);
-    let t12 = R::literal(0.01) * t11;
-    let t13 = (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi);
-    let t14 = R::literal(37.037_037_037_037_03) * sin_post_phi;
-    let t15 = R::literal(37.037_037_037_037_03) * cos_post_phi;
-    let t16 = R::literal(24.0) * sin_plate_phi;
-    let t17 = R::literal(24.0) * cos_plate_phi;
-    let t18 = R::literal(4.0) * t11;
-    let t19 = t13 * R::literal(400.0);
-    let t20 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t21 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t22 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
-    let t23 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
-    let t24 = slide * R::literal(2_777.777_777_777_778);
-    let t25 = sin_cylinder_phi * R::literal(5.0);
-    let t26 = cos_cylinder_phi * R::literal(5.0);
-    let t27 = R::literal(250.0) * sin_rod_phi;
-    let t28 = R::literal(250.0) * cos_rod_phi;
-    let t29 = t14 * t1;
-    let t30 = R::literal(1.25) + t29;
-    let t31 = R::literal(1.0) / t30;
-    let t32 = t15 * t1;
-    let t33 = t32 * t31;
-    let t34 = R::literal(1.25) - t29;
-    let t35 = t34 * t31;
-    let t36 = t15 * t0;
-    let t37 = R::literal(1.25) + t36;
-    let t38 = t33 * t32;
-    let t39 = R::literal(1.0) / (t38 - t37);
-    let t40 = (t14 * t0).add_product(t35, t32);
-    let t41 = t40 * t39;
-    let t42 = R::literal(1.25) - t36 + t38;
-    let t43 = t42 * t39;
-    let t44 = t16 * t3;
-    let t45 = R::literal(1.0) / (-(t30 + R::literal(0.833_333_333_333_333_4) + t44))
-        .add_product(t35, t34).sub_product(t41, t40);
-    let t46 = t17 * t3;
-    let t47 = (t32 + t46).add_product(t33, t34).sub_product(t43, t40);
-    let t48 = t47 * t45;
-    let t49 = R::literal(0.833_333_333_333_333_4) - t44;
-    let t50 = t49 * t45;
-    let t51 = t46 * t45;
-    let t52 = t18 * t3;
-    let t53 = R::literal(0.833_333_333_333_333_4) + t52;
-    let t54 = t53 * t45;
-    let t55 = t19 * t3;
-    let t56 = t55 * t45;
-    let t57 = t17 * t2;
-    let t58 = R::literal(1.0) / (t38 - (t37 + R::literal(0.833_333_333_333_333_4) + t57))
-        .sub_product(t43, t42).sub_product(t48, t47);
-    let t59 = (t16 * t2).sub_product(t50, t47);
-    let t60 = t59 * t58;
-    let t61 = (R::literal(0.833_333_333_333_333_4) - t57).sub_product(t51, t47);
-    let t62 = t61 * t58;
-    let t63 = t18 * t2;
-    let t64 = t63.add_product(t54, t47);
-    let t65 = t64 * t58;
-    let t66 = t19 * t2;
-    let t67 = (R::literal(0.833_333_333_333_333_4) + t66).add_product(t56, t47);
-    let t68 = t67 * t58;
-    let t69 = R::literal(1.0) / (R::literal(0.833_333_333_333_333_4) + t44
-        + R::literal(3.333_333_333_333_333_5)).add_product(t22, t5).add_product(t50, t49)
-        .add_product(t60, t59);
-    let t70 = t46.add_product(t23, t5).sub_product(t51, t49).sub_product(t62, t59);
-    let t71 = t70 * t69;
-    let t72 = t22 * t69;
-    let t73 = (-t20).add_product(t24, t5);
-    let t74 = t73 * t69;
-    let t75 = (t52 - R::literal(0.833_333_333_333_333_4)).sub_product(t54, t49).add_product(t65,
-        t59);
-    let t76 = t75 * t69;
-    let t77 = (-t55).add_product(t56, t49).sub_product(t68, t59);
-    let t78 = t77 * t69;
-    let t79 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4) + t57
-        + R::literal(3.333_333_333_333_333_5)).add_product(t23, t4).add_product(t51, t46)
-        .add_product(t62, t61)).add_product(t71, t70);
-    let t80 = (-t23).add_product(t72, t70);
+    let t11 = (R::literal(0.01) * sin_plate_phi).add_product(R::literal(0.1), cos_plate_phi);
+    let t12 = (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi);
+    let t13 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t14 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t15 = R::literal(24.0) * sin_plate_phi;
+    let t16 = R::literal(24.0) * cos_plate_phi;
+    let t17 = t11 * R::literal(400.0);
+    let t18 = t12 * R::literal(400.0);
+    let t19 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t20 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t21 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t22 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t23 = slide * R::literal(2_777.777_777_777_778);
+    let t24 = sin_cylinder_phi * R::literal(5.0);
+    let t25 = cos_cylinder_phi * R::literal(5.0);
+    let t26 = R::literal(250.0) * sin_rod_phi;
+    let t27 = R::literal(250.0) * cos_rod_phi;
+    let t28 = t13 * t1;
+    let t29 = R::literal(1.25) + t28;
+    let t30 = R::literal(1.0) / t29;
+    let t31 = t14 * t1;
+    let t32 = t31 * t30;
+    let t33 = R::literal(1.25) - t28;
+    let t34 = t33 * t30;
+    let t35 = t14 * t0;
+    let t36 = R::literal(1.25) + t35;
+    let t37 = t32 * t31;
+    let t38 = R::literal(1.0) / (t37 - t36);
+    let t39 = (t13 * t0).add_product(t34, t31);
+    let t40 = t39 * t38;
+    let t41 = R::literal(1.25) - t35 + t37;
+    let t42 = t41 * t38;
+    let t43 = t15 * t3;
+    let t44 = R::literal(1.0) / (-(t29 + R::literal(0.833_333_333_333_333_4) + t43))
+        .add_product(t34, t33).sub_product(t40, t39);
+    let t45 = t16 * t3;
+    let t46 = (t31 + t45).add_product(t32, t33).sub_product(t42, t39);
+    let t47 = t46 * t44;
+    let t48 = R::literal(0.833_333_333_333_333_4) - t43;
+    let t49 = t48 * t44;
+    let t50 = t45 * t44;
+    let t51 = t17 * t3;
+    let t52 = R::literal(0.833_333_333_333_333_4) + t51;
+    let t53 = t52 * t44;
+    let t54 = t18 * t3;
+    let t55 = t54 * t44;
+    let t56 = t16 * t2;
+    let t57 = R::literal(1.0) / (t37 - (t36 + R::literal(0.833_333_333_333_333_4) + t56))
+        .sub_product(t42, t41).sub_product(t47, t46);
+    let t58 = (t15 * t2).sub_product(t49, t46);
+    let t59 = t58 * t57;
+    let t60 = (R::literal(0.833_333_333_333_333_4) - t56).sub_product(t50, t46);
+    let t61 = t60 * t57;
+    let t62 = t17 * t2;
+    let t63 = t62.add_product(t53, t46);
+    let t64 = t63 * t57;
+    let t65 = t18 * t2;
+    let t66 = (R::literal(0.833_333_333_333_333_4) + t65).add_product(t55, t46);
+    let t67 = t66 * t57;
+    let t68 = R::literal(1.0) / (R::literal(0.833_333_333_333_333_4) + t43
+        + R::literal(3.333_333_333_333_333_5)).add_product(t21, t5).add_product(t49, t48)
+        .add_product(t59, t58);
+    let t69 = t45.add_product(t22, t5).sub_product(t50, t48).sub_product(t61, t58);
+    let t70 = t69 * t68;
+    let t71 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
+    let t72 = t71 * t68;
+    let t73 = (-t19).add_product(t23, t5);
+    let t74 = t73 * t68;
+    let t75 = (t51 - R::literal(0.833_333_333_333_333_4)).sub_product(t53, t48).add_product(t64,
+        t58);
+    let t76 = t75 * t68;
+    let t77 = (-t54).add_product(t55, t48).sub_product(t67, t58);
+    let t78 = t77 * t68;
+    let t79 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4) + t56
+        + R::literal(3.333_333_333_333_333_5)).add_product(t22, t4).add_product(t50, t45)
+        .add_product(t61, t60)).add_product(t70, t69);
+    let t80 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi).sub_product(t72, t69);
     let t81 = t80 * t79;
-    let t82 = t21.sub_product(t24, t4).add_product(t74, t70);
+    let t82 = t20.sub_product(t23, t4).add_product(t74, t69);
     let t83 = t82 * t79;
-    let t84 = (-t63.add_product(t54, t46)).add_product(t65, t61).add_product(t76, t70);
+    let t84 = (-t62.add_product(t53, t45)).add_product(t64, t60).add_product(t76, t69);
     let t85 = t84 * t79;
-    let t86 = (t66 - R::literal(0.833_333_333_333_333_4)).add_product(t56, t46).sub_product(t68,
-        t61).add_product(t78, t70);
+    let t86 = (t65 - R::literal(0.833_333_333_333_333_4)).add_product(t55, t45).sub_product(t67,
+        t60).add_product(t78, t69);
     let t87 = t86 * t79;
-    let t88 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t72, t22)
+    let t88 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t72, t71)
         .sub_product(t81, t80);
-    let t89 = (-t24).add_product(t74, t22).sub_product(t83, t80);
+    let t89 = t23.add_product(t74, t71).add_product(t83, t80);
     let t90 = t89 * t88;
-    let t91 = t27 * t88;
-    let t92 = t28 * t88;
-    let t93 = (t76 * t22).sub_product(t85, t80);
+    let t91 = t26 * t88;
+    let t92 = t27 * t88;
+    let t93 = (t76 * t71).add_product(t85, t80);
     let t94 = t93 * t88;
-    let t95 = (t78 * t22).sub_product(t87, t80);
+    let t95 = (t78 * t71).add_product(t87, t80);
     let t96 = t95 * t88;
-    let t97 = R::literal(1.0) / (-(t20 * sin_cylinder_phi).add_product(t21, cos_cylinder_phi)
-        .add_product(t24, slide).add_product(t25, sin_cylinder_phi).add_product(t26,
+    let t97 = R::literal(1.0) / (-(t19 * sin_cylinder_phi).add_product(t20, cos_cylinder_phi)
+        .add_product(t23, slide).add_product(t24, sin_cylinder_phi).add_product(t25,
         cos_cylinder_phi)).add_product(t74, t73).sub_product(t83, t82).sub_product(t90, t89);
-    let t98 = t25.sub_product(t91, t89);
+    let t98 = t24.add_product(t91, t89);
     let t99 = t98 * t97;
-    let t100 = (-t26).add_product(t92, t89);
+    let t100 = t25.add_product(t92, t89);
     let t101 = t100 * t97;
     let t102 = (t76 * t73).sub_product(t85, t82).sub_product(t94, t89);
     let t103 = t102 * t97;
     let t104 = (t78 * t73).sub_product(t87, t82).sub_product(t96, t89);
     let t105 = t104 * t97;
-    let t106 = R::literal(1.0) / R::literal(5.0).add_product(t27, t6).add_product(t91, t27)
+    let t106 = R::literal(1.0) / R::literal(5.0).add_product(t26, t6).add_product(t91, t26)
         .add_product(t99, t98);
-    let t107 = (t28 * t6).add_product(t92, t27).sub_product(t101, t98);
+    let t107 = (t27 * t6).add_product(t92, t26).add_product(t101, t98);
     let t108 = t107 * t106;
-    let t109 = (t94 * t27).add_product(t103, t98);
+    let t109 = (t94 * t26).sub_product(t103, t98);
     let t110 = t109 * t106;
-    let t111 = (t96 * t27).add_product(t105, t98);
+    let t111 = (t96 * t26).sub_product(t105, t98);
     let t112 = t111 * t106;
-    let t113 = R::literal(1.0) / (-R::literal(5.0).add_product(t28, R::literal(0.06) * cos_rod_phi)
-        .add_product(t92, t28).add_product(t101, t100)).add_product(t108, t107);
-    let t114 = (t94 * t28).sub_product(t103, t100).sub_product(t110, t107);
+    let t113 = R::literal(1.0) / (-R::literal(5.0).add_product(t27, R::literal(0.06) * cos_rod_phi)
+        .add_product(t92, t27).add_product(t101, t100)).add_product(t108, t107);
+    let t114 = (-(t94 * t27)).add_product(t103, t100).add_product(t110, t107);
     let t115 = t114 * t113;
-    let t116 = (t96 * t28).sub_product(t105, t100).sub_product(t112, t107);
+    let t116 = (-(t96 * t27)).add_product(t105, t100).add_product(t112, t107);
     let t117 = t116 * t113;
-    let t118 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t18, t12)
-        + R::literal(1.428_571_428_571_428_6)).add_product(t54, t53).add_product(t65, t64))
+    let t118 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t17, t11)
+        + R::literal(1.428_571_428_571_428_6)).add_product(t53, t52).add_product(t64, t63))
         .add_product(t76, t75).sub_product(t85, t84).sub_product(t94, t93).sub_product(t103, t102)
         .add_product(t110, t109).sub_product(t115, t114);
-    let t119 = (t19 * t12).add_product(t56, t53).add_product(t68, t64).add_product(t78, t75)
+    let t119 = (t18 * t11).add_product(t55, t52).add_product(t67, t63).add_product(t78, t75)
         .sub_product(t87, t84).sub_product(t96, t93).sub_product(t105, t102).add_product(t112, t109)
         .sub_product(t117, t114);
     let t120 = t119 * t118;
     let t121 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0),
-        -(R::literal(1_000_000.0) * stop_gap * t7).add_product(R::literal(1500.0) * stop_rate, t7));
+        (R::literal(-1_000_000.0) * stop_gap * t7).sub_product(R::literal(1500.0) * stop_rate, t7));
     let t122 = p.spring_stiffness * (slide - R::literal(0.116));
     let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
     let t123 = (t122 * cos_cylinder_phi).add_product(spring_damping_times_slide_rate,
@@ -811,102 +836,102 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let t132 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
     let t133 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t134 = t14 * t121;
+    let t134 = t13 * t121;
     let t135 = t130 + t134;
-    let t136 = t15 * t121;
-    let t137 = t33 * t135;
+    let t136 = t14 * t121;
+    let t137 = t32 * t135;
     let t138 = R::literal(9.81) - t131 + t136 - t137;
-    let t139 = (t130.add_product(t132, cos_plate_phi) + t134).add_product(t35, t135)
-        .add_product(t41, t138);
+    let t139 = (t130.add_product(t132, cos_plate_phi) + t134).add_product(t34, t135)
+        .add_product(t40, t138);
     let t140 = (t136 - (t131.add_product(t132, sin_plate_phi) + R::literal(9.81))
-        + R::literal(9.81) - t137).sub_product(t43, t138).add_product(t48, t139);
+        + R::literal(9.81) - t137).sub_product(t42, t138).add_product(t47, t139);
     let t141 = R::literal(3.333_333_333_333_333_5) * t123;
     let t142 = (-t141.add_product(R::literal(0.06), (plate_omega_squared * cos_plate_phi)
-        .add_product(cylinder_omega_squared, cos_cylinder_phi))).add_product(t22, t127)
-        .add_product(t50, t139).sub_product(t60, t140);
+        .add_product(cylinder_omega_squared, cos_cylinder_phi))).add_product(t21, t127)
+        .add_product(t49, t139).sub_product(t59, t140);
     let t143 = R::literal(3.333_333_333_333_333_5) * t126;
     let t144 = (-(R::literal(9.81).add_product(R::literal(0.06), (plate_omega_squared
         * sin_plate_phi).add_product(cylinder_omega_squared, sin_cylinder_phi)) + t143)
-        .add_product(t23, t127)).add_product(t51, t139).sub_product(t62, t140).add_product(t71,
+        .add_product(t22, t127)).add_product(t50, t139).sub_product(t61, t140).add_product(t70,
         t142);
-    let t145 = R::literal(2_777.777_777_777_778) * t127;
-    let t146 = (-t145).add_product(t72, t142).sub_product(t81, t144);
-    let t147 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+    let t145 = (R::literal(-2_777.777_777_777_778) * t127).sub_product(t72, t142).sub_product(t81,
+        t144);
+    let t146 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
         .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi).add_product(cylinder_x
         * cylinder_omega, sin_cylinder_phi).add_product(rod_y * cylinder_omega, cos_cylinder_phi)
         .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi).sub_product(R::literal(2.0)
         * cylinder_v_y, sin_cylinder_phi).sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
-        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t20, t123)
-        .add_product(t21, t126).sub_product(t24, t127).sub_product(t25, t123).add_product(t26, t128)
+        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t19, t123)
+        .add_product(t20, t126).sub_product(t23, t127).sub_product(t24, t123).add_product(t25, t128)
         .add_product(t74, t142).sub_product(t83, t144);
-    let t148 = t147.sub_product(t90, t146);
-    let t149 = R::literal(5.0) * t123;
-    let t150 = t149.add_product(t133, cos_rod_phi).sub_product(t91, t146).sub_product(t99, t148);
-    let t151 = R::literal(5.0) * t128;
-    let t152 = t151.add_product(t133, sin_rod_phi).add_product(t92, t146).sub_product(t101, t148)
-        .add_product(t108, t150);
-    let t153 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+    let t147 = t146.add_product(t90, t145);
+    let t148 = R::literal(5.0) * t123;
+    let t149 = t148.add_product(t133, cos_rod_phi).sub_product(t91, t145).sub_product(t99, t147);
+    let t150 = R::literal(5.0) * t128;
+    let t151 = t150.add_product(t133, sin_rod_phi).add_product(t92, t145).add_product(t101, t147)
+        .add_product(t108, t149);
+    let t152 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
         R::literal(0.5), R::literal(0.0), -(contact_stiffness_times_contact_gap * t8 / between
         + contact_damping_times_contact_rate * t8 / between));
-    let t154 = (-t153).add_product(t13, plate_omega_squared).add_product(t54, t139)
-        .add_product(t65, t140).add_product(t76, t142).sub_product(t85, t144).sub_product(t94, t146)
-        .sub_product(t103, t148).sub_product(t110, t150).sub_product(t115, t152);
-    let t155 = R::literal(1.428_571_428_571_428_6) * (R::select_less(contact_closed,
+    let t153 = (-t152).add_product(t12, plate_omega_squared).add_product(t53, t139)
+        .add_product(t64, t140).add_product(t76, t142).sub_product(t85, t144).add_product(t94, t145)
+        .sub_product(t103, t147).add_product(t110, t149).sub_product(t115, t151);
+    let t154 = R::literal(1.428_571_428_571_428_6) * (R::select_less(contact_closed,
         R::literal(0.5), R::literal(0.0), -(contact_damping_times_contact_rate * t9 / between))
         - (R::literal(6.867) + R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
         contact_stiffness_times_contact_gap * t9 / between)));
-    let t156 = (R::literal(-9.81).add_product((R::literal(0.01) * sin_plate_phi)
-        .add_product(R::literal(0.1), cos_plate_phi), plate_omega_squared) - t155).sub_product(t56,
-        t139).sub_product(t68, t140).add_product(t78, t142).sub_product(t87, t144).sub_product(t96,
-        t146).sub_product(t105, t148).sub_product(t112, t150).sub_product(t117, t152)
-        .sub_product(t120, t154);
-    let t157 = t156 * (R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t19,
-        t13) + R::literal(1.428_571_428_571_428_6)).add_product(t56, t55).add_product(t68, t67))
-        .add_product(t78, t77).sub_product(t87, t86).sub_product(t96, t95).sub_product(t105, t104)
-        .add_product(t112, t111).sub_product(t117, t116).sub_product(t120, t119));
-    let t158 = (t154 * t118).sub_product(t120, t157);
-    let t159 = (t152 * t113).sub_product(t115, t158).sub_product(t117, t157);
-    let t160 = (-(t150 * t106)).add_product(t108, t159).sub_product(t110, t158).sub_product(t112,
-        t157);
-    let t161 = (t148 * t97).sub_product(t99, t160).sub_product(t101, t159).sub_product(t103, t158)
-        .sub_product(t105, t157);
-    let t162 = (t146 * t88).sub_product(t90, t161).sub_product(t91, t160).add_product(t92, t159)
-        .sub_product(t94, t158).sub_product(t96, t157);
-    let t163 = (t144 * t79).sub_product(t81, t162).sub_product(t83, t161).sub_product(t85, t158)
-        .sub_product(t87, t157);
-    let t164 = (-(t142 * t69)).add_product(t71, t163).add_product(t72, t162).add_product(t74, t161)
-        .add_product(t76, t158).add_product(t78, t157);
-    let t165 = (t140 * t58).sub_product(t60, t164).sub_product(t62, t163).add_product(t65, t158)
-        .sub_product(t68, t157);
-    let t166 = (-(t139 * t45).add_product(t48, t165).add_product(t50, t164).add_product(t51, t163)
-        .add_product(t54, t158)).add_product(t56, t157);
-    let t167 = (t138 * t39).sub_product(t41, t166).sub_product(t43, t165);
-    let t168 = (t135 * t31).add_product(t33, t167).add_product(t35, t166).add_product(t33, t165);
-    let bobbin_v_y_dot = t155.sub_product(R::literal(1.428_571_428_571_428_6), t157);
-    let bobbin_v_x_dot = t153.sub_product(R::literal(1.428_571_428_571_428_6), t158);
-    let rod_omega_dot = (t27 * t160).sub_product(R::literal(4_166.666_666_666_667), t162)
-        .sub_product(t28, t159);
-    let rod_v_y_dot = -t151.add_product(t26, t161).add_product(R::literal(5.0), t159);
-    let rod_v_x_dot = (-t149).add_product(t25, t161).sub_product(R::literal(5.0), t160);
-    let cylinder_omega_dot = (-t145.add_product(t22, t164)).add_product(t23, t163)
-        .add_product(R::literal(2_777.777_777_777_778), t162).add_product(t24, t161);
-    let cylinder_v_y_dot = t143.sub_product(R::literal(3.333_333_333_333_333_5), t163)
-        .add_product(t21, t161);
-    let cylinder_v_x_dot = t141.sub_product(R::literal(3.333_333_333_333_333_5), t164)
-        .sub_product(t20, t161);
-    let plate_omega_dot = (t17 * t165).sub_product(t16, t166).sub_product(t16, t164)
-        .add_product(t17, t163).add_product(t18, t158).sub_product(t19, t157);
-    let plate_v_y_dot = (-R::literal(9.81).add_product(R::literal(0.833_333_333_333_333_4), t165))
-        .add_product(R::literal(0.833_333_333_333_333_4), t163)
-        .add_product(R::literal(0.833_333_333_333_333_4), t157);
-    let plate_v_x_dot = (R::literal(0.833_333_333_333_333_4) * t164)
-        .sub_product(R::literal(0.833_333_333_333_333_4), t166)
-        .add_product(R::literal(0.833_333_333_333_333_4), t158);
-    let post_omega_dot = (t121 * R::literal(370.370_370_370_370_3)).sub_product(t14, t168)
-        .add_product(t15, t167).sub_product(t14, t166).add_product(t15, t165);
-    let post_v_y_dot = (-R::literal(9.81).add_product(R::literal(1.25), t167))
-        .add_product(R::literal(1.25), t165);
-    let post_v_x_dot = (R::literal(1.25) * t166).sub_product(R::literal(1.25), t168);
+    let t155 = (R::literal(-9.81).add_product(t11, plate_omega_squared) - t154).sub_product(t55,
+        t139).sub_product(t67, t140).add_product(t78, t142).sub_product(t87, t144).add_product(t96,
+        t145).sub_product(t105, t147).add_product(t112, t149).sub_product(t117, t151)
+        .sub_product(t120, t153) * (R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4)
+        .add_product(t18, t12) + R::literal(1.428_571_428_571_428_6)).add_product(t55, t54)
+        .add_product(t67, t66)).add_product(t78, t77).sub_product(t87, t86).sub_product(t96, t95)
+        .sub_product(t105, t104).add_product(t112, t111).sub_product(t117, t116).sub_product(t120,
+        t119));
+    let t156 = (t153 * t118).sub_product(t120, t155);
+    let t157 = (t151 * t113).sub_product(t115, t156).sub_product(t117, t155);
+    let t158 = (-(t149 * t106)).add_product(t108, t157).add_product(t110, t156).add_product(t112,
+        t155);
+    let t159 = (t147 * t97).sub_product(t99, t158).add_product(t101, t157).sub_product(t103, t156)
+        .sub_product(t105, t155);
+    let t160 = (t145 * t88).add_product(t90, t159).sub_product(t91, t158).add_product(t92, t157)
+        .add_product(t94, t156).add_product(t96, t155);
+    let t161 = (t144 * t79).sub_product(t81, t160).sub_product(t83, t159).sub_product(t85, t156)
+        .sub_product(t87, t155);
+    let t162 = (-(t142 * t68)).add_product(t70, t161).sub_product(t72, t160).add_product(t74, t159)
+        .add_product(t76, t156).add_product(t78, t155);
+    let t163 = (t140 * t57).sub_product(t59, t162).sub_product(t61, t161).add_product(t64, t156)
+        .sub_product(t67, t155);
+    let t164 = (-(t139 * t44).add_product(t47, t163).add_product(t49, t162).add_product(t50, t161)
+        .add_product(t53, t156)).add_product(t55, t155);
+    let t165 = (t138 * t38).sub_product(t40, t164).sub_product(t42, t163);
+    let t166 = (t135 * t30).add_product(t32, t165).add_product(t34, t164).add_product(t32, t163);
+    let bobbin_v_y_dot = t154.sub_product(R::literal(1.428_571_428_571_428_6), t155);
+    let bobbin_v_x_dot = t152.sub_product(R::literal(1.428_571_428_571_428_6), t156);
+    let rod_omega_dot = (t26 * t158).sub_product(R::literal(4_166.666_666_666_667), t160)
+        .sub_product(t27, t157);
+    let rod_v_y_dot = (-t150.add_product(t25, t159)).add_product(R::literal(-5.0), t157);
+    let rod_v_x_dot = (-t148).add_product(t24, t159).sub_product(R::literal(5.0), t158);
+    let cylinder_omega_dot = (-(t127 * R::literal(2_777.777_777_777_778)).add_product(t21, t162))
+        .add_product(t22, t161).sub_product(R::literal(-2_777.777_777_777_778), t160)
+        .add_product(t23, t159);
+    let cylinder_v_y_dot = t143.sub_product(R::literal(3.333_333_333_333_333_5), t161)
+        .add_product(t20, t159);
+    let cylinder_v_x_dot = t141.sub_product(R::literal(3.333_333_333_333_333_5), t162)
+        .sub_product(t19, t159);
+    let plate_omega_dot = (t16 * t163).sub_product(t15, t164).sub_product(t15, t162)
+        .add_product(t16, t161).add_product(t17, t156).sub_product(t18, t155);
+    let plate_v_y_dot = R::literal(-9.81).sub_product(R::literal(0.833_333_333_333_333_4), t163)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t161)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t155);
+    let plate_v_x_dot = (R::literal(0.833_333_333_333_333_4) * t162)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t164)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t156);
+    let post_omega_dot = (t121 * R::literal(370.370_370_370_370_3)).sub_product(t13, t166)
+        .add_product(t14, t165).sub_product(t13, t164).add_product(t14, t163);
+    let post_v_y_dot = R::literal(-9.81).sub_product(R::literal(1.25), t165)
+        .sub_product(R::literal(-1.25), t163);
+    let post_v_x_dot = (R::literal(1.25) * t164).add_product(R::literal(-1.25), t166);
     [post_v_x, post_v_y, post_omega, plate_v_x, plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y,
         cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, post_v_x_dot,
         post_v_y_dot, post_omega_dot, plate_v_x_dot, plate_v_y_dot, plate_omega_dot,
@@ -922,7 +947,7 @@ pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) 
         R::literal(0.2), R::literal(0.00024), R::literal(0.7), R::literal(0.7)]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 80 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 78 operations.
 #[must_use]
 pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [_, _, post_phi, _, _, _, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y, _, bobbin_x,
@@ -949,7 +974,7 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R;
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
     let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
     let post_phi_forcing = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0),
-        -(R::literal(1_000_000.0) * stop_gap * t0).add_product(R::literal(1500.0) * stop_rate, t0));
+        (R::literal(-1_000_000.0) * stop_gap * t0).sub_product(R::literal(1500.0) * stop_rate, t0));
     let t4 = p.spring_stiffness * (slide - R::literal(0.116));
     let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
     let cylinder_x_forcing = (t4 * cos_cylinder_phi).add_product(spring_damping_times_slide_rate,
@@ -959,7 +984,7 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R;
     let cylinder_y_forcing = t6 - (R::literal(2.943) - t5);
     let cylinder_phi_forcing = -(t4 * t3).add_product(spring_damping_times_slide_rate, t3);
     let rod_x_forcing = -cylinder_x_forcing;
-    let rod_y_forcing = -(t6 + (R::literal(1.962) + t5));
+    let rod_y_forcing = R::literal(-1.962) - t5 - t6;
     let bobbin_x_forcing = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
         -(contact_stiffness_times_contact_gap * t1 / between + contact_damping_times_contact_rate
         * t1 / between));
@@ -972,7 +997,7 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R;
         rod_x_forcing, rod_y_forcing, R::literal(0.0), bobbin_x_forcing, bobbin_y_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 342 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 347 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 294] {
@@ -993,129 +1018,132 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let t9 = bobbin_y - R::literal(0.058);
     let contact_gap = m.between - R::literal(0.1);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
-    let t10 = p.spring_damping * m.slide_rate;
-    let t11 = t10 * m.cos_cylinder_phi;
-    let t12 = t10 * m.sin_cylinder_phi;
+    let t10 = (R::literal(0.1) * m.sin_plate_phi).sub_product(R::literal(0.01), m.cos_plate_phi);
+    let t11 = p.spring_damping * m.slide_rate;
+    let t12 = t11 * m.cos_cylinder_phi;
+    let t13 = t11 * m.sin_cylinder_phi;
     let plate_omega_squared = plate_omega * plate_omega;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t13 = cylinder_omega_squared * m.sin_cylinder_phi;
+    let t14 = cylinder_omega_squared * m.sin_cylinder_phi;
     let cylinder_y_times_cylinder_omega = cylinder_y * cylinder_omega;
     let rod_x_times_cylinder_omega = rod_x * cylinder_omega;
     let cylinder_x_times_cylinder_omega = cylinder_x * cylinder_omega;
     let rod_y_times_cylinder_omega = rod_y * cylinder_omega;
-    let t14 = m.t7 * m.t7;
-    let t15 = m.t163.sub_product(t0, m.post_omega_dot);
-    let t16 = -m.t162.add_product(t1, m.post_omega_dot);
-    let t17 = m.t166.sub_product(t2, m.plate_omega_dot);
-    let t18 = -m.t165.add_product(t3, m.plate_omega_dot);
-    let t19 = R::literal(0.01) * m.cos_plate_phi.sub_product(R::literal(10.0), m.sin_plate_phi);
-    let t20 = p.spring_stiffness * m.cos_cylinder_phi;
+    let t15 = m.t205 - m.t206;
+    let t16 = m.t209 - m.t210;
+    let t17 = m.t212 + m.t213;
+    let t18 = m.t217 - m.t216;
+    let t19 = m.t7 * m.t7;
+    let t20 = m.t168.sub_product(t0, m.post_omega_dot);
+    let t21 = -m.t167.add_product(t1, m.post_omega_dot);
+    let t22 = m.t171.sub_product(t2, m.plate_omega_dot);
+    let t23 = -m.t170.add_product(t3, m.plate_omega_dot);
+    let t24 = p.spring_stiffness * m.cos_cylinder_phi;
     let spring_damping_times_cylinder_omega = p.spring_damping * cylinder_omega;
-    let t21 = spring_damping_times_cylinder_omega * m.sin_cylinder_phi;
-    let t22 = t21 - t20;
-    let t23 = t22 * m.cos_cylinder_phi;
-    let t24 = t22 * m.sin_cylinder_phi;
-    let t25 = spring_damping_times_cylinder_omega * m.t12;
-    let t26 = t25 * m.sin_cylinder_phi;
-    let t27 = p.spring_stiffness * m.t12;
-    let t28 = t27 * m.cos_cylinder_phi;
-    let t29 = t20 - t21;
-    let t30 = t29 * m.cos_cylinder_phi;
-    let t31 = t29 * m.sin_cylinder_phi;
-    let t32 = m.cos_cylinder_phi * m.t199;
-    let t33 = m.cos_cylinder_phi * m.cylinder_omega_dot;
-    let t34 = (p.spring_stiffness * m.sin_cylinder_phi)
+    let t25 = spring_damping_times_cylinder_omega * m.sin_cylinder_phi;
+    let t26 = t25 - t24;
+    let t27 = t26 * m.cos_cylinder_phi;
+    let t28 = t26 * m.sin_cylinder_phi;
+    let t29 = spring_damping_times_cylinder_omega * m.t12;
+    let t30 = t29 * m.sin_cylinder_phi;
+    let t31 = p.spring_stiffness * m.t12;
+    let t32 = t31 * m.cos_cylinder_phi;
+    let t33 = t24 - t25;
+    let t34 = t33 * m.cos_cylinder_phi;
+    let t35 = t33 * m.sin_cylinder_phi;
+    let t36 = m.cos_cylinder_phi * t15;
+    let t37 = m.cos_cylinder_phi * m.cylinder_omega_dot;
+    let t38 = (p.spring_stiffness * m.sin_cylinder_phi)
         .add_product(spring_damping_times_cylinder_omega, m.cos_cylinder_phi);
-    let t35 = t34 * m.cos_cylinder_phi;
-    let t36 = -t35;
-    let t37 = t34 * m.sin_cylinder_phi;
-    let t38 = -t37;
-    let t39 = t27 * m.sin_cylinder_phi;
-    let t40 = m.t148.add_product(t25, m.cos_cylinder_phi) + t39 + t11;
-    let t41 = m.sin_cylinder_phi * m.t199;
-    let t42 = (m.sin_cylinder_phi * m.cylinder_omega_dot).add_product(cylinder_omega_squared,
+    let t39 = t38 * m.cos_cylinder_phi;
+    let t40 = -t39;
+    let t41 = t38 * m.sin_cylinder_phi;
+    let t42 = -t41;
+    let t43 = t31 * m.sin_cylinder_phi;
+    let t44 = m.t153.add_product(t29, m.cos_cylinder_phi) + t43 + t12;
+    let t45 = m.sin_cylinder_phi * t15;
+    let t46 = (m.sin_cylinder_phi * m.cylinder_omega_dot).add_product(cylinder_omega_squared,
         m.cos_cylinder_phi);
-    let t43 = p.spring_damping * (-(cylinder_omega * m.slide)).add_product(rod_v_y - cylinder_v_y,
+    let t47 = p.spring_damping * (-(cylinder_omega * m.slide)).add_product(rod_v_y - cylinder_v_y,
         m.cos_cylinder_phi).sub_product(rod_v_x - cylinder_v_x, m.sin_cylinder_phi);
-    let t44 = t43 * m.cos_cylinder_phi;
-    let t45 = t11.add_product(t43, m.sin_cylinder_phi) + (m.t148 + t39);
-    let t46 = m.t12 * m.t12;
-    let t47 = R::literal(0.06) * cylinder_omega_squared;
-    let t48 = ((rod_x - cylinder_x) * m.sin_cylinder_phi).sub_product(rod_y - cylinder_y,
+    let t48 = t47 * m.cos_cylinder_phi;
+    let t49 = t12.add_product(t47, m.sin_cylinder_phi) + (m.t153 + t43);
+    let t50 = m.t12 * m.t12;
+    let t51 = R::literal(0.06) * cylinder_omega_squared;
+    let t52 = ((rod_x - cylinder_x) * m.sin_cylinder_phi).sub_product(rod_y - cylinder_y,
         m.cos_cylinder_phi);
-    let t49 = m.between * m.between;
+    let t53 = m.between * m.between;
     let contact_damping_times_bobbin_v_x = p.contact_damping * bobbin_v_x;
-    let t50 = contact_stiffness_times_contact_gap / m.between;
-    let t51 = p.contact_damping * m.contact_rate / m.between;
-    let t52 = t49 * m.between;
-    let t53 = c.t0 * m.contact_rate;
-    let t54 = t53 * t8 * t9 / t52;
-    let t55 = m.t156 * t9 / t52;
-    let t56 = p.contact_stiffness * t8 * t9 / t49;
+    let t54 = contact_stiffness_times_contact_gap / m.between;
+    let t55 = p.contact_damping * m.contact_rate / m.between;
+    let t56 = t53 * m.between;
+    let t57 = c.t0 * m.contact_rate;
+    let t58 = t57 * t8 * t9 / t56;
+    let t59 = m.t161 * t9 / t56;
+    let t60 = p.contact_stiffness * t8 * t9 / t53;
     let contact_damping_times_bobbin_v_y = p.contact_damping * bobbin_v_y;
-    let t57 = R::literal(0.2) * post_omega;
-    let t58 = -(t57 * m.cos_post_phi);
-    let t59 = -(t57 * m.sin_post_phi);
-    let t60 = R::literal(0.12) * plate_omega;
-    let t61 = -(t60 * m.cos_plate_phi);
-    let t62 = -(t60 * m.sin_plate_phi);
-    let t63 = p.spring_damping * (m.cos_cylinder_phi * m.cos_cylinder_phi);
-    let t64 = -t63;
-    let t65 = p.spring_damping * m.sin_cylinder_phi * m.cos_cylinder_phi;
-    let t66 = -t65;
-    let t67 = p.spring_damping * m.t12;
-    let t68 = t67 * m.cos_cylinder_phi;
-    let t69 = R::literal(2.0) * cylinder_omega;
-    let t70 = t69 * m.cos_cylinder_phi;
-    let t71 = p.spring_damping * (m.sin_cylinder_phi * m.sin_cylinder_phi);
-    let t72 = -t71;
-    let t73 = t67 * m.sin_cylinder_phi;
-    let t74 = t69 * m.sin_cylinder_phi;
-    let t75 = -t68;
-    let t76 = -t73;
-    let t77 = R::literal(0.12) * cylinder_omega;
-    let t78 = R::literal(0.12) * rod_omega;
-    let t79 = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), -(p.contact_damping
-        * t8 * t9 / t49));
+    let t61 = R::literal(0.2) * post_omega;
+    let t62 = -(t61 * m.cos_post_phi);
+    let t63 = -(t61 * m.sin_post_phi);
+    let t64 = R::literal(0.12) * plate_omega;
+    let t65 = -(t64 * m.cos_plate_phi);
+    let t66 = -(t64 * m.sin_plate_phi);
+    let t67 = p.spring_damping * (m.cos_cylinder_phi * m.cos_cylinder_phi);
+    let t68 = -t67;
+    let t69 = p.spring_damping * m.sin_cylinder_phi * m.cos_cylinder_phi;
+    let t70 = -t69;
+    let t71 = p.spring_damping * m.t12;
+    let t72 = t71 * m.cos_cylinder_phi;
+    let t73 = R::literal(2.0) * cylinder_omega;
+    let t74 = t73 * m.cos_cylinder_phi;
+    let t75 = p.spring_damping * (m.sin_cylinder_phi * m.sin_cylinder_phi);
+    let t76 = -t75;
+    let t77 = t71 * m.sin_cylinder_phi;
+    let t78 = t73 * m.sin_cylinder_phi;
+    let t79 = -t72;
+    let t80 = -t77;
+    let t81 = R::literal(0.12) * cylinder_omega;
+    let t82 = R::literal(0.12) * rod_omega;
+    let t83 = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), -(p.contact_damping
+        * t8 * t9 / t53));
     let mut x = [[R::literal(0.0); 20]; 26];
     x[2][0] = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), (R::literal(3000.0)
         * m.stop_gap * stop_rate).add_product(R::literal(1_000_000.0), m.stop_gap * m.stop_gap)
-        .sub_product(R::literal(1_000_000.0), t14)).sub_product(t0, m.t206).sub_product(t1, m.t205)
-        .sub_product(t0, m.t204).sub_product(t1, m.t203);
-    x[14][0] = t15;
-    x[15][0] = t16;
-    x[16][0] = t15;
-    x[17][0] = t16;
-    x[5][1] = (-(t2 * m.t204).add_product(t3, m.t203).add_product(t2, m.t202).add_product(t3,
-        m.t201)).add_product(t19, m.t193).add_product(m.t14, m.t192);
-    x[16][1] = t17;
-    x[17][1] = t18;
-    x[18][1] = t17;
-    x[19][1] = t18;
-    x[24][1] = (-(m.t14 * plate_omega_squared)).add_product(t19, m.plate_omega_dot);
-    x[25][1] = (m.t14 * m.plate_omega_dot).add_product(m.t15, plate_omega_squared);
-    x[6][2] = t23;
-    x[7][2] = t24;
-    x[8][2] = t28 - t26 - m.t150 - t12 - t32;
-    x[9][2] = t30;
-    x[10][2] = t31;
-    x[21][2] = t13 - t33;
-    x[6][3] = t36;
-    x[7][3] = t38;
-    x[8][3] = t40 - t41;
-    x[9][3] = t35;
-    x[10][3] = t37;
-    x[21][3] = -t42;
-    x[6][4] = t28 + t44 - m.t150 - t12 - t32;
-    x[7][4] = t45 - t41;
+        .sub_product(R::literal(1_000_000.0), t19)).sub_product(t0, m.t220).sub_product(t1, m.t219)
+        .sub_product(t0, t18).sub_product(t1, m.t215);
+    x[14][0] = t20;
+    x[15][0] = t21;
+    x[16][0] = t20;
+    x[17][0] = t21;
+    x[5][1] = (-(t2 * t18).add_product(t3, m.t215).add_product(t2, t17).add_product(t3, t16)
+        .add_product(t10, m.t199)).add_product(m.t13, (m.t196 - m.t197) * m.factors[57]);
+    x[16][1] = t22;
+    x[17][1] = t23;
+    x[18][1] = t22;
+    x[19][1] = t23;
+    x[24][1] = -(m.t13 * plate_omega_squared).add_product(t10, m.plate_omega_dot);
+    x[25][1] = (m.t13 * m.plate_omega_dot).add_product(m.t14, plate_omega_squared);
+    x[6][2] = t27;
+    x[7][2] = t28;
+    x[8][2] = t32 - t30 - m.t155 - t13 - t36;
+    x[9][2] = t34;
+    x[10][2] = t35;
+    x[21][2] = t14 - t37;
+    x[6][3] = t40;
+    x[7][3] = t42;
+    x[8][3] = t44 - t45;
+    x[9][3] = t39;
+    x[10][3] = t41;
+    x[21][3] = -t46;
+    x[6][4] = t32 + t48 - m.t155 - t13 - t36;
+    x[7][4] = t49 - t45;
     x[8][4] = (p.spring_stiffness * m.slide * (m.slide - R::literal(0.116)))
-        .add_product(p.spring_damping * m.slide, m.slide_rate).sub_product(p.spring_stiffness, t46)
-        .sub_product(t43, m.t12).sub_product(t4, m.t202).sub_product(t5, m.t201).sub_product(t48,
-        m.t199);
-    x[9][4] = m.t150 + t12 - t28 - t44 + t32;
-    x[10][4] = t41 - t45;
-    x[18][4] = (-(t4 * m.cylinder_omega_dot)).add_product(t47, m.sin_cylinder_phi);
-    x[19][4] = -(t5 * m.cylinder_omega_dot).add_product(t47, m.cos_cylinder_phi);
+        .add_product(p.spring_damping * m.slide, m.slide_rate).sub_product(p.spring_stiffness, t50)
+        .sub_product(t47, m.t12).sub_product(t4, t17).sub_product(t5, t16).sub_product(t52, t15);
+    x[9][4] = m.t155 + t13 - t32 - t48 + t36;
+    x[10][4] = t45 - t49;
+    x[18][4] = (-(t4 * m.cylinder_omega_dot)).add_product(t51, m.sin_cylinder_phi);
+    x[19][4] = -(t5 * m.cylinder_omega_dot).add_product(t51, m.cos_cylinder_phi);
     x[21][4] = (-(m.cos_cylinder_phi * m.cylinder_v_x_dot)).add_product(cylinder_omega,
         (R::literal(2.0) * cylinder_v_x * m.sin_cylinder_phi).add_product(R::literal(2.0)
         * rod_v_y, m.cos_cylinder_phi).add_product(cylinder_x_times_cylinder_omega,
@@ -1124,93 +1152,92 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         .sub_product(R::literal(2.0) * rod_v_x, m.sin_cylinder_phi)
         .sub_product(rod_x_times_cylinder_omega, m.cos_cylinder_phi)
         .sub_product(rod_y_times_cylinder_omega, m.sin_cylinder_phi))
-        .sub_product(m.sin_cylinder_phi, m.cylinder_v_y_dot).sub_product(t48, m.cylinder_omega_dot)
-        .add_product(m.cos_cylinder_phi, m.rod_v_x_dot).sub_product(m.sin_cylinder_phi, m.t207
-        .add_product(R::literal(5.0), m.t194));
-    x[6][5] = t30;
-    x[7][5] = t31;
-    x[8][5] = t26 + m.t150 + t12 - t28 + t32;
-    x[9][5] = t23;
-    x[10][5] = t24;
-    x[21][5] = t33 - t13;
-    x[6][6] = t35;
-    x[7][6] = t37;
-    x[8][6] = t41 - t40;
-    x[9][6] = t36;
-    x[10][6] = t38;
-    x[21][6] = t42;
-    x[11][7] = (t7 * m.t194).add_product(t6, m.t195 - m.t196 - m.t197);
-    x[22][7] = (-m.t169).add_product(t6, m.rod_omega_dot);
-    x[23][7] = m.t168.add_product(t7, m.rod_omega_dot);
-    x[12][8] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t53 * m.t9 / t52
-        + contact_stiffness_times_contact_gap * m.t9 / t52 - contact_damping_times_bobbin_v_x * t8
-        / t49 - t50 - p.contact_stiffness * m.t9 / t49 - t51);
-    x[13][8] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t54
-        - contact_damping_times_bobbin_v_x * t9 / t49 - (t56 - t55));
-    x[12][9] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t54 + t55
-        - contact_damping_times_bobbin_v_y * t8 / t49 - t56);
-    x[13][9] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t53 * m.t11 / t52
-        - contact_damping_times_bobbin_v_y * t9 / t49 - t51 - (t50 + p.contact_stiffness * m.t11
-        / t49 - contact_stiffness_times_contact_gap * m.t11 / t52));
+        .sub_product(m.sin_cylinder_phi, m.cylinder_v_y_dot).sub_product(t52, m.cylinder_omega_dot)
+        .add_product(m.cos_cylinder_phi, m.rod_v_x_dot).sub_product(m.sin_cylinder_phi, m.t221);
+    x[6][5] = t34;
+    x[7][5] = t35;
+    x[8][5] = t30 + m.t155 + t13 - t32 + t36;
+    x[9][5] = t27;
+    x[10][5] = t28;
+    x[21][5] = t37 - t14;
+    x[6][6] = t39;
+    x[7][6] = t41;
+    x[8][6] = t45 - t44;
+    x[9][6] = t40;
+    x[10][6] = t42;
+    x[21][6] = t46;
+    x[11][7] = (t7 * m.t200).add_product(t6, m.t201 + m.t202 + m.t203);
+    x[22][7] = (-m.t174).add_product(t6, m.rod_omega_dot);
+    x[23][7] = m.t173.add_product(t7, m.rod_omega_dot);
+    x[12][8] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t57 * m.t9 / t56
+        + contact_stiffness_times_contact_gap * m.t9 / t56 - contact_damping_times_bobbin_v_x * t8
+        / t53 - t54 - p.contact_stiffness * m.t9 / t53 - t55);
+    x[13][8] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t58
+        - contact_damping_times_bobbin_v_x * t9 / t53 - (t60 - t59));
+    x[12][9] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t58 + t59
+        - contact_damping_times_bobbin_v_y * t8 / t53 - t60);
+    x[13][9] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t57 * m.t11 / t56
+        - contact_damping_times_bobbin_v_y * t9 / t53 - t55 - (t54 + p.contact_stiffness * m.t11
+        / t53 - contact_stiffness_times_contact_gap * m.t11 / t56));
     x[2][10] = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), R::literal(-1500.0)
-        * t14);
-    x[14][10] = t58;
-    x[15][10] = t59;
-    x[16][10] = t58;
-    x[17][10] = t59;
-    x[16][11] = t61;
-    x[17][11] = t62;
-    x[18][11] = t61;
-    x[19][11] = t62;
+        * t19);
+    x[14][10] = t62;
+    x[15][10] = t63;
+    x[16][10] = t62;
+    x[17][10] = t63;
+    x[16][11] = t65;
+    x[17][11] = t66;
+    x[18][11] = t65;
+    x[19][11] = t66;
     x[24][11] = plate_omega * (R::literal(0.02) * m.cos_plate_phi).sub_product(R::literal(0.2),
         m.sin_plate_phi);
     x[25][11] = plate_omega * (R::literal(0.02) * m.sin_plate_phi).add_product(R::literal(0.2),
         m.cos_plate_phi);
-    x[6][12] = t64;
-    x[7][12] = t66;
-    x[8][12] = t68;
-    x[9][12] = t63;
-    x[10][12] = t65;
-    x[21][12] = -t70;
-    x[6][13] = t66;
-    x[7][13] = t72;
-    x[8][13] = t73;
-    x[9][13] = t65;
-    x[10][13] = t71;
-    x[21][13] = -t74;
-    x[6][14] = t68;
-    x[7][14] = t73;
-    x[8][14] = -(p.spring_damping * t46);
-    x[9][14] = t75;
-    x[10][14] = t76;
-    x[18][14] = -(t77 * m.cos_cylinder_phi);
-    x[19][14] = -(t77 * m.sin_cylinder_phi);
+    x[6][12] = t68;
+    x[7][12] = t70;
+    x[8][12] = t72;
+    x[9][12] = t67;
+    x[10][12] = t69;
+    x[21][12] = -t74;
+    x[6][13] = t70;
+    x[7][13] = t76;
+    x[8][13] = t77;
+    x[9][13] = t69;
+    x[10][13] = t75;
+    x[21][13] = -t78;
+    x[6][14] = t72;
+    x[7][14] = t77;
+    x[8][14] = -(p.spring_damping * t50);
+    x[9][14] = t79;
+    x[10][14] = t80;
+    x[18][14] = -(t81 * m.cos_cylinder_phi);
+    x[19][14] = -(t81 * m.sin_cylinder_phi);
     x[21][14] = R::literal(2.0) * (cylinder_x_times_cylinder_omega * m.sin_cylinder_phi)
         .add_product(rod_y_times_cylinder_omega, m.cos_cylinder_phi).add_product(rod_v_x,
         m.cos_cylinder_phi).add_product(rod_v_y, m.sin_cylinder_phi)
         .sub_product(cylinder_y_times_cylinder_omega, m.cos_cylinder_phi)
         .sub_product(rod_x_times_cylinder_omega, m.sin_cylinder_phi).sub_product(cylinder_v_x,
         m.cos_cylinder_phi).sub_product(cylinder_v_y, m.sin_cylinder_phi);
-    x[6][15] = t63;
-    x[7][15] = t65;
-    x[8][15] = t75;
-    x[9][15] = t64;
-    x[10][15] = t66;
-    x[21][15] = t70;
-    x[6][16] = t65;
-    x[7][16] = t71;
-    x[8][16] = t76;
-    x[9][16] = t66;
-    x[10][16] = t72;
-    x[21][16] = t74;
-    x[22][17] = t78 * m.cos_rod_phi;
-    x[23][17] = t78 * m.sin_rod_phi;
+    x[6][15] = t67;
+    x[7][15] = t69;
+    x[8][15] = t79;
+    x[9][15] = t68;
+    x[10][15] = t70;
+    x[21][15] = t74;
+    x[6][16] = t69;
+    x[7][16] = t75;
+    x[8][16] = t80;
+    x[9][16] = t70;
+    x[10][16] = t76;
+    x[21][16] = t78;
+    x[22][17] = t82 * m.cos_rod_phi;
+    x[23][17] = t82 * m.sin_rod_phi;
     x[12][18] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
-        -(p.contact_damping * m.t9 / t49));
-    x[13][18] = t79;
-    x[12][19] = t79;
+        -(p.contact_damping * m.t9 / t53));
+    x[13][18] = t83;
+    x[12][19] = t83;
     x[13][19] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
-        -(p.contact_damping * m.t11 / t49));
+        -(p.contact_damping * m.t11 / t53));
     substitute(RATE_JACOBIAN_STEPS.iter().copied(), &m.factors, &mut x);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
@@ -1439,7 +1466,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 108 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 109 operations.
 #[must_use]
 pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [_, _, _, _, _, _, _, _, _, _, _, _, bobbin_x, bobbin_y, post_v_x, post_v_y, post_omega,
@@ -1449,14 +1476,14 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let stop_rate = post_omega * m.t7;
     let t0 = (R::literal(7.848) * post_v_y).add_product(R::select_less(stop_closed,
         R::literal(0.5), R::literal(0.0), R::literal(1_000_000.0) * m.stop_gap * m.t7), post_omega)
-        .add_product(R::literal(11.772), plate_v_y).sub_product(m.t148, cylinder_v_x)
-        .add_product(R::literal(2.943) - m.t150, cylinder_v_y).add_product(m.t153, cylinder_omega)
-        .add_product(m.t148, rod_v_x).add_product(R::literal(1.962) + m.t150, rod_v_y)
-        .add_product(R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), m.t157),
+        .add_product(R::literal(11.772), plate_v_y).sub_product(m.t153, cylinder_v_x)
+        .add_product(R::literal(2.943) - m.t155, cylinder_v_y).add_product(m.t158, cylinder_omega)
+        .add_product(m.t153, rod_v_x).add_product(R::literal(1.962) + m.t155, rod_v_y)
+        .add_product(R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), m.t162),
         bobbin_v_x).add_product(R::literal(6.867) + R::select_less(contact_closed, R::literal(0.5),
-        R::literal(0.0), m.t159), bobbin_v_y).add_product(R::literal(0.8) * post_v_x,
-        m.post_v_x_dot).add_product(R::literal(0.8) * post_v_y, m.post_v_y_dot)
-        .add_product(R::literal(0.0027) * post_omega, m.post_omega_dot);
+        R::literal(0.0), m.t164), bobbin_v_y).sub_product(R::literal(0.8) * post_v_x, m.t226)
+        .sub_product(R::literal(0.8) * post_v_y, m.t225).add_product(R::literal(0.0027)
+        * post_omega, m.post_omega_dot);
     let t1 = (p.spring_damping * cylinder_omega * m.slide_rate * m.t12)
         .add_product(p.spring_damping * rod_v_x * m.slide_rate, m.cos_cylinder_phi)
         .add_product(p.spring_damping * rod_v_y * m.slide_rate, m.sin_cylinder_phi)
@@ -1465,16 +1492,16 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
         + p.contact_damping * bobbin_v_y * m.contact_rate * (bobbin_y - R::literal(0.058))
         / m.between);
     PowerBalance {
-        stored_rate: t0.add_product(R::literal(1.2) * plate_v_x, m.plate_v_x_dot)
-            .add_product(R::literal(1.2) * plate_v_y, m.plate_v_y_dot)
-            .add_product(R::literal(0.0025) * plate_omega, m.plate_omega_dot)
-            .add_product(R::literal(0.3) * cylinder_v_x, m.cylinder_v_x_dot)
+        stored_rate: t0.sub_product(R::literal(1.2) * plate_v_x, m.t224
+            .add_product(R::literal(-0.833_333_333_333_333_4), m.t199)).sub_product(R::literal(1.2)
+            * plate_v_y, m.t222 + m.t223).add_product(R::literal(0.0025) * plate_omega,
+            m.plate_omega_dot).add_product(R::literal(0.3) * cylinder_v_x, m.cylinder_v_x_dot)
             .add_product(R::literal(0.3) * cylinder_v_y, m.cylinder_v_y_dot)
             .add_product(R::literal(0.00036) * cylinder_omega, m.cylinder_omega_dot)
             .add_product(R::literal(0.2) * rod_v_x, m.rod_v_x_dot).sub_product(R::literal(0.2)
-            * rod_v_y, m.t207.add_product(R::literal(5.0), m.t194)).add_product(R::literal(0.00024)
-            * rod_omega, m.rod_omega_dot).add_product(R::literal(0.7) * bobbin_v_x,
-            m.bobbin_v_x_dot).add_product(R::literal(0.7) * bobbin_v_y, m.bobbin_v_y_dot),
+            * rod_v_y, m.t221).add_product(R::literal(0.00024) * rod_omega, m.rod_omega_dot)
+            .add_product(R::literal(0.7) * bobbin_v_x, m.bobbin_v_x_dot)
+            .add_product(R::literal(0.7) * bobbin_v_y, m.bobbin_v_y_dot),
         supplied: R::literal(0.0),
         dissipated: (t1 + R::select_less(stop_closed, R::literal(0.5), R::literal(0.0),
             R::literal(1500.0) * (stop_rate * stop_rate))).sub_product(p.spring_damping
@@ -1483,7 +1510,7 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     }
 }
 
-/// What passes zero where events happen, one for each event. 28 operations.
+/// What passes zero where events happen, one for each event. 27 operations.
 #[must_use]
 pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let post_phi = state[2];
@@ -1500,7 +1527,7 @@ pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     let t1 = bobbin_y - R::literal(0.058);
     let between = (t0 * t0).add_product(t1, t1).sqrt();
     let contact_gap = between - R::literal(0.1);
-    let stop_push = -(R::literal(1_000_000.0) * stop_gap).add_product(R::literal(1500.0),
+    let stop_push = (R::literal(-1_000_000.0) * stop_gap).sub_product(R::literal(1500.0),
         stop_rate);
     let contact_rate = (bobbin_v_x * t0).add_product(bobbin_v_y, t1) / between;
     let contact_push = -(p.contact_stiffness * contact_gap).add_product(p.contact_damping,
@@ -1508,7 +1535,7 @@ pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     [contact_gap, contact_push, stop_gap, stop_push]
 }
 
-/// `dg/dt` of the guards along the motion. 47 operations.
+/// `dg/dt` of the guards along the motion. 49 operations.
 #[must_use]
 pub fn guard_rates<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let bobbin_x = state[12];
@@ -1523,12 +1550,13 @@ pub fn guard_rates<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> 
     let t2 = m.between * m.between;
     let contact_touches_guard_rate = (t0 / m.between * bobbin_v_x).add_product(t1 / m.between,
         bobbin_v_y);
-    let contact_opens_guard_rate = ((m.t158 / t2 - p.contact_damping * bobbin_v_x / m.between
-        - p.contact_stiffness * t0 / m.between) * bobbin_v_x).add_product(m.t160 / t2
+    let contact_opens_guard_rate = ((m.t163 / t2 - p.contact_damping * bobbin_v_x / m.between
+        - p.contact_stiffness * t0 / m.between) * bobbin_v_x).add_product(m.t165 / t2
         - p.contact_damping * bobbin_v_y / m.between - p.contact_stiffness * t1 / m.between,
         bobbin_v_y).sub_product(p.contact_damping * t0 / m.between, m.bobbin_v_x_dot)
         .sub_product(p.contact_damping * t1 / m.between, m.bobbin_v_y_dot);
-    let stop_opens_guard_rate = (R::literal(-1500.0) * m.t7 * m.post_omega_dot)
+    let stop_opens_guard_rate = (-((R::literal(214.5) * m.cos_post_phi)
+        .add_product(R::literal(66.0), m.sin_post_phi) * m.post_omega_dot))
         .add_product((R::literal(-143_000.0) * m.cos_post_phi).add_product(R::literal(214.5)
         * post_omega, m.sin_post_phi).sub_product(R::literal(44000.0), m.sin_post_phi)
         .sub_product(R::literal(66.0) * post_omega, m.cos_post_phi), post_omega);
@@ -1648,7 +1676,7 @@ pub fn constraint_matrix<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters
         R::literal(-0.06) * cos_cylinder_phi, R::literal(-1.0), R::literal(1.0), sin_cylinder_phi,
         -cos_cylinder_phi, -slide, -sin_cylinder_phi, cos_cylinder_phi, R::literal(1.0),
         R::literal(-0.06) * sin_rod_phi, R::literal(1.0), R::literal(0.06) * cos_rod_phi,
-        R::literal(-1.0), R::literal(-0.01) * sin_plate_phi.add_product(R::literal(10.0),
+        R::literal(-1.0), (R::literal(-0.01) * sin_plate_phi).sub_product(R::literal(0.1),
         cos_plate_phi), R::literal(1.0), R::literal(-1.0), (R::literal(0.01)
         * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi), R::literal(1.0)]
 }

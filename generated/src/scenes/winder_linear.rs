@@ -289,16 +289,16 @@ pub fn time_derivative<R: Real>(time: R, _state: &[R; STATES], p: &Parameters<R>
         * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
         * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
         + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let t5 = (R::literal(4.0) * p.winding_speed * p.ovality * p.holder_package_radius
-        * p.layer_viscosity * t2).add_product(R::literal(2.0) * p.drum_radius * p.ovality
-        * p.holder_package_radius * p.layer_stiffness, t1).add_product(p.winding_speed
+    let t5 = (R::literal(-4.0) * p.winding_speed * p.ovality * p.holder_package_radius
+        * p.layer_viscosity * t2).sub_product(R::literal(2.0) * p.drum_radius * p.ovality
+        * p.holder_package_radius * p.layer_stiffness, t1).sub_product(p.winding_speed
         * p.eccentricity * p.holder_package_radius * p.layer_viscosity, cos_drum_speed_times_time)
-        .add_product(p.drum_radius * p.force_amplitude * p.holder_package_radius, t3)
-        .add_product(p.drum_radius * p.eccentricity * p.holder_package_radius * p.layer_stiffness,
-        sin_drum_speed_times_time).add_product(p.package_force * (p.drum_radius * p.drum_radius),
+        .sub_product(p.drum_radius * p.force_amplitude * p.holder_package_radius, t3)
+        .sub_product(p.drum_radius * p.eccentricity * p.holder_package_radius * p.layer_stiffness,
+        sin_drum_speed_times_time).sub_product(p.package_force * (p.drum_radius * p.drum_radius),
         t4);
     let holder_v_dot_by_time = drum_speed / (p.drum_radius * p.holder_package_radius) * t5
-        * (R::literal(-1.0) / holder_mass);
+        * (R::literal(1.0) / holder_mass);
     [R::literal(0.0), holder_v_dot_by_time]
 }
 

@@ -24,9 +24,9 @@
 // Shapes: coordinates 18, states 36, parameters 5, outputs 7, constraints 16.
 // Nonzeros: mass_matrix 18 of 18 by 18, rate_jacobian 228 of 36 by 36,
 //     parameter_jacobian 0 of 36 by 5, constraint_matrix 44 of 16 by 18.
-// Operations: rate 453, forcing 50, rate_jacobian 376, outputs 228, energy 72, power_balance 112,
-//     constraint_values 62, constraint_rates 89, constraint_matrix 43, prepare 1, prepared_rate 452,
-//     prepared_rate_jacobian 376, motion 468.
+// Operations: rate 450, forcing 49, rate_jacobian 376, outputs 234, energy 72, power_balance 114,
+//     constraint_values 62, constraint_rates 89, constraint_matrix 43, prepare 1, prepared_rate 449,
+//     prepared_rate_jacobian 376, motion 466.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitute}};
 
@@ -178,52 +178,55 @@ pub struct Motion<R> {
     pub between: R,
     pub slide: R,
     pub t8: R,
+    pub t10: R,
     pub t11: R,
     pub t12: R,
-    pub t13: R,
-    pub t18: R,
-    pub t23: R,
-    pub t25: R,
-    pub t28: R,
+    pub t22: R,
+    pub t24: R,
+    pub t27: R,
     pub t31: R,
     pub t34: R,
-    pub t36: R,
-    pub t39: R,
-    pub t44: R,
-    pub t46: R,
-    pub t62: R,
-    pub t64: R,
-    pub t70: R,
+    pub t35: R,
+    pub t38: R,
+    pub t41: R,
+    pub t42: R,
+    pub t48: R,
+    pub t51: R,
+    pub t67: R,
+    pub t69: R,
     pub t75: R,
-    pub t78: R,
-    pub t79: R,
-    pub t90: R,
-    pub t93: R,
+    pub t80: R,
+    pub t83: R,
+    pub t84: R,
+    pub t95: R,
+    pub t97: R,
     pub t100: R,
-    pub t101: R,
-    pub t103: R,
-    pub t104: R,
-    pub t114: R,
-    pub t115: R,
+    pub t107: R,
+    pub t108: R,
+    pub t110: R,
+    pub t111: R,
+    pub t121: R,
+    pub t122: R,
     pub post_v_x_dot: R,
-    pub t118: R,
+    pub t125: R,
+    pub t132: R,
     pub bobbin_v_y_dot: R,
     pub bobbin_v_x_dot: R,
     pub plate_omega_dot: R,
-    pub plate_v_y_dot: R,
-    pub plate_v_x_dot: R,
-    pub t137: R,
-    pub t143: R,
+    pub t135: R,
+    pub t136: R,
+    pub t142: R,
+    pub t148: R,
     pub rod_omega_dot: R,
-    pub t144: R,
+    pub t149: R,
     pub rod_v_x_dot: R,
     pub cylinder_omega_dot: R,
     pub cylinder_v_y_dot: R,
-    pub t145: R,
+    pub t150: R,
 }
 
 /// Accelerations, factors of the linear equations they solve, and whatever else several functions
-/// need. 469 operations.
+/// need. 467 operations.
 #[must_use]
 pub fn motion<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
         c: &Constants<R>) -> Motion<R> {
@@ -251,199 +254,204 @@ pub fn motion<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
     let t7 = -t0;
     let t8 = (R::literal(0.044) * sin_post_phi).add_product(R::literal(0.143), cos_post_phi);
     let t9 = -t2;
-    let t10 = sin_plate_phi.add_product(R::literal(10.0), cos_plate_phi);
-    let t11 = R::literal(0.01) * t10;
-    let t12 = (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi);
+    let t10 = (R::literal(0.01) * sin_plate_phi).add_product(R::literal(0.1), cos_plate_phi);
+    let t11 = (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi);
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
     let bobbin_y_minus_drum_y_over_between = bobbin_y_minus_drum_y / between;
-    let t13 = R::literal(1.0) / t8;
-    let t14 = -t13;
-    let t15 = R::literal(24.0) * sin_plate_phi;
-    let t16 = R::literal(24.0) * cos_plate_phi;
-    let t17 = -t16;
-    let t18 = R::literal(4.0) * t10;
-    let t19 = -t18;
-    let t20 = t12 * R::literal(400.0);
-    let t21 = bobbin_x_minus_drum_x_over_between * c.inverse_bobbin_mass;
-    let t22 = bobbin_y_minus_drum_y_over_between * c.inverse_bobbin_mass;
-    let t23 = R::literal(1.0) / R::literal(0.833_333_333_333_333_4).add_product(t15, t3);
-    let t24 = -t23;
-    let t25 = t16 * t3;
-    let t26 = t25 * t23;
-    let t27 = -t26;
-    let t28 = R::literal(0.833_333_333_333_333_4).add_product(t18, t3);
-    let t29 = t28 * t23;
+    let t12 = R::literal(1.0) / t8;
+    let t13 = -t12;
+    let t14 = R::literal(24.0) * sin_plate_phi;
+    let t15 = R::literal(24.0) * cos_plate_phi;
+    let t16 = -t15;
+    let t17 = t10 * R::literal(400.0);
+    let t18 = -t17;
+    let t19 = t11 * R::literal(400.0);
+    let t20 = bobbin_x_minus_drum_x_over_between * c.inverse_bobbin_mass;
+    let t21 = bobbin_y_minus_drum_y_over_between * c.inverse_bobbin_mass;
+    let t22 = R::literal(1.0) / R::literal(0.833_333_333_333_333_4).add_product(t14, t3);
+    let t23 = -t22;
+    let t24 = t15 * t3;
+    let t25 = t24 * t22;
+    let t26 = -t25;
+    let t27 = t17 * t3;
+    let t28 = R::literal(0.833_333_333_333_333_4) + t27;
+    let t29 = t28 * t22;
     let t30 = -t29;
-    let t31 = t20 * t3;
-    let t32 = t31 * t23;
-    let t33 = R::literal(1.0) / (-R::literal(0.833_333_333_333_333_4).add_product(t16, t2))
-        .add_product(t26, t25);
-    let t34 = (-(t18 * t2)).add_product(t29, t25);
-    let t35 = t34 * t33;
-    let t36 = R::literal(0.833_333_333_333_333_4).add_product(t20, t2).sub_product(t32, t25);
+    let t31 = t19 * t3;
+    let t32 = t31 * t22;
+    let t33 = R::literal(1.0) / (-R::literal(0.833_333_333_333_333_4).add_product(t15, t2))
+        .add_product(t25, t24);
+    let t34 = t17 * t2;
+    let t35 = t29 * t24;
+    let t36 = t35 - t34;
     let t37 = t36 * t33;
-    let t38 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t18, t11)
-        + c.inverse_bobbin_mass)).add_product(t29, t28).sub_product(t35, t34);
-    let t39 = (t20 * t11).sub_product(t32, t28).sub_product(t37, t34);
-    let t40 = t39 * t38;
-    let t41 = t21 * t38;
-    let t42 = -t41;
-    let t43 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t20, t12)
-        + c.inverse_bobbin_mass)).add_product(t32, t31).sub_product(t37, t36).sub_product(t40, t39);
-    let t44 = (-t22).add_product(t41, t39);
-    let t45 = t44 * t43;
-    let t46 = R::literal(1.0) / (t21 * bobbin_x_minus_drum_x_over_between).add_product(t22,
-        bobbin_y_minus_drum_y_over_between).add_product(t41, t21).add_product(t45, t44);
-    let t47 = -t46;
-    let t48 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t49 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t50 = -t49;
-    let t51 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
-    let t52 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
-    let t53 = -t52;
-    let t54 = slide * R::literal(2_777.777_777_777_778);
+    let t38 = R::literal(0.833_333_333_333_333_4).add_product(t19, t2).sub_product(t32, t24);
+    let t39 = t38 * t33;
+    let t40 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t17, t10)
+        + c.inverse_bobbin_mass)).add_product(t29, t28).sub_product(t37, t36);
+    let t41 = (t19 * t10).sub_product(t32, t28);
+    let t42 = t39 * t36;
+    let t43 = t41 - t42;
+    let t44 = t43 * t40;
+    let t45 = t20 * t40;
+    let t46 = -t45;
+    let t47 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t19, t11)
+        + c.inverse_bobbin_mass)).add_product(t32, t31).sub_product(t39, t38).sub_product(t44, t43);
+    let t48 = t45 * t43;
+    let t49 = t48 - t21;
+    let t50 = t49 * t47;
+    let t51 = R::literal(1.0) / (t20 * bobbin_x_minus_drum_x_over_between).add_product(t21,
+        bobbin_y_minus_drum_y_over_between).add_product(t45, t20).add_product(t50, t49);
+    let t52 = -t51;
+    let t53 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t54 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
     let t55 = -t54;
-    let t56 = sin_cylinder_phi * R::literal(5.0);
-    let t57 = -t56;
-    let t58 = cos_cylinder_phi * R::literal(5.0);
-    let t59 = R::literal(250.0) * sin_rod_phi;
+    let t56 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t57 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t58 = -t57;
+    let t59 = slide * R::literal(2_777.777_777_777_778);
     let t60 = -t59;
-    let t61 = R::literal(250.0) * cos_rod_phi;
-    let t62 = R::literal(1.0) / R::literal(3.333_333_333_333_333_5).add_product(t51, t5);
-    let t63 = -t62;
-    let t64 = t52 * t5;
-    let t65 = t64 * t62;
-    let t66 = -t65;
-    let t67 = t51 * t62;
+    let t61 = sin_cylinder_phi * R::literal(5.0);
+    let t62 = -t61;
+    let t63 = cos_cylinder_phi * R::literal(5.0);
+    let t64 = R::literal(250.0) * sin_rod_phi;
+    let t65 = -t64;
+    let t66 = R::literal(250.0) * cos_rod_phi;
+    let t67 = R::literal(1.0) / R::literal(3.333_333_333_333_333_5).add_product(t56, t5);
     let t68 = -t67;
-    let t69 = (-t48).add_product(t54, t5);
-    let t70 = t69 * t62;
+    let t69 = t57 * t5;
+    let t70 = t69 * t67;
     let t71 = -t70;
-    let t72 = R::literal(1.0) / (-R::literal(3.333_333_333_333_333_5).add_product(t52, t4))
-        .add_product(t65, t64);
-    let t73 = (-t52).add_product(t67, t64);
-    let t74 = t73 * t72;
-    let t75 = t49.sub_product(t54, t4).add_product(t70, t64);
-    let t76 = t75 * t72;
-    let t77 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t67, t51)
-        .sub_product(t74, t73);
-    let t78 = (-t54).add_product(t70, t51);
-    let t79 = t76 * t73;
-    let t80 = t78 - t79;
+    let t72 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
+    let t73 = t72 * t67;
+    let t74 = (-t53).add_product(t59, t5);
+    let t75 = t74 * t67;
+    let t76 = -t75;
+    let t77 = R::literal(1.0) / (-R::literal(3.333_333_333_333_333_5).add_product(t57, t4))
+        .add_product(t70, t69);
+    let t78 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi).sub_product(t73, t69);
+    let t79 = t78 * t77;
+    let t80 = t54.sub_product(t59, t4).add_product(t75, t69);
     let t81 = t80 * t77;
-    let t82 = t59 * t77;
-    let t83 = t61 * t77;
-    let t84 = -t83;
-    let t85 = R::literal(1.0) / (-(t48 * sin_cylinder_phi).add_product(t49, cos_cylinder_phi)
-        .add_product(t54, slide).add_product(t56, sin_cylinder_phi).add_product(t58,
-        cos_cylinder_phi)).add_product(t70, t69).sub_product(t76, t75).sub_product(t81, t80);
-    let t86 = t56.sub_product(t82, t80);
-    let t87 = t86 * t85;
-    let t88 = (-t58).add_product(t83, t80);
-    let t89 = t88 * t85;
-    let t90 = R::literal(1.0) / R::literal(5.0).add_product(t59, t6).add_product(t82, t59)
-        .add_product(t87, t86);
-    let t91 = -t90;
-    let t92 = (t61 * t6).add_product(t83, t59).sub_product(t89, t86);
-    let t93 = t92 * t90;
-    let t94 = -t93;
-    let t95 = R::literal(1.0) / (-R::literal(5.0).add_product(t61, R::literal(0.06) * cos_rod_phi)
-        .add_product(t83, t61).add_product(t89, t88)).add_product(t93, t92);
+    let t82 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t73, t72)
+        .sub_product(t79, t78);
+    let t83 = t59.add_product(t75, t72);
+    let t84 = t81 * t78;
+    let t85 = t83 + t84;
+    let t86 = t85 * t82;
+    let t87 = -t86;
+    let t88 = t64 * t82;
+    let t89 = t66 * t82;
+    let t90 = -t89;
+    let t91 = R::literal(1.0) / (-(t53 * sin_cylinder_phi).add_product(t54, cos_cylinder_phi)
+        .add_product(t59, slide).add_product(t61, sin_cylinder_phi).add_product(t63,
+        cos_cylinder_phi)).add_product(t75, t74).sub_product(t81, t80).sub_product(t86, t85);
+    let t92 = t61.add_product(t88, t85);
+    let t93 = t92 * t91;
+    let t94 = t63.add_product(t89, t85);
+    let t95 = t94 * t91;
+    let t96 = -t95;
+    let t97 = R::literal(1.0) / R::literal(5.0).add_product(t64, t6).add_product(t88, t64)
+        .add_product(t93, t92);
+    let t98 = -t97;
+    let t99 = (t66 * t6).add_product(t89, t64).add_product(t95, t92);
+    let t100 = t99 * t97;
+    let t101 = -t100;
+    let t102 = R::literal(1.0) / (-R::literal(5.0).add_product(t66, R::literal(0.06) * cos_rod_phi)
+        .add_product(t89, t66).add_product(t95, t94)).add_product(t100, t99);
     let post_omega_squared = post_omega * post_omega;
-    let t96 = R::literal(0.1) * post_omega_squared;
-    let t97 = t96 * cos_post_phi;
-    let t98 = t96 * sin_post_phi;
+    let t103 = R::literal(0.1) * post_omega_squared;
+    let t104 = t103 * cos_post_phi;
+    let t105 = t103 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t99 = R::literal(0.06) * plate_omega_squared;
-    let t100 = t99 * cos_plate_phi;
-    let t101 = t99 * sin_plate_phi;
+    let t106 = R::literal(0.06) * plate_omega_squared;
+    let t107 = t106 * cos_plate_phi;
+    let t108 = t106 * sin_plate_phi;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t102 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t103 = t102 * cos_rod_phi;
-    let t104 = t102 * sin_rod_phi;
+    let t109 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t110 = t109 * cos_rod_phi;
+    let t111 = t109 * sin_rod_phi;
     let between_squared_times_between = between * between * between;
-    let t105 = bobbin_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
-    let t106 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t112 = bobbin_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t113 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
     let drum_v_x_over_between = drum_v_x / between;
     let bobbin_v_x_over_between = bobbin_v_x / between;
-    let t107 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
-    let t108 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t114 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t115 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t109 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t116 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t110 = bobbin_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t117 = bobbin_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
     let drum_v_y_over_between = drum_v_y / between;
     let bobbin_v_y_over_between = bobbin_v_y / between;
-    let t111 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t118 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t112 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t113 = (bobbin_v_x * (bobbin_v_x_over_between + t107 + t108 - t105 - t106
-        - drum_v_x_over_between)).add_product(bobbin_v_y, bobbin_v_y_over_between + t111 + t112
-        - t109 - t110 - drum_v_y_over_between).add_product(drum_v_x, t105 + t106
-        + drum_v_x_over_between - bobbin_v_x_over_between - t107 - t108).add_product(drum_v_y, t109
-        + t110 + drum_v_y_over_between - bobbin_v_y_over_between - t111 - t112);
-    let t114 = (R::literal(0.044) * cos_post_phi).sub_product(R::literal(0.143), sin_post_phi);
-    let t115 = t13 * (t114 * post_omega_squared);
-    let t116 = t1 * t115;
-    let post_v_x_dot = t116 - t97;
-    let t117 = t0 * t115;
-    let t118 = t98 + t117;
-    let t119 = t116 - (t100 + t97) - (t97 - t116);
-    let t120 = (-(t101 + t98 + t117 + t118)).add_product(t26, t119);
-    let t121 = (t12 * plate_omega_squared).add_product(t29, t119).sub_product(t35, t120);
-    let t122 = ((R::literal(0.01) * sin_plate_phi).add_product(R::literal(0.1), cos_plate_phi)
-        * plate_omega_squared).sub_product(t32, t119).sub_product(t37, t120).sub_product(t40, t121);
-    let t123 = (-t113).add_product(t41, t121).sub_product(t45, t122) * t46;
-    let t124 = (t122 * t43).add_product(t45, t123);
-    let t125 = (t121 * t38).sub_product(t40, t124).sub_product(t41, t123);
-    let t126 = (t120 * t33).sub_product(t35, t125).sub_product(t37, t124);
-    let t127 = (-(t119 * t23)).add_product(t26, t126).add_product(t29, t125).sub_product(t32, t124);
-    let bobbin_v_y_dot = (t22 * t123).sub_product(c.inverse_bobbin_mass, t124);
-    let bobbin_v_x_dot = (t21 * t123).sub_product(c.inverse_bobbin_mass, t125);
-    let plate_omega_dot = (t16 * t126).sub_product(t15, t127).add_product(t18, t125)
-        .sub_product(t20, t124);
-    let t128 = R::literal(0.833_333_333_333_333_4) * t126;
-    let t129 = R::literal(0.833_333_333_333_333_4) * t124;
-    let plate_v_y_dot = t129 - t128;
-    let t130 = R::literal(0.833_333_333_333_333_4) * t127;
-    let t131 = R::literal(0.833_333_333_333_333_4) * t125;
-    let plate_v_x_dot = t131 - t130;
-    let t132 = (t130 - t131).add_product(R::literal(0.06), (plate_omega_squared * cos_plate_phi)
+    let t119 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t120 = (bobbin_v_x * (bobbin_v_x_over_between + t114 + t115 - t112 - t113
+        - drum_v_x_over_between)).add_product(bobbin_v_y, bobbin_v_y_over_between + t118 + t119
+        - t116 - t117 - drum_v_y_over_between).add_product(drum_v_x, t112 + t113
+        + drum_v_x_over_between - bobbin_v_x_over_between - t114 - t115).add_product(drum_v_y, t116
+        + t117 + drum_v_y_over_between - bobbin_v_y_over_between - t118 - t119);
+    let t121 = (R::literal(0.044) * cos_post_phi).sub_product(R::literal(0.143), sin_post_phi);
+    let t122 = t12 * (t121 * post_omega_squared);
+    let t123 = t1 * t122;
+    let post_v_x_dot = t123 - t104;
+    let t124 = t0 * t122;
+    let t125 = t105 + t124;
+    let t126 = t123 - (t107 + t104) - (t104 - t123);
+    let t127 = (-(t108 + t105 + t124 + t125)).add_product(t25, t126);
+    let t128 = (t11 * plate_omega_squared).add_product(t29, t126).sub_product(t37, t127);
+    let t129 = (t10 * plate_omega_squared).sub_product(t32, t126).sub_product(t39, t127)
+        .sub_product(t44, t128);
+    let t130 = (-t120).add_product(t45, t128).sub_product(t50, t129) * t51;
+    let t131 = (t129 * t47).add_product(t50, t130);
+    let t132 = (t128 * t40).sub_product(t44, t131).sub_product(t45, t130);
+    let t133 = (t127 * t33).sub_product(t37, t132).sub_product(t39, t131);
+    let t134 = (-(t126 * t22)).add_product(t25, t133).add_product(t29, t132).sub_product(t32, t131);
+    let bobbin_v_y_dot = (t21 * t130).sub_product(c.inverse_bobbin_mass, t131);
+    let bobbin_v_x_dot = (t20 * t130).sub_product(c.inverse_bobbin_mass, t132);
+    let plate_omega_dot = (t15 * t133).sub_product(t14, t134).add_product(t17, t132)
+        .sub_product(t19, t131);
+    let t135 = (R::literal(-0.833_333_333_333_333_4) * t131)
+        .add_product(R::literal(0.833_333_333_333_333_4), t133);
+    let t136 = R::literal(0.833_333_333_333_333_4) * t134;
+    let t137 = t136.add_product(R::literal(-0.833_333_333_333_333_4), t132)
+        .add_product(R::literal(0.06), (plate_omega_squared * cos_plate_phi)
         .add_product(cylinder_omega_squared, cos_cylinder_phi)).add_product(t3, plate_omega_dot);
-    let t133 = (-(t128 - t129).add_product(R::literal(0.06), (plate_omega_squared * sin_plate_phi)
+    let t138 = (-t135.add_product(R::literal(0.06), (plate_omega_squared * sin_plate_phi)
         .add_product(cylinder_omega_squared, sin_cylinder_phi))).add_product(t2, plate_omega_dot)
-        .sub_product(t65, t132);
-    let t134 = (t67 * t132).add_product(t74, t133);
-    let t135 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+        .sub_product(t70, t137);
+    let t139 = (t73 * t137).sub_product(t79, t138);
+    let t140 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
         .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi).add_product(cylinder_x
         * cylinder_omega, sin_cylinder_phi).add_product(rod_y * cylinder_omega, cos_cylinder_phi)
         .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi).sub_product(R::literal(2.0)
         * cylinder_v_y, sin_cylinder_phi).sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
-        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t70, t132)
-        .sub_product(t76, t133).add_product(t81, t134);
-    let t136 = t103.add_product(t82, t134).sub_product(t87, t135);
-    let t137 = t104.sub_product(t83, t134).sub_product(t89, t135).add_product(t93, t136) * t95;
-    let t138 = (-(t136 * t90)).add_product(t93, t137);
-    let t139 = (t135 * t85).sub_product(t87, t138).sub_product(t89, t137);
-    let t140 = (-(t134 * t77).add_product(t81, t139).add_product(t82, t138)).add_product(t83, t137);
-    let t141 = (t133 * t72).sub_product(t74, t140).sub_product(t76, t139);
-    let t142 = (t132 * t62).add_product(t65, t141).add_product(t67, t140).add_product(t70, t139);
-    let t143 = (t59 * t138).sub_product(R::literal(4_166.666_666_666_667), t140);
-    let rod_omega_dot = t143.sub_product(t61, t137);
-    let t144 = t58 * t139;
-    let rod_v_x_dot = (R::literal(-5.0) * t138).add_product(t56, t139);
-    let cylinder_omega_dot = (t52 * t141).sub_product(t51, t142)
-        .add_product(R::literal(2_777.777_777_777_778), t140).add_product(t54, t139);
-    let cylinder_v_y_dot = (t49 * t139).sub_product(R::literal(3.333_333_333_333_333_5), t141);
-    let t145 = (t48 * t139).add_product(R::literal(3.333_333_333_333_333_5), t142);
+        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t75, t137)
+        .sub_product(t81, t138).add_product(t86, t139);
+    let t141 = t110.sub_product(t88, t139).sub_product(t93, t140);
+    let t142 = t111.add_product(t89, t139).add_product(t95, t140).add_product(t100, t141) * t102;
+    let t143 = (-(t141 * t97)).add_product(t100, t142);
+    let t144 = (t140 * t91).sub_product(t93, t143).add_product(t95, t142);
+    let t145 = (t139 * t82).add_product(t86, t144).sub_product(t88, t143).add_product(t89, t142);
+    let t146 = (t138 * t77).sub_product(t79, t145).sub_product(t81, t144);
+    let t147 = (t137 * t67).add_product(t70, t146).sub_product(t73, t145).add_product(t75, t144);
+    let t148 = (t64 * t143).sub_product(R::literal(4_166.666_666_666_667), t145);
+    let rod_omega_dot = t148.sub_product(t66, t142);
+    let t149 = t63 * t144;
+    let rod_v_x_dot = (R::literal(-5.0) * t143).add_product(t61, t144);
+    let cylinder_omega_dot = (t57 * t146).sub_product(t56, t147)
+        .sub_product(R::literal(-2_777.777_777_777_778), t145).add_product(t59, t144);
+    let cylinder_v_y_dot = (t54 * t144).sub_product(R::literal(3.333_333_333_333_333_5), t146);
+    let t150 = (t53 * t144).add_product(R::literal(3.333_333_333_333_333_5), t147);
     Motion {
-        factors: [t14, t1, R::literal(-1.0), t7, t27, t30, t35, t32, t37, t40, t42, t45, t47, t43,
-            t38, t33, t24, c.inverse_bobbin_mass, t22, t21, t15, t17, t19, t20,
-            R::literal(0.833_333_333_333_333_4), R::literal(-0.833_333_333_333_333_4), t3, t9, t66,
-            t68, t74, t71, t76, t81, t82, t87, t84, t89, t94, t95, t91, t85, t77, t72, t63,
-            R::literal(4_166.666_666_666_667), t60, t61, t58, R::literal(5.0), t57, t51, t53,
-            R::literal(-2_777.777_777_777_778), t55, R::literal(3.333_333_333_333_333_5), t50, t48],
+        factors: [t13, t1, R::literal(-1.0), t7, t26, t30, t37, t32, t39, t44, t46, t50, t52, t47,
+            t40, t33, t23, c.inverse_bobbin_mass, t21, t20, t14, t16, t18, t19,
+            R::literal(0.833_333_333_333_333_4), R::literal(-0.833_333_333_333_333_4), t3, t9, t71,
+            t73, t79, t76, t81, t87, t88, t93, t90, t96, t101, t102, t98, t91, t82, t77, t68,
+            R::literal(4_166.666_666_666_667), t65, t66, t63, R::literal(5.0), t62, t56, t58,
+            R::literal(-2_777.777_777_777_778), t60, R::literal(3.333_333_333_333_333_5), t55, t53],
         cos_post_phi,
         sin_post_phi,
         cos_plate_phi,
@@ -457,48 +465,51 @@ pub fn motion<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
         between,
         slide,
         t8,
+        t10,
         t11,
         t12,
-        t13,
-        t18,
-        t23,
-        t25,
-        t28,
+        t22,
+        t24,
+        t27,
         t31,
         t34,
-        t36,
-        t39,
-        t44,
-        t46,
-        t62,
-        t64,
-        t70,
+        t35,
+        t38,
+        t41,
+        t42,
+        t48,
+        t51,
+        t67,
+        t69,
         t75,
-        t78,
-        t79,
-        t90,
-        t93,
+        t80,
+        t83,
+        t84,
+        t95,
+        t97,
         t100,
-        t101,
-        t103,
-        t104,
-        t114,
-        t115,
+        t107,
+        t108,
+        t110,
+        t111,
+        t121,
+        t122,
         post_v_x_dot,
-        t118,
+        t125,
+        t132,
         bobbin_v_y_dot,
         bobbin_v_x_dot,
         plate_omega_dot,
-        plate_v_y_dot,
-        plate_v_x_dot,
-        t137,
-        t143,
+        t135,
+        t136,
+        t142,
+        t148,
         rod_omega_dot,
-        t144,
+        t149,
         rod_v_x_dot,
         cylinder_omega_dot,
         cylinder_v_y_dot,
-        t145,
+        t150,
     }
 }
 
@@ -521,7 +532,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 452 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 449 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
@@ -546,76 +557,76 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
     let between = (bobbin_x_minus_drum_x_squared + bobbin_y_minus_drum_y_squared).sqrt();
     let slide = ((rod_x - cylinder_x) * cos_cylinder_phi).add_product(rod_y - cylinder_y,
         sin_cylinder_phi);
-    let t5 = sin_plate_phi.add_product(R::literal(10.0), cos_plate_phi);
-    let t6 = R::literal(0.01) * t5;
-    let t7 = (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi);
+    let t5 = (R::literal(0.01) * sin_plate_phi).add_product(R::literal(0.1), cos_plate_phi);
+    let t6 = (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi);
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
     let bobbin_y_minus_drum_y_over_between = bobbin_y_minus_drum_y / between;
-    let t8 = R::literal(24.0) * sin_plate_phi;
-    let t9 = R::literal(24.0) * cos_plate_phi;
-    let t10 = R::literal(4.0) * t5;
-    let t11 = t7 * R::literal(400.0);
-    let t12 = bobbin_x_minus_drum_x_over_between * c.inverse_bobbin_mass;
-    let t13 = bobbin_y_minus_drum_y_over_between * c.inverse_bobbin_mass;
-    let t14 = R::literal(1.0) / R::literal(0.833_333_333_333_333_4).add_product(t8, t1);
-    let t15 = t9 * t1;
-    let t16 = t15 * t14;
-    let t17 = R::literal(0.833_333_333_333_333_4).add_product(t10, t1);
-    let t18 = t17 * t14;
-    let t19 = t11 * t1;
-    let t20 = t19 * t14;
-    let t21 = R::literal(1.0) / (-R::literal(0.833_333_333_333_333_4).add_product(t9, t0))
-        .add_product(t16, t15);
-    let t22 = (-(t10 * t0)).add_product(t18, t15);
-    let t23 = t22 * t21;
-    let t24 = R::literal(0.833_333_333_333_333_4).add_product(t11, t0).sub_product(t20, t15);
-    let t25 = t24 * t21;
-    let t26 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t10, t6)
-        + c.inverse_bobbin_mass)).add_product(t18, t17).sub_product(t23, t22);
-    let t27 = (t11 * t6).sub_product(t20, t17).sub_product(t25, t22);
-    let t28 = t27 * t26;
-    let t29 = t12 * t26;
-    let t30 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t11, t7)
-        + c.inverse_bobbin_mass)).add_product(t20, t19).sub_product(t25, t24).sub_product(t28, t27);
-    let t31 = (-t13).add_product(t29, t27);
-    let t32 = t31 * t30;
-    let t33 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t34 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t35 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
-    let t36 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
-    let t37 = slide * R::literal(2_777.777_777_777_778);
-    let t38 = sin_cylinder_phi * R::literal(5.0);
-    let t39 = cos_cylinder_phi * R::literal(5.0);
-    let t40 = R::literal(250.0) * sin_rod_phi;
-    let t41 = R::literal(250.0) * cos_rod_phi;
-    let t42 = R::literal(1.0) / R::literal(3.333_333_333_333_333_5).add_product(t35, t3);
-    let t43 = t36 * t3;
-    let t44 = t43 * t42;
-    let t45 = t35 * t42;
-    let t46 = (-t33).add_product(t37, t3);
-    let t47 = t46 * t42;
-    let t48 = R::literal(1.0) / (-R::literal(3.333_333_333_333_333_5).add_product(t36, t2))
-        .add_product(t44, t43);
-    let t49 = (-t36).add_product(t45, t43);
+    let t7 = R::literal(24.0) * sin_plate_phi;
+    let t8 = R::literal(24.0) * cos_plate_phi;
+    let t9 = t5 * R::literal(400.0);
+    let t10 = t6 * R::literal(400.0);
+    let t11 = bobbin_x_minus_drum_x_over_between * c.inverse_bobbin_mass;
+    let t12 = bobbin_y_minus_drum_y_over_between * c.inverse_bobbin_mass;
+    let t13 = R::literal(1.0) / R::literal(0.833_333_333_333_333_4).add_product(t7, t1);
+    let t14 = t8 * t1;
+    let t15 = t14 * t13;
+    let t16 = R::literal(0.833_333_333_333_333_4).add_product(t9, t1);
+    let t17 = t16 * t13;
+    let t18 = t10 * t1;
+    let t19 = t18 * t13;
+    let t20 = R::literal(1.0) / (-R::literal(0.833_333_333_333_333_4).add_product(t8, t0))
+        .add_product(t15, t14);
+    let t21 = (-(t9 * t0)).add_product(t17, t14);
+    let t22 = t21 * t20;
+    let t23 = R::literal(0.833_333_333_333_333_4).add_product(t10, t0).sub_product(t19, t14);
+    let t24 = t23 * t20;
+    let t25 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t9, t5)
+        + c.inverse_bobbin_mass)).add_product(t17, t16).sub_product(t22, t21);
+    let t26 = (t10 * t5).sub_product(t19, t16).sub_product(t24, t21);
+    let t27 = t26 * t25;
+    let t28 = t11 * t25;
+    let t29 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t10, t6)
+        + c.inverse_bobbin_mass)).add_product(t19, t18).sub_product(t24, t23).sub_product(t27, t26);
+    let t30 = (-t12).add_product(t28, t26);
+    let t31 = t30 * t29;
+    let t32 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t33 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t34 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t35 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t36 = slide * R::literal(2_777.777_777_777_778);
+    let t37 = sin_cylinder_phi * R::literal(5.0);
+    let t38 = cos_cylinder_phi * R::literal(5.0);
+    let t39 = R::literal(250.0) * sin_rod_phi;
+    let t40 = R::literal(250.0) * cos_rod_phi;
+    let t41 = R::literal(1.0) / R::literal(3.333_333_333_333_333_5).add_product(t34, t3);
+    let t42 = t35 * t3;
+    let t43 = t42 * t41;
+    let t44 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
+    let t45 = t44 * t41;
+    let t46 = (-t32).add_product(t36, t3);
+    let t47 = t46 * t41;
+    let t48 = R::literal(1.0) / (-R::literal(3.333_333_333_333_333_5).add_product(t35, t2))
+        .add_product(t43, t42);
+    let t49 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi).sub_product(t45, t42);
     let t50 = t49 * t48;
-    let t51 = t34.sub_product(t37, t2).add_product(t47, t43);
+    let t51 = t33.sub_product(t36, t2).add_product(t47, t42);
     let t52 = t51 * t48;
-    let t53 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t45, t35)
+    let t53 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t45, t44)
         .sub_product(t50, t49);
-    let t54 = (-t37).add_product(t47, t35).sub_product(t52, t49);
+    let t54 = t36.add_product(t47, t44).add_product(t52, t49);
     let t55 = t54 * t53;
-    let t56 = t40 * t53;
-    let t57 = t41 * t53;
-    let t58 = R::literal(1.0) / (-(t33 * sin_cylinder_phi).add_product(t34, cos_cylinder_phi)
-        .add_product(t37, slide).add_product(t38, sin_cylinder_phi).add_product(t39,
+    let t56 = t39 * t53;
+    let t57 = t40 * t53;
+    let t58 = R::literal(1.0) / (-(t32 * sin_cylinder_phi).add_product(t33, cos_cylinder_phi)
+        .add_product(t36, slide).add_product(t37, sin_cylinder_phi).add_product(t38,
         cos_cylinder_phi)).add_product(t47, t46).sub_product(t52, t51).sub_product(t55, t54);
-    let t59 = t38.sub_product(t56, t54);
+    let t59 = t37.add_product(t56, t54);
     let t60 = t59 * t58;
-    let t61 = (-t39).add_product(t57, t54);
+    let t61 = t38.add_product(t57, t54);
     let t62 = t61 * t58;
-    let t63 = R::literal(1.0) / R::literal(5.0).add_product(t40, t4).add_product(t56, t40)
+    let t63 = R::literal(1.0) / R::literal(5.0).add_product(t39, t4).add_product(t56, t39)
         .add_product(t60, t59);
-    let t64 = (t41 * t4).add_product(t57, t40).sub_product(t62, t59);
+    let t64 = (t40 * t4).add_product(t57, t39).add_product(t62, t59);
     let t65 = t64 * t63;
     let post_omega_squared = post_omega * post_omega;
     let t66 = R::literal(0.1) * post_omega_squared;
@@ -657,57 +668,57 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
     let t83 = t68 + t82;
     let post_v_y_dot = -t83;
     let t84 = t81 - t67.add_product(t69, cos_plate_phi) - (t67 - t81);
-    let t85 = (-(t68.add_product(t69, sin_plate_phi) + t82 + t83)).add_product(t16, t84);
-    let t86 = (t7 * plate_omega_squared).add_product(t18, t84).sub_product(t23, t85);
-    let t87 = ((R::literal(0.01) * sin_plate_phi).add_product(R::literal(0.1), cos_plate_phi)
-        * plate_omega_squared).sub_product(t20, t84).sub_product(t25, t85).sub_product(t28, t86);
-    let t88 = (-t79).add_product(t29, t86).sub_product(t32, t87) * (R::literal(1.0)
-        / (t12 * bobbin_x_minus_drum_x_over_between).add_product(t13,
-        bobbin_y_minus_drum_y_over_between).add_product(t29, t12).add_product(t32, t31));
-    let t89 = (t87 * t30).add_product(t32, t88);
-    let t90 = (t86 * t26).sub_product(t28, t89).sub_product(t29, t88);
-    let t91 = (t85 * t21).sub_product(t23, t90).sub_product(t25, t89);
-    let t92 = (-(t84 * t14)).add_product(t16, t91).add_product(t18, t90).sub_product(t20, t89);
-    let bobbin_v_y_dot = (t13 * t88).sub_product(c.inverse_bobbin_mass, t89);
-    let bobbin_v_x_dot = (t12 * t88).sub_product(c.inverse_bobbin_mass, t90);
-    let plate_omega_dot = (t9 * t91).sub_product(t8, t92).add_product(t10, t90).sub_product(t11,
+    let t85 = (-(t68.add_product(t69, sin_plate_phi) + t82 + t83)).add_product(t15, t84);
+    let t86 = (t6 * plate_omega_squared).add_product(t17, t84).sub_product(t22, t85);
+    let t87 = (t5 * plate_omega_squared).sub_product(t19, t84).sub_product(t24, t85)
+        .sub_product(t27, t86);
+    let t88 = (-t79).add_product(t28, t86).sub_product(t31, t87) * (R::literal(1.0)
+        / (t11 * bobbin_x_minus_drum_x_over_between).add_product(t12,
+        bobbin_y_minus_drum_y_over_between).add_product(t28, t11).add_product(t31, t30));
+    let t89 = (t87 * t29).add_product(t31, t88);
+    let t90 = (t86 * t25).sub_product(t27, t89).sub_product(t28, t88);
+    let t91 = (t85 * t20).sub_product(t22, t90).sub_product(t24, t89);
+    let t92 = (-(t84 * t13)).add_product(t15, t91).add_product(t17, t90).sub_product(t19, t89);
+    let bobbin_v_y_dot = (t12 * t88).sub_product(c.inverse_bobbin_mass, t89);
+    let bobbin_v_x_dot = (t11 * t88).sub_product(c.inverse_bobbin_mass, t90);
+    let plate_omega_dot = (t8 * t91).sub_product(t7, t92).add_product(t9, t90).sub_product(t10,
         t89);
-    let t93 = R::literal(0.833_333_333_333_333_4) * t91;
-    let t94 = R::literal(0.833_333_333_333_333_4) * t89;
-    let plate_v_y_dot = t94 - t93;
-    let t95 = R::literal(0.833_333_333_333_333_4) * t92;
-    let t96 = R::literal(0.833_333_333_333_333_4) * t90;
-    let plate_v_x_dot = t96 - t95;
-    let t97 = (t95 - t96).add_product(R::literal(0.06), (plate_omega_squared * cos_plate_phi)
+    let t93 = (R::literal(-0.833_333_333_333_333_4) * t89)
+        .add_product(R::literal(0.833_333_333_333_333_4), t91);
+    let plate_v_y_dot = -t93;
+    let t94 = (R::literal(-0.833_333_333_333_333_4) * t90)
+        .add_product(R::literal(0.833_333_333_333_333_4), t92);
+    let plate_v_x_dot = -t94;
+    let t95 = t94.add_product(R::literal(0.06), (plate_omega_squared * cos_plate_phi)
         .add_product(cylinder_omega_squared, cos_cylinder_phi)).add_product(t1, plate_omega_dot);
-    let t98 = (-(t93 - t94).add_product(R::literal(0.06), (plate_omega_squared * sin_plate_phi)
+    let t96 = (-t93.add_product(R::literal(0.06), (plate_omega_squared * sin_plate_phi)
         .add_product(cylinder_omega_squared, sin_cylinder_phi))).add_product(t0, plate_omega_dot)
-        .sub_product(t44, t97);
-    let t99 = (t45 * t97).add_product(t50, t98);
-    let t100 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+        .sub_product(t43, t95);
+    let t97 = (t45 * t95).sub_product(t50, t96);
+    let t98 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
         .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi).add_product(cylinder_x
         * cylinder_omega, sin_cylinder_phi).add_product(rod_y * cylinder_omega, cos_cylinder_phi)
         .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi).sub_product(R::literal(2.0)
         * cylinder_v_y, sin_cylinder_phi).sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
-        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t47, t97)
-        .sub_product(t52, t98).add_product(t55, t99);
-    let t101 = (t70 * cos_rod_phi).add_product(t56, t99).sub_product(t60, t100);
-    let t102 = (t70 * sin_rod_phi).sub_product(t57, t99).sub_product(t62, t100).add_product(t65,
-        t101) * (R::literal(1.0) / (-R::literal(5.0).add_product(t41, R::literal(0.06)
-        * cos_rod_phi).add_product(t57, t41).add_product(t62, t61)).add_product(t65, t64));
-    let t103 = (-(t101 * t63)).add_product(t65, t102);
-    let t104 = (t100 * t58).sub_product(t60, t103).sub_product(t62, t102);
-    let t105 = (-(t99 * t53).add_product(t55, t104).add_product(t56, t103)).add_product(t57, t102);
-    let t106 = (t98 * t48).sub_product(t50, t105).sub_product(t52, t104);
-    let t107 = (t97 * t42).add_product(t44, t106).add_product(t45, t105).add_product(t47, t104);
-    let rod_omega_dot = (t40 * t103).sub_product(R::literal(4_166.666_666_666_667), t105)
-        .sub_product(t41, t102);
-    let rod_v_y_dot = -(R::literal(5.0) * t102).add_product(t39, t104);
-    let rod_v_x_dot = (R::literal(-5.0) * t103).add_product(t38, t104);
-    let cylinder_omega_dot = (t36 * t106).sub_product(t35, t107)
-        .add_product(R::literal(2_777.777_777_777_778), t105).add_product(t37, t104);
-    let cylinder_v_y_dot = (t34 * t104).sub_product(R::literal(3.333_333_333_333_333_5), t106);
-    let cylinder_v_x_dot = -(t33 * t104).add_product(R::literal(3.333_333_333_333_333_5), t107);
+        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t47, t95)
+        .sub_product(t52, t96).add_product(t55, t97);
+    let t99 = (t70 * cos_rod_phi).sub_product(t56, t97).sub_product(t60, t98);
+    let t100 = (t70 * sin_rod_phi).add_product(t57, t97).add_product(t62, t98).add_product(t65,
+        t99) * (R::literal(1.0) / (-R::literal(5.0).add_product(t40, R::literal(0.06) * cos_rod_phi)
+        .add_product(t57, t40).add_product(t62, t61)).add_product(t65, t64));
+    let t101 = (-(t99 * t63)).add_product(t65, t100);
+    let t102 = (t98 * t58).sub_product(t60, t101).add_product(t62, t100);
+    let t103 = (t97 * t53).add_product(t55, t102).sub_product(t56, t101).add_product(t57, t100);
+    let t104 = (t96 * t48).sub_product(t50, t103).sub_product(t52, t102);
+    let t105 = (t95 * t41).add_product(t43, t104).sub_product(t45, t103).add_product(t47, t102);
+    let rod_omega_dot = (t39 * t101).sub_product(R::literal(4_166.666_666_666_667), t103)
+        .sub_product(t40, t100);
+    let rod_v_y_dot = (R::literal(-5.0) * t100).sub_product(t38, t102);
+    let rod_v_x_dot = (R::literal(-5.0) * t101).add_product(t37, t102);
+    let cylinder_omega_dot = (t35 * t104).sub_product(t34, t105)
+        .sub_product(R::literal(-2_777.777_777_777_778), t103).add_product(t36, t102);
+    let cylinder_v_y_dot = (t33 * t102).sub_product(R::literal(3.333_333_333_333_333_5), t104);
+    let cylinder_v_x_dot = (-(t32 * t102)).add_product(R::literal(-3.333_333_333_333_333_5), t105);
     [post_v_x, post_v_y, post_omega, plate_v_x, plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y,
         cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, bobbin_omega,
         drum_v_x, drum_v_y, drum_omega, post_v_x_dot, post_v_y_dot, post_omega_dot, plate_v_x_dot,
@@ -725,7 +736,7 @@ pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -
         R::literal(1.5), R::literal(1.5), R::literal(0.0012)]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 50 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 49 operations.
 #[must_use]
 pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [_, _, _, _, _, _, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y, _, bobbin_x,
@@ -753,7 +764,7 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R;
     let cylinder_y_forcing = t4 - (R::literal(2.943) - t3);
     let cylinder_phi_forcing = -(t2 * t0).add_product(t1, t0);
     let rod_x_forcing = -cylinder_x_forcing;
-    let rod_y_forcing = -(t4 + (R::literal(1.962) + t3));
+    let rod_y_forcing = R::literal(-1.962) - t3 - t4;
     let bobbin_x_forcing = -(p.winding_force * bobbin_y_minus_drum_y / between);
     let bobbin_y_forcing = (p.winding_force * bobbin_x_minus_drum_x / between)
         .sub_product(R::literal(9.81), p.bobbin_mass);
@@ -783,8 +794,8 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let rod_y_times_cylinder_omega = rod_y * cylinder_omega;
     let t1 = m.between * m.between;
     let t2 = t1 * m.between;
-    let t3 = m.t101.sub_product(R::literal(0.06) * m.cos_plate_phi, m.plate_omega_dot);
-    let t4 = -m.t100.add_product(m.factors[26], m.plate_omega_dot);
+    let t3 = m.t108.sub_product(R::literal(0.06) * m.cos_plate_phi, m.plate_omega_dot);
+    let t4 = -m.t107.add_product(m.factors[26], m.plate_omega_dot);
     let t5 = m.cos_cylinder_phi * m.cylinder_omega_dot;
     let t6 = (m.sin_cylinder_phi * m.cylinder_omega_dot).add_product(cylinder_omega_squared,
         m.cos_cylinder_phi);
@@ -875,25 +886,25 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         bobbin_v_x).sub_product(drum_x_times_drum_y, drum_v_x).sub_product(bobbin_v_y, t1)
         .sub_product(drum_v_y, bobbin_y_squared).sub_product(drum_v_y, drum_y_squared) / t2;
     let mut x = [[R::literal(0.0); 24]; 34];
-    x[18][0] = m.t118;
+    x[18][0] = m.t125;
     x[19][0] = m.post_v_x_dot;
-    x[20][0] = m.t118;
+    x[20][0] = m.t125;
     x[21][0] = m.post_v_x_dot;
-    x[33][0] = (m.t114 * m.t115).add_product(m.t8, post_omega * post_omega);
+    x[33][0] = (m.t121 * m.t122).add_product(m.t8, post_omega * post_omega);
     x[20][1] = t3;
     x[21][1] = t4;
     x[22][1] = t3;
     x[23][1] = t4;
-    x[28][1] = (-(m.t11 * plate_omega_squared)).add_product(R::literal(0.01) * m.cos_plate_phi
-        .sub_product(R::literal(10.0), m.sin_plate_phi), m.plate_omega_dot);
-    x[29][1] = (m.t11 * m.plate_omega_dot).add_product(m.t12, plate_omega_squared);
+    x[28][1] = (-(m.t10 * plate_omega_squared)).add_product((R::literal(0.01) * m.cos_plate_phi)
+        .sub_product(R::literal(0.1), m.sin_plate_phi), m.plate_omega_dot);
+    x[29][1] = (m.t10 * m.plate_omega_dot).add_product(m.t11, plate_omega_squared);
     x[25][2] = t0 - t5;
     x[25][3] = -t6;
     x[22][4] = (R::literal(-0.06) * m.cos_cylinder_phi * m.cylinder_omega_dot).add_product(t7,
         m.sin_cylinder_phi);
     x[23][4] = -(R::literal(0.06) * m.sin_cylinder_phi * m.cylinder_omega_dot).add_product(t7,
         m.cos_cylinder_phi);
-    x[25][4] = (m.cos_cylinder_phi * m.t145).add_product(cylinder_omega, (R::literal(2.0)
+    x[25][4] = (m.cos_cylinder_phi * m.t150).add_product(cylinder_omega, (R::literal(2.0)
         * cylinder_v_x * m.sin_cylinder_phi).add_product(R::literal(2.0) * rod_v_y,
         m.cos_cylinder_phi).add_product(cylinder_x_times_cylinder_omega, m.cos_cylinder_phi)
         .add_product(cylinder_y_times_cylinder_omega, m.sin_cylinder_phi)
@@ -904,11 +915,11 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         .sub_product(m.sin_cylinder_phi, m.cylinder_v_y_dot).sub_product(((rod_x - cylinder_x)
         * m.sin_cylinder_phi).sub_product(rod_y - cylinder_y, m.cos_cylinder_phi),
         m.cylinder_omega_dot).add_product(m.cos_cylinder_phi, m.rod_v_x_dot)
-        .sub_product(m.sin_cylinder_phi, m.t144.add_product(R::literal(5.0), m.t137));
+        .sub_product(m.sin_cylinder_phi, m.t149.add_product(R::literal(5.0), m.t142));
     x[25][5] = t5 - t0;
     x[25][6] = t6;
-    x[26][7] = (-m.t104).add_product(R::literal(0.06) * m.cos_rod_phi, m.rod_omega_dot);
-    x[27][7] = m.t103.add_product(R::literal(0.06) * m.sin_rod_phi, m.rod_omega_dot);
+    x[26][7] = (-m.t111).add_product(R::literal(0.06) * m.cos_rod_phi, m.rod_omega_dot);
+    x[27][7] = m.t110.add_product(R::literal(0.06) * m.sin_rod_phi, m.rod_omega_dot);
     x[32][8] = t38 - (bobbin_v_x * t26).add_product(bobbin_v_y, t35).add_product(drum_v_x, t36)
         .add_product(drum_v_y, t37) + t40;
     x[32][9] = t52 - (bobbin_v_x * t35).add_product(bobbin_v_y, t50).add_product(drum_v_x, t37)
@@ -1018,7 +1029,7 @@ pub fn time_derivative<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<
         R::literal(0.0)]
 }
 
-/// Wanted outputs. 228 operations.
+/// Wanted outputs. 234 operations.
 #[must_use]
 pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, _, rod_x, rod_y, _, bobbin_x,
@@ -1030,81 +1041,82 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
         m.sin_cylinder_phi);
     let slide_rate = ((rod_v_x - cylinder_v_x) * m.cos_cylinder_phi).add_product(cylinder_omega, t1)
         .add_product(rod_v_y - cylinder_v_y, m.sin_cylinder_phi);
-    let t2 = m.t25 * m.t23;
-    let t3 = m.t28 * m.t23;
+    let t2 = m.t24 * m.t22;
+    let t3 = (R::literal(0.833_333_333_333_333_4) + m.t27) * m.t22;
     let t4 = m.factors[19] * m.factors[14];
-    let t5 = m.t64 * m.t62;
-    let t6 = m.factors[51] * m.t62;
+    let t5 = m.t69 * m.t67;
+    let t6 = (m.t83 + m.t84) * m.factors[42];
     let t7 = m.factors[47] * m.factors[42];
     let t8 = R::literal(50.0) * slide_rate;
     let t9 = p.spring_stiffness * (m.slide - p.spring_free_length);
     let t10 = (t9 * m.cos_cylinder_phi).add_product(t8, m.cos_cylinder_phi);
     let t11 = t9 * m.sin_cylinder_phi;
     let t12 = t8 * m.sin_cylinder_phi;
-    let t13 = t10.add_product(R::literal(0.3), m.t145);
+    let t13 = t10.add_product(R::literal(0.3), m.t150);
     let t14 = (t12 - (R::literal(2.943) - t11)).sub_product(R::literal(0.3), m.cylinder_v_y_dot);
     let t15 = (t9 * t1).add_product(t8, t1).add_product(R::literal(0.00036), m.cylinder_omega_dot);
     let t16 = t10.add_product(R::literal(0.2), m.rod_v_x_dot);
-    let t17 = (-(t12 + (R::literal(1.962) + t11))).add_product(R::literal(0.2), m.t144
-        .add_product(R::literal(5.0), m.t137));
+    let t17 = (-(t12 + (R::literal(1.962) + t11))).add_product(R::literal(0.2), m.t149
+        .add_product(R::literal(5.0), m.t142));
     let t18 = R::literal(0.00024) * m.rod_omega_dot;
     let t19 = (m.factors[51] * t15).sub_product(R::literal(3.333_333_333_333_333_5), t13);
     let t20 = (-(R::literal(3.333_333_333_333_333_5) * t14)
         .add_product(R::literal(166.666_666_666_666_66) * m.cos_cylinder_phi, t15)).add_product(t5,
         t19);
-    let t21 = (-(-m.t143).add_product(m.factors[47], m.t137)
-        .add_product(R::literal(2_777.777_777_777_778), t15)).add_product(t6, t19)
+    let t21 = (-(-m.t148).add_product(m.factors[47], m.t142))
+        .add_product(R::literal(-2_777.777_777_777_778), t15).sub_product(m.factors[29], t19)
         .sub_product(m.factors[30], t20);
     let t22 = (m.cos_cylinder_phi * R::literal(3.333_333_333_333_333_5) * t14)
         .sub_product(m.factors[57], t13).sub_product(m.slide * R::literal(2_777.777_777_777_778),
         t15).sub_product(m.sin_cylinder_phi * R::literal(5.0), t16).sub_product(m.factors[48], t17)
-        .add_product(m.t70, t19).sub_product(m.factors[32], t20).sub_product(m.factors[33], t21);
+        .add_product(m.t75, t19).sub_product(m.factors[32], t20).add_product(t6, t21);
     let t23 = (R::literal(-250.0) * m.sin_rod_phi * t18).add_product(R::literal(5.0), t16)
         .sub_product(m.factors[34], t21).sub_product(m.factors[35], t22);
     let t24 = (m.factors[47] * t18).sub_product(R::literal(5.0), t17).add_product(t7, t21)
-        .sub_product(m.factors[37], t22).add_product(m.t93, t23) * m.factors[39];
-    let t25 = (-(t23 * m.t90)).add_product(m.t93, t24);
-    let t26 = (t22 * m.factors[41]).sub_product(m.factors[35], t25).sub_product(m.factors[37], t24);
-    let t27 = (t21 * m.factors[42]).sub_product(m.factors[33], t26).sub_product(m.factors[34], t25)
+        .add_product(m.t95, t22).add_product(m.t100, t23) * m.factors[39];
+    let t25 = (-(t23 * m.t97)).add_product(m.t100, t24);
+    let t26 = (t22 * m.factors[41]).sub_product(m.factors[35], t25).add_product(m.t95, t24);
+    let t27 = (t21 * m.factors[42]).add_product(t6, t26).sub_product(m.factors[34], t25)
         .add_product(t7, t24);
     let t28 = (t20 * m.factors[43]).sub_product(m.factors[30], t27);
     let t29 = m.factors[32] * t26;
     let t30 = t28 - t29;
-    let t31 = (-(t19 * m.t62)).add_product(t5, t30).add_product(t6, t27).add_product(m.t70, t26);
+    let t31 = (-(t19 * m.t67)).add_product(t5, t30).sub_product(m.factors[29], t27)
+        .add_product(m.t75, t26);
+    let t32 = t31.add_product(R::literal(1.2), m.t136
+        .add_product(R::literal(-0.833_333_333_333_333_4), m.t132));
     let pin_d_y = t29 - t28;
-    let t32 = (-(p.bobbin_radius * p.winding_force).add_product(R::literal(0.0025),
+    let t33 = R::literal(-11.772).add_product(R::literal(1.2), m.t135) - pin_d_y;
+    let t34 = (-(p.bobbin_radius * p.winding_force).add_product(R::literal(0.0025),
         m.plate_omega_dot).add_product(m.factors[26], t31)).add_product(R::literal(0.06)
         * m.cos_plate_phi, t30);
-    let t33 = (p.winding_force * (bobbin_y - drum_y) / m.between).add_product(p.bobbin_mass,
+    let t35 = (p.winding_force * (bobbin_y - drum_y) / m.between).add_product(p.bobbin_mass,
         m.bobbin_v_x_dot);
-    let t34 = (p.winding_force * (bobbin_x - drum_x) / m.between).sub_product(R::literal(9.81),
+    let t36 = (p.winding_force * (bobbin_x - drum_x) / m.between).sub_product(R::literal(9.81),
         p.bobbin_mass).sub_product(p.bobbin_mass, m.bobbin_v_y_dot);
-    let t35 = R::literal(0.833_333_333_333_333_4) * t31.sub_product(R::literal(1.2),
-        m.plate_v_x_dot);
-    let t36 = t35.add_product(m.factors[20], t32);
-    let t37 = R::literal(0.833_333_333_333_333_4) * (R::literal(11.772)
-        .add_product(R::literal(1.2), m.plate_v_y_dot) + pin_d_y);
-    let t38 = t37.add_product(R::literal(24.0) * m.cos_plate_phi, t32).sub_product(t2, t36);
-    let t39 = t35.add_product(m.t18, t32).add_product(m.factors[17], t33).sub_product(t3, t36)
-        .sub_product(m.factors[6], t38);
-    let t40 = (-t37.add_product(m.factors[23], t32).add_product(m.factors[17], t34))
-        .add_product(m.factors[7], t36).sub_product(m.factors[8], t38).sub_product(m.factors[9],
-        t39);
-    let contact = (m.factors[19] * t33).sub_product(m.factors[18], t34).add_product(t4, t39)
-        .sub_product(m.factors[11], t40) * m.t46;
+    let t37 = (R::literal(0.833_333_333_333_333_4) * t32).add_product(m.factors[20], t34);
+    let t38 = (R::literal(-0.833_333_333_333_333_4) * t33).add_product(R::literal(24.0)
+        * m.cos_plate_phi, t34).sub_product(t2, t37);
+    let t39 = (R::literal(0.833_333_333_333_333_4) * t32).add_product(m.t10 * R::literal(400.0),
+        t34).add_product(m.factors[17], t35).sub_product(t3, t37).sub_product(m.factors[6], t38);
+    let t40 = (-(R::literal(-0.833_333_333_333_333_4) * t33).add_product(m.factors[23], t34)
+        .add_product(m.factors[17], t36)).add_product(m.factors[7], t37).sub_product(m.factors[8],
+        t38).sub_product(m.factors[9], t39);
+    let contact = (m.factors[19] * t35).sub_product(m.factors[18], t36).add_product(t4, t39)
+        .sub_product(m.factors[11], t40) * m.t51;
     let t41 = (t40 * m.factors[13]).add_product(m.factors[11], contact);
     let t42 = (t39 * m.factors[14]).sub_product(m.factors[9], t41).sub_product(t4, contact);
     let t43 = (t38 * m.factors[15]).sub_product(m.factors[6], t42);
     let t44 = m.factors[8] * t41;
     let t45 = t43 - t44;
-    let t46 = (t36 * m.t23).add_product(t2, t45).add_product(t3, t42);
+    let t46 = (t37 * m.t22).add_product(t2, t45).add_product(t3, t42);
     let t47 = m.factors[7] * t41;
     let pin_c_y = t44 - t43;
     let pin_c_x = t47 - t46;
     let pin_o_x = pin_c_x.add_product(R::literal(0.8), m.post_v_x_dot);
-    let stop = -(m.t13 * (R::literal(0.0027) * m.t115).sub_product(m.factors[1], t46 - t47)
-        .add_product(t0, t45).add_product(t0, R::literal(-7.848).add_product(R::literal(0.8),
-        m.t118) - pin_c_y).add_product(m.factors[1], pin_o_x));
+    let stop = m.t12 * (R::literal(-0.0027) * m.t122).add_product(m.factors[1], t46 - t47)
+        .sub_product(t0, t45).sub_product(t0, R::literal(-7.848).add_product(R::literal(0.8),
+        m.t125) - pin_c_y).sub_product(m.factors[1], pin_o_x);
     Outputs {
         contact_force: contact,
         stop_force: stop,
@@ -1149,7 +1161,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 112 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 114 operations.
 #[must_use]
 pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [_, _, _, _, _, _, cylinder_x, cylinder_y, _, rod_x, rod_y, _, bobbin_x, bobbin_y, _,
@@ -1169,15 +1181,16 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
         .add_product(t1 * t0, cylinder_omega).add_product(t2, rod_v_x)
         .add_product(R::literal(1.962) + t3, rod_v_y).add_product(R::literal(9.81) * p.bobbin_mass,
         bobbin_v_y).add_product(R::literal(14.715), drum_v_y).add_product(R::literal(0.8)
-        * post_v_x, m.post_v_x_dot).sub_product(R::literal(0.8) * post_v_y, m.t118)
-        .sub_product(R::literal(0.0027) * post_omega, m.t115).add_product(R::literal(1.2)
-        * plate_v_x, m.plate_v_x_dot).add_product(R::literal(1.2) * plate_v_y, m.plate_v_y_dot);
+        * post_v_x, m.post_v_x_dot).sub_product(R::literal(0.8) * post_v_y, m.t125)
+        .sub_product(R::literal(0.0027) * post_omega, m.t122).sub_product(R::literal(1.2)
+        * plate_v_x, m.t136.add_product(R::literal(-0.833_333_333_333_333_4), m.t132))
+        .sub_product(R::literal(1.2) * plate_v_y, m.t135);
     PowerBalance {
         stored_rate: t4.add_product(R::literal(0.0025) * plate_omega, m.plate_omega_dot)
-            .sub_product(R::literal(0.3) * cylinder_v_x, m.t145).add_product(R::literal(0.3)
+            .sub_product(R::literal(0.3) * cylinder_v_x, m.t150).add_product(R::literal(0.3)
             * cylinder_v_y, m.cylinder_v_y_dot).add_product(R::literal(0.00036) * cylinder_omega,
             m.cylinder_omega_dot).add_product(R::literal(0.2) * rod_v_x, m.rod_v_x_dot)
-            .sub_product(R::literal(0.2) * rod_v_y, m.t144.add_product(R::literal(5.0), m.t137))
+            .sub_product(R::literal(0.2) * rod_v_y, m.t149.add_product(R::literal(5.0), m.t142))
             .add_product(R::literal(0.00024) * rod_omega, m.rod_omega_dot)
             .add_product(p.bobbin_mass * bobbin_v_x, m.bobbin_v_x_dot).add_product(p.bobbin_mass
             * bobbin_v_y, m.bobbin_v_y_dot),
@@ -1323,7 +1336,7 @@ pub fn constraint_matrix<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters
         R::literal(-0.06) * cos_cylinder_phi, R::literal(-1.0), R::literal(1.0), sin_cylinder_phi,
         -cos_cylinder_phi, -slide, -sin_cylinder_phi, cos_cylinder_phi, R::literal(1.0),
         R::literal(-0.06) * sin_rod_phi, R::literal(1.0), R::literal(0.06) * cos_rod_phi,
-        R::literal(-1.0), R::literal(-0.01) * sin_plate_phi.add_product(R::literal(10.0),
+        R::literal(-1.0), (R::literal(-0.01) * sin_plate_phi).sub_product(R::literal(0.1),
         cos_plate_phi), R::literal(1.0), R::literal(-1.0), (R::literal(0.01)
         * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi), R::literal(1.0),
         R::literal(1.0), R::literal(1.0), bobbin_x_minus_drum_x_over_between,

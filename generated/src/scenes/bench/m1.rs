@@ -16,7 +16,7 @@
 // All quantities are in SI units.
 // Shapes: coordinates 1, first-order states 4, states 5, outputs 5.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 18 of 5 by 5, parameter_jacobian 0 of 5 by 0.
-// Operations: rate 31, forcing 4, rate_jacobian 9, energy 22, power_balance 75.
+// Operations: rate 30, forcing 4, rate_jacobian 9, energy 22, power_balance 75.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -78,7 +78,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 }
 
 /// `y'`: velocities, `q''` of `M q'' = f + G^T lambda`, `h`; in the units of the states per second.
-/// 31 operations.
+/// 30 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
@@ -95,8 +95,8 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
         .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
         .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
-    let motor_psi_sy_dot = -(R::literal(314.159_265_358_979_3) * motor_psi_sx)
-        .add_product(R::literal(0.042_795_676_8), motor_i_sy);
+    let motor_psi_sy_dot = (R::literal(-314.159_265_358_979_3) * motor_psi_sx)
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sy);
     let motor_psi_rx_dot = (R::literal(26.954_864_967_800_425) * (-motor_psi_rx)
         .add_product(R::literal(0.956), motor_psi_sx)).add_product(motor_psi_ry, motor_slip_speed);
     let motor_psi_ry_dot = (R::literal(26.954_864_967_800_425) * (-motor_psi_ry)
@@ -264,18 +264,17 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
     let t11 = motor_psi_sy * R::literal(314.159_265_358_979_3);
     let t12 = R::literal(311.126_983_722_080_9) + t11;
     let motor_psi_sx_dot = t12 - t10;
-    let t13 = motor_psi_sx * R::literal(314.159_265_358_979_3);
-    let t14 = t4 * R::literal(36.128_315_516_282_626);
-    let t15 = t13 + t14;
-    let motor_psi_sy_dot = -t15;
-    let t16 = t5 - motor_psi_rx;
-    let t17 = t16 * R::literal(26.954_864_967_800_425);
-    let t18 = motor_psi_ry * motor_slip_speed;
-    let motor_psi_rx_dot = t17 + t18;
-    let t19 = motor_psi_rx * motor_slip_speed;
-    let t20 = t6 - motor_psi_ry;
-    let t21 = t20 * R::literal(26.954_864_967_800_425);
-    let motor_psi_ry_dot = t21 - t19;
+    let t13 = t4 * R::literal(36.128_315_516_282_626);
+    let t14 = motor_psi_sx * R::literal(-314.159_265_358_979_3);
+    let motor_psi_sy_dot = t14 - t13;
+    let t15 = t5 - motor_psi_rx;
+    let t16 = t15 * R::literal(26.954_864_967_800_425);
+    let t17 = motor_psi_ry * motor_slip_speed;
+    let motor_psi_rx_dot = t16 + t17;
+    let t18 = motor_psi_rx * motor_slip_speed;
+    let t19 = t6 - motor_psi_ry;
+    let t20 = t19 * R::literal(26.954_864_967_800_425);
+    let motor_psi_ry_dot = t20 - t18;
     let mut rates = [motor_omega_dot, motor_psi_sx_dot, motor_psi_sy_dot, motor_psi_rx_dot,
         motor_psi_ry_dot];
     coefficients[0] = *state;
@@ -300,17 +299,16 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
         let motor_omega_dot_k = t9_k * R::literal(1_148.118_519_816_103_6);
         let motor_psi_sx_dot_k = (-t2_k).mul_add(R::literal(36.128_315_516_282_626), motor_psi_sy_k
             * R::literal(314.159_265_358_979_3));
-        let t15_k = t4_k.mul_add(R::literal(36.128_315_516_282_626), motor_psi_sx_k
-            * R::literal(314.159_265_358_979_3));
-        let motor_psi_sy_dot_k = -t15_k;
-        let t16_k = motor_psi_sx_k.mul_add(R::literal(0.956), -motor_psi_rx_k);
-        let t18_k = motor_psi_ry.mul_add(motor_slip_speed_k, motor_slip_speed
+        let motor_psi_sy_dot_k = (-t4_k).mul_add(R::literal(36.128_315_516_282_626), motor_psi_sx_k
+            * R::literal(-314.159_265_358_979_3));
+        let t15_k = motor_psi_sx_k.mul_add(R::literal(0.956), -motor_psi_rx_k);
+        let t17_k = motor_psi_ry.mul_add(motor_slip_speed_k, motor_slip_speed
             .mul_add(motor_psi_ry_k, sums[2]));
-        let motor_psi_rx_dot_k = t16_k.mul_add(R::literal(26.954_864_967_800_425), t18_k);
-        let t19_k = motor_psi_rx.mul_add(motor_slip_speed_k, motor_slip_speed
+        let motor_psi_rx_dot_k = t15_k.mul_add(R::literal(26.954_864_967_800_425), t17_k);
+        let t18_k = motor_psi_rx.mul_add(motor_slip_speed_k, motor_slip_speed
             .mul_add(motor_psi_rx_k, sums[3]));
-        let t20_k = motor_psi_sy_k.mul_add(R::literal(0.956), -motor_psi_ry_k);
-        let motor_psi_ry_dot_k = t20_k.mul_add(R::literal(26.954_864_967_800_425), -t19_k);
+        let t19_k = motor_psi_sy_k.mul_add(R::literal(0.956), -motor_psi_ry_k);
+        let motor_psi_ry_dot_k = t19_k.mul_add(R::literal(26.954_864_967_800_425), -t18_k);
         lanes.set(order, [motor_psi_sx_k, motor_psi_rx_k, motor_slip_speed_k, motor_slip_speed_k],
             [motor_psi_ry_k, motor_psi_sy_k, motor_psi_ry_k, motor_psi_rx_k]);
         rates = [motor_omega_dot_k, motor_psi_sx_dot_k, motor_psi_sy_dot_k, motor_psi_rx_dot_k,

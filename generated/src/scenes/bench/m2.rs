@@ -20,8 +20,8 @@
 // All quantities are in SI units.
 // Shapes: coordinates 2, first-order states 4, states 8, parameters 1, outputs 8.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 27 of 8 by 8, parameter_jacobian 2 of 8 by 1.
-// Operations: rate 51, forcing 23, rate_jacobian 29, parameter_jacobian 2, time_derivative 22,
-//     outputs 1, energy 28, power_balance 108, prepare 2, prepared_rate 51, prepared_rate_jacobian 27.
+// Operations: rate 50, forcing 23, rate_jacobian 29, parameter_jacobian 2, time_derivative 22,
+//     outputs 1, energy 28, power_balance 108, prepare 2, prepared_rate 50, prepared_rate_jacobian 27.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -109,7 +109,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 51 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 50 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
@@ -138,8 +138,8 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
         .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
         .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
-    let motor_psi_sy_dot = -(R::literal(314.159_265_358_979_3) * motor_psi_sx)
-        .add_product(R::literal(0.042_795_676_8), motor_i_sy);
+    let motor_psi_sy_dot = (R::literal(-314.159_265_358_979_3) * motor_psi_sx)
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sy);
     let motor_psi_rx_dot = (R::literal(26.954_864_967_800_425) * (-motor_psi_rx)
         .add_product(R::literal(0.956), motor_psi_sx)).add_product(motor_psi_ry, motor_slip_speed);
     let motor_psi_ry_dot = (R::literal(26.954_864_967_800_425) * (-motor_psi_ry)
@@ -187,10 +187,10 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], _p: &Parame
     let t1 = (R::literal(2.0) * cylinder_omega).tanh();
     let motor_psi_rx_dot_by_motor_omega = R::literal(-4.0) * motor_psi_ry;
     let motor_psi_ry_dot_by_motor_omega = R::literal(4.0) * motor_psi_rx;
-    let cylinder_omega_dot_by_cylinder_omega = R::literal(128.5346).add_product(R::literal(2.0)
+    let cylinder_omega_dot_by_cylinder_omega = R::literal(-128.5346).sub_product(R::literal(2.0)
         * load_engagement * R::literal(1.0).sub_product(t1, t1), R::literal(843.72)
         .add_product(R::literal(78.78), (R::literal(241.805_307_826_689_27) * time).sin()))
-        * R::literal(-0.803_858_520_900_321_5);
+        * R::literal(0.803_858_520_900_321_5);
     let motor_omega_dot_by_motor_psi_sx = R::literal(-1_148.118_519_816_103_6) * motor_psi_ry;
     let motor_omega_dot_by_motor_psi_sy = R::literal(1_148.118_519_816_103_6) * motor_psi_rx;
     let motor_omega_dot_by_motor_psi_rx = R::literal(1_148.118_519_816_103_6) * motor_psi_sy;
@@ -231,10 +231,10 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>
     let t4 = R::literal(1.0) + t3;
     let load_engagement = R::literal(1.0) / t4;
     let t5 = (R::literal(2.0) * cylinder_omega).tanh();
-    let cylinder_omega_dot_by_time = (R::literal(50.0) * R::literal(843.72)
-        .add_product(R::literal(78.78), t1) * t3 * t5 / (t4 * t4))
-        .add_product(R::literal(19_049.422_150_586_58) * load_engagement * t2, t5)
-        * R::literal(-0.803_858_520_900_321_5);
+    let cylinder_omega_dot_by_time = (-(R::literal(50.0) * R::literal(843.72)
+        .add_product(R::literal(78.78), t1) * t3 * t5 / (t4 * t4)))
+        .add_product(R::literal(-19_049.422_150_586_58) * load_engagement * t2, t5)
+        * R::literal(0.803_858_520_900_321_5);
     [R::literal(0.0), R::literal(0.0), cylinder_omega_dot_by_time, R::literal(0.0),
         R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
@@ -396,18 +396,17 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let t29 = motor_psi_sy * R::literal(314.159_265_358_979_3);
     let t30 = R::literal(311.126_983_722_080_9) + t29;
     let motor_psi_sx_dot = t30 - t28;
-    let t31 = motor_psi_sx * R::literal(314.159_265_358_979_3);
-    let t32 = t4 * R::literal(36.128_315_516_282_626);
-    let t33 = t31 + t32;
-    let motor_psi_sy_dot = -t33;
-    let t34 = t5 - motor_psi_rx;
-    let t35 = t34 * R::literal(26.954_864_967_800_425);
-    let t36 = motor_psi_ry * motor_slip_speed;
-    let motor_psi_rx_dot = t35 + t36;
-    let t37 = motor_psi_rx * motor_slip_speed;
-    let t38 = t6 - motor_psi_ry;
-    let t39 = t38 * R::literal(26.954_864_967_800_425);
-    let motor_psi_ry_dot = t39 - t37;
+    let t31 = t4 * R::literal(36.128_315_516_282_626);
+    let t32 = motor_psi_sx * R::literal(-314.159_265_358_979_3);
+    let motor_psi_sy_dot = t32 - t31;
+    let t33 = t5 - motor_psi_rx;
+    let t34 = t33 * R::literal(26.954_864_967_800_425);
+    let t35 = motor_psi_ry * motor_slip_speed;
+    let motor_psi_rx_dot = t34 + t35;
+    let t36 = motor_psi_rx * motor_slip_speed;
+    let t37 = t6 - motor_psi_ry;
+    let t38 = t37 * R::literal(26.954_864_967_800_425);
+    let motor_psi_ry_dot = t38 - t36;
     let t8_slope = R::literal(1.0) * R::literal(-50.0);
     let inverse_t10 = R::literal(1.0) / t10;
     let mut t9_before = t9;
@@ -456,17 +455,16 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         let motor_omega_dot_k = t26_k * R::literal(0.238_095_238_095_238_08);
         let motor_psi_sx_dot_k = (-t2_k).mul_add(R::literal(36.128_315_516_282_626), motor_psi_sy_k
             * R::literal(314.159_265_358_979_3));
-        let t33_k = t4_k.mul_add(R::literal(36.128_315_516_282_626), motor_psi_sx_k
-            * R::literal(314.159_265_358_979_3));
-        let motor_psi_sy_dot_k = -t33_k;
-        let t34_k = motor_psi_sx_k.mul_add(R::literal(0.956), -motor_psi_rx_k);
-        let t36_k = motor_psi_ry.mul_add(motor_slip_speed_k, motor_slip_speed
+        let motor_psi_sy_dot_k = (-t4_k).mul_add(R::literal(36.128_315_516_282_626), motor_psi_sx_k
+            * R::literal(-314.159_265_358_979_3));
+        let t33_k = motor_psi_sx_k.mul_add(R::literal(0.956), -motor_psi_rx_k);
+        let t35_k = motor_psi_ry.mul_add(motor_slip_speed_k, motor_slip_speed
             .mul_add(motor_psi_ry_k, sums[3]));
-        let motor_psi_rx_dot_k = t34_k.mul_add(R::literal(26.954_864_967_800_425), t36_k);
-        let t37_k = motor_psi_rx.mul_add(motor_slip_speed_k, motor_slip_speed
+        let motor_psi_rx_dot_k = t33_k.mul_add(R::literal(26.954_864_967_800_425), t35_k);
+        let t36_k = motor_psi_rx.mul_add(motor_slip_speed_k, motor_slip_speed
             .mul_add(motor_psi_rx_k, sums_1[0]));
-        let t38_k = motor_psi_sy_k.mul_add(R::literal(0.956), -motor_psi_ry_k);
-        let motor_psi_ry_dot_k = t38_k.mul_add(R::literal(26.954_864_967_800_425), -t37_k);
+        let t37_k = motor_psi_sy_k.mul_add(R::literal(0.956), -motor_psi_ry_k);
+        let motor_psi_ry_dot_k = t37_k.mul_add(R::literal(26.954_864_967_800_425), -t36_k);
         lanes.set(order, [motor_psi_sx_k, motor_psi_rx_k, t22_k, motor_slip_speed_k],
             [motor_psi_ry_k, motor_psi_sy_k, t22_k, motor_psi_ry_k]);
         lanes_1.set(order, [motor_slip_speed_k, t9_k, load_engagement_k, k * t21_k],

@@ -20,7 +20,7 @@
 // All quantities are in SI units.
 // Shapes: coordinates 11, first-order states 4, states 26, outputs 26.
 // Nonzeros: mass_matrix 11 of 11 by 11, rate_jacobian 99 of 26 by 26, parameter_jacobian 0 of 26 by 0.
-// Operations: rate 169, forcing 132, rate_jacobian 99, time_derivative 85, outputs 10, energy 90,
+// Operations: rate 168, forcing 123, rate_jacobian 99, time_derivative 85, outputs 10, energy 90,
 //     power_balance 307.
 
 use ::machinist_contract::{
@@ -150,7 +150,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 }
 
 /// `y'`: velocities, `q''` of `M q'' = f + G^T lambda`, `h`; in the units of the states per second.
-/// 169 operations.
+/// 168 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
@@ -213,30 +213,30 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; ST
     let piece_9_omega_minus_piece_10_omega = piece_9_omega - piece_10_omega;
     let t30 = R::literal(67.645_133_505_598_62) * piece_9_omega_minus_piece_10_omega;
     let piece_10_omega_dot = (t30 + t29 - load_10_resistance) * R::literal(8.038_585_209_003_216);
-    let piece_9_omega_dot = (load_9_resistance + (t29 - t27) + (t30 - t28))
-        * R::literal(-8.038_585_209_003_216);
-    let piece_8_omega_dot = (load_8_resistance + (t27 - t25) + (t28 - t26))
-        * R::literal(-8.038_585_209_003_216);
-    let piece_7_omega_dot = (load_7_resistance + (t25 - t23) + (t26 - t24))
-        * R::literal(-8.038_585_209_003_216);
-    let piece_6_omega_dot = (load_6_resistance + (t23 - t21) + (t24 - t22))
-        * R::literal(-8.038_585_209_003_216);
-    let piece_5_omega_dot = (load_5_resistance + (t21 - t19) + (t22 - t20))
-        * R::literal(-8.038_585_209_003_216);
-    let piece_4_omega_dot = (load_4_resistance + (t19 - t17) + (t20 - t18))
-        * R::literal(-8.038_585_209_003_216);
-    let piece_3_omega_dot = (load_3_resistance + (t17 - t15) + (t18 - t16))
-        * R::literal(-8.038_585_209_003_216);
-    let piece_2_omega_dot = (load_2_resistance + (t15 - t13) + (t16 - t14))
-        * R::literal(-8.038_585_209_003_216);
-    let piece_1_omega_dot = (load_1_resistance + (t13 - t11) + (t14 - t10))
-        * R::literal(-8.038_585_209_003_216);
+    let piece_9_omega_dot = (t27 - t29 - load_9_resistance - (t30 - t28))
+        * R::literal(8.038_585_209_003_216);
+    let piece_8_omega_dot = (t25 - t27 - load_8_resistance - (t28 - t26))
+        * R::literal(8.038_585_209_003_216);
+    let piece_7_omega_dot = (t23 - t25 - load_7_resistance - (t26 - t24))
+        * R::literal(8.038_585_209_003_216);
+    let piece_6_omega_dot = (t21 - t23 - load_6_resistance - (t24 - t22))
+        * R::literal(8.038_585_209_003_216);
+    let piece_5_omega_dot = (t19 - t21 - load_5_resistance - (t22 - t20))
+        * R::literal(8.038_585_209_003_216);
+    let piece_4_omega_dot = (t17 - t19 - load_4_resistance - (t20 - t18))
+        * R::literal(8.038_585_209_003_216);
+    let piece_3_omega_dot = (t15 - t17 - load_3_resistance - (t18 - t16))
+        * R::literal(8.038_585_209_003_216);
+    let piece_2_omega_dot = (t13 - t15 - load_2_resistance - (t16 - t14))
+        * R::literal(8.038_585_209_003_216);
+    let piece_1_omega_dot = (t11 - t13 - load_1_resistance - (t14 - t10))
+        * R::literal(8.038_585_209_003_216);
     let motor_omega_dot = (motor_torque - coupling_torque) * R::literal(0.238_095_238_095_238_08);
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
         .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
         .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
-    let motor_psi_sy_dot = -(R::literal(314.159_265_358_979_3) * motor_psi_sx)
-        .add_product(R::literal(0.042_795_676_8), motor_i_sy);
+    let motor_psi_sy_dot = (R::literal(-314.159_265_358_979_3) * motor_psi_sx)
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sy);
     let motor_psi_rx_dot = (R::literal(26.954_864_967_800_425) * (-motor_psi_rx)
         .add_product(R::literal(0.956), motor_psi_sx)).add_product(motor_psi_ry, motor_slip_speed);
     let motor_psi_ry_dot = (R::literal(26.954_864_967_800_425) * (-motor_psi_ry)
@@ -267,7 +267,7 @@ pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) 
         R::literal(0.1244), R::literal(0.1244), R::literal(0.1244)]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 132 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 123 operations.
 #[must_use]
 pub fn forcing<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; COORDINATES] {
     let [motor_phi_relative, piece_1_phi_relative, piece_2_phi_relative, piece_3_phi_relative,
@@ -306,31 +306,31 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R;
     let motor_phi_forcing = motor_torque - coupling_torque;
     let t13 = R::literal(3_382_256.675_279_931) * (piece_1_phi_relative - piece_2_phi_relative);
     let t14 = R::literal(67.645_133_505_598_62) * (piece_1_omega - piece_2_omega);
-    let piece_1_phi_forcing = -(load_1_resistance + (t13 - t11) + (t14 - t10));
+    let piece_1_phi_forcing = t11 - t13 - load_1_resistance - (t14 - t10);
     let t15 = R::literal(3_382_256.675_279_931) * (piece_2_phi_relative - piece_3_phi_relative);
     let t16 = R::literal(67.645_133_505_598_62) * (piece_2_omega - piece_3_omega);
-    let piece_2_phi_forcing = -(load_2_resistance + (t15 - t13) + (t16 - t14));
+    let piece_2_phi_forcing = t13 - t15 - load_2_resistance - (t16 - t14);
     let t17 = R::literal(3_382_256.675_279_931) * (piece_3_phi_relative - piece_4_phi_relative);
     let t18 = R::literal(67.645_133_505_598_62) * (piece_3_omega - piece_4_omega);
-    let piece_3_phi_forcing = -(load_3_resistance + (t17 - t15) + (t18 - t16));
+    let piece_3_phi_forcing = t15 - t17 - load_3_resistance - (t18 - t16);
     let t19 = R::literal(3_382_256.675_279_931) * (piece_4_phi_relative - piece_5_phi_relative);
     let t20 = R::literal(67.645_133_505_598_62) * (piece_4_omega - piece_5_omega);
-    let piece_4_phi_forcing = -(load_4_resistance + (t19 - t17) + (t20 - t18));
+    let piece_4_phi_forcing = t17 - t19 - load_4_resistance - (t20 - t18);
     let t21 = R::literal(3_382_256.675_279_931) * (piece_5_phi_relative - piece_6_phi_relative);
     let t22 = R::literal(67.645_133_505_598_62) * (piece_5_omega - piece_6_omega);
-    let piece_5_phi_forcing = -(load_5_resistance + (t21 - t19) + (t22 - t20));
+    let piece_5_phi_forcing = t19 - t21 - load_5_resistance - (t22 - t20);
     let t23 = R::literal(3_382_256.675_279_931) * (piece_6_phi_relative - piece_7_phi_relative);
     let t24 = R::literal(67.645_133_505_598_62) * (piece_6_omega - piece_7_omega);
-    let piece_6_phi_forcing = -(load_6_resistance + (t23 - t21) + (t24 - t22));
+    let piece_6_phi_forcing = t21 - t23 - load_6_resistance - (t24 - t22);
     let t25 = R::literal(3_382_256.675_279_931) * (piece_7_phi_relative - piece_8_phi_relative);
     let t26 = R::literal(67.645_133_505_598_62) * (piece_7_omega - piece_8_omega);
-    let piece_7_phi_forcing = -(load_7_resistance + (t25 - t23) + (t26 - t24));
+    let piece_7_phi_forcing = t23 - t25 - load_7_resistance - (t26 - t24);
     let t27 = R::literal(3_382_256.675_279_931) * (piece_8_phi_relative - piece_9_phi_relative);
     let t28 = R::literal(67.645_133_505_598_62) * (piece_8_omega - piece_9_omega);
-    let piece_8_phi_forcing = -(load_8_resistance + (t27 - t25) + (t28 - t26));
+    let piece_8_phi_forcing = t25 - t27 - load_8_resistance - (t28 - t26);
     let t29 = R::literal(3_382_256.675_279_931) * piece_9_phi_relative;
     let t30 = R::literal(67.645_133_505_598_62) * (piece_9_omega - piece_10_omega);
-    let piece_9_phi_forcing = -(load_9_resistance + (t29 - t27) + (t30 - t28));
+    let piece_9_phi_forcing = t27 - t29 - load_9_resistance - (t30 - t28);
     let piece_10_phi_forcing = t30 + t29 - load_10_resistance;
     [motor_phi_forcing, piece_1_phi_forcing, piece_2_phi_forcing, piece_3_phi_forcing,
         piece_4_phi_forcing, piece_5_phi_forcing, piece_6_phi_forcing, piece_7_phi_forcing,
@@ -358,26 +358,26 @@ pub fn rate_jacobian<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) 
     let motor_psi_rx_dot_by_motor_omega = R::literal(-4.0) * motor_psi_ry;
     let motor_psi_ry_dot_by_motor_omega = R::literal(4.0) * motor_psi_rx;
     let t12 = R::literal(2.0) * load_1_engagement;
-    let piece_1_omega_dot_by_piece_1_omega = R::literal(196.179_733_505_598_62).add_product(t12
-        * R::literal(1.0).sub_product(t0, t0), t11) * R::literal(-8.038_585_209_003_216);
-    let piece_2_omega_dot_by_piece_2_omega = R::literal(135.290_267_011_197_24).add_product(t12
-        * R::literal(1.0).sub_product(t1, t1), t11) * R::literal(-8.038_585_209_003_216);
-    let piece_3_omega_dot_by_piece_3_omega = R::literal(135.290_267_011_197_24).add_product(t12
-        * R::literal(1.0).sub_product(t2, t2), t11) * R::literal(-8.038_585_209_003_216);
-    let piece_4_omega_dot_by_piece_4_omega = R::literal(135.290_267_011_197_24).add_product(t12
-        * R::literal(1.0).sub_product(t3, t3), t11) * R::literal(-8.038_585_209_003_216);
-    let piece_5_omega_dot_by_piece_5_omega = R::literal(135.290_267_011_197_24).add_product(t12
-        * R::literal(1.0).sub_product(t4, t4), t11) * R::literal(-8.038_585_209_003_216);
-    let piece_6_omega_dot_by_piece_6_omega = R::literal(135.290_267_011_197_24).add_product(t12
-        * R::literal(1.0).sub_product(t5, t5), t11) * R::literal(-8.038_585_209_003_216);
-    let piece_7_omega_dot_by_piece_7_omega = R::literal(135.290_267_011_197_24).add_product(t12
-        * R::literal(1.0).sub_product(t6, t6), t11) * R::literal(-8.038_585_209_003_216);
-    let piece_8_omega_dot_by_piece_8_omega = R::literal(135.290_267_011_197_24).add_product(t12
-        * R::literal(1.0).sub_product(t7, t7), t11) * R::literal(-8.038_585_209_003_216);
-    let piece_9_omega_dot_by_piece_9_omega = R::literal(135.290_267_011_197_24).add_product(t12
-        * R::literal(1.0).sub_product(t8, t8), t11) * R::literal(-8.038_585_209_003_216);
-    let piece_10_omega_dot_by_piece_10_omega = R::literal(67.645_133_505_598_62).add_product(t12
-        * R::literal(1.0).sub_product(t9, t9), t11) * R::literal(-8.038_585_209_003_216);
+    let piece_1_omega_dot_by_piece_1_omega = R::literal(-196.179_733_505_598_62).sub_product(t12
+        * R::literal(1.0).sub_product(t0, t0), t11) * R::literal(8.038_585_209_003_216);
+    let piece_2_omega_dot_by_piece_2_omega = R::literal(-135.290_267_011_197_24).sub_product(t12
+        * R::literal(1.0).sub_product(t1, t1), t11) * R::literal(8.038_585_209_003_216);
+    let piece_3_omega_dot_by_piece_3_omega = R::literal(-135.290_267_011_197_24).sub_product(t12
+        * R::literal(1.0).sub_product(t2, t2), t11) * R::literal(8.038_585_209_003_216);
+    let piece_4_omega_dot_by_piece_4_omega = R::literal(-135.290_267_011_197_24).sub_product(t12
+        * R::literal(1.0).sub_product(t3, t3), t11) * R::literal(8.038_585_209_003_216);
+    let piece_5_omega_dot_by_piece_5_omega = R::literal(-135.290_267_011_197_24).sub_product(t12
+        * R::literal(1.0).sub_product(t4, t4), t11) * R::literal(8.038_585_209_003_216);
+    let piece_6_omega_dot_by_piece_6_omega = R::literal(-135.290_267_011_197_24).sub_product(t12
+        * R::literal(1.0).sub_product(t5, t5), t11) * R::literal(8.038_585_209_003_216);
+    let piece_7_omega_dot_by_piece_7_omega = R::literal(-135.290_267_011_197_24).sub_product(t12
+        * R::literal(1.0).sub_product(t6, t6), t11) * R::literal(8.038_585_209_003_216);
+    let piece_8_omega_dot_by_piece_8_omega = R::literal(-135.290_267_011_197_24).sub_product(t12
+        * R::literal(1.0).sub_product(t7, t7), t11) * R::literal(8.038_585_209_003_216);
+    let piece_9_omega_dot_by_piece_9_omega = R::literal(-135.290_267_011_197_24).sub_product(t12
+        * R::literal(1.0).sub_product(t8, t8), t11) * R::literal(8.038_585_209_003_216);
+    let piece_10_omega_dot_by_piece_10_omega = R::literal(-67.645_133_505_598_62).sub_product(t12
+        * R::literal(1.0).sub_product(t9, t9), t11) * R::literal(8.038_585_209_003_216);
     let motor_omega_dot_by_motor_psi_sx = R::literal(-1_148.118_519_816_103_6) * motor_psi_ry;
     let motor_omega_dot_by_motor_psi_sy = R::literal(1_148.118_519_816_103_6) * motor_psi_rx;
     let motor_omega_dot_by_motor_psi_rx = R::literal(1_148.118_519_816_103_6) * motor_psi_sy;
@@ -728,7 +728,7 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) 
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 236 recurrences. 36 sums of products an order.
+/// 235 recurrences. 36 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -830,119 +830,118 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>,
     let t62 = motor_torque - coupling_torque;
     let t63 = piece_1_phi_relative - piece_2_phi_relative;
     let t64 = t63 * R::literal(3_382_256.675_279_931);
-    let t65 = t64 - t15;
-    let t66 = piece_1_omega - piece_2_omega;
-    let t67 = t66 * R::literal(67.645_133_505_598_62);
-    let t68 = t67 - t14;
-    let t69 = load_1_resistance + t65;
-    let t70 = t69 + t68;
-    let t71 = piece_2_phi_relative - piece_3_phi_relative;
-    let t72 = t71 * R::literal(3_382_256.675_279_931);
-    let t73 = t72 - t64;
-    let t74 = piece_2_omega - piece_3_omega;
-    let t75 = t74 * R::literal(67.645_133_505_598_62);
-    let t76 = t75 - t67;
-    let t77 = load_2_resistance + t73;
-    let t78 = t77 + t76;
-    let t79 = piece_3_phi_relative - piece_4_phi_relative;
-    let t80 = t79 * R::literal(3_382_256.675_279_931);
-    let t81 = t80 - t72;
-    let t82 = piece_3_omega - piece_4_omega;
-    let t83 = t82 * R::literal(67.645_133_505_598_62);
-    let t84 = t83 - t75;
-    let t85 = load_3_resistance + t81;
-    let t86 = t85 + t84;
-    let t87 = piece_4_phi_relative - piece_5_phi_relative;
-    let t88 = t87 * R::literal(3_382_256.675_279_931);
-    let t89 = t88 - t80;
-    let t90 = piece_4_omega - piece_5_omega;
+    let t65 = piece_1_omega - piece_2_omega;
+    let t66 = t65 * R::literal(67.645_133_505_598_62);
+    let t67 = t66 - t14;
+    let t68 = piece_2_phi_relative - piece_3_phi_relative;
+    let t69 = t68 * R::literal(3_382_256.675_279_931);
+    let t70 = piece_2_omega - piece_3_omega;
+    let t71 = t70 * R::literal(67.645_133_505_598_62);
+    let t72 = t71 - t66;
+    let t73 = piece_3_phi_relative - piece_4_phi_relative;
+    let t74 = t73 * R::literal(3_382_256.675_279_931);
+    let t75 = piece_3_omega - piece_4_omega;
+    let t76 = t75 * R::literal(67.645_133_505_598_62);
+    let t77 = t76 - t71;
+    let t78 = piece_4_phi_relative - piece_5_phi_relative;
+    let t79 = t78 * R::literal(3_382_256.675_279_931);
+    let t80 = piece_4_omega - piece_5_omega;
+    let t81 = t80 * R::literal(67.645_133_505_598_62);
+    let t82 = t81 - t76;
+    let t83 = piece_5_phi_relative - piece_6_phi_relative;
+    let t84 = t83 * R::literal(3_382_256.675_279_931);
+    let t85 = piece_5_omega - piece_6_omega;
+    let t86 = t85 * R::literal(67.645_133_505_598_62);
+    let t87 = t86 - t81;
+    let t88 = piece_6_phi_relative - piece_7_phi_relative;
+    let t89 = t88 * R::literal(3_382_256.675_279_931);
+    let t90 = piece_6_omega - piece_7_omega;
     let t91 = t90 * R::literal(67.645_133_505_598_62);
-    let t92 = t91 - t83;
-    let t93 = load_4_resistance + t89;
-    let t94 = t93 + t92;
-    let t95 = piece_5_phi_relative - piece_6_phi_relative;
-    let t96 = t95 * R::literal(3_382_256.675_279_931);
-    let t97 = t96 - t88;
-    let t98 = piece_5_omega - piece_6_omega;
-    let t99 = t98 * R::literal(67.645_133_505_598_62);
-    let t100 = t99 - t91;
-    let t101 = load_5_resistance + t97;
-    let t102 = t101 + t100;
-    let t103 = piece_6_phi_relative - piece_7_phi_relative;
-    let t104 = t103 * R::literal(3_382_256.675_279_931);
-    let t105 = t104 - t96;
-    let t106 = piece_6_omega - piece_7_omega;
-    let t107 = t106 * R::literal(67.645_133_505_598_62);
-    let t108 = t107 - t99;
-    let t109 = load_6_resistance + t105;
-    let t110 = t109 + t108;
-    let t111 = piece_7_phi_relative - piece_8_phi_relative;
-    let t112 = t111 * R::literal(3_382_256.675_279_931);
-    let t113 = t112 - t104;
-    let t114 = piece_7_omega - piece_8_omega;
-    let t115 = t114 * R::literal(67.645_133_505_598_62);
-    let t116 = t115 - t107;
-    let t117 = load_7_resistance + t113;
-    let t118 = t117 + t116;
-    let t119 = piece_8_phi_relative - piece_9_phi_relative;
-    let t120 = t119 * R::literal(3_382_256.675_279_931);
-    let t121 = t120 - t112;
-    let t122 = piece_8_omega - piece_9_omega;
-    let t123 = t122 * R::literal(67.645_133_505_598_62);
-    let t124 = t123 - t115;
-    let t125 = load_8_resistance + t121;
-    let t126 = t125 + t124;
-    let t127 = piece_9_phi_relative * R::literal(3_382_256.675_279_931);
-    let t128 = t127 - t120;
-    let t129 = piece_9_omega - piece_10_omega;
-    let t130 = t129 * R::literal(67.645_133_505_598_62);
-    let t131 = t130 - t123;
-    let t132 = load_9_resistance + t128;
-    let t133 = t132 + t131;
-    let t134 = t130 + t127;
-    let t135 = t134 - load_10_resistance;
-    let piece_10_omega_dot = t135 * R::literal(8.038_585_209_003_216);
-    let piece_9_omega_dot = t133 * R::literal(-8.038_585_209_003_216);
-    let piece_8_omega_dot = t126 * R::literal(-8.038_585_209_003_216);
-    let piece_7_omega_dot = t118 * R::literal(-8.038_585_209_003_216);
-    let piece_6_omega_dot = t110 * R::literal(-8.038_585_209_003_216);
-    let piece_5_omega_dot = t102 * R::literal(-8.038_585_209_003_216);
-    let piece_4_omega_dot = t94 * R::literal(-8.038_585_209_003_216);
-    let piece_3_omega_dot = t86 * R::literal(-8.038_585_209_003_216);
-    let piece_2_omega_dot = t78 * R::literal(-8.038_585_209_003_216);
-    let piece_1_omega_dot = t70 * R::literal(-8.038_585_209_003_216);
+    let t92 = t91 - t86;
+    let t93 = piece_7_phi_relative - piece_8_phi_relative;
+    let t94 = t93 * R::literal(3_382_256.675_279_931);
+    let t95 = piece_7_omega - piece_8_omega;
+    let t96 = t95 * R::literal(67.645_133_505_598_62);
+    let t97 = t96 - t91;
+    let t98 = piece_8_phi_relative - piece_9_phi_relative;
+    let t99 = t98 * R::literal(3_382_256.675_279_931);
+    let t100 = piece_8_omega - piece_9_omega;
+    let t101 = t100 * R::literal(67.645_133_505_598_62);
+    let t102 = t101 - t96;
+    let t103 = piece_9_phi_relative * R::literal(3_382_256.675_279_931);
+    let t104 = piece_9_omega - piece_10_omega;
+    let t105 = t104 * R::literal(67.645_133_505_598_62);
+    let t106 = t105 - t101;
+    let t107 = t105 + t103;
+    let t108 = t107 - load_10_resistance;
+    let piece_10_omega_dot = t108 * R::literal(8.038_585_209_003_216);
+    let t109 = t99 - t103;
+    let t110 = t109 - load_9_resistance;
+    let t111 = t110 - t106;
+    let piece_9_omega_dot = t111 * R::literal(8.038_585_209_003_216);
+    let t112 = t94 - t99;
+    let t113 = t112 - load_8_resistance;
+    let t114 = t113 - t102;
+    let piece_8_omega_dot = t114 * R::literal(8.038_585_209_003_216);
+    let t115 = t89 - t94;
+    let t116 = t115 - load_7_resistance;
+    let t117 = t116 - t97;
+    let piece_7_omega_dot = t117 * R::literal(8.038_585_209_003_216);
+    let t118 = t84 - t89;
+    let t119 = t118 - load_6_resistance;
+    let t120 = t119 - t92;
+    let piece_6_omega_dot = t120 * R::literal(8.038_585_209_003_216);
+    let t121 = t79 - t84;
+    let t122 = t121 - load_5_resistance;
+    let t123 = t122 - t87;
+    let piece_5_omega_dot = t123 * R::literal(8.038_585_209_003_216);
+    let t124 = t74 - t79;
+    let t125 = t124 - load_4_resistance;
+    let t126 = t125 - t82;
+    let piece_4_omega_dot = t126 * R::literal(8.038_585_209_003_216);
+    let t127 = t69 - t74;
+    let t128 = t127 - load_3_resistance;
+    let t129 = t128 - t77;
+    let piece_3_omega_dot = t129 * R::literal(8.038_585_209_003_216);
+    let t130 = t64 - t69;
+    let t131 = t130 - load_2_resistance;
+    let t132 = t131 - t72;
+    let piece_2_omega_dot = t132 * R::literal(8.038_585_209_003_216);
+    let t133 = t15 - t64;
+    let t134 = t133 - load_1_resistance;
+    let t135 = t134 - t67;
+    let piece_1_omega_dot = t135 * R::literal(8.038_585_209_003_216);
     let motor_omega_dot = t62 * R::literal(0.238_095_238_095_238_08);
     let t136 = t2 * R::literal(36.128_315_516_282_626);
     let t137 = motor_psi_sy * R::literal(314.159_265_358_979_3);
     let t138 = R::literal(311.126_983_722_080_9) + t137;
     let motor_psi_sx_dot = t138 - t136;
-    let t139 = motor_psi_sx * R::literal(314.159_265_358_979_3);
-    let t140 = t4 * R::literal(36.128_315_516_282_626);
-    let t141 = t139 + t140;
-    let motor_psi_sy_dot = -t141;
-    let t142 = t5 - motor_psi_rx;
-    let t143 = t142 * R::literal(26.954_864_967_800_425);
-    let t144 = motor_psi_ry * motor_slip_speed;
-    let motor_psi_rx_dot = t143 + t144;
-    let t145 = motor_psi_rx * motor_slip_speed;
-    let t146 = t6 - motor_psi_ry;
-    let t147 = t146 * R::literal(26.954_864_967_800_425);
-    let motor_psi_ry_dot = t147 - t145;
-    let t148 = motor_omega - piece_10_omega;
-    let t149 = piece_1_omega - piece_10_omega;
-    let t150 = piece_2_omega - piece_10_omega;
-    let t151 = piece_3_omega - piece_10_omega;
-    let t152 = piece_4_omega - piece_10_omega;
-    let t153 = piece_5_omega - piece_10_omega;
-    let t154 = piece_6_omega - piece_10_omega;
-    let t155 = piece_7_omega - piece_10_omega;
-    let t156 = piece_8_omega - piece_10_omega;
+    let t139 = t4 * R::literal(36.128_315_516_282_626);
+    let t140 = motor_psi_sx * R::literal(-314.159_265_358_979_3);
+    let motor_psi_sy_dot = t140 - t139;
+    let t141 = t5 - motor_psi_rx;
+    let t142 = t141 * R::literal(26.954_864_967_800_425);
+    let t143 = motor_psi_ry * motor_slip_speed;
+    let motor_psi_rx_dot = t142 + t143;
+    let t144 = motor_psi_rx * motor_slip_speed;
+    let t145 = t6 - motor_psi_ry;
+    let t146 = t145 * R::literal(26.954_864_967_800_425);
+    let motor_psi_ry_dot = t146 - t144;
+    let t147 = motor_omega - piece_10_omega;
+    let t148 = piece_1_omega - piece_10_omega;
+    let t149 = piece_2_omega - piece_10_omega;
+    let t150 = piece_3_omega - piece_10_omega;
+    let t151 = piece_4_omega - piece_10_omega;
+    let t152 = piece_5_omega - piece_10_omega;
+    let t153 = piece_6_omega - piece_10_omega;
+    let t154 = piece_7_omega - piece_10_omega;
+    let t155 = piece_8_omega - piece_10_omega;
     let t8_slope = R::literal(1.0) * R::literal(-50.0);
     let inverse_t10 = R::literal(1.0) / t10;
     let mut t9_before = t9;
     let mut t17_before = t17;
     let mut t18_before = t18;
-    let mut rates = [t148, t149, t150, t151, t152, t153, t154, t155, t156, t129, motor_omega_dot,
+    let mut rates = [t147, t148, t149, t150, t151, t152, t153, t154, t155, t104, motor_omega_dot,
         piece_1_omega_dot, piece_2_omega_dot, piece_3_omega_dot, piece_4_omega_dot,
         piece_5_omega_dot, piece_6_omega_dot, piece_7_omega_dot, piece_8_omega_dot,
         piece_9_omega_dot, piece_10_omega_dot, motor_psi_sx_dot, motor_psi_sy_dot,
@@ -1043,110 +1042,109 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>,
         let t62_k = t13_k.mul_add(R::literal(4_822.097_783_227_635), -coupling_torque_k);
         let t63_k = piece_1_phi_relative_k - piece_2_phi_relative_k;
         let t64_k = t63_k * R::literal(3_382_256.675_279_931);
-        let t65_k = t64_k - t15_k;
-        let t66_k = piece_1_omega_k - piece_2_omega_k;
-        let t67_k = t66_k * R::literal(67.645_133_505_598_62);
-        let t68_k = t67_k - t14_k;
-        let t69_k = load_1_resistance_k + t65_k;
-        let t70_k = t69_k + t68_k;
-        let t71_k = piece_2_phi_relative_k - piece_3_phi_relative_k;
-        let t72_k = t71_k * R::literal(3_382_256.675_279_931);
-        let t73_k = t72_k - t64_k;
-        let t74_k = piece_2_omega_k - piece_3_omega_k;
-        let t75_k = t74_k * R::literal(67.645_133_505_598_62);
-        let t76_k = t75_k - t67_k;
-        let t77_k = load_2_resistance_k + t73_k;
-        let t78_k = t77_k + t76_k;
-        let t79_k = piece_3_phi_relative_k - piece_4_phi_relative_k;
-        let t80_k = t79_k * R::literal(3_382_256.675_279_931);
-        let t81_k = t80_k - t72_k;
-        let t82_k = piece_3_omega_k - piece_4_omega_k;
-        let t83_k = t82_k * R::literal(67.645_133_505_598_62);
-        let t84_k = t83_k - t75_k;
-        let t85_k = load_3_resistance_k + t81_k;
-        let t86_k = t85_k + t84_k;
-        let t87_k = piece_4_phi_relative_k - piece_5_phi_relative_k;
-        let t88_k = t87_k * R::literal(3_382_256.675_279_931);
-        let t89_k = t88_k - t80_k;
-        let t90_k = piece_4_omega_k - piece_5_omega_k;
+        let t65_k = piece_1_omega_k - piece_2_omega_k;
+        let t66_k = t65_k * R::literal(67.645_133_505_598_62);
+        let t67_k = t66_k - t14_k;
+        let t68_k = piece_2_phi_relative_k - piece_3_phi_relative_k;
+        let t69_k = t68_k * R::literal(3_382_256.675_279_931);
+        let t70_k = piece_2_omega_k - piece_3_omega_k;
+        let t71_k = t70_k * R::literal(67.645_133_505_598_62);
+        let t72_k = t71_k - t66_k;
+        let t73_k = piece_3_phi_relative_k - piece_4_phi_relative_k;
+        let t74_k = t73_k * R::literal(3_382_256.675_279_931);
+        let t75_k = piece_3_omega_k - piece_4_omega_k;
+        let t76_k = t75_k * R::literal(67.645_133_505_598_62);
+        let t77_k = t76_k - t71_k;
+        let t78_k = piece_4_phi_relative_k - piece_5_phi_relative_k;
+        let t79_k = t78_k * R::literal(3_382_256.675_279_931);
+        let t80_k = piece_4_omega_k - piece_5_omega_k;
+        let t81_k = t80_k * R::literal(67.645_133_505_598_62);
+        let t82_k = t81_k - t76_k;
+        let t83_k = piece_5_phi_relative_k - piece_6_phi_relative_k;
+        let t84_k = t83_k * R::literal(3_382_256.675_279_931);
+        let t85_k = piece_5_omega_k - piece_6_omega_k;
+        let t86_k = t85_k * R::literal(67.645_133_505_598_62);
+        let t87_k = t86_k - t81_k;
+        let t88_k = piece_6_phi_relative_k - piece_7_phi_relative_k;
+        let t89_k = t88_k * R::literal(3_382_256.675_279_931);
+        let t90_k = piece_6_omega_k - piece_7_omega_k;
         let t91_k = t90_k * R::literal(67.645_133_505_598_62);
-        let t92_k = t91_k - t83_k;
-        let t93_k = load_4_resistance_k + t89_k;
-        let t94_k = t93_k + t92_k;
-        let t95_k = piece_5_phi_relative_k - piece_6_phi_relative_k;
-        let t96_k = t95_k * R::literal(3_382_256.675_279_931);
-        let t97_k = t96_k - t88_k;
-        let t98_k = piece_5_omega_k - piece_6_omega_k;
-        let t99_k = t98_k * R::literal(67.645_133_505_598_62);
-        let t100_k = t99_k - t91_k;
-        let t101_k = load_5_resistance_k + t97_k;
-        let t102_k = t101_k + t100_k;
-        let t103_k = piece_6_phi_relative_k - piece_7_phi_relative_k;
-        let t104_k = t103_k * R::literal(3_382_256.675_279_931);
-        let t105_k = t104_k - t96_k;
-        let t106_k = piece_6_omega_k - piece_7_omega_k;
-        let t107_k = t106_k * R::literal(67.645_133_505_598_62);
-        let t108_k = t107_k - t99_k;
-        let t109_k = load_6_resistance_k + t105_k;
-        let t110_k = t109_k + t108_k;
-        let t111_k = piece_7_phi_relative_k - piece_8_phi_relative_k;
-        let t112_k = t111_k * R::literal(3_382_256.675_279_931);
-        let t113_k = t112_k - t104_k;
-        let t114_k = piece_7_omega_k - piece_8_omega_k;
-        let t115_k = t114_k * R::literal(67.645_133_505_598_62);
-        let t116_k = t115_k - t107_k;
-        let t117_k = load_7_resistance_k + t113_k;
-        let t118_k = t117_k + t116_k;
-        let t119_k = piece_8_phi_relative_k - piece_9_phi_relative_k;
-        let t120_k = t119_k * R::literal(3_382_256.675_279_931);
-        let t121_k = t120_k - t112_k;
-        let t122_k = piece_8_omega_k - piece_9_omega_k;
-        let t123_k = t122_k * R::literal(67.645_133_505_598_62);
-        let t124_k = t123_k - t115_k;
-        let t125_k = load_8_resistance_k + t121_k;
-        let t126_k = t125_k + t124_k;
-        let t127_k = piece_9_phi_relative_k * R::literal(3_382_256.675_279_931);
-        let t128_k = t127_k - t120_k;
-        let t129_k = piece_9_omega_k - piece_10_omega_k;
-        let t130_k = t129_k * R::literal(67.645_133_505_598_62);
-        let t131_k = t130_k - t123_k;
-        let t132_k = load_9_resistance_k + t128_k;
-        let t133_k = t132_k + t131_k;
-        let t134_k = t130_k + t127_k;
-        let t135_k = t134_k - load_10_resistance_k;
-        let piece_10_omega_dot_k = t135_k * R::literal(8.038_585_209_003_216);
-        let piece_9_omega_dot_k = t133_k * R::literal(-8.038_585_209_003_216);
-        let piece_8_omega_dot_k = t126_k * R::literal(-8.038_585_209_003_216);
-        let piece_7_omega_dot_k = t118_k * R::literal(-8.038_585_209_003_216);
-        let piece_6_omega_dot_k = t110_k * R::literal(-8.038_585_209_003_216);
-        let piece_5_omega_dot_k = t102_k * R::literal(-8.038_585_209_003_216);
-        let piece_4_omega_dot_k = t94_k * R::literal(-8.038_585_209_003_216);
-        let piece_3_omega_dot_k = t86_k * R::literal(-8.038_585_209_003_216);
-        let piece_2_omega_dot_k = t78_k * R::literal(-8.038_585_209_003_216);
-        let piece_1_omega_dot_k = t70_k * R::literal(-8.038_585_209_003_216);
+        let t92_k = t91_k - t86_k;
+        let t93_k = piece_7_phi_relative_k - piece_8_phi_relative_k;
+        let t94_k = t93_k * R::literal(3_382_256.675_279_931);
+        let t95_k = piece_7_omega_k - piece_8_omega_k;
+        let t96_k = t95_k * R::literal(67.645_133_505_598_62);
+        let t97_k = t96_k - t91_k;
+        let t98_k = piece_8_phi_relative_k - piece_9_phi_relative_k;
+        let t99_k = t98_k * R::literal(3_382_256.675_279_931);
+        let t100_k = piece_8_omega_k - piece_9_omega_k;
+        let t101_k = t100_k * R::literal(67.645_133_505_598_62);
+        let t102_k = t101_k - t96_k;
+        let t103_k = piece_9_phi_relative_k * R::literal(3_382_256.675_279_931);
+        let t104_k = piece_9_omega_k - piece_10_omega_k;
+        let t105_k = t104_k * R::literal(67.645_133_505_598_62);
+        let t106_k = t105_k - t101_k;
+        let t107_k = t105_k + t103_k;
+        let t108_k = t107_k - load_10_resistance_k;
+        let piece_10_omega_dot_k = t108_k * R::literal(8.038_585_209_003_216);
+        let t109_k = t99_k - t103_k;
+        let t110_k = t109_k - load_9_resistance_k;
+        let t111_k = t110_k - t106_k;
+        let piece_9_omega_dot_k = t111_k * R::literal(8.038_585_209_003_216);
+        let t112_k = t94_k - t99_k;
+        let t113_k = t112_k - load_8_resistance_k;
+        let t114_k = t113_k - t102_k;
+        let piece_8_omega_dot_k = t114_k * R::literal(8.038_585_209_003_216);
+        let t115_k = t89_k - t94_k;
+        let t116_k = t115_k - load_7_resistance_k;
+        let t117_k = t116_k - t97_k;
+        let piece_7_omega_dot_k = t117_k * R::literal(8.038_585_209_003_216);
+        let t118_k = t84_k - t89_k;
+        let t119_k = t118_k - load_6_resistance_k;
+        let t120_k = t119_k - t92_k;
+        let piece_6_omega_dot_k = t120_k * R::literal(8.038_585_209_003_216);
+        let t121_k = t79_k - t84_k;
+        let t122_k = t121_k - load_5_resistance_k;
+        let t123_k = t122_k - t87_k;
+        let piece_5_omega_dot_k = t123_k * R::literal(8.038_585_209_003_216);
+        let t124_k = t74_k - t79_k;
+        let t125_k = t124_k - load_4_resistance_k;
+        let t126_k = t125_k - t82_k;
+        let piece_4_omega_dot_k = t126_k * R::literal(8.038_585_209_003_216);
+        let t127_k = t69_k - t74_k;
+        let t128_k = t127_k - load_3_resistance_k;
+        let t129_k = t128_k - t77_k;
+        let piece_3_omega_dot_k = t129_k * R::literal(8.038_585_209_003_216);
+        let t130_k = t64_k - t69_k;
+        let t131_k = t130_k - load_2_resistance_k;
+        let t132_k = t131_k - t72_k;
+        let piece_2_omega_dot_k = t132_k * R::literal(8.038_585_209_003_216);
+        let t133_k = t15_k - t64_k;
+        let t134_k = t133_k - load_1_resistance_k;
+        let t135_k = t134_k - t67_k;
+        let piece_1_omega_dot_k = t135_k * R::literal(8.038_585_209_003_216);
         let motor_omega_dot_k = t62_k * R::literal(0.238_095_238_095_238_08);
         let motor_psi_sx_dot_k = (-t2_k).mul_add(R::literal(36.128_315_516_282_626), motor_psi_sy_k
             * R::literal(314.159_265_358_979_3));
-        let t141_k = t4_k.mul_add(R::literal(36.128_315_516_282_626), motor_psi_sx_k
-            * R::literal(314.159_265_358_979_3));
-        let motor_psi_sy_dot_k = -t141_k;
-        let t142_k = motor_psi_sx_k.mul_add(R::literal(0.956), -motor_psi_rx_k);
-        let t144_k = motor_psi_ry.mul_add(motor_slip_speed_k, motor_slip_speed
+        let motor_psi_sy_dot_k = (-t4_k).mul_add(R::literal(36.128_315_516_282_626), motor_psi_sx_k
+            * R::literal(-314.159_265_358_979_3));
+        let t141_k = motor_psi_sx_k.mul_add(R::literal(0.956), -motor_psi_rx_k);
+        let t143_k = motor_psi_ry.mul_add(motor_slip_speed_k, motor_slip_speed
             .mul_add(motor_psi_ry_k, sums_3[0]));
-        let motor_psi_rx_dot_k = t142_k.mul_add(R::literal(26.954_864_967_800_425), t144_k);
-        let t145_k = motor_psi_rx.mul_add(motor_slip_speed_k, motor_slip_speed
+        let motor_psi_rx_dot_k = t141_k.mul_add(R::literal(26.954_864_967_800_425), t143_k);
+        let t144_k = motor_psi_rx.mul_add(motor_slip_speed_k, motor_slip_speed
             .mul_add(motor_psi_rx_k, sums_3[1]));
-        let t146_k = motor_psi_sy_k.mul_add(R::literal(0.956), -motor_psi_ry_k);
-        let motor_psi_ry_dot_k = t146_k.mul_add(R::literal(26.954_864_967_800_425), -t145_k);
-        let t148_k = motor_omega_k - piece_10_omega_k;
-        let t149_k = piece_1_omega_k - piece_10_omega_k;
-        let t150_k = piece_2_omega_k - piece_10_omega_k;
-        let t151_k = piece_3_omega_k - piece_10_omega_k;
-        let t152_k = piece_4_omega_k - piece_10_omega_k;
-        let t153_k = piece_5_omega_k - piece_10_omega_k;
-        let t154_k = piece_6_omega_k - piece_10_omega_k;
-        let t155_k = piece_7_omega_k - piece_10_omega_k;
-        let t156_k = piece_8_omega_k - piece_10_omega_k;
+        let t145_k = motor_psi_sy_k.mul_add(R::literal(0.956), -motor_psi_ry_k);
+        let motor_psi_ry_dot_k = t145_k.mul_add(R::literal(26.954_864_967_800_425), -t144_k);
+        let t147_k = motor_omega_k - piece_10_omega_k;
+        let t148_k = piece_1_omega_k - piece_10_omega_k;
+        let t149_k = piece_2_omega_k - piece_10_omega_k;
+        let t150_k = piece_3_omega_k - piece_10_omega_k;
+        let t151_k = piece_4_omega_k - piece_10_omega_k;
+        let t152_k = piece_5_omega_k - piece_10_omega_k;
+        let t153_k = piece_6_omega_k - piece_10_omega_k;
+        let t154_k = piece_7_omega_k - piece_10_omega_k;
+        let t155_k = piece_8_omega_k - piece_10_omega_k;
         lanes.set(order, [motor_psi_sx_k, motor_psi_rx_k, t22_k, t27_k], [motor_psi_ry_k,
             motor_psi_sy_k, t22_k, t27_k]);
         lanes_1.set(order, [t31_k, t35_k, t39_k, t43_k], [t31_k, t35_k, t39_k, t43_k]);
@@ -1161,7 +1159,7 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>,
         t9_before = t9_k;
         t17_before = t17_k;
         t18_before = t18_k;
-        rates = [t148_k, t149_k, t150_k, t151_k, t152_k, t153_k, t154_k, t155_k, t156_k, t129_k,
+        rates = [t147_k, t148_k, t149_k, t150_k, t151_k, t152_k, t153_k, t154_k, t155_k, t104_k,
             motor_omega_dot_k, piece_1_omega_dot_k, piece_2_omega_dot_k, piece_3_omega_dot_k,
             piece_4_omega_dot_k, piece_5_omega_dot_k, piece_6_omega_dot_k, piece_7_omega_dot_k,
             piece_8_omega_dot_k, piece_9_omega_dot_k, piece_10_omega_dot_k, motor_psi_sx_dot_k,

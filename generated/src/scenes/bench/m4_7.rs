@@ -16,7 +16,7 @@
 // All quantities are in SI units.
 // Shapes: coordinates 8, states 16, outputs 16.
 // Nonzeros: mass_matrix 8 of 8 by 8, rate_jacobian 30 of 16 by 16, parameter_jacobian 0 of 16 by 0.
-// Operations: rate 39, forcing 38, time_derivative 3, energy 60, power_balance 96.
+// Operations: rate 39, forcing 37, time_derivative 3, energy 60, power_balance 96.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse};
 
@@ -122,9 +122,9 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; ST
         .sub_product(R::literal(2.0), node_2_theta);
     let node_1_omega_dot = R::literal(160_695_812.869_725_9) * (node_0_theta + node_2_theta)
         .sub_product(R::literal(2.0), node_1_theta);
-    let node_0_omega_dot = (R::literal(188_797.635_432_078_9) * (node_0_theta - node_1_theta))
-        .add_product(R::literal(45200.0), node_0_theta - drive)
-        * R::literal(-1_702.307_473_310_885);
+    let node_0_omega_dot = (R::literal(-188_797.635_432_078_9) * (node_0_theta - node_1_theta))
+        .add_product(R::literal(-45200.0), node_0_theta - drive)
+        * R::literal(1_702.307_473_310_885);
     [node_0_omega, node_1_omega, node_2_omega, node_3_omega, node_4_omega, node_5_omega,
         node_6_omega, node_7_omega, node_0_omega_dot, node_1_omega_dot, node_2_omega_dot,
         node_3_omega_dot, node_4_omega_dot, node_5_omega_dot, node_6_omega_dot, node_7_omega_dot]
@@ -139,14 +139,14 @@ pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) 
         R::literal(0.001_174_875_885_441_612_5), R::literal(0.000_587_437_942_720_806_3)]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 38 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 37 operations.
 #[must_use]
 pub fn forcing<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; COORDINATES] {
     let [node_0_theta, node_1_theta, node_2_theta, node_3_theta, node_4_theta, node_5_theta,
         node_6_theta, node_7_theta, ..] = *state;
     let drive = R::literal(0.12) * (R::literal(8.0 * core::f64::consts::PI) * time).sin();
-    let node_0_theta_forcing = -(R::literal(188_797.635_432_078_9) * (node_0_theta - node_1_theta))
-        .add_product(R::literal(45200.0), node_0_theta - drive);
+    let node_0_theta_forcing = (R::literal(-188_797.635_432_078_9) * (node_0_theta - node_1_theta))
+        .add_product(R::literal(-45200.0), node_0_theta - drive);
     let node_1_theta_forcing = R::literal(188_797.635_432_078_9) * (node_0_theta + node_2_theta)
         .sub_product(R::literal(2.0), node_1_theta);
     let node_2_theta_forcing = R::literal(188_797.635_432_078_9) * (node_1_theta + node_3_theta)
@@ -338,41 +338,41 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>,
     let t2 = t0.cos();
     let drive = t1 * R::literal(0.12);
     let t3 = node_0_theta - drive;
-    let t4 = t3 * R::literal(45200.0);
-    let t5 = node_0_theta - node_1_theta;
-    let t6 = t5 * R::literal(188_797.635_432_078_9);
-    let t7 = t4 + t6;
-    let t8 = node_1_theta * R::literal(2.0);
-    let t9 = node_0_theta + node_2_theta;
-    let t10 = t9 - t8;
-    let t11 = node_2_theta * R::literal(2.0);
-    let t12 = node_1_theta + node_3_theta;
-    let t13 = t12 - t11;
-    let t14 = node_3_theta * R::literal(2.0);
-    let t15 = node_2_theta + node_4_theta;
-    let t16 = t15 - t14;
-    let t17 = node_3_theta - node_4_theta;
-    let t18 = t17 * R::literal(188_797.635_432_078_9);
-    let t19 = node_4_theta * R::literal(15600.0);
-    let t20 = node_4_theta - node_5_theta;
-    let t21 = t20 * R::literal(188_797.635_432_078_9);
-    let t22 = t19 + t21;
-    let t23 = t18 - t22;
-    let t24 = node_5_theta * R::literal(2.0);
-    let t25 = node_4_theta + node_6_theta;
-    let t26 = t25 - t24;
-    let t27 = node_6_theta * R::literal(2.0);
-    let t28 = node_5_theta + node_7_theta;
-    let t29 = t28 - t27;
-    let t30 = node_6_theta - node_7_theta;
-    let node_7_omega_dot = t30 * R::literal(321_391_625.739_451_8);
-    let node_6_omega_dot = t29 * R::literal(160_695_812.869_725_9);
-    let node_5_omega_dot = t26 * R::literal(160_695_812.869_725_9);
-    let node_4_omega_dot = t23 * R::literal(19.069_821_446_680_283);
-    let node_3_omega_dot = t16 * R::literal(160_695_812.869_725_9);
-    let node_2_omega_dot = t13 * R::literal(160_695_812.869_725_9);
-    let node_1_omega_dot = t10 * R::literal(160_695_812.869_725_9);
-    let node_0_omega_dot = t7 * R::literal(-1_702.307_473_310_885);
+    let t4 = node_0_theta - node_1_theta;
+    let t5 = t4 * R::literal(188_797.635_432_078_9);
+    let t6 = node_1_theta * R::literal(2.0);
+    let t7 = node_0_theta + node_2_theta;
+    let t8 = t7 - t6;
+    let t9 = node_2_theta * R::literal(2.0);
+    let t10 = node_1_theta + node_3_theta;
+    let t11 = t10 - t9;
+    let t12 = node_3_theta * R::literal(2.0);
+    let t13 = node_2_theta + node_4_theta;
+    let t14 = t13 - t12;
+    let t15 = node_3_theta - node_4_theta;
+    let t16 = t15 * R::literal(188_797.635_432_078_9);
+    let t17 = node_4_theta * R::literal(15600.0);
+    let t18 = node_4_theta - node_5_theta;
+    let t19 = t18 * R::literal(188_797.635_432_078_9);
+    let t20 = t17 + t19;
+    let t21 = t16 - t20;
+    let t22 = node_5_theta * R::literal(2.0);
+    let t23 = node_4_theta + node_6_theta;
+    let t24 = t23 - t22;
+    let t25 = node_6_theta * R::literal(2.0);
+    let t26 = node_5_theta + node_7_theta;
+    let t27 = t26 - t25;
+    let t28 = node_6_theta - node_7_theta;
+    let node_7_omega_dot = t28 * R::literal(321_391_625.739_451_8);
+    let node_6_omega_dot = t27 * R::literal(160_695_812.869_725_9);
+    let node_5_omega_dot = t24 * R::literal(160_695_812.869_725_9);
+    let node_4_omega_dot = t21 * R::literal(19.069_821_446_680_283);
+    let node_3_omega_dot = t14 * R::literal(160_695_812.869_725_9);
+    let node_2_omega_dot = t11 * R::literal(160_695_812.869_725_9);
+    let node_1_omega_dot = t8 * R::literal(160_695_812.869_725_9);
+    let t29 = t3 * R::literal(-45200.0);
+    let t30 = t29 - t5;
+    let node_0_omega_dot = t30 * R::literal(1_702.307_473_310_885);
     let mut t1_before = t1;
     let mut t2_before = t2;
     let mut rates = [node_0_omega, node_1_omega, node_2_omega, node_3_omega, node_4_omega,
@@ -394,32 +394,32 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>,
         let t1_k = inverse * R::literal(8.0 * core::f64::consts::PI) * t2_before;
         let t2_k = -inverse * R::literal(8.0 * core::f64::consts::PI) * t1_before;
         let t3_k = (-t1_k).mul_add(R::literal(0.12), node_0_theta_k);
-        let t5_k = node_0_theta_k - node_1_theta_k;
-        let t7_k = t5_k.mul_add(R::literal(188_797.635_432_078_9), t3_k * R::literal(45200.0));
-        let t9_k = node_0_theta_k + node_2_theta_k;
-        let t10_k = (-node_1_theta_k).mul_add(R::literal(2.0), t9_k);
-        let t12_k = node_1_theta_k + node_3_theta_k;
-        let t13_k = (-node_2_theta_k).mul_add(R::literal(2.0), t12_k);
-        let t15_k = node_2_theta_k + node_4_theta_k;
-        let t16_k = (-node_3_theta_k).mul_add(R::literal(2.0), t15_k);
-        let t17_k = node_3_theta_k - node_4_theta_k;
-        let t20_k = node_4_theta_k - node_5_theta_k;
-        let t22_k = t20_k.mul_add(R::literal(188_797.635_432_078_9), node_4_theta_k
+        let t4_k = node_0_theta_k - node_1_theta_k;
+        let t7_k = node_0_theta_k + node_2_theta_k;
+        let t8_k = (-node_1_theta_k).mul_add(R::literal(2.0), t7_k);
+        let t10_k = node_1_theta_k + node_3_theta_k;
+        let t11_k = (-node_2_theta_k).mul_add(R::literal(2.0), t10_k);
+        let t13_k = node_2_theta_k + node_4_theta_k;
+        let t14_k = (-node_3_theta_k).mul_add(R::literal(2.0), t13_k);
+        let t15_k = node_3_theta_k - node_4_theta_k;
+        let t18_k = node_4_theta_k - node_5_theta_k;
+        let t20_k = t18_k.mul_add(R::literal(188_797.635_432_078_9), node_4_theta_k
             * R::literal(15600.0));
-        let t23_k = t17_k.mul_add(R::literal(188_797.635_432_078_9), -t22_k);
-        let t25_k = node_4_theta_k + node_6_theta_k;
-        let t26_k = (-node_5_theta_k).mul_add(R::literal(2.0), t25_k);
-        let t28_k = node_5_theta_k + node_7_theta_k;
-        let t29_k = (-node_6_theta_k).mul_add(R::literal(2.0), t28_k);
-        let t30_k = node_6_theta_k - node_7_theta_k;
-        let node_7_omega_dot_k = t30_k * R::literal(321_391_625.739_451_8);
-        let node_6_omega_dot_k = t29_k * R::literal(160_695_812.869_725_9);
-        let node_5_omega_dot_k = t26_k * R::literal(160_695_812.869_725_9);
-        let node_4_omega_dot_k = t23_k * R::literal(19.069_821_446_680_283);
-        let node_3_omega_dot_k = t16_k * R::literal(160_695_812.869_725_9);
-        let node_2_omega_dot_k = t13_k * R::literal(160_695_812.869_725_9);
-        let node_1_omega_dot_k = t10_k * R::literal(160_695_812.869_725_9);
-        let node_0_omega_dot_k = t7_k * R::literal(-1_702.307_473_310_885);
+        let t21_k = t15_k.mul_add(R::literal(188_797.635_432_078_9), -t20_k);
+        let t23_k = node_4_theta_k + node_6_theta_k;
+        let t24_k = (-node_5_theta_k).mul_add(R::literal(2.0), t23_k);
+        let t26_k = node_5_theta_k + node_7_theta_k;
+        let t27_k = (-node_6_theta_k).mul_add(R::literal(2.0), t26_k);
+        let t28_k = node_6_theta_k - node_7_theta_k;
+        let node_7_omega_dot_k = t28_k * R::literal(321_391_625.739_451_8);
+        let node_6_omega_dot_k = t27_k * R::literal(160_695_812.869_725_9);
+        let node_5_omega_dot_k = t24_k * R::literal(160_695_812.869_725_9);
+        let node_4_omega_dot_k = t21_k * R::literal(19.069_821_446_680_283);
+        let node_3_omega_dot_k = t14_k * R::literal(160_695_812.869_725_9);
+        let node_2_omega_dot_k = t11_k * R::literal(160_695_812.869_725_9);
+        let node_1_omega_dot_k = t8_k * R::literal(160_695_812.869_725_9);
+        let t30_k = (-t4_k).mul_add(R::literal(188_797.635_432_078_9), t3_k * R::literal(-45200.0));
+        let node_0_omega_dot_k = t30_k * R::literal(1_702.307_473_310_885);
         t1_before = t1_k;
         t2_before = t2_k;
         rates = [node_0_omega_k, node_1_omega_k, node_2_omega_k, node_3_omega_k, node_4_omega_k,

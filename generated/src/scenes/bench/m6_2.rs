@@ -16,7 +16,7 @@
 // All quantities are in SI units.
 // Shapes: coordinates 2, states 4, outputs 4.
 // Nonzeros: mass_matrix 4 of 2 by 2, rate_jacobian 10 of 4 by 4, parameter_jacobian 0 of 4 by 0.
-// Operations: rate 29, mass_matrix 2, forcing 13, rate_jacobian 65, energy 21, power_balance 67.
+// Operations: rate 28, mass_matrix 2, forcing 12, rate_jacobian 64, energy 21, power_balance 67.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
@@ -74,7 +74,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 }
 
 /// `y'`: velocities, `q''` of `M q'' = f + G^T lambda`, `h`; in the units of the states per second.
-/// 29 operations.
+/// 28 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
@@ -90,7 +90,7 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
     let chain_omega_2_dot = (R::literal(-9.81) * sin_chain_theta_2).add_product(chain_omega_1
         * chain_omega_1, t0).add_product(t2, t3) * (R::literal(1.0) / R::literal(1.0)
         .sub_product(t2, t1));
-    let chain_omega_1_dot = -(t3 * R::literal(0.5)).add_product(t2, chain_omega_2_dot);
+    let chain_omega_1_dot = (t3 * R::literal(-0.5)).sub_product(t2, chain_omega_2_dot);
     [chain_omega_1, chain_omega_2, chain_omega_1_dot, chain_omega_2_dot]
 }
 
@@ -102,20 +102,20 @@ pub fn mass_matrix<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -
     [R::literal(2.0), t0, t0, R::literal(1.0)]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 13 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 12 operations.
 #[must_use]
 pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; COORDINATES] {
     let [chain_theta_1, chain_theta_2, chain_omega_1, chain_omega_2] = *state;
     let [(sin_chain_theta_1, _), (sin_chain_theta_2, _), (t0, _)] = R::sin_cos_each([chain_theta_1,
         chain_theta_2, chain_theta_1 - chain_theta_2]);
-    let chain_theta_1_forcing = -(R::literal(19.62) * sin_chain_theta_1).add_product(chain_omega_2
+    let chain_theta_1_forcing = (R::literal(-19.62) * sin_chain_theta_1).sub_product(chain_omega_2
         * chain_omega_2, t0);
     let chain_theta_2_forcing = (R::literal(-9.81) * sin_chain_theta_2).add_product(chain_omega_1
         * chain_omega_1, t0);
     [chain_theta_1_forcing, chain_theta_2_forcing]
 }
 
-/// `dy'/dy`, values in the order of its pattern. 65 operations.
+/// `dy'/dy`, values in the order of its pattern. 64 operations.
 #[must_use]
 pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; 10] {
     let [chain_theta_1, chain_theta_2, chain_omega_1, chain_omega_2] = *state;
@@ -149,7 +149,7 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
     let chain_omega_1_dot_by_chain_omega_1 = -(t2 * chain_omega_2_dot_by_chain_omega_1);
     let t11 = R::literal(2.0) * chain_omega_2 * t0;
     let chain_omega_2_dot_by_chain_omega_2 = t2 * t11 * t3;
-    let chain_omega_1_dot_by_chain_omega_2 = -(t11 * R::literal(0.5)).add_product(t2,
+    let chain_omega_1_dot_by_chain_omega_2 = (t11 * R::literal(-0.5)).sub_product(t2,
         chain_omega_2_dot_by_chain_omega_2);
     [R::literal(1.0), R::literal(1.0), chain_omega_1_dot_by_chain_theta_1,
         chain_omega_1_dot_by_chain_theta_2, chain_omega_1_dot_by_chain_omega_1,
@@ -243,7 +243,7 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 30 recurrences. 12 sums of products an order.
+/// 29 recurrences. 12 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -260,17 +260,16 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
     let cos_chain_theta_1 = chain_theta_1.cos();
     let sin_chain_theta_2 = chain_theta_2.sin();
     let cos_chain_theta_2 = chain_theta_2.cos();
-    let t3 = sin_chain_theta_1 * R::literal(19.62);
-    let t4 = chain_omega_2 * chain_omega_2;
-    let t5 = t4 * t1;
-    let t6 = t3 + t5;
-    let t7 = -t6;
-    let t8 = sin_chain_theta_2 * R::literal(9.81);
-    let t9 = chain_omega_1 * chain_omega_1;
-    let t10 = t9 * t1;
-    let t11 = t10 - t8;
+    let t3 = chain_omega_2 * chain_omega_2;
+    let t4 = t3 * t1;
+    let t5 = sin_chain_theta_1 * R::literal(-19.62);
+    let t6 = t5 - t4;
+    let t7 = sin_chain_theta_2 * R::literal(9.81);
+    let t8 = chain_omega_1 * chain_omega_1;
+    let t9 = t8 * t1;
+    let t10 = t9 - t7;
     let factored = Factored::new([[R::literal(2.0), R::literal(0.0)], [t2, R::literal(1.0)]]);
-    let [chain_omega_1_dot, chain_omega_2_dot] = factored.solve([t7, t11]);
+    let [chain_omega_1_dot, chain_omega_2_dot] = factored.solve([t6, t10]);
     let mut rates = [chain_omega_1, chain_omega_2, chain_omega_1_dot, chain_omega_2_dot];
     coefficients[0] = *state;
     let highest = coefficients.len() - 1;
@@ -291,24 +290,23 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
         let cos_chain_theta_1_k = -chain_theta_1_k.mul_add(sin_chain_theta_1, inverse * sums[3]);
         let sin_chain_theta_2_k = chain_theta_2_k.mul_add(cos_chain_theta_2, inverse * sums_1[0]);
         let cos_chain_theta_2_k = -chain_theta_2_k.mul_add(sin_chain_theta_2, inverse * sums_1[1]);
-        let t4_k = (chain_omega_2 + chain_omega_2).mul_add(chain_omega_2_k, sums[0]);
-        let t5_k = t4.mul_add(t1_k, t1.mul_add(t4_k, sums_2[0]));
-        let t6_k = sin_chain_theta_1_k.mul_add(R::literal(19.62), t5_k);
-        let t7_k = -t6_k;
-        let t9_k = (chain_omega_1 + chain_omega_1).mul_add(chain_omega_1_k, sums[1]);
-        let t10_k = t9.mul_add(t1_k, t1.mul_add(t9_k, sums_2[1]));
-        let t11_k = (-sin_chain_theta_2_k).mul_add(R::literal(9.81), t10_k);
-        let n26_k = t2_k.mul_add(chain_omega_2_dot, sums_2[2]);
-        let n27_k = t2_k.mul_add(chain_omega_1_dot, sums_2[3]);
-        let t7_k_2 = t7_k - n26_k;
-        let t11_k_2 = t11_k - n27_k;
-        let [chain_omega_1_dot_k, chain_omega_2_dot_k] = factored.solve([t7_k_2, t11_k_2]);
+        let t3_k = (chain_omega_2 + chain_omega_2).mul_add(chain_omega_2_k, sums[0]);
+        let t4_k = t3.mul_add(t1_k, t1.mul_add(t3_k, sums_2[0]));
+        let t6_k = sin_chain_theta_1_k.mul_add(R::literal(-19.62), -t4_k);
+        let t8_k = (chain_omega_1 + chain_omega_1).mul_add(chain_omega_1_k, sums[1]);
+        let t9_k = t8.mul_add(t1_k, t1.mul_add(t8_k, sums_2[1]));
+        let t10_k = (-sin_chain_theta_2_k).mul_add(R::literal(9.81), t9_k);
+        let n25_k = t2_k.mul_add(chain_omega_2_dot, sums_2[2]);
+        let n26_k = t2_k.mul_add(chain_omega_1_dot, sums_2[3]);
+        let t6_k_2 = t6_k - n25_k;
+        let t10_k_2 = t10_k - n26_k;
+        let [chain_omega_1_dot_k, chain_omega_2_dot_k] = factored.solve([t6_k_2, t10_k_2]);
         lanes.set(order, [chain_omega_2_k, chain_omega_1_k, k * chain_theta_1_k,
             k * chain_theta_1_k], [chain_omega_2_k, chain_omega_1_k, cos_chain_theta_1_k,
             sin_chain_theta_1_k]);
         lanes_1.set(order, [k * chain_theta_2_k, k * chain_theta_2_k, k * t0_k, k * t0_k],
             [cos_chain_theta_2_k, sin_chain_theta_2_k, t2_k, t1_k]);
-        lanes_2.set(order, [t1_k, t1_k, t2_k, t2_k], [t4_k, t9_k, chain_omega_2_dot_k,
+        lanes_2.set(order, [t1_k, t1_k, t2_k, t2_k], [t3_k, t8_k, chain_omega_2_dot_k,
             chain_omega_1_dot_k]);
         rates = [chain_omega_1_k, chain_omega_2_k, chain_omega_1_dot_k, chain_omega_2_dot_k];
     }

@@ -16,7 +16,7 @@
 // All quantities are in SI units.
 // Shapes: coordinates 5, states 10, outputs 10.
 // Nonzeros: mass_matrix 25 of 5 by 5, rate_jacobian 55 of 10 by 10, parameter_jacobian 0 of 10 by 0.
-// Operations: rate 235, mass_matrix 26, forcing 85, rate_jacobian 820, energy 57, power_balance 396.
+// Operations: rate 234, mass_matrix 26, forcing 84, rate_jacobian 816, energy 57, power_balance 396.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
@@ -91,7 +91,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 }
 
 /// `y'`: velocities, `q''` of `M q'' = f + G^T lambda`, `h`; in the units of the states per second.
-/// 235 operations.
+/// 234 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
@@ -190,8 +190,8 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
         chain_omega_5_dot);
     let chain_omega_2_dot = (t39 * t21).sub_product(t23, chain_omega_3_dot).sub_product(t25,
         chain_omega_4_dot).sub_product(t27, chain_omega_5_dot);
-    let chain_omega_1_dot = -(t38 * R::literal(0.2)).add_product(t17, chain_omega_2_dot)
-        .add_product(t18, chain_omega_3_dot).add_product(t19, chain_omega_4_dot).add_product(t20,
+    let chain_omega_1_dot = (t38 * R::literal(-0.2)).sub_product(t17, chain_omega_2_dot)
+        .sub_product(t18, chain_omega_3_dot).sub_product(t19, chain_omega_4_dot).sub_product(t20,
         chain_omega_5_dot);
     [chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5, chain_omega_1_dot,
         chain_omega_2_dot, chain_omega_3_dot, chain_omega_4_dot, chain_omega_5_dot]
@@ -218,7 +218,7 @@ pub fn mass_matrix<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -
         R::literal(1.0)]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 85 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 84 operations.
 #[must_use]
 pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; COORDINATES] {
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_omega_1,
@@ -238,9 +238,9 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
     let t11 = R::literal(2.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let chain_theta_1_forcing = -(R::literal(49.05) * sin_chain_theta_1)
-        .add_product(R::literal(4.0) * chain_omega_2_squared, t0).add_product(t10, t1)
-        .add_product(t11, t2).add_product(chain_omega_5_squared, t3);
+    let chain_theta_1_forcing = (R::literal(-49.05) * sin_chain_theta_1)
+        .sub_product(R::literal(4.0) * chain_omega_2_squared, t0).sub_product(t10, t1)
+        .sub_product(t11, t2).sub_product(chain_omega_5_squared, t3);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let chain_theta_2_forcing = (R::literal(-39.24) * sin_chain_theta_2)
         .add_product(R::literal(4.0) * chain_omega_1_squared, t0).sub_product(t10, t4)
@@ -259,7 +259,7 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R
         chain_theta_5_forcing]
 }
 
-/// `dy'/dy`, values in the order of its pattern. 820 operations.
+/// `dy'/dy`, values in the order of its pattern. 816 operations.
 #[must_use]
 pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; 55] {
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_omega_1,
@@ -535,9 +535,9 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
     let chain_omega_2_dot_by_chain_omega_2 = (t127 * t27).sub_product(t29,
         chain_omega_3_dot_by_chain_omega_2).sub_product(t31, chain_omega_4_dot_by_chain_omega_2)
         .sub_product(t33, chain_omega_5_dot_by_chain_omega_2);
-    let chain_omega_1_dot_by_chain_omega_2 = -(t126 * R::literal(0.2)).add_product(t23,
-        chain_omega_2_dot_by_chain_omega_2).add_product(t24, chain_omega_3_dot_by_chain_omega_2)
-        .add_product(t25, chain_omega_4_dot_by_chain_omega_2).add_product(t26,
+    let chain_omega_1_dot_by_chain_omega_2 = (t126 * R::literal(-0.2)).sub_product(t23,
+        chain_omega_2_dot_by_chain_omega_2).sub_product(t24, chain_omega_3_dot_by_chain_omega_2)
+        .sub_product(t25, chain_omega_4_dot_by_chain_omega_2).sub_product(t26,
         chain_omega_5_dot_by_chain_omega_2);
     let t130 = R::literal(6.0) * chain_omega_3;
     let t131 = t130 * t3;
@@ -555,9 +555,9 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
     let chain_omega_2_dot_by_chain_omega_3 = (t132 * t27).sub_product(t29,
         chain_omega_3_dot_by_chain_omega_3).sub_product(t31, chain_omega_4_dot_by_chain_omega_3)
         .sub_product(t33, chain_omega_5_dot_by_chain_omega_3);
-    let chain_omega_1_dot_by_chain_omega_3 = -(t131 * R::literal(0.2)).add_product(t23,
-        chain_omega_2_dot_by_chain_omega_3).add_product(t24, chain_omega_3_dot_by_chain_omega_3)
-        .add_product(t25, chain_omega_4_dot_by_chain_omega_3).add_product(t26,
+    let chain_omega_1_dot_by_chain_omega_3 = (t131 * R::literal(-0.2)).sub_product(t23,
+        chain_omega_2_dot_by_chain_omega_3).sub_product(t24, chain_omega_3_dot_by_chain_omega_3)
+        .sub_product(t25, chain_omega_4_dot_by_chain_omega_3).sub_product(t26,
         chain_omega_5_dot_by_chain_omega_3);
     let t135 = R::literal(4.0) * chain_omega_4;
     let t136 = t135 * t6;
@@ -574,9 +574,9 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
     let chain_omega_2_dot_by_chain_omega_4 = (t137 * t27).sub_product(t29,
         chain_omega_3_dot_by_chain_omega_4).sub_product(t31, chain_omega_4_dot_by_chain_omega_4)
         .sub_product(t33, chain_omega_5_dot_by_chain_omega_4);
-    let chain_omega_1_dot_by_chain_omega_4 = -(t136 * R::literal(0.2)).add_product(t23,
-        chain_omega_2_dot_by_chain_omega_4).add_product(t24, chain_omega_3_dot_by_chain_omega_4)
-        .add_product(t25, chain_omega_4_dot_by_chain_omega_4).add_product(t26,
+    let chain_omega_1_dot_by_chain_omega_4 = (t136 * R::literal(-0.2)).sub_product(t23,
+        chain_omega_2_dot_by_chain_omega_4).sub_product(t24, chain_omega_3_dot_by_chain_omega_4)
+        .sub_product(t25, chain_omega_4_dot_by_chain_omega_4).sub_product(t26,
         chain_omega_5_dot_by_chain_omega_4);
     let t140 = R::literal(2.0) * chain_omega_5;
     let t141 = t140 * t9;
@@ -592,9 +592,9 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
     let chain_omega_2_dot_by_chain_omega_5 = (t142 * t27).sub_product(t29,
         chain_omega_3_dot_by_chain_omega_5).sub_product(t31, chain_omega_4_dot_by_chain_omega_5)
         .sub_product(t33, chain_omega_5_dot_by_chain_omega_5);
-    let chain_omega_1_dot_by_chain_omega_5 = -(t141 * R::literal(0.2)).add_product(t23,
-        chain_omega_2_dot_by_chain_omega_5).add_product(t24, chain_omega_3_dot_by_chain_omega_5)
-        .add_product(t25, chain_omega_4_dot_by_chain_omega_5).add_product(t26,
+    let chain_omega_1_dot_by_chain_omega_5 = (t141 * R::literal(-0.2)).sub_product(t23,
+        chain_omega_2_dot_by_chain_omega_5).sub_product(t24, chain_omega_3_dot_by_chain_omega_5)
+        .sub_product(t25, chain_omega_4_dot_by_chain_omega_5).sub_product(t26,
         chain_omega_5_dot_by_chain_omega_5);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         chain_omega_1_dot_by_chain_theta_1, chain_omega_1_dot_by_chain_theta_2,
@@ -843,7 +843,7 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 171 recurrences. 75 sums of products an order.
+/// 170 recurrences. 75 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -916,72 +916,71 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
     let cos_chain_theta_4 = chain_theta_4.cos();
     let sin_chain_theta_5 = chain_theta_5.sin();
     let cos_chain_theta_5 = chain_theta_5.cos();
-    let t36 = sin_chain_theta_1 * R::literal(49.05);
-    let t37 = chain_omega_2 * chain_omega_2;
-    let t38 = t37 * R::literal(4.0);
-    let t39 = t38 * t1;
-    let t40 = chain_omega_3 * chain_omega_3;
-    let t41 = t40 * R::literal(3.0);
-    let t42 = t41 * t5;
-    let t43 = chain_omega_4 * chain_omega_4;
-    let t44 = t43 * R::literal(2.0);
-    let t45 = t44 * t9;
-    let t46 = chain_omega_5 * chain_omega_5;
-    let t47 = t46 * t13;
-    let t48 = t36 + t39;
-    let t49 = t48 + t42;
-    let t50 = t49 + t45;
-    let t51 = t50 + t47;
-    let t52 = -t51;
-    let t53 = sin_chain_theta_2 * R::literal(39.24);
-    let t54 = t41 * t16;
-    let t55 = t44 * t20;
-    let t56 = t46 * t24;
-    let t57 = chain_omega_1 * chain_omega_1;
-    let t58 = t57 * R::literal(4.0);
-    let t59 = t58 * t1;
+    let t36 = chain_omega_2 * chain_omega_2;
+    let t37 = t36 * R::literal(4.0);
+    let t38 = t37 * t1;
+    let t39 = chain_omega_3 * chain_omega_3;
+    let t40 = t39 * R::literal(3.0);
+    let t41 = t40 * t5;
+    let t42 = chain_omega_4 * chain_omega_4;
+    let t43 = t42 * R::literal(2.0);
+    let t44 = t43 * t9;
+    let t45 = chain_omega_5 * chain_omega_5;
+    let t46 = t45 * t13;
+    let t47 = sin_chain_theta_1 * R::literal(-49.05);
+    let t48 = t47 - t38;
+    let t49 = t48 - t41;
+    let t50 = t49 - t44;
+    let t51 = t50 - t46;
+    let t52 = sin_chain_theta_2 * R::literal(39.24);
+    let t53 = t40 * t16;
+    let t54 = t43 * t20;
+    let t55 = t45 * t24;
+    let t56 = chain_omega_1 * chain_omega_1;
+    let t57 = t56 * R::literal(4.0);
+    let t58 = t57 * t1;
+    let t59 = t58 - t52;
     let t60 = t59 - t53;
     let t61 = t60 - t54;
     let t62 = t61 - t55;
-    let t63 = t62 - t56;
-    let t64 = sin_chain_theta_3 * R::literal(29.43);
-    let t65 = t44 * t27;
-    let t66 = t46 * t31;
-    let t67 = t57 * R::literal(3.0);
-    let t68 = t67 * t5;
-    let t69 = t37 * R::literal(3.0);
-    let t70 = t69 * t16;
-    let t71 = t68 + t70;
+    let t63 = sin_chain_theta_3 * R::literal(29.43);
+    let t64 = t43 * t27;
+    let t65 = t45 * t31;
+    let t66 = t56 * R::literal(3.0);
+    let t67 = t66 * t5;
+    let t68 = t36 * R::literal(3.0);
+    let t69 = t68 * t16;
+    let t70 = t67 + t69;
+    let t71 = t70 - t63;
     let t72 = t71 - t64;
     let t73 = t72 - t65;
-    let t74 = t73 - t66;
-    let t75 = sin_chain_theta_4 * R::literal(19.62);
-    let t76 = t46 * t34;
-    let t77 = t57 * R::literal(2.0);
-    let t78 = t77 * t9;
-    let t79 = t37 * R::literal(2.0);
-    let t80 = t79 * t20;
-    let t81 = t40 * R::literal(2.0);
-    let t82 = t81 * t27;
-    let t83 = t78 + t80;
-    let t84 = t83 + t82;
+    let t74 = sin_chain_theta_4 * R::literal(19.62);
+    let t75 = t45 * t34;
+    let t76 = t56 * R::literal(2.0);
+    let t77 = t76 * t9;
+    let t78 = t36 * R::literal(2.0);
+    let t79 = t78 * t20;
+    let t80 = t39 * R::literal(2.0);
+    let t81 = t80 * t27;
+    let t82 = t77 + t79;
+    let t83 = t82 + t81;
+    let t84 = t83 - t74;
     let t85 = t84 - t75;
-    let t86 = t85 - t76;
-    let t87 = sin_chain_theta_5 * R::literal(9.81);
-    let t88 = t57 * t13;
-    let t89 = t37 * t24;
-    let t90 = t40 * t31;
-    let t91 = t43 * t34;
-    let t92 = t88 + t89;
+    let t86 = sin_chain_theta_5 * R::literal(9.81);
+    let t87 = t56 * t13;
+    let t88 = t36 * t24;
+    let t89 = t39 * t31;
+    let t90 = t42 * t34;
+    let t91 = t87 + t88;
+    let t92 = t91 + t89;
     let t93 = t92 + t90;
-    let t94 = t93 + t91;
-    let t95 = t94 - t87;
+    let t94 = t93 - t86;
     let factored = Factored::new([[R::literal(5.0), R::literal(0.0), R::literal(0.0),
         R::literal(0.0), R::literal(0.0)], [t3, R::literal(4.0), R::literal(0.0), R::literal(0.0),
         R::literal(0.0)], [t7, t18, R::literal(3.0), R::literal(0.0), R::literal(0.0)],
         [t11, t22, t29, R::literal(2.0), R::literal(0.0)], [t14, t25, t32, t35, R::literal(1.0)]]);
     let [chain_omega_1_dot, chain_omega_2_dot, chain_omega_3_dot, chain_omega_4_dot,
-        chain_omega_5_dot] = factored.solve([t52, t63, t74, t86, t95]);
+        chain_omega_5_dot] = factored.solve([t51, t62, t73, t85, t94]);
     let mut rates = [chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
         chain_omega_1_dot, chain_omega_2_dot, chain_omega_3_dot, chain_omega_4_dot,
         chain_omega_5_dot];
@@ -1061,103 +1060,102 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
         let cos_chain_theta_4_k = -chain_theta_4_k.mul_add(sin_chain_theta_4, inverse * sums_3[0]);
         let sin_chain_theta_5_k = chain_theta_5_k.mul_add(cos_chain_theta_5, inverse * sums_3[1]);
         let cos_chain_theta_5_k = -chain_theta_5_k.mul_add(sin_chain_theta_5, inverse * sums_3[2]);
-        let t37_k = (chain_omega_2 + chain_omega_2).mul_add(chain_omega_2_k, sums[0]);
-        let t38_k = t37_k * R::literal(4.0);
-        let t39_k = t38.mul_add(t1_k, t1.mul_add(t38_k, sums_8[3]));
-        let t40_k = (chain_omega_3 + chain_omega_3).mul_add(chain_omega_3_k, sums[1]);
-        let t41_k = t40_k * R::literal(3.0);
-        let t42_k = t41.mul_add(t5_k, t5.mul_add(t41_k, sums_9[0]));
-        let t43_k = (chain_omega_4 + chain_omega_4).mul_add(chain_omega_4_k, sums[2]);
-        let t44_k = t43_k * R::literal(2.0);
-        let t45_k = t44.mul_add(t9_k, t9.mul_add(t44_k, sums_9[1]));
-        let t46_k = (chain_omega_5 + chain_omega_5).mul_add(chain_omega_5_k, sums[3]);
-        let t47_k = t46.mul_add(t13_k, t13.mul_add(t46_k, sums_9[2]));
-        let t48_k = sin_chain_theta_1_k.mul_add(R::literal(49.05), t39_k);
-        let t49_k = t48_k + t42_k;
-        let t50_k = t49_k + t45_k;
-        let t51_k = t50_k + t47_k;
-        let t52_k = -t51_k;
-        let t54_k = t41.mul_add(t16_k, t16.mul_add(t41_k, sums_9[3]));
-        let t55_k = t44.mul_add(t20_k, t20.mul_add(t44_k, sums_10[0]));
-        let t56_k = t46.mul_add(t24_k, t24.mul_add(t46_k, sums_10[1]));
-        let t57_k = (chain_omega_1 + chain_omega_1).mul_add(chain_omega_1_k, sums_1[0]);
-        let t58_k = t57_k * R::literal(4.0);
-        let t59_k = t58.mul_add(t1_k, t1.mul_add(t58_k, sums_10[2]));
-        let t60_k = (-sin_chain_theta_2_k).mul_add(R::literal(39.24), t59_k);
+        let t36_k = (chain_omega_2 + chain_omega_2).mul_add(chain_omega_2_k, sums[0]);
+        let t37_k = t36_k * R::literal(4.0);
+        let t38_k = t37.mul_add(t1_k, t1.mul_add(t37_k, sums_8[3]));
+        let t39_k = (chain_omega_3 + chain_omega_3).mul_add(chain_omega_3_k, sums[1]);
+        let t40_k = t39_k * R::literal(3.0);
+        let t41_k = t40.mul_add(t5_k, t5.mul_add(t40_k, sums_9[0]));
+        let t42_k = (chain_omega_4 + chain_omega_4).mul_add(chain_omega_4_k, sums[2]);
+        let t43_k = t42_k * R::literal(2.0);
+        let t44_k = t43.mul_add(t9_k, t9.mul_add(t43_k, sums_9[1]));
+        let t45_k = (chain_omega_5 + chain_omega_5).mul_add(chain_omega_5_k, sums[3]);
+        let t46_k = t45.mul_add(t13_k, t13.mul_add(t45_k, sums_9[2]));
+        let t48_k = sin_chain_theta_1_k.mul_add(R::literal(-49.05), -t38_k);
+        let t49_k = t48_k - t41_k;
+        let t50_k = t49_k - t44_k;
+        let t51_k = t50_k - t46_k;
+        let t53_k = t40.mul_add(t16_k, t16.mul_add(t40_k, sums_9[3]));
+        let t54_k = t43.mul_add(t20_k, t20.mul_add(t43_k, sums_10[0]));
+        let t55_k = t45.mul_add(t24_k, t24.mul_add(t45_k, sums_10[1]));
+        let t56_k = (chain_omega_1 + chain_omega_1).mul_add(chain_omega_1_k, sums_1[0]);
+        let t57_k = t56_k * R::literal(4.0);
+        let t58_k = t57.mul_add(t1_k, t1.mul_add(t57_k, sums_10[2]));
+        let t59_k = (-sin_chain_theta_2_k).mul_add(R::literal(39.24), t58_k);
+        let t60_k = t59_k - t53_k;
         let t61_k = t60_k - t54_k;
         let t62_k = t61_k - t55_k;
-        let t63_k = t62_k - t56_k;
-        let t65_k = t44.mul_add(t27_k, t27.mul_add(t44_k, sums_10[3]));
-        let t66_k = t46.mul_add(t31_k, t31.mul_add(t46_k, sums_11[0]));
-        let t67_k = t57_k * R::literal(3.0);
-        let t68_k = t67.mul_add(t5_k, t5.mul_add(t67_k, sums_11[1]));
-        let t69_k = t37_k * R::literal(3.0);
-        let t70_k = t69.mul_add(t16_k, t16.mul_add(t69_k, sums_11[2]));
-        let t71_k = t68_k + t70_k;
-        let t72_k = (-sin_chain_theta_3_k).mul_add(R::literal(29.43), t71_k);
+        let t64_k = t43.mul_add(t27_k, t27.mul_add(t43_k, sums_10[3]));
+        let t65_k = t45.mul_add(t31_k, t31.mul_add(t45_k, sums_11[0]));
+        let t66_k = t56_k * R::literal(3.0);
+        let t67_k = t66.mul_add(t5_k, t5.mul_add(t66_k, sums_11[1]));
+        let t68_k = t36_k * R::literal(3.0);
+        let t69_k = t68.mul_add(t16_k, t16.mul_add(t68_k, sums_11[2]));
+        let t70_k = t67_k + t69_k;
+        let t71_k = (-sin_chain_theta_3_k).mul_add(R::literal(29.43), t70_k);
+        let t72_k = t71_k - t64_k;
         let t73_k = t72_k - t65_k;
-        let t74_k = t73_k - t66_k;
-        let t76_k = t46.mul_add(t34_k, t34.mul_add(t46_k, sums_11[3]));
-        let t77_k = t57_k * R::literal(2.0);
-        let t78_k = t77.mul_add(t9_k, t9.mul_add(t77_k, sums_12[0]));
-        let t79_k = t37_k * R::literal(2.0);
-        let t80_k = t79.mul_add(t20_k, t20.mul_add(t79_k, sums_12[1]));
-        let t81_k = t40_k * R::literal(2.0);
-        let t82_k = t81.mul_add(t27_k, t27.mul_add(t81_k, sums_12[2]));
-        let t83_k = t78_k + t80_k;
-        let t84_k = t83_k + t82_k;
-        let t85_k = (-sin_chain_theta_4_k).mul_add(R::literal(19.62), t84_k);
-        let t86_k = t85_k - t76_k;
-        let t88_k = t57.mul_add(t13_k, t13.mul_add(t57_k, sums_12[3]));
-        let t89_k = t37.mul_add(t24_k, t24.mul_add(t37_k, sums_13[0]));
-        let t90_k = t40.mul_add(t31_k, t31.mul_add(t40_k, sums_13[1]));
-        let t91_k = t43.mul_add(t34_k, t34.mul_add(t43_k, sums_13[2]));
-        let t92_k = t88_k + t89_k;
+        let t75_k = t45.mul_add(t34_k, t34.mul_add(t45_k, sums_11[3]));
+        let t76_k = t56_k * R::literal(2.0);
+        let t77_k = t76.mul_add(t9_k, t9.mul_add(t76_k, sums_12[0]));
+        let t78_k = t36_k * R::literal(2.0);
+        let t79_k = t78.mul_add(t20_k, t20.mul_add(t78_k, sums_12[1]));
+        let t80_k = t39_k * R::literal(2.0);
+        let t81_k = t80.mul_add(t27_k, t27.mul_add(t80_k, sums_12[2]));
+        let t82_k = t77_k + t79_k;
+        let t83_k = t82_k + t81_k;
+        let t84_k = (-sin_chain_theta_4_k).mul_add(R::literal(19.62), t83_k);
+        let t85_k = t84_k - t75_k;
+        let t87_k = t56.mul_add(t13_k, t13.mul_add(t56_k, sums_12[3]));
+        let t88_k = t36.mul_add(t24_k, t24.mul_add(t36_k, sums_13[0]));
+        let t89_k = t39.mul_add(t31_k, t31.mul_add(t39_k, sums_13[1]));
+        let t90_k = t42.mul_add(t34_k, t34.mul_add(t42_k, sums_13[2]));
+        let t91_k = t87_k + t88_k;
+        let t92_k = t91_k + t89_k;
         let t93_k = t92_k + t90_k;
-        let t94_k = t93_k + t91_k;
-        let t95_k = (-sin_chain_theta_5_k).mul_add(R::literal(9.81), t94_k);
-        let n131_k = t3_k.mul_add(chain_omega_2_dot, sums_13[3]);
-        let n132_k = t7_k.mul_add(chain_omega_3_dot, sums_14[0]);
-        let n133_k = t11_k.mul_add(chain_omega_4_dot, sums_14[1]);
-        let n134_k = t14_k.mul_add(chain_omega_5_dot, sums_14[2]);
-        let n135_k = t3_k.mul_add(chain_omega_1_dot, sums_14[3]);
-        let n136_k = t18_k.mul_add(chain_omega_3_dot, sums_15[0]);
-        let n137_k = t22_k.mul_add(chain_omega_4_dot, sums_15[1]);
-        let n138_k = t25_k.mul_add(chain_omega_5_dot, sums_15[2]);
-        let n139_k = t7_k.mul_add(chain_omega_1_dot, sums_15[3]);
-        let n140_k = t18_k.mul_add(chain_omega_2_dot, sums_16[0]);
-        let n141_k = t29_k.mul_add(chain_omega_4_dot, sums_16[1]);
-        let n142_k = t32_k.mul_add(chain_omega_5_dot, sums_16[2]);
-        let n143_k = t11_k.mul_add(chain_omega_1_dot, sums_16[3]);
-        let n144_k = t22_k.mul_add(chain_omega_2_dot, sums_17[0]);
-        let n145_k = t29_k.mul_add(chain_omega_3_dot, sums_17[1]);
-        let n146_k = t35_k.mul_add(chain_omega_5_dot, sums_17[2]);
-        let n147_k = t14_k.mul_add(chain_omega_1_dot, sums_17[3]);
-        let n148_k = t25_k.mul_add(chain_omega_2_dot, sums_18[0]);
-        let n149_k = t32_k.mul_add(chain_omega_3_dot, sums_18[1]);
-        let n150_k = t35_k.mul_add(chain_omega_4_dot, sums_18[2]);
-        let n151_k = n131_k + n132_k;
-        let n152_k = n133_k + n134_k;
-        let n153_k = n151_k + n152_k;
-        let t52_k_2 = t52_k - n153_k;
-        let n155_k = n135_k + n136_k;
-        let n156_k = n137_k + n138_k;
-        let n157_k = n155_k + n156_k;
-        let t63_k_2 = t63_k - n157_k;
-        let n159_k = n139_k + n140_k;
-        let n160_k = n141_k + n142_k;
-        let n161_k = n159_k + n160_k;
-        let t74_k_2 = t74_k - n161_k;
-        let n163_k = n143_k + n144_k;
-        let n164_k = n145_k + n146_k;
-        let n165_k = n163_k + n164_k;
-        let t86_k_2 = t86_k - n165_k;
-        let n167_k = n147_k + n148_k;
-        let n168_k = n149_k + n150_k;
-        let n169_k = n167_k + n168_k;
-        let t95_k_2 = t95_k - n169_k;
+        let t94_k = (-sin_chain_theta_5_k).mul_add(R::literal(9.81), t93_k);
+        let n130_k = t3_k.mul_add(chain_omega_2_dot, sums_13[3]);
+        let n131_k = t7_k.mul_add(chain_omega_3_dot, sums_14[0]);
+        let n132_k = t11_k.mul_add(chain_omega_4_dot, sums_14[1]);
+        let n133_k = t14_k.mul_add(chain_omega_5_dot, sums_14[2]);
+        let n134_k = t3_k.mul_add(chain_omega_1_dot, sums_14[3]);
+        let n135_k = t18_k.mul_add(chain_omega_3_dot, sums_15[0]);
+        let n136_k = t22_k.mul_add(chain_omega_4_dot, sums_15[1]);
+        let n137_k = t25_k.mul_add(chain_omega_5_dot, sums_15[2]);
+        let n138_k = t7_k.mul_add(chain_omega_1_dot, sums_15[3]);
+        let n139_k = t18_k.mul_add(chain_omega_2_dot, sums_16[0]);
+        let n140_k = t29_k.mul_add(chain_omega_4_dot, sums_16[1]);
+        let n141_k = t32_k.mul_add(chain_omega_5_dot, sums_16[2]);
+        let n142_k = t11_k.mul_add(chain_omega_1_dot, sums_16[3]);
+        let n143_k = t22_k.mul_add(chain_omega_2_dot, sums_17[0]);
+        let n144_k = t29_k.mul_add(chain_omega_3_dot, sums_17[1]);
+        let n145_k = t35_k.mul_add(chain_omega_5_dot, sums_17[2]);
+        let n146_k = t14_k.mul_add(chain_omega_1_dot, sums_17[3]);
+        let n147_k = t25_k.mul_add(chain_omega_2_dot, sums_18[0]);
+        let n148_k = t32_k.mul_add(chain_omega_3_dot, sums_18[1]);
+        let n149_k = t35_k.mul_add(chain_omega_4_dot, sums_18[2]);
+        let n150_k = n130_k + n131_k;
+        let n151_k = n132_k + n133_k;
+        let n152_k = n150_k + n151_k;
+        let t51_k_2 = t51_k - n152_k;
+        let n154_k = n134_k + n135_k;
+        let n155_k = n136_k + n137_k;
+        let n156_k = n154_k + n155_k;
+        let t62_k_2 = t62_k - n156_k;
+        let n158_k = n138_k + n139_k;
+        let n159_k = n140_k + n141_k;
+        let n160_k = n158_k + n159_k;
+        let t73_k_2 = t73_k - n160_k;
+        let n162_k = n142_k + n143_k;
+        let n163_k = n144_k + n145_k;
+        let n164_k = n162_k + n163_k;
+        let t85_k_2 = t85_k - n164_k;
+        let n166_k = n146_k + n147_k;
+        let n167_k = n148_k + n149_k;
+        let n168_k = n166_k + n167_k;
+        let t94_k_2 = t94_k - n168_k;
         let [chain_omega_1_dot_k, chain_omega_2_dot_k, chain_omega_3_dot_k, chain_omega_4_dot_k,
-            chain_omega_5_dot_k] = factored.solve([t52_k_2, t63_k_2, t74_k_2, t86_k_2, t95_k_2]);
+            chain_omega_5_dot_k] = factored.solve([t51_k_2, t62_k_2, t73_k_2, t85_k_2, t94_k_2]);
         lanes.set(order, [chain_omega_2_k, chain_omega_3_k, chain_omega_4_k, chain_omega_5_k],
             [chain_omega_2_k, chain_omega_3_k, chain_omega_4_k, chain_omega_5_k]);
         lanes_1.set(order, [chain_omega_1_k, k * chain_theta_1_k, k * chain_theta_1_k,
@@ -1175,12 +1173,12 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
             t25_k]);
         lanes_7.set(order, [k * t23_k, k * t26_k, k * t26_k, k * t30_k], [t24_k, t28_k, t27_k,
             t32_k]);
-        lanes_8.set(order, [k * t30_k, k * t33_k, k * t33_k, t1_k], [t31_k, t35_k, t34_k, t38_k]);
-        lanes_9.set(order, [t5_k, t9_k, t13_k, t16_k], [t41_k, t44_k, t46_k, t41_k]);
-        lanes_10.set(order, [t20_k, t24_k, t1_k, t27_k], [t44_k, t46_k, t58_k, t44_k]);
-        lanes_11.set(order, [t31_k, t5_k, t16_k, t34_k], [t46_k, t67_k, t69_k, t46_k]);
-        lanes_12.set(order, [t9_k, t20_k, t27_k, t13_k], [t77_k, t79_k, t81_k, t57_k]);
-        lanes_13.set(order, [t24_k, t31_k, t34_k, t3_k], [t37_k, t40_k, t43_k,
+        lanes_8.set(order, [k * t30_k, k * t33_k, k * t33_k, t1_k], [t31_k, t35_k, t34_k, t37_k]);
+        lanes_9.set(order, [t5_k, t9_k, t13_k, t16_k], [t40_k, t43_k, t45_k, t40_k]);
+        lanes_10.set(order, [t20_k, t24_k, t1_k, t27_k], [t43_k, t45_k, t57_k, t43_k]);
+        lanes_11.set(order, [t31_k, t5_k, t16_k, t34_k], [t45_k, t66_k, t68_k, t45_k]);
+        lanes_12.set(order, [t9_k, t20_k, t27_k, t13_k], [t76_k, t78_k, t80_k, t56_k]);
+        lanes_13.set(order, [t24_k, t31_k, t34_k, t3_k], [t36_k, t39_k, t42_k,
             chain_omega_2_dot_k]);
         lanes_14.set(order, [t7_k, t11_k, t14_k, t3_k], [chain_omega_3_dot_k, chain_omega_4_dot_k,
             chain_omega_5_dot_k, chain_omega_1_dot_k]);

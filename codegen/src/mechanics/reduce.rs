@@ -77,7 +77,7 @@ impl Keep {
         let is_plain = equations.events.is_empty() && equations.constraints.is_empty();
         match self {
             Keep::Needed => frozen::freeze(cas, equations),
-            Keep::Tunable => Ok(fixed::fix(cas, equations)),
+            Keep::Tunable => Ok(fixed::fix(equations)),
             Keep::Reachable => Ok(reach::slice(cas, equations)),
             Keep::Exact if is_plain => Ok(Step::Equations(cyclic::relative(cas, equations))),
             Keep::Exact | Keep::All => Ok(Step::Equations(equations)),

@@ -88,7 +88,7 @@ impl From<WriteError> for Failure {
     fn from(error: WriteError) -> Self {
         match error {
             WriteError::Emit { .. } => Self::input(error, ""),
-            WriteError::Io { .. } | WriteError::NotFresh { .. } => Self::unsuccessful(error, ""),
+            WriteError::Io { .. } | WriteError::Foreign { .. } | WriteError::NotFresh { .. } => Self::unsuccessful(error, ""),
         }
     }
 }

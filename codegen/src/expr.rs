@@ -9,6 +9,7 @@ pub mod extent;
 mod fold;
 mod graph;
 pub mod identity;
+pub mod rank;
 mod terms;
 pub mod trigonometry;
 

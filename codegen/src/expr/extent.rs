@@ -99,14 +99,10 @@ pub fn derivatives(expr: &Expr) -> Derivatives {
             })
         }
         Expr::Product(parts) => product(parts),
-        Expr::Power(base, exponent) => {
+        Expr::Power(base, _) => {
             let base = derivatives(base);
-            let outer = match whole(exponent) {
-                Some(exponent) => [exponent, exponent - 1.0].map(|n| n != 0.0 && n != 1.0),
-                None => [true, true],
-            };
             let value = base.value + 1.0;
-            chain(value, base, if outer[0] { value + 1.0 } else { 1.0 }, value + 2.0)
+            chain(value, base, value + 1.0, value + 2.0)
         }
         Expr::Call(Function::SelectLess, parts) => {
             // Branch by branch.

@@ -17,7 +17,7 @@ use num_traits::{Signed as _, ToPrimitive as _, Zero as _};
 use super::{Expr, Function, Symbol};
 
 /// A prime of 62 bits, 4 Q + 1.
-const P: u64 = 4_611_686_018_427_386_309;
+pub(super) const P: u64 = 4_611_686_018_427_386_309;
 /// A prime of 60 bits.
 const Q: u64 = 1_152_921_504_606_846_577;
 /// Elements of order Q, for e^x and for e^(i x).
@@ -69,8 +69,8 @@ pub fn are_equal(a: &Expr, b: &Expr) -> bool {
 
 /// A number modulo P, where it stands, and modulo Q, where it is an exponent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Value {
-    p: u64,
+pub(super) struct Value {
+    pub(super) p: u64,
     q: u64,
 }
 
@@ -130,7 +130,7 @@ fn residue(number: &BigInt, modulus: u64) -> u64 {
     rest.to_u64().unwrap_or(0)
 }
 
-fn times(a: u64, b: u64, modulus: u64) -> u64 {
+pub(super) fn times(a: u64, b: u64, modulus: u64) -> u64 {
     (u128::from(a) * u128::from(b) % u128::from(modulus)) as u64
 }
 
@@ -146,7 +146,7 @@ fn raised(mut base: u64, mut exponent: u64, modulus: u64) -> u64 {
     result
 }
 
-fn inverse(number: u64, modulus: u64) -> Option<u64> {
+pub(super) fn inverse(number: u64, modulus: u64) -> Option<u64> {
     (number != 0).then(|| raised(number, modulus - 2, modulus))
 }
 
@@ -159,8 +159,8 @@ fn mixed(bits: u64, more: u64) -> u64 {
 }
 
 /// A value for every symbol.
-struct Point {
-    point: u64,
+pub(super) struct Point {
+    pub(super) point: u64,
 }
 
 impl Point {
@@ -186,7 +186,7 @@ impl Point {
     }
 
     /// None where something divides by zero.
-    fn value(&self, expr: &Expr) -> Option<Value> {
+    pub(super) fn value(&self, expr: &Expr) -> Option<Value> {
         match expr {
             Expr::Number(number) => Value::of(number),
             Expr::Symbol(symbol) => Some(self.symbol(*symbol)),

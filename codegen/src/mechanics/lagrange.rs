@@ -72,7 +72,7 @@ pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
     let forcing = forcing(cas, system, &lagrangian, &dissipation, &momenta);
     let constraints = Constraints::derive(cas, system);
     let energies = [&kinetic, &lagrangian, &dissipation];
-    let power = power(cas, system, energies, &momenta, constraints.supplied_power());
+    let power = power(cas, system, energies, &momenta, &constraints.supplied_power());
     EquationsOfMotion {
         mass_matrix,
         forcing,
@@ -197,7 +197,7 @@ fn power(
     system: &LagrangianSystem,
     [kinetic, lagrangian, dissipation]: [&Form; 3],
     momenta: &[Terms],
-    by_constraints: Vec<Expr>,
+    by_constraints: &[Expr],
 ) -> Power {
     let (lagrangian, dissipation) = (cas.terms(lagrangian), cas.terms(dissipation));
     let mut supplied = vec![cas.form(&system.supplied_power)];

@@ -59,6 +59,7 @@ impl Keep {
 
 /// What a step of reduction gives.
 #[derive(Debug, Clone)]
+#[expect(clippy::large_enum_variant, reason = "one at a time, taken apart at once")]
 pub enum Step {
     /// Equations with less in them.
     Equations(EquationsOfMotion),

@@ -456,7 +456,7 @@ impl Echelon {
         }
         let Some(lead) = row.iter().position(|entry| !cas.is_zero(entry)) else { return Some(()) };
         let first = row[lead].clone();
-        for entry in &mut row {
+        for entry in row.iter_mut().filter(|entry| !entry.is_zero()) {
             *entry = cas.rational(&(&*entry / &first))?;
         }
         for (_, known) in &mut self.rows {
@@ -486,7 +486,7 @@ fn subtract(cas: &mut Cas, row: &mut [Form], lead: usize, known: &[Form]) -> Opt
     if cas.is_zero(&factor) {
         return Some(());
     }
-    for (entry, known) in row.iter_mut().zip(known) {
+    for (entry, known) in row.iter_mut().zip(known).filter(|(_, known)| !known.is_zero()) {
         *entry = cas.rational(&(&*entry - &(&factor * known)))?;
     }
     Some(())

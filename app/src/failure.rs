@@ -104,7 +104,9 @@ impl From<WriteError> for Failure {
     fn from(error: WriteError) -> Self {
         match error {
             WriteError::Emit { .. } => Self::input(error, ""),
-            WriteError::Io { .. } | WriteError::NotFresh { .. } => Self::unsuccessful(error, ""),
+            WriteError::Io { .. } | WriteError::Foreign { .. } | WriteError::NotFresh { .. } => {
+                Self::unsuccessful(error, "")
+            }
         }
     }
 }

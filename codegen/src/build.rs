@@ -24,7 +24,7 @@ use crate::emit::{EmitError, EmitOptions};
 use crate::mechanics::reduce::Keep;
 use crate::pipeline;
 use crate::spec::diagnostic::Diagnostics;
-use crate::write::{WriteError, write_within};
+use crate::write::{WriteError, refuse_foreign, write_within};
 use machinist_model::Model;
 
 /// Emits scenes to `OUT_DIR`, one file a scene, for a build script.
@@ -69,6 +69,10 @@ impl Build {
     pub fn compile(&self) -> Result<(), BuildError> {
         let folder = self.folder()?;
         let texts = self.texts()?;
+        let targets: Vec<PathBuf> =
+            texts.keys().map(|name| folder.join(format!("{name}.rs"))).collect();
+        let targets = targets.iter().map(PathBuf::as_path);
+        refuse_foreign(targets.zip(texts.values().map(String::as_str)))?;
         for (name, text) in &texts {
             write_within(&folder, &format!("{name}.rs"), text)?;
         }

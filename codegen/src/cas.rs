@@ -12,6 +12,7 @@ mod convert;
 mod functions;
 mod lock;
 mod simplify;
+mod terms;
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
@@ -19,8 +20,9 @@ use std::sync::{OnceLock, mpsc};
 
 use symbolica::atom::{Atom, AtomCore};
 
-use crate::expr::{Expr, Symbol};
+use crate::expr::{Expr, Symbol, identity};
 use functions::Vocabulary;
+pub use terms::Terms;
 
 /// Why a session could not be held.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -64,6 +66,10 @@ fn keep_standard_output_clean() {
     );
 }
 
+/// Bytes of stack of the thread that runs the sessions: expressions nest some six hundred
+/// levels deep, and their derivatives deeper.
+const STACK: usize = 256 << 20;
+
 type Job = Box<dyn FnOnce(&mut Cas) -> Box<dyn Any + Send> + Send>;
 type Reply = std::thread::Result<Box<dyn Any + Send>>;
 
@@ -84,7 +90,7 @@ where
     static WORKER: OnceLock<mpsc::Sender<Request>> = OnceLock::new();
     let worker = WORKER.get_or_init(|| {
         let (sender, receiver) = mpsc::channel::<Request>();
-        std::thread::spawn(move || {
+        let work = move || {
             let mut cas: Option<Cas> = None;
             for (purpose, job, reply) in receiver {
                 let answer = Cas::started(&mut cas, &purpose)
@@ -92,7 +98,9 @@ where
                 // The asker may be gone; then nobody needs the answer.
                 let _ = reply.send(answer);
             }
-        });
+        };
+        // Without a thread its end of the channel is gone, which the asker is told.
+        let _ = std::thread::Builder::new().stack_size(STACK).spawn(work);
         sender
     });
     let (sender, receiver) = mpsc::channel();
@@ -150,15 +158,46 @@ impl Cas {
         Form(simplify::shorter(&mut self.vocabulary, &form.0))
     }
 
-    /// As one quotient of polynomials, common factors cancelled.
+    /// As one quotient of polynomials, common factors cancelled; none beyond what that
+    /// may cost.
     #[must_use]
-    pub fn rational(&self, form: &Form) -> Form {
-        Form(form.0.together().cancel())
+    pub fn rational(&self, form: &Form) -> Option<Form> {
+        let is_small = simplify::may_be_factored(&self.expr(form));
+        is_small.then(|| Form(form.0.together().cancel()))
     }
 
-    /// Multiplied out, with sin^2 + cos^2 put together.
+    /// Multiplied out, with sin^2 + cos^2 put together; as it stands beyond what that may
+    /// cost.
     pub fn expand(&mut self, form: &Form) -> Form {
-        Form(simplify::trigonometric(&mut self.vocabulary, &form.0.expand()))
+        if simplify::may_be_expanded(&self.expr(form)) {
+            Form(simplify::trigonometric(&mut self.vocabulary, &form.0.expand()))
+        } else {
+            form.clone()
+        }
+    }
+
+    /// Whether a form is zero, whatever its symbols are.
+    #[must_use]
+    pub fn is_zero(&self, form: &Form) -> bool {
+        form.is_zero() || identity::is_zero(&self.expr(form))
+    }
+
+    /// The sum of many forms; adding them one by one would copy the sum each time.
+    #[must_use]
+    pub fn sum(&self, forms: Vec<Form>) -> Form {
+        Form(convert::sum(forms.into_iter().map(|form| form.0).collect()))
+    }
+
+    /// A form by the symbols of its terms.
+    #[must_use]
+    pub fn terms(&self, form: &Form) -> Terms {
+        Terms::of(self, form)
+    }
+
+    /// Whether a form since the last question divided by zero or took the logarithm of
+    /// zero; such a form stands for nothing.
+    pub fn was_undefined(&mut self) -> bool {
+        std::mem::take(&mut self.vocabulary.undefined)
     }
 }
 

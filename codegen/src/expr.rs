@@ -5,8 +5,11 @@
 
 pub mod abbreviate;
 mod cost;
+pub mod extent;
 mod fold;
 mod graph;
+pub mod identity;
+pub mod rank;
 mod signs;
 mod terms;
 pub mod trigonometry;
@@ -15,6 +18,7 @@ use std::collections::BTreeSet;
 
 use machinist_model::{Function as Unary, TableId};
 use num_rational::BigRational;
+use num_traits::Zero as _;
 
 pub use cost::{operations, weigh};
 pub use graph::Graph;
@@ -155,6 +159,12 @@ impl Expr {
     #[must_use]
     pub fn integer(value: i64) -> Self {
         Expr::Number(BigRational::from_integer(value.into()))
+    }
+
+    /// Whether this is the number zero.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        matches!(self, Expr::Number(number) if number.is_zero())
     }
 
     /// Calls `see` with this expression and every part of it.

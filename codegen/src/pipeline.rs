@@ -42,7 +42,9 @@ pub fn compile(system: LagrangianSystem, keep: Keep) -> Result<Model, Diagnostic
     let linear = session(&system.name.clone(), move |cas| {
         let equations = lagrange::derive(cas, &system);
         let needed = reduce(cas, &equations, keep)?;
-        Ok::<_, FreezeError>(Linear::of(cas, &needed))
+        let linear = Linear::of(cas, &needed);
+        defined(cas)?;
+        Ok::<_, Diagnostics>(linear)
     })??;
     Ok(linear.lower())
 }
@@ -143,7 +145,8 @@ pub fn derivation(system: LagrangianSystem, keep: Keep) -> Result<Derivation, Di
         let linear: Vec<_> =
             steps.iter().map(|(step, reduced)| (*step, Linear::of(cas, reduced))).collect();
         let whole = Linear::of(cas, &equations);
-        Ok::<_, FreezeError>((equations, whole, linear))
+        defined(cas)?;
+        Ok::<_, Diagnostics>((equations, whole, linear))
     })??;
     let steps = steps.iter().map(|(step, linear)| (*step, linear.lower()));
     let stages = Stages { whole: whole.lower(), steps: steps.collect() };
@@ -170,7 +173,21 @@ pub fn check(scene: &Path) -> Result<LagrangianSystem, Diagnostics> {
 /// As [`generate`].
 pub fn derive(scene: &Path) -> Result<EquationsOfMotion, Diagnostics> {
     let system = check(scene)?;
-    Ok(session(&system.name.clone(), move |cas| lagrange::derive(cas, &system))?)
+    session(&system.name.clone(), move |cas| {
+        let equations = lagrange::derive(cas, &system);
+        defined(cas).map(|()| equations)
+    })?
+}
+
+/// Refuses what has no value for any state: checks of the spec see each expression as it
+/// is written, this sees what became of them.
+fn defined(cas: &mut Cas) -> Result<(), Diagnostics> {
+    if !cas.was_undefined() {
+        return Ok(());
+    }
+    let message = "the equations divide by zero, or take its logarithm, whatever the state is";
+    let help = "look for a denominator or an argument of `ln` whose terms cancel";
+    Err(Diagnostic::of_file("", message.to_owned(), help).into())
 }
 
 /// A model with word of what made it.

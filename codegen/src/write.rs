@@ -2,7 +2,8 @@
 //!
 //! Excluded: what the text says. A file is written only if it changes, whole or
 //! not at all, and only within the folder given, but for the manifest of the crate
-//! that the folder belongs to; nothing is ever deleted.
+//! that the folder belongs to; nothing is ever deleted, and nothing overwritten that
+//! Machinist has not written itself: all targets are looked at before any is written.
 
 mod features;
 
@@ -78,6 +79,12 @@ pub enum WriteError {
         /// What the operating system says.
         source: io::Error,
     },
+    /// Files in the way that Machinist has not written. Nothing was written.
+    #[error("{}", describe_foreign(.files))]
+    Foreign {
+        /// Their paths, with what they are.
+        files: Vec<(PathBuf, &'static str)>,
+    },
     /// A file is missing, not what is emitted, or of a scene that is no more.
     #[error("{}", describe_not_fresh(.files, .orphans))]
     NotFresh {
@@ -106,6 +113,8 @@ pub fn emit_scenes(folder: &Path, models: &[Model], mode: Mode) -> Result<Summar
     files.extend(manifest);
     match mode {
         Mode::Write => {
+            let emitted = files.iter().filter(|(_, file, _)| file != MANIFEST);
+            refuse_foreign(emitted.map(|(path, _, text)| (path.as_path(), text.as_str())))?;
             let files = files.into_iter().map(|(path, file, text)| {
                 let failed = |source| WriteError::Io { path: path.clone(), source };
                 fs::create_dir_all(folder).map_err(failed)?;
@@ -115,6 +124,32 @@ pub fn emit_scenes(folder: &Path, models: &[Model], mode: Mode) -> Result<Summar
         }
         Mode::Check => check_all(files, orphans),
     }
+}
+
+/// The manifest of a crate.
+const MANIFEST: &str = "Cargo.toml";
+
+/// Refuses to write where something else is than an emitted file.
+///
+/// # Errors
+/// [`WriteError::Foreign`] with every such target.
+pub(crate) fn refuse_foreign<'a>(
+    targets: impl Iterator<Item = (&'a Path, &'a str)>,
+) -> Result<(), WriteError> {
+    let mut files = Vec::new();
+    for (path, text) in targets {
+        let what = match fs::metadata(path) {
+            Err(_) if fs::symlink_metadata(path).is_ok() => "is a link to nothing",
+            Err(_) => continue,
+            Ok(metadata) if metadata.is_dir() => "is a folder",
+            Ok(_) if is_emitted(path) || check(path, text).is_ok_and(|f| f == Freshness::Fresh) => {
+                continue;
+            }
+            Ok(_) => "was not emitted by Machinist",
+        };
+        files.push((path.to_owned(), what));
+    }
+    if files.is_empty() { Ok(()) } else { Err(WriteError::Foreign { files }) }
 }
 
 /// Writes `text` to `file`, a plain file name, in `folder`, which is made if need be.
@@ -190,7 +225,7 @@ fn manifest(
     let text = fs::read_to_string(&path).map_err(failed)?;
     let text = features::with_scenes(&text, &scenes);
     let text = text.map_err(|error| failed(io::Error::new(io::ErrorKind::InvalidData, error)))?;
-    Ok(text.map(|text| (path, "Cargo.toml".to_owned(), text)))
+    Ok(text.map(|text| (path, MANIFEST.to_owned(), text)))
 }
 
 fn check_all(
@@ -266,6 +301,15 @@ fn new_file_in(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
     builder.tempfile_in(folder)
+}
+
+fn describe_foreign(files: &[(PathBuf, &'static str)]) -> String {
+    let mut text = String::from("something is in the way of emitted files; nothing was written:");
+    for (path, what) in files {
+        let _ = write!(text, "\n  {} {what}", path.display());
+    }
+    text.push_str("\nmove it away, rename the scene, or name another folder");
+    text
 }
 
 fn describe_not_fresh(files: &[(String, Freshness)], orphans: &[String]) -> String {

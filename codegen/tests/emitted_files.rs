@@ -97,6 +97,25 @@ fn a_check_names_what_is_not_fresh_and_the_command_that_mends_it() {
 }
 
 #[test]
+fn what_was_not_emitted_is_never_overwritten() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let programs = [pendulum(), oddities()];
+    fs::write(folder.path().join("pendulum.rs"), "// written by hand").expect("written");
+    fs::create_dir(folder.path().join("mod.rs")).expect("a folder");
+    let error = emit_scenes(folder.path(), &programs, Mode::Write).expect_err("in the way");
+    let report = error.to_string().replace(&*folder.path().to_string_lossy(), "...");
+    insta::assert_snapshot!(report, @r"
+    something is in the way of emitted files; nothing was written:
+      .../mod.rs is a folder
+      .../pendulum.rs was not emitted by Machinist
+    move it away, rename the scene, or name another folder
+    ");
+    assert_eq!(names(folder.path()), ["mod.rs", "pendulum.rs"], "nothing is written");
+    let kept = fs::read_to_string(folder.path().join("pendulum.rs")).expect("the file");
+    assert_eq!(kept, "// written by hand");
+}
+
+#[test]
 fn files_of_scenes_that_are_no_more_are_reported_and_kept() {
     let folder = tempfile::tempdir().expect("a folder");
     emit_scenes(folder.path(), &[pendulum(), oddities()], Mode::Write).expect("written");

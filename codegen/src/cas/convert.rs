@@ -1,7 +1,7 @@
 //! Expr to Atom and back.
 
 use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::{Signed as _, ToPrimitive, Zero};
 use symbolica::atom::{Atom, AtomCore, AtomView, Symbol as CasSymbol};
 use symbolica::coefficient::CoefficientView;
 
@@ -16,7 +16,7 @@ pub(super) fn to_atom(vocabulary: &mut Vocabulary, expr: &Expr) -> Atom {
         Expr::Symbol(symbol) => vocabulary.variable(*symbol).to_atom(),
         Expr::Sum(terms) => {
             let terms: Vec<Atom> = terms.iter().map(|term| to_atom(vocabulary, term)).collect();
-            terms.iter().fold(Atom::new(), |sum, term| sum + term)
+            sum(terms)
         }
         Expr::Product(factors) => {
             let factors: Vec<Atom> = factors.iter().map(|f| to_atom(vocabulary, f)).collect();
@@ -25,9 +25,32 @@ pub(super) fn to_atom(vocabulary: &mut Vocabulary, expr: &Expr) -> Atom {
         Expr::Power(base, exponent) => power(vocabulary, base, exponent),
         Expr::Call(function, arguments) => {
             let arguments: Vec<Atom> = arguments.iter().map(|a| to_atom(vocabulary, a)).collect();
+            if *function == Function::Ln && arguments[0].is_zero() {
+                return undefined(vocabulary);
+            }
             vocabulary.call(*function, &arguments)
         }
     }
+}
+
+/// The sum of many: halves first, for each addition copies what it adds.
+pub(super) fn sum(mut terms: Vec<Atom>) -> Atom {
+    while terms.len() > 1 {
+        let pairs = terms.chunks(2);
+        terms = pairs
+            .map(|pair| match pair {
+                [a, b] => a + b,
+                pair => pair[0].clone(),
+            })
+            .collect();
+    }
+    terms.pop().unwrap_or_default()
+}
+
+/// What stands for a quotient or logarithm of zero, which Symbolica must not see.
+fn undefined(vocabulary: &mut Vocabulary) -> Atom {
+    vocabulary.undefined = true;
+    Atom::new()
 }
 
 fn number(value: &BigRational) -> Atom {
@@ -58,6 +81,9 @@ fn big_number(value: &BigRational) -> Atom {
 /// would otherwise take (x^2)^(1/2) for x.
 fn power(vocabulary: &mut Vocabulary, base: &Expr, exponent: &Expr) -> Atom {
     let base = to_atom(vocabulary, base);
+    if base.is_zero() && !matches!(exponent, Expr::Number(value) if value.is_positive()) {
+        return undefined(vocabulary);
+    }
     if let Expr::Number(value) = exponent
         && *value.denom() == 2.into()
         && let Some(numerator) = value.numer().to_i64()

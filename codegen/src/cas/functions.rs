@@ -19,6 +19,8 @@ pub(super) struct Vocabulary {
     functions: Vec<(Function, CasSymbol)>,
     select_less: CasSymbol,
     table: CasSymbol,
+    /// Whether an expression without a value was taken in.
+    pub(super) undefined: bool,
 }
 
 /// Variables of each kind that are registered beforehand.
@@ -32,6 +34,7 @@ impl Vocabulary {
             functions: functions(),
             select_less: select_less(),
             table: table(),
+            undefined: false,
         };
         vocabulary.name(Symbol::Pi, CasSymbol::PI);
         for index in 0..POOL {

@@ -6,9 +6,9 @@ use symbolica::atom::{Atom, AtomCore};
 
 use super::convert::{to_atom, to_expr};
 use super::functions::Vocabulary;
+use crate::expr::extent::{bits, expanded};
 use crate::expr::trigonometry::{combine, has_sine};
-use crate::expr::{Expr, Function};
-use crate::expr::{operations, weigh};
+use crate::expr::{Expr, Function, operations, weigh};
 
 /// Forms larger than this are not factored: the cost of factoring grows much
 /// faster than what it can save.
@@ -17,11 +17,32 @@ const FACTOR_LIMIT: usize = 60;
 /// Forms larger than this are not multiplied out.
 const EXPAND_LIMIT: usize = 2000;
 
+/// Leaves beyond which nothing is multiplied out, by a bound told beforehand: ten sums of
+/// ten terms are small before and 10^10 terms after.
+const EXPANDED_LIMIT: f64 = 20_000.0;
+
+/// Likewise for factoring and for common denominators.
+const FACTORED_LIMIT: f64 = 1500.0;
+
+/// Whether multiplying an expression out has a result of bounded size.
+pub(super) fn may_be_expanded(expr: &Expr) -> bool {
+    expanded(expr).leaves <= EXPANDED_LIMIT && bits(expr) <= NUMBER_LIMIT
+}
+
+/// Whether putting an expression over one denominator does.
+pub(super) fn may_be_factored(expr: &Expr) -> bool {
+    expanded(expr).leaves <= FACTORED_LIMIT && bits(expr) <= NUMBER_LIMIT
+}
+
+/// Bits of exact numbers beyond which algebra with them is not worth its time.
+const NUMBER_LIMIT: u64 = 8192;
+
 /// The form whose tape takes the least time: as it is, multiplied out with
 /// trigonometric identities applied, with common factors collected, or factored.
 pub(super) fn cheapest(vocabulary: &mut Vocabulary, atom: &Atom) -> Expr {
     let expr = to_expr(vocabulary, atom.as_view());
     let (size, cost) = weigh(&expr);
+    let is_expanded = size <= EXPAND_LIMIT && may_be_expanded(&expr);
     let mut best = (cost, expr);
     if size <= 1 {
         return best.1;
@@ -32,11 +53,11 @@ pub(super) fn cheapest(vocabulary: &mut Vocabulary, atom: &Atom) -> Expr {
             best = (cost, candidate);
         }
     };
-    if size <= EXPAND_LIMIT {
+    if is_expanded {
         let expanded = trigonometric(vocabulary, &atom.expand());
         offer(to_expr(vocabulary, expanded.collect_factors().as_view()));
         let as_sum = to_expr(vocabulary, expanded.as_view());
-        if size <= FACTOR_LIMIT && !has_high_degree(&as_sum) {
+        if size <= FACTOR_LIMIT && may_be_factored(&as_sum) && !has_high_degree(&as_sum) {
             offer(to_expr(vocabulary, expanded.factor().as_view()));
         }
         offer(as_sum);
@@ -50,7 +71,8 @@ pub(super) fn cheapest(vocabulary: &mut Vocabulary, atom: &Atom) -> Expr {
 /// The form itself, or multiplied out with trigonometric identities applied if that
 /// is shorter, written out without any sharing.
 pub(super) fn shorter(vocabulary: &mut Vocabulary, atom: &Atom) -> Atom {
-    if operations(&to_expr(vocabulary, atom.as_view())) > EXPAND_LIMIT {
+    let expr = to_expr(vocabulary, atom.as_view());
+    if operations(&expr) > EXPAND_LIMIT || !may_be_expanded(&expr) {
         return atom.clone();
     }
     let expanded = trigonometric(vocabulary, &atom.expand());

@@ -84,7 +84,7 @@ impl Constraints {
     /// The coordinates on whose rates a constraint depends.
     pub fn coordinates(&self, constraint: usize) -> impl Iterator<Item = usize> {
         let row = self.matrix[constraint].iter().enumerate();
-        row.filter(|(_, entry)| **entry != Expr::integer(0)).map(|(column, _)| column)
+        row.filter(|(_, entry)| !entry.is_zero()).map(|(column, _)| column)
     }
 
     /// Every expression of a constraint.

@@ -2,7 +2,7 @@
 //!
 //! Excluded: drawing it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 use serde::{Deserialize, Serialize};
 
@@ -20,7 +20,7 @@ pub struct Dependencies {
 }
 
 /// Columns of the graph, from what is wanted to what is given.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub enum Column {
     /// A wanted output.
     Output,
@@ -48,12 +48,16 @@ impl Dependencies {
     #[must_use]
     pub fn new(whole: &EquationsOfMotion, reduction: &Reduction) -> Self {
         let mut graph = Dependencies::default();
-        let mut known: Vec<(Column, Symbol)> = Vec::new();
+        let mut known: HashMap<(Column, Symbol), usize> = HashMap::new();
+        let mut left_out: HashMap<&str, Vec<What>> = HashMap::new();
+        for thing in &reduction.left_out {
+            left_out.entry(&thing.name).or_default().push(thing.what);
+        }
         let is_kept = |what: What, name: &str| {
-            !reduction.left_out.iter().any(|thing| thing.what == what && thing.name == name)
+            !left_out.get(name).is_some_and(|things| things.contains(&what))
         };
         let mut add = |column, symbol, name: &str, kept| {
-            known.push((column, symbol));
+            known.entry((column, symbol)).or_insert(graph.nodes.len());
             graph.nodes.push(Node { column, name: name.to_owned(), kept });
         };
         for output in &whole.system.outputs {
@@ -76,7 +80,7 @@ impl Dependencies {
             let symbol = Symbol::Parameter(ParameterId(id));
             add(Column::Parameter, symbol, name, is_kept(What::Parameter, name));
         }
-        let place = |column, symbol| known.iter().position(|node| *node == (column, symbol));
+        let place = |column, symbol| known.get(&(column, symbol)).copied();
         let mut edges = BTreeSet::new();
         let mut connect = |from: usize, expr: &Expr| {
             for symbol in expr.symbols() {

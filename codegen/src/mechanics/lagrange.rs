@@ -7,7 +7,7 @@
 //! M q'' = f + G^T lambda            z' = h
 //! ```
 
-use crate::cas::{Cas, Form};
+use crate::cas::{Cas, Form, Terms};
 use crate::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 use crate::mechanics::constraint::Constraints;
 use crate::mechanics::state::Layout;
@@ -64,25 +64,15 @@ pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
     let dissipation = cas.form(&system.dissipation);
     let lagrangian = &kinetic - &potential;
 
+    let kinetic_terms = cas.terms(&kinetic);
     let momenta: Vec<Form> =
-        ids.iter().map(|id| cas.derivative(&kinetic, Symbol::Velocity(*id))).collect();
+        ids.iter().map(|id| kinetic_terms.derivative(cas, Symbol::Velocity(*id))).collect();
+    let momenta: Vec<Terms> = momenta.iter().map(|momentum| cas.terms(momentum)).collect();
     let mass_matrix = mass_matrix(cas, &momenta, &ids);
-    let mut forcing = Vec::new();
-    for (row, id) in ids.iter().enumerate() {
-        let mut f = cas.derivative(&lagrangian, Symbol::Coordinate(*id));
-        for other in &ids {
-            let coupling = cas.derivative(&momenta[row], Symbol::Coordinate(*other));
-            let velocity = cas.form(&Expr::Symbol(Symbol::Velocity(*other)));
-            f = &f - &(&coupling * &velocity);
-        }
-        f = &f - &by_first_order(cas, system, &momenta[row]);
-        f = &f - &cas.derivative(&momenta[row], Symbol::Time);
-        f = &f - &cas.derivative(&dissipation, Symbol::Velocity(*id));
-        f = &f + &cas.form(&system.generalized_force[row].total);
-        forcing.push(cas.simplify(&f));
-    }
+    let forcing = forcing(cas, system, &lagrangian, &dissipation, &momenta);
     let constraints = Constraints::derive(cas, system);
-    let power = power(cas, system, &kinetic, (&momenta, &ids), constraints.supplied_power());
+    let energies = [&kinetic, &lagrangian, &dissipation];
+    let power = power(cas, system, energies, &momenta, &constraints.supplied_power());
     EquationsOfMotion {
         mass_matrix,
         forcing,
@@ -105,17 +95,54 @@ pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
     }
 }
 
-/// (dX/dz) h: how X changes with first-order states, such as the mass of a package that
-/// grows. Modes stay between events.
-fn by_first_order(cas: &mut Cas, system: &LagrangianSystem, of: &Form) -> Form {
-    let mut total = cas.form(&Expr::integer(0));
-    for (id, state) in (0..).map(FirstOrderId).zip(&system.first_order) {
+/// f, by what each momentum and each energy depends on.
+fn forcing(
+    cas: &mut Cas,
+    system: &LagrangianSystem,
+    lagrangian: &Form,
+    dissipation: &Form,
+    momenta: &[Terms],
+) -> Vec<Expr> {
+    let (lagrangian, dissipation) = (cas.terms(lagrangian), cas.terms(dissipation));
+    let coordinate = |symbol| match symbol {
+        Symbol::Coordinate(id) => Some(id),
+        _ => None,
+    };
+    let ids = (0..).map(CoordinateId);
+    let rows = ids.zip(momenta).zip(&system.generalized_force).map(|((id, momentum), force)| {
+        let mut parts = vec![lagrangian.derivative(cas, Symbol::Coordinate(id))];
+        for other in momentum.symbols(coordinate) {
+            let coupling = momentum.derivative(cas, Symbol::Coordinate(other));
+            let velocity = cas.form(&Expr::Symbol(Symbol::Velocity(other)));
+            parts.push(-&(&coupling * &velocity));
+        }
+        parts.extend(by_first_order(cas, system, momentum).iter().map(|part| -part));
+        parts.push(-&momentum.derivative(cas, Symbol::Time));
+        parts.push(-&dissipation.derivative(cas, Symbol::Velocity(id)));
+        parts.push(cas.form(&force.total));
+        let f = cas.sum(parts);
+        cas.simplify(&f)
+    });
+    rows.collect()
+}
+
+/// (dX/dz) h, term by term: how X changes with first-order states, such as the mass of a
+/// package that grows. Modes stay between events.
+fn by_first_order(cas: &mut Cas, system: &LagrangianSystem, of: &Terms) -> Vec<Form> {
+    let state = |symbol| match symbol {
+        Symbol::FirstOrder(id) => Some(id),
+        _ => None,
+    };
+    let mut parts = Vec::new();
+    for id in of.symbols(state) {
+        let FirstOrderId(index) = id;
+        let state = &system.first_order[index as usize];
         if !state.is_mode {
-            let slope = cas.derivative(of, Symbol::FirstOrder(id));
-            total = &total + &(&slope * &cas.form(&state.rate));
+            let slope = of.derivative(cas, Symbol::FirstOrder(id));
+            parts.push(&slope * &cas.form(&state.rate));
         }
     }
-    total
+    parts
 }
 
 fn normal_forms<'a>(cas: &mut Cas, exprs: impl Iterator<Item = &'a Expr>) -> Vec<Expr> {
@@ -137,16 +164,19 @@ fn events(cas: &mut Cas, system: &LagrangianSystem) -> Vec<Event> {
 }
 
 /// Second derivatives of T; the lower triangle is copied, not derived again.
-fn mass_matrix(cas: &mut Cas, momenta: &[Form], ids: &[CoordinateId]) -> Vec<Vec<Expr>> {
+fn mass_matrix(cas: &mut Cas, momenta: &[Terms], ids: &[CoordinateId]) -> Vec<Vec<Expr>> {
     let mut matrix: Vec<Vec<Expr>> = Vec::new();
     for (row, momentum) in momenta.iter().enumerate() {
         let mut line = Vec::new();
         for (column, id) in ids.iter().enumerate() {
+            let velocity = Symbol::Velocity(*id);
             if column < row {
                 line.push(matrix[column][row].clone());
-            } else {
-                let entry = cas.derivative(momentum, Symbol::Velocity(*id));
+            } else if momentum.mention(velocity) {
+                let entry = momentum.derivative(cas, velocity);
                 line.push(cas.simplify(&entry));
+            } else {
+                line.push(Expr::integer(0));
             }
         }
         matrix.push(line);
@@ -161,35 +191,35 @@ struct Power {
 }
 
 /// d(T + V)/dt = Q q' - q' dD/dq' - (dL/dz) h - dL/dt + d(2 T - q' dT/dq')/dt along a motion,
-/// and the power of moving constraints.
+/// and the power of moving constraints. Of T, L, D and the momenta.
 fn power(
     cas: &mut Cas,
     system: &LagrangianSystem,
-    kinetic: &Form,
-    (momenta, ids): (&[Form], &[CoordinateId]),
-    by_constraints: Vec<Expr>,
+    [kinetic, lagrangian, dissipation]: [&Form; 3],
+    momenta: &[Terms],
+    by_constraints: &[Expr],
 ) -> Power {
-    let dissipation = cas.form(&system.dissipation);
-    let mut supplied = cas.form(&system.supplied_power);
-    for power in by_constraints {
-        supplied = &supplied + &cas.form(&power);
-    }
-    let mut dissipated = cas.form(&system.dissipated_power);
-    let potential = cas.form(&system.potential);
-    let mut time_momentum = kinetic + kinetic;
-    for (row, id) in ids.iter().enumerate() {
-        let velocity = cas.form(&Expr::Symbol(Symbol::Velocity(*id)));
-        let force = &system.generalized_force[row];
+    let (lagrangian, dissipation) = (cas.terms(lagrangian), cas.terms(dissipation));
+    let mut supplied = vec![cas.form(&system.supplied_power)];
+    supplied.extend(by_constraints.iter().map(|power| cas.form(power)));
+    let mut dissipated = vec![cas.form(&system.dissipated_power)];
+    let mut time_momentum = vec![kinetic + kinetic];
+    for ((id, momentum), force) in
+        (0..).map(CoordinateId).zip(momenta).zip(&system.generalized_force)
+    {
+        let velocity = cas.form(&Expr::Symbol(Symbol::Velocity(id)));
         let external = &cas.form(&force.total) - &cas.form(&force.conversion);
-        supplied = &supplied + &(&external * &velocity);
-        let friction = cas.derivative(&dissipation, Symbol::Velocity(*id));
-        dissipated = &dissipated + &(&friction * &velocity);
-        time_momentum = &time_momentum - &(&momenta[row] * &velocity);
+        supplied.push(&external * &velocity);
+        let friction = dissipation.derivative(cas, Symbol::Velocity(id));
+        dissipated.push(&friction * &velocity);
+        time_momentum.push(-&(&momentum.form(cas) * &velocity));
     }
-    let lagrangian = kinetic - &potential;
-    supplied = &supplied - &by_first_order(cas, system, &lagrangian);
-    supplied = &supplied - &cas.derivative(&lagrangian, Symbol::Time);
-    let time_momentum = cas.expand(&time_momentum);
+    supplied.extend(by_first_order(cas, system, &lagrangian).iter().map(|part| -part));
+    supplied.push(-&lagrangian.derivative(cas, Symbol::Time));
+    let [supplied, dissipated, time_momentum] =
+        [supplied, dissipated, time_momentum].map(|parts| cas.sum(parts));
+    let time_momentum =
+        if cas.is_zero(&time_momentum) { cas.zero() } else { cas.expand(&time_momentum) };
     Power {
         supplied: cas.expr(&supplied),
         dissipated: cas.expr(&dissipated),

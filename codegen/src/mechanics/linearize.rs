@@ -1,7 +1,9 @@
 //! Partial derivatives of the equations of motion with respect to state,
 //! parameters and time.
 
-use crate::cas::{Cas, Form};
+use std::collections::HashMap;
+
+use crate::cas::{Cas, Form, Terms};
 use crate::expr::{Expr, HandedId, ParameterId, Symbol};
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::mechanics::state::Motion;
@@ -56,53 +58,89 @@ pub fn linearize(cas: &mut Cas, equations: &EquationsOfMotion) -> Linearization 
     }
 }
 
-/// The equations taken in once, to be differentiated many times.
+/// The equations taken in once, to be differentiated many times, each only by what is in it.
 struct Forms {
-    mass_matrix: Vec<Vec<Form>>,
+    /// Upper triangle of M, bordered by G^T: row, column, entry.
+    mass_matrix: Vec<(usize, usize, Form)>,
     forcing: Vec<Form>,
     /// y' of positions and first-order states, by entry of the state.
     rates: Vec<(usize, Form)>,
-    energy: Form,
-    time_momentum: Form,
+    energy: Terms,
+    time_momentum: Terms,
     guards: Vec<Form>,
+    /// Where each symbol is in M, f and the rates.
+    places: HashMap<Symbol, Places>,
+}
+
+/// Indices of the forms that mention a symbol.
+#[derive(Default)]
+struct Places {
+    mass_matrix: Vec<usize>,
+    forcing: Vec<usize>,
+    rates: Vec<usize>,
 }
 
 impl Forms {
     fn new(cas: &mut Cas, equations: &EquationsOfMotion) -> Self {
+        let mut places: HashMap<Symbol, Places> = HashMap::new();
+        let mut mention = |expr: &Expr, of: fn(&mut Places) -> &mut Vec<usize>, place: usize| {
+            for symbol in expr.symbols() {
+                of(places.entry(symbol).or_default()).push(place);
+            }
+        };
         let [kinetic, potential, stored] = equations.energy.each_ref().map(|e| cas.form(e));
         let (matrix, right_side) = equations.bordered();
-        let rows = matrix.iter();
-        let entries = equations.layout.states.iter().enumerate();
-        let rates = entries.filter_map(|(entry, state)| match &state.motion {
-            Motion::Position { rate, .. } => Some((entry, rate)),
-            Motion::FirstOrder(id) => Some((entry, &equations.rates[id.0 as usize])),
-            Motion::Velocity(_) => None,
-        });
-        let rates = rates.map(|(entry, rate)| (entry, cas.form(rate))).collect();
+        let mut mass_matrix = Vec::new();
+        for (i, row) in matrix.iter().enumerate() {
+            for (j, entry) in row.iter().enumerate().skip(i) {
+                if !entry.is_zero() {
+                    mention(entry, |places| &mut places.mass_matrix, mass_matrix.len());
+                    mass_matrix.push((i, j, cas.form(entry)));
+                }
+            }
+        }
+        let mut forcing = Vec::new();
+        for (row, expr) in right_side.iter().enumerate() {
+            mention(expr, |places| &mut places.forcing, row);
+            forcing.push(cas.form(expr));
+        }
+        let mut rates = Vec::new();
+        for (entry, state) in equations.layout.states.iter().enumerate() {
+            let rate = match &state.motion {
+                Motion::Position { rate, .. } => rate,
+                Motion::FirstOrder(id) => &equations.rates[id.0 as usize],
+                Motion::Velocity(_) => continue,
+            };
+            mention(rate, |places| &mut places.rates, rates.len());
+            rates.push((entry, cas.form(rate)));
+        }
+        let energy = &(&kinetic + &potential) + &stored;
+        let time_momentum = cas.form(&equations.time_momentum);
         Forms {
-            mass_matrix: rows.map(|row| row.iter().map(|e| cas.form(e)).collect()).collect(),
-            forcing: right_side.iter().map(|e| cas.form(e)).collect(),
+            mass_matrix,
+            forcing,
             rates,
-            energy: &(&kinetic + &potential) + &stored,
-            time_momentum: cas.form(&equations.time_momentum),
+            energy: cas.terms(&energy),
+            time_momentum: cas.terms(&time_momentum),
             guards: equations.events.iter().map(|event| cas.form(&event.guard)).collect(),
+            places,
         }
     }
 
     fn partials(&self, cas: &mut Cas, symbol: Symbol) -> Partials {
-        let mut mass_matrix = Vec::new();
-        for (i, row) in self.mass_matrix.iter().enumerate() {
-            for (j, entry) in row.iter().enumerate().skip(i) {
-                mass_matrix.extend(nonzero(cas, entry, symbol).map(|expr| (i, j, expr)));
-            }
-        }
+        let none = Places::default();
+        let places = self.places.get(&symbol).unwrap_or(&none);
+        let entries = places.mass_matrix.iter().map(|place| &self.mass_matrix[*place]);
+        let mass_matrix = entries
+            .filter_map(|(i, j, entry)| nonzero(cas, entry, symbol).map(|expr| (*i, *j, expr)))
+            .collect();
         let mut nonzeros = |row: usize, form| nonzero(cas, form, symbol).map(|e| (row, e));
-        let rows = self.forcing.iter().enumerate();
-        let forcing = rows.filter_map(|(row, form)| nonzeros(row, form)).collect();
-        let rates = self.rates.iter();
+        let rows = places.forcing.iter();
+        let forcing = rows.filter_map(|row| nonzeros(*row, &self.forcing[*row])).collect();
+        let rates = places.rates.iter().map(|place| &self.rates[*place]);
         let rates = rates.filter_map(|(entry, form)| nonzeros(*entry, form)).collect();
-        let energy = cas.derivative(&self.energy, symbol);
-        let time_momentum = cas.derivative(&self.time_momentum, symbol);
+        let energy = self.energy.derivative(cas, symbol);
+        let time_momentum = self.time_momentum.derivative(cas, symbol);
         let is_parameter = matches!(symbol, Symbol::Parameter(_) | Symbol::Handed(_));
         let guards = self.guards.iter().filter(|_| !is_parameter).map(|guard| {
             let slope = cas.derivative(guard, symbol);

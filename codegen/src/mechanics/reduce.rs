@@ -59,7 +59,7 @@ impl Keep {
 
 /// What a step of reduction gives.
 #[derive(Debug, Clone)]
-#[allow(clippy::large_enum_variant, reason = "there is one at a time")]
+#[expect(clippy::large_enum_variant, reason = "one at a time, taken apart at once")]
 pub enum Step {
     /// Equations with less in them.
     Equations(EquationsOfMotion),
@@ -78,7 +78,7 @@ impl Keep {
         let is_plain = equations.events.is_empty() && equations.constraints.is_empty();
         match self {
             Keep::Needed => frozen::freeze(cas, equations),
-            Keep::Tunable => Ok(fixed::fix(cas, equations)),
+            Keep::Tunable => Ok(fixed::fix(equations)),
             Keep::Reachable => Ok(reach::slice(cas, equations)),
             Keep::Exact if is_plain => Ok(Step::Equations(cyclic::relative(cas, equations))),
             Keep::Exact | Keep::All => Ok(Step::Equations(equations)),

@@ -7,6 +7,7 @@ mod initial;
 mod outputs;
 mod precision;
 
+use crate::expr::rank::motion_without_energy;
 use crate::expr::{CoordinateId, Expr, Symbol};
 use crate::scene::layout::{Layout, Local, Scope, coordinate_spec, find_port, unknown_coordinate};
 use crate::scene::names::{Flat, name};
@@ -75,6 +76,7 @@ pub fn assemble(
     let helpers = assembler.helpers();
     let outputs = assembler.outputs();
     assembler.inertia(&kinetic);
+    assembler.motions(&kinetic);
     assembler.clashes();
     let (tables, discontinuities) = (assembler.resolver.tables, assembler.resolver.discontinuities);
     let run = &spec.run;
@@ -352,6 +354,34 @@ impl<'a> Assembler<'a> {
             let mistake = Mistake::new(spec.name.span, message, "without inertia");
             self.mistakes.push(mistake.help(help));
         }
+    }
+
+    /// No motion of all coordinates is without kinetic energy, whatever the parameters are:
+    /// accelerations would not follow from forces.
+    fn motions(&mut self, kinetic: &Expr) {
+        if !self.mistakes.is_empty() {
+            return;
+        }
+        let slots = &self.layout.representatives;
+        let Some(moving) = motion_without_energy(kinetic, slots.len()) else { return };
+        let name = |id: &CoordinateId| {
+            let slot = slots[id.0 as usize];
+            let instance = &self.spec.instances[self.layout.coordinate(slot).0].name.value;
+            let spec = coordinate_spec(self.spec, self.layout, slot);
+            quoted(&format!("{instance}.{}", spec.name.value))
+        };
+        let Some(first) = moving.first() else { return };
+        let names: Vec<String> = moving.iter().take(8).map(name).collect();
+        let more = if moving.len() > 8 { ", ..." } else { "" };
+        let message = format!(
+            "the mass matrix is singular: {}{more} can move together without kinetic energy",
+            names.join(", ")
+        );
+        let span = coordinate_spec(self.spec, self.layout, slots[first.0 as usize]).name.span;
+        let help = "give one of them an inertia of its own (a node of a circuit: a capacitance \
+                    to ground), or describe the machine by fewer coordinates";
+        let mistake = Mistake::new(span, message, "moves without energy");
+        self.mistakes.push(mistake.help(help));
     }
 
     /// Names of one kind stay apart once flattened.

@@ -2,7 +2,7 @@
 
 use crate::expr::{Expr, Function, Symbol};
 use crate::scene::layout::Scope;
-use crate::scene::resolve::{Resolved, Resolver};
+use crate::scene::resolve::{Resolved, Resolver, not_zero};
 use crate::scene::spline;
 use crate::scene::typed::{Typed, Uses, integer, power, product, select_less, sum};
 use crate::spec::diagnostic::{Mistake, Span};
@@ -73,8 +73,11 @@ impl Resolver<'_> {
         }
     }
 
-    fn pure(&mut self, function: Function, x: &Ast, scope: Scope, allowed: Uses) -> Resolved {
-        let x = self.number(x, scope, allowed)?;
+    fn pure(&mut self, function: Function, of: &Ast, scope: Scope, allowed: Uses) -> Resolved {
+        let x = self.number(of, scope, allowed)?;
+        if function == Function::Ln {
+            not_zero(&x, of.span, "the logarithm of zero")?;
+        }
         let mut typed = Typed::over(&[&x]);
         typed.angular = Angular::of_function(x.uses.moves());
         typed.value = x.value.zip(function.unary()).map(|(value, function)| call(function, value));

@@ -4,9 +4,11 @@
 use std::collections::HashMap;
 
 use num_rational::BigRational;
-use num_traits::{One as _, Signed as _, ToPrimitive as _, Zero as _};
+use num_traits::{One as _, Pow, Signed as _, ToPrimitive as _, Zero as _};
 
 use crate::expr::Expr;
+use crate::expr::extent::derivatives;
+use crate::expr::identity::{Identity, identity};
 use crate::scene::layout::{Layout, Scope};
 use crate::scene::lookup::{Definition, State};
 use crate::scene::typed::{self, Typed, Uses, integer, product, sum};
@@ -24,7 +26,10 @@ const MAX_SCENE_TERMS: usize = 1_000_000;
 /// what is nested.
 const MAX_LEVELS: usize = 3 * MAX_NESTING + 2;
 /// Bits that exact numbers could grow to.
-const MAX_BITS: u64 = 1 << 24;
+const MAX_BITS: u64 = 1 << 18;
+/// Leaves that a second derivative may have, written out: equations of motion are made of
+/// second derivatives of energies, and their Jacobians of those of forces.
+const MAX_DERIVATIVE: f64 = 200_000.0;
 
 pub(super) type Resolved = Result<Typed, Box<Mistake>>;
 
@@ -89,7 +94,7 @@ impl<'a> Resolver<'a> {
     /// uses an unknown name.
     pub fn expect(&mut self, ast: &Ast, scope: Scope, wanted: &Wanted) -> Resolved {
         (self.level, self.spent) = (0, 0);
-        self.nested(ast, scope, wanted)
+        self.nested(ast, scope, wanted).and_then(|typed| derivable(typed, ast.span))
     }
 
     /// The value of a name.
@@ -116,7 +121,7 @@ impl<'a> Resolver<'a> {
     /// As [`Resolver::expect`].
     pub fn expect_motion(&mut self, ast: &Ast, scope: Scope) -> Resolved {
         (self.level, self.spent) = (0, 0);
-        self.resolve(ast, scope, Uses::MOTION)
+        self.resolve(ast, scope, Uses::MOTION).and_then(|typed| derivable(typed, ast.span))
     }
 
     /// Resolves a formula; a bare number is in the unit of what it is for.
@@ -199,8 +204,8 @@ impl<'a> Resolver<'a> {
         let mut parts = Vec::with_capacity(factors.len());
         for (divides, factor) in factors {
             let part = self.resolve(factor, scope, allowed)?;
-            if *divides && part.value == Some(0.0) {
-                return Err(Box::new(Mistake::new(factor.span, "division by zero", "this is 0")));
+            if *divides {
+                not_zero(&part, factor.span, "division by zero")?;
             }
             parts.push(if *divides { reciprocal(part) } else { part });
         }
@@ -235,6 +240,9 @@ impl<'a> Resolver<'a> {
             return Err(Box::new(mistake));
         };
         let part = self.resolve(base, scope, allowed)?;
+        if numerator < 0 {
+            not_zero(&part, base.span, "division by zero")?;
+        }
         let mut typed = Typed::over(&[&part]);
         typed.angular = part.angular.power(numerator, denominator);
         typed.dimension = match part.dimension {
@@ -253,6 +261,12 @@ impl<'a> Resolver<'a> {
         guard_bits(typed.bits, span)?;
         typed.terms += 1;
         self.spend(1, span)?;
+        if number.is_zero() {
+            // Of anything, also of what is zero.
+            typed.value = Some(1.0);
+            typed.expr = integer(1);
+            return Ok(typed);
+        }
         typed.expr = typed::power(part.expr, &number);
         Ok(typed)
     }
@@ -315,6 +329,15 @@ fn constant(ast: &Ast) -> Option<BigRational> {
             }
             product
         }
+        Node::Power(base, exponent) => {
+            let (base, exponent) = (constant(base)?, constant(exponent)?);
+            let exponent = exponent.is_integer().then(|| exponent.to_i32()).flatten()?;
+            let size = typed::bits(&base.abs()).saturating_mul(u64::from(exponent.unsigned_abs()));
+            if size > 4096 || base.is_zero() && exponent <= 0 {
+                return None;
+            }
+            Pow::pow(base, exponent)
+        }
         _ => return None,
     };
     short(&number).map(|()| number)
@@ -356,6 +379,28 @@ fn same(span: Span, part: &Typed, before: &[Typed]) -> Result<(), Box<Mistake>> 
         }
         _ => Ok(()),
     }
+}
+
+/// Refuses what is zero whatever its symbols are, `p - p` as well as 0.
+pub(super) fn not_zero(part: &Typed, span: Span, what: &str) -> Result<(), Box<Mistake>> {
+    if part.value != Some(0.0) && identity(&part.expr) == Identity::NotZero {
+        return Ok(());
+    }
+    let label = if part.value.is_some() { "this is 0" } else { "this is 0, whatever is put in" };
+    Err(Box::new(Mistake::new(span, what, label)))
+}
+
+/// Refuses what would grow beyond all bounds by differentiation.
+fn derivable(typed: Typed, span: Span) -> Resolved {
+    let leaves = derivatives(&typed.expr).second;
+    if leaves <= MAX_DERIVATIVE {
+        return Ok(typed);
+    }
+    let message = format!(
+        "a second derivative of this would have more than {MAX_DERIVATIVE} terms, written out"
+    );
+    let mistake = Mistake::new(span, message, "nests or multiplies too much");
+    Err(Box::new(mistake.help("make a part of it a state or a coordinate of its own, or a table")))
 }
 
 /// Refuses numbers that no f64 can hold.

@@ -229,6 +229,12 @@ impl<'a> Fields<'a> {
     /// A finite number's value.
     pub fn as_number(&mut self, tree: &Spanned<Tree>, key: &str) -> Option<Spanned<f64>> {
         match &tree.value {
+            Tree::Number { value: 0.0, text, .. } if is_written_as_more(text) => {
+                let message = format!("{} is too small for a double, but not 0", quoted(key));
+                let mistake = Mistake::new(tree.span, message, "would become 0");
+                self.found.mistakes.push(mistake.help("sizes go from about 1e-308 to 1e308"));
+                None
+            }
             Tree::Number { value, .. } if value.is_finite() => {
                 Some(Spanned { value: *value, span: tree.span })
             }
@@ -281,4 +287,10 @@ impl<'a> Fields<'a> {
         self.found.mistakes.push(Mistake::new(tree.span, message, format!("this is {found}")));
         None
     }
+}
+
+/// Whether a number's text has a digit before its exponent that is not 0.
+fn is_written_as_more(text: &str) -> bool {
+    let mantissa = text.split(['e', 'E']).next().unwrap_or(text);
+    mantissa.contains(|c: char| ('1'..='9').contains(&c))
 }

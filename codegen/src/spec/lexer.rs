@@ -13,6 +13,8 @@ use crate::spec::toml::Tree;
 
 /// Bytes an expression may have.
 const MAX_EXPRESSION: usize = 64 << 10;
+/// Digits a number may have; no double takes more to be written exactly.
+const MAX_DIGITS: usize = 800;
 /// Powers of ten beyond which no number of an expression can be meant.
 const MAX_POWER_OF_TEN: i64 = 70_000;
 
@@ -33,6 +35,9 @@ impl Literal {
         let rounded: f64 = text.parse().ok().filter(|value: &f64| value.is_finite())?;
         let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        if whole.len() + fraction.len() > MAX_DIGITS {
+            return None;
+        }
         let digits: BigInt = format!("{whole}{fraction}").parse().ok()?;
         if digits.is_zero() {
             return Some(Literal(BigRational::zero()));
@@ -185,6 +190,10 @@ impl Lexer<'_> {
         let range = start..self.at;
         if let Some(literal) = Literal::parse(&self.text.value[range.clone()]) {
             return Ok(Token::Number(literal));
+        }
+        if range.len() > MAX_DIGITS {
+            let message = format!("a number has at most {MAX_DIGITS} digits");
+            return Err(Box::new(self.mistake(range, message, "too long", "round it")));
         }
         let message = "this number cannot be held by an f64".to_owned();
         let help = "sizes go from about 1e-308 to 1e308";

@@ -123,6 +123,13 @@ impl Loader<'_> {
         let among = self.folder.join("..").join("units").join(&file_name);
         for path in [beside, among] {
             if std::fs::symlink_metadata(&path).is_ok() {
+                if self.leads_out(&path) {
+                    let message = format!(
+                        "the file of unit {} is a link that leads out of the folders of specs",
+                        quoted(&name.value)
+                    );
+                    return self.refuse(name, message, "put the file itself there");
+                }
                 let read = self.sources.read(&path);
                 return match read {
                     Ok(file) => self.unit(name, file),
@@ -141,6 +148,15 @@ impl Loader<'_> {
             name.value
         );
         self.refuse(name, format!("there is no unit {}", quoted(&name.value)), &help)
+    }
+
+    /// Whether a file is really neither in the scene's folder nor among the units: what it
+    /// holds is then nobody's to quote.
+    fn leads_out(&self, path: &Path) -> bool {
+        let Ok(real) = path.canonicalize() else { return false };
+        let folders = [self.folder.to_path_buf(), self.folder.join("..").join("units")];
+        let mut folders = folders.iter().filter_map(|folder| folder.canonicalize().ok());
+        !folders.any(|folder| real.starts_with(folder))
     }
 
     fn unit(&mut self, name: &Spanned<String>, file: FileId) -> Option<UnitSpec> {

@@ -69,6 +69,71 @@ pub fn check(name: &Spanned<String>) -> Result<(), Mistake> {
     Ok(())
 }
 
+/// Scenes that would be mistaken for other features of the crate of emitted scenes.
+const FEATURES: &[&str] = &["bench", "default", "libm", "scenes", "std"];
+
+/// Types that modules of emitted scenes define or import, as scenes would have to be called
+/// to clash with them.
+const TYPES: &[&str] = &[
+    "bends",
+    "box",
+    "clone",
+    "constants",
+    "constraint",
+    "copy",
+    "cubic_table",
+    "debug",
+    "describe",
+    "direction",
+    "energy",
+    "err",
+    "event",
+    "factored",
+    "field_attachment",
+    "field_description",
+    "field_place",
+    "field_point",
+    "field_scene",
+    "lanes",
+    "linear_equations",
+    "none",
+    "ok",
+    "option",
+    "outputs",
+    "parameters",
+    "phantom_data",
+    "power_balance",
+    "quantity",
+    "r",
+    "real",
+    "result",
+    "run_defaults",
+    "shape",
+    "simulator",
+    "some",
+    "sparsity_pattern",
+    "state_kind",
+    "string",
+    "taylor_series",
+    "vec",
+];
+
+/// Refuses names that emitted scenes cannot have.
+///
+/// # Errors
+/// If modules or features of emitted code use the name themselves.
+pub fn check_scene(name: &Spanned<String>) -> Result<(), Mistake> {
+    // `linear_equations`, `LinearEquations` and `linearequations` all give one type.
+    let plain = |text: &str| text.replace('_', "").to_ascii_lowercase();
+    let own = plain(&name.value);
+    if FEATURES.iter().chain(TYPES).all(|taken| plain(taken) != own) {
+        return Ok(());
+    }
+    let message = format!("a scene cannot be called {}: emitted code uses it", quoted(&name.value));
+    Err(Mistake::new(name.span, message, "not free as the name of a scene")
+        .help("add a word: two of them clash with nothing"))
+}
+
 /// A text of the spec as a message shows it: in quotes, escaped, not too long.
 #[must_use]
 pub fn quoted(text: &str) -> String {

@@ -6,7 +6,7 @@ use crate::spec::distributed;
 use crate::spec::event;
 use crate::spec::expression::Ast;
 use crate::spec::fields::{Fields, Findings};
-use crate::spec::names::{did_you_mean, quoted};
+use crate::spec::names::{self, did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::unit::{self, each};
 use crate::spec::{
@@ -118,6 +118,9 @@ fn header(tree: &Spanned<Tree>, found: &mut Findings) -> Option<Header> {
     let mut fields = Fields::open(tree, "[scene]".to_owned(), found);
     let present = fields.require("name").is_some();
     let name = fields.name("name");
+    if let Some(Err(mistake)) = name.as_ref().map(names::check_scene) {
+        fields.found().mistakes.push(mistake);
+    }
     let [title, doc, source] = ["title", "doc", "source"].map(|key| fields.text(key));
     fields.close();
     let name = name.filter(|_| present)?;
@@ -199,6 +202,11 @@ pub fn values_by_name(
 }
 
 fn output(entry: &Entry, found: &mut Findings) -> Option<OutputSpec> {
+    if entry.key.value == "time" {
+        let message = "an output cannot be called `time`: that is the first column of results";
+        let mistake = Mistake::new(entry.key.span, message, "taken");
+        found.mistakes.push(mistake.help("choose another name"));
+    }
     if let Tree::Table(_) = entry.value.value {
         return unit::definition(entry, found).map(OutputSpec::Definition);
     }

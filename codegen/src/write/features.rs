@@ -9,6 +9,8 @@ use toml_edit::{Array, DocumentMut, TomlError, value};
 
 /// The feature that turns all scenes on.
 const ALL: &str = "scenes";
+/// What the comment above that feature says in manifests whose list is ours to keep.
+const MARK: &str = "machinist gen";
 
 /// The manifest of the crate whose `src/scenes` a folder is, if there is one.
 pub(crate) fn manifest_of(folder: &Path) -> Option<PathBuf> {
@@ -17,19 +19,23 @@ pub(crate) fn manifest_of(folder: &Path) -> Option<PathBuf> {
     manifest.is_file().then_some(manifest)
 }
 
-/// A manifest with a feature for each scene, and one for all of them; nothing if it
-/// has no feature for all.
+/// A manifest with a feature for each scene, and one for all of them; nothing if it has no
+/// feature for all with the mark in its comment. Features that are not in its list are none
+/// of ours and stay.
 pub(crate) fn with_scenes(manifest: &str, scenes: &[&str]) -> Result<Option<String>, TomlError> {
     let mut document: DocumentMut = manifest.parse()?;
     let Some(features) = document.get_mut("features").and_then(|item| item.as_table_like_mut())
     else {
         return Ok(None);
     };
-    if !features.contains_key(ALL) {
+    let comment = features.key(ALL).and_then(|key| key.leaf_decor().prefix()?.as_str());
+    if !comment.is_some_and(|comment| comment.contains(MARK)) {
         return Ok(None);
     }
-    let gone: Vec<String> = features.iter().map(|(name, _)| name.to_owned()).collect();
-    for name in gone.iter().filter(|name| !TAKEN.contains(&name.as_str())) {
+    let listed = features.get(ALL).and_then(|item| item.as_array());
+    let listed: Vec<String> =
+        listed.into_iter().flatten().filter_map(|name| Some(name.as_str()?.to_owned())).collect();
+    for name in listed.iter().filter(|name| !TAKEN.contains(&name.as_str())) {
         features.remove(name);
     }
     let mut scenes = scenes.to_vec();
@@ -53,20 +59,24 @@ mod tests {
     use super::with_scenes;
 
     const MANIFEST: &str = "[package]\nname = \"a\"\n\n[features]\n# How.\ndefault = [\"std\"]\n\
-                            std = []\n# Every scene.\nscenes = [\"old\"]\nold = []\n";
+                            std = []\nmine = []\n# Kept by `machinist gen`.\n\
+                            scenes = [\"old\"]\nold = []\n";
 
     #[test]
     fn features_follow_the_scenes_and_leave_the_rest_alone() {
         let text = with_scenes(MANIFEST, &["pump", "gin"]).expect("a manifest").expect("a change");
         let expected = "[package]\nname = \"a\"\n\n[features]\n# How.\ndefault = [\"std\"]\n\
-                        std = []\n# Every scene.\nscenes = [\n    \"gin\",\n    \"pump\",\n]\n\
+                        std = []\nmine = []\n# Kept by `machinist gen`.\n\
+                        scenes = [\n    \"gin\",\n    \"pump\",\n]\n\
                         gin = []\npump = []\n";
         assert_eq!(text, expected);
         assert_eq!(with_scenes(&text, &["gin", "pump"]).expect("a manifest"), Some(text));
     }
 
     #[test]
-    fn a_manifest_without_the_feature_for_all_scenes_is_none_of_ours() {
+    fn a_manifest_without_our_feature_for_all_scenes_is_none_of_ours() {
+        let theirs = MANIFEST.replace("# Kept by `machinist gen`.\n", "");
+        assert_eq!(with_scenes(&theirs, &["gin"]).expect("a manifest"), None);
         assert_eq!(with_scenes("[features]\nstd = []\n", &["gin"]).expect("a manifest"), None);
         assert_eq!(with_scenes("", &["gin"]).expect("a manifest"), None);
         assert!(with_scenes("[features", &["gin"]).is_err());

@@ -13,6 +13,8 @@
 
 mod direction;
 
+use std::collections::BTreeSet;
+
 use crate::cas::Cas;
 use crate::expr::{CoordinateId, Expr, Symbol};
 use crate::mechanics::lagrange::EquationsOfMotion;
@@ -28,7 +30,11 @@ pub(super) fn relative(cas: &mut Cas, mut equations: EquationsOfMotion) -> Equat
     let mut live: Vec<CoordinateId> =
         (0..equations.forcing.len() as u32).map(CoordinateId).collect();
     let mut changed = Vec::new();
-    while let Some(direction) = direction::find(cas, &equations, &live) {
+    loop {
+        let free = direction::free(&equations, &live);
+        live.retain(|id| !free.contains(id));
+        leave_free(cas, &mut equations, &free);
+        let Some(direction) = direction::find(cas, &equations, &live) else { break };
         live.retain(|id| *id != direction.pivot);
         changed.extend(direction.others.iter().map(|(id, _)| *id));
         apply(cas, &mut equations, &direction);
@@ -42,19 +48,55 @@ pub(super) fn relative(cas: &mut Cas, mut equations: EquationsOfMotion) -> Equat
     equations
 }
 
+/// Leaves positions that no equation mentions to themselves, or out if no output does.
+fn leave_free(cas: &mut Cas, equations: &mut EquationsOfMotion, free: &[CoordinateId]) {
+    let asked_for: BTreeSet<Symbol> = equations.outputs.iter().flat_map(Expr::symbols).collect();
+    let mut gone = BTreeSet::new();
+    for id in free {
+        let direction = Direction { pivot: *id, others: Vec::new() };
+        let symbol = Symbol::Coordinate(*id);
+        let is_asked_for = asked_for.contains(&symbol);
+        if !is_asked_for {
+            if equations
+                .energy
+                .iter()
+                .chain([&equations.time_momentum])
+                .any(|e| e.mentions(|s| s == symbol))
+            {
+                leave_energy(cas, equations, &direction);
+            }
+            gone.insert(symbol);
+            rewrite_helpers(cas, equations, &direction, is_asked_for);
+        }
+        rewrite_states(equations, &direction, is_asked_for);
+    }
+    let plain = equations.rates.iter_mut().chain(&mut equations.outputs);
+    let plain = plain.chain(&mut equations.energy).chain([
+        &mut equations.dissipation,
+        &mut equations.supplied,
+        &mut equations.dissipated,
+        &mut equations.time_momentum,
+    ]);
+    for expr in plain.filter(|expr| expr.mentions(|symbol| gone.contains(&symbol))) {
+        let held = expr.replace(&|symbol| gone.contains(&symbol).then(|| Expr::integer(0)));
+        let form = cas.form(&held);
+        *expr = cas.expr(&form);
+    }
+}
+
 /// Makes the positions of a direction relative to its pivot.
 fn apply(cas: &mut Cas, equations: &mut EquationsOfMotion, direction: &Direction) {
-    let is_asked_for =
-        equations.outputs.clone().iter().any(|output| !is_invariant(cas, output, direction));
+    let is_asked_for = equations.outputs.iter().any(|output| !is_invariant(output, direction));
     if !is_asked_for {
         leave_energy(cas, equations, direction);
     }
-    for expr in equations.mass_matrix.iter_mut().flatten().chain(&mut equations.forcing) {
+    let dynamics = equations.mass_matrix.iter_mut().flatten().chain(&mut equations.forcing);
+    for expr in dynamics.filter(|expr| direction.is_in(expr)) {
         let form = cas.form(&direction.relative(expr));
         *expr = cas.simplify(&form);
     }
     let mut rewritten = |expr: &Expr| {
-        let is_relative = !is_asked_for || is_invariant(cas, expr, direction);
+        let is_relative = !is_asked_for || is_invariant(expr, direction);
         let expr = if is_relative { direction.relative(expr) } else { direction.absolute(expr) };
         let form = cas.form(&expr);
         cas.expr(&form)
@@ -103,7 +145,11 @@ fn rewrite_helpers(
     let helpers = equations.system.helpers.drain(..).zip(equations.helpers.drain(..));
     let mut kept = Vec::new();
     for (helper, expr) in helpers {
-        let expr = if is_invariant(cas, &expr, direction) {
+        if !direction.is_in(&expr) {
+            kept.push((helper, expr));
+            continue;
+        }
+        let expr = if is_invariant(&expr, direction) {
             direction.relative(&expr)
         } else if is_asked_for {
             direction.absolute(&expr)

@@ -7,13 +7,13 @@ use num_rational::BigRational;
 use num_traits::{Pow, Signed};
 
 use super::Step;
-use crate::cas::Cas;
+use crate::expr::identity::{Identity, identity};
 use crate::expr::{Expr, Function, ParameterId, Symbol};
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::scene::system::LagrangianSystem;
 
 /// The equations with numbers in place of fixed parameters.
-pub(super) fn fix(cas: &mut Cas, equations: EquationsOfMotion) -> Step {
+pub(super) fn fix(equations: EquationsOfMotion) -> Step {
     let parameters = (0..).map(ParameterId).zip(&equations.system.parameters);
     let fixed = parameters.filter(|(_, p)| !p.tunable && p.value.is_finite());
     let mut fixed: BTreeSet<ParameterId> = fixed.map(|(id, _)| id).collect();
@@ -21,7 +21,7 @@ pub(super) fn fix(cas: &mut Cas, equations: EquationsOfMotion) -> Step {
         if fixed.is_empty() {
             return Step::Equations(equations);
         }
-        let singular = singular(cas, &equations.system, &fixed);
+        let singular = singular(&equations.system, &fixed);
         if singular.is_empty() {
             break;
         }
@@ -50,11 +50,7 @@ fn number(symbol: Symbol, fixed: &BTreeSet<ParameterId>, values: &[f64]) -> Opti
 }
 
 /// Fixed parameters that make a denominator or the argument of a logarithm zero.
-fn singular(
-    cas: &mut Cas,
-    system: &LagrangianSystem,
-    fixed: &BTreeSet<ParameterId>,
-) -> BTreeSet<ParameterId> {
+fn singular(system: &LagrangianSystem, fixed: &BTreeSet<ParameterId>) -> BTreeSet<ParameterId> {
     let values: Vec<f64> = system.parameters.iter().map(|parameter| parameter.value).collect();
     let mut system = system.clone();
     let mut dangerous: Vec<Expr> = Vec::new();
@@ -73,8 +69,8 @@ fn singular(
     // Inner parts first, so that none that is put together divides by zero.
     dangerous.sort_by_key(depth);
     for expr in dangerous {
-        let form = cas.form(&expr.replace(&|symbol| number(symbol, fixed, &values)));
-        if cas.expand(&form).is_zero() {
+        let with_numbers = expr.replace(&|symbol| number(symbol, fixed, &values));
+        if identity(&with_numbers) != Identity::NotZero {
             let symbols = expr.symbols().into_iter();
             let parameters = symbols.filter_map(|symbol| match symbol {
                 Symbol::Parameter(id) => Some(id),

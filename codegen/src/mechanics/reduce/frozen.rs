@@ -90,7 +90,7 @@ fn relation(cas: &mut Cas, system: &LagrangianSystem, unit: &str) -> Result<Foll
     let [first, second] = pair.as_slice() else { return Err(no_spring()) };
     let potential = cas.form(&spring.potential);
     let slopes = [first, second].map(|id| cas.derivative(&potential, Symbol::Coordinate(*id)));
-    if slopes.iter().any(|slope| cas.expand(slope).is_zero()) {
+    if slopes.iter().any(|slope| cas.is_zero(slope)) {
         return Err(no_ratio());
     }
     let mut candidates = Vec::new();
@@ -98,7 +98,7 @@ fn relation(cas: &mut Cas, system: &LagrangianSystem, unit: &str) -> Result<Foll
         ((*first, &slopes[0]), (*second, &slopes[1])),
         ((*second, &slopes[1]), (*first, &slopes[0])),
     ] {
-        let ratio = cas.rational(&-&(other / own));
+        let ratio = cas.rational(&-&(other / own)).ok_or_else(no_ratio)?;
         candidates.push(Follows { a, b, factor: cas.expr(&ratio) });
     }
     candidates.sort_by_key(|follows| operations(&follows.factor));
@@ -109,7 +109,7 @@ fn relation(cas: &mut Cas, system: &LagrangianSystem, unit: &str) -> Result<Foll
     }
     let held = cas.form(&spring.potential.replace(&|symbol| follows.leader_of(symbol)));
     let slope = cas.derivative(&held, Symbol::Coordinate(follows.b));
-    if !cas.expand(&slope).is_zero() {
+    if !cas.is_zero(&slope) {
         return Err(no_ratio());
     }
     if !follows.hold_at_start(system) {

@@ -221,6 +221,7 @@ fn needed(equations: &EquationsOfMotion) -> BTreeSet<Symbol> {
         found.extend(event.set.iter().map(|(symbol, _)| *symbol));
         found.extend(event.when.iter().map(|(id, _)| Symbol::FirstOrder(*id)));
     }
+    let mut seen = BTreeSet::new();
     while let Some(symbol) = found.pop() {
         if !needed.insert(symbol) {
             continue;
@@ -235,6 +236,10 @@ fn needed(equations: &EquationsOfMotion) -> BTreeSet<Symbol> {
             }
             Symbol::Velocity(id) => {
                 let block = blocks[id.0 as usize];
+                // All of a block is needed as soon as one of it is.
+                if !seen.insert(block) {
+                    continue;
+                }
                 for constraint in 0..constraints.len() {
                     if constraints.coordinates(constraint).any(|id| blocks[id] == block) {
                         found.extend(constraints.of(constraint).flat_map(Expr::symbols));
@@ -264,7 +269,7 @@ fn blocks(equations: &EquationsOfMotion) -> Vec<usize> {
     };
     for (i, row) in equations.mass_matrix.iter().enumerate() {
         for (j, entry) in row.iter().enumerate().take(i) {
-            if *entry != Expr::integer(0) {
+            if !entry.is_zero() {
                 join(i, j);
             }
         }

@@ -1,20 +1,24 @@
 //! Directions along which the equations of motion do not change: proposed by
 //! elimination at sampled states, accepted by proof.
 
+use std::collections::BTreeSet;
+
+use machinist_model::Function as Unary;
+use machinist_model::evaluate::call;
 use num_rational::BigRational;
+use num_traits::ToPrimitive as _;
 
 use crate::cas::{Cas, Form};
-use crate::expr::operations;
-use crate::expr::{CoordinateId, Expr, Function, ParameterId, Symbol};
+use crate::expr::{CoordinateId, Expr, Function, ParameterId, Symbol, identity, operations};
 use crate::mechanics::lagrange::EquationsOfMotion;
-use crate::scene::evaluate;
 
 /// Coordinates beyond which directions of several are not looked for: the cost of
-/// elimination grows with the third power, that of its expressions faster.
+/// elimination grows with the third power.
 const MOST_COORDINATES: usize = 32;
-/// States and branches at which derivatives are sampled; more would only save
-/// proofs that fail.
+/// States and branches at which slopes are sampled; more would only save proofs that fail.
 const SAMPLES: i64 = 4;
+/// Denominator beyond which a ratio is no number that somebody wrote.
+const MOST_PARTS: i64 = 1000;
 
 /// Constants s_k/s_r along which nothing changes.
 #[derive(Debug, Clone)]
@@ -51,117 +55,169 @@ impl Direction {
         })
     }
 
+    /// Whether an expression mentions what the direction moves.
+    pub(super) fn is_in(&self, expr: &Expr) -> bool {
+        expr.mentions(|symbol| self.moves(symbol))
+    }
+
     fn moves(&self, symbol: Symbol) -> bool {
         let mut moved = self.others.iter().map(|(id, _)| *id).chain([self.pivot]);
         moved.any(|id| Symbol::Coordinate(id) == symbol)
     }
 }
 
-/// A direction among `live` coordinates along which M, f and h do not change.
+/// Coordinates among `live` that no equation mentions.
+pub(super) fn free(equations: &EquationsOfMotion, live: &[CoordinateId]) -> Vec<CoordinateId> {
+    let mentioned = mentioned(equations);
+    live.iter().copied().filter(|id| !mentioned.contains(id)).collect()
+}
+
+fn mentioned(equations: &EquationsOfMotion) -> BTreeSet<CoordinateId> {
+    let mut mentioned = BTreeSet::new();
+    for expr in equations.dynamics() {
+        expr.visit(&mut |part| {
+            if let Expr::Symbol(Symbol::Coordinate(id)) = part {
+                mentioned.insert(*id);
+            }
+        });
+    }
+    mentioned
+}
+
+/// A direction among `live` coordinates, all of them mentioned, along which M, f and h do
+/// not change.
+///
+/// Slopes as mere numbers say which equations are independent, and whether any direction
+/// is left at all; most machines have none. Ratios that are numbers are read off; only
+/// those that depend on parameters are eliminated exactly, from independent equations.
 pub(super) fn find(
     cas: &mut Cas,
     equations: &EquationsOfMotion,
     live: &[CoordinateId],
 ) -> Option<Direction> {
-    let mentioned = |id: &CoordinateId| {
-        let mut dynamics = equations.dynamics();
-        dynamics.any(|expr| expr.mentions(|symbol| symbol == Symbol::Coordinate(*id)))
+    if live.len() < 2 || live.len() > MOST_COORDINATES {
+        return None;
+    }
+    let functions = changing(equations, live);
+    let numbers = Numbers::at(&functions, live, 0)?;
+    let directions = match numbers.exact(&Numbers::at(&functions, live, 1)?) {
+        Some(directions) => directions,
+        None => null_space(cas, &functions, &numbers.rows, live)?,
     };
-    let (mentioned, free): (Vec<CoordinateId>, Vec<CoordinateId>) =
-        live.iter().partition(|id| mentioned(id));
-    if let Some(pivot) = free.first() {
-        return Some(Direction { pivot: *pivot, others: Vec::new() });
-    }
-    if mentioned.len() < 2 || mentioned.len() > MOST_COORDINATES {
-        return None;
-    }
-    if has_full_rank(cas, equations, &mentioned) {
-        return None;
-    }
-    let candidates = null_space(cas, equations, &mentioned);
-    let directions = candidates.into_iter().map(|s| cheapest(cas, &mentioned, &s));
-    let directions: Vec<Direction> = directions.collect();
-    directions.into_iter().find(|direction| {
+    let directions: Option<Vec<Direction>> =
+        directions.into_iter().map(|s| cheapest(cas, live, &s)).collect();
+    directions?.into_iter().find(|direction| {
         let mut dynamics = equations.dynamics();
-        dynamics.all(|expr| is_invariant(cas, expr, direction))
+        dynamics.all(|expr| is_invariant(expr, direction))
     })
 }
 
-/// Proof that an expression does not change along a direction: with q + a s for q
-/// it has the same normal form.
-pub(super) fn is_invariant(cas: &mut Cas, expr: &Expr, direction: &Direction) -> bool {
-    if !expr.mentions(|symbol| direction.moves(symbol)) {
+/// Proof that an expression does not change along a direction: with q + a s for q it is the
+/// same.
+pub(super) fn is_invariant(expr: &Expr, direction: &Direction) -> bool {
+    if !direction.is_in(expr) {
         return true;
     }
     // A parameter that no scene has.
     let a = Symbol::Parameter(ParameterId(u32::MAX));
-    let shifted = direction.shifted(expr, a, true);
-    normal_form(cas, &shifted) == normal_form(cas, expr)
+    identity::are_equal(&direction.shifted(expr, a, true), expr)
 }
 
-/// Multiplied out, also within functions and denominators.
-fn normal_form(cas: &mut Cas, expr: &Expr) -> Expr {
-    let within = normal_within(cas, expr);
-    let form = cas.form(&within);
-    let expanded = cas.expand(&form);
-    cas.expr(&expanded)
+/// What slopes of M, f and h with respect to the coordinates leave, as mere numbers.
+struct Numbers {
+    /// Function and sample of independent rows.
+    rows: Vec<(usize, i64)>,
+    /// Directions that all slopes are normal to, each with an entry that is 1.
+    null_space: Vec<Vec<f64>>,
 }
 
-fn normal_within(cas: &mut Cas, expr: &Expr) -> Expr {
-    let mut all = |parts: &[Expr], each: fn(&mut Cas, &Expr) -> Expr| {
-        parts.iter().map(|part| each(cas, part)).collect::<Vec<_>>()
-    };
-    match expr {
-        Expr::Number(_) | Expr::Symbol(_) => expr.clone(),
-        Expr::Sum(terms) => Expr::Sum(all(terms, normal_within)),
-        Expr::Product(factors) => Expr::Product(all(factors, normal_within)),
-        Expr::Power(base, exponent) => {
-            Expr::Power(Box::new(normal_form(cas, base)), Box::new(normal_form(cas, exponent)))
-        }
-        Expr::Call(function, arguments) => Expr::Call(*function, all(arguments, normal_form)),
-    }
-}
-
-/// Whether gradients of M, f and h at sampled states and parameters, as mere numbers,
-/// leave no direction that is normal to all: most machines have none, and numbers say so
-/// at once.
-fn has_full_rank(
-    cas: &mut Cas,
-    equations: &EquationsOfMotion,
-    coordinates: &[CoordinateId],
-) -> bool {
-    /// A row is rounding below this length, samples being about 1; likewise what rows
-    /// before it leave of one of length 1.
-    const INDEPENDENT: f64 = 1e-6;
-    let parameter = |id: ParameterId| 0.7 + 0.31 * (f64::from(id.0) * 1.7).sin();
-    let mut basis: Vec<Vec<f64>> = Vec::new();
-    for function in changing(equations, coordinates) {
-        for sample in 0..SAMPLES {
-            let form = cas.form(&on_branches(&function, sample, &mut 0));
-            let slope = |id: &CoordinateId| {
-                let slope = cas.derivative(&form, Symbol::Coordinate(*id));
-                evaluate(&sampled(&cas.expr(&slope), sample), &parameter)
-            };
-            let mut row: Vec<f64> = coordinates.iter().map(slope).collect();
-            if scale(&mut row) < INDEPENDENT {
-                continue;
-            }
-            // Twice, for the first time leaves rounding of what it takes away.
-            for known in basis.iter().chain(&basis) {
-                let along: f64 = row.iter().zip(known).map(|(a, b)| a * b).sum();
-                for (entry, known) in row.iter_mut().zip(known) {
-                    *entry -= along * known;
+impl Numbers {
+    /// At sampled parameters; none if no direction is left.
+    fn at(functions: &[Expr], coordinates: &[CoordinateId], parameters: u32) -> Option<Self> {
+        /// A row is rounding below this length, samples being about 1; likewise what rows
+        /// before it leave of one of length 1.
+        const INDEPENDENT: f64 = 1e-6;
+        let parameter =
+            |id: u32| 0.7 + 0.31 * (f64::from(id) * 1.7 + 2.3 * f64::from(parameters)).sin();
+        let (mut rows, mut basis) = (Vec::new(), Vec::<Vec<f64>>::new());
+        for (index, function) in functions.iter().enumerate() {
+            for sample in 0..SAMPLES {
+                let mut row = slopes(function, coordinates, sample, &parameter);
+                let length = scale(&mut row);
+                if length < INDEPENDENT || !length.is_finite() {
+                    continue;
+                }
+                // Twice, for the first time leaves rounding of what it takes away.
+                for known in basis.iter().chain(&basis) {
+                    let along: f64 = row.iter().zip(known).map(|(a, b)| a * b).sum();
+                    for (entry, known) in row.iter_mut().zip(known) {
+                        *entry -= along * known;
+                    }
+                }
+                if scale(&mut row) > INDEPENDENT {
+                    rows.push((index, sample));
+                    basis.push(row);
+                }
+                if basis.len() == coordinates.len() {
+                    return None;
                 }
             }
-            if scale(&mut row) > INDEPENDENT {
-                basis.push(row);
-            }
-            if basis.len() == coordinates.len() {
-                return true;
-            }
         }
+        Some(Numbers { rows, null_space: null_space_of(basis, coordinates.len()) })
     }
-    false
+
+    /// The directions, if all their entries are numbers that do not depend on parameters.
+    fn exact(&self, other: &Numbers) -> Option<Vec<Vec<Expr>>> {
+        if self.null_space.len() != other.null_space.len() {
+            return None;
+        }
+        let pairs = self.null_space.iter().zip(&other.null_space);
+        let vectors = pairs.map(|(a, b)| a.iter().zip(b).map(|(a, b)| fraction(*a, *b)).collect());
+        vectors.collect()
+    }
+}
+
+/// The fraction that both are close to.
+fn fraction(a: f64, b: f64) -> Option<Expr> {
+    const ROUNDING: f64 = 1e-9;
+    let near = |parts: &i64| {
+        let whole = (a * *parts as f64).round();
+        let value = whole / *parts as f64;
+        let room = ROUNDING * a.abs().max(1.0);
+        ((a - value).abs() < room && (b - value).abs() < room).then_some((whole, *parts))
+    };
+    let (whole, parts) = (1..=MOST_PARTS).find_map(|parts| near(&parts))?;
+    Some(Expr::Number(BigRational::new((whole as i64).into(), parts.into())))
+}
+
+/// Directions normal to all rows, by Gauss and Jordan.
+fn null_space_of(mut rows: Vec<Vec<f64>>, columns: usize) -> Vec<Vec<f64>> {
+    const ROUNDING: f64 = 1e-7;
+    let mut leads = Vec::new();
+    for column in 0..columns {
+        let done = leads.len();
+        let size = |row: &Vec<f64>| row[column].abs();
+        let best = (done..rows.len()).max_by(|a, b| size(&rows[*a]).total_cmp(&size(&rows[*b])));
+        let Some(best) = best.filter(|best| size(&rows[*best]) > ROUNDING) else { continue };
+        rows.swap(done, best);
+        let lead = rows[done][column];
+        rows[done].iter_mut().for_each(|entry| *entry /= lead);
+        let row = rows[done].clone();
+        for other in rows.iter_mut().enumerate().filter(|(index, _)| *index != done) {
+            let factor = other.1[column];
+            other.1.iter_mut().zip(&row).for_each(|(entry, known)| *entry -= factor * known);
+        }
+        leads.push(column);
+    }
+    let vector = |free: usize| {
+        let mut vector = vec![0.0; columns];
+        vector[free] = 1.0;
+        for (lead, row) in leads.iter().zip(&rows) {
+            vector[*lead] = -row[free];
+        }
+        vector
+    };
+    (0..columns).filter(|column| !leads.contains(column)).map(vector).collect()
 }
 
 /// Makes a row of length 1, unless it is zero or no number; its length before.
@@ -175,30 +231,26 @@ fn scale(row: &mut [f64]) -> f64 {
     length
 }
 
-/// Directions that gradients of M, f and h with respect to `coordinates` are
-/// normal to, at sampled states; each scaled so that one of its entries is 1.
+/// Directions that slopes of independent rows are normal to, as expressions of parameters;
+/// none where algebra with them costs more than it may.
 fn null_space(
     cas: &mut Cas,
-    equations: &EquationsOfMotion,
+    functions: &[Expr],
+    rows: &[(usize, i64)],
     coordinates: &[CoordinateId],
-) -> Vec<Vec<Form>> {
+) -> Option<Vec<Vec<Expr>>> {
     let mut echelon = Echelon::default();
-    for function in changing(equations, coordinates) {
-        for sample in 0..SAMPLES {
-            let form = cas.form(&on_branches(&function, sample, &mut 0));
-            let slope = |cas: &mut Cas, id: &CoordinateId| {
-                let slope = cas.derivative(&form, Symbol::Coordinate(*id));
-                let slope = cas.expr(&slope);
-                cas.form(&sampled(&slope, sample))
-            };
-            let row = coordinates.iter().map(|id| slope(cas, id)).collect();
-            echelon.add(cas, row);
-            if echelon.rows.len() == coordinates.len() {
-                return Vec::new();
-            }
-        }
+    for (function, sample) in rows {
+        let form = cas.form(&on_branches(&functions[*function], *sample, &mut 0));
+        let slope = |id: &CoordinateId| {
+            let slope = cas.derivative(&form, Symbol::Coordinate(*id));
+            let slope = sampled(&cas.expr(&slope), *sample);
+            cas.form(&slope)
+        };
+        let row = coordinates.iter().map(slope).collect();
+        echelon.add(cas, row)?;
     }
-    echelon.null_space(cas, coordinates.len())
+    Some(echelon.null_space(cas, coordinates.len()))
 }
 
 /// M, f, h and the comparisons within them, which derivatives do not see, as far
@@ -234,30 +286,160 @@ fn on_branches(expr: &Expr, sample: i64, seen: &mut i64) -> Expr {
             Expr::Power(base, Box::new(on_branches(exponent, sample, seen)))
         }
         Expr::Call(Function::SelectLess, sides) => {
-            let holds = (sample >> (*seen % 2)) % 2 == 0;
-            *seen += 1;
-            on_branches(&sides[if holds { 2 } else { 3 }], sample, seen)
+            on_branches(&sides[branch(sample, seen)], sample, seen)
         }
         Expr::Call(function, arguments) => Expr::Call(*function, all(arguments)),
     }
 }
 
-/// The expression with numbers for everything but parameters.
-fn sampled(expr: &Expr, sample: i64) -> Expr {
+/// Which argument of the next comparison stands for it.
+fn branch(sample: i64, seen: &mut i64) -> usize {
+    let holds = (sample >> (*seen % 2)) % 2 == 0;
+    *seen += 1;
+    if holds { 2 } else { 3 }
+}
+
+/// What stands for a symbol in a sample, as numerator and denominator; parameters stay.
+fn sample_of(symbol: Symbol, sample: i64) -> Option<(i64, i64)> {
     let value = |kind: i64, id: u32| {
         let numerator = 37 * kind + 11 * i64::from(id) + 101 * sample + 13;
         let denominator = 29 + 2 * i64::from(id) + kind;
-        Expr::Number(BigRational::new(numerator.into(), denominator.into()))
+        Some((numerator, denominator))
     };
-    expr.replace(&|symbol| match symbol {
-        Symbol::Time => Some(value(1, 0)),
-        Symbol::Coordinate(id) => Some(value(2, id.0)),
-        Symbol::Velocity(id) => Some(value(3, id.0)),
-        Symbol::Acceleration(id) => Some(value(4, id.0)),
-        Symbol::FirstOrder(id) => Some(value(5, id.0)),
-        Symbol::Multiplier(id) => Some(value(6, id.0)),
+    match symbol {
+        Symbol::Time => value(1, 0),
+        Symbol::Coordinate(id) => value(2, id.0),
+        Symbol::Velocity(id) => value(3, id.0),
+        Symbol::Acceleration(id) => value(4, id.0),
+        Symbol::FirstOrder(id) => value(5, id.0),
+        Symbol::Multiplier(id) => value(6, id.0),
         Symbol::Pi | Symbol::Parameter(_) | Symbol::Handed(_) | Symbol::Helper(_) => None,
+    }
+}
+
+/// The expression with numbers for everything but parameters.
+fn sampled(expr: &Expr, sample: i64) -> Expr {
+    expr.replace(&|symbol| {
+        let (numerator, denominator) = sample_of(symbol, sample)?;
+        Some(Expr::Number(BigRational::new(numerator.into(), denominator.into())))
     })
+}
+
+/// Slopes of an expression with respect to the coordinates, on the branches of a sample.
+fn slopes(
+    expr: &Expr,
+    coordinates: &[CoordinateId],
+    sample: i64,
+    parameter: &impl Fn(u32) -> f64,
+) -> Vec<f64> {
+    let at = |symbol: Symbol| {
+        let value = match (sample_of(symbol, sample), symbol) {
+            (Some((numerator, denominator)), _) => numerator as f64 / denominator as f64,
+            (None, Symbol::Pi) => std::f64::consts::PI,
+            (None, Symbol::Parameter(id)) => parameter(id.0),
+            (None, Symbol::Handed(id)) => parameter(id.0 + 1000),
+            (None, _) => f64::NAN,
+        };
+        let place = coordinates.iter().position(|id| Symbol::Coordinate(*id) == symbol);
+        Dual::of(value, place)
+    };
+    let mut slopes = dual(expr, sample, &mut 0, &at).slopes;
+    slopes.resize(coordinates.len(), 0.0);
+    slopes
+}
+
+/// A value with its slopes, those beyond the last being zero.
+struct Dual {
+    value: f64,
+    slopes: Vec<f64>,
+}
+
+impl Dual {
+    fn of(value: f64, place: Option<usize>) -> Self {
+        let mut slopes = vec![0.0; place.map_or(0, |place| place + 1)];
+        if let Some(last) = slopes.last_mut() {
+            *last = 1.0;
+        }
+        Dual { value, slopes }
+    }
+
+    fn add(&mut self, slopes: &[f64], factor: f64) {
+        if self.slopes.len() < slopes.len() {
+            self.slopes.resize(slopes.len(), 0.0);
+        }
+        self.slopes.iter_mut().zip(slopes).for_each(|(own, slope)| *own += factor * slope);
+    }
+}
+
+fn dual(expr: &Expr, sample: i64, seen: &mut i64, at: &impl Fn(Symbol) -> Dual) -> Dual {
+    match expr {
+        Expr::Number(number) => Dual::of(number.to_f64().unwrap_or(f64::NAN), None),
+        Expr::Symbol(symbol) => at(*symbol),
+        Expr::Sum(terms) => {
+            let mut sum = Dual::of(0.0, None);
+            for term in terms {
+                let term = dual(term, sample, seen, at);
+                sum.value += term.value;
+                sum.add(&term.slopes, 1.0);
+            }
+            sum
+        }
+        Expr::Product(factors) => {
+            let mut product = Dual::of(1.0, None);
+            for factor in factors {
+                let factor = dual(factor, sample, seen, at);
+                product.slopes.iter_mut().for_each(|slope| *slope *= factor.value);
+                let before = product.value;
+                product.add(&factor.slopes, before);
+                product.value *= factor.value;
+            }
+            product
+        }
+        Expr::Power(base, exponent) => {
+            let base = dual(base, sample, seen, at);
+            let exponent = dual(exponent, sample, seen, at);
+            let mut power = Dual::of(base.value.powf(exponent.value), None);
+            power.add(&base.slopes, exponent.value * base.value.powf(exponent.value - 1.0));
+            if !exponent.slopes.is_empty() {
+                let value = power.value;
+                power.add(&exponent.slopes, value * base.value.ln());
+            }
+            power
+        }
+        Expr::Call(Function::SelectLess, sides) => {
+            dual(&sides[branch(sample, seen)], sample, seen, at)
+        }
+        Expr::Call(function, arguments) => {
+            let argument = dual(&arguments[0], sample, seen, at);
+            let (value, slope) = match function.unary() {
+                Some(function) => value_and_slope(function, argument.value),
+                // Of a table only that it is some function is of interest.
+                None => (argument.value.sin(), argument.value.cos()),
+            };
+            let mut result = Dual::of(value, None);
+            result.add(&argument.slopes, slope);
+            result
+        }
+    }
+}
+
+fn value_and_slope(function: Unary, x: f64) -> (f64, f64) {
+    let slope = match function {
+        Unary::Sqrt => 0.5 / x.sqrt(),
+        Unary::Abs => x.signum(),
+        Unary::Exp => x.exp(),
+        Unary::Ln => 1.0 / x,
+        Unary::Sin => x.cos(),
+        Unary::Cos => -x.sin(),
+        Unary::Tan => 1.0 + x.tan().powi(2),
+        Unary::Asin => 1.0 / (1.0 - x * x).sqrt(),
+        Unary::Acos => -1.0 / (1.0 - x * x).sqrt(),
+        Unary::Atan => 1.0 / (1.0 + x * x),
+        Unary::Sinh => x.cosh(),
+        Unary::Cosh => x.sinh(),
+        Unary::Tanh => 1.0 - x.tanh().powi(2),
+    };
+    (call(function, x), slope)
 }
 
 /// Rows in reduced echelon form, each with the place of its leading 1.
@@ -267,29 +449,30 @@ struct Echelon {
 }
 
 impl Echelon {
-    fn add(&mut self, cas: &mut Cas, mut row: Vec<Form>) {
+    /// None beyond what algebra may cost.
+    fn add(&mut self, cas: &mut Cas, mut row: Vec<Form>) -> Option<()> {
         for (lead, known) in &self.rows {
-            subtract(cas, &mut row, *lead, known);
+            subtract(cas, &mut row, *lead, known)?;
         }
-        let Some(lead) = row.iter().position(|entry| !is_zero(cas, entry)) else { return };
+        let Some(lead) = row.iter().position(|entry| !cas.is_zero(entry)) else { return Some(()) };
         let first = row[lead].clone();
-        for entry in &mut row {
-            *entry = cas.rational(&(&*entry / &first));
+        for entry in row.iter_mut().filter(|entry| !entry.is_zero()) {
+            *entry = cas.rational(&(&*entry / &first))?;
         }
         for (_, known) in &mut self.rows {
-            subtract(cas, known, lead, &row);
+            subtract(cas, known, lead, &row)?;
         }
         self.rows.push((lead, row));
+        Some(())
     }
 
-    fn null_space(&self, cas: &mut Cas, columns: usize) -> Vec<Vec<Form>> {
+    fn null_space(&self, cas: &Cas, columns: usize) -> Vec<Vec<Expr>> {
         let is_free = |column: &usize| self.rows.iter().all(|(lead, _)| lead != column);
-        let one = cas.form(&Expr::integer(1));
         let vector = |free: usize| {
-            let mut vector = vec![cas.zero(); columns];
-            vector[free] = one.clone();
+            let mut vector = vec![Expr::integer(0); columns];
+            vector[free] = Expr::integer(1);
             for (lead, row) in &self.rows {
-                vector[*lead] = -&row[free];
+                vector[*lead] = cas.expr(&-&row[free]);
             }
             vector
         };
@@ -298,40 +481,36 @@ impl Echelon {
 }
 
 /// row -= row\[lead\] known
-fn subtract(cas: &mut Cas, row: &mut [Form], lead: usize, known: &[Form]) {
+fn subtract(cas: &mut Cas, row: &mut [Form], lead: usize, known: &[Form]) -> Option<()> {
     let factor = row[lead].clone();
-    if is_zero(cas, &factor) {
-        return;
+    if cas.is_zero(&factor) {
+        return Some(());
     }
-    for (entry, known) in row.iter_mut().zip(known) {
-        *entry = cas.rational(&(&*entry - &(&factor * known)));
+    for (entry, known) in row.iter_mut().zip(known).filter(|(_, known)| !known.is_zero()) {
+        *entry = cas.rational(&(&*entry - &(&factor * known)))?;
     }
-}
-
-fn is_zero(cas: &mut Cas, form: &Form) -> bool {
-    form.is_zero() || cas.expand(form).is_zero()
+    Some(())
 }
 
 /// The direction of a vector with the pivot that makes its factors cheapest.
-fn cheapest(cas: &mut Cas, coordinates: &[CoordinateId], s: &[Form]) -> Direction {
-    let support: Vec<usize> = (0..s.len()).filter(|k| !is_zero(cas, &s[*k])).collect();
+fn cheapest(cas: &mut Cas, coordinates: &[CoordinateId], s: &[Expr]) -> Option<Direction> {
+    let support: Vec<usize> = (0..s.len()).filter(|k| !identity::is_zero(&s[*k])).collect();
     let mut best: Option<(usize, Direction)> = None;
     // Of equals the last: a twist is the driving angle less the driven one.
     for pivot in support.iter().rev() {
         let others = support.iter().filter(|k| *k != pivot);
-        let others: Vec<(CoordinateId, Expr)> = others
+        let others: Option<Vec<(CoordinateId, Expr)>> = others
             .map(|k| {
-                let ratio = cas.rational(&(&s[*k] / &s[*pivot]));
-                (coordinates[*k], cas.expr(&ratio))
+                let [own, of_pivot] = [&s[*k], &s[*pivot]].map(|s| cas.form(s));
+                let ratio = cas.rational(&(&own / &of_pivot))?;
+                Some((coordinates[*k], cas.expr(&ratio)))
             })
             .collect();
+        let others = others?;
         let cost = others.iter().map(|(_, factor)| operations(factor)).sum();
         if best.as_ref().is_none_or(|(least, _)| cost < *least) {
             best = Some((cost, Direction { pivot: coordinates[*pivot], others }));
         }
     }
-    match best {
-        Some((_, direction)) => direction,
-        None => unreachable!("a vector of a null space has an entry that is 1"),
-    }
+    best.map(|(_, direction)| direction)
 }

@@ -1,0 +1,57 @@
+//! A sum by what its terms mention, so that differentiating a sum of thousands by one
+//! symbol costs what mentions it.
+
+use std::collections::HashMap;
+
+use symbolica::atom::AtomView;
+
+use super::{Cas, Form};
+use crate::expr::Symbol;
+
+/// The terms of a form, and where each symbol is.
+pub struct Terms {
+    terms: Vec<Form>,
+    places: HashMap<Symbol, Vec<usize>>,
+}
+
+impl Terms {
+    pub(super) fn of(cas: &Cas, form: &Form) -> Self {
+        let terms: Vec<Form> = match form.0.as_view() {
+            AtomView::Add(sum) => sum.iter().map(|term| Form(term.to_owned())).collect(),
+            _ => vec![form.clone()],
+        };
+        let mut places: HashMap<Symbol, Vec<usize>> = HashMap::new();
+        for (place, term) in terms.iter().enumerate() {
+            for symbol in cas.expr(term).symbols() {
+                places.entry(symbol).or_default().push(place);
+            }
+        }
+        Terms { terms, places }
+    }
+
+    /// The sum itself.
+    #[must_use]
+    pub fn form(&self, cas: &Cas) -> Form {
+        cas.sum(self.terms.clone())
+    }
+
+    /// Whether a symbol is in any term.
+    #[must_use]
+    pub fn mention(&self, symbol: Symbol) -> bool {
+        self.places.contains_key(&symbol)
+    }
+
+    /// The symbols that `pick` takes, in their order.
+    pub fn symbols<T: Ord>(&self, pick: impl Fn(Symbol) -> Option<T>) -> Vec<T> {
+        let mut symbols: Vec<T> = self.places.keys().filter_map(|symbol| pick(*symbol)).collect();
+        symbols.sort_unstable();
+        symbols
+    }
+
+    /// Partial derivative with respect to one symbol, all others held.
+    pub fn derivative(&self, cas: &mut Cas, symbol: Symbol) -> Form {
+        let Some(places) = self.places.get(&symbol) else { return cas.zero() };
+        let sum = cas.sum(places.iter().map(|place| self.terms[*place].clone()).collect());
+        cas.derivative(&sum, symbol)
+    }
+}

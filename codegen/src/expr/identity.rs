@@ -1,0 +1,381 @@
+//! Whether expressions are equal, by their values at random points of a finite field.
+//!
+//! A polynomial that is not zero is zero at a random point with a chance of its degree
+//! over the number of points (Schwartz, Zippel); with 2^60 points that never happens.
+//! Values are exact, so nothing is lost to rounding, and the work is linear in the size
+//! of the expression where multiplying it out has no bound.
+//!
+//! The field has P = 4 Q + 1 elements, P and Q both prime: exponents live modulo Q, so
+//! that e^x = g^x keeps e^(x + y) = e^x e^y, and -1 has a root, so that cosine and sine
+//! keep Pythagoras and the addition theorems. Other functions are only known to be equal
+//! where their arguments are.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Signed as _, ToPrimitive as _, Zero as _};
+
+use super::{Expr, Function, Symbol};
+
+/// A prime of 62 bits, 4 Q + 1.
+pub(super) const P: u64 = 4_611_686_018_427_386_309;
+/// A prime of 60 bits.
+const Q: u64 = 1_152_921_504_606_846_577;
+/// Elements of order Q, for e^x and for e^(i x).
+const GROWTH: u64 = 16;
+const TURN: u64 = 81;
+/// A root of -1 modulo P.
+const I: u64 = 2_800_538_231_775_425_404;
+/// Points at which an identity has to hold.
+const POINTS: u64 = 2;
+
+/// What is known of an expression at the points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Identity {
+    /// It is zero, whatever its symbols are.
+    Zero,
+    /// It is not zero.
+    NotZero,
+    /// Something in it divides by zero or is the logarithm of zero, whatever its symbols are.
+    Undefined,
+}
+
+/// Whether an expression is zero, whatever its symbols are.
+#[must_use]
+pub fn identity(expr: &Expr) -> Identity {
+    let mut all_zero = true;
+    for point in 0..POINTS {
+        match (Point { point }).value(expr) {
+            None => return Identity::Undefined,
+            Some(value) => all_zero &= value.is_zero(),
+        }
+    }
+    if all_zero { Identity::Zero } else { Identity::NotZero }
+}
+
+/// Whether an expression is zero, whatever its symbols are.
+#[must_use]
+pub fn is_zero(expr: &Expr) -> bool {
+    identity(expr) == Identity::Zero
+}
+
+/// Whether two expressions are equal and defined, whatever their symbols are.
+#[must_use]
+pub fn are_equal(a: &Expr, b: &Expr) -> bool {
+    (0..POINTS).all(|point| {
+        let point = Point { point };
+        point.value(a).zip(point.value(b)).is_some_and(|(a, b)| a == b)
+    })
+}
+
+/// A number modulo P, where it stands, and modulo Q, where it is an exponent.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Value {
+    pub(super) p: u64,
+    q: u64,
+}
+
+impl Value {
+    const ZERO: Value = Value { p: 0, q: 0 };
+    const ONE: Value = Value { p: 1, q: 1 };
+
+    fn is_zero(self) -> bool {
+        self.p == 0
+    }
+
+    fn of(number: &BigRational) -> Option<Value> {
+        let over = |modulus| {
+            let below = inverse(residue(number.denom(), modulus), modulus)?;
+            Some(times(residue(number.numer(), modulus), below, modulus))
+        };
+        Some(Value { p: over(P)?, q: over(Q)? })
+    }
+
+    fn plus(self, other: Value) -> Value {
+        Value { p: (self.p + other.p) % P, q: (self.q + other.q) % Q }
+    }
+
+    fn minus(self) -> Value {
+        Value { p: (P - self.p) % P, q: (Q - self.q) % Q }
+    }
+
+    fn times(self, other: Value) -> Value {
+        Value { p: times(self.p, other.p, P), q: times(self.q, other.q, Q) }
+    }
+
+    /// None of zero.
+    fn inverse(self) -> Option<Value> {
+        let p = inverse(self.p, P)?;
+        // A residue may vanish by chance where an exponent does not stand.
+        Some(Value { p, q: inverse(self.q, Q).unwrap_or(0) })
+    }
+
+    fn power(self, exponent: &BigInt) -> Option<Value> {
+        let base = if exponent.is_negative() { self.inverse()? } else { self };
+        let size = exponent.abs();
+        let raised = |base, modulus: u64| raised(base, residue(&size, modulus - 1), modulus);
+        // The exponent is reduced, and 0^(P - 1) is not 0^0.
+        if self.is_zero() && !size.is_zero() {
+            return Some(Value::ZERO);
+        }
+        Some(Value { p: raised(base.p, P), q: raised(base.q, Q) })
+    }
+}
+
+fn residue(number: &BigInt, modulus: u64) -> u64 {
+    if let Some(small) = number.to_i64() {
+        return small.rem_euclid(modulus as i64) as u64;
+    }
+    let modulus = BigInt::from(modulus);
+    let rest = ((number % &modulus) + &modulus) % &modulus;
+    rest.to_u64().unwrap_or(0)
+}
+
+pub(super) fn times(a: u64, b: u64, modulus: u64) -> u64 {
+    (u128::from(a) * u128::from(b) % u128::from(modulus)) as u64
+}
+
+fn raised(mut base: u64, mut exponent: u64, modulus: u64) -> u64 {
+    let mut result = 1;
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            result = times(result, base, modulus);
+        }
+        base = times(base, base, modulus);
+        exponent >>= 1;
+    }
+    result
+}
+
+pub(super) fn inverse(number: u64, modulus: u64) -> Option<u64> {
+    (number != 0).then(|| raised(number, modulus - 2, modulus))
+}
+
+/// Bits that depend on all of those before them (splitmix64).
+fn mixed(bits: u64, more: u64) -> u64 {
+    let mut z = bits.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ more.wrapping_add(0xD1B5_4A32_D192_ED03);
+    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    z ^ (z >> 31)
+}
+
+/// A value for every symbol.
+pub(super) struct Point {
+    pub(super) point: u64,
+}
+
+impl Point {
+    fn random(&self, words: &[u64]) -> Value {
+        let bits = words.iter().fold(mixed(self.point, words.len() as u64), |b, w| mixed(b, *w));
+        Value { p: bits % P, q: mixed(bits, 1) % Q }
+    }
+
+    fn symbol(&self, symbol: Symbol) -> Value {
+        let (kind, id) = match symbol {
+            Symbol::Pi => (0, 0),
+            Symbol::Time => (1, 0),
+            Symbol::Coordinate(id) => (2, id.0),
+            Symbol::Velocity(id) => (3, id.0),
+            Symbol::Acceleration(id) => (4, id.0),
+            Symbol::Multiplier(id) => (5, id.0),
+            Symbol::FirstOrder(id) => (6, id.0),
+            Symbol::Parameter(id) => (7, id.0),
+            Symbol::Handed(id) => (8, id.0),
+            Symbol::Helper(id) => (9, id.0),
+        };
+        self.random(&[kind, u64::from(id)])
+    }
+
+    /// None where something divides by zero.
+    pub(super) fn value(&self, expr: &Expr) -> Option<Value> {
+        match expr {
+            Expr::Number(number) => Value::of(number),
+            Expr::Symbol(symbol) => Some(self.symbol(*symbol)),
+            Expr::Sum(terms) => {
+                terms.iter().try_fold(Value::ZERO, |sum, term| Some(sum.plus(self.value(term)?)))
+            }
+            Expr::Product(factors) => factors
+                .iter()
+                .try_fold(Value::ONE, |product, factor| Some(product.times(self.value(factor)?))),
+            Expr::Power(base, exponent) => self.power(self.value(base)?, exponent),
+            Expr::Call(function, arguments) => {
+                let arguments: Option<Vec<Value>> =
+                    arguments.iter().map(|argument| self.value(argument)).collect();
+                self.call(*function, &arguments?)
+            }
+        }
+    }
+
+    fn power(&self, base: Value, exponent: &Expr) -> Option<Value> {
+        let Expr::Number(number) = exponent else {
+            let exponent = self.value(exponent)?;
+            return Some(self.opaque(100, &[base, exponent]));
+        };
+        let root = match number.denom().to_u64() {
+            Some(1) => base,
+            Some(denominator) if !base.is_zero() => self.root(base, denominator),
+            _ => base,
+        };
+        root.power(number.numer())
+    }
+
+    fn root(&self, of: Value, degree: u64) -> Value {
+        if of == Value::ONE { of } else { self.opaque(200 + degree, &[of]) }
+    }
+
+    fn call(&self, function: Function, arguments: &[Value]) -> Option<Value> {
+        let x = *arguments.first()?;
+        let half = |value: Value| Some(value.times(Value { p: 2, q: 2 }.inverse()?));
+        let exp = |x: Value| Value { p: raised(GROWTH, x.q, P), ..self.opaque(1, &[x]) };
+        // (sum, difference) of e^x and e^-x, or of e^ix and e^-ix over i
+        let hyperbolic = |x: Value| exp(x).plus(exp(x.minus()).minus());
+        let turn = |x: Value| raised(TURN, x.q, P);
+        let cos = |x: Value| Value {
+            p: times((turn(x) + turn(x.minus())) % P, (P - 1) / 2 + 1, P),
+            ..self.even(2, x)
+        };
+        let sin = |x: Value| {
+            let twice_i = times(2, I, P);
+            let difference = (turn(x) + P - turn(x.minus())) % P;
+            let q = self.odd(3, x).q;
+            Some(Value { p: times(difference, inverse(twice_i, P)?, P), q })
+        };
+        Some(match function {
+            Function::Exp => exp(x),
+            Function::Sinh => half(hyperbolic(x))?,
+            Function::Cosh => half(exp(x).plus(exp(x.minus())))?,
+            Function::Tanh => {
+                let sum = exp(x).plus(exp(x.minus()));
+                hyperbolic(x).times(sum.inverse()?)
+            }
+            Function::Sin => sin(x)?,
+            Function::Cos => cos(x),
+            Function::Tan => sin(x)?.times(cos(x).inverse()?),
+            Function::Ln if x.is_zero() => return None,
+            Function::Ln if x == Value::ONE => Value::ZERO,
+            Function::Sqrt if x.is_zero() => Value::ZERO,
+            Function::Sqrt => self.root(x, 2),
+            Function::Abs => self.even(4, x),
+            Function::Asin | Function::Atan => {
+                self.odd(5 + u64::from(function == Function::Asin), x)
+            }
+            Function::Ln => self.opaque(7, arguments),
+            Function::Acos => self.opaque(8, arguments),
+            Function::SelectLess => match arguments {
+                [_, _, then, otherwise] if then == otherwise => *then,
+                [a, b, then, otherwise] => self.opaque(9, &[a.plus(b.minus()), *then, *otherwise]),
+                _ => return None,
+            },
+            Function::Table { table, order } => {
+                let own = self.random(&[300, u64::from(table.0), u64::from(order)]);
+                self.opaque(10, &[own, x])
+            }
+        })
+    }
+
+    /// A function of which only that it is one is known.
+    fn opaque(&self, function: u64, arguments: &[Value]) -> Value {
+        let words = arguments.iter().flat_map(|value| [value.p, value.q]);
+        let words: Vec<u64> = std::iter::once(1000 + function).chain(words).collect();
+        self.random(&words)
+    }
+
+    /// f(-x) = f(x), 0 at 0.
+    fn even(&self, function: u64, x: Value) -> Value {
+        if x.is_zero() { Value::ZERO } else { self.opaque(function, &[x.min(x.minus())]) }
+    }
+
+    /// f(-x) = -f(x)
+    fn odd(&self, function: u64, x: Value) -> Value {
+        let size = self.even(function, x);
+        if x <= x.minus() { size } else { size.minus() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::{CoordinateId, ParameterId};
+
+    fn x() -> Expr {
+        Expr::Symbol(Symbol::Coordinate(CoordinateId(0)))
+    }
+    fn p() -> Expr {
+        Expr::Symbol(Symbol::Parameter(ParameterId(0)))
+    }
+    fn sum<const N: usize>(terms: [Expr; N]) -> Expr {
+        Expr::Sum(terms.to_vec())
+    }
+    fn times(n: i64, expr: Expr) -> Expr {
+        Expr::Product(vec![Expr::integer(n), expr])
+    }
+    fn power(base: Expr, exponent: i64) -> Expr {
+        Expr::Power(Box::new(base), Box::new(Expr::integer(exponent)))
+    }
+    fn call(function: Function, of: Expr) -> Expr {
+        Expr::Call(function, vec![of])
+    }
+
+    #[test]
+    fn what_is_zero_is_found_to_be() {
+        let minus = |a: Expr, b: Expr| sum([a, times(-1, b)]);
+        let both = || sum([x(), p()]);
+        let square = sum([power(x(), 2), times(2, Expr::Product(vec![x(), p()])), power(p(), 2)]);
+        let [sin, cos] = [Function::Sin, Function::Cos];
+        let product = |a: Expr, b: Expr| Expr::Product(vec![a, b]);
+        for zero in [
+            minus(p(), p()),
+            minus(power(both(), 2), square),
+            minus(product(x(), power(x(), -1)), Expr::integer(1)),
+            minus(sum([power(call(sin, x()), 2), power(call(cos, x()), 2)]), Expr::integer(1)),
+            minus(
+                call(sin, both()),
+                sum([
+                    product(call(sin, x()), call(cos, p())),
+                    product(call(cos, x()), call(sin, p())),
+                ]),
+            ),
+            sum([call(sin, x()), call(sin, times(-1, x()))]),
+            sum([call(Function::Atan, x()), call(Function::Atan, times(-1, x()))]),
+            minus(
+                product(call(Function::Exp, x()), call(Function::Exp, p())),
+                call(Function::Exp, both()),
+            ),
+            call(sin, minus(x(), x())),
+            call(Function::Ln, Expr::integer(1)),
+            minus(
+                power(call(Function::Cosh, x()), 2),
+                sum([power(call(Function::Sinh, x()), 2), Expr::integer(1)]),
+            ),
+        ] {
+            assert_eq!(identity(&zero), Identity::Zero, "{zero:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_zero_is_not_found_to_be() {
+        for other in [
+            x(),
+            sum([x(), p()]),
+            call(Function::Cos, sum([x(), times(-1, x())])),
+            sum([power(x(), 64), times(-1, power(x(), 63))]),
+            sum([call(Function::Sqrt, power(x(), 2)), times(-1, x())]),
+            sum([call(Function::Exp, x()), times(-1, call(Function::Exp, p()))]),
+        ] {
+            assert_eq!(identity(&other), Identity::NotZero, "{other:?}");
+        }
+    }
+
+    #[test]
+    fn what_divides_by_zero_has_no_value() {
+        let zero = || sum([p(), times(-1, p())]);
+        for undefined in [
+            power(zero(), -1),
+            call(Function::Ln, zero()),
+            Expr::Product(vec![zero(), power(zero(), -2)]),
+        ] {
+            assert_eq!(identity(&undefined), Identity::Undefined, "{undefined:?}");
+        }
+        assert!(!are_equal(&power(zero(), -1), &power(zero(), -1)));
+        assert!(are_equal(&x(), &x()));
+    }
+}

@@ -1,0 +1,159 @@
+//! Directions in which a quadratic form has no value, whatever its other symbols are.
+//!
+//! Exact, in the field of [`super::identity`]: what is found singular is so at all states
+//! and parameters, and what is not is regular but at single ones.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::identity::{P, Point, inverse, times};
+use super::{CoordinateId, Expr, Symbol};
+
+/// Coordinates beyond which nothing is said: elimination fills in.
+const MOST_COORDINATES: usize = 2000;
+
+/// Coordinates that can move together without kinetic energy, for one such motion; none if
+/// there is no such motion, or if the energy is not quadratic in the velocities.
+#[must_use]
+pub fn motion_without_energy(kinetic: &Expr, coordinates: usize) -> Option<Vec<CoordinateId>> {
+    if coordinates > MOST_COORDINATES {
+        return None;
+    }
+    let mut matrix = vec![BTreeMap::new(); coordinates];
+    for term in flat(kinetic) {
+        add(&mut matrix, term)?;
+    }
+    null_vector(matrix)
+}
+
+/// The terms of a sum, also of sums within it.
+fn flat(expr: &Expr) -> Vec<&Expr> {
+    match expr {
+        Expr::Sum(terms) => terms.iter().flat_map(flat).collect(),
+        expr => vec![expr],
+    }
+}
+
+type Row = BTreeMap<u32, u64>;
+
+/// Adds second derivatives of a term; none if it is not quadratic.
+fn add(matrix: &mut [Row], term: &Expr) -> Option<()> {
+    let velocities: BTreeSet<u32> = term
+        .symbols()
+        .into_iter()
+        .filter_map(|symbol| match symbol {
+            Symbol::Velocity(id) => Some(id.0),
+            _ => None,
+        })
+        .collect();
+    let point = Point { point: 7 };
+    let at = |moving: &[(u32, i64)]| {
+        let moved = term.replace(&|symbol| match symbol {
+            Symbol::Velocity(id) => {
+                let own = moving.iter().find(|(other, _)| *other == id.0);
+                Some(Expr::integer(own.map_or(0, |(_, speed)| *speed)))
+            }
+            _ => None,
+        });
+        Some(point.value(&moved)?.p)
+    };
+    let minus = |a: u64, b: u64| (a + P - b) % P;
+    let rest = at(&[])?;
+    for i in &velocities {
+        let one = minus(at(&[(*i, 1)])?, rest);
+        let back = minus(at(&[(*i, -1)])?, rest);
+        let own = (one + back) % P;
+        let twice = minus(at(&[(*i, 2)])?, rest);
+        // T(2 v) - 2 T(v) = T''
+        if minus(twice, times(2, one, P)) != own {
+            return None;
+        }
+        put(matrix, *i, *i, own);
+        for j in velocities.iter().filter(|j| *j > i) {
+            let other = minus(at(&[(*j, 1)])?, rest);
+            let both = minus(at(&[(*i, 1), (*j, 1)])?, rest);
+            let mixed = minus(minus(both, one), other);
+            put(matrix, *i, *j, mixed);
+            put(matrix, *j, *i, mixed);
+        }
+    }
+    Some(())
+}
+
+fn put(matrix: &mut [Row], row: u32, column: u32, value: u64) {
+    let entry = matrix[row as usize].entry(column).or_default();
+    *entry = (*entry + value) % P;
+    if *entry == 0 {
+        matrix[row as usize].remove(&column);
+    }
+}
+
+/// The columns in which a null vector is not zero, by Gauss on sparse rows.
+fn null_vector(matrix: Vec<Row>) -> Option<Vec<CoordinateId>> {
+    let columns = matrix.len() as u32;
+    // Leading 1 of each; columns after it only.
+    let mut leads: BTreeMap<u32, Row> = BTreeMap::new();
+    for mut row in matrix {
+        while let Some((lead, first)) = row.pop_first() {
+            let Some(known) = leads.get(&lead) else {
+                let over = inverse(first, P)?;
+                let scaled = row.into_iter().map(|(column, entry)| (column, times(entry, over, P)));
+                leads.insert(lead, scaled.collect());
+                break;
+            };
+            for (column, entry) in known {
+                let own = row.entry(*column).or_default();
+                *own = (*own + P - times(first, *entry, P)) % P;
+                if *own == 0 {
+                    row.remove(column);
+                }
+            }
+        }
+    }
+    let free = (0..columns).find(|column| !leads.contains_key(column))?;
+    let mut vector: BTreeMap<u32, u64> = BTreeMap::from([(free, 1)]);
+    for (lead, row) in leads.iter().rev() {
+        let sum = row.iter().fold(0, |sum, (column, entry)| {
+            let known = vector.get(column).copied().unwrap_or(0);
+            (sum + times(*entry, known, P)) % P
+        });
+        if sum != 0 {
+            vector.insert(*lead, P - sum);
+        }
+    }
+    Some(vector.into_keys().map(CoordinateId).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::ParameterId;
+
+    fn v(index: u32) -> Expr {
+        Expr::Symbol(Symbol::Velocity(CoordinateId(index)))
+    }
+    fn energy(mass: u32, speed: Expr) -> Expr {
+        let square = Expr::Power(Box::new(speed), Box::new(Expr::integer(2)));
+        Expr::Product(vec![Expr::Symbol(Symbol::Parameter(ParameterId(mass))), square])
+    }
+    fn difference(a: u32, b: u32) -> Expr {
+        Expr::Sum(vec![v(a), Expr::Product(vec![Expr::integer(-1), v(b)])])
+    }
+
+    #[test]
+    fn a_capacitor_between_two_nodes_leaves_them_free_together() {
+        let floating = energy(0, difference(0, 1));
+        assert_eq!(
+            motion_without_energy(&floating, 2),
+            Some(vec![CoordinateId(0), CoordinateId(1)])
+        );
+        let grounded = Expr::Sum(vec![floating, energy(1, v(1))]);
+        assert_eq!(motion_without_energy(&grounded, 2), None);
+        assert_eq!(motion_without_energy(&grounded, 3), Some(vec![CoordinateId(2)]));
+    }
+
+    #[test]
+    fn what_is_not_quadratic_is_not_judged() {
+        let quartic = Expr::Power(Box::new(v(0)), Box::new(Expr::integer(4)));
+        assert_eq!(motion_without_energy(&quartic, 2), None);
+    }
+}

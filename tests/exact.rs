@@ -233,8 +233,8 @@ fn machines_that_are_not_linear_are_refused_by_exact_and_stepped_by_auto() {
         let simulator = oscillator(2.0, 0.3, 32.0, force);
         assert!(!Method::Exact.suits(&simulator), "{force}");
         match Simulation::new(&simulator).method(Method::Exact).run() {
-            Err(SimulateError::Stopped { cause: StopCause::Solver(message), .. }) => {
-                assert!(message.contains("not linear"), "{message}");
+            Err(SimulateError::Stopped { cause: cause @ StopCause::NotLinear, .. }) => {
+                assert!(cause.to_string().contains("not linear"), "{cause}");
             }
             other => panic!("{force}: {other:?}"),
         }
@@ -257,7 +257,9 @@ fn an_exponential_that_would_lose_the_tolerance_is_refused_and_auto_steps() {
     parameters[stiff] = 1e9;
     let simulation = Simulation::new(&simulator).parameters(&parameters).rtol(1e-8);
     match simulation.clone().method(Method::Exact).run() {
-        Err(SimulateError::Stopped { cause: StopCause::Solver(message), .. }) => {
+        Err(SimulateError::Stopped {
+            cause: StopCause::ClosedForm { reason: message }, ..
+        }) => {
             assert!(message.contains("norm") && message.contains("auto"), "{message}");
         }
         other => panic!("{other:?}"),

@@ -165,7 +165,7 @@ fn advance<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
 ) -> Result<(), Stopped> {
     let refused = |error: DiffsolError| Stopped {
         time: stretch.from,
-        cause: StopCause::Solver(error.to_string()),
+        cause: StopCause::Diffsol(error.to_string()),
     };
     let mut solver = solver.map_err(refused)?;
     solver.set_stop_time(stretch.until).map_err(refused)?;
@@ -199,10 +199,7 @@ fn step_to_end<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
         let reason = stopped.map_err(|error| explain(solver, stretch, newton_failed, &error))?;
         let arrived = matches!(reason, OdeSolverStopReason::TstopReached);
         let now = solver.state().t;
-        let values = solver.state().y.inner().as_slice();
-        if let Some(index) = values.iter().position(|value| !value.is_finite()) {
-            return Err(stretch.not_finite("the state", index, before));
-        }
+        stretch.require_bounded(now, solver.state().y.inner().as_slice())?;
         if !arrived && now <= before {
             let stuck = OdeSolverError::StepSizeTooSmall { time: now };
             return Err(explain(solver, stretch, newton_failed, &stuck.into()));
@@ -215,9 +212,10 @@ fn step_to_end<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
             } else {
                 let failed = |error: DiffsolError| Stopped {
                     time,
-                    cause: StopCause::Solver(error.to_string()),
+                    cause: StopCause::Diffsol(error.to_string()),
                 };
                 solver.interpolate_inplace(time, &mut between).map_err(failed)?;
+                stretch.require_bounded(time, between.inner().as_slice())?;
                 samples.push(between.inner().as_slice());
             }
         }
@@ -252,7 +250,7 @@ fn explain<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
             OdeSolverError::StepSizeTooSmall { .. }
             | OdeSolverError::TooManyErrorTestFailures { .. },
         ) => StopCause::StepTooSmall,
-        other => StopCause::Solver(other.to_string()),
+        other => StopCause::Diffsol(other.to_string()),
     };
     Stopped { time, cause }
 }

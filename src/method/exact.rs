@@ -42,12 +42,9 @@ impl Integrator for Exact {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        let refuse = |time, reason: String| Stopped { time, cause: StopCause::Solver(reason) };
-        let linear = stretch.system.simulator().linear().ok_or_else(|| {
-            let reason = "its equations are not linear with constant coefficients, or were \
-                          written by hand; try the method `auto`";
-            refuse(stretch.from, reason.to_owned())
-        })?;
+        let refuse = |time, reason| Stopped { time, cause: StopCause::ClosedForm { reason } };
+        let linear = stretch.system.simulator().linear();
+        let linear = linear.ok_or(Stopped { time: stretch.from, cause: StopCause::NotLinear })?;
         let ends = piece::ends(stretch, linear);
         for ends in ends.windows(2) {
             let piece = Piece::new(stretch, linear, ends[0], ends[1]);
@@ -95,9 +92,9 @@ fn carry(
         let time = sample.unwrap_or(piece.until);
         if time > reached {
             solution.state_at(time, &mut next);
-            if let Some(index) = next.iter().position(|value| !value.is_finite()) {
-                return Err(stretch.not_finite("the state", index, reached));
-            }
+            stretch
+                .require_bounded(time, &next)
+                .map_err(|stopped| Stopped { time: reached, ..stopped })?;
             if let Some(rule) = &rule {
                 flows::carry(stretch, solution, rule, [reached, time], &mut state[states..]);
             }

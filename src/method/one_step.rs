@@ -143,6 +143,7 @@ pub(super) fn drive<M: OneStep>(
             }
             stretch.system.count(|work| work.steps += 1);
             let has_moved = kept.put_back(method, stretch, now)?;
+            stretch.require_bounded(now, &kept.end)?;
             sample(method, stretch, (now, &kept.end), state, samples)?;
             method.accept();
             step = method.own_step().unwrap_or_else(|| {

@@ -132,6 +132,23 @@ impl<'a> Stretch<'a> {
         }
     }
 
+    /// Refuses a state that is not finite, or so large that its square is not: methods
+    /// would step on for ever, with errors that are no numbers.
+    pub(super) fn require_bounded(&self, time: f64, state: &[f64]) -> Result<(), Stopped> {
+        /// Squares of it, and energies, are still numbers.
+        const LARGEST: f64 = 1e150;
+        let states = &state[..self.system.states()];
+        let Some(index) = states.iter().position(|value| value.is_nan() || value.abs() > LARGEST)
+        else {
+            return Ok(());
+        };
+        if !state[index].is_finite() {
+            return Err(self.not_finite("the state", index, time));
+        }
+        let state = self.system.name(index);
+        Err(Stopped { time, cause: StopCause::Overflow { state, value: states[index] } })
+    }
+
     /// The error for a value of the `index`-th state that is not finite.
     #[must_use]
     pub fn not_finite(&self, what: &str, index: usize, time: f64) -> Stopped {
@@ -177,6 +194,10 @@ impl<'a> Samples<'a> {
     pub fn push(&mut self, state: &[f64]) {
         self.rows.extend_from_slice(state);
         self.taken += 1;
+    }
+
+    pub(super) fn taken(&self) -> usize {
+        self.taken
     }
 
     pub(super) fn into_rows(self) -> Vec<f64> {

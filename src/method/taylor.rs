@@ -39,14 +39,11 @@ impl Integrator for Taylor {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        let series = stretch.system.simulator().taylor().ok_or_else(|| Stopped {
-            time: stretch.from,
-            cause: StopCause::Solver(
-                "this simulator has no Taylor series: it was written by hand, or is too large; \
-                 try the method `bdf`"
-                    .to_owned(),
-            ),
-        })?;
+        let series = stretch
+            .system
+            .simulator()
+            .taylor()
+            .ok_or(Stopped { time: stretch.from, cause: StopCause::NoSeries })?;
         drive_all(&mut TaylorSteps::new(stretch, series), stretch, state, samples)
     }
 }

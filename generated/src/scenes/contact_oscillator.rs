@@ -5,7 +5,7 @@
 // Sources, with SHA-256:
 //   88ef63c78e86c26fddbb155af33e6a2671afb454b0ba926a3aba7ed701abc3b7  scenes/contact_oscillator.toml
 //   f0db790170b6c3f134330c00617de69bb14585d0c566d62cfa2cc6117d09122a  units/sprung_mass.toml
-//   1861799ccbb581f2dab2221eb52f926f411ec0644449f1b62610577d4d74a340  units/stop.toml
+//   aa460541694f4c6c145124dcacf35c9d1c5ec7ec73d776fc4eb9748b2b487367  units/stop.toml
 //
 // Oscillator with a one-sided stop
 //
@@ -45,8 +45,8 @@
 //   outputs                   5
 //   energy                   12
 //   power_balance            23
-//   guards                    4
-//   guard_rates              15
+//   guards                    5
+//   guard_rates              19
 //   resets                    0
 // With constants of the parameters, prepared once a run:
 //   prepare                   4
@@ -548,19 +548,20 @@ pub fn power_balance<R: Real>(
 
 /// What passes zero where an event happens, in the order of `EVENT_SHAPES`.
 ///
-/// 4 operations.
+/// 5 operations.
 #[must_use]
 pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let [oscillator_x, oscillator_v, ..] = *state;
     let stop_compression = oscillator_x - p.stop_distance;
-    let stop_push = (p.stop_damping * oscillator_v)
-        .add_product(p.stop_stiffness, stop_compression);
-    [stop_compression, stop_push]
+    let t0 = p.stop_stiffness * stop_compression;
+    let stop_push = t0.add_product(p.stop_damping, oscillator_v);
+    let stop_contact = R::select_less(t0, stop_push, t0, stop_push);
+    [stop_contact, stop_contact]
 }
 
 /// `dg/dt` of the guards along the motion.
 ///
-/// 15 operations.
+/// 19 operations.
 #[must_use]
 pub fn guard_rates<R: Real>(
     _time: R,
@@ -568,20 +569,27 @@ pub fn guard_rates<R: Real>(
     p: &Parameters<R>,
 ) -> [R; EVENTS] {
     let [oscillator_x, oscillator_v, stop_closed] = *state;
+    let stop_compression = oscillator_x - p.stop_distance;
+    let stop_damping_times_oscillator_v = p.stop_damping * oscillator_v;
+    let t0 = p.stop_stiffness * stop_compression;
+    let stop_push = stop_damping_times_oscillator_v + t0;
     let oscillator_v_dot = R::select_less(
             stop_closed,
             R::literal(0.5),
             R::literal(0.0),
             (p.stop_distance * p.stop_stiffness)
                 .sub_product(p.stop_stiffness, oscillator_x)
-                .sub_product(p.stop_damping, oscillator_v),
+                - stop_damping_times_oscillator_v,
         )
         .sub_product(p.oscillator_stiffness, oscillator_x)
         .sub_product(p.oscillator_damping, oscillator_v)
         * (R::literal(1.0) / p.oscillator_mass);
-    let stop_opens_guard_rate = (p.stop_stiffness * oscillator_v)
-        .add_product(p.stop_damping, oscillator_v_dot);
-    [oscillator_v, stop_opens_guard_rate]
+    let stop_touches_guard_rate = (p.stop_stiffness * oscillator_v)
+        .add_product(
+            R::select_less(t0, stop_push, R::literal(0.0), p.stop_damping),
+            oscillator_v_dot,
+        );
+    [stop_touches_guard_rate, stop_touches_guard_rate]
 }
 
 /// New values of the states that each event sets, event by event.

@@ -4,7 +4,7 @@
 //
 // Sources, with SHA-256:
 //   5b21f124f7e0a6211a994e4f2d3a27d65a27408738c26a5f6a27f6e735b15249  scenes/coulomb_oscillator.toml
-//   b4fe01fec7a03f9380087173c447303c74fe8ddb44b0505e00aa76b50b3b35e3  units/friction_slider.toml
+//   5b3244c57f4d1dbb61079010ff55f963cd6a840d5699446256cf1527699ef805  units/friction_slider.toml
 //
 // Oscillator braked by dry friction
 //
@@ -18,10 +18,10 @@
 //   coordinates               1
 //   first-order states        1
 //   states                    3
-//   parameters                9
+//   parameters               10
 //   outputs                   4
 //   discontinuities           0
-//   events                    4
+//   events                    6
 //
 // State:
 //     0  slider.x     [m]    deflection of the spring
@@ -31,7 +31,7 @@
 // Nonzeros:
 //   mass_matrix               1 of 1 by 1
 //   rate_jacobian             4 of 3 by 3
-//   parameter_jacobian        7 of 3 by 9
+//   parameter_jacobian        7 of 3 by 10
 //
 // Operations:
 //   initial_state             0
@@ -45,7 +45,7 @@
 //   outputs                  14
 //   energy                    6
 //   power_balance            24
-//   guards                    6
+//   guards                    8
 //   guard_rates              20
 //   resets                   12
 // With constants of the parameters, prepared once a run:
@@ -65,7 +65,7 @@ pub const COORDINATES: usize = 1;
 pub const STATES: usize = 3;
 
 /// Parameters.
-pub const PARAMETERS: usize = 9;
+pub const PARAMETERS: usize = 10;
 
 /// Wanted outputs.
 pub const OUTPUTS: usize = 4;
@@ -74,10 +74,10 @@ pub const OUTPUTS: usize = 4;
 pub const DISCONTINUITIES: usize = 0;
 
 /// Events.
-pub const EVENTS: usize = 4;
+pub const EVENTS: usize = 6;
 
 /// States that events set, those of all events.
-pub const RESETS: usize = 6;
+pub const RESETS: usize = 8;
 
 /// Nonzeros of M, both triangles.
 pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
@@ -96,7 +96,7 @@ pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
 /// Nonzeros of dy'/dp.
 pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
     rows: 3,
-    columns: 9,
+    columns: 10,
     entries: &[(1, 1), (1, 2), (1, 3), (1, 4), (1, 6), (1, 7), (1, 8)],
 };
 
@@ -130,6 +130,8 @@ pub struct Parameters<R> {
     pub slider_stribeck_friction: R,
     /// slider.stribeck_speed: sliding speed over which that falls \[m/s\]. In the spec: 0.05.
     pub slider_stribeck_speed: R,
+    /// slider.sticking_speed: faster than that it cannot stick \[m/s\]. In the spec: 1e-6.
+    pub slider_sticking_speed: R,
 }
 
 impl<R: Real> Parameters<R> {
@@ -147,6 +149,7 @@ impl<R: Real> Parameters<R> {
             slider_kinetic_friction: values[6],
             slider_stribeck_friction: values[7],
             slider_stribeck_speed: values[8],
+            slider_sticking_speed: values[9],
         }
     }
     /// The numbers in their order.
@@ -163,6 +166,7 @@ impl<R: Real> Parameters<R> {
             self.slider_kinetic_friction,
             self.slider_stribeck_friction,
             self.slider_stribeck_speed,
+            self.slider_sticking_speed,
         ]
     }
 }
@@ -179,6 +183,7 @@ impl<R: Real> Default for Parameters<R> {
             slider_kinetic_friction: R::literal(0.25),
             slider_stribeck_friction: R::literal(0.0),
             slider_stribeck_speed: R::literal(0.05),
+            slider_sticking_speed: R::literal(1e-6),
         }
     }
 }
@@ -614,7 +619,7 @@ pub fn power_balance<R: Real>(
 
 /// What passes zero where an event happens, in the order of `EVENT_SHAPES`.
 ///
-/// 6 operations.
+/// 8 operations.
 #[must_use]
 pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let [slider_x, slider_v, ..] = *state;
@@ -623,7 +628,16 @@ pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
         .add_product(p.slider_damping, slider_v);
     let slider_breaks_back_guard = slider_held - slider_limit;
     let slider_breaks_forth_guard = slider_limit + slider_held;
-    [slider_breaks_back_guard, slider_breaks_forth_guard, slider_v, slider_v]
+    let slider_thrown_back_guard = p.slider_sticking_speed + slider_v;
+    let slider_thrown_forth_guard = slider_v - p.slider_sticking_speed;
+    [
+        slider_breaks_back_guard,
+        slider_breaks_forth_guard,
+        slider_thrown_back_guard,
+        slider_thrown_forth_guard,
+        slider_v,
+        slider_v,
+    ]
 }
 
 /// `dg/dt` of the guards along the motion.
@@ -661,6 +675,8 @@ pub fn guard_rates<R: Real>(
         slider_breaks_back_guard_rate,
         slider_v_dot,
         slider_v_dot,
+        slider_v_dot,
+        slider_v_dot,
     ]
 }
 
@@ -689,6 +705,8 @@ pub fn resets<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
             R::literal(1.0),
         ) - R::literal(1.0));
     [
+        R::literal(-1.0),
+        R::literal(1.0),
         R::literal(-1.0),
         R::literal(1.0),
         R::literal(0.0),
@@ -1044,6 +1062,11 @@ static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [
         unit: "m/s",
         doc: "sliding speed over which that falls",
     },
+    Quantity {
+        name: "slider.sticking_speed",
+        unit: "m/s",
+        doc: "faster than that it cannot stick",
+    },
 ];
 
 static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [
@@ -1056,6 +1079,7 @@ static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [
     0.25,
     0.0,
     0.05,
+    1e-6,
 ];
 
 static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [
@@ -1103,6 +1127,20 @@ pub static EVENT_SHAPES: [Event<'static>; EVENTS] = [
         name: "slider.breaks_forth",
         doc: "friction holds no longer: the mass slides forth",
         direction: Direction::Falling,
+        when: &[(2, 0.0)],
+        sets: &[2],
+    },
+    Event {
+        name: "slider.thrown_back",
+        doc: "it slides back, and cannot stick",
+        direction: Direction::Falling,
+        when: &[(2, 0.0)],
+        sets: &[2],
+    },
+    Event {
+        name: "slider.thrown_forth",
+        doc: "it slides forth, and cannot stick",
+        direction: Direction::Rising,
         when: &[(2, 0.0)],
         sets: &[2],
     },

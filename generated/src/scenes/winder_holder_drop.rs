@@ -6,7 +6,7 @@
 //   044e0f4a1f2bab23afeb6e3d262a47321342ed9c5c3cc52995c00ca78c21b7a4  scenes/winder_holder_drop.toml
 //   fa69a391ab85c57533a93c32c47f18b29da038e678b6c6fe99931f82ce4979fa  units/planar_body.toml
 //   aa0e8a999f462eeff001756527f878c9e91be49559e9f536983ca628c62c89a6  units/spring_damper.toml
-//   3a06aa48a56961be277bb8748bfcb9b7930fe7d6c621790a5198dd36ddd4f5c6  units/one_sided_contact.toml
+//   a7990db08476f2615903f9423a5b29997fa55f4feedd941579cf9c2628578a55  units/one_sided_contact.toml
 //
 // Four-link bobbin holder, let go
 //
@@ -76,8 +76,8 @@
 //   outputs                  52
 //   energy                   78
 //   power_balance           838
-//   guards                   28
-//   guard_rates             727
+//   guards                   30
+//   guard_rates             730
 //   resets                    0
 //   constraint_values        49
 //   constraint_rates         63
@@ -5784,7 +5784,7 @@ pub fn power_balance<R: Real>(
 
 /// What passes zero where an event happens, in the order of `EVENT_SHAPES`.
 ///
-/// 28 operations.
+/// 30 operations.
 #[must_use]
 pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let post_phi = state[2];
@@ -5803,17 +5803,19 @@ pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     let t1 = bobbin_y - R::literal(0.058);
     let between = (t0 * t0).add_product(t1, t1).sqrt();
     let contact_gap = between - R::literal(0.1);
-    let stop_push = (-(R::literal(1_000_000.0) * stop_gap))
-        .sub_product(R::literal(1500.0), stop_rate);
+    let t2 = -(R::literal(1_000_000.0) * stop_gap);
+    let stop_push = t2.sub_product(R::literal(1500.0), stop_rate);
     let contact_rate = (bobbin_v_x * t0).add_product(bobbin_v_y, t1) / between;
-    let contact_push = (-(p.contact_stiffness * contact_gap))
-        .sub_product(p.contact_damping, contact_rate);
-    [contact_gap, contact_push, stop_gap, stop_push]
+    let t3 = -(p.contact_stiffness * contact_gap);
+    let contact_push = t3.sub_product(p.contact_damping, contact_rate);
+    let stop_contact = R::select_less(t2, stop_push, t2, stop_push);
+    let contact_contact = R::select_less(t3, contact_push, t3, contact_push);
+    [contact_contact, contact_contact, stop_contact, stop_contact]
 }
 
 /// `dg/dt` of the guards along the motion.
 ///
-/// 727 operations.
+/// 730 operations.
 #[must_use]
 pub fn guard_rates<R: Real>(
     _time: R,
@@ -5851,246 +5853,251 @@ pub fn guard_rates<R: Real>(
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
     let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
         .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
+    let t10 = R::literal(1_000_000.0) * stop_gap;
+    let t11 = R::literal(1500.0) * stop_rate;
+    let t12 = -t10;
+    let stop_push = t12 - t11;
     let contact_rate = (bobbin_v_x * t8).add_product(bobbin_v_y, t9) / between;
-    let t10 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+    let t13 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
         .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
     let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
-        .add_product(cylinder_omega, t10)
+        .add_product(cylinder_omega, t13)
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
     let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
-    let t11 = (R::literal(0.01) * sin_plate_phi)
+    let t14 = -contact_stiffness_times_contact_gap;
+    let contact_push = t14 - contact_damping_times_contact_rate;
+    let t15 = (R::literal(0.01) * sin_plate_phi)
         .add_product(R::literal(0.1), cos_plate_phi);
-    let t12 = (R::literal(0.01) * cos_plate_phi)
+    let t16 = (R::literal(0.01) * cos_plate_phi)
         .sub_product(R::literal(0.1), sin_plate_phi);
-    let t13 = R::literal(37.037_037_037_037_03) * sin_post_phi;
-    let t14 = R::literal(37.037_037_037_037_03) * cos_post_phi;
-    let t15 = R::literal(24.0) * sin_plate_phi;
-    let t16 = R::literal(24.0) * cos_plate_phi;
-    let t17 = t11 * R::literal(400.0);
-    let t18 = t12 * R::literal(400.0);
-    let t19 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t20 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t21 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
-    let t22 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
-    let t23 = slide * R::literal(2_777.777_777_777_778);
-    let t24 = sin_cylinder_phi * R::literal(5.0);
-    let t25 = cos_cylinder_phi * R::literal(5.0);
-    let t26 = R::literal(250.0) * sin_rod_phi;
-    let t27 = R::literal(250.0) * cos_rod_phi;
-    let t28 = t13 * t1;
-    let t29 = R::literal(-1.25) - t28;
-    let t30 = R::literal(1.0) / t29;
-    let t31 = t14 * t1;
-    let t32 = t31 * t30;
-    let t33 = R::literal(1.25) - t28;
-    let t34 = t33 * t30;
-    let t35 = t14 * t0;
-    let t36 = R::literal(-1.25) - t35;
-    let t37 = t32 * t31;
-    let t38 = R::literal(1.0) / (t36 - t37);
-    let t39 = (t13 * t0).sub_product(t34, t31);
-    let t40 = t39 * t38;
-    let t41 = R::literal(1.25) - t35 - t37;
-    let t42 = t41 * t38;
-    let t43 = t15 * t3;
-    let t44 = R::literal(1.0)
-        / (t29 - R::literal(0.833_333_333_333_333_4) - t43)
-            .sub_product(t34, t33)
-            .sub_product(t40, t39);
-    let t45 = t16 * t3;
-    let t46 = (t31 + t45).sub_product(t32, t33).sub_product(t42, t39);
-    let t47 = t46 * t44;
-    let t48 = R::literal(0.833_333_333_333_333_4) - t43;
-    let t49 = t48 * t44;
-    let t50 = t45 * t44;
-    let t51 = t17 * t3;
-    let t52 = R::literal(0.833_333_333_333_333_4) + t51;
-    let t53 = t52 * t44;
-    let t54 = t18 * t3;
-    let t55 = t54 * t44;
-    let t56 = t16 * t2;
-    let t57 = R::literal(1.0)
-        / (t36 - R::literal(0.833_333_333_333_333_4) - t56 - t37)
-            .sub_product(t42, t41)
-            .sub_product(t47, t46);
-    let t58 = (t15 * t2).sub_product(t49, t46);
-    let t59 = t58 * t57;
-    let t60 = (R::literal(0.833_333_333_333_333_4) - t56).sub_product(t50, t46);
-    let t61 = t60 * t57;
-    let t62 = -(t17 * t2);
-    let t63 = t62.sub_product(t53, t46);
-    let t64 = t63 * t57;
-    let t65 = t18 * t2;
-    let t66 = (R::literal(0.833_333_333_333_333_4) + t65).add_product(t55, t46);
-    let t67 = t66 * t57;
-    let t68 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t43
+    let t17 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t18 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t19 = R::literal(24.0) * sin_plate_phi;
+    let t20 = R::literal(24.0) * cos_plate_phi;
+    let t21 = t15 * R::literal(400.0);
+    let t22 = t16 * R::literal(400.0);
+    let t23 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t24 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t25 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t26 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t27 = slide * R::literal(2_777.777_777_777_778);
+    let t28 = sin_cylinder_phi * R::literal(5.0);
+    let t29 = cos_cylinder_phi * R::literal(5.0);
+    let t30 = R::literal(250.0) * sin_rod_phi;
+    let t31 = R::literal(250.0) * cos_rod_phi;
+    let t32 = t17 * t1;
+    let t33 = R::literal(-1.25) - t32;
+    let t34 = R::literal(1.0) / t33;
+    let t35 = t18 * t1;
+    let t36 = t35 * t34;
+    let t37 = R::literal(1.25) - t32;
+    let t38 = t37 * t34;
+    let t39 = t18 * t0;
+    let t40 = R::literal(-1.25) - t39;
+    let t41 = t36 * t35;
+    let t42 = R::literal(1.0) / (t40 - t41);
+    let t43 = (t17 * t0).sub_product(t38, t35);
+    let t44 = t43 * t42;
+    let t45 = R::literal(1.25) - t39 - t41;
+    let t46 = t45 * t42;
+    let t47 = t19 * t3;
+    let t48 = R::literal(1.0)
+        / (t33 - R::literal(0.833_333_333_333_333_4) - t47)
+            .sub_product(t38, t37)
+            .sub_product(t44, t43);
+    let t49 = t20 * t3;
+    let t50 = (t35 + t49).sub_product(t36, t37).sub_product(t46, t43);
+    let t51 = t50 * t48;
+    let t52 = R::literal(0.833_333_333_333_333_4) - t47;
+    let t53 = t52 * t48;
+    let t54 = t49 * t48;
+    let t55 = t21 * t3;
+    let t56 = R::literal(0.833_333_333_333_333_4) + t55;
+    let t57 = t56 * t48;
+    let t58 = t22 * t3;
+    let t59 = t58 * t48;
+    let t60 = t20 * t2;
+    let t61 = R::literal(1.0)
+        / (t40 - R::literal(0.833_333_333_333_333_4) - t60 - t41)
+            .sub_product(t46, t45)
+            .sub_product(t51, t50);
+    let t62 = (t19 * t2).sub_product(t53, t50);
+    let t63 = t62 * t61;
+    let t64 = (R::literal(0.833_333_333_333_333_4) - t60).sub_product(t54, t50);
+    let t65 = t64 * t61;
+    let t66 = -(t21 * t2);
+    let t67 = t66.sub_product(t57, t50);
+    let t68 = t67 * t61;
+    let t69 = t22 * t2;
+    let t70 = (R::literal(0.833_333_333_333_333_4) + t69).add_product(t59, t50);
+    let t71 = t70 * t61;
+    let t72 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t47
             - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t21, t5)
-            .sub_product(t49, t48)
-            .sub_product(t59, t58);
-    let t69 = t45.add_product(t22, t5).sub_product(t50, t48).sub_product(t61, t58);
-    let t70 = t69 * t68;
-    let t71 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
-    let t72 = t71 * t68;
-    let t73 = (-t19).add_product(t23, t5);
-    let t74 = t73 * t68;
-    let t75 = (R::literal(-0.833_333_333_333_333_4) + t51)
-        .sub_product(t53, t48)
-        .sub_product(t64, t58);
-    let t76 = t75 * t68;
-    let t77 = (-t54).add_product(t55, t48).sub_product(t67, t58);
-    let t78 = t77 * t68;
-    let t79 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t56
-            - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t22, t4)
-            .sub_product(t50, t45)
-            .sub_product(t61, t60)
-            .sub_product(t70, t69);
-    let t80 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
-        .add_product(t72, t69);
-    let t81 = t80 * t79;
-    let t82 = t20.sub_product(t23, t4).sub_product(t74, t69);
-    let t83 = t82 * t79;
-    let t84 = t62.sub_product(t53, t45).sub_product(t64, t60).sub_product(t76, t69);
-    let t85 = t84 * t79;
-    let t86 = (R::literal(-0.833_333_333_333_333_4) + t65)
-        .add_product(t55, t45)
-        .sub_product(t67, t60)
-        .sub_product(t78, t69);
-    let t87 = t86 * t79;
-    let t88 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445).sub_product(t72, t71).sub_product(t81, t80);
-    let t89 = (-t23).add_product(t74, t71).sub_product(t83, t80);
-    let t90 = t89 * t88;
-    let t91 = t26 * t88;
-    let t92 = t27 * t88;
-    let t93 = (t76 * t71).sub_product(t85, t80);
-    let t94 = t93 * t88;
-    let t95 = (t78 * t71).sub_product(t87, t80);
-    let t96 = t95 * t88;
-    let t97 = R::literal(1.0)
-        / (-(t20 * cos_cylinder_phi))
-            .sub_product(t19, sin_cylinder_phi)
-            .sub_product(t23, slide)
-            .sub_product(t24, sin_cylinder_phi)
-            .sub_product(t25, cos_cylinder_phi)
-            .sub_product(t74, t73)
-            .sub_product(t83, t82)
-            .sub_product(t90, t89);
-    let t98 = t24.sub_product(t91, t89);
-    let t99 = t98 * t97;
-    let t100 = (-t25).add_product(t92, t89);
-    let t101 = t100 * t97;
-    let t102 = (-(t76 * t73)).sub_product(t85, t82).sub_product(t94, t89);
-    let t103 = t102 * t97;
-    let t104 = (-(t78 * t73)).sub_product(t87, t82).sub_product(t96, t89);
-    let t105 = t104 * t97;
-    let t106 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t26, t6)
-            .sub_product(t91, t26)
-            .sub_product(t99, t98);
-    let t107 = (t27 * t6).add_product(t92, t26).sub_product(t101, t98);
-    let t108 = t107 * t106;
-    let t109 = (-(t94 * t26)).sub_product(t103, t98);
-    let t110 = t109 * t106;
-    let t111 = (-(t96 * t26)).sub_product(t105, t98);
-    let t112 = t111 * t106;
-    let t113 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t27, R::literal(0.06) * cos_rod_phi)
-            .sub_product(t92, t27)
-            .sub_product(t101, t100)
-            .sub_product(t108, t107);
-    let t114 = (t94 * t27).sub_product(t103, t100).sub_product(t110, t107);
-    let t115 = t114 * t113;
-    let t116 = (t96 * t27).sub_product(t105, t100).sub_product(t112, t107);
-    let t117 = t116 * t113;
-    let t118 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t11)
-            - R::literal(1.428_571_428_571_428_6))
+            .sub_product(t25, t5)
             .sub_product(t53, t52)
-            .sub_product(t64, t63)
-            .sub_product(t76, t75)
-            .sub_product(t85, t84)
-            .sub_product(t94, t93)
-            .sub_product(t103, t102)
-            .sub_product(t110, t109)
-            .sub_product(t115, t114);
-    let t119 = (t18 * t11)
-        .add_product(t55, t52)
-        .sub_product(t67, t63)
-        .sub_product(t78, t75)
-        .sub_product(t87, t84)
-        .sub_product(t96, t93)
-        .sub_product(t105, t102)
-        .sub_product(t112, t109)
-        .sub_product(t117, t114);
-    let t120 = t119 * t118;
-    let t121 = R::select_less(
+            .sub_product(t63, t62);
+    let t73 = t49.add_product(t26, t5).sub_product(t54, t52).sub_product(t65, t62);
+    let t74 = t73 * t72;
+    let t75 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
+    let t76 = t75 * t72;
+    let t77 = (-t23).add_product(t27, t5);
+    let t78 = t77 * t72;
+    let t79 = (R::literal(-0.833_333_333_333_333_4) + t55)
+        .sub_product(t57, t52)
+        .sub_product(t68, t62);
+    let t80 = t79 * t72;
+    let t81 = (-t58).add_product(t59, t52).sub_product(t71, t62);
+    let t82 = t81 * t72;
+    let t83 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t60
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t26, t4)
+            .sub_product(t54, t49)
+            .sub_product(t65, t64)
+            .sub_product(t74, t73);
+    let t84 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
+        .add_product(t76, t73);
+    let t85 = t84 * t83;
+    let t86 = t24.sub_product(t27, t4).sub_product(t78, t73);
+    let t87 = t86 * t83;
+    let t88 = t66.sub_product(t57, t49).sub_product(t68, t64).sub_product(t80, t73);
+    let t89 = t88 * t83;
+    let t90 = (R::literal(-0.833_333_333_333_333_4) + t69)
+        .add_product(t59, t49)
+        .sub_product(t71, t64)
+        .sub_product(t82, t73);
+    let t91 = t90 * t83;
+    let t92 = R::literal(1.0)
+        / R::literal(-6_944.444_444_444_445).sub_product(t76, t75).sub_product(t85, t84);
+    let t93 = (-t27).add_product(t78, t75).sub_product(t87, t84);
+    let t94 = t93 * t92;
+    let t95 = t30 * t92;
+    let t96 = t31 * t92;
+    let t97 = (t80 * t75).sub_product(t89, t84);
+    let t98 = t97 * t92;
+    let t99 = (t82 * t75).sub_product(t91, t84);
+    let t100 = t99 * t92;
+    let t101 = R::literal(1.0)
+        / (-(t24 * cos_cylinder_phi))
+            .sub_product(t23, sin_cylinder_phi)
+            .sub_product(t27, slide)
+            .sub_product(t28, sin_cylinder_phi)
+            .sub_product(t29, cos_cylinder_phi)
+            .sub_product(t78, t77)
+            .sub_product(t87, t86)
+            .sub_product(t94, t93);
+    let t102 = t28.sub_product(t95, t93);
+    let t103 = t102 * t101;
+    let t104 = (-t29).add_product(t96, t93);
+    let t105 = t104 * t101;
+    let t106 = (-(t80 * t77)).sub_product(t89, t86).sub_product(t98, t93);
+    let t107 = t106 * t101;
+    let t108 = (-(t82 * t77)).sub_product(t91, t86).sub_product(t100, t93);
+    let t109 = t108 * t101;
+    let t110 = R::literal(1.0)
+        / R::literal(-5.0)
+            .sub_product(t30, t6)
+            .sub_product(t95, t30)
+            .sub_product(t103, t102);
+    let t111 = (t31 * t6).add_product(t96, t30).sub_product(t105, t102);
+    let t112 = t111 * t110;
+    let t113 = (-(t98 * t30)).sub_product(t107, t102);
+    let t114 = t113 * t110;
+    let t115 = (-(t100 * t30)).sub_product(t109, t102);
+    let t116 = t115 * t110;
+    let t117 = R::literal(1.0)
+        / R::literal(-5.0)
+            .sub_product(t31, R::literal(0.06) * cos_rod_phi)
+            .sub_product(t96, t31)
+            .sub_product(t105, t104)
+            .sub_product(t112, t111);
+    let t118 = (t98 * t31).sub_product(t107, t104).sub_product(t114, t111);
+    let t119 = t118 * t117;
+    let t120 = (t100 * t31).sub_product(t109, t104).sub_product(t116, t111);
+    let t121 = t120 * t117;
+    let t122 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t21, t15)
+            - R::literal(1.428_571_428_571_428_6))
+            .sub_product(t57, t56)
+            .sub_product(t68, t67)
+            .sub_product(t80, t79)
+            .sub_product(t89, t88)
+            .sub_product(t98, t97)
+            .sub_product(t107, t106)
+            .sub_product(t114, t113)
+            .sub_product(t119, t118);
+    let t123 = (t22 * t15)
+        .add_product(t59, t56)
+        .sub_product(t71, t67)
+        .sub_product(t82, t79)
+        .sub_product(t91, t88)
+        .sub_product(t100, t97)
+        .sub_product(t109, t106)
+        .sub_product(t116, t113)
+        .sub_product(t121, t118);
+    let t124 = t123 * t122;
+    let t125 = R::select_less(
         stop_closed,
         R::literal(0.5),
         R::literal(0.0),
-        (-(R::literal(1_000_000.0) * stop_gap * t7))
-            .sub_product(R::literal(1500.0) * stop_rate, t7),
+        (-(t10 * t7)).sub_product(t11, t7),
     );
-    let t122 = p.spring_stiffness * (slide - R::literal(0.116));
-    let t123 = t122 * cos_cylinder_phi;
+    let t126 = p.spring_stiffness * (slide - R::literal(0.116));
+    let t127 = t126 * cos_cylinder_phi;
     let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
-    let t124 = spring_damping_times_slide_rate * cos_cylinder_phi;
-    let t125 = t123 + t124;
-    let t126 = t122 * sin_cylinder_phi;
-    let t127 = spring_damping_times_slide_rate * sin_cylinder_phi;
-    let t128 = t127 - (R::literal(2.943) - t126);
-    let t129 = (-(t122 * t10)).sub_product(spring_damping_times_slide_rate, t10);
-    let t130 = -t123 - t124;
-    let t131 = -t127 - (R::literal(1.962) + t126);
-    let t132 = contact_damping_times_contact_rate * t8;
-    let t133 = contact_damping_times_contact_rate * t9;
-    let t134 = R::literal(0.1) * (post_omega * post_omega);
-    let t135 = t134 * cos_post_phi;
-    let t136 = t134 * sin_post_phi;
+    let t128 = spring_damping_times_slide_rate * cos_cylinder_phi;
+    let t129 = t127 + t128;
+    let t130 = t126 * sin_cylinder_phi;
+    let t131 = spring_damping_times_slide_rate * sin_cylinder_phi;
+    let t132 = t131 - (R::literal(2.943) - t130);
+    let t133 = (-(t126 * t13)).sub_product(spring_damping_times_slide_rate, t13);
+    let t134 = -t127 - t128;
+    let t135 = -t131 - (R::literal(1.962) + t130);
+    let t136 = contact_damping_times_contact_rate * t8;
+    let t137 = contact_damping_times_contact_rate * t9;
+    let t138 = R::literal(0.1) * (post_omega * post_omega);
+    let t139 = t138 * cos_post_phi;
+    let t140 = t138 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t137 = R::literal(0.06) * plate_omega_squared;
+    let t141 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t138 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t139 = t13 * t121;
-    let t140 = -t135 - t139;
-    let t141 = t14 * t121;
-    let t142 = t32 * t140;
-    let t143 = -t136 - R::literal(-9.81) + t141 - t142;
-    let t144 = (-t135.add_product(t137, cos_plate_phi) - t139)
-        .sub_product(t34, t140)
-        .sub_product(t40, t143);
-    let t145 = (-t136.add_product(t137, sin_plate_phi) - R::literal(9.81) + t141
-        - R::literal(-9.81) - t142)
-        .sub_product(t42, t143)
-        .sub_product(t47, t144);
-    let t146 = (-(R::literal(0.06)
+    let t142 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t143 = t17 * t125;
+    let t144 = -t139 - t143;
+    let t145 = t18 * t125;
+    let t146 = t36 * t144;
+    let t147 = -t140 - R::literal(-9.81) + t145 - t146;
+    let t148 = (-t139.add_product(t141, cos_plate_phi) - t143)
+        .sub_product(t38, t144)
+        .sub_product(t44, t147);
+    let t149 = (-t140.add_product(t141, sin_plate_phi) - R::literal(9.81) + t145
+        - R::literal(-9.81) - t146)
+        .sub_product(t46, t147)
+        .sub_product(t51, t148);
+    let t150 = (-(R::literal(0.06)
         * (plate_omega_squared * cos_plate_phi)
             .add_product(cylinder_omega_squared, cos_cylinder_phi)))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t125)
-        .sub_product(t21, t129)
-        .sub_product(t49, t144)
-        .sub_product(t59, t145);
-    let t147 = R::literal(-9.81)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t129)
+        .sub_product(t25, t133)
+        .sub_product(t53, t148)
+        .sub_product(t63, t149);
+    let t151 = R::literal(-9.81)
         .sub_product(
             R::literal(0.06),
             (plate_omega_squared * sin_plate_phi)
                 .add_product(cylinder_omega_squared, sin_cylinder_phi),
         )
-        .sub_product(R::literal(3.333_333_333_333_333_5), t128)
-        .add_product(t22, t129)
-        .sub_product(t50, t144)
-        .sub_product(t61, t145)
-        .sub_product(t70, t146);
-    let t148 = (-(R::literal(-2_777.777_777_777_778) * t129))
-        .add_product(t72, t146)
-        .sub_product(t81, t147);
-    let t149 = (cylinder_omega
+        .sub_product(R::literal(3.333_333_333_333_333_5), t132)
+        .add_product(t26, t133)
+        .sub_product(t54, t148)
+        .sub_product(t65, t149)
+        .sub_product(t74, t150);
+    let t152 = (-(R::literal(-2_777.777_777_777_778) * t133))
+        .add_product(t76, t150)
+        .sub_product(t85, t151);
+    let t153 = (cylinder_omega
         * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
             .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
             .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
@@ -6099,46 +6106,46 @@ pub fn guard_rates<R: Real>(
             .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
             .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
             .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
-        .sub_product(t19, t125)
-        .add_product(t20, t128)
-        .add_product(t23, t129)
-        .add_product(t24, t130)
-        .sub_product(t25, t131)
-        .sub_product(t74, t146)
-        .sub_product(t83, t147);
-    let t150 = t149.sub_product(t90, t148);
-    let t151 = (t138 * cos_rod_phi)
-        .sub_product(R::literal(5.0), t130)
-        .sub_product(t91, t148)
-        .sub_product(t99, t150);
-    let t152 = (t138 * sin_rod_phi)
-        .sub_product(R::literal(5.0), t131)
-        .add_product(t92, t148)
-        .sub_product(t101, t150)
-        .sub_product(t108, t151);
-    let t153 = R::literal(1.428_571_428_571_428_6)
+        .sub_product(t23, t129)
+        .add_product(t24, t132)
+        .add_product(t27, t133)
+        .add_product(t28, t134)
+        .sub_product(t29, t135)
+        .sub_product(t78, t150)
+        .sub_product(t87, t151);
+    let t154 = t153.sub_product(t94, t152);
+    let t155 = (t142 * cos_rod_phi)
+        .sub_product(R::literal(5.0), t134)
+        .sub_product(t95, t152)
+        .sub_product(t103, t154);
+    let t156 = (t142 * sin_rod_phi)
+        .sub_product(R::literal(5.0), t135)
+        .add_product(t96, t152)
+        .sub_product(t105, t154)
+        .sub_product(t112, t155);
+    let t157 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            -(contact_stiffness_times_contact_gap * t8 / between) - t132 / between,
+            -(contact_stiffness_times_contact_gap * t8 / between) - t136 / between,
         );
-    let t154 = (-t153)
-        .add_product(t12, plate_omega_squared)
-        .sub_product(t53, t144)
-        .sub_product(t64, t145)
-        .sub_product(t76, t146)
-        .sub_product(t85, t147)
-        .sub_product(t94, t148)
-        .sub_product(t103, t150)
-        .sub_product(t110, t151)
-        .sub_product(t115, t152);
-    let t155 = R::literal(1.428_571_428_571_428_6)
+    let t158 = (-t157)
+        .add_product(t16, plate_omega_squared)
+        .sub_product(t57, t148)
+        .sub_product(t68, t149)
+        .sub_product(t80, t150)
+        .sub_product(t89, t151)
+        .sub_product(t98, t152)
+        .sub_product(t107, t154)
+        .sub_product(t114, t155)
+        .sub_product(t119, t156);
+    let t159 = R::literal(1.428_571_428_571_428_6)
         * (R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            -(t133 / between),
+            -(t137 / between),
         )
             - (R::literal(6.867)
                 + R::select_less(
@@ -6147,108 +6154,134 @@ pub fn guard_rates<R: Real>(
                     R::literal(0.0),
                     contact_stiffness_times_contact_gap * t9 / between,
                 )));
-    let t156 = (R::literal(-9.81).add_product(t11, plate_omega_squared) - t155)
-        .add_product(t55, t144)
-        .sub_product(t67, t145)
-        .sub_product(t78, t146)
-        .sub_product(t87, t147)
-        .sub_product(t96, t148)
-        .sub_product(t105, t150)
-        .sub_product(t112, t151)
-        .sub_product(t117, t152)
-        .sub_product(t120, t154)
+    let t160 = (R::literal(-9.81).add_product(t15, plate_omega_squared) - t159)
+        .add_product(t59, t148)
+        .sub_product(t71, t149)
+        .sub_product(t82, t150)
+        .sub_product(t91, t151)
+        .sub_product(t100, t152)
+        .sub_product(t109, t154)
+        .sub_product(t116, t155)
+        .sub_product(t121, t156)
+        .sub_product(t124, t158)
         * (R::literal(1.0)
-            / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t12)
+            / (R::literal(-0.833_333_333_333_333_4).sub_product(t22, t16)
                 - R::literal(1.428_571_428_571_428_6))
-                .sub_product(t55, t54)
-                .sub_product(t67, t66)
-                .sub_product(t78, t77)
-                .sub_product(t87, t86)
-                .sub_product(t96, t95)
-                .sub_product(t105, t104)
-                .sub_product(t112, t111)
-                .sub_product(t117, t116)
-                .sub_product(t120, t119));
-    let t157 = (t154 * t118).sub_product(t120, t156);
-    let t158 = (t152 * t113).sub_product(t115, t157).sub_product(t117, t156);
-    let t159 = (t151 * t106)
-        .sub_product(t108, t158)
-        .sub_product(t110, t157)
-        .sub_product(t112, t156);
-    let t160 = (t150 * t97)
-        .sub_product(t99, t159)
-        .sub_product(t101, t158)
-        .sub_product(t103, t157)
-        .sub_product(t105, t156);
-    let t161 = (t148 * t88)
-        .sub_product(t90, t160)
-        .sub_product(t91, t159)
-        .add_product(t92, t158)
-        .sub_product(t94, t157)
-        .sub_product(t96, t156);
-    let t162 = (t147 * t79)
-        .sub_product(t81, t161)
-        .sub_product(t83, t160)
-        .sub_product(t85, t157)
-        .sub_product(t87, t156);
-    let t163 = (t146 * t68)
-        .sub_product(t70, t162)
-        .add_product(t72, t161)
-        .sub_product(t74, t160)
-        .sub_product(t76, t157)
-        .sub_product(t78, t156);
-    let t164 = (t145 * t57)
-        .sub_product(t59, t163)
-        .sub_product(t61, t162)
-        .sub_product(t64, t157)
-        .sub_product(t67, t156);
-    let t165 = (t144 * t44)
-        .sub_product(t47, t164)
-        .sub_product(t49, t163)
-        .sub_product(t50, t162)
-        .sub_product(t53, t157)
-        .add_product(t55, t156);
-    let t166 = (t143 * t38).sub_product(t40, t165).sub_product(t42, t164);
-    let bobbin_v_y_dot = t155.sub_product(R::literal(1.428_571_428_571_428_6), t156);
-    let bobbin_v_x_dot = t153.sub_product(R::literal(1.428_571_428_571_428_6), t157);
-    let post_omega_dot = (t121 * R::literal(370.370_370_370_370_3))
+                .sub_product(t59, t58)
+                .sub_product(t71, t70)
+                .sub_product(t82, t81)
+                .sub_product(t91, t90)
+                .sub_product(t100, t99)
+                .sub_product(t109, t108)
+                .sub_product(t116, t115)
+                .sub_product(t121, t120)
+                .sub_product(t124, t123));
+    let t161 = (t158 * t122).sub_product(t124, t160);
+    let t162 = (t156 * t117).sub_product(t119, t161).sub_product(t121, t160);
+    let t163 = (t155 * t110)
+        .sub_product(t112, t162)
+        .sub_product(t114, t161)
+        .sub_product(t116, t160);
+    let t164 = (t154 * t101)
+        .sub_product(t103, t163)
+        .sub_product(t105, t162)
+        .sub_product(t107, t161)
+        .sub_product(t109, t160);
+    let t165 = (t152 * t92)
+        .sub_product(t94, t164)
+        .sub_product(t95, t163)
+        .add_product(t96, t162)
+        .sub_product(t98, t161)
+        .sub_product(t100, t160);
+    let t166 = (t151 * t83)
+        .sub_product(t85, t165)
+        .sub_product(t87, t164)
+        .sub_product(t89, t161)
+        .sub_product(t91, t160);
+    let t167 = (t150 * t72)
+        .sub_product(t74, t166)
+        .add_product(t76, t165)
+        .sub_product(t78, t164)
+        .sub_product(t80, t161)
+        .sub_product(t82, t160);
+    let t168 = (t149 * t61)
+        .sub_product(t63, t167)
+        .sub_product(t65, t166)
+        .sub_product(t68, t161)
+        .sub_product(t71, t160);
+    let t169 = (t148 * t48)
+        .sub_product(t51, t168)
+        .sub_product(t53, t167)
+        .sub_product(t54, t166)
+        .sub_product(t57, t161)
+        .add_product(t59, t160);
+    let t170 = (t147 * t42).sub_product(t44, t169).sub_product(t46, t168);
+    let bobbin_v_y_dot = t159.sub_product(R::literal(1.428_571_428_571_428_6), t160);
+    let bobbin_v_x_dot = t157.sub_product(R::literal(1.428_571_428_571_428_6), t161);
+    let post_omega_dot = (t125 * R::literal(370.370_370_370_370_3))
         .sub_product(
-            t13,
-            (t140 * t30)
-                .sub_product(t32, t166)
-                .sub_product(t34, t165)
-                .sub_product(t32, t164),
+            t17,
+            (t144 * t34)
+                .sub_product(t36, t170)
+                .sub_product(t38, t169)
+                .sub_product(t36, t168),
         )
-        .add_product(t14, t166)
-        .sub_product(t13, t165)
-        .add_product(t14, t164);
+        .add_product(t18, t170)
+        .sub_product(t17, t169)
+        .add_product(t18, t168);
     let between_squared = between * between;
-    let contact_touches_guard_rate = (t8 / between * bobbin_v_x)
-        .add_product(t9 / between, bobbin_v_y);
-    let contact_opens_guard_rate = ((t132 / between_squared
-        - p.contact_damping * bobbin_v_x / between - p.contact_stiffness * t8 / between)
-        * bobbin_v_x)
+    let t171 = p.contact_stiffness * t8 / between;
+    let t172 = p.contact_stiffness * t9 / between;
+    let t173 = (R::select_less(
+        t14,
+        contact_push,
+        -t171,
+        t136 / between_squared - p.contact_damping * bobbin_v_x / between - t171,
+    ) * bobbin_v_x)
         .add_product(
-            t133 / between_squared - p.contact_damping * bobbin_v_y / between
-                - p.contact_stiffness * t9 / between,
+            R::select_less(
+                t14,
+                contact_push,
+                -t172,
+                t137 / between_squared - p.contact_damping * bobbin_v_y / between - t172,
+            ),
             bobbin_v_y,
         )
-        .sub_product(p.contact_damping * t8 / between, bobbin_v_x_dot)
-        .sub_product(p.contact_damping * t9 / between, bobbin_v_y_dot);
-    let stop_opens_guard_rate = ((R::literal(214.5) * post_omega * sin_post_phi)
-        .sub_product(R::literal(143_000.0), cos_post_phi)
-        .sub_product(R::literal(44000.0), sin_post_phi)
-        .sub_product(R::literal(66.0) * post_omega, cos_post_phi) * post_omega)
         .add_product(
-            (-(R::literal(66.0) * sin_post_phi))
-                .sub_product(R::literal(214.5), cos_post_phi),
+            R::select_less(
+                t14,
+                contact_push,
+                R::literal(0.0),
+                -(p.contact_damping * t8 / between),
+            ),
+            bobbin_v_x_dot,
+        );
+    let contact_touches_guard_rate = t173
+        .add_product(
+            R::select_less(
+                t14,
+                contact_push,
+                R::literal(0.0),
+                -(p.contact_damping * t9 / between),
+            ),
+            bobbin_v_y_dot,
+        );
+    let t174 = R::literal(1_000_000.0) * t7;
+    let stop_touches_guard_rate = (R::select_less(
+        t12,
+        stop_push,
+        -t174,
+        (-t174).add_product(R::literal(1500.0) * post_omega, stop_gap),
+    ) * post_omega)
+        .add_product(
+            R::select_less(t12, stop_push, R::literal(0.0), -(R::literal(1500.0) * t7)),
             post_omega_dot,
         );
     [
         contact_touches_guard_rate,
-        contact_opens_guard_rate,
-        stop_rate,
-        stop_opens_guard_rate,
+        contact_touches_guard_rate,
+        stop_touches_guard_rate,
+        stop_touches_guard_rate,
     ]
 }
 
@@ -6974,7 +7007,7 @@ pub static EVENT_SHAPES: [Event<'static>; EVENTS] = [
     Event {
         name: "contact.touches",
         doc: "contact begins",
-        direction: Direction::Falling,
+        direction: Direction::Rising,
         when: &[(28, 0.0)],
         sets: &[28],
     },
@@ -6988,7 +7021,7 @@ pub static EVENT_SHAPES: [Event<'static>; EVENTS] = [
     Event {
         name: "stop.touches",
         doc: "contact begins",
-        direction: Direction::Falling,
+        direction: Direction::Rising,
         when: &[(29, 0.0)],
         sets: &[29],
     },

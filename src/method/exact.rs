@@ -47,7 +47,8 @@ impl Integrator for Exact {
         let linear = linear.ok_or(Stopped { time: stretch.from, cause: StopCause::NotLinear })?;
         let ends = piece::ends(stretch, linear);
         for ends in ends.windows(2) {
-            let piece = Piece::new(stretch, linear, ends[0], ends[1]);
+            let piece = Piece::new(stretch, linear, ends[0], ends[1])
+                .map_err(|reason| refuse(ends[0], reason))?;
             let mut solution =
                 solution(&piece, stretch, state).map_err(|reason| refuse(piece.from, reason))?;
             carry(&piece, stretch, &mut *solution, state, samples)?;

@@ -215,6 +215,20 @@ pub enum StopCause {
         /// The limit.
         limit: usize,
     },
+    /// The rate of a state jumps to and fro across a value that it is driven to from
+    /// either side.
+    #[error(
+        "`{state}` chatters at {value:e}: its rate jumps from one side of that to the other and \
+         drives it back from both. Hint: dry friction by `sign`, most often; give sticking a \
+         mode of its own, as the unit `friction_slider` does, or smooth it, as \
+         `friction_slider_smooth`"
+    )]
+    Chattering {
+        /// The state.
+        state: String,
+        /// Where, in its unit.
+        value: f64,
+    },
     /// Events follow on one another without end.
     #[error(
         "event `{event}` happens over and over: {count} events within no time (Zeno). \

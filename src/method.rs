@@ -75,7 +75,9 @@ methods! {
 }
 
 /// An integration method: carries a state over one smooth stretch of a run.
-pub trait Integrator {
+///
+/// Sealed: the methods are those of the table, and what a method is given may grow.
+pub trait Integrator: sealed::Sealed {
     /// Carries `state` from `stretch.from` to `stretch.until`, and pushes the
     /// state at every time that `samples` asks for on the way.
     ///
@@ -88,6 +90,12 @@ pub trait Integrator {
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped>;
 }
+
+mod sealed {
+    /// Of the methods of the table.
+    pub trait Sealed {}
+}
+use sealed::Sealed;
 
 /// Time and cause of an integration that could not go on.
 #[derive(Debug, Clone, PartialEq)]

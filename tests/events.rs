@@ -364,3 +364,39 @@ fn what_grows_beyond_numbers_stops_every_method_with_its_name() {
         assert!(kept.columns.iter().flat_map(|column| &column.values).all(|v| v.is_finite()));
     }
 }
+
+#[test]
+fn friction_by_sign_that_chatters_is_named_with_what_to_do() {
+    let ball = scene(
+        "[define.ball.energy]\nkinetic = \"1 [kg]*v^2/2\"\n\
+         potential = \"1 [N/m]*x^2/2\"\n\
+         [[define.ball.forces]]\ncoordinate = \"x\"\nexpression = \"-2 [N]*sign(v)\"",
+    );
+    for method in [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Auto] {
+        let run = from_height(&ball, method).rtol(1e-6).max_steps(3000).run();
+        let stopped = run.expect_err("it chatters");
+        let SimulateError::Stopped { cause, .. } = &stopped else { panic!("{stopped}") };
+        assert!(
+            matches!(cause, StopCause::Chattering { state, .. } if state == "ball.v"),
+            "{method}: {cause}"
+        );
+        assert!(cause.to_string().contains("friction_slider"));
+    }
+}
+
+#[test]
+fn a_root_that_begins_at_zero_does_not_cost_steps() {
+    let ball = scene(
+        "[define.ball.energy]\nkinetic = \"1 [kg]*v^2/2\"\n\
+         potential = \"1 [N/m^3]*x^4/4\"\n\
+         [[define.ball.forces]]\ncoordinate = \"x\"\n\
+         expression = \"1 [N]*sqrt(step(t, 0.2 [s]))\"",
+    );
+    let run = |method| {
+        from_height(&ball, method).until(3.0).rtol(1e-8).max_steps(2000).run().expect("it runs")
+    };
+    let (auto, dop853) = (run(Method::Auto), run(Method::Dop853));
+    assert!(auto.work.steps < 100, "{:?}", auto.work);
+    let [a, b] = [auto, dop853].map(|run| run.last("ball.x").expect("a state"));
+    assert!((a - b).abs() < 1e-6, "{a} for {b}");
+}

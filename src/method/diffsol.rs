@@ -10,7 +10,7 @@ use ::diffsol::{
     Sdirk, Tableau, UnitCallable, Vector, VectorCommon,
 };
 
-use super::{Integrator, Samples, Stopped, Stretch};
+use super::{Integrator, Samples, Sealed, Stopped, Stretch};
 use crate::error::StopCause;
 
 type M = NalgebraMat<f64>;
@@ -31,6 +31,8 @@ pub(super) struct Esdirk34;
 /// `Tableau::tsit45`.
 pub(super) struct Tsit45;
 
+impl Sealed for Bdf {}
+
 impl Integrator for Bdf {
     fn integrate(
         &self,
@@ -46,6 +48,8 @@ impl Integrator for Bdf {
     }
 }
 
+impl Sealed for TrBdf2 {}
+
 impl Integrator for TrBdf2 {
     fn integrate(
         &self,
@@ -57,6 +61,8 @@ impl Integrator for TrBdf2 {
     }
 }
 
+impl Sealed for Esdirk34 {}
+
 impl Integrator for Esdirk34 {
     fn integrate(
         &self,
@@ -67,6 +73,8 @@ impl Integrator for Esdirk34 {
         integrate_sdirk(Tableau::esdirk34, stretch, state, samples)
     }
 }
+
+impl Sealed for Tsit45 {}
 
 impl Integrator for Tsit45 {
     fn integrate(

@@ -18,7 +18,7 @@ mod piece;
 mod response;
 
 use super::taylor::quadrature::Gauss;
-use super::{Integrator, Samples, Stopped, Stretch};
+use super::{Integrator, Samples, Sealed, Stopped, Stretch};
 use crate::error::StopCause;
 use exponential::Exponential;
 use modal::Modal;
@@ -34,6 +34,8 @@ trait Solution {
     /// Times asked for from now on are not before this one, whose state is this.
     fn settle(&mut self, time: f64, state: &[f64]);
 }
+
+impl Sealed for Exact {}
 
 impl Integrator for Exact {
     fn integrate(

@@ -112,7 +112,7 @@ pub(super) fn drive<M: OneStep>(
     let mut last_error = 1e-4;
     let mut before = None;
     let mut rejected = false;
-    let mut kept = Kept::new(state.len());
+    let mut kept = Kept::new(state);
     loop {
         let End { now, tried, arrives } = end_of_step(time, step, stretch.until);
         method.is_last(arrives);
@@ -163,19 +163,25 @@ pub(super) fn drive<M: OneStep>(
                 state.copy_from_slice(&kept.end);
                 return Ok((!arrives).then_some(Left { time, step }));
             }
-            if stretch.system.work().steps >= stretch.max_steps as u64 {
-                let cause = StopCause::TooManySteps { limit: stretch.max_steps };
-                return Err(Stopped { time, cause });
-            }
-            if time + step <= time {
-                return Err(Stopped { time, cause: StopCause::StepTooSmall });
-            }
+            let cause = if stretch.system.work().steps >= stretch.max_steps as u64 {
+                StopCause::TooManySteps { limit: stretch.max_steps }
+            } else if time + step <= time {
+                StopCause::StepTooSmall
+            } else {
+                continue;
+            };
+            return Err(Stopped { time, cause: stretch.cause_at(time, &kept.end, cause) });
         } else {
             stretch.system.count(|work| work.rejected += 1);
             step = tried * shrink(trial, pace);
             rejected = true;
             if is_too_small(step, time) {
-                return Err(explain(stretch, trial, time));
+                let Stopped { time, cause } = explain(stretch, trial, time);
+                let cause = match cause {
+                    StopCause::NotFinite { .. } => cause,
+                    cause => stretch.cause_at(time, &kept.end, cause),
+                };
+                return Err(Stopped { time, cause });
             }
         }
     }
@@ -219,7 +225,7 @@ fn end_at<M: OneStep>(
         let cause = StopCause::TooManySteps { limit: stretch.max_steps };
         return Err(Stopped { time, cause });
     }
-    let mut kept = Kept::new(state.len());
+    let mut kept = Kept::new(state);
     kept.put_back(method, stretch, time)?;
     sample(method, stretch, (time, &kept.end), state, samples)?;
     state.copy_from_slice(&kept.end);
@@ -233,8 +239,8 @@ struct Kept {
 }
 
 impl Kept {
-    fn new(len: usize) -> Self {
-        Self { end: vec![0.0; len] }
+    fn new(state: &[f64]) -> Self {
+        Self { end: state.to_vec() }
     }
 
     /// Takes the end of the current step and puts it back onto the constraints; whether

@@ -237,6 +237,7 @@ fn word(error: &SimulateError, method: Method, simulator: &dyn Simulator<f64>) -
             StopCause::ToleranceBelowRounding { .. } | StopCause::ClosedForm { .. } => "rounding",
             StopCause::Overflow { .. } => "grows",
             StopCause::Contradiction { .. } => "modes",
+            StopCause::Chattering { .. } => "chatters",
             StopCause::Zeno { .. } => "zeno",
             StopCause::OffConstraint { .. } => "drift",
             StopCause::TooLarge { .. } => "large",

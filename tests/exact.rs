@@ -272,7 +272,8 @@ fn an_exponential_that_would_lose_the_tolerance_is_refused_and_auto_steps() {
 
 #[test]
 fn polynomials_of_time_that_begin_late_keep_their_digits() {
-    let forces: [(fn(f64, f64) -> String, f64); 3] = [
+    type Force = fn(f64, f64) -> String;
+    let forces: [(Force, f64); 3] = [
         (|at, width| format!("4 [N]*smooth_step((t - {at:?} [s])/{width:?} [s])"), 0.9),
         (|at, width| format!("1 [N]*step(t, {at:?} [s])*((t - {at:?} [s])/{width:?} [s])^4"), 1.0),
         (

@@ -164,13 +164,14 @@ pub(super) fn drive<M: OneStep>(
                 return Ok((!arrives).then_some(Left { time, step }));
             }
             let cause = if stretch.system.work().steps >= stretch.max_steps as u64 {
-                StopCause::TooManySteps { limit: stretch.max_steps }
-            } else if time + step <= time {
-                StopCause::StepTooSmall
+                Some(StopCause::TooManySteps { limit: stretch.max_steps })
             } else {
-                continue;
+                (time + step <= time).then_some(StopCause::StepTooSmall)
             };
-            return Err(Stopped { time, cause: stretch.cause_at(time, &kept.end, cause) });
+            if let Some(cause) = cause {
+                let cause = stretch.cause_at(time, &kept.end, cause);
+                return Err(Stopped { time, cause });
+            }
         } else {
             stretch.system.count(|work| work.rejected += 1);
             step = tried * shrink(trial, pace);

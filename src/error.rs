@@ -3,9 +3,11 @@
 use thiserror::Error;
 
 use crate::method::Method;
+use crate::trajectory::Trajectory;
 
 /// Why a run was refused or stopped.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum SimulateError {
     /// No parameter has this name.
     #[error("scene `{scene}` has no parameter `{name}`{hint}")]
@@ -143,11 +145,14 @@ pub enum SimulateError {
         time: f64,
         /// Why, and what may help.
         cause: StopCause,
+        /// The run until there; nothing where nothing was kept, as in a sweep.
+        kept: Option<Box<Trajectory>>,
     },
 }
 
 /// Why an integration could not go on.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum StopCause {
     /// Steps shrank until they no longer advance time.
     #[error(
@@ -165,6 +170,28 @@ pub enum StopCause {
     NotFinite {
         /// What is not finite.
         what: String,
+    },
+    /// A state has grown beyond what can be reckoned with.
+    #[error(
+        "`{state}` has grown to {value:e}, beyond what can be reckoned with. \
+         Hint: a solution that grows without bound; end the run before, or look for the sign \
+         of a force that drives what it should hold"
+    )]
+    Overflow {
+        /// The state.
+        state: String,
+        /// Its value, in its unit.
+        value: f64,
+    },
+    /// Modes contradict guards, and no event sets them right.
+    #[error(
+        "the modes contradict event `{event}`: its guard is beyond zero although it is still \
+         watched for, and what it does would change more than modes, or leads to no end. \
+         Hint: give other modes or another state in [initial]"
+    )]
+    Contradiction {
+        /// The event.
+        event: String,
     },
     /// The tolerance is finer than numbers are.
     #[error("rounding alone exceeds the relative tolerance {rtol}. Hint: 1e-14 is about the least")]
@@ -187,6 +214,20 @@ pub enum StopCause {
     TooManySteps {
         /// The limit.
         limit: usize,
+    },
+    /// The rate of a state jumps to and fro across a value that it is driven to from
+    /// either side.
+    #[error(
+        "`{state}` chatters at {value:e}: its rate jumps from one side of that to the other and \
+         drives it back from both. Hint: dry friction by `sign`, most often; give sticking a \
+         mode of its own, as the unit `friction_slider` does, or smooth it, as \
+         `friction_slider_smooth`"
+    )]
+    Chattering {
+        /// The state.
+        state: String,
+        /// Where, in its unit.
+        value: f64,
     },
     /// Events follow on one another without end.
     #[error(
@@ -222,10 +263,31 @@ pub enum StopCause {
     },
     /// The method is not made for a machine with events or constraints.
     #[error(transparent)]
-    Unsuitable(Unsuitable),
-    /// Anything else the solver reports.
+    Unsuitable(Box<Unsuitable>),
+    /// The method's family is not compiled in.
+    #[error(transparent)]
+    NotCompiledIn(NotCompiledIn),
+    /// Taylor's method on a simulator without series.
+    #[error(
+        "this simulator has no Taylor series: it was written by hand, or is too large; \
+         try the method `bdf`"
+    )]
+    NoSeries,
+    /// The closed form of a machine that is not linear.
+    #[error(
+        "its equations are not linear with constant coefficients, or were written by hand; \
+         try the method `auto`"
+    )]
+    NotLinear,
+    /// A closed form that rounding spoils.
+    #[error("{reason}")]
+    ClosedForm {
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// What diffsol reports beyond that.
     #[error("{0}")]
-    Solver(String),
+    Diffsol(String),
 }
 
 /// A method's name that is not in the table of methods.

@@ -155,6 +155,9 @@ impl SecondOrder {
         let inverse = self.mass.clone().cholesky().ok_or(singular.clone())?.l();
         let inverse = inverse.try_inverse().ok_or(singular)?;
         let symmetric = (&self.stiffness + self.stiffness.transpose()) / 2.0;
+        if symmetric.is_empty() {
+            return Ok(Vec::new());
+        }
         let squares = (&inverse * symmetric * inverse.transpose()).symmetric_eigenvalues();
         let largest = squares.amax();
         let frequency = |square: &f64| {

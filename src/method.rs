@@ -75,7 +75,9 @@ methods! {
 }
 
 /// An integration method: carries a state over one smooth stretch of a run.
-pub trait Integrator {
+///
+/// Sealed: the methods are those of the table, and what a method is given may grow.
+pub trait Integrator: sealed::Sealed {
     /// Carries `state` from `stretch.from` to `stretch.until`, and pushes the
     /// state at every time that `samples` asks for on the way.
     ///
@@ -88,6 +90,12 @@ pub trait Integrator {
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped>;
 }
+
+mod sealed {
+    /// Of the methods of the table.
+    pub trait Sealed {}
+}
+use sealed::Sealed;
 
 /// Time and cause of an integration that could not go on.
 #[derive(Debug, Clone, PartialEq)]
@@ -131,41 +139,62 @@ impl Problem<'_> {
     /// [`Stopped`] where the method cannot go on; at the start if it is not made for
     /// such a machine or not compiled in.
     pub fn integrate(&self, method: Method) -> Result<Run, Stopped> {
+        let (run, stopped) = self.integrate_kept(method);
+        stopped.map_or(Ok(run), Err)
+    }
+
+    /// As [`Problem::integrate`], with all that there is where the method cannot go on:
+    /// rows until then.
+    #[must_use]
+    pub fn integrate_kept(&self, method: Method) -> (Run, Option<Stopped>) {
+        let mut watch = None;
+        let mut samples = Samples::new(self.times, self.initial.len());
+        let stopped = self.carry(method, &mut watch, &mut samples).err();
+        let switches = watch.map_or_else(Vec::new, Watch::into_switches);
+        let taken = samples.taken();
+        (Run { rows: samples.into_rows(), switches, taken }, stopped)
+    }
+
+    fn carry<'a>(
+        &'a self,
+        method: Method,
+        watch: &mut Option<Watch<'a>>,
+        samples: &mut Samples<'_>,
+    ) -> Result<(), Stopped> {
         method.check(self.system.simulator()).map_err(|unsuitable| Stopped {
             time: self.from,
-            cause: StopCause::Unsuitable(unsuitable),
+            cause: StopCause::Unsuitable(Box::new(unsuitable)),
         })?;
         let Some(integrator) = method.row().integrator else {
-            let cause = StopCause::Solver(NotCompiledIn::of(method).to_string());
+            let cause = StopCause::NotCompiledIn(NotCompiledIn::of(method));
             return Err(Stopped { time: self.from, cause });
         };
-        let watch = Watch::new(self.system, (self.from, self.until), &self.initial);
-        let mut samples = Samples::new(self.times, self.initial.len());
         let mut state = self.initial.clone();
+        *watch = Watch::new(self, &mut state)?;
+        let watch = watch.as_ref();
         while samples.next_until(self.from).is_some() {
             samples.push(&state);
         }
         for ends in cut(self.from, self.until, self.jumps.clone()).windows(2) {
             let mut from = ends[0];
             while from < ends[1] {
-                let stretch = Stretch::new(self, (from, ends[1]), watch.as_ref());
+                let stretch = Stretch::new(self, (from, ends[1]), watch);
                 from = stretch.until;
                 stretch.require_finite_rate(&state)?;
                 if stretch.is_trivial() {
-                    stretch.leap(&mut state, &mut samples);
+                    stretch.leap(&mut state, samples);
                     continue;
                 }
                 let Some(watch) = stretch.watch else {
-                    integrator.integrate(&stretch, &mut state, &mut samples)?;
+                    integrator.integrate(&stretch, &mut state, samples)?;
                     continue;
                 };
                 watch.start(stretch.from, &state);
-                integrator.integrate(&stretch, &mut state, &mut samples)?;
+                integrator.integrate(&stretch, &mut state, samples)?;
                 from = self.switch(watch, &mut state)?.unwrap_or(from);
             }
         }
-        let switches = watch.map_or_else(Vec::new, Watch::into_switches);
-        Ok(Run { rows: samples.into_rows(), switches })
+        Ok(())
     }
 
     /// Does what events say where the method stopped for some, and gives the time.
@@ -193,6 +222,8 @@ pub struct Run {
     pub rows: Vec<f64>,
     /// Events that happened, in order.
     pub switches: Vec<Switch>,
+    /// How many of the wanted times were reached: all, unless the method stopped.
+    pub taken: usize,
 }
 
 struct Row {

@@ -9,8 +9,8 @@ use crate::error::{NotCompiledIn, SimulateError, did_you_mean};
 use crate::method::cut;
 #[cfg(feature = "sweep")]
 use crate::method::taylor::variants::Variant;
-use crate::method::{Method, Problem, Run, System, identically_zero};
-use crate::trajectory::{Column, ColumnKind, EnergyBalance, Trajectory};
+use crate::method::{Method, Problem, Run, Stopped, System, identically_zero};
+use crate::trajectory::{Column, ColumnKind, EnergyBalance, Stop, Trajectory};
 
 /// Largest number of output times of a run.
 pub const MAX_POINTS: usize = 10_000_000;
@@ -233,7 +233,8 @@ impl<'a> Simulation<'a> {
     ///
     /// # Errors
     /// [`SimulateError`] if something asked for makes no sense, or if the
-    /// integration cannot go on; it then says where and why.
+    /// integration cannot go on; it then says where and why, and hands over the run until
+    /// there.
     pub fn run(&self) -> Result<Trajectory, SimulateError> {
         let method = self.chosen_method()?;
         if !method.is_compiled_in() {
@@ -261,29 +262,36 @@ impl<'a> Simulation<'a> {
             atol,
             max_steps: self.max_steps,
         };
-        let run = problem.integrate(method).map_err(|stopped| SimulateError::Stopped {
+        let (run, stopped) = problem.integrate_kept(method);
+        let energy_at_start = self.total_energy(&problem.initial[..states]);
+        let Some(Stopped { time, cause }) = stopped else {
+            return Ok(self.trajectory(method, &system, &times, run, energy_at_start));
+        };
+        let mut kept = self.trajectory(method, &system, &times, run, energy_at_start);
+        kept.stopped = Some(Stop { time, cause: cause.to_string() });
+        Err(SimulateError::Stopped {
             scene: self.simulator.name().to_owned(),
             method: method.name(),
-            time: stopped.time,
-            cause: stopped.cause,
-        })?;
-        let energy_at_start = self.total_energy(&problem.initial[..states]);
-        Ok(self.trajectory(method, &system, times, run, energy_at_start))
+            time,
+            cause,
+            kept: Some(Box::new(kept)),
+        })
     }
 
     fn trajectory(
         &self,
         method: Method,
         system: &System<'_>,
-        times: Vec<f64>,
+        times: &[f64],
         run: Run,
         energy_at_start: f64,
     ) -> Trajectory {
-        let Run { rows, switches } = run;
+        let Run { rows, switches, taken } = run;
+        let times = times[..taken].to_vec();
         let mut table = Table::new(self.simulator, times.len());
-        let width = system.len().max(1);
-        for (time, row) in times.iter().zip(rows.chunks_exact(width)) {
-            table.push(*time, row, &self.parameters);
+        let width = system.len();
+        for (index, time) in times.iter().enumerate() {
+            table.push(*time, &rows[index * width..(index + 1) * width], &self.parameters);
         }
         let energy_balance =
             self.energy_balance.then(|| table.energy_balance(&rows, width, energy_at_start));
@@ -294,6 +302,7 @@ impl<'a> Simulation<'a> {
             rtol: self.rtol,
             work: system.work(),
             notes: system.notes(),
+            stopped: None,
             switches,
             drift: system.constraints().map(Constraints::drift),
             times,

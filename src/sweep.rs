@@ -189,6 +189,7 @@ impl<'a, S: Sweepable> Sweep<'a, S> {
                     method: Method::Taylor.name(),
                     time: stopped.time,
                     cause: stopped.cause,
+                    kept: None,
                 }),
             });
         });

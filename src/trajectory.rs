@@ -24,6 +24,9 @@ pub struct Trajectory {
     /// What the method has to say of the run, such as which one `auto` chose and
     /// why; mostly nothing.
     pub notes: Vec<String>,
+    /// Where and why the run ended before its end; nothing if it did not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stopped: Option<Stop>,
     /// Events that happened, in order; those at one time in the order of the spec. A
     /// column at just that time has its value from before.
     pub switches: Vec<Switch>,
@@ -35,6 +38,15 @@ pub struct Trajectory {
     pub columns: Vec<Column>,
     /// Power supplied and lost against energy stored, if the run was asked for it.
     pub energy_balance: Option<EnergyBalance>,
+}
+
+/// Why a run ended before its end.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Stop {
+    /// Time reached \[s\].
+    pub time: f64,
+    /// Why, and what may help.
+    pub cause: String,
 }
 
 /// An event that happened.

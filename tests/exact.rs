@@ -233,8 +233,8 @@ fn machines_that_are_not_linear_are_refused_by_exact_and_stepped_by_auto() {
         let simulator = oscillator(2.0, 0.3, 32.0, force);
         assert!(!Method::Exact.suits(&simulator), "{force}");
         match Simulation::new(&simulator).method(Method::Exact).run() {
-            Err(SimulateError::Stopped { cause: StopCause::Solver(message), .. }) => {
-                assert!(message.contains("not linear"), "{message}");
+            Err(SimulateError::Stopped { cause: cause @ StopCause::NotLinear, .. }) => {
+                assert!(cause.to_string().contains("not linear"), "{cause}");
             }
             other => panic!("{force}: {other:?}"),
         }
@@ -257,7 +257,9 @@ fn an_exponential_that_would_lose_the_tolerance_is_refused_and_auto_steps() {
     parameters[stiff] = 1e9;
     let simulation = Simulation::new(&simulator).parameters(&parameters).rtol(1e-8);
     match simulation.clone().method(Method::Exact).run() {
-        Err(SimulateError::Stopped { cause: StopCause::Solver(message), .. }) => {
+        Err(SimulateError::Stopped {
+            cause: StopCause::ClosedForm { reason: message }, ..
+        }) => {
             assert!(message.contains("norm") && message.contains("auto"), "{message}");
         }
         other => panic!("{other:?}"),
@@ -266,4 +268,43 @@ fn an_exponential_that_would_lose_the_tolerance_is_refused_and_auto_steps() {
     let radau = simulation.method(Method::Radau).rtol(1e-11).run().expect("stepped");
     let distance = distance(&auto, &radau);
     assert!(distance < 1e-5, "{distance:e}");
+}
+
+#[test]
+fn polynomials_of_time_that_begin_late_keep_their_digits() {
+    type Force = fn(f64, f64) -> String;
+    let forces: [(Force, f64); 3] = [
+        (|at, width| format!("4 [N]*smooth_step((t - {at:?} [s])/{width:?} [s])"), 0.9),
+        (|at, width| format!("1 [N]*step(t, {at:?} [s])*((t - {at:?} [s])/{width:?} [s])^4"), 1.0),
+        (
+            |at, width| {
+                format!(
+                    "1 [N]*piecewise(t < {at:?} [s], 0, t < {:?} [s], \
+                     ((t - {at:?} [s])/{width:?} [s])^4 - 2*((t - {at:?} [s])/{width:?} [s])^3, 0)",
+                    at + width
+                )
+            },
+            0.8,
+        ),
+    ];
+    for (force, after) in forces {
+        for (at, width) in [(30.0, 0.01), (1000.0, 1.0), (3000.0, 0.5), (7.0, 2.0), (5000.0, 0.2)] {
+            let simulator = oscillator(1.0, 0.0, 4.0, &force(at, width));
+            let until = at + after;
+            let run = |method, from: f64, rtol| {
+                let simulation = Simulation::new(&simulator).initial_state(&[0.0, 0.0]);
+                let simulation = simulation.from(from).times(&[from, until]).until(until);
+                simulation.method(method).rtol(rtol).run()
+            };
+            // Before, the machine is at rest.
+            let reference = run(Method::Dop853, at, 1e-12).expect("it runs");
+            let exact = reference.last("body.x").expect("a state");
+            for method in [Method::Exact, Method::Auto] {
+                let run = run(method, 0.0, 1e-9).expect("it runs");
+                let x = run.last("body.x").expect("a state");
+                let off = (x - exact).abs() / exact.abs();
+                assert!(off < 1e-7, "{method}, {}: {x} for {exact}", force(at, width));
+            }
+        }
+    }
 }

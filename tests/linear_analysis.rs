@@ -12,7 +12,10 @@ use machinist::linear_analysis::{
     LinearError, Linearization, Mode, ModeKind, Place, Point, SecondOrder, logarithmic_range,
     operating_point,
 };
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_codegen::pipeline;
 use machinist_contract::Simulator;
+use machinist_model::ModelSimulator;
 use machinist_studies::closed_form::induction_motor::MOTOR_4A280M8;
 use machinist_studies::closed_form::two_mass::SAW_GIN;
 use nalgebra::DMatrix;
@@ -216,5 +219,53 @@ fn places_are_read_from_text() {
     assert_eq!("t=0.25".parse(), Ok(Place::Time(0.25)));
     for bad in ["", "t=", "t=x", "t=inf", "0.25", "Initial"] {
         assert!(bad.parse::<Place>().is_err(), "{bad}");
+    }
+}
+
+#[test]
+fn a_soft_spring_beside_a_stiff_one_is_no_free_motion() {
+    let text = r#"
+        [scene]
+        name = "rotors"
+        [units]
+        a = { unit = "rotor", parameters = { inertia = 2.0 } }
+        b = { unit = "rotor", parameters = { inertia = 2.0 } }
+        c = { unit = "rotor", parameters = { inertia = 2.0 } }
+        stiff = { unit = "coupling", parameters = { stiffness = 1e4, damping = 0.0, ratio = 1.0 } }
+        soft = { unit = "coupling", parameters = { stiffness = 1.0, damping = 0.0, ratio = 1.0 } }
+        [[joints]]
+        connect = ["a.shaft", "stiff.driving"]
+        [[joints]]
+        connect = ["b.shaft", "stiff.driven"]
+        [[joints]]
+        connect = ["b.shaft", "soft.driving"]
+        [[joints]]
+        connect = ["c.shaft", "soft.driven"]
+        [run]
+        until = 1.0
+        points = 11
+        rtol = 1e-6
+        method = "auto"
+    "#;
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("scene.toml");
+    std::fs::write(&path, text).expect("written");
+    let program = match pipeline::generate(&path, Keep::All) {
+        Ok(program) => program,
+        Err(errors) => panic!("{}", errors.render()),
+    };
+    let rotors = ModelSimulator::new(program);
+    for stiffness in [1e4, 1e8, 1e9, 1e10, 1e11] {
+        let run = Simulation::new(&rotors).parameter("stiff.stiffness", stiffness).expect("one");
+        let modes = at_equilibrium(&run).modes().expect("eigenvalues");
+        let found: Vec<f64> = modes
+            .iter()
+            .filter(|mode| mode.kind == ModeKind::Oscillation)
+            .map(Mode::natural_frequency)
+            .collect();
+        // The two rotors on the stiff coupling swing as one of 4 against that of 2.
+        let [slow, fast] = found[..] else { panic!("{stiffness}: {found:?}") };
+        assert!((slow - 0.75f64.sqrt()).abs() < 1e-4, "{stiffness}: {slow}");
+        assert!((fast / stiffness.sqrt() - 1.0).abs() < 1e-3, "{stiffness}: {fast}");
     }
 }

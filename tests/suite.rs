@@ -7,6 +7,7 @@ mod bends;
 mod chains;
 mod complex_step;
 mod constraints;
+mod contacts;
 mod events;
 mod exact;
 mod fields;

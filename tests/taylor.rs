@@ -146,7 +146,8 @@ fn simulators_without_series_are_refused_with_advice() {
     let scalar = crate::common::Scalar::new(|_, y| -y, |_, _| -1.0, 1.0);
     assert!(!Method::Taylor.suits(&scalar));
     match Simulation::new(&scalar).method(Method::Taylor).run() {
-        Err(SimulateError::Stopped { cause: StopCause::Solver(message), .. }) => {
+        Err(SimulateError::Stopped { cause: cause @ StopCause::NoSeries, .. }) => {
+            let message = cause.to_string();
             assert!(message.contains("no Taylor series"), "{message}");
         }
         other => panic!("{other:?}"),

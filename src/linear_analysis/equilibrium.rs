@@ -14,6 +14,9 @@ pub(super) const ACCEPTED: f64 = 1e-9;
 pub(super) const ROUNDING: f64 = 1e-15;
 /// Singular values below this, of matrices with rows of length 1, count as zero.
 pub(super) const RANK: f64 = 1e-10;
+/// Directions in which rates change by less than that, over the sizes of their rows, are of
+/// drift: what rounding makes of nothing, and no soft spring beside stiff ones.
+const DRIFT: f64 = 1e-13;
 
 /// The equilibrium near a guess, by Newton's method on the emitted rates and
 /// their emitted Jacobian; time and parameters are those of the guess.
@@ -266,7 +269,7 @@ pub(super) fn split(matrix: DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>) {
         return (DMatrix::zeros(columns, 0), DMatrix::identity(columns, columns));
     };
     let choose = |wanted: bool| {
-        let is_wanted = |index: &usize| (svd.singular_values[*index] <= RANK) == wanted;
+        let is_wanted = |index: &usize| (svd.singular_values[*index] <= DRIFT) == wanted;
         let chosen: Vec<usize> = (0..columns).filter(is_wanted).collect();
         directions.select_rows(&chosen).transpose()
     };

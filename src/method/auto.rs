@@ -12,7 +12,7 @@ use super::radau::RadauSteps;
 use super::rosenbrock::RosenbrockSteps;
 use super::tableau::{DOP853, Pair, RODAS5P};
 use super::taylor::TaylorSteps;
-use super::{Integrator, Samples, Stopped, Stretch};
+use super::{Integrator, Samples, Sealed, Stopped, Stretch};
 use ringing::{LENIENT, rings};
 
 /// So many steps of evidence change the method.
@@ -49,6 +49,8 @@ const FEW_STEPS: f64 = 150.0;
 /// held by stability instead of accuracy, and back where they are not.
 pub(super) struct Auto;
 
+impl Sealed for Auto {}
+
 impl Integrator for Auto {
     fn integrate(
         &self,
@@ -67,13 +69,18 @@ impl Integrator for Auto {
                 let mut strain = Strain::new(stretch, choice.limit);
                 let look = |method: &TaylorSteps<'_>, step: f64| strain.look(method, step);
                 let mut method = TaylorSteps::new(stretch, series).looking_within();
+                method.begin(stretch.from, state);
+                if method.is_cut_short() {
+                    stretch.system.note(
+                        "dop853 instead of taylor: the solution has no power series at the start, \
+                         as where a root begins at zero"
+                            .to_owned(),
+                    );
+                    return choice.by_pair(&DOP853, stretch, state, samples);
+                }
                 choice.alternate(&mut method, stretch, (state, samples), look)
             }
-            Explicit::Pair(pair) => {
-                let look = |method: &ExplicitSteps<'_>, _| Some(method.stiffness());
-                let mut method = ExplicitSteps::new(pair, stretch);
-                choice.alternate(&mut method, stretch, (state, samples), look)
-            }
+            Explicit::Pair(pair) => choice.by_pair(pair, stretch, state, samples),
         }
     }
 }
@@ -113,6 +120,7 @@ struct Choice<'a> {
     is_tight: bool,
 }
 
+#[derive(Clone, Copy)]
 enum Explicit<'a> {
     Taylor(&'a dyn TaylorSeries<f64>),
     Pair(&'static Pair),
@@ -148,8 +156,22 @@ impl<'a> Choice<'a> {
         chosen
     }
 
-    /// Goes on by an explicit method while nothing is stiff, and implicitly while
-    /// something is; `look` gives |h lambda| after a step of the explicit method, or
+    fn by_pair(
+        &self,
+        pair: &'static Pair,
+        stretch: &Stretch<'_>,
+        state: &mut [f64],
+        samples: &mut Samples<'_>,
+    ) -> Result<(), Stopped> {
+        let choice = Self { explicit_name: "dop853", limit: pair.stability, ..*self };
+        let look = |method: &ExplicitSteps<'_>, _| Some(method.stiffness());
+        let mut method = ExplicitSteps::new(pair, stretch);
+        method.begin(stretch.from, state);
+        choice.alternate(&mut method, stretch, (state, samples), look)
+    }
+
+    /// Goes on by an explicit method that has begun while nothing is stiff, and implicitly
+    /// while something is; `look` gives |h lambda| after a step of the explicit method, or
     /// nothing if it has not looked.
     fn alternate<M: OneStep>(
         &self,
@@ -158,7 +180,6 @@ impl<'a> Choice<'a> {
         (state, samples): (&mut [f64], &mut Samples<'_>),
         mut look: impl FnMut(&M, f64) -> Option<f64>,
     ) -> Result<(), Stopped> {
-        explicit.begin(stretch.from, state);
         let mut at = Left { time: stretch.from, step: explicit.first_step() };
         let mut changes = 0;
         loop {

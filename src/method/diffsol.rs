@@ -10,7 +10,7 @@ use ::diffsol::{
     Sdirk, Tableau, UnitCallable, Vector, VectorCommon,
 };
 
-use super::{Integrator, Samples, Stopped, Stretch};
+use super::{Integrator, Samples, Sealed, Stopped, Stretch};
 use crate::error::StopCause;
 
 type M = NalgebraMat<f64>;
@@ -31,6 +31,8 @@ pub(super) struct Esdirk34;
 /// `Tableau::tsit45`.
 pub(super) struct Tsit45;
 
+impl Sealed for Bdf {}
+
 impl Integrator for Bdf {
     fn integrate(
         &self,
@@ -46,6 +48,8 @@ impl Integrator for Bdf {
     }
 }
 
+impl Sealed for TrBdf2 {}
+
 impl Integrator for TrBdf2 {
     fn integrate(
         &self,
@@ -57,6 +61,8 @@ impl Integrator for TrBdf2 {
     }
 }
 
+impl Sealed for Esdirk34 {}
+
 impl Integrator for Esdirk34 {
     fn integrate(
         &self,
@@ -67,6 +73,8 @@ impl Integrator for Esdirk34 {
         integrate_sdirk(Tableau::esdirk34, stretch, state, samples)
     }
 }
+
+impl Sealed for Tsit45 {}
 
 impl Integrator for Tsit45 {
     fn integrate(
@@ -165,7 +173,7 @@ fn advance<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
 ) -> Result<(), Stopped> {
     let refused = |error: DiffsolError| Stopped {
         time: stretch.from,
-        cause: StopCause::Solver(error.to_string()),
+        cause: StopCause::Diffsol(error.to_string()),
     };
     let mut solver = solver.map_err(refused)?;
     solver.set_stop_time(stretch.until).map_err(refused)?;
@@ -199,10 +207,7 @@ fn step_to_end<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
         let reason = stopped.map_err(|error| explain(solver, stretch, newton_failed, &error))?;
         let arrived = matches!(reason, OdeSolverStopReason::TstopReached);
         let now = solver.state().t;
-        let values = solver.state().y.inner().as_slice();
-        if let Some(index) = values.iter().position(|value| !value.is_finite()) {
-            return Err(stretch.not_finite("the state", index, before));
-        }
+        stretch.require_bounded(now, solver.state().y.inner().as_slice())?;
         if !arrived && now <= before {
             let stuck = OdeSolverError::StepSizeTooSmall { time: now };
             return Err(explain(solver, stretch, newton_failed, &stuck.into()));
@@ -215,9 +220,10 @@ fn step_to_end<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
             } else {
                 let failed = |error: DiffsolError| Stopped {
                     time,
-                    cause: StopCause::Solver(error.to_string()),
+                    cause: StopCause::Diffsol(error.to_string()),
                 };
                 solver.interpolate_inplace(time, &mut between).map_err(failed)?;
+                stretch.require_bounded(time, between.inner().as_slice())?;
                 samples.push(between.inner().as_slice());
             }
         }
@@ -252,7 +258,7 @@ fn explain<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
             OdeSolverError::StepSizeTooSmall { .. }
             | OdeSolverError::TooManyErrorTestFailures { .. },
         ) => StopCause::StepTooSmall,
-        other => StopCause::Solver(other.to_string()),
+        other => StopCause::Diffsol(other.to_string()),
     };
     Stopped { time, cause }
 }

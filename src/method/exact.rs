@@ -18,7 +18,7 @@ mod piece;
 mod response;
 
 use super::taylor::quadrature::Gauss;
-use super::{Integrator, Samples, Stopped, Stretch};
+use super::{Integrator, Samples, Sealed, Stopped, Stretch};
 use crate::error::StopCause;
 use exponential::Exponential;
 use modal::Modal;
@@ -35,6 +35,8 @@ trait Solution {
     fn settle(&mut self, time: f64, state: &[f64]);
 }
 
+impl Sealed for Exact {}
+
 impl Integrator for Exact {
     fn integrate(
         &self,
@@ -42,15 +44,13 @@ impl Integrator for Exact {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        let refuse = |time, reason: String| Stopped { time, cause: StopCause::Solver(reason) };
-        let linear = stretch.system.simulator().linear().ok_or_else(|| {
-            let reason = "its equations are not linear with constant coefficients, or were \
-                          written by hand; try the method `auto`";
-            refuse(stretch.from, reason.to_owned())
-        })?;
+        let refuse = |time, reason| Stopped { time, cause: StopCause::ClosedForm { reason } };
+        let linear = stretch.system.simulator().linear();
+        let linear = linear.ok_or(Stopped { time: stretch.from, cause: StopCause::NotLinear })?;
         let ends = piece::ends(stretch, linear);
         for ends in ends.windows(2) {
-            let piece = Piece::new(stretch, linear, ends[0], ends[1]);
+            let piece = Piece::new(stretch, linear, ends[0], ends[1])
+                .map_err(|reason| refuse(ends[0], reason))?;
             let mut solution =
                 solution(&piece, stretch, state).map_err(|reason| refuse(piece.from, reason))?;
             carry(&piece, stretch, &mut *solution, state, samples)?;
@@ -95,9 +95,9 @@ fn carry(
         let time = sample.unwrap_or(piece.until);
         if time > reached {
             solution.state_at(time, &mut next);
-            if let Some(index) = next.iter().position(|value| !value.is_finite()) {
-                return Err(stretch.not_finite("the state", index, reached));
-            }
+            stretch
+                .require_bounded(time, &next)
+                .map_err(|stopped| Stopped { time: reached, ..stopped })?;
             if let Some(rule) = &rule {
                 flows::carry(stretch, solution, rule, [reached, time], &mut state[states..]);
             }

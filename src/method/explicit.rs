@@ -7,12 +7,14 @@
 use super::lanes::{Sum, combine, padded, sum};
 use super::one_step::{OneStep, Pace, Trial, drive_all, first_step};
 use super::tableau::{DOP853, Pair, Row, TSIT5};
-use super::{Integrator, Samples, Stopped, Stretch};
+use super::{Integrator, Samples, Sealed, Stopped, Stretch};
 
 /// [`TSIT5`].
 pub(super) struct Tsit5;
 /// [`DOP853`].
 pub(super) struct Dop853;
+
+impl Sealed for Tsit5 {}
 
 impl Integrator for Tsit5 {
     fn integrate(
@@ -24,6 +26,8 @@ impl Integrator for Tsit5 {
         drive_all(&mut ExplicitSteps::new(&TSIT5, stretch), stretch, state, samples)
     }
 }
+
+impl Sealed for Dop853 {}
 
 impl Integrator for Dop853 {
     fn integrate(

@@ -112,7 +112,7 @@ pub(super) fn drive<M: OneStep>(
     let mut last_error = 1e-4;
     let mut before = None;
     let mut rejected = false;
-    let mut kept = Kept::new(state.len());
+    let mut kept = Kept::new(state);
     loop {
         let End { now, tried, arrives } = end_of_step(time, step, stretch.until);
         method.is_last(arrives);
@@ -143,6 +143,7 @@ pub(super) fn drive<M: OneStep>(
             }
             stretch.system.count(|work| work.steps += 1);
             let has_moved = kept.put_back(method, stretch, now)?;
+            stretch.require_bounded(now, &kept.end)?;
             sample(method, stretch, (now, &kept.end), state, samples)?;
             method.accept();
             step = method.own_step().unwrap_or_else(|| {
@@ -162,19 +163,26 @@ pub(super) fn drive<M: OneStep>(
                 state.copy_from_slice(&kept.end);
                 return Ok((!arrives).then_some(Left { time, step }));
             }
-            if stretch.system.work().steps >= stretch.max_steps as u64 {
-                let cause = StopCause::TooManySteps { limit: stretch.max_steps };
+            let cause = if stretch.system.work().steps >= stretch.max_steps as u64 {
+                Some(StopCause::TooManySteps { limit: stretch.max_steps })
+            } else {
+                (time + step <= time).then_some(StopCause::StepTooSmall)
+            };
+            if let Some(cause) = cause {
+                let cause = stretch.cause_at(time, &kept.end, cause);
                 return Err(Stopped { time, cause });
-            }
-            if time + step <= time {
-                return Err(Stopped { time, cause: StopCause::StepTooSmall });
             }
         } else {
             stretch.system.count(|work| work.rejected += 1);
             step = tried * shrink(trial, pace);
             rejected = true;
             if is_too_small(step, time) {
-                return Err(explain(stretch, trial, time));
+                let Stopped { time, cause } = explain(stretch, trial, time);
+                let cause = match cause {
+                    StopCause::NotFinite { .. } => cause,
+                    cause => stretch.cause_at(time, &kept.end, cause),
+                };
+                return Err(Stopped { time, cause });
             }
         }
     }
@@ -218,7 +226,7 @@ fn end_at<M: OneStep>(
         let cause = StopCause::TooManySteps { limit: stretch.max_steps };
         return Err(Stopped { time, cause });
     }
-    let mut kept = Kept::new(state.len());
+    let mut kept = Kept::new(state);
     kept.put_back(method, stretch, time)?;
     sample(method, stretch, (time, &kept.end), state, samples)?;
     state.copy_from_slice(&kept.end);
@@ -232,8 +240,8 @@ struct Kept {
 }
 
 impl Kept {
-    fn new(len: usize) -> Self {
-        Self { end: vec![0.0; len] }
+    fn new(state: &[f64]) -> Self {
+        Self { end: state.to_vec() }
     }
 
     /// Takes the end of the current step and puts it back onto the constraints; whether

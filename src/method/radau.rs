@@ -13,10 +13,12 @@ use super::one_step::{
     BETWEEN, OneStep, Pace, Trial, drive_all, first_step, sum_of_squares, weighted_norm,
 };
 use super::tableau::RADAU;
-use super::{Integrator, Samples, Stopped, Stretch};
+use super::{Integrator, Samples, Sealed, Stopped, Stretch};
 
 /// Radau IIA of variable order.
 pub(super) struct Radau;
+
+impl Sealed for Radau {}
 
 impl Integrator for Radau {
     fn integrate(

@@ -9,10 +9,12 @@ use super::one_step::{
 use super::quadrature::{Flows, NODES, Quadrature};
 use super::step_matrix::StepMatrix;
 use super::tableau::{RODAS5P, Rosenbrock};
-use super::{Integrator, Samples, Stopped, Stretch};
+use super::{Integrator, Samples, Sealed, Stopped, Stretch};
 
 /// [`RODAS5P`].
 pub(super) struct Rodas5p;
+
+impl Sealed for Rodas5p {}
 
 impl Integrator for Rodas5p {
     fn integrate(

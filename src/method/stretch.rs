@@ -132,6 +132,56 @@ impl<'a> Stretch<'a> {
         }
     }
 
+    /// The cause behind steps that became too short or too many: chattering, if that is
+    /// what a state does, else as told.
+    pub(super) fn cause_at(&self, time: f64, state: &[f64], else_cause: StopCause) -> StopCause {
+        let found = self.chattering(time, state);
+        found.map_or(else_cause, |index| StopCause::Chattering {
+            state: self.system.name(index),
+            value: state[index],
+        })
+    }
+
+    /// A state whose rate, near where it is, jumps through zero so that it is driven back
+    /// from both sides: from either the rate is the same half as near, so that it is a jump
+    /// and no slope.
+    fn chattering(&self, time: f64, state: &[f64]) -> Option<usize> {
+        /// So many tolerances from the state; steps that chatter end within that.
+        const NEAR: [f64; 2] = [100.0, 50.0];
+        const SAME: f64 = 0.1;
+        let mut shifted = state.to_vec();
+        let mut rate = vec![0.0; state.len()];
+        (0..self.system.states()).find(|&index| {
+            let allowed = self.atol[index] + self.rtol * state[index].abs();
+            let mut at = |shift: f64| {
+                shifted[index] = state[index] + shift;
+                self.rate(time, &shifted, &mut rate);
+                shifted[index] = state[index];
+                rate[index]
+            };
+            let [far, near] = NEAR.map(|near| [at(near * allowed), at(-near * allowed)]);
+            let is_same = |a: f64, b: f64| (a - b).abs() <= SAME * a.abs();
+            far[0] < 0.0 && far[1] > 0.0 && is_same(far[0], near[0]) && is_same(far[1], near[1])
+        })
+    }
+
+    /// Refuses a state that is not finite, or so large that its square is not: methods
+    /// would step on for ever, with errors that are no numbers.
+    pub(super) fn require_bounded(&self, time: f64, state: &[f64]) -> Result<(), Stopped> {
+        /// Squares of it, and energies, are still numbers.
+        const LARGEST: f64 = 1e150;
+        let states = &state[..self.system.states()];
+        let Some(index) = states.iter().position(|value| value.is_nan() || value.abs() > LARGEST)
+        else {
+            return Ok(());
+        };
+        if !state[index].is_finite() {
+            return Err(self.not_finite("the state", index, time));
+        }
+        let state = self.system.name(index);
+        Err(Stopped { time, cause: StopCause::Overflow { state, value: states[index] } })
+    }
+
     /// The error for a value of the `index`-th state that is not finite.
     #[must_use]
     pub fn not_finite(&self, what: &str, index: usize, time: f64) -> Stopped {
@@ -177,6 +227,10 @@ impl<'a> Samples<'a> {
     pub fn push(&mut self, state: &[f64]) {
         self.rows.extend_from_slice(state);
         self.taken += 1;
+    }
+
+    pub(super) fn taken(&self) -> usize {
+        self.taken
     }
 
     pub(super) fn into_rows(self) -> Vec<f64> {

@@ -17,7 +17,7 @@ use machinist_contract::taylor::{Bends, TaylorSeries, value as series_value};
 
 use super::one_step::{OneStep, Pace, Trial, drive_all};
 use super::system::FLOWS;
-use super::{Integrator, Samples, Stopped, Stretch};
+use super::{Integrator, Samples, Sealed, Stopped, Stretch};
 use crate::error::StopCause;
 use quadrature::Gauss;
 use step::{Tolerance, order_for};
@@ -32,6 +32,8 @@ const PROBES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
 /// Taylor series of an order that follows the tolerance.
 pub(super) struct Taylor;
 
+impl Sealed for Taylor {}
+
 impl Integrator for Taylor {
     fn integrate(
         &self,
@@ -39,14 +41,11 @@ impl Integrator for Taylor {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        let series = stretch.system.simulator().taylor().ok_or_else(|| Stopped {
-            time: stretch.from,
-            cause: StopCause::Solver(
-                "this simulator has no Taylor series: it was written by hand, or is too large; \
-                 try the method `bdf`"
-                    .to_owned(),
-            ),
-        })?;
+        let series = stretch
+            .system
+            .simulator()
+            .taylor()
+            .ok_or(Stopped { time: stretch.from, cause: StopCause::NoSeries })?;
         drive_all(&mut TaylorSteps::new(stretch, series), stretch, state, samples)
     }
 }
@@ -172,6 +171,13 @@ impl<'a> TaylorSteps<'a> {
         let broken = self.current.iter().position(|value| !value.is_finite());
         // State and rate are finite: what is not has been refused as a step's end.
         broken.map_or(self.order, |index| (index / self.states).max(2) - 1)
+    }
+
+    /// Whether so few coefficients are finite that steps would be of low order.
+    #[cfg(feature = "implicit")]
+    pub(super) fn is_cut_short(&self) -> bool {
+        const FEW: usize = 3;
+        self.finite < FEW
     }
 
     /// The coefficients that count.

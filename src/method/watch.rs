@@ -10,15 +10,19 @@
 //!   So nothing happens twice, and no bounce, however short, is overlooked.
 //! - A guard that sets out from zero to the far side without having just passed has
 //!   passed now.
+//! - Modes that contradict their guards are set right: an event that changes the modes it
+//!   is watched for in, and whose guard is beyond zero already, happens at once. So at the
+//!   start, where it may change modes only, and after events; see `settle`.
 //! - Events without end within no time (Zeno) stop the run.
 
 mod passing;
+mod settle;
 
 use std::cell::RefCell;
 use std::collections::VecDeque;
 
 use super::one_step::OneStep;
-use super::{Stopped, System};
+use super::{Problem, Stopped, System};
 use crate::error::StopCause;
 use crate::trajectory::Switch;
 use passing::{Outcome, Parts};
@@ -32,6 +36,8 @@ const NO_TIME: f64 = 1e-10;
 pub struct Watch<'a> {
     system: &'a System<'a>,
     span: f64,
+    rtol: f64,
+    atol: &'a [f64],
     inner: RefCell<Inner>,
 }
 
@@ -60,10 +66,18 @@ enum Side {
 }
 
 impl<'a> Watch<'a> {
-    /// A watch over a run from a state, or nothing if the simulator has no events.
-    #[must_use]
-    pub fn new(system: &'a System<'a>, (from, until): (f64, f64), state: &[f64]) -> Option<Self> {
+    /// A watch over a run from a state, whose modes it sets right; nothing if the simulator
+    /// has no events.
+    ///
+    /// # Errors
+    /// [`StopCause::Contradiction`] if the start contradicts an event that would change
+    /// more than modes.
+    pub fn new(problem: &'a Problem<'a>, state: &mut [f64]) -> Result<Option<Self>, Stopped> {
+        let (system, from, until) = (problem.system, problem.from, problem.until);
         let count = system.simulator().events();
+        if count == 0 {
+            return Ok(None);
+        }
         let inner = Inner {
             sides: vec![Side::Idle; count],
             time: from,
@@ -74,9 +88,10 @@ impl<'a> Watch<'a> {
             latest: VecDeque::new(),
             switches: Vec::new(),
         };
-        let watch = Self { system, span: until - from, inner: RefCell::new(inner) };
-        watch.arm(&mut watch.inner.borrow_mut().sides, state);
-        (count > 0).then_some(watch)
+        let (rtol, atol) = (problem.rtol, &problem.atol[..]);
+        let watch = Self { system, span: until - from, rtol, atol, inner: RefCell::new(inner) };
+        watch.settle_start(from, state)?;
+        Ok(Some(watch))
     }
 
     /// Every event that has happened, in order.
@@ -179,7 +194,12 @@ impl<'a> Watch<'a> {
                 self.count(index, time)?;
             }
         }
+        self.settle_after(time, state, &mut passed)?;
         let guards = self.guards(time, state);
+        let fresh = |index: usize| {
+            let residual = self.residual(index, time, state, guards[index]);
+            Side::Fresh { passed: false, residual }
+        };
         let inner = &mut *self.inner.borrow_mut();
         for (index, side) in inner.sides.iter_mut().enumerate() {
             let was_watched = *side != Side::Idle;
@@ -190,7 +210,7 @@ impl<'a> Watch<'a> {
                 let residual = 4.0 * guards_before[index].abs();
                 *side = Side::Fresh { passed: true, residual };
             } else if !(was_watched && is_same) {
-                *side = Side::Fresh { passed: false, residual: 0.0 };
+                *side = fresh(index);
             }
         }
         Ok(Some(time))
@@ -209,14 +229,6 @@ impl<'a> Watch<'a> {
         let when = self.system.simulator().event(index).when;
         // Modes are whole numbers, and stay so but for rounding.
         when.iter().all(|(entry, value)| (state[*entry as usize] - value).abs() < 0.5)
-    }
-
-    fn arm(&self, sides: &mut [Side], state: &[f64]) {
-        for (index, side) in sides.iter_mut().enumerate() {
-            if self.is_armed(index, state) {
-                *side = Side::Fresh { passed: false, residual: 0.0 };
-            }
-        }
     }
 
     /// Gives the entries that an event sets their new values.

@@ -6,7 +6,7 @@ use crate::failure::did_you_mean;
 use clap::Args;
 use machinist::field::ModalSimulator;
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
-use machinist::{Discretisation, Method, Simulation};
+use machinist::{Discretisation, Method, SimulateError, Simulation};
 use machinist_contract::Simulator;
 
 use super::assignment;
@@ -79,37 +79,72 @@ impl Run {
         let wanted = Discretisation { elements: self.elements, order: self.order };
         let scene = Scene::load_cut(&self.scene, self.keep_all, wanted)?;
         self.check_columns(scene.simulator())?;
-        let mut trajectory = self.trajectory(scene.simulator())?;
-        self.choose_columns(&mut trajectory);
+        match self.trajectory(scene.simulator())? {
+            Ok(trajectory) => {
+                let trajectory = self.chosen_columns(trajectory);
+                let written = self.write(format, &trajectory)?;
+                if written { print(&self.summary(&scene, &trajectory)) } else { Ok(()) }
+            }
+            Err(error) => Err(self.stopped(format, error)?),
+        }
+    }
 
+    /// What there is of a run that stopped is written all the same.
+    fn stopped(
+        &self,
+        format: Option<Format>,
+        mut error: SimulateError,
+    ) -> Result<Failure, Failure> {
+        let SimulateError::Stopped { kept, .. } = &mut error else { return Ok(error.into()) };
+        let Some(kept) = kept.take() else { return Ok(error.into()) };
+        let Some(last) = kept.times.last().copied() else { return Ok(error.into()) };
+        let files: Vec<String> = [&self.out, &self.plot]
+            .into_iter()
+            .flatten()
+            .map(|file| file.display().to_string())
+            .collect();
+        if files.is_empty() {
+            return Ok(error.into());
+        }
+        self.write(format, &self.chosen_columns(*kept))?;
+        let what = format!("the run until {last} s is in {}", files.join(" and "));
+        Ok(Failure::unsuccessful(error, what))
+    }
+
+    /// Writes the files that are asked for; whether standard output is still free.
+    fn write(&self, format: Option<Format>, trajectory: &Trajectory) -> Result<bool, Failure> {
         if let Some(file) = &self.plot {
             let names: Vec<&str> = self.columns.iter().map(String::as_str).collect();
-            draw_file(file, |path| crate::plot::plot(&trajectory, &names, path))?;
+            draw_file(file, |path| crate::plot::plot(trajectory, &names, path))?;
         }
         match (format, &self.out) {
             (Some(Format::StandardOutput), _) => {
-                return print_with(|out| trajectory.write_csv(out));
+                print_with(|out| trajectory.write_csv(out))?;
+                return Ok(false);
             }
             (Some(Format::Csv), Some(file)) => write_file(file, |out| trajectory.write_csv(out))?,
             (Some(Format::Json), Some(file)) => write_file(file, |out| trajectory.write_json(out))?,
             _ => {}
         }
-        print(&self.summary(&scene, &trajectory))
+        Ok(true)
     }
 
-    fn trajectory(&self, simulator: &dyn Simulator<f64>) -> Result<Trajectory, Failure> {
+    fn trajectory(
+        &self,
+        simulator: &dyn Simulator<f64>,
+    ) -> Result<Result<Trajectory, SimulateError>, Failure> {
         let mut whole = Simulation::new(simulator);
         for (name, value) in &self.set {
             whole = whole.parameter(name, *value)?;
         }
         let Some(modes) = self.modes else {
             let simulation = self.adjusted(whole)?;
-            return Ok(during("simulating", || simulation.run())?);
+            return Ok(during("simulating", || simulation.run()));
         };
         let modal = ModalSimulator::new(simulator, whole.parameter_values(), modes);
         let modal = modal.map_err(|error| Failure::input(error, ""))?;
         let simulation = self.adjusted(Simulation::new(&modal))?;
-        Ok(during("simulating", || simulation.run())?)
+        Ok(during("simulating", || simulation.run()))
     }
 
     /// The run with what is asked for but parameters.
@@ -149,11 +184,12 @@ impl Run {
     }
 
     /// Keeps the columns asked for, in the order asked for.
-    fn choose_columns(&self, trajectory: &mut Trajectory) {
+    fn chosen_columns(&self, mut trajectory: Trajectory) -> Trajectory {
         if !self.columns.is_empty() {
             let find = |name: &String| trajectory.find(name).cloned();
             trajectory.columns = self.columns.iter().filter_map(find).collect();
         }
+        trajectory
     }
 
     fn summary(&self, scene: &Scene, trajectory: &Trajectory) -> String {

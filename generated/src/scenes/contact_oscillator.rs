@@ -5,7 +5,7 @@
 // Sources, with SHA-256:
 //   88ef63c78e86c26fddbb155af33e6a2671afb454b0ba926a3aba7ed701abc3b7  scenes/contact_oscillator.toml
 //   f0db790170b6c3f134330c00617de69bb14585d0c566d62cfa2cc6117d09122a  units/sprung_mass.toml
-//   1861799ccbb581f2dab2221eb52f926f411ec0644449f1b62610577d4d74a340  units/stop.toml
+//   aa460541694f4c6c145124dcacf35c9d1c5ec7ec73d776fc4eb9748b2b487367  units/stop.toml
 //
 // Oscillator with a one-sided stop
 //
@@ -18,7 +18,7 @@
 // Shapes: coordinates 1, first-order states 1, states 3, parameters 7, outputs 4, events 2.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 3 by 3, parameter_jacobian 6 of 3 by 7.
 // Operations: rate 12, forcing 10, rate_jacobian 9, parameter_jacobian 26, outputs 5, energy 12,
-//     power_balance 23, guards 4, guard_rates 15, prepare 4, prepared_rate 10,
+//     power_balance 23, guards 5, guard_rates 19, prepare 4, prepared_rate 10,
 //     prepared_rate_jacobian 6.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse};
@@ -222,27 +222,32 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
     }
 }
 
-/// What passes zero where events happen, one for each event. 4 operations.
+/// What passes zero where events happen, one for each event. 5 operations.
 #[must_use]
 pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let [oscillator_x, oscillator_v, ..] = *state;
     let stop_compression = oscillator_x - p.stop_distance;
-    let stop_push = (p.stop_damping * oscillator_v).add_product(p.stop_stiffness, stop_compression);
-    [stop_compression, stop_push]
+    let t0 = p.stop_stiffness * stop_compression;
+    let stop_push = t0.add_product(p.stop_damping, oscillator_v);
+    let stop_contact = R::select_less(t0, stop_push, t0, stop_push);
+    [stop_contact, stop_contact]
 }
 
-/// `dg/dt` of the guards along the motion. 15 operations.
+/// `dg/dt` of the guards along the motion. 19 operations.
 #[must_use]
 pub fn guard_rates<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let [oscillator_x, oscillator_v, stop_closed] = *state;
+    let stop_compression = oscillator_x - p.stop_distance;
+    let stop_damping_times_oscillator_v = p.stop_damping * oscillator_v;
+    let t0 = p.stop_stiffness * stop_compression;
+    let stop_push = stop_damping_times_oscillator_v + t0;
     let oscillator_v_dot = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0),
         (p.stop_distance * p.stop_stiffness).sub_product(p.stop_stiffness, oscillator_x)
-        .sub_product(p.stop_damping, oscillator_v)).sub_product(p.oscillator_stiffness,
-        oscillator_x).sub_product(p.oscillator_damping, oscillator_v) * (R::literal(1.0)
-        / p.oscillator_mass);
-    let stop_opens_guard_rate = (p.stop_stiffness * oscillator_v).add_product(p.stop_damping,
-        oscillator_v_dot);
-    [oscillator_v, stop_opens_guard_rate]
+        - stop_damping_times_oscillator_v).sub_product(p.oscillator_stiffness, oscillator_x)
+        .sub_product(p.oscillator_damping, oscillator_v) * (R::literal(1.0) / p.oscillator_mass);
+    let stop_touches_guard_rate = (p.stop_stiffness * oscillator_v).add_product(R::select_less(t0,
+        stop_push, R::literal(0.0), p.stop_damping), oscillator_v_dot);
+    [stop_touches_guard_rate, stop_touches_guard_rate]
 }
 
 /// New values of the entries that each event sets, computed from the state before it: those of the

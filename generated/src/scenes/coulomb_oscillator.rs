@@ -4,7 +4,7 @@
 //
 // Sources, with SHA-256:
 //   5b21f124f7e0a6211a994e4f2d3a27d65a27408738c26a5f6a27f6e735b15249  scenes/coulomb_oscillator.toml
-//   b4fe01fec7a03f9380087173c447303c74fe8ddb44b0505e00aa76b50b3b35e3  units/friction_slider.toml
+//   5b3244c57f4d1dbb61079010ff55f963cd6a840d5699446256cf1527699ef805  units/friction_slider.toml
 //
 // Oscillator braked by dry friction
 //
@@ -15,10 +15,10 @@
 //   Textbook; exact half cycle by half cycle.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 1, first-order states 1, states 3, parameters 9, outputs 4, events 4.
-// Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 4 of 3 by 3, parameter_jacobian 7 of 3 by 9.
+// Shapes: coordinates 1, first-order states 1, states 3, parameters 10, outputs 4, events 6.
+// Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 4 of 3 by 3, parameter_jacobian 7 of 3 by 10.
 // Operations: rate 16, forcing 14, rate_jacobian 27, parameter_jacobian 49, outputs 13, energy 6,
-//     power_balance 23, guards 6, guard_rates 19, resets 12, prepare 6, prepared_rate 14,
+//     power_balance 23, guards 8, guard_rates 19, resets 12, prepare 6, prepared_rate 14,
 //     prepared_rate_jacobian 22.
 
 use ::machinist_contract::{
@@ -48,6 +48,7 @@ use ::machinist_contract::{
     slider_kinetic_friction: 0.25, "1", "slider.kinetic_friction", "friction at high sliding speed, likewise";
     slider_stribeck_friction: 0.0, "1", "slider.stribeck_friction", "by how much it is larger at low sliding speed, likewise";
     slider_stribeck_speed: 0.05, "m/s", "slider.stribeck_speed", "sliding speed over which that falls";
+    slider_sticking_speed: 1e-6, "m/s", "slider.sticking_speed", "faster than that it cannot stick";
 }
 
 ::machinist_contract::outputs! {
@@ -66,6 +67,8 @@ use ::machinist_contract::{
 ::machinist_contract::events! {
     "slider.breaks_back": Rising, when [(2, 0.0)], sets [2], "friction holds no longer: the mass slides back";
     "slider.breaks_forth": Falling, when [(2, 0.0)], sets [2], "friction holds no longer: the mass slides forth";
+    "slider.thrown_back": Falling, when [(2, 0.0)], sets [2], "it slides back, and cannot stick";
+    "slider.thrown_forth": Rising, when [(2, 0.0)], sets [2], "it slides forth, and cannot stick";
     "slider.ends_back": Rising, when [(2, -1.0)], sets [1, 2], "the mass has slid back; it sticks or slides forth";
     "slider.ends_forth": Falling, when [(2, 1.0)], sets [1, 2], "the mass has slid forth; it sticks or slides back";
 }
@@ -76,7 +79,7 @@ use ::machinist_contract::{
     /// Nonzeros of dy'/dy.
     RATE_JACOBIAN_PATTERN: 3 by 3 { 0 [1] 1 [0 1 2] }
     /// Nonzeros of dy'/dp.
-    PARAMETER_JACOBIAN_PATTERN: 3 by 9 { 1 [1 2 3 4 6 7 8] }
+    PARAMETER_JACOBIAN_PATTERN: 3 by 10 { 1 [1 2 3 4 6 7 8] }
 }
 
 ::machinist_contract::constants! {
@@ -255,7 +258,7 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
     }
 }
 
-/// What passes zero where events happen, one for each event. 6 operations.
+/// What passes zero where events happen, one for each event. 8 operations.
 #[must_use]
 pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let [slider_x, slider_v, ..] = *state;
@@ -263,7 +266,10 @@ pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     let slider_held = (p.slider_stiffness * slider_x).add_product(p.slider_damping, slider_v);
     let slider_breaks_back_guard = slider_held - slider_limit;
     let slider_breaks_forth_guard = slider_limit + slider_held;
-    [slider_breaks_back_guard, slider_breaks_forth_guard, slider_v, slider_v]
+    let slider_thrown_back_guard = p.slider_sticking_speed + slider_v;
+    let slider_thrown_forth_guard = slider_v - p.slider_sticking_speed;
+    [slider_breaks_back_guard, slider_breaks_forth_guard, slider_thrown_back_guard,
+        slider_thrown_forth_guard, slider_v, slider_v]
 }
 
 /// `dg/dt` of the guards along the motion. 19 operations.
@@ -279,7 +285,8 @@ pub fn guard_rates<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) ->
     let slider_v_dot = (slider_friction - slider_held) * (R::literal(1.0) / p.slider_mass);
     let slider_breaks_back_guard_rate = (p.slider_stiffness * slider_v)
         .add_product(p.slider_damping, slider_v_dot);
-    [slider_breaks_back_guard_rate, slider_breaks_back_guard_rate, slider_v_dot, slider_v_dot]
+    [slider_breaks_back_guard_rate, slider_breaks_back_guard_rate, slider_v_dot, slider_v_dot,
+        slider_v_dot, slider_v_dot]
 }
 
 /// New values of the entries that each event sets, computed from the state before it: those of the
@@ -294,8 +301,8 @@ pub fn resets<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
         R::literal(1.0)));
     let slider_slip_after_slider_ends_forth = R::literal(0.5) * (R::select_less(slider_limit
         - slider_held, R::literal(0.0), R::literal(-1.0), R::literal(1.0)) - R::literal(1.0));
-    [R::literal(-1.0), R::literal(1.0), R::literal(0.0), slider_slip_after_slider_ends_back,
-        R::literal(0.0), slider_slip_after_slider_ends_forth]
+    [R::literal(-1.0), R::literal(1.0), R::literal(-1.0), R::literal(1.0), R::literal(0.0),
+        slider_slip_after_slider_ends_back, R::literal(0.0), slider_slip_after_slider_ends_forth]
 }
 
 /// Normalized Taylor coefficients of the solution through `state`, order after order.

@@ -4,7 +4,7 @@
 //
 // Sources, with SHA-256:
 //   7ee56fac13a56f78010ffbda1f3894ebadc8339c745559a1b70e8474d678cffa  scenes/stick_slip.toml
-//   b4fe01fec7a03f9380087173c447303c74fe8ddb44b0505e00aa76b50b3b35e3  units/friction_slider.toml
+//   5b3244c57f4d1dbb61079010ff55f963cd6a840d5699446256cf1527699ef805  units/friction_slider.toml
 //
 // Stick-slip oscillation on a belt
 //
@@ -15,10 +15,10 @@
 //   Textbook; without the Stribeck term the cycle is in closed form.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 1, first-order states 1, states 3, parameters 9, outputs 4, events 4.
-// Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 4 of 3 by 3, parameter_jacobian 8 of 3 by 9.
+// Shapes: coordinates 1, first-order states 1, states 3, parameters 10, outputs 4, events 6.
+// Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 4 of 3 by 3, parameter_jacobian 8 of 3 by 10.
 // Operations: rate 17, forcing 15, rate_jacobian 25, parameter_jacobian 57, outputs 14, energy 6,
-//     power_balance 24, guards 7, guard_rates 20, resets 12, prepare 4, prepared_rate 15,
+//     power_balance 24, guards 9, guard_rates 20, resets 12, prepare 4, prepared_rate 15,
 //     prepared_rate_jacobian 21.
 
 use ::machinist_contract::{
@@ -48,6 +48,7 @@ use ::machinist_contract::{
     slider_kinetic_friction: 0.25, "1", "slider.kinetic_friction", "friction at high sliding speed, likewise";
     slider_stribeck_friction: 0.1, "1", "slider.stribeck_friction", "by how much it is larger at low sliding speed, likewise";
     slider_stribeck_speed: 0.05, "m/s", "slider.stribeck_speed", "sliding speed over which that falls";
+    slider_sticking_speed: 1e-6, "m/s", "slider.sticking_speed", "faster than that it cannot stick";
 }
 
 ::machinist_contract::outputs! {
@@ -66,6 +67,8 @@ use ::machinist_contract::{
 ::machinist_contract::events! {
     "slider.breaks_back": Rising, when [(2, 0.0)], sets [2], "friction holds no longer: the mass slides back";
     "slider.breaks_forth": Falling, when [(2, 0.0)], sets [2], "friction holds no longer: the mass slides forth";
+    "slider.thrown_back": Falling, when [(2, 0.0)], sets [2], "it slides back, and cannot stick";
+    "slider.thrown_forth": Rising, when [(2, 0.0)], sets [2], "it slides forth, and cannot stick";
     "slider.ends_back": Rising, when [(2, -1.0)], sets [1, 2], "the mass has slid back; it sticks or slides forth";
     "slider.ends_forth": Falling, when [(2, 1.0)], sets [1, 2], "the mass has slid forth; it sticks or slides back";
 }
@@ -76,7 +79,7 @@ use ::machinist_contract::{
     /// Nonzeros of dy'/dy.
     RATE_JACOBIAN_PATTERN: 3 by 3 { 0 [1] 1 [0 1 2] }
     /// Nonzeros of dy'/dp.
-    PARAMETER_JACOBIAN_PATTERN: 3 by 9 { 1 [0 1 2 3 4 6 7 8] }
+    PARAMETER_JACOBIAN_PATTERN: 3 by 10 { 1 [0 1 2 3 4 6 7 8] }
 }
 
 ::machinist_contract::constants! {
@@ -263,7 +266,7 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
     }
 }
 
-/// What passes zero where events happen, one for each event. 7 operations.
+/// What passes zero where events happen, one for each event. 9 operations.
 #[must_use]
 pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let [slider_x, slider_v, ..] = *state;
@@ -272,7 +275,10 @@ pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     let slider_held = (p.slider_stiffness * slider_x).add_product(p.slider_damping, slider_v);
     let slider_breaks_back_guard = slider_held - slider_limit;
     let slider_breaks_forth_guard = slider_limit + slider_held;
-    [slider_breaks_back_guard, slider_breaks_forth_guard, slider_sliding, slider_sliding]
+    let slider_thrown_back_guard = p.slider_sticking_speed + slider_sliding;
+    let slider_thrown_forth_guard = slider_sliding - p.slider_sticking_speed;
+    [slider_breaks_back_guard, slider_breaks_forth_guard, slider_thrown_back_guard,
+        slider_thrown_forth_guard, slider_sliding, slider_sliding]
 }
 
 /// `dg/dt` of the guards along the motion. 20 operations.
@@ -289,7 +295,8 @@ pub fn guard_rates<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) ->
     let slider_v_dot = (slider_friction - slider_held) * (R::literal(1.0) / p.slider_mass);
     let slider_breaks_back_guard_rate = (p.slider_stiffness * slider_v)
         .add_product(p.slider_damping, slider_v_dot);
-    [slider_breaks_back_guard_rate, slider_breaks_back_guard_rate, slider_v_dot, slider_v_dot]
+    [slider_breaks_back_guard_rate, slider_breaks_back_guard_rate, slider_v_dot, slider_v_dot,
+        slider_v_dot, slider_v_dot]
 }
 
 /// New values of the entries that each event sets, computed from the state before it: those of the
@@ -304,8 +311,8 @@ pub fn resets<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
         R::literal(1.0)));
     let slider_slip_after_slider_ends_forth = R::literal(0.5) * (R::select_less(slider_limit
         - slider_held, R::literal(0.0), R::literal(-1.0), R::literal(1.0)) - R::literal(1.0));
-    [R::literal(-1.0), R::literal(1.0), p.belt_speed, slider_slip_after_slider_ends_back,
-        p.belt_speed, slider_slip_after_slider_ends_forth]
+    [R::literal(-1.0), R::literal(1.0), R::literal(-1.0), R::literal(1.0), p.belt_speed,
+        slider_slip_after_slider_ends_back, p.belt_speed, slider_slip_after_slider_ends_forth]
 }
 
 /// Normalized Taylor coefficients of the solution through `state`, order after order.

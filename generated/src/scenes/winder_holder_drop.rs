@@ -6,7 +6,7 @@
 //   044e0f4a1f2bab23afeb6e3d262a47321342ed9c5c3cc52995c00ca78c21b7a4  scenes/winder_holder_drop.toml
 //   fa69a391ab85c57533a93c32c47f18b29da038e678b6c6fe99931f82ce4979fa  units/planar_body.toml
 //   aa0e8a999f462eeff001756527f878c9e91be49559e9f536983ca628c62c89a6  units/spring_damper.toml
-//   3a06aa48a56961be277bb8748bfcb9b7930fe7d6c621790a5198dd36ddd4f5c6  units/one_sided_contact.toml
+//   a7990db08476f2615903f9423a5b29997fa55f4feedd941579cf9c2628578a55  units/one_sided_contact.toml
 //
 // Four-link bobbin holder, let go
 //
@@ -23,7 +23,7 @@
 // Nonzeros: mass_matrix 14 of 14 by 14, rate_jacobian 294 of 30 by 30,
 //     parameter_jacobian 56 of 30 by 5, constraint_matrix 37 of 12 by 14.
 // Operations: initial_state 1, rate 722, forcing 78, rate_jacobian 348, parameter_jacobian 57,
-//     outputs 52, energy 78, power_balance 109, guards 27, guard_rates 49, constraint_values 49,
+//     outputs 52, energy 78, power_balance 109, guards 31, guard_rates 59, constraint_values 49,
 //     constraint_rates 63, constraint_matrix 30, prepare 1, prepared_rate 722,
 //     prepared_rate_jacobian 347, motion 747.
 
@@ -95,9 +95,9 @@ use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitu
 }
 
 ::machinist_contract::events! {
-    "contact.touches": Falling, when [(28, 0.0)], sets [28], "contact begins";
+    "contact.touches": Rising, when [(28, 0.0)], sets [28], "contact begins";
     "contact.opens": Falling, when [(28, 1.0)], sets [28], "the contact would pull";
-    "stop.touches": Falling, when [(29, 0.0)], sets [29], "contact begins";
+    "stop.touches": Rising, when [(29, 0.0)], sets [29], "contact begins";
     "stop.opens": Falling, when [(29, 1.0)], sets [29], "the contact would pull";
 }
 
@@ -1510,7 +1510,7 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     }
 }
 
-/// What passes zero where events happen, one for each event. 27 operations.
+/// What passes zero where events happen, one for each event. 31 operations.
 #[must_use]
 pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let post_phi = state[2];
@@ -1527,15 +1527,20 @@ pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     let t1 = bobbin_y - R::literal(0.058);
     let between = (t0 * t0).add_product(t1, t1).sqrt();
     let contact_gap = between - R::literal(0.1);
-    let stop_push = (R::literal(-1_000_000.0) * stop_gap).sub_product(R::literal(1500.0),
-        stop_rate);
+    let t2 = R::literal(1_000_000.0) * stop_gap;
+    let t3 = -t2;
+    let stop_push = (-t2).add_product(R::literal(-1500.0), stop_rate);
     let contact_rate = (bobbin_v_x * t0).add_product(bobbin_v_y, t1) / between;
-    let contact_push = -(p.contact_stiffness * contact_gap).add_product(p.contact_damping,
+    let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
+    let t4 = -contact_stiffness_times_contact_gap;
+    let contact_push = -contact_stiffness_times_contact_gap.add_product(p.contact_damping,
         contact_rate);
-    [contact_gap, contact_push, stop_gap, stop_push]
+    let stop_contact = R::select_less(t3, stop_push, t3, stop_push);
+    let contact_contact = R::select_less(t4, contact_push, t4, contact_push);
+    [contact_contact, contact_contact, stop_contact, stop_contact]
 }
 
-/// `dg/dt` of the guards along the motion. 49 operations.
+/// `dg/dt` of the guards along the motion. 59 operations.
 #[must_use]
 pub fn guard_rates<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let bobbin_x = state[12];
@@ -1547,20 +1552,31 @@ pub fn guard_rates<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> 
     let stop_rate = post_omega * m.t7;
     let t0 = bobbin_x - R::literal(0.328);
     let t1 = bobbin_y - R::literal(0.058);
-    let t2 = m.between * m.between;
-    let contact_touches_guard_rate = (t0 / m.between * bobbin_v_x).add_product(t1 / m.between,
-        bobbin_v_y);
-    let contact_opens_guard_rate = ((m.t163 / t2 - p.contact_damping * bobbin_v_x / m.between
-        - p.contact_stiffness * t0 / m.between) * bobbin_v_x).add_product(m.t165 / t2
-        - p.contact_damping * bobbin_v_y / m.between - p.contact_stiffness * t1 / m.between,
-        bobbin_v_y).sub_product(p.contact_damping * t0 / m.between, m.bobbin_v_x_dot)
-        .sub_product(p.contact_damping * t1 / m.between, m.bobbin_v_y_dot);
-    let stop_opens_guard_rate = (-((R::literal(214.5) * m.cos_post_phi)
-        .add_product(R::literal(66.0), m.sin_post_phi) * m.post_omega_dot))
-        .add_product((R::literal(-143_000.0) * m.cos_post_phi).add_product(R::literal(214.5)
-        * post_omega, m.sin_post_phi).sub_product(R::literal(44000.0), m.sin_post_phi)
-        .sub_product(R::literal(66.0) * post_omega, m.cos_post_phi), post_omega);
-    [contact_touches_guard_rate, contact_opens_guard_rate, stop_rate, stop_opens_guard_rate]
+    let contact_gap = m.between - R::literal(0.1);
+    let t2 = R::literal(1_000_000.0) * m.stop_gap;
+    let t3 = -t2;
+    let stop_push = -t2.add_product(R::literal(1500.0), stop_rate);
+    let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
+    let t4 = -contact_stiffness_times_contact_gap;
+    let contact_push = -contact_stiffness_times_contact_gap.add_product(p.contact_damping,
+        m.contact_rate);
+    let t5 = m.between * m.between;
+    let t6 = p.contact_stiffness * t0 / m.between;
+    let t7 = p.contact_stiffness * t1 / m.between;
+    let t8 = (R::select_less(t4, contact_push, -t6, m.t163 / t5 - p.contact_damping * bobbin_v_x
+        / m.between - t6) * bobbin_v_x).add_product(R::select_less(t4, contact_push, -t7, m.t165
+        / t5 - p.contact_damping * bobbin_v_y / m.between - t7), bobbin_v_y)
+        .add_product(R::select_less(t4, contact_push, R::literal(0.0), -(p.contact_damping * t0
+        / m.between)), m.bobbin_v_x_dot);
+    let contact_touches_guard_rate = t8.add_product(R::select_less(t4, contact_push,
+        R::literal(0.0), -(p.contact_damping * t1 / m.between)), m.bobbin_v_y_dot);
+    let t9 = R::literal(1_000_000.0) * m.t7;
+    let stop_touches_guard_rate = (R::select_less(t3, stop_push, -t9, (-t9)
+        .add_product(R::literal(1500.0) * post_omega, m.stop_gap)) * post_omega)
+        .add_product(R::select_less(t3, stop_push, R::literal(0.0), R::literal(-1500.0) * m.t7),
+        m.post_omega_dot);
+    [contact_touches_guard_rate, contact_touches_guard_rate, stop_touches_guard_rate,
+        stop_touches_guard_rate]
 }
 
 /// New values of the entries that each event sets, computed from the state before it: those of the

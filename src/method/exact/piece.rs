@@ -1,5 +1,7 @@
 //! A piece of a run on which nothing switches: A, and the waves that excite it.
 
+mod excitation;
+
 use machinist_contract::linear::{LinearEquations, TERM_NUMBERS};
 use nalgebra::{Complex, DMatrix};
 
@@ -16,8 +18,10 @@ pub(super) struct Piece {
     pub(super) waves: Vec<Wave>,
 }
 
-/// t^power e^(mu t), and what it acts on.
+/// (t - origin)^power e^(mu (t - origin)), and what it acts on.
 pub(super) struct Wave {
+    /// 0, or the start of the piece \[s\].
+    origin: f64,
     pub(super) power: u32,
     pub(super) mu: Complex<f64>,
     /// Entry of the state and complex amplitude, of which the real part acts.
@@ -25,12 +29,14 @@ pub(super) struct Wave {
 }
 
 impl Piece {
+    /// # Errors
+    /// What is wrong with its waves: they are not what excites the machine.
     pub(super) fn new(
         stretch: &Stretch<'_>,
         linear: &dyn LinearEquations<f64>,
         from: f64,
         until: f64,
-    ) -> Self {
+    ) -> Result<Self, String> {
         let system = stretch.system;
         let states = system.states();
         let middle = 0.5 * (from + until);
@@ -53,10 +59,14 @@ impl Piece {
             let amplitude = (entry as usize, amplitude);
             match waves.iter_mut().find(|wave| wave.power == power && wave.mu == mu) {
                 Some(wave) => wave.amplitudes.push(amplitude),
-                None => waves.push(Wave { power, mu, amplitudes: vec![amplitude] }),
+                None => {
+                    waves.push(Wave { origin: 0.0, power, mu, amplitudes: vec![amplitude] });
+                }
             }
         }
-        Piece { from, until, entries, states, waves }
+        let mut piece = Piece { from, until, entries, states, waves };
+        piece.judge(stretch)?;
+        Ok(piece)
     }
 
     /// Length of the state.
@@ -81,10 +91,11 @@ impl Piece {
     /// The waves in local time s = t - from: the coefficients of s^j e^(mu s) for
     /// j up to the power, to be multiplied by an amplitude.
     pub(super) fn local(&self, wave: &Wave) -> Vec<Complex<f64>> {
-        let start = (wave.mu * self.from).exp();
+        let from = self.from - wave.origin;
+        let start = (wave.mu * from).exp();
         let mut binomial = 1.0;
         let powers = (0..=wave.power).map(|j| {
-            let coefficient = start * binomial * self.from.powi((wave.power - j) as i32);
+            let coefficient = start * binomial * from.powi((wave.power - j) as i32);
             binomial *= f64::from(wave.power - j) / f64::from(j + 1);
             coefficient
         });

@@ -1,0 +1,157 @@
+//! Modes that contradict their guards, at the start and after events.
+//!
+//! An event that changes a mode of its own `when` says where that mode ends: with its guard
+//! beyond zero, in the sense of its direction, and its modes as they are, the state is one
+//! that no run passes through. Beyond means by more than the tolerances of the run make of
+//! the guard: what is nearer is at zero, and its rate tells what becomes of it.
+
+use machinist_contract::Direction;
+
+use super::{Side, Watch};
+use crate::error::StopCause;
+use crate::method::Stopped;
+
+/// What an event would make of a state.
+struct Trial {
+    state: Vec<f64>,
+    /// Whether it would no longer be watched for.
+    leaves: bool,
+    /// Whether it would change anything but modes by more than the tolerances.
+    moves: bool,
+}
+
+impl Watch<'_> {
+    /// Sets the modes right at the start of a run; what [initial] says of other states
+    /// stays.
+    pub(super) fn settle_start(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
+        let mut happened = 0;
+        while let Some((index, trial)) = self.contradiction(time, state, |_| true, true)? {
+            let event = || self.system.simulator().event(index).name.to_owned();
+            if trial.moves || happened == self.most() {
+                let cause = StopCause::Contradiction { event: event() };
+                return Err(Stopped { time, cause });
+            }
+            state.copy_from_slice(&trial.state);
+            self.count(index, time)?;
+            happened += 1;
+        }
+        let guards = self.guards(time, state);
+        let inner = &mut *self.inner.borrow_mut();
+        inner.start.copy_from_slice(state);
+        for (index, side) in inner.sides.iter_mut().enumerate() {
+            if self.is_armed(index, state) {
+                let residual = self.residual(index, time, state, guards[index]);
+                *side = Side::Fresh { passed: false, residual };
+            }
+        }
+        Ok(())
+    }
+
+    /// After events: lets those happen that were not watched for before, and whose guards
+    /// are beyond zero.
+    pub(super) fn settle_after(
+        &self,
+        time: f64,
+        state: &mut [f64],
+        passed: &mut [bool],
+    ) -> Result<(), Stopped> {
+        let idle: Vec<bool> =
+            self.inner.borrow().sides.iter().map(|side| *side == Side::Idle).collect();
+        let mut happened = 0;
+        let was_idle = |index: usize| idle[index];
+        while let Some((index, trial)) = self.contradiction(time, state, was_idle, false)? {
+            if happened == self.most() {
+                let event = self.system.simulator().event(index).name.to_owned();
+                return Err(Stopped { time, cause: StopCause::Contradiction { event } });
+            }
+            state.copy_from_slice(&trial.state);
+            passed[index] = true;
+            self.count(index, time)?;
+            happened += 1;
+        }
+        Ok(())
+    }
+
+    /// So many events may follow on one another without time.
+    fn most(&self) -> usize {
+        2 * self.system.simulator().events() + 8
+    }
+
+    /// The first event of some that contradicts the modes of a state, and what it would do:
+    /// change them, or, if that is `or_moves`, other states alone.
+    fn contradiction(
+        &self,
+        time: f64,
+        state: &[f64],
+        is_asked: impl Fn(usize) -> bool,
+        or_moves: bool,
+    ) -> Result<Option<(usize, Trial)>, Stopped> {
+        let guards = self.guards(time, state);
+        for (index, guard) in guards.iter().enumerate() {
+            let event = self.system.simulator().event(index);
+            let sets_its_mode = event.when.iter().any(|(entry, _)| event.sets.contains(entry));
+            if !sets_its_mode
+                || !is_asked(index)
+                || !self.is_armed(index, state)
+                || !is_beyond(event.direction, *guard)
+                || guard.abs() <= self.blur(index, time, state)
+            {
+                continue;
+            }
+            let trial = self.trial(index, time, state)?;
+            if trial.leaves || or_moves && trial.moves {
+                return Ok(Some((index, trial)));
+            }
+        }
+        Ok(None)
+    }
+
+    fn trial(&self, index: usize, time: f64, state: &[f64]) -> Result<Trial, Stopped> {
+        let mut after = state.to_vec();
+        self.apply(index, time, &mut after[..self.system.states()])?;
+        let simulator = self.system.simulator();
+        let moves = (0..self.system.states()).any(|entry| {
+            let by = (after[entry] - state[entry]).abs();
+            !simulator.is_mode(entry) && by > self.allowed(entry, state)
+        });
+        let leaves = !self.is_armed(index, &after);
+        Ok(Trial { state: after, leaves, moves })
+    }
+
+    /// What is zero of a guard that is watched anew: a guard beyond zero by less than the
+    /// tolerances is at zero.
+    pub(super) fn residual(&self, index: usize, time: f64, state: &[f64], guard: f64) -> f64 {
+        let direction = self.system.simulator().event(index).direction;
+        if is_beyond(direction, guard) { self.blur(index, time, state) } else { 0.0 }
+    }
+
+    /// By how much the tolerances of the run may change a guard, the errors of all states
+    /// added up.
+    fn blur(&self, index: usize, time: f64, state: &[f64]) -> f64 {
+        let guard = self.guards(time, state)[index];
+        let mut shifted = state.to_vec();
+        let mut blur = 0.0;
+        for entry in 0..self.system.states() {
+            if self.system.simulator().is_mode(entry) {
+                continue;
+            }
+            shifted[entry] += self.allowed(entry, state);
+            blur += (self.guards(time, &shifted)[index] - guard).abs();
+            shifted[entry] = state[entry];
+        }
+        blur
+    }
+
+    fn allowed(&self, entry: usize, state: &[f64]) -> f64 {
+        self.atol[entry] + self.rtol * state[entry].abs()
+    }
+}
+
+/// Whether a guard is on the far side of zero, on which its event has happened.
+fn is_beyond(direction: Direction, guard: f64) -> bool {
+    match direction {
+        Direction::Rising => guard > 0.0,
+        Direction::Falling => guard < 0.0,
+        Direction::Both => false,
+    }
+}

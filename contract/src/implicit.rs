@@ -14,7 +14,8 @@
 
 use crate::Real;
 
-/// Columns that are solved side by side: two vectors of four, four of two.
+/// Columns that are solved side by side; twice as many where there are so many, as many sums
+/// as half the registers of two numbers hold, and half as many where there are no more.
 pub const LANES: usize = 8;
 
 /// One step of a substitution: `x_row = scale x_row - sum of factor x_from`.
@@ -57,6 +58,10 @@ pub fn substitute<'s, R: Real, const COLUMNS: usize>(
     x: &mut [[R; COLUMNS]],
 ) {
     let mut first = 0;
+    while first + 2 * LANES <= COLUMNS {
+        side_by_side::<R, COLUMNS, { 2 * LANES }>(steps.clone(), factors, x, first);
+        first += 2 * LANES;
+    }
     while first + LANES <= COLUMNS {
         side_by_side::<R, COLUMNS, LANES>(steps.clone(), factors, x, first);
         first += LANES;

@@ -12,8 +12,12 @@ use machinist_model::{NodeId, Solve, SolveStep, SparsityPattern};
 
 use super::substitute::{Step, needed};
 
-/// Part of the products of a loop that have to be of nonzeros, as a fraction.
-const DENSE: [usize; 2] = [3, 5];
+/// Products of a loop up to which it is short whatever it does in vain; a longer one has to
+/// be dense.
+const SHORT: usize = 2000;
+
+/// Part of the products of a loop that are of nonzeros if it is dense, as a fraction.
+const DENSE: [usize; 2] = [9, 10];
 
 /// What columns of a Jacobian are made of; (row, column) of nonzeros only.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -113,13 +117,12 @@ impl Implicit {
         }
     }
 
-    /// Whether a loop over all columns does little that is not needed: most products in it
-    /// are of what is not zero.
+    /// Whether a loop over all columns does little that is not needed.
     #[must_use]
-    pub fn is_dense(&self) -> bool {
+    pub fn is_worth_a_loop(&self) -> bool {
         let all: usize = self.steps.iter().map(|step| step.terms.len()).sum();
         let all = all * self.columns as usize;
-        self.products * DENSE[1] >= all * DENSE[0]
+        all <= SHORT || self.products * DENSE[1] >= all * DENSE[0]
     }
 
     /// Whether anything is left to solve for.

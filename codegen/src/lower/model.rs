@@ -289,7 +289,7 @@ impl<'a> Build<'a> {
         let implicit = columns.map(|columns| {
             let steps = &self.substitution.steps;
             let implicit = implicit(&columns, steps, &velocities, self.rate.len());
-            if implicit.is_dense() { implicit } else { self.unrolled(&columns, &velocities) }
+            if implicit.is_worth_a_loop() { implicit } else { self.unrolled(&columns, &velocities) }
         });
         let (shared, tapes) = self.shared(&implicit, motion);
         let [first, second, time_derivative, outputs, power_balance, guard_rates] = tapes;

@@ -22,10 +22,10 @@
 //     constraints 12.
 // Nonzeros: mass_matrix 14 of 14 by 14, rate_jacobian 294 of 30 by 30,
 //     parameter_jacobian 56 of 30 by 5, constraint_matrix 37 of 12 by 14.
-// Operations: initial_state 1, rate 722, forcing 78, rate_jacobian 348, parameter_jacobian 57,
+// Operations: initial_state 1, rate 722, forcing 78, rate_jacobian 4137, parameter_jacobian 57,
 //     outputs 52, energy 78, power_balance 109, guards 31, guard_rates 59, constraint_values 49,
 //     constraint_rates 63, constraint_matrix 30, prepare 1, prepared_rate 722,
-//     prepared_rate_jacobian 347, motion 747.
+//     prepared_rate_jacobian 4136, motion 746.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitute}};
 
@@ -162,7 +162,7 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
 #[allow(missing_docs, reason = "`motion` says what each is")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Motion<R> {
-    pub factors: [R; 76],
+    pub factors: [R; 70],
     pub cos_post_phi: R,
     pub sin_post_phi: R,
     pub cos_plate_phi: R,
@@ -182,57 +182,100 @@ pub struct Motion<R> {
     pub slide_rate: R,
     pub t13: R,
     pub t14: R,
-    pub t153: R,
-    pub t155: R,
-    pub t158: R,
-    pub t161: R,
+    pub t38: R,
+    pub t40: R,
+    pub t41: R,
+    pub t50: R,
+    pub t51: R,
+    pub t52: R,
+    pub t55: R,
+    pub t57: R,
+    pub t58: R,
+    pub t59: R,
+    pub t60: R,
+    pub t65: R,
+    pub t68: R,
+    pub t72: R,
+    pub t73: R,
+    pub t74: R,
+    pub t77: R,
+    pub t79: R,
+    pub t80: R,
+    pub t85: R,
+    pub t87: R,
+    pub t89: R,
+    pub t95: R,
+    pub t97: R,
+    pub t101: R,
+    pub t106: R,
+    pub t108: R,
+    pub t113: R,
+    pub t114: R,
+    pub t121: R,
+    pub t122: R,
+    pub t126: R,
+    pub t133: R,
+    pub t135: R,
+    pub t136: R,
+    pub t139: R,
+    pub t141: R,
+    pub t144: R,
+    pub t146: R,
+    pub t147: R,
+    pub t151: R,
+    pub t152: R,
     pub t162: R,
-    pub t163: R,
-    pub t164: R,
-    pub t165: R,
     pub t167: R,
-    pub t168: R,
-    pub t170: R,
-    pub t171: R,
-    pub t173: R,
-    pub t174: R,
-    pub t196: R,
-    pub t197: R,
-    pub t199: R,
-    pub t200: R,
-    pub t201: R,
-    pub t202: R,
-    pub t203: R,
-    pub t205: R,
-    pub t206: R,
-    pub t209: R,
+    pub t169: R,
+    pub t172: R,
+    pub t175: R,
+    pub t176: R,
+    pub t177: R,
+    pub t178: R,
+    pub t179: R,
+    pub t181: R,
+    pub t182: R,
+    pub t184: R,
+    pub t185: R,
+    pub t187: R,
+    pub t188: R,
     pub t210: R,
-    pub t212: R,
+    pub t211: R,
     pub t213: R,
+    pub t214: R,
     pub t215: R,
     pub t216: R,
     pub t217: R,
     pub t219: R,
     pub t220: R,
+    pub t223: R,
+    pub t224: R,
+    pub t226: R,
+    pub t227: R,
+    pub t229: R,
+    pub t230: R,
+    pub t231: R,
+    pub t233: R,
+    pub t234: R,
     pub bobbin_v_y_dot: R,
     pub bobbin_v_x_dot: R,
     pub rod_omega_dot: R,
-    pub t221: R,
+    pub t235: R,
     pub rod_v_x_dot: R,
     pub cylinder_omega_dot: R,
     pub cylinder_v_y_dot: R,
     pub cylinder_v_x_dot: R,
     pub plate_omega_dot: R,
-    pub t222: R,
-    pub t223: R,
-    pub t224: R,
+    pub t236: R,
+    pub t237: R,
+    pub t238: R,
     pub post_omega_dot: R,
-    pub t225: R,
-    pub t226: R,
+    pub t239: R,
+    pub t240: R,
 }
 
 /// Accelerations, factors of the linear equations they solve, and whatever else several functions
-/// need. 747 operations.
+/// need. 746 operations.
 #[must_use]
 pub fn motion<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         _c: &Constants<R>) -> Motion<R> {
@@ -298,274 +341,289 @@ pub fn motion<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let t38 = t15 * t1;
     let t39 = R::literal(1.25) + t38;
     let t40 = R::literal(1.0) / t39;
-    let t41 = -t40;
-    let t42 = t16 * t1;
-    let t43 = t42 * t40;
-    let t44 = -t43;
-    let t45 = R::literal(1.25) - t38;
-    let t46 = t45 * t40;
-    let t47 = -t46;
-    let t48 = t16 * t0;
-    let t49 = R::literal(1.25) + t48;
-    let t50 = t43 * t42;
-    let t51 = R::literal(1.0) / (t50 - t49);
-    let t52 = (t15 * t0).add_product(t46, t42);
-    let t53 = t52 * t51;
-    let t54 = R::literal(1.25) - t48 + t50;
-    let t55 = t54 * t51;
-    let t56 = t18 * t3;
-    let t57 = R::literal(1.0) / (-(t39 + R::literal(0.833_333_333_333_333_4) + t56))
-        .add_product(t46, t45).sub_product(t53, t52);
-    let t58 = t19 * t3;
-    let t59 = (t42 + t58).add_product(t43, t45).sub_product(t55, t52);
-    let t60 = t59 * t57;
-    let t61 = R::literal(0.833_333_333_333_333_4) - t56;
-    let t62 = t61 * t57;
-    let t63 = t58 * t57;
-    let t64 = t21 * t3;
-    let t65 = R::literal(0.833_333_333_333_333_4) + t64;
-    let t66 = t65 * t57;
-    let t67 = t23 * t3;
-    let t68 = t67 * t57;
-    let t69 = -t68;
-    let t70 = t19 * t2;
-    let t71 = R::literal(1.0) / (t50 - (t49 + R::literal(0.833_333_333_333_333_4) + t70))
-        .sub_product(t55, t54).sub_product(t60, t59);
-    let t72 = (t18 * t2).sub_product(t62, t59);
-    let t73 = t72 * t71;
-    let t74 = (R::literal(0.833_333_333_333_333_4) - t70).sub_product(t63, t59);
-    let t75 = t74 * t71;
-    let t76 = t21 * t2;
-    let t77 = t76.add_product(t66, t59);
-    let t78 = t77 * t71;
-    let t79 = -t78;
-    let t80 = t23 * t2;
-    let t81 = (R::literal(0.833_333_333_333_333_4) + t80).add_product(t68, t59);
-    let t82 = t81 * t71;
-    let t83 = R::literal(1.0) / (R::literal(0.833_333_333_333_333_4) + t56
-        + R::literal(3.333_333_333_333_333_5)).add_product(t27, t5).add_product(t62, t61)
-        .add_product(t73, t72);
-    let t84 = -t83;
-    let t85 = t58.add_product(t28, t5).sub_product(t63, t61).sub_product(t75, t72);
-    let t86 = t85 * t83;
-    let t87 = -t86;
-    let t88 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
-    let t89 = t88 * t83;
-    let t90 = (-t24).add_product(t30, t5);
-    let t91 = t90 * t83;
-    let t92 = -t91;
-    let t93 = (t64 - R::literal(0.833_333_333_333_333_4)).sub_product(t66, t61).add_product(t78,
-        t72);
-    let t94 = t93 * t83;
-    let t95 = -t94;
-    let t96 = (-t67).add_product(t68, t61).sub_product(t82, t72);
-    let t97 = t96 * t83;
-    let t98 = -t97;
-    let t99 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4) + t70
-        + R::literal(3.333_333_333_333_333_5)).add_product(t28, t4).add_product(t63, t58)
-        .add_product(t75, t74)).add_product(t86, t85);
-    let t100 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi).sub_product(t89, t85);
-    let t101 = t100 * t99;
-    let t102 = t25.sub_product(t30, t4).add_product(t91, t85);
-    let t103 = t102 * t99;
-    let t104 = (-t76.add_product(t66, t58)).add_product(t78, t74).add_product(t94, t85);
-    let t105 = t104 * t99;
-    let t106 = (t80 - R::literal(0.833_333_333_333_333_4)).add_product(t68, t58).sub_product(t82,
-        t74).add_product(t97, t85);
-    let t107 = t106 * t99;
-    let t108 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t89, t88)
-        .sub_product(t101, t100);
-    let t109 = t30.add_product(t91, t88).add_product(t103, t100);
-    let t110 = t109 * t108;
-    let t111 = -t110;
-    let t112 = t35 * t108;
-    let t113 = t37 * t108;
-    let t114 = -t113;
-    let t115 = (t94 * t88).add_product(t105, t100);
-    let t116 = t115 * t108;
+    let t41 = t16 * t1;
+    let t42 = t41 * t40;
+    let t43 = -t42;
+    let t44 = R::literal(1.25) - t38;
+    let t45 = t44 * t40;
+    let t46 = -t45;
+    let t47 = t16 * t0;
+    let t48 = R::literal(1.25) + t47;
+    let t49 = t42 * t41;
+    let t50 = R::literal(1.0) / (t49 - t48);
+    let t51 = t15 * t0;
+    let t52 = t45 * t41;
+    let t53 = t51 + t52;
+    let t54 = t53 * t50;
+    let t55 = R::literal(1.25) - t47 + t49;
+    let t56 = t55 * t50;
+    let t57 = t18 * t3;
+    let t58 = R::literal(1.0) / (-(t39 + R::literal(0.833_333_333_333_333_4) + t57))
+        .add_product(t45, t44).sub_product(t54, t53);
+    let t59 = t19 * t3;
+    let t60 = (t41 + t59).add_product(t42, t44).sub_product(t56, t53);
+    let t61 = t60 * t58;
+    let t62 = R::literal(0.833_333_333_333_333_4) - t57;
+    let t63 = t62 * t58;
+    let t64 = t59 * t58;
+    let t65 = t21 * t3;
+    let t66 = R::literal(0.833_333_333_333_333_4) + t65;
+    let t67 = t66 * t58;
+    let t68 = t23 * t3;
+    let t69 = t68 * t58;
+    let t70 = -t69;
+    let t71 = t19 * t2;
+    let t72 = R::literal(1.0) / (t49 - (t48 + R::literal(0.833_333_333_333_333_4) + t71))
+        .sub_product(t56, t55).sub_product(t61, t60);
+    let t73 = t18 * t2;
+    let t74 = t63 * t60;
+    let t75 = t73 - t74;
+    let t76 = t75 * t72;
+    let t77 = (R::literal(0.833_333_333_333_333_4) - t71).sub_product(t64, t60);
+    let t78 = t77 * t72;
+    let t79 = t21 * t2;
+    let t80 = t67 * t60;
+    let t81 = t79 + t80;
+    let t82 = t81 * t72;
+    let t83 = -t82;
+    let t84 = t23 * t2;
+    let t85 = (R::literal(0.833_333_333_333_333_4) + t84).add_product(t69, t60);
+    let t86 = t85 * t72;
+    let t87 = R::literal(1.0) / (R::literal(0.833_333_333_333_333_4) + t57
+        + R::literal(3.333_333_333_333_333_5)).add_product(t27, t5).add_product(t63, t62)
+        .add_product(t76, t75);
+    let t88 = -t87;
+    let t89 = t59.add_product(t28, t5).sub_product(t64, t62).sub_product(t78, t75);
+    let t90 = t89 * t87;
+    let t91 = -t90;
+    let t92 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
+    let t93 = t92 * t87;
+    let t94 = (-t24).add_product(t30, t5);
+    let t95 = t94 * t87;
+    let t96 = -t95;
+    let t97 = (t65 - R::literal(0.833_333_333_333_333_4)).sub_product(t67, t62).add_product(t82,
+        t75);
+    let t98 = t97 * t87;
+    let t99 = -t98;
+    let t100 = (-t68).add_product(t69, t62).sub_product(t86, t75);
+    let t101 = t100 * t87;
+    let t102 = -t101;
+    let t103 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4) + t71
+        + R::literal(3.333_333_333_333_333_5)).add_product(t28, t4).add_product(t64, t59)
+        .add_product(t78, t77)).add_product(t90, t89);
+    let t104 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi).sub_product(t93, t89);
+    let t105 = t104 * t103;
+    let t106 = t25.sub_product(t30, t4).add_product(t95, t89);
+    let t107 = t106 * t103;
+    let t108 = (-t79.add_product(t67, t59)).add_product(t82, t77).add_product(t98, t89);
+    let t109 = t108 * t103;
+    let t110 = (t84 - R::literal(0.833_333_333_333_333_4)).add_product(t69, t59).sub_product(t86,
+        t77).add_product(t101, t89);
+    let t111 = t110 * t103;
+    let t112 = R::literal(1.0) / R::literal(-6_944.444_444_444_445).add_product(t93, t92)
+        .sub_product(t105, t104);
+    let t113 = t30.add_product(t95, t92);
+    let t114 = t107 * t104;
+    let t115 = t113 + t114;
+    let t116 = t115 * t112;
     let t117 = -t116;
-    let t118 = (t97 * t88).add_product(t107, t100);
-    let t119 = t118 * t108;
+    let t118 = t35 * t112;
+    let t119 = t37 * t112;
     let t120 = -t119;
-    let t121 = R::literal(1.0) / (-(t24 * sin_cylinder_phi).add_product(t25, cos_cylinder_phi)
+    let t121 = t98 * t92;
+    let t122 = t109 * t104;
+    let t123 = t121 + t122;
+    let t124 = t123 * t112;
+    let t125 = -t124;
+    let t126 = (t101 * t92).add_product(t111, t104);
+    let t127 = t126 * t112;
+    let t128 = -t127;
+    let t129 = R::literal(1.0) / (-(t24 * sin_cylinder_phi).add_product(t25, cos_cylinder_phi)
         .add_product(t30, slide).add_product(t32, sin_cylinder_phi).add_product(t34,
-        cos_cylinder_phi)).add_product(t91, t90).sub_product(t103, t102).sub_product(t110, t109);
-    let t122 = t32.add_product(t112, t109);
-    let t123 = t122 * t121;
-    let t124 = t34.add_product(t113, t109);
-    let t125 = t124 * t121;
-    let t126 = -t125;
-    let t127 = (t94 * t90).sub_product(t105, t102).sub_product(t116, t109);
-    let t128 = t127 * t121;
-    let t129 = (t97 * t90).sub_product(t107, t102).sub_product(t119, t109);
-    let t130 = t129 * t121;
-    let t131 = R::literal(1.0) / R::literal(5.0).add_product(t35, t6).add_product(t112, t35)
-        .add_product(t123, t122);
-    let t132 = -t131;
-    let t133 = (t37 * t6).add_product(t113, t35).add_product(t125, t122);
-    let t134 = t133 * t131;
-    let t135 = -t134;
-    let t136 = (t116 * t35).sub_product(t128, t122);
-    let t137 = t136 * t131;
-    let t138 = -t137;
-    let t139 = (t119 * t35).sub_product(t130, t122);
-    let t140 = t139 * t131;
-    let t141 = -t140;
-    let t142 = R::literal(1.0) / (-R::literal(5.0).add_product(t37, R::literal(0.06) * cos_rod_phi)
-        .add_product(t113, t37).add_product(t125, t124)).add_product(t134, t133);
-    let t143 = (-(t116 * t37)).add_product(t128, t124).add_product(t137, t133);
-    let t144 = t143 * t142;
-    let t145 = (-(t119 * t37)).add_product(t130, t124).add_product(t140, t133);
-    let t146 = t145 * t142;
-    let t147 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t21, t13)
-        + R::literal(1.428_571_428_571_428_6)).add_product(t66, t65).add_product(t78, t77))
-        .add_product(t94, t93).sub_product(t105, t104).sub_product(t116, t115).sub_product(t128,
-        t127).add_product(t137, t136).sub_product(t144, t143);
-    let t148 = (t23 * t13).add_product(t68, t65).add_product(t82, t77).add_product(t97, t93)
-        .sub_product(t107, t104).sub_product(t119, t115).sub_product(t130, t127).add_product(t140,
-        t136).sub_product(t146, t143);
-    let t149 = t148 * t147;
-    let t150 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t23, t14)
-        + R::literal(1.428_571_428_571_428_6)).add_product(t68, t67).add_product(t82, t81))
-        .add_product(t97, t96).sub_product(t107, t106).sub_product(t119, t118).sub_product(t130,
-        t129).add_product(t140, t139).sub_product(t146, t145).sub_product(t149, t148);
-    let t151 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0),
+        cos_cylinder_phi)).add_product(t95, t94).sub_product(t107, t106).sub_product(t116, t115);
+    let t130 = t32.add_product(t118, t115);
+    let t131 = t130 * t129;
+    let t132 = t34.add_product(t119, t115);
+    let t133 = t132 * t129;
+    let t134 = -t133;
+    let t135 = (t98 * t94).sub_product(t109, t106);
+    let t136 = t124 * t115;
+    let t137 = t135 - t136;
+    let t138 = t137 * t129;
+    let t139 = (t101 * t94).sub_product(t111, t106).sub_product(t127, t115);
+    let t140 = t139 * t129;
+    let t141 = R::literal(1.0) / R::literal(5.0).add_product(t35, t6).add_product(t118, t35)
+        .add_product(t131, t130);
+    let t142 = -t141;
+    let t143 = (t37 * t6).add_product(t119, t35).add_product(t133, t130);
+    let t144 = t143 * t141;
+    let t145 = -t144;
+    let t146 = t124 * t35;
+    let t147 = t138 * t130;
+    let t148 = t146 - t147;
+    let t149 = t148 * t141;
+    let t150 = -t149;
+    let t151 = t127 * t35;
+    let t152 = t140 * t130;
+    let t153 = t151 - t152;
+    let t154 = t153 * t141;
+    let t155 = -t154;
+    let t156 = R::literal(1.0) / (-R::literal(5.0).add_product(t37, R::literal(0.06) * cos_rod_phi)
+        .add_product(t119, t37).add_product(t133, t132)).add_product(t144, t143);
+    let t157 = (-(t124 * t37)).add_product(t138, t132).add_product(t149, t143);
+    let t158 = t157 * t156;
+    let t159 = (-(t127 * t37)).add_product(t140, t132).add_product(t154, t143);
+    let t160 = t159 * t156;
+    let t161 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t21, t13)
+        + R::literal(1.428_571_428_571_428_6)).add_product(t67, t66).add_product(t82, t81))
+        .add_product(t98, t97).sub_product(t109, t108).sub_product(t124, t123).sub_product(t138,
+        t137).add_product(t149, t148).sub_product(t158, t157);
+    let t162 = (t23 * t13).add_product(t69, t66).add_product(t86, t81).add_product(t101, t97)
+        .sub_product(t111, t108).sub_product(t127, t123).sub_product(t140, t137).add_product(t154,
+        t148).sub_product(t160, t157);
+    let t163 = t162 * t161;
+    let t164 = R::literal(1.0) / (-(R::literal(0.833_333_333_333_333_4).add_product(t23, t14)
+        + R::literal(1.428_571_428_571_428_6)).add_product(t69, t68).add_product(t86, t85))
+        .add_product(t101, t100).sub_product(t111, t110).sub_product(t127, t126).sub_product(t140,
+        t139).add_product(t154, t153).sub_product(t160, t159).sub_product(t163, t162);
+    let t165 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0),
         -(R::literal(1_000_000.0) * stop_gap * t7).add_product(R::literal(1500.0) * stop_rate, t7));
-    let t152 = p.spring_stiffness * (slide - R::literal(0.116));
-    let t153 = t152 * cos_cylinder_phi;
+    let t166 = p.spring_stiffness * (slide - R::literal(0.116));
+    let t167 = t166 * cos_cylinder_phi;
     let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
-    let t154 = t153.add_product(spring_damping_times_slide_rate, cos_cylinder_phi);
-    let t155 = t152 * sin_cylinder_phi;
-    let t156 = spring_damping_times_slide_rate * sin_cylinder_phi;
-    let t157 = t156 - (R::literal(2.943) - t155);
-    let t158 = t152 * t12;
-    let t159 = t158.add_product(spring_damping_times_slide_rate, t12);
-    let t160 = t156 + (R::literal(1.962) + t155);
-    let t161 = contact_stiffness_times_contact_gap * t8;
-    let t162 = t161 / between;
-    let t163 = contact_damping_times_contact_rate * t8;
-    let t164 = contact_stiffness_times_contact_gap * t10 / between;
-    let t165 = contact_damping_times_contact_rate * t10;
-    let t166 = R::literal(0.1) * (post_omega * post_omega);
-    let t167 = t166 * cos_post_phi;
-    let t168 = t166 * sin_post_phi;
+    let t168 = t167.add_product(spring_damping_times_slide_rate, cos_cylinder_phi);
+    let t169 = t166 * sin_cylinder_phi;
+    let t170 = spring_damping_times_slide_rate * sin_cylinder_phi;
+    let t171 = t170 - (R::literal(2.943) - t169);
+    let t172 = t166 * t12;
+    let t173 = t172.add_product(spring_damping_times_slide_rate, t12);
+    let t174 = t170 + (R::literal(1.962) + t169);
+    let t175 = contact_stiffness_times_contact_gap * t8;
+    let t176 = t175 / between;
+    let t177 = contact_damping_times_contact_rate * t8;
+    let t178 = contact_stiffness_times_contact_gap * t10 / between;
+    let t179 = contact_damping_times_contact_rate * t10;
+    let t180 = R::literal(0.1) * (post_omega * post_omega);
+    let t181 = t180 * cos_post_phi;
+    let t182 = t180 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t169 = R::literal(0.06) * plate_omega_squared;
-    let t170 = t169 * cos_plate_phi;
-    let t171 = t169 * sin_plate_phi;
+    let t183 = R::literal(0.06) * plate_omega_squared;
+    let t184 = t183 * cos_plate_phi;
+    let t185 = t183 * sin_plate_phi;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t172 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t173 = t172 * cos_rod_phi;
-    let t174 = t172 * sin_rod_phi;
-    let t175 = t15 * t151;
-    let t176 = t167 + t175;
-    let t177 = t16 * t151;
-    let t178 = t43 * t176;
-    let t179 = R::literal(9.81) - t168 + t177 - t178;
-    let t180 = (t170 + t167 + t175).add_product(t46, t176).add_product(t53, t179);
-    let t181 = (t177 - (t171 + t168 + R::literal(9.81)) + R::literal(9.81) - t178).sub_product(t55,
-        t179).add_product(t60, t180);
-    let t182 = R::literal(3.333_333_333_333_333_5) * t154;
-    let t183 = (-t182.add_product(R::literal(0.06), (plate_omega_squared * cos_plate_phi)
-        .add_product(cylinder_omega_squared, cos_cylinder_phi))).add_product(t27, t159)
-        .add_product(t62, t180).sub_product(t73, t181);
-    let t184 = R::literal(3.333_333_333_333_333_5) * t157;
-    let t185 = (-(R::literal(9.81).add_product(R::literal(0.06), (plate_omega_squared
-        * sin_plate_phi).add_product(cylinder_omega_squared, sin_cylinder_phi)) + t184)
-        .add_product(t28, t159)).add_product(t63, t180).sub_product(t75, t181).add_product(t86,
-        t183);
-    let t186 = (R::literal(-2_777.777_777_777_778) * t159).sub_product(t89, t183).sub_product(t101,
-        t185);
-    let t187 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+    let t186 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t187 = t186 * cos_rod_phi;
+    let t188 = t186 * sin_rod_phi;
+    let t189 = t15 * t165;
+    let t190 = t181 + t189;
+    let t191 = t16 * t165;
+    let t192 = t42 * t190;
+    let t193 = R::literal(9.81) - t182 + t191 - t192;
+    let t194 = (t184 + t181 + t189).add_product(t45, t190).add_product(t54, t193);
+    let t195 = (t191 - (t185 + t182 + R::literal(9.81)) + R::literal(9.81) - t192).sub_product(t56,
+        t193).add_product(t61, t194);
+    let t196 = R::literal(3.333_333_333_333_333_5) * t168;
+    let t197 = (-t196.add_product(R::literal(0.06), (plate_omega_squared * cos_plate_phi)
+        .add_product(cylinder_omega_squared, cos_cylinder_phi))).add_product(t27, t173)
+        .add_product(t63, t194).sub_product(t76, t195);
+    let t198 = R::literal(3.333_333_333_333_333_5) * t171;
+    let t199 = (-(R::literal(9.81).add_product(R::literal(0.06), (plate_omega_squared
+        * sin_plate_phi).add_product(cylinder_omega_squared, sin_cylinder_phi)) + t198)
+        .add_product(t28, t173)).add_product(t64, t194).sub_product(t78, t195).add_product(t90,
+        t197);
+    let t200 = (R::literal(-2_777.777_777_777_778) * t173).sub_product(t93, t197).sub_product(t105,
+        t199);
+    let t201 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
         .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi).add_product(cylinder_x
         * cylinder_omega, sin_cylinder_phi).add_product(rod_y * cylinder_omega, cos_cylinder_phi)
         .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi).sub_product(R::literal(2.0)
         * cylinder_v_y, sin_cylinder_phi).sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
-        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t24, t154)
-        .add_product(t25, t157).sub_product(t30, t159).sub_product(t32, t154).add_product(t34, t160)
-        .add_product(t91, t183).sub_product(t103, t185);
-    let t188 = t187.add_product(t110, t186);
-    let t189 = R::literal(5.0) * t154;
-    let t190 = (t173 + t189).sub_product(t112, t186).sub_product(t123, t188);
-    let t191 = R::literal(5.0) * t160;
-    let t192 = (t174 + t191).add_product(t113, t186).add_product(t125, t188).add_product(t134,
-        t190);
-    let t193 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), -(t162 + t163 / between));
-    let t194 = (-t193).add_product(t14, plate_omega_squared).add_product(t66, t180)
-        .add_product(t78, t181).add_product(t94, t183).sub_product(t105, t185).add_product(t116,
-        t186).sub_product(t128, t188).add_product(t137, t190).sub_product(t144, t192);
-    let t195 = R::literal(1.428_571_428_571_428_6) * (R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), -(t165 / between)) - (R::literal(6.867)
-        + R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t164)));
-    let t196 = (R::literal(-9.81).add_product(t13, plate_omega_squared) - t195).sub_product(t68,
-        t180).sub_product(t82, t181).add_product(t97, t183).sub_product(t107, t185)
-        .add_product(t119, t186).sub_product(t130, t188).add_product(t140, t190).sub_product(t146,
-        t192);
-    let t197 = t149 * t194;
-    let t198 = (t196 - t197) * t150;
-    let t199 = (t194 * t147).sub_product(t149, t198);
-    let t200 = (t192 * t142).sub_product(t144, t199).sub_product(t146, t198);
-    let t201 = (-(t190 * t131)).add_product(t134, t200);
-    let t202 = t137 * t199;
-    let t203 = t140 * t198;
-    let t204 = t201 + t202 + t203;
-    let t205 = (t188 * t121).sub_product(t123, t204).add_product(t125, t200).sub_product(t128,
-        t199);
-    let t206 = t130 * t198;
-    let t207 = t205 - t206;
-    let t208 = (t186 * t108).add_product(t110, t207).sub_product(t112, t204).add_product(t113, t200)
-        .add_product(t116, t199).add_product(t119, t198);
-    let t209 = (t185 * t99).sub_product(t101, t208).sub_product(t103, t207).sub_product(t105, t199);
-    let t210 = t107 * t198;
-    let t211 = t209 - t210;
-    let t212 = (-(t183 * t83)).add_product(t86, t211).sub_product(t89, t208).add_product(t91, t207)
-        .add_product(t94, t199);
-    let t213 = t97 * t198;
-    let t214 = t212 + t213;
-    let t215 = (t181 * t71).sub_product(t73, t214).sub_product(t75, t211).add_product(t78, t199)
-        .sub_product(t82, t198);
-    let t216 = (t180 * t57).add_product(t60, t215).add_product(t62, t214).add_product(t63, t211)
-        .add_product(t66, t199);
-    let t217 = t68 * t198;
-    let t218 = t217 - t216;
-    let t219 = (t179 * t51).sub_product(t53, t218).sub_product(t55, t215);
-    let t220 = (t176 * t40).add_product(t43, t219).add_product(t46, t218).add_product(t43, t215);
-    let bobbin_v_y_dot = t195.sub_product(R::literal(1.428_571_428_571_428_6), t198);
-    let bobbin_v_x_dot = t193.sub_product(R::literal(1.428_571_428_571_428_6), t199);
-    let rod_omega_dot = (t35 * t204).sub_product(R::literal(4_166.666_666_666_667), t208)
-        .sub_product(t37, t200);
-    let t221 = t191.add_product(t34, t207).add_product(R::literal(5.0), t200);
-    let rod_v_x_dot = (-t189).add_product(t32, t207).sub_product(R::literal(5.0), t204);
-    let cylinder_omega_dot = (-(t159 * R::literal(2_777.777_777_777_778)).add_product(t27, t214))
-        .add_product(t28, t211).sub_product(R::literal(-2_777.777_777_777_778), t208)
-        .add_product(t30, t207);
-    let cylinder_v_y_dot = t184.sub_product(R::literal(3.333_333_333_333_333_5), t211)
-        .add_product(t25, t207);
-    let cylinder_v_x_dot = t182.sub_product(R::literal(3.333_333_333_333_333_5), t214)
-        .sub_product(t24, t207);
-    let plate_omega_dot = (t19 * t215).sub_product(t18, t218).sub_product(t18, t214)
-        .add_product(t19, t211).add_product(t21, t199).sub_product(t23, t198);
-    let t222 = R::literal(9.81).add_product(R::literal(0.833_333_333_333_333_4), t215)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t211);
-    let t223 = R::literal(-0.833_333_333_333_333_4) * t198;
-    let t224 = (R::literal(-0.833_333_333_333_333_4) * t214)
-        .add_product(R::literal(0.833_333_333_333_333_4), t218);
-    let post_omega_dot = (t151 * R::literal(370.370_370_370_370_3)).sub_product(t15, t220)
-        .add_product(t16, t219).sub_product(t15, t218).add_product(t16, t215);
-    let t225 = R::literal(9.81).add_product(R::literal(1.25), t219).add_product(R::literal(-1.25),
-        t215);
-    let t226 = (R::literal(-1.25) * t218).add_product(R::literal(1.25), t220);
+        .sub_product(rod_x * cylinder_omega, sin_cylinder_phi)).sub_product(t24, t168)
+        .add_product(t25, t171).sub_product(t30, t173).sub_product(t32, t168).add_product(t34, t174)
+        .add_product(t95, t197).sub_product(t107, t199);
+    let t202 = t201.add_product(t116, t200);
+    let t203 = R::literal(5.0) * t168;
+    let t204 = (t187 + t203).sub_product(t118, t200).sub_product(t131, t202);
+    let t205 = R::literal(5.0) * t174;
+    let t206 = (t188 + t205).add_product(t119, t200).add_product(t133, t202).add_product(t144,
+        t204);
+    let t207 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), -(t176 + t177 / between));
+    let t208 = (-t207).add_product(t14, plate_omega_squared).add_product(t67, t194)
+        .add_product(t82, t195).add_product(t98, t197).sub_product(t109, t199).add_product(t124,
+        t200).sub_product(t138, t202).add_product(t149, t204).sub_product(t158, t206);
+    let t209 = R::literal(1.428_571_428_571_428_6) * (R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), -(t179 / between)) - (R::literal(6.867)
+        + R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t178)));
+    let t210 = (R::literal(-9.81).add_product(t13, plate_omega_squared) - t209).sub_product(t69,
+        t194).sub_product(t86, t195).add_product(t101, t197).sub_product(t111, t199)
+        .add_product(t127, t200).sub_product(t140, t202).add_product(t154, t204).sub_product(t160,
+        t206);
+    let t211 = t163 * t208;
+    let t212 = (t210 - t211) * t164;
+    let t213 = (t208 * t161).sub_product(t163, t212);
+    let t214 = (t206 * t156).sub_product(t158, t213).sub_product(t160, t212);
+    let t215 = (-(t204 * t141)).add_product(t144, t214);
+    let t216 = t149 * t213;
+    let t217 = t154 * t212;
+    let t218 = t215 + t216 + t217;
+    let t219 = (t202 * t129).sub_product(t131, t218).add_product(t133, t214).sub_product(t138,
+        t213);
+    let t220 = t140 * t212;
+    let t221 = t219 - t220;
+    let t222 = (t200 * t112).add_product(t116, t221).sub_product(t118, t218).add_product(t119, t214)
+        .add_product(t124, t213).add_product(t127, t212);
+    let t223 = (t199 * t103).sub_product(t105, t222).sub_product(t107, t221).sub_product(t109,
+        t213);
+    let t224 = t111 * t212;
+    let t225 = t223 - t224;
+    let t226 = (-(t197 * t87)).add_product(t90, t225).sub_product(t93, t222).add_product(t95, t221)
+        .add_product(t98, t213);
+    let t227 = t101 * t212;
+    let t228 = t226 + t227;
+    let t229 = (t195 * t72).sub_product(t76, t228).sub_product(t78, t225).add_product(t82, t213)
+        .sub_product(t86, t212);
+    let t230 = (t194 * t58).add_product(t61, t229).add_product(t63, t228).add_product(t64, t225)
+        .add_product(t67, t213);
+    let t231 = t69 * t212;
+    let t232 = t231 - t230;
+    let t233 = (t193 * t50).sub_product(t54, t232).sub_product(t56, t229);
+    let t234 = (t190 * t40).add_product(t42, t233).add_product(t45, t232).add_product(t42, t229);
+    let bobbin_v_y_dot = t209.sub_product(R::literal(1.428_571_428_571_428_6), t212);
+    let bobbin_v_x_dot = t207.sub_product(R::literal(1.428_571_428_571_428_6), t213);
+    let rod_omega_dot = (t35 * t218).sub_product(R::literal(4_166.666_666_666_667), t222)
+        .sub_product(t37, t214);
+    let t235 = t205.add_product(t34, t221).add_product(R::literal(5.0), t214);
+    let rod_v_x_dot = (-t203).add_product(t32, t221).sub_product(R::literal(5.0), t218);
+    let cylinder_omega_dot = (-(t173 * R::literal(2_777.777_777_777_778)).add_product(t27, t228))
+        .add_product(t28, t225).sub_product(R::literal(-2_777.777_777_777_778), t222)
+        .add_product(t30, t221);
+    let cylinder_v_y_dot = t198.sub_product(R::literal(3.333_333_333_333_333_5), t225)
+        .add_product(t25, t221);
+    let cylinder_v_x_dot = t196.sub_product(R::literal(3.333_333_333_333_333_5), t228)
+        .sub_product(t24, t221);
+    let plate_omega_dot = (t19 * t229).sub_product(t18, t232).sub_product(t18, t228)
+        .add_product(t19, t225).add_product(t21, t213).sub_product(t23, t212);
+    let t236 = R::literal(9.81).add_product(R::literal(0.833_333_333_333_333_4), t229)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t225);
+    let t237 = R::literal(-0.833_333_333_333_333_4) * t212;
+    let t238 = (R::literal(-0.833_333_333_333_333_4) * t228)
+        .add_product(R::literal(0.833_333_333_333_333_4), t232);
+    let post_omega_dot = (t165 * R::literal(370.370_370_370_370_3)).sub_product(t15, t234)
+        .add_product(t16, t233).sub_product(t15, t232).add_product(t16, t229);
+    let t239 = R::literal(9.81).add_product(R::literal(1.25), t233).add_product(R::literal(-1.25),
+        t229);
+    let t240 = (R::literal(-1.25) * t232).add_product(R::literal(1.25), t234);
     Motion {
-        factors: [t15, t17, t44, t18, t47, t53, t20, t55, t60, R::literal(3.333_333_333_333_333_5),
-            t27, t62, t73, t29, t63, t75, t87, R::literal(-2_777.777_777_777_778),
-            R::literal(4_166.666_666_666_667), t89, t101, t24, t26, t31, t33, t34, t92, t103, t111,
-            R::literal(5.0), t36, t112, t123, t37, t114, t126, t135, t22,
-            R::literal(1.428_571_428_571_428_6), t66, t79, t95, t105, t117, t128, t138, t144, t23,
-            t69, t82, t98, t107, t120, t130, t141, t146, t149, t150, t147, t142, t132, t121, t108,
-            t99, t84, t71, t57, t51, t41, R::literal(2_777.777_777_777_778), R::literal(400.0),
-            R::literal(0.833_333_333_333_333_4), R::literal(-0.833_333_333_333_333_4),
-            R::literal(370.370_370_370_370_3), R::literal(1.25), R::literal(-1.25)],
+        factors: [R::literal(3.333_333_333_333_333_5), t27, t29, t91,
+            R::literal(-2_777.777_777_777_778), t93, t105, t24, t26, t31, t33, t34, t96, t107,
+            t117, R::literal(5.0), t118, t131, t120, t134, t145,
+            R::literal(1.428_571_428_571_428_6), t99, t109, t125, t138, t150, t158, t102, t111,
+            t128, t140, t155, t160, t163, t164, t161, t156, t142, t129, t112, t103, t88, t76, t78,
+            t83, t86, t61, t63, t64, t67, t70, t54, t56, t43, t46,
+            R::literal(4_166.666_666_666_667), t36, t37, R::literal(2_777.777_777_777_778), t18,
+            t20, t22, t23, R::literal(0.833_333_333_333_333_4),
+            R::literal(-0.833_333_333_333_333_4), t15, t17, R::literal(1.25), R::literal(-1.25)],
         cos_post_phi,
         sin_post_phi,
         cos_plate_phi,
@@ -585,53 +643,96 @@ pub fn motion<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         slide_rate,
         t13,
         t14,
-        t153,
-        t155,
-        t158,
-        t161,
+        t38,
+        t40,
+        t41,
+        t50,
+        t51,
+        t52,
+        t55,
+        t57,
+        t58,
+        t59,
+        t60,
+        t65,
+        t68,
+        t72,
+        t73,
+        t74,
+        t77,
+        t79,
+        t80,
+        t85,
+        t87,
+        t89,
+        t95,
+        t97,
+        t101,
+        t106,
+        t108,
+        t113,
+        t114,
+        t121,
+        t122,
+        t126,
+        t133,
+        t135,
+        t136,
+        t139,
+        t141,
+        t144,
+        t146,
+        t147,
+        t151,
+        t152,
         t162,
-        t163,
-        t164,
-        t165,
         t167,
-        t168,
-        t170,
-        t171,
-        t173,
-        t174,
-        t196,
-        t197,
-        t199,
-        t200,
-        t201,
-        t202,
-        t203,
-        t205,
-        t206,
-        t209,
+        t169,
+        t172,
+        t175,
+        t176,
+        t177,
+        t178,
+        t179,
+        t181,
+        t182,
+        t184,
+        t185,
+        t187,
+        t188,
         t210,
-        t212,
+        t211,
         t213,
+        t214,
         t215,
         t216,
         t217,
         t219,
         t220,
+        t223,
+        t224,
+        t226,
+        t227,
+        t229,
+        t230,
+        t231,
+        t233,
+        t234,
         bobbin_v_y_dot,
         bobbin_v_x_dot,
         rod_omega_dot,
-        t221,
+        t235,
         rod_v_x_dot,
         cylinder_omega_dot,
         cylinder_v_y_dot,
         cylinder_v_x_dot,
         plate_omega_dot,
-        t222,
-        t223,
-        t224,
+        t236,
+        t237,
+        t238,
         post_omega_dot,
-        t225,
-        t226,
+        t239,
+        t240,
     }
 }
 
@@ -997,7 +1098,7 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R;
         rod_x_forcing, rod_y_forcing, R::literal(0.0), bobbin_x_forcing, bobbin_y_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 347 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 4136 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 294] {
@@ -1019,132 +1120,387 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let contact_gap = m.between - R::literal(0.1);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
     let t10 = (R::literal(0.1) * m.sin_plate_phi).sub_product(R::literal(0.01), m.cos_plate_phi);
-    let t11 = p.spring_damping * m.slide_rate;
-    let t12 = t11 * m.cos_cylinder_phi;
-    let t13 = t11 * m.sin_cylinder_phi;
+    let t11 = R::literal(37.037_037_037_037_03) * m.cos_post_phi;
+    let t12 = R::literal(24.0) * m.cos_plate_phi;
+    let t13 = m.t13 * R::literal(400.0);
+    let t14 = m.cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t15 = R::literal(166.666_666_666_666_66) * m.cos_cylinder_phi;
+    let t16 = m.slide * R::literal(2_777.777_777_777_778);
+    let t17 = m.sin_cylinder_phi * R::literal(5.0);
+    let t18 = R::literal(250.0) * m.sin_rod_phi;
+    let t19 = m.t41 * m.t40;
+    let t20 = (R::literal(1.25) - m.t38) * m.t40;
+    let t21 = m.t68 * m.t58;
+    let t22 = (m.t79 + m.t80) * m.t72;
+    let t23 = m.t89 * m.t87;
+    let t24 = m.t97 * m.t87;
+    let t25 = (m.t113 + m.t114) * m.factors[40];
+    let t26 = m.factors[58] * m.factors[40];
+    let t27 = (m.t121 + m.t122) * m.factors[40];
+    let t28 = m.t126 * m.factors[40];
+    let t29 = (m.t146 - m.t147) * m.t141;
+    let t30 = (m.t151 - m.t152) * m.t141;
+    let t31 = p.spring_damping * m.slide_rate;
+    let t32 = t31 * m.cos_cylinder_phi;
+    let t33 = t31 * m.sin_cylinder_phi;
     let plate_omega_squared = plate_omega * plate_omega;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t14 = cylinder_omega_squared * m.sin_cylinder_phi;
+    let t34 = cylinder_omega_squared * m.sin_cylinder_phi;
     let cylinder_y_times_cylinder_omega = cylinder_y * cylinder_omega;
     let rod_x_times_cylinder_omega = rod_x * cylinder_omega;
     let cylinder_x_times_cylinder_omega = cylinder_x * cylinder_omega;
     let rod_y_times_cylinder_omega = rod_y * cylinder_omega;
-    let t15 = m.t205 - m.t206;
-    let t16 = m.t209 - m.t210;
-    let t17 = m.t212 + m.t213;
-    let t18 = m.t217 - m.t216;
-    let t19 = m.t7 * m.t7;
-    let t20 = m.t168.sub_product(t0, m.post_omega_dot);
-    let t21 = -m.t167.add_product(t1, m.post_omega_dot);
-    let t22 = m.t171.sub_product(t2, m.plate_omega_dot);
-    let t23 = -m.t170.add_product(t3, m.plate_omega_dot);
-    let t24 = p.spring_stiffness * m.cos_cylinder_phi;
-    let spring_damping_times_cylinder_omega = p.spring_damping * cylinder_omega;
-    let t25 = spring_damping_times_cylinder_omega * m.sin_cylinder_phi;
-    let t26 = t25 - t24;
-    let t27 = t26 * m.cos_cylinder_phi;
-    let t28 = t26 * m.sin_cylinder_phi;
-    let t29 = spring_damping_times_cylinder_omega * m.t12;
-    let t30 = t29 * m.sin_cylinder_phi;
-    let t31 = p.spring_stiffness * m.t12;
-    let t32 = t31 * m.cos_cylinder_phi;
-    let t33 = t24 - t25;
-    let t34 = t33 * m.cos_cylinder_phi;
-    let t35 = t33 * m.sin_cylinder_phi;
-    let t36 = m.cos_cylinder_phi * t15;
-    let t37 = m.cos_cylinder_phi * m.cylinder_omega_dot;
-    let t38 = (p.spring_stiffness * m.sin_cylinder_phi)
-        .add_product(spring_damping_times_cylinder_omega, m.cos_cylinder_phi);
-    let t39 = t38 * m.cos_cylinder_phi;
-    let t40 = -t39;
-    let t41 = t38 * m.sin_cylinder_phi;
-    let t42 = -t41;
-    let t43 = t31 * m.sin_cylinder_phi;
-    let t44 = m.t153.add_product(t29, m.cos_cylinder_phi) + t43 + t12;
-    let t45 = m.sin_cylinder_phi * t15;
-    let t46 = (m.sin_cylinder_phi * m.cylinder_omega_dot).add_product(cylinder_omega_squared,
-        m.cos_cylinder_phi);
-    let t47 = p.spring_damping * (-(cylinder_omega * m.slide)).add_product(rod_v_y - cylinder_v_y,
-        m.cos_cylinder_phi).sub_product(rod_v_x - cylinder_v_x, m.sin_cylinder_phi);
-    let t48 = t47 * m.cos_cylinder_phi;
-    let t49 = t12.add_product(t47, m.sin_cylinder_phi) + (m.t153 + t43);
-    let t50 = m.t12 * m.t12;
-    let t51 = R::literal(0.06) * cylinder_omega_squared;
-    let t52 = ((rod_x - cylinder_x) * m.sin_cylinder_phi).sub_product(rod_y - cylinder_y,
-        m.cos_cylinder_phi);
-    let t53 = m.between * m.between;
-    let contact_damping_times_bobbin_v_x = p.contact_damping * bobbin_v_x;
-    let t54 = contact_stiffness_times_contact_gap / m.between;
-    let t55 = p.contact_damping * m.contact_rate / m.between;
-    let t56 = t53 * m.between;
-    let t57 = c.t0 * m.contact_rate;
-    let t58 = t57 * t8 * t9 / t56;
-    let t59 = m.t161 * t9 / t56;
-    let t60 = p.contact_stiffness * t8 * t9 / t53;
-    let contact_damping_times_bobbin_v_y = p.contact_damping * bobbin_v_y;
-    let t61 = R::literal(0.2) * post_omega;
-    let t62 = -(t61 * m.cos_post_phi);
-    let t63 = -(t61 * m.sin_post_phi);
-    let t64 = R::literal(0.12) * plate_omega;
-    let t65 = -(t64 * m.cos_plate_phi);
-    let t66 = -(t64 * m.sin_plate_phi);
-    let t67 = p.spring_damping * (m.cos_cylinder_phi * m.cos_cylinder_phi);
-    let t68 = -t67;
-    let t69 = p.spring_damping * m.sin_cylinder_phi * m.cos_cylinder_phi;
-    let t70 = -t69;
-    let t71 = p.spring_damping * m.t12;
-    let t72 = t71 * m.cos_cylinder_phi;
-    let t73 = R::literal(2.0) * cylinder_omega;
-    let t74 = t73 * m.cos_cylinder_phi;
-    let t75 = p.spring_damping * (m.sin_cylinder_phi * m.sin_cylinder_phi);
-    let t76 = -t75;
-    let t77 = t71 * m.sin_cylinder_phi;
-    let t78 = t73 * m.sin_cylinder_phi;
-    let t79 = -t72;
-    let t80 = -t77;
-    let t81 = R::literal(0.12) * cylinder_omega;
-    let t82 = R::literal(0.12) * rod_omega;
-    let t83 = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), -(p.contact_damping
-        * t8 * t9 / t53));
-    let mut x = [[R::literal(0.0); 20]; 26];
-    x[2][0] = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), (R::literal(3000.0)
+    let t35 = m.t219 - m.t220;
+    let t36 = m.t223 - m.t224;
+    let t37 = m.t226 + m.t227;
+    let t38 = m.t231 - m.t230;
+    let t39 = m.t7 * m.t7;
+    let t40 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), (R::literal(3000.0)
         * m.stop_gap * stop_rate).add_product(R::literal(1_000_000.0), m.stop_gap * m.stop_gap)
-        .sub_product(R::literal(1_000_000.0), t19)).sub_product(t0, m.t220).sub_product(t1, m.t219)
-        .sub_product(t0, t18).sub_product(t1, m.t215);
-    x[14][0] = t20;
-    x[15][0] = t21;
-    x[16][0] = t20;
-    x[17][0] = t21;
-    x[5][1] = (-(t2 * t18).add_product(t3, m.t215).add_product(t2, t17).add_product(t3, t16)
-        .add_product(t10, m.t199)).add_product(m.t13, (m.t196 - m.t197) * m.factors[57]);
-    x[16][1] = t22;
-    x[17][1] = t23;
-    x[18][1] = t22;
-    x[19][1] = t23;
-    x[24][1] = -(m.t13 * plate_omega_squared).add_product(t10, m.plate_omega_dot);
-    x[25][1] = (m.t13 * m.plate_omega_dot).add_product(m.t14, plate_omega_squared);
-    x[6][2] = t27;
-    x[7][2] = t28;
-    x[8][2] = t32 - t30 - m.t155 - t13 - t36;
-    x[9][2] = t34;
-    x[10][2] = t35;
-    x[21][2] = t14 - t37;
-    x[6][3] = t40;
-    x[7][3] = t42;
-    x[8][3] = t44 - t45;
-    x[9][3] = t39;
-    x[10][3] = t41;
-    x[21][3] = -t46;
-    x[6][4] = t32 + t48 - m.t155 - t13 - t36;
-    x[7][4] = t49 - t45;
-    x[8][4] = (p.spring_stiffness * m.slide * (m.slide - R::literal(0.116)))
-        .add_product(p.spring_damping * m.slide, m.slide_rate).sub_product(p.spring_stiffness, t50)
-        .sub_product(t47, m.t12).sub_product(t4, t17).sub_product(t5, t16).sub_product(t52, t15);
-    x[9][4] = m.t155 + t13 - t32 - t48 + t36;
-    x[10][4] = t45 - t49;
-    x[18][4] = (-(t4 * m.cylinder_omega_dot)).add_product(t51, m.sin_cylinder_phi);
-    x[19][4] = -(t5 * m.cylinder_omega_dot).add_product(t51, m.cos_cylinder_phi);
-    x[21][4] = (-(m.cos_cylinder_phi * m.cylinder_v_x_dot)).add_product(cylinder_omega,
+        .sub_product(R::literal(1_000_000.0), t39)).sub_product(t0, m.t234).sub_product(t1, m.t233)
+        .sub_product(t0, t38).sub_product(t1, m.t229);
+    let t41 = (-(t2 * t38).add_product(t3, m.t229).add_product(t2, t37).add_product(t3, t36)
+        .add_product(t10, m.t213)).add_product(m.t13, (m.t210 - m.t211) * m.factors[35]);
+    let t42 = p.spring_stiffness * m.cos_cylinder_phi;
+    let spring_damping_times_cylinder_omega = p.spring_damping * cylinder_omega;
+    let t43 = spring_damping_times_cylinder_omega * m.sin_cylinder_phi;
+    let t44 = t43 - t42;
+    let t45 = t44 * m.cos_cylinder_phi;
+    let t46 = t44 * m.sin_cylinder_phi;
+    let t47 = spring_damping_times_cylinder_omega * m.t12;
+    let t48 = t47 * m.sin_cylinder_phi;
+    let t49 = p.spring_stiffness * m.t12;
+    let t50 = t49 * m.cos_cylinder_phi;
+    let t51 = t42 - t43;
+    let t52 = t51 * m.cos_cylinder_phi;
+    let t53 = t51 * m.sin_cylinder_phi;
+    let t54 = m.cos_cylinder_phi * t35;
+    let t55 = t50 - t48 - m.t169 - t33 - t54;
+    let t56 = m.cos_cylinder_phi * m.cylinder_omega_dot;
+    let t57 = (p.spring_stiffness * m.sin_cylinder_phi)
+        .add_product(spring_damping_times_cylinder_omega, m.cos_cylinder_phi);
+    let t58 = t57 * m.cos_cylinder_phi;
+    let t59 = t57 * m.sin_cylinder_phi;
+    let t60 = t49 * m.sin_cylinder_phi;
+    let t61 = m.t167.add_product(t47, m.cos_cylinder_phi) + t60 + t32;
+    let t62 = m.sin_cylinder_phi * t35;
+    let t63 = t61 - t62;
+    let t64 = (m.sin_cylinder_phi * m.cylinder_omega_dot).add_product(cylinder_omega_squared,
+        m.cos_cylinder_phi);
+    let t65 = p.spring_damping * (-(cylinder_omega * m.slide)).add_product(rod_v_y - cylinder_v_y,
+        m.cos_cylinder_phi).sub_product(rod_v_x - cylinder_v_x, m.sin_cylinder_phi);
+    let t66 = t65 * m.cos_cylinder_phi;
+    let t67 = t32.add_product(t65, m.sin_cylinder_phi) + (m.t167 + t60);
+    let t68 = m.t12 * m.t12;
+    let t69 = R::literal(0.06) * cylinder_omega_squared;
+    let t70 = t50 + t66 - m.t169 - t33 - t54;
+    let t71 = t67 - t62;
+    let t72 = ((rod_x - cylinder_x) * m.sin_cylinder_phi).sub_product(rod_y - cylinder_y,
+        m.cos_cylinder_phi);
+    let t73 = (p.spring_stiffness * m.slide * (m.slide - R::literal(0.116)))
+        .add_product(p.spring_damping * m.slide, m.slide_rate).sub_product(p.spring_stiffness, t68)
+        .sub_product(t65, m.t12).sub_product(t4, t37).sub_product(t5, t36).sub_product(t72, t35);
+    let t74 = m.t169 + t33 - t50 - t66 + t54;
+    let t75 = t62 - t67;
+    let t76 = t48 + m.t169 + t33 - t50 + t54;
+    let t77 = t62 - t61;
+    let t78 = (t7 * m.t214).add_product(t6, m.t215 + m.t216 + m.t217);
+    let t79 = m.between * m.between;
+    let contact_damping_times_bobbin_v_x = p.contact_damping * bobbin_v_x;
+    let t80 = contact_stiffness_times_contact_gap / m.between;
+    let t81 = p.contact_damping * m.contact_rate / m.between;
+    let t82 = t79 * m.between;
+    let t83 = c.t0 * m.contact_rate;
+    let t84 = t83 * t8 * t9 / t82;
+    let t85 = m.t175 * t9 / t82;
+    let t86 = p.contact_stiffness * t8 * t9 / t79;
+    let contact_damping_times_bobbin_v_y = p.contact_damping * bobbin_v_y;
+    let t87 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), R::literal(-1500.0)
+        * t39);
+    let t88 = R::literal(0.2) * post_omega;
+    let t89 = R::literal(0.12) * plate_omega;
+    let t90 = t89 * m.cos_plate_phi;
+    let t91 = t89 * m.sin_plate_phi;
+    let t92 = p.spring_damping * (m.cos_cylinder_phi * m.cos_cylinder_phi);
+    let t93 = p.spring_damping * m.sin_cylinder_phi * m.cos_cylinder_phi;
+    let t94 = p.spring_damping * m.t12;
+    let t95 = t94 * m.cos_cylinder_phi;
+    let t96 = R::literal(2.0) * cylinder_omega;
+    let t97 = t96 * m.cos_cylinder_phi;
+    let t98 = p.spring_damping * (m.sin_cylinder_phi * m.sin_cylinder_phi);
+    let t99 = t94 * m.sin_cylinder_phi;
+    let t100 = t96 * m.sin_cylinder_phi;
+    let t101 = p.spring_damping * t68;
+    let t102 = R::literal(0.12) * cylinder_omega;
+    let t103 = R::literal(0.12) * rod_omega;
+    let t104 = t103 * m.cos_rod_phi;
+    let t105 = m.t182.sub_product(t0, m.post_omega_dot).sub_product(m.factors[66], t40);
+    let t106 = (-m.t181.add_product(t1, m.post_omega_dot)).add_product(t11, t40).add_product(t19,
+        t105);
+    let t107 = t105.add_product(t20, t105).sub_product(m.factors[52], t106);
+    let t108 = t106.sub_product(m.factors[53], t106).sub_product(m.factors[47], t107);
+    let t109 = (m.factors[48] * t107).add_product(m.factors[43], t108);
+    let t110 = (m.factors[49] * t107).add_product(m.factors[44], t108).add_product(t23, t109);
+    let t111 = (m.factors[5] * t109).add_product(m.factors[6], t110);
+    let t112 = (-(m.t95 * t109)).add_product(m.factors[13], t110).add_product(t25, t111);
+    let t113 = (m.factors[16] * t111).add_product(m.factors[17], t112);
+    let t114 = (t26 * t111).add_product(m.t133, t112).sub_product(m.t144, t113);
+    let t115 = (-(m.factors[50] * t107)).add_product(t22, t108).sub_product(t24, t109)
+        .add_product(m.factors[23], t110).add_product(t27, t111).sub_product(m.factors[25], t112)
+        .sub_product(t29, t113).sub_product(m.factors[27], t114);
+    let t116 = (t21 * t107).sub_product(m.factors[46], t108).sub_product(m.t101, t109)
+        .add_product(m.factors[29], t110).add_product(t28, t111).sub_product(m.factors[31], t112)
+        .sub_product(t30, t113).sub_product(m.factors[33], t114).sub_product(m.factors[34], t115)
+        * m.factors[35];
+    let t117 = (t115 * m.factors[36]).sub_product(m.factors[34], t116);
+    let t118 = (t114 * m.factors[37]).sub_product(m.factors[27], t117).sub_product(m.factors[33],
+        t116);
+    let t119 = (t113 * m.t141).add_product(m.t144, t118).add_product(t29, t117).add_product(t30,
+        t116);
+    let t120 = (t112 * m.factors[39]).sub_product(m.factors[17], t119).add_product(m.t133, t118)
+        .sub_product(m.factors[25], t117).sub_product(m.factors[31], t116);
+    let t121 = (t111 * m.factors[40]).add_product(t25, t120).sub_product(m.factors[16], t119)
+        .add_product(t26, t118).add_product(t27, t117).add_product(t28, t116);
+    let t122 = (t110 * m.factors[41]).add_product(m.factors[6], t121).add_product(m.factors[13],
+        t120).add_product(m.factors[23], t117).add_product(m.factors[29], t116);
+    let t123 = (t109 * m.t87).sub_product(t23, t122).sub_product(m.factors[5], t121)
+        .add_product(m.t95, t120).add_product(t24, t117).add_product(m.t101, t116);
+    let t124 = (t108 * m.t72).sub_product(m.factors[43], t123).add_product(m.factors[44], t122)
+        .add_product(t22, t117).sub_product(m.factors[46], t116);
+    let t125 = (t107 * m.t58).sub_product(m.factors[47], t124).sub_product(m.factors[48], t123)
+        .add_product(m.factors[49], t122).sub_product(m.factors[50], t117).add_product(t21, t116);
+    let t126 = (t106 * m.t50).sub_product(m.factors[52], t125).sub_product(m.factors[53], t124);
+    let t127 = (-(t105 * m.t40)).add_product(t19, t126).add_product(t20, t125).add_product(t19,
+        t124);
+    let bobbin_v_y_dot_by_post_phi = R::literal(-1.428_571_428_571_428_6) * t116;
+    let bobbin_v_x_dot_by_post_phi = R::literal(-1.428_571_428_571_428_6) * t117;
+    let rod_omega_dot_by_post_phi = (t18 * t119).sub_product(R::literal(4_166.666_666_666_667),
+        t121).sub_product(m.factors[58], t118);
+    let rod_v_y_dot_by_post_phi = (R::literal(-5.0) * t118).sub_product(m.factors[11], t120);
+    let rod_v_x_dot_by_post_phi = (R::literal(-5.0) * t119).add_product(t17, t120);
+    let cylinder_omega_dot_by_post_phi = (-(t15 * t122).add_product(m.factors[1], t123)
+        .add_product(R::literal(-2_777.777_777_777_778), t121)).add_product(t16, t120);
+    let cylinder_v_y_dot_by_post_phi = (t14 * t120)
+        .add_product(R::literal(3.333_333_333_333_333_5), t122);
+    let cylinder_v_x_dot_by_post_phi = (-(m.factors[7] * t120))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t123);
+    let plate_omega_dot_by_post_phi = (t12 * t124).sub_product(m.factors[60], t125)
+        .sub_product(m.factors[60], t123).sub_product(t12, t122).add_product(t13, t117)
+        .sub_product(m.factors[63], t116);
+    let plate_v_y_dot_by_post_phi = (R::literal(-0.833_333_333_333_333_4) * t122)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t124)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t116);
+    let plate_v_x_dot_by_post_phi = (R::literal(0.833_333_333_333_333_4) * t123)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t125)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t117);
+    let post_omega_dot_by_post_phi = (t40 * R::literal(370.370_370_370_370_3))
+        .sub_product(m.factors[66], t127).add_product(t11, t126).sub_product(m.factors[66], t125)
+        .add_product(t11, t124);
+    let post_v_y_dot_by_post_phi = (R::literal(1.25) * t124).add_product(R::literal(-1.25), t126);
+    let post_v_x_dot_by_post_phi = (R::literal(1.25) * t125).add_product(R::literal(-1.25), t127);
+    let t128 = m.t185.sub_product(t2, m.plate_omega_dot).sub_product(m.factors[60], t41);
+    let t129 = (-m.t184.add_product(t3, m.plate_omega_dot)).add_product(t12, t41);
+    let t130 = t129.sub_product(m.factors[47], t128);
+    let t131 = t128.sub_product(m.factors[48], t128).sub_product(m.factors[43], t130);
+    let t132 = t129.sub_product(m.factors[49], t128).sub_product(m.factors[44], t130)
+        .add_product(t23, t131);
+    let t133 = (m.factors[5] * t131).add_product(m.factors[6], t132);
+    let t134 = (m.t95 * t131).sub_product(m.factors[13], t132).sub_product(t25, t133);
+    let t135 = (m.factors[16] * t133).sub_product(m.factors[17], t134);
+    let t136 = (-(t26 * t133)).add_product(m.t133, t134).add_product(m.t144, t135);
+    let t137 = (-(m.t13 * plate_omega_squared).add_product(t10, m.plate_omega_dot))
+        .add_product(t13, t41).sub_product(m.factors[50], t128).add_product(t22, t130)
+        .add_product(t24, t131).sub_product(m.factors[23], t132).sub_product(t27, t133)
+        .sub_product(m.factors[25], t134).add_product(t29, t135).sub_product(m.factors[27], t136);
+    let t138 = (m.t13 * m.plate_omega_dot).add_product(m.t14, plate_omega_squared)
+        .sub_product(m.factors[63], t41).add_product(t21, t128).sub_product(m.factors[46], t130)
+        .add_product(m.t101, t131).sub_product(m.factors[29], t132).sub_product(t28, t133)
+        .sub_product(m.factors[31], t134).add_product(t30, t135).sub_product(m.factors[33], t136)
+        .sub_product(m.factors[34], t137) * m.factors[35];
+    let t139 = (t137 * m.factors[36]).sub_product(m.factors[34], t138);
+    let t140 = (t136 * m.factors[37]).sub_product(m.factors[27], t139).sub_product(m.factors[33],
+        t138);
+    let t141 = (-(t135 * m.t141)).add_product(m.t144, t140).add_product(t29, t139).add_product(t30,
+        t138);
+    let t142 = (t134 * m.factors[39]).sub_product(m.factors[17], t141).add_product(m.t133, t140)
+        .sub_product(m.factors[25], t139).sub_product(m.factors[31], t138);
+    let t143 = (-(t133 * m.factors[40])).add_product(t25, t142).sub_product(m.factors[16], t141)
+        .add_product(t26, t140).add_product(t27, t139).add_product(t28, t138);
+    let t144 = (t132 * m.factors[41]).sub_product(m.factors[6], t143).sub_product(m.factors[13],
+        t142).sub_product(m.factors[23], t139).sub_product(m.factors[29], t138);
+    let t145 = (-(t131 * m.t87)).add_product(t23, t144).sub_product(m.factors[5], t143)
+        .add_product(m.t95, t142).add_product(t24, t139).add_product(m.t101, t138);
+    let t146 = (t130 * m.t72).sub_product(m.factors[43], t145).sub_product(m.factors[44], t144)
+        .add_product(t22, t139).sub_product(m.factors[46], t138);
+    let t147 = (t128 * m.t58).sub_product(m.factors[47], t146).sub_product(m.factors[48], t145)
+        .sub_product(m.factors[49], t144).sub_product(m.factors[50], t139).add_product(t21, t138);
+    let t148 = (m.factors[53] * t146).add_product(m.factors[52], t147);
+    let t149 = (t20 * t147).sub_product(t19, t148).add_product(t19, t146);
+    let bobbin_v_y_dot_by_plate_phi = R::literal(-1.428_571_428_571_428_6) * t138;
+    let bobbin_v_x_dot_by_plate_phi = R::literal(-1.428_571_428_571_428_6) * t139;
+    let rod_omega_dot_by_plate_phi = (t18 * t141).sub_product(R::literal(4_166.666_666_666_667),
+        t143).sub_product(m.factors[58], t140);
+    let rod_v_y_dot_by_plate_phi = (R::literal(-5.0) * t140).sub_product(m.factors[11], t142);
+    let rod_v_x_dot_by_plate_phi = (R::literal(-5.0) * t141).add_product(t17, t142);
+    let cylinder_omega_dot_by_plate_phi = (t15 * t144).sub_product(m.factors[1], t145)
+        .sub_product(R::literal(-2_777.777_777_777_778), t143).add_product(t16, t142);
+    let cylinder_v_y_dot_by_plate_phi = (t14 * t142)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t144);
+    let cylinder_v_x_dot_by_plate_phi = (-(m.factors[7] * t142))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t145);
+    let plate_omega_dot_by_plate_phi = (t41 * R::literal(400.0)).sub_product(m.factors[60], t147)
+        .add_product(t12, t146).sub_product(m.factors[60], t145).add_product(t12, t144)
+        .add_product(t13, t139).sub_product(m.factors[63], t138);
+    let plate_v_y_dot_by_plate_phi = (R::literal(0.833_333_333_333_333_4) * t144)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t146)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t138);
+    let plate_v_x_dot_by_plate_phi = (R::literal(0.833_333_333_333_333_4) * t145)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t147)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t139);
+    let post_omega_dot_by_plate_phi = (-(t11 * t148).add_product(m.factors[66], t149)
+        .add_product(m.factors[66], t147)).add_product(t11, t146);
+    let post_v_y_dot_by_plate_phi = (R::literal(1.25) * t146).add_product(R::literal(1.25), t148);
+    let post_v_x_dot_by_plate_phi = (R::literal(1.25) * t147).add_product(R::literal(-1.25), t149);
+    let t150 = R::literal(3.333_333_333_333_333_5) * t45;
+    let t151 = t150.add_product(m.factors[1], t55);
+    let t152 = R::literal(3.333_333_333_333_333_5) * t46;
+    let t153 = (-t152).add_product(t15, t55).sub_product(t23, t151);
+    let t154 = (R::literal(2_777.777_777_777_778) * t55).add_product(m.factors[5], t151)
+        .sub_product(m.factors[6], t153);
+    let t155 = (t34 - t56).sub_product(m.factors[7], t45).add_product(t14, t46).add_product(t16,
+        t55).add_product(t17, t52).sub_product(m.factors[11], t53).sub_product(m.t95, t151)
+        .sub_product(m.factors[13], t153).add_product(t25, t154);
+    let t156 = R::literal(5.0) * t52;
+    let t157 = t156.add_product(m.factors[16], t154).add_product(m.factors[17], t155);
+    let t158 = R::literal(5.0) * t53;
+    let t159 = (-t158).add_product(t26, t154).add_product(m.t133, t155).sub_product(m.t144, t157);
+    let t160 = (-(t24 * t151).add_product(m.factors[23], t153)).add_product(t27, t154)
+        .sub_product(m.factors[25], t155).sub_product(t29, t157).sub_product(m.factors[27], t159);
+    let t161 = (-(m.t101 * t151).add_product(m.factors[29], t153)).add_product(t28, t154)
+        .sub_product(m.factors[31], t155).sub_product(t30, t157).sub_product(m.factors[33], t159)
+        .sub_product(m.factors[34], t160) * m.factors[35];
+    let t162 = (t160 * m.factors[36]).sub_product(m.factors[34], t161);
+    let t163 = (t159 * m.factors[37]).sub_product(m.factors[27], t162).sub_product(m.factors[33],
+        t161);
+    let t164 = (t157 * m.t141).add_product(m.t144, t163).add_product(t29, t162).add_product(t30,
+        t161);
+    let t165 = (t155 * m.factors[39]).sub_product(m.factors[17], t164).add_product(m.t133, t163)
+        .sub_product(m.factors[25], t162).sub_product(m.factors[31], t161);
+    let t166 = (t154 * m.factors[40]).add_product(t25, t165).sub_product(m.factors[16], t164)
+        .add_product(t26, t163).add_product(t27, t162).add_product(t28, t161);
+    let t167 = (t153 * m.factors[41]).sub_product(m.factors[6], t166).sub_product(m.factors[13],
+        t165).sub_product(m.factors[23], t162).sub_product(m.factors[29], t161);
+    let t168 = (t151 * m.t87).add_product(t23, t167).sub_product(m.factors[5], t166)
+        .add_product(m.t95, t165).add_product(t24, t162).add_product(m.t101, t161);
+    let t169 = (-(m.factors[44] * t167).add_product(m.factors[43], t168)).add_product(t22, t162)
+        .sub_product(m.factors[46], t161);
+    let t170 = (-(m.factors[48] * t168).add_product(m.factors[47], t169).add_product(m.factors[49],
+        t167).add_product(m.factors[50], t162)).add_product(t21, t161);
+    let t171 = (m.factors[53] * t169).add_product(m.factors[52], t170);
+    let t172 = (t20 * t170).sub_product(t19, t171).add_product(t19, t169);
+    let bobbin_v_y_dot_by_cylinder_x = R::literal(-1.428_571_428_571_428_6) * t161;
+    let bobbin_v_x_dot_by_cylinder_x = R::literal(-1.428_571_428_571_428_6) * t162;
+    let rod_omega_dot_by_cylinder_x = (t18 * t164).sub_product(R::literal(4_166.666_666_666_667),
+        t166).sub_product(m.factors[58], t163);
+    let rod_v_y_dot_by_cylinder_x = t158.sub_product(m.factors[11], t165)
+        .sub_product(R::literal(5.0), t163);
+    let rod_v_x_dot_by_cylinder_x = t156.add_product(t17, t165).sub_product(R::literal(5.0), t164);
+    let cylinder_omega_dot_by_cylinder_x = (t55 * R::literal(2_777.777_777_777_778))
+        .sub_product(m.factors[1], t168).add_product(t15, t167)
+        .sub_product(R::literal(-2_777.777_777_777_778), t166).add_product(t16, t165);
+    let cylinder_v_y_dot_by_cylinder_x = t152.sub_product(R::literal(3.333_333_333_333_333_5), t167)
+        .add_product(t14, t165);
+    let cylinder_v_x_dot_by_cylinder_x = t150.sub_product(R::literal(3.333_333_333_333_333_5), t168)
+        .sub_product(m.factors[7], t165);
+    let plate_omega_dot_by_cylinder_x = (t12 * t169).sub_product(m.factors[60], t170)
+        .sub_product(m.factors[60], t168).add_product(t12, t167).add_product(t13, t162)
+        .sub_product(m.factors[63], t161);
+    let plate_v_y_dot_by_cylinder_x = (R::literal(0.833_333_333_333_333_4) * t167)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t169)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t161);
+    let plate_v_x_dot_by_cylinder_x = (R::literal(0.833_333_333_333_333_4) * t168)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t170)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t162);
+    let post_omega_dot_by_cylinder_x = (-(t11 * t171).add_product(m.factors[66], t172)
+        .add_product(m.factors[66], t170)).add_product(t11, t169);
+    let post_v_y_dot_by_cylinder_x = (R::literal(1.25) * t169).add_product(R::literal(1.25), t171);
+    let post_v_x_dot_by_cylinder_x = (R::literal(1.25) * t170).add_product(R::literal(-1.25), t172);
+    let t173 = R::literal(3.333_333_333_333_333_5) * t58;
+    let t174 = t173.sub_product(m.factors[1], t63);
+    let t175 = R::literal(3.333_333_333_333_333_5) * t59;
+    let t176 = t175.add_product(t15, t63).add_product(t23, t174);
+    let t177 = (R::literal(-2_777.777_777_777_778) * t63).add_product(m.factors[5], t174)
+        .add_product(m.factors[6], t176);
+    let t178 = m.factors[7] * t58;
+    let t179 = t14 * t59;
+    let t180 = t17 * t58;
+    let t181 = m.factors[11] * t59;
+    let t182 = ((t178 - t64 - t179).add_product(t16, t63) + t180 - t181).add_product(m.t95, t174)
+        .sub_product(m.factors[13], t176).sub_product(t25, t177);
+    let t183 = R::literal(5.0) * t58;
+    let t184 = (-t183).add_product(m.factors[16], t177).sub_product(m.factors[17], t182);
+    let t185 = R::literal(5.0) * t59;
+    let t186 = (-t185.add_product(t26, t177)).add_product(m.t133, t182).add_product(m.t144, t184);
+    let t187 = (t24 * t174).sub_product(m.factors[23], t176).sub_product(t27, t177)
+        .sub_product(m.factors[25], t182).add_product(t29, t184).sub_product(m.factors[27], t186);
+    let t188 = (m.t101 * t174).sub_product(m.factors[29], t176).sub_product(t28, t177)
+        .sub_product(m.factors[31], t182).add_product(t30, t184).sub_product(m.factors[33], t186)
+        .sub_product(m.factors[34], t187) * m.factors[35];
+    let t189 = (t187 * m.factors[36]).sub_product(m.factors[34], t188);
+    let t190 = (t186 * m.factors[37]).sub_product(m.factors[27], t189).sub_product(m.factors[33],
+        t188);
+    let t191 = (-(t184 * m.t141)).add_product(m.t144, t190).add_product(t29, t189).add_product(t30,
+        t188);
+    let t192 = (t182 * m.factors[39]).sub_product(m.factors[17], t191).add_product(m.t133, t190)
+        .sub_product(m.factors[25], t189).sub_product(m.factors[31], t188);
+    let t193 = (-(t177 * m.factors[40])).add_product(t25, t192).sub_product(m.factors[16], t191)
+        .add_product(t26, t190).add_product(t27, t189).add_product(t28, t188);
+    let t194 = (t176 * m.factors[41]).sub_product(m.factors[6], t193).sub_product(m.factors[13],
+        t192).sub_product(m.factors[23], t189).sub_product(m.factors[29], t188);
+    let t195 = (-(t174 * m.t87)).add_product(t23, t194).sub_product(m.factors[5], t193)
+        .add_product(m.t95, t192).add_product(t24, t189).add_product(m.t101, t188);
+    let t196 = (-(m.factors[44] * t194).add_product(m.factors[43], t195)).add_product(t22, t189)
+        .sub_product(m.factors[46], t188);
+    let t197 = (-(m.factors[48] * t195).add_product(m.factors[47], t196).add_product(m.factors[49],
+        t194).add_product(m.factors[50], t189)).add_product(t21, t188);
+    let t198 = (m.factors[53] * t196).add_product(m.factors[52], t197);
+    let t199 = (t20 * t197).sub_product(t19, t198).add_product(t19, t196);
+    let bobbin_v_y_dot_by_cylinder_y = R::literal(-1.428_571_428_571_428_6) * t188;
+    let bobbin_v_x_dot_by_cylinder_y = R::literal(-1.428_571_428_571_428_6) * t189;
+    let rod_omega_dot_by_cylinder_y = (t18 * t191).sub_product(R::literal(4_166.666_666_666_667),
+        t193).sub_product(m.factors[58], t190);
+    let rod_v_y_dot_by_cylinder_y = t185.sub_product(m.factors[11], t192)
+        .sub_product(R::literal(5.0), t190);
+    let rod_v_x_dot_by_cylinder_y = t183.add_product(t17, t192).sub_product(R::literal(5.0), t191);
+    let cylinder_omega_dot_by_cylinder_y = (t63 * R::literal(2_777.777_777_777_778))
+        .sub_product(m.factors[1], t195).add_product(t15, t194)
+        .sub_product(R::literal(-2_777.777_777_777_778), t193).add_product(t16, t192);
+    let cylinder_v_y_dot_by_cylinder_y = (-t175.add_product(R::literal(3.333_333_333_333_333_5),
+        t194)).add_product(t14, t192);
+    let cylinder_v_x_dot_by_cylinder_y = (-t173).add_product(R::literal(-3.333_333_333_333_333_5),
+        t195).sub_product(m.factors[7], t192);
+    let plate_omega_dot_by_cylinder_y = (t12 * t196).sub_product(m.factors[60], t197)
+        .sub_product(m.factors[60], t195).add_product(t12, t194).add_product(t13, t189)
+        .sub_product(m.factors[63], t188);
+    let plate_v_y_dot_by_cylinder_y = (R::literal(0.833_333_333_333_333_4) * t194)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t196)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t188);
+    let plate_v_x_dot_by_cylinder_y = (R::literal(0.833_333_333_333_333_4) * t195)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t197)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t189);
+    let post_omega_dot_by_cylinder_y = (-(t11 * t198).add_product(m.factors[66], t199)
+        .add_product(m.factors[66], t197)).add_product(t11, t196);
+    let post_v_y_dot_by_cylinder_y = (R::literal(1.25) * t196).add_product(R::literal(1.25), t198);
+    let post_v_x_dot_by_cylinder_y = (R::literal(1.25) * t197).add_product(R::literal(-1.25), t199);
+    let t200 = R::literal(3.333_333_333_333_333_5) * t70;
+    let t201 = ((-(t4 * m.cylinder_omega_dot)).add_product(t69, m.sin_cylinder_phi) - t200)
+        .sub_product(m.factors[1], t73);
+    let t202 = R::literal(3.333_333_333_333_333_5) * t71;
+    let t203 = (-((t5 * m.cylinder_omega_dot).add_product(t69, m.cos_cylinder_phi) + t202))
+        .add_product(t15, t73).add_product(t23, t201);
+    let t204 = (R::literal(-2_777.777_777_777_778) * t73).add_product(m.factors[5], t201)
+        .add_product(m.factors[6], t203);
+    let t205 = (-(m.cos_cylinder_phi * m.cylinder_v_x_dot)).add_product(cylinder_omega,
         (R::literal(2.0) * cylinder_v_x * m.sin_cylinder_phi).add_product(R::literal(2.0)
         * rod_v_y, m.cos_cylinder_phi).add_product(cylinder_x_times_cylinder_omega,
         m.cos_cylinder_phi).add_product(cylinder_y_times_cylinder_omega, m.sin_cylinder_phi)
@@ -1152,155 +1508,1049 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         .sub_product(R::literal(2.0) * rod_v_x, m.sin_cylinder_phi)
         .sub_product(rod_x_times_cylinder_omega, m.cos_cylinder_phi)
         .sub_product(rod_y_times_cylinder_omega, m.sin_cylinder_phi))
-        .sub_product(m.sin_cylinder_phi, m.cylinder_v_y_dot).sub_product(t52, m.cylinder_omega_dot)
-        .add_product(m.cos_cylinder_phi, m.rod_v_x_dot).sub_product(m.sin_cylinder_phi, m.t221);
-    x[6][5] = t34;
-    x[7][5] = t35;
-    x[8][5] = t30 + m.t155 + t13 - t32 + t36;
-    x[9][5] = t27;
-    x[10][5] = t28;
-    x[21][5] = t37 - t14;
-    x[6][6] = t39;
-    x[7][6] = t41;
-    x[8][6] = t45 - t44;
-    x[9][6] = t40;
-    x[10][6] = t42;
-    x[21][6] = t46;
-    x[11][7] = (t7 * m.t200).add_product(t6, m.t201 + m.t202 + m.t203);
-    x[22][7] = (-m.t174).add_product(t6, m.rod_omega_dot);
-    x[23][7] = m.t173.add_product(t7, m.rod_omega_dot);
-    x[12][8] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t57 * m.t9 / t56
-        + contact_stiffness_times_contact_gap * m.t9 / t56 - contact_damping_times_bobbin_v_x * t8
-        / t53 - t54 - p.contact_stiffness * m.t9 / t53 - t55);
-    x[13][8] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t58
-        - contact_damping_times_bobbin_v_x * t9 / t53 - (t60 - t59));
-    x[12][9] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t58 + t59
-        - contact_damping_times_bobbin_v_y * t8 / t53 - t60);
-    x[13][9] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t57 * m.t11 / t56
-        - contact_damping_times_bobbin_v_y * t9 / t53 - t55 - (t54 + p.contact_stiffness * m.t11
-        / t53 - contact_stiffness_times_contact_gap * m.t11 / t56));
-    x[2][10] = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), R::literal(-1500.0)
-        * t19);
-    x[14][10] = t62;
-    x[15][10] = t63;
-    x[16][10] = t62;
-    x[17][10] = t63;
-    x[16][11] = t65;
-    x[17][11] = t66;
-    x[18][11] = t65;
-    x[19][11] = t66;
-    x[24][11] = plate_omega * (R::literal(0.02) * m.cos_plate_phi).sub_product(R::literal(0.2),
-        m.sin_plate_phi);
-    x[25][11] = plate_omega * (R::literal(0.02) * m.sin_plate_phi).add_product(R::literal(0.2),
-        m.cos_plate_phi);
-    x[6][12] = t68;
-    x[7][12] = t70;
-    x[8][12] = t72;
-    x[9][12] = t67;
-    x[10][12] = t69;
-    x[21][12] = -t74;
-    x[6][13] = t70;
-    x[7][13] = t76;
-    x[8][13] = t77;
-    x[9][13] = t69;
-    x[10][13] = t75;
-    x[21][13] = -t78;
-    x[6][14] = t72;
-    x[7][14] = t77;
-    x[8][14] = -(p.spring_damping * t50);
-    x[9][14] = t79;
-    x[10][14] = t80;
-    x[18][14] = -(t81 * m.cos_cylinder_phi);
-    x[19][14] = -(t81 * m.sin_cylinder_phi);
-    x[21][14] = R::literal(2.0) * (cylinder_x_times_cylinder_omega * m.sin_cylinder_phi)
+        .sub_product(m.sin_cylinder_phi, m.cylinder_v_y_dot).sub_product(t72, m.cylinder_omega_dot)
+        .add_product(m.cos_cylinder_phi, m.rod_v_x_dot).sub_product(m.sin_cylinder_phi, m.t235)
+        .sub_product(m.factors[7], t70).add_product(t14, t71).add_product(t16, t73)
+        .add_product(t17, t74).sub_product(m.factors[11], t75).add_product(m.t95, t201);
+    let t206 = t205.sub_product(m.factors[13], t203).sub_product(t25, t204);
+    let t207 = R::literal(5.0) * t74;
+    let t208 = (-t207).add_product(m.factors[16], t204).sub_product(m.factors[17], t206);
+    let t209 = R::literal(5.0) * t75;
+    let t210 = (-t209.add_product(t26, t204)).add_product(m.t133, t206).add_product(m.t144, t208);
+    let t211 = (t24 * t201).sub_product(m.factors[23], t203).sub_product(t27, t204)
+        .sub_product(m.factors[25], t206).add_product(t29, t208).sub_product(m.factors[27], t210);
+    let t212 = (m.t101 * t201).sub_product(m.factors[29], t203).sub_product(t28, t204)
+        .sub_product(m.factors[31], t206).add_product(t30, t208).sub_product(m.factors[33], t210)
+        .sub_product(m.factors[34], t211) * m.factors[35];
+    let t213 = (t211 * m.factors[36]).sub_product(m.factors[34], t212);
+    let t214 = (t210 * m.factors[37]).sub_product(m.factors[27], t213).sub_product(m.factors[33],
+        t212);
+    let t215 = (-(t208 * m.t141)).add_product(m.t144, t214).add_product(t29, t213).add_product(t30,
+        t212);
+    let t216 = (t206 * m.factors[39]).sub_product(m.factors[17], t215).add_product(m.t133, t214)
+        .sub_product(m.factors[25], t213).sub_product(m.factors[31], t212);
+    let t217 = (-(t204 * m.factors[40])).add_product(t25, t216).sub_product(m.factors[16], t215)
+        .add_product(t26, t214).add_product(t27, t213).add_product(t28, t212);
+    let t218 = (t203 * m.factors[41]).sub_product(m.factors[6], t217).sub_product(m.factors[13],
+        t216).sub_product(m.factors[23], t213).sub_product(m.factors[29], t212);
+    let t219 = (-(t201 * m.t87)).add_product(t23, t218).sub_product(m.factors[5], t217)
+        .add_product(m.t95, t216).add_product(t24, t213).add_product(m.t101, t212);
+    let t220 = (-(m.factors[44] * t218).add_product(m.factors[43], t219)).add_product(t22, t213)
+        .sub_product(m.factors[46], t212);
+    let t221 = (-(m.factors[48] * t219).add_product(m.factors[47], t220).add_product(m.factors[49],
+        t218).add_product(m.factors[50], t213)).add_product(t21, t212);
+    let t222 = (m.factors[53] * t220).add_product(m.factors[52], t221);
+    let t223 = (t20 * t221).sub_product(t19, t222).add_product(t19, t220);
+    let bobbin_v_y_dot_by_cylinder_phi = R::literal(-1.428_571_428_571_428_6) * t212;
+    let bobbin_v_x_dot_by_cylinder_phi = R::literal(-1.428_571_428_571_428_6) * t213;
+    let rod_omega_dot_by_cylinder_phi = (t18 * t215).sub_product(R::literal(4_166.666_666_666_667),
+        t217).sub_product(m.factors[58], t214);
+    let rod_v_y_dot_by_cylinder_phi = t209.sub_product(m.factors[11], t216)
+        .sub_product(R::literal(5.0), t214);
+    let rod_v_x_dot_by_cylinder_phi = t207.add_product(t17, t216).sub_product(R::literal(5.0),
+        t215);
+    let cylinder_omega_dot_by_cylinder_phi = (t73 * R::literal(2_777.777_777_777_778))
+        .sub_product(m.factors[1], t219).add_product(t15, t218)
+        .sub_product(R::literal(-2_777.777_777_777_778), t217).add_product(t16, t216);
+    let cylinder_v_y_dot_by_cylinder_phi = t202.sub_product(R::literal(3.333_333_333_333_333_5),
+        t218).add_product(t14, t216);
+    let cylinder_v_x_dot_by_cylinder_phi = t200.sub_product(R::literal(3.333_333_333_333_333_5),
+        t219).sub_product(m.factors[7], t216);
+    let plate_omega_dot_by_cylinder_phi = (t12 * t220).sub_product(m.factors[60], t221)
+        .sub_product(m.factors[60], t219).add_product(t12, t218).add_product(t13, t213)
+        .sub_product(m.factors[63], t212);
+    let plate_v_y_dot_by_cylinder_phi = (R::literal(0.833_333_333_333_333_4) * t218)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t220)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t212);
+    let plate_v_x_dot_by_cylinder_phi = (R::literal(0.833_333_333_333_333_4) * t219)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t221)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t213);
+    let post_omega_dot_by_cylinder_phi = (-(t11 * t222).add_product(m.factors[66], t223)
+        .add_product(m.factors[66], t221)).add_product(t11, t220);
+    let post_v_y_dot_by_cylinder_phi = (R::literal(1.25) * t220).add_product(R::literal(1.25),
+        t222);
+    let post_v_x_dot_by_cylinder_phi = (R::literal(1.25) * t221).add_product(R::literal(-1.25),
+        t223);
+    let t224 = R::literal(3.333_333_333_333_333_5) * t52;
+    let t225 = t224.add_product(m.factors[1], t76);
+    let t226 = R::literal(3.333_333_333_333_333_5) * t53;
+    let t227 = (-t226).add_product(t15, t76).sub_product(t23, t225);
+    let t228 = (R::literal(2_777.777_777_777_778) * t76).add_product(m.factors[5], t225)
+        .sub_product(m.factors[6], t227);
+    let t229 = (t56 - t34).sub_product(m.factors[7], t52).add_product(t14, t53).add_product(t16,
+        t76).add_product(t17, t45).sub_product(m.factors[11], t46).sub_product(m.t95, t225)
+        .sub_product(m.factors[13], t227).add_product(t25, t228);
+    let t230 = R::literal(5.0) * t45;
+    let t231 = t230.add_product(m.factors[16], t228).add_product(m.factors[17], t229);
+    let t232 = R::literal(5.0) * t46;
+    let t233 = (-t232).add_product(t26, t228).add_product(m.t133, t229).sub_product(m.t144, t231);
+    let t234 = (-(t24 * t225).add_product(m.factors[23], t227)).add_product(t27, t228)
+        .sub_product(m.factors[25], t229).sub_product(t29, t231).sub_product(m.factors[27], t233);
+    let t235 = (-(m.t101 * t225).add_product(m.factors[29], t227)).add_product(t28, t228)
+        .sub_product(m.factors[31], t229).sub_product(t30, t231).sub_product(m.factors[33], t233)
+        .sub_product(m.factors[34], t234) * m.factors[35];
+    let t236 = (t234 * m.factors[36]).sub_product(m.factors[34], t235);
+    let t237 = (t233 * m.factors[37]).sub_product(m.factors[27], t236).sub_product(m.factors[33],
+        t235);
+    let t238 = (t231 * m.t141).add_product(m.t144, t237).add_product(t29, t236).add_product(t30,
+        t235);
+    let t239 = (t229 * m.factors[39]).sub_product(m.factors[17], t238).add_product(m.t133, t237)
+        .sub_product(m.factors[25], t236).sub_product(m.factors[31], t235);
+    let t240 = (t228 * m.factors[40]).add_product(t25, t239).sub_product(m.factors[16], t238)
+        .add_product(t26, t237).add_product(t27, t236).add_product(t28, t235);
+    let t241 = (t227 * m.factors[41]).sub_product(m.factors[6], t240).sub_product(m.factors[13],
+        t239).sub_product(m.factors[23], t236).sub_product(m.factors[29], t235);
+    let t242 = (t225 * m.t87).add_product(t23, t241).sub_product(m.factors[5], t240)
+        .add_product(m.t95, t239).add_product(t24, t236).add_product(m.t101, t235);
+    let t243 = (-(m.factors[44] * t241).add_product(m.factors[43], t242)).add_product(t22, t236)
+        .sub_product(m.factors[46], t235);
+    let t244 = (-(m.factors[48] * t242).add_product(m.factors[47], t243).add_product(m.factors[49],
+        t241).add_product(m.factors[50], t236)).add_product(t21, t235);
+    let t245 = (m.factors[53] * t243).add_product(m.factors[52], t244);
+    let t246 = (t20 * t244).sub_product(t19, t245).add_product(t19, t243);
+    let bobbin_v_y_dot_by_rod_x = R::literal(-1.428_571_428_571_428_6) * t235;
+    let bobbin_v_x_dot_by_rod_x = R::literal(-1.428_571_428_571_428_6) * t236;
+    let rod_omega_dot_by_rod_x = (t18 * t238).sub_product(R::literal(4_166.666_666_666_667), t240)
+        .sub_product(m.factors[58], t237);
+    let rod_v_y_dot_by_rod_x = t232.sub_product(m.factors[11], t239).sub_product(R::literal(5.0),
+        t237);
+    let rod_v_x_dot_by_rod_x = t230.add_product(t17, t239).sub_product(R::literal(5.0), t238);
+    let cylinder_omega_dot_by_rod_x = (t76 * R::literal(2_777.777_777_777_778))
+        .sub_product(m.factors[1], t242).add_product(t15, t241)
+        .sub_product(R::literal(-2_777.777_777_777_778), t240).add_product(t16, t239);
+    let cylinder_v_y_dot_by_rod_x = t226.sub_product(R::literal(3.333_333_333_333_333_5), t241)
+        .add_product(t14, t239);
+    let cylinder_v_x_dot_by_rod_x = t224.sub_product(R::literal(3.333_333_333_333_333_5), t242)
+        .sub_product(m.factors[7], t239);
+    let plate_omega_dot_by_rod_x = (t12 * t243).sub_product(m.factors[60], t244)
+        .sub_product(m.factors[60], t242).add_product(t12, t241).add_product(t13, t236)
+        .sub_product(m.factors[63], t235);
+    let plate_v_y_dot_by_rod_x = (R::literal(0.833_333_333_333_333_4) * t241)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t243)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t235);
+    let plate_v_x_dot_by_rod_x = (R::literal(0.833_333_333_333_333_4) * t242)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t244)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t236);
+    let post_omega_dot_by_rod_x = (-(t11 * t245).add_product(m.factors[66], t246)
+        .add_product(m.factors[66], t244)).add_product(t11, t243);
+    let post_v_y_dot_by_rod_x = (R::literal(1.25) * t243).add_product(R::literal(1.25), t245);
+    let post_v_x_dot_by_rod_x = (R::literal(1.25) * t244).add_product(R::literal(-1.25), t246);
+    let t247 = t173.add_product(m.factors[1], t77);
+    let t248 = (-t175).add_product(t15, t77).sub_product(t23, t247);
+    let t249 = (R::literal(2_777.777_777_777_778) * t77).add_product(m.factors[5], t247)
+        .sub_product(m.factors[6], t248);
+    let t250 = ((t64 - t178 + t179).add_product(t16, t77) - t180 + t181).sub_product(m.t95, t247)
+        .sub_product(m.factors[13], t248).add_product(t25, t249);
+    let t251 = t183.sub_product(m.factors[16], t249).sub_product(m.factors[17], t250);
+    let t252 = t185.add_product(t26, t249).add_product(m.t133, t250).add_product(m.t144, t251);
+    let t253 = (-(t24 * t247).add_product(m.factors[23], t248)).add_product(t27, t249)
+        .sub_product(m.factors[25], t250).add_product(t29, t251).sub_product(m.factors[27], t252);
+    let t254 = (-(m.t101 * t247).add_product(m.factors[29], t248)).add_product(t28, t249)
+        .sub_product(m.factors[31], t250).add_product(t30, t251).sub_product(m.factors[33], t252)
+        .sub_product(m.factors[34], t253) * m.factors[35];
+    let t255 = (t253 * m.factors[36]).sub_product(m.factors[34], t254);
+    let t256 = (t252 * m.factors[37]).sub_product(m.factors[27], t255).sub_product(m.factors[33],
+        t254);
+    let t257 = (-(t251 * m.t141)).add_product(m.t144, t256).add_product(t29, t255).add_product(t30,
+        t254);
+    let t258 = (t250 * m.factors[39]).sub_product(m.factors[17], t257).add_product(m.t133, t256)
+        .sub_product(m.factors[25], t255).sub_product(m.factors[31], t254);
+    let t259 = (t249 * m.factors[40]).add_product(t25, t258).sub_product(m.factors[16], t257)
+        .add_product(t26, t256).add_product(t27, t255).add_product(t28, t254);
+    let t260 = (t248 * m.factors[41]).sub_product(m.factors[6], t259).sub_product(m.factors[13],
+        t258).sub_product(m.factors[23], t255).sub_product(m.factors[29], t254);
+    let t261 = (t247 * m.t87).add_product(t23, t260).sub_product(m.factors[5], t259)
+        .add_product(m.t95, t258).add_product(t24, t255).add_product(m.t101, t254);
+    let t262 = (-(m.factors[44] * t260).add_product(m.factors[43], t261)).add_product(t22, t255)
+        .sub_product(m.factors[46], t254);
+    let t263 = (-(m.factors[48] * t261).add_product(m.factors[47], t262).add_product(m.factors[49],
+        t260).add_product(m.factors[50], t255)).add_product(t21, t254);
+    let t264 = (m.factors[53] * t262).add_product(m.factors[52], t263);
+    let t265 = (t20 * t263).sub_product(t19, t264).add_product(t19, t262);
+    let bobbin_v_y_dot_by_rod_y = R::literal(-1.428_571_428_571_428_6) * t254;
+    let bobbin_v_x_dot_by_rod_y = R::literal(-1.428_571_428_571_428_6) * t255;
+    let rod_omega_dot_by_rod_y = (t18 * t257).sub_product(R::literal(4_166.666_666_666_667), t259)
+        .sub_product(m.factors[58], t256);
+    let rod_v_y_dot_by_rod_y = (-t185.add_product(m.factors[11], t258))
+        .add_product(R::literal(-5.0), t256);
+    let rod_v_x_dot_by_rod_y = (-t183).add_product(t17, t258).sub_product(R::literal(5.0), t257);
+    let cylinder_omega_dot_by_rod_y = (t77 * R::literal(2_777.777_777_777_778))
+        .sub_product(m.factors[1], t261).add_product(t15, t260)
+        .sub_product(R::literal(-2_777.777_777_777_778), t259).add_product(t16, t258);
+    let cylinder_v_y_dot_by_rod_y = t175.sub_product(R::literal(3.333_333_333_333_333_5), t260)
+        .add_product(t14, t258);
+    let cylinder_v_x_dot_by_rod_y = t173.sub_product(R::literal(3.333_333_333_333_333_5), t261)
+        .sub_product(m.factors[7], t258);
+    let plate_omega_dot_by_rod_y = (t12 * t262).sub_product(m.factors[60], t263)
+        .sub_product(m.factors[60], t261).add_product(t12, t260).add_product(t13, t255)
+        .sub_product(m.factors[63], t254);
+    let plate_v_y_dot_by_rod_y = (R::literal(0.833_333_333_333_333_4) * t260)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t262)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t254);
+    let plate_v_x_dot_by_rod_y = (R::literal(0.833_333_333_333_333_4) * t261)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t263)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t255);
+    let post_omega_dot_by_rod_y = (-(t11 * t264).add_product(m.factors[66], t265)
+        .add_product(m.factors[66], t263)).add_product(t11, t262);
+    let post_v_y_dot_by_rod_y = (R::literal(1.25) * t262).add_product(R::literal(1.25), t264);
+    let post_v_x_dot_by_rod_y = (R::literal(1.25) * t263).add_product(R::literal(-1.25), t265);
+    let t266 = R::literal(4_166.666_666_666_667) * t78;
+    let t267 = t25 * t266;
+    let t268 = (-m.t188).add_product(t6, m.rod_omega_dot).add_product(t18, t78)
+        .add_product(m.factors[16], t266).add_product(m.factors[17], t267);
+    let t269 = m.t187.add_product(t7, m.rod_omega_dot).sub_product(m.factors[58], t78)
+        .sub_product(t26, t266).sub_product(m.t133, t267).add_product(m.t144, t268);
+    let t270 = (-(t27 * t266)).add_product(m.factors[25], t267).add_product(t29, t268)
+        .sub_product(m.factors[27], t269);
+    let t271 = (-(t28 * t266)).add_product(m.factors[31], t267).add_product(t30, t268)
+        .sub_product(m.factors[33], t269).sub_product(m.factors[34], t270) * m.factors[35];
+    let t272 = (t270 * m.factors[36]).sub_product(m.factors[34], t271);
+    let t273 = (t269 * m.factors[37]).sub_product(m.factors[27], t272).sub_product(m.factors[33],
+        t271);
+    let t274 = (-(t268 * m.t141)).add_product(m.t144, t273).add_product(t29, t272).add_product(t30,
+        t271);
+    let t275 = (-(t267 * m.factors[39]).add_product(m.factors[17], t274)).add_product(m.t133, t273)
+        .sub_product(m.factors[25], t272).sub_product(m.factors[31], t271);
+    let t276 = (-(t266 * m.factors[40])).add_product(t25, t275).sub_product(m.factors[16], t274)
+        .add_product(t26, t273).add_product(t27, t272).add_product(t28, t271);
+    let t277 = (m.factors[13] * t275).add_product(m.factors[6], t276).add_product(m.factors[23],
+        t272).add_product(m.factors[29], t271);
+    let t278 = (-(m.factors[5] * t276).add_product(t23, t277)).add_product(m.t95, t275)
+        .add_product(t24, t272).add_product(m.t101, t271);
+    let t279 = (m.factors[44] * t277).sub_product(m.factors[43], t278).add_product(t22, t272)
+        .sub_product(m.factors[46], t271);
+    let t280 = (-(m.factors[48] * t278).add_product(m.factors[47], t279))
+        .add_product(m.factors[49], t277).sub_product(m.factors[50], t272).add_product(t21, t271);
+    let t281 = (m.factors[53] * t279).add_product(m.factors[52], t280);
+    let t282 = (t20 * t280).sub_product(t19, t281).add_product(t19, t279);
+    let bobbin_v_y_dot_by_rod_phi = R::literal(-1.428_571_428_571_428_6) * t271;
+    let bobbin_v_x_dot_by_rod_phi = R::literal(-1.428_571_428_571_428_6) * t272;
+    let rod_omega_dot_by_rod_phi = t266.sub_product(R::literal(4_166.666_666_666_667), t276)
+        .add_product(t18, t274).sub_product(m.factors[58], t273);
+    let rod_v_y_dot_by_rod_phi = (R::literal(-5.0) * t273).sub_product(m.factors[11], t275);
+    let rod_v_x_dot_by_rod_phi = (R::literal(-5.0) * t274).add_product(t17, t275);
+    let cylinder_omega_dot_by_rod_phi = (-(t15 * t277).add_product(m.factors[1], t278)
+        .add_product(R::literal(-2_777.777_777_777_778), t276)).add_product(t16, t275);
+    let cylinder_v_y_dot_by_rod_phi = (t14 * t275).add_product(R::literal(3.333_333_333_333_333_5),
+        t277);
+    let cylinder_v_x_dot_by_rod_phi = (-(m.factors[7] * t275))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t278);
+    let plate_omega_dot_by_rod_phi = (t12 * t279).sub_product(m.factors[60], t280)
+        .sub_product(m.factors[60], t278).sub_product(t12, t277).add_product(t13, t272)
+        .sub_product(m.factors[63], t271);
+    let plate_v_y_dot_by_rod_phi = (R::literal(-0.833_333_333_333_333_4) * t277)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t279)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t271);
+    let plate_v_x_dot_by_rod_phi = (R::literal(0.833_333_333_333_333_4) * t278)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t280)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t272);
+    let post_omega_dot_by_rod_phi = (-(t11 * t281).add_product(m.factors[66], t282)
+        .add_product(m.factors[66], t280)).add_product(t11, t279);
+    let post_v_y_dot_by_rod_phi = (R::literal(1.25) * t279).add_product(R::literal(1.25), t281);
+    let post_v_x_dot_by_rod_phi = (R::literal(1.25) * t280).add_product(R::literal(-1.25), t282);
+    let t283 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), t83 * m.t9 / t82 + contact_stiffness_times_contact_gap
+        * m.t9 / t82 - contact_damping_times_bobbin_v_x * t8 / t79 - t80 - p.contact_stiffness
+        * m.t9 / t79 - t81);
+    let t284 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), t84 - contact_damping_times_bobbin_v_x * t9 / t79
+        - (t86 - t85));
+    let t285 = (-t284).add_product(m.factors[34], t283) * m.factors[35];
+    let t286 = (t283 * m.factors[36]).add_product(m.factors[34], t285);
+    let t287 = (-(m.factors[33] * t285)).add_product(m.factors[27], t286);
+    let t288 = (-(t29 * t286)).add_product(m.t144, t287).add_product(t30, t285);
+    let t289 = (m.t133 * t287).sub_product(m.factors[17], t288).add_product(m.factors[25], t286)
+        .sub_product(m.factors[31], t285);
+    let t290 = (-(m.factors[16] * t288)).add_product(t25, t289).add_product(t26, t287)
+        .sub_product(t27, t286).add_product(t28, t285);
+    let t291 = (-(m.factors[13] * t289).add_product(m.factors[6], t290)).add_product(m.factors[23],
+        t286).sub_product(m.factors[29], t285);
+    let t292 = (-(m.factors[5] * t290)).add_product(t23, t291).add_product(m.t95, t289)
+        .sub_product(t24, t286).add_product(m.t101, t285);
+    let t293 = (m.factors[44] * t291).add_product(m.factors[43], t292).add_product(t22, t286)
+        .add_product(m.factors[46], t285);
+    let t294 = (-(m.factors[48] * t292)).add_product(m.factors[47], t293)
+        .sub_product(m.factors[49], t291).add_product(m.factors[50], t286).add_product(t21, t285);
+    let t295 = (m.factors[53] * t293).sub_product(m.factors[52], t294);
+    let t296 = (t20 * t294).add_product(t19, t295).sub_product(t19, t293);
+    let bobbin_v_y_dot_by_bobbin_x = t284.sub_product(R::literal(1.428_571_428_571_428_6), t285);
+    let bobbin_v_x_dot_by_bobbin_x = t283.add_product(R::literal(1.428_571_428_571_428_6), t286);
+    let rod_omega_dot_by_bobbin_x = (t18 * t288).sub_product(R::literal(4_166.666_666_666_667),
+        t290).sub_product(m.factors[58], t287);
+    let rod_v_y_dot_by_bobbin_x = (R::literal(-5.0) * t287).sub_product(m.factors[11], t289);
+    let rod_v_x_dot_by_bobbin_x = (R::literal(-5.0) * t288).add_product(t17, t289);
+    let cylinder_omega_dot_by_bobbin_x = (t15 * t291).sub_product(m.factors[1], t292)
+        .sub_product(R::literal(-2_777.777_777_777_778), t290).add_product(t16, t289);
+    let cylinder_v_y_dot_by_bobbin_x = (t14 * t289)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t291);
+    let cylinder_v_x_dot_by_bobbin_x = (-(m.factors[7] * t289))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t292);
+    let plate_omega_dot_by_bobbin_x = (-(t12 * t293).add_product(m.factors[60], t294)
+        .add_product(m.factors[60], t292)).add_product(t12, t291).sub_product(t13, t286)
+        .sub_product(m.factors[63], t285);
+    let plate_v_y_dot_by_bobbin_x = (R::literal(0.833_333_333_333_333_4) * t291)
+        .add_product(R::literal(0.833_333_333_333_333_4), t293)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t285);
+    let plate_v_x_dot_by_bobbin_x = (-(R::literal(-0.833_333_333_333_333_4) * t292)
+        .add_product(R::literal(0.833_333_333_333_333_4), t294))
+        .add_product(R::literal(-0.833_333_333_333_333_4), t286);
+    let post_omega_dot_by_bobbin_x = (t11 * t295).sub_product(m.factors[66], t296)
+        .sub_product(m.factors[66], t294).sub_product(t11, t293);
+    let post_v_y_dot_by_bobbin_x = (R::literal(-1.25) * t293).sub_product(R::literal(1.25), t295);
+    let post_v_x_dot_by_bobbin_x = (R::literal(1.25) * t294).add_product(R::literal(-1.25), t296);
+    let t297 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), t84 + t85 - contact_damping_times_bobbin_v_y * t8 / t79
+        - t86);
+    let t298 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), t83 * m.t11 / t82 - contact_damping_times_bobbin_v_y * t9
+        / t79 - t81 - (t80 + p.contact_stiffness * m.t11 / t79
+        - contact_stiffness_times_contact_gap * m.t11 / t82));
+    let t299 = (-t298).add_product(m.factors[34], t297) * m.factors[35];
+    let t300 = (t297 * m.factors[36]).add_product(m.factors[34], t299);
+    let t301 = (-(m.factors[33] * t299)).add_product(m.factors[27], t300);
+    let t302 = (-(t29 * t300)).add_product(m.t144, t301).add_product(t30, t299);
+    let t303 = (m.t133 * t301).sub_product(m.factors[17], t302).add_product(m.factors[25], t300)
+        .sub_product(m.factors[31], t299);
+    let t304 = (-(m.factors[16] * t302)).add_product(t25, t303).add_product(t26, t301)
+        .sub_product(t27, t300).add_product(t28, t299);
+    let t305 = (-(m.factors[13] * t303).add_product(m.factors[6], t304)).add_product(m.factors[23],
+        t300).sub_product(m.factors[29], t299);
+    let t306 = (-(m.factors[5] * t304)).add_product(t23, t305).add_product(m.t95, t303)
+        .sub_product(t24, t300).add_product(m.t101, t299);
+    let t307 = (m.factors[44] * t305).add_product(m.factors[43], t306).add_product(t22, t300)
+        .add_product(m.factors[46], t299);
+    let t308 = (-(m.factors[48] * t306)).add_product(m.factors[47], t307)
+        .sub_product(m.factors[49], t305).add_product(m.factors[50], t300).add_product(t21, t299);
+    let t309 = (m.factors[53] * t307).sub_product(m.factors[52], t308);
+    let t310 = (t20 * t308).add_product(t19, t309).sub_product(t19, t307);
+    let bobbin_v_y_dot_by_bobbin_y = t298.sub_product(R::literal(1.428_571_428_571_428_6), t299);
+    let bobbin_v_x_dot_by_bobbin_y = t297.add_product(R::literal(1.428_571_428_571_428_6), t300);
+    let rod_omega_dot_by_bobbin_y = (t18 * t302).sub_product(R::literal(4_166.666_666_666_667),
+        t304).sub_product(m.factors[58], t301);
+    let rod_v_y_dot_by_bobbin_y = (R::literal(-5.0) * t301).sub_product(m.factors[11], t303);
+    let rod_v_x_dot_by_bobbin_y = (R::literal(-5.0) * t302).add_product(t17, t303);
+    let cylinder_omega_dot_by_bobbin_y = (t15 * t305).sub_product(m.factors[1], t306)
+        .sub_product(R::literal(-2_777.777_777_777_778), t304).add_product(t16, t303);
+    let cylinder_v_y_dot_by_bobbin_y = (t14 * t303)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t305);
+    let cylinder_v_x_dot_by_bobbin_y = (-(m.factors[7] * t303))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t306);
+    let plate_omega_dot_by_bobbin_y = (-(t12 * t307).add_product(m.factors[60], t308)
+        .add_product(m.factors[60], t306)).add_product(t12, t305).sub_product(t13, t300)
+        .sub_product(m.factors[63], t299);
+    let plate_v_y_dot_by_bobbin_y = (R::literal(0.833_333_333_333_333_4) * t305)
+        .add_product(R::literal(0.833_333_333_333_333_4), t307)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t299);
+    let plate_v_x_dot_by_bobbin_y = (-(R::literal(-0.833_333_333_333_333_4) * t306)
+        .add_product(R::literal(0.833_333_333_333_333_4), t308))
+        .add_product(R::literal(-0.833_333_333_333_333_4), t300);
+    let post_omega_dot_by_bobbin_y = (t11 * t309).sub_product(m.factors[66], t310)
+        .sub_product(m.factors[66], t308).sub_product(t11, t307);
+    let post_v_y_dot_by_bobbin_y = (R::literal(-1.25) * t307).sub_product(R::literal(1.25), t309);
+    let post_v_x_dot_by_bobbin_y = (R::literal(1.25) * t308).add_product(R::literal(-1.25), t310);
+    let t311 = (t88 * m.cos_post_phi).add_product(m.factors[66], t87);
+    let t312 = (-(t88 * m.sin_post_phi)).add_product(t11, t87).sub_product(t19, t311);
+    let t313 = t311.add_product(t20, t311).add_product(m.factors[52], t312);
+    let t314 = t312.sub_product(m.factors[53], t312).add_product(m.factors[47], t313);
+    let t315 = (m.factors[48] * t313).sub_product(m.factors[43], t314);
+    let t316 = (m.factors[49] * t313).sub_product(m.factors[44], t314).add_product(t23, t315);
+    let t317 = (m.factors[5] * t315).add_product(m.factors[6], t316);
+    let t318 = (m.t95 * t315).sub_product(m.factors[13], t316).sub_product(t25, t317);
+    let t319 = (m.factors[16] * t317).sub_product(m.factors[17], t318);
+    let t320 = (-(t26 * t317)).add_product(m.t133, t318).add_product(m.t144, t319);
+    let t321 = (m.factors[50] * t313).add_product(t22, t314).add_product(t24, t315)
+        .sub_product(m.factors[23], t316).sub_product(t27, t317).sub_product(m.factors[25], t318)
+        .add_product(t29, t319).sub_product(m.factors[27], t320);
+    let t322 = (-(t21 * t313).add_product(m.factors[46], t314)).add_product(m.t101, t315)
+        .sub_product(m.factors[29], t316).sub_product(t28, t317).sub_product(m.factors[31], t318)
+        .add_product(t30, t319).sub_product(m.factors[33], t320).sub_product(m.factors[34], t321)
+        * m.factors[35];
+    let t323 = (t321 * m.factors[36]).sub_product(m.factors[34], t322);
+    let t324 = (t320 * m.factors[37]).sub_product(m.factors[27], t323).sub_product(m.factors[33],
+        t322);
+    let t325 = (-(t319 * m.t141)).add_product(m.t144, t324).add_product(t29, t323).add_product(t30,
+        t322);
+    let t326 = (t318 * m.factors[39]).sub_product(m.factors[17], t325).add_product(m.t133, t324)
+        .sub_product(m.factors[25], t323).sub_product(m.factors[31], t322);
+    let t327 = (-(t317 * m.factors[40])).add_product(t25, t326).sub_product(m.factors[16], t325)
+        .add_product(t26, t324).add_product(t27, t323).add_product(t28, t322);
+    let t328 = (t316 * m.factors[41]).sub_product(m.factors[6], t327).sub_product(m.factors[13],
+        t326).sub_product(m.factors[23], t323).sub_product(m.factors[29], t322);
+    let t329 = (-(t315 * m.t87)).add_product(t23, t328).sub_product(m.factors[5], t327)
+        .add_product(m.t95, t326).add_product(t24, t323).add_product(m.t101, t322);
+    let t330 = (t314 * m.t72).sub_product(m.factors[43], t329).sub_product(m.factors[44], t328)
+        .add_product(t22, t323).sub_product(m.factors[46], t322);
+    let t331 = (-(t313 * m.t58).add_product(m.factors[47], t330).add_product(m.factors[48], t329)
+        .add_product(m.factors[49], t328).add_product(m.factors[50], t323)).add_product(t21, t322);
+    let t332 = (t312 * m.t50).sub_product(m.factors[52], t331).sub_product(m.factors[53], t330);
+    let t333 = (t311 * m.t40).add_product(t19, t332).add_product(t20, t331).add_product(t19, t330);
+    let bobbin_v_y_dot_by_post_omega = R::literal(-1.428_571_428_571_428_6) * t322;
+    let bobbin_v_x_dot_by_post_omega = R::literal(-1.428_571_428_571_428_6) * t323;
+    let rod_omega_dot_by_post_omega = (t18 * t325).sub_product(R::literal(4_166.666_666_666_667),
+        t327).sub_product(m.factors[58], t324);
+    let rod_v_y_dot_by_post_omega = (R::literal(-5.0) * t324).sub_product(m.factors[11], t326);
+    let rod_v_x_dot_by_post_omega = (R::literal(-5.0) * t325).add_product(t17, t326);
+    let cylinder_omega_dot_by_post_omega = (t15 * t328).sub_product(m.factors[1], t329)
+        .sub_product(R::literal(-2_777.777_777_777_778), t327).add_product(t16, t326);
+    let cylinder_v_y_dot_by_post_omega = (t14 * t326)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t328);
+    let cylinder_v_x_dot_by_post_omega = (-(m.factors[7] * t326))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t329);
+    let plate_omega_dot_by_post_omega = (t12 * t330).sub_product(m.factors[60], t331)
+        .sub_product(m.factors[60], t329).add_product(t12, t328).add_product(t13, t323)
+        .sub_product(m.factors[63], t322);
+    let plate_v_y_dot_by_post_omega = (R::literal(0.833_333_333_333_333_4) * t328)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t330)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t322);
+    let plate_v_x_dot_by_post_omega = (R::literal(0.833_333_333_333_333_4) * t329)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t331)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t323);
+    let post_omega_dot_by_post_omega = (t87 * R::literal(370.370_370_370_370_3))
+        .sub_product(m.factors[66], t333).add_product(t11, t332).sub_product(m.factors[66], t331)
+        .add_product(t11, t330);
+    let post_v_y_dot_by_post_omega = (R::literal(1.25) * t330).add_product(R::literal(-1.25), t332);
+    let post_v_x_dot_by_post_omega = (R::literal(1.25) * t331).add_product(R::literal(-1.25), t333);
+    let t334 = (-t91).add_product(m.factors[47], t90);
+    let t335 = (-t90).add_product(m.factors[48], t90).sub_product(m.factors[43], t334);
+    let t336 = (-t91).add_product(m.factors[49], t90).sub_product(m.factors[44], t334)
+        .add_product(t23, t335);
+    let t337 = (m.factors[5] * t335).add_product(m.factors[6], t336);
+    let t338 = (m.t95 * t335).sub_product(m.factors[13], t336).sub_product(t25, t337);
+    let t339 = (m.factors[16] * t337).sub_product(m.factors[17], t338);
+    let t340 = (-(t26 * t337)).add_product(m.t133, t338).add_product(m.t144, t339);
+    let t341 = (plate_omega * (R::literal(0.02) * m.cos_plate_phi).sub_product(R::literal(0.2),
+        m.sin_plate_phi)).add_product(m.factors[50], t90).add_product(t22, t334).add_product(t24,
+        t335).sub_product(m.factors[23], t336).sub_product(t27, t337).sub_product(m.factors[25],
+        t338).add_product(t29, t339).sub_product(m.factors[27], t340);
+    let t342 = (plate_omega * (R::literal(0.02) * m.sin_plate_phi).add_product(R::literal(0.2),
+        m.cos_plate_phi)).sub_product(t21, t90).sub_product(m.factors[46], t334)
+        .add_product(m.t101, t335).sub_product(m.factors[29], t336).sub_product(t28, t337)
+        .sub_product(m.factors[31], t338).add_product(t30, t339).sub_product(m.factors[33], t340)
+        .sub_product(m.factors[34], t341) * m.factors[35];
+    let t343 = (t341 * m.factors[36]).sub_product(m.factors[34], t342);
+    let t344 = (t340 * m.factors[37]).sub_product(m.factors[27], t343).sub_product(m.factors[33],
+        t342);
+    let t345 = (-(t339 * m.t141)).add_product(m.t144, t344).add_product(t29, t343).add_product(t30,
+        t342);
+    let t346 = (t338 * m.factors[39]).sub_product(m.factors[17], t345).add_product(m.t133, t344)
+        .sub_product(m.factors[25], t343).sub_product(m.factors[31], t342);
+    let t347 = (-(t337 * m.factors[40])).add_product(t25, t346).sub_product(m.factors[16], t345)
+        .add_product(t26, t344).add_product(t27, t343).add_product(t28, t342);
+    let t348 = (t336 * m.factors[41]).sub_product(m.factors[6], t347).sub_product(m.factors[13],
+        t346).sub_product(m.factors[23], t343).sub_product(m.factors[29], t342);
+    let t349 = (-(t335 * m.t87)).add_product(t23, t348).sub_product(m.factors[5], t347)
+        .add_product(m.t95, t346).add_product(t24, t343).add_product(m.t101, t342);
+    let t350 = (t334 * m.t72).sub_product(m.factors[43], t349).sub_product(m.factors[44], t348)
+        .add_product(t22, t343).sub_product(m.factors[46], t342);
+    let t351 = (-(t90 * m.t58).add_product(m.factors[47], t350).add_product(m.factors[48], t349)
+        .add_product(m.factors[49], t348).add_product(m.factors[50], t343)).add_product(t21, t342);
+    let t352 = (m.factors[53] * t350).add_product(m.factors[52], t351);
+    let t353 = (t20 * t351).sub_product(t19, t352).add_product(t19, t350);
+    let bobbin_v_y_dot_by_plate_omega = R::literal(-1.428_571_428_571_428_6) * t342;
+    let bobbin_v_x_dot_by_plate_omega = R::literal(-1.428_571_428_571_428_6) * t343;
+    let rod_omega_dot_by_plate_omega = (t18 * t345).sub_product(R::literal(4_166.666_666_666_667),
+        t347).sub_product(m.factors[58], t344);
+    let rod_v_y_dot_by_plate_omega = (R::literal(-5.0) * t344).sub_product(m.factors[11], t346);
+    let rod_v_x_dot_by_plate_omega = (R::literal(-5.0) * t345).add_product(t17, t346);
+    let cylinder_omega_dot_by_plate_omega = (t15 * t348).sub_product(m.factors[1], t349)
+        .sub_product(R::literal(-2_777.777_777_777_778), t347).add_product(t16, t346);
+    let cylinder_v_y_dot_by_plate_omega = (t14 * t346)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t348);
+    let cylinder_v_x_dot_by_plate_omega = (-(m.factors[7] * t346))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t349);
+    let plate_omega_dot_by_plate_omega = (t12 * t350).sub_product(m.factors[60], t351)
+        .sub_product(m.factors[60], t349).add_product(t12, t348).add_product(t13, t343)
+        .sub_product(m.factors[63], t342);
+    let plate_v_y_dot_by_plate_omega = (R::literal(0.833_333_333_333_333_4) * t348)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t350)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t342);
+    let plate_v_x_dot_by_plate_omega = (R::literal(0.833_333_333_333_333_4) * t349)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t351)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t343);
+    let post_omega_dot_by_plate_omega = (-(t11 * t352).add_product(m.factors[66], t353)
+        .add_product(m.factors[66], t351)).add_product(t11, t350);
+    let post_v_y_dot_by_plate_omega = (R::literal(1.25) * t350).add_product(R::literal(1.25), t352);
+    let post_v_x_dot_by_plate_omega = (R::literal(1.25) * t351).add_product(R::literal(-1.25),
+        t353);
+    let t354 = R::literal(3.333_333_333_333_333_5) * t92;
+    let t355 = m.factors[1] * t95;
+    let t356 = t354 - t355;
+    let t357 = R::literal(3.333_333_333_333_333_5) * t93;
+    let t358 = t357.add_product(t15, t95);
+    let t359 = t358.add_product(t23, t356);
+    let t360 = R::literal(-2_777.777_777_777_778) * t95;
+    let t361 = t360.add_product(m.factors[5], t356).add_product(m.factors[6], t359);
+    let t362 = m.factors[7] * t92;
+    let t363 = t14 * t93;
+    let t364 = t16 * t95;
+    let t365 = t17 * t92;
+    let t366 = m.factors[11] * t93;
+    let t367 = (t362 - t97 - t363 + t364 + t365 - t366).add_product(m.t95, t356)
+        .sub_product(m.factors[13], t359).sub_product(t25, t361);
+    let t368 = R::literal(5.0) * t92;
+    let t369 = (-t368).add_product(m.factors[16], t361).sub_product(m.factors[17], t367);
+    let t370 = R::literal(5.0) * t93;
+    let t371 = (-t370.add_product(t26, t361)).add_product(m.t133, t367).add_product(m.t144, t369);
+    let t372 = (t24 * t356).sub_product(m.factors[23], t359).sub_product(t27, t361)
+        .sub_product(m.factors[25], t367).add_product(t29, t369).sub_product(m.factors[27], t371);
+    let t373 = (m.t101 * t356).sub_product(m.factors[29], t359).sub_product(t28, t361)
+        .sub_product(m.factors[31], t367).add_product(t30, t369).sub_product(m.factors[33], t371)
+        .sub_product(m.factors[34], t372) * m.factors[35];
+    let t374 = (t372 * m.factors[36]).sub_product(m.factors[34], t373);
+    let t375 = (t371 * m.factors[37]).sub_product(m.factors[27], t374).sub_product(m.factors[33],
+        t373);
+    let t376 = (-(t369 * m.t141)).add_product(m.t144, t375).add_product(t29, t374).add_product(t30,
+        t373);
+    let t377 = (t367 * m.factors[39]).sub_product(m.factors[17], t376).add_product(m.t133, t375)
+        .sub_product(m.factors[25], t374).sub_product(m.factors[31], t373);
+    let t378 = (-(t361 * m.factors[40])).add_product(t25, t377).sub_product(m.factors[16], t376)
+        .add_product(t26, t375).add_product(t27, t374).add_product(t28, t373);
+    let t379 = (t359 * m.factors[41]).sub_product(m.factors[6], t378).sub_product(m.factors[13],
+        t377).sub_product(m.factors[23], t374).sub_product(m.factors[29], t373);
+    let t380 = (-(t356 * m.t87)).add_product(t23, t379).sub_product(m.factors[5], t378)
+        .add_product(m.t95, t377).add_product(t24, t374).add_product(m.t101, t373);
+    let t381 = (-(m.factors[44] * t379).add_product(m.factors[43], t380)).add_product(t22, t374)
+        .sub_product(m.factors[46], t373);
+    let t382 = (-(m.factors[48] * t380).add_product(m.factors[47], t381).add_product(m.factors[49],
+        t379).add_product(m.factors[50], t374)).add_product(t21, t373);
+    let t383 = (m.factors[53] * t381).add_product(m.factors[52], t382);
+    let t384 = (t20 * t382).sub_product(t19, t383).add_product(t19, t381);
+    let bobbin_v_y_dot_by_cylinder_v_x = R::literal(-1.428_571_428_571_428_6) * t373;
+    let bobbin_v_x_dot_by_cylinder_v_x = R::literal(-1.428_571_428_571_428_6) * t374;
+    let rod_omega_dot_by_cylinder_v_x = (t18 * t376).sub_product(R::literal(4_166.666_666_666_667),
+        t378).sub_product(m.factors[58], t375);
+    let rod_v_y_dot_by_cylinder_v_x = t370.sub_product(m.factors[11], t377)
+        .sub_product(R::literal(5.0), t375);
+    let rod_v_x_dot_by_cylinder_v_x = t368.add_product(t17, t377).sub_product(R::literal(5.0),
+        t376);
+    let t385 = t95 * R::literal(2_777.777_777_777_778);
+    let cylinder_omega_dot_by_cylinder_v_x = t385.sub_product(m.factors[1], t380).add_product(t15,
+        t379).sub_product(R::literal(-2_777.777_777_777_778), t378).add_product(t16, t377);
+    let cylinder_v_y_dot_by_cylinder_v_x = (-t357.add_product(R::literal(3.333_333_333_333_333_5),
+        t379)).add_product(t14, t377);
+    let cylinder_v_x_dot_by_cylinder_v_x = (-t354)
+        .add_product(R::literal(-3.333_333_333_333_333_5), t380).sub_product(m.factors[7], t377);
+    let plate_omega_dot_by_cylinder_v_x = (t12 * t381).sub_product(m.factors[60], t382)
+        .sub_product(m.factors[60], t380).add_product(t12, t379).add_product(t13, t374)
+        .sub_product(m.factors[63], t373);
+    let plate_v_y_dot_by_cylinder_v_x = (R::literal(0.833_333_333_333_333_4) * t379)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t381)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t373);
+    let plate_v_x_dot_by_cylinder_v_x = (R::literal(0.833_333_333_333_333_4) * t380)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t382)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t374);
+    let post_omega_dot_by_cylinder_v_x = (-(t11 * t383).add_product(m.factors[66], t384)
+        .add_product(m.factors[66], t382)).add_product(t11, t381);
+    let post_v_y_dot_by_cylinder_v_x = (R::literal(1.25) * t381).add_product(R::literal(1.25),
+        t383);
+    let post_v_x_dot_by_cylinder_v_x = (R::literal(1.25) * t382).add_product(R::literal(-1.25),
+        t384);
+    let t386 = m.factors[1] * t99;
+    let t387 = t357 - t386;
+    let t388 = R::literal(3.333_333_333_333_333_5) * t98;
+    let t389 = t388.add_product(t15, t99);
+    let t390 = t389.add_product(t23, t387);
+    let t391 = R::literal(-2_777.777_777_777_778) * t99;
+    let t392 = t391.add_product(m.factors[5], t387).add_product(m.factors[6], t390);
+    let t393 = m.factors[7] * t93;
+    let t394 = t14 * t98;
+    let t395 = t16 * t99;
+    let t396 = t17 * t93;
+    let t397 = m.factors[11] * t98;
+    let t398 = (t393 - t100 - t394 + t395 + t396 - t397).add_product(m.t95, t387)
+        .sub_product(m.factors[13], t390).sub_product(t25, t392);
+    let t399 = (-t370).add_product(m.factors[16], t392).sub_product(m.factors[17], t398);
+    let t400 = R::literal(5.0) * t98;
+    let t401 = (-t400.add_product(t26, t392)).add_product(m.t133, t398).add_product(m.t144, t399);
+    let t402 = (t24 * t387).sub_product(m.factors[23], t390).sub_product(t27, t392)
+        .sub_product(m.factors[25], t398).add_product(t29, t399).sub_product(m.factors[27], t401);
+    let t403 = (m.t101 * t387).sub_product(m.factors[29], t390).sub_product(t28, t392)
+        .sub_product(m.factors[31], t398).add_product(t30, t399).sub_product(m.factors[33], t401)
+        .sub_product(m.factors[34], t402) * m.factors[35];
+    let t404 = (t402 * m.factors[36]).sub_product(m.factors[34], t403);
+    let t405 = (t401 * m.factors[37]).sub_product(m.factors[27], t404).sub_product(m.factors[33],
+        t403);
+    let t406 = (-(t399 * m.t141)).add_product(m.t144, t405).add_product(t29, t404).add_product(t30,
+        t403);
+    let t407 = (t398 * m.factors[39]).sub_product(m.factors[17], t406).add_product(m.t133, t405)
+        .sub_product(m.factors[25], t404).sub_product(m.factors[31], t403);
+    let t408 = (-(t392 * m.factors[40])).add_product(t25, t407).sub_product(m.factors[16], t406)
+        .add_product(t26, t405).add_product(t27, t404).add_product(t28, t403);
+    let t409 = (t390 * m.factors[41]).sub_product(m.factors[6], t408).sub_product(m.factors[13],
+        t407).sub_product(m.factors[23], t404).sub_product(m.factors[29], t403);
+    let t410 = (-(t387 * m.t87)).add_product(t23, t409).sub_product(m.factors[5], t408)
+        .add_product(m.t95, t407).add_product(t24, t404).add_product(m.t101, t403);
+    let t411 = (-(m.factors[44] * t409).add_product(m.factors[43], t410)).add_product(t22, t404)
+        .sub_product(m.factors[46], t403);
+    let t412 = (-(m.factors[48] * t410).add_product(m.factors[47], t411).add_product(m.factors[49],
+        t409).add_product(m.factors[50], t404)).add_product(t21, t403);
+    let t413 = (m.factors[53] * t411).add_product(m.factors[52], t412);
+    let t414 = (t20 * t412).sub_product(t19, t413).add_product(t19, t411);
+    let bobbin_v_y_dot_by_cylinder_v_y = R::literal(-1.428_571_428_571_428_6) * t403;
+    let bobbin_v_x_dot_by_cylinder_v_y = R::literal(-1.428_571_428_571_428_6) * t404;
+    let rod_omega_dot_by_cylinder_v_y = (t18 * t406).sub_product(R::literal(4_166.666_666_666_667),
+        t408).sub_product(m.factors[58], t405);
+    let rod_v_y_dot_by_cylinder_v_y = t400.sub_product(m.factors[11], t407)
+        .sub_product(R::literal(5.0), t405);
+    let rod_v_x_dot_by_cylinder_v_y = t370.add_product(t17, t407).sub_product(R::literal(5.0),
+        t406);
+    let t415 = t99 * R::literal(2_777.777_777_777_778);
+    let cylinder_omega_dot_by_cylinder_v_y = t415.sub_product(m.factors[1], t410).add_product(t15,
+        t409).sub_product(R::literal(-2_777.777_777_777_778), t408).add_product(t16, t407);
+    let cylinder_v_y_dot_by_cylinder_v_y = (-t388.add_product(R::literal(3.333_333_333_333_333_5),
+        t409)).add_product(t14, t407);
+    let cylinder_v_x_dot_by_cylinder_v_y = (-t357)
+        .add_product(R::literal(-3.333_333_333_333_333_5), t410).sub_product(m.factors[7], t407);
+    let plate_omega_dot_by_cylinder_v_y = (t12 * t411).sub_product(m.factors[60], t412)
+        .sub_product(m.factors[60], t410).add_product(t12, t409).add_product(t13, t404)
+        .sub_product(m.factors[63], t403);
+    let plate_v_y_dot_by_cylinder_v_y = (R::literal(0.833_333_333_333_333_4) * t409)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t411)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t403);
+    let plate_v_x_dot_by_cylinder_v_y = (R::literal(0.833_333_333_333_333_4) * t410)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t412)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t404);
+    let post_omega_dot_by_cylinder_v_y = (-(t11 * t413).add_product(m.factors[66], t414)
+        .add_product(m.factors[66], t412)).add_product(t11, t411);
+    let post_v_y_dot_by_cylinder_v_y = (R::literal(1.25) * t411).add_product(R::literal(1.25),
+        t413);
+    let post_v_x_dot_by_cylinder_v_y = (R::literal(1.25) * t412).add_product(R::literal(-1.25),
+        t414);
+    let t416 = R::literal(3.333_333_333_333_333_5) * t95;
+    let t417 = (-t416.add_product(t102, m.cos_cylinder_phi)).add_product(m.factors[1], t101);
+    let t418 = R::literal(3.333_333_333_333_333_5) * t99;
+    let t419 = (-t418.add_product(t102, m.sin_cylinder_phi).add_product(t15, t101))
+        .add_product(t23, t417);
+    let t420 = (R::literal(-2_777.777_777_777_778) * t101).sub_product(m.factors[5], t417)
+        .sub_product(m.factors[6], t419);
+    let t421 = (-(m.factors[7] * t95)).add_product(R::literal(2.0),
+        (cylinder_x_times_cylinder_omega * m.sin_cylinder_phi)
         .add_product(rod_y_times_cylinder_omega, m.cos_cylinder_phi).add_product(rod_v_x,
         m.cos_cylinder_phi).add_product(rod_v_y, m.sin_cylinder_phi)
         .sub_product(cylinder_y_times_cylinder_omega, m.cos_cylinder_phi)
         .sub_product(rod_x_times_cylinder_omega, m.sin_cylinder_phi).sub_product(cylinder_v_x,
-        m.cos_cylinder_phi).sub_product(cylinder_v_y, m.sin_cylinder_phi);
-    x[6][15] = t67;
-    x[7][15] = t69;
-    x[8][15] = t79;
-    x[9][15] = t68;
-    x[10][15] = t70;
-    x[21][15] = t74;
-    x[6][16] = t69;
-    x[7][16] = t75;
-    x[8][16] = t80;
-    x[9][16] = t70;
-    x[10][16] = t76;
-    x[21][16] = t78;
-    x[22][17] = t82 * m.cos_rod_phi;
-    x[23][17] = t82 * m.sin_rod_phi;
-    x[12][18] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
-        -(p.contact_damping * m.t9 / t53));
-    x[13][18] = t83;
-    x[12][19] = t83;
-    x[13][19] = R::select_less(contact_closed, R::literal(0.5), R::literal(0.0),
-        -(p.contact_damping * m.t11 / t53));
-    substitute(RATE_JACOBIAN_STEPS.iter().copied(), &m.factors, &mut x);
+        m.cos_cylinder_phi).sub_product(cylinder_v_y, m.sin_cylinder_phi)).add_product(t14, t99)
+        .sub_product(t16, t101).sub_product(t17, t95).add_product(m.factors[11], t99)
+        .add_product(m.t95, t417).sub_product(m.factors[13], t419).add_product(t25, t420);
+    let t422 = R::literal(5.0) * t95;
+    let t423 = t422.sub_product(m.factors[16], t420).sub_product(m.factors[17], t421);
+    let t424 = R::literal(5.0) * t99;
+    let t425 = t424.add_product(t26, t420).add_product(m.t133, t421).add_product(m.t144, t423);
+    let t426 = (t24 * t417).sub_product(m.factors[23], t419).add_product(t27, t420)
+        .sub_product(m.factors[25], t421).add_product(t29, t423).sub_product(m.factors[27], t425);
+    let t427 = (m.t101 * t417).sub_product(m.factors[29], t419).add_product(t28, t420)
+        .sub_product(m.factors[31], t421).add_product(t30, t423).sub_product(m.factors[33], t425)
+        .sub_product(m.factors[34], t426) * m.factors[35];
+    let t428 = (t426 * m.factors[36]).sub_product(m.factors[34], t427);
+    let t429 = (t425 * m.factors[37]).sub_product(m.factors[27], t428).sub_product(m.factors[33],
+        t427);
+    let t430 = (-(t423 * m.t141)).add_product(m.t144, t429).add_product(t29, t428).add_product(t30,
+        t427);
+    let t431 = (t421 * m.factors[39]).sub_product(m.factors[17], t430).add_product(m.t133, t429)
+        .sub_product(m.factors[25], t428).sub_product(m.factors[31], t427);
+    let t432 = (t420 * m.factors[40]).add_product(t25, t431).sub_product(m.factors[16], t430)
+        .add_product(t26, t429).add_product(t27, t428).add_product(t28, t427);
+    let t433 = (t419 * m.factors[41]).sub_product(m.factors[6], t432).sub_product(m.factors[13],
+        t431).sub_product(m.factors[23], t428).sub_product(m.factors[29], t427);
+    let t434 = (-(t417 * m.t87)).add_product(t23, t433).sub_product(m.factors[5], t432)
+        .add_product(m.t95, t431).add_product(t24, t428).add_product(m.t101, t427);
+    let t435 = (-(m.factors[44] * t433).add_product(m.factors[43], t434)).add_product(t22, t428)
+        .sub_product(m.factors[46], t427);
+    let t436 = (-(m.factors[48] * t434).add_product(m.factors[47], t435).add_product(m.factors[49],
+        t433).add_product(m.factors[50], t428)).add_product(t21, t427);
+    let t437 = (m.factors[53] * t435).add_product(m.factors[52], t436);
+    let t438 = (t20 * t436).sub_product(t19, t437).add_product(t19, t435);
+    let bobbin_v_y_dot_by_cylinder_omega = R::literal(-1.428_571_428_571_428_6) * t427;
+    let bobbin_v_x_dot_by_cylinder_omega = R::literal(-1.428_571_428_571_428_6) * t428;
+    let rod_omega_dot_by_cylinder_omega = (t18 * t430)
+        .sub_product(R::literal(4_166.666_666_666_667), t432).sub_product(m.factors[58], t429);
+    let rod_v_y_dot_by_cylinder_omega = (-t424.add_product(m.factors[11], t431))
+        .add_product(R::literal(-5.0), t429);
+    let rod_v_x_dot_by_cylinder_omega = (-t422).add_product(t17, t431).sub_product(R::literal(5.0),
+        t430);
+    let cylinder_omega_dot_by_cylinder_omega = (-(t101 * R::literal(2_777.777_777_777_778))
+        .add_product(m.factors[1], t434)).add_product(t15, t433)
+        .sub_product(R::literal(-2_777.777_777_777_778), t432).add_product(t16, t431);
+    let cylinder_v_y_dot_by_cylinder_omega = t418.sub_product(R::literal(3.333_333_333_333_333_5),
+        t433).add_product(t14, t431);
+    let cylinder_v_x_dot_by_cylinder_omega = t416.sub_product(R::literal(3.333_333_333_333_333_5),
+        t434).sub_product(m.factors[7], t431);
+    let plate_omega_dot_by_cylinder_omega = (t12 * t435).sub_product(m.factors[60], t436)
+        .sub_product(m.factors[60], t434).add_product(t12, t433).add_product(t13, t428)
+        .sub_product(m.factors[63], t427);
+    let plate_v_y_dot_by_cylinder_omega = (R::literal(0.833_333_333_333_333_4) * t433)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t435)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t427);
+    let plate_v_x_dot_by_cylinder_omega = (R::literal(0.833_333_333_333_333_4) * t434)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t436)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t428);
+    let post_omega_dot_by_cylinder_omega = (-(t11 * t437).add_product(m.factors[66], t438)
+        .add_product(m.factors[66], t436)).add_product(t11, t435);
+    let post_v_y_dot_by_cylinder_omega = (R::literal(1.25) * t435).add_product(R::literal(1.25),
+        t437);
+    let post_v_x_dot_by_cylinder_omega = (R::literal(1.25) * t436).add_product(R::literal(-1.25),
+        t438);
+    let t439 = t355 - t354;
+    let t440 = (-t358).add_product(t23, t439);
+    let t441 = t360.sub_product(m.factors[5], t439).sub_product(m.factors[6], t440);
+    let t442 = (t97 - t362 + t363 - t364 - t365 + t366).add_product(m.t95, t439)
+        .sub_product(m.factors[13], t440).add_product(t25, t441);
+    let t443 = t368.sub_product(m.factors[16], t441).sub_product(m.factors[17], t442);
+    let t444 = t370.add_product(t26, t441).add_product(m.t133, t442).add_product(m.t144, t443);
+    let t445 = (t24 * t439).sub_product(m.factors[23], t440).add_product(t27, t441)
+        .sub_product(m.factors[25], t442).add_product(t29, t443).sub_product(m.factors[27], t444);
+    let t446 = (m.t101 * t439).sub_product(m.factors[29], t440).add_product(t28, t441)
+        .sub_product(m.factors[31], t442).add_product(t30, t443).sub_product(m.factors[33], t444)
+        .sub_product(m.factors[34], t445) * m.factors[35];
+    let t447 = (t445 * m.factors[36]).sub_product(m.factors[34], t446);
+    let t448 = (t444 * m.factors[37]).sub_product(m.factors[27], t447).sub_product(m.factors[33],
+        t446);
+    let t449 = (-(t443 * m.t141)).add_product(m.t144, t448).add_product(t29, t447).add_product(t30,
+        t446);
+    let t450 = (t442 * m.factors[39]).sub_product(m.factors[17], t449).add_product(m.t133, t448)
+        .sub_product(m.factors[25], t447).sub_product(m.factors[31], t446);
+    let t451 = (t441 * m.factors[40]).add_product(t25, t450).sub_product(m.factors[16], t449)
+        .add_product(t26, t448).add_product(t27, t447).add_product(t28, t446);
+    let t452 = (t440 * m.factors[41]).sub_product(m.factors[6], t451).sub_product(m.factors[13],
+        t450).sub_product(m.factors[23], t447).sub_product(m.factors[29], t446);
+    let t453 = (-(t439 * m.t87)).add_product(t23, t452).sub_product(m.factors[5], t451)
+        .add_product(m.t95, t450).add_product(t24, t447).add_product(m.t101, t446);
+    let t454 = (-(m.factors[44] * t452).add_product(m.factors[43], t453)).add_product(t22, t447)
+        .sub_product(m.factors[46], t446);
+    let t455 = (-(m.factors[48] * t453).add_product(m.factors[47], t454).add_product(m.factors[49],
+        t452).add_product(m.factors[50], t447)).add_product(t21, t446);
+    let t456 = (m.factors[53] * t454).add_product(m.factors[52], t455);
+    let t457 = (t20 * t455).sub_product(t19, t456).add_product(t19, t454);
+    let bobbin_v_y_dot_by_rod_v_x = R::literal(-1.428_571_428_571_428_6) * t446;
+    let bobbin_v_x_dot_by_rod_v_x = R::literal(-1.428_571_428_571_428_6) * t447;
+    let rod_omega_dot_by_rod_v_x = (t18 * t449).sub_product(R::literal(4_166.666_666_666_667), t451)
+        .sub_product(m.factors[58], t448);
+    let rod_v_y_dot_by_rod_v_x = (-t370.add_product(m.factors[11], t450))
+        .add_product(R::literal(-5.0), t448);
+    let rod_v_x_dot_by_rod_v_x = (-t368).add_product(t17, t450).sub_product(R::literal(5.0), t449);
+    let cylinder_omega_dot_by_rod_v_x = (-t385.add_product(m.factors[1], t453)).add_product(t15,
+        t452).sub_product(R::literal(-2_777.777_777_777_778), t451).add_product(t16, t450);
+    let cylinder_v_y_dot_by_rod_v_x = t357.sub_product(R::literal(3.333_333_333_333_333_5), t452)
+        .add_product(t14, t450);
+    let cylinder_v_x_dot_by_rod_v_x = t354.sub_product(R::literal(3.333_333_333_333_333_5), t453)
+        .sub_product(m.factors[7], t450);
+    let plate_omega_dot_by_rod_v_x = (t12 * t454).sub_product(m.factors[60], t455)
+        .sub_product(m.factors[60], t453).add_product(t12, t452).add_product(t13, t447)
+        .sub_product(m.factors[63], t446);
+    let plate_v_y_dot_by_rod_v_x = (R::literal(0.833_333_333_333_333_4) * t452)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t454)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t446);
+    let plate_v_x_dot_by_rod_v_x = (R::literal(0.833_333_333_333_333_4) * t453)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t455)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t447);
+    let post_omega_dot_by_rod_v_x = (-(t11 * t456).add_product(m.factors[66], t457)
+        .add_product(m.factors[66], t455)).add_product(t11, t454);
+    let post_v_y_dot_by_rod_v_x = (R::literal(1.25) * t454).add_product(R::literal(1.25), t456);
+    let post_v_x_dot_by_rod_v_x = (R::literal(1.25) * t455).add_product(R::literal(-1.25), t457);
+    let t458 = t386 - t357;
+    let t459 = (-t389).add_product(t23, t458);
+    let t460 = t391.sub_product(m.factors[5], t458).sub_product(m.factors[6], t459);
+    let t461 = (t100 - t393 + t394 - t395 - t396 + t397).add_product(m.t95, t458)
+        .sub_product(m.factors[13], t459).add_product(t25, t460);
+    let t462 = t370.sub_product(m.factors[16], t460).sub_product(m.factors[17], t461);
+    let t463 = t400.add_product(t26, t460).add_product(m.t133, t461).add_product(m.t144, t462);
+    let t464 = (t24 * t458).sub_product(m.factors[23], t459).add_product(t27, t460)
+        .sub_product(m.factors[25], t461).add_product(t29, t462).sub_product(m.factors[27], t463);
+    let t465 = (m.t101 * t458).sub_product(m.factors[29], t459).add_product(t28, t460)
+        .sub_product(m.factors[31], t461).add_product(t30, t462).sub_product(m.factors[33], t463)
+        .sub_product(m.factors[34], t464) * m.factors[35];
+    let t466 = (t464 * m.factors[36]).sub_product(m.factors[34], t465);
+    let t467 = (t463 * m.factors[37]).sub_product(m.factors[27], t466).sub_product(m.factors[33],
+        t465);
+    let t468 = (-(t462 * m.t141)).add_product(m.t144, t467).add_product(t29, t466).add_product(t30,
+        t465);
+    let t469 = (t461 * m.factors[39]).sub_product(m.factors[17], t468).add_product(m.t133, t467)
+        .sub_product(m.factors[25], t466).sub_product(m.factors[31], t465);
+    let t470 = (t460 * m.factors[40]).add_product(t25, t469).sub_product(m.factors[16], t468)
+        .add_product(t26, t467).add_product(t27, t466).add_product(t28, t465);
+    let t471 = (t459 * m.factors[41]).sub_product(m.factors[6], t470).sub_product(m.factors[13],
+        t469).sub_product(m.factors[23], t466).sub_product(m.factors[29], t465);
+    let t472 = (-(t458 * m.t87)).add_product(t23, t471).sub_product(m.factors[5], t470)
+        .add_product(m.t95, t469).add_product(t24, t466).add_product(m.t101, t465);
+    let t473 = (-(m.factors[44] * t471).add_product(m.factors[43], t472)).add_product(t22, t466)
+        .sub_product(m.factors[46], t465);
+    let t474 = (-(m.factors[48] * t472).add_product(m.factors[47], t473).add_product(m.factors[49],
+        t471).add_product(m.factors[50], t466)).add_product(t21, t465);
+    let t475 = (m.factors[53] * t473).add_product(m.factors[52], t474);
+    let t476 = (t20 * t474).sub_product(t19, t475).add_product(t19, t473);
+    let bobbin_v_y_dot_by_rod_v_y = R::literal(-1.428_571_428_571_428_6) * t465;
+    let bobbin_v_x_dot_by_rod_v_y = R::literal(-1.428_571_428_571_428_6) * t466;
+    let rod_omega_dot_by_rod_v_y = (t18 * t468).sub_product(R::literal(4_166.666_666_666_667), t470)
+        .sub_product(m.factors[58], t467);
+    let rod_v_y_dot_by_rod_v_y = (-t400.add_product(m.factors[11], t469))
+        .add_product(R::literal(-5.0), t467);
+    let rod_v_x_dot_by_rod_v_y = (-t370).add_product(t17, t469).sub_product(R::literal(5.0), t468);
+    let cylinder_omega_dot_by_rod_v_y = (-t415.add_product(m.factors[1], t472)).add_product(t15,
+        t471).sub_product(R::literal(-2_777.777_777_777_778), t470).add_product(t16, t469);
+    let cylinder_v_y_dot_by_rod_v_y = t388.sub_product(R::literal(3.333_333_333_333_333_5), t471)
+        .add_product(t14, t469);
+    let cylinder_v_x_dot_by_rod_v_y = t357.sub_product(R::literal(3.333_333_333_333_333_5), t472)
+        .sub_product(m.factors[7], t469);
+    let plate_omega_dot_by_rod_v_y = (t12 * t473).sub_product(m.factors[60], t474)
+        .sub_product(m.factors[60], t472).add_product(t12, t471).add_product(t13, t466)
+        .sub_product(m.factors[63], t465);
+    let plate_v_y_dot_by_rod_v_y = (R::literal(0.833_333_333_333_333_4) * t471)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t473)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t465);
+    let plate_v_x_dot_by_rod_v_y = (R::literal(0.833_333_333_333_333_4) * t472)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t474)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t466);
+    let post_omega_dot_by_rod_v_y = (-(t11 * t475).add_product(m.factors[66], t476)
+        .add_product(m.factors[66], t474)).add_product(t11, t473);
+    let post_v_y_dot_by_rod_v_y = (R::literal(1.25) * t473).add_product(R::literal(1.25), t475);
+    let post_v_x_dot_by_rod_v_y = (R::literal(1.25) * t474).add_product(R::literal(-1.25), t476);
+    let t477 = (t103 * m.sin_rod_phi).add_product(m.t144, t104);
+    let t478 = (t29 * t104).sub_product(m.factors[27], t477);
+    let t479 = (t30 * t104).sub_product(m.factors[33], t477).sub_product(m.factors[34], t478)
+        * m.factors[35];
+    let t480 = (t478 * m.factors[36]).sub_product(m.factors[34], t479);
+    let t481 = (t477 * m.factors[37]).sub_product(m.factors[27], t480).sub_product(m.factors[33],
+        t479);
+    let t482 = (-(t104 * m.t141)).add_product(m.t144, t481).add_product(t29, t480).add_product(t30,
+        t479);
+    let t483 = (m.t133 * t481).sub_product(m.factors[17], t482).sub_product(m.factors[25], t480)
+        .sub_product(m.factors[31], t479);
+    let t484 = (-(m.factors[16] * t482)).add_product(t25, t483).add_product(t26, t481)
+        .add_product(t27, t480).add_product(t28, t479);
+    let t485 = (m.factors[13] * t483).add_product(m.factors[6], t484).add_product(m.factors[23],
+        t480).add_product(m.factors[29], t479);
+    let t486 = (-(m.factors[5] * t484).add_product(t23, t485)).add_product(m.t95, t483)
+        .add_product(t24, t480).add_product(m.t101, t479);
+    let t487 = (m.factors[44] * t485).sub_product(m.factors[43], t486).add_product(t22, t480)
+        .sub_product(m.factors[46], t479);
+    let t488 = (-(m.factors[48] * t486).add_product(m.factors[47], t487))
+        .add_product(m.factors[49], t485).sub_product(m.factors[50], t480).add_product(t21, t479);
+    let t489 = (m.factors[53] * t487).add_product(m.factors[52], t488);
+    let t490 = (t20 * t488).sub_product(t19, t489).add_product(t19, t487);
+    let bobbin_v_y_dot_by_rod_omega = R::literal(-1.428_571_428_571_428_6) * t479;
+    let bobbin_v_x_dot_by_rod_omega = R::literal(-1.428_571_428_571_428_6) * t480;
+    let rod_omega_dot_by_rod_omega = (t18 * t482).sub_product(R::literal(4_166.666_666_666_667),
+        t484).sub_product(m.factors[58], t481);
+    let rod_v_y_dot_by_rod_omega = (R::literal(-5.0) * t481).sub_product(m.factors[11], t483);
+    let rod_v_x_dot_by_rod_omega = (R::literal(-5.0) * t482).add_product(t17, t483);
+    let cylinder_omega_dot_by_rod_omega = (-(t15 * t485).add_product(m.factors[1], t486)
+        .add_product(R::literal(-2_777.777_777_777_778), t484)).add_product(t16, t483);
+    let cylinder_v_y_dot_by_rod_omega = (t14 * t483)
+        .add_product(R::literal(3.333_333_333_333_333_5), t485);
+    let cylinder_v_x_dot_by_rod_omega = (-(m.factors[7] * t483))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t486);
+    let plate_omega_dot_by_rod_omega = (t12 * t487).sub_product(m.factors[60], t488)
+        .sub_product(m.factors[60], t486).sub_product(t12, t485).add_product(t13, t480)
+        .sub_product(m.factors[63], t479);
+    let plate_v_y_dot_by_rod_omega = (R::literal(-0.833_333_333_333_333_4) * t485)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t487)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t479);
+    let plate_v_x_dot_by_rod_omega = (R::literal(0.833_333_333_333_333_4) * t486)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t488)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t480);
+    let post_omega_dot_by_rod_omega = (-(t11 * t489).add_product(m.factors[66], t490)
+        .add_product(m.factors[66], t488)).add_product(t11, t487);
+    let post_v_y_dot_by_rod_omega = (R::literal(1.25) * t487).add_product(R::literal(1.25), t489);
+    let post_v_x_dot_by_rod_omega = (R::literal(1.25) * t488).add_product(R::literal(-1.25), t490);
+    let t491 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), -(p.contact_damping * m.t9 / t79));
+    let t492 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), -(p.contact_damping * t8 * t9 / t79));
+    let t493 = (-t492).add_product(m.factors[34], t491) * m.factors[35];
+    let t494 = (t491 * m.factors[36]).add_product(m.factors[34], t493);
+    let t495 = (-(m.factors[33] * t493)).add_product(m.factors[27], t494);
+    let t496 = (-(t29 * t494)).add_product(m.t144, t495).add_product(t30, t493);
+    let t497 = (m.t133 * t495).sub_product(m.factors[17], t496).add_product(m.factors[25], t494)
+        .sub_product(m.factors[31], t493);
+    let t498 = (-(m.factors[16] * t496)).add_product(t25, t497).add_product(t26, t495)
+        .sub_product(t27, t494).add_product(t28, t493);
+    let t499 = (-(m.factors[13] * t497).add_product(m.factors[6], t498)).add_product(m.factors[23],
+        t494).sub_product(m.factors[29], t493);
+    let t500 = (-(m.factors[5] * t498)).add_product(t23, t499).add_product(m.t95, t497)
+        .sub_product(t24, t494).add_product(m.t101, t493);
+    let t501 = (m.factors[44] * t499).add_product(m.factors[43], t500).add_product(t22, t494)
+        .add_product(m.factors[46], t493);
+    let t502 = (-(m.factors[48] * t500)).add_product(m.factors[47], t501)
+        .sub_product(m.factors[49], t499).add_product(m.factors[50], t494).add_product(t21, t493);
+    let t503 = (m.factors[53] * t501).sub_product(m.factors[52], t502);
+    let t504 = (t20 * t502).add_product(t19, t503).sub_product(t19, t501);
+    let bobbin_v_y_dot_by_bobbin_v_x = t492.sub_product(R::literal(1.428_571_428_571_428_6), t493);
+    let bobbin_v_x_dot_by_bobbin_v_x = t491.add_product(R::literal(1.428_571_428_571_428_6), t494);
+    let rod_omega_dot_by_bobbin_v_x = (t18 * t496).sub_product(R::literal(4_166.666_666_666_667),
+        t498).sub_product(m.factors[58], t495);
+    let rod_v_y_dot_by_bobbin_v_x = (R::literal(-5.0) * t495).sub_product(m.factors[11], t497);
+    let rod_v_x_dot_by_bobbin_v_x = (R::literal(-5.0) * t496).add_product(t17, t497);
+    let cylinder_omega_dot_by_bobbin_v_x = (t15 * t499).sub_product(m.factors[1], t500)
+        .sub_product(R::literal(-2_777.777_777_777_778), t498).add_product(t16, t497);
+    let cylinder_v_y_dot_by_bobbin_v_x = (t14 * t497)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t499);
+    let cylinder_v_x_dot_by_bobbin_v_x = (-(m.factors[7] * t497))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t500);
+    let plate_omega_dot_by_bobbin_v_x = (-(t12 * t501).add_product(m.factors[60], t502)
+        .add_product(m.factors[60], t500)).add_product(t12, t499).sub_product(t13, t494)
+        .sub_product(m.factors[63], t493);
+    let plate_v_y_dot_by_bobbin_v_x = (R::literal(0.833_333_333_333_333_4) * t499)
+        .add_product(R::literal(0.833_333_333_333_333_4), t501)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t493);
+    let plate_v_x_dot_by_bobbin_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t500)
+        .add_product(R::literal(0.833_333_333_333_333_4), t502))
+        .add_product(R::literal(-0.833_333_333_333_333_4), t494);
+    let post_omega_dot_by_bobbin_v_x = (t11 * t503).sub_product(m.factors[66], t504)
+        .sub_product(m.factors[66], t502).sub_product(t11, t501);
+    let post_v_y_dot_by_bobbin_v_x = (R::literal(-1.25) * t501).sub_product(R::literal(1.25), t503);
+    let post_v_x_dot_by_bobbin_v_x = (R::literal(1.25) * t502).add_product(R::literal(-1.25), t504);
+    let t505 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), -(p.contact_damping * m.t11 / t79));
+    let t506 = (-t505).add_product(m.factors[34], t492) * m.factors[35];
+    let t507 = (t492 * m.factors[36]).add_product(m.factors[34], t506);
+    let t508 = (-(m.factors[33] * t506)).add_product(m.factors[27], t507);
+    let t509 = (-(t29 * t507)).add_product(m.t144, t508).add_product(t30, t506);
+    let t510 = (m.t133 * t508).sub_product(m.factors[17], t509).add_product(m.factors[25], t507)
+        .sub_product(m.factors[31], t506);
+    let t511 = (-(m.factors[16] * t509)).add_product(t25, t510).add_product(t26, t508)
+        .sub_product(t27, t507).add_product(t28, t506);
+    let t512 = (-(m.factors[13] * t510).add_product(m.factors[6], t511)).add_product(m.factors[23],
+        t507).sub_product(m.factors[29], t506);
+    let t513 = (-(m.factors[5] * t511)).add_product(t23, t512).add_product(m.t95, t510)
+        .sub_product(t24, t507).add_product(m.t101, t506);
+    let t514 = (m.factors[44] * t512).add_product(m.factors[43], t513).add_product(t22, t507)
+        .add_product(m.factors[46], t506);
+    let t515 = (-(m.factors[48] * t513)).add_product(m.factors[47], t514)
+        .sub_product(m.factors[49], t512).add_product(m.factors[50], t507).add_product(t21, t506);
+    let t516 = (m.factors[53] * t514).sub_product(m.factors[52], t515);
+    let t517 = (t20 * t515).add_product(t19, t516).sub_product(t19, t514);
+    let bobbin_v_y_dot_by_bobbin_v_y = t505.sub_product(R::literal(1.428_571_428_571_428_6), t506);
+    let bobbin_v_x_dot_by_bobbin_v_y = t492.add_product(R::literal(1.428_571_428_571_428_6), t507);
+    let rod_omega_dot_by_bobbin_v_y = (t18 * t509).sub_product(R::literal(4_166.666_666_666_667),
+        t511).sub_product(m.factors[58], t508);
+    let rod_v_y_dot_by_bobbin_v_y = (R::literal(-5.0) * t508).sub_product(m.factors[11], t510);
+    let rod_v_x_dot_by_bobbin_v_y = (R::literal(-5.0) * t509).add_product(t17, t510);
+    let cylinder_omega_dot_by_bobbin_v_y = (t15 * t512).sub_product(m.factors[1], t513)
+        .sub_product(R::literal(-2_777.777_777_777_778), t511).add_product(t16, t510);
+    let cylinder_v_y_dot_by_bobbin_v_y = (t14 * t510)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t512);
+    let cylinder_v_x_dot_by_bobbin_v_y = (-(m.factors[7] * t510))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t513);
+    let plate_omega_dot_by_bobbin_v_y = (-(t12 * t514).add_product(m.factors[60], t515)
+        .add_product(m.factors[60], t513)).add_product(t12, t512).sub_product(t13, t507)
+        .sub_product(m.factors[63], t506);
+    let plate_v_y_dot_by_bobbin_v_y = (R::literal(0.833_333_333_333_333_4) * t512)
+        .add_product(R::literal(0.833_333_333_333_333_4), t514)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t506);
+    let plate_v_x_dot_by_bobbin_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t513)
+        .add_product(R::literal(0.833_333_333_333_333_4), t515))
+        .add_product(R::literal(-0.833_333_333_333_333_4), t507);
+    let post_omega_dot_by_bobbin_v_y = (t11 * t516).sub_product(m.factors[66], t517)
+        .sub_product(m.factors[66], t515).sub_product(t11, t514);
+    let post_v_y_dot_by_bobbin_v_y = (R::literal(-1.25) * t514).sub_product(R::literal(1.25), t516);
+    let post_v_x_dot_by_bobbin_v_y = (R::literal(1.25) * t515).add_product(R::literal(-1.25), t517);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
-        R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), x[0][0], x[0][1],
-        x[0][2], x[0][3], x[0][4], x[0][5], x[0][6], x[0][7], x[0][8], x[0][9], x[0][10], x[0][11],
-        x[0][12], x[0][13], x[0][14], x[0][15], x[0][16], x[0][17], x[0][18], x[0][19], x[1][0],
-        x[1][1], x[1][2], x[1][3], x[1][4], x[1][5], x[1][6], x[1][7], x[1][8], x[1][9], x[1][10],
-        x[1][11], x[1][12], x[1][13], x[1][14], x[1][15], x[1][16], x[1][17], x[1][18], x[1][19],
-        x[2][0], x[2][1], x[2][2], x[2][3], x[2][4], x[2][5], x[2][6], x[2][7], x[2][8], x[2][9],
-        x[2][10], x[2][11], x[2][12], x[2][13], x[2][14], x[2][15], x[2][16], x[2][17], x[2][18],
-        x[2][19], x[3][0], x[3][1], x[3][2], x[3][3], x[3][4], x[3][5], x[3][6], x[3][7], x[3][8],
-        x[3][9], x[3][10], x[3][11], x[3][12], x[3][13], x[3][14], x[3][15], x[3][16], x[3][17],
-        x[3][18], x[3][19], x[4][0], x[4][1], x[4][2], x[4][3], x[4][4], x[4][5], x[4][6], x[4][7],
-        x[4][8], x[4][9], x[4][10], x[4][11], x[4][12], x[4][13], x[4][14], x[4][15], x[4][16],
-        x[4][17], x[4][18], x[4][19], x[5][0], x[5][1], x[5][2], x[5][3], x[5][4], x[5][5],
-        x[5][6], x[5][7], x[5][8], x[5][9], x[5][10], x[5][11], x[5][12], x[5][13], x[5][14],
-        x[5][15], x[5][16], x[5][17], x[5][18], x[5][19], x[6][0], x[6][1], x[6][2], x[6][3],
-        x[6][4], x[6][5], x[6][6], x[6][7], x[6][8], x[6][9], x[6][10], x[6][11], x[6][12],
-        x[6][13], x[6][14], x[6][15], x[6][16], x[6][17], x[6][18], x[6][19], x[7][0], x[7][1],
-        x[7][2], x[7][3], x[7][4], x[7][5], x[7][6], x[7][7], x[7][8], x[7][9], x[7][10], x[7][11],
-        x[7][12], x[7][13], x[7][14], x[7][15], x[7][16], x[7][17], x[7][18], x[7][19], x[8][0],
-        x[8][1], x[8][2], x[8][3], x[8][4], x[8][5], x[8][6], x[8][7], x[8][8], x[8][9], x[8][10],
-        x[8][11], x[8][12], x[8][13], x[8][14], x[8][15], x[8][16], x[8][17], x[8][18], x[8][19],
-        x[9][0], x[9][1], x[9][2], x[9][3], x[9][4], x[9][5], x[9][6], x[9][7], x[9][8], x[9][9],
-        x[9][10], x[9][11], x[9][12], x[9][13], x[9][14], x[9][15], x[9][16], x[9][17], x[9][18],
-        x[9][19], x[10][0], x[10][1], x[10][2], x[10][3], x[10][4], x[10][5], x[10][6], x[10][7],
-        x[10][8], x[10][9], x[10][10], x[10][11], x[10][12], x[10][13], x[10][14], x[10][15],
-        x[10][16], x[10][17], x[10][18], x[10][19], x[11][0], x[11][1], x[11][2], x[11][3],
-        x[11][4], x[11][5], x[11][6], x[11][7], x[11][8], x[11][9], x[11][10], x[11][11],
-        x[11][12], x[11][13], x[11][14], x[11][15], x[11][16], x[11][17], x[11][18], x[11][19],
-        x[12][0], x[12][1], x[12][2], x[12][3], x[12][4], x[12][5], x[12][6], x[12][7], x[12][8],
-        x[12][9], x[12][10], x[12][11], x[12][12], x[12][13], x[12][14], x[12][15], x[12][16],
-        x[12][17], x[12][18], x[12][19], x[13][0], x[13][1], x[13][2], x[13][3], x[13][4],
-        x[13][5], x[13][6], x[13][7], x[13][8], x[13][9], x[13][10], x[13][11], x[13][12],
-        x[13][13], x[13][14], x[13][15], x[13][16], x[13][17], x[13][18], x[13][19]]
+        R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
+        post_v_x_dot_by_post_phi, post_v_x_dot_by_plate_phi, post_v_x_dot_by_cylinder_x,
+        post_v_x_dot_by_cylinder_y, post_v_x_dot_by_cylinder_phi, post_v_x_dot_by_rod_x,
+        post_v_x_dot_by_rod_y, post_v_x_dot_by_rod_phi, post_v_x_dot_by_bobbin_x,
+        post_v_x_dot_by_bobbin_y, post_v_x_dot_by_post_omega, post_v_x_dot_by_plate_omega,
+        post_v_x_dot_by_cylinder_v_x, post_v_x_dot_by_cylinder_v_y, post_v_x_dot_by_cylinder_omega,
+        post_v_x_dot_by_rod_v_x, post_v_x_dot_by_rod_v_y, post_v_x_dot_by_rod_omega,
+        post_v_x_dot_by_bobbin_v_x, post_v_x_dot_by_bobbin_v_y, post_v_y_dot_by_post_phi,
+        post_v_y_dot_by_plate_phi, post_v_y_dot_by_cylinder_x, post_v_y_dot_by_cylinder_y,
+        post_v_y_dot_by_cylinder_phi, post_v_y_dot_by_rod_x, post_v_y_dot_by_rod_y,
+        post_v_y_dot_by_rod_phi, post_v_y_dot_by_bobbin_x, post_v_y_dot_by_bobbin_y,
+        post_v_y_dot_by_post_omega, post_v_y_dot_by_plate_omega, post_v_y_dot_by_cylinder_v_x,
+        post_v_y_dot_by_cylinder_v_y, post_v_y_dot_by_cylinder_omega, post_v_y_dot_by_rod_v_x,
+        post_v_y_dot_by_rod_v_y, post_v_y_dot_by_rod_omega, post_v_y_dot_by_bobbin_v_x,
+        post_v_y_dot_by_bobbin_v_y, post_omega_dot_by_post_phi, post_omega_dot_by_plate_phi,
+        post_omega_dot_by_cylinder_x, post_omega_dot_by_cylinder_y, post_omega_dot_by_cylinder_phi,
+        post_omega_dot_by_rod_x, post_omega_dot_by_rod_y, post_omega_dot_by_rod_phi,
+        post_omega_dot_by_bobbin_x, post_omega_dot_by_bobbin_y, post_omega_dot_by_post_omega,
+        post_omega_dot_by_plate_omega, post_omega_dot_by_cylinder_v_x,
+        post_omega_dot_by_cylinder_v_y, post_omega_dot_by_cylinder_omega,
+        post_omega_dot_by_rod_v_x, post_omega_dot_by_rod_v_y, post_omega_dot_by_rod_omega,
+        post_omega_dot_by_bobbin_v_x, post_omega_dot_by_bobbin_v_y, plate_v_x_dot_by_post_phi,
+        plate_v_x_dot_by_plate_phi, plate_v_x_dot_by_cylinder_x, plate_v_x_dot_by_cylinder_y,
+        plate_v_x_dot_by_cylinder_phi, plate_v_x_dot_by_rod_x, plate_v_x_dot_by_rod_y,
+        plate_v_x_dot_by_rod_phi, plate_v_x_dot_by_bobbin_x, plate_v_x_dot_by_bobbin_y,
+        plate_v_x_dot_by_post_omega, plate_v_x_dot_by_plate_omega, plate_v_x_dot_by_cylinder_v_x,
+        plate_v_x_dot_by_cylinder_v_y, plate_v_x_dot_by_cylinder_omega, plate_v_x_dot_by_rod_v_x,
+        plate_v_x_dot_by_rod_v_y, plate_v_x_dot_by_rod_omega, plate_v_x_dot_by_bobbin_v_x,
+        plate_v_x_dot_by_bobbin_v_y, plate_v_y_dot_by_post_phi, plate_v_y_dot_by_plate_phi,
+        plate_v_y_dot_by_cylinder_x, plate_v_y_dot_by_cylinder_y, plate_v_y_dot_by_cylinder_phi,
+        plate_v_y_dot_by_rod_x, plate_v_y_dot_by_rod_y, plate_v_y_dot_by_rod_phi,
+        plate_v_y_dot_by_bobbin_x, plate_v_y_dot_by_bobbin_y, plate_v_y_dot_by_post_omega,
+        plate_v_y_dot_by_plate_omega, plate_v_y_dot_by_cylinder_v_x, plate_v_y_dot_by_cylinder_v_y,
+        plate_v_y_dot_by_cylinder_omega, plate_v_y_dot_by_rod_v_x, plate_v_y_dot_by_rod_v_y,
+        plate_v_y_dot_by_rod_omega, plate_v_y_dot_by_bobbin_v_x, plate_v_y_dot_by_bobbin_v_y,
+        plate_omega_dot_by_post_phi, plate_omega_dot_by_plate_phi, plate_omega_dot_by_cylinder_x,
+        plate_omega_dot_by_cylinder_y, plate_omega_dot_by_cylinder_phi, plate_omega_dot_by_rod_x,
+        plate_omega_dot_by_rod_y, plate_omega_dot_by_rod_phi, plate_omega_dot_by_bobbin_x,
+        plate_omega_dot_by_bobbin_y, plate_omega_dot_by_post_omega, plate_omega_dot_by_plate_omega,
+        plate_omega_dot_by_cylinder_v_x, plate_omega_dot_by_cylinder_v_y,
+        plate_omega_dot_by_cylinder_omega, plate_omega_dot_by_rod_v_x, plate_omega_dot_by_rod_v_y,
+        plate_omega_dot_by_rod_omega, plate_omega_dot_by_bobbin_v_x, plate_omega_dot_by_bobbin_v_y,
+        cylinder_v_x_dot_by_post_phi, cylinder_v_x_dot_by_plate_phi,
+        cylinder_v_x_dot_by_cylinder_x, cylinder_v_x_dot_by_cylinder_y,
+        cylinder_v_x_dot_by_cylinder_phi, cylinder_v_x_dot_by_rod_x, cylinder_v_x_dot_by_rod_y,
+        cylinder_v_x_dot_by_rod_phi, cylinder_v_x_dot_by_bobbin_x, cylinder_v_x_dot_by_bobbin_y,
+        cylinder_v_x_dot_by_post_omega, cylinder_v_x_dot_by_plate_omega,
+        cylinder_v_x_dot_by_cylinder_v_x, cylinder_v_x_dot_by_cylinder_v_y,
+        cylinder_v_x_dot_by_cylinder_omega, cylinder_v_x_dot_by_rod_v_x,
+        cylinder_v_x_dot_by_rod_v_y, cylinder_v_x_dot_by_rod_omega, cylinder_v_x_dot_by_bobbin_v_x,
+        cylinder_v_x_dot_by_bobbin_v_y, cylinder_v_y_dot_by_post_phi,
+        cylinder_v_y_dot_by_plate_phi, cylinder_v_y_dot_by_cylinder_x,
+        cylinder_v_y_dot_by_cylinder_y, cylinder_v_y_dot_by_cylinder_phi,
+        cylinder_v_y_dot_by_rod_x, cylinder_v_y_dot_by_rod_y, cylinder_v_y_dot_by_rod_phi,
+        cylinder_v_y_dot_by_bobbin_x, cylinder_v_y_dot_by_bobbin_y, cylinder_v_y_dot_by_post_omega,
+        cylinder_v_y_dot_by_plate_omega, cylinder_v_y_dot_by_cylinder_v_x,
+        cylinder_v_y_dot_by_cylinder_v_y, cylinder_v_y_dot_by_cylinder_omega,
+        cylinder_v_y_dot_by_rod_v_x, cylinder_v_y_dot_by_rod_v_y, cylinder_v_y_dot_by_rod_omega,
+        cylinder_v_y_dot_by_bobbin_v_x, cylinder_v_y_dot_by_bobbin_v_y,
+        cylinder_omega_dot_by_post_phi, cylinder_omega_dot_by_plate_phi,
+        cylinder_omega_dot_by_cylinder_x, cylinder_omega_dot_by_cylinder_y,
+        cylinder_omega_dot_by_cylinder_phi, cylinder_omega_dot_by_rod_x,
+        cylinder_omega_dot_by_rod_y, cylinder_omega_dot_by_rod_phi, cylinder_omega_dot_by_bobbin_x,
+        cylinder_omega_dot_by_bobbin_y, cylinder_omega_dot_by_post_omega,
+        cylinder_omega_dot_by_plate_omega, cylinder_omega_dot_by_cylinder_v_x,
+        cylinder_omega_dot_by_cylinder_v_y, cylinder_omega_dot_by_cylinder_omega,
+        cylinder_omega_dot_by_rod_v_x, cylinder_omega_dot_by_rod_v_y,
+        cylinder_omega_dot_by_rod_omega, cylinder_omega_dot_by_bobbin_v_x,
+        cylinder_omega_dot_by_bobbin_v_y, rod_v_x_dot_by_post_phi, rod_v_x_dot_by_plate_phi,
+        rod_v_x_dot_by_cylinder_x, rod_v_x_dot_by_cylinder_y, rod_v_x_dot_by_cylinder_phi,
+        rod_v_x_dot_by_rod_x, rod_v_x_dot_by_rod_y, rod_v_x_dot_by_rod_phi,
+        rod_v_x_dot_by_bobbin_x, rod_v_x_dot_by_bobbin_y, rod_v_x_dot_by_post_omega,
+        rod_v_x_dot_by_plate_omega, rod_v_x_dot_by_cylinder_v_x, rod_v_x_dot_by_cylinder_v_y,
+        rod_v_x_dot_by_cylinder_omega, rod_v_x_dot_by_rod_v_x, rod_v_x_dot_by_rod_v_y,
+        rod_v_x_dot_by_rod_omega, rod_v_x_dot_by_bobbin_v_x, rod_v_x_dot_by_bobbin_v_y,
+        rod_v_y_dot_by_post_phi, rod_v_y_dot_by_plate_phi, rod_v_y_dot_by_cylinder_x,
+        rod_v_y_dot_by_cylinder_y, rod_v_y_dot_by_cylinder_phi, rod_v_y_dot_by_rod_x,
+        rod_v_y_dot_by_rod_y, rod_v_y_dot_by_rod_phi, rod_v_y_dot_by_bobbin_x,
+        rod_v_y_dot_by_bobbin_y, rod_v_y_dot_by_post_omega, rod_v_y_dot_by_plate_omega,
+        rod_v_y_dot_by_cylinder_v_x, rod_v_y_dot_by_cylinder_v_y, rod_v_y_dot_by_cylinder_omega,
+        rod_v_y_dot_by_rod_v_x, rod_v_y_dot_by_rod_v_y, rod_v_y_dot_by_rod_omega,
+        rod_v_y_dot_by_bobbin_v_x, rod_v_y_dot_by_bobbin_v_y, rod_omega_dot_by_post_phi,
+        rod_omega_dot_by_plate_phi, rod_omega_dot_by_cylinder_x, rod_omega_dot_by_cylinder_y,
+        rod_omega_dot_by_cylinder_phi, rod_omega_dot_by_rod_x, rod_omega_dot_by_rod_y,
+        rod_omega_dot_by_rod_phi, rod_omega_dot_by_bobbin_x, rod_omega_dot_by_bobbin_y,
+        rod_omega_dot_by_post_omega, rod_omega_dot_by_plate_omega, rod_omega_dot_by_cylinder_v_x,
+        rod_omega_dot_by_cylinder_v_y, rod_omega_dot_by_cylinder_omega, rod_omega_dot_by_rod_v_x,
+        rod_omega_dot_by_rod_v_y, rod_omega_dot_by_rod_omega, rod_omega_dot_by_bobbin_v_x,
+        rod_omega_dot_by_bobbin_v_y, bobbin_v_x_dot_by_post_phi, bobbin_v_x_dot_by_plate_phi,
+        bobbin_v_x_dot_by_cylinder_x, bobbin_v_x_dot_by_cylinder_y, bobbin_v_x_dot_by_cylinder_phi,
+        bobbin_v_x_dot_by_rod_x, bobbin_v_x_dot_by_rod_y, bobbin_v_x_dot_by_rod_phi,
+        bobbin_v_x_dot_by_bobbin_x, bobbin_v_x_dot_by_bobbin_y, bobbin_v_x_dot_by_post_omega,
+        bobbin_v_x_dot_by_plate_omega, bobbin_v_x_dot_by_cylinder_v_x,
+        bobbin_v_x_dot_by_cylinder_v_y, bobbin_v_x_dot_by_cylinder_omega,
+        bobbin_v_x_dot_by_rod_v_x, bobbin_v_x_dot_by_rod_v_y, bobbin_v_x_dot_by_rod_omega,
+        bobbin_v_x_dot_by_bobbin_v_x, bobbin_v_x_dot_by_bobbin_v_y, bobbin_v_y_dot_by_post_phi,
+        bobbin_v_y_dot_by_plate_phi, bobbin_v_y_dot_by_cylinder_x, bobbin_v_y_dot_by_cylinder_y,
+        bobbin_v_y_dot_by_cylinder_phi, bobbin_v_y_dot_by_rod_x, bobbin_v_y_dot_by_rod_y,
+        bobbin_v_y_dot_by_rod_phi, bobbin_v_y_dot_by_bobbin_x, bobbin_v_y_dot_by_bobbin_y,
+        bobbin_v_y_dot_by_post_omega, bobbin_v_y_dot_by_plate_omega,
+        bobbin_v_y_dot_by_cylinder_v_x, bobbin_v_y_dot_by_cylinder_v_y,
+        bobbin_v_y_dot_by_cylinder_omega, bobbin_v_y_dot_by_rod_v_x, bobbin_v_y_dot_by_rod_v_y,
+        bobbin_v_y_dot_by_rod_omega, bobbin_v_y_dot_by_bobbin_v_x, bobbin_v_y_dot_by_bobbin_v_y]
 }
 
-static RATE_JACOBIAN_STEPS: &[Step<'static>] = &[Step::less(14, &[(0, 2)]), Step::less(15,
-    &[(1, 2), (2, 14)]), Step::less(16, &[(0, 2), (3, 5), (4, 14), (5, 15)]), Step::less(17,
-    &[(1, 2), (6, 5), (2, 14), (7, 15), (8, 16)]), Step::less(18, &[(3, 5), (9, 6), (10, 8),
-    (11, 16), (12, 17)]), Step::less(19, &[(6, 5), (9, 7), (13, 8), (14, 16), (15, 17), (16, 18)]),
-    Step::less(20, &[(17, 8), (18, 11), (19, 18), (20, 19)]), Step::less(21, &[(21, 6), (22, 7),
-    (23, 8), (24, 9), (25, 10), (26, 18), (27, 19), (28, 20)]), Step::less(22, &[(29, 9), (30, 11),
-    (31, 20), (32, 21)]), Step::less(23, &[(29, 10), (33, 11), (34, 20), (35, 21), (36, 22)]),
-    Step::less(24, &[(37, 5), (38, 12), (39, 16), (40, 17), (41, 18), (42, 19), (43, 20), (44, 21),
-    (45, 22), (46, 23)]), Step::less(25, &[(47, 5), (38, 13), (48, 16), (49, 17), (50, 18),
-    (51, 19), (52, 20), (53, 21), (54, 22), (55, 23), (56, 24)]), Step::scaled(25, 57, &[]),
-    Step::scaled(24, 58, &[(56, 25)]), Step::scaled(23, 59, &[(46, 24), (55, 25)]),
-    Step::scaled(22, 60, &[(36, 23), (45, 24), (54, 25)]), Step::scaled(21, 61,
-    &[(32, 22), (35, 23), (44, 24), (53, 25)]), Step::scaled(20, 62, &[(28, 21), (31, 22),
-    (34, 23), (43, 24), (52, 25)]), Step::scaled(19, 63, &[(20, 20), (27, 21), (42, 24),
-    (51, 25)]), Step::scaled(18, 64, &[(16, 19), (19, 20), (26, 21), (41, 24), (50, 25)]),
-    Step::scaled(17, 65, &[(12, 18), (15, 19), (40, 24), (49, 25)]), Step::scaled(16, 66,
-    &[(8, 17), (11, 18), (14, 19), (39, 24), (48, 25)]), Step::scaled(15, 67, &[(5, 16), (7, 17)]),
-    Step::scaled(14, 68, &[(2, 15), (4, 16), (2, 17)]), Step::scaled(13, 38, &[(38, 25)]),
-    Step::scaled(12, 38, &[(38, 24)]), Step::scaled(11, 18, &[(18, 20), (30, 22), (33, 23)]),
-    Step::scaled(10, 29, &[(25, 21), (29, 23)]), Step::scaled(9, 29, &[(24, 21), (29, 22)]),
-    Step::scaled(8, 69, &[(10, 18), (13, 19), (17, 20), (23, 21)]), Step::scaled(7, 9,
-    &[(9, 19), (22, 21)]), Step::scaled(6, 9, &[(9, 18), (21, 21)]), Step::scaled(5, 70,
-    &[(3, 16), (6, 17), (3, 18), (6, 19), (37, 24), (47, 25)]), Step::less(4, &[(71, 17), (72, 19),
-    (72, 25)]), Step::less(3, &[(71, 16), (72, 18), (72, 24)]), Step::scaled(2, 73,
-    &[(0, 14), (1, 15), (0, 16), (1, 17)]), Step::less(1, &[(74, 15), (75, 17)]), Step::less(0,
-    &[(74, 14), (75, 16)])];
 /// `dy'/dp`, values in the order of its pattern. 57 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 56] {
@@ -1355,28 +2605,28 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         x[12][1], x[12][2], x[12][3], x[13][0], x[13][1], x[13][2], x[13][3]]
 }
 
-static PARAMETER_JACOBIAN_STEPS: &[Step<'static>] = &[Step::less(18, &[(9, 6), (10, 8)]),
-    Step::less(19, &[(9, 7), (13, 8), (16, 18)]), Step::less(20, &[(17, 8), (19, 18), (20, 19)]),
-    Step::less(21, &[(21, 6), (22, 7), (23, 8), (24, 9), (25, 10), (26, 18), (27, 19), (28, 20)]),
-    Step::less(22, &[(29, 9), (31, 20), (32, 21)]), Step::less(23, &[(29, 10), (34, 20), (35, 21),
-    (36, 22)]), Step::less(24, &[(38, 12), (41, 18), (42, 19), (43, 20), (44, 21), (45, 22),
-    (46, 23)]), Step::less(25, &[(38, 13), (50, 18), (51, 19), (52, 20), (53, 21), (54, 22),
-    (55, 23), (56, 24)]), Step::scaled(25, 57, &[]), Step::scaled(24, 58, &[(56, 25)]),
-    Step::scaled(23, 59, &[(46, 24), (55, 25)]), Step::scaled(22, 60, &[(36, 23), (45, 24),
-    (54, 25)]), Step::scaled(21, 61, &[(32, 22), (35, 23), (44, 24), (53, 25)]), Step::scaled(20,
-    62, &[(28, 21), (31, 22), (34, 23), (43, 24), (52, 25)]), Step::scaled(19, 63,
-    &[(20, 20), (27, 21), (42, 24), (51, 25)]), Step::scaled(18, 64, &[(16, 19), (19, 20),
-    (26, 21), (41, 24), (50, 25)]), Step::less(17, &[(12, 18), (15, 19), (40, 24), (49, 25)]),
-    Step::less(16, &[(8, 17), (11, 18), (14, 19), (39, 24), (48, 25)]), Step::less(15,
-    &[(5, 16), (7, 17)]), Step::less(14, &[(2, 15), (4, 16), (2, 17)]), Step::scaled(13, 38,
-    &[(38, 25)]), Step::scaled(12, 38, &[(38, 24)]), Step::less(11, &[(18, 20), (30, 22),
-    (33, 23)]), Step::scaled(10, 29, &[(25, 21), (29, 23)]), Step::scaled(9, 29,
-    &[(24, 21), (29, 22)]), Step::scaled(8, 69, &[(10, 18), (13, 19), (17, 20), (23, 21)]),
-    Step::scaled(7, 9, &[(9, 19), (22, 21)]), Step::scaled(6, 9, &[(9, 18), (21, 21)]),
-    Step::less(5, &[(3, 16), (6, 17), (3, 18), (6, 19), (37, 24), (47, 25)]), Step::less(4,
-    &[(71, 17), (72, 19), (72, 25)]), Step::less(3, &[(71, 16), (72, 18), (72, 24)]), Step::less(2,
-    &[(0, 14), (1, 15), (0, 16), (1, 17)]), Step::less(1, &[(74, 15), (75, 17)]), Step::less(0,
-    &[(74, 14), (75, 16)])];
+static PARAMETER_JACOBIAN_STEPS: &[Step<'static>] = &[Step::less(18, &[(0, 6), (1, 8)]),
+    Step::less(19, &[(0, 7), (2, 8), (3, 18)]), Step::less(20, &[(4, 8), (5, 18), (6, 19)]),
+    Step::less(21, &[(7, 6), (8, 7), (9, 8), (10, 9), (11, 10), (12, 18), (13, 19), (14, 20)]),
+    Step::less(22, &[(15, 9), (16, 20), (17, 21)]), Step::less(23, &[(15, 10), (18, 20), (19, 21),
+    (20, 22)]), Step::less(24, &[(21, 12), (22, 18), (23, 19), (24, 20), (25, 21), (26, 22),
+    (27, 23)]), Step::less(25, &[(21, 13), (28, 18), (29, 19), (30, 20), (31, 21), (32, 22),
+    (33, 23), (34, 24)]), Step::scaled(25, 35, &[]), Step::scaled(24, 36, &[(34, 25)]),
+    Step::scaled(23, 37, &[(27, 24), (33, 25)]), Step::scaled(22, 38, &[(20, 23), (26, 24),
+    (32, 25)]), Step::scaled(21, 39, &[(17, 22), (19, 23), (25, 24), (31, 25)]), Step::scaled(20,
+    40, &[(14, 21), (16, 22), (18, 23), (24, 24), (30, 25)]), Step::scaled(19, 41,
+    &[(6, 20), (13, 21), (23, 24), (29, 25)]), Step::scaled(18, 42, &[(3, 19), (5, 20), (12, 21),
+    (22, 24), (28, 25)]), Step::less(17, &[(43, 18), (44, 19), (45, 24), (46, 25)]), Step::less(16,
+    &[(47, 17), (48, 18), (49, 19), (50, 24), (51, 25)]), Step::less(15, &[(52, 16), (53, 17)]),
+    Step::less(14, &[(54, 15), (55, 16), (54, 17)]), Step::scaled(13, 21, &[(21, 25)]),
+    Step::scaled(12, 21, &[(21, 24)]), Step::less(11, &[(56, 20), (57, 22), (58, 23)]),
+    Step::scaled(10, 15, &[(11, 21), (15, 23)]), Step::scaled(9, 15, &[(10, 21), (15, 22)]),
+    Step::scaled(8, 59, &[(1, 18), (2, 19), (4, 20), (9, 21)]), Step::scaled(7, 0,
+    &[(0, 19), (8, 21)]), Step::scaled(6, 0, &[(0, 18), (7, 21)]), Step::less(5,
+    &[(60, 16), (61, 17), (60, 18), (61, 19), (62, 24), (63, 25)]), Step::less(4,
+    &[(64, 17), (65, 19), (65, 25)]), Step::less(3, &[(64, 16), (65, 18), (65, 24)]), Step::less(2,
+    &[(66, 14), (67, 15), (66, 16), (67, 17)]), Step::less(1, &[(68, 15), (69, 17)]), Step::less(0,
+    &[(68, 14), (69, 16)])];
 /// Partial derivative of `y'` with respect to time. No operations.
 #[must_use]
 pub fn time_derivative<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
@@ -1476,13 +2726,13 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let stop_rate = post_omega * m.t7;
     let t0 = (R::literal(7.848) * post_v_y).add_product(R::select_less(stop_closed,
         R::literal(0.5), R::literal(0.0), R::literal(1_000_000.0) * m.stop_gap * m.t7), post_omega)
-        .add_product(R::literal(11.772), plate_v_y).sub_product(m.t153, cylinder_v_x)
-        .add_product(R::literal(2.943) - m.t155, cylinder_v_y).add_product(m.t158, cylinder_omega)
-        .add_product(m.t153, rod_v_x).add_product(R::literal(1.962) + m.t155, rod_v_y)
-        .add_product(R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), m.t162),
+        .add_product(R::literal(11.772), plate_v_y).sub_product(m.t167, cylinder_v_x)
+        .add_product(R::literal(2.943) - m.t169, cylinder_v_y).add_product(m.t172, cylinder_omega)
+        .add_product(m.t167, rod_v_x).add_product(R::literal(1.962) + m.t169, rod_v_y)
+        .add_product(R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), m.t176),
         bobbin_v_x).add_product(R::literal(6.867) + R::select_less(contact_closed, R::literal(0.5),
-        R::literal(0.0), m.t164), bobbin_v_y).sub_product(R::literal(0.8) * post_v_x, m.t226)
-        .sub_product(R::literal(0.8) * post_v_y, m.t225).add_product(R::literal(0.0027)
+        R::literal(0.0), m.t178), bobbin_v_y).sub_product(R::literal(0.8) * post_v_x, m.t240)
+        .sub_product(R::literal(0.8) * post_v_y, m.t239).add_product(R::literal(0.0027)
         * post_omega, m.post_omega_dot);
     let t1 = (p.spring_damping * cylinder_omega * m.slide_rate * m.t12)
         .add_product(p.spring_damping * rod_v_x * m.slide_rate, m.cos_cylinder_phi)
@@ -1492,14 +2742,14 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
         + p.contact_damping * bobbin_v_y * m.contact_rate * (bobbin_y - R::literal(0.058))
         / m.between);
     PowerBalance {
-        stored_rate: t0.sub_product(R::literal(1.2) * plate_v_x, m.t224
-            .add_product(R::literal(-0.833_333_333_333_333_4), m.t199)).sub_product(R::literal(1.2)
-            * plate_v_y, m.t222 + m.t223).add_product(R::literal(0.0025) * plate_omega,
+        stored_rate: t0.sub_product(R::literal(1.2) * plate_v_x, m.t238
+            .add_product(R::literal(-0.833_333_333_333_333_4), m.t213)).sub_product(R::literal(1.2)
+            * plate_v_y, m.t236 + m.t237).add_product(R::literal(0.0025) * plate_omega,
             m.plate_omega_dot).add_product(R::literal(0.3) * cylinder_v_x, m.cylinder_v_x_dot)
             .add_product(R::literal(0.3) * cylinder_v_y, m.cylinder_v_y_dot)
             .add_product(R::literal(0.00036) * cylinder_omega, m.cylinder_omega_dot)
             .add_product(R::literal(0.2) * rod_v_x, m.rod_v_x_dot).sub_product(R::literal(0.2)
-            * rod_v_y, m.t221).add_product(R::literal(0.00024) * rod_omega, m.rod_omega_dot)
+            * rod_v_y, m.t235).add_product(R::literal(0.00024) * rod_omega, m.rod_omega_dot)
             .add_product(R::literal(0.7) * bobbin_v_x, m.bobbin_v_x_dot)
             .add_product(R::literal(0.7) * bobbin_v_y, m.bobbin_v_y_dot),
         supplied: R::literal(0.0),
@@ -1563,8 +2813,8 @@ pub fn guard_rates<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> 
     let t5 = m.between * m.between;
     let t6 = p.contact_stiffness * t0 / m.between;
     let t7 = p.contact_stiffness * t1 / m.between;
-    let t8 = (R::select_less(t4, contact_push, -t6, m.t163 / t5 - p.contact_damping * bobbin_v_x
-        / m.between - t6) * bobbin_v_x).add_product(R::select_less(t4, contact_push, -t7, m.t165
+    let t8 = (R::select_less(t4, contact_push, -t6, m.t177 / t5 - p.contact_damping * bobbin_v_x
+        / m.between - t6) * bobbin_v_x).add_product(R::select_less(t4, contact_push, -t7, m.t179
         / t5 - p.contact_damping * bobbin_v_y / m.between - t7), bobbin_v_y)
         .add_product(R::select_less(t4, contact_push, R::literal(0.0), -(p.contact_damping * t0
         / m.between)), m.bobbin_v_x_dot);

@@ -1,6 +1,7 @@
 //! Expressions that grow without bound, or are zero in disguise: derived or refused, in
 //! time, and never with a panic.
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -122,9 +123,8 @@ fn helpers_that_square_each_other_are_derived() {
     let mut helpers = String::from("a0 = { expression = \"u\", unit = \"1\" }\n");
     for i in 1..=9 {
         let before = i - 1;
-        helpers.push_str(&format!(
-            "a{i} = {{ expression = \"a{before}*a{before} + u\", unit = \"1\" }}\n"
-        ));
+        let expression = format!("a{before}*a{before} + u");
+        let _ = writeln!(helpers, "a{i} = {{ expression = \"{expression}\", unit = \"1\" }}");
     }
     let text = with_potential("a9")
         .replace("[define.held.energy]", &format!("{helpers}[define.held.energy]"));

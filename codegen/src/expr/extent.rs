@@ -18,7 +18,7 @@ pub struct Expanded {
     pub leaves: f64,
 }
 
-/// How often what stands inside of a function or a denominator is gone through for each
+/// How often what stands inside of a denominator is gone through for each
 /// time that what is around it is: nested, these multiply.
 const AGAIN: f64 = 2.0;
 
@@ -58,7 +58,7 @@ pub fn expanded(expr: &Expr) -> Expanded {
         }
         Expr::Call(_, parts) => Expanded {
             terms: 1.0,
-            leaves: 1.0 + AGAIN * parts.iter().map(|part| expanded(part).leaves).sum::<f64>(),
+            leaves: 1.0 + parts.iter().map(|part| expanded(part).leaves).sum::<f64>(),
         },
     }
 }

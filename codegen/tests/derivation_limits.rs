@@ -111,6 +111,16 @@ fn what_grows_by_differentiation_is_refused_before_it_does() {
 }
 
 #[test]
+fn deep_nests_of_quotients_and_sines_are_derived() {
+    for (open, close) in [("1/(1 + ", ")"), ("sin(", ")")] {
+        let nested = format!("{}u{}", open.repeat(40), close.repeat(40));
+        if let Err(report) = derived(&with_potential(&nested)) {
+            panic!("{open}: {report}");
+        }
+    }
+}
+
+#[test]
 fn a_number_of_sixty_thousand_digits_is_refused() {
     let digits = "3".repeat(60_000);
     for number in [format!("0.{digits}"), format!("1.{digits}e5")] {

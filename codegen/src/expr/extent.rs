@@ -18,6 +18,10 @@ pub struct Expanded {
     pub leaves: f64,
 }
 
+/// How often what stands inside of a denominator is gone through for each
+/// time that what is around it is: nested, these multiply.
+const AGAIN: f64 = 2.0;
+
 /// A bound for the size of an expression multiplied out, within functions too.
 #[must_use]
 pub fn expanded(expr: &Expr) -> Expanded {
@@ -39,14 +43,18 @@ pub fn expanded(expr: &Expr) -> Expanded {
             let base = expanded(base);
             let Some(exponent) = whole(exponent) else {
                 let exponent = expanded(exponent);
-                return Expanded { terms: 1.0, leaves: base.leaves + exponent.leaves };
+                return Expanded { terms: 1.0, leaves: AGAIN * (base.leaves + exponent.leaves) };
             };
             let count = exponent.abs();
             // Ways to choose `count` factors of so many terms.
             let terms = choose(base.terms + count - 1.0, count.min(base.terms - 1.0));
             let bits = count * base.terms.log2();
             let leaves = terms * (base.leaves / base.terms * count.min(base.terms) + bits / 64.0);
-            Expanded { terms: if exponent < 0.0 { 1.0 } else { terms }, leaves }
+            if exponent < 0.0 {
+                Expanded { terms: 1.0, leaves: AGAIN * leaves }
+            } else {
+                Expanded { terms, leaves }
+            }
         }
         Expr::Call(_, parts) => Expanded {
             terms: 1.0,

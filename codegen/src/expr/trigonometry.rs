@@ -15,6 +15,9 @@ use num_traits::One;
 
 use crate::expr::{Expr, Function};
 
+/// Sines and cosines in one term beyond which no partner is looked for: their pairs are many.
+const MOST_FACTORS: usize = 16;
+
 /// Applies the rules everywhere, as often as they apply.
 #[must_use]
 pub fn combine(expr: &Expr) -> Expr {
@@ -89,6 +92,9 @@ fn partner(
 ) -> Option<(usize, Term)> {
     let trigonometric: Vec<usize> =
         (0..term.factors.len()).filter(|i| sine_or_cosine(&term.factors[*i]).is_some()).collect();
+    if trigonometric.len() > MOST_FACTORS {
+        return None;
+    }
     for (position, i) in trigonometric.iter().enumerate() {
         for j in &trigonometric[position + 1..] {
             let (first, x) = sine_or_cosine(&term.factors[*i])?;

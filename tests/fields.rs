@@ -87,7 +87,7 @@ mod emitted {
         let lines = text.lines().filter(|line| !line.contains("scenes/shaft_with_rotors.toml"));
         let lines: Vec<&str> = lines.collect();
         let text = lines.join("\n");
-        let default = |number: &str| format!("elements: {number},");
+        let default = |number: &str| format!("elements {number},");
         assert!(text.contains(&default(elements)), "{text}");
         (text.replace(&default(elements), &default("10")), elapsed)
     }

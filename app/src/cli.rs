@@ -101,6 +101,7 @@ enum Command {
 }
 
 /// Does what the arguments of this process ask for.
+#[must_use]
 pub fn main() -> ExitCode {
     let cli = Cli::parse();
     #[cfg(feature = "derive")]

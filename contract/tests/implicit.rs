@@ -1,5 +1,7 @@
 //! The solve of many columns by steps against elimination of a dense matrix.
 
+#![allow(clippy::needless_range_loop, reason = "matrices are written as in the formulas")]
+
 use machinist_contract::implicit::{Step, substitute};
 
 /// Numbers between -1 and 1, the same in every run.
@@ -104,7 +106,9 @@ fn mass(n: usize, density: f64, numbers: &mut Numbers) -> Matrix {
 /// A mass matrix bordered by constraints on two or three coordinates each.
 fn saddle(n: usize, constraints: usize, numbers: &mut Numbers) -> Matrix {
     let mut matrix = mass(n, 0.2, numbers);
-    matrix.iter_mut().for_each(|row| row.resize(n + constraints, 0.0));
+    for row in &mut matrix {
+        row.resize(n + constraints, 0.0);
+    }
     for c in 0..constraints {
         let mut row = vec![0.0; n + constraints];
         row[c] = 1.0 + numbers.next().abs();

@@ -77,7 +77,8 @@ fn another_version_is_refused_by_name() {
 /// What somebody could write by hand, with the hash it should have.
 #[test]
 fn a_model_that_breaks_a_rule_is_refused_although_its_hash_is_right() {
-    let breaks: [(&str, fn(&mut Model)); 10] = [
+    type Break = fn(&mut Model);
+    let breaks: [(&str, Break); 10] = [
         ("rate", |model| model.rate.results[0] = NodeId(1_000_000)),
         ("rate", |model| model.rate.nodes[0].op = Op::Neg(NodeId(7))),
         ("rate", |model| model.rate.nodes[0].op = Op::State(9)),

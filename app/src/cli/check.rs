@@ -1,5 +1,6 @@
 //! `machinist check`: what is wrong with specs, and nothing else.
 
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -37,24 +38,23 @@ impl Check {
                 // It was checked as it was read.
                 Given::Model(stamped) => {
                     let Stamped { generator, model } = *stamped;
-                    text.push_str(&format!(
-                        "{path}: ok, model of {}, made by {generator}\n",
-                        model.name
-                    ));
+                    let name = model.name;
+                    let _ = writeln!(text, "{path}: ok, model of {name}, made by {generator}");
                 }
             }
         }
         let systems = specs::all(&files, pipeline::check)?;
         for (file, system) in files.iter().zip(&systems) {
-            text.push_str(&format!(
-                "{}: ok, {} coordinates, {} first-order states, {} parameters, {} outputs{}\n",
+            let _ = writeln!(
+                text,
+                "{}: ok, {} coordinates, {} first-order states, {} parameters, {} outputs{}",
                 file.display(),
                 system.coordinates.len(),
                 system.first_order.len(),
                 system.parameters.len(),
                 system.outputs.len(),
                 constraints(file, system)?,
-            ));
+            );
         }
         print(&text)
     }

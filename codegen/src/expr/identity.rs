@@ -303,7 +303,7 @@ mod tests {
         Expr::Symbol(Symbol::Parameter(ParameterId(0)))
     }
     fn sum<const N: usize>(terms: [Expr; N]) -> Expr {
-        Expr::Sum(terms.to_vec())
+        Expr::Sum(terms.into())
     }
     fn times(n: i64, expr: Expr) -> Expr {
         Expr::Product(vec![Expr::integer(n), expr])

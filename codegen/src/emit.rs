@@ -1,4 +1,4 @@
-//! From a [`Model`] to text, one folder a target; from equations to documents.
+//! From a [`Model`](machinist_model::Model) to text, one folder a target; from equations to documents.
 //!
 //! Excluded: reading specs, algebra, and files (see [`crate::write`]). Emission
 //! decides names and layout only; what is computed, and in which order, is the

@@ -80,7 +80,7 @@ pub fn write(stamped: &Stamped) -> Vec<u8> {
 /// The model of bytes.
 ///
 /// # Errors
-/// [`FileError`] if they are not what [`write`] gave.
+/// [`FileError`] if they are not what [`write()`] gave.
 pub fn read(bytes: &[u8]) -> Result<Stamped, FileError> {
     let stamped: Stamped = open(MARK, bytes)?;
     stamped.model.validate()?;

@@ -2,7 +2,7 @@
 //!
 //! A [`Model`] is what deriving gives and what running takes: names, units, shapes and
 //! patterns, and one [`Tape`] of arithmetic for each function of a simulator. It is
-//! [written to a file](file) and read anywhere; whoever has one needs neither the spec
+//! [written to a file](mod@file) and read anywhere; whoever has one needs neither the spec
 //! nor the computer algebra it came from.
 //!
 //! Excluded: symbols to look up, expressions, any type of a computer algebra system,

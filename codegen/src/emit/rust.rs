@@ -41,7 +41,7 @@ use series::Series;
 ///
 /// # Errors
 /// [`EmitError`] if the model holds a number without a literal, a name that is
-/// no identifier, or a tape that breaks the rules of [`machinist_model::`].
+/// no identifier, or a tape that breaks the rules of [`machinist_model::Model`].
 pub fn emit(model: &Model, options: &EmitOptions) -> Result<String, EmitError> {
     model.validate()?;
     let scene = Scene::new(model)?;

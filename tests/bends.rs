@@ -3,10 +3,11 @@
 
 use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
 use machinist_contract::Simulator;
 use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_model::ModelSimulator;
+
+use crate::own_scene::of_text;
 
 /// x'' + x = cos(1.3 t) - 0.2 `law`, where the law turns at v = 0 within `width`.
 fn rubbing(law: &str) -> ModelSimulator {
@@ -34,13 +35,7 @@ fn rubbing(law: &str) -> ModelSimulator {
         expression = "1 [N]*cos(1.3 [rad/s]*t) - 0.2 [N]*({law})"
         "#
     );
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("scene.toml");
-    std::fs::write(&path, text).expect("written");
-    match pipeline::generate(&path, Keep::Needed) {
-        Ok(program) => ModelSimulator::new(program),
-        Err(errors) => panic!("{}", errors.render()),
-    }
+    of_text(&text, Keep::Needed)
 }
 
 fn run(block: &ModelSimulator, width: f64, method: Method, rtol: f64) -> Trajectory {

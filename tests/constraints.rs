@@ -7,8 +7,9 @@ use machinist::linear_analysis::{
 };
 use machinist::{Method, SimulateError, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
 use machinist_model::ModelSimulator;
+
+use crate::own_scene::of_text;
 
 /// A scene of point masses `a` and `b`, 1 kg each, with more of the scene.
 fn scene(more: &str) -> ModelSimulator {
@@ -28,17 +29,7 @@ fn scene(more: &str) -> ModelSimulator {
         {more}
         "#
     );
-    of_text(&text)
-}
-
-fn of_text(text: &str) -> ModelSimulator {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("scene.toml");
-    std::fs::write(&path, text).expect("written");
-    match pipeline::generate(&path, Keep::Needed) {
-        Ok(program) => ModelSimulator::new(program),
-        Err(errors) => panic!("{}", errors.render()),
-    }
+    of_text(&text, Keep::Needed)
 }
 
 fn start_of(scene: &ModelSimulator) -> Result<Vec<f64>, SimulateError> {
@@ -279,7 +270,7 @@ fn slider_crank_let_go() -> ModelSimulator {
                  \"rod.phi\" = 0.25\n\"slider.x\" = 0.19\n[outputs]";
     let unused = ["[parameters.speed]", "[parameters.start]"];
     assert!(unused.iter().all(|section| head.contains(section)));
-    of_text(&format!("{head}{start}{}", outputs.collect::<Vec<_>>().join("\n")))
+    of_text(&format!("{head}{start}{}", outputs.collect::<Vec<_>>().join("\n")), Keep::Needed)
 }
 
 #[test]
@@ -296,7 +287,7 @@ fn a_slider_crank_swings_about_its_lowest_place_as_by_hand() {
 #[test]
 fn what_a_constraint_drives_is_in_no_equilibrium_and_the_constraint_is_named() {
     let text = include_str!("../specs/scenes/slider_crank.toml");
-    let driven = of_text(text);
+    let driven = of_text(text, Keep::Needed);
     let run = Simulation::new(&driven).until(0.1);
     let refused = operating_point(&run, Place::Equilibrium).expect_err("it turns");
     assert!(matches!(refused, LinearError::NoEquilibrium { .. }), "{refused}");

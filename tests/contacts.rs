@@ -2,9 +2,10 @@
 
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
 use machinist_contract::Describe;
 use machinist_model::ModelSimulator;
+
+use crate::own_scene::of_text;
 
 /// A block under a constant load that meets a unit of the library.
 fn scene(contact: &str) -> ModelSimulator {
@@ -38,13 +39,7 @@ fn scene(contact: &str) -> ModelSimulator {
         expression = "load"
         "#
     );
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("scene.toml");
-    std::fs::write(&path, text).expect("written");
-    match pipeline::generate(&path, Keep::Needed) {
-        Ok(program) => ModelSimulator::new(program),
-        Err(errors) => panic!("{}", errors.render()),
-    }
+    of_text(&text, Keep::Needed)
 }
 
 const STOP: &str = r#"

@@ -4,9 +4,10 @@ use machinist::error::StopCause;
 use machinist::method::{Problem, System};
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
 use machinist_contract::Describe;
 use machinist_model::ModelSimulator;
+
+use crate::own_scene::of_text;
 
 /// A scene of one unit `ball` of coordinate `x`, mass 1 kg, with more of the unit.
 fn scene(more: &str) -> ModelSimulator {
@@ -33,17 +34,7 @@ fn scene(more: &str) -> ModelSimulator {
         {more}
         "#
     );
-    from_text(&text)
-}
-
-fn from_text(text: &str) -> ModelSimulator {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("scene.toml");
-    std::fs::write(&path, text).expect("written");
-    match pipeline::generate(&path, Keep::Needed) {
-        Ok(program) => ModelSimulator::new(program),
-        Err(errors) => panic!("{}", errors.render()),
-    }
+    of_text(&text, Keep::Needed)
 }
 
 const FALLS: &str = r#"
@@ -275,7 +266,7 @@ fn slider() -> ModelSimulator {
         rtol = 1e-8
         method = "auto"
     "#;
-    from_text(text)
+    of_text(text, Keep::Needed)
 }
 
 #[test]

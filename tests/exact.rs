@@ -3,20 +3,15 @@
 use machinist::error::StopCause;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
 use machinist_contract::{Describe, Simulator};
 use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;
 
+use crate::own_scene::of_text;
+
 /// The machine of a spec in one file, nothing left out.
 fn machine(text: &str) -> ModelSimulator {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("scene.toml");
-    std::fs::write(&path, text).expect("written");
-    match pipeline::generate(&path, Keep::All) {
-        Ok(program) => ModelSimulator::new(program),
-        Err(errors) => panic!("{}", errors.render()),
-    }
+    of_text(text, Keep::All)
 }
 
 /// One mass on a spring and a damper, driven by a force.

@@ -13,12 +13,12 @@ use machinist::linear_analysis::{
     operating_point,
 };
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
 use machinist_contract::Simulator;
-use machinist_model::ModelSimulator;
 use machinist_studies::closed_form::induction_motor::MOTOR_4A280M8;
 use machinist_studies::closed_form::two_mass::SAW_GIN;
 use nalgebra::DMatrix;
+
+use crate::own_scene::of_text;
 
 /// Two masses under torques that are in balance.
 fn two_mass() -> Simulation<'static> {
@@ -252,14 +252,7 @@ fn a_soft_spring_beside_a_stiff_one_is_no_free_motion() {
         rtol = 1e-6
         method = "auto"
     "#;
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("scene.toml");
-    std::fs::write(&path, text).expect("written");
-    let program = match pipeline::generate(&path, Keep::All) {
-        Ok(program) => program,
-        Err(errors) => panic!("{}", errors.render()),
-    };
-    let rotors = ModelSimulator::new(program);
+    let rotors = of_text(text, Keep::All);
     for stiffness in [1e4, 1e8, 1e9, 1e10, 1e11, 1e12] {
         let run = Simulation::new(&rotors).parameter("stiff.stiffness", stiffness).expect("one");
         let modes = at_equilibrium(&run).modes().expect("eigenvalues");

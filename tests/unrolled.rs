@@ -2,15 +2,14 @@
 //! as an ordinary machine: all of it goes through Symbolica once more.
 
 use std::fmt::Write as _;
-use std::path::Path;
 
 use machinist::field::{Discretisation, FieldSimulator, Lobatto};
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
 use machinist_contract::field::FieldScene;
 use machinist_contract::{Describe as _, Simulator};
-use machinist_model::ModelSimulator;
 use machinist_scenes::scenes::shaft_with_rotors::ShaftWithRotors;
+
+use crate::own_scene::of_text;
 
 /// A field with everything that may vary, an inner port and machines at two of three.
 const BENT: &str = r#"
@@ -208,14 +207,6 @@ fn written_out(chain: &Chain, x: &[f64], order: usize) -> String {
     text
 }
 
-fn interpreted(text: &str) -> ModelSimulator {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("scene.toml");
-    std::fs::write(&file, text).unwrap();
-    let program = pipeline::generate(Path::new(&file), Keep::All);
-    ModelSimulator::new(program.unwrap_or_else(|error| panic!("{}", error.render())))
-}
-
 /// Largest difference over largest entry.
 fn distance(ours: &[f64], known: &[f64]) -> f64 {
     assert_eq!(ours.len(), known.len());
@@ -246,7 +237,7 @@ fn agree(scene: &dyn FieldScene<f64>, chain: &Chain, order: usize) {
     let simulator = FieldSimulator::new(scene, wanted).unwrap();
     let p = parameters(&simulator);
     let x = simulator.places(0, &p);
-    let twin = interpreted(&written_out(chain, &x, order));
+    let twin = of_text(&written_out(chain, &x, order), Keep::All);
     let q = parameters(&twin);
     let n = x.len();
     assert_eq!((n, simulator.shape().states()), (6 * order + 1, twin.shape().states()));
@@ -299,7 +290,7 @@ fn the_emitted_element_computes_what_six_elements_written_out_compute() {
 
 #[test]
 fn an_element_that_is_bent_and_varies_along_x_computes_what_six_written_out_compute() {
-    let scene = interpreted(BENT);
+    let scene = of_text(BENT, Keep::All);
     for order in [1, 2] {
         agree(&scene, &OF_BENT, order);
     }

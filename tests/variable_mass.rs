@@ -3,8 +3,9 @@
 
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
 use machinist_model::ModelSimulator;
+
+use crate::own_scene::of_text;
 
 /// A cart that is loaded with sand while it is pushed; sand falls in from rest.
 const CART: &str = r#"
@@ -56,13 +57,7 @@ doc = "push"
 "#;
 
 fn cart() -> ModelSimulator {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("cart.toml");
-    std::fs::write(&path, CART).expect("written");
-    match pipeline::generate(&path, Keep::Needed) {
-        Ok(program) => ModelSimulator::new(program),
-        Err(errors) => panic!("{}", errors.render()),
-    }
+    of_text(CART, Keep::Needed)
 }
 
 #[test]

@@ -37,15 +37,8 @@ mod oddities {
 /// What `tape` gives by the evaluator.
 fn evaluated(model: &Model, tape: &Tape, (time, state, parameters): &Given) -> Vec<f64> {
     let mut results = vec![f64::NAN; tape.results.len()];
-    let inputs = Inputs {
-        time: *time,
-        state,
-        parameters,
-        handed: &[],
-        motion: &[],
-        constants: &[],
-        tables: &model.tables,
-    };
+    let inputs =
+        Inputs { time: *time, state, parameters, tables: &model.tables, ..Inputs::default() };
     Evaluator::new(tape).evaluate(&inputs, &mut results);
     results
 }

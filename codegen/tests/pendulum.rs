@@ -95,15 +95,7 @@ fn program(system: LagrangianSystem) -> Model {
 
 fn evaluate(tape: &Tape, state: &[f64]) -> Vec<f64> {
     let mut results = vec![0.0; tape.results.len()];
-    let inputs = Inputs {
-        time: 0.0,
-        state,
-        parameters: &[9.81],
-        handed: &[],
-        constants: &[],
-        motion: &[],
-        tables: &[],
-    };
+    let inputs = Inputs { state, parameters: &[9.81], ..Inputs::default() };
     Evaluator::new(tape).evaluate(&inputs, &mut results);
     results
 }

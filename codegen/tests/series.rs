@@ -35,15 +35,7 @@ fn start(states: usize) -> (f64, Vec<f64>) {
 
 fn inputs<'a>(model: &'a Model, time: f64, state: &'a [f64]) -> Inputs<'a> {
     let tables = &model.tables;
-    Inputs {
-        time,
-        state,
-        parameters: &PARAMETERS,
-        handed: &[],
-        constants: &[],
-        motion: &[],
-        tables,
-    }
+    Inputs { time, state, parameters: &PARAMETERS, tables, ..Inputs::default() }
 }
 
 fn series(model: &Model, orders: usize) -> Vec<f64> {

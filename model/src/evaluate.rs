@@ -9,7 +9,7 @@ use crate::room::with_room;
 use crate::{Function, NodeId, Op, Table, Tape, needed_nodes};
 
 /// What tapes read from outside.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Default, Clone, Copy)]
 pub struct Inputs<'a> {
     /// t.
     pub time: f64,

@@ -36,9 +36,9 @@ fn check(rng: &mut Rng, tape: &Tape, what: &str) {
             state: &state,
             parameters: &parameters,
             handed: &handed,
-            motion: &[],
             constants: &constants,
             tables: &tables,
+            ..Inputs::default()
         };
         let [mut expected, mut found] = [(); 2].map(|()| vec![0.0; tape.results.len()]);
         interpreted.evaluate(&inputs, &mut expected);
@@ -96,14 +96,6 @@ fn what_breaks_rules_of_models_is_not_compiled() {
 #[should_panic(expected = "that are read and written")]
 fn a_state_that_is_too_short_is_refused() {
     let compiled = CompiledTape::new(&tape(&[Op::State(3)], &[0]), &[].into());
-    let inputs = Inputs {
-        time: 0.0,
-        state: &[1.0; 3],
-        parameters: &[],
-        motion: &[],
-        handed: &[],
-        constants: &[],
-        tables: &[],
-    };
+    let inputs = Inputs { state: &[1.0; 3], ..Inputs::default() };
     compiled.expect("that are read and written").evaluate(&inputs, &mut [0.0]);
 }

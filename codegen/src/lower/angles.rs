@@ -151,15 +151,7 @@ mod tests {
 
     fn values(tape: &Tape, state: &[f64]) -> Vec<f64> {
         let mut results = vec![0.0; tape.results.len()];
-        let inputs = Inputs {
-            time: 0.3,
-            state,
-            parameters: &[0.7],
-            handed: &[],
-            constants: &[],
-            motion: &[],
-            tables: &[],
-        };
+        let inputs = Inputs { time: 0.3, state, parameters: &[0.7], ..Inputs::default() };
         Evaluator::new(tape).evaluate(&inputs, &mut results);
         results
     }

@@ -102,15 +102,7 @@ mod tests {
     use machinist_model::evaluate::{Evaluator, Inputs};
 
     fn values(tape: &Tape, state: &[f64], motion: &[f64]) -> Vec<f64> {
-        let inputs = Inputs {
-            time: 0.0,
-            state,
-            parameters: &[],
-            handed: &[],
-            constants: &[],
-            motion,
-            tables: &[],
-        };
+        let inputs = Inputs { state, motion, ..Inputs::default() };
         let mut values = vec![0.0; tape.results.len()];
         Evaluator::new(tape).evaluate(&inputs, &mut values);
         values

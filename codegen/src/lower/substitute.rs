@@ -305,15 +305,7 @@ mod tests {
     }
 
     fn values(tape: &machinist_model::Tape, state: &[f64]) -> Vec<f64> {
-        let inputs = Inputs {
-            time: 0.0,
-            state,
-            parameters: &[],
-            handed: &[],
-            constants: &[],
-            motion: &[],
-            tables: &[],
-        };
+        let inputs = Inputs { state, ..Inputs::default() };
         let mut values = vec![0.0; tape.results.len()];
         Evaluator::new(tape).evaluate(&inputs, &mut values);
         values

@@ -115,6 +115,16 @@ impl EquationsOfMotion {
         ])
     }
 
+    /// h, outputs, energies and powers: what is read as it stands, not solved for.
+    fn plain_mut(&mut self) -> impl Iterator<Item = &mut crate::expr::Expr> {
+        self.rates.iter_mut().chain(&mut self.outputs).chain(&mut self.energy).chain([
+            &mut self.dissipation,
+            &mut self.supplied,
+            &mut self.dissipated,
+            &mut self.time_momentum,
+        ])
+    }
+
     /// M, f, h and the constraints.
     fn dynamics(&self) -> impl Iterator<Item = &crate::expr::Expr> {
         let free = self.mass_matrix.iter().flatten().chain(&self.forcing).chain(&self.rates);

@@ -70,14 +70,8 @@ fn leave_free(cas: &mut Cas, equations: &mut EquationsOfMotion, free: &[Coordina
         }
         rewrite_states(equations, &direction, is_asked_for);
     }
-    let plain = equations.rates.iter_mut().chain(&mut equations.outputs);
-    let plain = plain.chain(&mut equations.energy).chain([
-        &mut equations.dissipation,
-        &mut equations.supplied,
-        &mut equations.dissipated,
-        &mut equations.time_momentum,
-    ]);
-    for expr in plain.filter(|expr| expr.mentions(|symbol| gone.contains(&symbol))) {
+    for expr in equations.plain_mut().filter(|expr| expr.mentions(|symbol| gone.contains(&symbol)))
+    {
         let held = expr.replace(&|symbol| gone.contains(&symbol).then(|| Expr::integer(0)));
         let form = cas.form(&held);
         *expr = cas.expr(&form);
@@ -101,14 +95,7 @@ fn apply(cas: &mut Cas, equations: &mut EquationsOfMotion, direction: &Direction
         let form = cas.form(&expr);
         cas.expr(&form)
     };
-    let plain = equations.rates.iter_mut().chain(&mut equations.outputs);
-    let plain = plain.chain(&mut equations.energy).chain([
-        &mut equations.dissipation,
-        &mut equations.supplied,
-        &mut equations.dissipated,
-        &mut equations.time_momentum,
-    ]);
-    for expr in plain {
+    for expr in equations.plain_mut() {
         *expr = rewritten(expr);
     }
     rewrite_helpers(cas, equations, direction, is_asked_for);

@@ -12,12 +12,13 @@ use std::path::{Path, PathBuf};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline::{self, Derivation};
 use machinist_codegen::spec::diagnostic::Diagnostics;
-use machinist_model::Model;
 use machinist_model::file::Stamped;
+use machinist_model::{Model, SourceFile};
 use serde::{Deserialize, Serialize};
 
-use crate::failure::Failure;
+use crate::failure::{Failure, all};
 use crate::progress::during;
+use cache::Key;
 pub use cache::{Cache, turn_off as turn_off_cache};
 pub use child::{COMMAND, answer_parent};
 
@@ -39,7 +40,7 @@ pub struct Request {
 pub enum Wanted {
     /// A model.
     Model,
-    /// A model, or why there is none.
+    /// A model, or word that there is none.
     ModelIfPossible,
     /// Models step by step, and equations for people.
     Everything,
@@ -49,8 +50,8 @@ pub enum Wanted {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 enum Derived {
     Model(Box<Stamped>),
-    /// There is no such model, for a reason.
-    Impossible(String),
+    /// There is no such model.
+    Impossible,
     Everything(Box<Derivation>),
 }
 
@@ -88,7 +89,7 @@ pub fn stamped(request: &Request) -> Result<Stamped, Failure> {
 pub fn possible(requests: &[Request]) -> Result<Vec<Option<Model>>, Failure> {
     let derived = derive(requests)?.into_iter().map(|derived| match derived {
         Derived::Model(stamped) => Ok(Some(stamped.model)),
-        Derived::Impossible(_) => Ok(None),
+        Derived::Impossible => Ok(None),
         Derived::Everything(_) => Err(child::broken("more than was asked for")),
     });
     derived.collect()
@@ -126,26 +127,19 @@ pub fn derivation(scene: &Path, keep: Keep) -> Result<Derivation, Failure> {
 /// derives all others.
 fn derive(requests: &[Request]) -> Result<Vec<Derived>, Failure> {
     let cache = Cache::of_user();
-    let mut keys = Vec::with_capacity(requests.len());
-    let mut wrong = Vec::new();
-    for request in requests {
-        match request.system() {
-            Ok(system) => keys.push(cache::key(request, &system.files)),
-            Err(diagnostics) => wrong.push(diagnostics.into()),
-        }
-    }
-    if !wrong.is_empty() {
-        return Err(Failure::Input(wrong));
-    }
+    let read = all(requests, |request| Ok(request.system()?.files))?;
+    let keys: Vec<Key> =
+        requests.iter().zip(&read).map(|(request, files)| cache::key(request, files)).collect();
     let mut derived: Vec<Option<Derived>> = keys.iter().map(|key| cache.get(key)).collect();
     let missing: Vec<usize> = (0..requests.len()).filter(|at| derived[*at].is_none()).collect();
     if !missing.is_empty() {
         let asked: Vec<&Request> = missing.iter().map(|at| &requests[*at]).collect();
         let answers = during("deriving", || child::ask(&asked))?;
         for (at, answer) in missing.into_iter().zip(answers) {
-            // A file may have changed since it was looked at; what it is now is the answer,
-            // and belongs to another key.
-            if answer.files().is_some_and(|files| files == cache::hashes(&requests[at])) {
+            // A file may have changed since it was looked at: the answer is of what the child
+            // read, and belongs to another key.
+            let names = read[at].iter().map(|file| &file.sha256);
+            if answer.files().is_some_and(|files| files.iter().map(|f| &f.sha256).eq(names)) {
                 cache.put(&keys[at], &answer);
             }
             derived[at] = Some(answer);
@@ -155,21 +149,21 @@ fn derive(requests: &[Request]) -> Result<Vec<Derived>, Failure> {
 }
 
 impl Derived {
-    /// Hashes of the files it was derived from.
-    fn files(&self) -> Option<Vec<String>> {
+    /// The files it was derived from.
+    fn files(&self) -> Option<&[SourceFile]> {
         let model = match self {
             Derived::Model(stamped) => &stamped.model,
             Derived::Everything(derivation) => &derivation.stages.whole,
-            Derived::Impossible(_) => return None,
+            Derived::Impossible => return None,
         };
-        Some(model.files.iter().map(|file| file.sha256.clone()).collect())
+        Some(&model.files)
     }
 
     /// Whether all its models keep the rules of models.
     fn is_valid(&self) -> bool {
         match self {
             Derived::Model(stamped) => stamped.model.validate().is_ok(),
-            Derived::Impossible(_) => true,
+            Derived::Impossible => true,
             Derived::Everything(derivation) => {
                 let steps = derivation.stages.steps.iter().map(|(_, model)| model);
                 std::iter::once(&derivation.stages.whole)

@@ -52,6 +52,22 @@ impl Failure {
     }
 }
 
+/// Applies a stage to every item; if any fails, fails with what is wrong in all.
+#[cfg(feature = "derive")]
+pub fn all<I, T>(
+    items: impl IntoIterator<Item = I>,
+    stage: impl Fn(I) -> Result<T, Diagnostics>,
+) -> Result<Vec<T>, Failure> {
+    let (mut done, mut wrong) = (Vec::new(), Vec::new());
+    for item in items {
+        match stage(item) {
+            Ok(result) => done.push(result),
+            Err(diagnostics) => wrong.push(diagnostics.into()),
+        }
+    }
+    if wrong.is_empty() { Ok(done) } else { Err(Failure::Input(wrong)) }
+}
+
 /// A hint for a name that is not known: the nearest one, or all there are.
 pub fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone) -> String {
     match nearest(name, known.clone()) {

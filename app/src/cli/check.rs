@@ -15,7 +15,7 @@ use super::output::print;
 use super::scene::Given;
 use super::specs;
 use crate::deriving;
-use crate::failure::Failure;
+use crate::failure::{Failure, all};
 
 #[derive(Debug, Args)]
 pub struct Check {
@@ -43,7 +43,7 @@ impl Check {
                 }
             }
         }
-        let systems = specs::all(&files, pipeline::check)?;
+        let systems = all(&files, |file| pipeline::check(file))?;
         for (file, system) in files.iter().zip(&systems) {
             let _ = writeln!(
                 text,

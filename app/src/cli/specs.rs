@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use machinist_codegen::spec::diagnostic::Diagnostics;
 use machinist_model::Model;
 use machinist_model::operations;
 
@@ -39,21 +38,6 @@ fn toml_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     }
     files.sort();
     Ok(files)
-}
-
-/// Applies a stage to every file; if any fails, fails with what is wrong in all.
-pub fn all<T>(
-    files: &[PathBuf],
-    stage: impl Fn(&Path) -> Result<T, Diagnostics>,
-) -> Result<Vec<T>, Failure> {
-    let (mut done, mut wrong) = (Vec::new(), Vec::new());
-    for file in files {
-        match stage(file) {
-            Ok(result) => done.push(result),
-            Err(diagnostics) => wrong.push(diagnostics.into()),
-        }
-    }
-    if wrong.is_empty() { Ok(done) } else { Err(Failure::Input(wrong)) }
 }
 
 /// What one emitted function costs.

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::SystemTime;
 
-use machinist_codegen::pipeline::{self, GENERATOR};
+use machinist_codegen::pipeline::GENERATOR;
 use machinist_codegen::spec::SourceFile;
 use machinist_model::file::{VERSION, open, seal};
 use sha2::{Digest as _, Sha256};
@@ -67,13 +67,6 @@ pub(super) fn key(request: &Request, files: &[SourceFile]) -> Key {
         add(&file.sha256);
     }
     Key(hex(&hasher.finalize()))
-}
-
-/// Hashes of the files of a request's spec, as they are now.
-pub(super) fn hashes(request: &Request) -> Vec<String> {
-    let system = pipeline::check(&request.scene);
-    system
-        .map_or_else(|_| Vec::new(), |system| system.files.into_iter().map(|f| f.sha256).collect())
 }
 
 fn hex(bytes: &[u8]) -> String {
@@ -153,8 +146,9 @@ impl Cache {
     /// Another process may delete them too.
     pub fn keep_within(&self, most: u64) -> Size {
         let mut gone = Size::default();
-        let mut left = self.size().bytes;
-        for (_, bytes, path) in self.entries() {
+        let entries = self.entries();
+        let mut left: u64 = entries.iter().map(|(_, bytes, _)| bytes).sum();
+        for (_, bytes, path) in entries {
             if left <= most {
                 break;
             }

@@ -11,7 +11,7 @@ use machinist_codegen::spec::diagnostic::Diagnostics;
 use machinist_model::file::{open, seal};
 
 use super::{Derived, Request, Wanted};
-use crate::failure::Failure;
+use crate::failure::{Failure, all};
 
 /// The command that the child is called with.
 pub const COMMAND: &str = "derive-for-parent";
@@ -61,16 +61,7 @@ pub fn answer_parent() -> Result<(), Failure> {
     stdin().read_to_end(&mut bytes).map_err(failed)?;
     let requests: Vec<Request> = open(QUESTION, &bytes)
         .map_err(|error| Failure::input(error, "this command is for the program's own use"))?;
-    let (mut answers, mut wrong) = (Vec::new(), Vec::new());
-    for request in &requests {
-        match derive(request) {
-            Ok(derived) => answers.push(derived),
-            Err(diagnostics) => wrong.push(diagnostics.into()),
-        }
-    }
-    if !wrong.is_empty() {
-        return Err(Failure::Input(wrong));
-    }
+    let answers = all(&requests, derive)?;
     let mut out = stdout().lock();
     out.write_all(&seal(ANSWER, &answers)).and_then(|()| out.flush()).map_err(failed)
 }
@@ -84,7 +75,7 @@ fn derive(request: &Request) -> Result<Derived, Diagnostics> {
         }
         Wanted::ModelIfPossible => match pipeline::compile(system, request.keep) {
             Ok(model) => Derived::Model(Box::new(pipeline::stamped(model, request.keep))),
-            Err(diagnostics) => Derived::Impossible(diagnostics.to_string()),
+            Err(_) => Derived::Impossible,
         },
         Wanted::Everything => {
             Derived::Everything(Box::new(pipeline::derivation(system, request.keep)?))

@@ -5,12 +5,10 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use crate::support::machines;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_model::Model;
-
-#[path = "support/machines.rs"]
-mod machines;
 
 /// Generous: unoptimized, and beside other builds. What has no bound fails all the same.
 const PATIENCE: Duration = Duration::from_secs(60);

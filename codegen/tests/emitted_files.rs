@@ -1,14 +1,12 @@
 //! Writing and checking emitted files.
 
-mod support;
-
 use std::fs;
 use std::path::Path;
 
+use crate::support::{oddities, pendulum};
 use machinist_codegen::write::{
     Freshness, Mode, WriteError, Written, check, emit_scenes, write_if_changed, write_within,
 };
-use support::{oddities, pendulum};
 
 fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).expect("a folder").map(|entry| {

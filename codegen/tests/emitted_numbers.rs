@@ -2,8 +2,7 @@
 
 #![allow(clippy::float_cmp, reason = "numbers that are only moved stay the same")]
 
-mod support;
-
+use crate::support;
 use machinist_contract::{Describe, Simulator};
 use machinist_model::evaluate::{Evaluator, Inputs};
 use machinist_model::{Model, State, Tape};

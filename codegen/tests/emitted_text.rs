@@ -2,17 +2,15 @@
 //! comment. Emitted modules are kept in `tests/emitted/`, where the other tests
 //! compile them; `ACCEPT_EMITTED=1 cargo test -p machinist-codegen` renews them.
 
-mod support;
-
 use std::path::Path;
 
+use crate::support::{HOSTILE, coupled, oddities, pendulum, recurrences, tape};
 use machinist_codegen::emit::rust::{emit, emit_index};
 use machinist_codegen::emit::{EmitError, EmitOptions};
 use machinist_model::Model;
 use machinist_model::operations;
 use machinist_model::{Node, NodeId, Op, Tape};
 use proc_macro2::{TokenStream, TokenTree};
-use support::{HOSTILE, coupled, oddities, pendulum, recurrences, tape};
 
 fn emitted(model: &Model) -> String {
     emit(model, &EmitOptions::for_build_script()).expect("a model that can be emitted")

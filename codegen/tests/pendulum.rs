@@ -5,8 +5,7 @@
 //! w_ij = n - max(i, j)
 //! ```
 
-mod support;
-
+use crate::support;
 use machinist_codegen::cas::session;
 use machinist_codegen::expr::{CoordinateId, Expr, Function, ParameterId, Symbol};
 use machinist_codegen::lower::lower;

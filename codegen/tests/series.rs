@@ -1,8 +1,7 @@
 //! Taylor series against the equations they solve, and emitted series against
 //! interpreted ones.
 
-mod support;
-
+use crate::support;
 use machinist_contract::Simulator;
 use machinist_model::Model;
 use machinist_model::evaluate::{Evaluator, Inputs};

@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use crate::common::describe;
 use machinist_codegen::scene::compose;
 use machinist_codegen::scene::system::LagrangianSystem;
 use machinist_codegen::spec::diagnostic::Diagnostics;
@@ -92,7 +93,7 @@ fn good_specs_compose_to_the_system_on_record() {
     settings.bind(|| {
         for (name, path) in specs("pass") {
             match read(&path) {
-                Ok(system) => insta::assert_snapshot!(name.as_str(), common::describe(&system)),
+                Ok(system) => insta::assert_snapshot!(name.as_str(), describe(&system)),
                 Err(errors) => panic!("{name}: {}", errors.render()),
             }
         }
@@ -110,5 +111,3 @@ fn scenes_of_the_repository_compose() {
         }
     }
 }
-
-mod common;

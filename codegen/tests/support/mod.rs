@@ -1,6 +1,6 @@
 //! Models worked out by hand, without the stages that usually make them.
 
-#![allow(dead_code, reason = "every test takes what it needs")]
+pub mod machines;
 
 use machinist_codegen::expr::Expr;
 use machinist_codegen::scene::system::{

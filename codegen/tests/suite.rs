@@ -1,0 +1,17 @@
+//! What the generator is relied on for, one module a subject; `cargo test -p
+//! machinist-codegen --test suite specs::` runs one.
+
+mod common;
+mod support;
+
+mod build_script;
+mod derivation;
+mod derivation_limits;
+mod emitted_files;
+mod emitted_numbers;
+mod emitted_text;
+mod limits;
+mod pendulum;
+mod readable_equations;
+mod series;
+mod specs;

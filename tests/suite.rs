@@ -18,6 +18,7 @@ mod methods;
 mod orders;
 mod prepared;
 mod simulate;
+mod sparsity;
 mod sweep;
 mod taylor;
 mod unrolled;

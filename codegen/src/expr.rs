@@ -13,6 +13,7 @@ pub mod rank;
 mod signs;
 mod terms;
 pub mod trigonometry;
+mod vanishing;
 
 use std::collections::BTreeSet;
 
@@ -134,6 +135,26 @@ impl Function {
             Self::Tanh => Unary::Tanh,
             Self::SelectLess | Self::Table { .. } => return None,
         })
+    }
+}
+
+impl From<Unary> for Function {
+    fn from(unary: Unary) -> Self {
+        match unary {
+            Unary::Sqrt => Self::Sqrt,
+            Unary::Abs => Self::Abs,
+            Unary::Exp => Self::Exp,
+            Unary::Ln => Self::Ln,
+            Unary::Sin => Self::Sin,
+            Unary::Cos => Self::Cos,
+            Unary::Tan => Self::Tan,
+            Unary::Asin => Self::Asin,
+            Unary::Acos => Self::Acos,
+            Unary::Atan => Self::Atan,
+            Unary::Sinh => Self::Sinh,
+            Unary::Cosh => Self::Cosh,
+            Unary::Tanh => Self::Tanh,
+        }
     }
 }
 

@@ -106,6 +106,13 @@ impl Graph {
         self.literal_value(id) == Some(0.0)
     }
 
+    /// Of each node, whether it is zero whatever the state, the parameters and time are,
+    /// also where that shows only once everything is worked out.
+    #[must_use]
+    pub fn vanishing(&self) -> Vec<bool> {
+        super::vanishing::vanishing(&self.nodes)
+    }
+
     /// Whether a node depends on parameters and literals only.
     #[must_use]
     pub fn is_constant(&self, id: NodeId) -> bool {

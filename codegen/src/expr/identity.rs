@@ -26,7 +26,7 @@ const TURN: u64 = 81;
 /// A root of -1 modulo P.
 const I: u64 = 2_800_538_231_775_425_404;
 /// Points at which an identity has to hold.
-const POINTS: u64 = 2;
+pub(super) const POINTS: u64 = 2;
 
 /// What is known of an expression at the points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -75,14 +75,14 @@ pub(super) struct Value {
 }
 
 impl Value {
-    const ZERO: Value = Value { p: 0, q: 0 };
-    const ONE: Value = Value { p: 1, q: 1 };
+    pub(super) const ZERO: Value = Value { p: 0, q: 0 };
+    pub(super) const ONE: Value = Value { p: 1, q: 1 };
 
-    fn is_zero(self) -> bool {
+    pub(super) fn is_zero(self) -> bool {
         self.p == 0
     }
 
-    fn of(number: &BigRational) -> Option<Value> {
+    pub(super) fn of(number: &BigRational) -> Option<Value> {
         let over = |modulus| {
             let below = inverse(residue(number.denom(), modulus), modulus)?;
             Some(times(residue(number.numer(), modulus), below, modulus))
@@ -90,26 +90,26 @@ impl Value {
         Some(Value { p: over(P)?, q: over(Q)? })
     }
 
-    fn plus(self, other: Value) -> Value {
+    pub(super) fn plus(self, other: Value) -> Value {
         Value { p: (self.p + other.p) % P, q: (self.q + other.q) % Q }
     }
 
-    fn minus(self) -> Value {
+    pub(super) fn minus(self) -> Value {
         Value { p: (P - self.p) % P, q: (Q - self.q) % Q }
     }
 
-    fn times(self, other: Value) -> Value {
+    pub(super) fn times(self, other: Value) -> Value {
         Value { p: times(self.p, other.p, P), q: times(self.q, other.q, Q) }
     }
 
     /// None of zero.
-    fn inverse(self) -> Option<Value> {
+    pub(super) fn inverse(self) -> Option<Value> {
         let p = inverse(self.p, P)?;
         // A residue may vanish by chance where an exponent does not stand.
         Some(Value { p, q: inverse(self.q, Q).unwrap_or(0) })
     }
 
-    fn power(self, exponent: &BigInt) -> Option<Value> {
+    pub(super) fn power(self, exponent: &BigInt) -> Option<Value> {
         let base = if exponent.is_negative() { self.inverse()? } else { self };
         let size = exponent.abs();
         let raised = |base, modulus: u64| raised(base, residue(&size, modulus - 1), modulus);
@@ -164,7 +164,7 @@ pub(super) struct Point {
 }
 
 impl Point {
-    fn random(&self, words: &[u64]) -> Value {
+    pub(super) fn random(&self, words: &[u64]) -> Value {
         let bits = words.iter().fold(mixed(self.point, words.len() as u64), |b, w| mixed(b, *w));
         Value { p: bits % P, q: mixed(bits, 1) % Q }
     }
@@ -222,7 +222,7 @@ impl Point {
         if of == Value::ONE { of } else { self.opaque(200 + degree, &[of]) }
     }
 
-    fn call(&self, function: Function, arguments: &[Value]) -> Option<Value> {
+    pub(super) fn call(&self, function: Function, arguments: &[Value]) -> Option<Value> {
         let x = *arguments.first()?;
         let half = |value: Value| Some(value.times(Value { p: 2, q: 2 }.inverse()?));
         let exp = |x: Value| Value { p: raised(GROWTH, x.q, P), ..self.opaque(1, &[x]) };
@@ -261,8 +261,11 @@ impl Point {
             Function::Ln => self.opaque(7, arguments),
             Function::Acos => self.opaque(8, arguments),
             Function::SelectLess => match arguments {
-                [_, _, then, otherwise] if then == otherwise => *then,
-                [a, b, then, otherwise] => self.opaque(9, &[a.plus(b.minus()), *then, *otherwise]),
+                // otherwise + (then - otherwise) chi: what is zero for any chi is for 0 and 1.
+                [a, b, then, otherwise] => {
+                    let chi = self.opaque(9, &[a.plus(b.minus())]);
+                    otherwise.plus(then.plus(otherwise.minus()).times(chi))
+                }
                 _ => return None,
             },
             Function::Table { table, order } => {
@@ -273,7 +276,7 @@ impl Point {
     }
 
     /// A function of which only that it is one is known.
-    fn opaque(&self, function: u64, arguments: &[Value]) -> Value {
+    pub(super) fn opaque(&self, function: u64, arguments: &[Value]) -> Value {
         let words = arguments.iter().flat_map(|value| [value.p, value.q]);
         let words: Vec<u64> = std::iter::once(1000 + function).chain(words).collect();
         self.random(&words)
@@ -315,6 +318,10 @@ mod tests {
         Expr::Call(function, vec![of])
     }
 
+    fn select(arguments: [Expr; 4]) -> Expr {
+        Expr::Call(Function::SelectLess, arguments.into())
+    }
+
     #[test]
     fn what_is_zero_is_found_to_be() {
         let minus = |a: Expr, b: Expr| sum([a, times(-1, b)]);
@@ -343,6 +350,10 @@ mod tests {
             call(sin, minus(x(), x())),
             call(Function::Ln, Expr::integer(1)),
             minus(
+                product(p(), select([x(), p(), power(x(), 2), x()])),
+                select([x(), p(), product(p(), power(x(), 2)), product(x(), p())]),
+            ),
+            minus(
                 power(call(Function::Cosh, x()), 2),
                 sum([power(call(Function::Sinh, x()), 2), Expr::integer(1)]),
             ),
@@ -357,6 +368,8 @@ mod tests {
             x(),
             sum([x(), p()]),
             call(Function::Cos, sum([x(), times(-1, x())])),
+            select([x(), p(), Expr::integer(0), x()]),
+            sum([select([x(), p(), p(), x()]), times(-1, select([p(), x(), p(), x()]))]),
             sum([power(x(), 64), times(-1, power(x(), 63))]),
             sum([call(Function::Sqrt, power(x(), 2)), times(-1, x())]),
             sum([call(Function::Exp, x()), times(-1, call(Function::Exp, p()))]),

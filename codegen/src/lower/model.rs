@@ -157,7 +157,11 @@ impl<'a> Build<'a> {
         if self.is_large() {
             Jacobians::Implicit(partials.map(|partials| self.columns(partials)))
         } else {
-            Jacobians::Unrolled(Box::new(partials.map(|partials| self.jacobian(partials))))
+            let columns = partials.map(|partials| -> Vec<Vec<NodeId>> {
+                partials.iter().map(|partials| self.column(partials)).collect()
+            });
+            let vanishes = self.graph.vanishing();
+            Jacobians::Unrolled(Box::new(columns.map(|columns| self.jacobian(&columns, &vanishes))))
         }
     }
 
@@ -241,18 +245,18 @@ impl<'a> Build<'a> {
             let side: Vec<NodeId> = (0..self.solution.len()).map(side).collect();
             let solved = self.substitution.accelerations(&mut self.graph, &side);
             for (entry, coordinate) in velocities {
-                if !self.graph.is_zero(solved[*coordinate]) {
-                    nonzeros.insert((*entry, column), solved[*coordinate]);
-                }
+                nonzeros.insert((*entry, column), solved[*coordinate]);
             }
         }
+        let vanishes = self.graph.vanishing();
+        nonzeros.retain(|_, node| !vanishes[node.0 as usize]);
         Implicit::unrolled(&nonzeros, self.rate.len(), columns.count)
     }
 
-    /// A Jacobian by columns, stored by rows.
-    fn jacobian(&mut self, partials: &[Partials]) -> MatrixTape {
-        let columns: Vec<Vec<NodeId>> = partials.iter().map(|p| self.column(p)).collect();
-        self.matrix_tape(self.rate.len(), columns.len(), |row, column| columns[column][row])
+    /// A Jacobian by columns, stored by rows, without the nodes that vanish.
+    fn jacobian(&self, columns: &[Vec<NodeId>], vanishes: &[bool]) -> MatrixTape {
+        let is_zero = |node: NodeId| vanishes[node.0 as usize];
+        self.matrix_tape(self.rate.len(), columns.len(), |r, c| columns[c][r], is_zero)
     }
 
     /// Whether derivatives are worth a solve by factors: where factors change with the state,
@@ -340,13 +344,14 @@ impl<'a> Build<'a> {
 
     fn mass_matrix_tape(&self) -> MatrixTape {
         let n = self.coordinates();
-        self.matrix_tape(n, n, |row, column| self.matrix[row][column])
+        self.matrix_tape(n, n, |row, column| self.matrix[row][column], |id| self.graph.is_zero(id))
     }
 
     fn constraint_matrix_tape(&self) -> MatrixTape {
         let n = self.coordinates();
         let count = self.solution.len() - n;
-        self.matrix_tape(count, n, |row, column| self.matrix[n + row][column])
+        let entry = |row: usize, column: usize| self.matrix[n + row][column];
+        self.matrix_tape(count, n, entry, |id| self.graph.is_zero(id))
     }
 
     fn matrix_tape(
@@ -354,10 +359,11 @@ impl<'a> Build<'a> {
         rows: usize,
         columns: usize,
         entry: impl Fn(usize, usize) -> NodeId,
+        is_zero: impl Fn(NodeId) -> bool,
     ) -> MatrixTape {
         let places = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
         let nonzeros: Vec<(usize, usize)> =
-            places.filter(|(row, column)| !self.graph.is_zero(entry(*row, *column))).collect();
+            places.filter(|(row, column)| !is_zero(entry(*row, *column))).collect();
         let results: Vec<NodeId> = nonzeros.iter().map(|(r, c)| entry(*r, *c)).collect();
         let entries = nonzeros.iter().map(|(r, c)| (*r as u32, *c as u32)).collect();
         MatrixTape {

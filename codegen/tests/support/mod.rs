@@ -1,5 +1,7 @@
 //! Models worked out by hand, without the stages that usually make them.
 
+#![allow(dead_code, reason = "tests of other crates take what they need")]
+
 pub mod machines;
 
 use machinist_codegen::expr::Expr;

@@ -16,9 +16,9 @@
 //
 // All quantities are in SI units.
 // Shapes: coordinates 6, states 12, parameters 12, outputs 5, constraints 3.
-// Nonzeros: mass_matrix 6 of 6 by 6, rate_jacobian 78 of 12 by 12, parameter_jacobian 54 of 12 by 12,
+// Nonzeros: mass_matrix 6 of 6 by 6, rate_jacobian 78 of 12 by 12, parameter_jacobian 36 of 12 by 12,
 //     constraint_matrix 10 of 3 by 6.
-// Operations: initial_state 8, rate 132, forcing 6, rate_jacobian 506, parameter_jacobian 471,
+// Operations: initial_state 8, rate 132, forcing 6, rate_jacobian 506, parameter_jacobian 305,
 //     outputs 111, energy 25, power_balance 153, constraint_values 25, constraint_rates 33,
 //     constraint_matrix 17, prepare 15, prepared_rate 120, prepared_rate_jacobian 491.
 
@@ -90,9 +90,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real};
         9 [0 1 2 3 4 5 6 7 8 9 10 11] 10 [0 1 2 3 4 5 6 7 8 9 10 11] 11 [0 1 2 3 4 5 6 7 8 9 10 11]
         }
     /// Nonzeros of dy'/dp.
-    PARAMETER_JACOBIAN_PATTERN: 12 by 12 { 6 [0 1 2 6 7 8 9 10 11] 7 [0 1 2 6 7 8 9 10 11]
-        8 [0 1 2 6 7 8 9 10 11] 9 [0 1 2 6 7 8 9 10 11] 10 [0 1 2 6 7 8 9 10 11]
-        11 [0 1 2 6 7 8 9 10 11] }
+    PARAMETER_JACOBIAN_PATTERN: 12 by 12 { 6 [6 7 8 9 10 11] 7 [6 7 8 9 10 11] 8 [6 7 8 9 10 11]
+        9 [6 7 8 9 10 11] 10 [6 7 8 9 10 11] 11 [6 7 8 9 10 11] }
     /// Nonzeros of G = dg'/dq'.
     CONSTRAINT_MATRIX_PATTERN: 3 by 6 { 0 [0 1] 1 [0 1 2 3] 2 [2 3 4 5] }
 }
@@ -446,24 +445,20 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Param
         third_v_y_dot_by_third_v_y]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 471 operations.
+/// `dy'/dp`, values in the order of its pattern. 305 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 54] {
+pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 36] {
     let [first_x, first_y, second_x, second_y, third_x, third_y, first_v_x, first_v_y, second_v_x,
         second_v_y, third_v_x, third_v_y] = *state;
     let inverse_l_1 = R::literal(1.0) / p.l_1;
     let inverse_l_1_times_first_x = inverse_l_1 * first_x;
-    let second_x_minus_first_x = second_x - first_x;
     let inverse_l_2 = R::literal(1.0) / p.l_2;
-    let t0 = inverse_l_2 * second_x_minus_first_x;
+    let t0 = inverse_l_2 * (second_x - first_x);
     let inverse_l_1_times_first_y = inverse_l_1 * first_y;
-    let second_y_minus_first_y = second_y - first_y;
-    let t1 = inverse_l_2 * second_y_minus_first_y;
-    let third_x_minus_second_x = third_x - second_x;
+    let t1 = inverse_l_2 * (second_y - first_y);
     let inverse_l_3 = R::literal(1.0) / p.l_3;
-    let t2 = inverse_l_3 * third_x_minus_second_x;
-    let third_y_minus_second_y = third_y - second_y;
-    let t3 = inverse_l_3 * third_y_minus_second_y;
+    let t2 = inverse_l_3 * (third_x - second_x);
+    let t3 = inverse_l_3 * (third_y - second_y);
     let inverse_first_mass = R::literal(1.0) / p.first_mass;
     let t4 = inverse_l_1_times_first_x * inverse_first_mass;
     let t5 = t0 * inverse_first_mass;
@@ -492,184 +487,117 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let third_mass_times_third_gravity = p.third_mass * p.third_gravity;
     let first_v_x_squared = first_v_x * first_v_x;
     let first_v_y_squared = first_v_y * first_v_y;
-    let t21 = first_v_x_squared + first_v_y_squared;
     let second_v_x_squared = second_v_x * second_v_x;
     let second_v_y_squared = second_v_y * second_v_y;
-    let t22 = (R::literal(2.0) * first_v_x * second_v_x).add_product(R::literal(2.0) * first_v_y,
-        second_v_y) - first_v_x_squared - first_v_y_squared - second_v_x_squared
-        - second_v_y_squared;
-    let t23 = ((R::literal(2.0) * second_v_x * third_v_x).add_product(R::literal(2.0) * second_v_y,
+    let t21 = (-(inverse_l_1 * (first_v_x_squared + first_v_y_squared))).add_product(t6,
+        first_mass_times_first_gravity);
+    let t22 = (-(t7 * first_mass_times_first_gravity)).add_product(inverse_l_2, (R::literal(2.0)
+        * first_v_x * second_v_x).add_product(R::literal(2.0) * first_v_y, second_v_y)
+        - first_v_x_squared - first_v_y_squared - second_v_x_squared - second_v_y_squared)
+        .add_product(t10, second_mass_times_second_gravity).add_product(t16, t21);
+    let link_3 = (-(t11 * second_mass_times_second_gravity)).add_product(inverse_l_3,
+        ((R::literal(2.0) * second_v_x * third_v_x).add_product(R::literal(2.0) * second_v_y,
         third_v_y) - second_v_x_squared - second_v_y_squared).sub_product(third_v_x, third_v_x)
-        .sub_product(third_v_y, third_v_y);
-    let t24 = (-(inverse_l_1 * t21)).add_product(t6, first_mass_times_first_gravity);
-    let t25 = (-(t7 * first_mass_times_first_gravity)).add_product(inverse_l_2, t22)
-        .add_product(t10, second_mass_times_second_gravity).add_product(t16, t24);
-    let link_3 = (-(t11 * second_mass_times_second_gravity)).add_product(inverse_l_3, t23)
-        .add_product(t13, third_mass_times_third_gravity).sub_product(t19, t25) * t20;
-    let t26 = (t25 * t17).add_product(t19, link_3);
-    let t27 = (-(t24 * t14)).add_product(t16, t26);
+        .sub_product(third_v_y, third_v_y)).add_product(t13, third_mass_times_third_gravity)
+        .sub_product(t19, t22) * t20;
+    let t23 = (t22 * t17).add_product(t19, link_3);
+    let t24 = (-(t21 * t14)).add_product(t16, t23);
     let third_v_y_dot = (-(third_mass_times_third_gravity * inverse_third_mass)).add_product(t13,
         link_3);
     let third_v_x_dot = t12 * link_3;
-    let t28 = (second_mass_times_second_gravity * inverse_second_mass).add_product(t10, t26)
-        .add_product(t11, link_3);
-    let t29 = (t9 * link_3).add_product(t8, t26);
+    let t25 = (t9 * link_3).add_product(t8, t23);
     let first_v_y_dot = (-(first_mass_times_first_gravity * inverse_first_mass).add_product(t6,
-        t27)).add_product(t7, t26);
-    let t30 = t4 * t27;
-    let t31 = t5 * t26;
-    let first_v_x_dot = t31 - t30;
-    let inverse_l_1_squared = R::literal(1.0) / (p.l_1 * p.l_1);
-    let inverse_l_1_squared_times_first_x = inverse_l_1_squared * first_x;
-    let t32 = inverse_l_1_squared_times_first_x * t27;
-    let inverse_l_1_squared_times_first_y = inverse_l_1_squared * first_y;
-    let t33 = inverse_l_1_squared_times_first_y * t27;
-    let t34 = (inverse_l_1_squared * t21).add_product(inverse_l_1_squared_times_first_x,
-        first_v_x_dot).add_product(inverse_l_1_squared_times_first_y, first_v_y_dot)
-        .sub_product(t4, t32).sub_product(t6, t33);
-    let t35 = (t5 * t32).add_product(t7, t33).add_product(t16, t34);
-    let t36 = t19 * t35 * t20;
-    let t37 = (t35 * t17).sub_product(t19, t36);
-    let t38 = (-(t34 * t14)).add_product(t16, t37);
-    let third_v_y_dot_by_l_1 = -(t13 * t36);
-    let third_v_x_dot_by_l_1 = -(t12 * t36);
-    let second_v_y_dot_by_l_1 = (t11 * t36).sub_product(t10, t37);
-    let second_v_x_dot_by_l_1 = (t9 * t36).sub_product(t8, t37);
-    let first_v_y_dot_by_l_1 = (t33 * inverse_first_mass).sub_product(t6, t38).add_product(t7, t37);
-    let first_v_x_dot_by_l_1 = (t32 * inverse_first_mass).sub_product(t4, t38).add_product(t5, t37);
-    let inverse_l_2_squared = R::literal(1.0) / (p.l_2 * p.l_2);
-    let t39 = inverse_l_2_squared * second_x_minus_first_x;
-    let t40 = t39 * t26;
-    let t41 = inverse_l_2_squared * second_y_minus_first_y;
-    let t42 = t41 * t26;
-    let t43 = (t4 * t40).add_product(t6, t42);
-    let t44 = (-(inverse_l_2_squared * t22).add_product(t39, first_v_x_dot).add_product(t41,
-        first_v_y_dot).add_product(t39, t29).add_product(t41, t28).add_product(t5, t40)
-        .add_product(t7, t42).add_product(t8, t40).add_product(t10, t42)).add_product(t16, t43);
-    let t45 = (t9 * t40).add_product(t11, t42).sub_product(t19, t44) * t20;
-    let t46 = (t44 * t17).add_product(t19, t45);
-    let t47 = (-(t43 * t14)).add_product(t16, t46);
-    let third_v_y_dot_by_l_2 = t13 * t45;
-    let third_v_x_dot_by_l_2 = t12 * t45;
-    let second_v_y_dot_by_l_2 = (t42 * inverse_second_mass).sub_product(t10, t46).sub_product(t11,
-        t45);
-    let second_v_x_dot_by_l_2 = (t40 * inverse_second_mass).sub_product(t8, t46).sub_product(t9,
-        t45);
-    let first_v_y_dot_by_l_2 = (-(t42 * inverse_first_mass).add_product(t6, t47)).add_product(t7,
-        t46);
-    let first_v_x_dot_by_l_2 = (-(t40 * inverse_first_mass).add_product(t4, t47)).add_product(t5,
-        t46);
-    let inverse_l_3_squared = R::literal(1.0) / (p.l_3 * p.l_3);
-    let t48 = inverse_l_3_squared * third_x_minus_second_x;
-    let t49 = t48 * link_3;
-    let t50 = inverse_l_3_squared * third_y_minus_second_y;
-    let t51 = t50 * link_3;
-    let t52 = (t8 * t49).add_product(t10, t51);
-    let t53 = (-(inverse_l_3_squared * t23)).add_product(t48, t29).add_product(t50, t28)
-        .add_product(t48, third_v_x_dot).add_product(t50, third_v_y_dot).add_product(t9, t49)
-        .add_product(t11, t51).add_product(t12, t49).add_product(t13, t51).add_product(t19, t52)
-        * t20;
-    let t54 = (-(t52 * t17)).add_product(t19, t53);
-    let t55 = t16 * t54;
-    let third_v_y_dot_by_l_3 = (-(t51 * inverse_third_mass)).add_product(t13, t53);
-    let third_v_x_dot_by_l_3 = (-(t49 * inverse_third_mass)).add_product(t12, t53);
-    let second_v_y_dot_by_l_3 = (t51 * inverse_second_mass).sub_product(t10, t54).sub_product(t11,
-        t53);
-    let second_v_x_dot_by_l_3 = (t49 * inverse_second_mass).sub_product(t8, t54).sub_product(t9,
-        t53);
-    let first_v_y_dot_by_l_3 = (t7 * t54).sub_product(t6, t55);
-    let first_v_x_dot_by_l_3 = (t5 * t54).sub_product(t4, t55);
-    let t56 = t30 - t31;
+        t24)).add_product(t7, t23);
+    let t26 = (-(t5 * t23)).add_product(t4, t24);
     let first_gravity_plus_first_v_y_dot = p.first_gravity + first_v_y_dot;
-    let t57 = (-(t4 * t56)).add_product(t6, first_gravity_plus_first_v_y_dot);
-    let t58 = (t5 * t56).sub_product(t7, first_gravity_plus_first_v_y_dot).add_product(t16, t57);
-    let t59 = t19 * t58 * t20;
-    let t60 = (t58 * t17).sub_product(t19, t59);
-    let t61 = (-(t57 * t14)).add_product(t16, t60);
-    let third_v_y_dot_by_first_mass = -(t13 * t59);
-    let third_v_x_dot_by_first_mass = -(t12 * t59);
-    let second_v_y_dot_by_first_mass = (t11 * t59).sub_product(t10, t60);
-    let second_v_x_dot_by_first_mass = (t9 * t59).sub_product(t8, t60);
+    let t27 = (-(t4 * t26)).add_product(t6, first_gravity_plus_first_v_y_dot);
+    let t28 = (t5 * t26).sub_product(t7, first_gravity_plus_first_v_y_dot).add_product(t16, t27);
+    let t29 = t19 * t28 * t20;
+    let t30 = (t28 * t17).sub_product(t19, t29);
+    let t31 = (-(t27 * t14)).add_product(t16, t30);
+    let third_v_y_dot_by_first_mass = -(t13 * t29);
+    let third_v_x_dot_by_first_mass = -(t12 * t29);
+    let second_v_y_dot_by_first_mass = (t11 * t29).sub_product(t10, t30);
+    let second_v_x_dot_by_first_mass = (t9 * t29).sub_product(t8, t30);
     let first_v_y_dot_by_first_mass = (-(first_gravity_plus_first_v_y_dot * inverse_first_mass)
-        .add_product(t6, t61)).add_product(t7, t60);
-    let first_v_x_dot_by_first_mass = (t56 * inverse_first_mass).sub_product(t4, t61)
-        .add_product(t5, t60);
-    let t62 = t6 * p.first_mass;
-    let t63 = (-(t7 * p.first_mass)).add_product(t16, t62);
-    let t64 = t19 * t63 * t20;
-    let t65 = (t63 * t17).sub_product(t19, t64);
-    let t66 = (-(t62 * t14)).add_product(t16, t65);
-    let third_v_y_dot_by_first_gravity = -(t13 * t64);
-    let third_v_x_dot_by_first_gravity = -(t12 * t64);
-    let second_v_y_dot_by_first_gravity = (t11 * t64).sub_product(t10, t65);
-    let second_v_x_dot_by_first_gravity = (t9 * t64).sub_product(t8, t65);
-    let first_v_y_dot_by_first_gravity = (-(p.first_mass * inverse_first_mass).add_product(t6, t66))
-        .add_product(t7, t65);
-    let first_v_x_dot_by_first_gravity = (t5 * t65).sub_product(t4, t66);
-    let t67 = t28 - p.second_gravity;
-    let t68 = (t8 * t29).add_product(t10, t67);
-    let t69 = (t9 * t29).add_product(t11, t67).add_product(t19, t68) * t20;
-    let t70 = (-(t68 * t17)).add_product(t19, t69);
-    let t71 = t16 * t70;
-    let third_v_y_dot_by_second_mass = t13 * t69;
-    let third_v_x_dot_by_second_mass = t12 * t69;
-    let second_v_y_dot_by_second_mass = (t67 * inverse_second_mass).sub_product(t10, t70)
-        .sub_product(t11, t69);
-    let second_v_x_dot_by_second_mass = (t29 * inverse_second_mass).sub_product(t8, t70)
-        .sub_product(t9, t69);
-    let first_v_y_dot_by_second_mass = (t7 * t70).sub_product(t6, t71);
-    let first_v_x_dot_by_second_mass = (t5 * t70).sub_product(t4, t71);
-    let t72 = t10 * p.second_mass;
-    let t73 = (t11 * p.second_mass).add_product(t19, t72) * t20;
-    let t74 = (t72 * t17).sub_product(t19, t73);
-    let t75 = t16 * t74;
-    let third_v_y_dot_by_second_gravity = -(t13 * t73);
-    let third_v_x_dot_by_second_gravity = -(t12 * t73);
+        .add_product(t6, t31)).add_product(t7, t30);
+    let first_v_x_dot_by_first_mass = (t26 * inverse_first_mass).sub_product(t4, t31)
+        .add_product(t5, t30);
+    let t32 = t6 * p.first_mass;
+    let t33 = (-(t7 * p.first_mass)).add_product(t16, t32);
+    let t34 = t19 * t33 * t20;
+    let t35 = (t33 * t17).sub_product(t19, t34);
+    let t36 = (-(t32 * t14)).add_product(t16, t35);
+    let third_v_y_dot_by_first_gravity = -(t13 * t34);
+    let third_v_x_dot_by_first_gravity = -(t12 * t34);
+    let second_v_y_dot_by_first_gravity = (t11 * t34).sub_product(t10, t35);
+    let second_v_x_dot_by_first_gravity = (t9 * t34).sub_product(t8, t35);
+    let first_v_y_dot_by_first_gravity = (-(p.first_mass * inverse_first_mass).add_product(t6, t36))
+        .add_product(t7, t35);
+    let first_v_x_dot_by_first_gravity = (t5 * t35).sub_product(t4, t36);
+    let t37 = (second_mass_times_second_gravity * inverse_second_mass).add_product(t10, t23)
+        .add_product(t11, link_3) - p.second_gravity;
+    let t38 = (t8 * t25).add_product(t10, t37);
+    let t39 = (t9 * t25).add_product(t11, t37).add_product(t19, t38) * t20;
+    let t40 = (-(t38 * t17)).add_product(t19, t39);
+    let t41 = t16 * t40;
+    let third_v_y_dot_by_second_mass = t13 * t39;
+    let third_v_x_dot_by_second_mass = t12 * t39;
+    let second_v_y_dot_by_second_mass = (t37 * inverse_second_mass).sub_product(t10, t40)
+        .sub_product(t11, t39);
+    let second_v_x_dot_by_second_mass = (t25 * inverse_second_mass).sub_product(t8, t40)
+        .sub_product(t9, t39);
+    let first_v_y_dot_by_second_mass = (t7 * t40).sub_product(t6, t41);
+    let first_v_x_dot_by_second_mass = (t5 * t40).sub_product(t4, t41);
+    let t42 = t10 * p.second_mass;
+    let t43 = (t11 * p.second_mass).add_product(t19, t42) * t20;
+    let t44 = (t42 * t17).sub_product(t19, t43);
+    let t45 = t16 * t44;
+    let third_v_y_dot_by_second_gravity = -(t13 * t43);
+    let third_v_x_dot_by_second_gravity = -(t12 * t43);
     let second_v_y_dot_by_second_gravity = (-(p.second_mass * inverse_second_mass).add_product(t10,
-        t74)).add_product(t11, t73);
-    let second_v_x_dot_by_second_gravity = (t9 * t73).sub_product(t8, t74);
-    let first_v_y_dot_by_second_gravity = (t7 * t74).sub_product(t6, t75);
-    let first_v_x_dot_by_second_gravity = (t5 * t74).sub_product(t4, t75);
+        t44)).add_product(t11, t43);
+    let second_v_x_dot_by_second_gravity = (t9 * t43).sub_product(t8, t44);
+    let first_v_y_dot_by_second_gravity = (t7 * t44).sub_product(t6, t45);
+    let first_v_x_dot_by_second_gravity = (t5 * t44).sub_product(t4, t45);
     let third_gravity_plus_third_v_y_dot = p.third_gravity + third_v_y_dot;
-    let t76 = (t12 * third_v_x_dot).add_product(t13, third_gravity_plus_third_v_y_dot) * t20;
-    let t77 = t19 * t76;
-    let t78 = t16 * t77;
+    let t46 = (t12 * third_v_x_dot).add_product(t13, third_gravity_plus_third_v_y_dot) * t20;
+    let t47 = t19 * t46;
+    let t48 = t16 * t47;
     let third_v_y_dot_by_third_mass = (-(third_gravity_plus_third_v_y_dot * inverse_third_mass))
-        .add_product(t13, t76);
-    let third_v_x_dot_by_third_mass = (-(third_v_x_dot * inverse_third_mass)).add_product(t12, t76);
-    let second_v_y_dot_by_third_mass = -(t11 * t76).add_product(t10, t77);
-    let second_v_x_dot_by_third_mass = -(t9 * t76).add_product(t8, t77);
-    let first_v_y_dot_by_third_mass = (t7 * t77).sub_product(t6, t78);
-    let first_v_x_dot_by_third_mass = (t5 * t77).sub_product(t4, t78);
-    let t79 = t13 * p.third_mass * t20;
-    let t80 = t19 * t79;
-    let t81 = t16 * t80;
+        .add_product(t13, t46);
+    let third_v_x_dot_by_third_mass = (-(third_v_x_dot * inverse_third_mass)).add_product(t12, t46);
+    let second_v_y_dot_by_third_mass = -(t11 * t46).add_product(t10, t47);
+    let second_v_x_dot_by_third_mass = -(t9 * t46).add_product(t8, t47);
+    let first_v_y_dot_by_third_mass = (t7 * t47).sub_product(t6, t48);
+    let first_v_x_dot_by_third_mass = (t5 * t47).sub_product(t4, t48);
+    let t49 = t13 * p.third_mass * t20;
+    let t50 = t19 * t49;
+    let t51 = t16 * t50;
     let third_v_y_dot_by_third_gravity = (-(p.third_mass * inverse_third_mass)).add_product(t13,
-        t79);
-    let third_v_x_dot_by_third_gravity = t12 * t79;
-    let second_v_y_dot_by_third_gravity = -(t11 * t79).add_product(t10, t80);
-    let second_v_x_dot_by_third_gravity = -(t9 * t79).add_product(t8, t80);
-    let first_v_y_dot_by_third_gravity = (t7 * t80).sub_product(t6, t81);
-    let first_v_x_dot_by_third_gravity = (t5 * t80).sub_product(t4, t81);
-    [first_v_x_dot_by_l_1, first_v_x_dot_by_l_2, first_v_x_dot_by_l_3, first_v_x_dot_by_first_mass,
-        first_v_x_dot_by_first_gravity, first_v_x_dot_by_second_mass,
+        t49);
+    let third_v_x_dot_by_third_gravity = t12 * t49;
+    let second_v_y_dot_by_third_gravity = -(t11 * t49).add_product(t10, t50);
+    let second_v_x_dot_by_third_gravity = -(t9 * t49).add_product(t8, t50);
+    let first_v_y_dot_by_third_gravity = (t7 * t50).sub_product(t6, t51);
+    let first_v_x_dot_by_third_gravity = (t5 * t50).sub_product(t4, t51);
+    [first_v_x_dot_by_first_mass, first_v_x_dot_by_first_gravity, first_v_x_dot_by_second_mass,
         first_v_x_dot_by_second_gravity, first_v_x_dot_by_third_mass,
-        first_v_x_dot_by_third_gravity, first_v_y_dot_by_l_1, first_v_y_dot_by_l_2,
-        first_v_y_dot_by_l_3, first_v_y_dot_by_first_mass, first_v_y_dot_by_first_gravity,
-        first_v_y_dot_by_second_mass, first_v_y_dot_by_second_gravity, first_v_y_dot_by_third_mass,
-        first_v_y_dot_by_third_gravity, second_v_x_dot_by_l_1, second_v_x_dot_by_l_2,
-        second_v_x_dot_by_l_3, second_v_x_dot_by_first_mass, second_v_x_dot_by_first_gravity,
-        second_v_x_dot_by_second_mass, second_v_x_dot_by_second_gravity,
-        second_v_x_dot_by_third_mass, second_v_x_dot_by_third_gravity, second_v_y_dot_by_l_1,
-        second_v_y_dot_by_l_2, second_v_y_dot_by_l_3, second_v_y_dot_by_first_mass,
+        first_v_x_dot_by_third_gravity, first_v_y_dot_by_first_mass,
+        first_v_y_dot_by_first_gravity, first_v_y_dot_by_second_mass,
+        first_v_y_dot_by_second_gravity, first_v_y_dot_by_third_mass,
+        first_v_y_dot_by_third_gravity, second_v_x_dot_by_first_mass,
+        second_v_x_dot_by_first_gravity, second_v_x_dot_by_second_mass,
+        second_v_x_dot_by_second_gravity, second_v_x_dot_by_third_mass,
+        second_v_x_dot_by_third_gravity, second_v_y_dot_by_first_mass,
         second_v_y_dot_by_first_gravity, second_v_y_dot_by_second_mass,
         second_v_y_dot_by_second_gravity, second_v_y_dot_by_third_mass,
-        second_v_y_dot_by_third_gravity, third_v_x_dot_by_l_1, third_v_x_dot_by_l_2,
-        third_v_x_dot_by_l_3, third_v_x_dot_by_first_mass, third_v_x_dot_by_first_gravity,
-        third_v_x_dot_by_second_mass, third_v_x_dot_by_second_gravity, third_v_x_dot_by_third_mass,
-        third_v_x_dot_by_third_gravity, third_v_y_dot_by_l_1, third_v_y_dot_by_l_2,
-        third_v_y_dot_by_l_3, third_v_y_dot_by_first_mass, third_v_y_dot_by_first_gravity,
-        third_v_y_dot_by_second_mass, third_v_y_dot_by_second_gravity, third_v_y_dot_by_third_mass,
+        second_v_y_dot_by_third_gravity, third_v_x_dot_by_first_mass,
+        third_v_x_dot_by_first_gravity, third_v_x_dot_by_second_mass,
+        third_v_x_dot_by_second_gravity, third_v_x_dot_by_third_mass,
+        third_v_x_dot_by_third_gravity, third_v_y_dot_by_first_mass,
+        third_v_y_dot_by_first_gravity, third_v_y_dot_by_second_mass,
+        third_v_y_dot_by_second_gravity, third_v_y_dot_by_third_mass,
         third_v_y_dot_by_third_gravity]
 }
 

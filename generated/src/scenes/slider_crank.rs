@@ -16,11 +16,11 @@
 //
 // All quantities are in SI units.
 // Shapes: coordinates 8, states 16, parameters 12, outputs 7, constraints 8.
-// Nonzeros: mass_matrix 8 of 8 by 8, rate_jacobian 28 of 16 by 16, parameter_jacobian 10 of 16 by 12,
+// Nonzeros: mass_matrix 8 of 8 by 8, rate_jacobian 26 of 16 by 16, parameter_jacobian 9 of 16 by 12,
 //     constraint_matrix 20 of 8 by 8.
-// Operations: rate 60, forcing 6, rate_jacobian 128, parameter_jacobian 91, outputs 94, energy 33,
+// Operations: rate 60, forcing 6, rate_jacobian 120, parameter_jacobian 88, outputs 94, energy 33,
 //     power_balance 116, constraint_values 25, constraint_rates 25, constraint_matrix 12, prepare 4,
-//     prepared_rate 56, prepared_rate_jacobian 124.
+//     prepared_rate 56, prepared_rate_jacobian 116.
 
 use ::machinist_contract::{Energy, PowerBalance, Real};
 
@@ -97,9 +97,9 @@ use ::machinist_contract::{Energy, PowerBalance, Real};
     MASS_MATRIX_PATTERN: 8 by 8 { 0 [0] 1 [1] 2 [2] 3 [3] 4 [4] 5 [5] 6 [6] 7 [7] }
     /// Nonzeros of dy'/dy.
     RATE_JACOBIAN_PATTERN: 16 by 16 { 0 [8] 1 [9] 2 [10] 3 [11] 4 [12] 5 [13] 6 [14] 7 [15]
-        8 [2 10] 9 [2 10] 11 [2 5 10 13] 12 [2 5 10 13] 13 [2 5 10 13] 14 [2 5 10 13] }
+        8 [2 10] 9 [2 10] 11 [2 5 10 13] 12 [2 10] 13 [2 5 10 13] 14 [2 5 10 13] }
     /// Nonzeros of dy'/dp.
-    PARAMETER_JACOBIAN_PATTERN: 16 by 12 { 8 [2] 9 [2] 11 [2 6] 12 [2 6] 13 [2 6] 14 [2 6] }
+    PARAMETER_JACOBIAN_PATTERN: 16 by 12 { 8 [2] 9 [2] 11 [2 6] 12 [2] 13 [2 6] 14 [2 6] }
     /// Nonzeros of G = dg'/dq'.
     CONSTRAINT_MATRIX_PATTERN: 8 by 8 { 0 [0 2] 1 [1 2] 2 [0 2 3 5] 3 [1 2 4 5] 4 [3 5 6] 5 [4 5 7]
         6 [7] 7 [2] }
@@ -195,10 +195,10 @@ pub fn forcing<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -> [R
         R::literal(0.0), R::literal(0.0), slider_y_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 124 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 116 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 28] {
+        c: &Constants<R>) -> [R; 26] {
     let crank_phi = state[2];
     let rod_phi = state[5];
     let crank_omega = state[10];
@@ -239,51 +239,46 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let slider_v_x_dot_by_crank_phi = t19 - t20 - t20;
     let t21 = t12.sub_product(t0, rod_omega_dot);
     let t22 = t15.add_product(t7, t15) * t8;
-    let t23 = (t15 * t5).sub_product(t7, t22);
-    let rod_omega_dot_by_rod_phi = (-(t2 * t22)).add_product(t2, t23);
-    let rod_v_y_dot_by_rod_phi = -(c.inverse_rod_mass * t22).add_product(c.inverse_rod_mass, t23);
-    let t24 = t1 * rod_omega_dot_by_rod_phi;
-    let rod_v_x_dot_by_rod_phi = t21 - t24;
-    let slider_v_x_dot_by_rod_phi = rod_v_x_dot_by_rod_phi - (t24 - t21);
+    let rod_omega_dot_by_rod_phi = (-(t2 * t22)).add_product(t2, (t15 * t5).sub_product(t7, t22));
+    let t23 = t1 * rod_omega_dot_by_rod_phi;
+    let rod_v_x_dot_by_rod_phi = t21 - t23;
+    let slider_v_x_dot_by_rod_phi = rod_v_x_dot_by_rod_phi - (t23 - t21);
     let crank_length_times_crank_omega = p.crank_length * crank_omega;
-    let t25 = crank_length_times_crank_omega * cos_crank_phi;
-    let crank_v_x_dot_by_crank_omega = -t25;
-    let t26 = crank_length_times_crank_omega * sin_crank_phi;
-    let crank_v_y_dot_by_crank_omega = -t26;
-    let t27 = t26 + t26;
-    let t28 = t7 * t27 * t8;
-    let t29 = (t27 * t5).sub_product(t7, t28);
-    let rod_omega_dot_by_crank_omega = (-(t2 * t28)).add_product(t2, t29);
-    let rod_v_y_dot_by_crank_omega = -(c.inverse_rod_mass * t28).add_product(c.inverse_rod_mass,
-        t29);
-    let t30 = t1 * rod_omega_dot_by_crank_omega;
-    let t31 = t25 + t25 + t30;
-    let rod_v_x_dot_by_crank_omega = -t31;
-    let slider_v_x_dot_by_crank_omega = -(t30 + t31);
+    let t24 = crank_length_times_crank_omega * cos_crank_phi;
+    let crank_v_x_dot_by_crank_omega = -t24;
+    let t25 = crank_length_times_crank_omega * sin_crank_phi;
+    let crank_v_y_dot_by_crank_omega = -t25;
+    let t26 = t25 + t25;
+    let t27 = t7 * t26 * t8;
+    let t28 = (t26 * t5).sub_product(t7, t27);
+    let rod_omega_dot_by_crank_omega = (-(t2 * t27)).add_product(t2, t28);
+    let rod_v_y_dot_by_crank_omega = -(c.inverse_rod_mass * t27).add_product(c.inverse_rod_mass,
+        t28);
+    let t29 = t1 * rod_omega_dot_by_crank_omega;
+    let t30 = t24 + t24 + t29;
+    let rod_v_x_dot_by_crank_omega = -t30;
+    let slider_v_x_dot_by_crank_omega = -(t29 + t30);
     let rod_length_times_rod_omega = p.rod_length * rod_omega;
-    let t32 = rod_length_times_rod_omega * sin_rod_phi;
-    let t33 = t32.add_product(t7, t32) * t8;
-    let t34 = (t32 * t5).sub_product(t7, t33);
-    let rod_omega_dot_by_rod_omega = (-(t2 * t33)).add_product(t2, t34);
-    let rod_v_y_dot_by_rod_omega = -(c.inverse_rod_mass * t33).add_product(c.inverse_rod_mass, t34);
-    let t35 = (rod_length_times_rod_omega * cos_rod_phi).add_product(t1,
+    let t31 = rod_length_times_rod_omega * sin_rod_phi;
+    let t32 = t31.add_product(t7, t31) * t8;
+    let rod_omega_dot_by_rod_omega = (-(t2 * t32)).add_product(t2, (t31 * t5).sub_product(t7, t32));
+    let t33 = (rod_length_times_rod_omega * cos_rod_phi).add_product(t1,
         rod_omega_dot_by_rod_omega);
-    let rod_v_x_dot_by_rod_omega = -t35;
-    let slider_v_x_dot_by_rod_omega = -(t35 + t35);
+    let rod_v_x_dot_by_rod_omega = -t33;
+    let slider_v_x_dot_by_rod_omega = -(t33 + t33);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         R::literal(1.0), R::literal(1.0), R::literal(1.0), crank_v_x_dot_by_crank_phi,
         crank_v_x_dot_by_crank_omega, crank_v_x_dot, crank_v_y_dot_by_crank_omega,
         rod_v_x_dot_by_crank_phi, rod_v_x_dot_by_rod_phi, rod_v_x_dot_by_crank_omega,
-        rod_v_x_dot_by_rod_omega, rod_v_y_dot_by_crank_phi, rod_v_y_dot_by_rod_phi,
-        rod_v_y_dot_by_crank_omega, rod_v_y_dot_by_rod_omega, rod_omega_dot_by_crank_phi,
-        rod_omega_dot_by_rod_phi, rod_omega_dot_by_crank_omega, rod_omega_dot_by_rod_omega,
-        slider_v_x_dot_by_crank_phi, slider_v_x_dot_by_rod_phi, slider_v_x_dot_by_crank_omega,
-        slider_v_x_dot_by_rod_omega]
+        rod_v_x_dot_by_rod_omega, rod_v_y_dot_by_crank_phi, rod_v_y_dot_by_crank_omega,
+        rod_omega_dot_by_crank_phi, rod_omega_dot_by_rod_phi, rod_omega_dot_by_crank_omega,
+        rod_omega_dot_by_rod_omega, slider_v_x_dot_by_crank_phi, slider_v_x_dot_by_rod_phi,
+        slider_v_x_dot_by_crank_omega, slider_v_x_dot_by_rod_omega]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 91 operations.
+/// `dy'/dp`, values in the order of its pattern. 88 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 10] {
+pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 9] {
     let crank_phi = state[2];
     let rod_phi = state[5];
     let crank_omega = state[10];
@@ -325,17 +320,15 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let t20 = R::literal(0.5) * rod_omega_squared;
     let t21 = (-(t20 * sin_rod_phi)).add_product(R::literal(0.5) * cos_rod_phi, rod_omega_dot);
     let t22 = t21.add_product(t8, t21) * t9;
-    let t23 = (-(t21 * t6)).add_product(t8, t22);
-    let rod_omega_dot_by_rod_length = (t3 * t22).add_product(t3, t23);
-    let rod_v_y_dot_by_rod_length = (inverse_rod_mass * t22).sub_product(inverse_rod_mass, t23);
-    let t24 = (t20 * cos_rod_phi).add_product(R::literal(0.5) * sin_rod_phi, rod_omega_dot)
+    let rod_omega_dot_by_rod_length = (t3 * t22).add_product(t3, (-(t21 * t6)).add_product(t8,
+        t22));
+    let t23 = (t20 * cos_rod_phi).add_product(R::literal(0.5) * sin_rod_phi, rod_omega_dot)
         .add_product(t2, rod_omega_dot_by_rod_length);
-    let rod_v_x_dot_by_rod_length = -t24;
-    let slider_v_x_dot_by_rod_length = -(t24 + t24);
+    let rod_v_x_dot_by_rod_length = -t23;
+    let slider_v_x_dot_by_rod_length = -(t23 + t23);
     [crank_v_x_dot_by_crank_length, crank_v_y_dot_by_crank_length, rod_v_x_dot_by_crank_length,
-        rod_v_x_dot_by_rod_length, rod_v_y_dot_by_crank_length, rod_v_y_dot_by_rod_length,
-        rod_omega_dot_by_crank_length, rod_omega_dot_by_rod_length, slider_v_x_dot_by_crank_length,
-        slider_v_x_dot_by_rod_length]
+        rod_v_x_dot_by_rod_length, rod_v_y_dot_by_crank_length, rod_omega_dot_by_crank_length,
+        rod_omega_dot_by_rod_length, slider_v_x_dot_by_crank_length, slider_v_x_dot_by_rod_length]
 }
 
 /// Partial derivative of `y'` with respect to time. No operations.

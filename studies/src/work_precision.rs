@@ -31,17 +31,19 @@ pub struct Plan {
     pub methods: Vec<Method>,
     /// Relative tolerances, from loose to tight.
     pub tolerances: Vec<f64>,
-    /// Runs of which the median time counts.
+    /// Runs of which the median time counts, unless `enough` ends them before.
     pub runs: usize,
+    /// A point is timed no more once its runs together took longer than this \[ms\].
+    pub enough: f64,
     /// A curve ends once a run takes longer than this \[ms\].
     pub longest: f64,
 }
 
 impl Default for Plan {
-    /// Every method at [`TOLERANCES`], 25 runs each.
+    /// Every method at [`TOLERANCES`], 25 runs or 300 ms each.
     fn default() -> Self {
         let (methods, tolerances) = (Method::ALL.to_vec(), TOLERANCES.to_vec());
-        Self { methods, tolerances, runs: 25, longest: 300.0 }
+        Self { methods, tolerances, runs: 25, enough: 300.0, longest: 300.0 }
     }
 }
 
@@ -153,17 +155,20 @@ fn point(
     plan: &Plan,
     reference: &Reference,
 ) -> Result<Point, SimulateError> {
-    let mut times = Vec::new();
-    // Not timed: it finds memory and caches cold.
-    run(simulator, method, rtol).run()?;
-    let trajectory = loop {
+    let timed = || {
         let start = Instant::now();
         let trajectory = run(simulator, method, rtol).run()?;
-        times.push(start.elapsed().as_secs_f64() * 1e3);
-        if times.len() >= plan.runs || times.iter().sum::<f64>() > plan.longest {
-            break trajectory;
-        }
+        Ok::<_, SimulateError>((start.elapsed().as_secs_f64() * 1e3, trajectory))
     };
+    let (first, trajectory) = timed()?;
+    let mut times = Vec::new();
+    if first > plan.enough {
+        times.push(first);
+    }
+    // The first of short runs does not count: it finds memory and caches cold.
+    while times.len() < plan.runs && times.iter().sum::<f64>() <= plan.enough {
+        times.push(timed()?.0);
+    }
     times.sort_by(f64::total_cmp);
     let error = reference.distance(&trajectory);
     Ok(Point { rtol, error, milliseconds: times[times.len() / 2], work: trajectory.work })

@@ -112,8 +112,10 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
 /// measured are left to `machinist bench`.
 fn measure_all() -> Result<Vec<WorkPrecision>, SimulateError> {
     let found = scenes::NAMES.iter().filter_map(|name| scenes::find::<f64>(name));
+    // Some two thousand points, each as long as it takes to tell its median.
+    let plan = Plan { enough: 60.0, ..Plan::default() };
     let measure = |simulator: &dyn Simulator<f64>| {
-        work_precision::measure(simulator, scenes::find(simulator.name()), &Plan::default())
+        work_precision::measure(simulator, scenes::find(simulator.name()), &plan)
     };
     found.map(measure).collect()
 }

@@ -7,7 +7,13 @@ use super::*;
 use crate::closed_form::two_mass::{Motion, SAW_GIN, Torques};
 
 fn plan(method: Method, tolerances: &[f64]) -> Plan {
-    Plan { methods: vec![method], tolerances: tolerances.to_vec(), runs: 1, longest: 1e4 }
+    Plan {
+        methods: vec![method],
+        tolerances: tolerances.to_vec(),
+        runs: 1,
+        enough: 1e4,
+        longest: 1e4,
+    }
 }
 
 /// Angles and speeds of two rotors under the scene's own torques, from rest.

@@ -11,6 +11,7 @@ mod event;
 pub mod expression;
 mod fields;
 mod lexer;
+pub mod library;
 mod loader;
 mod names;
 mod scene;
@@ -183,6 +184,8 @@ pub struct CoordinateSpec {
     pub doc: String,
     /// Typical sizes of coordinate and velocity.
     pub scale: [f64; 2],
+    /// Whether it is held at zero, with everything that is joined to it.
+    pub is_fixed: bool,
 }
 
 /// What a joint takes hold of.
@@ -194,6 +197,8 @@ pub struct PortSpec {
     pub kind: Spanned<PortKind>,
     /// The coordinate it moves with; of a port on a field, one of the port's name.
     pub coordinate: Spanned<String>,
+    /// The port moves by so much for one of the coordinate; `None` for 1.
+    pub ratio: Option<Formula>,
     /// Where on a field it is, if it is on one.
     pub attachment: Option<AttachmentSpec>,
 }

@@ -309,6 +309,8 @@ pub struct ConstraintSpec {
     pub name: Spanned<String>,
     /// What is to be zero, of any dimension.
     pub expression: Ast,
+    /// Modes with the values that they must have for it to hold.
+    pub when: Vec<(Spanned<String>, i32)>,
     /// Meaning.
     pub doc: String,
 }

@@ -3,6 +3,7 @@
 //! Excluded: meanings. Names are not looked up, dimensions not compared, joints
 //! not followed; [`crate::scene`] does that.
 
+pub mod card;
 mod constraint;
 pub mod diagnostic;
 pub mod dimension;

@@ -141,6 +141,10 @@ impl<'a> Constraints<'a> {
         }
         system.view_mut((n, 0), (m, n)).copy_from(matrix);
         system.view_mut((0, n), (n, m)).copy_from(&matrix.transpose());
+        // A constraint that does not hold in these modes shifts nothing.
+        for row in (0..m).filter(|row| matrix.row(*row).iter().all(|entry| *entry == 0.0)) {
+            system[(n + row, n + row)] = 1.0;
+        }
         let mut right_side = DVector::zeros(n + m);
         right_side.rows_mut(n, m).copy_from(residual);
         let solution = system.lu().solve(&right_side)?;

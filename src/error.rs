@@ -240,6 +240,18 @@ pub enum StopCause {
         /// So many.
         count: usize,
     },
+    /// Modes let a constraint hold that says what others say already.
+    #[error(
+        "constraint `{constraint}` {why}, in the modes that events have set: its force could not \
+         be told from theirs. Hint: two brakes that stick on one shaft, or one on a shaft whose \
+         motion is imposed; make one of them of both, or put a spring between"
+    )]
+    Overdetermined {
+        /// The constraint.
+        constraint: String,
+        /// What is wrong with it.
+        why: String,
+    },
     /// The machine cannot be put back onto its constraints.
     #[error(
         "the machine comes off constraint `{constraint}` and cannot be put back onto it. \

@@ -172,6 +172,10 @@ impl Problem<'_> {
         let mut state = self.initial.clone();
         *watch = Watch::new(self, &mut state)?;
         let watch = watch.as_ref();
+        if watch.is_some() {
+            // Modes that were set right may hold what was free.
+            self.system.constrain(self.from, &mut state)?;
+        }
         while samples.next_until(self.from).is_some() {
             samples.push(&state);
         }

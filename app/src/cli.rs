@@ -23,6 +23,8 @@ mod list;
 pub mod modes;
 mod output;
 #[cfg(feature = "derive")]
+mod parts;
+#[cfg(feature = "derive")]
 mod report;
 mod response;
 mod run;
@@ -91,6 +93,9 @@ enum Command {
     Report(report::Report),
     /// List the scenes that are built in
     List(list::List),
+    /// List the standard parts that scenes are made of, or show one of them
+    #[cfg(feature = "derive")]
+    Parts(parts::Parts),
     /// What is remembered of scenes that were derived
     #[cfg(feature = "derive")]
     Cache(cache::CacheCommand),
@@ -128,6 +133,8 @@ pub fn main() -> ExitCode {
         #[cfg(feature = "derive")]
         Command::Report(command) => command.execute(),
         Command::List(command) => command.execute(),
+        #[cfg(feature = "derive")]
+        Command::Parts(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Compile(command) => command.execute(),
         #[cfg(feature = "derive")]

@@ -637,3 +637,34 @@ fn a_winder_that_makes_no_sense_is_refused() {
     assert_refused(&["walk", "--radius-max", "0.01"], &["is not below 0.01 m"]);
     assert_refused(&["walk", "--map", "map.pdf"], &["no such format"]);
 }
+
+#[test]
+fn parts_are_listed_searched_and_shown() {
+    let all = answer(&["parts"]);
+    assert!(all.contains("rotational/gear") && all.contains("translational/rope"), "{all}");
+    let clutches = answer(&["parts", "Clutch", "break-away"]);
+    assert!(clutches.contains("rotational/clutch") && !clutches.contains("gear"), "{clutches}");
+    let shown = answer(&["parts", "show", "rotational/rack"]);
+    for word in ["(radius)*phi", "pitch radius of the pinion", "unit = \"rotational/rack\""] {
+        assert!(shown.contains(word), "{word}: {shown}");
+    }
+    // The last part of a name finds all that end so.
+    let springs = answer(&["parts", "show", "spring"]);
+    assert!(springs.contains("rotational/spring:") && springs.contains("translational/spring:"));
+    assert_refused(&["parts", "show", "rotational/gaer"], &["rotational/gaer", "rotational/gear"]);
+    assert_refused(&["parts", "hovercraft"], &["hovercraft", "lists them all"]);
+}
+
+#[test]
+fn the_page_of_parts_is_fresh() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let made = folder.path().join("parts.md");
+    answer(&["parts", "--page", made.to_str().expect("a plain path")]);
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let kept = fs::read_to_string(root.join("docs/parts.md")).expect("docs/parts.md");
+    let made = fs::read_to_string(made).expect("written");
+    assert!(
+        kept == made,
+        "docs/parts.md is stale: cargo run --release -- parts --page docs/parts.md"
+    );
+}

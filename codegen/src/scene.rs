@@ -12,6 +12,7 @@ mod joints;
 mod layout;
 mod lookup;
 mod names;
+mod ports;
 mod resolve;
 mod spline;
 pub mod system;

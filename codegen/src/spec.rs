@@ -3,6 +3,7 @@
 //! Excluded: meanings. Names are not looked up, dimensions not compared, joints
 //! not followed; [`crate::scene`] does that.
 
+pub mod card;
 mod constraint;
 pub mod diagnostic;
 pub mod dimension;
@@ -11,6 +12,7 @@ mod event;
 pub mod expression;
 mod fields;
 mod lexer;
+pub mod library;
 mod loader;
 mod names;
 mod scene;
@@ -183,6 +185,8 @@ pub struct CoordinateSpec {
     pub doc: String,
     /// Typical sizes of coordinate and velocity.
     pub scale: [f64; 2],
+    /// Whether it is held at zero, with everything that is joined to it.
+    pub is_fixed: bool,
 }
 
 /// What a joint takes hold of.
@@ -194,6 +198,8 @@ pub struct PortSpec {
     pub kind: Spanned<PortKind>,
     /// The coordinate it moves with; of a port on a field, one of the port's name.
     pub coordinate: Spanned<String>,
+    /// The port moves by so much for one of the coordinate; `None` for 1.
+    pub ratio: Option<Formula>,
     /// Where on a field it is, if it is on one.
     pub attachment: Option<AttachmentSpec>,
 }
@@ -304,6 +310,8 @@ pub struct ConstraintSpec {
     pub name: Spanned<String>,
     /// What is to be zero, of any dimension.
     pub expression: Ast,
+    /// Modes with the values that they must have for it to hold.
+    pub when: Vec<(Spanned<String>, i32)>,
     /// Meaning.
     pub doc: String,
 }

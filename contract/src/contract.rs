@@ -109,19 +109,33 @@ pub struct Constraint<'a> {
     pub doc: &'a str,
     /// Whether it is of positions; else it is of velocities alone.
     pub is_of_positions: bool,
+    /// Whether it holds in some modes only: in others its row of G is zero.
+    pub in_modes: bool,
 }
 
 impl<'a> Constraint<'a> {
     /// g(q, t) = 0.
     #[must_use]
     pub const fn of_positions(name: &'a str, unit: &'a str, doc: &'a str) -> Self {
-        Self { name, unit, doc, is_of_positions: true }
+        Self { name, unit, doc, is_of_positions: true, in_modes: false }
     }
 
     /// a(q, t) q' + b(q, t) = 0.
     #[must_use]
     pub const fn of_velocities(name: &'a str, unit: &'a str, doc: &'a str) -> Self {
-        Self { name, unit, doc, is_of_positions: false }
+        Self { name, unit, doc, is_of_positions: false, in_modes: false }
+    }
+
+    /// g(q, t) = 0 in some modes only.
+    #[must_use]
+    pub const fn of_positions_in_modes(name: &'a str, unit: &'a str, doc: &'a str) -> Self {
+        Self { name, unit, doc, is_of_positions: true, in_modes: true }
+    }
+
+    /// a(q, t) q' + b(q, t) = 0 in some modes only.
+    #[must_use]
+    pub const fn of_velocities_in_modes(name: &'a str, unit: &'a str, doc: &'a str) -> Self {
+        Self { name, unit, doc, is_of_positions: false, in_modes: true }
     }
 }
 

@@ -75,6 +75,8 @@ pub struct Constraint {
     pub unit: String,
     /// Whether it is of positions; else of velocities alone.
     pub is_of_positions: bool,
+    /// Whether it holds in some modes only.
+    pub in_modes: bool,
 }
 
 /// A generalized coordinate with its velocity, in the state or not.

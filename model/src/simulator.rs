@@ -251,6 +251,7 @@ impl Describe for ModelSimulator {
             unit: &constraint.unit,
             doc: &constraint.doc,
             is_of_positions: constraint.is_of_positions,
+            in_modes: constraint.in_modes,
         }
     }
     fn constraint_matrix_pattern(&self) -> SparsityPattern<'_> {

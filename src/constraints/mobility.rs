@@ -10,7 +10,7 @@ use super::{Constraints, Level};
 pub struct Mobility {
     /// Coordinates, n.
     pub coordinates: usize,
-    /// Constraints, m.
+    /// Constraints, m, of those that hold in the modes of the state.
     pub constraints: usize,
     /// How many of the constraints are independent: the rank of G.
     pub rank: usize,
@@ -66,7 +66,7 @@ pub fn mobility(
     let constraints = Constraints::of(simulator, parameters)?;
     let matrix = constraints.matrix(time, state);
     let (rank, redundant) = independent_rows(&constraints, &matrix);
-    let (coordinates, constraints) = (constraints.coordinates, constraints.count);
+    let (coordinates, constraints) = (constraints.coordinates, rank + redundant.len());
     Some(Mobility { coordinates, constraints, rank, redundant })
 }
 
@@ -85,6 +85,9 @@ pub(super) fn independent_rows(
     for row in 0..constraints.count {
         let mut line = DVector::from_fn(scales.len(), |i, _| matrix[(row, i)] * scales[i]);
         let length = line.norm();
+        if length == 0.0 && constraints.simulator.constraint(row).in_modes {
+            continue;
+        }
         if length > 0.0 {
             line /= length;
         }

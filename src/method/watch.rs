@@ -194,7 +194,7 @@ impl<'a> Watch<'a> {
                 self.count(index, time)?;
             }
         }
-        self.settle_after(time, state, &mut passed)?;
+        self.settle_after(time, state, &guards_before, &mut passed)?;
         let guards = self.guards(time, state);
         let fresh = |index: usize| {
             let residual = self.residual(index, time, state, guards[index]);

@@ -239,7 +239,7 @@ fn word(error: &SimulateError, method: Method, simulator: &dyn Simulator<f64>) -
             StopCause::Contradiction { .. } => "modes",
             StopCause::Chattering { .. } => "chatters",
             StopCause::Zeno { .. } => "zeno",
-            StopCause::OffConstraint { .. } => "drift",
+            StopCause::OffConstraint { .. } | StopCause::Overdetermined { .. } => "drift",
             StopCause::TooLarge { .. } => "large",
             StopCause::Unsuitable(_) => "unfit",
             _ => "solver",

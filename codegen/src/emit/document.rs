@@ -219,7 +219,8 @@ fn with_constraint_forces(equations: &EquationsOfMotion, row: usize) -> Expr {
     let forces = equations.constraints.matrix.iter().enumerate();
     let forces = forces.filter(|(_, line)| !is_zero(&line[row])).map(|(index, line)| {
         let multiplier = Expr::Symbol(Symbol::Multiplier(ConstraintId(index as u32)));
-        Expr::Product(vec![line[row].clone(), multiplier])
+        let entry = equations.constraints.held(index, &line[row]);
+        Expr::Product(vec![entry, multiplier])
     });
     let own = (!is_zero(&forcing)).then_some(forcing);
     let mut terms: Vec<Expr> = own.into_iter().chain(forces).collect();

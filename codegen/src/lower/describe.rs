@@ -92,6 +92,7 @@ pub fn constraints(system: &LagrangianSystem) -> Vec<Constraint> {
         doc: constraint.doc.clone(),
         unit: constraint.unit.clone(),
         is_of_positions: constraint.is_of_positions,
+        in_modes: !constraint.when.is_empty(),
     });
     shapes.collect()
 }

@@ -396,17 +396,45 @@ impl<'a> Build<'a> {
         let events = &linearization.equations.events;
         let guards = events.iter().map(|event| self.lower(&event.guard)).collect();
         let indices = 0..events.len();
-        let rates = indices.map(|index| self.total_derivative(|p| &p.guards[index])).collect();
+        let mut rates: Vec<NodeId> =
+            indices.map(|index| self.total_derivative(|p| &p.guards[index])).collect();
+        if !linearization.guards_by_forces.is_empty() {
+            let forces = self.rates_of_forces();
+            for (slopes, force) in linearization.guards_by_forces.iter().zip(forces) {
+                for (rate, slope) in rates.iter_mut().zip(slopes) {
+                    let slope = self.lower(slope);
+                    let part = self.graph.mul(slope, force);
+                    *rate = self.graph.add(*rate, part);
+                }
+            }
+        }
         let values = events.iter().flat_map(|event| &event.set);
         let resets = values.map(|(_, value)| self.lower(value)).collect();
         [guards, rates, resets]
     }
 
-    /// g and g'.
+    /// dlambda/dt along the motion, of the same equations differentiated by time.
+    fn rates_of_forces(&mut self) -> Vec<NodeId> {
+        let linearization = self.linearization;
+        let mut sides = self.side(&linearization.time);
+        for (index, partials) in linearization.state.iter().enumerate() {
+            for (total, side) in sides.iter_mut().zip(self.side(partials)) {
+                let part = self.graph.mul(side, self.rate[index]);
+                *total = self.graph.add(*total, part);
+            }
+        }
+        let solution = self.substitution.solve(&mut self.graph, &sides);
+        let negative = &solution[self.coordinates()..];
+        negative.iter().map(|node| self.graph.neg(*node)).collect()
+    }
+
+    /// g and g', of constraints that hold.
     fn constraints(&mut self) -> [Vec<NodeId>; 2] {
         let constraints = &self.linearization.equations.constraints;
-        [&constraints.values, &constraints.rates]
-            .map(|exprs| exprs.iter().map(|expr| self.lower(expr)).collect())
+        [&constraints.values, &constraints.rates].map(|exprs| {
+            let held = exprs.iter().enumerate().map(|(index, expr)| constraints.held(index, expr));
+            held.map(|expr| self.lower(&expr)).collect()
+        })
     }
 
     /// dX/dt = dX/dy y' + partial dX/dt.

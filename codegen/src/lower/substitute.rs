@@ -63,7 +63,12 @@ impl Substitution {
             .iter()
             .map(|row| (0..coordinates).filter(|c| !graph.is_zero(row[*c])).collect())
             .collect();
-        let blocks = blocks(&held, coordinates);
+        // A constraint that holds in some modes only has an entry on the diagonal, and decides
+        // nothing by itself.
+        let always: Vec<usize> = (0..held.len())
+            .filter(|row| graph.is_zero(matrix[coordinates + row][coordinates + row]))
+            .collect();
+        let blocks = blocks_of(&held, &always, coordinates);
         let mut this =
             Substitution { matrix, coordinates, blocks, factors: Vec::new(), steps: Vec::new() };
         this.factor(graph);
@@ -218,6 +223,19 @@ impl Substitution {
     pub fn is_read(&self, row: usize) -> bool {
         !self.blocks.pinned.iter().any(|block| block.coordinates.contains(&row))
     }
+}
+
+/// Blocks by the constraints that always hold; the others are left to the free block.
+fn blocks_of(held: &[Vec<usize>], always: &[usize], coordinates: usize) -> Blocks {
+    let rows: Vec<Vec<usize>> = always.iter().map(|row| held[*row].clone()).collect();
+    let mut found = blocks(&rows, coordinates);
+    for block in found.pinned.iter_mut().chain([&mut found.free]) {
+        block.constraints.iter_mut().for_each(|row| *row = always[*row]);
+    }
+    let others = (0..held.len()).filter(|row| !always.contains(row));
+    found.free.constraints.extend(others);
+    found.free.constraints.sort_unstable();
+    found
 }
 
 /// Steps of which only those are left that take something from right sides to rows that

@@ -6,6 +6,9 @@
 //! G q'' = gamma            gamma = -(dg'/dq q' + dg'/dt)
 //! M q'' = f + G^T lambda   lambda acts towards growing g
 //! ```
+//!
+//! A constraint that holds in some modes only has a factor s, 1 while it holds and else 0:
+//! s G q'' + (1 - s) lambda = s gamma, M q'' = f + s G^T lambda.
 
 use crate::cas::{Cas, Form};
 use crate::expr::{ConstraintId, CoordinateId, Expr, Symbol};
@@ -24,6 +27,8 @@ pub struct Constraints {
     pub matrix: Vec<Vec<Expr>>,
     /// gamma.
     pub accelerations: Vec<Expr>,
+    /// s; 1 of a constraint that always holds.
+    pub holds: Vec<Expr>,
 }
 
 impl Constraints {
@@ -51,6 +56,8 @@ impl Constraints {
             constraints.rates.push(cas.simplify(&rate));
             constraints.matrix.push(row.iter().map(|entry| cas.simplify(entry)).collect());
             constraints.accelerations.push(cas.simplify(&gamma));
+            let holds = cas.form(&constraint.holds());
+            constraints.holds.push(cas.expr(&holds));
         }
         constraints
     }
@@ -89,7 +96,7 @@ impl Constraints {
 
     /// Every expression of a constraint.
     pub fn of(&self, constraint: usize) -> impl Iterator<Item = &Expr> {
-        let others = [&self.values, &self.rates, &self.accelerations];
+        let others = [&self.values, &self.rates, &self.accelerations, &self.holds];
         let others = others.map(|exprs| &exprs[constraint]);
         self.matrix[constraint].iter().chain(others)
     }
@@ -97,13 +104,34 @@ impl Constraints {
     /// Every expression.
     pub fn exprs(&self) -> impl Iterator<Item = &Expr> {
         let matrix = self.matrix.iter().flatten();
-        self.values.iter().chain(&self.rates).chain(matrix).chain(&self.accelerations)
+        let all = self.values.iter().chain(&self.rates).chain(matrix);
+        all.chain(&self.accelerations).chain(&self.holds)
     }
 
     /// Likewise.
     pub fn exprs_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
         let matrix = self.matrix.iter_mut().flatten();
-        self.values.iter_mut().chain(&mut self.rates).chain(matrix).chain(&mut self.accelerations)
+        let all = self.values.iter_mut().chain(&mut self.rates).chain(matrix);
+        all.chain(&mut self.accelerations).chain(&mut self.holds)
+    }
+
+    /// An expression of a constraint while that holds, else 0.
+    #[must_use]
+    pub fn held(&self, constraint: usize, expr: &Expr) -> Expr {
+        let holds = &self.holds[constraint];
+        if *holds == Expr::integer(1) || expr.is_zero() {
+            return expr.clone();
+        }
+        Expr::Product(vec![holds.clone(), expr.clone()])
+    }
+
+    /// s - 1, the entry of the bordered matrix on its diagonal.
+    fn diagonal(&self, constraint: usize) -> Expr {
+        let holds = &self.holds[constraint];
+        if *holds == Expr::integer(1) {
+            return Expr::integer(0);
+        }
+        Expr::Sum(vec![holds.clone(), Expr::integer(-1)])
     }
 }
 
@@ -126,17 +154,27 @@ impl EquationsOfMotion {
     /// ```
     ///
     /// a symmetric matrix and the right side. With M positive definite and G of full
-    /// rank it has an L D L^T without pivoting, in this order.
+    /// rank it has an L D L^T without pivoting, in this order. Of a constraint that holds in
+    /// some modes only, the row is s G, s - 1 on the diagonal, and s gamma.
     #[must_use]
     pub fn bordered(&self) -> (Vec<Vec<Expr>>, Vec<Expr>) {
-        let border = &self.constraints.matrix;
-        let zeros = vec![Expr::integer(0); border.len()];
+        let constraints = &self.constraints;
+        let held = |(index, line): (usize, &Vec<Expr>)| -> Vec<Expr> {
+            line.iter().map(|entry| constraints.held(index, entry)).collect()
+        };
+        let border: Vec<Vec<Expr>> = constraints.matrix.iter().enumerate().map(held).collect();
         let mut matrix = self.mass_matrix.clone();
         for (column, row) in matrix.iter_mut().enumerate() {
             row.extend(border.iter().map(|line| line[column].clone()));
         }
-        matrix.extend(border.iter().map(|line| [line.as_slice(), &zeros].concat()));
-        let right_side = [self.forcing.as_slice(), &self.constraints.accelerations].concat();
+        for (index, line) in border.iter().enumerate() {
+            let mut corner = vec![Expr::integer(0); border.len()];
+            corner[index] = constraints.diagonal(index);
+            matrix.push([line.as_slice(), &corner].concat());
+        }
+        let accelerations = constraints.accelerations.iter().enumerate();
+        let accelerations = accelerations.map(|(index, gamma)| constraints.held(index, gamma));
+        let right_side = self.forcing.iter().cloned().chain(accelerations).collect();
         (matrix, right_side)
     }
 }

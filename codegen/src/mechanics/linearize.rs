@@ -4,7 +4,7 @@
 use std::collections::HashMap;
 
 use crate::cas::{Cas, Form, Terms};
-use crate::expr::{Expr, HandedId, ParameterId, Symbol};
+use crate::expr::{ConstraintId, Expr, HandedId, ParameterId, Symbol};
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::mechanics::state::Motion;
 
@@ -23,6 +23,9 @@ pub struct Linearization {
     pub parameters: Vec<Partials>,
     /// With respect to time.
     pub time: Partials,
+    /// Slopes of the guards by the forces of constraints, a row for each constraint; empty if
+    /// no guard is of one.
+    pub guards_by_forces: Vec<Vec<Expr>>,
 }
 
 /// Partial derivatives with respect to one symbol.
@@ -54,6 +57,7 @@ pub fn linearize(cas: &mut Cas, equations: &EquationsOfMotion) -> Linearization 
         state: equations.layout.symbols().map(|symbol| forms.partials(cas, symbol)).collect(),
         parameters: parameters.chain(handed).map(|symbol| forms.partials(cas, symbol)).collect(),
         time: forms.partials(cas, Symbol::Time),
+        guards_by_forces: forms.guards_by_forces(cas, equations),
         equations: equations.clone(),
     }
 }
@@ -125,6 +129,22 @@ impl Forms {
             guards: equations.events.iter().map(|event| cas.form(&event.guard)).collect(),
             places,
         }
+    }
+
+    fn guards_by_forces(&self, cas: &mut Cas, equations: &EquationsOfMotion) -> Vec<Vec<Expr>> {
+        let is_force = |symbol| matches!(symbol, Symbol::Multiplier(_));
+        if !equations.events.iter().any(|event| event.guard.mentions(is_force)) {
+            return Vec::new();
+        }
+        let forces = (0..equations.constraints.len() as u32).map(ConstraintId);
+        let slopes = forces.map(|id| {
+            let slope = |guard| {
+                let slope = cas.derivative(guard, Symbol::Multiplier(id));
+                cas.simplify(&slope)
+            };
+            self.guards.iter().map(slope).collect()
+        });
+        slopes.collect()
     }
 
     fn partials(&self, cas: &mut Cas, symbol: Symbol) -> Partials {

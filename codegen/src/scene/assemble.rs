@@ -11,6 +11,7 @@ use crate::expr::rank::motion_without_energy;
 use crate::expr::{CoordinateId, Expr, Symbol};
 use crate::scene::layout::{Layout, Local, Scope, coordinate_spec, find_port, unknown_coordinate};
 use crate::scene::names::{Flat, name};
+use crate::scene::ports::{dimension_of, ratio_of};
 use crate::scene::resolve::{Resolved, Resolver, Wanted};
 use crate::scene::system::{
     Coordinate, FirstOrderState, GeneralizedForce, LagrangianSystem, Parameter, Spring,
@@ -238,8 +239,16 @@ impl<'a> Assembler<'a> {
         }
         for force in &self.spec.forces {
             match find_port(self.spec, self.layout, &force.port) {
-                Ok((_, slot)) => {
-                    let (id, q) = self.force(&force.expression, Scope::Scene, slot);
+                Ok((port, slot)) => {
+                    let dimension = dimension_of(self.spec, self.layout, port, slot);
+                    let ratio = ratio_of(&mut self.resolver, port, slot);
+                    let ratio = ratio.unwrap_or_else(|mistake| {
+                        self.mistakes.push(*mistake);
+                        None
+                    });
+                    let (id, q) =
+                        self.force_along(&force.expression, Scope::Scene, slot, dimension);
+                    let q = product(ratio.into_iter().chain([q]).collect());
                     forces[id.0 as usize][0].push(q);
                 }
                 Err(mistake) => self.mistakes.push(*mistake),
@@ -250,8 +259,20 @@ impl<'a> Assembler<'a> {
     }
 
     fn force(&mut self, ast: &Ast, scope: Scope, slot: usize) -> (CoordinateId, Expr) {
+        let own = coordinate_spec(self.spec, self.layout, slot).unit.unit.dimension;
+        self.force_along(ast, scope, slot, own)
+    }
+
+    /// A force on a coordinate that does work along something of a dimension.
+    fn force_along(
+        &mut self,
+        ast: &Ast,
+        scope: Scope,
+        slot: usize,
+        along: Dimension,
+    ) -> (CoordinateId, Expr) {
         let coordinate = coordinate_spec(self.spec, self.layout, slot);
-        let dimension = Dimension::ENERGY.over(coordinate.unit.unit.dimension);
+        let dimension = Dimension::ENERGY.over(along);
         let what = format!("the force on {}", quoted(&coordinate.name.value));
         let wanted = Wanted::new(dimension.unwrap_or(Dimension::ENERGY), what);
         let resolved = self.resolver.expect(ast, scope, &wanted);

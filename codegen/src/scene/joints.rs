@@ -3,8 +3,8 @@
 use std::collections::VecDeque;
 
 use crate::expr::{CoordinateId, Expr, ParameterId};
-use crate::scene::evaluate::evaluate;
-use crate::scene::layout::{Layout, Link, Scope, coordinate_spec, find_port};
+use crate::scene::layout::{Layout, Link, Scope, find_port};
+use crate::scene::ports::{dimension_of, ratio_of, require_ratio};
 use crate::scene::resolve::{Resolver, Wanted};
 use crate::scene::typed::{Uses, integer, product, reciprocal};
 use crate::spec::diagnostic::{Mistake, Spanned};
@@ -42,6 +42,7 @@ pub fn identify(
         }
     }
     drop(resolver);
+    hold(spec, layout, &mut roots, mistakes);
     let starts = starts(spec, layout, &mut roots);
     follow(layout, &edges, &starts);
 }
@@ -84,26 +85,58 @@ fn edge(
         );
         return Err(Box::new(Mistake::new(second.span, message, other_kind.name())));
     }
-    let dimension = |slot| coordinate_spec(spec, layout, slot).unit.unit.dimension;
-    if dimension(slot) != dimension(other_slot) {
-        let message = format!("{} is in {}", quoted(&first.value), dimension(slot));
-        return Err(Box::new(Mistake::new(
-            second.span,
-            message,
-            format!("in {}", dimension(other_slot)),
-        )));
+    let dimension = dimension_of(spec, layout, port, slot);
+    let other_dimension = dimension_of(spec, layout, other, other_slot);
+    if dimension != other_dimension {
+        let message = format!("{} is in {dimension}", quoted(&first.value));
+        let label = format!("in {other_dimension}");
+        return Err(Box::new(Mistake::new(second.span, message, label)));
     }
-    let Some(formula) = &joint.ratio else {
-        return Ok(Edge { slots: [slot, other_slot], ratio: None });
+    let of_joint = match &joint.ratio {
+        Some(formula) => {
+            let wanted = Wanted::new(Dimension::ONE, "a ratio").of(Uses::PARAMETERS);
+            Some(resolver.formula(formula, Scope::Scene, &wanted)?.expr)
+        }
+        None => None,
     };
-    let wanted = Wanted::new(Dimension::ONE, "a ratio").of(Uses::PARAMETERS);
-    let ratio = resolver.formula(formula, Scope::Scene, &wanted)?.expr;
-    let value = evaluate(&ratio, parameter);
-    if value == 0.0 || !value.is_finite() {
-        let message = format!("a ratio is a number other than 0, but this one is {value}");
-        return Err(Box::new(Mistake::new(formula.span(), message, "not a ratio")));
-    }
+    require_ratio(of_joint.as_ref(), joint.ratio.as_ref(), parameter)?;
+    let [own, others] = [(port, slot), (other, other_slot)].map(|(port, slot)| {
+        let ratio = ratio_of(resolver, port, slot)?;
+        require_ratio(ratio.as_ref(), port.ratio.as_ref(), parameter)?;
+        Ok::<_, Box<Mistake>>(ratio)
+    });
+    // p q = ratio p' q', with p and p' of the two ports.
+    let factors: Vec<Expr> =
+        of_joint.into_iter().chain(others?).chain(own?.map(reciprocal)).collect();
+    let ratio = product(factors);
     Ok(Edge { slots: [slot, other_slot], ratio: (ratio != integer(1)).then_some(ratio) })
+}
+
+/// What is joined to a fixed coordinate is fixed with it.
+fn hold(spec: &SceneSpec, layout: &mut Layout, roots: &mut [usize], mistakes: &mut Vec<Mistake>) {
+    let slots = 0..layout.links.len();
+    let fixed: Vec<usize> = slots.clone().filter(|slot| layout.is_held(*slot)).collect();
+    for slot in fixed.into_iter().map(|slot| root(roots, slot)).collect::<Vec<_>>() {
+        for other in slots.clone().filter(|other| root(roots, *other) == slot) {
+            layout.hold(other);
+            if layout.attachment(other).is_some() {
+                let (instance, _) = layout.coordinate(other);
+                let name = &spec.instances[instance].name;
+                let message =
+                    format!("a field of {} is joined to what is fixed", quoted(&name.value));
+                let help = "let the field itself be fixed there: start = \"fixed\"";
+                mistakes.push(Mistake::new(name.span, message, "fixed by a joint").help(help));
+            }
+        }
+    }
+    if !layout.links.is_empty()
+        && slots.clone().all(|slot| layout.is_fixed(slot))
+        && let Some(instance) = spec.instances.first()
+    {
+        let mistake =
+            Mistake::new(instance.name.span, "every coordinate is fixed", "nothing moves");
+        mistakes.push(mistake.help("join one of them to something that is not fixed"));
+    }
 }
 
 /// Joins two sets, by union-find with path halving.
@@ -174,7 +207,7 @@ fn follow(layout: &mut Layout, edges: &[Edge], starts: &[usize]) {
             }
         }
     }
-    // An end that is fixed follows anything by nothing.
+    // What is fixed follows anything by nothing.
     let fixed = || Link { id: CoordinateId(0), factor: Some(integer(0)) };
     layout.links = links.into_iter().map(|link| link.unwrap_or_else(fixed)).collect();
 }

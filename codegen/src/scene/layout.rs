@@ -146,6 +146,8 @@ pub struct Layout {
     pub attachments: Vec<Attachment>,
     /// For each coordinate of each instance, what it is attached to.
     attached: Vec<Option<usize>>,
+    /// Likewise, whether it is held at zero.
+    held: Vec<bool>,
 }
 
 impl Layout {
@@ -186,6 +188,8 @@ impl Layout {
         let links = (0..slots).map(|slot| Link { id: CoordinateId(slot as u32), factor: None });
         let (links, representatives) = (links.collect(), (0..slots).collect());
         let (attachments, attached) = (Vec::new(), vec![None; slots]);
+        let units_of = spec.instances.iter().map(|instance| &spec.units[instance.unit]);
+        let held = units_of.flat_map(|unit| &unit.coordinates).map(|one| one.is_fixed).collect();
         Layout {
             units,
             scene,
@@ -195,6 +199,7 @@ impl Layout {
             representatives,
             attachments,
             attached,
+            held,
         }
     }
 
@@ -216,9 +221,24 @@ impl Layout {
         self.attached[slot].map(|index| &self.attachments[index])
     }
 
-    /// Whether a coordinate is held at zero, as the end of a field.
+    /// Whether a coordinate is held at zero.
     pub fn is_fixed(&self, slot: usize) -> bool {
+        self.is_held(slot) || self.is_fixed_end(slot)
+    }
+
+    /// Whether it is the end of a field that is fixed.
+    fn is_fixed_end(&self, slot: usize) -> bool {
         self.attachment(slot).is_some_and(|attachment| attachment.fixed)
+    }
+
+    /// Whether its unit, or what it is joined to, fixes a coordinate.
+    pub fn is_held(&self, slot: usize) -> bool {
+        self.held[slot]
+    }
+
+    /// Fixes a coordinate.
+    pub fn hold(&mut self, slot: usize) {
+        self.held[slot] = true;
     }
 
     /// A number that a field hands to the machine: inertia of the node, force on it,
@@ -319,7 +339,7 @@ pub fn find_port<'a>(
     match layout.units[unit_index].get(&found.coordinate.value) {
         Some(Local::Coordinate(index)) => {
             let slot = layout.slot(instance, index);
-            if layout.is_fixed(slot) {
+            if layout.is_fixed_end(slot) {
                 let message = format!("{} is at an end that is fixed", quoted(&path.value));
                 let help = "an end has one boundary condition: leave this out, or let it be free";
                 let mistake = Mistake::new(path.span, message, "fixed already");
@@ -404,7 +424,7 @@ fn check_port(port: &PortSpec, unit: &UnitSpec, names: &Names, mistakes: &mut Ve
             (fits, "a charge in C or a flux linkage in Wb")
         }
     };
-    if !fits {
+    if !fits && port.ratio.is_none() {
         let kind = port.kind.value.name();
         let message = format!("the coordinate of a port that is {kind} is {wanted}");
         let label = format!("its coordinate is in {dimension}");

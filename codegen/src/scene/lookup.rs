@@ -77,7 +77,10 @@ impl Resolver<'_> {
                     format!("{} depends on {what}, which is not allowed here", quoted(name));
                 let help = match what {
                     "an acceleration" => {
-                        "accelerations, forces of constraints and slopes of fields may be used in outputs only"
+                        "accelerations and slopes of fields may be used in outputs only"
+                    }
+                    "the force of a constraint" => {
+                        "forces of constraints may be used in outputs and guards of events only"
                     }
                     "a velocity" => "write it with coordinates, states, time and parameters",
                     _ => "write it with numbers and parameters",
@@ -173,7 +176,7 @@ impl Resolver<'_> {
         let dimension = work.over(constraint.dimension.unwrap_or(Dimension::ONE));
         let dimension = dimension.ok_or_else(|| beyond_reason(span))?;
         let unit = Unit { dimension, rad: 0 };
-        let uses = Uses { acceleration: true, ..Uses::default() };
+        let uses = Uses { reaction: true, ..Uses::default() };
         self.leaf(Symbol::Multiplier(self.layout.constraint(scope, index)), unit, uses, span)
     }
 

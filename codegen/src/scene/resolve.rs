@@ -124,6 +124,15 @@ impl<'a> Resolver<'a> {
         self.resolve(ast, scope, Uses::MOTION).and_then(|typed| derivable(typed, ast.span))
     }
 
+    /// Resolves an expression of any dimension, in which forces of constraints may stand too.
+    ///
+    /// # Errors
+    /// As [`Resolver::expect`].
+    pub fn expect_guard(&mut self, ast: &Ast, scope: Scope) -> Resolved {
+        (self.level, self.spent) = (0, 0);
+        self.resolve(ast, scope, Uses::GUARD).and_then(|typed| derivable(typed, ast.span))
+    }
+
     /// Resolves a formula; a bare number is in the unit of what it is for.
     ///
     /// # Errors

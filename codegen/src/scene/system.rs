@@ -3,9 +3,11 @@
 //! Excluded: units of the scene as separate things, joints (their coordinates
 //! are identified), names to look up, dimensions (they have been checked).
 
+use num_rational::BigRational;
+
 use machinist_model::{Direction, Freeze, Name, Place, Quantity, RunDefaults, Table};
 
-use crate::expr::{CoordinateId, Expr, FirstOrderId, HandedId, ParameterId, Symbol};
+use crate::expr::{CoordinateId, Expr, FirstOrderId, Function, HandedId, ParameterId, Symbol};
 use crate::spec::SourceFile;
 
 /// A generalized coordinate with its velocity.
@@ -72,6 +74,25 @@ pub struct Constraint {
     pub expr: Expr,
     /// Which of the two.
     pub is_of_positions: bool,
+    /// Modes with the values that they must have for it to hold; always, if there are none.
+    pub when: Vec<(FirstOrderId, i32)>,
+}
+
+impl Constraint {
+    /// 1 while it holds, else 0.
+    #[must_use]
+    pub fn holds(&self) -> Expr {
+        let half = |doubled: i64| Expr::Number(BigRational::new(doubled.into(), 2.into()));
+        self.when.iter().fold(Expr::integer(1), |all, (mode, value)| {
+            let less = |bound: i64, then: Expr, otherwise: Expr| {
+                let mode = Expr::Symbol(Symbol::FirstOrder(*mode));
+                Expr::Call(Function::SelectLess, vec![mode, half(bound), then, otherwise])
+            };
+            let nearest = 2 * i64::from(*value);
+            let not_above = less(nearest + 1, all, Expr::integer(0));
+            less(nearest - 1, Expr::integer(0), not_above)
+        })
+    }
 }
 
 /// A parameter with its value in the spec.

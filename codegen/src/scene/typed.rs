@@ -9,24 +9,29 @@ use crate::spec::dimension::{Angular, Dimension};
 
 /// What an expression depends on besides parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[expect(clippy::struct_excessive_bools, reason = "a set of four")]
+#[expect(clippy::struct_excessive_bools, reason = "a set of five")]
 pub struct Uses {
     pub time: bool,
     /// Coordinates and first-order states.
     pub position: bool,
     pub velocity: bool,
     pub acceleration: bool,
+    /// Forces of constraints.
+    pub reaction: bool,
 }
 
 impl Uses {
-    pub const ANYTHING: Uses =
-        Uses { time: true, position: true, velocity: true, acceleration: true };
-    pub const MOTION: Uses =
-        Uses { time: true, position: true, velocity: true, acceleration: false };
-    pub const PLACE: Uses =
-        Uses { time: true, position: true, velocity: false, acceleration: false };
-    pub const PARAMETERS: Uses =
-        Uses { time: false, position: false, velocity: false, acceleration: false };
+    pub const PARAMETERS: Uses = Uses {
+        time: false,
+        position: false,
+        velocity: false,
+        acceleration: false,
+        reaction: false,
+    };
+    pub const PLACE: Uses = Uses { time: true, position: true, ..Uses::PARAMETERS };
+    pub const MOTION: Uses = Uses { velocity: true, ..Uses::PLACE };
+    pub const GUARD: Uses = Uses { reaction: true, ..Uses::MOTION };
+    pub const ANYTHING: Uses = Uses { acceleration: true, ..Uses::GUARD };
 
     pub fn and(self, other: Uses) -> Uses {
         Uses {
@@ -34,6 +39,7 @@ impl Uses {
             position: self.position || other.position,
             velocity: self.velocity || other.velocity,
             acceleration: self.acceleration || other.acceleration,
+            reaction: self.reaction || other.reaction,
         }
     }
 
@@ -41,6 +47,7 @@ impl Uses {
     pub fn beyond(self, allowed: Uses) -> Option<&'static str> {
         [
             (self.acceleration && !allowed.acceleration, "an acceleration"),
+            (self.reaction && !allowed.reaction, "the force of a constraint"),
             (self.velocity && !allowed.velocity, "a velocity"),
             (self.position && !allowed.position, "a coordinate or state"),
             (self.time && !allowed.time, "time"),
@@ -50,7 +57,7 @@ impl Uses {
     }
 
     pub fn moves(self) -> bool {
-        self.position || self.velocity || self.acceleration
+        self.position || self.velocity || self.acceleration || self.reaction
     }
 }
 

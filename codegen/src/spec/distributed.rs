@@ -188,5 +188,6 @@ pub fn coordinate(port: &PortSpec, unit_fields: &[FieldSpec]) -> Option<Coordina
         unit: field.unit.clone(),
         doc: format!("{doc}, at port {}", port.name.value),
         scale: field.scale,
+        is_fixed: false,
     })
 }

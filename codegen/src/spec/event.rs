@@ -73,7 +73,10 @@ fn direction(fields: &mut Fields<'_>) -> Option<Direction> {
 
 /// Modes with the whole numbers that they must be; `instance.mode` too, which TOML
 /// takes for a table.
-fn whole_numbers(entries: &[Entry], fields: &mut Fields<'_>) -> Vec<(Spanned<String>, i32)> {
+pub(super) fn whole_numbers(
+    entries: &[Entry],
+    fields: &mut Fields<'_>,
+) -> Vec<(Spanned<String>, i32)> {
     let mut numbers = Vec::new();
     for Entry { key, value } in entries {
         if let Tree::Table(inner) = &value.value {

@@ -4,50 +4,11 @@ use std::path::Path;
 
 use crate::spec::diagnostic::{Diagnostics, FileId, Mistake, Spanned};
 use crate::spec::fields::Findings;
+use crate::spec::library::LIBRARY;
 use crate::spec::names::quoted;
 use crate::spec::scene::{self, SceneText};
 use crate::spec::source::{Sources, folder_of};
 use crate::spec::{InstanceSpec, SceneSpec, UnitSpec, table, toml, unit};
-
-macro_rules! builtin {
-    ($name:literal) => {
-        ($name, include_str!(concat!("../../../specs/units/", $name, ".toml")))
-    };
-}
-
-/// The units that come with Machinist, by name; the one list of them.
-const BUILTIN_UNITS: &[(&str, &str)] = &[
-    builtin!("bobbin_holder"),
-    builtin!("bouncer"),
-    builtin!("cloth_fell_contact"),
-    builtin!("coupling"),
-    builtin!("friction_slider"),
-    builtin!("friction_slider_smooth"),
-    builtin!("imposed_drive"),
-    builtin!("induction_motor"),
-    builtin!("induction_motor_as_printed"),
-    builtin!("induction_motor_stationary"),
-    builtin!("loom_shaft"),
-    builtin!("one_sided_contact"),
-    builtin!("planar_body"),
-    builtin!("point_mass"),
-    builtin!("pressed_bobbin"),
-    builtin!("reed"),
-    builtin!("rotor"),
-    builtin!("saw_shaft"),
-    builtin!("shaft"),
-    builtin!("spring_damper"),
-    builtin!("sprung_mass"),
-    builtin!("stop"),
-    builtin!("stop_smooth"),
-    builtin!("technological_load"),
-    builtin!("three_pendulums"),
-    builtin!("three_pendulums_relative"),
-    builtin!("winding_pair"),
-    builtin!("yarn_layer"),
-    builtin!("yarn_layer_cubic"),
-    builtin!("yarn_layer_one_sided"),
-];
 
 pub(super) fn load(path: &Path) -> Result<SceneSpec, Diagnostics> {
     let mut sources = Sources::beside(path);
@@ -137,16 +98,11 @@ impl Loader<'_> {
                 };
             }
         }
-        let builtin = BUILTIN_UNITS.iter().find(|(builtin, _)| *builtin == name.value);
-        if let Some((_, text)) = builtin {
-            let file = self.sources.embed(&format!("units/{file_name}"), text);
+        if let Some(unit) = LIBRARY.iter().find(|unit| unit.name == name.value) {
+            let file = self.sources.embed(&format!("units/{file_name}"), unit.text);
             return self.unit(name, file);
         }
-        let help = format!(
-            "a unit is looked for in [define.{0}], as {0}.toml beside the scene, as \
-             ../units/{0}.toml, and among those that come with Machinist",
-            name.value
-        );
+        let help = help_to_find(&name.value);
         self.refuse(name, format!("there is no unit {}", quoted(&name.value)), &help)
     }
 
@@ -174,4 +130,18 @@ impl Loader<'_> {
         self.found.mistakes.push(Mistake::new(name.span, message, "asked for here").help(help));
         None
     }
+}
+
+/// Where a unit is looked for, or what it is called that may be meant.
+fn help_to_find(name: &str) -> String {
+    let last = |name: &str| name.rsplit('/').next().map(str::to_owned);
+    let alike = LIBRARY.iter().filter(|unit| last(unit.name) == last(name));
+    let alike: Vec<String> = alike.map(|unit| quoted(unit.name)).collect();
+    if alike.is_empty() {
+        return format!(
+            "a unit is looked for in [define.{name}], as {name}.toml beside the scene, as \
+             ../units/{name}.toml, and among those that come with Machinist"
+        );
+    }
+    format!("with Machinist comes {}", alike.join(" and "))
 }

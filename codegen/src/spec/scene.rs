@@ -131,8 +131,14 @@ fn header(tree: &Spanned<Tree>, found: &mut Findings) -> Option<Header> {
 fn instance(entry: &Entry, found: &mut Findings) -> Option<InstanceText> {
     let what = format!("instance {}", quoted(&entry.key.value));
     let mut fields = Fields::open(&entry.value, what, found);
-    let present = fields.require("unit").is_some();
-    let unit = fields.name("unit").filter(|_| present);
+    let unit = fields.required_text("unit");
+    let unit = unit.filter(|unit| match check_unit_path(unit) {
+        Ok(()) => true,
+        Err(mistake) => {
+            fields.found().mistakes.push(mistake);
+            false
+        }
+    });
     let overrides = fields.entries("parameters");
     let parameters = overrides.iter().filter_map(|entry| {
         let value = fields.as_number(&entry.value, &entry.key.value)?;
@@ -149,6 +155,14 @@ fn instance(entry: &Entry, found: &mut Findings) -> Option<InstanceText> {
     fields.close();
     let name = entry.key.clone();
     Some(InstanceText { name, unit: unit?, parameters, inputs, fields: choices })
+}
+
+/// `inertia`, or `rotational/inertia` of a folder: names with slashes between them.
+fn check_unit_path(unit: &Spanned<String>) -> Result<(), Mistake> {
+    let names = unit.value.split('/');
+    names
+        .map(|part| Spanned { value: part.to_owned(), span: unit.span })
+        .try_for_each(|part| names::check(&part))
 }
 
 fn joint(tree: &Spanned<Tree>, found: &mut Findings) -> Option<JointSpec> {

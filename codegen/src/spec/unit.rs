@@ -97,6 +97,7 @@ fn coordinate(entry: &Entry, found: &mut Findings) -> Option<CoordinateSpec> {
     let velocity = fields.name("velocity").unwrap_or_else(|| default("dot"));
     let acceleration = fields.name("acceleration").unwrap_or_else(|| default("ddot"));
     let scale = [fields.scale("scale"), fields.scale("velocity_scale")];
+    let is_fixed = fields.flag("fixed");
     fields.close();
     for rate in [&velocity, &acceleration] {
         if let Err(mistake) = names::check(rate) {
@@ -110,6 +111,7 @@ fn coordinate(entry: &Entry, found: &mut Findings) -> Option<CoordinateSpec> {
         unit: unit?,
         doc,
         scale,
+        is_fixed,
     })
 }
 
@@ -117,12 +119,12 @@ fn port(entry: &Entry, found: &mut Findings) -> Option<PortSpec> {
     let mut fields = open(entry, "port", found);
     let kind = fields.required_text("kind");
     let field = fields.take("field").and_then(|tree| fields.as_text(tree, "field"));
-    let (coordinate, attachment) = match field {
-        None => (fields.required_text("coordinate"), None),
+    let (coordinate, ratio, attachment) = match field {
+        None => (fields.required_text("coordinate"), fields.formula("ratio"), None),
         Some(field) => {
             fields.require("at");
             let attachment = fields.formula("at").map(|at| AttachmentSpec { field, at });
-            (attachment.is_some().then(|| entry.key.clone()), attachment)
+            (attachment.is_some().then(|| entry.key.clone()), None, attachment)
         }
     };
     fields.close();
@@ -134,7 +136,7 @@ fn port(entry: &Entry, found: &mut Findings) -> Option<PortSpec> {
         return None;
     };
     let kind = Spanned { value, span: kind.span };
-    Some(PortSpec { name: entry.key.clone(), kind, coordinate: coordinate?, attachment })
+    Some(PortSpec { name: entry.key.clone(), kind, coordinate: coordinate?, ratio, attachment })
 }
 
 /// Reads a parameter.

@@ -58,6 +58,15 @@ pub fn describe(system: &LagrangianSystem) -> String {
     for time in &system.discontinuities {
         line(format!("jump at {}", show(time)));
     }
+    for constraint in &system.constraints {
+        let holds = if constraint.when.is_empty() {
+            String::new()
+        } else {
+            format!(" while {}", show(&constraint.holds()))
+        };
+        let (path, unit, doc) = (&constraint.name.path, &constraint.unit, &constraint.doc);
+        line(format!("constraint {path} [{unit}] {doc}: {} = 0{holds}", show(&constraint.expr)));
+    }
     let run = &system.run;
     line(format!("run {}..{} {} {:e} {}", run.from, run.until, run.points, run.rtol, run.method));
     out

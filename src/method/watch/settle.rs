@@ -8,6 +8,7 @@
 use machinist_contract::Direction;
 
 use super::{Side, Watch};
+use crate::constraints::mobility;
 use crate::error::StopCause;
 use crate::method::Stopped;
 
@@ -25,6 +26,7 @@ impl Watch<'_> {
     /// stays.
     pub(super) fn settle_start(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
         let mut happened = 0;
+        self.require_independent(time, state)?;
         while let Some((index, trial)) = self.contradiction(time, state, |_| true, true)? {
             let event = || self.system.simulator().event(index).name.to_owned();
             if trial.moves || happened == self.most() {
@@ -32,6 +34,7 @@ impl Watch<'_> {
                 return Err(Stopped { time, cause });
             }
             state.copy_from_slice(&trial.state);
+            self.require_independent(time, state)?;
             self.count(index, time)?;
             happened += 1;
         }
@@ -47,29 +50,57 @@ impl Watch<'_> {
         Ok(())
     }
 
-    /// After events: lets those happen that were not watched for before, and whose guards
-    /// are beyond zero.
+    /// After events: lets those happen that were not watched for before, or whose guards have
+    /// jumped, and whose guards are beyond zero. `before` are the guards before the events.
     pub(super) fn settle_after(
         &self,
         time: f64,
         state: &mut [f64],
+        before: &[f64],
         passed: &mut [bool],
     ) -> Result<(), Stopped> {
-        let idle: Vec<bool> =
-            self.inner.borrow().sides.iter().map(|side| *side == Side::Idle).collect();
+        // Where a guard that was watched is now beyond zero, the events made it jump there.
+        let simulator = self.system.simulator();
+        let is_new = |index: usize, side: &Side| {
+            let is_near = !is_beyond(simulator.event(index).direction, before[index]);
+            *side == Side::Idle || is_near && !passed[index]
+        };
+        let sides = self.inner.borrow().sides.clone();
+        let asked: Vec<bool> =
+            sides.iter().enumerate().map(|(index, side)| is_new(index, side)).collect();
         let mut happened = 0;
-        let was_idle = |index: usize| idle[index];
-        while let Some((index, trial)) = self.contradiction(time, state, was_idle, false)? {
+        let is_asked = |index: usize| asked[index];
+        self.require_independent(time, state)?;
+        while let Some((index, trial)) = self.contradiction(time, state, is_asked, false)? {
             if happened == self.most() {
                 let event = self.system.simulator().event(index).name.to_owned();
                 return Err(Stopped { time, cause: StopCause::Contradiction { event } });
             }
             state.copy_from_slice(&trial.state);
+            self.require_independent(time, state)?;
             passed[index] = true;
             self.count(index, time)?;
             happened += 1;
         }
         Ok(())
+    }
+
+    /// Refuses modes in which a constraint holds that says what others say: guards of its
+    /// force would mean nothing.
+    fn require_independent(&self, time: f64, state: &[f64]) -> Result<(), Stopped> {
+        let simulator = self.system.simulator();
+        if !(0..simulator.constraints()).any(|index| simulator.constraint(index).in_modes) {
+            return Ok(());
+        }
+        let state = &state[..self.system.states()];
+        let found = mobility(simulator, self.system.parameters(), time, state);
+        match found.into_iter().flat_map(|mobility| mobility.redundant).next() {
+            None => Ok(()),
+            Some(redundant) => {
+                let (why, constraint) = (redundant.why(), redundant.constraint);
+                Err(Stopped { time, cause: StopCause::Overdetermined { constraint, why } })
+            }
+        }
     }
 
     /// So many events may follow on one another without time.

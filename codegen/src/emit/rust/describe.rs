@@ -174,7 +174,12 @@ fn constraints(scene: &Scene<'_>) -> String {
         return String::new();
     }
     let rows = constraints.iter().map(|constraint| {
-        let kind = if constraint.is_of_positions { "of_positions" } else { "of_velocities" };
+        let kind = match (constraint.is_of_positions, constraint.in_modes) {
+            (true, false) => "of_positions",
+            (false, false) => "of_velocities",
+            (true, true) => "of_positions_in_modes",
+            (false, true) => "of_velocities_in_modes",
+        };
         let [name, unit, doc] =
             [&constraint.name.path, &constraint.unit, &constraint.doc].map(|text| string(text));
         format!("{name}: {kind}, {unit}, {doc};")

@@ -158,6 +158,9 @@ impl Kept {
         retain(&mut part.constraints, &self.constraints);
         for constraint in &mut part.constraints {
             constraint.expr = held(&constraint.expr);
+            for (id, _) in &mut constraint.when {
+                *id = self.first_order[id.0 as usize].unwrap_or(*id);
+            }
         }
         for GeneralizedForce { total, conversion } in &mut part.generalized_force {
             (*total, *conversion) = (held(total), held(conversion));

@@ -39,7 +39,8 @@ impl Assembler<'_> {
             let doc = constraint.doc.split_whitespace().collect::<Vec<_>>().join(" ");
             let unit = dimension.unwrap_or(Dimension::ONE).as_unit();
             let expr = self.note(resolved);
-            constraints.push(Constraint { name, doc, unit, expr, is_of_positions });
+            let when = self.modes(&constraint.when, scope);
+            constraints.push(Constraint { name, doc, unit, expr, is_of_positions, when });
         }
         constraints
     }

@@ -29,18 +29,22 @@ impl Assembler<'_> {
                 self.mistakes.push(*mistake);
             }
             let guard = self.guard(event, scope);
-            let (when, set) = (self.modes(event, scope), self.new_values(event, scope));
+            let (when, set) = (self.modes(&event.when, scope), self.new_values(event, scope));
             let doc = event.doc.split_whitespace().collect::<Vec<_>>().join(" ");
             events.push(Event { name, doc, guard, direction: event.direction, when, set });
         }
         events
     }
 
-    /// A guard may be of any dimension, but must be able to pass zero.
+    /// A guard may be of any dimension, but must be able to pass zero; or say at the start, by
+    /// where it is, that a mode is another one.
     fn guard(&mut self, event: &EventSpec, scope: Scope) -> Expr {
-        let resolved = self.resolver.expect_motion(&event.guard, scope);
+        let resolved = self.resolver.expect_guard(&event.guard, scope);
+        let is_set = |mode: &str| event.set.iter().any(|(path, _)| path.value == mode);
+        let leaves_mode = event.when.iter().any(|(path, _)| is_set(&path.value));
         if let Ok(typed) = &resolved
             && typed.uses == Uses::default()
+            && (!leaves_mode || typed.value == Some(0.0))
         {
             let what = if typed.value == Some(0.0) { "is always zero" } else { "never changes" };
             let name = quoted(&event.name.value);
@@ -52,9 +56,14 @@ impl Assembler<'_> {
         self.note(resolved)
     }
 
-    fn modes(&mut self, event: &EventSpec, scope: Scope) -> Vec<(FirstOrderId, i32)> {
+    /// Modes by name, with the values that they must have.
+    pub(super) fn modes(
+        &mut self,
+        when: &[(Spanned<String>, i32)],
+        scope: Scope,
+    ) -> Vec<(FirstOrderId, i32)> {
         let mut modes: Vec<(FirstOrderId, i32)> = Vec::new();
-        for (path, value) in &event.when {
+        for (path, value) in when {
             match self.mode(path, scope) {
                 Ok(id) if modes.iter().any(|(known, _)| *known == id) => {
                     let message = format!("mode {} is asked for twice", quoted(&path.value));

@@ -178,6 +178,11 @@ impl Assembler<'_> {
                 return Err(Box::new(Mistake::new(path.span, message, label).help(help)));
             }
         };
+        if self.layout.is_held(self.layout.slot(instance, index)) {
+            let message = format!("{} is fixed, by its unit or by a joint", quoted(&path.value));
+            let mistake = Mistake::new(path.span, message, "fixed at zero");
+            return Err(Box::new(mistake.help("leave it out")));
+        }
         let link = self.layout.link(instance, index);
         let stands_for = self.layout.representatives.get(link.id.0 as usize);
         if stands_for.is_none_or(|slot| self.layout.attachment(*slot).is_some())

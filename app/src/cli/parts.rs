@@ -1,0 +1,193 @@
+//! `machinist parts`: the standard parts that come with Machinist.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand};
+use machinist_codegen::spec::card::Card;
+use machinist_codegen::spec::library::{LIBRARY, LibraryUnit};
+
+use super::output::{columns, print, write_file};
+use crate::failure::{Failure, did_you_mean};
+
+/// The command that makes the page of the parts again.
+const MENDING_COMMAND: &str = "cargo run --release -- parts --page docs/parts.md";
+
+#[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true)]
+pub struct Parts {
+    #[command(subcommand)]
+    what: Option<What>,
+    /// Only parts whose name, title, text, ports or parameters contain all of these words
+    #[arg(value_name = "WORD")]
+    words: Vec<String>,
+    /// Write all of them to a page in Markdown
+    #[arg(long, value_name = "FILE", conflicts_with = "words")]
+    page: Option<PathBuf>,
+}
+
+#[derive(Debug, Subcommand)]
+enum What {
+    /// Equations, ports, parameters and an example of one part
+    Show {
+        /// Its name, such as `rotational/clutch`, or the last part of it
+        name: String,
+    },
+}
+
+impl Parts {
+    pub fn execute(&self) -> Result<(), Failure> {
+        match (&self.what, &self.page) {
+            (Some(What::Show { name }), _) => show(name),
+            (None, Some(path)) => {
+                let text = page()?;
+                write_file(path, |out| out.write_all(text.as_bytes()))
+            }
+            (None, None) => list(&self.words),
+        }
+    }
+}
+
+/// The standard parts: what has an example.
+fn standard() -> impl Iterator<Item = &'static LibraryUnit> + Clone {
+    LIBRARY.iter().filter(|unit| unit.example.is_some())
+}
+
+fn card(unit: &LibraryUnit) -> Result<Card, Failure> {
+    Card::of(unit).map_err(Failure::from)
+}
+
+fn list(words: &[String]) -> Result<(), Failure> {
+    let words: Vec<String> = words.iter().map(|word| word.to_lowercase()).collect();
+    let mut rows = Vec::new();
+    for unit in standard() {
+        let card = card(unit)?;
+        let text = searched(&card);
+        if words.iter().all(|word| text.contains(word)) {
+            rows.push([card.name, card.title]);
+        }
+    }
+    if rows.is_empty() {
+        let message = format!("no part is described by `{}`", words.join(" ").escape_debug());
+        return Err(Failure::input(message, "`machinist parts` lists them all"));
+    }
+    print(&columns(&rows, 2))
+}
+
+/// What is searched for words, in lower case.
+fn searched(card: &Card) -> String {
+    let ports = card.ports.iter().flatten();
+    let parameters = card.parameters.iter().flat_map(|[name, _, _, doc]| [name, doc]);
+    let inputs = card.inputs.iter().flat_map(|[name, _, doc]| [name, doc]);
+    let named = [&card.name, &card.title, &card.doc, &card.source].into_iter();
+    let all: Vec<&str> =
+        named.chain(ports).chain(parameters).chain(inputs).map(String::as_str).collect();
+    all.join(" ").to_lowercase()
+}
+
+fn show(name: &str) -> Result<(), Failure> {
+    let is_last = |unit: &&LibraryUnit| unit.name.rsplit('/').next() == Some(name);
+    let exact = LIBRARY.iter().find(|unit| unit.name == name);
+    let found: Vec<&LibraryUnit> = match exact {
+        Some(unit) => vec![unit],
+        None => standard().filter(is_last).collect(),
+    };
+    if found.is_empty() {
+        let lasts = standard().filter_map(|unit| unit.name.rsplit('/').next());
+        let names = LIBRARY.iter().map(|unit| unit.name).chain(lasts);
+        let message = format!("there is no part `{}`", name.escape_debug());
+        let hint = did_you_mean(name, names);
+        return Err(Failure::input(message, format!("{hint}\n`machinist parts` lists them all")));
+    }
+    let mut texts = Vec::new();
+    for unit in found {
+        texts.push(plain(&card(unit)?));
+    }
+    print(&texts.join("\n"))
+}
+
+/// A part for a terminal.
+fn plain(card: &Card) -> String {
+    let mut text =
+        format!("{}: {}\n{}\nSource: {}\n", card.name, card.title, card.doc, card.source);
+    let mut section = |heading: &str, rows: String| {
+        if !rows.is_empty() {
+            let _ = write!(text, "\n{heading}\n");
+            rows.lines().for_each(|line| {
+                let _ = writeln!(text, "{}", format!("  {line}").trim_end());
+            });
+        }
+    };
+    section("Ports", columns(&card.ports, 3));
+    section("Parameters", columns(&card.parameters, 4));
+    section("Inputs", columns(&card.inputs, 3));
+    section("Modes", columns(&card.modes, 2));
+    let equations = card.equations.iter().map(|[left, right, unit, doc]| {
+        let unit = if unit.is_empty() { String::new() } else { format!("   [{unit}]") };
+        format!("{left} = {right}{unit}   {doc}\n")
+    });
+    section("Equations", equations.collect());
+    let events = card.events.iter().map(|[when, set, doc]| format!("{when}: {set}   {doc}\n"));
+    section("Events", events.collect());
+    section("Outputs", columns(&card.outputs, 3));
+    section("Example", card.example.unwrap_or_default().to_owned());
+    text
+}
+
+/// All parts in Markdown.
+fn page() -> Result<String, Failure> {
+    let mut text = format!(
+        "# Standard parts\n\nMade from `specs/units` by `{MENDING_COMMAND}`; do not edit.\n\n\
+         What a scene writes as `unit = \"rotational/gear\"`. Joints connect ports by name; a part's \
+         example shows how. `machinist parts WORD` searches this list, `machinist parts show NAME` \
+         prints one of them.\n\n| part | what it is |\n| --- | --- |\n"
+    );
+    let cards = standard().map(card).collect::<Result<Vec<Card>, Failure>>()?;
+    for card in &cards {
+        let anchor = card.name.replace('/', "");
+        let _ = writeln!(text, "| [{}](#{anchor}) | {} |", card.name, card.title);
+    }
+    for card in &cards {
+        text.push_str(&section(card));
+    }
+    Ok(text)
+}
+
+/// A part in Markdown.
+fn section(card: &Card) -> String {
+    let mut text =
+        format!("\n## {}\n\n{}. {}\n\n*{}*\n", card.name, card.title, card.doc, card.source);
+    table(&mut text, ["port", "kind", "moves by"], &card.ports);
+    table(&mut text, ["parameter", "default", "unit", "meaning"], &card.parameters);
+    table(&mut text, ["input", "unit", "meaning"], &card.inputs);
+    table(&mut text, ["mode", "meaning"], &card.modes);
+    if !card.equations.is_empty() || !card.events.is_empty() {
+        text.push_str("\n```text\n");
+        for [left, right, unit, _] in &card.equations {
+            let unit = if unit.is_empty() { String::new() } else { format!("   [{unit}]") };
+            let _ = writeln!(text, "{left} = {right}{unit}");
+        }
+        for [when, set, _] in &card.events {
+            let _ = writeln!(text, "{when}: {set}");
+        }
+        text.push_str("```\n");
+    }
+    table(&mut text, ["output", "unit", "meaning"], &card.outputs);
+    let _ = writeln!(
+        text,
+        "\nExample: [specs/scenes/parts/{0}.toml](../specs/scenes/parts/{0}.toml)",
+        card.name
+    );
+    text
+}
+
+fn table<const N: usize>(text: &mut String, heads: [&str; N], rows: &[[String; N]]) {
+    if rows.is_empty() {
+        return;
+    }
+    let rule = ["---"; N].join(" | ");
+    let _ = write!(text, "\n| {} |\n| {rule} |\n", heads.join(" | "));
+    for row in rows {
+        let _ = writeln!(text, "| {} |", row.join(" | "));
+    }
+}

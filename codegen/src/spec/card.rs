@@ -1,0 +1,199 @@
+//! What a user wants to know of a unit that comes with Machinist, as plain text.
+
+use crate::spec::diagnostic::{Diagnostics, FileId, Span};
+use crate::spec::fields::Findings;
+use crate::spec::library::LibraryUnit;
+use crate::spec::source::Sources;
+use crate::spec::{Formula, UnitSpec, toml, unit};
+use machinist_model::Direction;
+
+/// A unit by its name, ports, numbers and equations, all as its spec writes them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Card {
+    /// What scenes call it.
+    pub name: String,
+    /// One line for people.
+    pub title: String,
+    /// What it is.
+    pub doc: String,
+    /// Where its equations come from.
+    pub source: String,
+    /// Name, kind, and what it moves by.
+    pub ports: Vec<[String; 3]>,
+    /// Name, value, unit and meaning.
+    pub parameters: Vec<[String; 4]>,
+    /// Name, unit and meaning.
+    pub inputs: Vec<[String; 3]>,
+    /// Name and meaning.
+    pub modes: Vec<[String; 2]>,
+    /// Left side, right side, unit and meaning.
+    pub equations: Vec<[String; 4]>,
+    /// What passes zero, what is set then, and meaning.
+    pub events: Vec<[String; 3]>,
+    /// Name, unit and meaning, with those of helpers.
+    pub outputs: Vec<[String; 3]>,
+    /// A scene of a few lines that uses it.
+    pub example: Option<&'static str>,
+}
+
+impl Card {
+    /// What a unit's spec says.
+    ///
+    /// # Errors
+    /// What is wrong with the spec; nothing is, with units of the library.
+    pub fn of(library: &LibraryUnit) -> Result<Self, Diagnostics> {
+        let mut sources = Sources::beside(std::path::Path::new("unit.toml"));
+        let file: FileId = sources.embed(&format!("units/{}.toml", library.name), library.text);
+        let tree = toml::parse(library.text, file).map_err(|m| sources.diagnostics(&[m]))?;
+        let mut found = Findings::default();
+        let spec = unit::read(&tree, library.name, file, true, &mut found);
+        if !found.mistakes.is_empty() {
+            return Err(sources.diagnostics(&found.mistakes));
+        }
+        Ok(Reader(library.text).card(library, &spec))
+    }
+}
+
+/// The text that spans are of.
+struct Reader(&'static str);
+
+impl Reader {
+    /// The whole string that a span is in: an expression as written.
+    fn written(&self, span: Span) -> String {
+        let (start, end) = (span.start as usize, span.end as usize);
+        let from = self.0[..start].rfind('"').map_or(start, |quote| quote + 1);
+        let until = self.0[end..].find('"').map_or(end, |quote| end + quote);
+        one_line(&self.0[from..until])
+    }
+
+    fn formula(&self, formula: &Formula) -> String {
+        match formula {
+            Formula::Number(number) => {
+                self.0[number.span.start as usize..number.span.end as usize].to_owned()
+            }
+            Formula::Expression(ast) => self.written(ast.span),
+        }
+    }
+
+    fn card(&self, library: &LibraryUnit, spec: &UnitSpec) -> Card {
+        let port = |port: &crate::spec::PortSpec| {
+            let coordinate = &port.coordinate.value;
+            let moves = match &port.ratio {
+                None => coordinate.clone(),
+                Some(ratio) => format!("({})*{coordinate}", self.formula(ratio)),
+            };
+            [port.name.value.clone(), port.kind.value.name().to_owned(), moves]
+        };
+        let parameter = |parameter: &crate::spec::ParameterSpec| {
+            let value = number(parameter.value);
+            [
+                parameter.name.value.clone(),
+                value,
+                parameter.unit.text.clone(),
+                one_line(&parameter.doc),
+            ]
+        };
+        let input = |input: &crate::spec::InputSpec| {
+            [input.name.value.clone(), input.unit.text.clone(), one_line(&input.doc)]
+        };
+        let modes = spec.states.iter().filter(|state| state.is_mode);
+        let outputs = spec.helpers.iter().chain(&spec.outputs);
+        Card {
+            name: library.name.to_owned(),
+            title: spec.title.clone(),
+            doc: one_line(&spec.doc),
+            source: one_line(&spec.source),
+            ports: spec.ports.iter().map(port).collect(),
+            parameters: spec.parameters.iter().map(parameter).collect(),
+            inputs: spec.inputs.iter().map(input).collect(),
+            modes: modes.map(|mode| [mode.name.value.clone(), one_line(&mode.doc)]).collect(),
+            equations: self.equations(spec),
+            events: self.events(spec),
+            outputs: outputs
+                .map(|one| [one.name.value.clone(), one.unit.text.clone(), one_line(&one.doc)])
+                .collect(),
+            example: library.example,
+        }
+    }
+
+    fn equations(&self, spec: &UnitSpec) -> Vec<[String; 4]> {
+        let mut equations: Vec<[String; 4]> = Vec::new();
+        let mut add = |left: String, right: String, unit: &str, doc: &str| {
+            equations.push([left, right, unit.to_owned(), one_line(doc)]);
+        };
+        let (energy, power) = (&spec.energy, &spec.power);
+        let sums = [
+            ("T", &energy.kinetic, "J", "kinetic energy"),
+            ("V", &energy.potential, "J", "potential energy"),
+            ("D", &energy.dissipation, "W", "dissipation: -dD/dq' is a force"),
+            ("W", &energy.stored, "J", "energy of the first-order states"),
+            ("P_in", &power.supplied, "W", "power supplied to first-order states"),
+            ("P_out", &power.dissipated, "W", "power lost, of forces that are marked and states"),
+        ];
+        for (left, ast, unit, doc) in sums {
+            if let Some(ast) = ast {
+                add(left.to_owned(), self.written(ast.span), unit, doc);
+            }
+        }
+        for coordinate in spec.coordinates.iter().filter(|coordinate| coordinate.is_fixed) {
+            add(coordinate.name.value.clone(), "0".to_owned(), &coordinate.unit.text, "fixed");
+        }
+        for force in &spec.forces {
+            let left = format!("Q({})", force.coordinate.value);
+            add(left, self.written(force.expression.span), "", &force.doc);
+        }
+        for state in spec.states.iter().filter(|state| !state.is_mode) {
+            let left = format!("{}'", state.name.value);
+            add(left, self.written(state.rate.span), &format!("{}/s", state.unit.text), &state.doc);
+        }
+        for constraint in &spec.constraints {
+            let mut doc = format!("{}: {}", constraint.name.value, constraint.doc);
+            for (mode, value) in &constraint.when {
+                doc = format!("{doc}, while {} is {value}", mode.value);
+            }
+            add("0".to_owned(), self.written(constraint.expression.span), "", &doc);
+        }
+        for helper in spec.helpers.iter().chain(&spec.outputs) {
+            let right = self.written(helper.expression.span);
+            add(helper.name.value.clone(), right, &helper.unit.text, &helper.doc);
+        }
+        equations
+    }
+
+    fn events(&self, spec: &UnitSpec) -> Vec<[String; 3]> {
+        let events = spec.events.iter().map(|event| {
+            let guard = self.written(event.guard.span);
+            let passes = match event.direction {
+                Direction::Rising => format!("{guard} rises through 0"),
+                Direction::Falling => format!("{guard} falls through 0"),
+                Direction::Both => format!("{guard} passes 0"),
+            };
+            let modes = event.when.iter().map(|(mode, value)| format!("{} is {value}", mode.value));
+            let modes: Vec<String> = modes.collect();
+            let modes = if modes.is_empty() {
+                String::new()
+            } else {
+                format!(", while {}", modes.join(" and "))
+            };
+            let set = event.set.iter();
+            let set = set.map(|(name, value)| format!("{} := {}", name.value, self.formula(value)));
+            let set: Vec<String> = set.collect();
+            [format!("{passes}{modes}"), set.join(", "), one_line(&event.doc)]
+        });
+        events.collect()
+    }
+}
+
+/// A number as people write it.
+fn number(value: f64) -> String {
+    let size = value.abs();
+    if value != 0.0 && !(1e-3..1e5).contains(&size) {
+        format!("{value:e}")
+    } else {
+        value.to_string()
+    }
+}
+
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,390 @@
+//! Friction that sticks exactly: when it locks, what it holds, and when it lets go.
+
+use machinist::{Method, Simulation, Trajectory};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_model::ModelSimulator;
+
+use super::{column, example};
+use crate::own_scene::of_text;
+
+/// Zero but for the rounding with which a state is put onto a constraint, of speeds of the
+/// scale 1.
+const AT_REST: f64 = 4.0 * f64::EPSILON;
+
+/// The time of an event that happens once.
+fn time_of(run: &Trajectory, event: &str) -> f64 {
+    let times: Vec<f64> =
+        run.switches.iter().filter(|switch| switch.event == event).map(|s| s.time).collect();
+    assert_eq!(times.len(), 1, "{event}: {times:?}");
+    times[0]
+}
+
+fn orders(low: f64, high: f64, count: i32) -> impl Iterator<Item = f64> {
+    (0..count).map(move |k| low * (high / low).powf(f64::from(k) / f64::from(count - 1)))
+}
+
+/// A rotor that brakes from a speed, and is then pulled at by a torque that grows.
+fn braked() -> ModelSimulator {
+    of_text(
+        r#"
+        [scene]
+        name = "braked"
+        [units.rotor]
+        unit = "rotational/inertia"
+        [units.brake]
+        unit = "rotational/brake"
+        inputs = { normal_force = "press" }
+        [units.pull]
+        unit = "sources/torque"
+        inputs = { torque = "slope*max(t - begin, 0 [s])" }
+        [[joints]]
+        connect = ["rotor.b", "brake.a"]
+        [[joints]]
+        connect = ["pull.a", "rotor.a"]
+        [parameters]
+        press = { value = 10.0, unit = "N" }
+        slope = { value = 1.0, unit = "N m/s" }
+        begin = { value = 2.0, unit = "s" }
+        speed = { value = 1.0, unit = "rad/s" }
+        [initial]
+        "rotor.omega" = "speed"
+        [outputs]
+        phi = "rotor.phi"
+        omega = "rotor.omega"
+        torque = "brake.torque"
+        [run]
+        until = 10.0
+        points = 101
+        rtol = 1e-9
+        method = "dop853"
+        "#,
+        Keep::Needed,
+    )
+}
+
+#[test]
+fn a_brake_locks_and_breaks_away_when_it_should() {
+    let scene = braked();
+    let methods = [Method::Dop853, Method::Tsit5, Method::Radau, Method::Rodas5p, Method::Auto];
+    let mut count = 0;
+    for inertia in orders(1e-3, 1e3, 4) {
+        for press in orders(1e-2, 1e4, 4) {
+            for speed in [-100.0, -1e-2, 1e-2, 1.0, 100.0] {
+                let method = methods[count % methods.len()];
+                count += 1;
+                let (capacity, peak) = (0.5 * press, 1.3);
+                let stop: f64 = inertia * f64::abs(speed) / capacity;
+                let begin = 2.0 * stop;
+                // It breaks away half of the time to stop later.
+                let slope = peak * capacity / (0.5 * stop);
+                let run = Simulation::new(&scene)
+                    .parameter("rotor.inertia", inertia)
+                    .and_then(|run| run.parameter("press", press))
+                    .and_then(|run| run.parameter("speed", speed))
+                    .and_then(|run| run.parameter("begin", begin))
+                    .and_then(|run| run.parameter("slope", slope))
+                    .and_then(|run| run.parameter("brake.peak", peak))
+                    .expect("parameters")
+                    .method(method)
+                    .until(3.0 * stop)
+                    .run()
+                    .unwrap_or_else(|error| panic!("{inertia} {press} {speed} {method}: {error}"));
+                let ends = if speed > 0.0 { "brake.ends_forth" } else { "brake.ends_back" };
+                let locked = time_of(&run, ends);
+                let case = format!("{inertia}, {press}, {speed}, {method}");
+                assert!((locked - stop).abs() < 1e-8 * stop, "{case}: {locked} for {stop}");
+                let broke = time_of(&run, "brake.breaks_forth");
+                let expected = begin + 0.5 * stop;
+                assert!((broke - expected).abs() < 1e-8 * stop, "{case}: {broke} for {expected}");
+                let turned = 0.5 * speed * stop;
+                for (row, time) in run.times.iter().enumerate() {
+                    if *time < locked * 1.000_001 || *time > broke * 0.999_999 {
+                        continue;
+                    }
+                    // Held without creeping, by what pulls.
+                    assert!(column(&run, "omega")[row].abs() < AT_REST, "{case}: it creeps");
+                    let off = (column(&run, "phi")[row] - turned).abs();
+                    assert!(off < 1e-7 * turned.abs(), "{case}: held at {off:e} beside");
+                    let held = column(&run, "torque")[row] + slope * (time - begin).max(0.0);
+                    assert!(held.abs() < 1e-9 * capacity, "{case}: {held:e} is left");
+                }
+                let late = run.last("omega").expect("an output");
+                // J w' = slope s - C from s = stop/2 on, until s = stop.
+                let impulse = slope * (1.0 - 0.25) * stop * stop / 2.0 - capacity * 0.5 * stop;
+                let exact = impulse / inertia;
+                assert!((late - exact).abs() < 1e-7 * exact, "{case}: {late} for {exact}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_clutch_couples_when_it_should_and_loses_what_it_must() {
+    let scene = example("rotational/clutch", Keep::All);
+    for load in orders(1e-2, 1e2, 5) {
+        for geometry in orders(0.1, 100.0, 4) {
+            let capacity = 0.5 * 100.0 * geometry;
+            let reduced = 1.0 / (1.0 / 2.0 + 1.0 / load);
+            let lock = 0.2 + 6.0 * reduced / capacity;
+            let run = Simulation::new(&scene)
+                .rtol(1e-9)
+                .parameter("load.inertia", load)
+                .and_then(|run| run.parameter("clutch.geometry", geometry))
+                .expect("parameters")
+                .until(2.0 * lock)
+                .with_energy_balance(true)
+                .run()
+                .expect("it runs");
+            let locked = time_of(&run, "clutch.ends_back");
+            assert!((locked - lock).abs() < 1e-8 * lock, "{load}, {geometry}: {locked} for {lock}");
+            let common = 2.0 * 6.0 / (2.0 + load);
+            for name in ["motor", "load"] {
+                let speed = run.last(name).expect("an output");
+                assert!((speed - common).abs() < 1e-8, "{load}, {geometry}: {speed}");
+            }
+            let balance = run.energy_balance.as_ref().expect("asked for");
+            let lost = balance.dissipated.last().expect("rows");
+            let exact = 0.5 * reduced * 36.0;
+            assert!((lost - exact).abs() < 1e-7 * exact, "{load}, {geometry}: {lost} for {exact}");
+        }
+    }
+}
+
+#[test]
+fn a_sprung_mass_turns_and_rests_where_coulomb_says() {
+    let scene = example("translational/friction", Keep::All);
+    for start in [0.019, 0.021, 0.059, 0.061, 0.11, 0.31, 0.77, -0.51, 2.0] {
+        let run = Simulation::new(&scene)
+            .rtol(1e-10)
+            .parameter("guide.stribeck", 0.0)
+            .and_then(|run| run.parameter("guide.viscous", 0.0))
+            .expect("parameters")
+            .initial_state(&place(&scene, start))
+            .until(40.0)
+            .run()
+            .unwrap_or_else(|error| panic!("{start}: {error}"));
+        // 2 N on 100 N/m: each half swing ends 0.04 m nearer, and it rests within 0.02 m.
+        let (mut at, mut turns): (f64, usize) = (start, 0);
+        while at.abs() > 0.02 {
+            at = -at + 0.04 * at.signum();
+            turns += 1;
+        }
+        let rest = run.last("place").expect("an output");
+        assert!((rest - at).abs() < 1e-8, "{start}: at {rest}, not {at}");
+        let ends = run.switches.iter().filter(|switch| switch.event.contains("ends")).count();
+        assert_eq!(ends, turns, "{start}");
+        let creep = run.last("speed").expect("an output").abs();
+        assert!(creep < AT_REST, "{start}: it creeps by {creep:e}");
+        let held = run.last("force").expect("an output");
+        assert!((held - 100.0 * at).abs() < 1e-6, "{start}: held by {held}");
+    }
+}
+
+/// The initial state with the body at a place.
+fn place(scene: &ModelSimulator, x: f64) -> Vec<f64> {
+    use machinist_contract::{Describe, Simulator};
+    let mut state = vec![0.0; scene.shape().states()];
+    scene.initial_state(Simulation::new(scene).parameter_values(), &mut state);
+    let index = (0..state.len()).find(|index| scene.state(*index).name == "body.x");
+    state[index.expect("a place")] = x;
+    state
+}
+
+#[test]
+fn a_bearing_runs_up_against_its_friction() {
+    let scene = of_text(
+        r#"
+        [scene]
+        name = "run_up"
+        [units.rotor]
+        unit = "rotational/inertia"
+        [units.bearing]
+        unit = "rotational/bearing_friction"
+        parameters = { stribeck = 0 }
+        [units.drive]
+        unit = "sources/torque"
+        inputs = { torque = "pull" }
+        [[joints]]
+        connect = ["rotor.b", "bearing.a"]
+        [[joints]]
+        connect = ["drive.a", "rotor.a"]
+        [parameters]
+        pull = { value = 2.0, unit = "N m" }
+        [outputs]
+        omega = "rotor.omega"
+        torque = "bearing.torque"
+        [run]
+        until = 10.0
+        points = 51
+        rtol = 1e-10
+        method = "dop853"
+        "#,
+        Keep::Needed,
+    );
+    for pull in [-50.0, -1.01, -0.99, 0.0, 0.5, 0.999, 1.001, 3.0, 1e3] {
+        for viscous in orders(1e-3, 10.0, 4) {
+            let run = Simulation::new(&scene)
+                .parameter("pull", pull)
+                .and_then(|run| run.parameter("bearing.viscous", viscous))
+                .expect("parameters")
+                .run()
+                .unwrap_or_else(|error| panic!("{pull}, {viscous}: {error}"));
+            let driven = f64::signum(pull) * (f64::abs(pull) - 1.0).max(0.0);
+            for (row, time) in run.times.iter().enumerate() {
+                let exact = -driven / viscous * (-viscous * time).exp_m1();
+                let omega = column(&run, "omega")[row];
+                let allowed = 1e-8 * exact.abs() + 1e-8;
+                assert!((omega - exact).abs() <= allowed, "{pull}, {viscous}: {omega}");
+                if driven == 0.0 {
+                    let held = column(&run, "torque")[row] + pull;
+                    assert!(held.abs() < 1e-12, "{pull}: {held:e}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_clutch_that_locks_and_slips_often_loses_no_energy_it_should_not() {
+    let text = r#"
+        [scene]
+        name = "often"
+        [units.left]
+        unit = "rotational/inertia"
+        [units.clutch]
+        unit = "rotational/clutch"
+        parameters = { peak = 1.2 }
+        inputs = { normal_force = "10 [N]" }
+        [units.right]
+        unit = "rotational/inertia"
+        parameters = { inertia = 0.7 }
+        [units.drive]
+        unit = "sources/torque"
+        inputs = { torque = "20 [N m]*sin(10 [rad/s]*t)" }
+        [[joints]]
+        connect = ["left.b", "clutch.a"]
+        [[joints]]
+        connect = ["clutch.b", "right.a"]
+        [[joints]]
+        connect = ["drive.a", "left.a"]
+        [outputs]
+        left = "left.omega"
+        right = "right.omega"
+        torque = "clutch.torque"
+        [run]
+        until = 157.07963267948966
+        points = 2001
+        rtol = 1e-9
+        method = "dop853"
+    "#;
+    let scene = of_text(text, Keep::Needed);
+    let run = Simulation::new(&scene).with_energy_balance(true).run().expect("it runs");
+    let count = |name: &str| run.switches.iter().filter(|s| s.event.contains(name)).count();
+    // Twice a period of 250 it sticks and breaks away.
+    assert!(count("ends") >= 499 && count("breaks") >= 499, "{}", run.switches.len());
+    let residual = run.energy_balance.as_ref().expect("asked for").max_residual_relative();
+    assert!(residual < 1e-8, "{residual:e}");
+    let largest = column(&run, "torque").iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    assert!(largest <= 6.0 * 1.000_001, "{largest}");
+}
+
+/// A chain of masses on a rough guide, pulled by springs from one end.
+fn chain(count: usize) -> String {
+    use std::fmt::Write as _;
+    let mut text = String::from("[scene]\nname = \"rough_chain\"\n[units.hand]\n");
+    text += "unit = \"sources/force\"\ninputs = { force = \"2 [N/s]*t\" }\n";
+    text += "[[joints]]\nconnect = [\"hand.a\", \"body1.a\"]\n";
+    for k in 1..=count {
+        let _ = write!(
+            text,
+            "[units.body{k}]\nunit = \"translational/mass\"\n[units.guide{k}]\n\
+             unit = \"translational/friction\"\n\
+             parameters = {{ coulomb = 1, stribeck = 0, viscous = 0 }}\n\
+             [[joints]]\nconnect = [\"body{k}.b\", \"guide{k}.a\"]\n"
+        );
+        if k < count {
+            let next = k + 1;
+            let _ = write!(
+                text,
+                "[units.link{k}]\nunit = \"translational/spring_damper\"\n\
+                 parameters = {{ stiffness = 50, damping = 20 }}\n\
+                 [[joints]]\nconnect = [\"body{k}.a\", \"link{k}.a\"]\n\
+                 [[joints]]\nconnect = [\"link{k}.b\", \"body{next}.a\"]\n"
+            );
+        }
+    }
+    text += "[outputs]\nx = \"body1.x\"\n";
+    text += "[run]\nuntil = 4.0\npoints = 41\nrtol = 1e-7\nmethod = \"dop853\"\n";
+    text
+}
+
+#[test]
+fn a_rough_chain_starts_body_after_body_without_chattering() {
+    let count = 8;
+    let scene = of_text(&chain(count), Keep::All);
+    let run = Simulation::new(&scene).with_energy_balance(true).run().expect("it runs");
+    let breaks = |k: usize| {
+        let name = format!("guide{k}.breaks_forth");
+        run.switches.iter().find(|switch| switch.event == name).map(|switch| switch.time)
+    };
+    // The first lets go at 1 N, each later than the one before it.
+    assert!((breaks(1).expect("it slides") - 0.5).abs() < 1e-8);
+    let starts: Vec<f64> = (1..=count).map_while(breaks).collect();
+    assert!(starts.windows(2).all(|pair| pair[0] < pair[1]), "{starts:?}");
+    assert!(starts.len() >= 3, "{starts:?}");
+    assert!(run.switches.len() < 20 * count, "{} switches", run.switches.len());
+    let residual = run.energy_balance.as_ref().expect("asked for").max_residual_relative();
+    assert!(residual < 1e-6, "{residual:e}");
+}
+
+#[test]
+fn friction_whose_force_is_not_unique_is_refused_by_name() {
+    let scene = |parts: &str, start: f64| {
+        let text = format!(
+            r#"
+            [scene]
+            name = "not_unique"
+            [units.brake]
+            unit = "rotational/brake"
+            inputs = {{ normal_force = "10 [N]" }}
+            {parts}
+            [run]
+            until = 5.0
+            points = 11
+            rtol = 1e-8
+            method = "dop853"
+            "#
+        );
+        let scene = of_text(&text.replace("START", &start.to_string()), Keep::All);
+        Simulation::new(&scene).run().expect_err("refused").to_string()
+    };
+    let two = r#"
+        [units.rotor]
+        unit = "rotational/inertia"
+        [units.other]
+        unit = "rotational/brake"
+        inputs = { normal_force = "20 [N]" }
+        [[joints]]
+        connect = ["rotor.b", "brake.a"]
+        [[joints]]
+        connect = ["rotor.b", "other.a"]
+        [initial]
+        "rotor.omega" = START
+    "#;
+    for start in [0.0, 3.0, -3.0] {
+        let error = scene(two, start);
+        assert!(
+            error.contains("`other.grip` says nothing that is new beside `brake.grip`"),
+            "{error}"
+        );
+    }
+    let driven = r#"
+        [units.drive]
+        unit = "sources/speed"
+        inputs = { speed = "1 [rad/s]*cos(3 [rad/s]*t)" }
+        [[joints]]
+        connect = ["drive.a", "brake.a"]
+    "#;
+    let error = scene(driven, 0.0);
+    assert!(error.contains("drive.drive") && error.contains("brake.grip"), "{error}");
+}

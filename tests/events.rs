@@ -203,6 +203,13 @@ fn a_guard_that_is_zero_everywhere_is_refused_by_name() {
 }
 
 #[test]
+fn a_guard_that_moves_only_after_the_run_is_not_refused() {
+    let late = swings("[define.ball.events.late]\nguard = \"max(t - 50 [s], 0 [s])\"");
+    let run = from_height(&late, Method::Auto).run().expect("it runs");
+    assert!(run.switches.iter().all(|switch| switch.event != "ball.late"));
+}
+
+#[test]
 fn a_method_that_does_not_watch_refuses_a_scene_with_events() {
     let ball = scene(FALLS);
     for &method in Method::ALL {

@@ -2,8 +2,9 @@
 //! somebody else's simulation.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// A pendulum of a length, so that each has a text of its own.
@@ -111,6 +112,96 @@ fn a_model_file_gives_what_its_spec_gives_and_needs_it_no_more() {
         let said = succeeded(&output).to_lowercase();
         assert!(said.contains(wanted), "{command}: {said}");
     }
+}
+
+/// Scenes of the repository, by their files.
+fn scene_files() -> Vec<PathBuf> {
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes");
+    let folders = [scenes.clone(), scenes.join("bench"), scenes.join("msl")];
+    let files = folders.iter().flat_map(|folder| fs::read_dir(folder).expect("scenes"));
+    let files = files.map(|file| file.expect("a file").path());
+    files.filter(|file| file.extension().is_some_and(|ending| ending == "toml")).collect()
+}
+
+/// `MACHINIST_RUNNER=target/debug/machinist` of a build with `--no-default-features` shows
+/// that the generator is not even there.
+#[test]
+fn every_scene_gives_the_same_bits_from_its_model_alone() {
+    let own = env!("CARGO_BIN_EXE_machinist").to_owned();
+    let runner = std::env::var("MACHINIST_RUNNER").unwrap_or(own);
+    let runner = fs::canonicalize(runner).expect("a program");
+    let folder = tempfile::tempdir().expect("a folder");
+    let files = scene_files();
+    assert!(files.len() > 40, "{} scenes", files.len());
+    for file in &files {
+        let file = file.to_str().expect("a plain path");
+        let run = ["--until", "0.02", "--points", "3", "--out", "-"];
+        let by_spec = answer(folder.path(), &[&["run", file], &run[..]].concat());
+        answer(folder.path(), &["compile", file, "--out", "one.model"]);
+        let by_model = Command::new(&runner)
+            .args([&["run", "one.model"], &run[..]].concat())
+            .current_dir(folder.path())
+            .env("MACHINIST_CACHE", folder.path().join("another"))
+            .output()
+            .expect("the program starts");
+        assert_eq!(succeeded(&by_model), by_spec, "{file}");
+        assert!(!String::from_utf8_lossy(&by_model.stderr).contains("deriving"), "{file}");
+    }
+}
+
+#[test]
+fn a_cache_that_is_taken_away_all_the_time_changes_nothing() {
+    let folder = folder_with(0.7);
+    let right = answer(folder.path(), &RUN);
+    let is_over = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            while !is_over.load(Ordering::Relaxed) {
+                // It may be gone already, or have a new entry before it is empty.
+                let _ = fs::remove_dir_all(folder.path().join("cache"));
+            }
+        });
+        let again = || machinist(folder.path(), &RUN).output().expect("the program starts");
+        let outputs: Vec<Output> = (0..6).map(|_| again()).collect();
+        is_over.store(true, Ordering::Relaxed);
+        for output in outputs {
+            assert_eq!(succeeded(&output), right);
+        }
+    });
+}
+
+/// As where a disk is full: no file may grow beyond some bytes.
+#[cfg(unix)]
+#[test]
+fn what_finds_no_room_is_refused_or_done_without_and_leaves_nothing_half_written() {
+    let folder = folder_with(0.7);
+    let right = answer(folder.path(), &["--no-cache", "run", "own.toml", "--out", "-"]);
+    let limited = |arguments: &str| {
+        let program = env!("CARGO_BIN_EXE_machinist");
+        let script = format!("trap '' XFSZ; ulimit -f 1; exec '{program}' {arguments}");
+        let mut command = Command::new("sh");
+        command.args(["-c", &script]).current_dir(folder.path()).env("NO_COLOR", "1");
+        command.env("MACHINIST_CACHE", folder.path().join("cache"));
+        command.output().expect("a shell")
+    };
+    let entries = || fs::read_dir(folder.path().join("cache")).map_or(0, Iterator::count);
+    let output = limited("run own.toml --out -");
+    assert_eq!(succeeded(&output), right);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("not remembered"));
+    assert_eq!(entries(), 0);
+    for arguments in
+        ["compile own.toml --out own.model", "run own.toml --points 2000 --out own.csv"]
+    {
+        let output = limited(arguments);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(1), "{arguments}: {said}");
+        assert!(said.contains("own."), "{said}");
+    }
+    let names: Vec<_> = fs::read_dir(folder.path()).expect("a folder").collect();
+    let names = names.into_iter().map(|entry| entry.expect("an entry").file_name());
+    let mut names: Vec<String> = names.map(|name| name.to_string_lossy().into_owned()).collect();
+    names.sort();
+    assert_eq!(names, ["cache", "own.toml"], "{names:?}");
 }
 
 #[test]

@@ -273,9 +273,11 @@ impl<'a> Watch<'a> {
 }
 
 /// The event whose guard and its rate are exactly zero at all of some states spread over
-/// the run and over the states' scales: it could never pass.
+/// the run, the time after it and the states' scales: it could never pass. A guard that only
+/// a longer run would see move is none of these.
 pub(crate) fn identically_zero(system: &System<'_>, (from, until): (f64, f64)) -> Option<usize> {
-    const PROBES: usize = 8;
+    const WITHIN: usize = 8;
+    const PROBES: usize = 2 * WITHIN;
     let simulator = system.simulator();
     let count = simulator.events();
     let mut moves = vec![false; count];
@@ -284,7 +286,11 @@ pub(crate) fn identically_zero(system: &System<'_>, (from, until): (f64, f64)) -
         let spread = |index: usize| ((probe * 31 + index * 17) as f64 * 0.618 + 0.3).sin();
         let value = |index: usize| simulator.state_scale(index) * spread(index + 1);
         let state: Vec<f64> = (0..system.states()).map(value).collect();
-        let time = from + (until - from) * (probe as f64 + 0.5) / PROBES as f64;
+        let time = if probe < WITHIN {
+            from + (until - from) * (probe as f64 + 0.5) / WITHIN as f64
+        } else {
+            until + (until - from) * 10f64.powi((probe - WITHIN) as i32)
+        };
         simulator.guards(time, &state, system.parameters(), &mut guards);
         simulator.guard_rates(time, &state, system.parameters(), &mut rates);
         for ((moves, guard), rate) in moves.iter_mut().zip(&guards).zip(&rates) {

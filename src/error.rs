@@ -209,7 +209,8 @@ pub enum StopCause {
     /// The limit on steps is reached.
     #[error(
         "the limit of {limit} steps is reached. \
-         Hint: an explicit method on a stiff machine (try `auto`), or raise the limit"
+         Hint: an explicit method on a stiff machine takes as many, and so does a rate that \
+         jumps to and fro; else raise the limit"
     )]
     TooManySteps {
         /// The limit.

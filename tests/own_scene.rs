@@ -6,10 +6,16 @@ use machinist_model::ModelSimulator;
 
 /// The scene of a spec in one file.
 pub fn of_text(text: &str, keep: Keep) -> ModelSimulator {
+    of_files(&[("scene.toml", text)], keep)
+}
+
+/// The scene of the first of some files, which stand in one folder.
+pub fn of_files(files: &[(&str, &str)], keep: Keep) -> ModelSimulator {
     let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("scene.toml");
-    std::fs::write(&path, text).expect("written");
-    match pipeline::generate(&path, keep) {
+    for (name, text) in files {
+        std::fs::write(folder.path().join(name), text).expect("written");
+    }
+    match pipeline::generate(&folder.path().join(files[0].0), keep) {
         Ok(model) => ModelSimulator::new(model),
         Err(errors) => panic!("{}", errors.render()),
     }

@@ -7,6 +7,7 @@ mod describe;
 pub mod excitation;
 mod factor;
 mod implicit;
+mod kinks;
 mod model;
 mod share;
 pub mod structure;

@@ -255,6 +255,11 @@ pub trait Describe {
     fn is_mode(&self, _index: usize) -> bool {
         false
     }
+    /// Number of guards of kinks: what passes zero where the rate, continuous or not, is not
+    /// smooth, in state or time; none, unless a simulator says otherwise.
+    fn kinks(&self) -> usize {
+        0
+    }
     /// Number of constraints, m; none, unless a simulator says otherwise. The state of
     /// a simulator with constraints holds all coordinates, in order.
     fn constraints(&self) -> usize {

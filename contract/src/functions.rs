@@ -9,11 +9,11 @@
 /// ```text
 /// for_each_function! { [my_macro] arguments }
 /// // becomes
-/// my_macro! { [arguments] every { ROWS } events { ROWS } constraints { ROWS } }
+/// my_macro! { [arguments] every { ROWS } events { ROWS } constraints { ROWS } kinks { ROWS } }
 /// ```
 ///
 /// Rows stand in groups: those of every simulator, of those with events, of those with
-/// constraints. A row is
+/// constraints, of those whose rate has kinks. A row is
 ///
 /// ```text
 /// { Id name Reads [result] [prepared] "few signs" "documentation" }
@@ -84,17 +84,31 @@ macro_rules! for_each_function {
                     "G = dg'/dq'"
                     "`G = dg'/dq'`, values in the order of its pattern." }
             }
+            kinks {
+                { KinkGuards kink_guards Motion [numbers KINKS] [] "what passes zero at kinks"
+                    "What passes zero where the rate has a kink or a jump: arguments of `abs` and \
+                     `sign`, differences of what `min` and `max` compare, ends of tables." }
+                { KinkRates kink_rates Motion [numbers KINKS] [] "rates of these"
+                    "Rates along the motion of what passes zero at kinks." }
+            }
         }
     };
 }
 
 /// Methods of [`Simulator`](crate::Simulator): those of every simulator have to be written,
-/// those of events and constraints compute nothing unless written.
+/// those of events, constraints and kinks compute nothing unless written.
 macro_rules! methods {
-    ([] every { $($every:tt)* } events { $($events:tt)* } constraints { $($constraints:tt)* }) => {
+    (
+        []
+        every { $($every:tt)* }
+        events { $($events:tt)* }
+        constraints { $($constraints:tt)* }
+        kinks { $($kinks:tt)* }
+    ) => {
         $(crate::functions::method! { required $every })*
         $(crate::functions::method! { provided $events })*
         $(crate::functions::method! { provided $constraints })*
+        $(crate::functions::method! { provided $kinks })*
     };
 }
 pub(crate) use methods;

@@ -15,7 +15,7 @@
 /// ```
 ///
 /// Parts are what not every machine has, each followed by a semicolon: `coordinates`
-/// (see `coordinates!`), `events`, `constraints`, `prepared` (see `constants!`),
+/// (see `coordinates!`), `events`, `constraints`, `kinks COUNT`, `prepared` (see `constants!`),
 /// `series LANES` or `series LANES Bends` (as many sums of products an order), and `linear`.
 #[macro_export]
 macro_rules! simulator {
@@ -136,6 +136,11 @@ macro_rules! __describe_part {
             CONSTRAINT_MATRIX_PATTERN
         }
     };
+    (kinks) => {
+        fn kinks(&self) -> usize {
+            KINKS
+        }
+    };
     ($other:ident) => {};
 }
 
@@ -148,6 +153,9 @@ macro_rules! __simulate_part {
     };
     (constraints) => {
         $crate::for_each_function! { [$crate::__delegate] constraints }
+    };
+    (kinks) => {
+        $crate::for_each_function! { [$crate::__delegate] kinks }
     };
     (prepared) => {
         fn constants(&self) -> usize {
@@ -250,6 +258,10 @@ macro_rules! __part {
             }
         }
     };
+    ($machine:ident kinks $count:literal) => {
+        /// Guards of kinks of the rate.
+        pub const KINKS: usize = $count;
+    };
     ($machine:ident $other:ident) => {};
 }
 
@@ -257,13 +269,21 @@ macro_rules! __part {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __delegate {
-    ([every] every { $($row:tt)* } events $events:tt constraints $constraints:tt) => {
+    ([every] every { $($row:tt)* } $($others:tt)*) => {
         $($crate::__delegate_function! $row)*
     };
-    ([events] every $every:tt events { $($row:tt)* } constraints $constraints:tt) => {
+    ([events] every $every:tt events { $($row:tt)* } $($others:tt)*) => {
         $($crate::__delegate_function! $row)*
     };
-    ([constraints] every $every:tt events $events:tt constraints { $($row:tt)* }) => {
+    (
+        [constraints] every $every:tt events $events:tt constraints { $($row:tt)* } $($others:tt)*
+    ) => {
+        $($crate::__delegate_function! $row)*
+    };
+    (
+        [kinks] every $every:tt events $events:tt constraints $constraints:tt
+        kinks { $($row:tt)* }
+    ) => {
         $($crate::__delegate_function! $row)*
     };
 }

@@ -26,6 +26,8 @@ pub enum Of {
     Events,
     /// Those with constraints.
     Constraints,
+    /// Those whose rate has kinks.
+    Kinks,
 }
 
 /// What a function gives, and how emitted code calls it.
@@ -93,6 +95,9 @@ macro_rules! count {
     ($model:ident CONSTRAINTS) => {
         $model.constraints.len()
     };
+    ($model:ident KINKS) => {
+        $model.kink_guards.results.len()
+    };
 }
 
 macro_rules! prepared {
@@ -154,6 +159,8 @@ macro_rules! rows {
         constraints { $({ $constraint_id:ident $constraint_name:ident $constraint_reads:ident
             $constraint_result:tt $constraint_prepared:tt $constraint_meaning:literal
             $constraint_doc:literal })* }
+        kinks { $({ $kink_id:ident $kink_name:ident $kink_reads:ident $kink_result:tt
+            $kink_prepared:tt $kink_meaning:literal $kink_doc:literal })* }
     ) => {
         /// A function of a model.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -161,11 +168,14 @@ macro_rules! rows {
             $(#[doc = $doc] $id,)*
             $(#[doc = $event_doc] $event_id,)*
             $(#[doc = $constraint_doc] $constraint_id,)*
+            $(#[doc = $kink_doc] $kink_id,)*
         }
 
         /// Number of functions.
-        pub const COUNT: usize =
-            [$(stringify!($name),)* $(stringify!($event_name),)* $(stringify!($constraint_name),)*].len();
+        pub const COUNT: usize = [
+            $(stringify!($name),)* $(stringify!($event_name),)*
+            $(stringify!($constraint_name),)* $(stringify!($kink_name),)*
+        ].len();
 
         /// Every function, in the order of an emitted module.
         pub const FUNCTIONS: [FunctionRow; COUNT] = [
@@ -179,6 +189,10 @@ macro_rules! rows {
                 [$constraint_id $constraint_name $constraint_reads Constraints
                     $constraint_prepared $constraint_meaning $constraint_doc]
                 $constraint_name $constraint_result
+            ),)*
+            $(with_result!(
+                [$kink_id $kink_name $kink_reads Kinks $kink_prepared $kink_meaning $kink_doc]
+                $kink_name $kink_result
             ),)*
         ];
     };
@@ -201,6 +215,7 @@ impl FunctionRow {
             Of::Every => true,
             Of::Events => !model.events.is_empty(),
             Of::Constraints => !model.constraints.is_empty(),
+            Of::Kinks => !model.kink_guards.results.is_empty(),
         }
     }
 }

@@ -226,6 +226,10 @@ pub struct Model {
     pub constraint_rates: Tape,
     /// G = dg'/dq'.
     pub constraint_matrix: MatrixTape,
+    /// What passes zero where the rate has a kink or a jump, by state or by time.
+    pub kink_guards: Tape,
+    /// Rates of these along the motion.
+    pub kink_rates: Tape,
     /// The generic element of every field.
     pub fields: Vec<FieldModel>,
 }

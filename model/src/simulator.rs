@@ -241,6 +241,9 @@ impl Describe for ModelSimulator {
     fn is_mode(&self, index: usize) -> bool {
         self.model.states[index].kind == StateKind::Mode
     }
+    fn kinks(&self) -> usize {
+        self.model.kink_guards.results.len()
+    }
     fn constraints(&self) -> usize {
         self.model.constraints.len()
     }
@@ -269,10 +272,12 @@ macro_rules! functions {
         every { $($every:tt)* }
         events { $($events:tt)* }
         constraints { $($constraints:tt)* }
+        kinks { $($kinks:tt)* }
     ) => {
         $(function! $every)*
         $(function! $events)*
         $(function! $constraints)*
+        $(function! $kinks)*
     };
 }
 

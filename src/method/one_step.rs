@@ -1,8 +1,11 @@
 //! The driver of all one-step methods: step sizes, samples, limits and failures.
 //! A method itself only tries steps.
 
+mod ending;
+
 use super::{Samples, Stopped, Stretch};
 use crate::error::StopCause;
+use ending::{Ending, end_at};
 
 /// A method that needs nothing but the state at the start of a step.
 pub(super) trait OneStep {
@@ -47,6 +50,12 @@ pub(super) trait OneStep {
         None
     }
 
+    /// Whether states within a step are right, up to a kink, also where its end is not: those
+    /// of a method that knows the solution before it steps.
+    fn knows_ahead(&self) -> bool {
+        false
+    }
+
     /// In so many parts of a step guards are looked at.
     fn parts(&self) -> usize {
         4
@@ -56,6 +65,16 @@ pub(super) trait OneStep {
 /// States between the ends of steps may err by so many tolerances.
 #[cfg(feature = "implicit")]
 pub(super) const BETWEEN: f64 = 10.0;
+
+/// So many steps at least from end to end of a stretch where nothing moves: what begins later
+/// must not be stepped over.
+pub(super) const LOOKS: f64 = 100.0;
+
+/// Whether nothing has moved over a step, by more than a small part of the absolute tolerances.
+pub(super) fn rests(moves: impl Iterator<Item = (f64, f64)>, atol: &[f64]) -> bool {
+    const PART: f64 = 1e-3;
+    moves.zip(atol).all(|((start, end), atol)| (end - start).abs() <= PART * atol)
+}
 
 /// What came of a step.
 #[derive(Debug, Clone, Copy)]
@@ -71,6 +90,12 @@ pub(super) enum Trial {
         expect(dead_code, reason = "only implicit methods solve")
     )]
     Unsolved { shrink: f64 },
+}
+
+impl Trial {
+    fn is_good(&self) -> bool {
+        matches!(self, Trial::Error(error) if *error <= 1.0)
+    }
 }
 
 /// How a step size follows from errors: after error e of step h and error e' of
@@ -125,23 +150,39 @@ pub(super) fn drive<M: OneStep>(
             trial = Trial::Error(if between <= error { error } else { between });
         }
         let pace = method.pace();
+        let is_good = trial.is_good();
+        let passing = passing(method, stretch, now, is_good);
         if let Trial::Error(error) = trial
-            && error <= 1.0
+            && (is_good || passing.is_some())
         {
-            let passing = stretch.watch.and_then(|watch| watch.first_passing(method, now));
             if let Some(passing) = passing {
-                if end_at(method, stretch, (time, now), passing, state, samples)? {
-                    return Ok(None);
+                match end_at(method, stretch, (time, now), passing, state, samples)? {
+                    Ending::Event => return Ok(None),
+                    Ending::Kink { time: behind } => {
+                        method.begin(behind, state);
+                        kept.end.copy_from_slice(state);
+                        stretch.watch.inspect(|watch| watch.start(behind, state));
+                        step = method.own_step().unwrap_or(tried);
+                        (time, before, rejected) = (behind, None, false);
+                        if behind >= stretch.until {
+                            return Ok(None);
+                        }
+                        continue;
+                    }
+                    Ending::NotReached => {}
                 }
                 stretch.system.count(|work| work.rejected += 1);
                 step = 0.5 * (passing - time);
                 rejected = true;
                 if is_too_small(step, time) {
-                    return Err(Stopped { time, cause: StopCause::StepTooSmall });
+                    let cause = stretch.cause_at(time, &kept.end, StopCause::StepTooSmall);
+                    return Err(Stopped { time, cause });
                 }
                 continue;
             }
             stretch.system.count(|work| work.steps += 1);
+            let moves = kept.end.iter().copied().zip(method.end().iter().copied());
+            let stood_still = rests(moves.take(stretch.system.states()), stretch.atol);
             let has_moved = kept.put_back(method, stretch, now)?;
             stretch.require_bounded(now, &kept.end)?;
             sample(method, stretch, (now, &kept.end), state, samples)?;
@@ -150,6 +191,9 @@ pub(super) fn drive<M: OneStep>(
                 let factor = pace.factor(pace.believed(error, tried, before), last_error);
                 tried * if rejected { factor.min(1.0) } else { factor }
             });
+            if stood_still {
+                step = step.min((stretch.until - stretch.from) / LOOKS);
+            }
             last_error = error.max(1e-4);
             before = Some((tried, error));
             rejected = false;
@@ -188,50 +232,21 @@ pub(super) fn drive<M: OneStep>(
     }
 }
 
-/// Takes the current step anew, so that it ends where a guard passes zero, and leaves
-/// the rest to the watch. False if that shorter step could not be taken.
-fn end_at<M: OneStep>(
+/// Where a guard passes first within the current step, which ends at `now`.
+fn passing<M: OneStep>(
     method: &mut M,
     stretch: &Stretch<'_>,
-    (from, until): (f64, f64),
-    passing: f64,
-    state: &mut [f64],
-    samples: &mut Samples<'_>,
-) -> Result<bool, Stopped> {
-    const CORRECTIONS: usize = 3;
-    let Some(watch) = stretch.watch else { return Ok(false) };
-    if passing <= from {
-        watch.copy_start(state);
-        watch.happens(from, passing, state);
-        return Ok(true);
+    now: f64,
+    is_good: bool,
+) -> Option<f64> {
+    let watch = stretch.watch?;
+    if is_good {
+        watch.first_passing(method, now)
+    } else if method.knows_ahead() {
+        watch.kink_within(method, now)
+    } else {
+        None
     }
-    let mut time = passing;
-    method.is_last(true);
-    for round in 0..=CORRECTIONS {
-        if !matches!(method.attempt(time - from), Trial::Error(error) if error <= 1.0) {
-            return Ok(false);
-        }
-        let correction = watch.correction(time, method.end());
-        let small = 1e-3 * (until - from);
-        let Some(correction) = correction.filter(|c| c.abs() <= small) else { break };
-        let corrected = (time + correction).min(until);
-        let is_settled = correction.abs() <= 4.0 * f64::EPSILON * time.abs() || corrected <= from;
-        if is_settled || round == CORRECTIONS {
-            break;
-        }
-        time = corrected;
-    }
-    stretch.system.count(|work| work.steps += 1);
-    if stretch.system.work().steps >= stretch.max_steps as u64 {
-        let cause = StopCause::TooManySteps { limit: stretch.max_steps };
-        return Err(Stopped { time, cause });
-    }
-    let mut kept = Kept::new(state);
-    kept.put_back(method, stretch, time)?;
-    sample(method, stretch, (time, &kept.end), state, samples)?;
-    state.copy_from_slice(&kept.end);
-    watch.happens(time, passing, state);
-    Ok(true)
 }
 
 /// The end of a step, on the constraints.

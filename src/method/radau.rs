@@ -50,6 +50,8 @@ pub(super) struct RadauSteps<'a> {
     stages: Vec<f64>,
     /// The last accepted step, from which the next one's stages are guessed.
     previous: Previous,
+    /// The polynomial of the current step, which may yet be rejected, likewise.
+    within: Vec<f64>,
     methods: Vec<Collocation>,
     /// Index into `methods`, and whether it may change.
     current: usize,
@@ -111,6 +113,7 @@ impl<'a> RadauSteps<'a> {
                 step: 0.0,
                 is_known: false,
             },
+            within: vec![0.0; len * (most + 1)],
             methods,
             current: 0,
             is_fixed: false,
@@ -383,20 +386,20 @@ impl OneStep for RadauSteps<'_> {
 
     fn interpolate(&mut self, time: f64, state: &mut [f64]) {
         let method = &self.methods[self.current];
-        method.differences(&self.start, &self.stages, &mut self.previous.differences);
+        method.differences(&self.start, &self.stages, &mut self.within);
         let theta = (time - self.time) / self.step;
-        method.evaluate(&self.previous.differences, theta, state);
+        method.evaluate(&self.within, theta, state);
     }
 
     /// Norm of (gamma/h I - J)^-1 (f(t, u) - u'(t)) half way, u the polynomial.
     fn error_between(&mut self) -> f64 {
         const THETA: f64 = 0.5;
         let method = &self.methods[self.current];
-        method.differences(&self.start, &self.stages, &mut self.previous.differences);
-        method.evaluate(&self.previous.differences, THETA, &mut self.scratch);
+        method.differences(&self.start, &self.stages, &mut self.within);
+        method.evaluate(&self.within, THETA, &mut self.scratch);
         let time = self.time + THETA * self.step;
         self.stretch.state_rate(time, &self.scratch[..self.size], &mut self.error[..self.size]);
-        method.slope_at(&self.previous.differences, THETA, &mut self.scratch);
+        method.slope_at(&self.within, THETA, &mut self.scratch);
         let states = &mut self.error[..self.size];
         for (error, slope) in states.iter_mut().zip(&self.scratch) {
             *error -= slope / self.step;

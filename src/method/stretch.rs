@@ -135,23 +135,19 @@ impl<'a> Stretch<'a> {
     /// The cause behind steps that became too short or too many: chattering, if that is
     /// what a state does, else as told.
     pub(super) fn cause_at(&self, time: f64, state: &[f64], else_cause: StopCause) -> StopCause {
-        let found = self.chattering(time, state);
-        found.map_or(else_cause, |index| StopCause::Chattering {
-            state: self.system.name(index),
-            value: state[index],
-        })
+        self.chattering(time, state).unwrap_or(else_cause)
     }
 
     /// A state whose rate, near where it is, jumps through zero so that it is driven back
     /// from both sides: from either the rate is the same half as near, so that it is a jump
     /// and no slope.
-    fn chattering(&self, time: f64, state: &[f64]) -> Option<usize> {
+    pub(super) fn chattering(&self, time: f64, state: &[f64]) -> Option<StopCause> {
         /// So many tolerances from the state; steps that chatter end within that.
         const NEAR: [f64; 2] = [100.0, 50.0];
         const SAME: f64 = 0.1;
         let mut shifted = state.to_vec();
         let mut rate = vec![0.0; state.len()];
-        (0..self.system.states()).find(|&index| {
+        let found = (0..self.system.states()).find(|&index| {
             let allowed = self.atol[index] + self.rtol * state[index].abs();
             let mut at = |shift: f64| {
                 shifted[index] = state[index] + shift;
@@ -162,7 +158,8 @@ impl<'a> Stretch<'a> {
             let [far, near] = NEAR.map(|near| [at(near * allowed), at(-near * allowed)]);
             let is_same = |a: f64, b: f64| (a - b).abs() <= SAME * a.abs();
             far[0] < 0.0 && far[1] > 0.0 && is_same(far[0], near[0]) && is_same(far[1], near[1])
-        })
+        })?;
+        Some(StopCause::Chattering { state: self.system.name(found), value: state[found] })
     }
 
     /// Refuses a state that is not finite, or so large that its square is not: methods

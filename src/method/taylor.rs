@@ -15,7 +15,7 @@ pub(crate) mod variants;
 
 use machinist_contract::taylor::{Bends, TaylorSeries, value as series_value};
 
-use super::one_step::{OneStep, Pace, Trial, drive_all};
+use super::one_step::{LOOKS, OneStep, Pace, Trial, drive_all, rests};
 use super::system::FLOWS;
 use super::{Integrator, Samples, Sealed, Stopped, Stretch};
 use crate::error::StopCause;
@@ -281,6 +281,11 @@ impl OneStep for TaylorSteps<'_> {
     fn accept(&mut self) {
         self.time += self.step;
         self.longest = step::GROWTH * self.step;
+        let moves = self.start.iter().copied().zip(self.end.iter().copied());
+        if rests(moves.take(self.states), self.stretch.atol) {
+            let span = self.stretch.until - self.stretch.from;
+            self.longest = self.longest.min(span / LOOKS);
+        }
         std::mem::swap(&mut self.start, &mut self.end);
         if self.wanted == self.order {
             self.take_following();
@@ -293,6 +298,10 @@ impl OneStep for TaylorSteps<'_> {
 
     fn own_step(&mut self) -> Option<f64> {
         Some(self.first_step())
+    }
+
+    fn knows_ahead(&self) -> bool {
+        true
     }
 
     fn parts(&self) -> usize {

@@ -14,18 +14,23 @@
 //!   is watched for in, and whose guard is beyond zero already, happens at once. So at the
 //!   start, where it may change modes only, and after events; see `settle`.
 //! - Events without end within no time (Zeno) stop the run.
+//! - Kinks of the rate are guards too, at which nothing happens but that a step ends and the
+//!   method begins anew behind them; see `crossing`.
 
+mod crossing;
 mod passing;
 mod settle;
 
 use std::cell::RefCell;
 use std::collections::VecDeque;
 
+use machinist_contract::Direction;
+
 use super::one_step::OneStep;
 use super::{Problem, Stopped, System};
 use crate::error::StopCause;
 use crate::trajectory::Switch;
-use passing::{Outcome, Parts};
+use passing::{Guard, Outcome, Parts};
 
 /// So many events within [`NO_TIME`] are taken for endless ones.
 const ENDLESS: usize = 50;
@@ -54,6 +59,15 @@ struct Inner {
     switches: Vec<Switch>,
 }
 
+impl Inner {
+    /// The first of the guards that pass, and when.
+    fn first(&self) -> Option<(usize, f64)> {
+        let guards = self.outcomes.iter().enumerate();
+        let passings = guards.filter_map(|(index, outcome)| Some((index, outcome.passing()?)));
+        passings.min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+}
+
 /// Where a guard is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Side {
@@ -67,14 +81,16 @@ enum Side {
 
 impl<'a> Watch<'a> {
     /// A watch over a run from a state, whose modes it sets right; nothing if the simulator
-    /// has no events.
+    /// has no events and no kinks.
     ///
     /// # Errors
     /// [`StopCause::Contradiction`] if the start contradicts an event that would change
     /// more than modes.
     pub fn new(problem: &'a Problem<'a>, state: &mut [f64]) -> Result<Option<Self>, Stopped> {
         let (system, from, until) = (problem.system, problem.from, problem.until);
-        let count = system.simulator().events();
+        let simulator = system.simulator();
+        let (events, kinks) = (simulator.events(), simulator.kinks());
+        let count = events + kinks;
         if count == 0 {
             return Ok(None);
         }
@@ -82,7 +98,7 @@ impl<'a> Watch<'a> {
             sides: vec![Side::Idle; count],
             time: from,
             start: state.to_vec(),
-            parts: Parts::new(count, state.len()),
+            parts: Parts::new(events, kinks, state.len()),
             outcomes: Vec::new(),
             happening: None,
             latest: VecDeque::new(),
@@ -112,19 +128,28 @@ impl<'a> Watch<'a> {
         state.copy_from_slice(&self.inner.borrow().start);
     }
 
+    /// The first time at which a kink is passed within a step that is too long: up to there
+    /// it may do.
+    pub(super) fn kink_within<M: OneStep>(&self, method: &mut M, until: f64) -> Option<f64> {
+        if self.system.simulator().kinks() == 0 {
+            return None;
+        }
+        let inner = &mut *self.inner.borrow_mut();
+        let (index, passing) = self.passing(inner, method, until)?;
+        self.is_kink(index).then_some(passing)
+    }
+
     /// The first time at which a guard passes zero within the current step, which ends
     /// at `until`; if none does, the step's end is the start of the next one.
     pub(super) fn first_passing<M: OneStep>(&self, method: &mut M, until: f64) -> Option<f64> {
         let inner = &mut *self.inner.borrow_mut();
-        inner.parts.fill(self.system, method, (inner.time, until), &inner.start);
-        inner.outcomes.clear();
-        for (index, side) in inner.sides.iter().enumerate() {
-            let direction = self.system.simulator().event(index).direction;
-            let outcome = inner.parts.outcome(self.system, method, index, direction, *side);
-            inner.outcomes.push(outcome);
+        let start = (&inner.start[..], &inner.sides[..]);
+        if inner.parts.are_far(self.system, method, (inner.time, until), start) {
+            inner.time = until;
+            inner.start.copy_from_slice(method.end());
+            return None;
         }
-        let passings = inner.outcomes.iter().filter_map(Outcome::passing);
-        let first = passings.min_by(f64::total_cmp);
+        let first = self.passing(inner, method, until).map(|(_, time)| time);
         if first.is_none() {
             for (side, outcome) in inner.sides.iter_mut().zip(&inner.outcomes) {
                 if let Outcome::Stays(on) = outcome {
@@ -137,14 +162,47 @@ impl<'a> Watch<'a> {
         first
     }
 
+    /// The guard that passes zero first within the current step, and when; what all of them
+    /// do is known then.
+    fn passing<M: OneStep>(
+        &self,
+        inner: &mut Inner,
+        method: &mut M,
+        until: f64,
+    ) -> Option<(usize, f64)> {
+        inner.parts.fill(self.system, method, (inner.time, until), &inner.start);
+        inner.outcomes.clear();
+        for (index, side) in inner.sides.iter().enumerate() {
+            let direction = self.direction(index);
+            let guard = Guard { index, direction, is_kink: self.is_kink(index) };
+            inner.outcomes.push(inner.parts.outcome(self.system, method, guard, *side));
+        }
+        inner.first()
+    }
+
+    /// Whether what passes first is a kink.
+    pub(super) fn passes_kink(&self) -> bool {
+        self.inner.borrow().first().is_some_and(|(index, _)| self.is_kink(index))
+    }
+
+    /// How far a state is in front of the kink that is passed first, as its guard has it; and
+    /// the time until there at the rate it has.
+    pub(super) fn before_kink(&self, time: f64, state: &[f64]) -> (f64, f64) {
+        let inner = &mut *self.inner.borrow_mut();
+        let Some((index, _)) = inner.first() else { return (0.0, 0.0) };
+        let from = match inner.outcomes[index] {
+            Outcome::Passes { from, .. } => from,
+            Outcome::Stays(_) => 1.0,
+        };
+        let (guard, rate) = inner.parts.at(self.system, time, state, index);
+        (from * guard, -guard / rate)
+    }
+
     /// By how much a passing at `time`, where the state is `end`, is early; nothing if
     /// the guard says too little there.
     pub(super) fn correction(&self, time: f64, end: &[f64]) -> Option<f64> {
         let inner = &mut *self.inner.borrow_mut();
-        let first = |outcome: &Outcome| outcome.passing();
-        let events = inner.outcomes.iter().enumerate();
-        let earliest = events.filter_map(|(index, outcome)| Some((index, first(outcome)?)));
-        let (index, _) = earliest.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let (index, _) = inner.first()?;
         let (guard, rate) = inner.parts.at(self.system, time, end, index);
         let correction = -guard / rate;
         correction.is_finite().then_some(correction)
@@ -188,7 +246,9 @@ impl<'a> Watch<'a> {
         let guards_before = self.guards(time, state);
         let mut passed = vec![false; guards_before.len()];
         for index in events {
-            if self.is_armed(index, state) {
+            if self.is_kink(index) {
+                passed[index] = true;
+            } else if self.is_armed(index, state) {
                 passed[index] = true;
                 self.apply(index, time, &mut state[..states])?;
                 self.count(index, time)?;
@@ -216,16 +276,35 @@ impl<'a> Watch<'a> {
         Ok(Some(time))
     }
 
+    /// Whether a guard is not an event's, but that of a kink.
+    fn is_kink(&self, index: usize) -> bool {
+        index >= self.system.simulator().events()
+    }
+
+    fn direction(&self, index: usize) -> Direction {
+        if self.is_kink(index) {
+            Direction::Both
+        } else {
+            self.system.simulator().event(index).direction
+        }
+    }
+
+    /// Guards of events, then of kinks.
     fn guards(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let simulator = self.system.simulator();
-        let mut guards = vec![0.0; simulator.events()];
+        let mut guards = vec![0.0; simulator.events() + simulator.kinks()];
         let state = &state[..self.system.states()];
-        simulator.guards(time, state, self.system.parameters(), &mut guards);
+        let (of_events, of_kinks) = guards.split_at_mut(simulator.events());
+        simulator.guards(time, state, self.system.parameters(), of_events);
+        simulator.kink_guards(time, state, self.system.parameters(), of_kinks);
         guards
     }
 
     /// Whether the modes are those in which an event is watched for.
     fn is_armed(&self, index: usize, state: &[f64]) -> bool {
+        if self.is_kink(index) {
+            return true;
+        }
         let when = self.system.simulator().event(index).when;
         // Modes are whole numbers, and stay so but for rounding.
         when.iter().all(|(entry, value)| (state[*entry as usize] - value).abs() < 0.5)

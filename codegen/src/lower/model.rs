@@ -8,6 +8,7 @@ use crate::lower::angles::expand;
 use crate::lower::describe::{constraints, describe, events};
 use crate::lower::excitation::excitation;
 use crate::lower::implicit::{Columns, Implicit, implicit};
+use crate::lower::kinks::{Kinks, kinks};
 use crate::lower::share::{Parts, share};
 use crate::lower::substitute::{Step, Substitution};
 use crate::mechanics::linearize::{Linearization, Partials};
@@ -22,14 +23,18 @@ pub fn lower(linearization: &Linearization) -> Model {
     let jacobians = build.jacobians();
     let time_derivative = build.column(&linearization.time);
     let initial = build.initial_state();
-    let discontinuities: Vec<NodeId> =
+    let Kinks { guards: kinks, rates: kink_rates, times } = build.kinks();
+    let mut discontinuities: Vec<NodeId> =
         system.discontinuities.iter().map(|time| build.lower(time)).collect();
+    discontinuities.extend(
+        times.into_iter().filter(|time| !discontinuities.contains(time)).collect::<Vec<_>>(),
+    );
     let outputs = linearization.equations.outputs.iter().map(|o| build.lower(o)).collect();
     let energy = linearization.equations.energy.each_ref().map(|e| build.lower(e));
     let power_balance = build.power_balance().to_vec();
     let [guards, guard_rates, resets] = build.events();
     let [constraint_values, constraint_rates] = build.constraints();
-    let motion = OfMotion { time_derivative, outputs, power_balance, guard_rates };
+    let motion = OfMotion { time_derivative, outputs, power_balance, guard_rates, kink_rates };
     let graph = &build.graph;
     let rate = graph.tape(&build.rate);
     // What events and constraints do is not in the rate. What fields do is, by parameters.
@@ -45,6 +50,7 @@ pub fn lower(linearization: &Linearization) -> Model {
         guards: graph.tape(&guards),
         resets: graph.tape(&resets),
         events: events(&linearization.equations),
+        kink_guards: graph.tape(&kinks),
         constraint_values: graph.tape(&constraint_values),
         constraint_rates: graph.tape(&constraint_rates),
         constraint_matrix: build.constraint_matrix_tape(),
@@ -72,11 +78,13 @@ struct OfMotion {
     outputs: Vec<NodeId>,
     power_balance: Vec<NodeId>,
     guard_rates: Vec<NodeId>,
+    kink_rates: Vec<NodeId>,
 }
 
 impl OfMotion {
-    fn each(&self) -> [&Vec<NodeId>; 4] {
-        [&self.time_derivative, &self.outputs, &self.power_balance, &self.guard_rates]
+    fn each(&self) -> [&Vec<NodeId>; 5] {
+        let [time, outputs, power] = [&self.time_derivative, &self.outputs, &self.power_balance];
+        [time, outputs, power, &self.guard_rates, &self.kink_rates]
     }
 }
 
@@ -276,7 +284,7 @@ impl<'a> Build<'a> {
             Jacobians::Unrolled(matrices) => {
                 let [mut rate_jacobian, parameter_jacobian] = *matrices;
                 rate_jacobian.tape = expand(&rate_jacobian.tape);
-                let [time_derivative, outputs, power_balance, guard_rates] =
+                let [time_derivative, outputs, power_balance, guard_rates, kink_rates] =
                     motion.each().map(|results| self.graph.tape(results));
                 return Model {
                     rate_jacobian,
@@ -285,6 +293,7 @@ impl<'a> Build<'a> {
                     outputs,
                     power_balance,
                     guard_rates,
+                    kink_rates,
                     ..model
                 };
             }
@@ -296,7 +305,8 @@ impl<'a> Build<'a> {
             if implicit.is_worth_a_loop() { implicit } else { self.unrolled(&columns, &velocities) }
         });
         let (shared, tapes) = self.shared(&implicit, motion);
-        let [first, second, time_derivative, outputs, power_balance, guard_rates] = tapes;
+        let [first, second, time_derivative, outputs, power_balance, guard_rates, kink_rates] =
+            tapes;
         let [rate_jacobian, parameter_jacobian] = implicit;
         let with = |matrix: Implicit, tape| MatrixTape {
             solve: matrix.is_solved().then(|| matrix.solve(&shared.factors)),
@@ -310,13 +320,14 @@ impl<'a> Build<'a> {
             outputs,
             power_balance,
             guard_rates,
+            kink_rates,
             motion: Some(shared.motion),
             ..model
         }
     }
 
     /// The motion, and what reads it.
-    fn shared(&self, matrices: &[Implicit; 2], motion: &OfMotion) -> (Shared, [Tape; 6]) {
+    fn shared(&self, matrices: &[Implicit; 2], motion: &OfMotion) -> (Shared, [Tape; 7]) {
         let mut factors: Vec<NodeId> = Vec::new();
         for factor in matrices.iter().flat_map(|matrix| &matrix.steps).flat_map(Step::factors) {
             if !factors.contains(&factor) {
@@ -328,8 +339,8 @@ impl<'a> Build<'a> {
         let costly = accelerations.chain(scales).filter(|id| !self.graph.is_constant(*id));
         let costly: Vec<NodeId> = costly.collect();
         let [first, second] = matrices.each_ref().map(|matrix| &matrix.inputs);
-        let [time, outputs, power, guards] = motion.each();
-        let functions = [first, second, time, outputs, power, guards];
+        let [time, outputs, power, guards, kinks] = motion.each();
+        let functions = [first, second, time, outputs, power, guards, kinks];
         let lists = [&factors, &costly].into_iter().chain(functions);
         let all: Vec<NodeId> = lists.clone().flatten().copied().collect();
         let tape = expand(&self.graph.tape(&all));
@@ -338,7 +349,7 @@ impl<'a> Build<'a> {
         let [on_tape, costly] = [lists.next(), lists.next()].map(Option::unwrap_or_default);
         let parts = Parts { factors: on_tape, costly, functions: lists.collect() };
         let (motion, tapes) = share(&tape, &parts);
-        let tapes = <[Tape; 6]>::try_from(tapes).expect("one tape for each function");
+        let tapes = <[Tape; 7]>::try_from(tapes).expect("one tape for each function");
         (Shared { motion, factors }, tapes)
     }
 
@@ -388,6 +399,23 @@ impl<'a> Build<'a> {
         let supplied = self.graph.add(supplied, by_time);
         let dissipated = self.lower(&linearization.equations.dissipated);
         [stored, supplied, dissipated]
+    }
+
+    /// Where the rate is not smooth, or changes within no time. What fields do is not
+    /// looked at: it is not on the graph.
+    fn kinks(&mut self) -> Kinks {
+        let equations = &self.linearization.equations;
+        if !equations.system.handed.is_empty() {
+            return Kinks::default();
+        }
+        let is_mode = |state: &crate::mechanics::state::State| match state.motion {
+            Motion::FirstOrder(id) => equations.system.first_order[id.0 as usize].is_mode,
+            _ => false,
+        };
+        let is_mode: Vec<bool> = equations.layout.states.iter().map(is_mode).collect();
+        let run = &equations.system.run;
+        let given = (&equations.system.tables[..], run.until - run.from);
+        kinks(&mut self.graph, &self.rate, &is_mode, given)
     }
 
     /// Guards, their rates along the motion, and new values.

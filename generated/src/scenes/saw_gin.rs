@@ -18,10 +18,10 @@
 //   Saw-gin study (2020), equations (1) and (2), in their consistent reading.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 2, first-order states 4, states 7, parameters 21, outputs 8.
+// Shapes: coordinates 2, first-order states 4, states 7, parameters 21, outputs 8, discontinuities 1.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 26 of 7 by 7, parameter_jacobian 39 of 7 by 21.
-// Operations: rate 77, forcing 42, rate_jacobian 70, parameter_jacobian 180, time_derivative 30,
-//     outputs 54, energy 39, power_balance 151, prepare 40, prepared_rate 54,
+// Operations: discontinuities 6, rate 77, forcing 42, rate_jacobian 70, parameter_jacobian 180,
+//     time_derivative 30, outputs 54, energy 39, power_balance 151, prepare 40, prepared_rate 54,
 //     prepared_rate_jacobian 35.
 
 use ::machinist_contract::{
@@ -37,7 +37,7 @@ use ::machinist_contract::{
     /// Source: Saw-gin study (2020), equations (1) and (2), in their consistent reading.
     SawGin: "saw_gin", "Saw gin: motor, coupling and saw cylinder";
     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "tsit5";
-    quadratures 0, discontinuities 0;
+    quadratures 0, discontinuities 1;
     coordinates; prepared; series 9 Saturates;
 }
 
@@ -164,10 +164,15 @@ pub fn initial_state<R: Real>(_p: &Parameters<R>) -> [R; STATES] {
         R::literal(0.0), R::literal(0.0)]
 }
 
-/// Times of known jumps of the right-hand side \[s\], unsorted. No operations.
+/// Times of known jumps of the right-hand side \[s\], unsorted. 6 operations.
 #[must_use]
-pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
-    []
+pub fn discontinuities<R: Real>(p: &Parameters<R>) -> [R; DISCONTINUITIES] {
+    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
+    let abs_inverse_load_engagement_width = inverse_load_engagement_width.abs();
+    [R::select_less(R::literal(150.0), abs_inverse_load_engagement_width,
+        R::select_less(R::literal(0.0), abs_inverse_load_engagement_width,
+        inverse_load_engagement_width * p.load_engagement_time / inverse_load_engagement_width,
+        R::literal(0.0)), R::literal(0.0))]
 }
 
 /// As `rate`, with the constants of the parameters from `prepare`. 54 operations.

@@ -17,10 +17,10 @@
 //   Saw-gin study (2020), equations (1) and (2), as printed.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 2, first-order states 4, states 8, parameters 23, outputs 5.
+// Shapes: coordinates 2, first-order states 4, states 8, parameters 23, outputs 5, discontinuities 1.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 30 of 8 by 8, parameter_jacobian 38 of 8 by 23.
-// Operations: rate 85, forcing 41, rate_jacobian 76, parameter_jacobian 179, time_derivative 30,
-//     outputs 42, energy 12, power_balance 62, prepare 40, prepared_rate 61,
+// Operations: discontinuities 6, rate 85, forcing 41, rate_jacobian 76, parameter_jacobian 179,
+//     time_derivative 30, outputs 42, energy 12, power_balance 62, prepare 40, prepared_rate 61,
 //     prepared_rate_jacobian 40.
 
 use ::machinist_contract::{
@@ -35,7 +35,7 @@ use ::machinist_contract::{
     /// Source: Saw-gin study (2020), equations (1) and (2), as printed.
     SawGinAsPrinted: "saw_gin_as_printed", "Saw gin with the equations and numbers as printed";
     run from 0.0, until 3.0, points 3001, rtol 1e-8, method "tsit5";
-    quadratures 0, discontinuities 0;
+    quadratures 0, discontinuities 1;
     prepared; series 9 Saturates;
 }
 
@@ -160,10 +160,15 @@ pub fn initial_state<R: Real>(_p: &Parameters<R>) -> [R; STATES] {
         R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
 
-/// Times of known jumps of the right-hand side \[s\], unsorted. No operations.
+/// Times of known jumps of the right-hand side \[s\], unsorted. 6 operations.
 #[must_use]
-pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
-    []
+pub fn discontinuities<R: Real>(p: &Parameters<R>) -> [R; DISCONTINUITIES] {
+    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
+    let abs_inverse_load_engagement_width = inverse_load_engagement_width.abs();
+    [R::select_less(R::literal(100.0), abs_inverse_load_engagement_width,
+        R::select_less(R::literal(0.0), abs_inverse_load_engagement_width,
+        inverse_load_engagement_width * p.load_engagement_time / inverse_load_engagement_width,
+        R::literal(0.0)), R::literal(0.0))]
 }
 
 /// As `rate`, with the constants of the parameters from `prepare`. 61 operations.

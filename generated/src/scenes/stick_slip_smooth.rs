@@ -14,10 +14,11 @@
 //   Textbook.
 //
 // All quantities are in SI units.
-// Shapes: coordinates 1, states 2, parameters 9, outputs 3.
+// Shapes: coordinates 1, states 2, parameters 9, outputs 3, kinks 1.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 9 of 2 by 9.
 // Operations: rate 18, forcing 17, rate_jacobian 27, parameter_jacobian 58, outputs 13, energy 6,
-//     power_balance 26, prepare 8, prepared_rate 15, prepared_rate_jacobian 20.
+//     power_balance 26, kink_guards 1, kink_rates 18, prepare 8, prepared_rate 15,
+//     prepared_rate_jacobian 20.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -32,7 +33,7 @@ use ::machinist_contract::{
     StickSlipSmooth: "stick_slip_smooth", "Stick-slip oscillation on a belt, smoothed";
     run from 0.0, until 5.0, points 2001, rtol 1e-8, method "radau";
     quadratures 0, discontinuities 0;
-    prepared; series 4 Corners;
+    prepared; kinks 1; series 4 Corners;
 }
 
 ::machinist_contract::parameters! {
@@ -235,6 +236,29 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
         supplied: -(slider_v * t0),
         dissipated: p.slider_damping * (slider_v * slider_v),
     }
+}
+
+/// What passes zero where the rate has a kink or a jump: arguments of `abs` and `sign`, differences
+/// of what `min` and `max` compare, ends of tables. 1 operation.
+#[must_use]
+pub fn kink_guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; KINKS] {
+    let [_, slider_v] = *state;
+    let slider_sliding = slider_v - p.belt_speed;
+    [slider_sliding]
+}
+
+/// Rates along the motion of what passes zero at kinks. 18 operations.
+#[must_use]
+pub fn kink_rates<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; KINKS] {
+    let [slider_x, slider_v] = *state;
+    let slider_sliding = slider_v - p.belt_speed;
+    let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
+        .add_product(p.slider_stribeck_friction, (R::literal(-1.0) / p.slider_stribeck_speed
+        * slider_sliding.abs()).exp());
+    let slider_v_dot = (p.slider_stiffness * slider_x).add_product(slider_dragged, (R::literal(1.0)
+        / p.slider_width * slider_sliding).tanh()).add_product(p.slider_damping, slider_v)
+        * (R::literal(-1.0) / p.slider_mass);
+    [slider_v_dot]
 }
 
 /// Normalized Taylor coefficients of the solution through `state`, order after order.

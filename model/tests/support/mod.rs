@@ -187,6 +187,8 @@ pub fn model(n: usize, rate: Tape, mass: MatrixTape, forcing: Tape) -> Model {
         events: vec![],
         guards: Tape::default(),
         guard_rates: Tape::default(),
+        kink_guards: Tape::default(),
+        kink_rates: Tape::default(),
         resets: Tape::default(),
         constraints: vec![],
         constraint_values: Tape::default(),

@@ -9,6 +9,11 @@ use crate::method::Stretch;
 use crate::method::one_step::{Trial, finite_jacobian, require_finite, sum_of_squares};
 use crate::method::step_matrix::StepMatrix;
 
+/// What a first iteration may change, in units of the scale, for the contraction of the step
+/// before to be believed. A linear machine contracts at once however far the guess was off,
+/// and where it stops being linear the first iteration ends at what it would have done.
+const NEAR: f64 = 10.0;
+
 /// What became of an iteration.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Outcome {
@@ -196,7 +201,8 @@ impl<'a> Newton<'a> {
                 }
             }
             before = change.max(f64::EPSILON * self.tolerance);
-            if self.remainder * change <= self.tolerance {
+            let is_trusted = self.iterations > 1 || change <= NEAR;
+            if is_trusted && self.remainder * change <= self.tolerance {
                 if self.iterations == 1 {
                     self.contraction = 0.0;
                 }

@@ -10,7 +10,7 @@ use machinist_contract::taylor::TaylorSeries;
 use super::step::{self, Tolerance, order_for};
 use crate::error::StopCause;
 use crate::lanes::Lanes;
-use crate::method::one_step::{self, End, end_of_step, is_too_small};
+use crate::method::one_step::{self, End, LOOKS, end_of_step, is_too_small, rests};
 use crate::method::stretch::within;
 use crate::method::{Stopped, Work};
 
@@ -415,6 +415,11 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         }
         lane.time = until;
         lane.longest = step::GROWTH * lane.step;
+        let state =
+            |index_of: usize| (self.current[index_of].lane(index), self.end[index_of].lane(index));
+        if rests((0..self.states).map(state), &lane.variant.atol) {
+            lane.longest = lane.longest.min((lane.until() - lane.from()) / LOOKS);
+        }
         lane.work.steps += 1;
     }
 

@@ -17,9 +17,19 @@ pub(super) struct Parts {
     /// One row for each time.
     guards: Vec<f64>,
     rates: Vec<f64>,
+    /// Guards of events, which come first, and all of them.
+    events: usize,
     count: usize,
     state: Vec<f64>,
     one: [Vec<f64>; 2],
+}
+
+/// A guard to be looked at.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Guard {
+    pub(super) index: usize,
+    pub(super) direction: Direction,
+    pub(super) is_kink: bool,
 }
 
 /// What a guard does over a step.
@@ -41,11 +51,12 @@ impl Outcome {
 }
 
 impl Parts {
-    pub(super) fn new(count: usize, states: usize) -> Self {
+    pub(super) fn new(events: usize, kinks: usize, states: usize) -> Self {
+        let count = events + kinks;
         let one = [vec![0.0; count], vec![0.0; count]];
         let none = Vec::new;
         let (times, guards, rates) = (none(), none(), none());
-        Self { times, guards, rates, count, state: vec![0.0; states], one }
+        Self { times, guards, rates, events, count, state: vec![0.0; states], one }
     }
 
     /// Looks at a step of `method`.
@@ -71,11 +82,46 @@ impl Parts {
             }
             self.times[part] = time;
             let row = part * self.count..(part + 1) * self.count;
-            let (simulator, parameters) = (system.simulator(), system.parameters());
-            let state = &self.state[..system.states()];
-            simulator.guards(time, state, parameters, &mut self.guards[row.clone()]);
-            simulator.guard_rates(time, state, parameters, &mut self.rates[row]);
+            let into = [&mut self.guards[row.clone()], &mut self.rates[row]];
+            evaluate(system, self.events, time, &self.state, into);
         }
+    }
+
+    /// Whether no guard could pass within a step that ends in state `end`: there are kinks
+    /// only, and each is further from zero at both ends than it moves in several such steps.
+    pub(super) fn are_far<M: OneStep>(
+        &mut self,
+        system: &System<'_>,
+        method: &M,
+        (from, until): (f64, f64),
+        (start, sides): (&[f64], &[Side]),
+    ) -> bool {
+        const STEPS: f64 = 4.0;
+        // Between the ends of longer steps a guard may do more than its rates there tell.
+        const SHORT: usize = 4;
+        if self.events > 0 || method.parts() > SHORT {
+            return false;
+        }
+        for rows in [&mut self.guards, &mut self.rates] {
+            rows.resize(2 * self.count, 0.0);
+        }
+        let (before, after) = self.guards.split_at_mut(self.count);
+        let (rates_before, rates_after) = self.rates.split_at_mut(self.count);
+        evaluate(
+            system,
+            0,
+            until,
+            method.end(),
+            [&mut after[..self.count], &mut rates_after[..self.count]],
+        );
+        evaluate(system, 0, from, start, [before, rates_before]);
+        (0..self.count).all(|index| {
+            let Side::Known(side) = sides[index] else { return false };
+            let (g, h) = (before[index], after[index]);
+            let (dg, dh) = (rates_before[index].abs(), rates_after[index].abs());
+            let way = ((until - from) * dg.max(dh)).max((h - g).abs());
+            side * g > STEPS * way && side * h > STEPS * way
+        })
     }
 
     /// A guard and its rate at a state.
@@ -86,11 +132,8 @@ impl Parts {
         state: &[f64],
         event: usize,
     ) -> (f64, f64) {
-        let (simulator, parameters) = (system.simulator(), system.parameters());
-        let state = &state[..system.states()];
         let [guards, rates] = &mut self.one;
-        simulator.guards(time, state, parameters, guards);
-        simulator.guard_rates(time, state, parameters, rates);
+        evaluate(system, self.events, time, state, [guards, rates]);
         (guards[event], rates[event])
     }
 
@@ -126,10 +169,10 @@ impl Parts {
         &mut self,
         system: &System<'_>,
         method: &mut M,
-        event: usize,
-        direction: Direction,
+        guard: Guard,
         side: Side,
     ) -> Outcome {
+        let Guard { index: event, direction, is_kink } = guard;
         let start = match side {
             Side::Idle => return Outcome::Stays(Side::Idle),
             Side::Known(known) => self.carried(event, known),
@@ -137,7 +180,7 @@ impl Parts {
         };
         let (mut side, first_part) = match start {
             Start::On(side, part) => (side, part),
-            Start::Leaves { from } if is_wanted(direction, from) => {
+            Start::Leaves { from } if !is_kink && is_wanted(direction, from) => {
                 return Outcome::Passes { time: self.times[0], from };
             }
             Start::Leaves { from } => (-from, 0),
@@ -269,6 +312,28 @@ impl Parts {
             }
         }
         high
+    }
+}
+
+/// Guards of so many events and of all kinks, and their rates, at a state.
+pub(super) fn evaluate(
+    system: &System<'_>,
+    events: usize,
+    time: f64,
+    state: &[f64],
+    [guards, rates]: [&mut [f64]; 2],
+) {
+    let (simulator, parameters) = (system.simulator(), system.parameters());
+    let state = &state[..system.states()];
+    let (guards, kinks) = guards.split_at_mut(events);
+    let (guard_rates, kink_rates) = rates.split_at_mut(events);
+    if events > 0 {
+        simulator.guards(time, state, parameters, guards);
+        simulator.guard_rates(time, state, parameters, guard_rates);
+    }
+    if !kinks.is_empty() {
+        simulator.kink_guards(time, state, parameters, kinks);
+        simulator.kink_rates(time, state, parameters, kink_rates);
     }
 }
 

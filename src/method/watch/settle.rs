@@ -118,7 +118,8 @@ impl Watch<'_> {
         or_moves: bool,
     ) -> Result<Option<(usize, Trial)>, Stopped> {
         let guards = self.guards(time, state);
-        for (index, guard) in guards.iter().enumerate() {
+        let events = self.system.simulator().events();
+        for (index, guard) in guards.iter().enumerate().take(events) {
             let event = self.system.simulator().event(index);
             let sets_its_mode = event.when.iter().any(|(entry, _)| event.sets.contains(entry));
             if !sets_its_mode
@@ -152,7 +153,7 @@ impl Watch<'_> {
     /// What is zero of a guard that is watched anew: a guard beyond zero by less than the
     /// tolerances is at zero.
     pub(super) fn residual(&self, index: usize, time: f64, state: &[f64], guard: f64) -> f64 {
-        let direction = self.system.simulator().event(index).direction;
+        let direction = self.direction(index);
         if is_beyond(direction, guard) { self.blur(index, time, state) } else { 0.0 }
     }
 

@@ -69,7 +69,9 @@ fn simulator(scene: &Scene<'_>, series: Option<&Series>) -> Result<Vec<String>, 
     ];
     let parts =
         parts.into_iter().filter(|(_, is_there)| *is_there).map(|(part, _)| part.to_owned());
-    let parts: Vec<String> = parts.chain(series.map(Series::part)).collect();
+    let kinks = model.kink_guards.results.len();
+    let kinks = (kinks > 0).then(|| format!("kinks {kinks};"));
+    let parts: Vec<String> = parts.chain(kinks).chain(series.map(Series::part)).collect();
     if !parts.is_empty() {
         rows.push(parts.join(" "));
     }

@@ -186,6 +186,9 @@ fn result_names(scene: &Scene<'_>, row: &FunctionRow) -> ResultNames {
         let constraints = model.constraints.iter();
         constraints.map(|constraint| format!("{}_{what}", constraint.name.ident)).collect()
     };
+    let of_kinks = |what: &str| {
+        (1..=model.kink_guards.results.len()).map(|number| format!("{what}_{number}")).collect()
+    };
     let names: Vec<String> = match row.id {
         FunctionId::InitialState
         | FunctionId::Discontinuities
@@ -215,6 +218,8 @@ fn result_names(scene: &Scene<'_>, row: &FunctionRow) -> ResultNames {
         }
         FunctionId::ConstraintValues => of_constraints("value"),
         FunctionId::ConstraintRates => of_constraints("rate"),
+        FunctionId::KinkGuards => of_kinks("kink"),
+        FunctionId::KinkRates => of_kinks("kink_rate"),
     };
     let is_array = matches!(row.gives, Gives::Numbers(_) | Gives::Matrix(_));
     ResultNames { spread: is_array && !names.is_empty(), names }

@@ -64,6 +64,7 @@ fn shapes(model: &Model) -> Vec<String> {
         ("discontinuities", model.discontinuities.results.len()),
         ("events", model.events.len()),
         ("constraints", model.constraints.len()),
+        ("kinks", model.kink_guards.results.len()),
     ];
     let counts = counts.into_iter().filter(|(_, count)| *count > 0);
     counts.map(|(name, count)| format!("{name} {count}")).collect()

@@ -1,0 +1,416 @@
+//! Where a rate is not smooth, or changes within a time that no step may pass over: found
+//! on the graph.
+//!
+//! - *Kinks* pass zero along a motion: arguments of `abs` and `sign`, differences of what
+//!   `min` and `max` compare, distances from the ends of tables. They come with their rates
+//!   along the motion, differentiated on the graph.
+//! - *Times* follow from parameters: where such an argument is linear in time alone, it
+//!   passes zero at a time known beforehand. So do centres of bells, of tanh and of other
+//!   functions of a polynomial of time, and the knots at which a table over time bends.
+//!
+//! Excluded: what parameters or modes alone decide, and what fields hand over.
+
+use std::collections::{BTreeSet, HashMap};
+
+use machinist_model::{Function, NodeId, Op, Table};
+
+use crate::expr::Graph;
+
+/// What of a rate is not smooth.
+#[derive(Debug, Default)]
+pub struct Kinks {
+    /// What passes zero along a motion.
+    pub guards: Vec<NodeId>,
+    /// Rates of these.
+    pub rates: Vec<NodeId>,
+    /// Times, of parameters alone.
+    pub times: Vec<NodeId>,
+}
+
+/// What takes less than a run over this is not left to steps to find.
+const SHARES: f64 = 300.0;
+
+/// By what a node changes along a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum By {
+    Nothing,
+    Time,
+    State,
+}
+
+/// The kinks of a rate, one node for each entry of the state; an entry that is a mode
+/// changes at events only. Runs take about `span` \[s\].
+pub fn kinks(
+    graph: &mut Graph,
+    rate: &[NodeId],
+    is_mode: &[bool],
+    (tables, span): (&[Table], f64),
+) -> Kinks {
+    let nodes = reached(graph, rate);
+    let mut search = Search { is_mode, by: HashMap::new(), polynomials: HashMap::new() };
+    let mut found = Kinks::default();
+    for id in nodes {
+        search.look(graph, id);
+        for guard in switched(graph, id, tables) {
+            found.add(graph, &mut search, guard);
+        }
+        for time in search.features(graph, id, (tables, span)) {
+            found.add_time(time);
+        }
+    }
+    found.rates = along(graph, rate, &found.guards);
+    found
+}
+
+/// What is compared with zero at a node.
+fn switched(graph: &mut Graph, id: NodeId, tables: &[Table]) -> Vec<NodeId> {
+    match graph.op(id) {
+        Op::SelectLess { lhs, rhs, .. } => vec![graph.sub(lhs, rhs)],
+        Op::Call(Function::Abs, argument) => vec![argument],
+        Op::Table { table, argument, .. } => {
+            let knots = &tables[table.0 as usize].knots;
+            let ends = [knots.first(), knots.last()].into_iter().flatten();
+            let from = |end: &f64| {
+                let end = graph.literal(*end);
+                graph.sub(argument, end)
+            };
+            ends.map(from).collect()
+        }
+        _ => vec![],
+    }
+}
+
+impl Kinks {
+    /// Takes a guard, as a time if that is when it passes zero.
+    fn add(&mut self, graph: &mut Graph, search: &mut Search<'_>, guard: NodeId) {
+        for id in reached(graph, &[guard]) {
+            search.look(graph, id);
+        }
+        match search.by[&guard] {
+            By::Nothing => return,
+            By::Time => {
+                if let Some([_, _, curve]) = search.polynomials[&guard]
+                    && graph.is_zero(curve)
+                {
+                    if let Some(time) = search.turn(graph, guard) {
+                        self.add_time(time);
+                    }
+                    return;
+                }
+            }
+            By::State => {}
+        }
+        let opposite = graph.neg(guard);
+        if !self.guards.contains(&guard) && !self.guards.contains(&opposite) {
+            self.guards.push(guard);
+        }
+    }
+
+    fn add_time(&mut self, time: NodeId) {
+        if !self.times.contains(&time) {
+            self.times.push(time);
+        }
+    }
+}
+
+/// What is known of the nodes that were looked at, each after its operands.
+struct Search<'a> {
+    is_mode: &'a [bool],
+    by: HashMap<NodeId, By>,
+    /// c_0 + c_1 t + c_2 t^2 of nodes that are such, with coefficients of parameters.
+    polynomials: HashMap<NodeId, Option<[NodeId; 3]>>,
+}
+
+impl Search<'_> {
+    fn look(&mut self, graph: &mut Graph, id: NodeId) {
+        if self.by.contains_key(&id) {
+            return;
+        }
+        let op = graph.op(id);
+        let by = match op {
+            Op::Time => By::Time,
+            Op::State(entry) if !self.is_mode[entry as usize] => By::State,
+            Op::Handed(_) | Op::Motion(_) => By::State,
+            _ => op.operands().iter().map(|id| self.by[id]).max().unwrap_or(By::Nothing),
+        };
+        self.by.insert(id, by);
+        let polynomial = if by == By::State { None } else { self.polynomial(graph, id) };
+        self.polynomials.insert(id, polynomial);
+    }
+
+    fn polynomial(&self, graph: &mut Graph, id: NodeId) -> Option<[NodeId; 3]> {
+        let zero = graph.literal(0.0);
+        let of = |id: NodeId| self.polynomials[&id];
+        if self.by[&id] == By::Nothing {
+            // A mode changes at events, and so do times that depend on it.
+            return graph.is_constant(id).then_some([id, zero, zero]);
+        }
+        match graph.op(id) {
+            Op::Time => Some([zero, graph.literal(1.0), zero]),
+            Op::Neg(a) => Some(of(a)?.map(|c| graph.neg(c))),
+            Op::Add(a, b) => Some(each(of(a)?, of(b)?, |a, b| graph.add(a, b))),
+            Op::Sub(a, b) => Some(each(of(a)?, of(b)?, |a, b| graph.sub(a, b))),
+            Op::Mul(a, b) => product(graph, of(a)?, of(b)?),
+            Op::Div(a, b) if self.by[&b] == By::Nothing => {
+                let divisor = of(b)?[0];
+                Some(of(a)?.map(|c| graph.div(c, divisor)))
+            }
+            Op::Powi(a, 2) => product(graph, of(a)?, of(a)?),
+            _ => None,
+        }
+    }
+
+    /// Where a polynomial of time that a node is passes zero, if it is linear, or turns.
+    fn turn(&self, graph: &mut Graph, id: NodeId) -> Option<NodeId> {
+        turn(graph, self.polynomials[&id]?)
+    }
+
+    /// Times at which a function of time alone does what it does.
+    fn features(
+        &self,
+        graph: &mut Graph,
+        id: NodeId,
+        (tables, span): (&[Table], f64),
+    ) -> Vec<NodeId> {
+        if self.by[&id] != By::Time {
+            return vec![];
+        }
+        let arguments = match graph.op(id) {
+            Op::Call(Function::Sin | Function::Cos | Function::Abs, _) => vec![],
+            Op::Call(_, a) | Op::Powi(a, _) | Op::Powf(a, _) => vec![a],
+            Op::Div(_, b) => vec![b],
+            Op::Mul(a, b) if a == b => vec![a],
+            Op::Table { table, argument, .. } => {
+                let knots = bends(&tables[table.0 as usize]);
+                let from = knots.into_iter().filter_map(|(knot, distance)| {
+                    let polynomial = self.polynomials[&argument]?.map(|c| {
+                        let distance = graph.literal(distance);
+                        graph.div(c, distance)
+                    });
+                    let [value, slope, curve] = polynomial;
+                    if !graph.is_zero(curve) {
+                        return None;
+                    }
+                    let knot = graph.literal(knot / distance);
+                    let value = graph.sub(value, knot);
+                    narrow(graph, [value, slope, curve], span)
+                });
+                return from.collect();
+            }
+            _ => vec![],
+        };
+        let arguments = arguments.into_iter().filter(|a| self.by[a] == By::Time);
+        arguments.filter_map(|argument| narrow(graph, self.polynomials[&argument]?, span)).collect()
+    }
+}
+
+/// Where a polynomial passes zero, if it is linear, or turns.
+fn turn(graph: &mut Graph, [value, slope, curve]: [NodeId; 3]) -> Option<NodeId> {
+    let (above, below) = if graph.is_zero(curve) {
+        (value, slope)
+    } else {
+        let two = graph.literal(2.0);
+        (slope, graph.mul(two, curve))
+    };
+    if graph.is_zero(below) {
+        return None;
+    }
+    let quotient = graph.div(above, below);
+    let time = graph.neg(quotient);
+    if graph.literal_value(below).is_some() {
+        return Some(time);
+    }
+    // A slope that parameters make zero passes no zero: then there is no such time,
+    // which the start of all runs stands for.
+    let zero = graph.literal(0.0);
+    let size = graph.call(Function::Abs, below);
+    Some(graph.select_less(zero, size, time, zero))
+}
+
+/// Where a function of this argument does what it does, if that takes but a small share of
+/// a run: steps see what is wider.
+fn narrow(graph: &mut Graph, polynomial: [NodeId; 3], span: f64) -> Option<NodeId> {
+    let [_, slope, curve] = polynomial;
+    let time = turn(graph, polynomial)?;
+    let sharpness = if graph.is_zero(curve) {
+        graph.call(Function::Abs, slope)
+    } else {
+        let size = graph.call(Function::Abs, curve);
+        graph.call(Function::Sqrt, size)
+    };
+    let least = SHARES / span;
+    if let Some(sharpness) = graph.literal_value(sharpness) {
+        return (sharpness > least).then_some(time);
+    }
+    let (least, start) = (graph.literal(least), graph.literal(0.0));
+    Some(graph.select_less(least, sharpness, time, start))
+}
+
+fn each(
+    a: [NodeId; 3],
+    b: [NodeId; 3],
+    mut of: impl FnMut(NodeId, NodeId) -> NodeId,
+) -> [NodeId; 3] {
+    std::array::from_fn(|power| of(a[power], b[power]))
+}
+
+/// The product of two polynomials, unless it is of higher degree than two.
+fn product(graph: &mut Graph, a: [NodeId; 3], b: [NodeId; 3]) -> Option<[NodeId; 3]> {
+    let degree = |of: &[NodeId; 3]| of.iter().rposition(|c| !graph.is_zero(*c)).unwrap_or(0);
+    if degree(&a) + degree(&b) > 2 {
+        return None;
+    }
+    let mut coefficients = [graph.literal(0.0); 3];
+    for (i, left) in a.iter().enumerate() {
+        for (j, right) in b.iter().enumerate().take(3 - i) {
+            let part = graph.mul(*left, *right);
+            coefficients[i + j] = graph.add(coefficients[i + j], part);
+        }
+    }
+    Some(coefficients)
+}
+
+/// Inner knots between which a table is curved, and how near the next knot is: the most curved
+/// ones, if they are many.
+fn bends(table: &Table) -> Vec<(f64, f64)> {
+    /// A table with more of them moves nearly all the time, and is seen by that.
+    const MOST: usize = 64;
+    /// Of what the table does altogether.
+    const NOTICED: f64 = 1e-10;
+    let lengths: Vec<f64> = table.knots.windows(2).map(|ends| ends[1] - ends[0]).collect();
+    let ways = table.coefficients.iter().zip(&lengths).map(|(c, length)| {
+        let [c1, c2, c3] = [c[1] * length, c[2] * length.powi(2), c[3] * length.powi(3)];
+        (c1.abs() + c2.abs() + c3.abs(), c2.abs() + c3.abs())
+    });
+    let (ways, curved): (Vec<f64>, Vec<f64>) = ways.unzip();
+    let all = ways.iter().fold(0.0, |most: f64, way| most.max(*way));
+    let at = |k: usize| (k, curved[k - 1].max(curved[k]));
+    let mut inside: Vec<(usize, f64)> = (1..lengths.len()).map(at).collect();
+    inside.retain(|(_, curved)| *curved > NOTICED * all);
+    inside.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+    inside.truncate(MOST);
+    inside.sort_unstable_by_key(|(k, _)| *k);
+    inside.iter().map(|(k, _)| (table.knots[*k], lengths[*k - 1].min(lengths[*k]))).collect()
+}
+
+/// The nodes that some need, themselves included, each after its operands.
+fn reached(graph: &Graph, results: &[NodeId]) -> BTreeSet<NodeId> {
+    let mut reached = BTreeSet::new();
+    let mut open = results.to_vec();
+    while let Some(id) = open.pop() {
+        if reached.insert(id) {
+            open.extend(graph.op(id).operands());
+        }
+    }
+    reached
+}
+
+/// Rates of nodes along a motion: dx/dt by the chain rule, the state's own rate given.
+fn along(graph: &mut Graph, rate: &[NodeId], of: &[NodeId]) -> Vec<NodeId> {
+    let mut known: HashMap<NodeId, NodeId> = HashMap::new();
+    for id in reached(graph, of) {
+        let op = graph.op(id);
+        let slopes: Vec<NodeId> = op.operands().iter().map(|id| known[id]).collect();
+        let slope = slope(graph, rate, id, &slopes);
+        known.insert(id, slope);
+    }
+    of.iter().map(|id| known[id]).collect()
+}
+
+/// The rate of an operation, from those of its operands.
+fn slope(graph: &mut Graph, rate: &[NodeId], id: NodeId, slopes: &[NodeId]) -> NodeId {
+    let zero = graph.literal(0.0);
+    let op = graph.op(id);
+    match op {
+        Op::Time => graph.literal(1.0),
+        Op::State(entry) => rate[entry as usize],
+        _ if slopes.iter().all(|slope| graph.is_zero(*slope)) => zero,
+        Op::Neg(_) => graph.neg(slopes[0]),
+        Op::Add(..) => graph.add(slopes[0], slopes[1]),
+        Op::Sub(..) => graph.sub(slopes[0], slopes[1]),
+        Op::Mul(a, b) => {
+            let [left, right] = [graph.mul(slopes[0], b), graph.mul(a, slopes[1])];
+            graph.add(left, right)
+        }
+        Op::Div(_, b) => {
+            let less = graph.mul(id, slopes[1]);
+            let above = graph.sub(slopes[0], less);
+            graph.div(above, b)
+        }
+        Op::Powi(a, exponent) => {
+            let factor = graph.literal(f64::from(exponent));
+            let power = graph.powi(a, exponent - 1);
+            let by_base = graph.mul(factor, power);
+            graph.mul(by_base, slopes[0])
+        }
+        Op::Powf(a, b) => {
+            // a^b (b' ln a + b a'/a)
+            let relative = graph.div(slopes[0], a);
+            let by_base = graph.mul(b, relative);
+            let by_exponent = if graph.is_zero(slopes[1]) {
+                zero
+            } else {
+                let logarithm = graph.call(Function::Ln, a);
+                graph.mul(slopes[1], logarithm)
+            };
+            let sum = graph.add(by_base, by_exponent);
+            graph.mul(id, sum)
+        }
+        Op::Call(function, a) => {
+            let derivative = derivative(graph, function, a, id);
+            graph.mul(derivative, slopes[0])
+        }
+        Op::SelectLess { lhs, rhs, .. } => graph.select_less(lhs, rhs, slopes[2], slopes[3]),
+        Op::Table { table, order, argument } => {
+            let derivative = graph.table(table, order + 1, argument);
+            graph.mul(derivative, slopes[0])
+        }
+        Op::Literal(_) | Op::Parameter(_) | Op::Handed(_) | Op::Constant(_) | Op::Motion(_) => zero,
+    }
+}
+
+/// The derivative of a function at a, where its value is known.
+fn derivative(graph: &mut Graph, function: Function, a: NodeId, value: NodeId) -> NodeId {
+    let one = graph.literal(1.0);
+    let square = |graph: &mut Graph, x: NodeId| graph.mul(x, x);
+    match function {
+        Function::Sqrt => {
+            let two = graph.literal(2.0);
+            let below = graph.mul(two, value);
+            graph.div(one, below)
+        }
+        Function::Abs => {
+            let [zero, minus] = [0.0, -1.0].map(|value| graph.literal(value));
+            graph.select_less(a, zero, minus, one)
+        }
+        Function::Exp => value,
+        Function::Ln => graph.div(one, a),
+        Function::Sin => graph.call(Function::Cos, a),
+        Function::Cos => {
+            let sine = graph.call(Function::Sin, a);
+            graph.neg(sine)
+        }
+        Function::Tan => {
+            let square = square(graph, value);
+            graph.add(one, square)
+        }
+        Function::Asin | Function::Acos => {
+            let square = square(graph, a);
+            let below = graph.sub(one, square);
+            let root = graph.call(Function::Sqrt, below);
+            let slope = graph.div(one, root);
+            if function == Function::Asin { slope } else { graph.neg(slope) }
+        }
+        Function::Atan => {
+            let square = square(graph, a);
+            let below = graph.add(one, square);
+            graph.div(one, below)
+        }
+        Function::Sinh => graph.call(Function::Cosh, a),
+        Function::Cosh => graph.call(Function::Sinh, a),
+        Function::Tanh => {
+            let square = square(graph, value);
+            graph.sub(one, square)
+        }
+    }
+}

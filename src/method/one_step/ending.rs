@@ -1,0 +1,115 @@
+//! Steps that end where a guard passes zero.
+
+use super::{Kept, OneStep, sample};
+use crate::error::StopCause;
+use crate::method::{Samples, Stopped, Stretch, Watch};
+
+/// What became of a step that was to end where a guard passes zero.
+pub(super) enum Ending {
+    /// There is an event for the watch.
+    Event,
+    /// It ended at a kink; the state is behind it now.
+    Kink { time: f64 },
+    /// That shorter step could not be taken.
+    NotReached,
+}
+
+/// Takes the current step anew, so that it ends where a guard passes zero, and leaves
+/// the rest to the watch.
+pub(super) fn end_at<M: OneStep>(
+    method: &mut M,
+    stretch: &Stretch<'_>,
+    (from, until): (f64, f64),
+    passing: f64,
+    state: &mut [f64],
+    samples: &mut Samples<'_>,
+) -> Result<Ending, Stopped> {
+    let Some(watch) = stretch.watch else { return Ok(Ending::NotReached) };
+    if passing <= from {
+        watch.copy_start(state);
+        watch.happens(from, passing, state);
+        return Ok(Ending::Event);
+    }
+    method.is_last(true);
+    let reach = if watch.passes_kink() { approach } else { correct };
+    let Some(time) = reach(method, watch, (from, until), passing) else {
+        return Ok(Ending::NotReached);
+    };
+    stretch.system.count(|work| work.steps += 1);
+    if stretch.system.work().steps >= stretch.max_steps as u64 {
+        let cause = StopCause::TooManySteps { limit: stretch.max_steps };
+        return Err(Stopped { time, cause });
+    }
+    let mut kept = Kept::new(state);
+    kept.put_back(method, stretch, time)?;
+    sample(method, stretch, (time, &kept.end), state, samples)?;
+    state.copy_from_slice(&kept.end);
+    watch.happens(time, passing, state);
+    let crossed = watch.cross(stretch, state)?;
+    Ok(crossed.map_or(Ending::Event, |time| Ending::Kink { time }))
+}
+
+/// Takes steps that end where an event is, corrected by Newton's method; gives the time at
+/// which the last of them ends.
+fn correct<M: OneStep>(
+    method: &mut M,
+    watch: &Watch<'_>,
+    (from, until): (f64, f64),
+    passing: f64,
+) -> Option<f64> {
+    const CORRECTIONS: usize = 3;
+    let mut time = passing;
+    for round in 0..=CORRECTIONS {
+        if !method.attempt(time - from).is_good() {
+            return None;
+        }
+        let correction = watch.correction(time, method.end());
+        let small = 1e-3 * (until - from);
+        let Some(correction) = correction.filter(|c| c.abs() <= small) else { break };
+        let corrected = (time + correction).min(until);
+        let is_settled = correction.abs() <= 4.0 * f64::EPSILON * time.abs() || corrected <= from;
+        if is_settled || round == CORRECTIONS {
+            break;
+        }
+        time = corrected;
+    }
+    Some(time)
+}
+
+/// Takes steps that end nearer and nearer to a kink, which is somewhere about `passing`; gives
+/// the time at which the last of them ends.
+///
+/// A rate that jumps there spoils steps that end beyond it, so that these tell no more than
+/// that they do: the root is foretold from in front of it.
+fn approach<M: OneStep>(
+    method: &mut M,
+    watch: &Watch<'_>,
+    (from, until): (f64, f64),
+    passing: f64,
+) -> Option<f64> {
+    const ROUNDS: usize = 12;
+    let resolved = 4.0 * f64::EPSILON * until.abs().max(until - from);
+    let (mut front, mut beyond) = (from, until);
+    let mut foretold = None;
+    let mut time = passing;
+    for _ in 0..ROUNDS {
+        let is_good = method.attempt(time - from).is_good();
+        let (distance, correction) = watch.before_kink(time, method.end());
+        if is_good && (correction.abs() <= resolved || distance == 0.0) {
+            return Some(time);
+        }
+        let next = Some(time + correction);
+        if is_good && distance > 0.0 {
+            (front, foretold) = (time, next);
+        } else {
+            beyond = time;
+        }
+        let is_between = |next: &f64| front < *next && *next < beyond;
+        let own = next.filter(|_| is_good).filter(is_between);
+        time = own.or(foretold.filter(is_between)).unwrap_or(0.5 * (front + beyond));
+        if beyond - front <= resolved {
+            break;
+        }
+    }
+    (front > from && method.attempt(front - from).is_good()).then_some(front)
+}

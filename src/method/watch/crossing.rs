@@ -1,0 +1,98 @@
+//! Kinks: guards at which nothing happens but that the rate is another one behind them.
+//!
+//! A step ends there, and the next begins strictly behind, so that it sees one side alone. If
+//! the rate jumps at a kink and drives the state back to it from both sides, no motion goes
+//! on from there: it chatters.
+
+use super::super::Stretch;
+use super::passing::evaluate;
+use super::{Side, Watch};
+use crate::method::Stopped;
+
+/// Of the time reached, or of the step: behind a kink within this, or not at all.
+const BEHIND: f64 = 1e-12;
+
+impl Watch<'_> {
+    /// If what happens at the end of a step, in `state`, is that kinks are passed and
+    /// nothing else: puts the state behind them, and gives the time.
+    ///
+    /// # Errors
+    /// [`Chattering`](crate::error::StopCause::Chattering) if the state is driven back from behind.
+    pub(in crate::method) fn cross(
+        &self,
+        stretch: &Stretch<'_>,
+        state: &mut [f64],
+    ) -> Result<Option<f64>, Stopped> {
+        let is_kink = |index: &usize| self.is_kink(*index);
+        let are_kinks = |happening: &mut (f64, Vec<usize>)| happening.1.iter().all(is_kink);
+        let happening = self.inner.borrow_mut().happening.take_if(are_kinks);
+        let Some((time, kinks)) = happening else { return Ok(None) };
+        let mut behind = time;
+        for kink in kinks {
+            behind = self.put_behind(stretch, kink, behind, state)?;
+        }
+        Ok(Some(behind))
+    }
+
+    /// Puts a state at a kink behind it; its new time.
+    fn put_behind(
+        &self,
+        stretch: &Stretch<'_>,
+        kink: usize,
+        time: f64,
+        state: &mut [f64],
+    ) -> Result<f64, Stopped> {
+        let from = match self.inner.borrow().outcomes[kink] {
+            super::Outcome::Passes { from, .. } => from,
+            super::Outcome::Stays(_) => return Ok(time),
+        };
+        let states = self.system.states();
+        let mut rate = vec![0.0; state.len()];
+        stretch.rate(time, state, &mut rate);
+        let (here, slope) = self.kink(kink, time, state);
+        // The state may be behind the kink already, where it is driven back.
+        let way = if from * slope > 0.0 { -1.0 } else { 1.0 };
+        let shifted = |by: f64| -> Vec<f64> {
+            state.iter().zip(&rate).map(|(value, rate)| value + by * way * rate).collect()
+        };
+        let largest = BEHIND * time.abs().max(stretch.until - stretch.from);
+        let least = 4.0 * f64::EPSILON * time.abs().max(stretch.until - stretch.from);
+        let mut by = 2.0 * (here / slope).abs();
+        by = if by.is_finite() { by.max(least) } else { least };
+        let mut side = if by <= largest {
+            Side::Fresh { passed: true, residual: 4.0 * here.abs() }
+        } else {
+            // The step has ended in front of it.
+            Side::Known(here.signum())
+        };
+        let mut now = time;
+        while by <= largest {
+            let ahead = shifted(by);
+            let (guard, slope_behind) = self.kink(kink, time + by, &ahead);
+            let back = shifted(-by);
+            let (guard_before, slope_before) = self.kink(kink, time - by, &back);
+            if from * guard < 0.0 && from * guard_before > 0.0 {
+                let is_driven_back = from * slope_before < 0.0 && from * slope_behind > 0.0;
+                if is_driven_back && let Some(cause) = stretch.chattering(time, &ahead[..]) {
+                    return Err(Stopped { time, cause });
+                }
+                side = Side::Known(-from);
+                now = (time + by).min(stretch.until);
+                state[..states].copy_from_slice(&ahead[..states]);
+                break;
+            }
+            by *= 4.0;
+        }
+        self.inner.borrow_mut().sides[kink] = side;
+        Ok(now)
+    }
+
+    /// A kink's guard and its rate.
+    fn kink(&self, index: usize, time: f64, state: &[f64]) -> (f64, f64) {
+        let simulator = self.system.simulator();
+        let (events, kinks) = (simulator.events(), simulator.kinks());
+        let (mut guards, mut rates) = (vec![0.0; kinks], vec![0.0; kinks]);
+        evaluate(self.system, 0, time, state, [&mut guards, &mut rates]);
+        (guards[index - events], rates[index - events])
+    }
+}

@@ -1,0 +1,213 @@
+//! Rates with kinks and jumps, by `abs`, `min`, `max` and `sign`: steps end where they are, and
+//! no digit is lost there. What chatters says so.
+
+use machinist::error::StopCause;
+use machinist::{Method, SimulateError, Simulation, Trajectory};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_contract::{Describe, Simulator};
+use machinist_model::ModelSimulator;
+
+use crate::own_scene::of_text;
+
+const OWN: [Method; 6] =
+    [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Taylor, Method::Auto];
+
+/// A block of 1 kg with a potential and a force of x, v, t, thrown at 1 m/s.
+fn block(potential: &str, force: &str) -> ModelSimulator {
+    let text = format!(
+        r#"
+        [scene]
+        name = "blocks"
+        [units.block]
+        unit = "block"
+        [initial]
+        "block.v" = 1.0
+        [run]
+        until = 10.0
+        points = 81
+        rtol = 1e-8
+        method = "auto"
+        [define.block.coordinates.x]
+        unit = "m"
+        velocity = "v"
+        [define.block.parameters]
+        gap = {{ value = 0.3, unit = "m" }}
+        stiffness = {{ value = 50.0, unit = "N/m" }}
+        [define.block.energy]
+        kinetic = "1 [kg]*v^2/2"
+        potential = "{potential}"
+        [[define.block.forces]]
+        coordinate = "x"
+        expression = "{force}"
+        "#
+    );
+    of_text(&text, Keep::Needed)
+}
+
+fn run(block: &ModelSimulator, method: Method, rtol: f64, set: &[(&str, f64)]) -> Trajectory {
+    let mut run = Simulation::new(block).method(method).rtol(rtol);
+    for (name, value) in set {
+        run = run.parameter(name, *value).expect("a parameter");
+    }
+    run.run().unwrap_or_else(|error| panic!("{method} at {rtol:e}, {set:?}: {error}"))
+}
+
+/// Largest difference of x and v.
+fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
+    ["block.x", "block.v"].iter().fold(0.0, |most: f64, name| {
+        let values = [a, b].map(|run| run.column(name).expect("a state"));
+        let pairs = values[0].iter().zip(values[1]);
+        pairs.fold(most, |most, (a, b)| most.max((a - b).abs()))
+    })
+}
+
+/// Ten tolerances from 1e-3 to 1e-10 and all own methods, each within so many tolerances of
+/// two runs that agree.
+fn keeps_its_digits(block: &ModelSimulator, set: &[(&str, f64)], most: f64) {
+    let exact = run(block, Method::Dop853, 1e-13, set);
+    let other = run(block, Method::Radau, 1e-12, set);
+    let doubt = difference(&exact, &other);
+    assert!(doubt < 1e-10, "{set:?}: two converged runs differ by {doubt:e}");
+    for method in OWN {
+        let mut worst = 0.0f64;
+        for step in 0..10 {
+            let rtol = 10f64.powf(-3.0 - 7.0 * f64::from(step) / 9.0);
+            let error = difference(&run(block, method, rtol, set), &exact);
+            assert!(error < most * rtol + doubt, "{method} at {rtol:e}, {set:?}: {error:e}");
+            worst = worst.max(error / rtol);
+        }
+        println!("{method}, {set:?}: at most {worst:.1} tolerances");
+    }
+}
+
+#[test]
+fn a_spring_with_play_keeps_its_digits() {
+    let force = "0.3 [N]*cos(1.3 [rad/s]*t) - 0.2 [N s/m]*v";
+    let play = block("stiffness*max(abs(x) - gap, 0)^2/2", force);
+    assert_eq!(play.kinks(), 2, "abs and max");
+    for (gap, stiffness) in [(0.3, 50.0), (0.1, 10.0), (0.05, 30.0)] {
+        keeps_its_digits(&play, &[("block.gap", gap), ("block.stiffness", stiffness)], 300.0);
+    }
+    let force = format!("{force} - sign(x)*stiffness*max(abs(x) - gap, 0)^2/(1 [m])");
+    let by_force = block("0 [J]", &force);
+    keeps_its_digits(&by_force, &[], 300.0);
+}
+
+#[test]
+fn forces_that_jump_with_state_or_time_keep_their_digits() {
+    let force = "0.5 [N]*sign(sin(1.3 [rad/s]*t)) - 0.1 [N s^2/m^2]*v*abs(v) - 0.1 [N]*sign(v)\
+                 + min(0.3 [N], abs(0.2 [N/m]*x + 0.1 [N s/m]*v))";
+    let block = block("1 [N/m]*x^2/2 + 1 [N/m^2]*abs(x)^3/3", force);
+    assert_eq!(block.kinks(), 5, "a square wave, v, x, a minimum and its argument");
+    keeps_its_digits(&block, &[], 300.0);
+}
+
+#[test]
+fn friction_by_sign_stops_at_once_where_it_sticks() {
+    let block = block("1 [N/m]*x^2/2", "0.2 [N]*cos(1.3 [rad/s]*t) - 0.3 [N]*sign(v)");
+    let mut times = Vec::new();
+    for method in OWN {
+        let stopped = Simulation::new(&block).method(method).until(100.0).run();
+        let stopped = stopped.expect_err("it sticks");
+        assert!(stopped.to_string().contains("friction_slider"), "{method}: {stopped}");
+        let SimulateError::Stopped { time, cause, kept, .. } = stopped else {
+            panic!("{method}: {stopped}")
+        };
+        let steps = kept.expect("the run until then").work.steps;
+        assert!(
+            matches!(&cause, StopCause::Chattering { state, .. } if state == "block.v"),
+            "{method}: {cause}"
+        );
+        assert!(!cause.to_string().contains("auto"), "{method}: {cause}");
+        assert!(steps < 2000, "{method}: {steps} steps");
+        times.push(time);
+    }
+    let [first, last] = [f64::min, f64::max].map(|of| times.iter().copied().reduce(of));
+    assert!(last.zip(first).is_some_and(|(last, first)| last - first < 1e-5), "{times:?}");
+}
+
+#[test]
+fn without_kinks_there_are_no_guards() {
+    let smooth = block("stiffness*x^2/2", "0.3 [N]*cos(1.3 [rad/s]*t)*tanh(v/(1 [m/s]))");
+    assert_eq!(smooth.kinks(), 0);
+    // Known times are no guards: the run is cut there.
+    let timed = block("stiffness*x^2/2", "1 [N]*max(t/(1 [s]) - 5, 0) + 1 [N]*abs(t/(2 [s]) - 3)");
+    assert_eq!((timed.kinks(), timed.shape().discontinuities), (0, 2));
+    let mut times = [0.0; 2];
+    let parameters = defaults(&timed);
+    Simulator::<f64>::discontinuities(&timed, &parameters, &mut times);
+    times.sort_by(f64::total_cmp);
+    assert!((times[0] - 5.0).abs() < 1e-12 && (times[1] - 6.0).abs() < 1e-12, "{times:?}");
+}
+
+fn defaults(machine: &dyn Simulator<f64>) -> Vec<f64> {
+    (0..machine.shape().parameters).map(|index| machine.parameter_default(index)).collect()
+}
+
+/// dg/dt along the motion, by differences.
+fn by_differences(machine: &dyn Simulator<f64>, time: f64, state: &[f64], h: f64) -> Vec<f64> {
+    let parameters = defaults(machine);
+    let mut rate = vec![0.0; state.len()];
+    machine.rate(time, state, &parameters, &mut rate);
+    let guards = |by: f64| {
+        let moved: Vec<f64> = state.iter().zip(&rate).map(|(y, rate)| y + by * rate).collect();
+        let mut guards = vec![0.0; machine.kinks()];
+        machine.kink_guards(time + by, &moved, &parameters, &mut guards);
+        guards
+    };
+    let [ahead, behind] = [guards(h), guards(-h)];
+    ahead.iter().zip(&behind).map(|(a, b)| (a - b) / (2.0 * h)).collect()
+}
+
+#[test]
+fn rates_of_kinks_are_their_derivatives_along_the_motion() {
+    let functions = [
+        "sqrt(u + 3)",
+        "abs(u)",
+        "exp(u)",
+        "ln(u + 3)",
+        "sin(u)",
+        "cos(u)",
+        "tan(u)",
+        "asin(u/3)",
+        "acos(u/3)",
+        "atan(u)",
+        "sinh(u)",
+        "cosh(u)",
+        "tanh(u)",
+        "u^5",
+        "1/(u + 3)^3",
+        "(u + 3)^(1/2)",
+        "min(u, 0.1)*u",
+    ];
+    let sum: Vec<String> = functions
+        .iter()
+        .map(|function| {
+            let function = function.replace('u', "(x*t/(1 [m s]) + v/(2 [m/s]))");
+            format!("0.01 [N]*max({function}, 0.3)")
+        })
+        .collect();
+    let block = block("1 [N/m]*x^2/2", &sum.join(" + "));
+    assert!(block.kinks() >= functions.len(), "{} of {}", block.kinks(), functions.len());
+    let parameters = defaults(&block);
+    for (time, state) in [(0.3, [0.4, -0.7]), (1.1, [-0.2, 0.9]), (0.7, [0.9, 0.35])] {
+        let mut rates = vec![0.0; block.kinks()];
+        block.kink_rates(time, &state, &parameters, &mut rates);
+        let expected = by_differences(&block, time, &state, 1e-5);
+        for (kink, (rate, expected)) in rates.iter().zip(&expected).enumerate() {
+            let error = (rate - expected).abs() / (1.0 + expected.abs());
+            assert!(error < 1e-7, "kink {kink} at {time}: {rate} for {expected}");
+        }
+    }
+}
+
+#[test]
+fn emitted_scenes_know_their_kinks() {
+    let slider = machinist_scenes::scenes::stick_slip_smooth::StickSlipSmooth;
+    assert_eq!(slider.kinks(), 1, "the sign of the sliding speed");
+    let expected = by_differences(&slider, 0.2, &[0.01, 0.03], 1e-6);
+    let parameters = defaults(&slider);
+    let mut rates = [0.0];
+    slider.kink_rates(0.2, &[0.01, 0.03], &parameters, &mut rates);
+    assert!((rates[0] - expected[0]).abs() < 1e-6 * (1.0 + expected[0].abs()), "{rates:?}");
+}

@@ -1,0 +1,127 @@
+//! Forces that last a thousandth or a millionth of a run, from rest: no method steps over them.
+
+use machinist::{Method, Simulation, Trajectory};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_model::ModelSimulator;
+
+use crate::own_scene::{of_files, of_text};
+
+const OWN: [Method; 6] =
+    [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Taylor, Method::Auto];
+
+/// A block on a hardening spring, at rest for 100 s but for a force.
+fn text(force: &str) -> String {
+    format!(
+        r#"
+        [scene]
+        name = "blocks"
+        [units.block]
+        unit = "block"
+        [run]
+        until = 100.0
+        points = 101
+        rtol = 1e-8
+        method = "auto"
+        [define.block.coordinates.x]
+        unit = "m"
+        velocity = "v"
+        [define.block.parameters]
+        centre = {{ value = 50.0, unit = "s" }}
+        width = {{ value = 1e-3, unit = "s" }}
+        [define.block.energy]
+        kinetic = "1 [kg]*v^2/2"
+        potential = "1 [N/m]*x^2/2 + 1 [N/m^3]*x^4/4"
+        [[define.block.forces]]
+        coordinate = "x"
+        expression = '100*({force})*1 [s]/width/1e3'
+        "#
+    )
+}
+
+fn run(block: &ModelSimulator, method: Method, rtol: f64, set: [f64; 2]) -> Trajectory {
+    let run = Simulation::new(block).method(method).rtol(rtol);
+    let run = run.parameter("block.centre", set[0]).expect("a parameter");
+    let run = run.parameter("block.width", set[1]).expect("a parameter");
+    run.run().unwrap_or_else(|error| panic!("{method} at {rtol:e}, {set:?}: {error}"))
+}
+
+fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
+    ["block.x", "block.v"].iter().fold(0.0, |most: f64, name| {
+        let values = [a, b].map(|run| run.column(name).expect("a state"));
+        let pairs = values[0].iter().zip(values[1]);
+        pairs.fold(most, |most, (a, b)| most.max((a - b).abs()))
+    })
+}
+
+/// What the force leaves behind it, `impulse` [N s], is there, and all methods agree on it.
+fn is_seen(block: &ModelSimulator, set: [f64; 2], impulse: f64) {
+    let exact = run(block, Method::Dop853, 1e-13, set);
+    // Behind a blow of no time the energy is that of its impulse.
+    let (x, v) = (exact.column("block.x").expect("x"), exact.column("block.v").expect("v"));
+    let last = x.len() - 1;
+    let energy = v[last].powi(2) / 2.0 + x[last].powi(2) / 2.0 + x[last].powi(4) / 4.0;
+    let expected = impulse * impulse / 2.0;
+    assert!((energy - expected).abs() < 1e-3 * expected, "{set:?}: {energy} for {expected}");
+    for method in OWN {
+        for rtol in [1e-3, 1e-5, 1e-7, 1e-9] {
+            let error = difference(&run(block, method, rtol, set), &exact);
+            assert!(error < 100.0 * rtol, "{method} at {rtol:e}, {set:?}: {error:e}");
+        }
+    }
+}
+
+const PLACES: [[f64; 2]; 4] = [[50.0, 1e-3], [50.0, 1e-5], [12.345, 1e-4], [99.0, 3e-3]];
+
+#[test]
+fn a_bell_is_seen_from_rest() {
+    for bell in
+        ["1 [N]*exp(-((t - centre)/width)^2)", "1 [N]*2/sqrt(pi)/(1 + ((t - centre)/width)^2)^2"]
+    {
+        let block = of_text(&text(bell), Keep::Needed);
+        for set in PLACES {
+            is_seen(&block, set, 0.1 * std::f64::consts::PI.sqrt());
+        }
+    }
+}
+
+#[test]
+fn a_bell_multiplied_out_is_seen_as_well() {
+    // Its exponent is known to the rounding of t^2 over the width squared only.
+    let bell = "1 [N]*exp(-(t^2 - 2*t*centre + centre^2)/width^2)";
+    let block = of_text(&text(bell), Keep::Needed);
+    for method in OWN {
+        let run = run(&block, method, 1e-6, [50.0, 1e-3]);
+        let [x, v] = ["block.x", "block.v"].map(|name| run.last(name).expect("a state"));
+        let energy = v.powi(2) / 2.0 + x.powi(2) / 2.0 + x.powi(4) / 4.0;
+        let expected = 0.005 * std::f64::consts::PI;
+        assert!((energy - expected).abs() < 1e-3 * expected, "{method}: {energy}");
+    }
+}
+
+#[test]
+fn pulses_by_smooth_steps_are_seen_from_rest() {
+    let up_and_down =
+        "1 [N]*smooth_step((t - centre)/width)*(1 - smooth_step((t - centre)/width - 1))";
+    let hat = "1 [N]*max(0, 1 - abs((t - centre)/width))";
+    for pulse in [up_and_down, hat] {
+        let block = of_text(&text(pulse), Keep::Needed);
+        for set in PLACES {
+            is_seen(&block, set, 0.1);
+        }
+    }
+}
+
+#[test]
+fn a_pulse_in_a_table_is_seen_from_rest() {
+    // Fine knots far to both sides, so that the spline does not swing between coarse ones.
+    let fine = (0..=80).map(|k| (f64::from(k) - 40.0, if k == 40 { 1.0 } else { 0.0 }));
+    let mut rows = vec!["time [1],load [N]".to_owned(), "-1e5,0".to_owned()];
+    rows.extend(fine.map(|(time, load)| format!("{time},{load}")));
+    rows.push("1e5,0".to_owned());
+    let scene = text(r#"table("pulse.csv", "load", (t - centre)/width)"#);
+    let block = of_files(&[("scene.toml", &scene), ("pulse.csv", &rows.join("\n"))], Keep::Needed);
+    // The integral of the cardinal natural spline over its knots is 1 but for what is cut off.
+    for set in PLACES {
+        is_seen(&block, set, 0.1);
+    }
+}

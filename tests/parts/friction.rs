@@ -406,7 +406,7 @@ fn a_sliding_mass_stays_at_its_stop_until_it_is_pulled_off() {
         let met = time_of(&run, "body.meets_upper");
         assert!((way(met) - 1.0).abs() < 1e-9, "{coulomb}: {met}");
         // It leaves where 4 - 2 t falls below -C, and slides by -(t - left)^2.
-        let left = (4.0 + coulomb) / 2.0;
+        let left = 2.0 + 0.5 * coulomb;
         assert!((time_of(&run, "body.leaves_upper") - left).abs() < 1e-9, "{coulomb}");
         for (row, time) in run.times.iter().enumerate() {
             let speed = column(&run, "speed")[row];

@@ -40,9 +40,20 @@ fn every_helper_named_is_defined() {
 #[test]
 fn every_unit_of_the_repository_comes_with_machinist() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/units");
-    for file in std::fs::read_dir(folder).expect("the units are there") {
-        let path = file.expect("a file").path();
-        let unit = path.file_stem().and_then(|stem| stem.to_str()).expect("a name").to_owned();
+    let (mut folders, mut units) = (vec![(folder, String::new())], Vec::new());
+    while let Some((folder, before)) = folders.pop() {
+        for file in std::fs::read_dir(folder).expect("the units are there") {
+            let path = file.expect("a file").path();
+            let stem = path.file_stem().and_then(|stem| stem.to_str()).expect("a name");
+            if path.is_dir() {
+                folders.push((path.clone(), format!("{before}{stem}/")));
+            } else {
+                units.push(format!("{before}{stem}"));
+            }
+        }
+    }
+    assert!(units.iter().any(|unit| unit == "rotational/gear"), "{units:?}");
+    for unit in units {
         let empty = tempfile::tempdir().expect("a folder");
         let scene = empty.path().join("scene.toml");
         let text = format!("[scene]\nname = \"alone\"\n[units.it]\nunit = \"{unit}\"\n");

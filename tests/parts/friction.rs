@@ -388,3 +388,36 @@ fn friction_whose_force_is_not_unique_is_refused_by_name() {
     let error = scene(driven, 0.0);
     assert!(error.contains("drive.drive") && error.contains("brake.grip"), "{error}");
 }
+
+#[test]
+fn a_sliding_mass_stays_at_its_stop_until_it_is_pulled_off() {
+    let scene = example("translational/sliding_mass", Keep::All);
+    for coulomb in [0.1, 0.5, 1.0, 2.0, 3.5] {
+        let run = Simulation::new(&scene)
+            .rtol(1e-10)
+            .parameter("body.coulomb", coulomb)
+            .and_then(|run| run.parameter("body.lowest", -10.0))
+            .expect("parameters")
+            .with_energy_balance(true)
+            .run()
+            .unwrap_or_else(|error| panic!("{coulomb}: {error}"));
+        // x'' = 4 - 2 t - C from x = 0, v = 3: on the stop where x = 1.
+        let way = |t: f64| 3.0 * t + (4.0 - coulomb) * t * t / 2.0 - t * t * t / 3.0;
+        let met = time_of(&run, "body.meets_upper");
+        assert!((way(met) - 1.0).abs() < 1e-9, "{coulomb}: {met}");
+        // It leaves where 4 - 2 t falls below -C, and slides by -(t - left)^2.
+        let left = 2.0 + 0.5 * coulomb;
+        assert!((time_of(&run, "body.leaves_upper") - left).abs() < 1e-9, "{coulomb}");
+        for (row, time) in run.times.iter().enumerate() {
+            let speed = column(&run, "speed")[row];
+            if *time > met + 1e-9 && *time < left {
+                assert!(speed.abs() < AT_REST, "{coulomb}: it moves at {time}");
+                assert!((column(&run, "place")[row] - 1.0).abs() < 1e-9, "{coulomb} at {time}");
+            } else if *time > left {
+                assert!((speed + (time - left).powi(2)).abs() < 1e-8, "{coulomb} at {time}");
+            }
+        }
+        let residual = run.energy_balance.as_ref().expect("asked for").max_residual_relative();
+        assert!(residual < 1e-8, "{coulomb}: {residual:e}");
+    }
+}

@@ -208,6 +208,13 @@ fn racks_screws_wheels_and_levers_move_by_their_lengths() {
         let error = off(&run, "speed", |t| pull * t);
         assert!(error < 1e-9, "wheel of {radius}: {error:e}");
     }
+    let scene = example("translational/gear", Keep::Needed);
+    for ratio in sweep(1e-2, 1e2, 7) {
+        let run = run(&scene, &[("tackle.ratio", ratio)], &[]);
+        let pull = 10.0 * ratio / (0.5 * ratio * ratio + 20.0);
+        let error = off(&run, "load", |t| pull * t).max(off(&run, "hand", |t| ratio * pull * t));
+        assert!(error < 1e-9, "tackle of {ratio}: {error:e}");
+    }
     let scene = example("translational/lever", Keep::Needed);
     for arm in sweep(1e-3, 10.0, 7) {
         let run = run(&scene, &[("lever.arm_b", arm)], &[]);
@@ -215,6 +222,57 @@ fn racks_screws_wheels_and_levers_move_by_their_lengths() {
         let pull = 3.0 / (9.0 + ratio * ratio);
         let error = off(&run, "left", |t| pull * t).max(off(&run, "right", |t| -ratio * pull * t));
         assert!(error < 1e-9, "lever of {arm}: {error:e}");
+    }
+}
+
+#[test]
+fn a_gearbox_without_play_swings_about_its_ratio() {
+    let scene = example("rotational/gearbox", Keep::Needed);
+    for ratio in sweep(0.1, 50.0, 5) {
+        for stiffness in sweep(1e3, 1e5, 3) {
+            let set = [
+                ("gear.ratio", ratio),
+                ("gear.stiffness", stiffness),
+                ("gear.backlash", 0.0),
+                ("gear.damping", 0.0),
+            ];
+            let run = run(&scene, &set, &[]);
+            let drive = 3.0 / (ratio * 0.02);
+            let square = stiffness * (1.0 / (ratio * ratio * 0.02) + 0.5);
+            let twist = |t: f64| drive / square * (1.0 - (square.sqrt() * t).cos());
+            let error = off(&run, "twist", twist);
+            // Up to 1800 swings, each of which grazes the bend of the contact.
+            assert!(error < 3e-5, "{ratio}, {stiffness}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn smooth_friction_and_eddy_currents_slow_down_by_their_laws() {
+    let scenes =
+        [("rotational/smooth_friction", "bearing"), ("translational/smooth_friction", "guide")];
+    for (name, part) in scenes {
+        let scene = example(name, Keep::Needed);
+        for fading in sweep(0.02, 5.0, 6) {
+            let fading_speed = format!("{part}.fading_speed");
+            let run = run(&scene, &[(&fading_speed, fading)], &[]);
+            // w' = -tanh(w/s): sinh(w/s) decays as exp(-t/s).
+            let decay = |t: f64| (-t / fading).exp() * (3.0 / fading).sinh();
+            let error = off(&run, "speed", |t| fading * decay(t).asinh());
+            assert!(error < 1e-8, "{name} {fading}: {error:e}");
+        }
+    }
+    let scene = example("sources/eddy_brake", Keep::Needed);
+    for nominal in sweep(1.0, 1e3, 5) {
+        let run = run(&scene, &[("brake.nominal_speed", nominal)], &[]);
+        // J w' = -2 M u/(1 + u^2) with u = w/n: ln u + u^2/2 falls by 2 M t/(J n).
+        let measure = |u: f64| u.ln() + u * u / 2.0;
+        let start = measure(200.0 / nominal);
+        for (time, speed) in run.times.iter().zip(column(&run, "speed")) {
+            let fallen = start - measure(speed / nominal);
+            let exact = 2.0 * 10.0 * time / (2.0 * nominal);
+            assert!((fallen - exact).abs() < 1e-7 * (1.0 + start.abs()), "{nominal} at {time}");
+        }
     }
 }
 

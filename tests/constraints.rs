@@ -298,3 +298,79 @@ fn what_a_constraint_drives_is_in_no_equilibrium_and_the_constraint_is_named() {
     let refused = linearization.response("speed", "angle", &[1.0]).expect_err("not analysed");
     assert!(matches!(refused, LinearError::Constraints(_)), "{refused}");
 }
+
+/// A pendulum of 1 m that is let go at an angle, by a rod as a constraint or by its angle.
+fn let_go(angle: f64) -> [ModelSimulator; 2] {
+    let run = "[run]\nuntil = 1000.0\npoints = 1001\nrtol = 1e-10\nmethod = \"auto\"";
+    let (sine, cosine) = angle.sin_cos();
+    let by_rod = format!(
+        r#"
+        [scene]
+        name = "on_a_rod"
+        [units.bob]
+        unit = "bob"
+        [initial]
+        "bob.x" = {sine}
+        [guess]
+        "bob.y" = {}
+        {run}
+        [define.bob.coordinates.x]
+        unit = "m"
+        [define.bob.coordinates.y]
+        unit = "m"
+        [define.bob.constraints.rod]
+        expression = "x^2 + y^2 - 1 [m^2]"
+        [define.bob.energy]
+        kinetic = "1 [kg]*(x_dot^2 + y_dot^2)/2"
+        potential = "1 [kg]*9.81 [m/s^2]*y"
+        [outputs]
+        x = "bob.x"
+        "#,
+        -cosine
+    );
+    let by_angle = format!(
+        r#"
+        [scene]
+        name = "by_its_angle"
+        [units.bob]
+        unit = "bob"
+        [initial]
+        "bob.angle" = {angle}
+        {run}
+        [define.bob.coordinates.angle]
+        unit = "rad"
+        [define.bob.energy]
+        kinetic = "1 [kg m^2]*angle_dot^2/2"
+        potential = "-9.81 [N m]*cos(angle)"
+        [outputs]
+        x = {{ expression = "sin(bob.angle)", unit = "1", doc = "to the side, over the length" }}
+        "#
+    );
+    [by_rod, by_angle].map(|text| of_text(&text, Keep::Needed))
+}
+
+#[test]
+fn a_pendulum_on_a_rod_keeps_its_energy_and_its_phase_for_long() {
+    for angle in [0.1, 0.6435, 1.5, 2.5] {
+        let [by_rod, by_angle] = let_go(angle);
+        let exact = Simulation::new(&by_angle).method(Method::Taylor).rtol(1e-14);
+        for (until, tolerances) in [(100.0, &[1e-5, 1e-7, 1e-9][..]), (1000.0, &[1e-6, 1e-10])] {
+            let exact = exact.clone().until(until).run().expect("it swings");
+            let exact = exact.column("x").expect("an output");
+            for &rtol in tolerances {
+                let run = Simulation::new(&by_rod).method(Method::Auto).rtol(rtol).until(until);
+                let run = run.run().expect("it swings");
+                let energy = run.column("energy.total").expect("a column");
+                let drift = energy.iter().map(|e| (e - energy[0]).abs()).fold(0.0, f64::max);
+                let x = run.column("x").expect("an output");
+                let error = x.iter().zip(exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                println!("{angle} rad, {until} s, {rtol:e}: energy {drift:.1e} J, x {error:.1e} m");
+                assert!(drift < 30.0 * rtol, "{angle}, {until} s, {rtol:e}: {drift:e} J");
+                // An error of energy is one of frequency, which time adds up, the more the
+                // nearer the pendulum comes to its upper rest.
+                let phase = if angle > 2.0 { 10.0 } else { 1.0 };
+                assert!(error < phase * until * rtol, "{angle}, {until} s, {rtol:e}: {error:e} m");
+            }
+        }
+    }
+}

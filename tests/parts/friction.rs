@@ -621,3 +621,98 @@ fn a_clutch_that_sticks_takes_a_motion_from_the_modes() {
         );
     }
 }
+
+/// Where a falling function passes zero, by halving.
+fn root(mut low: f64, mut high: f64, falls: impl Fn(f64) -> f64) -> f64 {
+    for _ in 0..200 {
+        let middle = low + 0.5 * (high - low);
+        if falls(middle) > 0.0 { low = middle } else { high = middle }
+    }
+    low
+}
+
+#[test]
+fn a_one_way_clutch_frees_and_locks_when_it_should() {
+    let text = r#"
+        [scene]
+        name = "one_way"
+        [units.drive]
+        unit = "sources/torque"
+        inputs = { torque = "10 [N m]*sin(frequency*t)" }
+        [units.motor]
+        unit = "rotational/inertia"
+        [units.freewheel]
+        unit = "rotational/one_way_clutch"
+        inputs = { drag = "drag" }
+        [units.load]
+        unit = "rotational/inertia"
+        [[joints]]
+        connect = ["drive.a", "motor.a"]
+        [[joints]]
+        connect = ["motor.b", "freewheel.a"]
+        [[joints]]
+        connect = ["freewheel.b", "load.a"]
+        [parameters]
+        frequency = { value = 5.0, unit = "rad/s" }
+        drag = { value = 0.1, unit = "N m" }
+        [outputs]
+        motor = "motor.omega"
+        load = "load.omega"
+        [run]
+        until = 1.0
+        points = 41
+        rtol = 1e-10
+        method = "dop853"
+    "#;
+    let scene = of_text(text, Keep::Needed);
+    for frequency in orders(0.5, 500.0, 4) {
+        for load in orders(0.1, 100.0, 4) {
+            for (drag, peak) in [(0.01, 1.0), (0.3, 1.0), (0.3, 2.5)] {
+                // Both turn as one until the load would be held back by more than the drag.
+                let share = load / (1.0 + load);
+                let breakaway: f64 = drag * peak / (10.0 * share);
+                if breakaway >= 0.99 {
+                    continue;
+                }
+                let freed = (std::f64::consts::PI + breakaway.asin()) / frequency;
+                let cos = |t: f64| (frequency * t).cos();
+                let slips = |t: f64| {
+                    let by_drive = 10.0 / frequency * (cos(t) - cos(freed));
+                    by_drive - drag * (1.0 + 1.0 / load) * (t - freed)
+                };
+                // It runs ahead at most until the drive has turned over once more.
+                let turn = std::f64::consts::TAU / frequency;
+                let locked = root(freed + 0.25 * turn, freed + turn, slips);
+                let run = Simulation::new(&scene)
+                    .parameter("frequency", frequency)
+                    .and_then(|run| run.parameter("load.inertia", load))
+                    .and_then(|run| run.parameter("drag", drag))
+                    .and_then(|run| run.parameter("freewheel.peak", peak))
+                    .expect("parameters")
+                    .until(locked + 0.01 * turn)
+                    .run()
+                    .unwrap_or_else(|error| panic!("{frequency} {load} {drag}: {error}"));
+                let case = format!("{frequency}, {load}, {drag}, {peak}");
+                let found = time_of(&run, "freewheel.frees");
+                assert!((found - freed).abs() < 1e-8 * turn, "{case}: frees at {found}");
+                let found = time_of(&run, "freewheel.locks");
+                assert!((found - locked).abs() < 1e-6 * turn, "{case}: {found}, not {locked}");
+                let ahead = column(&run, "load").iter().zip(column(&run, "motor"));
+                let least = ahead.map(|(load, motor)| load - motor).fold(0.0, f64::min);
+                assert!(least > -1e-9, "{case}: the motor overtakes by {least:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_constraint_in_a_mode_is_emitted_as_one() {
+    use machinist_codegen::write::{Mode, emit_scenes};
+    let path = super::specs().join("scenes/parts/rotational/brake.toml");
+    let model = machinist_codegen::pipeline::generate(&path, Keep::Needed).expect("a model");
+    let folder = tempfile::tempdir().expect("a folder");
+    emit_scenes(folder.path(), &[model], Mode::Write).expect("emitted");
+    let file = folder.path().join("rotational_brake.rs");
+    let text = std::fs::read_to_string(file).expect("a file");
+    assert!(text.contains("of_velocities_in_modes"), "{text}");
+}

@@ -245,7 +245,8 @@ pub enum StopCause {
     #[error(
         "constraint `{constraint}` {why}, in the modes that events have set: its force could not \
          be told from theirs. Hint: two brakes that stick on one shaft, or one on a shaft whose \
-         motion is imposed; make one of them of both, or put a spring between"
+         motion is imposed; make one of them of both, put a spring between, or take friction \
+         that fades near rest, such as `rotational/smooth_friction`"
     )]
     Overdetermined {
         /// The constraint.

@@ -66,8 +66,8 @@ impl Watch<'_> {
             *side == Side::Idle || is_near && !passed[index]
         };
         let sides = self.inner.borrow().sides.clone();
-        let asked: Vec<bool> =
-            sides.iter().enumerate().map(|(index, side)| is_new(index, side)).collect();
+        let of_events = sides.iter().enumerate().take(simulator.events());
+        let asked: Vec<bool> = of_events.map(|(index, side)| is_new(index, side)).collect();
         let mut happened = 0;
         let is_asked = |index: usize| asked[index];
         self.require_independent(time, state)?;

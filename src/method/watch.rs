@@ -32,7 +32,7 @@ use crate::error::StopCause;
 use crate::trajectory::Switch;
 use passing::{Guard, Outcome, Parts};
 
-/// So many events within [`NO_TIME`] are taken for endless ones.
+/// So many events within [`NO_TIME`] are taken for endless ones; more in a scene that has many.
 const ENDLESS: usize = 50;
 /// Share of the time reached, or of the run if that is longer.
 const NO_TIME: f64 = 1e-10;
@@ -340,10 +340,12 @@ impl<'a> Watch<'a> {
         self.system.count(|work| work.switches += 1);
         let inner = &mut *self.inner.borrow_mut();
         inner.latest.push_back(time);
-        if inner.latest.len() > ENDLESS {
+        // Many parts may begin at one time.
+        let endless = ENDLESS.max(self.most());
+        if inner.latest.len() > endless {
             let earliest = inner.latest.pop_front().unwrap_or(time);
             if time - earliest <= NO_TIME * self.span.max(time.abs()) {
-                return Err(Stopped { time, cause: StopCause::Zeno { event, count: ENDLESS } });
+                return Err(Stopped { time, cause: StopCause::Zeno { event, count: endless } });
             }
         }
         inner.switches.push(Switch { time, event });

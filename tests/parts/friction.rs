@@ -314,13 +314,14 @@ fn chain(count: usize) -> String {
         }
     }
     text += "[outputs]\nx = \"body1.x\"\n";
-    text += "[run]\nuntil = 4.0\npoints = 41\nrtol = 1e-7\nmethod = \"dop853\"\n";
+    text += "[run]\nuntil = 2.5\npoints = 26\nrtol = 1e-7\nmethod = \"dop853\"\n";
     text
 }
 
 #[test]
 fn a_rough_chain_starts_body_after_body_without_chattering() {
-    let count = 8;
+    // All begin at one time, more of them than what would be taken for endless events.
+    let count = 60;
     let scene = of_text(&chain(count), Keep::All);
     let run = Simulation::new(&scene).with_energy_balance(true).run().expect("it runs");
     let breaks = |k: usize| {
@@ -332,7 +333,8 @@ fn a_rough_chain_starts_body_after_body_without_chattering() {
     let starts: Vec<f64> = (1..=count).map_while(breaks).collect();
     assert!(starts.windows(2).all(|pair| pair[0] < pair[1]), "{starts:?}");
     assert!(starts.len() >= 3, "{starts:?}");
-    assert!(run.switches.len() < 20 * count, "{} switches", run.switches.len());
+    // Pulled ever more, none turns round: each begins once and breaks away at most once.
+    assert_eq!(run.switches.len(), count + starts.len());
     let residual = run.energy_balance.as_ref().expect("asked for").max_residual_relative();
     assert!(residual < 1e-6, "{residual:e}");
 }

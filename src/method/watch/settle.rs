@@ -104,7 +104,7 @@ impl Watch<'_> {
     }
 
     /// So many events may follow on one another without time.
-    fn most(&self) -> usize {
+    pub(super) fn most(&self) -> usize {
         2 * self.system.simulator().events() + 8
     }
 

@@ -55,7 +55,7 @@ fn zeros_in_disguise(scene: &dyn Simulator<f64>, twin: &dyn Simulator<DoubleDoub
         .map(|seed| Place::near_the_start(scene, seed))
         .map(|at| {
             let precise = at.nonzeros(twin);
-            (at.nonzeros(scene), precise.into_iter().map(|value| value.to_f64()).collect())
+            (at.nonzeros(scene), precise.into_iter().map(DoubleDouble::to_f64).collect())
         })
         .collect();
     let entries = 0..places[0].0.len();

@@ -130,23 +130,30 @@ fn every_scene_gives_the_same_bits_from_its_model_alone() {
     let own = env!("CARGO_BIN_EXE_machinist").to_owned();
     let runner = std::env::var("MACHINIST_RUNNER").unwrap_or(own);
     let runner = fs::canonicalize(runner).expect("a program");
-    let folder = tempfile::tempdir().expect("a folder");
     let files = scene_files();
     assert!(files.len() > 40, "{} scenes", files.len());
-    for file in &files {
-        let file = file.to_str().expect("a plain path");
-        let run = ["--until", "0.02", "--points", "3", "--out", "-"];
-        let by_spec = answer(folder.path(), &[&["run", file], &run[..]].concat());
-        answer(folder.path(), &["compile", file, "--out", "one.model"]);
-        let by_model = Command::new(&runner)
-            .args([&["run", "one.model"], &run[..]].concat())
-            .current_dir(folder.path())
-            .env("MACHINIST_CACHE", folder.path().join("another"))
-            .output()
-            .expect("the program starts");
-        assert_eq!(succeeded(&by_model), by_spec, "{file}");
-        assert!(!String::from_utf8_lossy(&by_model.stderr).contains("deriving"), "{file}");
-    }
+    let (some, others) = files.split_at(files.len() / 2);
+    std::thread::scope(|scope| {
+        for files in [some, others] {
+            scope.spawn(|| files.iter().for_each(|file| assert_same_from_its_model(file, &runner)));
+        }
+    });
+}
+
+fn assert_same_from_its_model(file: &Path, runner: &Path) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = file.to_str().expect("a plain path");
+    let run = ["--until", "0.02", "--points", "3", "--out", "-"];
+    let by_spec = answer(folder.path(), &[&["run", file], &run[..]].concat());
+    answer(folder.path(), &["compile", file, "--out", "one.model"]);
+    let by_model = Command::new(runner)
+        .args([&["run", "one.model"], &run[..]].concat())
+        .current_dir(folder.path())
+        .env("MACHINIST_CACHE", folder.path().join("another"))
+        .output()
+        .expect("the program starts");
+    assert_eq!(succeeded(&by_model), by_spec, "{file}");
+    assert!(!String::from_utf8_lossy(&by_model.stderr).contains("deriving"), "{file}");
 }
 
 #[test]

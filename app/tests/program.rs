@@ -1,0 +1,10 @@
+//! The program as its users meet it, one module a subject; `cargo test -p machinist-app --test
+//! program deriving::` runs one.
+//!
+//! Apart from these, `reduced` derives in its own process, for which every other process of
+//! the machine has to wait until it ends.
+
+mod cli;
+mod cli_sweep;
+mod deriving;
+mod trajectory;

@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
 fn row(scene: &str, model: &Model, method: Method) -> Result<(), Box<dyn std::error::Error>> {
     let name = scene.trim_start_matches("bench/");
-    let emitted = scenes::find::<f64>(name).or_else(|| bench::find(name));
+    let emitted = scenes::find_f64(name).or_else(|| bench::find(name));
     let emitted = emitted.ok_or_else(|| format!("{name} is not emitted"))?;
     let begin = Instant::now();
     let compiled = ModelSimulator::new(model.clone());

@@ -11,7 +11,7 @@ const TOLERANCES: [f64; 3] = [1e-4, 1e-6, 1e-9];
 
 fn methods(criterion: &mut Criterion) {
     for name in scenes::NAMES {
-        let Some(simulator) = scenes::find::<f64>(name) else { continue };
+        let Some(simulator) = scenes::find_f64(name) else { continue };
         let defaults = simulator.run_defaults();
         let ends = [defaults.from, defaults.until];
         let mut group = criterion.benchmark_group(*name);

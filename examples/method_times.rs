@@ -13,7 +13,7 @@ use machinist_scenes::scenes;
 
 fn main() -> Result<(), SimulateError> {
     let wanted = std::env::args().nth(1).unwrap_or_else(|| "saw_gin".to_owned());
-    let Some(scene) = scenes::find::<f64>(&wanted) else {
+    let Some(scene) = scenes::find_f64(&wanted) else {
         eprintln!("there is no scene {wanted}");
         return Ok(());
     };

@@ -84,7 +84,7 @@ fn methods_of_fixed_order_show_it_in_errors_against_steps() {
 #[test]
 fn errors_of_taylor_keep_to_the_tolerance_from_loose_to_tight() {
     for name in ["winder_nonlinear", "motor_run_up", "saw_gin"] {
-        let simulator = scenes::find::<f64>(name).unwrap();
+        let simulator = scenes::find_f64(name).unwrap();
         let base = Simulation::new(simulator).points(101);
         let reference = base.clone().method(Method::Radau).rtol(1e-14).run().unwrap();
         let (mut least, mut most) = (f64::INFINITY, 0.0);
@@ -197,7 +197,7 @@ fn auto_says_what_it_chose_and_why() {
 #[test]
 fn auto_starts_with_series_where_they_tell_what_is_ahead() {
     let first = |name: &str, rtol| {
-        let simulator = scenes::find::<f64>(name).unwrap();
+        let simulator = scenes::find_f64(name).unwrap();
         let base = Simulation::new(simulator).method(Method::Auto).rtol(rtol).points(2);
         base.until(0.01).run().unwrap().notes[0].clone()
     };
@@ -210,7 +210,7 @@ fn auto_starts_with_series_where_they_tell_what_is_ahead() {
 
 #[test]
 fn auto_leaves_series_where_they_are_held_by_stability() {
-    let simulator = scenes::find::<f64>("saw_gin").unwrap();
+    let simulator = scenes::find_f64("saw_gin").unwrap();
     let base = Simulation::new(simulator).parameter("coupling.damping", 1e6).unwrap();
     let base = base.parameter("coupling.stiffness", 1e5).unwrap().until(0.1).points(11);
     let exact = base.clone().method(Method::Radau).rtol(1e-11).run().unwrap();
@@ -256,7 +256,7 @@ fn auto_is_about_as_cheap_as_the_explicit_method_where_nothing_is_stiff() {
 
 #[test]
 fn all_methods_agree_on_the_saw_gin() {
-    let simulator = scenes::find::<f64>("saw_gin").unwrap();
+    let simulator = scenes::find_f64("saw_gin").unwrap();
     let simulation = Simulation::new(simulator).points(41);
     let reference = simulation.clone().method(Method::Radau).rtol(1e-12).run().unwrap();
     for method in OWN {

@@ -77,7 +77,7 @@ fn a_chain_let_go_from_symmetric_rest_does_not_leap() {
 #[test]
 fn machines_run_as_by_a_method_of_another_kind() {
     for name in ["motor_run_up", "saw_gin", "two_mass"] {
-        let simulator = scenes::find::<f64>(name).expect("an emitted scene");
+        let simulator = scenes::find_f64(name).expect("an emitted scene");
         let simulation = || Simulation::new(simulator).points(201);
         let reference = run(simulation(), Method::Tsit45, 1e-11);
         for rtol in [1e-5, 1e-8, 1e-10] {
@@ -134,7 +134,7 @@ fn dense_output_is_as_exact_as_the_steps() {
 
 #[test]
 fn the_energy_account_closes() {
-    let simulator = scenes::find::<f64>("saw_gin").expect("an emitted scene");
+    let simulator = scenes::find_f64("saw_gin").expect("an emitted scene");
     let simulation = Simulation::new(simulator).points(101).with_energy_balance(true);
     let run = run(simulation, Method::Taylor, 1e-9);
     let residual = run.energy_balance.expect("asked for").max_residual_relative();

@@ -511,7 +511,7 @@ fn explain_works_for_every_scene_file_and_its_sums_are_those_of_the_emitted_code
             fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(emitted));
         let lines = emitted.expect("an emitted file").lines().count();
         assert_eq!(size["lines"], lines, "{scene}");
-        let Some(built_in) = machinist_scenes::scenes::find::<f64>(scene) else {
+        let Some(built_in) = machinist_scenes::scenes::find_f64(scene) else {
             // How many states a field has is chosen when it is run.
             assert!(machinist_scenes::scenes::FIELD_NAMES.contains(&scene), "{scene}");
             continue;

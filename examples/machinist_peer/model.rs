@@ -25,7 +25,7 @@ impl Model {
     /// no such scene.
     pub fn find(key: &str) -> Option<Self> {
         let scene = key.to_lowercase().replace(':', "_");
-        let Some(simulator) = bench::find::<f64>(&scene) else { return Self::of_field(key) };
+        let Some(simulator) = bench::find_f64(&scene) else { return Self::of_field(key) };
         let parameters = defaults(simulator);
         Some(Self { key: key.to_owned(), scene, simulator, order: None, parameters })
     }

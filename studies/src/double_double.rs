@@ -8,7 +8,7 @@
 use std::f64::consts::FRAC_PI_2;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use machinist_contract::Real;
+use machinist_contract::{Real, Simulator};
 use qd::Quad;
 
 /// A real number of 31 digits.
@@ -24,6 +24,12 @@ const SMALL: f64 = 0.5;
 
 /// Beyond this size tanh is one to the last digit.
 const SATURATED: f64 = 40.0;
+
+/// The emitted scene of a name in these numbers.
+#[must_use]
+pub fn precise(name: &str) -> Option<&'static dyn Simulator<DoubleDouble>> {
+    machinist_scenes::scenes::find(name)
+}
 
 impl DoubleDouble {
     /// The nearest `f64`.

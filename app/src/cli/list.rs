@@ -12,7 +12,7 @@ pub struct List {}
 impl List {
     #[expect(clippy::unused_self, reason = "alike for all commands")]
     pub fn execute(&self) -> Result<(), Failure> {
-        let found = scenes::NAMES.iter().filter_map(|name| scenes::find::<f64>(name));
+        let found = scenes::NAMES.iter().filter_map(|name| scenes::find_f64(name));
         let with_fields =
             scenes::FIELD_NAMES.iter().filter_map(|name| scenes::find_field::<f64>(name));
         let row = |name: &str, title: &str| [name.to_owned(), title.to_owned()];

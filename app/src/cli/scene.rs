@@ -8,11 +8,11 @@ use crate::failure::did_you_mean;
 use machinist::field::{Discretisation, FieldError, FieldSimulator};
 #[cfg(feature = "derive")]
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_contract::{Real, Simulator};
+use machinist_contract::Simulator;
 use machinist_model::file::{MARK, Stamped, read};
 use machinist_model::{Model, ModelSimulator, Running};
 use machinist_scenes::scenes;
-use machinist_studies::double_double::DoubleDouble;
+use machinist_studies::double_double::{DoubleDouble, precise};
 
 #[cfg(feature = "derive")]
 use crate::deriving;
@@ -106,7 +106,13 @@ impl Scene {
     /// The same emitted code in numbers of 31 digits.
     pub fn twin(&self) -> Option<&'static dyn Simulator<DoubleDouble>> {
         match self {
-            Self::Emitted(simulator) => built_in(simulator.name()),
+            Self::Emitted(simulator) => {
+                #[cfg(feature = "bench")]
+                if let Some(twin) = machinist_scenes::bench::find(simulator.name()) {
+                    return Some(twin);
+                }
+                precise(simulator.name())
+            }
             Self::Model(_) | Self::Fields(..) => None,
         }
     }
@@ -159,12 +165,12 @@ fn without_fields(wanted: Discretisation, scene: Scene) -> Result<Scene, Failure
 }
 
 /// The emitted simulator of a name.
-pub fn built_in<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
+pub fn built_in(name: &str) -> Option<&'static dyn Simulator<f64>> {
     #[cfg(feature = "bench")]
-    if let Some(simulator) = machinist_scenes::bench::find(name) {
+    if let Some(simulator) = machinist_scenes::bench::find_f64(name) {
         return Some(simulator);
     }
-    scenes::find(name)
+    scenes::find_f64(name)
 }
 
 /// Where scenes are kept.

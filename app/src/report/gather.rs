@@ -14,6 +14,7 @@ use machinist_contract::Simulator;
 use machinist_model::Model;
 use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;
+use machinist_studies::double_double::precise;
 use machinist_studies::ledger::{LedgerRow, ledger as ledger_rows};
 use machinist_studies::stability::{Plan as Strain, Study, study};
 use machinist_studies::verify::{Verdict, VerifyOptions, verify_all};
@@ -111,11 +112,11 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
 /// Error against time of the scenes that are built in; those that only exist to be
 /// measured are left to `machinist bench`.
 fn measure_all() -> Result<Vec<WorkPrecision>, SimulateError> {
-    let found = scenes::NAMES.iter().filter_map(|name| scenes::find::<f64>(name));
+    let found = scenes::NAMES.iter().filter_map(|name| scenes::find_f64(name));
     // Some two thousand points, each as long as it takes to tell its median.
-    let plan = Plan { enough: 60.0, ..Plan::default() };
+    let plan = Plan { enough: 20.0, ..Plan::default() };
     let measure = |simulator: &dyn Simulator<f64>| {
-        work_precision::measure(simulator, scenes::find(simulator.name()), &plan)
+        work_precision::measure(simulator, precise(simulator.name()), &plan)
     };
     found.map(measure).collect()
 }
@@ -133,7 +134,7 @@ impl SceneData {
         let Derivation { stages, latex: document, dependencies, .. } = derived;
         let model = stages.needed().clone();
         let name = &model.name;
-        let built_in = scenes::find::<f64>(name);
+        let built_in = scenes::find_f64(name);
         let run = |simulator: &dyn Simulator<f64>| {
             Simulation::new(simulator).with_energy_balance(true).run()
         };

@@ -27,7 +27,7 @@ fn end(simulator: &dyn Simulator<f64>, order: usize, steps: usize) -> Vec<f64> {
 
 #[test]
 fn series_of_an_order_converge_at_it() {
-    let simulator = scenes::find::<f64>("pendulum_chain").expect("built in");
+    let simulator = scenes::find_f64("pendulum_chain").expect("built in");
     let exact = end(simulator, 20, 400);
     for (order, steps) in [(3, 400), (5, 150), (8, 40)] {
         let error = |steps| {

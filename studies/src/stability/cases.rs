@@ -80,7 +80,7 @@ fn two_mass(
     (start, torques): (f64, Torques),
     times: Vec<f64>,
 ) -> Option<Case> {
-    let simulator = scenes::find::<f64>("two_mass")?;
+    let simulator = scenes::find_f64("two_mass")?;
     let settings = vec![
         ("driver.inertia", machine.driver_inertia),
         ("cylinder.inertia", machine.driven_inertia),
@@ -233,7 +233,7 @@ fn pulses() -> Vec<Case> {
 }
 
 fn saw_gins() -> Vec<Case> {
-    let Some(simulator) = scenes::find::<f64>("saw_gin") else { return Vec::new() };
+    let Some(simulator) = scenes::find_f64("saw_gin") else { return Vec::new() };
     let run = |stiffness: f64, damping: f64| Case {
         part: "saw gin",
         name: format!("stiffness {stiffness:.0e}, damping {damping:.0e}"),
@@ -268,13 +268,13 @@ fn conservative() -> Vec<Case> {
         truth: Truth::Energy,
     };
     let mut cases = Vec::new();
-    if let Some(chain) = scenes::find::<f64>("pendulum_chain") {
+    if let Some(chain) = scenes::find_f64("pendulum_chain") {
         for until in [10.0, 100.0, 1000.0] {
             let name = format!("chain of three pendulums, {until:.0} s");
             cases.push(case(chain, name, Vec::new(), until));
         }
     }
-    if let Some(winder) = scenes::find::<f64>("winder_nonlinear") {
+    if let Some(winder) = scenes::find_f64("winder_nonlinear") {
         for until in [1.0, 100.0] {
             let settings = vec![
                 ("layer.viscosity", 0.0),

@@ -43,7 +43,7 @@ fn long_run(
     rtol: f64,
     steps: usize,
 ) -> Result<Option<LongRun>, SimulateError> {
-    let Some(simulator) = scenes::find::<f64>(scene) else { return Ok(None) };
+    let Some(simulator) = scenes::find_f64(scene) else { return Ok(None) };
     let method = Method::Auto;
     let run = |until: f64| {
         let run = Simulation::new(simulator).method(method).rtol(rtol).points(2).until(until);

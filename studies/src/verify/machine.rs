@@ -3,34 +3,8 @@
 
 use std::cell::RefCell;
 
-use machinist_contract::field::FieldScene;
 use machinist_contract::{Quantity, Simulator};
-use machinist_scenes::scenes::bouncing_mass::BouncingMass;
-use machinist_scenes::scenes::contact_oscillator::ContactOscillator;
-use machinist_scenes::scenes::contact_oscillator_smooth::ContactOscillatorSmooth;
-use machinist_scenes::scenes::coulomb_oscillator::CoulombOscillator;
-use machinist_scenes::scenes::four_bar::FourBar;
-use machinist_scenes::scenes::loom_drive::LoomDrive;
-use machinist_scenes::scenes::motor_run_up::MotorRunUp;
-use machinist_scenes::scenes::motor_stationary_axes::MotorStationaryAxes;
-use machinist_scenes::scenes::pendulum_chain::PendulumChain;
-use machinist_scenes::scenes::pendulum_constrained::PendulumConstrained;
-use machinist_scenes::scenes::pendulum_relative::PendulumRelative;
-use machinist_scenes::scenes::reed_beat_up::ReedBeatUp;
-use machinist_scenes::scenes::saw_gin::SawGin;
-use machinist_scenes::scenes::saw_gin_as_printed::SawGinAsPrinted;
-use machinist_scenes::scenes::saw_gin_shaft::SawGinShaft;
-use machinist_scenes::scenes::shaft_step_torque::ShaftStepTorque;
-use machinist_scenes::scenes::shaft_with_rotors::ShaftWithRotors;
-use machinist_scenes::scenes::slider_crank::SliderCrank;
-use machinist_scenes::scenes::stick_slip::StickSlip;
-use machinist_scenes::scenes::stick_slip_smooth::StickSlipSmooth;
-use machinist_scenes::scenes::two_mass::TwoMass;
-use machinist_scenes::scenes::winder_full::WinderFull;
-use machinist_scenes::scenes::winder_holder_drop::WinderHolderDrop;
-use machinist_scenes::scenes::winder_linear::WinderLinear;
-use machinist_scenes::scenes::winder_linkage::WinderLinkage;
-use machinist_scenes::scenes::winder_nonlinear::WinderNonlinear;
+use machinist_scenes::scenes;
 use nalgebra::{DMatrix, DVector};
 
 use super::CheckFailure;
@@ -95,143 +69,141 @@ pub(crate) fn all() -> Vec<Machine> {
 
 /// Two rotors on a coupling.
 pub(crate) fn two_mass() -> Machine {
-    Machine::new("two_mass", &TwoMass, &TwoMass)
+    Machine::new("two_mass")
 }
 
 /// The motor alone.
 pub(crate) fn motor_run_up() -> Machine {
-    Machine::new("motor_run_up", &MotorRunUp, &MotorRunUp)
+    Machine::new("motor_run_up")
 }
 
 /// The saw gin in its consistent reading.
 pub(crate) fn saw_gin() -> Machine {
-    Machine::new("saw_gin", &SawGin, &SawGin)
+    Machine::new("saw_gin")
 }
 
 /// The saw gin as printed.
 pub(crate) fn saw_gin_as_printed() -> Machine {
-    Machine::new("saw_gin_as_printed", &SawGinAsPrinted, &SawGinAsPrinted)
+    Machine::new("saw_gin_as_printed")
 }
 
 /// The motor alone, in charges.
 pub(crate) fn motor_stationary_axes() -> Machine {
-    Machine::new("motor_stationary_axes", &MotorStationaryAxes, &MotorStationaryAxes)
+    Machine::new("motor_stationary_axes")
 }
 
 /// The bobbin on a linear layer.
 pub(crate) fn winder_linear() -> Machine {
-    Machine::new("winder_linear", &WinderLinear, &WinderLinear)
+    Machine::new("winder_linear")
 }
 
 /// The bobbin on a stiffening layer.
 pub(crate) fn winder_nonlinear() -> Machine {
-    Machine::new("winder_nonlinear", &WinderNonlinear, &WinderNonlinear)
+    Machine::new("winder_nonlinear")
 }
 
 /// The bobbin with all nonlinearities.
 pub(crate) fn winder_full() -> Machine {
-    Machine::new("winder_full", &WinderFull, &WinderFull)
+    Machine::new("winder_full")
 }
 
 /// Three pendulums hanging on one another.
 pub(crate) fn pendulum_chain() -> Machine {
-    Machine::new("pendulum_chain", &PendulumChain, &PendulumChain)
+    Machine::new("pendulum_chain")
 }
 
 /// The same by relative angles.
 pub(crate) fn pendulum_relative() -> Machine {
-    Machine::new("pendulum_relative", &PendulumRelative, &PendulumRelative)
+    Machine::new("pendulum_relative")
 }
 
 /// The same by constraints.
 pub(crate) fn pendulum_constrained() -> Machine {
-    Machine::new("pendulum_constrained", &PendulumConstrained, &PendulumConstrained)
+    Machine::new("pendulum_constrained")
 }
 
 /// A slider-crank turned at constant speed.
 pub(crate) fn slider_crank() -> Machine {
-    Machine::new("slider_crank", &SliderCrank, &SliderCrank)
+    Machine::new("slider_crank")
 }
 
 /// A four-bar linkage under gravity.
 pub(crate) fn four_bar() -> Machine {
-    Machine::new("four_bar", &FourBar, &FourBar)
+    Machine::new("four_bar")
 }
 
 /// The four-link bobbin holder.
 pub(crate) fn winder_linkage() -> Machine {
-    Machine::new("winder_linkage", &WinderLinkage, &WinderLinkage)
+    Machine::new("winder_linkage")
 }
 
 /// The holder let go, its contacts one-sided.
 pub(crate) fn winder_holder_drop() -> Machine {
-    Machine::new("winder_holder_drop", &WinderHolderDrop, &WinderHolderDrop)
+    Machine::new("winder_holder_drop")
 }
 
 /// A mass bouncing on a shaken plate.
 pub(crate) fn bouncing_mass() -> Machine {
-    Machine::new("bouncing_mass", &BouncingMass, &BouncingMass)
+    Machine::new("bouncing_mass")
 }
 
 /// An oscillator braked by dry friction.
 pub(crate) fn coulomb_oscillator() -> Machine {
-    Machine::new("coulomb_oscillator", &CoulombOscillator, &CoulombOscillator)
+    Machine::new("coulomb_oscillator")
 }
 
 /// A mass that sticks to a belt and slips.
 pub(crate) fn stick_slip() -> Machine {
-    Machine::new("stick_slip", &StickSlip, &StickSlip)
+    Machine::new("stick_slip")
 }
 
 /// Its smooth twin.
 pub(crate) fn stick_slip_smooth() -> Machine {
-    Machine::new("stick_slip_smooth", &StickSlipSmooth, &StickSlipSmooth)
+    Machine::new("stick_slip_smooth")
 }
 
 /// An oscillator with a stop on one side.
 pub(crate) fn contact_oscillator() -> Machine {
-    Machine::new("contact_oscillator", &ContactOscillator, &ContactOscillator)
+    Machine::new("contact_oscillator")
 }
 
 /// Its smooth twin.
 pub(crate) fn contact_oscillator_smooth() -> Machine {
-    let scene = &ContactOscillatorSmooth;
-    Machine::new("contact_oscillator_smooth", scene, scene)
+    Machine::new("contact_oscillator_smooth")
 }
 
 /// The uniform shaft, cut coarsely: checks over refinements cut it anew.
 pub(crate) fn shaft_step_torque() -> Machine {
-    Machine::with_fields("shaft_step_torque", &ShaftStepTorque, &ShaftStepTorque)
+    Machine::with_fields("shaft_step_torque")
 }
 
 /// The reed on its driven shaft, likewise.
 pub(crate) fn reed_beat_up() -> Machine {
-    Machine::with_fields("reed_beat_up", &ReedBeatUp, &ReedBeatUp)
+    Machine::with_fields("reed_beat_up")
 }
 
 /// The saw gin with a distributed shaft, likewise.
 pub(crate) fn saw_gin_shaft() -> Machine {
-    Machine::with_fields("saw_gin_shaft", &SawGinShaft, &SawGinShaft)
+    Machine::with_fields("saw_gin_shaft")
 }
 
 /// Motor, coupling, shaft and reed, likewise.
 pub(crate) fn loom_drive() -> Machine {
-    Machine::with_fields("loom_drive", &LoomDrive, &LoomDrive)
+    Machine::with_fields("loom_drive")
 }
 
 /// The shaft between rotors, likewise.
 pub(crate) fn shaft_with_rotors() -> Machine {
-    Machine::with_fields("shaft_with_rotors", &ShaftWithRotors, &ShaftWithRotors)
+    Machine::with_fields("shaft_with_rotors")
 }
 
 impl Machine {
     /// A scene with fields, of few elements. The simulators are made once a thread and
     /// live as long as the program, as emitted ones do.
-    fn with_fields(
-        name: &'static str,
-        real: &'static dyn FieldScene<f64>,
-        complex: &'static dyn FieldScene<ComplexStep>,
-    ) -> Self {
+    ///
+    /// # Panics
+    /// If no scene with fields of this name is built in.
+    fn with_fields(name: &'static str) -> Self {
         type Cut = (&'static str, &'static dyn Simulator<f64>, &'static dyn Simulator<ComplexStep>);
         thread_local! {
             static CUT: RefCell<Vec<Cut>> = const { RefCell::new(Vec::new()) };
@@ -239,19 +211,30 @@ impl Machine {
         const FEW: Discretisation = Discretisation { elements: Some(4), order: Some(2) };
         CUT.with_borrow_mut(|known| {
             if let Some((_, real, complex)) = known.iter().find(|(other, ..)| *other == name) {
-                return Self::new(name, *real, *complex);
+                return Self::of(name, *real, *complex);
             }
+            let missing = "scenes that are verified are built in";
+            let real = scenes::find_field(name).expect(missing);
+            let complex = scenes::find_field(name).expect(missing);
             let four = "every scene has fewer than four stretches between ports";
             let real: &'static FieldSimulator<'static, f64> =
                 Box::leak(Box::new(FieldSimulator::new(real, FEW).expect(four)));
             let complex: &'static FieldSimulator<'static, ComplexStep> =
                 Box::leak(Box::new(FieldSimulator::new(complex, FEW).expect(four)));
             known.push((name, real, complex));
-            Self::new(name, real, complex)
+            Self::of(name, real, complex)
         })
     }
 
-    fn new(
+    /// # Panics
+    /// If no scene of this name is built in.
+    fn new(name: &'static str) -> Self {
+        let (real, complex) = (scenes::find_f64(name), scenes::find(name));
+        let (real, complex) = real.zip(complex).expect("scenes that are verified are built in");
+        Self::of(name, real, complex)
+    }
+
+    fn of(
         name: &'static str,
         real: &'static dyn Simulator<f64>,
         complex: &'static dyn Simulator<ComplexStep>,

@@ -137,6 +137,13 @@ pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
     }
 }
 
+/// The scene of a name in `f64`, compiled once and for all: who calls [`find`] compiles
+/// all scenes within a crate of its own.
+#[must_use]
+pub fn find_f64(name: &str) -> Option<&'static dyn Simulator<f64>> {
+    find(name)
+}
+
 /// Names of all scenes with fields, sorted.
 #[rustfmt::skip]
 pub const FIELD_NAMES: &[&str] = &["m3", "m4"];

@@ -120,10 +120,7 @@ pub(super) fn index(models: &[&Model], modules: &[Ident], options: &EmitOptions)
             }
         }
     };
-    let compiled_doc = doc([
-        "The scene of a name in `f64`, compiled once and for all: who calls [`find`] compiles",
-        "all scenes within a crate of its own.",
-    ]);
+    let find_f64 = find_f64();
     quote! {
         #![doc = #inner]
         use ::machinist_contract::{Real, Simulator #field_import};
@@ -136,12 +133,23 @@ pub(super) fn index(models: &[&Model], modules: &[Ident], options: &EmitOptions)
         #[allow(clippy::match_single_binding, reason = "features may leave no scene")]
         #[rustfmt::skip]
         #find
-        #compiled_doc
+        #find_f64
+        #of_fields
+    }
+}
+
+/// The look-up for everybody who runs scenes in `f64`.
+fn find_f64() -> TokenStream {
+    let doc = doc([
+        "The scene of a name in `f64`, compiled once and for all: who calls [`find`] compiles",
+        "all scenes within a crate of its own.",
+    ]);
+    quote! {
+        #doc
         #[must_use]
         pub fn find_f64(name: &str) -> Option<&'static dyn Simulator<f64>> {
             find(name)
         }
-        #of_fields
     }
 }
 

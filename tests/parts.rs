@@ -1,6 +1,7 @@
 //! The standard parts: every example runs, balances its power and has the Jacobian of its
 //! rate; one closed form or independent reference for each law, swept far beyond one setting.
 
+mod drives;
 mod friction;
 mod laws;
 
@@ -66,7 +67,7 @@ fn off(run: &Trajectory, name: &str, exact: impl Fn(f64) -> f64) -> f64 {
 
 #[test]
 fn every_unit_of_a_folder_is_in_the_library_with_an_example() {
-    for folder in ["electrical", "rotational", "sources", "translational"] {
+    for folder in ["control", "electrical", "rotational", "sources", "translational"] {
         let mut files = std::fs::read_dir(specs().join("units").join(folder)).expect("a folder");
         while let Some(Ok(file)) = files.next() {
             let stem = file.path().file_stem().expect("a name").to_string_lossy().into_owned();

@@ -1,0 +1,192 @@
+//! Controllers and motors against their closed forms.
+
+use machinist::Simulation;
+use machinist_codegen::mechanics::reduce::Keep;
+use nalgebra::Complex;
+
+use super::{column, example, off, run};
+use crate::own_scene::of_text;
+
+#[test]
+fn a_lag_follows_a_wave_as_its_closed_form() {
+    let scene = example("control/lag", Keep::Needed);
+    for time_constant in [1e-3, 0.1, 3.0, 100.0] {
+        for gain in [-2.0, 0.5] {
+            let set = [("sensor.time_constant", time_constant), ("sensor.gain", gain)];
+            let (run, w) = (run(&scene, &set, &[]), 10.0);
+            let turn = w * time_constant;
+            let exact = |t: f64| {
+                let settled = (w * t).sin() - turn * (w * t).cos();
+                gain / (1.0 + turn * turn) * (settled + turn * (-t / time_constant).exp())
+            };
+            let error = off(&run, "measured", exact);
+            assert!(error < 1e-8, "{time_constant}, {gain}: {error:e}");
+        }
+    }
+}
+
+const LOOP: &str = r#"
+[scene]
+name = "closed_loop"
+
+[units.controller]
+unit = "control/pi_controller"
+parameters = { least = -1e9, greatest = 1e9 }
+inputs = { error = "1 - plant.output" }
+
+[units.plant]
+unit = "control/lag"
+inputs = { input = "controller.output" }
+
+[outputs]
+answer = "plant.output"
+
+[run]
+until = 3.0
+points = 301
+rtol = 1e-10
+method = "auto"
+"#;
+
+/// Where the integral time is the plant's, the loop is of first order.
+#[test]
+fn a_loop_whose_controller_cancels_the_lag_answers_a_step_as_its_closed_form() {
+    let scene = of_text(LOOP, Keep::Needed);
+    for time in [0.05, 1.0, 20.0] {
+        for (gain, of_plant) in [(0.3, 1.0), (2.0, 5.0), (40.0, 0.5)] {
+            let set = [
+                ("controller.gain", gain),
+                ("controller.integral_time", time),
+                ("plant.time_constant", time),
+                ("plant.gain", of_plant),
+            ];
+            let run = run(&scene, &set, &[]);
+            let error = off(&run, "answer", |t| 1.0 - (-gain * of_plant * t / time).exp());
+            assert!(error < 1e-7, "{time}, {gain}, {of_plant}: {error:e}");
+        }
+    }
+}
+
+const AT_ITS_LIMIT: &str = r#"
+[scene]
+name = "at_its_limit"
+
+[units.controller]
+unit = "control/pi_controller"
+inputs = { error = "1" }
+
+[outputs]
+output = "controller.output"
+integral = "controller.integral"
+
+[run]
+until = 10.0
+points = 101
+rtol = 1e-10
+method = "auto"
+"#;
+
+#[test]
+fn an_integral_at_the_limit_is_led_back_as_its_closed_form() {
+    let scene = of_text(AT_ITS_LIMIT, Keep::Needed);
+    for (gain, integral_time, tracking_time) in [(2.0, 0.5, 0.1), (5.0, 10.0, 1.0), (1.5, 0.1, 3.0)]
+    {
+        let set = [
+            ("controller.gain", gain),
+            ("controller.integral_time", integral_time),
+            ("controller.tracking_time", tracking_time),
+        ];
+        let run = run(&scene, &set, &[]);
+        let end = tracking_time * gain / integral_time + 1.0 - gain;
+        let exact = |t: f64| end * (1.0 - (-t / tracking_time).exp());
+        let error = off(&run, "integral", exact);
+        assert!(error < 1e-7, "{gain}, {integral_time}, {tracking_time}: {error:e}");
+        assert!(off(&run, "output", |_| 1.0) < 1e-12);
+    }
+}
+
+/// Currents of dq for good: the steady state of its two equations at a speed.
+#[test]
+fn a_synchronous_motor_settles_where_its_currents_and_its_load_say() {
+    let scene = example("electrical/pmsm", Keep::Needed);
+    for pole_pairs in [1.0, 4.0, 9.0] {
+        for magnet in [0.05, 0.3] {
+            for resistance in [0.2, 2.0] {
+                let set = [
+                    ("motor.pole_pairs", pole_pairs),
+                    ("motor.magnet", magnet),
+                    ("motor.resistance", resistance),
+                ];
+                let mut simulation = Simulation::new(&scene).rtol(1e-10).until(20.0);
+                for (name, value) in set {
+                    simulation = simulation.parameter(name, value).expect("a parameter");
+                }
+                let run = simulation.run().expect("it runs");
+                let last = |name: &str| *column(&run, name).last().expect("a row");
+                let (speed, of_d, of_q) = (last("speed"), 0.004, 0.006);
+                let turning = pole_pairs * speed;
+                // R i_d - w L_q i_q = u_d, w L_d i_d + R i_q = u_q - w psi
+                let (u_d, u_q) = (-10.0, 60.0 - turning * magnet);
+                let divisor = resistance * resistance + turning * turning * of_d * of_q;
+                let i_d = (resistance * u_d + turning * of_q * u_q) / divisor;
+                let i_q = (resistance * u_q - turning * of_d * u_d) / divisor;
+                let torque = 1.5 * pole_pairs * (magnet + (of_d - of_q) * i_d) * i_q;
+                let brake = 20.0 * (speed / 50.0) / (1.0 + (speed / 50.0).powi(2));
+                let size = i_d.abs().max(i_q.abs());
+                let what = format!("{pole_pairs}, {magnet}, {resistance}: {speed}");
+                assert!((last("current_d") - i_d).abs() < 1e-6 * size, "{what}");
+                assert!((last("current_q") - i_q).abs() < 1e-6 * size, "{what}");
+                assert!((torque - brake).abs() < 1e-6 * brake.abs(), "{what}");
+            }
+        }
+    }
+}
+
+const AT_A_SPEED: &str = r#"
+[scene]
+name = "at_a_speed"
+
+[units.motor]
+unit = "electrical/pmsm"
+parameters = { inductance_d = 0.005, inductance_q = 0.005 }
+inputs = { voltage_d = "7 [V]", voltage_q = "30 [V]" }
+
+[units.drive]
+unit = "sources/speed"
+inputs = { speed = "given" }
+
+[parameters]
+given = { value = 40.0, unit = "rad/s" }
+
+[[joints]]
+connect = ["motor.a", "drive.a"]
+
+[initial]
+"motor.omega" = "given"
+
+[outputs]
+current_d = "motor.current_d"
+current_q = "motor.current_q"
+
+[run]
+until = 0.05
+points = 101
+rtol = 1e-10
+method = "dop853"
+"#;
+
+/// i' = (u - R i)/L - j w (i + psi/L), where both inductances are L.
+#[test]
+fn currents_of_a_round_rotor_turn_and_decay_as_one_complex_exponential() {
+    let scene = of_text(AT_A_SPEED, Keep::Needed);
+    for given in [0.0, 40.0, -300.0] {
+        let run = run(&scene, &[("given", given)], &[]);
+        let (r, l, magnet, turning) = (0.5, 0.005, 0.15, 4.0 * given);
+        let pole = Complex::new(-r / l, -turning);
+        let drive = Complex::new(7.0, 30.0 - turning * magnet) / l;
+        let exact = |t: f64| drive / pole * ((pole * t).exp() - 1.0);
+        let error = off(&run, "current_d", |t| exact(t).re);
+        let error = error.max(off(&run, "current_q", |t| exact(t).im));
+        assert!(error < 1e-7, "{given}: {error:e}");
+    }
+}

@@ -193,7 +193,7 @@ impl Problem<'_> {
                     integrator.integrate(&stretch, &mut state, samples)?;
                     continue;
                 };
-                watch.start(stretch.from, &state);
+                watch.start_stretch(&stretch, &state);
                 integrator.integrate(&stretch, &mut state, samples)?;
                 from = self.switch(watch, &mut state)?.unwrap_or(from);
             }

@@ -102,6 +102,16 @@ fn forces_that_jump_with_state_or_time_keep_their_digits() {
     keeps_its_digits(&block, &[], 300.0);
 }
 
+/// As a controller's limit does when what is wanted jumps.
+#[test]
+fn limits_that_a_jump_in_time_puts_far_behind_keep_their_digits() {
+    let wanted = "1.6 [N]*step(t, 3 [s]) - 2 [N]*step(t, 6 [s]) - 0.5 [N s/m]*v";
+    let force = format!("max(min({wanted}, 1 [N]), -0.8 [N])");
+    let block = block("1 [N/m]*x^2/2", &force);
+    assert_eq!((block.kinks(), block.shape().discontinuities), (2, 2));
+    keeps_its_digits(&block, &[], 300.0);
+}
+
 #[test]
 fn friction_by_sign_stops_at_once_where_it_sticks() {
     let block = block("1 [N/m]*x^2/2", "0.2 [N]*cos(1.3 [rad/s]*t) - 0.3 [N]*sign(v)");

@@ -5,16 +5,12 @@ use std::path::Path;
 
 use machinist::Simulation;
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
-use machinist_model::ModelSimulator;
+
+use crate::own_scene::of_specs;
 
 /// Columns of a reference with those of ours, and the largest difference over the
 /// reference's range.
 type Signals = &'static [(&'static str, &'static str, f64)];
-
-fn specs() -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes/msl")
-}
 
 /// The header of a reference and its rows.
 fn reference(name: &str) -> (Vec<String>, Vec<Vec<f64>>) {
@@ -26,18 +22,11 @@ fn reference(name: &str) -> (Vec<String>, Vec<Vec<f64>>) {
     (header, lines.map(row).collect())
 }
 
-fn simulator(scene: &str) -> ModelSimulator {
-    match pipeline::generate(&specs().join(scene), Keep::Needed) {
-        Ok(model) => ModelSimulator::new(model),
-        Err(errors) => panic!("{}", errors.render()),
-    }
-}
-
 /// Every signal at every row within its tolerance.
 fn agree(scene: &str, csv: &str, signals: Signals) {
     let (header, rows) = reference(csv);
     let times: Vec<f64> = rows.iter().map(|row| row[0]).collect();
-    let simulator = simulator(scene);
+    let simulator = of_specs(&format!("msl/{scene}"), Keep::Needed);
     let run = Simulation::new(&simulator).from(0.0).times(&times).run().expect("it runs");
     let mut wrong = Vec::new();
     for (theirs, ours, tolerance) in signals {
@@ -66,12 +55,12 @@ const FIRST: Signals = &[
 
 #[test]
 fn first() {
-    agree("first.toml", "Rotational_First.csv", FIRST);
+    agree("first", "Rotational_First.csv", FIRST);
 }
 
 #[test]
 fn first_grounded() {
-    agree("first_grounded.toml", "Rotational_FirstGrounded.csv", FIRST);
+    agree("first_grounded", "Rotational_FirstGrounded.csv", FIRST);
 }
 
 #[test]
@@ -83,7 +72,7 @@ fn oscillator() {
         ("mass1.s", "place1", 1e-3),
         ("mass1.v", "speed1", 1e-3),
     ];
-    agree("oscillator.toml", "Translational_Oscillator.csv", signals);
+    agree("oscillator", "Translational_Oscillator.csv", signals);
 }
 
 #[test]
@@ -96,7 +85,7 @@ fn damper() {
         ("springDamper3.s_rel", "length3", 1e-5),
         ("springDamper3.v_rel", "rate3", 1e-5),
     ];
-    agree("damper.toml", "Translational_Damper.csv", signals);
+    agree("damper", "Translational_Damper.csv", signals);
 }
 
 #[test]
@@ -109,7 +98,7 @@ fn preload() {
         ("outerContactB.s_rel", "outer_b", 1e-3),
         ("outerContactB.v_rel", "outer_b_rate", 1e-3),
     ];
-    agree("preload.toml", "Translational_PreLoad.csv", signals);
+    agree("preload", "Translational_PreLoad.csv", signals);
 }
 
 #[test]
@@ -119,7 +108,7 @@ fn dcpm_start() {
         ("loadInertia.phi", "angle", 1e-5),
         ("loadInertia.w", "speed", 1e-5),
     ];
-    agree("dcpm_start.toml", "Machines_DCPM_Start.csv", signals);
+    agree("dcpm_start", "Machines_DCPM_Start.csv", signals);
 }
 
 #[test]
@@ -132,7 +121,7 @@ fn friction() {
         ("spring.phi_rel", "twist", 3e-5),
         ("spring.w_rel", "twist_rate", 3e-5),
     ];
-    agree("friction.toml", "Rotational_Friction.csv", signals);
+    agree("friction", "Rotational_Friction.csv", signals);
 }
 
 #[test]
@@ -147,7 +136,7 @@ fn coupled_clutches() {
         ("clutch3.phi_rel", "angle_of_clutch3", 3e-5),
         ("clutch3.w_rel", "speed_of_clutch3", 3e-5),
     ];
-    agree("coupled_clutches.toml", "Rotational_CoupledClutches.csv", signals);
+    agree("coupled_clutches", "Rotational_CoupledClutches.csv", signals);
 }
 
 #[test]
@@ -158,7 +147,7 @@ fn one_way_clutch() {
         ("oneWayClutch.phi_rel", "angle", 1.5e-4),
         ("oneWayClutch.w_rel", "speed", 1.5e-4),
     ];
-    agree("one_way_clutch.toml", "Rotational_OneWayClutch.csv", signals);
+    agree("one_way_clutch", "Rotational_OneWayClutch.csv", signals);
 }
 
 #[test]
@@ -172,5 +161,5 @@ fn sliding_friction() {
         ("mass.s", "place3", 5e-3),
         ("mass.v", "speed3", 5e-3),
     ];
-    agree("sliding_friction.toml", "Translational_Friction.csv", signals);
+    agree("sliding_friction", "Translational_Friction.csv", signals);
 }

@@ -1,8 +1,21 @@
-//! Machines of one's own, for tests of the runtime: from a spec's text to a simulator.
+//! Machines of one's own, for tests of the runtime: from a spec to a simulator.
+
+use std::path::Path;
 
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_model::ModelSimulator;
+use machinist_model::{Model, ModelSimulator};
+
+/// The model of a scene of the folder `specs/scenes`, such as `msl/first`.
+pub fn model_of_specs(name: &str, keep: Keep) -> Model {
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes");
+    of_path(&scenes.join(format!("{name}.toml")), keep)
+}
+
+/// That scene.
+pub fn of_specs(name: &str, keep: Keep) -> ModelSimulator {
+    ModelSimulator::new(model_of_specs(name, keep))
+}
 
 /// The scene of a spec in one file.
 pub fn of_text(text: &str, keep: Keep) -> ModelSimulator {
@@ -15,8 +28,9 @@ pub fn of_files(files: &[(&str, &str)], keep: Keep) -> ModelSimulator {
     for (name, text) in files {
         std::fs::write(folder.path().join(name), text).expect("written");
     }
-    match pipeline::generate(&folder.path().join(files[0].0), keep) {
-        Ok(model) => ModelSimulator::new(model),
-        Err(errors) => panic!("{}", errors.render()),
-    }
+    ModelSimulator::new(of_path(&folder.path().join(files[0].0), keep))
+}
+
+fn of_path(path: &Path, keep: Keep) -> Model {
+    pipeline::generate(path, keep).unwrap_or_else(|errors| panic!("{}", errors.render()))
 }

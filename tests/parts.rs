@@ -9,10 +9,11 @@ use std::path::{Path, PathBuf};
 
 use machinist::{Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
 use machinist_codegen::spec::library::{LIBRARY, LibraryUnit};
 use machinist_contract::Describe;
 use machinist_model::ModelSimulator;
+
+use crate::own_scene::of_specs;
 
 fn parts() -> impl Iterator<Item = &'static LibraryUnit> {
     LIBRARY.iter().filter(|unit| unit.example.is_some())
@@ -24,11 +25,7 @@ fn specs() -> PathBuf {
 
 /// The example of a part.
 fn example(name: &str, keep: Keep) -> ModelSimulator {
-    let path = specs().join("scenes/parts").join(format!("{name}.toml"));
-    match pipeline::generate(&path, keep) {
-        Ok(model) => ModelSimulator::new(model),
-        Err(errors) => panic!("{}", errors.render()),
-    }
+    of_specs(&format!("parts/{name}"), keep)
 }
 
 /// A run at other values of parameters and other starts, with 1e-10 unless it says so.

@@ -1,11 +1,10 @@
 //! What parameters alone decide is computed once a run and changes no bit.
 
-use std::path::Path;
-
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
 use machinist_contract::Simulator;
 use machinist_model::ModelSimulator;
+
+use crate::own_scene::model_of_specs;
 
 /// A motor's many constants, branches, factors that move with the state, a solve in a loop,
 /// constraints.
@@ -27,9 +26,7 @@ fn assert_same_bits(what: &str, ours: &[f64], theirs: &[f64]) {
 #[test]
 fn rate_and_jacobian_by_constants_are_those_of_the_whole_tape_to_the_last_bit() {
     for name in SCENES {
-        let specs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes");
-        let model = pipeline::generate(&specs.join(format!("{name}.toml")), Keep::Needed);
-        let scene = ModelSimulator::interpreted(model.expect("a scene of the repository"));
+        let scene = ModelSimulator::interpreted(model_of_specs(name, Keep::Needed));
         let scene: &dyn Simulator<f64> = &scene;
         let shape = scene.shape();
         let nonzeros = scene.rate_jacobian_pattern().entries.len();

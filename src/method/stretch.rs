@@ -59,7 +59,7 @@ impl<'a> Stretch<'a> {
     /// rounding; likewise no trial step looks back in front of the stretch.
     #[must_use]
     pub fn within(&self, time: f64) -> f64 {
-        within(time, self.from, self.until)
+        within(time, (self.from, self.until))
     }
 
     /// f(t, y) at `time` moved into the stretch.
@@ -188,7 +188,7 @@ impl<'a> Stretch<'a> {
 }
 
 /// `time` moved into \[from, until); see [`Stretch::within`].
-pub(super) fn within(time: f64, from: f64, until: f64) -> f64 {
+pub(super) fn within(time: f64, (from, until): (f64, f64)) -> f64 {
     time.min(until.next_down()).max(from)
 }
 

@@ -27,10 +27,10 @@ use std::collections::VecDeque;
 use machinist_contract::Direction;
 
 use super::one_step::OneStep;
-use super::{Problem, Stopped, System};
+use super::{Problem, Stopped, Stretch, System};
 use crate::error::StopCause;
 use crate::trajectory::Switch;
-use passing::{Guard, Outcome, Parts};
+use passing::{Guard, Outcome, Parts, guards_at};
 
 /// So many events within [`NO_TIME`] are taken for endless ones; more in a scene that has many.
 const ENDLESS: usize = 50;
@@ -117,6 +117,12 @@ impl<'a> Watch<'a> {
     }
 
     /// Starts on a stretch.
+    pub(super) fn start_stretch(&self, stretch: &Stretch<'_>, state: &[f64]) {
+        self.inner.borrow_mut().parts.ends = (stretch.from, stretch.until);
+        self.start(stretch.from, state);
+    }
+
+    /// Starts anew within a stretch.
     pub(super) fn start(&self, time: f64, state: &[f64]) {
         let inner = &mut *self.inner.borrow_mut();
         inner.time = time;
@@ -291,12 +297,9 @@ impl<'a> Watch<'a> {
 
     /// Guards of events, then of kinks.
     fn guards(&self, time: f64, state: &[f64]) -> Vec<f64> {
-        let simulator = self.system.simulator();
-        let mut guards = vec![0.0; simulator.events() + simulator.kinks()];
-        let state = &state[..self.system.states()];
-        let (of_events, of_kinks) = guards.split_at_mut(simulator.events());
-        simulator.guards(time, state, self.system.parameters(), of_events);
-        simulator.kink_guards(time, state, self.system.parameters(), of_kinks);
+        let (simulator, events) = (self.system.simulator(), self.system.simulator().events());
+        let mut guards = vec![0.0; events + simulator.kinks()];
+        guards_at(self.system, events, time, state, &mut guards);
         guards
     }
 

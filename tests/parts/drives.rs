@@ -1,11 +1,11 @@
 //! Controllers and motors against their closed forms.
 
-use machinist::Simulation;
+use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
 use nalgebra::Complex;
 
 use super::{column, example, off, run};
-use crate::own_scene::of_text;
+use crate::own_scene::{of_specs, of_text};
 
 #[test]
 fn a_lag_follows_a_wave_as_its_closed_form() {
@@ -188,5 +188,36 @@ fn currents_of_a_round_rotor_turn_and_decay_as_one_complex_exponential() {
         let error = off(&run, "current_d", |t| exact(t).re);
         let error = error.max(off(&run, "current_q", |t| exact(t).im));
         assert!(error < 1e-7, "{given}: {error:e}");
+    }
+}
+
+/// The load is held in turn by the motor and by the brake.
+#[test]
+fn a_winch_of_standard_parts_lifts_and_holds_its_load() {
+    let scene = of_specs("drives/winch", Keep::Needed);
+    let (mass, lever) = (500.0, 0.25 / 20.0);
+    let torque = mass * 9.81 * lever;
+    for method in [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Auto] {
+        for rtol in [1e-4, 1e-7, 1e-10] {
+            let run = Simulation::new(&scene).method(method).rtol(rtol).run();
+            let run = run.unwrap_or_else(|error| panic!("{method} at {rtol:e}: {error}"));
+            let at = |name: &str, time: f64| {
+                let row = run.times.iter().position(|at| (at - time).abs() < 1e-9);
+                column(&run, name)[row.expect("a row")]
+            };
+            let what = format!("{method} at {rtol:e}");
+            // What oscillates on the rope dies out at a rate of 2 a second and more.
+            let lifting = torque / 0.6;
+            assert!((at("speed", 2.9) - 80.0).abs() < 0.1, "{what}: {}", at("speed", 2.9));
+            assert!((at("current", 2.9) - lifting).abs() < 0.01 * lifting, "{what}");
+            let closes = run.switches.iter().find(|switch| switch.event == "brake.closes");
+            assert!((closes.expect("it closes").time - 3.0).abs() < 1e-12, "{what}");
+            for time in [8.0, 9.0] {
+                assert!(at("speed", time).abs() < 1e-12, "{what}: {}", at("speed", time));
+                let held = at("holding", time);
+                let most = (1e-3 + 100.0 * rtol) * torque;
+                assert!((held - torque).abs() < most, "{what}: {held} at {time}");
+            }
+        }
     }
 }

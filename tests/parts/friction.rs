@@ -5,7 +5,7 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_model::ModelSimulator;
 
 use super::{column, example};
-use crate::own_scene::of_text;
+use crate::own_scene::{model_of_specs, of_text};
 
 /// Zero but for the rounding with which a state is put onto a constraint, of speeds of the
 /// scale 1.
@@ -710,8 +710,7 @@ fn a_one_way_clutch_frees_and_locks_when_it_should() {
 #[test]
 fn a_constraint_in_a_mode_is_emitted_as_one() {
     use machinist_codegen::write::{Mode, emit_scenes};
-    let path = super::specs().join("scenes/parts/rotational/brake.toml");
-    let model = machinist_codegen::pipeline::generate(&path, Keep::Needed).expect("a model");
+    let model = model_of_specs("parts/rotational/brake", Keep::Needed);
     let folder = tempfile::tempdir().expect("a folder");
     emit_scenes(folder.path(), &[model], Mode::Write).expect("emitted");
     let file = folder.path().join("rotational_brake.rs");

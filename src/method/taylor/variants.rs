@@ -134,7 +134,7 @@ impl Lane {
 
     /// Moved into the stretch.
     fn within(&self, time: f64) -> f64 {
-        within(time, self.from(), self.until())
+        within(time, (self.from(), self.until()))
     }
 
     fn next_sample_until(&self, time: f64) -> Option<f64> {

@@ -49,7 +49,8 @@ impl Watch<'_> {
         let states = self.system.states();
         let mut rate = vec![0.0; state.len()];
         stretch.rate(time, state, &mut rate);
-        let (here, slope) = self.kink(kink, time, state);
+        let guard = |time: f64, state: &[f64]| self.kink(kink, stretch.within(time), state);
+        let (here, slope) = guard(time, state);
         // The state may be behind the kink already, where it is driven back.
         let way = if from * slope > 0.0 { -1.0 } else { 1.0 };
         let shifted = |by: f64| -> Vec<f64> {
@@ -57,8 +58,9 @@ impl Watch<'_> {
         };
         let largest = BEHIND * time.abs().max(stretch.until - stretch.from);
         let least = 4.0 * f64::EPSILON * time.abs().max(stretch.until - stretch.from);
-        let mut by = 2.0 * (here / slope).abs();
-        by = if by.is_finite() { by.max(least) } else { least };
+        // Far away at no rate: never there.
+        let distance = if here == 0.0 { 0.0 } else { 2.0 * (here / slope).abs() };
+        let mut by = if distance.is_nan() { f64::INFINITY } else { distance.max(least) };
         let mut side = if by <= largest {
             Side::Fresh { passed: true, residual: 4.0 * here.abs() }
         } else {
@@ -68,10 +70,10 @@ impl Watch<'_> {
         let mut now = time;
         while by <= largest {
             let ahead = shifted(by);
-            let (guard, slope_behind) = self.kink(kink, time + by, &ahead);
+            let (behind, slope_behind) = guard(time + by, &ahead);
             let back = shifted(-by);
-            let (guard_before, slope_before) = self.kink(kink, time - by, &back);
-            if from * guard < 0.0 && from * guard_before > 0.0 {
+            let (before, slope_before) = guard(time - by, &back);
+            if from * behind < 0.0 && from * before > 0.0 {
                 let is_driven_back = from * slope_before < 0.0 && from * slope_behind > 0.0;
                 if is_driven_back && let Some(cause) = stretch.chattering(time, &ahead[..]) {
                     return Err(Stopped { time, cause });

@@ -4,6 +4,7 @@ use machinist_contract::Direction;
 
 use super::super::System;
 use super::super::one_step::OneStep;
+use super::super::stretch::within;
 use super::Side;
 
 /// Below this share of its largest value over a step, a guard is zero but for rounding.
@@ -13,6 +14,8 @@ const AT_REST: f64 = 1e-9;
 
 /// Guards and their rates at the ends of the parts of a step.
 pub(super) struct Parts {
+    /// Of the stretch: a guard that jumps at its end has not jumped within it.
+    pub(super) ends: (f64, f64),
     times: Vec<f64>,
     /// One row for each time.
     guards: Vec<f64>,
@@ -56,7 +59,8 @@ impl Parts {
         let one = [vec![0.0; count], vec![0.0; count]];
         let none = Vec::new;
         let (times, guards, rates) = (none(), none(), none());
-        Self { times, guards, rates, events, count, state: vec![0.0; states], one }
+        let (ends, state) = ((f64::NEG_INFINITY, f64::INFINITY), vec![0.0; states]);
+        Self { ends, times, guards, rates, events, count, state, one }
     }
 
     /// Looks at a step of `method`.
@@ -83,7 +87,7 @@ impl Parts {
             self.times[part] = time;
             let row = part * self.count..(part + 1) * self.count;
             let into = [&mut self.guards[row.clone()], &mut self.rates[row]];
-            evaluate(system, self.events, time, &self.state, into);
+            evaluate(system, self.events, within(time, self.ends), &self.state, into);
         }
     }
 
@@ -110,7 +114,7 @@ impl Parts {
         evaluate(
             system,
             0,
-            until,
+            within(until, self.ends),
             method.end(),
             [&mut after[..self.count], &mut rates_after[..self.count]],
         );
@@ -133,7 +137,7 @@ impl Parts {
         event: usize,
     ) -> (f64, f64) {
         let [guards, rates] = &mut self.one;
-        evaluate(system, self.events, time, state, [guards, rates]);
+        evaluate(system, self.events, within(time, self.ends), state, [guards, rates]);
         (guards[event], rates[event])
     }
 
@@ -315,7 +319,26 @@ impl Parts {
     }
 }
 
-/// Guards of so many events and of all kinks, and their rates, at a state.
+/// Guards of so many events and of all kinks at a state.
+pub(super) fn guards_at(
+    system: &System<'_>,
+    events: usize,
+    time: f64,
+    state: &[f64],
+    guards: &mut [f64],
+) {
+    let (simulator, parameters) = (system.simulator(), system.parameters());
+    let state = &state[..system.states()];
+    let (guards, kinks) = guards.split_at_mut(events);
+    if events > 0 {
+        simulator.guards(time, state, parameters, guards);
+    }
+    if !kinks.is_empty() {
+        simulator.kink_guards(time, state, parameters, kinks);
+    }
+}
+
+/// The same, and their rates.
 pub(super) fn evaluate(
     system: &System<'_>,
     events: usize,
@@ -323,16 +346,14 @@ pub(super) fn evaluate(
     state: &[f64],
     [guards, rates]: [&mut [f64]; 2],
 ) {
+    guards_at(system, events, time, state, guards);
     let (simulator, parameters) = (system.simulator(), system.parameters());
     let state = &state[..system.states()];
-    let (guards, kinks) = guards.split_at_mut(events);
-    let (guard_rates, kink_rates) = rates.split_at_mut(events);
+    let (rates, kink_rates) = rates.split_at_mut(events);
     if events > 0 {
-        simulator.guards(time, state, parameters, guards);
-        simulator.guard_rates(time, state, parameters, guard_rates);
+        simulator.guard_rates(time, state, parameters, rates);
     }
-    if !kinks.is_empty() {
-        simulator.kink_guards(time, state, parameters, kinks);
+    if !kink_rates.is_empty() {
         simulator.kink_rates(time, state, parameters, kink_rates);
     }
 }

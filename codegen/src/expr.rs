@@ -116,45 +116,33 @@ pub enum Function {
 }
 
 impl Function {
+    /// Functions that tapes know under the same names.
+    const UNARY: [(Self, Unary); 13] = [
+        (Self::Sqrt, Unary::Sqrt),
+        (Self::Abs, Unary::Abs),
+        (Self::Exp, Unary::Exp),
+        (Self::Ln, Unary::Ln),
+        (Self::Sin, Unary::Sin),
+        (Self::Cos, Unary::Cos),
+        (Self::Tan, Unary::Tan),
+        (Self::Asin, Unary::Asin),
+        (Self::Acos, Unary::Acos),
+        (Self::Atan, Unary::Atan),
+        (Self::Sinh, Unary::Sinh),
+        (Self::Cosh, Unary::Cosh),
+        (Self::Tanh, Unary::Tanh),
+    ];
+
     /// As the operation of a tape; those that are operations of their own are none.
     #[must_use]
     pub fn unary(self) -> Option<Unary> {
-        Some(match self {
-            Self::Sqrt => Unary::Sqrt,
-            Self::Abs => Unary::Abs,
-            Self::Exp => Unary::Exp,
-            Self::Ln => Unary::Ln,
-            Self::Sin => Unary::Sin,
-            Self::Cos => Unary::Cos,
-            Self::Tan => Unary::Tan,
-            Self::Asin => Unary::Asin,
-            Self::Acos => Unary::Acos,
-            Self::Atan => Unary::Atan,
-            Self::Sinh => Unary::Sinh,
-            Self::Cosh => Unary::Cosh,
-            Self::Tanh => Unary::Tanh,
-            Self::SelectLess | Self::Table { .. } => return None,
-        })
+        Self::UNARY.iter().find(|(function, _)| *function == self).map(|(_, unary)| *unary)
     }
-}
 
-impl From<Unary> for Function {
-    fn from(unary: Unary) -> Self {
-        match unary {
-            Unary::Sqrt => Self::Sqrt,
-            Unary::Abs => Self::Abs,
-            Unary::Exp => Self::Exp,
-            Unary::Ln => Self::Ln,
-            Unary::Sin => Self::Sin,
-            Unary::Cos => Self::Cos,
-            Unary::Tan => Self::Tan,
-            Unary::Asin => Self::Asin,
-            Unary::Acos => Self::Acos,
-            Unary::Atan => Self::Atan,
-            Unary::Sinh => Self::Sinh,
-            Unary::Cosh => Self::Cosh,
-            Unary::Tanh => Self::Tanh,
-        }
+    /// The function of an operation of a tape; nothing if expressions know none.
+    #[must_use]
+    pub fn of_unary(unary: Unary) -> Option<Self> {
+        Self::UNARY.iter().find(|(_, other)| *other == unary).map(|(function, _)| *function)
     }
 }
 

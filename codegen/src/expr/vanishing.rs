@@ -51,7 +51,7 @@ fn value(point: &Point, op: &Op, of: impl Fn(NodeId) -> Option<Value>) -> Option
         Op::Div(a, b) => of(a)?.times(of(b)?.inverse()?),
         Op::Powi(a, exponent) => of(a)?.power(&BigInt::from(exponent))?,
         Op::Powf(a, b) => point.opaque(100, &[of(a)?, of(b)?]),
-        Op::Call(function, a) => point.call(function.into(), &[of(a)?])?,
+        Op::Call(function, a) => point.call(Function::of_unary(function)?, &[of(a)?])?,
         Op::SelectLess { lhs, rhs, then, otherwise } => {
             let arguments = [of(lhs)?, of(rhs)?, of(then)?, of(otherwise)?];
             point.call(Function::SelectLess, &arguments)?

@@ -89,10 +89,10 @@ impl Kinks {
         match search.by[&guard] {
             By::Nothing => return,
             By::Time => {
-                if let Some([_, _, curve]) = search.polynomials[&guard]
-                    && graph.is_zero(curve)
+                if let Some(polynomial) = search.polynomials[&guard]
+                    && graph.is_zero(polynomial[2])
                 {
-                    if let Some(time) = search.turn(graph, guard) {
+                    if let Some(time) = turn(graph, polynomial) {
                         self.add_time(time);
                     }
                     return;
@@ -158,11 +158,6 @@ impl Search<'_> {
             Op::Powi(a, 2) => product(graph, of(a)?, of(a)?),
             _ => None,
         }
-    }
-
-    /// Where a polynomial of time that a node is passes zero, if it is linear, or turns.
-    fn turn(&self, graph: &mut Graph, id: NodeId) -> Option<NodeId> {
-        turn(graph, self.polynomials[&id]?)
     }
 
     /// Times at which a function of time alone does what it does.

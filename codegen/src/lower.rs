@@ -1,5 +1,6 @@
 //! Linearized equations to a model: one tape for each function.
 
+mod along;
 pub mod angles;
 pub mod blocks;
 pub mod density;

@@ -10,10 +10,11 @@
 //!
 //! Excluded: what parameters or modes alone decide, and what fields hand over.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 
 use machinist_model::{Function, NodeId, Op, Table};
 
+use super::along::{along, reached};
 use crate::expr::Graph;
 
 /// What of a rate is not smooth.
@@ -286,126 +287,4 @@ fn bends(table: &Table) -> Vec<(f64, f64)> {
     inside.truncate(MOST);
     inside.sort_unstable_by_key(|(k, _)| *k);
     inside.iter().map(|(k, _)| (table.knots[*k], lengths[*k - 1].min(lengths[*k]))).collect()
-}
-
-/// The nodes that some need, themselves included, each after its operands.
-fn reached(graph: &Graph, results: &[NodeId]) -> BTreeSet<NodeId> {
-    let mut reached = BTreeSet::new();
-    let mut open = results.to_vec();
-    while let Some(id) = open.pop() {
-        if reached.insert(id) {
-            open.extend(graph.op(id).operands());
-        }
-    }
-    reached
-}
-
-/// Rates of nodes along a motion: dx/dt by the chain rule, the state's own rate given.
-fn along(graph: &mut Graph, rate: &[NodeId], of: &[NodeId]) -> Vec<NodeId> {
-    let mut known: HashMap<NodeId, NodeId> = HashMap::new();
-    for id in reached(graph, of) {
-        let op = graph.op(id);
-        let slopes: Vec<NodeId> = op.operands().iter().map(|id| known[id]).collect();
-        let slope = slope(graph, rate, id, &slopes);
-        known.insert(id, slope);
-    }
-    of.iter().map(|id| known[id]).collect()
-}
-
-/// The rate of an operation, from those of its operands.
-fn slope(graph: &mut Graph, rate: &[NodeId], id: NodeId, slopes: &[NodeId]) -> NodeId {
-    let zero = graph.literal(0.0);
-    let op = graph.op(id);
-    match op {
-        Op::Time => graph.literal(1.0),
-        Op::State(entry) => rate[entry as usize],
-        _ if slopes.iter().all(|slope| graph.is_zero(*slope)) => zero,
-        Op::Neg(_) => graph.neg(slopes[0]),
-        Op::Add(..) => graph.add(slopes[0], slopes[1]),
-        Op::Sub(..) => graph.sub(slopes[0], slopes[1]),
-        Op::Mul(a, b) => {
-            let [left, right] = [graph.mul(slopes[0], b), graph.mul(a, slopes[1])];
-            graph.add(left, right)
-        }
-        Op::Div(_, b) => {
-            let less = graph.mul(id, slopes[1]);
-            let above = graph.sub(slopes[0], less);
-            graph.div(above, b)
-        }
-        Op::Powi(a, exponent) => {
-            let factor = graph.literal(f64::from(exponent));
-            let power = graph.powi(a, exponent - 1);
-            let by_base = graph.mul(factor, power);
-            graph.mul(by_base, slopes[0])
-        }
-        Op::Powf(a, b) => {
-            // a^b (b' ln a + b a'/a)
-            let relative = graph.div(slopes[0], a);
-            let by_base = graph.mul(b, relative);
-            let by_exponent = if graph.is_zero(slopes[1]) {
-                zero
-            } else {
-                let logarithm = graph.call(Function::Ln, a);
-                graph.mul(slopes[1], logarithm)
-            };
-            let sum = graph.add(by_base, by_exponent);
-            graph.mul(id, sum)
-        }
-        Op::Call(function, a) => {
-            let derivative = derivative(graph, function, a, id);
-            graph.mul(derivative, slopes[0])
-        }
-        Op::SelectLess { lhs, rhs, .. } => graph.select_less(lhs, rhs, slopes[2], slopes[3]),
-        Op::Table { table, order, argument } => {
-            let derivative = graph.table(table, order + 1, argument);
-            graph.mul(derivative, slopes[0])
-        }
-        Op::Literal(_) | Op::Parameter(_) | Op::Handed(_) | Op::Constant(_) | Op::Motion(_) => zero,
-    }
-}
-
-/// The derivative of a function at a, where its value is known.
-fn derivative(graph: &mut Graph, function: Function, a: NodeId, value: NodeId) -> NodeId {
-    let one = graph.literal(1.0);
-    let square = |graph: &mut Graph, x: NodeId| graph.mul(x, x);
-    match function {
-        Function::Sqrt => {
-            let two = graph.literal(2.0);
-            let below = graph.mul(two, value);
-            graph.div(one, below)
-        }
-        Function::Abs => {
-            let [zero, minus] = [0.0, -1.0].map(|value| graph.literal(value));
-            graph.select_less(a, zero, minus, one)
-        }
-        Function::Exp => value,
-        Function::Ln => graph.div(one, a),
-        Function::Sin => graph.call(Function::Cos, a),
-        Function::Cos => {
-            let sine = graph.call(Function::Sin, a);
-            graph.neg(sine)
-        }
-        Function::Tan => {
-            let square = square(graph, value);
-            graph.add(one, square)
-        }
-        Function::Asin | Function::Acos => {
-            let square = square(graph, a);
-            let below = graph.sub(one, square);
-            let root = graph.call(Function::Sqrt, below);
-            let slope = graph.div(one, root);
-            if function == Function::Asin { slope } else { graph.neg(slope) }
-        }
-        Function::Atan => {
-            let square = square(graph, a);
-            let below = graph.add(one, square);
-            graph.div(one, below)
-        }
-        Function::Sinh => graph.call(Function::Cosh, a),
-        Function::Cosh => graph.call(Function::Sinh, a),
-        Function::Tanh => {
-            let square = square(graph, value);
-            graph.sub(one, square)
-        }
-    }
 }

@@ -26,9 +26,11 @@ pub fn lower(linearization: &Linearization) -> Model {
     let Kinks { guards: kinks, rates: kink_rates, times } = build.kinks();
     let mut discontinuities: Vec<NodeId> =
         system.discontinuities.iter().map(|time| build.lower(time)).collect();
-    discontinuities.extend(
-        times.into_iter().filter(|time| !discontinuities.contains(time)).collect::<Vec<_>>(),
-    );
+    for time in times {
+        if !discontinuities.contains(&time) {
+            discontinuities.push(time);
+        }
+    }
     let outputs = linearization.equations.outputs.iter().map(|o| build.lower(o)).collect();
     let energy = linearization.equations.energy.each_ref().map(|e| build.lower(e));
     let power_balance = build.power_balance().to_vec();

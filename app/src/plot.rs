@@ -4,7 +4,7 @@
 mod linear;
 mod map;
 mod panel;
-mod ruler;
+pub(crate) mod ruler;
 
 use std::fs;
 use std::io;

@@ -14,7 +14,7 @@ const TICKS_UP: usize = 6;
 const MAX_NAMES: usize = 12;
 
 /// What an axis shows.
-pub(super) enum Axis {
+pub(crate) enum Axis {
     /// Numbers, and what they are.
     Linear(&'static str),
     /// Numbers by their decimal logarithm; others than positive ones are left out.
@@ -68,7 +68,7 @@ impl Axis {
 }
 
 /// A range with labelled ticks.
-pub(super) struct Ruler {
+pub(crate) struct Ruler {
     range: Range<f64>,
     labels: Vec<(f64, String)>,
 }
@@ -78,6 +78,21 @@ impl Ruler {
     pub fn unlabelled(mut self) -> Self {
         self.labels.iter_mut().for_each(|(_, label)| label.clear());
         self
+    }
+
+    /// First and last place.
+    pub fn ends(&self) -> Range<f64> {
+        self.range.clone()
+    }
+
+    /// Which share of the way from the first place to the last this is.
+    pub fn share(&self, place: f64) -> f64 {
+        (place - self.range.start) / (self.range.end - self.range.start)
+    }
+
+    /// What is written at which share of the way.
+    pub fn marks(&self) -> impl Iterator<Item = (f64, &str)> {
+        self.labels.iter().map(|(place, label)| (self.share(*place), label.as_str()))
     }
 
     /// Number of ticks.

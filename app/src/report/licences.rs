@@ -21,9 +21,8 @@ pub fn section() -> Markup {
                  nothing of Symbolica and never start it."
             }
             li {
-                "diffsol, which integrates: MIT. plotly.js, which draws the plots and is part of this
-                 page: MIT. Latin Modern Math, the font of the equations: GUST Font License, that is
-                 the LaTeX Project Public License."
+                "diffsol, which integrates: MIT. Latin Modern Math, the font of the equations: GUST
+                 Font License, that is the LaTeX Project Public License."
             }
         }
         p { "Who needs what, case by case, is in " code { "docs/licensing.md" } "." }

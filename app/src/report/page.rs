@@ -61,7 +61,7 @@ pub fn render(report: &Report) -> String {
                         (licences::section())
                     }
                 }
-                (figure::scripts())
+                (figure::script())
             }
         }
     };

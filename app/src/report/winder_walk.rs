@@ -104,8 +104,8 @@ fn maps(maps: &[StabilityMap]) -> Markup {
         p {
             "The unbalance grows with the square of the speed. The pressure varies by the sum of
              amplitudes at worst phases, so that what is stable here neither leaves the drum nor
-             slips. The colour is that of the condition which fails first; the numbers are the
-             adhesion margin (N - dN) (f - (fa r + k)/R) - Pn. The drum's shape, twice a turn,
+             slips. The colour is that of the condition which fails first; of adhesion the margin is
+             (N - dN) (f - (fa r + k)/R) - Pn. The drum's shape, twice a turn,
              meets the resonance at half the speed at which its unbalance does."
         }
         @for (index, map) in maps.iter().enumerate() { (drawn(map, index)) }
@@ -115,12 +115,15 @@ fn maps(maps: &[StabilityMap]) -> Markup {
 fn drawn(map: &StabilityMap, index: usize) -> Markup {
     let limits = &map.limits;
     let millimetres: Vec<f64> = map.radii.iter().map(|radius| 1e3 * radius).collect();
+    let named = Condition::ALL.iter().zip(CLASS_COLOURS);
+    let classes: Vec<figure::Class> =
+        named.map(|(condition, colour)| figure::Class { name: condition.name(), colour }).collect();
     figure::classes(
         &format!("winder-stability-{}", index + 1),
         (&millimetres, &map.speeds),
-        &classes(map),
+        &classes,
+        &cells(map),
         ["radius of the package [mm]", "winding speed [m/s]"],
-        "%{x:.4~g} mm, %{y:.3~g} m/s: adhesion margin %{z:.3~g} N",
         &html! {
             "Pressure " (number(limits.pressure, 4)) " N, tension " (number(limits.tension, 4))
             " N, at most " (number(limits.largest, 4)) " N on the yarn, stiffness known to "
@@ -135,25 +138,14 @@ fn drawn(map: &StabilityMap, index: usize) -> Markup {
     )
 }
 
-/// Adhesion margins where each condition is the first to fail.
-fn classes(map: &StabilityMap) -> Vec<figure::Class> {
-    let class = |(index, condition): (usize, Condition)| figure::Class {
-        name: condition.name(),
-        colour: CLASS_COLOURS[index],
-        values: map
-            .cells
-            .iter()
-            .map(|row| {
-                let margin = |cell: &Cell| {
-                    if cell.condition == condition { cell.margin } else { f64::NAN }
-                };
-                row.iter().map(margin).collect()
-            })
-            .collect(),
+/// Which condition is the first to fail, as an index of [`Condition::ALL`].
+fn cells(map: &StabilityMap) -> Vec<Vec<usize>> {
+    let index = |cell: &Cell| {
+        Condition::ALL.iter().position(|condition| *condition == cell.condition).unwrap_or(0)
     };
-    let all = Condition::ALL.into_iter().enumerate();
-    all.filter(|(_, condition)| map.share(*condition) > 0.0).map(class).collect()
+    map.cells.iter().map(|row| row.iter().map(index).collect()).collect()
 }
 
 /// In the order of [`Condition::ALL`].
-const CLASS_COLOURS: [&str; 5] = ["#56b4e9", "#b03a48", "#d55e00", "#e6b800", "#7a56a0"];
+const CLASS_COLOURS: [[u8; 3]; 5] =
+    [[86, 180, 233], [176, 58, 72], [213, 94, 0], [230, 184, 0], [122, 86, 160]];

@@ -172,13 +172,19 @@ impl Size {
     }
 }
 
-/// Compiles what each stage emits.
+/// Compiles what each stage emits, all at once.
 fn measure_objects(stages: &mut [Stage], models: &Stages) -> Result<(), ObjectError> {
     let steps = models.steps.iter().map(|(_, model)| model);
-    for (stage, model) in stages.iter_mut().zip(std::iter::once(&models.whole).chain(steps)) {
-        stage.size.object_bytes = Some(object(model)?.len());
-    }
-    Ok(())
+    let models = std::iter::once(&models.whole).chain(steps);
+    std::thread::scope(|scope| {
+        let compile = |model| scope.spawn(move || object(model).map(|object| object.len()));
+        let compiled: Vec<_> = models.map(compile).collect();
+        for (stage, compiled) in stages.iter_mut().zip(compiled) {
+            let bytes = compiled.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            stage.size.object_bytes = Some(bytes?);
+        }
+        Ok(())
+    })
 }
 
 impl Times {

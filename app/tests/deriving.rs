@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 /// A pendulum of a length, so that each has a text of its own.
@@ -132,10 +132,14 @@ fn every_scene_gives_the_same_bits_from_its_model_alone() {
     let runner = fs::canonicalize(runner).expect("a program");
     let files = scene_files();
     assert!(files.len() > 40, "{} scenes", files.len());
-    let (some, others) = files.split_at(files.len() / 2);
+    let next = AtomicUsize::new(0);
     std::thread::scope(|scope| {
-        for files in [some, others] {
-            scope.spawn(|| files.iter().for_each(|file| assert_same_from_its_model(file, &runner)));
+        for _ in 0..2 {
+            scope.spawn(|| {
+                while let Some(file) = files.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    assert_same_from_its_model(file, &runner);
+                }
+            });
         }
     });
 }
@@ -143,7 +147,7 @@ fn every_scene_gives_the_same_bits_from_its_model_alone() {
 fn assert_same_from_its_model(file: &Path, runner: &Path) {
     let folder = tempfile::tempdir().expect("a folder");
     let file = file.to_str().expect("a plain path");
-    let run = ["--until", "0.02", "--points", "3", "--out", "-"];
+    let run = ["--until", "0.002", "--points", "3", "--out", "-"];
     let by_spec = answer(folder.path(), &[&["run", file], &run[..]].concat());
     answer(folder.path(), &["compile", file, "--out", "one.model"]);
     let by_model = Command::new(runner)

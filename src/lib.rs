@@ -20,6 +20,7 @@ pub mod lanes;
 #[cfg(feature = "linear")]
 pub mod linear_analysis;
 pub mod method;
+mod scales;
 pub mod simulate;
 #[cfg(feature = "sweep")]
 pub mod sweep;

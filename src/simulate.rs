@@ -10,6 +10,7 @@ use crate::method::cut;
 #[cfg(feature = "sweep")]
 use crate::method::taylor::variants::Variant;
 use crate::method::{Method, Problem, Run, Stopped, System, identically_zero};
+use crate::scales::scales;
 use crate::trajectory::{Column, ColumnKind, EnergyBalance, Stop, Trajectory};
 
 /// Largest number of output times of a run.
@@ -147,7 +148,9 @@ impl<'a> Simulation<'a> {
     }
 
     /// Relative tolerance of every step. The absolute tolerance of a state is
-    /// this times the state's scale, unless [`Simulation::atol`] is set.
+    /// this times the state's scale, unless [`Simulation::atol`] is set. The scale is that of
+    /// the spec; a first-order state without one gets one by what it does to others at the
+    /// start, of at most 1.
     pub fn rtol(mut self, rtol: f64) -> Self {
         self.rtol = rtol;
         self
@@ -209,7 +212,7 @@ impl<'a> Simulation<'a> {
             parameters: self.checked_parameters()?.to_vec(),
             ends: cut(self.from, self.until, self.checked_jumps()?),
             times: self.checked_times()?,
-            atol: self.checked_atol(initial.len())?,
+            atol: self.checked_atol(&initial)?,
             rtol: self.rtol,
             max_steps: self.max_steps,
             initial,
@@ -246,7 +249,7 @@ impl<'a> Simulation<'a> {
         self.check_guards(&system)?;
         let states = system.states();
         let mut initial = self.checked_initial_state()?;
-        let mut atol = self.checked_atol(states)?;
+        let mut atol = self.checked_atol(&initial)?;
         let energy_atol = self.rtol * self.energy_scale(&initial);
         initial.resize(system.len(), 0.0);
         atol.resize(system.len(), energy_atol);
@@ -377,16 +380,19 @@ impl<'a> Simulation<'a> {
         }
     }
 
-    fn checked_atol(&self, states: usize) -> Result<Vec<f64>, SimulateError> {
+    fn checked_atol(&self, initial: &[f64]) -> Result<Vec<f64>, SimulateError> {
         if !(self.rtol > 0.0 && self.rtol <= 1.0) {
             return Err(SimulateError::BadTolerance(self.rtol));
         }
-        let scaled = |index| self.rtol * self.simulator.state_scale(index);
-        let atol = self.atol.clone().unwrap_or_else(|| (0..states).map(scaled).collect());
-        if atol.len() != states {
+        let scaled = || {
+            let scales = scales(self.simulator, &self.parameters, self.from, initial);
+            scales.iter().map(|scale| self.rtol * scale).collect()
+        };
+        let atol = self.atol.clone().unwrap_or_else(scaled);
+        if atol.len() != initial.len() {
             let (scene, found) = (self.simulator.name().to_owned(), atol.len());
-            let what = "states";
-            return Err(SimulateError::WrongLength { scene, what, expected: states, found });
+            let (what, expected) = ("states", initial.len());
+            return Err(SimulateError::WrongLength { scene, what, expected, found });
         }
         match atol.iter().position(|value| !(value.is_finite() && *value > 0.0)) {
             None => Ok(atol),

@@ -18,6 +18,7 @@ mod linear_analysis;
 mod methods;
 mod msl;
 mod narrow;
+mod onsets;
 mod orders;
 mod parts;
 mod prepared;

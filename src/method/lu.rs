@@ -140,6 +140,15 @@ impl<S: ComplexField<RealField = f64> + Copy> Lu<S> {
     }
 }
 
+impl Lu<f64> {
+    /// Whether the determinant of the factored matrix is negative.
+    pub(super) fn is_negative(&self) -> bool {
+        let exchanges = self.pivots.iter().enumerate().filter(|(k, pivot)| k != *pivot).count();
+        let diagonal = self.entries.iter().step_by(self.size + 1);
+        (exchanges + diagonal.filter(|pivot| **pivot < 0.0).count()) % 2 == 1
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use num_complex::Complex64;

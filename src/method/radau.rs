@@ -357,14 +357,23 @@ impl OneStep for RadauSteps<'_> {
                 let now = self.time + step;
                 self.stretch.rate(now, &self.end, &mut self.rate_at_end);
                 let ends = self.end.iter().chain(&self.rate_at_end);
-                match ends.clone().position(|value| !value.is_finite()) {
-                    None => {
+                if let Some(index) = ends.clone().position(|value| !value.is_finite()) {
+                    self.was_rejected = true;
+                    return Trial::NotFinite { what: "the rate of", index: index % self.len };
+                }
+                let method = &self.methods[self.current];
+                match self.newton.passes_onset(method, (now, step), &self.end) {
+                    Ok(false) => {
                         self.last_error = error;
                         Trial::Error(error)
                     }
-                    Some(index) => {
+                    Ok(true) => {
                         self.was_rejected = true;
-                        Trial::NotFinite { what: "the rate of", index: index % self.len }
+                        Trial::Unsolved { shrink: 0.5 }
+                    }
+                    Err(trial) => {
+                        self.was_rejected = true;
+                        trial
                     }
                 }
             }

@@ -46,7 +46,11 @@ pub(super) struct RosenbrockSteps<'a> {
     time_derivative: Vec<f64>,
     jacobian: Vec<f64>,
     is_linearized: bool,
+    /// J at the end of the current step, if that step may be taken.
+    jacobian_at_end: Vec<f64>,
+    is_known_at_end: bool,
     matrix: StepMatrix<'a, f64>,
+    matrix_at_end: StepMatrix<'a, f64>,
     factored_step: f64,
     argument: Vec<f64>,
     slope: Vec<f64>,
@@ -80,7 +84,10 @@ impl<'a> RosenbrockSteps<'a> {
             time_derivative: zeros(),
             jacobian: vec![0.0; stretch.system.jacobian_pattern().entries.len()],
             is_linearized: false,
+            jacobian_at_end: vec![0.0; stretch.system.jacobian_pattern().entries.len()],
+            is_known_at_end: false,
             matrix: StepMatrix::new(stretch.system),
+            matrix_at_end: StepMatrix::new(stretch.system),
             factored_step: 0.0,
             argument: zeros(),
             slope: zeros(),
@@ -108,7 +115,12 @@ impl<'a> RosenbrockSteps<'a> {
         require_finite("the rate of", &self.rate)?;
         self.stretch.time_derivative(time, state, &mut self.time_derivative[..self.size]);
         require_finite("the time derivative of the rate of", &self.time_derivative)?;
-        finite_jacobian(self.stretch, time, state, &mut self.jacobian)?;
+        if self.is_known_at_end {
+            std::mem::swap(&mut self.jacobian, &mut self.jacobian_at_end);
+            self.is_known_at_end = false;
+        } else {
+            finite_jacobian(self.stretch, time, state, &mut self.jacobian)?;
+        }
         self.factored_step = 0.0;
         self.is_linearized = true;
         Ok(())
@@ -122,7 +134,31 @@ impl<'a> RosenbrockSteps<'a> {
         let shift = 1.0 / (self.method.gamma * self.step);
         let outcome = self.matrix.factor(shift, &self.jacobian);
         self.factored_step = self.step;
-        outcome.map_err(|_| Trial::Unsolved { shrink: 0.5 })
+        if outcome.is_err() || self.matrix.is_outgrown() {
+            self.factored_step = 0.0;
+            return Err(Trial::Unsolved { shrink: 0.5 });
+        }
+        Ok(())
+    }
+
+    /// Refuses a step at whose end something grows within it beyond what the method can tell
+    /// from decay: it may have passed over the onset of an instability.
+    fn require_no_onset(&mut self) -> Result<(), Trial> {
+        if !self.matrix.tells_growth() {
+            return Ok(());
+        }
+        let now = self.time + self.step;
+        let end = &self.end[..self.size];
+        finite_jacobian(self.stretch, now, end, &mut self.jacobian_at_end)?;
+        if self.jacobian_at_end != self.jacobian {
+            let shift = 1.0 / (self.method.gamma * self.step);
+            let outcome = self.matrix_at_end.factor(shift, &self.jacobian_at_end);
+            if outcome.is_err() || self.matrix_at_end.is_outgrown() {
+                return Err(Trial::Unsolved { shrink: 0.5 });
+            }
+        }
+        self.is_known_at_end = true;
+        Ok(())
     }
 
     /// U of one stage, and Y of the next one as the argument.
@@ -224,6 +260,7 @@ impl OneStep for RosenbrockSteps<'_> {
         self.start[..state.len()].copy_from_slice(state);
         self.end[..state.len()].copy_from_slice(state);
         self.is_linearized = false;
+        self.is_known_at_end = false;
         if let Some(quadrature) = &mut self.quadrature {
             quadrature.at_start = self.stretch.flow_rates(time, &self.start[..self.size]);
         }
@@ -240,10 +277,16 @@ impl OneStep for RosenbrockSteps<'_> {
     fn attempt(&mut self, step: f64) -> Trial {
         self.step = step;
         self.has_dense = false;
-        match self.try_step() {
-            Ok(error) => Trial::Error(error),
-            Err(trial) => trial,
+        if self.is_linearized {
+            self.is_known_at_end = false;
         }
+        let tried = self.try_step().and_then(|error| {
+            if error <= 1.0 {
+                self.require_no_onset()?;
+            }
+            Ok(error)
+        });
+        tried.map_or_else(|trial| trial, Trial::Error)
     }
 
     fn end(&self) -> &[f64] {

@@ -204,6 +204,14 @@ impl Elimination {
     }
 }
 
+impl Sparse<f64> {
+    /// Whether the determinant of the factored matrix is negative: rows and columns are
+    /// exchanged alike, if at all.
+    pub(super) fn is_negative(&self) -> bool {
+        self.values[..self.size].iter().filter(|inverse| **inverse < 0.0).count() % 2 == 1
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use num_complex::Complex64;

@@ -147,6 +147,28 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
     }
 }
 
+impl StepMatrix<'_, f64> {
+    /// Whether [`StepMatrix::is_outgrown`] can tell.
+    pub(super) fn tells_growth(&self) -> bool {
+        !matches!(self.factors, Factors::Bordered(_))
+    }
+
+    /// Whether an odd number of real eigenvalues of J are above the shift, by the sign of the
+    /// determinant of the last factors: motions that grow within a step by more than a
+    /// method can tell from ones that decay. Not told of matrices with a border, nor of steps
+    /// back.
+    pub(super) fn is_outgrown(&self) -> bool {
+        if self.shift < 0.0 {
+            return false;
+        }
+        match &self.factors {
+            Factors::Full(full) | Factors::Sparse(_, Some(full)) => full.is_negative(),
+            Factors::Sparse(sparse, None) => sparse.is_negative(),
+            Factors::Bordered(_) => false,
+        }
+    }
+}
+
 /// Rows one after another that have as many entries by positions, all of them one column
 /// further on than in the row before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

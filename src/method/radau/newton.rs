@@ -31,7 +31,11 @@ pub(super) struct Newton<'a> {
     size: usize,
     jacobian: Vec<f64>,
     jacobian_state: JacobianState,
+    /// The Jacobian at the end of the current step, if it was needed.
+    jacobian_at_end: Vec<f64>,
+    is_known_at_end: bool,
     real: StepMatrix<'a, f64>,
+    real_at_end: StepMatrix<'a, f64>,
     pairs: Vec<StepMatrix<'a, Complex64>>,
     /// Step and stages that the factors are for; no step is zero.
     factored: (f64, usize),
@@ -67,7 +71,10 @@ impl<'a> Newton<'a> {
             size,
             jacobian: vec![0.0; system.jacobian_pattern().entries.len()],
             jacobian_state: JacobianState::Unknown,
+            jacobian_at_end: vec![0.0; system.jacobian_pattern().entries.len()],
+            is_known_at_end: false,
             real: StepMatrix::new(system),
+            real_at_end: StepMatrix::new(system),
             pairs: (0..most_stages / 2).map(|_| StepMatrix::new(system)).collect(),
             factored: (0.0, 0),
             transformed: zeros(),
@@ -96,14 +103,47 @@ impl<'a> Newton<'a> {
     /// Forgets everything: another run begins.
     pub(super) fn forget(&mut self) {
         self.jacobian_state = JacobianState::Unknown;
+        self.is_known_at_end = false;
         self.remainder = 1.0;
     }
 
     /// A step is accepted: its Jacobian is old now, and is used again only where
     /// it served well.
     pub(super) fn start_anew(&mut self) {
-        self.jacobian_state =
-            if self.is_reusable() { JacobianState::Old } else { JacobianState::Unknown };
+        self.jacobian_state = if self.is_reusable() {
+            JacobianState::Old
+        } else if self.is_known_at_end {
+            std::mem::swap(&mut self.jacobian, &mut self.jacobian_at_end);
+            self.factored = (0.0, 0);
+            JacobianState::Current
+        } else {
+            JacobianState::Unknown
+        };
+        self.is_known_at_end = false;
+    }
+
+    /// Whether at the end of a step something grows within it beyond what the method can
+    /// tell from decay: then the step may have passed over the onset of an instability, and
+    /// stays where nothing real stays.
+    pub(super) fn passes_onset(
+        &mut self,
+        method: &Collocation,
+        (now, step): (f64, f64),
+        end: &[f64],
+    ) -> Result<bool, Trial> {
+        self.is_known_at_end = false;
+        if !self.real_at_end.tells_growth() {
+            return Ok(false);
+        }
+        let end = &end[..self.size];
+        finite_jacobian(self.stretch, now, end, &mut self.jacobian_at_end)?;
+        self.is_known_at_end = true;
+        if self.jacobian_at_end == self.jacobian {
+            return Ok(false);
+        }
+        let shift = method.coefficients.real / step;
+        let outcome = self.real_at_end.factor(shift, &self.jacobian_at_end);
+        Ok(outcome.is_err() || self.real_at_end.is_outgrown())
     }
 
     /// Whether the Jacobian and the factors are worth keeping for the next step.
@@ -212,8 +252,8 @@ impl<'a> Newton<'a> {
         Ok(Outcome::Failed { shrink: 0.5 })
     }
 
-    /// Factors the matrices for a step, if they are not those of the last one;
-    /// false if one is singular.
+    /// Factors the matrices for a step, if they are not those of the last one; false if one is
+    /// singular, or the step too long for what grows.
     fn factor(&mut self, method: &Collocation, step: f64) -> bool {
         // Steps differ by rounding from the one asked for.
         let is_same = (step / self.factored.0 - 1.0).abs() < 1e-9;
@@ -224,6 +264,9 @@ impl<'a> Newton<'a> {
         let coefficients = method.coefficients;
         self.stretch.system.count(|work| work.factorizations += 1);
         let mut outcome = self.real.factor(coefficients.real / step, &self.jacobian);
+        if outcome.is_ok() && self.real.is_outgrown() {
+            return false;
+        }
         for (&(a, b), matrix) in coefficients.pairs.iter().zip(&mut self.pairs) {
             let shift = Complex64::new(a / step, b / step);
             outcome = outcome.and(matrix.factor(shift, &self.jacobian));

@@ -1,0 +1,45 @@
+//! Sizes at which absolute tolerances of states are taken.
+
+use machinist_contract::Simulator;
+
+/// The scale of every state at a start: what the spec says. A first-order state for which it
+/// says nothing, so that its scale is 1, is taken as smaller where it acts strongly on a
+/// state that acts weakly on it, as bristles of a micrometre do on a block of metres:
+///
+/// ```text
+/// s_i = min(1, s_j sqrt(|J_ij / J_ji|))     for all j with which i is joined both ways
+/// ```
+///
+/// so that errors of both do the same to each other (balancing of J).
+pub(crate) fn scales(
+    simulator: &dyn Simulator<f64>,
+    parameters: &[f64],
+    time: f64,
+    state: &[f64],
+) -> Vec<f64> {
+    let mut scales: Vec<f64> = (0..state.len()).map(|index| simulator.state_scale(index)).collect();
+    let first = 2 * simulator.shape().coordinates;
+    let is_open = |index: usize| {
+        index >= first && !simulator.is_mode(index) && scales[index].to_bits() == 1f64.to_bits()
+    };
+    let open: Vec<bool> = (0..state.len()).map(is_open).collect();
+    if !open.contains(&true) {
+        return scales;
+    }
+    let entries = simulator.rate_jacobian_pattern().entries;
+    let mut values = vec![0.0; entries.len()];
+    simulator.rate_jacobian(time, state, parameters, &mut values);
+    let given = scales.clone();
+    for (&(row, column), value) in entries.iter().zip(&values) {
+        let (on, by) = (row as usize, column as usize);
+        if !open[on] || open[by] {
+            continue;
+        }
+        let back = entries.binary_search(&(column, row)).map_or(0.0, |index| values[index]);
+        let balanced = given[by] * (value / back).abs().sqrt();
+        if balanced > 0.0 && balanced < scales[on] {
+            scales[on] = balanced;
+        }
+    }
+    scales
+}

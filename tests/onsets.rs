@@ -1,0 +1,117 @@
+//! Instabilities that set in on the way: implicit methods, to which fast growth looks like
+//! decay, stop where it begins.
+
+use machinist::{Method, Simulation, Trajectory};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_model::ModelSimulator;
+
+use crate::own_scene::of_text;
+
+/// A block on a belt, with the friction of bristles (C. Canudas de Wit, H. Olsson,
+/// K. J. Astrom, P. Lischinsky: A new model for control of systems with friction, IEEE Trans.
+/// Automatic Control 40, 1995): it sticks until the spring pulls it off, at a fold behind
+/// which the bristles' own motion grows at 1e3 a second.
+const LUGRE: &str = r#"
+[scene]
+name = "lugre"
+
+[units.block]
+unit = "block"
+
+[run]
+until = 20.0
+points = 201
+rtol = 1e-6
+method = "auto"
+
+[define.block.coordinates.x]
+unit = "m"
+velocity = "v"
+
+[define.block.parameters]
+mass = { value = 1.0, unit = "kg" }
+spring = { value = 2.0, unit = "N/m" }
+belt = { value = 0.1, unit = "m/s" }
+bristles = { value = 1e5, unit = "N/m" }
+bristle_damping = { value = 316.0, unit = "N s/m" }
+viscous = { value = 0.4, unit = "N s/m" }
+sliding = { value = 1.0, unit = "N" }
+breakaway = { value = 1.5, unit = "N" }
+stribeck = { value = 0.001, unit = "m/s" }
+
+[define.block.states.z]
+unit = "m"
+rate = "slip - abs(slip)*z*bristles/limit"
+
+[define.block.helpers.slip]
+expression = "v - belt"
+unit = "m/s"
+
+[define.block.helpers.limit]
+expression = "sliding + (breakaway - sliding)*exp(-(slip/stribeck)^2)"
+unit = "N"
+
+[define.block.energy]
+kinetic = "mass*v^2/2"
+potential = "spring*x^2/2"
+
+[[define.block.forces]]
+coordinate = "x"
+expression = "-bristles*z - bristle_damping*(slip - abs(slip)*z*bristles/limit) - viscous*slip"
+"#;
+
+fn run(block: &ModelSimulator, method: Method, rtol: f64, set: &[(&str, f64)]) -> Trajectory {
+    let mut run = Simulation::new(block).method(method).rtol(rtol);
+    for (name, value) in set {
+        run = run.parameter(&format!("block.{name}"), *value).expect("a parameter");
+    }
+    run.run().unwrap_or_else(|error| panic!("{method} at {rtol:e}, {set:?}: {error}"))
+}
+
+/// Largest difference of x \[m\].
+fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
+    let [a, b] = [a, b].map(|run| run.column("block.x").expect("a state"));
+    a.iter().zip(b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
+}
+
+/// Thirty tolerances, five settings. A slip that begins late shifts all that follows, so that
+/// errors are far above tolerances; none is missed.
+#[test]
+fn what_sticks_on_a_belt_lets_go_in_time() {
+    let block = of_text(LUGRE, Keep::All);
+    let settings: [&[(&str, f64)]; 5] = [
+        &[],
+        &[("belt", 0.05)],
+        &[("spring", 5.0), ("viscous", 0.1)],
+        &[("bristles", 1e4), ("bristle_damping", 100.0)],
+        &[("stribeck", 0.01), ("breakaway", 2.0)],
+    ];
+    let (mut near, mut all) = (0, 0);
+    for set in settings {
+        let exact = run(&block, Method::Radau, 1e-12, set);
+        let doubt = difference(&exact, &run(&block, Method::Dop853, 1e-11, set));
+        assert!(doubt < 1e-8, "{set:?}: two converged runs differ by {doubt:e}");
+        for method in [Method::Radau, Method::Rodas5p, Method::Auto] {
+            for step in 0..30 {
+                let rtol = 10f64.powf(-5.0 - 5.0 * f64::from(step) / 29.0);
+                let error = difference(&run(&block, method, rtol, set), &exact);
+                assert!(error < 0.06, "{method} at {rtol:.1e}, {set:?}: off by {error:.1e} m");
+                all += 1;
+                near += usize::from(error < 3000.0 * rtol);
+            }
+        }
+    }
+    println!("{near} of {all} runs are within 3000 tolerances");
+    assert!(near * 100 >= all * 95, "{near} of {all}");
+}
+
+/// The scale of bristles that say none is what they do to the block.
+#[test]
+fn a_state_that_acts_strongly_gets_a_scale_by_what_it_does() {
+    let block = of_text(LUGRE, Keep::All);
+    let error = |rtol: f64| {
+        let fine = run(&block, Method::Dop853, 1e-12, &[("belt", 0.2)]);
+        difference(&run(&block, Method::Dop853, rtol, &[("belt", 0.2)]), &fine)
+    };
+    assert!(error(1e-5) < 1e-2 && error(1e-7) < 1e-4, "{:e}, {:e}", error(1e-5), error(1e-7));
+}

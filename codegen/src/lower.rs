@@ -2,6 +2,7 @@
 
 pub mod angles;
 pub mod blocks;
+mod checks;
 pub mod density;
 mod describe;
 pub mod excitation;

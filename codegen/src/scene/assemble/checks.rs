@@ -136,7 +136,7 @@ impl Assembler<'_> {
     ) -> Result<Reference, Box<Mistake>> {
         match &check.reference {
             ReferenceSpec::Closed(ast, text) => {
-                let what = format!("{}, which is checked,", quoted(&check.of.value));
+                let what = format!("the reference of {}", quoted(&check.of.value));
                 let of_time = Uses { time: true, ..Uses::PARAMETERS };
                 let wanted = Wanted::new(dimension, what).of(of_time);
                 let typed = self.resolver.expect(ast, Scope::Scene, &wanted)?;

@@ -173,7 +173,10 @@ struct Differences {
 }
 
 fn differences(visit: &Visit<'_>, point: &Point, along: Along, sizes: &[f64]) -> Differences {
+    /// Of the rate, in the difference over the largest step.
+    const ROUNDINGS: f64 = 8.0;
     let states = point.state.len();
+    let rate = visit.rate(point);
     let mut found = Differences {
         values: DMatrix::zeros(states, sizes.len()),
         changes: DMatrix::zeros(states, sizes.len()),
@@ -190,6 +193,7 @@ fn differences(visit: &Visit<'_>, point: &Point, along: Along, sizes: &[f64]) ->
         let at = |step: f64| visit.rate(&shifted(point, along, column, step));
         for (row, (value, change)) in changes(size, states, at).into_iter().enumerate() {
             found.values[(row, column)] = value;
+            let change = change + ROUNDINGS * f64::EPSILON * rate[row].abs() / (LARGEST * size);
             found.changes[(row, column)] = if value.is_finite() { change } else { f64::INFINITY };
         }
     }

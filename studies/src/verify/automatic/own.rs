@@ -58,7 +58,8 @@ impl OwnCheck<'_> {
             None => self.failed(scene, format!("There is no output or state `{}`.", self.of)),
             Some(ours) => {
                 let (times, reference) = self.reference_at(&run.times);
-                self.judge(scene, &difference(run, ours, &times, &reference))
+                let found = difference(run, ours, &times, &reference);
+                self.judge(scene, &Difference { reference: self.size(&reference), ..found })
             }
         };
         Verdict {
@@ -119,6 +120,15 @@ impl OwnCheck<'_> {
         }
     }
 
+    /// The largest size of the reference; of values that lie beyond the run too.
+    fn size(&self, within: &[f64]) -> f64 {
+        let size = |most: f64, value: &f64| most.max(value.abs());
+        match &self.reference {
+            OwnReference::Function(..) => within.iter().fold(0.0, size),
+            OwnReference::Values(rows) => rows.iter().map(|[_, value]| value).fold(0.0, size),
+        }
+    }
+
     fn against(&self) -> String {
         match &self.reference {
             OwnReference::Function(text, _) => (*text).to_owned(),
@@ -130,8 +140,6 @@ impl OwnCheck<'_> {
 /// The largest difference; the first reference that is no finite number, if one is.
 fn difference(run: &Trajectory, ours: &[f64], times: &[f64], reference: &[f64]) -> Difference {
     let mut found = Difference::default();
-    let size = |most: f64, value: &f64| most.max(value.abs());
-    found.reference = reference.iter().fold(0.0, size);
     for (time, expected) in times.iter().zip(reference) {
         let row = run.times.partition_point(|known| known < time);
         let Some(value) = ours.get(row).copied() else { continue };

@@ -16,7 +16,7 @@ use machinist::{Simulation, Trajectory};
 use machinist_contract::Simulator;
 
 use super::Verdict;
-pub use own::{OwnCheck, OwnReference};
+pub use own::{OfTimes, OwnCheck, OwnReference};
 use visit::Visit;
 
 /// A machine to be checked.

@@ -22,10 +22,13 @@ pub struct OwnCheck<'a> {
     pub reference: OwnReference<'a>,
 }
 
+/// Values at times.
+pub type OfTimes<'a> = Box<dyn Fn(&[f64]) -> Vec<f64> + 'a>;
+
 /// What a quantity should be.
 pub enum OwnReference<'a> {
     /// A function of times, at those of the run; and its text.
-    Function(&'a str, Box<dyn Fn(&[f64]) -> Vec<f64> + 'a>),
+    Function(&'a str, OfTimes<'a>),
     /// Times, increasing \[s\], and values.
     Values(&'a [[f64; 2]]),
 }
@@ -63,11 +66,19 @@ impl OwnCheck<'_> {
             }
         };
         Verdict {
-            check: format!("{} of {}", self.name, self.of).into(),
+            check: self.title().into(),
             reference: self.against().into(),
             tolerance: self.tolerance,
             reason: self.source.to_owned().into(),
             ..judged
+        }
+    }
+
+    fn title(&self) -> String {
+        if self.name == self.of {
+            self.name.to_owned()
+        } else {
+            format!("{} of {}", self.name, self.of)
         }
     }
 

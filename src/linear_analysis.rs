@@ -17,7 +17,7 @@
 //!
 //! All is dense algebra, for scenes of up to [`MAX_STATES`] states.
 
-mod differences;
+pub mod differences;
 mod equilibrium;
 mod error;
 mod modes;

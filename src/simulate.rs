@@ -147,6 +147,22 @@ impl<'a> Simulation<'a> {
         self
     }
 
+    /// Asks for these times besides, as far as they lie within the run \[s\]. Times, start and
+    /// end that are set afterwards do not know of it.
+    pub fn also_at(mut self, more: &[f64]) -> Self {
+        // What makes no sense is refused by the run.
+        if !more.is_empty()
+            && let Ok(mut times) = self.checked_times()
+        {
+            let within = |time: &&f64| self.from <= **time && **time <= self.until;
+            times.extend(more.iter().filter(within));
+            times.sort_by(f64::total_cmp);
+            times.dedup();
+            self.sampling = Sampling::Times(times);
+        }
+        self
+    }
+
     /// Relative tolerance of every step. The absolute tolerance of a state is
     /// this times the state's scale, unless [`Simulation::atol`] is set. The scale is that of
     /// the spec; a first-order state without one gets one by what it does to others at the

@@ -8,3 +8,4 @@ mod cli;
 mod cli_sweep;
 mod deriving;
 mod trajectory;
+mod verify;

@@ -3,6 +3,7 @@
 mod along;
 pub mod angles;
 pub mod blocks;
+mod checks;
 pub mod density;
 mod describe;
 pub mod excitation;

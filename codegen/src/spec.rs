@@ -4,6 +4,7 @@
 //! not followed; [`crate::scene`] does that.
 
 pub mod card;
+mod check;
 mod constraint;
 pub mod diagnostic;
 pub mod dimension;
@@ -24,6 +25,7 @@ mod unit;
 
 use std::path::Path;
 
+pub use self::check::{CheckSpec, ReferenceSpec};
 pub use self::distributed::{
     AttachmentSpec, Boundary, DiscretisationSpec, FieldSpec, MAX_ELEMENTS, MAX_ORDER, Mass,
 };
@@ -86,6 +88,8 @@ pub struct SceneSpec {
     pub guess: Vec<(Spanned<String>, Formula)>,
     /// Wanted outputs.
     pub outputs: Vec<OutputSpec>,
+    /// What the run is held against.
+    pub checks: Vec<CheckSpec>,
     /// Parameters that runs may change; all, if not given.
     pub tunable: Option<Vec<Spanned<String>>>,
     /// Instances to be taken for rigid.

@@ -31,6 +31,7 @@ fn empty_system() -> LagrangianSystem {
         first_order: vec![],
         parameters: vec![],
         outputs: vec![],
+        checks: vec![],
         tables: vec![],
         discontinuities: vec![],
         events: vec![],

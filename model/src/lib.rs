@@ -8,6 +8,7 @@
 //! Excluded: symbols to look up, expressions, any type of a computer algebra system,
 //! methods of integration.
 
+mod check;
 #[cfg(feature = "compiled")]
 pub mod compiled;
 pub mod evaluate;
@@ -27,6 +28,7 @@ mod simulator;
 mod tape;
 mod validate;
 
+pub use check::{Check, ClosedForm, Reference};
 pub use excitation::Excitation;
 pub use lanes::{F64x2, Lane};
 pub use model::{

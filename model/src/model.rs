@@ -5,7 +5,7 @@ use machinist_contract::field::{FieldAttachment, FieldPlace};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Direction, Excitation, Motion, Name, Op, Place, Quantity, Reduction, RunDefaults, Solve,
+    Check, Direction, Excitation, Motion, Name, Op, Place, Quantity, Reduction, RunDefaults, Solve,
     SourceFile, Table, Tape,
 };
 
@@ -232,6 +232,8 @@ pub struct Model {
     pub kink_rates: Tape,
     /// The generic element of every field.
     pub fields: Vec<FieldModel>,
+    /// What its runs are held against.
+    pub checks: Vec<Check>,
 }
 
 impl Model {

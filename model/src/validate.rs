@@ -3,7 +3,10 @@
 use thiserror::Error;
 
 use crate::functions::{FunctionId, Reads};
-use crate::{FieldModel, MatrixTape, Model, NodeId, Op, SparsityPattern, StateKind, Tape};
+use crate::{
+    Check, FieldModel, MatrixTape, Model, NodeId, Op, Reference, SparsityPattern, StateKind, Table,
+    Tape,
+};
 
 /// A rule that a model breaks.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -70,6 +73,7 @@ impl Model {
         for field in &self.fields {
             self.check_field(field)?;
         }
+        self.checks.iter().try_for_each(|check| self.check_reference(check))?;
         Ok(())
     }
 
@@ -196,23 +200,34 @@ impl Model {
         let scales = self.states.iter().map(|state| ("scale of a state", state.scale));
         let values = self.all_parameters().map(|parameter| ("parameter", parameter.value));
         let run = [("run", self.run.from), ("run", self.run.until), ("run", self.run.rtol)];
-        let tables = self.tables.iter().flat_map(|table| {
-            table.knots.iter().chain(table.coefficients.as_flattened()).map(|v| ("table", *v))
-        });
-        let mut numbers = scales.chain(values).chain(run).chain(tables);
+        let mut numbers = scales.chain(values).chain(run);
         if let Some((part, value)) = numbers.find(|(_, value)| !value.is_finite()) {
             return broken(part, format!("{value} is not a finite number"));
         }
-        for table in &self.tables {
-            let is_increasing = table.knots.is_sorted_by(|a, b| a < b);
-            if table.knots.len() < 2
-                || table.coefficients.len() + 1 != table.knots.len()
-                || !is_increasing
-            {
-                return broken(&table.name.path, "its knots do not fit its cubics");
+        self.tables.iter().try_for_each(check_table)
+    }
+
+    fn check_reference(&self, of: &Check) -> Result<(), Malformed> {
+        let limits = [Some(of.tolerance), of.absolute];
+        if limits.into_iter().flatten().any(|limit| !(limit.is_finite() && limit > 0.0)) {
+            return broken(&of.name, "its tolerance is not above zero");
+        }
+        match &of.reference {
+            Reference::Closed(closed) => {
+                let tables = closed.tables.len();
+                let room = Room { time: true, handed: 0, tables, ..self.room() };
+                check(&of.name, &closed.tape, &room, 1)?;
+                closed.tables.iter().try_for_each(check_table)
+            }
+            Reference::Values(rows) => {
+                let finite = rows.as_flattened().iter().all(|value| value.is_finite());
+                let increasing = rows.is_sorted_by(|[a, _], [b, _]| a < b);
+                if finite && increasing && !rows.is_empty() {
+                    return Ok(());
+                }
+                broken(&of.name, "its values are not finite numbers over increasing times")
             }
         }
-        Ok(())
     }
 
     fn check_events(&self) -> Result<(), Malformed> {
@@ -263,6 +278,19 @@ impl Model {
 
 fn broken<T>(part: &str, reason: impl Into<String>) -> Result<T, Malformed> {
     Err(Malformed { part: part.to_owned(), reason: reason.into() })
+}
+
+fn check_table(table: &Table) -> Result<(), Malformed> {
+    let mut numbers = table.knots.iter().chain(table.coefficients.as_flattened());
+    if let Some(value) = numbers.find(|value| !value.is_finite()) {
+        return broken("table", format!("{value} is not a finite number"));
+    }
+    let is_increasing = table.knots.is_sorted_by(|a, b| a < b);
+    if table.knots.len() < 2 || table.coefficients.len() + 1 != table.knots.len() || !is_increasing
+    {
+        return broken(&table.name.path, "its knots do not fit its cubics");
+    }
+    Ok(())
 }
 
 /// Checks one tape.

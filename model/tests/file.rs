@@ -4,7 +4,9 @@ mod support;
 
 use fastrand::Rng;
 use machinist_model::file::{FileError, MARK, Stamped, VERSION, read, seal, write};
-use machinist_model::{Model, NodeId, Op, StateKind, TableId};
+use machinist_model::{
+    Check, ClosedForm, Model, Node, NodeId, Op, Reference, StateKind, TableId, Tape,
+};
 use support::{matrix, model, random_tape, tape};
 
 /// One coordinate with a rate that is made of everything there is.
@@ -100,6 +102,34 @@ fn a_model_that_breaks_a_rule_is_refused_although_its_hash_is_right() {
         assert!(matches!(error, FileError::Malformed(_)), "{part}: {error}");
         assert!(error.to_string().contains(part), "{part}: {error}");
     }
+}
+
+#[test]
+fn a_check_that_reads_the_state_or_tolerates_nothing_is_refused() {
+    let values = |tolerance: f64| Check {
+        name: "own".to_owned(),
+        of: "q_0".to_owned(),
+        unit: "1".to_owned(),
+        source: String::new(),
+        tolerance,
+        absolute: None,
+        reference: Reference::Values(vec![[0.0, 1.0]]),
+    };
+    let tape =
+        Tape { nodes: vec![Node { op: Op::State(0), name: None }], results: vec![NodeId(0)] };
+    let closed = ClosedForm { text: String::new(), tape, tables: vec![] };
+    let of_state = Check { reference: Reference::Closed(closed), ..values(1e-6) };
+    let unsorted = Reference::Values(vec![[1.0, 0.0], [0.0, 0.0]]);
+    let unsorted = Check { reference: unsorted, ..values(1e-6) };
+    for check in [values(0.0), values(f64::NAN), of_state, unsorted] {
+        let mut stamped = stamped();
+        stamped.model.checks = vec![check];
+        let error = read(&seal(MARK, &stamped)).expect_err("a rule is broken");
+        assert!(matches!(error, FileError::Malformed(_)), "{error}");
+    }
+    let mut stamped = stamped();
+    stamped.model.checks = vec![values(1e-6)];
+    assert_eq!(read(&write(&stamped)), Ok(stamped));
 }
 
 #[test]

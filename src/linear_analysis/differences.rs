@@ -1,9 +1,9 @@
-//! Derivatives of outputs, which are not emitted, by extrapolated differences.
+//! Derivatives of what has none emitted, by extrapolated differences.
 
 /// Levels of extrapolation; the steps shrink by two from one to the next.
 const LEVELS: usize = 10;
 /// The largest step, beside the size of the argument.
-const LARGEST: f64 = 0.05;
+pub const LARGEST: f64 = 0.05;
 /// An error this much above the least one found ends the search.
 const WORSE: f64 = 4.0;
 
@@ -14,7 +14,13 @@ const WORSE: f64 = 4.0;
 /// 1982): each component takes the entry of the table with the least change from
 /// its neighbours. Linear functions come out to rounding, smooth ones to about
 /// 1e-12; at a kink the mean of both slopes.
-pub(super) fn derivative(size: f64, count: usize, mut f: impl FnMut(f64) -> Vec<f64>) -> Vec<f64> {
+pub(super) fn derivative(size: f64, count: usize, f: impl FnMut(f64) -> Vec<f64>) -> Vec<f64> {
+    changes(size, count, f).into_iter().map(|(value, _)| value).collect()
+}
+
+/// The same, each with the change from its neighbours in the table, which tells about how
+/// far it may be trusted: without bound where the function does not settle.
+pub fn changes(size: f64, count: usize, mut f: impl FnMut(f64) -> Vec<f64>) -> Vec<(f64, f64)> {
     let steps: Vec<f64> =
         (0..LEVELS).map(|level| LARGEST * size * 0.5f64.powi(level as i32)).collect();
     let differences: Vec<Vec<f64>> = steps
@@ -30,8 +36,8 @@ pub(super) fn derivative(size: f64, count: usize, mut f: impl FnMut(f64) -> Vec<
 }
 
 /// The best entry of the table of extrapolations of differences whose error is a
-/// series in h^2.
-fn extrapolated(differences: &[f64]) -> f64 {
+/// series in h^2, and how far its neighbours are from it.
+fn extrapolated(differences: &[f64]) -> (f64, f64) {
     let mut best = differences.first().copied().unwrap_or(f64::NAN);
     let mut least = f64::INFINITY;
     let mut previous = vec![best];
@@ -54,7 +60,7 @@ fn extrapolated(differences: &[f64]) -> f64 {
         }
         previous = row;
     }
-    best
+    (best, least)
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@
 //! References never follow a parameter that is overridden: they are those of the
 //! published numbers, so that a broken parameter makes rows fail.
 
+pub mod automatic;
 mod bouncing_mass;
 mod contact_oscillator;
 mod coulomb_oscillator;
@@ -16,9 +17,11 @@ mod every_scene;
 mod linkages;
 mod loom_drive;
 pub(crate) mod machine;
+mod matrix;
 pub(crate) mod motor_run_up;
 mod motor_stationary_axes;
 mod pendulum_chain;
+mod power;
 mod random;
 mod reed_beat_up;
 mod reference;
@@ -33,6 +36,8 @@ mod winder_full;
 pub(crate) mod winder_linear;
 mod winder_linkage;
 mod winder_nonlinear;
+
+use std::borrow::Cow;
 
 use comfy_table::{Table, presets};
 use serde::Serialize;
@@ -68,19 +73,19 @@ impl VerifyOptions {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Verdict {
     /// The scene checked.
-    pub scene: &'static str,
+    pub scene: String,
     /// What is checked, in a few words.
-    pub check: &'static str,
+    pub check: Cow<'static, str>,
     /// What it is held against.
-    pub reference: &'static str,
+    pub reference: Cow<'static, str>,
     /// The error found, in the measure the reference states; `null` in JSON if the
     /// check could not be done.
     pub error: f64,
     /// The largest error that passes.
     pub tolerance: f64,
     /// Why the tolerance is what it is.
-    pub reason: &'static str,
-    /// Whether the error is at most the tolerance.
+    pub reason: Cow<'static, str>,
+    /// Whether the error is at most the tolerance; so it is of a row that is left out.
     pub pass: bool,
     /// The number found, for checks of one number.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -88,9 +93,36 @@ pub struct Verdict {
     /// The number expected, likewise.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub expected: Option<f64>,
-    /// Why the check could not be done.
+    /// Why the check could not be done, or what it means that it fails.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub failure: Option<String>,
+    /// Why the check cannot be asked of this machine.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub skipped: Option<String>,
+}
+
+impl Verdict {
+    /// A verdict without words: one that fails says why.
+    fn judged(scene: &str, error: f64, tolerance: f64, failure: Option<String>) -> Self {
+        Self {
+            scene: scene.to_owned(),
+            check: Cow::Borrowed(""),
+            reference: Cow::Borrowed(""),
+            error,
+            tolerance,
+            reason: Cow::Borrowed(""),
+            pass: failure.is_none(),
+            value: None,
+            expected: None,
+            failure,
+            skipped: None,
+        }
+    }
+
+    /// A row that is left out.
+    fn skipped(scene: &str, why: String) -> Self {
+        Self { skipped: Some(why), ..Self::judged(scene, f64::NAN, 0.0, None) }
+    }
 }
 
 /// Why nothing was checked.
@@ -176,18 +208,40 @@ fn override_parameter(machines: &mut [Machine], name: &str, value: f64) -> Resul
 pub fn render_table(verdicts: &[Verdict]) -> String {
     let cells = verdicts.iter().map(|verdict| {
         [
-            if verdict.pass { "pass" } else { "FAIL" }.to_owned(),
-            verdict.scene.to_owned(),
-            verdict.check.to_owned(),
-            format!("{:.1e}", verdict.error),
-            format!("{:.1e}", verdict.tolerance),
-            verdict.failure.clone().unwrap_or_else(|| verdict.reason.to_owned()),
-            verdict.reference.to_owned(),
+            outcome(verdict).to_owned(),
+            verdict.scene.clone(),
+            verdict.check.clone().into_owned(),
+            number(verdict, verdict.error),
+            number(verdict, verdict.tolerance),
+            because(verdict).to_owned(),
+            verdict.reference.clone().into_owned(),
         ]
     });
     let header = ["", "scene", "check", "error", "tolerance", "because", "against"];
     let failed = verdicts.iter().filter(|verdict| !verdict.pass).count();
-    format!("{}\n{} checks, {failed} failed\n", text_table(header, cells), verdicts.len())
+    let skipped = verdicts.iter().filter(|verdict| verdict.skipped.is_some()).count();
+    let checks = verdicts.len() - skipped;
+    let skipped = if skipped == 0 { String::new() } else { format!(", {skipped} left out") };
+    format!("{}\n{checks} checks, {failed} failed{skipped}\n", text_table(header, cells))
+}
+
+fn outcome(verdict: &Verdict) -> &'static str {
+    match verdict {
+        Verdict { skipped: Some(_), .. } => "skip",
+        Verdict { pass: true, .. } => "pass",
+        _ => "FAIL",
+    }
+}
+
+fn number(verdict: &Verdict, value: f64) -> String {
+    if verdict.skipped.is_some() { String::new() } else { format!("{value:.1e}") }
+}
+
+/// Why a check fails or is left out, else why its tolerance is what it is.
+#[must_use]
+pub fn because(verdict: &Verdict) -> &str {
+    let other = verdict.failure.as_deref().or(verdict.skipped.as_deref());
+    other.unwrap_or(&verdict.reason)
 }
 
 /// Aligned text: a header, a rule, and one line a row.
@@ -256,17 +310,14 @@ impl Check {
             Err(failure) => (Measured::error(f64::INFINITY), Some(failure.to_string())),
         };
         Verdict {
-            scene: machine.name(),
-            check: self.name,
-            reference: self.reference,
-            error: measured.error,
-            tolerance: self.tolerance,
-            reason: self.reason,
+            check: Cow::Borrowed(self.name),
+            reference: Cow::Borrowed(self.reference),
+            reason: Cow::Borrowed(self.reason),
             // An error that is NaN must not pass.
             pass: measured.error <= self.tolerance,
             value: measured.value,
             expected: measured.expected,
-            failure,
+            ..Verdict::judged(machine.name(), measured.error, self.tolerance, failure)
         }
     }
 }

@@ -132,6 +132,14 @@ impl Scene {
     }
 }
 
+/// The model of a scene file or a model file, or of the spec of a name.
+pub fn model_of(argument: &str) -> Result<Model, Failure> {
+    match Given::of(argument)? {
+        Given::Model(stamped) => Ok(stamped.model),
+        Given::Spec(path) => derived(&path, false),
+    }
+}
+
 /// The model of a spec.
 #[cfg(feature = "derive")]
 fn derived(path: &Path, keep_all: bool) -> Result<Model, Failure> {
@@ -150,7 +158,8 @@ fn derived(path: &Path, _keep_all: bool) -> Result<Model, Failure> {
     Err(Failure::input(message, "give a model, as `machinist compile` of a whole build writes it"))
 }
 
-fn refused(error: &FieldError) -> Failure {
+/// Fields that cannot be cut as wanted.
+pub fn refused(error: &FieldError) -> Failure {
     let help = "`--elements` and `--order` say how fields are cut; without them the spec does";
     Failure::input(error, help)
 }

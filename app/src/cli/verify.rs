@@ -1,4 +1,7 @@
-//! `machinist verify`: every check of every scene, and whether it passes.
+//! `machinist verify`: every check of every built-in scene, or of one machine of the
+//! user's own, and whether it passes.
+
+mod machine;
 
 use clap::Args;
 use machinist_studies::verify::{Verdict, VerifyOptions, render_table, verify_all};
@@ -7,26 +10,37 @@ use super::assignment;
 use super::output::print;
 use crate::failure::Failure;
 use crate::progress::during;
+use machine::Changes;
 
 #[derive(Debug, Args)]
 pub struct Verify {
+    /// Scene file or model file of a machine of one's own, or the name of a spec; without it,
+    /// all scenes that are built in
+    scene: Option<String>,
     /// As JSON
     #[arg(long)]
     json: bool,
-    /// Give a parameter another value; references stay those of the published one
-    #[arg(long, value_name = "SCENE.UNIT.PARAMETER=VALUE", value_parser = assignment)]
+    /// Give a parameter another value. Without a file write SCENE.UNIT.PARAMETER=VALUE;
+    /// references then stay those of the published one
+    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
     set: Vec<(String, f64)>,
     /// Only checks whose scene or name contains this text
     #[arg(long, value_name = "TEXT")]
     only: Option<String>,
+    /// End time of the file's run, s
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true, requires = "scene")]
+    until: Option<f64>,
+    /// Relative tolerance of a step of the file's run
+    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true, requires = "scene")]
+    rtol: Option<f64>,
 }
 
 impl Verify {
     pub fn execute(&self) -> Result<(), Failure> {
-        let options =
-            VerifyOptions { overrides: self.set.clone(), only: self.only.clone(), scenes: None };
-        let verdicts: Vec<Verdict> = during("verifying", || verify_all(&options))
-            .map_err(|error| Failure::input(error, ""))?;
+        let verdicts = match &self.scene {
+            Some(scene) => self.of_machine(scene)?,
+            None => self.of_built_in()?,
+        };
         if verdicts.is_empty() {
             let text = self.only.as_deref().unwrap_or_default();
             let help = "`machinist verify` without `--only` shows all checks";
@@ -39,12 +53,31 @@ impl Verify {
         } else {
             print(&render_table(&verdicts))?;
         }
+        let checks = verdicts.iter().filter(|verdict| verdict.skipped.is_none()).count();
         match verdicts.iter().filter(|verdict| !verdict.pass).count() {
             0 => Ok(()),
             failed => {
-                let message = format!("{failed} of {} checks failed", verdicts.len());
+                let message = format!("{failed} of {checks} checks failed");
                 Err(Failure::unsuccessful(message, ""))
             }
         }
+    }
+
+    fn of_built_in(&self) -> Result<Vec<Verdict>, Failure> {
+        let options =
+            VerifyOptions { overrides: self.set.clone(), only: self.only.clone(), scenes: None };
+        during("verifying", || verify_all(&options)).map_err(|error| Failure::input(error, ""))
+    }
+
+    fn of_machine(&self, scene: &str) -> Result<Vec<Verdict>, Failure> {
+        let (until, rtol) = (self.until, self.rtol);
+        let changes = Changes { parameters: &self.set, until, rtol };
+        let mut verdicts = machine::verify(scene, &changes)?;
+        if let Some(text) = &self.only {
+            verdicts.retain(|verdict| {
+                format!("{}: {}", verdict.scene, verdict.check).contains(text.as_str())
+            });
+        }
+        Ok(verdicts)
     }
 }

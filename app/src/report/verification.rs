@@ -1,6 +1,6 @@
 //! The table of checks, grouped by scene.
 
-use machinist_studies::verify::Verdict;
+use machinist_studies::verify::{Verdict, because};
 use maud::{Markup, html};
 
 use crate::number::number;
@@ -29,7 +29,7 @@ pub fn section(verdicts: &[Verdict]) -> Markup {
 }
 
 fn scene(verdicts: &[Verdict]) -> Markup {
-    let name = verdicts.first().map_or("", |verdict| verdict.scene);
+    let name = verdicts.first().map_or("", |verdict| verdict.scene.as_str());
     let passed = verdicts.iter().filter(|verdict| verdict.pass).count();
     html! {
         tbody {
@@ -43,14 +43,13 @@ fn scene(verdicts: &[Verdict]) -> Markup {
 }
 
 fn row(verdict: &Verdict) -> Markup {
-    let because = verdict.failure.as_deref().unwrap_or(verdict.reason);
     html! {
         tr {
             td { (verdict.check) (numbers(verdict)) }
             td { (verdict.reference) }
             td.number { (number(verdict.error, 2)) }
             td.number { (number(verdict.tolerance, 2)) }
-            td { (because) }
+            td { (because(verdict)) }
             td { (badge(verdict.pass)) }
         }
     }

@@ -5,6 +5,7 @@ use machinist_model::{
 };
 
 use crate::expr::Symbol;
+use crate::lower::checks::checks;
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::mechanics::state::Motion;
 use crate::scene::system::LagrangianSystem;
@@ -24,6 +25,7 @@ pub fn describe(equations: &EquationsOfMotion) -> Model {
         quantity: p.quantity.clone(),
         value: p.value,
     };
+    let parameters: Vec<Parameter> = system.parameters.iter().map(parameter).collect();
     Model {
         name: system.name.clone(),
         title: system.title.clone(),
@@ -33,7 +35,8 @@ pub fn describe(equations: &EquationsOfMotion) -> Model {
         coordinates: system.coordinates.iter().map(coordinate).collect(),
         states: states(equations),
         quadratures: equations.layout.quadratures,
-        parameters: system.parameters.iter().map(parameter).collect(),
+        checks: checks(system, &parameters),
+        parameters,
         handed: system.handed.iter().map(parameter).collect(),
         wanted: system.outputs.iter().map(|output| output.quantity.clone()).collect(),
         tables: system.tables.clone(),

@@ -100,6 +100,7 @@ fn density(system: &LagrangianSystem, field: &Field) -> LagrangianSystem {
         dissipated_power: Expr::integer(0),
         helpers: Vec::new(),
         outputs: Vec::new(),
+        checks: Vec::new(),
         discontinuities: Vec::new(),
         fields: Vec::new(),
         handed: Vec::new(),

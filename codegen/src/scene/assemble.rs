@@ -1,5 +1,6 @@
 //! The system of a scene whose coordinates are known.
 
+mod checks;
 mod constraints;
 mod distributed;
 mod events;
@@ -75,7 +76,8 @@ pub fn assemble(
     let handed = assembler.handed();
     let freeze = assembler.freeze();
     let helpers = assembler.helpers();
-    let outputs = assembler.outputs();
+    let mut outputs = assembler.outputs();
+    let checks = assembler.checks(&mut outputs, &coordinates, &first_order);
     assembler.inertia(&kinetic);
     assembler.motions(&kinetic);
     assembler.clashes();
@@ -100,6 +102,7 @@ pub fn assemble(
         dissipated_power,
         helpers,
         outputs,
+        checks,
         tables,
         discontinuities,
         events,

@@ -190,6 +190,44 @@ pub struct Attachment {
     pub handed: HandedId,
 }
 
+/// What a run of the scene is held against. It takes no part in the equations: its
+/// parameters and tables are its own.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Check {
+    /// Its name.
+    pub name: String,
+    /// The output or state that is checked.
+    pub of: String,
+    /// Its unit.
+    pub unit: String,
+    /// Where the reference is from.
+    pub source: String,
+    /// Largest error that passes, relative to the largest value of the reference.
+    pub tolerance: f64,
+    /// Largest error that passes beside that.
+    pub absolute: Option<f64>,
+    /// What it should be.
+    pub reference: Reference,
+}
+
+/// What a quantity is held against.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Reference {
+    /// An expression of time, of `parameters` by their place there, and of `tables`.
+    Closed {
+        /// As the spec writes it.
+        text: String,
+        /// What it stands for.
+        expr: Expr,
+        /// Those that it mentions.
+        parameters: Vec<Parameter>,
+        /// Those of the scene up to the last that it mentions.
+        tables: Vec<Table>,
+    },
+    /// Times, increasing, and values.
+    Values(Vec<[f64; 2]>),
+}
+
 /// One Lagrangian system: L = T - V, D, Q, and first-order states.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LagrangianSystem {
@@ -230,6 +268,8 @@ pub struct LagrangianSystem {
     pub helpers: Vec<Definition>,
     /// Wanted outputs.
     pub outputs: Vec<Definition>,
+    /// What a run is held against.
+    pub checks: Vec<Check>,
     /// Tables that expressions refer to.
     pub tables: Vec<Table>,
     /// Times at which the right-hand side jumps; of parameters only.

@@ -39,6 +39,7 @@ pub(super) fn load(path: &Path) -> Result<SceneSpec, Diagnostics> {
             initial: scene.initial,
             guess: scene.guess,
             outputs: scene.outputs,
+            checks: scene.checks,
             tunable: scene.tunable,
             rigid: scene.rigid,
             freeze_tolerance: scene.freeze_tolerance,

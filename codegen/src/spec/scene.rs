@@ -1,5 +1,6 @@
 //! A scene's table to plain data, before its units are looked for.
 
+use crate::spec::check::check;
 use crate::spec::constraint::constraint;
 use crate::spec::diagnostic::{FileId, Mistake, Span, Spanned};
 use crate::spec::distributed;
@@ -10,8 +11,8 @@ use crate::spec::names::{self, did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::unit::{self, each};
 use crate::spec::{
-    ConstraintSpec, DefinitionSpec, DiscretisationSpec, EventSpec, Formula, JointSpec, OutputSpec,
-    ParameterSpec, PortForceSpec, RunSpec, UnitSpec,
+    CheckSpec, ConstraintSpec, DefinitionSpec, DiscretisationSpec, EventSpec, Formula, JointSpec,
+    OutputSpec, ParameterSpec, PortForceSpec, RunSpec, UnitSpec,
 };
 
 /// Methods a spec may name.
@@ -40,6 +41,7 @@ pub struct SceneText {
     pub initial: Vec<(Spanned<String>, Formula)>,
     pub guess: Vec<(Spanned<String>, Formula)>,
     pub outputs: Vec<OutputSpec>,
+    pub checks: Vec<CheckSpec>,
     pub tunable: Option<Vec<Spanned<String>>>,
     pub rigid: Vec<Spanned<String>>,
     pub freeze_tolerance: f64,
@@ -89,6 +91,7 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
     let guess = fields.entries("guess");
     let guess = values_by_name(guess, &mut fields);
     let outputs = each(&mut fields, "outputs", output);
+    let checks = each(&mut fields, "checks", check);
     let tunable = fields.take("tunable").map(|tree| tunable(tree, fields.found()));
     let freeze = fields.take("freeze").map(|tree| freeze(tree, fields.found()));
     let (rigid, freeze_tolerance) = freeze.unwrap_or_default();
@@ -107,6 +110,7 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
         initial,
         guess,
         outputs,
+        checks,
         tunable,
         rigid,
         freeze_tolerance,

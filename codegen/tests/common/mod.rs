@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use machinist_codegen::expr::{Expr, Function, Symbol};
-use machinist_codegen::scene::system::LagrangianSystem;
+use machinist_codegen::scene::system::{Check, LagrangianSystem, Reference};
 use machinist_model::Quantity;
 
 /// Everything of a system but its files' paths, one thing a line.
@@ -67,6 +67,20 @@ pub fn describe(system: &LagrangianSystem) -> String {
         let (path, unit, doc) = (&constraint.name.path, &constraint.unit, &constraint.doc);
         line(format!("constraint {path} [{unit}] {doc}: {} = 0{holds}", show(&constraint.expr)));
     }
+    for check in &system.checks {
+        let Check { name, of, unit, source, tolerance, absolute, reference } = check;
+        line(format!("check {name} of {of} [{unit}] to {tolerance:e}, {absolute:?}: {source}"));
+        match reference {
+            Reference::Values(rows) => line(format!("  values {rows:?}")),
+            Reference::Closed { text, expr, parameters, tables } => {
+                let known: Vec<String> = parameters
+                    .iter()
+                    .map(|p| format!("{} = {}", p.quantity.name.path, p.value))
+                    .collect();
+                line(format!("  {text}: {}; {known:?}; {} tables", symbols(expr), tables.len()));
+            }
+        }
+    }
     let run = &system.run;
     line(format!("run {}..{} {} {:e} {}", run.from, run.until, run.points, run.rtol, run.method));
     out
@@ -118,4 +132,8 @@ fn symbol(symbol: Symbol, system: &LagrangianSystem) -> String {
         Symbol::Parameter(id) => system.parameter(id).quantity.name.path.clone(),
         Symbol::Handed(id) => system.handed[id.0 as usize].quantity.name.path.clone(),
     }
+}
+
+fn symbols(expr: &Expr) -> String {
+    format!("{:?}", expr.symbols())
 }

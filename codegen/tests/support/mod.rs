@@ -236,6 +236,7 @@ pub fn pendulum_system() -> LagrangianSystem {
         dissipated_power: zero(),
         fields: vec![],
         helpers: vec![],
+        checks: vec![],
         outputs: vec![
             Definition { quantity: quantity("height", "m", "height of the bob"), expr: zero() },
             Definition { quantity: quantity("deflection", "rad", ""), expr: zero() },

@@ -5,10 +5,12 @@ use machinist_contract::Real;
 use nalgebra::{DMatrix, DVector};
 
 use super::machine::Point;
+use super::matrix::{Weights, matrix_error};
+use super::power::{account_error, relative, residual};
 use super::{Check, CheckFailure, Machine, Measured, worse};
 use machinist::complex_step::{self, ComplexStep};
 
-/// See [`matrix_error`].
+/// See [`Weights::floors`].
 const ENTRY: &str =
     "complex step, relative to the entry (at least 1e-2 of its weighed row or column)";
 const BOTH_ROUND: &str =
@@ -52,18 +54,13 @@ pub(super) const CHECKS: &[Check] = &[
     },
 ];
 
-/// Rows and columns of a matrix with constraints that are smaller than this, beside its
-/// largest entry, are rounding.
-const NOTHING: f64 = 1e-12;
-/// Entries of such a matrix that are smaller than this, likewise, are held to it.
-const LEAST: f64 = 1e-3;
 const POINTS: usize = 20;
 
 fn rate_jacobian(machine: &Machine) -> Result<Measured, CheckFailure> {
     let sizes = state_sizes(machine);
     over_points(machine, |p| {
         let exact = complex_step::rate_jacobian(machine.complex, p.time, &p.state, &p.parameters);
-        matrix_error((machine, p), &machine.rate_jacobian(p), &exact, (&sizes, &sizes))
+        weighed_error(machine, p, (&machine.rate_jacobian(p), &exact), (&sizes, &sizes))
     })
 }
 
@@ -74,7 +71,7 @@ fn parameter_jacobian(machine: &Machine) -> Result<Measured, CheckFailure> {
         let exact =
             complex_step::parameter_jacobian(machine.complex, p.time, &p.state, &p.parameters);
         let sizes: Vec<f64> = p.parameters.iter().map(size).collect();
-        matrix_error((machine, p), &machine.parameter_jacobian(p), &exact, (&states, &sizes))
+        weighed_error(machine, p, (&machine.parameter_jacobian(p), &exact), (&states, &sizes))
     })
 }
 
@@ -87,7 +84,7 @@ fn time_derivative(machine: &Machine) -> Result<Measured, CheckFailure> {
         let exact: DVector<f64> =
             complex_step::time_derivative(machine.complex, p.time, &p.state, &p.parameters);
         let exact = DMatrix::from_column_slice(exact.len(), 1, exact.as_slice());
-        matrix_error((machine, p), &ours, &exact, (&states, &[1.0]))
+        weighed_error(machine, p, (&ours, &exact), (&states, &[1.0]))
     })
 }
 
@@ -104,57 +101,15 @@ fn over_points(
     Ok(Measured::error(points.iter().map(measure).fold(0.0, worse)))
 }
 
-/// max over i, j of |A_ij - B_ij|/max(|B_ij|, 1e-2 F_ij), where F_ij is the largest of
-/// B's row i and column j, weighed by the sizes r of the rows and s of the columns:
-/// |B_ik| s_k/s_j and |B_kj| r_i/r_k.
-///
-/// 1e-12 of the floor is a hundred roundings of the largest that enters where a full mass
-/// matrix is solved: by the rotor's angle a motor's rotor currents change by 1e6, and
-/// the stator's, solved along with them, by some tens that such numbers leave. An entry
-/// outside a pattern is zero in A.
-///
-/// Constraints solve all coordinates together: what one row needs, others leave their
-/// rounding in. The floor is at least [`LEAST`] of the largest of all of B, or of the rates
-/// by their sizes if these are larger; and all of that where nothing but rounding is in a
-/// row or column, as in those of the masses of a machine that is driven.
-fn matrix_error(
-    (machine, p): (&Machine, &Point),
-    ours: &DMatrix<f64>,
-    exact: &DMatrix<f64>,
+fn weighed_error(
+    machine: &Machine,
+    p: &Point,
+    (ours, exact): (&DMatrix<f64>, &DMatrix<f64>),
     (rows, columns): (&[f64], &[f64]),
 ) -> f64 {
-    if ours.shape() != exact.shape() || (rows.len(), columns.len()) != exact.shape() {
-        return f64::NAN;
-    }
-    let weighed = DMatrix::from_fn(rows.len(), columns.len(), |i, j| {
-        exact[(i, j)].abs() * columns[j] / rows[i]
-    });
-    let largest = |values: &mut dyn Iterator<Item = &f64>| values.copied().fold(0.0, worse);
-    let by_row: Vec<f64> = weighed.row_iter().map(|row| largest(&mut row.iter())).collect();
-    let by_column: Vec<f64> =
-        weighed.column_iter().map(|column| largest(&mut column.iter())).collect();
     let is_constrained = machine.real.constraints() > 0;
-    let rates = machine.rate(p).into_iter().zip(rows).map(|(rate, row)| (rate / row).abs());
-    let of_all = rates.chain(by_row.iter().copied()).fold(0.0, worse);
-    let mut error = 0.0;
-    for (i, row) in rows.iter().enumerate() {
-        for (j, column) in columns.iter().enumerate() {
-            let (a, b) = (ours[(i, j)], exact[(i, j)]);
-            let is_nothing = by_row[i].min(by_column[j]) <= NOTHING * of_all;
-            let size = if is_constrained && is_nothing {
-                of_all
-            } else if is_constrained {
-                worse(1e-2 * worse(by_row[i], by_column[j]), LEAST * of_all)
-            } else {
-                1e-2 * worse(by_row[i], by_column[j])
-            };
-            let floor = size * row / column;
-            // Both zero, as where a load is saturated, is no error over no scale.
-            let distance = (a - b).abs();
-            error = worse(error, if distance == 0.0 { 0.0 } else { distance / b.abs().max(floor) });
-        }
-    }
-    error
+    let weights = Weights { rows, columns, is_constrained, rate: &machine.rate(p) };
+    matrix_error(ours, exact, &weights)
 }
 
 /// The residual, relative to the sum of |dE/dy_i y_i'|, |dE/dt| at rest, |supplied| and
@@ -169,13 +124,8 @@ fn power_balance(machine: &Machine) -> Result<Measured, CheckFailure> {
             gradient.zip(&rate).map(|(de, rate)| de * rate).chain([energy_by_time(machine, p)]);
         let (sum, size) = terms
             .fold((0.0, 0.0), |(sum, size): (f64, f64), term: f64| (sum + term, size + term.abs()));
-        let size = size + power.supplied.abs() + power.dissipated.abs();
-        // Constraints may leave nothing that moves and stores energy.
-        let stored = machine.real.energy(p.time, &p.state, &p.parameters);
-        let least = if machine.real.constraints() > 0 { stored.kinetic } else { 0.0 };
-        let size = size.max(least);
-        let error = worse(power.residual().abs(), (power.stored_rate - sum).abs());
-        if error == 0.0 { 0.0 } else { error / size }
+        let chain = relative(machine.real, p, (power.stored_rate - sum).abs(), size);
+        worse(residual(machine.real, p, size), chain)
     })
 }
 
@@ -202,17 +152,9 @@ fn energy_gradient(machine: &Machine, p: &Point) -> Vec<f64> {
     gradient
 }
 
-/// Largest residual of the account over the scene's own run, divided by the
-/// integral of |supplied| + |lost| power, or where none of either flows by the largest
-/// energy in motion.
+/// The account of the scene's own run.
 fn energy_account(machine: &Machine) -> Result<Measured, CheckFailure> {
     let trajectory = machine.simulation(&[])?.rtol(1e-11).with_energy_balance(true).run()?;
-    let error = trajectory.energy_balance.as_ref().map_or(f64::NAN, |balance| {
-        let largest = balance.residual.iter().fold(0.0, |most, r| worse(most, r.abs()));
-        let passed = balance.passed.last().copied().unwrap_or(0.0);
-        let flows = passed > 1e-12 * balance.largest_active;
-        let scale = if flows { passed } else { balance.largest_active };
-        if scale > 0.0 { largest / scale } else { f64::NAN }
-    });
+    let error = trajectory.energy_balance.as_ref().map_or(f64::NAN, account_error);
     Ok(Measured::error(error))
 }

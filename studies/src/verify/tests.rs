@@ -14,7 +14,7 @@ fn verdicts(overrides: &[(&str, f64)]) -> Vec<Verdict> {
 
 fn failed<'v>(verdicts: &'v [Verdict], scene: &str) -> Vec<&'v str> {
     let failed = verdicts.iter().filter(|verdict| !verdict.pass && verdict.scene == scene);
-    failed.map(|verdict| verdict.check).collect()
+    failed.map(|verdict| verdict.check.as_ref()).collect()
 }
 
 #[test]
@@ -176,20 +176,16 @@ fn an_error_that_is_not_a_number_does_not_pass() {
 #[test]
 fn a_table_has_one_line_a_check_and_counts_failures() {
     let passes = Verdict {
-        scene: "two_mass",
-        check: "c",
-        reference: "r",
-        error: 1e-12,
-        tolerance: 1e-9,
-        reason: "because",
-        pass: true,
-        value: None,
-        expected: None,
-        failure: None,
+        check: "c".into(),
+        reference: "r".into(),
+        reason: "because".into(),
+        ..Verdict::judged("two_mass", 1e-12, 1e-9, None)
     };
     let fails = Verdict { error: 1.0, pass: false, ..passes.clone() };
-    let text = render_table(&[passes, fails]);
+    let left_out = Verdict { reason: "".into(), ..Verdict::skipped("two_mass", "none".to_owned()) };
+    let text = render_table(&[passes, fails, left_out]);
     assert_eq!(text.lines().filter(|line| line.contains("because")).count(), 3);
+    assert_eq!(text.lines().filter(|line| line.contains("skip")).count(), 1);
     assert_eq!(text.lines().filter(|line| line.contains("FAIL")).count(), 1);
-    assert!(text.ends_with("2 checks, 1 failed\n"));
+    assert!(text.ends_with("2 checks, 1 failed, 1 left out\n"));
 }

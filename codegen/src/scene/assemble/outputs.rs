@@ -82,7 +82,7 @@ impl Assembler<'_> {
     }
 
     /// Unit and meaning of what an output is another name for.
-    fn alias(&self, of: &Ast) -> Result<(String, String), Box<Mistake>> {
+    pub(super) fn alias(&self, of: &Ast) -> Result<(String, String), Box<Mistake>> {
         let plain = |unit: &Declared, doc: &str| Ok((unit.text.clone(), doc.to_owned()));
         match &of.node {
             Node::Name(None, name) => match self.layout.scene.get(name) {

@@ -1,0 +1,148 @@
+//! Checks of a scene: what its run is held against.
+
+use crate::spec::diagnostic::{Mistake, Span, Spanned};
+use crate::spec::expression::Ast;
+use crate::spec::fields::{Fields, Findings};
+use crate::spec::names::quoted;
+use crate::spec::toml::{Entry, Tree};
+
+/// A check as written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CheckSpec {
+    /// Its name.
+    pub name: Spanned<String>,
+    /// The output or state that is checked.
+    pub of: Spanned<String>,
+    /// What it should be.
+    pub reference: ReferenceSpec,
+    /// Largest error that passes, relative to the largest value of the reference.
+    pub tolerance: f64,
+    /// Largest error that passes beside that, in the unit of what is checked.
+    pub absolute: Option<f64>,
+    /// Where the reference is from.
+    pub source: String,
+}
+
+/// What a quantity is held against.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ReferenceSpec {
+    /// An expression of time and parameters, and its text.
+    Closed(Ast, String),
+    /// Times, each with its value, in SI units.
+    Values(Vec<(Spanned<f64>, f64)>),
+    /// A column of a CSV file, over its first one.
+    Column {
+        /// The file.
+        csv: Spanned<String>,
+        /// The column.
+        column: Spanned<String>,
+    },
+}
+
+/// Reads a check.
+pub fn check(entry: &Entry, found: &mut Findings) -> Option<CheckSpec> {
+    let what = format!("check {}", quoted(&entry.key.value));
+    let mut fields = Fields::open(&entry.value, what, found);
+    let of = fields.required_text("of");
+    let reference = reference(entry.key.span, &mut fields);
+    let tolerance = above_zero("tolerance", &mut fields);
+    if tolerance.is_none() {
+        fields.require("tolerance");
+    }
+    let absolute = above_zero("absolute", &mut fields);
+    let source = source(&mut fields);
+    fields.close();
+    Some(CheckSpec {
+        name: entry.key.clone(),
+        of: of?,
+        reference: reference?,
+        tolerance: tolerance?,
+        absolute,
+        source: source?,
+    })
+}
+
+/// The one of the three kinds that is there.
+fn reference(name: Span, fields: &mut Fields<'_>) -> Option<ReferenceSpec> {
+    let [expression, values, csv] = ["expression", "values", "csv"].map(|key| fields.take(key));
+    let column = if csv.is_some() { fields.require("column") } else { None };
+    match (expression, values, csv) {
+        (Some(tree), None, None) => {
+            let text = match &tree.value {
+                Tree::Text { value, .. } => value.split_whitespace().collect::<Vec<_>>().join(" "),
+                _ => String::new(),
+            };
+            Some(ReferenceSpec::Closed(fields.as_expression(tree, "expression")?, text))
+        }
+        (None, Some(tree), None) => pairs(tree, fields).map(ReferenceSpec::Values),
+        (None, None, Some(tree)) => {
+            let csv = fields.as_text(tree, "csv")?;
+            fields.found().tables.push(csv.clone());
+            let column = fields.as_text(column?, "column")?;
+            Some(ReferenceSpec::Column { csv, column })
+        }
+        _ => {
+            let message = "a check is held against one of `expression`, `values` and `csv`";
+            let label = if expression.or(values).or(csv).is_some() { "several" } else { "none" };
+            let help = "write expression = \"...\", values = [[t, value], ...], or \
+                        csv = \"file.csv\" with column = \"name\"";
+            fields.found().mistakes.push(Mistake::new(name, message, label).help(help));
+            None
+        }
+    }
+}
+
+/// `[[t, value], ...]`, times increasing.
+fn pairs(tree: &Spanned<Tree>, fields: &mut Fields<'_>) -> Option<Vec<(Spanned<f64>, f64)>> {
+    let Tree::List(rows) = &tree.value else {
+        return fields.wrong(tree, "values", "a list of [t, value]");
+    };
+    let mut pairs: Vec<(Spanned<f64>, f64)> = Vec::with_capacity(rows.len());
+    for row in rows {
+        let Tree::List(cells) = &row.value else {
+            return fields.wrong(row, "values", "a list of [t, value]");
+        };
+        let [time, value] = cells.as_slice() else {
+            let mistake = Mistake::new(row.span, "a row of `values` is a time and a value", "here");
+            fields.found().mistakes.push(mistake.help("write values = [[t, value], ...]"));
+            return None;
+        };
+        let time = fields.as_number(time, "values")?;
+        let value = fields.as_number(value, "values")?.value;
+        if pairs.last().is_some_and(|(before, _)| before.value >= time.value) {
+            let message = "the times of `values` increase strictly";
+            fields.found().mistakes.push(Mistake::new(time.span, message, "not later"));
+            return None;
+        }
+        pairs.push((time, value));
+    }
+    if pairs.is_empty() {
+        fields.found().mistakes.push(Mistake::new(tree.span, "`values` is empty", "nothing here"));
+        return None;
+    }
+    Some(pairs)
+}
+
+/// A finite number above 0, if it is there.
+fn above_zero(key: &'static str, fields: &mut Fields<'_>) -> Option<f64> {
+    let number = fields.number(key)?;
+    if number.value > 0.0 {
+        return Some(number.value);
+    }
+    let message = format!("`{key}` is the largest error that passes, above 0");
+    fields.found().mistakes.push(Mistake::new(number.span, message, "not above 0"));
+    None
+}
+
+/// One line that says where the reference is from.
+fn source(fields: &mut Fields<'_>) -> Option<String> {
+    let text = fields.required_text("source")?;
+    let line = text.value.trim();
+    if !line.is_empty() && !line.contains(['\n', '\r']) {
+        return Some(line.to_owned());
+    }
+    let message = "`source` is one line that says where the reference is from";
+    let label = if line.is_empty() { "empty" } else { "several lines" };
+    fields.found().mistakes.push(Mistake::new(text.span, message, label));
+    None
+}

@@ -1,0 +1,269 @@
+//! Derivatives of the rate against extrapolated differences of it, and the rate of another
+//! way of running the machine.
+
+use machinist::complex_step::dense;
+use machinist::linear_analysis::differences::{LARGEST, changes};
+use nalgebra::DMatrix;
+
+use super::visit::Visit;
+use super::{Found, Outcome, Row};
+use crate::verify::machine::Point;
+use crate::verify::matrix::{Weights, distances};
+
+const DIFFERENCES: &str = "extrapolated differences, relative to the entry (at least 1e-2 of its \
+                           weighed row or column)";
+const TOLERANCE: f64 = 1e-6;
+const SIX_DIGITS: &str = "differences are good to eight digits or more; entries that they do not \
+                          settle, as beside a kink, are left out";
+const IMPLICIT: &str = "Implicit methods, modes and responses rest on it: they would be slow or \
+                        wrong.";
+
+pub(super) const BY_STATE: Row = Row {
+    name: "dy'/dy along the run and around it",
+    reference: DIFFERENCES,
+    tolerance: TOLERANCE,
+    reason: SIX_DIGITS,
+    matters: IMPLICIT,
+    measure: by_state,
+};
+
+pub(super) const BY_PARAMETERS: Row = Row {
+    name: "dy'/dp along the run and around it",
+    reference: DIFFERENCES,
+    tolerance: TOLERANCE,
+    reason: SIX_DIGITS,
+    matters: "Responses to disturbances rest on it: they would be wrong.",
+    measure: by_parameters,
+};
+
+pub(super) const BY_TIME: Row = Row {
+    name: "time derivative along the run and around it",
+    reference: DIFFERENCES,
+    tolerance: TOLERANCE,
+    reason: SIX_DIGITS,
+    matters: "Rosenbrock methods rest on it: they would lose their order.",
+    measure: by_time,
+};
+
+pub(super) const BITS: Row = Row {
+    name: "rate and Jacobian, interpreted and compiled",
+    reference: "the same bits: numbers that differ",
+    tolerance: 0.0,
+    reason: "both do the same operations in the same order",
+    matters: "One of the two computes another machine: please report it with the scene.",
+    measure: bits,
+};
+
+/// Steps beside those that extrapolation begins with: a phase w t must not go round within.
+const FINE: f64 = 1e-2;
+
+/// What is shifted.
+#[derive(Clone, Copy)]
+enum Along {
+    State,
+    Parameters,
+    Time,
+}
+
+fn by_state(visit: &Visit<'_>) -> Outcome {
+    let pattern = visit.simulator.rate_jacobian_pattern();
+    let sizes = visit.sizes.clone();
+    compare(visit, Along::State, &sizes, |point| {
+        let mut values = vec![0.0; pattern.entries.len()];
+        visit.simulator.rate_jacobian(point.time, &point.state, &point.parameters, &mut values);
+        dense(pattern, &values)
+    })
+}
+
+fn by_parameters(visit: &Visit<'_>) -> Outcome {
+    let pattern = visit.simulator.parameter_jacobian_pattern();
+    if visit.subject.simulation.parameter_values().is_empty() {
+        return Outcome::Skipped("no parameter is left to change".to_owned());
+    }
+    let size = |value: &f64| if *value == 0.0 { 1.0 } else { value.abs() };
+    let sizes: Vec<f64> = visit.subject.simulation.parameter_values().iter().map(size).collect();
+    compare(visit, Along::Parameters, &sizes, |point| {
+        let (time, state, parameters) = (point.time, &point.state, &point.parameters);
+        let mut values = vec![0.0; pattern.entries.len()];
+        visit.simulator.parameter_jacobian(time, state, parameters, &mut values);
+        dense(pattern, &values)
+    })
+}
+
+fn by_time(visit: &Visit<'_>) -> Outcome {
+    // A load may last a small part of the run.
+    let size = 1e-2 * visit.duration();
+    compare(visit, Along::Time, &[size], |point| {
+        let mut values = vec![0.0; point.state.len()];
+        visit.simulator.time_derivative(point.time, &point.state, &point.parameters, &mut values);
+        DMatrix::from_column_slice(values.len(), 1, &values)
+    })
+}
+
+/// The worst entry of all points.
+fn compare(
+    visit: &Visit<'_>,
+    along: Along,
+    sizes: &[f64],
+    ours: impl Fn(&Point) -> DMatrix<f64>,
+) -> Outcome {
+    let mut found = Found::nothing();
+    let mut settled = false;
+    for point in &visit.points {
+        let ours = ours(point);
+        let Differences { values, changes } = differences(visit, point, along, sizes);
+        let rate = visit.rate(point);
+        let weights = Weights {
+            rows: &visit.sizes,
+            columns: sizes,
+            is_constrained: visit.simulator.constraints() > 0,
+            rate: &rate,
+        };
+        // What differences do not settle is taken from what is checked, so that it sets no scale.
+        let exact = DMatrix::from_fn(values.nrows(), values.ncols(), |i, j| {
+            if values[(i, j)].is_finite() { values[(i, j)] } else { ours[(i, j)] }
+        });
+        let Some(floors) = weights.floors(&exact) else {
+            found.take(f64::NAN, || "Its shape is not that of the states.".to_owned());
+            continue;
+        };
+        let floors = floors.zip_map(&least(visit, &rate, sizes), f64::max);
+        for ((i, j), distance) in distances(&ours, &exact, &floors) {
+            let scale = exact[(i, j)].abs().max(floors[(i, j)]);
+            let is_settled = changes[(i, j)] <= 1e-2 * TOLERANCE * scale;
+            settled |= is_settled;
+            if is_settled || (distance.is_nan() && changes[(i, j)].is_finite()) {
+                found.take(distance, || {
+                    let row = visit.simulator.state(i).name;
+                    format!("Worst: {row}' by {} at {} s.", name(visit, along, j), point.time)
+                });
+            }
+        }
+    }
+    if settled {
+        Outcome::Found(found)
+    } else {
+        Outcome::Skipped("differences settle no entry: the rate is not smooth anywhere".to_owned())
+    }
+}
+
+/// What counts as nothing beside the rates, where no entry sets a scale: times the tolerance,
+/// their rounding.
+fn least(visit: &Visit<'_>, rate: &[f64], sizes: &[f64]) -> DMatrix<f64> {
+    const NOTHING: f64 = 1e-9;
+    let rows = &visit.sizes;
+    let rates = rate.iter().zip(rows).map(|(rate, row)| (rate / row).abs());
+    let of_all = rates.fold(visit.duration().recip(), f64::max);
+    DMatrix::from_fn(rows.len(), sizes.len(), |i, j| NOTHING * of_all * rows[i] / sizes[j])
+}
+
+fn name<'a>(visit: &Visit<'a>, along: Along, index: usize) -> &'a str {
+    match along {
+        Along::State => visit.simulator.state(index).name,
+        Along::Parameters => visit.simulator.parameter(index).name,
+        Along::Time => "t",
+    }
+}
+
+/// Differences, column by column, with how much the last extrapolation changed them: without
+/// bound where a kink is too near.
+struct Differences {
+    values: DMatrix<f64>,
+    changes: DMatrix<f64>,
+}
+
+fn differences(visit: &Visit<'_>, point: &Point, along: Along, sizes: &[f64]) -> Differences {
+    /// Of the rate, in the difference over the largest step.
+    const ROUNDINGS: f64 = 8.0;
+    let states = point.state.len();
+    let rate = visit.rate(point);
+    let mut found = Differences {
+        values: DMatrix::zeros(states, sizes.len()),
+        changes: DMatrix::zeros(states, sizes.len()),
+    };
+    for (column, size) in sizes.iter().enumerate() {
+        // A mode is a whole number: nobody asks how the rate changes with it.
+        let is_mode = matches!(along, Along::State) && visit.simulator.is_mode(column);
+        let size = away_from_kinks(visit, point, (along, column), *size);
+        let Some(size) = size.filter(|_| !is_mode) else {
+            found.changes.column_mut(column).fill(f64::INFINITY);
+            continue;
+        };
+        let size = FINE * size;
+        let at = |step: f64| visit.rate(&shifted(point, along, column, step));
+        for (row, (value, change)) in changes(size, states, at).into_iter().enumerate() {
+            found.values[(row, column)] = value;
+            let change = change + ROUNDINGS * f64::EPSILON * rate[row].abs() / (LARGEST * size);
+            found.changes[(row, column)] = if value.is_finite() { change } else { f64::INFINITY };
+        }
+    }
+    found
+}
+
+fn shifted(point: &Point, along: Along, column: usize, step: f64) -> Point {
+    let mut point = point.clone();
+    match along {
+        Along::State => point.state[column] += step,
+        Along::Parameters => point.parameters[column] += step,
+        Along::Time => point.time += step,
+    }
+    point
+}
+
+/// A size, at most the one given, of which the largest step passes no kink.
+fn away_from_kinks(
+    visit: &Visit<'_>,
+    point: &Point,
+    (along, column): (Along, usize),
+    mut size: f64,
+) -> Option<f64> {
+    const HALVINGS: usize = 12;
+    let simulator = visit.simulator;
+    let guards = |point: &Point| {
+        let mut values = vec![0.0; simulator.kinks()];
+        simulator.kink_guards(point.time, &point.state, &point.parameters, &mut values);
+        values
+    };
+    if simulator.kinks() == 0 {
+        return Some(size);
+    }
+    let here = guards(point);
+    for _ in 0..HALVINGS {
+        let step = FINE * LARGEST * size;
+        let [behind, ahead] =
+            [-step, step].map(|step| guards(&shifted(point, along, column, step)));
+        let stays = |k: usize| {
+            let signs = [behind[k], here[k], ahead[k]].map(|v| v.partial_cmp(&0.0));
+            signs[0] == signs[1] && signs[1] == signs[2]
+        };
+        if (0..here.len()).all(stays) {
+            return Some(size);
+        }
+        size *= 0.5;
+    }
+    None
+}
+
+/// How many numbers of rate and Jacobian differ.
+fn bits(visit: &Visit<'_>) -> Outcome {
+    let twin = match visit.subject.twin {
+        Ok(twin) => twin,
+        Err(why) => return Outcome::Skipped(why.to_owned()),
+    };
+    let simulator = visit.simulator;
+    let entries = simulator.rate_jacobian_pattern().entries.len();
+    let mut found = Found::nothing();
+    for point in &visit.points {
+        let (time, state, parameters) = (point.time, &point.state, &point.parameters);
+        let (mut ours, mut theirs) = (vec![0.0; entries], vec![0.0; entries]);
+        simulator.rate_jacobian(time, state, parameters, &mut ours);
+        twin.rate_jacobian(time, state, parameters, &mut theirs);
+        ours.extend(visit.rate(point));
+        let mut rate = vec![0.0; state.len()];
+        twin.rate(time, state, parameters, &mut rate);
+        theirs.extend(rate);
+        let differ = ours.iter().zip(&theirs).filter(|(a, b)| a.to_bits() != b.to_bits()).count();
+        found.take(differ as f64, || format!("Worst at {time} s."));
+    }
+    Outcome::Found(found)
+}

@@ -1,0 +1,239 @@
+//! What powers and energies tell of a machine, and what they do not.
+//!
+//! The account closes for any force: what a force supplies is taken as supplied, whatever its
+//! sign, so that its residual shows forces marked `conversion`, energies and powers of
+//! first-order states that do not belong together. Wrong signs show elsewhere: in power lost
+//! that is negative, in events that gain energy, and in forces that push along whichever way
+//! the machine moves.
+
+use machinist_contract::{PowerBalance, Simulator, StateKind};
+
+use super::visit::Visit;
+use super::{Found, Outcome, Row};
+use crate::verify::machine::Point;
+use crate::verify::power::{account_error, residual};
+
+pub(super) const BALANCE: Row = Row {
+    name: "power balance along the run and around it",
+    reference: "dE/dt = supplied - lost, relative to the sizes of its terms",
+    tolerance: 1e-10,
+    reason: "an identity; rounding is left, more where terms cancel",
+    matters: "Energy appears or vanishes: a force marked `conversion` and the first-order states \
+              it takes from do not balance, or `stored`, `supplied` and `dissipated` of these do \
+              not belong to their rates.",
+    measure: balance,
+};
+
+pub(super) const ACCOUNT: Row = Row {
+    name: "energy account of a converged run",
+    reference: "energy stored, supplied and lost, relative to the energy passed, if any, or in \
+                motion",
+    tolerance: 1e-8,
+    reason: "a thousand times the tolerance of a step, which errors of many steps stay below",
+    matters: "Energy appears or vanishes along the run, between states that balance or at events.",
+    measure: account,
+};
+
+pub(super) const LOST: Row = Row {
+    name: "power lost is never negative",
+    reference: "at velocities along the run and around it and at their negatives, half of both; \
+                relative to the largest power",
+    tolerance: 1e-9,
+    reason: "rounding of the largest power",
+    matters: "What should lose energy gives some: look for a sign in a `dissipation` or in \
+              `power.dissipated`.",
+    measure: lost,
+};
+
+pub(super) const EVENTS: Row = Row {
+    name: "no event gains energy",
+    reference: "energy lost so far, which must not shrink, relative to the energy passed or in \
+                motion",
+    tolerance: 1e-8,
+    reason: "errors of the account, see there",
+    matters: "An event leaves more energy than there was: look at what it sets, such as a \
+              restitution above 1.",
+    measure: events,
+};
+
+pub(super) const FORCES: Row = Row {
+    name: "no force feeds every motion",
+    reference: "power supplied at the velocities of the run, and at their negatives: the less of \
+                the two, beside what is supplied at rest, relative to both",
+    tolerance: 1e-6,
+    reason: "a drive supplies power one way only, and what slows takes it both ways",
+    matters: "Forces supply power whichever way the machine moves, as a drag of the wrong sign \
+              does. A machine that is meant to excite itself fails this row rightly.",
+    measure: forces,
+};
+
+/// As the built-in studies do, with the gradient of the energy by differences, which only
+/// sets the scale.
+fn balance(visit: &Visit<'_>) -> Outcome {
+    let simulator = visit.simulator;
+    let energy =
+        |point: &Point| simulator.energy(point.time, &point.state, &point.parameters).total();
+    let least = least_power(visit);
+    let mut found = Found::nothing();
+    for point in &visit.points {
+        let rate = visit.rate(point);
+        let slope = |size: f64, shift: &dyn Fn(&mut Point, f64)| {
+            let at = |step: f64| {
+                let mut point = point.clone();
+                shift(&mut point, step);
+                energy(&point)
+            };
+            let step = 1e-4 * size;
+            (at(step) - at(-step)) / (2.0 * step)
+        };
+        let mut terms: Vec<f64> = (0..rate.len())
+            .filter(|index| !simulator.is_mode(*index))
+            .map(|index| rate[index] * slope(visit.sizes[index], &|p, h| p.state[index] += h))
+            .collect();
+        terms.push(slope(1e-2 * visit.duration(), &|p, h| p.time += h));
+        // What has no value beside the point sets no scale.
+        let size: f64 = terms.iter().filter(|term| term.is_finite()).map(|term| term.abs()).sum();
+        let error = residual(simulator, point, size + least);
+        found.take(error, || format!("Worst at {} s.", point.time));
+    }
+    Outcome::Found(found)
+}
+
+fn account(visit: &Visit<'_>) -> Outcome {
+    let Some(balance) = visit.references().account() else {
+        return Outcome::Skipped(visit.references().why_none());
+    };
+    Outcome::Found(Found { error: account_error(balance), place: String::new() })
+}
+
+/// A power below which nothing counts \[W\]: the energy in motion once a run.
+fn least_power(visit: &Visit<'_>) -> f64 {
+    let energy = |point: &Point| {
+        let energy = visit.simulator.energy(point.time, &point.state, &point.parameters);
+        energy.kinetic.abs() + energy.stored.abs()
+    };
+    visit.points.iter().map(energy).fold(0.0, f64::max) / visit.duration()
+}
+
+/// The power lost at velocities and at their negatives, half of both together. A damper that
+/// is moved at one end loses c (v - u) v of the machine's own motion, which may be negative:
+/// the mover supplies the rest. Of both directions, c v^2 is left.
+fn lost(visit: &Visit<'_>) -> Outcome {
+    let simulator = visit.simulator;
+    let columns = super::states(visit.run);
+    let parameters = visit.subject.simulation.parameter_values();
+    let along = visit.run.times.iter().enumerate().map(|(row, time)| Point {
+        time: *time,
+        state: columns.iter().map(|column| column[row]).collect(),
+        parameters: parameters.to_vec(),
+    });
+    let power = |point: Point| {
+        let (ahead, back) = (power_at(simulator, &point, 1.0), power_at(simulator, &point, -1.0));
+        let lost = f64::midpoint(ahead.dissipated, back.dissipated);
+        let size = ahead.supplied.abs().max(ahead.dissipated.abs()).max(back.dissipated.abs());
+        (point.time, lost, size)
+    };
+    let powers: Vec<_> = along.chain(visit.points.iter().cloned()).map(power).collect();
+    let largest = powers.iter().fold(least_power(visit), |most, (.., size)| most.max(*size));
+    let mut found = Found::nothing();
+    for (time, lost, _) in powers {
+        let error = if lost < 0.0 { -lost / largest } else { 0.0 };
+        let error = if lost.is_nan() { f64::NAN } else { error };
+        found.take(error, || format!("Worst: {lost:.3e} W at {time} s."));
+    }
+    Outcome::Found(found)
+}
+
+/// Powers at a point whose velocities are so many times as large.
+fn power_at(simulator: &dyn Simulator<f64>, point: &Point, factor: f64) -> PowerBalance<f64> {
+    let mut state = point.state.clone();
+    for (index, value) in state.iter_mut().enumerate() {
+        if simulator.state_kind(index) == StateKind::Velocity {
+            *value *= factor;
+        }
+    }
+    simulator.power_balance(point.time, &state, &point.parameters)
+}
+
+fn events(visit: &Visit<'_>) -> Outcome {
+    if visit.simulator.events() == 0 {
+        return Outcome::Skipped("the machine has no events".to_owned());
+    }
+    let Some(balance) = visit.references().account() else {
+        return Outcome::Skipped(visit.references().why_none());
+    };
+    if visit.points.iter().any(|point| are_timed(visit, point)) {
+        let why = "events go by time: what moves with time may give energy";
+        return Outcome::Skipped(why.to_owned());
+    }
+    let passed = balance.passed.last().copied().unwrap_or(0.0);
+    let scale = passed.max(balance.largest_active);
+    let mut found = Found::nothing();
+    let switches = visit.references().switches();
+    for (pair, times) in balance.dissipated.windows(2).zip(visit.run.times.windows(2)) {
+        if !switches.iter().any(|switch| (times[0]..=times[1]).contains(&switch.time)) {
+            continue;
+        }
+        let shrinks = pair[0] - pair[1];
+        let error = if shrinks > 0.0 { shrinks / scale } else { 0.0 };
+        let error = if shrinks.is_nan() { f64::NAN } else { error };
+        found
+            .take(error, || format!("Worst: {shrinks:.3e} J from {} to {} s.", times[0], times[1]));
+    }
+    Outcome::Found(found)
+}
+
+/// Whether guards or new values change while nothing moves but time.
+fn are_timed(visit: &Visit<'_>, point: &Point) -> bool {
+    let simulator = visit.simulator;
+    let sets: usize = (0..simulator.events()).map(|event| simulator.event(event).sets.len()).sum();
+    let at = |time: f64| {
+        let (mut guards, mut resets) = (vec![0.0; simulator.events()], vec![0.0; sets]);
+        simulator.guards(time, &point.state, &point.parameters, &mut guards);
+        simulator.resets(time, &point.state, &point.parameters, &mut resets);
+        guards.extend(resets);
+        guards
+    };
+    at(point.time) != at(point.time + 1e-3 * visit.duration())
+}
+
+fn forces(visit: &Visit<'_>) -> Outcome {
+    /// Where what grows with speed shows beside a drive that does not.
+    const FASTER: [f64; 2] = [1.0, 100.0];
+    let simulator = visit.simulator;
+    let supplied = |point: &Point, factor: f64| power_at(simulator, point, factor).supplied;
+    if visit.points.iter().any(|point| are_moved(simulator, point)) {
+        let why = "constraints that move with time do work, which is supplied both ways";
+        return Outcome::Skipped(why.to_owned());
+    }
+    let least = least_power(visit);
+    let mut found = Found::nothing();
+    for point in &visit.points {
+        let at_rest = supplied(point, 0.0);
+        for factor in FASTER {
+            let [ahead, back] = [factor, -factor].map(|f| supplied(point, f) - at_rest);
+            if !(ahead.is_finite() && back.is_finite()) {
+                continue;
+            }
+            let size = ahead.abs() + back.abs() + factor * factor * least;
+            let error = if ahead.min(back) > 0.0 { ahead.min(back) / size } else { 0.0 };
+            found.take(error, || {
+                format!("Worst at {} s: {ahead:.3e} W, and {back:.3e} W back.", point.time)
+            });
+        }
+    }
+    Outcome::Found(found)
+}
+
+/// Whether a constraint moves while nothing else does.
+fn are_moved(simulator: &dyn Simulator<f64>, point: &Point) -> bool {
+    let mut state = point.state.clone();
+    for (index, value) in state.iter_mut().enumerate() {
+        if simulator.state_kind(index) == StateKind::Velocity {
+            *value = 0.0;
+        }
+    }
+    let mut rates = vec![0.0; simulator.constraints()];
+    simulator.constraint_rates(point.time, &state, &point.parameters, &mut rates);
+    rates.iter().any(|rate| *rate != 0.0)
+}

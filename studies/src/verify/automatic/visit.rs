@@ -1,0 +1,111 @@
+//! Where a machine is looked at: along its own run, and around it.
+
+use std::cell::OnceCell;
+
+use machinist::Trajectory;
+use machinist::constraints::{Constraints, Level};
+use machinist_contract::Simulator;
+
+use super::runs::References;
+use super::{Subject, states};
+use crate::verify::machine::{Point, SplitMix};
+
+/// Places along the run; as many again lie around them.
+const PLACES: usize = 8;
+/// Columns of Jacobians that are differentiated in all, as far as eight places allow.
+const COLUMNS: usize = 1500;
+/// How far around, beside the size of a state's motion.
+const AROUND: f64 = 0.1;
+
+/// A machine, its run, and the points to look at.
+pub(super) struct Visit<'a> {
+    pub(super) subject: &'a Subject<'a>,
+    pub(super) simulator: &'a dyn Simulator<f64>,
+    pub(super) run: &'a Trajectory,
+    /// Typical size of each state's motion: how far it goes, and at most its scale.
+    pub(super) sizes: Vec<f64>,
+    pub(super) points: Vec<Point>,
+    references: OnceCell<References>,
+}
+
+impl<'a> Visit<'a> {
+    pub(super) fn new(subject: &'a Subject<'a>, run: &'a Trajectory) -> Self {
+        let simulator = subject.simulation.simulator();
+        let columns = states(run);
+        let sizes: Vec<f64> = (0..columns.len()).map(|k| size(simulator, k, columns[k])).collect();
+        let references = OnceCell::new();
+        let mut visit = Self { subject, simulator, run, sizes, points: Vec::new(), references };
+        visit.points = visit.along_and_around(&columns);
+        visit
+    }
+
+    /// States of the run, evenly spread, each followed by one around it.
+    fn along_and_around(&self, columns: &[&[f64]]) -> Vec<Point> {
+        let parameters = self.subject.simulation.parameter_values();
+        let places = (COLUMNS / columns.len().max(1)).clamp(2, PLACES);
+        let last = self.run.times.len() - 1;
+        let mut random = SplitMix(0x5eed);
+        let mut points = Vec::with_capacity(2 * places);
+        for place in 0..places {
+            let row = place * last / (places - 1);
+            let state: Vec<f64> = columns.iter().map(|column| column[row]).collect();
+            let along = Point { time: self.run.times[row], state, parameters: parameters.to_vec() };
+            let mut around = along.clone();
+            for (index, value) in around.state.iter_mut().enumerate() {
+                let shift = AROUND * self.sizes[index] * random.signed();
+                *value += if self.simulator.is_mode(index) { 0.0 } else { shift };
+            }
+            let around = on_constraints(self.simulator, around);
+            points.push(along);
+            points.extend(around.filter(|point| self.is_defined(point)));
+        }
+        points
+    }
+
+    /// Whether the machine has a rate there: around a state may be beyond a root or a wall.
+    fn is_defined(&self, point: &Point) -> bool {
+        self.rate(point).iter().all(|value| value.is_finite())
+    }
+
+    /// y' at a point.
+    pub(super) fn rate(&self, point: &Point) -> Vec<f64> {
+        let mut rate = vec![0.0; point.state.len()];
+        self.simulator.rate(point.time, &point.state, &point.parameters, &mut rate);
+        rate
+    }
+
+    /// How long the run is \[s\].
+    pub(super) fn duration(&self) -> f64 {
+        match self.run.times.as_slice() {
+            [first, .., last] => last - first,
+            _ => f64::NAN,
+        }
+    }
+
+    /// Converged runs; found when they are first asked for.
+    pub(super) fn references(&self) -> &References {
+        self.references.get_or_init(|| References::of(self))
+    }
+}
+
+/// How far a state goes in a run, and at most its scale; its scale if it stays.
+fn size(simulator: &dyn Simulator<f64>, index: usize, values: &[f64]) -> f64 {
+    let scale = simulator.state_scale(index);
+    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let greatest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let far = greatest - least;
+    // What moves by rounding alone stays.
+    let stays = far <= 1e-9 * greatest.abs().max(least.abs()).max(1e-9 * scale);
+    if stays { scale } else { far.min(scale) }
+}
+
+/// The point put back onto the constraints; nothing if that fails.
+fn on_constraints(simulator: &dyn Simulator<f64>, point: Point) -> Option<Point> {
+    let Point { time, mut state, parameters } = point;
+    if let Some(constraints) = Constraints::of(simulator, &parameters) {
+        for level in [Level::Positions, Level::Velocities] {
+            constraints.put_back(level, time, &mut state).ok()?;
+        }
+    }
+    Some(Point { time, state, parameters })
+}

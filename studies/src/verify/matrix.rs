@@ -1,0 +1,95 @@
+//! How far two Jacobians differ, entry by entry.
+
+use nalgebra::DMatrix;
+
+use super::worse;
+
+/// Rows and columns of a matrix with constraints that are smaller than this, beside its
+/// largest entry, are rounding.
+const NOTHING: f64 = 1e-12;
+/// Entries of such a matrix that are smaller than this, likewise, are held to it.
+const LEAST: f64 = 1e-3;
+
+/// What entries of a Jacobian are weighed by.
+pub(super) struct Weights<'a> {
+    /// Typical sizes of what the rows are rates of.
+    pub(super) rows: &'a [f64],
+    /// Typical sizes of what the columns are derivatives by.
+    pub(super) columns: &'a [f64],
+    /// Whether constraints solve all coordinates together.
+    pub(super) is_constrained: bool,
+    /// y' there.
+    pub(super) rate: &'a [f64],
+}
+
+impl Weights<'_> {
+    /// The least size that each entry is compared with: 1e-2 F_ij, where F_ij is the largest
+    /// of the row i and column j, weighed by the sizes r of the rows and s of the columns,
+    /// |B_ik| s_k/s_j and |B_kj| r_i/r_k. Nothing if there are other sizes than entries.
+    ///
+    /// 1e-12 of the floor is a hundred roundings of the largest that enters where a full mass
+    /// matrix is solved: by the rotor's angle a motor's rotor currents change by 1e6, and
+    /// the stator's, solved along with them, by some tens that such numbers leave. An entry
+    /// outside a pattern is zero in A.
+    ///
+    /// Constraints solve all coordinates together: what one row needs, others leave their
+    /// rounding in. The floor is at least [`LEAST`] of the largest of all of B, or of the rates
+    /// by their sizes if these are larger; and all of that where nothing but rounding is in a
+    /// row or column, as in those of the masses of a machine that is driven.
+    pub(super) fn floors(&self, exact: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+        let (rows, columns) = (self.rows, self.columns);
+        if (rows.len(), columns.len()) != exact.shape() {
+            return None;
+        }
+        let weighed = DMatrix::from_fn(rows.len(), columns.len(), |i, j| {
+            exact[(i, j)].abs() * columns[j] / rows[i]
+        });
+        let largest = |values: &mut dyn Iterator<Item = &f64>| values.copied().fold(0.0, worse);
+        let by_row: Vec<f64> = weighed.row_iter().map(|row| largest(&mut row.iter())).collect();
+        let by_column: Vec<f64> =
+            weighed.column_iter().map(|column| largest(&mut column.iter())).collect();
+        let rates = self.rate.iter().zip(rows).map(|(rate, row)| (rate / row).abs());
+        let of_all = rates.chain(by_row.iter().copied()).fold(0.0, worse);
+        Some(DMatrix::from_fn(rows.len(), columns.len(), |i, j| {
+            let is_nothing = by_row[i].min(by_column[j]) <= NOTHING * of_all;
+            let size = if self.is_constrained && is_nothing {
+                of_all
+            } else if self.is_constrained {
+                worse(1e-2 * worse(by_row[i], by_column[j]), LEAST * of_all)
+            } else {
+                1e-2 * worse(by_row[i], by_column[j])
+            };
+            size * rows[i] / columns[j]
+        }))
+    }
+}
+
+/// |A_ij - B_ij|/max(|B_ij|, floor) of every entry; no error over no scale if both are zero, as
+/// where a load is saturated.
+pub(super) fn distances<'a>(
+    ours: &'a DMatrix<f64>,
+    exact: &'a DMatrix<f64>,
+    floors: &'a DMatrix<f64>,
+) -> impl Iterator<Item = ((usize, usize), f64)> + 'a {
+    let entries = (0..exact.nrows()).flat_map(|i| (0..exact.ncols()).map(move |j| (i, j)));
+    entries.map(|entry| {
+        let (a, b) = (ours[entry], exact[entry]);
+        let distance = (a - b).abs();
+        let error = if distance == 0.0 { 0.0 } else { distance / b.abs().max(floors[entry]) };
+        (entry, error)
+    })
+}
+
+/// The largest of [`distances`]; NaN if the shapes differ.
+pub(super) fn matrix_error(
+    ours: &DMatrix<f64>,
+    exact: &DMatrix<f64>,
+    weights: &Weights<'_>,
+) -> f64 {
+    match weights.floors(exact) {
+        Some(floors) if ours.shape() == exact.shape() => {
+            distances(ours, exact, &floors).map(|(_, error)| error).fold(0.0, worse)
+        }
+        _ => f64::NAN,
+    }
+}

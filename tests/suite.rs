@@ -22,6 +22,7 @@ mod onsets;
 mod orders;
 mod parts;
 mod prepared;
+mod series;
 mod simulate;
 mod sparsity;
 mod sweep;

@@ -1239,8 +1239,8 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         let t63_k = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t62_k);
         let t64_k = R::select_less(pair_slip, R::literal(0.5), pair_held_k, t63_k);
         let pair_carried_k = R::select_less(pair_slip, R::literal(-0.5), pair_limit_k, t64_k);
-        let t65_k = -t9_k * t11.mul_add(t65, sums_3[0]) * inverse_holder_mass;
-        let t66_k = -t13_k * t16.mul_add(t66, sums_3[1]) * inverse_pair_inertia;
+        let t65_k = -(t9_k * t11).mul_add(t65, sums_3[0]) * inverse_holder_mass;
+        let t66_k = -(t13_k * t16).mul_add(t66, sums_3[1]) * inverse_pair_inertia;
         let t68_k = holder_v_k * t67;
         let t69_k = pair_omega.mul_add(t68_k, t68.mul_add(pair_omega_k, sums_1[1]));
         let t70_k = pair_radius.mul_add(t69_k, t69.mul_add(pair_radius_k, sums_2[0]));

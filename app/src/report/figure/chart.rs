@@ -268,8 +268,8 @@ mod tests {
         let panel = panel(axes, &[0.01, 100.0]);
         assert_eq!(panel.at(1.0, 0.0), None);
         let (x, y) = panel.at(1.0, 1.0).expect("a point");
-        let middle = f64::midpoint(LEFT, WIDTH - RIGHT);
-        assert!((x - middle).abs() < 1e-9 && (y - (HEIGHT - BOTTOM + TOP) / 2.0).abs() < 1e-9);
+        let middle = (f64::midpoint(LEFT, WIDTH - RIGHT), f64::midpoint(HEIGHT - BOTTOM, TOP));
+        assert!((x - middle.0).abs() < 1e-9 && (y - middle.1).abs() < 1e-9);
     }
 
     #[test]

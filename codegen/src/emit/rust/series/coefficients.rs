@@ -209,6 +209,7 @@ impl<'a> Writer<'a> {
                 let inverse_of = &self.inverses[index(id)];
                 let b = newest(b);
                 if self.tape.is_constant(a) {
+                    let b = receiver(&b);
                     quote!(-#b.mul_add(#ratio, #(#sums)*) * #inverse_of)
                 } else {
                     let a = newest(a);
@@ -229,7 +230,8 @@ impl<'a> Writer<'a> {
             }
             Recurrence::Power { base, exponent } => {
                 let inverse_of = &self.inverses[index(id)];
-                let (power, exponent, base) = (self.value(id), self.value(exponent), newest(base));
+                let (power, exponent) = (self.value(id), self.value(exponent));
+                let base = receiver(&newest(base));
                 let (first, second) = (&sums[0], &sums[1]);
                 quote!(
                     (#exponent * #base.mul_add(#power, #inverse * #first) - #inverse * #second)
@@ -250,7 +252,7 @@ impl<'a> Writer<'a> {
                 quote!(#terms)
             }
             Recurrence::Lagged { entry, acceleration } => {
-                let (entry, acceleration) = (newest(entry), self.value(acceleration));
+                let (entry, acceleration) = (receiver(&newest(entry)), self.value(acceleration));
                 quote!(#entry.mul_add(#acceleration, #(#sums)*))
             }
         };
@@ -277,11 +279,12 @@ impl<'a> Writer<'a> {
         };
         let other = |id: NodeId| self.newest_or_product(id);
         if let (Some((series, factor)), Some(a)) = (parts(b), other(a)) {
-            let series = if is_difference { quote!((-#series)) } else { series };
+            let series = if is_difference { quote!((-#series)) } else { receiver(&series) };
             return Some(quote!(#series.mul_add(#factor, #a)));
         }
         let ((series, factor), b) = (parts(a)?, other(b)?);
         let minus = is_difference.then(|| quote!(-));
+        let series = receiver(&series);
         Some(quote!(#series.mul_add(#factor, #minus #b)))
     }
 
@@ -318,7 +321,8 @@ impl<'a> Writer<'a> {
             let minus = minus.then(|| quote!(-));
             return quote!(#minus #inverse * #slope * #before);
         }
-        let (value, newest) = (self.value(integrand), self.newest_or_zero(argument));
+        let value = self.value(integrand);
+        let newest = receiver(&self.newest_or_zero(argument));
         if minus {
             quote!(-#newest.mul_add(#value, #inverse * #(#sums)*))
         } else {
@@ -578,5 +582,14 @@ fn linear(
         },
         Recurrence::Neg(a) => (of(a).map(|a| quote!(-#a)), false),
         _ => (None, true),
+    }
+}
+
+/// What a method is called of: in parentheses if it is more than a name or a call, which the
+/// call would bind to in part.
+fn receiver(tokens: &TokenStream) -> TokenStream {
+    match syn::parse2(tokens.clone()) {
+        Ok(syn::Expr::Binary(_) | syn::Expr::Unary(_)) => quote!((#tokens)),
+        _ => tokens.clone(),
     }
 }

@@ -1,0 +1,65 @@
+//! Taylor series that are emitted are those of the model, to high orders.
+
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_contract::Simulator;
+use machinist_contract::taylor::TaylorSeries;
+use machinist_model::ModelSimulator;
+use machinist_scenes::scenes;
+
+use crate::own_scene::model_of_specs;
+
+const ORDER: usize = 20;
+
+/// Coefficients from order 0 on, of all states each.
+fn coefficients(
+    series: &dyn TaylorSeries<f64>,
+    (time, state, parameters): (f64, &[f64], &[f64]),
+) -> Vec<f64> {
+    let mut coefficients = vec![0.0; (ORDER + 1) * state.len()];
+    let mut workspace = vec![0.0; series.series_workspace(ORDER)];
+    series.series(time, state, parameters, &mut coefficients, &mut workspace);
+    coefficients
+}
+
+#[test]
+fn every_emitted_series_is_that_of_its_model() {
+    let mut looked_at = 0;
+    for name in scenes::NAMES {
+        let Some(scene) = scenes::find_f64(name) else { continue };
+        let Some(emitted) = scene.taylor() else { continue };
+        let model = ModelSimulator::interpreted(model_of_specs(name, Keep::Needed));
+        let model: &dyn Simulator<f64> = &model;
+        let interpreted = model.taylor().expect("a series of the model");
+        let states = scene.shape().states();
+        for seed in 0..8 {
+            let mut numbers = fastrand::Rng::with_seed(seed);
+            let mut about = |value: f64| value * (0.8 + 0.4 * numbers.f64());
+            let parameters: Vec<f64> = (0..scene.shape().parameters)
+                .map(|index| about(scene.parameter_default(index)))
+                .collect();
+            let mut state = vec![0.0; states];
+            scene.initial_state(&parameters, &mut state);
+            for (index, value) in state.iter_mut().enumerate() {
+                if scene.is_mode(index) {
+                    *value = f64::from(numbers.i8(-2..=2));
+                } else {
+                    *value += scene.state_scale(index) * (numbers.f64() - 0.5);
+                }
+            }
+            let at = (0.3 + 0.1 * seed as f64, &state[..], &parameters[..]);
+            let (ours, theirs) = (coefficients(emitted, at), coefficients(interpreted, at));
+            // Rounding grows from order to order, as it does in each of the two.
+            for (order, pair) in ours.chunks(states).zip(theirs.chunks(states)).enumerate() {
+                let size = pair.1.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+                for (state, (ours, theirs)) in pair.0.iter().zip(pair.1).enumerate() {
+                    let off = (ours - theirs).abs();
+                    let is_same = off <= 1e-8 * size || ours.is_nan() && theirs.is_nan();
+                    let same = ours.to_bits() == theirs.to_bits() || is_same;
+                    assert!(same, "{name}, {seed}: {ours:e} for {theirs:e}, {order} of {state}");
+                }
+            }
+        }
+        looked_at += 1;
+    }
+    assert!(looked_at > 15, "{looked_at} scenes");
+}

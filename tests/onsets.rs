@@ -74,7 +74,7 @@ fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
     a.iter().zip(b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
 }
 
-/// Thirty tolerances, five settings. A slip that begins late shifts all that follows, so that
+/// Fifteen tolerances, five settings. A slip that begins late shifts all that follows, so that
 /// errors are far above tolerances; none is missed.
 #[test]
 fn what_sticks_on_a_belt_lets_go_in_time() {
@@ -92,8 +92,8 @@ fn what_sticks_on_a_belt_lets_go_in_time() {
         let doubt = difference(&exact, &run(&block, Method::Dop853, 1e-11, set));
         assert!(doubt < 1e-8, "{set:?}: two converged runs differ by {doubt:e}");
         for method in [Method::Radau, Method::Rodas5p, Method::Auto] {
-            for step in 0..30 {
-                let rtol = 10f64.powf(-5.0 - 5.0 * f64::from(step) / 29.0);
+            for step in 0..15 {
+                let rtol = 10f64.powf(-5.0 - 5.0 * f64::from(step) / 14.0);
                 let error = difference(&run(&block, method, rtol, set), &exact);
                 assert!(error < 0.06, "{method} at {rtol:.1e}, {set:?}: off by {error:.1e} m");
                 all += 1;

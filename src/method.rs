@@ -20,6 +20,8 @@ mod lanes;
 mod lu;
 mod one_step;
 #[cfg(feature = "implicit")]
+mod onset;
+#[cfg(feature = "implicit")]
 mod quadrature;
 #[cfg(feature = "implicit")]
 mod radau;

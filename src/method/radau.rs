@@ -238,6 +238,17 @@ impl<'a> RadauSteps<'a> {
         self.estimate(true)
     }
 
+    /// The rate at the end of a step that is good otherwise.
+    fn look_at_end(&mut self) -> Result<(), Trial> {
+        let now = self.time + self.step;
+        self.stretch.rate(now, &self.end, &mut self.rate_at_end);
+        let mut ends = self.end.iter().chain(&self.rate_at_end);
+        if let Some(index) = ends.position(|value| !value.is_finite()) {
+            return Err(Trial::NotFinite { what: "the rate of", index: index % self.len });
+        }
+        self.newton.refuse_onset(&self.methods[self.current], (now, self.step), &self.end)
+    }
+
     /// Stages of the quadratures, Z_w = h A P.
     fn sum_up_flows(&mut self) {
         if self.len == self.size {
@@ -352,40 +363,19 @@ impl OneStep for RadauSteps<'_> {
 
     fn attempt(&mut self, step: f64) -> Trial {
         self.step = step;
-        match self.try_step() {
-            Ok(error) if error <= 1.0 => {
-                let now = self.time + step;
-                self.stretch.rate(now, &self.end, &mut self.rate_at_end);
-                let ends = self.end.iter().chain(&self.rate_at_end);
-                if let Some(index) = ends.clone().position(|value| !value.is_finite()) {
-                    self.was_rejected = true;
-                    return Trial::NotFinite { what: "the rate of", index: index % self.len };
-                }
-                let method = &self.methods[self.current];
-                match self.newton.passes_onset(method, (now, step), &self.end) {
-                    Ok(false) => {
-                        self.last_error = error;
-                        Trial::Error(error)
-                    }
-                    Ok(true) => {
-                        self.was_rejected = true;
-                        Trial::Unsolved { shrink: 0.5 }
-                    }
-                    Err(trial) => {
-                        self.was_rejected = true;
-                        trial
-                    }
-                }
+        let tried = self.try_step().and_then(|error| {
+            if error <= 1.0 {
+                self.look_at_end()?;
             }
+            Ok(error)
+        });
+        self.was_rejected |= !matches!(tried, Ok(error) if error <= 1.0);
+        match tried {
             Ok(error) => {
-                self.was_rejected = true;
                 self.last_error = error;
                 Trial::Error(error)
             }
-            Err(trial) => {
-                self.was_rejected = true;
-                trial
-            }
+            Err(trial) => trial,
         }
     }
 

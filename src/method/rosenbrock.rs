@@ -6,6 +6,7 @@ use super::one_step::{
     BETWEEN, OneStep, Pace, Trial, drive_all, finite_jacobian, first_step, require_finite,
     weighted_norm,
 };
+use super::onset::Onset;
 use super::quadrature::{Flows, NODES, Quadrature};
 use super::step_matrix::StepMatrix;
 use super::tableau::{RODAS5P, Rosenbrock};
@@ -46,11 +47,8 @@ pub(super) struct RosenbrockSteps<'a> {
     time_derivative: Vec<f64>,
     jacobian: Vec<f64>,
     is_linearized: bool,
-    /// J at the end of the current step, if that step may be taken.
-    jacobian_at_end: Vec<f64>,
-    is_known_at_end: bool,
+    onset: Onset<'a>,
     matrix: StepMatrix<'a, f64>,
-    matrix_at_end: StepMatrix<'a, f64>,
     factored_step: f64,
     argument: Vec<f64>,
     slope: Vec<f64>,
@@ -84,10 +82,8 @@ impl<'a> RosenbrockSteps<'a> {
             time_derivative: zeros(),
             jacobian: vec![0.0; stretch.system.jacobian_pattern().entries.len()],
             is_linearized: false,
-            jacobian_at_end: vec![0.0; stretch.system.jacobian_pattern().entries.len()],
-            is_known_at_end: false,
+            onset: Onset::new(stretch),
             matrix: StepMatrix::new(stretch.system),
-            matrix_at_end: StepMatrix::new(stretch.system),
             factored_step: 0.0,
             argument: zeros(),
             slope: zeros(),
@@ -115,10 +111,7 @@ impl<'a> RosenbrockSteps<'a> {
         require_finite("the rate of", &self.rate)?;
         self.stretch.time_derivative(time, state, &mut self.time_derivative[..self.size]);
         require_finite("the time derivative of the rate of", &self.time_derivative)?;
-        if self.is_known_at_end {
-            std::mem::swap(&mut self.jacobian, &mut self.jacobian_at_end);
-            self.is_known_at_end = false;
-        } else {
+        if !self.onset.hand_over(&mut self.jacobian) {
             finite_jacobian(self.stretch, time, state, &mut self.jacobian)?;
         }
         self.factored_step = 0.0;
@@ -131,34 +124,18 @@ impl<'a> RosenbrockSteps<'a> {
             return Ok(());
         }
         self.stretch.system.count(|work| work.factorizations += 1);
-        let shift = 1.0 / (self.method.gamma * self.step);
-        let outcome = self.matrix.factor(shift, &self.jacobian);
-        self.factored_step = self.step;
+        self.factored_step = 0.0;
+        let outcome = self.matrix.factor(self.shift(), &self.jacobian);
         if outcome.is_err() || self.matrix.is_outgrown() {
-            self.factored_step = 0.0;
             return Err(Trial::Unsolved { shrink: 0.5 });
         }
+        self.factored_step = self.step;
         Ok(())
     }
 
-    /// Refuses a step at whose end something grows within it beyond what the method can tell
-    /// from decay: it may have passed over the onset of an instability.
-    fn require_no_onset(&mut self) -> Result<(), Trial> {
-        if !self.matrix.tells_growth() {
-            return Ok(());
-        }
-        let now = self.time + self.step;
-        let end = &self.end[..self.size];
-        finite_jacobian(self.stretch, now, end, &mut self.jacobian_at_end)?;
-        if self.jacobian_at_end != self.jacobian {
-            let shift = 1.0 / (self.method.gamma * self.step);
-            let outcome = self.matrix_at_end.factor(shift, &self.jacobian_at_end);
-            if outcome.is_err() || self.matrix_at_end.is_outgrown() {
-                return Err(Trial::Unsolved { shrink: 0.5 });
-            }
-        }
-        self.is_known_at_end = true;
-        Ok(())
+    /// Of the matrix of the current step.
+    fn shift(&self) -> f64 {
+        1.0 / (self.method.gamma * self.step)
     }
 
     /// U of one stage, and Y of the next one as the argument.
@@ -260,7 +237,7 @@ impl OneStep for RosenbrockSteps<'_> {
         self.start[..state.len()].copy_from_slice(state);
         self.end[..state.len()].copy_from_slice(state);
         self.is_linearized = false;
-        self.is_known_at_end = false;
+        self.onset.forget();
         if let Some(quadrature) = &mut self.quadrature {
             quadrature.at_start = self.stretch.flow_rates(time, &self.start[..self.size]);
         }
@@ -277,12 +254,10 @@ impl OneStep for RosenbrockSteps<'_> {
     fn attempt(&mut self, step: f64) -> Trial {
         self.step = step;
         self.has_dense = false;
-        if self.is_linearized {
-            self.is_known_at_end = false;
-        }
         let tried = self.try_step().and_then(|error| {
             if error <= 1.0 {
-                self.require_no_onset()?;
+                let at_end = (self.time + step, &self.end[..self.size]);
+                self.onset.refuse(self.stretch, at_end, (self.shift(), &self.jacobian))?;
             }
             Ok(error)
         });

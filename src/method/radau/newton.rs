@@ -7,6 +7,7 @@ use num_complex::Complex64;
 use super::collocation::Collocation;
 use crate::method::Stretch;
 use crate::method::one_step::{Trial, finite_jacobian, require_finite, sum_of_squares};
+use crate::method::onset::Onset;
 use crate::method::step_matrix::StepMatrix;
 
 /// What a first iteration may change, in units of the scale, for the contraction of the step
@@ -31,11 +32,8 @@ pub(super) struct Newton<'a> {
     size: usize,
     jacobian: Vec<f64>,
     jacobian_state: JacobianState,
-    /// The Jacobian at the end of the current step, if it was needed.
-    jacobian_at_end: Vec<f64>,
-    is_known_at_end: bool,
+    onset: Onset<'a>,
     real: StepMatrix<'a, f64>,
-    real_at_end: StepMatrix<'a, f64>,
     pairs: Vec<StepMatrix<'a, Complex64>>,
     /// Step and stages that the factors are for; no step is zero.
     factored: (f64, usize),
@@ -71,10 +69,8 @@ impl<'a> Newton<'a> {
             size,
             jacobian: vec![0.0; system.jacobian_pattern().entries.len()],
             jacobian_state: JacobianState::Unknown,
-            jacobian_at_end: vec![0.0; system.jacobian_pattern().entries.len()],
-            is_known_at_end: false,
+            onset: Onset::new(stretch),
             real: StepMatrix::new(system),
-            real_at_end: StepMatrix::new(system),
             pairs: (0..most_stages / 2).map(|_| StepMatrix::new(system)).collect(),
             factored: (0.0, 0),
             transformed: zeros(),
@@ -103,7 +99,7 @@ impl<'a> Newton<'a> {
     /// Forgets everything: another run begins.
     pub(super) fn forget(&mut self) {
         self.jacobian_state = JacobianState::Unknown;
-        self.is_known_at_end = false;
+        self.onset.forget();
         self.remainder = 1.0;
     }
 
@@ -112,38 +108,23 @@ impl<'a> Newton<'a> {
     pub(super) fn start_anew(&mut self) {
         self.jacobian_state = if self.is_reusable() {
             JacobianState::Old
-        } else if self.is_known_at_end {
-            std::mem::swap(&mut self.jacobian, &mut self.jacobian_at_end);
+        } else if self.onset.hand_over(&mut self.jacobian) {
             self.factored = (0.0, 0);
             JacobianState::Current
         } else {
             JacobianState::Unknown
         };
-        self.is_known_at_end = false;
     }
 
-    /// Whether at the end of a step something grows within it beyond what the method can
-    /// tell from decay: then the step may have passed over the onset of an instability, and
-    /// stays where nothing real stays.
-    pub(super) fn passes_onset(
+    /// Refuses a step at whose end an instability has set in; see [`Onset::refuse`].
+    pub(super) fn refuse_onset(
         &mut self,
         method: &Collocation,
         (now, step): (f64, f64),
         end: &[f64],
-    ) -> Result<bool, Trial> {
-        self.is_known_at_end = false;
-        if !self.real_at_end.tells_growth() {
-            return Ok(false);
-        }
-        let end = &end[..self.size];
-        finite_jacobian(self.stretch, now, end, &mut self.jacobian_at_end)?;
-        self.is_known_at_end = true;
-        if self.jacobian_at_end == self.jacobian {
-            return Ok(false);
-        }
+    ) -> Result<(), Trial> {
         let shift = method.coefficients.real / step;
-        let outcome = self.real_at_end.factor(shift, &self.jacobian_at_end);
-        Ok(outcome.is_err() || self.real_at_end.is_outgrown())
+        self.onset.refuse(self.stretch, (now, &end[..self.size]), (shift, &self.jacobian))
     }
 
     /// Whether the Jacobian and the factors are worth keeping for the next step.

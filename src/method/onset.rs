@@ -1,0 +1,61 @@
+//! Whether an instability sets in within a step of an implicit method.
+
+use super::Stretch;
+use super::one_step::{Trial, finite_jacobian};
+use super::step_matrix::StepMatrix;
+
+/// The Jacobian at the end of a step that may be taken, and what its eigenvalues tell.
+pub(super) struct Onset<'a> {
+    jacobian: Vec<f64>,
+    is_known: bool,
+    matrix: StepMatrix<'a, f64>,
+}
+
+impl<'a> Onset<'a> {
+    pub(super) fn new(stretch: &'a Stretch<'a>) -> Self {
+        let system = stretch.system;
+        let jacobian = vec![0.0; system.jacobian_pattern().entries.len()];
+        Self { jacobian, is_known: false, matrix: StepMatrix::new(system) }
+    }
+
+    /// Forgets the Jacobian: another step is tried, or another run begins.
+    pub(super) fn forget(&mut self) {
+        self.is_known = false;
+    }
+
+    /// Hands over the Jacobian, where there is one: the step was taken, and its end is the
+    /// start of the next one.
+    pub(super) fn hand_over(&mut self, jacobian: &mut Vec<f64>) -> bool {
+        if self.is_known {
+            std::mem::swap(&mut self.jacobian, jacobian);
+        }
+        std::mem::take(&mut self.is_known)
+    }
+
+    /// Refuses a step at whose end something grows within it beyond what the method can tell
+    /// from decay: then it may have passed over the onset of an instability, and stays where
+    /// nothing real stays. `shift` and `jacobian` are those of the step's own matrix.
+    ///
+    /// # Errors
+    /// [`Trial::Unsolved`] then, and [`Trial::NotFinite`] if the Jacobian is not finite.
+    pub(super) fn refuse(
+        &mut self,
+        stretch: &Stretch<'_>,
+        (now, end): (f64, &[f64]),
+        (shift, jacobian): (f64, &[f64]),
+    ) -> Result<(), Trial> {
+        self.forget();
+        if !self.matrix.tells_growth() {
+            return Ok(());
+        }
+        finite_jacobian(stretch, now, end, &mut self.jacobian)?;
+        if self.jacobian != jacobian {
+            let outcome = self.matrix.factor(shift, &self.jacobian);
+            if outcome.is_err() || self.matrix.is_outgrown() {
+                return Err(Trial::Unsolved { shrink: 0.5 });
+            }
+        }
+        self.is_known = true;
+        Ok(())
+    }
+}

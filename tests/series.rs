@@ -7,17 +7,16 @@ use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;
 
 use crate::own_scene::model_of_specs;
+use crate::place::Place;
 
 const ORDER: usize = 20;
 
 /// Coefficients from order 0 on, of all states each.
-fn coefficients(
-    series: &dyn TaylorSeries<f64>,
-    (time, state, parameters): (f64, &[f64], &[f64]),
-) -> Vec<f64> {
+fn coefficients(series: &dyn TaylorSeries<f64>, at: &Place) -> Vec<f64> {
+    let Place { time, state, parameters } = at;
     let mut coefficients = vec![0.0; (ORDER + 1) * state.len()];
     let mut workspace = vec![0.0; series.series_workspace(ORDER)];
-    series.series(time, state, parameters, &mut coefficients, &mut workspace);
+    series.series(*time, state, parameters, &mut coefficients, &mut workspace);
     coefficients
 }
 
@@ -32,22 +31,8 @@ fn every_emitted_series_is_that_of_its_model() {
         let interpreted = model.taylor().expect("a series of the model");
         let states = scene.shape().states();
         for seed in 0..8 {
-            let mut numbers = fastrand::Rng::with_seed(seed);
-            let mut about = |value: f64| value * (0.8 + 0.4 * numbers.f64());
-            let parameters: Vec<f64> = (0..scene.shape().parameters)
-                .map(|index| about(scene.parameter_default(index)))
-                .collect();
-            let mut state = vec![0.0; states];
-            scene.initial_state(&parameters, &mut state);
-            for (index, value) in state.iter_mut().enumerate() {
-                if scene.is_mode(index) {
-                    *value = f64::from(numbers.i8(-2..=2));
-                } else {
-                    *value += scene.state_scale(index) * (numbers.f64() - 0.5);
-                }
-            }
-            let at = (0.3 + 0.1 * seed as f64, &state[..], &parameters[..]);
-            let (ours, theirs) = (coefficients(emitted, at), coefficients(interpreted, at));
+            let at = Place::near_the_start(scene, seed);
+            let (ours, theirs) = (coefficients(emitted, &at), coefficients(interpreted, &at));
             let per_order = ours.chunks(states).zip(theirs.chunks(states)).enumerate();
             for (order, (ours, theirs)) in per_order {
                 let size = theirs.iter().fold(0.0, |most: f64, value| most.max(value.abs()));

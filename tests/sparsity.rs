@@ -4,49 +4,23 @@ use machinist_contract::{Real, Simulator, SparsityPattern};
 use machinist_scenes::{bench, scenes};
 use machinist_studies::double_double::DoubleDouble;
 
+use crate::place::Place;
+
 /// Places at which an entry is looked at: near where the scene starts, in all
 /// modes, and with other parameters.
 const PLACES: u64 = 24;
 
-/// Numbers of a scene at a place.
-struct Place {
-    time: f64,
-    state: Vec<f64>,
-    parameters: Vec<f64>,
-}
-
-impl Place {
-    fn near_the_start(scene: &dyn Simulator<f64>, seed: u64) -> Self {
-        let mut numbers = fastrand::Rng::with_seed(seed);
-        let mut about = |value: f64| value * (0.7 + 0.6 * numbers.f64());
-        let shape = scene.shape();
-        let parameters: Vec<f64> =
-            (0..shape.parameters).map(|index| about(scene.parameter_default(index))).collect();
-        let mut state = vec![0.0; shape.states()];
-        scene.initial_state(&parameters, &mut state);
-        for (index, value) in state.iter_mut().enumerate() {
-            if scene.is_mode(index) {
-                *value = f64::from(numbers.i8(-2..=2));
-            } else {
-                *value += scene.state_scale(index) * (numbers.f64() - 0.5);
-            }
-        }
-        Self { time: numbers.f64(), state, parameters }
-    }
-
-    /// Nonzeros of dy'/dy, then of dy'/dp.
-    fn nonzeros<R: Real>(&self, scene: &dyn Simulator<R>) -> Vec<R> {
-        let to = |values: &[f64]| values.iter().map(|v| R::literal(*v)).collect::<Vec<R>>();
-        let (time, state, parameters) =
-            (R::literal(self.time), to(&self.state), to(&self.parameters));
-        let of = |pattern: SparsityPattern<'_>| vec![R::literal(0.0); pattern.entries.len()];
-        let mut by_state = of(scene.rate_jacobian_pattern());
-        scene.rate_jacobian(time, &state, &parameters, &mut by_state);
-        let mut by_parameter = of(scene.parameter_jacobian_pattern());
-        scene.parameter_jacobian(time, &state, &parameters, &mut by_parameter);
-        by_state.extend(by_parameter);
-        by_state
-    }
+/// Nonzeros of dy'/dy, then of dy'/dp.
+fn nonzeros<R: Real>(at: &Place, scene: &dyn Simulator<R>) -> Vec<R> {
+    let to = |values: &[f64]| values.iter().map(|v| R::literal(*v)).collect::<Vec<R>>();
+    let (time, state, parameters) = (R::literal(at.time), to(&at.state), to(&at.parameters));
+    let of = |pattern: SparsityPattern<'_>| vec![R::literal(0.0); pattern.entries.len()];
+    let mut by_state = of(scene.rate_jacobian_pattern());
+    scene.rate_jacobian(time, &state, &parameters, &mut by_state);
+    let mut by_parameter = of(scene.parameter_jacobian_pattern());
+    scene.parameter_jacobian(time, &state, &parameters, &mut by_parameter);
+    by_state.extend(by_parameter);
+    by_state
 }
 
 /// Entries that are rounding in double and vanish in 31 digits, wherever they are not zero.
@@ -54,8 +28,8 @@ fn zeros_in_disguise(scene: &dyn Simulator<f64>, twin: &dyn Simulator<DoubleDoub
     let places: Vec<(Vec<f64>, Vec<f64>)> = (0..PLACES)
         .map(|seed| Place::near_the_start(scene, seed))
         .map(|at| {
-            let precise = at.nonzeros(twin);
-            (at.nonzeros(scene), precise.into_iter().map(DoubleDouble::to_f64).collect())
+            let precise = nonzeros(&at, twin);
+            (nonzeros(&at, scene), precise.into_iter().map(DoubleDouble::to_f64).collect())
         })
         .collect();
     let entries = 0..places[0].0.len();

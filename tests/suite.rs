@@ -21,6 +21,7 @@ mod narrow;
 mod onsets;
 mod orders;
 mod parts;
+mod place;
 mod prepared;
 mod series;
 mod simulate;

@@ -28,12 +28,12 @@ mod parts;
 mod report;
 mod response;
 mod run;
-mod scene;
+pub mod scene;
 #[cfg(feature = "derive")]
 pub mod specs;
 mod stability;
 mod sweep;
-mod verify;
+pub mod verify;
 pub mod walk;
 
 use std::process::ExitCode;

@@ -103,13 +103,12 @@ impl Explanation {
     pub fn new(scene: Option<&Path>, models: Stages, with_times: bool) -> Result<Self, Failure> {
         // A scene with fields is kept whole, and runs once it is cut into elements only.
         let with_times = with_times && models.whole.fields.is_empty();
-        let mut stages = vec![Stage::of(Keep::All, &models.whole)];
-        for (step, model) in &models.steps {
-            stages.push(Stage::of(*step, model));
-        }
-        let no_object = if with_times { measure_objects(&mut stages, &models).err() } else { None };
+        let mut stages = vec![(Stage::of(Keep::All, &models.whole), &models.whole)];
+        stages.extend(models.steps.iter().map(|(step, model)| (Stage::of(*step, model), model)));
         // A step that renamed or noted something only is none to show.
-        stages.dedup_by(|next, last| next.size == last.size);
+        stages.dedup_by(|(next, _), (last, _)| next.size == last.size);
+        let no_object = if with_times { measure_objects(&mut stages).err() } else { None };
+        let stages = stages.into_iter().map(|(stage, _)| stage).collect();
         let needed = models.needed().clone();
         Ok(Self {
             scene: needed.name.clone(),
@@ -172,14 +171,16 @@ impl Size {
     }
 }
 
-/// Compiles what each stage emits, all at once.
-fn measure_objects(stages: &mut [Stage], models: &Stages) -> Result<(), ObjectError> {
-    let steps = models.steps.iter().map(|(_, model)| model);
-    let models = std::iter::once(&models.whole).chain(steps);
+/// Compiles what each stage emits, all at once; nothing where nothing is left out, as the
+/// compiler takes longer than all else.
+fn measure_objects(stages: &mut [(Stage, &Model)]) -> Result<(), ObjectError> {
+    if stages.len() < 2 {
+        return Ok(());
+    }
     std::thread::scope(|scope| {
         let compile = |model| scope.spawn(move || object(model).map(|object| object.len()));
-        let compiled: Vec<_> = models.map(compile).collect();
-        for (stage, compiled) in stages.iter_mut().zip(compiled) {
+        let compiled: Vec<_> = stages.iter().map(|(_, model)| compile(*model)).collect();
+        for ((stage, _), compiled) in stages.iter_mut().zip(compiled) {
             let bytes = compiled.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
             stage.size.object_bytes = Some(bytes?);
         }

@@ -1,21 +1,27 @@
-//! One page that shows and proves everything: equations, structure, runs,
-//! checks, costs and the reproduction ledger of all scenes. It needs no network.
+//! Pages that show and prove everything: a page for each machine with a drawing, its run,
+//! checks, equations, structure and costs; an index of them; a page of the studies. They need
+//! no network.
 //!
-//! Data are gathered first, here; then the files in `src/report/` turn them into
-//! sections, and `page.rs` puts the sections together.
+//! Data are gathered first; then the files in `src/report/` turn them into sections, and
+//! `page.rs` puts a head on them.
 
 mod equations;
 mod fields;
 mod figure;
 mod gather;
+mod index;
+mod key;
 mod ledger;
 mod licences;
+mod machine;
 mod modes;
 mod page;
 mod reduction;
 mod scene;
+mod schematic;
 mod stability;
+mod studies;
 mod verification;
 mod winder_walk;
 
-pub use gather::page;
+pub use gather::{own, whole};

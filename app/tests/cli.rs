@@ -8,7 +8,7 @@ use std::process::{Command, Output, Stdio};
 const SAW_GIN: &str = "specs/scenes/saw_gin.toml";
 
 /// The program in the folder of the repository, without colours.
-fn machinist(arguments: &[&str]) -> Command {
+pub fn machinist(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_machinist"));
     command
         .args(arguments)
@@ -23,7 +23,7 @@ fn output(arguments: &[&str]) -> Output {
 }
 
 /// Standard output of a run that must succeed.
-fn answer(arguments: &[&str]) -> String {
+pub fn answer(arguments: &[&str]) -> String {
     let output = output(arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", said(&output));
     String::from_utf8(output.stdout).expect("text")
@@ -36,7 +36,7 @@ fn said(output: &Output) -> String {
 }
 
 /// Asserts bad input: exit code 2, nothing on standard output, and what is said.
-fn assert_refused(arguments: &[&str], words: &[&str]) {
+pub fn assert_refused(arguments: &[&str], words: &[&str]) {
     let output = output(arguments);
     let said = said(&output);
     assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
@@ -64,7 +64,7 @@ fn read_csv(text: &str) -> (Vec<String>, Vec<Vec<f64>>) {
 }
 
 /// Copies a folder of specs, one level of folders deep.
-fn copy_specs(to: &Path) {
+pub fn copy_specs(to: &Path) {
     for folder in ["units", "scenes"] {
         fs::create_dir_all(to.join(folder)).expect("a folder");
         let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs").join(folder);
@@ -78,7 +78,7 @@ fn copy_specs(to: &Path) {
     }
 }
 
-fn names_in(folder: &Path) -> Vec<String> {
+pub fn names_in(folder: &Path) -> Vec<String> {
     let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
     let mut names: Vec<String> = entries
         .map(|entry| entry.expect("a file").file_name().to_string_lossy().into_owned())
@@ -87,7 +87,7 @@ fn names_in(folder: &Path) -> Vec<String> {
     names
 }
 
-fn text(path: &Path) -> &str {
+pub fn text(path: &Path) -> &str {
     path.to_str().expect("a plain path")
 }
 
@@ -349,57 +349,6 @@ fn the_list_names_every_scene() {
     for name in machinist_scenes::scenes::NAMES {
         assert!(list.contains(name), "{list}");
     }
-}
-
-#[test]
-fn the_report_is_one_page_that_needs_nothing_else_and_comes_out_the_same() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let specs = folder.path().join("specs");
-    copy_specs(&specs);
-    let [scenes, emitted] = [specs.join("scenes"), folder.path().join("emitted")];
-    // One of each kind; the whole page takes minutes without optimisation.
-    let shown = ["two_mass", "motor_run_up", "bouncing_mass", "slider_crank", "shaft_with_rotors"];
-    for file in names_in(&scenes) {
-        if !shown.iter().any(|name| file == format!("{name}.toml")) {
-            fs::remove_file(scenes.join(file)).expect("removed");
-        }
-    }
-    answer(&["gen", "--specs", text(&scenes), "--out", text(&emitted)]);
-    let start = |out: &Path| {
-        let places = ["--specs", text(&scenes), "--emitted", text(&emitted)];
-        let arguments = [&["report", "--no-times", "--out", text(out)], &places[..]].concat();
-        machinist(&arguments).stdout(Stdio::null()).spawn().expect("the program starts")
-    };
-    let folders = ["first", "second"].map(|name| folder.path().join(name));
-    // At the same time, as each takes a while.
-    let ends = folders.each_ref().map(|out| start(out)).map(|mut child| child.wait());
-    let [first, second] = [0, 1].map(|which| {
-        assert!(ends[which].as_ref().expect("an end").success());
-        assert_eq!(names_in(&folders[which]), ["index.html"]);
-        fs::read_to_string(folders[which].join("index.html")).expect("a page")
-    });
-    assert!(first == second);
-    for reference in ["<link", " src=\"", "@import", "url(http"] {
-        assert!(!outside_of_scripts(&first).contains(reference), "the page has {reference}");
-    }
-    for part in ["Content-Security-Policy", "<math", "Reproduction ledger", "fresh"] {
-        assert!(first.contains(part), "the page lacks {part}");
-    }
-    for name in shown {
-        assert!(first.contains(&format!("<section id=\"{name}\">")), "the page lacks {name}");
-    }
-}
-
-/// The page without the text of its scripts.
-fn outside_of_scripts(page: &str) -> String {
-    let mut pieces = page.split("<script");
-    let mut text = pieces.next().unwrap_or_default().to_owned();
-    for piece in pieces {
-        let (tag, rest) = piece.split_once('>').expect("the end of a tag");
-        assert!(!tag.contains("src"), "a script from elsewhere: {tag}");
-        text.push_str(rest.split_once("</script>").expect("the end of a script").1);
-    }
-    text
 }
 
 #[test]

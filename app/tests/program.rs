@@ -7,5 +7,6 @@
 mod cli;
 mod cli_sweep;
 mod deriving;
+mod report;
 mod trajectory;
 mod verify;

@@ -19,6 +19,7 @@ mod names;
 mod scene;
 mod source;
 pub(crate) mod stack;
+mod symbol;
 mod table;
 mod toml;
 mod unit;
@@ -32,6 +33,7 @@ pub use self::distributed::{
 pub use self::names::{did_you_mean, quoted};
 pub use self::scene::METHODS;
 pub use self::source::{MAX_FILE_BYTES, SourceFile, SourceText, Sources};
+pub use self::symbol::Symbol;
 pub use self::table::{Column, CsvTable};
 
 use self::diagnostic::{Diagnostic, Diagnostics, FileId, Span, Spanned};
@@ -146,6 +148,8 @@ pub struct UnitSpec {
     pub doc: String,
     /// Where the equations come from.
     pub source: String,
+    /// What it is drawn as, if it says so.
+    pub symbol: Option<Symbol>,
     /// Generalized coordinates.
     pub coordinates: Vec<CoordinateSpec>,
     /// Fields, by their densities.

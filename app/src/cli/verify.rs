@@ -10,7 +10,7 @@ use super::assignment;
 use super::output::print;
 use crate::failure::Failure;
 use crate::progress::during;
-use machine::Changes;
+pub use machine::{Changes, verify};
 
 #[derive(Debug, Args)]
 pub struct Verify {

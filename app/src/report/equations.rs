@@ -9,7 +9,7 @@ use pulldown_latex::{Parser, Storage, push_mathml};
 pub fn section(heading: &str, equations: &[Equation]) -> Markup {
     html! {
         @if !equations.is_empty() {
-            h4 { (heading) }
+            h3 { (heading) }
             div.scroll {
                 table.equations {
                     @for equation in equations { (row(equation)) }

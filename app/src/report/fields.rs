@@ -143,7 +143,7 @@ fn shapes(simulator: &FieldSimulator<'_, f64>, field: usize) -> Result<Vec<Named
 pub fn section(scene: &str, fields: &[Along]) -> Markup {
     html! {
         @if !fields.is_empty() {
-            h4 { "Along the field" }
+            h3 { "Along the field" }
             @for along in fields { (along.section(scene)) }
         }
     }

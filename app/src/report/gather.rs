@@ -1,75 +1,86 @@
-//! What the page shows, gathered.
+//! What the pages show, gathered; and the pages, made of it.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use machinist::linear_analysis::LinearError;
-use machinist::trajectory::Trajectory;
-use machinist::{SimulateError, Simulation};
-use machinist_codegen::emit::document::Document;
-use machinist_codegen::mechanics::dependencies::Dependencies;
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline::Derivation;
 use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
 use machinist_contract::Simulator;
-use machinist_model::Model;
 use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;
-use machinist_studies::double_double::precise;
+use machinist_studies::double_double::{DoubleDouble, precise};
 use machinist_studies::ledger::{LedgerRow, ledger as ledger_rows};
 use machinist_studies::stability::{Plan as Strain, Study, study};
 use machinist_studies::verify::{Verdict, VerifyOptions, verify_all};
 use machinist_studies::work_precision::{self, Plan, WorkPrecision};
 
-use super::modes::Modes;
-use super::page::render;
-use super::{fields, modes, winder_walk};
+use super::machine::Machine;
+use super::{fields, index, scene, studies, winder_walk};
+use crate::cli::scene::Given;
 use crate::cli::specs;
+use crate::cli::verify::{Changes, verify};
 use crate::deriving;
-use crate::explain::Explanation;
 use crate::failure::Failure;
 use crate::freeze::admit;
 use crate::progress::during;
 
-/// Everything the page shows.
+/// The folder of the pages of machines, within that of the report.
+const MACHINES: &str = "machines";
+
+/// Pages, made.
+pub struct Pages {
+    /// Each with where it belongs in the report's folder.
+    pub files: Vec<(PathBuf, String)>,
+    /// Whether every check passed.
+    pub all_passed: bool,
+}
+
+/// What there is to say of all scenes.
 pub(super) struct Report {
-    pub(super) scenes: Vec<SceneData>,
+    pub(super) machines: Vec<Machine>,
     pub(super) emitted: Summary,
+    /// All checks; those of a machine are also with the machine.
     pub(super) verdicts: Vec<Verdict>,
     pub(super) ledger: Result<Vec<LedgerRow>, String>,
     pub(super) winder: Result<winder_walk::Study, String>,
     /// Where a scene has fields.
     pub(super) fields: Option<fields::Study>,
-    pub(super) work_precision: Vec<WorkPrecision>,
     /// Takes about a minute, and so is left out with the times.
     pub(super) stability: Option<Study>,
 }
 
-/// One scene, derived and run.
-pub(super) struct SceneData {
-    /// What the outputs need.
-    pub(super) model: Model,
-    pub(super) document: Document,
-    pub(super) explanation: Explanation,
-    pub(super) dependencies: Dependencies,
-    /// Whether the run is by emitted code; a scene that is new is evaluated.
-    pub(super) is_built_in: bool,
-    pub(super) run: Result<Trajectory, SimulateError>,
-    pub(super) modes: Option<Result<Modes, LinearError>>,
-    /// Its fields over time, if it has any.
-    pub(super) along: Vec<fields::Along>,
+/// The page of one machine of the user's own.
+pub fn own(argument: &str, with_times: bool) -> Result<Pages, Failure> {
+    let file = match Given::of(argument)? {
+        Given::Spec(file) => file,
+        Given::Model(_) => {
+            let message = format!("{argument} is a model, which has no equations to show");
+            return Err(Failure::input(message, "give the spec it was compiled of"));
+        }
+    };
+    let derived = deriving::derivation(&file, Keep::Needed)?;
+    admit(&file, derived.stages.needed())?;
+    let mut machine = during("simulating", || Machine::new(derived, &file, false, with_times))?;
+    let whole = Changes { parameters: &[], until: None, rtol: None };
+    machine.verdicts = verify(argument, &whole)?;
+    if with_times && machine.model.fields.is_empty() {
+        let simulator = ModelSimulator::new(machine.model.clone());
+        let measured = during("timing the methods", || measure(&simulator, None));
+        // A machine whose own run stops is not timed.
+        machine.work_precision = measured.ok();
+    }
+    let all_passed = machine.verdicts.iter().all(|verdict| verdict.pass);
+    Ok(Pages { files: vec![file_of(&machine, argument, false)], all_passed })
 }
 
-/// The page, made.
-pub struct Page {
-    /// The whole of it.
-    pub html: String,
-    /// Whether every check passed.
-    pub all_passed: bool,
+/// The page of a machine with its place.
+fn file_of(machine: &Machine, argument: &str, has_index: bool) -> (PathBuf, String) {
+    let file = Path::new(MACHINES).join(format!("{}.html", machine.name()));
+    (file, scene::page(machine, argument, has_index))
 }
 
-/// Makes the page, with measured times or without. Brings emitted scenes up to
+/// The pages of all scenes, with measured times or without. Brings emitted scenes up to
 /// date on the way.
-pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Failure> {
+pub fn whole(specs: &Path, emitted: &Path, with_times: bool) -> Result<Pages, Failure> {
     let files = specs::scene_files(specs)?;
     let derived = deriving::derivations(&files, Keep::Needed)?;
     for (file, derived) in files.iter().zip(&derived) {
@@ -82,21 +93,26 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
     let options = VerifyOptions { scenes: Some(names), ..VerifyOptions::default() };
     let verdicts = during("verifying", || verify_all(&options))
         .map_err(|error| Failure::unsuccessful(error, ""))?;
-    let mut scenes: Vec<SceneData> = during("simulating", || {
+    let mut machines: Vec<Machine> = during("simulating", || {
         let scenes = derived.into_iter().zip(&files);
         scenes
-            .map(|(derived, file)| SceneData::new(derived, file, with_times))
+            .map(|(derived, file)| Machine::new(derived, file, true, with_times))
             .collect::<Result<_, Failure>>()
     })?;
+    for machine in &mut machines {
+        let of_machine = |verdict: &&Verdict| verdict.scene == machine.model.name;
+        machine.verdicts = verdicts.iter().filter(of_machine).cloned().collect();
+    }
     // As in the table of checks, which goes from the simple to the whole.
-    scenes.sort_by_key(|scene| {
-        verdicts.iter().position(|row| row.scene == scene.name()).unwrap_or(usize::MAX)
+    machines.sort_by_key(|machine| {
+        verdicts.iter().position(|row| row.scene == machine.name()).unwrap_or(usize::MAX)
     });
+    if with_times {
+        during("timing the methods", || measure_built_in(&mut machines))?;
+    }
     let ledger = during("filling the ledger", || ledger_rows().map_err(|e| e.to_string()));
     let winder = during("walking winders", || winder_walk::Study::new(with_times));
     let fields = has_fields.then(|| during("cutting fields", fields::Study::new));
-    let work_precision =
-        if with_times { during("timing the methods", measure_all)? } else { Vec::new() };
     let strain = || {
         during("straining the methods", || {
             study(&Strain { drift_steps: 100_000, ..Strain::default() })
@@ -104,21 +120,32 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
     };
     let stability = with_times.then(strain).transpose()?;
     let all_passed = verdicts.iter().all(|verdict| verdict.pass);
-    let report =
-        Report { scenes, emitted, verdicts, ledger, winder, fields, work_precision, stability };
-    Ok(Page { html: render(&report), all_passed })
+    let report = Report { machines, emitted, verdicts, ledger, winder, fields, stability };
+    let mut pages = vec![
+        (PathBuf::from("index.html"), index::page(&report, MACHINES)),
+        (PathBuf::from("studies.html"), studies::page(&report)),
+    ];
+    pages.extend(report.machines.iter().map(|machine| file_of(machine, machine.name(), true)));
+    Ok(Pages { files: pages, all_passed })
 }
 
-/// Error against time of the scenes that are built in; those that only exist to be
-/// measured are left to `machinist bench`.
-fn measure_all() -> Result<Vec<WorkPrecision>, SimulateError> {
-    let found = scenes::NAMES.iter().filter_map(|name| scenes::find_f64(name));
-    // Some two thousand points, each as long as it takes to tell its median.
+/// Error against time of the scenes that are built in.
+fn measure_built_in(machines: &mut [Machine]) -> Result<(), Failure> {
+    for machine in machines {
+        if let Some(simulator) = scenes::find_f64(machine.name()) {
+            machine.work_precision = Some(measure(simulator, precise(simulator.name()))?);
+        }
+    }
+    Ok(())
+}
+
+fn measure(
+    simulator: &dyn Simulator<f64>,
+    twin: Option<&'static dyn Simulator<DoubleDouble>>,
+) -> Result<WorkPrecision, machinist::SimulateError> {
+    // Some hundred points, each as long as it takes to tell its median.
     let plan = Plan { enough: 20.0, ..Plan::default() };
-    let measure = |simulator: &dyn Simulator<f64>| {
-        work_precision::measure(simulator, precise(simulator.name()), &plan)
-    };
-    found.map(measure).collect()
+    work_precision::measure(simulator, twin, &plan)
 }
 
 impl Report {
@@ -126,50 +153,5 @@ impl Report {
     pub(super) fn stale(&self) -> impl Iterator<Item = &str> {
         let files = self.emitted.files.iter();
         files.filter(|(_, written)| *written != Written::Unchanged).map(|(file, _)| file.as_str())
-    }
-}
-
-impl SceneData {
-    fn new(derived: Derivation, file: &Path, with_times: bool) -> Result<Self, Failure> {
-        let Derivation { stages, latex: document, dependencies, .. } = derived;
-        let model = stages.needed().clone();
-        let name = &model.name;
-        let built_in = scenes::find_f64(name);
-        let run = |simulator: &dyn Simulator<f64>| {
-            Simulation::new(simulator).with_energy_balance(true).run()
-        };
-        let both = |simulator: &dyn Simulator<f64>| (run(simulator), modes::modes(simulator));
-        let mut along = Vec::new();
-        let has_fields = !model.fields.is_empty();
-        let (trajectory, modes) = match built_in {
-            Some(simulator) => both(simulator),
-            None if has_fields => {
-                let interpreted = ModelSimulator::new(model.clone());
-                let scene = scenes::find_field::<f64>(name).unwrap_or(&interpreted);
-                let run = fields::run(scene)?;
-                along = run.along;
-                (run.trajectory, run.modes)
-            }
-            None => both(&ModelSimulator::new(model.clone())),
-        };
-        let is_built_in = built_in.is_some() || scenes::find_field::<f64>(name).is_some();
-        Ok(Self {
-            document,
-            explanation: Explanation::new(Some(file), stages, with_times)?,
-            dependencies,
-            is_built_in,
-            run: trajectory,
-            modes,
-            along,
-            model,
-        })
-    }
-
-    pub(super) fn name(&self) -> &str {
-        &self.model.name
-    }
-
-    pub(super) fn title(&self) -> &str {
-        &self.model.title
     }
 }

@@ -1,7 +1,7 @@
 //! Natural motions of a scene about its operating point.
 
 use machinist::Simulation;
-use machinist::linear_analysis::{LinearError, Linearization, Place, operating_point};
+use machinist::linear_analysis::{LinearError, Linearization, ModeKind, Place, operating_point};
 use machinist_contract::Simulator;
 use maud::{Markup, html};
 
@@ -17,6 +17,8 @@ pub struct Modes {
     place: String,
     rows: Vec<[String; 7]>,
     left_out: usize,
+    /// Natural frequency \[rad/s\] and damping ratio of the slowest oscillation.
+    pub slowest: Option<(f64, f64)>,
 }
 
 /// The motions about the equilibrium near the end of the run; where there is none,
@@ -38,14 +40,17 @@ fn about_the_end(simulator: &dyn Simulator<f64>) -> Result<Modes, LinearError> {
     let linearization = Linearization::at(simulator, point)?;
     let modes = linearization.modes()?;
     let rows = modes.iter().take(MAX_ROWS).map(|mode| row(&linearization, mode)).collect();
-    Ok(Modes { place, rows, left_out: modes.len().saturating_sub(MAX_ROWS) })
+    let oscillations = modes.iter().filter(|mode| mode.kind == ModeKind::Oscillation);
+    let slowest = oscillations
+        .map(|mode| (mode.natural_frequency(), mode.damping_ratio()))
+        .min_by(|a, b| a.0.total_cmp(&b.0));
+    Ok(Modes { place, rows, left_out: modes.len().saturating_sub(MAX_ROWS), slowest })
 }
 
 /// The part of a scene's section.
 pub fn section(scene: &str, modes: Option<&Result<Modes, LinearError>>) -> Markup {
     let command = format!("machinist modes {scene}");
     html! {
-        h3 { "Modes at the operating point" }
         @match modes {
             None => p { "The scene is large; see " code { (command) } },
             Some(Err(error)) => p.warning { "There is no linear analysis: " (error) },

@@ -1,40 +1,123 @@
-//! One scene: what it is, its equations, parameters, structure, run and energy.
+//! The page of one machine: what it is, its run, checks, equations, parameters, structure.
 
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
 use machinist_codegen::emit::document::Document;
 use machinist_model::Model;
+use machinist_studies::work_precision::{Plan, WorkPrecision};
 use maud::{Markup, html};
 
-use super::gather::SceneData;
-use super::{equations, fields, figure, modes, reduction};
+use super::machine::{By, Machine};
+use super::page::{Page, section};
+use super::{equations, fields, figure, key, modes, reduction, schematic, verification};
 use crate::cli::specs::{Cost, costs};
 use crate::number::{exact, number};
 
-/// The section of a scene.
-pub fn section(scene: &SceneData) -> Markup {
-    let model = &scene.model;
+/// The page of a machine; `argument` is what commands call it.
+pub(super) fn page(machine: &Machine, argument: &str, has_index: bool) -> String {
+    let model = &machine.model;
+    let name = machine.name();
+    let mut sections = vec![
+        ("machine", "The machine", picture(machine)),
+        ("run", "Run", ran(machine, argument)),
+        ("checks", "Checks", verification::section(&machine.verdicts, argument)),
+        ("modes", "Modes at the operating point", modes::section(argument, machine.modes.as_ref())),
+        ("equations", "Equations of motion", motion(&machine.document)),
+        ("parameters", "Parameters", parameters(model)),
+        ("needs", "What the outputs need", needs(machine)),
+    ];
+    if let Some(measured) = &machine.work_precision {
+        sections.push(("methods", "Error against run time", methods(name, measured)));
+    }
+    let page = Page {
+        title: format!("{}: Machinist", machine.title()),
+        others: if has_index { vec![("../index.html", "All machines")] } else { Vec::new() },
+        contents: sections.iter().map(|(id, name, _)| (*id, (*name).to_owned())).collect(),
+        has_equations: true,
+        body: html! {
+            (header(machine))
+            @for (id, title, content) in &sections { (section(id, title, content)) }
+        },
+    };
+    page.render()
+}
+
+fn header(machine: &Machine) -> Markup {
+    let model = &machine.model;
+    let [passed, all] = machine.passed();
     html! {
-        section id=(model.name) {
-            h2 { (model.title) }
+        header id="summary" {
+            h1 { (model.title) }
             p.muted { code { (model.name) } }
-            @for paragraph in model.doc.split("\n\n") { p { (paragraph) } }
+            @for paragraph in machine.doc.split("\n\n") { p { (paragraph) } }
             @if !model.source.is_empty() { p.muted { "Source: " (model.source) } }
-            h3 { "Equations of motion" }
-            (motion(&scene.document))
-            h3 { "Parameters" }
-            (parameters(model))
-            h3 { "Structure" }
-            (structure(model))
-            h3 { "What the outputs need" }
-            (reduction::section(&scene.explanation, &scene.dependencies))
-            h3 { "Run" }
-            @match &scene.run {
-                Ok(trajectory) => (run(scene, trajectory)),
-                Err(error) => p.warning { "The run stopped. " (error) },
+            dl.strip {
+                div class=[(passed < all).then_some("bad")] {
+                    dt { "checks passed" } dd { (passed) " / " (all) }
+                }
+                @for figure in machine.figures() { (figure.entry()) }
             }
-            (fields::section(scene.name(), &scene.along))
-            (modes::section(scene.name(), scene.modes.as_ref()))
         }
+    }
+}
+
+fn picture(machine: &Machine) -> Markup {
+    let model = &machine.model;
+    let counts = [
+        ("parts", machine.schematic.parts()),
+        ("coordinates", model.coordinates.len()),
+        ("first-order states", model.first_order()),
+        ("constraints", model.constraints.len()),
+        ("events", model.events.len()),
+        ("parameters", model.parameters.len()),
+    ];
+    html! {
+        figure {
+            (schematic::legend(&machine.schematic))
+            div.scroll { (schematic::drawing(&machine.schematic)) }
+        }
+        dl.counts {
+            @for (what, count) in counts.into_iter().filter(|(_, count)| *count > 0) {
+                div { dt { (what) } dd { (count) } }
+            }
+        }
+        (machine.schematic.list())
+    }
+}
+
+/// The run, also one that stopped, as far as it went.
+fn ran(machine: &Machine, argument: &str) -> Markup {
+    html! {
+        @if let Err(error) = &machine.run { p.warning { "The run stopped. " (error) } }
+        @if let Some(trajectory) = machine.trajectory() { (run(machine, argument, trajectory)) }
+        (fields::section(machine.name(), &machine.along))
+    }
+}
+
+fn needs(machine: &Machine) -> Markup {
+    html! {
+        (reduction::section(&machine.explanation, &machine.dependencies))
+        h3 { "What is emitted" }
+        (emitted(&machine.model))
+    }
+}
+
+fn methods(name: &str, measured: &WorkPrecision) -> Markup {
+    html! {
+        p {
+            "Each point is one tolerance, from 1e-2 at the top to 1e-12; each curve is one method.
+             The error is the largest over all states and 101 output times, relative to the largest
+             value of the state. On the right is the error over the tolerance: a method that keeps
+             to what it is asked for runs level there."
+        }
+        (figure::work_precision(
+            &format!("{name}-work-precision"),
+            measured,
+            &html! {
+                "Measured against " (measured.reference.name) ". Times are medians of up to "
+                (Plan::default().runs) " runs on the machine that made this page; only their ratios
+                 mean anything elsewhere."
+            },
+        ))
     }
 }
 
@@ -69,21 +152,12 @@ fn parameters(model: &Model) -> Markup {
     }
 }
 
-fn structure(model: &Model) -> Markup {
-    let counts = [
-        ("states", model.states.len()),
-        ("coordinates", model.coordinates.len()),
-        ("first-order states", model.first_order()),
-        ("parameters", model.parameters.len()),
-        ("outputs", model.wanted.len()),
-        ("known jumps", model.discontinuities.results.len()),
-    ];
+fn emitted(model: &Model) -> Markup {
     html! {
-        dl.counts { @for (what, count) in counts { div { dt { (what) } dd { (count) } } } }
         div.scroll {
             table {
                 thead { tr {
-                    th { "Emitted function" } th { "Computes" } th.number { "Numbers" }
+                    th { "Function" } th { "Computes" } th.number { "Numbers" }
                     th.number { "Of" } th.number { "Filled" } th.number { "Operations" }
                 } }
                 tbody { @for cost in costs(model) { (cost_row(&cost)) } }
@@ -106,7 +180,7 @@ fn cost_row(cost: &Cost) -> Markup {
     }
 }
 
-fn run(scene: &SceneData, trajectory: &Trajectory) -> Markup {
+fn run(machine: &Machine, argument: &str, trajectory: &Trajectory) -> Markup {
     let work = trajectory.work;
     let counters = [
         ("steps", work.steps),
@@ -117,7 +191,11 @@ fn run(scene: &SceneData, trajectory: &Trajectory) -> Markup {
         ("Newton iterations", work.newton_iterations),
         ("switches", work.switches),
     ];
-    let how = if scene.is_built_in { "Emitted code" } else { "Compiled at once" };
+    let how = match machine.by {
+        By::Emitted => "Emitted code",
+        By::Compiled => "Compiled at once",
+        By::Interpreted => "Interpreted",
+    };
     let (first, last) = match trajectory.times.as_slice() {
         [first, .., last] => (*first, *last),
         _ => (f64::NAN, f64::NAN),
@@ -127,18 +205,48 @@ fn run(scene: &SceneData, trajectory: &Trajectory) -> Markup {
             (how) ", method " code { (trajectory.method) } " at relative tolerance "
             (exact(trajectory.rtol)) ", from " (exact(first)) " s to " (exact(last)) " s, with the
              energy account integrated alongside. The same run: "
-            code { "machinist run " (scene.name()) }
+            code { "machinist run " (argument) }
         }
+        (key::table(trajectory))
+        (switches(trajectory))
+        @for note in &trajectory.notes { p.muted { (note) } }
         dl.counts { @for (what, count) in counters { div { dt { (what) } dd { (count) } } } }
         @for (index, group) in by_unit(trajectory).iter().enumerate() {
             (figure::over_time(
-                &format!("{}-outputs-{index}", scene.name()),
+                &format!("{}-outputs-{index}", machine.name()),
                 &trajectory.times,
                 group,
                 &meanings(group),
             ))
         }
-        (energy(scene, trajectory))
+        (energy(machine.name(), trajectory))
+    }
+}
+
+/// How often each event happened, and when first and last.
+fn switches(trajectory: &Trajectory) -> Markup {
+    let mut events: Vec<(&str, usize, f64, f64)> = Vec::new();
+    for switch in &trajectory.switches {
+        match events.iter_mut().find(|(event, ..)| *event == switch.event) {
+            Some((_, count, _, last)) => (*count, *last) = (*count + 1, switch.time),
+            None => events.push((&switch.event, 1, switch.time, switch.time)),
+        }
+    }
+    html! {
+        @if !events.is_empty() {
+            div.scroll {
+                table {
+                    thead { tr {
+                        th { "Event" } th.number { "Times" } th.number { "First [s]" }
+                        th.number { "Last [s]" }
+                    } }
+                    tbody { @for (event, count, first, last) in events { tr {
+                        td { code { (event) } } td.number { (count) }
+                        td.number { (number(first, 6)) } td.number { (number(last, 6)) }
+                    } } }
+                }
+            }
+        }
     }
 }
 
@@ -169,12 +277,12 @@ fn meanings(columns: &[&Column]) -> Markup {
     }
 }
 
-fn energy(scene: &SceneData, trajectory: &Trajectory) -> Markup {
+fn energy(name: &str, trajectory: &Trajectory) -> Markup {
     let Some(balance) = &trajectory.energy_balance else { return html! {} };
     let energies: Vec<&Column> = trajectory.of_kind(ColumnKind::Energy).collect();
     let (residual, flows): (Vec<&Column>, Vec<&Column>) =
         energies.into_iter().partition(|column| column.name == "energy.residual");
-    let id = |what: &str| format!("{}-{what}", scene.name());
+    let id = |what: &str| format!("{name}-{what}");
     let account = html! {
         "Energy stored, supplied since the start and lost since the start."
     };
@@ -184,7 +292,7 @@ fn energy(scene: &SceneData, trajectory: &Trajectory) -> Markup {
          energy that has passed."
     };
     html! {
-        h4 { "Energy balance" }
+        h3 { "Energy balance" }
         (figure::over_time(&id("energy"), &trajectory.times, &flows, &account))
         (figure::over_time(&id("residual"), &trajectory.times, &residual, &remainder))
     }

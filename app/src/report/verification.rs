@@ -1,18 +1,18 @@
-//! The table of checks, grouped by scene.
+//! The table of checks.
 
 use machinist_studies::verify::{Verdict, because};
 use maud::{Markup, html};
 
 use crate::number::number;
 
-/// All verdicts.
-pub fn section(verdicts: &[Verdict]) -> Markup {
+/// The verdicts of a machine; `argument` is what commands call it.
+pub fn section(verdicts: &[Verdict], argument: &str) -> Markup {
     html! {
         p {
             "Each row holds a simulator against something known without it: a closed form, a
              converged reference computed by other means, equations written by hand, derivatives
              by the complex step, or the energy account. A row passes if its error is at most its
-             tolerance. The same table is printed by " code { "machinist verify" } "."
+             tolerance. The same table is printed by " code { "machinist verify " (argument) } "."
         }
         div.scroll {
             table.verdicts {
@@ -22,22 +22,8 @@ pub fn section(verdicts: &[Verdict]) -> Markup {
                         th.number { "Tolerance" } th { "Because" } th { "Result" }
                     }
                 }
-                @for group in verdicts.chunk_by(|a, b| a.scene == b.scene) { (scene(group)) }
+                tbody { @for verdict in verdicts { (row(verdict)) } }
             }
-        }
-    }
-}
-
-fn scene(verdicts: &[Verdict]) -> Markup {
-    let name = verdicts.first().map_or("", |verdict| verdict.scene.as_str());
-    let passed = verdicts.iter().filter(|verdict| verdict.pass).count();
-    html! {
-        tbody {
-            tr.group { th colspan="6" scope="rowgroup" {
-                a href={ "#" (name) } { code { (name) } }
-                span.muted { " " (passed) " of " (verdicts.len()) " pass" }
-            } }
-            @for verdict in verdicts { (row(verdict)) }
         }
     }
 }
@@ -50,7 +36,7 @@ fn row(verdict: &Verdict) -> Markup {
             td.number { (number(verdict.error, 2)) }
             td.number { (number(verdict.tolerance, 2)) }
             td { (because(verdict)) }
-            td { (badge(verdict.pass)) }
+            td { @if verdict.skipped.is_some() { span.muted { "left out" } } @else { (badge(verdict.pass)) } }
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::spec::names::{self, did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::{
     CoordinateSpec, DefinitionSpec, EnergySpec, ForceSpec, InputSpec, ParameterSpec, PortKind,
-    PortSpec, PowerSpec, StateSpec, UnitSpec,
+    PortSpec, PowerSpec, StateSpec, Symbol, UnitSpec,
 };
 
 /// Reads a unit found by `name`; `whole` if it is a file of its own, which must
@@ -23,7 +23,7 @@ pub fn read(
 ) -> UnitSpec {
     let mut fields = Fields::open(tree, format!("unit {}", quoted(name)), found);
     let header = if whole { fields.require("unit") } else { fields.take("unit") };
-    let [title, doc, source] =
+    let ([title, doc, source], symbol) =
         header.map(|tree| self::header(tree, fields.found())).unwrap_or_default();
     let mut coordinates = each(&mut fields, "coordinates", coordinate);
     let distributed = each(&mut fields, "fields", distributed::field);
@@ -48,6 +48,7 @@ pub fn read(
         title,
         doc,
         source,
+        symbol,
         coordinates,
         fields: distributed,
         ports,
@@ -74,12 +75,24 @@ pub fn each<T>(
     entries.iter().filter_map(|entry| read(entry, fields.found())).collect()
 }
 
-fn header(tree: &Spanned<Tree>, found: &mut Findings) -> [String; 3] {
+fn header(tree: &Spanned<Tree>, found: &mut Findings) -> ([String; 3], Option<Symbol>) {
     let mut fields = Fields::open(tree, "[unit]".to_owned(), found);
     fields.name("name");
     let texts = ["title", "doc", "source"].map(|key| fields.text(key));
+    let symbol = fields.take("symbol").and_then(|tree| fields.as_text(tree, "symbol"));
     fields.close();
-    texts
+    (texts, symbol.and_then(|name| self::symbol(&name, found)))
+}
+
+fn symbol(name: &Spanned<String>, found: &mut Findings) -> Option<Symbol> {
+    match Symbol::of(&name.value) {
+        Ok(symbol) => Some(symbol),
+        Err(help) => {
+            let message = format!("there is no symbol {}", quoted(&name.value));
+            found.mistakes.push(Mistake::new(name.span, message, "unknown").help(help));
+            None
+        }
+    }
 }
 
 fn open<'a>(entry: &'a Entry, kind: &str, found: &'a mut Findings) -> Fields<'a> {

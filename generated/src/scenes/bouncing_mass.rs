@@ -4,7 +4,7 @@
 //
 // Sources, with SHA-256:
 //   d5f791591548f3d0783dd936c85151e668e502bd1044f337e83ea88c4bc67466  scenes/bouncing_mass.toml
-//   12df7804de72103290d4f71966f2eb8bb7a1e6a701dfcc9fd70c310ee6226898  units/bouncer.toml
+//   f60db5a597818af2912715d5d2a67d1c70c5ff6ed0f332da46ccf7bf54841573  units/bouncer.toml
 //
 // Mass bouncing on a shaken plate
 //

@@ -4,8 +4,8 @@
 //
 // Sources, with SHA-256:
 //   88ef63c78e86c26fddbb155af33e6a2671afb454b0ba926a3aba7ed701abc3b7  scenes/contact_oscillator.toml
-//   f0db790170b6c3f134330c00617de69bb14585d0c566d62cfa2cc6117d09122a  units/sprung_mass.toml
-//   aa460541694f4c6c145124dcacf35c9d1c5ec7ec73d776fc4eb9748b2b487367  units/stop.toml
+//   b89067c816e10427968bc604c723a20932ff583014a50ed594bbbd44a7a2e969  units/sprung_mass.toml
+//   ba7091151eea519f09b3f1769a114b1ef1560ffb99281725c8799ac48a87c2c8  units/stop.toml
 //
 // Oscillator with a one-sided stop
 //

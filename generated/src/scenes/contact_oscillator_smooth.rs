@@ -4,8 +4,8 @@
 //
 // Sources, with SHA-256:
 //   623629d455d12d8ac289b2f7651abfa544e0ce4f9b215a11f46b15b633e56a79  scenes/contact_oscillator_smooth.toml
-//   f0db790170b6c3f134330c00617de69bb14585d0c566d62cfa2cc6117d09122a  units/sprung_mass.toml
-//   e05d4b59e2dcb3fbd6a15912f703a3764b38a08608fe136fee7b6e165aabff5b  units/stop_smooth.toml
+//   b89067c816e10427968bc604c723a20932ff583014a50ed594bbbd44a7a2e969  units/sprung_mass.toml
+//   8899d6fe44f60d7c60a17055ab100c0627cff4e8e8c61d6d5235170177020f3f  units/stop_smooth.toml
 //
 // Oscillator with a one-sided stop, smoothed
 //

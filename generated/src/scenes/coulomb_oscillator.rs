@@ -4,7 +4,7 @@
 //
 // Sources, with SHA-256:
 //   5b21f124f7e0a6211a994e4f2d3a27d65a27408738c26a5f6a27f6e735b15249  scenes/coulomb_oscillator.toml
-//   5b3244c57f4d1dbb61079010ff55f963cd6a840d5699446256cf1527699ef805  units/friction_slider.toml
+//   470e52cfc081a1464e8221197db93c5fe7bcbc6adf730690d922a663aafb9155  units/friction_slider.toml
 //
 // Oscillator braked by dry friction
 //

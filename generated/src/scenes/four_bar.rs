@@ -4,7 +4,7 @@
 //
 // Sources, with SHA-256:
 //   d2c75a90dbcb8c06281a8cefccfd565b2e1085edd377fb79777746de2b897e53  scenes/four_bar.toml
-//   fa69a391ab85c57533a93c32c47f18b29da038e678b6c6fe99931f82ce4979fa  units/planar_body.toml
+//   b4594591158f68ce8c9070674fa9b2138edb31e0a5645bf03c9d1c4965420587  units/planar_body.toml
 //
 // Four-bar linkage under gravity
 //

@@ -4,11 +4,11 @@
 //
 // Sources, with SHA-256:
 //   278eefca1ca3adf2bf4aead4b04e9df478dc6267e23e406596e32c0bf34fadfc  scenes/loom_drive.toml
-//   fe2f2deb5f36655ff87e1d6f2bb763716b1c76007878e37e8e41643655074862  units/induction_motor.toml
-//   a479b553f0542fe4aecc9e2a030097bc5b34e101f44a5e7297713fb52484327b  units/coupling.toml
-//   210450c6c85a818c6e10138353cf1dfe5286ef742fc908308e77a3b605c3c704  units/loom_shaft.toml
-//   f7986e73556e5a9af8b7a8f55072bbd9b2cd4e98c46b71cc2927a976f7158acd  units/reed.toml
-//   5b1dbf2392d60b9814b89aff64ac087d3b9babc2b90f90772c08dad998dacad3  units/cloth_fell_contact.toml
+//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/induction_motor.toml
+//   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
+//   a432e3554ef0bee873d254e694b634b60dcc3e16bb2cfdd965f33491dd76f594  units/loom_shaft.toml
+//   1d0520b4231bba2b7140446b5e9a17db2010e38b2cce6a238c16742d74a3f154  units/reed.toml
+//   4059931e3d9f8860c6bfee9b6180d3b431b75d6274bc2d071b6a59ddc0d92e0a  units/cloth_fell_contact.toml
 //
 // Loom: motor, coupling, shaft and reed in one machine
 //

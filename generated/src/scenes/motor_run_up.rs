@@ -4,7 +4,7 @@
 //
 // Sources, with SHA-256:
 //   cd46b5dd2787e2c7e2f8f0ced82de665f8064be9ca50f95ea3af96badbbee49f  scenes/motor_run_up.toml
-//   fe2f2deb5f36655ff87e1d6f2bb763716b1c76007878e37e8e41643655074862  units/induction_motor.toml
+//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/induction_motor.toml
 //
 // Induction motor running up empty
 //

@@ -4,7 +4,7 @@
 //
 // Sources, with SHA-256:
 //   87eeff5720dce2810ad788e37b7912d61bb118f7cdabd0c29c5e373e23f6a192  scenes/motor_stationary_axes.toml
-//   e8422c9ed02eea8c3a709bd8932dbac067c759a5c771209ef9b59cb86800c611  units/induction_motor_stationary.toml
+//   e9e8bf67e0b7bff8dc9f9b2348036de3deddc04aca58719a44260665b98db265  units/induction_motor_stationary.toml
 //
 // Induction motor running up empty, from its co-energy
 //

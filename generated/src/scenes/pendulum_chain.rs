@@ -4,7 +4,7 @@
 //
 // Sources, with SHA-256:
 //   f36e6f7a8a295ae89f1ec04eab3bdf7608ba19982828192f803ec3e196da05d2  scenes/pendulum_chain.toml
-//   0cffc4a4ddaf5edfd00f248740ed9408fe25ba00e6486e49d46fc843757b7a78  units/three_pendulums.toml
+//   72be1f01642b416c54ae9eea3cefb97ce4795acab0db3644199ff41d06aa399d  units/three_pendulums.toml
 //
 // Chain of three pendulums
 //

@@ -4,7 +4,7 @@
 //
 // Sources, with SHA-256:
 //   5b7ba03a7b8c7607f85575b24543e580d5eb9c851c7ddafd50b456286de295fe  scenes/pendulum_constrained.toml
-//   4c8ee37f2c8ba7febb53cb3d6b92bd44186fef63303e4ee1f9467038bf69e830  units/point_mass.toml
+//   a8b8fb235cd11d5e649b48098b2d89fbed6ca540d3801cdbe28e903058fc5bdc  units/point_mass.toml
 //
 // Chain of three pendulums, by constraints
 //

@@ -4,7 +4,7 @@
 //
 // Sources, with SHA-256:
 //   b8ca232eee40e97f96f2049b40a93136df6317800ed11c3e41e4ae52056e4270  scenes/pendulum_relative.toml
-//   2dff14c7fde2a579d8be25941f9964c4fb4a70b3507b299bd5e949c6b9d9de6d  units/three_pendulums_relative.toml
+//   ddee8cdb628a6892f0040bbb36184c56e1f352feafdea5fc729a5c32b6215b54  units/three_pendulums_relative.toml
 //
 // Chain of three pendulums, by relative angles
 //

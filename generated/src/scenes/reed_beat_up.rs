@@ -4,10 +4,10 @@
 //
 // Sources, with SHA-256:
 //   7d526b557f970aacc7c8ce89ad49a244287d03ba0648fc731b119ca32e2eae28  scenes/reed_beat_up.toml
-//   f6a02275b3378b55e3f073294275c62569c7d4c4584bfb46e0246a1b297c364b  units/imposed_drive.toml
-//   210450c6c85a818c6e10138353cf1dfe5286ef742fc908308e77a3b605c3c704  units/loom_shaft.toml
-//   f7986e73556e5a9af8b7a8f55072bbd9b2cd4e98c46b71cc2927a976f7158acd  units/reed.toml
-//   5b1dbf2392d60b9814b89aff64ac087d3b9babc2b90f90772c08dad998dacad3  units/cloth_fell_contact.toml
+//   27ff54ebb22a3b586435703ddffd2395b693238649c4d6fb67f9c6829f6b2d15  units/imposed_drive.toml
+//   a432e3554ef0bee873d254e694b634b60dcc3e16bb2cfdd965f33491dd76f594  units/loom_shaft.toml
+//   1d0520b4231bba2b7140446b5e9a17db2010e38b2cce6a238c16742d74a3f154  units/reed.toml
+//   4059931e3d9f8860c6bfee9b6180d3b431b75d6274bc2d071b6a59ddc0d92e0a  units/cloth_fell_contact.toml
 //
 // Beat-up of a reed by an elastic shaft
 //

@@ -4,10 +4,10 @@
 //
 // Sources, with SHA-256:
 //   a2403aab864d64bd8b1b4fa874724e8ff8bc26ab5acf3acb5e9ae1870397f1bf  scenes/saw_gin_as_printed.toml
-//   495ad7f7a1034ceca85b1f336cdb757e19f20ef1f884d8c24b8ad9f1dc96fd39  units/induction_motor_as_printed.toml
-//   a479b553f0542fe4aecc9e2a030097bc5b34e101f44a5e7297713fb52484327b  units/coupling.toml
-//   192155c0a8dc7b884c45e939d6fe1b122b135258825141b94f360d68f1612fb5  units/rotor.toml
-//   c25829d257d53d2e48562bcbdac2bfe42940eb3fdb1c5913863f1432683f6420  units/technological_load.toml
+//   d7bef8f6cd66a7e24469f00b07e7b8ad9f8db91f246c74a9f8652788ebd8e6ff  units/induction_motor_as_printed.toml
+//   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
+//   061b3363de5eaa806761bec6f93083a5c0dfa427530c2334cb3457ecc01d9efd  units/rotor.toml
+//   d25c4fb8f05fd3ea6a4488cc180ad128f61e69d53db2b224f154f426e6be9d5b  units/technological_load.toml
 //
 // Saw gin with the equations and numbers as printed
 //

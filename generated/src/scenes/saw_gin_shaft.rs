@@ -4,9 +4,9 @@
 //
 // Sources, with SHA-256:
 //   c4c2d6396f0304a4888cd124839e58b25a2a797e69561a3d8b874d9ba0142249  scenes/saw_gin_shaft.toml
-//   fe2f2deb5f36655ff87e1d6f2bb763716b1c76007878e37e8e41643655074862  units/induction_motor.toml
-//   a479b553f0542fe4aecc9e2a030097bc5b34e101f44a5e7297713fb52484327b  units/coupling.toml
-//   dfce33ca2043ba8ff7ca98b593cfac2d21ce029618df546e0e9507db531728da  units/saw_shaft.toml
+//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/induction_motor.toml
+//   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
+//   2ea0011149ba70fb0247487cb2f6534a92968e34078bd2983235a41e4777837c  units/saw_shaft.toml
 //
 // Saw gin with a distributed shaft
 //

@@ -4,7 +4,7 @@
 //
 // Sources, with SHA-256:
 //   b26d934d8e50a7d525e396d561f533d0f0f7e94d29e920e9408d560185dc718f  scenes/shaft_step_torque.toml
-//   ea2e394474eda1c8e7c81b630e209d9449e129941c3297c0c0ecffddc2cf8db9  units/shaft.toml
+//   0e7119d9296df7a166c52d529fde05aec5241857ebfc0d5b2f283a63549074f1  units/shaft.toml
 //
 // Uniform shaft under a step of end torque
 //

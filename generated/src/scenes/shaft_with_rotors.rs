@@ -4,8 +4,8 @@
 //
 // Sources, with SHA-256:
 //   89832a23555fb9a71a8dbd8015d000b2ecf26a7fafa138b70d153513b0db8063  scenes/shaft_with_rotors.toml
-//   ea2e394474eda1c8e7c81b630e209d9449e129941c3297c0c0ecffddc2cf8db9  units/shaft.toml
-//   192155c0a8dc7b884c45e939d6fe1b122b135258825141b94f360d68f1612fb5  units/rotor.toml
+//   0e7119d9296df7a166c52d529fde05aec5241857ebfc0d5b2f283a63549074f1  units/shaft.toml
+//   061b3363de5eaa806761bec6f93083a5c0dfa427530c2334cb3457ecc01d9efd  units/rotor.toml
 //
 // Shaft with a rotor at each end, let go twisted
 //

@@ -4,7 +4,7 @@
 //
 // Sources, with SHA-256:
 //   7ee56fac13a56f78010ffbda1f3894ebadc8339c745559a1b70e8474d678cffa  scenes/stick_slip.toml
-//   5b3244c57f4d1dbb61079010ff55f963cd6a840d5699446256cf1527699ef805  units/friction_slider.toml
+//   470e52cfc081a1464e8221197db93c5fe7bcbc6adf730690d922a663aafb9155  units/friction_slider.toml
 //
 // Stick-slip oscillation on a belt
 //

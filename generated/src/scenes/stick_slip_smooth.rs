@@ -4,7 +4,7 @@
 //
 // Sources, with SHA-256:
 //   94703e250c053ceb41ccbcc94b23aff9e19d226c6314d4813fa4365e2f34b90a  scenes/stick_slip_smooth.toml
-//   d45a9c9f5bba8ff1c3ba8938a6a1e3cfbf1421a3c328f0688da3ea0781bbdd27  units/friction_slider_smooth.toml
+//   d36149bcc20bb6b208bd46bfd10aa569964a6a454d08f20600fea6968e5d5076  units/friction_slider_smooth.toml
 //
 // Stick-slip oscillation on a belt, smoothed
 //

@@ -4,8 +4,8 @@
 //
 // Sources, with SHA-256:
 //   5623d9c21ce98e1aed41a1f9a9f9209929035ebecccba58003cfb7c33a790c3c  scenes/two_mass.toml
-//   192155c0a8dc7b884c45e939d6fe1b122b135258825141b94f360d68f1612fb5  units/rotor.toml
-//   a479b553f0542fe4aecc9e2a030097bc5b34e101f44a5e7297713fb52484327b  units/coupling.toml
+//   061b3363de5eaa806761bec6f93083a5c0dfa427530c2334cb3457ecc01d9efd  units/rotor.toml
+//   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
 //
 // Two rotors on an elasto-dissipative coupling
 //

@@ -4,9 +4,9 @@
 //
 // Sources, with SHA-256:
 //   e37df34497b46761b32cf9fd4b2154f2b8af8b4059dbfe9faf6a01ada9944402  scenes/winder_full.toml
-//   6a499f56da908c543a803cb62c4955ce07ac86b90e61c7b8d2e18332a529f16e  units/pressed_bobbin.toml
-//   101cd072fa52fb3709d9fdd0b1d21ebcc701907b5ea804f1fcaac4d6c575bd3c  units/yarn_layer_one_sided.toml
-//   4a9287d8640ce522ef5c8bd7b795a51195467dcdcc985c50f2cb32e6d3c10664  units/winding_pair.toml
+//   eb674f68fba406afed2e40adeec933d314b879e6c7b1b61caba2bfbf006c57fb  units/pressed_bobbin.toml
+//   fa1b5ddc99916b8dd02f89ac526a43dcac856f183bce2271f3569fe77c705a32  units/yarn_layer_one_sided.toml
+//   84277344885bd4f7d86b8058ec1e26c987ebdcef7706a8e9ab70c549c0be3761  units/winding_pair.toml
 //
 // Bobbin on a winding drum, all nonlinearities
 //

@@ -4,9 +4,9 @@
 //
 // Sources, with SHA-256:
 //   044e0f4a1f2bab23afeb6e3d262a47321342ed9c5c3cc52995c00ca78c21b7a4  scenes/winder_holder_drop.toml
-//   fa69a391ab85c57533a93c32c47f18b29da038e678b6c6fe99931f82ce4979fa  units/planar_body.toml
-//   aa0e8a999f462eeff001756527f878c9e91be49559e9f536983ca628c62c89a6  units/spring_damper.toml
-//   a7990db08476f2615903f9423a5b29997fa55f4feedd941579cf9c2628578a55  units/one_sided_contact.toml
+//   b4594591158f68ce8c9070674fa9b2138edb31e0a5645bf03c9d1c4965420587  units/planar_body.toml
+//   f16080366c1876ed3761f64515d9615b15b3dbd6017cdb3eb0cba34abb073dd2  units/spring_damper.toml
+//   975244d90bcd2ad5b18417df1a2902dfe173a10f5b4b8538d5616fd2a4d99061  units/one_sided_contact.toml
 //
 // Four-link bobbin holder, let go
 //

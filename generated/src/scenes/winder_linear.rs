@@ -4,8 +4,8 @@
 //
 // Sources, with SHA-256:
 //   03b22d4d9554adef0c3fc4ca26d46400ccd8ebc835b65b9517eb3e1297f3e093  scenes/winder_linear.toml
-//   07413a1109bdf680c087c4354aa37c0ca961bda7ffa02d4c885b7a671cdda9ec  units/bobbin_holder.toml
-//   7f906df57d36c587350f4f96bf186ba57a3eefffbc8a08954a65b16a979eb1d8  units/yarn_layer.toml
+//   bb9704add23ab13bd17c52ac1d1c5e67137cd1bcc7ab7b5b2db4ef32be1427ab  units/bobbin_holder.toml
+//   71c306121dd34fe7f6a6deac754ff0569e1ec5d27ed15df8584e2af62f038da6  units/yarn_layer.toml
 //
 // Bobbin on a winding drum, linear layer
 //

@@ -4,8 +4,8 @@
 //
 // Sources, with SHA-256:
 //   f63237fe587c99a6ad651b37ca93a48c08e8b6265e675d4e13497400519a5c5e  scenes/winder_nonlinear.toml
-//   07413a1109bdf680c087c4354aa37c0ca961bda7ffa02d4c885b7a671cdda9ec  units/bobbin_holder.toml
-//   474b1451b6ea41282e5d85fdf4dc2eeb669545db8d2c64c0e8a9661494cc2ae8  units/yarn_layer_cubic.toml
+//   bb9704add23ab13bd17c52ac1d1c5e67137cd1bcc7ab7b5b2db4ef32be1427ab  units/bobbin_holder.toml
+//   bd2d39adccb12b96d727d4aa34d39034c63e51797801b2699c1eb4b360ad5998  units/yarn_layer_cubic.toml
 //
 // Bobbin on a winding drum, stiffening layer
 //

@@ -4,7 +4,7 @@
 //
 // Sources, with SHA-256:
 //   290c280f2762536a930aee55683f4ed2f3b53337119f1515f76d518b01eb9bd0  bench/m1.toml
-//   fe2f2deb5f36655ff87e1d6f2bb763716b1c76007878e37e8e41643655074862  units/induction_motor.toml
+//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/induction_motor.toml
 //
 // Benchmark M1: induction motor alone
 //

@@ -4,8 +4,8 @@
 //
 // Sources, with SHA-256:
 //   13345ccc73346ecef2459e96e8d39ff15464e0f13202b0bbe4e83bc3ccc763d0  bench/m3.toml
-//   fe2f2deb5f36655ff87e1d6f2bb763716b1c76007878e37e8e41643655074862  units/induction_motor.toml
-//   a479b553f0542fe4aecc9e2a030097bc5b34e101f44a5e7297713fb52484327b  units/coupling.toml
+//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/induction_motor.toml
+//   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
 //
 // Benchmark M3: motor and torsional shaft of equal pieces
 //

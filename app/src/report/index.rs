@@ -1,0 +1,109 @@
+//! The first page: what the report says in short, and a card for each machine.
+
+use maud::{Markup, html};
+
+use super::gather::Report;
+use super::machine::Machine;
+use super::page::{Page, section};
+use super::verification::badge;
+use super::{licences, schematic};
+
+/// The command that makes the report.
+const COMMAND: &str = "cargo run --release -- report";
+/// Figures on a card.
+const FIGURES: usize = 3;
+
+/// The page; those of machines are in a folder beside it.
+pub(super) fn page(report: &Report, machines: &str) -> String {
+    let cards = html! {
+        div.cards { @for machine in &report.machines { (card(machine, machines)) } }
+    };
+    let page = Page {
+        title: "Machinist: report".to_owned(),
+        others: vec![("studies.html", "Studies and extreme cases")],
+        contents: [("summary", "Summary"), ("machines", "Machines"), ("licences", "Licences")]
+            .map(|(id, name)| (id, name.to_owned()))
+            .to_vec(),
+        has_equations: false,
+        body: html! {
+            (introduction(report))
+            (section("machines", "Machines", &cards))
+            (section("licences", "Licences", &licences::section()))
+        },
+    };
+    page.render()
+}
+
+fn card(machine: &Machine, folder: &str) -> Markup {
+    let [passed, all] = machine.passed();
+    html! {
+        a.card href={ (folder) "/" (machine.name()) ".html" } {
+            div.picture { (schematic::drawing(&machine.schematic)) }
+            h3 { (machine.title()) }
+            p.muted { code { (machine.name()) } }
+            dl {
+                @for figure in machine.figures().iter().take(FIGURES) { (figure.entry()) }
+            }
+            p { (badge(passed == all)) " " (passed) " of " (all) " checks" }
+        }
+    }
+}
+
+fn introduction(report: &Report) -> Markup {
+    let passed = report.verdicts.iter().filter(|verdict| verdict.pass).count();
+    let all = report.verdicts.len();
+    let stale: Vec<&str> = report.stale().collect();
+    html! {
+        header id="summary" {
+            h1 { "Machinist" }
+            p.lead {
+                "Lagrangian specs of machines, turned into fast, checked Rust simulators. For this
+                 report every scene was derived from its spec, the emitted code compared with what
+                 the specs give, run, and held against what is known without it."
+            }
+            dl.strip {
+                div class=[(passed < all).then_some("bad")] {
+                    dt { "checks passed" } dd { (passed) " / " (all) }
+                }
+                div { dt { "machines" } dd { (report.machines.len()) } }
+                div class=[(!stale.is_empty()).then_some("bad")] {
+                    dt { "emitted code" } dd { @if stale.is_empty() { "fresh" } @else { "stale" } }
+                }
+                div { dt { "Machinist" } dd { (env!("CARGO_PKG_VERSION")) } }
+                @for (package, version) in PINNED { div { dt { (package) } dd { (version) } } }
+            }
+            @if !stale.is_empty() {
+                p.warning {
+                    "Out of date with the specs, and now written anew: " (stale.join(", ")) ". The runs
+                     of this report are by the code built before; make it again to see the new."
+                }
+            }
+            @for orphan in &report.emitted.orphans {
+                p.warning { (orphan) " is of a scene that is no more; delete it." }
+            }
+            p {
+                "Made by " code { (COMMAND) } ". " code { (COMMAND) " own.toml" } " makes the page of a
+                 machine of your own. What the textile studies print, held against what their
+                 equations give, and extreme cases by every method are on "
+                a href="studies.html" { "a page of their own" } "."
+            }
+        }
+    }
+}
+
+/// Versions of what is pinned.
+const PINNED: [(&str, &str); 2] = [("diffsol", "0.18.0"), ("Symbolica", "2.2.0")];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn versions_are_those_of_the_lock_file() {
+        const LOCK: &str = include_str!("../../../Cargo.lock");
+        for (package, version) in PINNED {
+            let entry = format!("name = \"{}\"\nversion = \"{version}\"", package.to_lowercase());
+            assert!(LOCK.contains(&entry), "{package}");
+        }
+    }
+}

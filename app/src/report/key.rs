@@ -1,0 +1,173 @@
+//! The figures that one asks for first.
+
+use machinist::trajectory::{Column, ColumnKind, Trajectory};
+use maud::{Markup, html};
+
+use super::modes::Modes;
+use crate::number::number;
+
+/// Outputs have come to rest once they stay so near to where they end, as a part of their
+/// range.
+const REST: f64 = 0.02;
+/// And a run has if they do so before this part of it is over.
+const EARLY: f64 = 0.9;
+/// Damping ratios below this are rounding.
+const UNDAMPED: f64 = 1e-9;
+/// Units of what loads a machine, and of how fast it is; the first that an output has.
+const LOADS: [&str; 6] = ["N m", "N", "Pa", "N/m", "V", "A"];
+const SPEEDS: [&str; 2] = ["rad/s", "m/s"];
+
+/// One of them.
+pub struct Figure {
+    /// What it is.
+    pub what: String,
+    /// The number with its unit, or words where there is none.
+    pub value: String,
+    /// What belongs to it; may be empty.
+    pub note: String,
+}
+
+impl Figure {
+    /// As an entry of a list of terms.
+    pub fn entry(&self) -> Markup {
+        html! {
+            div {
+                dt { (self.what) }
+                dd { (self.value) }
+                @if !self.note.is_empty() { dd.note { (self.note) } }
+            }
+        }
+    }
+}
+
+/// What a run and the motions about its end say.
+pub fn figures(run: &Trajectory, modes: Option<&Modes>) -> Vec<Figure> {
+    let mut figures = Vec::new();
+    let mut say = |what: &str, value: String, note: String| {
+        figures.push(Figure { what: what.to_owned(), value, note });
+    };
+    for units in [&LOADS[..], &SPEEDS] {
+        if let Some((column, value, time)) = units.iter().find_map(|unit| greatest(run, unit)) {
+            let value = format!("{} {}", number(value, 4), column.unit);
+            let what = format!("greatest {}", column.name.replace('_', " "));
+            say(&what, value, format!("at {} s", number(time, 3)));
+        }
+    }
+    if let Some((frequency, damping)) = modes.and_then(|modes| modes.slowest) {
+        let value = format!("{} Hz", number(frequency / std::f64::consts::TAU, 4));
+        let note = match damping {
+            ratio if ratio.abs() < UNDAMPED => "undamped".to_owned(),
+            ratio => format!("damping ratio {}", number(ratio, 2)),
+        };
+        say("slowest oscillation", value, note);
+    }
+    if let Some(rest) = rest(run) {
+        let value = rest.map_or("no".to_owned(), |time| format!("{} s", number(time, 3)));
+        let within = format!("outputs within {} % of their range", number(100.0 * REST, 2));
+        say("comes to rest", value, within);
+    }
+    if let Some(balance) = &run.energy_balance {
+        let last = |values: &[f64]| number(values.last().copied().unwrap_or(f64::NAN), 4);
+        let lost = format!("lost {} J", last(&balance.dissipated));
+        say("energy supplied", format!("{} J", last(&balance.supplied)), lost);
+    }
+    figures
+}
+
+/// Outputs; states if there are none.
+fn shown(run: &Trajectory) -> impl Iterator<Item = &Column> {
+    let has_outputs = run.of_kind(ColumnKind::Output).next().is_some();
+    run.of_kind(if has_outputs { ColumnKind::Output } else { ColumnKind::State })
+}
+
+/// The greatest size among columns of a unit, as the value is, and when.
+fn greatest<'a>(run: &'a Trajectory, unit: &str) -> Option<(&'a Column, f64, f64)> {
+    let columns = shown(run).filter(|column| column.unit == unit);
+    let all = columns.flat_map(|column| {
+        column.values.iter().zip(&run.times).map(move |(value, time)| (column, *value, *time))
+    });
+    all.filter(|(_, value, _)| value.is_finite()).max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
+}
+
+/// From when on all outputs stay where they end; nothing if none ever moves, and no time if
+/// they don't before the run is nearly over.
+fn rest(run: &Trajectory) -> Option<Option<f64>> {
+    let (first, last) = (*run.times.first()?, *run.times.last()?);
+    let mut latest = None;
+    for column in shown(run) {
+        let low = column.values.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = column.values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let end = *column.values.last()?;
+        let is_far = |value: &f64| (value - end).abs() > REST * (high - low);
+        let Some(far) = column.values.iter().rposition(is_far) else { continue };
+        let time = run.times.get(far + 1).copied().unwrap_or(last);
+        latest = Some(latest.map_or(time, |latest: f64| latest.max(time)));
+    }
+    let latest = latest?;
+    Some((latest - first <= EARLY * (last - first)).then_some(latest))
+}
+
+/// First, last, least and greatest of every output.
+pub fn table(run: &Trajectory) -> Markup {
+    html! {
+        div.scroll {
+            table {
+                thead { tr {
+                    th { "Output" } th.number { "At start" } th.number { "At end" }
+                    th.number { "Least" } th.number { "Greatest" } th { "Unit" } th { "Meaning" }
+                } }
+                tbody { @for column in shown(run) { (row(run, column)) } }
+            }
+        }
+    }
+}
+
+fn row(run: &Trajectory, column: &Column) -> Markup {
+    let end = |value: Option<&f64>| number(value.copied().unwrap_or(f64::NAN), 5);
+    let values = || column.values.iter().zip(&run.times).filter(|(value, _)| value.is_finite());
+    let by = |a: &(&f64, &f64), b: &(&f64, &f64)| a.0.total_cmp(b.0);
+    let extreme = |found: Option<(&f64, &f64)>| {
+        let (value, time) = found.unwrap_or((&f64::NAN, &f64::NAN));
+        html! { td.number {
+            (number(*value, 5)) div.muted { "at " (number(*time, 4)) " s" }
+        } }
+    };
+    html! {
+        tr {
+            td { code { (column.name) } }
+            td.number { (end(column.values.first())) }
+            td.number { (end(column.values.last())) }
+            (extreme(values().min_by(by)))
+            (extreme(values().max_by(by)))
+            td.unit { (column.unit) }
+            td { (column.doc) }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use machinist::Simulation;
+    use machinist_scenes::scenes::find_f64;
+
+    fn run(until: f64) -> Trajectory {
+        let simulator = find_f64("two_mass").expect("a scene");
+        Simulation::new(simulator).until(until).run().expect("a run")
+    }
+
+    #[test]
+    fn a_machine_that_still_speeds_up_is_not_at_rest() {
+        assert_eq!(rest(&run(0.5)), Some(None));
+    }
+
+    #[test]
+    fn the_greatest_load_is_found_with_its_time() {
+        let run = run(0.5);
+        let (column, value, time) = greatest(&run, "N m").expect("a torque");
+        let values = &run.find(&column.name).expect("a column").values;
+        let at = run.times.iter().position(|known| *known == time).expect("a time");
+        assert_eq!(values[at], value);
+        assert!(values.iter().all(|other| other.abs() <= value.abs()));
+    }
+}

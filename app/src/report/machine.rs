@@ -1,0 +1,129 @@
+//! What the page of a machine shows, gathered.
+
+use std::path::Path;
+
+use machinist::trajectory::Trajectory;
+use machinist::{SimulateError, Simulation};
+use machinist_codegen::emit::document::Document;
+use machinist_codegen::mechanics::dependencies::Dependencies;
+use machinist_codegen::pipeline::Derivation;
+use machinist_codegen::spec::load_scene;
+use machinist_contract::Simulator;
+use machinist_contract::field::FieldScene;
+use machinist_model::{Model, ModelSimulator, Running};
+use machinist_scenes::scenes;
+use machinist_studies::verify::Verdict;
+use machinist_studies::work_precision::WorkPrecision;
+
+use super::fields;
+use super::key::{self, Figure};
+use super::modes::{self, Modes};
+use super::schematic::Schematic;
+use crate::explain::Explanation;
+use crate::failure::Failure;
+use machinist::linear_analysis::LinearError;
+
+/// One scene, derived, run and checked.
+pub(super) struct Machine {
+    /// What the outputs need.
+    pub(super) model: Model,
+    /// What the scene says of itself, without its units.
+    pub(super) doc: String,
+    pub(super) schematic: Schematic,
+    pub(super) document: Document,
+    pub(super) explanation: Explanation,
+    pub(super) dependencies: Dependencies,
+    pub(super) by: By,
+    pub(super) run: Result<Trajectory, SimulateError>,
+    pub(super) modes: Option<Result<Modes, LinearError>>,
+    /// Its fields over time, if it has any.
+    pub(super) along: Vec<fields::Along>,
+    pub(super) verdicts: Vec<Verdict>,
+    pub(super) work_precision: Option<WorkPrecision>,
+}
+
+/// What a scene is run by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum By {
+    Emitted,
+    Compiled,
+    Interpreted,
+}
+
+impl Machine {
+    /// What is derived of a scene file, run: by emitted code if the scene may be one that is
+    /// built in. It is not checked yet.
+    pub(super) fn new(
+        derived: Derivation,
+        file: &Path,
+        may_be_built_in: bool,
+        with_times: bool,
+    ) -> Result<Self, Failure> {
+        let Derivation { stages, latex: document, dependencies, .. } = derived;
+        let model = stages.needed().clone();
+        let name = model.name.as_str();
+        let own = ModelSimulator::new(model.clone());
+        let by_model = match own.running() {
+            Running::Compiled => By::Compiled,
+            Running::Interpreted => By::Interpreted,
+        };
+        let mut along = Vec::new();
+        let (run, modes, by) = if model.fields.is_empty() {
+            let built_in = scenes::find_f64(name).filter(|_| may_be_built_in);
+            let simulator: &dyn Simulator<f64> = built_in.unwrap_or(&own);
+            let run = Simulation::new(simulator).with_energy_balance(true).run();
+            let by = if built_in.is_some() { By::Emitted } else { by_model };
+            (run, modes::modes(simulator), by)
+        } else {
+            let built_in = scenes::find_field::<f64>(name).filter(|_| may_be_built_in);
+            let scene: &dyn FieldScene<f64> = built_in.unwrap_or(&own);
+            let by = if built_in.is_some() { By::Emitted } else { by_model };
+            let run = fields::run(scene)?;
+            along = run.along;
+            (run.trajectory, run.modes, by)
+        };
+        let spec = load_scene(file)?;
+        Ok(Self {
+            schematic: Schematic::of(&spec),
+            doc: spec.doc,
+            document,
+            explanation: Explanation::new(Some(file), stages, with_times)?,
+            dependencies,
+            by,
+            run,
+            modes,
+            along,
+            model,
+            verdicts: Vec::new(),
+            work_precision: None,
+        })
+    }
+
+    pub(super) fn name(&self) -> &str {
+        &self.model.name
+    }
+
+    pub(super) fn title(&self) -> &str {
+        &self.model.title
+    }
+
+    /// The run, also one that stopped, as far as it went.
+    pub(super) fn trajectory(&self) -> Option<&Trajectory> {
+        match &self.run {
+            Ok(trajectory) => Some(trajectory),
+            Err(SimulateError::Stopped { kept, .. }) => kept.as_deref(),
+            Err(_) => None,
+        }
+    }
+
+    /// The figures that one asks for first.
+    pub(super) fn figures(&self) -> Vec<Figure> {
+        let modes = self.modes.as_ref().and_then(|modes| modes.as_ref().ok());
+        self.trajectory().map(|run| key::figures(run, modes)).unwrap_or_default()
+    }
+
+    /// How many checks passed, and how many there are.
+    pub(super) fn passed(&self) -> [usize; 2] {
+        [self.verdicts.iter().filter(|verdict| verdict.pass).count(), self.verdicts.len()]
+    }
+}

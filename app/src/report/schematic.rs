@@ -1,0 +1,201 @@
+//! A drawing of a machine: its parts, and what joins them.
+
+mod arrange;
+mod draw;
+mod symbol;
+
+use machinist_codegen::spec::expression::{Ast, Node};
+use machinist_codegen::spec::{Formula, PortKind, SceneSpec, Symbol};
+use maud::{Markup, html};
+
+pub use draw::{drawing, legend};
+
+/// What is drawn of a scene.
+pub struct Schematic {
+    parts: Vec<Part>,
+    nets: Vec<Net>,
+    links: Vec<Link>,
+}
+
+/// An instance of a unit, or a force of the scene.
+struct Part {
+    name: String,
+    /// The name of its unit; none of a force.
+    unit: String,
+    /// What it is, in short and at length.
+    title: String,
+    doc: String,
+    symbol: Option<Symbol>,
+}
+
+/// Ports that move as one.
+struct Net {
+    kind: PortKind,
+    /// Parts, each with the name of its port.
+    ports: Vec<(usize, String)>,
+}
+
+/// What passes from one part to another beside joints.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Link {
+    from: usize,
+    to: usize,
+    what: Tie,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Tie {
+    /// An input is an expression of what another part does.
+    Signal,
+    /// A constraint of the scene mentions both.
+    Constraint,
+}
+
+impl Schematic {
+    /// What a scene says of its parts.
+    pub fn of(scene: &SceneSpec) -> Self {
+        let part = |instance: &machinist_codegen::spec::InstanceSpec| {
+            let unit = &scene.units[instance.unit];
+            Part {
+                name: instance.name.value.clone(),
+                unit: unit.name.clone(),
+                title: unit.title.clone(),
+                doc: unit.doc.clone(),
+                symbol: unit.symbol,
+            }
+        };
+        let mut schematic = Self {
+            parts: scene.instances.iter().map(part).collect(),
+            nets: Vec::new(),
+            links: Vec::new(),
+        };
+        for joint in &scene.joints {
+            schematic.join(scene, &joint.connect[0].value, &joint.connect[1].value);
+        }
+        for force in &scene.forces {
+            schematic.force(scene, &force.port.value, &force.doc);
+        }
+        schematic.links(scene);
+        schematic
+    }
+
+    /// How many parts there are.
+    pub fn parts(&self) -> usize {
+        self.parts.len()
+    }
+
+    /// What each part is.
+    pub fn list(&self) -> Markup {
+        html! {
+            div.scroll {
+                table {
+                    thead { tr { th { "Part" } th { "Unit" } th { "What it is" } } }
+                    tbody { @for part in &self.parts { tr {
+                        td { code { (part.name) } }
+                        td { @if !part.unit.is_empty() { code { (part.unit) } } }
+                        td {
+                            (part.title)
+                            @if !part.doc.is_empty() { div.muted { (part.doc) } }
+                        }
+                    } } }
+                }
+            }
+        }
+    }
+
+    fn index(&self, name: &str) -> Option<usize> {
+        self.parts.iter().position(|part| part.name == name)
+    }
+
+    /// A port by `instance.port`, with what goes through it.
+    fn port(&self, scene: &SceneSpec, text: &str) -> Option<(usize, String, PortKind)> {
+        let (instance, port) = text.split_once('.')?;
+        let part = self.index(instance)?;
+        let unit = &scene.units[scene.instances.get(part)?.unit];
+        let kind = unit.ports.iter().find(|known| known.name.value == port)?.kind.value;
+        Some((part, port.to_owned(), kind))
+    }
+
+    /// The net of a port, which is a new one if the port is in none.
+    fn net(&mut self, (part, port, kind): (usize, String, PortKind)) -> usize {
+        let port = (part, port);
+        self.nets.iter().position(|net| net.ports.contains(&port)).unwrap_or_else(|| {
+            self.nets.push(Net { kind, ports: vec![port] });
+            self.nets.len() - 1
+        })
+    }
+
+    fn join(&mut self, scene: &SceneSpec, one: &str, other: &str) {
+        let (Some(one), Some(other)) = (self.port(scene, one), self.port(scene, other)) else {
+            return;
+        };
+        let (one, other) = (self.net(one), self.net(other));
+        if one != other {
+            let ports = self.nets.remove(one.max(other)).ports;
+            self.nets[one.min(other)].ports.extend(ports);
+        }
+    }
+
+    fn force(&mut self, scene: &SceneSpec, port: &str, doc: &str) {
+        let Some(port) = self.port(scene, port) else { return };
+        let kind = port.2;
+        let net = self.net(port);
+        let name = if kind == PortKind::Rotational { "torque" } else { "force" };
+        self.nets[net].ports.push((self.parts.len(), String::new()));
+        self.parts.push(Part {
+            name: name.to_owned(),
+            unit: String::new(),
+            title: "Force of the scene".to_owned(),
+            doc: doc.to_owned(),
+            symbol: Some(Symbol::Force),
+        });
+    }
+
+    fn links(&mut self, scene: &SceneSpec) {
+        for (to, instance) in scene.instances.iter().enumerate() {
+            for (_, formula) in &instance.inputs {
+                let Formula::Expression(ast) = formula else { continue };
+                for from in self.mentioned(scene, ast) {
+                    self.link(Link { from, to, what: Tie::Signal });
+                }
+            }
+        }
+        for constraint in &scene.constraints {
+            let parts = self.mentioned(scene, &constraint.expression);
+            for pair in parts.windows(2) {
+                self.link(Link { from: pair[0], to: pair[1], what: Tie::Constraint });
+            }
+        }
+    }
+
+    fn link(&mut self, link: Link) {
+        if link.from != link.to && !self.links.contains(&link) {
+            self.links.push(link);
+        }
+    }
+
+    /// The parts that an expression mentions, itself or by helpers of the scene.
+    fn mentioned(&self, scene: &SceneSpec, ast: &Ast) -> Vec<usize> {
+        let (mut parts, mut seen) = (Vec::new(), Vec::new());
+        let mut left = vec![ast];
+        while let Some(ast) = left.pop() {
+            match &ast.node {
+                Node::Name(Some(instance), _) => {
+                    let part = self.index(instance);
+                    parts.extend(part.filter(|part| !parts.contains(part)));
+                }
+                Node::Name(None, name) if !seen.contains(&name) => {
+                    seen.push(name);
+                    let helper = scene.helpers.iter().find(|known| known.name.value == *name);
+                    left.extend(helper.map(|helper| &helper.expression));
+                }
+                Node::Name(..) | Node::Number(..) | Node::Text(_) => {}
+                Node::Negative(of) => left.push(of),
+                Node::Sum(of) | Node::Product(of) => left.extend(of.iter().map(|(_, part)| part)),
+                Node::Power(a, b) | Node::Less(a, b) => left.extend([a.as_ref(), b.as_ref()]),
+                Node::Call(_, _, arguments) => left.extend(arguments),
+            }
+        }
+        parts
+    }
+}

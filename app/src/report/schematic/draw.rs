@@ -1,0 +1,229 @@
+//! The drawing as SVG.
+
+use machinist_codegen::spec::PortKind;
+use maud::{Markup, html};
+
+use super::arrange::places;
+use super::symbol::outline;
+use super::{Link, Net, Part, Schematic, Tie};
+
+/// Size of a part, and distances between parts.
+const WIDTH: f64 = 112.0;
+const HEIGHT: f64 = 66.0;
+const ACROSS: f64 = 168.0;
+const DOWN: f64 = 92.0;
+const MARGIN: f64 = 12.0;
+/// Size of a symbol, and where it is from the top of its part.
+const SYMBOL: [f64; 2] = [48.0, 28.0];
+const TOP: f64 = 9.0;
+/// How far a line hangs below the parts that it joins.
+const SAG: f64 = 20.0;
+/// Wider drawings are made smaller, down to this.
+const SMALLEST: f64 = 0.65;
+/// Letters of a name that have room.
+const LETTERS: usize = 15;
+/// Machines of more parts are not drawn.
+const MOST: usize = 80;
+
+/// A machine as a drawing; a sentence if it is too large for one.
+pub fn drawing(schematic: &Schematic) -> Markup {
+    if schematic.parts.len() > MOST {
+        return html! {
+            p.muted { "The machine has " (schematic.parts.len()) " parts, too many to be drawn." }
+        };
+    }
+    let plan = Plan::of(schematic);
+    let [width, height] = plan.size(schematic);
+    html! {
+        svg.schematic viewBox={ "0 0 " (width) " " (height) } width=(width) height=(height)
+            style={ "min-width: " (SMALLEST * width) "px" } role="img" aria-label="drawing of the machine's parts and joints" {
+            @for link in &schematic.links { (plan.link(link)) }
+            @for net in &plan.nets { (net.drawn()) }
+            @for (part, place) in schematic.parts.iter().zip(&plan.corners) {
+                (drawn(part, *place))
+            }
+        }
+    }
+}
+
+/// What the lines mean, of those that occur.
+pub fn legend(schematic: &Schematic) -> Markup {
+    let kinds = PortKind::ALL.into_iter();
+    let occurs = |kind: PortKind| schematic.nets.iter().any(|net| net.kind == kind);
+    let ties = [(Tie::Signal, "signal"), (Tie::Constraint, "constraint")];
+    let tied = |tie: Tie| schematic.links.iter().any(|link| link.what == tie);
+    let lines: Vec<(&str, &str)> = kinds
+        .filter(|(_, kind)| occurs(*kind))
+        .map(|(name, _)| (name, name))
+        .chain(ties.into_iter().filter(|(tie, _)| tied(*tie)).map(|(tie, name)| (name, class(tie))))
+        .collect();
+    html! {
+        ul.legend {
+            @for (name, class) in lines {
+                li {
+                    svg.schematic viewBox="0 0 18 10" aria-hidden="true" {
+                        path class=(class) d="M0 5H18" {}
+                    }
+                    (name)
+                }
+            }
+        }
+    }
+}
+
+fn class(tie: Tie) -> &'static str {
+    match tie {
+        Tie::Signal => "signal",
+        Tie::Constraint => "constraint",
+    }
+}
+
+fn drawn(part: &Part, [x, y]: [f64; 2]) -> Markup {
+    let name = shortened(&part.name);
+    let scale = [x + (WIDTH - SYMBOL[0]) / 2.0, y + TOP];
+    let below = if part.symbol.is_some() { HEIGHT - 11.0 } else { HEIGHT / 2.0 + 4.0 };
+    html! {
+        g {
+            title { (part.name) ": " (part.title) }
+            rect x=(x) y=(y) width=(WIDTH) height=(HEIGHT) rx="6" {}
+            @if let Some(symbol) = part.symbol {
+                path.symbol transform={ "translate(" (scale[0]) " " (scale[1]) ")" }
+                    d=(outline(symbol)) {}
+            }
+            text x=(x + WIDTH / 2.0) y=(y + below) { (name) }
+        }
+    }
+}
+
+fn shortened(name: &str) -> String {
+    if name.chars().count() <= LETTERS {
+        return name.to_owned();
+    }
+    let kept: String = name.chars().take(LETTERS - 1).collect();
+    kept + "\u{2026}"
+}
+
+/// Where everything is.
+struct Plan {
+    corners: Vec<[f64; 2]>,
+    nets: Vec<Wires>,
+}
+
+/// A net: from its ports to a line down the gap between two columns.
+struct Wires {
+    kind: PortKind,
+    title: String,
+    bus: f64,
+    ends: Vec<[f64; 2]>,
+}
+
+impl Plan {
+    fn of(schematic: &Schematic) -> Self {
+        let places = places(schematic);
+        let corner = |(column, row): &(usize, usize)| {
+            [MARGIN + *column as f64 * ACROSS, MARGIN + *row as f64 * DOWN]
+        };
+        let corners: Vec<[f64; 2]> = places.iter().map(corner).collect();
+        let left = |net: &Net| net.ports.iter().map(|(part, _)| places[*part].0).min().unwrap_or(0);
+        // A net leaves a part to the right of its leftmost column, else to the left.
+        let is_right = |net: &Net, part: usize| places[part].0 == left(net);
+        let mean = |net: &Net| {
+            let rows: usize = net.ports.iter().map(|(part, _)| places[*part].1).sum();
+            rows as f64 / net.ports.len().max(1) as f64
+        };
+        let mut wires: Vec<Wires> = Vec::new();
+        for net in &schematic.nets {
+            let end = |(part, port): &(usize, String)| {
+                let right = is_right(net, *part);
+                let key = |net: &Net, port: &str| (mean(net), port.to_owned());
+                let mut others: Vec<(f64, String)> = schematic
+                    .nets
+                    .iter()
+                    .flat_map(|net| net.ports.iter().map(move |port| (net, port)))
+                    .filter(|(net, (of, _))| of == part && is_right(net, *part) == right)
+                    .map(|(net, (_, port))| key(net, port))
+                    .collect();
+                others.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
+                let own = key(net, port);
+                let at = others.iter().position(|other| *other == own).unwrap_or(0);
+                let [x, y] = corners[*part];
+                let down = HEIGHT * (at + 1) as f64 / (others.len() + 1) as f64;
+                [if right { x + WIDTH } else { x }, y + down]
+            };
+            let ends: Vec<[f64; 2]> = net.ports.iter().map(end).collect();
+            let names = net.ports.iter().filter(|(_, port)| !port.is_empty());
+            let names = names.map(|(part, port)| format!("{}.{port}", schematic.parts[*part].name));
+            let title = names.collect::<Vec<_>>().join(" \u{2013} ");
+            wires.push(Wires { kind: net.kind, title, bus: left(net) as f64, ends });
+        }
+        give_way(&mut wires);
+        Self { corners, nets: wires }
+    }
+
+    fn size(&self, schematic: &Schematic) -> [f64; 2] {
+        let below = if schematic.links.is_empty() { 0.0 } else { SAG };
+        let far = |axis: usize, size: f64| {
+            let most = self.corners.iter().map(|corner| corner[axis]).fold(0.0, f64::max);
+            most + size + MARGIN
+        };
+        let buses = self.nets.iter().map(|net| net.bus + MARGIN);
+        [buses.fold(far(0, WIDTH), f64::max), far(1, HEIGHT) + below]
+    }
+
+    /// A curve over or under what stands between.
+    fn link(&self, link: &Link) -> Markup {
+        let [from, to] = [self.corners[link.from], self.corners[link.to]];
+        let leans = if from[0] == to[0] { 0.5 } else { 0.25 };
+        let (start, end) = match to[0].total_cmp(&from[0]) {
+            std::cmp::Ordering::Less => (leans, 1.0 - leans),
+            _ => (1.0 - leans, leans),
+        };
+        let is_below = to[1] > from[1];
+        let [y0, y1] = if is_below { [from[1] + HEIGHT, to[1]] } else { [from[1], to[1] + HEIGHT] };
+        let (x0, x1) = (from[0] + start * WIDTH, to[0] + end * WIDTH);
+        if from[1] == to[1] {
+            // Beside each other: along the lower edges.
+            let (y, sag) = (from[1] + HEIGHT, from[1] + HEIGHT + SAG);
+            let d = format!("M{x0} {y}C{x0} {sag} {x1} {sag} {x1} {y}");
+            return html! { path class=(class(link.what)) d=(d) {} };
+        }
+        let middle = f64::midpoint(y0, y1);
+        let d = format!("M{x0} {y0}C{x0} {middle} {x1} {middle} {x1} {y1}");
+        html! { path class=(class(link.what)) d=(d) {} }
+    }
+}
+
+/// Puts the lines down a gap beside each other.
+fn give_way(wires: &mut [Wires]) {
+    let straight = |net: &Wires| net.ends.iter().all(|end| end[1] == net.ends[0][1]);
+    let gaps: Vec<f64> = wires.iter().map(|net| net.bus).collect();
+    let bent: Vec<bool> = wires.iter().map(|net| !straight(net)).collect();
+    for index in 0..wires.len() {
+        let in_gap = |other: &usize| gaps[*other] == gaps[index] && bent[*other];
+        let lanes = (0..wires.len()).filter(in_gap).count();
+        let lane = (0..index).filter(in_gap).count();
+        let share = if bent[index] { (lane + 1) as f64 / (lanes + 1) as f64 } else { 0.5 };
+        wires[index].bus = MARGIN + gaps[index] * ACROSS + WIDTH + share * (ACROSS - WIDTH);
+    }
+}
+
+impl Wires {
+    fn drawn(&self) -> Markup {
+        let heights = self.ends.iter().map(|end| end[1]);
+        let (low, high) =
+            (heights.clone().fold(f64::INFINITY, f64::min), heights.fold(0.0, f64::max));
+        let stubs = self.ends.iter().map(|[x, y]| format!("M{x} {y}H{}", self.bus));
+        let bus = format!("M{} {low}V{high}", self.bus);
+        let path: String = stubs.chain((low < high).then_some(bus)).collect();
+        let meets: Vec<f64> = self.ends.iter().map(|end| end[1]).collect();
+        html! {
+            g class=(self.kind.name()) {
+                title { (self.title) }
+                path d=(path) {}
+                @if self.ends.len() > 2 {
+                    @for y in meets { circle cx=(self.bus) cy=(y) r="3" {} }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! The page of what does not belong to one machine: the reproduction ledger, which model a
+//! winder needs, fields, extreme cases.
+
+use maud::html;
+
+use super::gather::Report;
+use super::page::{Page, section};
+use super::{ledger, stability, winder_walk};
+
+/// The page.
+pub(super) fn page(report: &Report) -> String {
+    let mut contents = vec![("ledger", "Reproduction ledger"), ("winder-walk", WINDERS)];
+    if report.fields.is_some() {
+        contents.push(("fields", "Fields"));
+    }
+    if report.stability.is_some() {
+        contents.push(("stability", "Extreme cases"));
+    }
+    let page = Page {
+        title: "Machinist: studies and extreme cases".to_owned(),
+        others: vec![("index.html", "All machines")],
+        contents: contents.into_iter().map(|(id, name)| (id, name.to_owned())).collect(),
+        has_equations: false,
+        body: html! {
+            header { h1 { "Studies and extreme cases" } }
+            (section("ledger", "Reproduction ledger", &ledger::section(&report.ledger)))
+            (section("winder-walk", WINDERS, &winder_walk::section(&report.winder)))
+            @if let Some(fields) = &report.fields {
+                (section("fields", "Fields", &fields.section()))
+            }
+            @if let Some(study) = &report.stability {
+                (section("stability", "Extreme cases", &stability::section(study)))
+            }
+        },
+    };
+    page.render()
+}
+
+const WINDERS: &str = "Which model a winder needs";

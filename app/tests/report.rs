@@ -1,0 +1,101 @@
+//! Pages of the report: whole, the same every time, and made of text only.
+
+use std::fs;
+use std::path::Path;
+use std::process::Stdio;
+
+use crate::cli::{answer, assert_refused, copy_specs, machinist, names_in, text};
+
+#[test]
+fn the_report_is_pages_that_need_nothing_else_and_come_out_the_same() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let specs = folder.path().join("specs");
+    copy_specs(&specs);
+    let [scenes, emitted] = [specs.join("scenes"), folder.path().join("emitted")];
+    // One of each kind; all pages take minutes without optimisation.
+    let shown = ["bouncing_mass", "motor_run_up", "shaft_with_rotors", "slider_crank", "two_mass"];
+    for file in names_in(&scenes) {
+        if !shown.iter().any(|name| file == format!("{name}.toml")) {
+            fs::remove_file(scenes.join(file)).expect("removed");
+        }
+    }
+    answer(&["gen", "--specs", text(&scenes), "--out", text(&emitted)]);
+    let start = |out: &Path| {
+        let places = ["--specs", text(&scenes), "--emitted", text(&emitted)];
+        let arguments = [&["report", "--no-times", "--out", text(out)], &places[..]].concat();
+        machinist(&arguments).stdout(Stdio::null()).spawn().expect("the program starts")
+    };
+    let folders = ["first", "second"].map(|name| folder.path().join(name));
+    // At the same time, as each takes a while.
+    let ends = folders.each_ref().map(|out| start(out)).map(|mut child| child.wait());
+    assert!(ends.iter().all(|end| end.as_ref().expect("an end").success()));
+    for folder in &folders {
+        assert_eq!(names_in(folder), ["index.html", "machines", "studies.html"]);
+        assert_eq!(names_in(&folder.join("machines")), shown.map(|name| format!("{name}.html")));
+    }
+    let machines = shown.map(|name| format!("machines/{name}.html"));
+    let files = machines.iter().map(String::as_str).chain(["index.html", "studies.html"]);
+    for file in files {
+        let [first, second] = folders.each_ref().map(|folder| page(&folder.join(file)));
+        assert!(first == second, "{file}");
+    }
+    let [index, studies] = ["index.html", "studies.html"].map(|file| page(&folders[0].join(file)));
+    for name in shown {
+        assert!(index.contains(&format!("href=\"machines/{name}.html\"")), "{name}");
+    }
+    assert!(index.contains("fresh") && studies.contains("Reproduction ledger"));
+    let two_mass = page(&folders[0].join("machines/two_mass.html"));
+    for part in ["Content-Security-Policy", "<math", "href=\"../index.html\"", "class=\"symbol\""] {
+        assert!(two_mass.contains(part), "the page lacks {part}");
+    }
+}
+
+#[test]
+fn a_machine_of_ones_own_gets_a_page_of_its_own() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let winch = folder.path().join("winch.toml");
+    // What users write is text, also where it looks like a tag.
+    let spec = include_str!("../../specs/scenes/drives/winch.toml");
+    let spec = spec.replace("A winch lifts a load", "A <b>winch</b> lifts a load");
+    fs::write(&winch, spec).expect("written");
+    let out = folder.path().join("out");
+    answer(&["report", text(&winch), "--no-times", "--out", text(&out)]);
+    assert_eq!(names_in(&out), ["machines"]);
+    let page = page(&out.join("machines/winch.html"));
+    assert!(page.contains("A &lt;b&gt;winch&lt;/b&gt; lifts") && !page.contains("<b>winch"));
+    for part in ["<title>rope: Rope that can go slack</title>", "brake.closes", "14 / 14"] {
+        assert!(page.contains(part), "the page lacks {part}");
+    }
+    assert!(page.len() < 1_500_000);
+}
+
+#[test]
+fn a_model_file_has_no_page() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let model = folder.path().join("two_mass.model");
+    answer(&["compile", "two_mass", "-o", text(&model)]);
+    let out = folder.path().join("out");
+    assert_refused(&["report", text(&model), "--out", text(&out)], &["no equations to show"]);
+    assert!(!out.exists());
+}
+
+/// The text of a page that refers to nothing outside.
+fn page(file: &Path) -> String {
+    let page = fs::read_to_string(file).expect("a page");
+    for reference in ["<link", " src=\"", "@import", "url(http"] {
+        assert!(!outside_of_scripts(&page).contains(reference), "the page has {reference}");
+    }
+    page
+}
+
+/// The page without the text of its scripts.
+fn outside_of_scripts(page: &str) -> String {
+    let mut pieces = page.split("<script");
+    let mut text = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let (tag, rest) = piece.split_once('>').expect("the end of a tag");
+        assert!(!tag.contains("src"), "a script from elsewhere: {tag}");
+        text.push_str(rest.split_once("</script>").expect("the end of a script").1);
+    }
+    text
+}

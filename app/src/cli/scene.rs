@@ -187,6 +187,8 @@ pub const SCENES: &str = "specs/scenes";
 /// The folder below it with scenes that are there to be measured, and the folder
 /// below that of the emitted files with their simulators.
 pub const BENCH: &str = "bench";
+/// The folder below it with machines of standard parts alone.
+pub const DRIVES: &str = "drives";
 
 /// Where the spec of a scene may be.
 pub fn places_of(name: &str) -> [PathBuf; 2] {

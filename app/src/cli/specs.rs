@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use machinist_model::Model;
 use machinist_model::operations;
 
-use super::scene::BENCH;
+use super::scene::{BENCH, DRIVES};
 use crate::failure::Failure;
 
 /// All scene files of a folder, sorted by name.
@@ -22,6 +22,12 @@ pub fn scene_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
 pub fn bench_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let bench = folder.join(BENCH);
     if bench.is_dir() { toml_files(&bench) } else { Ok(Vec::new()) }
+}
+
+/// All scene files of `drives` below a folder, likewise: machines of standard parts alone.
+pub fn drive_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let drives = folder.join(DRIVES);
+    if drives.is_dir() { toml_files(&drives) } else { Ok(Vec::new()) }
 }
 
 fn toml_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {

@@ -57,25 +57,31 @@ pub fn own(argument: &str, with_times: bool) -> Result<Pages, Failure> {
             return Err(Failure::input(message, "give the spec it was compiled of"));
         }
     };
-    let derived = deriving::derivation(&file, Keep::Needed)?;
-    admit(&file, derived.stages.needed())?;
-    let mut machine = during("simulating", || Machine::new(derived, &file, false, with_times))?;
+    let machine = of_file(&file, with_times)?;
+    let all_passed = machine.verdicts.iter().all(|verdict| verdict.pass);
+    Ok(Pages { files: vec![file_of(&machine, false)], all_passed })
+}
+
+/// The machine of a scene file, run by its model, with what can be checked of any machine.
+fn of_file(file: &Path, with_times: bool) -> Result<Machine, Failure> {
+    let derived = deriving::derivation(file, Keep::Needed)?;
+    admit(file, derived.stages.needed())?;
+    let mut machine = during("simulating", || Machine::new(derived, file, false, with_times))?;
     let whole = Changes { parameters: &[], until: None, rtol: None };
-    machine.verdicts = verify(argument, &whole)?;
+    machine.verdicts = verify(&file.to_string_lossy(), &whole)?;
     if with_times && machine.model.fields.is_empty() {
         let simulator = ModelSimulator::new(machine.model.clone());
         let measured = during("timing the methods", || measure(&simulator, None));
         // A machine whose own run stops is not timed.
         machine.work_precision = measured.ok();
     }
-    let all_passed = machine.verdicts.iter().all(|verdict| verdict.pass);
-    Ok(Pages { files: vec![file_of(&machine, argument, false)], all_passed })
+    Ok(machine)
 }
 
 /// The page of a machine with its place.
-fn file_of(machine: &Machine, argument: &str, has_index: bool) -> (PathBuf, String) {
+fn file_of(machine: &Machine, has_index: bool) -> (PathBuf, String) {
     let file = Path::new(MACHINES).join(format!("{}.html", machine.name()));
-    (file, scene::page(machine, argument, has_index))
+    (file, scene::page(machine, has_index))
 }
 
 /// The pages of all scenes, with measured times or without. Brings emitted scenes up to
@@ -119,13 +125,19 @@ pub fn whole(specs: &Path, emitted: &Path, with_times: bool) -> Result<Pages, Fa
         })
     };
     let stability = with_times.then(strain).transpose()?;
+    let drives = specs::drive_files(specs)?;
+    let drives = drives.iter().map(|file| of_file(file, with_times));
+    let drives = drives.collect::<Result<Vec<_>, Failure>>()?;
+    let mut verdicts = verdicts;
+    verdicts.extend(drives.iter().flat_map(|drive| drive.verdicts.iter().cloned()));
+    machines.extend(drives);
     let all_passed = verdicts.iter().all(|verdict| verdict.pass);
     let report = Report { machines, emitted, verdicts, ledger, winder, fields, stability };
     let mut pages = vec![
         (PathBuf::from("index.html"), index::page(&report, MACHINES)),
         (PathBuf::from("studies.html"), studies::page(&report)),
     ];
-    pages.extend(report.machines.iter().map(|machine| file_of(machine, machine.name(), true)));
+    pages.extend(report.machines.iter().map(|machine| file_of(machine, true)));
     Ok(Pages { files: pages, all_passed })
 }
 

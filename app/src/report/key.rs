@@ -61,10 +61,10 @@ pub fn figures(run: &Trajectory, modes: Option<&Modes>) -> Vec<Figure> {
         };
         say("slowest oscillation", value, note);
     }
-    if let Some(rest) = rest(run) {
-        let value = rest.map_or("no".to_owned(), |time| format!("{} s", number(time, 3)));
+    if let Some(time) = rest(run) {
+        let value = format!("{} s", number(time, 3));
         let within = format!("outputs within {} % of their range", number(100.0 * REST, 2));
-        say("comes to rest", value, within);
+        say("at rest from", value, within);
     }
     if let Some(balance) = &run.energy_balance {
         let last = |values: &[f64]| number(values.last().copied().unwrap_or(f64::NAN), 4);
@@ -89,9 +89,9 @@ fn greatest<'a>(run: &'a Trajectory, unit: &str) -> Option<(&'a Column, f64, f64
     all.filter(|(_, value, _)| value.is_finite()).max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
 }
 
-/// From when on all outputs stay where they end; nothing if none ever moves, and no time if
-/// they don't before the run is nearly over.
-fn rest(run: &Trajectory) -> Option<Option<f64>> {
+/// From when on all outputs stay where they end; nothing if none ever moves, or not before the
+/// run is nearly over.
+fn rest(run: &Trajectory) -> Option<f64> {
     let (first, last) = (*run.times.first()?, *run.times.last()?);
     let mut latest = None;
     for column in shown(run) {
@@ -103,8 +103,7 @@ fn rest(run: &Trajectory) -> Option<Option<f64>> {
         let time = run.times.get(far + 1).copied().unwrap_or(last);
         latest = Some(latest.map_or(time, |latest: f64| latest.max(time)));
     }
-    let latest = latest?;
-    Some((latest - first <= EARLY * (last - first)).then_some(latest))
+    latest.filter(|latest| latest - first <= EARLY * (last - first))
 }
 
 /// First, last, least and greatest of every output.
@@ -158,7 +157,7 @@ mod tests {
 
     #[test]
     fn a_machine_that_still_speeds_up_is_not_at_rest() {
-        assert_eq!(rest(&run(0.5)), Some(None));
+        assert_eq!(rest(&run(0.5)), None);
     }
 
     #[test]

@@ -25,6 +25,8 @@ use machinist::linear_analysis::LinearError;
 
 /// One scene, derived, run and checked.
 pub(super) struct Machine {
+    /// What commands call it.
+    pub(super) argument: String,
     /// What the outputs need.
     pub(super) model: Model,
     /// What the scene says of itself, without its units.
@@ -83,7 +85,10 @@ impl Machine {
             (run.trajectory, run.modes, by)
         };
         let spec = load_scene(file)?;
+        let is_built_in = by == By::Emitted;
+        let argument = if is_built_in { name.to_owned() } else { file.display().to_string() };
         Ok(Self {
+            argument,
             schematic: Schematic::of(&spec),
             doc: spec.doc,
             document,

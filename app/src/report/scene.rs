@@ -12,10 +12,10 @@ use super::{equations, fields, figure, key, modes, reduction, schematic, verific
 use crate::cli::specs::{Cost, costs};
 use crate::number::{exact, number};
 
-/// The page of a machine; `argument` is what commands call it.
-pub(super) fn page(machine: &Machine, argument: &str, has_index: bool) -> String {
+/// The page of a machine, with a link to the others if there are any.
+pub(super) fn page(machine: &Machine, has_index: bool) -> String {
     let model = &machine.model;
-    let name = machine.name();
+    let (name, argument) = (machine.name(), machine.argument.as_str());
     let mut sections = vec![
         ("machine", "The machine", picture(machine)),
         ("run", "Run", ran(machine, argument)),

@@ -7,7 +7,7 @@ use machinist_studies::work_precision::{Plan, WorkPrecision};
 use maud::{Markup, html};
 
 use super::machine::{By, Machine};
-use super::page::{Page, section};
+use super::page::{Page, prose, section};
 use super::{equations, fields, figure, key, modes, reduction, schematic, verification};
 use crate::cli::specs::{Cost, costs};
 use crate::number::{exact, number};
@@ -48,8 +48,8 @@ fn header(machine: &Machine) -> Markup {
         header id="summary" {
             h1 { (model.title) }
             p.muted { code { (model.name) } }
-            @for paragraph in machine.doc.split("\n\n") { p { (paragraph) } }
-            @if !model.source.is_empty() { p.muted { "Source: " (model.source) } }
+            @for paragraph in machine.doc.split("\n\n") { p { (prose(paragraph)) } }
+            @if !model.source.is_empty() { p.muted { "Source: " (prose(&model.source)) } }
             dl.strip {
                 div class=[(passed < all).then_some("bad")] {
                     dt { "checks passed" } dd { (passed) " / " (all) }

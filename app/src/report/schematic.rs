@@ -8,6 +8,7 @@ use machinist_codegen::spec::expression::{Ast, Node};
 use machinist_codegen::spec::{Formula, PortKind, SceneSpec, Symbol};
 use maud::{Markup, html};
 
+use super::page::prose;
 pub use draw::{drawing, legend};
 
 /// What is drawn of a scene.
@@ -95,7 +96,7 @@ impl Schematic {
                         td { @if !part.unit.is_empty() { code { (part.unit) } } }
                         td {
                             (part.title)
-                            @if !part.doc.is_empty() { div.muted { (part.doc) } }
+                            @if !part.doc.is_empty() { div.muted { (prose(&part.doc)) } }
                         }
                     } } }
                 }

@@ -86,7 +86,10 @@ fn component(neighbours: &[Vec<usize>], first: usize) -> Vec<(usize, (usize, usi
             (rows.iter().sum::<usize>() / rows.len().max(1)).max(1)
         };
         let is_taken = |row: usize| placed.iter().any(|(_, place)| *place == (column, row));
-        let row = (wanted..).find(|row| !is_taken(*row)).unwrap_or(wanted);
+        let mut row = wanted;
+        while is_taken(row) {
+            row += 1;
+        }
         placed.push((part, (column, row)));
     }
     placed

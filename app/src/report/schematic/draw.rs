@@ -1,5 +1,7 @@
 //! The drawing as SVG.
 
+use std::cmp::Ordering;
+
 use machinist_codegen::spec::PortKind;
 use maud::{Markup, html};
 
@@ -105,6 +107,8 @@ fn shortened(name: &str) -> String {
 
 /// Where everything is.
 struct Plan {
+    /// Column and row of each part, and the corner that they give it.
+    places: Vec<(usize, usize)>,
     corners: Vec<[f64; 2]>,
     nets: Vec<Wires>,
 }
@@ -113,6 +117,8 @@ struct Plan {
 struct Wires {
     kind: PortKind,
     title: String,
+    /// The column on whose right the line is, and where it is then.
+    column: usize,
     bus: f64,
     ends: Vec<[f64; 2]>,
 }
@@ -154,10 +160,10 @@ impl Plan {
             let names = net.ports.iter().filter(|(_, port)| !port.is_empty());
             let names = names.map(|(part, port)| format!("{}.{port}", schematic.parts[*part].name));
             let title = names.collect::<Vec<_>>().join(" \u{2013} ");
-            wires.push(Wires { kind: net.kind, title, bus: left(net) as f64, ends });
+            wires.push(Wires { kind: net.kind, title, column: left(net), bus: 0.0, ends });
         }
         give_way(&mut wires);
-        Self { corners, nets: wires }
+        Self { places, corners, nets: wires }
     }
 
     fn size(&self, schematic: &Schematic) -> [f64; 2] {
@@ -173,41 +179,43 @@ impl Plan {
     /// A curve over or under what stands between.
     fn link(&self, link: &Link) -> Markup {
         let [from, to] = [self.corners[link.from], self.corners[link.to]];
-        let leans = if from[0] == to[0] { 0.5 } else { 0.25 };
-        let (start, end) = match to[0].total_cmp(&from[0]) {
-            std::cmp::Ordering::Less => (leans, 1.0 - leans),
-            _ => (1.0 - leans, leans),
+        let [(from_column, from_row), (to_column, to_row)] =
+            [self.places[link.from], self.places[link.to]];
+        let [start, end] = match to_column.cmp(&from_column) {
+            Ordering::Less => [0.25, 0.75],
+            Ordering::Equal => [0.5, 0.5],
+            Ordering::Greater => [0.75, 0.25],
         };
-        let is_below = to[1] > from[1];
-        let [y0, y1] = if is_below { [from[1] + HEIGHT, to[1]] } else { [from[1], to[1] + HEIGHT] };
         let (x0, x1) = (from[0] + start * WIDTH, to[0] + end * WIDTH);
-        if from[1] == to[1] {
-            // Beside each other: along the lower edges.
-            let (y, sag) = (from[1] + HEIGHT, from[1] + HEIGHT + SAG);
-            let d = format!("M{x0} {y}C{x0} {sag} {x1} {sag} {x1} {y}");
-            return html! { path class=(class(link.what)) d=(d) {} };
-        }
-        let middle = f64::midpoint(y0, y1);
-        let d = format!("M{x0} {y0}C{x0} {middle} {x1} {middle} {x1} {y1}");
+        // Parts of one row are joined along their lower edges.
+        let [y0, y1, between] = match to_row.cmp(&from_row) {
+            Ordering::Less => [from[1], to[1] + HEIGHT, f64::midpoint(from[1], to[1] + HEIGHT)],
+            Ordering::Equal => [from[1] + HEIGHT, to[1] + HEIGHT, from[1] + HEIGHT + SAG],
+            Ordering::Greater => [from[1] + HEIGHT, to[1], f64::midpoint(from[1] + HEIGHT, to[1])],
+        };
+        let d = format!("M{x0} {y0}C{x0} {between} {x1} {between} {x1} {y1}");
         html! { path class=(class(link.what)) d=(d) {} }
     }
 }
 
 /// Puts the lines down a gap beside each other.
 fn give_way(wires: &mut [Wires]) {
-    let straight = |net: &Wires| net.ends.iter().all(|end| end[1] == net.ends[0][1]);
-    let gaps: Vec<f64> = wires.iter().map(|net| net.bus).collect();
-    let bent: Vec<bool> = wires.iter().map(|net| !straight(net)).collect();
-    for index in 0..wires.len() {
-        let in_gap = |other: &usize| gaps[*other] == gaps[index] && bent[*other];
-        let lanes = (0..wires.len()).filter(in_gap).count();
-        let lane = (0..index).filter(in_gap).count();
-        let share = if bent[index] { (lane + 1) as f64 / (lanes + 1) as f64 } else { 0.5 };
-        wires[index].bus = MARGIN + gaps[index] * ACROSS + WIDTH + share * (ACROSS - WIDTH);
+    let places: Vec<(usize, bool)> =
+        wires.iter().map(|net| (net.column, !net.is_straight())).collect();
+    for (index, net) in wires.iter_mut().enumerate() {
+        let in_gap = |other: &&(usize, bool)| **other == (net.column, true);
+        let lanes = places.iter().filter(in_gap).count();
+        let lane = places[..index].iter().filter(in_gap).count();
+        let share = if places[index].1 { (lane + 1) as f64 / (lanes + 1) as f64 } else { 0.5 };
+        net.bus = MARGIN + net.column as f64 * ACROSS + WIDTH + share * (ACROSS - WIDTH);
     }
 }
 
 impl Wires {
+    fn is_straight(&self) -> bool {
+        self.ends.iter().all(|end| (end[1] - self.ends[0][1]).abs() < 0.5)
+    }
+
     fn drawn(&self) -> Markup {
         let heights = self.ends.iter().map(|end| end[1]);
         let (low, high) =

@@ -303,3 +303,14 @@ fn a_limit_on_steps_stops_every_method() {
         assert_eq!(cause, StopCause::TooManySteps { limit: 3 }, "{method}");
     }
 }
+
+#[test]
+fn steps_so_many_that_their_errors_add_up_are_told_of() {
+    let notes = |until: f64| {
+        let simulator = scenes::find_f64("pendulum_chain").expect("a scene");
+        let run = Simulation::new(simulator).method(Method::Tsit5).rtol(1e-3).until(until);
+        run.run().expect("a run").notes
+    };
+    assert!(notes(1.0).is_empty());
+    assert!(notes(30.0)[0].contains("adds up"));
+}

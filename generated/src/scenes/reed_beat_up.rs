@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   7d526b557f970aacc7c8ce89ad49a244287d03ba0648fc731b119ca32e2eae28  scenes/reed_beat_up.toml
+//   29ec01963036dfe10c0836312556c5082e171319285582cf54e6500bfb715022  scenes/reed_beat_up.toml
 //   27ff54ebb22a3b586435703ddffd2395b693238649c4d6fb67f9c6829f6b2d15  units/imposed_drive.toml
 //   a432e3554ef0bee873d254e694b634b60dcc3e16bb2cfdd965f33491dd76f594  units/loom_shaft.toml
 //   1d0520b4231bba2b7140446b5e9a17db2010e38b2cce6a238c16742d74a3f154  units/reed.toml
@@ -35,7 +35,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     ///
     /// Source: Reed study, in its consistent reading.
     ReedBeatUp: "reed_beat_up", "Beat-up of a reed by an elastic shaft";
-    run from 0.0, until 0.0527, points 501, rtol 1e-8, method "dop853";
+    run from 0.0, until 0.0527, points 501, rtol 1e-8, method "auto";
     quadratures 0, discontinuities 0;
     prepared; linear;
 }

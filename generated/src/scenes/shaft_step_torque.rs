@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   b26d934d8e50a7d525e396d561f533d0f0f7e94d29e920e9408d560185dc718f  scenes/shaft_step_torque.toml
+//   da3c61e336a5146525ff84870d088b71fde937a9c2c3f594add702a14c23c406  scenes/shaft_step_torque.toml
 //   0e7119d9296df7a166c52d529fde05aec5241857ebfc0d5b2f283a63549074f1  units/shaft.toml
 //
 // Uniform shaft under a step of end torque
@@ -30,7 +30,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     ///
     /// Source: Saw-gin study (2020), distributed subsystem; d'Alembert's solution.
     ShaftStepTorque: "shaft_step_torque", "Uniform shaft under a step of end torque";
-    run from 0.0, until 0.01, points 501, rtol 1e-8, method "dop853";
+    run from 0.0, until 0.01, points 501, rtol 1e-8, method "auto";
     quadratures 0, discontinuities 0;
     prepared; linear;
 }

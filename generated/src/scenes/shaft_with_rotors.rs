@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   89832a23555fb9a71a8dbd8015d000b2ecf26a7fafa138b70d153513b0db8063  scenes/shaft_with_rotors.toml
+//   77bc95614ed2dc5a01dfa41f77160a287a2a229f3c518ceac4659ab8ef2dfe4f  scenes/shaft_with_rotors.toml
 //   0e7119d9296df7a166c52d529fde05aec5241857ebfc0d5b2f283a63549074f1  units/shaft.toml
 //   061b3363de5eaa806761bec6f93083a5c0dfa427530c2334cb3457ecc01d9efd  units/rotor.toml
 //
@@ -33,7 +33,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     ///
     /// Source: Saw-gin study (2020), distributed subsystem; closed forms by hand.
     ShaftWithRotors: "shaft_with_rotors", "Shaft with a rotor at each end, let go twisted";
-    run from 0.0, until 0.02, points 401, rtol 1e-8, method "dop853";
+    run from 0.0, until 0.02, points 401, rtol 1e-8, method "auto";
     quadratures 0, discontinuities 0;
     prepared; linear;
 }

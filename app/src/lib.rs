@@ -20,6 +20,7 @@ pub mod plot;
 mod progress;
 #[cfg(feature = "derive")]
 mod report;
+mod spec_source;
 mod trials;
 
 pub use cli::main;

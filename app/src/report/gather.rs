@@ -29,6 +29,7 @@ use crate::explain::Explanation;
 use crate::failure::Failure;
 use crate::freeze::admit;
 use crate::progress::during;
+use crate::spec_source::SpecSource;
 
 /// Everything the page shows.
 pub(super) struct Report {
@@ -130,7 +131,7 @@ impl Report {
 }
 
 impl SceneData {
-    fn new(derived: Derivation, file: &Path, with_times: bool) -> Result<Self, Failure> {
+    fn new(derived: Derivation, file: &SpecSource, with_times: bool) -> Result<Self, Failure> {
         let Derivation { stages, latex: document, dependencies, .. } = derived;
         let model = stages.needed().clone();
         let name = &model.name;

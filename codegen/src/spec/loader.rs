@@ -1,10 +1,10 @@
 //! From a scene's path to everything it refers to.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::spec::diagnostic::{Diagnostics, FileId, Mistake, Spanned};
 use crate::spec::fields::Findings;
-use crate::spec::library::LIBRARY;
+use crate::spec::library::{LIBRARY, LibraryScene};
 use crate::spec::names::quoted;
 use crate::spec::scene::{self, SceneText};
 use crate::spec::source::{Sources, folder_of};
@@ -13,11 +13,22 @@ use crate::spec::{InstanceSpec, SceneSpec, UnitSpec, table, toml, unit};
 pub(super) fn load(path: &Path) -> Result<SceneSpec, Diagnostics> {
     let mut sources = Sources::beside(path);
     let file = sources.read(path)?;
+    read(sources, file, Some(folder_of(path)))
+}
+
+/// A scene that comes with Machinist, whose units do so too.
+pub(super) fn load_library(scene: &LibraryScene) -> Result<SceneSpec, Diagnostics> {
+    let mut sources = Sources::default();
+    let file = sources.embed(scene.label, scene.text);
+    read(sources, file, None)
+}
+
+fn read(sources: Sources, file: FileId, folder: Option<&Path>) -> Result<SceneSpec, Diagnostics> {
     let text = sources.get(file).text.clone();
     let tree = toml::parse(&text, file).map_err(|mistake| sources.diagnostics(&[mistake]))?;
     let mut found = Findings::default();
     let mut scene = scene::read(&tree, file, &mut found);
-    let mut loader = Loader { sources, found, folder: folder_of(path), units: Vec::new() };
+    let mut loader = Loader { sources, found, folder, units: Vec::new() };
     let instances = loader.instances(&mut scene);
     let Loader { mut sources, mut found, units, .. } = loader;
     let tables = table::read_all(&found.tables, &mut sources, &mut found.mistakes);
@@ -53,7 +64,8 @@ pub(super) fn load(path: &Path) -> Result<SceneSpec, Diagnostics> {
 struct Loader<'a> {
     sources: Sources,
     found: Findings,
-    folder: &'a Path,
+    /// Where units are looked for beside the library.
+    folder: Option<&'a Path>,
     units: Vec<UnitSpec>,
 }
 
@@ -81,9 +93,8 @@ impl Loader<'_> {
             return Some(unit.clone());
         }
         let file_name = format!("{}.toml", name.value);
-        let beside = self.folder.join(&file_name);
-        let among = self.folder.join("..").join("units").join(&file_name);
-        for path in [beside, among] {
+        for folder in self.unit_folders() {
+            let path = folder.join(&file_name);
             if std::fs::symlink_metadata(&path).is_ok() {
                 if self.leads_out(&path) {
                     let message = format!(
@@ -107,12 +118,20 @@ impl Loader<'_> {
         self.refuse(name, format!("there is no unit {}", quoted(&name.value)), &help)
     }
 
+    /// The scene's folder, and that of the units beside it.
+    fn unit_folders(&self) -> impl Iterator<Item = PathBuf> + use<> {
+        let folder = self.folder.map(Path::to_path_buf);
+        folder.into_iter().flat_map(|folder| {
+            let units = folder.join("..").join("units");
+            [folder, units]
+        })
+    }
+
     /// Whether a file is really neither in the scene's folder nor among the units: what it
     /// holds is then nobody's to quote.
     fn leads_out(&self, path: &Path) -> bool {
         let Ok(real) = path.canonicalize() else { return false };
-        let folders = [self.folder.to_path_buf(), self.folder.join("..").join("units")];
-        let mut folders = folders.iter().filter_map(|folder| folder.canonicalize().ok());
+        let mut folders = self.unit_folders().filter_map(|folder| folder.canonicalize().ok());
         !folders.any(|folder| real.starts_with(folder))
     }
 

@@ -29,6 +29,7 @@ mod report;
 mod response;
 mod run;
 mod scene;
+mod show;
 #[cfg(feature = "derive")]
 pub mod specs;
 mod stability;
@@ -91,6 +92,8 @@ enum Command {
     /// Make one page with equations, plots, checks and costs of all scenes
     #[cfg(feature = "derive")]
     Report(report::Report),
+    /// Show what a scene is made of: units, ports, parameters, states, outputs, events, checks
+    Show(show::Show),
     /// List the scenes that are built in
     List(list::List),
     /// List the standard parts that scenes are made of, or show one of them
@@ -132,6 +135,7 @@ pub fn main() -> ExitCode {
         Command::Verify(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Report(command) => command.execute(),
+        Command::Show(command) => command.execute(),
         Command::List(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Parts(command) => command.execute(),

@@ -67,3 +67,142 @@ fn a_name_without_the_ending_of_its_file_is_refused_with_the_file() {
     fs::write(folder.path().join("hoist.toml"), "").expect("written");
     assert_refused(folder.path(), &["run", "hoist"], &["no scene `hoist`", "`hoist.toml`"]);
 }
+
+/// A scene with some of everything that is shown.
+const SCENE: &str = r#"
+[scene]
+name = "hammer"
+title = "Hammer on an anvil"
+source = "By hand."
+
+[units.drive]
+unit = "sources/force"
+inputs = { force = "push*sin(2 [rad/s]*t)" }
+
+[units.hammer]
+unit = "translational/mass"
+parameters = { mass = 3 }
+
+[units.anvil]
+unit = "stopper"
+
+[[joints]]
+connect = ["drive.a", "hammer.a"]
+
+[[joints]]
+connect = ["anvil.end", "hammer.b"]
+ratio = 2
+
+[parameters]
+push = { value = 5.0, unit = "N", doc = "amplitude of the force" }
+lift = { value = 0.25, unit = "m", doc = "place at the start" }
+
+[initial]
+"hammer.x" = "2*lift"
+
+[outputs]
+place = "hammer.x"
+
+[tunable]
+parameters = ["push"]
+
+[checks.start]
+of = "place"
+values = [[0, 0.5]]
+tolerance = 1e-9
+source = "By hand."
+
+[run]
+until = 0.1
+points = 11
+rtol = 1e-8
+method = "dop853"
+
+[define.stopper.coordinates.x]
+unit = "m"
+
+[define.stopper.ports.end]
+kind = "translational"
+coordinate = "x"
+
+[define.stopper.modes.touched]
+doc = "1 once it was touched"
+
+[define.stopper.events.touches]
+guard = "x - 1e-3 [m]"
+direction = "falling"
+when = { touched = 0 }
+set = { touched = 1, x_dot = "-x_dot/2" }
+doc = "the hammer hits"
+"#;
+
+#[test]
+fn what_a_scene_is_made_of_is_shown_without_deriving_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("hammer.toml"), SCENE).expect("written");
+    let shown = answer(folder.path(), &["show", "hammer.toml"]);
+    let lines: Vec<String> =
+        shown.lines().map(|l| l.split_whitespace().collect::<Vec<_>>().join(" ")).collect();
+    for line in [
+        "hammer: Hammer on an anvil",
+        "hammer translational/mass Mass",
+        "anvil.end translational moves by x",
+        "drive.force N = push*sin(2 [rad/s]*t)",
+        "anvil.end = (2)*hammer.b",
+        "push 5 N amplitude of the force",
+        "hammer.mass 3 kg mass (not tunable)",
+        "anvil.touched 0 1 1 once it was touched",
+        "place m place",
+        "start place = 0.5 at 0 s within 1e-9",
+        "0 s to 0.1 s, 11 points, rtol 1e-8, method dop853",
+    ] {
+        assert!(lines.iter().any(|found| found == line), "`{line}` is not in\n{shown}");
+    }
+    let event = "x - 1e-3 [m] falls through 0, while anvil.touched is 0 \
+                 anvil.touched := 1, anvil.x_dot := -x_dot/2 the hammer hits";
+    assert!(lines.contains(&format!("anvil.touches {event}")), "{shown}");
+    let state = lines
+        .iter()
+        .find(|line| line.starts_with("anvil.x ") || line.starts_with("hammer.x "))
+        .expect("a joined state");
+    assert!(state.contains(" 0.5 m ") || state.contains(" 1 m "), "{state}");
+}
+
+#[test]
+fn what_is_shown_is_there_as_json_of_scenes_and_of_models() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("hammer.toml"), SCENE).expect("written");
+    let json = |scene: &str| -> serde_json::Value {
+        serde_json::from_str(&answer(folder.path(), &["show", scene, "--json"])).expect("JSON")
+    };
+    let spec = json("hammer.toml");
+    assert_eq!(spec["instances"][2]["ports"][0]["name"], "end");
+    assert_eq!(spec["joints"][1]["ratio"], "2");
+    assert_eq!(spec["parameters"][0]["value"], 5.0);
+    assert_eq!(spec["parameters"][1]["tunable"], false);
+    assert_eq!(spec["events"][0]["when"][0][1], 0);
+    assert_eq!(spec["run"]["method"], "dop853");
+
+    answer(folder.path(), &["compile", "hammer.toml", "--out", "hammer.model"]);
+    let model = json("hammer.model");
+    for same in ["scene", "title", "outputs", "checks", "run"] {
+        assert_eq!(model[same], spec[same], "{same}");
+    }
+    assert_eq!(model["parameters"][0], spec["parameters"][0]);
+    let initial = |shown: &serde_json::Value| {
+        let states = shown["states"].as_array().expect("states");
+        let place = states.iter().find(|state| state["kind"] == "coordinate");
+        place.expect("a place")["initial"].clone()
+    };
+    assert_eq!(initial(&model), initial(&spec));
+    assert_eq!(json("saw_gin")["states"].as_array().map(Vec::len), Some(8));
+}
+
+#[test]
+fn a_scene_with_a_mistake_is_not_shown_but_pointed_at() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let wrong = SCENE.replace("\"hammer.b\"", "\"hammer.c\"");
+    fs::write(folder.path().join("hammer.toml"), wrong).expect("written");
+    assert_refused(folder.path(), &["show", "hammer.toml"], &["hammer.toml:22", "hammer.c"]);
+    assert_refused(folder.path(), &["show", "saw_gni"], &["did you mean `saw_gin`?"]);
+}

@@ -31,7 +31,7 @@ pub use self::distributed::{
 };
 pub use self::names::{did_you_mean, quoted};
 pub use self::scene::METHODS;
-pub use self::source::{MAX_FILE_BYTES, SourceFile, SourceText, Sources};
+pub use self::source::{MAX_FILE_BYTES, SourceFile, SourceText, Sources, one_line};
 pub use self::table::{Column, CsvTable};
 
 use self::diagnostic::{Diagnostic, Diagnostics, FileId, Span, Spanned};

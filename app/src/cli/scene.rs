@@ -158,8 +158,14 @@ fn derived(source: &SpecSource, keep_all: bool) -> Result<Model, Failure> {
 /// This program reads no specs.
 #[cfg(not(feature = "derive"))]
 fn derived(source: &SpecSource, _keep_all: bool) -> Result<Model, Failure> {
+    Err(cannot_derive(source))
+}
+
+/// A spec was given to a program that reads none.
+#[cfg(not(feature = "derive"))]
+pub fn cannot_derive(source: &SpecSource) -> Failure {
     let message = format!("{source}: this program was built without what derives");
-    Err(Failure::input(message, "give a model, as `machinist compile` of a whole build writes it"))
+    Failure::input(message, "give a model, as `machinist compile` of a whole build writes it")
 }
 
 /// Fields that cannot be cut as wanted.

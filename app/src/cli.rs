@@ -21,6 +21,8 @@ mod generate;
 mod linear;
 mod list;
 pub mod modes;
+#[cfg(feature = "derive")]
+mod new;
 mod output;
 #[cfg(feature = "derive")]
 mod parts;
@@ -58,6 +60,9 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Begin a machine of your own: a crate that simulates it, or only its spec
+    #[cfg(feature = "derive")]
+    New(new::New),
     /// Emit the simulators of all scenes as Rust
     #[cfg(feature = "derive")]
     Gen(generate::Generate),
@@ -117,6 +122,8 @@ pub fn main() -> ExitCode {
         deriving::turn_off_cache();
     }
     let done = match cli.command {
+        #[cfg(feature = "derive")]
+        Command::New(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Gen(command) => command.execute(),
         #[cfg(feature = "derive")]

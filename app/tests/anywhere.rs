@@ -68,6 +68,91 @@ fn a_name_without_the_ending_of_its_file_is_refused_with_the_file() {
     assert_refused(folder.path(), &["run", "hoist"], &["no scene `hoist`", "`hoist.toml`"]);
 }
 
+fn text(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// All files below a folder, by their paths within it, sorted.
+fn files_in(folder: &Path) -> Vec<String> {
+    let mut files = Vec::new();
+    let mut folders = vec![folder.to_owned()];
+    while let Some(next) = folders.pop() {
+        for entry in fs::read_dir(next).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else {
+                let within = path.strip_prefix(folder).expect("within the folder");
+                files.push(within.to_string_lossy().into_owned());
+            }
+        }
+    }
+    files.sort();
+    files
+}
+
+#[test]
+fn a_new_crate_is_the_example_under_another_name() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let said = answer(folder.path(), &["new", "own-machine"]);
+    assert!(said.contains("cargo run") && said.contains("machinist run specs/own_machine.toml"));
+    let made = folder.path().join("own-machine");
+    let expected = [
+        ".gitignore",
+        "Cargo.lock",
+        "Cargo.toml",
+        "build.rs",
+        "specs/own_machine.toml",
+        "src/main.rs",
+    ];
+    assert_eq!(files_in(folder.path()), expected.map(|file| format!("own-machine/{file}")));
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the repository");
+    let example = root.join("examples/own_machine");
+    for file in expected.iter().filter(|file| **file != "Cargo.toml") {
+        assert!(text(&made.join(file)) == text(&example.join(file)), "{file}");
+    }
+    // Its crates are those of this repository.
+    let manifest = text(&made.join("Cargo.toml"));
+    for folder in [root.to_owned(), root.join("contract"), root.join("codegen")] {
+        assert!(manifest.contains(&format!("path = {:?}", folder)), "{manifest}");
+    }
+
+    // What is there is left as it is.
+    assert_refused(folder.path(), &["new", "own-machine"], &["own-machine exists already"]);
+    assert_eq!(files_in(folder.path()).len(), expected.len());
+}
+
+#[test]
+fn a_new_spec_runs_and_passes_its_check_at_once() {
+    let folder = tempfile::tempdir().expect("a folder");
+    answer(folder.path(), &["new", "my-hoist", "--spec-only"]);
+    assert_eq!(files_in(folder.path()), ["my-hoist.toml"]);
+    let shown = answer(folder.path(), &["show", "my-hoist.toml"]);
+    assert!(shown.starts_with("my_hoist: Hoist"), "{shown}");
+    let run = answer(folder.path(), &["run", "my-hoist.toml"]);
+    assert!(run.contains("drum_speed"), "{run}");
+    let verified = answer(folder.path(), &["verify", "my-hoist.toml", "--only", "momentum"]);
+    assert!(verified.contains("pass") && verified.contains("1 checks, 0 failed"), "{verified}");
+    assert_refused(folder.path(), &["new", "my-hoist", "--spec-only"], &["exists already"]);
+}
+
+#[test]
+fn a_name_that_no_crate_can_have_is_refused_and_writes_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, words) in [
+        ("../hoist", ["`../hoist`", "such as `hoist`"]),
+        ("Hoist", ["lower-case letters", "such as `hoist`"]),
+        ("std", ["`std`", "add a word"]),
+        ("match", ["`match`", "keyword of Rust"]),
+        ("shape", ["`shape`", "emitted code uses it"]),
+    ] {
+        for more in [&[][..], &["--spec-only"]] {
+            assert_refused(folder.path(), &[&["new", name], more].concat(), &words);
+        }
+    }
+    assert_eq!(files_in(folder.path()), [""; 0]);
+}
+
 /// A scene with some of everything that is shown.
 const SCENE: &str = r#"
 [scene]

@@ -29,7 +29,7 @@ pub use self::check::{CheckSpec, ReferenceSpec};
 pub use self::distributed::{
     AttachmentSpec, Boundary, DiscretisationSpec, FieldSpec, MAX_ELEMENTS, MAX_ORDER, Mass,
 };
-pub use self::names::{did_you_mean, quoted};
+pub use self::names::{did_you_mean, quoted, scene_name_mistake};
 pub use self::scene::METHODS;
 pub use self::source::{MAX_FILE_BYTES, SourceFile, SourceText, Sources, one_line};
 pub use self::table::{Column, CsvTable};

@@ -12,6 +12,7 @@ mod cache;
 mod check;
 #[cfg(feature = "derive")]
 mod compile;
+mod completions;
 #[cfg(feature = "derive")]
 mod derive;
 #[cfg(feature = "derive")]
@@ -107,6 +108,8 @@ enum Command {
     /// What is remembered of scenes that were derived
     #[cfg(feature = "derive")]
     Cache(cache::CacheCommand),
+    /// Write what a shell needs to complete commands and options
+    Completions(completions::Completions),
     /// What a parent process has its child do
     #[cfg(feature = "derive")]
     #[command(name = deriving::COMMAND, hide = true)]
@@ -150,6 +153,7 @@ pub fn main() -> ExitCode {
         Command::Compile(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Cache(command) => command.execute(),
+        Command::Completions(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::DeriveForParent => deriving::answer_parent(),
     };

@@ -291,3 +291,16 @@ fn a_scene_with_a_mistake_is_not_shown_but_pointed_at() {
     assert_refused(folder.path(), &["show", "hammer.toml"], &["hammer.toml:22", "hammer.c"]);
     assert_refused(folder.path(), &["show", "saw_gni"], &["did you mean `saw_gin`?"]);
 }
+
+#[test]
+fn shells_are_told_all_commands_but_the_hidden_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for shell in ["bash", "zsh", "fish"] {
+        let text = answer(folder.path(), &["completions", shell]);
+        for word in ["spec-only", "verify", "no-cache"] {
+            assert!(text.contains(word), "{shell}: {word}");
+        }
+        assert!(!text.contains("derive-for-parent"), "{shell}");
+    }
+    assert_refused(folder.path(), &["completions", "csh"], &["bash, zsh, fish"]);
+}

@@ -13,6 +13,7 @@ mod explain;
 mod failure;
 #[cfg(feature = "derive")]
 mod freeze;
+mod interrupt;
 mod number;
 #[cfg(feature = "derive")]
 pub mod object;

@@ -3,6 +3,12 @@
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
+#[cfg(target_os = "linux")]
+use std::{
+    process::Stdio,
+    thread::sleep,
+    time::{Duration, Instant},
+};
 
 /// The program in a folder, with no home but that.
 fn machinist(folder: &Path, arguments: &[&str]) -> Output {
@@ -114,7 +120,7 @@ fn a_new_crate_is_the_example_under_another_name() {
     // Its crates are those of this repository.
     let manifest = text(&made.join("Cargo.toml"));
     for folder in [root.to_owned(), root.join("contract"), root.join("codegen")] {
-        assert!(manifest.contains(&format!("path = {:?}", folder)), "{manifest}");
+        assert!(manifest.contains(&format!("path = {folder:?}")), "{manifest}");
     }
 
     // What is there is left as it is.
@@ -303,4 +309,52 @@ fn shells_are_told_all_commands_but_the_hidden_one() {
         assert!(!text.contains("derive-for-parent"), "{shell}");
     }
     assert_refused(folder.path(), &["completions", "csh"], &["bash, zsh, fish"]);
+}
+
+#[test]
+fn a_run_says_which_method_auto_chose_and_why() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let run = answer(folder.path(), &["run", "winder_full", "--method", "auto", "--until", "0.01"]);
+    assert!(run.contains("\nstarts with "), "{run}");
+    let run = answer(folder.path(), &["run", "two_mass", "--method", "auto"]);
+    assert!(run.contains("\nlinear with constant coefficients: solved by "), "{run}");
+}
+
+/// Whether a process has a handler for SIGINT by now.
+#[cfg(target_os = "linux")]
+fn catches_interrupts(process: u32) -> bool {
+    let status = fs::read_to_string(format!("/proc/{process}/status")).expect("it runs");
+    let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:"));
+    let caught = caught.map(|mask| u64::from_str_radix(mask.trim(), 16).expect("a mask"));
+    caught.is_some_and(|mask| mask & (1 << (2 - 1)) != 0)
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_run_that_is_interrupted_keeps_what_it_has() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // It would take minutes.
+    let run = ["run", "two_mass", "--method", "tsit5", "--until", "1e7", "--points", "1000001"];
+    let mut command = Command::new(env!("CARGO_BIN_EXE_machinist"));
+    command.args(run).args(["--out", "part.json"]).current_dir(folder.path()).env("NO_COLOR", "1");
+    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts");
+    let waiting = Instant::now();
+    while !catches_interrupts(child.id()) {
+        assert!(waiting.elapsed() < Duration::from_secs(60), "it never listens");
+        sleep(Duration::from_millis(5));
+    }
+    // Until it does something about them.
+    sleep(Duration::from_millis(50));
+    let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    assert!(sent.expect("a signal").success());
+    let output = child.wait_with_output().expect("an end");
+    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+    assert!(said(&output).contains("the run was interrupted"), "{}", said(&output));
+    assert!(said(&output).contains("is in part.json"), "{}", said(&output));
+    let summary = String::from_utf8_lossy(&output.stdout);
+    assert!(summary.contains("\nstopped early, at "), "{summary}");
+    let part: serde_json::Value =
+        serde_json::from_str(&text(&folder.path().join("part.json"))).expect("JSON");
+    assert_eq!(part["stopped"]["cause"], "the run was interrupted");
+    assert!(part["times"].as_array().is_some_and(|times| times.len() < 1_000_001));
 }

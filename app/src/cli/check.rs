@@ -43,7 +43,7 @@ impl Check {
                 }
             }
         }
-        let systems = all(&files, |file| file.system())?;
+        let systems = all(&files, SpecSource::system)?;
         for (file, system) in files.iter().zip(&systems) {
             let _ = writeln!(
                 text,

@@ -135,8 +135,8 @@ fn suggestion(name: &str) -> Option<String> {
 /// The folder of the sources this program was built from, if they are still there.
 fn sources() -> Option<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).parent()?;
-    let has = |part: &&str| folder.join(part).join("Cargo.toml").is_file();
-    DEPENDENCIES.iter().all(|(_, part)| has(&part)).then(|| folder.to_owned())
+    let has = |part: &str| folder.join(part).join("Cargo.toml").is_file();
+    DEPENDENCIES.iter().all(|(_, part)| has(part)).then(|| folder.to_owned())
 }
 
 /// The files of a new crate, with their texts.

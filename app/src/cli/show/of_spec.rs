@@ -110,19 +110,19 @@ fn of_all<S, T>(
     spec: &SceneSpec,
     of_unit: impl Fn(&UnitSpec) -> &[S],
     of_scene: &[S],
-    describe: impl Fn(&Sources, String, &S) -> T,
+    describe: impl Fn(&Sources, &str, &S) -> T,
 ) -> Vec<T> {
     let mut all = Vec::new();
     for instance in &spec.instances {
         let prefix = format!("{}.", instance.name.value);
         let found = of_unit(&spec.units[instance.unit]).iter();
-        all.extend(found.map(|one| describe(&spec.sources, prefix.clone(), one)));
+        all.extend(found.map(|one| describe(&spec.sources, &prefix, one)));
     }
-    all.extend(of_scene.iter().map(|one| describe(&spec.sources, String::new(), one)));
+    all.extend(of_scene.iter().map(|one| describe(&spec.sources, "", one)));
     all
 }
 
-fn event(sources: &Sources, prefix: String, event: &EventSpec) -> Event {
+fn event(sources: &Sources, prefix: &str, event: &EventSpec) -> Event {
     let set = event.set.iter().map(|(name, formula)| {
         let value = sources.formula(formula);
         (format!("{prefix}{}", name.value), Some(value))
@@ -138,7 +138,7 @@ fn event(sources: &Sources, prefix: String, event: &EventSpec) -> Event {
     }
 }
 
-fn constraint(sources: &Sources, prefix: String, constraint: &ConstraintSpec) -> Constraint {
+fn constraint(sources: &Sources, prefix: &str, constraint: &ConstraintSpec) -> Constraint {
     let when = constraint.when.iter();
     let when = when.map(|(mode, value)| (format!("{prefix}{}", mode.value), *value));
     Constraint {

@@ -10,6 +10,9 @@ use crate::spec::scene::{self, SceneText};
 use crate::spec::source::{Sources, folder_of};
 use crate::spec::{InstanceSpec, SceneSpec, UnitSpec, table, toml, unit};
 
+/// Names that are as alike as this are taken for one that was misspelt.
+const ALIKE: f64 = 0.85;
+
 pub(super) fn load(path: &Path) -> Result<SceneSpec, Diagnostics> {
     let mut sources = Sources::beside(path);
     let file = sources.read(path)?;
@@ -114,7 +117,7 @@ impl Loader<'_> {
             let file = self.sources.embed(&format!("units/{file_name}"), unit.text);
             return self.unit(name, file);
         }
-        let help = help_to_find(&name.value);
+        let help = help_to_find(&name.value, define);
         self.refuse(name, format!("there is no unit {}", quoted(&name.value)), &help)
     }
 
@@ -152,16 +155,34 @@ impl Loader<'_> {
     }
 }
 
-/// Where a unit is looked for, or what it is called that may be meant.
-fn help_to_find(name: &str) -> String {
-    let last = |name: &str| name.rsplit('/').next().map(str::to_owned);
+/// What a unit is called that may be meant, or where it is looked for.
+fn help_to_find(name: &str, define: &[UnitSpec]) -> String {
+    let last = |name: &str| name.rsplit('/').next().unwrap_or_default().to_owned();
     let alike = LIBRARY.iter().filter(|unit| last(unit.name) == last(name));
     let alike: Vec<String> = alike.map(|unit| quoted(unit.name)).collect();
-    if alike.is_empty() {
-        return format!(
-            "a unit is looked for in [define.{name}], as {name}.toml beside the scene, as \
-             ../units/{name}.toml, and among those that come with Machinist"
-        );
+    if !alike.is_empty() {
+        return format!("with Machinist comes {}", alike.join(" and "));
     }
-    format!("with Machinist comes {}", alike.join(" and "))
+    // By the last part alone: folders are long, and would make any two alike.
+    let defined = define.iter().map(|unit| unit.name.as_str());
+    let library = LIBRARY.iter().map(|unit| unit.name);
+    let library = library.filter(|name| define.iter().all(|unit| unit.name != *name));
+    let known: Vec<&str> = defined.chain(library).collect();
+    let likeness = |known: &&str| strsim::jaro_winkler(&last(name), &last(known));
+    let best = known.iter().map(likeness).fold(ALIKE, f64::max);
+    let folder = |name: &str| name.rsplit_once('/').map(|(folder, _)| folder.to_owned());
+    let mut meant: Vec<&str> = known.into_iter().filter(|known| likeness(known) >= best).collect();
+    if meant.iter().any(|known| folder(known) == folder(name)) {
+        meant.retain(|known| folder(known) == folder(name));
+    }
+    if !meant.is_empty() {
+        let meant: Vec<String> = meant.into_iter().map(quoted).collect();
+        return format!("did you mean {}?", meant.join(" or "));
+    }
+    let file = name.rsplit('/').next().filter(|last| *last == name);
+    let define = file.map_or_else(String::new, |name| format!("in [define.{name}], "));
+    format!(
+        "a unit is looked for {define}as {name}.toml beside the scene, as ../units/{name}.toml, and \
+         among those that come with Machinist, which `machinist parts` lists"
+    )
 }

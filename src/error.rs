@@ -216,6 +216,9 @@ pub enum StopCause {
         /// The limit.
         limit: usize,
     },
+    /// The flag of [`Simulation::until_flagged`](crate::Simulation::until_flagged) was set.
+    #[error("the run was interrupted")]
+    Interrupted,
     /// The rate of a state jumps to and fro across a value that it is driven to from
     /// either side.
     #[error(

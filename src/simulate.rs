@@ -1,6 +1,8 @@
 //! Runs a simulator: checks what is asked, integrates, and hands back a
 //! [`Trajectory`].
 
+use std::sync::atomic::AtomicBool;
+
 use machinist_contract::Simulator;
 
 use crate::constraints::{Constraints, consistent, require_independent};
@@ -61,6 +63,7 @@ pub struct Simulation<'a> {
     method: Option<Method>,
     max_steps: usize,
     energy_balance: bool,
+    interrupt: Option<&'a AtomicBool>,
 }
 
 #[derive(Clone)]
@@ -87,6 +90,7 @@ impl<'a> Simulation<'a> {
             method: None,
             max_steps: MAX_STEPS,
             energy_balance: false,
+            interrupt: None,
         }
     }
 
@@ -195,6 +199,14 @@ impl<'a> Simulation<'a> {
         self
     }
 
+    /// Stops with [`StopCause::Interrupted`](crate::error::StopCause::Interrupted) soon after
+    /// somebody sets this flag; what there is of the run is handed over with the error.
+    /// Runs in the lanes of a sweep do not look at it.
+    pub fn until_flagged(mut self, flag: &'a AtomicBool) -> Self {
+        self.interrupt = Some(flag);
+        self
+    }
+
     /// Integrates the power balance alongside, for
     /// [`Trajectory::energy_balance`]. It is under the same control of error as
     /// the states, so the steps are not those of a run without it.
@@ -265,7 +277,8 @@ impl<'a> Simulation<'a> {
             return Err(NotCompiledIn::of(method).into());
         }
         let times = self.checked_times()?;
-        let system = System::new(self.simulator, self.checked_parameters()?, self.energy_balance);
+        let system = System::new(self.simulator, self.checked_parameters()?, self.energy_balance)
+            .until_flagged(self.interrupt);
         method.check(self.simulator)?;
         self.check_guards(&system)?;
         let states = system.states();

@@ -1,6 +1,7 @@
 //! Runs against closed forms, and every way a run can be refused.
 
 use std::f64::consts::PI;
+use std::sync::atomic::AtomicBool;
 
 use crate::common::{Oscillator, Scalar, oscillator_state};
 use machinist::error::StopCause;
@@ -107,6 +108,26 @@ fn implicit_methods_cross_a_stiff_transient_in_few_steps() {
     match refusal(&explicit) {
         SimulateError::Stopped { cause: StopCause::TooManySteps { limit: 2000 }, .. } => {}
         other => panic!("{other}"),
+    }
+}
+
+#[test]
+fn a_flag_stops_every_method_and_what_there_is_of_the_run_is_handed_over() {
+    let flag = AtomicBool::new(true);
+    for method in methods_for(&Oscillator) {
+        let simulation = Simulation::new(&Oscillator).method(method).points(1001);
+        let SimulateError::Stopped { time, cause, kept, .. } =
+            refusal(&simulation.clone().until_flagged(&flag))
+        else {
+            panic!("{method}")
+        };
+        assert_eq!(cause, StopCause::Interrupted, "{method}");
+        let kept = kept.expect("what there is of the run");
+        assert!(kept.times.len() < 1001 && kept.times[0] == 0.0, "{method}");
+        assert!(kept.times.last().is_some_and(|last| *last <= time), "{method}");
+        let unset = AtomicBool::new(false);
+        let run = simulation.clone().until_flagged(&unset).run().unwrap();
+        assert_eq!(run, simulation.run().unwrap(), "{method}");
     }
 }
 

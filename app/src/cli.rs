@@ -12,6 +12,7 @@ mod cache;
 mod check;
 #[cfg(feature = "derive")]
 mod compile;
+mod completions;
 #[cfg(feature = "derive")]
 mod derive;
 #[cfg(feature = "derive")]
@@ -21,6 +22,8 @@ mod generate;
 mod linear;
 mod list;
 pub mod modes;
+#[cfg(feature = "derive")]
+mod new;
 mod output;
 #[cfg(feature = "derive")]
 mod parts;
@@ -29,6 +32,7 @@ mod report;
 mod response;
 mod run;
 pub mod scene;
+mod show;
 #[cfg(feature = "derive")]
 pub mod specs;
 mod stability;
@@ -57,6 +61,9 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Begin a machine of your own: a crate that simulates it, or only its spec
+    #[cfg(feature = "derive")]
+    New(new::New),
     /// Emit the simulators of all scenes as Rust
     #[cfg(feature = "derive")]
     Gen(generate::Generate),
@@ -91,6 +98,8 @@ enum Command {
     /// Make one page with equations, plots, checks and costs of all scenes
     #[cfg(feature = "derive")]
     Report(report::Report),
+    /// Show what a scene is made of: units, ports, parameters, states, outputs, events, checks
+    Show(show::Show),
     /// List the scenes that are built in
     List(list::List),
     /// List the standard parts that scenes are made of, or show one of them
@@ -99,6 +108,8 @@ enum Command {
     /// What is remembered of scenes that were derived
     #[cfg(feature = "derive")]
     Cache(cache::CacheCommand),
+    /// Write what a shell needs to complete commands and options
+    Completions(completions::Completions),
     /// What a parent process has its child do
     #[cfg(feature = "derive")]
     #[command(name = deriving::COMMAND, hide = true)]
@@ -114,6 +125,8 @@ pub fn main() -> ExitCode {
         deriving::turn_off_cache();
     }
     let done = match cli.command {
+        #[cfg(feature = "derive")]
+        Command::New(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Gen(command) => command.execute(),
         #[cfg(feature = "derive")]
@@ -132,6 +145,7 @@ pub fn main() -> ExitCode {
         Command::Verify(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Report(command) => command.execute(),
+        Command::Show(command) => command.execute(),
         Command::List(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Parts(command) => command.execute(),
@@ -139,6 +153,7 @@ pub fn main() -> ExitCode {
         Command::Compile(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Cache(command) => command.execute(),
+        Command::Completions(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::DeriveForParent => deriving::answer_parent(),
     };

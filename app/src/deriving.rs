@@ -7,10 +7,8 @@
 mod cache;
 mod child;
 
-use std::path::{Path, PathBuf};
-
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline::{self, Derivation};
+use machinist_codegen::pipeline::Derivation;
 use machinist_codegen::spec::diagnostic::Diagnostics;
 use machinist_model::file::Stamped;
 use machinist_model::{Model, SourceFile};
@@ -18,15 +16,16 @@ use serde::{Deserialize, Serialize};
 
 use crate::failure::{Failure, all};
 use crate::progress::during;
+use crate::spec_source::SpecSource;
 use cache::Key;
 pub use cache::{Cache, turn_off as turn_off_cache};
 pub use child::{COMMAND, answer_parent};
 
-/// What is to be derived of a scene file.
+/// What is to be derived of a scene.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Request {
-    /// The scene file.
-    pub scene: PathBuf,
+    /// The scene.
+    pub scene: SpecSource,
     /// How much of it is kept.
     pub keep: Keep,
     /// Instances to be taken for rigid instead of those that the scene names.
@@ -57,13 +56,13 @@ enum Derived {
 
 impl Request {
     /// A request for the model of a scene.
-    pub fn model(scene: &Path, keep: Keep) -> Self {
-        Self { scene: scene.to_owned(), keep, rigid: None, wanted: Wanted::Model }
+    pub fn model(scene: &SpecSource, keep: Keep) -> Self {
+        Self { scene: scene.clone(), keep, rigid: None, wanted: Wanted::Model }
     }
 
-    /// The system of the scene file, as asked for.
+    /// The system of the scene, as asked for.
     fn system(&self) -> Result<machinist_codegen::scene::system::LagrangianSystem, Diagnostics> {
-        let mut system = pipeline::check(&self.scene)?;
+        let mut system = self.scene.system()?;
         if let Some(rigid) = &self.rigid {
             system.freeze.rigid.clone_from(rigid);
         }
@@ -71,8 +70,8 @@ impl Request {
     }
 }
 
-/// The model of a scene file.
-pub fn model(scene: &Path, keep: Keep) -> Result<Model, Failure> {
+/// The model of a scene.
+pub fn model(scene: &SpecSource, keep: Keep) -> Result<Model, Failure> {
     Ok(stamped(&Request::model(scene, keep))?.model)
 }
 
@@ -95,8 +94,8 @@ pub fn possible(requests: &[Request]) -> Result<Vec<Option<Model>>, Failure> {
     derived.collect()
 }
 
-/// The models of scene files.
-pub fn models(scenes: &[PathBuf], keep: Keep) -> Result<Vec<Model>, Failure> {
+/// The models of scenes.
+pub fn models(scenes: &[SpecSource], keep: Keep) -> Result<Vec<Model>, Failure> {
     let requests: Vec<Request> = scenes.iter().map(|scene| Request::model(scene, keep)).collect();
     let derived = derive(&requests)?.into_iter().map(|derived| match derived {
         Derived::Model(stamped) => Ok(stamped.model),
@@ -105,10 +104,10 @@ pub fn models(scenes: &[PathBuf], keep: Keep) -> Result<Vec<Model>, Failure> {
     derived.collect()
 }
 
-/// Everything that is derived of scene files.
-pub fn derivations(scenes: &[PathBuf], keep: Keep) -> Result<Vec<Derivation>, Failure> {
+/// Everything that is derived of scenes.
+pub fn derivations(scenes: &[SpecSource], keep: Keep) -> Result<Vec<Derivation>, Failure> {
     let request =
-        |scene: &PathBuf| Request { wanted: Wanted::Everything, ..Request::model(scene, keep) };
+        |scene: &SpecSource| Request { wanted: Wanted::Everything, ..Request::model(scene, keep) };
     let requests: Vec<Request> = scenes.iter().map(request).collect();
     let derived = derive(&requests)?.into_iter().map(|derived| match derived {
         Derived::Everything(derivation) => Ok(*derivation),
@@ -117,9 +116,9 @@ pub fn derivations(scenes: &[PathBuf], keep: Keep) -> Result<Vec<Derivation>, Fa
     derived.collect()
 }
 
-/// Everything that is derived of a scene file.
-pub fn derivation(scene: &Path, keep: Keep) -> Result<Derivation, Failure> {
-    let mut derivations = derivations(&[scene.to_owned()], keep)?;
+/// Everything that is derived of a scene.
+pub fn derivation(scene: &SpecSource, keep: Keep) -> Result<Derivation, Failure> {
+    let mut derivations = derivations(std::slice::from_ref(scene), keep)?;
     derivations.pop().ok_or_else(|| child::broken("nothing"))
 }
 

@@ -1,6 +1,5 @@
 //! What is left out of a scene, why, and what that saves, measured.
 
-use std::path::Path;
 use std::time::Instant;
 
 use crate::object::{ObjectError, object};
@@ -19,6 +18,7 @@ use serde::Serialize;
 
 use crate::failure::Failure;
 use crate::freeze::{self, Candidate};
+use crate::spec_source::SpecSource;
 
 /// Runs of each, of which the median counts.
 const RUNS: usize = 5;
@@ -98,9 +98,13 @@ pub struct Times {
 }
 
 impl Explanation {
-    /// Looks at the models of a scene, and times them if asked to; with its file, also at
+    /// Looks at the models of a scene, and times them if asked to; with its spec, also at
     /// what could be frozen.
-    pub fn new(scene: Option<&Path>, models: Stages, with_times: bool) -> Result<Self, Failure> {
+    pub fn new(
+        scene: Option<&SpecSource>,
+        models: Stages,
+        with_times: bool,
+    ) -> Result<Self, Failure> {
         // A scene with fields is kept whole, and runs once it is cut into elements only.
         let with_times = with_times && models.whole.fields.is_empty();
         let mut stages = vec![(Stage::of(Keep::All, &models.whole), &models.whole)];

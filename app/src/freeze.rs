@@ -1,11 +1,8 @@
 //! The price of approximations: what freezing does to the outputs and what time it
 //! saves, measured by running the scene with and without it.
 
-use std::path::Path;
-
 use machinist::{SimulateError, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
 use machinist_model::Model;
 use machinist_model::ModelSimulator;
 use serde::Serialize;
@@ -13,6 +10,7 @@ use serde::Serialize;
 use crate::deriving::{self, Request, Wanted};
 use crate::explain::{median, relative_differences, timed};
 use crate::failure::Failure;
+use crate::spec_source::SpecSource;
 
 /// Runs of each, of which the median counts.
 const RUNS: usize = 3;
@@ -60,8 +58,8 @@ impl Price {
 }
 
 /// Every instance of a scene that can be taken for rigid, with its price.
-pub fn candidates(scene: &Path) -> Result<Vec<Candidate>, Failure> {
-    let system = pipeline::check(scene)?;
+pub fn candidates(scene: &SpecSource) -> Result<Vec<Candidate>, Failure> {
+    let system = scene.system()?;
     let exact = deriving::model(scene, Keep::Exact)?;
     let requests = system.springs.iter().map(|spring| Request {
         rigid: Some(vec![spring.instance.clone()]),
@@ -78,7 +76,7 @@ pub fn candidates(scene: &Path) -> Result<Vec<Candidate>, Failure> {
 }
 
 /// Refuses a program that is frozen at a price its scene does not allow.
-pub fn admit(scene: &Path, model: &Model) -> Result<(), Failure> {
+pub fn admit(scene: &SpecSource, model: &Model) -> Result<(), Failure> {
     let freeze = &model.freeze;
     if freeze.rigid.is_empty() {
         return Ok(());

@@ -13,6 +13,7 @@ mod explain;
 mod failure;
 #[cfg(feature = "derive")]
 mod freeze;
+mod interrupt;
 mod number;
 #[cfg(feature = "derive")]
 pub mod object;
@@ -20,6 +21,7 @@ pub mod plot;
 mod progress;
 #[cfg(feature = "derive")]
 mod report;
+mod spec_source;
 mod trials;
 
 pub use cli::main;

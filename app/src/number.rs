@@ -22,7 +22,6 @@ pub fn number(value: f64, digits: usize) -> String {
 }
 
 /// `value` so that it reads back as the same: `23065.2`, `9.817e-6`.
-#[cfg(feature = "derive")]
 pub fn exact(value: f64) -> String {
     if value == 0.0 || POSITIONAL.contains(&value.abs()) {
         format!("{value}")

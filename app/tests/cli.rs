@@ -105,18 +105,6 @@ fn a_scene_file_that_does_not_exist_is_refused_by_name() {
 }
 
 #[test]
-fn a_known_scene_without_its_spec_says_where_it_was_looked_for() {
-    let elsewhere = tempfile::tempdir().expect("a folder");
-    let mut command = machinist(&["derive", "saw_gin"]);
-    let output = command.current_dir(elsewhere.path()).output().expect("the program starts");
-    assert_eq!(output.status.code(), Some(2));
-    let said = said(&output);
-    for place in ["specs/scenes/saw_gin.toml", "specs/scenes/bench/saw_gin.toml"] {
-        assert!(said.contains(place), "{said}");
-    }
-}
-
-#[test]
 fn a_parameter_must_be_known_and_its_value_a_finite_number() {
     let run = |set| ["run", "two_mass", "--set", set];
     assert_refused(&run("coupling.stifness=1"), &["did you mean", "coupling.stiffness"]);

@@ -30,15 +30,16 @@ pub use self::check::{CheckSpec, ReferenceSpec};
 pub use self::distributed::{
     AttachmentSpec, Boundary, DiscretisationSpec, FieldSpec, MAX_ELEMENTS, MAX_ORDER, Mass,
 };
-pub use self::names::{did_you_mean, quoted};
+pub use self::names::{did_you_mean, quoted, scene_name_mistake};
 pub use self::scene::METHODS;
-pub use self::source::{MAX_FILE_BYTES, SourceFile, SourceText, Sources};
+pub use self::source::{MAX_FILE_BYTES, SourceFile, SourceText, Sources, one_line};
 pub use self::symbol::Symbol;
 pub use self::table::{Column, CsvTable};
 
 use self::diagnostic::{Diagnostic, Diagnostics, FileId, Span, Spanned};
 use self::dimension::Unit;
 use self::expression::{Ast, Literal};
+use self::library::LibraryScene;
 use machinist_model::Direction;
 
 /// Reads a scene, the units it names, and the tables they name.
@@ -52,6 +53,14 @@ use machinist_model::Direction;
 /// that do not parse, tables that are not sorted.
 pub fn load_scene(path: &Path) -> Result<SceneSpec, Diagnostics> {
     stack::with_room(|| loader::load(path)).map_err(|_| Diagnostic::no_thread())?
+}
+
+/// Reads a scene that comes with Machinist; no file is opened.
+///
+/// # Errors
+/// As [`load_scene`]; nothing is wrong with the scenes of the library.
+pub fn load_library_scene(scene: &LibraryScene) -> Result<SceneSpec, Diagnostics> {
+    stack::with_room(|| loader::load_library(scene)).map_err(|_| Diagnostic::no_thread())?
 }
 
 /// A scene as written, with everything it refers to.

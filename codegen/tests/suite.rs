@@ -10,6 +10,7 @@ mod derivation_limits;
 mod emitted_files;
 mod emitted_numbers;
 mod emitted_text;
+mod library;
 mod limits;
 mod pendulum;
 mod readable_equations;

@@ -1,5 +1,8 @@
-//! Emits the simulator of `specs/drive.toml` to `OUT_DIR/drive.rs`.
+//! Emits the simulator of `specs/own_machine.toml` to `OUT_DIR/own_machine.rs`.
 
-fn main() -> Result<(), machinist_codegen::BuildError> {
-    machinist_codegen::Build::new().scene("specs/drive.toml").compile()
+use machinist_codegen::{Build, BuildError};
+
+fn main() -> Result<(), BuildError> {
+    let build = Build::new().scene("specs/own_machine.toml");
+    build.compile()
 }

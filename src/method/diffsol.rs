@@ -234,6 +234,7 @@ fn step_to_end<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
             let cause = StopCause::TooManySteps { limit: stretch.max_steps };
             return Err(Stopped { time: now, cause });
         }
+        stretch.require_uninterrupted(now)?;
     }
 }
 

@@ -70,11 +70,17 @@ fn solution<'a>(
     let states = &state[..piece.states()];
     stretch.system.count(|work| work.factorizations += 1);
     if let Some(modal) = Modal::new(piece, stretch, states)? {
-        stretch.system.note(format!("solved by its {} modes", modal.modes()));
+        stretch.system.note(format!(
+            "linear with constant coefficients: solved by its {} modes, without steps",
+            modal.modes()
+        ));
         return Ok(Box::new(modal));
     }
     let exponential = Exponential::new(piece, stretch, states)?;
-    stretch.system.note("solved by the exponential of its matrix".to_owned());
+    stretch.system.note(
+        "linear with constant coefficients: solved by the exponential of its matrix, without steps"
+            .to_owned(),
+    );
     Ok(Box::new(exponential))
 }
 
@@ -109,5 +115,6 @@ fn carry(
             return Ok(());
         }
         samples.push(state);
+        stretch.require_uninterrupted(reached)?;
     }
 }

@@ -122,6 +122,14 @@ impl<'a> Stretch<'a> {
         }
     }
 
+    /// Refuses to go on from `time` if the run is to end where it is.
+    pub(super) fn require_uninterrupted(&self, time: f64) -> Result<(), Stopped> {
+        if self.system.is_interrupted() {
+            return Err(Stopped { time, cause: StopCause::Interrupted });
+        }
+        Ok(())
+    }
+
     /// Refuses a start at which the right-hand side is NaN or infinite.
     pub(super) fn require_finite_rate(&self, state: &[f64]) -> Result<(), Stopped> {
         let mut rate = vec![0.0; state.len()];

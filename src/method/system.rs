@@ -1,6 +1,7 @@
 //! The equations a method integrates, and the count of how often it asks.
 
 use std::cell::{Cell, RefCell};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::Stopped;
 use crate::constraints::Constraints;
@@ -48,6 +49,7 @@ pub struct System<'a> {
     constraints: Option<Constraints<'a>>,
     work: Cell<Work>,
     notes: RefCell<Vec<String>>,
+    interrupt: Option<&'a AtomicBool>,
 }
 
 impl<'a> System<'a> {
@@ -66,7 +68,20 @@ impl<'a> System<'a> {
             constraints: Constraints::of(simulator, parameters),
             work: Cell::default(),
             notes: RefCell::default(),
+            interrupt: None,
         }
+    }
+
+    /// The same, to be left soon after a flag is set.
+    #[must_use]
+    pub fn until_flagged(self, interrupt: Option<&'a AtomicBool>) -> Self {
+        Self { interrupt, ..self }
+    }
+
+    /// Whether the run is to end where it is.
+    #[must_use]
+    pub fn is_interrupted(&self) -> bool {
+        self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed))
     }
 
     /// The simulator, for methods that need more than rate and Jacobian.

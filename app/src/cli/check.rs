@@ -1,12 +1,11 @@
 //! `machinist check`: what is wrong with specs, and nothing else.
 
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use clap::Args;
 use machinist::constraints;
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
 use machinist_codegen::scene::system::LagrangianSystem;
 use machinist_model::ModelSimulator;
 use machinist_model::file::Stamped;
@@ -16,6 +15,7 @@ use super::scene::Given;
 use super::specs;
 use crate::deriving;
 use crate::failure::{Failure, all};
+use crate::spec_source::SpecSource;
 
 #[derive(Debug, Args)]
 pub struct Check {
@@ -26,7 +26,7 @@ pub struct Check {
 
 impl Check {
     pub fn execute(&self) -> Result<(), Failure> {
-        let (mut files, mut text) = (Vec::<PathBuf>::new(), String::new());
+        let (mut files, mut text) = (Vec::<SpecSource>::new(), String::new());
         for path in &self.paths {
             if Path::new(path).is_dir() {
                 files.extend(specs::scene_files(Path::new(path))?);
@@ -43,12 +43,12 @@ impl Check {
                 }
             }
         }
-        let systems = all(&files, |file| pipeline::check(file))?;
+        let systems = all(&files, SpecSource::system)?;
         for (file, system) in files.iter().zip(&systems) {
             let _ = writeln!(
                 text,
                 "{}: ok, {} coordinates, {} first-order states, {} parameters, {} outputs{}",
-                file.display(),
+                file,
                 system.coordinates.len(),
                 system.first_order.len(),
                 system.parameters.len(),
@@ -61,7 +61,7 @@ impl Check {
 }
 
 /// How many constraints, and how many ways of moving they leave at the start.
-fn constraints(file: &Path, system: &LagrangianSystem) -> Result<String, Failure> {
+fn constraints(file: &SpecSource, system: &LagrangianSystem) -> Result<String, Failure> {
     if system.constraints.is_empty() {
         return Ok(String::new());
     }

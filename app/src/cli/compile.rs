@@ -30,10 +30,10 @@ impl Compile {
         require_ending(&self.out, &[MODEL_ENDING], "--out")?;
         let keep = if self.keep_all { Keep::All } else { Keep::Needed };
         let stamped = match Given::of(&self.scene)? {
-            Given::Spec(path) => {
-                let stamped = deriving::stamped(&Request::model(&path, keep))?;
+            Given::Spec(source) => {
+                let stamped = deriving::stamped(&Request::model(&source, keep))?;
                 if !self.keep_all {
-                    admit(&path, &stamped.model)?;
+                    admit(&source, &stamped.model)?;
                 }
                 stamped
             }

@@ -28,7 +28,7 @@ pub struct Derive {
 impl Derive {
     pub fn execute(&self) -> Result<(), Failure> {
         let derivation = match Given::of(&self.scene)? {
-            Given::Spec(path) => deriving::derivation(&path, Keep::Needed)?,
+            Given::Spec(source) => deriving::derivation(&source, Keep::Needed)?,
             Given::Model(stamped) => return Err(no_equations(&stamped.model)),
         };
         if self.latex {

@@ -33,18 +33,18 @@ pub struct Explain {
 impl Explain {
     pub fn execute(&self) -> Result<(), Failure> {
         let keep = if self.keep_all { Keep::All } else { Keep::Needed };
-        let (path, stages) = match Given::of(&self.scene)? {
-            Given::Spec(path) => {
-                let stages = deriving::derivation(&path, keep)?.stages;
+        let (source, stages) = match Given::of(&self.scene)? {
+            Given::Spec(source) => {
+                let stages = deriving::derivation(&source, keep)?.stages;
                 if !self.keep_all {
-                    admit(&path, stages.needed())?;
+                    admit(&source, stages.needed())?;
                 }
-                (Some(path), stages)
+                (Some(source), stages)
             }
             Given::Model(stamped) => (None, Stages { whole: stamped.model, steps: Vec::new() }),
         };
         let explanation =
-            during("running", || Explanation::new(path.as_deref(), stages, !self.without_times))?;
+            during("running", || Explanation::new(source.as_ref(), stages, !self.without_times))?;
         if self.json {
             print(&format!("{:#}\n", as_json(&explanation)))
         } else {

@@ -12,6 +12,7 @@ use super::{scene, specs};
 use crate::deriving;
 use crate::failure::Failure;
 use crate::freeze::admit;
+use crate::spec_source::SpecSource;
 
 /// Where emitted scenes are kept.
 pub const EMITTED: &str = "generated/src/scenes";
@@ -50,7 +51,7 @@ impl Generate {
 }
 
 impl Generate {
-    fn models(&self, files: &[PathBuf]) -> Result<Vec<Model>, Failure> {
+    fn models(&self, files: &[SpecSource]) -> Result<Vec<Model>, Failure> {
         let keep = if self.keep_all { Keep::All } else { Keep::Needed };
         let models = deriving::models(files, keep)?;
         if !self.keep_all {

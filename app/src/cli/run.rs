@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::failure::did_you_mean;
 use clap::Args;
+use machinist::error::StopCause;
 use machinist::field::ModalSimulator;
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
 use machinist::{Discretisation, Method, SimulateError, Simulation};
@@ -13,6 +14,7 @@ use super::assignment;
 use super::output::{columns, draw_file, print, print_with, require_ending, write_file};
 use super::scene::Scene;
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::number::number;
 use crate::progress::during;
 
@@ -85,28 +87,40 @@ impl Run {
                 let written = self.write(format, &trajectory)?;
                 if written { print(&self.summary(&scene, &trajectory)) } else { Ok(()) }
             }
-            Err(error) => Err(self.stopped(format, error)?),
+            Err(error) => Err(self.stopped(&scene, format, error)?),
         }
     }
 
-    /// What there is of a run that stopped is written all the same.
+    /// What there is of a run that stopped is written all the same, and summed up if it was
+    /// interrupted: then nothing is wrong with it.
     fn stopped(
         &self,
+        scene: &Scene,
         format: Option<Format>,
         mut error: SimulateError,
     ) -> Result<Failure, Failure> {
-        let SimulateError::Stopped { kept, .. } = &mut error else { return Ok(error.into()) };
+        let SimulateError::Stopped { kept, cause, .. } = &mut error else {
+            return Ok(error.into());
+        };
+        let is_interrupted = *cause == StopCause::Interrupted;
         let Some(kept) = kept.take() else { return Ok(error.into()) };
         let Some(last) = kept.times.last().copied() else { return Ok(error.into()) };
         let files: Vec<String> = [&self.out, &self.plot]
             .into_iter()
             .flatten()
-            .map(|file| file.display().to_string())
+            .map(|file| match file.to_str() {
+                Some("-") => "standard output".to_owned(),
+                _ => file.display().to_string(),
+            })
             .collect();
+        let kept = self.chosen_columns(*kept);
+        let written = files.is_empty() || self.write(format, &kept)?;
+        if is_interrupted && written {
+            print(&self.summary(scene, &kept))?;
+        }
         if files.is_empty() {
             return Ok(error.into());
         }
-        self.write(format, &self.chosen_columns(*kept))?;
         let what = format!("the run until {last} s is in {}", files.join(" and "));
         Ok(Failure::unsuccessful(error, what))
     }
@@ -137,14 +151,15 @@ impl Run {
         for (name, value) in &self.set {
             whole = whole.parameter(name, *value)?;
         }
+        let flag = interrupt::flag();
         let Some(modes) = self.modes else {
             let simulation = self.adjusted(whole)?;
-            return Ok(during("simulating", || simulation.run()));
+            return Ok(during("simulating", || simulation.until_flagged(&flag).run()));
         };
         let modal = ModalSimulator::new(simulator, whole.parameter_values(), modes);
         let modal = modal.map_err(|error| Failure::input(error, ""))?;
         let simulation = self.adjusted(Simulation::new(&modal))?;
-        Ok(during("simulating", || simulation.run()))
+        Ok(during("simulating", || simulation.until_flagged(&flag).run()))
     }
 
     /// The run with what is asked for but parameters.
@@ -199,7 +214,7 @@ impl Run {
             _ => (f64::NAN, f64::NAN),
         };
         let mut text = format!(
-            "{}: {} ({})\n{}, rtol {:e}, {from} s to {until} s, {} points\n\
+            "{}: {} ({})\n{}, rtol {:e}, {from} s to {until} s, {} points{}\n\
              {} steps, {} rejected, {} rate evaluations, {} Jacobians, {} factorizations, \
              {} Newton iterations{}{}\n\n",
             trajectory.scene,
@@ -208,6 +223,7 @@ impl Run {
             trajectory.method,
             trajectory.rtol,
             trajectory.times.len(),
+            remarks(trajectory),
             work.steps,
             work.rejected,
             work.rate_evaluations,
@@ -226,6 +242,20 @@ impl Run {
         }
         text.trim_end().to_owned() + "\n"
     }
+}
+
+/// Where the run was cut short, and what the method has to say, such as which one `auto` chose
+/// and why; a line each.
+fn remarks(trajectory: &Trajectory) -> String {
+    /// A machine that turns stiff over and over has a remark for each time.
+    const MOST: usize = 8;
+    let Trajectory { notes, stopped, .. } = trajectory;
+    let stop =
+        stopped.iter().map(|stop| format!("stopped early, at {} s: {}", stop.time, stop.cause));
+    let more = notes.len().saturating_sub(MOST);
+    let more = (more > 0).then(|| format!("and {more} remarks more, which --out FILE.json has"));
+    let lines = stop.chain(notes.iter().take(MOST).cloned()).chain(more);
+    lines.flat_map(|line| ["\n".to_owned(), line]).collect()
 }
 
 /// How often each event happened, in a line of its own; nothing without events.

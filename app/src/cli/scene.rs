@@ -19,11 +19,12 @@ use crate::deriving;
 use crate::failure::Failure;
 #[cfg(feature = "derive")]
 use crate::freeze::admit;
+use crate::spec_source::SpecSource;
 
 /// What a command was given for a scene.
 pub enum Given {
-    /// A spec file.
-    Spec(PathBuf),
+    /// A spec.
+    Spec(SpecSource),
     /// What was read from a model file.
     Model(Box<Stamped>),
 }
@@ -31,13 +32,16 @@ pub enum Given {
 impl Given {
     /// What an argument stands for: a file of either kind, or the spec of a name.
     pub fn of(argument: &str) -> Result<Self, Failure> {
-        let path = spec_path(argument)?;
+        let path = match spec_of(argument)? {
+            SpecSource::File(path) => path,
+            built_in @ SpecSource::BuiltIn(_) => return Ok(Self::Spec(built_in)),
+        };
         let mut mark = [0; MARK.len()];
         let begins_as_model = File::open(&path)
             .and_then(|mut file| file.read_exact(&mut mark))
             .is_ok_and(|()| mark == *MARK);
         if !begins_as_model {
-            return Ok(Self::Spec(path));
+            return Ok(Self::Spec(SpecSource::File(path)));
         }
         let bytes = fs::read(&path).map_err(|error| Failure::file(&path, &error))?;
         let stamped = read(&bytes).map_err(|error| {
@@ -81,7 +85,7 @@ impl Scene {
         }
         let model = match Given::of(argument)? {
             Given::Model(stamped) => stamped.model,
-            Given::Spec(path) => derived(&path, keep_all)?,
+            Given::Spec(source) => derived(&source, keep_all)?,
         };
         let has_fields = !model.fields.is_empty();
         let simulator = Box::new(ModelSimulator::new(model));
@@ -136,26 +140,32 @@ impl Scene {
 pub fn model_of(argument: &str) -> Result<Model, Failure> {
     match Given::of(argument)? {
         Given::Model(stamped) => Ok(stamped.model),
-        Given::Spec(path) => derived(&path, false),
+        Given::Spec(source) => derived(&source, false),
     }
 }
 
 /// The model of a spec.
 #[cfg(feature = "derive")]
-fn derived(path: &Path, keep_all: bool) -> Result<Model, Failure> {
+fn derived(source: &SpecSource, keep_all: bool) -> Result<Model, Failure> {
     let keep = if keep_all { Keep::All } else { Keep::Needed };
-    let model = deriving::model(path, keep)?;
+    let model = deriving::model(source, keep)?;
     if !keep_all {
-        admit(path, &model)?;
+        admit(source, &model)?;
     }
     Ok(model)
 }
 
 /// This program reads no specs.
 #[cfg(not(feature = "derive"))]
-fn derived(path: &Path, _keep_all: bool) -> Result<Model, Failure> {
-    let message = format!("{}: this program was built without what derives", path.display());
-    Err(Failure::input(message, "give a model, as `machinist compile` of a whole build writes it"))
+fn derived(source: &SpecSource, _keep_all: bool) -> Result<Model, Failure> {
+    Err(cannot_derive(source))
+}
+
+/// A spec was given to a program that reads none.
+#[cfg(not(feature = "derive"))]
+pub fn cannot_derive(source: &SpecSource) -> Failure {
+    let message = format!("{source}: this program was built without what derives");
+    Failure::input(message, "give a model, as `machinist compile` of a whole build writes it")
 }
 
 /// Fields that cannot be cut as wanted.
@@ -190,30 +200,32 @@ pub const BENCH: &str = "bench";
 /// The folder below it with machines of standard parts alone.
 pub const DRIVES: &str = "drives";
 
-/// Where the spec of a scene may be.
-pub fn places_of(name: &str) -> [PathBuf; 2] {
-    let file = format!("{name}.toml");
-    [Path::new(SCENES).join(&file), Path::new(SCENES).join(BENCH).join(&file)]
+/// The spec of a name or a path. A name is looked for among the specs of the current folder,
+/// then among those that are built in.
+fn spec_of(argument: &str) -> Result<SpecSource, Failure> {
+    if is_path(argument) {
+        return Ok(SpecSource::File(PathBuf::from(argument)));
+    }
+    let file = format!("{argument}.toml");
+    let places = [Path::new(SCENES).join(&file), Path::new(SCENES).join(BENCH).join(&file)];
+    if let Some(found) = places.into_iter().find(|place| place.is_file()) {
+        return Ok(SpecSource::File(found));
+    }
+    if has_built_in_spec(argument) {
+        return Ok(SpecSource::BuiltIn(argument.to_owned()));
+    }
+    Err(unknown(argument))
 }
 
-/// The spec file of a name or a path. A name is looked for among the specs of
-/// the current folder.
-pub fn spec_path(argument: &str) -> Result<PathBuf, Failure> {
-    if is_path(argument) {
-        return Ok(PathBuf::from(argument));
-    }
-    let places = places_of(argument);
-    if let Some(found) = places.iter().find(|place| place.is_file()) {
-        return Ok(found.clone());
-    }
-    if !scenes::NAMES.contains(&argument) && !scenes::FIELD_NAMES.contains(&argument) {
-        return Err(unknown(argument));
-    }
-    let places: Vec<String> = places.iter().map(|place| place.display().to_string()).collect();
-    Err(Failure::input(
-        format!("no spec of scene `{argument}` here; looked for {}", places.join(" and ")),
-        "run this in the folder that holds `specs`, or give the path of a scene file",
-    ))
+#[cfg(feature = "derive")]
+fn has_built_in_spec(name: &str) -> bool {
+    machinist_codegen::spec::library::LibraryScene::find(name).is_some()
+}
+
+/// This program has no specs; what is built in are simulators.
+#[cfg(not(feature = "derive"))]
+fn has_built_in_spec(name: &str) -> bool {
+    scenes::NAMES.contains(&name) || scenes::FIELD_NAMES.contains(&name)
 }
 
 /// How names of model files end.
@@ -227,10 +239,15 @@ fn is_path(argument: &str) -> bool {
 }
 
 fn unknown(name: &str) -> Failure {
+    let message = format!("there is no scene `{}`", name.escape_debug());
+    let file = format!("{name}.toml");
+    if Path::new(&file).is_file() {
+        return Failure::input(message, format!("there is a file of this name: write `{file}`"));
+    }
     let names = scenes::NAMES.iter().chain(scenes::FIELD_NAMES);
     let hint = did_you_mean(name, names.copied());
     let help = format!(
         "{hint}\n`machinist list` shows all scenes; a path that ends in `.toml` names a scene file"
     );
-    Failure::input(format!("there is no scene `{}`", name.escape_debug()), help.trim_start())
+    Failure::input(message, help.trim_start())
 }

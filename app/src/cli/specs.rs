@@ -7,9 +7,10 @@ use machinist_model::operations;
 
 use super::scene::{BENCH, DRIVES};
 use crate::failure::Failure;
+use crate::spec_source::SpecSource;
 
 /// All scene files of a folder, sorted by name.
-pub fn scene_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+pub fn scene_files(folder: &Path) -> Result<Vec<SpecSource>, Failure> {
     let files = toml_files(folder)?;
     if files.is_empty() {
         let message = format!("{}: there are no scenes in this folder", folder.display());
@@ -19,23 +20,23 @@ pub fn scene_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
 }
 
 /// All scene files of `bench` below a folder, likewise; none without that folder.
-pub fn bench_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+pub fn bench_files(folder: &Path) -> Result<Vec<SpecSource>, Failure> {
     let bench = folder.join(BENCH);
     if bench.is_dir() { toml_files(&bench) } else { Ok(Vec::new()) }
 }
 
 /// All scene files of `drives` below a folder, likewise: machines of standard parts alone.
-pub fn drive_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+pub fn drive_files(folder: &Path) -> Result<Vec<SpecSource>, Failure> {
     let drives = folder.join(DRIVES);
     if drives.is_dir() { toml_files(&drives) } else { Ok(Vec::new()) }
 }
 
-fn toml_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+fn toml_files(folder: &Path) -> Result<Vec<SpecSource>, Failure> {
     let failed = |error: std::io::Error| {
         let help = "run this in the folder that holds `specs`, or name the folder of the scenes";
         Failure::input(format!("{}: {error}", folder.display()), help)
     };
-    let mut files = Vec::new();
+    let mut files: Vec<PathBuf> = Vec::new();
     for entry in folder.read_dir().map_err(failed)? {
         let path = entry.map_err(failed)?.path();
         if path.extension().is_some_and(|ending| ending == "toml") && path.is_file() {
@@ -43,7 +44,7 @@ fn toml_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
         }
     }
     files.sort();
-    Ok(files)
+    Ok(files.into_iter().map(SpecSource::File).collect())
 }
 
 /// What one emitted function costs.

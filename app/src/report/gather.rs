@@ -22,6 +22,7 @@ use crate::deriving;
 use crate::failure::Failure;
 use crate::freeze::admit;
 use crate::progress::during;
+use crate::spec_source::SpecSource;
 
 /// The folder of the pages of machines, within that of the report.
 const MACHINES: &str = "machines";
@@ -50,25 +51,25 @@ pub(super) struct Report {
 
 /// The page of one machine of the user's own.
 pub fn own(argument: &str, with_times: bool) -> Result<Pages, Failure> {
-    let file = match Given::of(argument)? {
-        Given::Spec(file) => file,
+    let spec = match Given::of(argument)? {
+        Given::Spec(spec) => spec,
         Given::Model(_) => {
             let message = format!("{argument} is a model, which has no equations to show");
             return Err(Failure::input(message, "give the spec it was compiled of"));
         }
     };
-    let machine = of_file(&file, with_times)?;
+    let machine = of_spec(&spec, with_times)?;
     let all_passed = machine.verdicts.iter().all(|verdict| verdict.pass);
     Ok(Pages { files: vec![file_of(&machine, false)], all_passed })
 }
 
-/// The machine of a scene file, run by its model, with what can be checked of any machine.
-fn of_file(file: &Path, with_times: bool) -> Result<Machine, Failure> {
-    let derived = deriving::derivation(file, Keep::Needed)?;
-    admit(file, derived.stages.needed())?;
-    let mut machine = during("simulating", || Machine::new(derived, file, false, with_times))?;
+/// The machine of a spec, run by its model, with what can be checked of any machine.
+fn of_spec(spec: &SpecSource, with_times: bool) -> Result<Machine, Failure> {
+    let derived = deriving::derivation(spec, Keep::Needed)?;
+    admit(spec, derived.stages.needed())?;
+    let mut machine = during("simulating", || Machine::new(derived, spec, false, with_times))?;
     let whole = Changes { parameters: &[], until: None, rtol: None };
-    machine.verdicts = verify(&file.to_string_lossy(), &whole)?;
+    machine.verdicts = verify(&spec.to_string(), &whole)?;
     if with_times && machine.model.fields.is_empty() {
         let simulator = ModelSimulator::new(machine.model.clone());
         let measured = during("timing the methods", || measure(&simulator, None));
@@ -126,7 +127,7 @@ pub fn whole(specs: &Path, emitted: &Path, with_times: bool) -> Result<Pages, Fa
     };
     let stability = with_times.then(strain).transpose()?;
     let drives = specs::drive_files(specs)?;
-    let drives = drives.iter().map(|file| of_file(file, with_times));
+    let drives = drives.iter().map(|file| of_spec(file, with_times));
     let drives = drives.collect::<Result<Vec<_>, Failure>>()?;
     let mut verdicts = verdicts;
     verdicts.extend(drives.iter().flat_map(|drive| drive.verdicts.iter().cloned()));

@@ -1,13 +1,10 @@
 //! What the page of a machine shows, gathered.
 
-use std::path::Path;
-
 use machinist::trajectory::Trajectory;
 use machinist::{SimulateError, Simulation};
 use machinist_codegen::emit::document::Document;
 use machinist_codegen::mechanics::dependencies::Dependencies;
 use machinist_codegen::pipeline::Derivation;
-use machinist_codegen::spec::load_scene;
 use machinist_contract::Simulator;
 use machinist_contract::field::FieldScene;
 use machinist_model::{Model, ModelSimulator, Running};
@@ -21,6 +18,7 @@ use super::modes::{self, Modes};
 use super::schematic::Schematic;
 use crate::explain::Explanation;
 use crate::failure::Failure;
+use crate::spec_source::SpecSource;
 use machinist::linear_analysis::LinearError;
 
 /// One scene, derived, run and checked.
@@ -57,7 +55,7 @@ impl Machine {
     /// built in. It is not checked yet.
     pub(super) fn new(
         derived: Derivation,
-        file: &Path,
+        source: &SpecSource,
         may_be_built_in: bool,
         with_times: bool,
     ) -> Result<Self, Failure> {
@@ -84,15 +82,15 @@ impl Machine {
             along = run.along;
             (run.trajectory, run.modes, by)
         };
-        let spec = load_scene(file)?;
+        let spec = source.read()?;
         let is_built_in = by == By::Emitted;
-        let argument = if is_built_in { name.to_owned() } else { file.display().to_string() };
+        let argument = if is_built_in { name.to_owned() } else { source.to_string() };
         Ok(Self {
             argument,
             schematic: Schematic::of(&spec),
             doc: spec.doc,
             document,
-            explanation: Explanation::new(Some(file), stages, with_times)?,
+            explanation: Explanation::new(Some(source), stages, with_times)?,
             dependencies,
             by,
             run,

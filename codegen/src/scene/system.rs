@@ -8,6 +8,7 @@ use num_rational::BigRational;
 use machinist_model::{Direction, Freeze, Name, Place, Quantity, RunDefaults, Table};
 
 use crate::expr::{CoordinateId, Expr, FirstOrderId, Function, HandedId, ParameterId, Symbol};
+use crate::scene::evaluate;
 use crate::spec::SourceFile;
 
 /// A generalized coordinate with its velocity.
@@ -305,6 +306,13 @@ impl LagrangianSystem {
     #[must_use]
     pub fn parameter(&self, id: ParameterId) -> &Parameter {
         &self.parameters[id.0 as usize]
+    }
+
+    /// Value of an expression of parameters at their values in the spec; NaN if it depends
+    /// on anything else.
+    #[must_use]
+    pub fn value(&self, expr: &Expr) -> f64 {
+        evaluate(expr, &|id| self.parameter(id).value)
     }
 
     /// Every expression of the self.

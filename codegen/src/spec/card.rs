@@ -3,7 +3,7 @@
 use crate::spec::diagnostic::{Diagnostics, FileId, Span};
 use crate::spec::fields::Findings;
 use crate::spec::library::LibraryUnit;
-use crate::spec::source::Sources;
+use crate::spec::source::{Sources, one_line, written, written_formula};
 use crate::spec::{Formula, UnitSpec, toml, unit};
 use machinist_model::Direction;
 
@@ -58,21 +58,12 @@ impl Card {
 struct Reader(&'static str);
 
 impl Reader {
-    /// The whole string that a span is in: an expression as written.
     fn written(&self, span: Span) -> String {
-        let (start, end) = (span.start as usize, span.end as usize);
-        let from = self.0[..start].rfind('"').map_or(start, |quote| quote + 1);
-        let until = self.0[end..].find('"').map_or(end, |quote| end + quote);
-        one_line(&self.0[from..until])
+        written(self.0, span)
     }
 
     fn formula(&self, formula: &Formula) -> String {
-        match formula {
-            Formula::Number(number) => {
-                self.0[number.span.start as usize..number.span.end as usize].to_owned()
-            }
-            Formula::Expression(ast) => self.written(ast.span),
-        }
+        written_formula(self.0, formula)
     }
 
     fn card(&self, library: &LibraryUnit, spec: &UnitSpec) -> Card {
@@ -192,8 +183,4 @@ fn number(value: f64) -> String {
     } else {
         value.to_string()
     }
-}
-
-fn one_line(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

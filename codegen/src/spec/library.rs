@@ -1,4 +1,4 @@
-//! The units that come with Machinist.
+//! The units and scenes that come with Machinist.
 
 /// A unit that comes with Machinist.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -122,4 +122,80 @@ pub const LIBRARY: &[LibraryUnit] = &[
     part!("translational/smooth_friction"),
     part!("translational/spring"),
     part!("translational/spring_damper"),
+];
+
+/// A scene that comes with Machinist.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LibraryScene {
+    /// What commands call it.
+    pub name: &'static str,
+    /// What messages and headers call its file: `scenes/saw_gin.toml`.
+    pub label: &'static str,
+    /// Its spec, whose units all come with Machinist.
+    pub text: &'static str,
+}
+
+impl LibraryScene {
+    /// The scene of a name.
+    #[must_use]
+    pub fn find(name: &str) -> Option<&'static Self> {
+        SCENES.iter().find(|scene| scene.name == name)
+    }
+}
+
+macro_rules! scene {
+    ($name:literal) => {
+        LibraryScene {
+            name: $name,
+            label: concat!("scenes/", $name, ".toml"),
+            text: include_str!(concat!("../../../specs/scenes/", $name, ".toml")),
+        }
+    };
+    (bench $name:literal) => {
+        LibraryScene {
+            name: $name,
+            label: concat!("bench/", $name, ".toml"),
+            text: include_str!(concat!("../../../specs/scenes/bench/", $name, ".toml")),
+        }
+    };
+}
+
+/// All of them: what is in `specs/scenes`, and in its folder `bench`.
+pub const SCENES: &[LibraryScene] = &[
+    scene!("bouncing_mass"),
+    scene!("contact_oscillator"),
+    scene!("contact_oscillator_smooth"),
+    scene!("coulomb_oscillator"),
+    scene!("four_bar"),
+    scene!("loom_drive"),
+    scene!("motor_run_up"),
+    scene!("motor_stationary_axes"),
+    scene!("pendulum_chain"),
+    scene!("pendulum_constrained"),
+    scene!("pendulum_relative"),
+    scene!("reed_beat_up"),
+    scene!("saw_gin"),
+    scene!("saw_gin_as_printed"),
+    scene!("saw_gin_shaft"),
+    scene!("shaft_step_torque"),
+    scene!("shaft_with_rotors"),
+    scene!("slider_crank"),
+    scene!("stick_slip"),
+    scene!("stick_slip_smooth"),
+    scene!("two_mass"),
+    scene!("winder_full"),
+    scene!("winder_holder_drop"),
+    scene!("winder_linear"),
+    scene!("winder_linkage"),
+    scene!("winder_nonlinear"),
+    scene!(bench "m1"),
+    scene!(bench "m2"),
+    scene!(bench "m3"),
+    scene!(bench "m3_10"),
+    scene!(bench "m4"),
+    scene!(bench "m4_7"),
+    scene!(bench "m5"),
+    scene!(bench "m6_10"),
+    scene!(bench "m6_2"),
+    scene!(bench "m6_5"),
 ];

@@ -1,6 +1,6 @@
 //! Which names a spec may give.
 
-use crate::spec::diagnostic::{Mistake, Spanned};
+use crate::spec::diagnostic::{FileId, Mistake, Span, Spanned};
 
 /// Characters a name may have.
 const MAX_NAME: usize = 64;
@@ -134,6 +134,13 @@ pub fn check_scene(name: &Spanned<String>) -> Result<(), Mistake> {
         .help("add a word: two of them clash with nothing"))
 }
 
+/// What is wrong with a name for a scene, if anything is.
+#[must_use]
+pub fn scene_name_mistake(name: &str) -> Option<Mistake> {
+    let name = Spanned { value: name.to_owned(), span: Span::new(FileId(0), 0..0) };
+    check(&name).and_then(|()| check_scene(&name)).err()
+}
+
 /// A text of the spec as a message shows it: in quotes, escaped, not too long.
 #[must_use]
 pub fn quoted(text: &str) -> String {
@@ -160,7 +167,6 @@ pub fn did_you_mean<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spec::diagnostic::{FileId, Span};
 
     fn is_name(text: &str) -> bool {
         let span = Span::new(FileId(0), 0..0);

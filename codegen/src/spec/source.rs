@@ -7,7 +7,8 @@ use std::sync::Arc;
 
 use sha2::{Digest as _, Sha256};
 
-use crate::spec::diagnostic::{Diagnostic, Diagnostics, FileId, Mistake};
+use crate::spec::Formula;
+use crate::spec::diagnostic::{Diagnostic, Diagnostics, FileId, Mistake, Span};
 
 /// Bytes a file may hold.
 pub const MAX_FILE_BYTES: u64 = 1 << 20;
@@ -80,6 +81,18 @@ impl Sources {
         self.add(PathBuf::new(), label.to_owned(), text)
     }
 
+    /// An expression as its spec writes it, on one line.
+    #[must_use]
+    pub fn expression(&self, span: Span) -> String {
+        written(&self.get(span.file).text, span)
+    }
+
+    /// A formula as its spec writes it, on one line.
+    #[must_use]
+    pub fn formula(&self, formula: &Formula) -> String {
+        written_formula(&self.get(formula.span().file).text, formula)
+    }
+
     /// Attaches the text around them to mistakes; equal ones are told once.
     #[must_use]
     pub fn diagnostics(&self, mistakes: &[Mistake]) -> Diagnostics {
@@ -121,6 +134,30 @@ impl Sources {
         });
         parts.collect::<Vec<_>>().join("/")
     }
+}
+
+/// The whole string that a span is in: an expression as `text` writes it, on one line.
+pub(super) fn written(text: &str, span: Span) -> String {
+    let (start, end) = (span.start as usize, span.end as usize);
+    let from = text[..start].rfind('"').map_or(start, |quote| quote + 1);
+    let until = text[end..].find('"').map_or(end, |quote| end + quote);
+    one_line(&text[from..until])
+}
+
+/// A formula, likewise.
+pub(super) fn written_formula(text: &str, formula: &Formula) -> String {
+    match formula {
+        Formula::Number(number) => {
+            text[number.span.start as usize..number.span.end as usize].to_owned()
+        }
+        Formula::Expression(ast) => written(text, ast.span),
+    }
+}
+
+/// All words of a text on one line.
+#[must_use]
+pub fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// The folder a file is in, `.` for a bare name.

@@ -1,0 +1,43 @@
+//! `machinist completions`: what a shell needs to complete commands and options.
+
+use clap::{Args, Command, CommandFactory as _, ValueEnum};
+use clap_complete::{Shell as Known, generate};
+
+use super::output::print_with;
+use crate::failure::Failure;
+
+/// Shells that are known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Shell {
+    Bash,
+    Zsh,
+    Fish,
+}
+
+#[derive(Debug, Args)]
+pub struct Completions {
+    /// The shell
+    shell: Shell,
+}
+
+impl Completions {
+    pub fn execute(&self) -> Result<(), Failure> {
+        let shell = match self.shell {
+            Shell::Bash => Known::Bash,
+            Shell::Zsh => Known::Zsh,
+            Shell::Fish => Known::Fish,
+        };
+        let mut text = Vec::new();
+        generate(shell, &mut shown(&super::Cli::command()), "machinist", &mut text);
+        print_with(|out| out.write_all(&text))
+    }
+}
+
+/// A command line without what is hidden, which shells would offer all the same.
+fn shown(whole: &Command) -> Command {
+    Command::new("machinist")
+        .version(env!("CARGO_PKG_VERSION"))
+        .propagate_version(true)
+        .args(whole.get_arguments())
+        .subcommands(whole.get_subcommands().filter(|command| !command.is_hide_set()))
+}

@@ -1,0 +1,56 @@
+//! Where the spec of a scene is: in a file, or within this program.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+#[cfg(feature = "derive")]
+use machinist_codegen::{
+    scene::{compose, system::LagrangianSystem},
+    spec::diagnostic::{Diagnostic, Diagnostics},
+    spec::library::LibraryScene,
+    spec::{self, SceneSpec},
+};
+use serde::{Deserialize, Serialize};
+
+/// Where the spec of a scene is.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub enum SpecSource {
+    /// In a file.
+    File(PathBuf),
+    /// Within this program, under this name.
+    BuiltIn(String),
+}
+
+#[cfg(feature = "derive")]
+impl SpecSource {
+    /// The spec as written, with the units it names.
+    pub fn read(&self) -> Result<SceneSpec, Diagnostics> {
+        match self {
+            Self::File(path) => spec::load_scene(path),
+            Self::BuiltIn(name) => match LibraryScene::find(name) {
+                Some(scene) => spec::load_library_scene(scene),
+                None => Err(Diagnostic::of_file(name, "no such scene is built in", "").into()),
+            },
+        }
+    }
+
+    /// The spec, checked and joined to one system.
+    pub fn system(&self) -> Result<LagrangianSystem, Diagnostics> {
+        compose(&self.read()?)
+    }
+}
+
+impl From<&Path> for SpecSource {
+    fn from(path: &Path) -> Self {
+        Self::File(path.to_owned())
+    }
+}
+
+impl fmt::Display for SpecSource {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::File(path) => path.display().fmt(f),
+            Self::BuiltIn(name) => f.write_str(name),
+        }
+    }
+}

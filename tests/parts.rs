@@ -4,6 +4,7 @@
 mod drives;
 mod friction;
 mod laws;
+mod planar;
 
 use std::path::{Path, PathBuf};
 
@@ -14,6 +15,10 @@ use machinist_contract::Describe;
 use machinist_model::ModelSimulator;
 
 use crate::own_scene::of_specs;
+
+/// Folders of standard parts.
+const FOLDERS: [&str; 6] =
+    ["control", "electrical", "planar", "rotational", "sources", "translational"];
 
 fn parts() -> impl Iterator<Item = &'static LibraryUnit> {
     LIBRARY.iter().filter(|unit| unit.example.is_some())
@@ -62,9 +67,35 @@ fn off(run: &Trajectory, name: &str, exact: impl Fn(f64) -> f64) -> f64 {
     differences.fold(0.0, |most: f64, off| if off.is_nan() { off } else { most.max(off) }) / size
 }
 
+/// Small steps of Heun's method.
+fn by_small_steps<const N: usize>(
+    mut state: [f64; N],
+    until: f64,
+    steps: usize,
+    rate: impl Fn(f64, &[f64; N]) -> [f64; N],
+) -> [f64; N] {
+    let step = until / steps as f64;
+    for number in 0..steps {
+        let time = step * number as f64;
+        let first = rate(time, &state);
+        let mut trial = state;
+        (0..N).for_each(|index| trial[index] += step * first[index]);
+        let second = rate(time + step, &trial);
+        (0..N).for_each(|index| state[index] += 0.5 * step * (first[index] + second[index]));
+    }
+    state
+}
+
+/// Force of a contact pressed by `depth`, which `rate` lets grow: k depth, and a damper that
+/// never exceeds it.
+fn contact(stiffness: f64, damping: f64, depth: f64, rate: f64) -> f64 {
+    let elastic = stiffness * depth.max(0.0);
+    elastic + (damping * rate).clamp(-elastic, elastic)
+}
+
 #[test]
 fn every_unit_of_a_folder_is_in_the_library_with_an_example() {
-    for folder in ["control", "electrical", "rotational", "sources", "translational"] {
+    for folder in FOLDERS {
         let mut files = std::fs::read_dir(specs().join("units").join(folder)).expect("a folder");
         while let Some(Ok(file)) = files.next() {
             let stem = file.path().file_stem().expect("a name").to_string_lossy().into_owned();

@@ -8,12 +8,8 @@ use machinist_model::ModelSimulator;
 use machinist_studies::closed_form::four_bar::FOUR_BAR;
 use machinist_studies::closed_form::slider_crank::{SLIDER_CRANK, SliderCrank};
 
-use super::{by_small_steps, column, contact, example, off, run};
+use super::{METHODS, by_small_steps, column, contact, example, off, run};
 use crate::own_scene::of_specs;
-
-/// Those that keep to constraints.
-const METHODS: [Method; 5] =
-    [Method::Dop853, Method::Tsit5, Method::Radau, Method::Rodas5p, Method::Auto];
 
 /// A run at other values of parameters, by a method and to a tolerance.
 fn run_by(

@@ -1,5 +1,7 @@
 //! Controllers and motors against their closed forms.
 
+use std::f64::consts::TAU;
+
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
 use nalgebra::Complex;
@@ -219,6 +221,98 @@ fn a_winch_of_standard_parts_lifts_and_holds_its_load() {
                 assert!((held - torque).abs() < most, "{what}: {held} at {time}");
             }
         }
+    }
+}
+
+const ON_A_CONVERTER: &str = r#"
+[scene]
+name = "on_a_converter"
+[units.converter]
+unit = "electrical/converter"
+inputs = { frequency = "frequency" }
+[units.motor]
+unit = "electrical/induction_motor"
+inputs = { voltage_x = "converter.voltage", voltage_y = "0 [V]", axes_speed = "converter.speed" }
+[units.drive]
+unit = "sources/speed"
+inputs = { speed = "given" }
+[[joints]]
+connect = ["motor.a", "drive.a"]
+[parameters]
+frequency = { value = 50.0, unit = "Hz" }
+given = { value = 40.0, unit = "rad/s" }
+[initial]
+"motor.omega" = "given"
+[outputs]
+torque = "motor.torque"
+current = "motor.current"
+[run]
+until = 6.0
+points = 2
+rtol = 1e-9
+method = "auto"
+"#;
+
+/// What is settled, by the equivalent circuit: (R_s + j w L_s) I_s + j w M I_r = U,
+/// (R_r + j s L_r) I_r + j s M I_s = 0 for the slip speed s.
+#[test]
+fn an_induction_motor_on_a_converter_settles_as_its_equivalent_circuit() {
+    let scene = of_text(ON_A_CONVERTER, Keep::Needed);
+    for (number, frequency) in [-50.0, 3.0, 20.0, 50.0, 90.0].into_iter().enumerate() {
+        for slip in [-0.3, -0.02, 0.05, 1.0] {
+            let turning = TAU * frequency;
+            let given = turning * (1.0 - slip) / 2.0;
+            let set = [("frequency", frequency), ("given", given)];
+            let method = [Method::Auto, Method::Radau, Method::Dop853][number % 3];
+            let run = set
+                .into_iter()
+                .try_fold(Simulation::new(&scene), |run, (name, value)| run.parameter(name, value))
+                .expect("parameters")
+                .method(method)
+                .run()
+                .unwrap_or_else(|error| panic!("{set:?} {method}: {error}"));
+            let voltage = f64::min(15.0 + 310.0 * f64::abs(frequency) / 50.0, 325.0);
+            let j = Complex::i();
+            let rotor = -j * (slip * turning) * 0.172 / (1.2 + j * (slip * turning) * 0.18);
+            let stator = voltage / (1.4 + j * turning * 0.18 + j * turning * 0.172 * rotor);
+            let flux = stator * 0.18 + stator * rotor * 0.172;
+            let torque = 1.5 * 2.0 * (flux.conj() * stator).im;
+            let found = ["torque", "current"].map(|name| run.last(name).expect("an output"));
+            let size = torque.abs().max(1.0);
+            assert!((found[0] - torque).abs() < 1e-5 * size, "{set:?}: {found:?}, not {torque}");
+            let current = stator.norm();
+            assert!((found[1] - current).abs() < 1e-6 * current, "{set:?}: {found:?}, {current}");
+        }
+    }
+}
+
+#[test]
+fn an_amplifier_gives_what_it_is_asked_for_up_to_its_limit() {
+    let text = r#"
+        [scene]
+        name = "amplified"
+        [units.amplifier]
+        unit = "electrical/amplifier"
+        inputs = { signal = "3*sin(10 [rad/s]*t)" }
+        [units.follower]
+        unit = "control/lag"
+        inputs = { input = "amplifier.voltage/1 [V]" }
+        [outputs]
+        follower = "follower.output"
+        voltage = { expression = "amplifier.voltage", unit = "V" }
+        [run]
+        until = 1.0
+        points = 101
+        rtol = 1e-9
+        method = "auto"
+    "#;
+    let scene = of_text(text, Keep::Needed);
+    for (gain, limit) in [(100.0, 100.0), (-2.0, 50.0), (30.0, 10.0)] {
+        let run = run(&scene, &[("amplifier.gain", gain), ("amplifier.limit", limit)], &[]);
+        let exact = |t: f64| (gain * 3.0 * (10.0 * t).sin()).clamp(-limit, limit);
+        let error = off(&run, "voltage", exact);
+        assert!(error < 1e-12, "{gain}, {limit}: {error:e}");
+        assert!(column(&run, "follower").iter().any(|value| *value != 0.0));
     }
 }
 

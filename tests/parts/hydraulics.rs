@@ -2,6 +2,7 @@
 
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
+use machinist_contract::Describe;
 use nalgebra::Complex;
 
 use super::{column, example, run};
@@ -25,7 +26,6 @@ fn a_closed_cylinder_keeps_its_oil_and_swings_on_it() {
                     .rtol(1e-11)
                     .until(30.0 / frequency);
                 let mut state = vec![0.0; 4];
-                use machinist_contract::Describe;
                 let index = (0..4).find(|k| scene.state(*k).name == "body.v").expect("a speed");
                 state[index] = speed;
                 let run = simulation.initial_state(&state).run().expect("it runs");

@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
+use machinist_contract::{Describe, Simulator};
 use machinist_model::ModelSimulator;
 use machinist_studies::closed_form::four_bar::FOUR_BAR;
 use machinist_studies::closed_form::slider_crank::{SLIDER_CRANK, SliderCrank};
@@ -264,7 +265,6 @@ fn guides_carry_what_weight_and_curvature_ask() {
     for (number, speed) in [0.5, 3.0, 5.0, 40.0].into_iter().enumerate() {
         let mut simulation = Simulation::new(&hoop).rtol(1e-10).method(METHODS[number]);
         let mut state = vec![0.0; 4];
-        use machinist_contract::{Describe, Simulator};
         hoop.initial_state(simulation.parameter_values(), &mut state);
         let index = (0..4).find(|index| hoop.state(*index).name == "bead.v_x");
         state[index.expect("a speed")] = speed;

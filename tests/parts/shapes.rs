@@ -185,3 +185,40 @@ fn a_load_at_an_angle_takes_its_work_from_the_flywheel() {
     let still = run(&scene, &[("load.peak_torque", 0.0)], &[]);
     assert!(off(&still, "speed", |_| 20.0) < 1e-12);
 }
+
+/// y'' = W^2 (s - y) of the chain's way y at the load, which is driven by s = r w t + A sin(z w t).
+#[test]
+fn a_chain_shakes_its_load_by_its_polygon() {
+    let scene = example("rotational/chain", Keep::Needed);
+    for (teeth, pitch) in [(8.0, 0.05), (17.0, 0.0127), (40.0, 0.01)] {
+        for stiffness in [1e4, 1e6] {
+            for polygon in [0.0, 1.0] {
+                // The other sprocket is all but round.
+                let set = [
+                    ("chain.teeth_a", teeth),
+                    ("chain.teeth_b", 3000.0),
+                    ("chain.pitch", pitch),
+                    ("chain.stiffness", stiffness),
+                    ("chain.damping", 0.0),
+                    ("chain.polygon", polygon),
+                    ("loaded", teeth * 10.0 / 3000.0),
+                    ("load.inertia", 2e3 * pitch * pitch * 1e3),
+                ];
+                let run = run(&scene, &set, &[]);
+                let radius = 3000.0 * pitch / TAU;
+                let own = (stiffness * radius * radius / (2e6 * pitch * pitch)).sqrt();
+                let (meshing, size) =
+                    (10.0 * teeth, polygon * pitch / (PI * (teeth * teeth - 1.0)));
+                let forced = size * own * own / (own * own - meshing * meshing);
+                let free = -forced * meshing / own;
+                let mean = teeth * 10.0 / 3000.0;
+                let exact = |t: f64| {
+                    let shaken = forced * meshing * (meshing * t).cos();
+                    mean + (shaken + free * own * (own * t).cos()) / radius
+                };
+                let error = off(&run, "load", exact);
+                assert!(error < 1e-6, "{teeth}, {stiffness}, {polygon}: {error:e}");
+            }
+        }
+    }
+}

@@ -256,14 +256,16 @@ fn checks_of_outputs_change_no_equation() {
 #[test]
 fn examples_of_parts_pass_their_automatic_checks() {
     let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes");
-    let parts = ["control", "electrical", "rotational", "sources", "translational"];
+    let parts =
+        ["control", "electrical", "hydraulic", "planar", "rotational", "sources", "translational"];
     let parts = parts.map(|folder| format!("parts/{folder}"));
-    let folders = parts.iter().map(String::as_str).chain(["drives", "msl"]);
+    let folders = parts.iter().map(String::as_str).chain(["drives", "linkages", "msl"]);
     let mut wrong = Vec::new();
     for folder in folders {
         let mut files: Vec<PathBuf> = fs::read_dir(scenes.join(folder))
             .expect("a folder")
             .map(|entry| entry.expect("an entry").path())
+            .filter(|path| path.is_file())
             .collect();
         files.sort();
         for file in &files {

@@ -176,7 +176,8 @@ impl<'a> Watch<'a> {
         method: &mut M,
         until: f64,
     ) -> Option<(usize, f64)> {
-        inner.parts.fill(self.system, method, (inner.time, until), &inner.start);
+        let start = (&inner.start[..], &inner.sides[..]);
+        inner.parts.fill(self.system, method, (inner.time, until), start);
         inner.outcomes.clear();
         for (index, side) in inner.sides.iter().enumerate() {
             let direction = self.direction(index);

@@ -1,10 +1,12 @@
 //! Controllers and motors against their closed forms.
 
+use std::f64::consts::TAU;
+
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
 use nalgebra::Complex;
 
-use super::{column, example, off, run};
+use super::{METHODS, column, example, off, run};
 use crate::own_scene::{of_specs, of_text};
 
 #[test]
@@ -218,6 +220,163 @@ fn a_winch_of_standard_parts_lifts_and_holds_its_load() {
                 let most = (1e-3 + 100.0 * rtol) * torque;
                 assert!((held - torque).abs() < most, "{what}: {held} at {time}");
             }
+        }
+    }
+}
+
+const ON_A_CONVERTER: &str = r#"
+[scene]
+name = "on_a_converter"
+[units.converter]
+unit = "electrical/converter"
+inputs = { frequency = "frequency" }
+[units.motor]
+unit = "electrical/induction_motor"
+inputs = { voltage_x = "converter.voltage", voltage_y = "0 [V]", axes_speed = "converter.speed" }
+[units.drive]
+unit = "sources/speed"
+inputs = { speed = "given" }
+[[joints]]
+connect = ["motor.a", "drive.a"]
+[parameters]
+frequency = { value = 50.0, unit = "Hz" }
+given = { value = 40.0, unit = "rad/s" }
+[initial]
+"motor.omega" = "given"
+[outputs]
+torque = "motor.torque"
+current = "motor.current"
+[run]
+until = 6.0
+points = 2
+rtol = 1e-9
+method = "auto"
+"#;
+
+/// What is settled, by the equivalent circuit: (R_s + j w L_s) I_s + j w M I_r = U,
+/// (R_r + j s L_r) I_r + j s M I_s = 0 for the slip speed s.
+#[test]
+fn an_induction_motor_on_a_converter_settles_as_its_equivalent_circuit() {
+    let scene = of_text(ON_A_CONVERTER, Keep::Needed);
+    for (number, frequency) in [-50.0, 3.0, 20.0, 50.0, 90.0].into_iter().enumerate() {
+        for slip in [-0.3, -0.02, 0.05, 1.0] {
+            let turning = TAU * frequency;
+            let given = turning * (1.0 - slip) / 2.0;
+            let set = [("frequency", frequency), ("given", given)];
+            let method = [Method::Auto, Method::Radau, Method::Dop853][number % 3];
+            let run = set
+                .into_iter()
+                .try_fold(Simulation::new(&scene), |run, (name, value)| run.parameter(name, value))
+                .expect("parameters")
+                .method(method)
+                .run()
+                .unwrap_or_else(|error| panic!("{set:?} {method}: {error}"));
+            let voltage = f64::min(15.0 + 310.0 * f64::abs(frequency) / 50.0, 325.0);
+            let j = Complex::i();
+            let rotor = -j * (slip * turning) * 0.172 / (1.2 + j * (slip * turning) * 0.18);
+            let stator = voltage / (1.4 + j * turning * 0.18 + j * turning * 0.172 * rotor);
+            let flux = stator * 0.18 + stator * rotor * 0.172;
+            let torque = 1.5 * 2.0 * (flux.conj() * stator).im;
+            let found = ["torque", "current"].map(|name| run.last(name).expect("an output"));
+            let size = torque.abs().max(1.0);
+            assert!((found[0] - torque).abs() < 1e-5 * size, "{set:?}: {found:?}, not {torque}");
+            let current = stator.norm();
+            assert!((found[1] - current).abs() < 1e-6 * current, "{set:?}: {found:?}, {current}");
+        }
+    }
+}
+
+#[test]
+fn an_amplifier_gives_what_it_is_asked_for_up_to_its_limit() {
+    let text = r#"
+        [scene]
+        name = "amplified"
+        [units.amplifier]
+        unit = "electrical/amplifier"
+        inputs = { signal = "3*sin(10 [rad/s]*t)" }
+        [units.follower]
+        unit = "control/lag"
+        inputs = { input = "amplifier.voltage/1 [V]" }
+        [outputs]
+        follower = "follower.output"
+        voltage = { expression = "amplifier.voltage", unit = "V" }
+        [run]
+        until = 1.0
+        points = 101
+        rtol = 1e-9
+        method = "auto"
+    "#;
+    let scene = of_text(text, Keep::Needed);
+    for (gain, limit) in [(100.0, 100.0), (-2.0, 50.0), (30.0, 10.0)] {
+        let run = run(&scene, &[("amplifier.gain", gain), ("amplifier.limit", limit)], &[]);
+        let exact = |t: f64| (gain * 3.0 * (10.0 * t).sin()).clamp(-limit, limit);
+        let error = off(&run, "voltage", exact);
+        assert!(error < 1e-12, "{gain}, {limit}: {error:e}");
+        assert!(column(&run, "follower").iter().any(|value| *value != 0.0));
+    }
+}
+
+/// Height of the slider of the press at an angle of its crank, and its slope.
+fn height(angle: f64) -> (f64, f64) {
+    let (sin, cos) = angle.sin_cos();
+    let along = (0.25f64.powi(2) - (0.05 * cos).powi(2)).sqrt();
+    (0.05 * sin - along, 0.05 * cos - 0.0025 * sin * cos / along)
+}
+
+/// What is decided while things slip and stick is the same by any method: when the belt grips,
+/// how far the press turns, and where and by what it is held.
+#[test]
+fn a_press_of_standard_parts_starts_works_and_stops() {
+    let scene = of_specs("drives/press", Keep::Needed);
+    let run = |method: Method, rtol: f64| {
+        let run = Simulation::new(&scene).method(method).rtol(rtol).with_energy_balance(true).run();
+        run.unwrap_or_else(|error| panic!("{method} at {rtol:e}: {error}"))
+    };
+    let exact = run(Method::Dop853, 1e-11);
+    for method in METHODS {
+        for rtol in [1e-5, 1e-8] {
+            let run = run(method, rtol);
+            let what = format!("{method} at {rtol:e}");
+            // The belt slips by Euler and Eytelwein until it grips.
+            let first = |name: &str| {
+                let found = run.switches.iter().find(|switch| switch.event == name);
+                found.unwrap_or_else(|| panic!("{what}: no {name}")).time
+            };
+            let (slips, grips) = (first("belt.breaks_back"), first("belt.ends_back"));
+            assert!(slips < 0.01 && grips > 0.1, "{what}: {slips}, {grips}");
+            let gain = 0.4 * 1600.0 * f64::tanh(0.7) / 20.0;
+            let mut worked: f64 = 0.0;
+            for (row, time) in run.times.iter().enumerate() {
+                let at = |name: &str| column(&run, name)[row];
+                let (y, slope) = height(at("crank"));
+                assert!((at("height") - y).abs() < 1e-9, "{what} at {time}: {}", at("height"));
+                let (before, flywheel) = (row.max(1) - 1, column(&run, "flywheel"));
+                if run.times[before] > slips && *time < grips {
+                    let grown = flywheel[row] - flywheel[before];
+                    let off = (grown - gain * (time - run.times[before])).abs();
+                    assert!(off < 1e-6 + 10.0 * rtol, "{what} at {time}: {off:e}");
+                } else if *time > grips && *time < 2.0 {
+                    let rims = 0.05 * at("motor") - 0.4 * at("flywheel");
+                    assert!(rims.abs() < 1e-10, "{what} at {time}: {rims:e}");
+                }
+                worked = worked.max(at("force"));
+                if *time < 2.0 || *time > 4.7 {
+                    // Held exactly, by the moment of all weights.
+                    assert!(at("speed").abs() < 1e-12, "{what} at {time}: it creeps");
+                    let cos = at("crank").cos();
+                    let middle = 0.5 * (0.05 * cos + slope);
+                    let moment = 9.81 * (20.0 * 0.01 * cos + 8.0 * middle + 30.0 * slope);
+                    let off = (at("braked") - moment).abs();
+                    assert!(off < 1e-6 + 1e3 * rtol, "{what} at {time}: {off:e}");
+                }
+            }
+            assert!(worked > 4000.0, "{what}: {worked}");
+            for (name, size) in [("crank", 25.0), ("flywheel", 12.5), ("motor", 100.0)] {
+                let [found, exact] = [&run, &exact].map(|run| run.last(name).expect("an output"));
+                assert!((found - exact).abs() < 300.0 * rtol * size, "{what} {name}: {found}");
+            }
+            let residual = run.energy_balance.as_ref().expect("asked for").max_residual_relative();
+            assert!(residual < 1e2 * rtol, "{what}: {residual:e}");
         }
     }
 }

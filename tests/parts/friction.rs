@@ -1,23 +1,15 @@
 //! Friction that sticks exactly: when it locks, what it holds, and when it lets go.
 
-use machinist::{Method, Simulation, Trajectory};
+use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_model::ModelSimulator;
 
-use super::{column, example};
+use super::{column, example, time_of};
 use crate::own_scene::{model_of_specs, of_text};
 
 /// Zero but for the rounding with which a state is put onto a constraint, of speeds of the
 /// scale 1.
 const AT_REST: f64 = 4.0 * f64::EPSILON;
-
-/// The time of an event that happens once.
-fn time_of(run: &Trajectory, event: &str) -> f64 {
-    let times: Vec<f64> =
-        run.switches.iter().filter(|switch| switch.event == event).map(|s| s.time).collect();
-    assert_eq!(times.len(), 1, "{event}: {times:?}");
-    times[0]
-}
 
 fn orders(low: f64, high: f64, count: i32) -> impl Iterator<Item = f64> {
     (0..count).map(move |k| low * (high / low).powf(f64::from(k) / f64::from(count - 1)))

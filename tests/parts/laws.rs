@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use machinist_codegen::mechanics::reduce::Keep;
 
-use super::{column, example, off, run};
+use super::{by_small_steps, column, contact, example, off, run};
 
 /// Ratios, stiffnesses and the like over orders of magnitude, the same at every run.
 fn sweep(low: f64, high: f64, count: i32) -> impl Iterator<Item = f64> {
@@ -449,32 +449,6 @@ fn imposed_motions_take_the_force_that_they_should() {
             assert!(error < 1e-7, "{name} {inertia}: {error:e}");
         }
     }
-}
-
-/// Small steps of Heun's method.
-fn by_small_steps<const N: usize>(
-    mut state: [f64; N],
-    until: f64,
-    steps: usize,
-    rate: impl Fn(f64, &[f64; N]) -> [f64; N],
-) -> [f64; N] {
-    let step = until / steps as f64;
-    for number in 0..steps {
-        let time = step * number as f64;
-        let first = rate(time, &state);
-        let mut trial = state;
-        (0..N).for_each(|index| trial[index] += step * first[index]);
-        let second = rate(time + step, &trial);
-        (0..N).for_each(|index| state[index] += 0.5 * step * (first[index] + second[index]));
-    }
-    state
-}
-
-/// Force of a contact pressed by `depth`, which `rate` lets grow: k depth, and a damper that
-/// never exceeds it.
-fn contact(stiffness: f64, damping: f64, depth: f64, rate: f64) -> f64 {
-    let elastic = stiffness * depth.max(0.0);
-    elastic + (damping * rate).clamp(-elastic, elastic)
 }
 
 #[test]

@@ -25,6 +25,10 @@ pub(super) struct Parts {
     count: usize,
     state: Vec<f64>,
     one: [Vec<f64>; 2],
+    /// How fast the rate of each guard changed where last looked at.
+    bends: Vec<f64>,
+    /// The largest value that each guard has had.
+    sizes: Vec<f64>,
 }
 
 /// A guard to be looked at.
@@ -60,18 +64,100 @@ impl Parts {
         let none = Vec::new;
         let (times, guards, rates) = (none(), none(), none());
         let (ends, state) = ((f64::NEG_INFINITY, f64::INFINITY), vec![0.0; states]);
-        Self { ends, times, guards, rates, events, count, state, one }
+        let [bends, sizes] = [vec![0.0; count], vec![0.0; count]];
+        Self { ends, times, guards, rates, events, count, state, one, bends, sizes }
     }
 
-    /// Looks at a step of `method`.
+    /// Looks at a step of `method`, in parts so short that guards between their ends are as
+    /// these and their rates foretell: what goes round passes and comes back within a step.
     pub(super) fn fill<M: OneStep>(
+        &mut self,
+        system: &System<'_>,
+        method: &mut M,
+        span: (f64, f64),
+        (start, sides): (&[f64], &[Side]),
+    ) {
+        /// In so many times more parts at most: a guard that jumps is never foretold.
+        const FINEST: usize = 32;
+        let mut finer = 1;
+        loop {
+            self.fill_parts(system, method, span, start, finer * method.parts());
+            if finer >= FINEST || self.is_foretold(system, method, sides) {
+                break;
+            }
+            finer *= 2;
+        }
+        for event in 0..self.count {
+            self.sizes[event] = self.sizes[event].max(self.largest(event));
+            let bends = (0..self.parts()).map(|part| {
+                let change = self.rate(part + 1, event) - self.rate(part, event);
+                (change / (self.times[part + 1] - self.times[part])).abs()
+            });
+            self.bends[event] = bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max);
+        }
+    }
+
+    /// Whether every guard that might pass is, between the ends of parts, as the cubic through
+    /// its values and rates there has it.
+    fn is_foretold<M: OneStep>(
+        &mut self,
+        system: &System<'_>,
+        method: &mut M,
+        sides: &[Side],
+    ) -> bool {
+        /// Of what a guard goes over a step.
+        const NEAR: f64 = 0.1;
+        /// Parts are even: what goes round once a part looks as if it stood still but here.
+        const UNEVEN: f64 = 0.382;
+        let parts = self.parts();
+        let of_first = self.times[0] + UNEVEN * (self.times[1] - self.times[0]);
+        let mut uneven = None;
+        for event in (0..self.count).filter(|event| sides[*event] != Side::Idle) {
+            let values = (0..=parts).map(|part| self.guard(part, event));
+            let [least, most] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], value| {
+                [a.min(value), b.max(value)]
+            });
+            let rates = (0..=parts).map(|part| self.rate(part, event).abs()).fold(0.0, f64::max);
+            let span = self.times[parts] - self.times[0];
+            let bent = 0.5 * span * span * self.bends[event];
+            let far = (most - least).max(span * rates).max(bent);
+            let nearest = if least > 0.0 { least } else { -most };
+            if nearest > 4.0 * far || far <= AT_REST * self.largest(event) {
+                continue;
+            }
+            let room = NEAR * (most - least).max(AT_REST * self.largest(event));
+            let room = room.max(self.rounding(event));
+            let ends = |low: usize, high: usize| {
+                [low, high]
+                    .map(|part| [self.times[part], self.guard(part, event), self.rate(part, event)])
+            };
+            let mut odd = (1..parts).step_by(2);
+            if !odd.all(|part| {
+                let foretold = cubic(ends(part - 1, part + 1), self.times[part]);
+                is_near(foretold, self.guard(part, event), room)
+            }) {
+                return false;
+            }
+            let foretold = cubic(ends(0, 1), of_first);
+            if uneven.is_none() {
+                self.between(system, method, of_first, event);
+                uneven = Some(self.one[0].clone());
+            }
+            if uneven.as_ref().is_some_and(|found| !is_near(foretold, found[event], room)) {
+                return false;
+            }
+        }
+        true
+    }
+
+    fn fill_parts<M: OneStep>(
         &mut self,
         system: &System<'_>,
         method: &mut M,
         (from, until): (f64, f64),
         start: &[f64],
+        parts: usize,
     ) {
-        let parts = method.parts();
         self.times.resize(parts + 1, 0.0);
         for rows in [&mut self.guards, &mut self.rates] {
             rows.resize((parts + 1) * self.count, 0.0);
@@ -92,7 +178,8 @@ impl Parts {
     }
 
     /// Whether no guard could pass within a step that ends in state `end`: there are kinks
-    /// only, and each is further from zero at both ends than it moves in several such steps.
+    /// only, and each is further from zero at both ends than it moves in several such steps, by
+    /// its rates and by how they changed in shorter steps before.
     pub(super) fn are_far<M: OneStep>(
         &mut self,
         system: &System<'_>,
@@ -103,6 +190,7 @@ impl Parts {
         const STEPS: f64 = 4.0;
         // Between the ends of longer steps a guard may do more than its rates there tell.
         const SHORT: usize = 4;
+        const FADES: f64 = 0.9;
         if self.events > 0 || method.parts() > SHORT {
             return false;
         }
@@ -119,12 +207,20 @@ impl Parts {
             [&mut after[..self.count], &mut rates_after[..self.count]],
         );
         evaluate(system, 0, from, start, [before, rates_before]);
+        let bends = &mut self.bends;
         (0..self.count).all(|index| {
             let Side::Known(side) = sides[index] else { return false };
             let (g, h) = (before[index], after[index]);
             let (dg, dh) = (rates_before[index].abs(), rates_after[index].abs());
-            let way = ((until - from) * dg.max(dh)).max((h - g).abs());
-            side * g > STEPS * way && side * h > STEPS * way
+            let span = until - from;
+            let way = (span * dg.max(dh)).max((h - g).abs()).max(0.5 * span * span * bends[index]);
+            let is_far = side * g > STEPS * way && side * h > STEPS * way;
+            if is_far {
+                // What a longer step would not see is kept for a while.
+                let bend = (rates_after[index] - rates_before[index]).abs() / span;
+                bends[index] = bend.max(FADES * bends[index]);
+            }
+            is_far
         })
     }
 
@@ -190,12 +286,17 @@ impl Parts {
             Start::Leaves { from } => (-from, 0),
             Start::Unseen => return Outcome::Stays(side),
         };
+        let rounding = self.rounding(event);
         for part in first_part..self.parts() {
             let mut bracket = [self.times[part], self.times[part + 1]];
-            let crosses = side * self.guard(part + 1, event) < 0.0;
+            let crosses = side * self.guard(part + 1, event) < -rounding;
             let turns =
                 side * self.rate(part, event) < 0.0 && side * self.rate(part + 1, event) > 0.0;
-            if crosses {
+            let starts_beyond = side * self.guard(part, event) < 0.0;
+            if crosses && is_kink && starts_beyond && side * self.rate(part, event) <= 0.0 {
+                // By rounding it was there already as the part began.
+                side = -side;
+            } else if crosses {
                 if side * self.guard(part, event) <= 0.0 && side * self.rate(part, event) > 0.0 {
                     // It sets out from zero, and is back beyond it: the top is between.
                     bracket[0] = self.turn(system, method, event, bracket, side);
@@ -207,7 +308,7 @@ impl Parts {
                 side = -side;
             } else if turns {
                 let turn = self.turn(system, method, event, bracket, -side);
-                if side * self.between(system, method, turn, event).0 < 0.0 {
+                if side * self.between(system, method, turn, event).0 < -rounding {
                     let (bracket, from) = if is_wanted(direction, side) {
                         ([bracket[0], turn], side)
                     } else {
@@ -219,6 +320,14 @@ impl Parts {
             }
         }
         Outcome::Stays(Side::Known(side))
+    }
+
+    /// What of a guard of a kink may be rounding of what it compares: beyond zero by no more, it
+    /// has not passed, and the rate is the same on both sides.
+    fn rounding(&self, event: usize) -> f64 {
+        const ROUNDINGS: f64 = 64.0;
+        let size = self.sizes[event].max(self.largest(event));
+        if event < self.events { 0.0 } else { ROUNDINGS * f64::EPSILON * size }
     }
 
     fn largest(&self, event: usize) -> f64 {
@@ -317,6 +426,18 @@ impl Parts {
         }
         high
     }
+}
+
+/// The cubic through two times, values and rates, at a time between.
+fn cubic([[from, low, low_rate], [until, high, high_rate]]: [[f64; 3]; 2], time: f64) -> f64 {
+    let span = until - from;
+    let (s, left) = ((time - from) / span, (until - time) / span);
+    let ends = left * left * (1.0 + 2.0 * s) * low + s * s * (3.0 - 2.0 * s) * high;
+    ends + span * s * left * (left * low_rate - s * high_rate)
+}
+
+fn is_near(foretold: f64, found: f64, room: f64) -> bool {
+    (foretold - found).abs() <= room
 }
 
 /// Guards of so many events and of all kinks at a state.

@@ -94,8 +94,8 @@ fn size(simulator: &dyn Simulator<f64>, index: usize, values: &[f64]) -> f64 {
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);
     let greatest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let far = greatest - least;
-    // What moves by rounding alone stays.
-    let stays = far <= 1e-9 * greatest.abs().max(least.abs()).max(1e-9 * scale);
+    // What moves by rounding alone stays, as what a constraint holds at zero.
+    let stays = far <= f64::max(1e-9 * greatest.abs().max(least.abs()), 1e-12 * scale);
     if stays { scale } else { far.min(scale) }
 }
 

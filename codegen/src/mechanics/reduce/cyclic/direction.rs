@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use machinist_model::Function as Unary;
 use machinist_model::evaluate::call;
 use num_rational::BigRational;
-use num_traits::ToPrimitive as _;
+use num_traits::{Signed as _, ToPrimitive as _};
 
 use crate::cas::{Cas, Form};
 use crate::expr::{CoordinateId, Expr, Function, ParameterId, Symbol, identity, operations};
@@ -104,9 +104,8 @@ pub(super) fn find(
         Some(directions) => directions,
         None => null_space(cas, &functions, &numbers.rows, live)?,
     };
-    let directions: Option<Vec<Direction>> =
-        directions.into_iter().map(|s| cheapest(cas, live, &s)).collect();
-    directions?.into_iter().find(|direction| {
+    let mut directions = directions.into_iter().filter_map(|s| cheapest(cas, live, &s));
+    directions.find(|direction| {
         let mut dynamics = equations.dynamics();
         dynamics.all(|expr| is_invariant(expr, direction))
     })
@@ -492,7 +491,26 @@ fn subtract(cas: &mut Cas, row: &mut [Form], lead: usize, known: &[Form]) -> Opt
     Some(())
 }
 
-/// The direction of a vector with the pivot that makes its factors cheapest.
+/// Whether a ratio divides by a function of parameters, such as the sine of an angle, which is
+/// zero at values that make sense.
+fn may_be_infinite(ratio: &Expr) -> bool {
+    let is_parameter = |symbol| matches!(symbol, Symbol::Parameter(_));
+    let mut found = false;
+    ratio.visit(&mut |part| match part {
+        Expr::Power(base, exponent) if !matches!(&**exponent, Expr::Number(n) if n.is_positive()) =>
+        {
+            base.visit(&mut |part| {
+                found |= matches!(part, Expr::Call(..)) && part.mentions(is_parameter);
+            });
+        }
+        Expr::Call(Function::Tan, _) => found |= part.mentions(is_parameter),
+        _ => {}
+    });
+    found
+}
+
+/// The direction of a vector with the pivot that makes its factors cheapest; none where a factor
+/// may be infinite.
 fn cheapest(cas: &mut Cas, coordinates: &[CoordinateId], s: &[Expr]) -> Option<Direction> {
     let support: Vec<usize> = (0..s.len()).filter(|k| !identity::is_zero(&s[*k])).collect();
     let mut best: Option<(usize, Direction)> = None;
@@ -507,6 +525,9 @@ fn cheapest(cas: &mut Cas, coordinates: &[CoordinateId], s: &[Expr]) -> Option<D
             })
             .collect();
         let others = others?;
+        if others.iter().any(|(_, factor)| may_be_infinite(factor)) {
+            continue;
+        }
         let cost = others.iter().map(|(_, factor)| operations(factor)).sum();
         if best.as_ref().is_none_or(|(least, _)| cost < *least) {
             best = Some((cost, Direction { pivot: coordinates[*pivot], others }));

@@ -7,6 +7,7 @@ mod build;
 pub mod cas;
 pub mod emit;
 pub mod expr;
+pub mod independent;
 pub mod lower;
 pub mod mechanics;
 pub mod pipeline;

@@ -19,6 +19,8 @@ mod solve;
 mod tree;
 
 #[cfg(test)]
+mod faulty;
+#[cfg(test)]
 mod systems;
 #[cfg(test)]
 mod tests;

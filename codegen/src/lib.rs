@@ -3,6 +3,9 @@
 //!
 //! The straight line is [`pipeline`]; each stage takes the previous one's type.
 
+#[macro_use]
+mod faults;
+
 mod build;
 pub mod cas;
 pub mod emit;

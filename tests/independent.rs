@@ -5,9 +5,11 @@ use std::path::{Path, PathBuf};
 
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist_codegen::independent::{Comparison, Deviation, elements};
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_codegen::scene::system::LagrangianSystem;
 use machinist_contract::Simulator;
+use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;
 use machinist_studies::double_double::DoubleDouble;
 
@@ -36,6 +38,87 @@ fn assert_small(name: &str, found: &Deviation) {
     println!("{name}: {:.1e} of {}, {}", found.error, found.compared, found.place);
     assert!(found.error <= LIMIT, "{name}: {found:?}");
     assert!(found.compared > PLACES, "{name}: {found:?}");
+}
+
+/// Rotors on a belt that is taken for rigid, one on a spring, the other driven and braked.
+const FROZEN: &str = r#"
+[scene]
+name = "frozen"
+source = "Textbook."
+
+[units.a]
+unit = "rotational/inertia"
+parameters = { inertia = 2 }
+
+[units.b]
+unit = "rotational/inertia"
+
+[units.belt]
+unit = "rotational/belt"
+
+[units.spring]
+unit = "rotational/spring"
+
+[units.wall]
+unit = "rotational/fixed"
+
+[units.drive]
+unit = "sources/torque"
+inputs = { torque = "3 [N m]*sin(2 [1/s]*t) - 0.3 [N m s^2]*a.omega^2" }
+
+[[joints]]
+connect = ["drive.a", "a.a"]
+
+[[joints]]
+connect = ["a.b", "belt.a"]
+
+[[joints]]
+connect = ["belt.b", "b.a"]
+
+[[joints]]
+connect = ["b.b", "spring.a"]
+
+[[joints]]
+connect = ["spring.b", "wall.a"]
+
+[outputs]
+a = "a.omega"
+b = { expression = "b.alpha - 2*a.alpha", unit = "rad/s^2" }
+
+[freeze]
+rigid = ["belt"]
+tolerance = 0.1
+
+[run]
+until = 1.0
+points = 11
+rtol = 1e-6
+method = "dop853"
+"#;
+
+#[test]
+fn what_is_taken_for_rigid_follows_as_its_spring_at_rest_says() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("frozen.toml");
+    std::fs::write(&path, FROZEN).expect("written");
+    let mut system = pipeline::check(&path).unwrap_or_else(|errors| panic!("{}", errors.render()));
+    for (keep, states) in [(Keep::All, 4), (Keep::Exact, 4), (Keep::Needed, 2)] {
+        let model = pipeline::compile(system.clone(), keep)
+            .unwrap_or_else(|errors| panic!("{}", errors.render()));
+        assert_eq!(model.states.len(), states);
+        let simulator = ModelSimulator::new(model);
+        let mut own = system.clone();
+        if keep < Keep::Needed {
+            own.freeze.rigid.clear();
+        }
+        assert_small("frozen", &deviation(&own, &simulator));
+    }
+    // Another machine is none of these.
+    let model = pipeline::compile(system.clone(), Keep::Needed);
+    let model = model.unwrap_or_else(|errors| panic!("{}", errors.render()));
+    let simulator = ModelSimulator::new(model);
+    system.generalized_force.swap(0, 1);
+    assert!(deviation(&system, &simulator).error > 1e-3);
 }
 
 #[test]

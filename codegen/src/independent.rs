@@ -10,13 +10,13 @@
 
 mod compare;
 pub mod elements;
+mod formula;
 mod hyper;
 mod lift;
 mod motion;
 mod random;
 mod rounded;
 mod solve;
-mod tree;
 
 #[cfg(test)]
 mod faulty;

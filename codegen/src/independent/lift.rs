@@ -12,10 +12,10 @@
 use machinist_contract::{Real, Simulator, StateKind};
 
 use super::compare::{At, Unlike};
+use super::formula::Formula;
 use super::motion::{Machine, Place};
 use super::random::Random;
 use super::solve::inverse;
-use super::tree::Formula;
 use crate::expr::Expr;
 use crate::scene::system::{FirstOrderState, LagrangianSystem};
 

@@ -11,10 +11,10 @@
 
 use machinist_contract::Real;
 
+use super::formula::{Formula, pi};
 use super::hyper::Hyper;
 use super::rounded::Rounded;
 use super::solve::inverse;
-use super::tree::{Formula, pi};
 use crate::expr::{ConstraintId, CoordinateId, FirstOrderId, Symbol};
 use crate::scene::system::LagrangianSystem;
 use machinist_model::Table;

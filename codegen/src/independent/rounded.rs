@@ -27,9 +27,11 @@ impl<R: Real> Rounded<R> {
         Self { value, size: value.abs() }
     }
 
-    /// f(x) and f'(x).
+    /// f(x) and f'(x), which may be infinite where x is exact.
     fn through(self, f: R, slope: R) -> Self {
-        Self { value: f, size: f.abs() + slope.abs() * self.size }
+        let zero = R::literal(0.0);
+        let share = R::select_less(zero, self.size, slope.abs() * self.size, zero);
+        Self { value: f, size: f.abs() + share }
     }
 }
 
@@ -161,6 +163,8 @@ mod tests {
         assert!(sum.value.abs() < 1e-300 && (sum.size - 6.0).abs() < 1e-15);
         let product = sum * x;
         assert!((product.size - 18.0).abs() < 1e-14);
+        let root = Rounded::<f64>::literal(0.0).sqrt();
+        assert!(root.size.abs() < 1e-300);
         // sin x at a zero: what rounds it is the angle.
         let zero = Rounded::<f64>::literal(std::f64::consts::PI).sin();
         assert!((zero.size - std::f64::consts::PI).abs() < 1e-14);

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use machinist_model::{Freeze, Name, Quantity, RunDefaults};
+use machinist_model::{Freeze, Name, Quantity, RunDefaults, Table, TableId};
 use num_rational::BigRational;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -53,6 +53,9 @@ pub struct Recipe {
 
 const PARAMETERS: usize = 6;
 const MODES: usize = 1;
+/// Functions that terms are made of, and the first of the rarer ones.
+const FUNCTIONS: u8 = 28;
+const COMMON: u8 = 16;
 
 /// Systems of one to six coordinates, of up to so many terms of a kind; few of the large ones.
 pub fn recipes(most: usize) -> impl Strategy<Value = Recipe> {
@@ -74,11 +77,16 @@ pub fn recipes(most: usize) -> impl Strategy<Value = Recipe> {
     let energies = (pieces(most), pieces(most), pieces(most + 1), pieces(most));
     let others = (pieces(most), pieces(most + 1), vec(held, 0..=2), pieces(most + 1));
     (shape, energies, others).prop_map(|(shape, energies, others)| {
-        let (coordinates, states, relative, tunable, keep) = shape;
+        let (coordinates, states, mut relative, tunable, keep) = shape;
         let (kinetic, gyroscopic, potential, dissipation) = energies;
         let (forces, rates, mut constraints, outputs) = others;
         // Each holds another coordinate, and one is left to move.
         constraints.truncate(coordinates - 1);
+        // Positions are left out of what has no constraints only.
+        if keep == Keep::Exact && tunable >= 64 {
+            constraints.clear();
+            relative = relative.or(Some(0));
+        }
         Recipe {
             coordinates,
             states,
@@ -99,7 +107,8 @@ pub fn recipes(most: usize) -> impl Strategy<Value = Recipe> {
 
 fn piece() -> impl Strategy<Value = Piece> {
     let factor = prop_oneof![-6..=-1_i8, 1..=6_i8];
-    (0..16_u8, any::<[u8; 3]>(), factor).prop_map(|(function, of, factor)| Piece {
+    let function = prop_oneof![3 => 0..COMMON, 1 => COMMON..FUNCTIONS];
+    (function, any::<[u8; 3]>(), factor).prop_map(|(function, of, factor)| Piece {
         function,
         of,
         factor,
@@ -196,6 +205,22 @@ impl Recipe {
                 let half = Expr::Number(BigRational::new(1.into(), 2.into()));
                 Expr::Call(Function::SelectLess, vec![mode, half, x, y])
             }
+            // Roots of what is negative half of the time, multiplied out again.
+            16 => power(square(x), 1),
+            17 => power(square(difference), 3),
+            18 => call(Function::Abs, product(vec![x, y])),
+            19 => call(Function::Ln, plus(2, square(x))),
+            20 => call(Function::Asin, call(Function::Tanh, x)),
+            21 => call(Function::Sqrt, plus(1, call(Function::Cosh, x))),
+            22 => Expr::Call(Function::SelectLess, vec![x.clone(), y.clone(), x, y]),
+            23 => power(plus(3, square(difference)), -3),
+            24 => Expr::Call(Function::Table { table: TableId(0), order: 0 }, vec![x]),
+            25 => call(Function::Tan, call(Function::Atan, difference)),
+            26 => power(call(Function::Exp, x), 1),
+            27 => call(
+                Function::Exp,
+                product(vec![Expr::integer(2), call(Function::Ln, power(square(x), 1))]),
+            ),
             _ => Expr::integer(1),
         }
     }
@@ -349,7 +374,7 @@ impl Recipe {
             helpers: Vec::new(),
             outputs: (0..self.outputs.len()).map(|k| self.output(k)).collect(),
             checks: Vec::new(),
-            tables: Vec::new(),
+            tables: vec![table()],
             discontinuities: Vec::new(),
             events: Vec::new(),
             constraints: (0..self.constraints.len()).map(|k| self.constraint(k)).collect(),
@@ -365,6 +390,16 @@ impl Recipe {
             files: Vec::new(),
         }
     }
+}
+
+/// A few cubics, constant beyond 1.5.
+fn table() -> Table {
+    let knots: Vec<f64> = (0..7).map(|k| 0.5 * f64::from(k) - 1.5).collect();
+    let coefficients = (0..6_u8).map(|k| {
+        let k = f64::from(k);
+        [(2.0 * k).sin(), k.cos(), 0.3 * k - 0.7, (3.0 * k).cos()]
+    });
+    Table { name: quantity("table").name, knots, coefficients: coefficients.collect() }
 }
 
 fn parameter(index: u8) -> Expr {

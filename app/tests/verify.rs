@@ -111,6 +111,8 @@ expression = "-gain*flux^2/2"
 conversion = true
 "#;
 
+const INDEPENDENT: &str = "independent derivation";
+
 fn machinist(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_machinist"))
         .args(arguments)
@@ -174,6 +176,7 @@ fn right_machines_pass_with_their_own_checks() {
         let asked = rows.iter().filter(|(_, pass)| pass.is_some()).count();
         assert!(asked >= 10 + own, "{rows:?}");
         assert!(own == 0 || rows.iter().any(|(name, _)| name == "free_motion of x"), "{rows:?}");
+        assert!(rows.contains(&(INDEPENDENT.to_owned(), Some(true))), "{rows:?}");
     }
 }
 
@@ -235,9 +238,24 @@ fn a_model_file_gives_the_rows_of_its_spec() {
     let model = folder.path().join("own.model");
     let [spec, out] = [&path, &model].map(|path| path.to_str().expect("a path"));
     assert_eq!(machinist(&["compile", spec, "--out", out]).status.code(), Some(0));
-    let [of_spec, of_model] = [spec, out].map(|path| machinist(&["verify", path, "--json"]).stdout);
-    assert!(!of_spec.is_empty());
-    assert_eq!(of_spec, of_model);
+    let [of_spec, of_model] = [spec, out].map(|path| {
+        let text = machinist(&["verify", path, "--json"]).stdout;
+        let rows: Vec<serde_json::Value> = serde_json::from_slice(&text).expect("rows");
+        let (independent, others): (Vec<_>, Vec<_>) =
+            rows.into_iter().partition(|row| row["check"] == INDEPENDENT);
+        (others, independent[0].get("skipped").is_some())
+    });
+    assert!(!of_spec.0.is_empty());
+    assert_eq!(of_spec.0, of_model.0);
+    assert_eq!([of_spec.1, of_model.1], [false, true], "a model has no spec");
+}
+
+#[test]
+fn a_scene_with_fields_is_derived_independently_in_few_elements() {
+    let scene =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes/shaft_with_rotors.toml");
+    let (_, rows) = rows(&scene, &["--only", INDEPENDENT]);
+    assert_eq!(rows, [(INDEPENDENT.to_owned(), Some(true))]);
 }
 
 #[test]

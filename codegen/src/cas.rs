@@ -104,6 +104,8 @@ where
         sender
     });
     let (sender, receiver) = mpsc::channel();
+    #[cfg(test)]
+    let job = crate::faults::carried(job);
     let job: Job = Box::new(move |cas| Box::new(job(cas)));
     worker.send((purpose.to_owned(), job, sender)).map_err(|_| CasError::Gone)?;
     match receiver.recv().map_err(|_| CasError::Gone)?? {

@@ -1,6 +1,8 @@
 //! `machinist verify`: every check of every built-in scene, or of one machine of the
 //! user's own, and whether it passes.
 
+#[cfg(feature = "derive")]
+mod independent;
 mod machine;
 
 use clap::Args;

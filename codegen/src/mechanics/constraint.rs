@@ -51,10 +51,12 @@ impl Constraints {
                 (Expr::integer(0), form, row)
             };
             let slopes = by(cas, &rate, Symbol::Coordinate);
-            let gamma = -&along(cas, &rate, &slopes, &ids);
+            let bend = along(cas, &rate, &slopes, &ids);
+            let gamma = unless_faulty!(Gamma, -&bend, bend);
             constraints.values.push(value);
             constraints.rates.push(cas.simplify(&rate));
-            constraints.matrix.push(row.iter().map(|entry| cas.simplify(entry)).collect());
+            let line = unless_faulty!(Border, row, first_negative(row));
+            constraints.matrix.push(line.iter().map(|entry| cas.simplify(entry)).collect());
             constraints.accelerations.push(cas.simplify(&gamma));
             let holds = cas.form(&constraint.holds());
             constraints.holds.push(cas.expr(&holds));
@@ -135,9 +137,17 @@ impl Constraints {
     }
 }
 
+/// The fault of one entry of G.
+#[cfg(test)]
+fn first_negative(mut row: Vec<Form>) -> Vec<Form> {
+    row[0] = -&row[0];
+    row
+}
+
 /// dx/dt of what does not depend on velocities, or its part without accelerations.
 fn along(cas: &mut Cas, form: &Form, slopes: &[Form], ids: &[CoordinateId]) -> Form {
-    let mut rate = cas.derivative(form, Symbol::Time);
+    let rate = cas.derivative(form, Symbol::Time);
+    let mut rate = unless_faulty!(Moving, rate, -&rate);
     for (slope, id) in slopes.iter().zip(ids) {
         let velocity = cas.form(&Expr::Symbol(Symbol::Velocity(*id)));
         rate = &rate + &(slope * &velocity);

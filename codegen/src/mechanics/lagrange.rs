@@ -110,15 +110,20 @@ fn forcing(
     };
     let ids = (0..).map(CoordinateId);
     let rows = ids.zip(momenta).zip(&system.generalized_force).map(|((id, momentum), force)| {
-        let mut parts = vec![lagrangian.derivative(cas, Symbol::Coordinate(id))];
+        let slope = lagrangian.derivative(cas, Symbol::Coordinate(id));
+        let mut parts = vec![unless_faulty!(Slope, slope, -&slope)];
         for other in momentum.symbols(coordinate) {
             let coupling = momentum.derivative(cas, Symbol::Coordinate(other));
             let velocity = cas.form(&Expr::Symbol(Symbol::Velocity(other)));
-            parts.push(-&(&coupling * &velocity));
+            let part = &coupling * &velocity;
+            parts.push(unless_faulty!(Coupling, -&part, part));
         }
-        parts.extend(by_first_order(cas, system, momentum).iter().map(|part| -part));
-        parts.push(-&momentum.derivative(cas, Symbol::Time));
-        parts.push(-&dissipation.derivative(cas, Symbol::Velocity(id)));
+        let by_state = by_first_order(cas, system, momentum);
+        parts.extend(by_state.iter().map(|part| unless_faulty!(ByState, -part, part.clone())));
+        let by_time = momentum.derivative(cas, Symbol::Time);
+        parts.push(unless_faulty!(ByTime, -&by_time, by_time));
+        let friction = dissipation.derivative(cas, Symbol::Velocity(id));
+        parts.push(unless_faulty!(Dissipation, -&friction, friction));
         parts.push(cas.form(&force.total));
         let f = cas.sum(parts);
         cas.simplify(&f)
@@ -173,7 +178,8 @@ fn mass_matrix(cas: &mut Cas, momenta: &[Terms], ids: &[CoordinateId]) -> Vec<Ve
             if column < row {
                 line.push(matrix[column][row].clone());
             } else if momentum.mention(velocity) {
-                let entry = momentum.derivative(cas, velocity);
+                let slope = momentum.derivative(cas, velocity);
+                let entry = unless_faulty!(Inertia, slope, off_diagonal(slope, row == column));
                 line.push(cas.simplify(&entry));
             } else {
                 line.push(Expr::integer(0));
@@ -182,6 +188,12 @@ fn mass_matrix(cas: &mut Cas, momenta: &[Terms], ids: &[CoordinateId]) -> Vec<Ve
         matrix.push(line);
     }
     matrix
+}
+
+/// The fault of an entry beside the diagonal.
+#[cfg(test)]
+fn off_diagonal(entry: Form, is_diagonal: bool) -> Form {
+    if is_diagonal { entry } else { -&entry }
 }
 
 struct Power {

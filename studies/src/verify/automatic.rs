@@ -1,11 +1,12 @@
-//! Checks that any machine can be asked to pass, without knowing what it is: derivatives
-//! against differences, powers against energies, the run against converged ones; and the
-//! checks of its author's own.
+//! Checks that any machine can be asked to pass, without knowing what it is: the equations
+//! against those of a second derivation, derivatives against differences, powers against
+//! energies, the run against converged ones; and the checks of its author's own.
 //!
 //! What cannot be asked of a machine is a row too, which says why.
 
 mod derivatives;
 mod energy;
+mod independent;
 mod own;
 mod runs;
 mod visit;
@@ -16,6 +17,7 @@ use machinist::{Simulation, Trajectory};
 use machinist_contract::Simulator;
 
 use super::Verdict;
+pub use independent::{Difference, Independent, Look};
 pub use own::{OfTimes, OwnCheck, OwnReference};
 use visit::Visit;
 
@@ -25,6 +27,8 @@ pub struct Subject<'a> {
     pub simulation: Simulation<'a>,
     /// The same machine run in another way, or why there is none.
     pub twin: Result<&'a dyn Simulator<f64>, &'static str>,
+    /// A second derivation of its spec, or why there is none.
+    pub independent: Independent<'a>,
     /// What its author wants checked.
     pub own: Vec<OwnCheck<'a>>,
 }
@@ -68,6 +72,7 @@ impl Found {
 }
 
 const ROWS: &[Row] = &[
+    independent::INDEPENDENT,
     derivatives::BY_STATE,
     derivatives::BY_PARAMETERS,
     derivatives::BY_TIME,

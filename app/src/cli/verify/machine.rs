@@ -4,11 +4,17 @@ use machinist::{Discretisation, FieldSimulator, Simulation};
 use machinist_contract::Simulator;
 use machinist_model::{Check, Model, ModelSimulator, Reference, Running};
 use machinist_studies::verify::Verdict;
-use machinist_studies::verify::automatic::{OwnCheck, OwnReference, Subject, verify_machine};
+use machinist_studies::verify::automatic::{
+    Independent, OwnCheck, OwnReference, Subject, verify_machine,
+};
 
+#[cfg(feature = "derive")]
+use super::independent::Spec;
 use crate::cli::scene::{self, refused};
 use crate::failure::Failure;
 use crate::progress::during;
+#[cfg(not(feature = "derive"))]
+use without::Spec;
 
 /// What is changed of the run.
 pub struct Changes<'a> {
@@ -22,28 +28,60 @@ pub struct Changes<'a> {
 
 /// Every check of a scene file or a model file.
 pub fn verify(argument: &str, changes: &Changes<'_>) -> Result<Vec<Verdict>, Failure> {
-    let model = scene::model_of(argument)?;
+    let (model, spec) = given(argument)?;
+    let spec = spec.as_ref().map_err(String::clone);
     let own = ModelSimulator::new(model.clone());
     let interpreted = ModelSimulator::interpreted(model.clone());
     let is_compiled = own.running() == Running::Compiled;
     if model.fields.is_empty() {
-        return verify_both(&model, &own, is_compiled.then_some(&interpreted), changes);
+        let independent = |parameters: &[f64]| spec.clone()?.against(&own, parameters);
+        let ways = Ways { simulator: &own, twin: &interpreted, is_compiled };
+        return verify_both(&model, &ways, &independent, changes);
     }
+    let independent = |parameters: &[f64]| spec.clone()?.against_fields(&own, parameters);
     let cut = |scene| FieldSimulator::new(scene, Discretisation::default());
-    let [own, interpreted] = [cut(&own), cut(&interpreted)];
-    let own = own.map_err(|error| refused(&error))?;
-    let interpreted = interpreted.map_err(|error| refused(&error))?;
-    let twin: &dyn Simulator<f64> = &interpreted;
-    verify_both(&model, &own, is_compiled.then_some(twin), changes)
+    let [simulator, twin] = [cut(&own), cut(&interpreted)];
+    let simulator = simulator.map_err(|error| refused(&error))?;
+    let twin = twin.map_err(|error| refused(&error))?;
+    let ways = Ways { simulator: &simulator, twin: &twin, is_compiled };
+    verify_both(&model, &ways, &independent, changes)
 }
 
-fn verify_both(
+/// The model of an argument and its spec, or why there is none.
+#[cfg(feature = "derive")]
+fn given(argument: &str) -> Result<(Model, Result<Spec, String>), Failure> {
+    match scene::Given::of(argument)? {
+        scene::Given::Model(stamped) => Ok((stamped.model, Err(NO_SPEC.to_owned()))),
+        scene::Given::Spec(path) => {
+            let model = scene::model_of(argument)?;
+            let spec = Spec::of(&path, &model)?;
+            Ok((model, spec))
+        }
+    }
+}
+
+/// This program reads no specs.
+#[cfg(not(feature = "derive"))]
+fn given(argument: &str) -> Result<(Model, Result<Spec, String>), Failure> {
+    Ok((scene::model_of(argument)?, Err(NO_SPEC.to_owned())))
+}
+
+const NO_SPEC: &str = "a model file has no spec to derive from again";
+
+/// A machine in both ways of running it.
+struct Ways<'a> {
+    simulator: &'a dyn Simulator<f64>,
+    twin: &'a dyn Simulator<f64>,
+    is_compiled: bool,
+}
+
+fn verify_both<'a>(
     model: &Model,
-    simulator: &dyn Simulator<f64>,
-    twin: Option<&dyn Simulator<f64>>,
+    ways: &Ways<'_>,
+    independent: &dyn Fn(&[f64]) -> Independent<'a>,
     changes: &Changes<'_>,
 ) -> Result<Vec<Verdict>, Failure> {
-    let mut simulation = Simulation::new(simulator);
+    let mut simulation = Simulation::new(ways.simulator);
     for (name, value) in changes.parameters {
         simulation = simulation.parameter(name, *value)?;
     }
@@ -55,8 +93,10 @@ fn verify_both(
     }
     let parameters = simulation.parameter_values().to_vec();
     let own = model.checks.iter().map(|check| own_check(check, &parameters)).collect();
+    let twin = ways.is_compiled.then_some(ways.twin);
     let twin = twin.ok_or("models are not compiled on this machine");
-    let subject = Subject { simulation, twin, own };
+    let independent = independent(&parameters);
+    let subject = Subject { simulation, twin, independent, own };
     Ok(during("verifying", || verify_machine(&subject)))
 }
 
@@ -75,5 +115,26 @@ fn own_check<'a>(check: &'a Check, parameters: &'a [f64]) -> OwnCheck<'a> {
         tolerance: check.tolerance,
         absolute: check.absolute,
         reference,
+    }
+}
+
+/// What stands for specs where there are none.
+#[cfg(not(feature = "derive"))]
+mod without {
+    use machinist_contract::Simulator;
+    use machinist_model::ModelSimulator;
+    use machinist_studies::verify::automatic::Independent;
+
+    #[derive(Clone, Copy)]
+    pub enum Spec {}
+
+    impl Spec {
+        pub fn against<'a>(self, _: &'a dyn Simulator<f64>, _: &[f64]) -> Independent<'a> {
+            match self {}
+        }
+
+        pub fn against_fields<'a>(self, _: &'a ModelSimulator, _: &[f64]) -> Independent<'a> {
+            match self {}
+        }
     }
 }

@@ -164,7 +164,8 @@ fn rewrite_states(equations: &mut EquationsOfMotion, direction: &Direction, is_a
         let Some(at) = place(&layout.states, *id) else { continue };
         let state = &mut layout.states[at];
         let without = |own: &Expr, pivot: &Expr| {
-            let part = Expr::Product(vec![Expr::integer(-1), factor.clone(), pivot.clone()]);
+            let sign = Expr::integer(unless_faulty!(Relative, -1, 1));
+            let part = Expr::Product(vec![sign, factor.clone(), pivot.clone()]);
             Expr::Sum(vec![own.clone(), part])
         };
         state.initial = without(&state.initial, &pivot_state.initial);

@@ -43,7 +43,8 @@ pub(super) fn fix(equations: EquationsOfMotion) -> Step {
 fn number(symbol: Symbol, fixed: &BTreeSet<ParameterId>, values: &[f64]) -> Option<Expr> {
     match symbol {
         Symbol::Parameter(id) if fixed.contains(&id) => {
-            Some(Expr::Number(exact(values[id.0 as usize])))
+            let value = exact(values[id.0 as usize]);
+            Some(Expr::Number(unless_faulty!(Fixed, value, -value)))
         }
         _ => None,
     }

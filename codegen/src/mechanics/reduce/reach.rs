@@ -164,6 +164,7 @@ impl Kept {
         }
         for GeneralizedForce { total, conversion } in &mut part.generalized_force {
             (*total, *conversion) = (held(total), held(conversion));
+            *total = unless_faulty!(Sliced, total.clone(), negative_of(total));
         }
         for state in &mut part.first_order {
             state.rate = held(&state.rate);
@@ -282,6 +283,12 @@ fn blocks(equations: &EquationsOfMotion) -> Vec<usize> {
         held.windows(2).for_each(|pair| join(pair[0], pair[1]));
     }
     block
+}
+
+/// The fault of a force.
+#[cfg(test)]
+fn negative_of(expr: &Expr) -> Expr {
+    Expr::Product(vec![Expr::integer(-1), expr.clone()])
 }
 
 fn moving(symbol: Option<Symbol>) -> Expr {

@@ -38,7 +38,8 @@ impl Direction {
 
     /// Any expression by relative positions and the pivot.
     pub(super) fn absolute(&self, expr: &Expr) -> Expr {
-        self.shifted(expr, Symbol::Coordinate(self.pivot), false)
+        let by = Symbol::Coordinate(self.pivot);
+        unless_faulty!(Absolute, self.shifted(expr, by, false), self.relative(expr))
     }
 
     /// q + a s/s_r in place of q; the pivot itself only if asked for.

@@ -1,0 +1,194 @@
+//! Expressions of a composed scene, as they stand, on numbers that carry derivatives.
+//!
+//! Excluded: any change of an expression. A sum is taken apart into its terms, so that only
+//! those that mention something are asked for its derivative; nothing else is done to it.
+
+use std::collections::BTreeSet;
+
+use machinist_contract::{CubicTable, Real};
+use machinist_model::{Function as Unary, Table, TableId};
+use num_rational::BigRational;
+use num_traits::ToPrimitive as _;
+
+use super::hyper::Hyper;
+use crate::expr::{Expr, Function, Symbol};
+
+/// A step on a stack of values: expressions nest hundreds of levels deep, and nobody knows how
+/// much room a caller's own stack has.
+#[derive(Debug, Clone, Copy)]
+enum Step<R> {
+    Number(R),
+    Symbol(Symbol),
+    /// Of so many values.
+    Sum(usize),
+    Product(usize),
+    Integer(i32),
+    /// The square root to a power.
+    Root(i32),
+    Real(R),
+    Call(Unary),
+    Table(TableId, u32),
+    /// Of `[lhs, rhs, then, otherwise]`.
+    Less,
+    /// What no spec can say; it has no value.
+    Unknown,
+}
+
+/// A term of a sum, with what it mentions.
+#[derive(Debug, Clone)]
+pub struct Term<R> {
+    steps: Vec<Step<R>>,
+    symbols: BTreeSet<Symbol>,
+}
+
+/// A sum of terms.
+#[derive(Debug, Clone)]
+pub struct Formula<R> {
+    /// Its terms.
+    pub terms: Vec<Term<R>>,
+}
+
+impl<R: Real> Formula<R> {
+    /// Of an expression.
+    pub fn new(expr: &Expr) -> Self {
+        let mut formula = Self { terms: Vec::new() };
+        formula.add(expr, 1.0);
+        formula
+    }
+
+    /// One more expression, times a factor.
+    pub fn add(&mut self, expr: &Expr, factor: f64) {
+        if let Expr::Sum(terms) = expr {
+            return terms.iter().for_each(|term| self.add(term, factor));
+        }
+        let mut steps = steps(expr);
+        steps.extend([Step::Number(R::literal(factor)), Step::Product(2)]);
+        self.terms.push(Term { steps, symbols: expr.symbols() });
+    }
+}
+
+impl<R> Term<R> {
+    /// Whether it mentions a symbol for which `is` holds.
+    pub fn mentions(&self, is: impl Fn(Symbol) -> bool) -> bool {
+        self.symbols.iter().any(|symbol| is(*symbol))
+    }
+}
+
+impl<R: Real> Term<R> {
+    /// Its value.
+    pub fn value(&self, tables: &[Table], of: &impl Fn(Symbol) -> Hyper<R>) -> Hyper<R> {
+        let mut values: Vec<Hyper<R>> = Vec::new();
+        for step in &self.steps {
+            let value = step.value(&mut values, tables, of);
+            values.push(value.unwrap_or(Hyper::literal(f64::NAN)));
+        }
+        values.pop().unwrap_or(Hyper::literal(f64::NAN))
+    }
+}
+
+/// An expression as steps, operands before what is made of them.
+fn steps<R: Real>(expr: &Expr) -> Vec<Step<R>> {
+    let mut steps = Vec::new();
+    let mut left = vec![expr];
+    // What is made of operands, then these from the last to the first; turned round, they are
+    // in order and before it.
+    while let Some(expr) = left.pop() {
+        let step = step(expr);
+        steps.push(step);
+        if let Step::Unknown = step {
+            continue;
+        }
+        match expr {
+            Expr::Number(_) | Expr::Symbol(_) => {}
+            Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => left.extend(parts),
+            Expr::Power(base, _) => left.push(base),
+        }
+    }
+    steps.reverse();
+    steps
+}
+
+fn step<R: Real>(expr: &Expr) -> Step<R> {
+    match expr {
+        Expr::Number(number) => Step::Number(nearest(number)),
+        Expr::Symbol(symbol) => Step::Symbol(*symbol),
+        Expr::Sum(terms) => Step::Sum(terms.len()),
+        Expr::Product(factors) => Step::Product(factors.len()),
+        Expr::Power(_, exponent) => match &**exponent {
+            Expr::Number(exponent) => power(exponent),
+            _ => Step::Unknown,
+        },
+        Expr::Call(function, arguments) => match (function, arguments.len()) {
+            (Function::SelectLess, 4) => Step::Less,
+            (Function::Table { table, order }, 1) => Step::Table(*table, *order),
+            (function, 1) => function.unary().map_or(Step::Unknown, Step::Call),
+            _ => Step::Unknown,
+        },
+    }
+}
+
+/// Integers and halves by products and roots, which have a value for negative bases and for
+/// zero; all else by logarithms.
+fn power<R: Real>(exponent: &BigRational) -> Step<R> {
+    let twice = exponent * BigRational::from_integer(2.into());
+    let integer = |number: &BigRational| number.is_integer().then(|| number.to_integer().to_i32());
+    match (integer(exponent).flatten(), integer(&twice).flatten()) {
+        (Some(exponent), _) => Step::Integer(exponent),
+        (None, Some(twice)) => Step::Root(twice),
+        (None, None) => Step::Real(nearest(exponent)),
+    }
+}
+
+/// A number by two `f64`: the nearest, and the nearest to what that leaves.
+fn nearest<R: Real>(number: &BigRational) -> R {
+    let first = number.to_f64().unwrap_or(f64::NAN);
+    let rest = BigRational::from_float(first).map(|first| number - first);
+    let rest = rest.and_then(|rest| rest.to_f64()).unwrap_or(0.0);
+    R::literal(first) + R::literal(rest)
+}
+
+/// pi by two `f64`.
+pub fn pi<R: Real>() -> R {
+    R::literal(std::f64::consts::PI) + R::literal(1.224_646_799_147_353_2e-16)
+}
+
+impl<R: Real> Step<R> {
+    /// The value, of those on the stack; none if it is short of some.
+    fn value(
+        &self,
+        values: &mut Vec<Hyper<R>>,
+        tables: &[Table],
+        of: &impl Fn(Symbol) -> Hyper<R>,
+    ) -> Option<Hyper<R>> {
+        let last = |values: &mut Vec<Hyper<R>>, count: usize| {
+            values.len().checked_sub(count).map(|first| values.split_off(first))
+        };
+        Some(match *self {
+            Step::Number(number) => Hyper::constant(number),
+            Step::Symbol(symbol) => of(symbol),
+            Step::Sum(count) => {
+                last(values, count)?.into_iter().fold(Hyper::literal(0.0), Hyper::plus)
+            }
+            Step::Product(count) => {
+                last(values, count)?.into_iter().fold(Hyper::literal(1.0), Hyper::by)
+            }
+            Step::Integer(exponent) => values.pop()?.power(exponent),
+            Step::Root(exponent) => values.pop()?.call(Unary::Sqrt).power(exponent),
+            Step::Real(exponent) => values.pop()?.real_power(exponent),
+            Step::Call(function) => values.pop()?.call(function),
+            Step::Table(table, order) => {
+                let Table { knots, coefficients, .. } = tables.get(table.0 as usize)?;
+                let table = CubicTable { knots, coefficients };
+                let argument = values.pop()?;
+                let read = |more: u32| table.evaluate(order + more, argument.value);
+                argument.through(read(0), || read(1), || read(2))
+            }
+            Step::Less => {
+                let (otherwise, then) = (values.pop()?, values.pop()?);
+                let (rhs, lhs) = (values.pop()?, values.pop()?);
+                Hyper::select_less([lhs.value, rhs.value], then, otherwise)
+            }
+            Step::Unknown => return None,
+        })
+    }
+}

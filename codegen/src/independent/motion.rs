@@ -1,0 +1,376 @@
+//! The motion of a system from its energies alone, by numbers that carry derivatives.
+//!
+//! ```text
+//! d/dt dL/dq' - dL/dq + dD/dq' - Q - G^T lambda = 0        L = T - V
+//! ```
+//!
+//! L is evaluated along the motion q + q' s, z + h s, t + s, moved by one velocity: the mixed
+//! derivative is d/dt dL/dq' but for its part in q'', whose factor is the mixed derivative
+//! by two velocities. A constraint is evaluated along the motion twice: what is then mixed is
+//! g'' but for its part in q''.
+
+use machinist_contract::Real;
+
+use super::formula::{Formula, pi};
+use super::hyper::Hyper;
+use super::rounded::Rounded;
+use super::solve::inverse;
+use crate::expr::{ConstraintId, CoordinateId, FirstOrderId, Symbol};
+use crate::scene::system::LagrangianSystem;
+use machinist_model::Table;
+
+/// Time, positions, velocities, first-order states and parameters of a system.
+#[derive(Debug, Clone)]
+pub struct Place<R> {
+    /// t.
+    pub time: R,
+    /// q.
+    pub q: Vec<R>,
+    /// q'.
+    pub v: Vec<R>,
+    /// z.
+    pub z: Vec<R>,
+    /// p.
+    pub parameters: Vec<R>,
+}
+
+impl<R: Real> Place<R> {
+    /// Where nothing has a value but parameters.
+    pub fn of_parameters(parameters: Vec<R>) -> Self {
+        let time = R::literal(f64::NAN);
+        Self { time, q: Vec::new(), v: Vec::new(), z: Vec::new(), parameters }
+    }
+}
+
+/// How a system moves at a place.
+#[derive(Debug, Clone)]
+pub struct Motion<R> {
+    /// q''.
+    pub accelerations: Vec<Rounded<R>>,
+    /// lambda; 0 of a constraint that does not hold.
+    pub multipliers: Vec<Rounded<R>>,
+    /// h.
+    pub rates: Vec<Rounded<R>>,
+}
+
+/// A constraint of a machine.
+#[derive(Debug, Clone)]
+struct Held<R> {
+    formula: Formula<Rounded<R>>,
+    is_of_positions: bool,
+    when: Vec<(FirstOrderId, i32)>,
+}
+
+/// A system made ready to be evaluated.
+#[derive(Debug, Clone)]
+pub struct Machine<R> {
+    /// The nearest `f64`.
+    pub to_f64: fn(R) -> f64,
+    tables: Vec<Table>,
+    coordinates: usize,
+    lagrangian: Formula<Rounded<R>>,
+    dissipation: Formula<Rounded<R>>,
+    forces: Vec<Formula<Rounded<R>>>,
+    rates: Vec<Formula<Rounded<R>>>,
+    is_mode: Vec<bool>,
+    constraints: Vec<Held<R>>,
+    /// Potentials of springs that are taken for rigid.
+    rigid: Vec<Formula<Rounded<R>>>,
+}
+
+/// Where to.
+#[derive(Clone, Copy)]
+enum Direction<'a, R> {
+    Nowhere,
+    /// By one symbol.
+    One(Symbol),
+    /// Along the motion, with these rates of first-order states.
+    Motion(&'a [Rounded<R>]),
+}
+
+impl<R: Real> Machine<R> {
+    /// Of a system without fields; `to_f64` gives the nearest `f64`.
+    pub fn new(system: &LagrangianSystem, to_f64: fn(R) -> f64) -> Self {
+        let mut lagrangian = Formula::new(&system.kinetic);
+        lagrangian.add(&system.potential, -1.0);
+        let held = system.constraints.iter().map(|constraint| Held {
+            formula: Formula::new(&constraint.expr),
+            is_of_positions: constraint.is_of_positions,
+            when: constraint.when.clone(),
+        });
+        let is_rigid = |instance: &String| system.freeze.rigid.contains(instance);
+        let springs = system.springs.iter().filter(|spring| is_rigid(&spring.instance));
+        Self {
+            to_f64,
+            tables: system.tables.clone(),
+            coordinates: system.coordinates.len(),
+            lagrangian,
+            dissipation: Formula::new(&system.dissipation),
+            forces: system.generalized_force.iter().map(|q| Formula::new(&q.total)).collect(),
+            rates: system.first_order.iter().map(|z| Formula::new(&z.rate)).collect(),
+            is_mode: system.first_order.iter().map(|z| z.is_mode).collect(),
+            constraints: held.collect(),
+            rigid: springs.map(|spring| Formula::new(&spring.potential)).collect(),
+        }
+    }
+
+    /// q'', lambda and h; nothing where the equations do not determine them.
+    pub fn motion(&self, place: &Place<R>) -> Option<Motion<R>> {
+        let n = self.coordinates;
+        let rates: Vec<Rounded<R>> =
+            self.rates.iter().map(|rate| self.value(rate, place, None)).collect();
+        let holding: Vec<usize> =
+            (0..self.constraints.len()).filter(|k| self.holds(*k, place)).collect();
+        let normals = self.normals(place)?;
+        let order = n + holding.len() + normals.len();
+        let mut matrix = self.masses(place);
+        matrix.resize(order, Vec::new());
+        for row in &mut matrix {
+            row.resize(order, R::literal(0.0));
+        }
+        let mut right: Vec<Rounded<R>> = (0..n).map(|i| self.force(i, place, &rates)).collect();
+        let mut border = |row: usize, normal: &[R]| {
+            for (j, entry) in normal.iter().enumerate() {
+                (matrix[row][j], matrix[j][row]) = (*entry, -*entry);
+            }
+        };
+        for (row, k) in (n..).zip(&holding) {
+            border(row, &self.normal(*k, place));
+            right.push(self.bend(*k, place, &rates));
+        }
+        for (row, normal) in (n + holding.len()..).zip(&normals) {
+            border(row, normal);
+            right.push(Rounded::literal(0.0));
+        }
+        let alone = self.sizes_alone(&matrix, &right);
+        let inverse = inverse(matrix, self.to_f64)?;
+        let solved = |row: usize| {
+            let Rounded { value, size } = product(&inverse[row], &right);
+            Rounded { value, size: size + R::literal(alone[row]) }
+        };
+        let mut multipliers = vec![Rounded::literal(0.0); self.constraints.len()];
+        for (row, k) in (n..).zip(&holding) {
+            multipliers[*k] = solved(row);
+        }
+        Some(Motion { accelerations: (0..n).map(solved).collect(), multipliers, rates })
+    }
+
+    /// What the forces on a coordinate would do to it alone, and the force of a constraint if
+    /// there were no other: so large is what a solution is put together from, also where all
+    /// of it cancels.
+    fn sizes_alone(&self, matrix: &[Vec<R>], right: &[Rounded<R>]) -> Vec<f64> {
+        let n = self.coordinates;
+        let entry = |i: usize, j: usize| self.size(matrix[i][j]);
+        let mass = |i: usize| if entry(i, i) > 0.0 { entry(i, i) } else { f64::INFINITY };
+        let mut alone: Vec<f64> = (0..n).map(|i| self.size(right[i].size) / mass(i)).collect();
+        for row in n..right.len() {
+            let pull: f64 =
+                (0..n).map(|i| entry(row, i) * self.size(right[i].size) / mass(i)).sum();
+            let give: f64 = (0..n).map(|i| entry(row, i).powi(2) / mass(i)).sum();
+            let force = if give > 0.0 { (self.size(right[row].size) + pull) / give } else { 0.0 };
+            alone.push(force);
+            for (i, size) in alone.iter_mut().enumerate().take(n) {
+                *size += entry(row, i) * force / mass(i);
+            }
+        }
+        alone
+    }
+
+    /// An expression of a place, and of the motion there if it is given.
+    pub fn value(
+        &self,
+        formula: &Formula<Rounded<R>>,
+        place: &Place<R>,
+        motion: Option<&Motion<R>>,
+    ) -> Rounded<R> {
+        let at = |symbol| Hyper::constant(get(symbol, place, motion));
+        sum(formula.terms.iter().map(|term| term.value(&self.tables, &at).value))
+    }
+
+    /// g of a constraint of positions, and g' of any; nothing of one that does not hold.
+    pub fn held(&self, constraint: usize, place: &Place<R>) -> Option<[Rounded<R>; 2]> {
+        if !self.holds(constraint, place) {
+            return None;
+        }
+        let Held { formula, is_of_positions, .. } = &self.constraints[constraint];
+        let value = self.value(formula, place, None);
+        if !is_of_positions {
+            return Some([Rounded::literal(0.0), value]);
+        }
+        let directions = [Direction::Motion(&[]), Direction::Nowhere];
+        let rate = self.each(formula, place, directions).map(|term| signed(term.a, 1.0));
+        Some([value, sum(rate)])
+    }
+
+    fn holds(&self, constraint: usize, place: &Place<R>) -> bool {
+        self.constraints[constraint].when.iter().all(|(FirstOrderId(mode), value)| {
+            let mode = (self.to_f64)(place.z[*mode as usize]);
+            (mode - f64::from(*value)).abs() < 0.5
+        })
+    }
+
+    /// M, each entry by itself: that it is symmetric is not taken for granted.
+    fn masses(&self, place: &Place<R>) -> Vec<Vec<R>> {
+        let n = self.coordinates;
+        (0..n).map(|i| (0..n).map(|j| self.mass(i, j, place)).collect()).collect()
+    }
+
+    /// d2L/dq_i' dq_j'.
+    fn mass(&self, i: usize, j: usize, place: &Place<R>) -> R {
+        let directions = [i, j].map(|i| Direction::One(velocity(i)));
+        let terms = self.each(&self.lagrangian, place, directions);
+        sum(terms.map(|term| signed(term.ab, 1.0))).value
+    }
+
+    /// dL/dq_i - d/dt dL/dq_i' - dD/dq_i' + Q_i, without q''.
+    fn force(&self, i: usize, place: &Place<R>, h: &[Rounded<R>]) -> Rounded<R> {
+        let by = |symbol| [Direction::One(symbol), Direction::Nowhere];
+        let slopes = self.each(&self.lagrangian, place, by(coordinate(i)));
+        let along = [Direction::One(velocity(i)), Direction::Motion(h)];
+        let momentum = self.each(&self.lagrangian, place, along);
+        let losses = self.each(&self.dissipation, place, by(velocity(i)));
+        let parts = slopes.map(|term| signed(term.a, 1.0));
+        let parts = parts.chain(momentum.map(|term| signed(term.ab, -1.0)));
+        let parts = parts.chain(losses.map(|term| signed(term.a, -1.0)));
+        sum(parts.chain([self.value(&self.forces[i], place, None)]))
+    }
+
+    /// A constraint's row of G.
+    fn normal(&self, constraint: usize, place: &Place<R>) -> Vec<R> {
+        let Held { formula, is_of_positions, .. } = &self.constraints[constraint];
+        let symbol = if *is_of_positions { coordinate } else { velocity };
+        let slope = |i| {
+            let terms = self.each(formula, place, [Direction::One(symbol(i)), Direction::Nowhere]);
+            sum(terms.map(|term| signed(term.a, 1.0))).value
+        };
+        (0..self.coordinates).map(slope).collect()
+    }
+
+    /// gamma: minus what g'' is without q''.
+    fn bend(&self, constraint: usize, place: &Place<R>, h: &[Rounded<R>]) -> Rounded<R> {
+        let Held { formula, is_of_positions, .. } = &self.constraints[constraint];
+        let along = Direction::Motion(h);
+        if *is_of_positions {
+            let terms = self.each(formula, place, [along, along]);
+            sum(terms.map(|term| signed(term.ab, -1.0)))
+        } else {
+            let terms = self.each(formula, place, [along, Direction::Nowhere]);
+            sum(terms.map(|term| signed(term.a, -1.0)))
+        }
+    }
+
+    /// What two coordinates that a rigid spring holds keep to: dV/dq is normal to where they
+    /// may move, wherever the spring is not at rest.
+    pub fn normals(&self, place: &Place<R>) -> Option<Vec<Vec<R>>> {
+        let normal = |spring: &Formula<Rounded<R>>| {
+            let mut away = place.clone();
+            for (i, q) in away.q.iter_mut().enumerate() {
+                *q = R::literal(0.37 + 0.23 * i as f64);
+            }
+            let slope = |i| {
+                let by = [Direction::One(coordinate(i)), Direction::Nowhere];
+                sum(self.each(spring, &away, by).map(|term| signed(term.a, 1.0))).value
+            };
+            let slopes: Vec<R> = (0..self.coordinates).map(slope).collect();
+            let pivot = slopes.iter().copied().find(|slope| self.size(*slope) > 0.0)?;
+            Some(slopes.into_iter().map(|slope| slope / pivot).collect())
+        };
+        self.rigid.iter().map(normal).collect()
+    }
+
+    /// Every term that changes along the directions that are given.
+    fn each<'a>(
+        &'a self,
+        formula: &'a Formula<Rounded<R>>,
+        place: &'a Place<R>,
+        directions: [Direction<'a, R>; 2],
+    ) -> impl Iterator<Item = Hyper<Rounded<R>>> + 'a {
+        let part = move |symbol, direction| self.part(symbol, direction, place);
+        let terms = formula.terms.iter().filter(move |term| {
+            directions.iter().all(|direction| {
+                matches!(direction, Direction::Nowhere)
+                    || term.mentions(|symbol| part(symbol, *direction).is_some())
+            })
+        });
+        terms.map(move |term| {
+            let at = |symbol| Hyper {
+                value: get(symbol, place, None),
+                a: part(symbol, directions[0]),
+                b: part(symbol, directions[1]),
+                ab: None,
+            };
+            term.value(&self.tables, &at)
+        })
+    }
+
+    /// How fast a symbol changes along a direction.
+    fn part(
+        &self,
+        symbol: Symbol,
+        direction: Direction<'_, R>,
+        place: &Place<R>,
+    ) -> Option<Rounded<R>> {
+        let one = Rounded::literal(1.0);
+        match (direction, symbol) {
+            (Direction::One(asked), symbol) => (asked == symbol).then_some(one),
+            (Direction::Motion(_), Symbol::Time) => Some(one),
+            (Direction::Motion(_), Symbol::Coordinate(id)) => {
+                place.v.get(id.0 as usize).map(|v| Rounded::new(*v))
+            }
+            (Direction::Motion(h), Symbol::FirstOrder(FirstOrderId(k))) => {
+                let moves = !self.is_mode[k as usize];
+                h.get(k as usize).copied().filter(|_| moves)
+            }
+            _ => None,
+        }
+    }
+
+    fn size(&self, value: R) -> f64 {
+        (self.to_f64)(value).abs()
+    }
+}
+
+/// A row times a column.
+fn product<R: Real>(row: &[R], column: &[Rounded<R>]) -> Rounded<R> {
+    sum(row.iter().zip(column).map(|(factor, part)| Rounded {
+        value: *factor * part.value,
+        size: factor.abs() * part.size,
+    }))
+}
+
+fn signed<R: Real>(part: Option<Rounded<R>>, sign: f64) -> Rounded<R> {
+    let part = part.unwrap_or(Rounded::literal(0.0));
+    if sign < 0.0 { -part } else { part }
+}
+
+fn sum<R: Real>(parts: impl Iterator<Item = Rounded<R>>) -> Rounded<R> {
+    parts.fold(Rounded::literal(0.0), |sum, part| sum + part)
+}
+
+fn coordinate(i: usize) -> Symbol {
+    Symbol::Coordinate(CoordinateId(i as u32))
+}
+
+fn velocity(i: usize) -> Symbol {
+    Symbol::Velocity(CoordinateId(i as u32))
+}
+
+/// The value of a symbol; NaN of one that has none there.
+fn get<R: Real>(symbol: Symbol, place: &Place<R>, motion: Option<&Motion<R>>) -> Rounded<R> {
+    let entry = |all: &[R], index: u32| all.get(index as usize).copied().map(Rounded::new);
+    let solved = |of: fn(&Motion<R>) -> &Vec<Rounded<R>>, index: u32| {
+        motion.and_then(|motion| of(motion).get(index as usize)).copied()
+    };
+    let value = match symbol {
+        Symbol::Pi => Some(Rounded::new(pi())),
+        Symbol::Time => Some(Rounded::new(place.time)),
+        Symbol::Coordinate(CoordinateId(i)) => entry(&place.q, i),
+        Symbol::Velocity(CoordinateId(i)) => entry(&place.v, i),
+        Symbol::FirstOrder(FirstOrderId(k)) => entry(&place.z, k),
+        Symbol::Parameter(id) => entry(&place.parameters, id.0),
+        Symbol::Acceleration(CoordinateId(i)) => solved(|motion| &motion.accelerations, i),
+        Symbol::Multiplier(ConstraintId(k)) => solved(|motion| &motion.multipliers, k),
+        Symbol::Handed(_) | Symbol::Helper(_) => None,
+    };
+    value.unwrap_or(Rounded::literal(f64::NAN))
+}

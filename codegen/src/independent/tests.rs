@@ -1,0 +1,208 @@
+//! Random systems derived both ways, and the second derivation against closed forms.
+//!
+//! `MACHINIST_SYSTEMS=5000 cargo test -p machinist-codegen --lib independent -- --nocapture`
+//! derives as many.
+
+use std::cell::RefCell;
+
+use machinist_model::ModelSimulator;
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngSeed, TestRunner};
+
+use super::formula::Formula;
+use super::motion::{Machine, Place};
+use super::systems::{Recipe, recipes};
+use super::{Comparison, Deviation};
+use crate::expr::{Expr, Function, Symbol};
+use crate::pipeline;
+use crate::scene::system::LagrangianSystem;
+
+/// Systems unless the environment says how many.
+const SYSTEMS: u32 = 200;
+/// Terms of a kind that those have, and those that the environment asks for.
+const FEW_TERMS: usize = 1;
+const TERMS: usize = 3;
+/// Places of each.
+const PLACES: usize = 6;
+/// Rounding of both derivations: of factors of bordered matrices, mostly.
+pub const LIMIT: f64 = 1e-10;
+
+/// How far the model of a system is off its second derivation.
+pub fn deviation(recipe: &Recipe) -> Deviation {
+    let system = recipe.system();
+    let model = pipeline::compile(system.clone(), recipe.keep)
+        .unwrap_or_else(|errors| panic!("{}", errors.render()));
+    let parameters: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
+    let simulator = ModelSimulator::interpreted(model);
+    let comparison =
+        Comparison::<f64>::new(&system, &simulator, |x| x).unwrap_or_else(|e| panic!("{e}"));
+    comparison.at_random(PLACES, &parameters, 1)
+}
+
+#[test]
+fn random_systems_are_derived_alike() {
+    let cases = std::env::var("MACHINIST_SYSTEMS").ok().and_then(|text| text.parse().ok());
+    let seed = std::env::var("MACHINIST_SEED").ok().and_then(|text| text.parse().ok());
+    let terms = if cases.is_some() { TERMS } else { FEW_TERMS };
+    let seed = seed.unwrap_or(0x5eed);
+    let config = Config {
+        cases: cases.unwrap_or(SYSTEMS),
+        rng_seed: RngSeed::Fixed(seed),
+        failure_persistence: None,
+        ..Config::default()
+    };
+    let cases = config.cases;
+    let worst = RefCell::new(Deviation::default());
+    let outcome = TestRunner::new(config).run(&recipes(terms), |recipe| {
+        let found = deviation(&recipe);
+        prop_assert!(found.error <= LIMIT, "{:e}: {}", found.error, found.place);
+        prop_assert!(found.compared > 0, "nothing was compared");
+        let before = worst.take();
+        worst.replace(before.or(found));
+        Ok(())
+    });
+    let worst = worst.into_inner();
+    println!(
+        "{cases} systems of seed {seed}, {} numbers, worst {:.1e}: {}",
+        worst.compared, worst.error, worst.place
+    );
+    if let Err(failure) = outcome {
+        panic!("{failure}");
+    }
+}
+
+/// A pendulum on a cart that is pushed; a bob held by a rod in x and y; a mass that grows, in a
+/// frame that shakes; a winch whose rope is cut by mode.
+const MACHINES: &str = r#"
+[scene]
+name = "machines"
+source = "Textbooks."
+
+[units.m]
+unit = "machines"
+
+[run]
+until = 1.0
+points = 2
+rtol = 1e-6
+method = "dop853"
+
+[define.machines.coordinates]
+s = { unit = "m" }
+phi = { unit = "rad" }
+x = { unit = "m" }
+y = { unit = "m" }
+u = { unit = "m" }
+h = { unit = "m" }
+
+[define.machines.parameters]
+cart = { value = 3.0, unit = "kg" }
+bob = { value = 0.7, unit = "kg" }
+length = { value = 1.3, unit = "m" }
+gravity = { value = 9.81, unit = "m/s^2" }
+push = { value = 2.5, unit = "N" }
+drag = { value = 0.4, unit = "N s/m" }
+flow = { value = 0.2, unit = "kg/s" }
+speed = { value = 0.9, unit = "m/s" }
+turn = { value = 4.0, unit = "1/s" }
+
+[define.machines.states.load]
+unit = "kg"
+rate = "flow"
+initial = 2
+
+[define.machines.modes.tied]
+initial = 1
+
+[define.machines.energy]
+kinetic = """cart*s_dot^2/2 + bob*((s_dot + length*cos(phi)*phi_dot)^2
+    + (length*sin(phi)*phi_dot)^2)/2 + bob*(x_dot^2 + y_dot^2)/2
+    + load*(u_dot + speed*sin(turn*t))^2/2 + bob*h_dot^2/2"""
+potential = "-bob*gravity*length*cos(phi) + bob*gravity*y + bob*gravity*h"
+dissipation = "drag*u_dot^2/2"
+
+[[define.machines.forces]]
+coordinate = "s"
+expression = "push"
+
+[define.machines.constraints.rod]
+expression = "x^2 + y^2 - length^2"
+
+[define.machines.constraints.rope]
+expression = "h_dot - speed*cos(turn*t)"
+when = { tied = 1 }
+"#;
+
+fn machines() -> LagrangianSystem {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("machines.toml");
+    std::fs::write(&path, MACHINES).expect("written");
+    pipeline::check(&path).unwrap_or_else(|errors| panic!("{}", errors.render()))
+}
+
+/// Accelerations and forces of textbooks, written by hand.
+#[test]
+fn machines_move_as_textbooks_say() {
+    let system = machines();
+    let machine = Machine::<f64>::new(&system, |x| x);
+    let parameters: Vec<f64> = system.parameters.iter().map(|p| p.value).collect();
+    let [cart, bob, length, gravity, push, drag, flow, speed, turn] = parameters[..] else {
+        panic!("nine parameters")
+    };
+    for (time, tied) in [(0.0, 1.0), (0.37, 0.0), (2.1, 1.0)] {
+        let [s, phi, x, y, u, h] = [0.1, 0.8 - time, 0.6, 1.1 - time, 0.3, 0.2];
+        let [s_dot, w, x_dot, y_dot, u_dot, h_dot] = [0.5, 1.9, -0.4, 0.7, time - 1.0, 0.1];
+        let load = 2.0 + time;
+        let place = Place {
+            time,
+            q: vec![s, phi, x, y, u, h],
+            v: vec![s_dot, w, x_dot, y_dot, u_dot, h_dot],
+            z: machine_states(&system, load, tied),
+            parameters: parameters.clone(),
+        };
+        let motion = machine.motion(&place).expect("it moves");
+        let (sine, cosine) = phi.sin_cos();
+        let pushed = push + bob * length * sine * w * w + bob * gravity * sine * cosine;
+        let cart = pushed / (cart + bob * sine * sine);
+        let rod = bob * (gravity * y - x_dot * x_dot - y_dot * y_dot) / (2.0 * (x * x + y * y));
+        let shaken = speed * turn * (turn * time).cos();
+        let arriving = flow * (u_dot + speed * (turn * time).sin());
+        let hoisted = -speed * turn * (turn * time).sin();
+        let accelerations = [
+            cart,
+            -(cosine * cart + gravity * sine) / length,
+            2.0 * x * rod / bob,
+            2.0 * y * rod / bob - gravity,
+            -(drag * u_dot + arriving) / load - shaken,
+            if tied > 0.5 { hoisted } else { -gravity },
+        ];
+        let rope = if tied > 0.5 { bob * (gravity + hoisted) } else { 0.0 };
+        let found = motion.accelerations.iter().chain(&motion.multipliers);
+        for (found, expected) in found.zip(accelerations.into_iter().chain([rod, rope])) {
+            let error = (found.value - expected).abs();
+            assert!(error < 1e-13 * found.size.max(1.0), "{} is not {expected}", found.value);
+        }
+    }
+}
+
+/// First-order states by their names: modes may stand before others.
+fn machine_states(system: &LagrangianSystem, load: f64, tied: f64) -> Vec<f64> {
+    let states = system.first_order.iter();
+    states.map(|z| if z.quantity.name.path == "m.tied" { tied } else { load }).collect()
+}
+
+/// As deep as expressions may nest once helpers are put in, on the smallest stack that a
+/// program has.
+#[test]
+fn deep_expressions_have_room() {
+    let deepest = (0..600).fold(Expr::Symbol(Symbol::Time), |inner, _| {
+        Expr::Call(Function::Sin, vec![Expr::Sum(vec![inner, Expr::integer(1)])])
+    });
+    let machine = Machine::<f64>::new(&machines(), |x| x);
+    let place = Place { time: 0.3, ..Place::of_parameters(Vec::new()) };
+    let look = move || machine.value(&Formula::new(&deepest), &place, None).value;
+    let thread = std::thread::Builder::new().stack_size(1 << 20).spawn(look);
+    let found = thread.expect("a thread").join().expect("room");
+    let expected = (0..600).fold(0.3_f64, |inner, _| (inner + 1.0).sin());
+    assert!((found - expected).abs() < 1e-13, "{found} is not {expected}");
+}

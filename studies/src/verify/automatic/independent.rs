@@ -1,0 +1,59 @@
+//! A machine against a second derivation of its spec, which somebody else makes: studies read
+//! no specs.
+
+use super::visit::Visit;
+use super::{Found, Outcome, Row};
+
+/// Time, state and parameters at which a machine is looked at.
+#[derive(Debug, Clone, Copy)]
+pub struct Look<'a> {
+    /// t \[s\].
+    pub time: f64,
+    /// y.
+    pub state: &'a [f64],
+    /// p.
+    pub parameters: &'a [f64],
+}
+
+/// The largest difference between a machine and its second derivation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Difference {
+    /// Relative to the sum of the sizes of what the number is put together from: of an
+    /// acceleration, to what its forces would do one by one.
+    pub error: f64,
+    /// What differs most, and when.
+    pub place: String,
+    /// How many numbers were compared.
+    pub compared: usize,
+}
+
+/// Holds a machine against its second derivation, at places along the run and at random ones;
+/// or says why there is no such derivation.
+pub type Independent<'a> = Result<Box<dyn Fn(&[Look<'_>]) -> Difference + 'a>, String>;
+
+pub(super) const INDEPENDENT: Row = Row {
+    name: "independent derivation",
+    reference: "Euler-Lagrange by numbers that carry derivatives: rate, outputs, events, \
+                constraints; relative to the parts they are summed from",
+    tolerance: 1e-10,
+    reason: "rounding: 2e-15 in what is built in; a wrong sign is off by the part itself",
+    matters: "The model is not what its spec says: please report it with the scene.",
+    measure,
+};
+
+fn measure(visit: &Visit<'_>) -> Outcome {
+    let independent = match &visit.subject.independent {
+        Ok(independent) => independent,
+        Err(why) => return Outcome::Skipped(why.clone()),
+    };
+    let looks = visit.points.iter().map(|point| Look {
+        time: point.time,
+        state: &point.state,
+        parameters: &point.parameters,
+    });
+    let Difference { error, place, compared } = independent(&looks.collect::<Vec<_>>());
+    if compared == 0 {
+        return Outcome::Skipped("its equations determine no motion at any place".to_owned());
+    }
+    Outcome::Found(Found { error, place: format!("Worst: {place}.") })
+}

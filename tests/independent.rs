@@ -1,0 +1,141 @@
+//! Emitted scenes against a second derivation of their specs, which takes no computer algebra
+//! and none of what the first one is made of.
+
+use std::path::{Path, PathBuf};
+
+use machinist::field::{Discretisation, FieldSimulator};
+use machinist_codegen::independent::{Comparison, Deviation, elements};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_codegen::pipeline;
+use machinist_codegen::scene::system::LagrangianSystem;
+use machinist_contract::Simulator;
+use machinist_model::ModelSimulator;
+use machinist_scenes::scenes;
+use machinist_studies::double_double::DoubleDouble;
+
+/// Rounding of emitted code beside the size of what its numbers are put together from.
+const LIMIT: f64 = 1e-12;
+/// Random places of each scene.
+const PLACES: usize = 20;
+
+fn spec(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes").join(format!("{name}.toml"))
+}
+
+fn system(name: &str) -> LagrangianSystem {
+    pipeline::check(&spec(name)).unwrap_or_else(|errors| panic!("{}", errors.render()))
+}
+
+fn deviation(system: &LagrangianSystem, simulator: &dyn Simulator<f64>) -> Deviation {
+    let comparison = Comparison::new(system, simulator, DoubleDouble::to_f64);
+    let comparison = comparison.unwrap_or_else(|error| panic!("{}: {error}", system.name));
+    let parameters = 0..simulator.shape().parameters;
+    let parameters: Vec<f64> = parameters.map(|k| simulator.parameter_default(k)).collect();
+    comparison.at_random(PLACES, &parameters, 0x5eed)
+}
+
+fn assert_small(name: &str, found: &Deviation) {
+    println!("{name}: {:.1e} of {}, {}", found.error, found.compared, found.place);
+    assert!(found.error <= LIMIT, "{name}: {found:?}");
+    assert!(found.compared > PLACES, "{name}: {found:?}");
+}
+
+/// Rotors on a belt that is taken for rigid, one on a spring, the other driven and braked.
+const FROZEN: &str = r#"
+[scene]
+name = "frozen"
+source = "Textbook."
+
+[units.a]
+unit = "rotational/inertia"
+parameters = { inertia = 2 }
+
+[units.b]
+unit = "rotational/inertia"
+
+[units.belt]
+unit = "rotational/belt"
+
+[units.spring]
+unit = "rotational/spring"
+
+[units.wall]
+unit = "rotational/fixed"
+
+[units.drive]
+unit = "sources/torque"
+inputs = { torque = "3 [N m]*sin(2 [1/s]*t) - 0.3 [N m s^2]*a.omega^2" }
+
+[[joints]]
+connect = ["drive.a", "a.a"]
+
+[[joints]]
+connect = ["a.b", "belt.a"]
+
+[[joints]]
+connect = ["belt.b", "b.a"]
+
+[[joints]]
+connect = ["b.b", "spring.a"]
+
+[[joints]]
+connect = ["spring.b", "wall.a"]
+
+[outputs]
+a = "a.omega"
+b = { expression = "b.alpha - 2*a.alpha", unit = "rad/s^2" }
+
+[freeze]
+rigid = ["belt"]
+tolerance = 0.1
+
+[run]
+until = 1.0
+points = 11
+rtol = 1e-6
+method = "dop853"
+"#;
+
+#[test]
+fn what_is_taken_for_rigid_follows_as_its_spring_at_rest_says() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("frozen.toml");
+    std::fs::write(&path, FROZEN).expect("written");
+    let mut system = pipeline::check(&path).unwrap_or_else(|errors| panic!("{}", errors.render()));
+    for (keep, states) in [(Keep::All, 4), (Keep::Exact, 4), (Keep::Needed, 2)] {
+        let model = pipeline::compile(system.clone(), keep)
+            .unwrap_or_else(|errors| panic!("{}", errors.render()));
+        assert_eq!(model.states.len(), states);
+        let simulator = ModelSimulator::new(model);
+        let mut own = system.clone();
+        if keep < Keep::Needed {
+            own.freeze.rigid.clear();
+        }
+        assert_small("frozen", &deviation(&own, &simulator));
+    }
+    // Another machine is none of these.
+    let model = pipeline::compile(system.clone(), Keep::Needed);
+    let model = model.unwrap_or_else(|errors| panic!("{}", errors.render()));
+    let simulator = ModelSimulator::new(model);
+    system.generalized_force.swap(0, 1);
+    assert!(deviation(&system, &simulator).error > 1e-3);
+}
+
+#[test]
+fn emitted_scenes_are_what_their_energies_say() {
+    for name in scenes::NAMES {
+        let simulator = scenes::find_f64(name).expect("a scene");
+        assert_small(name, &deviation(&system(name), simulator));
+    }
+}
+
+#[test]
+fn emitted_fields_are_what_their_densities_say() {
+    for name in scenes::FIELD_NAMES {
+        let scene = scenes::find_field::<f64>(name).expect("a scene");
+        let (written_out, elements) = elements::written_out(&system(name)).expect("elements");
+        let cut = Discretisation { elements: Some(elements), order: None };
+        let simulator = FieldSimulator::new(scene, cut).expect("it can be cut so");
+        assert_small(name, &deviation(&written_out, &simulator));
+    }
+}

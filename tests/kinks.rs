@@ -221,3 +221,36 @@ fn emitted_scenes_know_their_kinks() {
     slider.kink_rates(0.2, &[0.01, 0.03], &parameters, &mut rates);
     assert!((rates[0] - expected[0]).abs() < 1e-6 * (1.0 + expected[0].abs()), "{rates:?}");
 }
+
+/// v^2 grows by twice the work of each bump, which is passed within a thousandth of its period.
+#[test]
+fn bumps_that_are_passed_and_passed_back_within_a_step_are_not_stepped_over() {
+    let bumpy = block("0", "max(200 [N]*(cos(20 [1/m]*x) - 0.9999), 0 [N])");
+    // The angle at which a bump ends, and its work: 2 (sin - 0.9999 angle) 200/20.
+    let angle = f64::acos(0.9999);
+    let bump = 20.0 * (angle.sin() - 0.9999 * angle);
+    for method in OWN {
+        for rtol in [1e-7, 1e-10] {
+            let run = run(&bumpy, method, rtol, &[]);
+            let last = |name: &str| run.last(name).expect("a state");
+            let turns = last("block.x") * 20.0 / std::f64::consts::TAU;
+            let (passed, since) = (turns.floor() + 0.5, turns.fract() * std::f64::consts::TAU);
+            assert!(since > angle && since < std::f64::consts::TAU - angle, "it ends on a bump");
+            let exact = (1.0 + 2.0 * bump * passed).sqrt();
+            let off = (last("block.v") - exact).abs();
+            assert!(off < 1e4 * rtol * (exact - 1.0), "{method} at {rtol:e}: {off:e}");
+        }
+    }
+}
+
+#[test]
+fn what_comes_to_rest_at_a_limit_does_not_chatter_there() {
+    let limited = block("0", "1 [N]*max(min(smooth_step(t/2 [s]), 1), 0)");
+    for method in OWN {
+        for rtol in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
+            let last = run(&limited, method, rtol, &[]).last("block.v").expect("a state");
+            // Half of the first two seconds, and all of eight.
+            assert!((last - 10.0).abs() < 1e3 * rtol, "{method} at {rtol:e}: {last}");
+        }
+    }
+}

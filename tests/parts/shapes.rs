@@ -6,7 +6,7 @@ use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_model::ModelSimulator;
 
-use super::{by_small_steps, column, contact, example, off, run};
+use super::{METHODS, by_small_steps, column, contact, example, off, run};
 use crate::own_scene::of_text;
 
 /// Lift of the cam over its largest, and its slope, at an angle from the nose.
@@ -218,6 +218,45 @@ fn a_chain_shakes_its_load_by_its_polygon() {
                 };
                 let error = off(&run, "load", exact);
                 assert!(error < 1e-5, "{teeth}, {stiffness}, {polygon}: {error:e}");
+            }
+        }
+    }
+}
+
+/// What holds a load by a rope about a drum may be e^(friction wrap) times weaker, and no more.
+#[test]
+fn a_rope_about_a_drum_slides_where_euler_and_eytelwein_say() {
+    let scene = example("translational/capstan", Keep::Needed);
+    for (number, method) in METHODS.into_iter().enumerate() {
+        for (friction, wrap) in [(0.3, PI), (0.1, 8.0), (0.4, 3.0), (0.8, TAU)] {
+            let rtol = [1e-9, 1e-7][number % 2];
+            let run = Simulation::new(&scene)
+                .parameter("rope.friction", friction)
+                .and_then(|run| run.parameter("rope.wrap", wrap))
+                .expect("parameters")
+                .method(method)
+                .rtol(rtol)
+                .run()
+                .unwrap_or_else(|error| panic!("{friction}, {wrap}, {method}: {error}"));
+            let ratio = f64::exp(friction * wrap);
+            // The hand's pull falls slowly: k x = F but for 1e-3 of it, and what it swings.
+            let breaks = run.switches.iter().find(|switch| switch.event == "rope.breaks_forth");
+            let slides = breaks.expect("it slides").time;
+            let way = 0.5 * slides;
+            let held = 250.0 * (1.0 - way.powi(3) * (10.0 - 15.0 * way + 6.0 * way * way));
+            let case = format!("{friction}, {wrap}, {method}: {held} at {slides}");
+            assert!((held - 500.0 / ratio).abs() < 0.2, "{case}");
+            for (row, time) in run.times.iter().enumerate() {
+                let [pull, held, load] =
+                    ["pull", "held", "load"].map(|name| column(&run, name)[row]);
+                if *time < slides {
+                    let off = (load - 0.025).abs().max((pull - 500.0).abs() / 2e4);
+                    assert!(off < 1e3 * rtol, "{case}: it creeps at {time}");
+                } else if *time > slides + 0.05 {
+                    // All but what speeds up the rope itself, of 0.1 kg.
+                    assert!((pull - ratio * held).abs() < 2.0, "{case}: {pull}, {held} at {time}");
+                }
+                assert!(pull >= 0.0 && held >= 0.0, "{case}: it pushes");
             }
         }
     }

@@ -139,6 +139,7 @@ pub const LIBRARY: &[LibraryUnit] = &[
     part!("sources/speed"),
     part!("sources/torque"),
     part!("translational/brake"),
+    part!("translational/capstan"),
     part!("translational/damper"),
     part!("translational/elastic_gap"),
     part!("translational/end_stops"),

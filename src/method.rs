@@ -243,7 +243,17 @@ struct Row {
     integrator: Option<&'static (dyn Integrator + Sync)>,
 }
 
+/// Steps of `auto` are never looser than this, whatever the tolerance of the run: over
+/// thousands of periods their errors add up, and three digits less save less than half the
+/// time.
+const LOOSEST_OF_AUTO: f64 = 1e-5;
+
 impl Method {
+    /// The relative tolerance that steps keep to in a run of this one.
+    pub(crate) fn step_rtol(self, rtol: f64) -> f64 {
+        if self == Self::Auto { rtol.min(LOOSEST_OF_AUTO) } else { rtol }
+    }
+
     /// The name that specs and the command line use.
     #[must_use]
     pub fn name(self) -> &'static str {

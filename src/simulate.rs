@@ -332,12 +332,11 @@ impl<'a> Simulation<'a> {
         }
         let energy_balance =
             self.energy_balance.then(|| table.energy_balance(&rows, width, energy_at_start));
-        let steps = system.work().steps;
-        if steps as f64 * self.rtol > ADDS_UP {
+        let (steps, rtol) = (system.work().steps, method.step_rtol(self.rtol));
+        if steps as f64 * rtol > ADDS_UP {
             system.note(format!(
-                "{steps} steps may each err by {:e} of what moves, and where nothing damps a \
-                 motion that adds up to a large part of it: compare with a lower `rtol`",
-                self.rtol
+                "{steps} steps may each err by {rtol:e} of what moves, and where nothing damps a \
+                 motion that adds up to a large part of it: compare with a lower `rtol`"
             ));
         }
         Trajectory {

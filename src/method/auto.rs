@@ -12,7 +12,7 @@ use super::radau::RadauSteps;
 use super::rosenbrock::RosenbrockSteps;
 use super::tableau::{DOP853, Pair, RODAS5P};
 use super::taylor::TaylorSteps;
-use super::{Integrator, Samples, Sealed, Stopped, Stretch};
+use super::{Integrator, Method, Samples, Sealed, Stopped, Stretch};
 use ringing::{LENIENT, rings};
 
 /// So many steps of evidence change the method.
@@ -25,9 +25,6 @@ const MOST_CHANGES: usize = 20;
 /// An implicit step that is not this much longer than an explicit one could be
 /// does not pay for its factorization.
 const WORTH: f64 = 2.0;
-/// Steps are never looser than this, whatever the tolerance of the run: over thousands
-/// of periods their errors add up, and three digits less save less than half the time.
-const LOOSEST: f64 = 1e-5;
 /// A machine with constraints that neither gains nor loses energy forgets no error: it drifts
 /// in energy with every step, and in phase with the square of their number. Its steps are so
 /// many times as tight, which makes twice as many of them.
@@ -65,7 +62,7 @@ impl Integrator for Auto {
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
         let Some(from) = without_steps(stretch, state, samples) else { return Ok(()) };
-        let mut rtol = stretch.rtol.min(LOOSEST);
+        let mut rtol = Method::Auto.step_rtol(stretch.rtol);
         if stretch.system.constraints().is_some() && is_conservative(stretch, state) {
             rtol = (rtol / FAITHFUL).max(TIGHTEST.min(rtol));
             stretch.system.note(format!(

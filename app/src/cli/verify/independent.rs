@@ -1,10 +1,7 @@
 //! The second derivation of a spec under check, in this process: it takes no computer algebra.
 
-use std::path::Path;
-
 use machinist::{Discretisation, FieldSimulator};
 use machinist_codegen::independent::{At, Comparison, Deviation, elements};
-use machinist_codegen::pipeline;
 use machinist_codegen::scene::system::LagrangianSystem;
 use machinist_contract::Simulator;
 use machinist_model::{Model, ModelSimulator};
@@ -12,6 +9,7 @@ use machinist_studies::double_double::DoubleDouble;
 use machinist_studies::verify::automatic::{Difference, Independent, Look};
 
 use crate::failure::Failure;
+use crate::spec_source::SpecSource;
 
 /// Random places, beside those of the run.
 const PLACES: usize = 20;
@@ -31,9 +29,9 @@ pub struct Spec {
 }
 
 impl Spec {
-    /// Of a scene file, or why it cannot be asked.
-    pub fn of(path: &Path, model: &Model) -> Result<Result<Self, String>, Failure> {
-        let system = pipeline::check(path)?;
+    /// Of a spec, or why it cannot be asked.
+    pub fn of(source: &SpecSource, model: &Model) -> Result<Result<Self, String>, Failure> {
+        let system = source.system()?;
         let read = system.files.iter().map(|file| &file.sha256);
         if !read.eq(model.files.iter().map(|file| &file.sha256)) {
             return Ok(Err("the spec has changed while it was checked".to_owned()));

@@ -52,9 +52,9 @@ pub fn verify(argument: &str, changes: &Changes<'_>) -> Result<Vec<Verdict>, Fai
 fn given(argument: &str) -> Result<(Model, Result<Spec, String>), Failure> {
     match scene::Given::of(argument)? {
         scene::Given::Model(stamped) => Ok((stamped.model, Err(NO_SPEC.to_owned()))),
-        scene::Given::Spec(path) => {
+        scene::Given::Spec(source) => {
             let model = scene::model_of(argument)?;
-            let spec = Spec::of(&path, &model)?;
+            let spec = Spec::of(&source, &model)?;
             Ok((model, spec))
         }
     }

@@ -280,7 +280,11 @@ impl<'a, R: Real> Comparison<'a, R> {
         let velocities = velocities.map(|(entry, i)| (*entry, motion.accelerations[*i]));
         let first_order = self.entries.first_order.iter();
         let first_order = first_order.map(|(entry, k)| (*entry, motion.rates[*k]));
+        let run = &self.system.run;
         for (entry, expected) in positions.chain(velocities).chain(first_order) {
+            // At rest a machine of 31 digits is at rest, and one of 16 but for rounding.
+            let least = NOTHING * self.simulator.state_scale(entry) / (run.until - run.from);
+            let expected = Rounded { size: expected.size + R::literal(least), ..expected };
             self.judge(found, rate[entry], expected, || {
                 format!("{}' at {} s", self.simulator.state(entry).name, at.time)
             });
@@ -369,6 +373,10 @@ impl<'a, R: Real> Comparison<'a, R> {
         found.take(error, || format!("{}: {value:.9e} for {expects:.9e}", place()));
     }
 }
+
+/// A rate that changes no state by this part of its scale within the run is as good as none,
+/// beside rounding.
+const NOTHING: f64 = 1e-4;
 
 /// A row of numbers times a column.
 fn row_times<R: Real>(row: &[f64], column: &[Rounded<R>]) -> Rounded<R> {

@@ -156,8 +156,8 @@ fn measure(
     simulator: &dyn Simulator<f64>,
     twin: Option<&'static dyn Simulator<DoubleDouble>>,
 ) -> Result<WorkPrecision, machinist::SimulateError> {
-    // Some hundred points, each as long as it takes to tell its median.
-    let plan = Plan { enough: 20.0, ..Plan::default() };
+    // Some hundred points a machine, each as long as it takes to tell its median.
+    let plan = Plan { enough: 10.0, longest: 100.0, ..Plan::default() };
     work_precision::measure(simulator, twin, &plan)
 }
 

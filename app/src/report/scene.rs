@@ -19,7 +19,7 @@ pub(super) fn page(machine: &Machine, has_index: bool) -> String {
     let mut sections = vec![
         ("machine", "The machine", picture(machine)),
         ("run", "Run", ran(machine, argument)),
-        ("checks", "Checks", verification::section(&machine.verdicts, argument)),
+        ("checks", "Checks", verification::section(&machine.verdicts, &verify_command(machine))),
         ("modes", "Modes at the operating point", modes::section(argument, machine.modes.as_ref())),
         ("equations", "Equations of motion", motion(&machine.document)),
         ("parameters", "Parameters", parameters(model)),
@@ -39,6 +39,15 @@ pub(super) fn page(machine: &Machine, has_index: bool) -> String {
         },
     };
     page.render()
+}
+
+/// Scenes that are built in have rows of their own beside those that any machine has.
+fn verify_command(machine: &Machine) -> String {
+    let argument = &machine.argument;
+    match machine.by {
+        By::Emitted => format!("machinist verify --only {argument}"),
+        By::Compiled | By::Interpreted => format!("machinist verify {argument}"),
+    }
 }
 
 fn header(machine: &Machine) -> Markup {

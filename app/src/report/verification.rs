@@ -5,14 +5,14 @@ use maud::{Markup, html};
 
 use crate::number::number;
 
-/// The verdicts of a machine; `argument` is what commands call it.
-pub fn section(verdicts: &[Verdict], argument: &str) -> Markup {
+/// The verdicts of a machine, and the command that prints them.
+pub fn section(verdicts: &[Verdict], command: &str) -> Markup {
     html! {
         p {
             "Each row holds a simulator against something known without it: a closed form, a
              converged reference computed by other means, equations written by hand, derivatives
              by the complex step, or the energy account. A row passes if its error is at most its
-             tolerance. The same table is printed by " code { "machinist verify " (argument) } "."
+             tolerance. The same table is printed by " code { (command) } "."
         }
         div.scroll {
             table.verdicts {

@@ -60,11 +60,16 @@ fn keep_standard_output_clean() {
     unsafe {
         std::env::set_var("SYMBOLICA_HIDE_BANNER", "1");
     }
-    eprintln!(
-        "machinist: deriving with Symbolica, for non-commercial use without a key of your own; \
-         see docs/licensing.md"
-    );
+    if std::env::var_os(GREETED).is_none() {
+        eprintln!(
+            "machinist: deriving with Symbolica, for non-commercial use without a key of your \
+             own; see docs/licensing.md"
+        );
+    }
 }
+
+/// The environment variable of processes whose parent has said on whose terms they derive.
+pub const GREETED: &str = "MACHINIST_GREETED";
 
 /// Bytes of stack of the thread that runs the sessions: expressions nest some six hundred
 /// levels deep, and their derivatives deeper.

@@ -5,7 +5,9 @@
 
 use std::io::{Read as _, Write as _, stdin, stdout};
 use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
 
+use machinist_codegen::cas::GREETED;
 use machinist_codegen::pipeline;
 use machinist_codegen::spec::diagnostic::Diagnostics;
 use machinist_model::file::{open, seal};
@@ -19,6 +21,9 @@ pub const COMMAND: &str = "derive-for-parent";
 const QUESTION: &[u8; 16] = b"machinist asks:\n";
 const ANSWER: &[u8; 16] = b"machinist says:\n";
 
+/// Whether a child of this process has said on whose terms it derives.
+static GREETED_ONCE: AtomicBool = AtomicBool::new(false);
+
 /// Has a child derive what is asked for.
 pub(super) fn ask(requests: &[&Request]) -> Result<Vec<Derived>, Failure> {
     let failed = |error: &std::io::Error| {
@@ -27,6 +32,9 @@ pub(super) fn ask(requests: &[&Request]) -> Result<Vec<Derived>, Failure> {
     let program = std::env::current_exe().map_err(|error| failed(&error))?;
     let mut command = Command::new(program);
     command.arg(COMMAND).stdin(Stdio::piped()).stdout(Stdio::piped());
+    if GREETED_ONCE.swap(true, Ordering::Relaxed) {
+        command.env(GREETED, "1");
+    }
     let mut child = command.spawn().map_err(|error| failed(&error))?;
     if let Some(mut input) = child.stdin.take() {
         // A child that does not listen has ended, and its exit code says so.

@@ -197,8 +197,6 @@ pub const SCENES: &str = "specs/scenes";
 /// The folder below it with scenes that are there to be measured, and the folder
 /// below that of the emitted files with their simulators.
 pub const BENCH: &str = "bench";
-/// The folder below it with machines of standard parts alone.
-pub const DRIVES: &str = "drives";
 
 /// The spec of a name or a path. A name is looked for among the specs of the current folder,
 /// then among those that are built in.

@@ -5,9 +5,12 @@ use std::path::{Path, PathBuf};
 use machinist_model::Model;
 use machinist_model::operations;
 
-use super::scene::{BENCH, DRIVES};
+use super::scene::BENCH;
 use crate::failure::Failure;
 use crate::spec_source::SpecSource;
+
+/// The folder below that of the scenes with machines of standard parts alone.
+const DRIVES: &str = "drives";
 
 /// All scene files of a folder, sorted by name.
 pub fn scene_files(folder: &Path) -> Result<Vec<SpecSource>, Failure> {

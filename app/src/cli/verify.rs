@@ -12,7 +12,9 @@ use super::assignment;
 use super::output::print;
 use crate::failure::Failure;
 use crate::progress::during;
-pub use machine::{Changes, verify};
+pub use machine::Changes;
+#[cfg(feature = "derive")]
+pub use machine::verify;
 
 #[derive(Debug, Args)]
 pub struct Verify {

@@ -73,13 +73,9 @@ pub(crate) struct Ruler {
     labels: Vec<(f64, String)>,
 }
 
+/// What the report draws by.
+#[cfg(feature = "derive")]
 impl Ruler {
-    /// The same without anything written.
-    pub fn unlabelled(mut self) -> Self {
-        self.labels.iter_mut().for_each(|(_, label)| label.clear());
-        self
-    }
-
     /// First and last place.
     pub fn ends(&self) -> Range<f64> {
         self.range.clone()
@@ -93,6 +89,14 @@ impl Ruler {
     /// What is written at which share of the way.
     pub fn marks(&self) -> impl Iterator<Item = (f64, &str)> {
         self.labels.iter().map(|(place, label)| (self.share(*place), label.as_str()))
+    }
+}
+
+impl Ruler {
+    /// The same without anything written.
+    pub fn unlabelled(mut self) -> Self {
+        self.labels.iter_mut().for_each(|(_, label)| label.clear());
+        self
     }
 
     /// Number of ticks.

@@ -2,6 +2,8 @@
 //! machinist-codegen --test suite specs::` runs one.
 
 mod common;
+#[path = "../../tests/common/mutation.rs"]
+mod mutation;
 mod support;
 
 mod build_script;
@@ -10,6 +12,7 @@ mod derivation_limits;
 mod emitted_files;
 mod emitted_numbers;
 mod emitted_text;
+mod fuzz;
 mod library;
 mod limits;
 mod pendulum;

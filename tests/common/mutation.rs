@@ -23,8 +23,8 @@ const SHRINKING: Duration = Duration::from_secs(20);
 /// Bytes by which the most memory this process ever had may grow by one input.
 const ROOM: u64 = 1 << 30;
 
-/// What must hold of an input; what is wrong if it does not.
-pub type Rule = Arc<dyn Fn(&[u8]) -> Result<(), String> + Send + Sync>;
+/// What must hold of an input: whether it is taken, else refused; or what is wrong.
+pub type Rule = Arc<dyn Fn(&[u8]) -> Result<bool, String> + Send + Sync>;
 
 /// A loop over inputs.
 pub struct Fuzz {
@@ -45,12 +45,18 @@ impl Fuzz {
         let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse().ok());
         let rounds = number(ROUNDS).unwrap_or(self.few as u64);
         let seed = number(SEED).unwrap_or(0);
-        let start = Instant::now();
+        let (start, mut taken) = (Instant::now(), 0);
         let mut faults: Vec<(String, String)> = Vec::new();
         for round in seed..seed.saturating_add(rounds) {
             let input = make(&mut Rng::with_seed(round));
             self.keep("last", &input);
-            let Err(fault) = self.attempt(&input, rule) else { continue };
+            let fault = match self.attempt(&input, rule) {
+                Ok(is_taken) => {
+                    taken += u64::from(is_taken);
+                    continue;
+                }
+                Err(fault) => fault,
+            };
             let kind = kind_of(&fault);
             if faults.iter().any(|(known, _)| *known == kind) {
                 continue;
@@ -64,7 +70,10 @@ impl Fuzz {
             }
         }
         let seconds = start.elapsed().as_secs_f64();
-        println!("{}: {rounds} inputs from seed {seed} in {seconds:.1} s", self.name);
+        println!(
+            "{}: {rounds} inputs from seed {seed}, {taken} taken, in {seconds:.1} s",
+            self.name
+        );
         let told: Vec<String> = faults.into_iter().map(|(_, told)| told).collect();
         assert!(told.is_empty(), "{}:\n{}", self.name, told.join("\n"));
     }
@@ -78,7 +87,7 @@ impl Fuzz {
         file
     }
 
-    fn attempt(&self, input: &[u8], rule: &Rule) -> Result<(), String> {
+    fn attempt(&self, input: &[u8], rule: &Rule) -> Result<bool, String> {
         match self.attempt_once(input, rule) {
             Err(fault) if fault.starts_with("slow") => self.attempt_once(input, rule),
             answer => answer,
@@ -86,7 +95,7 @@ impl Fuzz {
     }
 
     /// On a thread of its own, so that what hangs is left behind.
-    fn attempt_once(&self, input: &[u8], rule: &Rule) -> Result<(), String> {
+    fn attempt_once(&self, input: &[u8], rule: &Rule) -> Result<bool, String> {
         let (sender, receiver) = channel();
         let (input, rule) = (input.to_vec(), Arc::clone(rule));
         let (start, memory) = (Instant::now(), peak());
@@ -100,14 +109,14 @@ impl Fuzz {
             Err(RecvTimeoutError::Timeout) => return Err("hangs".to_owned()),
             Err(RecvTimeoutError::Disconnected) => return Err("no answer".to_owned()),
         };
-        answer?;
+        let is_taken = answer?;
         if start.elapsed() > self.patience {
             return Err(format!("slow: {:.1?}", start.elapsed()));
         }
         if peak().saturating_sub(memory) > ROOM {
             return Err("takes too much memory".to_owned());
         }
-        Ok(())
+        Ok(is_taken)
     }
 
     /// Leaves out lines, then pieces of lines, as long as the same fault stays.

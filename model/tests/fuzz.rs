@@ -127,6 +127,28 @@ fn distributed() -> Model {
     machine
 }
 
+/// Found by damaging files: these have the hash they should have, and panicked or took all
+/// memory when they were run.
+#[test]
+fn results_too_many_and_powers_too_high_are_refused() {
+    type Break = fn(&mut Model);
+    let breaks: [(&str, Model, Break); 5] = [
+        ("energy", distributed(), |model| model.fields[0].energy.results.push(NodeId(0))),
+        ("initial", distributed(), |model| model.fields[0].initial.results.clear()),
+        ("inertia", distributed(), |model| model.fields[0].inertia.results.clear()),
+        ("finite", distributed(), |model| model.fields[0].length = f64::NAN),
+        ("power", excited(), |model| {
+            model.excitation.as_mut().expect("an excitation").terms[0].1 = u32::MAX;
+        }),
+    ];
+    for (part, mut model, damage) in breaks {
+        damage(&mut model);
+        let bytes = write(&Stamped { generator: "a test".to_owned(), model });
+        let error = read(&bytes).expect_err(part);
+        assert!(error.to_string().contains(part), "{part}: {error}");
+    }
+}
+
 #[test]
 fn damaged_models_are_refused_or_run() {
     let models = [machine(), constrained(), excited(), distributed()];

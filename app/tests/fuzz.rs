@@ -7,7 +7,7 @@ mod damaged_model;
 mod mutation;
 
 use std::path::PathBuf;
-use std::process::Stdio;
+use std::process::{Command, Stdio};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -22,6 +22,8 @@ use crate::cli::{answer, machinist, text};
 use damaged_model::{damaged, refused_or_run};
 use mutation::{EXTREMES, Fuzz, Rule, pick};
 
+/// What a run may take until it is interrupted: what was asked for may be very long.
+const RUN: Duration = Duration::from_secs(4);
 /// What a command line may take.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Between the arguments of a command line, as inputs are kept in files.
@@ -180,7 +182,12 @@ fn answers(input: &[u8]) -> Result<bool, String> {
     let mut child = command.spawn().expect("the program starts");
     let (start, error) = (Instant::now(), child.stderr.take().expect("standard error"));
     let said = std::thread::spawn(move || std::io::read_to_string(error).unwrap_or_default());
+    let is_run = matches!(arguments[0], "run" | "sweep");
+    let mut is_interrupted = false;
     let status = loop {
+        if is_run && !is_interrupted && start.elapsed() > RUN {
+            is_interrupted = interrupt(child.id());
+        }
         match child.try_wait().expect("a child") {
             Some(status) => break status,
             None if start.elapsed() > PATIENCE => {
@@ -195,8 +202,16 @@ fn answers(input: &[u8]) -> Result<bool, String> {
     match status.code() {
         Some(0) => Ok(true),
         Some(1 | 2) if !said.trim().is_empty() => Ok(false),
+        // A command that does not wait for an interruption ends by it.
+        None if is_interrupted && arguments[0] != "run" => Ok(false),
         code => Err(format!("exit {code:?}, {said:.400}: {arguments:?}")),
     }
+}
+
+/// Asks a process to end as Ctrl-C does, where that is known.
+fn interrupt(process: u32) -> bool {
+    let mut kill = Command::new("kill");
+    kill.args(["-INT", &process.to_string()]).status().is_ok_and(|status| status.success())
 }
 
 #[test]

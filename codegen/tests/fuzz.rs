@@ -6,12 +6,17 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use fastrand::Rng;
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_codegen::pipeline::compile;
 use machinist_codegen::scene::compose;
 use machinist_codegen::scene::system::LagrangianSystem;
 use machinist_codegen::spec::dimension::Unit;
 use machinist_codegen::spec::load_scene;
 
+use machinist_model::file::{Stamped, read, write};
+
 use crate::common::describe;
+use crate::damaged_model::refused_or_run;
 use crate::mutation::{Fuzz, Rule, damage, expression, pick};
 
 const PATIENCE: Duration = Duration::from_secs(2);
@@ -40,8 +45,12 @@ fn texts(folders: &[&str], ending: &str) -> Vec<String> {
     files.iter().filter_map(|file| std::fs::read_to_string(file).ok()).collect()
 }
 
-/// Writes the files of a bundle, and reads the scene.
 fn read_bundle(input: &[u8]) -> Result<bool, String> {
+    read_system(input).map(|system| system.is_some())
+}
+
+/// Writes the files of a bundle, and reads the scene; nothing if it is refused as it should be.
+fn read_system(input: &[u8]) -> Result<Option<LagrangianSystem>, String> {
     let folder = tempfile::tempdir().expect("temporary folder");
     for name in ["scenes", "units"] {
         std::fs::create_dir(folder.path().join(name)).expect("a folder");
@@ -61,7 +70,7 @@ fn read_bundle(input: &[u8]) -> Result<bool, String> {
     }
     let scene = folder.path().join(PLACES[0]);
     match load_scene(&scene).and_then(|spec| compose(&spec)) {
-        Ok(system) => holds_numbers(&system).map(|()| true),
+        Ok(system) => holds_numbers(&system).map(|()| Some(system)),
         Err(errors) => {
             let report = errors.render();
             let told = errors.errors().iter().all(|error| !error.message.trim().is_empty());
@@ -69,7 +78,7 @@ fn read_bundle(input: &[u8]) -> Result<bool, String> {
                 () if errors.errors().is_empty() || !told => Err("refused without words".into()),
                 () if report.trim().is_empty() => Err("an empty report".to_owned()),
                 () if report.len() > 400_000 => Err("a report too long to read".to_owned()),
-                () => Ok(false),
+                () => Ok(None),
             }
         }
     }
@@ -111,19 +120,21 @@ fn holds_numbers(system: &LagrangianSystem) -> Result<(), String> {
 
 #[test]
 fn damaged_specs_are_read_to_numbers_or_refused() {
-    let scenes: Vec<String> = texts(&["../specs/scenes", "tests/pass", "tests/fail"], "toml");
+    let scenes = texts(&["../specs/scenes", "tests/pass"], "toml");
+    let bad = texts(&["tests/fail"], "toml");
     let units = texts(&["../specs/units"], "toml");
     let make = move |rng: &mut Rng| {
-        let scene = pick(rng, &scenes).expect("a scene");
+        let begun = if rng.u32(0..5) == 0 { &bad } else { &scenes };
+        let scene = pick(rng, begun).expect("a scene");
         let others = if rng.bool() { &scenes } else { &units };
         let other = pick(rng, others).expect("another");
         let mut bundle = format!("{FILE}scenes/made.toml\n{scene}\n");
-        if rng.u32(0..3) == 0 {
+        if rng.u32(0..8) == 0 {
             // The unit of some instance is of the user's own.
             let unit = pick(rng, &units).expect("a unit");
             bundle
                 .push_str(&format!("[units.own]\nunit = \"made\"\n{FILE}units/made.toml\n{unit}"));
-        } else if rng.bool() {
+        } else if bundle.contains(".csv") {
             let tables = bundle.replace("wind.csv", "a.csv").replace("speeds.csv", "b.csv");
             bundle = format!("{tables}{FILE}scenes/a.csv\n{}", TABLE.replace("force", "push"));
             bundle.push_str(&format!("{FILE}scenes/b.csv\ntime [s],speed [rad/s]\n-1,1\n3,1\n"));
@@ -150,7 +161,7 @@ fn machine(expression: &str, table: &str) -> Vec<u8> {
          [parameters.b]\nvalue = 0\nunit = \"1\"\n\
          [helpers.made]\nexpression = '''{expression}'''\nunit = \"1\"\n\
          [outputs]\nx = \"body.x\"\n\
-         [run]\nuntil = 1\n\
+         [run]\nuntil = 1\npoints = 3\nrtol = 1e-6\nmethod = \"auto\"\n\
          {FILE}scenes/a.csv\n{table}"
     )
     .into_bytes()
@@ -169,6 +180,35 @@ fn random_expressions_are_read_to_numbers_or_refused() {
     };
     let rule: Rule = Arc::new(read_bundle);
     Fuzz { name: "expressions", few: 300, patience: PATIENCE }.run(make, &rule);
+}
+
+/// What is read is derived as well, and its model run.
+fn derive(input: &[u8]) -> Result<bool, String> {
+    let Some(system) = read_system(input)? else { return Ok(false) };
+    match compile(system, Keep::Needed) {
+        Ok(model) => {
+            let bytes = write(&Stamped { generator: "a test".to_owned(), model });
+            refused_or_run(&bytes)?;
+            read(&bytes).map(|_| true).map_err(|error| error.to_string())
+        }
+        Err(errors) if errors.errors().iter().all(|error| error.message.is_empty()) => {
+            Err("refused without words".to_owned())
+        }
+        Err(_) => Ok(false),
+    }
+}
+
+#[test]
+fn machines_of_random_expressions_are_derived_and_run() {
+    let make = |rng: &mut Rng| {
+        let names = ["a", "b", "body.z", "body.x/(1 [m])", "body.x_dot/(1 [m/s])", "t/(1 [s])"];
+        let depth = [1, 2, 3, 4][rng.usize(0..4)];
+        machine(&pure(&expression(rng, &names.map(str::to_owned), depth)), TABLE)
+    };
+    let rule: Rule = Arc::new(derive);
+    // Others may derive meanwhile, and only one at a time.
+    let patience = Duration::from_secs(30);
+    Fuzz { name: "derived", few: 60, patience }.run(make, &rule);
 }
 
 /// An expression with its numbers and times made pure, as far as is told by looking.

@@ -2,6 +2,8 @@
 //! machinist-codegen --test suite specs::` runs one.
 
 mod common;
+#[path = "../../tests/common/damaged_model.rs"]
+mod damaged_model;
 #[path = "../../tests/common/mutation.rs"]
 mod mutation;
 mod support;

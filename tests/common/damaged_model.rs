@@ -1,5 +1,6 @@
 //! Models whose bytes were damaged: refused with a reason, or run without a panic, to the same
 //! bits by interpreter and machine code. Shared as `mutation` is.
+#![allow(dead_code, reason = "every test takes what it needs")]
 
 use std::fmt::Debug;
 
@@ -49,7 +50,8 @@ pub fn refused_or_run(bytes: &[u8]) -> Result<bool, String> {
     }
 }
 
-fn run(model: Model) -> Result<(), String> {
+/// Every function of a model, called both ways.
+pub fn run(model: Model) -> Result<(), String> {
     let interpreted = ModelSimulator::interpreted(model.clone());
     let compiled = ModelSimulator::new(model);
     // What describes it need only be there.

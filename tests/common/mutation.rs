@@ -45,11 +45,12 @@ impl Fuzz {
         let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse().ok());
         let rounds = number(ROUNDS).unwrap_or(self.few as u64);
         let seed = number(SEED).unwrap_or(0);
-        let (start, mut taken) = (Instant::now(), 0);
+        let (start, mut tried, mut taken) = (Instant::now(), 0, 0);
         let mut faults: Vec<(String, String)> = Vec::new();
         for round in seed..seed.saturating_add(rounds) {
             let input = make(&mut Rng::with_seed(round));
             self.keep("last", &input);
+            tried += 1;
             let fault = match self.attempt(&input, rule) {
                 Ok(is_taken) => {
                     taken += u64::from(is_taken);
@@ -71,10 +72,11 @@ impl Fuzz {
         }
         let seconds = start.elapsed().as_secs_f64();
         println!(
-            "{}: {rounds} inputs from seed {seed}, {taken} taken, in {seconds:.1} s",
+            "{}: {tried} inputs from seed {seed}, {taken} taken, in {seconds:.1} s",
             self.name
         );
         let told: Vec<String> = faults.into_iter().map(|(_, told)| told).collect();
+        assert!(taken > 0 || tried < 50, "{}: nothing is taken", self.name);
         assert!(told.is_empty(), "{}:\n{}", self.name, told.join("\n"));
     }
 

@@ -22,7 +22,8 @@ use crate::cli::{answer, machinist, text};
 use damaged_model::{damaged, refused_or_run};
 use mutation::{EXTREMES, Fuzz, Rule, pick};
 
-/// What a run may take until it is interrupted: what was asked for may be very long.
+/// What commands that simulate may take until they are interrupted: what was asked for may be
+/// very long.
 const RUN: Duration = Duration::from_secs(4);
 /// What a command line may take.
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -115,7 +116,7 @@ const PLACES: &[&str] = &["equilibrium", "initial", "t=0.01", "t=nan", "t=-1", "
 fn option(rng: &mut Rng, taken: &[&str], names: &[String]) -> Vec<String> {
     let one = |rng: &mut Rng, of: &[&str]| pick(rng, of).copied().unwrap_or_default().to_owned();
     let name = |rng: &mut Rng| pick(rng, names).cloned().unwrap_or_default();
-    let strange = ["--no-cache", "--help", "--version", "--nothing", "--", "--json", "--set"];
+    let strange = ["--help", "--version", "--nothing", "--", "--json", "--set"];
     if taken.is_empty() || rng.u32(0..12) == 0 {
         return vec![one(rng, &strange)];
     }
@@ -178,11 +179,13 @@ fn answers(input: &[u8]) -> Result<bool, String> {
     let line = String::from_utf8_lossy(input).into_owned();
     let arguments: Vec<&str> = line.split(BETWEEN).collect();
     let mut command = machinist(&arguments);
-    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped());
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().expect("the program starts");
     let (start, error) = (Instant::now(), child.stderr.take().expect("standard error"));
     let said = std::thread::spawn(move || std::io::read_to_string(error).unwrap_or_default());
-    let is_run = matches!(arguments[0], "run" | "sweep");
+    let out = child.stdout.take().expect("standard output");
+    let answer = std::thread::spawn(move || std::io::read_to_string(out).unwrap_or_default());
+    let is_run = matches!(arguments[0], "run" | "sweep" | "modes" | "response");
     let mut is_interrupted = false;
     let status = loop {
         if is_run && !is_interrupted && start.elapsed() > RUN {
@@ -193,13 +196,20 @@ fn answers(input: &[u8]) -> Result<bool, String> {
             None if start.elapsed() > PATIENCE => {
                 child.kill().expect("it ends");
                 child.wait().expect("it has ended");
-                return Err(format!("hangs: {arguments:?}"));
+                // Others may derive meanwhile, and only one at a time.
+                let waits = said.join().is_ok_and(|said| said.contains("waiting for process"));
+                return if waits { Ok(false) } else { Err(format!("hangs: {arguments:?}")) };
             }
             None => std::thread::sleep(Duration::from_millis(2)),
         }
     };
     let said = said.join().expect("standard error is read");
+    let answer = answer.join().expect("standard output is read");
+    let is_number = |word: &str| !["NaN", "inf", "-inf"].contains(&word);
     match status.code() {
+        Some(0) if is_run && !answer.split_whitespace().all(is_number) => {
+            Err(format!("no number in the answer: {arguments:?}"))
+        }
         Some(0) => Ok(true),
         Some(1 | 2) if !said.trim().is_empty() => Ok(false),
         // A command that does not wait for an interruption ends by it.

@@ -53,6 +53,14 @@ fn with_potential(potential: &str) -> String {
     )
 }
 
+/// To factor 1000^64 + a^65 is search without an end.
+#[test]
+fn high_powers_with_large_numbers_are_derived_in_time() {
+    for potential in ["((1000/a)^64 + a)*u", "((0 + 1e9/a)^64 + a)*u^2"] {
+        derived(&with_potential(potential)).expect("is derived");
+    }
+}
+
 fn refusal(potential: &str) -> String {
     let report = derived(&with_potential(potential)).expect_err("is refused");
     assert!(report.contains("made.toml:"), "no place in {report}");

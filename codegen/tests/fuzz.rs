@@ -142,7 +142,7 @@ fn damaged_specs_are_read_to_numbers_or_refused() {
         damage(rng, bundle.as_bytes(), other.as_bytes())
     };
     let rule: Rule = Arc::new(read_bundle);
-    Fuzz { name: "specs", few: 250, patience: PATIENCE }.run(make, &rule);
+    Fuzz { name: "specs", few: 150, patience: PATIENCE }.run(make, &rule);
 }
 
 /// A machine of one mass with places for an expression and a table.
@@ -179,7 +179,7 @@ fn random_expressions_are_read_to_numbers_or_refused() {
         machine(&text, TABLE)
     };
     let rule: Rule = Arc::new(read_bundle);
-    Fuzz { name: "expressions", few: 300, patience: PATIENCE }.run(make, &rule);
+    Fuzz { name: "expressions", few: 150, patience: PATIENCE }.run(make, &rule);
 }
 
 /// What is read is derived as well, and its model run.
@@ -237,7 +237,7 @@ fn damaged_tables_are_read_to_numbers_or_refused() {
         bundle
     };
     let rule: Rule = Arc::new(read_bundle);
-    Fuzz { name: "tables", few: 300, patience: PATIENCE }.run(make, &rule);
+    Fuzz { name: "tables", few: 150, patience: PATIENCE }.run(make, &rule);
 }
 
 #[test]
@@ -263,5 +263,5 @@ fn damaged_units_of_measure_are_read_or_refused() {
         let [one, other] = [(); 2].map(|()| units[rng.usize(0..units.len())]);
         damage(rng, format!("{one} {other}").as_bytes(), other.as_bytes())
     };
-    Fuzz { name: "units", few: 2000, patience: PATIENCE }.run(make, &rule);
+    Fuzz { name: "units", few: 500, patience: PATIENCE }.run(make, &rule);
 }

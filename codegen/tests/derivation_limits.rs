@@ -53,6 +53,11 @@ fn with_potential(potential: &str) -> String {
     )
 }
 
+#[test]
+fn numbers_of_twenty_thousand_digits_are_handed_over_in_time() {
+    derived(&with_potential("asin((1e-320)^64)*u")).expect("is derived");
+}
+
 /// To factor 1000^64 + a^65 is search without an end.
 #[test]
 fn high_powers_with_large_numbers_are_derived_in_time() {
@@ -69,6 +74,16 @@ fn equations_with_numbers_beyond_all_bounds_are_refused() {
         let report = derived(&with_potential(potential)).expect_err("is refused");
         assert!(report.contains("is not a finite number"), "{report}");
         assert!(report.contains("a large one to a high power"), "{report}");
+    }
+}
+
+/// Who solves for an excitation takes room for each power of time.
+#[test]
+fn powers_of_time_have_a_bound_beyond_which_they_are_stepped_through() {
+    let inner = "((t/1 [s])^8 + p)^8";
+    for (excitation, is_solved) in [(inner.to_owned(), true), (format!("({inner} + p)^3"), false)] {
+        let model = derived(&with_potential(&format!("u*{excitation}"))).expect("is derived");
+        assert_eq!(model.excitation.is_some(), is_solved, "{excitation}");
     }
 }
 

@@ -255,8 +255,7 @@ impl Model {
                 tape,
                 match name {
                     "inertia_gradient" => 1 + parameters,
-                    "force" | "energy" | "initial" => 2,
-                    "on_value_jacobian" | "on_slope_jacobian" => 2,
+                    "force" | "energy" | "initial" | "on_value_jacobian" | "on_slope_jacobian" => 2,
                     "power" => 3,
                     "force_jacobian" => 8,
                     "force_gradient" => 2 * (2 + parameters),

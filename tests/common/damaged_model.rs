@@ -69,7 +69,7 @@ pub fn run(model: Model) -> Result<(), String> {
 fn described(simulator: &ModelSimulator) -> String {
     let shape = simulator.shape();
     let mut text = format!("{shape:?} {:?}", simulator.run_defaults());
-    let mut tell = |of: &dyn Debug| text.push_str(&format!("{of:?}"));
+    let mut tell = |of: &dyn Debug| text.extend([format!("{of:?}")]);
     for index in 0..shape.states() {
         tell(&simulator.state(index));
         tell(&(simulator.state_kind(index), simulator.state_scale(index)));

@@ -465,7 +465,7 @@ fn replace_token(
 /// What stands between the quotes of a line.
 fn replace_quoted(rng: &mut Rng, text: &[u8], by: &[&str]) -> Vec<u8> {
     let mut parts = lines(text);
-    let quotes = |line: &[u8]| line.iter().filter(|byte| **byte == b'"').count() >= 2;
+    let quotes = |line: &[u8]| line.split(|byte| *byte == b'"').count() > 2;
     let places: Vec<usize> = (0..parts.len()).filter(|&at| quotes(&parts[at])).collect();
     if let (Some(&at), Some(word)) = (pick(rng, &places), pick(rng, by)) {
         let line = &mut parts[at];

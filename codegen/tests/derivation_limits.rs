@@ -58,6 +58,18 @@ fn numbers_of_twenty_thousand_digits_are_handed_over_in_time() {
     derived(&with_potential("asin((1e-320)^64)*u")).expect("is derived");
 }
 
+/// Its derivative by the force holds the sign of the force.
+#[test]
+fn a_guard_may_hold_the_size_of_a_force() {
+    let text = "[scene]\nname = \"gripped\"\n[units.block]\nunit = \"block\"\n[run]\n\
+                until = 1\npoints = 11\nrtol = 1e-6\nmethod = \"tsit5\"\n\
+                [outputs]\nx = \"block.x\"\n[define.block.coordinates.x]\nunit = \"m\"\n\
+                [define.block.constraints.grip]\nexpression = \"x_dot\"\n\
+                [define.block.events.breaks]\nguard = \"abs(grip) - 3 [N]\"\n\
+                [define.block.energy]\nkinetic = \"1 [kg]*x_dot^2\"\n";
+    derived(text).expect("is derived");
+}
+
 /// To factor 1000^64 + a^65 is search without an end.
 #[test]
 fn high_powers_with_large_numbers_are_derived_in_time() {

@@ -329,14 +329,11 @@ fn catches_interrupts(process: u32) -> bool {
     caught.is_some_and(|mask| mask & (1 << (2 - 1)) != 0)
 }
 
-#[test]
+/// What a run says that is interrupted when it listens.
 #[cfg(target_os = "linux")]
-fn a_run_that_is_interrupted_keeps_what_it_has() {
-    let folder = tempfile::tempdir().expect("a folder");
-    // It would take minutes.
-    let run = ["run", "two_mass", "--method", "tsit5", "--until", "1e7", "--points", "1000001"];
+fn interrupted(folder: &Path, run: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_machinist"));
-    command.args(run).args(["--out", "part.json"]).current_dir(folder.path()).env("NO_COLOR", "1");
+    command.args(run).current_dir(folder).env("NO_COLOR", "1");
     let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts");
     let waiting = Instant::now();
     while !catches_interrupts(child.id()) {
@@ -347,7 +344,28 @@ fn a_run_that_is_interrupted_keeps_what_it_has() {
     sleep(Duration::from_millis(50));
     let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
     assert!(sent.expect("a signal").success());
-    let output = child.wait_with_output().expect("an end");
+    child.wait_with_output().expect("an end")
+}
+
+/// Its damping asks for steps so short that it never comes to its second point.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_run_that_is_interrupted_at_its_first_point_says_when_that_is() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let damping = "oscillator.damping=18446744073709551616";
+    let run = ["run", "contact_oscillator_smooth", "--until", "0.01", "--set", damping];
+    let output = interrupted(folder.path(), &[&run[..], &["--method", "dop853"]].concat());
+    let summary = String::from_utf8_lossy(&output.stdout);
+    assert!(summary.contains("0 s to 0 s, 1 points"), "{summary}");
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_run_that_is_interrupted_keeps_what_it_has() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // It would take minutes.
+    let run = ["run", "two_mass", "--method", "tsit5", "--until", "1e7", "--points", "1000001"];
+    let output = interrupted(folder.path(), &[&run[..], &["--out", "part.json"]].concat());
     assert_eq!(output.status.code(), Some(1), "{}", said(&output));
     assert!(said(&output).contains("the run was interrupted"), "{}", said(&output));
     assert!(said(&output).contains("is in part.json"), "{}", said(&output));

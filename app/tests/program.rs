@@ -8,6 +8,7 @@ mod anywhere;
 mod cli;
 mod cli_sweep;
 mod deriving;
+mod fuzz;
 mod report;
 mod trajectory;
 mod verify;

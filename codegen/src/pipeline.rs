@@ -46,7 +46,7 @@ pub fn compile(system: LagrangianSystem, keep: Keep) -> Result<Model, Diagnostic
         defined(cas)?;
         Ok::<_, Diagnostics>(linear)
     })??;
-    Ok(linear.lower())
+    linear.lower()
 }
 
 /// The equations of what is kept.
@@ -88,12 +88,20 @@ impl Linear {
         Linear { machine: linearize(cas, equations), fields }
     }
 
-    fn lower(&self) -> Model {
+    /// # Errors
+    /// If a number of the equations is none: each is finite in the spec, and what is computed
+    /// of them need not be.
+    fn lower(&self) -> Result<Model, Diagnostics> {
         let mut model = lower::lower(&self.machine);
         let fields = self.machine.equations.system.fields.iter().zip(&self.fields);
         model.fields =
             fields.map(|(field, equations)| lower::density::lower(field, equations)).collect();
-        model
+        model.validate().map_err(|error| {
+            let message = format!("the equations cannot be computed: {error}");
+            let help = "look for a number beyond 1e308, such as a large one to a high power";
+            Diagnostic::of_file("", message, help)
+        })?;
+        Ok(model)
     }
 }
 
@@ -148,8 +156,9 @@ pub fn derivation(system: LagrangianSystem, keep: Keep) -> Result<Derivation, Di
         defined(cas)?;
         Ok::<_, Diagnostics>((equations, whole, linear))
     })??;
-    let steps = steps.iter().map(|(step, linear)| (*step, linear.lower()));
-    let stages = Stages { whole: whole.lower(), steps: steps.collect() };
+    let steps = steps.iter().map(|(step, linear)| Ok((*step, linear.lower()?)));
+    let steps = steps.collect::<Result<_, Diagnostics>>()?;
+    let stages = Stages { whole: whole.lower()?, steps };
     Ok(Derivation {
         text: Document::new(&equations, Notation::Text),
         latex: Document::new(&equations, Notation::Latex),

@@ -53,6 +53,52 @@ fn with_potential(potential: &str) -> String {
     )
 }
 
+#[test]
+fn numbers_of_twenty_thousand_digits_are_handed_over_in_time() {
+    derived(&with_potential("asin((1e-320)^64)*u")).expect("is derived");
+}
+
+/// Its derivative by the force holds the sign of the force.
+#[test]
+fn a_guard_may_hold_the_size_of_a_force() {
+    let text = "[scene]\nname = \"gripped\"\n[units.block]\nunit = \"block\"\n[run]\n\
+                until = 1\npoints = 11\nrtol = 1e-6\nmethod = \"tsit5\"\n\
+                [outputs]\nx = \"block.x\"\n[define.block.coordinates.x]\nunit = \"m\"\n\
+                [define.block.constraints.grip]\nexpression = \"x_dot\"\n\
+                [define.block.events.breaks]\nguard = \"abs(grip) - 3 [N]\"\n\
+                [define.block.energy]\nkinetic = \"1 [kg]*x_dot^2\"\n";
+    derived(text).expect("is derived");
+}
+
+/// To factor 1000^64 + a^65 is search without an end.
+#[test]
+fn high_powers_with_large_numbers_are_derived_in_time() {
+    for potential in ["((1000/a)^64 + a)*u", "((0 + 1e3/a)^64 + a)*u^2"] {
+        derived(&with_potential(potential)).expect("is derived");
+    }
+}
+
+/// Each number is one, and what the equations make of them is none: such a model was written,
+/// and could not be read again.
+#[test]
+fn equations_with_numbers_beyond_all_bounds_are_refused() {
+    for potential in ["((1e9/a)^64 + a)*u", "((0 + 1e9/a)^64 + a)*u^2", "atan(u/1e-308)^2"] {
+        let report = derived(&with_potential(potential)).expect_err("is refused");
+        assert!(report.contains("is not a finite number"), "{report}");
+        assert!(report.contains("a large one to a high power"), "{report}");
+    }
+}
+
+/// Who solves for an excitation takes room for each power of time.
+#[test]
+fn powers_of_time_have_a_bound_beyond_which_they_are_stepped_through() {
+    let inner = "((t/1 [s])^8 + p)^8";
+    for (excitation, is_solved) in [(inner.to_owned(), true), (format!("({inner} + p)^3"), false)] {
+        let model = derived(&with_potential(&format!("u*{excitation}"))).expect("is derived");
+        assert_eq!(model.excitation.is_some(), is_solved, "{excitation}");
+    }
+}
+
 fn refusal(potential: &str) -> String {
     let report = derived(&with_potential(potential)).expect_err("is refused");
     assert!(report.contains("made.toml:"), "no place in {report}");

@@ -2,6 +2,10 @@
 //! machinist-codegen --test suite specs::` runs one.
 
 mod common;
+#[path = "../../tests/common/damaged_model.rs"]
+mod damaged_model;
+#[path = "../../tests/common/mutation.rs"]
+mod mutation;
 mod support;
 
 mod build_script;
@@ -10,6 +14,7 @@ mod derivation_limits;
 mod emitted_files;
 mod emitted_numbers;
 mod emitted_text;
+mod fuzz;
 mod library;
 mod limits;
 mod pendulum;

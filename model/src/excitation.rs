@@ -21,3 +21,8 @@ pub struct Excitation {
     /// Times at which pieces end, of parameters only; not finite where there is none.
     pub switches: Tape,
 }
+
+impl Excitation {
+    /// Powers of time beyond which there is none: who solves for it takes room for each.
+    pub const HIGHEST_POWER: u32 = 64;
+}

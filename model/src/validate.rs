@@ -4,8 +4,8 @@ use thiserror::Error;
 
 use crate::functions::{FunctionId, Reads};
 use crate::{
-    Check, FieldModel, MatrixTape, Model, NodeId, Op, Reference, SparsityPattern, StateKind, Table,
-    Tape,
+    Check, Excitation, FieldModel, MatrixTape, Model, NodeId, Op, Reference, SparsityPattern,
+    StateKind, Table, Tape,
 };
 
 /// A rule that a model breaks.
@@ -67,6 +67,10 @@ impl Model {
                 entries.find(|(entry, _)| *entry as usize >= self.states.len())
             {
                 return broken("excitation", format!("acts on state {entry}"));
+            }
+            let mut powers = excitation.terms.iter().map(|(_, power)| *power);
+            if let Some(power) = powers.find(|power| *power > Excitation::HIGHEST_POWER) {
+                return broken("excitation", format!("has time to the power {power}"));
             }
         }
         self.check_events()?;
@@ -251,15 +255,24 @@ impl Model {
                 tape,
                 match name {
                     "inertia_gradient" => 1 + parameters,
+                    "force" | "energy" | "initial" | "on_value_jacobian" | "on_slope_jacobian" => 2,
+                    "power" => 3,
+                    "force_jacobian" => 8,
                     "force_gradient" => 2 * (2 + parameters),
                     "places" => field.attachments.len() + 1,
                     "places_gradient" => (field.attachments.len() + 1) * parameters,
-                    _ => tape.results.len(),
+                    // inertia, on_value, on_value_by_time, on_slope
+                    _ => 1,
                 },
             )
         });
         for (name, tape, results) in tapes {
             check(&format!("{path}: {name}"), tape, &room, results)?;
+        }
+        let places = field.attachments.iter().map(|at| at.x);
+        let sizes = field.scale.into_iter().chain([field.length]);
+        if let Some(value) = places.chain(sizes).find(|value| !value.is_finite()) {
+            return broken(path, format!("{value} is not a finite number"));
         }
         if field.parameters.iter().any(|id| *id as usize >= self.parameters.len()) {
             return broken(path, "depends on a parameter that is not there");

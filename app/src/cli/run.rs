@@ -209,12 +209,13 @@ impl Run {
 
     fn summary(&self, scene: &Scene, trajectory: &Trajectory) -> String {
         let work = trajectory.work;
-        let (from, until) = match trajectory.times.as_slice() {
-            [first, .., last] => (*first, *last),
-            _ => (f64::NAN, f64::NAN),
+        // A run that stopped at once has one time, which is both.
+        let span = match (trajectory.times.first(), trajectory.times.last()) {
+            (Some(from), Some(until)) => format!("{from} s to {until} s, "),
+            _ => String::new(),
         };
         let mut text = format!(
-            "{}: {} ({})\n{}, rtol {:e}, {from} s to {until} s, {} points{}\n\
+            "{}: {} ({})\n{}, rtol {:e}, {span}{} points{}\n\
              {} steps, {} rejected, {} rate evaluations, {} Jacobians, {} factorizations, \
              {} Newton iterations{}{}\n\n",
             trajectory.scene,

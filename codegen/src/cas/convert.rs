@@ -62,19 +62,22 @@ fn number(value: &BigRational) -> Atom {
 
 /// Beyond 64 bits the text form is the one both sides agree on exactly.
 fn big_number(value: &BigRational) -> Atom {
-    let digits = |text: &str| {
-        let nines = 18;
-        let negative = text.starts_with('-');
-        let digits = text.trim_start_matches('-').as_bytes();
-        let mut atom = Atom::new();
-        for chunk in digits.chunks(nines) {
-            let part = chunk.iter().fold(0_i64, |n, d| n * 10 + i64::from(d - b'0'));
-            let scale = Atom::num(10_i64.pow(chunk.len() as u32));
-            atom = atom * scale + Atom::num(part);
-        }
-        if negative { -atom } else { atom }
+    let signed = |text: &str| match text.strip_prefix('-') {
+        Some(rest) => -digits(rest.as_bytes()),
+        None => digits(text.as_bytes()),
     };
-    digits(&value.numer().to_string()) / digits(&value.denom().to_string())
+    signed(&value.numer().to_string()) / signed(&value.denom().to_string())
+}
+
+/// Digit after digit takes minutes of a number of some ten thousand; by halves most of the
+/// work is on short ones.
+fn digits(text: &[u8]) -> Atom {
+    let nines = 18;
+    if text.len() <= nines {
+        return Atom::num(text.iter().fold(0_i64, |n, d| n * 10 + i64::from(d - b'0')));
+    }
+    let (high, low) = text.split_at(text.len() / 2);
+    digits(high) * Atom::num(10).pow(low.len() as i64) + digits(low)
 }
 
 /// Half-integer powers go by way of `sqrt`, which Symbolica leaves alone; it

@@ -34,6 +34,9 @@ pub(super) fn may_be_factored(expr: &Expr) -> bool {
     expanded(expr).leaves <= FACTORED_LIMIT && bits(expr) <= NUMBER_LIMIT
 }
 
+/// Powers higher than this are not factored.
+const HIGHEST_DEGREE: i32 = 16;
+
 /// Bits of exact numbers beyond which algebra with them is not worth its time.
 const NUMBER_LIMIT: u64 = 8192;
 
@@ -80,12 +83,17 @@ pub(super) fn shorter(vocabulary: &mut Vocabulary, atom: &Atom) -> Atom {
     if size(&expanded) < size(atom) { expanded } else { atom.clone() }
 }
 
-/// Whether there is an exponential with a number in its argument: exp(50 t + 7) is
-/// a power of exp(t) to Symbolica, and polynomials of degree 50 take long to factor.
+/// Whether there is a high power, or an exponential with a number in its argument:
+/// exp(50 t + 7) is a power of exp(t) to Symbolica. Polynomials of degree 50 take long to
+/// factor, and those with large numbers besides, such as (1000/a)^64 + a, for ever.
 fn has_high_degree(expr: &Expr) -> bool {
     let one = BigRational::from_integer(1.into());
+    let highest = BigRational::from_integer(HIGHEST_DEGREE.into());
     let mut found = false;
     expr.visit(&mut |part| {
+        if let Expr::Power(_, exponent) = part {
+            found |= matches!(&**exponent, Expr::Number(number) if number.abs() > highest);
+        }
         if let Expr::Call(Function::Exp, arguments) = part {
             for argument in arguments {
                 argument.visit(&mut |part| {

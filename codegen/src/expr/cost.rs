@@ -2,7 +2,7 @@
 
 use machinist_model::Op;
 
-use super::{Expr, Graph};
+use super::{Expr, Graph, Symbol};
 
 /// Operations of the tape of one expression.
 #[must_use]
@@ -15,6 +15,17 @@ pub fn operations(expr: &Expr) -> usize {
 #[must_use]
 pub fn weigh(expr: &Expr) -> (usize, u32) {
     let mut graph = Graph::new();
+    // What is solved for costs nothing here, and stands for itself: a guard may hold the size
+    // of a constraint's force.
+    let last = |symbol: Symbol| match symbol {
+        Symbol::Acceleration(id) => id.0 + 1,
+        Symbol::Multiplier(id) => id.0 + 1,
+        _ => 0,
+    };
+    let count = expr.symbols().into_iter().map(last).max().unwrap_or(0);
+    let solved: Vec<_> = (0..2 * count).map(|entry| graph.push(Op::Motion(entry))).collect();
+    let (accelerations, multipliers) = solved.split_at(count as usize);
+    graph.set_accelerations(accelerations.to_vec(), multipliers.to_vec());
     let root = graph.lower(expr);
     let ops = graph.tape(&[root]).nodes.into_iter().map(|node| node.op);
     let ops = ops.filter(Op::is_arithmetic);

@@ -205,7 +205,7 @@ impl Graph {
     }
 
     /// Folds, then finds or appends.
-    fn push(&mut self, op: Op) -> NodeId {
+    pub(super) fn push(&mut self, op: Op) -> NodeId {
         let op = match fold::fold(self, op) {
             fold::Folded::Node(id) => return id,
             fold::Folded::Op(op) => op,

@@ -1,7 +1,7 @@
 //! Sums of terms: a coefficient that parameters decide, times an entry of the state
 //! or a function of time.
 
-use machinist_model::{Function, NodeId, Op};
+use machinist_model::{Excitation, Function, NodeId, Op};
 
 use crate::expr::Graph;
 
@@ -155,6 +155,9 @@ impl Algebra {
         for (a, of_a) in &a.0 {
             for (b, of_b) in &b.0 {
                 let (&Basis::Wave(a), &Basis::Wave(b)) = (a, b) else { return None };
+                if a.power + b.power > Excitation::HIGHEST_POWER {
+                    return None;
+                }
                 let coefficient = self.graph.mul(*of_a, *of_b);
                 self.add_product(&mut product, a, b, coefficient);
             }

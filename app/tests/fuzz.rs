@@ -1,0 +1,271 @@
+//! Command lines and files of models made at random: the program answers in time with one of its
+//! exit codes, and never by a panic or a signal.
+
+#[path = "../../tests/common/damaged_model.rs"]
+mod damaged_model;
+#[path = "../../tests/common/mutation.rs"]
+mod mutation;
+
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use fastrand::Rng;
+use machinist::Simulation;
+use machinist_model::ModelSimulator;
+use machinist_model::file::read;
+use machinist_scenes::scenes;
+
+use crate::cli::{answer, machinist, text};
+use damaged_model::{damaged, refused_or_run};
+use mutation::{EXTREMES, Fuzz, Rule, pick};
+
+/// What commands that simulate may take until they are interrupted: what was asked for may be
+/// very long.
+const RUN: Duration = Duration::from_secs(4);
+/// What a command line may take.
+const PATIENCE: Duration = Duration::from_secs(10);
+/// Between the arguments of a command line, as inputs are kept in files.
+const BETWEEN: char = '\n';
+
+/// Built-in scenes that run a hundredth of a second in no time.
+const SCENES: &[&str] = &[
+    "two_mass",
+    "saw_gin",
+    "bouncing_mass",
+    "four_bar",
+    "shaft_step_torque",
+    "stick_slip",
+    "coulomb_oscillator",
+    "pendulum_chain",
+    "reed_beat_up",
+    "motor_run_up",
+    "winder_linear",
+    "contact_oscillator_smooth",
+    "shaft_with_rotors",
+    "slider_crank",
+    "contact_oscillator",
+];
+/// Those of few states, whose modes are found at once by a program that is not optimized.
+const SMALL: &[&str] = &[
+    "two_mass",
+    "saw_gin",
+    "bouncing_mass",
+    "four_bar",
+    "stick_slip",
+    "coulomb_oscillator",
+    "pendulum_chain",
+    "motor_run_up",
+    "winder_linear",
+    "contact_oscillator_smooth",
+];
+/// What is no built-in scene.
+const OTHERS: &[&str] = &[
+    "",
+    "nothing",
+    "../..",
+    "-",
+    "/dev/null",
+    "Cargo.toml",
+    "specs",
+    "specs/units/rotor.toml",
+    "specs/scenes/two_mass.toml",
+    "\u{3c6}",
+];
+const METHODS: &[&str] = &[
+    "bdf", "tr_bdf2", "esdirk34", "tsit45", "tsit5", "dop853", "rodas5p", "radau", "auto",
+    "taylor", "exact", "bfd", "",
+];
+/// Names of a scene's parameters and outputs, and what is none.
+fn names(scene: &str) -> Vec<String> {
+    let mut names = ["", "nothing", "t", "energy.total"].map(str::to_owned).to_vec();
+    if let Some(scene) = scenes::find_f64(scene) {
+        let shape = scene.shape();
+        names.extend((0..shape.parameters).map(|index| scene.parameter(index).name.to_owned()));
+        names.extend((0..shape.outputs).map(|index| scene.output(index).name.to_owned()));
+    }
+    names
+}
+
+/// Commands that answer soon with the options they take, and whether they take a scene.
+const COMMANDS: &[(&str, bool, &[&str])] = &[
+    ("run", true, &["set", "set", "rtol", "method", "points", "elements", "order", "modes"]),
+    ("run", true, &["set", "rtol", "method", "from", "columns", "out", "points"]),
+    ("run", true, &["set", "set", "method"]),
+    ("sweep", true, &["set", "rtol", "method", "points", "threads", "outputs", "extremes"]),
+    ("modes", true, &["set", "at", "json"]),
+    ("response", true, &["set", "at", "range", "points"]),
+    ("show", true, &["json"]),
+    ("check", true, &[]),
+    ("list", false, &[]),
+    ("parts", false, &[]),
+    ("parts show gear", false, &[]),
+    ("completions bash", false, &[]),
+    ("cache", false, &[]),
+    ("explode", true, &["set"]),
+];
+const COUNTS: &[&str] =
+    &["0", "1", "2", "3", "11", "64", "-1", "4294967296", "18446744073709551616", "nan", "1e3"];
+/// Times no further apart than runs may be that are to end soon.
+const TIMES: &[&str] = &["0.01", "0", "-0.0", "0.009", "0.02", "-0.001", "nan", "inf", "1e-320"];
+const PLACES: &[&str] = &["equilibrium", "initial", "t=0.01", "t=nan", "t=-1", "t=", "nowhere"];
+
+/// An option with its value, mostly one of those that a command takes.
+fn option(rng: &mut Rng, taken: &[&str], names: &[String]) -> Vec<String> {
+    let one = |rng: &mut Rng, of: &[&str]| pick(rng, of).copied().unwrap_or_default().to_owned();
+    let name = |rng: &mut Rng| pick(rng, names).cloned().unwrap_or_default();
+    let strange = ["--help", "--version", "--nothing", "--", "--json", "--set"];
+    if taken.is_empty() || rng.u32(0..12) == 0 {
+        return vec![one(rng, &strange)];
+    }
+    let flag = one(rng, taken);
+    let value = match flag.as_str() {
+        "json" | "extremes" => None,
+        "set" => Some(format!("{}={}", name(rng), one(rng, EXTREMES))),
+        "method" => Some(one(rng, METHODS)),
+        "from" => Some(one(rng, TIMES)),
+        "at" => Some(one(rng, PLACES)),
+        "columns" | "outputs" => Some(format!("{},{}", name(rng), name(rng))),
+        "out" => Some(one(rng, &["-", "-", "", "/nowhere/a.csv", "a.xls"])),
+        "range" => Some(format!("{}:{}", one(rng, EXTREMES), one(rng, EXTREMES))),
+        "points" | "elements" | "order" | "modes" | "threads" => Some(one(rng, COUNTS)),
+        _ => Some(one(rng, EXTREMES)),
+    };
+    let flag = format!("--{flag}");
+    // Half of them in one word, which lets values begin with a sign.
+    match value {
+        Some(value) if rng.bool() => vec![format!("{flag}={value}")],
+        value => std::iter::once(flag).chain(value).collect(),
+    }
+}
+
+/// A command line that is answered soon.
+fn command_line(rng: &mut Rng) -> Vec<String> {
+    let (command, takes_scene, options) = COMMANDS[rng.usize(0..COMMANDS.len())];
+    let known = match command {
+        _ if rng.u32(0..10) == 0 => OTHERS,
+        "modes" | "response" => SMALL,
+        _ => SCENES,
+    };
+    let scene = pick(rng, known).copied().unwrap_or_default();
+    let names = names(scene);
+    let name = |rng: &mut Rng| pick(rng, &names).cloned().unwrap_or_default();
+    let mut line: Vec<String> = command.split(' ').map(str::to_owned).collect();
+    line.extend(takes_scene.then(|| scene.to_owned()));
+    match command {
+        "run" => line.extend(["--until", "0.01"].map(str::to_owned)),
+        "sweep" => {
+            let [low, high] = [(); 2].map(|()| EXTREMES[rng.usize(0..EXTREMES.len())]);
+            let range = format!("--parameter={}={low}..{high}", name(rng));
+            line.extend([range, "--count=2".to_owned(), "--until=0.01".to_owned()]);
+        }
+        "response" => line.extend(["--from".to_owned(), name(rng), "--to".to_owned(), name(rng)]),
+        _ => {}
+    }
+    for _ in 0..[0, 1, 1, 1, 2, 4][rng.usize(0..6)] {
+        line.extend(option(rng, options, &names));
+    }
+    if rng.u32(0..30) == 0 {
+        let [a, b] = [(); 2].map(|()| rng.usize(0..line.len()));
+        line.swap(a, b);
+    }
+    line
+}
+
+/// What must hold of a command line, its arguments apart by [`BETWEEN`].
+fn answers(input: &[u8]) -> Result<bool, String> {
+    let line = String::from_utf8_lossy(input).into_owned();
+    let arguments: Vec<&str> = line.split(BETWEEN).collect();
+    let mut command = machinist(&arguments);
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().expect("the program starts");
+    let (start, error) = (Instant::now(), child.stderr.take().expect("standard error"));
+    let said = std::thread::spawn(move || std::io::read_to_string(error).unwrap_or_default());
+    let out = child.stdout.take().expect("standard output");
+    let answer = std::thread::spawn(move || std::io::read_to_string(out).unwrap_or_default());
+    let is_run = matches!(arguments[0], "run" | "sweep" | "modes" | "response");
+    let mut is_interrupted = false;
+    let status = loop {
+        if is_run && !is_interrupted && start.elapsed() > RUN {
+            is_interrupted = interrupt(child.id());
+        }
+        match child.try_wait().expect("a child") {
+            Some(status) => break status,
+            None if start.elapsed() > PATIENCE => {
+                child.kill().expect("it ends");
+                child.wait().expect("it has ended");
+                // Others may derive meanwhile, and only one at a time.
+                let waits = said.join().is_ok_and(|said| said.contains("waiting for process"));
+                return if waits { Ok(false) } else { Err(format!("hangs: {arguments:?}")) };
+            }
+            None => std::thread::sleep(Duration::from_millis(2)),
+        }
+    };
+    let said = said.join().expect("standard error is read");
+    let answer = answer.join().expect("standard output is read");
+    let is_number = |word: &str| !["NaN", "inf", "-inf"].contains(&word);
+    match status.code() {
+        Some(0) if is_run && !answer.split_whitespace().all(is_number) => {
+            Err(format!("no number in the answer: {arguments:?}"))
+        }
+        Some(0) => Ok(true),
+        Some(1 | 2) if !said.trim().is_empty() => Ok(false),
+        // A command that does not wait for an interruption ends by it.
+        None if is_interrupted && arguments[0] != "run" => Ok(false),
+        code => Err(format!("exit {code:?}, {said:.400}: {arguments:?}")),
+    }
+}
+
+/// Asks a process to end as Ctrl-C does, where that is known.
+fn interrupt(process: u32) -> bool {
+    let mut kill = Command::new("kill");
+    kill.args(["-INT", &process.to_string()]).status().is_ok_and(|status| status.success())
+}
+
+#[test]
+fn random_command_lines_are_answered() {
+    let make = |rng: &mut Rng| command_line(rng).join(&BETWEEN.to_string()).into_bytes();
+    let rule: Rule = Arc::new(answers);
+    Fuzz { name: "lines", few: 60, patience: PATIENCE }.run(make, &rule);
+}
+
+/// Bytes that hold a model are simulated for some steps as well.
+fn simulated(bytes: &[u8]) -> Result<bool, String> {
+    refused_or_run(bytes)?;
+    let Ok(stamped) = read(bytes) else { return Ok(false) };
+    if !stamped.model.fields.is_empty() {
+        return Ok(true);
+    }
+    let simulator = ModelSimulator::interpreted(stamped.model);
+    let ends = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&ends);
+    std::thread::spawn(move || {
+        std::thread::sleep(Duration::from_millis(300));
+        flag.store(true, Ordering::Relaxed);
+    });
+    let run = Simulation::new(&simulator).from(0.0).until(0.01).points(3).rtol(1e-4);
+    match run.until_flagged(&ends).run() {
+        Err(error) if error.to_string().trim().is_empty() => Err("stops without words".to_owned()),
+        _ => Ok(true),
+    }
+}
+
+#[test]
+fn damaged_models_of_scenes_are_refused_or_run() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let model = |scene: &str| {
+        let file: PathBuf = folder.path().join("scene.model");
+        answer(&["compile", scene, "--out", text(&file)]);
+        std::fs::read(&file).expect("a model")
+    };
+    let scenes = ["two_mass", "bouncing_mass", "shaft_with_rotors", "four_bar", "stick_slip"];
+    let models = scenes.map(model);
+    let make = move |rng: &mut Rng| {
+        let [one, other] = [(); 2].map(|()| &models[rng.usize(0..models.len())]);
+        damaged(rng, one, other)
+    };
+    let rule: Rule = Arc::new(simulated);
+    Fuzz { name: "scenes", few: 100, patience: Duration::from_secs(2) }.run(make, &rule);
+}

@@ -31,7 +31,7 @@ pub(super) fn may_be_expanded(expr: &Expr) -> bool {
 
 /// Whether putting an expression over one denominator does.
 pub(super) fn may_be_factored(expr: &Expr) -> bool {
-    expanded(expr).leaves <= FACTORED_LIMIT && bits(expr) <= NUMBER_LIMIT
+    expanded(expr).leaves <= FACTORED_LIMIT && bits(expr) <= NUMBER_LIMIT && !has_high_degree(expr)
 }
 
 /// Powers higher than this are not factored.
@@ -60,7 +60,7 @@ pub(super) fn cheapest(vocabulary: &mut Vocabulary, atom: &Atom) -> Expr {
         let expanded = trigonometric(vocabulary, &atom.expand());
         offer(to_expr(vocabulary, expanded.collect_factors().as_view()));
         let as_sum = to_expr(vocabulary, expanded.as_view());
-        if size <= FACTOR_LIMIT && may_be_factored(&as_sum) && !has_high_degree(&as_sum) {
+        if size <= FACTOR_LIMIT && may_be_factored(&as_sum) {
             offer(to_expr(vocabulary, expanded.factor().as_view()));
         }
         offer(as_sum);

@@ -18,7 +18,7 @@ use crate::pipeline;
 use crate::scene::system::LagrangianSystem;
 
 /// Systems unless the environment says how many.
-const SYSTEMS: u32 = 80;
+const SYSTEMS: u32 = 50;
 /// Terms of a kind that those have, and those that the environment asks for.
 const FEW_TERMS: usize = 1;
 const TERMS: usize = 3;

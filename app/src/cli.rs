@@ -95,7 +95,7 @@ enum Command {
     Walk(walk::WalkCommand),
     /// Hold the simulators against closed forms and references
     Verify(verify::Verify),
-    /// Make one page with equations, plots, checks and costs of all scenes
+    /// Make pages with drawings, equations, plots, checks and costs: of all scenes, or of one
     #[cfg(feature = "derive")]
     Report(report::Report),
     /// Show what a scene is made of: units, ports, parameters, states, outputs, events, checks

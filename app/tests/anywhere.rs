@@ -2,48 +2,33 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Command;
 #[cfg(target_os = "linux")]
 use std::{
-    process::Stdio,
+    process::{Output, Stdio},
     thread::sleep,
     time::{Duration, Instant},
 };
 
-/// The program in a folder, with no home but that.
-fn machinist(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_machinist"))
-        .args(arguments)
-        .current_dir(folder)
-        .env("HOME", folder)
-        .env("MACHINIST_CACHE", concat!(env!("CARGO_TARGET_TMPDIR"), "/cache"))
-        .env("NO_COLOR", "1")
-        .output()
-        .expect("the program starts")
-}
+use crate::process;
+#[cfg(target_os = "linux")]
+use crate::process::said;
 
-/// Standard error, on one line, as it may be wrapped anywhere.
-fn said(output: &Output) -> String {
-    let text = String::from_utf8_lossy(&output.stderr).replace('│', " ");
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
+/// The program in a folder, with no home but that.
+fn machinist(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = process::machinist(folder, arguments);
+    command.env("HOME", folder);
+    command
 }
 
 /// Standard output of a run that must succeed.
 fn answer(folder: &Path, arguments: &[&str]) -> String {
-    let output = machinist(folder, arguments);
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", said(&output));
-    String::from_utf8(output.stdout).expect("text")
+    process::answer(machinist(folder, arguments))
 }
 
 /// Asserts bad input: exit code 2, nothing on standard output, and what is said.
 fn assert_refused(folder: &Path, arguments: &[&str], words: &[&str]) {
-    let output = machinist(folder, arguments);
-    let said = said(&output);
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
-    assert!(output.stdout.is_empty(), "{arguments:?} printed an answer");
-    for word in words {
-        assert!(said.contains(word), "{arguments:?} does not say `{word}`: {said}");
-    }
+    process::assert_refused(machinist(folder, arguments), words);
 }
 
 #[test]
@@ -332,8 +317,7 @@ fn catches_interrupts(process: u32) -> bool {
 /// What a run says that is interrupted when it listens.
 #[cfg(target_os = "linux")]
 fn interrupted(folder: &Path, run: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_machinist"));
-    command.args(run).current_dir(folder).env("NO_COLOR", "1");
+    let mut command = machinist(folder, run);
     let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts");
     let waiting = Instant::now();
     while !catches_interrupts(child.id()) {

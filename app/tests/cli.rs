@@ -5,45 +5,27 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
+use crate::process::{self, said};
+
 const SAW_GIN: &str = "specs/scenes/saw_gin.toml";
 
-/// The program in the folder of the repository, without colours.
+/// The program in the folder of the repository.
 pub fn machinist(arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_machinist"));
-    command
-        .args(arguments)
-        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
-        .env("MACHINIST_CACHE", concat!(env!("CARGO_TARGET_TMPDIR"), "/cache"))
-        .env("NO_COLOR", "1");
-    command
+    process::machinist(process::REPOSITORY, arguments)
 }
 
 fn output(arguments: &[&str]) -> Output {
-    machinist(arguments).output().expect("the program starts")
+    process::output(machinist(arguments))
 }
 
 /// Standard output of a run that must succeed.
 pub fn answer(arguments: &[&str]) -> String {
-    let output = output(arguments);
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", said(&output));
-    String::from_utf8(output.stdout).expect("text")
-}
-
-/// Standard error, on one line, as it may be wrapped anywhere.
-fn said(output: &Output) -> String {
-    let text = String::from_utf8_lossy(&output.stderr).replace('│', " ");
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
+    process::answer(machinist(arguments))
 }
 
 /// Asserts bad input: exit code 2, nothing on standard output, and what is said.
 pub fn assert_refused(arguments: &[&str], words: &[&str]) {
-    let output = output(arguments);
-    let said = said(&output);
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
-    assert!(output.stdout.is_empty(), "{arguments:?} printed an answer");
-    for word in words {
-        assert!(said.contains(word), "{arguments:?} does not say `{word}`: {said}");
-    }
+    process::assert_refused(machinist(arguments), words);
 }
 
 /// Header and columns of CSV; every line must have as many numbers as the header.

@@ -1,18 +1,15 @@
 //! `machinist sweep` as its users meet it: tables, refusals, variants that stop.
 
-use std::process::{Command, Output};
+use std::process::Output;
 
 use machinist::Simulation;
 use machinist_scenes::scenes::two_mass::TwoMass;
 
+use crate::process;
+
 fn sweep(arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_machinist"));
-    command
-        .arg("sweep")
-        .args(arguments)
-        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
-        .env("MACHINIST_CACHE", concat!(env!("CARGO_TARGET_TMPDIR"), "/cache"));
-    command.env("NO_COLOR", "1").output().expect("the program starts")
+    let arguments = [&["sweep"], arguments].concat();
+    process::output(process::machinist(process::REPOSITORY, &arguments))
 }
 
 /// Lines of cells; the exit code must be this.

@@ -7,6 +7,8 @@ use std::process::{Child, Command, Output, Stdio};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
+use crate::process;
+
 /// A pendulum of a length, so that each has a text of its own.
 fn spec(length: f64) -> String {
     format!(
@@ -50,12 +52,8 @@ potential = "-mass*gravity*length*cos(phi)"
 
 /// The program in a folder, with its cache there.
 fn machinist(folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_machinist"));
-    command
-        .args(arguments)
-        .current_dir(folder)
-        .env("MACHINIST_CACHE", folder.join("cache"))
-        .env("NO_COLOR", "1");
+    let mut command = process::machinist(folder, arguments);
+    command.env("MACHINIST_CACHE", folder.join("cache"));
     command
 }
 

@@ -38,6 +38,7 @@ fn the_report_is_pages_that_need_nothing_else_and_come_out_the_same() {
     for file in files {
         let [first, second] = folders.each_ref().map(|folder| page(&folder.join(file)));
         assert!(first == second, "{file}");
+        assert_links_lead_somewhere(&folders[0].join(file), &first);
     }
     let [index, studies] = ["index.html", "studies.html"].map(|file| page(&folders[0].join(file)));
     for name in shown {
@@ -77,6 +78,18 @@ fn a_model_file_has_no_page() {
     let out = folder.path().join("out");
     assert_refused(&["report", text(&model), "--out", text(&out)], &["no equations to show"]);
     assert!(!out.exists());
+}
+
+/// To a part of the page, or to a page beside it.
+fn assert_links_lead_somewhere(file: &Path, page: &str) {
+    for link in page.split("href=\"").skip(1).filter_map(|rest| rest.split('"').next()) {
+        let leads = match link.strip_prefix('#') {
+            Some(id) => page.contains(&format!("id=\"{id}\"")),
+            None if link.starts_with("data:image/") => true,
+            None => file.with_file_name(link).is_file(),
+        };
+        assert!(leads, "{}: {link}", file.display());
+    }
 }
 
 /// The text of a page that refers to nothing outside.

@@ -3,7 +3,9 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
+
+use crate::process::{self, said};
 
 /// A mass on a spring and a damper, let go at 0.1 m, by its energies.
 const OSCILLATOR: &str = r#"
@@ -114,18 +116,7 @@ conversion = true
 const INDEPENDENT: &str = "independent derivation";
 
 fn machinist(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_machinist"))
-        .args(arguments)
-        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
-        .env("MACHINIST_CACHE", concat!(env!("CARGO_TARGET_TMPDIR"), "/cache"))
-        .env("NO_COLOR", "1")
-        .output()
-        .expect("the program starts")
-}
-
-fn said(output: &Output) -> String {
-    let text = String::from_utf8_lossy(&output.stderr).replace('│', " ");
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
+    process::output(process::machinist(process::REPOSITORY, arguments))
 }
 
 /// Rows of a machine: name and whether it passes; nothing for one that is left out.

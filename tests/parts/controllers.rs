@@ -64,12 +64,15 @@ fn a_loop_of_a_mass_and_a_pid_controller_moves_by_its_matrix() {
     }
 }
 
-const AT_ITS_LIMIT: &str = r#"
+/// The integral of a controller whose error of 1 asks for more than its limit.
+fn assert_integral_is_led_back(unit: &str, inputs: &str) {
+    let text = format!(
+        r#"
 [scene]
 name = "at_its_limit"
 [units.controller]
-unit = "control/pid_controller"
-inputs = { reference = "1", measured = "0" }
+unit = "{unit}"
+inputs = {{ {inputs} }}
 [outputs]
 output = "controller.output"
 integral = "controller.integral"
@@ -78,11 +81,9 @@ until = 10.0
 points = 101
 rtol = 1e-10
 method = "auto"
-"#;
-
-#[test]
-fn the_integral_of_a_pid_controller_at_its_limit_is_led_back() {
-    let scene = of_text(AT_ITS_LIMIT, Keep::Needed);
+"#
+    );
+    let scene = of_text(&text, Keep::Needed);
     for (gain, integral, tracking) in [(2.0, 0.5, 0.1), (5.0, 10.0, 1.0), (1.5, 0.1, 3.0)] {
         let set = [
             ("controller.gain", gain),
@@ -92,9 +93,20 @@ fn the_integral_of_a_pid_controller_at_its_limit_is_led_back() {
         let run = run(&scene, &set, &[]);
         let end = tracking * gain / integral + 1.0 - gain;
         let error = off(&run, "integral", |t| -end * (-t / tracking).exp_m1());
-        assert!(error < 1e-7, "{set:?}: {error:e}");
+        assert!(error < 1e-7, "{unit} {set:?}: {error:e}");
         assert!(off(&run, "output", |_| 1.0) < 1e-12);
     }
+}
+
+#[test]
+fn the_integral_of_a_pi_controller_at_its_limit_is_led_back() {
+    assert_integral_is_led_back("control/pi_controller", "error = \"1\"");
+}
+
+#[test]
+fn the_integral_of_a_pid_controller_at_its_limit_is_led_back() {
+    let inputs = "reference = \"1\", measured = \"0\"";
+    assert_integral_is_led_back("control/pid_controller", inputs);
 }
 
 /// A ramp, and a lag from where what is missing is the rate times its time constant.

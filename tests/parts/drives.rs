@@ -69,44 +69,6 @@ fn a_loop_whose_controller_cancels_the_lag_answers_a_step_as_its_closed_form() {
     }
 }
 
-const AT_ITS_LIMIT: &str = r#"
-[scene]
-name = "at_its_limit"
-
-[units.controller]
-unit = "control/pi_controller"
-inputs = { error = "1" }
-
-[outputs]
-output = "controller.output"
-integral = "controller.integral"
-
-[run]
-until = 10.0
-points = 101
-rtol = 1e-10
-method = "auto"
-"#;
-
-#[test]
-fn an_integral_at_the_limit_is_led_back_as_its_closed_form() {
-    let scene = of_text(AT_ITS_LIMIT, Keep::Needed);
-    for (gain, integral_time, tracking_time) in [(2.0, 0.5, 0.1), (5.0, 10.0, 1.0), (1.5, 0.1, 3.0)]
-    {
-        let set = [
-            ("controller.gain", gain),
-            ("controller.integral_time", integral_time),
-            ("controller.tracking_time", tracking_time),
-        ];
-        let run = run(&scene, &set, &[]);
-        let end = tracking_time * gain / integral_time + 1.0 - gain;
-        let exact = |t: f64| end * (1.0 - (-t / tracking_time).exp());
-        let error = off(&run, "integral", exact);
-        assert!(error < 1e-7, "{gain}, {integral_time}, {tracking_time}: {error:e}");
-        assert!(off(&run, "output", |_| 1.0) < 1e-12);
-    }
-}
-
 /// Currents of dq for good: the steady state of its two equations at a speed.
 #[test]
 fn a_synchronous_motor_settles_where_its_currents_and_its_load_say() {

@@ -11,7 +11,7 @@ use machinist_model::ModelSimulator;
 use machinist_model::file::Stamped;
 
 use super::output::print;
-use super::scene::Given;
+use super::scene::{BENCH, Given};
 use super::specs;
 use crate::deriving;
 use crate::failure::{Failure, all};
@@ -30,7 +30,7 @@ impl Check {
         for path in &self.paths {
             if Path::new(path).is_dir() {
                 files.extend(specs::scene_files(Path::new(path))?);
-                files.extend(specs::bench_files(Path::new(path))?);
+                files.extend(specs::scene_files_below(Path::new(path), BENCH)?);
                 continue;
             }
             match Given::of(path)? {

@@ -37,7 +37,7 @@ impl Generate {
     /// Everything is derived and emitted in memory before anything is written.
     pub fn execute(&self) -> Result<(), Failure> {
         let files = specs::scene_files(&self.specs)?;
-        let bench_files = specs::bench_files(&self.specs)?;
+        let bench_files = specs::scene_files_below(&self.specs, scene::BENCH)?;
         let models = self.models(&files)?;
         let bench_programs = self.models(&bench_files)?;
         let mode = if self.check { Mode::Check } else { Mode::Write };

@@ -136,17 +136,9 @@ impl Scene {
     }
 }
 
-/// The model of a scene file or a model file, or of the spec of a name.
-pub fn model_of(argument: &str) -> Result<Model, Failure> {
-    match Given::of(argument)? {
-        Given::Model(stamped) => Ok(stamped.model),
-        Given::Spec(source) => derived(&source, false),
-    }
-}
-
 /// The model of a spec.
 #[cfg(feature = "derive")]
-fn derived(source: &SpecSource, keep_all: bool) -> Result<Model, Failure> {
+pub fn derived(source: &SpecSource, keep_all: bool) -> Result<Model, Failure> {
     let keep = if keep_all { Keep::All } else { Keep::Needed };
     let model = deriving::model(source, keep)?;
     if !keep_all {

@@ -5,12 +5,11 @@ use std::path::{Path, PathBuf};
 use machinist_model::Model;
 use machinist_model::operations;
 
-use super::scene::BENCH;
 use crate::failure::Failure;
 use crate::spec_source::SpecSource;
 
 /// The folder below that of the scenes with machines of standard parts alone.
-const DRIVES: &str = "drives";
+pub const DRIVES: &str = "drives";
 
 /// All scene files of a folder, sorted by name.
 pub fn scene_files(folder: &Path) -> Result<Vec<SpecSource>, Failure> {
@@ -22,16 +21,10 @@ pub fn scene_files(folder: &Path) -> Result<Vec<SpecSource>, Failure> {
     Ok(files)
 }
 
-/// All scene files of `bench` below a folder, likewise; none without that folder.
-pub fn bench_files(folder: &Path) -> Result<Vec<SpecSource>, Failure> {
-    let bench = folder.join(BENCH);
-    if bench.is_dir() { toml_files(&bench) } else { Ok(Vec::new()) }
-}
-
-/// All scene files of `drives` below a folder, likewise: machines of standard parts alone.
-pub fn drive_files(folder: &Path) -> Result<Vec<SpecSource>, Failure> {
-    let drives = folder.join(DRIVES);
-    if drives.is_dir() { toml_files(&drives) } else { Ok(Vec::new()) }
+/// All scene files of a folder below that of the scenes, likewise; none without it.
+pub fn scene_files_below(folder: &Path, name: &str) -> Result<Vec<SpecSource>, Failure> {
+    let below = folder.join(name);
+    if below.is_dir() { toml_files(&below) } else { Ok(Vec::new()) }
 }
 
 fn toml_files(folder: &Path) -> Result<Vec<SpecSource>, Failure> {

@@ -14,7 +14,7 @@ use crate::failure::Failure;
 use crate::progress::during;
 pub use machine::Changes;
 #[cfg(feature = "derive")]
-pub use machine::verify;
+pub use machine::verify_spec;
 
 #[derive(Debug, Args)]
 pub struct Verify {

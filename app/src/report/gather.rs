@@ -12,20 +12,23 @@ use machinist_studies::ledger::{LedgerRow, ledger as ledger_rows};
 use machinist_studies::stability::{Plan as Strain, Study, study};
 use machinist_studies::verify::{Verdict, VerifyOptions, verify_all};
 use machinist_studies::work_precision::{self, Plan, WorkPrecision};
+use maud::{Markup, html};
 
 use super::machine::Machine;
 use super::{fields, index, scene, studies, winder_walk};
 use crate::cli::scene::Given;
 use crate::cli::specs;
-use crate::cli::verify::{Changes, verify};
+use crate::cli::verify::{Changes, verify_spec};
 use crate::deriving;
 use crate::failure::Failure;
 use crate::freeze::admit;
 use crate::progress::during;
 use crate::spec_source::SpecSource;
 
-/// The folder of the pages of machines, within that of the report.
-const MACHINES: &str = "machines";
+/// Where the page of a machine is, within the report's folder.
+pub(super) fn page_of(name: &str) -> String {
+    format!("machines/{name}.html")
+}
 
 /// Pages, made.
 pub struct Pages {
@@ -68,8 +71,7 @@ fn of_spec(spec: &SpecSource, with_times: bool) -> Result<Machine, Failure> {
     let derived = deriving::derivation(spec, Keep::Needed)?;
     admit(spec, derived.stages.needed())?;
     let mut machine = during("simulating", || Machine::new(derived, spec, false, with_times))?;
-    let whole = Changes { parameters: &[], until: None, rtol: None };
-    machine.verdicts = verify(&spec.to_string(), &whole)?;
+    machine.verdicts = verify_spec(spec, &machine.model, &Changes::default())?;
     if with_times && machine.model.fields.is_empty() {
         let simulator = ModelSimulator::new(machine.model.clone());
         let measured = during("timing the methods", || measure(&simulator, None));
@@ -81,8 +83,7 @@ fn of_spec(spec: &SpecSource, with_times: bool) -> Result<Machine, Failure> {
 
 /// The page of a machine with its place.
 fn file_of(machine: &Machine, has_index: bool) -> (PathBuf, String) {
-    let file = Path::new(MACHINES).join(format!("{}.html", machine.name()));
-    (file, scene::page(machine, has_index))
+    (page_of(machine.name()).into(), scene::page(machine, has_index))
 }
 
 /// The pages of all scenes, with measured times or without. Brings emitted scenes up to
@@ -126,7 +127,7 @@ pub fn whole(specs: &Path, emitted: &Path, with_times: bool) -> Result<Pages, Fa
         })
     };
     let stability = with_times.then(strain).transpose()?;
-    let drives = specs::drive_files(specs)?;
+    let drives = specs::scene_files_below(specs, specs::DRIVES)?;
     let drives = drives.iter().map(|file| of_spec(file, with_times));
     let drives = drives.collect::<Result<Vec<_>, Failure>>()?;
     let mut verdicts = verdicts;
@@ -135,7 +136,7 @@ pub fn whole(specs: &Path, emitted: &Path, with_times: bool) -> Result<Pages, Fa
     let all_passed = verdicts.iter().all(|verdict| verdict.pass);
     let report = Report { machines, emitted, verdicts, ledger, winder, fields, stability };
     let mut pages = vec![
-        (PathBuf::from("index.html"), index::page(&report, MACHINES)),
+        (PathBuf::from("index.html"), index::page(&report)),
         (PathBuf::from("studies.html"), studies::page(&report)),
     ];
     pages.extend(report.machines.iter().map(|machine| file_of(machine, true)));
@@ -162,6 +163,14 @@ fn measure(
 }
 
 impl Report {
+    /// A machine by its name, which leads to its page if it has one.
+    pub(super) fn named(&self, name: &str) -> Markup {
+        let has_page = self.machines.iter().any(|machine| machine.name() == name);
+        html! {
+            @if has_page { a href=(page_of(name)) { code { (name) } } } @else { code { (name) } }
+        }
+    }
+
     /// Emitted files that were not what the specs give.
     pub(super) fn stale(&self) -> impl Iterator<Item = &str> {
         let files = self.emitted.files.iter();

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::gather::Report;
+use super::gather::{Report, page_of};
 use super::machine::Machine;
 use super::page::{Page, section};
 use super::verification::badge;
@@ -13,10 +13,10 @@ const COMMAND: &str = "cargo run --release -- report";
 /// Figures on a card.
 const FIGURES: usize = 3;
 
-/// The page; those of machines are in a folder beside it.
-pub(super) fn page(report: &Report, machines: &str) -> String {
+/// The page.
+pub(super) fn page(report: &Report) -> String {
     let cards = html! {
-        div.cards { @for machine in &report.machines { (card(machine, machines)) } }
+        div.cards { @for machine in &report.machines { (card(machine)) } }
     };
     let page = Page {
         title: "Machinist: report".to_owned(),
@@ -34,10 +34,10 @@ pub(super) fn page(report: &Report, machines: &str) -> String {
     page.render()
 }
 
-fn card(machine: &Machine, folder: &str) -> Markup {
+fn card(machine: &Machine) -> Markup {
     let [passed, all] = machine.passed();
     html! {
-        a.card href={ (folder) "/" (machine.name()) ".html" } {
+        a.card href=(page_of(machine.name())) {
             div.picture { (schematic::drawing(&machine.schematic)) }
             h3 { (machine.title()) }
             p.muted { code { (machine.name()) } }

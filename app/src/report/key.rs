@@ -75,7 +75,7 @@ pub fn figures(run: &Trajectory, modes: Option<&Modes>) -> Vec<Figure> {
 }
 
 /// Outputs; states if there are none.
-fn shown(run: &Trajectory) -> impl Iterator<Item = &Column> {
+pub(super) fn shown(run: &Trajectory) -> impl Iterator<Item = &Column> {
     let has_outputs = run.of_kind(ColumnKind::Output).next().is_some();
     run.of_kind(if has_outputs { ColumnKind::Output } else { ColumnKind::State })
 }

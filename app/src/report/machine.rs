@@ -1,5 +1,7 @@
 //! What the page of a machine shows, gathered.
 
+use std::cell::LazyCell;
+
 use machinist::trajectory::Trajectory;
 use machinist::{SimulateError, Simulation};
 use machinist_codegen::emit::document::Document;
@@ -62,25 +64,25 @@ impl Machine {
         let Derivation { stages, latex: document, dependencies, .. } = derived;
         let model = stages.needed().clone();
         let name = model.name.as_str();
-        let own = ModelSimulator::new(model.clone());
-        let by_model = match own.running() {
-            Running::Compiled => By::Compiled,
-            Running::Interpreted => By::Interpreted,
+        // Machine code is made only if nothing is built in.
+        let own = LazyCell::new(|| ModelSimulator::new(model.clone()));
+        let by = |is_built_in| match is_built_in {
+            true => By::Emitted,
+            false if own.running() == Running::Compiled => By::Compiled,
+            false => By::Interpreted,
         };
         let mut along = Vec::new();
         let (run, modes, by) = if model.fields.is_empty() {
             let built_in = scenes::find_f64(name).filter(|_| may_be_built_in);
-            let simulator: &dyn Simulator<f64> = built_in.unwrap_or(&own);
+            let simulator: &dyn Simulator<f64> = built_in.unwrap_or_else(|| &*own);
             let run = Simulation::new(simulator).with_energy_balance(true).run();
-            let by = if built_in.is_some() { By::Emitted } else { by_model };
-            (run, modes::modes(simulator), by)
+            (run, modes::modes(simulator), by(built_in.is_some()))
         } else {
             let built_in = scenes::find_field::<f64>(name).filter(|_| may_be_built_in);
-            let scene: &dyn FieldScene<f64> = built_in.unwrap_or(&own);
-            let by = if built_in.is_some() { By::Emitted } else { by_model };
+            let scene: &dyn FieldScene<f64> = built_in.unwrap_or_else(|| &*own);
             let run = fields::run(scene)?;
             along = run.along;
-            (run.trajectory, run.modes, by)
+            (run.trajectory, run.modes, by(built_in.is_some()))
         };
         let spec = source.read()?;
         let is_built_in = by == By::Emitted;

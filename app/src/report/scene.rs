@@ -259,14 +259,10 @@ fn switches(trajectory: &Trajectory) -> Markup {
     }
 }
 
-/// Outputs of one unit share a figure; states if a scene has no outputs.
+/// What is shown of one unit shares a figure.
 fn by_unit(trajectory: &Trajectory) -> Vec<Vec<&Column>> {
     let mut groups: Vec<Vec<&Column>> = Vec::new();
-    let mut columns: Vec<&Column> = trajectory.of_kind(ColumnKind::Output).collect();
-    if columns.is_empty() {
-        columns = trajectory.of_kind(ColumnKind::State).collect();
-    }
-    for column in columns {
+    for column in key::shown(trajectory) {
         match groups.iter_mut().find(|group| group[0].unit == column.unit) {
             Some(group) => group.push(column),
             None => groups.push(vec![column]),

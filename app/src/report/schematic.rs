@@ -180,7 +180,7 @@ impl Schematic {
         let (mut parts, mut seen) = (Vec::new(), Vec::new());
         let mut left = vec![ast];
         while let Some(ast) = left.pop() {
-            match &ast.node {
+            ast.visit(&mut |part| match &part.node {
                 Node::Name(Some(instance), _) => {
                     let part = self.index(instance);
                     parts.extend(part.filter(|part| !parts.contains(part)));
@@ -190,12 +190,8 @@ impl Schematic {
                     let helper = scene.helpers.iter().find(|known| known.name.value == *name);
                     left.extend(helper.map(|helper| &helper.expression));
                 }
-                Node::Name(..) | Node::Number(..) | Node::Text(_) => {}
-                Node::Negative(of) => left.push(of),
-                Node::Sum(of) | Node::Product(of) => left.extend(of.iter().map(|(_, part)| part)),
-                Node::Power(a, b) | Node::Less(a, b) => left.extend([a.as_ref(), b.as_ref()]),
-                Node::Call(_, _, arguments) => left.extend(arguments),
-            }
+                _ => {}
+            });
         }
         parts
     }

@@ -24,7 +24,7 @@ pub(super) fn page(report: &Report) -> String {
         body: html! {
             header { h1 { "Studies and extreme cases" } }
             (section("ledger", "Reproduction ledger", &ledger::section(&report.ledger)))
-            (section("winder-walk", WINDERS, &winder_walk::section(&report.winder)))
+            (section("winder-walk", WINDERS, &winder_walk::section(report)))
             @if let Some(fields) = &report.fields {
                 (section("fields", "Fields", &fields.section()))
             }

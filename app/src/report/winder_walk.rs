@@ -6,6 +6,7 @@ use machinist_studies::winder_walk::{SPEEDS, Stage, Walk, Winder, spectrum};
 use maud::{Markup, html};
 
 use super::figure;
+use super::gather::Report;
 use crate::cli::walk::{HEADING, line};
 use crate::number::number;
 
@@ -37,20 +38,20 @@ impl Study {
 }
 
 /// Walks and map, or why there are none.
-pub fn section(study: &Result<Study, String>) -> Markup {
+pub fn section(report: &Report) -> Markup {
     html! {
         p {
             "A linear model of a winder is enough if every operating frequency stays a factor of "
             (number(spectrum::ENOUGH, 2)) " from the resonance while the package grows ("
-            a href="#winder_linear" { code { "winder_linear" } } "); one of a stiffening layer, if
+            (report.named("winder_linear")) "); one of a stiffening layer, if
              they stay a factor of " (number(layer::ENOUGH, 2)) " from the resonance at the
-             amplitude that there is (" a href="#winder_nonlinear" { code { "winder_nonlinear" } }
-            "); what is left takes the full one (" a href="#winder_full" { code { "winder_full" } }
+             amplitude that there is (" (report.named("winder_nonlinear"))
+            "); what is left takes the full one (" (report.named("winder_full"))
             "). All three are run each time, to say what the later ones change. Figures are the
              worst over the radii of the package; of another winder, "
             code { "machinist walk" } " says the same."
         }
-        @match study {
+        @match &report.winder {
             Ok(study) => {
                 @for walk in &study.walks { (walked(walk, study.with_times)) }
                 (maps(&study.maps))

@@ -17,12 +17,12 @@ pub fn weigh(expr: &Expr) -> (usize, u32) {
     let mut graph = Graph::new();
     // What is solved for costs nothing here, and stands for itself: a guard may hold the size
     // of a constraint's force.
-    let last = |symbol: Symbol| match symbol {
-        Symbol::Acceleration(id) => id.0 + 1,
-        Symbol::Multiplier(id) => id.0 + 1,
-        _ => 0,
-    };
-    let count = expr.symbols().into_iter().map(last).max().unwrap_or(0);
+    let mut count = 0;
+    expr.visit(&mut |part| match part {
+        Expr::Symbol(Symbol::Acceleration(id)) => count = count.max(id.0 + 1),
+        Expr::Symbol(Symbol::Multiplier(id)) => count = count.max(id.0 + 1),
+        _ => {}
+    });
     let solved: Vec<_> = (0..2 * count).map(|entry| graph.push(Op::Motion(entry))).collect();
     let (accelerations, multipliers) = solved.split_at(count as usize);
     graph.set_accelerations(accelerations.to_vec(), multipliers.to_vec());

@@ -44,31 +44,33 @@ pub enum Node {
 }
 
 impl Ast {
-    /// Adds the CSV files that the expression names.
-    pub fn tables(&self, files: &mut Vec<Spanned<String>>) {
+    /// Sees every part, each after what it is made of.
+    pub fn visit<'a>(&'a self, see: &mut impl FnMut(&'a Ast)) {
         match &self.node {
             Node::Number(..) | Node::Name(..) | Node::Text(_) => {}
-            Node::Negative(of) => of.tables(files),
+            Node::Negative(of) => of.visit(see),
             Node::Sum(parts) | Node::Product(parts) => {
-                for (_, part) in parts {
-                    part.tables(files);
-                }
+                parts.iter().for_each(|(_, part)| part.visit(see));
             }
             Node::Power(a, b) | Node::Less(a, b) => {
-                a.tables(files);
-                b.tables(files);
+                a.visit(see);
+                b.visit(see);
             }
-            Node::Call(function, _, arguments) => {
-                for argument in arguments {
-                    argument.tables(files);
-                }
-                if let ("table", Some(Ast { span, node: Node::Text(path) })) =
-                    (function.as_str(), arguments.first())
-                {
-                    files.push(Spanned { value: path.clone(), span: *span });
-                }
-            }
+            Node::Call(_, _, arguments) => arguments.iter().for_each(|part| part.visit(see)),
         }
+        see(self);
+    }
+
+    /// Adds the CSV files that the expression names.
+    pub fn tables(&self, files: &mut Vec<Spanned<String>>) {
+        self.visit(&mut |part| {
+            if let Node::Call(function, _, arguments) = &part.node
+                && let ("table", Some(Ast { span, node: Node::Text(path) })) =
+                    (function.as_str(), arguments.first())
+            {
+                files.push(Spanned { value: path.clone(), span: *span });
+            }
+        });
     }
 }
 

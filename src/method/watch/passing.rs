@@ -111,7 +111,7 @@ impl Parts {
         const UNEVEN: f64 = 0.382;
         let parts = self.parts();
         let of_first = self.times[0] + UNEVEN * (self.times[1] - self.times[0]);
-        let mut uneven = None;
+        let mut has_looked = false;
         for event in (0..self.count).filter(|event| sides[*event] != Side::Idle) {
             let values = (0..=parts).map(|part| self.guard(part, event));
             let [least, most] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], value| {
@@ -139,11 +139,11 @@ impl Parts {
                 return false;
             }
             let foretold = cubic(ends(0, 1), of_first);
-            if uneven.is_none() {
+            if !std::mem::replace(&mut has_looked, true) {
+                // Of all guards at once.
                 self.between(system, method, of_first, event);
-                uneven = Some(self.one[0].clone());
             }
-            if uneven.as_ref().is_some_and(|found| !is_near(foretold, found[event], room)) {
+            if !is_near(foretold, self.one[0][event], room) {
                 return false;
             }
         }

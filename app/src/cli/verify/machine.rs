@@ -13,10 +13,13 @@ use super::independent::Spec;
 use crate::cli::scene::{self, refused};
 use crate::failure::Failure;
 use crate::progress::during;
+#[cfg(feature = "derive")]
+use crate::spec_source::SpecSource;
 #[cfg(not(feature = "derive"))]
 use without::Spec;
 
 /// What is changed of the run.
+#[derive(Default)]
 pub struct Changes<'a> {
     /// Parameters and their values.
     pub parameters: &'a [(String, f64)],
@@ -29,6 +32,25 @@ pub struct Changes<'a> {
 /// Every check of a scene file or a model file.
 pub fn verify(argument: &str, changes: &Changes<'_>) -> Result<Vec<Verdict>, Failure> {
     let (model, spec) = given(argument)?;
+    verify_model(&model, &spec, changes)
+}
+
+/// Every check of a spec and the model that was derived of it.
+#[cfg(feature = "derive")]
+pub fn verify_spec(
+    source: &SpecSource,
+    model: &Model,
+    changes: &Changes<'_>,
+) -> Result<Vec<Verdict>, Failure> {
+    verify_model(model, &Spec::of(source, model)?, changes)
+}
+
+/// Every check of a model with its spec, or why there is none.
+fn verify_model(
+    model: &Model,
+    spec: &Result<Spec, String>,
+    changes: &Changes<'_>,
+) -> Result<Vec<Verdict>, Failure> {
     let spec = spec.as_ref().map_err(String::clone);
     let own = ModelSimulator::new(model.clone());
     let interpreted = ModelSimulator::interpreted(model.clone());
@@ -36,7 +58,7 @@ pub fn verify(argument: &str, changes: &Changes<'_>) -> Result<Vec<Verdict>, Fai
     if model.fields.is_empty() {
         let independent = |parameters: &[f64]| spec.clone()?.against(&own, parameters);
         let ways = Ways { simulator: &own, twin: &interpreted, is_compiled };
-        return verify_both(&model, &ways, &independent, changes);
+        return verify_both(model, &ways, &independent, changes);
     }
     let independent = |parameters: &[f64]| spec.clone()?.against_fields(&own, parameters);
     let cut = |scene| FieldSimulator::new(scene, Discretisation::default());
@@ -44,7 +66,7 @@ pub fn verify(argument: &str, changes: &Changes<'_>) -> Result<Vec<Verdict>, Fai
     let simulator = simulator.map_err(|error| refused(&error))?;
     let twin = twin.map_err(|error| refused(&error))?;
     let ways = Ways { simulator: &simulator, twin: &twin, is_compiled };
-    verify_both(&model, &ways, &independent, changes)
+    verify_both(model, &ways, &independent, changes)
 }
 
 /// The model of an argument and its spec, or why there is none.
@@ -53,7 +75,7 @@ fn given(argument: &str) -> Result<(Model, Result<Spec, String>), Failure> {
     match scene::Given::of(argument)? {
         scene::Given::Model(stamped) => Ok((stamped.model, Err(NO_SPEC.to_owned()))),
         scene::Given::Spec(source) => {
-            let model = scene::model_of(argument)?;
+            let model = scene::derived(&source, false)?;
             let spec = Spec::of(&source, &model)?;
             Ok((model, spec))
         }
@@ -63,7 +85,10 @@ fn given(argument: &str) -> Result<(Model, Result<Spec, String>), Failure> {
 /// This program reads no specs.
 #[cfg(not(feature = "derive"))]
 fn given(argument: &str) -> Result<(Model, Result<Spec, String>), Failure> {
-    Ok((scene::model_of(argument)?, Err(NO_SPEC.to_owned())))
+    match scene::Given::of(argument)? {
+        scene::Given::Model(stamped) => Ok((stamped.model, Err(NO_SPEC.to_owned()))),
+        scene::Given::Spec(source) => Err(scene::cannot_derive(&source)),
+    }
 }
 
 const NO_SPEC: &str = "a model file has no spec to derive from again";

@@ -24,11 +24,24 @@ pub fn of_text(text: &str, keep: Keep) -> ModelSimulator {
 
 /// The scene of the first of some files, which stand in one folder.
 pub fn of_files(files: &[(&str, &str)], keep: Keep) -> ModelSimulator {
+    let folder = written(files);
+    ModelSimulator::new(of_path(&folder.path().join(files[0].0), keep))
+}
+
+/// What is said of a spec in one file that is refused.
+pub fn refusal(text: &str) -> String {
+    let folder = written(&[("scene.toml", text)]);
+    let refused = pipeline::generate(&folder.path().join("scene.toml"), Keep::Needed);
+    let said = refused.expect_err("it is refused").render().replace('│', " ");
+    said.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+fn written(files: &[(&str, &str)]) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     for (name, text) in files {
         std::fs::write(folder.path().join(name), text).expect("written");
     }
-    ModelSimulator::new(of_path(&folder.path().join(files[0].0), keep))
+    folder
 }
 
 fn of_path(path: &Path, keep: Keep) -> Model {

@@ -16,6 +16,7 @@ mod independent;
 mod interpreted;
 mod kinks;
 mod linear_analysis;
+mod massless;
 mod methods;
 mod msl;
 mod narrow;

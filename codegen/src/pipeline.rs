@@ -41,6 +41,7 @@ pub fn compile(system: LagrangianSystem, keep: Keep) -> Result<Model, Diagnostic
     let keep = possible(&system, keep);
     let linear = session(&system.name.clone(), move |cas| {
         let equations = lagrange::derive(cas, &system);
+        decided(&equations)?;
         let needed = reduce(cas, &equations, keep)?;
         let linear = Linear::of(cas, &needed);
         defined(cas)?;
@@ -143,6 +144,7 @@ pub fn derivation(system: LagrangianSystem, keep: Keep) -> Result<Derivation, Di
     let keep = possible(&system, keep);
     let (equations, whole, steps) = session(&system.name.clone(), move |cas| {
         let equations = lagrange::derive(cas, &system);
+        decided(&equations)?;
         let mut steps: Vec<(Keep, EquationsOfMotion)> = Vec::new();
         for step in Keep::STEPS.into_iter().filter(|step| *step <= keep) {
             let reduced = reduce(cas, &equations, step)?;
@@ -184,6 +186,7 @@ pub fn derive(scene: &Path) -> Result<EquationsOfMotion, Diagnostics> {
     let system = check(scene)?;
     session(&system.name.clone(), move |cas| {
         let equations = lagrange::derive(cas, &system);
+        decided(&equations)?;
         defined(cas).map(|()| equations)
     })?
 }
@@ -197,6 +200,21 @@ fn defined(cas: &mut Cas) -> Result<(), Diagnostics> {
     let message = "the equations divide by zero, or take its logarithm, whatever the state is";
     let help = "look for a denominator or an argument of `ln` whose terms cancel";
     Err(Diagnostic::of_file("", message.to_owned(), help).into())
+}
+
+/// Refuses coordinates that neither an inertia nor a constraint decides.
+fn decided(equations: &EquationsOfMotion) -> Result<(), Diagnostics> {
+    let Some(undecided) = equations.undecided() else { return Ok(()) };
+    let coordinates = &equations.system.coordinates;
+    let names =
+        undecided.iter().map(|index| format!("`{}`", coordinates[*index].position.name.path));
+    let names = names.collect::<Vec<_>>().join(", ");
+    let message = format!(
+        "the equations are singular: {names} can move without kinetic energy, and no constraint \
+         that always holds decides how"
+    );
+    let help = "give one of them an inertia of its own, or hold it by one more constraint";
+    Err(Diagnostic::of_file("", message, help).into())
 }
 
 /// A model with word of what made it.

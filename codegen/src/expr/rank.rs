@@ -22,8 +22,33 @@ pub fn motion_without_energy(kinetic: &Expr, coordinates: usize) -> Option<Vec<C
     for term in flat(kinetic) {
         add(&mut matrix, term)?;
     }
-    null_vector(matrix)
+    let columns = null_vector(matrix)?;
+    Some(columns.into_iter().map(CoordinateId).collect())
 }
+
+/// Columns in which a vector that a square matrix takes to zero is not zero, whatever its
+/// symbols are; none if there is no such vector, or if an entry has no value.
+#[must_use]
+pub fn null_columns(matrix: &[Vec<Expr>]) -> Option<Vec<usize>> {
+    if matrix.len() > MOST_COORDINATES {
+        return None;
+    }
+    let row = |entries: &Vec<Expr>| -> Option<Row> {
+        let mut row = Row::new();
+        for (column, entry) in (0..).zip(entries) {
+            let value = POINT.value(entry)?.p;
+            if value != 0 {
+                row.insert(column, value);
+            }
+        }
+        Some(row)
+    };
+    let columns = null_vector(matrix.iter().map(row).collect::<Option<_>>()?)?;
+    Some(columns.into_iter().map(|column| column as usize).collect())
+}
+
+/// Where entries are evaluated.
+const POINT: Point = Point { point: 7 };
 
 /// The terms of a sum, also of sums within it.
 fn flat(expr: &Expr) -> Vec<&Expr> {
@@ -45,7 +70,6 @@ fn add(matrix: &mut [Row], term: &Expr) -> Option<()> {
             _ => None,
         })
         .collect();
-    let point = Point { point: 7 };
     let at = |moving: &[(u32, i64)]| {
         let moved = term.replace(&|symbol| match symbol {
             Symbol::Velocity(id) => {
@@ -54,7 +78,7 @@ fn add(matrix: &mut [Row], term: &Expr) -> Option<()> {
             }
             _ => None,
         });
-        Some(point.value(&moved)?.p)
+        Some(POINT.value(&moved)?.p)
     };
     let minus = |a: u64, b: u64| (a + P - b) % P;
     let rest = at(&[])?;
@@ -88,7 +112,7 @@ fn put(matrix: &mut [Row], row: u32, column: u32, value: u64) {
 }
 
 /// The columns in which a null vector is not zero, by Gauss on sparse rows.
-fn null_vector(matrix: Vec<Row>) -> Option<Vec<CoordinateId>> {
+fn null_vector(matrix: Vec<Row>) -> Option<Vec<u32>> {
     let columns = matrix.len() as u32;
     // Leading 1 of each; columns after it only.
     let mut leads: BTreeMap<u32, Row> = BTreeMap::new();
@@ -120,7 +144,7 @@ fn null_vector(matrix: Vec<Row>) -> Option<Vec<CoordinateId>> {
             vector.insert(*lead, P - sum);
         }
     }
-    Some(vector.into_keys().map(CoordinateId).collect())
+    Some(vector.into_keys().collect())
 }
 
 #[cfg(test)]

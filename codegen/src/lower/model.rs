@@ -126,7 +126,8 @@ impl<'a> Build<'a> {
         let matrix: Vec<Vec<NodeId>> =
             rows.iter().map(|row| row.iter().map(|e| graph.lower(&short(e))).collect()).collect();
         let coordinates = equations.forcing.len();
-        let substitution = Substitution::new(&mut graph, matrix.clone(), coordinates);
+        let is_singular = equations.is_singular();
+        let substitution = Substitution::new(&mut graph, matrix.clone(), coordinates, is_singular);
         let mut forcing: Vec<NodeId> = right_side.iter().map(|f| graph.lower(&short(f))).collect();
         let solution = substitution.solve(&mut graph, &forcing);
         forcing.truncate(equations.forcing.len());

@@ -8,6 +8,19 @@
 //! Rows are the coordinates, then the constraints. Right sides are `f` and `gamma` in their
 //! rows, of a pinned block `gamma` alone; afterwards the rows of coordinates hold q'', those
 //! of constraints that are left -lambda.
+//!
+//! Where some motion has no kinetic energy of its own (a rod without mass between two joints),
+//! M has no factors, though the whole may be regular. Then
+//!
+//! ```text
+//! | M + G^T W G  G^T | | q''     |   | f + G^T W gamma |
+//! | G             0  | | -lambda | = | gamma           |
+//! ```
+//!
+//! is solved instead, which has the same solution, whatever the weights W are: the first
+//! equation differs by G^T W times the second. It is positive definite at every state where
+//! the whole is regular, which no order of pivots is (Benzi, Golub and Liesen, Acta Numerica
+//! 14, 2005, section 5.3). Weights are as large as M beside G, in any units.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -41,6 +54,8 @@ pub struct Substitution {
     matrix: Vec<Vec<NodeId>>,
     /// Rows of the matrix that are coordinates.
     coordinates: usize,
+    /// Whether M has no factors.
+    is_singular: bool,
     blocks: Blocks,
     factors: Vec<BlockFactors>,
     /// What gives the accelerations.
@@ -56,9 +71,62 @@ enum BlockFactors {
     Bordered(Factorization),
 }
 
+/// A block, ready to be solved for.
+struct Bordered {
+    rows: Vec<usize>,
+    steps: Vec<Step>,
+    factorization: Factorization,
+}
+
+/// W G of a constraint and a coordinate, by their rows in a block.
+struct Weighed {
+    row: usize,
+    constraint: usize,
+    factor: NodeId,
+}
+
+/// Adds G^T W G to the M of a bordered matrix of which the first `free` rows are M, by the
+/// constraints that always hold. A weight is the sum of M's diagonal over that of G G^T's
+/// entry: nothing that is zero at a state where all is regular.
+fn stiffen(graph: &mut Graph, matrix: &mut [Vec<NodeId>], free: usize) -> Vec<Weighed> {
+    let zero = graph.literal(0.0);
+    let sum = |graph: &mut Graph, parts: Vec<NodeId>| {
+        parts.into_iter().fold(zero, |sum, part| graph.add(sum, part))
+    };
+    let trace = sum(graph, (0..free).map(|i| matrix[i][i]).collect());
+    let trace = if graph.is_zero(trace) { graph.literal(1.0) } else { trace };
+    let mut weighed = Vec::new();
+    for constraint in free..matrix.len() {
+        let line = matrix[constraint].clone();
+        let held: Vec<usize> = (0..free).filter(|i| !graph.is_zero(line[*i])).collect();
+        if held.is_empty() || !graph.is_zero(line[constraint]) {
+            continue;
+        }
+        let squares = held.iter().map(|i| graph.mul(line[*i], line[*i])).collect();
+        let size = sum(graph, squares);
+        let weight = graph.div(trace, size);
+        for &i in &held {
+            let factor = graph.mul(weight, line[i]);
+            for &j in held.iter().filter(|j| **j <= i) {
+                let part = graph.mul(factor, line[j]);
+                matrix[i][j] = graph.add(matrix[i][j], part);
+                matrix[j][i] = matrix[i][j];
+            }
+            weighed.push(Weighed { row: i, constraint, factor });
+        }
+    }
+    weighed
+}
+
 impl Substitution {
-    /// Factors a matrix of which the first `coordinates` rows are M.
-    pub fn new(graph: &mut Graph, matrix: Vec<Vec<NodeId>>, coordinates: usize) -> Self {
+    /// Factors a matrix of which the first `coordinates` rows are M, which may be singular
+    /// where the whole is not.
+    pub fn new(
+        graph: &mut Graph,
+        matrix: Vec<Vec<NodeId>>,
+        coordinates: usize,
+        is_singular: bool,
+    ) -> Self {
         let held: Vec<Vec<usize>> = matrix[coordinates..]
             .iter()
             .map(|row| (0..coordinates).filter(|c| !graph.is_zero(row[*c])).collect())
@@ -69,8 +137,14 @@ impl Substitution {
             .filter(|row| graph.is_zero(matrix[coordinates + row][coordinates + row]))
             .collect();
         let blocks = blocks_of(&held, &always, coordinates);
-        let mut this =
-            Substitution { matrix, coordinates, blocks, factors: Vec::new(), steps: Vec::new() };
+        let mut this = Substitution {
+            matrix,
+            coordinates,
+            is_singular,
+            blocks,
+            factors: Vec::new(),
+            steps: Vec::new(),
+        };
         this.factor(graph);
         this
     }
@@ -89,19 +163,19 @@ impl Substitution {
                 self.push(Step { row: *coordinate, scale: None, terms: vec![(inverse, *row)] });
                 BlockFactors::One(inverse)
             } else {
-                let (rows, factorization) = self.bordered(graph, block);
-                self.substitute(graph, &rows, &factorization);
-                BlockFactors::Bordered(factorization)
+                let bordered = self.bordered(graph, block);
+                self.substitute(graph, &bordered);
+                BlockFactors::Bordered(bordered.factorization)
             };
             self.factors.push(factors);
             known.extend(&block.coordinates);
         }
         known.sort_unstable();
-        let (rows, factorization) = self.bordered(graph, &blocks.free);
-        for &row in &rows {
+        let bordered = self.bordered(graph, &blocks.free);
+        for &row in &bordered.rows {
             self.couple(graph, row, &known);
         }
-        self.substitute(graph, &rows, &factorization);
+        self.substitute(graph, &bordered);
     }
 
     fn constraint_rows<'a>(&self, block: &'a Block) -> impl Iterator<Item = usize> + 'a {
@@ -109,14 +183,21 @@ impl Substitution {
         block.constraints.iter().map(move |constraint| first + constraint)
     }
 
-    /// Rows of a block with their factors.
-    fn bordered(&self, graph: &mut Graph, block: &Block) -> (Vec<usize>, Factorization) {
+    /// Rows of a block with their factors, and steps on right sides before these are used.
+    fn bordered(&self, graph: &mut Graph, block: &Block) -> Bordered {
         let constraints = self.constraint_rows(block);
         let rows: Vec<usize> = block.coordinates.iter().copied().chain(constraints).collect();
         let part = |row: &usize| rows.iter().map(|column| self.matrix[*row][*column]).collect();
-        let matrix: Vec<Vec<NodeId>> = rows.iter().map(part).collect();
-        let factorization = factor(graph, &matrix);
-        (rows, factorization)
+        let mut matrix: Vec<Vec<NodeId>> = rows.iter().map(part).collect();
+        let free = block.coordinates.len();
+        let weighed = if self.is_singular { stiffen(graph, &mut matrix, free) } else { Vec::new() };
+        let steps = weighed.into_iter().map(|Weighed { row, constraint, factor }| Step {
+            row: rows[row],
+            scale: None,
+            terms: vec![(graph.neg(factor), rows[constraint])],
+        });
+        let steps = steps.collect();
+        Bordered { rows, steps, factorization: factor(graph, &matrix) }
     }
 
     fn push(&mut self, step: Step) {
@@ -133,7 +214,9 @@ impl Substitution {
         self.push(Step { row, scale: None, terms });
     }
 
-    fn substitute(&mut self, graph: &Graph, rows: &[usize], factors: &Factorization) {
+    fn substitute(&mut self, graph: &Graph, bordered: &Bordered) {
+        let Bordered { rows, steps, factorization: factors } = bordered;
+        self.steps.extend(steps.iter().cloned());
         let terms = |of: &mut dyn Iterator<Item = (NodeId, usize)>| -> Vec<(NodeId, usize)> {
             of.filter(|(factor, _)| !graph.is_zero(*factor)).collect()
         };
@@ -304,8 +387,9 @@ mod tests {
     const N: usize = 7;
     const SIZE: usize = N + BORDER.len();
 
-    /// The bordered matrix in numbers, and where it is not zero.
-    fn numbers() -> [[f64; SIZE]; SIZE] {
+    /// The bordered matrix in numbers, and where it is not zero. Some coordinates may have no
+    /// inertia: of each block one, and two of those that are free.
+    fn numbers(is_singular: bool) -> [[f64; SIZE]; SIZE] {
         let mut matrix = [[0.0; SIZE]; SIZE];
         let mut set = |i: usize, j: usize, value| {
             matrix[i][j] = value;
@@ -314,6 +398,15 @@ mod tests {
         for (k, (i, j)) in MASS.into_iter().enumerate() {
             set(i, j, if i == j { 1.0 + 0.3 * k as f64 } else { 0.4 });
         }
+        if is_singular {
+            for (i, j) in [(1, 4), (4, 1), (0, 0), (2, 2), (3, 3), (4, 4)] {
+                matrix[i][j] = 0.0;
+            }
+        }
+        let mut set = |i: usize, j: usize, value| {
+            matrix[i][j] = value;
+            matrix[j][i] = value;
+        };
         for (c, held) in BORDER.into_iter().enumerate() {
             for (k, coordinate) in held.iter().enumerate() {
                 set(N + c, *coordinate, 0.7 + 0.9 * ((3 * c + 5 * k) as f64).sin());
@@ -330,17 +423,17 @@ mod tests {
     }
 
     /// A graph whose state is the entries of the matrix, then the right side.
-    fn built() -> (Graph, Substitution, Vec<NodeId>, Vec<f64>) {
+    fn built(is_singular: bool) -> (Graph, Substitution, Vec<NodeId>, Vec<f64>) {
         let mut graph = Graph::new();
         let zero = graph.literal(0.0);
-        let matrix = numbers();
+        let matrix = numbers(is_singular);
         let mut state = matrix.as_flattened().to_vec();
         let mut entry = |i: usize, j: usize| {
             let place = (i.max(j) * SIZE + i.min(j)) as u32;
             if matrix[i][j] == 0.0 { zero } else { graph.insert(Op::State(place)) }
         };
         let nodes = (0..SIZE).map(|i| (0..SIZE).map(|j| entry(i, j)).collect()).collect();
-        let substitution = Substitution::new(&mut graph, nodes, N);
+        let substitution = Substitution::new(&mut graph, nodes, N, is_singular);
         let side = (0..SIZE).map(|i| graph.insert(Op::State((SIZE * SIZE + i) as u32))).collect();
         state.extend((0..SIZE).map(|i| (i as f64 + 0.5).cos()));
         (graph, substitution, side, state)
@@ -348,18 +441,20 @@ mod tests {
 
     #[test]
     fn accelerations_and_multipliers_fulfil_the_equations() {
-        let (mut graph, substitution, side, state) = built();
-        let solution = substitution.solve(&mut graph, &side);
-        let x = values(&graph.tape(&solution), &state);
-        for (row, right) in numbers().iter().zip(&state[SIZE * SIZE..]) {
-            let left: f64 = row.iter().zip(&x).map(|(entry, x)| entry * x).sum();
-            assert!((left - right).abs() < 1e-11, "{left} {right}");
+        for is_singular in [false, true] {
+            let (mut graph, substitution, side, state) = built(is_singular);
+            let solution = substitution.solve(&mut graph, &side);
+            let x = values(&graph.tape(&solution), &state);
+            for (row, right) in numbers(is_singular).iter().zip(&state[SIZE * SIZE..]) {
+                let left: f64 = row.iter().zip(&x).map(|(entry, x)| entry * x).sum();
+                assert!((left - right).abs() < 1e-11, "{left} {right}, {is_singular}");
+            }
         }
     }
 
     #[test]
     fn no_force_has_a_say_in_what_is_pinned() {
-        let (graph, substitution, ..) = built();
+        let (graph, substitution, ..) = built(false);
         assert!((0..4).all(|row| !substitution.is_read(row)));
         assert!((4..SIZE).all(|row| substitution.is_read(row)));
         // A column for each row of right sides that is read.
@@ -375,7 +470,7 @@ mod tests {
 
     #[test]
     fn nothing_is_left_for_sides_without_a_say() {
-        let (_, substitution, ..) = built();
+        let (_, substitution, ..) = built(false);
         let sides = BTreeSet::from([(6, 0)]);
         let needed = needed(&substitution.steps, &sides, &BTreeSet::from([0, 1, 4]));
         assert!(needed.steps.is_empty());

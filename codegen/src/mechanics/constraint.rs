@@ -11,6 +11,7 @@
 //! s G q'' + (1 - s) lambda = s gamma, M q'' = f + s G^T lambda.
 
 use crate::cas::{Cas, Form};
+use crate::expr::rank::null_columns;
 use crate::expr::{ConstraintId, CoordinateId, Expr, Symbol};
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::scene::system::LagrangianSystem;
@@ -164,8 +165,9 @@ impl EquationsOfMotion {
     /// ```
     ///
     /// a symmetric matrix and the right side. With M positive definite and G of full
-    /// rank it has an L D L^T without pivoting, in this order. Of a constraint that holds in
-    /// some modes only, the row is s G, s - 1 on the diagonal, and s gamma.
+    /// rank it has an L D L^T without pivoting, in this order; M may be singular where
+    /// constraints hold what has no inertia. Of a constraint that holds in some modes only,
+    /// the row is s G, s - 1 on the diagonal, and s gamma.
     #[must_use]
     pub fn bordered(&self) -> (Vec<Vec<Expr>>, Vec<Expr>) {
         let constraints = &self.constraints;
@@ -186,5 +188,37 @@ impl EquationsOfMotion {
         let accelerations = accelerations.map(|(index, gamma)| constraints.held(index, gamma));
         let right_side = self.forcing.iter().cloned().chain(accelerations).collect();
         (matrix, right_side)
+    }
+
+    /// Whether constraints have to make up for what M lacks: some motion of all coordinates
+    /// has no kinetic energy, whatever the parameters are but for those that the spec sets
+    /// to zero.
+    #[must_use]
+    pub fn is_singular(&self) -> bool {
+        let entries = |row: &Vec<Expr>| row.iter().map(|entry| self.system.given(entry)).collect();
+        let matrix = || self.mass_matrix.iter().map(entries).collect::<Vec<_>>();
+        !self.constraints.is_empty() && null_columns(&matrix()).is_some()
+    }
+
+    /// Coordinates that can move together although nothing decides how: neither an inertia
+    /// nor a constraint that always holds. None of a machine whose motion is decided.
+    #[must_use]
+    pub fn undecided(&self) -> Option<Vec<usize>> {
+        if !self.is_singular() {
+            return None;
+        }
+        let always = |row: &usize| self.constraints.holds[*row] == Expr::integer(1);
+        let (bordered, _) = self.bordered();
+        let n = self.mass_matrix.len();
+        let rows: Vec<usize> =
+            (0..n).chain((0..self.constraints.len()).filter(always).map(|row| n + row)).collect();
+        let part = |row: &usize| -> Vec<Expr> {
+            rows.iter().map(|column| self.system.given(&bordered[*row][*column])).collect()
+        };
+        let matrix: Vec<Vec<Expr>> = rows.iter().map(part).collect();
+        let columns: Vec<usize> =
+            null_columns(&matrix)?.into_iter().filter(|column| *column < n).collect();
+        // Constraints that repeat others are told of where a run starts.
+        (!columns.is_empty()).then_some(columns)
     }
 }

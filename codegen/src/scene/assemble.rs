@@ -15,7 +15,8 @@ use crate::scene::names::{Flat, name};
 use crate::scene::ports::{dimension_of, ratio_of};
 use crate::scene::resolve::{Resolved, Resolver, Wanted};
 use crate::scene::system::{
-    Coordinate, FirstOrderState, GeneralizedForce, LagrangianSystem, Parameter, Spring,
+    Constraint, Coordinate, FirstOrderState, GeneralizedForce, LagrangianSystem, Parameter, Spring,
+    without_zeros,
 };
 use crate::scene::typed::{integer, product, sum};
 use crate::spec::diagnostic::{Mistake, Span};
@@ -78,8 +79,8 @@ pub fn assemble(
     let helpers = assembler.helpers();
     let mut outputs = assembler.outputs();
     let checks = assembler.checks(&mut outputs, &coordinates, &first_order);
-    assembler.inertia(&kinetic);
-    assembler.motions(&kinetic);
+    assembler.inertia(&kinetic, &constraints);
+    assembler.motions(&kinetic, &constraints);
     assembler.clashes();
     let (tables, discontinuities) = (assembler.resolver.tables, assembler.resolver.discontinuities);
     let run = &spec.run;
@@ -357,15 +358,15 @@ impl<'a> Assembler<'a> {
         parameters.collect()
     }
 
-    /// Every coordinate's velocity is somewhere in T.
-    fn inertia(&mut self, kinetic: &Expr) {
+    /// Every coordinate's velocity is somewhere in T, or a constraint holds it.
+    fn inertia(&mut self, kinetic: &Expr, constraints: &[Constraint]) {
         if !self.mistakes.is_empty() {
             return;
         }
         let mut moving = vec![false; self.layout.representatives.len()];
         mark_velocities(kinetic, &mut moving);
         for (id, slot) in self.layout.representatives.iter().enumerate() {
-            if moving[id] {
+            if moving[id] || is_held(CoordinateId(id as u32), constraints) {
                 continue;
             }
             let spec = coordinate_spec(self.spec, self.layout, *slot);
@@ -380,14 +381,19 @@ impl<'a> Assembler<'a> {
         }
     }
 
-    /// No motion of all coordinates is without kinetic energy, whatever the parameters are:
-    /// accelerations would not follow from forces.
-    fn motions(&mut self, kinetic: &Expr) {
+    /// No motion of all coordinates is without kinetic energy, whatever the parameters are but
+    /// for those of value zero: accelerations would not follow from forces. Whether constraints decide it is told once
+    /// they are derived.
+    fn motions(&mut self, kinetic: &Expr, constraints: &[Constraint]) {
         if !self.mistakes.is_empty() {
             return;
         }
         let slots = &self.layout.representatives;
-        let Some(moving) = motion_without_energy(kinetic, slots.len()) else { return };
+        let kinetic = without_zeros(kinetic, |id| self.values[id.0 as usize]);
+        let Some(moving) = motion_without_energy(&kinetic, slots.len()) else { return };
+        if moving.iter().any(|id| is_held(*id, constraints)) {
+            return;
+        }
         let name = |id: &CoordinateId| {
             let slot = slots[id.0 as usize];
             let instance = &self.spec.instances[self.layout.coordinate(slot).0].name.value;
@@ -397,8 +403,9 @@ impl<'a> Assembler<'a> {
         let Some(first) = moving.first() else { return };
         let names: Vec<String> = moving.iter().take(8).map(name).collect();
         let more = if moving.len() > 8 { ", ..." } else { "" };
+        let together = if moving.len() > 1 { " together" } else { "" };
         let message = format!(
-            "the mass matrix is singular: {}{more} can move together without kinetic energy",
+            "the mass matrix is singular: {}{more} can move{together} without kinetic energy",
             names.join(", ")
         );
         let span = coordinate_spec(self.spec, self.layout, slots[first.0 as usize]).name.span;
@@ -468,4 +475,10 @@ fn mark_velocities(expr: &Expr, moving: &mut [bool]) {
             mark_velocities(exponent, moving);
         }
     }
+}
+
+/// Whether a constraint that always holds is of a coordinate or its velocity.
+fn is_held(id: CoordinateId, constraints: &[Constraint]) -> bool {
+    let is_its = |symbol| symbol == Symbol::Coordinate(id) || symbol == Symbol::Velocity(id);
+    constraints.iter().any(|held| held.when.is_empty() && held.expr.mentions(is_its))
 }

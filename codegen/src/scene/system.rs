@@ -315,6 +315,12 @@ impl LagrangianSystem {
         evaluate(expr, &|id| self.parameter(id).value)
     }
 
+    /// An expression without the parameters that the spec sets to zero: a mass of 0 is none.
+    #[must_use]
+    pub fn given(&self, expr: &Expr) -> Expr {
+        without_zeros(expr, |id| self.parameter(id).value)
+    }
+
     /// Every expression of the self.
     pub fn exprs_mut(&mut self) -> Vec<&mut Expr> {
         let mut all = vec![
@@ -343,4 +349,13 @@ impl LagrangianSystem {
         all.extend(self.constraints.iter_mut().map(|constraint| &mut constraint.expr));
         all
     }
+}
+
+/// An expression with 0 for each parameter whose value is zero.
+#[must_use]
+pub fn without_zeros(expr: &Expr, value: impl Fn(ParameterId) -> f64) -> Expr {
+    expr.replace(&|symbol| match symbol {
+        Symbol::Parameter(id) if value(id) == 0.0 => Some(Expr::integer(0)),
+        _ => None,
+    })
 }

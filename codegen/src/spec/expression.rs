@@ -50,13 +50,19 @@ impl Ast {
             Node::Number(..) | Node::Name(..) | Node::Text(_) => {}
             Node::Negative(of) => of.visit(see),
             Node::Sum(parts) | Node::Product(parts) => {
-                parts.iter().for_each(|(_, part)| part.visit(see));
+                for (_, part) in parts {
+                    part.visit(see);
+                }
             }
             Node::Power(a, b) | Node::Less(a, b) => {
                 a.visit(see);
                 b.visit(see);
             }
-            Node::Call(_, _, arguments) => arguments.iter().for_each(|part| part.visit(see)),
+            Node::Call(_, _, arguments) => {
+                for part in arguments {
+                    part.visit(see);
+                }
+            }
         }
         see(self);
     }

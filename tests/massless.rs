@@ -1,0 +1,220 @@
+//! Coordinates without inertia that constraints hold: the machine is as regular as if they had
+//! never been coordinates, whatever its sizes and units.
+
+use machinist::{Method, Simulation};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_model::ModelSimulator;
+
+use crate::own_scene::{of_text, refusal};
+
+const METHODS: [Method; 4] = [Method::Dop853, Method::Rodas5p, Method::Radau, Method::Auto];
+
+/// A crank with inertia, a rod without mass, a slider with mass; both equations of the loop
+/// are scaled by `scale`.
+fn slider_crank(scale: f64) -> ModelSimulator {
+    let text = format!(
+        r#"
+        [scene]
+        name = "slider_crank"
+        [units.s]
+        unit = "s"
+        [initial]
+        "s.phi" = 0.3
+        "s.phi_dot" = 5.0
+        [guess]
+        "s.psi" = -0.1
+        "s.x" = 0.4
+        [outputs]
+        phi = "s.phi"
+        psi = "s.psi"
+        x = "s.x"
+        [run]
+        until = 4.0
+        points = 41
+        rtol = 1e-9
+        method = "auto"
+        [define.s.coordinates]
+        phi = {{ unit = "rad" }}
+        psi = {{ unit = "rad" }}
+        x = {{ unit = "m" }}
+        [define.s.parameters]
+        inertia = {{ value = 0.02, unit = "kg m^2" }}
+        mass = {{ value = 1.5, unit = "kg" }}
+        crank = {{ value = 0.1, unit = "m" }}
+        rod = {{ value = 0.3, unit = "m" }}
+        [define.s.energy]
+        kinetic = "inertia*phi_dot^2/2 + mass*x_dot^2/2"
+        [define.s.constraints.along]
+        expression = "{scale}*(x - crank*cos(phi) - rod*cos(psi))"
+        [define.s.constraints.across]
+        expression = "{scale}*(crank*sin(phi) + rod*sin(psi))"
+        "#
+    );
+    of_text(&text, Keep::Needed)
+}
+
+/// Largest error of the crank's speed, relative to its own: by the energy, which the crank's
+/// angle decides all of; and of the rod and the slider, by the loop.
+fn error_of_the_crank(run: &Simulation<'_>, [inertia, mass, crank, rod]: [f64; 4]) -> f64 {
+    let run = run.run().expect("it turns");
+    let column = |name| run.column(name).expect("a column");
+    let [phi, psi, x, speed] = ["phi", "psi", "x", "s.phi_dot"].map(column);
+    // x = a cos(phi) + sqrt(b^2 - a^2 sin(phi)^2)
+    let slide = |phi: f64| {
+        let (sine, cosine) = phi.sin_cos();
+        let along = (rod * rod - crank * crank * sine * sine).sqrt();
+        [crank * cosine + along, -crank * sine * (1.0 + crank * cosine / along)]
+    };
+    let carried = |phi: f64| inertia + mass * slide(phi)[1].powi(2);
+    let errors = (0..run.times.len()).map(|row| {
+        let exact = speed[0] * (carried(phi[0]) / carried(phi[row])).sqrt();
+        let of_speed = (speed[row] / exact - 1.0).abs();
+        let of_slider = (x[row] - slide(phi[row])[0]).abs() / crank;
+        let of_rod = (psi[row].sin() + crank / rod * phi[row].sin()).abs();
+        of_speed.max(of_slider).max(of_rod)
+    });
+    errors.fold(0.0, f64::max)
+}
+
+#[test]
+fn a_rod_without_mass_turns_with_its_crank_by_the_energy_alone() {
+    let sizes = [
+        [0.02, 1.5, 0.1, 0.3],
+        [2e-8, 1.5, 0.1, 0.3],
+        [0.02, 1e-6, 0.1, 0.3],
+        [2e5, 3e-3, 0.1, 0.101],
+        [2e-11, 1.5e-6, 1e-4, 4e-4],
+    ];
+    for scale in [1.0, 1e-7, 1e6] {
+        let scene = slider_crank(scale);
+        for values in sizes {
+            for method in METHODS {
+                let mut run = Simulation::new(&scene).method(method).rtol(1e-9);
+                for (name, value) in ["inertia", "mass", "crank", "rod"].into_iter().zip(values) {
+                    run = run.parameter(&format!("s.{name}"), value).expect("known");
+                }
+                let error = error_of_the_crank(&run, values);
+                assert!(error < 1e-6, "{method:?} {values:?} {scale}: {error:e}");
+            }
+        }
+    }
+}
+
+/// A machine of coordinates x and y, m, with a kinetic energy, a potential and constraints.
+fn of_two(kinetic: &str, potential: &str, constraints: &str) -> String {
+    format!(
+        r#"
+        [scene]
+        name = "of_two"
+        [units.s]
+        unit = "s"
+        [initial]
+        "s.y" = 0.2
+        [outputs]
+        x = "s.x"
+        y = "s.y"
+        [run]
+        until = 10.0
+        points = 51
+        rtol = 1e-10
+        method = "auto"
+        [define.s.coordinates]
+        x = {{ unit = "m" }}
+        y = {{ unit = "m" }}
+        [define.s.parameters]
+        mass = {{ value = 2.0, unit = "kg" }}
+        none = {{ value = 0, unit = "kg" }}
+        stiffness = {{ value = 5.0, unit = "N/m" }}
+        [define.s.energy]
+        kinetic = "{kinetic}"
+        potential = "{potential}"
+        {constraints}
+        "#
+    )
+}
+
+/// Largest difference of x and y from what they should be.
+fn error_of_two(text: &str, exact: impl Fn(f64) -> [f64; 2]) -> f64 {
+    let scene = of_text(text, Keep::Needed);
+    let run = Simulation::new(&scene).run().expect("it swings");
+    let column = |name| run.column(name).expect("a column");
+    let found = ["x", "y"].map(column);
+    let errors = run.times.iter().enumerate().flat_map(|(row, time)| {
+        let exact = exact(*time);
+        found.map(|values| values[row]).into_iter().zip(exact).map(|(a, b)| (a - b).abs())
+    });
+    errors.fold(0.0, f64::max)
+}
+
+#[test]
+fn a_lever_of_one_mass_at_the_sum_of_its_ends_swings_as_by_hand() {
+    // x = 2 y: T = m (3 y')^2/2, V = k (2 y)^2/2.
+    let text = of_two(
+        "mass*(x_dot + y_dot)^2/2",
+        "stiffness*x^2/2",
+        "[define.s.constraints.lever]\nexpression = \"x - 2*y\"",
+    );
+    let speed = (4.0 * 5.0 / (9.0 * 2.0_f64)).sqrt();
+    let error = error_of_two(&text, |t| [0.4, 0.2].map(|start| start * (speed * t).cos()));
+    assert!(error < 1e-7, "{error:e}");
+}
+
+#[test]
+fn a_mass_of_zero_in_the_spec_is_none() {
+    // As a pendulum of y alone: x = 3 y has a mass that the spec sets to zero.
+    let with = |constraints: &str| {
+        of_two("mass*y_dot^2/2 + none*x_dot^2/2", "stiffness*x^2/2", constraints)
+    };
+    let held = with("[define.s.constraints.lever]\nexpression = \"x - 3*y\"");
+    let speed = (9.0 * 5.0 / 2.0_f64).sqrt();
+    let error = error_of_two(&held, |t| [0.6, 0.2].map(|start| start * (speed * t).cos()));
+    assert!(error < 1e-7, "{error:e}");
+    let said = refusal(&with(""));
+    assert!(said.contains("the mass matrix is singular: `s.x` can move without"), "{said}");
+}
+
+#[test]
+fn a_place_without_mass_that_is_moved_drives_what_hangs_on_it() {
+    // y'' = -w^2 (y - a sin(u t)), from y = 0.2 at rest.
+    let text = of_two(
+        "mass*y_dot^2/2",
+        "stiffness*(x - y)^2/2",
+        "[define.s.constraints.shaken]\nexpression = \"x - 0.1 [m]*sin(3 [rad/s]*t)\"",
+    );
+    let (square, moved) = (5.0 / 2.0_f64, 3.0_f64);
+    let own = square.sqrt();
+    let forced = 0.1 * square / (square - moved * moved);
+    let error = error_of_two(&text, |t| {
+        let free = 0.2 * (own * t).cos() - forced * moved / own * (own * t).sin();
+        [0.1 * (moved * t).sin(), free + forced * (moved * t).sin()]
+    });
+    assert!(error < 1e-7, "{error:e}");
+}
+
+#[test]
+fn a_motion_that_neither_inertia_nor_constraint_decides_is_refused_by_name() {
+    let apart = of_two(
+        "mass*x_dot^2/2",
+        "stiffness*(x - y)^2/2",
+        "[define.s.constraints.fixed]\nexpression = \"x\"",
+    );
+    let said = refusal(&apart);
+    assert!(said.contains("coordinate `s.y` has no inertia"), "{said}");
+    // T of x and y alike, and a constraint that does not tell them apart.
+    let together = of_two(
+        "mass*(x_dot + y_dot)^2/2",
+        "stiffness*x^2/2",
+        "[define.s.constraints.sum]\nexpression = \"x + y\"",
+    );
+    let said = refusal(&together);
+    assert!(said.contains("`s.x`, `s.y` can move without kinetic energy"), "{said}");
+    // Held while a mode lasts.
+    let while_stuck = of_two(
+        "mass*x_dot^2/2",
+        "stiffness*(x - y)^2/2",
+        "[define.s.constraints.held]\nexpression = \"y\"\nwhen = { stuck = 1 }\n\
+         [define.s.modes.stuck]\ninitial = 1",
+    );
+    let said = refusal(&while_stuck);
+    assert!(said.contains("coordinate `s.y` has no inertia"), "{said}");
+}

@@ -6,6 +6,7 @@ mod own_scene;
 mod bench_scenes;
 mod bends;
 mod chains;
+mod classics;
 mod complex_step;
 mod constraints;
 mod contacts;

@@ -4,6 +4,7 @@
 //! after, in the derivation). What leaves this room has no names to look up, no
 //! joints and no dimensions any more.
 
+pub(crate) mod along;
 mod assemble;
 mod attachments;
 mod evaluate;

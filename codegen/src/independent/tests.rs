@@ -11,10 +11,12 @@ use proptest::test_runner::{Config, RngSeed, TestRunner};
 
 use super::formula::Formula;
 use super::motion::{Machine, Place};
+use super::random::Random;
 use super::systems::{Recipe, recipes};
 use super::{Comparison, Deviation};
-use crate::expr::{Expr, Function, Symbol};
+use crate::expr::{CoordinateId, Expr, FirstOrderId, Function, Symbol};
 use crate::pipeline;
+use crate::scene::along::{NoRate, rate};
 use crate::scene::system::LagrangianSystem;
 
 /// Systems unless the environment says how many.
@@ -69,6 +71,60 @@ fn random_systems_are_derived_alike() {
     if let Err(failure) = outcome {
         panic!("{failure}");
     }
+}
+
+/// `der` of what random constraints are of, against its rate by numbers that carry derivatives.
+#[test]
+fn rates_of_random_expressions_are_those_along_the_motion() {
+    const SYSTEMS: u32 = 400;
+    let config = Config {
+        cases: SYSTEMS,
+        rng_seed: RngSeed::Fixed(0xde7),
+        failure_persistence: None,
+        ..Config::default()
+    };
+    let compared = RefCell::new(0);
+    let outcome = TestRunner::new(config).run(&recipes(TERMS), |recipe| {
+        let mut system = recipe.system();
+        system.constraints.iter_mut().for_each(|held| held.when.clear());
+        let machine = Machine::new(&system, |x: f64| x);
+        let mut random = Random(u64::from(SYSTEMS));
+        let mut some = |count: usize| (0..count).map(|_| random.signed()).collect::<Vec<f64>>();
+        let [n, states] = [system.coordinates.len(), system.first_order.len()];
+        let parameters = system.parameters.iter().map(|parameter| parameter.value).collect();
+        let (q, v, z) = (some(n), some(n), some(states));
+        let place = Place { time: 0.3, q, v, z, parameters };
+        let constraints = system.constraints.iter().enumerate();
+        for (index, held) in constraints.filter(|(_, held)| held.is_of_positions) {
+            let velocity = |symbol| match symbol {
+                Symbol::Coordinate(id) => Some(Expr::Symbol(Symbol::Velocity(id))),
+                _ => None,
+            };
+            let (rate, _) = rate(&held.expr, 100_000, &velocity).expect("it has one");
+            let Some([_, expected]) = machine.held(index, &place) else { continue };
+            let found = machine.value(&Formula::new(&rate), &place, None);
+            let off = (found.value - expected.value).abs() / expected.size.max(1e-300);
+            prop_assert!(off < 1e-13, "{off:e} of {:?}", held.expr);
+            *compared.borrow_mut() += 1;
+        }
+        Ok(())
+    });
+    if let Err(failure) = outcome {
+        panic!("{failure}");
+    }
+    assert!(compared.into_inner() > 100);
+}
+
+#[test]
+fn a_rate_beyond_its_limit_is_not_made() {
+    let symbol = |id| Expr::Symbol(Symbol::Coordinate(CoordinateId(id)));
+    let product = Expr::Product((0..100).map(symbol).collect());
+    let velocity = |_| Some(Expr::integer(1));
+    assert_eq!(rate(&product, 5000, &velocity), Err(NoRate::TooLarge));
+    assert!(rate(&product, 20_000, &velocity).is_ok());
+    let state = Expr::Symbol(Symbol::FirstOrder(FirstOrderId(0)));
+    let unknown = NoRate::Unknown(Symbol::FirstOrder(FirstOrderId(0)));
+    assert_eq!(rate(&state, 10, &|_| None), Err(unknown));
 }
 
 /// A pendulum on a cart that is pushed; a bob held by a rod in x and y; a mass that grows, in a

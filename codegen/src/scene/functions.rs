@@ -1,8 +1,9 @@
 //! Calls: arguments checked, switches written with `select_less`, tables looked up.
 
 use crate::expr::{Expr, Function, Symbol};
+use crate::scene::along::{self, NoRate};
 use crate::scene::layout::Scope;
-use crate::scene::resolve::{Resolved, Resolver, not_zero};
+use crate::scene::resolve::{MAX_TERMS, Resolved, Resolver, not_zero};
 use crate::scene::spline;
 use crate::scene::typed::{Typed, Uses, integer, power, product, select_less, sum};
 use crate::spec::diagnostic::{Mistake, Span};
@@ -37,6 +38,7 @@ const OTHERS: &[(&str, &str)] = &[
     ("step", "step(t, t0)"),
     ("piecewise", "piecewise(t < t1, a, t < t2, b, c)"),
     ("table", "table(\"file.csv\", \"column\", x)"),
+    ("der", "der(x)"),
 ];
 
 impl Resolver<'_> {
@@ -69,6 +71,7 @@ impl Resolver<'_> {
                 self.piecewise(arguments, span, scope, allowed)
             }
             ("table", [file, column, x]) => self.table(file, column, x, scope, allowed),
+            ("der", [x]) => self.rate(x, span, scope, allowed),
             _ => Err(Box::new(unknown(function, name, span, arguments.len()))),
         }
     }
@@ -297,6 +300,54 @@ impl Resolver<'_> {
         let half = num_rational::BigRational::new(1.into(), 2.into());
         let between = Typed { expr: Expr::Number(number - half), ..bound };
         Ok((mode, between))
+    }
+
+    /// dx/dt along the motion.
+    fn rate(&mut self, of: &Ast, span: Span, scope: Scope, allowed: Uses) -> Resolved {
+        if !allowed.velocity {
+            let message = "a rate is a velocity, which is not allowed here";
+            return Err(Box::new(Mistake::new(span, message, "not allowed here")));
+        }
+        // What is allowed here must be left once a rate is taken.
+        let velocity = allowed.acceleration;
+        let within = Uses { velocity, acceleration: false, reaction: false, ..allowed };
+        let x = self.resolve(of, scope, within)?;
+        let of_symbol = |symbol| match symbol {
+            Symbol::Coordinate(id) => Some(Expr::Symbol(Symbol::Velocity(id))),
+            Symbol::Velocity(id) => Some(Expr::Symbol(Symbol::Acceleration(id))),
+            mode if self.is_mode(&Expr::Symbol(mode)) => Some(integer(0)),
+            _ => None,
+        };
+        let (expr, terms) = along::rate(&x.expr, MAX_TERMS, &of_symbol).map_err(|why| {
+            let message = match why {
+                NoRate::TooLarge => format!("this rate has more than {MAX_TERMS} terms"),
+                NoRate::Unknown(_) => "this depends on a state or on what a field hands over, \
+                                       whose rate is not taken here"
+                    .to_owned(),
+            };
+            Mistake::new(of.span, message, "its rate")
+                .help("take rates of coordinates, time and what is made of them")
+        })?;
+        self.spend(terms, span)?;
+        let mut typed = Typed::over(&[&x]);
+        typed.dimension = match x.dimension {
+            None => None,
+            Some(dimension) => Some(dimension.over(Dimension::TIME).ok_or_else(|| {
+                Mistake::new(span, "this rate has no dimension in SI units", "beyond reason")
+            })?),
+        };
+        typed.angular = x.angular;
+        typed.uses = Uses {
+            velocity: x.uses.position || x.uses.velocity,
+            acceleration: x.uses.velocity,
+            ..x.uses
+        };
+        typed.terms = terms;
+        typed.depth = x.depth.saturating_mul(2).saturating_add(4);
+        typed.bits = x.bits.saturating_mul(2);
+        typed.value = x.value.map(|_| 0.0);
+        typed.expr = expr;
+        Ok(typed)
     }
 
     fn table(

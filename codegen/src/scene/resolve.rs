@@ -19,7 +19,7 @@ use crate::spec::{Formula, SceneSpec};
 use machinist_model::Table;
 
 /// Leaves an expression may have once helpers are put in.
-const MAX_TERMS: usize = 100_000;
+pub(super) const MAX_TERMS: usize = 100_000;
 /// Leaves all expressions of a scene may have together.
 const MAX_SCENE_TERMS: usize = 1_000_000;
 /// Levels of a tree: each nesting of the text makes at most a sum, a product and

@@ -37,6 +37,7 @@ pub const FUNCTIONS: &[&str] = &[
     "step",
     "piecewise",
     "table",
+    "der",
 ];
 
 /// Refuses what is no name.

@@ -1,0 +1,153 @@
+//! The rate of an expression along a motion: `der(x)` of a spec.
+//!
+//! ```text
+//! dX/dt = sum of dX/dq q' + dX/dq' q'' + X_t
+//! ```
+//!
+//! Differentiated as the expression stands, function by function and branch by branch, so that
+//! what comes out is no larger than it has to be. The algebra of [`crate::cas`] sees it later.
+
+use num_rational::BigRational;
+use num_traits::One as _;
+
+use crate::expr::{Expr, Function, Symbol};
+use crate::scene::typed::{integer, power, product, reciprocal, select_less, sum};
+
+/// Why an expression has no rate here.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NoRate {
+    /// It would have more leaves than are left.
+    TooLarge,
+    /// Nothing is known of the rate of this symbol.
+    Unknown(Symbol),
+}
+
+/// The rate of an expression, and how many leaves it has; `of` gives the rates of symbols that
+/// are neither time nor constant.
+///
+/// # Errors
+/// [`NoRate`], before more than `most` leaves are made.
+pub fn rate(
+    expr: &Expr,
+    most: usize,
+    of: &dyn Fn(Symbol) -> Option<Expr>,
+) -> Result<(Expr, usize), NoRate> {
+    let mut along = Along { of, most, made: 0 };
+    let rate = along.rate(expr)?;
+    Ok((rate, along.made.max(1)))
+}
+
+struct Along<'a> {
+    of: &'a dyn Fn(Symbol) -> Option<Expr>,
+    most: usize,
+    made: usize,
+}
+
+impl Along<'_> {
+    fn rate(&mut self, expr: &Expr) -> Result<Expr, NoRate> {
+        match expr {
+            Expr::Number(_) => Ok(integer(0)),
+            Expr::Symbol(symbol) => self.of_symbol(*symbol),
+            Expr::Sum(terms) => {
+                let rates = terms.iter().map(|term| self.rate(term));
+                Ok(sum(rates.collect::<Result<_, _>>()?))
+            }
+            Expr::Product(factors) => {
+                let mut terms = Vec::new();
+                for (index, factor) in factors.iter().enumerate() {
+                    let rate = self.rate(factor)?;
+                    if rate.is_zero() {
+                        continue;
+                    }
+                    let others = factors.iter().enumerate().filter(|(other, _)| *other != index);
+                    let others = others.map(|(_, other)| self.kept(other));
+                    let mut parts = others.collect::<Result<Vec<_>, _>>()?;
+                    parts.push(rate);
+                    terms.push(product(parts));
+                }
+                Ok(sum(terms))
+            }
+            Expr::Power(base, exponent) => {
+                let rate = self.rate(base)?;
+                // Exponents of a spec are numbers.
+                let Expr::Number(exponent) = &**exponent else { return Ok(rate) };
+                if rate.is_zero() {
+                    return Ok(rate);
+                }
+                let base = self.kept(base)?;
+                let lower = power(base, &(exponent - BigRational::one()));
+                Ok(product(vec![Expr::Number(exponent.clone()), lower, rate]))
+            }
+            Expr::Call(Function::SelectLess, arguments) => {
+                let [left, right, then, otherwise] = &arguments[..] else { return Ok(integer(0)) };
+                let (then, otherwise) = (self.rate(then)?, self.rate(otherwise)?);
+                if then.is_zero() && otherwise.is_zero() {
+                    return Ok(then);
+                }
+                Ok(select_less(self.kept(left)?, self.kept(right)?, then, otherwise))
+            }
+            Expr::Call(function, arguments) => {
+                let [x] = &arguments[..] else { return Ok(integer(0)) };
+                let rate = self.rate(x)?;
+                if rate.is_zero() {
+                    return Ok(rate);
+                }
+                let slope = slope(*function, &self.kept(x)?);
+                Ok(product(vec![slope, rate]))
+            }
+        }
+    }
+
+    fn of_symbol(&mut self, symbol: Symbol) -> Result<Expr, NoRate> {
+        match symbol {
+            Symbol::Pi | Symbol::Parameter(_) => Ok(integer(0)),
+            Symbol::Time => Ok(integer(1)),
+            other => {
+                self.spend(1)?;
+                (self.of)(other).ok_or(NoRate::Unknown(other))
+            }
+        }
+    }
+
+    /// A part that stands in the rate as it is.
+    fn kept(&mut self, expr: &Expr) -> Result<Expr, NoRate> {
+        let mut leaves = 0;
+        expr.visit(&mut |part| {
+            leaves += usize::from(matches!(part, Expr::Number(_) | Expr::Symbol(_)));
+        });
+        self.spend(leaves)?;
+        Ok(expr.clone())
+    }
+
+    fn spend(&mut self, leaves: usize) -> Result<(), NoRate> {
+        self.made = self.made.saturating_add(leaves);
+        if self.made > self.most { Err(NoRate::TooLarge) } else { Ok(()) }
+    }
+}
+
+/// df/dx of a function of one argument.
+fn slope(function: Function, x: &Expr) -> Expr {
+    let of = |function| Expr::Call(function, vec![x.clone()]);
+    let square = |of: Expr| power(of, &BigRational::from_integer(2.into()));
+    let negative = |of: Expr| product(vec![integer(-1), of]);
+    let beside_one = |of: Expr| sum(vec![integer(1), of]);
+    let root = |of: Expr| Expr::Call(Function::Sqrt, vec![of]);
+    let arc = || reciprocal(root(beside_one(negative(square(x.clone())))));
+    match function {
+        Function::Sqrt => reciprocal(product(vec![integer(2), of(Function::Sqrt)])),
+        Function::Abs => select_less(x.clone(), integer(0), integer(-1), integer(1)),
+        Function::Exp => of(Function::Exp),
+        Function::Ln => reciprocal(x.clone()),
+        Function::Sin => of(Function::Cos),
+        Function::Cos => negative(of(Function::Sin)),
+        Function::Tan => beside_one(square(of(Function::Tan))),
+        Function::Asin => arc(),
+        Function::Acos => negative(arc()),
+        Function::Atan => reciprocal(beside_one(square(x.clone()))),
+        Function::Sinh => of(Function::Cosh),
+        Function::Cosh => of(Function::Sinh),
+        Function::Tanh => beside_one(negative(square(of(Function::Tanh)))),
+        Function::Table { table, order } => of(Function::Table { table, order: order + 1 }),
+        Function::SelectLess => integer(0),
+    }
+}

@@ -19,7 +19,6 @@ mod kinks;
 mod linear_analysis;
 mod massless;
 mod methods;
-mod msl;
 mod narrow;
 mod onsets;
 mod orders;

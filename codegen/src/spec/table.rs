@@ -134,7 +134,10 @@ fn header(record: &csv::StringRecord, line: &Line) -> Result<Vec<Column>, Mistak
             return Err(mistake.help("write time [s],load [N m]"));
         };
         let name = Spanned { value: name.trim().to_owned(), span: line.cell(Some(index)) };
-        names::check(&name)?;
+        // Also as runs name their columns, `motor.omega`.
+        for part in name.value.split('.') {
+            names::check(&Spanned { value: part.to_owned(), span: name.span })?;
+        }
         let unit = Unit::parse(unit)
             .map_err(|error| line.mistake(Some(index), error.message).help(error.help))?;
         if columns.iter().any(|column| column.name == name.value) {

@@ -1,5 +1,5 @@
 //! The same models as emitted code, compiled at once and interpreted, in one run:
-//! `cargo bench -p machinist-app --features bench --bench backends`.
+//! `cargo bench -p machinist-tests --features measure --bench backends`.
 //!
 //! For each scene: nanoseconds of a rate and of a Jacobian (as methods call them, with
 //! constants prepared), milliseconds of the scene's own run by `dop853` or `radau`, and

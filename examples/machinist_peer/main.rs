@@ -5,14 +5,14 @@
 //! machinist_peer rhs    --model M2
 //! machinist_peer sim    --model M2 --rtols 1e-3,1e-6 --budget 1.0
 //! machinist_peer sweep  --model M2 --count 1000 --rtol 1e-6 --methods taylor
-//! machinist_peer derive --model M6:10          (built with the feature `cli`)
+//! machinist_peer derive --model M6:10
 //! ```
 //!
 //! Build it for the machine it runs on, as one would build what is measured:
 //!
 //! ```text
-//! RUSTFLAGS="-C target-cpu=native" cargo build --release --no-default-features \
-//!     --features diffsol,implicit,scenes,sweep --example machinist_peer
+//! RUSTFLAGS="-C target-cpu=native" cargo build --release -p machinist-tests \
+//!     --features measure --example machinist_peer
 //! ```
 //!
 //! Times are medians of several runs. A simulation includes setting up and freeing

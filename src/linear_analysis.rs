@@ -17,6 +17,7 @@
 //!
 //! All is dense algebra, for scenes of up to [`MAX_STATES`] states.
 
+mod campbell;
 pub mod differences;
 mod equilibrium;
 mod error;
@@ -32,6 +33,7 @@ use motions::Motions;
 use nalgebra::{DMatrix, DVector};
 use within::Within;
 
+pub use campbell::{Branch, Campbell, Critical, Variation, campbell};
 pub use equilibrium::equilibrium;
 pub use error::{LinearError, Residual};
 pub use modes::{Mode, ModeKind};

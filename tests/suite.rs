@@ -5,6 +5,7 @@ mod own_scene;
 
 mod bench_scenes;
 mod bends;
+mod campbell;
 mod chains;
 mod classics;
 mod complex_step;

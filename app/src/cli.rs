@@ -8,6 +8,7 @@
 mod bench;
 #[cfg(feature = "derive")]
 mod cache;
+mod campbell;
 #[cfg(feature = "derive")]
 mod check;
 #[cfg(feature = "derive")]
@@ -27,6 +28,7 @@ mod new;
 mod output;
 #[cfg(feature = "derive")]
 mod parts;
+mod range;
 #[cfg(feature = "derive")]
 mod report;
 mod response;
@@ -89,6 +91,8 @@ enum Command {
     Stability(stability::Stability),
     /// Natural frequencies, damping and mode shapes of a scene
     Modes(modes::Modes),
+    /// Natural frequencies over a parameter, and where orders of a speed meet them
+    Campbell(campbell::CampbellDiagram),
     /// Frequency response of a scene: amplitude and phase
     Response(response::FrequencyResponse),
     /// Say which model of a winder is enough, and where it winds stably
@@ -140,6 +144,7 @@ pub fn main() -> ExitCode {
         Command::Bench(command) => command.execute(),
         Command::Stability(command) => command.execute(),
         Command::Modes(command) => command.execute(),
+        Command::Campbell(command) => command.execute(),
         Command::Response(command) => command.execute(),
         Command::Walk(command) => command.execute(),
         Command::Verify(command) => command.execute(),

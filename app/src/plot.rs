@@ -15,7 +15,7 @@ use plotters::prelude::*;
 use plotters::style::register_font;
 use thiserror::Error;
 
-pub use linear::{plot_modes, plot_response};
+pub use linear::{plot_campbell, plot_modes, plot_response};
 use machinist::error::did_you_mean;
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
 pub use map::plot_map;
@@ -77,7 +77,7 @@ pub enum PlotError {
 /// [`PlotError`]; no file is written then, or only part of one.
 pub fn plot(trajectory: &Trajectory, columns: &[&str], path: &Path) -> Result<(), PlotError> {
     let Trajectory { scene, method, rtol, .. } = trajectory;
-    let axes = [Axis::Linear("time [s]"), Axis::Linear("")];
+    let axes = [Axis::Linear("time [s]".into()), Axis::Linear("".into())];
     let picture = Picture {
         title: &trajectory.title,
         subtitle: format!("{scene}, {method}, rtol {rtol:e}"),

@@ -331,6 +331,27 @@ fn modes_of_a_machine_in_balance_are_a_table() {
 }
 
 #[test]
+fn frequencies_over_a_parameter_are_a_table_with_where_orders_meet_them() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let plot = folder.path().join("gin.svg").display().to_string();
+    let range = "coupling.stiffness=1e2..1e5:log";
+    let arguments = ["campbell", "saw_gin", "--parameter", range, "--count", "11"];
+    let orders = ["--speed", "cylinder.omega", "--orders", "1,2"];
+    let text = answer(&[&arguments[..], &orders, &["--plot", &plot]].concat());
+    assert!(text.contains("8901.61     77.2046        0.64847"), "{text}");
+    assert!(std::fs::read_to_string(&plot).expect("a plot").contains("order 2"));
+    let table = answer(&[&arguments[..], &orders, &["--out", "-"]].concat());
+    assert_eq!(table.lines().count(), 12, "{table}");
+    assert!(table.starts_with("coupling.stiffness [N m/rad],speed [rad/s],1 "), "{table}");
+    let json = answer(&[&arguments[..], &["--json"]].concat());
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(json["speeds"], serde_json::Value::Null);
+    assert_refused(&["campbell", "two_mass", "--parameter", "drive_torque=2..1"], &["must grow"]);
+    let no_order = ["--parameter", "drive_torque=1..2", "--orders", "0"];
+    assert_refused(&[&["campbell", "two_mass"], &no_order[..]].concat(), &["above zero"]);
+}
+
+#[test]
 fn modes_as_json_hold_shapes_and_matrices() {
     let text = answer(&["modes", "two_mass", "--at", "t=0.1", "--json"]);
     let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");

@@ -29,6 +29,14 @@ pub enum LinearError {
          not analysed. Hint: write it in minimal coordinates, or run it; its modes are analysed"
     )]
     Constraints(String),
+    /// Orders are of something else than a speed.
+    #[error("orders are of a parameter or a state in rad/s, but `{name}` {why}")]
+    NoSpeed {
+        /// What was given.
+        name: String,
+        /// What it is.
+        why: String,
+    },
     /// A list is as long as the scene does not ask for.
     #[error("scene `{scene}` has {expected} {what}, but {found} values were given")]
     WrongLength {

@@ -1,4 +1,4 @@
-//! What `modes` and `response` share: a scene, its parameters, and where it is
+//! What `modes`, `campbell` and `response` share: a scene, its parameters, and where it is
 //! linearized.
 
 use clap::Args;
@@ -32,13 +32,23 @@ impl Where {
         Scene::load(&self.scene, self.keep_all)
     }
 
-    /// The scene, linearized where asked for.
-    pub fn linearize<'s>(&self, scene: &'s Scene) -> Result<Linearization<'s>, Failure> {
-        let simulator = scene.simulator();
-        let mut run = Simulation::new(simulator);
+    /// Where to linearize.
+    pub fn place(&self) -> Place {
+        self.at
+    }
+
+    /// A run with the parameters asked for.
+    pub fn run<'s>(&self, mut run: Simulation<'s>) -> Result<Simulation<'s>, Failure> {
         for (name, value) in &self.set {
             run = run.parameter(name, *value)?;
         }
+        Ok(run)
+    }
+
+    /// The scene, linearized where asked for.
+    pub fn linearize<'s>(&self, scene: &'s Scene) -> Result<Linearization<'s>, Failure> {
+        let simulator = scene.simulator();
+        let run = self.run(Simulation::new(simulator))?;
         let point = during("simulating", || operating_point(&run, self.at))?;
         Ok(Linearization::at(simulator, point)?)
     }

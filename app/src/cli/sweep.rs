@@ -14,6 +14,7 @@ use machinist_scenes::scenes;
 
 use super::assignment;
 use super::output::{print_with, require_ending, write_file};
+use super::range::{Range, range};
 use super::scene::{Scene, built_in};
 use crate::failure::Failure;
 use crate::progress::during;
@@ -59,15 +60,6 @@ pub struct Sweep {
     /// Write to a file that ends in .csv instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-}
-
-/// Values of a parameter.
-#[derive(Debug, Clone, PartialEq)]
-struct Range {
-    name: String,
-    from: f64,
-    to: f64,
-    is_log: bool,
 }
 
 impl Sweep {
@@ -328,70 +320,5 @@ impl Table<'_> {
             }
         });
         values.collect()
-    }
-}
-
-impl Range {
-    /// The `index`-th of `count` values; both ends are met exactly.
-    fn value(&self, index: usize, count: usize) -> f64 {
-        let share = index as f64 / (count - 1) as f64;
-        match index {
-            0 => self.from,
-            _ if index + 1 == count => self.to,
-            _ if self.is_log => self.from * (self.to / self.from).powf(share),
-            _ => self.from + (self.to - self.from) * share,
-        }
-    }
-}
-
-/// `name=from..to`, perhaps with `:log`, as `--parameter` takes it.
-fn range(text: &str) -> Result<Range, String> {
-    const EXAMPLE: &str = "write it as NAME=FROM..TO, such as coupling.stiffness=1e3..1e5:log";
-    let (name, values) = text.split_once('=').ok_or(EXAMPLE)?;
-    let (values, is_log) = match values.split_once(':') {
-        None => (values, false),
-        Some((values, "log")) => (values, true),
-        Some((_, other)) => return Err(format!("`:{other}` is not known, only `:log`")),
-    };
-    let (from, to) = values.split_once("..").ok_or(EXAMPLE)?;
-    let number = |text: &str| match text.trim().parse::<f64>() {
-        Ok(number) if number.is_finite() => Ok(number),
-        Ok(_) => Err(format!("`{text}` is not a finite number")),
-        Err(_) => Err(format!("`{text}` is not a number")),
-    };
-    let (from, to) = (number(from)?, number(to)?);
-    if is_log && from * to <= 0.0 {
-        return Err(format!("equal ratios do not lead from {from} to {to}; leave `:log` out"));
-    }
-    Ok(Range { name: name.trim().to_owned(), from, to, is_log })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_range_meets_its_ends_and_keeps_to_equal_steps_or_ratios() {
-        let linear = range("a.b = 1..3").unwrap();
-        let bits = |values: [f64; 3]| values.map(f64::to_bits);
-        assert_eq!(bits([0, 1, 2].map(|index| linear.value(index, 3))), bits([1.0, 2.0, 3.0]));
-        let ratios = range("a.b=1e2..1e6:log").unwrap();
-        assert_eq!(ratios.value(2, 3).to_bits(), 1e6_f64.to_bits());
-        assert!((ratios.value(1, 3) / 1e4 - 1.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn a_range_that_makes_no_sense_is_refused_with_the_reason() {
-        for (bad, reason) in [
-            ("a.b", "NAME=FROM..TO"),
-            ("a.b=1", "NAME=FROM..TO"),
-            ("a.b=1..x", "`x` is not a number"),
-            ("a.b=1..inf", "not a finite number"),
-            ("a.b=0..1:log", "equal ratios"),
-            ("a.b=1..2:lin", "only `:log`"),
-        ] {
-            let error = range(bad).unwrap_err();
-            assert!(error.contains(reason), "{bad}: {error}");
-        }
     }
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::panel::Panel;
 use super::ruler::Axis;
 use super::{Picture, PlotError};
-use machinist::linear_analysis::{Linearization, Mode, ModeKind, Response};
+use machinist::linear_analysis::{Campbell, Linearization, Mode, ModeKind, Response};
 use machinist::trajectory::{Column, ColumnKind};
 
 /// Mode shapes drawn at most.
@@ -20,8 +20,8 @@ pub fn plot_response(response: &Response, title: &str, path: &Path) -> Result<()
     let degrees = response.phases.iter().map(|phase| phase.to_degrees()).collect();
     let amplitude = column("amplitude", &response.amplitude_unit(), response.amplitudes.clone());
     let phase = column("phase", "deg", degrees);
-    let horizontal = Axis::Logarithmic("frequency [rad/s]");
-    let axes = [Axis::Logarithmic(""), Axis::Linear("")];
+    let horizontal = Axis::Logarithmic("frequency [rad/s]".into());
+    let axes = [Axis::Logarithmic("".into()), Axis::Linear("".into())];
     let panel = |column, vertical| over(frequencies, vec![column], [&horizontal, vertical]);
     let picture = Picture {
         title,
@@ -29,6 +29,38 @@ pub fn plot_response(response: &Response, title: &str, path: &Path) -> Result<()
         panels: vec![panel(&amplitude, &axes[0]), panel(&phase, &axes[1])],
     };
     picture.write(path)
+}
+
+/// Draws frequencies over a parameter, with orders of the speed if there is one, into an
+/// `.svg` or `.png` file.
+///
+/// # Errors
+/// As [`plot_response`]; [`PlotError::Nothing`] if nothing oscillates.
+pub fn plot_campbell(
+    diagram: &Campbell,
+    orders: &[f64],
+    title: &str,
+    path: &Path,
+) -> Result<(), PlotError> {
+    let branches = diagram.branches.iter().enumerate().map(|(index, branch)| {
+        let name = format!("{} {}", index + 1, branch.moves);
+        column(&name, "rad/s", branch.frequencies.clone())
+    });
+    let mut drawn: Vec<Column> = branches.collect();
+    let fastest = drawn.iter().flat_map(|column| &column.values).copied().fold(0.0, f64::max);
+    for (order, speeds) in orders.iter().zip(diagram.speeds.iter().cycle()) {
+        // No farther than the frequencies go.
+        let along = speeds.iter().map(|speed| order * speed.abs());
+        let along = along.map(|line| if line <= 1.05 * fastest { line } else { f64::NAN });
+        drawn.push(column(&format!("order {order}"), "rad/s", along.collect()));
+    }
+    let axes = [
+        Axis::Linear(format!("{} [{}]", diagram.parameter, diagram.unit).into()),
+        Axis::Linear("".into()),
+    ];
+    let panel = over(&diagram.values, drawn.iter().collect(), [&axes[0], &axes[1]]);
+    let subtitle = format!("natural frequencies over {}", diagram.parameter);
+    Picture { title, subtitle, panels: vec![panel] }.write(path)
 }
 
 /// Draws the shapes of the slowest six oscillations, or of aperiodic motions if there
@@ -50,7 +82,7 @@ pub fn plot_modes(
     let motions: Vec<usize> = (0..n).chain(2 * n..all.len()).collect();
     let places: Vec<f64> = (0..motions.len()).map(|place| place as f64).collect();
     let names = motions.iter().map(|motion| all[*motion].clone()).collect();
-    let axes = [Axis::Names(names), Axis::Linear("")];
+    let axes = [Axis::Names(names), Axis::Linear("".into())];
     let columns: Vec<[Column; 2]> = drawn(modes)
         .into_iter()
         .map(|mode| {

@@ -87,8 +87,10 @@ impl Picture<'_> {
     fn draw_cells<DB: DrawingBackend>(&self, area: &DrawingArea<DB, Shift>) -> DrawResult<DB> {
         let millimetres: Vec<f64> = self.map.radii.iter().map(|radius| 1e3 * radius).collect();
         let (across, up) = (edges(&millimetres), edges(&self.map.speeds));
-        let axes =
-            [Axis::Linear("radius of the package [mm]"), Axis::Linear("winding speed [m/s]")];
+        let axes = [
+            Axis::Linear("radius of the package [mm]".into()),
+            Axis::Linear("winding speed [m/s]".into()),
+        ];
         let [horizontal, vertical] = [axes[0].along(&across), axes[1].along(&up)];
         let (ticks_across, ticks_up) = (horizontal.ticks(), vertical.ticks());
         let mut chart = ChartBuilder::on(area)

@@ -1,5 +1,6 @@
 //! Axes: where values are placed along them, and what is written at their ticks.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use plotters::coord::ranged1d::{
@@ -16,9 +17,9 @@ const MAX_NAMES: usize = 12;
 /// What an axis shows.
 pub(crate) enum Axis {
     /// Numbers, and what they are.
-    Linear(&'static str),
+    Linear(Cow<'static, str>),
     /// Numbers by their decimal logarithm; others than positive ones are left out.
-    Logarithmic(&'static str),
+    Logarithmic(Cow<'static, str>),
     /// Names, at 0, 1, 2, ...
     Names(Vec<String>),
 }

@@ -26,7 +26,7 @@ pub fn over_time(id: &str, times: &[f64], columns: &[&Column], caption: &Markup)
     let quantity = if let [only] = columns { only.name.as_str() } else { "" };
     let title = format!("{quantity}{}", in_brackets(&first.unit));
     let values: Vec<f64> = columns.iter().flat_map(|column| column.values.clone()).collect();
-    let axes = [Axis::Linear(""), Axis::Linear("")];
+    let axes = [Axis::Linear("".into()), Axis::Linear("".into())];
     let titles = ["time [s]", title.trim()];
     let mut panel = Panel::new(Frame::WHOLE, axes, titles, (times, &values));
     for (index, column) in columns.iter().enumerate() {
@@ -49,7 +49,7 @@ pub fn work_precision(id: &str, measured: &WorkPrecision, caption: &Markup) -> M
     let all = |of: &dyn Fn(&Point) -> f64| -> Vec<f64> {
         measured.curves.iter().flat_map(|curve| curve.points.iter().map(of)).collect()
     };
-    let logarithmic = || [Axis::Logarithmic(""), Axis::Logarithmic("")];
+    let logarithmic = || [Axis::Logarithmic("".into()), Axis::Logarithmic("".into())];
     let (times, errors) = (all(&|point| point.milliseconds), all(&|point| point.error));
     let (rtols, shares) = (all(&|point| point.rtol), all(&Point::proportionality));
     let titles = ["run time [ms]", "largest relative error"];
@@ -148,7 +148,8 @@ pub fn curves(
     is_logarithmic: bool,
     caption: &Markup,
 ) -> Markup {
-    let axis = || if is_logarithmic { Axis::Logarithmic("") } else { Axis::Linear("") };
+    let axis =
+        || if is_logarithmic { Axis::Logarithmic("".into()) } else { Axis::Linear("".into()) };
     let across: Vec<f64> = curves.iter().flat_map(|(_, x, _)| x.clone()).collect();
     let up: Vec<f64> = curves.iter().flat_map(|(_, _, y)| y.clone()).collect();
     let mut panel = Panel::new(Frame::WHOLE, [axis(), axis()], titles, (&across, &up));

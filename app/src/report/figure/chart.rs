@@ -68,7 +68,7 @@ impl Panel {
 
     /// A panel whose axes end where a picture does.
     pub(super) fn of_picture(titles: [&str; 2], (across, up): (&[f64], &[f64])) -> Self {
-        let axes = [Axis::Linear(""), Axis::Linear("")];
+        let axes = [Axis::Linear("".into()), Axis::Linear("".into())];
         let rulers = [axes[0].along(&extent(across)), axes[1].along(&extent(up))];
         let titles = titles.map(str::to_owned);
         Self { frame: Frame::WHOLE, axes, rulers, titles, drawn: Vec::new() }
@@ -255,7 +255,7 @@ mod tests {
 
     #[test]
     fn a_line_is_broken_where_it_has_no_value() {
-        let mut panel = panel([Axis::Linear(""), Axis::Linear("")], &[0.0, 3.0]);
+        let mut panel = panel([Axis::Linear("".into()), Axis::Linear("".into())], &[0.0, 3.0]);
         panel.line(0, "z", &[0.0, 1.0, 2.0, 3.0], &[0.0, f64::NAN, 2.0, 3.0]);
         let svg = panel.drawn[0].clone().into_string();
         let path = svg.split('"').find(|part| part.starts_with('M')).expect("a path");
@@ -264,7 +264,7 @@ mod tests {
 
     #[test]
     fn logarithmic_axes_leave_out_what_is_not_positive() {
-        let axes = [Axis::Logarithmic(""), Axis::Logarithmic("")];
+        let axes = [Axis::Logarithmic("".into()), Axis::Logarithmic("".into())];
         let panel = panel(axes, &[0.01, 100.0]);
         assert_eq!(panel.at(1.0, 0.0), None);
         let (x, y) = panel.at(1.0, 1.0).expect("a point");

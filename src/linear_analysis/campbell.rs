@@ -1,0 +1,349 @@
+//! Frequencies over a parameter: Campbell's diagram.
+
+use machinist_contract::Simulator;
+use num_complex::Complex64;
+use serde::Serialize;
+
+use super::operating_point::{Place, operating_point};
+use super::{LinearError, Linearization, Mode, ModeKind, position};
+use crate::error::did_you_mean;
+use crate::simulate::Simulation;
+
+/// Natural frequencies of a machine over a parameter, each followed from value to value, and
+/// where orders of a speed meet them.
+///
+/// W. Campbell, The protection of steam-turbine disk wheels from axial vibration, Trans. ASME 46,
+/// 1924.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Campbell {
+    /// The parameter.
+    pub parameter: String,
+    /// Its unit.
+    pub unit: String,
+    /// Its values.
+    pub values: Vec<f64>,
+    /// The speed that orders are of \[rad/s\], at each value; none if there is none.
+    pub speeds: Option<Vec<f64>>,
+    /// Oscillations, the slowest first.
+    pub branches: Vec<Branch>,
+    /// Where orders meet them, by the parameter.
+    pub critical: Vec<Critical>,
+}
+
+/// An oscillation, followed over the values of the parameter by its shape and its frequency.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Branch {
+    /// What moves most where it is first met: a coordinate or a first-order state.
+    pub moves: String,
+    /// Frequencies of the damped motion \[rad/s\]; NaN where it is none.
+    pub frequencies: Vec<f64>,
+    /// Damping ratios, likewise.
+    pub damping_ratios: Vec<f64>,
+}
+
+/// An order of the speed at a natural frequency.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Critical {
+    /// Frequency over speed.
+    pub order: f64,
+    /// Which of the branches.
+    pub branch: usize,
+    /// The parameter's value there.
+    pub value: f64,
+    /// The frequency there \[rad/s\].
+    pub frequency: f64,
+    /// The damping ratio there.
+    pub damping_ratio: f64,
+}
+
+/// What is varied, and what orders are of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variation<'a> {
+    /// The parameter.
+    pub parameter: &'a str,
+    /// Its values, increasing.
+    pub values: &'a [f64],
+    /// Where the machine is linearized at each.
+    pub place: Place,
+    /// A parameter or a state in rad/s; the parameter itself if that is in rad/s.
+    pub speed: Option<&'a str>,
+    /// Orders of it.
+    pub orders: &'a [f64],
+}
+
+/// Frequencies over a parameter.
+///
+/// # Errors
+/// [`LinearError`] if a name is not known, or if there is no point or no modes at a value.
+pub fn campbell(run: &Simulation<'_>, variation: &Variation<'_>) -> Result<Campbell, LinearError> {
+    let simulator = run.simulator();
+    let varied = run.parameter_index(variation.parameter)?;
+    let speed = speed(simulator, variation)?;
+    let machine = Machine { run, variation, speed };
+    let mut branches: Vec<Followed> = Vec::new();
+    let mut speeds = Vec::new();
+    for (index, value) in variation.values.iter().enumerate() {
+        let found = machine.at(*value)?;
+        speeds.extend(found.speed);
+        follow(&mut branches, index, found);
+    }
+    branches.sort_by(|a, b| a.first().total_cmp(&b.first()));
+    let critical = machine.critical(&branches, &speeds)?;
+    let count = variation.values.len();
+    Ok(Campbell {
+        parameter: variation.parameter.to_owned(),
+        unit: simulator.parameter(varied).unit.to_owned(),
+        values: variation.values.to_vec(),
+        speeds: speed.is_some().then_some(speeds),
+        branches: branches.iter().map(|branch| branch.whole(count)).collect(),
+        critical,
+    })
+}
+
+/// Where a speed is to be found.
+#[derive(Debug, Clone, Copy)]
+enum Speed {
+    Parameter(usize),
+    State(usize),
+}
+
+fn speed(
+    simulator: &dyn Simulator<f64>,
+    variation: &Variation<'_>,
+) -> Result<Option<Speed>, LinearError> {
+    const UNIT: &str = "rad/s";
+    let shape = simulator.shape();
+    let of_parameter = |name| position(name, shape.parameters, |i| simulator.parameter(i));
+    let Some(name) = variation.speed else {
+        let own = of_parameter(variation.parameter);
+        let own = own.filter(|index| simulator.parameter(*index).unit == UNIT);
+        return Ok(own.map(Speed::Parameter));
+    };
+    let of_state = || position(name, shape.states(), |index| simulator.state(index));
+    let found = match of_parameter(name) {
+        Some(index) => Some((Speed::Parameter(index), simulator.parameter(index).unit)),
+        None => of_state().map(|index| (Speed::State(index), simulator.state(index).unit)),
+    };
+    match found {
+        Some((speed, UNIT)) => Ok(Some(speed)),
+        Some((_, unit)) => {
+            Err(LinearError::NoSpeed { name: name.to_owned(), why: format!("is in {unit}") })
+        }
+        None => {
+            let parameters = (0..shape.parameters).map(|i| simulator.parameter(i).name);
+            let known = parameters.chain((0..shape.states()).map(|i| simulator.state(i).name));
+            let hint = did_you_mean(name, known);
+            let why = format!("is neither a parameter nor a state{hint}");
+            Err(LinearError::NoSpeed { name: name.to_owned(), why })
+        }
+    }
+}
+
+/// The oscillations at a value.
+struct Found {
+    speed: Option<f64>,
+    oscillations: Vec<Oscillation>,
+}
+
+/// An oscillation with its shape by shares, so that units have no say: |x_i|^2 is the share of
+/// each coordinate and first-order state.
+#[derive(Debug, Clone)]
+struct Oscillation {
+    frequency: f64,
+    damping_ratio: f64,
+    shape: Vec<Complex64>,
+    moves: String,
+}
+
+struct Machine<'a> {
+    run: &'a Simulation<'a>,
+    variation: &'a Variation<'a>,
+    speed: Option<Speed>,
+}
+
+impl Machine<'_> {
+    fn at(&self, value: f64) -> Result<Found, LinearError> {
+        let run = self.run.clone().parameter(self.variation.parameter, value)?;
+        let point = operating_point(&run, self.variation.place)?;
+        let speed = self.speed.map(|speed| match speed {
+            Speed::Parameter(index) => point.parameters[index],
+            Speed::State(index) => point.state[index],
+        });
+        let linearization = Linearization::at(self.run.simulator(), point)?;
+        let names = linearization.motion_names();
+        let coordinates = self.run.simulator().shape().coordinates;
+        let modes = linearization.modes()?;
+        let oscillations = modes.iter().filter(|mode| is_seen(mode));
+        let oscillations = oscillations.map(|mode| oscillation(mode, coordinates, &names));
+        Ok(Found { speed, oscillations: oscillations.collect() })
+    }
+
+    /// Where orders of the speed meet branches, found between two values to rounding.
+    fn critical(
+        &self,
+        branches: &[Followed],
+        speeds: &[f64],
+    ) -> Result<Vec<Critical>, LinearError> {
+        let mut critical = Vec::new();
+        if speeds.is_empty() {
+            return Ok(critical);
+        }
+        for order in self.variation.orders {
+            for (index, branch) in branches.iter().enumerate() {
+                for pair in branch.places.windows(2) {
+                    let [(from, before), (to, after)] = pair else { continue };
+                    let beyond = |place: &usize, of: &Oscillation| {
+                        of.frequency - order * speeds[*place].abs()
+                    };
+                    let ends = [beyond(from, before), beyond(to, after)];
+                    // A branch that begins on an order belongs to the next stretch.
+                    if *to == from + 1 && (ends[0] < 0.0) != (ends[1] < 0.0) {
+                        let bounds = [self.variation.values[*from], self.variation.values[*to]];
+                        let (value, there) = self.meeting(*order, bounds, ends, before)?;
+                        critical.push(Critical {
+                            order: *order,
+                            branch: index,
+                            value,
+                            frequency: there.frequency,
+                            damping_ratio: there.damping_ratio,
+                        });
+                    }
+                }
+            }
+        }
+        critical.sort_by(|a, b| a.value.total_cmp(&b.value));
+        Ok(critical)
+    }
+
+    /// Between two values where an oscillation is slower than an order, and where it is not.
+    fn meeting(
+        &self,
+        order: f64,
+        [mut low, mut high]: [f64; 2],
+        [mut at_low, mut at_high]: [f64; 2],
+        like: &Oscillation,
+    ) -> Result<(f64, Oscillation), LinearError> {
+        const ROUNDS: usize = 60;
+        let mut there = like.clone();
+        let mut value = low;
+        for round in 0..ROUNDS {
+            // Secants, and halves now and then, so that no end stays for ever.
+            let share = if round % 3 == 2 { 0.5 } else { at_low / (at_low - at_high) };
+            let next = low + share * (high - low);
+            let found = self.at(next)?;
+            let nearest = found.oscillations.iter().min_by(|a, b| {
+                there.distance(a, there.frequency).total_cmp(&there.distance(b, there.frequency))
+            });
+            let (Some(nearest), Some(speed)) = (nearest, found.speed) else { break };
+            let moved = (next - value).abs();
+            (value, there) = (next, nearest.clone());
+            let beyond = there.frequency - order * speed.abs();
+            if beyond == 0.0 || moved <= 4.0 * f64::EPSILON * value.abs() {
+                break;
+            }
+            if (beyond < 0.0) == (at_low < 0.0) {
+                (low, at_low) = (value, beyond);
+            } else {
+                (high, at_high) = (value, beyond);
+            }
+        }
+        Ok((value, there))
+    }
+}
+
+/// At critical damping an eigenvalue is double, which rounding takes for a slow oscillation.
+fn is_seen(mode: &Mode) -> bool {
+    const ROUNDING: f64 = 1e-6;
+    mode.kind == ModeKind::Oscillation && mode.imaginary > ROUNDING * mode.natural_frequency()
+}
+
+fn oscillation(mode: &Mode, coordinates: usize, names: &[String]) -> Oscillation {
+    let places = (0..coordinates).chain(2 * coordinates..names.len());
+    let shape = places.clone().zip(&mode.shares).map(|(place, share)| {
+        let [re, im] = mode.shape[place];
+        let size = re.hypot(im);
+        let direction = if size > 0.0 { Complex64::new(re, im) / size } else { Complex64::ONE };
+        direction * share.sqrt()
+    });
+    let most = places.zip(&mode.shares).max_by(|a, b| a.1.total_cmp(b.1));
+    Oscillation {
+        frequency: mode.imaginary,
+        damping_ratio: mode.damping_ratio(),
+        shape: shape.collect(),
+        moves: most.map_or_else(String::new, |(place, _)| names[place].clone()),
+    }
+}
+
+impl Oscillation {
+    /// How unlike another one is, which is expected to have a frequency: by shape (the modal
+    /// assurance criterion, 1 of the same) and by frequency.
+    fn distance(&self, other: &Oscillation, expected: f64) -> f64 {
+        let products = self.shape.iter().zip(&other.shape).map(|(a, b)| a.conj() * b);
+        let alike = products.sum::<Complex64>().norm_sqr();
+        let apart = (other.frequency - expected).abs() / (other.frequency + expected.abs());
+        (1.0 - alike) + apart
+    }
+}
+
+/// A branch so far: indices of values with what was found there.
+struct Followed {
+    places: Vec<(usize, Oscillation)>,
+}
+
+impl Followed {
+    fn first(&self) -> f64 {
+        self.places.first().map_or(f64::NAN, |(_, oscillation)| oscillation.frequency)
+    }
+
+    /// The frequency to be expected next, along a line.
+    fn expected(&self) -> f64 {
+        match &self.places[..] {
+            [.., (i, a), (j, b)] if *j == i + 1 => 2.0 * b.frequency - a.frequency,
+            [.., (_, last)] => last.frequency,
+            [] => f64::NAN,
+        }
+    }
+
+    fn whole(&self, count: usize) -> Branch {
+        let mut branch = Branch {
+            moves: self.places.first().map_or_else(String::new, |(_, first)| first.moves.clone()),
+            frequencies: vec![f64::NAN; count],
+            damping_ratios: vec![f64::NAN; count],
+        };
+        for (place, oscillation) in &self.places {
+            branch.frequencies[*place] = oscillation.frequency;
+            branch.damping_ratios[*place] = oscillation.damping_ratio;
+        }
+        branch
+    }
+}
+
+/// Adds what was found at a value to the branches it goes on with, the most alike first.
+fn follow(branches: &mut Vec<Followed>, index: usize, found: Found) {
+    /// Beyond it is another motion.
+    const UNLIKE: f64 = 0.8;
+    let mut left: Vec<Option<Oscillation>> = found.oscillations.into_iter().map(Some).collect();
+    let mut pairs = Vec::new();
+    for (branch, followed) in branches.iter().enumerate() {
+        let Some((last, known)) = followed.places.last() else { continue };
+        if last + 1 != index {
+            continue;
+        }
+        for (place, oscillation) in left.iter().enumerate() {
+            let Some(oscillation) = oscillation else { continue };
+            pairs.push((known.distance(oscillation, followed.expected()), branch, place));
+        }
+    }
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (distance, branch, place) in pairs {
+        let is_taken = branches[branch].places.last().is_some_and(|(last, _)| *last == index);
+        if distance > UNLIKE || is_taken {
+            continue;
+        }
+        if let Some(oscillation) = left[place].take() {
+            branches[branch].places.push((index, oscillation));
+        }
+    }
+    let new = left.into_iter().flatten();
+    branches.extend(new.map(|oscillation| Followed { places: vec![(index, oscillation)] }));
+}

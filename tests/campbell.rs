@@ -1,0 +1,159 @@
+//! Frequencies over a parameter, against closed forms.
+
+use machinist::Simulation;
+use machinist::linear_analysis::{Campbell, LinearError, Place, Variation, campbell};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_model::ModelSimulator;
+
+use crate::own_scene::of_text;
+
+/// A unit `s` of two coordinates, with a line of parameters and its energies.
+fn of_two(unit: &str, parameters: &str, energies: &str) -> ModelSimulator {
+    let text = format!(
+        r#"
+        [scene]
+        name = "of_two"
+        [units.s]
+        unit = "s"
+        [outputs]
+        a = "s.a"
+        b = "s.b"
+        [run]
+        until = 1.0
+        points = 2
+        rtol = 1e-9
+        method = "auto"
+        [define.s.coordinates]
+        a = {{ unit = "{unit}" }}
+        b = {{ unit = "{unit}" }}
+        [define.s.parameters]
+        {parameters}
+        [define.s.energy]
+        {energies}
+        "#
+    );
+    of_text(&text, Keep::Needed)
+}
+
+/// An overhung disc at a speed, tilting two ways; k, across and polar as in [`whirl`].
+fn disc() -> ModelSimulator {
+    of_two(
+        "rad",
+        r#"across = { value = 0.5, unit = "kg m^2" }
+        polar = { value = 0.3, unit = "kg m^2" }
+        stiffness = { value = 2e4, unit = "N m/rad" }
+        speed = { value = 100.0, unit = "rad/s" }
+        load = { value = 1.0, unit = "1" }"#,
+        r#"kinetic = "across*(a_dot^2 + b_dot^2)/2 + polar*speed*a*b_dot"
+        potential = "load*stiffness*(a^2 + b^2)/2""#,
+    )
+}
+
+const ACROSS: f64 = 0.5;
+const POLAR: f64 = 0.3;
+const STIFFNESS: f64 = 2e4;
+
+/// Backward and forward whirl of the disc at a speed.
+fn whirl(speed: f64) -> [f64; 2] {
+    let half = POLAR * speed / ACROSS / 2.0;
+    let middle = (half * half + STIFFNESS / ACROSS).sqrt();
+    [middle - half, middle + half]
+}
+
+fn over(scene: &ModelSimulator, parameter: &str, values: &[f64], orders: &[f64]) -> Campbell {
+    let variation = Variation { parameter, values, place: Place::Equilibrium, speed: None, orders };
+    campbell(&Simulation::new(scene), &variation).expect("it oscillates")
+}
+
+#[test]
+fn a_disc_whirls_backward_and_forward_and_meets_its_orders_as_by_hand() {
+    let values: Vec<f64> = (0..=40).map(|step| 20.0 * f64::from(step)).collect();
+    let found = over(&disc(), "s.speed", &values, &[1.0, 2.0, 0.5]);
+    assert_eq!((found.unit.as_str(), found.branches.len()), ("rad/s", 2));
+    assert_eq!(found.speeds.as_deref(), Some(&values[..]));
+    for (row, value) in values.iter().enumerate() {
+        for (branch, exact) in found.branches.iter().zip(whirl(*value)) {
+            assert!((branch.frequencies[row] / exact - 1.0).abs() < 1e-9, "{value}");
+            assert!(branch.damping_ratios[row].abs() < 1e-9);
+        }
+    }
+    // n w = k/(across n^2 -+ polar n), where there is one within the range.
+    let at = |order: f64, sign: f64| {
+        (STIFFNESS / (ACROSS * order * order - sign * POLAR * order)).sqrt()
+    };
+    let mut exact = vec![(1.0, 0, at(1.0, -1.0)), (1.0, 1, at(1.0, 1.0))];
+    exact.extend([(2.0, 0, at(2.0, -1.0)), (2.0, 1, at(2.0, 1.0)), (0.5, 0, at(0.5, -1.0))]);
+    exact.sort_by(|a, b| a.2.total_cmp(&b.2));
+    assert_eq!(found.critical.len(), exact.len(), "{:?}", found.critical);
+    for (found, (order, branch, value)) in found.critical.iter().zip(exact) {
+        assert_eq!((found.order.to_bits(), found.branch), (f64::to_bits(order), branch));
+        assert!((found.value / value - 1.0).abs() < 1e-9, "{found:?} for {value}");
+        assert!((found.frequency / (order * value) - 1.0).abs() < 1e-9, "{found:?}");
+    }
+}
+
+#[test]
+fn motions_whose_frequencies_pass_each_other_are_told_apart_by_shape() {
+    let scene = of_two(
+        "m",
+        r#"first = { value = 100.0, unit = "N/m" }
+        second = { value = 100.0, unit = "N/m" }"#,
+        r#"kinetic = "1 [kg]*(a_dot^2 + b_dot^2)/2"
+        potential = "first*a^2/2 + second*b^2/2""#,
+    );
+    let values: Vec<f64> = (0..50).map(|step| 21.0 + 4.0 * f64::from(step)).collect();
+    let found = over(&scene, "s.second", &values, &[1.0]);
+    assert_eq!(found.branches.len(), 2);
+    assert_eq!(found.speeds, None);
+    assert!(found.critical.is_empty());
+    for (row, value) in values.iter().enumerate() {
+        for (branch, exact) in found.branches.iter().zip([value.sqrt(), 10.0]) {
+            assert!((branch.frequencies[row] / exact - 1.0).abs() < 1e-9, "{value}");
+        }
+    }
+    let moves: Vec<&str> = found.branches.iter().map(|branch| branch.moves.as_str()).collect();
+    assert_eq!(moves, ["s.b", "s.a"]);
+}
+
+#[test]
+fn a_motion_that_ceases_to_oscillate_ends_its_branch() {
+    let scene = of_two(
+        "m",
+        r#"damping = { value = 1.0, unit = "N s/m" }"#,
+        r#"kinetic = "1 [kg]*(a_dot^2 + b_dot^2)/2"
+        potential = "100 [N/m]*a^2/2 + 400 [N/m]*b^2/2"
+        dissipation = "damping*a_dot^2/2""#,
+    );
+    let values: Vec<f64> = (0..=30).map(f64::from).collect();
+    let found = over(&scene, "s.damping", &values, &[]);
+    for (row, value) in values.iter().enumerate() {
+        let slow = found.branches[0].frequencies[row];
+        assert_eq!(slow.is_finite(), *value < 20.0, "{value}");
+        if slow.is_finite() {
+            let exact = (100.0 - value * value / 4.0).sqrt();
+            assert!((slow / exact - 1.0).abs() < 1e-9);
+            assert!((found.branches[0].damping_ratios[row] - value / 20.0).abs() < 1e-9);
+        }
+        assert!((found.branches[1].frequencies[row] / 20.0 - 1.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn orders_are_of_a_speed_and_names_are_known() {
+    let scene = disc();
+    let run = Simulation::new(&scene);
+    let ask = |parameter, speed| {
+        let (values, orders) = (&[1.0, 2.0], &[1.0]);
+        let place = Place::Initial;
+        campbell(&run, &Variation { parameter, values, place, speed, orders })
+    };
+    let said = |result: Result<Campbell, LinearError>| result.expect_err("refused").to_string();
+    assert!(said(ask("s.sped", None)).contains("did you mean `s.speed`"));
+    assert!(said(ask("s.speed", Some("s.load"))).contains("`s.load` is in 1"));
+    assert!(said(ask("s.load", Some("s.spee"))).contains("(did you mean `s.speed`?)"));
+    // Of a parameter that is not varied, and of a state.
+    let by_parameter = ask("s.load", Some("s.speed")).expect("it is in rad/s");
+    assert_eq!(by_parameter.speeds.as_deref(), Some(&[100.0, 100.0][..]));
+    let by_state = ask("s.load", Some("s.a_dot")).expect("it is in rad/s");
+    assert_eq!(by_state.speeds.as_deref(), Some(&[0.0, 0.0][..]));
+}

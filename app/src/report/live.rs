@@ -1,6 +1,7 @@
 //! What makes the page of a machine live: the model as WebAssembly, methods as scripts, and
 //! sliders of its parameters. Without scripts the page stays as it is.
 
+mod moving;
 mod order;
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
@@ -13,10 +14,13 @@ use machinist_model::{Model, SparsityPattern, StateKind};
 use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
 
+pub(super) use moving::Moving;
+
+use super::machine::Machine;
 use crate::number::exact;
 
 /// Scripts of a live page, in the order in which they build on each other.
-const SCRIPTS: [&str; 12] = [
+const SCRIPTS: [&str; 14] = [
     include_str!("live/machine.js"),
     include_str!("live/matrix.js"),
     include_str!("live/stretch.js"),
@@ -28,6 +32,8 @@ const SCRIPTS: [&str; 12] = [
     include_str!("live/run.js"),
     include_str!("live/chart.js"),
     include_str!("live/controls.js"),
+    include_str!("live/tables.js"),
+    include_str!("live/motion.js"),
     include_str!("live/page.js"),
 ];
 
@@ -87,6 +93,7 @@ struct Known {
     rate_jacobian: SparsityPattern,
     mass_matrix: SparsityPattern,
     constraint_matrix: SparsityPattern,
+    moving: Moving,
     methods: Methods,
     run: RunOfPage,
 }
@@ -103,6 +110,7 @@ struct State {
 struct Parameter {
     name: String,
     unit: String,
+    doc: String,
     value: f64,
 }
 
@@ -134,11 +142,17 @@ struct RunOfPage {
 }
 
 impl Live {
-    /// Of a machine and its stored run.
+    /// Of a machine and its stored run; nothing without one.
     ///
     /// # Errors
     /// A sentence that says why the machine cannot be run in a page.
-    pub(super) fn of(model: &Model, argument: &str, run: &Trajectory) -> Result<Self, String> {
+    pub(super) fn of(machine: &Machine) -> Option<Result<Self, String>> {
+        let run = machine.trajectory()?;
+        Some(Self::of_run(machine, run))
+    }
+
+    fn of_run(machine: &Machine, run: &Trajectory) -> Result<Self, String> {
+        let model = &machine.model;
         let refused = |why: &dyn std::fmt::Display| format!("The page cannot run it: {why}.");
         let (module, is_implicit) = modules(model).map_err(|error| refused(&error))?;
         if module.bytes.len() > LARGEST {
@@ -146,8 +160,7 @@ impl Live {
             return Err(refused(&format!("its equations would take {size} kB of the page")));
         }
         let order = order::by_effect(model, run);
-        let command = format!("machinist run {argument}");
-        Ok(Self { known: Known { command, ..Known::of(model, run, &module, is_implicit) }, order })
+        Ok(Self { known: Known::of(machine, run, &module, is_implicit), order })
     }
 
     /// Sliders, which the script shows once the machine runs.
@@ -180,9 +193,29 @@ impl Live {
         }
     }
 
+    /// The run as a motion of the drawing above, which the script shows; nothing where nothing
+    /// moves that could be drawn.
+    pub(super) fn motion(&self) -> Markup {
+        html! {
+            @if !self.known.moving.is_empty() {
+                div #live-motion hidden {
+                    figure.plane hidden {
+                        svg viewBox="0 0 880 320" role="img" aria-label="bodies in the plane" {}
+                    }
+                    p.tools {
+                        button type="button" { "Play" }
+                        input type="range" min="0" max="1000" step="1" value="0"
+                            aria-label="time of the run";
+                        output {}
+                    }
+                }
+            }
+        }
+    }
+
     fn slider(&self, index: usize) -> Markup {
-        let Parameter { name, unit, value } = &self.known.parameters[index];
-        slider(&index.to_string(), name, unit, name, *value)
+        let Parameter { name, unit, doc, value } = &self.known.parameters[index];
+        slider(&index.to_string(), name, unit, doc, *value)
     }
 
     /// What runs the machine: for the end of the page.
@@ -203,15 +236,15 @@ impl Live {
 }
 
 /// A slider with its number and a way back; the script gives it its range.
-fn slider(key: &str, name: &str, unit: &str, says: &str, value: f64) -> Markup {
+fn slider(key: &str, name: &str, unit: &str, doc: &str, value: f64) -> Markup {
     let unit = if unit == "1" { "" } else { unit };
     html! {
         div.slider data-key=(key) data-value=(exact(value)) {
-            label for={ "live-" (key) } { code { (name) } }
+            label for={ "live-" (key) } { code { (name) } " " span.muted { (doc) } }
             input type="range" id={ "live-" (key) } min="0" max="1000" step="1";
-            input type="number" step="any" value=(exact(value)) aria-label={ "value of " (says) };
+            input type="number" step="any" value=(exact(value)) aria-label={ "value of " (name) };
             span.unit { (unit) }
-            button type="button" aria-label={ "reset " (says) } title={ "back to " (exact(value)) } {
+            button type="button" aria-label={ "reset " (name) } title={ "back to " (exact(value)) } {
                 "\u{21ba}"
             }
         }
@@ -229,7 +262,8 @@ fn modules(model: &Model) -> Result<(WasmModule, bool), NotInWasm> {
 }
 
 impl Known {
-    fn of(model: &Model, run: &Trajectory, module: &WasmModule, is_implicit: bool) -> Self {
+    fn of(machine: &Machine, run: &Trajectory, module: &WasmModule, is_implicit: bool) -> Self {
+        let model = &machine.model;
         let state = |state: &machinist_model::State| State {
             name: state.quantity.name.path.clone(),
             scale: state.scale,
@@ -239,6 +273,7 @@ impl Known {
         let parameter = |parameter: &machinist_model::Parameter| Parameter {
             name: parameter.quantity.name.path.clone(),
             unit: parameter.quantity.unit.clone(),
+            doc: parameter.quantity.doc.clone(),
             value: parameter.value,
         };
         let event = |event: &machinist_model::Event| Event {
@@ -258,7 +293,7 @@ impl Known {
         let is_tsit5 = matches!(run.method, Method::Tsit5 | Method::Tsit45);
         Self {
             name: model.name.clone(),
-            command: String::new(),
+            command: format!("machinist run {}", machine.argument),
             module: BASE64_STANDARD.encode(&module.bytes),
             layout: module.layout,
             coordinates: model.coordinates.len(),
@@ -273,6 +308,7 @@ impl Known {
             rate_jacobian: model.rate_jacobian.pattern.clone(),
             mass_matrix: model.mass_matrix.pattern.clone(),
             constraint_matrix: model.constraint_matrix.pattern.clone(),
+            moving: machine.moving.clone(),
             methods: Methods {
                 explicit: if is_tsit5 { tsit5() } else { dop853() },
                 implicit: is_implicit.then(rodas5p),

@@ -17,9 +17,9 @@ use crate::number::{exact, number};
 pub(super) fn page(machine: &Machine, has_index: bool) -> String {
     let model = &machine.model;
     let (name, argument) = (machine.name(), machine.argument.as_str());
-    let live = machine.trajectory().map(|run| Live::of(model, argument, run));
+    let live = Live::of(machine);
     let mut sections = vec![
-        ("machine", "The machine", picture(machine)),
+        ("machine", "The machine", picture(machine, live.as_ref())),
         ("run", "Run", ran(machine, argument, live.as_ref())),
         ("checks", "Checks", verification::section(&machine.verdicts, &verify_command(machine))),
         ("modes", "Modes at the operating point", modes::section(argument, machine.modes.as_ref())),
@@ -72,7 +72,7 @@ fn header(machine: &Machine) -> Markup {
     }
 }
 
-fn picture(machine: &Machine) -> Markup {
+fn picture(machine: &Machine, live: Option<&Result<Live, String>>) -> Markup {
     let model = &machine.model;
     let counts = [
         ("parts", machine.schematic.parts()),
@@ -87,6 +87,7 @@ fn picture(machine: &Machine) -> Markup {
             (schematic::legend(&machine.schematic))
             div.scroll { (schematic::drawing(&machine.schematic)) }
         }
+        @if let Some(Ok(live)) = live { (live.motion()) }
         dl.counts {
             @for (what, count) in counts.into_iter().filter(|(_, count)| *count > 0) {
                 div { dt { (what) } dd { (count) } }
@@ -227,7 +228,7 @@ fn run(
             code { "machinist run " (argument) }
         }
         (key::table(trajectory))
-        (switches(trajectory))
+        div #run-events { (switches(trajectory)) }
         @for note in &trajectory.notes { p.muted { (note) } }
         dl.counts { @for (what, count) in counters { div { dt { (what) } dd { (count) } } } }
         @match live {
@@ -313,6 +314,7 @@ fn energy(name: &str, trajectory: &Trajectory) -> Markup {
     };
     html! {
         h3 { "Energy balance" }
+        p.muted data-of-stored hidden { "That of the stored run, not of what the sliders say." }
         (figure::over_time(&id("energy"), &trajectory.times, &flows, &account))
         (figure::over_time(&id("residual"), &trajectory.times, &residual, &remainder))
     }

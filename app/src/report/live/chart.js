@@ -123,6 +123,16 @@ class Chart {
     this.panel.replaceChildren(...this.axes(), ...titles, ...curves);
   }
 
+  // A line at a time of the run that is shown.
+  mark(time) {
+    const [, , low, high] = this.panel.dataset.axes.split(" ").map(Number);
+    const x = this.left + ((time - low) / (high - low)) * (this.right - this.left);
+    let line = this.panel.querySelector(".now");
+    if (!line) line = this.panel.appendChild(element("line", { class: "now", y1: this.bottom, y2: this.top }));
+    line.setAttribute("x1", x.toFixed(1));
+    line.setAttribute("x2", x.toFixed(1));
+  }
+
   across(time) {
     return this.left + ((time - this.x[0]) / (this.x[1] - this.x[0])) * (this.right - this.left);
   }
@@ -163,6 +173,6 @@ class Chart {
       pieces.push(pen ? `l${x - pen[0]} ${y - pen[1]}` : `M${x} ${y}`);
       pen = [x, y];
     }
-    return Object.assign(element("path", { class: "curve", d: pieces.join(""), stroke, "data-name": name }));
+    return element("path", { class: "curve", d: pieces.join(""), stroke, "data-name": name });
   }
 }

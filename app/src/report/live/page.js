@@ -12,6 +12,7 @@ class LivePage {
     const linked = document.querySelectorAll(`.chart[data-link="${known.name}"]`);
     const isOfOutputs = (chart) => chart.closest("figure").id.startsWith(`${known.name}-outputs-`);
     this.charts = [...linked].filter(isOfOutputs).map((chart) => new Chart(chart));
+    this.tables = new Tables();
     this.state = document.getElementById("live-state");
     this.command = document.getElementById("live-command");
     this.sliders = [...root.querySelectorAll(".slider")].map((slider) => new Slider(slider, () => this.run()));
@@ -19,53 +20,79 @@ class LivePage {
       this.sliders.forEach((slider) => slider.reset());
       this.run();
     });
+    const motion = document.getElementById("live-motion");
+    this.motion = motion && new Motion(this, motion);
     root.hidden = false;
     this.tell("");
   }
 
-  // Runs with what the sliders say; a later call takes over from an earlier one.
+  // Shows what the sliders say: the stored run where nothing is moved.
   async run() {
-    const turn = ++this.turn;
-    const { known } = this.machine;
     const moved = this.sliders.filter((slider) => slider.value !== slider.original);
     this.tellCommand(moved);
     if (moved.length === 0) {
-      this.charts.forEach((chart) => chart.show(null));
+      this.turn++;
+      this.show(null);
       this.tell("");
+      // The motion follows, if it has begun.
+      if (this.motion?.run) await this.simulate();
       return;
     }
+    const found = await this.simulate();
+    if (!found) return;
+    this.show(found.run);
+    this.tellRun(found.run, found.spent);
+  }
+
+  show(run) {
+    for (const shows of [...this.charts, this.tables]) shows.show(run);
+    this.motion?.mark();
+  }
+
+  // A run by the sliders, for the motion too; nothing if there can be none, or if a later one
+  // has begun.
+  async simulate() {
+    const { known } = this.machine;
     const { from, until, points } = known.run;
     const wanted = { parameters: known.parameters.map(({ value }) => value), from, until, points };
-    for (const { key, value } of moved) {
+    for (const { key, value } of this.sliders) {
       if (key === "until") wanted.until = value;
       else wanted.parameters[Number(key)] = value;
     }
     if (!(wanted.until > from)) {
       this.tell(`A run from ${shown(from)} s cannot end at ${shown(wanted.until)} s.`, true);
-      return;
+      return null;
     }
+    const turn = ++this.turn;
     const run = new Run(this.machine, wanted);
+    const spent = await this.finish(run, () => turn === this.turn);
+    if (spent === null) return null;
+    if (run.taken > 1) this.motion?.show(run);
+    return { run, spent };
+  }
+
+  // Takes the steps of a run, in slices; the milliseconds it took, nothing if it is no longer
+  // wanted.
+  async finish(run, isWanted) {
     const steps = run.steps();
     let spent = 0;
-    for (let isDone = false; !isDone;) {
+    for (;;) {
       const begin = performance.now();
-      let now = begin;
+      let [now, isDone] = [begin, false];
       while (!isDone && now - begin < SLICE) {
         isDone = steps.next().done;
         now = performance.now();
       }
       spent += now - begin;
-      if (!isDone && spent > LONGEST) {
-        run.stopped = new Stopped(run.times[Math.max(0, run.taken - 1)], `longer than ${LONGEST / 1000} s of computing`);
-        break;
+      if (isDone) return spent;
+      if (spent > LONGEST) {
+        const reached = run.times[Math.max(0, run.taken - 1)];
+        run.stopped = new Stopped(reached, `it takes longer than ${LONGEST / 1000} s to compute`);
+        return spent;
       }
-      if (!isDone) {
-        await new Promise((resolve) => setTimeout(resolve));
-        if (turn !== this.turn) return;
-      }
+      await new Promise((resolve) => { setTimeout(resolve); });
+      if (!isWanted()) return null;
     }
-    this.charts.forEach((chart) => chart.show(run));
-    this.tellRun(run, spent);
   }
 
   tellRun(run, spent) {
@@ -75,7 +102,10 @@ class LivePage {
     if (work.jacobians) counts.push(count(work.jacobians, "Jacobian"));
     if (work.switches) counts.push(count(work.switches, "switch").replace("switchs", "switches"));
     const did = `${run.methods()}: ${counts.join(", ")}, ${shown(spent, 2)} ms.`;
-    if (stopped) this.tell(`Stopped at ${shown(stopped.time, 4)} s: ${stopped.message}. ${did}`, true);
+    const isNone = (name) => run.column(name).subarray(0, run.taken).some((value) => !Number.isFinite(value));
+    const none = this.machine.known.outputs.filter(isNone);
+    if (none.length && !stopped) this.tell(`No number at some times: ${none.join(", ")}. ${did}`, true);
+    else if (stopped) this.tell(`Stopped at ${shown(stopped.time, 4)} s: ${stopped.message}. ${did}`, true);
     else this.tell(did);
   }
 
@@ -92,7 +122,9 @@ class LivePage {
   }
 }
 
-Machine.of(JSON.parse(document.getElementById("live-known").textContent)).then(
+const ofPage = JSON.parse(document.getElementById("live-known").textContent);
+ofPage.tracked = tracked(ofPage.moving);
+Machine.of(ofPage).then(
   (machine) => { new LivePage(machine, document.getElementById("live")); },
   (error) => {
     const said = document.createElement("p");

@@ -21,6 +21,7 @@ class Run {
       (index === points - 1 ? until : Math.min(from + (until - from) * (index / (points - 1)), until)));
     this.outputs = known.outputs.map(() => new Float64Array(points));
     this.row = new Float64Array(known.outputs.length);
+    this.tracks = new Map(known.tracked.map((entry) => [entry, new Float64Array(points)]));
     this.scratch = new Float64Array(machine.size);
     this.constraints = machine.constraints ? new Constraints(machine) : null;
     this.watch = null;
@@ -309,6 +310,7 @@ class Run {
   push(state) {
     this.machine.outputs(this.times[this.taken], state, this.row);
     for (let index = 0; index < this.row.length; index++) this.outputs[index][this.taken] = this.row[index];
+    for (const [entry, track] of this.tracks) track[this.taken] = state[entry];
     this.taken++;
   }
 

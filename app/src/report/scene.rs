@@ -228,7 +228,7 @@ fn run(
             code { "machinist run " (argument) }
         }
         (key::table(trajectory))
-        div #run-events { (switches(trajectory)) }
+        @if !machine.model.events.is_empty() { div #run-events { (switches(trajectory)) } }
         @for note in &trajectory.notes { p.muted { (note) } }
         dl.counts { @for (what, count) in counters { div { dt { (what) } dd { (count) } } } }
         @match live {

@@ -52,9 +52,10 @@ function ticks([low, high], count) {
   return found.map((value) => [value, write(value)]);
 }
 
-// The curve with so many points that it looks the same; spikes stay.
-function reduced(times, values, count) {
-  if (count <= MOST_POINTS) return [...Array(count).keys()];
+// Indices of so many points that a curve looks the same, spikes too; nothing where all of them
+// are few enough.
+function reduced(values, count) {
+  if (count <= MOST_POINTS) return null;
   const bin = Math.max(2, Math.ceil(count / (MOST_POINTS / 2)));
   const keep = [];
   for (let start = 0; start < count; start += bin) {
@@ -115,12 +116,22 @@ class Chart {
     this.panel.dataset.axes = [this.left, this.right, ...this.x, 0, this.bottom, this.top, ...this.y, 0].join(" ");
     const titles = this.panel.querySelectorAll(".title");
     const curves = this.stored.flatMap((curve) => {
-      const old = this.curve(`${curve.name}, stored`, curve.stroke, curve.times, curve.values, curve.times.length);
-      old.classList.add("stored");
+      const old = this.old(curve);
       const column = run.column(curve.name);
       return column ? [old, this.curve(curve.name, curve.stroke, times, column, taken)] : [old];
     });
     this.panel.replaceChildren(...this.axes(), ...titles, ...curves);
+  }
+
+  // A stored curve, drawn anew only where axes have changed.
+  old(curve) {
+    const { axes } = this.panel.dataset;
+    if (curve.axes !== axes) {
+      curve.axes = axes;
+      curve.path = this.curve(`${curve.name}, stored`, curve.stroke, curve.times, curve.values, curve.times.length);
+      curve.path.classList.add("stored");
+    }
+    return curve.path;
   }
 
   // A line at a time of the run that is shown.
@@ -160,19 +171,23 @@ class Chart {
 
   // A path in tenths, each point but the first of a piece by its distance from the one before.
   curve(name, stroke, times, values, count) {
-    const pieces = [];
-    let pen = null;
-    for (const index of reduced(times, values, count)) {
-      const at = [this.across(times[index]), this.up(values[index])];
-      if (!at.every(Number.isFinite) || times[index] > this.x[1]) {
-        pen = null;
+    const keep = reduced(values, count);
+    const points = keep?.length ?? count;
+    let path = "";
+    let [isDown, penX, penY] = [false, 0, 0];
+    for (let k = 0; k < points; k++) {
+      const index = keep ? keep[k] : k;
+      const [time, value] = [times[index], values[index]];
+      if (!Number.isFinite(value) || time > this.x[1]) {
+        isDown = false;
         continue;
       }
-      const [x, y] = at.map((place) => Math.round(10 * Math.max(-1e5, Math.min(1e5, place))));
-      if (pen && pen[0] === x && pen[1] === y) continue;
-      pieces.push(pen ? `l${x - pen[0]} ${y - pen[1]}` : `M${x} ${y}`);
-      pen = [x, y];
+      const x = Math.round(10 * this.across(time));
+      const y = Math.round(10 * Math.max(-1e5, Math.min(1e5, this.up(value))));
+      if (isDown && x === penX && y === penY) continue;
+      path += isDown ? `l${x - penX} ${y - penY}` : `M${x} ${y}`;
+      [isDown, penX, penY] = [true, x, y];
     }
-    return element("path", { class: "curve", d: pieces.join(""), stroke, "data-name": name });
+    return element("path", { class: "curve", d: path, stroke, "data-name": name });
   }
 }

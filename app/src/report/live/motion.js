@@ -26,13 +26,6 @@ class Motion {
     calm.addEventListener("change", respect);
     respect();
     root.hidden = false;
-    // What is not looked at is not run.
-    const seen = new IntersectionObserver(([entry]) => {
-      if (!entry.isIntersecting) return;
-      seen.disconnect();
-      if (!this.run) page.simulate();
-    });
-    seen.observe(root);
   }
 
   // A part of the drawing: a dial that turns, or a symbol that slides.
@@ -67,7 +60,7 @@ class Motion {
       this.stop();
       return;
     }
-    if (!this.run) await this.page.simulate();
+    if (!this.run) await this.page.latest();
     if (!this.run || this.frame) return;
     if (this.time >= this.end()) this.time = this.run.from;
     this.play.textContent = "Pause";
@@ -94,7 +87,7 @@ class Motion {
 
   async seek() {
     const share = Number(this.slider.value) / LAST;
-    if (!this.run) await this.page.simulate();
+    if (!this.run) await this.page.latest();
     if (!this.run) return;
     this.time = this.run.from + share * (this.end() - this.run.from);
     this.draw();
@@ -132,7 +125,7 @@ class Motion {
     const span = this.end() - run.from;
     this.slider.value = span > 0 ? (LAST * (time - run.from)) / span : 0;
     const pace = this.pace();
-    const slower = pace === 1 ? "" : `, ${shown(pace, 2)} times as fast as it is`;
+    const slower = pace === 1 ? "" : `, at ${shown(pace, 2)} of its speed`;
     this.told.textContent = `${shown(time, 4)} s${slower}`;
     this.slider.setAttribute("aria-valuetext", `${shown(time, 4)} s`);
   }

@@ -7,7 +7,7 @@ const LONGEST = 2000;
 
 class LivePage {
   constructor(machine, root) {
-    Object.assign(this, { machine, root, turn: 0 });
+    Object.assign(this, { machine, root, turn: 0, pending: null });
     const { known } = machine;
     const linked = document.querySelectorAll(`.chart[data-link="${known.name}"]`);
     const isOfOutputs = (chart) => chart.closest("figure").id.startsWith(`${known.name}-outputs-`);
@@ -24,6 +24,8 @@ class LivePage {
     this.motion = motion && new Motion(this, motion);
     root.hidden = false;
     this.tell("");
+    // Nobody waits for the first run then, which is slower than those after it.
+    (globalThis.requestIdleCallback ?? setTimeout)(() => this.latest());
   }
 
   // Shows what the sliders say: the stored run where nothing is moved.
@@ -49,9 +51,22 @@ class LivePage {
     this.motion?.mark();
   }
 
+  // The run that is under way, else one by the sliders.
+  latest() {
+    return this.pending ?? this.simulate();
+  }
+
+  simulate() {
+    const pending = this.simulated().finally(() => {
+      if (this.pending === pending) this.pending = null;
+    });
+    this.pending = pending;
+    return pending;
+  }
+
   // A run by the sliders, for the motion too; nothing if there can be none, or if a later one
   // has begun.
-  async simulate() {
+  async simulated() {
     const { known } = this.machine;
     const { from, until, points } = known.run;
     const wanted = { parameters: known.parameters.map(({ value }) => value), from, until, points };

@@ -8,9 +8,11 @@ class Factors {
     this.room = new Float64Array(size);
   }
 
-  // Factors what is in `values`, in place; false if it is singular.
+  // Factors what is in `values`, in place; false if it is singular. The sign of the determinant
+  // is told in `isNegative`.
   factor() {
     const { size, values, pivots } = this;
+    this.isNegative = false;
     for (let k = 0; k < size; k++) {
       let pivot = k;
       for (let row = k + 1; row < size; row++) {
@@ -20,6 +22,7 @@ class Factors {
       if (!(Math.abs(largest) > 0 && Number.isFinite(largest))) return false;
       pivots[k] = pivot;
       if (pivot !== k) this.swap(pivot, k);
+      if ((pivot !== k) !== (largest < 0)) this.isNegative = !this.isNegative;
       for (let row = k + 1; row < size; row++) {
         if (values[row * size + k] === 0) continue;
         const factor = (values[row * size + k] /= largest);

@@ -11,6 +11,8 @@ class RosenbrockSteps {
     [this.startRate, this.timeDerivative] = [zeros(), zeros()];
     this.jacobian = new Float64Array(size * size);
     this.factors = new Factors(size);
+    [this.endJacobian, this.endFactors] = [new Float64Array(size * size), new Factors(size)];
+    this.knowsEnd = false;
     this.stages = method.stages.map(zeros);
     this.dense = method.dense.map(zeros);
     this.isLinearized = false;
@@ -23,6 +25,7 @@ class RosenbrockSteps {
     this.start.set(state);
     this.end.set(state);
     this.isLinearized = false;
+    this.knowsEnd = false;
   }
 
   firstStep() {
@@ -34,11 +37,15 @@ class RosenbrockSteps {
   attempt(step) {
     this.step = step;
     this.hasDense = false;
-    if (!this.linearize() || !this.factor()) return Infinity;
+    // What was looked at belongs to a step that was taken, once.
+    if (this.isLinearized) this.knowsEnd = false;
+    if (!this.linearize() || !this.factor(this.factors, this.jacobian)) return Infinity;
     for (let stage = 0; stage < this.stages.length; stage++) this.stage(stage);
     this.end.set(this.argument);
     const error = this.stretch.norm(this.stages[this.stages.length - 1], this.start, this.end);
-    if (Number.isFinite(error) && this.end.every(Number.isFinite)) return error;
+    if (Number.isFinite(error) && this.end.every(Number.isFinite)) {
+      return error <= 1 && this.growsAtEnd() ? Infinity : error;
+    }
     this.trouble = "the rate within the step is no finite number";
     return Infinity;
   }
@@ -50,7 +57,10 @@ class RosenbrockSteps {
     const time = this.stretch.within(this.time);
     machine.rate(time, this.start, this.startRate);
     machine.timeDerivative(time, this.start, this.timeDerivative);
-    machine.jacobian(time, this.start, this.jacobian);
+    // The end of the step before was looked at already.
+    if (this.knowsEnd) [this.jacobian, this.endJacobian] = [this.endJacobian, this.jacobian];
+    else machine.jacobian(time, this.start, this.jacobian);
+    this.knowsEnd = false;
     const isBad = (values) => values.some((value) => !Number.isFinite(value));
     if (isBad(this.startRate) || isBad(this.timeDerivative) || isBad(this.jacobian)) {
       this.trouble = "the rate or its Jacobian is no finite number";
@@ -60,15 +70,28 @@ class RosenbrockSteps {
     return true;
   }
 
-  factor() {
-    const { size, factors } = this;
+  // Factors I / (gamma h) - J. A negative determinant tells of a motion that grows within the
+  // step, which to an implicit method looks like decay: then the step is too long.
+  factor(factors, jacobian) {
+    const { size } = this;
     this.stretch.machine.work.factorizations++;
-    for (let index = 0; index < size * size; index++) factors.values[index] = -this.jacobian[index];
+    for (let index = 0; index < size * size; index++) factors.values[index] = -jacobian[index];
     for (let index = 0; index < size; index++) {
       factors.values[index * (size + 1)] += 1 / (this.method.gamma * this.step);
     }
-    if (factors.factor()) return true;
+    if (factors.factor() && !factors.isNegative) return true;
     this.trouble = "the equations of a step are singular";
+    return false;
+  }
+
+  // Whether something grows at the end of the step that it could have passed over.
+  growsAtEnd() {
+    const { machine } = this.stretch;
+    this.knowsEnd = false;
+    machine.jacobian(this.stretch.within(this.time + this.step), this.end, this.endJacobian);
+    const isSame = this.endJacobian.every((value, index) => value === this.jacobian[index]);
+    if (!isSame && !this.factor(this.endFactors, this.endJacobian)) return true;
+    this.knowsEnd = true;
     return false;
   }
 

@@ -97,7 +97,9 @@ impl Plan {
             roots.iter().map(|root| read_by(straight, &is_kept, *root)).collect();
         let mut last_reader = vec![0; is_kept.len()];
         for (reader, read) in reads.iter().enumerate() {
-            read.iter().for_each(|id| last_reader[id.0 as usize] = reader);
+            for id in read {
+                last_reader[id.0 as usize] = reader;
+            }
         }
         let mut locals: Vec<Option<u32>> = vec![None; is_kept.len()];
         let (mut free, mut next) = (Vec::new(), TIME + 1);
@@ -180,7 +182,9 @@ impl Writer<'_> {
         let step = self.straight.step(id);
         if let Step::SelectLess([lhs, rhs, then, otherwise]) = step {
             // The condition comes last.
-            [then, otherwise, lhs, rhs].into_iter().for_each(|id| self.value(sink, id));
+            for id in [then, otherwise, lhs, rhs] {
+                self.value(sink, id);
+            }
             sink.f64_lt().select();
             return;
         }

@@ -13,7 +13,7 @@ function shown(value, digits = 5) {
 }
 
 class Slider {
-  // `changed` is called with this slider whenever its value is another one.
+  // `changed` is called whenever the value is another one, or what is typed is no number.
   constructor(root, changed) {
     const [range, number] = root.querySelectorAll("input");
     Object.assign(this, { root, range, number, changed, key: root.dataset.key });
@@ -21,6 +21,7 @@ class Slider {
     this.value = this.original;
     this.unit = root.querySelector(".unit").textContent;
     this.isValid = true;
+    this.name = root.querySelector("label code").textContent;
     this.back = root.querySelector("button");
     range.addEventListener("input", () => this.take(this.valueAt(Number(range.value)), range));
     number.addEventListener("input", () => this.take(number.value.trim() === "" ? NaN : Number(number.value), number));
@@ -47,10 +48,11 @@ class Slider {
   take(value, from = null) {
     this.isValid = Number.isFinite(value);
     this.number.setAttribute("aria-invalid", String(!this.isValid));
-    if (!this.isValid || value === this.value) return;
-    this.value = value;
-    this.place(from);
-    this.changed(this);
+    if (this.isValid) {
+      this.value = value;
+      this.place(from);
+    }
+    this.changed();
   }
 
   // Where the thumb and the number stand; what is being typed is left alone.
@@ -65,6 +67,7 @@ class Slider {
   reset() {
     this.value = this.original;
     this.isValid = true;
+    this.number.removeAttribute("aria-invalid");
     this.place();
   }
 }

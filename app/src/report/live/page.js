@@ -28,8 +28,23 @@ class LivePage {
     (globalThis.requestIdleCallback ?? setTimeout)(() => this.latest());
   }
 
-  // Shows what the sliders say: the stored run where nothing is moved.
+  // Shows what the sliders say, or what is wrong with it.
   async run() {
+    const wrong = this.sliders.find((slider) => !slider.isValid);
+    if (wrong) {
+      this.turn++;
+      this.tell(`${wrong.name} takes a number.`, true);
+      return;
+    }
+    try {
+      await this.runMoved();
+    } catch (error) {
+      this.tell(`The run failed: ${error.message}`, true);
+    }
+  }
+
+  // The stored run where nothing is moved.
+  async runMoved() {
     const moved = this.sliders.filter((slider) => slider.value !== slider.original);
     this.tellCommand(moved);
     if (moved.length === 0) {

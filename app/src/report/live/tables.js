@@ -23,6 +23,10 @@ class Tables {
   // First, last, least and greatest of an output.
   fill(row, values, times) {
     const cells = row.querySelectorAll(".number");
+    if (!values.some(Number.isFinite)) {
+      cells.forEach((cell) => { cell.textContent = "none"; });
+      return;
+    }
     [values[0], values[values.length - 1]].forEach((value, index) => {
       cells[index].textContent = shown(value);
       // All its digits, where one points at it.

@@ -91,8 +91,7 @@ fn found(browser: &Path, page: &Path, folder: &Path) -> String {
 /// Names of the outputs of a run with their last and their largest values.
 fn ends(file: &Path) -> Vec<(String, f64, f64)> {
     let mut reader = csv::Reader::from_path(file).expect("a file");
-    let names: Vec<String> =
-        reader.headers().expect("names").iter().map(|name| name.to_owned()).collect();
+    let names: Vec<String> = reader.headers().expect("names").iter().map(str::to_owned).collect();
     let rows: Vec<Vec<f64>> = reader
         .records()
         .map(|row| row.expect("a row").iter().map(|v| v.parse().expect("a number")).collect())

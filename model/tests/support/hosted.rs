@@ -1,9 +1,9 @@
 //! A module as a page runs it, with our own functions in the place of the browser's.
 
 use machinist_contract::Real;
+use machinist_model::Function;
 use machinist_model::evaluate::call;
 use machinist_model::wasm::{HOST, POWER, WasmModule};
-use machinist_model::{Function, Model};
 use wasmi::{Engine, Instance, Linker, Memory, Module, Store};
 
 pub struct Hosted {
@@ -53,9 +53,4 @@ impl Hosted {
         let function = self.instance.get_typed_func::<f64, ()>(&self.store, name);
         function.expect("exported").call(&mut self.store, time).expect("it runs");
     }
-}
-
-/// So many results every function of a model has, by name.
-pub fn functions(model: &Model) -> impl Iterator<Item = (&'static str, usize)> {
-    model.functions().map(|row| (row.name, (row.results)(model)))
 }

@@ -22,6 +22,8 @@ mod one_step;
 #[cfg(feature = "implicit")]
 mod onset;
 #[cfg(feature = "implicit")]
+pub mod published;
+#[cfg(feature = "implicit")]
 mod quadrature;
 #[cfg(feature = "implicit")]
 mod radau;

@@ -33,3 +33,4 @@ mod sweep;
 mod taylor;
 mod unrolled;
 mod variable_mass;
+mod wasm;

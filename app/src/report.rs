@@ -13,6 +13,7 @@ mod index;
 mod key;
 mod ledger;
 mod licences;
+mod live;
 mod machine;
 mod modes;
 mod page;

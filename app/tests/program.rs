@@ -9,6 +9,7 @@ mod cli;
 mod cli_sweep;
 mod deriving;
 mod fuzz;
+mod live;
 mod process;
 mod report;
 mod trajectory;

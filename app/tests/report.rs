@@ -49,6 +49,9 @@ fn the_report_is_pages_that_need_nothing_else_and_come_out_the_same() {
     for part in ["Content-Security-Policy", "<math", "href=\"../index.html\"", "class=\"symbol\""] {
         assert!(two_mass.contains(part), "the page lacks {part}");
     }
+    // Not every machine runs in its page, and then it says why and offers nothing.
+    let shaft = page(&folders[0].join("machines/shaft_with_rotors.html"));
+    assert!(shaft.contains("cannot run it: it has fields") && !shaft.contains("id=\"live\""));
 }
 
 #[test]
@@ -68,6 +71,14 @@ fn a_machine_of_ones_own_gets_a_page_of_its_own() {
         assert!(page.contains(part), "the page lacks {part}");
     }
     assert!(page.len() < 1_500_000);
+    // It is live: a slider for each parameter, and parts that turn and slide.
+    let known = page.split("id=\"live-known\">").nth(1).and_then(|rest| rest.split('<').next());
+    let known: serde_json::Value = serde_json::from_str(known.expect("data")).expect("JSON");
+    let sliders = page.matches("class=\"slider\"").count();
+    assert_eq!(Some(sliders), known["parameters"].as_array().map(|all| all.len() + 1));
+    let moving = known["moving"]["parts"].as_array().expect("parts");
+    assert!(moving.iter().any(|part| part["slides"] == true), "the load slides");
+    assert!(moving.iter().any(|part| part["slides"] == false), "the motor turns");
 }
 
 #[test]

@@ -16,7 +16,6 @@
 mod native;
 mod schedule;
 mod series;
-mod straight;
 mod thunks;
 mod translate;
 
@@ -30,8 +29,8 @@ pub use series::CompiledSeries;
 
 pub(crate) use native::Regions;
 
+use crate::straight::Straight;
 use native::Code;
-use straight::Straight;
 
 /// A tape as machine code: evaluating it allocates nothing, from any number of threads.
 #[derive(Debug)]

@@ -25,8 +25,12 @@ mod reduction;
 mod room;
 pub mod series;
 mod simulator;
+#[cfg(any(feature = "compiled", feature = "wasm"))]
+mod straight;
 mod tape;
 mod validate;
+#[cfg(feature = "wasm")]
+pub mod wasm;
 
 pub use check::{Check, ClosedForm, Reference};
 pub use excitation::Excitation;

@@ -132,7 +132,7 @@ fn row(run: &Trajectory, column: &Column) -> Markup {
         } }
     };
     html! {
-        tr {
+        tr data-output=(column.name) {
             td { code { (column.name) } }
             td.number { (end(column.values.first())) }
             td.number { (end(column.values.last())) }

@@ -16,6 +16,7 @@ use machinist_studies::work_precision::WorkPrecision;
 
 use super::fields;
 use super::key::{self, Figure};
+use super::live::Moving;
 use super::modes::{self, Modes};
 use super::schematic::Schematic;
 use crate::explain::Explanation;
@@ -32,6 +33,7 @@ pub(super) struct Machine {
     /// What the scene says of itself, without its units.
     pub(super) doc: String,
     pub(super) schematic: Schematic,
+    pub(super) moving: Moving,
     pub(super) document: Document,
     pub(super) explanation: Explanation,
     pub(super) dependencies: Dependencies,
@@ -90,6 +92,7 @@ impl Machine {
         Ok(Self {
             argument,
             schematic: Schematic::of(&spec),
+            moving: Moving::of(&spec, &model),
             doc: spec.doc,
             document,
             explanation: Explanation::new(Some(source), stages, with_times)?,

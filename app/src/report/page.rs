@@ -5,8 +5,8 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::figure;
 
-/// Nothing may be loaded: everything a page needs is in it.
-const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; font-src data:; \
+/// Nothing may be loaded: everything a page needs is in it. Pages that run a machine compile it.
+const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; font-src data:; \
      img-src data: blob:";
 
 /// A page without its head.

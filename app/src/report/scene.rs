@@ -6,6 +6,7 @@ use machinist_model::Model;
 use machinist_studies::work_precision::{Plan, WorkPrecision};
 use maud::{Markup, html};
 
+use super::live::Live;
 use super::machine::{By, Machine};
 use super::page::{Page, prose, section};
 use super::{equations, fields, figure, key, modes, reduction, schematic, verification};
@@ -16,9 +17,10 @@ use crate::number::{exact, number};
 pub(super) fn page(machine: &Machine, has_index: bool) -> String {
     let model = &machine.model;
     let (name, argument) = (machine.name(), machine.argument.as_str());
+    let live = Live::of(machine);
     let mut sections = vec![
-        ("machine", "The machine", picture(machine)),
-        ("run", "Run", ran(machine, argument)),
+        ("machine", "The machine", picture(machine, live.as_ref())),
+        ("run", "Run", ran(machine, argument, live.as_ref())),
         ("checks", "Checks", verification::section(&machine.verdicts, &verify_command(machine))),
         ("modes", "Modes at the operating point", modes::section(argument, machine.modes.as_ref())),
         ("equations", "Equations of motion", motion(&machine.document)),
@@ -36,6 +38,7 @@ pub(super) fn page(machine: &Machine, has_index: bool) -> String {
         body: html! {
             (header(machine))
             @for (id, title, content) in &sections { (section(id, title, content)) }
+            @if let Some(Ok(live)) = &live { (live.scripts()) }
         },
     };
     page.render()
@@ -69,7 +72,7 @@ fn header(machine: &Machine) -> Markup {
     }
 }
 
-fn picture(machine: &Machine) -> Markup {
+fn picture(machine: &Machine, live: Option<&Result<Live, String>>) -> Markup {
     let model = &machine.model;
     let counts = [
         ("parts", machine.schematic.parts()),
@@ -84,6 +87,7 @@ fn picture(machine: &Machine) -> Markup {
             (schematic::legend(&machine.schematic))
             div.scroll { (schematic::drawing(&machine.schematic)) }
         }
+        @if let Some(Ok(live)) = live { (live.motion()) }
         dl.counts {
             @for (what, count) in counts.into_iter().filter(|(_, count)| *count > 0) {
                 div { dt { (what) } dd { (count) } }
@@ -94,10 +98,12 @@ fn picture(machine: &Machine) -> Markup {
 }
 
 /// The run, also one that stopped, as far as it went.
-fn ran(machine: &Machine, argument: &str) -> Markup {
+fn ran(machine: &Machine, argument: &str, live: Option<&Result<Live, String>>) -> Markup {
     html! {
         @if let Err(error) = &machine.run { p.warning { "The run stopped. " (error) } }
-        @if let Some(trajectory) = machine.trajectory() { (run(machine, argument, trajectory)) }
+        @if let Some(trajectory) = machine.trajectory() {
+            (run(machine, argument, trajectory, live))
+        }
         (fields::section(machine.name(), &machine.along))
     }
 }
@@ -189,7 +195,12 @@ fn cost_row(cost: &Cost) -> Markup {
     }
 }
 
-fn run(machine: &Machine, argument: &str, trajectory: &Trajectory) -> Markup {
+fn run(
+    machine: &Machine,
+    argument: &str,
+    trajectory: &Trajectory,
+    live: Option<&Result<Live, String>>,
+) -> Markup {
     let work = trajectory.work;
     let counters = [
         ("steps", work.steps),
@@ -217,9 +228,14 @@ fn run(machine: &Machine, argument: &str, trajectory: &Trajectory) -> Markup {
             code { "machinist run " (argument) }
         }
         (key::table(trajectory))
-        (switches(trajectory))
+        @if !machine.model.events.is_empty() { div #run-events { (switches(trajectory)) } }
         @for note in &trajectory.notes { p.muted { (note) } }
         dl.counts { @for (what, count) in counters { div { dt { (what) } dd { (count) } } } }
+        @match live {
+            Some(Ok(live)) => (live.controls()),
+            Some(Err(why)) => p.muted { (why) },
+            None => {}
+        }
         @for (index, group) in by_unit(trajectory).iter().enumerate() {
             (figure::over_time(
                 &format!("{}-outputs-{index}", machine.name()),
@@ -298,6 +314,7 @@ fn energy(name: &str, trajectory: &Trajectory) -> Markup {
     };
     html! {
         h3 { "Energy balance" }
+        p.muted data-of-stored hidden { "That of the stored run, not of what the sliders say." }
         (figure::over_time(&id("energy"), &trajectory.times, &flows, &account))
         (figure::over_time(&id("residual"), &trajectory.times, &residual, &remainder))
     }

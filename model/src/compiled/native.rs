@@ -15,10 +15,10 @@ use cranelift_jit::{JITBuilder, JITModule};
 use cranelift_module::{Linkage, Module as _, default_libcall_names};
 
 use super::schedule::Schedule;
-use super::straight::{Region, Straight};
 use super::thunks::Thunk;
 use super::translate::{Translator, signature};
 use crate::Table;
+use crate::straight::{Region, Straight};
 
 type Piece = unsafe extern "C" fn(
     *const f64,

@@ -5,8 +5,8 @@
 //! early as they can, with only what their arguments need before them; sines and tangents
 //! of up to four numbers are one call. Every operation has the operands it had.
 
-use super::straight::{Step, StepId, Straight};
 use crate::Function;
+use crate::straight::{Step, StepId, Straight};
 
 /// Steps of a piece at most: what allocating registers costs grows faster than pieces do.
 const LONGEST: usize = 1500;

@@ -12,8 +12,8 @@ use cranelift_codegen::ir::{
 use cranelift_frontend::FunctionBuilder;
 
 use super::schedule::{Batch, BatchKind, Item, Schedule};
-use super::straight::{Middles, Region, Step, StepId, Straight};
 use super::thunks::Thunk;
+use crate::straight::{Middles, Region, Step, StepId, Straight};
 use crate::{Function, Table};
 
 /// Pointers a piece is called with: one for each region, then the room.

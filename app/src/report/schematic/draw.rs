@@ -41,8 +41,8 @@ pub fn drawing(schematic: &Schematic) -> Markup {
             style={ "min-width: " (SMALLEST * width) "px" } role="img" aria-label="drawing of the machine's parts and joints" {
             @for link in &schematic.links { (plan.link(link)) }
             @for net in &plan.nets { (net.drawn()) }
-            @for (part, place) in schematic.parts.iter().zip(&plan.corners) {
-                (drawn(part, *place))
+            @for (index, (part, place)) in schematic.parts.iter().zip(&plan.corners).enumerate() {
+                (drawn(index, part, *place))
             }
         }
     }
@@ -80,12 +80,12 @@ fn class(tie: Tie) -> &'static str {
     }
 }
 
-fn drawn(part: &Part, [x, y]: [f64; 2]) -> Markup {
+fn drawn(index: usize, part: &Part, [x, y]: [f64; 2]) -> Markup {
     let name = shortened(&part.name);
     let scale = [x + (WIDTH - SYMBOL[0]) / 2.0, y + TOP];
     let below = if part.symbol.is_some() { HEIGHT - 11.0 } else { HEIGHT / 2.0 + 4.0 };
     html! {
-        g {
+        g data-part=(index) {
             title { (part.name) ": " (part.title) }
             rect x=(x) y=(y) width=(WIDTH) height=(HEIGHT) rx="6" {}
             @if let Some(symbol) = part.symbol {

@@ -1,7 +1,7 @@
 //! The mass matrix, factored by operations written one by one.
 
-use super::super::straight::{Step, StepId, Straight};
 use crate::series::MassMatrix;
+use crate::straight::{Step, StepId, Straight};
 
 /// Operations of a factorization that is written out, at most.
 const MOST: usize = 40_000;

@@ -2,11 +2,11 @@
 
 use std::collections::HashMap;
 
-use super::super::straight::{Middles, Region, Step, StepId, Straight};
 use super::Sums;
 use super::factors::Factors;
 use crate::NodeId;
 use crate::series::{Convolution, MassMatrix, Recurrence, TaylorTape};
+use crate::straight::{Middles, Region, Step, StepId, Straight};
 
 /// Recurrences as programs.
 pub struct Lowered {

@@ -1,4 +1,4 @@
-//! Straight-line programs as machine code is made from: what is read from where, what is
+//! Straight-line programs as code is made from, of a machine or of WebAssembly: what is read from where, what is
 //! computed, what is written where to.
 //!
 //! Excluded: integer powers (they are products), operations that nothing needs, names.

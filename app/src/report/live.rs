@@ -1,0 +1,329 @@
+//! What makes the page of a machine live: the model as WebAssembly, methods as scripts, and
+//! sliders of its parameters. Without scripts the page stays as it is.
+
+mod moving;
+mod order;
+
+use base64::prelude::{BASE64_STANDARD, Engine as _};
+use machinist::method::Method;
+use machinist::method::published::{ExplicitTable, RosenbrockTable, dop853, rodas5p, tsit5};
+use machinist::trajectory::Trajectory;
+use machinist_model::functions::FunctionId;
+use machinist_model::wasm::{Layout, NotInWasm, WasmModule, module};
+use machinist_model::{Model, SparsityPattern, StateKind};
+use maud::{Markup, PreEscaped, html};
+use serde::Serialize;
+
+pub(super) use moving::Moving;
+
+use super::machine::Machine;
+use crate::number::exact;
+
+/// Scripts of a live page, in the order in which they build on each other.
+const SCRIPTS: [&str; 14] = [
+    include_str!("live/machine.js"),
+    include_str!("live/matrix.js"),
+    include_str!("live/stretch.js"),
+    include_str!("live/explicit.js"),
+    include_str!("live/rosenbrock.js"),
+    include_str!("live/constraints.js"),
+    include_str!("live/guards.js"),
+    include_str!("live/watch.js"),
+    include_str!("live/run.js"),
+    include_str!("live/chart.js"),
+    include_str!("live/controls.js"),
+    include_str!("live/tables.js"),
+    include_str!("live/motion.js"),
+    include_str!("live/page.js"),
+];
+
+/// Bytes of a module at most: a page is to stay below 1.5 MB with everything else.
+const LARGEST: usize = 500_000;
+/// Sliders that stand in sight; others are folded away.
+const IN_SIGHT: usize = 8;
+/// Points of a run in a page at most: more are not seen.
+const MOST_POINTS: usize = 2001;
+
+/// Functions that a page runs, beside those that only some machines have.
+const FUNCTIONS: [FunctionId; 14] = [
+    FunctionId::InitialState,
+    FunctionId::Discontinuities,
+    FunctionId::Rate,
+    FunctionId::Outputs,
+    FunctionId::PowerBalance,
+    FunctionId::Guards,
+    FunctionId::GuardRates,
+    FunctionId::Resets,
+    FunctionId::MassMatrix,
+    FunctionId::ConstraintValues,
+    FunctionId::ConstraintRates,
+    FunctionId::ConstraintMatrix,
+    FunctionId::KinkGuards,
+    FunctionId::KinkRates,
+];
+/// Functions that only implicit methods call.
+const OF_IMPLICIT: [FunctionId; 2] = [FunctionId::RateJacobian, FunctionId::TimeDerivative];
+
+/// What a page needs to run a machine.
+pub(super) struct Live {
+    known: Known,
+    /// Parameters by what they do to the run, the most first.
+    order: Vec<usize>,
+}
+
+/// What scripts know of the machine.
+#[derive(Serialize)]
+struct Known {
+    name: String,
+    /// The command that runs it outside of the page.
+    command: String,
+    /// In base 64.
+    module: String,
+    layout: Layout,
+    coordinates: usize,
+    states: Vec<State>,
+    parameters: Vec<Parameter>,
+    /// Names of what is shown: outputs, or states where there are none.
+    outputs: Vec<String>,
+    shows_states: bool,
+    discontinuities: usize,
+    events: Vec<Event>,
+    kinks: usize,
+    constraints: Vec<String>,
+    rate_jacobian: SparsityPattern,
+    mass_matrix: SparsityPattern,
+    constraint_matrix: SparsityPattern,
+    moving: Moving,
+    methods: Methods,
+    run: RunOfPage,
+}
+
+#[derive(Serialize)]
+struct State {
+    name: String,
+    scale: f64,
+    is_mode: bool,
+    is_given: bool,
+}
+
+#[derive(Serialize)]
+struct Parameter {
+    name: String,
+    unit: String,
+    doc: String,
+    value: f64,
+}
+
+#[derive(Serialize)]
+struct Event {
+    name: String,
+    direction: &'static str,
+    when: Vec<(u32, f64)>,
+    sets: Vec<u32>,
+}
+
+#[derive(Serialize)]
+struct Methods {
+    explicit: ExplicitTable,
+    implicit: Option<RosenbrockTable>,
+}
+
+#[derive(Serialize)]
+struct RunOfPage {
+    from: f64,
+    until: f64,
+    points: usize,
+    rtol: f64,
+    method: &'static str,
+    /// Whether the spec's method is for stiff machines.
+    is_stiff: bool,
+    /// Whether the spec's method is explicit whatever the machine does.
+    stays_explicit: bool,
+}
+
+impl Live {
+    /// Of a machine and its stored run; nothing without one.
+    ///
+    /// # Errors
+    /// A sentence that says why the machine cannot be run in a page.
+    pub(super) fn of(machine: &Machine) -> Option<Result<Self, String>> {
+        let run = machine.trajectory()?;
+        Some(Self::of_run(machine, run))
+    }
+
+    fn of_run(machine: &Machine, run: &Trajectory) -> Result<Self, String> {
+        let model = &machine.model;
+        let refused = |why: &dyn std::fmt::Display| format!("The page cannot run it: {why}.");
+        let (module, is_implicit) = modules(model).map_err(|error| refused(&error))?;
+        if module.bytes.len() > LARGEST {
+            let size = module.bytes.len() / 1000;
+            return Err(refused(&format!("its equations would take {size} kB of the page")));
+        }
+        let order = order::by_effect(model, run);
+        Ok(Self { known: Known::of(machine, run, &module, is_implicit), order })
+    }
+
+    /// Sliders, which the script shows once the machine runs.
+    pub(super) fn controls(&self) -> Markup {
+        let (first, rest) = self.order.split_at(self.order.len().min(IN_SIGHT));
+        let RunOfPage { until, .. } = self.known.run;
+        html! {
+            div #live hidden {
+                h3 { "Try it" }
+                p {
+                    "The machine runs in this page. What is moved is simulated again at once; the
+                     stored run stays as thin dashed lines."
+                }
+                div.sliders {
+                    @for index in first { (self.slider(*index)) }
+                    (slider("until", "until", "s", "end of the run", until))
+                }
+                @if !rest.is_empty() {
+                    details {
+                        summary { (rest.len()) " more parameters, which do less to this run" }
+                        div.sliders { @for index in rest { (self.slider(*index)) } }
+                    }
+                }
+                p.tools {
+                    button type="button" id="live-reset" { "Reset all" }
+                    code #live-command {}
+                }
+                p #live-state role="status" {}
+            }
+        }
+    }
+
+    /// The run as a motion of the drawing above, which the script shows; nothing where nothing
+    /// moves that could be drawn.
+    pub(super) fn motion(&self) -> Markup {
+        html! {
+            @if !self.known.moving.is_empty() {
+                div #live-motion hidden {
+                    figure.plane hidden {
+                        svg viewBox="0 0 880 320" role="img" aria-label="bodies in the plane" {}
+                    }
+                    p.tools {
+                        button type="button" { "Play" }
+                        input type="range" min="0" max="1000" step="1" value="0"
+                            aria-label="time of the run";
+                        output {}
+                    }
+                }
+            }
+        }
+    }
+
+    fn slider(&self, index: usize) -> Markup {
+        let Parameter { name, unit, doc, value } = &self.known.parameters[index];
+        slider(&index.to_string(), name, unit, doc, *value)
+    }
+
+    /// What runs the machine: for the end of the page.
+    pub(super) fn scripts(&self) -> Markup {
+        let known = serde_json::to_string(&self.known).unwrap_or_default();
+        html! {
+            script type="application/json" id="live-known" {
+                // No text of a spec ends the script.
+                (PreEscaped(known.replace('<', "\\u003c")))
+            }
+            script {
+                (PreEscaped("(() => {\n\"use strict\";\n"))
+                @for script in SCRIPTS { (PreEscaped(script)) }
+                (PreEscaped("})();\n"))
+            }
+        }
+    }
+}
+
+/// A slider with its number and a way back; the script gives it its range.
+fn slider(key: &str, name: &str, unit: &str, doc: &str, value: f64) -> Markup {
+    let unit = if unit == "1" { "" } else { unit };
+    html! {
+        div.slider data-key=(key) data-value=(exact(value)) {
+            label for={ "live-" (key) } { code { (name) } " " span.muted { (doc) } }
+            input type="range" id={ "live-" (key) } min="0" max="1000" step="1";
+            input type="number" step="any" value=(exact(value)) aria-label={ "value of " (name) };
+            span.unit { (unit) }
+            button type="button" aria-label={ "reset " (name) } title={ "back to " (exact(value)) } {
+                "\u{21ba}"
+            }
+        }
+    }
+}
+
+/// The module, with what implicit methods need if that has room; and whether it has.
+fn modules(model: &Model) -> Result<(WasmModule, bool), NotInWasm> {
+    let all: Vec<FunctionId> = FUNCTIONS.into_iter().chain(OF_IMPLICIT).collect();
+    match module(model, &all) {
+        Ok(whole) if whole.bytes.len() <= LARGEST => Ok((whole, true)),
+        Err(error @ (NotInWasm::Fields | NotInWasm::Malformed)) => Err(error),
+        _ => module(model, &FUNCTIONS).map(|module| (module, false)),
+    }
+}
+
+impl Known {
+    fn of(machine: &Machine, run: &Trajectory, module: &WasmModule, is_implicit: bool) -> Self {
+        let model = &machine.model;
+        let state = |state: &machinist_model::State| State {
+            name: state.quantity.name.path.clone(),
+            scale: state.scale,
+            is_mode: state.kind == StateKind::Mode,
+            is_given: state.is_given,
+        };
+        let parameter = |parameter: &machinist_model::Parameter| Parameter {
+            name: parameter.quantity.name.path.clone(),
+            unit: parameter.quantity.unit.clone(),
+            doc: parameter.quantity.doc.clone(),
+            value: parameter.value,
+        };
+        let event = |event: &machinist_model::Event| Event {
+            name: event.name.path.clone(),
+            direction: event.direction.name(),
+            when: event.when.clone(),
+            sets: event.sets.clone(),
+        };
+        let outputs = model.wanted.iter().map(|output| output.name.path.clone());
+        let states: Vec<State> = model.states.iter().map(state).collect();
+        let shows_states = model.wanted.is_empty();
+        let outputs = if shows_states {
+            states.iter().map(|state| state.name.clone()).collect()
+        } else {
+            outputs.collect()
+        };
+        let is_tsit5 = matches!(run.method, Method::Tsit5 | Method::Tsit45);
+        Self {
+            name: model.name.clone(),
+            command: format!("machinist run {}", machine.argument),
+            module: BASE64_STANDARD.encode(&module.bytes),
+            layout: module.layout,
+            coordinates: model.coordinates.len(),
+            states,
+            parameters: model.parameters.iter().map(parameter).collect(),
+            outputs,
+            shows_states,
+            discontinuities: model.discontinuities.results.len(),
+            events: model.events.iter().map(event).collect(),
+            kinks: model.kink_guards.results.len(),
+            constraints: model.constraints.iter().map(|known| known.name.path.clone()).collect(),
+            rate_jacobian: model.rate_jacobian.pattern.clone(),
+            mass_matrix: model.mass_matrix.pattern.clone(),
+            constraint_matrix: model.constraint_matrix.pattern.clone(),
+            moving: machine.moving.clone(),
+            methods: Methods {
+                explicit: if is_tsit5 { tsit5() } else { dop853() },
+                implicit: is_implicit.then(rodas5p),
+            },
+            run: RunOfPage {
+                from: model.run.from,
+                until: model.run.until,
+                points: model.run.points.clamp(2, MOST_POINTS),
+                rtol: run.rtol,
+                method: run.method.name(),
+                is_stiff: is_implicit
+                    && run.method.is_implicit()
+                    && !matches!(run.method, Method::Auto | Method::Exact),
+                stays_explicit: is_tsit5 || run.method == Method::Dop853,
+            },
+        }
+    }
+}

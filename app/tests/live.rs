@@ -1,0 +1,107 @@
+//! Live pages in a browser, where there is one: what a slider does is what `run --set` does.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::cli::{answer, text};
+
+/// Names under which a browser that runs without a screen may be found.
+const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
+
+/// Sets a number as somebody who types it, waits for the run, and tells what the table says of
+/// its end; `PARAMETER` and `VALUE` are put in.
+const TYPED: &str = r#"<script>
+addEventListener("load", async () => {
+  const pause = () => new Promise((resolve) => setTimeout(resolve, 20));
+  while (document.getElementById("live").hidden) await pause();
+  const sliders = [...document.querySelectorAll(".slider")];
+  const named = sliders.find((slider) => slider.querySelector("label code").textContent === "PARAMETER");
+  const number = named.querySelector("input[type=number]");
+  number.value = "VALUE";
+  number.dispatchEvent(new Event("input"));
+  const state = document.getElementById("live-state");
+  while (!state.textContent) await pause();
+  const rows = [...document.querySelectorAll("tr[data-output]")];
+  const found = rows.map((row) => `${row.dataset.output}=${row.querySelectorAll(".number")[1].title}`);
+  document.body.dataset.found = `${found.join(" ")} ${state.className}`;
+});
+</script></body>"#;
+
+/// A machine, one of its parameters, and another value for it.
+const MOVES: [(&str, &str, &str); 2] = [
+    ("specs/scenes/drives/winch.toml", "gear.ratio", "31.7"),
+    ("specs/scenes/slider_crank.toml", "crank.length", "0.07"),
+];
+
+#[test]
+fn a_run_in_the_page_ends_where_a_run_outside_of_it_does() {
+    let Some(browser) = browser() else {
+        eprintln!("no browser among {BROWSERS:?}: live pages are not looked at");
+        return;
+    };
+    let folder = tempfile::tempdir().expect("a folder");
+    for (scene, parameter, value) in MOVES {
+        answer(&["report", scene, "--no-times", "--out", text(folder.path())]);
+        let name = Path::new(scene).file_stem().expect("a name").to_string_lossy();
+        let page = folder.path().join(format!("machines/{name}.html"));
+        let typed = TYPED.replace("PARAMETER", parameter).replace("VALUE", value);
+        let html = fs::read_to_string(&page).expect("a page").replace("</body>", &typed);
+        fs::write(&page, html).expect("written");
+        let found = found(&browser, &page, folder.path());
+        assert!(found.ends_with(" muted"), "{scene} says that something is wrong: {found}");
+        let file = folder.path().join("run.csv");
+        let set = format!("{parameter}={value}");
+        answer(&["run", scene, "--set", &set, "--out", text(&file)]);
+        let ends = ends(&file);
+        let pairs: Vec<_> = found.split(' ').filter_map(|pair| pair.split_once('=')).collect();
+        assert!(!pairs.is_empty(), "{scene} shows nothing");
+        for (output, of_page) in pairs {
+            let of_page: f64 = of_page.parse().expect("a number");
+            let (_, expected, largest) =
+                ends.iter().find(|(name, ..)| name == output).expect("a column");
+            let error = (of_page - expected).abs() / largest;
+            assert!(error < 1e-6, "{scene}: {output} ends at {of_page}, not at {expected}");
+        }
+    }
+}
+
+fn browser() -> Option<PathBuf> {
+    let folders = std::env::var_os("PATH")?;
+    let folders: Vec<PathBuf> = std::env::split_paths(&folders).collect();
+    let places = BROWSERS.iter().flat_map(|name| folders.iter().map(move |at| at.join(name)));
+    places.into_iter().find(|place| place.is_file())
+}
+
+/// What the script has left in the page.
+fn found(browser: &Path, page: &Path, folder: &Path) -> String {
+    let mut command = Command::new(browser);
+    command
+        .args(["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic"])
+        .args(["--no-first-run", "--disable-background-networking", "--virtual-time-budget=20000"])
+        .arg(format!("--user-data-dir={}", folder.join("browser").display()))
+        .arg("--dump-dom")
+        .arg(format!("file://{}", page.display()));
+    let output = command.output().expect("the browser starts");
+    let dom = String::from_utf8_lossy(&output.stdout);
+    let found = dom.split("data-found=\"").nth(1).and_then(|rest| rest.split('"').next());
+    found.unwrap_or_else(|| panic!("no run in {}: {dom:.2000}", page.display())).to_owned()
+}
+
+/// Names of the outputs of a run with their last and their largest values.
+fn ends(file: &Path) -> Vec<(String, f64, f64)> {
+    let mut reader = csv::Reader::from_path(file).expect("a file");
+    let names: Vec<String> = reader.headers().expect("names").iter().map(str::to_owned).collect();
+    let rows: Vec<Vec<f64>> = reader
+        .records()
+        .map(|row| row.expect("a row").iter().map(|v| v.parse().expect("a number")).collect())
+        .collect();
+    let column = |index: usize| rows.iter().map(move |row| row[index]);
+    (1..names.len())
+        .map(|index| {
+            let largest = column(index).fold(0.0, |most: f64, value| most.max(value.abs()));
+            let name = names[index].split([' ', '[']).next().unwrap_or_default().to_owned();
+            (name, column(index).next_back().expect("an end"), largest.max(f64::MIN_POSITIVE))
+        })
+        .collect()
+}

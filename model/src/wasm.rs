@@ -1,0 +1,307 @@
+//! Models as WebAssembly, for pages that run them where nothing can be compiled.
+//!
+//! ```text
+//! Tape -> Straight -> function bodies -> module
+//! ```
+//!
+//! Every operation is done on the operands it has on the tape, so that results are those of
+//! [`Evaluator`](crate::evaluate::Evaluator) to the last bit, if the host's functions are:
+//! sines, exponentials and the like are imported from it. A module has one memory, in which
+//! what functions read and what they write have their [places](Layout), and a function
+//! `(time: f64) -> ()` for each of the model's that was asked for, by its name; `prepare`
+//! computes what parameters alone decide and has to be called after each change of them.
+//!
+//! Excluded: fields, methods, who runs the module.
+
+mod body;
+mod solve;
+mod table;
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use wasm_encoder::{
+    CodeSection, ConstExpr, DataSection, EntityType, ExportKind, ExportSection, FunctionSection,
+    ImportSection, MemorySection, MemoryType, Module, TypeSection, ValType,
+};
+
+use crate::functions::FunctionId;
+use crate::hoist::Hoisted;
+use crate::straight::{Region, Step, Straight};
+use crate::{Model, Table, TableId};
+
+/// The module that functions of the host are imported from.
+pub const HOST: &str = "math";
+/// The name of `x^y` among them; the others have the names of [`Function`].
+pub const POWER: &str = "powf";
+
+/// A model's functions as a module.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct WasmModule {
+    /// The module.
+    pub bytes: Vec<u8>,
+    /// Where its numbers are.
+    pub layout: Layout,
+}
+
+/// Places in the memory of a module: numbers of eight bytes, counted from its start.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Layout {
+    /// The state, to be written before a call.
+    pub state: usize,
+    /// Parameters, likewise.
+    pub parameters: usize,
+    /// Results of the last call.
+    pub results: usize,
+}
+
+/// Why a model has no module.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum NotInWasm {
+    /// What fields hand over is computed by the engine.
+    #[error("it has fields along a shaft")]
+    Fields,
+    /// A function would be longer than hosts take.
+    #[error("its equations are too long: {steps} operations in `{function}`")]
+    TooLong {
+        /// Which one.
+        function: &'static str,
+        /// Operations, of a function at most [`LONGEST`].
+        steps: usize,
+    },
+    /// A tape refers to what is not there.
+    #[error("the model is malformed")]
+    Malformed,
+}
+
+/// Operations of a function at most: hosts refuse bodies of more than some megabytes.
+pub const LONGEST: usize = 300_000;
+
+/// Types of functions, by their index.
+#[derive(Clone, Copy)]
+enum Type {
+    /// Of one number.
+    OfOne,
+    /// Of two numbers.
+    OfTwo,
+    /// Of time, without a result.
+    Program,
+}
+
+/// A function of the module before it is encoded.
+struct Program {
+    name: &'static str,
+    straight: Straight,
+    /// Where its results are put.
+    into: usize,
+    /// Whether the motion goes before it.
+    reads_motion: bool,
+}
+
+/// A module of some functions of a model; those it does not have are left out.
+///
+/// # Errors
+/// [`NotInWasm`] says what stands against it.
+pub fn module(model: &Model, wanted: &[FunctionId]) -> Result<WasmModule, NotInWasm> {
+    if !model.fields.is_empty() || !model.handed.is_empty() {
+        return Err(NotInWasm::Fields);
+    }
+    let hoisted = Hoisted::new(model);
+    let places = Places::of(model, &hoisted, wanted);
+    let programs = programs(model, &hoisted, wanted, &places)?;
+    let imports = imports(&programs);
+    let tables = table::used(programs.iter().map(|program| &program.straight));
+    let first_table = imports.len() as u32;
+    let first_program = first_table + tables.len() as u32;
+    let calls = body::Calls {
+        host: &imports,
+        tables: tables.iter().zip(first_table..).map(|(key, index)| (*key, index)).collect(),
+    };
+    let is_motion = |program: &Program| program.name == MOTION;
+    let motion = programs.iter().zip(first_program..).find(|(program, _)| is_motion(program));
+    let motion = motion.map(|(_, index)| index);
+
+    let mut functions = FunctionSection::new();
+    let mut exports = ExportSection::new();
+    let mut code = CodeSection::new();
+    for &(table, order) in &tables {
+        functions.function(Type::OfOne as u32);
+        let Some(of) = model.tables.get(table.0 as usize) else { return Err(NotInWasm::Malformed) };
+        code.function(&table::body(of, order, places.tables[table.0 as usize]));
+    }
+    for (program, index) in programs.iter().zip(first_program..) {
+        functions.function(Type::Program as u32);
+        let before = motion.filter(|_| program.reads_motion);
+        code.function(&body::body(&program.straight, &places, program.into, &calls, before));
+        exports.export(program.name, ExportKind::Func, index);
+    }
+    exports.export("memory", ExportKind::Memory, 0);
+    let mut module = Module::new();
+    module
+        .section(&types())
+        .section(&import_section(&imports))
+        .section(&functions)
+        .section(&memory(places.end))
+        .section(&exports)
+        .section(&code)
+        .section(&data(&model.tables, &places));
+    let layout = Layout {
+        state: places.regions[Region::State as usize],
+        parameters: places.regions[Region::Parameters as usize],
+        results: places.regions[Region::Results as usize],
+    };
+    Ok(WasmModule { bytes: module.finish(), layout })
+}
+
+const MOTION: &str = "motion";
+const PREPARE: &str = "prepare";
+
+/// What goes before others, then each function that is wanted.
+fn programs(
+    model: &Model,
+    hoisted: &Hoisted,
+    wanted: &[FunctionId],
+    places: &Places,
+) -> Result<Vec<Program>, NotInWasm> {
+    let of_tape = |tape| Straight::of_tape(tape, model.tables.len()).ok_or(NotInWasm::Malformed);
+    let at = |region: Region| places.regions[region as usize];
+    let mut programs = vec![Program {
+        name: PREPARE,
+        straight: of_tape(&hoisted.constants)?,
+        into: at(Region::Constants),
+        reads_motion: false,
+    }];
+    if model.motion.is_some() {
+        programs.push(Program {
+            name: MOTION,
+            straight: of_tape(&hoisted.motion)?,
+            into: at(Region::Motion),
+            reads_motion: false,
+        });
+    }
+    for row in model.functions().filter(|row| wanted.contains(&row.id)) {
+        let tape = match row.id {
+            FunctionId::Rate => &hoisted.rate,
+            FunctionId::RateJacobian => &hoisted.rate_jacobian,
+            id => model.tape(id),
+        };
+        let straight = of_tape(tape)?;
+        let straight = match (model.solve(row.id), &model.motion) {
+            (Some(solve), Some(motion)) => solve::solved(&straight, solve, &motion.factors),
+            _ => Some(straight),
+        };
+        programs.push(Program {
+            name: row.name,
+            straight: straight.ok_or(NotInWasm::Malformed)?,
+            into: at(Region::Results),
+            reads_motion: model.reads_motion(row.id),
+        });
+    }
+    let steps = |program: &Program| program.straight.steps.len();
+    match programs.iter().find(|program| steps(program) > LONGEST) {
+        None => Ok(programs),
+        Some(long) => Err(NotInWasm::TooLong { function: long.name, steps: steps(long) }),
+    }
+}
+
+/// Where numbers are in the memory, in bytes.
+struct Places {
+    /// By region; time is an argument.
+    regions: [usize; Region::COUNT],
+    /// Of each table: knots, then coefficients.
+    tables: Vec<usize>,
+    end: usize,
+}
+
+impl Places {
+    fn of(model: &Model, hoisted: &Hoisted, wanted: &[FunctionId]) -> Self {
+        let results = model.functions().filter(|row| wanted.contains(&row.id));
+        let results = results.map(|row| (row.results)(model)).max().unwrap_or(0);
+        let mut end = 0;
+        let mut take = |numbers: usize| {
+            let place = end;
+            end += 8 * numbers;
+            place
+        };
+        let mut regions = [0; Region::COUNT];
+        for (region, numbers) in [
+            (Region::State, model.states.len()),
+            (Region::Parameters, model.parameters.len()),
+            (Region::Constants, hoisted.constants.results.len()),
+            (Region::Motion, hoisted.motion.results.len()),
+            (Region::Results, results),
+        ] {
+            regions[region as usize] = take(numbers);
+        }
+        let numbers = |table: &Table| table.knots.len() + 4 * table.coefficients.len();
+        let tables = model.tables.iter().map(|table| take(numbers(table))).collect();
+        Self { regions, tables, end }
+    }
+}
+
+/// Functions of the host that programs call, each with its index and how many numbers it takes.
+type Imports = BTreeMap<&'static str, (u32, Type)>;
+
+fn imports(programs: &[Program]) -> Imports {
+    let mut imports = Imports::new();
+    for step in programs.iter().flat_map(|program| &program.straight.steps) {
+        match step {
+            Step::Call(function, _) if step.is_call() => {
+                imports.insert(function.name(), (0, Type::OfOne));
+            }
+            Step::Powf(..) => {
+                imports.insert(POWER, (0, Type::OfTwo));
+            }
+            _ => {}
+        }
+    }
+    for (index, import) in imports.values_mut().enumerate() {
+        import.0 = index as u32;
+    }
+    imports
+}
+
+fn types() -> TypeSection {
+    let mut types = TypeSection::new();
+    // In the order of `Type`.
+    types.ty().function([ValType::F64], [ValType::F64]);
+    types.ty().function([ValType::F64; 2], [ValType::F64]);
+    types.ty().function([ValType::F64], []);
+    types
+}
+
+fn import_section(imports: &Imports) -> ImportSection {
+    let mut section = ImportSection::new();
+    let mut all: Vec<_> = imports.iter().collect();
+    all.sort_by_key(|(_, (index, _))| *index);
+    for (name, (_, kind)) in all {
+        section.import(HOST, name, EntityType::Function(*kind as u32));
+    }
+    section
+}
+
+fn memory(bytes: usize) -> MemorySection {
+    const PAGE: usize = 65_536;
+    let mut section = MemorySection::new();
+    section.memory(MemoryType {
+        minimum: bytes.div_ceil(PAGE) as u64,
+        maximum: None,
+        memory64: false,
+        shared: false,
+        page_size_log2: None,
+    });
+    section
+}
+
+fn data(tables: &[Table], places: &Places) -> DataSection {
+    let mut section = DataSection::new();
+    for (table, place) in tables.iter().zip(&places.tables) {
+        let numbers = table.knots.iter().chain(table.coefficients.iter().flatten());
+        let bytes: Vec<u8> = numbers.flat_map(|number| number.to_le_bytes()).collect();
+        section.active(0, &ConstExpr::i32_const(*place as i32), bytes);
+    }
+    section
+}
+
+/// A table or its derivative of an order.
+type TableKey = (TableId, u32);

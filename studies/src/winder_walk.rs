@@ -47,6 +47,9 @@ pub struct Winder {
 /// Three winders, each of which another stage decides.
 pub const SPEEDS: [f64; 3] = [1.5, 2.2, 5.5];
 
+/// No winder is as fast \[m/s\]; runs take a number of steps that grows with the speed.
+const MOST_SPEED: f64 = 200.0;
+
 impl Winder {
     /// The bench winder at another speed: its unbalance, 25 N at 5.5 m/s, goes with the
     /// square of the speed.
@@ -85,6 +88,9 @@ impl Winder {
         let bad = others.iter().find(|(_, value)| !(value.is_finite() && *value >= 0.0));
         if let Some((name, value)) = bad {
             return Some(format!("the {name} is {value}, but must not be below zero"));
+        }
+        if self.speed > MOST_SPEED {
+            return Some(format!("the speed is {}, but must not exceed {MOST_SPEED}", self.speed));
         }
         let (least, most) = self.radii;
         (least >= most).then(|| format!("the least radius {least} m is not below {most} m"))

@@ -80,6 +80,7 @@ fn what_makes_no_sense_is_named() {
     assert_eq!(bench.mistake(), None);
     for (winder, part) in [
         (Winder { speed: -1.0, ..bench }, "speed"),
+        (Winder { speed: 1e9, ..bench }, "must not exceed 200"),
         (Winder { radii: (0.06, 0.03), ..bench }, "radius"),
         (Winder { tension: f64::NAN, ..bench }, "tension"),
     ] {

@@ -28,10 +28,17 @@ addEventListener("load", async () => {
 });
 </script></body>"#;
 
-/// A machine, one of its parameters, and another value for it.
-const MOVES: [(&str, &str, &str); 2] = [
-    ("specs/scenes/drives/winch.toml", "gear.ratio", "31.7"),
-    ("specs/scenes/slider_crank.toml", "crank.length", "0.07"),
+/// A machine, its page, one of its parameters, and another value for it: events that `dop853`
+/// meets, constraints, and a machine that becomes stiff.
+const MOVES: [(&str, &str, &str, &str); 3] = [
+    ("specs/scenes/drives/winch.toml", "winch", "gear.ratio", "31.7"),
+    ("specs/scenes/slider_crank.toml", "slider_crank", "crank.length", "0.07"),
+    (
+        "specs/scenes/parts/electrical/amplifier.toml",
+        "electrical_amplifier",
+        "motor.resistance",
+        "0.7",
+    ),
 ];
 
 #[test]
@@ -41,9 +48,8 @@ fn a_run_in_the_page_ends_where_a_run_outside_of_it_does() {
         return;
     };
     let folder = tempfile::tempdir().expect("a folder");
-    for (scene, parameter, value) in MOVES {
+    for (scene, name, parameter, value) in MOVES {
         answer(&["report", scene, "--no-times", "--out", text(folder.path())]);
-        let name = Path::new(scene).file_stem().expect("a name").to_string_lossy();
         let page = folder.path().join(format!("machines/{name}.html"));
         let typed = TYPED.replace("PARAMETER", parameter).replace("VALUE", value);
         let html = fs::read_to_string(&page).expect("a page").replace("</body>", &typed);

@@ -267,6 +267,7 @@ impl Straight {
     }
 
     /// How long each region must be.
+    #[cfg(feature = "compiled")]
     pub fn needs(&self) -> [usize; Region::COUNT] {
         let mut needs = [0; Region::COUNT];
         let mut note = |region: Region, entry: u32| {

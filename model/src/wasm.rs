@@ -32,7 +32,7 @@ use crate::{Model, Table, TableId};
 
 /// The module that functions of the host are imported from.
 pub const HOST: &str = "math";
-/// The name of `x^y` among them; the others have the names of [`Function`].
+/// The name of `x^y` among them; the others have the names of [`Function`](crate::Function).
 pub const POWER: &str = "powf";
 
 /// A model's functions as a module.

@@ -17,7 +17,7 @@ class Tables {
     }
     if (!this.events) return;
     this.events.innerHTML = this.storedEvents;
-    if (run) this.events.replaceChildren(table(happened(run.switches)));
+    if (run) this.events.replaceChildren(tableOf(happened(run.switches)));
   }
 
   // First, last, least and greatest of an output.
@@ -52,18 +52,24 @@ function happened(switches) {
   return events;
 }
 
-function table(events) {
-  const made = document.createElement("table");
+function tableOf(events) {
+  const scroll = document.createElement("div");
+  scroll.className = "scroll";
+  const table = scroll.appendChild(document.createElement("table"));
   const row = (cells, name) => {
-    const tr = made.insertRow();
-    cells.forEach((text, index) => {
+    const tr = table.insertRow();
+    cells.forEach((content, index) => {
       const cell = tr.appendChild(document.createElement(name));
       if (index > 0) cell.className = "number";
-      cell.textContent = text;
+      cell.append(content);
     });
   };
   row(["Event", "Times", "First [s]", "Last [s]"], "th");
-  for (const [event, { count, first, last }] of events) row([event, count, shown(first, 6), shown(last, 6)], "td");
+  for (const [event, { count, first, last }] of events) {
+    const name = document.createElement("code");
+    name.textContent = event;
+    row([name, count, shown(first, 6), shown(last, 6)], "td");
+  }
   if (events.size === 0) row(["no event happened", "", "", ""], "td");
-  return made;
+  return scroll;
 }

@@ -21,6 +21,7 @@ pub mod lanes;
 pub mod linear_analysis;
 pub mod method;
 mod scales;
+mod sensitivity;
 pub mod simulate;
 #[cfg(feature = "sweep")]
 pub mod sweep;

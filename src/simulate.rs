@@ -13,6 +13,7 @@ use crate::method::cut;
 use crate::method::taylor::variants::Variant;
 use crate::method::{Method, Problem, Run, Stopped, System, identically_zero};
 use crate::scales::scales;
+use crate::sensitivity::{By, Start, Tangents, columns};
 use crate::trajectory::{Column, ColumnKind, EnergyBalance, Stop, Trajectory};
 
 /// Largest number of output times of a run.
@@ -63,6 +64,7 @@ pub struct Simulation<'a> {
     method: Option<Method>,
     max_steps: usize,
     energy_balance: bool,
+    sensitivities: Vec<By>,
     interrupt: Option<&'a AtomicBool>,
 }
 
@@ -90,6 +92,7 @@ impl<'a> Simulation<'a> {
             method: None,
             max_steps: MAX_STEPS,
             energy_balance: false,
+            sensitivities: Vec::new(),
             interrupt: None,
         }
     }
@@ -215,6 +218,23 @@ impl<'a> Simulation<'a> {
         self
     }
 
+    /// Asks for the derivatives of all states and outputs by these parameters, or by the
+    /// initial values of these states: columns `d(output)/d(parameter)` of the trajectory, in
+    /// the unit of the one over that of the other.
+    ///
+    /// They are derivatives of what the method computes with the steps it takes, also through
+    /// events, whose times move. A method that was not chosen, and `auto`, give way to one that
+    /// carries them.
+    ///
+    /// # Errors
+    /// [`SimulateError::UnknownDirection`], with the nearest known name;
+    /// [`SimulateError::NotDifferentiable`] of a mode.
+    pub fn sensitivities<N: AsRef<str>>(mut self, by: &[N]) -> Result<Self, SimulateError> {
+        let named = |name: &N| By::named(self.simulator, name.as_ref());
+        self.sensitivities = by.iter().map(named).collect::<Result<_, _>>()?;
+        Ok(self)
+    }
+
     /// The simulator.
     #[must_use]
     pub fn simulator(&self) -> &'a dyn Simulator<f64> {
@@ -272,17 +292,23 @@ impl<'a> Simulation<'a> {
     /// integration cannot go on; it then says where and why, and hands over the run until
     /// there.
     pub fn run(&self) -> Result<Trajectory, SimulateError> {
-        let method = self.chosen_method()?;
+        let asked = self.chosen_method()?;
+        let method = self.method_for_sensitivities(asked)?;
         if !method.is_compiled_in() {
             return Err(NotCompiledIn::of(method).into());
         }
         let times = self.checked_times()?;
-        let system = System::new(self.simulator, self.checked_parameters()?, self.energy_balance)
-            .until_flagged(self.interrupt);
+        let parameters = self.checked_parameters()?;
         method.check(self.simulator)?;
+        let mut initial = self.checked_initial_state()?;
+        let system = System::new(self.simulator, parameters, self.energy_balance)
+            .until_flagged(self.interrupt)
+            .with_tangents(self.tangents(&initial)?);
+        if method != asked {
+            system.note(format!("{method} instead of {asked}, which does not carry sensitivities"));
+        }
         self.check_guards(&system)?;
         let states = system.states();
-        let mut initial = self.checked_initial_state()?;
         let mut atol = self.checked_atol(&initial)?;
         let energy_atol = self.rtol * self.energy_scale(&initial);
         initial.resize(system.len(), 0.0);
@@ -315,6 +341,33 @@ impl<'a> Simulation<'a> {
         })
     }
 
+    /// The method, if it carries sensitivities or none are asked for; one that does, where it
+    /// was not chosen.
+    fn method_for_sensitivities(&self, asked: Method) -> Result<Method, SimulateError> {
+        let is_left_open = self.method.is_none_or(|method| method == Method::Auto);
+        if self.sensitivities.is_empty() || asked.carries_sensitivities() {
+            Ok(asked)
+        } else if is_left_open {
+            Ok(asked.for_sensitivities())
+        } else {
+            let known = Method::ALL.iter().filter(|method| method.carries_sensitivities());
+            let known = known.map(|method| method.name()).collect::<Vec<_>>().join(", ");
+            Err(SimulateError::NoSensitivities { method: asked.name(), known })
+        }
+    }
+
+    /// Sensitivities at the start; nothing if none are asked for.
+    fn tangents(&self, initial: &[f64]) -> Result<Option<Tangents<'_>>, SimulateError> {
+        if self.sensitivities.is_empty() {
+            return Ok(None);
+        }
+        let by = self.sensitivities.clone();
+        let tangents = Tangents::new(self.simulator, &self.parameters, by, self.from)?;
+        let is_of_spec = self.initial_state.is_none();
+        tangents.begin(&Start { time: self.from, state: initial, is_of_spec })?;
+        Ok(Some(tangents))
+    }
+
     fn trajectory(
         &self,
         method: Method,
@@ -339,6 +392,10 @@ impl<'a> Simulation<'a> {
                  motion that adds up to a large part of it: compare with a lower `rtol`"
             ));
         }
+        let mut columns_of_run = table.into_columns(energy_balance.as_ref());
+        if let Some(tangents) = system.tangents() {
+            columns_of_run.extend(columns(self.simulator, tangents, &times, (&rows, width)));
+        }
         Trajectory {
             scene: self.simulator.name().to_owned(),
             title: self.simulator.title().to_owned(),
@@ -350,7 +407,7 @@ impl<'a> Simulation<'a> {
             switches,
             drift: system.constraints().map(Constraints::drift),
             times,
-            columns: table.into_columns(energy_balance.as_ref()),
+            columns: columns_of_run,
             energy_balance,
         }
     }

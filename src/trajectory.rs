@@ -34,7 +34,7 @@ pub struct Trajectory {
     pub drift: Option<Drift>,
     /// Output times \[s\].
     pub times: Vec<f64>,
-    /// States, then outputs, then energies.
+    /// States, then outputs, then energies, then sensitivities.
     pub columns: Vec<Column>,
     /// Power supplied and lost against energy stored, if the run was asked for it.
     pub energy_balance: Option<EnergyBalance>,
@@ -83,6 +83,9 @@ pub enum ColumnKind {
     Output,
     /// An energy of the whole machine.
     Energy,
+    /// Derivative of a state or an output by a parameter or an initial value,
+    /// `d(coupling.twist)/d(coupling.stiffness)`.
+    Sensitivity,
 }
 
 /// The energy account of a run: what a machine stores must be what it was
@@ -142,6 +145,12 @@ impl Trajectory {
     /// The columns of one kind, in order.
     pub fn of_kind(&self, kind: ColumnKind) -> impl Iterator<Item = &Column> {
         self.columns.iter().filter(move |column| column.kind == kind)
+    }
+
+    /// d(of)/d(by) of a state or an output, if the run was asked for it.
+    #[must_use]
+    pub fn sensitivity(&self, of: &str, by: &str) -> Option<&[f64]> {
+        self.column(&crate::sensitivity::name(of, by))
     }
 
     /// The value at the end of the run of the column of this name.

@@ -4,11 +4,12 @@
 mod ending;
 
 use super::{Samples, Stopped, Stretch};
+use crate::sensitivity::Tangents;
 use crate::error::StopCause;
 use ending::{Ending, end_at};
 
 /// A method that needs nothing but the state at the start of a step.
-pub(super) trait OneStep {
+pub(crate) trait OneStep {
     /// Makes `state` at `time` the start of the next step.
     fn begin(&mut self, time: f64, state: &[f64]);
 
@@ -56,6 +57,23 @@ pub(super) trait OneStep {
         false
     }
 
+    /// Carries sensitivities over the current step, from its start to its end.
+    fn carry(&mut self, _tangents: &Tangents<'_>, _start: &[f64], _end: &mut [f64]) {
+        unreachable!("a method that does not carry sensitivities is refused before it steps")
+    }
+
+    /// Sensitivities at `time` within the current step, over which they were carried from
+    /// `start`.
+    fn tangents_at(
+        &mut self,
+        _tangents: &Tangents<'_>,
+        _time: f64,
+        _start: &[f64],
+        _into: &mut [f64],
+    ) {
+        unreachable!("a method that does not carry sensitivities is refused before it steps")
+    }
+
     /// In so many parts of a step guards are looked at.
     fn parts(&self) -> usize {
         4
@@ -78,7 +96,7 @@ pub(super) fn rests(moves: impl Iterator<Item = (f64, f64)>, atol: &[f64]) -> bo
 
 /// What came of a step.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Trial {
+pub(crate) enum Trial {
     /// The error over what the tolerances allow; the step is good if that is at
     /// most 1.
     Error(f64),
@@ -102,7 +120,7 @@ impl Trial {
 /// the one before, the next is `safety` h e^-exponent e'^memory, within limits
 /// (a PI controller, Hairer, Norsett, Wanner, section II.4 and IV.2).
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Pace {
+pub(crate) struct Pace {
     pub(super) exponent: f64,
     pub(super) memory: f64,
     pub(super) safety: f64,
@@ -185,8 +203,10 @@ pub(super) fn drive<M: OneStep>(
             let stood_still = rests(moves.take(stretch.system.states()), stretch.atol);
             let has_moved = kept.put_back(method, stretch, now)?;
             stretch.require_bounded(now, &kept.end)?;
+            carry(method, stretch, now, &kept.end)?;
             sample(method, stretch, (now, &kept.end), state, samples)?;
             method.accept();
+            stretch.system.tangents().inspect(|tangents| tangents.accept());
             step = method.own_step().unwrap_or_else(|| {
                 let factor = pace.factor(pace.believed(error, tried, before), last_error);
                 tried * if rejected { factor.min(1.0) } else { factor }
@@ -353,6 +373,20 @@ pub(super) fn shrink(trial: Trial, pace: Pace) -> f64 {
     }
 }
 
+/// Carries sensitivities, if there are any, over the current step, which ends at `now` in a
+/// state on the constraints.
+fn carry<M: OneStep>(
+    method: &mut M,
+    stretch: &Stretch<'_>,
+    now: f64,
+    end: &[f64],
+) -> Result<(), Stopped> {
+    let Some(tangents) = stretch.system.tangents() else { return Ok(()) };
+    tangents.carry(method, stretch, now)?;
+    tangents.constrain_end(stretch, now, end);
+    Ok(())
+}
+
 /// Pushes what is wanted until the end of the current step, `now`, all of it on the
 /// constraints.
 fn sample<M: OneStep>(
@@ -363,7 +397,9 @@ fn sample<M: OneStep>(
     samples: &mut Samples<'_>,
 ) -> Result<(), Stopped> {
     while let Some(time) = samples.next_until(now) {
+        let tangents = stretch.system.tangents();
         if time >= now {
+            tangents.inspect(|tangents| tangents.sample_end());
             samples.push(end);
         } else {
             method.interpolate(time, scratch);
@@ -371,6 +407,7 @@ fn sample<M: OneStep>(
                 return Err(stretch.not_finite("the state", index, time));
             }
             stretch.constrain(time, scratch)?;
+            tangents.inspect(|tangents| tangents.sample(method, stretch, time, scratch));
             samples.push(scratch);
         }
     }

@@ -50,7 +50,7 @@ pub(crate) use stretch::cut;
 pub use stretch::{Samples, Stretch};
 pub use system::{System, Work};
 pub use watch::Watch;
-pub(crate) use one_step::OneStep;
+pub(crate) use one_step::{OneStep, Trial};
 pub(crate) use watch::{Happened, identically_zero};
 
 methods! {

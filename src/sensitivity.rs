@@ -24,10 +24,10 @@ use machinist_contract::{Derivatives, Describe, Dual, DualFunction, Real, Simula
 
 use crate::constraints::Constraints;
 use crate::error::{SimulateError, did_you_mean};
-use crate::method::{Method, OneStep, Samples, Stopped, Stretch};
+use crate::method::{Method, OneStep, Samples, Stopped, Stretch, Trial};
 use instant::Instant;
 
-pub(crate) use columns::{columns, name};
+pub(crate) use columns::columns;
 pub(crate) use instant::{Passing, moment};
 pub(crate) use start::Start;
 
@@ -84,6 +84,9 @@ pub(crate) struct Tangents<'a> {
     states: usize,
     /// (entry of dy'/dp, place in S) of the parameters among `by`.
     driven: Vec<(usize, usize)>,
+    /// Sizes of what is differentiated by.
+    sizes: Vec<f64>,
+    is_controlled: bool,
     inner: RefCell<Inner>,
     /// Values of dy'/dy and dy'/dp.
     scratch: RefCell<[Vec<f64>; 2]>,
@@ -109,7 +112,7 @@ impl<'a> Tangents<'a> {
     pub(crate) fn new(
         simulator: &'a dyn Simulator<f64>,
         parameters: &'a [f64],
-        by: Vec<By>,
+        (by, is_controlled): (Vec<By>, bool),
         from: f64,
     ) -> Result<Self, SimulateError> {
         let scene = || simulator.name().to_owned();
@@ -135,7 +138,24 @@ impl<'a> Tangents<'a> {
         let values = simulator.rate_jacobian_pattern().entries.len();
         let scratch = RefCell::new([vec![0.0; values], vec![0.0; pattern.len()]]);
         let inner = RefCell::new(inner);
-        Ok(Self { simulator, derivatives, parameters, by, states, driven, inner, scratch })
+        let size = |by: &By| match by {
+            By::Parameter(index) if parameters[*index] != 0.0 => parameters[*index].abs(),
+            By::Parameter(_) => 1.0,
+            By::Initial(index) => simulator.state_scale(*index),
+        };
+        let sizes = by.iter().map(size).collect();
+        Ok(Self {
+            simulator,
+            derivatives,
+            parameters,
+            by,
+            states,
+            driven,
+            sizes,
+            is_controlled,
+            inner,
+            scratch,
+        })
     }
 
     /// What is differentiated by.
@@ -183,19 +203,54 @@ impl<'a> Tangents<'a> {
         }
     }
 
-    /// Carries S over the current step of a method, which ends at `now`.
-    ///
-    /// # Errors
-    /// If it is no number there.
-    pub(crate) fn carry<M: OneStep>(
-        &self,
-        method: &mut M,
-        stretch: &Stretch<'_>,
-        now: f64,
-    ) -> Result<(), Stopped> {
+    /// Carries S over the current step of a method, whose states have this error: what came of
+    /// both.
+    pub(crate) fn carry<M: OneStep>(&self, method: &mut M, of_states: f64) -> Trial {
         let Inner { start, end, .. } = &mut *self.inner.borrow_mut();
-        method.carry(self, start, end);
-        self.require_finite(stretch, now, end)
+        let error = method.carry(self, start, end);
+        match end.iter().position(|value| !value.is_finite()) {
+            Some(place) => {
+                let index = place / self.by.len();
+                Trial::NotFinite { what: "a sensitivity of", index }
+            }
+            None if self.is_controlled && error.is_nan() => Trial::Error(f64::INFINITY),
+            None if self.is_controlled => Trial::Error(error.max(of_states)),
+            None => Trial::Error(of_states),
+        }
+    }
+
+    /// Errors of S over what is allowed, the greatest of all directions: root mean squares over
+    /// the states of
+    ///
+    /// ```text
+    /// error / (atol / |p| + rtol |S|)
+    /// ```
+    pub(crate) fn error(
+        &self,
+        stretch: &Stretch<'_>,
+        errors: &[f64],
+        (start, end): (&[f64], &[f64]),
+    ) -> f64 {
+        let count = self.by.len();
+        let mut sums = vec![0.0; count];
+        let rows = errors.chunks_exact(count).zip(start.chunks_exact(count));
+        for (((errors, start), end), atol) in
+            rows.zip(end.chunks_exact(count)).zip(&stretch.atol[..self.states])
+        {
+            for (k, sum) in sums.iter_mut().enumerate() {
+                let size = start[k].abs().max(end[k].abs());
+                let ratio = errors[k] / (atol / self.sizes[k] + stretch.rtol * size);
+                *sum += ratio * ratio;
+            }
+        }
+        // A NaN is kept.
+        let largest = sums.iter().fold(0.0, |a: f64, b| if *b <= a { a } else { *b });
+        (largest / self.states as f64).sqrt()
+    }
+
+    /// Whether S is under the control of error.
+    pub(crate) fn is_controlled(&self) -> bool {
+        self.is_controlled
     }
 
     fn require_finite(

@@ -56,6 +56,8 @@ pub struct Simulation<'a> {
     simulator: &'a dyn Simulator<f64>,
     parameters: Vec<f64>,
     initial_state: Option<Vec<f64>>,
+    /// Entries of the spec's initial state that are given otherwise.
+    initial_values: Vec<(usize, f64)>,
     from: f64,
     until: f64,
     sampling: Sampling,
@@ -65,6 +67,7 @@ pub struct Simulation<'a> {
     max_steps: usize,
     energy_balance: bool,
     sensitivities: Vec<By>,
+    controls_sensitivities: bool,
     interrupt: Option<&'a AtomicBool>,
 }
 
@@ -84,6 +87,7 @@ impl<'a> Simulation<'a> {
             simulator,
             parameters: parameters.collect(),
             initial_state: None,
+            initial_values: Vec::new(),
             from: defaults.from,
             until: defaults.until,
             sampling: Sampling::Points(defaults.points),
@@ -93,6 +97,7 @@ impl<'a> Simulation<'a> {
             max_steps: MAX_STEPS,
             energy_balance: false,
             sensitivities: Vec::new(),
+            controls_sensitivities: true,
             interrupt: None,
         }
     }
@@ -133,6 +138,34 @@ impl<'a> Simulation<'a> {
     pub fn initial_state(mut self, state: &[f64]) -> Self {
         self.initial_state = Some(state.to_vec());
         self
+    }
+
+    /// Starts with this value of one state, in its unit, and otherwise as the spec says or as
+    /// set by [`Simulation::initial_state`].
+    ///
+    /// # Errors
+    /// [`SimulateError::UnknownDirection`], with the nearest known name.
+    pub fn initial_value(mut self, name: &str, value: f64) -> Result<Self, SimulateError> {
+        let states = || (0..self.simulator.shape().states()).map(|i| self.simulator.state(i).name);
+        let index = states().position(|known| known == name).ok_or_else(|| {
+            SimulateError::UnknownDirection {
+                scene: self.simulator.name().to_owned(),
+                name: name.to_owned(),
+                hint: did_you_mean(name, states()),
+            }
+        })?;
+        self.initial_values.retain(|(other, _)| *other != index);
+        self.initial_values.push((index, value));
+        Ok(self)
+    }
+
+    /// Sets a parameter, or the initial value of a state if none has this name.
+    #[cfg(feature = "fit")]
+    pub(crate) fn given(self, name: &str, value: f64) -> Result<Self, SimulateError> {
+        match By::named(self.simulator, name)? {
+            By::Parameter(_) => self.parameter(name, value),
+            By::Initial(_) => self.initial_value(name, value),
+        }
     }
 
     /// Starts at this time \[s\].
@@ -235,6 +268,15 @@ impl<'a> Simulation<'a> {
         Ok(self)
     }
 
+    /// Whether errors of sensitivities shorten steps, as those of states do; so it is unless
+    /// set. Without that they are the derivatives of a run that is as exact as without them, but
+    /// may themselves be far less so: where an event excites what decays fast, and the states
+    /// do not show it.
+    pub fn with_controlled_sensitivities(mut self, wanted: bool) -> Self {
+        self.controls_sensitivities = wanted;
+        self
+    }
+
     /// The simulator.
     #[must_use]
     pub fn simulator(&self) -> &'a dyn Simulator<f64> {
@@ -242,7 +284,7 @@ impl<'a> Simulation<'a> {
     }
 
     /// Where the run starts \[s\].
-    #[cfg(feature = "linear")]
+    #[cfg(any(feature = "fit", feature = "linear"))]
     pub(crate) fn start_time(&self) -> f64 {
         self.from
     }
@@ -361,10 +403,11 @@ impl<'a> Simulation<'a> {
         if self.sensitivities.is_empty() {
             return Ok(None);
         }
-        let by = self.sensitivities.clone();
+        let by = (self.sensitivities.clone(), self.controls_sensitivities);
         let tangents = Tangents::new(self.simulator, &self.parameters, by, self.from)?;
         let is_of_spec = self.initial_state.is_none();
-        tangents.begin(&Start { time: self.from, state: initial, is_of_spec })?;
+        let set: Vec<usize> = self.initial_values.iter().map(|(index, _)| *index).collect();
+        tangents.begin(&Start { time: self.from, state: initial, is_of_spec, set: &set })?;
         Ok(Some(tangents))
     }
 
@@ -435,11 +478,16 @@ impl<'a> Simulation<'a> {
 
     fn checked_initial_state(&self) -> Result<Vec<f64>, SimulateError> {
         let states = self.simulator.shape().states();
-        let state = self.initial_state.clone().unwrap_or_else(|| {
+        let mut state = self.initial_state.clone().unwrap_or_else(|| {
             let mut state = vec![0.0; states];
             self.simulator.initial_state(&self.parameters, &mut state);
             state
         });
+        for (index, value) in &self.initial_values {
+            if let Some(entry) = state.get_mut(*index) {
+                *entry = *value;
+            }
+        }
         let name = |index| format!("initial value of `{}`", self.simulator.state(index).name);
         self.check_list("states", &state, states, name)?;
         // A state of the caller's is near enough to the constraints, or a guess.

@@ -40,6 +40,12 @@ pub struct Trajectory {
     pub energy_balance: Option<EnergyBalance>,
 }
 
+/// The name of the column of a derivative.
+#[must_use]
+pub fn sensitivity_name(of: &str, by: &str) -> String {
+    format!("d({of})/d({by})")
+}
+
 /// Why a run ended before its end.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Stop {
@@ -150,7 +156,7 @@ impl Trajectory {
     /// d(of)/d(by) of a state or an output, if the run was asked for it.
     #[must_use]
     pub fn sensitivity(&self, of: &str, by: &str) -> Option<&[f64]> {
-        self.column(&crate::sensitivity::name(of, by))
+        self.column(&sensitivity_name(of, by))
     }
 
     /// The value at the end of the run of the column of this name.

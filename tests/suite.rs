@@ -26,6 +26,7 @@ mod place;
 mod prepared;
 mod series;
 mod simulate;
+mod sensitivities;
 mod sparsity;
 mod sweep;
 mod taylor;

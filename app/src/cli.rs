@@ -32,6 +32,7 @@ mod report;
 mod response;
 mod run;
 pub mod scene;
+mod sensitivity;
 mod show;
 #[cfg(feature = "derive")]
 pub mod specs;
@@ -81,6 +82,8 @@ enum Command {
     Explain(explain::Explain),
     /// Simulate a scene
     Run(run::Run),
+    /// Which parameters matter for which outputs, along a run
+    Sensitivity(sensitivity::Sensitivity),
     /// Simulate many variants of a scene, to a table
     Sweep(sweep::Sweep),
     /// Measure error against run time of all methods on a scene
@@ -136,6 +139,7 @@ pub fn main() -> ExitCode {
         #[cfg(feature = "derive")]
         Command::Explain(command) => command.execute(),
         Command::Run(command) => command.execute(),
+        Command::Sensitivity(command) => command.execute(),
         Command::Sweep(command) => command.execute(),
         Command::Bench(command) => command.execute(),
         Command::Stability(command) => command.execute(),

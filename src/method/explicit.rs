@@ -107,6 +107,24 @@ impl<'a> ExplicitSteps<'a> {
         }
     }
 
+    fn error_of_tangents(
+        &self,
+        carried: &mut Carried,
+        tangents: &Tangents<'_>,
+        ends: (&[f64], &[f64]),
+    ) -> f64 {
+        let Carried { width, stages, argument, .. } = carried;
+        let mut norm = |row: &Row| {
+            combine(&sum(row, *width), stages, self.step, None, argument);
+            tangents.error(self.stretch, &argument[..tangents.len()], ends)
+        };
+        let error = norm(&self.pair.estimates[0]);
+        match self.pair.estimates.get(1) {
+            Some(lower) if error > 0.0 => blended(error, norm(lower)),
+            _ => error,
+        }
+    }
+
     /// A stage of the sensitivities: their rate where those before it lead.
     fn carry_stage(&mut self, carried: &mut Carried, tangents: &Tangents<'_>, stage: usize) {
         let Carried { width, stages, sums, argument, start, state, .. } = carried;
@@ -164,10 +182,7 @@ impl<'a> ExplicitSteps<'a> {
         };
         let error = norm(&self.estimates[0]);
         match self.estimates.get(1) {
-            Some(lower) if error > 0.0 => {
-                let lower = norm(lower);
-                error * (error / (error * error + 0.01 * lower * lower).sqrt())
-            }
+            Some(lower) if error > 0.0 => blended(error, norm(lower)),
             _ => error,
         }
     }
@@ -199,6 +214,11 @@ impl<'a> ExplicitSteps<'a> {
         }
         self.has_extra_stages = true;
     }
+}
+
+/// The error by an estimate of higher order and one of lower order.
+fn blended(error: f64, lower: f64) -> f64 {
+    error * (error / (error * error + 0.01 * lower * lower).sqrt())
 }
 
 #[derive(Clone, Copy)]
@@ -306,17 +326,24 @@ impl OneStep for ExplicitSteps<'_> {
         }
     }
 
-    fn carry(&mut self, tangents: &Tangents<'_>, start: &[f64], end: &mut [f64]) {
-        let Some(mut carried) = self.carried.take() else { return };
+    fn carry(&mut self, tangents: &Tangents<'_>, start: &[f64], end: &mut [f64]) -> f64 {
+        let Some(mut carried) = self.carried.take() else { return f64::NAN };
         carried.start[..start.len()].copy_from_slice(start);
         carried.has_extra_stages = false;
         let last = self.pair.rows.len() - 1;
         for stage in usize::from(carried.has_first_stage)..=last {
             self.carry_stage(&mut carried, tangents, stage);
         }
+        carried.has_first_stage = true;
         // The last stage is at the end of the step.
         end.copy_from_slice(&carried.argument[..end.len()]);
+        let error = if tangents.is_controlled() {
+            self.error_of_tangents(&mut carried, tangents, (start, end))
+        } else {
+            0.0
+        };
         self.carried = Some(carried);
+        error
     }
 
     fn tangents_at(

@@ -57,8 +57,9 @@ pub(crate) trait OneStep {
         false
     }
 
-    /// Carries sensitivities over the current step, from its start to its end.
-    fn carry(&mut self, _tangents: &Tangents<'_>, _start: &[f64], _end: &mut [f64]) {
+    /// Carries sensitivities over the current step, from its start to its end; gives their
+    /// error over what is allowed, as [`Tangents::error`] has it.
+    fn carry(&mut self, _tangents: &Tangents<'_>, _start: &[f64], _end: &mut [f64]) -> f64 {
         unreachable!("a method that does not carry sensitivities is refused before it steps")
     }
 
@@ -167,6 +168,12 @@ pub(super) fn drive<M: OneStep>(
             let between = method.error_between();
             trial = Trial::Error(if between <= error { error } else { between });
         }
+        if let Trial::Error(error) = trial
+            && error <= 1.0
+            && let Some(tangents) = stretch.system.tangents()
+        {
+            trial = tangents.carry(method, error);
+        }
         let pace = method.pace();
         let is_good = trial.is_good();
         let passing = passing(method, stretch, now, is_good);
@@ -203,7 +210,7 @@ pub(super) fn drive<M: OneStep>(
             let stood_still = rests(moves.take(stretch.system.states()), stretch.atol);
             let has_moved = kept.put_back(method, stretch, now)?;
             stretch.require_bounded(now, &kept.end)?;
-            carry(method, stretch, now, &kept.end)?;
+            constrain_tangents(stretch, now, &kept.end);
             sample(method, stretch, (now, &kept.end), state, samples)?;
             method.accept();
             stretch.system.tangents().inspect(|tangents| tangents.accept());
@@ -373,18 +380,12 @@ pub(super) fn shrink(trial: Trial, pace: Pace) -> f64 {
     }
 }
 
-/// Carries sensitivities, if there are any, over the current step, which ends at `now` in a
-/// state on the constraints.
-fn carry<M: OneStep>(
-    method: &mut M,
-    stretch: &Stretch<'_>,
-    now: f64,
-    end: &[f64],
-) -> Result<(), Stopped> {
-    let Some(tangents) = stretch.system.tangents() else { return Ok(()) };
-    tangents.carry(method, stretch, now)?;
-    tangents.constrain_end(stretch, now, end);
-    Ok(())
+/// Puts sensitivities, if there are any, at the end of the current step onto what constraints
+/// leave free in a state on them.
+fn constrain_tangents(stretch: &Stretch<'_>, now: f64, end: &[f64]) {
+    if let Some(tangents) = stretch.system.tangents() {
+        tangents.constrain_end(stretch, now, end);
+    }
 }
 
 /// Pushes what is wanted until the end of the current step, `now`, all of it on the

@@ -3,7 +3,7 @@
 use machinist_contract::{DualFunction, Quantity, Simulator};
 
 use super::{By, Tangents};
-use crate::trajectory::{Column, ColumnKind};
+use crate::trajectory::{Column, ColumnKind, sensitivity_name};
 
 /// `d(y)/d(p)` of every state, then of every output, by each p in turn.
 ///
@@ -44,17 +44,12 @@ fn column(of: Quantity<'_>, by: By, simulator: &dyn Simulator<f64>, values: Vec<
         By::Initial(_) => "the initial value of ",
     };
     Column {
-        name: name(of.name, quantity.name),
+        name: sensitivity_name(of.name, quantity.name),
         unit: unit(of.unit, quantity.unit),
         kind: ColumnKind::Sensitivity,
         doc: format!("derivative of `{}` by {what}`{}`", of.name, quantity.name),
         values,
     }
-}
-
-/// The name of the column of a derivative.
-pub(crate) fn name(of: &str, by: &str) -> String {
-    format!("d({of})/d({by})")
 }
 
 /// One unit over another.

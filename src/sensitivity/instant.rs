@@ -60,7 +60,7 @@ impl Tangents<'_> {
         state: &[f64],
     ) -> Result<(), Stopped> {
         let mut found: Option<Vec<f64>> = None;
-        for (_, shifts) in self.jumps().into_iter().filter(|jump| jump.0.to_bits() == time.to_bits())
+        for (_, shifts) in self.jump_times().into_iter().filter(|jump| jump.0.to_bits() == time.to_bits())
         {
             if let Some(others) = &found {
                 self.require_same(time, others, &shifts)?;
@@ -104,13 +104,8 @@ impl Tangents<'_> {
         kinks: &[usize],
         (behind, after): (f64, &[f64]),
     ) -> Result<(), Stopped> {
-        /// Of the rate itself: what it changes by within no time is no jump.
-        const JUMPS: f64 = 1e-8;
         let rates = self.rates(stretch, passing.front, (behind, after));
-        let jumps = rates[0].iter().zip(&rates[1]).take(self.states).any(|(before, after)| {
-            (before - after).abs() > JUMPS * before.abs().max(after.abs())
-        });
-        if !jumps {
+        if !self.jumps(stretch, passing.front, (behind, after), &rates) {
             return Ok(());
         }
         let mut found: Option<Vec<f64>> = None;
@@ -126,6 +121,32 @@ impl Tangents<'_> {
             self.inner.borrow_mut().latest = Instant { time: passing.time, shifts };
         }
         Ok(())
+    }
+
+    /// Whether the rate is another one on both sides, by more than it changes beside them.
+    fn jumps(
+        &self,
+        stretch: &Stretch<'_>,
+        front: (f64, &[f64]),
+        behind: (f64, &[f64]),
+        rates: &[Vec<f64>; 2],
+    ) -> bool {
+        const BESIDE: f64 = 100.0;
+        const ROUNDING: f64 = 1e-13;
+        let by = moment(stretch, front.0);
+        let aside = |(time, state): (f64, &[f64]), rate: &[f64], by: f64| {
+            let moved: Vec<f64> = state.iter().zip(rate).map(|(y, f)| y + by * f).collect();
+            (time + by, moved)
+        };
+        let earlier = aside(front, &rates[0], -by);
+        let later = aside(behind, &rates[1], by);
+        let beside = self.rates(stretch, (earlier.0, &earlier.1), (later.0, &later.1));
+        (0..self.states).any(|index| {
+            let [before, after] = [0, 1].map(|side: usize| rates[side][index]);
+            let change = |side: usize| (beside[side][index] - rates[side][index]).abs();
+            let size = before.abs().max(after.abs());
+            (before - after).abs() > BESIDE * (change(0) + change(1)) + ROUNDING * size
+        })
     }
 
     fn rates(

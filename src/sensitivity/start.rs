@@ -13,6 +13,8 @@ pub(crate) struct Start<'s> {
     /// What the spec gives, before constraints moved it; nothing if the caller has given a
     /// state.
     pub(crate) is_of_spec: bool,
+    /// Entries that are given otherwise than by the spec.
+    pub(crate) set: &'s [usize],
 }
 
 impl Tangents<'_> {
@@ -31,6 +33,9 @@ impl Tangents<'_> {
             let zeros = vec![0.0; self.states];
             let slopes = self.slopes(function, self.states, start.time, &zeros, &none);
             tangents = slopes.concat();
+            for index in start.set {
+                tangents[index * count..][..count].fill(0.0);
+            }
         }
         for (direction, by) in self.by.iter().enumerate() {
             if let By::Initial(index) = by {
@@ -60,7 +65,7 @@ impl Tangents<'_> {
 
     /// A jump at the very start is within the run or before it, as its parameter moves.
     fn refuse_jumps_at(&self, from: f64) -> Result<(), SimulateError> {
-        for (time, shifts) in self.jumps() {
+        for (time, shifts) in self.jump_times() {
             if let Some(direction) = shifts.iter().position(|shift| *shift != 0.0)
                 && time.to_bits() == from.to_bits()
             {
@@ -76,7 +81,7 @@ impl Tangents<'_> {
     }
 
     /// Times of jumps, and how they move with what is differentiated by.
-    pub(super) fn jumps(&self) -> Vec<(f64, Vec<f64>)> {
+    pub(super) fn jump_times(&self) -> Vec<(f64, Vec<f64>)> {
         let count = self.simulator.shape().discontinuities;
         let mut jumps = vec![(0.0, Vec::with_capacity(self.by.len())); count];
         let mut results = vec![Dual::constant(0.0); count];
@@ -164,6 +169,9 @@ impl Tangents<'_> {
                 let mut state = start.state.to_vec();
                 if start.is_of_spec {
                     self.simulator.initial_state(&parameters, &mut state);
+                    for index in start.set {
+                        state[*index] = start.state[*index];
+                    }
                 }
                 if let By::Initial(index) = by {
                     state[*index] += by_how_much;

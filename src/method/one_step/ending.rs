@@ -1,6 +1,6 @@
 //! Steps that end where a guard passes zero.
 
-use super::{Kept, OneStep, carry, sample};
+use super::{Kept, OneStep, constrain_tangents, sample};
 use crate::error::StopCause;
 use crate::method::{Samples, Stopped, Stretch, Watch};
 use crate::sensitivity::{Passing, moment};
@@ -37,6 +37,11 @@ pub(super) fn end_at<M: OneStep>(
     let Some(time) = reach(method, watch, (from, until), passing) else {
         return Ok(Ending::NotReached);
     };
+    if let Some(tangents) = stretch.system.tangents()
+        && !tangents.carry(method, 0.0).is_good()
+    {
+        return Ok(Ending::NotReached);
+    }
     stretch.system.count(|work| work.steps += 1);
     if stretch.system.work().steps >= stretch.max_steps as u64 {
         let cause = StopCause::TooManySteps { limit: stretch.max_steps };
@@ -44,7 +49,7 @@ pub(super) fn end_at<M: OneStep>(
     }
     let mut kept = Kept::new(state);
     kept.put_back(method, stretch, time)?;
-    carry(method, stretch, time, &kept.end)?;
+    constrain_tangents(stretch, time, &kept.end);
     sample(method, stretch, (time, &kept.end), state, samples)?;
     if let Some(tangents) = stretch.system.tangents() {
         tangents.accept();

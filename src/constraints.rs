@@ -161,12 +161,7 @@ impl<'a> Constraints<'a> {
     }
 
     /// The matrix of \[M, G^T; G, 0\].
-    pub(crate) fn saddle(
-        &self,
-        time: f64,
-        state: &[f64],
-        matrix: &DMatrix<f64>,
-    ) -> DMatrix<f64> {
+    pub(crate) fn saddle(&self, time: f64, state: &[f64], matrix: &DMatrix<f64>) -> DMatrix<f64> {
         let (n, m) = (self.coordinates, self.count);
         let pattern = self.simulator.mass_matrix_pattern();
         let mut values = vec![0.0; pattern.entries.len()];

@@ -106,9 +106,8 @@ impl Fit<'_> {
     /// Bounds, as the search knows them.
     #[must_use]
     pub fn bounds(&self) -> Vec<(f64, f64)> {
-        let of = |unknown: &Unknown| {
-            (unknown.inner(unknown.bounds.0), unknown.inner(unknown.bounds.1))
-        };
+        let of =
+            |unknown: &Unknown| (unknown.inner(unknown.bounds.0), unknown.inner(unknown.bounds.1));
         self.unknowns.iter().map(of).collect()
     }
 
@@ -236,9 +235,6 @@ impl FitError {
     /// Whether somebody has asked to stop.
     #[must_use]
     pub fn is_interrupted(&self) -> bool {
-        matches!(
-            self,
-            Self::Simulate(SimulateError::Stopped { cause: StopCause::Interrupted, .. })
-        )
+        matches!(self, Self::Simulate(SimulateError::Stopped { cause: StopCause::Interrupted, .. }))
     }
 }

@@ -46,11 +46,11 @@ use serde::{Serialize, Serializer};
 use crate::error::{NotCompiledIn, StopCause, UnknownMethod, did_you_mean};
 use crate::sensitivity::Passing;
 use crate::trajectory::Switch;
+pub(crate) use one_step::{OneStep, Trial};
 pub(crate) use stretch::cut;
 pub use stretch::{Samples, Stretch};
 pub use system::{System, Work};
 pub use watch::Watch;
-pub(crate) use one_step::{OneStep, Trial};
 pub(crate) use watch::{Happened, identically_zero};
 
 methods! {

@@ -42,10 +42,7 @@ pub(crate) enum By {
 
 impl By {
     /// The parameter of a name, else the state.
-    pub(crate) fn named(
-        simulator: &dyn Simulator<f64>,
-        name: &str,
-    ) -> Result<Self, SimulateError> {
+    pub(crate) fn named(simulator: &dyn Simulator<f64>, name: &str) -> Result<Self, SimulateError> {
         let shape = simulator.shape();
         let parameters = || (0..shape.parameters).map(|index| simulator.parameter(index).name);
         let states = || (0..shape.states()).map(|index| simulator.state(index).name);
@@ -261,9 +258,7 @@ impl<'a> Tangents<'a> {
     ) -> Result<(), Stopped> {
         match tangents.iter().position(|value| !value.is_finite()) {
             None => Ok(()),
-            Some(place) => {
-                Err(stretch.not_finite("a sensitivity of", place / self.by.len(), time))
-            }
+            Some(place) => Err(stretch.not_finite("a sensitivity of", place / self.by.len(), time)),
         }
     }
 

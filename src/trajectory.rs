@@ -92,6 +92,8 @@ pub enum ColumnKind {
     /// Derivative of a state or an output by a parameter or an initial value,
     /// `d(coupling.twist)/d(coupling.stiffness)`.
     Sensitivity,
+    /// What was measured.
+    Measured,
 }
 
 /// The energy account of a run: what a machine stores must be what it was

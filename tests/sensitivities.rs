@@ -254,7 +254,7 @@ fn scenes_with_events_agree_with_differences() {
         for by in by {
             let off = off_differences(
                 scene,
-                &|run| run.rtol(1e-12).method(Method::Dop853).until(until).points(101),
+                &|run| run.rtol(1e-12).method(Method::Dop853).until(until).points(97),
                 by,
                 step,
             );
@@ -278,7 +278,7 @@ fn smooth_scenes_agree_with_differences() {
                 scene,
                 &|run| run.rtol(1e-12).method(Method::Dop853).until(until).points(21),
                 by,
-                2e-3,
+                1e-3,
             );
             assert!(off < 1e-8, "{name} by {by}: {off:e}");
         }

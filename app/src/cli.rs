@@ -17,6 +17,7 @@ mod completions;
 mod derive;
 #[cfg(feature = "derive")]
 pub mod explain;
+mod fit;
 #[cfg(feature = "derive")]
 mod generate;
 mod linear;
@@ -84,6 +85,8 @@ enum Command {
     Run(run::Run),
     /// Which parameters matter for which outputs, along a run
     Sensitivity(sensitivity::Sensitivity),
+    /// Find parameters of a scene from measured runs
+    Fit(fit::FitCommand),
     /// Simulate many variants of a scene, to a table
     Sweep(sweep::Sweep),
     /// Measure error against run time of all methods on a scene
@@ -140,6 +143,7 @@ pub fn main() -> ExitCode {
         Command::Explain(command) => command.execute(),
         Command::Run(command) => command.execute(),
         Command::Sensitivity(command) => command.execute(),
+        Command::Fit(command) => command.execute(),
         Command::Sweep(command) => command.execute(),
         Command::Bench(command) => command.execute(),
         Command::Stability(command) => command.execute(),

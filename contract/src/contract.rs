@@ -1,8 +1,8 @@
 //! What every simulator offers: [`Describe`] (names, units, shapes, patterns)
 //! and [`Simulator`] (the numbers).
 
-use crate::dual::Derivatives;
 use crate::Real;
+use crate::dual::Derivatives;
 use crate::linear::LinearEquations;
 use crate::taylor::TaylorSeries;
 

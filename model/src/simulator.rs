@@ -10,8 +10,8 @@ use std::sync::{Arc, OnceLock};
 use machinist_contract::linear::LinearEquations;
 use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_contract::{
-    Constraint, Derivatives, Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape,
-    Simulator, SparsityPattern,
+    Constraint, Derivatives, Describe, Direction, Energy, Event, PowerBalance, Quantity,
+    RunDefaults, Shape, Simulator, SparsityPattern,
 };
 
 use crate::functions::{FUNCTIONS, FunctionId};

@@ -156,6 +156,10 @@ pub fn least_squares(
         }
         found.steps += 1;
         let tried = evaluate(&ahead);
+        if tried.is_err() && search.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+            found.end = End::Interrupted;
+            return Ok(found);
+        }
         let better = match tried {
             Ok(evaluation) => {
                 let cost = cost_of(&evaluation, search.loss);

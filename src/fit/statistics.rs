@@ -52,13 +52,10 @@ pub fn statistics(
     let (m, all) = (jacobian.nrows(), jacobian.ncols());
     let free: Vec<usize> = (0..all).filter(|k| !held[*k]).collect();
     let freedom = m.saturating_sub(free.len());
-    let variance = if freedom > 0 {
-        residuals.norm_squared() / freedom as f64
-    } else {
-        f64::NAN
-    };
+    let variance = if freedom > 0 { residuals.norm_squared() / freedom as f64 } else { f64::NAN };
     let deviation = variance.sqrt();
-    let relative = DMatrix::from_fn(m, free.len(), |row, k| jacobian[(row, free[k])] * sizes[free[k]]);
+    let relative =
+        DMatrix::from_fn(m, free.len(), |row, k| jacobian[(row, free[k])] * sizes[free[k]]);
     let svd = relative.svd(false, true);
     let turns = svd.v_t.unwrap_or_else(|| DMatrix::identity(free.len(), free.len()));
     let largest = svd.singular_values.iter().copied().fold(0.0, f64::max);
@@ -169,8 +166,7 @@ mod tests {
             residuals: DVector::from_fn(5, |k, _| offset + slope * x[k] - y[k]),
             jacobian: DMatrix::from_fn(5, 2, |k, j| if j == 0 { 1.0 } else { x[k] }),
         };
-        let found =
-            statistics(&evaluation, Loss::Squares, (&[1.0, 1.0], 100.0), &[false, false]);
+        let found = statistics(&evaluation, Loss::Squares, (&[1.0, 1.0], 100.0), &[false, false]);
         let s2 = evaluation.residuals.norm_squared() / 3.0;
         assert!((found.errors[1] - (s2 / spread).sqrt()).abs() < 1e-12);
         assert!((found.errors[0] - (s2 * (0.2 + 9.0 / spread)).sqrt()).abs() < 1e-12);

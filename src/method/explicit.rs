@@ -5,10 +5,10 @@
 //! no zero coefficient is ever multiplied.
 
 use super::lanes::{Sum, combine, padded, sum};
-use crate::sensitivity::Tangents;
 use super::one_step::{OneStep, Pace, Trial, drive_all, first_step};
 use super::tableau::{DOP853, Pair, Row, TSIT5};
 use super::{Integrator, Samples, Sealed, Stopped, Stretch};
+use crate::sensitivity::Tangents;
 
 /// [`TSIT5`].
 pub(super) struct Tsit5;
@@ -346,13 +346,7 @@ impl OneStep for ExplicitSteps<'_> {
         error
     }
 
-    fn tangents_at(
-        &mut self,
-        tangents: &Tangents<'_>,
-        time: f64,
-        start: &[f64],
-        into: &mut [f64],
-    ) {
+    fn tangents_at(&mut self, tangents: &Tangents<'_>, time: f64, start: &[f64], into: &mut [f64]) {
         if !self.has_extra_stages {
             self.add_extra_stages();
         }

@@ -4,8 +4,8 @@
 mod ending;
 
 use super::{Samples, Stopped, Stretch};
-use crate::sensitivity::Tangents;
 use crate::error::StopCause;
+use crate::sensitivity::Tangents;
 use ending::{Ending, end_at};
 
 /// A method that needs nothing but the state at the start of a step.

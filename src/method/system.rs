@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::Stopped;
 use crate::constraints::Constraints;
-use crate::sensitivity::Tangents;
 use crate::error::StopCause;
+use crate::sensitivity::Tangents;
 use machinist_contract::{Simulator, SparsityPattern};
 use serde::Serialize;
 

@@ -60,7 +60,8 @@ impl Tangents<'_> {
         state: &[f64],
     ) -> Result<(), Stopped> {
         let mut found: Option<Vec<f64>> = None;
-        for (_, shifts) in self.jump_times().into_iter().filter(|jump| jump.0.to_bits() == time.to_bits())
+        for (_, shifts) in
+            self.jump_times().into_iter().filter(|jump| jump.0.to_bits() == time.to_bits())
         {
             if let Some(others) = &found {
                 self.require_same(time, others, &shifts)?;
@@ -264,10 +265,8 @@ impl Tangents<'_> {
             }
             if let Some(constraints) = system.constraints() {
                 let at = (time, &parameters[..]);
-                put_back(self, constraints, at, &mut state, after).map_err(|cause| Stopped {
-                    time: passing.time,
-                    cause,
-                })?;
+                put_back(self, constraints, at, &mut state, after)
+                    .map_err(|cause| Stopped { time: passing.time, cause })?;
             }
             for (index, dual) in state.iter().enumerate() {
                 mapped[index * count..][directions.clone()]
@@ -330,7 +329,11 @@ impl Tangents<'_> {
     /// Refuses what happens at once with what happened just before, but moves otherwise.
     fn require_apart(&self, time: f64, shifts: &[f64]) -> Result<(), Stopped> {
         let latest = self.inner.borrow().latest.clone();
-        if is_at(latest.time, time) { self.require_same(time, &latest.shifts, shifts) } else { Ok(()) }
+        if is_at(latest.time, time) {
+            self.require_same(time, &latest.shifts, shifts)
+        } else {
+            Ok(())
+        }
     }
 
     fn require_same(&self, time: f64, a: &[f64], b: &[f64]) -> Result<(), Stopped> {
@@ -419,7 +422,8 @@ fn put_back(
 
     // nu of the move itself.
     let gained = &matrix * &moved;
-    let right_side = DMatrix::from_fn(n + m, 1, |i, _| if i < n { 0.0 } else { gained[(i - n, 0)] });
+    let right_side =
+        DMatrix::from_fn(n + m, 1, |i, _| if i < n { 0.0 } else { gained[(i - n, 0)] });
     let multipliers = saddle.solve(&right_side).ok_or_else(lost)?;
     let mut top = DMatrix::zeros(n, lanes);
     let pattern = simulator.mass_matrix_pattern().entries;

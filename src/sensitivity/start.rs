@@ -123,9 +123,13 @@ impl Tangents<'_> {
             let rows = self.simulator.constraints();
             let slopes = self.slopes(function, rows, start.time, start.state, tangents);
             let at = (start.time, start.state);
-            let Some(free) =
-                crate::constraints::free_moves(self.simulator, self.parameters, level, at, &is_given)
-            else {
+            let Some(free) = crate::constraints::free_moves(
+                self.simulator,
+                self.parameters,
+                level,
+                at,
+                &is_given,
+            ) else {
                 continue;
             };
             let moves = free.solve(&slopes);

@@ -209,9 +209,9 @@ impl Sensitivity {
         let all = simulation.parameter_values().iter().enumerate();
         let named = all.map(|(index, value)| (simulator.parameter(index).name.to_owned(), *value));
         let (zero, others): (Vec<_>, Vec<_>) = named.partition(|(_, value)| *value == 0.0);
-        let left_out = zero.into_iter().map(|(name, _)| {
-            format!("{name} is 0, so that no change of it is relative")
-        });
+        let left_out = zero
+            .into_iter()
+            .map(|(name, _)| format!("{name} is 0, so that no change of it is relative"));
         (others.into_iter().map(|(name, _)| name).collect(), left_out.collect())
     }
 
@@ -305,7 +305,8 @@ fn effects(
         let Some(values) = trajectory.column(output) else { continue };
         let scale = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         for name in by {
-            let (Some(value), Some(slopes)) = (value_of(name), trajectory.sensitivity(output, name))
+            let (Some(value), Some(slopes)) =
+                (value_of(name), trajectory.sensitivity(output, name))
             else {
                 continue;
             };

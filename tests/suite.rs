@@ -12,6 +12,7 @@ mod contacts;
 mod events;
 mod exact;
 mod fields;
+mod fits;
 mod independent;
 mod interpreted;
 mod kinks;

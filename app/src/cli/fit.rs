@@ -137,6 +137,8 @@ impl FitCommand {
         let (unknowns, are_parameters): (Vec<Unknown>, Vec<bool>) = unknowns.into_iter().unzip();
         let flag = interrupt::flag();
         let simulation = simulation.until_flagged(&flag);
+        let limit = steps_of(&simulation, &unknowns, &measured);
+        let simulation = simulation.max_steps(limit);
         let fit = fit::Fit { simulation: &simulation, unknowns: &unknowns, measured: &measured };
         let count = values(&measured).count();
         if count < unknowns.len() {
@@ -417,6 +419,19 @@ impl FitCommand {
         let message = format!("--out {}: this program was built without specs", file.display());
         Err(Failure::input(message, "take the values from the table, or `--json`"))
     }
+}
+
+/// Steps that a variant may take before it is given up: many times those of the start.
+fn steps_of(simulation: &Simulation<'_>, unknowns: &[Unknown], measured: &[Measured]) -> usize {
+    const TIMES: u64 = 50;
+    const LEAST: u64 = 20_000;
+    const UNKNOWN: u64 = 200_000;
+    let first = simulation.clone().max_steps(UNKNOWN as usize);
+    let fit = fit::Fit { simulation: &first, unknowns, measured };
+    let starts: Vec<f64> = unknowns.iter().map(|unknown| unknown.start).collect();
+    let runs = measured.iter().map(|measured| fit.run(measured, &starts, false));
+    let most = runs.map(|run| run.map_or(UNKNOWN / TIMES, |run| run.work.steps)).max();
+    (TIMES * most.unwrap_or_default()).max(LEAST) as usize
 }
 
 /// Values of all measured columns.

@@ -200,6 +200,16 @@ impl<'a> Tangents<'a> {
         }
     }
 
+    /// The entries of dy'/dy where [`Tangents::rate`] was last asked for: row, column, value.
+    #[cfg(feature = "implicit")]
+    pub(crate) fn for_each_slope(&self, mut look: impl FnMut(usize, usize, f64)) {
+        let [jacobian, _] = &*self.scratch.borrow();
+        let entries = self.simulator.rate_jacobian_pattern().entries;
+        for ((row, column), value) in entries.iter().zip(jacobian) {
+            look(*row as usize, *column as usize, *value);
+        }
+    }
+
     /// Carries S over the current step of a method, whose states have this error: what came of
     /// both.
     pub(crate) fn carry<M: OneStep>(&self, method: &mut M, of_states: f64) -> Trial {
@@ -407,11 +417,15 @@ impl Method {
     /// Whether the method carries sensitivities with the states.
     #[must_use]
     pub fn carries_sensitivities(self) -> bool {
-        matches!(self, Self::Tsit5 | Self::Dop853)
+        matches!(self, Self::Tsit5 | Self::Dop853 | Self::Radau | Self::Auto)
     }
 
     /// The method for a run with sensitivities, where it was left to the scene or to `auto`.
     pub(crate) fn for_sensitivities(self) -> Self {
-        if self.carries_sensitivities() { self } else { Self::Dop853 }
+        match self {
+            carries if carries.carries_sensitivities() => self,
+            _ if Self::Auto.is_compiled_in() => Self::Auto,
+            _ => Self::Dop853,
+        }
     }
 }

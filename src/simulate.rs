@@ -256,8 +256,8 @@ impl<'a> Simulation<'a> {
     /// the unit of the one over that of the other.
     ///
     /// They are derivatives of what the method computes with the steps it takes, also through
-    /// events, whose times move. A method that was not chosen, and `auto`, give way to one that
-    /// carries them.
+    /// events, whose times move. A method of the scene's that does not carry them gives way to one
+    /// that does.
     ///
     /// # Errors
     /// [`SimulateError::UnknownDirection`], with the nearest known name;
@@ -386,7 +386,7 @@ impl<'a> Simulation<'a> {
     /// The method, if it carries sensitivities or none are asked for; one that does, where it
     /// was not chosen.
     fn method_for_sensitivities(&self, asked: Method) -> Result<Method, SimulateError> {
-        let is_left_open = self.method.is_none_or(|method| method == Method::Auto);
+        let is_left_open = self.method.is_none();
         if self.sensitivities.is_empty() || asked.carries_sensitivities() {
             Ok(asked)
         } else if is_left_open {

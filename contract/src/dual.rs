@@ -61,6 +61,7 @@ impl Sub for Dual {
     }
 }
 
+#[allow(clippy::suspicious_arithmetic_impl, reason = "the product rule")]
 impl Mul for Dual {
     type Output = Self;
     #[inline(always)]
@@ -70,6 +71,7 @@ impl Mul for Dual {
     }
 }
 
+#[allow(clippy::suspicious_arithmetic_impl, reason = "the quotient rule")]
 impl Div for Dual {
     type Output = Self;
     #[inline(always)]

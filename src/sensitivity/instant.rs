@@ -106,7 +106,7 @@ impl Tangents<'_> {
         (behind, after): (f64, &[f64]),
     ) -> Result<(), Stopped> {
         let rates = self.rates(stretch, passing.front, (behind, after));
-        if !self.jumps(stretch, passing.front, (behind, after), &rates) {
+        if !self.rate_jumps(stretch, passing.front, (behind, after), &rates) {
             return Ok(());
         }
         let mut found: Option<Vec<f64>> = None;
@@ -125,7 +125,7 @@ impl Tangents<'_> {
     }
 
     /// Whether the rate is another one on both sides, by more than it changes beside them.
-    fn jumps(
+    fn rate_jumps(
         &self,
         stretch: &Stretch<'_>,
         front: (f64, &[f64]),
@@ -145,7 +145,8 @@ impl Tangents<'_> {
         (0..self.states).any(|index| {
             let [before, after] = [0, 1].map(|side: usize| rates[side][index]);
             let change = |side: usize| (beside[side][index] - rates[side][index]).abs();
-            let size = before.abs().max(after.abs());
+            let usual = self.simulator.state_scale(index) / (stretch.until - stretch.from);
+            let size = before.abs().max(after.abs()).max(usual);
             (before - after).abs() > BESIDE * (change(0) + change(1)) + ROUNDING * size
         })
     }

@@ -3,7 +3,7 @@
 use machinist_contract::{Dual, DualFunction};
 
 use super::{By, Tangents};
-use crate::constraints::{Level, consistent};
+use crate::constraints::{Constraints, Level, consistent};
 use crate::error::SimulateError;
 
 /// The start of a run, as the run has found it.
@@ -122,6 +122,7 @@ impl Tangents<'_> {
             };
             let rows = self.simulator.constraints();
             let slopes = self.slopes(function, rows, start.time, start.state, tangents);
+            let sizes: Vec<f64> = slopes.concat().iter().map(|slope| slope.abs()).collect();
             let at = (start.time, start.state);
             let Some(free) = crate::constraints::free_moves(
                 self.simulator,
@@ -130,6 +131,7 @@ impl Tangents<'_> {
                 at,
                 &is_given,
             ) else {
+                self.require_none_left(level, start, &sizes, &slopes.concat())?;
                 continue;
             };
             let moves = free.solve(&slopes);
@@ -139,8 +141,49 @@ impl Tangents<'_> {
                 }
             }
             is_determined &= free.is_determined;
+            let left = self.slopes(function, rows, start.time, start.state, tangents);
+            self.require_none_left(level, start, &sizes, &left.concat())?;
         }
         if is_determined { Ok(()) } else { self.check_start(start, &is_given, tangents) }
+    }
+
+    /// Refuses a start that comes off the constraints, because nothing is left to make up.
+    /// `left` are slopes of the constraints, of which `sizes` were to be made up for.
+    fn require_none_left(
+        &self,
+        level: Level,
+        start: &Start<'_>,
+        sizes: &[f64],
+        left: &[f64],
+    ) -> Result<(), SimulateError> {
+        const SHARE: f64 = 1e-6;
+        /// Of the move of typical size of all coordinates.
+        const ROUNDING: f64 = 1e-10;
+        let Some(constraints) = Constraints::of(self.simulator, self.parameters) else {
+            return Ok(());
+        };
+        let matrix = constraints.matrix(start.time, start.state);
+        let first = if level == Level::Positions { 0 } else { matrix.ncols() };
+        let count = self.by.len();
+        for (place, (left, size)) in left.iter().zip(sizes).enumerate() {
+            let (row, direction) = (place / count, place % count);
+            let moves = matrix.row(row).into_owned();
+            let moves = moves
+                .iter()
+                .enumerate()
+                .map(|(column, slope)| slope.abs() * self.simulator.state_scale(first + column));
+            let usual = moves.sum::<f64>() / self.sizes[direction];
+            if left.abs() > SHARE * size && left.abs() > ROUNDING * usual {
+                let name = self.by[direction].quantity(self.simulator).name.to_owned();
+                let constraint = self.simulator.constraint(row).name;
+                let why = format!(
+                    "takes the start off constraint `{constraint}`, and what is given of the start \
+                     leaves nothing that could make up for it"
+                );
+                return Err(SimulateError::NotDifferentiable { name, why });
+            }
+        }
+        Ok(())
     }
 
     /// Compares S with differences of the search for a start.
@@ -182,7 +225,7 @@ impl Tangents<'_> {
                 }
                 consistent(self.simulator, &parameters, start.time, state, is_given)
             };
-            let (ahead, behind) = (at(step)?, at(-step)?);
+            let (Ok(ahead), Ok(behind)) = (at(step), at(-step)) else { return Err(open()) };
             for index in 0..self.states {
                 let scale = self.simulator.state_scale(index).max(start.state[index].abs());
                 let difference = (ahead[index] - behind[index]) / (2.0 * step);

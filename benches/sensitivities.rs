@@ -1,6 +1,7 @@
 //! What sensitivities to ten parameters cost beside the run alone.
 //!
 //! `cargo bench -p machinist --bench sensitivities`
+#![allow(missing_docs, reason = "the macros of criterion define undocumented functions")]
 
 use std::hint::black_box;
 use std::time::Duration;

@@ -172,20 +172,17 @@ pub fn least_squares(
                 None
             }
         };
-        match better {
-            Some((evaluation, cost, share)) => {
-                (found.at, found.evaluation, found.cost) = (ahead, evaluation, cost);
-                let bend = 2.0 * share - 1.0;
-                lambda = (lambda * (1.0 - bend.powi(3)).max(1.0 / 9.0)).max(1e-15);
-                growth = 2.0;
-            }
-            None => {
-                lambda *= growth;
-                growth *= 2.0;
-                if lambda > 1e16 {
-                    found.end = End::Stuck;
-                    return Ok(found);
-                }
+        if let Some((evaluation, cost, share)) = better {
+            (found.at, found.evaluation, found.cost) = (ahead, evaluation, cost);
+            let bend = 2.0 * share - 1.0;
+            lambda = (lambda * (1.0 - bend.powi(3)).max(1.0 / 9.0)).max(1e-15);
+            growth = 2.0;
+        } else {
+            lambda *= growth;
+            growth *= 2.0;
+            if lambda > 1e16 {
+                found.end = End::Stuck;
+                return Ok(found);
             }
         }
     }
@@ -256,6 +253,7 @@ mod tests {
     }
 
     /// H. H. Rosenbrock's valley, from his start.
+    #[allow(clippy::unnecessary_wraps, reason = "as what is searched")]
     fn valley(u: &[f64]) -> Result<Evaluation, String> {
         Ok(Evaluation {
             residuals: DVector::from_vec(vec![10.0 * (u[1] - u[0] * u[0]), 1.0 - u[0]]),

@@ -160,20 +160,7 @@ pub(super) fn drive<M: OneStep>(
     loop {
         let End { now, tried, arrives } = end_of_step(time, step, stretch.until);
         method.is_last(arrives);
-        let mut trial = method.attempt(tried);
-        if let Trial::Error(error) = trial
-            && error <= 1.0
-            && (stretch.watch.is_some() || samples.next_until(now).is_some_and(|at| at < now))
-        {
-            let between = method.error_between();
-            trial = Trial::Error(if between <= error { error } else { between });
-        }
-        if let Trial::Error(error) = trial
-            && error <= 1.0
-            && let Some(tangents) = stretch.system.tangents()
-        {
-            trial = tangents.carry(method, error);
-        }
+        let trial = attempt(method, stretch, samples, (tried, now));
         let pace = method.pace();
         let is_good = trial.is_good();
         let passing = passing(method, stretch, now, is_good);
@@ -257,6 +244,28 @@ pub(super) fn drive<M: OneStep>(
                 return Err(Stopped { time, cause });
             }
         }
+    }
+}
+
+/// Tries a step that ends at `now`; its error is also that of what is wanted between its ends,
+/// and of sensitivities.
+fn attempt<M: OneStep>(
+    method: &mut M,
+    stretch: &Stretch<'_>,
+    samples: &Samples<'_>,
+    (step, now): (f64, f64),
+) -> Trial {
+    let mut trial = method.attempt(step);
+    if let Trial::Error(error) = trial
+        && error <= 1.0
+        && (stretch.watch.is_some() || samples.next_until(now).is_some_and(|at| at < now))
+    {
+        let between = method.error_between();
+        trial = Trial::Error(if between <= error { error } else { between });
+    }
+    match (trial, stretch.system.tangents()) {
+        (Trial::Error(error), Some(tangents)) if error <= 1.0 => tangents.carry(method, error),
+        _ => trial,
     }
 }
 

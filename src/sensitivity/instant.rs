@@ -105,7 +105,7 @@ impl Tangents<'_> {
         kinks: &[usize],
         (behind, after): (f64, &[f64]),
     ) -> Result<(), Stopped> {
-        let rates = self.rates(stretch, passing.front, (behind, after));
+        let rates = rates_beside(stretch, passing.front, (behind, after));
         if !self.rate_jumps(stretch, passing.front, (behind, after), &rates) {
             return Ok(());
         }
@@ -141,26 +141,13 @@ impl Tangents<'_> {
         };
         let earlier = aside(front, &rates[0], -by);
         let later = aside(behind, &rates[1], by);
-        let beside = self.rates(stretch, (earlier.0, &earlier.1), (later.0, &later.1));
+        let beside = rates_beside(stretch, (earlier.0, &earlier.1), (later.0, &later.1));
         (0..self.states).any(|index| {
             let [before, after] = [0, 1].map(|side: usize| rates[side][index]);
             let change = |side: usize| (beside[side][index] - rates[side][index]).abs();
             let usual = self.simulator.state_scale(index) / (stretch.until - stretch.from);
             let size = before.abs().max(after.abs()).max(usual);
             (before - after).abs() > BESIDE * (change(0) + change(1)) + ROUNDING * size
-        })
-    }
-
-    fn rates(
-        &self,
-        stretch: &Stretch<'_>,
-        front: (f64, &[f64]),
-        behind: (f64, &[f64]),
-    ) -> [Vec<f64>; 2] {
-        [front, behind].map(|(time, state)| {
-            let mut rate = vec![0.0; stretch.system.len()];
-            stretch.rate(time, state, &mut rate);
-            rate
         })
     }
 
@@ -185,9 +172,14 @@ impl Tangents<'_> {
             }
             found = Some(shifts);
         }
-        let Some(shifts) = found else { return Ok(()) };
+        let shifts = match found {
+            Some(shifts) => shifts,
+            None if happened.applied.is_empty() => return Ok(()),
+            // What happened just before has led to it.
+            None => self.inner.borrow().latest.shifts.clone(),
+        };
         let ahead = self.ahead(stretch, time, after);
-        let [before, behind] = self.rates(stretch, passing.front, (ahead.0, &ahead.1));
+        let [before, behind] = rates_beside(stretch, passing.front, (ahead.0, &ahead.1));
         self.map(stretch.system, passing, &shifts, &before, (happened, after))?;
         let count = self.by.len();
         {
@@ -362,6 +354,19 @@ impl Tangents<'_> {
         }
         (time + by, ahead)
     }
+}
+
+/// f on both sides.
+fn rates_beside(
+    stretch: &Stretch<'_>,
+    front: (f64, &[f64]),
+    behind: (f64, &[f64]),
+) -> [Vec<f64>; 2] {
+    [front, behind].map(|(time, state)| {
+        let mut rate = vec![0.0; stretch.system.len()];
+        stretch.rate(time, state, &mut rate);
+        rate
+    })
 }
 
 /// No time, but more than rounding \[s\].

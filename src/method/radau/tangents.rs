@@ -55,7 +55,7 @@ impl RadauSteps<'_> {
                 }
             }
         }
-        let Some(stages) = solved(system.lu(), right_side) else { return f64::NAN };
+        let Some(stages) = solved(&system.lu(), right_side) else { return f64::NAN };
         self.carried.stages.clear();
         for row in stages.row_iter() {
             self.carried.stages.extend(row.iter());
@@ -103,6 +103,6 @@ impl RadauSteps<'_> {
     }
 }
 
-fn solved(factors: LU<f64, Dyn, Dyn>, mut right_side: DMatrix<f64>) -> Option<DMatrix<f64>> {
+fn solved(factors: &LU<f64, Dyn, Dyn>, mut right_side: DMatrix<f64>) -> Option<DMatrix<f64>> {
     factors.solve_mut(&mut right_side).then_some(right_side)
 }

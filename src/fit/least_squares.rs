@@ -101,6 +101,10 @@ const GRADIENT: f64 = 1e-10;
 /// What would get better by this share of the cost is as good as it gets.
 const GAIN: f64 = 1e-13;
 
+/// A step that was to gain less than this share and does not: evaluations are not more exact,
+/// and unknowns are there to a small part of their errors.
+const FAINT: f64 = 1e-6;
+
 /// Searches from `start` for the least sum.
 ///
 /// # Errors
@@ -139,7 +143,14 @@ pub fn least_squares(
             found.end = End::Converged;
             return Ok(found);
         }
-        let Some(step) = damped_step(&jacobian, &residuals, &free, (lambda, &sizes)) else {
+        let room: Vec<(f64, f64)> = found
+            .at
+            .iter()
+            .zip(search.bounds)
+            .map(|(u, (low, high))| (low - u, high - u))
+            .collect();
+        let damping = (lambda, &sizes[..]);
+        let Some((step, is_cut)) = bounded_step(&jacobian, &residuals, free, damping, &room) else {
             found.end = End::Stuck;
             return Ok(found);
         };
@@ -148,11 +159,16 @@ pub fn least_squares(
         let foretold =
             0.5 * (residuals.norm_squared() - (&residuals + &jacobian * &moved).norm_squared());
         let is_still = moved.iter().zip(&found.at).all(|(m, u)| m.abs() <= 1e-15 * u.abs());
-        if is_still || foretold <= GAIN * found.cost {
+        if is_still || foretold <= GAIN * found.cost && lambda <= 1.0 && !is_cut {
             // What is left is less than evaluations are exact.
-            let is_gentle = lambda <= 1.0;
-            found.end = if is_gentle || is_still { End::Converged } else { End::Stuck };
+            found.end = if lambda <= 1.0 { End::Converged } else { End::Stuck };
             return Ok(found);
+        }
+        if foretold <= 0.0 {
+            // A step cut by bounds leads uphill, or a damped one nowhere.
+            lambda *= growth;
+            growth *= 2.0;
+            continue;
         }
         found.steps += 1;
         let tried = evaluate(&ahead);
@@ -177,6 +193,9 @@ pub fn least_squares(
             let bend = 2.0 * share - 1.0;
             lambda = (lambda * (1.0 - bend.powi(3)).max(1.0 / 9.0)).max(1e-15);
             growth = 2.0;
+        } else if foretold <= FAINT * found.cost && !is_cut {
+            found.end = End::Converged;
+            return Ok(found);
         } else {
             lambda *= growth;
             growth *= 2.0;
@@ -216,6 +235,36 @@ fn free(at: &[f64], gradient: &DVector<f64>, bounds: &[(f64, f64)]) -> Vec<usize
     (0..at.len()).filter(|k| !is_held(k)).collect()
 }
 
+/// The damped step of free unknowns within their room, and whether bounds cut it: what would
+/// leave its room goes to its end, and the rest makes the best of that.
+fn bounded_step(
+    jacobian: &DMatrix<f64>,
+    residuals: &DVector<f64>,
+    mut free: Vec<usize>,
+    damping: (f64, &[f64]),
+    room: &[(f64, f64)],
+) -> Option<(Vec<f64>, bool)> {
+    let mut residuals = residuals.clone();
+    let mut step = vec![0.0; jacobian.ncols()];
+    let mut is_cut = false;
+    loop {
+        let found = damped_step(jacobian, &residuals, &free, damping)?;
+        let leaves = |k: &usize| found[*k] < room[*k].0 || found[*k] > room[*k].1;
+        let (out, within): (Vec<usize>, Vec<usize>) = free.into_iter().partition(leaves);
+        if out.is_empty() {
+            for k in within {
+                step[k] = found[k];
+            }
+            return Some((step, is_cut));
+        }
+        for k in out {
+            step[k] = found[k].clamp(room[k].0, room[k].1);
+            residuals += jacobian.column(k) * step[k];
+        }
+        (free, is_cut) = (within, true);
+    }
+}
+
 fn damped_step(
     jacobian: &DMatrix<f64>,
     residuals: &DVector<f64>,
@@ -223,6 +272,9 @@ fn damped_step(
     (lambda, sizes): (f64, &[f64]),
 ) -> Option<Vec<f64>> {
     let (rows, count) = (jacobian.nrows(), free.len());
+    if count == 0 {
+        return Some(vec![0.0; jacobian.ncols()]);
+    }
     let mut matrix = DMatrix::zeros(rows + count, count);
     let mut right_side = DVector::zeros(rows + count);
     right_side.rows_mut(0, rows).copy_from(residuals);
@@ -275,6 +327,14 @@ mod tests {
         assert_eq!(found.end, End::Converged);
         let [first, second] = found.at[..] else { panic!() };
         assert!((first - 0.5).abs() < 1e-15 && (second - 0.25).abs() < 1e-9, "{:?}", found.at);
+    }
+
+    /// From a start from which the first steps go far out of bounds.
+    #[test]
+    fn a_search_within_narrow_bounds_goes_on_to_the_bottom() {
+        let bounds = [(0.0, 1.5), (0.9, 1.2)];
+        let found = least_squares(valley, &[0.2, 1.2], &search(&bounds)).unwrap();
+        assert!(found.at.iter().all(|u| (u - 1.0).abs() < 1e-8), "{found:?}");
     }
 
     #[test]

@@ -136,6 +136,7 @@ impl FitCommand {
         let unknowns = unknowns(&self.parameters, simulator, &simulation, &start)?;
         let (unknowns, are_parameters): (Vec<Unknown>, Vec<bool>) = unknowns.into_iter().unzip();
         let flag = interrupt::flag();
+        let plain = simulation.clone();
         let simulation = simulation.until_flagged(&flag);
         let limit = steps_of(&simulation, &unknowns, &measured);
         let simulation = simulation.max_steps(limit);
@@ -150,7 +151,7 @@ impl FitCommand {
         let fitted = self.search(&fit, &flag)?;
         let answer = Answer::new(&fit, &fitted, gaps, simulator);
         if let Some(file) = &self.plot {
-            self.draw(&fit, &answer, file)?;
+            self.draw(&fit::Fit { simulation: &plain, ..fit }, &answer, file)?;
         }
         if let Some(file) = &self.out {
             self.write(&answer, &are_parameters, file)?;
@@ -169,6 +170,8 @@ impl FitCommand {
         let more = "the values above are the best so far";
         match fitted.found.end {
             End::Converged => Ok(()),
+            // Nothing is better than as exact as the runs themselves.
+            End::Stuck if answer.is_exact() => Ok(()),
             End::Interrupted => Err(Failure::unsuccessful("the fit was interrupted", more)),
             End::Steps => {
                 let message = format!("the fit has not converged after {} steps", self.steps);
@@ -262,6 +265,7 @@ impl FitCommand {
                         break;
                     }
                 }
+                Err(_) if flag.load(Ordering::Relaxed) => {}
                 Err(why) => {
                     lost.0 += 1;
                     lost.1.get_or_insert(why);
@@ -272,6 +276,9 @@ impl FitCommand {
             }
         }
         let Some(mut found) = best else {
+            if flag.load(Ordering::Relaxed) {
+                return Err(Failure::unsuccessful("the fit was interrupted at its start", ""));
+            }
             let why = lost.1.unwrap_or_default();
             let message = format!("no start can be simulated: {why}");
             return Err(Failure::unsuccessful(message, "other bounds, or `--set`, may help"));
@@ -282,7 +289,7 @@ impl FitCommand {
         let rounds = if weighs || is_robust { REWEIGHTINGS } else { 0 };
         let mut steps = found.steps;
         for _ in 0..rounds {
-            if found.end == End::Interrupted {
+            if flag.load(Ordering::Relaxed) {
                 break;
             }
             let before = scales.clone();
@@ -307,10 +314,16 @@ impl FitCommand {
                     found = better;
                 }
                 Err(why) => {
-                    lost.1.get_or_insert(why);
+                    scales = before;
+                    if !flag.load(Ordering::Relaxed) {
+                        lost.1.get_or_insert(why);
+                    }
                     break;
                 }
             }
+        }
+        if flag.load(Ordering::Relaxed) {
+            found.end = End::Interrupted;
         }
         spinner.finish_and_clear();
         Ok(Fitted { found, loss, scales, lost, steps, runs })

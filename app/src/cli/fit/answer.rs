@@ -191,7 +191,15 @@ impl Answer {
         .with_loss(*loss)
     }
 
+    /// Whether residuals are as small as errors of the runs may be.
+    pub fn is_exact(&self) -> bool {
+        self.outputs.iter().all(|output| output.is_rounding)
+    }
+
     fn with_loss(mut self, loss: Loss) -> Self {
+        if self.end == "stuck" && self.is_exact() {
+            self.end = "converged, as far as runs are exact,";
+        }
         if let Loss::Huber(_) = loss {
             self.end = match self.end {
                 "converged" => "converged, by Huber's loss",

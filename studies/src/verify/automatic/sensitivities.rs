@@ -21,7 +21,7 @@ const TIMES: usize = 20;
 const RTOL: f64 = 1e-10;
 const STEPS: usize = 50_000;
 /// What is varied, relative.
-const STEP: f64 = 1e-3;
+const STEP: f64 = 1e-4;
 /// What a parameter does less of than this, relative to a state, no difference tells.
 const LEAST: f64 = 1e-5;
 

@@ -22,7 +22,7 @@ use serde::Serialize;
 
 pub use mobility::{Mobility, Redundant, mobility};
 pub use start::start;
-pub(crate) use start::{consistent, require_independent};
+pub(crate) use start::{consistent, free_moves, require_independent};
 
 /// How far the states of a run were off the constraints at most, each constraint
 /// measured by the move of typical size of its coordinates that it would take.
@@ -132,6 +132,37 @@ impl<'a> Constraints<'a> {
         residual: &DVector<f64>,
     ) -> Option<DVector<f64>> {
         let (n, m) = (self.coordinates, self.count);
+        let mut right_side = DVector::zeros(n + m);
+        right_side.rows_mut(n, m).copy_from(residual);
+        let solution = self.saddle(time, state, matrix).lu().solve(&right_side)?;
+        solution.iter().all(|value| value.is_finite()).then_some(solution)
+    }
+
+    /// As [`Constraints::shortest`] at G of the state, n rows, one column for each of several
+    /// residuals; these row by row.
+    pub(crate) fn shortest_each(
+        &self,
+        time: f64,
+        state: &[f64],
+        residuals: &[Vec<f64>],
+    ) -> Option<DMatrix<f64>> {
+        let n = self.coordinates;
+        let columns = residuals.first()?.len();
+        let mut right_side = DMatrix::zeros(n + self.count, columns);
+        for (row, residuals) in residuals.iter().enumerate() {
+            for (column, residual) in residuals.iter().enumerate() {
+                right_side[(n + row, column)] = *residual;
+            }
+        }
+        let matrix = self.matrix(time, state);
+        let solution = self.saddle(time, state, &matrix).lu().solve(&right_side)?;
+        let is_finite = solution.iter().all(|value| value.is_finite());
+        is_finite.then(|| solution.rows(0, n).into_owned())
+    }
+
+    /// The matrix of \[M, G^T; G, 0\].
+    pub(crate) fn saddle(&self, time: f64, state: &[f64], matrix: &DMatrix<f64>) -> DMatrix<f64> {
+        let (n, m) = (self.coordinates, self.count);
         let pattern = self.simulator.mass_matrix_pattern();
         let mut values = vec![0.0; pattern.entries.len()];
         self.simulator.mass_matrix(time, state, self.parameters, &mut values);
@@ -145,10 +176,7 @@ impl<'a> Constraints<'a> {
         for row in (0..m).filter(|row| matrix.row(*row).iter().all(|entry| *entry == 0.0)) {
             system[(n + row, n + row)] = 1.0;
         }
-        let mut right_side = DVector::zeros(n + m);
-        right_side.rows_mut(n, m).copy_from(residual);
-        let solution = system.lu().solve(&right_side)?;
-        solution.iter().all(|value| value.is_finite()).then_some(solution)
+        system
     }
 
     /// G at a state, m by n.

@@ -19,6 +19,41 @@ pub enum SimulateError {
         /// The nearest known name, as a question, or nothing.
         hint: String,
     },
+    /// No parameter and no state has this name.
+    #[error("scene `{scene}` has no parameter and no state `{name}`{hint}")]
+    UnknownDirection {
+        /// The scene asked.
+        scene: String,
+        /// The name asked for.
+        name: String,
+        /// The nearest known name, as a question, or nothing.
+        hint: String,
+    },
+    /// There are no derivatives by this.
+    #[error("there are no sensitivities by `{name}`: it {why}")]
+    NotDifferentiable {
+        /// The parameter or the state.
+        name: String,
+        /// Why not.
+        why: String,
+    },
+    /// A simulator without functions on dual numbers.
+    #[error(
+        "scene `{scene}` has no sensitivities: they take its functions on dual numbers, which \
+         scenes with fields, their modes, and simulators written for one number type lack"
+    )]
+    NoDerivatives {
+        /// The scene run.
+        scene: String,
+    },
+    /// A method that does not carry sensitivities.
+    #[error("method `{method}` does not carry sensitivities; these do: {known}")]
+    NoSensitivities {
+        /// The method's name.
+        method: &'static str,
+        /// The names of the methods that do.
+        known: String,
+    },
     /// No method has this name.
     #[error(transparent)]
     UnknownMethod(#[from] UnknownMethod),
@@ -243,6 +278,35 @@ pub enum StopCause {
         event: String,
         /// So many.
         count: usize,
+    },
+    /// A guard that hardly passes zero: when it does is not decided.
+    #[error(
+        "{name} is grazed: it passes zero so slowly that the tolerances decide when, and \
+         whether, so that there are no sensitivities behind it. \
+         Hint: a lower `rtol`, an earlier end, or parameters that pass it clearly"
+    )]
+    Grazing {
+        /// What is grazed.
+        name: String,
+    },
+    /// Several things happen at one time, which a parameter moves apart.
+    #[error(
+        "several events or jumps happen at once here, and `{by}` moves them apart: which comes \
+         first decides the derivative. Hint: leave `{by}` out of the sensitivities, or give it a \
+         value that keeps them apart"
+    )]
+    AtOnce {
+        /// What moves them apart.
+        by: String,
+    },
+    /// An event sets a position that constraints move on.
+    #[error(
+        "an event sets `{state}` to what constraints do not allow, and sensitivities do not \
+         follow how it is put back. Hint: let the event set positions that fulfil them"
+    )]
+    MovedPosition {
+        /// The state that is moved most.
+        state: String,
     },
     /// Modes let a constraint hold that says what others say already.
     #[error(

@@ -6,7 +6,8 @@
 #![cfg_attr(all(feature = "diffsol", feature = "sweep"), doc = include_str!("../README.md"))]
 //!
 //! Features leave out what a program does not need: methods by family (`diffsol`,
-//! `implicit`), linear analysis (`linear`), many variants at once (`sweep`).
+//! `implicit`), linear analysis (`linear`), many variants at once (`sweep`), parameters from
+//! measured runs (`fit`).
 //! Without any of them, what remains runs any simulator by explicit methods.
 #![forbid(unsafe_code)]
 
@@ -15,12 +16,15 @@ pub mod complex_step;
 pub mod constraints;
 pub mod error;
 pub mod field;
+#[cfg(feature = "fit")]
+pub mod fit;
 #[cfg(feature = "sweep")]
 pub mod lanes;
 #[cfg(feature = "linear")]
 pub mod linear_analysis;
 pub mod method;
 mod scales;
+mod sensitivity;
 pub mod simulate;
 #[cfg(feature = "sweep")]
 pub mod sweep;

@@ -46,12 +46,14 @@ use std::str::FromStr;
 use serde::{Serialize, Serializer};
 
 use crate::error::{NotCompiledIn, StopCause, UnknownMethod, did_you_mean};
+use crate::sensitivity::Passing;
 use crate::trajectory::Switch;
+pub(crate) use one_step::{OneStep, Trial};
 pub(crate) use stretch::cut;
 pub use stretch::{Samples, Stretch};
 pub use system::{System, Work};
 pub use watch::Watch;
-pub(crate) use watch::identically_zero;
+pub(crate) use watch::{Happened, identically_zero};
 
 methods! {
     /// Backward differentiation formulas of orders 1 to 5, quasi-constant step; for stiff machines.
@@ -176,15 +178,26 @@ impl Problem<'_> {
         let mut state = self.initial.clone();
         *watch = Watch::new(self, &mut state)?;
         let watch = watch.as_ref();
-        if watch.is_some() {
+        let tangents = self.system.tangents();
+        if let Some(watch) = watch {
             // Modes that were set right may hold what was free.
             self.system.constrain(self.from, &mut state)?;
+            if let Some(tangents) = tangents {
+                let happened = watch.happened();
+                tangents.settle(self.system, self.from, &self.initial, &happened, &state)?;
+            }
         }
+        tangents.inspect(|tangents| tangents.sample_start(samples, self.from));
         while samples.next_until(self.from).is_some() {
             samples.push(&state);
         }
         for ends in cut(self.from, self.until, self.jumps.clone()).windows(2) {
             let mut from = ends[0];
+            if let Some(tangents) = tangents
+                && from > self.from
+            {
+                tangents.jump(self.system, from, &state)?;
+            }
             while from < ends[1] {
                 let stretch = Stretch::new(self, (from, ends[1]), watch);
                 from = stretch.until;
@@ -199,7 +212,7 @@ impl Problem<'_> {
                 };
                 watch.start_stretch(&stretch, &state);
                 integrator.integrate(&stretch, &mut state, samples)?;
-                from = self.switch(watch, &mut state)?.unwrap_or(from);
+                from = self.switch(&stretch, watch, &mut state)?.unwrap_or(from);
             }
         }
         Ok(())
@@ -207,11 +220,22 @@ impl Problem<'_> {
 
     /// Does what events say where the method stopped for some, and gives the time.
     /// Energy that is lost there counts as dissipated.
-    fn switch(&self, watch: &Watch<'_>, state: &mut [f64]) -> Result<Option<f64>, Stopped> {
+    fn switch(
+        &self,
+        stretch: &Stretch<'_>,
+        watch: &Watch<'_>,
+        state: &mut [f64],
+    ) -> Result<Option<f64>, Stopped> {
         let states = self.system.states();
         let before = state[..states].to_vec();
         let Some(time) = watch.switch(state)? else { return Ok(None) };
         self.system.constrain(time, state)?;
+        if let Some(tangents) = self.system.tangents() {
+            let (earlier, front) = tangents.front();
+            let time = stretch.within(time);
+            let passing = Passing { time, before: &before, front: (earlier, &front) };
+            tangents.switch(stretch, watch, &passing, &watch.happened(), state)?;
+        }
         if state.len() > states {
             let (simulator, parameters) = (self.system.simulator(), self.system.parameters());
             let energy = |state: &[f64]| simulator.energy(time, state, parameters).total();

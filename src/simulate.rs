@@ -13,6 +13,7 @@ use crate::method::cut;
 use crate::method::taylor::variants::Variant;
 use crate::method::{Method, Problem, Run, Stopped, System, identically_zero};
 use crate::scales::scales;
+use crate::sensitivity::{By, Start, Tangents, columns};
 use crate::trajectory::{Column, ColumnKind, EnergyBalance, Stop, Trajectory};
 
 /// Largest number of output times of a run.
@@ -55,6 +56,8 @@ pub struct Simulation<'a> {
     simulator: &'a dyn Simulator<f64>,
     parameters: Vec<f64>,
     initial_state: Option<Vec<f64>>,
+    /// Entries of the spec's initial state that are given otherwise.
+    initial_values: Vec<(usize, f64)>,
     from: f64,
     until: f64,
     sampling: Sampling,
@@ -63,6 +66,8 @@ pub struct Simulation<'a> {
     method: Option<Method>,
     max_steps: usize,
     energy_balance: bool,
+    sensitivities: Vec<By>,
+    controls_sensitivities: bool,
     interrupt: Option<&'a AtomicBool>,
 }
 
@@ -82,6 +87,7 @@ impl<'a> Simulation<'a> {
             simulator,
             parameters: parameters.collect(),
             initial_state: None,
+            initial_values: Vec::new(),
             from: defaults.from,
             until: defaults.until,
             sampling: Sampling::Points(defaults.points),
@@ -90,6 +96,8 @@ impl<'a> Simulation<'a> {
             method: None,
             max_steps: MAX_STEPS,
             energy_balance: false,
+            sensitivities: Vec::new(),
+            controls_sensitivities: true,
             interrupt: None,
         }
     }
@@ -130,6 +138,34 @@ impl<'a> Simulation<'a> {
     pub fn initial_state(mut self, state: &[f64]) -> Self {
         self.initial_state = Some(state.to_vec());
         self
+    }
+
+    /// Starts with this value of one state, in its unit, and otherwise as the spec says or as
+    /// set by [`Simulation::initial_state`].
+    ///
+    /// # Errors
+    /// [`SimulateError::UnknownDirection`], with the nearest known name.
+    pub fn initial_value(mut self, name: &str, value: f64) -> Result<Self, SimulateError> {
+        let states = || (0..self.simulator.shape().states()).map(|i| self.simulator.state(i).name);
+        let index = states().position(|known| known == name).ok_or_else(|| {
+            SimulateError::UnknownDirection {
+                scene: self.simulator.name().to_owned(),
+                name: name.to_owned(),
+                hint: did_you_mean(name, states()),
+            }
+        })?;
+        self.initial_values.retain(|(other, _)| *other != index);
+        self.initial_values.push((index, value));
+        Ok(self)
+    }
+
+    /// Sets a parameter, or the initial value of a state if none has this name.
+    #[cfg(feature = "fit")]
+    pub(crate) fn given(self, name: &str, value: f64) -> Result<Self, SimulateError> {
+        match By::named(self.simulator, name)? {
+            By::Parameter(_) => self.parameter(name, value),
+            By::Initial(_) => self.initial_value(name, value),
+        }
     }
 
     /// Starts at this time \[s\].
@@ -215,6 +251,32 @@ impl<'a> Simulation<'a> {
         self
     }
 
+    /// Asks for the derivatives of all states and outputs by these parameters, or by the
+    /// initial values of these states: columns `d(output)/d(parameter)` of the trajectory, in
+    /// the unit of the one over that of the other.
+    ///
+    /// They are derivatives of what the method computes with the steps it takes, also through
+    /// events, whose times move. A method of the scene's that does not carry them gives way to one
+    /// that does.
+    ///
+    /// # Errors
+    /// [`SimulateError::UnknownDirection`], with the nearest known name;
+    /// [`SimulateError::NotDifferentiable`] of a mode.
+    pub fn sensitivities<N: AsRef<str>>(mut self, by: &[N]) -> Result<Self, SimulateError> {
+        let named = |name: &N| By::named(self.simulator, name.as_ref());
+        self.sensitivities = by.iter().map(named).collect::<Result<_, _>>()?;
+        Ok(self)
+    }
+
+    /// Whether errors of sensitivities shorten steps, as those of states do; so it is unless
+    /// set. Without that they are the derivatives of a run that is as exact as without them, but
+    /// may themselves be far less so: where an event excites what decays fast, and the states
+    /// do not show it.
+    pub fn with_controlled_sensitivities(mut self, wanted: bool) -> Self {
+        self.controls_sensitivities = wanted;
+        self
+    }
+
     /// The simulator.
     #[must_use]
     pub fn simulator(&self) -> &'a dyn Simulator<f64> {
@@ -222,7 +284,7 @@ impl<'a> Simulation<'a> {
     }
 
     /// Where the run starts \[s\].
-    #[cfg(feature = "linear")]
+    #[cfg(any(feature = "fit", feature = "linear"))]
     pub(crate) fn start_time(&self) -> f64 {
         self.from
     }
@@ -272,17 +334,23 @@ impl<'a> Simulation<'a> {
     /// integration cannot go on; it then says where and why, and hands over the run until
     /// there.
     pub fn run(&self) -> Result<Trajectory, SimulateError> {
-        let method = self.chosen_method()?;
+        let asked = self.chosen_method()?;
+        let method = self.method_for_sensitivities(asked)?;
         if !method.is_compiled_in() {
             return Err(NotCompiledIn::of(method).into());
         }
         let times = self.checked_times()?;
-        let system = System::new(self.simulator, self.checked_parameters()?, self.energy_balance)
-            .until_flagged(self.interrupt);
+        let parameters = self.checked_parameters()?;
         method.check(self.simulator)?;
+        let mut initial = self.checked_initial_state()?;
+        let system = System::new(self.simulator, parameters, self.energy_balance)
+            .until_flagged(self.interrupt)
+            .with_tangents(self.tangents(&initial)?);
+        if method != asked {
+            system.note(format!("{method} instead of {asked}, which does not carry sensitivities"));
+        }
         self.check_guards(&system)?;
         let states = system.states();
-        let mut initial = self.checked_initial_state()?;
         let mut atol = self.checked_atol(&initial)?;
         let energy_atol = self.rtol * self.energy_scale(&initial);
         initial.resize(system.len(), 0.0);
@@ -315,6 +383,34 @@ impl<'a> Simulation<'a> {
         })
     }
 
+    /// The method, if it carries sensitivities or none are asked for; one that does, where it
+    /// was not chosen.
+    fn method_for_sensitivities(&self, asked: Method) -> Result<Method, SimulateError> {
+        let is_left_open = self.method.is_none();
+        if self.sensitivities.is_empty() || asked.carries_sensitivities() {
+            Ok(asked)
+        } else if is_left_open {
+            Ok(asked.for_sensitivities())
+        } else {
+            let known = Method::ALL.iter().filter(|method| method.carries_sensitivities());
+            let known = known.map(|method| method.name()).collect::<Vec<_>>().join(", ");
+            Err(SimulateError::NoSensitivities { method: asked.name(), known })
+        }
+    }
+
+    /// Sensitivities at the start; nothing if none are asked for.
+    fn tangents(&self, initial: &[f64]) -> Result<Option<Tangents<'_>>, SimulateError> {
+        if self.sensitivities.is_empty() {
+            return Ok(None);
+        }
+        let by = (self.sensitivities.clone(), self.controls_sensitivities);
+        let tangents = Tangents::new(self.simulator, &self.parameters, by, self.from)?;
+        let is_of_spec = self.initial_state.is_none();
+        let set: Vec<usize> = self.initial_values.iter().map(|(index, _)| *index).collect();
+        tangents.begin(&Start { time: self.from, state: initial, is_of_spec, set: &set })?;
+        Ok(Some(tangents))
+    }
+
     fn trajectory(
         &self,
         method: Method,
@@ -339,6 +435,10 @@ impl<'a> Simulation<'a> {
                  motion that adds up to a large part of it: compare with a lower `rtol`"
             ));
         }
+        let mut columns_of_run = table.into_columns(energy_balance.as_ref());
+        if let Some(tangents) = system.tangents() {
+            columns_of_run.extend(columns(self.simulator, tangents, &times, (&rows, width)));
+        }
         Trajectory {
             scene: self.simulator.name().to_owned(),
             title: self.simulator.title().to_owned(),
@@ -350,7 +450,7 @@ impl<'a> Simulation<'a> {
             switches,
             drift: system.constraints().map(Constraints::drift),
             times,
-            columns: table.into_columns(energy_balance.as_ref()),
+            columns: columns_of_run,
             energy_balance,
         }
     }
@@ -378,11 +478,16 @@ impl<'a> Simulation<'a> {
 
     fn checked_initial_state(&self) -> Result<Vec<f64>, SimulateError> {
         let states = self.simulator.shape().states();
-        let state = self.initial_state.clone().unwrap_or_else(|| {
+        let mut state = self.initial_state.clone().unwrap_or_else(|| {
             let mut state = vec![0.0; states];
             self.simulator.initial_state(&self.parameters, &mut state);
             state
         });
+        for (index, value) in &self.initial_values {
+            if let Some(entry) = state.get_mut(*index) {
+                *entry = *value;
+            }
+        }
         let name = |index| format!("initial value of `{}`", self.simulator.state(index).name);
         self.check_list("states", &state, states, name)?;
         // A state of the caller's is near enough to the constraints, or a guess.

@@ -34,10 +34,16 @@ pub struct Trajectory {
     pub drift: Option<Drift>,
     /// Output times \[s\].
     pub times: Vec<f64>,
-    /// States, then outputs, then energies.
+    /// States, then outputs, then energies, then sensitivities.
     pub columns: Vec<Column>,
     /// Power supplied and lost against energy stored, if the run was asked for it.
     pub energy_balance: Option<EnergyBalance>,
+}
+
+/// The name of the column of a derivative.
+#[must_use]
+pub fn sensitivity_name(of: &str, by: &str) -> String {
+    format!("d({of})/d({by})")
 }
 
 /// Why a run ended before its end.
@@ -83,6 +89,11 @@ pub enum ColumnKind {
     Output,
     /// An energy of the whole machine.
     Energy,
+    /// Derivative of a state or an output by a parameter or an initial value,
+    /// `d(coupling.twist)/d(coupling.stiffness)`.
+    Sensitivity,
+    /// What was measured.
+    Measured,
 }
 
 /// The energy account of a run: what a machine stores must be what it was
@@ -142,6 +153,12 @@ impl Trajectory {
     /// The columns of one kind, in order.
     pub fn of_kind(&self, kind: ColumnKind) -> impl Iterator<Item = &Column> {
         self.columns.iter().filter(move |column| column.kind == kind)
+    }
+
+    /// d(of)/d(by) of a state or an output, if the run was asked for it.
+    #[must_use]
+    pub fn sensitivity(&self, of: &str, by: &str) -> Option<&[f64]> {
+        self.column(&sensitivity_name(of, by))
     }
 
     /// The value at the end of the run of the column of this name.

@@ -18,6 +18,7 @@ mod completions;
 mod derive;
 #[cfg(feature = "derive")]
 pub mod explain;
+mod fit;
 #[cfg(feature = "derive")]
 mod generate;
 mod linear;
@@ -34,6 +35,7 @@ mod report;
 mod response;
 mod run;
 pub mod scene;
+mod sensitivity;
 mod show;
 #[cfg(feature = "derive")]
 pub mod specs;
@@ -83,6 +85,10 @@ enum Command {
     Explain(explain::Explain),
     /// Simulate a scene
     Run(run::Run),
+    /// Which parameters matter for which outputs, along a run
+    Sensitivity(sensitivity::Sensitivity),
+    /// Find parameters of a scene from measured runs
+    Fit(fit::FitCommand),
     /// Simulate many variants of a scene, to a table
     Sweep(sweep::Sweep),
     /// Measure error against run time of all methods on a scene
@@ -140,6 +146,8 @@ pub fn main() -> ExitCode {
         #[cfg(feature = "derive")]
         Command::Explain(command) => command.execute(),
         Command::Run(command) => command.execute(),
+        Command::Sensitivity(command) => command.execute(),
+        Command::Fit(command) => command.execute(),
         Command::Sweep(command) => command.execute(),
         Command::Bench(command) => command.execute(),
         Command::Stability(command) => command.execute(),

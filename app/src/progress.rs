@@ -11,6 +11,16 @@ use indicatif::ProgressBar;
 const PATIENCE: Duration = Duration::from_secs(1);
 const TICK: Duration = Duration::from_millis(120);
 
+/// A spinner on a terminal, with a message that may change; elsewhere nothing.
+pub fn spinner(message: &'static str) -> ProgressBar {
+    if !stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let spinner = ProgressBar::new_spinner().with_message(message);
+    spinner.enable_steady_tick(TICK);
+    spinner
+}
+
 /// Does `work`, and says `message` on a terminal while it takes long.
 pub fn during<T>(message: &str, work: impl FnOnce() -> T) -> T {
     if !stderr().is_terminal() {

@@ -8,6 +8,7 @@ mod anywhere;
 mod cli;
 mod cli_sweep;
 mod deriving;
+mod fit;
 mod fuzz;
 mod live;
 mod process;

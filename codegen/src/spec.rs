@@ -16,6 +16,7 @@ mod lexer;
 pub mod library;
 mod loader;
 mod names;
+pub mod rewrite;
 mod scene;
 mod source;
 pub(crate) mod stack;

@@ -2,6 +2,7 @@
 //! and [`Simulator`] (the numbers).
 
 use crate::Real;
+use crate::dual::Derivatives;
 use crate::linear::LinearEquations;
 use crate::taylor::TaylorSeries;
 
@@ -303,6 +304,11 @@ pub trait Simulator<R: Real>: Describe {
     /// What its equations are excited by, if they are linear with constant
     /// coefficients.
     fn linear(&self) -> Option<&dyn LinearEquations<R>> {
+        None
+    }
+    /// Its functions on dual numbers, for sensitivities along a run: `Some(self)` of a
+    /// simulator on any [`Real`].
+    fn derivatives(&self) -> Option<&dyn Derivatives> {
         None
     }
 }

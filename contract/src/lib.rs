@@ -26,6 +26,7 @@ compile_error!("elementary functions come from `std` or `libm`: turn on one of t
 
 mod contract;
 pub mod digits;
+mod dual;
 pub mod emitted;
 pub mod exponential;
 pub mod field;
@@ -46,6 +47,7 @@ pub use contract::{
     Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape,
     Simulator, SparsityPattern, StateKind,
 };
+pub use dual::{Derivatives, Dual, DualFunction};
 pub use real::Real;
 pub use sources::SOURCES;
 pub use table::CubicTable;

@@ -102,6 +102,9 @@ macro_rules! simulator {
         impl<R: $crate::Real> $crate::Simulator<R> for $machine {
             $crate::for_each_function! { [$crate::__delegate] every }
             $($crate::__simulate_part! { $part })*
+            fn derivatives(&self) -> ::core::option::Option<&dyn $crate::Derivatives> {
+                ::core::option::Option::Some(self)
+            }
         }
 
         $($crate::__part! { $machine $part $($argument $($bends)?)? })*

@@ -5,6 +5,7 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("lib.rs", include_str!("lib.rs")),
     ("contract.rs", include_str!("contract.rs")),
     ("digits.rs", include_str!("digits.rs")),
+    ("dual.rs", include_str!("dual.rs")),
     ("emitted.rs", include_str!("emitted.rs")),
     ("exponential.rs", include_str!("exponential.rs")),
     ("functions.rs", include_str!("functions.rs")),

@@ -1,4 +1,4 @@
-//! Tapes run as they are, in `f64`.
+//! Tapes run as they are, in `f64` or another number type.
 //!
 //! Excluded: names, compilation. The order of operations is that of the emitted
 //! Rust, so that both agree bit for bit.
@@ -10,19 +10,19 @@ use crate::{Function, NodeId, Op, Table, Tape, needed_nodes};
 
 /// What tapes read from outside.
 #[derive(Debug, Default, Clone, Copy)]
-pub struct Inputs<'a> {
+pub struct Inputs<'a, R = f64> {
     /// t.
-    pub time: f64,
+    pub time: R,
     /// y.
-    pub state: &'a [f64],
+    pub state: &'a [R],
     /// p.
-    pub parameters: &'a [f64],
+    pub parameters: &'a [R],
     /// What fields hand over.
-    pub handed: &'a [f64],
+    pub handed: &'a [R],
     /// Results of the tape that goes before.
-    pub constants: &'a [f64],
+    pub constants: &'a [R],
     /// Results of the motion's tape.
-    pub motion: &'a [f64],
+    pub motion: &'a [R],
     /// Tables of the model.
     pub tables: &'a [Table],
 }
@@ -64,25 +64,42 @@ impl Evaluator {
     /// If `results` is not as long as the tape's results, or if `inputs` lack an entry
     /// that the tape reads.
     pub fn evaluate(&self, inputs: &Inputs<'_>, results: &mut [f64]) {
-        with_room(self.operations.len(), |values| {
-            for (index, op) in self.operations.iter().enumerate() {
-                let value = |id: NodeId| values[id.0 as usize];
-                values[index] = operate(*op, value, inputs);
-            }
-            assert_eq!(results.len(), self.results.len(), "one place for each result");
-            for (result, id) in results.iter_mut().zip(&self.results) {
-                *result = values[id.0 as usize];
-            }
-        });
+        with_room(self.operations.len(), |values| self.evaluate_in(values, inputs, results));
+    }
+
+    /// Number of values that [`Evaluator::evaluate_in`] takes room for.
+    #[must_use]
+    pub fn room(&self) -> usize {
+        self.operations.len()
+    }
+
+    /// As [`Evaluator::evaluate`], on any number type, in room of the caller's.
+    ///
+    /// # Panics
+    /// As [`Evaluator::evaluate`], and if there is less room than [`Evaluator::room`].
+    pub fn evaluate_in<R: Real>(
+        &self,
+        values: &mut [R],
+        inputs: &Inputs<'_, R>,
+        results: &mut [R],
+    ) {
+        for (index, op) in self.operations.iter().enumerate() {
+            let value = |id: NodeId| values[id.0 as usize];
+            values[index] = operate(*op, value, inputs);
+        }
+        assert_eq!(results.len(), self.results.len(), "one place for each result");
+        for (result, id) in results.iter_mut().zip(&self.results) {
+            *result = values[id.0 as usize];
+        }
     }
 }
 
 /// One operation on operands whose values are known.
 #[inline]
 #[must_use]
-pub fn operate(op: Op, value: impl Fn(NodeId) -> f64, inputs: &Inputs<'_>) -> f64 {
+pub fn operate<R: Real>(op: Op, value: impl Fn(NodeId) -> R, inputs: &Inputs<'_, R>) -> R {
     match op {
-        Op::Literal(literal) => literal,
+        Op::Literal(literal) => R::literal(literal),
         Op::Time => inputs.time,
         Op::State(entry) => inputs.state[entry as usize],
         Op::Parameter(entry) => inputs.parameters[entry as usize],
@@ -94,15 +111,11 @@ pub fn operate(op: Op, value: impl Fn(NodeId) -> f64, inputs: &Inputs<'_>) -> f6
         Op::Sub(a, b) => value(a) - value(b),
         Op::Mul(a, b) => value(a) * value(b),
         Op::Div(a, b) => value(a) / value(b),
-        Op::Powi(base, exponent) => Real::powi(value(base), exponent),
+        Op::Powi(base, exponent) => value(base).powi(exponent),
         Op::Powf(base, exponent) => value(base).powf(value(exponent)),
         Op::Call(function, argument) => call(function, value(argument)),
         Op::SelectLess { lhs, rhs, then, otherwise } => {
-            if value(lhs) < value(rhs) {
-                value(then)
-            } else {
-                value(otherwise)
-            }
+            R::select_less(value(lhs), value(rhs), value(then), value(otherwise))
         }
         Op::Table { table, order, argument } => {
             interpolate(&inputs.tables[table.0 as usize], order, value(argument))
@@ -112,27 +125,27 @@ pub fn operate(op: Op, value: impl Fn(NodeId) -> f64, inputs: &Inputs<'_>) -> f6
 
 /// A function of one argument, as the contract computes it.
 #[must_use]
-pub fn call(function: Function, x: f64) -> f64 {
+pub fn call<R: Real>(function: Function, x: R) -> R {
     match function {
         Function::Sqrt => x.sqrt(),
         Function::Abs => x.abs(),
-        Function::Exp => Real::exp(x),
+        Function::Exp => x.exp(),
         Function::Ln => x.ln(),
-        Function::Sin => Real::sin(x),
-        Function::Cos => Real::cos(x),
+        Function::Sin => x.sin(),
+        Function::Cos => x.cos(),
         Function::Tan => x.tan(),
         Function::Asin => x.asin(),
         Function::Acos => x.acos(),
         Function::Atan => x.atan(),
         Function::Sinh => x.sinh(),
         Function::Cosh => x.cosh(),
-        Function::Tanh => Real::tanh(x),
+        Function::Tanh => x.tanh(),
     }
 }
 
 /// Value or derivative of a table, constant beyond its ends.
 #[must_use]
-pub fn interpolate(table: &Table, order: u32, x: f64) -> f64 {
+pub fn interpolate<R: Real>(table: &Table, order: u32, x: R) -> R {
     let Table { knots, coefficients, .. } = table;
-    CubicTable { knots, coefficients }.search(order, x)
+    CubicTable { knots, coefficients }.evaluate(order, x)
 }

@@ -1,5 +1,6 @@
 //! Models as simulators, compiled or interpreted.
 
+mod derivatives;
 mod field;
 mod motion;
 mod run;
@@ -9,8 +10,8 @@ use std::sync::{Arc, OnceLock};
 use machinist_contract::linear::LinearEquations;
 use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_contract::{
-    Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape,
-    Simulator, SparsityPattern,
+    Constraint, Derivatives, Describe, Direction, Energy, Event, PowerBalance, Quantity,
+    RunDefaults, Shape, Simulator, SparsityPattern,
 };
 
 use crate::functions::{FUNCTIONS, FunctionId};
@@ -43,6 +44,7 @@ pub struct ModelSimulator {
     series: Series,
     /// Excitation and switches.
     linear: [TapeFunction; 2],
+    duals: derivatives::OnDuals,
     fields: Vec<field::PointFunctions>,
 }
 
@@ -74,6 +76,7 @@ impl ModelSimulator {
             prepared: Default::default(),
             series: Series::default(),
             linear: Default::default(),
+            duals: derivatives::OnDuals::default(),
             fields: model
                 .fields
                 .iter()
@@ -346,6 +349,10 @@ impl<R: Lane> Simulator<R> for ModelSimulator {
     }
     fn linear(&self) -> Option<&dyn LinearEquations<R>> {
         self.model.excitation.is_some().then_some(self)
+    }
+    /// None of a model with fields, whose parameters follow from others.
+    fn derivatives(&self) -> Option<&dyn Derivatives> {
+        self.model.fields.is_empty().then_some(self)
     }
 }
 

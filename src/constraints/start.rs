@@ -1,10 +1,13 @@
 //! A state on the constraints, from guesses.
 
 use machinist_contract::Simulator;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
 use super::{Constraints, Level, largest_of, mobility};
 use crate::error::SimulateError;
+
+/// Singular values below this share of the largest are zero.
+const SMALLEST: f64 = 1e-11;
 
 /// A state that fulfils the constraints: what is given stays, the rest is solved for
 /// from where it stands, by the shortest moves that the sizes of states measure.
@@ -62,6 +65,65 @@ pub fn start(
     let mut state = vec![0.0; simulator.shape().states()];
     simulator.initial_state(parameters, &mut state);
     consistent(simulator, parameters, time, state, |index| simulator.is_given(index))
+}
+
+/// Moves of what is not given at a start that make up for residuals, to first order.
+pub(crate) struct FreeMoves {
+    /// Entries of the state that are moved.
+    pub(crate) entries: Vec<usize>,
+    /// Whether the residuals alone decide the moves.
+    pub(crate) is_determined: bool,
+    scales: Vec<f64>,
+    weighed: SVD<f64, Dyn, Dyn>,
+}
+
+impl FreeMoves {
+    /// Moves, a row for each entry, a column for each of several residuals; these row by row.
+    pub(crate) fn solve(&self, residuals: &[Vec<f64>]) -> DMatrix<f64> {
+        let columns = residuals.first().map_or(0, Vec::len);
+        let right_side = DMatrix::from_fn(residuals.len(), columns, |i, k| residuals[i][k]);
+        let least = SMALLEST * self.weighed.singular_values.max().max(f64::MIN_POSITIVE);
+        let mut moves = self
+            .weighed
+            .solve(&right_side, least)
+            .unwrap_or_else(|_| DMatrix::zeros(self.entries.len(), columns));
+        for (mut row, scale) in moves.row_iter_mut().zip(&self.scales) {
+            row *= *scale;
+        }
+        moves
+    }
+}
+
+/// The moves of one level at a start; nothing if nothing is free or constrained.
+pub(crate) fn free_moves(
+    simulator: &dyn Simulator<f64>,
+    parameters: &[f64],
+    level: Level,
+    (time, state): (f64, &[f64]),
+    is_given: &impl Fn(usize) -> bool,
+) -> Option<FreeMoves> {
+    let constraints = Constraints::of(simulator, parameters)?;
+    let first = constraints.first(level);
+    let free = |index: &usize| !is_given(first + index);
+    let free: Vec<usize> = (0..constraints.coordinates).filter(free).collect();
+    let all = constraints.scales(level);
+    let scales: Vec<f64> = free.iter().map(|index| all[*index]).collect();
+    let matrix = constraints.matrix(time, state);
+    if free.is_empty() || !matrix.iter().all(|value| value.is_finite()) {
+        return None;
+    }
+    let of_velocities = |row: usize| !simulator.constraint(row).is_of_positions;
+    let weighed = DMatrix::from_fn(constraints.count, free.len(), |row, column| {
+        // What is of velocities alone says nothing of positions.
+        let is_silent = level == Level::Positions && of_velocities(row);
+        if is_silent { 0.0 } else { matrix[(row, free[column])] * scales[column] }
+    });
+    let weighed = weighed.svd(true, true);
+    let largest = weighed.singular_values.max();
+    let rank = weighed.singular_values.iter().filter(|value| **value > SMALLEST * largest).count();
+    let is_determined = rank == free.len();
+    let entries = free.iter().map(|index| first + index).collect();
+    Some(FreeMoves { entries, is_determined, scales, weighed })
 }
 
 /// Refuses constraints that repeat others at a state, or that nothing can move.
@@ -155,7 +217,6 @@ impl Constraints<'_> {
 
 /// The shortest x of those that make A x nearest to b.
 fn least_squares(matrix: &DMatrix<f64>, right_side: &DVector<f64>) -> Option<DVector<f64>> {
-    const SMALLEST: f64 = 1e-11;
     if matrix.ncols() == 0 || !matrix.iter().all(|value| value.is_finite()) {
         return None;
     }

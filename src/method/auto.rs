@@ -61,7 +61,13 @@ impl Integrator for Auto {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        let Some(from) = without_steps(stretch, state, samples) else { return Ok(()) };
+        // Neither closed forms nor series carry sensitivities.
+        let from = if stretch.system.tangents().is_some() {
+            stretch.from
+        } else {
+            let Some(from) = without_steps(stretch, state, samples) else { return Ok(()) };
+            from
+        };
         let mut rtol = Method::Auto.step_rtol(stretch.rtol);
         if stretch.system.constraints().is_some() && is_conservative(stretch, state) {
             rtol = (rtol / FAITHFUL).max(TIGHTEST.min(rtol));
@@ -153,7 +159,9 @@ enum Explicit<'a> {
 impl<'a> Choice<'a> {
     fn new(stretch: &Stretch<'a>) -> Self {
         let rtol = stretch.rtol;
-        let is_tight = rtol <= TIGHT;
+        let has_tangents = stretch.system.tangents().is_some();
+        // Of the implicit methods only Radau's carry sensitivities.
+        let is_tight = rtol <= TIGHT || has_tangents;
         let implicit_name = if is_tight { "radau" } else { "rodas5p" };
         let of_pair = |name, pair: &'static Pair| Self {
             explicit: Explicit::Pair(pair),
@@ -163,7 +171,7 @@ impl<'a> Choice<'a> {
             is_tight,
         };
         let pair = of_pair("dop853", &DOP853);
-        let (series, why) = suitable_series(stretch);
+        let (series, why) = if has_tangents { (None, "") } else { suitable_series(stretch) };
         let chosen = match series {
             None => pair,
             Some(series) => Self {

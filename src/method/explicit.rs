@@ -8,6 +8,7 @@ use super::lanes::{Sum, combine, padded, sum};
 use super::one_step::{OneStep, Pace, Trial, drive_all, first_step};
 use super::tableau::{DOP853, Pair, Row, TSIT5};
 use super::{Integrator, Samples, Sealed, Stopped, Stretch};
+use crate::sensitivity::Tangents;
 
 /// [`TSIT5`].
 pub(super) struct Tsit5;
@@ -61,6 +62,22 @@ pub(super) struct ExplicitSteps<'a> {
     estimates: Vec<Sum>,
     weights: Vec<f64>,
     has_extra_stages: bool,
+    carried: Option<Carried>,
+}
+
+/// Stages of sensitivities: those of the variational equations at the states of the stages.
+struct Carried {
+    /// Number of sensitivities and padding of zeros.
+    width: usize,
+    stages: Vec<f64>,
+    sums: Vec<Sum>,
+    argument: Vec<f64>,
+    start: Vec<f64>,
+    /// State of a stage.
+    state: Vec<f64>,
+    /// Whether the first stage is known, as the last one of the step before.
+    has_first_stage: bool,
+    has_extra_stages: bool,
 }
 
 impl<'a> ExplicitSteps<'a> {
@@ -86,7 +103,37 @@ impl<'a> ExplicitSteps<'a> {
             estimates: pair.estimates.iter().map(offsets).collect(),
             weights: vec![0.0; count],
             has_extra_stages: false,
+            carried: stretch.system.tangents().map(|t| Carried::new(pair, t.len(), width)),
         }
+    }
+
+    fn error_of_tangents(
+        &self,
+        carried: &mut Carried,
+        tangents: &Tangents<'_>,
+        ends: (&[f64], &[f64]),
+    ) -> f64 {
+        let Carried { width, stages, argument, .. } = carried;
+        let mut norm = |row: &Row| {
+            combine(&sum(row, *width), stages, self.step, None, argument);
+            tangents.error(self.stretch, &argument[..tangents.len()], ends)
+        };
+        let error = norm(&self.pair.estimates[0]);
+        match self.pair.estimates.get(1) {
+            Some(lower) if error > 0.0 => blended(error, norm(lower)),
+            _ => error,
+        }
+    }
+
+    /// A stage of the sensitivities: their rate where those before it lead.
+    fn carry_stage(&mut self, carried: &mut Carried, tangents: &Tangents<'_>, stage: usize) {
+        let Carried { width, stages, sums, argument, start, state, .. } = carried;
+        let time = self.time + self.pair.nodes[stage] * self.step;
+        combine(&self.sums[stage], &self.stages, self.step, Some(&self.start), state);
+        combine(&sums[stage], stages, self.step, Some(start), argument);
+        let rate = &mut stages[stage * *width..][..tangents.len()];
+        let argument = &argument[..tangents.len()];
+        tangents.rate(self.stretch, time, &state[..self.size], argument, rate);
     }
 
     /// |h lambda| of the fastest motion that the last two stages show, both at
@@ -135,10 +182,7 @@ impl<'a> ExplicitSteps<'a> {
         };
         let error = norm(&self.estimates[0]);
         match self.estimates.get(1) {
-            Some(lower) if error > 0.0 => {
-                let lower = norm(lower);
-                error * (error / (error * error + 0.01 * lower * lower).sqrt())
-            }
+            Some(lower) if error > 0.0 => blended(error, norm(lower)),
             _ => error,
         }
     }
@@ -172,14 +216,39 @@ impl<'a> ExplicitSteps<'a> {
     }
 }
 
+/// The error by an estimate of higher order and one of lower order.
+fn blended(error: f64, lower: f64) -> f64 {
+    error * (error / (error * error + 0.01 * lower * lower).sqrt())
+}
+
 #[derive(Clone, Copy)]
 enum At {
     Argument,
     End,
 }
 
+impl Carried {
+    fn new(pair: &Pair, count: usize, state_width: usize) -> Self {
+        let width = padded(count);
+        let zeros = || vec![0.0; width];
+        Self {
+            width,
+            stages: vec![0.0; width * pair.nodes.len()],
+            sums: pair.rows.iter().chain(pair.dense.extra).map(|row| sum(row, width)).collect(),
+            argument: zeros(),
+            start: zeros(),
+            state: vec![0.0; state_width],
+            has_first_stage: false,
+            has_extra_stages: false,
+        }
+    }
+}
+
 impl OneStep for ExplicitSteps<'_> {
     fn begin(&mut self, time: f64, state: &[f64]) {
+        if let Some(carried) = &mut self.carried {
+            carried.has_first_stage = false;
+        }
         self.time = time;
         self.step = 0.0;
         self.end[..self.size].copy_from_slice(state);
@@ -248,8 +317,56 @@ impl OneStep for ExplicitSteps<'_> {
     fn accept(&mut self) {
         self.time += self.step;
         self.start.copy_from_slice(&self.end);
-        let last = (self.pair.rows.len() - 1) * self.width;
-        self.stages.copy_within(last..last + self.width, 0);
+        let last = self.pair.rows.len() - 1;
+        self.stages.copy_within(last * self.width..(last + 1) * self.width, 0);
+        if let Some(Carried { width, stages, has_first_stage, .. }) = &mut self.carried {
+            stages.copy_within(last * *width..(last + 1) * *width, 0);
+            // What is put back onto constraints is no longer where the last stage was.
+            *has_first_stage = self.stretch.system.constraints().is_none();
+        }
+    }
+
+    fn carry(&mut self, tangents: &Tangents<'_>, start: &[f64], end: &mut [f64]) -> f64 {
+        let Some(mut carried) = self.carried.take() else { return f64::NAN };
+        carried.start[..start.len()].copy_from_slice(start);
+        carried.has_extra_stages = false;
+        let last = self.pair.rows.len() - 1;
+        for stage in usize::from(carried.has_first_stage)..=last {
+            self.carry_stage(&mut carried, tangents, stage);
+        }
+        carried.has_first_stage = true;
+        // The last stage is at the end of the step.
+        end.copy_from_slice(&carried.argument[..end.len()]);
+        let error = if tangents.is_controlled() {
+            self.error_of_tangents(&mut carried, tangents, (start, end))
+        } else {
+            0.0
+        };
+        self.carried = Some(carried);
+        error
+    }
+
+    fn tangents_at(&mut self, tangents: &Tangents<'_>, time: f64, start: &[f64], into: &mut [f64]) {
+        if !self.has_extra_stages {
+            self.add_extra_stages();
+        }
+        let Some(mut carried) = self.carried.take() else { return };
+        if !carried.has_extra_stages {
+            for stage in self.pair.rows.len()..self.pair.nodes.len() {
+                self.carry_stage(&mut carried, tangents, stage);
+            }
+            carried.has_extra_stages = true;
+        }
+        let theta = (time - self.time) / self.step;
+        (self.pair.dense.weights)(theta, &mut self.weights);
+        into.copy_from_slice(start);
+        for (weight, rate) in self.weights.iter().zip(carried.stages.chunks_exact(carried.width)) {
+            let weight = self.step * weight;
+            for (into, rate) in into.iter_mut().zip(rate) {
+                *into += weight * rate;
+            }
+        }
+        self.carried = Some(carried);
     }
 
     fn pace(&self) -> Pace {

@@ -5,10 +5,11 @@ mod ending;
 
 use super::{Samples, Stopped, Stretch};
 use crate::error::StopCause;
+use crate::sensitivity::Tangents;
 use ending::{Ending, end_at};
 
 /// A method that needs nothing but the state at the start of a step.
-pub(super) trait OneStep {
+pub(crate) trait OneStep {
     /// Makes `state` at `time` the start of the next step.
     fn begin(&mut self, time: f64, state: &[f64]);
 
@@ -56,6 +57,24 @@ pub(super) trait OneStep {
         false
     }
 
+    /// Carries sensitivities over the current step, from its start to its end; gives their
+    /// error over what is allowed, as [`Tangents::error`] has it.
+    fn carry(&mut self, _tangents: &Tangents<'_>, _start: &[f64], _end: &mut [f64]) -> f64 {
+        unreachable!("a method that does not carry sensitivities is refused before it steps")
+    }
+
+    /// Sensitivities at `time` within the current step, over which they were carried from
+    /// `start`.
+    fn tangents_at(
+        &mut self,
+        _tangents: &Tangents<'_>,
+        _time: f64,
+        _start: &[f64],
+        _into: &mut [f64],
+    ) {
+        unreachable!("a method that does not carry sensitivities is refused before it steps")
+    }
+
     /// In so many parts of a step guards are looked at.
     fn parts(&self) -> usize {
         4
@@ -78,7 +97,7 @@ pub(super) fn rests(moves: impl Iterator<Item = (f64, f64)>, atol: &[f64]) -> bo
 
 /// What came of a step.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Trial {
+pub(crate) enum Trial {
     /// The error over what the tolerances allow; the step is good if that is at
     /// most 1.
     Error(f64),
@@ -102,7 +121,7 @@ impl Trial {
 /// the one before, the next is `safety` h e^-exponent e'^memory, within limits
 /// (a PI controller, Hairer, Norsett, Wanner, section II.4 and IV.2).
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Pace {
+pub(crate) struct Pace {
     pub(super) exponent: f64,
     pub(super) memory: f64,
     pub(super) safety: f64,
@@ -141,14 +160,7 @@ pub(super) fn drive<M: OneStep>(
     loop {
         let End { now, tried, arrives } = end_of_step(time, step, stretch.until);
         method.is_last(arrives);
-        let mut trial = method.attempt(tried);
-        if let Trial::Error(error) = trial
-            && error <= 1.0
-            && (stretch.watch.is_some() || samples.next_until(now).is_some_and(|at| at < now))
-        {
-            let between = method.error_between();
-            trial = Trial::Error(if between <= error { error } else { between });
-        }
+        let trial = attempt(method, stretch, samples, (tried, now));
         let pace = method.pace();
         let is_good = trial.is_good();
         let passing = passing(method, stretch, now, is_good);
@@ -185,8 +197,10 @@ pub(super) fn drive<M: OneStep>(
             let stood_still = rests(moves.take(stretch.system.states()), stretch.atol);
             let has_moved = kept.put_back(method, stretch, now)?;
             stretch.require_bounded(now, &kept.end)?;
+            constrain_tangents(stretch, now, &kept.end);
             sample(method, stretch, (now, &kept.end), state, samples)?;
             method.accept();
+            stretch.system.tangents().inspect(|tangents| tangents.accept());
             step = method.own_step().unwrap_or_else(|| {
                 let factor = pace.factor(pace.believed(error, tried, before), last_error);
                 tried * if rejected { factor.min(1.0) } else { factor }
@@ -230,6 +244,28 @@ pub(super) fn drive<M: OneStep>(
                 return Err(Stopped { time, cause });
             }
         }
+    }
+}
+
+/// Tries a step that ends at `now`; its error is also that of what is wanted between its ends,
+/// and of sensitivities.
+fn attempt<M: OneStep>(
+    method: &mut M,
+    stretch: &Stretch<'_>,
+    samples: &Samples<'_>,
+    (step, now): (f64, f64),
+) -> Trial {
+    let mut trial = method.attempt(step);
+    if let Trial::Error(error) = trial
+        && error <= 1.0
+        && (stretch.watch.is_some() || samples.next_until(now).is_some_and(|at| at < now))
+    {
+        let between = method.error_between();
+        trial = Trial::Error(if between <= error { error } else { between });
+    }
+    match (trial, stretch.system.tangents()) {
+        (Trial::Error(error), Some(tangents)) if error <= 1.0 => tangents.carry(method, error),
+        _ => trial,
     }
 }
 
@@ -353,6 +389,14 @@ pub(super) fn shrink(trial: Trial, pace: Pace) -> f64 {
     }
 }
 
+/// Puts sensitivities, if there are any, at the end of the current step onto what constraints
+/// leave free in a state on them.
+fn constrain_tangents(stretch: &Stretch<'_>, now: f64, end: &[f64]) {
+    if let Some(tangents) = stretch.system.tangents() {
+        tangents.constrain_end(stretch, now, end);
+    }
+}
+
 /// Pushes what is wanted until the end of the current step, `now`, all of it on the
 /// constraints.
 fn sample<M: OneStep>(
@@ -363,7 +407,9 @@ fn sample<M: OneStep>(
     samples: &mut Samples<'_>,
 ) -> Result<(), Stopped> {
     while let Some(time) = samples.next_until(now) {
+        let tangents = stretch.system.tangents();
         if time >= now {
+            tangents.inspect(|tangents| tangents.sample_end());
             samples.push(end);
         } else {
             method.interpolate(time, scratch);
@@ -371,6 +417,7 @@ fn sample<M: OneStep>(
                 return Err(stretch.not_finite("the state", index, time));
             }
             stretch.constrain(time, scratch)?;
+            tangents.inspect(|tangents| tangents.sample(method, stretch, time, scratch));
             samples.push(scratch);
         }
     }

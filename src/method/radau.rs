@@ -6,6 +6,7 @@
 
 mod collocation;
 mod newton;
+mod tangents;
 
 use self::collocation::Collocation;
 use self::newton::{Newton, Outcome};
@@ -14,6 +15,7 @@ use super::one_step::{
 };
 use super::tableau::RADAU;
 use super::{Integrator, Samples, Sealed, Stopped, Stretch};
+use crate::sensitivity::Tangents;
 
 /// Radau IIA of variable order.
 pub(super) struct Radau;
@@ -64,6 +66,7 @@ pub(super) struct RadauSteps<'a> {
     last_error: f64,
     accepted: Option<Accepted>,
     order_choice: OrderChoice,
+    carried: tangents::Carried,
 }
 
 /// A polynomial of the last accepted step, in divided differences.
@@ -124,6 +127,7 @@ impl<'a> RadauSteps<'a> {
             last_error: 1.0,
             accepted: None,
             order_choice: OrderChoice::default(),
+            carried: tangents::Carried::default(),
         }
     }
 
@@ -388,6 +392,20 @@ impl OneStep for RadauSteps<'_> {
         method.differences(&self.start, &self.stages, &mut self.within);
         let theta = (time - self.time) / self.step;
         method.evaluate(&self.within, theta, state);
+    }
+
+    fn carry(&mut self, tangents: &Tangents<'_>, start: &[f64], end: &mut [f64]) -> f64 {
+        self.carry_over(tangents, start, end)
+    }
+
+    fn tangents_at(
+        &mut self,
+        _tangents: &Tangents<'_>,
+        time: f64,
+        start: &[f64],
+        into: &mut [f64],
+    ) {
+        self.carried_at(time, start, into);
     }
 
     /// Norm of (gamma/h I - J)^-1 (f(t, u) - u'(t)) half way, u the polynomial.

@@ -114,6 +114,10 @@ impl<'a> Stretch<'a> {
     pub(super) fn leap(&self, state: &mut [f64], samples: &mut Samples<'_>) {
         let mut rate = vec![0.0; state.len()];
         self.rate(self.from, state, &mut rate);
+        if let Some(tangents) = self.system.tangents() {
+            tangents.leap(self, state);
+            tangents.sample_start(samples, self.until);
+        }
         for (value, rate) in state.iter_mut().zip(&rate) {
             *value += (self.until - self.from) * rate;
         }
@@ -226,6 +230,11 @@ impl<'a> Samples<'a> {
     #[must_use]
     pub fn next_until(&self, time: f64) -> Option<f64> {
         self.times.get(self.taken).copied().filter(|next| *next <= time)
+    }
+
+    /// How many wanted times are next and not after `time`.
+    pub(crate) fn due(&self, time: f64) -> usize {
+        self.times[self.taken..].partition_point(|next| *next <= time)
     }
 
     /// Takes the state at the next wanted time.

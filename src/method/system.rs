@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::Stopped;
 use crate::constraints::Constraints;
 use crate::error::StopCause;
+use crate::sensitivity::Tangents;
 use machinist_contract::{Simulator, SparsityPattern};
 use serde::Serialize;
 
@@ -47,6 +48,7 @@ pub struct System<'a> {
     states: usize,
     with_flows: bool,
     constraints: Option<Constraints<'a>>,
+    tangents: Option<Tangents<'a>>,
     work: Cell<Work>,
     notes: RefCell<Vec<String>>,
     interrupt: Option<&'a AtomicBool>,
@@ -66,6 +68,7 @@ impl<'a> System<'a> {
             states,
             with_flows,
             constraints: Constraints::of(simulator, parameters),
+            tangents: None,
             work: Cell::default(),
             notes: RefCell::default(),
             interrupt: None,
@@ -76,6 +79,16 @@ impl<'a> System<'a> {
     #[must_use]
     pub fn until_flagged(self, interrupt: Option<&'a AtomicBool>) -> Self {
         Self { interrupt, ..self }
+    }
+
+    /// The same, whose sensitivities are carried along.
+    pub(crate) fn with_tangents(self, tangents: Option<Tangents<'a>>) -> Self {
+        Self { tangents, ..self }
+    }
+
+    /// Sensitivities, if they are asked for.
+    pub(crate) fn tangents(&self) -> Option<&Tangents<'a>> {
+        self.tangents.as_ref()
     }
 
     /// Whether the run is to end where it is.

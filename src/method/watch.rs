@@ -57,6 +57,16 @@ struct Inner {
     happening: Option<(f64, Vec<usize>)>,
     latest: VecDeque<f64>,
     switches: Vec<Switch>,
+    happened: Happened,
+}
+
+/// What happened at once.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Happened {
+    /// Guards that passed zero, of events that were watched for and of kinks.
+    pub(crate) passed: Vec<usize>,
+    /// Events whose new values were given, in order; also those that others led to.
+    pub(crate) applied: Vec<usize>,
 }
 
 impl Inner {
@@ -103,6 +113,7 @@ impl<'a> Watch<'a> {
             happening: None,
             latest: VecDeque::new(),
             switches: Vec::new(),
+            happened: Happened::default(),
         };
         let (rtol, atol) = (problem.rtol, &problem.atol[..]);
         let watch = Self { system, span: until - from, rtol, atol, inner: RefCell::new(inner) };
@@ -250,6 +261,7 @@ impl<'a> Watch<'a> {
             return Ok(None);
         };
         let states = self.system.states();
+        self.inner.borrow_mut().happened = Happened::default();
         let guards_before = self.guards(time, state);
         let mut passed = vec![false; guards_before.len()];
         for index in events {
@@ -261,6 +273,8 @@ impl<'a> Watch<'a> {
                 self.count(index, time)?;
             }
         }
+        let all = passed.iter().enumerate().filter(|(_, passed)| **passed);
+        self.inner.borrow_mut().happened.passed = all.map(|(index, _)| index).collect();
         self.settle_after(time, state, &guards_before, &mut passed)?;
         let guards = self.guards(time, state);
         let fresh = |index: usize| {
@@ -281,6 +295,22 @@ impl<'a> Watch<'a> {
             }
         }
         Ok(Some(time))
+    }
+
+    /// What happened where the run was last stopped for events, or as modes were set right at
+    /// its start.
+    pub(crate) fn happened(&self) -> Happened {
+        self.inner.borrow().happened.clone()
+    }
+
+    /// A guard and its rate at a state.
+    pub(crate) fn guard_at(&self, time: f64, state: &[f64], index: usize) -> (f64, f64) {
+        self.inner.borrow_mut().parts.at(self.system, time, state, index)
+    }
+
+    /// How fast the rate of a guard changed in the step that was last looked at.
+    pub(crate) fn bend_of(&self, index: usize) -> f64 {
+        self.inner.borrow().parts.bend(index)
     }
 
     /// Whether a guard is not an event's, but that of a kink.
@@ -343,6 +373,7 @@ impl<'a> Watch<'a> {
         let event = self.system.simulator().event(index).name.to_owned();
         self.system.count(|work| work.switches += 1);
         let inner = &mut *self.inner.borrow_mut();
+        inner.happened.applied.push(index);
         inner.latest.push_back(time);
         // Many parts may begin at one time.
         let endless = ENDLESS.max(self.most());

@@ -3,7 +3,8 @@
 //     J q'' + d q' + c q = M step(t, t0)
 use machinist_contract::taylor::TaylorSeries;
 use machinist_contract::{
-    Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator, SparsityPattern,
+    Derivatives, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
+    SparsityPattern,
 };
 
 #[derive(Debug, Clone, Copy)]
@@ -122,6 +123,9 @@ impl<R: Real> Simulator<R> for Oscillator {
         PowerBalance { stored_rate: supplied - dissipated, supplied, dissipated }
     }
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        Some(self)
+    }
+    fn derivatives(&self) -> Option<&dyn Derivatives> {
         Some(self)
     }
 }

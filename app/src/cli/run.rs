@@ -6,7 +6,7 @@ use crate::failure::did_you_mean;
 use clap::Args;
 use machinist::error::StopCause;
 use machinist::field::ModalSimulator;
-use machinist::trajectory::{Column, ColumnKind, Trajectory};
+use machinist::trajectory::{Column, ColumnKind, Trajectory, sensitivity_name};
 use machinist::{Discretisation, Method, SimulateError, Simulation};
 use machinist_contract::Simulator;
 
@@ -52,6 +52,10 @@ pub struct Run {
     /// bdf, tr_bdf2, esdirk34, tsit45, tsit5, dop853, rodas5p, radau, auto, taylor or exact
     #[arg(long, value_name = "NAME")]
     method: Option<String>,
+    /// Derivatives of all states and outputs by these parameters, or by initial values of
+    /// these states: columns d(output)/d(parameter)
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    sensitivities: Vec<String>,
     /// Write all values to a file that ends in .csv or .json; - for CSV on
     /// standard output and nothing else there
     #[arg(long, value_name = "FILE")]
@@ -59,7 +63,7 @@ pub struct Run {
     /// Plot to a file that ends in .svg or .png
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
-    /// Only these columns: states, outputs, energy.total
+    /// Only these columns: states, outputs, energy.total, derivatives that are asked for
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     columns: Vec<String>,
 }
@@ -81,6 +85,7 @@ impl Run {
         let wanted = Discretisation { elements: self.elements, order: self.order };
         let scene = Scene::load_cut(&self.scene, self.keep_all, wanted)?;
         self.check_columns(scene.simulator())?;
+        self.check_sensitivities()?;
         match self.trajectory(scene.simulator())? {
             Ok(trajectory) => {
                 let trajectory = self.chosen_columns(trajectory);
@@ -180,6 +185,9 @@ impl Run {
             let method = Method::from_name(name).map_err(|error| Failure::input(error, ""))?;
             simulation = simulation.method(method);
         }
+        if !self.sensitivities.is_empty() {
+            simulation = simulation.sensitivities(&self.sensitivities)?;
+        }
         Ok(simulation)
     }
 
@@ -189,12 +197,28 @@ impl Run {
         let states = (0..shape.states()).map(|index| simulator.state(index).name);
         let outputs = (0..shape.outputs).map(|index| simulator.output(index).name);
         let known: Vec<&str> = outputs.chain(states).chain(["energy.total"]).collect();
-        match self.columns.iter().find(|name| !known.contains(&name.as_str())) {
+        let by = &self.sensitivities;
+        let derivatives = known.iter().flat_map(|of| by.iter().map(|by| sensitivity_name(of, by)));
+        let derivatives: Vec<String> = derivatives.collect();
+        let known = known.iter().copied().chain(derivatives.iter().map(String::as_str));
+        match self.columns.iter().find(|name| !known.clone().any(|known| known == *name)) {
             None => Ok(()),
             Some(name) => Err(Failure::input(
                 format!("scene `{}` has no column `{}`", simulator.name(), name.escape_debug()),
-                did_you_mean(name, known.into_iter()),
+                did_you_mean(name, known),
             )),
+        }
+    }
+
+    /// Refuses derivatives that are asked for twice.
+    fn check_sensitivities(&self) -> Result<(), Failure> {
+        let all = &self.sensitivities;
+        match (1..all.len()).find(|index| all[..*index].contains(&all[*index])) {
+            None => Ok(()),
+            Some(twice) => {
+                let message = format!("--sensitivities {} is given twice", all[twice]);
+                Err(Failure::input(message, ""))
+            }
         }
     }
 

@@ -7,7 +7,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::ruler::{Axis, Ruler};
 use super::{DrawResult, SCALE, TIME_AXIS_HEIGHT, text};
-use machinist::trajectory::Column;
+use machinist::trajectory::{Column, ColumnKind};
 
 pub(super) const INK: RGBColor = RGBColor(38, 43, 51);
 pub(super) const FAINT: RGBColor = RGBColor(92, 99, 110);
@@ -91,6 +91,12 @@ impl Panel<'_> {
         let places = self.horizontal.placed(self.places);
         for (column, color) in self.columns.iter().zip(COLORS.iter().cycle()) {
             let style = color.stroke_width(SCALE + SCALE / 2);
+            if column.kind == ColumnKind::Measured {
+                let dots = finite_lines(&places, &self.vertical.placed(&column.values)).concat();
+                let dot = |point: &(f64, f64)| Circle::new(*point, 2 * SCALE, color.filled());
+                chart.draw_series(thinned(dots).iter().map(dot))?;
+                continue;
+            }
             for line in finite_lines(&places, &self.vertical.placed(&column.values)) {
                 let pixel = |point: &(f64, f64)| chart.backend_coord(point);
                 for piece in cut_at_sharp_turns(&thinned(line), pixel) {

@@ -1,8 +1,9 @@
 //! Steps that end where a guard passes zero.
 
-use super::{Kept, OneStep, sample};
+use super::{Kept, OneStep, constrain_tangents, sample};
 use crate::error::StopCause;
 use crate::method::{Samples, Stopped, Stretch, Watch};
+use crate::sensitivity::{Passing, moment};
 
 /// What became of a step that was to end where a guard passes zero.
 pub(super) enum Ending {
@@ -27,6 +28,7 @@ pub(super) fn end_at<M: OneStep>(
     let Some(watch) = stretch.watch else { return Ok(Ending::NotReached) };
     if passing <= from {
         watch.copy_start(state);
+        stretch.system.tangents().inspect(|tangents| tangents.comes_from(from, state));
         watch.happens(from, passing, state);
         return Ok(Ending::Event);
     }
@@ -35,6 +37,11 @@ pub(super) fn end_at<M: OneStep>(
     let Some(time) = reach(method, watch, (from, until), passing) else {
         return Ok(Ending::NotReached);
     };
+    if let Some(tangents) = stretch.system.tangents()
+        && !tangents.carry(method, 0.0).is_good()
+    {
+        return Ok(Ending::NotReached);
+    }
     stretch.system.count(|work| work.steps += 1);
     if stretch.system.work().steps >= stretch.max_steps as u64 {
         let cause = StopCause::TooManySteps { limit: stretch.max_steps };
@@ -42,11 +49,29 @@ pub(super) fn end_at<M: OneStep>(
     }
     let mut kept = Kept::new(state);
     kept.put_back(method, stretch, time)?;
+    constrain_tangents(stretch, time, &kept.end);
     sample(method, stretch, (time, &kept.end), state, samples)?;
+    if let Some(tangents) = stretch.system.tangents() {
+        tangents.accept();
+        let earlier = (time - moment(stretch, time)).max(0.5 * (from + time));
+        state.copy_from_slice(&kept.end);
+        if stretch.system.simulator().kinks() > 0 {
+            method.interpolate(earlier, state);
+            tangents.comes_from(earlier, state);
+        } else {
+            tangents.comes_from(time, state);
+        }
+    }
     state.copy_from_slice(&kept.end);
     watch.happens(time, passing, state);
-    let crossed = watch.cross(stretch, state)?;
-    Ok(crossed.map_or(Ending::Event, |time| Ending::Kink { time }))
+    let Some((behind, kinks)) = watch.cross(stretch, state)? else { return Ok(Ending::Event) };
+    if let Some(tangents) = stretch.system.tangents() {
+        let (earlier, front) = tangents.front();
+        let time = stretch.within(time);
+        let passing = Passing { time, before: &kept.end, front: (earlier, &front) };
+        tangents.cross(stretch, watch, &passing, &kinks, (behind, state))?;
+    }
+    Ok(Ending::Kink { time: behind })
 }
 
 /// Takes steps that end where an event is, corrected by Newton's method; gives the time at

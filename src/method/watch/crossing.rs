@@ -14,7 +14,7 @@ const BEHIND: f64 = 1e-12;
 
 impl Watch<'_> {
     /// If what happens at the end of a step, in `state`, is that kinks are passed and
-    /// nothing else: puts the state behind them, and gives the time.
+    /// nothing else: puts the state behind them, and gives the time and the kinks.
     ///
     /// # Errors
     /// [`Chattering`](crate::error::StopCause::Chattering) if the state is driven back from behind.
@@ -22,16 +22,16 @@ impl Watch<'_> {
         &self,
         stretch: &Stretch<'_>,
         state: &mut [f64],
-    ) -> Result<Option<f64>, Stopped> {
+    ) -> Result<Option<(f64, Vec<usize>)>, Stopped> {
         let is_kink = |index: &usize| self.is_kink(*index);
         let are_kinks = |happening: &mut (f64, Vec<usize>)| happening.1.iter().all(is_kink);
         let happening = self.inner.borrow_mut().happening.take_if(are_kinks);
         let Some((time, kinks)) = happening else { return Ok(None) };
         let mut behind = time;
-        for kink in kinks {
-            behind = self.put_behind(stretch, kink, behind, state)?;
+        for kink in &kinks {
+            behind = self.put_behind(stretch, *kink, behind, state)?;
         }
-        Ok(Some(behind))
+        Ok(Some((behind, kinks)))
     }
 
     /// Puts a state at a kink behind it; its new time.

@@ -224,6 +224,11 @@ impl Parts {
         })
     }
 
+    /// How fast the rate of a guard changed where last looked at.
+    pub(super) fn bend(&self, event: usize) -> f64 {
+        self.bends[event]
+    }
+
     /// A guard and its rate at a state.
     pub(super) fn at(
         &mut self,

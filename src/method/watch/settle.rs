@@ -159,7 +159,7 @@ impl Watch<'_> {
 
     /// By how much the tolerances of the run may change a guard, the errors of all states
     /// added up.
-    fn blur(&self, index: usize, time: f64, state: &[f64]) -> f64 {
+    pub(crate) fn blur(&self, index: usize, time: f64, state: &[f64]) -> f64 {
         let guard = self.guards(time, state)[index];
         let mut shifted = state.to_vec();
         let mut blur = 0.0;

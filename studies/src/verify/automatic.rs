@@ -9,6 +9,7 @@ mod energy;
 mod independent;
 mod own;
 mod runs;
+mod sensitivities;
 mod visit;
 
 use std::borrow::Cow;
@@ -86,6 +87,7 @@ const ROWS: &[Row] = &[
     runs::DRIFT_AFTER,
     runs::AGREEMENT,
     runs::CONVERGENCE,
+    sensitivities::BY_DIFFERENCES,
 ];
 
 /// Every row of a machine: first whether it runs, then the automatic checks, then those of

@@ -1,0 +1,95 @@
+//! What is to be fitted, as the command line says it.
+
+use machinist::Simulation;
+use machinist::fit::Unknown;
+use machinist_contract::Simulator;
+
+use crate::failure::{Failure, did_you_mean};
+
+/// A name, and bounds if there are any.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Asked {
+    pub name: String,
+    pub bounds: Option<(f64, f64)>,
+}
+
+/// `name` or `name=from..to`, as `--parameters` takes it.
+pub fn asked(text: &str) -> Result<Asked, String> {
+    const EXAMPLE: &str = "write it as NAME or NAME=FROM..TO, such as coupling.damping=10..500";
+    let Some((name, values)) = text.split_once('=') else {
+        return Ok(Asked { name: text.trim().to_owned(), bounds: None });
+    };
+    let (from, to) = values.split_once("..").ok_or(EXAMPLE)?;
+    let number = |text: &str| match text.trim().parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        Ok(_) => Err(format!("`{text}` is not a finite number")),
+        Err(_) => Err(format!("`{text}` is not a number")),
+    };
+    let (from, to) = (number(from)?, number(to)?);
+    if from >= to {
+        return Err(format!("the bounds cross: {from} is not below {to}"));
+    }
+    Ok(Asked { name: name.trim().to_owned(), bounds: Some((from, to)) })
+}
+
+/// The unknowns of a run, and whether each is a parameter.
+pub fn unknowns(
+    all: &[Asked],
+    simulator: &dyn Simulator<f64>,
+    simulation: &Simulation<'_>,
+    start: &[f64],
+) -> Result<Vec<(Unknown, bool)>, Failure> {
+    let shape = simulator.shape();
+    let parameters = || (0..shape.parameters).map(|index| simulator.parameter(index).name);
+    let states = || (0..shape.states()).map(|index| simulator.state(index).name);
+    let mut found: Vec<(Unknown, bool)> = Vec::new();
+    for asked in all {
+        let Asked { name, bounds } = asked;
+        if found.iter().any(|(other, _)| other.name == *name) {
+            return Err(Failure::input(format!("--parameters {name} is given twice"), ""));
+        }
+        let parameter = parameters().position(|known| known == name);
+        let state = states().position(|known| known == name);
+        let value = match (parameter, state) {
+            (Some(index), _) => simulation.parameter_values()[index],
+            (None, Some(index)) => start[index],
+            (None, None) => {
+                let message = format!(
+                    "scene `{}` has no parameter and no state `{}`",
+                    simulator.name(),
+                    name.escape_debug()
+                );
+                let known: Vec<&str> = parameters().chain(states()).collect();
+                return Err(Failure::input(message, did_you_mean(name, known.into_iter())));
+            }
+        };
+        let bounds = bounds.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+        let (low, high) = bounds;
+        let is_within = (low..=high).contains(&value);
+        // From the middle, where the scene's own value is out of bounds.
+        let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };
+        let start = if is_within { value } else { middle };
+        found.push((Unknown { name: name.clone(), start, bounds }, parameter.is_some()));
+    }
+    Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bounds_are_read_and_crossed_ones_refused() {
+        let bounded = Asked { name: "a.b".to_owned(), bounds: Some((10.0, 500.0)) };
+        assert_eq!(asked("a.b=10..500"), Ok(bounded));
+        assert_eq!(asked("a.b").map(|asked| asked.bounds), Ok(None));
+        for (bad, reason) in [
+            ("a.b=3", "NAME=FROM..TO"),
+            ("a.b=5..1", "cross"),
+            ("a.b=1..inf", "finite"),
+            ("a.b=1..x", "not a number"),
+        ] {
+            assert!(asked(bad).unwrap_err().contains(reason), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,353 @@
+//! `machinist sensitivity`: which parameters matter for which outputs.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use machinist::error::StopCause;
+use machinist::trajectory::{Column, ColumnKind, Trajectory, sensitivity_name};
+use machinist::{Method, SimulateError, Simulation};
+use machinist_contract::Simulator;
+use serde::Serialize;
+
+use super::assignment;
+use super::output::{columns, draw_file, print, require_ending, write_file};
+use super::scene::Scene;
+use crate::failure::{Failure, did_you_mean};
+use crate::interrupt;
+use crate::number::number;
+use crate::progress::during;
+
+/// Curves of a plot.
+const DRAWN: usize = 6;
+
+#[derive(Debug, Args)]
+pub struct Sensitivity {
+    /// Name of a scene built in, or a scene file
+    scene: String,
+    /// Only these parameters, or initial values of these states; all parameters unless given
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    parameters: Vec<String>,
+    /// Only these outputs or states; all outputs unless given
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    outputs: Vec<String>,
+    /// Give a parameter another value, in its SI unit
+    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
+    set: Vec<(String, f64)>,
+    /// Start time, s
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    from: Option<f64>,
+    /// End time, s
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    until: Option<f64>,
+    /// Number of times over which is averaged, both ends included
+    #[arg(long, value_name = "NUMBER")]
+    points: Option<usize>,
+    /// Relative tolerance of a step
+    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
+    rtol: Option<f64>,
+    /// The method, one that carries sensitivities
+    #[arg(long, value_name = "NAME")]
+    method: Option<String>,
+    /// So many rows of the table at most; 0 for all
+    #[arg(long, value_name = "NUMBER", default_value_t = 20)]
+    top: usize,
+    /// All of them as JSON
+    #[arg(long)]
+    json: bool,
+    /// Write relative sensitivities over time to a file that ends in .csv
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Plot the largest relative sensitivities over time to a file that ends in .svg or .png
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+}
+
+/// What an output has of a parameter: (p/scale) d(output)/dp, the scale being the largest size
+/// of the output over the run.
+#[derive(Debug, Clone, Serialize)]
+struct Effect {
+    parameter: String,
+    output: String,
+    /// Root mean square over the run.
+    rms: f64,
+    /// Of the largest size, with its sign.
+    largest: f64,
+    /// When that is \[s\].
+    at: f64,
+    /// At the end of the run.
+    end: f64,
+    #[serde(skip)]
+    values: Vec<f64>,
+}
+
+#[derive(Serialize)]
+struct Answer<'a> {
+    scene: &'a str,
+    method: Method,
+    rtol: f64,
+    from: f64,
+    until: f64,
+    effects: &'a [Effect],
+    left_out: &'a [String],
+}
+
+impl Sensitivity {
+    pub fn execute(&self) -> Result<(), Failure> {
+        if let Some(file) = &self.plot {
+            require_ending(file, &["svg", "png"], "--plot")?;
+        }
+        if let Some(file) = &self.out {
+            require_ending(file, &["csv"], "--out")?;
+        }
+        let scene = Scene::load(&self.scene, false)?;
+        let simulator = scene.simulator();
+        let outputs = self.wanted(simulator)?;
+        let simulation = self.simulation(simulator)?;
+        let (by, mut left_out) = self.directions(simulator, &simulation);
+        let flag = interrupt::flag();
+        let simulation = simulation.until_flagged(&flag);
+        let run = during("simulating", || differentiable(&simulation, by, &mut left_out))?;
+        let (trajectory, by) = match run {
+            (Ok(trajectory), by) => (trajectory, by),
+            (Err(error), _) => return Err(self.stopped(error)),
+        };
+        let mut effects = effects(&simulation, &trajectory, &by, &outputs);
+        effects.sort_by(|a, b| b.rms.total_cmp(&a.rms));
+        let relative = relative(&trajectory, &effects);
+        if let Some(file) = &self.out {
+            write_file(file, |out| relative.write_csv(out))?;
+        }
+        if let Some(file) = &self.plot {
+            let largest = effects.iter().take(DRAWN).filter(|effect| effect.rms > 0.0);
+            let names: Vec<String> = largest.map(Effect::name).collect();
+            let names: Vec<&str> = names.iter().map(String::as_str).collect();
+            if names.is_empty() {
+                return Err(Failure::unsuccessful("nothing moves any output: no plot", ""));
+            }
+            draw_file(file, |path| crate::plot::plot(&relative, &names, path))?;
+        }
+        if self.json {
+            let answer = Answer {
+                scene: simulator.name(),
+                method: trajectory.method,
+                rtol: trajectory.rtol,
+                from: trajectory.times.first().copied().unwrap_or(f64::NAN),
+                until: trajectory.times.last().copied().unwrap_or(f64::NAN),
+                effects: &effects,
+                left_out: &left_out,
+            };
+            let text = serde_json::to_string_pretty(&answer)
+                .map_err(|error| Failure::unsuccessful(error, ""))?;
+            return print(&format!("{text}\n"));
+        }
+        print(&self.summary(&scene, &trajectory, &effects, &left_out))
+    }
+
+    fn stopped(&self, error: SimulateError) -> Failure {
+        if let SimulateError::Stopped { cause: StopCause::AtOnce { .. }, .. } = &error {
+            let help = format!("`--parameters` names those of {} that are wanted", self.scene);
+            return Failure::unsuccessful(error, help);
+        }
+        error.into()
+    }
+
+    fn simulation<'a>(&self, simulator: &'a dyn Simulator<f64>) -> Result<Simulation<'a>, Failure> {
+        let mut simulation = Simulation::new(simulator);
+        for (name, value) in &self.set {
+            simulation = simulation.parameter(name, *value)?;
+        }
+        simulation = self.from.into_iter().fold(simulation, Simulation::from);
+        simulation = self.until.into_iter().fold(simulation, Simulation::until);
+        simulation = self.points.into_iter().fold(simulation, Simulation::points);
+        simulation = self.rtol.into_iter().fold(simulation, Simulation::rtol);
+        if let Some(name) = &self.method {
+            let method = Method::from_name(name).map_err(|error| Failure::input(error, ""))?;
+            simulation = simulation.method(method);
+        }
+        Ok(simulation)
+    }
+
+    /// Outputs asked for; all of them, or all states of a scene without outputs.
+    fn wanted(&self, simulator: &dyn Simulator<f64>) -> Result<Vec<String>, Failure> {
+        let shape = simulator.shape();
+        let outputs: Vec<&str> =
+            (0..shape.outputs).map(|index| simulator.output(index).name).collect();
+        let states = (0..shape.states()).map(|index| simulator.state(index).name);
+        let known: Vec<&str> = outputs.iter().copied().chain(states).collect();
+        if self.outputs.is_empty() {
+            let all = if outputs.is_empty() { known } else { outputs };
+            return Ok(all.into_iter().map(str::to_owned).collect());
+        }
+        match self.outputs.iter().find(|name| !known.contains(&name.as_str())) {
+            None => Ok(self.outputs.clone()),
+            Some(name) => Err(Failure::input(
+                format!(
+                    "scene `{}` has no output or state `{}`",
+                    simulator.name(),
+                    name.escape_debug()
+                ),
+                did_you_mean(name, known.into_iter()),
+            )),
+        }
+    }
+
+    /// What is differentiated by, and what is left out of all parameters, and why.
+    fn directions(
+        &self,
+        simulator: &dyn Simulator<f64>,
+        simulation: &Simulation<'_>,
+    ) -> (Vec<String>, Vec<String>) {
+        if !self.parameters.is_empty() {
+            let mut names = Vec::new();
+            for name in &self.parameters {
+                if !names.contains(name) {
+                    names.push(name.clone());
+                }
+            }
+            return (names, Vec::new());
+        }
+        let all = simulation.parameter_values().iter().enumerate();
+        let named = all.map(|(index, value)| (simulator.parameter(index).name.to_owned(), *value));
+        let (zero, others): (Vec<_>, Vec<_>) = named.partition(|(_, value)| *value == 0.0);
+        let left_out = zero
+            .into_iter()
+            .map(|(name, _)| format!("{name} is 0, so that no change of it is relative"));
+        (others.into_iter().map(|(name, _)| name).collect(), left_out.collect())
+    }
+
+    fn summary(
+        &self,
+        scene: &Scene,
+        trajectory: &Trajectory,
+        effects: &[Effect],
+        left_out: &[String],
+    ) -> String {
+        let mut text = format!(
+            "{}: {} ({})\n{}, rtol {:e}, {} s to {} s\n{} steps, {} rate evaluations, {} \
+             Jacobians\n\nChange of an output, over its largest size, for a relative change of a \
+             parameter:\n\n",
+            trajectory.scene,
+            trajectory.title,
+            scene.how(),
+            trajectory.method,
+            trajectory.rtol,
+            trajectory.times.first().copied().unwrap_or(f64::NAN),
+            trajectory.times.last().copied().unwrap_or(f64::NAN),
+            trajectory.work.steps,
+            trajectory.work.rate_evaluations,
+            trajectory.work.jacobian_evaluations,
+        );
+        let header = ["parameter", "output", "rms", "largest", "at [s]", "end"].map(str::to_owned);
+        let shown = if self.top == 0 { effects.len() } else { self.top };
+        let rows = effects.iter().take(shown).map(|effect| {
+            let [rms, largest, at, end] =
+                [effect.rms, effect.largest, effect.at, effect.end].map(|value| number(value, 4));
+            [effect.parameter.clone(), effect.output.clone(), rms, largest, at, end]
+        });
+        text.push_str(&columns(&std::iter::once(header).chain(rows).collect::<Vec<_>>(), 2));
+        if effects.len() > shown {
+            text.push_str(&format!(
+                "and {} more, the next of {} rms; --top 0 shows all\n",
+                effects.len() - shown,
+                number(effects[shown].rms, 4)
+            ));
+        }
+        if !left_out.is_empty() {
+            text.extend(["\nleft out: ", &left_out.join("; "), "\n"]);
+        }
+        for file in [&self.out, &self.plot].into_iter().flatten() {
+            text.extend(["\nwrote ", &file.display().to_string()]);
+        }
+        text.trim_end().to_owned() + "\n"
+    }
+}
+
+/// The run with derivatives by as many of these as there are derivatives by; what is refused
+/// of them is left out, and said to be.
+type Outcome = (Result<Trajectory, SimulateError>, Vec<String>);
+
+fn differentiable(
+    simulation: &Simulation<'_>,
+    mut by: Vec<String>,
+    left_out: &mut Vec<String>,
+) -> Result<Outcome, Failure> {
+    loop {
+        if by.is_empty() {
+            let why = left_out.join("; ");
+            return Err(Failure::input("there is nothing to differentiate by", why));
+        }
+        let run = simulation.clone().sensitivities(&by)?.run();
+        match run {
+            Err(SimulateError::NotDifferentiable { name, why }) if by.contains(&name) => {
+                by.retain(|other| *other != name);
+                left_out.push(format!("{name} {why}"));
+            }
+            run => return Ok((run, by)),
+        }
+    }
+}
+
+fn effects(
+    simulation: &Simulation<'_>,
+    trajectory: &Trajectory,
+    by: &[String],
+    outputs: &[String],
+) -> Vec<Effect> {
+    let simulator = simulation.simulator();
+    let value_of = |name: &str| {
+        let place = (0..simulator.shape().parameters)
+            .find(|index| simulator.parameter(*index).name == name);
+        let of_start = || trajectory.column(name).and_then(|values| values.first().copied());
+        place.map(|index| simulation.parameter_values()[index]).or_else(of_start)
+    };
+    let mut effects = Vec::new();
+    for output in outputs {
+        let Some(values) = trajectory.column(output) else { continue };
+        let scale = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        for name in by {
+            let (Some(value), Some(slopes)) =
+                (value_of(name), trajectory.sensitivity(output, name))
+            else {
+                continue;
+            };
+            let relative = |slope: &f64| if *slope == 0.0 { 0.0 } else { value / scale * slope };
+            let values: Vec<f64> = slopes.iter().map(relative).collect();
+            effects.push(Effect::new(name, output, values, &trajectory.times));
+        }
+    }
+    effects
+}
+
+impl Effect {
+    fn new(parameter: &str, output: &str, values: Vec<f64>, times: &[f64]) -> Self {
+        let mean = values.iter().map(|value| value * value).sum::<f64>() / values.len() as f64;
+        let largest = values.iter().zip(times).fold((0.0_f64, 0.0), |most, (value, time)| {
+            if value.abs() > most.0.abs() { (*value, *time) } else { most }
+        });
+        Self {
+            parameter: parameter.to_owned(),
+            output: output.to_owned(),
+            rms: mean.sqrt(),
+            largest: largest.0,
+            at: largest.1,
+            end: values.last().copied().unwrap_or(f64::NAN),
+            values,
+        }
+    }
+
+    fn name(&self) -> String {
+        sensitivity_name(&self.output, &self.parameter)
+    }
+}
+
+/// Relative sensitivities over time, the largest first.
+fn relative(trajectory: &Trajectory, effects: &[Effect]) -> Trajectory {
+    let column = |effect: &Effect| Column {
+        name: effect.name(),
+        unit: "1".to_owned(),
+        kind: ColumnKind::Sensitivity,
+        doc: format!("relative effect of `{}` on `{}`", effect.parameter, effect.output),
+        values: effect.values.clone(),
+    };
+    Trajectory { columns: effects.iter().map(column).collect(), ..trajectory.clone() }
+}

@@ -1,0 +1,431 @@
+//! Sensitivities along a run: S = dy/dp, carried with the states.
+//!
+//! Between events they follow the variational equations
+//!
+//! ```text
+//! S' = J S + df/dp,   J = df/dy        S(from) = dy_0/dp
+//! ```
+//!
+//! which a method solves with its own stages, so that S is the derivative of what the method
+//! computes at the steps it takes. At an event, whose time moves with p, they jump; see
+//! [`instant`]. What is not in dy'/dy and dy'/dp is differentiated on dual numbers: the start,
+//! outputs, guards, resets, times of jumps, constraints.
+//!
+//! An entry of S stands at `state * directions + direction`.
+
+mod columns;
+mod instant;
+mod start;
+
+use std::cell::RefCell;
+use std::ops::Range;
+
+use machinist_contract::{Derivatives, Describe, Dual, DualFunction, Real, Simulator};
+
+use crate::constraints::Constraints;
+use crate::error::{SimulateError, did_you_mean};
+use crate::method::{Method, OneStep, Samples, Stopped, Stretch, Trial};
+use instant::Instant;
+
+pub(crate) use columns::columns;
+pub(crate) use instant::{Passing, moment};
+pub(crate) use start::Start;
+
+/// What is differentiated by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum By {
+    /// A parameter.
+    Parameter(usize),
+    /// The initial value of a state.
+    Initial(usize),
+}
+
+impl By {
+    /// The parameter of a name, else the state.
+    pub(crate) fn named(simulator: &dyn Simulator<f64>, name: &str) -> Result<Self, SimulateError> {
+        let shape = simulator.shape();
+        let parameters = || (0..shape.parameters).map(|index| simulator.parameter(index).name);
+        let states = || (0..shape.states()).map(|index| simulator.state(index).name);
+        if let Some(index) = parameters().position(|known| known == name) {
+            return Ok(Self::Parameter(index));
+        }
+        match states().position(|known| known == name) {
+            Some(index) if simulator.is_mode(index) => Err(SimulateError::NotDifferentiable {
+                name: name.to_owned(),
+                why: "is a mode, which has whole numbers for values".to_owned(),
+            }),
+            Some(index) => Ok(Self::Initial(index)),
+            None => Err(SimulateError::UnknownDirection {
+                scene: simulator.name().to_owned(),
+                name: name.to_owned(),
+                hint: did_you_mean(name, parameters().chain(states())),
+            }),
+        }
+    }
+
+    /// Name and unit.
+    pub(crate) fn quantity(self, simulator: &dyn Describe) -> machinist_contract::Quantity<'_> {
+        match self {
+            Self::Parameter(index) => simulator.parameter(index),
+            Self::Initial(index) => simulator.state(index),
+        }
+    }
+}
+
+/// Derivatives of the state, carried along a run.
+pub(crate) struct Tangents<'a> {
+    simulator: &'a dyn Simulator<f64>,
+    derivatives: &'a dyn Derivatives,
+    parameters: &'a [f64],
+    by: Vec<By>,
+    states: usize,
+    /// (entry of dy'/dp, place in S) of the parameters among `by`.
+    driven: Vec<(usize, usize)>,
+    /// Sizes of what is differentiated by.
+    sizes: Vec<f64>,
+    is_controlled: bool,
+    inner: RefCell<Inner>,
+    /// Values of dy'/dy and dy'/dp.
+    scratch: RefCell<[Vec<f64>; 2]>,
+}
+
+struct Inner {
+    /// S at the start of the current step.
+    start: Vec<f64>,
+    /// S at its end, once it was carried there.
+    end: Vec<f64>,
+    /// S at the wanted times.
+    rows: Vec<f64>,
+    latest: Instant,
+    /// A state in front of what happens at the end of the current step, and its time.
+    front: (f64, Vec<f64>),
+}
+
+impl<'a> Tangents<'a> {
+    /// Tangents of a run that starts with S = `start`.
+    ///
+    /// # Errors
+    /// [`SimulateError::NoDerivatives`] of a simulator that has no dual numbers.
+    pub(crate) fn new(
+        simulator: &'a dyn Simulator<f64>,
+        parameters: &'a [f64],
+        (by, is_controlled): (Vec<By>, bool),
+        from: f64,
+    ) -> Result<Self, SimulateError> {
+        let scene = || simulator.name().to_owned();
+        let derivatives = simulator
+            .derivatives()
+            .ok_or_else(|| SimulateError::NoDerivatives { scene: scene() })?;
+        let (states, count) = (simulator.shape().states(), by.len());
+        let pattern = simulator.parameter_jacobian_pattern().entries;
+        let mut driven = Vec::new();
+        for (entry, (row, column)) in pattern.iter().enumerate() {
+            let is_it = |by: &By| *by == By::Parameter(*column as usize);
+            let place = |direction: usize| (entry, *row as usize * count + direction);
+            driven.extend((0..count).filter(|direction| is_it(&by[*direction])).map(place));
+        }
+        let zeros = vec![0.0; states * count];
+        let inner = Inner {
+            start: zeros.clone(),
+            end: zeros,
+            rows: Vec::new(),
+            latest: Instant { time: from, shifts: vec![0.0; count] },
+            front: (from, Vec::new()),
+        };
+        let values = simulator.rate_jacobian_pattern().entries.len();
+        let scratch = RefCell::new([vec![0.0; values], vec![0.0; pattern.len()]]);
+        let inner = RefCell::new(inner);
+        let size = |by: &By| match by {
+            By::Parameter(index) if parameters[*index] != 0.0 => parameters[*index].abs(),
+            By::Parameter(_) => 1.0,
+            By::Initial(index) => simulator.state_scale(*index),
+        };
+        let sizes = by.iter().map(size).collect();
+        Ok(Self {
+            simulator,
+            derivatives,
+            parameters,
+            by,
+            states,
+            driven,
+            sizes,
+            is_controlled,
+            inner,
+            scratch,
+        })
+    }
+
+    /// What is differentiated by.
+    pub(crate) fn by(&self) -> &[By] {
+        &self.by
+    }
+
+    /// Entries of S.
+    pub(crate) fn len(&self) -> usize {
+        self.states * self.by.len()
+    }
+
+    /// S at the wanted times until now, row after row.
+    fn take_rows(&self) -> Vec<f64> {
+        std::mem::take(&mut self.inner.borrow_mut().rows)
+    }
+
+    /// J S + df/dp at a state of a stretch.
+    pub(crate) fn rate(
+        &self,
+        stretch: &Stretch<'_>,
+        time: f64,
+        state: &[f64],
+        tangents: &[f64],
+        into: &mut [f64],
+    ) {
+        let [jacobian, by_parameters] = &mut *self.scratch.borrow_mut();
+        stretch.jacobian(time, state, jacobian);
+        into.fill(0.0);
+        let count = self.by.len();
+        if !self.driven.is_empty() {
+            let (time, state) = (stretch.within(time), &state[..self.states]);
+            self.simulator.parameter_jacobian(time, state, self.parameters, by_parameters);
+            for (entry, place) in &self.driven {
+                into[*place] = by_parameters[*entry];
+            }
+        }
+        let entries = self.simulator.rate_jacobian_pattern().entries;
+        for ((row, column), value) in entries.iter().zip(jacobian) {
+            let tangents = &tangents[*column as usize * count..][..count];
+            let into = &mut into[*row as usize * count..][..count];
+            for (into, tangent) in into.iter_mut().zip(tangents) {
+                *into = Real::mul_add(*value, *tangent, *into);
+            }
+        }
+    }
+
+    /// The entries of dy'/dy where [`Tangents::rate`] was last asked for: row, column, value.
+    #[cfg(feature = "implicit")]
+    pub(crate) fn for_each_slope(&self, mut look: impl FnMut(usize, usize, f64)) {
+        let [jacobian, _] = &*self.scratch.borrow();
+        let entries = self.simulator.rate_jacobian_pattern().entries;
+        for ((row, column), value) in entries.iter().zip(jacobian) {
+            look(*row as usize, *column as usize, *value);
+        }
+    }
+
+    /// Carries S over the current step of a method, whose states have this error: what came of
+    /// both.
+    pub(crate) fn carry<M: OneStep>(&self, method: &mut M, of_states: f64) -> Trial {
+        let Inner { start, end, .. } = &mut *self.inner.borrow_mut();
+        let error = method.carry(self, start, end);
+        match end.iter().position(|value| !value.is_finite()) {
+            Some(place) => {
+                let index = place / self.by.len();
+                Trial::NotFinite { what: "a sensitivity of", index }
+            }
+            None if self.is_controlled && error.is_nan() => Trial::Error(f64::INFINITY),
+            None if self.is_controlled => Trial::Error(error.max(of_states)),
+            None => Trial::Error(of_states),
+        }
+    }
+
+    /// Errors of S over what is allowed, the greatest of all directions: root mean squares over
+    /// the states of
+    ///
+    /// ```text
+    /// error / (atol / |p| + rtol |S|)
+    /// ```
+    pub(crate) fn error(
+        &self,
+        stretch: &Stretch<'_>,
+        errors: &[f64],
+        (start, end): (&[f64], &[f64]),
+    ) -> f64 {
+        let count = self.by.len();
+        let mut sums = vec![0.0; count];
+        let rows = errors.chunks_exact(count).zip(start.chunks_exact(count));
+        for (((errors, start), end), atol) in
+            rows.zip(end.chunks_exact(count)).zip(&stretch.atol[..self.states])
+        {
+            for (k, sum) in sums.iter_mut().enumerate() {
+                let size = start[k].abs().max(end[k].abs());
+                let ratio = errors[k] / (atol / self.sizes[k] + stretch.rtol * size);
+                *sum += ratio * ratio;
+            }
+        }
+        // A NaN is kept.
+        let largest = sums.iter().fold(0.0, |a: f64, b| if *b <= a { a } else { *b });
+        (largest / self.states as f64).sqrt()
+    }
+
+    /// Whether S is under the control of error.
+    pub(crate) fn is_controlled(&self) -> bool {
+        self.is_controlled
+    }
+
+    fn require_finite(
+        &self,
+        stretch: &Stretch<'_>,
+        time: f64,
+        tangents: &[f64],
+    ) -> Result<(), Stopped> {
+        match tangents.iter().position(|value| !value.is_finite()) {
+            None => Ok(()),
+            Some(place) => Err(stretch.not_finite("a sensitivity of", place / self.by.len(), time)),
+        }
+    }
+
+    /// Puts S at the end of the current step onto what the constraints leave free there.
+    pub(crate) fn constrain_end(&self, stretch: &Stretch<'_>, time: f64, state: &[f64]) {
+        let end = &mut self.inner.borrow_mut().end;
+        self.constrain(stretch.system.constraints(), stretch.within(time), state, end);
+    }
+
+    /// Takes the current step: its end is the start of the next one.
+    pub(crate) fn accept(&self) {
+        let inner = &mut *self.inner.borrow_mut();
+        std::mem::swap(&mut inner.start, &mut inner.end);
+    }
+
+    /// Says from where the state comes to what happens next.
+    pub(crate) fn comes_from(&self, time: f64, state: &[f64]) {
+        self.inner.borrow_mut().front = (time, state.to_vec());
+    }
+
+    /// From where the state comes to what happens.
+    pub(crate) fn front(&self) -> (f64, Vec<f64>) {
+        self.inner.borrow().front.clone()
+    }
+
+    /// S at a wanted time within the current step, where the state is `state`.
+    pub(crate) fn sample<M: OneStep>(
+        &self,
+        method: &mut M,
+        stretch: &Stretch<'_>,
+        time: f64,
+        state: &[f64],
+    ) {
+        let Inner { start, rows, .. } = &mut *self.inner.borrow_mut();
+        let first = rows.len();
+        rows.resize(first + self.len(), 0.0);
+        let row = &mut rows[first..];
+        method.tangents_at(self, time, start, row);
+        self.constrain(stretch.system.constraints(), stretch.within(time), state, row);
+    }
+
+    /// S at a wanted time at the end of the current step.
+    pub(crate) fn sample_end(&self) {
+        let Inner { end, rows, .. } = &mut *self.inner.borrow_mut();
+        rows.extend_from_slice(end);
+    }
+
+    /// S at all wanted times until the start of the next step.
+    pub(crate) fn sample_start(&self, samples: &Samples<'_>, until: f64) {
+        let Inner { start, rows, .. } = &mut *self.inner.borrow_mut();
+        let wanted = samples.due(until);
+        (0..wanted).for_each(|_| rows.extend_from_slice(start));
+    }
+
+    /// One Euler step, exact to rounding where it is short to rounding.
+    pub(crate) fn leap(&self, stretch: &Stretch<'_>, state: &[f64]) {
+        let start = &mut self.inner.borrow_mut().start;
+        let mut rate = vec![0.0; start.len()];
+        self.rate(stretch, stretch.from, state, start, &mut rate);
+        for (value, rate) in start.iter_mut().zip(&rate) {
+            *value += (stretch.until - stretch.from) * rate;
+        }
+    }
+
+    /// Directions that are looked at side by side.
+    fn chunks(&self) -> impl Iterator<Item = Range<usize>> + use<> {
+        let count = self.by.len();
+        (0..count).step_by(Dual::DIRECTIONS).map(move |k| k..(k + Dual::DIRECTIONS).min(count))
+    }
+
+    /// Parameters with slopes along some directions.
+    fn parameters_along(&self, directions: &Range<usize>) -> Vec<Dual> {
+        let mut duals: Vec<Dual> = self.parameters.iter().copied().map(Dual::constant).collect();
+        for (lane, direction) in directions.clone().enumerate() {
+            if let By::Parameter(index) = self.by[direction] {
+                duals[index].slopes[lane] = 1.0;
+            }
+        }
+        duals
+    }
+
+    /// A state with slopes S along some directions.
+    fn state_along(&self, state: &[f64], tangents: &[f64], directions: &Range<usize>) -> Vec<Dual> {
+        let count = self.by.len();
+        let along = |index: usize| {
+            let mut dual = Dual::constant(state[index]);
+            dual.slopes[..directions.len()]
+                .copy_from_slice(&tangents[index * count..][directions.clone()]);
+            dual
+        };
+        (0..self.states).map(along).collect()
+    }
+
+    /// Slopes of a function in every direction, one row a value.
+    fn slopes(
+        &self,
+        function: DualFunction,
+        values: usize,
+        time: f64,
+        state: &[f64],
+        tangents: &[f64],
+    ) -> Vec<Vec<f64>> {
+        let mut slopes = vec![Vec::with_capacity(self.by.len()); values];
+        let mut results = vec![Dual::constant(0.0); values];
+        for directions in self.chunks() {
+            let parameters = self.parameters_along(&directions);
+            let state = self.state_along(state, tangents, &directions);
+            let time = Dual::constant(time);
+            self.derivatives.on_duals(function, time, &state, &parameters, &mut results);
+            for (slopes, result) in slopes.iter_mut().zip(&results) {
+                slopes.extend_from_slice(&result.slopes[..directions.len()]);
+            }
+        }
+        slopes
+    }
+
+    /// Shifts S the shortest way to where constraints hold to first order: what puts a state
+    /// back does so to its derivatives.
+    fn constrain(
+        &self,
+        constraints: Option<&Constraints<'_>>,
+        time: f64,
+        state: &[f64],
+        tangents: &mut [f64],
+    ) {
+        let Some(constraints) = constraints else { return };
+        let count = self.by.len();
+        let coordinates = self.simulator.shape().coordinates;
+        let rows = self.simulator.constraints();
+        for (function, first) in
+            [(DualFunction::ConstraintValues, 0), (DualFunction::ConstraintRates, coordinates)]
+        {
+            let slopes = self.slopes(function, rows, time, state, tangents);
+            // What cannot be solved stays; the state itself was put back by the same matrix.
+            let Some(shift) = constraints.shortest_each(time, state, &slopes) else { continue };
+            for (index, shifts) in shift.row_iter().enumerate() {
+                for (direction, shift) in shifts.iter().enumerate() {
+                    tangents[(first + index) * count + direction] -= shift;
+                }
+            }
+        }
+    }
+}
+
+impl Method {
+    /// Whether the method carries sensitivities with the states.
+    #[must_use]
+    pub fn carries_sensitivities(self) -> bool {
+        matches!(self, Self::Tsit5 | Self::Dop853 | Self::Radau | Self::Auto)
+    }
+
+    /// The method for a run with sensitivities, where it was left to the scene or to `auto`.
+    pub(crate) fn for_sensitivities(self) -> Self {
+        match self {
+            carries if carries.carries_sensitivities() => self,
+            _ if Self::Auto.is_compiled_in() => Self::Auto,
+            _ => Self::Dop853,
+        }
+    }
+}

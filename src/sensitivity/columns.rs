@@ -1,0 +1,82 @@
+//! Sensitivities of states and outputs as columns of a trajectory.
+
+use machinist_contract::{DualFunction, Quantity, Simulator};
+
+use super::{By, Tangents};
+use crate::trajectory::{Column, ColumnKind, sensitivity_name};
+
+/// `d(y)/d(p)` of every state, then of every output, by each p in turn.
+///
+/// `rows` are states of so many entries each at `times`.
+pub(crate) fn columns(
+    simulator: &dyn Simulator<f64>,
+    tangents: &Tangents<'_>,
+    times: &[f64],
+    (rows, width): (&[f64], usize),
+) -> Vec<Column> {
+    let sensitivities = tangents.take_rows();
+    let shape = simulator.shape();
+    let by = tangents.by().to_vec();
+    let count = by.len();
+    let rows_of_tangents = || sensitivities.chunks_exact(tangents.len().max(1));
+    let mut outputs = vec![Vec::with_capacity(times.len()); shape.outputs * count];
+    for ((time, row), s) in times.iter().zip(rows.chunks_exact(width)).zip(rows_of_tangents()) {
+        let slopes = tangents.slopes(DualFunction::Outputs, shape.outputs, *time, row, s);
+        for (column, slope) in outputs.iter_mut().zip(slopes.iter().flatten()) {
+            column.push(*slope);
+        }
+    }
+    let states = (0..shape.states()).flat_map(|index| (0..count).map(move |k| (index, k)));
+    let of_states = states.map(|(index, k)| {
+        let values = rows_of_tangents().map(|row| row[index * count + k]).collect();
+        column(simulator.state(index), by[k], simulator, values)
+    });
+    let of_outputs = outputs.into_iter().enumerate().map(|(place, values)| {
+        column(simulator.output(place / count), by[place % count], simulator, values)
+    });
+    of_states.chain(of_outputs).collect()
+}
+
+fn column(of: Quantity<'_>, by: By, simulator: &dyn Simulator<f64>, values: Vec<f64>) -> Column {
+    let quantity = by.quantity(simulator);
+    let what = match by {
+        By::Parameter(_) => "",
+        By::Initial(_) => "the initial value of ",
+    };
+    Column {
+        name: sensitivity_name(of.name, quantity.name),
+        unit: unit(of.unit, quantity.unit),
+        kind: ColumnKind::Sensitivity,
+        doc: format!("derivative of `{}` by {what}`{}`", of.name, quantity.name),
+        values,
+    }
+}
+
+/// One unit over another.
+fn unit(of: &str, by: &str) -> String {
+    let is_one_word = by.chars().all(|c| c.is_alphanumeric() || c == '^');
+    match (of, by) {
+        (_, "1") => of.to_owned(),
+        _ if of == by => "1".to_owned(),
+        _ if is_one_word => format!("{of}/{by}"),
+        _ => format!("{of}/({by})"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::unit;
+
+    #[test]
+    fn units_divide() {
+        for (of, by, wanted) in [
+            ("N m", "1", "N m"),
+            ("N m", "N m/rad", "N m/(N m/rad)"),
+            ("rad", "s", "rad/s"),
+            ("1", "kg m^2", "1/(kg m^2)"),
+            ("m", "m", "1"),
+        ] {
+            assert_eq!(unit(of, by), wanted);
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! Sensitivities along the run against differences of runs.
+
+use machinist::trajectory::{ColumnKind, Trajectory};
+use machinist::{Method, SimulateError, Simulation};
+
+use super::visit::Visit;
+use super::{Found, Outcome, Row, states};
+
+pub(super) const BY_DIFFERENCES: Row = Row {
+    name: "sensitivities to the parameters that matter most",
+    reference: "central differences of runs, over the largest of each",
+    tolerance: 1e-2,
+    reason: "differences of runs err by their tolerance over the step, wrong terms by far more",
+    matters: "Sensitivities of this machine are not to be relied on, nor are fits.",
+    measure: by_differences,
+};
+
+/// So many parameters are varied, at so many times of the run.
+const PARAMETERS: usize = 3;
+const TIMES: usize = 20;
+const RTOL: f64 = 1e-10;
+const STEPS: usize = 50_000;
+/// What is varied, relative.
+const STEP: f64 = 1e-4;
+/// What a parameter does less of than this, relative to a state, no difference tells.
+const LEAST: f64 = 1e-5;
+
+fn by_differences(visit: &Visit<'_>) -> Outcome {
+    match compared(visit) {
+        Ok(found) => Outcome::Found(found),
+        Err(why) => Outcome::Skipped(why),
+    }
+}
+
+fn compared(visit: &Visit<'_>) -> Result<Found, String> {
+    let last = visit.run.times.len() - 1;
+    let mut times: Vec<f64> = (0..=TIMES).map(|k| visit.run.times[k * last / TIMES]).collect();
+    times.dedup();
+    let method =
+        if visit.run.method.carries_sensitivities() { visit.run.method } else { Method::Auto };
+    let base = visit.subject.simulation.clone().times(&times).rtol(RTOL).max_steps(STEPS);
+    let base = base.method(method);
+    let (run, by) = sensitivities(visit, &base)?;
+    let mut ranked: Vec<(f64, usize)> =
+        by.iter().map(|index| (effect(visit, &run, *index), *index)).collect();
+    ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut found = Found::nothing();
+    for (effect, index) in ranked.into_iter().take(PARAMETERS) {
+        if effect > LEAST {
+            compare(visit, &base, &run, index, &mut found)?;
+        }
+    }
+    Ok(found)
+}
+
+/// The run with its derivatives by all parameters that are not zero, as far as there are such.
+fn sensitivities(
+    visit: &Visit<'_>,
+    base: &Simulation<'_>,
+) -> Result<(Trajectory, Vec<usize>), String> {
+    let values = base.parameter_values();
+    let mut by: Vec<usize> = (0..values.len()).filter(|index| values[*index] != 0.0).collect();
+    loop {
+        let names: Vec<&str> = by.iter().map(|k| visit.simulator.parameter(*k).name).collect();
+        if names.is_empty() {
+            return Err("there are no parameters to differentiate by".to_owned());
+        }
+        match base.clone().sensitivities(&names).and_then(|run| run.run()) {
+            Ok(run) => return Ok((run, by)),
+            Err(SimulateError::NotDifferentiable { name, .. }) if names.contains(&&*name) => {
+                by.retain(|index| visit.simulator.parameter(*index).name != name);
+            }
+            Err(error) => return Err(error.to_string()),
+        }
+    }
+}
+
+/// The largest relative change of a state for one of a parameter.
+fn effect(visit: &Visit<'_>, run: &Trajectory, index: usize) -> f64 {
+    let value = visit.subject.simulation.parameter_values()[index].abs();
+    let name = visit.simulator.parameter(index).name;
+    let of = |state: usize| {
+        let slopes = run.sensitivity(visit.simulator.state(state).name, name).unwrap_or_default();
+        slopes.iter().fold(0.0_f64, |most, slope| most.max(slope.abs())) * value
+            / visit.sizes[state]
+    };
+    (0..visit.sizes.len()).map(of).fold(0.0, f64::max)
+}
+
+fn compare(
+    visit: &Visit<'_>,
+    base: &Simulation<'_>,
+    run: &Trajectory,
+    index: usize,
+    found: &mut Found,
+) -> Result<(), String> {
+    let name = visit.simulator.parameter(index).name;
+    let value = base.parameter_values()[index];
+    let step = STEP * value.abs();
+    let at = |times: f64| {
+        let run = base.clone().parameter(name, value + times * step).and_then(|run| run.run());
+        run.map_err(|error| error.to_string())
+    };
+    let [near, far] = [(at(1.0)?, at(-1.0)?), (at(2.0)?, at(-2.0)?)];
+    let slopes = |pair: &(Trajectory, Trajectory), times: f64, state: usize, row: usize| {
+        (states(&pair.0)[state][row] - states(&pair.1)[state][row]) / (2.0 * times * step)
+    };
+    // Between the same events: where one run has passed an event and another has not, their
+    // difference is no derivative.
+    let passed = |run: &Trajectory, time: f64| {
+        run.switches.iter().filter(|switch| switch.time <= time).count()
+    };
+    let all = [&near.0, &near.1, &far.0, &far.1];
+    let is_alike = |time: f64| all.iter().all(|other| passed(other, time) == passed(run, time));
+    for (state, column) in run.of_kind(ColumnKind::State).enumerate() {
+        let Some(own) = run.sensitivity(&column.name, name) else { continue };
+        let size = own.iter().fold(0.0_f64, |most, slope| most.max(slope.abs()));
+        if size * value.abs() <= LEAST * visit.sizes[state] || visit.simulator.is_mode(state) {
+            continue;
+        }
+        for (row, slope) in own.iter().enumerate().filter(|(row, _)| is_alike(run.times[*row])) {
+            let (one, two) = (slopes(&near, 1.0, state, row), slopes(&far, 2.0, state, row));
+            // As far as differences themselves are sure.
+            let off = ((slope - one).abs() - (one - two).abs()).max(0.0);
+            found.take(off / size, || {
+                format!("Worst: {} by {name} at {} s.", column.name, run.times[row])
+            });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,157 @@
+//! Parameters from measured runs: against textbook least squares, and whether intervals hold
+//! what they promise.
+
+use machinist::fit::{End, Fit, Found, Loss, Measured, Unknown, statistics, students_t};
+use machinist::{Method, Simulation};
+use machinist_scenes::scenes;
+use nalgebra::{DMatrix, DVector};
+
+use crate::common::Oscillator;
+
+const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
+
+fn unknown(name: &str, start: f64, bounds: (f64, f64)) -> Unknown {
+    Unknown { name: name.to_owned(), start, bounds }
+}
+
+/// Numbers of mean 0 and variance 1, normally distributed.
+fn normal(random: &mut fastrand::Rng) -> f64 {
+    let radius = (-2.0 * (1.0 - random.f64()).ln()).sqrt();
+    radius * (std::f64::consts::TAU * random.f64()).cos()
+}
+
+fn found(fit: &Fit<'_>, scale_of: &dyn Fn(&str) -> f64) -> Found {
+    let found = fit.search(&fit.start(), scale_of, (Loss::Squares, 100), None, |_| ());
+    let found = found.expect("the start can be simulated");
+    assert_eq!(found.end, End::Converged);
+    found
+}
+
+/// Angle = torque b(t) + initial angle c(t): linear in both, so that one system of normal
+/// equations has the answer, with b and c in closed form.
+#[test]
+fn a_linear_machine_is_fitted_as_the_textbook_does() {
+    let times: Vec<f64> = (1..=60).map(|k| 0.05 * f64::from(k)).collect();
+    let (decay, spring) = (0.2_f64, 25.0_f64);
+    let w = (spring - decay * decay).sqrt();
+    let free = |t: f64| (-decay * t).exp() * ((w * t).cos() + decay / w * (w * t).sin());
+    let design = DMatrix::from_fn(60, 2, |row, column| match column {
+        0 => (1.0 - free((times[row] - 0.7).max(0.0))) / 50.0,
+        _ => free(times[row]),
+    });
+    let mut random = fastrand::Rng::with_seed(7);
+    let data = &design * DVector::from_vec(vec![21.0, 0.3])
+        + DVector::from_fn(60, |_, _| 0.05 * normal(&mut random));
+    let wanted = design.clone().svd(true, true).solve(&data, 1e-14).expect("a solution");
+
+    let simulation = Simulation::new(&Oscillator).method(Method::Dop853).rtol(1e-13);
+    let column = ("rotor.angle".to_owned(), data.as_slice().to_vec());
+    let measured = [Measured { times, columns: vec![column] }];
+    let unknowns = [unknown("torque", 30.0, FREE), unknown("rotor.angle", 0.4, FREE)];
+    let fit = Fit { simulation: &simulation, unknowns: &unknowns, measured: &measured };
+    let found = found(&fit, &|_| 1.0);
+    for (value, wanted) in fit.values(&found.at).iter().zip(wanted.iter()) {
+        assert!((value - wanted).abs() <= 1e-9 * wanted.abs(), "{value} for {wanted}");
+    }
+    // Standard errors are those of the normal equations, in units of the starts.
+    let told = statistics(&found.evaluation, Loss::Squares, (&[1.0; 2], 10.0), &[false; 2]);
+    let off = &design * &wanted - &data;
+    let covariance = (design.tr_mul(&design)).try_inverse().expect("regular");
+    let variance = off.norm_squared() / 58.0;
+    for (k, size) in [30.0, 0.4].into_iter().enumerate() {
+        let wanted = (variance * covariance[(k, k)]).sqrt();
+        assert!((told.errors[k] * size / wanted - 1.0).abs() < 1e-8);
+    }
+}
+
+/// Shares of draws in which the 95 % intervals hold the truth.
+fn coverage(
+    simulation: &Simulation<'_>,
+    unknowns: &[Unknown],
+    (output, deviation): (&str, f64),
+    times: &[f64],
+    draws: u64,
+) -> f64 {
+    let truth: Vec<f64> = unknowns.iter().map(|unknown| unknown.start).collect();
+    let nothing = [Measured { times: times.to_vec(), columns: Vec::new() }];
+    let fit = Fit { simulation, unknowns, measured: &nothing };
+    let run = fit.run(&nothing[0], &truth, false).expect("it runs");
+    let exact = &run.column(output).expect("an output")[1..];
+    let mut held = 0;
+    for draw in 0..draws {
+        let mut random = fastrand::Rng::with_seed(draw);
+        let noisy = exact.iter().map(|value| value + deviation * normal(&mut random)).collect();
+        let columns = vec![(output.to_owned(), noisy)];
+        let measured = [Measured { times: times.to_vec(), columns }];
+        let fit = Fit { simulation, unknowns, measured: &measured };
+        let found = found(&fit, &|_| deviation);
+        let (ones, free) = (vec![1.0; truth.len()], vec![false; truth.len()]);
+        let told = statistics(&found.evaluation, Loss::Squares, (&ones, 10.0), &free);
+        let t = students_t(told.freedom);
+        let inner = fit.start();
+        held += (0..truth.len())
+            .filter(|&k| (found.at[k] - inner[k]).abs() <= t * told.errors[k])
+            .count();
+    }
+    held as f64 / (draws * truth.len() as u64) as f64
+}
+
+#[test]
+fn intervals_hold_the_truth_as_often_as_they_say() {
+    let simulation = Simulation::new(&Oscillator).method(Method::Dop853);
+    let unknowns = [
+        unknown("rotor.stiffness", 50.0, (5.0, 500.0)),
+        unknown("rotor.damping", 0.8, (0.0, 10.0)),
+        unknown("torque_start", 0.7, FREE),
+    ];
+    let times: Vec<f64> = (1..=40).map(|k| 0.0731 * f64::from(k)).collect();
+    let share = coverage(&simulation, &unknowns, ("rotor.angle", 0.02), &times, 150);
+    // Of 450 intervals 95 %, give or take two and a half standard deviations.
+    assert!((0.924..=0.976).contains(&share), "{share}");
+}
+
+/// `cargo test --release -p machinist-tests -- --ignored twin` takes a minute.
+#[test]
+#[ignore = "a study of 400 fits"]
+fn twin_experiments_on_the_saw_gin_are_covered() {
+    let scene = scenes::find_f64("saw_gin").expect("it is built in");
+    let simulation = Simulation::new(scene).method(Method::Dop853);
+    let unknowns = [
+        unknown("coupling.stiffness", 23_065.2, (1e3, 1e6)),
+        unknown("coupling.damping", 128.5346, (1.0, 1e4)),
+        unknown("motor.inertia", 4.2, (0.1, 100.0)),
+    ];
+    let times: Vec<f64> = (1..=200).map(|k| 0.005 * f64::from(k)).collect();
+    let share = coverage(&simulation, &unknowns, ("twist", 2e-4), &times, 400);
+    eprintln!("{:.1} % of 1200 intervals hold the truth", 100.0 * share);
+    assert!((0.934..=0.966).contains(&share), "{share}");
+}
+
+#[test]
+fn what_the_data_cannot_tell_apart_is_named() {
+    // Only the product of the coupling factors of stator and rotor counts.
+    let scene = scenes::find_f64("saw_gin").expect("it is built in");
+    let simulation = Simulation::new(scene).method(Method::Tsit5).rtol(1e-6);
+    let times: Vec<f64> = (1..=30).map(|k| 0.01 * f64::from(k)).collect();
+    let nothing = [Measured { times: times.clone(), columns: Vec::new() }];
+    let unknowns = [
+        unknown("motor.k_s", 0.956, (0.5, 0.999)),
+        unknown("motor.inertia", 4.2, (1.0, 10.0)),
+        unknown("motor.k_r", 0.952, (0.5, 0.999)),
+    ];
+    let start: Vec<f64> = unknowns.iter().map(|unknown| unknown.start).collect();
+    let fit = Fit { simulation: &simulation, unknowns: &unknowns, measured: &nothing };
+    let run = fit.run(&nothing[0], &start, false).expect("it runs");
+    let mut random = fastrand::Rng::with_seed(3);
+    let noisy = |value: &f64| value + 0.1 * normal(&mut random);
+    let data = run.column("motor_speed").expect("an output")[1..].iter().map(noisy).collect();
+    let measured = [Measured { times, columns: vec![("motor_speed".to_owned(), data)] }];
+    let fit = Fit { measured: &measured, ..fit };
+    let found = found(&fit, &|_| 0.1);
+    let told = statistics(&found.evaluation, Loss::Squares, (&[1.0; 3], 0.5), &[false; 3]);
+    let [direction] = &told.untold[..] else { panic!("{told:?}") };
+    let root = std::f64::consts::FRAC_1_SQRT_2;
+    assert!((direction.shares[0].abs() - root).abs() < 1e-3 && direction.shares[1].abs() < 1e-3);
+    assert!((direction.shares[0] + direction.shares[2]).abs() < 1e-3);
+    assert!(told.errors[0].is_infinite() && told.errors[1] < 0.1, "{told:?}");
+}

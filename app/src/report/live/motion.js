@@ -28,7 +28,7 @@ class Motion {
     root.hidden = false;
   }
 
-  // A part of the drawing: a dial that turns, or a symbol that slides.
+  // A part of the drawing: a dial that turns against the clock, or a symbol that slides.
   part({ part, slides, by }) {
     const group = document.querySelector(`.schematic [data-part="${part}"]`);
     if (!group) return null;
@@ -117,7 +117,7 @@ class Motion {
         const shift = way.half > 0 ? (SLIDE * (value - way.middle)) / way.half : 0;
         symbol.setAttribute("transform", `${from} translate(${shift.toFixed(1)} 0)`);
       } else {
-        hand.setAttribute("transform", `rotate(${((value * 180) / Math.PI % 360).toFixed(1)})`);
+        hand.setAttribute("transform", `rotate(${(((-value * 180) / Math.PI) % 360).toFixed(1)})`);
       }
     }
     this.plane?.draw(run, at);
@@ -167,14 +167,14 @@ function tracked({ parts, bodies }) {
 }
 
 // Bodies in a plane, x to the right and y upwards, in one scale: points of a body joined by
-// lines, its angle as a short bar at its first point.
+// lines, the angle of one with a single point as a short bar.
 class Plane {
   constructor(svg, bodies) {
     this.svg = svg;
     this.bodies = bodies.map(({ name, points, angle }, index) => {
       const group = element("g", { class: "body", stroke: COLOURS[index % COLOURS.length] });
       const line = element("path", {});
-      const bar = angle === null ? null : element("path", { class: "bar" });
+      const bar = angle === null || points.length > 1 ? null : element("path", { class: "bar" });
       const dots = points.map(() => element("circle", { r: 3.5 }));
       group.append(element("title", {}, name), line, ...(bar ? [bar] : []), ...dots);
       svg.append(group);

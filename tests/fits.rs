@@ -70,16 +70,16 @@ fn coverage(
     unknowns: &[Unknown],
     (output, deviation): (&str, f64),
     times: &[f64],
-    draws: u64,
-) -> f64 {
+    draws: usize,
+) -> Vec<f64> {
     let truth: Vec<f64> = unknowns.iter().map(|unknown| unknown.start).collect();
     let nothing = [Measured { times: times.to_vec(), columns: Vec::new() }];
     let fit = Fit { simulation, unknowns, measured: &nothing };
     let run = fit.run(&nothing[0], &truth, false).expect("it runs");
     let exact = &run.column(output).expect("an output")[1..];
-    let mut held = 0;
-    for draw in 0..draws {
-        let mut random = fastrand::Rng::with_seed(draw);
+    let mut held = vec![0; truth.len()];
+    let mut random = fastrand::Rng::with_seed(11);
+    for _ in 0..draws {
         let noisy = exact.iter().map(|value| value + deviation * normal(&mut random)).collect();
         let columns = vec![(output.to_owned(), noisy)];
         let measured = [Measured { times: times.to_vec(), columns }];
@@ -89,11 +89,11 @@ fn coverage(
         let told = statistics(&found.evaluation, Loss::Squares, (&ones, 10.0), &free);
         let t = students_t(told.freedom);
         let inner = fit.start();
-        held += (0..truth.len())
-            .filter(|&k| (found.at[k] - inner[k]).abs() <= t * told.errors[k])
-            .count();
+        for (k, held) in held.iter_mut().enumerate() {
+            *held += usize::from((found.at[k] - inner[k]).abs() <= t * told.errors[k]);
+        }
     }
-    held as f64 / (draws * truth.len() as u64) as f64
+    held.iter().map(|held| *held as f64 / draws as f64).collect()
 }
 
 #[test]
@@ -105,9 +105,9 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
         unknown("torque_start", 0.7, FREE),
     ];
     let times: Vec<f64> = (1..=40).map(|k| 0.0731 * f64::from(k)).collect();
-    let share = coverage(&simulation, &unknowns, ("rotor.angle", 0.02), &times, 150);
-    // Of 450 intervals 95 %, give or take two and a half standard deviations.
-    assert!((0.924..=0.976).contains(&share), "{share}");
+    let shares = coverage(&simulation, &unknowns, ("rotor.angle", 0.02), &times, 150);
+    // Of 150 intervals 95 %, give or take two and a half standard deviations.
+    assert!(shares.iter().all(|share| (0.905..=0.995).contains(share)), "{shares:?}");
 }
 
 /// `cargo test --release -p machinist-tests -- --ignored twin` takes a minute.
@@ -122,9 +122,12 @@ fn twin_experiments_on_the_saw_gin_are_covered() {
         unknown("motor.inertia", 4.2, (0.1, 100.0)),
     ];
     let times: Vec<f64> = (1..=200).map(|k| 0.005 * f64::from(k)).collect();
-    let share = coverage(&simulation, &unknowns, ("twist", 2e-4), &times, 400);
-    eprintln!("{:.1} % of 1200 intervals hold the truth", 100.0 * share);
-    assert!((0.934..=0.966).contains(&share), "{share}");
+    let shares = coverage(&simulation, &unknowns, ("twist", 2e-4), &times, 400);
+    eprintln!(
+        "of 400 intervals of each of three parameters these shares hold the truth: {shares:?}"
+    );
+    // Give or take two and a half standard deviations.
+    assert!(shares.iter().all(|share| (0.923..=0.977).contains(share)), "{shares:?}");
 }
 
 #[test]

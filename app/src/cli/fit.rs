@@ -147,11 +147,11 @@ impl FitCommand {
             return Err(Failure::input(message, ""));
         }
         self.check_sigmas(&fit)?;
-        self.check_first_run(&fit)?;
+        check_first_run(&fit)?;
         let fitted = self.search(&fit, &flag)?;
         let answer = Answer::new(&fit, &fitted, gaps, simulator);
         if let Some(file) = &self.plot {
-            self.draw(&fit::Fit { simulation: &plain, ..fit }, &answer, file)?;
+            draw(&fit::Fit { simulation: &plain, ..fit }, &answer, file)?;
         }
         if let Some(file) = &self.out {
             self.write(&answer, &are_parameters, file)?;
@@ -224,16 +224,6 @@ impl FitCommand {
                 format!("--sigma {}: that is not measured", name.escape_debug()),
                 crate::failure::did_you_mean(name, known.into_iter()),
             )),
-        }
-    }
-
-    /// Refuses at once what no variant would do either.
-    fn check_first_run(&self, fit: &fit::Fit<'_>) -> Result<(), Failure> {
-        let names: Vec<&str> = fit.unknowns.iter().map(|unknown| unknown.name.as_str()).collect();
-        let short = fit.simulation.clone().points(2).max_steps(1).sensitivities(&names)?;
-        match short.run() {
-            Err(machinist::SimulateError::Stopped { .. }) | Ok(_) => Ok(()),
-            Err(error) => Err(error.into()),
         }
     }
 
@@ -343,27 +333,6 @@ impl FitCommand {
         fit.outputs().iter().map(of).collect()
     }
 
-    /// Draws each data file beside the runs before and after.
-    fn draw(
-        &self,
-        fit: &fit::Fit<'_>,
-        answer: &Answer,
-        file: &std::path::Path,
-    ) -> Result<(), Failure> {
-        for (index, measured) in fit.measured.iter().enumerate() {
-            let drawn = compared(fit, measured, answer)?;
-            let names: Vec<&str> = drawn.columns.iter().map(|column| &*column.name).collect();
-            let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-            let ending = file.extension().unwrap_or_default().to_string_lossy();
-            let path = match index {
-                0 => file.to_owned(),
-                _ => file.with_file_name(format!("{stem}-{}.{ending}", index + 1)),
-            };
-            draw_file(&path, |path| crate::plot::plot(&drawn, &names, path))?;
-        }
-        Ok(())
-    }
-
     /// Writes the scene's text with the fitted values; never over what it was read from.
     #[cfg(feature = "derive")]
     fn write(
@@ -432,6 +401,32 @@ impl FitCommand {
         let message = format!("--out {}: this program was built without specs", file.display());
         Err(Failure::input(message, "take the values from the table, or `--json`"))
     }
+}
+
+/// Refuses at once what no variant would do either.
+fn check_first_run(fit: &fit::Fit<'_>) -> Result<(), Failure> {
+    let names: Vec<&str> = fit.unknowns.iter().map(|unknown| unknown.name.as_str()).collect();
+    let short = fit.simulation.clone().points(2).max_steps(1).sensitivities(&names)?;
+    match short.run() {
+        Err(machinist::SimulateError::Stopped { .. }) | Ok(_) => Ok(()),
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// Draws each data file beside the runs before and after.
+fn draw(fit: &fit::Fit<'_>, answer: &Answer, file: &std::path::Path) -> Result<(), Failure> {
+    for (index, measured) in fit.measured.iter().enumerate() {
+        let drawn = compared(fit, measured, answer)?;
+        let names: Vec<&str> = drawn.columns.iter().map(|column| &*column.name).collect();
+        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+        let ending = file.extension().unwrap_or_default().to_string_lossy();
+        let path = match index {
+            0 => file.to_owned(),
+            _ => file.with_file_name(format!("{stem}-{}.{ending}", index + 1)),
+        };
+        draw_file(&path, |path| crate::plot::plot(&drawn, &names, path))?;
+    }
+    Ok(())
 }
 
 /// Steps that a variant may take before it is given up: many times those of the start.

@@ -246,11 +246,11 @@ impl Sensitivity {
         });
         text.push_str(&columns(&std::iter::once(header).chain(rows).collect::<Vec<_>>(), 2));
         if effects.len() > shown {
-            text.push_str(&format!(
+            text.extend([format!(
                 "and {} more, the next of {} rms; --top 0 shows all\n",
                 effects.len() - shown,
                 number(effects[shown].rms, 4)
-            ));
+            )]);
         }
         if !left_out.is_empty() {
             text.extend(["\nleft out: ", &left_out.join("; "), "\n"]);

@@ -239,10 +239,10 @@ impl Answer {
                 Some(error) => format!("only to {} %", number(100.0 * error, 2)),
                 None => "not at all".to_owned(),
             };
-            text.push_str(&format!(
+            text.extend([format!(
                 "\nThe data tell {error} of this relative change: {}\n",
                 shares.join(", ")
-            ));
+            )]);
         }
         text.push_str("\nResiduals\n");
         text.push_str(&columns(&self.residual_rows(), 2));
@@ -250,18 +250,16 @@ impl Answer {
             if !output.is_rounding
                 && output.probability_of_runs.is_some_and(|chance| chance < UNLIKELY)
             {
-                text.push_str(&format!(
+                text.extend([format!(
                     "Residuals of {} are not chance: the model lacks something, and intervals are \
                      narrower than they should be\n",
                     output.output
-                ));
+                )]);
             }
         }
         if let Some(why) = &self.why_failed {
             let count = self.failed;
-            text.push_str(&format!(
-                "\n{count} variants could not be simulated; the first: {why}\n"
-            ));
+            text.extend([format!("\n{count} variants could not be simulated; the first: {why}\n")]);
         }
         text
     }

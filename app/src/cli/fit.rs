@@ -132,6 +132,13 @@ impl FitCommand {
             self.data.iter().map(|path| reading.read(path)).collect::<Result<Vec<_>, _>>()?;
         let gaps: usize = files.iter().map(|file| file.gaps).sum();
         let measured: Vec<Measured> = files.into_iter().map(|file| file.measured).collect();
+        let is_measured = |name: &String| {
+            measured.iter().any(|run| run.columns.iter().any(|(column, _)| column == name))
+        };
+        if let Some((column, output)) = self.map.iter().find(|(_, output)| !is_measured(output)) {
+            let message = format!("--map {column}={output}: no file has a column `{column}`");
+            return Err(Failure::input(message.escape_debug(), ""));
+        }
         let start = constraints::start(simulator, simulation.parameter_values(), from)?;
         let unknowns = unknowns(&self.parameters, simulator, &simulation, &start)?;
         let (unknowns, are_parameters): (Vec<Unknown>, Vec<bool>) = unknowns.into_iter().unzip();

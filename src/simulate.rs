@@ -27,6 +27,10 @@ pub const MAX_STEPS: usize = 10_000_000;
 /// 0.9, and by a hundredth where it came to 0.006.
 const ADDS_UP: f64 = 0.1;
 
+/// Part of the size that a state's absolute tolerance is by, below which all of its motion is
+/// told of: it then has three digits less than were asked for.
+const SMALL: f64 = 1e-3;
+
 /// A run of one simulator, to be adjusted and started. What is not adjusted is
 /// as the scene's spec says.
 ///
@@ -368,6 +372,9 @@ impl<'a> Simulation<'a> {
             max_steps: self.max_steps,
         };
         let (run, stopped) = problem.integrate_kept(method);
+        if self.atol.is_none() && system.has_stepped() {
+            self.note_small(&system, &problem.atol, &run.rows);
+        }
         let energy_at_start = self.total_energy(&problem.initial[..states]);
         let Some(Stopped { time, cause }) = stopped else {
             return Ok(self.trajectory(method, &system, &times, run, energy_at_start));
@@ -381,6 +388,36 @@ impl<'a> Simulation<'a> {
             cause,
             kept: Some(Box::new(kept)),
         })
+    }
+
+    /// Tells of states that move, but far less than their absolute tolerance takes them for.
+    fn note_small(&self, system: &System<'_>, atol: &[f64], rows: &[f64]) {
+        /// What stands still moves by so much.
+        const ROUNDING: f64 = 16.0 * f64::EPSILON;
+        const SHOWN: usize = 3;
+        let width = system.len();
+        let largest = |index: usize| {
+            let values = rows.iter().skip(index).step_by(width);
+            values.map(|value| value.abs()).filter(|value| value.is_finite()).fold(0.0, f64::max)
+        };
+        let small: Vec<String> = (0..system.states())
+            .filter(|index| !self.simulator.is_mode(*index))
+            .map(|index| (self.simulator.state(index), atol[index] / self.rtol, largest(index)))
+            .filter(|(_, scale, most)| (ROUNDING * scale..SMALL * scale).contains(most))
+            .map(|(state, scale, most)| {
+                format!("`{}` (at most {most:.1e} {}, scale {scale:e})", state.name, state.unit)
+            })
+            .collect();
+        if small.is_empty() {
+            return;
+        }
+        let more = if small.len() > SHOWN { ", ..." } else { "" };
+        system.note(format!(
+            "errors of {}{more} are held below {:e} of the scale, which is a larger part of what \
+             moves: give a `scale` of that size in the spec, or a lower `rtol`",
+            small.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", "),
+            self.rtol
+        ));
     }
 
     /// The method, if it carries sensitivities or none are asked for; one that does, where it

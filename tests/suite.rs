@@ -30,6 +30,7 @@ mod prepared;
 mod sensitivities;
 mod series;
 mod simulate;
+mod small_states;
 mod sparsity;
 mod sweep;
 mod taylor;

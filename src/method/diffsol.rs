@@ -212,7 +212,7 @@ fn step_to_end<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
             let stuck = OdeSolverError::StepSizeTooSmall { time: now };
             return Err(explain(solver, stretch, newton_failed, &stuck.into()));
         }
-        stretch.system.count(|work| work.steps += 1);
+        stretch.system.count_step();
         // The last step ends at the end of the stretch to rounding only.
         while let Some(time) = samples.next_until(if arrived { stretch.until } else { now }) {
             if time >= now || arrived && time >= stretch.until {

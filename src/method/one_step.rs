@@ -192,7 +192,7 @@ pub(super) fn drive<M: OneStep>(
                 }
                 continue;
             }
-            stretch.system.count(|work| work.steps += 1);
+            stretch.system.count_step();
             let moves = kept.end.iter().copied().zip(method.end().iter().copied());
             let stood_still = rests(moves.take(stretch.system.states()), stretch.atol);
             let has_moved = kept.put_back(method, stretch, now)?;

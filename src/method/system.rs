@@ -52,6 +52,7 @@ pub struct System<'a> {
     work: Cell<Work>,
     notes: RefCell<Vec<String>>,
     interrupt: Option<&'a AtomicBool>,
+    has_stepped: Cell<bool>,
 }
 
 impl<'a> System<'a> {
@@ -72,6 +73,7 @@ impl<'a> System<'a> {
             work: Cell::default(),
             notes: RefCell::default(),
             interrupt: None,
+            has_stepped: Cell::new(false),
         }
     }
 
@@ -229,6 +231,18 @@ impl<'a> System<'a> {
     #[must_use]
     pub fn notes(&self) -> Vec<String> {
         self.notes.borrow().clone()
+    }
+
+    /// Counts a step whose error was held below tolerances.
+    pub fn count_step(&self) {
+        self.has_stepped.set(true);
+        self.count(|work| work.steps += 1);
+    }
+
+    /// Whether there was such a step: not where all was solved in closed form.
+    #[must_use]
+    pub fn has_stepped(&self) -> bool {
+        self.has_stepped.get()
     }
 
     /// Adds to the work counted.

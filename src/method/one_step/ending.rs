@@ -42,7 +42,7 @@ pub(super) fn end_at<M: OneStep>(
     {
         return Ok(Ending::NotReached);
     }
-    stretch.system.count(|work| work.steps += 1);
+    stretch.system.count_step();
     if stretch.system.work().steps >= stretch.max_steps as u64 {
         let cause = StopCause::TooManySteps { limit: stretch.max_steps };
         return Err(Stopped { time, cause });

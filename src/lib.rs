@@ -24,7 +24,6 @@ pub mod lanes;
 pub mod linear_analysis;
 pub mod method;
 mod scales;
-mod sensitivity;
 pub mod simulate;
 #[cfg(feature = "sweep")]
 pub mod sweep;

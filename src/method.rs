@@ -29,6 +29,7 @@ mod quadrature;
 mod radau;
 #[cfg(feature = "implicit")]
 mod rosenbrock;
+pub(crate) mod sensitivity;
 #[cfg(feature = "implicit")]
 mod sparse;
 #[cfg(feature = "implicit")]
@@ -46,7 +47,7 @@ use std::str::FromStr;
 use serde::{Serialize, Serializer};
 
 use crate::error::{NotCompiledIn, StopCause, UnknownMethod, did_you_mean};
-use crate::sensitivity::Passing;
+use crate::method::sensitivity::Passing;
 use crate::trajectory::Switch;
 pub(crate) use one_step::{OneStep, Trial};
 pub(crate) use stretch::cut;

@@ -9,11 +9,11 @@ use crate::constraints::{Constraints, consistent, require_independent};
 use crate::error::{NotCompiledIn, SimulateError, did_you_mean};
 #[cfg(feature = "sweep")]
 use crate::method::cut;
+use crate::method::sensitivity::{By, Start, Tangents, columns};
 #[cfg(feature = "sweep")]
 use crate::method::taylor::variants::Variant;
 use crate::method::{Method, Problem, Run, Stopped, System, identically_zero};
 use crate::scales::scales;
-use crate::sensitivity::{By, Start, Tangents, columns};
 use crate::trajectory::{Column, ColumnKind, EnergyBalance, Stop, Trajectory};
 
 /// Largest number of output times of a run.

@@ -8,7 +8,7 @@ use super::lanes::{Sum, combine, padded, sum};
 use super::one_step::{OneStep, Pace, Trial, drive_all, first_step};
 use super::tableau::{DOP853, Pair, Row, TSIT5};
 use super::{Integrator, Samples, Sealed, Stopped, Stretch};
-use crate::sensitivity::Tangents;
+use crate::method::sensitivity::Tangents;
 
 /// [`TSIT5`].
 pub(super) struct Tsit5;

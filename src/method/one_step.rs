@@ -5,7 +5,7 @@ mod ending;
 
 use super::{Samples, Stopped, Stretch};
 use crate::error::StopCause;
-use crate::sensitivity::Tangents;
+use crate::method::sensitivity::Tangents;
 use ending::{Ending, end_at};
 
 /// A method that needs nothing but the state at the start of a step.

@@ -15,7 +15,7 @@ use super::one_step::{
 };
 use super::tableau::RADAU;
 use super::{Integrator, Samples, Sealed, Stopped, Stretch};
-use crate::sensitivity::Tangents;
+use crate::method::sensitivity::Tangents;
 
 /// Radau IIA of variable order.
 pub(super) struct Radau;

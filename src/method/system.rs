@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::Stopped;
 use crate::constraints::Constraints;
 use crate::error::StopCause;
-use crate::sensitivity::Tangents;
+use crate::method::sensitivity::Tangents;
 use machinist_contract::{Simulator, SparsityPattern};
 use serde::Serialize;
 

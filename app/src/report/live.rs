@@ -90,6 +90,8 @@ struct Known {
     events: Vec<Event>,
     kinks: usize,
     constraints: Vec<String>,
+    /// Whether one of them holds in some modes only.
+    holds_in_modes: bool,
     rate_jacobian: SparsityPattern,
     mass_matrix: SparsityPattern,
     constraint_matrix: SparsityPattern,
@@ -305,6 +307,7 @@ impl Known {
             events: model.events.iter().map(event).collect(),
             kinks: model.kink_guards.results.len(),
             constraints: model.constraints.iter().map(|known| known.name.path.clone()).collect(),
+            holds_in_modes: model.constraints.iter().any(|known| known.in_modes),
             rate_jacobian: model.rate_jacobian.pattern.clone(),
             mass_matrix: model.mass_matrix.pattern.clone(),
             constraint_matrix: model.constraint_matrix.pattern.clone(),

@@ -2,8 +2,8 @@
 
 use super::{Kept, OneStep, constrain_tangents, sample};
 use crate::error::StopCause;
+use crate::method::sensitivity::{Passing, moment};
 use crate::method::{Samples, Stopped, Stretch, Watch};
-use crate::sensitivity::{Passing, moment};
 
 /// What became of a step that was to end where a guard passes zero.
 pub(super) enum Ending {

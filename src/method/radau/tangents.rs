@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, Dyn, LU};
 
 use super::RadauSteps;
 use super::collocation::Collocation;
-use crate::sensitivity::Tangents;
+use crate::method::sensitivity::Tangents;
 
 /// Stages of sensitivities.
 #[derive(Default)]

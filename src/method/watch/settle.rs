@@ -8,7 +8,7 @@
 use machinist_contract::Direction;
 
 use super::{Side, Watch};
-use crate::constraints::mobility;
+use crate::constraints::{Level, mobility};
 use crate::error::StopCause;
 use crate::method::Stopped;
 
@@ -71,6 +71,7 @@ impl Watch<'_> {
         let mut happened = 0;
         let is_asked = |index: usize| asked[index];
         self.require_independent(time, state)?;
+        self.hold(time, state);
         while let Some((index, trial)) = self.contradiction(time, state, is_asked, false)? {
             if happened == self.most() {
                 let event = self.system.simulator().event(index).name.to_owned();
@@ -78,11 +79,30 @@ impl Watch<'_> {
             }
             state.copy_from_slice(&trial.state);
             self.require_independent(time, state)?;
+            self.hold(time, state);
             passed[index] = true;
             self.count(index, time)?;
             happened += 1;
         }
         Ok(())
+    }
+
+    /// Puts velocities onto what holds in the modes of the state: what has only now begun to
+    /// stick is at rest, but for what the search for its time has left, and a guard of how it
+    /// slides must not find that.
+    fn hold(&self, time: f64, state: &mut [f64]) {
+        let simulator = self.system.simulator();
+        if !(0..simulator.constraints()).any(|index| simulator.constraint(index).in_modes) {
+            return;
+        }
+        if let Some(constraints) = self.system.constraints() {
+            let state = &mut state[..self.system.states()];
+            let mut held = state.to_vec();
+            // What cannot be put back is told of once all events have happened.
+            if constraints.put_back(Level::Velocities, time, &mut held).is_ok() {
+                state.copy_from_slice(&held);
+            }
+        }
     }
 
     /// Refuses modes in which a constraint holds that says what others say: guards of its

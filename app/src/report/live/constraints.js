@@ -20,6 +20,17 @@ class Constraints {
     this.putBack("constraint_rates", this.coordinates, time, state);
   }
 
+  // Puts its velocities back; what cannot be is told of by the next `project`.
+  rest(time, state) {
+    const before = state.slice();
+    try {
+      this.putBack("constraint_rates", this.coordinates, time, state);
+    } catch (error) {
+      if (!(error instanceof Stopped)) throw error;
+      state.set(before);
+    }
+  }
+
   // Newton's iteration along the shortest way, while it gets nearer.
   putBack(level, first, time, state) {
     const ROUNDS = 10;

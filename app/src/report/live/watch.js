@@ -227,6 +227,7 @@ class Watch {
   settleAfter(time, state, before, passed) {
     const asked = this.known.map(({ direction }, index) =>
       this.sides[index] === IDLE || (!isBeyond(direction, before[index]) && !passed[index]));
+    this.hold(time, state);
     for (let happened = 0; ; happened++) {
       const found = this.contradiction(time, state, (index) => asked[index], false);
       if (!found) return;
@@ -234,9 +235,16 @@ class Watch {
         throw new Stopped(time, `event ${this.known[found.index].name} contradicts what others do`);
       }
       state.set(found.state);
+      this.hold(time, state);
       passed[found.index] = true;
       this.tally(found.index, time);
     }
+  }
+
+  // Puts velocities onto what holds in the modes of the state: what has only now begun to stick
+  // is at rest, but for what the search for its time has left.
+  hold(time, state) {
+    if (this.machine.known.holds_in_modes) this.run.constraints.rest(time, state);
   }
 
   // The first event of some that contradicts the modes of a state, and what it would do.

@@ -36,6 +36,7 @@ mod response;
 mod run;
 pub mod scene;
 mod sensitivity;
+mod settings;
 mod show;
 #[cfg(feature = "derive")]
 pub mod specs;

@@ -1,14 +1,15 @@
 //! `machinist campbell`: natural frequencies over a parameter, and where orders meet them.
 
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
-use machinist::Simulation;
 use machinist::linear_analysis::{Campbell, Variation, campbell};
 
 use super::linear::Where;
-use super::output::{columns, draw_file, print, print_with, require_ending, write_file};
+use super::output::{
+    columns, draw_file, is_standard_output, print, print_with, require_picture, write_file,
+};
 use super::range::{Range, range};
 use crate::failure::Failure;
 use crate::number::number;
@@ -49,16 +50,11 @@ pub struct CampbellDiagram {
 
 impl CampbellDiagram {
     pub fn execute(&self) -> Result<(), Failure> {
-        let to_standard_output = self.out.as_deref() == Some(Path::new("-"));
-        if let Some(file) = self.out.as_deref().filter(|_| !to_standard_output) {
-            require_ending(file, &["csv"], "--out")?;
-        }
-        if let Some(file) = &self.plot {
-            require_ending(file, &["svg", "png"], "--plot")?;
-        }
+        let to_standard_output = is_standard_output(self.out.as_deref())?;
+        require_picture(self.plot.as_deref(), "--plot")?;
         let values = self.values()?;
         let scene = self.at.load()?;
-        let run = self.at.run(Simulation::new(scene.simulator()))?;
+        let run = self.at.run(&scene)?;
         let variation = Variation {
             parameter: &self.parameter.name,
             values: &values,

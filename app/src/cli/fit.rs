@@ -8,15 +8,16 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Args, ValueEnum};
+use machinist::Simulation;
 use machinist::constraints;
 use machinist::fit::{self, End, Evaluation, Found, Loss, Measured, Unknown};
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
-use machinist::{Method, Simulation};
 use machinist_contract::Simulator;
 
 use super::assignment;
-use super::output::{draw_file, print, require_ending};
+use super::output::{draw_file, print, require_ending, require_picture};
 use super::scene::Scene;
+use super::settings::{with_method, with_parameters};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::number::number;
@@ -192,9 +193,7 @@ impl FitCommand {
     }
 
     fn check(&self) -> Result<(), Failure> {
-        if let Some(file) = &self.plot {
-            require_ending(file, &["svg", "png"], "--plot")?;
-        }
+        require_picture(self.plot.as_deref(), "--plot")?;
         if let Some(file) = &self.out {
             require_ending(file, &["toml"], "--out")?;
         }
@@ -210,17 +209,10 @@ impl FitCommand {
     }
 
     fn simulation<'a>(&self, simulator: &'a dyn Simulator<f64>) -> Result<Simulation<'a>, Failure> {
-        let mut simulation = Simulation::new(simulator);
-        for (name, value) in &self.set {
-            simulation = simulation.parameter(name, *value)?;
-        }
+        let mut simulation = with_parameters(Simulation::new(simulator), &self.set)?;
         simulation = self.from.into_iter().fold(simulation, Simulation::from);
         simulation = self.rtol.into_iter().fold(simulation, Simulation::rtol);
-        if let Some(name) = &self.method {
-            let method = Method::from_name(name).map_err(|error| Failure::input(error, ""))?;
-            simulation = simulation.method(method);
-        }
-        Ok(simulation)
+        with_method(simulation, self.method.as_deref())
     }
 
     fn check_sigmas(&self, fit: &fit::Fit<'_>) -> Result<(), Failure> {
@@ -399,6 +391,7 @@ impl FitCommand {
 
     /// This program reads no specs.
     #[cfg(not(feature = "derive"))]
+    #[expect(clippy::unused_self, reason = "called as the one that writes")]
     fn write(
         &self,
         _answer: &Answer,

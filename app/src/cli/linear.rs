@@ -7,6 +7,7 @@ use machinist::linear_analysis::{Linearization, Place, operating_point};
 
 use super::assignment;
 use super::scene::Scene;
+use super::settings::with_parameters;
 use crate::failure::Failure;
 use crate::progress::during;
 
@@ -38,19 +39,15 @@ impl Where {
     }
 
     /// A run with the parameters asked for.
-    pub fn run<'s>(&self, mut run: Simulation<'s>) -> Result<Simulation<'s>, Failure> {
-        for (name, value) in &self.set {
-            run = run.parameter(name, *value)?;
-        }
-        Ok(run)
+    pub fn run<'s>(&self, scene: &'s Scene) -> Result<Simulation<'s>, Failure> {
+        with_parameters(Simulation::new(scene.simulator()), &self.set)
     }
 
     /// The scene, linearized where asked for.
     pub fn linearize<'s>(&self, scene: &'s Scene) -> Result<Linearization<'s>, Failure> {
-        let simulator = scene.simulator();
-        let run = self.run(Simulation::new(simulator))?;
+        let run = self.run(scene)?;
         let point = during("simulating", || operating_point(&run, self.at))?;
-        Ok(Linearization::at(simulator, point)?)
+        Ok(Linearization::at(scene.simulator(), point)?)
     }
 
     /// The place, for people: `equilibrium with time held at 3 s`.

@@ -10,7 +10,7 @@ use nalgebra::DMatrix;
 use serde::Serialize;
 
 use super::linear::Where;
-use super::output::{columns, draw_file, print, require_ending};
+use super::output::{columns, draw_file, print, require_picture};
 use crate::failure::Failure;
 use crate::number::number;
 
@@ -50,9 +50,7 @@ struct Answer<'a> {
 
 impl Modes {
     pub fn execute(&self) -> Result<(), Failure> {
-        if let Some(file) = &self.plot {
-            require_ending(file, &["svg", "png"], "--plot")?;
-        }
+        require_picture(self.plot.as_deref(), "--plot")?;
         let scene = self.at.load()?;
         let linearization = self.at.linearize(&scene)?;
         let modes = linearization.modes()?;

@@ -50,6 +50,23 @@ pub fn require_ending(file: &Path, endings: &[&str], option: &str) -> Result<(),
     Err(Failure::input(message, format!("the name must end in .{}", endings.join(" or ."))))
 }
 
+/// Refuses a picture, if one is asked for, whose name says neither `.svg` nor `.png`.
+pub fn require_picture(file: Option<&Path>, option: &str) -> Result<(), Failure> {
+    file.map_or(Ok(()), |file| require_ending(file, &["svg", "png"], option))
+}
+
+/// Whether a table goes to standard output, as `-` asks for.
+///
+/// # Errors
+/// [`Failure`] for a file whose name does not end in `.csv`.
+pub fn is_standard_output(out: Option<&Path>) -> Result<bool, Failure> {
+    match out {
+        Some(file) if file == Path::new("-") => Ok(true),
+        Some(file) => require_ending(file, &["csv"], "--out").map(|()| false),
+        None => Ok(false),
+    }
+}
+
 /// Draws beside the file first, so that a failure leaves it as it was.
 pub fn draw_file(
     path: &Path,

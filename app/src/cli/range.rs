@@ -34,17 +34,22 @@ pub fn range(text: &str) -> Result<Range, String> {
         Some((values, "log")) => (values, true),
         Some((_, other)) => return Err(format!("`:{other}` is not known, only `:log`")),
     };
-    let (from, to) = values.split_once("..").ok_or(EXAMPLE)?;
+    let (from, to) = ends(values, EXAMPLE)?;
+    if is_log && from * to <= 0.0 {
+        return Err(format!("equal ratios do not lead from {from} to {to}; leave `:log` out"));
+    }
+    Ok(Range { name: name.trim().to_owned(), from, to, is_log })
+}
+
+/// `from..to`; what is none is answered with an example.
+pub fn ends(values: &str, example: &str) -> Result<(f64, f64), String> {
+    let (from, to) = values.split_once("..").ok_or(example)?;
     let number = |text: &str| match text.trim().parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
         Ok(_) => Err(format!("`{text}` is not a finite number")),
         Err(_) => Err(format!("`{text}` is not a number")),
     };
-    let (from, to) = (number(from)?, number(to)?);
-    if is_log && from * to <= 0.0 {
-        return Err(format!("equal ratios do not lead from {from} to {to}; leave `:log` out"));
-    }
-    Ok(Range { name: name.trim().to_owned(), from, to, is_log })
+    Ok((number(from)?, number(to)?))
 }
 
 #[cfg(test)]

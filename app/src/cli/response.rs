@@ -1,13 +1,15 @@
 //! `machinist response`: how an output answers a harmonic disturbance.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use crate::plot::plot_response;
 use clap::Args;
 use machinist::linear_analysis::{Response, logarithmic_range};
 
 use super::linear::Where;
-use super::output::{columns, draw_file, print, print_with, require_ending, write_file};
+use super::output::{
+    columns, draw_file, is_standard_output, print, print_with, require_picture, write_file,
+};
 use crate::failure::Failure;
 use crate::number::number;
 
@@ -39,13 +41,8 @@ pub struct FrequencyResponse {
 
 impl FrequencyResponse {
     pub fn execute(&self) -> Result<(), Failure> {
-        let to_standard_output = self.out.as_deref() == Some(Path::new("-"));
-        if let Some(file) = self.out.as_deref().filter(|_| !to_standard_output) {
-            require_ending(file, &["csv"], "--out")?;
-        }
-        if let Some(file) = &self.plot {
-            require_ending(file, &["svg", "png"], "--plot")?;
-        }
+        let to_standard_output = is_standard_output(self.out.as_deref())?;
+        require_picture(self.plot.as_deref(), "--plot")?;
         let scene = self.at.load()?;
         let linearization = self.at.linearize(&scene)?;
         let (lowest, highest) = match self.range {

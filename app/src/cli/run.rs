@@ -7,12 +7,15 @@ use clap::Args;
 use machinist::error::StopCause;
 use machinist::field::ModalSimulator;
 use machinist::trajectory::{Column, ColumnKind, Trajectory, sensitivity_name};
-use machinist::{Discretisation, Method, SimulateError, Simulation};
+use machinist::{Discretisation, SimulateError, Simulation};
 use machinist_contract::Simulator;
 
 use super::assignment;
-use super::output::{columns, draw_file, print, print_with, require_ending, write_file};
+use super::output::{
+    columns, draw_file, print, print_with, require_ending, require_picture, write_file,
+};
 use super::scene::Scene;
+use super::settings::{with_method, with_parameters};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::number::number;
@@ -79,9 +82,7 @@ enum Format {
 impl Run {
     pub fn execute(&self) -> Result<(), Failure> {
         let format = self.out.as_deref().map(format_of).transpose()?;
-        if let Some(file) = &self.plot {
-            require_ending(file, &["svg", "png"], "--plot")?;
-        }
+        require_picture(self.plot.as_deref(), "--plot")?;
         let wanted = Discretisation { elements: self.elements, order: self.order };
         let scene = Scene::load_cut(&self.scene, self.keep_all, wanted)?;
         self.check_columns(scene.simulator())?;
@@ -152,10 +153,7 @@ impl Run {
         &self,
         simulator: &dyn Simulator<f64>,
     ) -> Result<Result<Trajectory, SimulateError>, Failure> {
-        let mut whole = Simulation::new(simulator);
-        for (name, value) in &self.set {
-            whole = whole.parameter(name, *value)?;
-        }
+        let whole = with_parameters(Simulation::new(simulator), &self.set)?;
         let flag = interrupt::flag();
         let Some(modes) = self.modes else {
             let simulation = self.adjusted(whole)?;
@@ -181,10 +179,7 @@ impl Run {
         if let Some(rtol) = self.rtol {
             simulation = simulation.rtol(rtol);
         }
-        if let Some(name) = &self.method {
-            let method = Method::from_name(name).map_err(|error| Failure::input(error, ""))?;
-            simulation = simulation.method(method);
-        }
+        simulation = with_method(simulation, self.method.as_deref())?;
         if !self.sensitivities.is_empty() {
             simulation = simulation.sensitivities(&self.sensitivities)?;
         }

@@ -10,8 +10,9 @@ use machinist_contract::Simulator;
 use serde::Serialize;
 
 use super::assignment;
-use super::output::{columns, draw_file, print, require_ending, write_file};
+use super::output::{columns, draw_file, print, require_ending, require_picture, write_file};
 use super::scene::Scene;
+use super::settings::{with_method, with_parameters};
 use crate::failure::{Failure, did_you_mean};
 use crate::interrupt;
 use crate::number::number;
@@ -93,9 +94,7 @@ struct Answer<'a> {
 
 impl Sensitivity {
     pub fn execute(&self) -> Result<(), Failure> {
-        if let Some(file) = &self.plot {
-            require_ending(file, &["svg", "png"], "--plot")?;
-        }
+        require_picture(self.plot.as_deref(), "--plot")?;
         if let Some(file) = &self.out {
             require_ending(file, &["csv"], "--out")?;
         }
@@ -152,19 +151,12 @@ impl Sensitivity {
     }
 
     fn simulation<'a>(&self, simulator: &'a dyn Simulator<f64>) -> Result<Simulation<'a>, Failure> {
-        let mut simulation = Simulation::new(simulator);
-        for (name, value) in &self.set {
-            simulation = simulation.parameter(name, *value)?;
-        }
+        let mut simulation = with_parameters(Simulation::new(simulator), &self.set)?;
         simulation = self.from.into_iter().fold(simulation, Simulation::from);
         simulation = self.until.into_iter().fold(simulation, Simulation::until);
         simulation = self.points.into_iter().fold(simulation, Simulation::points);
         simulation = self.rtol.into_iter().fold(simulation, Simulation::rtol);
-        if let Some(name) = &self.method {
-            let method = Method::from_name(name).map_err(|error| Failure::input(error, ""))?;
-            simulation = simulation.method(method);
-        }
-        Ok(simulation)
+        with_method(simulation, self.method.as_deref())
     }
 
     /// Outputs asked for; all of them, or all states of a scene without outputs.

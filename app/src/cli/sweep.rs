@@ -16,6 +16,7 @@ use super::assignment;
 use super::output::{print_with, require_ending, write_file};
 use super::range::{Range, range};
 use super::scene::{Scene, built_in};
+use super::settings::with_parameters;
 use crate::failure::Failure;
 use crate::progress::during;
 
@@ -143,10 +144,7 @@ impl Sweep {
 
     /// All parameters of every variant, the last range fastest.
     fn variants(&self, simulator: &dyn Simulator<f64>) -> Result<Vec<Vec<f64>>, Failure> {
-        let mut base = Simulation::new(simulator);
-        for (name, value) in &self.set {
-            base = base.parameter(name, *value)?;
-        }
+        let mut base = with_parameters(Simulation::new(simulator), &self.set)?;
         let mut variants = vec![base.parameter_values().to_vec()];
         for range in &self.parameter {
             // Refuses names that are not known.

@@ -8,7 +8,7 @@ use machinist_studies::winder_walk::map::{Condition, FASTEST, StabilityMap};
 use machinist_studies::winder_walk::{Stage, Walk, Winder};
 use serde::Serialize;
 
-use super::output::{columns, draw_file, print, require_ending};
+use super::output::{columns, draw_file, print, require_picture};
 use crate::failure::Failure;
 use crate::number::number;
 use crate::progress::during;
@@ -58,9 +58,7 @@ struct Answer<'a> {
 
 impl WalkCommand {
     pub fn execute(&self) -> Result<(), Failure> {
-        if let Some(file) = &self.map {
-            require_ending(file, &["svg", "png"], "--map")?;
-        }
+        require_picture(self.map.as_deref(), "--map")?;
         let winder = self.winder()?;
         if let Some(mistake) = winder.mistake() {
             return Err(Failure::input(mistake, "`machinist walk --help` lists what it takes"));

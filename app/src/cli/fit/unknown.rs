@@ -4,6 +4,7 @@ use machinist::Simulation;
 use machinist::fit::Unknown;
 use machinist_contract::Simulator;
 
+use crate::cli::range::ends;
 use crate::failure::{Failure, did_you_mean};
 
 /// A name, and bounds if there are any.
@@ -19,13 +20,7 @@ pub fn asked(text: &str) -> Result<Asked, String> {
     let Some((name, values)) = text.split_once('=') else {
         return Ok(Asked { name: text.trim().to_owned(), bounds: None });
     };
-    let (from, to) = values.split_once("..").ok_or(EXAMPLE)?;
-    let number = |text: &str| match text.trim().parse::<f64>() {
-        Ok(number) if number.is_finite() => Ok(number),
-        Ok(_) => Err(format!("`{text}` is not a finite number")),
-        Err(_) => Err(format!("`{text}` is not a number")),
-    };
-    let (from, to) = (number(from)?, number(to)?);
+    let (from, to) = ends(values, EXAMPLE)?;
     if from >= to {
         return Err(format!("the bounds cross: {from} is not below {to}"));
     }

@@ -11,6 +11,7 @@ use machinist_studies::verify::automatic::{
 #[cfg(feature = "derive")]
 use super::independent::Spec;
 use crate::cli::scene::{self, refused};
+use crate::cli::settings::with_parameters;
 use crate::failure::Failure;
 use crate::progress::during;
 #[cfg(feature = "derive")]
@@ -106,10 +107,7 @@ fn verify_both<'a>(
     independent: &dyn Fn(&[f64]) -> Independent<'a>,
     changes: &Changes<'_>,
 ) -> Result<Vec<Verdict>, Failure> {
-    let mut simulation = Simulation::new(ways.simulator);
-    for (name, value) in changes.parameters {
-        simulation = simulation.parameter(name, *value)?;
-    }
+    let mut simulation = with_parameters(Simulation::new(ways.simulator), changes.parameters)?;
     if let Some(time) = changes.until {
         simulation = simulation.until(time);
     }

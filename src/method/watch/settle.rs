@@ -87,12 +87,17 @@ impl Watch<'_> {
         Ok(())
     }
 
+    /// Whether some constraint holds in some modes only.
+    fn holds_in_modes(&self) -> bool {
+        let simulator = self.system.simulator();
+        (0..simulator.constraints()).any(|index| simulator.constraint(index).in_modes)
+    }
+
     /// Puts velocities onto what holds in the modes of the state: what has only now begun to
     /// stick is at rest, but for what the search for its time has left, and a guard of how it
     /// slides must not find that.
     fn hold(&self, time: f64, state: &mut [f64]) {
-        let simulator = self.system.simulator();
-        if !(0..simulator.constraints()).any(|index| simulator.constraint(index).in_modes) {
+        if !self.holds_in_modes() {
             return;
         }
         if let Some(constraints) = self.system.constraints() {
@@ -108,10 +113,10 @@ impl Watch<'_> {
     /// Refuses modes in which a constraint holds that says what others say: guards of its
     /// force would mean nothing.
     fn require_independent(&self, time: f64, state: &[f64]) -> Result<(), Stopped> {
-        let simulator = self.system.simulator();
-        if !(0..simulator.constraints()).any(|index| simulator.constraint(index).in_modes) {
+        if !self.holds_in_modes() {
             return Ok(());
         }
+        let simulator = self.system.simulator();
         let state = &state[..self.system.states()];
         let found = mobility(simulator, self.system.parameters(), time, state);
         match found.into_iter().flat_map(|mobility| mobility.redundant).next() {

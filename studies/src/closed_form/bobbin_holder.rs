@@ -12,6 +12,8 @@
 //!
 //! Source: study of a winding mechanism; dimensions are those of `winder_linkage`.
 
+use std::f64::consts::FRAC_PI_2;
+
 /// Places and masses, as the scene's spec has them; see there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BobbinHolder {
@@ -91,6 +93,26 @@ impl BobbinHolder {
         let c = [self.post * post.cos(), self.post * post.sin()];
         let a = self.axle_place(c);
         [post, (a[1] - c[1]).atan2(a[0] - c[0]) - (-self.axle[1]).atan2(self.axle[0])]
+    }
+
+    /// Centres of mass \[m\] of post, plate, cylinder, rod and bobbin where post and plate are at
+    /// these angles \[rad\].
+    #[must_use]
+    pub fn centres(&self, [post, plate]: [f64; 2]) -> [[f64; 2]; 5] {
+        let along = |from: [f64; 2], length: f64, angle: f64| {
+            [from[0] + length * angle.cos(), from[1] + length * angle.sin()]
+        };
+        let c = along([0.0, 0.0], self.post, post);
+        let d = along(c, self.plate, plate);
+        let strut = (self.foot[1] - d[1]).atan2(self.foot[0] - d[0]);
+        let [forwards, to_the_right] = self.axle;
+        [
+            along([0.0, 0.0], 0.5 * self.post, post),
+            along(c, 0.5 * self.plate, plate),
+            along(d, 0.5 * self.strut, strut),
+            along(self.foot, -0.5 * self.strut, strut),
+            along(along(c, forwards, plate), -to_the_right, plate + FRAC_PI_2),
+        ]
     }
 
     /// A, where the circles about C and B meet, to the left of the way from C to B.

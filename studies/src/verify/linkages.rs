@@ -8,12 +8,8 @@ use crate::closed_form::pendulum_chain::CHAIN;
 use crate::closed_form::slider_crank::{SLIDER_CRANK, SliderCrankState};
 use machinist::constraints::start;
 use machinist::linear_analysis::{Linearization, Mode, ModeKind, Place, Point, equilibrium};
-use machinist::trajectory::ColumnKind;
 use machinist::{Method, Trajectory};
 
-const CLOSURE: &str = "loop closure along the run at rtol 1e-10, largest over the shortest link";
-const PUT_BACK: &str = "every state is put back onto the constraints";
-const ZERO: &str = "zero";
 const EIGENVALUES: &str = "both are algebra; rounding, grown by eight coordinates solved together";
 
 pub(super) const RELATIVE_CHECKS: &[Check] = &[
@@ -57,13 +53,6 @@ pub(super) const PENDULUM_CHECKS: &[Check] = &[
         measure: force,
     },
     Check {
-        name: CLOSURE,
-        reference: ZERO,
-        tolerance: 1e-10,
-        reason: PUT_BACK,
-        measure: |machine| closure(machine, 0.4),
-    },
-    Check {
         name: "frequencies of small oscillations about hanging at rest",
         reference: "three eigenvalues in minimal coordinates by hand, relative",
         tolerance: 1e-11,
@@ -86,13 +75,6 @@ pub(super) const SLIDER_CRANK_CHECKS: &[Check] = &[
         tolerance: 1e-8,
         reason: "the run is held to 1e-12 a step",
         measure: torque,
-    },
-    Check {
-        name: CLOSURE,
-        reference: ZERO,
-        tolerance: 1e-10,
-        reason: PUT_BACK,
-        measure: |machine| closure(machine, 0.05),
     },
     Check {
         name: "motions that the constraints leave at the start",
@@ -122,13 +104,6 @@ pub(super) const FOUR_BAR_CHECKS: &[Check] = &[
         measure: speed,
     },
     Check {
-        name: CLOSURE,
-        reference: ZERO,
-        tolerance: 1e-10,
-        reason: PUT_BACK,
-        measure: |machine| closure(machine, 0.1),
-    },
-    Check {
         name: "frequency of small oscillations about its lowest position",
         reference: "V''/I in the crank's angle by virtual work, relative",
         tolerance: 1e-11,
@@ -150,22 +125,6 @@ pub(super) const FOUR_BAR_CHECKS: &[Check] = &[
 
 fn run(machine: &Machine, rtol: f64) -> Result<Trajectory, CheckFailure> {
     Ok(machine.simulation(&[])?.rtol(rtol).method(Method::Dop853).run()?)
-}
-
-/// The largest constraint at any sample, over a length.
-pub(super) fn closure(machine: &Machine, length: f64) -> Result<Measured, CheckFailure> {
-    let run = run(machine, 1e-10)?;
-    let parameters = machine.parameters(&[])?;
-    let columns: Vec<&[f64]> =
-        run.of_kind(ColumnKind::State).map(|column| column.values.as_slice()).collect();
-    let mut values = vec![0.0; machine.real.constraints()];
-    let mut largest = if values.is_empty() { f64::NAN } else { 0.0 };
-    for (sample, time) in run.times.iter().enumerate() {
-        let state: Vec<f64> = columns.iter().map(|column| column[sample]).collect();
-        machine.real.constraint_values(*time, &state, &parameters, &mut values);
-        largest = values.iter().fold(largest, |most, value| worse(most, value.abs()));
-    }
-    Ok(Measured::error(largest / length))
 }
 
 fn minimal(machine: &Machine) -> Result<Measured, CheckFailure> {

@@ -18,6 +18,7 @@ mod fits;
 mod independent;
 mod interpreted;
 mod kinks;
+mod language;
 mod linear_analysis;
 mod massless;
 mod methods;

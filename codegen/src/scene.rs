@@ -13,6 +13,7 @@ mod joints;
 mod layout;
 mod lookup;
 mod names;
+mod parameters;
 mod ports;
 mod resolve;
 mod spline;
@@ -40,7 +41,7 @@ pub fn compose(spec: &SceneSpec) -> Result<LagrangianSystem, Diagnostics> {
 fn join(spec: &SceneSpec) -> Result<LagrangianSystem, Diagnostics> {
     let mut mistakes = Vec::new();
     let mut layout = layout::Layout::new(spec, &mut mistakes);
-    let values = assemble::parameter_values(spec, &layout, &mut mistakes);
+    let values = parameters::values(spec, &layout, &mut mistakes);
     stop_at(spec, &mistakes)?;
     let parameter = |id: ParameterId| values[id.0 as usize];
     attachments::locate(spec, &mut layout, &parameter, &mut mistakes);

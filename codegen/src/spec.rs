@@ -15,6 +15,7 @@ mod fields;
 mod lexer;
 pub mod library;
 mod loader;
+pub mod measure;
 mod names;
 pub mod rewrite;
 mod scene;
@@ -41,6 +42,7 @@ use self::diagnostic::{Diagnostic, Diagnostics, FileId, Span, Spanned};
 use self::dimension::Unit;
 use self::expression::{Ast, Literal};
 use self::library::LibraryScene;
+use self::measure::Factor;
 use machinist_model::Direction;
 
 /// Reads a scene, the units it names, and the tables they name.
@@ -87,6 +89,8 @@ pub struct SceneSpec {
     pub parameters: Vec<ParameterSpec>,
     /// The scene's own helpers.
     pub helpers: Vec<DefinitionSpec>,
+    /// T, V and D between instances.
+    pub energy: EnergySpec,
     /// Generalized forces on ports.
     pub forces: Vec<PortForceSpec>,
     /// Events of the scene, on `instance.name`.
@@ -117,10 +121,12 @@ pub struct SceneSpec {
 /// A declared unit of measure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Declared {
-    /// As written.
+    /// The unit that values are in, as written.
     pub text: String,
     /// Its meaning.
     pub unit: Unit,
+    /// How much of the coherent unit it is.
+    pub factor: Factor,
     /// Where it stands.
     pub span: Span,
 }
@@ -131,6 +137,15 @@ pub enum Formula {
     /// A number.
     Number(Spanned<Literal>),
     /// An expression.
+    Expression(Ast),
+}
+
+/// A parameter's value.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// A finite number, in the unit that the parameter is declared in.
+    Number(f64),
+    /// An expression of parameters, in SI units.
     Expression(Ast),
 }
 
@@ -253,9 +268,9 @@ impl PortKind {
 pub struct ParameterSpec {
     /// Its name.
     pub name: Spanned<String>,
-    /// Its value, finite.
-    pub value: f64,
-    /// Its unit.
+    /// Its value.
+    pub value: Value,
+    /// Its unit; models have it in the coherent one.
     pub unit: Declared,
     /// Meaning.
     pub doc: String,
@@ -377,7 +392,7 @@ pub struct InstanceSpec {
     /// Index in [`SceneSpec::units`].
     pub unit: usize,
     /// Values other than the unit's.
-    pub parameters: Vec<(Spanned<String>, f64)>,
+    pub parameters: Vec<(Spanned<String>, Value)>,
     /// Expressions for the inputs.
     pub inputs: Vec<(Spanned<String>, Formula)>,
     /// How its fields are cut into elements.
@@ -432,10 +447,10 @@ impl OutputSpec {
 /// The run a scene asks for, in range.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunSpec {
-    /// Start time \[s\].
-    pub from: f64,
-    /// End time \[s\].
-    pub until: f64,
+    /// Start time \[s\], of parameters; 0 if not given.
+    pub from: Option<Formula>,
+    /// End time \[s\], likewise.
+    pub until: Formula,
     /// Output times.
     pub points: usize,
     /// Relative tolerance.

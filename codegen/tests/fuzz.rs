@@ -10,8 +10,8 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline::compile;
 use machinist_codegen::scene::compose;
 use machinist_codegen::scene::system::LagrangianSystem;
-use machinist_codegen::spec::dimension::Unit;
 use machinist_codegen::spec::load_scene;
+use machinist_codegen::spec::measure::Measure;
 
 use machinist_model::file::{Stamped, read, write};
 
@@ -252,15 +252,15 @@ fn damaged_tables_are_read_to_numbers_or_refused() {
 fn damaged_units_of_measure_are_read_or_refused() {
     let rule: Rule = Arc::new(|input: &[u8]| {
         let text = String::from_utf8_lossy(input);
-        let unit = match Unit::parse(&text) {
+        let unit = match Measure::parse(&text) {
             Ok(unit) => unit,
             Err(error) if error.message.trim().is_empty() => return Err("no words".to_owned()),
             Err(_) => return Ok(false),
         };
-        let (unit, written) = (unit.dimension, unit.dimension.as_unit());
+        let (unit, written) = (unit.unit.dimension, unit.unit.dimension.as_unit());
         // A product may have a higher power than a unit is written with.
-        match Unit::parse(&written) {
-            Ok(again) if again.dimension != unit => {
+        match Measure::parse(&written) {
+            Ok(again) if again.unit.dimension != unit => {
                 Err(format!("{text} is written {written}, which reads as another"))
             }
             _ => Ok(true),

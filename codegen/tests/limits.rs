@@ -253,7 +253,7 @@ fn tables_too_short_or_too_long_are_refused() {
         (header.replace(",load [N m]", ""), "two columns"),
         (format!("{header}0,\n1,2\n"), "finite number"),
         (format!("{header}0,1e999\n1,2\n"), "finite number"),
-        (format!("{header}0,0\n1e-300,1e300\n"), "no spline"),
+        (format!("{header}0,0\n1e-300,1e300\n"), "no curve"),
         (String::new(), "the file is empty"),
     ] {
         made.write("scenes/a.csv", rows.as_bytes());

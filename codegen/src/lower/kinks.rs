@@ -69,8 +69,10 @@ fn switched(graph: &mut Graph, id: NodeId, tables: &[Table]) -> Vec<NodeId> {
         Op::SelectLess { lhs, rhs, .. } => vec![graph.sub(lhs, rhs)],
         Op::Call(Function::Abs, argument) => vec![argument],
         Op::Table { table, argument, .. } => {
-            let knots = &tables[table.0 as usize].knots;
-            let ends = [knots.first(), knots.last()].into_iter().flatten();
+            let table = &tables[table.0 as usize];
+            let ends = [table.knots.first(), table.knots.last()].into_iter().flatten();
+            let corners = corners(table);
+            let ends = ends.chain(&corners);
             let from = |end: &f64| {
                 let end = graph.literal(*end);
                 graph.sub(argument, end)
@@ -79,6 +81,24 @@ fn switched(graph: &mut Graph, id: NodeId, tables: &[Table]) -> Vec<NodeId> {
         }
         _ => vec![],
     }
+}
+
+/// Corners beyond which a table is fine enough for steps to follow it.
+const MOST_CORNERS: usize = 100;
+
+/// Inner knots at which the slope of a table jumps.
+fn corners(table: &Table) -> Vec<f64> {
+    let slopes = table.coefficients.windows(2).zip(table.knots.windows(2)).map(|(pair, knots)| {
+        let [_, c1, c2, c3] = pair[0];
+        let u = knots[1] - knots[0];
+        let terms = [c1, 2.0 * c2 * u, 3.0 * c3 * u * u];
+        let size = terms.iter().fold(pair[1][1].abs(), |size, term| size.max(term.abs()));
+        let jump = terms.iter().sum::<f64>() - pair[1][1];
+        // What a spline leaves is rounding.
+        (knots[1], jump.abs() > 1e-6 * size)
+    });
+    let corners: Vec<f64> = slopes.filter(|(_, jumps)| *jumps).map(|(knot, _)| knot).collect();
+    if corners.len() > MOST_CORNERS { Vec::new() } else { corners }
 }
 
 impl Kinks {

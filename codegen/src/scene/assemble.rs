@@ -9,48 +9,24 @@ mod outputs;
 mod precision;
 
 use crate::expr::rank::motion_without_energy;
-use crate::expr::{CoordinateId, Expr, Symbol};
+use crate::expr::{CoordinateId, Expr, ParameterId, Symbol};
+use crate::scene::evaluate::evaluate;
 use crate::scene::layout::{Layout, Local, Scope, coordinate_spec, find_port, unknown_coordinate};
 use crate::scene::names::{Flat, name};
+use crate::scene::parameters;
 use crate::scene::ports::{dimension_of, ratio_of};
 use crate::scene::resolve::{Resolved, Resolver, Wanted};
 use crate::scene::system::{
     Constraint, Coordinate, FirstOrderState, GeneralizedForce, LagrangianSystem, Parameter, Spring,
     without_zeros,
 };
-use crate::scene::typed::{integer, product, sum};
+use crate::scene::typed::{Uses, integer, product, sum};
 use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::dimension::Dimension;
 use crate::spec::expression::Ast;
-use crate::spec::{Declared, InstanceSpec, SceneSpec, UnitSpec, did_you_mean, quoted};
+use crate::spec::measure::in_coherent_units;
+use crate::spec::{Declared, Formula, InstanceSpec, SceneSpec, UnitSpec, did_you_mean, quoted};
 use machinist_model::{Name, Quantity, RunDefaults};
-
-/// Values of all parameters, those of the scene first; instances may have others
-/// than their units.
-pub fn parameter_values(
-    spec: &SceneSpec,
-    layout: &Layout,
-    mistakes: &mut Vec<Mistake>,
-) -> Vec<f64> {
-    let mut values: Vec<f64> = spec.parameters.iter().map(|parameter| parameter.value).collect();
-    for instance in &spec.instances {
-        let unit = &spec.units[instance.unit];
-        let first = values.len();
-        values.extend(unit.parameters.iter().map(|parameter| parameter.value));
-        for (name, value) in &instance.parameters {
-            if let Some(Local::Parameter(index)) = layout.units[instance.unit].get(&name.value) {
-                values[first + index] = *value;
-                continue;
-            }
-            let (unit_name, wanted) = (quoted(&unit.name), quoted(&name.value));
-            let message = format!("unit {unit_name} has no parameter {wanted}");
-            let known = unit.parameters.iter().map(|parameter| parameter.name.value.as_str());
-            let help = did_you_mean(&name.value, known);
-            mistakes.push(Mistake::new(name.span, message, "unknown").help(help));
-        }
-    }
-    values
-}
 
 /// The system; it means nothing if mistakes were found.
 pub fn assemble(
@@ -59,8 +35,17 @@ pub fn assemble(
     values: &[f64],
     mistakes: &mut Vec<Mistake>,
 ) -> LagrangianSystem {
+    let run = RunDefaults {
+        from: 0.0,
+        until: 0.0,
+        points: spec.run.points,
+        rtol: spec.run.rtol,
+        method: spec.run.method.clone(),
+    };
     let mut assembler =
-        Assembler { spec, layout, values, resolver: Resolver::new(spec, layout), mistakes };
+        Assembler { spec, layout, values, resolver: Resolver::new(spec, layout), run, mistakes };
+    assembler.span_of_run();
+    parameters::check(&mut assembler.resolver, values, assembler.mistakes);
     assembler.inputs();
     let (energies, springs) = assembler.energies();
     let [mut kinetic, potential, dissipation, stored_energy, supplied_power, dissipated_power] =
@@ -83,7 +68,6 @@ pub fn assemble(
     assembler.motions(&kinetic, &constraints);
     assembler.clashes();
     let (tables, discontinuities) = (assembler.resolver.tables, assembler.resolver.discontinuities);
-    let run = &spec.run;
     LagrangianSystem {
         name: spec.name.value.clone(),
         title: spec.title.clone(),
@@ -108,13 +92,7 @@ pub fn assemble(
         discontinuities,
         events,
         constraints,
-        run: RunDefaults {
-            from: run.from,
-            until: run.until,
-            points: run.points,
-            rtol: run.rtol,
-            method: run.method.clone(),
-        },
+        run: assembler.run,
         freeze,
         fields,
         files: spec.sources.files(),
@@ -139,6 +117,7 @@ struct Assembler<'a> {
     layout: &'a Layout,
     values: &'a [f64],
     resolver: Resolver<'a>,
+    run: RunDefaults,
     mistakes: &'a mut Vec<Mistake>,
 }
 
@@ -158,6 +137,26 @@ impl<'a> Assembler<'a> {
                 integer(0)
             }
         }
+    }
+
+    /// When the run starts and ends, at the values of the spec.
+    fn span_of_run(&mut self) {
+        let run = &self.spec.run;
+        let mut time = |formula: &Formula, what: &str| {
+            let wanted = Wanted::new(Dimension::TIME, what).of(Uses::PARAMETERS);
+            let resolved = self.resolver.formula(formula, Scope::Scene, &wanted);
+            let expr = self.note(resolved);
+            evaluate(&expr, &|id: ParameterId| self.values[id.0 as usize])
+        };
+        let from = run.from.as_ref().map_or(0.0, |from| time(from, "the start of the run"));
+        let until = time(&run.until, "the end of the run");
+        // Also what is no number.
+        if !(from.is_finite() && until.is_finite() && until > from) {
+            let label = if until <= from { "too early" } else { "not a time" };
+            let mistake = Mistake::new(run.until.span(), "a run ends after its start", label);
+            self.mistakes.push(mistake.help(format!("it goes from {from} s to {until} s")));
+        }
+        (self.run.from, self.run.until) = (from, until);
     }
 
     /// Every input is bound by an expression of its unit, and nothing else is bound.
@@ -180,8 +179,8 @@ impl<'a> Assembler<'a> {
         }
     }
 
-    /// T, V, D, stored energy, supplied and dissipated power: sums over instances;
-    /// and V of each instance.
+    /// T, V, D, stored energy, supplied and dissipated power: sums over instances and what the
+    /// scene says itself; and V of each instance.
     fn energies(&mut self) -> ([Expr; 6], Vec<Spring>) {
         let mut springs = Vec::new();
         let energy = |what: &str| Wanted { energy: true, ..Wanted::new(Dimension::ENERGY, what) };
@@ -216,6 +215,14 @@ impl<'a> Assembler<'a> {
                 && let Some(potential) = terms[1].last().cloned()
             {
                 springs.push(Spring { instance: instance.name.value.clone(), potential });
+            }
+        }
+        let energy = &self.spec.energy;
+        let texts = [&energy.kinetic, &energy.potential, &energy.dissipation, &energy.stored];
+        for ((text, wanted), terms) in texts.into_iter().zip(&wanted).zip(&mut terms) {
+            if let Some(ast) = text {
+                let resolved = self.resolver.expect(ast, Scope::Scene, wanted);
+                terms.push(self.note(resolved));
             }
         }
         (terms.map(sum), springs)
@@ -339,21 +346,18 @@ impl<'a> Assembler<'a> {
 
     fn parameters(&mut self) -> Vec<Parameter> {
         let tunable = self.tunable();
-        let own = self.spec.parameters.iter().map(|parameter| (None, parameter));
-        let of_units = self.instances().flat_map(|(_, instance, unit)| {
-            let name = Some(instance.name.value.as_str());
-            unit.parameters.iter().map(move |parameter| (name, parameter))
-        });
-        let all = own.chain(of_units).zip(self.values).zip(tunable);
-        let parameters = all.map(|(((instance, parameter), value), tunable)| Parameter {
-            quantity: quantity(
-                instance,
-                &parameter.name.value,
-                &parameter.unit.text,
-                &parameter.doc,
-            ),
-            value: *value,
-            tunable,
+        let all = parameters::numbers(self.spec).zip(tunable);
+        let parameters = all.map(|((scope, index, value), tunable)| {
+            let parameter = parameters::declared(self.spec, scope, index);
+            let instance = match scope {
+                Scope::Instance(instance) => {
+                    Some(self.spec.instances[instance].name.value.as_str())
+                }
+                _ => None,
+            };
+            let unit = in_coherent_units(&parameter.unit.text);
+            let quantity = quantity(instance, &parameter.name.value, &unit, &parameter.doc);
+            Parameter { quantity, value, tunable }
         });
         parameters.collect()
     }

@@ -23,7 +23,7 @@ pub fn locate(
     for (index, instance) in spec.instances.iter().enumerate() {
         let unit = &spec.units[instance.unit];
         for (number, field) in unit.fields.iter().enumerate() {
-            let length = match length(layout, index, instance, spec, field, parameter) {
+            let length = match length(&mut resolver, index, field, parameter) {
                 Ok(length) => length,
                 Err(mistake) => {
                     mistakes.push(*mistake);
@@ -130,13 +130,13 @@ fn choices(spec: &SceneSpec, mistakes: &mut Vec<Mistake>) {
 
 /// Length of a field at the values of the spec.
 fn length(
-    layout: &Layout,
+    resolver: &mut Resolver<'_>,
     index: usize,
-    instance: &InstanceSpec,
-    spec: &SceneSpec,
     field: &FieldSpec,
     parameter: &impl Fn(ParameterId) -> f64,
 ) -> Result<f64, Box<Mistake>> {
+    let (layout, spec) = (resolver.layout, resolver.spec);
+    let instance = &spec.instances[index];
     let unit = &spec.units[instance.unit];
     let Some(Local::Parameter(number)) = layout.units[instance.unit].get(&field.over.value) else {
         let message = format!(
@@ -153,7 +153,8 @@ fn length(
         let label = format!("this parameter is in {}", declared.unit.unit.dimension);
         return Err(Box::new(Mistake::new(field.over.span, message, label)));
     }
-    let value = parameter(layout.parameter(Scope::Instance(index), number));
+    let (over, scope) = (&field.over, Scope::Instance(index));
+    let value = evaluate(&resolver.value(&over.value, over.span, scope)?.expr, parameter);
     if value > 0.0 && value.is_finite() {
         return Ok(value);
     }

@@ -4,8 +4,8 @@ use crate::expr::{Expr, Function, Symbol};
 use crate::scene::along::{self, NoRate};
 use crate::scene::layout::Scope;
 use crate::scene::resolve::{MAX_TERMS, Resolved, Resolver, not_zero};
-use crate::scene::spline;
-use crate::scene::typed::{Typed, Uses, integer, power, product, select_less, sum};
+use crate::scene::spline::{self, Course};
+use crate::scene::typed::{Typed, Uses, integer, power, product, reciprocal, select_less, sum};
 use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::dimension::{Angular, Dimension};
 use crate::spec::expression::{Ast, Node};
@@ -30,14 +30,16 @@ const PURE: &[(&str, Function)] = &[
 /// The rest, with what they take.
 const OTHERS: &[(&str, &str)] = &[
     ("sqrt", "sqrt(x)"),
+    ("cbrt", "cbrt(x)"),
+    ("atan2", "atan2(y, x)"),
     ("abs", "abs(x)"),
     ("min", "min(a, b)"),
     ("max", "max(a, b)"),
     ("sign", "sign(x)"),
     ("smooth_step", "smooth_step(x)"),
     ("step", "step(t, t0)"),
-    ("piecewise", "piecewise(t < t1, a, t < t2, b, c)"),
-    ("table", "table(\"file.csv\", \"column\", x)"),
+    ("piecewise", "piecewise(t < t1, a, x < x2, b, c)"),
+    ("table", "table(\"file.csv\", \"column\", x), or with \"linear\" or \"monotone\" behind x"),
     ("der", "der(x)"),
 ];
 
@@ -56,6 +58,8 @@ impl Resolver<'_> {
         match (function, arguments) {
             (_, [x]) if let Some((_, pure)) = pure => self.pure(*pure, x, scope, allowed),
             ("sqrt", [x]) => self.root(x, scope, allowed),
+            ("cbrt", [x]) => self.cube_root(x, span, scope, allowed),
+            ("atan2", [y, x]) => self.angle(y, x, scope, allowed),
             ("abs", [x]) => {
                 let x = self.resolve(x, scope, allowed)?;
                 let mut typed = like(&x, &[&x]);
@@ -70,7 +74,13 @@ impl Resolver<'_> {
             ("piecewise", [.., _]) if arguments.len() >= 3 && arguments.len() % 2 == 1 => {
                 self.piecewise(arguments, span, scope, allowed)
             }
-            ("table", [file, column, x]) => self.table(file, column, x, scope, allowed),
+            ("table", [file, column, x]) => {
+                self.table((file, column, Course::Natural), x, scope, allowed)
+            }
+            ("table", [file, column, x, course]) => {
+                let course = course_of(course)?;
+                self.table((file, column, course), x, scope, allowed)
+            }
             ("der", [x]) => self.rate(x, span, scope, allowed),
             _ => Err(Box::new(unknown(function, name, span, arguments.len()))),
         }
@@ -117,6 +127,68 @@ impl Resolver<'_> {
         typed.angular = x.angular.power(1, 2);
         typed.value = x.value.map(f64::sqrt);
         typed.expr = Expr::Call(Function::Sqrt, vec![x.expr]);
+        Ok(typed)
+    }
+
+    /// The root of negative numbers too: -(-x)^(1/3) below zero.
+    fn cube_root(&mut self, of: &Ast, span: Span, scope: Scope, allowed: Uses) -> Resolved {
+        let x = self.resolve(of, scope, allowed)?;
+        self.spend(x.terms.saturating_mul(2), span)?;
+        let mut typed = Typed::over(&[&x, &x, &x]);
+        typed.depth += 4;
+        typed.dimension = match x.dimension {
+            None => None,
+            Some(dimension) => Some(dimension.power(1, 3).ok_or_else(|| {
+                let label = format!("in {dimension}");
+                Mistake::new(of.span, "this root has no dimension in SI units", label)
+            })?),
+        };
+        typed.angular = x.angular.power(1, 3);
+        typed.value = x.value.map(f64::cbrt);
+        let third = num_rational::BigRational::new(1.into(), 3.into());
+        let above = power(x.expr.clone(), &third);
+        let below = power(product(vec![integer(-1), x.expr.clone()]), &third);
+        let below = product(vec![integer(-1), below]);
+        typed.expr = select_less(x.expr, integer(0), below, above);
+        Ok(typed)
+    }
+
+    /// The angle of (x, y), from -pi to pi. With r its distance,
+    ///
+    /// ```text
+    /// 2 atan(y/(r + x))               where x >= 0
+    /// +-pi - 2 atan(y/(r - x))        where x < 0, by the sign of y
+    /// ```
+    ///
+    /// so that nothing cancels, and nothing is singular but the origin.
+    fn angle(&mut self, y: &Ast, x: &Ast, scope: Scope, allowed: Uses) -> Resolved {
+        let span = y.span.to(x.span);
+        let (y, x) = (self.resolve(y, scope, allowed)?, self.resolve(x, scope, allowed)?);
+        Self::agree(span, &y, &x)?;
+        if y.value == Some(0.0) && x.value == Some(0.0) {
+            return Err(Box::new(Mistake::new(span, "the angle of no direction", "both are 0")));
+        }
+        self.spend(x.terms.saturating_add(y.terms).saturating_mul(5).saturating_add(8), span)?;
+        let mut typed = Typed::over(&[&x, &y, &x, &y, &x, &y, &x, &y, &x, &y]);
+        typed.terms += 8;
+        typed.depth += 10;
+        typed.dimension = Some(Dimension::ONE);
+        typed.angular = Angular::of_function(x.uses.moves() || y.uses.moves());
+        typed.value = y.value.zip(x.value).map(|(y, x)| y.atan2(x));
+        let (y, x) = (y.expr, x.expr);
+        let square =
+            |of: &Expr| power(of.clone(), &num_rational::BigRational::from_integer(2.into()));
+        let distance = Expr::Call(Function::Sqrt, vec![sum(vec![square(&x), square(&y)])]);
+        let twice = |over: Expr, sign: i64| {
+            let tangent = product(vec![y.clone(), reciprocal(over)]);
+            product(vec![integer(sign * 2), Expr::Call(Function::Atan, vec![tangent])])
+        };
+        let ahead = twice(sum(vec![distance.clone(), x.clone()]), 1);
+        let minus_x = product(vec![integer(-1), x.clone()]);
+        let pi = || Expr::Symbol(Symbol::Pi);
+        let half_turn = select_less(y.clone(), integer(0), product(vec![integer(-1), pi()]), pi());
+        let behind = sum(vec![half_turn, twice(sum(vec![distance, minus_x]), -1)]);
+        typed.expr = select_less(x, integer(0), behind, ahead);
         Ok(typed)
     }
 
@@ -184,7 +256,13 @@ impl Resolver<'_> {
     }
 
     fn step(&mut self, t: &Ast, at: &Ast, span: Span, scope: Scope, allowed: Uses) -> Resolved {
+        let place = at.span;
         let (time, at) = self.condition(t, at, scope, allowed)?;
+        if time.expr != Expr::Symbol(Symbol::Time) || at.uses != Uses::default() {
+            let message = "a step is of time `t`, at a time made of parameters";
+            let mistake = Mistake::new(t.span.to(place), message, "not such a step");
+            return Err(Box::new(mistake.help("write piecewise(x < x1, 0, 1) of anything else")));
+        }
         self.spend(2, span)?;
         let mut typed = Typed::over(&[&time, &at]);
         typed.terms += 2;
@@ -205,7 +283,8 @@ impl Resolver<'_> {
         for pair in arguments.chunks(2) {
             let [condition, value] = pair else { continue };
             let Node::Less(t, at) = &condition.node else {
-                return Err(Box::new(no_condition(condition.span)));
+                let mistake = Mistake::new(condition.span, "this is no condition", "not `a < b`");
+                return Err(Box::new(mistake.help("write piecewise(t < t1, a, x < x2, b, c)")));
             };
             conditions.push(self.condition(t, at, scope, allowed)?);
             parts.push(self.piece(value, &parts, scope, allowed)?);
@@ -241,8 +320,9 @@ impl Resolver<'_> {
         Ok(value)
     }
 
-    /// `t < at` with `at` of parameters only, where the solver has to stop; or
-    /// `mode < number`, of whole numbers, which is asked as `mode < number - 1/2`.
+    /// `t < at` with `at` of parameters only, where the solver has to stop;
+    /// `mode < number`, of whole numbers, which is asked as `mode < number - 1/2`; or two
+    /// values of one dimension, whose difference is watched along the motion.
     fn condition(
         &mut self,
         t: &Ast,
@@ -254,12 +334,10 @@ impl Resolver<'_> {
         if self.is_mode(&time.expr) {
             return self.mode_condition(time, at, scope);
         }
-        if time.expr != Expr::Symbol(Symbol::Time) {
-            return Err(Box::new(no_condition(t.span)));
-        }
-        let at_time = self.resolve(at, scope, Uses::ANYTHING)?;
-        if at_time.uses != Uses::default() {
-            return Err(Box::new(no_condition(at.span)));
+        let at_time = self.resolve(at, scope, allowed)?;
+        if time.expr != Expr::Symbol(Symbol::Time) || at_time.uses != Uses::default() {
+            Self::agree(at.span, &time, &at_time)?;
+            return Ok((time, at_time));
         }
         if let Some(dimension) = at_time.dimension
             && dimension != Dimension::TIME
@@ -352,8 +430,7 @@ impl Resolver<'_> {
 
     fn table(
         &mut self,
-        file: &Ast,
-        column: &Ast,
+        (file, column, course): (&Ast, &Ast, Course),
         x: &Ast,
         scope: Scope,
         allowed: Uses,
@@ -386,7 +463,7 @@ impl Resolver<'_> {
         let mut typed = Typed::over(&[&argument]);
         typed.dimension = Some(columns[place].unit.dimension);
         typed.angular = Angular::of(columns[place].unit, argument.uses.moves());
-        let table = self.table_id(index, place, column.span)?;
+        let table = self.table_id((index, place, course), column.span)?;
         typed.expr = Expr::Call(Function::Table { table, order: 0 }, vec![argument.expr]);
         Ok(typed)
     }
@@ -394,18 +471,17 @@ impl Resolver<'_> {
     /// The table of a column, made at its first use.
     fn table_id(
         &mut self,
-        index: usize,
-        column: usize,
+        (index, column, course): (usize, usize, Course),
         span: Span,
     ) -> Result<TableId, Box<Mistake>> {
-        let known = self.table_columns.iter().position(|known| *known == (index, column));
+        let known = self.table_columns.iter().position(|known| *known == (index, column, course));
         if let Some(known) = known {
             return Ok(TableId(known as u32));
         }
         let csv = &self.spec.tables[index];
         let (x, y) = (&csv.columns[0], &csv.columns[column]);
-        let Some(coefficients) = spline::natural(&x.values, &y.values) else {
-            let message = "no spline goes through this column: its numbers are too far apart";
+        let Some(coefficients) = spline::through(course, &x.values, &y.values) else {
+            let message = "no curve goes through this column: its numbers are too far apart";
             return Err(Box::new(Mistake::new(span, message, "here")));
         };
         let stem = csv.path.rsplit('/').next().unwrap_or_default().split('.').next();
@@ -424,7 +500,7 @@ impl Resolver<'_> {
         let latex = format!(r"\mathrm{{{}}}", y.name.replace('_', r"\_"));
         let name = Name { path, ident: unique, latex };
         self.tables.push(Table { name, knots: x.values.clone(), coefficients });
-        self.table_columns.push((index, column));
+        self.table_columns.push((index, column, course));
         Ok(TableId(self.tables.len() as u32 - 1))
     }
 }
@@ -434,13 +510,20 @@ fn like(x: &Typed, parts: &[&Typed]) -> Typed {
     Typed { dimension: x.dimension, angular: x.angular, ..Typed::over(parts) }
 }
 
-fn no_condition(span: Span) -> Mistake {
-    let message = "a condition compares time `t` with a time made of parameters, or a mode with a \
-                   whole number";
-    Mistake::new(span, message, "not such a condition").help(
-        "switching on a coordinate or state needs an event that sets a mode; or use smooth_step, \
-         min or max",
-    )
+/// How a table goes between its knots.
+fn course_of(ast: &Ast) -> Result<Course, Box<Mistake>> {
+    let known =
+        [("natural", Course::Natural), ("linear", Course::Linear), ("monotone", Course::Monotone)];
+    let Node::Text(text) = &ast.node else {
+        let mistake = Mistake::new(ast.span, "how a table goes is a text", "not a text");
+        return Err(Box::new(mistake.help("write \"linear\" or \"monotone\"")));
+    };
+    let found = known.iter().find(|(name, _)| name == text);
+    found.map(|(_, course)| *course).ok_or_else(|| {
+        let message = format!("a table does not go {}", quoted(text));
+        let help = did_you_mean(text, known.iter().map(|(name, _)| *name));
+        Box::new(Mistake::new(ast.span, message, "unknown").help(help))
+    })
 }
 
 fn unknown(function: &str, name: Span, span: Span, given: usize) -> Mistake {

@@ -4,6 +4,7 @@
 use std::collections::HashMap;
 
 use crate::expr::{ConstraintId, CoordinateId, Expr, FirstOrderId, HandedId, ParameterId};
+use crate::scene::parameters::numbers;
 use crate::scene::typed::integer;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::{Dimension, Unit};
@@ -136,6 +137,8 @@ pub struct Layout {
     pub scene: Names,
     /// First coordinate, parameter, state and constraint of each instance.
     first: Vec<[usize; 4]>,
+    /// Ids of the parameters that are numbers, of all parameters of scene and instances.
+    parameters: Vec<Option<ParameterId>>,
     /// Constraints of all instances.
     constraints: usize,
     /// How each coordinate of each instance follows one of the scene.
@@ -184,6 +187,11 @@ impl Layout {
             }
             size += names;
         }
+        let mut ids = vec![None; next[1]];
+        for (id, (scope, index, _)) in (0..).map(ParameterId).zip(numbers(spec)) {
+            let first = if let Scope::Instance(instance) = scope { first[instance][1] } else { 0 };
+            ids[first + index] = Some(id);
+        }
         let slots = next[0];
         let links = (0..slots).map(|slot| Link { id: CoordinateId(slot as u32), factor: None });
         let (links, representatives) = (links.collect(), (0..slots).collect());
@@ -194,6 +202,7 @@ impl Layout {
             units,
             scene,
             first,
+            parameters: ids,
             constraints: next[3],
             links,
             representatives,
@@ -257,13 +266,13 @@ impl Layout {
         self.first[instance][0] + coordinate
     }
 
-    /// Id of a parameter; those of the scene come first.
-    pub fn parameter(&self, scope: Scope, index: usize) -> ParameterId {
+    /// Id of a parameter, none if it is given by others; those of the scene come first.
+    pub fn parameter(&self, scope: Scope, index: usize) -> Option<ParameterId> {
         let first = match scope.base() {
             Scope::Instance(instance) => self.first[instance][1],
             _ => 0,
         };
-        ParameterId((first + index) as u32)
+        self.parameters[first + index]
     }
 
     /// Id of a first-order state.

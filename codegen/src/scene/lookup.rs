@@ -7,6 +7,7 @@ use num_traits::Zero as _;
 
 use crate::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 use crate::scene::layout::{FieldPart, Layout, Link, Local, Scope, Side, find_instance};
+use crate::scene::parameters;
 use crate::scene::resolve::{Resolved, Resolver, Wanted, beyond_reason, fits, sound};
 use crate::scene::typed::{Typed, Uses, product};
 use crate::spec::diagnostic::{Mistake, Span};
@@ -27,6 +28,8 @@ pub(super) enum Definition {
     Input(usize, usize),
     Output(usize, usize),
     Constraint(Scope, usize),
+    /// A parameter that is given by others.
+    Parameter(Scope, usize),
 }
 
 pub(super) enum State {
@@ -158,9 +161,11 @@ impl Resolver<'_> {
                 self.definition(Definition::Output(i, index), span)
             }
             (scope, Local::Parameter(index)) => {
-                let unit = self.parameter_unit(scope, index);
-                let symbol = Symbol::Parameter(self.layout.parameter(scope, index));
-                self.leaf(symbol, unit, Uses::default(), span)
+                let Some(id) = self.layout.parameter(scope, index) else {
+                    return self.definition(Definition::Parameter(scope.base(), index), span);
+                };
+                let unit = parameters::declared(self.spec, scope, index).unit.unit;
+                self.leaf(Symbol::Parameter(id), unit, Uses::default(), span)
             }
             (scope, Local::Constraint(index)) => self.multiplier(scope, index, span),
             (Scope::Instance(instance), local) => self.motion(instance, local, span),
@@ -178,15 +183,6 @@ impl Resolver<'_> {
         let unit = Unit { dimension, rad: 0 };
         let uses = Uses { reaction: true, ..Uses::default() };
         self.leaf(Symbol::Multiplier(self.layout.constraint(scope, index)), unit, uses, span)
-    }
-
-    fn parameter_unit(&self, scope: Scope, index: usize) -> Unit {
-        match scope {
-            Scope::Scene | Scope::Profile => self.spec.parameters[index].unit.unit,
-            Scope::Instance(i) | Scope::Density(i, _) => {
-                self.spec.units[self.spec.instances[i].unit].parameters[index].unit.unit
-            }
-        }
     }
 
     /// A coordinate, its rates, or a state.
@@ -312,6 +308,11 @@ impl Resolver<'_> {
             Definition::Output(instance, index) => {
                 let output = &unit(instance).outputs[index];
                 self.named(output, Scope::Instance(instance), "output", Uses::ANYTHING)
+            }
+            Definition::Parameter(scope, index) => {
+                let typed =
+                    self.given(scope, index, parameters::declared(spec, scope, index).name.span)?;
+                Ok(declared(typed, &parameters::declared(spec, scope, index).unit))
             }
             Definition::Constraint(scope, index) => {
                 let constraint = match scope.base() {

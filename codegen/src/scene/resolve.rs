@@ -11,6 +11,7 @@ use crate::expr::extent::derivatives;
 use crate::expr::identity::{Identity, identity};
 use crate::scene::layout::{Layout, Scope};
 use crate::scene::lookup::{Definition, State};
+use crate::scene::spline::Course;
 use crate::scene::typed::{self, Typed, Uses, integer, product, sum};
 use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::dimension::{Angular, Dimension, Unit};
@@ -61,9 +62,9 @@ pub struct Resolver<'a> {
     pub(super) spec: &'a SceneSpec,
     pub(super) layout: &'a Layout,
     pub(super) definitions: HashMap<Definition, State>,
-    /// Tables in use, with the CSV file and column they are from.
+    /// Tables in use, with the CSV file and column they are from, and how they go.
     pub(super) tables: Vec<Table>,
-    pub(super) table_columns: Vec<(usize, usize)>,
+    pub(super) table_columns: Vec<(usize, usize, Course)>,
     /// Times of jumps, each once.
     pub(super) discontinuities: Vec<Expr>,
     pub(super) level: usize,
@@ -259,7 +260,7 @@ impl<'a> Resolver<'a> {
             Some(dimension) => Some(dimension.power(numerator, denominator).ok_or_else(|| {
                 let label = format!("the base is in {dimension}");
                 Mistake::new(exponent.span, "this power has no dimension in SI units", label)
-                    .help("of a quantity with a dimension, exponents are integers or halves")
+                    .help("of a quantity with a dimension, exponents are multiples of 1/840")
             })?),
         };
         typed.bits = part.bits.saturating_mul(u64::from(numerator.unsigned_abs().max(1)));

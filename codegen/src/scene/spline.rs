@@ -1,4 +1,73 @@
-//! Natural cubic splines.
+//! Curves through the knots of a table.
+
+/// How a table goes between its knots.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Course {
+    /// By a natural cubic spline: twice differentiable.
+    Natural,
+    /// By straight lines, with a kink at each knot.
+    Linear,
+    /// By cubics that rise and fall only where the knots do: once differentiable.
+    Monotone,
+}
+
+/// Coefficients of the curve, as of [`natural`].
+pub fn through(course: Course, x: &[f64], y: &[f64]) -> Option<Vec<[f64; 4]>> {
+    match course {
+        Course::Natural => natural(x, y),
+        Course::Linear => cubics(x, y, |d, _| d.iter().map(|d| [*d, *d]).collect()),
+        Course::Monotone => cubics(x, y, monotone),
+    }
+}
+
+/// Cubics with given slopes at both ends of each interval, of the slopes of its chords and its
+/// lengths.
+fn cubics(
+    x: &[f64],
+    y: &[f64],
+    slopes: impl Fn(&[f64], &[f64]) -> Vec<[f64; 2]>,
+) -> Option<Vec<[f64; 4]>> {
+    if x.len() < 2 || x.len() != y.len() || x.windows(2).any(|pair| pair[0] >= pair[1]) {
+        return None;
+    }
+    let h: Vec<f64> = x.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let d: Vec<f64> = y.windows(2).zip(&h).map(|(pair, h)| (pair[1] - pair[0]) / h).collect();
+    let rows = slopes(&d, &h).into_iter().enumerate().map(|(k, [before, after])| {
+        let c2 = (3.0 * d[k] - 2.0 * before - after) / h[k];
+        let c3 = (before + after - 2.0 * d[k]) / (h[k] * h[k]);
+        [y[k], before, c2, c3]
+    });
+    let rows: Vec<[f64; 4]> = rows.collect();
+    rows.iter().flatten().all(|c| c.is_finite()).then_some(rows)
+}
+
+/// Slopes at the ends of intervals: 0 where chords turn, else their weighed harmonic mean; at
+/// the ends of the table three-point formulas, cut to keep the sign (Fritsch and Butland, SIAM
+/// J. Sci. Stat. Comput. 5, 1984; Moler, Numerical Computing with MATLAB, section 3.4).
+fn monotone(d: &[f64], h: &[f64]) -> Vec<[f64; 2]> {
+    let last = d.len();
+    let end = |near: f64, far: f64, d0: f64, d1: f64| {
+        let slope = ((2.0 * near + far) * d0 - near * d1) / (near + far);
+        if slope * d0 <= 0.0 {
+            0.0
+        } else if d0 * d1 <= 0.0 && slope.abs() > 3.0 * d0.abs() {
+            3.0 * d0
+        } else {
+            slope
+        }
+    };
+    let at = |knot: usize| match knot {
+        _ if last == 1 => d[0],
+        0 => end(h[0], h[1], d[0], d[1]),
+        knot if knot == last => end(h[last - 1], h[last - 2], d[last - 1], d[last - 2]),
+        knot if d[knot - 1] * d[knot] <= 0.0 => 0.0,
+        knot => {
+            let (w1, w2) = (2.0 * h[knot] + h[knot - 1], h[knot] + 2.0 * h[knot - 1]);
+            (w1 + w2) / (w1 / d[knot - 1] + w2 / d[knot])
+        }
+    };
+    (0..last).map(|k| [at(k), at(k + 1)]).collect()
+}
 
 /// Coefficients of the natural cubic spline through (x, y), one row an interval:
 /// y = c0 + c1 u + c2 u^2 + c3 u^3 with u = x - x_k.

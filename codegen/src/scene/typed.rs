@@ -4,8 +4,9 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One as _, Signed as _, ToPrimitive as _, Zero as _};
 
-use crate::expr::{Expr, Function};
+use crate::expr::{Expr, Function, Symbol};
 use crate::spec::dimension::{Angular, Dimension};
+use crate::spec::measure::Factor;
 
 /// What an expression depends on besides parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -182,6 +183,17 @@ pub fn power(base: Expr, exponent: &BigRational) -> Expr {
         return base;
     }
     Expr::Power(Box::new(base), Box::new(Expr::Number(exponent.clone())))
+}
+
+/// A quantity of coherent units in those of which one is `factor` coherent ones.
+pub fn in_units_of(of: Expr, factor: &Factor) -> Expr {
+    if factor.is_one() {
+        return of;
+    }
+    let per = Expr::Number(factor.ratio.recip());
+    let pi = Expr::Symbol(Symbol::Pi);
+    let pis = power(pi, &BigRational::from_integer((-factor.pis).into()));
+    product(if factor.pis == 0 { vec![per, of] } else { vec![per, pis, of] })
 }
 
 /// `then` where a < b, else `otherwise`.

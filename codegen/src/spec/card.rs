@@ -4,7 +4,7 @@ use crate::spec::diagnostic::{Diagnostics, FileId, Span};
 use crate::spec::fields::Findings;
 use crate::spec::library::LibraryUnit;
 use crate::spec::source::{Sources, one_line, written, written_formula};
-use crate::spec::{Formula, UnitSpec, toml, unit};
+use crate::spec::{Formula, UnitSpec, Value, toml, unit};
 use machinist_model::Direction;
 
 /// A unit by its name, ports, numbers and equations, all as its spec writes them.
@@ -76,7 +76,10 @@ impl Reader {
             [port.name.value.clone(), port.kind.value.name().to_owned(), moves]
         };
         let parameter = |parameter: &crate::spec::ParameterSpec| {
-            let value = number(parameter.value);
+            let value = match &parameter.value {
+                Value::Number(value) => number(*value),
+                Value::Expression(ast) => self.written(ast.span),
+            };
             [
                 parameter.name.value.clone(),
                 value,

@@ -4,6 +4,7 @@ use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::Unit;
 use crate::spec::expression::{Ast, Literal, Node};
 use crate::spec::fields::{Fields, Findings};
+use crate::spec::measure::Factor;
 use crate::spec::names::{did_you_mean, quoted};
 use crate::spec::scene::values_by_name;
 use crate::spec::toml::{Entry, Tree};
@@ -49,7 +50,7 @@ pub fn mode(entry: &Entry, found: &mut Findings) -> Option<StateSpec> {
     let number = |value| Ast { span, node: Node::Number(Literal::of_integer(value), None) };
     Some(StateSpec {
         name: entry.key.clone(),
-        unit: Declared { text: "1".to_owned(), unit: Unit::default(), span },
+        unit: Declared { text: "1".to_owned(), unit: Unit::default(), factor: Factor::one(), span },
         doc,
         rate: number(0),
         is_mode: true,

@@ -6,6 +6,7 @@ use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::Unit;
 use crate::spec::lexer::{self, Token};
 pub use crate::spec::lexer::{Literal, Text};
+use crate::spec::measure::Measure;
 use crate::spec::names::quoted;
 
 /// How deep parentheses, calls, signs and powers may nest.
@@ -173,12 +174,23 @@ impl<'a> Parser<'a> {
         }
     }
 
+    /// A number in coherent SI units, whatever unit it is written in.
     fn number(&mut self, number: &Literal, span: Span) -> Ast {
-        if let Some(Spanned { value: Token::Unit(unit), span: end }) = self.peek() {
-            self.at += 1;
-            return Ast { span: span.to(*end), node: Node::Number(number.clone(), Some(*unit)) };
+        let Some(Spanned { value: Token::Unit(measure), span: end }) = self.peek() else {
+            return Ast { span, node: Node::Number(number.clone(), None) };
+        };
+        self.at += 1;
+        let span = span.to(*end);
+        let Measure { unit, factor } = measure;
+        let size = Literal(&number.0 * &factor.ratio);
+        let size = Ast { span, node: Node::Number(size, Some(*unit)) };
+        if factor.pis == 0 {
+            return size;
         }
-        Ast { span, node: Node::Number(number.clone(), None) }
+        let pi = Ast { span, node: Node::Name(None, "pi".to_owned()) };
+        let pis = (0..factor.pis.unsigned_abs()).map(|_| (factor.pis < 0, pi.clone()));
+        let factors = std::iter::once((false, size)).chain(pis).collect();
+        Ast { span, node: Node::Product(factors) }
     }
 
     fn call(&mut self, name: &str, name_span: Span) -> Parsed {
@@ -352,6 +364,9 @@ mod tests {
             ("2*-a", "(*2*(-a))"),
             ("(a + b)*c", "(*(+a+b)*c)"),
             ("0.1 [s]*motor.phi", "(*1/10[s]*motor.phi)"),
+            ("5 [mm] + x", "(+1/200[m]+x)"),
+            ("1500 [rpm]*t", "(*(*50[1/s]*pi)*t)"),
+            ("-90 [1/deg]", "(-(*16200[a pure number]/pi))"),
             ("2e3", "2000"),
             ("piecewise(t < 1 [s], a, b)", "piecewise(t < 1[s], a, b)"),
             ("table('a b.csv', \"load\", t)", "table(\"a b.csv\", \"load\", t)"),
@@ -375,7 +390,7 @@ mod tests {
             ("a; b", "`;` does not belong in an expression at 1"),
             ("f(a,)", "`)` is not expected here at 4"),
             ("a [m]", "a unit in brackets is not expected here at 2"),
-            ("2 [mm]", "unknown unit of measure \"mm\" at 3"),
+            ("2 [mn]", "unknown unit of measure \"mn\" at 3"),
             ("2 [m", "`]` is missing at 2"),
             ("2.", "digits are missing after the point at 0"),
         ] {

@@ -2,11 +2,11 @@
 //! an error.
 
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
-use crate::spec::dimension::Unit;
 use crate::spec::expression::{self, Ast, Literal, Text};
+use crate::spec::measure::{Factor, Measure, UnitError};
 use crate::spec::names::{self, did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
-use crate::spec::{Declared, Formula};
+use crate::spec::{Declared, Formula, Value};
 
 /// What reading has found besides the values.
 #[derive(Debug, Default)]
@@ -184,12 +184,24 @@ impl<'a> Fields<'a> {
         1.0
     }
 
-    /// A unit of measure that must be there.
+    /// A coherent unit of measure that must be there.
     pub fn unit(&mut self) -> Option<Declared> {
+        let of = |text: &str| Ok(Measure { unit: Measure::coherent(text)?, factor: Factor::one() });
+        self.declared(of)
+    }
+
+    /// A unit of measure, coherent or not, that must be there.
+    pub fn measure(&mut self) -> Option<Declared> {
+        self.declared(Measure::parse)
+    }
+
+    fn declared(&mut self, read: impl Fn(&str) -> Result<Measure, UnitError>) -> Option<Declared> {
         let tree = self.require("unit")?;
         let text = self.as_text(tree, "unit")?;
-        match Unit::parse(&text.value) {
-            Ok(unit) => Some(Declared { text: text.value, unit, span: text.span }),
+        match read(&text.value) {
+            Ok(Measure { unit, factor }) => {
+                Some(Declared { text: text.value, unit, factor, span: text.span })
+            }
             Err(error) => {
                 let span = Text::of(tree).map_or(tree.span, |inner| inner.span(error.range));
                 self.found
@@ -261,6 +273,14 @@ impl<'a> Fields<'a> {
                 self.found.mistakes.push(*mistake);
                 None
             }
+        }
+    }
+
+    /// A finite number, or a string read as an expression.
+    pub fn as_value(&mut self, tree: &Spanned<Tree>, key: &str) -> Option<Value> {
+        match &tree.value {
+            Tree::Text { .. } => self.as_expression(tree, key).map(Value::Expression),
+            _ => Some(Value::Number(self.as_number(tree, key)?.value)),
         }
     }
 

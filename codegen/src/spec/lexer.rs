@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::{One as _, Zero as _};
 
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
-use crate::spec::dimension::Unit;
+use crate::spec::measure::Measure;
 use crate::spec::names::quoted;
 use crate::spec::toml::Tree;
 
@@ -89,7 +89,7 @@ pub enum Token {
     /// A number.
     Number(Literal),
     /// A unit in brackets.
-    Unit(Unit),
+    Unit(Measure),
     /// A name, or two with a dot between.
     Name(Option<String>, String),
     /// A quoted text.
@@ -230,7 +230,7 @@ impl Lexer<'_> {
 
     fn unit(&mut self) -> Result<Token, Box<Mistake>> {
         let range = self.delimited('[', ']')?;
-        Unit::parse(&self.text.value[range.clone()]).map(Token::Unit).map_err(|error| {
+        Measure::parse(&self.text.value[range.clone()]).map(Token::Unit).map_err(|error| {
             let at = range.start + error.range.start..range.start + error.range.end;
             Box::new(self.mistake(at, error.message, "here", &error.help))
         })

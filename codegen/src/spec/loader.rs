@@ -47,6 +47,7 @@ fn read(sources: Sources, file: FileId, folder: Option<&Path>) -> Result<SceneSp
             joints: scene.joints,
             parameters: scene.parameters,
             helpers: scene.helpers,
+            energy: scene.energy,
             forces: scene.forces,
             events: scene.events,
             constraints: scene.constraints,

@@ -3,12 +3,13 @@
 //!
 //! Excluded: whether names and values make sense, which reading the result tells.
 
+use super::measure::Measure;
 use toml_edit::{DocumentMut, InlineTable, Item, TableLike, Value, value};
 
 /// What is given another value.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Setting {
-    /// A parameter, of the scene or of one of its units, `coupling.stiffness`.
+    /// A parameter, of the scene or of one of its units, `coupling.stiffness`, in SI units.
     Parameter(String, f64),
     /// The initial value of a state, `coupling.twist`.
     Initial(String, f64),
@@ -37,7 +38,9 @@ fn set_parameter(document: &mut DocumentMut, name: &str, number: f64) -> Result<
     let own = document.get_mut("parameters").and_then(Item::as_table_like_mut);
     let own = own.and_then(|own| own.get_mut(name)).and_then(Item::as_table_like_mut);
     if let Some(own) = own {
-        put(own, "value", number);
+        let unit = own.get("unit").and_then(Item::as_str).map(Measure::parse);
+        let factor = unit.and_then(Result::ok).map_or(1.0, |measure| measure.factor.to_f64());
+        put(own, "value", number / factor);
         return Ok(());
     }
     let (unit, parameter) =
@@ -87,6 +90,10 @@ unit = "coupling"
 value = 100.0 # rated
 unit = "N m"
 
+[parameters.play]
+value = 1.5
+unit = "mm"
+
 [initial]
 "motor.angle" = "0.1"
 "#;
@@ -97,6 +104,7 @@ unit = "N m"
             Setting::Parameter("motor.inertia".to_owned(), 5.5),
             Setting::Parameter("coupling.stiffness".to_owned(), 2e4),
             Setting::Parameter("torque".to_owned(), 90.0),
+            Setting::Parameter("play".to_owned(), 0.0025),
             Setting::Initial("motor.angle".to_owned(), 0.25),
             Setting::Initial("motor.speed".to_owned(), -1.0),
         ];
@@ -104,7 +112,8 @@ unit = "N m"
         for (line, wanted) in [
             ("inertia", "parameters = { inertia = 5.5 }   # measured"),
             ("stiffness", "parameters = { stiffness = 20000.0 }"),
-            ("value", "value = 90.0 # rated"),
+            ("90", "value = 90.0 # rated"),
+            ("2.5", "value = 2.5"),
             ("motor.angle", "\"motor.angle\" = 0.25"),
             ("motor.speed", "\"motor.speed\" = -1.0"),
             ("soft", "[units.coupling] # the soft one"),

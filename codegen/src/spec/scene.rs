@@ -11,8 +11,8 @@ use crate::spec::names::{self, did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::unit::{self, each};
 use crate::spec::{
-    CheckSpec, ConstraintSpec, DefinitionSpec, DiscretisationSpec, EventSpec, Formula, JointSpec,
-    OutputSpec, ParameterSpec, PortForceSpec, RunSpec, UnitSpec,
+    CheckSpec, ConstraintSpec, DefinitionSpec, DiscretisationSpec, EnergySpec, EventSpec, Formula,
+    JointSpec, OutputSpec, ParameterSpec, PortForceSpec, RunSpec, UnitSpec, Value,
 };
 
 /// Methods a spec may name.
@@ -35,6 +35,7 @@ pub struct SceneText {
     pub joints: Vec<JointSpec>,
     pub parameters: Vec<ParameterSpec>,
     pub helpers: Vec<DefinitionSpec>,
+    pub energy: EnergySpec,
     pub forces: Vec<PortForceSpec>,
     pub events: Vec<EventSpec>,
     pub constraints: Vec<ConstraintSpec>,
@@ -62,7 +63,7 @@ pub struct Header {
 pub struct InstanceText {
     pub name: Spanned<String>,
     pub unit: Spanned<String>,
-    pub parameters: Vec<(Spanned<String>, f64)>,
+    pub parameters: Vec<(Spanned<String>, Value)>,
     pub inputs: Vec<(Spanned<String>, Formula)>,
     pub fields: Vec<DiscretisationSpec>,
 }
@@ -80,8 +81,9 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
     let instances = each(&mut fields, "units", instance);
     let joints = fields.list("joints");
     let joints = joints.iter().filter_map(|tree| joint(tree, fields.found())).collect();
-    let parameters = each(&mut fields, "parameters", unit::parameter);
+    let parameters = each(&mut fields, "parameters", unit::parameter_of_scene);
     let helpers = each(&mut fields, "helpers", unit::definition);
+    let energy = fields.take("energy").map(|tree| unit::energy(tree, fields.found()));
     let forces = fields.list("forces");
     let forces = forces.iter().filter_map(|tree| force(tree, fields.found())).collect();
     let events = each(&mut fields, "events", event::event);
@@ -104,6 +106,7 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
         joints,
         parameters,
         helpers,
+        energy: energy.unwrap_or_default(),
         forces,
         events,
         constraints,
@@ -145,8 +148,8 @@ fn instance(entry: &Entry, found: &mut Findings) -> Option<InstanceText> {
     });
     let overrides = fields.entries("parameters");
     let parameters = overrides.iter().filter_map(|entry| {
-        let value = fields.as_number(&entry.value, &entry.key.value)?;
-        Some((entry.key.clone(), value.value))
+        let value = fields.as_value(&entry.value, &entry.key.value)?;
+        Some((entry.key.clone(), value))
     });
     let parameters = parameters.collect();
     let bindings = fields.entries("inputs");
@@ -226,7 +229,7 @@ fn output(entry: &Entry, found: &mut Findings) -> Option<OutputSpec> {
         found.mistakes.push(mistake.help("choose another name"));
     }
     if let Tree::Table(_) = entry.value.value {
-        return unit::definition(entry, found).map(OutputSpec::Definition);
+        return unit::output_of_scene(entry, found).map(OutputSpec::Definition);
     }
     let mut fields = Fields::alone(entry.value.span, found);
     let of: Option<Ast> = fields.as_expression(&entry.value, &entry.key.value);
@@ -267,8 +270,9 @@ fn required_names(key: &'static str, fields: &mut Fields<'_>) -> Vec<Spanned<Str
 
 fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {
     let mut fields = Fields::open(tree, "[run]".to_owned(), found);
-    let from = fields.number("from").map_or(0.0, |from| from.value);
-    let until = fields.required_number("until");
+    let from = fields.formula("from");
+    fields.require("until");
+    let until = fields.formula("until");
     let points = fields.required_number("points");
     let rtol = fields.required_number("rtol");
     let method = fields.required_text("method");
@@ -279,8 +283,6 @@ fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {
             found.mistakes.push(Mistake::new(span, message, label).help(help));
         }
     };
-    let start = format!("it starts at {from} s");
-    refuse(until.value > from, until.span, "a run ends after its start", "too early", start);
     let whole = points.value.fract() == 0.0 && (2.0..=MAX_POINTS).contains(&points.value);
     let message = "`points` is an integer from 2 to 10 000 000";
     refuse(whole, points.span, message, "out of range", String::new());
@@ -289,6 +291,6 @@ fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {
     let known = METHODS.contains(&method.value.as_str());
     let help = did_you_mean(&method.value, METHODS.iter().copied());
     refuse(known, method.span, "unknown method", "unknown", help);
-    let (until, points, rtol) = (until.value, points.value as usize, rtol.value);
+    let (points, rtol) = (points.value as usize, rtol.value);
     Some(RunSpec { from, until, points, rtol, method: method.value })
 }

@@ -4,6 +4,7 @@ use std::path::{Component, Path, PathBuf};
 
 use crate::spec::diagnostic::{FileId, Mistake, Span, Spanned};
 use crate::spec::dimension::Unit;
+use crate::spec::measure::Measure;
 use crate::spec::names::{self, quoted};
 use crate::spec::source::{Sources, folder_of};
 
@@ -28,9 +29,11 @@ pub struct CsvTable {
 pub struct Column {
     /// Its name.
     pub name: String,
-    /// Its unit of measure.
+    /// Its coherent unit of measure.
     pub unit: Unit,
-    /// Its numbers, finite.
+    /// What its numbers are multiplied by as they are read.
+    factor: f64,
+    /// Its numbers in that unit, finite.
     pub values: Vec<f64>,
 }
 
@@ -106,7 +109,7 @@ fn columns(text: &str, file: FileId) -> Result<Vec<Column>, Mistake> {
             return Err(line.mistake(None, format!("a table has at most {MAX_ROWS} rows")));
         }
         for (index, (cell, column)) in record.iter().zip(&mut columns).enumerate() {
-            column.values.push(number(cell).ok_or_else(|| {
+            column.values.push(number(cell, column.factor).ok_or_else(|| {
                 line.mistake(Some(index), "a cell of a table is a finite number".to_owned())
             })?);
         }
@@ -138,13 +141,14 @@ fn header(record: &csv::StringRecord, line: &Line) -> Result<Vec<Column>, Mistak
         for part in name.value.split('.') {
             names::check(&Spanned { value: part.to_owned(), span: name.span })?;
         }
-        let unit = Unit::parse(unit)
+        let Measure { unit, factor } = Measure::parse(unit)
             .map_err(|error| line.mistake(Some(index), error.message).help(error.help))?;
         if columns.iter().any(|column| column.name == name.value) {
             let message = format!("two columns are named {}", quoted(&name.value));
             return Err(line.mistake(Some(index), message));
         }
-        columns.push(Column { name: name.value, unit, values: Vec::new() });
+        let (name, factor) = (name.value, factor.to_f64());
+        columns.push(Column { name, unit, factor, values: Vec::new() });
     }
     if columns.len() < 2 {
         return Err(line.mistake(None, "a table has at least two columns".to_owned()));
@@ -152,10 +156,11 @@ fn header(record: &csv::StringRecord, line: &Line) -> Result<Vec<Column>, Mistak
     Ok(columns)
 }
 
-fn number(cell: &str) -> Option<f64> {
+fn number(cell: &str, factor: f64) -> Option<f64> {
     let cell = cell.trim();
     let plain = cell.bytes().all(|b| b.is_ascii_digit() || b"+-.eE".contains(&b));
-    cell.parse().ok().filter(|value: &f64| plain && value.is_finite())
+    let value = cell.parse::<f64>().ok().filter(|_| plain)? * factor;
+    value.is_finite().then_some(value)
 }
 
 /// Where a record of a CSV file stands.

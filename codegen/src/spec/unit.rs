@@ -8,8 +8,8 @@ use crate::spec::fields::{Fields, Findings};
 use crate::spec::names::{self, did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::{
-    CoordinateSpec, DefinitionSpec, EnergySpec, ForceSpec, InputSpec, ParameterSpec, PortKind,
-    PortSpec, PowerSpec, StateSpec, Symbol, UnitSpec,
+    CoordinateSpec, Declared, DefinitionSpec, EnergySpec, ForceSpec, InputSpec, ParameterSpec,
+    PortKind, PortSpec, PowerSpec, StateSpec, Symbol, UnitSpec,
 };
 
 /// Reads a unit found by `name`; `whole` if it is a file of its own, which must
@@ -152,14 +152,27 @@ fn port(entry: &Entry, found: &mut Findings) -> Option<PortSpec> {
     Some(PortSpec { name: entry.key.clone(), kind, coordinate: coordinate?, ratio, attachment })
 }
 
-/// Reads a parameter.
-pub fn parameter(entry: &Entry, found: &mut Findings) -> Option<ParameterSpec> {
+/// Reads a parameter of a unit.
+fn parameter(entry: &Entry, found: &mut Findings) -> Option<ParameterSpec> {
+    parameter_in(entry, found, |fields| fields.unit())
+}
+
+/// Reads a parameter of a scene, which may be in a unit that is not coherent.
+pub fn parameter_of_scene(entry: &Entry, found: &mut Findings) -> Option<ParameterSpec> {
+    parameter_in(entry, found, |fields| fields.measure())
+}
+
+fn parameter_in(
+    entry: &Entry,
+    found: &mut Findings,
+    unit: fn(&mut Fields<'_>) -> Option<Declared>,
+) -> Option<ParameterSpec> {
     let mut fields = open(entry, "parameter", found);
-    let value = fields.required_number("value");
-    let unit = fields.unit();
+    let value = fields.require("value").and_then(|tree| fields.as_value(tree, "value"));
+    let unit = unit(&mut fields);
     let doc = fields.text("doc");
     fields.close();
-    Some(ParameterSpec { name: entry.key.clone(), value: value?.value, unit: unit?, doc })
+    Some(ParameterSpec { name: entry.key.clone(), value: value?, unit: unit?, doc })
 }
 
 fn input(entry: &Entry, found: &mut Findings) -> Option<InputSpec> {
@@ -170,11 +183,24 @@ fn input(entry: &Entry, found: &mut Findings) -> Option<InputSpec> {
     Some(InputSpec { name: entry.key.clone(), unit: unit?, doc })
 }
 
-/// Reads a helper or an output.
+/// Reads a helper or an output of a unit.
 pub fn definition(entry: &Entry, found: &mut Findings) -> Option<DefinitionSpec> {
+    definition_in(entry, found, |fields| fields.unit())
+}
+
+/// Reads an output of a scene, which may be shown in a unit that is not coherent.
+pub fn output_of_scene(entry: &Entry, found: &mut Findings) -> Option<DefinitionSpec> {
+    definition_in(entry, found, |fields| fields.measure())
+}
+
+fn definition_in(
+    entry: &Entry,
+    found: &mut Findings,
+    unit: fn(&mut Fields<'_>) -> Option<Declared>,
+) -> Option<DefinitionSpec> {
     let mut fields = open(entry, "definition", found);
     let expression = fields.required_expression("expression");
-    let unit = fields.unit();
+    let unit = unit(&mut fields);
     let doc = fields.text("doc");
     fields.close();
     Some(DefinitionSpec { name: entry.key.clone(), expression: expression?, unit: unit?, doc })
@@ -199,7 +225,8 @@ fn state(entry: &Entry, found: &mut Findings) -> Option<StateSpec> {
     })
 }
 
-fn energy(tree: &Spanned<Tree>, found: &mut Findings) -> EnergySpec {
+/// Reads `[energy]` of a unit or a scene.
+pub fn energy(tree: &Spanned<Tree>, found: &mut Findings) -> EnergySpec {
     let mut fields = Fields::open(tree, "[energy]".to_owned(), found);
     let energy = EnergySpec {
         kinetic: fields.expression("kinetic"),

@@ -6,9 +6,9 @@ use super::{Check, CheckFailure, Machine, Measured, worse};
 use crate::closed_form::bobbin_holder::{BobbinHolder, HOLDER};
 use crate::closed_form::holder_oscillation::SWINGING_HOLDER;
 use crate::closed_form::winding_pair::HOLDER_POSITIONS;
-use machinist::{Method, Trajectory};
 use machinist::constraints::start;
 use machinist::linear_analysis::{Mode, ModeKind, Place};
+use machinist::{Method, Trajectory};
 
 pub(super) const CHECKS: &[Check] = &[
     Check {

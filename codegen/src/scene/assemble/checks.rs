@@ -9,16 +9,19 @@ use crate::scene::layout::{Local, Scope};
 use crate::scene::names::Flat;
 use crate::scene::resolve::Wanted;
 use crate::scene::system::{Check, Coordinate, Definition, FirstOrderState, Parameter, Reference};
-use crate::scene::typed::Uses;
+use crate::scene::typed::{Uses, in_units_of};
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::Dimension;
 use crate::spec::expression::{Ast, Node};
+use crate::spec::measure::Factor;
 use crate::spec::{CheckSpec, Column, OutputSpec, ReferenceSpec, did_you_mean, quoted};
 
 /// A quantity that is checked.
 struct Checked {
     dimension: Dimension,
     unit: String,
+    /// How much of the coherent unit that is.
+    factor: Factor,
 }
 
 impl Assembler<'_> {
@@ -42,7 +45,7 @@ impl Assembler<'_> {
                     continue;
                 }
             };
-            match self.reference(check, checked.dimension) {
+            match self.reference(check, &checked) {
                 Ok(reference) => checks.push(Check {
                     name: check.name.value.clone(),
                     of: check.of.value.clone(),
@@ -72,7 +75,12 @@ impl Assembler<'_> {
         let place = self.spec.outputs.iter().position(|output| output.name().value == of.value);
         if let Some(place) = place {
             let dimension = self.dimension_of_output(place)?;
-            return Ok(Checked { dimension, unit: outputs[place].quantity.unit.clone() });
+            let factor = match &self.spec.outputs[place] {
+                OutputSpec::Definition(definition) => definition.unit.factor.clone(),
+                OutputSpec::Alias { .. } => Factor::one(),
+            };
+            let unit = outputs[place].quantity.unit.clone();
+            return Ok(Checked { dimension, unit, factor });
         }
         let Some(ast) = self.state_named(of) else {
             let names = self.spec.outputs.iter().map(|output| output.name().value.as_str());
@@ -102,7 +110,8 @@ impl Assembler<'_> {
             names.take(&quantity.name, of.span)?;
             outputs.push(Definition { quantity, expr: typed.expr });
         }
-        Ok(Checked { dimension: typed.dimension.unwrap_or(Dimension::ONE), unit })
+        let dimension = typed.dimension.unwrap_or(Dimension::ONE);
+        Ok(Checked { dimension, unit, factor: Factor::one() })
     }
 
     fn dimension_of_output(&mut self, place: usize) -> Result<Dimension, Box<Mistake>> {
@@ -129,21 +138,17 @@ impl Assembler<'_> {
         }
     }
 
-    fn reference(
-        &mut self,
-        check: &CheckSpec,
-        dimension: Dimension,
-    ) -> Result<Reference, Box<Mistake>> {
+    fn reference(&mut self, check: &CheckSpec, of: &Checked) -> Result<Reference, Box<Mistake>> {
         match &check.reference {
             ReferenceSpec::Closed(ast, text) => {
                 let what = format!("the reference of {}", quoted(&check.of.value));
                 let of_time = Uses { time: true, ..Uses::PARAMETERS };
-                let wanted = Wanted::new(dimension, what).of(of_time);
+                let wanted = Wanted::new(of.dimension, what).of(of_time);
                 let typed = self.resolver.expect(ast, Scope::Scene, &wanted)?;
-                Ok(self.closed(text.clone(), &typed.expr))
+                Ok(self.closed(text.clone(), &in_units_of(typed.expr, &of.factor)))
             }
             ReferenceSpec::Values(rows) => {
-                let (from, until) = (self.spec.run.from, self.spec.run.until);
+                let (from, until) = (self.run.from, self.run.until);
                 let outside = rows.iter().find(|(t, _)| !(from..=until).contains(&t.value));
                 if let Some((time, _)) = outside {
                     let message = format!("the run goes from {from} s to {until} s");
@@ -153,7 +158,10 @@ impl Assembler<'_> {
                 Ok(Reference::Values(rows.collect()))
             }
             ReferenceSpec::Column { csv, column } => {
-                self.column(csv, column, (&check.of.value, dimension)).map(Reference::Values)
+                let mut rows = self.column(csv, column, (&check.of.value, of.dimension))?;
+                let factor = of.factor.to_f64();
+                rows.iter_mut().for_each(|[_, value]| *value /= factor);
+                Ok(Reference::Values(rows))
             }
         }
     }
@@ -220,7 +228,7 @@ impl Assembler<'_> {
         }
         let rows: Vec<[f64; 2]> =
             time.values.iter().zip(&found.values).map(|(t, v)| [*t, *v]).collect();
-        let (from, until) = (self.spec.run.from, self.spec.run.until);
+        let (from, until) = (self.run.from, self.run.until);
         if rows.iter().any(|[t, _]| (from..=until).contains(t)) {
             return Ok(rows);
         }

@@ -86,12 +86,12 @@ impl Assembler<'_> {
                 let choice =
                     instance.fields.iter().find(|choice| choice.field.value == field.name.value);
                 let Some(choice) = choice else { continue };
-                let length = match self.layout.units[instance.unit].get(&field.over.value) {
-                    Some(Local::Parameter(number)) => {
-                        self.layout.parameter(Scope::Instance(index), number)
-                    }
-                    _ => continue,
+                let (over, scope) = (&field.over, Scope::Instance(index));
+                let Ok(length) = self.resolver.value(&over.value, over.span, scope) else {
+                    continue;
                 };
+                let length_value =
+                    evaluate(&length.expr, &|id: ParameterId| self.values[id.0 as usize]);
                 let [kinetic, potential, dissipation, force] = densities;
                 fields.push(Field {
                     quantities: quantities(&instance.name.value, field),
@@ -101,8 +101,8 @@ impl Assembler<'_> {
                     dissipation,
                     force,
                     initial: [profile(0), profile(1)],
-                    length: Expr::Symbol(Symbol::Parameter(length)),
-                    length_value: self.values[length.0 as usize],
+                    length: length.expr,
+                    length_value,
                     attachments: self.attachments(index, number),
                     fixed: ends(instance, field).map(|end| end == Boundary::Fixed),
                     elements: choice.elements,

@@ -4,9 +4,10 @@ use crate::scene::assemble::{Assembler, per_second, quantity};
 use crate::scene::layout::{Local, Scope, find_instance};
 use crate::scene::resolve::Wanted;
 use crate::scene::system::Definition;
-use crate::scene::typed::Uses;
+use crate::scene::typed::{Uses, in_units_of};
 use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::expression::{Ast, Node};
+use crate::spec::measure::in_coherent_units;
 use crate::spec::{Declared, DefinitionSpec, OutputSpec, quoted};
 use machinist_model::Quantity;
 
@@ -78,7 +79,8 @@ impl Assembler<'_> {
         let wanted = Wanted::new(definition.unit.unit.dimension, what).of(Uses::ANYTHING);
         let resolved = self.resolver.expect(&definition.expression, Scope::Scene, &wanted);
         let quantity: Quantity = quantity(None, name, &definition.unit.text, &definition.doc);
-        Definition { quantity, expr: self.note(resolved) }
+        let expr = in_units_of(self.note(resolved), &definition.unit.factor);
+        Definition { quantity, expr }
     }
 
     /// Unit and meaning of what an output is another name for.
@@ -92,7 +94,7 @@ impl Assembler<'_> {
                 }
                 Some(Local::Parameter(index)) => {
                     let parameter = &self.spec.parameters[index];
-                    plain(&parameter.unit, &parameter.doc)
+                    Ok((in_coherent_units(&parameter.unit.text), parameter.doc.clone()))
                 }
                 Some(Local::Constraint(index)) => {
                     Ok((String::new(), force_of(&self.spec.constraints[index].doc)))
@@ -121,7 +123,8 @@ impl Assembler<'_> {
                     Some(Local::Velocity(i)) => rate(i, 1),
                     Some(Local::Acceleration(i)) => rate(i, 2),
                     Some(Local::Parameter(i)) => {
-                        plain(&unit.parameters[i].unit, &unit.parameters[i].doc)
+                        let parameter = &unit.parameters[i];
+                        Ok((in_coherent_units(&parameter.unit.text), parameter.doc.clone()))
                     }
                     Some(Local::Input(i)) => plain(&unit.inputs[i].unit, &unit.inputs[i].doc),
                     Some(Local::State(i)) => plain(&unit.states[i].unit, &unit.states[i].doc),

@@ -52,7 +52,12 @@ impl Assembler<'_> {
             }
         };
         if let Some(Local::Parameter(index)) = names.get(name) {
-            return Ok(self.layout.parameter(scope, index).0 as usize);
+            if let Some(id) = self.layout.parameter(scope, index) {
+                return Ok(id.0 as usize);
+            }
+            let message = format!("{} is given by an expression", quoted(&path.value));
+            let mistake = Mistake::new(path.span, message, "follows others");
+            return Err(Box::new(mistake.help("list the parameters that it is made of")));
         }
         let known =
             names.iter().filter(|known| matches!(names.get(known), Some(Local::Parameter(_))));

@@ -1,0 +1,125 @@
+//! What parameters are: numbers that runs may change, or expressions of such.
+//!
+//! A parameter that is given by an expression (`inertia = "mass*radius^2/2"`, or that of an
+//! instance by the scene) is put in wherever it is read, as a helper is, and is none of the
+//! model's parameters.
+
+use crate::expr::ParameterId;
+use crate::scene::evaluate::evaluate;
+use crate::scene::layout::{Layout, Local, Scope};
+use crate::scene::resolve::{Resolver, Wanted};
+use crate::scene::typed::{Typed, Uses};
+use crate::spec::diagnostic::{Mistake, Span};
+use crate::spec::expression::Ast;
+use crate::spec::{InstanceSpec, ParameterSpec, SceneSpec, Value, did_you_mean, quoted};
+
+/// What a parameter is worth.
+pub enum Given<'a> {
+    /// A number in SI units.
+    Number(f64),
+    /// An expression, in whose names.
+    Expression(&'a Ast, Scope),
+}
+
+/// The parameter of a scope with this index.
+pub fn declared(spec: &SceneSpec, scope: Scope, index: usize) -> &ParameterSpec {
+    match scope.base() {
+        Scope::Instance(instance) => &spec.units[spec.instances[instance].unit].parameters[index],
+        _ => &spec.parameters[index],
+    }
+}
+
+/// What is said of it: by the instance, else by its unit.
+pub fn given(spec: &SceneSpec, scope: Scope, index: usize) -> Given<'_> {
+    let parameter = declared(spec, scope, index);
+    let own = match scope.base() {
+        Scope::Instance(instance) => own(&spec.instances[instance], parameter),
+        _ => None,
+    };
+    match (own, &parameter.value) {
+        (Some(Value::Number(number)), _) => Given::Number(*number),
+        (Some(Value::Expression(ast)), _) => Given::Expression(ast, Scope::Scene),
+        (None, Value::Number(number)) => Given::Number(number * parameter.unit.factor.to_f64()),
+        (None, Value::Expression(ast)) => Given::Expression(ast, scope.base()),
+    }
+}
+
+/// What an instance says of a parameter of its unit.
+fn own<'a>(instance: &'a InstanceSpec, parameter: &ParameterSpec) -> Option<&'a Value> {
+    let named = instance.parameters.iter().find(|(name, _)| name.value == parameter.name.value);
+    named.map(|(_, value)| value)
+}
+
+/// Every parameter of the scene, then those of its instances.
+fn all(spec: &SceneSpec) -> impl Iterator<Item = (Scope, usize)> {
+    let own = (0..spec.parameters.len()).map(|index| (Scope::Scene, index));
+    let of_instances = spec.instances.iter().enumerate().flat_map(|(instance, one)| {
+        let count = spec.units[one.unit].parameters.len();
+        (0..count).map(move |index| (Scope::Instance(instance), index))
+    });
+    own.chain(of_instances)
+}
+
+/// Those that are numbers, each with its value, in the order of their ids.
+pub fn numbers(spec: &SceneSpec) -> impl Iterator<Item = (Scope, usize, f64)> {
+    all(spec).filter_map(|(scope, index)| match given(spec, scope, index) {
+        Given::Number(number) => Some((scope, index, number)),
+        Given::Expression(..) => None,
+    })
+}
+
+/// Values of the parameters that are numbers, once the scene names only those that its units
+/// have.
+pub fn values(spec: &SceneSpec, layout: &Layout, mistakes: &mut Vec<Mistake>) -> Vec<f64> {
+    for instance in &spec.instances {
+        let unit = &spec.units[instance.unit];
+        for (name, _) in &instance.parameters {
+            if let Some(Local::Parameter(_)) = layout.units[instance.unit].get(&name.value) {
+                continue;
+            }
+            let (unit_name, wanted) = (quoted(&unit.name), quoted(&name.value));
+            let message = format!("unit {unit_name} has no parameter {wanted}");
+            let known = unit.parameters.iter().map(|parameter| parameter.name.value.as_str());
+            let help = did_you_mean(&name.value, known);
+            mistakes.push(Mistake::new(name.span, message, "unknown").help(help));
+        }
+    }
+    numbers(spec).map(|(.., value)| value).collect()
+}
+
+/// Resolves every parameter that is an expression: each is of parameters, of its declared
+/// dimension, and finite at the values of the spec.
+pub fn check(resolver: &mut Resolver<'_>, values: &[f64], mistakes: &mut Vec<Mistake>) {
+    let spec = resolver.spec;
+    for (scope, index) in all(spec) {
+        let Given::Expression(ast, _) = given(spec, scope, index) else { continue };
+        let name = &declared(spec, scope, index).name;
+        let finite = resolver.value(&name.value, ast.span, scope).and_then(|typed| {
+            let value = evaluate(&typed.expr, &|id: ParameterId| values[id.0 as usize]);
+            if value.is_finite() {
+                return Ok(());
+            }
+            let message = format!("parameter {} is {value} here", quoted(&name.value));
+            Err(Box::new(Mistake::new(ast.span, message, "not a finite number")))
+        });
+        mistakes.extend(finite.err().map(|mistake| *mistake));
+    }
+}
+
+impl Resolver<'_> {
+    /// A parameter that is an expression, of its declared dimension.
+    pub(super) fn given(
+        &mut self,
+        scope: Scope,
+        index: usize,
+        span: Span,
+    ) -> Result<Typed, Box<Mistake>> {
+        let parameter = declared(self.spec, scope, index);
+        let Given::Expression(ast, whose) = given(self.spec, scope, index) else {
+            return Err(Box::new(Mistake::new(span, "this parameter is a number", "a number")));
+        };
+        let what = format!("parameter {}", quoted(&parameter.name.value));
+        let wanted = Wanted::new(parameter.unit.unit.dimension, what).of(Uses::PARAMETERS);
+        self.nested(ast, whose, &wanted)
+    }
+}

@@ -345,3 +345,86 @@ fn a_run_may_last_as_long_as_parameters_say() {
     assert!(refusal(&text("10*frequency")).contains("the end of the run is in s"));
     assert!(refusal(&text("s.x/(1 [m/s])")).contains("a coordinate or state"));
 }
+
+/// Five masses between springs, one as a row, one written out.
+#[test]
+fn a_row_of_instances_is_each_of_them_written_out() {
+    let mass = "coordinates.x = { unit = \"m\", velocity = \"v\" }\n\
+                ports.a = { kind = \"translational\", coordinate = \"x\" }\n\
+                parameters.m = { value = 1, unit = \"kg\" }\nenergy.kinetic = \"m*v^2/2\"";
+    let spring = "[define.r]\n\
+                  coordinates.from = { unit = \"m\" }\ncoordinates.to = { unit = \"m\" }\n\
+                  ports.a = { kind = \"translational\", coordinate = \"from\" }\n\
+                  ports.b = { kind = \"translational\", coordinate = \"to\" }\n\
+                  parameters.k = { value = 1, unit = \"N/m\" }\n\
+                  inputs.free = { unit = \"m\" }\n\
+                  energy.potential = \"k*(to - from - free)^2/2\"";
+    let outputs: String = (1..=5).map(|i| format!("outputs.x{i} = \"mass[{i}].x\"\n")).collect();
+    let row = format!(
+        "units.s = {{ unit = \"s\" }}\n\
+         units.mass = {{ unit = \"s\", count = 5, parameters = {{ m = \"0.2 [kg]*i\" }} }}\n\
+         units.spring = {{ unit = \"r\", count = 4, parameters = {{ k = \"40 [N/m]/i\" }}, \
+         inputs = {{ free = \"0.01 [m]*sin(i*t/(1 [s])) + 0.001*mass[i].x\" }} }}\n\
+         joints = [{{ connect = [\"mass[i].a\", \"spring[i].a\"] }}, \
+         {{ connect = [\"spring[i].b\", \"mass[i+1].a\"] }}]\n\
+         forces = [{{ port = \"mass[i].a\", expression = \"-i*0.5 [N s/m]*mass[i].v\" }}]\n\
+         initial.\"mass[i].x\" = \"0.1 [m]*i^2\"\n{outputs}"
+    );
+    let mut whole = String::from("units.s = { unit = \"s\" }\n");
+    let (mut joints, mut forces) = (String::new(), String::new());
+    for i in 1..=5 {
+        whole += &format!(
+            "units.mass_{i} = {{ unit = \"s\", parameters = {{ m = {} }} }}\n",
+            0.2 * f64::from(i)
+        );
+        forces +=
+            &format!("{{ port = \"mass_{i}.a\", expression = \"-{i}*0.5 [N s/m]*mass_{i}.v\" }},");
+        whole += &format!("initial.\"mass_{i}.x\" = {}\n", 0.1 * f64::from(i * i));
+    }
+    for i in 1..=4 {
+        whole += &format!(
+            "units.spring_{i} = {{ unit = \"r\", parameters = {{ k = {} }}, inputs = {{ free = \
+             \"0.01 [m]*sin({i}*t/(1 [s])) + 0.001*mass_{i}.x\" }} }}\n",
+            40.0 / f64::from(i)
+        );
+        joints += &format!(
+            "{{ connect = [\"mass_{i}.a\", \"spring_{i}.a\"] }}, {{ connect = [\"spring_{i}.b\", \"mass_{}.a\"] }},",
+            i + 1
+        );
+    }
+    whole += &format!("joints = [{joints}]\nforces = [{forces}]\n{outputs}");
+    let machine =
+        |top: &str| of_text(&format!("{}\n{spring}", scene(top, mass, RUN)), Keep::Needed);
+    let (row_run, whole_run) = (run(&machine(&row), &[]), run(&machine(&whole), &[]));
+    for name in ["x1", "x2", "x3", "x4", "x5"] {
+        let pairs = column(&row_run, name).iter().zip(column(&whole_run, name));
+        let off = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-12, "{name}: {off}");
+    }
+    let refused = |from: &str, to: &str| {
+        let text = format!("{}\n{spring}", scene(&row.replace(from, to), mass, RUN));
+        assert!(text.contains(to));
+        refusal(&text)
+    };
+    for (from, to, said) in [
+        ("count = 4", "count = 0", "`count` is a whole number from 1"),
+        ("count = 4", "count = 2.5", "`count` is a whole number from 1"),
+        ("count = 4", "count = 1e9", "`count` is a whole number from 1"),
+        ("mass[i+1].a", "mass[i+9].a", "there is no `i` for which all of this is there"),
+        ("mass[i+1].a", "masses[i+1].a", "`masses` is no row of instances"),
+        ("mass[5]", "mass[6]", "unknown instance `mass_6`"),
+        (
+            "units.s = { unit = \"s\" }",
+            "units.s = { unit = \"s\" }\nunits.mass_2 = { unit = \"s\" }",
+            "two instances `mass_2`",
+        ),
+        (
+            "units.s = { unit = \"s\" }",
+            "units.s = { unit = \"s\" }\nparameters.i = { value = 1, unit = \"1\" }",
+            "`i` is the index of rows",
+        ),
+    ] {
+        let told = refused(from, to);
+        assert!(told.contains(said), "{to}: {told}");
+    }
+}

@@ -3,6 +3,7 @@
 //! Excluded: meanings. Names are not looked up, dimensions not compared, joints
 //! not followed; [`crate::scene`] does that.
 
+mod array;
 pub mod card;
 mod check;
 mod constraint;

@@ -25,9 +25,11 @@ pub fn factor(graph: &mut Graph, matrix: &[Vec<NodeId>]) -> Factorization {
     // scaled[i][j] = L_ij D_j
     let mut scaled = vec![vec![zero; n]; n];
     let mut inverse_diagonal = Vec::with_capacity(n);
+    // Columns before j in which L_j is not zero: all that a long chain has is one or two.
+    let mut filled: Vec<Vec<usize>> = vec![Vec::new(); n];
     for j in 0..n {
         let mut diagonal = matrix[j][j];
-        for k in 0..j {
+        for &k in &filled[j] {
             let part = graph.mul(lower[j][k], scaled[j][k]);
             diagonal = graph.sub(diagonal, part);
         }
@@ -35,12 +37,15 @@ pub fn factor(graph: &mut Graph, matrix: &[Vec<NodeId>]) -> Factorization {
         inverse_diagonal.push(inverse);
         for i in j + 1..n {
             let mut entry = matrix[i][j];
-            for k in 0..j {
+            for &k in &filled[j] {
                 let part = graph.mul(lower[i][k], scaled[j][k]);
                 entry = graph.sub(entry, part);
             }
-            scaled[i][j] = entry;
-            lower[i][j] = graph.mul(entry, inverse);
+            if !graph.is_zero(entry) {
+                scaled[i][j] = entry;
+                lower[i][j] = graph.mul(entry, inverse);
+                filled[i].push(j);
+            }
         }
     }
     Factorization { lower, inverse_diagonal }

@@ -208,7 +208,12 @@ impl Lexer<'_> {
     }
 
     fn name(&mut self) -> Token {
-        let first = self.word();
+        let mut first = self.word();
+        if let Some(index) = self.index() {
+            // A number at once, an `i` once it is known.
+            let number = index.parse::<u32>();
+            first = number.map_or(format!("{first}[{index}]"), |n| format!("{first}_{n}"));
+        }
         let mut after = self.rest().chars();
         let dotted = after.next() == Some('.')
             && after.next().is_some_and(|c| c.is_ascii_alphabetic() || c == '_');
@@ -217,6 +222,19 @@ impl Lexer<'_> {
         }
         self.at += 1;
         Token::Name(Some(first), self.word())
+    }
+
+    /// What stands in brackets right behind a name: `3`, `i`, `i+1`.
+    fn index(&mut self) -> Option<String> {
+        let (inside, after) = self.rest().strip_prefix('[')?.split_once(']')?;
+        let index: String = inside.chars().filter(|c| *c != ' ').collect();
+        let word = |c: char| c.is_ascii_digit() || "i+-".contains(c);
+        // Before the name of something of an instance only: units may be called as instances.
+        if !after.starts_with('.') || index.is_empty() || !index.chars().all(word) {
+            return None;
+        }
+        self.at += inside.len() + 2;
+        Some(index)
     }
 
     fn word(&mut self) -> String {

@@ -38,6 +38,8 @@ pub const FUNCTIONS: &[&str] = &[
     "piecewise",
     "table",
     "der",
+    "cbrt",
+    "atan2",
 ];
 
 /// Refuses what is no name.

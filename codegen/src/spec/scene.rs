@@ -1,5 +1,6 @@
 //! A scene's table to plain data, before its units are looked for.
 
+use crate::spec::array;
 use crate::spec::check::check;
 use crate::spec::constraint::constraint;
 use crate::spec::diagnostic::{FileId, Mistake, Span, Spanned};
@@ -63,6 +64,8 @@ pub struct Header {
 pub struct InstanceText {
     pub name: Spanned<String>,
     pub unit: Spanned<String>,
+    /// Of a row of instances, how many.
+    pub count: Option<Spanned<i64>>,
     pub parameters: Vec<(Spanned<String>, Value)>,
     pub inputs: Vec<(Spanned<String>, Formula)>,
     pub fields: Vec<DiscretisationSpec>,
@@ -99,7 +102,7 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
     let (rigid, freeze_tolerance) = freeze.unwrap_or_default();
     let run = fields.require("run").and_then(|tree| run(tree, fields.found()));
     fields.close();
-    SceneText {
+    let mut scene = SceneText {
         header,
         define,
         instances,
@@ -118,7 +121,9 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
         rigid,
         freeze_tolerance,
         run,
-    }
+    };
+    array::unroll(&mut scene, found);
+    scene
 }
 
 fn header(tree: &Spanned<Tree>, found: &mut Findings) -> Option<Header> {
@@ -139,6 +144,14 @@ fn instance(entry: &Entry, found: &mut Findings) -> Option<InstanceText> {
     let what = format!("instance {}", quoted(&entry.key.value));
     let mut fields = Fields::open(&entry.value, what, found);
     let unit = fields.required_text("unit");
+    let count = fields.number("count").and_then(|count| {
+        if count.value.fract() == 0.0 && (1.0..=array::MOST).contains(&count.value) {
+            return Some(Spanned { value: count.value as i64, span: count.span });
+        }
+        let message = format!("`count` is a whole number from 1 to {}", array::MOST);
+        fields.found().mistakes.push(Mistake::new(count.span, message, "out of range"));
+        None
+    });
     let unit = unit.filter(|unit| match check_unit_path(unit) {
         Ok(()) => true,
         Err(mistake) => {
@@ -161,7 +174,7 @@ fn instance(entry: &Entry, found: &mut Findings) -> Option<InstanceText> {
     let choices = each(&mut fields, "fields", distributed::discretisation);
     fields.close();
     let name = entry.key.clone();
-    Some(InstanceText { name, unit: unit?, parameters, inputs, fields: choices })
+    Some(InstanceText { name, unit: unit?, count, parameters, inputs, fields: choices })
 }
 
 /// `inertia`, or `rotational/inertia` of a folder: names with slashes between them.

@@ -1,0 +1,254 @@
+//! Rows of equal instances: `count = 10` makes `disc_1` to `disc_10` of `disc`.
+//!
+//! What is said of them once, with the index `i` (`disc[i].b`, `disc[i+1].a`), is said for each
+//! `i` for which all that it names is there. Within expressions `i` is the number itself.
+//! After this nothing has an index any more.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::RangeInclusive;
+
+use crate::spec::diagnostic::{Mistake, Spanned};
+use crate::spec::expression::{Ast, Literal, Node};
+use crate::spec::fields::Findings;
+use crate::spec::names::quoted;
+use crate::spec::scene::{InstanceText, SceneText};
+use crate::spec::{Formula, JointSpec, PortForceSpec, Value};
+
+/// Instances that a row may have.
+pub const MOST: f64 = 10_000.0;
+/// The name of the index.
+const INDEX: &str = "i";
+
+/// How many instances each row has.
+type Counts = BTreeMap<String, i64>;
+
+/// Makes one of each for every index.
+pub fn unroll(scene: &mut SceneText, found: &mut Findings) {
+    let rows = scene.instances.iter().filter_map(|text| Some((text, text.count.as_ref()?)));
+    let counts: Counts = rows.map(|(text, count)| (text.name.value.clone(), count.value)).collect();
+    if !counts.is_empty() {
+        let named = scene.parameters.iter().map(|parameter| &parameter.name);
+        let named = named.chain(scene.helpers.iter().map(|helper| &helper.name));
+        for name in named.filter(|name| name.value == INDEX) {
+            let message = "`i` is the index of rows, `disc[i]`, and names nothing else";
+            found.mistakes.push(Mistake::new(name.span, message, "rename this"));
+        }
+    }
+    let mut unroll = Unroll { counts, found };
+    unroll.instances(&mut scene.instances);
+    scene.joints = unroll.joints(std::mem::take(&mut scene.joints));
+    scene.forces = unroll.forces(std::mem::take(&mut scene.forces));
+    for values in [&mut scene.initial, &mut scene.guess] {
+        *values = unroll.values(std::mem::take(values));
+    }
+}
+
+struct Unroll<'f> {
+    counts: Counts,
+    found: &'f mut Findings,
+}
+
+impl Unroll<'_> {
+    fn instances(&mut self, instances: &mut Vec<InstanceText>) {
+        let mut all: Vec<InstanceText> = Vec::new();
+        for text in std::mem::take(instances) {
+            let Some(count) = &text.count else {
+                all.push(text);
+                continue;
+            };
+            for index in 1..=count.value {
+                all.push(text.at(index));
+            }
+        }
+        let mut names = BTreeSet::new();
+        if let Some(text) = all.iter().find(|text| !names.insert(text.name.value.as_str())) {
+            let message = format!("there are two instances {}", quoted(&text.name.value));
+            self.found.mistakes.push(Mistake::new(text.name.span, message, "again"));
+        }
+        *instances = all;
+    }
+
+    fn joints(&mut self, joints: Vec<JointSpec>) -> Vec<JointSpec> {
+        let mut all = Vec::new();
+        for joint in joints {
+            let [a, b] = &joint.connect;
+            for index in self.indices(&[a, b]) {
+                let connect = joint.connect.each_ref().map(|port| at(port, index));
+                let ratio = joint.ratio.as_ref().map(|ratio| ratio.for_index(index));
+                all.push(JointSpec { connect, ratio });
+            }
+        }
+        all
+    }
+
+    fn forces(&mut self, forces: Vec<PortForceSpec>) -> Vec<PortForceSpec> {
+        let mut all = Vec::new();
+        for force in forces {
+            for index in self.indices(&[&force.port]) {
+                let own = &force.expression;
+                let expression = index.map_or_else(|| own.clone(), |index| own.at(index));
+                let (port, doc) = (at(&force.port, index), force.doc.clone());
+                all.push(PortForceSpec { port, expression, doc });
+            }
+        }
+        all
+    }
+
+    fn values(
+        &mut self,
+        values: Vec<(Spanned<String>, Formula)>,
+    ) -> Vec<(Spanned<String>, Formula)> {
+        let mut all = Vec::new();
+        for (name, formula) in values {
+            for index in self.indices(&[&name]) {
+                all.push((at(&name, index), formula.for_index(index)));
+            }
+        }
+        all
+    }
+
+    /// The indices for which all paths are there; none, once, of paths without an index.
+    fn indices(&mut self, paths: &[&Spanned<String>]) -> Vec<Option<i64>> {
+        let mut indices: Option<RangeInclusive<i64>> = None;
+        for path in paths {
+            let Some((row, offset)) = indexed(&path.value) else { continue };
+            let Some(count) = self.counts.get(row) else {
+                let message = format!("{} is no row of instances", quoted(row));
+                let help = format!("write count = 10 in [units.{row}]");
+                self.found.mistakes.push(Mistake::new(path.span, message, "one").help(help));
+                return Vec::new();
+            };
+            let own = 1 - offset..=count - offset;
+            indices = Some(match indices {
+                None => own,
+                Some(known) => *known.start().max(own.start())..=*known.end().min(own.end()),
+            });
+        }
+        let Some(indices) = indices else { return vec![None] };
+        if indices.is_empty() {
+            let message = "there is no `i` for which all of this is there";
+            let first = paths.first().map(|path| Mistake::new(path.span, message, "nowhere"));
+            self.found.mistakes.extend(first);
+        }
+        indices.map(Some).collect()
+    }
+}
+
+/// A row and what is added to the index, of `row[i]`, `row[i+1].port`, `row[i - 2]`.
+fn indexed(path: &str) -> Option<(&str, i64)> {
+    let (row, rest) = path.split_once('[')?;
+    let (index, _) = rest.split_once(']')?;
+    let offset = index.trim().strip_prefix(INDEX)?.trim();
+    if offset.is_empty() {
+        return Some((row, 0));
+    }
+    let (sign, digits) = match (offset.strip_prefix('+'), offset.strip_prefix('-')) {
+        (Some(digits), _) => (1, digits),
+        (_, Some(digits)) => (-1, digits),
+        _ => return None,
+    };
+    let size: i64 = digits.trim().parse().ok().filter(|size| (0..=1_000_000).contains(size))?;
+    Some((row, sign * size))
+}
+
+/// `row[i+1].port` as `row_4.port` where `i` is 3, and `row[3].port` as `row_3.port`.
+fn plain(path: &str, index: Option<i64>) -> String {
+    let Some((row, rest)) = path.split_once('[') else { return path.to_owned() };
+    let Some((inside, rest)) = rest.split_once(']') else { return path.to_owned() };
+    match (indexed(path), index, inside.trim().parse::<u32>()) {
+        (Some((_, offset)), Some(index), _) => format!("{row}_{}{rest}", index + offset),
+        (_, _, Ok(number)) => format!("{row}_{number}{rest}"),
+        _ => path.to_owned(),
+    }
+}
+
+fn at(path: &Spanned<String>, index: Option<i64>) -> Spanned<String> {
+    Spanned { value: plain(&path.value, index), span: path.span }
+}
+
+impl InstanceText {
+    /// The instance of a row with this index.
+    fn at(&self, index: i64) -> InstanceText {
+        let name = format!("{}_{index}", self.name.value);
+        let parameters = self.parameters.iter().map(|(name, value)| {
+            let value = match value {
+                Value::Number(number) => Value::Number(*number),
+                Value::Expression(ast) => Value::Expression(ast.at(index)),
+            };
+            (name.clone(), value)
+        });
+        let inputs = self.inputs.iter().map(|(name, formula)| (name.clone(), formula.at(index)));
+        InstanceText {
+            name: Spanned { value: name, span: self.name.span },
+            unit: self.unit.clone(),
+            count: None,
+            parameters: parameters.collect(),
+            inputs: inputs.collect(),
+            fields: self.fields.clone(),
+        }
+    }
+}
+
+impl Formula {
+    /// The formula for an index, if there is one.
+    fn for_index(&self, index: Option<i64>) -> Formula {
+        index.map_or_else(|| self.clone(), |index| self.at(index))
+    }
+
+    fn at(&self, index: i64) -> Formula {
+        match self {
+            Formula::Number(number) => Formula::Number(number.clone()),
+            Formula::Expression(ast) => Formula::Expression(ast.at(index)),
+        }
+    }
+}
+
+impl Ast {
+    /// The expression for an index.
+    fn at(&self, index: i64) -> Ast {
+        let of = |ast: &Ast| ast.at(index);
+        let boxed = |ast: &Ast| Box::new(ast.at(index));
+        let parts = |parts: &[(bool, Ast)]| -> Vec<(bool, Ast)> {
+            parts.iter().map(|(mark, of)| (*mark, of.at(index))).collect()
+        };
+        let node = match &self.node {
+            Node::Name(None, name) if name == INDEX => {
+                Node::Number(Literal::of_integer(index), None)
+            }
+            Node::Name(Some(instance), name) => {
+                Node::Name(Some(plain(instance, Some(index))), name.clone())
+            }
+            Node::Negative(of) => Node::Negative(boxed(of)),
+            Node::Sum(terms) => Node::Sum(parts(terms)),
+            Node::Product(factors) => Node::Product(parts(factors)),
+            Node::Power(a, b) => Node::Power(boxed(a), boxed(b)),
+            Node::Less(a, b) => Node::Less(boxed(a), boxed(b)),
+            Node::Call(name, span, arguments) => {
+                Node::Call(name.clone(), *span, arguments.iter().map(of).collect())
+            }
+            Node::Number(..) | Node::Name(None, _) | Node::Text(_) => self.node.clone(),
+        };
+        Ast { span: self.span, node }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_lose_their_index() {
+        for (path, flat) in [
+            ("disc[i].b", "disc_3.b"),
+            ("disc[i+1].b", "disc_4.b"),
+            ("disc[ i - 2 ]", "disc_1"),
+            ("disc[7].b", "disc_7.b"),
+            ("disc.b", "disc.b"),
+            ("disc[j].b", "disc[j].b"),
+            ("disc[i*2].b", "disc[i*2].b"),
+            ("disc[i", "disc[i"),
+        ] {
+            assert_eq!(plain(path, Some(3)), flat);
+        }
+    }
+}

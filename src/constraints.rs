@@ -239,6 +239,16 @@ impl<'a> Constraints<'a> {
         largest_of(&off)
     }
 
+    /// How far a state is off in position and in velocity, whichever is more.
+    pub(crate) fn off(&self, time: f64, state: &[f64]) -> f64 {
+        let matrix = self.matrix(time, state);
+        let of = |level: Level| {
+            let residual = self.residual(level, time, state);
+            largest_of(&self.relative(level, &matrix, &residual, state))
+        };
+        largest_of(&[of(Level::Positions), of(Level::Velocities)])
+    }
+
     /// Typical sizes of positions or velocities.
     fn scales(&self, level: Level) -> Vec<f64> {
         let first = self.first(level);

@@ -18,6 +18,7 @@ pub mod error;
 pub mod field;
 #[cfg(feature = "fit")]
 pub mod fit;
+pub mod hosted;
 #[cfg(feature = "sweep")]
 pub mod lanes;
 #[cfg(feature = "linear")]

@@ -50,11 +50,11 @@ use crate::error::{NotCompiledIn, StopCause, UnknownMethod, did_you_mean};
 use crate::method::sensitivity::Passing;
 use crate::trajectory::Switch;
 pub(crate) use one_step::{OneStep, Trial};
-pub(crate) use stretch::cut;
+pub(crate) use stretch::{cut, within};
 pub use stretch::{Samples, Stretch};
 pub use system::{System, Work};
 pub use watch::Watch;
-pub(crate) use watch::{Happened, identically_zero};
+pub(crate) use watch::{Happened, Memory, identically_zero};
 
 methods! {
     /// Backward differentiation formulas of orders 1 to 5, quasi-constant step; for stiff machines.
@@ -168,14 +168,7 @@ impl Problem<'_> {
         watch: &mut Option<Watch<'a>>,
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        method.check(self.system.simulator()).map_err(|unsuitable| Stopped {
-            time: self.from,
-            cause: StopCause::Unsuitable(Box::new(unsuitable)),
-        })?;
-        let Some(integrator) = method.row().integrator else {
-            let cause = StopCause::NotCompiledIn(NotCompiledIn::of(method));
-            return Err(Stopped { time: self.from, cause });
-        };
+        let integrator = self.integrator(method)?;
         let mut state = self.initial.clone();
         *watch = Watch::new(self, &mut state)?;
         let watch = watch.as_ref();
@@ -192,31 +185,74 @@ impl Problem<'_> {
         while samples.next_until(self.from).is_some() {
             samples.push(&state);
         }
+        self.go_on(integrator, watch, &mut state, samples, false).map(|_| ())
+    }
+
+    /// Carries a state that is under watch from start to end; if it is to halt at events, gives
+    /// the time of the first, which has then been found and not happened.
+    ///
+    /// # Errors
+    /// As [`Problem::integrate`].
+    pub(crate) fn carry_on(
+        &self,
+        method: Method,
+        watch: Option<&Watch<'_>>,
+        state: &mut [f64],
+        halts: bool,
+    ) -> Result<Option<f64>, Stopped> {
+        let mut samples = Samples::new(&[], state.len());
+        self.go_on(self.integrator(method)?, watch, state, &mut samples, halts)
+    }
+
+    /// The method, if it is made for such a machine and compiled in.
+    fn integrator(&self, method: Method) -> Result<&'static (dyn Integrator + Sync), Stopped> {
+        method.check(self.system.simulator()).map_err(|unsuitable| Stopped {
+            time: self.from,
+            cause: StopCause::Unsuitable(Box::new(unsuitable)),
+        })?;
+        method.row().integrator.ok_or_else(|| {
+            let cause = StopCause::NotCompiledIn(NotCompiledIn::of(method));
+            Stopped { time: self.from, cause }
+        })
+    }
+
+    /// [`Problem::carry_on`], with samples on the way.
+    fn go_on(
+        &self,
+        integrator: &dyn Integrator,
+        watch: Option<&Watch<'_>>,
+        state: &mut [f64],
+        samples: &mut Samples<'_>,
+        halts: bool,
+    ) -> Result<Option<f64>, Stopped> {
         for ends in cut(self.from, self.until, self.jumps.clone()).windows(2) {
             let mut from = ends[0];
-            if let Some(tangents) = tangents
+            if let Some(tangents) = self.system.tangents()
                 && from > self.from
             {
-                tangents.jump(self.system, from, &state)?;
+                tangents.jump(self.system, from, state)?;
             }
             while from < ends[1] {
                 let stretch = Stretch::new(self, (from, ends[1]), watch);
                 from = stretch.until;
-                stretch.require_finite_rate(&state)?;
+                stretch.require_finite_rate(state)?;
                 if stretch.is_trivial() {
-                    stretch.leap(&mut state, samples);
+                    stretch.leap(state, samples);
                     continue;
                 }
                 let Some(watch) = stretch.watch else {
-                    integrator.integrate(&stretch, &mut state, samples)?;
+                    integrator.integrate(&stretch, state, samples)?;
                     continue;
                 };
-                watch.start_stretch(&stretch, &state);
-                integrator.integrate(&stretch, &mut state, samples)?;
-                from = self.switch(&stretch, watch, &mut state)?.unwrap_or(from);
+                watch.start_stretch(&stretch, state);
+                integrator.integrate(&stretch, state, samples)?;
+                if halts && let Some(time) = watch.has_halted() {
+                    return Ok(Some(time));
+                }
+                from = self.switch(&stretch, watch, state)?.unwrap_or(from);
             }
         }
-        Ok(())
+        Ok(None)
     }
 
     /// Does what events say where the method stopped for some, and gives the time.

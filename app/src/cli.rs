@@ -20,12 +20,14 @@ mod derive;
 pub mod explain;
 mod fit;
 #[cfg(feature = "derive")]
+mod fmu;
+#[cfg(feature = "derive")]
 mod generate;
 mod linear;
 mod list;
 pub mod modes;
 #[cfg(feature = "derive")]
-mod new;
+pub mod new;
 mod output;
 #[cfg(feature = "derive")]
 mod parts;
@@ -81,6 +83,9 @@ enum Command {
     /// Derive a scene and write its model, which runs anywhere
     #[cfg(feature = "derive")]
     Compile(compile::Compile),
+    /// Write a scene as a functional mock-up unit, for hosts of FMI 3.0
+    #[cfg(feature = "derive")]
+    Fmu(fmu::Fmu),
     /// Say what is left out of a scene, why, and what that saves
     #[cfg(feature = "derive")]
     Explain(explain::Explain),
@@ -165,6 +170,8 @@ pub fn main() -> ExitCode {
         Command::Parts(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Compile(command) => command.execute(),
+        #[cfg(feature = "derive")]
+        Command::Fmu(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Cache(command) => command.execute(),
         Command::Completions(command) => command.execute(),

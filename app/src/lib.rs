@@ -12,6 +12,8 @@ mod deriving;
 mod explain;
 mod failure;
 #[cfg(feature = "derive")]
+mod fmu;
+#[cfg(feature = "derive")]
 mod freeze;
 mod interrupt;
 mod number;

@@ -221,7 +221,7 @@ pub(super) fn drive<M: OneStep>(
                 state.copy_from_slice(&kept.end);
                 return Ok((!arrives).then_some(Left { time, step }));
             }
-            stretch.require_uninterrupted(time)?;
+            stretch.require_wanted(time, &kept.end)?;
             let cause = if stretch.system.work().steps >= stretch.max_steps as u64 {
                 Some(StopCause::TooManySteps { limit: stretch.max_steps })
             } else {

@@ -134,6 +134,15 @@ impl<'a> Stretch<'a> {
         Ok(())
     }
 
+    /// As [`Stretch::require_uninterrupted`], after a step that ends in a state.
+    pub(super) fn require_wanted(&self, time: f64, state: &[f64]) -> Result<(), Stopped> {
+        self.require_uninterrupted(time)?;
+        if self.system.is_left_at(time, state) {
+            return Err(Stopped { time, cause: StopCause::Interrupted });
+        }
+        Ok(())
+    }
+
     /// Refuses a start at which the right-hand side is NaN or infinite.
     pub(super) fn require_finite_rate(&self, state: &[f64]) -> Result<(), Stopped> {
         let mut rate = vec![0.0; state.len()];
@@ -200,7 +209,7 @@ impl<'a> Stretch<'a> {
 }
 
 /// `time` moved into \[from, until); see [`Stretch::within`].
-pub(super) fn within(time: f64, (from, until): (f64, f64)) -> f64 {
+pub(crate) fn within(time: f64, (from, until): (f64, f64)) -> f64 {
     time.min(until.next_down()).max(from)
 }
 

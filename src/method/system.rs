@@ -52,8 +52,13 @@ pub struct System<'a> {
     work: Cell<Work>,
     notes: RefCell<Vec<String>>,
     interrupt: Option<&'a AtomicBool>,
+    onlooker: Option<Onlooker<'a>>,
     has_stepped: Cell<bool>,
 }
+
+/// Who is shown time and state after every step that is not the last of a stretch, and says
+/// whether the run is to end there.
+pub(crate) type Onlooker<'a> = &'a dyn Fn(f64, &[f64]) -> bool;
 
 impl<'a> System<'a> {
     /// The equations of `simulator`, with or without energy quadratures.
@@ -73,6 +78,7 @@ impl<'a> System<'a> {
             work: Cell::default(),
             notes: RefCell::default(),
             interrupt: None,
+            onlooker: None,
             has_stepped: Cell::new(false),
         }
     }
@@ -81,6 +87,16 @@ impl<'a> System<'a> {
     #[must_use]
     pub fn until_flagged(self, interrupt: Option<&'a AtomicBool>) -> Self {
         Self { interrupt, ..self }
+    }
+
+    /// The same, whose steps somebody looks at.
+    pub(crate) fn shown_to(self, onlooker: Option<Onlooker<'a>>) -> Self {
+        Self { onlooker, ..self }
+    }
+
+    /// Whether the run is to end where it is, by who looks at its steps.
+    pub(super) fn is_left_at(&self, time: f64, state: &[f64]) -> bool {
+        self.onlooker.is_some_and(|leaves| leaves(time, &state[..self.states]))
     }
 
     /// The same, whose sensitivities are carried along.
@@ -111,7 +127,7 @@ impl<'a> System<'a> {
     }
 
     /// Puts a state back onto the constraints, if there are any.
-    pub(super) fn constrain(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
+    pub(crate) fn constrain(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
         let Some(constraints) = &self.constraints else { return Ok(()) };
         constraints.project(time, state).map_err(|lost| {
             let constraint = constraints.name(lost.0).to_owned();

@@ -18,6 +18,7 @@
 //!   method begins anew behind them; see `crossing`.
 
 mod crossing;
+mod hosted;
 mod passing;
 mod settle;
 
@@ -25,11 +26,13 @@ use std::cell::RefCell;
 use std::collections::VecDeque;
 
 use machinist_contract::Direction;
+use serde::{Deserialize, Serialize};
 
 use super::one_step::OneStep;
 use super::{Problem, Stopped, Stretch, System};
 use crate::error::StopCause;
 use crate::trajectory::Switch;
+pub(crate) use hosted::Memory;
 use passing::{Guard, Outcome, Parts, guards_at};
 
 /// So many events within [`NO_TIME`] are taken for endless ones; more in a scene that has many.
@@ -79,7 +82,7 @@ impl Inner {
 }
 
 /// Where a guard is.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 enum Side {
     /// Not watched: a mode has another value.
     Idle,
@@ -97,28 +100,37 @@ impl<'a> Watch<'a> {
     /// [`StopCause::Contradiction`] if the start contradicts an event that would change
     /// more than modes.
     pub fn new(problem: &'a Problem<'a>, state: &mut [f64]) -> Result<Option<Self>, Stopped> {
-        let (system, from, until) = (problem.system, problem.from, problem.until);
+        let (system, from) = (problem.system, problem.from);
         let simulator = system.simulator();
-        let (events, kinks) = (simulator.events(), simulator.kinks());
-        let count = events + kinks;
+        let count = simulator.events() + simulator.kinks();
         if count == 0 {
             return Ok(None);
         }
+        let watch = Self::with(problem, vec![Side::Idle; count], VecDeque::new(), state);
+        watch.settle_start(from, state)?;
+        Ok(Some(watch))
+    }
+
+    fn with(
+        problem: &'a Problem<'a>,
+        sides: Vec<Side>,
+        latest: VecDeque<f64>,
+        state: &[f64],
+    ) -> Self {
+        let Problem { system, from, until, rtol, atol, .. } = problem;
+        let (events, kinks) = (system.simulator().events(), system.simulator().kinks());
         let inner = Inner {
-            sides: vec![Side::Idle; count],
-            time: from,
+            sides,
+            time: *from,
             start: state.to_vec(),
             parts: Parts::new(events, kinks, state.len()),
             outcomes: Vec::new(),
             happening: None,
-            latest: VecDeque::new(),
+            latest,
             switches: Vec::new(),
             happened: Happened::default(),
         };
-        let (rtol, atol) = (problem.rtol, &problem.atol[..]);
-        let watch = Self { system, span: until - from, rtol, atol, inner: RefCell::new(inner) };
-        watch.settle_start(from, state)?;
-        Ok(Some(watch))
+        Self { system, span: until - from, rtol: *rtol, atol, inner: RefCell::new(inner) }
     }
 
     /// Every event that has happened, in order.
@@ -330,7 +342,8 @@ impl<'a> Watch<'a> {
     fn guards(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let (simulator, events) = (self.system.simulator(), self.system.simulator().events());
         let mut guards = vec![0.0; events + simulator.kinks()];
-        guards_at(self.system, events, time, state, &mut guards);
+        let state = &state[..self.system.states()];
+        guards_at((simulator, self.system.parameters()), events, time, state, &mut guards);
         guards
     }
 

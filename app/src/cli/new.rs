@@ -133,7 +133,7 @@ fn suggestion(name: &str) -> Option<String> {
 }
 
 /// The folder of the sources this program was built from, if they are still there.
-fn sources() -> Option<PathBuf> {
+pub fn sources() -> Option<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).parent()?;
     let has = |part: &str| folder.join(part).join("Cargo.toml").is_file();
     DEPENDENCIES.iter().all(|(_, part)| has(part)).then(|| folder.to_owned())

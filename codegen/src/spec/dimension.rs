@@ -147,6 +147,14 @@ impl fmt::Display for Dimension {
 }
 
 impl Unit {
+    /// Exponents of kg, m, s, A, K, mol, cd and rad; nothing if one is a half.
+    #[must_use]
+    pub fn whole_exponents(self) -> Option<[i32; 8]> {
+        let [kg, m, s, ampere, kelvin, mol, cd] = self.dimension.0;
+        let halves = [kg, m, s, ampere, kelvin, mol, cd, self.rad];
+        halves.iter().all(|half| half % 2 == 0).then(|| halves.map(|half| half / 2))
+    }
+
     /// The unit per second.
     ///
     /// # Errors

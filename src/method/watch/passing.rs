@@ -1,6 +1,6 @@
 //! Where within a step a guard passes zero.
 
-use machinist_contract::Direction;
+use machinist_contract::{Direction, Simulator};
 
 use super::super::System;
 use super::super::one_step::OneStep;
@@ -10,7 +10,7 @@ use super::Side;
 /// Below this share of its largest value over a step, a guard is zero but for rounding.
 const ROUNDING: f64 = 1e-12;
 /// A guard that would change by less than this share, at the rate it has, is at rest.
-const AT_REST: f64 = 1e-9;
+pub(super) const AT_REST: f64 = 1e-9;
 
 /// Guards and their rates at the ends of the parts of a step.
 pub(super) struct Parts {
@@ -447,14 +447,12 @@ fn is_near(foretold: f64, found: f64, room: f64) -> bool {
 
 /// Guards of so many events and of all kinks at a state.
 pub(super) fn guards_at(
-    system: &System<'_>,
+    (simulator, parameters): (&dyn Simulator<f64>, &[f64]),
     events: usize,
     time: f64,
     state: &[f64],
     guards: &mut [f64],
 ) {
-    let (simulator, parameters) = (system.simulator(), system.parameters());
-    let state = &state[..system.states()];
     let (guards, kinks) = guards.split_at_mut(events);
     if events > 0 {
         simulator.guards(time, state, parameters, guards);
@@ -472,9 +470,9 @@ pub(super) fn evaluate(
     state: &[f64],
     [guards, rates]: [&mut [f64]; 2],
 ) {
-    guards_at(system, events, time, state, guards);
     let (simulator, parameters) = (system.simulator(), system.parameters());
     let state = &state[..system.states()];
+    guards_at((simulator, parameters), events, time, state, guards);
     let (rates, kink_rates) = rates.split_at_mut(events);
     if events > 0 {
         simulator.guard_rates(time, state, parameters, rates);
@@ -495,7 +493,7 @@ enum Start {
 }
 
 /// Whether a guard that comes from `side` passes in this direction.
-fn is_wanted(direction: Direction, side: f64) -> bool {
+pub(super) fn is_wanted(direction: Direction, side: f64) -> bool {
     match direction {
         Direction::Rising => side < 0.0,
         Direction::Falling => side > 0.0,

@@ -1,0 +1,58 @@
+//! `machinist fmu`: a scene as a functional mock-up unit, which hosts of FMI 3.0 run.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use machinist_codegen::mechanics::reduce::Keep;
+
+use super::output::{print, require_ending, write_file};
+use super::scene::Given;
+use crate::deriving::{self, Request};
+use crate::failure::Failure;
+use crate::fmu::{Archive, Library};
+use crate::freeze::admit;
+
+#[derive(Debug, Args)]
+pub struct Fmu {
+    /// Name or file of the scene, or a model file
+    scene: String,
+    /// The file to write, which ends in .fmu
+    #[arg(short, long, value_name = "FILE")]
+    out: PathBuf,
+    /// Parameters that the host sets along the run: inputs
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    inputs: Vec<String>,
+    /// The shared library to put into it, instead of the one beside this program
+    #[arg(long, value_name = "FILE")]
+    library: Option<PathBuf>,
+    /// Leave nothing out, whether the outputs need it or not
+    #[arg(long)]
+    keep_all: bool,
+}
+
+impl Fmu {
+    pub fn execute(&self) -> Result<(), Failure> {
+        require_ending(&self.out, &["fmu"], "--out")?;
+        let library = Library::find(self.library.as_deref())?;
+        let stamped = match Given::of(&self.scene)? {
+            Given::Model(_) if self.keep_all => {
+                let message = format!("{} is a model already", self.scene);
+                return Err(Failure::input(message, "leave `--keep-all` out"));
+            }
+            Given::Model(stamped) => *stamped,
+            Given::Spec(source) => {
+                let keep = if self.keep_all { Keep::All } else { Keep::Needed };
+                let stamped = deriving::stamped(&Request::model(&source, keep))?;
+                if !self.keep_all {
+                    admit(&source, &stamped.model)?;
+                }
+                stamped
+            }
+        };
+        let archive = Archive::of(&stamped, &self.inputs, &library)?;
+        write_file(&self.out, |out| out.write_all(archive.bytes()))?;
+        let (name, out) = (&stamped.model.name, self.out.display());
+        let [variables, bytes] = [archive.variables(), archive.bytes().len()];
+        print(&format!("wrote {out}: {name}, {variables} variables, {bytes} bytes\n"))
+    }
+}

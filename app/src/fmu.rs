@@ -1,0 +1,12 @@
+//! Scenes as functional mock-up units: an archive of a description, the shared library of
+//! `machinist-fmu`, and the model that it runs.
+
+mod archive;
+mod description;
+mod library;
+mod quantity;
+mod structure;
+mod xml;
+
+pub use archive::Archive;
+pub use library::Library;

@@ -1,0 +1,165 @@
+//! `modelDescription.xml`: what a host has to know of an archive.
+
+use machinist_fmu::abi::CATEGORIES;
+use machinist_fmu::variables::{Causality, Initial, Kind, Variability, Variable, Variables};
+use machinist_model::file::Stamped;
+
+use super::quantity::{MODE, type_of, types, unit_of, units};
+use super::structure::Structure;
+use super::xml::Element;
+use crate::failure::Failure;
+
+/// What is described.
+pub struct Description<'a> {
+    pub stamped: &'a Stamped,
+    pub variables: &'a Variables,
+    /// What ties it to resources.
+    pub token: &'a str,
+}
+
+impl Description<'_> {
+    /// The text of the file.
+    pub fn text(&self) -> Result<String, Failure> {
+        let model = &self.stamped.model;
+        let units = units(self.variables)?;
+        let has_modes = self.has(|variable| matches!(variable.kind, Kind::Mode(_)));
+        let types = types(self.variables, has_modes);
+        let mut elements = vec![self.exchange(), self.simulation()];
+        let lists = [("UnitDefinitions", units), ("TypeDefinitions", types)];
+        let filled = lists.into_iter().filter(|(_, list)| !list.is_empty());
+        elements.extend(filled.map(|(name, list)| Element::new(name).holding(list)));
+        let categories = CATEGORIES.map(|(name, doc)| {
+            Element::new("Category").with("name", name).with("description", doc)
+        });
+        elements.push(Element::new("LogCategories").holding(categories));
+        elements.push(self.experiment());
+        let variables =
+            self.variables.with_references().map(|(at, variable)| self.variable(at, variable));
+        elements.push(Element::new("ModelVariables").holding(variables));
+        let structure = Structure::new(model, self.variables).elements();
+        elements.push(Element::new("ModelStructure").holding(structure));
+        let description = [&model.title, &model.doc].map(|text| text.trim());
+        let description = description.into_iter().filter(|text| !text.is_empty());
+        let description = description.collect::<Vec<_>>().join(": ");
+        let tool = concat!("Machinist ", env!("CARGO_PKG_VERSION"));
+        let root = Element::new("fmiModelDescription")
+            .with("fmiVersion", "3.0")
+            .with("modelName", &model.name)
+            .with("instantiationToken", self.token)
+            .with("description", description)
+            .with("generationTool", tool)
+            .with("variableNamingConvention", "structured");
+        Ok(root.holding(elements).document())
+    }
+
+    fn has(&self, is: impl Fn(&Variable) -> bool) -> bool {
+        self.variables.all().iter().any(is)
+    }
+
+    fn interface(&self, name: &'static str) -> Element {
+        Element::new(name)
+            .with("modelIdentifier", &self.stamped.model.name)
+            .with("canGetAndSetFMUState", true)
+            .with("canSerializeFMUState", true)
+            .with("providesDirectionalDerivatives", true)
+            .with("providesAdjointDerivatives", true)
+    }
+
+    fn exchange(&self) -> Element {
+        let model = &self.stamped.model;
+        // Guards are looked at after steps, and constraints drift.
+        let looks = self.variables.indicators() > 0 || !model.constraints.is_empty();
+        self.interface("ModelExchange").with("needsCompletedIntegratorStep", looks)
+    }
+
+    fn simulation(&self) -> Element {
+        self.interface("CoSimulation")
+            .with("canHandleVariableCommunicationStepSize", true)
+            .with("maxOutputDerivativeOrder", 1)
+            .with("providesIntermediateUpdate", true)
+            .with("mightReturnEarlyFromDoStep", true)
+            .with("canReturnEarlyAfterIntermediateUpdate", true)
+            .with("hasEventMode", true)
+    }
+
+    fn experiment(&self) -> Element {
+        let run = &self.stamped.model.run;
+        let step = (run.until - run.from) / (run.points.max(2) - 1) as f64;
+        Element::new("DefaultExperiment")
+            .with_number("startTime", run.from)
+            .with_number("stopTime", run.until)
+            .with_number("tolerance", run.rtol)
+            .with_number("stepSize", step)
+    }
+
+    fn variable(&self, at: u32, variable: &Variable) -> Element {
+        let is_mode = matches!(variable.kind, Kind::Mode(_));
+        let element = Element::new(if is_mode { "Int32" } else { "Float64" })
+            .with("name", &variable.name)
+            .with("valueReference", at)
+            .with_some("description", Some(&variable.doc).filter(|doc| !doc.is_empty()))
+            .with_some("declaredType", declared_type(variable))
+            .with("causality", causality(variable.causality))
+            .with_some("variability", variability(variable))
+            .with_some("initial", variable.initial.map(initial));
+        if is_mode {
+            // Modes are whole.
+            return element.with_some("start", variable.start.map(|start| start as i32));
+        }
+        let mut element = element.with_some("unit", unit_of(&variable.unit));
+        if let Some(nominal) = variable.nominal {
+            element = element.with_number("nominal", nominal);
+        }
+        if let Some(start) = variable.start {
+            element = element.with_number("start", start);
+        }
+        match variable.kind {
+            Kind::Derivative(entry) => {
+                element.with_some("derivative", self.variables.reference(Kind::State(entry)))
+            }
+            Kind::State(entry) if self.is_set(entry) => element.with("reinit", true),
+            _ => element,
+        }
+    }
+
+    /// Whether events, or constraints that it goes back onto, may give a state another value.
+    fn is_set(&self, entry: usize) -> bool {
+        let model = &self.stamped.model;
+        let is_set = model.events.iter().any(|event| event.sets.contains(&(entry as u32)));
+        is_set || !model.constraints.is_empty()
+    }
+}
+
+fn declared_type(variable: &Variable) -> Option<String> {
+    match variable.kind {
+        Kind::Mode(_) => Some(MODE.to_owned()),
+        _ => type_of(&variable.unit),
+    }
+}
+
+fn causality(causality: Causality) -> &'static str {
+    match causality {
+        Causality::Independent => "independent",
+        Causality::Parameter => "parameter",
+        Causality::Input => "input",
+        Causality::Output => "output",
+        Causality::Local => "local",
+    }
+}
+
+fn variability(variable: &Variable) -> Option<&'static str> {
+    match variable.variability {
+        Variability::Fixed => Some("fixed"),
+        Variability::Tunable => Some("tunable"),
+        Variability::Discrete => Some("discrete"),
+        Variability::Continuous => Some("continuous"),
+    }
+}
+
+fn initial(initial: Initial) -> &'static str {
+    match initial {
+        Initial::Exact => "exact",
+        Initial::Approx => "approx",
+        Initial::Calculated => "calculated",
+    }
+}

@@ -1,0 +1,89 @@
+//! Where the shared library is that goes into archives.
+
+use std::env::consts::{ARCH, DLL_PREFIX, DLL_SUFFIX, OS};
+use std::env::current_exe;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::cli::new::sources;
+use crate::failure::Failure;
+
+/// The shared library, for the platform that this program runs on.
+pub struct Library {
+    /// Its bytes.
+    pub bytes: Vec<u8>,
+}
+
+impl Library {
+    /// The given one, or else that which was built with this program.
+    pub fn find(given: Option<&Path>) -> Result<Self, Failure> {
+        let path = match given {
+            Some(path) => path.to_owned(),
+            None => places().into_iter().find(|place| place.is_file()).ok_or_else(missing)?,
+        };
+        let bytes = fs::read(&path).map_err(|error| Failure::file(&path, &error))?;
+        if !is_library(&bytes) {
+            let message = format!("{}: this is no shared library of this platform", path.display());
+            return Err(Failure::input(message, build()));
+        }
+        Ok(Self { bytes })
+    }
+
+    /// The folder of archives for libraries of this platform.
+    pub fn platform() -> String {
+        let arch = if ARCH == "arm" { "aarch32" } else { ARCH };
+        let system = if OS == "macos" { "darwin" } else { OS };
+        format!("{arch}-{system}")
+    }
+
+    /// How the file is called there, for a model of this identifier.
+    pub fn file_name(identifier: &str) -> String {
+        // Hosts look for no prefix.
+        format!("{identifier}{DLL_SUFFIX}")
+    }
+}
+
+/// How it is called where it is built.
+fn built_name() -> String {
+    format!("{DLL_PREFIX}machinist_fmu{DLL_SUFFIX}")
+}
+
+/// Where a build puts it: beside the program, or where its tests find it; and where the program
+/// was built.
+fn places() -> Vec<PathBuf> {
+    let name = built_name();
+    let mut places = Vec::new();
+    if let Some(folder) = current_exe().ok().as_deref().and_then(Path::parent) {
+        places.extend([folder.join(&name), folder.join("deps").join(&name)]);
+    }
+    places.extend(sources().map(|folder| folder.join("target").join("release").join(&name)));
+    places
+}
+
+fn missing() -> Failure {
+    let message = format!("there is no `{}` beside this program", built_name());
+    Failure::input(message, build())
+}
+
+/// How it is built.
+fn build() -> String {
+    let manifest = match sources() {
+        Some(folder) => folder.join("Cargo.toml").display().to_string(),
+        None => "Cargo.toml".to_owned(),
+    };
+    let name = built_name();
+    format!(
+        "`cargo build --release --package machinist-fmu --manifest-path {manifest}` builds it, as \
+         `target/release/{name}` there; `--library FILE` takes one from elsewhere"
+    )
+}
+
+/// Whether bytes begin as shared libraries of this platform do.
+fn is_library(bytes: &[u8]) -> bool {
+    let marks: &[&[u8]] = match OS {
+        "windows" => &[b"MZ"],
+        "macos" => &[b"\xcf\xfa\xed\xfe", b"\xca\xfe\xba\xbe"],
+        _ => &[b"\x7fELF"],
+    };
+    marks.iter().any(|mark| bytes.starts_with(mark))
+}

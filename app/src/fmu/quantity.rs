@@ -1,0 +1,101 @@
+//! Units and types of variables.
+
+use std::collections::BTreeMap;
+
+use machinist_codegen::spec::dimension::Unit;
+use machinist_fmu::variables::Variables;
+
+use super::xml::Element;
+use crate::failure::Failure;
+
+/// Base units as FMI calls them.
+const BASES: [&str; 8] = ["kg", "m", "s", "A", "K", "mol", "cd", "rad"];
+
+/// Units that people want to see besides, with how many of them one is.
+const DISPLAYED: [(&str, &str, f64); 2] =
+    [("rad", "deg", 180.0 / std::f64::consts::PI), ("rad/s", "rpm", 30.0 / std::f64::consts::PI)];
+
+/// Quantities by a unit that is theirs alone.
+const QUANTITIES: [(&str, &str); 22] = [
+    ("A", "ElectricCurrent"),
+    ("C", "ElectricCharge"),
+    ("H", "Inductance"),
+    ("N", "Force"),
+    ("N m", "Torque"),
+    ("N m s/rad", "RotationalDampingConstant"),
+    ("N m/rad", "RotationalSpringConstant"),
+    ("N s/m", "TranslationalDampingConstant"),
+    ("N/m", "TranslationalSpringConstant"),
+    ("Pa", "Pressure"),
+    ("V", "ElectricPotential"),
+    ("V s", "MagneticFlux"),
+    ("W", "Power"),
+    ("kg", "Mass"),
+    ("kg m^2", "MomentOfInertia"),
+    ("m", "Length"),
+    ("m/s", "Velocity"),
+    ("m/s^2", "Acceleration"),
+    ("ohm", "Resistance"),
+    ("rad", "Angle"),
+    ("rad/s", "AngularVelocity"),
+    ("rad/s^2", "AngularAcceleration"),
+];
+
+/// Name of the type of modes.
+pub const MODE: &str = "Types.Mode";
+
+/// The unit of an attribute; nothing for a pure number.
+pub fn unit_of(unit: &str) -> Option<&str> {
+    (unit != "1" && !unit.is_empty()).then_some(unit)
+}
+
+/// The type of numbers in a unit, if it has a name.
+pub fn type_of(unit: &str) -> Option<String> {
+    let (_, quantity) = QUANTITIES.iter().find(|(known, _)| *known == unit)?;
+    Some(format!("Types.{quantity}"))
+}
+
+/// Definitions of all units that variables have.
+pub fn units(variables: &Variables) -> Result<Vec<Element>, Failure> {
+    let units: BTreeMap<&str, ()> = variables
+        .all()
+        .iter()
+        .filter_map(|variable| unit_of(&variable.unit))
+        .map(|unit| (unit, ()))
+        .collect();
+    units.into_keys().map(definition).collect()
+}
+
+fn definition(unit: &str) -> Result<Element, Failure> {
+    let wrong = |why: &str| Failure::input(format!("unit `{unit}` of the model: {why}"), "");
+    let parsed = Unit::parse(unit).map_err(|error| wrong(&error.message))?;
+    let exponents = parsed.whole_exponents().ok_or_else(|| wrong("it has a root"))?;
+    let mut base = Element::new("BaseUnit");
+    for (name, exponent) in BASES.into_iter().zip(exponents) {
+        base = base.with_some(name, (exponent != 0).then_some(exponent));
+    }
+    let displayed = DISPLAYED.iter().filter(|(of, ..)| *of == unit).map(|(_, name, factor)| {
+        Element::new("DisplayUnit").with("name", name).with_number("factor", *factor)
+    });
+    Ok(Element::new("Unit").with("name", unit).holding([base]).holding(displayed))
+}
+
+/// Definitions of the types that variables have.
+pub fn types(variables: &Variables, has_modes: bool) -> Vec<Element> {
+    let is_used = |unit: &str| variables.all().iter().any(|variable| variable.unit == unit);
+    let mut types: Vec<Element> = QUANTITIES
+        .iter()
+        .filter(|(unit, _)| is_used(unit))
+        .map(|(unit, quantity)| {
+            Element::new("Float64Type")
+                .with("name", format!("Types.{quantity}"))
+                .with("quantity", quantity)
+                .with("unit", unit)
+        })
+        .collect();
+    if has_modes {
+        let doc = "which equations hold; events change it";
+        types.push(Element::new("Int32Type").with("name", MODE).with("description", doc));
+    }
+    types
+}

@@ -1,0 +1,139 @@
+//! What unknowns of a model depend on.
+
+use std::collections::BTreeSet;
+
+use machinist_fmu::variables::{Causality, Initial, Kind, Reads, Variable, Variables};
+use machinist_model::{Model, NodeId, Tape};
+
+use super::xml::Element;
+
+/// The structure of a model, as elements of a description.
+pub struct Structure<'a> {
+    model: &'a Model,
+    variables: &'a Variables,
+}
+
+impl<'a> Structure<'a> {
+    pub fn new(model: &'a Model, variables: &'a Variables) -> Self {
+        Self { model, variables }
+    }
+
+    /// Outputs, derivatives, what is unknown at the start, event indicators.
+    pub fn elements(&self) -> Vec<Element> {
+        let along = |name: &'static str, is: fn(&Variable) -> bool| {
+            let all = self.variables.with_references().filter(move |(_, variable)| is(variable));
+            all.map(move |(at, variable)| {
+                self.element(name, at, self.along_the_run(&self.reads(variable.kind)))
+            })
+        };
+        let is_output = |variable: &Variable| variable.causality == Causality::Output;
+        let is_derivative = |variable: &Variable| matches!(variable.kind, Kind::Derivative(_));
+        let is_indicator = |variable: &Variable| matches!(variable.kind, Kind::Indicator(_));
+        let mut elements: Vec<Element> = along("Output", is_output).collect();
+        elements.extend(along("ContinuousStateDerivative", is_derivative));
+        elements.extend(self.unknown_at_start());
+        elements.extend(along("EventIndicator", is_indicator));
+        elements
+    }
+
+    fn unknown_at_start(&self) -> impl Iterator<Item = Element> {
+        let is_unknown = |variable: &Variable| match variable.kind {
+            Kind::Output(_) | Kind::Derivative(_) => true,
+            Kind::State(_) => variable.initial != Some(Initial::Exact),
+            Kind::Mode(_) => variable.causality == Causality::Output,
+            Kind::Time | Kind::Parameter(_) | Kind::Indicator(_) => false,
+        };
+        let all = self.variables.with_references();
+        all.filter(move |(_, variable)| is_unknown(variable)).map(|(at, variable)| {
+            if !self.model.constraints.is_empty() || !self.model.events.is_empty() {
+                // Constraints and modes that are set right join all of the start.
+                return Element::new("InitialUnknown").with("valueReference", at);
+            }
+            let reads = match variable.kind {
+                Kind::State(entry) => self.start_of(entry),
+                kind => self.reads(kind),
+            };
+            self.element("InitialUnknown", at, self.at_start(&reads))
+        })
+    }
+
+    fn element(&self, name: &'static str, at: u32, dependencies: BTreeSet<u32>) -> Element {
+        let list: Vec<String> = dependencies.iter().map(u32::to_string).collect();
+        Element::new(name).with("valueReference", at).with("dependencies", list.join(" "))
+    }
+
+    /// What a variable is computed from where the run stands.
+    fn reads(&self, kind: Kind) -> Reads {
+        let model = self.model;
+        let of = |tape: &Tape, index: usize| match tape.results.get(index) {
+            Some(result) => Reads::of(model, tape, *result),
+            None => Reads::default(),
+        };
+        match kind {
+            Kind::Derivative(entry) => {
+                let mut reads = of(&model.rate, entry);
+                let row = |pattern: &machinist_model::SparsityPattern| -> BTreeSet<u32> {
+                    let entries = pattern.entries.iter();
+                    entries.filter(|(row, _)| *row as usize == entry).map(|(_, at)| *at).collect()
+                };
+                reads.states.extend(row(&model.rate_jacobian.pattern));
+                reads.parameters.extend(row(&model.parameter_jacobian.pattern));
+                reads
+            }
+            Kind::Output(index) => of(&model.outputs, index),
+            Kind::Indicator(index) => match index.checked_sub(model.events.len()) {
+                None => of(&model.guards, index),
+                Some(kink) => of(&model.kink_guards, kink),
+            },
+            Kind::State(entry) | Kind::Mode(entry) => {
+                Reads { states: [entry as u32].into(), ..Reads::default() }
+            }
+            Kind::Time | Kind::Parameter(_) => Reads::default(),
+        }
+    }
+
+    fn start_of(&self, entry: usize) -> Reads {
+        let NodeId(_) = self.model.initial_state.results[entry];
+        Reads::of(self.model, &self.model.initial_state, self.model.initial_state.results[entry])
+    }
+
+    /// Knowns along a run: time, continuous states, inputs.
+    fn along_the_run(&self, reads: &Reads) -> BTreeSet<u32> {
+        self.knowns(reads, &|variable| match variable.kind {
+            Kind::State(_) | Kind::Time => true,
+            _ => variable.causality == Causality::Input,
+        })
+    }
+
+    /// Knowns before it: time, parameters, inputs, states that start exactly; what states that
+    /// are calculated are from.
+    fn at_start(&self, reads: &Reads) -> BTreeSet<u32> {
+        let mut all = reads.clone();
+        for variable in self.variables.all() {
+            if let (Kind::State(entry), Some(Initial::Calculated)) =
+                (variable.kind, variable.initial)
+                && reads.states.contains(&(entry as u32))
+            {
+                all.extend(&self.start_of(entry));
+            }
+        }
+        self.knowns(&all, &|variable| match variable.kind {
+            Kind::State(_) => variable.initial == Some(Initial::Exact),
+            Kind::Time | Kind::Parameter(_) => true,
+            _ => false,
+        })
+    }
+
+    fn knowns(&self, reads: &Reads, is_known: &dyn Fn(&Variable) -> bool) -> BTreeSet<u32> {
+        let is_read = |variable: &Variable| match variable.kind {
+            Kind::Time => reads.time,
+            Kind::State(entry) => reads.states.contains(&(entry as u32)),
+            Kind::Parameter(index) => reads.parameters.contains(&(index as u32)),
+            _ => false,
+        };
+        let all = self.variables.with_references();
+        all.filter(|(_, variable)| is_known(variable) && is_read(variable))
+            .map(|(at, _)| at)
+            .collect()
+    }
+}

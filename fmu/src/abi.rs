@@ -1,0 +1,231 @@
+//! The functions of `fmi3FunctionTypes.h`, for C.
+//!
+//! Every one of them looks its instance up by its handle, does what an
+//! [`Instance`](crate::instance::Instance) does, and gives a status. Errors go to the host's log
+//! at once, events if it wants them. A panic is an error as well, after which the instance only
+//! can be reset or freed.
+#![allow(unsafe_code, reason = "hosts hand pointers over and call by name")]
+#![allow(non_snake_case, reason = "names are those of the standard")]
+
+mod common;
+mod derivatives;
+mod exchange;
+mod simulation;
+mod states;
+mod types;
+mod unused;
+mod values;
+
+use std::any::Any;
+use std::ffi::{CStr, CString, c_char, c_void};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::slice;
+use std::sync::atomic::{AtomicBool, AtomicPtr, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use crate::instance::{Instance, Refusal};
+use crate::registry::{Held, Registry};
+
+pub use common::*;
+pub use derivatives::*;
+pub use exchange::*;
+pub use simulation::*;
+pub use states::*;
+pub use types::*;
+pub use unused::*;
+pub use values::*;
+
+/// Every instance of this process.
+static INSTANCES: Registry<Host> = Registry::new();
+
+/// Categories of what is logged, with what they are.
+pub const CATEGORIES: [(&str, &str); 3] = [
+    (ERRORS, "calls that fail, with why"),
+    (DISCARDS, "calls that a shorter step may spare"),
+    (EVENTS, "events that happen"),
+];
+const ERRORS: &str = "logStatusError";
+const DISCARDS: &str = "logStatusDiscard";
+const EVENTS: &str = "logEvents";
+
+/// What an instance has of its host.
+struct Host {
+    environment: AtomicPtr<c_void>,
+    log: Option<LogMessage>,
+    update: Option<IntermediateUpdate>,
+    /// Whether it wants to know of events.
+    wants_events: AtomicBool,
+    is_broken: AtomicBool,
+    /// The last strings or bytes that it was handed, for as long as it may read them.
+    name: Mutex<CString>,
+}
+
+impl Host {
+    fn new(
+        environment: *mut c_void,
+        log: Option<LogMessage>,
+        update: Option<IntermediateUpdate>,
+        name: CString,
+    ) -> Self {
+        Self {
+            environment: AtomicPtr::new(environment),
+            log,
+            update,
+            wants_events: AtomicBool::new(false),
+            is_broken: AtomicBool::new(false),
+            name: Mutex::new(name),
+        }
+    }
+
+    fn environment(&self) -> *mut c_void {
+        self.environment.load(Ordering::Relaxed)
+    }
+
+    /// Tells the host, whatever it wants to hear.
+    fn tell(&self, status: Status, category: &str, message: &str) {
+        let Some(log) = self.log else { return };
+        let name = self.name.lock().unwrap_or_else(PoisonError::into_inner);
+        let message = format!("{}: {message}", name.to_string_lossy());
+        drop(name);
+        tell(log, self.environment(), status, category, &message);
+    }
+
+    fn tell_of_events(&self, time: f64, events: &[String]) {
+        if self.wants_events.load(Ordering::Relaxed) {
+            for event in events {
+                self.tell(Status::Ok, EVENTS, &format!("{event} at {time} s"));
+            }
+        }
+    }
+}
+
+fn tell(
+    log: LogMessage,
+    environment: *mut c_void,
+    status: Status,
+    category: &str,
+    message: &str,
+) {
+    // C ends strings at the first zero.
+    let text = |text: &str| CString::new(text.replace('\0', " ")).unwrap_or_default();
+    let (category, message) = (text(category), text(message));
+    // SAFETY: the host gave this function for these arguments, and strings live until it
+    // returns.
+    unsafe { log(environment, status, category.as_ptr(), message.as_ptr()) };
+}
+
+/// What a panic says.
+fn message_of(panic: &(dyn Any + Send)) -> &str {
+    let text = panic.downcast_ref::<String>().map(String::as_str);
+    text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("a panic")
+}
+
+/// Calls something of an instance that is not locked; whatever it does is a status.
+fn with_held(
+    instance: Handle,
+    call: &str,
+    act: impl FnOnce(&Held<Host>) -> Result<(), Refusal>,
+) -> Status {
+    let Some(held) = INSTANCES.get(instance.addr()) else { return Status::Error };
+    if held.host.is_broken.load(Ordering::Relaxed) && call != "fmi3Reset" {
+        let message = format!("{call}: the instance has failed before; it can be reset or freed");
+        held.host.tell(Status::Error, ERRORS, &message);
+        return Status::Error;
+    }
+    match catch_unwind(AssertUnwindSafe(|| act(&held))) {
+        Ok(Ok(())) => Status::Ok,
+        Ok(Err(refusal)) => {
+            let (status, category) = if refusal.is_discard() {
+                (Status::Discard, DISCARDS)
+            } else {
+                (Status::Error, ERRORS)
+            };
+            held.host.tell(status, category, &format!("{call}: {refusal}"));
+            status
+        }
+        Err(panic) => {
+            held.host.is_broken.store(true, Ordering::Relaxed);
+            let message = format!("{call}: failed within: {}", message_of(&*panic));
+            held.host.tell(Status::Error, ERRORS, &message);
+            Status::Error
+        }
+    }
+}
+
+/// Calls something of an instance.
+fn with(
+    instance: Handle,
+    call: &str,
+    act: impl FnOnce(&mut Instance) -> Result<(), Refusal>,
+) -> Status {
+    with_held(instance, call, |held| act(&mut held.lock()))
+}
+
+/// What a host hands over.
+///
+/// # Safety
+/// A pointer that is not null points to so many, which stay as they are for as long.
+unsafe fn read<'a, T>(from: *const T, count: usize) -> Result<&'a [T], Refusal> {
+    require_room(from, count)?;
+    // SAFETY: by the caller, and not null.
+    Ok(if count == 0 { &[] } else { unsafe { slice::from_raw_parts(from, count) } })
+}
+
+/// Where a host wants values.
+///
+/// # Safety
+/// A pointer that is not null points to so many, which nobody else has for as long.
+unsafe fn write<'a, T>(to: *mut T, count: usize) -> Result<&'a mut [T], Refusal> {
+    require_room(to.cast_const(), count)?;
+    // SAFETY: by the caller, and not null.
+    Ok(if count == 0 { &mut [] } else { unsafe { slice::from_raw_parts_mut(to, count) } })
+}
+
+fn require_room<T>(at: *const T, count: usize) -> Result<(), Refusal> {
+    let fits = count.checked_mul(size_of::<T>()).is_some_and(|bytes| bytes <= isize::MAX as usize);
+    if count > 0 && at.is_null() {
+        return Err(Refusal::argument(format!("null for {count} values")));
+    }
+    if count > 0 && !(fits && at.is_aligned()) {
+        return Err(Refusal::argument(format!("a pointer that is none to {count} values")));
+    }
+    Ok(())
+}
+
+/// Hands one value over, if the host wants it.
+///
+/// # Safety
+/// A pointer that is not null points to one.
+unsafe fn put<T>(to: *mut T, value: T) {
+    if !to.is_null() && to.is_aligned() {
+        // SAFETY: by the caller.
+        unsafe { to.write(value) };
+    }
+}
+
+/// A string of the host's; nothing for null.
+///
+/// # Safety
+/// A pointer that is not null points to bytes of which one is zero.
+unsafe fn string(from: *const c_char) -> Option<String> {
+    if from.is_null() {
+        return None;
+    }
+    // SAFETY: by the caller.
+    Some(unsafe { CStr::from_ptr(from) }.to_string_lossy().into_owned())
+}
+
+/// Functions that hosts find by their names.
+macro_rules! exported {
+    ($(fn $name:ident($($argument:ident: $type:ty),* $(,)?) -> $result:ty $body:block)*) => {
+        $(
+            #[doc = concat!("`", stringify!($name), "` of the standard.")]
+            ///
+            /// # Safety
+            /// Pointers are null, or point to as many of what the standard says as it says.
+            #[unsafe(no_mangle)]
+            pub unsafe extern "C" fn $name($($argument: $type),*) -> $result $body
+        )*
+    };
+}
+use exported;

@@ -1,0 +1,331 @@
+//! Partial derivatives: exact, by the Jacobians of the model and by its functions on dual
+//! numbers.
+//!
+//! Unknowns are rates of states, outputs and event indicators; before the start also states
+//! that are calculated. Knowns are continuous states, inputs and time; before the start also
+//! parameters, whereupon what is calculated from them at the start goes with them.
+
+use machinist::hosted::Standing;
+use machinist_contract::{
+    Derivatives as _, Describe as _, Dual, DualFunction, Simulator as _, SparsityPattern,
+};
+
+use super::values::{Type, require_count};
+use super::{Instance, Phase, Refusal};
+use crate::variables::{Causality, Initial, Kind};
+
+/// A move of everything that functions of a machine read.
+#[derive(Debug, Clone)]
+struct Move {
+    time: f64,
+    state: Vec<f64>,
+    parameters: Vec<f64>,
+}
+
+/// What such moves make of everything that a host may ask for, one of each of
+/// [`Dual::DIRECTIONS`] directions.
+struct Moved<'a> {
+    instance: &'a Instance,
+    standing: &'a Standing,
+    moves: [Move; Dual::DIRECTIONS],
+    on_duals: [Vec<Dual>; 3],
+    rates: Vec<[f64; Dual::DIRECTIONS]>,
+}
+
+/// Which outcomes are asked for.
+#[derive(Debug, Clone, Copy, Default)]
+struct Asked {
+    rates: bool,
+    outputs: bool,
+    indicators: bool,
+}
+
+impl Instance {
+    /// `sensitivity = (d unknowns / d knowns) seed`.
+    ///
+    /// # Errors
+    /// [`Refusal`] for variables that are none of these now, and before the start where
+    /// constraints decide it.
+    pub fn directional_derivative(
+        &mut self,
+        (unknowns, knowns): (&[u32], &[u32]),
+        seed: &[f64],
+        sensitivity: &mut [f64],
+    ) -> Result<(), Refusal> {
+        require_count(knowns.len(), seed.len())?;
+        require_count(unknowns.len(), sensitivity.len())?;
+        let (unknowns, knowns) = self.unknowns_and_knowns(unknowns, knowns)?;
+        self.start()?;
+        let standing = self.standing()?;
+        let mut along = self.still();
+        for (known, seed) in knowns.iter().zip(seed) {
+            self.add(&mut along, *known, *seed);
+        }
+        let still = || self.still();
+        let moves = [along, still(), still(), still()];
+        let moved = Moved::new(self, standing, moves, Asked::of(&unknowns));
+        for (value, unknown) in sensitivity.iter_mut().zip(unknowns) {
+            *value = moved.of(unknown)[0];
+        }
+        Ok(())
+    }
+
+    /// `sensitivity^T = seed^T (d unknowns / d knowns)`.
+    ///
+    /// # Errors
+    /// As [`Instance::directional_derivative`].
+    pub fn adjoint_derivative(
+        &mut self,
+        (unknowns, knowns): (&[u32], &[u32]),
+        seed: &[f64],
+        sensitivity: &mut [f64],
+    ) -> Result<(), Refusal> {
+        require_count(unknowns.len(), seed.len())?;
+        require_count(knowns.len(), sensitivity.len())?;
+        let (unknowns, knowns) = self.unknowns_and_knowns(unknowns, knowns)?;
+        self.start()?;
+        let standing = self.standing()?;
+        let blocks = knowns.chunks(Dual::DIRECTIONS);
+        for (knowns, into) in blocks.zip(sensitivity.chunks_mut(Dual::DIRECTIONS)) {
+            let moves = std::array::from_fn(|direction| {
+                let mut along = self.still();
+                if let Some(known) = knowns.get(direction) {
+                    self.add(&mut along, *known, 1.0);
+                }
+                along
+            });
+            let moved = Moved::new(self, standing, moves, Asked::of(&unknowns));
+            into.fill(0.0);
+            for (unknown, seed) in unknowns.iter().zip(seed) {
+                for (value, slope) in into.iter_mut().zip(moved.of(*unknown)) {
+                    *value += seed * slope;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Rates of outputs along the motion, while inputs stay as they are.
+    ///
+    /// # Errors
+    /// [`Refusal`] for what is no output, for orders other than 1, and in others than the modes
+    /// of a run by Co-Simulation.
+    pub fn output_derivatives(
+        &mut self,
+        references: &[u32],
+        orders: &[i32],
+        values: &mut [f64],
+    ) -> Result<(), Refusal> {
+        let call = "fmi3GetOutputDerivatives";
+        self.require_simulation(call)?;
+        self.require(call, &[Phase::Step, Phase::Intermediate, Phase::Event, Phase::Terminated])?;
+        require_count(references.len(), orders.len())?;
+        require_count(references.len(), values.len())?;
+        let mut outputs = Vec::new();
+        for (reference, order) in references.iter().zip(orders) {
+            let variable = self.variable(*reference, Type::Float64)?;
+            if variable.causality != Causality::Output || *order != 1 {
+                let message =
+                    format!("there is no derivative of order {order} of `{}`", variable.name);
+                return Err(Refusal::Argument(message));
+            }
+            outputs.push(variable.kind);
+        }
+        let standing = self.standing()?;
+        let mut along = self.still();
+        along.time = 1.0;
+        along.state = self.rate(standing);
+        let still = || self.still();
+        let asked = Asked { outputs: true, ..Asked::default() };
+        let moves = [along, still(), still(), still()];
+        let moved = Moved::new(self, standing, moves, asked);
+        for (value, output) in values.iter_mut().zip(outputs) {
+            *value = moved.of(output)[0];
+        }
+        Ok(())
+    }
+
+    fn unknowns_and_knowns(
+        &self,
+        unknowns: &[u32],
+        knowns: &[u32],
+    ) -> Result<(Vec<Kind>, Vec<Kind>), Refusal> {
+        let phase = self.now.phase;
+        if matches!(phase, Phase::Instantiated | Phase::Terminated) {
+            return Err(Refusal::OutOfOrder { call: "derivatives", phase });
+        }
+        let is_before = phase == Phase::Initialization;
+        if is_before && self.machine.simulator.constraints() > 0 {
+            let message = "there are no derivatives of a start that constraints decide";
+            return Err(Refusal::argument(message));
+        }
+        let each = |references: &[u32], may: &dyn Fn(Kind, Causality) -> bool, what: &str| {
+            let kind = |reference: &u32| {
+                let variable = self.variable(*reference, Type::Float64)?;
+                if may(variable.kind, variable.causality) {
+                    return Ok(variable.kind);
+                }
+                let message = format!("`{}` is no {what} in {phase:?} mode", variable.name);
+                Err(Refusal::Argument(message))
+            };
+            references.iter().map(kind).collect::<Result<Vec<Kind>, Refusal>>()
+        };
+        let is_exact = |entry: usize| self.initial(entry) == Some(Initial::Exact);
+        let is_unknown = |kind: Kind, causality: Causality| match kind {
+            Kind::Derivative(_) | Kind::Output(_) | Kind::Indicator(_) => true,
+            Kind::State(entry) => {
+                causality == Causality::Output || is_before && !is_exact(entry)
+            }
+            _ => false,
+        };
+        let is_known = |kind: Kind, causality: Causality| match kind {
+            Kind::Time => true,
+            Kind::State(entry) => !is_before || is_exact(entry),
+            Kind::Parameter(_) => is_before || causality == Causality::Input,
+            _ => false,
+        };
+        Ok((each(unknowns, &is_unknown, "unknown")?, each(knowns, &is_known, "known")?))
+    }
+
+    fn still(&self) -> Move {
+        let shape = self.machine.simulator.shape();
+        let [state, parameters] = [shape.states(), shape.parameters].map(|count| vec![0.0; count]);
+        Move { time: 0.0, state, parameters }
+    }
+
+    /// Adds a move of one known; before the start, what is calculated from it goes with it.
+    fn add(&self, along: &mut Move, known: Kind, by: f64) {
+        match known {
+            Kind::Time => along.time += by,
+            Kind::State(entry) => along.state[entry] += by,
+            Kind::Parameter(index) => {
+                along.parameters[index] += by;
+                if self.now.phase == Phase::Initialization {
+                    self.add_start(along, index, by);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Adds the move of the state at the start that a parameter makes.
+    fn add_start(&self, along: &mut Move, parameter: usize, by: f64) {
+        let mut parameters: Vec<Dual> =
+            self.now.parameters.iter().map(|value| Dual::constant(*value)).collect();
+        parameters[parameter].slopes[0] = by;
+        let mut state = vec![Dual::constant(0.0); along.state.len()];
+        let zero = Dual::constant(0.0);
+        let function = DualFunction::InitialState;
+        let still = state.clone();
+        self.machine.simulator.on_duals(function, zero, &still, &parameters, &mut state);
+        for (entry, value) in state.iter().enumerate() {
+            if self.initial(entry) == Some(Initial::Calculated) {
+                along.state[entry] += value.slopes[0];
+            }
+        }
+    }
+}
+
+impl Asked {
+    fn of(unknowns: &[Kind]) -> Self {
+        let any = |is: fn(&Kind) -> bool| unknowns.iter().any(is);
+        Self {
+            rates: any(|kind| matches!(kind, Kind::Derivative(_))),
+            outputs: any(|kind| matches!(kind, Kind::Output(_))),
+            indicators: any(|kind| matches!(kind, Kind::Indicator(_))),
+        }
+    }
+}
+
+impl<'a> Moved<'a> {
+    fn new(
+        instance: &'a Instance,
+        standing: &'a Standing,
+        moves: [Move; Dual::DIRECTIONS],
+        asked: Asked,
+    ) -> Self {
+        let on_duals = [Vec::new(), Vec::new(), Vec::new()];
+        let mut moved = Self { instance, standing, moves, on_duals, rates: Vec::new() };
+        let simulator = &instance.machine.simulator;
+        if asked.rates {
+            moved.rates = moved.rates();
+        }
+        if asked.outputs {
+            let count = simulator.shape().outputs;
+            moved.on_duals[0] = moved.on_duals(DualFunction::Outputs, count);
+        }
+        if asked.indicators {
+            let counts = [simulator.events(), simulator.kinks()];
+            moved.on_duals[1] = moved.on_duals(DualFunction::Guards, counts[0]);
+            moved.on_duals[2] = moved.on_duals(DualFunction::KinkGuards, counts[1]);
+        }
+        moved
+    }
+
+    /// The moves of one variable.
+    fn of(&self, unknown: Kind) -> [f64; Dual::DIRECTIONS] {
+        match unknown {
+            Kind::Derivative(entry) => self.rates[entry],
+            Kind::State(entry) => std::array::from_fn(|k| self.moves[k].state[entry]),
+            Kind::Output(index) => self.on_duals[0][index].slopes,
+            Kind::Indicator(index) => {
+                let mut all = self.on_duals[1].iter().chain(&self.on_duals[2]);
+                all.nth(index).map_or([0.0; Dual::DIRECTIONS], |guard| guard.slopes)
+            }
+            _ => [0.0; Dual::DIRECTIONS],
+        }
+    }
+
+    /// Of all rates: (dy'/dt) dt + (dy'/dy) dy + (dy'/dp) dp.
+    fn rates(&self) -> Vec<[f64; Dual::DIRECTIONS]> {
+        let Self { instance, standing, moves, .. } = self;
+        let simulator = &instance.machine.simulator;
+        let (time, state) = (standing.within(standing.time), &standing.state[..]);
+        let parameters = &instance.now.parameters[..];
+        let mut by_time = vec![0.0; state.len()];
+        simulator.time_derivative(time, state, parameters, &mut by_time);
+        let of_time = |slope: &f64| std::array::from_fn(|k| slope * moves[k].time);
+        let mut rates: Vec<[f64; Dual::DIRECTIONS]> = by_time.iter().map(of_time).collect();
+        let mut add = |pattern: SparsityPattern<'_>, values: &[f64], of: fn(&Move) -> &[f64]| {
+            for ((row, column), value) in pattern.entries.iter().zip(values) {
+                for (sum, along) in rates[*row as usize].iter_mut().zip(moves) {
+                    let by = of(along)[*column as usize];
+                    // Where nothing moves nothing follows, also of a slope that is infinite.
+                    *sum += if by == 0.0 { 0.0 } else { value * by };
+                }
+            }
+        };
+        let pattern = simulator.rate_jacobian_pattern();
+        let mut values = vec![0.0; pattern.entries.len()];
+        simulator.rate_jacobian(time, state, parameters, &mut values);
+        add(pattern, &values, |along| &along.state);
+        let pattern = simulator.parameter_jacobian_pattern();
+        let mut values = vec![0.0; pattern.entries.len()];
+        simulator.parameter_jacobian(time, state, parameters, &mut values);
+        add(pattern, &values, |along| &along.parameters);
+        rates
+    }
+
+    fn on_duals(&self, function: DualFunction, count: usize) -> Vec<Dual> {
+        let Self { instance, standing, moves, .. } = self;
+        let mut values = vec![Dual::constant(0.0); count];
+        if count == 0 {
+            return values;
+        }
+        let dual = |value: f64, slope: &dyn Fn(&Move) -> f64| Dual {
+            value,
+            slopes: std::array::from_fn(|k| slope(&moves[k])),
+        };
+        let time = dual(standing.within(standing.time), &|along| along.time);
+        let state = standing.state.iter().enumerate();
+        let state: Vec<Dual> =
+            state.map(|(entry, value)| dual(*value, &|along| along.state[entry])).collect();
+        let parameters = instance.now.parameters.iter().enumerate();
+        let parameters: Vec<Dual> = parameters
+            .map(|(index, value)| dual(*value, &|along| along.parameters[index]))
+            .collect();
+        let simulator = &instance.machine.simulator;
+        simulator.on_duals(function, time, &state, &parameters, &mut values);
+        values
+    }
+}

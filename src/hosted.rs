@@ -1,0 +1,350 @@
+//! Runs that somebody else steps, or cuts into pieces: hosts of model exchange and of
+//! co-simulation.
+//!
+//! Where such a run stands is a [`Standing`], plain data. A [`Hosted`] machine begins one,
+//! carries it to a later time by a method of ours, or, where the host steps by a method of its
+//! own, tells it what to look out for and lets events happen. What happens at events, at the
+//! start and on constraints is what happens in a [`Simulation`](crate::Simulation).
+
+use std::cell::RefCell;
+
+use machinist_contract::Simulator;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use crate::constraints::{Constraints, consistent, require_independent};
+use crate::error::{SimulateError, StopCause};
+use crate::method::{
+    Memory, Method, Problem, Stopped, System, Watch, identically_zero, within,
+};
+use crate::scales::scales;
+use crate::simulate::MAX_STEPS;
+
+/// Jumps that are nearer than this many roundings of a time are at it.
+const AT_ONCE: f64 = 512.0;
+
+/// A machine that a host runs, at given parameters.
+#[derive(Clone, Copy)]
+pub struct Hosted<'a> {
+    simulator: &'a dyn Simulator<f64>,
+    parameters: &'a [f64],
+}
+
+/// Where a hosted run stands. Together with the parameters it decides all that follows, to the
+/// last bit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Standing {
+    /// Time \[s\].
+    pub time: f64,
+    /// State \[q, q', z\].
+    pub state: Vec<f64>,
+    /// Start of the run and the time by which its length is taken \[s\].
+    span: (f64, f64),
+    /// The jumps of the rate between which it is.
+    ends: (f64, f64),
+    rtol: f64,
+    atol: Vec<f64>,
+    /// Whether the host steps it.
+    is_stepped: bool,
+    memory: Memory,
+}
+
+/// How a hosted run begins.
+pub struct Beginning<'b> {
+    /// Start time \[s\].
+    pub from: f64,
+    /// The time by which the length of the run is taken, after the start \[s\].
+    pub until: f64,
+    /// Relative tolerance, above 0 and at most 1.
+    pub rtol: f64,
+    /// Whether the host steps the run by a method of its own; else it is [carried](Hosted::carry).
+    pub is_stepped: bool,
+    /// State at the start; a guess where it is not given.
+    pub state: Vec<f64>,
+    /// Whether a state is given, so that constraints do not move it.
+    pub is_given: &'b dyn Fn(usize) -> bool,
+}
+
+/// Why a hosted run does not go on.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum HostedError {
+    /// What it was to begin with makes no sense.
+    #[error(transparent)]
+    Refused(#[from] SimulateError),
+    /// It stopped.
+    #[error("stopped at t = {time} s: {cause}")]
+    Stopped {
+        /// Time reached \[s\].
+        time: f64,
+        /// Why, and what may help.
+        cause: StopCause,
+    },
+}
+
+impl From<Stopped> for HostedError {
+    fn from(Stopped { time, cause }: Stopped) -> Self {
+        Self::Stopped { time, cause }
+    }
+}
+
+/// Where a piece of a run ended, and why there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reached {
+    /// At the time that was asked for.
+    End,
+    /// Where events were found that have not happened yet.
+    Event,
+    /// Where the host wanted to end it.
+    Left,
+}
+
+impl Standing {
+    /// Whether it is one of runs of a simulator, so that nothing of it is out of range.
+    #[must_use]
+    pub fn fits(&self, simulator: &dyn Simulator<f64>) -> bool {
+        let states = simulator.shape().states();
+        let is_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
+        let Self { time, state, span, atol, rtol, memory, .. } = self;
+        [state.len(), atol.len()] == [states; 2]
+            && is_finite(state)
+            && is_finite(&[*time, span.0, span.1])
+            && span.0 < span.1
+            && atol.iter().chain([rtol]).all(|value| *value > 0.0 && value.is_finite())
+            && memory.fits(simulator)
+    }
+
+    /// `time` moved to where the rate is that of the stretch between jumps that the run is on.
+    #[must_use]
+    pub fn within(&self, time: f64) -> f64 {
+        within(time, self.ends)
+    }
+
+    /// The next time at which the rate jumps \[s\].
+    #[must_use]
+    pub fn next_jump(&self) -> Option<f64> {
+        (self.ends.1 < f64::INFINITY).then_some(self.ends.1)
+    }
+
+    /// Relative tolerance of the run.
+    #[must_use]
+    pub fn rtol(&self) -> f64 {
+        self.rtol
+    }
+
+    /// Whether events have been found that have not happened yet.
+    #[must_use]
+    pub fn is_at_event(&self) -> bool {
+        self.memory.is_halted()
+    }
+}
+
+impl<'a> Hosted<'a> {
+    /// A simulator at parameters, as many as it has, all finite.
+    #[must_use]
+    pub fn new(simulator: &'a dyn Simulator<f64>, parameters: &'a [f64]) -> Self {
+        Self { simulator, parameters }
+    }
+
+    /// Number of indicators: one for each event, then one for each kink.
+    #[must_use]
+    pub fn indicators(&self) -> usize {
+        self.simulator.events() + self.simulator.kinks()
+    }
+
+    /// The start of a run: on the constraints, with modes that do not contradict their guards.
+    ///
+    /// # Errors
+    /// [`HostedError`] for what [`Simulation::run`](crate::Simulation::run) refuses before its
+    /// first step.
+    pub fn begin(&self, beginning: Beginning<'_>) -> Result<Standing, HostedError> {
+        let Beginning { from, until, rtol, is_stepped, state, is_given } = beginning;
+        let Self { simulator, parameters } = *self;
+        if !(from < until && (until - from).is_finite()) {
+            return Err(SimulateError::BadSpan { from, until }.into());
+        }
+        if !(rtol > 0.0 && rtol <= 1.0) {
+            return Err(SimulateError::BadTolerance(rtol).into());
+        }
+        let state = consistent(simulator, parameters, from, state, is_given)?;
+        require_independent(simulator, parameters, from, &state)?;
+        let scales = scales(simulator, parameters, from, &state);
+        let mut standing = Standing {
+            time: from,
+            state,
+            span: (from, until),
+            ends: (from, from),
+            rtol,
+            atol: scales.iter().map(|scale| rtol * scale).collect(),
+            is_stepped,
+            memory: Memory::default(),
+        };
+        self.pass_jumps(&mut standing);
+        let system = System::new(simulator, parameters, false);
+        self.require_guards(&system, standing.span)?;
+        let problem = self.problem(&system, &standing, until);
+        let mut state = standing.state.clone();
+        let Some(watch) = Watch::new(&problem, &mut state)? else {
+            return Ok(standing);
+        };
+        system.constrain(from, &mut state)?;
+        standing.memory =
+            if is_stepped { watch.set_out(from, &mut state)? } else { watch.into_memory() };
+        standing.state = state;
+        Ok(standing)
+    }
+
+    /// What changes its sign where the host has to stop for an event: one number for each event
+    /// and each kink.
+    pub fn indicate(&self, standing: &Standing, values: &mut [f64]) {
+        let (time, state) = (standing.within(standing.time), &standing.state[..]);
+        standing.memory.indicators((self.simulator, self.parameters), (time, state), values);
+    }
+
+    /// Looks at the state after a step of the host's; whether events have to happen now, or the
+    /// state has to go back onto the constraints.
+    pub fn step_is_complete(&self, standing: &mut Standing) -> bool {
+        let system = System::new(self.simulator, self.parameters, false);
+        let problem = self.problem(&system, standing, standing.span.1);
+        let mut memory = standing.memory.clone();
+        let asks = Watch::resume(&problem, &memory).is_some_and(|watch| {
+            watch.look(&mut memory, standing.within(standing.time), &standing.state)
+        });
+        standing.memory = memory;
+        let time = standing.within(standing.time);
+        let off = Constraints::of(self.simulator, self.parameters)
+            .map_or(0.0, |constraints| constraints.off(time, &standing.state));
+        asks || off > standing.rtol
+    }
+
+    /// Lets happen what is to happen at the time the run stands at: a jump of the rate, events
+    /// that were found or whose guards have passed zero; and puts the state onto the
+    /// constraints. Gives the names of the events.
+    ///
+    /// # Errors
+    /// [`HostedError`] as in any run; the standing is then as before.
+    pub fn happen(&self, standing: &mut Standing) -> Result<Vec<String>, HostedError> {
+        let mut next = standing.clone();
+        self.pass_jumps(&mut next);
+        let system = System::new(self.simulator, self.parameters, false);
+        let time = next.within(next.time);
+        let mut state = next.state.clone();
+        system.constrain(time, &mut state)?;
+        let mut memory = next.memory.clone();
+        let mut names = Vec::new();
+        let problem = self.problem(&system, &next, next.span.1);
+        if let Some(watch) = Watch::resume(&problem, &memory) {
+            let switches = if next.is_stepped {
+                watch.happen(&mut memory, time, &mut state)?;
+                watch.into_switches()
+            } else {
+                watch.go_through(&mut memory, time, &mut state)?
+            };
+            names = switches.into_iter().map(|switch| switch.event).collect();
+        }
+        next.memory = memory;
+        next.state = state;
+        *standing = next;
+        Ok(names)
+    }
+
+    /// Carries a run to a later time by a method of ours, which begins anew there. It ends
+    /// earlier where `leaves`, which is shown time and state after steps, says so, and at events
+    /// if it is to halt there; these have then been found and not happened.
+    ///
+    /// # Errors
+    /// [`HostedError`] where the method cannot go on; the standing is then as before.
+    pub fn carry(
+        &self,
+        standing: &mut Standing,
+        until: f64,
+        (method, halts): (Method, bool),
+        leaves: &dyn Fn(f64, &[f64]) -> bool,
+    ) -> Result<Reached, HostedError> {
+        let left = RefCell::new(None);
+        let onlooker = |time: f64, state: &[f64]| {
+            let is_left = leaves(time, state);
+            if is_left {
+                *left.borrow_mut() = Some((time, state.to_vec()));
+            }
+            is_left
+        };
+        let system = System::new(self.simulator, self.parameters, false);
+        let system = system.shown_to(Some(&onlooker));
+        let problem = self.problem(&system, standing, until);
+        let watch = Watch::resume(&problem, &standing.memory);
+        let mut state = standing.state.clone();
+        let carried = problem.carry_on(method, watch.as_ref(), &mut state, halts);
+        let (time, reached) = match carried {
+            Ok(None) => (until, Reached::End),
+            Ok(Some(time)) => (time, Reached::Event),
+            Err(Stopped { cause: StopCause::Interrupted, time }) => match left.take() {
+                None => return Err(Stopped { cause: StopCause::Interrupted, time }.into()),
+                Some((time, there)) => {
+                    state = there;
+                    (time, Reached::Left)
+                }
+            },
+            Err(stopped) => return Err(stopped.into()),
+        };
+        let memory = watch.map(Watch::into_memory);
+        let mut next = Standing { time, state, ..standing.clone() };
+        next.memory = memory.unwrap_or_default();
+        self.pass_jumps(&mut next);
+        *standing = next;
+        Ok(reached)
+    }
+
+    /// The same run elsewhere on its way.
+    #[must_use]
+    pub fn at(&self, standing: &Standing, time: f64, state: &[f64]) -> Standing {
+        let mut there = Standing { time, state: state.to_vec(), ..standing.clone() };
+        self.pass_jumps(&mut there);
+        there
+    }
+
+    /// Takes the stretch between jumps that a time is on.
+    fn pass_jumps(&self, standing: &mut Standing) {
+        let mut jumps = vec![0.0; self.simulator.shape().discontinuities];
+        self.simulator.discontinuities(self.parameters, &mut jumps);
+        let time = standing.time;
+        let room = AT_ONCE * f64::EPSILON * time.abs();
+        let is_ahead = |jump: &f64| *jump > time + room;
+        let next = jumps.iter().copied().filter(is_ahead).fold(f64::INFINITY, f64::min);
+        let is_passed = |jump: &f64| *jump <= time + room;
+        let last = jumps.iter().copied().filter(is_passed).fold(f64::NEG_INFINITY, f64::max);
+        standing.ends = (last, next);
+    }
+
+    fn problem<'p>(
+        &self,
+        system: &'p System<'p>,
+        standing: &Standing,
+        until: f64,
+    ) -> Problem<'p> {
+        let mut jumps = vec![0.0; self.simulator.shape().discontinuities];
+        self.simulator.discontinuities(self.parameters, &mut jumps);
+        Problem {
+            system,
+            from: standing.time,
+            until,
+            times: &[],
+            initial: standing.state.clone(),
+            jumps,
+            rtol: standing.rtol,
+            atol: standing.atol.clone(),
+            max_steps: MAX_STEPS,
+        }
+    }
+
+    /// Guards can pass zero.
+    fn require_guards(&self, system: &System<'_>, span: (f64, f64)) -> Result<(), SimulateError> {
+        if self.simulator.events() == 0 {
+            return Ok(());
+        }
+        identically_zero(system, span).map_or(Ok(()), |index| {
+            let scene = self.simulator.name().to_owned();
+            let event = self.simulator.event(index).name.to_owned();
+            Err(SimulateError::GuardIsZero { scene, event })
+        })
+    }
+}

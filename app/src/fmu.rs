@@ -7,6 +7,7 @@ mod library;
 mod quantity;
 mod structure;
 mod xml;
+mod zip;
 
 pub use archive::Archive;
 pub use library::Library;

@@ -1,15 +1,12 @@
-//! The archive, a ZIP file. The same scene gives the same bytes.
-
-use std::io::{Cursor, Write as _};
+//! The archive. The same scene gives the same bytes.
 
 use machinist_fmu::resource::{EXPORT, Export, MODEL, token};
 use machinist_fmu::variables::{Unfit, Variables};
 use machinist_model::file::{self, Stamped};
-use zip::write::SimpleFileOptions;
-use zip::{CompressionMethod, ZipWriter};
 
 use super::description::Description;
 use super::library::Library;
+use super::zip::archive;
 use crate::failure::{Failure, did_you_mean};
 
 /// A functional mock-up unit.
@@ -54,7 +51,7 @@ impl Archive {
             (&format!("resources/{MODEL}"), &bytes_of_model),
             (&format!("resources/{EXPORT}"), &export),
         ];
-        let bytes = pack(&files).map_err(|error| {
+        let bytes = archive(&files).map_err(|error| {
             Failure::unsuccessful(format!("the archive cannot be made: {error}"), "")
         })?;
         Ok(Self { bytes, variables: variables.all().len() })
@@ -69,14 +66,4 @@ impl Archive {
     pub fn variables(&self) -> usize {
         self.variables
     }
-}
-
-fn pack(files: &[(&str, &[u8])]) -> Result<Vec<u8>, zip::result::ZipError> {
-    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
-    let options = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
-    for (name, bytes) in files {
-        archive.start_file(*name, options)?;
-        archive.write_all(bytes)?;
-    }
-    Ok(archive.finish()?.into_inner())
 }

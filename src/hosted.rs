@@ -269,7 +269,8 @@ impl<'a> Hosted<'a> {
             is_left
         };
         let system = System::new(self.simulator, self.parameters, false);
-        let system = system.shown_to(Some(&onlooker));
+        let (from, end) = standing.span;
+        let system = system.shown_to(Some(&onlooker)).piece_of(end - from);
         let problem = self.problem(&system, standing, until);
         let watch = Watch::resume(&problem, &standing.memory);
         let mut state = standing.state.clone();

@@ -283,7 +283,9 @@ impl<'a> Gather<'a> {
             (0..model.parameters.len()).map(|index| simulator.parameter_default(index)).collect();
         let mut start = vec![0.0; model.states.len()];
         simulator.initial_state(&parameters, &mut start);
-        let (names, all) = (BTreeSet::new(), Vec::new());
+        // Outputs keep the names that scenes give them.
+        let names = model.wanted.iter().map(|wanted| wanted.name.path.clone()).collect();
+        let all = Vec::new();
         Self { model, uses, inputs, states, start, names, all }
     }
 
@@ -325,11 +327,18 @@ impl<'a> Gather<'a> {
 
     /// Takes a variable, under a name that no other has.
     fn push(&mut self, mut variable: Variable) {
-        let name = variable.name.clone();
-        let mut number = 2;
-        while !self.names.insert(variable.name.clone()) {
-            variable.name = format!("{name}_{number}");
-            number += 1;
+        if variable.causality != Causality::Output {
+            let group = match variable.kind {
+                Kind::Parameter(_) => "parameters",
+                Kind::State(_) | Kind::Mode(_) | Kind::Derivative(_) => "states",
+                Kind::Time | Kind::Output(_) | Kind::Indicator(_) => "machine",
+            };
+            while !self.names.insert(variable.name.clone()) {
+                variable.name = match variable.name.strip_prefix("der(") {
+                    Some(name) => format!("der({group}.{name}"),
+                    None => format!("{group}.{}", variable.name),
+                };
+            }
         }
         self.all.push(variable);
     }

@@ -206,7 +206,7 @@ pub(super) fn drive<M: OneStep>(
                 tried * if rejected { factor.min(1.0) } else { factor }
             });
             if stood_still {
-                step = step.min((stretch.until - stretch.from) / LOOKS);
+                step = step.min(stretch.looked_at() / LOOKS);
             }
             last_error = error.max(1e-4);
             before = Some((tried, error));

@@ -50,6 +50,12 @@ impl<'a> Stretch<'a> {
         Self { system, from, until, rtol: 1e-6, atol, max_steps: usize::MAX, watch: None }
     }
 
+    /// The time over which somebody looks at the run \[s\]: the stretch, or all of the run that it
+    /// is a piece of.
+    pub(super) fn looked_at(&self) -> f64 {
+        (self.until - self.from).max(self.system.whole())
+    }
+
     /// `time` moved into \[from, until).
     ///
     /// A jump at t0 has its new value from t0 on, so a method that evaluates the

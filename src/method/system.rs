@@ -53,6 +53,8 @@ pub struct System<'a> {
     notes: RefCell<Vec<String>>,
     interrupt: Option<&'a AtomicBool>,
     onlooker: Option<Onlooker<'a>>,
+    /// Length of the run that this is a piece of \[s\]; 0 if it is none.
+    whole: f64,
     has_stepped: Cell<bool>,
 }
 
@@ -79,6 +81,7 @@ impl<'a> System<'a> {
             notes: RefCell::default(),
             interrupt: None,
             onlooker: None,
+            whole: 0.0,
             has_stepped: Cell::new(false),
         }
     }
@@ -92,6 +95,16 @@ impl<'a> System<'a> {
     /// The same, whose steps somebody looks at.
     pub(crate) fn shown_to(self, onlooker: Option<Onlooker<'a>>) -> Self {
         Self { onlooker, ..self }
+    }
+
+    /// The same for a piece of a run of this length \[s\].
+    pub(crate) fn piece_of(self, whole: f64) -> Self {
+        Self { whole, ..self }
+    }
+
+    /// Length of the run that this is a piece of \[s\]; 0 if it is none.
+    pub(super) fn whole(&self) -> f64 {
+        self.whole
     }
 
     /// Whether the run is to end where it is, by who looks at its steps.

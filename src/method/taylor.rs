@@ -283,8 +283,7 @@ impl OneStep for TaylorSteps<'_> {
         self.longest = step::GROWTH * self.step;
         let moves = self.start.iter().copied().zip(self.end.iter().copied());
         if rests(moves.take(self.states), self.stretch.atol) {
-            let span = self.stretch.until - self.stretch.from;
-            self.longest = self.longest.min(span / LOOKS);
+            self.longest = self.longest.min(self.stretch.looked_at() / LOOKS);
         }
         std::mem::swap(&mut self.start, &mut self.end);
         if self.wanted == self.order {

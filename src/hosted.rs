@@ -131,6 +131,12 @@ impl Standing {
         self.rtol
     }
 
+    /// Whether an indicator is its guard, whose event is watched for, or else a constant.
+    #[must_use]
+    pub fn is_watched(&self, indicator: usize) -> bool {
+        self.memory.is_watched(indicator)
+    }
+
     /// Whether events have been found that have not happened yet.
     #[must_use]
     pub fn is_at_event(&self) -> bool {

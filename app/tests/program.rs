@@ -9,6 +9,7 @@ mod cli;
 mod cli_sweep;
 mod deriving;
 mod fit;
+mod fmu;
 mod fuzz;
 mod live;
 mod process;

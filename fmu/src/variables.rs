@@ -351,10 +351,11 @@ impl<'a> Gather<'a> {
         (*name == self.model.wanted[index].name.path).then_some(entry as usize)
     }
 
-    /// Output or local, for an entry of the state.
+    /// Output or local, for an entry of the state; a scene that wants nothing wants all of them.
     fn causality(&self, entry: usize) -> Causality {
         let mut outputs = 0..self.model.wanted.len();
-        let is_output = outputs.any(|index| self.state_of_output(index) == Some(entry));
+        let is_output = self.model.wanted.is_empty()
+            || outputs.any(|index| self.state_of_output(index) == Some(entry));
         if is_output { Causality::Output } else { Causality::Local }
     }
 

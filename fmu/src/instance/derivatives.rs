@@ -268,7 +268,7 @@ impl<'a> Moved<'a> {
             Kind::Derivative(entry) => self.rates[entry],
             Kind::State(entry) => std::array::from_fn(|k| self.moves[k].state[entry]),
             Kind::Output(index) => self.on_duals[0][index].slopes,
-            Kind::Indicator(index) => {
+            Kind::Indicator(index) if self.standing.is_watched(index) => {
                 let mut all = self.on_duals[1].iter().chain(&self.on_duals[2]);
                 all.nth(index).map_or([0.0; Dual::DIRECTIONS], |guard| guard.slopes)
             }

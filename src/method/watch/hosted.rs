@@ -43,6 +43,11 @@ impl Memory {
         self.happening.is_some()
     }
 
+    /// Whether the event or the kink of an indicator is watched for, so that it is its guard.
+    pub(crate) fn is_watched(&self, index: usize) -> bool {
+        self.sides.get(index).is_some_and(|side| *side != Side::Idle)
+    }
+
     /// What changes its sign where a guard has to be looked at, for each event and each kink.
     pub(crate) fn indicators(
         &self,

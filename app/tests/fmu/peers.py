@@ -1,0 +1,69 @@
+"""Archives by FMPy: validated, simulated by both interfaces, held against a run of our own.
+
+peers.py ARCHIVE.fmu RUN.csv ... ends with 1 if an archive has a problem, or if an output is off by
+more than 1e-6 of its range.
+"""
+
+import csv
+import sys
+import warnings
+
+import fmpy
+import numpy
+from fmpy.validation import validate_fmu
+
+WORST = 1e-6
+
+
+def table(path):
+    with open(path, newline="") as file:
+        rows = list(csv.reader(file))
+    names = [name.split(" [")[0] for name in rows[0]]
+    return dict(zip(names, numpy.array(rows[1:], dtype=float).T))
+
+
+def largest_error(found, run):
+    """Over ranges; beside the points at which a mode changes, where it may be either."""
+    time = next(iter(run.values()))
+    rows = numpy.minimum(numpy.searchsorted(time, found["time"] - 1e-9), len(time) - 1)
+    known = numpy.abs(time[rows] - found["time"]) < 1e-9
+    worst = (0.0, "")
+    for name in found.dtype.names[1:]:
+        exact = run[name]
+        size = numpy.ptp(exact)
+        size = max(size, 1e-6 * numpy.abs(exact).max(), 1e-300)
+        error = numpy.abs(exact[rows] - found[name])[known] / size
+        if numpy.issubdtype(found[name].dtype, numpy.integer) or set(exact) <= {-1.0, 0.0, 1.0, 2.0}:
+            error = error[error < 0.4] if (error >= 0.4).sum() <= 2 else error
+        if error.size and error.max() > worst[0]:
+            worst = (error.max(), name)
+    return worst
+
+
+def main(arguments):
+    warnings.simplefilter("error")
+    failed = False
+    for archive, run in zip(arguments[::2], arguments[1::2]):
+        problems = validate_fmu(archive)
+        experiment = fmpy.read_model_description(archive).defaultExperiment
+        run = table(run)
+        for interface in ["CoSimulation", "ModelExchange"]:
+            found = fmpy.simulate_fmu(
+                archive,
+                fmi_type=interface,
+                stop_time=float(experiment.stopTime),
+                output_interval=float(experiment.stepSize),
+                relative_tolerance=1e-12,
+                record_events=False,
+            )
+            error, name = largest_error(found, run)
+            print(f"{archive}: {interface}: {error:.1e} ({name})")
+            failed |= not error < WORST
+        for problem in problems:
+            print(f"{archive}: {problem}")
+            failed = True
+    return failed
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

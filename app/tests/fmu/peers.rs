@@ -1,0 +1,43 @@
+//! FMPy, where Python with it is there: it validates archives and simulates them.
+
+use std::process::{Command, Output};
+
+use super::archives::library;
+use crate::process::{REPOSITORY, answer, machinist};
+
+/// Scenes with events, constraints, modes, inputs of time.
+const SCENES: [&str; 6] = [
+    "saw_gin",
+    "stick_slip",
+    "bouncing_mass",
+    "winder_linkage",
+    "winder_holder_drop",
+    "four_bar",
+];
+
+#[test]
+fn fmpy_validates_and_simulates_what_is_exported() {
+    let python = std::env::var("MACHINIST_PYTHON").unwrap_or_else(|_| "python3".to_owned());
+    let has_fmpy = Command::new(&python).args(["-c", "import fmpy"]).output();
+    if !has_fmpy.is_ok_and(|output| output.status.success()) {
+        println!("skipped: {python} has no FMPy; MACHINIST_PYTHON names one that has");
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let library = library();
+    let mut check = Command::new(&python);
+    check.arg(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fmu/peers.py"));
+    for scene in SCENES {
+        let [archive, csv] = ["fmu", "csv"].map(|ending| folder.path().join(scene).with_extension(ending));
+        let [library, out, table] =
+            [&library, &archive, &csv].map(|path| path.to_str().expect("a plain path"));
+        answer(machinist(REPOSITORY, &["fmu", scene, "-o", out, "--library", library]));
+        let run = ["run", scene, "--rtol", "1e-10", "--out", table];
+        answer(machinist(REPOSITORY, &run));
+        check.args([&archive, &csv]);
+    }
+    let Output { status, stdout, stderr } = check.output().expect("Python starts");
+    let [out, err] = [stdout, stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+    assert!(status.success(), "{out}{err}");
+    print!("{out}");
+}

@@ -1,0 +1,149 @@
+//! States that are kept, written, read and returned to.
+
+use std::ptr;
+
+use machinist_fmu::abi::{
+    StateHandle, Status, fmi3DeserializeFMUState, fmi3FreeFMUState, fmi3GetFMUState,
+    fmi3SetFMUState,
+};
+
+use super::host::{Archive, Stepper, Unit, ok};
+
+fn bits(values: &[f64]) -> Vec<u64> {
+    values.iter().map(|value| value.to_bits()).collect()
+}
+
+/// Everything that a host can read.
+fn all(archive: &Archive, unit: &Unit) -> Vec<u64> {
+    let variables = archive.elements("Float64");
+    let references: Vec<u32> = (0..).take(variables.len()).collect();
+    // Modes are integers, and stand among these.
+    let modes = archive.elements("Int32");
+    let modes: Vec<u32> = modes.iter().map(|m| super::host::number(m, "valueReference")).collect();
+    let references: Vec<u32> = (0..)
+        .take(references.len() + modes.len())
+        .filter(|reference| !modes.contains(reference))
+        .collect();
+    bits(&unit.get(&references))
+}
+
+#[test]
+fn a_state_that_is_written_is_continued_by_another_instance_bit_for_bit() {
+    for scene in ["saw_gin", "stick_slip", "bouncing_mass", "winder_holder_drop"] {
+        let archive = Archive::of(scene, &[]);
+        let unit = archive.simulation();
+        unit.begin(1.0);
+        let at = |index: u32| f64::from(index) * 0.01;
+        for index in 0..13 {
+            unit.step(at(index), 0.01);
+        }
+        let written = unit.written();
+        let other = archive.simulation();
+        other.read(&written);
+        for index in 13..30 {
+            unit.step(at(index), 0.01);
+            other.step(at(index), 0.01);
+            assert_eq!(all(&archive, &unit), all(&archive, &other), "{scene} at {index}");
+        }
+        // Back again in the first.
+        let later = all(&archive, &unit);
+        unit.read(&written);
+        for index in 13..30 {
+            unit.step(at(index), 0.01);
+        }
+        assert_eq!(all(&archive, &unit), later, "{scene}");
+    }
+}
+
+#[test]
+fn a_state_of_model_exchange_is_continued_bit_for_bit() {
+    for scene in ["saw_gin", "stick_slip", "bouncing_mass"] {
+        let archive = Archive::of(scene, &[]);
+        let unit = archive.exchange();
+        unit.begin(1.0);
+        let mut stepper = Stepper::new(&unit);
+        stepper.go(0.15, 1e-3);
+        let written = unit.written();
+        let (time, events) = (stepper.time, stepper.events);
+        stepper.go(0.4, 1e-3);
+        let later = all(&archive, &unit);
+        unit.read(&written);
+        stepper.time = time;
+        stepper.events = events;
+        stepper.go(0.4, 1e-3);
+        assert_eq!(all(&archive, &unit), later, "{scene}");
+    }
+}
+
+#[test]
+fn handles_of_states_are_looked_up() {
+    let archive = Archive::of("bouncing_mass", &[]);
+    let unit = archive.simulation();
+    unit.begin(1.0);
+    let mut state: StateHandle = ptr::null_mut();
+    ok!(unit, fmi3GetFMUState(unit.handle, &raw mut state));
+    let kept = state;
+    // The same place is used again.
+    unit.step(0.0, 0.1);
+    ok!(unit, fmi3GetFMUState(unit.handle, &raw mut state));
+    assert_eq!(state, kept);
+    let other = archive.simulation();
+    let foreign = [ptr::null_mut(), kept, ptr::without_provenance_mut(0xdead_beef)];
+    for handle in foreign {
+        assert_eq!(unsafe { fmi3SetFMUState(other.handle, handle) }, Status::Error);
+    }
+    ok!(unit, fmi3FreeFMUState(unit.handle, &raw mut state));
+    assert_eq!(unsafe { fmi3SetFMUState(unit.handle, kept) }, Status::Error);
+    let mut twice = kept;
+    assert_eq!(unsafe { fmi3FreeFMUState(unit.handle, &raw mut twice) }, Status::Error);
+}
+
+#[test]
+fn bytes_that_are_no_state_of_the_archive_are_refused() {
+    let archive = Archive::of("stick_slip", &[]);
+    let unit = archive.simulation();
+    unit.begin(1.0);
+    unit.step(0.0, 0.3);
+    let written = unit.written();
+    let read = |unit: &Unit, bytes: &[u8]| {
+        let mut state: StateHandle = ptr::null_mut();
+        let at = (bytes.as_ptr(), bytes.len());
+        let status =
+            unsafe { fmi3DeserializeFMUState(unit.handle, at.0, at.1, &raw mut state) };
+        if status == Status::Ok {
+            // What is read must run, or say why not.
+            unsafe { fmi3SetFMUState(unit.handle, state) };
+            let (mut event, mut end, mut early, mut time) = (0, 0, 0, 0.0);
+            unsafe {
+                machinist_fmu::abi::fmi3DoStep(
+                    unit.handle,
+                    0.3,
+                    0.01,
+                    1,
+                    &raw mut event,
+                    &raw mut end,
+                    &raw mut early,
+                    &raw mut time,
+                );
+            }
+        }
+        status
+    };
+    // Of the other interface, of another archive, cut off, overfull.
+    assert_eq!(read(&archive.exchange(), &written), Status::Error);
+    assert_eq!(read(&Archive::of("bouncing_mass", &[]).simulation(), &written), Status::Error);
+    assert_eq!(read(&unit, &written[..written.len() - 1]), Status::Error);
+    assert_eq!(read(&unit, &[&written[..], &[0]].concat()), Status::Error);
+    assert_eq!(read(&unit, &[]), Status::Error);
+    let mut rng = fastrand::Rng::with_seed(7);
+    let mut refused = 0;
+    for _ in 0..300 {
+        let mut damaged = written.clone();
+        for _ in 0..rng.usize(1..4) {
+            let at = rng.usize(..damaged.len());
+            damaged[at] = rng.u8(..);
+        }
+        refused += usize::from(read(&unit, &damaged) == Status::Error);
+    }
+    assert!(refused > 50, "{refused}");
+}

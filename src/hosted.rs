@@ -14,9 +14,7 @@ use thiserror::Error;
 
 use crate::constraints::{Constraints, consistent, require_independent};
 use crate::error::{SimulateError, StopCause};
-use crate::method::{
-    Memory, Method, Problem, Stopped, System, Watch, identically_zero, within,
-};
+use crate::method::{Memory, Method, Problem, Stopped, System, Watch, identically_zero, within};
 use crate::scales::scales;
 use crate::simulate::MAX_STEPS;
 
@@ -322,12 +320,7 @@ impl<'a> Hosted<'a> {
         standing.ends = (last, next);
     }
 
-    fn problem<'p>(
-        &self,
-        system: &'p System<'p>,
-        standing: &Standing,
-        until: f64,
-    ) -> Problem<'p> {
+    fn problem<'p>(&self, system: &'p System<'p>, standing: &Standing, until: f64) -> Problem<'p> {
         let mut jumps = vec![0.0; self.simulator.shape().discontinuities];
         self.simulator.discontinuities(self.parameters, &mut jumps);
         Problem {

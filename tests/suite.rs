@@ -15,6 +15,7 @@ mod events;
 mod exact;
 mod fields;
 mod fits;
+mod hosted;
 mod independent;
 mod interpreted;
 mod kinks;

@@ -99,13 +99,7 @@ impl Host {
     }
 }
 
-fn tell(
-    log: LogMessage,
-    environment: *mut c_void,
-    status: Status,
-    category: &str,
-    message: &str,
-) {
+fn tell(log: LogMessage, environment: *mut c_void, status: Status, category: &str, message: &str) {
     // C ends strings at the first zero.
     let text = |text: &str| CString::new(text.replace('\0', " ")).unwrap_or_default();
     let (category, message) = (text(category), text(message));
@@ -182,7 +176,8 @@ unsafe fn write<'a, T>(to: *mut T, count: usize) -> Result<&'a mut [T], Refusal>
 }
 
 fn require_room<T>(at: *const T, count: usize) -> Result<(), Refusal> {
-    let fits = count.checked_mul(size_of::<T>()).is_some_and(|bytes| bytes <= isize::MAX as usize);
+    let fits =
+        count.checked_mul(size_of::<T>()).is_some_and(|bytes| isize::try_from(bytes).is_ok());
     if count > 0 && at.is_null() {
         return Err(Refusal::argument(format!("null for {count} values")));
     }

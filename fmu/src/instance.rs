@@ -265,8 +265,7 @@ impl Instance {
         let Experiment { from, until, rtol } = self.now.experiment;
         let is_given = |entry: usize| simulator.is_given(entry);
         let is_stepped = self.is_exchange();
-        let beginning =
-            Beginning { from, until, rtol, is_stepped, state, is_given: &is_given };
+        let beginning = Beginning { from, until, rtol, is_stepped, state, is_given: &is_given };
         Ok(Hosted::new(simulator, parameters).begin(beginning)?)
     }
 

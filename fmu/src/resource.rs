@@ -74,10 +74,10 @@ pub fn token(model: &[u8], export: &[u8]) -> String {
     hash.update(model);
     hash.update(export);
     let hash = hash.finalize();
-    let hex = |bytes: &[u8]| bytes.iter().map(|byte| format!("{byte:02x}")).collect::<String>();
+    let mut hash = hash.iter().map(|byte| format!("{byte:02x}"));
+    let mut hex = |bytes: usize| hash.by_ref().take(bytes).collect::<String>();
     // In the form of a GUID, as descriptions have it.
-    let [a, b, c, d, e] =
-        [0..4, 4..6, 6..8, 8..10, 10..16].map(|part: std::ops::Range<usize>| hex(&hash[part]));
+    let [a, b, c, d, e] = [4, 2, 2, 2, 6].map(&mut hex);
     format!("{{{a}-{b}-{c}-{d}-{e}}}")
 }
 

@@ -225,14 +225,12 @@ impl Uses {
             all
         };
         let kinetic = model.energy.results.first();
-        let kinetic = kinetic.map_or_else(Reads::default, |id| Reads::of(model, &model.energy, *id));
+        let kinetic =
+            kinetic.map_or_else(Reads::default, |id| Reads::of(model, &model.energy, *id));
         let of_motion =
             [&model.rate, &model.outputs, &model.guards, &model.resets, &model.kink_guards];
-        let constraints = [
-            &model.constraint_values,
-            &model.constraint_rates,
-            &model.constraint_matrix.tape,
-        ];
+        let constraints =
+            [&model.constraint_values, &model.constraint_rates, &model.constraint_matrix.tape];
         let initial = &model.initial_state;
         Self {
             constraints: every(&constraints),

@@ -17,11 +17,7 @@ pub struct Archive {
 
 impl Archive {
     /// Of a model, whose parameters of these names are inputs.
-    pub fn of(
-        stamped: &Stamped,
-        inputs: &[String],
-        library: &Library,
-    ) -> Result<Self, Failure> {
+    pub fn of(stamped: &Stamped, inputs: &[String], library: &Library) -> Result<Self, Failure> {
         let model = &stamped.model;
         let variables = Variables::of(model, inputs).map_err(|unfit| {
             let help = match &unfit {

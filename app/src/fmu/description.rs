@@ -100,7 +100,7 @@ impl Description<'_> {
             .with_some("description", Some(&variable.doc).filter(|doc| !doc.is_empty()))
             .with_some("declaredType", declared_type(variable))
             .with("causality", causality(variable.causality))
-            .with_some("variability", variability(variable))
+            .with("variability", variability(variable.variability))
             .with_some("initial", variable.initial.map(initial));
         if is_mode {
             // Modes are whole.
@@ -147,12 +147,12 @@ fn causality(causality: Causality) -> &'static str {
     }
 }
 
-fn variability(variable: &Variable) -> Option<&'static str> {
-    match variable.variability {
-        Variability::Fixed => Some("fixed"),
-        Variability::Tunable => Some("tunable"),
-        Variability::Discrete => Some("discrete"),
-        Variability::Continuous => Some("continuous"),
+fn variability(variability: Variability) -> &'static str {
+    match variability {
+        Variability::Fixed => "fixed",
+        Variability::Tunable => "tunable",
+        Variability::Discrete => "discrete",
+        Variability::Continuous => "continuous",
     }
 }
 

@@ -1,6 +1,6 @@
 //! Units and types of variables.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 use machinist_codegen::spec::dimension::Unit;
 use machinist_fmu::variables::Variables;
@@ -57,13 +57,9 @@ pub fn type_of(unit: &str) -> Option<String> {
 
 /// Definitions of all units that variables have.
 pub fn units(variables: &Variables) -> Result<Vec<Element>, Failure> {
-    let units: BTreeMap<&str, ()> = variables
-        .all()
-        .iter()
-        .filter_map(|variable| unit_of(&variable.unit))
-        .map(|unit| (unit, ()))
-        .collect();
-    units.into_keys().map(definition).collect()
+    let all = variables.all().iter();
+    let units: BTreeSet<&str> = all.filter_map(|variable| unit_of(&variable.unit)).collect();
+    units.into_iter().map(definition).collect()
 }
 
 fn definition(unit: &str) -> Result<Element, Failure> {

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use machinist_fmu::variables::{Causality, Initial, Kind, Reads, Variable, Variables};
-use machinist_model::{Model, NodeId, Tape};
+use machinist_model::{Model, Tape};
 
 use super::xml::Element;
 
@@ -23,7 +23,7 @@ impl<'a> Structure<'a> {
         let along = |name: &'static str, is: fn(&Variable) -> bool| {
             let all = self.variables.with_references().filter(move |(_, variable)| is(variable));
             all.map(move |(at, variable)| {
-                self.element(name, at, self.along_the_run(&self.reads(variable.kind)))
+                element(name, at, &self.along_the_run(&self.reads(variable.kind)))
             })
         };
         let is_output = |variable: &Variable| variable.causality == Causality::Output;
@@ -53,13 +53,8 @@ impl<'a> Structure<'a> {
                 Kind::State(entry) => self.start_of(entry),
                 kind => self.reads(kind),
             };
-            self.element("InitialUnknown", at, self.at_start(&reads))
+            element("InitialUnknown", at, &self.at_start(&reads))
         })
-    }
-
-    fn element(&self, name: &'static str, at: u32, dependencies: BTreeSet<u32>) -> Element {
-        let list: Vec<String> = dependencies.iter().map(u32::to_string).collect();
-        Element::new(name).with("valueReference", at).with("dependencies", list.join(" "))
     }
 
     /// What a variable is computed from where the run stands.
@@ -93,8 +88,8 @@ impl<'a> Structure<'a> {
     }
 
     fn start_of(&self, entry: usize) -> Reads {
-        let NodeId(_) = self.model.initial_state.results[entry];
-        Reads::of(self.model, &self.model.initial_state, self.model.initial_state.results[entry])
+        let tape = &self.model.initial_state;
+        Reads::of(self.model, tape, tape.results[entry])
     }
 
     /// Knowns along a run: time, continuous states, inputs.
@@ -136,4 +131,10 @@ impl<'a> Structure<'a> {
             .map(|(at, _)| at)
             .collect()
     }
+}
+
+/// An unknown with what it depends on.
+fn element(name: &'static str, at: u32, dependencies: &BTreeSet<u32>) -> Element {
+    let list: Vec<String> = dependencies.iter().map(u32::to_string).collect();
+    Element::new(name).with("valueReference", at).with("dependencies", list.join(" "))
 }

@@ -17,6 +17,7 @@ impl Element {
     }
 
     /// The same with an attribute.
+    #[allow(clippy::needless_pass_by_value, reason = "numbers and texts alike")]
     pub fn with(mut self, name: &'static str, value: impl ToString) -> Self {
         self.attributes.push((name, value.to_string()));
         self

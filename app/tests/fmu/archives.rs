@@ -55,7 +55,8 @@ fn the_description_has_units_types_starts_and_causality() {
         let elements = archive.elements(interface);
         let [element] = &elements[..] else { panic!("one {interface}") };
         assert_eq!(element["modelIdentifier"], "saw_gin");
-        for can in ["canGetAndSetFMUState", "canSerializeFMUState", "providesDirectionalDerivatives"]
+        for can in
+            ["canGetAndSetFMUState", "canSerializeFMUState", "providesDirectionalDerivatives"]
         {
             assert_eq!(element[can], "true", "{can}");
         }
@@ -102,7 +103,7 @@ fn modes_events_constraints_and_fixed_parameters_are_described() {
     assert!(!modes.is_empty());
     assert!(modes.iter().all(|m| m["variability"] == "discrete" && m.contains_key("start")));
     assert!(!archive.elements("EventIndicator").is_empty());
-    assert!(variables.keys().any(|name| name.ends_with(".guard")));
+    assert!(variables.keys().any(|name| name.contains(".guard")));
     let archive = Archive::of("winder_holder_drop", &[]);
     let variables = archive.variables();
     let fixed: Vec<&String> = variables
@@ -112,7 +113,9 @@ fn modes_events_constraints_and_fixed_parameters_are_described() {
         .collect();
     // Lengths of links are in constraints.
     assert!(!fixed.is_empty());
-    assert!(variables.values().any(|variable| variable.get("initial").is_some_and(|i| i == "approx")));
+    assert!(
+        variables.values().any(|variable| variable.get("initial").is_some_and(|i| i == "approx"))
+    );
     assert_eq!(archive.elements("ModelExchange")[0]["needsCompletedIntegratorStep"], "true");
 }
 
@@ -164,8 +167,12 @@ fn what_cannot_be_exported_is_refused_with_a_reason() {
     refused(&["saw_gin", "-o", "x.zip", "--library", library], &[".fmu"]);
     refused(&["reed_beat_up", "-o", "x.fmu", "--library", library], &["fields"]);
     fs::write(folder.path().join("text.so"), "no library").expect("written");
-    refused(&["saw_gin", "-o", "x.fmu", "--library", "text.so"], &["no shared library", "cargo build"]);
-    let missing = machinist(folder.path(), &["fmu", "saw_gin", "-o", "x.fmu", "--library", "no.so"]);
+    refused(
+        &["saw_gin", "-o", "x.fmu", "--library", "text.so"],
+        &["no shared library", "cargo build"],
+    );
+    let missing =
+        machinist(folder.path(), &["fmu", "saw_gin", "-o", "x.fmu", "--library", "no.so"]);
     assert_eq!(crate::process::output(missing).status.code(), Some(1));
     refused(&["no_such_scene", "-o", "x.fmu", "--library", library], &["no_such_scene"]);
 }
@@ -206,8 +213,7 @@ fn the_library_offers_every_function_of_the_standard() {
     }
     let version = CString::new("fmi3GetVersion").expect("a name");
     let version = unsafe { dlsym(library, version.as_ptr()) };
-    let version: unsafe extern "C" fn() -> *const c_char =
-        unsafe { std::mem::transmute(version) };
+    let version: unsafe extern "C" fn() -> *const c_char = unsafe { std::mem::transmute(version) };
     let version = unsafe { std::ffi::CStr::from_ptr(version()) };
     assert_eq!(version.to_str(), Ok("3.0"));
 }

@@ -13,7 +13,17 @@ fn directional(unit: &Unit, unknowns: &[u32], known: u32) -> Vec<f64> {
     let (of, by) = (unknowns.as_ptr(), &raw const known);
     ok!(
         unit,
-        fmi3GetDirectionalDerivative(unit.handle, of, count, by, 1, &raw const seed, 1, into, count)
+        fmi3GetDirectionalDerivative(
+            unit.handle,
+            of,
+            count,
+            by,
+            1,
+            &raw const seed,
+            1,
+            into,
+            count
+        )
     );
     values
 }
@@ -101,10 +111,11 @@ fn compare(archive: &Archive, unit: &Unit, stepper: &Stepper<'_>, scene: &str) {
     let rows: Vec<Vec<f64>> = references.iter().map(|at| adjoint(unit, *at, &all)).collect();
     for (column, (known, size, how)) in knowns.iter().enumerate() {
         let exact = directional(unit, &references, *known);
-        let h = 1e-5 * size.max(match how {
-            Known::State(index) => state[*index].abs(),
-            _ => 0.0,
-        });
+        let h = 1e-5
+            * size.max(match how {
+                Known::State(index) => state[*index].abs(),
+                _ => 0.0,
+            });
         let [ahead, behind] = [h, -h].map(|by| {
             let values = moved(unit, stepper, &state, (*known, *how), by, &references);
             moved(unit, stepper, &state, (*known, *how), 0.0, &references);

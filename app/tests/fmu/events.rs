@@ -84,8 +84,7 @@ fn intermediate_updates_show_the_motion_and_end_a_step() {
     unit.read(&before);
     unit.looks_by(Box::new(move |handle, time| {
         let load = if time < 1.0 { 843.72 } else { 300.0 };
-        let status =
-            unsafe { fmi3SetFloat64(handle, &raw const input, 1, &raw const load, 1) };
+        let status = unsafe { fmi3SetFloat64(handle, &raw const input, 1, &raw const load, 1) };
         assert_eq!(status, Status::Ok);
         None
     }));

@@ -230,12 +230,22 @@ impl Unit {
         let events = u8::from(drive == Drive::Events);
         let handle = unsafe {
             match drive {
-                Drive::Exchange => fmi3InstantiateModelExchange(
-                    name, token, resources, 0, 1, pointer, Some(log),
-                ),
+                Drive::Exchange => {
+                    fmi3InstantiateModelExchange(name, token, resources, 0, 1, pointer, Some(log))
+                }
                 Drive::Simulation | Drive::Events => fmi3InstantiateCoSimulation(
-                    name, token, resources, 0, 1, events, events, ptr::null(), 0, pointer,
-                    Some(log), Some(update),
+                    name,
+                    token,
+                    resources,
+                    0,
+                    1,
+                    events,
+                    events,
+                    ptr::null(),
+                    0,
+                    pointer,
+                    Some(log),
+                    Some(update),
                 ),
             }
         };
@@ -296,10 +306,7 @@ impl Unit {
         let (mut again, mut moved, mut is_next, mut next) = (9, 9, 9, f64::NAN);
         let ignored = ptr::null_mut();
         let at = (&raw mut again, &raw mut moved, &raw mut is_next, &raw mut next);
-        ok!(
-            self,
-            fmi3UpdateDiscreteStates(self.handle, at.0, ignored, ignored, at.1, at.2, at.3)
-        );
+        ok!(self, fmi3UpdateDiscreteStates(self.handle, at.0, ignored, ignored, at.1, at.2, at.3));
         assert_eq!(again, 0);
         (moved != 0, (is_next != 0).then_some(next))
     }
@@ -333,6 +340,9 @@ impl Drop for Unit {
     }
 }
 
+/// The reference of an input, and what it is over time.
+pub type Input = (u32, fn(f64) -> f64);
+
 /// A host that steps by a method of its own: Runge and Kutta's of order 4, halved where an
 /// indicator changes its sign.
 pub struct Stepper<'a> {
@@ -344,7 +354,7 @@ pub struct Stepper<'a> {
     /// How often it was in event mode.
     pub events: usize,
     /// An input and what it is over time.
-    pub input: Option<(u32, fn(f64) -> f64)>,
+    pub input: Option<Input>,
 }
 
 impl<'a> Stepper<'a> {
@@ -441,11 +451,8 @@ impl<'a> Stepper<'a> {
                 state = self.tried(&start, step);
                 self.put(self.time + step, &state);
             }
-            self.time = if step.to_bits() == (end - self.time).to_bits() {
-                end
-            } else {
-                self.time + step
-            };
+            self.time =
+                if step.to_bits() == (end - self.time).to_bits() { end } else { self.time + step };
             self.put(self.time, &state);
             let mut asks = 9;
             let ignored = ptr::null_mut();

@@ -6,14 +6,8 @@ use super::archives::library;
 use crate::process::{REPOSITORY, answer, machinist};
 
 /// Scenes with events, constraints, modes, inputs of time.
-const SCENES: [&str; 6] = [
-    "saw_gin",
-    "stick_slip",
-    "bouncing_mass",
-    "winder_linkage",
-    "winder_holder_drop",
-    "four_bar",
-];
+const SCENES: [&str; 6] =
+    ["saw_gin", "stick_slip", "bouncing_mass", "winder_linkage", "winder_holder_drop", "four_bar"];
 
 #[test]
 fn fmpy_validates_and_simulates_what_is_exported() {
@@ -28,7 +22,8 @@ fn fmpy_validates_and_simulates_what_is_exported() {
     let mut check = Command::new(&python);
     check.arg(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fmu/peers.py"));
     for scene in SCENES {
-        let [archive, csv] = ["fmu", "csv"].map(|ending| folder.path().join(scene).with_extension(ending));
+        let [archive, csv] =
+            ["fmu", "csv"].map(|ending| folder.path().join(scene).with_extension(ending));
         let [library, out, table] =
             [&library, &archive, &csv].map(|path| path.to_str().expect("a plain path"));
         answer(machinist(REPOSITORY, &["fmu", scene, "-o", out, "--library", library]));

@@ -20,9 +20,8 @@ fn reference(scene: &str, until: f64, points: usize) -> Trajectory {
 /// The largest error of an output over its range, and its name. What jumps is not compared at
 /// the points beside an event.
 fn worst(archive: &Archive, reference: &Trajectory, rows: &[Vec<f64>]) -> (f64, String) {
-    let near_event = |time: f64| {
-        reference.switches.iter().any(|switch| (switch.time - time).abs() < 1e-7)
-    };
+    let near_event =
+        |time: f64| reference.switches.iter().any(|switch| (switch.time - time).abs() < 1e-7);
     let mut worst = (0.0, String::new());
     for (column, (name, _)) in archive.outputs().iter().enumerate() {
         let exact = reference.column(name).expect("an output of the scene");

@@ -108,8 +108,7 @@ fn bytes_that_are_no_state_of_the_archive_are_refused() {
     let read = |unit: &Unit, bytes: &[u8]| {
         let mut state: StateHandle = ptr::null_mut();
         let at = (bytes.as_ptr(), bytes.len());
-        let status =
-            unsafe { fmi3DeserializeFMUState(unit.handle, at.0, at.1, &raw mut state) };
+        let status = unsafe { fmi3DeserializeFMUState(unit.handle, at.0, at.1, &raw mut state) };
         if status == Status::Ok {
             // What is read must run, or say why not.
             unsafe { fmi3SetFMUState(unit.handle, state) };

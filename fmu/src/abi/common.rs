@@ -30,8 +30,8 @@ struct Asked {
 ///
 /// # Safety
 /// Strings are null or end with a zero.
-unsafe fn instantiate(asked: Asked, interface: Interface) -> Handle {
-    let Asked { environment, log, .. } = asked;
+unsafe fn instantiate(asked: &Asked, interface: Interface) -> Handle {
+    let Asked { environment, log, .. } = *asked;
     let made = catch_unwind(AssertUnwindSafe(|| {
         // SAFETY: by the caller.
         let [name, token, resources] =
@@ -80,7 +80,7 @@ exported! {
             update: None,
         };
         // SAFETY: by the host.
-        unsafe { instantiate(asked, Interface::ModelExchange) }
+        unsafe { instantiate(&asked, Interface::ModelExchange) }
     }
 
     fn fmi3InstantiateCoSimulation(
@@ -111,7 +111,7 @@ exported! {
             early_return: earlyReturnAllowed != 0,
         };
         // SAFETY: by the host.
-        unsafe { instantiate(asked, interface) }
+        unsafe { instantiate(&asked, interface) }
     }
 
     fn fmi3InstantiateScheduledExecution(

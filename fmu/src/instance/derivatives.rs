@@ -173,9 +173,7 @@ impl Instance {
         let is_exact = |entry: usize| self.initial(entry) == Some(Initial::Exact);
         let is_unknown = |kind: Kind, causality: Causality| match kind {
             Kind::Derivative(_) | Kind::Output(_) | Kind::Indicator(_) => true,
-            Kind::State(entry) => {
-                causality == Causality::Output || is_before && !is_exact(entry)
-            }
+            Kind::State(entry) => causality == Causality::Output || is_before && !is_exact(entry),
             _ => false,
         };
         let is_known = |kind: Kind, causality: Causality| match kind {

@@ -119,8 +119,8 @@ impl Instance {
             && experiment.rtol > 0.0
             && experiment.rtol <= 1.0
             && is_of
-            && standing.as_ref().map_or(is_before, |standing| {
-                standing.fits(&self.machine.simulator)
-            })
+            && standing
+                .as_ref()
+                .map_or(is_before, |standing| standing.fits(&self.machine.simulator))
     }
 }

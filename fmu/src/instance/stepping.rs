@@ -78,7 +78,9 @@ impl Instance {
         let call = "fmi3EnterEventMode";
         match self.interface {
             Interface::ModelExchange => self.require(call, &[Phase::ContinuousTime])?,
-            Interface::CoSimulation { event_mode: true, .. } => self.require(call, &[Phase::Step])?,
+            Interface::CoSimulation { event_mode: true, .. } => {
+                self.require(call, &[Phase::Step])?;
+            }
             Interface::CoSimulation { event_mode: false, .. } => {
                 return Err(Refusal::argument("event mode was not asked for at instantiation"));
             }
@@ -99,8 +101,7 @@ impl Instance {
         let mut standing = self.standing()?.clone();
         let events = hosted.happen(&mut standing)?;
         let before = &self.standing()?.state;
-        let differs =
-            |entry: &usize| before[*entry].to_bits() != standing.state[*entry].to_bits();
+        let differs = |entry: &usize| before[*entry].to_bits() != standing.state[*entry].to_bits();
         let moves = machine.variables.states().iter().any(differs);
         let next = standing.next_jump().filter(|_| self.is_exchange());
         self.now.standing = Some(standing);
@@ -215,10 +216,7 @@ impl Step {
     ///
     /// # Errors
     /// [`Refusal`] where the method cannot go on.
-    pub fn take(
-        &self,
-        looks: Option<&Looks<'_>>,
-    ) -> Result<Stepped, Refusal> {
+    pub fn take(&self, looks: Option<&Looks<'_>>) -> Result<Stepped, Refusal> {
         let mut standing = self.standing.clone();
         let mut parameters = self.parameters.clone();
         let mut until = self.until;
@@ -237,8 +235,7 @@ impl Step {
                 leaves
             };
             let how = (Method::Auto, self.halts);
-            let reached =
-                hosted.carry(&mut standing, jump.unwrap_or(until), how, &leaves)?;
+            let reached = hosted.carry(&mut standing, jump.unwrap_or(until), how, &leaves)?;
             let early = standing.time < self.until;
             match reached {
                 Reached::Event => {

@@ -62,12 +62,7 @@ impl Instance {
     /// # Errors
     /// [`Refusal`] before initialization mode, for references of no such variable, and if the
     /// machine cannot start.
-    pub fn get(
-        &mut self,
-        of: Type,
-        references: &[u32],
-        values: &mut [f64],
-    ) -> Result<(), Refusal> {
+    pub fn get(&mut self, of: Type, references: &[u32], values: &mut [f64]) -> Result<(), Refusal> {
         if self.now.phase == Phase::Instantiated {
             let call = "reading values";
             return Err(Refusal::OutOfOrder { call, phase: self.now.phase });
@@ -217,7 +212,8 @@ impl Instance {
         compute: impl Fn(&Self, &Standing) -> Vec<f64>,
     ) -> Result<(), Refusal> {
         self.require_exchange(call)?;
-        let phases = [Phase::Initialization, Phase::Event, Phase::ContinuousTime, Phase::Terminated];
+        let phases =
+            [Phase::Initialization, Phase::Event, Phase::ContinuousTime, Phase::Terminated];
         self.require(call, &phases)?;
         require_count(self.machine.variables.states().len(), values.len())?;
         self.start()?;
@@ -235,7 +231,8 @@ impl Instance {
     pub fn event_indicators(&mut self, values: &mut [f64]) -> Result<(), Refusal> {
         let call = "fmi3GetEventIndicators";
         self.require_exchange(call)?;
-        let phases = [Phase::Initialization, Phase::Event, Phase::ContinuousTime, Phase::Terminated];
+        let phases =
+            [Phase::Initialization, Phase::Event, Phase::ContinuousTime, Phase::Terminated];
         self.require(call, &phases)?;
         require_count(self.machine.variables.indicators(), values.len())?;
         self.start()?;

@@ -1,0 +1,111 @@
+//! Runs that a host cuts into pieces are the runs they are pieces of.
+
+use std::cell::RefCell;
+
+use machinist::hosted::{Beginning, Hosted, Reached, Standing};
+use machinist::{Method, Simulation};
+use machinist_contract::Simulator;
+use machinist_scenes::scenes::find_f64;
+
+fn scene(name: &str) -> &'static dyn Simulator<f64> {
+    find_f64(name).expect("a built-in scene")
+}
+
+fn parameters(simulator: &dyn Simulator<f64>) -> Vec<f64> {
+    (0..simulator.shape().parameters).map(|index| simulator.parameter_default(index)).collect()
+}
+
+fn begun(hosted: &Hosted<'_>, simulator: &dyn Simulator<f64>, until: f64) -> Standing {
+    let mut state = vec![0.0; simulator.shape().states()];
+    simulator.initial_state(&parameters(simulator), &mut state);
+    let is_given = |index: usize| simulator.is_given(index);
+    let is_given = &is_given;
+    let (from, rtol, is_stepped) = (0.0, 1e-9, false);
+    let beginning = Beginning { from, until, rtol, is_stepped, state, is_given };
+    hosted.begin(beginning).expect("it begins")
+}
+
+fn last_state(simulator: &dyn Simulator<f64>, until: f64) -> Vec<f64> {
+    let run = Simulation::new(simulator).until(until).points(2).rtol(1e-9).method(Method::Auto);
+    let run = run.run().expect("it runs");
+    let states = simulator.shape().states();
+    run.columns[..states].iter().map(|column| column.values[1]).collect()
+}
+
+#[test]
+fn pieces_make_up_the_run() {
+    // Of uneven length, with events, friction that sticks, constraints, jumps between them.
+    let scenes = [
+        ("bouncing_mass", 0.5),
+        ("stick_slip", 1.3),
+        ("winder_holder_drop", 0.3),
+        ("saw_gin", 0.7),
+    ];
+    for (name, until) in scenes {
+        let simulator = scene(name);
+        let parameters = parameters(simulator);
+        let hosted = Hosted::new(simulator, &parameters);
+        let mut standing = begun(&hosted, simulator, until);
+        let pieces = 23;
+        for piece in 1..=pieces {
+            let share = f64::from(piece) / f64::from(pieces);
+            let reached = hosted.carry(
+                &mut standing,
+                until * share * share,
+                (Method::Auto, false),
+                &|_, _| false,
+            );
+            assert_eq!(reached.expect("it goes on"), Reached::End);
+        }
+        for (index, exact) in last_state(simulator, until).iter().enumerate() {
+            let found = standing.state[index];
+            let size = simulator.state_scale(index).max(exact.abs());
+            assert!((found - exact).abs() < 1e-6 * size, "{name} {index}: {found}, {exact}");
+        }
+    }
+}
+
+#[test]
+fn a_run_halts_before_an_event_and_goes_on_after_it() {
+    let simulator = scene("bouncing_mass");
+    let parameters = parameters(simulator);
+    let hosted = Hosted::new(simulator, &parameters);
+    let until = 0.4;
+    let events = Simulation::new(simulator).until(until).rtol(1e-9).run().expect("it runs");
+    let mut standing = begun(&hosted, simulator, until);
+    for event in &events.switches {
+        let how = (Method::Auto, true);
+        let reached = hosted.carry(&mut standing, until, how, &|_, _| false);
+        assert_eq!(reached.expect("it goes on"), Reached::Event);
+        assert!((standing.time - event.time).abs() < 1e-8, "{} {}", standing.time, event.time);
+        assert!(standing.is_at_event());
+        let before = standing.state.clone();
+        assert_eq!(hosted.happen(&mut standing).expect("it happens"), [event.event.as_str()]);
+        assert!(!standing.is_at_event());
+        assert_ne!(standing.state, before);
+    }
+    let how = (Method::Auto, true);
+    let reached = hosted.carry(&mut standing, until, how, &|_, _| false);
+    assert_eq!(reached.expect("it goes on"), Reached::End);
+}
+
+#[test]
+fn a_piece_ends_where_who_looks_on_says() {
+    let simulator = scene("saw_gin");
+    let parameters = parameters(simulator);
+    let hosted = Hosted::new(simulator, &parameters);
+    let mut standing = begun(&hosted, simulator, 1.0);
+    let shown = RefCell::new(Vec::new());
+    let looks = |time: f64, state: &[f64]| {
+        shown.borrow_mut().push((time, state.to_vec()));
+        time > 0.1
+    };
+    let reached = hosted.carry(&mut standing, 1.0, (Method::Dop853, false), &looks);
+    assert_eq!(reached.expect("it goes on"), Reached::Left);
+    let (time, state) = shown.borrow().last().cloned().expect("it was shown");
+    assert!(time > 0.1 && time < 0.5, "{time}");
+    assert_eq!((standing.time, &standing.state), (time, &state));
+    for (found, exact) in state.iter().zip(last_state(simulator, time)) {
+        assert!((found - exact).abs() < 1e-6 * exact.abs().max(1.0), "{found}, {exact}");
+    }
+}

@@ -1,7 +1,7 @@
 //! The functions of `fmi3FunctionTypes.h`, for C.
 //!
 //! Every one of them looks its instance up by its handle, does what an
-//! [`Instance`](crate::instance::Instance) does, and gives a status. Errors go to the host's log
+//! [`Instance`] does, and gives a status. Errors go to the host's log
 //! at once, events if it wants them. A panic is an error as well, after which the instance only
 //! can be reset or freed.
 #![allow(unsafe_code, reason = "hosts hand pointers over and call by name")]

@@ -135,3 +135,18 @@ method = "auto"
     let found = simulation.get(&[speed])[0];
     assert!((found.abs() - 3.0 * 0.7).abs() < 1e-9, "{found}");
 }
+
+/// At 2.5 s the frequency comes to zero with its rate, so that the sign of what `abs` looks at is
+/// that of its rounding, which is that of the 40 Hz it was before the last step.
+#[test]
+fn a_kink_that_fades_away_at_a_communication_point_does_not_stop_the_run() {
+    let archive = Archive::of("specs/scenes/parts/electrical/converter.toml", &[]);
+    let unit = archive.simulation();
+    unit.begin(2.5);
+    let size = 2.5 / 200.0;
+    for index in 0..200 {
+        unit.step(f64::from(index) * size, size);
+    }
+    let speed = unit.get(&[archive.reference("speed")])[0];
+    assert!(speed.is_finite() && speed > 0.1 && speed < 10.0, "{speed}");
+}

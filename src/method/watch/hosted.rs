@@ -27,6 +27,8 @@ pub(crate) struct Memory {
     slack: Vec<f64>,
     latest: VecDeque<f64>,
     happening: Option<(f64, Vec<usize>)>,
+    /// The largest value that each guard has had: its rounding is that of what it compares.
+    sizes: Vec<f64>,
 }
 
 impl Memory {
@@ -34,7 +36,7 @@ impl Memory {
     pub(crate) fn fits(&self, simulator: &dyn Simulator<f64>) -> bool {
         let count = simulator.events() + simulator.kinks();
         let happening = self.happening.iter().flat_map(|(_, guards)| guards);
-        [self.sides.len(), self.slack.len()] == [count; 2]
+        [self.sides.len(), self.slack.len(), self.sizes.len()] == [count; 3]
             && happening.into_iter().all(|guard| *guard < count)
     }
 
@@ -79,15 +81,21 @@ impl<'a> Watch<'a> {
     /// The watch over the next piece of a run; nothing if there is nothing to watch.
     pub(crate) fn resume(problem: &'a Problem<'a>, memory: &Memory) -> Option<Self> {
         let (sides, latest) = (memory.sides.clone(), memory.latest.clone());
-        (!sides.is_empty()).then(|| Self::with(problem, sides, latest, &problem.initial))
+        if sides.is_empty() {
+            return None;
+        }
+        let watch = Self::with(problem, sides, latest, &problem.initial);
+        watch.inner.borrow_mut().parts.sizes_mut().clone_from(&memory.sizes);
+        Some(watch)
     }
 
     /// What the next piece of a run has to know.
     pub(crate) fn into_memory(self) -> Memory {
-        let inner = self.inner.into_inner();
+        let mut inner = self.inner.into_inner();
+        let sizes = std::mem::take(inner.parts.sizes_mut());
         let (sides, latest, happening) = (inner.sides, inner.latest, inner.happening);
         let slack = vec![0.0; sides.len()];
-        Memory { sides, slack, latest, happening }
+        Memory { sides, slack, latest, happening, sizes }
     }
 
     /// The time at which events have been found that have not happened yet.
@@ -163,8 +171,8 @@ impl<'a> Watch<'a> {
     /// at zero.
     pub(crate) fn set_out(&self, time: f64, state: &mut [f64]) -> Result<Memory, Stopped> {
         let sides = self.inner.borrow().sides.clone();
-        let slack = vec![0.0; sides.len()];
-        let mut memory = Memory { sides, slack, ..Memory::default() };
+        let [slack, sizes] = [(); 2].map(|()| vec![0.0; sides.len()]);
+        let mut memory = Memory { sides, slack, sizes, ..Memory::default() };
         let found = self.leave_zero(&mut memory, time, state);
         self.follow(found, &mut memory, time, state)?;
         Ok(memory)

@@ -224,6 +224,11 @@ impl Parts {
         })
     }
 
+    /// The largest value that each guard has had, also in pieces of a run before.
+    pub(super) fn sizes_mut(&mut self) -> &mut Vec<f64> {
+        &mut self.sizes
+    }
+
     /// How fast the rate of a guard changed where last looked at.
     pub(super) fn bend(&self, event: usize) -> f64 {
         self.bends[event]

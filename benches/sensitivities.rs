@@ -1,13 +1,18 @@
-//! What sensitivities to ten parameters cost beside the run alone.
+//! What sensitivities of `saw_gin` to ten parameters cost beside the run alone, emitted and
+//! compiled at once: `cargo bench -p machinist-tests --features measure --bench sensitivities`.
 //!
-//! `cargo bench -p machinist --bench sensitivities`
-#![allow(missing_docs, reason = "the macros of criterion define undocumented functions")]
+//! Minima of many rounds, in turns, with 201 rows; errors of all columns over the largest size
+//! of each, against a run at 1e-12.
 
 use std::hint::black_box;
-use std::time::Duration;
+use std::path::Path;
+use std::time::Instant;
 
-use criterion::{Criterion, criterion_group, criterion_main};
-use machinist::{Method, Simulation};
+use machinist::{Method, SimulateError, Simulation, Trajectory};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_codegen::pipeline;
+use machinist_contract::Simulator;
+use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;
 
 const BY: [&str; 10] = [
@@ -22,21 +27,83 @@ const BY: [&str; 10] = [
     "motor.x_s",
     "motor.alpha_s",
 ];
+const ROUNDS: usize = 40;
 
-fn saw_gin(criterion: &mut Criterion) {
-    let scene = scenes::find_f64("saw_gin").expect("it is built in");
-    for (method, rtol) in [(Method::Tsit5, 1e-6), (Method::Dop853, 1e-8)] {
-        let mut group = criterion.benchmark_group(format!("saw_gin, {method}, rtol {rtol:e}"));
-        group.sample_size(20).measurement_time(Duration::from_secs(3));
-        let run = Simulation::new(scene).method(method).rtol(rtol).points(201);
-        group.bench_function("alone", |bencher| bencher.iter(|| black_box(run.run())));
-        let with = run.clone().sensitivities(&BY).expect("it has these parameters");
-        group.bench_function("controlled", |bencher| bencher.iter(|| black_box(with.run())));
-        let free = with.with_controlled_sensitivities(false);
-        group.bench_function("uncontrolled", |bencher| bencher.iter(|| black_box(free.run())));
-        group.finish();
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let emitted = scenes::find_f64("saw_gin").ok_or("it is built in")?;
+    let spec = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/scenes/saw_gin.toml"));
+    let compiled = ModelSimulator::new(pipeline::generate(spec, Keep::Needed)?);
+    let reference = of(emitted, Method::Dop853, 1e-12).sensitivities(&BY)?.run()?;
+    println!(
+        "{:9} {:7} {:>6} {:>24} {:>24} {:>18} {:>17}",
+        "",
+        "method",
+        "rtol",
+        "alone, ms (steps)",
+        "uncontrolled (error)",
+        "controlled (error)",
+        "ratios"
+    );
+    for (name, simulator) in [("emitted", emitted), ("compiled", &compiled as &dyn Simulator<f64>)]
+    {
+        for (method, rtol) in [
+            (Method::Tsit5, 1e-6),
+            (Method::Dop853, 1e-8),
+            (Method::Dop853, 1e-10),
+            (Method::Radau, 1e-6),
+            (Method::Radau, 1e-8),
+        ] {
+            row(name, simulator, (method, rtol), &reference)?;
+        }
     }
+    Ok(())
 }
 
-criterion_group!(benches, saw_gin);
-criterion_main!(benches);
+fn of(simulator: &dyn Simulator<f64>, method: Method, rtol: f64) -> Simulation<'_> {
+    Simulation::new(simulator).method(method).rtol(rtol).points(201)
+}
+
+fn row(
+    name: &str,
+    simulator: &dyn Simulator<f64>,
+    (method, rtol): (Method, f64),
+    reference: &Trajectory,
+) -> Result<(), SimulateError> {
+    let alone = of(simulator, method, rtol);
+    let controlled = alone.clone().sensitivities(&BY)?;
+    let uncontrolled = controlled.clone().with_controlled_sensitivities(false);
+    let runs = [alone, uncontrolled, controlled];
+    let mut times = [f64::INFINITY; 3];
+    for _ in 0..ROUNDS {
+        for (time, run) in times.iter_mut().zip(&runs) {
+            let begin = Instant::now();
+            black_box(run.run()?);
+            *time = time.min(begin.elapsed().as_secs_f64() * 1e3);
+        }
+    }
+    let told: Vec<_> = runs.iter().map(Simulation::run).collect::<Result<_, _>>()?;
+    println!(
+        "{name:9} {:7} {rtol:6.0e} {:17.3} ({:4}) {:14.3} ({:7.1e}) {:8.3} ({:7.1e}) {:8.2} {:8.2}",
+        method.name(),
+        times[0],
+        told[0].work.steps,
+        times[1],
+        error(&told[1], reference),
+        times[2],
+        error(&told[2], reference),
+        times[1] / times[0],
+        times[2] / times[0],
+    );
+    Ok(())
+}
+
+/// The largest error of all sensitivities, over the largest size of each.
+fn error(run: &Trajectory, reference: &Trajectory) -> f64 {
+    let columns = run.columns.iter().zip(&reference.columns);
+    let of_column = columns.filter(|(own, _)| own.name.starts_with("d(")).map(|(own, wanted)| {
+        let size = wanted.values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let off = own.values.iter().zip(&wanted.values).map(|(a, b)| (a - b).abs());
+        if size > 0.0 { off.fold(0.0, f64::max) / size } else { 0.0 }
+    });
+    of_column.fold(0.0, f64::max)
+}

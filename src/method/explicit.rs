@@ -4,7 +4,7 @@
 //! next to nothing: work arrays are made once, stages lie in lanes of four, and
 //! no zero coefficient is ever multiplied.
 
-use super::lanes::{Sum, combine, padded, sum};
+use super::lanes::{Sum, combine, combine_many, padded, padded_many, sum};
 use super::one_step::{OneStep, Pace, Trial, drive_all, first_step};
 use super::tableau::{DOP853, Pair, Row, TSIT5};
 use super::{Integrator, Samples, Sealed, Stopped, Stretch};
@@ -71,10 +71,11 @@ struct Carried {
     width: usize,
     stages: Vec<f64>,
     sums: Vec<Sum>,
+    estimates: Vec<Sum>,
     argument: Vec<f64>,
     start: Vec<f64>,
-    /// State of a stage.
-    state: Vec<f64>,
+    /// States of the stages, one after another.
+    states: Vec<f64>,
     /// Whether the first stage is known, as the last one of the step before.
     has_first_stage: bool,
     has_extra_stages: bool,
@@ -113,24 +114,28 @@ impl<'a> ExplicitSteps<'a> {
         tangents: &Tangents<'_>,
         ends: (&[f64], &[f64]),
     ) -> f64 {
-        let Carried { width, stages, argument, .. } = carried;
-        let mut norm = |row: &Row| {
-            combine(&sum(row, *width), stages, self.step, None, argument);
+        let Carried { stages, estimates, argument, .. } = carried;
+        let mut norm = |row: &Sum| {
+            combine_many(row, stages, self.step, None, argument);
             tangents.error(self.stretch, &argument[..tangents.len()], ends)
         };
-        let error = norm(&self.pair.estimates[0]);
-        match self.pair.estimates.get(1) {
+        let error = norm(&estimates[0]);
+        match estimates.get(1) {
             Some(lower) if error > 0.0 => blended(error, norm(lower)),
             _ => error,
         }
     }
 
     /// A stage of the sensitivities: their rate where those before it lead.
-    fn carry_stage(&mut self, carried: &mut Carried, tangents: &Tangents<'_>, stage: usize) {
-        let Carried { width, stages, sums, argument, start, state, .. } = carried;
+    fn carry_stage(&self, carried: &mut Carried, tangents: &Tangents<'_>, stage: usize) {
+        let Carried { width, stages, sums, argument, start, states, .. } = carried;
         let time = self.time + self.pair.nodes[stage] * self.step;
-        combine(&self.sums[stage], &self.stages, self.step, Some(&self.start), state);
-        combine(&sums[stage], stages, self.step, Some(start), argument);
+        let state = match stage {
+            0 => &self.start,
+            stage if stage + 1 == self.pair.rows.len() => &self.end,
+            stage => &states[stage * self.width..],
+        };
+        combine_many(&sums[stage], stages, self.step, Some(start), argument);
         let rate = &mut stages[stage * *width..][..tangents.len()];
         let argument = &argument[..tangents.len()];
         tangents.rate(self.stretch, time, &state[..self.size], argument, rate);
@@ -165,6 +170,9 @@ impl<'a> ExplicitSteps<'a> {
             At::Argument => &self.argument,
             At::End => &self.end,
         };
+        if let Some(Carried { states, .. }) = &mut self.carried {
+            states[stage * self.width..][..self.width].copy_from_slice(state);
+        }
         let rate = &mut self.stages[stage * self.width..][..self.size];
         self.stretch.rate(time, &state[..self.size], rate);
     }
@@ -208,6 +216,9 @@ impl<'a> ExplicitSteps<'a> {
             let start = Some(&self.start[..]);
             // The error has served; the argument of the last stage but one has not.
             combine(&self.sums[stage], &self.stages, self.step, start, &mut self.error);
+            if let Some(Carried { states, .. }) = &mut self.carried {
+                states[stage * self.width..][..self.width].copy_from_slice(&self.error);
+            }
             let time = self.time + self.pair.nodes[stage] * self.step;
             let rate = &mut self.stages[stage * self.width..][..self.size];
             self.stretch.rate(time, &self.error[..self.size], rate);
@@ -229,15 +240,16 @@ enum At {
 
 impl Carried {
     fn new(pair: &Pair, count: usize, state_width: usize) -> Self {
-        let width = padded(count);
+        let width = padded_many(count);
         let zeros = || vec![0.0; width];
         Self {
             width,
             stages: vec![0.0; width * pair.nodes.len()],
             sums: pair.rows.iter().chain(pair.dense.extra).map(|row| sum(row, width)).collect(),
+            estimates: pair.estimates.iter().map(|row| sum(row, width)).collect(),
             argument: zeros(),
             start: zeros(),
-            state: vec![0.0; state_width],
+            states: vec![0.0; state_width * pair.nodes.len()],
             has_first_stage: false,
             has_extra_stages: false,
         }

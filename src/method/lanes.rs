@@ -7,6 +7,11 @@ pub(super) fn padded(size: usize) -> usize {
     size.next_multiple_of(if size <= 6 { 2 } else { LANES })
 }
 
+/// How many places a stage of so many takes that [`combine_many`] sums.
+pub(super) fn padded_many(size: usize) -> usize {
+    size.next_multiple_of(LANES)
+}
+
 /// Longer stages are padded to a multiple of so many states.
 const LANES: usize = 4;
 
@@ -28,25 +33,40 @@ pub(super) fn combine(
     into: &mut [f64],
 ) {
     match into.len() {
-        2 => blocks::<2>(sum, stages, step, (start, 0), into),
-        4 => blocks::<4>(sum, stages, step, (start, 0), into),
-        6 => blocks::<6>(sum, stages, step, (start, 0), into),
-        8 => blocks::<8>(sum, stages, step, (start, 0), into),
+        2 => blocks::<2, false>(sum, stages, step, (start, 0), into),
+        4 => blocks::<4, false>(sum, stages, step, (start, 0), into),
+        6 => blocks::<6, true>(sum, stages, step, (start, 0), into),
+        8 => blocks::<8, true>(sum, stages, step, (start, 0), into),
         len => {
             // Long states by wide blocks, so that a weight is fetched for many of them.
             let (first, rest) = into.split_at_mut(len / WIDE * WIDE);
-            blocks::<WIDE>(sum, stages, step, (start, 0), first);
-            blocks::<LANES>(sum, stages, step, (start, first.len()), rest);
+            blocks::<WIDE, true>(sum, stages, step, (start, 0), first);
+            blocks::<LANES, false>(sum, stages, step, (start, first.len()), rest);
         }
     }
+}
+
+/// As [`combine`], for so many values that all their sums would not stay in registers beside
+/// second ones: sensitivities.
+pub(super) fn combine_many(
+    sum: &[(usize, f64)],
+    stages: &[f64],
+    step: f64,
+    start: Option<&[f64]>,
+    into: &mut [f64],
+) {
+    let (first, rest) = into.split_at_mut(into.len() / WIDE * WIDE);
+    blocks::<WIDE, false>(sum, stages, step, (start, 0), first);
+    blocks::<LANES, false>(sum, stages, step, (start, first.len()), rest);
 }
 
 /// States summed at once where there are many.
 const WIDE: usize = 4 * LANES;
 
-/// The sum over blocks of so many states, of which the first is the `first`-th.
+/// The sum over blocks of so many states, of which the first is the `first`-th; of pairs of
+/// terms side by side, or of one after the other.
 #[inline]
-fn blocks<const COUNT: usize>(
+fn blocks<const COUNT: usize, const PAIRED: bool>(
     sum: &[(usize, f64)],
     stages: &[f64],
     step: f64,
@@ -56,7 +76,7 @@ fn blocks<const COUNT: usize>(
     for (block, into) in into.chunks_exact_mut(COUNT).enumerate() {
         let at = first + block * COUNT;
         let mut total = [0.0; COUNT];
-        if COUNT <= LANES {
+        if !PAIRED {
             for term in sum {
                 add(term, stages, at, &mut total);
             }

@@ -119,6 +119,27 @@ impl<S: ComplexField<RealField = f64> + Copy> Lu<S> {
         }
     }
 
+    /// Solves A X = B of so many columns; B, row after row, becomes X.
+    pub(super) fn solve_each(&self, b: &mut [S], columns: usize) {
+        for (k, &pivot) in self.pivots.iter().enumerate() {
+            if pivot != k {
+                let (above, below) = b.split_at_mut(pivot * columns);
+                above[k * columns..][..columns].swap_with_slice(&mut below[..columns]);
+            }
+        }
+        for (row, entries) in self.entries.chunks_exact(self.size.max(1)).enumerate() {
+            let (known, rest) = b.split_at_mut(row * columns);
+            subtract(&entries[..row], known, &mut rest[..columns]);
+        }
+        for row in (0..self.size).rev() {
+            let entries = &self.entries[row * self.size..][row..self.row_ends[row].max(row + 1)];
+            let (unknown, known) = b[row * columns..].split_at_mut(columns);
+            subtract(&entries[1..], known, unknown);
+            let inverse = entries[0].recip();
+            unknown.iter_mut().for_each(|value| *value *= inverse);
+        }
+    }
+
     fn largest_below(&self, k: usize, bottom: usize) -> usize {
         let size_of = |row: usize| self.entries[row * self.size + k].norm1();
         let mut best = (k, size_of(k));
@@ -137,6 +158,18 @@ impl<S: ComplexField<RealField = f64> + Copy> Lu<S> {
         let (above, below) = self.entries.split_at_mut(lower * self.size);
         above[upper * self.size..][..self.size].swap_with_slice(&mut below[..self.size]);
         self.row_ends.swap(upper, lower);
+    }
+}
+
+/// Subtracts rows, each times its entry, of which many are zero.
+fn subtract<S: ComplexField + Copy>(entries: &[S], rows: &[S], from: &mut [S]) {
+    for (entry, row) in entries.iter().zip(rows.chunks_exact(from.len())) {
+        if entry.is_zero() {
+            continue;
+        }
+        for (value, known) in from.iter_mut().zip(row) {
+            *value -= *entry * *known;
+        }
     }
 }
 
@@ -192,6 +225,12 @@ mod tests {
                     real.solve(&mut x);
                     let mut z: Vec<Complex64> = b.iter().map(|b| Complex64::new(*b, 1.0)).collect();
                     complex.solve(&mut z);
+                    let mut each = b.iter().flat_map(|b| [*b, -2.0 * b, 0.0]).collect::<Vec<_>>();
+                    real.solve_each(&mut each, 3);
+                    for (x, each) in x.iter().zip(each.chunks_exact(3)) {
+                        let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * (1.0 + b.abs());
+                        assert!(near(each[0], *x) && near(each[1], -2.0 * x) && each[2] == 0.0);
+                    }
                     let norm = x.iter().fold(1.0f64, |max, x| max.max(x.abs()));
                     let znorm = z.iter().fold(1.0f64, |max, z| max.max(z.norm()));
                     for (row, &known) in b.iter().enumerate() {

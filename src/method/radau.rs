@@ -153,12 +153,16 @@ impl<'a> RadauSteps<'a> {
     /// ```
     ///
     /// where `most` is the loosest tolerance that a method is for; see [`highest_useful`].
-    fn set_scale(&mut self) {
+    fn looser(&self) -> f64 {
         const LOOSEST: f64 = 10.0;
         let stages = self.methods[self.current].stages() as f64;
-        let rtol = self.stretch.rtol;
         let exponent = 1.0 - (stages + 1.0) / (2.0 * stages - 1.0);
-        let looser = (MOST[self.current] / rtol).powf(exponent).clamp(1.0, LOOSEST);
+        (MOST[self.current] / self.stretch.rtol).powf(exponent).clamp(1.0, LOOSEST)
+    }
+
+    /// Allowed errors, which a method's estimate is held to.
+    fn set_scale(&mut self) {
+        let (looser, rtol) = (self.looser(), self.stretch.rtol);
         for ((scale, state), atol) in self.scale.iter_mut().zip(&self.start).zip(self.stretch.atol)
         {
             *scale = looser * (atol + rtol * state.abs());

@@ -79,12 +79,18 @@ pub(crate) struct Tangents<'a> {
     parameters: &'a [f64],
     by: Vec<By>,
     states: usize,
+    /// Rows of dy'/dy: where they begin in S, and their entries.
+    slopes_at: Vec<(usize, Range<usize>)>,
+    /// Where the row of S begins that an entry of dy'/dy is multiplied with.
+    columns_at: Vec<usize>,
     /// (entry of dy'/dp, place in S) of the parameters among `by`.
     driven: Vec<(usize, usize)>,
     /// Sizes of what is differentiated by.
     sizes: Vec<f64>,
     is_controlled: bool,
     inner: RefCell<Inner>,
+    /// The largest that entries of S were at the ends of steps until now.
+    largest: RefCell<Vec<f64>>,
     /// Values of dy'/dy and dy'/dp.
     scratch: RefCell<[Vec<f64>; 2]>,
 }
@@ -127,13 +133,20 @@ impl<'a> Tangents<'a> {
         let zeros = vec![0.0; states * count];
         let inner = Inner {
             start: zeros.clone(),
-            end: zeros,
+            end: zeros.clone(),
             rows: Vec::new(),
             latest: Instant { time: from, shifts: vec![0.0; count] },
             front: (from, Vec::new()),
         };
-        let values = simulator.rate_jacobian_pattern().entries.len();
-        let scratch = RefCell::new([vec![0.0; values], vec![0.0; pattern.len()]]);
+        let slopes = simulator.rate_jacobian_pattern().entries;
+        let columns_at: Vec<_> = slopes.iter().map(|slope| slope.1 as usize * count).collect();
+        let mut slopes_at = Vec::new();
+        let mut first = 0;
+        for row in slopes.chunk_by(|a, b| a.0 == b.0) {
+            slopes_at.push((row[0].0 as usize * count, first..first + row.len()));
+            first += row.len();
+        }
+        let scratch = RefCell::new([vec![0.0; slopes.len()], vec![0.0; pattern.len()]]);
         let inner = RefCell::new(inner);
         let size = |by: &By| match by {
             By::Parameter(index) if parameters[*index] != 0.0 => parameters[*index].abs(),
@@ -147,10 +160,13 @@ impl<'a> Tangents<'a> {
             parameters,
             by,
             states,
+            slopes_at,
+            columns_at,
             driven,
             sizes,
             is_controlled,
             inner,
+            largest: RefCell::new(zeros),
             scratch,
         })
     }
@@ -182,7 +198,6 @@ impl<'a> Tangents<'a> {
         let [jacobian, by_parameters] = &mut *self.scratch.borrow_mut();
         stretch.jacobian(time, state, jacobian);
         into.fill(0.0);
-        let count = self.by.len();
         if !self.driven.is_empty() {
             let (time, state) = (stretch.within(time), &state[..self.states]);
             self.simulator.parameter_jacobian(time, state, self.parameters, by_parameters);
@@ -190,14 +205,45 @@ impl<'a> Tangents<'a> {
                 into[*place] = by_parameters[*entry];
             }
         }
-        let entries = self.simulator.rate_jacobian_pattern().entries;
-        for ((row, column), value) in entries.iter().zip(jacobian) {
-            let tangents = &tangents[*column as usize * count..][..count];
-            let into = &mut into[*row as usize * count..][..count];
-            for (into, tangent) in into.iter_mut().zip(tangents) {
-                *into = Real::mul_add(*value, *tangent, *into);
-            }
+        self.add_product(jacobian, tangents, into);
+    }
+
+    /// Adds J S, as many directions at once as registers hold.
+    fn add_product(&self, jacobian: &[f64], tangents: &[f64], into: &mut [f64]) {
+        let count = self.by.len();
+        let mut first = 0;
+        while first < count {
+            let (s, into) = (&tangents[first..], &mut into[first..]);
+            first += match count - first {
+                10.. => self.add_block::<10>(jacobian, s, into),
+                6.. => self.add_block::<6>(jacobian, s, into),
+                4.. => self.add_block::<4>(jacobian, s, into),
+                2.. => self.add_block::<2>(jacobian, s, into),
+                _ => self.add_block::<1>(jacobian, s, into),
+            };
         }
+    }
+
+    /// Adds J S in the first directions of every row; so many.
+    fn add_block<const N: usize>(&self, jacobian: &[f64], s: &[f64], into: &mut [f64]) -> usize {
+        for (row, entries) in &self.slopes_at {
+            let Some(into) = into.get_mut(*row..).and_then(<[f64]>::first_chunk_mut::<N>) else {
+                break;
+            };
+            let mut sum = *into;
+            for (column, value) in
+                self.columns_at[entries.clone()].iter().zip(&jacobian[entries.clone()])
+            {
+                let Some(tangents) = s.get(*column..).and_then(<[f64]>::first_chunk::<N>) else {
+                    break;
+                };
+                for (sum, tangent) in sum.iter_mut().zip(tangents) {
+                    *sum = Real::mul_add(*value, *tangent, *sum);
+                }
+            }
+            *into = sum;
+        }
+        N
     }
 
     /// The entries of dy'/dy where [`Tangents::rate`] was last asked for: row, column, value.
@@ -232,6 +278,9 @@ impl<'a> Tangents<'a> {
     /// ```text
     /// error / (atol / |p| + rtol |S|)
     /// ```
+    ///
+    /// where |S| is the largest that an entry was until now, its natural size: where it passes
+    /// zero, nothing is to be held that is better than that.
     pub(crate) fn error(
         &self,
         stretch: &Stretch<'_>,
@@ -239,13 +288,17 @@ impl<'a> Tangents<'a> {
         (start, end): (&[f64], &[f64]),
     ) -> f64 {
         let count = self.by.len();
+        let largest = self.largest.borrow();
         let mut sums = vec![0.0; count];
-        let rows = errors.chunks_exact(count).zip(start.chunks_exact(count));
-        for (((errors, start), end), atol) in
-            rows.zip(end.chunks_exact(count)).zip(&stretch.atol[..self.states])
+        let rows = |values| <[f64]>::chunks_exact(values, count);
+        for ((((errors, start), end), largest), atol) in rows(errors)
+            .zip(rows(start))
+            .zip(rows(end))
+            .zip(rows(&largest))
+            .zip(&stretch.atol[..self.states])
         {
             for (k, sum) in sums.iter_mut().enumerate() {
-                let size = start[k].abs().max(end[k].abs());
+                let size = largest[k].max(start[k].abs()).max(end[k].abs());
                 let ratio = errors[k] / (atol / self.sizes[k] + stretch.rtol * size);
                 *sum += ratio * ratio;
             }
@@ -281,6 +334,9 @@ impl<'a> Tangents<'a> {
     /// Takes the current step: its end is the start of the next one.
     pub(crate) fn accept(&self) {
         let inner = &mut *self.inner.borrow_mut();
+        for (largest, value) in self.largest.borrow_mut().iter_mut().zip(&inner.end) {
+            *largest = largest.max(value.abs());
+        }
         std::mem::swap(&mut inner.start, &mut inner.end);
     }
 

@@ -10,6 +10,8 @@ pub(super) struct Collocation {
     pub(super) slope: Vec<f64>,
     /// A, row after row: integrals of Lagrange's polynomials.
     pub(super) integrals: Vec<f64>,
+    /// A^-1, row after row: slopes at the nodes of the polynomial through 0 at 0 and z_i at c_i.
+    pub(super) slopes: Vec<f64>,
     /// Nodes of the divided differences: c from the last to the first, then 0.
     nodes: Vec<f64>,
 }
@@ -25,6 +27,7 @@ impl Collocation {
             coefficients,
             slope: slope.collect(),
             integrals: integrals(coefficients),
+            slopes: slopes(coefficients),
             nodes: c.iter().rev().copied().chain([0.0]).collect(),
         }
     }
@@ -82,24 +85,37 @@ impl Collocation {
 
 /// A = T D^-1 T^-1, D the block diagonal.
 fn integrals(coefficients: &Radau) -> Vec<f64> {
+    between(coefficients, 1.0 / coefficients.real, |(a, b)| {
+        let size = a * a + b * b;
+        (a / size, -b / size)
+    })
+}
+
+/// A^-1 = T D T^-1.
+fn slopes(coefficients: &Radau) -> Vec<f64> {
+    between(coefficients, coefficients.real, |pair| pair)
+}
+
+/// T B T^-1 of a block diagonal B, with a number first and then blocks \[a, -b; b, a\].
+fn between(coefficients: &Radau, first: f64, block: impl Fn((f64, f64)) -> (f64, f64)) -> Vec<f64> {
     let count = coefficients.nodes.len();
-    let mut integrals = vec![0.0; count * count];
+    let mut matrix = vec![0.0; count * count];
     for column in 0..count {
         let of = |row: usize| coefficients.inverse[row * count + column];
-        let mut inner = vec![of(0) / coefficients.real];
-        for (pair, &(a, b)) in coefficients.pairs.iter().enumerate() {
+        let mut inner = vec![first * of(0)];
+        for (pair, blocks) in coefficients.pairs.iter().enumerate() {
             let (upper, lower) = (of(1 + 2 * pair), of(2 + 2 * pair));
-            let size = a * a + b * b;
-            inner.push((a * upper + b * lower) / size);
-            inner.push((a * lower - b * upper) / size);
+            let (a, b) = block(*blocks);
+            inner.push(a * upper - b * lower);
+            inner.push(b * upper + a * lower);
         }
         for row in 0..count {
             let transform = &coefficients.transform[row * count..][..count];
-            integrals[row * count + column] =
+            matrix[row * count + column] =
                 transform.iter().zip(&inner).map(|(t, inner)| t * inner).sum();
         }
     }
-    integrals
+    matrix
 }
 
 #[cfg(test)]

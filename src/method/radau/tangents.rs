@@ -1,17 +1,17 @@
 //! Sensitivities over a step that has been solved: linear equations for their stages.
 //!
 //! ```text
-//! Z_i - h sum_j a_ij J_j Z_j = h sum_j a_ij (J_j S + p_j),   S_i = S + Z_i
+//! 1/h sum_j (A^-1)_ij Z_j - J_i Z_i = J_i S + p_i,   S_i = S + Z_i
 //! ```
 //!
-//! J_j and p_j = df/dp being those of the states of the stages, so that S is the derivative of
+//! J_i and p_i = df/dp being those of the states of the stages, so that S is the derivative of
 //! what the step computes. One factorization of all stages at once serves every direction; a
-//! stiff machine has few states or is refused.
-
-use nalgebra::{DMatrix, Dyn, LU};
+//! stiff machine has few states or is refused. The stages of a state are unknowns next to each
+//! other: so zeros of J remain zeros over much of the elimination.
 
 use super::RadauSteps;
 use super::collocation::Collocation;
+use crate::method::lu::Lu;
 use crate::method::sensitivity::Tangents;
 
 /// Stages of sensitivities.
@@ -19,6 +19,12 @@ use crate::method::sensitivity::Tangents;
 pub(super) struct Carried {
     /// Z, stage after stage.
     stages: Vec<f64>,
+    /// The same, the stages of a state next to each other.
+    solved: Vec<f64>,
+    rate: Vec<f64>,
+    column: Vec<f64>,
+    /// The matrix of all stages, and of how many it is.
+    matrix: Option<(usize, Lu<f64>)>,
     /// Divided differences of the polynomial through them.
     differences: Vec<f64>,
 }
@@ -34,35 +40,45 @@ impl RadauSteps<'_> {
         let method = &self.methods[self.current];
         let (count, size, len) = (method.stages(), self.size, start.len());
         let directions = len / size;
-        let mut system = DMatrix::<f64>::identity(count * size, count * size);
-        let mut right_side = DMatrix::<f64>::zeros(count * size, directions);
-        let mut rate = vec![0.0; len];
+        let Carried { stages, solved, rate, matrix, .. } = &mut self.carried;
+        if matrix.as_ref().is_none_or(|(stages, _)| *stages != count) {
+            *matrix = Some((count, Lu::new(count * size)));
+        }
+        let Some((_, matrix)) = matrix else { return f64::NAN };
+        matrix.clear();
+        stages.resize(count * len, 0.0);
+        solved.resize(count * len, 0.0);
+        rate.resize(len, 0.0);
         for (stage, node) in method.coefficients.nodes.iter().enumerate() {
             let z = &self.stages[stage * self.len..][..size];
             for ((state, start), z) in self.scratch.iter_mut().zip(&self.start).zip(z) {
                 *state = start + z;
             }
             let time = self.time + node * self.step;
-            tangents.rate(self.stretch, time, &self.scratch[..size], start, &mut rate);
-            for row in 0..count {
-                let weight = self.step * method.integrals[row * count + stage];
-                tangents.for_each_slope(|on, by, value| {
-                    system[(row * size + on, stage * size + by)] -= weight * value;
-                });
-                for (place, rate) in rate.iter().enumerate() {
-                    let (on, direction) = (place / directions, place % directions);
-                    right_side[(row * size + on, direction)] += weight * rate;
+            tangents.rate(self.stretch, time, &self.scratch[..size], start, rate);
+            for (other, slope) in method.slopes[stage * count..][..count].iter().enumerate() {
+                for state in 0..size {
+                    let row = state * count;
+                    matrix.add(row + stage, row + other, slope / self.step);
                 }
             }
+            tangents.for_each_slope(|on, by, value| {
+                matrix.add(on * count + stage, by * count + stage, -value);
+            });
+            for (state, rate) in rate.chunks_exact(directions).enumerate() {
+                let row = state * count + stage;
+                solved[row * directions..][..directions].copy_from_slice(rate);
+            }
         }
-        let Some(stages) = solved(&system.lu(), right_side) else { return f64::NAN };
-        self.carried.stages.clear();
-        for row in stages.row_iter() {
-            self.carried.stages.extend(row.iter());
+        if matrix.factor().is_err() {
+            return f64::NAN;
         }
-        for ((end, start), z) in
-            end.iter_mut().zip(start).zip(&self.carried.stages[(count - 1) * len..])
-        {
+        matrix.solve_each(solved, directions);
+        for (row, z) in solved.chunks_exact(directions).enumerate() {
+            let (state, stage) = (row / count, row % count);
+            stages[stage * len + state * directions..][..directions].copy_from_slice(z);
+        }
+        for ((end, start), z) in end.iter_mut().zip(start).zip(&stages[(count - 1) * len..]) {
             *end = start + z;
         }
         if tangents.is_controlled() { self.error_of(tangents, start, end) } else { 0.0 }
@@ -73,36 +89,33 @@ impl RadauSteps<'_> {
         let method = &self.methods[self.current];
         let (size, len) = (self.size, start.len());
         let directions = len / size;
-        let mut errors = vec![0.0; len];
-        tangents.rate(self.stretch, self.time, &self.start[..size], start, &mut errors);
+        let looser = self.looser();
+        let Carried { stages, rate: errors, column, .. } = &mut self.carried;
+        tangents.rate(self.stretch, self.time, &self.start[..size], start, errors);
         for (place, error) in errors.iter_mut().enumerate() {
-            let stages = self.carried.stages[place..].iter().step_by(len);
+            let stages = stages[place..].iter().step_by(len);
             let slope: f64 = method.slope.iter().zip(stages).map(|(weight, z)| weight * z).sum();
             *error -= slope / self.step;
         }
-        let mut column = vec![0.0; size];
+        column.resize(size, 0.0);
         for direction in 0..directions {
             for (value, row) in column.iter_mut().zip(errors.chunks_exact(directions)) {
                 *value = row[direction];
             }
-            self.newton.solve_real(&mut column);
+            self.newton.solve_real(column);
             for (value, row) in column.iter().zip(errors.chunks_exact_mut(directions)) {
                 row[direction] = *value;
             }
         }
-        tangents.error(self.stretch, &errors, (start, end))
+        tangents.error(self.stretch, errors, (start, end)) / looser
     }
 
     /// Sensitivities within the current step.
     pub(super) fn carried_at(&mut self, time: f64, start: &[f64], into: &mut [f64]) {
         let method: &Collocation = &self.methods[self.current];
-        let Carried { stages, differences } = &mut self.carried;
+        let Carried { stages, differences, .. } = &mut self.carried;
         differences.resize(start.len() * (method.stages() + 1), 0.0);
         method.differences(start, stages, differences);
         method.evaluate(differences, (time - self.time) / self.step, into);
     }
-}
-
-fn solved(factors: &LU<f64, Dyn, Dyn>, mut right_side: DMatrix<f64>) -> Option<DMatrix<f64>> {
-    factors.solve_mut(&mut right_side).then_some(right_side)
 }

@@ -1,6 +1,6 @@
 //! Sensitivities of states and outputs as columns of a trajectory.
 
-use machinist_contract::{DualFunction, Quantity, Simulator};
+use machinist_contract::{Dual, DualFunction, Quantity, Simulator};
 
 use super::{By, Tangents};
 use crate::trajectory::{Column, ColumnKind, sensitivity_name};
@@ -20,10 +20,21 @@ pub(crate) fn columns(
     let count = by.len();
     let rows_of_tangents = || sensitivities.chunks_exact(tangents.len().max(1));
     let mut outputs = vec![Vec::with_capacity(times.len()); shape.outputs * count];
-    for ((time, row), s) in times.iter().zip(rows.chunks_exact(width)).zip(rows_of_tangents()) {
-        let slopes = tangents.slopes(DualFunction::Outputs, shape.outputs, *time, row, s);
-        for (column, slope) in outputs.iter_mut().zip(slopes.iter().flatten()) {
-            column.push(*slope);
+    let mut results = vec![Dual::constant(0.0); shape.outputs];
+    for directions in tangents.chunks() {
+        let parameters = tangents.parameters_along(&directions);
+        let states = rows.chunks_exact(width).zip(rows_of_tangents());
+        for (time, (row, s)) in times.iter().zip(states) {
+            let state = tangents.state_along(row, s, &directions);
+            let (function, time) = (DualFunction::Outputs, Dual::constant(*time));
+            tangents.derivatives.on_duals(function, time, &state, &parameters, &mut results);
+            for (columns, result) in outputs.chunks_exact_mut(count).zip(&results) {
+                let columns = &mut columns[directions.clone()];
+                columns
+                    .iter_mut()
+                    .zip(result.slopes)
+                    .for_each(|(column, slope)| column.push(slope));
+            }
         }
     }
     let states = (0..shape.states()).flat_map(|index| (0..count).map(move |k| (index, k)));

@@ -26,6 +26,7 @@ mod motions;
 mod operating_point;
 mod response;
 mod rest;
+mod slopes;
 mod within;
 
 use machinist_contract::{Quantity, Simulator};
@@ -39,6 +40,7 @@ pub use error::{LinearError, Residual};
 pub use modes::{Mode, ModeKind};
 pub use operating_point::{Place, operating_point};
 pub use response::{Response, logarithmic_range};
+pub use slopes::{ModeSlope, NoSlope, PointSlopes};
 
 /// Largest number of states; beyond, dense matrices take too much time.
 pub const MAX_STATES: usize = 2000;

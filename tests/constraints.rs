@@ -32,7 +32,7 @@ fn scene(more: &str) -> ModelSimulator {
     of_text(&text, Keep::Needed)
 }
 
-fn start_of(scene: &ModelSimulator) -> Result<Vec<f64>, SimulateError> {
+pub fn start_of(scene: &ModelSimulator) -> Result<Vec<f64>, SimulateError> {
     use machinist_contract::Describe as _;
     let count = scene.shape().parameters;
     let parameters: Vec<f64> = (0..count).map(|index| scene.parameter_default(index)).collect();
@@ -261,7 +261,7 @@ fn a_rod_by_its_velocity_swings_likewise_and_has_any_length() {
 }
 
 /// The scene `slider_crank` let go, its crank near the lowest place.
-fn slider_crank_let_go() -> ModelSimulator {
+pub fn slider_crank_let_go() -> ModelSimulator {
     let text = include_str!("../specs/scenes/slider_crank.toml");
     let (head, rest) = text.split_once("[constraints.drive]").expect("it is driven");
     let (_, outputs) = rest.split_once("[outputs]").expect("it has outputs");

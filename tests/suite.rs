@@ -23,6 +23,7 @@ mod language;
 mod linear_analysis;
 mod massless;
 mod methods;
+mod mode_slopes;
 mod narrow;
 mod onsets;
 mod orders;

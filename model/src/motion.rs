@@ -1,6 +1,7 @@
 //! What several functions of a machine need of its motion, computed by one tape, and
 //! matrices that are solved for with its factors.
 
+use machinist_contract::Real;
 use machinist_contract::implicit::{LANES, Step, substitute};
 use serde::{Deserialize, Serialize};
 
@@ -71,12 +72,12 @@ impl Solve {
     ///
     /// # Panics
     /// If there are fewer of any than the steps and places mention.
-    pub fn write(
+    pub fn write<R: Real>(
         &self,
-        factors: &[f64],
-        inputs: &[f64],
-        work: &mut [[f64; LANES]],
-        values: &mut [f64],
+        factors: &[R],
+        inputs: &[R],
+        work: &mut [[R; LANES]],
+        values: &mut [R],
     ) {
         let (given, right_sides) = inputs.split_at(self.given.len());
         for (&entry, &value) in self.given.iter().zip(given) {
@@ -86,7 +87,7 @@ impl Solve {
         let mut solved = self.solved.iter().peekable();
         for first in (0..self.columns).step_by(LANES) {
             let end = first + LANES as u32;
-            work.fill([0.0; LANES]);
+            work.fill([R::literal(0.0); LANES]);
             while let Some((&(row, column), &value)) =
                 right_sides.next_if(|((_, column), _)| *column < end)
             {

@@ -79,6 +79,17 @@ pub enum LinearError {
         /// Rates that should be zero, the worst first.
         residuals: Vec<Residual>,
     },
+    /// An equilibrium that a parameter leaves nothing of.
+    #[error(
+        "scene `{scene}` is in equilibrium only at this value of `{parameter}`: beside it, nothing \
+         could make up for what it changes, so that no derivative by it is told"
+    )]
+    LosesEquilibrium {
+        /// The scene.
+        scene: String,
+        /// The parameter.
+        parameter: String,
+    },
     /// A matrix has no inverse.
     #[error("{what} is singular")]
     Singular {

@@ -214,8 +214,8 @@ impl Problem {
         let near = |other: &Complex64| (other - value).norm() <= CLUSTER * self.norm;
         let same: Vec<&DVector<Complex64>> =
             found.iter().filter(|(other, _)| near(other)).map(|(_, vector)| vector).collect();
-        let right = self.eigenvector(&self.complex, value, number, &same);
-        let left = self.eigenvector(&self.transposed, value, number, &[]);
+        let right = eigenvector((&self.complex, self.norm), value, number, &same);
+        let left = eigenvector((&self.transposed, self.norm), value, number, &[]);
         let overlap = left.dot(&right);
         let is_simple = value != Complex64::ZERO && same.is_empty() && overlap.norm() > CLUSTER;
         if is_simple {
@@ -229,37 +229,6 @@ impl Problem {
         let moved = self.right(&right);
         let shares = self.shares(&moved, &moved.conjugate());
         (self.described(value, &moved, shares), right)
-    }
-
-    /// A vector of length 1 with matrix x = value x, by inverse iteration, across
-    /// the ones already found for the same value.
-    fn eigenvector(
-        &self,
-        matrix: &DMatrix<Complex64>,
-        value: Complex64,
-        number: usize,
-        found: &[&DVector<Complex64>],
-    ) -> DVector<Complex64> {
-        let size = matrix.nrows();
-        // Slightly off the eigenvalue, so that the matrix can be inverted.
-        let shift = value + Complex64::from(8.0 * f64::EPSILON * self.norm);
-        let shifted = matrix - DMatrix::identity(size, size) * shift;
-        let lu = shifted.lu();
-        let start = |index: usize| (1.0 + (index + 1) as f64 * (number + 2) as f64).cos();
-        let mut vector = DVector::from_fn(size, |index, _| Complex64::from(start(index)));
-        for _ in 0..INVERSE_ITERATIONS {
-            let Some(mut next) = lu.solve(&vector) else { break };
-            for other in found {
-                let along = other.dotc(&next);
-                next.axpy(-along, other, Complex64::ONE);
-            }
-            let norm = next.norm();
-            if !(norm.is_finite() && norm > 0.0) {
-                break;
-            }
-            vector = next.unscale(norm);
-        }
-        vector
     }
 
     /// |w_i x_i| of coordinates with their velocities, then of first-order states.
@@ -304,4 +273,34 @@ impl Problem {
         let index = largest.unwrap_or(0);
         if index < self.coordinates { index } else { index + self.coordinates }
     }
+}
+
+/// A vector of length 1 with matrix x = value x, by inverse iteration, across the ones already
+/// found for the same value; the matrix comes with its norm.
+pub(super) fn eigenvector(
+    (matrix, norm): (&DMatrix<Complex64>, f64),
+    value: Complex64,
+    number: usize,
+    found: &[&DVector<Complex64>],
+) -> DVector<Complex64> {
+    let size = matrix.nrows();
+    // Slightly off the eigenvalue, so that the matrix can be inverted.
+    let shift = value + Complex64::from(8.0 * f64::EPSILON * norm);
+    let shifted = matrix - DMatrix::identity(size, size) * shift;
+    let lu = shifted.lu();
+    let start = |index: usize| (1.0 + (index + 1) as f64 * (number + 2) as f64).cos();
+    let mut vector = DVector::from_fn(size, |index, _| Complex64::from(start(index)));
+    for _ in 0..INVERSE_ITERATIONS {
+        let Some(mut next) = lu.solve(&vector) else { break };
+        for other in found {
+            let along = other.dotc(&next);
+            next.axpy(-along, other, Complex64::ONE);
+        }
+        let norm = next.norm();
+        if !(norm.is_finite() && norm > 0.0) {
+            break;
+        }
+        vector = next.unscale(norm);
+    }
+    vector
 }

@@ -1,16 +1,21 @@
 //! `machinist modes`: how a scene vibrates about a point.
 
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 
 use crate::plot::plot_modes;
 use clap::Args;
-use machinist::linear_analysis::{Linearization, Mode, ModeKind, SecondOrder};
+use machinist::linear_analysis::{
+    Linearization, Mode, ModeKind, ModeSlope, NoSlope, PointSlopes, SecondOrder,
+};
+use machinist_contract::Quantity;
 use nalgebra::DMatrix;
 use serde::Serialize;
 
 use super::linear::Where;
 use super::output::{columns, draw_file, print, require_picture};
+use super::scene::Scene;
 use crate::failure::Failure;
 use crate::number::number;
 
@@ -22,6 +27,9 @@ const MOVING: usize = 3;
 pub struct Modes {
     #[command(flatten)]
     at: Where,
+    /// Add derivatives of frequencies and damping by these parameters, as NAME,NAME
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    sensitivities: Vec<String>,
     /// As JSON, with shapes, the point, and the matrices M, D and K
     #[arg(long)]
     json: bool,
@@ -41,11 +49,29 @@ struct Answer<'a> {
     /// What the shapes of modes are made of.
     motions: Vec<String>,
     modes: &'a [Mode],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sensitivities: Option<Vec<ModeAnswer<'a>>>,
     mass: Vec<Vec<f64>>,
     damping: Vec<Vec<f64>>,
     stiffness: Vec<Vec<f64>>,
     /// Null if M is singular.
     undamped_frequencies: Option<Vec<f64>>,
+}
+
+/// Derivatives of one mode.
+#[derive(Serialize)]
+struct ModeAnswer<'a> {
+    #[serde(flatten)]
+    by: BTreeMap<&'a str, &'a ModeSlope>,
+    /// Why there are none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    none: Option<String>,
+}
+
+/// Of every mode, by each parameter.
+struct Slopes<'a> {
+    by: Vec<Quantity<'a>>,
+    of_modes: Vec<Result<Vec<ModeSlope>, NoSlope>>,
 }
 
 impl Modes {
@@ -54,11 +80,12 @@ impl Modes {
         let scene = self.at.load()?;
         let linearization = self.at.linearize(&scene)?;
         let modes = linearization.modes()?;
+        let slopes = self.slopes(&scene, &linearization, &modes)?;
         if let Some(file) = &self.plot {
             draw_file(file, |path| plot_modes(&linearization, &modes, path))?;
         }
         if self.json {
-            let answer = self.answer(&linearization, &modes);
+            let answer = self.answer(&linearization, &modes, slopes.as_ref());
             let text = serde_json::to_string_pretty(&answer)
                 .map_err(|error| Failure::unsuccessful(error, ""))?;
             return print(&format!("{text}\n"));
@@ -76,13 +103,37 @@ impl Modes {
         } else {
             text.push_str(&columns(&table(&linearization, &modes), 2));
         }
+        if let Some(slopes) = &slopes {
+            text.push_str(&slopes.told(&linearization, &modes));
+        }
         if let Some(file) = &self.plot {
             text.extend(["\nwrote ", &file.display().to_string(), "\n"]);
         }
         print(&text)
     }
 
-    fn answer<'a>(&self, linearization: &'a Linearization<'_>, modes: &'a [Mode]) -> Answer<'a> {
+    fn slopes<'s>(
+        &self,
+        scene: &'s Scene,
+        linearization: &Linearization<'_>,
+        modes: &[Mode],
+    ) -> Result<Option<Slopes<'s>>, Failure> {
+        if self.sensitivities.is_empty() {
+            return Ok(None);
+        }
+        let run = self.at.run(scene)?;
+        let point =
+            PointSlopes::of(&run, self.at.place(), linearization.point(), &self.sensitivities)?;
+        let of_modes = linearization.mode_slopes(modes, &point)?;
+        Ok(Some(Slopes { by: point.by(scene.simulator()), of_modes }))
+    }
+
+    fn answer<'a>(
+        &self,
+        linearization: &'a Linearization<'_>,
+        modes: &'a [Mode],
+        slopes: Option<&'a Slopes<'_>>,
+    ) -> Answer<'a> {
         let simulator = linearization.simulator();
         let second_order = linearization.second_order();
         let undamped_frequencies = second_order.undamped_frequencies().ok();
@@ -95,10 +146,104 @@ impl Modes {
             state: &linearization.point().state,
             motions: linearization.motion_names(),
             modes,
+            sensitivities: slopes.map(|slopes| slopes.answer(linearization, modes)),
             mass: rows(&mass),
             damping: rows(&damping),
             stiffness: rows(&stiffness),
             undamped_frequencies,
+        }
+    }
+}
+
+impl Slopes<'_> {
+    fn answer(&self, linearization: &Linearization<'_>, modes: &[Mode]) -> Vec<ModeAnswer<'_>> {
+        self.of_modes
+            .iter()
+            .map(|of_mode| match of_mode {
+                Ok(slopes) => {
+                    let by = self.by.iter().map(|by| by.name).zip(slopes).collect();
+                    ModeAnswer { by, none: None }
+                }
+                Err(why) => {
+                    let none = Some(without(why, linearization, modes));
+                    ModeAnswer { by: BTreeMap::new(), none }
+                }
+            })
+            .collect()
+    }
+
+    /// A table for each parameter, and why modes are not in it.
+    fn told(&self, linearization: &Linearization<'_>, modes: &[Mode]) -> String {
+        let shown = |value: f64| number(value, 6);
+        let mut text = String::new();
+        let point = linearization.point();
+        let simulator = linearization.simulator();
+        for (column, by) in self.by.iter().enumerate() {
+            let parameter = (0..simulator.shape().parameters)
+                .find(|index| simulator.parameter(*index).name == by.name)
+                .map_or(f64::NAN, |index| point.parameters[index]);
+            let unit = if by.unit == "1" { String::new() } else { format!(" {}", by.unit) };
+            text.push_str(&format!("\nBy `{}`, which is {}{unit}:\n\n", by.name, shown(parameter)));
+            let heading = [
+                "motion",
+                "moves",
+                "d(natural)",
+                "% per %",
+                "d(damping ratio)",
+                "d(real part)",
+                "d(imaginary part)",
+            ];
+            let mut lines = vec![heading.map(str::to_owned)];
+            for (mode, slopes) in modes.iter().zip(&self.of_modes) {
+                let Ok(slopes) = slopes else { continue };
+                let slope = slopes[column];
+                let [kind, moves, ..] = row(linearization, mode);
+                let is_oscillation = mode.kind == ModeKind::Oscillation;
+                let only = |value: f64| if is_oscillation { shown(value) } else { String::new() };
+                let share = slope.natural_frequency * parameter / mode.natural_frequency();
+                lines.push([
+                    kind,
+                    moves,
+                    only(slope.natural_frequency),
+                    only(share),
+                    only(slope.damping_ratio),
+                    shown(slope.real),
+                    only(slope.imaginary),
+                ]);
+            }
+            text.push_str(&columns(&lines, 2));
+        }
+        for (mode, slopes) in modes.iter().zip(&self.of_modes) {
+            if let Err(why) = slopes
+                && *why != NoSlope::Free
+            {
+                let [kind, moves, ..] = row(linearization, mode);
+                let why = without(why, linearization, modes);
+                text.push_str(&format!("\nno derivatives of the {kind} of {moves}: {why}\n"));
+            }
+        }
+        text
+    }
+}
+
+/// Why a mode has no derivatives.
+fn without(why: &NoSlope, linearization: &Linearization<'_>, modes: &[Mode]) -> String {
+    match why {
+        NoSlope::Free => "nothing restores it, whatever the parameters".to_owned(),
+        NoSlope::Repeated(others) => {
+            let named = others.iter().map(|other| {
+                let [kind, moves, ..] = row(linearization, &modes[*other]);
+                format!("the {kind} of {moves}")
+            });
+            format!(
+                "its eigenvalue is also that of {}, and how they part depends on what is changed",
+                named.collect::<Vec<_>>().join(" and of ")
+            )
+        }
+        NoSlope::Defective => {
+            "its eigenvalue is double with one shape, as where an oscillation becomes two decays, \
+             and moves as a root"
+                .to_owned()
         }
     }
 }

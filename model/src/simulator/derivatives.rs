@@ -2,6 +2,7 @@
 
 use std::sync::OnceLock;
 
+use machinist_contract::implicit::LANES;
 use machinist_contract::{Derivatives, Dual, DualFunction};
 
 use super::ModelSimulator;
@@ -22,7 +23,6 @@ impl Default for OnDuals {
     }
 }
 
-/// None of them solves a system, so that its tape is all there is of it.
 fn function_of(function: DualFunction) -> FunctionId {
     match function {
         DualFunction::InitialState => FunctionId::InitialState,
@@ -35,6 +35,7 @@ fn function_of(function: DualFunction) -> FunctionId {
         DualFunction::ConstraintRates => FunctionId::ConstraintRates,
         DualFunction::ConstraintMatrix => FunctionId::ConstraintMatrix,
         DualFunction::MassMatrix => FunctionId::MassMatrix,
+        DualFunction::RateJacobian => FunctionId::RateJacobian,
     }
 }
 
@@ -63,6 +64,16 @@ impl Derivatives for ModelSimulator {
             before.evaluate_in(&mut room, &inputs, &mut motion);
         }
         let mut room = vec![Dual::constant(0.0); own.room()];
-        own.evaluate_in(&mut room, &Inputs { motion: &motion, ..inputs }, values);
+        let inputs = Inputs { motion: &motion, ..inputs };
+        let (Some(solve), Some(before)) = (self.model.solve(function), &self.model.motion) else {
+            own.evaluate_in(&mut room, &inputs, values);
+            return;
+        };
+        let mut results = vec![Dual::constant(0.0); solve.inputs()];
+        own.evaluate_in(&mut room, &inputs, &mut results);
+        let factors: Vec<Dual> =
+            before.factors.iter().map(|place| motion[*place as usize]).collect();
+        let mut work = vec![[Dual::constant(0.0); LANES]; solve.rows as usize];
+        solve.write(&factors, &results, &mut work, values);
     }
 }

@@ -48,7 +48,7 @@ impl Unknown {
         }
     }
 
-    fn inner(&self, value: f64) -> f64 {
+    pub(crate) fn inner(&self, value: f64) -> f64 {
         if self.is_logarithmic() { value.ln() } else { value / self.size() }
     }
 
@@ -60,7 +60,8 @@ impl Unknown {
     }
 
     /// d outer/d inner.
-    fn slope(&self, value: f64) -> f64 {
+    #[must_use]
+    pub fn slope(&self, value: f64) -> f64 {
         if self.is_logarithmic() { value } else { self.size() }
     }
 }
@@ -82,6 +83,23 @@ pub struct Fit<'a> {
     pub unknowns: &'a [Unknown],
     /// Measured runs, all from the same start.
     pub measured: &'a [Measured],
+}
+
+/// The given start, then others spread evenly within bounds, by multiples of powers of the root
+/// of x^(n+1) = x + 1 (the R sequence of M. Roberts); what has no bounds stays.
+#[must_use]
+pub fn spread_starts(first: &[f64], bounds: &[(f64, f64)], count: usize) -> Vec<Vec<f64>> {
+    let n = first.len();
+    let root = (0..64).fold(2.0_f64, |x, _| (1.0 + x).powf(1.0 / (n as f64 + 1.0)));
+    let spread = |index: usize| {
+        let inner = |k: usize| {
+            let (low, high) = bounds[k];
+            let share = (0.5 + index as f64 * root.powi(-(k as i32 + 1))).fract();
+            if (high - low).is_finite() { low + share * (high - low) } else { first[k] }
+        };
+        (0..n).map(inner).collect::<Vec<f64>>()
+    };
+    std::iter::once(first.to_vec()).chain((1..count).map(spread)).collect()
 }
 
 impl Fit<'_> {

@@ -19,6 +19,8 @@ pub mod field;
 #[cfg(feature = "fit")]
 pub mod fit;
 pub mod hosted;
+#[cfg(feature = "fit")]
+pub mod improve;
 #[cfg(feature = "sweep")]
 pub mod lanes;
 #[cfg(feature = "linear")]

@@ -16,6 +16,7 @@ mod exact;
 mod fields;
 mod fits;
 mod hosted;
+mod improvements;
 mod independent;
 mod interpreted;
 mod kinks;

@@ -23,6 +23,7 @@ mod fit;
 mod fmu;
 #[cfg(feature = "derive")]
 mod generate;
+mod improve;
 mod linear;
 mod list;
 pub mod modes;
@@ -35,6 +36,7 @@ mod range;
 #[cfg(feature = "derive")]
 mod report;
 mod response;
+mod rewrite;
 mod run;
 pub mod scene;
 mod sensitivity;
@@ -95,6 +97,8 @@ enum Command {
     Sensitivity(sensitivity::Sensitivity),
     /// Find parameters of a scene from measured runs
     Fit(fit::FitCommand),
+    /// Find parameters at which a design is best, within limits
+    Improve(improve::Improve),
     /// Simulate many variants of a scene, to a table
     Sweep(sweep::Sweep),
     /// Measure error against run time of all methods on a scene
@@ -154,6 +158,7 @@ pub fn main() -> ExitCode {
         Command::Run(command) => command.execute(),
         Command::Sensitivity(command) => command.execute(),
         Command::Fit(command) => command.execute(),
+        Command::Improve(command) => command.execute(),
         Command::Sweep(command) => command.execute(),
         Command::Bench(command) => command.execute(),
         Command::Stability(command) => command.execute(),

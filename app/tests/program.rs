@@ -11,6 +11,7 @@ mod deriving;
 mod fit;
 mod fmu;
 mod fuzz;
+mod improve;
 mod live;
 mod process;
 mod report;

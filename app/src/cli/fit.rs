@@ -2,7 +2,7 @@
 
 mod answer;
 mod data;
-mod unknown;
+pub(super) mod unknown;
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -16,6 +16,7 @@ use machinist_contract::Simulator;
 
 use super::assignment;
 use super::output::{draw_file, print, require_ending, require_picture};
+use super::rewrite::{FoundValue, write_scene};
 use super::scene::Scene;
 use super::settings::{with_method, with_parameters};
 use crate::failure::Failure;
@@ -162,7 +163,15 @@ impl FitCommand {
             draw(&fit::Fit { simulation: &plain, ..fit }, &answer, file)?;
         }
         if let Some(file) = &self.out {
-            self.write(&answer, &are_parameters, file)?;
+            let found = answer.parameters.iter().zip(&are_parameters).map(|(found, is_it)| {
+                FoundValue { name: &found.name, value: found.value, is_parameter: *is_it }
+            });
+            let set = self.set.iter().map(|(name, value)| FoundValue {
+                name,
+                value: *value,
+                is_parameter: true,
+            });
+            write_scene(&self.scene, &found.chain(set).collect::<Vec<_>>(), file)?;
         }
         if self.json {
             let text = serde_json::to_string_pretty(&answer)
@@ -243,7 +252,7 @@ impl FitCommand {
         };
         let mut best: Option<Found> = None;
         let mut lost = (0, None);
-        for start in starts(fit, self.starts) {
+        for start in fit::spread_starts(&fit.start(), &fit.bounds(), self.starts) {
             match search(&start, &scales, Loss::Squares) {
                 Ok(found) => {
                     let is_interrupted = found.end == End::Interrupted;
@@ -330,76 +339,6 @@ impl FitCommand {
             ((*name).to_owned(), scale)
         };
         fit.outputs().iter().map(of).collect()
-    }
-
-    /// Writes the scene's text with the fitted values; never over what it was read from.
-    #[cfg(feature = "derive")]
-    fn write(
-        &self,
-        answer: &Answer,
-        are_parameters: &[bool],
-        file: &std::path::Path,
-    ) -> Result<(), Failure> {
-        use machinist_codegen::spec::library::LibraryScene;
-        use machinist_codegen::spec::rewrite::{Setting, with_settings};
-
-        use super::scene::Given;
-        use crate::spec_source::SpecSource;
-
-        let no_text = || {
-            let message = format!("--out: `{}` is a model, which has no text", self.scene);
-            Failure::input(message, "give the spec that it was compiled from")
-        };
-        let (text, of) = match Given::of(&self.scene)? {
-            Given::Model(_) => return Err(no_text()),
-            Given::Spec(SpecSource::BuiltIn(name)) => {
-                let scene = LibraryScene::find(&name).ok_or_else(no_text)?;
-                (scene.text.to_owned(), None)
-            }
-            Given::Spec(SpecSource::File(path)) => {
-                let text =
-                    std::fs::read_to_string(&path).map_err(|error| Failure::file(&path, &error))?;
-                (text, Some(path))
-            }
-        };
-        let is_same = |path: &PathBuf| {
-            let [a, b] = [path.as_path(), file].map(std::fs::canonicalize);
-            matches!((a, b), (Ok(a), Ok(b)) if a == b)
-        };
-        if of.as_ref().is_some_and(is_same) {
-            let message = format!("--out {} would overwrite the scene itself", file.display());
-            return Err(Failure::input(message, "give another name"));
-        }
-        let settings: Vec<Setting> = answer
-            .parameters
-            .iter()
-            .zip(are_parameters)
-            .map(|(found, is_parameter)| {
-                let (name, value) = (found.name.clone(), found.value);
-                if *is_parameter {
-                    Setting::Parameter(name, value)
-                } else {
-                    Setting::Initial(name, value)
-                }
-            })
-            .chain(self.set.iter().map(|(name, value)| Setting::Parameter(name.clone(), *value)))
-            .collect();
-        let text = with_settings(&text, &settings)
-            .map_err(|why| Failure::unsuccessful(format!("--out {}: {why}", file.display()), ""))?;
-        super::output::write_file(file, |out| out.write_all(text.as_bytes()))
-    }
-
-    /// This program reads no specs.
-    #[cfg(not(feature = "derive"))]
-    #[expect(clippy::unused_self, reason = "called as the one that writes")]
-    fn write(
-        &self,
-        _answer: &Answer,
-        _are_parameters: &[bool],
-        file: &std::path::Path,
-    ) -> Result<(), Failure> {
-        let message = format!("--out {}: this program was built without specs", file.display());
-        Err(Failure::input(message, "take the values from the table, or `--json`"))
     }
 }
 
@@ -492,24 +431,6 @@ fn renewed(
         (name.clone(), scale * if usual.is_finite() { usual.max(LEAST) } else { 1.0 })
     };
     scales.iter().map(renew).collect()
-}
-
-/// The scene's own start, then others spread evenly within bounds, by multiples of powers of
-/// the root of x^(n+1) = x + 1 (the R sequence of M. Roberts).
-fn starts(fit: &fit::Fit<'_>, count: usize) -> Vec<Vec<f64>> {
-    let first = fit.start();
-    let bounds = fit.bounds();
-    let n = first.len();
-    let root = (0..64).fold(2.0_f64, |x, _| (1.0 + x).powf(1.0 / (n as f64 + 1.0)));
-    let spread = |index: usize| {
-        let inner = |k: usize| {
-            let (low, high) = bounds[k];
-            let share = (0.5 + index as f64 * root.powi(-(k as i32 + 1))).fract();
-            if (high - low).is_finite() { low + share * (high - low) } else { first[k] }
-        };
-        (0..n).map(inner).collect::<Vec<f64>>()
-    };
-    std::iter::once(first.clone()).chain((1..count).map(spread)).collect()
 }
 
 fn progress(runs: usize, evaluation: &Evaluation) -> String {

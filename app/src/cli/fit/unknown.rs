@@ -20,6 +20,9 @@ pub fn asked(text: &str) -> Result<Asked, String> {
     let Some((name, values)) = text.split_once('=') else {
         return Ok(Asked { name: text.trim().to_owned(), bounds: None });
     };
+    if values.trim() == ".." {
+        return Ok(Asked { name: name.trim().to_owned(), bounds: None });
+    }
     let (from, to) = ends(values, EXAMPLE)?;
     if from >= to {
         return Err(format!("the bounds cross: {from} is not below {to}"));
@@ -78,6 +81,7 @@ mod tests {
         let bounded = Asked { name: "a.b".to_owned(), bounds: Some((10.0, 500.0)) };
         assert_eq!(asked("a.b=10..500"), Ok(bounded));
         assert_eq!(asked("a.b").map(|asked| asked.bounds), Ok(None));
+        assert_eq!(asked("a.b=..").map(|asked| asked.bounds), Ok(None));
         for (bad, reason) in [
             ("a.b=3", "NAME=FROM..TO"),
             ("a.b=5..1", "cross"),

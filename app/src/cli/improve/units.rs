@@ -1,0 +1,192 @@
+//! Units of measure of expressions over a run, where the program can read them.
+
+#[cfg(feature = "derive")]
+pub use readable::{check, check_sides, of};
+#[cfg(not(feature = "derive"))]
+pub use unread::{check, check_sides, of};
+
+#[cfg(feature = "derive")]
+mod readable {
+    use std::ops::Range;
+
+    use machinist::improve::{
+        Expression, ExpressionError, Function, Inequality, Node, Operator, Reduction,
+    };
+    use machinist_codegen::spec::dimension::{Dimension, Unit};
+    use machinist_contract::Simulator;
+
+    /// A dimension; nothing of a bare number, which is in the unit of what it stands beside.
+    type Known = Option<Dimension>;
+
+    /// Refuses sums of different quantities, and functions of such that have a unit.
+    pub fn check(
+        expression: &Expression,
+        simulator: &dyn Simulator<f64>,
+    ) -> Result<(), ExpressionError> {
+        dimension(expression, simulator).map(|_| ())
+    }
+
+    /// The same, also of sides that do not fit.
+    pub fn check_sides(
+        inequality: &Inequality,
+        simulator: &dyn Simulator<f64>,
+    ) -> Result<(), ExpressionError> {
+        let left = dimension(&inequality.left, simulator)?;
+        let right = dimension(&inequality.right, simulator)?;
+        alike(left, right, &inequality.right.range).map(|_| ())
+    }
+
+    /// The unit of an expression; `1` if it has none.
+    pub fn of(expression: &Expression, simulator: &dyn Simulator<f64>) -> String {
+        if let Node::Negative(a) = &expression.node {
+            return of(a, simulator);
+        }
+        if let Some(unit) = plain(expression, simulator) {
+            return unit;
+        }
+        let found = dimension(expression, simulator).ok().flatten();
+        found.map_or_else(|| "1".to_owned(), Dimension::as_unit)
+    }
+
+    /// The unit of what only takes one number of one quantity, as the spec has it.
+    fn plain(expression: &Expression, simulator: &dyn Simulator<f64>) -> Option<String> {
+        match &expression.node {
+            Node::Name(name) => unit_of(name, simulator).map(str::to_owned),
+            Node::Negative(a) | Node::Call(Function::Abs, a) => plain(a, simulator),
+            Node::Reduce(Reduction::Integral | Reduction::PeakTime, _) => None,
+            Node::Reduce(_, a) => plain(a, simulator),
+            _ => None,
+        }
+    }
+
+    fn unit_of<'s>(name: &str, simulator: &'s dyn Simulator<f64>) -> Option<&'s str> {
+        let shape = simulator.shape();
+        let parameters = (0..shape.parameters).map(|index| simulator.parameter(index));
+        let outputs = (0..shape.outputs).map(|index| simulator.output(index));
+        let states = (0..shape.states()).map(|index| simulator.state(index));
+        let mut all = parameters.chain(outputs).chain(states);
+        all.find(|quantity| quantity.name == name).map(|quantity| quantity.unit)
+    }
+
+    fn seconds() -> Dimension {
+        Unit::parse("s").map(|unit| unit.dimension).unwrap_or_default()
+    }
+
+    fn dimension(
+        expression: &Expression,
+        simulator: &dyn Simulator<f64>,
+    ) -> Result<Known, ExpressionError> {
+        let range = &expression.range;
+        let too_large =
+            || ExpressionError::new("its unit has exponents that are too large", range.clone());
+        match &expression.node {
+            Node::Number(_, None) => Ok(None),
+            Node::Number(_, Some(unit)) => match Unit::parse(unit) {
+                Ok(unit) => Ok(Some(unit.dimension)),
+                Err(error) => {
+                    let message = format!("`{unit}` is no unit of measure: {}", error.message);
+                    Err(ExpressionError::new(message, range.clone()).with_help(error.help))
+                }
+            },
+            Node::Name(name) if name == "t" && unit_of(name, simulator).is_none() => {
+                Ok(Some(seconds()))
+            }
+            Node::Name(name) => {
+                let unit = unit_of(name, simulator).and_then(|unit| Unit::parse(unit).ok());
+                Ok(unit.map(|unit| unit.dimension))
+            }
+            Node::Negative(a) | Node::Call(Function::Abs, a) => dimension(a, simulator),
+            Node::Call(Function::Sqrt, a) => match dimension(a, simulator)? {
+                None => Ok(None),
+                Some(of) => of.power(1, 2).map(Some).ok_or_else(too_large),
+            },
+            Node::Call(_, a) => match dimension(a, simulator)? {
+                Some(of) if of != Dimension::default() => {
+                    let message = format!("a function of a pure number is given one in {of}");
+                    Err(ExpressionError::new(message, a.range.clone()))
+                }
+                _ => Ok(Some(Dimension::default())),
+            },
+            Node::Reduce(Reduction::PeakTime, a) => {
+                dimension(a, simulator)?;
+                Ok(Some(seconds()))
+            }
+            Node::Reduce(Reduction::Integral, a) => match dimension(a, simulator)? {
+                None => Ok(Some(seconds())),
+                Some(of) => of.times(seconds()).map(Some).ok_or_else(too_large),
+            },
+            Node::Reduce(_, a) => dimension(a, simulator),
+            Node::Binary(operator, a, b) => {
+                let (left, right) = (dimension(a, simulator)?, dimension(b, simulator)?);
+                let none = Dimension::default();
+                match operator {
+                    Operator::Add | Operator::Subtract => alike(left, right, &b.range),
+                    Operator::Multiply if left.is_none() && right.is_none() => Ok(None),
+                    Operator::Multiply => {
+                        let product = left.unwrap_or(none).times(right.unwrap_or(none));
+                        product.map(Some).ok_or_else(too_large)
+                    }
+                    Operator::Divide if left.is_none() && right.is_none() => Ok(None),
+                    Operator::Divide => {
+                        let quotient = left.unwrap_or(none).over(right.unwrap_or(none));
+                        quotient.map(Some).ok_or_else(too_large)
+                    }
+                    Operator::Power => power(left, right, b)
+                        .map_err(|why| ExpressionError::new(why, b.range.clone())),
+                }
+            }
+        }
+    }
+
+    fn power(base: Known, exponent: Known, text: &Expression) -> Result<Known, String> {
+        if exponent.is_some_and(|of| of != Dimension::default()) {
+            return Err("an exponent is a pure number".to_owned());
+        }
+        let none = Dimension::default();
+        let Some(base) = base.filter(|base| *base != none) else { return Ok(base) };
+        let value = match &text.node {
+            Node::Number(value, _) => *value,
+            Node::Negative(a) => match &a.node {
+                Node::Number(value, _) => -value,
+                _ => f64::NAN,
+            },
+            _ => f64::NAN,
+        };
+        let halves = 2.0 * value;
+        if halves.fract() == 0.0 && halves.abs() <= 20.0 {
+            return base
+                .power(halves as i32, 2)
+                .map(Some)
+                .ok_or("too large an exponent".to_owned());
+        }
+        Err("of what has a unit, an exponent is a whole number or a half".to_owned())
+    }
+
+    fn alike(a: Known, b: Known, range: &Range<usize>) -> Result<Known, ExpressionError> {
+        match (a, b) {
+            (Some(a), Some(b)) if a != b => {
+                let message = format!("this is in {b}, but what it stands beside in {a}");
+                Err(ExpressionError::new(message, range.clone()))
+            }
+            (a, b) => Ok(a.or(b)),
+        }
+    }
+}
+
+#[cfg(not(feature = "derive"))]
+mod unread {
+    use machinist::improve::{Expression, ExpressionError, Inequality};
+    use machinist_contract::Simulator;
+
+    pub fn check(_: &Expression, _: &dyn Simulator<f64>) -> Result<(), ExpressionError> {
+        Ok(())
+    }
+
+    pub fn check_sides(_: &Inequality, _: &dyn Simulator<f64>) -> Result<(), ExpressionError> {
+        Ok(())
+    }
+
+    pub fn of(_: &Expression, _: &dyn Simulator<f64>) -> String {
+        "1".to_owned()
+    }
+}

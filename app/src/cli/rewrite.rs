@@ -1,0 +1,67 @@
+//! A scene's text with values that were found, as a file of its own.
+
+use std::path::Path;
+
+use crate::failure::Failure;
+
+/// A value that was found for a parameter, or for the start of a state.
+pub struct FoundValue<'a> {
+    pub name: &'a str,
+    pub value: f64,
+    pub is_parameter: bool,
+}
+
+/// Writes the text of a scene, as the command line gives it, with other values; never over what
+/// it was read from.
+#[cfg(feature = "derive")]
+pub fn write_scene(scene: &str, found: &[FoundValue<'_>], file: &Path) -> Result<(), Failure> {
+    use machinist_codegen::spec::library::LibraryScene;
+    use machinist_codegen::spec::rewrite::{Setting, with_settings};
+
+    use super::scene::Given;
+    use crate::spec_source::SpecSource;
+
+    let no_text = || {
+        let message = format!("--out: `{scene}` is a model, which has no text");
+        Failure::input(message, "give the spec that it was compiled from")
+    };
+    let (text, of) = match Given::of(scene)? {
+        Given::Model(_) => return Err(no_text()),
+        Given::Spec(SpecSource::BuiltIn(name)) => {
+            let scene = LibraryScene::find(&name).ok_or_else(no_text)?;
+            (scene.text.to_owned(), None)
+        }
+        Given::Spec(SpecSource::File(path)) => {
+            let text =
+                std::fs::read_to_string(&path).map_err(|error| Failure::file(&path, &error))?;
+            (text, Some(path))
+        }
+    };
+    let is_same = |path: &std::path::PathBuf| {
+        let [a, b] = [path.as_path(), file].map(std::fs::canonicalize);
+        matches!((a, b), (Ok(a), Ok(b)) if a == b)
+    };
+    if of.as_ref().is_some_and(is_same) {
+        let message = format!("--out {} would overwrite the scene itself", file.display());
+        return Err(Failure::input(message, "give another name"));
+    }
+    let setting = |found: &FoundValue<'_>| {
+        let name = found.name.to_owned();
+        if found.is_parameter {
+            Setting::Parameter(name, found.value)
+        } else {
+            Setting::Initial(name, found.value)
+        }
+    };
+    let settings: Vec<Setting> = found.iter().map(setting).collect();
+    let text = with_settings(&text, &settings)
+        .map_err(|why| Failure::unsuccessful(format!("--out {}: {why}", file.display()), ""))?;
+    super::output::write_file(file, |out| out.write_all(text.as_bytes()))
+}
+
+/// This program reads no specs.
+#[cfg(not(feature = "derive"))]
+pub fn write_scene(_scene: &str, _found: &[FoundValue<'_>], file: &Path) -> Result<(), Failure> {
+    let message = format!("--out {}: this program was built without specs", file.display());
+    Err(Failure::input(message, "take the values from the table, or `--json`"))
+}

@@ -1,0 +1,94 @@
+//! Designs improved, and modes with their derivatives, from the command line.
+
+use std::fs;
+
+use crate::cli::{answer, assert_refused, machinist};
+use crate::process::{output, said};
+
+const VARIED: &str = "coupling.stiffness=5e3..1e5,coupling.damping=10..500";
+
+#[test]
+fn a_design_is_improved_within_a_limit_and_written_as_a_scene() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [out, plot] =
+        ["improved.toml", "both.svg"].map(|name| folder.path().join(name).display().to_string());
+    let limit = "max(abs(coupling_torque)) <= 950 [N m]";
+    let asked = ["improve", "saw_gin", "--until", "0.5", "--minimise", "max(abs(twist))"];
+    let asked = [&asked[..], &["--subject-to", limit, "--parameters", VARIED]].concat();
+    let text = answer(&[&asked[..], &["--out", &out, "--plot", &plot]].concat());
+    assert!(text.contains("converged"), "{text}");
+    assert!(text.contains(limit) && text.contains("improved"), "{text}");
+    assert!(fs::read_to_string(&plot).expect("a plot").contains("twist, improved"));
+    let json = answer(&[&asked[..], &["--json"]].concat());
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let found = json["parameters"][0]["value"].as_f64().expect("a number");
+    assert_eq!(json["limits"][0]["is_met"], true);
+    let objective = &json["objective"];
+    assert!(objective["after"].as_f64() < objective["before"].as_f64(), "{json}");
+    // The scene that was written shows what was told.
+    let csv = answer(&["run", &out, "--until", "0.5", "--columns", "twist", "--out", "-"]);
+    let twists = csv.lines().skip(1).filter_map(|line| line.split(',').nth(1)?.parse().ok());
+    let largest = twists.fold(0.0_f64, |most, twist: f64| most.max(twist.abs()));
+    let told = objective["after"].as_f64().expect("a number");
+    assert!((largest / told - 1.0).abs() < 1e-3, "{largest} for {told}");
+    assert!(fs::read_to_string(&out).expect("a scene").contains("stiffness"), "{found}");
+    // Never over the scene it comes from.
+    let over = ["improve", &out, "--minimise", "max(twist)", "--parameters", VARIED, "--out", &out];
+    assert_refused(&over, &["would overwrite"]);
+}
+
+#[test]
+fn limits_that_cannot_be_met_are_told_and_the_exit_code_says_so() {
+    let asked = ["improve", "saw_gin", "--until", "0.3", "--minimise", "coupling.stiffness"];
+    let limit = "max(abs(coupling_torque)) <= 1";
+    let more = ["--subject-to", limit, "--parameters", VARIED];
+    let output = output(machinist(&[&asked[..], &more].concat()));
+    assert_eq!(output.status.code(), Some(1));
+    let told = said(&output);
+    assert!(told.contains("nothing nearby meets") && told.contains(limit), "{told}");
+    assert!(String::from_utf8_lossy(&output.stdout).contains("not met"));
+}
+
+#[test]
+fn what_is_asked_wrongly_is_refused_with_its_place() {
+    let of = |objective: &str, said: &[&str]| {
+        let asked = ["improve", "saw_gin", "--parameters", VARIED, "--minimise", objective];
+        assert_refused(&asked, said);
+    };
+    of("max(coupling_torqe)", &["did you mean `coupling_torque`"]);
+    of("twist", &["changes over time", "max(twist)"]);
+    of("max(twist", &["closing parenthesis"]);
+    of("max(twist) + max(coupling_torque)", &["stands beside"]);
+    of("sin(coupling.stiffness)", &["pure number"]);
+    of("maxx(twist)", &["did you mean `max`"]);
+    let with = |more: &[&str], said: &[&str]| {
+        let asked = ["improve", "saw_gin", "--minimise", "max(twist)"];
+        assert_refused(&[&asked[..], more].concat(), said);
+    };
+    with(&["--parameters", "coupling.stiffness=5..1"], &["cross"]);
+    with(&["--parameters", "coupling.stifness"], &["coupling.stiffness"]);
+    let varied = ["--parameters", VARIED];
+    let limit = |text: &'static str| [&varied[..], &["--subject-to", text]].concat();
+    with(&limit("max(twist) <= 3 [s]"), &["stands beside"]);
+    with(&limit("max(twist) <= 3 [rods]"), &["no unit of measure"]);
+    with(&limit("max(twist) = 3"), &["`<=` or `>=`"]);
+    with(&[&varied[..], &["--out", "x.csv"]].concat(), &[".toml"]);
+    with(&[&varied[..], &["--method", "bdf"]].concat(), &["does not carry"]);
+    assert_refused(&["improve", "saw_gin", "--parameters", VARIED], &["--minimise or --maximise"]);
+}
+
+#[test]
+fn modes_are_told_with_their_derivatives() {
+    let asked = ["modes", "two_mass", "--set", "drive_torque=843.72", "--sensitivities"];
+    let by = "coupling.stiffness,cylinder.inertia";
+    let text = answer(&[&asked[..], &[by]].concat());
+    assert!(text.contains("By `coupling.stiffness`, which is 23065.2 N m/rad"), "{text}");
+    let json = answer(&[&asked[..], &[by, "--json"]].concat());
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let slope = &json["sensitivities"][2]["coupling.stiffness"]["natural_frequency"];
+    let natural = (23_065.2_f64 * (1.0 / 4.2 + 1.0 / 1.244)).sqrt();
+    let wanted = natural / (2.0 * 23_065.2);
+    assert!((slope.as_f64().expect("a number") / wanted - 1.0).abs() < 1e-10, "{slope}");
+    assert!(json["sensitivities"][0]["none"].as_str().is_some_and(|why| why.contains("restores")));
+    assert_refused(&[&asked[..], &["coupling.stifness"]].concat(), &["coupling.stiffness"]);
+}

@@ -1,0 +1,301 @@
+//! Designs improved: parameters at which an expression over a run is least, while inequalities
+//! hold.
+//!
+//! Expressions are over what runs show, such as `max(abs(coupling_torque))`, and parameters; see
+//! [`Expression`]. Their derivatives are those of the run's sensitivities
+//! ([`Simulation::sensitivities`]), and exact for what is computed from its samples. Unknowns are
+//! [`Unknown`]s of a fit, searched for by their logarithms where bounds are positive.
+
+mod course;
+mod evaluate;
+mod expression;
+mod quadratic;
+mod search;
+
+use std::sync::atomic::AtomicBool;
+
+use machinist_contract::Simulator;
+
+use crate::error::{SimulateError, did_you_mean};
+use crate::fit::Unknown;
+use crate::simulate::Simulation;
+use crate::trajectory::Trajectory;
+use evaluate::Shown;
+
+pub use evaluate::Branch;
+pub use expression::{
+    Expression, ExpressionError, Function, Inequality, Node, Operator, Reduction,
+};
+pub use search::{End, Evaluation, Found, Search, search};
+
+/// A design to be improved.
+pub struct Improvement<'a> {
+    /// The run without what is varied; its sampled times are those at which courses are looked
+    /// at.
+    pub simulation: &'a Simulation<'a>,
+    /// What is varied.
+    pub unknowns: &'a [Unknown],
+    /// What is to be least.
+    pub objective: &'a Expression,
+    /// What is to hold.
+    pub inequalities: &'a [Inequality],
+}
+
+/// What an expression, or each side of inequalities, is at a point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Values {
+    /// What is to be least.
+    pub objective: f64,
+    /// Both sides of each inequality.
+    pub sides: Vec<(f64, f64)>,
+}
+
+/// Sizes by which the objective and the inequalities are measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sizes {
+    /// Of the objective.
+    pub objective: f64,
+    /// Of each inequality.
+    pub inequalities: Vec<f64>,
+}
+
+/// Refuses names that a simulator has not, and courses outside of reductions.
+///
+/// # Errors
+/// What is wrong, and where.
+pub fn check(
+    expression: &Expression,
+    simulator: &dyn Simulator<f64>,
+) -> Result<(), ExpressionError> {
+    let shape = simulator.shape();
+    let parameters = || (0..shape.parameters).map(|index| simulator.parameter(index).name);
+    let states = || (0..shape.states()).map(|index| simulator.state(index).name);
+    let outputs = || (0..shape.outputs).map(|index| simulator.output(index).name);
+    let mut wrong = None;
+    expression.for_each_name(&mut |name, range, is_within| {
+        let is_parameter = parameters().any(|known| known == name);
+        let is_course = outputs().chain(states()).any(|known| known == name) || name == "t";
+        let error = match (is_parameter, is_course) {
+            (true, _) => return,
+            (false, true) if is_within => return,
+            (false, true) => {
+                let message = format!("`{name}` changes over time, and what of it counts is open");
+                let help = format!(
+                    "write max({name}), min({name}), mean({name}), final({name}) or another of \
+                     integral, rms, initial, peak_time"
+                );
+                ExpressionError::new(message, range.clone()).with_help(help)
+            }
+            (false, false) => {
+                let known = outputs().chain(parameters()).chain(states());
+                let hint = did_you_mean(name, known);
+                let scene = simulator.name();
+                let message =
+                    format!("scene `{scene}` has no output, parameter or state `{name}`{hint}");
+                ExpressionError::new(message, range.clone())
+            }
+        };
+        wrong.get_or_insert(error);
+    });
+    match wrong.or_else(|| nested(expression, false)) {
+        None => Ok(()),
+        Some(error) => Err(error),
+    }
+}
+
+/// A reduction within a reduction.
+fn nested(expression: &Expression, is_within: bool) -> Option<ExpressionError> {
+    match &expression.node {
+        Node::Number(..) | Node::Name(_) => None,
+        Node::Negative(a) | Node::Call(_, a) => nested(a, is_within),
+        Node::Binary(_, a, b) => nested(a, is_within).or_else(|| nested(b, is_within)),
+        Node::Reduce(..) if is_within => {
+            let message = "this is one number already, and has no course over time";
+            Some(ExpressionError::new(message, expression.range.clone()))
+        }
+        Node::Reduce(_, a) => nested(a, true),
+    }
+}
+
+impl Improvement<'_> {
+    /// Where the search starts, as it knows it.
+    #[must_use]
+    pub fn start(&self) -> Vec<f64> {
+        self.unknowns.iter().map(|unknown| unknown.inner(unknown.start)).collect()
+    }
+
+    /// Bounds, as the search knows them.
+    #[must_use]
+    pub fn bounds(&self) -> Vec<(f64, f64)> {
+        let of =
+            |unknown: &Unknown| (unknown.inner(unknown.bounds.0), unknown.inner(unknown.bounds.1));
+        self.unknowns.iter().map(of).collect()
+    }
+
+    /// Values of the unknowns.
+    #[must_use]
+    pub fn values(&self, inner: &[f64]) -> Vec<f64> {
+        let bounds = self.bounds();
+        let value = |((unknown, inner), (low, high)): ((&Unknown, &f64), &(f64, f64))| {
+            // At a bound to the last bit.
+            if inner <= low {
+                unknown.bounds.0
+            } else if inner >= high {
+                unknown.bounds.1
+            } else {
+                unknown.outer(*inner)
+            }
+        };
+        self.unknowns.iter().zip(inner).zip(&bounds).map(value).collect()
+    }
+
+    /// The run at some values.
+    ///
+    /// # Errors
+    /// As [`Simulation::run`].
+    pub fn run(
+        &self,
+        values: &[f64],
+        with_sensitivities: bool,
+    ) -> Result<Trajectory, SimulateError> {
+        let mut simulation = self.given(values)?;
+        if with_sensitivities {
+            let names: Vec<&str> = self.unknowns.iter().map(|unknown| &*unknown.name).collect();
+            simulation = simulation.sensitivities(&names)?;
+        }
+        simulation.run()
+    }
+
+    fn given(&self, values: &[f64]) -> Result<Simulation<'_>, SimulateError> {
+        let mut simulation = self.simulation.clone();
+        for (unknown, value) in self.unknowns.iter().zip(values) {
+            simulation = simulation.given(&unknown.name, *value)?;
+        }
+        Ok(simulation)
+    }
+
+    /// Expressions at some values of the unknowns, without derivatives.
+    ///
+    /// # Errors
+    /// As [`Simulation::run`].
+    pub fn told(&self, values: &[f64]) -> Result<Values, SimulateError> {
+        let run = self.run(values, false)?;
+        let value = |expression: &Expression| -> Result<f64, SimulateError> {
+            Ok(self.branches(&run, values, &[], expression)?[0].value)
+        };
+        let sides = self.inequalities.iter().map(|i| Ok((value(&i.left)?, value(&i.right)?)));
+        Ok(Values {
+            objective: value(self.objective)?,
+            sides: sides.collect::<Result<_, SimulateError>>()?,
+        })
+    }
+
+    /// The sizes of what is told.
+    #[must_use]
+    pub fn sizes(&self, told: &Values) -> Sizes {
+        let positive = |size: f64| if size > 0.0 && size.is_finite() { size } else { 1.0 };
+        let of_sides = |(left, right): &(f64, f64)| {
+            positive(if *right == 0.0 { left.abs() } else { right.abs() })
+        };
+        Sizes {
+            objective: positive(told.objective.abs()),
+            inequalities: told.sides.iter().map(of_sides).collect(),
+        }
+    }
+
+    /// What a search asks for, at a point as it knows it.
+    ///
+    /// # Errors
+    /// Why the run stopped.
+    pub fn evaluate(&self, inner: &[f64], sizes: &Sizes) -> Result<Evaluation, SimulateError> {
+        let values = self.values(inner);
+        let run = self.run(&values, true)?;
+        let names: Vec<String> = self.unknowns.iter().map(|unknown| unknown.name.clone()).collect();
+        let scaled = |expression: &Expression, size: f64| -> Result<Vec<Branch>, SimulateError> {
+            let mut branches = self.branches(&run, &values, &names, expression)?;
+            for branch in &mut branches {
+                branch.value /= size;
+                for ((slope, unknown), value) in
+                    branch.slopes.iter_mut().zip(self.unknowns).zip(&values)
+                {
+                    *slope *= unknown.slope(*value) / size;
+                }
+            }
+            Ok(branches)
+        };
+        let objective = scaled(self.objective, sizes.objective)?;
+        let constraints = self.inequalities.iter().zip(&sizes.inequalities).map(|(i, size)| {
+            let range = i.left.range.start..i.right.range.end;
+            let sides = (Box::new(i.left.clone()), Box::new(i.right.clone()));
+            let (a, b) = if i.is_at_most { sides } else { (sides.1, sides.0) };
+            let less = Node::Binary(Operator::Subtract, a, b);
+            scaled(&Expression { node: less, range }, *size)
+        });
+        let constraints = constraints.collect::<Result<_, _>>()?;
+        Ok(Evaluation { objective, constraints })
+    }
+
+    fn branches(
+        &self,
+        run: &Trajectory,
+        values: &[f64],
+        by: &[String],
+        expression: &Expression,
+    ) -> Result<Vec<Branch>, SimulateError> {
+        let simulation = self.given(values)?;
+        let parameters = simulation.parameter_values();
+        let simulator = self.simulation.simulator();
+        let parameter = |name: &str| {
+            let place = (0..parameters.len()).find(|k| simulator.parameter(*k).name == name)?;
+            Some(parameters[place])
+        };
+        let stretches = stretches(simulator, parameters, run);
+        let shown = Shown { run, stretches, by, parameter: &parameter };
+        Ok(shown.branches(expression))
+    }
+
+    /// Searches from a start, as the search knows it.
+    ///
+    /// # Errors
+    /// Why nothing could be evaluated at the start.
+    pub fn search(
+        &self,
+        start: &[f64],
+        sizes: &Sizes,
+        most: usize,
+        interrupt: Option<&AtomicBool>,
+        mut watch: impl FnMut(&Evaluation),
+    ) -> Result<Found, String> {
+        let bounds = self.bounds();
+        let evaluate = |inner: &[f64]| {
+            let evaluation = self.evaluate(inner, sizes).map_err(|error| error.to_string())?;
+            watch(&evaluation);
+            Ok(evaluation)
+        };
+        search(evaluate, start, &Search { bounds: &bounds, most, interrupt })
+    }
+
+    /// What the objective falls by for each unit that the right side of an inequality is eased
+    /// by, in their own units.
+    #[must_use]
+    pub fn costs(&self, found: &Found, sizes: &Sizes) -> Vec<f64> {
+        let costs = found.multipliers.iter().zip(&sizes.inequalities);
+        costs.map(|(multiplier, size)| multiplier * sizes.objective / size).collect()
+    }
+}
+
+/// First rows of stretches between events and jumps.
+fn stretches(simulator: &dyn Simulator<f64>, parameters: &[f64], run: &Trajectory) -> Vec<usize> {
+    let mut jumps = vec![0.0; simulator.shape().discontinuities];
+    simulator.discontinuities(parameters, &mut jumps);
+    let happened = run.switches.iter().map(|switch| switch.time);
+    let mut rows: Vec<usize> = happened
+        .chain(jumps)
+        .map(|time| run.times.partition_point(|sampled| *sampled < time))
+        .filter(|row| *row < run.times.len())
+        .chain([0])
+        .collect();
+    rows.sort_unstable();
+    rows.dedup();
+    rows
+}

@@ -1,0 +1,559 @@
+//! The least value of an expression within bounds and inequalities, by sequential quadratic
+//! programming.
+//!
+//! ```text
+//! min max_k f_k(u),   max_k c_jk(u) <= 0,   lower <= u <= upper
+//! ```
+//!
+//! An extreme over time is the greatest of many local ones, each of which is smooth; the problem
+//! of a step has all of them (K. Madsen, H. Schjaer-Jacobsen, Linearly constrained minimax
+//! optimization, Math. Programming 14, 1978), so that it sees a second peak that a step would
+//! raise:
+//!
+//! ```text
+//! min t + nu sum_j s_j + 1/2 d^T B d,   f_k + g_k d <= t,   c_jk + a_jk d <= s_j,   s_j >= 0
+//! ```
+//!
+//! B by Powell's damped update (M. J. D. Powell, 1978), steps shortened until
+//! f + nu sum_j max(0, c_j) falls (S. P. Han, 1977). Inequalities that cannot be met make nu
+//! grow, until what is missed of them is as small as may be, which is then told. A point at which
+//! nothing can be evaluated is a step that was too long.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use nalgebra::{DMatrix, DVector};
+
+use super::evaluate::Branch;
+use super::quadratic::Quadratic;
+
+/// The first branch is the value, others are not greater.
+pub type Branches = Vec<Branch>;
+
+/// What is evaluated at a point: all scaled so that values are of size 1.
+#[derive(Debug, Clone)]
+pub struct Evaluation {
+    /// What is to be least.
+    pub objective: Branches,
+    /// What is to be no greater than zero, each.
+    pub constraints: Vec<Branches>,
+}
+
+/// What is asked of a search.
+#[derive(Debug, Clone, Copy)]
+pub struct Search<'a> {
+    /// Least and greatest value of each unknown; infinite where there is none.
+    pub bounds: &'a [(f64, f64)],
+    /// Steps at most.
+    pub most: usize,
+    /// Ends the search where it is, once set.
+    pub interrupt: Option<&'a AtomicBool>,
+}
+
+/// Why a search ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    /// There is nothing better nearby.
+    Converged,
+    /// There is nothing nearby that misses the inequalities by less.
+    Infeasible,
+    /// It took as many steps as it may.
+    Steps,
+    /// Somebody asked.
+    Interrupted,
+    /// No step leads to anything better although one should: what is evaluated is not smooth,
+    /// or less exact than asked for.
+    Stuck,
+}
+
+/// Where a search ended.
+#[derive(Debug, Clone)]
+pub struct Found {
+    /// u.
+    pub at: Vec<f64>,
+    /// What was evaluated there.
+    pub evaluation: Evaluation,
+    /// Multipliers of the inequalities: what the objective falls by for each unit that one is
+    /// eased by.
+    pub multipliers: Vec<f64>,
+    /// Those of the unknowns' bounds: of lower ones positive, of upper ones negative.
+    pub of_bounds: Vec<f64>,
+    /// Steps taken.
+    pub steps: usize,
+    /// Why it ended.
+    pub end: End,
+    /// Points at which nothing could be evaluated, and why the first could not.
+    pub failed: (usize, Option<String>),
+}
+
+/// What a step would gain of the size of the objective at which there is nothing to gain.
+const GAIN: f64 = 1e-10;
+/// A step that was to gain less than this and does not: evaluations are not more exact.
+const FAINT: f64 = 1e-6;
+/// Inequalities may be missed by this.
+const MISSED: f64 = 1e-7;
+/// The heaviest that a missed inequality weighs.
+const HEAVIEST: f64 = 1e5;
+
+impl Evaluation {
+    fn is_finite(&self) -> bool {
+        let all = self.constraints.iter().flatten().chain(&self.objective);
+        let mut numbers = all.flat_map(|branch| branch.slopes.iter().chain([&branch.value]));
+        numbers.all(|number| number.is_finite())
+    }
+
+    /// How far the inequalities are missed, all together.
+    #[must_use]
+    pub fn missed(&self) -> f64 {
+        self.constraints.iter().map(|branches| branches[0].value.max(0.0)).sum()
+    }
+
+    fn merit(&self, weight: f64) -> f64 {
+        self.objective[0].value + weight * self.missed()
+    }
+}
+
+impl Found {
+    /// Whether all inequalities are met.
+    #[must_use]
+    pub fn is_feasible(&self) -> bool {
+        self.evaluation.constraints.iter().all(|branches| branches[0].value <= MISSED)
+    }
+
+    /// Whether it is better than another end of a search.
+    #[must_use]
+    pub fn is_better_than(&self, other: &Self) -> bool {
+        match (self.is_feasible(), other.is_feasible()) {
+            (true, true) => {
+                self.evaluation.objective[0].value < other.evaluation.objective[0].value
+            }
+            (false, false) => self.evaluation.missed() < other.evaluation.missed(),
+            (feasible, _) => feasible,
+        }
+    }
+}
+
+/// A step, with what it is to do.
+struct Step {
+    d: DVector<f64>,
+    /// Of the linearized merit.
+    gain: f64,
+    /// How far the linearized inequalities are missed at its end.
+    missed: f64,
+    /// Of branches of the objective, then of those of each inequality.
+    multipliers: Vec<Vec<f64>>,
+    of_bounds: Vec<f64>,
+}
+
+/// Searches from `start`.
+///
+/// # Errors
+/// Why the start itself could not be evaluated.
+pub fn search(
+    mut evaluate: impl FnMut(&[f64]) -> Result<Evaluation, String>,
+    start: &[f64],
+    search: &Search<'_>,
+) -> Result<Found, String> {
+    let clipped = |at: Vec<f64>| -> Vec<f64> {
+        at.into_iter().zip(search.bounds).map(|(u, (low, high))| u.clamp(*low, *high)).collect()
+    };
+    let is_interrupted = || search.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed));
+    let at = clipped(start.to_vec());
+    let evaluation = evaluate(&at)?;
+    if !evaluation.is_finite() {
+        return Err("what is to be least, or an inequality, is not a finite number".to_owned());
+    }
+    let n = at.len();
+    let constraints = evaluation.constraints.len();
+    let mut found = Found {
+        at,
+        evaluation,
+        multipliers: vec![0.0; constraints],
+        of_bounds: vec![0.0; n],
+        steps: 0,
+        end: End::Steps,
+        failed: (0, None),
+    };
+    let mut bend = DMatrix::<f64>::identity(n, n);
+    let (mut weight, mut reach) = (10.0, 0.3);
+    let mut is_fresh = true;
+    while found.steps < search.most {
+        if is_interrupted() {
+            found.end = End::Interrupted;
+            return Ok(found);
+        }
+        let Some(step) = steered(&found, &bend, (&mut weight, reach), search.bounds) else {
+            found.end = End::Stuck;
+            return Ok(found);
+        };
+        found.multipliers = step.multipliers[1..].iter().map(|all| all.iter().sum()).collect();
+        found.of_bounds.clone_from(&step.of_bounds);
+        let size = 1.0 + found.evaluation.merit(weight).abs();
+        if step.gain <= GAIN * size {
+            if step.missed <= MISSED {
+                found.end = End::Converged;
+                return Ok(found);
+            }
+            if weight >= HEAVIEST {
+                found.end = End::Infeasible;
+                return Ok(found);
+            }
+            weight *= 10.0;
+            continue;
+        }
+        let mut share = 1.0;
+        let merit = found.evaluation.merit(weight);
+        let next = loop {
+            let ahead = found.at.iter().zip(&step.d).map(|(u, d)| u + share * d).collect();
+            let ahead = clipped(ahead);
+            match evaluate(&ahead) {
+                Ok(evaluation) if evaluation.is_finite() => {
+                    if evaluation.merit(weight) <= merit - 1e-4 * share * step.gain {
+                        break Some((ahead, evaluation));
+                    }
+                }
+                tried => {
+                    if is_interrupted() {
+                        found.end = End::Interrupted;
+                        return Ok(found);
+                    }
+                    found.failed.0 += 1;
+                    let why = tried.err().unwrap_or_else(|| "it is not finite".to_owned());
+                    found.failed.1.get_or_insert(why);
+                }
+            }
+            share *= if share == 1.0 { 0.5 } else { 0.3 };
+            if share < 1e-7 || is_interrupted() {
+                break None;
+            }
+        };
+        let Some((ahead, evaluation)) = next else {
+            if is_interrupted() {
+                found.end = End::Interrupted;
+                return Ok(found);
+            }
+            // What is left to gain there is rounding.
+            if step.missed > MISSED && step.missed >= (1.0 - FAINT) * found.evaluation.missed() {
+                if weight >= HEAVIEST {
+                    found.end = End::Infeasible;
+                    return Ok(found);
+                }
+                weight *= 10.0;
+                continue;
+            }
+            if !is_fresh {
+                // B may be to blame.
+                bend = DMatrix::identity(n, n);
+                is_fresh = true;
+                reach *= 0.1;
+                continue;
+            }
+            found.end = if step.gain <= FAINT * size && found.is_feasible() {
+                End::Converged
+            } else {
+                End::Stuck
+            };
+            return Ok(found);
+        };
+        found.steps += 1;
+        let moved = DVector::from_fn(n, |k, _| ahead[k] - found.at[k]);
+        let is_far = step.d.amax() > 0.99 * reach;
+        reach = match share {
+            1.0 if is_far => (2.0 * reach).min(3.0),
+            1.0 => reach,
+            _ => (2.0 * moved.amax()).clamp(1e-6, reach),
+        };
+        let [before, after] = [&found.evaluation, &evaluation]
+            .map(|at| slope_of_sum(&found.evaluation, at, &step.multipliers));
+        is_fresh = false;
+        update(&mut bend, &moved, &(after - before));
+        found.at = ahead;
+        found.evaluation = evaluation;
+    }
+    Ok(found)
+}
+
+/// The step from where a search is, with a weight that makes it miss inequalities by hardly more
+/// than it must (R. H. Byrd, J. Nocedal, R. A. Waltz, Steering exact penalty methods, Optim.
+/// Methods Softw. 23, 2008): else a search may go where they cannot be met at all.
+fn steered(
+    found: &Found,
+    bend: &DMatrix<f64>,
+    (weight, reach): (&mut f64, f64),
+    bounds: &[(f64, f64)],
+) -> Option<Step> {
+    const SHARE: f64 = 0.9;
+    let mut own = step(found, bend, (*weight, reach), bounds)?;
+    if own.missed <= MISSED {
+        return Some(own);
+    }
+    let now = found.evaluation.missed();
+    let Some(least) = step(found, bend, (HEAVIEST, reach), bounds) else { return Some(own) };
+    while now - own.missed < SHARE * (now - least.missed) - MISSED && *weight < HEAVIEST {
+        *weight *= 10.0;
+        own = step(found, bend, (*weight, reach), bounds)?;
+    }
+    Some(own)
+}
+
+/// The step from where a search is.
+fn step(
+    found: &Found,
+    bend: &DMatrix<f64>,
+    (weight, reach): (f64, f64),
+    bounds: &[(f64, f64)],
+) -> Option<Step> {
+    let Evaluation { objective, constraints } = &found.evaluation;
+    let (n, m) = (found.at.len(), constraints.len());
+    // d, t, s.
+    let size = n + 1 + m;
+    let mut hessian = DMatrix::zeros(size, size);
+    // All over the weight, so that the largest numbers are of size 1.
+    hessian.view_mut((0, 0), (n, n)).copy_from(&(bend / weight));
+    let mut gradient = DVector::zeros(size);
+    gradient[n] = 1.0 / weight;
+    gradient.rows_mut(n + 1, m).fill(1.0);
+    let groups: Vec<&Branches> = std::iter::once(objective).chain(constraints).collect();
+    let branches: usize = groups.iter().map(|branches| branches.len()).sum();
+    let count = branches + m + 2 * n;
+    let mut rows = DMatrix::zeros(count, size);
+    let mut limits = DVector::zeros(count);
+    let mut row = 0;
+    for (group, branches) in groups.iter().enumerate() {
+        for branch in *branches {
+            for (column, slope) in branch.slopes.iter().enumerate() {
+                rows[(row, column)] = *slope;
+            }
+            rows[(row, n + group)] = -1.0;
+            limits[row] = -branch.value;
+            row += 1;
+        }
+    }
+    for group in 0..m {
+        rows[(row, n + 1 + group)] = -1.0;
+        row += 1;
+    }
+    for (k, (low, high)) in bounds.iter().enumerate() {
+        rows[(row, k)] = -1.0;
+        limits[row] = (found.at[k] - low).min(reach);
+        rows[(row + 1, k)] = 1.0;
+        limits[row + 1] = (high - found.at[k]).min(reach);
+        row += 2;
+    }
+    let mut guess = DVector::zeros(size);
+    guess[n] = objective[0].value + 1.0;
+    for (group, branches) in constraints.iter().enumerate() {
+        guess[n + 1 + group] = branches[0].value.max(0.0) + 1.0;
+    }
+    let problem = Quadratic { hessian, gradient, rows, limits };
+    let (solution, z) = problem.solve(&guess)?;
+    let z = z * weight;
+    let mut d = solution.rows(0, n).into_owned();
+    // What a bound holds is at it, to the last bit.
+    for (k, (low, high)) in bounds.iter().enumerate() {
+        let row = branches + m + 2 * k;
+        let [below, above] = [d[k] + problem.limits[row], problem.limits[row + 1] - d[k]];
+        if z[row] > below && found.at[k] - low <= reach {
+            d[k] = low - found.at[k];
+        } else if z[row + 1] > above && high - found.at[k] <= reach {
+            d[k] = high - found.at[k];
+        }
+    }
+    let linear = |branches: &Branches| {
+        let along = |branch: &Branch| {
+            branch.value + branch.slopes.iter().zip(&d).map(|(a, d)| a * d).sum::<f64>()
+        };
+        branches.iter().map(along).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let missed: f64 = constraints.iter().map(|branches| linear(branches).max(0.0)).sum();
+    let gain = found.evaluation.merit(weight) - linear(objective) - weight * missed;
+    let mut rest = z.as_slice();
+    let multipliers = groups
+        .iter()
+        .map(|branches| {
+            let (own, others) = rest.split_at(branches.len());
+            rest = others;
+            own.to_vec()
+        })
+        .collect();
+    // What the reach of a step holds is no bound.
+    let of_bound = |k: usize, side: usize| {
+        let (low, high) = bounds[k];
+        let room = if side == 0 { found.at[k] - low } else { high - found.at[k] };
+        if room <= reach { rest[m + 2 * k + side] } else { 0.0 }
+    };
+    let of_bounds = (0..n).map(|k| of_bound(k, 0) - of_bound(k, 1)).collect();
+    Some(Step { d, gain, missed, multipliers, of_bounds })
+}
+
+/// Slopes of the sum of branches by multipliers, those of `of`, where branches are as at `at`:
+/// an extreme is the one of the nearest time.
+fn slope_of_sum(of: &Evaluation, at: &Evaluation, multipliers: &[Vec<f64>]) -> DVector<f64> {
+    let n = at.objective[0].slopes.len();
+    let mut sum = DVector::zeros(n);
+    let groups = |evaluation: &Evaluation| -> Vec<Branches> {
+        std::iter::once(&evaluation.objective).chain(&evaluation.constraints).cloned().collect()
+    };
+    for ((known, branches), multipliers) in groups(of).iter().zip(&groups(at)).zip(multipliers) {
+        for (known, multiplier) in known.iter().zip(multipliers) {
+            let off = |branch: &Branch| (branch.label - known.label).abs();
+            let nearest = branches.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+            for (sum, slope) in sum.iter_mut().zip(nearest.map_or(&[][..], |b| &b.slopes)) {
+                *sum += multiplier * slope;
+            }
+        }
+    }
+    sum
+}
+
+/// Powell's damped update of B by a step and the change of the gradient.
+fn update(bend: &mut DMatrix<f64>, step: &DVector<f64>, change: &DVector<f64>) {
+    let along = &*bend * step;
+    let known = step.dot(&along);
+    if known.is_nan() || known <= f64::MIN_POSITIVE {
+        return;
+    }
+    let met = step.dot(change);
+    let share = if met >= 0.2 * known { 1.0 } else { 0.8 * known / (known - met) };
+    let change = change * share + &along * (1.0 - share);
+    let met = step.dot(&change);
+    *bend += &change * change.transpose() / met - &along * along.transpose() / known;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn branch(value: f64, slopes: &[f64], label: f64) -> Branch {
+        Branch { value, slopes: slopes.to_vec(), label }
+    }
+
+    fn greatest_first(mut branches: Branches) -> Branches {
+        branches.sort_by(|a, b| b.value.total_cmp(&a.value));
+        branches
+    }
+
+    fn ask(bounds: &[(f64, f64)]) -> Search<'_> {
+        Search { bounds, most: 200, interrupt: None }
+    }
+
+    const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
+
+    /// W. Hock, K. Schittkowski, Test Examples for Nonlinear Programming Codes, 1981.
+    #[test]
+    fn problems_of_hock_and_schittkowski_are_solved() {
+        // 43, Rosen and Suzuki: f = -44 at (0, 1, 2, -1), multipliers 1, 0, 2.
+        let evaluate = |x: &[f64]| {
+            let [a, b, c, d] = x[..] else { panic!() };
+            let f = a * a + b * b + 2.0 * c * c + d * d - 5.0 * a - 5.0 * b - 21.0 * c + 7.0 * d;
+            let g = [2.0 * a - 5.0, 2.0 * b - 5.0, 4.0 * c - 21.0, 2.0 * d + 7.0];
+            let c1 = a * a + b * b + c * c + d * d + a - b + c - d - 8.0;
+            let c2 = a * a + 2.0 * b * b + c * c + 2.0 * d * d - a - d - 10.0;
+            let c3 = 2.0 * a * a + b * b + c * c + 2.0 * a - b - d - 5.0;
+            let g1 = [2.0 * a + 1.0, 2.0 * b - 1.0, 2.0 * c + 1.0, 2.0 * d - 1.0];
+            let g2 = [2.0 * a - 1.0, 4.0 * b, 2.0 * c, 4.0 * d - 1.0];
+            let g3 = [4.0 * a + 2.0, 2.0 * b - 1.0, 2.0 * c, -1.0];
+            let rows = [(c1, g1), (c2, g2), (c3, g3)];
+            let constraints = rows.map(|(c, g)| vec![branch(c, &g, 0.0)]).to_vec();
+            Ok(Evaluation { objective: vec![branch(f, &g, 0.0)], constraints })
+        };
+        let found = search(evaluate, &[0.0; 4], &ask(&[FREE; 4])).expect("it starts");
+        assert_eq!(found.end, End::Converged);
+        for (found, wanted) in found.at.iter().zip([0.0, 1.0, 2.0, -1.0]) {
+            assert!((found - wanted).abs() < 1e-4, "{found} for {wanted}");
+        }
+        assert!((found.evaluation.objective[0].value + 44.0).abs() < 1e-7);
+        for (found, wanted) in found.multipliers.iter().zip([1.0, 0.0, 2.0]) {
+            assert!((found - wanted).abs() < 1e-3, "{found} for {wanted}");
+        }
+        // 35, Beale: 1/9 at (4/3, 7/9, 4/9).
+        let evaluate = |x: &[f64]| {
+            let [a, b, c] = x[..] else { panic!() };
+            let f = 9.0 - 8.0 * a - 6.0 * b - 4.0 * c
+                + 2.0 * a * a
+                + 2.0 * b * b
+                + c * c
+                + 2.0 * a * b
+                + 2.0 * a * c;
+            let g = [
+                -8.0 + 4.0 * a + 2.0 * b + 2.0 * c,
+                -6.0 + 4.0 * b + 2.0 * a,
+                -4.0 + 2.0 * c + 2.0 * a,
+            ];
+            let constraints = vec![vec![branch(a + b + 2.0 * c - 3.0, &[1.0, 1.0, 2.0], 0.0)]];
+            Ok(Evaluation { objective: vec![branch(f, &g, 0.0)], constraints })
+        };
+        let positive = [(0.0, f64::INFINITY); 3];
+        let found = search(evaluate, &[0.5; 3], &ask(&positive)).expect("it starts");
+        assert!((found.evaluation.objective[0].value - 1.0 / 9.0).abs() < 1e-8, "{found:?}");
+        assert!((found.multipliers[0] - 2.0 / 9.0).abs() < 1e-3);
+    }
+
+    /// K. Madsen's problem and that of C. Charalambous and A. R. Conn: minimax with several
+    /// branches at the solution.
+    #[test]
+    fn several_peaks_are_lowered_together() {
+        // max(x^2 + y^4, (2 - x)^2 + (2 - y)^2, 2 e^(y - x)): 1.9522244939 at
+        // (1.1390376, 0.8995599).
+        let evaluate = |u: &[f64]| {
+            let (x, y) = (u[0], u[1]);
+            let e = 2.0 * (y - x).exp();
+            Ok(Evaluation {
+                objective: greatest_first(vec![
+                    branch(x * x + y.powi(4), &[2.0 * x, 4.0 * y.powi(3)], 1.0),
+                    branch(
+                        (2.0 - x).powi(2) + (2.0 - y).powi(2),
+                        &[2.0 * x - 4.0, 2.0 * y - 4.0],
+                        2.0,
+                    ),
+                    branch(e, &[-e, e], 3.0),
+                ]),
+                constraints: Vec::new(),
+            })
+        };
+        let found = search(evaluate, &[1.0, -0.1], &ask(&[FREE; 2])).expect("it starts");
+        assert_eq!(found.end, End::Converged, "{found:?}");
+        assert!((found.evaluation.objective[0].value - 1.952_224_493_9).abs() < 1e-8);
+        assert!(
+            (found.at[0] - 1.139_037_6).abs() < 1e-4 && (found.at[1] - 0.899_559_9).abs() < 1e-4
+        );
+    }
+
+    #[test]
+    fn what_cannot_be_met_is_missed_by_the_least_and_told() {
+        // x >= 3 and x <= 1.
+        let evaluate = |u: &[f64]| {
+            let x = u[0];
+            Ok(Evaluation {
+                objective: vec![branch(x * x, &[2.0 * x], 0.0)],
+                constraints: vec![
+                    vec![branch(3.0 - x, &[-1.0], 0.0)],
+                    vec![branch(x - 1.0, &[1.0], 0.0)],
+                ],
+            })
+        };
+        let found = search(evaluate, &[0.0], &ask(&[FREE])).expect("it starts");
+        assert_eq!(found.end, End::Infeasible, "{found:?}");
+        assert!((found.evaluation.missed() - 2.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn bounds_hold_and_what_fails_is_a_step_too_long() {
+        // -x, to be had up to 1, evaluated up to 0.7.
+        let evaluate = |limit: f64| {
+            move |u: &[f64]| {
+                if u[0] > limit {
+                    return Err("too far".to_owned());
+                }
+                let objective = vec![branch((u[0] - 0.69).powi(2), &[2.0 * (u[0] - 0.69)], 0.0)];
+                Ok(Evaluation { objective, constraints: Vec::new() })
+            }
+        };
+        let found = search(evaluate(0.7), &[0.0], &ask(&[(-1.0, 5.0)])).expect("it starts");
+        assert!((found.at[0] - 0.69).abs() < 1e-5, "{found:?}");
+        let found = search(evaluate(9.0), &[0.0], &ask(&[(-1.0, 0.25)])).expect("it starts");
+        assert_eq!((found.end, found.at[0].to_bits()), (End::Converged, 0.25_f64.to_bits()));
+        // It falls by 2 (0.69 - 0.25) for each unit the bound is eased by.
+        assert!((found.of_bounds[0] + 0.88).abs() < 1e-6, "{found:?}");
+        assert!(search(|_| Err("no".to_owned()), &[0.0], &ask(&[FREE])).is_err());
+    }
+}

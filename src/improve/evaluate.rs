@@ -158,7 +158,6 @@ impl Shown<'_> {
     /// The one extreme of an expression as a course, risen.
     fn risen(&self, expression: &Expression) -> Option<Course<'_>> {
         match &expression.node {
-            Node::Number(..) | Node::Name(_) => None,
             Node::Negative(a) | Node::Call(_, a) => self.risen(a),
             Node::Binary(_, a, b) => self.risen(a).or_else(|| self.risen(b)),
             Node::Reduce(Reduction::Max, a) => Some(self.course(a)),
@@ -167,7 +166,7 @@ impl Shown<'_> {
                 course.values = course.values.into_iter().map(negative).collect();
                 Some(course)
             }
-            Node::Reduce(..) => None,
+            Node::Number(..) | Node::Name(_) | Node::Reduce(..) => None,
         }
     }
 

@@ -94,6 +94,16 @@ const MISSED: f64 = 1e-7;
 /// The heaviest that a missed inequality weighs.
 const HEAVIEST: f64 = 1e5;
 
+impl Search<'_> {
+    fn clipped(&self, at: &[f64]) -> Vec<f64> {
+        at.iter().zip(self.bounds).map(|(u, (low, high))| u.clamp(*low, *high)).collect()
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed))
+    }
+}
+
 impl Evaluation {
     fn is_finite(&self) -> bool {
         let all = self.constraints.iter().flatten().chain(&self.objective);
@@ -113,6 +123,10 @@ impl Evaluation {
 }
 
 impl Found {
+    fn ended(self, end: End) -> Self {
+        Self { end, ..self }
+    }
+
     /// Whether all inequalities are met.
     #[must_use]
     pub fn is_feasible(&self) -> bool {
@@ -153,11 +167,7 @@ pub fn search(
     start: &[f64],
     search: &Search<'_>,
 ) -> Result<Found, String> {
-    let clipped = |at: Vec<f64>| -> Vec<f64> {
-        at.into_iter().zip(search.bounds).map(|(u, (low, high))| u.clamp(*low, *high)).collect()
-    };
-    let is_interrupted = || search.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed));
-    let at = clipped(start.to_vec());
+    let at = search.clipped(start);
     let evaluation = evaluate(&at)?;
     if !evaluation.is_finite() {
         return Err("what is to be least, or an inequality, is not a finite number".to_owned());
@@ -177,65 +187,35 @@ pub fn search(
     let (mut weight, mut reach) = (10.0, 0.3);
     let mut is_fresh = true;
     while found.steps < search.most {
-        if is_interrupted() {
-            found.end = End::Interrupted;
-            return Ok(found);
+        if search.is_interrupted() {
+            return Ok(found.ended(End::Interrupted));
         }
         let Some(step) = steered(&found, &bend, (&mut weight, reach), search.bounds) else {
-            found.end = End::Stuck;
-            return Ok(found);
+            return Ok(found.ended(End::Stuck));
         };
         found.multipliers = step.multipliers[1..].iter().map(|all| all.iter().sum()).collect();
         found.of_bounds.clone_from(&step.of_bounds);
         let size = 1.0 + found.evaluation.merit(weight).abs();
         if step.gain <= GAIN * size {
             if step.missed <= MISSED {
-                found.end = End::Converged;
-                return Ok(found);
+                return Ok(found.ended(End::Converged));
             }
             if weight >= HEAVIEST {
-                found.end = End::Infeasible;
-                return Ok(found);
+                return Ok(found.ended(End::Infeasible));
             }
             weight *= 10.0;
             continue;
         }
-        let mut share = 1.0;
-        let merit = found.evaluation.merit(weight);
-        let next = loop {
-            let ahead = found.at.iter().zip(&step.d).map(|(u, d)| u + share * d).collect();
-            let ahead = clipped(ahead);
-            match evaluate(&ahead) {
-                Ok(evaluation) if evaluation.is_finite() => {
-                    if evaluation.merit(weight) <= merit - 1e-4 * share * step.gain {
-                        break Some((ahead, evaluation));
-                    }
-                }
-                tried => {
-                    if is_interrupted() {
-                        found.end = End::Interrupted;
-                        return Ok(found);
-                    }
-                    found.failed.0 += 1;
-                    let why = tried.err().unwrap_or_else(|| "it is not finite".to_owned());
-                    found.failed.1.get_or_insert(why);
-                }
-            }
-            share *= if share == 1.0 { 0.5 } else { 0.3 };
-            if share < 1e-7 || is_interrupted() {
-                break None;
-            }
-        };
-        let Some((ahead, evaluation)) = next else {
-            if is_interrupted() {
-                found.end = End::Interrupted;
-                return Ok(found);
+        let Some((ahead, evaluation, share)) =
+            shortened(&mut evaluate, &mut found, &step, weight, search)
+        else {
+            if search.is_interrupted() {
+                return Ok(found.ended(End::Interrupted));
             }
             // What is left to gain there is rounding.
             if step.missed > MISSED && step.missed >= (1.0 - FAINT) * found.evaluation.missed() {
                 if weight >= HEAVIEST {
-                    found.end = End::Infeasible;
-                    return Ok(found);
+                    return Ok(found.ended(End::Infeasible));
                 }
                 weight *= 10.0;
                 continue;
@@ -247,21 +227,17 @@ pub fn search(
                 reach *= 0.1;
                 continue;
             }
-            found.end = if step.gain <= FAINT * size && found.is_feasible() {
-                End::Converged
-            } else {
-                End::Stuck
-            };
-            return Ok(found);
+            let is_faint = step.gain <= FAINT * size && found.is_feasible();
+            return Ok(found.ended(if is_faint { End::Converged } else { End::Stuck }));
         };
         found.steps += 1;
         let moved = DVector::from_fn(n, |k, _| ahead[k] - found.at[k]);
         let is_far = step.d.amax() > 0.99 * reach;
-        reach = match share {
-            1.0 if is_far => (2.0 * reach).min(3.0),
-            1.0 => reach,
-            _ => (2.0 * moved.amax()).clamp(1e-6, reach),
-        };
+        if share < 1.0 {
+            reach = (2.0 * moved.amax()).clamp(1e-6, reach);
+        } else if is_far {
+            reach = (2.0 * reach).min(3.0);
+        }
         let [before, after] = [&found.evaluation, &evaluation]
             .map(|at| slope_of_sum(&found.evaluation, at, &step.multipliers));
         is_fresh = false;
@@ -270,6 +246,46 @@ pub fn search(
         found.evaluation = evaluation;
     }
     Ok(found)
+}
+
+/// The longest of shares of a step that does better by enough: where it leads, what is there, and
+/// the share; nothing if none does, or somebody asked to end.
+fn shortened(
+    evaluate: &mut impl FnMut(&[f64]) -> Result<Evaluation, String>,
+    found: &mut Found,
+    step: &Step,
+    weight: f64,
+    search: &Search<'_>,
+) -> Option<(Vec<f64>, Evaluation, f64)> {
+    const LEAST: f64 = 1e-7;
+    let merit = found.evaluation.merit(weight);
+    let mut share = 1.0;
+    let mut factor = 0.5;
+    while share >= LEAST {
+        let ahead: Vec<f64> = found.at.iter().zip(&step.d).map(|(u, d)| u + share * d).collect();
+        let ahead = search.clipped(&ahead);
+        match evaluate(&ahead) {
+            Ok(evaluation) if evaluation.is_finite() => {
+                if evaluation.merit(weight) <= merit - 1e-4 * share * step.gain {
+                    return Some((ahead, evaluation, share));
+                }
+            }
+            tried => {
+                if search.is_interrupted() {
+                    return None;
+                }
+                found.failed.0 += 1;
+                let why = tried.err().unwrap_or_else(|| "it is not finite".to_owned());
+                found.failed.1.get_or_insert(why);
+            }
+        }
+        if search.is_interrupted() {
+            return None;
+        }
+        share *= factor;
+        factor = 0.3;
+    }
+    None
 }
 
 /// The step from where a search is, with a weight that makes it miss inequalities by hardly more

@@ -275,7 +275,8 @@ fn of_equilibrium(
         let value = point.parameters[*parameter];
         let size = if value == 0.0 { 1.0 } else { value.abs() };
         let allowed = LEFT * by_parameters.column(column).norm() + ACCEPTED / size;
-        if !(left.column(column).norm() <= allowed) {
+        let left = left.column(column).norm();
+        if left.is_nan() || left > allowed {
             return Err(LinearError::LosesEquilibrium {
                 scene: simulator.name().to_owned(),
                 parameter: simulator.parameter(*parameter).name.to_owned(),

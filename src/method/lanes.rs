@@ -76,11 +76,7 @@ fn blocks<const COUNT: usize, const PAIRED: bool>(
     for (block, into) in into.chunks_exact_mut(COUNT).enumerate() {
         let at = first + block * COUNT;
         let mut total = [0.0; COUNT];
-        if !PAIRED {
-            for term in sum {
-                add(term, stages, at, &mut total);
-            }
-        } else {
+        if PAIRED {
             // Two sums side by side, so that each term waits for half of the others only.
             let mut other = [0.0; COUNT];
             let (pairs, last) = sum.as_chunks();
@@ -93,6 +89,10 @@ fn blocks<const COUNT: usize, const PAIRED: bool>(
             }
             for (total, other) in total.iter_mut().zip(other) {
                 *total += other;
+            }
+        } else {
+            for term in sum {
+                add(term, stages, at, &mut total);
             }
         }
         match start {

@@ -136,7 +136,9 @@ impl<S: ComplexField<RealField = f64> + Copy> Lu<S> {
             let (unknown, known) = b[row * columns..].split_at_mut(columns);
             subtract(&entries[1..], known, unknown);
             let inverse = entries[0].recip();
-            unknown.iter_mut().for_each(|value| *value *= inverse);
+            for value in unknown {
+                *value *= inverse;
+            }
         }
     }
 

@@ -183,7 +183,7 @@ impl Slopes<'_> {
                 .find(|index| simulator.parameter(*index).name == by.name)
                 .map_or(f64::NAN, |index| point.parameters[index]);
             let unit = if by.unit == "1" { String::new() } else { format!(" {}", by.unit) };
-            text.push_str(&format!("\nBy `{}`, which is {}{unit}:\n\n", by.name, shown(parameter)));
+            text.extend([format!("\nBy `{}`, which is {}{unit}:\n\n", by.name, shown(parameter))]);
             let heading = [
                 "motion",
                 "moves",
@@ -219,7 +219,7 @@ impl Slopes<'_> {
             {
                 let [kind, moves, ..] = row(linearization, mode);
                 let why = without(why, linearization, modes);
-                text.push_str(&format!("\nno derivatives of the {kind} of {moves}: {why}\n"));
+                text.extend([format!("\nno derivatives of the {kind} of {moves}: {why}\n")]);
             }
         }
         text

@@ -52,9 +52,10 @@ mod readable {
     fn plain(expression: &Expression, simulator: &dyn Simulator<f64>) -> Option<String> {
         match &expression.node {
             Node::Name(name) => unit_of(name, simulator).map(str::to_owned),
-            Node::Negative(a) | Node::Call(Function::Abs, a) => plain(a, simulator),
             Node::Reduce(Reduction::Integral | Reduction::PeakTime, _) => None,
-            Node::Reduce(_, a) => plain(a, simulator),
+            Node::Negative(a) | Node::Call(Function::Abs, a) | Node::Reduce(_, a) => {
+                plain(a, simulator)
+            }
             _ => None,
         }
     }
@@ -121,12 +122,13 @@ mod readable {
                 let none = Dimension::default();
                 match operator {
                     Operator::Add | Operator::Subtract => alike(left, right, &b.range),
-                    Operator::Multiply if left.is_none() && right.is_none() => Ok(None),
+                    Operator::Multiply | Operator::Divide if left.is_none() && right.is_none() => {
+                        Ok(None)
+                    }
                     Operator::Multiply => {
                         let product = left.unwrap_or(none).times(right.unwrap_or(none));
                         product.map(Some).ok_or_else(too_large)
                     }
-                    Operator::Divide if left.is_none() && right.is_none() => Ok(None),
                     Operator::Divide => {
                         let quotient = left.unwrap_or(none).over(right.unwrap_or(none));
                         quotient.map(Some).ok_or_else(too_large)

@@ -6,6 +6,10 @@ use std::process::Stdio;
 
 use crate::cli::{answer, assert_refused, copy_specs, machinist, names_in, text};
 
+/// A machine that cannot be asked everything.
+const WITHOUT_EVENTS: &str = include_str!("../../specs/scenes/parts/translational/mass.toml");
+const MASS: &str = "translational_mass";
+
 #[test]
 fn the_report_is_pages_that_need_nothing_else_and_come_out_the_same() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -20,6 +24,11 @@ fn the_report_is_pages_that_need_nothing_else_and_come_out_the_same() {
         }
     }
     answer(&["gen", "--specs", text(&scenes), "--out", text(&emitted)]);
+    // One that is not built in, of whose checks some cannot be asked.
+    fs::create_dir(scenes.join("drives")).expect("a folder");
+    let mass = scenes.join("drives/mass.toml");
+    fs::write(&mass, WITHOUT_EVENTS).expect("written");
+    let pages = ["bouncing_mass", "shaft_with_rotors", "slider_crank", MASS, "two_mass"];
     let start = |out: &Path| {
         let places = ["--specs", text(&scenes), "--emitted", text(&emitted)];
         let arguments = [&["report", "--no-times", "--out", text(out)], &places[..]].concat();
@@ -31,9 +40,9 @@ fn the_report_is_pages_that_need_nothing_else_and_come_out_the_same() {
     assert!(ends.iter().all(|end| end.as_ref().expect("an end").success()));
     for folder in &folders {
         assert_eq!(names_in(folder), ["index.html", "machines", "studies.html"]);
-        assert_eq!(names_in(&folder.join("machines")), shown.map(|name| format!("{name}.html")));
+        assert_eq!(names_in(&folder.join("machines")), pages.map(|name| format!("{name}.html")));
     }
-    let machines = shown.map(|name| format!("machines/{name}.html"));
+    let machines = pages.map(|name| format!("machines/{name}.html"));
     let files = machines.iter().map(String::as_str).chain(["index.html", "studies.html"]);
     for file in files {
         let [first, second] = folders.each_ref().map(|folder| page(&folder.join(file)));
@@ -41,9 +50,12 @@ fn the_report_is_pages_that_need_nothing_else_and_come_out_the_same() {
         assert_links_lead_somewhere(&folders[0].join(file), &first);
     }
     let [index, studies] = ["index.html", "studies.html"].map(|file| page(&folders[0].join(file)));
-    for name in shown {
+    for name in pages {
         assert!(index.contains(&format!("href=\"machines/{name}.html\"")), "{name}");
     }
+    let [checked, left_out] = counted(text(&mass));
+    assert!(index.contains(&format!("{checked} of {checked} checks, {left_out} left out")));
+    assert!(index.contains(&format!("<dd class=\"note\">{left_out} left out</dd>")));
     assert!(index.contains("fresh") && studies.contains("Reproduction ledger"));
     let two_mass = page(&folders[0].join("machines/two_mass.html"));
     for part in ["Content-Security-Policy", "<math", "href=\"../index.html\"", "class=\"symbol\""] {
@@ -67,9 +79,11 @@ fn a_machine_of_ones_own_gets_a_page_of_its_own() {
     assert_eq!(names_in(&out), ["machines"]);
     let page = page(&out.join("machines/winch.html"));
     assert!(page.contains("A &lt;b&gt;winch&lt;/b&gt; lifts") && !page.contains("<b>winch"));
-    for part in ["<title>rope: Rope that can go slack</title>", "brake.closes", "16 / 16"] {
+    for part in ["<title>rope: Rope that can go slack</title>", "brake.closes"] {
         assert!(page.contains(part), "the page lacks {part}");
     }
+    let [checked, left_out] = counted(text(&winch));
+    assert!(left_out == 0 && page.contains(&format!("<dd>{checked} / {checked}</dd>")));
     assert!(page.len() < 1_500_000);
     // It is live: a slider for each parameter, and parts that turn and slide.
     let known = page.split("id=\"live-known\">").nth(1).and_then(|rest| rest.split('<').next());
@@ -82,6 +96,23 @@ fn a_machine_of_ones_own_gets_a_page_of_its_own() {
 }
 
 #[test]
+fn rows_that_are_left_out_are_counted_apart_and_say_why() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mass = folder.path().join("mass.toml");
+    fs::write(&mass, WITHOUT_EVENTS).expect("written");
+    let out = folder.path().join("out");
+    answer(&["report", text(&mass), "--no-times", "--out", text(&out)]);
+    let page = page(&out.join(format!("machines/{MASS}.html")));
+    let [checked, left_out] = counted(text(&mass));
+    assert!(page.contains(&format!("<dd>{checked} / {checked}</dd>")), "{checked} checks");
+    assert!(left_out > 0 && page.contains(&format!("<dd class=\"note\">{left_out} left out</dd>")));
+    assert!(page.contains(&format!("{left_out} rows cannot be asked of this machine")));
+    assert_eq!(page.matches("<span class=\"muted\">left out</span>").count(), left_out);
+    assert!(page.contains("the machine has no events"));
+    assert!(!page.contains(">NaN<"));
+}
+
+#[test]
 fn a_model_file_has_no_page() {
     let folder = tempfile::tempdir().expect("a folder");
     let model = folder.path().join("two_mass.model");
@@ -89,6 +120,16 @@ fn a_model_file_has_no_page() {
     let out = folder.path().join("out");
     assert_refused(&["report", text(&model), "--out", text(&out)], &["no equations to show"]);
     assert!(!out.exists());
+}
+
+/// How many checks `verify` makes, all of which pass, and how many it leaves out.
+fn counted(scene: &str) -> [usize; 2] {
+    let table = answer(&["verify", scene]);
+    let last = table.lines().last().expect("a line that counts");
+    let words: Vec<&str> = last.split([' ', ',']).filter(|word| !word.is_empty()).collect();
+    let [checked, "checks", "0", "failed", rest @ ..] = &words[..] else { panic!("{last}") };
+    let left_out = rest.first().map_or(0, |count| count.parse().expect("a count"));
+    [checked.parse().expect("a count"), left_out]
 }
 
 /// To a part of the page, or to a page beside it.

@@ -125,6 +125,34 @@ impl Verdict {
     }
 }
 
+/// What came of rows, counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Tally {
+    /// Rows that were asked, whether they passed or not.
+    pub checked: usize,
+    /// Of these, rows that passed.
+    pub passed: usize,
+    /// Rows that cannot be asked, and count as neither.
+    pub left_out: usize,
+}
+
+impl Tally {
+    /// Of these rows.
+    #[must_use]
+    pub fn of(verdicts: &[Verdict]) -> Self {
+        let left_out = verdicts.iter().filter(|verdict| verdict.skipped.is_some()).count();
+        let passes = |verdict: &&Verdict| verdict.pass && verdict.skipped.is_none();
+        let passed = verdicts.iter().filter(passes).count();
+        Self { checked: verdicts.len() - left_out, passed, left_out }
+    }
+
+    /// Whether no row failed.
+    #[must_use]
+    pub fn is_clean(&self) -> bool {
+        self.passed == self.checked
+    }
+}
+
 /// Why nothing was checked.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum VerifyError {
@@ -218,11 +246,10 @@ pub fn render_table(verdicts: &[Verdict]) -> String {
         ]
     });
     let header = ["", "scene", "check", "error", "tolerance", "because", "against"];
-    let failed = verdicts.iter().filter(|verdict| !verdict.pass).count();
-    let skipped = verdicts.iter().filter(|verdict| verdict.skipped.is_some()).count();
-    let checks = verdicts.len() - skipped;
-    let skipped = if skipped == 0 { String::new() } else { format!(", {skipped} left out") };
-    format!("{}\n{checks} checks, {failed} failed{skipped}\n", text_table(header, cells))
+    let Tally { checked, passed, left_out } = Tally::of(verdicts);
+    let failed = checked - passed;
+    let left_out = if left_out == 0 { String::new() } else { format!(", {left_out} left out") };
+    format!("{}\n{checked} checks, {failed} failed{left_out}\n", text_table(header, cells))
 }
 
 fn outcome(verdict: &Verdict) -> &'static str {

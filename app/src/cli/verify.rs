@@ -6,7 +6,7 @@ mod independent;
 mod machine;
 
 use clap::Args;
-use machinist_studies::verify::{Verdict, VerifyOptions, render_table, verify_all};
+use machinist_studies::verify::{Tally, Verdict, VerifyOptions, render_table, verify_all};
 
 use super::assignment;
 use super::output::print;
@@ -57,11 +57,11 @@ impl Verify {
         } else {
             print(&render_table(&verdicts))?;
         }
-        let checks = verdicts.iter().filter(|verdict| verdict.skipped.is_none()).count();
-        match verdicts.iter().filter(|verdict| !verdict.pass).count() {
+        let Tally { checked, passed, .. } = Tally::of(&verdicts);
+        match checked - passed {
             0 => Ok(()),
             failed => {
-                let message = format!("{failed} of {checks} checks failed");
+                let message = format!("{failed} of {checked} checks failed");
                 Err(Failure::unsuccessful(message, ""))
             }
         }

@@ -1,12 +1,13 @@
 //! The first page: what the report says in short, and a card for each machine.
 
+use machinist_studies::verify::Tally;
 use maud::{Markup, html};
 
 use super::gather::{Report, page_of};
 use super::machine::Machine;
 use super::page::{Page, section};
 use super::verification::badge;
-use super::{licences, schematic};
+use super::{licences, schematic, verification};
 
 /// The command that makes the report.
 const COMMAND: &str = "cargo run --release -- report";
@@ -35,7 +36,7 @@ pub(super) fn page(report: &Report) -> String {
 }
 
 fn card(machine: &Machine) -> Markup {
-    let [passed, all] = machine.passed();
+    let tally = machine.tally();
     html! {
         a.card href=(page_of(machine.name())) {
             div.picture { (schematic::drawing(&machine.schematic)) }
@@ -44,14 +45,18 @@ fn card(machine: &Machine) -> Markup {
             dl {
                 @for figure in machine.figures().iter().take(FIGURES) { (figure.entry()) }
             }
-            p { (badge(passed == all)) " " (passed) " of " (all) " checks" }
+            p { (badge(tally.is_clean())) " " (of_card(tally)) }
         }
     }
 }
 
+fn of_card(tally: Tally) -> String {
+    let Tally { checked, passed, left_out } = tally;
+    let left_out = if left_out == 0 { String::new() } else { format!(", {left_out} left out") };
+    format!("{passed} of {checked} checks{left_out}")
+}
+
 fn introduction(report: &Report) -> Markup {
-    let passed = report.verdicts.iter().filter(|verdict| verdict.pass).count();
-    let all = report.verdicts.len();
     let stale: Vec<&str> = report.stale().collect();
     html! {
         header id="summary" {
@@ -62,9 +67,7 @@ fn introduction(report: &Report) -> Markup {
                  the specs give, run, and held against what is known without it."
             }
             dl.strip {
-                div class=[(passed < all).then_some("bad")] {
-                    dt { "checks passed" } dd { (passed) " / " (all) }
-                }
+                (verification::entry(Tally::of(&report.verdicts)))
                 div { dt { "machines" } dd { (report.machines.len()) } }
                 div class=[(!stale.is_empty()).then_some("bad")] {
                     dt { "emitted code" } dd { @if stale.is_empty() { "fresh" } @else { "stale" } }

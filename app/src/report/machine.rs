@@ -11,7 +11,7 @@ use machinist_contract::Simulator;
 use machinist_contract::field::FieldScene;
 use machinist_model::{Model, ModelSimulator, Running};
 use machinist_scenes::scenes;
-use machinist_studies::verify::Verdict;
+use machinist_studies::verify::{Tally, Verdict};
 use machinist_studies::work_precision::WorkPrecision;
 
 use super::fields;
@@ -130,8 +130,8 @@ impl Machine {
         self.trajectory().map(|run| key::figures(run, modes)).unwrap_or_default()
     }
 
-    /// How many checks passed, and how many there are.
-    pub(super) fn passed(&self) -> [usize; 2] {
-        [self.verdicts.iter().filter(|verdict| verdict.pass).count(), self.verdicts.len()]
+    /// What came of its checks.
+    pub(super) fn tally(&self) -> Tally {
+        Tally::of(&self.verdicts)
     }
 }

@@ -55,7 +55,6 @@ fn verify_command(machine: &Machine) -> String {
 
 fn header(machine: &Machine) -> Markup {
     let model = &machine.model;
-    let [passed, all] = machine.passed();
     html! {
         header id="summary" {
             h1 { (model.title) }
@@ -63,9 +62,7 @@ fn header(machine: &Machine) -> Markup {
             @for paragraph in machine.doc.split("\n\n") { p { (prose(paragraph)) } }
             @if !model.source.is_empty() { p.muted { "Source: " (prose(&model.source)) } }
             dl.strip {
-                div class=[(passed < all).then_some("bad")] {
-                    dt { "checks passed" } dd { (passed) " / " (all) }
-                }
+                (verification::entry(machine.tally()))
                 @for figure in machine.figures() { (figure.entry()) }
             }
         }

@@ -60,6 +60,9 @@ pub enum SimulateError {
     /// The method is of a family that this program was compiled without.
     #[error(transparent)]
     NotCompiledIn(#[from] NotCompiledIn),
+    /// A start in equilibrium was asked for, and there is none.
+    #[error("no start in equilibrium: {0}")]
+    NoEquilibrium(String),
     /// A list is as long as the scene does not ask for.
     #[error("scene `{scene}` has {expected} {what}, but {found} values were given")]
     WrongLength {
@@ -183,6 +186,19 @@ pub enum SimulateError {
         /// The run until there; nothing where nothing was kept, as in a sweep.
         kept: Option<Box<Trajectory>>,
     },
+}
+
+#[cfg(feature = "linear")]
+impl SimulateError {
+    /// Of a search that has failed.
+    pub(crate) fn no_equilibrium(error: crate::linear_analysis::LinearError) -> Self {
+        match error {
+            crate::linear_analysis::LinearError::Simulate(error) => error,
+            error => Self::NoEquilibrium(format!(
+                "{error}. Hint: give values nearer to it in [initial], or start as given there"
+            )),
+        }
+    }
 }
 
 /// Why an integration could not go on.

@@ -26,7 +26,9 @@ mod motions;
 mod operating_point;
 mod response;
 mod rest;
+mod search;
 mod slopes;
+mod steady;
 mod within;
 
 use machinist_contract::{Quantity, Simulator};
@@ -41,6 +43,7 @@ pub use modes::{Mode, ModeKind};
 pub use operating_point::{Place, operating_point};
 pub use response::{Response, logarithmic_range};
 pub use slopes::{ModeSlope, NoSlope, PointSlopes};
+pub(crate) use steady::{growth, steady_start, steady_tangents};
 
 /// Largest number of states; beyond, dense matrices take too much time.
 pub const MAX_STATES: usize = 2000;

@@ -162,6 +162,16 @@ impl Problem<'_> {
         (Run { rows: samples.into_rows(), switches, taken }, stopped)
     }
 
+    /// Sets the modes of a start right, and nothing else.
+    ///
+    /// # Errors
+    /// [`StopCause::Contradiction`] if they contradict each other, or something else than modes
+    /// would have to change.
+    #[cfg(feature = "linear")]
+    pub(crate) fn settle(&self, state: &mut [f64]) -> Result<(), Stopped> {
+        Watch::new(self, state).map(|_| ())
+    }
+
     fn carry<'a>(
         &'a self,
         method: Method,

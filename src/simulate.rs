@@ -7,6 +7,8 @@ use machinist_contract::Simulator;
 
 use crate::constraints::{Constraints, consistent, require_independent};
 use crate::error::{NotCompiledIn, SimulateError, did_you_mean};
+#[cfg(feature = "linear")]
+use crate::linear_analysis::{Point, growth, steady_start};
 #[cfg(feature = "sweep")]
 use crate::method::cut;
 use crate::method::sensitivity::{By, Start, Tangents, columns};
@@ -62,6 +64,8 @@ pub struct Simulation<'a> {
     initial_state: Option<Vec<f64>>,
     /// Entries of the spec's initial state that are given otherwise.
     initial_values: Vec<(usize, f64)>,
+    /// Whether to look for an equilibrium from there; as the spec says, if not set.
+    in_equilibrium: Option<bool>,
     from: f64,
     until: f64,
     sampling: Sampling,
@@ -92,6 +96,7 @@ impl<'a> Simulation<'a> {
             parameters: parameters.collect(),
             initial_state: None,
             initial_values: Vec::new(),
+            in_equilibrium: None,
             from: defaults.from,
             until: defaults.until,
             sampling: Sampling::Points(defaults.points),
@@ -161,6 +166,26 @@ impl<'a> Simulation<'a> {
         self.initial_values.retain(|(other, _)| *other != index);
         self.initial_values.push((index, value));
         Ok(self)
+    }
+
+    /// Starts in equilibrium, or not, whatever the spec says: in the state near the start
+    /// otherwise given at which all rates vanish, with time held at the run's start. A machine
+    /// at rest or at constant speed, see [`linear_analysis::equilibrium`].
+    ///
+    /// Values of the start are where the search begins. What an equilibrium leaves open, such as
+    /// the angle of a shaft that turns freely, stays as near to them as may be, what
+    /// `[initial]` or [`Simulation::initial_value`] names first of all. Modes of events are
+    /// those that no guard contradicts there. If there is no equilibrium near, the machine is
+    /// let creep to one downhill, as if all its motions were heavily damped.
+    ///
+    /// An equilibrium may be unstable; the trajectory's notes then tell how fast deviations
+    /// grow.
+    ///
+    /// [`linear_analysis::equilibrium`]: crate::linear_analysis::equilibrium()
+    #[cfg(feature = "linear")]
+    pub fn in_equilibrium(mut self, wanted: bool) -> Self {
+        self.in_equilibrium = Some(wanted);
+        self
     }
 
     /// Sets a parameter, or the initial value of a state if none has this name.
@@ -354,6 +379,8 @@ impl<'a> Simulation<'a> {
             system.note(format!("{method} instead of {asked}, which does not carry sensitivities"));
         }
         self.check_guards(&system)?;
+        #[cfg(feature = "linear")]
+        self.note_unstable(&system, &initial);
         let states = system.states();
         let mut atol = self.checked_atol(&initial)?;
         let energy_atol = self.rtol * self.energy_scale(&initial);
@@ -444,8 +471,57 @@ impl<'a> Simulation<'a> {
         let tangents = Tangents::new(self.simulator, &self.parameters, by, self.from)?;
         let is_of_spec = self.initial_state.is_none();
         let set: Vec<usize> = self.initial_values.iter().map(|(index, _)| *index).collect();
-        tangents.begin(&Start { time: self.from, state: initial, is_of_spec, set: &set })?;
+        let named = self.starts_in_equilibrium().then(|| self.named());
+        let (time, in_equilibrium) = (self.from, named.as_deref());
+        let start = Start { time, state: initial, is_of_spec, set: &set, in_equilibrium };
+        if !tangents.begin(&start)? {
+            self.check_tangents(&tangents, initial)?;
+        }
         Ok(Some(tangents))
+    }
+
+    /// Compares how an equilibrium moves, where its equations leave some of it open, with
+    /// differences of the search.
+    fn check_tangents(
+        &self,
+        tangents: &Tangents<'_>,
+        initial: &[f64],
+    ) -> Result<(), SimulateError> {
+        const NEAR: f64 = 1e-4;
+        for (direction, by) in self.sensitivities.iter().enumerate() {
+            let quantity = by.quantity(self.simulator);
+            let size = match by {
+                By::Parameter(index) => self.parameters[*index].abs(),
+                By::Initial(index) => self.simulator.state_scale(*index),
+            };
+            let step = 1e-6 * if size > 0.0 { size } else { 1.0 };
+            let at = |shift: f64| {
+                let mut moved = self.clone();
+                match by {
+                    By::Parameter(index) => moved.parameters[*index] += shift,
+                    By::Initial(index) => {
+                        let value = self.guess()[*index] + shift;
+                        moved.initial_values.retain(|(other, _)| other != index);
+                        moved.initial_values.push((*index, value));
+                    }
+                }
+                moved.checked_initial_state()
+            };
+            let (ahead, behind) = (at(step)?, at(-step)?);
+            for (index, tangent) in tangents.start_of(direction).enumerate() {
+                let scale = self.simulator.state_scale(index).max(initial[index].abs());
+                let difference = (ahead[index] - behind[index]) / (2.0 * step);
+                if (difference - tangent).abs() * size.max(step) > NEAR * scale {
+                    return Err(SimulateError::NotDifferentiable {
+                        name: quantity.name.to_owned(),
+                        why: "moves an equilibrium that its equations leave open, so that it is \
+                              where the search ends; give more of the start in [initial]"
+                            .to_owned(),
+                    });
+                }
+            }
+        }
+        Ok(())
     }
 
     fn trajectory(
@@ -513,10 +589,10 @@ impl<'a> Simulation<'a> {
         Ok(&self.parameters)
     }
 
-    fn checked_initial_state(&self) -> Result<Vec<f64>, SimulateError> {
-        let states = self.simulator.shape().states();
+    /// The state at the start as it is given.
+    fn guess(&self) -> Vec<f64> {
         let mut state = self.initial_state.clone().unwrap_or_else(|| {
-            let mut state = vec![0.0; states];
+            let mut state = vec![0.0; self.simulator.shape().states()];
             self.simulator.initial_state(&self.parameters, &mut state);
             state
         });
@@ -525,14 +601,99 @@ impl<'a> Simulation<'a> {
                 *entry = *value;
             }
         }
+        state
+    }
+
+    /// Entries of the state that the spec or the caller names.
+    fn named(&self) -> Vec<usize> {
+        let is_spec = self.initial_state.is_none();
+        let is_set = |index: usize| self.initial_values.iter().any(|(set, _)| *set == index);
+        let is_named = |index: &usize| is_spec && self.simulator.is_given(*index) || is_set(*index);
+        (0..self.simulator.shape().states()).filter(is_named).collect()
+    }
+
+    fn checked_initial_state(&self) -> Result<Vec<f64>, SimulateError> {
+        let states = self.simulator.shape().states();
+        let state = self.guess();
         let name = |index| format!("initial value of `{}`", self.simulator.state(index).name);
         self.check_list("states", &state, states, name)?;
+        if self.starts_in_equilibrium() {
+            return self.balanced(state);
+        }
         // A state of the caller's is near enough to the constraints, or a guess.
         let is_spec = self.initial_state.is_none();
         let is_given = |index| is_spec && self.simulator.is_given(index);
         let state = consistent(self.simulator, &self.parameters, self.from, state, is_given)?;
         require_independent(self.simulator, &self.parameters, self.from, &state)?;
         Ok(state)
+    }
+
+    /// A state of the caller's is where a run starts, unless an equilibrium is asked for.
+    fn starts_in_equilibrium(&self) -> bool {
+        let is_of_spec = self.initial_state.is_none();
+        self.in_equilibrium.unwrap_or(is_of_spec && self.simulator.starts_in_equilibrium())
+    }
+
+    /// The equilibrium near a state.
+    #[cfg(feature = "linear")]
+    fn balanced(&self, guess: Vec<f64>) -> Result<Vec<f64>, SimulateError> {
+        let named = self.named();
+        let parameters = self.checked_parameters()?;
+        // Constraints are fulfilled as for any start where they can be, else by whatever moves.
+        let given = |index| named.contains(&index);
+        let state = consistent(self.simulator, parameters, self.from, guess.clone(), given);
+        let state = state
+            .or_else(|_| consistent(self.simulator, parameters, self.from, guess, |_| false))?;
+        require_independent(self.simulator, parameters, self.from, &state)?;
+        let guess = Point { time: self.from, state, parameters: parameters.to_vec() };
+        let settle = |state: &mut Vec<f64>| self.settle(state);
+        let found = steady_start(self.simulator, guess, &named, &settle);
+        Ok(found.map_err(SimulateError::no_equilibrium)?.state)
+    }
+
+    #[cfg(not(feature = "linear"))]
+    fn balanced(&self, _: Vec<f64>) -> Result<Vec<f64>, SimulateError> {
+        let scene = self.simulator.name();
+        Err(SimulateError::NoEquilibrium(format!(
+            "the search that scene `{scene}` asks for is not compiled in. \
+             Hint: turn on the feature `linear` of the crate machinist"
+        )))
+    }
+
+    /// Sets the modes of a start right.
+    #[cfg(feature = "linear")]
+    fn settle(&self, state: &mut [f64]) -> Result<(), SimulateError> {
+        let system = System::new(self.simulator, &self.parameters, false);
+        let problem = Problem {
+            system: &system,
+            from: self.from,
+            until: self.until,
+            times: &[],
+            initial: state.to_vec(),
+            jumps: Vec::new(),
+            rtol: self.rtol,
+            atol: self.checked_atol(state)?,
+            max_steps: self.max_steps,
+        };
+        problem.settle(state).map_err(|Stopped { cause, .. }| {
+            SimulateError::NoEquilibrium(format!("{}: {cause}", self.simulator.name()))
+        })
+    }
+
+    /// Tells if the equilibrium in which the run starts is unstable.
+    #[cfg(feature = "linear")]
+    fn note_unstable(&self, system: &System<'_>, state: &[f64]) {
+        if !self.starts_in_equilibrium() {
+            return;
+        }
+        let (state, parameters) = (state.to_vec(), self.parameters.clone());
+        let point = Point { time: self.from, state, parameters };
+        if let Some(growth) = growth(self.simulator, point, self.until - self.from) {
+            system.note(format!(
+                "the equilibrium at the start is unstable: deviations grow by e in {:.3e} s",
+                1.0 / growth
+            ));
+        }
     }
 
     fn checked_jumps(&self) -> Result<Vec<f64>, SimulateError> {

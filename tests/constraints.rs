@@ -296,7 +296,8 @@ fn what_a_constraint_drives_is_in_no_equilibrium_and_the_constraint_is_named() {
     let linearization = Linearization::at(&driven, point).expect("it is regular");
     assert!(linearization.modes().expect("eigenvalues").is_empty());
     let refused = linearization.response("speed", "angle", &[1.0]).expect_err("not analysed");
-    assert!(matches!(refused, LinearError::Constraints(_)), "{refused}");
+    assert!(matches!(refused, LinearError::MovesConstraint { .. }), "{refused}");
+    assert!(refused.to_string().contains("constraint `drive` depends on it"), "{refused}");
 }
 
 /// A pendulum of 1 m that is let go at an angle, by a rod as a constraint or by its angle.

@@ -267,3 +267,123 @@ fn a_soft_spring_beside_a_stiff_one_is_no_free_motion() {
         assert!((fast / (2.0 * stiffness).sqrt() - 1.0).abs() < 1e-3, "{stiffness}: {fast}");
     }
 }
+
+/// Three machines of one motion: a damped pendulum on a cart that a spring holds, by its angle and by
+/// the place of its bob on a rod, both with a first-order force on the cart.
+fn cart_and_bob(by_angle: bool) -> String {
+    let head = r#"
+        [scene]
+        name = "cart"
+        [units.cart]
+        unit = "cart"
+        [outputs]
+        place = "cart.s"
+        across = "cart.across"
+        lag = "cart.lag"
+        [run]
+        until = 1.0
+        points = 11
+        rtol = 1e-9
+        method = "dop853"
+        [define.cart.parameters]
+        mass = { value = 3, unit = "kg" }
+        bob = { value = 0.7, unit = "kg" }
+        length = { value = 0.4, unit = "m" }
+        gravity = { value = 9.81, unit = "m/s^2" }
+        stiffness = { value = 250, unit = "N/m" }
+        damping = { value = 2.5, unit = "N s/m" }
+        wind = { value = 1.5, unit = "N" }
+        push = { value = 4, unit = "N" }
+        [define.cart.states.lag]
+        unit = "N"
+        rate = "(push - lag)/(0.05 [s])"
+        initial = "push"
+        [define.cart.coordinates.s]
+        unit = "m"
+        velocity = "v"
+        "#;
+    let rest = if by_angle {
+        r#"
+        [initial]
+        "cart.phi" = 0.2
+        [define.cart.coordinates.phi]
+        unit = "rad"
+        [define.cart.outputs.across]
+        expression = "s + length*sin(phi)"
+        unit = "m"
+        [define.cart.energy]
+        kinetic = "mass*v^2/2 + bob*((v + length*cos(phi)*phi_dot)^2 + (length*sin(phi)*phi_dot)^2)/2"
+        potential = "stiffness*s^2/2 - bob*gravity*length*cos(phi)"
+        dissipation = "damping*v^2/2"
+        [[define.cart.forces]]
+        coordinate = "s"
+        expression = "lag + wind"
+        conversion = true
+        [[define.cart.forces]]
+        coordinate = "phi"
+        expression = "wind*length*cos(phi)"
+        "#
+    } else {
+        r#"
+        [initial]
+        "cart.s" = 0
+        [guess]
+        "cart.x" = 0.1
+        "cart.y" = -0.4
+        [define.cart.coordinates.x]
+        unit = "m"
+        [define.cart.coordinates.y]
+        unit = "m"
+        [define.cart.constraints.rod]
+        expression = "(x - s)^2 + y^2 - length^2"
+        [define.cart.outputs.across]
+        expression = "x"
+        unit = "m"
+        [define.cart.energy]
+        kinetic = "mass*v^2/2 + bob*(x_dot^2 + y_dot^2)/2"
+        potential = "stiffness*s^2/2 + bob*gravity*y"
+        dissipation = "damping*v^2/2"
+        [[define.cart.forces]]
+        coordinate = "s"
+        expression = "lag"
+        conversion = true
+        [[define.cart.forces]]
+        coordinate = "x"
+        expression = "wind"
+        "#
+    };
+    format!("{head}{rest}")
+}
+
+#[test]
+fn a_machine_answers_within_constraints_as_it_does_by_its_angle() {
+    let machines = [true, false].map(|by_angle| of_text(&cart_and_bob(by_angle), Keep::All));
+    let linear = machines.each_ref().map(|machine| {
+        let run = Simulation::new(machine).in_equilibrium(true);
+        let point = operating_point(&run, Place::Initial).expect("it hangs in the wind");
+        Linearization::at(machine, point).expect("it is regular")
+    });
+    let frequencies = logarithmic_range(0.01, 1e4, 61).expect("a range");
+    // The wind leans on the bob, so that the rod is tilted: phi = atan(wind/(m g)).
+    let tilt = (1.5_f64 / (0.7 * 9.81)).atan();
+    let hangs = linear[0].point().state.iter().any(|value| (value - tilt).abs() < 1e-12);
+    assert!(hangs, "{:?}", linear[0].point().state);
+    for from in ["cart.push", "cart.wind", "cart.stiffness", "cart.damping", "cart.bob", "cart.s"] {
+        for to in ["place", "across", "lag", "cart.v"] {
+            let [one, other] = linear
+                .each_ref()
+                .map(|linear| linear.response(from, to, &frequencies).expect("it answers"));
+            let (largest, _) = one.peak().map_or((0.0, 0.0), |(at, size)| (size, at));
+            for index in 0..frequencies.len() {
+                let polar = |response: &machinist::linear_analysis::Response| {
+                    Complex64::from_polar(response.amplitudes[index], response.phases[index])
+                };
+                let off = (polar(&one) - polar(&other)).norm();
+                let size = polar(&one).norm().max(1e-9 * largest);
+                assert!(off <= 1e-8 * size, "{to} by {from} at {}: {off:e}", frequencies[index]);
+            }
+        }
+    }
+    let refused = linear[1].response("cart.length", "place", &[1.0]).expect_err("a longer rod");
+    assert!(matches!(refused, LinearError::MovesConstraint { .. }), "{refused}");
+}

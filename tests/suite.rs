@@ -11,6 +11,7 @@ mod classics;
 mod complex_step;
 mod constraints;
 mod contacts;
+mod equilibrium;
 mod events;
 mod exact;
 mod fields;

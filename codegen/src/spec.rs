@@ -100,6 +100,8 @@ pub struct SceneSpec {
     pub constraints: Vec<ConstraintSpec>,
     /// Initial values, by `instance.name`.
     pub initial: Vec<(Spanned<String>, Formula)>,
+    /// Whether runs start in the equilibrium near these.
+    pub starts_in_equilibrium: bool,
     /// Initial values from which those that the constraints give are looked for,
     /// likewise.
     pub guess: Vec<(Spanned<String>, Formula)>,

@@ -213,3 +213,10 @@ fn a_simulator_can_be_an_object() {
     }
     assert_eq!(find::<f64>().shape(), find::<f32>().shape());
 }
+
+#[test]
+fn a_start_in_equilibrium_is_described_as_the_model_has_it() {
+    assert!(oddities::Oddities.starts_in_equilibrium());
+    assert!(support::oddities().starts_in_equilibrium);
+    assert!(!pendulum::Pendulum.starts_in_equilibrium());
+}

@@ -274,6 +274,10 @@ pub trait Describe {
     fn constraint_matrix_pattern(&self) -> SparsityPattern<'_> {
         SparsityPattern { rows: 0, columns: self.shape().coordinates, entries: &[] }
     }
+    /// Whether runs start in the equilibrium near the initial state, and not in that itself.
+    fn starts_in_equilibrium(&self) -> bool {
+        false
+    }
     /// Whether the initial value of the `index`-th state is given; if not, it is a guess
     /// from which one is looked for that fulfils the constraints.
     fn is_given(&self, _index: usize) -> bool {

@@ -15,7 +15,7 @@
 /// ```
 ///
 /// Parts are what not every machine has, each followed by a semicolon: `coordinates`
-/// (see `coordinates!`), `events`, `constraints`, `kinks COUNT`, `prepared` (see `constants!`),
+/// (see `coordinates!`), `events`, `constraints`, `equilibrium`, `kinks COUNT`, `prepared` (see `constants!`),
 /// `series LANES` or `series LANES Bends` (as many sums of products an order), and `linear`.
 #[macro_export]
 macro_rules! simulator {
@@ -142,6 +142,11 @@ macro_rules! __describe_part {
     (kinks) => {
         fn kinks(&self) -> usize {
             KINKS
+        }
+    };
+    (equilibrium) => {
+        fn starts_in_equilibrium(&self) -> bool {
+            true
         }
     };
     ($other:ident) => {};

@@ -183,6 +183,8 @@ pub struct Model {
     pub freeze: Freeze,
     /// What has been left out.
     pub reduction: Reduction,
+    /// Whether runs start in the equilibrium near the initial state.
+    pub starts_in_equilibrium: bool,
     /// `states` results.
     pub initial_state: Tape,
     /// One result for each discontinuity.

@@ -263,6 +263,9 @@ impl Describe for ModelSimulator {
     fn constraint_matrix_pattern(&self) -> SparsityPattern<'_> {
         self.model.constraint_matrix.pattern.borrowed()
     }
+    fn starts_in_equilibrium(&self) -> bool {
+        self.model.starts_in_equilibrium
+    }
     fn is_given(&self, index: usize) -> bool {
         self.model.states[index].is_given
     }

@@ -231,6 +231,9 @@ impl Describe for ModalSimulator<'_> {
     fn run_defaults(&self) -> RunDefaults<'_> {
         self.simulator.run_defaults()
     }
+    fn starts_in_equilibrium(&self) -> bool {
+        self.simulator.starts_in_equilibrium()
+    }
 }
 
 impl Simulator<f64> for ModalSimulator<'_> {

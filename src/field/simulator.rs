@@ -88,6 +88,9 @@ impl<R: Real> Describe for FieldSimulator<'_, R> {
     fn run_defaults(&self) -> RunDefaults<'_> {
         self.scene.run_defaults()
     }
+    fn starts_in_equilibrium(&self) -> bool {
+        self.scene.starts_in_equilibrium()
+    }
 }
 
 /// A quantity for as long as the simulator lives.

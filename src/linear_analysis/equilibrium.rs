@@ -4,16 +4,9 @@ use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 
 use super::motions::{Motions, Places};
+use super::search::{ACCEPTED, Balance, Equations, newton};
 use super::{LinearError, Point, Residual, jacobian, rate};
 
-pub(super) const MAX_ITERATIONS: usize = 100;
-pub(super) const MAX_HALVINGS: usize = 40;
-/// Relative to the size of its row, a rate below this is zero.
-pub(super) const ACCEPTED: f64 = 1e-9;
-/// Below this nothing is left to gain.
-pub(super) const ROUNDING: f64 = 1e-15;
-/// Singular values below this, of matrices with rows of length 1, count as zero.
-pub(super) const RANK: f64 = 1e-10;
 /// Directions in which rates change by less than that, over the sizes of their rows, are of
 /// drift: what rounding makes of nothing, and no soft spring beside stiff ones.
 const DRIFT: f64 = 1e-13;
@@ -43,25 +36,20 @@ const DRIFT: f64 = 1e-13;
 /// [`super::Linearization::at`].
 pub fn equilibrium(simulator: &dyn Simulator<f64>, guess: &Point) -> Result<Point, LinearError> {
     if simulator.constraints() > 0 {
-        return super::rest::equilibrium(simulator, guess);
+        let (balance, point) = super::rest::Solver::new(simulator, guess, &[])?;
+        return newton(&balance, point);
     }
-    let solver = Solver::new(simulator, guess)?;
-    let mut point = solver.with_drift_only(guess)?;
-    for _ in 0..MAX_ITERATIONS {
-        let equations = solver.equations(&point)?;
-        if equations.residual.amax() <= ROUNDING {
-            break;
-        }
-        match solver.shrinking_step(&point, &equations)? {
-            Some(next) => point = next,
-            None => break,
-        }
-    }
-    solver.accepted(point)
+    let (balance, point) = Solver::new(simulator, guess, &[])?;
+    newton(&balance, point)
 }
 
-struct Solver<'a> {
+/// A machine without constraints.
+pub(super) struct Solver<'a> {
     simulator: &'a dyn Simulator<f64>,
+    /// Entries of the state that are to move least.
+    named: &'a [usize],
+    /// Where the state holds positions.
+    positions: Vec<usize>,
     /// n and m.
     coordinates: usize,
     first_order: usize,
@@ -72,28 +60,34 @@ struct Solver<'a> {
     drift: DMatrix<f64>,
 }
 
-/// [q'', z'] at a point, each divided by the size of its row.
-struct Equations {
+/// What moves at a point, and the sizes of the rows of [q'', z'].
+pub(super) struct Frame {
     motions: Motions,
-    residual: DVector<f64>,
-    jacobian: DMatrix<f64>,
     row_sizes: DVector<f64>,
 }
 
 impl<'a> Solver<'a> {
-    fn new(simulator: &'a dyn Simulator<f64>, guess: &Point) -> Result<Self, LinearError> {
+    /// A search, and where it begins: the guess without velocities that are no drift.
+    pub(super) fn new(
+        simulator: &'a dyn Simulator<f64>,
+        guess: &Point,
+        named: &'a [usize],
+    ) -> Result<(Self, Point), LinearError> {
         let places = Places::of(simulator);
         let coordinates = places.velocities.len();
         let mut solver = Self {
             simulator,
+            named,
             coordinates,
+            positions: places.positions.clone(),
             first_order: places.first_order.len(),
             dynamic: places.dynamic(),
             velocities: places.velocities,
             drift: DMatrix::zeros(coordinates, 0),
         };
         solver.drift = solver.drift_directions(guess)?;
-        Ok(solver)
+        let point = solver.with_drift_only(guess)?;
+        Ok((solver, point))
     }
 
     /// Directions in which no rate depends on the coordinates: at the guess, and at
@@ -140,7 +134,16 @@ impl<'a> Solver<'a> {
         Ok(point)
     }
 
-    fn equations(&self, point: &Point) -> Result<Equations, LinearError> {
+    fn residual(&self, point: &Point, row_sizes: &DVector<f64>) -> DVector<f64> {
+        let rates = rate(self.simulator, point);
+        rates.select_rows(&self.dynamic).component_div(row_sizes)
+    }
+}
+
+impl Balance for Solver<'_> {
+    type Frame = Frame;
+
+    fn equations(&self, point: &Point) -> Result<Equations<Frame>, LinearError> {
         let n = self.coordinates;
         let motions = self.motions(point)?;
         let row_sizes = row_sizes(&motions);
@@ -160,39 +163,14 @@ impl<'a> Solver<'a> {
         jacobian.columns_mut(0, n).copy_from(&slopes.columns(0, n));
         jacobian.columns_mut(n, k).copy_from(&(by_velocity * &self.drift));
         jacobian.columns_mut(n + k, m).copy_from(&slopes.columns(2 * n, m));
-        Ok(Equations { motions, residual, jacobian, row_sizes })
+        Ok(Equations { frame: Frame { motions, row_sizes }, residual, jacobian })
     }
 
-    fn residual(&self, point: &Point, row_sizes: &DVector<f64>) -> DVector<f64> {
-        let rates = rate(self.simulator, point);
-        rates.select_rows(&self.dynamic).component_div(row_sizes)
+    fn length_at(&self, point: &Point, frame: &Frame) -> Result<f64, LinearError> {
+        Ok(self.residual(point, &frame.row_sizes).norm())
     }
 
-    /// The point after the longest of the steps 1, 1/2, 1/4, ... that shrinks the
-    /// rates; nothing if none does.
-    fn shrinking_step(
-        &self,
-        point: &Point,
-        equations: &Equations,
-    ) -> Result<Option<Point>, LinearError> {
-        let singular = LinearError::Singular { what: "the Jacobian of the equilibrium" };
-        let jacobian = equations.jacobian.clone();
-        let svd = jacobian.try_svd(true, true, f64::EPSILON, 10_000).ok_or(singular.clone())?;
-        let step = svd.solve(&-&equations.residual, RANK).map_err(|_| singular)?;
-        let size = equations.residual.norm();
-        let mut share = 1.0;
-        for _ in 0..MAX_HALVINGS {
-            let next = self.moved(point, &equations.motions, &(&step * share));
-            // NaN is no less.
-            if self.residual(&next, &equations.row_sizes).norm() < size {
-                return Ok(Some(next));
-            }
-            share /= 2.0;
-        }
-        Ok(None)
-    }
-
-    fn moved(&self, point: &Point, motions: &Motions, step: &DVector<f64>) -> Point {
+    fn unfolded(&self, Frame { motions, .. }: &Frame, step: &DVector<f64>) -> DVector<f64> {
         let (n, k, m) = (self.coordinates, self.drift.ncols(), self.first_order);
         let velocity = &self.drift * step.rows(n, k);
         let change = DVector::from_fn(2 * n + m, |index, _| match index {
@@ -200,18 +178,81 @@ impl<'a> Solver<'a> {
             index if index < 2 * n => motions.scales[index - n] * velocity[index - n],
             index => motions.scales[index] * step[index + k - n],
         });
-        let mut next = point.clone();
-        motions.add(&mut next.state, &change);
-        next
+        let mut unfolded = DVector::zeros(self.simulator.shape().states());
+        motions.add(unfolded.as_mut_slice(), &change);
+        unfolded
     }
 
-    /// The point, if rates are zero there and drift leaves them so.
+    fn measured(&self, frame: &Frame, rates: &DVector<f64>) -> DVector<f64> {
+        rates.select_rows(&self.dynamic).component_div(&frame.row_sizes)
+    }
+
+    fn keep_drift(&self, Frame { motions, .. }: &Frame, change: &mut DVector<f64>) {
+        let scales = &motions.scales;
+        let speeds = self.velocities.iter().enumerate();
+        let speeds = speeds.map(|(index, place)| change[*place] / scales[index]);
+        let speeds = DVector::from_iterator(self.coordinates, speeds);
+        let drift = &self.drift * (self.drift.transpose() * speeds);
+        for (index, place) in self.velocities.iter().enumerate() {
+            change[*place] = drift[index] * scales[index];
+        }
+    }
+
+    fn moved(
+        &self,
+        point: &Point,
+        frame: &Frame,
+        step: &DVector<f64>,
+    ) -> Result<Point, LinearError> {
+        let mut next = point.clone();
+        for (value, change) in next.state.iter_mut().zip(&self.unfolded(frame, step)) {
+            *value += change;
+        }
+        Ok(next)
+    }
+
+    fn named(&self, Frame { motions, .. }: &Frame) -> DMatrix<f64> {
+        let (n, k) = (self.coordinates, self.drift.ncols());
+        let scales = &motions.scales;
+        let mut named = DMatrix::zeros(self.named.len(), n + k + self.first_order);
+        for (mut row, entry) in named.row_iter_mut().zip(self.named) {
+            let scale = self.simulator.state_scale(*entry);
+            if let Some(place) = self.positions.iter().position(|at| at == entry) {
+                let by_coordinates = motions.positions_by_coordinates().row(place);
+                for column in 0..n {
+                    row[column] = by_coordinates[column] * scales[column] / scale;
+                }
+            } else if let Some(place) = self.velocities.iter().position(|at| at == entry) {
+                row.columns_mut(n, k).copy_from(&(self.drift.row(place) * scales[place] / scale));
+            }
+        }
+        named
+    }
+
+    fn creep(&self, Frame { motions, row_sizes }: &Frame) -> (DMatrix<f64>, usize) {
+        let (n, k, m) = (self.coordinates, self.drift.ncols(), self.first_order);
+        let mut across = DMatrix::identity(n, n);
+        if !may_meet_something(self.simulator) {
+            across -= &self.drift * self.drift.transpose();
+        }
+        let mut matrix = DMatrix::zeros(n + m, n + k + m);
+        matrix.view_mut((0, 0), (n, n)).copy_from(&across);
+        matrix.view_mut((0, n), (n, k)).copy_from(&self.drift);
+        matrix.view_mut((n, n + k), (m, m)).fill_with_identity();
+        for (index, mut row) in matrix.row_iter_mut().enumerate() {
+            let scale = motions.scales[if index < n { index } else { n + index }];
+            row *= scale / row_sizes[index];
+        }
+        (matrix, n)
+    }
+
     fn accepted(&self, point: Point) -> Result<Point, LinearError> {
         let n = self.coordinates;
         let equations = self.equations(&point)?;
-        let drift = self.velocity(&point, &equations.motions);
+        let drift = self.velocity(&point, &equations.frame.motions);
         let change = equations.jacobian.columns(0, n) * drift;
-        if equations.residual.amax() <= ACCEPTED && change.amax() <= ACCEPTED {
+        let still = if change.is_empty() { 0.0 } else { change.amax() };
+        if equations.size() <= ACCEPTED && still <= ACCEPTED {
             return Ok(point);
         }
         let worst = |index: &usize| equations.residual[*index].abs().max(change[*index].abs());
@@ -219,7 +260,7 @@ impl<'a> Solver<'a> {
         order.sort_by(|a, b| worst(b).total_cmp(&worst(a)));
         let residual = |index: usize| {
             let state = self.simulator.state(self.dynamic[index]);
-            let rate = equations.residual[index] * equations.row_sizes[index];
+            let rate = equations.residual[index] * equations.frame.row_sizes[index];
             Residual { state: state.name.to_owned(), unit: state.unit.to_owned(), rate }
         };
         Err(LinearError::NoEquilibrium {
@@ -228,6 +269,11 @@ impl<'a> Solver<'a> {
             residuals: order.into_iter().map(residual).collect(),
         })
     }
+}
+
+/// Whether what nothing depends on here may be depended on elsewhere: where it hits a stop.
+pub(super) fn may_meet_something(simulator: &dyn Simulator<f64>) -> bool {
+    simulator.events() + simulator.kinks() > 0
 }
 
 /// Sizes of the rows of [q'', z']: what the rate changes by when every state moves

@@ -23,12 +23,18 @@ pub enum LinearError {
         /// Its number of states.
         states: usize,
     },
-    /// Answers of a machine with constraints to disturbances are not analysed.
+    /// A constraint would have to move with what varies.
     #[error(
-        "scene `{0}` has constraints, and how it answers to disturbances within constraints is \
-         not analysed. Hint: write it in minimal coordinates, or run it; its modes are analysed"
+        "what varies with `{parameter}` is not analysed: constraint `{constraint}` depends on it, \
+         and what it holds would have to move with it. \
+         Hint: take a parameter of a force, or a coordinate on which a force acts"
     )]
-    Constraints(String),
+    MovesConstraint {
+        /// The parameter.
+        parameter: String,
+        /// The constraint.
+        constraint: String,
+    },
     /// Orders are of something else than a speed.
     #[error("orders are of a parameter or a state in rad/s, but `{name}` {why}")]
     NoSpeed {
@@ -89,6 +95,16 @@ pub enum LinearError {
         scene: String,
         /// The parameter.
         parameter: String,
+    },
+    /// Whatever modes are tried, the equilibrium in them is one that an event contradicts.
+    #[error(
+        "scene `{scene}` has no equilibrium whose modes agree with their guards; last tried: {modes}"
+    )]
+    NoModes {
+        /// The scene.
+        scene: String,
+        /// The last modes that were tried.
+        modes: String,
     },
     /// A matrix has no inverse.
     #[error("{what} is singular")]

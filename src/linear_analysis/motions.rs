@@ -86,6 +86,11 @@ impl Motions {
         })
     }
 
+    /// S: positions of the state by coordinates.
+    pub fn positions_by_coordinates(&self) -> &DMatrix<f64> {
+        &self.positions_by_coordinates
+    }
+
     /// Adds a change dx to a state.
     pub fn add(&self, state: &mut [f64], change: &DVector<f64>) {
         let n = self.coordinates;

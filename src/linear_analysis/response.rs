@@ -8,8 +8,10 @@ use num_complex::Complex64;
 use serde::Serialize;
 
 use super::differences::derivative;
-use super::motions::Places;
+use super::motions::{Motions, Places};
+use super::within::Within;
 use super::{LinearError, Linearization, ModeKind, Point, position, scales};
+use crate::constraints::Constraints;
 use crate::error::did_you_mean;
 
 /// Largest number of frequencies.
@@ -91,26 +93,35 @@ struct Output {
     by_input: f64,
 }
 
+/// A, b and C of all that moves, measured by its scales.
+struct Scaled {
+    matrix: DMatrix<f64>,
+    rate: DVector<f64>,
+    by_state: DVector<f64>,
+}
+
 impl Linearization<'_> {
     /// H(w) = C (j w - A)^-1 b + d at given frequencies w.
     ///
     /// `from` names a parameter, b = dy'/dp, or a coordinate, for a generalized force
     /// on it, b = M^-1 e in the rows of q'. `to` names an output or a state. Derivatives C and
-    /// d of outputs are extrapolated differences, good to about 1e-12.
+    /// d of outputs are extrapolated differences, good to about 1e-12. Of a force d = 0: what
+    /// an output has of accelerations or of forces of constraints answers without the part that
+    /// comes at once with the force.
+    ///
+    /// A machine with constraints answers as these allow: b of a force is M^-1 (e + G^T lambda),
+    /// with G b = 0, and A, b and C are those of the allowed motions.
     ///
     /// # Errors
     /// [`LinearError::Unknown`] for names, [`LinearError::NotFinite`] for derivatives,
-    /// [`LinearError::Singular`] at an undamped resonance, [`LinearError::Constraints`] if
-    /// the machine has some.
+    /// [`LinearError::Singular`] at an undamped resonance, [`LinearError::MovesConstraint`] for
+    /// a parameter that a constraint depends on.
     pub fn response(
         &self,
         from: &str,
         to: &str,
         frequencies: &[f64],
     ) -> Result<Response, LinearError> {
-        if self.simulator.constraints() > 0 {
-            return Err(LinearError::Constraints(self.simulator.name().to_owned()));
-        }
         let input = self.input(from)?;
         let output = self.output(to, &input)?;
         let values = self.transfer(&input, &output, frequencies)?;
@@ -143,6 +154,7 @@ impl Linearization<'_> {
         let shape = self.simulator.shape();
         if let Some(index) = position(name, shape.parameters, |i| self.simulator.parameter(i)) {
             let unit = self.simulator.parameter(index).unit.to_owned();
+            self.require_still_constraints(index)?;
             let rate = self.parameter_column(index)?;
             return Ok(Input { name: name.to_owned(), unit, rate, parameter: Some(index) });
         }
@@ -182,15 +194,27 @@ impl Linearization<'_> {
     /// y' of a unit force on one coordinate.
     fn force_column(&self, index: usize) -> Result<DVector<f64>, LinearError> {
         let n = self.simulator.shape().coordinates;
-        let mut force = DVector::zeros(n);
+        let Point { time, state, parameters } = &self.point;
+        let constraints = Constraints::of(self.simulator, parameters);
+        let matrix = constraints.map(|constraints| constraints.matrix(*time, state));
+        let matrix = matrix.unwrap_or_else(|| DMatrix::zeros(0, n));
+        // What holds in other modes only has a row of zeros, and no force.
+        let holds = (0..matrix.nrows()).filter(|row| matrix.row(*row).amax() > 0.0);
+        let matrix = matrix.select_rows(&holds.collect::<Vec<_>>());
+        let m = matrix.nrows();
+        // M a - G^T lambda = e, G a = 0
+        let mut whole = DMatrix::zeros(n + m, n + m);
+        whole.view_mut((0, 0), (n, n)).copy_from(&self.mass_matrix());
+        whole.view_mut((0, n), (n, m)).copy_from(&-matrix.transpose());
+        whole.view_mut((n, 0), (m, n)).copy_from(&matrix);
+        let mut force = DVector::zeros(n + m);
         force[index] = 1.0;
-        let acceleration = self
-            .mass_matrix()
-            .lu()
-            .solve(&force)
-            .ok_or(LinearError::Singular { what: "the mass matrix" })?;
+        let what = if m == 0 { "the mass matrix" } else { "the mass matrix with constraints" };
+        let solution = whole.lu().solve(&force).ok_or(LinearError::Singular { what })?;
+        let acceleration = solution.rows(0, n);
         let mut column = DVector::zeros(self.matrix.nrows());
-        for (place, value) in Places::of(self.simulator).velocities.iter().zip(&acceleration) {
+        for (place, value) in Places::of(self.simulator).velocities.iter().zip(acceleration.iter())
+        {
             column[*place] = *value;
         }
         Ok(column)
@@ -257,18 +281,76 @@ impl Linearization<'_> {
         found[0]
     }
 
+    /// Refuses a parameter that constraints depend on: what they hold would have to move with it,
+    /// at speeds and accelerations of its own.
+    fn require_still_constraints(&self, parameter: usize) -> Result<(), LinearError> {
+        const ROUNDING: f64 = 1e-9;
+        let count = self.simulator.constraints();
+        let Point { time, state, parameters } = &self.point;
+        let Some(constraints) = Constraints::of(self.simulator, parameters) else { return Ok(()) };
+        let value = parameters[parameter];
+        let size = if value == 0.0 { 1.0 } else { value.abs() };
+        let slopes = derivative(size, 2 * count, |shift| {
+            let mut parameters = parameters.clone();
+            parameters[parameter] += shift;
+            let mut values = vec![0.0; 2 * count];
+            let (positions, rates) = values.split_at_mut(count);
+            self.simulator.constraint_values(*time, state, &parameters, positions);
+            self.simulator.constraint_rates(*time, state, &parameters, rates);
+            values
+        });
+        let matrix = constraints.matrix(*time, state);
+        let scales = scales(self.simulator);
+        let moves = |index: &usize| {
+            // Beside what a move of typical size of all coordinates changes.
+            let row = matrix.row(index % count);
+            let first = if *index < count { 0 } else { row.len() };
+            let usual = row.iter().enumerate().map(|(k, slope)| (slope * scales[first + k]).abs());
+            slopes[*index].abs() * size > ROUNDING * usual.sum::<f64>()
+        };
+        match (0..2 * count).find(moves) {
+            None => Ok(()),
+            Some(index) => Err(LinearError::MovesConstraint {
+                parameter: self.simulator.parameter(parameter).name.to_owned(),
+                constraint: self.simulator.constraint(index % count).name.to_owned(),
+            }),
+        }
+    }
+
+    /// A, b and C with all that moves measured by its scale; of a machine with constraints, of
+    /// the motions that these allow.
+    fn scaled(&self, input: &Input, output: &Output) -> Result<Scaled, LinearError> {
+        let size = self.matrix.nrows();
+        let scales = scales(self.simulator);
+        let matrix = DMatrix::from_fn(size, size, |row, column| {
+            self.matrix[(row, column)] * scales[column] / scales[row]
+        });
+        let rate = input.rate.component_div(&scales);
+        let by_state = output.by_state.component_mul(&scales);
+        if self.simulator.constraints() == 0 {
+            return Ok(Scaled { matrix, rate, by_state });
+        }
+        let motions = Motions::new(self.simulator, &self.matrix);
+        let what = "the matrix of the constraints";
+        let within = Within::of(self.simulator, &self.point, &motions);
+        let within = within.ok_or(LinearError::Singular { what })?;
+        let places = Places::of(self.simulator);
+        let moving = [&places.positions[..], &places.dynamic()].concat();
+        let rate = within.dual() * rate.select_rows(&moving);
+        let by_state = within.basis().transpose() * by_state.select_rows(&moving);
+        Ok(Scaled { matrix: within.motions(&motions).matrix, rate, by_state })
+    }
+
     fn transfer(
         &self,
         input: &Input,
         output: &Output,
         frequencies: &[f64],
     ) -> Result<Vec<Complex64>, LinearError> {
-        let size = self.matrix.nrows();
-        let scales = scales(self.simulator);
-        let scaled = DMatrix::from_fn(size, size, |row, column| {
-            Complex64::from(-self.matrix[(row, column)] * scales[column] / scales[row])
-        });
-        let rate = DVector::from_fn(size, |i, _| Complex64::from(input.rate[i] / scales[i]));
+        let Scaled { matrix, rate, by_state } = self.scaled(input, output)?;
+        let size = matrix.nrows();
+        let scaled = matrix.map(|value| Complex64::from(-value));
+        let rate = rate.map(Complex64::from);
         let at = |frequency: &f64| {
             let mut matrix = scaled.clone();
             for index in 0..size {
@@ -276,7 +358,7 @@ impl Linearization<'_> {
             }
             let what = "j w - A, at an undamped resonance,";
             let state = matrix.lu().solve(&rate).ok_or(LinearError::Singular { what })?;
-            let parts = (0..size).map(|i| state[i] * scales[i] * output.by_state[i]);
+            let parts = (0..size).map(|i| state[i] * by_state[i]);
             Ok(parts.sum::<Complex64>() + output.by_input)
         };
         frequencies.iter().map(at).collect()

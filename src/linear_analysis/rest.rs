@@ -3,70 +3,44 @@
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 
-use super::equilibrium::{
-    ACCEPTED, MAX_HALVINGS, MAX_ITERATIONS, RANK, ROUNDING, row_sizes, slopes, split,
-};
+use super::equilibrium::{may_meet_something, row_sizes, slopes, split};
 use super::motions::{Motions, Places};
+use super::search::{ACCEPTED, Balance, Equations};
 use super::within::Within;
 use super::{LinearError, Point, Residual, jacobian, rate};
 use crate::constraints::{Constraints, Level, Lost};
 
-/// As [`super::equilibrium`], for machines with constraints.
-pub(super) fn equilibrium(
-    simulator: &dyn Simulator<f64>,
-    guess: &Point,
-) -> Result<Point, LinearError> {
-    let solver = Solver::new(simulator, guess)?;
-    let mut point = solver.with_drift_only(guess)?;
-    for _ in 0..MAX_ITERATIONS {
-        let equations = solver.equations(&point)?;
-        if equations.size() <= ROUNDING {
-            break;
-        }
-        match solver.shrinking_step(&point, &equations)? {
-            Some(next) => point = next,
-            None => break,
-        }
-    }
-    solver.accepted(point)
-}
-
-struct Solver<'a> {
+/// A machine with constraints.
+pub(super) struct Solver<'a> {
     simulator: &'a dyn Simulator<f64>,
+    /// Entries of the state that are to move least.
+    named: &'a [usize],
     places: Places,
     /// Directions in which nothing depends on the coordinates, n by k, of q over its scales.
     drift: DMatrix<f64>,
 }
 
-/// [u', z'] at a point, each divided by the size of its row.
-struct Equations {
-    frame: Frame,
-    residual: DVector<f64>,
-    /// By [s, speeds of drift, z].
-    jacobian: DMatrix<f64>,
-}
-
 /// What moves at a point, and how.
-struct Frame {
+pub(super) struct Frame {
     whole: Motions,
     within: Within,
     /// Of [s, u, z].
     free: Motions,
 }
 
-impl Equations {
-    fn size(&self) -> f64 {
-        if self.residual.is_empty() { 0.0 } else { self.residual.amax() }
-    }
-}
-
 impl<'a> Solver<'a> {
-    fn new(simulator: &'a dyn Simulator<f64>, guess: &Point) -> Result<Self, LinearError> {
+    /// A search, and where it begins: the guess without velocities that are no drift.
+    pub(super) fn new(
+        simulator: &'a dyn Simulator<f64>,
+        guess: &Point,
+        named: &'a [usize],
+    ) -> Result<(Self, Point), LinearError> {
         let places = Places::of(simulator);
         let drift = DMatrix::zeros(places.velocities.len(), 0);
-        let mut solver = Self { simulator, places, drift };
+        let mut solver = Self { simulator, named, places, drift };
         solver.drift = solver.drift_directions(guess)?;
-        Ok(solver)
+        let point = solver.with_drift_only(guess)?;
+        Ok((solver, point))
     }
 
     fn frame(&self, point: &Point) -> Result<Frame, LinearError> {
@@ -85,7 +59,7 @@ impl<'a> Solver<'a> {
         let mut rows: Vec<DMatrix<f64>> = Vec::new();
         for shift in [0.0, 0.0137, -0.0071] {
             let step = DVector::from_fn(free, |index, _| shift * (1.0 + index as f64).sqrt());
-            let point = self.moved(guess, &frame, &step, None)?;
+            let point = self.moved_by(guess, &frame, &step, None)?;
             let Frame { within, free, .. } = self.frame(&point)?;
             let allowed = within.positions.transpose();
             rows.push(slopes(&free).columns(0, free.coordinates) * &allowed);
@@ -133,73 +107,12 @@ impl<'a> Solver<'a> {
         if residuals.is_empty() { Ok(()) } else { Err(self.none(point, residuals)) }
     }
 
-    fn equations(&self, point: &Point) -> Result<Equations, LinearError> {
-        let frame = self.frame(point)?;
-        let (n, d) = (frame.whole.coordinates, frame.free.coordinates);
-        let (m, k) = (frame.free.first_order, self.drift.ncols());
-        let e = frame.within.velocities.ncols();
-        let slopes = slopes(&frame.free);
-        let scales = &frame.whole.scales;
-        let drift = DMatrix::from_fn(n, k, |row, column| {
-            self.drift[(row, column)] * scales[row] / scales[n + row]
-        });
-        let by_speed = slopes.columns(d, e) * frame.within.velocities.transpose() * drift;
-        let mut jacobian = DMatrix::zeros(e + m, d + k + m);
-        jacobian.columns_mut(0, d).copy_from(&slopes.columns(0, d));
-        jacobian.columns_mut(d, k).copy_from(&by_speed);
-        jacobian.columns_mut(d + k, m).copy_from(&slopes.columns(d + e, m));
-        let residual = self.residual(point, &frame);
-        match residual.iter().find(|value| !value.is_finite()) {
-            None => Ok(Equations { frame, residual, jacobian }),
-            Some(value) => {
-                let what = format!("a rate of `{}`", self.simulator.name());
-                Err(LinearError::NotFinite { what, value: *value })
-            }
-        }
-    }
-
     fn residual(&self, point: &Point, frame: &Frame) -> DVector<f64> {
-        let n = frame.whole.coordinates;
-        let rates = rate(self.simulator, point).select_rows(&self.places.dynamic());
-        let scales = frame.whole.scales.rows(n, rates.len());
-        let rates = rates.component_div(&scales);
-        let dual = frame.within.dual();
-        let first = frame.free.coordinates;
-        let dynamic = dual.view((first, n), (dual.nrows() - first, rates.len())) * rates;
-        dynamic.component_div(&row_sizes(&frame.free))
-    }
-
-    /// The point after the longest of the steps 1, 1/2, 1/4, ... that shrinks the rates;
-    /// nothing if none does.
-    fn shrinking_step(
-        &self,
-        point: &Point,
-        equations: &Equations,
-    ) -> Result<Option<Point>, LinearError> {
-        let singular = LinearError::Singular { what: "the Jacobian of the equilibrium" };
-        let jacobian = equations.jacobian.clone();
-        let svd = jacobian.try_svd(true, true, f64::EPSILON, 10_000).ok_or(singular.clone())?;
-        let step = svd.solve(&-&equations.residual, RANK).map_err(|_| singular)?;
-        let Equations { frame, residual, .. } = equations;
-        let d = frame.free.coordinates;
-        let rest = step.rows(d, step.len() - d).into_owned();
-        let mut share = 1.0;
-        for _ in 0..MAX_HALVINGS {
-            let positions = step.rows(0, d) * share;
-            let next = self.moved(point, frame, &positions, Some(&(&rest * share)));
-            // NaN is no less, and what does not come back is too far.
-            if let Ok(next) = next
-                && self.residual(&next, &self.frame(&next)?).norm() < residual.norm()
-            {
-                return Ok(Some(next));
-            }
-            share /= 2.0;
-        }
-        Ok(None)
+        self.measured(frame, &rate(self.simulator, point))
     }
 
     /// The point with s and [speeds of drift, z] changed, back on the constraints.
-    fn moved(
+    fn moved_by(
         &self,
         point: &Point,
         frame: &Frame,
@@ -237,7 +150,133 @@ impl<'a> Solver<'a> {
         }
     }
 
-    /// The point, if rates are zero there.
+    fn none(&self, point: &Point, residuals: Vec<Residual>) -> LinearError {
+        let scene = self.simulator.name().to_owned();
+        LinearError::NoEquilibrium { scene, time: point.time, residuals }
+    }
+}
+
+impl Balance for Solver<'_> {
+    type Frame = Frame;
+
+    fn equations(&self, point: &Point) -> Result<Equations<Frame>, LinearError> {
+        let frame = self.frame(point)?;
+        let (n, d) = (frame.whole.coordinates, frame.free.coordinates);
+        let (m, k) = (frame.free.first_order, self.drift.ncols());
+        let e = frame.within.velocities.ncols();
+        let slopes = slopes(&frame.free);
+        let scales = &frame.whole.scales;
+        let drift = DMatrix::from_fn(n, k, |row, column| {
+            self.drift[(row, column)] * scales[row] / scales[n + row]
+        });
+        let by_speed = slopes.columns(d, e) * frame.within.velocities.transpose() * drift;
+        let mut jacobian = DMatrix::zeros(e + m, d + k + m);
+        jacobian.columns_mut(0, d).copy_from(&slopes.columns(0, d));
+        jacobian.columns_mut(d, k).copy_from(&by_speed);
+        jacobian.columns_mut(d + k, m).copy_from(&slopes.columns(d + e, m));
+        let residual = self.residual(point, &frame);
+        match residual.iter().find(|value| !value.is_finite()) {
+            None => Ok(Equations { frame, residual, jacobian }),
+            Some(value) => {
+                let what = format!("a rate of `{}`", self.simulator.name());
+                Err(LinearError::NotFinite { what, value: *value })
+            }
+        }
+    }
+
+    fn measured(&self, frame: &Frame, rates: &DVector<f64>) -> DVector<f64> {
+        let n = frame.whole.coordinates;
+        let rates = rates.select_rows(&self.places.dynamic());
+        let scales = frame.whole.scales.rows(n, rates.len());
+        let rates = rates.component_div(&scales);
+        let dual = frame.within.dual();
+        let first = frame.free.coordinates;
+        let dynamic = dual.view((first, n), (dual.nrows() - first, rates.len())) * rates;
+        dynamic.component_div(&row_sizes(&frame.free))
+    }
+
+    fn unfolded(&self, frame: &Frame, step: &DVector<f64>) -> DVector<f64> {
+        let (n, d, k) = (frame.whole.coordinates, frame.free.coordinates, self.drift.ncols());
+        let (e, m) = (frame.within.velocities.ncols(), frame.free.first_order);
+        let scales = &frame.whole.scales;
+        let mut speeds = &self.drift * step.rows(d, k);
+        for (index, mut speed) in speeds.row_iter_mut().enumerate() {
+            speed *= scales[index] / scales[n + index];
+        }
+        let mut free = DVector::zeros(d + e + m);
+        free.rows_mut(0, d).copy_from(&step.rows(0, d));
+        free.rows_mut(d, e).copy_from(&(frame.within.velocities.transpose() * speeds));
+        free.rows_mut(d + e, m).copy_from(&step.rows(d + k, m));
+        let motions = (frame.within.basis() * free).component_mul(scales);
+        let mut unfolded = DVector::zeros(self.simulator.shape().states());
+        unfolded.rows_mut(0, 2 * n).copy_from(&motions.rows(0, 2 * n));
+        for (place, change) in self.places.first_order.iter().zip(motions.rows(2 * n, m).iter()) {
+            unfolded[*place] = *change;
+        }
+        unfolded
+    }
+
+    fn keep_drift(&self, frame: &Frame, change: &mut DVector<f64>) {
+        let (n, scales) = (frame.whole.coordinates, &frame.whole.scales);
+        let speeds = DVector::from_fn(n, |index, _| change[n + index] / scales[index]);
+        let drift = &self.drift * (self.drift.transpose() * speeds);
+        for index in 0..n {
+            change[n + index] = drift[index] * scales[index];
+        }
+    }
+
+    fn length_at(&self, point: &Point, _: &Frame) -> Result<f64, LinearError> {
+        Ok(self.residual(point, &self.frame(point)?).norm())
+    }
+
+    fn moved(
+        &self,
+        point: &Point,
+        frame: &Frame,
+        step: &DVector<f64>,
+    ) -> Result<Point, LinearError> {
+        let d = frame.free.coordinates;
+        let [positions, rest] = [step.rows(0, d), step.rows(d, step.len() - d)];
+        self.moved_by(point, frame, &positions.into_owned(), Some(&rest.into_owned()))
+    }
+
+    fn named(&self, frame: &Frame) -> DMatrix<f64> {
+        let (n, d) = (frame.whole.coordinates, frame.free.coordinates);
+        let (k, scales) = (self.drift.ncols(), &frame.whole.scales);
+        let mut named = DMatrix::zeros(self.named.len(), d + k + frame.free.first_order);
+        for (mut row, entry) in named.row_iter_mut().zip(self.named) {
+            if *entry < n {
+                row.columns_mut(0, d).copy_from(&frame.within.positions.row(*entry));
+            } else if *entry < 2 * n {
+                let share = scales[*entry - n] / scales[*entry];
+                row.columns_mut(d, k).copy_from(&(self.drift.row(*entry - n) * share));
+            }
+        }
+        named
+    }
+
+    fn creep(&self, frame: &Frame) -> (DMatrix<f64>, usize) {
+        let Frame { whole, within, free } = frame;
+        let (n, d) = (whole.coordinates, free.coordinates);
+        let (k, m, e) = (self.drift.ncols(), free.first_order, within.velocities.ncols());
+        let mut across = within.positions.clone();
+        if !may_meet_something(self.simulator) {
+            across -= &self.drift * (self.drift.transpose() * &within.positions);
+        }
+        let mut onto = within.velocities.transpose();
+        for (index, mut column) in onto.column_iter_mut().enumerate() {
+            column *= whole.scales[index] / whole.scales[n + index];
+        }
+        let mut matrix = DMatrix::zeros(e + m, d + k + m);
+        matrix.view_mut((0, 0), (e, d)).copy_from(&(&onto * across));
+        matrix.view_mut((0, d), (e, k)).copy_from(&(&onto * &self.drift));
+        matrix.view_mut((e, d + k), (m, m)).fill_with_identity();
+        for (mut row, size) in matrix.row_iter_mut().zip(&row_sizes(free)) {
+            row /= *size;
+        }
+        (matrix, d)
+    }
+
     fn accepted(&self, point: Point) -> Result<Point, LinearError> {
         if self.equations(&point)?.size() <= ACCEPTED {
             return Ok(point);
@@ -253,10 +292,5 @@ impl<'a> Solver<'a> {
             Residual { state: name, unit, rate: rates[index] }
         };
         Err(self.none(&point, order.into_iter().map(residual).collect()))
-    }
-
-    fn none(&self, point: &Point, residuals: Vec<Residual>) -> LinearError {
-        let scene = self.simulator.name().to_owned();
-        LinearError::NoEquilibrium { scene, time: point.time, residuals }
     }
 }

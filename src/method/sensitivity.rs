@@ -181,6 +181,12 @@ impl<'a> Tangents<'a> {
         self.states * self.by.len()
     }
 
+    /// S of one direction, at the start of the current step.
+    pub(crate) fn start_of(&self, direction: usize) -> impl Iterator<Item = f64> {
+        let start = self.inner.borrow().start.clone();
+        start.into_iter().skip(direction).step_by(self.by.len())
+    }
+
     /// S at the wanted times until now, row after row.
     fn take_rows(&self) -> Vec<f64> {
         std::mem::take(&mut self.inner.borrow_mut().rows)

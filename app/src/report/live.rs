@@ -156,6 +156,9 @@ impl Live {
     fn of_run(machine: &Machine, run: &Trajectory) -> Result<Self, String> {
         let model = &machine.model;
         let refused = |why: &dyn std::fmt::Display| format!("The page cannot run it: {why}.");
+        if model.starts_in_equilibrium {
+            return Err(refused(&"it starts in equilibrium, which no page looks for"));
+        }
         let (module, is_implicit) = modules(model).map_err(|error| refused(&error))?;
         if module.bytes.len() > LARGEST {
             let size = module.bytes.len() / 1000;

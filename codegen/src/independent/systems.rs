@@ -387,6 +387,7 @@ impl Recipe {
             },
             freeze: Freeze::default(),
             fields: Vec::new(),
+            starts_in_equilibrium: false,
             files: Vec::new(),
         }
     }

@@ -43,6 +43,7 @@ pub fn describe(equations: &EquationsOfMotion) -> Model {
         run: system.run.clone(),
         freeze: system.freeze.clone(),
         reduction: equations.reduction.clone(),
+        starts_in_equilibrium: system.starts_in_equilibrium,
         ..Model::default()
     }
 }

@@ -95,6 +95,7 @@ pub fn assemble(
         run: assembler.run,
         freeze,
         fields,
+        starts_in_equilibrium: spec.starts_in_equilibrium,
         files: spec.sources.files(),
     }
 }

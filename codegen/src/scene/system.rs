@@ -285,6 +285,8 @@ pub struct LagrangianSystem {
     pub freeze: Freeze,
     /// Fields, whose places are coordinates of the machine.
     pub fields: Vec<Field>,
+    /// Whether runs start in the equilibrium near the initial values.
+    pub starts_in_equilibrium: bool,
     /// Every file read, in the order read.
     pub files: Vec<SourceFile>,
 }

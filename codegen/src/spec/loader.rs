@@ -52,6 +52,7 @@ fn read(sources: Sources, file: FileId, folder: Option<&Path>) -> Result<SceneSp
             events: scene.events,
             constraints: scene.constraints,
             initial: scene.initial,
+            starts_in_equilibrium: scene.starts_in_equilibrium,
             guess: scene.guess,
             outputs: scene.outputs,
             checks: scene.checks,

@@ -41,6 +41,7 @@ pub struct SceneText {
     pub events: Vec<EventSpec>,
     pub constraints: Vec<ConstraintSpec>,
     pub initial: Vec<(Spanned<String>, Formula)>,
+    pub starts_in_equilibrium: bool,
     pub guess: Vec<(Spanned<String>, Formula)>,
     pub outputs: Vec<OutputSpec>,
     pub checks: Vec<CheckSpec>,
@@ -92,7 +93,8 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
     let events = each(&mut fields, "events", event::event);
     let constraints = each(&mut fields, "constraints", constraint);
     let initial = fields.entries("initial");
-    let initial = values_by_name(initial, &mut fields);
+    let starts_in_equilibrium = starts_in_equilibrium(initial, &mut fields);
+    let initial = values_by_name(initial.iter().filter(|entry| !is_from(entry)), &mut fields);
     let guess = fields.entries("guess");
     let guess = values_by_name(guess, &mut fields);
     let outputs = each(&mut fields, "outputs", output);
@@ -114,6 +116,7 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
         events,
         constraints,
         initial,
+        starts_in_equilibrium,
         guess,
         outputs,
         checks,
@@ -214,9 +217,36 @@ fn force(tree: &Spanned<Tree>, found: &mut Findings) -> Option<PortForceSpec> {
     Some(PortForceSpec { port: port?, expression: expression?, doc })
 }
 
+/// The key of `[initial]` that is no name of a quantity.
+pub const FROM: &str = "from";
+/// What it may say.
+pub const EQUILIBRIUM: &str = "equilibrium";
+
+/// Whether `[initial]` says `from = "equilibrium"`.
+fn starts_in_equilibrium(initial: &[Entry], fields: &mut Fields<'_>) -> bool {
+    let Some(Entry { value, .. }) = initial.iter().find(|entry| is_from(entry)) else {
+        return false;
+    };
+    let found = fields.as_text(value, FROM);
+    if let Some(text) = &found
+        && text.value != EQUILIBRIUM
+    {
+        let message = format!("a start is `{FROM} = \"{EQUILIBRIUM}\"`, or values alone");
+        let mistake = Mistake::new(text.span, message, "no such start");
+        let help = did_you_mean(&text.value, std::iter::once(EQUILIBRIUM));
+        fields.found().mistakes.push(mistake.help(help));
+    }
+    found.is_some()
+}
+
+/// Not the values of an instance of that name, `from.angle = 0`.
+fn is_from(entry: &Entry) -> bool {
+    entry.key.value == FROM && !matches!(entry.value.value, Tree::Table(_))
+}
+
 /// Both `"motor.angle" = 0` and `motor.angle = 0`, which TOML takes for a table.
-pub fn values_by_name(
-    entries: &[Entry],
+pub fn values_by_name<'a>(
+    entries: impl IntoIterator<Item = &'a Entry>,
     fields: &mut Fields<'_>,
 ) -> Vec<(Spanned<String>, Formula)> {
     let mut values = Vec::new();
@@ -290,6 +320,13 @@ fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {
     let rtol = fields.required_number("rtol");
     let method = fields.required_text("method");
     fields.close();
+    if let Some(method) = &method
+        && !METHODS.contains(&method.value.as_str())
+    {
+        let mistake = Mistake::new(method.span, "unknown method", "unknown");
+        let help = did_you_mean(&method.value, METHODS.iter().copied());
+        found.mistakes.push(mistake.help(help));
+    }
     let (until, points, rtol, method) = (until?, points?, rtol?, method?);
     let mut refuse = |good: bool, span: Span, message: &str, label: &str, help: String| {
         if !good {
@@ -301,9 +338,6 @@ fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {
     refuse(whole, points.span, message, "out of range", String::new());
     let message = "`rtol` lies between 1e-14 and 0.1";
     refuse(RTOL.contains(&rtol.value), rtol.span, message, "out of range", String::new());
-    let known = METHODS.contains(&method.value.as_str());
-    let help = did_you_mean(&method.value, METHODS.iter().copied());
-    refuse(known, method.span, "unknown method", "unknown", help);
     let (points, rtol) = (points.value as usize, rtol.value);
     Some(RunSpec { from, until, points, rtol, method: method.value })
 }

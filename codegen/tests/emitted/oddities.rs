@@ -44,7 +44,7 @@ use ::machinist_contract::{
     Oddities: "oddities", "*/ } fn main() {} /* ` [main](x) <b> \"; // \\ \u{202e}\r\n    let code = 1;\n# [`x`]\n```\nlet y;";
     run from 0.0, until 2.0, points 1001, rtol 1e-8, method "bdf";
     quadratures 0, discontinuities 1;
-    prepared; series 4 Corners;
+    equilibrium; prepared; series 4 Corners;
 }
 
 ::machinist_contract::parameters! {

@@ -198,6 +198,7 @@ fn pendulum_of(system: &LagrangianSystem) -> Model {
 /// The system that the pendulum would come from, without its expressions.
 pub fn pendulum_system() -> LagrangianSystem {
     LagrangianSystem {
+        starts_in_equilibrium: false,
         name: "pendulum".to_owned(),
         title: "Damped pendulum".to_owned(),
         doc: "A point mass on a rod.\n\nIts torque follows a table with a lag.".to_owned(),
@@ -389,7 +390,7 @@ pub fn oddities() -> Model {
         expr: zero(),
     });
     system.outputs = outputs.collect();
-    Model { outputs: every_output, ..pendulum_of(&system) }
+    Model { outputs: every_output, starts_in_equilibrium: true, ..pendulum_of(&system) }
 }
 
 fn every_operation(b: &mut Builder) -> Vec<NodeId> {

@@ -1,10 +1,14 @@
 //! S at the start: how the initial state follows from parameters and from itself.
 
 use machinist_contract::{Dual, DualFunction};
+#[cfg(feature = "linear")]
+use nalgebra::DMatrix;
 
 use super::{By, Tangents};
 use crate::constraints::{Constraints, Level, consistent};
 use crate::error::SimulateError;
+#[cfg(feature = "linear")]
+use crate::linear_analysis::{Point, steady_tangents};
 
 /// The start of a run, as the run has found it.
 pub(crate) struct Start<'s> {
@@ -15,15 +19,18 @@ pub(crate) struct Start<'s> {
     pub(crate) is_of_spec: bool,
     /// Entries that are given otherwise than by the spec.
     pub(crate) set: &'s [usize],
+    /// Of an equilibrium, entries that the search was to move least.
+    pub(crate) in_equilibrium: Option<&'s [usize]>,
 }
 
 impl Tangents<'_> {
-    /// Sets S = dy_0/dp.
+    /// Sets S = dy_0/dp; whether the start of an equilibrium follows from its equations alone,
+    /// and not from the guess.
     ///
     /// # Errors
     /// If a jump at the start moves with a parameter, or constraints leave open how the start
     /// moves.
-    pub(crate) fn begin(&self, start: &Start<'_>) -> Result<(), SimulateError> {
+    pub(crate) fn begin(&self, start: &Start<'_>) -> Result<bool, SimulateError> {
         self.refuse_jumps_at(start.time)?;
         let count = self.by.len();
         let mut tangents = vec![0.0; self.len()];
@@ -39,16 +46,62 @@ impl Tangents<'_> {
         }
         for (direction, by) in self.by.iter().enumerate() {
             if let By::Initial(index) = by {
-                self.require_free(start, *index)?;
+                if start.in_equilibrium.is_none() {
+                    self.require_free(start, *index)?;
+                }
                 tangents[index * count + direction] += 1.0;
             }
         }
-        if self.simulator.constraints() > 0 {
-            self.make_consistent(start, &mut tangents)?;
+        let mut is_determined = true;
+        if let Some(named) = start.in_equilibrium {
+            is_determined = self.balance(start, named, &mut tangents)?;
+        } else if self.simulator.constraints() > 0 {
+            let is_given = |index: usize| start.is_of_spec && self.simulator.is_given(index);
+            if !self.make_consistent(start, &is_given, &mut tangents)? {
+                self.check_start(start, &is_given, &tangents)?;
+            }
         }
         self.inner.borrow_mut().start.copy_from_slice(&tangents);
         self.inner.borrow_mut().end.copy_from_slice(&tangents);
-        Ok(())
+        Ok(is_determined)
+    }
+
+    /// Moves of a guess to those of the equilibrium that is found from it; whether its equations
+    /// leave nothing open.
+    #[cfg(feature = "linear")]
+    fn balance(
+        &self,
+        start: &Start<'_>,
+        named: &[usize],
+        tangents: &mut [f64],
+    ) -> Result<bool, SimulateError> {
+        let (states, count) = (self.states, self.by.len());
+        let (time, state) = (start.time, start.state.to_vec());
+        let point = Point { time, state, parameters: self.parameters.to_vec() };
+        let mut rates = DMatrix::zeros(states, count);
+        let entries = self.simulator.parameter_jacobian_pattern().entries.len();
+        let mut by_parameters = vec![0.0; entries];
+        let Point { state, parameters, .. } = &point;
+        self.simulator.parameter_jacobian(time, state, parameters, &mut by_parameters);
+        for (entry, place) in &self.driven {
+            rates[(place / count, place % count)] = by_parameters[*entry];
+        }
+        let guess = DMatrix::from_row_slice(states, count, tangents);
+        let onto = |moves: &mut DMatrix<f64>| {
+            let mut tangents = moves.transpose().as_slice().to_vec();
+            self.make_consistent(start, &|_| false, &mut tangents)?;
+            *moves = DMatrix::from_row_slice(states, count, &tangents);
+            Ok(())
+        };
+        let found = steady_tangents(self.simulator, &point, named, (guess, &rates), &onto);
+        let found = found.map_err(SimulateError::no_equilibrium)?;
+        tangents.copy_from_slice(found.state.transpose().as_slice());
+        Ok(found.is_determined)
+    }
+
+    #[cfg(not(feature = "linear"))]
+    fn balance(&self, _: &Start<'_>, _: &[usize], _: &mut [f64]) -> Result<bool, SimulateError> {
+        Ok(false)
     }
 
     /// Refuses the initial value of a state that constraints decide.
@@ -105,15 +158,18 @@ impl Tangents<'_> {
     /// G_f dq_f = -(G dq + dg/dp)      by least squares, moves measured by the states' scales
     /// ```
     ///
-    /// Where that leaves moves open, the start also depends on the guesses and on how one is
-    /// looked for; so differences of the search itself have the last word.
+    /// Where that leaves moves open, which is told, the start also depends on the guesses and on
+    /// how one is looked for; so differences of the search itself have the last word.
     fn make_consistent(
         &self,
         start: &Start<'_>,
+        is_given: &impl Fn(usize) -> bool,
         tangents: &mut [f64],
-    ) -> Result<(), SimulateError> {
+    ) -> Result<bool, SimulateError> {
+        if self.simulator.constraints() == 0 {
+            return Ok(true);
+        }
         let count = self.by.len();
-        let is_given = |index: usize| start.is_of_spec && self.simulator.is_given(index);
         let mut is_determined = true;
         for level in [Level::Positions, Level::Velocities] {
             let function = match level {
@@ -129,7 +185,7 @@ impl Tangents<'_> {
                 self.parameters,
                 level,
                 at,
-                &is_given,
+                is_given,
             ) else {
                 self.require_none_left(level, start, &sizes, &slopes.concat())?;
                 continue;
@@ -144,7 +200,7 @@ impl Tangents<'_> {
             let left = self.slopes(function, rows, start.time, start.state, tangents);
             self.require_none_left(level, start, &sizes, &left.concat())?;
         }
-        if is_determined { Ok(()) } else { self.check_start(start, &is_given, tangents) }
+        Ok(is_determined)
     }
 
     /// Refuses a start that comes off the constraints, because nothing is left to make up.

@@ -91,7 +91,7 @@ pub struct State {
     pub kind: Kind,
     /// At the values that parameters have in the spec; not a number where only a run knows.
     pub initial: f64,
-    /// Whether constraints may move it at the start.
+    /// Whether constraints, or a start in equilibrium, may move it.
     pub is_guess: bool,
     /// What else moves with it, by joints.
     pub joined: Vec<String>,
@@ -201,7 +201,8 @@ fn states(model: &Model) -> Vec<State> {
             StateKind::Mode => Kind::Mode,
         },
         initial,
-        is_guess: !model.constraints.is_empty() && !state.is_given,
+        is_guess: model.starts_in_equilibrium && state.kind != StateKind::Mode
+            || !model.constraints.is_empty() && !state.is_given,
         joined: Vec::new(),
     });
     states.collect()

@@ -80,13 +80,13 @@ fn instance(spec: &SceneSpec, instance: &InstanceSpec) -> Instance {
 
 /// Positions, then velocities, then first-order states.
 fn states(system: &LagrangianSystem) -> Vec<State> {
-    let can_move = !system.constraints.is_empty();
+    let (any_moves, can_move) = (system.starts_in_equilibrium, !system.constraints.is_empty());
     let state = |which: usize, kind| {
         move |coordinate: &system::Coordinate| State {
             quantity: Quantity::of([&coordinate.position, &coordinate.velocity][which]),
             kind,
             initial: system.value(&coordinate.initial[which]),
-            is_guess: can_move && !coordinate.is_given[which],
+            is_guess: any_moves || can_move && !coordinate.is_given[which],
             joined: match kind {
                 Kind::Coordinate => coordinate.identified.iter().map(|(n, _)| n.clone()).collect(),
                 _ => Vec::new(),
@@ -97,7 +97,7 @@ fn states(system: &LagrangianSystem) -> Vec<State> {
         quantity: Quantity::of(&state.quantity),
         kind: if state.is_mode { Kind::Mode } else { Kind::FirstOrder },
         initial: system.value(&state.initial),
-        is_guess: false,
+        is_guess: any_moves && !state.is_mode,
         joined: Vec::new(),
     });
     let positions = system.coordinates.iter().map(state(0, Kind::Coordinate));

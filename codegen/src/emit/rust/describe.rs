@@ -64,6 +64,7 @@ fn simulator(scene: &Scene<'_>, series: Option<&Series>) -> Result<Vec<String>, 
         ("coordinates;", !model.is_whole()),
         ("events;", !model.events.is_empty()),
         ("constraints;", !model.constraints.is_empty()),
+        ("equilibrium;", model.starts_in_equilibrium),
         ("prepared;", !scene.prepare.is_empty()),
         ("linear;", model.excitation.is_some()),
     ];
@@ -116,7 +117,8 @@ fn outputs(scene: &Scene<'_>) -> Vec<String> {
 }
 
 fn states(scene: &Scene<'_>) -> Result<Vec<String>, EmitError> {
-    let has_constraints = !scene.model.constraints.is_empty();
+    // Elsewhere nothing moves what the spec leaves open.
+    let has_guesses = !scene.model.constraints.is_empty() || scene.model.starts_in_equilibrium;
     let mut namer = Namer::empty();
     let rows = scene.model.states.iter().map(|state| {
         let kind = match state.kind {
@@ -125,7 +127,7 @@ fn states(scene: &Scene<'_>) -> Result<Vec<String>, EmitError> {
             StateKind::FirstOrder => "first_order",
             StateKind::Mode => "mode",
         };
-        let guess = if has_constraints && !state.is_given { " guess" } else { "" };
+        let guess = if has_guesses && !state.is_given { " guess" } else { "" };
         let scale = number("scale of a state", state.scale)?;
         let name = namer.claim(&constant_name(&state.quantity.name.ident));
         Ok(format!("{name}: {kind}{guess}, {scale}, {}", columns(&state.quantity)))

@@ -608,3 +608,108 @@ fn the_page_of_parts_is_fresh() {
         "docs/parts.md is stale: cargo run --release -- parts --page docs/parts.md"
     );
 }
+
+/// A mass on a spring under its weight, which starts in equilibrium.
+const HUNG: &str = r#"
+    [scene]
+    name = "hung"
+    [units.body]
+    unit = "translational/mass"
+    parameters = { mass = 2 }
+    [units.spring]
+    unit = "translational/spring"
+    parameters = { stiffness = 800 }
+    [units.ground]
+    unit = "translational/fixed"
+    [units.weight]
+    unit = "sources/force"
+    inputs = { force = "-16 [N]" }
+    [[joints]]
+    connect = ["body.b", "spring.a"]
+    [[joints]]
+    connect = ["spring.b", "ground.a"]
+    [[joints]]
+    connect = ["weight.a", "body.a"]
+    [initial]
+    from = "equilibrium"
+    [outputs]
+    x = "body.x"
+    [run]
+    until = 1.0
+    points = 11
+    rtol = 1e-9
+    method = "dop853"
+    "#;
+
+#[test]
+fn a_run_starts_in_equilibrium_where_the_scene_or_an_option_says_so() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = folder.path().join("hung.toml");
+    fs::write(&scene, HUNG).expect("written");
+    let model = folder.path().join("hung.model");
+    answer(&["compile", text(&scene), "-o", text(&model)]);
+    let x_of = |arguments: &[&str]| {
+        let csv = answer(&[&["run"], arguments, &["--columns", "x", "--out", "-"]].concat());
+        read_csv(&csv).1[1].clone()
+    };
+    for of in [text(&scene), text(&model)] {
+        for x in x_of(&[of]) {
+            assert!((x + 0.02).abs() < 1e-12, "{x}");
+        }
+        let swings = x_of(&[of, "--start", "given"]);
+        assert!(swings[0] == 0.0 && swings.iter().any(|x| *x < -0.03), "{swings:?}");
+    }
+    let shown = answer(&["show", text(&scene)]);
+    assert!(shown.contains("(guess)"), "{shown}");
+    let checked = answer(&["verify", text(&scene)]);
+    assert!(checked.contains(" 0 failed"), "{checked}");
+    let refused = ["run", "bouncing_mass", "--start", "equilibrium"];
+    assert_refused(&refused, &["no start in equilibrium", "`ball.v`", "-9.810e0 m/s a second"]);
+}
+
+#[test]
+fn runs_are_compared_with_files_scenes_and_other_settings() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [scene, csv, plot] = ["hung.toml", "run.csv", "both.svg"].map(|f| folder.path().join(f));
+    fs::write(&scene, HUNG).expect("written");
+    // x of a run that starts at 0 is 0.02 (cos(w t) - 1), and is least at t = pi/w = 0.157.
+    let stiff = ["--set", "spring.stiffness=1600", "--start", "given"];
+    let out = ["--until", "0.4", "--points", "401", "--out", text(&csv)];
+    answer(&[&["run", text(&scene)], &stiff[..2], &out].concat());
+    let told = answer(
+        &[
+            &["run", text(&scene), "--until", "0.4", "--points", "5", "--columns", "x"][..],
+            &["--start", "given", "--compare", text(&csv), "--compare", text(&scene)],
+            &["--compare-set", "spring.stiffness=1600,body.mass=4", "--plot", text(&plot)],
+        ]
+        .concat(),
+    );
+    // The file has x = -0.01 throughout; this run is there at its ends and 0.03 below between.
+    let rows: Vec<Vec<&str>> = told
+        .lines()
+        .filter(|line| line.starts_with("x "))
+        .map(|line| line.split_whitespace().collect())
+        .collect();
+    let [_, of_file, of_scene, of_settings] = &rows[..] else { panic!("{told}") };
+    assert_eq!(&of_file[..4], ["x", "m", "0.03", "0.157"], "{told}");
+    assert_eq!(of_file[4..], ["75", "%"]);
+    // The same scene, started in the same way.
+    assert_eq!(&of_scene[2..3], ["0"], "{told}");
+    // Twice as stiff and as heavy: half as far as often.
+    let [difference, time] = [of_settings[2], of_settings[3]].map(|text| text.parse::<f64>());
+    let (difference, time) = (difference.expect("a number"), time.expect("a number"));
+    assert!((difference - 0.02).abs() < 2e-6 && (time - 0.157).abs() < 1e-9, "{told}");
+    let drawn = fs::read_to_string(&plot).expect("a plot");
+    for name in ["x, spring.stiffness=1600,body.mass=4", "run.csv"] {
+        assert!(drawn.contains(name), "{name}");
+    }
+    let against = |other: &str| ["run", "two_mass", "--compare", other].map(str::to_owned);
+    let of = |list: &[String; 4], words: &[&str]| {
+        assert_refused(&list.each_ref().map(String::as_str), words);
+    };
+    let bad = folder.path().join("bad.csv");
+    fs::write(&bad, "x,time\n1,2\n").expect("written");
+    of(&against(text(&bad)), &["bad.csv", "the first column is `x`, not time"]);
+    of(&against(text(&scene)), &["nothing to compare with `two_mass`"]);
+    assert_refused(&["run", "two_mass", "--compare-set", "coupling.stif=1"], &["did you mean"]);
+}

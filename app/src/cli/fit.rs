@@ -1,7 +1,7 @@
 //! `machinist fit`: parameters of a scene from measured runs.
 
 mod answer;
-mod data;
+pub mod data;
 pub(super) mod unknown;
 
 use std::path::PathBuf;
@@ -129,7 +129,7 @@ impl FitCommand {
         let simulation = self.simulation(simulator)?;
         let from = self.from.unwrap_or(simulator.run_defaults().from);
         let outputs = &self.outputs[..];
-        let reading = Reading { simulator, map: &self.map, outputs, from };
+        let reading = Reading { simulator, map: &self.map, outputs, from, skips_unknown: false };
         let files =
             self.data.iter().map(|path| reading.read(path)).collect::<Result<Vec<_>, _>>()?;
         let gaps: usize = files.iter().map(|file| file.gaps).sum();

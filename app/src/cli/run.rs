@@ -1,5 +1,7 @@
 //! `machinist run`: one scene over time, to numbers and plots.
 
+mod compare;
+
 use std::path::{Path, PathBuf};
 
 use crate::failure::did_you_mean;
@@ -20,6 +22,7 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::number::number;
 use crate::progress::during;
+use compare::{Other, Others};
 
 #[derive(Debug, Args)]
 pub struct Run {
@@ -37,6 +40,10 @@ pub struct Run {
     /// End time, s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     until: Option<f64>,
+    /// Where to start: in the equilibrium near what the scene gives, or there; as the scene
+    /// says, unless set
+    #[arg(long, value_name = "STATE")]
+    start: Option<Start>,
     /// Number of output times, both ends included
     #[arg(long, value_name = "NUMBER")]
     points: Option<usize>,
@@ -69,6 +76,35 @@ pub struct Run {
     /// Only these columns: states, outputs, energy.total, derivatives that are asked for
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     columns: Vec<String>,
+    #[command(flatten)]
+    others: Others,
+}
+
+/// Where a run starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Start {
+    Equilibrium,
+    Given,
+}
+
+/// Times at which a run is wanted.
+enum At<'t> {
+    /// Beside its own.
+    Also(&'t [f64]),
+    /// These alone.
+    Only(&'t [f64]),
+}
+
+impl At<'_> {
+    fn asked_of<'a>(&self, run: Simulation<'a>) -> Simulation<'a> {
+        match self {
+            Self::Also(times) => run.also_at(times),
+            Self::Only(times) => match times {
+                [first, .., last] => run.from(*first).until(*last).times(times),
+                _ => run,
+            },
+        }
+    }
 }
 
 /// What to make of `--out`.
@@ -87,11 +123,17 @@ impl Run {
         let scene = Scene::load_cut(&self.scene, self.keep_all, wanted)?;
         self.check_columns(scene.simulator())?;
         self.check_sensitivities()?;
-        match self.trajectory(scene.simulator())? {
+        let from = self.from.unwrap_or(scene.simulator().run_defaults().from);
+        let others = self.others.load(scene.simulator(), from)?;
+        let times: Vec<f64> = others.iter().flat_map(Other::times).copied().collect();
+        match self.trajectory(scene.simulator(), &self.set, &At::Also(&times))? {
             Ok(trajectory) => {
-                let trajectory = self.chosen_columns(trajectory);
-                let written = self.write(format, &trajectory)?;
-                if written { print(&self.summary(&scene, &trajectory)) } else { Ok(()) }
+                let mut trajectory = self.chosen_columns(trajectory);
+                let mut summary = self.summary(&scene, &trajectory);
+                let (names, tables) = self.compare(others, &scene, &mut trajectory)?;
+                summary.push_str(&tables);
+                let written = self.write(format, &trajectory, &names)?;
+                if written { print(&summary) } else { Ok(()) }
             }
             Err(error) => Err(self.stopped(&scene, format, error)?),
         }
@@ -120,7 +162,7 @@ impl Run {
             })
             .collect();
         let kept = self.chosen_columns(*kept);
-        let written = files.is_empty() || self.write(format, &kept)?;
+        let written = files.is_empty() || self.write(format, &kept, &self.columns)?;
         if is_interrupted && written {
             print(&self.summary(scene, &kept))?;
         }
@@ -132,9 +174,14 @@ impl Run {
     }
 
     /// Writes the files that are asked for; whether standard output is still free.
-    fn write(&self, format: Option<Format>, trajectory: &Trajectory) -> Result<bool, Failure> {
+    fn write(
+        &self,
+        format: Option<Format>,
+        trajectory: &Trajectory,
+        drawn: &[String],
+    ) -> Result<bool, Failure> {
         if let Some(file) = &self.plot {
-            let names: Vec<&str> = self.columns.iter().map(String::as_str).collect();
+            let names: Vec<&str> = drawn.iter().map(String::as_str).collect();
             draw_file(file, |path| crate::plot::plot(trajectory, &names, path))?;
         }
         match (format, &self.out) {
@@ -152,17 +199,60 @@ impl Run {
     fn trajectory(
         &self,
         simulator: &dyn Simulator<f64>,
+        set: &[(String, f64)],
+        times: &At<'_>,
     ) -> Result<Result<Trajectory, SimulateError>, Failure> {
-        let whole = with_parameters(Simulation::new(simulator), &self.set)?;
+        let whole = with_parameters(Simulation::new(simulator), set)?;
         let flag = interrupt::flag();
         let Some(modes) = self.modes else {
-            let simulation = self.adjusted(whole)?;
+            let simulation = times.asked_of(self.adjusted(whole)?);
             return Ok(during("simulating", || simulation.until_flagged(&flag).run()));
         };
         let modal = ModalSimulator::new(simulator, whole.parameter_values(), modes);
         let modal = modal.map_err(|error| Failure::input(error, ""))?;
-        let simulation = self.adjusted(Simulation::new(&modal))?;
+        let simulation = times.asked_of(self.adjusted(Simulation::new(&modal))?);
         Ok(during("simulating", || simulation.until_flagged(&flag).run()))
+    }
+
+    /// Runs the others, and adds their columns beside those of the first; names of what is drawn
+    /// then, and a table for each of the others.
+    fn compare(
+        &self,
+        others: Vec<Other>,
+        scene: &Scene,
+        first: &mut Trajectory,
+    ) -> Result<(Vec<String>, String), Failure> {
+        if others.is_empty() {
+            return Ok((self.columns.clone(), String::new()));
+        }
+        let (times, mut beside) = (first.times.clone(), Vec::new());
+        for other in others {
+            let run = |other: Option<&Scene>, set: &[(String, f64)]| {
+                // Of another scene, parameters are as it says.
+                let all = [&self.set, set].concat();
+                let set = if other.is_some() { set } else { &all };
+                let simulator = other.unwrap_or(scene).simulator();
+                Ok(self.trajectory(simulator, set, &At::Only(&times))??)
+            };
+            beside.push(other.beside(first, &run)?);
+        }
+        let tables = beside.iter().map(|other| other.table(first)).collect();
+        let added: Vec<(usize, Column)> =
+            beside.iter().flat_map(|other| other.columns(first)).collect();
+        let has_outputs = first.of_kind(ColumnKind::Output).next().is_some();
+        let kind = if has_outputs { ColumnKind::Output } else { ColumnKind::State };
+        let is_drawn = |column: &Column| match self.columns.as_slice() {
+            [] => column.kind == kind,
+            asked => asked.contains(&column.name),
+        };
+        let mut names = Vec::new();
+        for (place, column) in first.columns.iter().enumerate().filter(|(_, c)| is_drawn(c)) {
+            names.push(column.name.clone());
+            let of_it = added.iter().filter(|(of, _)| *of == place);
+            names.extend(of_it.map(|(_, column)| column.name.clone()));
+        }
+        first.columns.extend(added.into_iter().map(|(_, column)| column));
+        Ok((names, tables))
     }
 
     /// The run with what is asked for but parameters.
@@ -172,6 +262,9 @@ impl Run {
         }
         if let Some(time) = self.until {
             simulation = simulation.until(time);
+        }
+        if let Some(start) = self.start {
+            simulation = simulation.in_equilibrium(start == Start::Equilibrium);
         }
         if let Some(points) = self.points {
             simulation = simulation.points(points);

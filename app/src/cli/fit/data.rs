@@ -17,6 +17,8 @@ pub struct Reading<'r> {
     pub outputs: &'r [String],
     /// Start of the runs \[s\].
     pub from: f64,
+    /// Whether columns that are neither are left out instead of refused.
+    pub skips_unknown: bool,
 }
 
 /// A file, and how many of its places are empty or NaN.
@@ -143,6 +145,9 @@ impl Reading<'_> {
             return Ok(None);
         }
         let Some(quantity) = known.iter().find(|quantity| quantity.name == name) else {
+            if self.skips_unknown {
+                return Ok(None);
+            }
             let message = format!(
                 "column `{}` is no output and no state of scene `{}`",
                 name.escape_debug(),

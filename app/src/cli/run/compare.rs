@@ -1,0 +1,216 @@
+//! A run beside others: measured ones, those of other scenes, the same with other settings.
+
+use std::path::Path;
+
+use clap::Args;
+use machinist::Simulation;
+use machinist::trajectory::{Column, ColumnKind, Trajectory};
+use machinist_contract::Simulator;
+
+use crate::cli::assignment;
+use crate::cli::fit::data::Reading;
+use crate::cli::output::columns;
+use crate::cli::scene::Scene;
+use crate::cli::settings::with_parameters;
+use crate::failure::Failure;
+use crate::number::number;
+
+#[derive(Debug, Args)]
+pub struct Others {
+    /// Compare with a CSV file, whose first column is time, or with the run of another scene or
+    /// model; may be repeated
+    #[arg(long, value_name = "CSV|SCENE")]
+    compare: Vec<String>,
+    /// Compare with the same run with other values of parameters; may be repeated
+    #[arg(long, value_name = "UNIT.PARAMETER=VALUE,..", value_parser = assignments)]
+    compare_set: Vec<Settings>,
+}
+
+/// Parameters and their values, and how they were written.
+#[derive(Debug, Clone)]
+pub struct Settings {
+    text: String,
+    values: Vec<(String, f64)>,
+}
+
+/// Another run, before it is one.
+pub enum Other {
+    /// What was measured: times, and outputs or states at them.
+    File {
+        label: String,
+        times: Vec<f64>,
+        columns: Vec<(String, Vec<f64>)>,
+    },
+    Scene {
+        label: String,
+        scene: Box<Scene>,
+    },
+    Settings {
+        label: String,
+        values: Vec<(String, f64)>,
+    },
+}
+
+/// What of another run is comparable: values at the times of the first one, NaN where it says
+/// nothing.
+pub struct Beside {
+    pub label: String,
+    kind: ColumnKind,
+    /// Of columns of the first run, by their places.
+    values: Vec<(usize, Vec<f64>)>,
+}
+
+impl Others {
+    /// Reads files and loads scenes, before any time is spent.
+    pub fn load(&self, simulator: &dyn Simulator<f64>, from: f64) -> Result<Vec<Other>, Failure> {
+        let mut others = Vec::new();
+        for argument in &self.compare {
+            let path = Path::new(argument);
+            let name = path.file_name().and_then(|name| name.to_str());
+            let label = name.unwrap_or(argument).to_owned();
+            others.push(if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv")) {
+                let reading =
+                    Reading { simulator, map: &[], outputs: &[], from, skips_unknown: true };
+                let measured = reading.read(path)?.measured;
+                Other::File { label, times: measured.times, columns: measured.columns }
+            } else {
+                Other::Scene { label, scene: Box::new(Scene::load(argument, false)?) }
+            });
+        }
+        for Settings { text, values } in &self.compare_set {
+            // Refused now rather than after the first run.
+            let _ = with_parameters(Simulation::new(simulator), values)?;
+            others.push(Other::Settings { label: text.clone(), values: values.clone() });
+        }
+        Ok(others)
+    }
+}
+
+impl Other {
+    /// Times that the first run has to have for it \[s\].
+    pub fn times(&self) -> &[f64] {
+        match self {
+            Self::File { times, .. } => times,
+            Self::Scene { .. } | Self::Settings { .. } => &[],
+        }
+    }
+
+    /// Runs it at the times of the first run, by a function that does so with other parameters,
+    /// or another scene.
+    pub fn beside(
+        self,
+        first: &Trajectory,
+        run: &dyn Fn(Option<&Scene>, &[(String, f64)]) -> Result<Trajectory, Failure>,
+    ) -> Result<Beside, Failure> {
+        let (label, trajectory) = match self {
+            Self::File { label, times, columns } => {
+                return of_file(label, &times, &columns, first);
+            }
+            Self::Scene { label, scene } => (label, run(Some(&scene), &[])?),
+            Self::Settings { label, values } => (label, run(None, &values)?),
+        };
+        let same = |column: &Column| {
+            trajectory.find(&column.name).filter(|other| other.unit == column.unit)
+        };
+        // Any two machines have energies, which are compared only if nothing else is wanted.
+        let is_energy = |column: &Column| column.kind == ColumnKind::Energy;
+        let all_energies = first.columns.iter().all(is_energy);
+        let places = first.columns.iter().enumerate();
+        let places = places.filter(|(_, column)| all_energies || !is_energy(column));
+        let values =
+            places.filter_map(|(place, column)| Some((place, same(column)?.values.clone())));
+        Beside { label, kind: ColumnKind::Output, values: values.collect() }.required(first)
+    }
+}
+
+fn of_file(
+    label: String,
+    times: &[f64],
+    columns: &[(String, Vec<f64>)],
+    first: &Trajectory,
+) -> Result<Beside, Failure> {
+    let values = columns.iter().filter_map(|(name, values)| {
+        let place = first.columns.iter().position(|column| column.name == *name)?;
+        let mut at_times = vec![f64::NAN; first.times.len()];
+        for (time, value) in times.iter().zip(values) {
+            let row = first.times.partition_point(|other| other < time);
+            if first.times.get(row).is_some_and(|other| other.to_bits() == time.to_bits()) {
+                at_times[row] = *value;
+            }
+        }
+        Some((place, at_times))
+    });
+    Beside { label, kind: ColumnKind::Measured, values: values.collect() }.required(first)
+}
+
+impl Beside {
+    /// There is something to compare.
+    fn required(self, first: &Trajectory) -> Result<Self, Failure> {
+        let is_known = |(_, values): &(usize, Vec<f64>)| values.iter().any(|v| v.is_finite());
+        if self.values.iter().any(is_known) {
+            return Ok(self);
+        }
+        let message = format!("{} has nothing to compare with `{}`", self.label, first.scene);
+        Err(Failure::input(message, "columns of the same name and unit are compared"))
+    }
+
+    /// Its columns as further ones of the first run.
+    pub fn columns<'c>(&'c self, first: &'c Trajectory) -> impl Iterator<Item = (usize, Column)> {
+        self.values.iter().map(|(place, values)| {
+            let of = &first.columns[*place];
+            let name = format!("{}, {}", of.name, self.label);
+            (*place, Column { name, kind: self.kind, values: values.clone(), ..of.clone() })
+        })
+    }
+
+    /// Largest differences, and where in time.
+    pub fn table(&self, first: &Trajectory) -> String {
+        let header = ["", "unit", "largest difference", "at [s]", "of its size"].map(str::to_owned);
+        let rows = self.values.iter().filter_map(|(place, values)| {
+            let column = &first.columns[*place];
+            let (difference, row) = largest_difference(&column.values, values)?;
+            let size = column.values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+            let share = match difference {
+                0.0 => "0".to_owned(),
+                _ if size == 0.0 => String::new(),
+                _ => format!("{} %", number(100.0 * difference / size, 3)),
+            };
+            let cells = [number(difference, 4), number(first.times[row], 6), share];
+            let [difference, time, share] = cells;
+            Some([column.name.clone(), column.unit.clone(), difference, time, share])
+        });
+        let rows: Vec<[String; 5]> = std::iter::once(header).chain(rows).collect();
+        format!("\ncompared with {}\n{}", self.label, columns(&rows, 2))
+    }
+}
+
+/// The largest difference of two columns, with its row; nothing where they have none in common.
+fn largest_difference(first: &[f64], other: &[f64]) -> Option<(f64, usize)> {
+    let differences = first.iter().zip(other).map(|(a, b)| (a - b).abs()).enumerate();
+    let known = differences.filter(|(_, difference)| difference.is_finite());
+    known.map(|(row, size)| (size, row)).reduce(|a, b| if b.0 > a.0 { b } else { a })
+}
+
+fn assignments(text: &str) -> Result<Settings, String> {
+    let values = text.split(',').map(assignment).collect::<Result<_, _>>()?;
+    Ok(Settings { text: text.to_owned(), values })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_largest_difference_is_found_where_both_are_known() {
+        let (first, other) = ([0.0, 1.0, 5.0, 2.0], [0.5, f64::NAN, 2.0, 9.0]);
+        assert_eq!(largest_difference(&first, &other), Some((7.0, 3)));
+        assert_eq!(largest_difference(&first, &[f64::NAN; 4]), None);
+    }
+
+    #[test]
+    fn settings_are_assignments_with_commas_between() {
+        let settings = assignments("a.b=1,c.d=2e3").expect("they are");
+        assert_eq!(settings.values, [("a.b".to_owned(), 1.0), ("c.d".to_owned(), 2e3)]);
+        assert!(assignments("a.b").is_err() && assignments("a.b=1,").is_err());
+    }
+}

@@ -39,6 +39,8 @@ mod response;
 mod rewrite;
 mod run;
 pub mod scene;
+#[cfg(feature = "derive")]
+mod schema;
 mod sensitivity;
 mod settings;
 mod show;
@@ -125,6 +127,9 @@ enum Command {
     /// List the standard parts that scenes are made of, or show one of them
     #[cfg(feature = "derive")]
     Parts(parts::Parts),
+    /// Print what a spec may hold, as JSON schema, for editors
+    #[cfg(feature = "derive")]
+    Schema(schema::Schema),
     /// What is remembered of scenes that were derived
     #[cfg(feature = "derive")]
     Cache(cache::CacheCommand),
@@ -177,6 +182,8 @@ pub fn main() -> ExitCode {
         Command::Compile(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Fmu(command) => command.execute(),
+        #[cfg(feature = "derive")]
+        Command::Schema(command) => command.execute(),
         #[cfg(feature = "derive")]
         Command::Cache(command) => command.execute(),
         Command::Completions(command) => command.execute(),

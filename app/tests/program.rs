@@ -15,5 +15,6 @@ mod improve;
 mod live;
 mod process;
 mod report;
+mod schema;
 mod trajectory;
 mod verify;

@@ -20,6 +20,7 @@ pub mod measure;
 mod names;
 pub mod rewrite;
 mod scene;
+pub mod schema;
 mod source;
 pub(crate) mod stack;
 mod symbol;

@@ -12,6 +12,11 @@ pub const MAX_ELEMENTS: f64 = 1e6;
 /// Order that its elements may have.
 pub const MAX_ORDER: f64 = 16.0;
 
+/// What may hold at the ends of a field, by name.
+pub const BOUNDARIES: &[(&str, Boundary)] = &[("free", Boundary::Free), ("fixed", Boundary::Fixed)];
+/// Where the inertia of a field may be, by name.
+pub const MASSES: &[(&str, Mass)] = &[("lumped", Mass::Lumped), ("consistent", Mass::Consistent)];
+
 /// A one-dimensional field, by its densities a length.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FieldSpec {
@@ -121,8 +126,7 @@ pub fn field(entry: &Entry, found: &mut Findings) -> Option<FieldSpec> {
 }
 
 fn boundary(fields: &mut Fields<'_>, key: &'static str) -> Option<Boundary> {
-    let choices = [("free", Boundary::Free), ("fixed", Boundary::Fixed)];
-    Some(choice(fields, key, &choices)?.value)
+    Some(choice(fields, key, BOUNDARIES)?.value)
 }
 
 fn choice<T: Copy>(
@@ -153,8 +157,7 @@ pub fn discretisation(entry: &Entry, found: &mut Findings) -> Option<Discretisat
     let mut fields = Fields::open(&entry.value, what, found);
     let elements = count(&mut fields, "elements", MAX_ELEMENTS);
     let order = count(&mut fields, "order", MAX_ORDER);
-    let masses = [("lumped", Mass::Lumped), ("consistent", Mass::Consistent)];
-    let mass = choice(&mut fields, "mass", &masses);
+    let mass = choice(&mut fields, "mass", MASSES);
     let ends = ["start", "end"].map(|key| boundary(&mut fields, key));
     fields.close();
     let mass = mass.unwrap_or(Spanned { value: Mass::Lumped, span: entry.key.span });

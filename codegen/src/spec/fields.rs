@@ -15,12 +15,26 @@ pub struct Findings {
     pub mistakes: Vec<Mistake>,
     /// Paths of the CSV files that expressions name.
     pub tables: Vec<Spanned<String>>,
+    /// Tables that were taken apart, if somebody wants to know.
+    pub reads: Option<Vec<TableRead>>,
+}
+
+/// A table that was taken apart: keys that were asked for, and those that must be there.
+#[derive(Debug, Clone)]
+pub struct TableRead {
+    /// The table.
+    pub span: Span,
+    /// Keys that were asked for.
+    pub asked: Vec<&'static str>,
+    /// Those of them that must be there.
+    pub required: Vec<&'static str>,
 }
 
 /// A table that is being read.
 pub struct Fields<'a> {
     entries: &'a [Entry],
     asked: Vec<&'static str>,
+    required: Vec<&'static str>,
     /// The table, for what is missing from it.
     pub span: Span,
     what: String,
@@ -38,16 +52,28 @@ impl<'a> Fields<'a> {
                 &[]
             }
         };
-        Fields { entries, asked: Vec::new(), span: tree.span, what, found }
+        Fields { entries, asked: Vec::new(), required: Vec::new(), span: tree.span, what, found }
     }
 
     /// For a value that stands by itself.
     pub fn alone(span: Span, found: &'a mut Findings) -> Self {
-        Fields { entries: &[], asked: Vec::new(), span, what: String::new(), found }
+        Fields {
+            entries: &[],
+            asked: Vec::new(),
+            required: Vec::new(),
+            span,
+            what: String::new(),
+            found,
+        }
     }
 
     /// Reports every key that was not asked for.
     pub fn close(self) {
+        if self.found.reads.is_some() {
+            let (asked, required) = (self.asked.clone(), self.required.clone());
+            let read = TableRead { span: self.span, asked, required };
+            self.found.reads.iter_mut().for_each(|reads| reads.push(read.clone()));
+        }
         for entry in self.entries {
             let key = entry.key.value.as_str();
             if !self.asked.contains(&key) {
@@ -76,6 +102,9 @@ impl<'a> Fields<'a> {
     /// The value of a key that must be there.
     pub fn require(&mut self, key: &'static str) -> Option<&'a Spanned<Tree>> {
         let value = self.take(key);
+        if !self.required.contains(&key) {
+            self.required.push(key);
+        }
         if value.is_none() {
             let message = format!("{} lacks `{key}`", self.what);
             self.found.mistakes.push(Mistake::new(self.span, message, "it belongs here"));

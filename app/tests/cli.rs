@@ -696,7 +696,7 @@ fn runs_are_compared_with_files_scenes_and_other_settings() {
     // The same scene, started in the same way.
     assert_eq!(&of_scene[2..3], ["0"], "{told}");
     // Twice as stiff and as heavy: half as far as often.
-    let [difference, time] = [of_settings[2], of_settings[3]].map(|text| text.parse::<f64>());
+    let [difference, time] = [of_settings[2], of_settings[3]].map(str::parse::<f64>);
     let (difference, time) = (difference.expect("a number"), time.expect("a number"));
     assert!((difference - 0.02).abs() < 2e-6 && (time - 0.157).abs() < 1e-9, "{told}");
     let drawn = fs::read_to_string(&plot).expect("a plot");

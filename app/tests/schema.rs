@@ -162,8 +162,8 @@ fn fits(schema: &Value, value: &Value) -> Result<(), String> {
                 require(fit, || format!("{value} is none of several"))?;
             }
             "items" => {
-                let items = value.as_array().into_iter().flatten();
-                items.map(|item| fits(rule, item)).collect::<Result<(), _>>()?;
+                let mut items = value.as_array().into_iter().flatten();
+                items.try_for_each(|item| fits(rule, item))?;
             }
             "properties" => {
                 if let Some(table) = value.as_object() {

@@ -55,7 +55,9 @@ pub(crate) fn steady_start(
         }
         let modes = search.modes(&settled);
         point = settled;
-        if tried.contains(&modes) {
+        // As many as may follow on one another at any start.
+        let most = 2 * simulator.events() + 8;
+        if tried.contains(&modes) || tried.len() > most {
             // Modes come back that have no equilibrium which agrees with them: go there slowly.
             let none = search.no_modes(&point);
             if has_crept || search.creep(&mut point).is_err() {

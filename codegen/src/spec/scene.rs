@@ -320,24 +320,27 @@ fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {
     let rtol = fields.required_number("rtol");
     let method = fields.required_text("method");
     fields.close();
-    if let Some(method) = &method
-        && !METHODS.contains(&method.value.as_str())
-    {
-        let mistake = Mistake::new(method.span, "unknown method", "unknown");
-        let help = did_you_mean(&method.value, METHODS.iter().copied());
-        found.mistakes.push(mistake.help(help));
-    }
-    let (until, points, rtol, method) = (until?, points?, rtol?, method?);
     let mut refuse = |good: bool, span: Span, message: &str, label: &str, help: String| {
         if !good {
             found.mistakes.push(Mistake::new(span, message, label).help(help));
         }
     };
-    let whole = points.value.fract() == 0.0 && (2.0..=MAX_POINTS).contains(&points.value);
-    let message = "`points` is an integer from 2 to 10 000 000";
-    refuse(whole, points.span, message, "out of range", String::new());
-    let message = "`rtol` lies between 1e-14 and 0.1";
-    refuse(RTOL.contains(&rtol.value), rtol.span, message, "out of range", String::new());
+    // Each by itself, whether the others are there or not.
+    if let Some(points) = &points {
+        let whole = points.value.fract() == 0.0 && (2.0..=MAX_POINTS).contains(&points.value);
+        let message = "`points` is an integer from 2 to 10 000 000";
+        refuse(whole, points.span, message, "out of range", String::new());
+    }
+    if let Some(rtol) = &rtol {
+        let message = "`rtol` lies between 1e-14 and 0.1";
+        refuse(RTOL.contains(&rtol.value), rtol.span, message, "out of range", String::new());
+    }
+    if let Some(method) = &method {
+        let known = METHODS.contains(&method.value.as_str());
+        let help = did_you_mean(&method.value, METHODS.iter().copied());
+        refuse(known, method.span, "unknown method", "unknown", help);
+    }
+    let (until, points, rtol, method) = (until?, points?, rtol?, method?);
     let (points, rtol) = (points.value as usize, rtol.value);
     Some(RunSpec { from, until, points, rtol, method: method.value })
 }

@@ -26,6 +26,9 @@ pub struct Others {
     compare_set: Vec<Settings>,
 }
 
+/// Runs another scene, or the first one, with such parameters.
+type RunOther<'r> = dyn Fn(Option<&Scene>, &[(String, f64)]) -> Result<Trajectory, Failure> + 'r;
+
 /// Parameters and their values, and how they were written.
 #[derive(Debug, Clone)]
 pub struct Settings {
@@ -97,11 +100,7 @@ impl Other {
 
     /// Runs it at the times of the first run, by a function that does so with other parameters,
     /// or another scene.
-    pub fn beside(
-        self,
-        first: &Trajectory,
-        run: &dyn Fn(Option<&Scene>, &[(String, f64)]) -> Result<Trajectory, Failure>,
-    ) -> Result<Beside, Failure> {
+    pub fn beside(self, first: &Trajectory, run: &RunOther<'_>) -> Result<Beside, Failure> {
         let (label, trajectory) = match self {
             Self::File { label, times, columns } => {
                 return of_file(label, &times, &columns, first);

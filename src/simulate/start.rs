@@ -1,0 +1,165 @@
+//! Where a run starts: as the spec says, as the caller does, or in the equilibrium near that.
+
+#[cfg(feature = "linear")]
+use super::Problem;
+use super::Simulation;
+use crate::constraints::{consistent, require_independent};
+use crate::error::SimulateError;
+#[cfg(feature = "linear")]
+use crate::linear_analysis::{Point, growth, steady_start};
+use crate::method::sensitivity::{By, Tangents};
+#[cfg(feature = "linear")]
+use crate::method::{Stopped, System};
+
+impl Simulation<'_> {
+    pub(super) fn checked_initial_state(&self) -> Result<Vec<f64>, SimulateError> {
+        let states = self.simulator.shape().states();
+        let state = self.guess();
+        let name = |index| format!("initial value of `{}`", self.simulator.state(index).name);
+        self.check_list("states", &state, states, name)?;
+        if self.starts_in_equilibrium() {
+            return self.balanced(state);
+        }
+        // A state of the caller's is near enough to the constraints, or a guess.
+        let is_spec = self.initial_state.is_none();
+        let is_given = |index| is_spec && self.simulator.is_given(index);
+        let state = consistent(self.simulator, &self.parameters, self.from, state, is_given)?;
+        require_independent(self.simulator, &self.parameters, self.from, &state)?;
+        Ok(state)
+    }
+
+    /// The state at the start as it is given.
+    fn guess(&self) -> Vec<f64> {
+        let mut state = self.initial_state.clone().unwrap_or_else(|| {
+            let mut state = vec![0.0; self.simulator.shape().states()];
+            self.simulator.initial_state(&self.parameters, &mut state);
+            state
+        });
+        for (index, value) in &self.initial_values {
+            if let Some(entry) = state.get_mut(*index) {
+                *entry = *value;
+            }
+        }
+        state
+    }
+
+    /// Entries of the state that the spec or the caller names.
+    pub(super) fn named(&self) -> Vec<usize> {
+        let is_spec = self.initial_state.is_none();
+        let is_set = |index: usize| self.initial_values.iter().any(|(set, _)| *set == index);
+        let is_named = |index: &usize| is_spec && self.simulator.is_given(*index) || is_set(*index);
+        (0..self.simulator.shape().states()).filter(is_named).collect()
+    }
+
+    /// A state of the caller's is where a run starts, unless an equilibrium is asked for.
+    pub(super) fn starts_in_equilibrium(&self) -> bool {
+        let is_of_spec = self.initial_state.is_none();
+        self.in_equilibrium.unwrap_or(is_of_spec && self.simulator.starts_in_equilibrium())
+    }
+
+    /// The equilibrium near a state.
+    #[cfg(feature = "linear")]
+    fn balanced(&self, guess: Vec<f64>) -> Result<Vec<f64>, SimulateError> {
+        let named = self.named();
+        let parameters = self.checked_parameters()?;
+        // Constraints are fulfilled as for any start where they can be, else by whatever moves.
+        let given = |index| named.contains(&index);
+        let state = consistent(self.simulator, parameters, self.from, guess.clone(), given);
+        let state = state
+            .or_else(|_| consistent(self.simulator, parameters, self.from, guess, |_| false))?;
+        require_independent(self.simulator, parameters, self.from, &state)?;
+        let guess = Point { time: self.from, state, parameters: parameters.to_vec() };
+        let settle = |state: &mut Vec<f64>| self.settle(state);
+        let found = steady_start(self.simulator, guess, &named, &settle);
+        Ok(found.map_err(SimulateError::no_equilibrium)?.state)
+    }
+
+    #[cfg(not(feature = "linear"))]
+    fn balanced(&self, _: Vec<f64>) -> Result<Vec<f64>, SimulateError> {
+        let scene = self.simulator.name();
+        Err(SimulateError::NoEquilibrium(format!(
+            "the search that scene `{scene}` asks for is not compiled in. \
+             Hint: turn on the feature `linear` of the crate machinist"
+        )))
+    }
+
+    /// Sets the modes of a start right.
+    #[cfg(feature = "linear")]
+    fn settle(&self, state: &mut [f64]) -> Result<(), SimulateError> {
+        let system = System::new(self.simulator, &self.parameters, false);
+        let problem = Problem {
+            system: &system,
+            from: self.from,
+            until: self.until,
+            times: &[],
+            initial: state.to_vec(),
+            jumps: Vec::new(),
+            rtol: self.rtol,
+            atol: self.checked_atol(state)?,
+            max_steps: self.max_steps,
+        };
+        problem.settle(state).map_err(|Stopped { cause, .. }| {
+            SimulateError::NoEquilibrium(format!("{}: {cause}", self.simulator.name()))
+        })
+    }
+
+    /// Tells if the equilibrium in which the run starts is unstable.
+    #[cfg(feature = "linear")]
+    pub(super) fn note_unstable(&self, system: &System<'_>, state: &[f64]) {
+        if !self.starts_in_equilibrium() {
+            return;
+        }
+        let (state, parameters) = (state.to_vec(), self.parameters.clone());
+        let point = Point { time: self.from, state, parameters };
+        if let Some(growth) = growth(self.simulator, point, self.until - self.from) {
+            system.note(format!(
+                "the equilibrium at the start is unstable: deviations grow by e in {:.3e} s",
+                1.0 / growth
+            ));
+        }
+    }
+
+    /// Compares how an equilibrium moves, where its equations leave some of it open, with
+    /// differences of the search.
+    pub(super) fn check_tangents(
+        &self,
+        tangents: &Tangents<'_>,
+        initial: &[f64],
+    ) -> Result<(), SimulateError> {
+        const NEAR: f64 = 1e-4;
+        for (direction, by) in self.sensitivities.iter().enumerate() {
+            let quantity = by.quantity(self.simulator);
+            let size = match by {
+                By::Parameter(index) => self.parameters[*index].abs(),
+                By::Initial(index) => self.simulator.state_scale(*index),
+            };
+            let step = 1e-6 * if size > 0.0 { size } else { 1.0 };
+            let at = |shift: f64| {
+                let mut moved = self.clone();
+                match by {
+                    By::Parameter(index) => moved.parameters[*index] += shift,
+                    By::Initial(index) => {
+                        let value = self.guess()[*index] + shift;
+                        moved.initial_values.retain(|(other, _)| other != index);
+                        moved.initial_values.push((*index, value));
+                    }
+                }
+                moved.checked_initial_state()
+            };
+            let (ahead, behind) = (at(step)?, at(-step)?);
+            for (index, tangent) in tangents.start_of(direction).enumerate() {
+                let scale = self.simulator.state_scale(index).max(initial[index].abs());
+                let difference = (ahead[index] - behind[index]) / (2.0 * step);
+                if (difference - tangent).abs() * size.max(step) > NEAR * scale {
+                    return Err(SimulateError::NotDifferentiable {
+                        name: quantity.name.to_owned(),
+                        why: "moves an equilibrium that its equations leave open, so that it is \
+                              where the search ends; give more of the start in [initial]"
+                            .to_owned(),
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+}

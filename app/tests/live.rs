@@ -54,7 +54,7 @@ fn a_run_in_the_page_ends_where_a_run_outside_of_it_does() {
         let typed = TYPED.replace("PARAMETER", parameter).replace("VALUE", value);
         let html = fs::read_to_string(&page).expect("a page").replace("</body>", &typed);
         fs::write(&page, html).expect("written");
-        let found = found(&browser, &page, folder.path());
+        let found = found(&browser, &page, folder.path(), &[]);
         assert!(found.ends_with(" muted"), "{scene} says that something is wrong: {found}");
         let file = folder.path().join("run.csv");
         let set = format!("{parameter}={value}");
@@ -72,7 +72,7 @@ fn a_run_in_the_page_ends_where_a_run_outside_of_it_does() {
     }
 }
 
-fn browser() -> Option<PathBuf> {
+pub fn browser() -> Option<PathBuf> {
     let folders = std::env::var_os("PATH")?;
     let folders: Vec<PathBuf> = std::env::split_paths(&folders).collect();
     let places = BROWSERS.iter().flat_map(|name| folders.iter().map(move |at| at.join(name)));
@@ -80,12 +80,13 @@ fn browser() -> Option<PathBuf> {
 }
 
 /// What the script has left in the page.
-fn found(browser: &Path, page: &Path, folder: &Path) -> String {
+pub fn found(browser: &Path, page: &Path, folder: &Path, options: &[&str]) -> String {
     let mut command = Command::new(browser);
     command
         .args(["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic"])
         .args(["--no-first-run", "--disable-background-networking", "--virtual-time-budget=20000"])
         .arg(format!("--user-data-dir={}", folder.join("browser").display()))
+        .args(options)
         .arg("--dump-dom")
         .arg(format!("file://{}", page.display()));
     let output = command.output().expect("the browser starts");

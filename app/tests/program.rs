@@ -4,6 +4,7 @@
 //! Apart from these, `reduced` derives in its own process, for which every other process of
 //! the machine has to wait until it ends.
 
+mod accessible;
 mod anywhere;
 mod cli;
 mod cli_sweep;

@@ -16,6 +16,15 @@
   addEventListener("beforeprint", () => root.add("printing"));
   addEventListener("afterprint", () => root.remove("printing"));
 
+  // What scrolls sideways is scrolled by keys too.
+  const scrolling = new ResizeObserver((entries) => {
+    for (const { target } of entries) {
+      if (target.scrollWidth > target.clientWidth) target.tabIndex = 0;
+      else target.removeAttribute("tabindex");
+    }
+  });
+  for (const region of document.querySelectorAll(".scroll")) scrolling.observe(region);
+
   const svg = "http://www.w3.org/2000/svg";
   const values = Object.assign(document.createElement("div"), { id: "values", hidden: true });
   document.body.append(values);

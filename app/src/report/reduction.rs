@@ -76,7 +76,7 @@ fn sizes(explanation: &Explanation) -> Markup {
         div.scroll {
             table {
                 thead { tr {
-                    th { "" }
+                    th { "step" }
                     @for (name, _) in names.into_iter().flatten() { th.number { (name) } }
                 } }
                 tbody {

@@ -1,4 +1,5 @@
-//! The hash of the generator's own text, by which models know what made them.
+//! The hash of the generator's own text, by which models know what made them, and where the
+//! specs are that come with it.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -27,7 +28,16 @@ fn main() -> io::Result<()> {
         let _ = write!(text, "{byte:02x}");
     }
     println!("cargo:rustc-env=MACHINIST_GENERATOR={text}");
+    println!("cargo:rustc-env=MACHINIST_SPECS={}", specs()?.display());
     Ok(())
+}
+
+/// Beside this package among the sources; within it once it is packed, where a link stands among
+/// the sources, which not every system follows.
+fn specs() -> io::Result<PathBuf> {
+    let beside = Path::new("../specs");
+    let place = if beside.is_dir() { beside } else { Path::new("specs") };
+    place.canonicalize()
 }
 
 fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {

@@ -12,19 +12,31 @@ use super::output::print;
 use crate::failure::Failure;
 
 /// A file of `examples/own_machine`, which is a crate of its own and tested as such. Its names
-/// stand for those of a new crate.
+/// stand for those of a new crate. A package that stands alone holds it under another name, since
+/// a crate within a package is not packed.
+#[cfg(not(packed))]
 macro_rules! template {
-    ($file:literal) => {
+    ($file:literal, $packed:literal) => {
         ($file, include_str!(concat!("../../../examples/own_machine/", $file)))
     };
 }
+#[cfg(packed)]
+macro_rules! template {
+    ($file:literal, $packed:literal) => {
+        ($file, include_str!(concat!("../../template/", $packed)))
+    };
+}
 
-const SPEC: (&str, &str) = template!("specs/own_machine.toml");
-const MANIFEST: (&str, &str) = template!("Cargo.toml");
-const FILES: [(&str, &str); 4] =
-    [template!(".gitignore"), template!("build.rs"), SPEC, template!("src/main.rs")];
+const SPEC: (&str, &str) = template!("specs/own_machine.toml", "own_machine.toml");
+const MANIFEST: (&str, &str) = template!("Cargo.toml", "manifest.txt");
+const FILES: [(&str, &str); 4] = [
+    template!(".gitignore", "gitignore.txt"),
+    template!("build.rs", "build.rs.txt"),
+    SPEC,
+    template!("src/main.rs", "main.rs.txt"),
+];
 /// What the template was tested with; only of use beside the sources.
-const LOCK: (&str, &str) = template!("Cargo.lock");
+const LOCK: (&str, &str) = template!("Cargo.lock", "lock.txt");
 /// Name of the template's crate, of its scene, and of the type of that.
 const OWN_NAMES: [&str; 3] = ["own-machine", "own_machine", "OwnMachine"];
 /// The crates it depends on, and their folders in the sources, as the template has them.

@@ -15,7 +15,7 @@ macro_rules! unit {
     ($name:literal) => {
         LibraryUnit {
             name: $name,
-            text: include_str!(concat!("../../../specs/units/", $name, ".toml")),
+            text: include_str!(concat!(env!("MACHINIST_SPECS"), "/units/", $name, ".toml")),
             example: None,
         }
     };
@@ -25,8 +25,13 @@ macro_rules! part {
     ($name:literal) => {
         LibraryUnit {
             name: $name,
-            text: include_str!(concat!("../../../specs/units/", $name, ".toml")),
-            example: Some(include_str!(concat!("../../../specs/scenes/parts/", $name, ".toml"))),
+            text: include_str!(concat!(env!("MACHINIST_SPECS"), "/units/", $name, ".toml")),
+            example: Some(include_str!(concat!(
+                env!("MACHINIST_SPECS"),
+                "/scenes/parts/",
+                $name,
+                ".toml"
+            ))),
         }
     };
 }
@@ -181,14 +186,14 @@ macro_rules! scene {
         LibraryScene {
             name: $name,
             label: concat!("scenes/", $name, ".toml"),
-            text: include_str!(concat!("../../../specs/scenes/", $name, ".toml")),
+            text: include_str!(concat!(env!("MACHINIST_SPECS"), "/scenes/", $name, ".toml")),
         }
     };
     (bench $name:literal) => {
         LibraryScene {
             name: $name,
             label: concat!("bench/", $name, ".toml"),
-            text: include_str!(concat!("../../../specs/scenes/bench/", $name, ".toml")),
+            text: include_str!(concat!(env!("MACHINIST_SPECS"), "/scenes/bench/", $name, ".toml")),
         }
     };
 }

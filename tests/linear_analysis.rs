@@ -374,13 +374,13 @@ fn a_machine_answers_within_constraints_as_it_does_by_its_angle() {
                 .each_ref()
                 .map(|linear| linear.response(from, to, &frequencies).expect("it answers"));
             let (largest, _) = one.peak().map_or((0.0, 0.0), |(at, size)| (size, at));
-            for index in 0..frequencies.len() {
+            for (index, frequency) in frequencies.iter().enumerate() {
                 let polar = |response: &machinist::linear_analysis::Response| {
                     Complex64::from_polar(response.amplitudes[index], response.phases[index])
                 };
                 let off = (polar(&one) - polar(&other)).norm();
                 let size = polar(&one).norm().max(1e-9 * largest);
-                assert!(off <= 1e-8 * size, "{to} by {from} at {}: {off:e}", frequencies[index]);
+                assert!(off <= 1e-8 * size, "{to} by {from} at {frequency}: {off:e}");
             }
         }
     }

@@ -100,6 +100,11 @@ impl Tangents<'_> {
     }
 
     #[cfg(not(feature = "linear"))]
+    #[expect(
+        clippy::unused_self,
+        clippy::unnecessary_wraps,
+        reason = "as where it is searched for"
+    )]
     fn balance(&self, _: &Start<'_>, _: &[usize], _: &mut [f64]) -> Result<bool, SimulateError> {
         Ok(false)
     }

@@ -19,7 +19,7 @@ impl Library {
     pub fn find(given: Option<&Path>) -> Result<Self, Failure> {
         let path = match given {
             Some(path) => path.to_owned(),
-            None => places().into_iter().find(|place| place.is_file()).ok_or_else(missing)?,
+            None => built().ok_or_else(missing)?,
         };
         let bytes = fs::read(&path).map_err(|error| Failure::file(&path, &error))?;
         if !is_library(&bytes) {
@@ -48,16 +48,19 @@ fn built_name() -> String {
     format!("{DLL_PREFIX}machinist_fmu{DLL_SUFFIX}")
 }
 
-/// Where a build puts it: beside the program, or where its tests find it; and where the program
-/// was built.
-fn places() -> Vec<PathBuf> {
+/// What was built last beside the program, or where its tests find it; else with the program, in
+/// its sources.
+fn built() -> Option<PathBuf> {
     let name = built_name();
-    let mut places = Vec::new();
-    if let Some(folder) = current_exe().ok().as_deref().and_then(Path::parent) {
-        places.extend([folder.join(&name), folder.join("deps").join(&name)]);
-    }
-    places.extend(sources().map(|folder| folder.join("target").join("release").join(&name)));
-    places
+    let program = current_exe().ok();
+    let beside = program
+        .as_deref()
+        .and_then(Path::parent)
+        .map(|folder| [folder.join(&name), folder.join("deps").join(&name)]);
+    let changed = |path: &PathBuf| fs::metadata(path).and_then(|file| file.modified()).ok();
+    let newest = beside.into_iter().flatten().filter(|path| path.is_file()).max_by_key(changed);
+    let in_sources = || sources().map(|folder| folder.join("target").join("release").join(&name));
+    newest.or_else(in_sources).filter(|path| path.is_file())
 }
 
 fn missing() -> Failure {

@@ -8,13 +8,15 @@ use std::time::Instant;
 use super::host::{Archive, attributes, hollow_library, number, unpacked};
 use crate::process::{REPOSITORY, answer, assert_refused, machinist};
 
-/// The library that was built beside the tests.
+/// The library that was built with the tests.
 pub fn library() -> PathBuf {
     let folder = Path::new(env!("CARGO_BIN_EXE_machinist")).parent().expect("a folder");
     let name =
         format!("{}machinist_fmu{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
     let places = [folder.join(&name), folder.join("deps").join(&name)];
-    places.into_iter().find(|place| place.is_file()).expect("a library")
+    let changed = |path: &PathBuf| fs::metadata(path).and_then(|file| file.modified()).ok();
+    let found = places.into_iter().filter(|place| place.is_file()).max_by_key(changed);
+    found.expect("a library")
 }
 
 #[test]

@@ -326,8 +326,8 @@ fn what_holds_between_instances_is_an_energy_of_the_scene() {
     let d = |t: f64| {
         (-2.0 * t).exp() * ((frequency * t).cos() + 2.0 / frequency * (frequency * t).sin())
     };
-    assert!(off(&run, "a", |t| (1.0 + d(t)) / 2.0) < 1e-8);
-    assert!(off(&run, "b", |t| (1.0 - d(t)) / 2.0) < 1e-8);
+    assert!(off(&run, "a", |t| 0.5 + 0.5 * d(t)) < 1e-8);
+    assert!(off(&run, "b", |t| 0.5 - 0.5 * d(t)) < 1e-8);
 }
 
 #[test]
@@ -346,66 +346,77 @@ fn a_run_may_last_as_long_as_parameters_say() {
     assert!(refusal(&text("s.x/(1 [m/s])")).contains("a coordinate or state"));
 }
 
-/// Five masses between springs, one as a row, one written out.
-#[test]
-fn a_row_of_instances_is_each_of_them_written_out() {
-    let mass = "coordinates.x = { unit = \"m\", velocity = \"v\" }\n\
-                ports.a = { kind = \"translational\", coordinate = \"x\" }\n\
-                parameters.m = { value = 1, unit = \"kg\" }\nenergy.kinetic = \"m*v^2/2\"";
-    let spring = "[define.r]\n\
-                  coordinates.from = { unit = \"m\" }\ncoordinates.to = { unit = \"m\" }\n\
-                  ports.a = { kind = \"translational\", coordinate = \"from\" }\n\
-                  ports.b = { kind = \"translational\", coordinate = \"to\" }\n\
-                  parameters.k = { value = 1, unit = \"N/m\" }\n\
-                  inputs.free = { unit = \"m\" }\n\
-                  energy.potential = \"k*(to - from - free)^2/2\"";
-    let outputs: String = (1..=5).map(|i| format!("outputs.x{i} = \"mass[{i}].x\"\n")).collect();
-    let row = format!(
-        "units.s = {{ unit = \"s\" }}\n\
-         units.mass = {{ unit = \"s\", count = 5, parameters = {{ m = \"0.2 [kg]*i\" }} }}\n\
-         units.spring = {{ unit = \"r\", count = 4, parameters = {{ k = \"40 [N/m]/i\" }}, \
-         inputs = {{ free = \"0.01 [m]*sin(i*t/(1 [s])) + 0.001*mass[i].x\" }} }}\n\
-         joints = [{{ connect = [\"mass[i].a\", \"spring[i].a\"] }}, \
-         {{ connect = [\"spring[i].b\", \"mass[i+1].a\"] }}]\n\
-         forces = [{{ port = \"mass[i].a\", expression = \"-i*0.5 [N s/m]*mass[i].v\" }}]\n\
-         initial.\"mass[i].x\" = \"0.1 [m]*i^2\"\n{outputs}"
-    );
-    let mut whole = String::from("units.s = { unit = \"s\" }\n");
-    let (mut joints, mut forces) = (String::new(), String::new());
+const MASS: &str = "coordinates.x = { unit = \"m\", velocity = \"v\" }\n\
+    ports.a = { kind = \"translational\", coordinate = \"x\" }\n\
+    parameters.m = { value = 1, unit = \"kg\" }\nenergy.kinetic = \"m*v^2/2\"";
+const SPRING: &str = "[define.r]\n\
+    coordinates.from = { unit = \"m\" }\ncoordinates.to = { unit = \"m\" }\n\
+    ports.a = { kind = \"translational\", coordinate = \"from\" }\n\
+    ports.b = { kind = \"translational\", coordinate = \"to\" }\n\
+    parameters.k = { value = 1, unit = \"N/m\" }\n\
+    inputs.free = { unit = \"m\" }\n\
+    energy.potential = \"k*(to - from - free)^2/2\"";
+
+/// Five masses between four springs, as rows.
+fn rows() -> String {
+    let outputs = (1..=5).map(|i| format!("outputs.x{i} = \"mass[{i}].x\""));
+    let scene = [
+        "units.s = { unit = \"s\" }",
+        "units.mass = { unit = \"s\", count = 5, parameters = { m = \"0.2 [kg]*i\" } }",
+        "units.spring = { unit = \"r\", count = 4, parameters = { k = \"40 [N/m]/i\" }, \
+         inputs = { free = \"0.01 [m]*sin(i*t/(1 [s])) + 0.001*mass[i].x\" } }",
+        "joints = [{ connect = [\"mass[i].a\", \"spring[i].a\"] }, \
+         { connect = [\"spring[i].b\", \"mass[i+1].a\"] }]",
+        "forces = [{ port = \"mass[i].a\", expression = \"-i*0.5 [N s/m]*mass[i].v\" }]",
+        "initial.\"mass[i].x\" = \"0.1 [m]*i^2\"",
+    ];
+    scene.map(str::to_owned).into_iter().chain(outputs).collect::<Vec<_>>().join("\n")
+}
+
+/// The same machine, each mass and spring by itself.
+fn written_out() -> String {
+    let mut lines = vec!["units.s = { unit = \"s\" }".to_owned()];
+    let (mut joints, mut forces) = (Vec::new(), Vec::new());
     for i in 1..=5 {
-        whole += &format!(
-            "units.mass_{i} = {{ unit = \"s\", parameters = {{ m = {} }} }}\n",
-            0.2 * f64::from(i)
-        );
-        forces +=
-            &format!("{{ port = \"mass_{i}.a\", expression = \"-{i}*0.5 [N s/m]*mass_{i}.v\" }},");
-        whole += &format!("initial.\"mass_{i}.x\" = {}\n", 0.1 * f64::from(i * i));
+        let (mass, start) = (0.2 * f64::from(i), 0.1 * f64::from(i * i));
+        lines.push(format!("units.mass_{i} = {{ unit = \"s\", parameters = {{ m = {mass} }} }}"));
+        lines.push(format!("initial.\"mass_{i}.x\" = {start}"));
+        lines.push(format!("outputs.x{i} = \"mass_{i}.x\""));
+        let force = format!("-{i}*0.5 [N s/m]*mass_{i}.v");
+        forces.push(format!("{{ port = \"mass_{i}.a\", expression = \"{force}\" }}"));
     }
     for i in 1..=4 {
-        whole += &format!(
-            "units.spring_{i} = {{ unit = \"r\", parameters = {{ k = {} }}, inputs = {{ free = \
-             \"0.01 [m]*sin({i}*t/(1 [s])) + 0.001*mass_{i}.x\" }} }}\n",
-            40.0 / f64::from(i)
-        );
-        joints += &format!(
-            "{{ connect = [\"mass_{i}.a\", \"spring_{i}.a\"] }}, {{ connect = [\"spring_{i}.b\", \"mass_{}.a\"] }},",
-            i + 1
-        );
+        let stiffness = 40.0 / f64::from(i);
+        lines.push(format!(
+            "units.spring_{i} = {{ unit = \"r\", parameters = {{ k = {stiffness} }}, inputs = \
+             {{ free = \"0.01 [m]*sin({i}*t/(1 [s])) + 0.001*mass_{i}.x\" }} }}"
+        ));
+        let next = i + 1;
+        joints.push(format!("{{ connect = [\"mass_{i}.a\", \"spring_{i}.a\"] }}"));
+        joints.push(format!("{{ connect = [\"spring_{i}.b\", \"mass_{next}.a\"] }}"));
     }
-    whole += &format!("joints = [{joints}]\nforces = [{forces}]\n{outputs}");
-    let machine =
-        |top: &str| of_text(&format!("{}\n{spring}", scene(top, mass, RUN)), Keep::Needed);
-    let (row_run, whole_run) = (run(&machine(&row), &[]), run(&machine(&whole), &[]));
+    lines.push(format!("joints = [{}]\nforces = [{}]", joints.join(", "), forces.join(", ")));
+    lines.join("\n")
+}
+
+fn of_masses(top: &str) -> String {
+    format!("{}\n{SPRING}", scene(top, MASS, RUN))
+}
+
+#[test]
+fn a_row_of_instances_is_each_of_them_written_out() {
+    let [row, whole] =
+        [rows(), written_out()].map(|top| run(&of_text(&of_masses(&top), Keep::Needed), &[]));
     for name in ["x1", "x2", "x3", "x4", "x5"] {
-        let pairs = column(&row_run, name).iter().zip(column(&whole_run, name));
+        let pairs = column(&row, name).iter().zip(column(&whole, name));
         let off = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(off < 1e-12, "{name}: {off}");
     }
-    let refused = |from: &str, to: &str| {
-        let text = format!("{}\n{spring}", scene(&row.replace(from, to), mass, RUN));
-        assert!(text.contains(to));
-        refusal(&text)
-    };
+}
+
+#[test]
+fn rows_that_are_not_there_are_refused() {
+    let own = "units.s = { unit = \"s\" }";
     for (from, to, said) in [
         ("count = 4", "count = 0", "`count` is a whole number from 1"),
         ("count = 4", "count = 2.5", "`count` is a whole number from 1"),
@@ -413,18 +424,16 @@ fn a_row_of_instances_is_each_of_them_written_out() {
         ("mass[i+1].a", "mass[i+9].a", "there is no `i` for which all of this is there"),
         ("mass[i+1].a", "masses[i+1].a", "`masses` is no row of instances"),
         ("mass[5]", "mass[6]", "unknown instance `mass_6`"),
+        (own, &format!("{own}\nunits.mass_2 = {{ unit = \"s\" }}"), "two instances `mass_2`"),
         (
-            "units.s = { unit = \"s\" }",
-            "units.s = { unit = \"s\" }\nunits.mass_2 = { unit = \"s\" }",
-            "two instances `mass_2`",
-        ),
-        (
-            "units.s = { unit = \"s\" }",
-            "units.s = { unit = \"s\" }\nparameters.i = { value = 1, unit = \"1\" }",
+            own,
+            &format!("{own}\nparameters.i = {{ value = 1, unit = \"1\" }}"),
             "`i` is the index of rows",
         ),
     ] {
-        let told = refused(from, to);
+        let text = of_masses(&rows().replace(from, to));
+        assert!(text.contains(to));
+        let told = refusal(&text);
         assert!(told.contains(said), "{to}: {told}");
     }
 }

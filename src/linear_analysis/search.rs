@@ -12,7 +12,7 @@ pub(super) const ACCEPTED: f64 = 1e-9;
 /// Below this nothing is left to gain.
 const ROUNDING: f64 = 1e-15;
 /// Singular values below this, of matrices with rows of length 1, count as zero.
-const RANK: f64 = 1e-10;
+pub(super) const RANK: f64 = 1e-10;
 /// Steps of a creep.
 const MAX_CREEPS: usize = 400;
 /// How far the first of them goes at most, in scales of what moves.

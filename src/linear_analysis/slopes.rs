@@ -17,9 +17,9 @@ use machinist_contract::{Derivatives, Dual, DualFunction, Quantity, Simulator};
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
-use super::equilibrium::{ACCEPTED, RANK};
 use super::modes::eigenvector;
 use super::motions::Places;
+use super::search::{ACCEPTED, RANK};
 use super::{LinearError, Linearization, Mode, ModeKind, Place, Point, position, scales};
 use crate::error::did_you_mean;
 use crate::simulate::Simulation;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use machinist_codegen::spec::dimension::Unit;
+use machinist_codegen::spec::measure::Measure;
 use machinist_fmu::variables::Variables;
 
 use super::xml::Element;
@@ -64,9 +64,13 @@ pub fn units(variables: &Variables) -> Result<Vec<Element>, Failure> {
 
 fn definition(unit: &str) -> Result<Element, Failure> {
     let wrong = |why: &str| Failure::input(format!("unit `{unit}` of the model: {why}"), "");
-    let parsed = Unit::parse(unit).map_err(|error| wrong(&error.message))?;
-    let exponents = parsed.whole_exponents().ok_or_else(|| wrong("it has a root"))?;
+    let Measure { unit: coherent, factor } =
+        Measure::parse(unit).map_err(|error| wrong(&error.message))?;
+    let exponents = coherent.whole_exponents().ok_or_else(|| wrong("it has a root"))?;
     let mut base = Element::new("BaseUnit");
+    if !factor.is_one() {
+        base = base.with_number("factor", factor.to_f64());
+    }
     for (name, exponent) in BASES.into_iter().zip(exponents) {
         base = base.with_some(name, (exponent != 0).then_some(exponent));
     }

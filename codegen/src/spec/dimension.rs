@@ -147,12 +147,16 @@ impl fmt::Display for Dimension {
 }
 
 impl Unit {
-    /// Exponents of kg, m, s, A, K, mol, cd and rad; nothing if one is a half.
+    /// Exponents of kg, m, s, A, K, mol, cd and rad; nothing if one is a fraction.
     #[must_use]
     pub fn whole_exponents(self) -> Option<[i32; 8]> {
-        let [kg, m, s, ampere, kelvin, mol, cd] = self.dimension.0;
-        let halves = [kg, m, s, ampere, kelvin, mol, cd, self.rad];
-        halves.iter().all(|half| half % 2 == 0).then(|| halves.map(|half| half / 2))
+        let whole = |parts: i32, of: i32| (parts % of == 0).then_some(parts / of);
+        let mut exponents = [0; 8];
+        for (exponent, parts) in exponents.iter_mut().zip(self.dimension.0) {
+            *exponent = whole(parts, PARTS)?;
+        }
+        exponents[7] = whole(self.rad, 2)?;
+        Some(exponents)
     }
 
     /// The unit per second.

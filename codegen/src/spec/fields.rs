@@ -3,7 +3,7 @@
 
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::expression::{self, Ast, Literal, Text};
-use crate::spec::measure::{Factor, Measure, UnitError};
+use crate::spec::measure::{Measure, UnitError};
 use crate::spec::names::{self, did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::{Declared, Formula, Value};
@@ -215,16 +215,11 @@ impl<'a> Fields<'a> {
 
     /// A coherent unit of measure that must be there.
     pub fn unit(&mut self) -> Option<Declared> {
-        let of = |text: &str| Ok(Measure { unit: Measure::coherent(text)?, factor: Factor::one() });
-        self.declared(of)
+        self.unit_by(Measure::parse_coherent)
     }
 
-    /// A unit of measure, coherent or not, that must be there.
-    pub fn measure(&mut self) -> Option<Declared> {
-        self.declared(Measure::parse)
-    }
-
-    fn declared(&mut self, read: impl Fn(&str) -> Result<Measure, UnitError>) -> Option<Declared> {
+    /// A unit of measure that must be there, as `read` reads it.
+    pub fn unit_by(&mut self, read: fn(&str) -> Result<Measure, UnitError>) -> Option<Declared> {
         let tree = self.require("unit")?;
         let text = self.as_text(tree, "unit")?;
         match read(&text.value) {

@@ -174,6 +174,14 @@ impl Measure {
         })
     }
 
+    /// Reads a unit of measure that is coherent, of factor 1.
+    ///
+    /// # Errors
+    /// As [`Measure::coherent`].
+    pub fn parse_coherent(text: &str) -> Result<Measure, UnitError> {
+        Ok(Measure { unit: Measure::coherent(text)?, factor: Factor::one() })
+    }
+
     fn times(&self, other: &Measure, exponent: i32) -> Option<Measure> {
         let unit = self.unit.times(other.unit, exponent)?;
         Some(Measure { unit, factor: self.factor.times(&other.factor, exponent)? })
@@ -294,14 +302,14 @@ impl Reader<'_> {
         }
         self.at += 1;
         if self.peek() == Some('(') {
-            return self.root(unit);
+            return self.root(&unit);
         }
         let exponent = self.exponent()?;
         self.bounded(Measure::one().times(&unit, exponent))
     }
 
     /// "(" integer "/" integer ")", of a unit without a factor.
-    fn root(&mut self, of: Measure) -> Result<Measure, UnitError> {
+    fn root(&mut self, of: &Measure) -> Result<Measure, UnitError> {
         let start = self.at;
         self.at += 1;
         let numerator = self.exponent()?;

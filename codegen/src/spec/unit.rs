@@ -5,11 +5,12 @@ use crate::spec::diagnostic::{FileId, Mistake, Spanned};
 use crate::spec::distributed::{self, AttachmentSpec};
 use crate::spec::event;
 use crate::spec::fields::{Fields, Findings};
+use crate::spec::measure::{Measure, UnitError};
 use crate::spec::names::{self, did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::{
-    CoordinateSpec, Declared, DefinitionSpec, EnergySpec, ForceSpec, InputSpec, ParameterSpec,
-    PortKind, PortSpec, PowerSpec, StateSpec, Symbol, UnitSpec,
+    CoordinateSpec, DefinitionSpec, EnergySpec, ForceSpec, InputSpec, ParameterSpec, PortKind,
+    PortSpec, PowerSpec, StateSpec, Symbol, UnitSpec,
 };
 
 /// Reads a unit found by `name`; `whole` if it is a file of its own, which must
@@ -154,22 +155,22 @@ fn port(entry: &Entry, found: &mut Findings) -> Option<PortSpec> {
 
 /// Reads a parameter of a unit.
 fn parameter(entry: &Entry, found: &mut Findings) -> Option<ParameterSpec> {
-    parameter_in(entry, found, |fields| fields.unit())
+    parameter_in(entry, found, Measure::parse_coherent)
 }
 
 /// Reads a parameter of a scene, which may be in a unit that is not coherent.
 pub fn parameter_of_scene(entry: &Entry, found: &mut Findings) -> Option<ParameterSpec> {
-    parameter_in(entry, found, |fields| fields.measure())
+    parameter_in(entry, found, Measure::parse)
 }
 
 fn parameter_in(
     entry: &Entry,
     found: &mut Findings,
-    unit: fn(&mut Fields<'_>) -> Option<Declared>,
+    read: fn(&str) -> Result<Measure, UnitError>,
 ) -> Option<ParameterSpec> {
     let mut fields = open(entry, "parameter", found);
     let value = fields.require("value").and_then(|tree| fields.as_value(tree, "value"));
-    let unit = unit(&mut fields);
+    let unit = fields.unit_by(read);
     let doc = fields.text("doc");
     fields.close();
     Some(ParameterSpec { name: entry.key.clone(), value: value?, unit: unit?, doc })
@@ -185,22 +186,22 @@ fn input(entry: &Entry, found: &mut Findings) -> Option<InputSpec> {
 
 /// Reads a helper or an output of a unit.
 pub fn definition(entry: &Entry, found: &mut Findings) -> Option<DefinitionSpec> {
-    definition_in(entry, found, |fields| fields.unit())
+    definition_in(entry, found, Measure::parse_coherent)
 }
 
 /// Reads an output of a scene, which may be shown in a unit that is not coherent.
 pub fn output_of_scene(entry: &Entry, found: &mut Findings) -> Option<DefinitionSpec> {
-    definition_in(entry, found, |fields| fields.measure())
+    definition_in(entry, found, Measure::parse)
 }
 
 fn definition_in(
     entry: &Entry,
     found: &mut Findings,
-    unit: fn(&mut Fields<'_>) -> Option<Declared>,
+    read: fn(&str) -> Result<Measure, UnitError>,
 ) -> Option<DefinitionSpec> {
     let mut fields = open(entry, "definition", found);
     let expression = fields.required_expression("expression");
-    let unit = unit(&mut fields);
+    let unit = fields.unit_by(read);
     let doc = fields.text("doc");
     fields.close();
     Some(DefinitionSpec { name: entry.key.clone(), expression: expression?, unit: unit?, doc })

@@ -12,7 +12,8 @@ mod readable {
     use machinist::improve::{
         Expression, ExpressionError, Function, Inequality, Node, Operator, Reduction,
     };
-    use machinist_codegen::spec::dimension::{Dimension, Unit};
+    use machinist_codegen::spec::dimension::Dimension;
+    use machinist_codegen::spec::measure::Measure;
     use machinist_contract::Simulator;
 
     /// A dimension; nothing of a bare number, which is in the unit of what it stands beside.
@@ -70,7 +71,7 @@ mod readable {
     }
 
     fn seconds() -> Dimension {
-        Unit::parse("s").map(|unit| unit.dimension).unwrap_or_default()
+        Dimension::TIME
     }
 
     fn dimension(
@@ -82,7 +83,7 @@ mod readable {
             || ExpressionError::new("its unit has exponents that are too large", range.clone());
         match &expression.node {
             Node::Number(_, None) => Ok(None),
-            Node::Number(_, Some(unit)) => match Unit::parse(unit) {
+            Node::Number(_, Some(unit)) => match Measure::coherent(unit) {
                 Ok(unit) => Ok(Some(unit.dimension)),
                 Err(error) => {
                     let message = format!("`{unit}` is no unit of measure: {}", error.message);
@@ -93,8 +94,16 @@ mod readable {
                 Ok(Some(seconds()))
             }
             Node::Name(name) => {
-                let unit = unit_of(name, simulator).and_then(|unit| Unit::parse(unit).ok());
-                Ok(unit.map(|unit| unit.dimension))
+                let Some(measure) = unit_of(name, simulator).map(Measure::parse) else {
+                    return Ok(None);
+                };
+                let Ok(Measure { unit, factor }) = measure else { return Ok(None) };
+                if factor.is_one() {
+                    return Ok(Some(unit.dimension));
+                }
+                let message = format!("`{name}` is shown in a unit that is not coherent");
+                let help = "add an output in its SI unit, and name that here";
+                Err(ExpressionError::new(message, range.clone()).with_help(help.to_owned()))
             }
             Node::Negative(a) | Node::Call(Function::Abs, a) => dimension(a, simulator),
             Node::Call(Function::Sqrt, a) => match dimension(a, simulator)? {

@@ -160,7 +160,9 @@ impl Assembler<'_> {
             ReferenceSpec::Column { csv, column } => {
                 let mut rows = self.column(csv, column, (&check.of.value, of.dimension))?;
                 let factor = of.factor.to_f64();
-                rows.iter_mut().for_each(|[_, value]| *value /= factor);
+                for [_, value] in &mut rows {
+                    *value /= factor;
+                }
                 Ok(Reference::Values(rows))
             }
         }

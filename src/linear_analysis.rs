@@ -17,6 +17,7 @@
 //!
 //! All is dense algebra, for scenes of up to [`MAX_STATES`] states.
 
+mod bends;
 mod campbell;
 pub mod differences;
 mod equilibrium;

@@ -190,7 +190,7 @@ impl Real for Dual {
     }
 }
 
-/// A function of a simulator of which derivatives are wanted, besides those of y' itself.
+/// A function of a simulator of which derivatives are wanted besides dy'/dy and dy'/dp.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[allow(missing_docs, reason = "each is the function of the table of this name")]
 pub enum DualFunction {
@@ -204,7 +204,6 @@ pub enum DualFunction {
     ConstraintRates,
     ConstraintMatrix,
     MassMatrix,
-    RateJacobian,
 }
 
 /// Functions of a simulator on dual numbers: what sensitivities along a run take. Everything
@@ -245,7 +244,6 @@ impl<S: Simulator<Dual>> Derivatives for S {
             DualFunction::ConstraintRates => S::constraint_rates,
             DualFunction::ConstraintMatrix => S::constraint_matrix,
             DualFunction::MassMatrix => S::mass_matrix,
-            DualFunction::RateJacobian => S::rate_jacobian,
         };
         of_motion(self, time, state, parameters, values);
     }

@@ -106,6 +106,17 @@ pub enum LinearError {
         /// The last modes that were tried.
         modes: String,
     },
+    /// Differences of the Jacobian that tend to nothing, as at a kink.
+    #[error(
+        "scene `{scene}`: how its Jacobian changes{} could not be told; it may have a kink there",
+        parameter.as_ref().map_or_else(String::new, |name| format!(" with `{name}`"))
+    )]
+    Unsettled {
+        /// The scene.
+        scene: String,
+        /// The parameter, if it was by one.
+        parameter: Option<String>,
+    },
     /// A matrix has no inverse.
     #[error("{what} is singular")]
     Singular {

@@ -7,8 +7,7 @@
 //! d lambda/dp = w^T (dA/dp) x/(w^T x),   dA/dp = A_p + A_y dy/dp
 //! ```
 //!
-//! where y is the point, which moves with p: A on dual numbers has both at once, exact to
-//! rounding. dy/dp of a start and of a state along the run are those of the run's
+//! where y is the point, which moves with p: both at once, see [`bends`](super::bends). dy/dp of a start and of a state along the run are those of the run's
 //! sensitivities; that of an equilibrium follows from its equations, see [`PointSlopes::of`].
 
 use std::ops::AddAssign;
@@ -17,6 +16,7 @@ use machinist_contract::{Derivatives, Dual, DualFunction, Quantity, Simulator};
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
+use super::bends::changes;
 use super::modes::eigenvector;
 use super::motions::Places;
 use super::search::{ACCEPTED, RANK};
@@ -162,13 +162,10 @@ impl Linearization<'_> {
 
     /// dA/dp along the moves of the point, in the order of the pattern, for each parameter.
     fn matrix_slopes(&self, point: &PointSlopes) -> Result<Vec<Vec<f64>>, LinearError> {
-        let Point { time, state, parameters } = &self.point;
         let directions: Vec<_> = (0..point.parameters.len())
             .map(|k| (Some(point.parameters[k]), point.state.column(k).iter().copied().collect()))
             .collect();
-        let count = self.simulator.rate_jacobian_pattern().entries.len();
-        let at = (*time, &state[..], &parameters[..]);
-        along(self.simulator, DualFunction::RateJacobian, count, at, &directions)
+        changes(self.simulator, &self.point, &directions)
     }
 }
 
@@ -309,8 +306,7 @@ fn equations(
         let given = parameters.iter().map(|index| (Some(*index), vec![0.0; scales.len()]));
         let directions: Vec<_> = states.chain(given).collect();
         let pattern = simulator.rate_jacobian_pattern();
-        let count = pattern.entries.len();
-        let changes = along(simulator, DualFunction::RateJacobian, count, at, &directions)?;
+        let changes = changes(simulator, point, &directions)?;
         for (direction, values) in changes.iter().enumerate() {
             let change = crate::complex_step::dense(pattern, values);
             let bent = change.select_rows(&dynamic).select_columns(positions) * &rates;

@@ -35,7 +35,6 @@ fn function_of(function: DualFunction) -> FunctionId {
         DualFunction::ConstraintRates => FunctionId::ConstraintRates,
         DualFunction::ConstraintMatrix => FunctionId::ConstraintMatrix,
         DualFunction::MassMatrix => FunctionId::MassMatrix,
-        DualFunction::RateJacobian => FunctionId::RateJacobian,
     }
 }
 

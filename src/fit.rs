@@ -48,6 +48,16 @@ impl Unknown {
         }
     }
 
+    /// Where a search starts, as it knows it.
+    pub(crate) fn inner_start(&self) -> f64 {
+        self.inner(self.start)
+    }
+
+    /// Bounds, likewise.
+    pub(crate) fn inner_bounds(&self) -> (f64, f64) {
+        (self.inner(self.bounds.0), self.inner(self.bounds.1))
+    }
+
     pub(crate) fn inner(&self, value: f64) -> f64 {
         if self.is_logarithmic() { value.ln() } else { value / self.size() }
     }
@@ -118,15 +128,13 @@ impl Fit<'_> {
     /// Where the search starts, as it knows it.
     #[must_use]
     pub fn start(&self) -> Vec<f64> {
-        self.unknowns.iter().map(|unknown| unknown.inner(unknown.start)).collect()
+        self.unknowns.iter().map(Unknown::inner_start).collect()
     }
 
     /// Bounds, as the search knows them.
     #[must_use]
     pub fn bounds(&self) -> Vec<(f64, f64)> {
-        let of =
-            |unknown: &Unknown| (unknown.inner(unknown.bounds.0), unknown.inner(unknown.bounds.1));
-        self.unknowns.iter().map(of).collect()
+        self.unknowns.iter().map(Unknown::inner_bounds).collect()
     }
 
     /// Values of the unknowns.

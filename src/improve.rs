@@ -121,15 +121,13 @@ impl Improvement<'_> {
     /// Where the search starts, as it knows it.
     #[must_use]
     pub fn start(&self) -> Vec<f64> {
-        self.unknowns.iter().map(|unknown| unknown.inner(unknown.start)).collect()
+        self.unknowns.iter().map(Unknown::inner_start).collect()
     }
 
     /// Bounds, as the search knows them.
     #[must_use]
     pub fn bounds(&self) -> Vec<(f64, f64)> {
-        let of =
-            |unknown: &Unknown| (unknown.inner(unknown.bounds.0), unknown.inner(unknown.bounds.1));
-        self.unknowns.iter().map(of).collect()
+        self.unknowns.iter().map(Unknown::inner_bounds).collect()
     }
 
     /// Values of the unknowns.

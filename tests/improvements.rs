@@ -9,6 +9,7 @@ use machinist_model::ModelSimulator;
 use machinist_scenes::scenes::saw_gin::SawGin;
 
 use crate::own_scene::of_text;
+use crate::sensitivities::bouncing_ball;
 
 fn unknown(name: &str, start: f64, bounds: (f64, f64)) -> Unknown {
     Unknown { name: name.to_owned(), start, bounds }
@@ -99,48 +100,10 @@ fn derivatives_of_expressions_agree_with_differences() {
     assert!(off < 2e-6, "{off}");
 }
 
-fn bouncing() -> ModelSimulator {
-    of_text(
-        r#"
-        [scene]
-        name = "balls"
-        [units.ball]
-        unit = "ball"
-        [parameters.height]
-        value = 1.0
-        unit = "m"
-        [initial]
-        "ball.x" = "height"
-        [run]
-        until = 1.1
-        points = 2001
-        rtol = 1e-11
-        method = "dop853"
-        [outputs]
-        x = "ball.x"
-        v = "ball.v"
-        [define.ball.coordinates.x]
-        unit = "m"
-        velocity = "v"
-        [define.ball.parameters]
-        gravity = { value = 9.81, unit = "m/s^2" }
-        restitution = { value = 0.8, unit = "1" }
-        [define.ball.energy]
-        kinetic = "1 [kg]*v^2/2"
-        potential = "1 [kg]*gravity*x"
-        [define.ball.events.bounce]
-        guard = "x"
-        direction = "falling"
-        set = { v = "-restitution*v" }
-        "#,
-        Keep::Needed,
-    )
-}
-
 #[test]
 fn through_events_they_do_as_well() {
-    let scene = bouncing();
-    let run = Simulation::new(&scene);
+    let scene = bouncing_ball();
+    let run = Simulation::new(&scene).until(1.1).points(2001).rtol(1e-11);
     let free = (f64::NEG_INFINITY, f64::INFINITY);
     let unknowns = [unknown("ball.restitution", 0.8, free), unknown("height", 1.0, free)];
     // The height after the first bounce is e^2 h, its time sqrt(2 h/g) (1 + e).

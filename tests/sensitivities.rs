@@ -6,6 +6,8 @@ use machinist_contract::Simulator;
 use machinist_scenes::scenes;
 
 use crate::common::{Oscillator, oscillator_state};
+use machinist_model::ModelSimulator;
+
 use crate::own_scene::{of_specs, of_text};
 
 const EXPLICIT: [Method; 2] = [Method::Tsit5, Method::Dop853];
@@ -131,9 +133,8 @@ fn units_divide_and_names_are_told() {
 
 /// A ball of restitution e that falls from h: it lands at t_0 = sqrt(2 h/g), and for the n-th
 /// time at t_0 (1 + 2 e + ... + 2 e^(n-1)), with speed e^n sqrt(2 g h) upwards from there.
-#[test]
-fn bounces_have_the_derivatives_of_their_closed_form() {
-    let ball = of_text(
+pub fn bouncing_ball() -> ModelSimulator {
+    of_text(
         r#"
         [scene]
         name = "balls"
@@ -168,7 +169,12 @@ fn bounces_have_the_derivatives_of_their_closed_form() {
         set = { v = "-restitution*v" }
         "#,
         Keep::Needed,
-    );
+    )
+}
+
+#[test]
+fn bounces_have_the_derivatives_of_their_closed_form() {
+    let ball = bouncing_ball();
     let (g, e, h) = (9.81_f64, 0.8_f64, 1.0_f64);
     // Position after the n-th bounce as a function of g, e, h.
     let position = |t: f64, g: f64, e: f64, h: f64, n: i32| {

@@ -16,7 +16,7 @@ use machinist_contract::{Derivatives, Dual, DualFunction, Quantity, Simulator};
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
-use super::bends::changes;
+use super::bends::{Direction, changes};
 use super::modes::eigenvector;
 use super::motions::Places;
 use super::search::{ACCEPTED, RANK};
@@ -414,7 +414,7 @@ fn along(
     function: DualFunction,
     count: usize,
     (time, state, parameters): (f64, &[f64], &[f64]),
-    directions: &[(Option<usize>, Vec<f64>)],
+    directions: &[Direction],
 ) -> Result<Vec<Vec<f64>>, LinearError> {
     let derivatives: &dyn Derivatives = simulator.derivatives().ok_or_else(|| {
         crate::SimulateError::NoDerivatives { scene: simulator.name().to_owned() }

@@ -166,12 +166,7 @@ impl FitCommand {
             let found = answer.parameters.iter().zip(&are_parameters).map(|(found, is_it)| {
                 FoundValue { name: &found.name, value: found.value, is_parameter: *is_it }
             });
-            let set = self.set.iter().map(|(name, value)| FoundValue {
-                name,
-                value: *value,
-                is_parameter: true,
-            });
-            write_scene(&self.scene, &found.chain(set).collect::<Vec<_>>(), file)?;
+            write_scene(&self.scene, found, &self.set, file)?;
         }
         if self.json {
             let text = serde_json::to_string_pretty(&answer)

@@ -142,12 +142,7 @@ impl Improve {
             let found = answer.parameters.iter().zip(&are_parameters).map(|(found, is_it)| {
                 FoundValue { name: &found.name, value: found.value, is_parameter: *is_it }
             });
-            let set = self.set.iter().map(|(name, value)| FoundValue {
-                name,
-                value: *value,
-                is_parameter: true,
-            });
-            write_scene(&self.scene, &found.chain(set).collect::<Vec<_>>(), file)?;
+            write_scene(&self.scene, found, &self.set, file)?;
         }
         self.tell(&answer, &scene)?;
         self.verdict(&searched.found)

@@ -11,10 +11,15 @@ pub struct FoundValue<'a> {
     pub is_parameter: bool,
 }
 
-/// Writes the text of a scene, as the command line gives it, with other values; never over what
-/// it was read from.
+/// Writes the text of a scene, as the command line gives it, with the values found and those of
+/// parameters that were set; never over what it was read from.
 #[cfg(feature = "derive")]
-pub fn write_scene(scene: &str, found: &[FoundValue<'_>], file: &Path) -> Result<(), Failure> {
+pub fn write_scene<'a>(
+    scene: &str,
+    found: impl Iterator<Item = FoundValue<'a>>,
+    set: &'a [(String, f64)],
+    file: &Path,
+) -> Result<(), Failure> {
     use machinist_codegen::spec::library::LibraryScene;
     use machinist_codegen::spec::rewrite::{Setting, with_settings};
 
@@ -45,7 +50,9 @@ pub fn write_scene(scene: &str, found: &[FoundValue<'_>], file: &Path) -> Result
         let message = format!("--out {} would overwrite the scene itself", file.display());
         return Err(Failure::input(message, "give another name"));
     }
-    let setting = |found: &FoundValue<'_>| {
+    let set =
+        set.iter().map(|(name, value)| FoundValue { name, value: *value, is_parameter: true });
+    let setting = |found: FoundValue<'_>| {
         let name = found.name.to_owned();
         if found.is_parameter {
             Setting::Parameter(name, found.value)
@@ -53,7 +60,7 @@ pub fn write_scene(scene: &str, found: &[FoundValue<'_>], file: &Path) -> Result
             Setting::Initial(name, found.value)
         }
     };
-    let settings: Vec<Setting> = found.iter().map(setting).collect();
+    let settings: Vec<Setting> = found.chain(set).map(setting).collect();
     let text = with_settings(&text, &settings)
         .map_err(|why| Failure::unsuccessful(format!("--out {}: {why}", file.display()), ""))?;
     super::output::write_file(file, |out| out.write_all(text.as_bytes()))
@@ -61,7 +68,12 @@ pub fn write_scene(scene: &str, found: &[FoundValue<'_>], file: &Path) -> Result
 
 /// This program reads no specs.
 #[cfg(not(feature = "derive"))]
-pub fn write_scene(_scene: &str, _found: &[FoundValue<'_>], file: &Path) -> Result<(), Failure> {
+pub fn write_scene<'a>(
+    _scene: &str,
+    _found: impl Iterator<Item = FoundValue<'a>>,
+    _set: &'a [(String, f64)],
+    file: &Path,
+) -> Result<(), Failure> {
     let message = format!("--out {}: this program was built without specs", file.display());
     Err(Failure::input(message, "take the values from the table, or `--json`"))
 }

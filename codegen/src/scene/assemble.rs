@@ -206,12 +206,7 @@ impl<'a> Assembler<'a> {
                 &power.supplied,
                 &power.dissipated,
             ];
-            for ((text, wanted), terms) in texts.into_iter().zip(&wanted).zip(&mut terms) {
-                if let Some(ast) = text {
-                    let resolved = self.resolver.expect(ast, Scope::Instance(index), wanted);
-                    terms.push(self.note(resolved));
-                }
-            }
+            self.energy_terms(&texts, Scope::Instance(index), &wanted, &mut terms);
             if energy.potential.is_some()
                 && let Some(potential) = terms[1].last().cloned()
             {
@@ -220,13 +215,24 @@ impl<'a> Assembler<'a> {
         }
         let energy = &self.spec.energy;
         let texts = [&energy.kinetic, &energy.potential, &energy.dissipation, &energy.stored];
-        for ((text, wanted), terms) in texts.into_iter().zip(&wanted).zip(&mut terms) {
+        self.energy_terms(&texts, Scope::Scene, &wanted, &mut terms);
+        (terms.map(sum), springs)
+    }
+
+    /// Adds what each text says, if it is there, to the terms of its sum.
+    fn energy_terms(
+        &mut self,
+        texts: &[&Option<Ast>],
+        scope: Scope,
+        wanted: &[Wanted],
+        terms: &mut [Vec<Expr>],
+    ) {
+        for ((text, wanted), terms) in texts.iter().zip(wanted).zip(terms) {
             if let Some(ast) = text {
-                let resolved = self.resolver.expect(ast, Scope::Scene, wanted);
+                let resolved = self.resolver.expect(ast, scope, wanted);
                 terms.push(self.note(resolved));
             }
         }
-        (terms.map(sum), springs)
     }
 
     /// Q of each coordinate of the scene: a force on a coordinate that follows

@@ -539,3 +539,19 @@ fn unknown(function: &str, name: Span, span: Span, given: usize) -> Mistake {
     let message = format!("unknown function {}", quoted(function));
     Mistake::new(name, message, "unknown").help(did_you_mean(function, known))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{OTHERS, PURE};
+    use crate::spec::FUNCTIONS;
+
+    #[test]
+    fn no_name_may_be_that_of_a_function() {
+        let pure = PURE.iter().map(|(name, _)| *name);
+        let mut known: Vec<&str> = pure.chain(OTHERS.iter().map(|(name, _)| *name)).collect();
+        let mut reserved = FUNCTIONS.to_vec();
+        known.sort_unstable();
+        reserved.sort_unstable();
+        assert_eq!(known, reserved);
+    }
+}

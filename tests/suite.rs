@@ -3,6 +3,7 @@
 mod common;
 mod own_scene;
 
+mod algebras;
 mod bench_scenes;
 mod bends;
 mod campbell;

@@ -5,14 +5,17 @@
 //! cargo run --release -p machinist-codegen --example derivation_times -- bodies 3 5 7 10
 //! cargo run --release -p machinist-codegen --example derivation_times -- rotors 100 300 1000
 //! cargo run --release -p machinist-codegen --example derivation_times -- specs/scenes/*.toml
+//! cargo run --release -p machinist-codegen --example derivation_times -- --plain bodies 10
 //! ```
+//!
+//! With `--plain` by our own algebra, otherwise by Symbolica.
 //!
 //! Peak memory is that of the process so far: for one of its own, name one machine a run.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use machinist_codegen::cas::session;
+use machinist_codegen::cas::{Algebra, session};
 use machinist_codegen::emit::EmitOptions;
 use machinist_codegen::emit::rust::emit;
 use machinist_codegen::mechanics::lagrange;
@@ -24,7 +27,13 @@ use machinist_codegen::{lower, pipeline};
 mod machines;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let mut arguments: Vec<String> = std::env::args().skip(1).collect();
+    let algebra = if arguments.first().is_some_and(|first| first == "--plain") {
+        arguments.remove(0);
+        Algebra::Plain
+    } else {
+        Algebra::default()
+    };
     let kind = arguments.first().map_or("", String::as_str);
     let make: Option<fn(usize) -> String> = match kind {
         "bodies" => Some(machines::bodies),
@@ -40,13 +49,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let Some(make) = make else {
         for scene in &arguments {
             let name = Path::new(scene).file_stem().unwrap_or_default();
-            measure(&name.to_string_lossy(), Path::new(scene))?;
+            measure(&name.to_string_lossy(), Path::new(scene), algebra)?;
         }
         return Ok(());
     };
     for count in &arguments[1..] {
         let scene = made(&make(count.parse()?))?;
-        measure(&format!("{kind} {count}"), &scene)?;
+        measure(&format!("{kind} {count}"), &scene, algebra)?;
     }
     Ok(())
 }
@@ -62,7 +71,7 @@ fn made(text: &str) -> std::io::Result<PathBuf> {
 
 /// One row: seconds to check, to derive the equations, to derive the reduced model with
 /// its derivatives (`all`), of which to lower it, and to emit it.
-fn measure(name: &str, scene: &Path) -> Result<(), Box<dyn std::error::Error>> {
+fn measure(name: &str, scene: &Path, algebra: Algebra) -> Result<(), Box<dyn std::error::Error>> {
     let start = Instant::now();
     let system = match pipeline::check(scene) {
         Ok(system) => system,
@@ -77,7 +86,7 @@ fn measure(name: &str, scene: &Path) -> Result<(), Box<dyn std::error::Error>> {
     };
     let check = start.elapsed().as_secs_f64();
     let again = system.clone();
-    let (derive, linear) = session(name, move |cas| {
+    let (derive, linear) = session(name, algebra, move |cas| {
         let start = Instant::now();
         let equations = lagrange::derive(cas, &again);
         let derive = start.elapsed().as_secs_f64();
@@ -88,7 +97,7 @@ fn measure(name: &str, scene: &Path) -> Result<(), Box<dyn std::error::Error>> {
     let lower = start.elapsed().as_secs_f64();
     drop(linear);
     let start = Instant::now();
-    let model = pipeline::compile(system, Keep::Needed)?;
+    let model = pipeline::compile_by(algebra, system, Keep::Needed)?;
     let all = start.elapsed().as_secs_f64();
     let start = Instant::now();
     let text = emit(&model, &EmitOptions::for_build_script());

@@ -14,7 +14,7 @@ use machinist_model::Model;
 use machinist_model::file::Stamped;
 use serde::{Deserialize, Serialize};
 
-use crate::cas::{Cas, CasError, session};
+use crate::cas::{Algebra, Cas, CasError, session};
 use crate::emit::document::{Document, Notation};
 use crate::mechanics::density::{self, FieldEquations};
 use crate::mechanics::dependencies::Dependencies;
@@ -38,8 +38,20 @@ pub fn generate(scene: &Path, keep: Keep) -> Result<Model, Diagnostics> {
 /// # Errors
 /// As [`generate`].
 pub fn compile(system: LagrangianSystem, keep: Keep) -> Result<Model, Diagnostics> {
+    compile_by(Algebra::default(), system, keep)
+}
+
+/// A checked scene to its model, worked out by an algebra of one's choice.
+///
+/// # Errors
+/// As [`generate`].
+pub fn compile_by(
+    algebra: Algebra,
+    system: LagrangianSystem,
+    keep: Keep,
+) -> Result<Model, Diagnostics> {
     let keep = possible(&system, keep);
-    let linear = session(&system.name.clone(), move |cas| {
+    let linear = session(&system.name.clone(), algebra, move |cas| {
         let equations = lagrange::derive(cas, &system);
         decided(&equations)?;
         let needed = reduce(cas, &equations, keep)?;
@@ -142,22 +154,23 @@ pub struct Derivation {
 /// As [`generate`].
 pub fn derivation(system: LagrangianSystem, keep: Keep) -> Result<Derivation, Diagnostics> {
     let keep = possible(&system, keep);
-    let (equations, whole, steps) = session(&system.name.clone(), move |cas| {
-        let equations = lagrange::derive(cas, &system);
-        decided(&equations)?;
-        let mut steps: Vec<(Keep, EquationsOfMotion)> = Vec::new();
-        for step in Keep::STEPS.into_iter().filter(|step| *step <= keep) {
-            let reduced = reduce(cas, &equations, step)?;
-            if *steps.last().map_or(&equations, |(_, last)| last) != reduced {
-                steps.push((step, reduced));
+    let (equations, whole, steps) =
+        session(&system.name.clone(), Algebra::default(), move |cas| {
+            let equations = lagrange::derive(cas, &system);
+            decided(&equations)?;
+            let mut steps: Vec<(Keep, EquationsOfMotion)> = Vec::new();
+            for step in Keep::STEPS.into_iter().filter(|step| *step <= keep) {
+                let reduced = reduce(cas, &equations, step)?;
+                if *steps.last().map_or(&equations, |(_, last)| last) != reduced {
+                    steps.push((step, reduced));
+                }
             }
-        }
-        let linear: Vec<_> =
-            steps.iter().map(|(step, reduced)| (*step, Linear::of(cas, reduced))).collect();
-        let whole = Linear::of(cas, &equations);
-        defined(cas)?;
-        Ok::<_, Diagnostics>((equations, whole, linear))
-    })??;
+            let linear: Vec<_> =
+                steps.iter().map(|(step, reduced)| (*step, Linear::of(cas, reduced))).collect();
+            let whole = Linear::of(cas, &equations);
+            defined(cas)?;
+            Ok::<_, Diagnostics>((equations, whole, linear))
+        })??;
     let steps = steps.iter().map(|(step, linear)| Ok((*step, linear.lower()?)));
     let steps = steps.collect::<Result<_, Diagnostics>>()?;
     let stages = Stages { whole: whole.lower()?, steps };
@@ -184,7 +197,7 @@ pub fn check(scene: &Path) -> Result<LagrangianSystem, Diagnostics> {
 /// As [`generate`].
 pub fn derive(scene: &Path) -> Result<EquationsOfMotion, Diagnostics> {
     let system = check(scene)?;
-    session(&system.name.clone(), move |cas| {
+    session(&system.name.clone(), Algebra::default(), move |cas| {
         let equations = lagrange::derive(cas, &system);
         decided(&equations)?;
         defined(cas).map(|()| equations)

@@ -6,7 +6,7 @@
 //! ```
 
 use crate::support;
-use machinist_codegen::cas::session;
+use machinist_codegen::cas::{Algebra, session};
 use machinist_codegen::expr::{CoordinateId, Expr, Function, ParameterId, Symbol};
 use machinist_codegen::lower::lower;
 use machinist_codegen::mechanics::lagrange;
@@ -86,7 +86,7 @@ fn chain(n: u32) -> LagrangianSystem {
 }
 
 fn program(system: LagrangianSystem) -> Model {
-    let linearization = session("a test", move |cas| {
+    let linearization = session("a test", Algebra::default(), move |cas| {
         let equations = lagrange::derive(cas, &system);
         linearize(cas, &equations)
     });

@@ -2,11 +2,9 @@
 
 use num_rational::BigRational;
 use num_traits::Signed as _;
-use symbolica::atom::{Atom, AtomCore};
 
-use super::convert::{to_atom, to_expr};
-use super::functions::Vocabulary;
-use crate::expr::extent::{bits, expanded};
+use super::{Cas, Form, Kind, plain};
+use crate::expr::extent::{self, bits};
 use crate::expr::trigonometry::{combine, has_sine};
 use crate::expr::{Expr, Function, operations, weigh};
 
@@ -26,12 +24,14 @@ const FACTORED_LIMIT: f64 = 1500.0;
 
 /// Whether multiplying an expression out has a result of bounded size.
 pub(super) fn may_be_expanded(expr: &Expr) -> bool {
-    expanded(expr).leaves <= EXPANDED_LIMIT && bits(expr) <= NUMBER_LIMIT
+    extent::expanded(expr).leaves <= EXPANDED_LIMIT && bits(expr) <= NUMBER_LIMIT
 }
 
 /// Whether putting an expression over one denominator does.
 pub(super) fn may_be_factored(expr: &Expr) -> bool {
-    expanded(expr).leaves <= FACTORED_LIMIT && bits(expr) <= NUMBER_LIMIT && !has_high_degree(expr)
+    extent::expanded(expr).leaves <= FACTORED_LIMIT
+        && bits(expr) <= NUMBER_LIMIT
+        && !has_high_degree(expr)
 }
 
 /// Powers higher than this are not factored.
@@ -42,8 +42,8 @@ const NUMBER_LIMIT: u64 = 8192;
 
 /// The form whose tape takes the least time: as it is, multiplied out with
 /// trigonometric identities applied, with common factors collected, or factored.
-pub(super) fn cheapest(vocabulary: &mut Vocabulary, atom: &Atom) -> Expr {
-    let expr = to_expr(vocabulary, atom.as_view());
+pub(super) fn cheapest(cas: &mut Cas, form: &Form) -> Expr {
+    let expr = cas.expr(form);
     let (size, cost) = weigh(&expr);
     let is_expanded = size <= EXPAND_LIMIT && may_be_expanded(&expr);
     let mut best = (cost, expr);
@@ -57,30 +57,61 @@ pub(super) fn cheapest(vocabulary: &mut Vocabulary, atom: &Atom) -> Expr {
         }
     };
     if is_expanded {
-        let expanded = trigonometric(vocabulary, &atom.expand());
-        offer(to_expr(vocabulary, expanded.collect_factors().as_view()));
-        let as_sum = to_expr(vocabulary, expanded.as_view());
+        let expanded = expanded(cas, form);
+        offer(collected(cas, &expanded));
+        let as_sum = cas.expr(&expanded);
         if size <= FACTOR_LIMIT && may_be_factored(&as_sum) {
-            offer(to_expr(vocabulary, expanded.factor().as_view()));
+            factored(cas, &expanded).into_iter().for_each(&mut offer);
         }
         offer(as_sum);
     } else {
-        let combined = trigonometric(vocabulary, atom);
-        offer(to_expr(vocabulary, combined.as_view()));
+        let combined = trigonometric(cas, form);
+        offer(cas.expr(&combined));
     }
     best.1
 }
 
+/// With factors that terms share before them.
+fn collected(cas: &Cas, form: &Form) -> Expr {
+    match &form.0 {
+        #[cfg(feature = "symbolica")]
+        Kind::Symbolica(known) => cas.expr(&known.collect().into()),
+        Kind::Plain(_) => plain::collect(&cas.expr(form)),
+    }
+}
+
+/// As a product of polynomials, if the algebra finds one.
+#[cfg_attr(not(feature = "symbolica"), expect(unused_variables, reason = "ours finds none"))]
+fn factored(cas: &Cas, form: &Form) -> Option<Expr> {
+    match &form.0 {
+        #[cfg(feature = "symbolica")]
+        Kind::Symbolica(known) => Some(cas.expr(&known.factor().into())),
+        Kind::Plain(_) => None,
+    }
+}
+
 /// The form itself, or multiplied out with trigonometric identities applied if that
 /// is shorter, written out without any sharing.
-pub(super) fn shorter(vocabulary: &mut Vocabulary, atom: &Atom) -> Atom {
-    let expr = to_expr(vocabulary, atom.as_view());
+pub(super) fn shorter(cas: &mut Cas, form: &Form) -> Form {
+    let expr = cas.expr(form);
     if operations(&expr) > EXPAND_LIMIT || !may_be_expanded(&expr) {
-        return atom.clone();
+        return form.clone();
     }
-    let expanded = trigonometric(vocabulary, &atom.expand());
-    let size = |atom: &Atom| atom.as_view().get_byte_size();
-    if size(&expanded) < size(atom) { expanded } else { atom.clone() }
+    let expanded = expanded(cas, form);
+    if size(&expanded) < size(form) { expanded } else { form.clone() }
+}
+
+fn size(form: &Form) -> usize {
+    match &form.0 {
+        #[cfg(feature = "symbolica")]
+        Kind::Symbolica(known) => known.size(),
+        Kind::Plain(plain) => plain.size(),
+    }
+}
+
+/// Multiplied out, with trigonometric identities applied.
+pub(super) fn expanded(cas: &mut Cas, form: &Form) -> Form {
+    trigonometric(cas, &form.expand())
 }
 
 /// Whether there is a high power, or an exponential with a number in its argument:
@@ -106,18 +137,17 @@ fn has_high_degree(expr: &Expr) -> bool {
 }
 
 /// Pythagoras and the addition theorems, as often as they apply.
-pub(super) fn trigonometric(vocabulary: &mut Vocabulary, atom: &Atom) -> Atom {
-    let mut current = atom.clone();
-    loop {
-        let expr = to_expr(vocabulary, current.as_view());
-        if !has_sine(&expr) {
-            return current;
+fn trigonometric(cas: &mut Cas, form: &Form) -> Form {
+    let mut current = form.clone();
+    let mut expr = cas.expr(&current);
+    while has_sine(&expr) {
+        // The algebra puts what is joined in normal form again.
+        let next = cas.form(&combine(&expr));
+        let joined = cas.expr(&next);
+        if joined == expr {
+            break;
         }
-        // Symbolica puts what is joined in normal form again.
-        let next = to_atom(vocabulary, &combine(&expr));
-        if next == current {
-            return current;
-        }
-        current = next;
+        (current, expr) = (next, joined);
     }
+    current
 }

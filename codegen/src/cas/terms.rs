@@ -3,8 +3,6 @@
 
 use std::collections::HashMap;
 
-use symbolica::atom::AtomView;
-
 use super::{Cas, Form};
 use crate::expr::Symbol;
 
@@ -16,10 +14,7 @@ pub struct Terms {
 
 impl Terms {
     pub(super) fn of(cas: &Cas, form: &Form) -> Self {
-        let terms: Vec<Form> = match form.0.as_view() {
-            AtomView::Add(sum) => sum.iter().map(|term| Form(term.to_owned())).collect(),
-            _ => vec![form.clone()],
-        };
+        let terms = form.terms();
         let mut places: HashMap<Symbol, Vec<usize>> = HashMap::new();
         for (place, term) in terms.iter().enumerate() {
             for symbol in cas.expr(term).symbols() {

@@ -13,21 +13,21 @@ type CasSymbol = symbolica::atom::Symbol;
 
 /// Variables and functions, registered in one fixed order so that forms do not
 /// depend on which scene came first.
-pub(super) struct Vocabulary {
+pub(in crate::cas) struct Vocabulary {
     variables: HashMap<Symbol, CasSymbol>,
     names: HashMap<CasSymbol, Symbol>,
     functions: Vec<(Function, CasSymbol)>,
     select_less: CasSymbol,
     table: CasSymbol,
     /// Whether an expression without a value was taken in.
-    pub(super) undefined: bool,
+    pub(in crate::cas) undefined: bool,
 }
 
 /// Variables of each kind that are registered beforehand.
 const POOL: u32 = 128;
 
 impl Vocabulary {
-    pub(super) fn new() -> Self {
+    pub(in crate::cas) fn new() -> Self {
         let mut vocabulary = Vocabulary {
             variables: HashMap::new(),
             names: HashMap::new(),

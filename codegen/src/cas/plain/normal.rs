@@ -1,0 +1,246 @@
+//! Normal forms.
+//!
+//! - A sum is flat, holds no two terms that differ by a number only, and is sorted.
+//! - A product is flat, its number stands before its other factors, each base is there once,
+//!   and these are sorted. A number times a sum is a sum.
+//! - Whole powers of products and of powers are products and powers; a power of half a whole
+//!   number is one of a square root, for (x^2)^(1/2) is not x.
+//!
+//! Two expressions with the same normal form are equal; equal ones may have different forms.
+
+use std::collections::HashMap;
+
+use num_rational::BigRational;
+use num_traits::{One as _, Pow as _, Signed as _, ToPrimitive as _, Zero as _};
+
+use crate::expr::{Expr, Function};
+
+/// Bits beyond which powers of numbers are not worked out.
+const MOST_BITS: u64 = 1 << 16;
+
+/// The normal form of an expression; `undefined` is set if it divides by zero or takes the
+/// logarithm of zero as it stands.
+pub(in crate::cas) fn normal(expr: &Expr, undefined: &mut bool) -> Expr {
+    let mut all = |parts: &[Expr]| -> Vec<Expr> {
+        parts.iter().map(|part| normal(part, undefined)).collect()
+    };
+    match expr {
+        Expr::Number(_) | Expr::Symbol(_) => expr.clone(),
+        Expr::Sum(terms) => sum(all(terms)),
+        Expr::Product(factors) => product(all(factors)),
+        Expr::Power(base, exponent) => {
+            let (base, exponent) = (normal(base, undefined), normal(exponent, undefined));
+            let is_positive = matches!(&exponent, Expr::Number(value) if value.is_positive());
+            if base.is_zero() && !is_positive {
+                *undefined = true;
+                return Expr::integer(0);
+            }
+            power(base, exponent)
+        }
+        Expr::Call(function, arguments) => {
+            let arguments = all(arguments);
+            if *function == Function::Ln && arguments[0].is_zero() {
+                *undefined = true;
+                return Expr::integer(0);
+            }
+            call(*function, arguments)
+        }
+    }
+}
+
+/// A function of arguments in normal form.
+pub(super) fn call(function: Function, mut arguments: Vec<Expr>) -> Expr {
+    let argument = &arguments[0];
+    let at_zero = argument.is_zero();
+    let at_one = matches!(argument, Expr::Number(value) if value.is_one());
+    match function {
+        Function::SelectLess if arguments[2] == arguments[3] => arguments.swap_remove(2),
+        Function::Sqrt
+        | Function::Abs
+        | Function::Sin
+        | Function::Tan
+        | Function::Asin
+        | Function::Atan
+        | Function::Sinh
+        | Function::Tanh
+            if at_zero =>
+        {
+            Expr::integer(0)
+        }
+        Function::Exp | Function::Cos | Function::Cosh if at_zero => Expr::integer(1),
+        Function::Ln if at_one => Expr::integer(0),
+        Function::Sqrt if at_one => Expr::integer(1),
+        _ => Expr::Call(function, arguments),
+    }
+}
+
+/// A number, and what it is multiplied by.
+fn split(term: Expr) -> (BigRational, Expr) {
+    match term {
+        Expr::Product(mut factors) if matches!(factors[0], Expr::Number(_)) => {
+            let Expr::Number(number) = factors.remove(0) else { unreachable!("it was a number") };
+            (number, single(factors, Expr::Product))
+        }
+        other => (BigRational::one(), other),
+    }
+}
+
+/// A number times what is neither a number nor a sum and has none before it.
+fn scaled(number: BigRational, rest: Expr) -> Expr {
+    if number.is_one() {
+        return rest;
+    }
+    match rest {
+        Expr::Product(mut factors) => {
+            factors.insert(0, Expr::Number(number));
+            Expr::Product(factors)
+        }
+        other => Expr::Product(vec![Expr::Number(number), other]),
+    }
+}
+
+fn single(mut parts: Vec<Expr>, many: impl Fn(Vec<Expr>) -> Expr) -> Expr {
+    if parts.len() == 1 { parts.swap_remove(0) } else { many(parts) }
+}
+
+/// The sum of terms in normal form.
+pub(super) fn sum(terms: impl IntoIterator<Item = Expr>) -> Expr {
+    let mut all = Terms::default();
+    terms.into_iter().for_each(|term| all.take(term));
+    all.into_expr()
+}
+
+#[derive(Default)]
+struct Terms {
+    number: BigRational,
+    terms: HashMap<Expr, BigRational>,
+}
+
+impl Terms {
+    fn take(&mut self, term: Expr) {
+        match term {
+            Expr::Sum(terms) => terms.into_iter().for_each(|term| self.take(term)),
+            Expr::Number(value) => self.number += value,
+            other => {
+                let (number, rest) = split(other);
+                *self.terms.entry(rest).or_default() += number;
+            }
+        }
+    }
+
+    fn into_expr(self) -> Expr {
+        let left = self.terms.into_iter().filter(|(_, number)| !number.is_zero());
+        let mut terms: Vec<Expr> = left.map(|(rest, number)| scaled(number, rest)).collect();
+        if !self.number.is_zero() || terms.is_empty() {
+            terms.push(Expr::Number(self.number));
+        }
+        terms.sort_unstable();
+        single(terms, Expr::Sum)
+    }
+}
+
+/// The product of factors in normal form.
+pub(super) fn product(factors: impl IntoIterator<Item = Expr>) -> Expr {
+    let mut all =
+        Factors { number: BigRational::one(), exponents: HashMap::new(), powers: Vec::new() };
+    factors.into_iter().for_each(|factor| all.take(factor));
+    all.into_expr()
+}
+
+struct Factors {
+    number: BigRational,
+    /// Where the power of a base is.
+    exponents: HashMap<Expr, usize>,
+    powers: Vec<(Expr, Expr)>,
+}
+
+impl Factors {
+    fn take(&mut self, factor: Expr) {
+        match factor {
+            Expr::Product(factors) => factors.into_iter().for_each(|factor| self.take(factor)),
+            Expr::Number(value) => self.number *= value,
+            Expr::Power(base, exponent) => self.multiply(*base, *exponent),
+            other => self.multiply(other, Expr::integer(1)),
+        }
+    }
+
+    fn multiply(&mut self, base: Expr, exponent: Expr) {
+        if let Some(place) = self.exponents.get(&base) {
+            let known = &mut self.powers[*place].1;
+            let before = std::mem::replace(known, Expr::integer(0));
+            *known = sum([before, exponent]);
+        } else {
+            self.exponents.insert(base.clone(), self.powers.len());
+            self.powers.push((base, exponent));
+        }
+    }
+
+    fn into_expr(self) -> Expr {
+        let mut number = self.number;
+        if number.is_zero() {
+            return Expr::integer(0);
+        }
+        let mut factors = Vec::new();
+        for (base, exponent) in self.powers {
+            // A power may have become whole, and so a product or a number.
+            match power(base, exponent) {
+                Expr::Number(value) => number *= value,
+                Expr::Product(parts) => {
+                    let rest = Expr::Product(factors);
+                    return product([Expr::Number(number), rest, Expr::Product(parts)]);
+                }
+                other => factors.push(other),
+            }
+        }
+        factors.sort_unstable();
+        match &mut factors[..] {
+            [] => Expr::Number(number),
+            [Expr::Sum(terms)] if !number.is_one() => {
+                let terms = std::mem::take(terms);
+                sum(terms.into_iter().map(|term| product([Expr::Number(number.clone()), term])))
+            }
+            _ => scaled(number, single(factors, Expr::Product)),
+        }
+    }
+}
+
+/// A power of base and exponent in normal form. Of zero to a power that is not positive it is
+/// what it says.
+pub(super) fn power(base: Expr, exponent: Expr) -> Expr {
+    let Expr::Number(value) = &exponent else {
+        let is_one = matches!(&base, Expr::Number(value) if value.is_one());
+        return if is_one { base } else { Expr::Power(Box::new(base), Box::new(exponent)) };
+    };
+    if value.is_one() {
+        return base;
+    }
+    if value.is_zero() && !base.is_zero() {
+        return Expr::integer(1);
+    }
+    if *value.denom() == 2.into() {
+        let root = call(Function::Sqrt, vec![base]);
+        return power(root, Expr::Number(BigRational::from_integer(value.numer().clone())));
+    }
+    match base {
+        Expr::Number(number) => match worked_out(&number, value) {
+            Some(number) => Expr::Number(number),
+            None => Expr::Power(Box::new(Expr::Number(number)), Box::new(exponent)),
+        },
+        Expr::Power(base, inner) if value.is_integer() => power(*base, product([*inner, exponent])),
+        Expr::Product(factors) if value.is_integer() => {
+            product(factors.into_iter().map(|factor| power(factor, exponent.clone())))
+        }
+        base => Expr::Power(Box::new(base), Box::new(exponent)),
+    }
+}
+
+/// A whole power of a number, if it is one and not too long.
+fn worked_out(number: &BigRational, exponent: &BigRational) -> Option<BigRational> {
+    if number.is_one() {
+        return Some(number.clone());
+    }
+    let exponent = exponent.is_integer().then(|| exponent.numer().to_i32()).flatten()?;
+    let bits = number.numer().bits().max(number.denom().bits());
+    let is_short = bits * u64::from(exponent.unsigned_abs()) <= MOST_BITS;
+    (is_short && (exponent > 0 || !number.is_zero())).then(|| number.clone().pow(exponent))
+}

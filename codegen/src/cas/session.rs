@@ -1,0 +1,135 @@
+//! Where algebra runs.
+//!
+//! Without a key Symbolica may run in one thread of one process of a machine at a time. So
+//! one thread of this process runs every session of it, and it holds an advisory file lock
+//! from its first session to the end of the process, so that other processes wait for it.
+//! Our own algebra needs neither.
+
+use std::any::Any;
+use std::panic::resume_unwind;
+
+use super::{Algebra, Cas};
+
+/// Why a session could not be held.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum CasError {
+    /// The lock that keeps processes apart could not be taken.
+    #[error("cannot take the lock on Symbolica at {path}")]
+    #[diagnostic(help("the folder must exist and be writable"))]
+    Lock {
+        /// Where the lock file is.
+        path: std::path::PathBuf,
+        /// What the system said.
+        #[source]
+        source: std::io::Error,
+    },
+    /// No thread to run in, or it is gone.
+    #[error("the thread that runs the algebra has ended")]
+    Gone,
+}
+
+/// The environment variable of processes whose parent has said on whose terms they derive.
+pub const GREETED: &str = "MACHINIST_GREETED";
+
+/// Bytes of stack of the thread that runs the sessions: expressions nest some six hundred
+/// levels deep, and their derivatives deeper.
+const STACK: usize = 256 << 20;
+
+type Value = Box<dyn Any + Send>;
+type Job = Box<dyn FnOnce(&mut Cas) -> Value + Send>;
+
+/// Runs `job` where the algebra may run, and waits for its result. Who has to wait for this
+/// process is told `purpose`, such as the name of a scene.
+///
+/// # Errors
+/// If the lock that Symbolica needs, shared by all processes of the machine, cannot be taken.
+///
+/// # Panics
+/// With the panic of `job`, if it panics.
+pub fn session<T, F>(purpose: &str, algebra: Algebra, job: F) -> Result<T, CasError>
+where
+    T: Send + 'static,
+    F: FnOnce(&mut Cas) -> T + Send + 'static,
+{
+    #[cfg(test)]
+    let job = crate::faults::carried(job);
+    let job: Job = Box::new(move |cas| Box::new(job(cas)));
+    let done = match algebra {
+        #[cfg(feature = "symbolica")]
+        Algebra::Symbolica => guarded::run(purpose.to_owned(), job)?,
+        Algebra::Plain => std::thread::Builder::new()
+            .stack_size(STACK)
+            .spawn(move || job(&mut Cas::plain()))
+            .map_err(|_| CasError::Gone)?
+            .join(),
+    };
+    #[cfg(not(feature = "symbolica"))]
+    let _ = purpose;
+    match done {
+        Ok(value) => value.downcast::<T>().map(|value| *value).map_err(|_| CasError::Gone),
+        Err(panic) => resume_unwind(panic),
+    }
+}
+
+/// Sessions of what only one thread of the machine may use.
+#[cfg(feature = "symbolica")]
+mod guarded {
+    use std::panic::{AssertUnwindSafe, catch_unwind};
+    use std::sync::{OnceLock, mpsc};
+
+    use super::{Cas, CasError, GREETED, Job, STACK, Value};
+    use crate::cas::lock;
+
+    type Reply = std::thread::Result<Value>;
+    type Request = (String, Job, mpsc::Sender<Result<Reply, CasError>>);
+
+    /// Runs a job on the one thread.
+    pub(super) fn run(purpose: String, job: Job) -> Result<Reply, CasError> {
+        static WORKER: OnceLock<mpsc::Sender<Request>> = OnceLock::new();
+        let worker = WORKER.get_or_init(|| {
+            let (sender, receiver) = mpsc::channel::<Request>();
+            let work = move || {
+                let mut cas: Option<Cas> = None;
+                for (purpose, job, reply) in receiver {
+                    let answer = started(&mut cas, &purpose)
+                        .map(|cas| catch_unwind(AssertUnwindSafe(|| job(cas))));
+                    // The asker may be gone; then nobody needs the answer.
+                    let _ = reply.send(answer);
+                }
+            };
+            // Without a thread its end of the channel is gone, which the asker is told.
+            let _ = std::thread::Builder::new().stack_size(STACK).spawn(work);
+            sender
+        });
+        let (sender, receiver) = mpsc::channel();
+        worker.send((purpose, job, sender)).map_err(|_| CasError::Gone)?;
+        receiver.recv().map_err(|_| CasError::Gone)?
+    }
+
+    /// Starts the system at the first session.
+    fn started<'a>(cas: &'a mut Option<Cas>, purpose: &str) -> Result<&'a mut Cas, CasError> {
+        if cas.is_none() {
+            lock::hold_for_this_process(purpose)?;
+            keep_standard_output_clean();
+            *cas = Some(Cas::symbolica());
+        }
+        cas.as_mut().ok_or(CasError::Gone)
+    }
+
+    /// Symbolica greets on standard output unless told not to by its documented
+    /// switch; we say what it would say on standard error instead.
+    fn keep_standard_output_clean() {
+        #[expect(unsafe_code, reason = "the switch is an environment variable")]
+        // SAFETY: Rust's own readers of the environment are locked against this
+        // writer, and nothing here calls C code that reads it.
+        unsafe {
+            std::env::set_var("SYMBOLICA_HIDE_BANNER", "1");
+        }
+        if std::env::var_os(GREETED).is_none() {
+            eprintln!(
+                "machinist: deriving with Symbolica, for non-commercial use without a key of \
+                 your own; see docs/licensing.md"
+            );
+        }
+    }
+}

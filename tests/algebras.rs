@@ -1,0 +1,101 @@
+//! Models derived by our own algebra, without Symbolica: the same machines, by equations that
+//! may be written otherwise.
+
+use std::path::{Path, PathBuf};
+
+use machinist::Simulation;
+use machinist::field::{Discretisation, FieldSimulator};
+use machinist::trajectory::{ColumnKind, Trajectory};
+use machinist_codegen::cas::Algebra;
+use machinist_codegen::independent::{Comparison, elements};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_codegen::pipeline;
+use machinist_codegen::scene::system::LagrangianSystem;
+use machinist_contract::Simulator;
+use machinist_model::ModelSimulator;
+use machinist_scenes::scenes;
+use machinist_studies::double_double::DoubleDouble;
+
+/// Rounding beside the size of what numbers are put together from.
+const LIMIT: f64 = 3e-12;
+/// Random places of each scene.
+const PLACES: usize = 5;
+
+/// Every scene of the folder and of those within it.
+fn specs(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            specs(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "toml") {
+            found.push(path);
+        }
+    }
+}
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes")
+}
+
+fn checked(path: &Path) -> LagrangianSystem {
+    pipeline::check(path).unwrap_or_else(|errors| panic!("{}", errors.render()))
+}
+
+/// The simulator that our own algebra gives.
+fn plain(system: &LagrangianSystem) -> ModelSimulator {
+    let model = pipeline::compile_by(Algebra::Plain, system.clone(), Keep::Needed);
+    ModelSimulator::new(model.unwrap_or_else(|errors| panic!("{}", errors.render())))
+}
+
+/// Largest difference to the second derivation, relative to what it is put together from.
+fn deviation(system: &LagrangianSystem, simulator: &dyn Simulator<f64>) -> f64 {
+    let comparison = Comparison::new(system, simulator, DoubleDouble::to_f64);
+    let comparison = comparison.unwrap_or_else(|error| panic!("{}: {error}", system.name));
+    let parameters = 0..simulator.shape().parameters;
+    let parameters: Vec<f64> = parameters.map(|k| simulator.parameter_default(k)).collect();
+    let found = comparison.at_random(PLACES, &parameters, 0x5eed);
+    assert!(found.compared > 0, "{}: nothing was compared", system.name);
+    found.error
+}
+
+#[test]
+fn every_scene_is_what_its_energies_say() {
+    let mut paths = Vec::new();
+    specs(&folder(), &mut paths);
+    assert!(paths.len() > 100, "{}", paths.len());
+    for path in paths {
+        let system = checked(&path);
+        let simulator = plain(&system);
+        let error = if system.fields.is_empty() {
+            deviation(&system, &simulator)
+        } else {
+            let (written_out, elements) = elements::written_out(&system).expect("elements");
+            let cut = Discretisation { elements: Some(elements), order: None };
+            let simulator = FieldSimulator::new(&simulator, cut).expect("it can be cut so");
+            deviation(&written_out, &simulator)
+        };
+        assert!(error <= LIMIT, "{}: {error:e}", path.display());
+    }
+}
+
+/// At a tolerance of 1e-12.
+fn run(simulator: &dyn Simulator<f64>) -> Trajectory {
+    let run = Simulation::new(simulator).rtol(1e-12).run();
+    run.unwrap_or_else(|error| panic!("{}: {error}", simulator.name()))
+}
+
+#[test]
+fn emitted_scenes_run_as_those_derived_with_symbolica() {
+    for name in scenes::NAMES {
+        let simulator = plain(&checked(&folder().join(format!("{name}.toml"))));
+        let own = run(&simulator);
+        let other = run(scenes::find_f64(name).expect("a scene"));
+        for column in other.of_kind(ColumnKind::Output) {
+            let size = column.values.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
+            let values = own.column(&column.name).expect("the same output");
+            for (a, b) in values.iter().zip(&column.values) {
+                assert!((a - b).abs() <= 1e-9 * size, "{name}: {} {a:e} {b:e}", column.name);
+            }
+        }
+    }
+}

@@ -22,6 +22,7 @@ mod campbell;
 pub mod differences;
 mod equilibrium;
 mod error;
+mod inverse_iteration;
 mod modes;
 mod motions;
 mod operating_point;

@@ -13,14 +13,16 @@ mod symbolica;
 mod terms;
 
 use crate::expr::{Expr, Symbol, identity};
+use crate::scene::system::LagrangianSystem;
 use plain::Plain;
+use serde::{Deserialize, Serialize};
 pub use session::{CasError, GREETED, session};
 #[cfg(feature = "symbolica")]
 use symbolica::{Known, Vocabulary};
 pub use terms::Terms;
 
 /// What works expressions out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Algebra {
     /// The computer algebra system of that name, which knows most. It waits for whoever on
@@ -32,6 +34,28 @@ pub enum Algebra {
     /// motion, by equations that are less simplified here and there.
     #[cfg_attr(not(feature = "symbolica"), default)]
     Plain,
+}
+
+/// Coordinates beyond which a machine is worked out by our own algebra: where there are so
+/// many, what Symbolica could simplify further is no longer read, and people wait for it.
+const MANY: usize = 100;
+
+impl Algebra {
+    /// The one that a machine is worked out by unless somebody says otherwise.
+    #[must_use]
+    pub fn of(system: &LagrangianSystem) -> Self {
+        if system.coordinates.len() > MANY { Algebra::Plain } else { Algebra::default() }
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            #[cfg(feature = "symbolica")]
+            Algebra::Symbolica => "symbolica",
+            Algebra::Plain => "plain",
+        }
+    }
 }
 
 /// An algebra during a session.

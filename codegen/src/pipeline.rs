@@ -38,7 +38,7 @@ pub fn generate(scene: &Path, keep: Keep) -> Result<Model, Diagnostics> {
 /// # Errors
 /// As [`generate`].
 pub fn compile(system: LagrangianSystem, keep: Keep) -> Result<Model, Diagnostics> {
-    compile_by(Algebra::default(), system, keep)
+    compile_by(Algebra::of(&system), system, keep)
 }
 
 /// A checked scene to its model, worked out by an algebra of one's choice.
@@ -138,6 +138,8 @@ impl Stages {
 /// Everything that is derived of a scene, for people and for machines.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Derivation {
+    /// What worked it out.
+    pub algebra: Algebra,
     /// Models, step by step.
     pub stages: Stages,
     /// The equations of the whole scene as text.
@@ -154,27 +156,28 @@ pub struct Derivation {
 /// As [`generate`].
 pub fn derivation(system: LagrangianSystem, keep: Keep) -> Result<Derivation, Diagnostics> {
     let keep = possible(&system, keep);
-    let (equations, whole, steps) =
-        session(&system.name.clone(), Algebra::default(), move |cas| {
-            let equations = lagrange::derive(cas, &system);
-            decided(&equations)?;
-            let mut steps: Vec<(Keep, EquationsOfMotion)> = Vec::new();
-            for step in Keep::STEPS.into_iter().filter(|step| *step <= keep) {
-                let reduced = reduce(cas, &equations, step)?;
-                if *steps.last().map_or(&equations, |(_, last)| last) != reduced {
-                    steps.push((step, reduced));
-                }
+    let algebra = Algebra::of(&system);
+    let (equations, whole, steps) = session(&system.name.clone(), algebra, move |cas| {
+        let equations = lagrange::derive(cas, &system);
+        decided(&equations)?;
+        let mut steps: Vec<(Keep, EquationsOfMotion)> = Vec::new();
+        for step in Keep::STEPS.into_iter().filter(|step| *step <= keep) {
+            let reduced = reduce(cas, &equations, step)?;
+            if *steps.last().map_or(&equations, |(_, last)| last) != reduced {
+                steps.push((step, reduced));
             }
-            let linear: Vec<_> =
-                steps.iter().map(|(step, reduced)| (*step, Linear::of(cas, reduced))).collect();
-            let whole = Linear::of(cas, &equations);
-            defined(cas)?;
-            Ok::<_, Diagnostics>((equations, whole, linear))
-        })??;
+        }
+        let linear: Vec<_> =
+            steps.iter().map(|(step, reduced)| (*step, Linear::of(cas, reduced))).collect();
+        let whole = Linear::of(cas, &equations);
+        defined(cas)?;
+        Ok::<_, Diagnostics>((equations, whole, linear))
+    })??;
     let steps = steps.iter().map(|(step, linear)| Ok((*step, linear.lower()?)));
     let steps = steps.collect::<Result<_, Diagnostics>>()?;
     let stages = Stages { whole: whole.lower()?, steps };
     Ok(Derivation {
+        algebra,
         text: Document::new(&equations, Notation::Text),
         latex: Document::new(&equations, Notation::Latex),
         dependencies: Dependencies::new(&equations, &stages.needed().reduction),
@@ -197,7 +200,8 @@ pub fn check(scene: &Path) -> Result<LagrangianSystem, Diagnostics> {
 /// As [`generate`].
 pub fn derive(scene: &Path) -> Result<EquationsOfMotion, Diagnostics> {
     let system = check(scene)?;
-    session(&system.name.clone(), Algebra::default(), move |cas| {
+    let algebra = Algebra::of(&system);
+    session(&system.name.clone(), algebra, move |cas| {
         let equations = lagrange::derive(cas, &system);
         decided(&equations)?;
         defined(cas).map(|()| equations)
@@ -236,14 +240,29 @@ pub fn stamped(model: Model, keep: Keep) -> Stamped {
     Stamped { generator: format!("{GENERATOR}, {}", keep.name()), model }
 }
 
-/// What makes models here: name, version, and the hash of its own text.
-pub const GENERATOR: &str = concat!(
-    env!("CARGO_PKG_NAME"),
-    " ",
-    env!("CARGO_PKG_VERSION"),
-    " ",
-    env!("MACHINIST_GENERATOR")
-);
+/// The words of [`GENERATOR`], and more.
+macro_rules! generator {
+    ($($more:literal)?) => {
+        concat!(
+            env!("CARGO_PKG_NAME"),
+            " ",
+            env!("CARGO_PKG_VERSION"),
+            " ",
+            env!("MACHINIST_GENERATOR")
+            $(, $more)?
+        )
+    };
+}
+
+/// What makes models here: name, version, and the hash of its own text; and whether it is
+/// without Symbolica, by which models differ.
+#[cfg(feature = "symbolica")]
+pub const GENERATOR: &str = generator!();
+
+/// What makes models here: name, version, and the hash of its own text; and whether it is
+/// without Symbolica, by which models differ.
+#[cfg(not(feature = "symbolica"))]
+pub const GENERATOR: &str = generator!(" plain");
 
 impl From<CasError> for Diagnostics {
     fn from(error: CasError) -> Self {

@@ -7,6 +7,7 @@ use num_complex::Complex64;
 use serde::Serialize;
 
 use super::equilibrium::drift_and_rest;
+use super::inverse_iteration::InverseIteration;
 use super::motions::Motions;
 use super::within::Within;
 use super::{LinearError, Linearization};
@@ -16,7 +17,6 @@ const ZERO: f64 = 1e-11;
 /// Eigenvalues closer than this, likewise, share a space of shapes.
 const CLUSTER: f64 = 1e-7;
 const MAX_ITERATIONS: usize = 100_000;
-const INVERSE_ITERATIONS: usize = 4;
 
 /// One natural motion: dy = Re(shape e^(eigenvalue t)).
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -89,7 +89,7 @@ impl Linearization<'_> {
     /// split off first; left in, they would form a defective double zero with the
     /// velocity along them, which rounding turns into eigenvalues of size 1e-8. The
     /// rest is balanced and brought to Schur form. Shapes come by inverse iteration
-    /// with the whole matrix, and eigenvalues are improved by the quotient of left
+    /// with the Hessenberg form of the whole matrix, and eigenvalues are improved by the quotient of left
     /// and right eigenvector, w A x/(w x).
     ///
     /// Of a machine with constraints, all this is done with the motions that these
@@ -128,7 +128,7 @@ struct Problem {
     solved: Motions,
     matrix: DMatrix<f64>,
     complex: DMatrix<Complex64>,
-    transposed: DMatrix<Complex64>,
+    iteration: InverseIteration,
     norm: f64,
 }
 
@@ -149,7 +149,7 @@ impl Problem {
             whole: whole.map(Complex64::from),
             within,
             norm: matrix.norm(),
-            transposed: complex.transpose(),
+            iteration: InverseIteration::new(&matrix),
             solved,
             matrix,
             complex,
@@ -214,8 +214,7 @@ impl Problem {
         let near = |other: &Complex64| (other - value).norm() <= CLUSTER * self.norm;
         let same: Vec<&DVector<Complex64>> =
             found.iter().filter(|(other, _)| near(other)).map(|(_, vector)| vector).collect();
-        let right = eigenvector((&self.complex, self.norm), value, number, &same);
-        let left = eigenvector((&self.transposed, self.norm), value, number, &[]);
+        let [right, left] = self.iteration.vectors(value, number, &same);
         let overlap = left.dot(&right);
         let is_simple = value != Complex64::ZERO && same.is_empty() && overlap.norm() > CLUSTER;
         if is_simple {
@@ -273,34 +272,4 @@ impl Problem {
         let index = largest.unwrap_or(0);
         if index < self.coordinates { index } else { index + self.coordinates }
     }
-}
-
-/// A vector of length 1 with matrix x = value x, by inverse iteration, across the ones already
-/// found for the same value; the matrix comes with its norm.
-pub(super) fn eigenvector(
-    (matrix, norm): (&DMatrix<Complex64>, f64),
-    value: Complex64,
-    number: usize,
-    found: &[&DVector<Complex64>],
-) -> DVector<Complex64> {
-    let size = matrix.nrows();
-    // Slightly off the eigenvalue, so that the matrix can be inverted.
-    let shift = value + Complex64::from(8.0 * f64::EPSILON * norm);
-    let shifted = matrix - DMatrix::identity(size, size) * shift;
-    let lu = shifted.lu();
-    let start = |index: usize| (1.0 + (index + 1) as f64 * (number + 2) as f64).cos();
-    let mut vector = DVector::from_fn(size, |index, _| Complex64::from(start(index)));
-    for _ in 0..INVERSE_ITERATIONS {
-        let Some(mut next) = lu.solve(&vector) else { break };
-        for other in found {
-            let along = other.dotc(&next);
-            next.axpy(-along, other, Complex64::ONE);
-        }
-        let norm = next.norm();
-        if !(norm.is_finite() && norm > 0.0) {
-            break;
-        }
-        vector = next.unscale(norm);
-    }
-    vector
 }

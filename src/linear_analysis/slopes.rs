@@ -17,7 +17,7 @@ use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
 use super::bends::{Direction, changes};
-use super::modes::eigenvector;
+use super::inverse_iteration::InverseIteration;
 use super::motions::Places;
 use super::search::{ACCEPTED, RANK};
 use super::{LinearError, Linearization, Mode, ModeKind, Place, Point, position, scales};
@@ -138,10 +138,11 @@ impl Linearization<'_> {
     ) -> Result<Vec<Result<Vec<ModeSlope>, NoSlope>>, LinearError> {
         let scales = scales(self.simulator);
         let matrix = DMatrix::from_fn(scales.len(), scales.len(), |row, column| {
-            Complex64::from(self.matrix[(row, column)] * scales[column] / scales[row])
+            self.matrix[(row, column)] * scales[column] / scales[row]
         });
         let changes = self.matrix_slopes(point)?;
-        let solver = Solver { norm: matrix.norm(), transposed: matrix.transpose(), matrix, scales };
+        let iteration = InverseIteration::new(&matrix);
+        let solver = Solver { norm: matrix.norm(), iteration, scales };
         let pattern = self.simulator.rate_jacobian_pattern().entries;
         let slopes = |number: usize| {
             let (right, left) = solver.vectors(modes, number)?;
@@ -183,8 +184,7 @@ impl ModeSlope {
 
 /// A with states measured by their scales.
 struct Solver {
-    matrix: DMatrix<Complex64>,
-    transposed: DMatrix<Complex64>,
+    iteration: InverseIteration,
     norm: f64,
     scales: DVector<f64>,
 }
@@ -201,8 +201,7 @@ impl Solver {
             return Err(NoSlope::Free);
         }
         let value = modes[number].eigenvalue();
-        let mut right = eigenvector((&self.matrix, self.norm), value, number, &[]);
-        let mut left = eigenvector((&self.transposed, self.norm), value, number, &[]);
+        let [mut right, mut left] = self.iteration.vectors(value, number, &[]);
         let overlap = left.dot(&right);
         let uncertain = ROUNDINGS * f64::EPSILON * self.norm / overlap.norm();
         let is_near = |other: Complex64| {

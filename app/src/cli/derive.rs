@@ -1,6 +1,7 @@
 //! `machinist derive`: the equations of motion of a scene, as text, LaTeX or JSON.
 
 use clap::Args;
+use machinist_codegen::cas::Algebra;
 use machinist_codegen::emit::document::Equation;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline::Derivation;
@@ -57,8 +58,13 @@ fn as_text(derivation: &Derivation) -> String {
         [cost.function.to_owned(), results, full, operations]
     };
     let rows: Vec<_> = std::iter::once(header).chain(costs(model).iter().map(row)).collect();
+    let by = if derivation.algebra == Algebra::Plain {
+        "Worked out by our own algebra, which simplifies less than Symbolica.\n\n"
+    } else {
+        ""
+    };
     format!(
-        "{}: {}\n\n{}Cost of the emitted functions\n{}",
+        "{}: {}\n\n{by}{}Cost of the emitted functions\n{}",
         model.name,
         model.title,
         derivation.text.to_text(),
@@ -93,6 +99,7 @@ fn as_json(derivation: &Derivation) -> Value {
     });
     json!({
         "scene": model.name,
+        "algebra": derivation.algebra.name(),
         "title": model.title,
         "energies": section(&text.energies, &latex.energies),
         "motion": section(&text.motion, &latex.motion),

@@ -142,12 +142,12 @@ fn trigonometric(cas: &mut Cas, form: &Form) -> Form {
     let mut expr = cas.expr(&current);
     while has_sine(&expr) {
         // The algebra puts what is joined in normal form again.
-        let next = cas.form(&combine(&expr));
-        let joined = cas.expr(&next);
+        current = cas.form(&combine(&expr));
+        let joined = cas.expr(&current);
         if joined == expr {
             break;
         }
-        (current, expr) = (next, joined);
+        expr = joined;
     }
     current
 }

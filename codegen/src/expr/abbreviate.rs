@@ -7,6 +7,8 @@
 //!
 //! The result holds [`Symbol::Helper`], which the computer algebra never sees.
 
+use std::collections::{BTreeSet, HashMap};
+
 use num_rational::BigRational;
 use num_traits::{One, Pow, Signed, ToPrimitive, Zero};
 
@@ -17,10 +19,43 @@ use crate::expr::{Expr, HelperId, Symbol};
 #[derive(Debug, Clone, Default)]
 pub struct Abbreviations {
     entries: Vec<(HelperId, Expr)>,
+    /// The first entry of a definition.
+    by_definition: HashMap<Expr, HelperId>,
     /// Entries that are sums: their terms, and these with the other sign.
     sums: Vec<(HelperId, [Vec<Expr>; 2])>,
+    /// Sums by the first of their terms.
+    by_term: Places,
     /// Entries that are products of several bases.
     products: Vec<(HelperId, Powers)>,
+    /// Products by the first of their bases.
+    by_base: Places,
+}
+
+/// Where something is that begins with an expression.
+type Places = HashMap<Expr, Vec<usize>>;
+
+/// What may be found in a sum or product, in order, by what it is made of: only what begins
+/// with one of these can be.
+struct Candidates<'a> {
+    places: &'a Places,
+    left: BTreeSet<usize>,
+}
+
+impl<'a> Candidates<'a> {
+    fn new<'b>(places: &'a Places, parts: impl Iterator<Item = &'b Expr>) -> Self {
+        let left = parts.filter_map(|part| places.get(part)).flatten().copied().collect();
+        Candidates { places, left }
+    }
+
+    fn next(&mut self) -> Option<usize> {
+        self.left.pop_first()
+    }
+
+    /// A part that came in at a place; what stands before that is not asked again.
+    fn add(&mut self, part: &Expr, at: usize) {
+        let more = self.places.get(part).into_iter().flatten();
+        self.left.extend(more.copied().filter(|place| *place > at));
+    }
 }
 
 impl Abbreviations {
@@ -42,17 +77,25 @@ impl Abbreviations {
     fn add(&mut self, id: HelperId, definition: Expr) {
         match &definition {
             Expr::Sum(parts) => {
-                let terms = [1, -1].map(|sign| parts.iter().map(|p| scaled(p, sign)).collect());
+                let terms: [Vec<Expr>; 2] =
+                    [1, -1].map(|sign| parts.iter().map(|p| scaled(p, sign)).collect());
+                for first in terms.iter().filter_map(|terms| terms.first()) {
+                    let places = self.by_term.entry(first.clone()).or_default();
+                    places.push(self.sums.len());
+                }
                 self.sums.push((id, terms));
             }
             Expr::Product(parts) => {
                 let powers = Powers::of(parts.clone());
-                if powers.bases.len() > 1 {
+                if let [(first, _), _, ..] = &powers.bases[..] {
+                    let places = self.by_base.entry(first.clone()).or_default();
+                    places.push(self.products.len());
                     self.products.push((id, powers));
                 }
             }
             _ => {}
         }
+        self.by_definition.entry(definition.clone()).or_insert(id);
         self.entries.push((id, definition));
     }
 
@@ -80,31 +123,51 @@ impl Abbreviations {
 
     /// An expression that is a helper as it stands.
     fn whole(&self, expr: Expr) -> Expr {
-        match self.entries.iter().find(|(_, definition)| *definition == expr) {
-            Some((id, _)) => helper(*id),
-            None => expr,
-        }
+        self.by_definition.get(&expr).map_or(expr, |id| helper(*id))
     }
 
-    fn sum(&self, mut terms: Vec<Expr>) -> Expr {
-        for (id, definitions) in &self.sums {
+    fn sum(&self, terms: Vec<Expr>) -> Expr {
+        let mut candidates = Candidates::new(&self.by_term, terms.iter());
+        let mut counts: HashMap<Expr, usize> = HashMap::new();
+        for term in terms {
+            *counts.entry(term).or_default() += 1;
+        }
+        while let Some(at) = candidates.next() {
+            let (id, definitions) = &self.sums[at];
             for (wanted, sign) in definitions.iter().zip([1, -1]) {
-                if wanted.len() <= terms.len() && wanted.iter().all(|part| terms.contains(part)) {
-                    terms.retain(|term| !wanted.contains(term));
-                    terms.push(scaled(&helper(*id), sign));
+                if wanted.iter().all(|part| counts.contains_key(part)) {
+                    for part in wanted {
+                        take_one(&mut counts, part);
+                    }
+                    let term = scaled(&helper(*id), sign);
+                    candidates.add(&term, at);
+                    *counts.entry(term).or_default() += 1;
                 }
             }
         }
+        let terms = counts.into_iter().flat_map(|(term, count)| std::iter::repeat_n(term, count));
+        let mut terms: Vec<Expr> = terms.collect();
         terms.sort();
         single(terms, Expr::Sum)
     }
 
     fn product(&self, factors: Vec<Expr>) -> Expr {
         let mut powers = Powers::of(factors);
-        for (id, part) in &self.products {
+        let bases = powers.bases.iter().map(|(base, _)| base);
+        let mut candidates = Candidates::new(&self.by_base, bases);
+        while let Some(at) = candidates.next() {
+            let (id, part) = &self.products[at];
             powers.replace(part, *id);
+            candidates.add(&helper(*id), at);
         }
         powers.into_expr()
+    }
+}
+
+fn take_one(counts: &mut HashMap<Expr, usize>, term: &Expr) {
+    match counts.get_mut(term) {
+        Some(count) if *count > 1 => *count -= 1,
+        _ => drop(counts.remove(term)),
     }
 }
 

@@ -278,15 +278,20 @@ impl Substitution {
     /// -lambda of those only that no pinned block has.
     pub fn accelerations(&self, graph: &mut Graph, right_side: &[NodeId]) -> Vec<NodeId> {
         let mut x = self.own_sides(graph, right_side);
+        // Most of a column of a Jacobian is.
+        let mut is_zero: Vec<bool> = x.iter().map(|value| graph.is_zero(*value)).collect();
         for Step { row, scale, terms } in &self.steps {
             let mut value = x[*row];
-            if let Some(scale) = scale {
+            if let Some(scale) = scale
+                && !graph.is_zero(value)
+            {
                 value = graph.mul(value, *scale);
             }
-            for (factor, from) in terms {
+            for (factor, from) in terms.iter().filter(|(_, from)| !is_zero[*from]) {
                 let part = graph.mul(*factor, x[*from]);
                 value = graph.sub(value, part);
             }
+            is_zero[*row] = graph.is_zero(value);
             x[*row] = value;
         }
         x

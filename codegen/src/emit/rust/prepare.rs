@@ -1,5 +1,7 @@
 //! `prepare`: what parameters alone decide, once a run.
 
+use std::collections::HashSet;
+
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -8,7 +10,7 @@ use super::functions::{derivatives, documentation};
 use super::names::Namer;
 use crate::emit::EmitError;
 use machinist_model::hoist::Hoisted;
-use machinist_model::{Model, Op, Tape};
+use machinist_model::{Model, NodeId, Op, Tape};
 
 /// The constants of a scene, and rate and Jacobian that read them.
 pub(super) struct Prepare {
@@ -82,20 +84,23 @@ fn name_entries(hoisted: &mut Hoisted, model: &Model, states: &[Ident]) {
     }
     let rates: Vec<String> = states.iter().map(|state| format!("{state}_dot")).collect();
     let names = derivatives(&model.rate_jacobian.pattern, &rates, states);
-    let reads = |tape: &Tape, constant: u32| {
-        let read = Op::Constant(constant);
-        let nodes = tape.nodes.iter().flat_map(|node| node.op.operands());
-        nodes.map(|id| tape[id].op).any(|op| op == read)
+    let (jacobian, rate) = (&hoisted.rate_jacobian, &hoisted.rate);
+    let operands = |tape: &Tape| -> HashSet<NodeId> {
+        tape.nodes.iter().flat_map(|node| node.op.operands()).collect()
     };
-    let jacobian = &hoisted.rate_jacobian;
+    let constant = |tape: &Tape, id: &NodeId| match tape[*id].op {
+        Op::Constant(constant) => Some(constant),
+        _ => None,
+    };
+    let read = |tape: &Tape| operands(tape).iter().filter_map(|id| constant(tape, id)).collect();
+    let mut known: HashSet<u32> = read(jacobian);
+    known.extend(read(rate));
+    known.extend(rate.results.iter().filter_map(|id| constant(rate, id)));
+    let parts = operands(&hoisted.constants);
     for (result, name) in jacobian.results.iter().zip(names) {
-        let Op::Constant(constant) = jacobian[*result].op else { continue };
+        let Some(constant) = constant(jacobian, result) else { continue };
         let id = hoisted.constants.results[constant as usize];
-        let is_part = hoisted.constants.nodes.iter().any(|node| node.op.operands().contains(&id));
-        let is_known = is_part
-            || reads(jacobian, constant)
-            || reads(&hoisted.rate, constant)
-            || hoisted.rate.results.iter().any(|id| hoisted.rate[*id].op == Op::Constant(constant));
+        let is_known = parts.contains(&id) || known.contains(&constant);
         let node = &mut hoisted.constants.nodes[id.0 as usize];
         if !is_known && node.name.is_none() {
             node.name = Some(name);

@@ -601,11 +601,12 @@ fn the_page_of_parts_is_fresh() {
     let made = folder.path().join("parts.md");
     answer(&["parts", "--page", made.to_str().expect("a plain path")]);
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let kept = fs::read_to_string(root.join("docs/parts.md")).expect("docs/parts.md");
+    const PAGE: &str = "docs/book/src/parts.md";
+    let kept = fs::read_to_string(root.join(PAGE)).expect(PAGE);
     let made = fs::read_to_string(made).expect("written");
     assert!(
         kept == made,
-        "docs/parts.md is stale: cargo run --release -- parts --page docs/parts.md"
+        "{PAGE} is stale: cargo run --release -- parts --page {PAGE}"
     );
 }
 

@@ -6,6 +6,7 @@
 
 mod accessible;
 mod anywhere;
+mod book;
 mod cli;
 mod cli_sweep;
 mod deriving;

@@ -90,7 +90,7 @@ fn what_the_parser_knows_is_in_the_schema() {
 }
 
 /// Of scenes, and of units.
-fn schemas() -> [Value; 2] {
+pub fn schemas() -> [Value; 2] {
     [&["schema"][..], &["schema", "--unit"]]
         .map(|arguments| serde_json::from_str(&answer(arguments)).expect("JSON"))
 }
@@ -113,7 +113,7 @@ fn tree(text: &str) -> Value {
     value_of(text.parse::<Document<String>>().expect("TOML").as_item())
 }
 
-fn value_of(item: &Item) -> Value {
+pub fn value_of(item: &Item) -> Value {
     if let Some(table) = item.as_table_like() {
         let entries = table.iter().map(|(key, item)| (key.to_owned(), value_of(item)));
         return Value::Object(entries.collect());
@@ -136,7 +136,7 @@ fn value_of(item: &Item) -> Value {
 
 /// Whether a value fits a schema, by the words of JSON schema that ours are made of; any other
 /// word fails.
-fn fits(schema: &Value, value: &Value) -> Result<(), String> {
+pub fn fits(schema: &Value, value: &Value) -> Result<(), String> {
     let schema = schema.as_object().expect("a schema");
     let known = ["$schema", "title", "propertyNames", "additionalProperties", "required"];
     for (word, rule) in schema {

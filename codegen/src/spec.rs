@@ -34,9 +34,7 @@ pub use self::check::{CheckSpec, ReferenceSpec};
 pub use self::distributed::{
     AttachmentSpec, Boundary, DiscretisationSpec, FieldSpec, MAX_ELEMENTS, MAX_ORDER, Mass,
 };
-#[cfg(test)]
-pub(crate) use self::names::FUNCTIONS;
-pub use self::names::{did_you_mean, quoted, scene_name_mistake};
+pub use self::names::{FUNCTIONS, did_you_mean, quoted, scene_name_mistake};
 pub use self::scene::METHODS;
 pub use self::source::{MAX_FILE_BYTES, SourceFile, SourceText, Sources, one_line};
 pub use self::symbol::Symbol;

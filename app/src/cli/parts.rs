@@ -11,7 +11,7 @@ use super::output::{columns, print, write_file};
 use crate::failure::{Failure, did_you_mean};
 
 /// The command that makes the page of the parts again.
-const MENDING_COMMAND: &str = "cargo run --release -- parts --page docs/parts.md";
+const MENDING_COMMAND: &str = "cargo run --release -- parts --page docs/book/src/parts.md";
 
 #[derive(Debug, Args)]
 #[command(args_conflicts_with_subcommands = true)]
@@ -175,7 +175,7 @@ fn section(card: &Card) -> String {
     table(&mut text, ["output", "unit", "meaning"], &card.outputs);
     let _ = writeln!(
         text,
-        "\nExample: [specs/scenes/parts/{0}.toml](../specs/scenes/parts/{0}.toml)",
+        "\nExample: [specs/scenes/parts/{0}.toml](../../../specs/scenes/parts/{0}.toml)",
         card.name
     );
     text

@@ -93,6 +93,11 @@ const FACTORED: &[(&str, i64, i64, i32, &str)] = &[
     ("uF", 1, 1_000_000, 0, "F"),
 ];
 
+/// Symbols of all units of measure, those without a factor first.
+pub fn symbols() -> impl Iterator<Item = &'static str> {
+    COHERENT.iter().map(|(name, ..)| *name).chain(FACTORED.iter().map(|(name, ..)| *name))
+}
+
 /// A unit of measure: what it measures, and how much of the coherent unit it is.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Measure {
@@ -362,8 +367,7 @@ impl Reader<'_> {
         let help = if ["degC", "degF"].contains(&symbol) {
             "a temperature is in K: no offset is applied".to_owned()
         } else {
-            let coherent = COHERENT.iter().map(|(name, ..)| *name);
-            let all: Vec<_> = coherent.chain(FACTORED.iter().map(|(name, ..)| *name)).collect();
+            let all: Vec<_> = symbols().collect();
             format!("known are {}", all.join(" "))
         };
         Err(UnitError { message: format!("unknown unit of measure {symbol:?}"), help, range })

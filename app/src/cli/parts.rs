@@ -162,7 +162,7 @@ fn section(card: &Card) -> String {
     table(&mut text, ["input", "unit", "meaning"], &card.inputs);
     table(&mut text, ["mode", "meaning"], &card.modes);
     if !card.equations.is_empty() || !card.events.is_empty() {
-        text.push_str("\n```text\n");
+        text.push_str("\n```text,formula\n");
         for [left, right, unit, _] in &card.equations {
             let unit = if unit.is_empty() { String::new() } else { format!("   [{unit}]") };
             let _ = writeln!(text, "{left} = {right}{unit}");

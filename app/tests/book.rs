@@ -137,7 +137,7 @@ fn anchors(chapter: &Chapter) -> Vec<String> {
         plain.map(|c| if c == ' ' { '-' } else { c.to_ascii_lowercase() }).collect()
     };
     let headings = chapter.pieces.iter().filter_map(|piece| match piece {
-        Piece::Heading(_, text, _) => Some(anchor(text)),
+        Piece::Heading(text, _) => Some(anchor(text)),
         _ => None,
     });
     headings.collect()

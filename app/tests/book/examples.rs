@@ -3,8 +3,8 @@
 //! | block | what is done |
 //! | --- | --- |
 //! | `toml,file=NAME`, `csv,file=NAME` | written to the folder |
-//! | `toml,add=NAME` | added to the end of a file |
-//! | `diff,file=NAME`, with `from=OTHER` of another file | lines replaced: `-` by `+` |
+//! | `toml,add=NAME`, with `from=OTHER` of another file | added to the end of a file |
+//! | `diff,file=NAME`, likewise | lines replaced: `-` by `+` |
 //! | `toml` alone | a part of a scene or unit: it must fit the schema |
 //! | `console`, with `exit=N` of the last command | each `$` line is run, what it prints compared |
 //! | `sh` | commands whose options must be right; not run |
@@ -33,7 +33,9 @@ pub struct Tried {
 /// Does all that a chapter says.
 pub fn try_chapter(chapter: &Chapter) -> Tried {
     let scratch = tempfile::tempdir().expect("a folder");
-    let folder = scratch.path().to_owned();
+    // What messages name beside a file.
+    let folder = scratch.path().join("machines");
+    fs::create_dir(&folder).expect("a folder");
     let mut trial = Trial { chapter, folder, mistakes: Vec::new(), text: chapter.text.clone() };
     // Backwards would be easier on places, but files and commands build upon each other.
     let mut moved = 0_isize;
@@ -59,15 +61,21 @@ impl Trial<'_> {
             return Ok(());
         }
         match (block.language.as_str(), file("file"), file("add")) {
-            ("toml" | "csv", Some(file), None) => write(&file, &block.text),
-            ("toml", None, Some(file)) => write(&file, &format!("{}\n{}", read(&file)?, block.text)),
-            ("diff", Some(file), None) => {
-                let from = block.attribute("from").map(|name| self.folder.join(name));
-                write(&file, &replaced(&read(from.as_ref().unwrap_or(&file))?, &block.text)?)
+            ("toml" | "csv", Some(to), None) => write(&to, &block.text),
+            ("toml", None, Some(to)) => {
+                let before = read(&file("from").unwrap_or_else(|| to.clone()))?;
+                write(&to, &format!("{before}\n{}", block.text))
+            }
+            ("diff", Some(to), None) => {
+                let before = read(&file("from").unwrap_or_else(|| to.clone()))?;
+                write(&to, &replaced(&before, &block.text)?)
             }
             ("toml", None, None) => fits_in_part(&block.text),
             ("console", None, None) => self.try_console(block, moved),
-            ("sh", None, None) => block.text.lines().try_for_each(|line| self.has_right_options(line)),
+            ("sh", None, None) => {
+                let commands = block.text.replace("\\\n", "");
+                commands.lines().try_for_each(|line| self.has_right_options(line))
+            }
             ("rust", None, None) => Ok(()),
             ("text", None, None) if block.attributes == ["formula"] => Ok(()),
             (language, ..) => Err(format!("a block `{language}` is neither tried nor excused")),
@@ -200,9 +208,13 @@ fn of_repository(word: &str) -> String {
     if word.starts_with("specs/") && path.exists() { path.display().to_string() } else { word.to_owned() }
 }
 
-/// Without what no reader sees: the ends of lines that are blank, and empty lines at the end.
+/// Without what no reader sees, blanks at ends, and what depends on what else the computer does.
 fn plain(text: &str) -> String {
-    let lines: Vec<&str> = text.trim_start_matches('\n').lines().map(str::trim_end).collect();
+    let lines = text.trim_start_matches('\n').lines().map(str::trim_end);
+    let is_of_deriving = |line: &str| {
+        line.starts_with("machinist: waiting for") || line.starts_with("machinist: deriving with")
+    };
+    let lines: Vec<&str> = lines.filter(|line| !is_of_deriving(line)).collect();
     let text = lines.join("\n");
     let text = text.trim_end();
     if text.is_empty() { String::new() } else { format!("{text}\n") }

@@ -50,7 +50,7 @@ fn collect(shape: &Shape, place: &str, keys: &mut Keys) {
         true => format!("{place}{name}"),
         false => format!("{place}.{name}"),
     };
-    let mut add = |of: &[Key], keys: &mut Keys| {
+    let add = |of: &[Key], keys: &mut Keys| {
         for key in of {
             // A unit within a scene is a unit as in a file of its own.
             let is_of_file = place.ends_with(' ');
@@ -102,7 +102,7 @@ fn described() -> Keys {
         let (mut places, mut is_of_keys) = (Vec::new(), false);
         for piece in chapter(name).pieces {
             match piece {
-                Piece::Heading(_, text, codes) => places = places_of(&text, &codes),
+                Piece::Heading(text, codes) => places = places_of(&text, &codes),
                 Piece::Head(cells) => is_of_keys = cells.first().is_some_and(|cell| cell == "key"),
                 Piece::Row(cells) if is_of_keys => {
                     assert!(!places.is_empty(), "{name}: nothing says where {} is", cells[0]);

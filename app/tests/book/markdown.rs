@@ -19,8 +19,8 @@ pub struct Chapter {
 pub enum Piece {
     /// A block of code.
     Block(Block),
-    /// A heading: its level, its text, and the code in it.
-    Heading(usize, String, Vec<String>),
+    /// A heading: its text, and the code in it.
+    Heading(String, Vec<String>),
     /// A row of a table after its head: its cells, code between backticks.
     Row(Vec<String>),
     /// The head of a table.
@@ -81,7 +81,7 @@ const EXCUSE: &str = "<!-- not run: ";
 fn pieces(text: &str) -> Vec<Piece> {
     let mut pieces = Vec::new();
     let mut block: Option<Block> = None;
-    let mut heading: Option<(usize, String, Vec<String>)> = None;
+    let mut heading: Option<(String, Vec<String>)> = None;
     let mut row: Option<Vec<String>> = None;
     for (event, range) in Parser::new_ext(text, Options::ENABLE_TABLES).into_offset_iter() {
         match event {
@@ -101,11 +101,9 @@ fn pieces(text: &str) -> Vec<Piece> {
                 });
             }
             Event::End(TagEnd::CodeBlock) => pieces.extend(block.take().map(Piece::Block)),
-            Event::Start(Tag::Heading { level, .. }) => {
-                heading = Some((level as usize, String::new(), Vec::new()));
-            }
+            Event::Start(Tag::Heading { .. }) => heading = Some((String::new(), Vec::new())),
             Event::End(TagEnd::Heading(_)) => {
-                let found = heading.take().map(|(level, text, code)| Piece::Heading(level, text, code));
+                let found = heading.take().map(|(text, codes)| Piece::Heading(text, codes));
                 pieces.extend(found);
             }
             Event::Start(Tag::TableHead | Tag::TableRow) => row = Some(Vec::new()),
@@ -123,7 +121,7 @@ fn pieces(text: &str) -> Vec<Piece> {
                 }
             }
             Event::Code(code) => {
-                if let Some((_, _, codes)) = &mut heading {
+                if let Some((_, codes)) = &mut heading {
                     codes.push(code.to_string());
                 }
                 write(&mut heading, &mut row, &format!("`{code}`"));
@@ -134,8 +132,8 @@ fn pieces(text: &str) -> Vec<Piece> {
     pieces
 }
 
-fn write(heading: &mut Option<(usize, String, Vec<String>)>, row: &mut Option<Vec<String>>, part: &str) {
-    if let Some((_, text, _)) = heading {
+fn write(heading: &mut Option<(String, Vec<String>)>, row: &mut Option<Vec<String>>, part: &str) {
+    if let Some((text, _)) = heading {
         text.push_str(part);
     } else if let Some(cell) = row.as_mut().and_then(|row| row.last_mut()) {
         cell.push_str(part);

@@ -20,7 +20,7 @@ fn every_message_of_the_book_is_one_that_the_program_prints() {
     let (mut sections, mut rows, mut unshown) = (0, 0, Vec::new());
     for piece in chapter(CHAPTER).pieces {
         match piece {
-            Piece::Heading(_, _, codes) => {
+            Piece::Heading(_, codes) => {
                 unshown.extend(of_heading.take());
                 of_heading = codes.into_iter().next();
             }

@@ -44,7 +44,9 @@ fn every_example_does_what_the_book_shows() {
             let Some(path) = left.lock().expect("a list").pop() else { return };
             let chapter = Chapter::read(&path);
             let tried = examples::try_chapter(&chapter);
-            if std::env::var("MACHINIST_BOOK").is_ok_and(|word| word == "write") && tried.text != chapter.text {
+            if std::env::var("MACHINIST_BOOK").is_ok_and(|word| word == "write")
+                && tried.text != chapter.text
+            {
                 fs::write(&path, &tried.text).expect("written");
             }
             mistakes.lock().expect("a list").extend(tried.mistakes);
@@ -67,7 +69,9 @@ fn the_contents_list_every_chapter_once() {
     for folder in ["", "language"] {
         for entry in fs::read_dir(source().join(folder)).expect("a folder") {
             let path = entry.expect("an entry").path();
-            if path.extension().is_some_and(|ending| ending == "md") && !path.ends_with("SUMMARY.md") {
+            if path.extension().is_some_and(|ending| ending == "md")
+                && !path.ends_with("SUMMARY.md")
+            {
                 let name = path.strip_prefix(source()).expect("below it");
                 there.push(name.to_str().expect("a plain path").replace('\\', "/"));
             }
@@ -100,7 +104,8 @@ fn links_lead_to_what_is_there() {
 fn with_links() -> Vec<PathBuf> {
     let root = Path::new(REPOSITORY);
     let mut paths: Vec<PathBuf> = listed().iter().map(|name| source().join(name)).collect();
-    let files = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/licensing.md"];
+    let files =
+        ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/licensing.md"];
     paths.extend(files.map(|file| root.join(file)));
     for entry in fs::read_dir(root.join("docs/decisions")).expect("a folder") {
         paths.push(entry.expect("an entry").path());
@@ -118,9 +123,11 @@ fn leads_somewhere(chapter: &Chapter, link: &str, is_of_book: bool) -> Result<()
         return Err("there is no such file".to_owned());
     }
     // mdBook makes pages of its chapters, and takes any link to Markdown for one to a page.
-    let ends_outside = is_of_book && !target.canonicalize().expect("it is there").starts_with(
-        source().canonicalize().expect("it is there"),
-    );
+    let ends_outside = is_of_book
+        && !target
+            .canonicalize()
+            .expect("it is there")
+            .starts_with(source().canonicalize().expect("it is there"));
     if ends_outside && target.extension().is_some_and(|ending| ending == "md") {
         return Err("no page of the book".to_owned());
     }

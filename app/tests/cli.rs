@@ -601,13 +601,10 @@ fn the_page_of_parts_is_fresh() {
     let made = folder.path().join("parts.md");
     answer(&["parts", "--page", made.to_str().expect("a plain path")]);
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    const PAGE: &str = "docs/book/src/parts.md";
-    let kept = fs::read_to_string(root.join(PAGE)).expect(PAGE);
+    let page = "docs/book/src/parts.md";
+    let kept = fs::read_to_string(root.join(page)).expect(page);
     let made = fs::read_to_string(made).expect("written");
-    assert!(
-        kept == made,
-        "{PAGE} is stale: cargo run --release -- parts --page {PAGE}"
-    );
+    assert!(kept == made, "{page} is stale: cargo run --release -- parts --page {page}");
 }
 
 /// A mass on a spring under its weight, which starts in equilibrium.

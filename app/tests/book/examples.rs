@@ -99,7 +99,8 @@ impl Trial<'_> {
             }
             shown_anew.push_str(&printed);
             let words = command.words.join(" ");
-            let difference = format!("`{words}` prints\n{printed}\nbut shown is\n{}", command.shown);
+            let difference =
+                format!("`{words}` prints\n{printed}\nbut shown is\n{}", command.shown);
             self.mistakes.push(format!("{}: {difference}", self.chapter.place(block.start)));
         }
         let start = (block.start as isize + *moved) as usize;
@@ -118,11 +119,16 @@ impl Trial<'_> {
                 is_there.then(String::new).ok_or_else(|| format!("there is no folder {folder}"))
             }
             ["machinist", arguments @ ..] => {
-                let arguments: Vec<String> = arguments.iter().map(|word| of_repository(word)).collect();
+                let arguments: Vec<String> =
+                    arguments.iter().map(|word| of_repository(word)).collect();
                 let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
                 let output = output(machinist(&self.folder, &arguments));
                 if output.status.code() != Some(code) {
-                    return Err(format!("{words:?} ends with {:?}: {}", output.status.code(), said(&output)));
+                    return Err(format!(
+                        "{words:?} ends with {:?}: {}",
+                        output.status.code(),
+                        said(&output)
+                    ));
                 }
                 let mut printed = String::from_utf8_lossy(&output.stdout).into_owned();
                 if code != 0 {
@@ -205,7 +211,11 @@ fn split(line: &str) -> Vec<String> {
 /// A spec of the repository by its whole path.
 fn of_repository(word: &str) -> String {
     let path = Path::new(REPOSITORY).join(word);
-    if word.starts_with("specs/") && path.exists() { path.display().to_string() } else { word.to_owned() }
+    if word.starts_with("specs/") && path.exists() {
+        path.display().to_string()
+    } else {
+        word.to_owned()
+    }
 }
 
 /// Without what no reader sees, blanks at ends, and what depends on what else the computer does.
@@ -251,9 +261,13 @@ pub fn line_matches(shown: &str, printed: &str) -> bool {
 /// A text with lines replaced: what starts with `-`, there once and in a row, by what starts with `+`;
 /// other lines lead to the place.
 fn replaced(text: &str, changes: &str) -> Result<String, String> {
-    let of = |signs: [char; 2]| -> String {
-        let lines = changes.lines().filter(|line| line.is_empty() || line.starts_with(signs));
-        lines.map(|line| format!("{}\n", line.get(1..).unwrap_or_default())).collect()
+    let of = |signs: [char; 2]| {
+        let mut lines = String::new();
+        for line in changes.lines().filter(|line| line.is_empty() || line.starts_with(signs)) {
+            lines.push_str(line.get(1..).unwrap_or_default());
+            lines.push('\n');
+        }
+        lines
     };
     let (before, after) = (of(['-', ' ']), of(['+', ' ']));
     match text.matches(&before).count() {
@@ -280,7 +294,9 @@ fn fits_in_part(text: &str) -> Result<(), String> {
         schema::fits(&schema, &tree)
     });
     match (of_scene, of_unit) {
-        (Err(scene), Err(unit)) => Err(format!("part of no scene: {scene}\npart of no unit: {unit}")),
+        (Err(scene), Err(unit)) => {
+            Err(format!("part of no scene: {scene}\npart of no unit: {unit}"))
+        }
         _ => Ok(()),
     }
 }

@@ -37,6 +37,24 @@ fn the_book_describes_the_keys_that_the_parser_knows_and_no_others() {
     }
 }
 
+#[test]
+fn the_book_has_a_heading_for_each_table_of_a_file() {
+    let mut known = BTreeSet::new();
+    for (file, shape) in [("scene", Shape::of_scene()), ("unit", Shape::of_unit())] {
+        let Shape::Table(keys) = shape else { panic!("a file is a table") };
+        known.extend(keys.iter().map(|key| format!("{file} {}", key.name)));
+    }
+    let mut headed = BTreeSet::new();
+    for name in listed().iter().filter(|name| name.starts_with("language/")) {
+        for piece in chapter(name).pieces {
+            let Piece::Heading(text, codes) = piece else { continue };
+            let of_file = |place: String| place.split(['.', '[']).next().map(str::to_owned);
+            headed.extend(places_of(&text, &codes).into_iter().filter_map(of_file));
+        }
+    }
+    assert_eq!(headed, known);
+}
+
 /// Keys as the parser asks for them.
 fn known() -> Keys {
     let mut keys = Keys::new();
@@ -46,9 +64,9 @@ fn known() -> Keys {
 }
 
 fn collect(shape: &Shape, place: &str, keys: &mut Keys) {
-    let below = |name: &str| match place.ends_with(' ') {
-        true => format!("{place}{name}"),
-        false => format!("{place}.{name}"),
+    let below = |name: &str| {
+        let dot = if place.ends_with(' ') { "" } else { "." };
+        format!("{place}{dot}{name}")
     };
     let add = |of: &[Key], keys: &mut Keys| {
         for key in of {
@@ -81,8 +99,7 @@ fn collect(shape: &Shape, place: &str, keys: &mut Keys) {
 fn is_table(shape: &Shape) -> bool {
     match shape {
         Shape::Table(_) => true,
-        Shape::Named { of, .. } => is_table(of),
-        Shape::List(of) => is_table(of),
+        Shape::Named { of, .. } | Shape::List(of) => is_table(of),
         _ => false,
     }
 }
@@ -140,7 +157,9 @@ fn places_of(text: &str, codes: &[String]) -> Vec<String> {
         Some(list) => format!("{}[]", list.trim_end_matches(']')),
         None => code.trim_matches(['[', ']']).to_owned(),
     };
-    let all = |file: &&str| codes.iter().map(|code| format!("{file} {}", place(code))).collect::<Vec<_>>();
+    let all = |file: &&str| {
+        codes.iter().map(|code| format!("{file} {}", place(code))).collect::<Vec<_>>()
+    };
     files.iter().flat_map(all).collect()
 }
 
@@ -150,7 +169,9 @@ fn the_book_names_every_function_and_unit_of_measure() {
     let said = |name: &str| -> BTreeSet<String> {
         let text = chapter(name).text;
         let of_code = |code: &str| -> Vec<String> {
-            code.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').map(str::to_owned).collect()
+            code.split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
+                .map(str::to_owned)
+                .collect()
         };
         codes(&text).flat_map(of_code).collect()
     };

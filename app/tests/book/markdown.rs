@@ -55,8 +55,8 @@ impl Block {
 
 impl Chapter {
     pub fn read(path: &Path) -> Self {
-        let text = fs::read_to_string(path)
-            .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let text =
+            fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let pieces = pieces(&text);
         Self { path: path.to_owned(), text, pieces }
     }
@@ -87,7 +87,8 @@ fn pieces(text: &str) -> Vec<Piece> {
         match event {
             Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) => {
                 let mut words = info.split([',', ' ']).filter(|word| !word.is_empty());
-                let body = text[range.start..].find('\n').map_or(range.end, |at| range.start + at + 1);
+                let body =
+                    text[range.start..].find('\n').map_or(range.end, |at| range.start + at + 1);
                 block = Some(Block {
                     language: words.next().unwrap_or_default().to_owned(),
                     attributes: words.map(str::to_owned).collect(),

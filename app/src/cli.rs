@@ -46,6 +46,7 @@ mod settings;
 mod show;
 #[cfg(feature = "derive")]
 pub mod specs;
+mod spectrum;
 mod stability;
 mod sweep;
 pub mod verify;
@@ -101,6 +102,8 @@ enum Command {
     Fit(fit::FitCommand),
     /// Find parameters at which a design is best, within limits
     Improve(improve::Improve),
+    /// Amplitudes of a run's outputs over frequency
+    Spectrum(spectrum::Spectrum),
     /// Simulate many variants of a scene, to a table
     Sweep(sweep::Sweep),
     /// Measure error against run time of all methods on a scene
@@ -164,6 +167,7 @@ pub fn main() -> ExitCode {
         Command::Sensitivity(command) => command.execute(),
         Command::Fit(command) => command.execute(),
         Command::Improve(command) => command.execute(),
+        Command::Spectrum(command) => command.execute(),
         Command::Sweep(command) => command.execute(),
         Command::Bench(command) => command.execute(),
         Command::Stability(command) => command.execute(),

@@ -24,6 +24,7 @@ mod progress;
 #[cfg(feature = "derive")]
 mod report;
 mod spec_source;
+mod spectrum;
 mod trials;
 
 pub use cli::main;

@@ -18,5 +18,6 @@ mod live;
 mod process;
 mod report;
 mod schema;
+mod spectrum;
 mod trajectory;
 mod verify;

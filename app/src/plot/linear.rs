@@ -63,6 +63,28 @@ pub fn plot_campbell(
     Picture { title, subtitle, panels: vec![panel] }.write(path)
 }
 
+/// Draws amplitudes over frequency, columns of one unit in one panel, into an `.svg` or `.png`
+/// file; `texts` are title and subtitle.
+///
+/// # Errors
+/// As [`plot_response`].
+pub fn plot_spectrum(
+    frequencies: &[f64],
+    columns: &[Column],
+    texts: [&str; 2],
+    path: &Path,
+) -> Result<(), PlotError> {
+    let axes = [Axis::Linear("frequency [Hz]".into()), Axis::Linear("".into())];
+    let mut panels: Vec<Panel<'_>> = Vec::new();
+    for column in columns {
+        match panels.iter_mut().find(|panel| panel.unit == column.unit) {
+            Some(panel) => panel.columns.push(column),
+            None => panels.push(over(frequencies, vec![column], [&axes[0], &axes[1]])),
+        }
+    }
+    Picture { title: texts[0], subtitle: texts[1].to_owned(), panels }.write(path)
+}
+
 /// Draws the shapes of the slowest six oscillations, or of aperiodic motions if there
 /// is none, into an `.svg` or `.png` file: roots of the shares that coordinates and
 /// first-order states have, the largest as 1, in phase with that one and a quarter of

@@ -1,0 +1,241 @@
+//! `machinist spectrum`: amplitudes of a run's outputs over frequency.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use machinist::Simulation;
+use machinist::trajectory::{Column, ColumnKind, Trajectory};
+use serde::Serialize;
+
+use super::assignment;
+use super::output::{
+    columns, draw_file, print, print_with, require_ending, require_picture, write_file,
+};
+use super::scene::Scene;
+use super::settings::{with_method, with_parameters};
+use crate::failure::{Failure, did_you_mean};
+use crate::number::number;
+use crate::plot::plot_spectrum;
+use crate::progress::during;
+use crate::spectrum::{Window, amplitudes, peaks};
+
+/// Samples unless given: lines up to 1024 times the resolution.
+const SAMPLES: usize = 2048;
+const MOST_SAMPLES: usize = 10_000_000;
+
+#[derive(Debug, Args)]
+pub struct Spectrum {
+    /// Name of a scene built in, or a scene file
+    scene: String,
+    /// Only these outputs or states; all outputs unless given
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    outputs: Vec<String>,
+    /// Start of the stretch that is looked at, s; the run begins where the scene says
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    from: Option<f64>,
+    /// End of it and of the run, s
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    until: Option<f64>,
+    /// Number of samples, equally spaced; frequencies go up to half of it over the stretch
+    #[arg(long, value_name = "NUMBER", default_value_t = SAMPLES)]
+    samples: usize,
+    /// What samples are weighed by
+    #[arg(long, value_name = "WINDOW", value_enum, default_value_t = Window::Hann)]
+    window: Window,
+    /// Rows of the table for each output: its greatest peaks
+    #[arg(long, value_name = "NUMBER", default_value_t = 5)]
+    peaks: usize,
+    /// Give a parameter another value, in its SI unit
+    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
+    set: Vec<(String, f64)>,
+    /// Relative tolerance of a step
+    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
+    rtol: Option<f64>,
+    /// The method
+    #[arg(long, value_name = "NAME")]
+    method: Option<String>,
+    /// Write all lines to a file that ends in .csv or .json; - for CSV on standard output and
+    /// nothing else there
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Plot to a file that ends in .svg or .png
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+}
+
+/// Spectra of several columns over the same lines.
+#[derive(Debug, Serialize)]
+struct Spectra {
+    scene: String,
+    window: &'static str,
+    from: f64,
+    until: f64,
+    samples: usize,
+    /// k/(until - from) \[Hz\].
+    frequencies: Vec<f64>,
+    outputs: Vec<One>,
+}
+
+#[derive(Debug, Serialize)]
+struct One {
+    name: String,
+    unit: String,
+    /// Mean first, then amplitudes.
+    amplitudes: Vec<f64>,
+}
+
+impl Spectrum {
+    pub fn execute(&self) -> Result<(), Failure> {
+        let is_standard_output = self.out.as_deref() == Some(Path::new("-"));
+        if let Some(file) = self.out.as_deref().filter(|_| !is_standard_output) {
+            require_ending(file, &["csv", "json"], "--out")?;
+        }
+        require_picture(self.plot.as_deref(), "--plot")?;
+        if !(2..=MOST_SAMPLES).contains(&self.samples) {
+            let message = format!("--samples {}: a spectrum has 2 to {MOST_SAMPLES}", self.samples);
+            return Err(Failure::input(message, ""));
+        }
+        let scene = Scene::load(&self.scene, false)?;
+        let simulation = self.simulation(&scene)?;
+        let (from, until) = self.stretch(&scene)?;
+        let run = during("simulating", || simulation.run())?;
+        let spectra = Spectra {
+            scene: run.scene.clone(),
+            window: self.window.name(),
+            from,
+            until,
+            samples: self.samples,
+            frequencies: (0..=self.samples / 2).map(|k| k as f64 / (until - from)).collect(),
+            outputs: self.chosen(&run)?.into_iter().map(|column| self.of(column, &run)).collect(),
+        };
+        if let Some(file) = &self.plot {
+            let subtitle = format!("{}, amplitudes, window {}", run.scene, spectra.window);
+            let lines: Vec<Column> = spectra.outputs.iter().map(One::column).collect();
+            draw_file(file, |path| {
+                plot_spectrum(&spectra.frequencies, &lines, [&run.title, &subtitle], path)
+            })?;
+        }
+        match &self.out {
+            Some(_) if is_standard_output => return print_with(|out| spectra.write_csv(out)),
+            Some(file) if file.extension().is_some_and(|ending| ending == "json") => {
+                write_file(file, |out| Ok(serde_json::to_writer_pretty(out, &spectra)?))?;
+            }
+            Some(file) => write_file(file, |out| spectra.write_csv(out))?,
+            None => {}
+        }
+        print(&self.summary(&scene, &run, &spectra))
+    }
+
+    /// The stretch that is looked at.
+    fn stretch(&self, scene: &Scene) -> Result<(f64, f64), Failure> {
+        let run = scene.simulator().run_defaults();
+        let (from, until) = (self.from.unwrap_or(run.from), self.until.unwrap_or(run.until));
+        if from >= run.from && from < until && until.is_finite() {
+            return Ok((from, until));
+        }
+        let message = format!("there is no stretch of the run from {from} s to {until} s");
+        Err(Failure::input(message, format!("the run begins at {} s", run.from)))
+    }
+
+    /// The run, wanted at the samples: the end of the stretch is where the next would begin.
+    fn simulation<'s>(&self, scene: &'s Scene) -> Result<Simulation<'s>, Failure> {
+        let (from, until) = self.stretch(scene)?;
+        let time = |n| from + (until - from) * f64::from(n) / self.samples as f64;
+        let times: Vec<f64> = (0..self.samples as u32).map(time).collect();
+        let run = with_parameters(Simulation::new(scene.simulator()), &self.set)?;
+        let run = self.rtol.into_iter().fold(run.until(until).times(&times), Simulation::rtol);
+        with_method(run, self.method.as_deref())
+    }
+
+    fn chosen<'t>(&self, run: &'t Trajectory) -> Result<Vec<&'t Column>, Failure> {
+        let of = |kind| run.of_kind(kind);
+        if self.outputs.is_empty() {
+            let outputs: Vec<&Column> = of(ColumnKind::Output).collect();
+            let states = || of(ColumnKind::State).collect();
+            return Ok(if outputs.is_empty() { states() } else { outputs });
+        }
+        let known: Vec<&Column> = of(ColumnKind::Output).chain(of(ColumnKind::State)).collect();
+        let find = |name: &String| {
+            known.iter().copied().find(|column| column.name == *name).ok_or_else(|| {
+                let names = known.iter().map(|column| column.name.as_str());
+                let message = format!(
+                    "scene `{}` has no output or state `{}`",
+                    run.scene,
+                    name.escape_debug()
+                );
+                Failure::input(message, did_you_mean(name, names))
+            })
+        };
+        self.outputs.iter().map(find).collect()
+    }
+
+    fn of(&self, column: &Column, run: &Trajectory) -> One {
+        debug_assert_eq!(column.values.len(), run.times.len());
+        One {
+            name: column.name.clone(),
+            unit: column.unit.clone(),
+            amplitudes: amplitudes(&column.values, self.window),
+        }
+    }
+
+    fn summary(&self, scene: &Scene, run: &Trajectory, spectra: &Spectra) -> String {
+        let Spectra { from, until, samples, window, .. } = spectra;
+        let resolution = 1.0 / (until - from);
+        let mut text = format!(
+            "{}: {} ({})\n{samples} samples from {from} s to {until} s, window {window}: lines each {} Hz \
+             up to {} Hz\n\n",
+            run.scene,
+            run.title,
+            scene.how(),
+            number(resolution, 6),
+            number(resolution * (samples / 2) as f64, 6),
+        );
+        let mut rows = vec![["", "unit", "mean", "frequency [Hz]", "amplitude"].map(str::to_owned)];
+        for One { name, unit, amplitudes } in &spectra.outputs {
+            let mut head = [name.clone(), unit.clone(), number(amplitudes[0], 6)];
+            for peak in peaks(amplitudes, self.peaks.max(1)) {
+                let [name, unit, mean] = std::mem::take(&mut head);
+                let place = number(spectra.frequencies[peak], 6);
+                rows.push([name, unit, mean, place, number(amplitudes[peak], 6)]);
+            }
+            if !head[0].is_empty() {
+                let [name, unit, mean] = head;
+                rows.push([name, unit, mean, String::new(), String::new()]);
+            }
+        }
+        text.push_str(&columns(&rows, 2));
+        for file in [&self.out, &self.plot].into_iter().flatten() {
+            text.extend(["\nwrote ", &file.display().to_string()]);
+        }
+        text.trim_end().to_owned() + "\n"
+    }
+}
+
+impl One {
+    /// Amplitudes without the mean, to be drawn.
+    fn column(&self) -> Column {
+        let mut values = self.amplitudes.clone();
+        values[0] = f64::NAN;
+        Column {
+            name: self.name.clone(),
+            unit: self.unit.clone(),
+            kind: ColumnKind::Output,
+            doc: String::new(),
+            values,
+        }
+    }
+}
+
+impl Spectra {
+    fn write_csv(&self, out: impl io::Write) -> io::Result<()> {
+        let mut table = csv::Writer::from_writer(out);
+        let heads = self.outputs.iter().map(|one| format!("{} [{}]", one.name, one.unit));
+        table.write_record(std::iter::once("frequency [Hz]".to_owned()).chain(heads))?;
+        for (k, frequency) in self.frequencies.iter().enumerate() {
+            let row = self.outputs.iter().map(|one| one.amplitudes[k]);
+            table.write_record(std::iter::once(*frequency).chain(row).map(|x| format!("{x:?}")))?;
+        }
+        table.flush()
+    }
+}

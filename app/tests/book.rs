@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::thread;
 
-use crate::process::REPOSITORY;
+use crate::process::{REPOSITORY, answer, machinist};
 use markdown::{Chapter, Piece};
 
 /// The folder of the chapters.
@@ -59,6 +59,21 @@ fn every_example_does_what_the_book_shows() {
     });
     let mistakes = mistakes.into_inner().expect("a list");
     assert!(mistakes.is_empty(), "\n{}", mistakes.join("\n\n"));
+}
+
+#[test]
+fn the_book_names_every_command() {
+    let commands = chapter("commands.md").text;
+    let help = answer(machinist(REPOSITORY, &["--help"]));
+    let listed = help.split("Commands:").nth(1).and_then(|rest| rest.split("Options:").next());
+    let mut count = 0;
+    for line in listed.expect("a list of commands").lines() {
+        let name = line.strip_prefix("  ").and_then(|line| line.split_whitespace().next());
+        let Some(name) = name.filter(|name| *name != "help") else { continue };
+        assert!(commands.contains(&format!("\nmachinist {name} ")), "{name} is not named");
+        count += 1;
+    }
+    assert!(count > 20, "{count} commands");
 }
 
 #[test]

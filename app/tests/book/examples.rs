@@ -97,7 +97,7 @@ impl Trial<'_> {
                 shown_anew.push_str(command.shown);
                 continue;
             }
-            shown_anew.push_str(&printed);
+            shown_anew.push_str(&cut_as(command.shown, &printed));
             let words = command.words.join(" ");
             let difference =
                 format!("`{words}` prints\n{printed}\nbut shown is\n{}", command.shown);
@@ -228,6 +228,36 @@ fn plain(text: &str) -> String {
     let text = lines.join("\n");
     let text = text.trim_end();
     if text.is_empty() { String::new() } else { format!("{text}\n") }
+}
+
+/// What is printed, with the `...` of what was shown: of lines that are still as they were, and of
+/// rows of tables from the same column on.
+fn cut_as(shown: &str, printed: &str) -> String {
+    let cut = shown.lines().find_map(|line| line.strip_suffix("| ..."));
+    let bars = cut.map(|row| row.matches('|').count() + 1);
+    let mut text = String::new();
+    for line in printed.lines() {
+        let mut before = shown.lines().filter(|line| line.contains("...") && *line != "...");
+        let end = bars.and_then(|bars| line.match_indices('|').nth(bars - 1));
+        match (before.find(|shown| line_matches(shown, line)), end) {
+            (Some(shown), _) => text.push_str(shown),
+            (None, Some((end, bar))) => {
+                let (kept, rest) = line.split_at(end + bar.len());
+                text.push_str(kept);
+                text.push_str(if rest.starts_with('-') { "-..." } else { " ..." });
+            }
+            (None, None) => text.push_str(line),
+        }
+        text.push('\n');
+    }
+    text
+}
+
+#[test]
+fn what_is_printed_anew_is_cut_as_it_was() {
+    let shown = "| pass | a | ...\n|---|---|-...\ntook ... s\n";
+    let printed = "| FAIL | b | long | longer |\n|---|---|---|---|\ntook 3 s\nmore\n";
+    assert_eq!(cut_as(shown, printed), "| FAIL | b | ...\n|---|---|-...\ntook ... s\nmore\n");
 }
 
 /// Whether a text is as shown, `...` standing for anything within a line, or for any lines.

@@ -270,6 +270,12 @@ pub enum StopCause {
     /// The flag of [`Simulation::until_flagged`](crate::Simulation::until_flagged) was set.
     #[error("the run was interrupted")]
     Interrupted,
+    /// It took longer than whoever asked for it allows.
+    #[error("the limit of {seconds} s of computing is reached")]
+    TooSlow {
+        /// The limit \[s\].
+        seconds: f64,
+    },
     /// The rate of a state jumps to and fro across a value that it is driven to from
     /// either side.
     #[error(

@@ -8,7 +8,7 @@ use std::sync::atomic::AtomicBool;
 use machinist_contract::Simulator;
 
 use crate::constraints::Constraints;
-use crate::error::{NotCompiledIn, SimulateError, did_you_mean};
+use crate::error::{NotCompiledIn, SimulateError, StopCause, did_you_mean};
 #[cfg(feature = "sweep")]
 use crate::method::cut;
 use crate::method::sensitivity::{By, Start, Tangents, columns};
@@ -77,6 +77,7 @@ pub struct Simulation<'a> {
     sensitivities: Vec<By>,
     controls_sensitivities: bool,
     interrupt: Option<&'a AtomicBool>,
+    asked: Option<&'a dyn Fn() -> Option<StopCause>>,
 }
 
 #[derive(Clone)]
@@ -108,6 +109,7 @@ impl<'a> Simulation<'a> {
             sensitivities: Vec::new(),
             controls_sensitivities: true,
             interrupt: None,
+            asked: None,
         }
     }
 
@@ -272,6 +274,13 @@ impl<'a> Simulation<'a> {
         self
     }
 
+    /// As [`Simulation::until_flagged`], once this says why, which is asked after every step: for
+    /// a limit on time, or for somebody who cannot set a flag meanwhile.
+    pub fn until_told(mut self, why: &'a dyn Fn() -> Option<StopCause>) -> Self {
+        self.asked = Some(why);
+        self
+    }
+
     /// Integrates the power balance alongside, for
     /// [`Trajectory::energy_balance`]. It is under the same control of error as
     /// the states, so the steps are not those of a run without it.
@@ -374,6 +383,7 @@ impl<'a> Simulation<'a> {
         let mut initial = self.checked_initial_state()?;
         let system = System::new(self.simulator, parameters, self.energy_balance)
             .until_flagged(self.interrupt)
+            .until_told(self.asked)
             .with_tangents(self.tangents(&initial)?);
         if method != asked {
             system.note(format!("{method} instead of {asked}, which does not carry sensitivities"));

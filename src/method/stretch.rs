@@ -134,10 +134,7 @@ impl<'a> Stretch<'a> {
 
     /// Refuses to go on from `time` if the run is to end where it is.
     pub(super) fn require_uninterrupted(&self, time: f64) -> Result<(), Stopped> {
-        if self.system.is_interrupted() {
-            return Err(Stopped { time, cause: StopCause::Interrupted });
-        }
-        Ok(())
+        self.system.interruption().map_or(Ok(()), |cause| Err(Stopped { time, cause }))
     }
 
     /// As [`Stretch::require_uninterrupted`], after a step that ends in a state.

@@ -52,6 +52,7 @@ pub struct System<'a> {
     work: Cell<Work>,
     notes: RefCell<Vec<String>>,
     interrupt: Option<&'a AtomicBool>,
+    asked: Option<&'a dyn Fn() -> Option<StopCause>>,
     onlooker: Option<Onlooker<'a>>,
     /// Length of the run that this is a piece of \[s\]; 0 if it is none.
     whole: f64,
@@ -80,6 +81,7 @@ impl<'a> System<'a> {
             work: Cell::default(),
             notes: RefCell::default(),
             interrupt: None,
+            asked: None,
             onlooker: None,
             whole: 0.0,
             has_stepped: Cell::new(false),
@@ -90,6 +92,11 @@ impl<'a> System<'a> {
     #[must_use]
     pub fn until_flagged(self, interrupt: Option<&'a AtomicBool>) -> Self {
         Self { interrupt, ..self }
+    }
+
+    /// The same, to be left after the step at which this says why.
+    pub(crate) fn until_told(self, asked: Option<&'a dyn Fn() -> Option<StopCause>>) -> Self {
+        Self { asked, ..self }
     }
 
     /// The same, whose steps somebody looks at.
@@ -122,10 +129,12 @@ impl<'a> System<'a> {
         self.tangents.as_ref()
     }
 
-    /// Whether the run is to end where it is.
-    #[must_use]
-    pub fn is_interrupted(&self) -> bool {
-        self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed))
+    /// Why the run is to end where it is, if it is.
+    pub(super) fn interruption(&self) -> Option<StopCause> {
+        if self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+            return Some(StopCause::Interrupted);
+        }
+        self.asked.and_then(|asked| asked())
     }
 
     /// The simulator, for methods that need more than rate and Jacobian.

@@ -1,0 +1,51 @@
+"""Machinist: simulators of machines, written down by their energies.
+
+>>> import machinist
+>>> gin = machinist.load("saw_gin")
+>>> run = gin.simulate(until=0.5, parameters={"coupling.stiffness": 3e4})
+>>> run["twist"].max() < 0.1
+True
+"""
+
+from __future__ import annotations
+
+from . import _machinist
+from ._machinist import __version__, built_in_names
+from ._model import Model, load
+from ._run import Run
+from .errors import (
+    AnalysisError,
+    InputError,
+    MachinistError,
+    ModelFileError,
+    ShapeError,
+    SpecError,
+    StoppedError,
+    SweepError,
+    ToolMissingError,
+    UnknownNameError,
+)
+
+__all__ = [
+    "AnalysisError",
+    "InputError",
+    "MachinistError",
+    "Model",
+    "ModelFileError",
+    "Run",
+    "ShapeError",
+    "SpecError",
+    "StoppedError",
+    "SweepError",
+    "ToolMissingError",
+    "UnknownNameError",
+    "__version__",
+    "built_in_names",
+    "load",
+    "methods",
+]
+
+
+def methods() -> dict[str, str]:
+    """Methods of integration, with what they are for."""
+    return {name: doc for name, _, _, doc in _machinist.methods()}

@@ -1,0 +1,356 @@
+"""Machines: loaded from specs, model files or by name, and run."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _derive, _machinist
+from ._linear import Modes, Response
+from ._run import Run
+from ._tables import Event, Parameter, Quantity, State, Table, html, text
+from .errors import InputError, ModelFileError, StoppedError, UnknownNameError
+
+if TYPE_CHECKING:
+    import scipy.sparse
+
+Array = NDArray[np.float64]
+#: All parameters in order, or some by name.
+Parameters = Mapping[str, float] | ArrayLike
+
+#: Machines of this process, by what they are made of.
+_LOADED: dict[tuple, Model] = {}
+
+
+def load(
+    scene: str | os.PathLike[str],
+    *,
+    elements: int | None = None,
+    order: int | None = None,
+    keep_all: bool = False,
+) -> Model:
+    """A machine: of a spec (`drive.toml`), of a model file (`drive.model`), or built in (`saw_gin`).
+
+    A spec is derived by the program `machinist`, found on PATH or by the variable MACHINIST; a
+    model file and what is built in need nothing.
+
+    :param elements: elements into which fields are cut, if the scene has any.
+    :param order: order of these elements.
+    :param keep_all: leave nothing out of a spec, whether outputs need it or not.
+    :raises UnknownNameError: there is no such scene.
+    :raises SpecError: the spec is wrong; with its file and line.
+    :raises ModelFileError: the file is damaged, or of another version.
+    :raises ToolMissingError: a spec is to be derived, and the program is not there.
+    """
+    name = os.fspath(scene)
+    if not isinstance(name, str):
+        raise InputError(f"a scene is a name or a path, not {scene!r}")
+    is_path = Path(name).suffix in {".toml", ".model"} or os.sep in name or "/" in name
+    if not is_path and not keep_all:
+        return _loaded(("built in", name), elements, order)
+    if not is_path:
+        return _loaded(("model", _derive.derived(name, keep_all=True)), elements, order)
+    content, is_model = _derive.read(Path(name), _machinist.MODEL_MARK)
+    if is_model or Path(name).suffix == ".model":
+        try:
+            return _loaded(("model", content), elements, order)
+        except ModelFileError as error:
+            raise ModelFileError(error.message, file=name, hint=_again(error)) from None
+    return _loaded(("model", _derive.derived(name, keep_all=keep_all)), elements, order)
+
+
+def _again(error: ModelFileError) -> str:
+    if "version" in error.message:
+        return "program and package are to be of one version; `machinist compile` makes it again"
+    return "`machinist compile` makes it again from its spec"
+
+
+def _loaded(payload: tuple[str, Any], elements: int | None, order: int | None) -> Model:
+    """The machine of a payload, made once in a process."""
+    key = (*payload, elements, order)
+    if key not in _LOADED:
+        kind, content = payload
+        if kind == "model":
+            machine = _machinist.Machine.of_model(content, elements, order)
+        else:
+            machine = _machinist.Machine.built_in(content, elements, order)
+            if machine is None:
+                known = _machinist.built_in_names()
+                likely = _machinist.did_you_mean(content, known)
+                hint = None if likely else (
+                    f"built in are {', '.join(known)}; names of files end in .toml or .model"
+                )
+                raise UnknownNameError(f"there is no scene `{content}`{likely}", hint=hint)
+        _LOADED[key] = Model(machine, key)
+    return _LOADED[key]
+
+
+def _restored(key: tuple) -> Model:
+    return _loaded(key[:2], *key[2:])
+
+
+class Model:
+    """A machine ready to run. Made by :func:`load`; may be pickled and shared by threads."""
+
+    def __init__(self, machine: _machinist.Machine, key: tuple) -> None:
+        self._machine = machine
+        self._key = key
+
+    def __reduce__(self) -> tuple:
+        return (_restored, (self._key,))
+
+    @cached_property
+    def _told(self) -> dict[str, Any]:
+        return self._machine.describe()
+
+    @property
+    def name(self) -> str:
+        """The scene's name."""
+        return self._told["name"]
+
+    @property
+    def title(self) -> str:
+        """The scene in one line."""
+        return self._told["title"]
+
+    @property
+    def running(self) -> str:
+        """How it runs: emitted, compiled (at once, by Cranelift) or interpreted."""
+        return self._told["running"]
+
+    @property
+    def fingerprint(self) -> str:
+        """SHA-256 of the model file; of what is built in, of its names and what it computes."""
+        return self._machine.fingerprint
+
+    @property
+    def defaults(self) -> dict[str, Any]:
+        """The run that the scene asks for: start, until, points, rtol, method."""
+        return dict(self._told["run"])
+
+    @cached_property
+    def parameters(self) -> Table[Parameter]:
+        """Parameters with values, units, meanings, and whether they are tunable."""
+        rows = [Parameter(*row, value, tunable) for row, value, tunable in self._told["parameters"]]
+        return Table(self.name, "parameter", rows, ("name", "value", "unit", "tunable", "doc"))
+
+    @cached_property
+    def states(self) -> Table[State]:
+        """Entries of the state y = [q, q', z]."""
+        rows = [State(*row, kind, scale) for row, kind, scale in self._told["states"]]
+        return Table(self.name, "state", rows, ("name", "unit", "kind", "doc"))
+
+    @cached_property
+    def outputs(self) -> Table[Quantity]:
+        """Wanted outputs."""
+        rows = [Quantity(*row) for row in self._told["outputs"]]
+        return Table(self.name, "output", rows, ("name", "unit", "doc"))
+
+    @cached_property
+    def events(self) -> Table[Event]:
+        """Events that may happen."""
+        rows = [Event(name, "", doc) for name, doc in self._told["events"]]
+        return Table(self.name, "event", rows, ("name", "doc"))
+
+    @cached_property
+    def constraints(self) -> Table[Quantity]:
+        """What coordinates must fulfil."""
+        rows = [Quantity(*row) for row in self._told["constraints"]]
+        return Table(self.name, "constraint", rows, ("name", "unit", "doc"))
+
+    def p(self, values: Mapping[str, float] | None = None) -> Array:
+        """All parameters in order, some of them with other values."""
+        all_of_them = self._machine.defaults()
+        for name, value in (values or {}).items():
+            all_of_them[self.parameters.index(name)] = value
+        return all_of_them
+
+    def rate(
+        self, t: float, y: ArrayLike, p: ArrayLike | None = None, out: Array | None = None
+    ) -> Array:
+        """y' = f(t, y, p), as SciPy's `solve_ivp` takes it.
+
+        Events do nothing here and modes stay as they are in `y`; accelerations fulfil constraints,
+        which drift.
+
+        :param p: all parameters in order, see :meth:`p`; those of the scene if not given.
+        :param out: an array to be filled and returned, instead of a new one.
+        """
+        return self._machine.rate(t, y, p, out)
+
+    def jacobian(
+        self, t: float, y: ArrayLike, p: ArrayLike | None = None, out: Array | None = None
+    ) -> Array:
+        """dy'/dy, exact and dense, states by states; see :attr:`jacobian_sparsity`."""
+        return self._machine.jacobian(t, y, p, out)
+
+    def outputs_at(
+        self, t: float, y: ArrayLike, p: ArrayLike | None = None, out: Array | None = None
+    ) -> Array:
+        """Wanted outputs in a state, in the order of :attr:`outputs`."""
+        return self._machine.outputs(t, y, p, out)
+
+    @property
+    def jacobian_sparsity(self) -> scipy.sparse.coo_array:
+        """Where dy'/dy may be nonzero, as SciPy takes it; needs SciPy."""
+        import scipy.sparse
+
+        rows, columns = self._machine.jacobian_pattern()
+        shape = (self._machine.states,) * 2
+        return scipy.sparse.coo_array((np.ones(len(rows)), (rows, columns)), shape=shape)
+
+    def initial_state(self, p: ArrayLike | None = None) -> Array:
+        """The state that the scene begins with; guesses, where constraints decide the rest."""
+        return self._machine.initial_state(p)
+
+    def discontinuities(self, p: ArrayLike | None = None) -> Array:
+        """Times at which the rate jumps [s]; a solver is to stop there."""
+        return self._machine.discontinuities(p)
+
+    def simulate(
+        self,
+        *,
+        until: float | None = None,
+        parameters: Parameters | None = None,
+        initial: Mapping[str, float] | ArrayLike | None = None,
+        start: float | None = None,
+        points: int | None = None,
+        times: ArrayLike | None = None,
+        rtol: float | None = None,
+        atol: ArrayLike | None = None,
+        method: str | None = None,
+        max_steps: int | None = None,
+        equilibrium: bool | None = None,
+        energy_balance: bool = False,
+        sensitivities: Sequence[str] = (),
+        time_limit: float | None = None,
+        on_stop: Literal["raise", "keep"] = "raise",
+    ) -> Run:
+        """A run; what is not given is as the scene says. The interpreter is free meanwhile.
+
+        :param until: end time [s]; `start` is the start time.
+        :param parameters: some by name, or all in order; SI units.
+        :param initial: initial values of states by name, or a whole state.
+        :param points: number of equally spaced output times; `times` are times instead.
+        :param rtol: relative tolerance of a step; `atol` absolute ones, each in its unit.
+        :param method: see :func:`machinist.methods`.
+        :param equilibrium: start in the equilibrium near the initial state, or not.
+        :param energy_balance: integrate the power balance alongside.
+        :param sensitivities: parameters, or states for their initial values, to differentiate by.
+        :param time_limit: seconds that the run may take.
+        :param on_stop: "raise" a :class:`StoppedError` with what there is of the run, or "keep" it
+            and say so in `run.stopped`.
+        """
+        if on_stop not in ("raise", "keep"):
+            raise InputError(f"on_stop is `raise` or `keep`, not {on_stop!r}")
+        settings = _given(
+            until=until, parameters=parameters, initial=initial, start=start, points=points,
+            times=times, rtol=rtol, atol=atol, method=method, max_steps=max_steps,
+            equilibrium=equilibrium, time_limit=time_limit,
+        )  # fmt: skip
+        if energy_balance:
+            settings["energy_balance"] = True
+        if sensitivities:
+            settings["sensitivities"] = _names(sensitivities)
+        native, error = self._machine.simulate(settings)
+        if error is None:
+            return Run(native)
+        run = None if native is None else Run(native)
+        if on_stop == "keep" and run is not None:
+            return run
+        error.run = run
+        raise error
+
+    def modes(
+        self,
+        *,
+        at: str | float = "equilibrium",
+        slopes: Sequence[str] = (),
+        parameters: Parameters | None = None,
+        initial: Mapping[str, float] | ArrayLike | None = None,
+        **settings: Any,
+    ) -> Modes:
+        """Natural motions about a point of the run: frequencies, damping, shapes.
+
+        :param at: "equilibrium" (the one near the end of the run), "initial", or a time [s].
+        :param slopes: parameters by which eigenvalues are differentiated.
+        :param settings: of the run that leads there, as those of :meth:`simulate`.
+        """
+        place = _place(at)
+        given = _given(parameters=parameters, initial=initial, **settings)
+        told = _machinist.modes(self._machine, given, place, _names(slopes))
+        return Modes(self.name, place, told)
+
+    def response(
+        self,
+        input: str,
+        output: str,
+        *,
+        frequencies: ArrayLike | None = None,
+        points: int = 401,
+        at: str | float = "equilibrium",
+        parameters: Parameters | None = None,
+        initial: Mapping[str, float] | ArrayLike | None = None,
+        **settings: Any,
+    ) -> Response:
+        """How an output or a state answers a harmonic disturbance.
+
+        :param input: a parameter, or a coordinate for a force on it.
+        :param frequencies: angular frequencies [rad/s]; `points` of them about those of the
+            machine if not given.
+        :param at: as in :meth:`modes`, and `settings` too.
+        """
+        given = _given(parameters=parameters, initial=initial, **settings)
+        told = _machinist.response(
+            self._machine, given, _place(at), (input, output), frequencies, points
+        )
+        return Response(self.title, told)
+
+    def __repr__(self) -> str:
+        return "\n".join([self._line(), *text(_HEADING, self._rows())])
+
+    def _line(self) -> str:
+        return f"{self.name}: {self.title} ({self.running})"
+
+    def _rows(self) -> list[list[str]]:
+        counted = [
+            ("states", self.states), ("parameters", self.parameters), ("outputs", self.outputs),
+            ("events", self.events), ("constraints", self.constraints),
+        ]  # fmt: skip
+        return [[what, str(len(names)), _some(names)] for what, names in counted if names]
+
+    def _repr_html_(self) -> str:
+        return html(self._line(), _HEADING, self._rows())
+
+
+_HEADING = ("", "number", "names")
+
+
+def _place(at: str | float) -> str:
+    """A place of a run as the engine reads it."""
+    return at if isinstance(at, str) else f"t={at!r}"
+
+
+def _some(names: Mapping[str, Any]) -> str:
+    most = 6
+    shown = ", ".join(list(names)[:most])
+    return f"{shown}, ..." if len(names) > most else shown
+
+
+def _given(**settings: Any) -> dict[str, Any]:
+    """Settings without those that are left to the scene."""
+    return {name: value for name, value in settings.items() if value is not None}
+
+
+def _names(names: Sequence[str] | str) -> list[str]:
+    """A list of names; one name is one."""
+    return [names] if isinstance(names, str) else list(names)
+
+
+__all__ = ["Model", "StoppedError", "load"]

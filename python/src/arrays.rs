@@ -1,0 +1,83 @@
+//! Numbers that Python hands over: arrays as they are, other sequences by way of one.
+
+use numpy::{PyArray1, PyReadonlyArray1, PyUntypedArray, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+
+use crate::failure::Failure;
+
+/// Numbers in a row, borrowed if they lie in one.
+pub enum Numbers<'py> {
+    /// An array's own.
+    Borrowed(PyReadonlyArray1<'py, f64>),
+    /// Gathered from what does not lie in a row.
+    Owned(Vec<f64>),
+}
+
+impl Numbers<'_> {
+    /// Them.
+    pub fn as_slice(&self) -> &[f64] {
+        match self {
+            // Others were gathered.
+            Self::Borrowed(array) => array.as_slice().unwrap_or_default(),
+            Self::Owned(values) => values,
+        }
+    }
+}
+
+/// The numbers of an array or a sequence, of one dimension and of this length if one is given.
+///
+/// # Errors
+/// `InputError` for what are no real numbers, `ShapeError` for another shape.
+pub fn numbers<'py>(
+    what: &str,
+    given: &Bound<'py, PyAny>,
+    expected: Option<usize>,
+) -> Result<Numbers<'py>, Failure> {
+    let found = match given.extract::<PyReadonlyArray1<'py, f64>>() {
+        Ok(array) => array,
+        Err(_) => converted(what, given)?,
+    };
+    if let Some(expected) = expected
+        && found.len() != expected
+    {
+        let found = found.len();
+        let message = format!("{what} has {found} values, but must have {expected}");
+        return Err(Failure::Refused("ShapeError", message));
+    }
+    Ok(match found.as_slice() {
+        Ok(_) => Numbers::Borrowed(found),
+        Err(_) => Numbers::Owned(found.as_array().to_vec()),
+    })
+}
+
+/// Numbers of another kind, which floats hold without loss.
+fn converted<'py>(
+    what: &str,
+    given: &Bound<'py, PyAny>,
+) -> Result<PyReadonlyArray1<'py, f64>, Failure> {
+    let numpy = given.py().import("numpy")?;
+    let no_numbers = |_| {
+        let kind = given.get_type().name().map_or_else(|_| String::new(), |name| name.to_string());
+        Failure::input(format!("{what} must be real numbers, and is no array of any: {kind}"))
+    };
+    let array = numpy.call_method1("asarray", (given,)).map_err(no_numbers)?;
+    let untyped = array.cast::<PyUntypedArray>().map_err(PyErr::from)?;
+    if untyped.ndim() != 1 {
+        let shape = untyped.shape();
+        let message = format!("{what} has the shape {shape:?}, but must have one dimension");
+        return Err(Failure::Refused("ShapeError", message));
+    }
+    let kind = untyped.dtype();
+    let refused = |_| {
+        let message = format!("{what} has values of type {kind}, but must be real numbers");
+        Failure::input(message)
+    };
+    // An empty list is one of floats.
+    let floats = array.call_method1("astype", ("float64", "K", "safe")).map_err(refused)?;
+    Ok(floats.extract().map_err(PyErr::from)?)
+}
+
+/// An array that has taken over a vector.
+pub fn array<'py>(py: Python<'py>, values: Vec<f64>) -> Bound<'py, PyArray1<f64>> {
+    PyArray1::from_vec(py, values)
+}

@@ -1,0 +1,109 @@
+//! Errors as exceptions of the package `machinist`.
+
+use machinist::SimulateError;
+use machinist::field::FieldError;
+use machinist::linear_analysis::LinearError;
+use machinist_model::file::FileError;
+use pyo3::prelude::*;
+
+/// Why nothing comes of a call.
+#[derive(Debug)]
+pub enum Failure {
+    /// A run was refused or stopped.
+    Simulate(SimulateError),
+    /// There is no linear analysis.
+    Linear(LinearError),
+    /// Fields cannot be cut as wanted.
+    Field(FieldError),
+    /// Bytes are no model.
+    File(FileError),
+    /// What was handed over makes no sense; the class of the exception, and what to say.
+    Refused(&'static str, String),
+    /// Python says so.
+    Python(PyErr),
+}
+
+impl Failure {
+    /// Something that was handed over makes no sense.
+    pub fn input(message: impl Into<String>) -> Self {
+        Self::Refused("InputError", message.into())
+    }
+}
+
+impl From<SimulateError> for Failure {
+    fn from(error: SimulateError) -> Self {
+        Self::Simulate(error)
+    }
+}
+
+impl From<LinearError> for Failure {
+    fn from(error: LinearError) -> Self {
+        match error {
+            LinearError::Simulate(error) => Self::Simulate(error),
+            error => Self::Linear(error),
+        }
+    }
+}
+
+impl From<FieldError> for Failure {
+    fn from(error: FieldError) -> Self {
+        Self::Field(error)
+    }
+}
+
+impl From<FileError> for Failure {
+    fn from(error: FileError) -> Self {
+        Self::File(error)
+    }
+}
+
+impl From<PyErr> for Failure {
+    fn from(error: PyErr) -> Self {
+        Self::Python(error)
+    }
+}
+
+impl From<Failure> for PyErr {
+    fn from(failure: Failure) -> Self {
+        let (class, message) = match failure {
+            Failure::Python(error) => return error,
+            Failure::Simulate(error) => (class_of(&error), error.to_string()),
+            Failure::Linear(error) => (
+                match error {
+                    LinearError::Unknown { .. } => "UnknownNameError",
+                    LinearError::Eigenvalues
+                    | LinearError::NoEquilibrium { .. }
+                    | LinearError::NoModes { .. }
+                    | LinearError::LosesEquilibrium { .. }
+                    | LinearError::Unsettled { .. }
+                    | LinearError::Lost { .. }
+                    | LinearError::Singular { .. } => "AnalysisError",
+                    _ => "InputError",
+                },
+                error.to_string(),
+            ),
+            Failure::Field(error) => ("InputError", error.to_string()),
+            Failure::File(error) => ("ModelFileError", error.to_string()),
+            Failure::Refused(class, message) => (class, message),
+        };
+        Python::attach(|py| exception(py, class, &message).unwrap_or_else(|error| error))
+    }
+}
+
+/// The class of exception that an error is.
+fn class_of(error: &SimulateError) -> &'static str {
+    match error {
+        SimulateError::UnknownParameter { .. }
+        | SimulateError::UnknownDirection { .. }
+        | SimulateError::UnknownMethod(_) => "UnknownNameError",
+        SimulateError::WrongLength { .. } => "ShapeError",
+        SimulateError::Stopped { .. } => "StoppedError",
+        _ => "InputError",
+    }
+}
+
+/// An exception of the package.
+pub fn exception(py: Python<'_>, class: &str, message: &str) -> PyResult<PyErr> {
+    let class = py.import("machinist.errors")?.getattr(class)?;
+    Ok(PyErr::from_value(class.call1((message,))?))
+}

@@ -1,0 +1,74 @@
+//! What of Machinist crosses to Python: machines with their functions, runs, linear analysis,
+//! fits and pieces of sweeps. Names, documentation and everything that is no number is on the
+//! other side, in the package `machinist`.
+//!
+//! Layers, from below:
+//!
+//! - [`failure`]: errors as exceptions of the package;
+//! - [`arrays`]: numbers that Python hands over;
+//! - [`source`]: where a simulator comes from;
+//! - [`settings`]: what a run is asked for, by keywords;
+//! - [`patience`]: runs that are left on Ctrl-C or after a limit of time;
+//! - [`machine`], [`run`], [`linear`], [`sweep`]: what Python sees.
+
+mod arrays;
+mod failure;
+mod linear;
+mod machine;
+mod patience;
+mod run;
+mod settings;
+mod source;
+mod sweep;
+mod tunable;
+
+use pyo3::prelude::*;
+
+/// The native part of the package `machinist`.
+#[pymodule]
+mod _machinist {
+    #[pymodule_export]
+    use crate::linear::modes;
+    #[pymodule_export]
+    use crate::linear::response;
+    #[pymodule_export]
+    use crate::machine::Machine;
+    #[pymodule_export]
+    use crate::run::Run;
+    #[pymodule_export]
+    use crate::sweep::sweep_piece;
+
+    use machinist::Method;
+    use machinist_model::file::{MARK, VERSION};
+    use machinist_scenes::scenes::{FIELD_NAMES, NAMES};
+    use pyo3::prelude::*;
+    use pyo3::types::PyBytes;
+
+    /// Names of scenes that are built in, sorted.
+    #[pyfunction]
+    fn built_in_names() -> Vec<&'static str> {
+        let mut names: Vec<_> = NAMES.iter().chain(FIELD_NAMES).copied().collect();
+        names.sort_unstable();
+        names
+    }
+
+    /// Names of methods, with their orders, whether they are implicit, and what they are for.
+    #[pyfunction]
+    fn methods() -> Vec<(&'static str, u32, bool, &'static str)> {
+        let row = |m: Method| (m.name(), m.order(), m.is_implicit(), m.doc());
+        Method::compiled_in().map(row).collect()
+    }
+
+    /// The nearest of names that are known, as a question in parentheses, or nothing.
+    #[pyfunction]
+    fn did_you_mean(name: &str, known: Vec<String>) -> String {
+        machinist::error::did_you_mean(name, known.iter().map(String::as_str))
+    }
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+        module.add("MODEL_MARK", PyBytes::new(module.py(), MARK))?;
+        module.add("MODEL_VERSION", VERSION)
+    }
+}

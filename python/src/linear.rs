@@ -1,0 +1,177 @@
+//! Modes and frequency responses.
+
+use machinist::Simulation;
+use machinist::linear_analysis::{
+    LinearError, Linearization, Mode, ModeKind, NoSlope, Place, PointSlopes, operating_point,
+};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+
+use crate::arrays::{array, numbers};
+use crate::failure::Failure;
+use crate::machine::Machine;
+use crate::patience::Patience;
+use crate::settings::Settings;
+
+/// A run as set, looked at in a place.
+struct Looked {
+    time: f64,
+    state: Vec<f64>,
+}
+
+/// Finds the place and linearizes there, without holding the interpreter.
+fn looked_at<T: Send>(
+    py: Python<'_>,
+    machine: &Machine,
+    settings: &Settings,
+    place: &str,
+    job: impl FnOnce(&Linearization<'_>, &Simulation<'_>, Place) -> Result<T, LinearError> + Send,
+) -> Result<(T, Looked), Failure> {
+    let place: Place = place.parse().map_err(Failure::input)?;
+    let (found, quiet) = py.detach(|| {
+        let patience = Patience::new(settings.time_limit);
+        let end = || patience.end();
+        let found = machine.source.with(|simulator| {
+            let run = settings.apply(Simulation::new(simulator))?.until_told(&end);
+            let linearization = Linearization::at(simulator, operating_point(&run, place)?)?;
+            let found = job(&linearization, &run, place)?;
+            let point = linearization.point();
+            Ok((found, Looked { time: point.time, state: point.state.clone() }))
+        });
+        (found, patience.require_quiet())
+    });
+    quiet?;
+    found?.map_err(|error: LinearError| error.into())
+}
+
+/// What is told of all modes.
+struct Told {
+    names: Vec<String>,
+    coordinates: usize,
+    modes: Vec<Mode>,
+    /// Names of parameters, and how each mode moves with them.
+    by: Vec<String>,
+    slopes: Vec<Result<Vec<[f64; 4]>, String>>,
+    matrix: Vec<f64>,
+}
+
+/// Natural motions of a machine where it is looked at, by name.
+#[pyfunction]
+pub fn modes<'py>(
+    py: Python<'py>,
+    machine: &Machine,
+    settings: &Bound<'py, PyDict>,
+    at: &str,
+    by: Vec<String>,
+) -> Result<Bound<'py, PyDict>, Failure> {
+    let settings = Settings::of(settings)?;
+    let (told, point) = looked_at(py, machine, &settings, at, |linearization, run, place| {
+        let modes = linearization.modes()?;
+        let mut slopes = Vec::new();
+        if !by.is_empty() {
+            let moves = PointSlopes::of(run, place, linearization.point(), &by)?;
+            let of_modes = linearization.mode_slopes(&modes, &moves)?;
+            slopes = of_modes.into_iter().map(|slopes| slopes_of(slopes)).collect();
+        }
+        Ok(Told {
+            names: linearization.motion_names(),
+            coordinates: linearization.simulator().shape().coordinates,
+            modes,
+            by,
+            slopes,
+            // Columns of the transposed are rows.
+            matrix: linearization.matrix().transpose().as_slice().to_vec(),
+        })
+    })?;
+    let answer = PyDict::new(py);
+    answer.set_item("time", point.time)?;
+    answer.set_item("state", array(py, point.state))?;
+    answer.set_item("names", told.names)?;
+    answer.set_item("coordinates", told.coordinates)?;
+    answer.set_item("matrix", array(py, told.matrix))?;
+    answer.set_item("by", told.by)?;
+    let rows = PyList::empty(py);
+    let mut slopes = told.slopes.into_iter();
+    for mode in told.modes {
+        let row = PyDict::new(py);
+        let kind = match mode.kind {
+            ModeKind::Free => "free",
+            ModeKind::Aperiodic => "aperiodic",
+            ModeKind::Oscillation => "oscillation",
+        };
+        row.set_item("kind", kind)?;
+        row.set_item("real", mode.real)?;
+        row.set_item("imaginary", mode.imaginary)?;
+        row.set_item("natural_frequency", mode.natural_frequency())?;
+        row.set_item("damping_ratio", mode.damping_ratio())?;
+        row.set_item("decay_time", mode.decay_time())?;
+        row.set_item("residual", mode.residual)?;
+        let (real, imaginary): (Vec<f64>, Vec<f64>) =
+            mode.shape.iter().map(|[real, imaginary]| (*real, *imaginary)).unzip();
+        row.set_item("shape", (array(py, real), array(py, imaginary)))?;
+        row.set_item("shares", array(py, mode.shares))?;
+        match slopes.next() {
+            None => row.set_item("slopes", py.None())?,
+            Some(Ok(slopes)) => row.set_item("slopes", slopes)?,
+            Some(Err(why)) => row.set_item("slopes", why)?,
+        }
+        rows.append(row)?;
+    }
+    answer.set_item("modes", rows)?;
+    Ok(answer)
+}
+
+/// Derivatives of real part, imaginary part, natural frequency and damping ratio, or why there
+/// are none.
+fn slopes_of(
+    slopes: Result<Vec<machinist::linear_analysis::ModeSlope>, NoSlope>,
+) -> Result<Vec<[f64; 4]>, String> {
+    let row = |s: &machinist::linear_analysis::ModeSlope| {
+        [s.real, s.imaginary, s.natural_frequency, s.damping_ratio]
+    };
+    match slopes {
+        Ok(slopes) => Ok(slopes.iter().map(row).collect()),
+        Err(NoSlope::Free) => Err("nothing restores it".to_owned()),
+        Err(NoSlope::Repeated(modes)) => Err(format!("modes {modes:?} share its eigenvalue")),
+        Err(NoSlope::Defective) => Err("it moves as a root of the parameter".to_owned()),
+    }
+}
+
+/// (what varies, what answers, the unit of amplitudes, frequencies, amplitudes, phases).
+type Answered<'py> = (String, String, String, [Bound<'py, PyAny>; 3]);
+
+/// How an output answers a parameter, or a force on a coordinate.
+#[pyfunction]
+pub fn response<'py>(
+    py: Python<'py>,
+    machine: &Machine,
+    settings: &Bound<'py, PyDict>,
+    at: &str,
+    from_to: (String, String),
+    frequencies: Option<&Bound<'py, PyAny>>,
+    points: usize,
+) -> Result<Answered<'py>, Failure> {
+    let (from, to) = from_to;
+    let settings = Settings::of(settings)?;
+    let given = frequencies.map(|given| numbers("frequencies", given, None)).transpose()?;
+    let given = given.map(|given| given.as_slice().to_vec());
+    if let Some(bad) = given.iter().flatten().find(|w| !(w.is_finite() && **w >= 0.0)) {
+        return Err(Failure::input(format!(
+            "frequencies hold {bad}; they are finite and not below 0"
+        )));
+    }
+    let (response, _) = looked_at(py, machine, &settings, at, |linearization, _, _| {
+        let frequencies = match given {
+            Some(given) => given,
+            None => {
+                let (low, high) = linearization.range_of_interest()?;
+                machinist::linear_analysis::logarithmic_range(low, high, points)?
+            }
+        };
+        linearization.response(&from, &to, &frequencies)
+    })?;
+    let unit = response.amplitude_unit();
+    let arrays = [response.frequencies, response.amplitudes, response.phases];
+    let arrays = arrays.map(|values| array(py, values).into_any());
+    Ok((response.from, response.to, unit, arrays))
+}

@@ -1,0 +1,410 @@
+//! Machines, as Python sees them.
+
+use std::time::Instant;
+
+use machinist::field::Discretisation;
+use machinist::{SimulateError, Simulation};
+use machinist_contract::{Simulator, StateKind};
+use machinist_model::file;
+use numpy::PyUntypedArrayMethods;
+use numpy::{PyArray1, PyArray2, PyReadwriteArray1, PyReadwriteArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use sha2::{Digest, Sha256};
+
+use crate::arrays::{Numbers, array, numbers};
+use crate::failure::{Failure, exception};
+use crate::patience::Patience;
+use crate::run::Run;
+use crate::settings::Settings;
+use crate::source::Source;
+use crate::tunable::tunable;
+
+/// A machine ready to run.
+#[pyclass(frozen, module = "machinist._machinist")]
+pub struct Machine {
+    pub source: Source,
+    defaults: Vec<f64>,
+    states: usize,
+    outputs: usize,
+    /// Of the model file; of emitted code, see [`Machine::behaviour`].
+    fingerprint: String,
+    /// (row, column) of the Jacobian's nonzeros.
+    pattern: Vec<(u32, u32)>,
+}
+
+impl Machine {
+    fn new(source: Source, fingerprint: Option<String>) -> Result<Self, Failure> {
+        let (defaults, states, outputs, pattern, behaviour) = source.with(|simulator| {
+            let shape = simulator.shape();
+            let defaults: Vec<f64> =
+                (0..shape.parameters).map(|index| simulator.parameter_default(index)).collect();
+            let pattern = simulator.rate_jacobian_pattern().entries.to_vec();
+            let behaviour =
+                if fingerprint.is_none() { behaviour(simulator) } else { String::new() };
+            (defaults, shape.states(), shape.outputs, pattern, behaviour)
+        })?;
+        let fingerprint = fingerprint.unwrap_or(behaviour);
+        Ok(Self { source, defaults, states, outputs, fingerprint, pattern })
+    }
+
+    /// Parameters, those of the scene if none are given.
+    fn parameters<'a, 'py>(
+        &'a self,
+        given: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Parameters<'a, 'py>, Failure> {
+        match given {
+            None => Ok(Parameters::Defaults(&self.defaults)),
+            Some(given) => Ok(Parameters::Given(numbers("p", given, Some(self.defaults.len()))?)),
+        }
+    }
+}
+
+enum Parameters<'a, 'py> {
+    Defaults(&'a [f64]),
+    Given(Numbers<'py>),
+}
+
+impl Parameters<'_, '_> {
+    fn as_slice(&self) -> &[f64] {
+        match self {
+            Self::Defaults(values) => values,
+            Self::Given(values) => values.as_slice(),
+        }
+    }
+}
+
+/// A hash of what emitted code is called and computes: names, units, defaults, and rates and
+/// outputs at some states beside the start, to the last bit.
+fn behaviour(simulator: &dyn Simulator<f64>) -> String {
+    let shape = simulator.shape();
+    let mut hash = Sha256::new();
+    let mut add = |bytes: &[u8]| {
+        hash.update((bytes.len() as u64).to_le_bytes());
+        hash.update(bytes);
+    };
+    add(simulator.name().as_bytes());
+    let parameters: Vec<f64> =
+        (0..shape.parameters).map(|index| simulator.parameter_default(index)).collect();
+    for index in 0..shape.parameters {
+        let quantity = simulator.parameter(index);
+        add(quantity.name.as_bytes());
+        add(quantity.unit.as_bytes());
+        add(&parameters[index].to_le_bytes());
+    }
+    let named = (0..shape.states()).map(|index| simulator.state(index));
+    for quantity in named.chain((0..shape.outputs).map(|index| simulator.output(index))) {
+        add(quantity.name.as_bytes());
+        add(quantity.unit.as_bytes());
+    }
+    let mut start = vec![0.0; shape.states()];
+    simulator.initial_state(&parameters, &mut start);
+    for point in 0..8 {
+        let shift = |index: usize| {
+            let share = f64::from((7 * index as u32 + 5 * point) % 11) / 11.0;
+            f64::from(point) * 0.1 * (share - 0.4) * simulator.state_scale(index)
+        };
+        let state: Vec<f64> = start.iter().enumerate().map(|(k, y)| y + shift(k)).collect();
+        let time = simulator.run_defaults().from + 0.3 * f64::from(point);
+        let mut values = vec![0.0; shape.states() + shape.outputs];
+        let (rate, outputs) = values.split_at_mut(shape.states());
+        simulator.rate(time, &state, &parameters, rate);
+        simulator.outputs(time, &state, &parameters, outputs);
+        for value in values {
+            add(&value.to_le_bytes());
+        }
+    }
+    hex(&hash.finalize())
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+#[pymethods]
+impl Machine {
+    /// The scene of a name that is built in; nothing if there is none.
+    #[staticmethod]
+    fn built_in(
+        name: &str,
+        elements: Option<usize>,
+        order: Option<usize>,
+    ) -> Result<Option<Self>, Failure> {
+        let source = Source::built_in(name, Discretisation { elements, order })?;
+        source.map(|source| Self::new(source, None)).transpose()
+    }
+
+    /// The scene of a model file's bytes.
+    #[staticmethod]
+    fn of_model(
+        bytes: &[u8],
+        elements: Option<usize>,
+        order: Option<usize>,
+    ) -> Result<Self, Failure> {
+        let model = file::read(bytes)?.model;
+        let source = Source::of_model(model, Discretisation { elements, order })?;
+        Self::new(source, Some(hex(&Sha256::digest(bytes))))
+    }
+
+    /// A hash of what it is.
+    #[getter]
+    fn fingerprint(&self) -> &str {
+        &self.fingerprint
+    }
+
+    /// Number of states.
+    #[getter]
+    fn states(&self) -> usize {
+        self.states
+    }
+
+    /// Values of parameters as the scene has them.
+    fn defaults<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, &self.defaults)
+    }
+
+    /// All there is to say of it, by name.
+    fn describe<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        Ok(self.source.with(|simulator| describe(py, simulator, self.source.running()))??)
+    }
+
+    /// y' = f(t, y, p), into `out` if it is given.
+    #[pyo3(signature = (t, y, p=None, out=None))]
+    fn rate<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        y: &Bound<'py, PyAny>,
+        p: Option<&Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        let (y, p) = (numbers("y", y, Some(self.states))?, self.parameters(p)?);
+        let fill = |values: &mut [f64]| {
+            self.source.with(|simulator| simulator.rate(t, y.as_slice(), p.as_slice(), values))
+        };
+        into_array(py, self.states, out, fill)
+    }
+
+    /// Wanted outputs o(t, y, p).
+    #[pyo3(signature = (t, y, p=None, out=None))]
+    fn outputs<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        y: &Bound<'py, PyAny>,
+        p: Option<&Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        let (y, p) = (numbers("y", y, Some(self.states))?, self.parameters(p)?);
+        let fill = |values: &mut [f64]| {
+            self.source.with(|simulator| simulator.outputs(t, y.as_slice(), p.as_slice(), values))
+        };
+        into_array(py, self.outputs, out, fill)
+    }
+
+    /// dy'/dy, dense, `states` by `states`.
+    #[pyo3(signature = (t, y, p=None, out=None))]
+    fn jacobian<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        y: &Bound<'py, PyAny>,
+        p: Option<&Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyAny>, Failure> {
+        let (y, p) = (numbers("y", y, Some(self.states))?, self.parameters(p)?);
+        let mut values = vec![0.0; self.pattern.len()];
+        let (state, parameters) = (y.as_slice(), p.as_slice());
+        self.source.with(|it| it.rate_jacobian(t, state, parameters, &mut values))?;
+        let wanted = [self.states; 2];
+        let matrix = match out {
+            None => PyArray2::<f64>::zeros(py, wanted, false).into_any(),
+            Some(out) => out.clone(),
+        };
+        let mut filled: PyReadwriteArray2<'py, f64> =
+            matrix.extract().map_err(|_| bad_out("matrix"))?;
+        if filled.shape() != wanted {
+            return Err(bad_out_shape(filled.shape(), &wanted));
+        }
+        let mut entries = filled.as_array_mut();
+        entries.fill(0.0);
+        for ((row, column), value) in self.pattern.iter().zip(values) {
+            entries[(*row as usize, *column as usize)] = value;
+        }
+        drop(filled);
+        Ok(matrix)
+    }
+
+    /// Rows and columns of what may be nonzero in dy'/dy.
+    fn jacobian_pattern(&self) -> (Vec<u32>, Vec<u32>) {
+        self.pattern.iter().copied().unzip()
+    }
+
+    /// The state that the scene begins with, before constraints and equilibria are looked for.
+    #[pyo3(signature = (p=None))]
+    fn initial_state<'py>(
+        &self,
+        py: Python<'py>,
+        p: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyArray1<f64>>, Failure> {
+        let p = self.parameters(p)?;
+        let mut state = vec![0.0; self.states];
+        self.source.with(|simulator| simulator.initial_state(p.as_slice(), &mut state))?;
+        Ok(array(py, state))
+    }
+
+    /// Times at which the rate jumps.
+    #[pyo3(signature = (p=None))]
+    fn discontinuities<'py>(
+        &self,
+        py: Python<'py>,
+        p: Option<&Bound<'py, PyAny>>,
+    ) -> Result<Bound<'py, PyArray1<f64>>, Failure> {
+        let p = self.parameters(p)?;
+        let jumps = self.source.with(|simulator| {
+            let mut jumps = vec![0.0; simulator.shape().discontinuities];
+            simulator.discontinuities(p.as_slice(), &mut jumps);
+            jumps
+        })?;
+        Ok(array(py, jumps))
+    }
+
+    /// A run as set. The second of what is returned is the exception of a run that stopped, with
+    /// what there is of it first.
+    fn simulate(
+        &self,
+        py: Python<'_>,
+        settings: &Bound<'_, PyDict>,
+    ) -> Result<(Option<Run>, Option<Py<PyAny>>), Failure> {
+        let settings = Settings::of(settings)?;
+        let (run, quiet) = py.detach(|| {
+            let patience = Patience::new(settings.time_limit);
+            let end = || patience.end();
+            let run = self.source.with(|simulator| {
+                settings.apply(Simulation::new(simulator))?.until_told(&end).run()
+            });
+            (run, patience.require_quiet())
+        });
+        quiet?;
+        match run? {
+            Ok(run) => Ok((Some(Run::new(run)), None)),
+            Err(error @ SimulateError::Stopped { .. }) => {
+                let told = exception(py, "StoppedError", &error.to_string())?.into_value(py);
+                let SimulateError::Stopped { time, kept, .. } = error else {
+                    return Err(error.into());
+                };
+                told.setattr(py, "time", time)?;
+                Ok((kept.map(|kept| Run::new(*kept)), Some(told.into_any())))
+            }
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    /// Seconds that runs as set take, one after another, without Python in between.
+    fn time_runs(
+        &self,
+        py: Python<'_>,
+        settings: &Bound<'_, PyDict>,
+        runs: usize,
+    ) -> Result<Vec<f64>, Failure> {
+        let settings = Settings::of(settings)?;
+        py.detach(|| {
+            self.source.with(|simulator| {
+                let time = || {
+                    let start = Instant::now();
+                    settings.apply(Simulation::new(simulator))?.run()?;
+                    Ok(start.elapsed().as_secs_f64())
+                };
+                (0..runs).map(|_| time()).collect::<Result<Vec<f64>, SimulateError>>()
+            })
+        })?
+        .map_err(Failure::from)
+    }
+}
+
+/// Fills an array: a new one, or the caller's.
+fn into_array<'py>(
+    py: Python<'py>,
+    length: usize,
+    out: Option<&Bound<'py, PyAny>>,
+    fill: impl FnOnce(&mut [f64]) -> Result<(), Failure>,
+) -> Result<Bound<'py, PyAny>, Failure> {
+    let Some(out) = out else {
+        let mut values = vec![0.0; length];
+        fill(&mut values)?;
+        return Ok(array(py, values).into_any());
+    };
+    let mut filled: PyReadwriteArray1<'py, f64> =
+        out.extract().map_err(|_| bad_out("row of numbers"))?;
+    if filled.len() != length {
+        return Err(bad_out_shape(filled.shape(), &[length]));
+    }
+    fill(filled.as_slice_mut().map_err(|_| bad_out("row of numbers"))?)?;
+    drop(filled);
+    Ok(out.clone())
+}
+
+fn bad_out(what: &str) -> Failure {
+    let message = format!("out must be a writable {what} of float64, which nothing else borrows");
+    Failure::input(message)
+}
+
+fn bad_out_shape(found: &[usize], wanted: &[usize]) -> Failure {
+    Failure::Refused("ShapeError", format!("out has shape {found:?}, but must have {wanted:?}"))
+}
+
+fn describe<'py>(
+    py: Python<'py>,
+    simulator: &dyn Simulator<f64>,
+    running: &str,
+) -> PyResult<Bound<'py, PyDict>> {
+    let shape = simulator.shape();
+    let told = PyDict::new(py);
+    told.set_item("name", simulator.name())?;
+    told.set_item("title", simulator.title())?;
+    told.set_item("running", running)?;
+    let row = |quantity: machinist_contract::Quantity<'_>| {
+        [quantity.name, quantity.unit, quantity.doc].map(str::to_owned)
+    };
+    let parameters: Vec<_> = tunable(simulator)
+        .into_iter()
+        .enumerate()
+        .map(|(k, tunable)| (row(simulator.parameter(k)), simulator.parameter_default(k), tunable))
+        .collect();
+    told.set_item("parameters", parameters)?;
+    let kind = |k: usize| match simulator.state_kind(k) {
+        _ if simulator.is_mode(k) => "mode",
+        StateKind::Position => "position",
+        StateKind::Velocity => "velocity",
+        StateKind::FirstOrder => "first order",
+    };
+    let states: Vec<_> = (0..shape.states())
+        .map(|k| (row(simulator.state(k)), kind(k), simulator.state_scale(k)))
+        .collect();
+    told.set_item("states", states)?;
+    let outputs: Vec<_> = (0..shape.outputs).map(|k| row(simulator.output(k))).collect();
+    told.set_item("outputs", outputs)?;
+    let events: Vec<_> = (0..simulator.events())
+        .map(|k| {
+            let event = simulator.event(k);
+            [event.name.to_owned(), event.doc.to_owned()]
+        })
+        .collect();
+    told.set_item("events", events)?;
+    let constraints: Vec<_> = (0..simulator.constraints())
+        .map(|k| {
+            let constraint = simulator.constraint(k);
+            [constraint.name, constraint.unit, constraint.doc].map(str::to_owned)
+        })
+        .collect();
+    told.set_item("constraints", constraints)?;
+    let defaults = simulator.run_defaults();
+    let run = PyDict::new(py);
+    run.set_item("start", defaults.from)?;
+    run.set_item("until", defaults.until)?;
+    run.set_item("points", defaults.points)?;
+    run.set_item("rtol", defaults.rtol)?;
+    run.set_item("method", defaults.method)?;
+    told.set_item("run", run)?;
+    Ok(told)
+}

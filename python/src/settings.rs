@@ -1,0 +1,168 @@
+//! What a run is asked for, by keywords.
+
+use std::time::Duration;
+
+use machinist::simulate::MAX_STEPS;
+use machinist::{Method, SimulateError, Simulation};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyMapping, PyString};
+
+use crate::arrays::numbers;
+use crate::failure::Failure;
+
+/// What a caller sets of a run; what is not set is as the scene says.
+#[derive(Debug, Clone, Default)]
+pub struct Settings {
+    /// All parameters in order.
+    pub all_parameters: Option<Vec<f64>>,
+    /// Some of them by name.
+    pub parameters: Vec<(String, f64)>,
+    initial: Vec<(String, f64)>,
+    state: Option<Vec<f64>>,
+    start: Option<f64>,
+    until: Option<f64>,
+    points: Option<usize>,
+    times: Option<Vec<f64>>,
+    rtol: Option<f64>,
+    atol: Option<Vec<f64>>,
+    method: Option<Method>,
+    max_steps: Option<usize>,
+    equilibrium: Option<bool>,
+    energy_balance: bool,
+    sensitivities: Vec<String>,
+    /// How long it may take.
+    pub time_limit: Option<Duration>,
+}
+
+impl Settings {
+    /// Of keywords; `None` is as if it were not there.
+    ///
+    /// # Errors
+    /// What a keyword is given makes no sense, or there is no such keyword.
+    pub fn of(keywords: &Bound<'_, PyDict>) -> Result<Self, Failure> {
+        let mut settings = Self::default();
+        for (key, value) in keywords {
+            if !value.is_none() {
+                settings
+                    .set(key.cast::<PyString>().map_err(PyErr::from)?.to_cow()?.as_ref(), &value)?;
+            }
+        }
+        Ok(settings)
+    }
+
+    fn set(&mut self, key: &str, value: &Bound<'_, PyAny>) -> Result<(), Failure> {
+        let list = || numbers(key, value, None).map(|values| values.as_slice().to_vec());
+        match key {
+            "parameters" if value.cast::<PyMapping>().is_ok() => {
+                self.parameters = assignments(key, value)?;
+            }
+            "parameters" => self.all_parameters = Some(list()?),
+            "initial" if value.cast::<PyMapping>().is_ok() => {
+                self.initial = assignments(key, value)?;
+            }
+            "initial" => self.state = Some(list()?),
+            "start" => self.start = Some(number(key, value)?),
+            "until" => self.until = Some(number(key, value)?),
+            "points" => self.points = Some(count(key, value)?),
+            "times" => self.times = Some(list()?),
+            "rtol" => self.rtol = Some(number(key, value)?),
+            "atol" => self.atol = Some(list()?),
+            "method" => {
+                let name = extracted::<String>(key, value, "the name of a method")?;
+                self.method = Some(Method::from_name(&name).map_err(SimulateError::from)?);
+            }
+            "max_steps" => self.max_steps = Some(count(key, value)?),
+            "equilibrium" => self.equilibrium = Some(extracted(key, value, "true or false")?),
+            "energy_balance" => self.energy_balance = extracted(key, value, "true or false")?,
+            "sensitivities" => self.sensitivities = extracted(key, value, "a list of names")?,
+            "time_limit" => {
+                let limit = Duration::try_from_secs_f64(number(key, value)?).map_err(|error| {
+                    Failure::input(format!("time_limit, seconds from 0: {error}"))
+                })?;
+                self.time_limit = Some(limit);
+            }
+            _ => return Err(Failure::input(format!("there is no setting `{key}`"))),
+        }
+        Ok(())
+    }
+
+    /// The method, if it is set.
+    pub fn method(&self) -> Option<Method> {
+        self.method
+    }
+
+    /// Steps at most.
+    pub fn max_steps(&self) -> usize {
+        self.max_steps.unwrap_or(MAX_STEPS)
+    }
+
+    /// A run so adjusted.
+    ///
+    /// # Errors
+    /// Names that are not known.
+    pub fn apply<'a>(&self, mut run: Simulation<'a>) -> Result<Simulation<'a>, SimulateError> {
+        if let Some(all) = &self.all_parameters {
+            run = run.parameters(all);
+        }
+        for (name, value) in &self.parameters {
+            run = run.parameter(name, *value)?;
+        }
+        if let Some(state) = &self.state {
+            run = run.initial_state(state);
+        }
+        for (name, value) in &self.initial {
+            run = run.initial_value(name, *value)?;
+        }
+        run = self.equilibrium.into_iter().fold(run, Simulation::in_equilibrium);
+        run = run.sensitivities(&self.sensitivities)?;
+        run = self.start.into_iter().fold(run, Simulation::from);
+        run = self.until.into_iter().fold(run, Simulation::until);
+        run = self.points.into_iter().fold(run, Simulation::points);
+        if let Some(times) = &self.times {
+            run = run.times(times);
+        }
+        run = self.rtol.into_iter().fold(run, Simulation::rtol);
+        if let Some(atol) = &self.atol {
+            run = run.atol(atol);
+        }
+        run = self.method.into_iter().fold(run, Simulation::method);
+        run = self.max_steps.into_iter().fold(run, Simulation::max_steps);
+        Ok(run.with_energy_balance(self.energy_balance))
+    }
+}
+
+/// `{name: number}`.
+fn assignments(what: &str, value: &Bound<'_, PyAny>) -> Result<Vec<(String, f64)>, Failure> {
+    let items = value.call_method0("items")?;
+    let mut all = Vec::new();
+    for item in items.try_iter()? {
+        let (name, value) = item?.extract::<(Bound<'_, PyAny>, Bound<'_, PyAny>)>()?;
+        let name = extracted::<String>(what, &name, "names")?;
+        let value = number(&format!("{what}[`{name}`]"), &value)?;
+        all.push((name, value));
+    }
+    Ok(all)
+}
+
+fn number(what: &str, value: &Bound<'_, PyAny>) -> Result<f64, Failure> {
+    extracted(what, value, "a number")
+}
+
+fn count(what: &str, value: &Bound<'_, PyAny>) -> Result<usize, Failure> {
+    extracted(what, value, "a whole number from 0")
+}
+
+/// What a value is in Rust.
+///
+/// # Errors
+/// It is something else.
+pub fn extracted<'a, 'py, T: FromPyObject<'a, 'py>>(
+    what: &str,
+    value: &'a Bound<'py, PyAny>,
+    wanted: &str,
+) -> Result<T, Failure> {
+    value.extract().map_err(|_| {
+        let given = value.repr().map_or_else(|_| "something else".to_owned(), |r| r.to_string());
+        Failure::input(format!("{what} must be {wanted}, not {given}"))
+    })
+}

@@ -1,0 +1,135 @@
+//! Where a simulator comes from.
+
+use machinist::field::{Discretisation, FieldSimulator};
+use machinist::lanes::F64x8;
+use machinist::sweep::Sweepable;
+use machinist_contract::Simulator;
+use machinist_model::{ModelSimulator, Running};
+use machinist_scenes::scenes;
+
+use crate::failure::Failure;
+
+/// A simulator that threads may share, or what one is made of.
+#[derive(Debug)]
+pub enum Source {
+    /// Built in, by a name that is known to be.
+    BuiltIn(&'static str),
+    /// Built in, with fields to be cut.
+    BuiltInFields(&'static str, Discretisation),
+    /// Of a model.
+    Model(Box<ModelSimulator>),
+    /// Of a model with fields to be cut.
+    Fields(Box<ModelSimulator>, Discretisation),
+}
+
+impl Source {
+    /// The scene of a name, if it is built in.
+    ///
+    /// # Errors
+    /// Fields that cannot be cut as wanted.
+    pub fn built_in(name: &str, wanted: Discretisation) -> Result<Option<Self>, Failure> {
+        let known = |names: &[&'static str]| names.iter().find(|known| **known == name).copied();
+        if let Some(name) = known(scenes::NAMES) {
+            require_uncut(name, wanted)?;
+            return Ok(Some(Self::BuiltIn(name)));
+        }
+        let Some(name) = known(scenes::FIELD_NAMES) else { return Ok(None) };
+        let source = Self::BuiltInFields(name, wanted);
+        source.with(|_| ())?;
+        Ok(Some(source))
+    }
+
+    /// The scene of a model.
+    ///
+    /// # Errors
+    /// Fields that cannot be cut as wanted.
+    pub fn of_model(
+        model: machinist_model::Model,
+        wanted: Discretisation,
+    ) -> Result<Self, Failure> {
+        let has_fields = !model.fields.is_empty();
+        let simulator = Box::new(ModelSimulator::new(model));
+        if !has_fields {
+            require_uncut(&simulator.model().name, wanted)?;
+            return Ok(Self::Model(simulator));
+        }
+        let source = Self::Fields(simulator, wanted);
+        source.with(|_| ())?;
+        Ok(source)
+    }
+
+    /// Does something with the simulator. Fields are cut anew each time.
+    ///
+    /// # Errors
+    /// Fields that cannot be cut as wanted: not once a source has been made.
+    pub fn with<T>(&self, job: impl FnOnce(&dyn Simulator<f64>) -> T) -> Result<T, Failure> {
+        match self {
+            Self::BuiltIn(name) => Ok(job(built_in(name))),
+            Self::Model(simulator) => Ok(job(simulator.as_ref())),
+            Self::Fields(simulator, wanted) => {
+                Ok(job(&FieldSimulator::new(simulator.as_ref(), *wanted)?))
+            }
+            Self::BuiltInFields(name, wanted) => {
+                let scene = scenes::find_field::<f64>(name).expect("it was found before");
+                Ok(job(&FieldSimulator::new(scene, *wanted)?))
+            }
+        }
+    }
+
+    /// It for many threads, if it has no fields.
+    pub fn shared(&self) -> Option<Shared<'_>> {
+        match self {
+            Self::BuiltIn(name) => Some(Shared::BuiltIn(name)),
+            Self::Model(simulator) => Some(Shared::Model(simulator)),
+            Self::BuiltInFields(..) | Self::Fields(..) => None,
+        }
+    }
+
+    /// How it runs.
+    pub fn running(&self) -> &'static str {
+        match self {
+            Self::BuiltIn(_) | Self::BuiltInFields(..) => "emitted",
+            Self::Model(simulator) | Self::Fields(simulator, _) => match simulator.running() {
+                Running::Compiled => "compiled",
+                Running::Interpreted => "interpreted",
+            },
+        }
+    }
+}
+
+/// The simulator of a name that is known to be built in.
+fn built_in(name: &str) -> &'static dyn Simulator<f64> {
+    scenes::find_f64(name).expect("it was found before")
+}
+
+/// A machine without fields, which threads run at once.
+pub enum Shared<'a> {
+    /// Built in, by its name.
+    BuiltIn(&'static str),
+    /// Of a model.
+    Model(&'a ModelSimulator),
+}
+
+impl Sweepable for Shared<'_> {
+    fn single(&self) -> &dyn Simulator<f64> {
+        match self {
+            Self::BuiltIn(name) => built_in(name),
+            Self::Model(simulator) => *simulator,
+        }
+    }
+
+    fn in_lanes(&self) -> Option<&dyn Simulator<F64x8>> {
+        match self {
+            Self::BuiltIn(name) => scenes::find(name),
+            Self::Model(_) => None,
+        }
+    }
+}
+
+fn require_uncut(name: &str, wanted: Discretisation) -> Result<(), Failure> {
+    if wanted == Discretisation::default() {
+        return Ok(());
+    }
+    let message = format!("scene `{name}` has no fields. Hint: leave `elements` and `order` out");
+    Err(Failure::input(message))
+}

@@ -1,0 +1,231 @@
+//! Pieces of sweeps: some variants of a machine, on threads of this process.
+
+use machinist::error::{StopCause, nearest};
+use machinist::sweep::{Sweepable, VariantRun, one};
+use machinist::{Method, SimulateError, Simulation, Sweep};
+use machinist_contract::Simulator;
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use rayon::prelude::*;
+
+use crate::failure::Failure;
+use crate::machine::Machine;
+use crate::patience::Patience;
+use crate::settings::Settings;
+
+/// Under a limit of time, variants run in lanes only for so many steps, since lanes do not look
+/// at a clock; what needs more begins anew on its own, with the same result.
+const STEPS_IN_LANES: usize = 50_000;
+
+/// Values of every variant, steps, and why it stopped if it did.
+type Piece<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u64>>, Vec<Option<String>>);
+
+/// What is wanted of every run.
+struct Wanted {
+    /// Places among outputs, then states.
+    places: Vec<usize>,
+    /// The least and the greatest value instead of the last.
+    extremes: bool,
+}
+
+/// Runs variants: rows of `values` are those of the parameters of these names.
+#[pyfunction]
+#[pyo3(signature = (machine, settings, names, values, wanted, extremes, threads))]
+#[expect(clippy::too_many_arguments, reason = "called from one place, the package's own")]
+pub fn sweep_piece<'py>(
+    py: Python<'py>,
+    machine: &Machine,
+    settings: &Bound<'py, PyDict>,
+    names: Vec<String>,
+    values: PyReadonlyArray2<'py, f64>,
+    wanted: Vec<String>,
+    extremes: bool,
+    threads: usize,
+) -> Result<Piece<'py>, Failure> {
+    let settings = Settings::of(settings)?;
+    if values.shape()[1] != names.len() {
+        let message = format!("{} columns for {} parameters", values.shape()[1], names.len());
+        return Err(Failure::Refused("ShapeError", message));
+    }
+    let rows: Vec<Vec<f64>> = values.as_array().rows().into_iter().map(|r| r.to_vec()).collect();
+    let (width, found) = py.detach(|| -> Result<_, Failure> {
+        let (wanted, variants) = machine
+            .source
+            .with(|simulator| prepared(simulator, &settings, &names, &rows, &wanted, extremes))??;
+        let each = if extremes { 2 } else { 1 };
+        let runs = all_runs(machine, &settings, &variants, threads)?;
+        let found: Vec<_> = runs.into_iter().map(|run| wanted.row(run)).collect();
+        Ok((each * wanted.places.len(), found))
+    })?;
+    let table = PyArray2::<f64>::zeros(py, [found.len(), width], false);
+    let mut steps = Vec::with_capacity(found.len());
+    let mut errors = Vec::with_capacity(found.len());
+    {
+        let mut filled = table.readwrite();
+        let mut filled = filled.as_array_mut();
+        for (mut row, found) in filled.rows_mut().into_iter().zip(found) {
+            match found {
+                Ok((values, count)) => {
+                    row.iter_mut().zip(values).for_each(|(place, value)| *place = value);
+                    steps.push(count);
+                    errors.push(None);
+                }
+                Err(why) => {
+                    row.fill(f64::NAN);
+                    steps.push(0);
+                    errors.push(Some(why));
+                }
+            }
+        }
+    }
+    Ok((table, PyArray1::from_vec(py, steps), errors))
+}
+
+/// What is wanted, and all parameters of every variant; refuses what no variant could do.
+fn prepared(
+    simulator: &dyn Simulator<f64>,
+    settings: &Settings,
+    names: &[String],
+    rows: &[Vec<f64>],
+    wanted: &[String],
+    extremes: bool,
+) -> Result<(Wanted, Vec<Vec<f64>>), Failure> {
+    let first = settings.apply(Simulation::new(simulator))?;
+    let shape = simulator.shape();
+    let mut places = Vec::with_capacity(names.len());
+    for name in names {
+        // Refuses what is not known.
+        let _ = first.clone().parameter(name, 0.0)?;
+        places.extend((0..shape.parameters).find(|k| simulator.parameter(*k).name == name));
+    }
+    match first.clone().max_steps(1).run() {
+        Ok(_) | Err(SimulateError::Stopped { .. }) => {}
+        Err(error) => {
+            // A variant may be what makes sense of it.
+            let is_of_values = matches!(
+                error,
+                SimulateError::ImpossibleStart { .. }
+                    | SimulateError::NoEquilibrium(_)
+                    | SimulateError::NotFinite { .. }
+                    | SimulateError::GuardIsZero { .. }
+                    | SimulateError::RedundantConstraint { .. }
+            );
+            if !is_of_values {
+                return Err(error.into());
+            }
+        }
+    }
+    let base = first.parameter_values().to_vec();
+    let variant = |row: &Vec<f64>| {
+        let mut all = base.clone();
+        places.iter().zip(row).for_each(|(place, value)| all[*place] = *value);
+        all
+    };
+    let outputs = (0..shape.outputs).map(|k| simulator.output(k).name);
+    let known: Vec<&str> =
+        outputs.chain((0..shape.states()).map(|k| simulator.state(k).name)).collect();
+    let place = |name: &String| {
+        known.iter().position(|known| known == name).ok_or_else(|| {
+            let hint = nearest(name, known.iter().copied());
+            let hint = hint.map_or_else(String::new, |name| format!(" (did you mean `{name}`?)"));
+            let message =
+                format!("scene `{}` has no output or state `{name}`{hint}", simulator.name());
+            Failure::Refused("UnknownNameError", message)
+        })
+    };
+    let places = wanted.iter().map(place).collect::<Result<_, _>>()?;
+    Ok((Wanted { places, extremes }, rows.iter().map(variant).collect()))
+}
+
+/// Every variant's run, in order.
+fn all_runs(
+    machine: &Machine,
+    settings: &Settings,
+    variants: &[Vec<f64>],
+    threads: usize,
+) -> Result<Vec<Result<VariantRun, SimulateError>>, Failure> {
+    let Some(shared) = machine.source.shared() else {
+        // Fields are cut once for all.
+        return machine.source.with(|simulator| {
+            variants.iter().map(|variant| alone(simulator, settings, variant)).collect()
+        });
+    };
+    let in_lanes = settings.method() == Some(Method::Taylor) && shared.in_lanes().is_some();
+    if settings.time_limit.is_none() || in_lanes {
+        let most = settings.time_limit.map(|_| settings.max_steps().min(STEPS_IN_LANES));
+        let sweep = Sweep::new(&shared).variants(variants.to_vec()).threads(threads);
+        let sweep = sweep.each(|run| {
+            // Names have been found before.
+            let run = settings.apply(run.clone()).unwrap_or(run);
+            most.into_iter().fold(run, Simulation::max_steps)
+        });
+        let mut runs = sweep.run();
+        if most.is_some_and(|most| most < settings.max_steps()) {
+            for (run, variant) in runs.iter_mut().zip(variants) {
+                if let Err(SimulateError::Stopped {
+                    cause: StopCause::TooManySteps { .. }, ..
+                }) = run
+                {
+                    *run = alone(shared.single(), settings, variant);
+                }
+            }
+        }
+        return Ok(runs);
+    }
+    Ok(one_by_one(&shared, settings, variants, threads))
+}
+
+/// Each on its own, on threads.
+fn one_by_one(
+    shared: &(impl Sweepable + Sync),
+    settings: &Settings,
+    variants: &[Vec<f64>],
+    threads: usize,
+) -> Vec<Result<VariantRun, SimulateError>> {
+    let run_all = || {
+        let runs = variants.par_iter().with_max_len(1);
+        runs.map(|variant| alone(shared.single(), settings, variant)).collect()
+    };
+    match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
+        Ok(pool) => pool.install(run_all),
+        Err(_) => run_all(),
+    }
+}
+
+/// A variant on its own, within the limit of time.
+fn alone(
+    simulator: &dyn Simulator<f64>,
+    settings: &Settings,
+    variant: &[f64],
+) -> Result<VariantRun, SimulateError> {
+    let patience = Patience::without_signals(settings.time_limit);
+    let end = || patience.end();
+    one(&settings.apply(Simulation::new(simulator))?.parameters(variant).until_told(&end))
+}
+
+impl Wanted {
+    /// Values and steps of a run, or why there are none.
+    fn row(&self, run: Result<VariantRun, SimulateError>) -> Result<(Vec<f64>, u64), String> {
+        let run = run.map_err(|error| error.to_string())?;
+        let outputs = run.outputs.first().map_or(0, Vec::len);
+        let of = |place: usize| {
+            let (rows, column) = if place < outputs {
+                (&run.outputs, place)
+            } else {
+                (&run.states, place - outputs)
+            };
+            rows.iter().map(move |row| row[column])
+        };
+        let values = self.places.iter().flat_map(|place| {
+            if self.extremes {
+                let least = of(*place).fold(f64::INFINITY, f64::min);
+                let greatest = of(*place).fold(f64::NEG_INFINITY, f64::max);
+                vec![least, greatest]
+            } else {
+                of(*place).next_back().into_iter().collect()
+            }
+        });
+        Ok((values.collect(), run.steps))
+    }
+}

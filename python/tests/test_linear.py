@@ -1,0 +1,64 @@
+"""Modes and responses against closed forms and differences."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import machinist
+
+
+def test_modes_are_the_eigenvalues_of_the_jacobian(gin):
+    modes = gin.modes(at=0.3)
+    run = gin.simulate(until=0.3, points=2)
+    np.testing.assert_allclose(modes.matrix, gin.jacobian(0.3, run.y[:, -1]), rtol=1e-9)
+    of_numpy = np.linalg.eigvals(modes.matrix)
+    for mode in modes:
+        if mode.kind != "free":
+            assert abs(of_numpy - mode.eigenvalue).min() < 1e-6 * abs(mode.eigenvalue)
+            assert sum(mode.shares.values()) == pytest.approx(1)
+    assert "oscillation" in repr(modes) and "<table" in modes._repr_html_()
+
+
+def test_slopes_of_modes_are_their_differences(gin):
+    name, value, step = "coupling.stiffness", 23065.2, 1.0
+    modes = gin.modes(slopes=[name])
+    ahead, behind = (gin.modes(parameters={name: value + s}) for s in (step, -step))
+    for mode, a, b in zip(modes, ahead, behind):
+        if mode.kind == "free":
+            assert mode.no_slopes and not mode.slopes
+            continue
+        found = (a.natural_frequency - b.natural_frequency) / (2 * step)
+        size = mode.natural_frequency / value
+        assert mode.slopes[name].natural_frequency == pytest.approx(found, abs=1e-4 * size)
+
+
+def test_a_response_is_that_of_the_matrix(gin):
+    response = gin.response("motor.phi", "motor.omega", points=50)
+    modes = gin.modes()
+    place = gin.states.index("motor.omega")
+    inertia = gin.parameters["motor.inertia"].value
+    force = np.zeros(len(gin.states))
+    force[place] = 1 / inertia
+    for w, h in zip(response.frequencies, response.values):
+        expected = np.linalg.solve(1j * w * np.eye(len(force)) - modes.matrix, force)[place]
+        assert abs(h - expected) < 1e-8 * abs(expected)
+    assert response.peak[1] == response.amplitudes.max()
+    assert "rad/s" in response._repr_svg_()
+
+
+@pytest.mark.parametrize(
+    ("ask", "kind", "told"),
+    [
+        (lambda m: m.modes(at="somewhere"), machinist.InputError, "none of equilibrium"),
+        (lambda m: m.modes(slopes=["coupling.stif"]), machinist.UnknownNameError, "no parameter"),
+        (lambda m: m.modes(untl=2.0), machinist.InputError, "no setting `untl`"),
+        (lambda m: m.response("motor.ph", "twist"), machinist.UnknownNameError, "motor.phi"),
+        (lambda m: m.response("motor.phi", "twst"), machinist.UnknownNameError, "`twist`"),
+        (lambda m: m.response("motor.phi", "twist", frequencies=[-1.0]), ValueError, "-1"),
+        (lambda m: m.response("motor.phi", "twist", points=1), ValueError, "range"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(gin, ask, kind, told):
+    with pytest.raises(kind, match=told):
+        ask(gin)

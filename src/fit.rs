@@ -5,7 +5,9 @@
 //! ([`Simulation::sensitivities`]). Unknowns are searched for on a logarithmic scale where
 //! their bounds are positive, else over their size.
 
+mod findings;
 mod least_squares;
+mod rounds;
 mod statistics;
 
 use std::sync::atomic::AtomicBool;
@@ -16,7 +18,9 @@ use crate::error::{SimulateError, StopCause};
 use crate::simulate::Simulation;
 use crate::trajectory::Trajectory;
 
+pub use findings::{Combination, Findings, FoundParameter, OutputResidual};
 pub use least_squares::{End, Evaluation, Found, Loss, Search, least_squares};
+pub use rounds::{Fitted, Plan, Unsolved, scale_of, steps_of};
 pub use statistics::{Chance, Direction, Statistics, chance, statistics, students_t};
 
 /// A parameter, or the initial value of a state, to be found.
@@ -31,6 +35,17 @@ pub struct Unknown {
 }
 
 impl Unknown {
+    /// From a value; from the middle of the bounds where it lies beyond them.
+    #[must_use]
+    pub fn from(name: &str, value: f64, bounds: Option<(f64, f64)>) -> Self {
+        let bounds = bounds.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+        let (low, high) = bounds;
+        let is_within = (low..=high).contains(&value);
+        let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };
+        let start = if is_within { value } else { middle };
+        Self { name: name.to_owned(), start, bounds }
+    }
+
     /// Whether it is searched for by its logarithm.
     #[must_use]
     pub fn is_logarithmic(&self) -> bool {

@@ -5,12 +5,12 @@ pub mod data;
 pub(super) mod unknown;
 
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use clap::{Args, ValueEnum};
 use machinist::Simulation;
 use machinist::constraints;
-use machinist::fit::{self, End, Evaluation, Found, Loss, Measured, Unknown};
+use machinist::fit::{self, End, Evaluation, Fitted, Measured, Plan, Unknown, Unsolved};
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
 use machinist_contract::Simulator;
 
@@ -29,17 +29,8 @@ use unknown::{Asked, asked, unknowns};
 
 /// Steps of a search at most, unless told otherwise.
 const STEPS: usize = 100;
-/// How often the scales of outputs follow the residuals.
-const REWEIGHTINGS: usize = 4;
-/// Scales that change by no more than this share have settled.
-const SETTLED: f64 = 1e-2;
 /// Curves of a plot have so many points beside those of the data.
 const POINTS: usize = 600;
-/// Huber's size in standard deviations: 95 % as efficient as squares where nothing is wild.
-const HUBER: f64 = 1.345;
-/// A standard deviation for a median of sizes, of the normal distribution.
-const OF_MEDIAN: f64 = 1.4826;
-
 #[derive(Debug, Args)]
 pub struct FitCommand {
     /// Name of a scene built in, or a scene file
@@ -109,18 +100,6 @@ fn pair(text: &str) -> Result<(String, String), String> {
     Ok((column.trim().to_owned(), output.trim().to_owned()))
 }
 
-/// A search that has ended, with what it went by.
-struct Fitted {
-    found: Found,
-    loss: Loss,
-    /// Scale of each output.
-    scales: Vec<(String, f64)>,
-    /// Starts that led nowhere, and why the first did not.
-    lost: (usize, Option<String>),
-    steps: usize,
-    runs: usize,
-}
-
 impl FitCommand {
     pub fn execute(&self) -> Result<(), Failure> {
         self.check()?;
@@ -147,7 +126,7 @@ impl FitCommand {
         let flag = interrupt::flag();
         let plain = simulation.clone();
         let simulation = simulation.until_flagged(&flag);
-        let limit = steps_of(&simulation, &unknowns, &measured);
+        let limit = fit::steps_of(&simulation, &unknowns, &measured);
         let simulation = simulation.max_steps(limit);
         let fit = fit::Fit { simulation: &simulation, unknowns: &unknowns, measured: &measured };
         let count = values(&measured).count();
@@ -157,7 +136,7 @@ impl FitCommand {
         }
         self.check_sigmas(&fit)?;
         check_first_run(&fit)?;
-        let fitted = self.search(&fit, &flag)?;
+        let fitted = self.solve(&fit, &flag)?;
         let answer = Answer::new(&fit, &fitted, gaps, simulator);
         if let Some(file) = &self.plot {
             draw(&fit::Fit { simulation: &plain, ..fit }, &answer, file)?;
@@ -230,110 +209,26 @@ impl FitCommand {
         }
     }
 
-    fn search(&self, fit: &fit::Fit<'_>, flag: &AtomicBool) -> Result<Fitted, Failure> {
+    /// The fit as asked for, told of on the way.
+    fn solve(&self, fit: &fit::Fit<'_>, flag: &AtomicBool) -> Result<Fitted, Failure> {
         let spinner = spinner("fitting");
-        let mut scales = self.first_scales(fit);
-        let mut runs = 0;
-        let mut search = |start: &[f64], scales: &[(String, f64)], loss: Loss| {
-            let scale_of = |name: &str| scale_of(scales, name);
-            let (first, told) = (runs, std::cell::Cell::new(runs));
-            let found =
-                fit.search(start, &scale_of, (loss, self.steps), Some(flag), |evaluation| {
-                    told.set(told.get() + 1);
-                    spinner.set_message(progress(told.get(), evaluation));
-                });
-            runs = told.get().max(first);
-            found
+        let plan = Plan {
+            sigma: &self.sigma,
+            is_robust: self.loss == LossName::Huber,
+            starts: self.starts,
+            steps: self.steps,
+            interrupt: Some(flag),
         };
-        let mut best: Option<Found> = None;
-        let mut lost = (0, None);
-        for start in fit::spread_starts(&fit.start(), &fit.bounds(), self.starts) {
-            match search(&start, &scales, Loss::Squares) {
-                Ok(found) => {
-                    let is_interrupted = found.end == End::Interrupted;
-                    if best.as_ref().is_none_or(|best| found.cost < best.cost) {
-                        best = Some(found);
-                    }
-                    if is_interrupted {
-                        break;
-                    }
-                }
-                Err(_) if flag.load(Ordering::Relaxed) => {}
-                Err(why) => {
-                    lost.0 += 1;
-                    lost.1.get_or_insert(why);
-                }
-            }
-            if flag.load(Ordering::Relaxed) {
-                break;
-            }
-        }
-        let Some(mut found) = best else {
-            if flag.load(Ordering::Relaxed) {
-                return Err(Failure::unsuccessful("the fit was interrupted at its start", ""));
-            }
-            let why = lost.1.unwrap_or_default();
-            let message = format!("no start can be simulated: {why}");
-            return Err(Failure::unsuccessful(message, "other bounds, or `--set`, may help"));
-        };
-        let mut loss = Loss::Squares;
-        let weighs = self.sigma.is_empty() && fit.outputs().len() > 1;
-        let is_robust = self.loss == LossName::Huber;
-        let rounds = if weighs || is_robust { REWEIGHTINGS } else { 0 };
-        let mut steps = found.steps;
-        for _ in 0..rounds {
-            if flag.load(Ordering::Relaxed) {
-                break;
-            }
-            let before = scales.clone();
-            if weighs {
-                scales = renewed(fit, &found.evaluation, &scales, is_robust);
-            }
-            let is_same =
-                |(a, b): (&(String, f64), &(String, f64))| (a.1 - b.1).abs() <= SETTLED * a.1;
-            if !is_robust && before.iter().zip(&scales).all(is_same) {
-                break;
-            }
-            if is_robust {
-                let scale_of = |name: &str| scale_of(&scales, name);
-                if let Ok(now) = fit.evaluate(&found.at, &scale_of) {
-                    let sizes: Vec<f64> = now.residuals.iter().map(|r| r.abs()).collect();
-                    loss = Loss::Huber(HUBER * OF_MEDIAN * median(sizes).max(f64::MIN_POSITIVE));
-                }
-            }
-            match search(&found.at.clone(), &scales, loss) {
-                Ok(better) => {
-                    steps += better.steps;
-                    found = better;
-                }
-                Err(why) => {
-                    scales = before;
-                    if !flag.load(Ordering::Relaxed) {
-                        lost.1.get_or_insert(why);
-                    }
-                    break;
-                }
-            }
-        }
-        if flag.load(Ordering::Relaxed) {
-            found.end = End::Interrupted;
-        }
+        let fitted = fit.solve(&plan, &mut |runs, evaluation| {
+            spinner.set_message(progress(runs, evaluation));
+        });
         spinner.finish_and_clear();
-        Ok(Fitted { found, loss, scales, lost, steps, runs })
-    }
-
-    /// What residuals are measured by at first: the standard deviation given, else that of what
-    /// was measured about its mean.
-    fn first_scales(&self, fit: &fit::Fit<'_>) -> Vec<(String, f64)> {
-        let of = |name: &&str| {
-            let given = self.sigma.iter().find(|(other, _)| other == name);
-            let all = fit.measured.iter().flat_map(|measured| &measured.columns);
-            let own = all.filter(|(other, _)| other == name).flat_map(|(_, values)| values);
-            let own: Vec<f64> = own.copied().filter(|value| !value.is_nan()).collect();
-            let scale = given.map_or_else(|| spread(&own), |(_, sigma)| *sigma);
-            ((*name).to_owned(), scale)
-        };
-        fit.outputs().iter().map(of).collect()
+        fitted.map_err(|unsolved| match unsolved {
+            Unsolved::Interrupted => Failure::unsuccessful(unsolved, ""),
+            Unsolved::NoStart { .. } => {
+                Failure::unsuccessful(unsolved, "other bounds, or `--set`, may help")
+            }
+        })
     }
 }
 
@@ -363,69 +258,10 @@ fn draw(fit: &fit::Fit<'_>, answer: &Answer, file: &std::path::Path) -> Result<(
     Ok(())
 }
 
-/// Steps that a variant may take before it is given up: many times those of the start.
-fn steps_of(simulation: &Simulation<'_>, unknowns: &[Unknown], measured: &[Measured]) -> usize {
-    const TIMES: u64 = 50;
-    const LEAST: u64 = 20_000;
-    const UNKNOWN: u64 = 200_000;
-    let first = simulation.clone().max_steps(UNKNOWN as usize);
-    let fit = fit::Fit { simulation: &first, unknowns, measured };
-    let starts: Vec<f64> = unknowns.iter().map(|unknown| unknown.start).collect();
-    let runs = measured.iter().map(|measured| fit.run(measured, &starts, false));
-    let most = runs.map(|run| run.map_or(UNKNOWN / TIMES, |run| run.work.steps)).max();
-    (TIMES * most.unwrap_or_default()).max(LEAST) as usize
-}
-
 /// Values of all measured columns.
 fn values(measured: &[Measured]) -> impl Iterator<Item = f64> {
     let columns = measured.iter().flat_map(|measured| &measured.columns);
     columns.flat_map(|(_, values)| values).copied().filter(|value| !value.is_nan())
-}
-
-fn scale_of(scales: &[(String, f64)], name: &str) -> f64 {
-    scales.iter().find(|(other, _)| other == name).map_or(1.0, |(_, scale)| *scale)
-}
-
-/// Standard deviation about the mean; the size of what does not vary, and 1 of zeros.
-fn spread(values: &[f64]) -> f64 {
-    let n = values.len().max(1) as f64;
-    let mean = values.iter().sum::<f64>() / n;
-    let square = values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / n;
-    let size = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-    match square.sqrt() {
-        spread if spread > 1e-9 * size => spread,
-        _ if size > 0.0 => size,
-        _ => 1.0,
-    }
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
-}
-
-/// Scales of outputs by their residuals, so that what is measured well counts for more; not
-/// below a millionth of what they were at first.
-fn renewed(
-    fit: &fit::Fit<'_>,
-    evaluation: &Evaluation,
-    scales: &[(String, f64)],
-    is_robust: bool,
-) -> Vec<(String, f64)> {
-    const LEAST: f64 = 1e-6;
-    let residuals = fit.residuals_by_column(evaluation);
-    let renew = |(name, scale): &(String, f64)| {
-        let own = residuals.iter().filter(|(other, _)| other == name);
-        let own: Vec<f64> = own.flat_map(|(_, residuals)| *residuals).copied().collect();
-        let mean = own.iter().map(|r| r * r).sum::<f64>() / own.len().max(1) as f64;
-        let usual = if is_robust {
-            OF_MEDIAN * median(own.iter().map(|r| r.abs()).collect())
-        } else {
-            mean.sqrt()
-        };
-        (name.clone(), scale * if usual.is_finite() { usual.max(LEAST) } else { 1.0 })
-    };
-    scales.iter().map(renew).collect()
 }
 
 fn progress(runs: usize, evaluation: &Evaluation) -> String {

@@ -2,23 +2,18 @@
 
 use std::path::PathBuf;
 
-use machinist::fit::{self, Chance, End, Loss, chance, statistics, students_t};
-use machinist_contract::{Quantity, Simulator};
+use machinist::fit::{
+    self, Combination, End, Findings, Fitted, FoundParameter, Loss, OutputResidual,
+};
+use machinist_contract::Simulator;
 use serde::Serialize;
 
-use super::{Fitted, scale_of};
 use crate::cli::output::columns;
 use crate::cli::scene::Scene;
 use crate::number::{exact, number};
 
-/// Unknowns that may go further than this share of themselves are not told.
-const FAR: f64 = 0.5;
-/// Shares of a combination below this are not named.
-const MINOR: f64 = 0.1;
 /// Correlations from this size on are named.
 const CORRELATED: f64 = 0.9;
-/// Residuals of this share of what was measured may be errors of the runs.
-const ROUNDING: f64 = 1e-6;
 /// Residuals with fewer chances than this are not chance.
 const UNLIKELY: f64 = 0.01;
 
@@ -46,44 +41,6 @@ pub struct Answer {
     pub why_failed: Option<String>,
 }
 
-#[derive(Debug, Serialize)]
-pub struct FoundParameter {
-    pub name: String,
-    pub unit: String,
-    pub start: f64,
-    pub value: f64,
-    /// Null where the data do not tell it, or a bound holds it.
-    pub standard_error: Option<f64>,
-    pub confidence_95: Option<[f64; 2]>,
-    pub is_at_bound: bool,
-}
-
-/// A way of parameters along which the data say little.
-#[derive(Debug, Serialize)]
-pub struct Combination {
-    /// Relative changes of parameters, with their names.
-    pub shares: Vec<(String, f64)>,
-    /// How far it may go within a standard error; null if the data say nothing.
-    pub standard_error: Option<f64>,
-}
-
-#[derive(Debug, Serialize)]
-pub struct OutputResidual {
-    pub output: String,
-    pub unit: String,
-    pub values: usize,
-    pub rms: f64,
-    pub largest: f64,
-    /// The scale by which residuals were weighed.
-    pub scale: f64,
-    /// Whether they are as small as errors of the runs may be.
-    pub is_rounding: bool,
-    pub autocorrelation: Option<f64>,
-    pub runs: Option<usize>,
-    pub expected_runs: Option<f64>,
-    pub probability_of_runs: Option<f64>,
-}
-
 impl Answer {
     pub(super) fn new(
         fit: &fit::Fit<'_>,
@@ -91,80 +48,8 @@ impl Answer {
         gaps: usize,
         simulator: &dyn Simulator<f64>,
     ) -> Self {
-        let Fitted { found, loss, scales, lost, steps, runs } = fitted;
-        let values = fit.values(&found.at);
-        let is_held = |(value, unknown): (&f64, &fit::Unknown)| {
-            let (low, high) = unknown.bounds;
-            *value <= low || *value >= high
-        };
-        let held: Vec<bool> = values.iter().zip(fit.unknowns).map(is_held).collect();
-        // One unit of what the search knows is a relative change, but of what starts at
-        // another size.
-        let sizes: Vec<f64> = fit
-            .unknowns
-            .iter()
-            .zip(&found.at)
-            .map(
-                |(unknown, at)| if unknown.is_logarithmic() || *at == 0.0 { 1.0 } else { at.abs() },
-            )
-            .collect();
-        let told = statistics(&found.evaluation, *loss, (&sizes, FAR), &held);
-        let t = students_t(told.freedom);
-        let parameter = |k: usize| {
-            let (unknown, at) = (&fit.unknowns[k], found.at[k]);
-            let error = told.errors[k];
-            let has_interval = !held[k] && error.is_finite() && t.is_finite();
-            let ends = [-1.0, 1.0].map(|side: f64| unknown_value(unknown, at + side * t * error));
-            let slope = (unknown_value(unknown, at + 1e-6) - values[k]) / 1e-6;
-            FoundParameter {
-                name: unknown.name.clone(),
-                unit: quantity(simulator, &unknown.name).map_or("", |q| q.unit).to_owned(),
-                start: unknown.start,
-                value: values[k],
-                standard_error: has_interval.then_some((slope * error).abs()),
-                confidence_95: has_interval.then_some(ends),
-                is_at_bound: held[k],
-            }
-        };
-        let named = |shares: &[f64]| {
-            let mut named: Vec<(String, f64)> = fit
-                .unknowns
-                .iter()
-                .zip(shares)
-                .filter(|(_, share)| share.abs() >= MINOR)
-                .map(|(unknown, share)| (unknown.name.clone(), *share))
-                .collect();
-            named.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
-            named
-        };
-        let combination = |direction: &fit::Direction| Combination {
-            shares: named(&direction.shares),
-            standard_error: direction.error.is_finite().then_some(direction.error),
-        };
-        let all = fit.residuals_by_column(&found.evaluation);
-        let output = |(name, residuals): &(&str, &[f64])| {
-            let scale = scale_of(scales, name);
-            let mean = residuals.iter().map(|r| r * r).sum::<f64>() / residuals.len() as f64;
-            let looks: Option<Chance> = chance(residuals);
-            OutputResidual {
-                output: (*name).to_owned(),
-                unit: quantity(simulator, name).map_or("", |q| q.unit).to_owned(),
-                values: residuals.len(),
-                rms: scale * mean.sqrt(),
-                largest: scale * residuals.iter().fold(0.0_f64, |most, r| most.max(r.abs())),
-                scale,
-                is_rounding: scale * mean.sqrt() <= ROUNDING * largest_of(fit, name),
-                autocorrelation: looks.map(|chance| chance.autocorrelation),
-                runs: looks.map(|chance| chance.runs),
-                expected_runs: looks.map(|chance| chance.expected),
-                probability_of_runs: looks.map(|chance| chance.probability),
-            }
-        };
-        let count = fit.unknowns.len();
-        let number = |i: usize, j: usize| {
-            let value = told.correlations[(i, j)];
-            value.is_finite().then_some(value)
-        };
+        let Fitted { found, loss, lost, steps, runs, .. } = fitted;
+        let Findings { values, parameters, correlations, untold, outputs } = fit.findings(fitted);
         let times = || fit.measured.iter().flat_map(|measured| measured.times.iter().copied());
         Self {
             scene: simulator.name().to_owned(),
@@ -177,14 +62,14 @@ impl Answer {
             },
             steps: *steps,
             runs: *runs,
-            values: told.count,
+            values,
             gaps,
             from: times().fold(f64::INFINITY, f64::min),
             until: times().fold(f64::NEG_INFINITY, f64::max),
-            parameters: (0..count).map(parameter).collect(),
-            correlations: (0..count).map(|i| (0..count).map(|j| number(i, j)).collect()).collect(),
-            untold: told.untold.iter().map(combination).collect(),
-            outputs: all.iter().map(output).collect(),
+            parameters,
+            correlations,
+            untold,
+            outputs,
             failed: found.failed.0 + lost.0,
             why_failed: found.failed.1.clone().or_else(|| lost.1.clone()),
         }
@@ -320,32 +205,6 @@ impl Answer {
     }
 }
 
-/// The largest size of what was measured.
-fn largest_of(fit: &fit::Fit<'_>, name: &str) -> f64 {
-    let all = fit.measured.iter().flat_map(|measured| &measured.columns);
-    let own = all.filter(|(other, _)| other == name).flat_map(|(_, values)| values);
-    own.filter(|value| !value.is_nan()).fold(0.0_f64, |most, value| most.max(value.abs()))
-}
-
 fn sign(share: f64) -> char {
     if share < 0.0 { '-' } else { '+' }
-}
-
-/// The value of an unknown beyond its bounds too, as intervals may reach there.
-fn unknown_value(unknown: &fit::Unknown, inner: f64) -> f64 {
-    let free = (f64::NEG_INFINITY, f64::INFINITY);
-    if unknown.is_logarithmic() {
-        inner.exp()
-    } else {
-        fit::Unknown { bounds: free, ..unknown.clone() }.outer(inner)
-    }
-}
-
-/// The parameter, output or state of a name.
-fn quantity<'s>(simulator: &'s dyn Simulator<f64>, name: &str) -> Option<Quantity<'s>> {
-    let shape = simulator.shape();
-    let parameters = (0..shape.parameters).map(|index| simulator.parameter(index));
-    let outputs = (0..shape.outputs).map(|index| simulator.output(index));
-    let states = (0..shape.states()).map(|index| simulator.state(index));
-    parameters.chain(outputs).chain(states).find(|quantity| quantity.name == name)
 }

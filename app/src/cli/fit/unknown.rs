@@ -61,13 +61,7 @@ pub fn unknowns(
                 return Err(Failure::input(message, did_you_mean(name, known.into_iter())));
             }
         };
-        let bounds = bounds.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
-        let (low, high) = bounds;
-        let is_within = (low..=high).contains(&value);
-        // From the middle, where the scene's own value is out of bounds.
-        let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };
-        let start = if is_within { value } else { middle };
-        found.push((Unknown { name: name.clone(), start, bounds }, parameter.is_some()));
+        found.push((Unknown::from(name, value, *bounds), parameter.is_some()));
     }
     Ok(found)
 }

@@ -12,8 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _derive, _machinist
+from ._fit import Fit, measured_runs
 from ._linear import Modes, Response
 from ._run import Run
+from ._sensitivities import Sensitivities
 from ._tables import Event, Parameter, Quantity, State, Table, html, text
 from .errors import InputError, ModelFileError, StoppedError, UnknownNameError
 
@@ -311,6 +313,101 @@ class Model:
             self._machine, given, _place(at), (input, output), frequencies, points
         )
         return Response(self.title, told)
+
+    def sensitivities(
+        self,
+        parameters: Sequence[str] = (),
+        outputs: Sequence[str] = (),
+        *,
+        given: Parameters | None = None,
+        **settings: Any,
+    ) -> Sensitivities:
+        """Which parameters matter for which outputs: exact derivatives along the run, also through
+        events.
+
+        :param parameters: all that are not zero unless told otherwise; what there are no
+            derivatives by is then left out and named.
+        :param outputs: outputs or states; all outputs unless told otherwise.
+        :param given: other values of parameters, by name or all of them.
+        :param settings: of the run, as those of :meth:`simulate`.
+        """
+        outputs = _names(outputs) or list(self.outputs) or list(self.states)
+        for name in outputs:
+            if name not in self.states:
+                self.outputs.index(name)
+        values = self.p(given) if isinstance(given, Mapping) or given is None else given
+        by_name = dict(zip(self.parameters, np.asarray(values, dtype=float).tolist()))
+        left_out = {}
+        by = _names(parameters)
+        for name in by:
+            self.parameters.index(name)
+        if not by:
+            by = [name for name, value in by_name.items() if value != 0]
+            zero = "is 0, so that no change of it is relative"
+            left_out = {name: zero for name, value in by_name.items() if value == 0}
+        while True:
+            try:
+                run = self.simulate(parameters=given, sensitivities=by, **settings)
+                break
+            except InputError as error:
+                name, why = error.undifferentiable or ("", "")
+                if parameters or name not in by:
+                    raise
+                by.remove(name)
+                left_out[name] = why
+        return Sensitivities(run, {name: by_name[name] for name in by}, outputs, left_out)
+
+    def fit(
+        self,
+        data: Any,
+        parameters: Sequence[str] | Mapping[str, tuple[float, float] | None],
+        *,
+        map: Mapping[str, str] | None = None,
+        outputs: Sequence[str] = (),
+        sigma: Mapping[str, float] | None = None,
+        loss: Literal["squares", "huber"] = "squares",
+        starts: int = 1,
+        steps: int = 100,
+        given: Parameters | None = None,
+        **settings: Any,
+    ) -> Fit:
+        """Parameters, or initial values of states, from measured runs, by least squares with exact
+        derivatives.
+
+        :param data: a DataFrame with a column or index `t` or `time` and columns named as outputs
+            or states, `name [unit]` too; or columns by name; or a list of such runs. NaN is a gap.
+        :param parameters: names, or names with bounds `{"coupling.stiffness": (1e3, 1e5)}`.
+        :param map: `{column: output}` for columns that bear other names.
+        :param outputs: only these columns.
+        :param sigma: standard deviations of measurements; found from residuals unless given.
+        :param loss: "huber" lets outliers count less.
+        :param starts: searches from so many starts, spread within bounds.
+        :param given: other values of parameters that are not fitted.
+        :param settings: of the runs, as those of :meth:`simulate`.
+        :raises AnalysisError: no start can be simulated.
+        """
+        if loss not in ("squares", "huber"):
+            raise InputError(f"loss is `squares` or `huber`, not {loss!r}")
+        bounds = parameters if isinstance(parameters, Mapping) else {
+            name: None for name in _names(parameters)
+        }
+        if not bounds:
+            raise InputError("there is nothing to be fitted")
+        runs = measured_runs(self, data, map or {}, _names(outputs))
+        measured = {name for _, columns in runs for name, _ in columns}
+        for name, value in (sigma or {}).items():
+            if name not in measured:
+                hint = _machinist.did_you_mean(name, sorted(measured))
+                raise UnknownNameError(f"sigma of `{name}`: that is not measured{hint}")
+            if not value > 0:
+                raise InputError(f"sigma of `{name}` is {value}, not above 0")
+        set_by = _given(parameters=given, **settings)
+        asked = [(name, tuple(b) if b is not None else None) for name, b in bounds.items()]
+        told = _machinist.fit(
+            self._machine, set_by, asked, runs, list((sigma or {}).items()), loss == "huber",
+            starts, steps,
+        )  # fmt: skip
+        return Fit(self, told, runs, set_by)
 
     def __repr__(self) -> str:
         return "\n".join([self._line(), *text(_HEADING, self._rows())])

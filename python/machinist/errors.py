@@ -50,6 +50,9 @@ class MachinistError(Exception):
         more = f"\nhint: {self.hint}" if self.hint else ""
         super().__init__(f"{where}{self.message}{more}")
 
+    def __str__(self) -> str:
+        return str(self.args[0])
+
     def __reduce__(self):  # noqa: ANN204 - as object's
         state = {k: v for k, v in self.__dict__.items() if k != "run"}
         return (_restored, (type(self), self.args, state))
@@ -65,8 +68,11 @@ def _restored(kind: type[MachinistError], args: tuple, state: dict) -> Machinist
 class InputError(MachinistError, ValueError):
     """What was asked for makes no sense."""
 
+    #: What there are no derivatives by, and why, if that is what was asked for.
+    undifferentiable: tuple[str, str] | None = None
 
-class UnknownNameError(InputError, LookupError):
+
+class UnknownNameError(InputError, KeyError):
     """No parameter, state, output, method or scene has this name."""
 
 

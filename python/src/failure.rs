@@ -65,6 +65,12 @@ impl From<PyErr> for Failure {
 
 impl From<Failure> for PyErr {
     fn from(failure: Failure) -> Self {
+        let undifferentiable = match &failure {
+            Failure::Simulate(SimulateError::NotDifferentiable { name, why }) => {
+                Some((name.clone(), why.clone()))
+            }
+            _ => None,
+        };
         let (class, message) = match failure {
             Failure::Python(error) => return error,
             Failure::Simulate(error) => (class_of(&error), error.to_string()),
@@ -86,7 +92,15 @@ impl From<Failure> for PyErr {
             Failure::File(error) => ("ModelFileError", error.to_string()),
             Failure::Refused(class, message) => (class, message),
         };
-        Python::attach(|py| exception(py, class, &message).unwrap_or_else(|error| error))
+        Python::attach(|py| {
+            let told = exception(py, class, &message).and_then(|error| {
+                if let Some(pair) = undifferentiable {
+                    error.value(py).setattr("undifferentiable", pair)?;
+                }
+                Ok(error)
+            });
+            told.unwrap_or_else(|error| error)
+        })
     }
 }
 

@@ -9,10 +9,11 @@
 //! - [`source`]: where a simulator comes from;
 //! - [`settings`]: what a run is asked for, by keywords;
 //! - [`patience`]: runs that are left on Ctrl-C or after a limit of time;
-//! - [`machine`], [`run`], [`linear`], [`sweep`]: what Python sees.
+//! - [`machine`], [`run`], [`linear`], [`fit`], [`sweep`]: what Python sees.
 
 mod arrays;
 mod failure;
+mod fit;
 mod linear;
 mod machine;
 mod patience;
@@ -27,6 +28,8 @@ use pyo3::prelude::*;
 /// The native part of the package `machinist`.
 #[pymodule]
 mod _machinist {
+    #[pymodule_export]
+    use crate::fit::fit;
     #[pymodule_export]
     use crate::linear::modes;
     #[pymodule_export]

@@ -91,6 +91,11 @@ impl Settings {
         self.method
     }
 
+    /// Start time, if it is set \[s\].
+    pub fn start(&self) -> Option<f64> {
+        self.start
+    }
+
     /// Steps at most.
     pub fn max_steps(&self) -> usize {
         self.max_steps.unwrap_or(MAX_STEPS)

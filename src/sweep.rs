@@ -75,6 +75,41 @@ pub struct VariantRun {
     pub steps: u64,
 }
 
+/// What is kept of a variant's run.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Wanted {
+    /// Places among outputs, and behind them among states.
+    pub places: Vec<usize>,
+    /// Whether the least and the greatest value over the output times are, instead of the last.
+    pub extremes: bool,
+}
+
+impl Wanted {
+    /// The values, one a place, or two of extremes.
+    #[must_use]
+    pub fn values(&self, run: &VariantRun) -> Vec<f64> {
+        let outputs = run.outputs.first().map_or(0, Vec::len);
+        let of = |place: usize| {
+            let (rows, column) = if place < outputs {
+                (&run.outputs, place)
+            } else {
+                (&run.states, place - outputs)
+            };
+            rows.iter().map(move |row| row[column])
+        };
+        let values = self.places.iter().flat_map(|place| {
+            if self.extremes {
+                let least = of(*place).fold(f64::INFINITY, f64::min);
+                let greatest = of(*place).fold(f64::NEG_INFINITY, f64::max);
+                vec![least, greatest]
+            } else {
+                of(*place).next_back().into_iter().collect()
+            }
+        });
+        values.collect()
+    }
+}
+
 impl<'a, S: Sweepable> Sweep<'a, S> {
     /// A sweep of the machine as its spec says, with one variant.
     pub fn new(machine: &'a S) -> Self {

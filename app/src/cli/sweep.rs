@@ -83,6 +83,7 @@ impl Sweep {
             return Err(error.clone().into());
         }
 
+        let wanted = Wanted { places: wanted, extremes: self.extremes };
         let table = Table { sweep: self, wanted, variants: &variants, runs: &runs };
         match &self.out {
             Some(file) => write_file(file, |out| table.write(scene.simulator(), out))?,
@@ -248,7 +249,7 @@ fn columns_of(simulator: &dyn Simulator<f64>) -> impl Iterator<Item = &str> {
 /// What is written: parameters, outputs, steps, and why a variant stopped, if any did.
 struct Table<'a> {
     sweep: &'a Sweep,
-    wanted: Vec<usize>,
+    wanted: Wanted,
     variants: &'a [Vec<f64>],
     runs: &'a [Result<VariantRun, SimulateError>],
 }
@@ -266,13 +267,14 @@ impl Table<'_> {
                 places.iter().map(|place| variant[*place].to_string()).collect();
             match run {
                 Ok(run) => {
-                    record.extend(self.values(run).iter().map(f64::to_string));
+                    record.extend(self.wanted.values(run).iter().map(f64::to_string));
                     record.push(run.steps.to_string());
                     record.extend(any_stopped.then(String::new));
                 }
                 Err(error) => {
-                    let each = if self.sweep.extremes { 2 } else { 1 };
-                    record.resize(record.len() + each * self.wanted.len() + 1, String::new());
+                    let each = if self.wanted.extremes { 2 } else { 1 };
+                    record
+                        .resize(record.len() + each * self.wanted.places.len() + 1, String::new());
                     record.push(error.to_string());
                 }
             }
@@ -285,8 +287,8 @@ impl Table<'_> {
         let mut header: Vec<String> =
             self.sweep.parameter.iter().map(|range| range.name.clone()).collect();
         let names: Vec<&str> = columns_of(simulator).collect();
-        for name in self.wanted.iter().map(|place| names[*place]) {
-            if self.sweep.extremes {
+        for name in self.wanted.places.iter().map(|place| names[*place]) {
+            if self.wanted.extremes {
                 header.extend([format!("{name}.least"), format!("{name}.greatest")]);
             } else {
                 header.push(name.to_owned());
@@ -295,28 +297,5 @@ impl Table<'_> {
         header.push("steps".to_owned());
         header.extend(any_stopped.then(|| "error".to_owned()));
         header
-    }
-
-    fn values(&self, run: &VariantRun) -> Vec<f64> {
-        let outputs = run.outputs.first().map_or(0, Vec::len);
-        let of = |place: usize| {
-            let (rows, column) = if place < outputs {
-                (&run.outputs, place)
-            } else {
-                (&run.states, place - outputs)
-            };
-            rows.iter().map(move |row| row[column])
-        };
-        let values = self.wanted.iter().flat_map(|place| {
-            if self.sweep.extremes {
-                vec![
-                    of(*place).fold(f64::INFINITY, f64::min),
-                    of(*place).fold(f64::NEG_INFINITY, f64::max),
-                ]
-            } else {
-                of(*place).next_back().into_iter().collect()
-            }
-        });
-        values.collect()
     }
 }

@@ -11,8 +11,13 @@ from __future__ import annotations
 
 from . import _machinist
 from ._machinist import __version__, built_in_names
+from ._designs import Design, design
+from ._fit import Fit
+from ._linear import Mode, Modes, Response
 from ._model import Model, load
 from ._run import Run
+from ._sensitivities import Sensitivities
+from ._sweep import Sweep, sweep
 from .errors import (
     AnalysisError,
     InputError,
@@ -28,21 +33,30 @@ from .errors import (
 
 __all__ = [
     "AnalysisError",
+    "Design",
+    "Fit",
     "InputError",
     "MachinistError",
+    "Mode",
     "Model",
     "ModelFileError",
+    "Modes",
+    "Response",
     "Run",
+    "Sensitivities",
     "ShapeError",
     "SpecError",
     "StoppedError",
+    "Sweep",
     "SweepError",
     "ToolMissingError",
     "UnknownNameError",
     "__version__",
     "built_in_names",
+    "design",
     "load",
     "methods",
+    "sweep",
 ]
 
 

@@ -16,6 +16,7 @@ from ._fit import Fit, measured_runs
 from ._linear import Modes, Response
 from ._run import Run
 from ._sensitivities import Sensitivities
+from ._sweep import Sweep, sweep
 from ._tables import Event, Parameter, Quantity, State, Table, html, text
 from .errors import InputError, ModelFileError, StoppedError, UnknownNameError
 
@@ -408,6 +409,10 @@ class Model:
             starts, steps,
         )  # fmt: skip
         return Fit(self, told, runs, set_by)
+
+    def sweep(self, space: Any, **options: Any) -> Sweep:
+        """Many variants of the machine, see :func:`machinist.sweep`."""
+        return sweep(self, space, **options)
 
     def __repr__(self) -> str:
         return "\n".join([self._line(), *text(_HEADING, self._rows())])

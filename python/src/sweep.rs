@@ -1,7 +1,7 @@
 //! Pieces of sweeps: some variants of a machine, on threads of this process.
 
 use machinist::error::{StopCause, nearest};
-use machinist::sweep::{Sweepable, VariantRun, one};
+use machinist::sweep::{Sweepable, VariantRun, Wanted, one};
 use machinist::{Method, SimulateError, Simulation, Sweep};
 use machinist_contract::Simulator;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
@@ -20,14 +20,6 @@ const STEPS_IN_LANES: usize = 50_000;
 
 /// Values of every variant, steps, and why it stopped if it did.
 type Piece<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u64>>, Vec<Option<String>>);
-
-/// What is wanted of every run.
-struct Wanted {
-    /// Places among outputs, then states.
-    places: Vec<usize>,
-    /// The least and the greatest value instead of the last.
-    extremes: bool,
-}
 
 /// Runs variants: rows of `values` are those of the parameters of these names.
 #[pyfunction]
@@ -55,7 +47,13 @@ pub fn sweep_piece<'py>(
             .with(|simulator| prepared(simulator, &settings, &names, &rows, &wanted, extremes))??;
         let each = if extremes { 2 } else { 1 };
         let runs = all_runs(machine, &settings, &variants, threads)?;
-        let found: Vec<_> = runs.into_iter().map(|run| wanted.row(run)).collect();
+        let found: Vec<_> = runs
+            .into_iter()
+            .map(|run| match run {
+                Ok(run) => Ok((wanted.values(&run), run.steps)),
+                Err(error) => Err(error.to_string()),
+            })
+            .collect();
         Ok((each * wanted.places.len(), found))
     })?;
     let table = PyArray2::<f64>::zeros(py, [found.len(), width], false);
@@ -202,30 +200,4 @@ fn alone(
     let patience = Patience::without_signals(settings.time_limit);
     let end = || patience.end();
     one(&settings.apply(Simulation::new(simulator))?.parameters(variant).until_told(&end))
-}
-
-impl Wanted {
-    /// Values and steps of a run, or why there are none.
-    fn row(&self, run: Result<VariantRun, SimulateError>) -> Result<(Vec<f64>, u64), String> {
-        let run = run.map_err(|error| error.to_string())?;
-        let outputs = run.outputs.first().map_or(0, Vec::len);
-        let of = |place: usize| {
-            let (rows, column) = if place < outputs {
-                (&run.outputs, place)
-            } else {
-                (&run.states, place - outputs)
-            };
-            rows.iter().map(move |row| row[column])
-        };
-        let values = self.places.iter().flat_map(|place| {
-            if self.extremes {
-                let least = of(*place).fold(f64::INFINITY, f64::min);
-                let greatest = of(*place).fold(f64::NEG_INFINITY, f64::max);
-                vec![least, greatest]
-            } else {
-                of(*place).next_back().into_iter().collect()
-            }
-        });
-        Ok((values.collect(), run.steps))
-    }
 }

@@ -1,0 +1,91 @@
+"""Pieces of sweeps on a Dask cluster.
+
+The machine is loaded by a task whose result workers hand each other: each gets it once, and where
+the worker that held it is lost, it is loaded again. A task whose worker dies is given to another
+by the scheduler; a piece that keeps killing workers is halved until the variant is found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+from dask.distributed import KilledWorker, as_completed
+
+from ._model import Model, _restored
+from ._sweep import FIRST, Array, Piece, Plan, next_size, run_piece
+
+if TYPE_CHECKING:
+    from dask.distributed import Client, Future
+
+#: Pieces that are handed out for each thread of the cluster.
+_AHEAD = 2
+
+
+def on_cluster(
+    client: Client,
+    model: Model,
+    plan: Plan,
+    variants: Array,
+    missing: list[tuple[int, int]],
+    seconds: float,
+) -> Iterator[Piece]:
+    """Pieces as they are done, in any order."""
+    if not missing:
+        return
+    loaded = client.submit(_restored, model._key, pure=False)
+    size = FIRST
+    rest = list(reversed(missing))
+    handed: dict[str, tuple[int, int]] = {}
+
+    def submit(first: int, stop: int) -> Future:
+        future = client.submit(
+            run_piece, loaded, plan, first, variants[first:stop], 1, pure=False
+        )
+        handed[future.key] = (first, stop)
+        return future
+
+    def next_piece() -> tuple[int, int] | None:
+        if not rest:
+            return None
+        first, last = rest.pop()
+        stop = min(last, first + size)
+        if stop < last:
+            rest.append((stop, last))
+        return first, stop
+
+    done = as_completed()
+    try:
+        for _ in range(_AHEAD * max(1, sum(client.nthreads().values()))):
+            piece = next_piece()
+            if piece is not None:
+                done.add(submit(*piece))
+        for future in done:
+            first, stop = handed.pop(future.key)
+            try:
+                piece = future.result()
+            except KilledWorker as error:
+                if stop - first == 1:
+                    yield _died(plan, first, variants[first:stop], error)
+                else:
+                    middle = (first + stop) // 2
+                    done.add(submit(first, middle))
+                    done.add(submit(middle, stop))
+                continue
+            size = next_size(size, piece, seconds)
+            following = next_piece()
+            if following is not None:
+                done.add(submit(*following))
+            yield piece
+    finally:
+        # Nothing of it is left behind by a caller who stops early.
+        client.cancel([*done.futures, loaded])
+
+
+def _died(plan: Plan, first: int, variant: Array, error: KilledWorker) -> Piece:
+    """A variant whose workers died, again and again."""
+    values = np.full((1, len(plan.columns)), np.nan)
+    told = f"the workers that ran it died: {error}".splitlines()[0]
+    return Piece(first, variant, values, np.zeros(1, np.uint64), [told], 0.0)
+

@@ -1,0 +1,173 @@
+"""Results of sweeps as an Arrow table, and in a folder as Parquet files.
+
+A folder holds `sweep.json`, what the sweep is of, and files `part-FIRST-STOP.parquet`, each with
+neighbouring variants, written whole or not at all. What there is need not be run again.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .errors import SweepError
+
+if TYPE_CHECKING:
+    import pyarrow
+
+    from ._designs import Design
+    from ._model import Model
+    from ._sweep import Piece, Plan
+
+_PART = re.compile(r"^part-(\d+)-(\d+)\.parquet$")
+_MANIFEST = "sweep.json"
+
+
+class Store:
+    """Where the pieces of a sweep go."""
+
+    def __init__(
+        self,
+        path: str | os.PathLike[str] | None,
+        model: Model,
+        variants: Design,
+        plan: Plan,
+        provenance: dict[str, Any],
+    ) -> None:
+        self._count = len(variants)
+        self._plan = plan
+        self._pieces: dict[tuple[int, int], pyarrow.Table] = {}
+        self._folder = None if path is None else Path(path)
+        of = json.dumps(provenance["sweep"], sort_keys=True, default=str)
+        self._key = hashlib.sha256(of.encode()).hexdigest()
+        self._told = json.dumps({**provenance, "key": self._key}, indent=1, default=str)
+        self._units = _units(model, plan)
+        self._schema = self._made_schema()
+        if self._folder is not None:
+            self._open(self._folder)
+
+    def _made_schema(self) -> pyarrow.Schema:
+        import pyarrow
+
+        def number(name: str) -> pyarrow.Field:
+            return pyarrow.field(name, pyarrow.float64(), metadata={"unit": self._units[name]})
+
+        names = [*self._plan.names, *self._plan.columns]
+        return pyarrow.schema(
+            [
+                pyarrow.field("variant", pyarrow.int64()),
+                *map(number, names),
+                pyarrow.field("steps", pyarrow.int64()),
+                pyarrow.field("error", pyarrow.string()),
+            ],
+            metadata={"machinist.sweep": self._told},
+        )
+
+    def _open(self, folder: Path) -> None:
+        """Takes what is there, if it is of this sweep."""
+        import pyarrow.parquet as parquet
+
+        manifest = folder / _MANIFEST
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            if not manifest.exists():
+                if any(_PART.match(name) for name in os.listdir(folder)):
+                    raise SweepError(
+                        "there are parts of a sweep, but not what it is of", file=str(folder)
+                    )
+                _write(manifest, lambda file: file.write_text(self._told, encoding="utf-8"))
+            found = json.loads(manifest.read_text(encoding="utf-8")).get("key")
+        except (OSError, ValueError, AttributeError) as error:
+            raise SweepError(f"it holds no sweep: {error}", file=str(folder)) from error
+        if found != self._key:
+            raise SweepError(
+                "it holds the results of another sweep: of another machine, version, design, "
+                "outputs or settings",
+                file=str(folder),
+                hint=f"give another folder; {_MANIFEST} there says what it is of",
+            )
+        for name in sorted(os.listdir(folder)):
+            match = _PART.match(name)
+            if not match:
+                continue
+            first, stop = int(match[1]), int(match[2])
+            try:
+                table = parquet.read_table(folder / name, partitioning=None)
+                if table.num_rows != stop - first or not 0 <= first < stop <= self._count:
+                    raise ValueError(f"{table.num_rows} rows")
+                if not table.schema.equals(self._schema):
+                    raise ValueError("other columns")
+            except (OSError, ValueError) as error:
+                raise SweepError(
+                    f"it is damaged: {error}", file=str(folder / name),
+                    hint="delete it, and its variants are run again",
+                ) from error  # fmt: skip
+            self._pieces[first, stop] = table
+
+    def missing(self) -> list[tuple[int, int]]:
+        """Stretches of variants without results."""
+        gaps, reached = [], 0
+        for first, stop in [*sorted(self._pieces), (self._count, self._count)]:
+            if first > reached:
+                gaps.append((reached, first))
+            reached = max(reached, stop)
+        return gaps
+
+    def add(self, piece: Piece) -> None:
+        """Takes results; in a folder they are there when this returns."""
+        import pyarrow
+        import pyarrow.parquet as parquet
+
+        first, stop = piece.first, piece.first + len(piece)
+        failed = np.array([error is not None for error in piece.errors], dtype=bool)
+        arrays = [
+            pyarrow.array(np.arange(first, stop)),
+            *(pyarrow.array(np.ascontiguousarray(column)) for column in piece.variants.T),
+            *(pyarrow.array(np.ascontiguousarray(column), mask=failed) for column in piece.values.T),
+            pyarrow.array(piece.steps.astype(np.int64)),
+            pyarrow.array(piece.errors, pyarrow.string()),
+        ]
+        table = pyarrow.table(arrays, schema=self._schema)
+        self._pieces[first, stop] = table
+        if self._folder is not None:
+            file = self._folder / f"part-{first:09d}-{stop:09d}.parquet"
+            try:
+                _write(file, lambda path: parquet.write_table(table, path))
+            except OSError as error:
+                raise SweepError(str(error), file=str(file)) from error
+
+    def table(self) -> pyarrow.Table:
+        """All results in the order of variants."""
+        import pyarrow
+
+        tables = [table for _, table in sorted(self._pieces.items())]
+        if not tables:
+            return self._schema.empty_table()
+        # What made the parts may differ; what they are of does not.
+        metadata = self._schema.metadata
+        tables = [table.replace_schema_metadata(metadata) for table in tables]
+        return pyarrow.concat_tables(tables).combine_chunks()
+
+
+def _units(model: Model, plan: Plan) -> dict[str, str]:
+    units = {name: model.parameters[name].unit for name in plan.names}
+    for name in plan.wanted:
+        quantity = model.outputs.get(name) or model.states[name]
+        for column in (name, f"{name}.least", f"{name}.greatest"):
+            units[column] = quantity.unit
+    return units
+
+
+def _write(path: Path, write: Any) -> None:
+    """Writes a file whole or not at all."""
+    beside = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    try:
+        write(beside)
+        os.replace(beside, path)
+    finally:
+        beside.unlink(missing_ok=True)

@@ -8,7 +8,7 @@ by the scheduler; a piece that keeps killing workers is halved until the variant
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from dask.distributed import KilledWorker, as_completed
@@ -37,9 +37,9 @@ def on_cluster(
     loaded = client.submit(_restored, model._key, pure=False)
     size = FIRST
     rest = list(reversed(missing))
-    handed: dict[str, tuple[int, int]] = {}
+    handed: dict[Any, tuple[int, int]] = {}
 
-    def submit(first: int, stop: int) -> Future:
+    def submit(first: int, stop: int) -> Future[Piece]:
         future = client.submit(
             run_piece, loaded, plan, first, variants[first:stop], 1, pure=False
         )

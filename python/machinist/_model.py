@@ -28,7 +28,7 @@ Array = NDArray[np.float64]
 Parameters = Mapping[str, float] | ArrayLike
 
 #: Machines of this process, by what they are made of.
-_LOADED: dict[tuple, Model] = {}
+_LOADED: dict[tuple[Any, ...], Model] = {}
 
 
 def load(
@@ -82,30 +82,31 @@ def _loaded(payload: tuple[str, Any], elements: int | None, order: int | None) -
         if kind == "model":
             machine = _machinist.Machine.of_model(content, elements, order)
         else:
-            machine = _machinist.Machine.built_in(content, elements, order)
-            if machine is None:
+            found = _machinist.Machine.built_in(content, elements, order)
+            if found is None:
                 known = _machinist.built_in_names()
                 likely = _machinist.did_you_mean(content, known)
                 hint = None if likely else (
                     f"built in are {', '.join(known)}; names of files end in .toml or .model"
                 )
                 raise UnknownNameError(f"there is no scene `{content}`{likely}", hint=hint)
+            machine = found
         _LOADED[key] = Model(machine, key)
     return _LOADED[key]
 
 
-def _restored(key: tuple) -> Model:
+def _restored(key: tuple[Any, ...]) -> Model:
     return _loaded(key[:2], *key[2:])
 
 
 class Model:
     """A machine ready to run. Made by :func:`load`; may be pickled and shared by threads."""
 
-    def __init__(self, machine: _machinist.Machine, key: tuple) -> None:
+    def __init__(self, machine: _machinist.Machine, key: tuple[Any, ...]) -> None:
         self._machine = machine
         self._key = key
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> tuple[Any, ...]:
         return (_restored, (self._key,))
 
     @cached_property
@@ -140,13 +141,19 @@ class Model:
     @cached_property
     def parameters(self) -> Table[Parameter]:
         """Parameters with values, units, meanings, and whether they are tunable."""
-        rows = [Parameter(*row, value, tunable) for row, value, tunable in self._told["parameters"]]
+        rows = [
+            Parameter(name, unit, doc, value, tunable)
+            for (name, unit, doc), value, tunable in self._told["parameters"]
+        ]
         return Table(self.name, "parameter", rows, ("name", "value", "unit", "tunable", "doc"))
 
     @cached_property
     def states(self) -> Table[State]:
         """Entries of the state y = [q, q', z]."""
-        rows = [State(*row, kind, scale) for row, kind, scale in self._told["states"]]
+        rows = [
+            State(name, unit, doc, kind, scale)
+            for (name, unit, doc), kind, scale in self._told["states"]
+        ]
         return Table(self.name, "state", rows, ("name", "unit", "kind", "doc"))
 
     @cached_property
@@ -262,11 +269,10 @@ class Model:
         if sensitivities:
             settings["sensitivities"] = _names(sensitivities)
         native, error = self._machine.simulate(settings)
-        if error is None:
-            return Run(native)
         run = None if native is None else Run(native)
-        if on_stop == "keep" and run is not None:
+        if run is not None and (error is None or on_stop == "keep"):
             return run
+        assert isinstance(error, StoppedError), "a run that is not there has stopped"
         error.run = run
         raise error
 
@@ -403,7 +409,7 @@ class Model:
             if not value > 0:
                 raise InputError(f"sigma of `{name}` is {value}, not above 0")
         set_by = _given(parameters=given, **settings)
-        asked = [(name, tuple(b) if b is not None else None) for name, b in bounds.items()]
+        asked = [(name, None if b is None else (b[0], b[1])) for name, b in bounds.items()]
         told = _machinist.fit(
             self._machine, set_by, asked, runs, list((sigma or {}).items()), loss == "huber",
             starts, steps,
@@ -421,7 +427,7 @@ class Model:
         return f"{self.name}: {self.title} ({self.running})"
 
     def _rows(self) -> list[list[str]]:
-        counted = [
+        counted: list[tuple[str, Mapping[str, Any]]] = [
             ("states", self.states), ("parameters", self.parameters), ("outputs", self.outputs),
             ("events", self.events), ("constraints", self.constraints),
         ]  # fmt: skip
@@ -453,6 +459,3 @@ def _given(**settings: Any) -> dict[str, Any]:
 def _names(names: Sequence[str] | str) -> list[str]:
     """A list of names; one name is one."""
     return [names] if isinstance(names, str) else list(names)
-
-
-__all__ = ["Model", "StoppedError", "load"]

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from html import escape
 
 import numpy as np
 from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
 
 _WIDTH, _HEIGHT, _LEFT, _RIGHT, _GAP = 640, 130, 76, 14, 26
 _COLOURS = ("#1f5fa8", "#b5462f", "#3c7d3e", "#7a4f9c")
@@ -17,8 +19,8 @@ _MOST = 2 * _WIDTH
 
 def plot(
     title: str,
-    times: NDArray[np.float64],
-    panels: Sequence[tuple[str, Sequence[tuple[str, NDArray[np.float64]]]]],
+    times: Array,
+    panels: Sequence[tuple[str, Sequence[tuple[str, Array]]]],
     *,
     x_label: str = "t [s]",
     marks: Sequence[float] = (),
@@ -46,9 +48,9 @@ def plot(
 
 def _panel(
     unit: str,
-    x: NDArray[np.float64],
+    x: Array,
     span: tuple[float, float],
-    curves: Sequence[tuple[str, NDArray[np.float64]]],
+    curves: Sequence[tuple[str, Array]],
     top: int,
     marks: Sequence[float],
     log_x: bool,
@@ -97,7 +99,13 @@ def _panel(
     return "".join(parts)
 
 
-def _path(x, values, at_x, at_y, span) -> str:  # noqa: ANN001 - numbers and how they are placed
+def _path(
+    x: Array,
+    values: Array,
+    at_x: Callable[[float], float],
+    at_y: Callable[[float], float],
+    span: tuple[float, float],
+) -> str:
     """A line, broken where there is no number."""
     keep = _thinned(x, values, span)
     pieces, pen = [], "M"
@@ -110,7 +118,7 @@ def _path(x, values, at_x, at_y, span) -> str:  # noqa: ANN001 - numbers and how
     return "".join(pieces)
 
 
-def _thinned(x, values, span):  # noqa: ANN001, ANN202
+def _thinned(x: Array, values: Array, span: tuple[float, float]) -> Sequence[int]:
     """Places to draw: all, or first, least, greatest and last of each column of pixels."""
     if len(x) <= _MOST:
         return range(len(x))
@@ -125,7 +133,7 @@ def _thinned(x, values, span):  # noqa: ANN001, ANN202
     return sorted(keep)
 
 
-def _limits(curves: Sequence[NDArray[np.float64]]) -> tuple[float, float]:
+def _limits(curves: Sequence[Array]) -> tuple[float, float]:
     finite = [values[np.isfinite(values)] for values in curves]
     finite = [values for values in finite if values.size]
     if not finite:

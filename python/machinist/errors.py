@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from ._run import Run
@@ -53,12 +53,12 @@ class MachinistError(Exception):
     def __str__(self) -> str:
         return str(self.args[0])
 
-    def __reduce__(self):  # noqa: ANN204 - as object's
+    def __reduce__(self) -> tuple[Any, ...]:
         state = {k: v for k, v in self.__dict__.items() if k != "run"}
         return (_restored, (type(self), self.args, state))
 
 
-def _restored(kind: type[MachinistError], args: tuple, state: dict) -> MachinistError:
+def _restored(kind: type[MachinistError], args: tuple[Any, ...], state: dict[str, Any]) -> MachinistError:
     error = kind.__new__(kind)
     error.args = args
     error.__dict__.update(state)

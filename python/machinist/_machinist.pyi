@@ -1,0 +1,83 @@
+"""The native part of the package: what crosses between Rust and Python."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+__version__: str
+MODEL_MARK: bytes
+MODEL_VERSION: int
+
+class Machine:
+    """A machine ready to run."""
+
+    @staticmethod
+    def built_in(name: str, elements: int | None, order: int | None) -> Machine | None: ...
+    @staticmethod
+    def of_model(bytes: bytes, elements: int | None, order: int | None) -> Machine: ...
+    @property
+    def fingerprint(self) -> str: ...
+    @property
+    def states(self) -> int: ...
+    def defaults(self) -> Array: ...
+    def describe(self) -> dict[str, Any]: ...
+    def rate(
+        self, t: float, y: ArrayLike, p: ArrayLike | None = None, out: Array | None = None
+    ) -> Array: ...
+    def outputs(
+        self, t: float, y: ArrayLike, p: ArrayLike | None = None, out: Array | None = None
+    ) -> Array: ...
+    def jacobian(
+        self, t: float, y: ArrayLike, p: ArrayLike | None = None, out: Array | None = None
+    ) -> Array: ...
+    def jacobian_pattern(self) -> tuple[list[int], list[int]]: ...
+    def initial_state(self, p: ArrayLike | None = None) -> Array: ...
+    def discontinuities(self, p: ArrayLike | None = None) -> Array: ...
+    def simulate(self, settings: dict[str, Any]) -> tuple[Run | None, Exception | None]: ...
+    def time_runs(self, settings: dict[str, Any], runs: int) -> list[float]: ...
+
+class Run:
+    """A run: times and columns of numbers."""
+
+    def times(self) -> Array: ...
+    def columns(self) -> list[tuple[str, str, str, str]]: ...
+    def values(self, column: int) -> Array: ...
+    def told(self) -> dict[str, Any]: ...
+
+def built_in_names() -> list[str]:
+    """Names of scenes that are built in, sorted."""
+
+def methods() -> list[tuple[str, int, bool, str]]: ...
+def did_you_mean(name: str, known: list[str]) -> str: ...
+def modes(machine: Machine, settings: dict[str, Any], at: str, by: list[str]) -> dict[str, Any]: ...
+def response(
+    machine: Machine,
+    settings: dict[str, Any],
+    at: str,
+    from_to: tuple[str, str],
+    frequencies: ArrayLike | None,
+    points: int,
+) -> tuple[str, str, str, list[Array]]: ...
+def fit(
+    machine: Machine,
+    settings: dict[str, Any],
+    asked: list[tuple[str, tuple[float, float] | None]],
+    runs: list[tuple[Array, list[tuple[str, Array]]]],
+    sigma: list[tuple[str, float]],
+    is_robust: bool,
+    starts: int,
+    steps: int,
+) -> dict[str, Any]: ...
+def sweep_piece(
+    machine: Machine,
+    settings: dict[str, Any],
+    names: Sequence[str],
+    values: Array,
+    wanted: Sequence[str],
+    extremes: bool,
+    threads: int,
+) -> tuple[Array, NDArray[np.uint64], list[str | None]]: ...

@@ -125,6 +125,11 @@ fn a_flag_stops_every_method_and_what_there_is_of_the_run_is_handed_over() {
         let kept = kept.expect("what there is of the run");
         assert!(kept.times.len() < 1001 && kept.times[0] == 0.0, "{method}");
         assert!(kept.times.last().is_some_and(|last| *last <= time), "{method}");
+        let told = || Some(StopCause::TooSlow { seconds: 1.0 });
+        match refusal(&simulation.clone().until_told(&told)) {
+            SimulateError::Stopped { cause: StopCause::TooSlow { .. }, kept: Some(_), .. } => {}
+            other => panic!("{method}: {other}"),
+        }
         let unset = AtomicBool::new(false);
         let run = simulation.clone().until_flagged(&unset).run().unwrap();
         assert_eq!(run, simulation.run().unwrap(), "{method}");

@@ -35,6 +35,7 @@ def on_cluster(
     if not missing:
         return
     loaded = client.submit(_restored, model._key, pure=False)
+    threads = max(1, sum(client.nthreads().values()))
     size = FIRST
     rest = list(reversed(missing))
     handed: dict[Any, tuple[int, int]] = {}
@@ -49,15 +50,18 @@ def on_cluster(
     def next_piece() -> tuple[int, int] | None:
         if not rest:
             return None
+        left = sum(stop - first for first, stop in rest)
         first, last = rest.pop()
-        stop = min(last, first + size)
+        # The last ones are smaller, so that no worker waits long for another.
+        share = -(-left // (_AHEAD * threads))
+        stop = min(last, first + max(1, size // 8, min(size, share)))
         if stop < last:
             rest.append((stop, last))
         return first, stop
 
     done = as_completed()
     try:
-        for _ in range(_AHEAD * max(1, sum(client.nthreads().values()))):
+        for _ in range(_AHEAD * threads):
             piece = next_piece()
             if piece is not None:
                 done.add(submit(*piece))

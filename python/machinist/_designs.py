@@ -44,8 +44,8 @@ def design(
 ) -> Design:
     """Variants within a space of parameters.
 
-    :param space: by parameter `(from, to)`, `(from, to, "log")`, or for a grid or a table the values
-        themselves; for a table a DataFrame too.
+    :param space: by parameter `(from, to)`, `(from, to, "log")`, or for a grid or a table the
+        values themselves; for a table a DataFrame too.
     :param kind: `grid`, all combinations, the last parameter fastest; `random`; `latin` hypercube;
         `sobol` (both by scipy.stats.qmc); `table`, the rows as they are.
     :param n: how many; for a grid, how many values on each axis that is a range.

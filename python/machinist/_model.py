@@ -38,7 +38,8 @@ def load(
     order: int | None = None,
     keep_all: bool = False,
 ) -> Model:
-    """A machine: of a spec (`drive.toml`), of a model file (`drive.model`), or built in (`saw_gin`).
+    """A machine: of a spec (`drive.toml`), of a model file (`drive.model`), or built in
+    (`saw_gin`).
 
     A spec is derived by the program `machinist`, found on PATH or by the variable MACHINIST; a
     model file and what is built in need nothing.

@@ -128,7 +128,10 @@ class Store:
         arrays = [
             pyarrow.array(np.arange(first, stop)),
             *(pyarrow.array(np.ascontiguousarray(column)) for column in piece.variants.T),
-            *(pyarrow.array(np.ascontiguousarray(column), mask=failed) for column in piece.values.T),
+            *(
+                pyarrow.array(np.ascontiguousarray(column), mask=failed)
+                for column in piece.values.T
+            ),
             pyarrow.array(piece.steps.astype(np.int64)),
             pyarrow.array(piece.errors, pyarrow.string()),
         ]

@@ -74,7 +74,8 @@ def _panel(
         y = at_y(value)
         parts.append(f'<path d="M{_LEFT} {y:.1f}H{_WIDTH - _RIGHT}" stroke="#e4e4e4"/>')
         parts.append(
-            f'<text x="{_LEFT - 5}" y="{y + 4:.1f}" text-anchor="end" fill="#444">{value:.6g}</text>'
+            f'<text x="{_LEFT - 5}" y="{y + 4:.1f}" text-anchor="end" fill="#444">'
+            f"{value:.6g}</text>"
         )
     for value in ticks(*span, 6):
         shown = f"{10**value:.3g}" if log_x else f"{value:.6g}"

@@ -137,11 +137,13 @@ def sweep(
         from ._dask import on_cluster
 
         pieces = on_cluster(client, model, plan, variants.values, missing, chunk_seconds)
-    ran = 0
+    ran, computing = 0, 0.0
     for piece in pieces:
         store.add(piece)
         ran += len(piece)
-    return Sweep(variants, store.table(), ran, time.perf_counter() - start, path)
+        computing += piece.seconds
+    took = (time.perf_counter() - start, computing)
+    return Sweep(variants, store.table(), ran, took, path)
 
 
 def _here(
@@ -203,7 +205,7 @@ class Sweep:
         variants: Design,
         table: pyarrow.Table,
         ran: int,
-        seconds: float,
+        took: tuple[float, float],
         path: str | os.PathLike[str] | None,
     ) -> None:
         #: What was run.
@@ -212,8 +214,8 @@ class Sweep:
         self.table = table
         #: Variants that this call ran; others were there.
         self.ran = ran
-        #: What it took [s].
-        self.seconds = seconds
+        #: What it took [s], and what its pieces took, one after another or side by side.
+        self.seconds, self.computing = took
         #: The folder of results, if there is one.
         self.path = path
 

@@ -54,7 +54,9 @@ Row = TypeVar("Row", bound=Quantity)
 class Table(Mapping[str, Row], Generic[Row]):
     """Quantities by their names, in the order of the machine."""
 
-    def __init__(self, machine: str, what: str, rows: Sequence[Row], heading: Sequence[str]) -> None:
+    def __init__(
+        self, machine: str, what: str, rows: Sequence[Row], heading: Sequence[str]
+    ) -> None:
         self._machine = machine
         self._what = what
         self._rows = tuple(rows)

@@ -58,7 +58,9 @@ class MachinistError(Exception):
         return (_restored, (type(self), self.args, state))
 
 
-def _restored(kind: type[MachinistError], args: tuple[Any, ...], state: dict[str, Any]) -> MachinistError:
+def _restored(
+    kind: type[MachinistError], args: tuple[Any, ...], state: dict[str, Any]
+) -> MachinistError:
     error = kind.__new__(kind)
     error.args = args
     error.__dict__.update(state)

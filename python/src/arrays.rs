@@ -74,10 +74,10 @@ fn converted<'py>(
     };
     // An empty list is one of floats.
     let floats = array.call_method1("astype", ("float64", "K", "safe")).map_err(refused)?;
-    Ok(floats.extract().map_err(PyErr::from)?)
+    Ok(floats.extract()?)
 }
 
 /// An array that has taken over a vector.
-pub fn array<'py>(py: Python<'py>, values: Vec<f64>) -> Bound<'py, PyArray1<f64>> {
+pub fn array(py: Python<'_>, values: Vec<f64>) -> Bound<'_, PyArray1<f64>> {
     PyArray1::from_vec(py, values)
 }

@@ -175,7 +175,7 @@ fn unknowns(
             return Err(Failure::input(format!("`{name}` is asked for twice")));
         }
         if let Some((low, high)) = bounds
-            && !(low < high)
+            && (low >= high || low.is_nan() || high.is_nan())
         {
             return Err(Failure::input(format!("bounds of `{name}`: {low} is not below {high}")));
         }

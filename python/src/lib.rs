@@ -12,7 +12,9 @@
 //! - [`machine`], [`run`], [`linear`], [`fit`], [`sweep`]: what Python sees.
 
 mod arrays;
+mod describe;
 mod failure;
+mod fingerprint;
 mod fit;
 mod linear;
 mod machine;

@@ -71,7 +71,7 @@ pub fn modes<'py>(
         if !by.is_empty() {
             let moves = PointSlopes::of(run, place, linearization.point(), &by)?;
             let of_modes = linearization.mode_slopes(&modes, &moves)?;
-            slopes = of_modes.into_iter().map(|slopes| slopes_of(slopes)).collect();
+            slopes = of_modes.into_iter().map(slopes_of).collect();
         }
         Ok(Told {
             names: linearization.motion_names(),
@@ -161,12 +161,11 @@ pub fn response<'py>(
         )));
     }
     let (response, _) = looked_at(py, machine, &settings, at, |linearization, _, _| {
-        let frequencies = match given {
-            Some(given) => given,
-            None => {
-                let (low, high) = linearization.range_of_interest()?;
-                machinist::linear_analysis::logarithmic_range(low, high, points)?
-            }
+        let frequencies = if let Some(given) = given {
+            given
+        } else {
+            let (low, high) = linearization.range_of_interest()?;
+            machinist::linear_analysis::logarithmic_range(low, high, points)?
         };
         linearization.response(&from, &to, &frequencies)
     })?;

@@ -4,21 +4,20 @@ use std::time::Instant;
 
 use machinist::field::Discretisation;
 use machinist::{SimulateError, Simulation};
-use machinist_contract::{Simulator, StateKind};
 use machinist_model::file;
 use numpy::PyUntypedArrayMethods;
 use numpy::{PyArray1, PyArray2, PyReadwriteArray1, PyReadwriteArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use sha2::{Digest, Sha256};
 
 use crate::arrays::{Numbers, array, numbers};
+use crate::describe::describe;
 use crate::failure::{Failure, exception};
+use crate::fingerprint;
 use crate::patience::Patience;
 use crate::run::Run;
 use crate::settings::Settings;
 use crate::source::Source;
-use crate::tunable::tunable;
 
 /// A machine ready to run.
 #[pyclass(frozen, module = "machinist._machinist")]
@@ -27,7 +26,7 @@ pub struct Machine {
     defaults: Vec<f64>,
     states: usize,
     outputs: usize,
-    /// Of the model file; of emitted code, see [`Machine::behaviour`].
+    /// Of the model file; of emitted code, see [`fingerprint::of_behaviour`].
     fingerprint: String,
     /// (row, column) of the Jacobian's nonzeros.
     pattern: Vec<(u32, u32)>,
@@ -40,8 +39,11 @@ impl Machine {
             let defaults: Vec<f64> =
                 (0..shape.parameters).map(|index| simulator.parameter_default(index)).collect();
             let pattern = simulator.rate_jacobian_pattern().entries.to_vec();
-            let behaviour =
-                if fingerprint.is_none() { behaviour(simulator) } else { String::new() };
+            let behaviour = if fingerprint.is_none() {
+                fingerprint::of_behaviour(simulator)
+            } else {
+                String::new()
+            };
             (defaults, shape.states(), shape.outputs, pattern, behaviour)
         })?;
         let fingerprint = fingerprint.unwrap_or(behaviour);
@@ -74,53 +76,6 @@ impl Parameters<'_, '_> {
     }
 }
 
-/// A hash of what emitted code is called and computes: names, units, defaults, and rates and
-/// outputs at some states beside the start, to the last bit.
-fn behaviour(simulator: &dyn Simulator<f64>) -> String {
-    let shape = simulator.shape();
-    let mut hash = Sha256::new();
-    let mut add = |bytes: &[u8]| {
-        hash.update((bytes.len() as u64).to_le_bytes());
-        hash.update(bytes);
-    };
-    add(simulator.name().as_bytes());
-    let parameters: Vec<f64> =
-        (0..shape.parameters).map(|index| simulator.parameter_default(index)).collect();
-    for index in 0..shape.parameters {
-        let quantity = simulator.parameter(index);
-        add(quantity.name.as_bytes());
-        add(quantity.unit.as_bytes());
-        add(&parameters[index].to_le_bytes());
-    }
-    let named = (0..shape.states()).map(|index| simulator.state(index));
-    for quantity in named.chain((0..shape.outputs).map(|index| simulator.output(index))) {
-        add(quantity.name.as_bytes());
-        add(quantity.unit.as_bytes());
-    }
-    let mut start = vec![0.0; shape.states()];
-    simulator.initial_state(&parameters, &mut start);
-    for point in 0..8 {
-        let shift = |index: usize| {
-            let share = f64::from((7 * index as u32 + 5 * point) % 11) / 11.0;
-            f64::from(point) * 0.1 * (share - 0.4) * simulator.state_scale(index)
-        };
-        let state: Vec<f64> = start.iter().enumerate().map(|(k, y)| y + shift(k)).collect();
-        let time = simulator.run_defaults().from + 0.3 * f64::from(point);
-        let mut values = vec![0.0; shape.states() + shape.outputs];
-        let (rate, outputs) = values.split_at_mut(shape.states());
-        simulator.rate(time, &state, &parameters, rate);
-        simulator.outputs(time, &state, &parameters, outputs);
-        for value in values {
-            add(&value.to_le_bytes());
-        }
-    }
-    hex(&hash.finalize())
-}
-
-fn hex(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
 #[pymethods]
 impl Machine {
     /// The scene of a name that is built in; nothing if there is none.
@@ -143,7 +98,7 @@ impl Machine {
     ) -> Result<Self, Failure> {
         let model = file::read(bytes)?.model;
         let source = Source::of_model(model, Discretisation { elements, order })?;
-        Self::new(source, Some(hex(&Sha256::digest(bytes))))
+        Self::new(source, Some(fingerprint::of_bytes(bytes)))
     }
 
     /// A hash of what it is.
@@ -165,7 +120,7 @@ impl Machine {
 
     /// All there is to say of it, by name.
     fn describe<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        Ok(self.source.with(|simulator| describe(py, simulator, self.source.running()))??)
+        self.source.with(|simulator| describe(py, simulator, self.source.running()))?
     }
 
     /// y' = f(t, y, p), into `out` if it is given.
@@ -351,60 +306,4 @@ fn bad_out(what: &str) -> Failure {
 
 fn bad_out_shape(found: &[usize], wanted: &[usize]) -> Failure {
     Failure::Refused("ShapeError", format!("out has shape {found:?}, but must have {wanted:?}"))
-}
-
-fn describe<'py>(
-    py: Python<'py>,
-    simulator: &dyn Simulator<f64>,
-    running: &str,
-) -> PyResult<Bound<'py, PyDict>> {
-    let shape = simulator.shape();
-    let told = PyDict::new(py);
-    told.set_item("name", simulator.name())?;
-    told.set_item("title", simulator.title())?;
-    told.set_item("running", running)?;
-    let row = |quantity: machinist_contract::Quantity<'_>| {
-        [quantity.name, quantity.unit, quantity.doc].map(str::to_owned)
-    };
-    let parameters: Vec<_> = tunable(simulator)
-        .into_iter()
-        .enumerate()
-        .map(|(k, tunable)| (row(simulator.parameter(k)), simulator.parameter_default(k), tunable))
-        .collect();
-    told.set_item("parameters", parameters)?;
-    let kind = |k: usize| match simulator.state_kind(k) {
-        _ if simulator.is_mode(k) => "mode",
-        StateKind::Position => "position",
-        StateKind::Velocity => "velocity",
-        StateKind::FirstOrder => "first order",
-    };
-    let states: Vec<_> = (0..shape.states())
-        .map(|k| (row(simulator.state(k)), kind(k), simulator.state_scale(k)))
-        .collect();
-    told.set_item("states", states)?;
-    let outputs: Vec<_> = (0..shape.outputs).map(|k| row(simulator.output(k))).collect();
-    told.set_item("outputs", outputs)?;
-    let events: Vec<_> = (0..simulator.events())
-        .map(|k| {
-            let event = simulator.event(k);
-            [event.name.to_owned(), event.doc.to_owned()]
-        })
-        .collect();
-    told.set_item("events", events)?;
-    let constraints: Vec<_> = (0..simulator.constraints())
-        .map(|k| {
-            let constraint = simulator.constraint(k);
-            [constraint.name, constraint.unit, constraint.doc].map(str::to_owned)
-        })
-        .collect();
-    told.set_item("constraints", constraints)?;
-    let defaults = simulator.run_defaults();
-    let run = PyDict::new(py);
-    run.set_item("start", defaults.from)?;
-    run.set_item("until", defaults.until)?;
-    run.set_item("points", defaults.points)?;
-    run.set_item("rtol", defaults.rtol)?;
-    run.set_item("method", defaults.method)?;
-    told.set_item("run", run)?;
-    Ok(told)
 }

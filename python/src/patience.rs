@@ -48,13 +48,14 @@ impl Patience {
         let now = Instant::now();
         if self.next.get().is_some_and(|next| next <= now) {
             self.next.set(Some(now + PERIOD));
-            if let Err(signal) = Python::attach(|py| py.check_signals()) {
+            let signals = Python::attach(|py: Python<'_>| -> PyResult<()> { py.check_signals() });
+            if let Err(signal) = signals {
                 self.signal.replace(Some(signal));
                 return Some(StopCause::Interrupted);
             }
         }
         let (deadline, limit) = self.limit?;
-        (deadline <= now).then(|| StopCause::TooSlow { seconds: limit.as_secs_f64() })
+        (deadline <= now).then_some(StopCause::TooSlow { seconds: limit.as_secs_f64() })
     }
 
     /// What a handler of a signal raised, such as `KeyboardInterrupt`.

@@ -3,7 +3,7 @@
 use std::sync::{Mutex, PoisonError};
 
 use machinist::Trajectory;
-use machinist::trajectory::{Column, ColumnKind};
+use machinist::trajectory::{Column, ColumnKind, EnergyBalance};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -62,7 +62,7 @@ struct Told {
 impl Run {
     pub fn new(run: Trajectory) -> Self {
         let told = Told {
-            energy_residual: run.energy_balance.as_ref().map(|b| b.max_residual_relative()),
+            energy_residual: run.energy_balance.as_ref().map(EnergyBalance::max_residual_relative),
             machine: run.scene,
             title: run.title,
             method: run.method.name(),

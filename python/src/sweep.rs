@@ -176,7 +176,7 @@ fn all_runs(
 
 /// Each on its own, on threads.
 fn one_by_one(
-    shared: &(impl Sweepable + Sync),
+    shared: &impl Sweepable,
     settings: &Settings,
     variants: &[Vec<f64>],
     threads: usize,

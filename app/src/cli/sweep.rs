@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use crate::failure::did_you_mean;
 use clap::Args;
 use machinist::lanes::F64x8;
-use machinist::sweep::{Sweepable, VariantRun, one};
+use machinist::sweep::{Sweepable, VariantRun, Wanted, one};
 use machinist::{Method, SimulateError, Simulation};
 use machinist_contract::Simulator;
 use machinist_model::ModelSimulator;

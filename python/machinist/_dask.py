@@ -2,7 +2,9 @@
 
 The machine is loaded by a task whose result workers hand each other: each gets it once, and where
 the worker that held it is lost, it is loaded again. A task whose worker dies is given to another
-by the scheduler; a piece that keeps killing workers is halved until the variant is found.
+by the scheduler. Pieces that were on workers that died too often are run again at the end, one at a
+time, so that none is blamed for another; the one that kills them then is halved until the variant
+is found.
 """
 
 from __future__ import annotations
@@ -39,6 +41,8 @@ def on_cluster(
     size = FIRST
     rest = list(reversed(missing))
     handed: dict[Any, tuple[int, int]] = {}
+    suspects: list[tuple[int, int]] = []
+    piece: Piece | None
 
     def submit(first: int, stop: int) -> Future[Piece]:
         future = client.submit(
@@ -62,26 +66,32 @@ def on_cluster(
     done = as_completed()
     try:
         for _ in range(_AHEAD * threads):
-            piece = next_piece()
-            if piece is not None:
-                done.add(submit(*piece))
+            following = next_piece()
+            if following is not None:
+                done.add(submit(*following))
         for future in done:
             first, stop = handed.pop(future.key)
             try:
                 piece = future.result()
-            except KilledWorker as error:
-                if stop - first == 1:
-                    yield _died(plan, first, variants[first:stop], error)
-                else:
-                    middle = (first + stop) // 2
-                    done.add(submit(first, middle))
-                    done.add(submit(middle, stop))
-                continue
-            size = next_size(size, piece, seconds)
+                size = next_size(size, piece, seconds)
+            except KilledWorker:
+                piece = None
+                suspects.append((first, stop))
             following = next_piece()
             if following is not None:
                 done.add(submit(*following))
-            yield piece
+            if piece is not None:
+                yield piece
+        while suspects:
+            first, stop = suspects.pop()
+            try:
+                yield submit(first, stop).result()
+            except KilledWorker as error:
+                middle = (first + stop) // 2
+                if first == middle:
+                    yield _died(plan, first, variants[first:stop], error)
+                else:
+                    suspects += [(first, middle), (middle, stop)]
     finally:
         # Nothing of it is left behind by a caller who stops early.
         client.cancel([*done.futures, loaded])
@@ -90,6 +100,6 @@ def on_cluster(
 def _died(plan: Plan, first: int, variant: Array, error: KilledWorker) -> Piece:
     """A variant whose workers died, again and again."""
     values = np.full((1, len(plan.columns)), np.nan)
-    told = f"the workers that ran it died: {error}".splitlines()[0]
+    told = f"the workers that ran it died, the last of them {error.last_worker.address}"
     return Piece(first, variant, values, np.zeros(1, np.uint64), [told], 0.0)
 

@@ -65,3 +65,30 @@ def test_models_of_files_reach_workers(client, model_file):
     model = machinist.load(model_file)
     ask = {"kind": "random", "n": 40, "until": 0.05, "outputs": ["twist"]}
     assert model.sweep(SPACE, client=client, **ask).table.equals(model.sweep(SPACE, **ask).table)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals")
+def test_a_variant_that_kills_its_workers_is_found_and_no_other_is_blamed(gin, monkeypatch):
+    import dask
+    from machinist import _dask
+
+    plain = _dask.run_piece
+
+    def deadly(model, plan, first, variants, threads):
+        if (variants[:, 1] == 300.0).any():
+            os._exit(1)
+        return plain(model, plan, first, variants, threads)
+
+    monkeypatch.setattr(_dask, "run_piece", deadly)
+    space = {"coupling.stiffness": [1e4, 2e4], "coupling.damping": [50.0, 300.0]}
+    table = machinist.design(space, "table")
+    with (
+        dask.config.set({"distributed.scheduler.allowed-failures": 0}),
+        distributed.LocalCluster(
+            n_workers=1, threads_per_worker=1, dashboard_address=None
+        ) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        swept = gin.sweep(table, until=0.05, outputs=["twist"], client=client)
+    assert set(swept.failed) == {1} and "workers that ran it died" in swept.failed[1]
+    assert swept["twist"][0] == gin.sweep(table, until=0.05, outputs=["twist"])["twist"][0]

@@ -266,7 +266,7 @@ impl<'a> Simulation<'a> {
         self
     }
 
-    /// Stops with [`StopCause::Interrupted`](crate::error::StopCause::Interrupted) soon after
+    /// Stops with [`StopCause::Interrupted`] soon after
     /// somebody sets this flag; what there is of the run is handed over with the error.
     /// Runs in the lanes of a sweep do not look at it.
     pub fn until_flagged(mut self, flag: &'a AtomicBool) -> Self {

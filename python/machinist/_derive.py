@@ -40,7 +40,7 @@ def derived(scene: str | os.PathLike[str], *, keep_all: bool = False) -> bytes:
             command.append("--keep-all")
         environment = {**os.environ, "NO_COLOR": "1"}
         try:
-            done = subprocess.run(  # noqa: S603 - the caller's own program
+            done = subprocess.run(
                 command, capture_output=True, text=True, errors="replace", env=environment
             )
         except OSError as error:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -61,14 +62,12 @@ def design(
         told["axes"] = [axis.tolist() for axis in axes]
         _limited(int(np.prod([len(axis) for axis in axes], dtype=float)))
         mesh = np.meshgrid(*axes, indexing="ij")
-        return Design(names, np.stack([axis.ravel() for axis in mesh], axis=1), told)
+        return _made(names, np.stack([axis.ravel() for axis in mesh], axis=1), told)
     if kind == "table":
         table = [_values(name, axis) for name, axis in columns.items()]
         if len({len(column) for column in table}) > 1:
             raise InputError("columns of a table are of one length")
-        values = np.stack(table, axis=1)
-        told["values"] = values.tolist()
-        return Design(names, values, told)
+        return _made(names, np.stack(table, axis=1), told)
     if kind not in ("random", "latin", "sobol"):
         raise InputError(f"a design is grid, random, latin, sobol or table, not {kind!r}")
     if n is None or n < 1:
@@ -78,7 +77,13 @@ def design(
     told |= {"n": n, "seed": seed, "ranges": {k: list(r) for k, r in ranges.items()}}
     unit = _drawn(kind, n, len(names), seed)
     scaled = [_scaled(unit[:, k], *ranges[name]) for k, name in enumerate(names)]
-    return Design(names, np.stack(scaled, axis=1), told)
+    return _made(names, np.stack(scaled, axis=1), told)
+
+
+def _made(names: tuple[str, ...], values: Array, told: dict[str, Any]) -> Design:
+    """A design that is told apart by its numbers, whatever drew them."""
+    digest = hashlib.sha256(np.ascontiguousarray(values).tobytes()).hexdigest()
+    return Design(names, values, {**told, "variants": len(values), "sha256": digest})
 
 
 def _limited(count: int) -> None:

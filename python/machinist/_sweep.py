@@ -6,6 +6,7 @@ import platform
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from importlib import metadata
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -190,11 +191,18 @@ def provenance(model: Model, variants: Design, plan: Plan) -> dict[str, Any]:
         },
         "made_by": {
             "python": platform.python_version(),
-            "numpy": np.__version__,
+            **{name: _version(name) for name in ("numpy", "scipy", "pyarrow")},
             "system": f"{platform.system()} {platform.machine()}",
             "time_limit": plan.settings.get("time_limit"),
         },
     }
+
+
+def _version(package: str) -> str | None:
+    try:
+        return metadata.version(package)
+    except metadata.PackageNotFoundError:
+        return None
 
 
 class Sweep:

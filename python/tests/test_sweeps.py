@@ -108,11 +108,13 @@ def test_a_folder_says_what_it_is_of_and_is_not_mixed_up(gin, tmp_path):
     told = json.loads((tmp_path / "sweep.json").read_text())
     assert told["sweep"]["fingerprint"] == gin.fingerprint
     assert told["sweep"]["machinist"] == machinist.__version__
+    assert len(told["sweep"]["design"]["sha256"]) == 64 and told["made_by"]["pyarrow"]
     schema = parquet.read_schema(next(tmp_path.glob("part-*.parquet")))
     assert json.loads(schema.metadata[b"machinist.sweep"])["key"] == told["key"]
     assert schema.field("twist").metadata[b"unit"] == b"rad"
     others = [
         ({"coupling.damping": [50.0, 61.0]}, ask),
+        (machinist.design({"coupling.damping": [50.0, 61.0]}, "table"), ask),
         ({"coupling.damping": [50.0, 60.0]}, {**ask, "rtol": 1e-6}),
         ({"coupling.damping": [50.0, 60.0]}, {**ask, "outputs": ["twist"]}),
     ]

@@ -57,6 +57,9 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 #[cfg(feature = "derive")]
+use machinist_codegen::cas::Algebra;
+
+#[cfg(feature = "derive")]
 use crate::deriving;
 
 /// Lagrangian specs of machines to fast, checked Rust simulators.
@@ -67,6 +70,10 @@ struct Cli {
     #[cfg(feature = "derive")]
     #[arg(long, global = true)]
     no_cache: bool,
+    /// What works equations out: plain needs no Symbolica, and waits for nobody
+    #[cfg(feature = "derive")]
+    #[arg(long, global = true, value_name = "NAME", value_parser = algebra)]
+    algebra: Option<Algebra>,
     #[command(subcommand)]
     command: Command,
 }
@@ -144,6 +151,16 @@ enum Command {
     DeriveForParent,
 }
 
+/// The algebra of a name.
+#[cfg(feature = "derive")]
+fn algebra(name: &str) -> Result<Algebra, String> {
+    let known = Algebra::ALL.iter().find(|algebra| algebra.name() == name);
+    known.copied().ok_or_else(|| {
+        let names: Vec<&str> = Algebra::ALL.iter().map(|algebra| algebra.name()).collect();
+        format!("this build knows {}", names.join(" and "))
+    })
+}
+
 /// Does what the arguments of this process ask for.
 #[must_use]
 pub fn main() -> ExitCode {
@@ -152,6 +169,8 @@ pub fn main() -> ExitCode {
     if cli.no_cache {
         deriving::turn_off_cache();
     }
+    #[cfg(feature = "derive")]
+    cli.algebra.into_iter().for_each(deriving::work_out_by);
     let done = match cli.command {
         #[cfg(feature = "derive")]
         Command::New(command) => command.execute(),

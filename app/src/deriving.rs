@@ -7,6 +7,9 @@
 mod cache;
 mod child;
 
+use std::sync::OnceLock;
+
+use machinist_codegen::cas::Algebra;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline::Derivation;
 use machinist_codegen::spec::diagnostic::Diagnostics;
@@ -32,6 +35,16 @@ pub struct Request {
     pub rigid: Option<Vec<String>>,
     /// Only a model, or everything.
     pub wanted: Wanted,
+    /// What works it out, if somebody said so.
+    pub algebra: Option<Algebra>,
+}
+
+/// What everything is worked out by from now on in this process.
+static ALGEBRA: OnceLock<Algebra> = OnceLock::new();
+
+/// Has everything worked out by an algebra; the first word holds.
+pub fn work_out_by(algebra: Algebra) {
+    let _ = ALGEBRA.set(algebra);
 }
 
 /// How much is wanted.
@@ -57,7 +70,8 @@ enum Derived {
 impl Request {
     /// A request for the model of a scene.
     pub fn model(scene: &SpecSource, keep: Keep) -> Self {
-        Self { scene: scene.clone(), keep, rigid: None, wanted: Wanted::Model }
+        let algebra = ALGEBRA.get().copied();
+        Self { scene: scene.clone(), keep, rigid: None, wanted: Wanted::Model, algebra }
     }
 
     /// The system of the scene, as asked for.

@@ -76,6 +76,33 @@ fn folder_with(length: f64) -> tempfile::TempDir {
 const RUN: [&str; 4] = ["run", "own.toml", "--out", "-"];
 
 #[test]
+fn our_own_algebra_derives_the_same_machine_and_says_so() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("bob.toml"), spec(1.7)).expect("written");
+    let program = |arguments: &[&str]| {
+        process::machinist(folder.path(), &[&["--no-cache"], arguments].concat())
+    };
+    let derived = process::output(program(&["derive", "bob.toml", "--algebra", "plain"]));
+    assert!(String::from_utf8_lossy(&derived.stdout).contains("Worked out by our own algebra"));
+    assert!(!process::said(&derived).contains("Symbolica"), "{}", process::said(&derived));
+    let angles = |algebra: &str| -> Vec<f64> {
+        let arguments = ["run", "bob.toml", "--out", "-", "--algebra", algebra];
+        let table = process::answer(program(&arguments));
+        let mut lines = table.lines().map(|line| line.split(',').collect::<Vec<_>>());
+        let head = lines.next().expect("a head");
+        let column = head.iter().position(|name| name.starts_with("angle")).expect("the angle");
+        lines.map(|line| line[column].parse().expect("a number")).collect()
+    };
+    let (plain, other) = (angles("plain"), angles("symbolica"));
+    assert_eq!(plain.len(), 11);
+    assert!(plain.iter().zip(&other).all(|(a, b)| (a - b).abs() < 1e-9), "{plain:?} {other:?}");
+    process::assert_refused(
+        program(&["derive", "bob.toml", "--algebra", "maxima"]),
+        &["symbolica and plain"],
+    );
+}
+
+#[test]
 fn a_second_run_derives_nothing_and_gives_the_same() {
     let folder = folder_with(0.7);
     let first = machinist(folder.path(), &RUN).output().expect("the program starts");

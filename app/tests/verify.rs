@@ -264,26 +264,22 @@ fn checks_of_outputs_change_no_equation() {
 
 #[test]
 fn examples_of_rotational_parts_pass_their_automatic_checks() {
-    pass_their_checks(&["parts/control", "parts/hydraulic", "parts/rotational"]);
+    pass_their_checks(&["parts/control", "parts/hydraulic", "parts/rotational"], "plain");
 }
 
 #[test]
 fn examples_of_other_parts_pass_their_automatic_checks() {
-    pass_their_checks(&[
-        "parts/electrical",
-        "parts/planar",
-        "parts/sources",
-        "parts/translational",
-    ]);
+    let folders = ["parts/electrical", "parts/planar", "parts/sources", "parts/translational"];
+    pass_their_checks(&folders, "plain");
 }
 
 #[test]
 fn machines_of_parts_pass_their_automatic_checks() {
-    pass_their_checks(&["drives", "linkages", "msl"]);
+    pass_their_checks(&["drives", "linkages", "msl"], "symbolica");
 }
 
-/// Every scene in folders of `specs/scenes`.
-fn pass_their_checks(folders: &[&str]) {
+/// Every scene in folders of `specs/scenes`, worked out by an algebra.
+fn pass_their_checks(folders: &[&str], algebra: &str) {
     let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes");
     let mut wrong = Vec::new();
     for folder in folders {
@@ -294,7 +290,7 @@ fn pass_their_checks(folders: &[&str]) {
             .collect();
         files.sort();
         for file in &files {
-            let (code, rows) = rows(file, &[]);
+            let (code, rows) = rows(file, &["--algebra", algebra]);
             if code != Some(0) {
                 wrong.push(format!("{}: {:?}", file.display(), failed(&rows)));
             }

@@ -41,6 +41,13 @@ pub enum Algebra {
 const MANY: usize = 100;
 
 impl Algebra {
+    /// All of them.
+    pub const ALL: &[Self] = &[
+        #[cfg(feature = "symbolica")]
+        Algebra::Symbolica,
+        Algebra::Plain,
+    ];
+
     /// The one that a machine is worked out by unless somebody says otherwise.
     #[must_use]
     pub fn of(system: &LagrangianSystem) -> Self {

@@ -155,8 +155,19 @@ pub struct Derivation {
 /// # Errors
 /// As [`generate`].
 pub fn derivation(system: LagrangianSystem, keep: Keep) -> Result<Derivation, Diagnostics> {
+    derivation_by(Algebra::of(&system), system, keep)
+}
+
+/// The same, worked out by an algebra of one's choice.
+///
+/// # Errors
+/// As [`generate`].
+pub fn derivation_by(
+    algebra: Algebra,
+    system: LagrangianSystem,
+    keep: Keep,
+) -> Result<Derivation, Diagnostics> {
     let keep = possible(&system, keep);
-    let algebra = Algebra::of(&system);
     let (equations, whole, steps) = session(&system.name.clone(), algebra, move |cas| {
         let equations = lagrange::derive(cas, &system);
         decided(&equations)?;

@@ -5,6 +5,7 @@ use std::path::Path;
 use crate::failure::Failure;
 
 /// A value that was found for a parameter, or for the start of a state.
+#[cfg_attr(not(feature = "derive"), expect(dead_code, reason = "read where specs are written"))]
 pub struct FoundValue<'a> {
     pub name: &'a str,
     pub value: f64,

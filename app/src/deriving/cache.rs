@@ -61,7 +61,8 @@ pub(super) fn key(request: &Request, files: &[SourceFile]) -> Key {
     };
     add(&VERSION.to_string());
     add(GENERATOR);
-    add(&format!("{:?} {:?} {:?}", request.wanted, request.keep, request.rigid));
+    let Request { wanted, keep, rigid, algebra, .. } = request;
+    add(&format!("{wanted:?} {keep:?} {rigid:?} {algebra:?}"));
     for file in files {
         add(&file.label);
         add(&file.sha256);

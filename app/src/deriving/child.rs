@@ -7,7 +7,7 @@ use std::io::{Read as _, Write as _, stdin, stdout};
 use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use machinist_codegen::cas::GREETED;
+use machinist_codegen::cas::{Algebra, GREETED};
 use machinist_codegen::pipeline;
 use machinist_codegen::spec::diagnostic::Diagnostics;
 use machinist_model::file::{open, seal};
@@ -76,17 +76,18 @@ pub fn answer_parent() -> Result<(), Failure> {
 
 fn derive(request: &Request) -> Result<Derived, Diagnostics> {
     let system = request.system()?;
+    let algebra = request.algebra.unwrap_or_else(|| Algebra::of(&system));
     Ok(match request.wanted {
         Wanted::Model => {
-            let model = pipeline::compile(system, request.keep)?;
+            let model = pipeline::compile_by(algebra, system, request.keep)?;
             Derived::Model(Box::new(pipeline::stamped(model, request.keep)))
         }
-        Wanted::ModelIfPossible => match pipeline::compile(system, request.keep) {
+        Wanted::ModelIfPossible => match pipeline::compile_by(algebra, system, request.keep) {
             Ok(model) => Derived::Model(Box::new(pipeline::stamped(model, request.keep))),
             Err(_) => Derived::Impossible,
         },
         Wanted::Everything => {
-            Derived::Everything(Box::new(pipeline::derivation(system, request.keep)?))
+            Derived::Everything(Box::new(pipeline::derivation_by(algebra, system, request.keep)?))
         }
     })
 }

@@ -186,18 +186,40 @@ mod readable {
 
 #[cfg(not(feature = "derive"))]
 mod unread {
-    use machinist::improve::{Expression, ExpressionError, Inequality};
+    use machinist::improve::{Expression, ExpressionError, Inequality, Node};
     use machinist_contract::Simulator;
 
-    pub fn check(_: &Expression, _: &dyn Simulator<f64>) -> Result<(), ExpressionError> {
-        Ok(())
+    /// Refuses numbers with units of measure: what reads these is the generator's, and to take
+    /// `5 [mm]` for 5 would be wrong without a word.
+    pub fn check(expression: &Expression, _: &dyn Simulator<f64>) -> Result<(), ExpressionError> {
+        without_units(expression)
     }
 
-    pub fn check_sides(_: &Inequality, _: &dyn Simulator<f64>) -> Result<(), ExpressionError> {
-        Ok(())
+    /// The same, of both sides.
+    pub fn check_sides(
+        inequality: &Inequality,
+        _: &dyn Simulator<f64>,
+    ) -> Result<(), ExpressionError> {
+        without_units(&inequality.left)?;
+        without_units(&inequality.right)
     }
 
     pub fn of(_: &Expression, _: &dyn Simulator<f64>) -> String {
         "1".to_owned()
+    }
+
+    fn without_units(expression: &Expression) -> Result<(), ExpressionError> {
+        match &expression.node {
+            Node::Number(_, Some(unit)) => Err(ExpressionError {
+                message: format!("this build of the program cannot read the unit `{unit}`"),
+                help: "write the number in SI units without its unit, or build the program with \
+                       its feature `derive`"
+                    .to_owned(),
+                range: expression.range.clone(),
+            }),
+            Node::Number(..) | Node::Name(_) => Ok(()),
+            Node::Negative(a) | Node::Call(_, a) | Node::Reduce(_, a) => without_units(a),
+            Node::Binary(_, a, b) => without_units(a).and_then(|()| without_units(b)),
+        }
     }
 }

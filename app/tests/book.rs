@@ -1,6 +1,7 @@
 //! The book and the README: what they show is what the program does, they name every key of the
 //! language and no other, and their links lead somewhere.
 
+mod alike;
 mod examples;
 mod keys;
 mod markdown;

@@ -12,7 +12,7 @@
 //! | others | a comment `<!-- not run: why -->` before them, or `text,formula` |
 //!
 //! What is shown below a command is all that it prints, in which `...` stands for anything within
-//! a line, and alone on a line for any lines; of a command below which nothing is shown, only
+//! a line, and alone on a line for any lines, and numbers may differ by rounding (`alike`); of a command below which nothing is shown, only
 //! the exit code is looked at. `MACHINIST_BOOK=write` puts what is printed where something else is shown.
 
 use std::fs;
@@ -20,6 +20,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
+use super::alike::line_matches;
 use super::markdown::{Block, Chapter};
 use crate::process::{REPOSITORY, machinist, output, said};
 use crate::schema;
@@ -274,17 +275,6 @@ fn lines_match(shown: &[&str], printed: &[&str]) -> bool {
         [line, rest @ ..] => printed
             .split_first()
             .is_some_and(|(first, others)| line_matches(line, first) && lines_match(rest, others)),
-    }
-}
-
-/// Whether a line is as shown, `...` standing for anything.
-pub fn line_matches(shown: &str, printed: &str) -> bool {
-    match shown.split_once("...") {
-        None => shown == printed,
-        Some((start, rest)) => printed.strip_prefix(start).is_some_and(|printed| {
-            let ends = (0..=printed.len()).filter(|at| printed.is_char_boundary(*at));
-            ends.into_iter().any(|at| line_matches(rest, &printed[at..]))
-        }),
     }
 }
 

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
+use super::alike::line_matches;
 use super::chapter;
-use super::examples::line_matches;
 use super::markdown::{Piece, codes};
 use crate::process::REPOSITORY;
 

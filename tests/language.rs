@@ -84,6 +84,26 @@ fn numbers_may_be_in_any_unit_and_outputs_are_shown_in_theirs() {
 }
 
 #[test]
+fn a_number_in_another_unit_is_a_parameter_that_runs_may_change() {
+    let text = scene(
+        "units.s = { unit = \"s\", parameters = { mass = \"2000 [g]\" } }\n\
+         outputs.x = \"s.x\"\ninitial.\"s.x\" = 1",
+        "coordinates.x = { unit = \"m\", velocity = \"v\" }\n\
+         parameters.mass = { value = 1, unit = \"kg\" }\n\
+         parameters.stiffness = { value = \"0.018 [kN/m]\", unit = \"N/m\" }\n\
+         energy = { kinetic = \"mass*v^2/2\", potential = \"stiffness*x^2/2\" }",
+        RUN,
+    );
+    let scene = of_text(&text, Keep::Needed);
+    assert_eq!(parameters(&scene), ["s.mass", "s.stiffness"]);
+    assert_eq!([0, 1].map(|index| scene.parameter_default(index)), [2.0, 18.0]);
+    assert!(off(&run(&scene, &[]), "x", |t| (3.0 * t).cos()) < 1e-8);
+    assert!(off(&run(&scene, &[("s.mass", 8.0)]), "x", |t| (1.5 * t).cos()) < 1e-8);
+    let wrong = text.replace("2000 [g]", "2000 [N]");
+    assert!(refusal(&wrong).contains("mass"), "{}", refusal(&wrong));
+}
+
+#[test]
 fn a_quantity_that_moves_is_declared_in_a_coherent_unit() {
     let text = scene("", "coordinates.x = { unit = \"mm\" }", RUN);
     let said = refusal(&text);
@@ -149,8 +169,8 @@ fn parameters_that_follow_what_they_may_not_are_refused() {
         let said = refusal(&disc(value));
         assert!(said.contains(message), "{value}: {said}");
     }
-    let listed =
-        disc("2 [kg m^2]").replace("[run]", "[tunable]\nparameters = [\"s.inertia\"]\n[run]");
+    let listed = disc("1 [kg m^2] + 1 [kg m^2]")
+        .replace("[run]", "[tunable]\nparameters = [\"s.inertia\"]\n[run]");
     assert!(refusal(&listed).contains("`s.inertia` is given by an expression"));
 }
 

@@ -1,16 +1,17 @@
 //! What parameters are: numbers that runs may change, or expressions of such.
 //!
-//! A parameter that is given by an expression (`inertia = "mass*radius^2/2"`, or that of an
-//! instance by the scene) is put in wherever it is read, as a helper is, and is none of the
+//! A number in other units (`"18 [kN m/rad]"`) is a number. A parameter that is given by an
+//! expression (`inertia = "mass*radius^2/2"`, or that of an instance by the scene) is put in wherever it is read, as a helper is, and is none of the
 //! model's parameters.
 
-use crate::expr::ParameterId;
+use crate::expr::{Expr, ParameterId};
 use crate::scene::evaluate::evaluate;
 use crate::scene::layout::{Layout, Local, Scope};
 use crate::scene::resolve::{Resolver, Wanted};
 use crate::scene::typed::{Typed, Uses};
 use crate::spec::diagnostic::{Mistake, Span};
-use crate::spec::expression::Ast;
+use crate::spec::dimension::Unit;
+use crate::spec::expression::{Ast, Node};
 use crate::spec::{InstanceSpec, ParameterSpec, SceneSpec, Value, did_you_mean, quoted};
 
 /// What a parameter is worth.
@@ -36,11 +37,32 @@ pub fn given(spec: &SceneSpec, scope: Scope, index: usize) -> Given<'_> {
         Scope::Instance(instance) => own(&spec.instances[instance], parameter),
         _ => None,
     };
-    match (own, &parameter.value) {
-        (Some(Value::Number(number)), _) => Given::Number(*number),
-        (Some(Value::Expression(ast)), _) => Given::Expression(ast, Scope::Scene),
-        (None, Value::Number(number)) => Given::Number(number * parameter.unit.factor.to_f64()),
-        (None, Value::Expression(ast)) => Given::Expression(ast, scope.base()),
+    let (ast, whose) = match (own, &parameter.value) {
+        (Some(Value::Number(number)), _) => return Given::Number(*number),
+        (Some(Value::Expression(ast)), _) => (ast, Scope::Scene),
+        (None, Value::Number(number)) => {
+            return Given::Number(number * parameter.unit.factor.to_f64());
+        }
+        (None, Value::Expression(ast)) => (ast, scope.base()),
+    };
+    match quantity(ast) {
+        // One of another dimension is refused as any expression is.
+        Some((number, unit)) if unit.dimension == parameter.unit.unit.dimension => {
+            Given::Number(number)
+        }
+        _ => Given::Expression(ast, whose),
+    }
+}
+
+/// A number with a unit, its sign before it, in SI.
+fn quantity(ast: &Ast) -> Option<(f64, Unit)> {
+    match &ast.node {
+        Node::Number(number, Some(unit)) => {
+            let value = evaluate(&Expr::Number(number.0.clone()), &|_| f64::NAN);
+            value.is_finite().then_some((value, *unit))
+        }
+        Node::Negative(of) => quantity(of).map(|(number, unit)| (-number, unit)),
+        _ => None,
     }
 }
 

@@ -2,7 +2,9 @@
 //!
 //! - A sum is flat, holds no two terms that differ by a number only, and is sorted.
 //! - A product is flat, its number stands before its other factors, each base is there once,
-//!   and these are sorted. A number times a sum is a sum.
+//!   and these are sorted. A number times a sum is a sum; beside other factors, and in whole powers,
+//!   sums have coefficients without a common factor, the first positive, so that a - b and
+//!   2 b - 2 a are one base.
 //! - Whole powers of products and of powers are products and powers; a power of half a whole
 //!   number is one of a square root, for (x^2)^(1/2) is not x.
 //!
@@ -10,6 +12,7 @@
 
 use std::collections::HashMap;
 
+use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One as _, Pow as _, Signed as _, ToPrimitive as _, Zero as _};
 
@@ -164,7 +167,14 @@ impl Factors {
         }
     }
 
-    fn multiply(&mut self, base: Expr, exponent: Expr) {
+    fn multiply(&mut self, mut base: Expr, exponent: Expr) {
+        if let (Expr::Sum(terms), Expr::Number(value)) = (&mut base, &exponent)
+            && let Some(content) = content(terms)
+            && let Some(number) = worked_out(&content, value)
+        {
+            divide(terms, &content);
+            self.number *= number;
+        }
         if let Some(place) = self.exponents.get(&base) {
             let known = &mut self.powers[*place].1;
             let before = std::mem::replace(known, Expr::integer(0));
@@ -230,8 +240,57 @@ pub(super) fn power(base: Expr, exponent: Expr) -> Expr {
         Expr::Product(factors) if value.is_integer() => {
             product(factors.into_iter().map(|factor| power(factor, exponent.clone())))
         }
+        Expr::Sum(mut terms) => {
+            let content = content(&terms);
+            let outside = content.as_ref().and_then(|content| worked_out(content, value));
+            let (Some(content), Some(outside)) = (content, outside) else {
+                return Expr::Power(Box::new(Expr::Sum(terms)), Box::new(exponent));
+            };
+            divide(&mut terms, &content);
+            scaled(outside, Expr::Power(Box::new(Expr::Sum(terms)), Box::new(exponent)))
+        }
         base => Expr::Power(Box::new(base), Box::new(exponent)),
     }
+}
+
+/// What the coefficients of a sum have in common, with the sign of the term that is first
+/// without them; nothing if it is 1.
+fn content(terms: &[Expr]) -> Option<BigRational> {
+    let parts = || terms.iter().map(coefficient);
+    let (_, leading) = parts().min_by(|(a, _), (b, _)| a.cmp(b))?;
+    let common = parts().map(|(_, number)| number).fold(BigRational::zero(), |common, number| {
+        if common.is_zero() {
+            return number.abs();
+        }
+        let numerator = common.numer().gcd(number.numer());
+        BigRational::new(numerator, common.denom().lcm(number.denom()))
+    });
+    let content = if leading.is_negative() { -common } else { common };
+    (!content.is_one()).then_some(content)
+}
+
+/// The other factors of a term, and its number.
+fn coefficient(term: &Expr) -> (&[Expr], BigRational) {
+    match term {
+        Expr::Number(value) => (&[], value.clone()),
+        Expr::Product(factors) => match &factors[0] {
+            Expr::Number(value) => (&factors[1..], value.clone()),
+            _ => (factors, BigRational::one()),
+        },
+        _ => (std::slice::from_ref(term), BigRational::one()),
+    }
+}
+
+/// Divides a sum, term by term.
+fn divide(terms: &mut [Expr], by: &BigRational) {
+    for term in terms.iter_mut() {
+        let (number, rest) = split(std::mem::replace(term, Expr::integer(0)));
+        *term = match rest {
+            Expr::Number(value) => Expr::Number(number * value / by),
+            rest => scaled(number / by, rest),
+        };
+    }
+    terms.sort_unstable();
 }
 
 /// A whole power of a number, if it is one and not too long.

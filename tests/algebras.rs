@@ -19,7 +19,7 @@ use machinist_studies::double_double::DoubleDouble;
 /// Rounding beside the size of what numbers are put together from.
 const LIMIT: f64 = 3e-12;
 /// Random places of each scene.
-const PLACES: usize = 5;
+const PLACES: usize = 3;
 
 /// Every scene of the folder and of those within it.
 fn specs(folder: &Path, found: &mut Vec<PathBuf>) {

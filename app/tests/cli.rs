@@ -200,6 +200,20 @@ fn emission_is_the_same_twice_and_fresh_until_a_spec_changes() {
     let specs = folder.path().join("specs");
     copy_specs(&specs);
     let scenes = specs.join("scenes");
+    // Of each kind one: the freshness of all is checked apart.
+    let kinds = [
+        "bouncing_mass",
+        "motor_run_up",
+        "pendulum_constrained",
+        "saw_gin",
+        "saw_gin_shaft",
+        "two_mass",
+    ];
+    for name in names_in(&scenes) {
+        if !kinds.iter().any(|kind| name == format!("{kind}.toml")) {
+            fs::remove_file(scenes.join(name)).expect("a scene less");
+        }
+    }
     let [first, second] = ["first", "second"].map(|name| folder.path().join(name));
     let generate = |out: &Path| answer(&["gen", "--specs", text(&scenes), "--out", text(out)]);
     generate(&first);

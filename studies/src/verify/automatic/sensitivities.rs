@@ -19,7 +19,7 @@ pub(super) const BY_DIFFERENCES: Row = Row {
 const PARAMETERS: usize = 3;
 const TIMES: usize = 20;
 const RTOL: f64 = 1e-10;
-const STEPS: usize = 50_000;
+const STEPS: usize = 20_000;
 /// What is varied, relative.
 const STEP: f64 = 1e-4;
 /// What a parameter does less of than this, relative to a state, no difference tells.

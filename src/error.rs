@@ -441,7 +441,7 @@ impl Lack {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error(
     "method `{name}` is not compiled in. \
-     Hint: turn on the feature `{feature}` of the crate machinist, or use one of {compiled_in}"
+     Hint: build with the feature `{feature}`, or use one of {compiled_in}"
 )]
 pub struct NotCompiledIn {
     /// The method's name.

@@ -59,7 +59,8 @@ pub struct Run {
     /// Relative tolerance of a step
     #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
     rtol: Option<f64>,
-    /// bdf, tr_bdf2, esdirk34, tsit45, tsit5, dop853, rodas5p, radau, auto, taylor or exact
+    /// auto, exact, taylor, tsit5, dop853, rodas5p or radau; if it was built with the feature
+    /// `diffsol`, also bdf, tr_bdf2, esdirk34 or tsit45
     #[arg(long, value_name = "NAME")]
     method: Option<String>,
     /// Derivatives of all states and outputs by these parameters, or by initial values of

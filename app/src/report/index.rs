@@ -1,5 +1,6 @@
 //! The first page: what the report says in short, and a card for each machine.
 
+use machinist::Method;
 use machinist_studies::verify::Tally;
 use maud::{Markup, html};
 
@@ -73,7 +74,7 @@ fn introduction(report: &Report) -> Markup {
                     dt { "emitted code" } dd { @if stale.is_empty() { "fresh" } @else { "stale" } }
                 }
                 div { dt { "Machinist" } dd { (env!("CARGO_PKG_VERSION")) } }
-                @for (package, version) in PINNED { div { dt { (package) } dd { (version) } } }
+                @for (package, version) in PINNED.into_iter().filter(|(package, _)| is_in(package)) { div { dt { (package) } dd { (version) } } }
             }
             @if !stale.is_empty() {
                 p.warning {
@@ -92,6 +93,11 @@ fn introduction(report: &Report) -> Markup {
             }
         }
     }
+}
+
+/// Whether this build has a package that is pinned.
+fn is_in(package: &str) -> bool {
+    package != "diffsol" || Method::Bdf.is_compiled_in()
 }
 
 /// Versions of what is pinned.

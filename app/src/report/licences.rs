@@ -17,11 +17,11 @@ pub fn section() -> Markup {
                  lock file. For commercial use, get a key from its makers."
             }
             li {
-                "Emitted code, and the library without the feature " code { "cli" } ", contain
-                 nothing of Symbolica and never start it."
+                "Emitted code, the engine and model files contain nothing of Symbolica and never
+                 start it."
             }
             li {
-                "diffsol, which integrates: MIT. Latin Modern Math, the font of the equations: GUST
+                "diffsol, in builds with the feature " code { "diffsol" } ": MIT. Latin Modern Math, the font of the equations: GUST
                  Font License, that is the LaTeX Project Public License."
             }
         }

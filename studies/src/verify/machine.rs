@@ -293,7 +293,7 @@ impl Machine {
     ) -> Result<Simulation<'static>, CheckFailure> {
         let atol = vec![1e-13; self.real.shape().states()];
         let run = self.simulation(settings)?.until(until).rtol(1e-12).atol(&atol);
-        Ok(run.method(Method::Tsit45))
+        Ok(run.method(Method::Dop853))
     }
 
     /// The linearization with these settings where asked for.

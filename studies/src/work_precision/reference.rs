@@ -77,15 +77,15 @@ impl Reference {
         let mut runs: Vec<Trajectory> = Vec::new();
         let mut failure = None;
         // `auto` would confirm the method it chose by that method.
-        let candidates = Method::ALL.iter().filter(|method| **method != Method::Auto);
-        let mut candidates: Vec<&Method> =
+        let candidates = Method::compiled_in().filter(|method| *method != Method::Auto);
+        let mut candidates: Vec<Method> =
             candidates.filter(|method| method.suits(simulator)).collect();
         candidates.sort_by_key(|method| std::cmp::Reverse(method.order()));
         for method in candidates {
             if runs.len() == CONFIRMING {
                 break;
             }
-            match tightest(simulator, *method) {
+            match tightest(simulator, method) {
                 Ok(trajectory) => runs.push(trajectory),
                 Err(error) => failure = Some(error),
             }

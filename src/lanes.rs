@@ -8,7 +8,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use machinist_contract::Real;
+use machinist_contract::{F64x2, Real};
 use machinist_contract::digits::{Digits, ROUNDING};
 use machinist_contract::exponential::{exponential, hyperbolic_tangent};
 use machinist_contract::sine::{FARTHEST, sine_and_cosine};
@@ -216,4 +216,21 @@ lanes! {
 lanes! {
     /// Eight numbers.
     F64x8, wide::f64x8, wide::u64x8, 8
+}
+
+/// Two numbers, as models run that are compiled at once.
+impl Lanes for F64x2 {
+    const COUNT: usize = 2;
+    #[inline]
+    fn splat(value: f64) -> Self {
+        Self([value; 2])
+    }
+    #[inline]
+    fn lane(&self, lane: usize) -> f64 {
+        self.0[lane]
+    }
+    #[inline]
+    fn set_lane(&mut self, lane: usize, value: f64) {
+        self.0[lane] = value;
+    }
 }

@@ -5,7 +5,7 @@
 //! of its family, or `always`.
 
 #[cfg(feature = "implicit")]
-mod auto;
+pub(crate) mod auto;
 #[cfg(feature = "implicit")]
 mod bordered;
 #[cfg(feature = "diffsol")]
@@ -325,6 +325,21 @@ impl Method {
     /// The relative tolerance that steps keep to in a run of this one.
     pub(crate) fn step_rtol(self, rtol: f64) -> f64 {
         if self == Self::Auto { rtol.min(LOOSEST_OF_AUTO) } else { rtol }
+    }
+
+    /// Who looks at the steps of a variant in its lane.
+    #[cfg(feature = "sweep")]
+    pub(crate) fn overseer<'a>(
+        self,
+        simulator: &'a dyn machinist_contract::Simulator<f64>,
+        parameters: &[f64],
+        rtol: f64,
+    ) -> Option<Box<dyn taylor::variants::Overseer + 'a>> {
+        match self {
+            #[cfg(feature = "implicit")]
+            Self::Auto => Some(Box::new(auto::in_lanes::InLane::new(simulator, parameters, rtol))),
+            _ => None,
+        }
     }
 
     /// The name that specs and the command line use.

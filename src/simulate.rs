@@ -334,21 +334,30 @@ impl<'a> Simulation<'a> {
         Ok((self.checked_initial_state()?, parameters))
     }
 
-    /// What Taylor's method in lanes needs of a run, if it is one for it.
+    /// What a method in lanes, whose steps keep to a relative tolerance, needs of a run.
     ///
     /// # Errors
     /// As [`Simulation::run`].
     #[cfg(feature = "sweep")]
-    pub(crate) fn variant(&self) -> Result<Variant, SimulateError> {
+    pub(crate) fn variant_for(
+        &self,
+        method: Method,
+        rtol: f64,
+    ) -> Result<Variant<'a>, SimulateError> {
         let initial = self.checked_initial_state()?;
+        let parameters = self.checked_parameters()?.to_vec();
+        let mut atol = self.checked_atol(&initial)?;
+        let tighter = (rtol / self.rtol).min(1.0);
+        atol.iter_mut().for_each(|atol| *atol *= tighter);
         Ok(Variant {
-            parameters: self.checked_parameters()?.to_vec(),
+            overseer: method.overseer(self.simulator, &parameters, rtol),
             ends: cut(self.from, self.until, self.checked_jumps()?),
             times: self.checked_times()?,
-            atol: self.checked_atol(&initial)?,
-            rtol: self.rtol,
+            atol,
+            rtol,
             max_steps: self.max_steps,
             initial,
+            parameters,
         })
     }
 
@@ -356,6 +365,12 @@ impl<'a> Simulation<'a> {
     #[cfg(feature = "sweep")]
     pub(crate) fn method_and_rtol(&self) -> Result<(Method, f64), SimulateError> {
         Ok((self.chosen_method()?, self.rtol))
+    }
+
+    /// Whether the run is of the states alone.
+    #[cfg(feature = "sweep")]
+    pub(crate) fn is_of_states_alone(&self) -> bool {
+        self.sensitivities.is_empty() && !self.energy_balance
     }
 
     fn chosen_method(&self) -> Result<Method, SimulateError> {

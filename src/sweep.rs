@@ -1,16 +1,17 @@
 //! Many variants of one machine: in lanes, on threads.
 //!
-//! Taylor's method runs eight variants side by side, each with its own parameters,
-//! steps and jumps; other methods run one variant after another. Threads share the
+//! Taylor's method runs variants side by side, each with its own parameters, steps and jumps:
+//! eight of emitted code, two of a model that is compiled at once. So does `auto` for as long as
+//! it stays with Taylor's method. Other methods run one variant after another. Threads share the
 //! variants out. None of this changes a result: every variant is, to the last bit,
 //! what a run of its own gives, whatever the number of threads.
 
-use machinist_contract::Simulator;
-use machinist_contract::taylor::Bends;
+use machinist_contract::taylor::{Bends, TaylorSeries};
+use machinist_contract::{F64x2, Simulator};
 use rayon::prelude::*;
 
 use crate::error::SimulateError;
-use crate::lanes::F64x8;
+use crate::lanes::{F64x8, Lanes};
 use crate::method::Method;
 use crate::method::taylor::LEAST_RTOL;
 use crate::method::taylor::variants::{self, Outcome};
@@ -24,8 +25,17 @@ const CHUNK: usize = 64;
 pub trait Sweepable: Sync {
     /// The machine, one at a time.
     fn single(&self) -> &dyn Simulator<f64>;
-    /// The machine, eight at a time, if it runs so.
-    fn in_lanes(&self) -> Option<&dyn Simulator<F64x8>>;
+    /// The machine, several at a time, if it runs so.
+    fn in_lanes(&self) -> Option<InLanes<'_>>;
+}
+
+/// A machine that runs several variants at a time.
+#[derive(Clone, Copy)]
+pub enum InLanes<'a> {
+    /// Two.
+    Two(&'a dyn Simulator<F64x2>),
+    /// Eight.
+    Eight(&'a dyn Simulator<F64x8>),
 }
 
 /// Every emitted machine.
@@ -33,8 +43,8 @@ impl<S: Simulator<f64> + Simulator<F64x8> + Sync> Sweepable for S {
     fn single(&self) -> &dyn Simulator<f64> {
         self
     }
-    fn in_lanes(&self) -> Option<&dyn Simulator<F64x8>> {
-        Some(self)
+    fn in_lanes(&self) -> Option<InLanes<'_>> {
+        Some(InLanes::Eight(self))
     }
 }
 
@@ -57,8 +67,8 @@ impl<S: Simulator<f64> + Simulator<F64x8> + Sync> Sweepable for S {
 /// # Ok::<(), machinist::SimulateError>(())
 /// ```
 #[must_use = "a sweep does nothing until it is `run`"]
-pub struct Sweep<'a, S> {
-    machine: &'a S,
+pub struct Sweep<'a> {
+    machine: &'a dyn Sweepable,
     each: Box<dyn Fn(Simulation<'a>) -> Simulation<'a> + Sync + 'a>,
     variants: Vec<Vec<f64>>,
     threads: usize,
@@ -110,9 +120,9 @@ impl Wanted {
     }
 }
 
-impl<'a, S: Sweepable> Sweep<'a, S> {
+impl<'a> Sweep<'a> {
     /// A sweep of the machine as its spec says, with one variant.
-    pub fn new(machine: &'a S) -> Self {
+    pub fn new(machine: &'a dyn Sweepable) -> Self {
         let single = machine.single();
         let parameters = 0..single.shape().parameters;
         let defaults = parameters.map(|index| single.parameter_default(index));
@@ -176,20 +186,37 @@ impl<'a, S: Sweepable> Sweep<'a, S> {
 
     fn run_chunk(&self, chunk: &[Vec<f64>]) -> Vec<Result<VariantRun, SimulateError>> {
         let simulation = (self.each)(Simulation::new(self.machine.single()));
-        let series = self.machine.in_lanes().and_then(Simulator::taylor);
-        match (simulation.method_and_rtol(), series) {
+        let Some((method, rtol)) = self.of_lanes(&simulation) else {
+            return chunk.iter().map(|parameters| one(&self.simulation(parameters))).collect();
+        };
+        let in_lanes = match self.machine.in_lanes() {
+            None => None,
+            Some(InLanes::Two(machine)) => self.run_in_lanes(chunk, (method, rtol), machine.taylor()),
+            Some(InLanes::Eight(machine)) => {
+                self.run_in_lanes(chunk, (method, rtol), machine.taylor())
+            }
+        };
+        in_lanes.unwrap_or_else(|| {
+            chunk.iter().map(|parameters| one(&self.simulation(parameters))).collect()
+        })
+    }
+
+    /// The method, and the relative tolerance of its steps, if variants may take them side by
+    /// side.
+    fn of_lanes(&self, simulation: &Simulation<'a>) -> Option<(Method, f64)> {
+        let single = self.machine.single();
+        match simulation.method_and_rtol().ok()? {
             // Lanes do not watch for events, nor for corners.
-            (Ok((Method::Taylor, rtol)), Some(series))
-                if rtol >= LEAST_RTOL
-                    && self.machine.single().events() == 0
-                    && series.bends() != Bends::Corners =>
-            {
-                self.run_in_lanes(chunk, rtol, series)
+            (Method::Taylor, rtol) => {
+                let is_smooth = single.events() == 0 && single.taylor()?.bends() != Bends::Corners;
+                (rtol >= LEAST_RTOL && is_smooth).then_some((Method::Taylor, rtol))
             }
-            _ => {
-                let runs = chunk.iter().map(|parameters| one(&self.simulation(parameters)));
-                runs.collect()
+            #[cfg(feature = "implicit")]
+            (Method::Auto, rtol) if rtol >= LEAST_RTOL && simulation.is_of_states_alone() => {
+                let rtol = crate::method::auto::in_lanes::rtol_of_lanes(single, rtol)?;
+                Some((Method::Auto, rtol))
             }
+            _ => None,
         }
     }
 
@@ -197,17 +224,18 @@ impl<'a, S: Sweepable> Sweep<'a, S> {
         (self.each)(Simulation::new(self.machine.single())).parameters(parameters)
     }
 
-    fn run_in_lanes(
+    /// Nothing if the machine has no series.
+    fn run_in_lanes<R: Lanes>(
         &self,
         chunk: &[Vec<f64>],
-        rtol: f64,
-        series: &dyn machinist_contract::taylor::TaylorSeries<F64x8>,
-    ) -> Vec<Result<VariantRun, SimulateError>> {
+        (method, rtol): (Method, f64),
+        series: Option<&dyn TaylorSeries<R>>,
+    ) -> Option<Vec<Result<VariantRun, SimulateError>>> {
         let mut results: Vec<Option<Result<VariantRun, SimulateError>>> = vec![None; chunk.len()];
         let mut valid = Vec::with_capacity(chunk.len());
         let mut ready = Vec::with_capacity(chunk.len());
         for (index, parameters) in chunk.iter().enumerate() {
-            match self.simulation(parameters).variant() {
+            match self.simulation(parameters).variant_for(method, rtol) {
                 Ok(variant) => {
                     valid.push((index, variant.times.clone()));
                     ready.push(variant);
@@ -215,20 +243,23 @@ impl<'a, S: Sweepable> Sweep<'a, S> {
                 Err(error) => results[index] = Some(Err(error)),
             }
         }
-        variants::integrate(series, rtol, &mut ready.into_iter(), &mut |number, outcome| {
+        variants::integrate(series?, rtol, &mut ready.into_iter(), &mut |number, outcome| {
             let (index, times) = &valid[number];
+            let parameters = &chunk[*index];
             results[*index] = Some(match outcome {
-                Ok(outcome) => Ok(self.finished(&chunk[*index], times, &outcome)),
+                Ok(outcome) => Ok(self.finished(parameters, times, &outcome)),
+                // What `auto` would not do by Taylor's method; and it says more of what stops it.
+                Err(_) if method == Method::Auto => one(&self.simulation(parameters)),
                 Err(stopped) => Err(SimulateError::Stopped {
                     scene: self.machine.single().name().to_owned(),
-                    method: Method::Taylor.name(),
+                    method: method.name(),
                     time: stopped.time,
                     cause: stopped.cause,
                     kept: None,
                 }),
             });
         });
-        results.into_iter().flatten().collect()
+        Some(results.into_iter().flatten().collect())
     }
 
     fn finished(&self, parameters: &[f64], times: &[f64], outcome: &Outcome) -> VariantRun {
@@ -261,4 +292,31 @@ pub fn one(simulation: &Simulation<'_>) -> Result<VariantRun, SimulateError> {
         outputs: rows(ColumnKind::Output),
         steps: run.work.steps,
     })
+}
+
+/// Every variant's run, where threads cannot share a machine, as with fields: each makes its own
+/// of it.
+///
+/// # Errors
+/// The first that `make` gives.
+pub fn each_on_its_own<S, E: Send>(
+    variants: &[Vec<f64>],
+    threads: usize,
+    make: impl Fn() -> Result<S, E> + Sync,
+    run: impl Fn(&S, &[f64]) -> Result<VariantRun, SimulateError> + Sync,
+) -> Result<Vec<Result<VariantRun, SimulateError>>, E> {
+    /// Making one takes some of the time of a run.
+    const CHUNK: usize = 16;
+    let of_chunk = |chunk: &[Vec<f64>]| {
+        let machine = make()?;
+        Ok(chunk.iter().map(|variant| run(&machine, variant)).collect::<Vec<_>>())
+    };
+    let run_all = || {
+        let chunks: Result<Vec<_>, E> = variants.par_chunks(CHUNK).map(of_chunk).collect();
+        Ok(chunks?.into_iter().flatten().collect())
+    };
+    match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
+        Ok(pool) => pool.install(run_all),
+        Err(_) => run_all(),
+    }
 }

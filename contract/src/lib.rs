@@ -35,6 +35,7 @@ mod functions;
 pub mod implicit;
 mod include;
 pub mod linear;
+mod pair;
 mod real;
 mod side_by_side;
 mod simulator;
@@ -48,6 +49,7 @@ pub use contract::{
     Simulator, SparsityPattern, StateKind,
 };
 pub use dual::{Derivatives, Dual, DualFunction};
+pub use pair::F64x2;
 pub use real::Real;
 pub use sources::SOURCES;
 pub use table::CubicTable;

@@ -10,6 +10,7 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("exponential.rs", include_str!("exponential.rs")),
     ("functions.rs", include_str!("functions.rs")),
     ("include.rs", include_str!("include.rs")),
+    ("pair.rs", include_str!("pair.rs")),
     ("real.rs", include_str!("real.rs")),
     ("side_by_side.rs", include_str!("side_by_side.rs")),
     ("simulator.rs", include_str!("simulator.rs")),

@@ -7,6 +7,7 @@ mod run;
 
 use std::sync::{Arc, OnceLock};
 
+use machinist_contract::field::FieldScene;
 use machinist_contract::linear::LinearEquations;
 use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_contract::{
@@ -16,7 +17,7 @@ use machinist_contract::{
 
 use crate::functions::{FUNCTIONS, FunctionId};
 use crate::hoist::Hoisted;
-use crate::lanes::Lane;
+use crate::lanes::{F64x2, Lane};
 use crate::{Model, StateKind, Table, Tape, names};
 
 use run::{Read, Series, TapeFunction};
@@ -84,6 +85,28 @@ impl ModelSimulator {
                 .collect(),
             model,
         }
+    }
+
+    /// It on single numbers, its code compiled with this crate and as this crate is: one that
+    /// makes `&dyn Simulator` of it by itself compiles that code anew, as it is compiled.
+    #[must_use]
+    #[inline(never)]
+    pub fn single(&self) -> &(dyn Simulator<f64> + Sync) {
+        self
+    }
+
+    /// It on two variants side by side, likewise.
+    #[must_use]
+    #[inline(never)]
+    pub fn in_pairs(&self) -> &(dyn Simulator<F64x2> + Sync) {
+        self
+    }
+
+    /// It with fields to be cut, likewise.
+    #[must_use]
+    #[inline(never)]
+    pub fn with_fields(&self) -> &(dyn FieldScene<f64> + Sync) {
+        self
     }
 
     /// The model that is run.

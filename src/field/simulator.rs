@@ -10,6 +10,16 @@ use machinist_contract::{
 use super::mesh::Owner;
 use super::{FieldSimulator, Work, find};
 
+impl FieldSimulator<'_, f64> {
+    /// It as any other simulator, its code compiled with this crate and as this crate is: one
+    /// that makes `&dyn Simulator` of it by itself compiles that code anew, as it is compiled.
+    #[must_use]
+    #[inline(never)]
+    pub fn single(&self) -> &dyn Simulator<f64> {
+        self
+    }
+}
+
 impl<R: Real> Describe for FieldSimulator<'_, R> {
     fn name(&self) -> &str {
         self.scene.name()

@@ -1,8 +1,11 @@
 //! Chooses a method by the machine and the tolerance, and changes it when a machine
 //! turns out to be stiff, or not to be any more.
 
+#[cfg(feature = "sweep")]
+pub(crate) mod in_lanes;
 mod ringing;
 
+use machinist_contract::Simulator;
 use machinist_contract::taylor::{Bends, TaylorSeries};
 
 use super::exact::Exact;
@@ -82,8 +85,13 @@ impl Integrator for Auto {
         let choice = Choice::new(stretch);
         match choice.explicit {
             Explicit::Taylor(series) => {
-                let mut strain = Strain::new(stretch, choice.limit);
-                let look = |method: &TaylorSteps<'_>, step: f64| strain.look(method, step);
+                let mut strain = Strain::new(stretch.system.simulator(), choice.limit);
+                let look = |method: &TaylorSteps<'_>, step: f64| {
+                    let (time, state) = method.start();
+                    strain.look(stretch.until - time, step, |values| {
+                        stretch.jacobian(time, state, values);
+                    })
+                };
                 let mut method = TaylorSteps::new(stretch, series).looking_within();
                 method.begin(stretch.from, state);
                 if method.is_cut_short() {
@@ -171,7 +179,9 @@ impl<'a> Choice<'a> {
             is_tight,
         };
         let pair = of_pair("dop853", &DOP853);
-        let (series, why) = if has_tangents { (None, "") } else { suitable_series(stretch) };
+        let (series, why) = if has_tangents { (None, "") } else {
+            suitable_series(stretch.system.simulator(), rtol)
+        };
         let chosen = match series {
             None => pair,
             Some(series) => Self {
@@ -255,7 +265,7 @@ impl<'a> Choice<'a> {
         samples: &mut Samples<'_>,
         may_return: bool,
     ) -> Result<Option<Left>, Stopped> {
-        let mut radius = SpectralRadius::new(stretch);
+        let mut radius = SpectralRadius::new(stretch.system.simulator());
         let mut evidence = Evidence::default();
         let mut is_easy = |jacobian: &[f64], step: f64| {
             let explicit_step = self.limit / radius.renew(jacobian);
@@ -277,13 +287,16 @@ impl<'a> Choice<'a> {
 
 /// The machine's series, if a run by it is likely to be right and the fastest; and why
 /// not, where it has one.
-fn suitable_series<'a>(stretch: &Stretch<'a>) -> (Option<&'a dyn TaylorSeries<f64>>, &'static str) {
-    let Some(series) = stretch.system.simulator().taylor() else { return (None, "") };
+fn suitable_series(
+    simulator: &dyn Simulator<f64>,
+    rtol: f64,
+) -> (Option<&dyn TaylorSeries<f64>>, &'static str) {
+    let Some(series) = simulator.taylor() else { return (None, "") };
     if series.bends() == Bends::Corners {
         let why = "; not with taylor, whose long steps do not see branches and tables from afar";
         return (None, why);
     }
-    let order = TaylorSteps::order_for(stretch.rtol);
+    let order = TaylorSteps::order_for(rtol);
     // Of every sum its two factors are kept, from order to order.
     if series.series_workspace(order) > 2 * MANY_SUMS * order {
         return (None, "; not with taylor, whose series have many sums");
@@ -305,7 +318,6 @@ fn taylor_limit(order: usize) -> f64 {
 
 /// How near Taylor's method is to the limit of its stability.
 struct Strain<'a> {
-    stretch: &'a Stretch<'a>,
     radius: SpectralRadius<'a>,
     jacobian: Vec<f64>,
     limit: f64,
@@ -314,11 +326,10 @@ struct Strain<'a> {
 }
 
 impl<'a> Strain<'a> {
-    fn new(stretch: &'a Stretch<'a>, limit: f64) -> Self {
-        let entries = stretch.system.jacobian_pattern().entries.len();
+    fn new(simulator: &'a dyn Simulator<f64>, limit: f64) -> Self {
+        let entries = simulator.rate_jacobian_pattern().entries.len();
         Self {
-            stretch,
-            radius: SpectralRadius::new(stretch),
+            radius: SpectralRadius::new(simulator),
             jacobian: vec![0.0; entries],
             limit,
             steps: 0,
@@ -326,16 +337,15 @@ impl<'a> Strain<'a> {
         }
     }
 
-    /// |h lambda| after a step: now and then, and after every one beyond the limit; not
-    /// where few steps are left.
-    fn look(&mut self, method: &TaylorSteps<'_>, step: f64) -> Option<f64> {
+    /// |h lambda| after a step, `left` of the stretch being left: now and then, and after every
+    /// one beyond the limit; not where few steps are left.
+    fn look(&mut self, left: f64, step: f64, jacobian: impl FnOnce(&mut [f64])) -> Option<f64> {
         self.steps += 1;
-        let (time, state) = method.start();
         let is_due = self.is_near || self.steps.is_multiple_of(LOOKS_EVERY);
-        if !is_due || self.stretch.until - time < FEW_STEPS * step {
+        if !is_due || left < FEW_STEPS * step {
             return None;
         }
-        self.stretch.jacobian(time, state, &mut self.jacobian);
+        jacobian(&mut self.jacobian);
         self.radius.renew(&self.jacobian);
         let strain = step * self.radius.renew(&self.jacobian);
         self.is_near = strain > self.limit;
@@ -376,11 +386,11 @@ struct SpectralRadius<'a> {
 }
 
 impl<'a> SpectralRadius<'a> {
-    fn new(stretch: &Stretch<'a>) -> Self {
-        let size = stretch.system.states();
+    fn new(simulator: &'a dyn Simulator<f64>) -> Self {
+        let size = simulator.shape().states();
         // Anything but an eigenvector.
         let vector = (0..size).map(|index| 1.0 + 0.1 * ((index % 7) as f64)).collect();
-        let entries = stretch.system.jacobian_pattern().entries;
+        let entries = simulator.rate_jacobian_pattern().entries;
         Self { entries, vector, next: vec![0.0; size], estimate: 0.0 }
     }
 

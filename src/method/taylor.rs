@@ -27,7 +27,11 @@ use step::{Tolerance, order_for};
 pub(crate) const LEAST_RTOL: f64 = 4.0 * f64::EPSILON;
 
 /// Where within a step is looked for corners.
-const PROBES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
+pub(super) const PROBES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
+
+/// Fewer finite coefficients make steps of low order.
+#[cfg(feature = "implicit")]
+pub(super) const FEW: usize = 3;
 
 /// Taylor series of an order that follows the tolerance.
 pub(super) struct Taylor;
@@ -176,7 +180,6 @@ impl<'a> TaylorSteps<'a> {
     /// Whether so few coefficients are finite that steps would be of low order.
     #[cfg(feature = "implicit")]
     pub(super) fn is_cut_short(&self) -> bool {
-        const FEW: usize = 3;
         self.finite < FEW
     }
 

@@ -58,8 +58,51 @@ pub enum Scene {
     Emitted(&'static dyn Simulator<f64>),
     /// Of a model, derived or read.
     Model(Box<ModelSimulator>),
-    /// With fields, cut into elements, and how its machine runs; nothing for emitted code.
-    Fields(Box<FieldSimulator<'static, f64>>, Option<Running>),
+    /// With fields.
+    Fields(Cut),
+}
+
+/// A scene with fields, cut into elements.
+pub struct Cut {
+    simulator: Box<FieldSimulator<'static, f64>>,
+    of: Uncut,
+    wanted: Discretisation,
+}
+
+/// A scene with fields that is not cut yet; threads may share it.
+#[derive(Clone, Copy)]
+enum Uncut {
+    /// Built in, by a name that is known to be.
+    BuiltIn(&'static str),
+    /// Of a model that lives as long as the command, which loads one scene.
+    Model(&'static ModelSimulator),
+}
+
+impl Uncut {
+    fn cut(self, wanted: Discretisation) -> Result<FieldSimulator<'static, f64>, FieldError> {
+        match self {
+            Self::BuiltIn(name) => {
+                let scene = scenes::find_field_f64(name).expect("it was found by this name before");
+                FieldSimulator::new(scene, wanted)
+            }
+            Self::Model(simulator) => FieldSimulator::new(simulator.with_fields(), wanted),
+        }
+    }
+}
+
+impl Cut {
+    fn new(of: Uncut, wanted: Discretisation) -> Result<Self, Failure> {
+        let simulator = Box::new(of.cut(wanted).map_err(|error| refused(&error))?);
+        Ok(Self { simulator, of, wanted })
+    }
+
+    /// What cuts it once more, for threads, each of which takes its own.
+    pub fn again(
+        &self,
+    ) -> impl Fn() -> Result<FieldSimulator<'static, f64>, FieldError> + Sync + use<> {
+        let (of, wanted) = (self.of, self.wanted);
+        move || of.cut(wanted)
+    }
 }
 
 impl Scene {
@@ -76,9 +119,9 @@ impl Scene {
         wanted: Discretisation,
     ) -> Result<Self, Failure> {
         let is_named = !keep_all && !is_path(argument);
-        if is_named && let Some(scene) = scenes::find_field::<f64>(argument) {
-            let cut = FieldSimulator::new(scene, wanted).map_err(|error| refused(&error))?;
-            return Ok(Self::Fields(Box::new(cut), None));
+        let mut of_fields = scenes::FIELD_NAMES.iter();
+        if is_named && let Some(name) = of_fields.find(|name| **name == argument) {
+            return Cut::new(Uncut::BuiltIn(name), wanted).map(Self::Fields);
         }
         if is_named && let Some(simulator) = built_in(argument) {
             return without_fields(wanted, Self::Emitted(simulator));
@@ -92,18 +135,15 @@ impl Scene {
         if !has_fields {
             return without_fields(wanted, Self::Model(simulator));
         }
-        // It lives as long as the command, which loads one scene.
-        let scene: &'static ModelSimulator = Box::leak(simulator);
-        let cut = FieldSimulator::new(scene, wanted).map_err(|error| refused(&error))?;
-        Ok(Self::Fields(Box::new(cut), Some(scene.running())))
+        Cut::new(Uncut::Model(Box::leak(simulator)), wanted).map(Self::Fields)
     }
 
     /// The simulator.
     pub fn simulator(&self) -> &dyn Simulator<f64> {
         match self {
             Self::Emitted(simulator) => *simulator,
-            Self::Model(simulator) => simulator.as_ref(),
-            Self::Fields(simulator, _) => simulator.as_ref(),
+            Self::Model(simulator) => simulator.single(),
+            Self::Fields(cut) => cut.simulator.single(),
         }
     }
 
@@ -126,7 +166,8 @@ impl Scene {
         let running = match self {
             Self::Emitted(_) => None,
             Self::Model(simulator) => Some(simulator.running()),
-            Self::Fields(_, running) => *running,
+            Self::Fields(Cut { of: Uncut::BuiltIn(_), .. }) => None,
+            Self::Fields(Cut { of: Uncut::Model(simulator), .. }) => Some(simulator.running()),
         };
         match running {
             None => "emitted code",

@@ -5,17 +5,15 @@ use std::path::PathBuf;
 
 use crate::failure::did_you_mean;
 use clap::Args;
-use machinist::lanes::F64x8;
-use machinist::sweep::{Sweepable, VariantRun, Wanted, one};
-use machinist::{Method, SimulateError, Simulation};
+use machinist::sweep::{InLanes, Sweepable, VariantRun, Wanted, each_on_its_own, one};
+use machinist::{FieldSimulator, Method, SimulateError, Simulation};
 use machinist_contract::Simulator;
 use machinist_model::ModelSimulator;
-use machinist_scenes::scenes;
 
 use super::assignment;
 use super::output::{print_with, require_ending, write_file};
 use super::range::{Range, range};
-use super::scene::{Scene, built_in};
+use super::scene::{Scene, built_in, refused};
 use super::settings::with_parameters;
 use crate::failure::Failure;
 use crate::progress::during;
@@ -52,7 +50,7 @@ pub struct Sweep {
     /// Relative tolerance of a step
     #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
     rtol: Option<f64>,
-    /// The method; `taylor` runs eight variants of a scene built in side by side
+    /// The method; `taylor`, and `auto` where it is that, run variants side by side
     #[arg(long, value_name = "NAME")]
     method: Option<String>,
     /// Number of threads; as many as the machine has unless given
@@ -74,7 +72,7 @@ impl Sweep {
         let scene = Scene::load(&self.scene, false)?;
         let wanted = self.wanted(scene.simulator())?;
         let variants = self.variants(scene.simulator())?;
-        let runs = during("simulating", || self.runs(&scene, &variants, method));
+        let runs = during("simulating", || self.runs(&scene, &variants, method))?;
         if let Some(Err(error)) = runs.first()
             && !matches!(error, SimulateError::Stopped { .. })
             && runs.iter().all(|run| run.as_ref().err() == Some(error))
@@ -171,52 +169,43 @@ impl Sweep {
         method.into_iter().fold(simulation, Simulation::method)
     }
 
-    /// Every variant's run: on threads and in lanes if the scene is built in.
+    /// Every variant's run, on threads; in lanes where the machine and the method go so.
     fn runs(
         &self,
         scene: &Scene,
         variants: &[Vec<f64>],
         method: Option<Method>,
-    ) -> Vec<Result<VariantRun, SimulateError>> {
-        match scene {
-            Scene::Emitted(_) => {
-                return self.sweep(&BuiltIn { name: self.scene.clone() }, variants, method);
+    ) -> Result<Vec<Result<VariantRun, SimulateError>>, Failure> {
+        let threads = self.threads.unwrap_or_default();
+        let machine: &dyn Sweepable = match scene {
+            Scene::Emitted(_) => &BuiltIn { name: self.scene.clone() },
+            Scene::Model(simulator) => &OfModel(simulator),
+            Scene::Fields(cut) => {
+                let run = |simulator: &FieldSimulator<'_, f64>, parameters: &[f64]| {
+                    let run = Simulation::new(simulator.single()).parameters(parameters);
+                    one(&self.adjusted(run, method))
+                };
+                let runs = each_on_its_own(variants, threads, cut.again(), run);
+                return runs.map_err(|error| refused(&error));
             }
-            Scene::Model(simulator) => return self.sweep(&OfModel(simulator), variants, method),
-            Scene::Fields(..) => {}
-        }
-        let run = |parameters: &Vec<f64>| {
-            let run = Simulation::new(scene.simulator()).parameters(parameters);
-            one(&self.adjusted(run, method))
         };
-        variants.iter().map(run).collect()
-    }
-}
-
-impl Sweep {
-    fn sweep<M: Sweepable>(
-        &self,
-        machine: &M,
-        variants: &[Vec<f64>],
-        method: Option<Method>,
-    ) -> Vec<Result<VariantRun, SimulateError>> {
         let sweep = machinist::Sweep::new(machine)
             .each(|run| self.adjusted(run, method))
             .variants(variants.to_vec())
-            .threads(self.threads.unwrap_or_default());
-        sweep.run()
+            .threads(threads);
+        Ok(sweep.run())
     }
 }
 
-/// A model, which threads may share; one variant at a time.
+/// A model, which threads may share.
 struct OfModel<'a>(&'a ModelSimulator);
 
 impl Sweepable for OfModel<'_> {
     fn single(&self) -> &dyn Simulator<f64> {
-        self.0
+        self.0.single()
     }
-    fn in_lanes(&self) -> Option<&dyn Simulator<F64x8>> {
-        None
+    fn in_lanes(&self) -> Option<InLanes<'_>> {
+        Some(InLanes::Two(self.0.in_pairs()))
     }
 }
 
@@ -229,8 +218,8 @@ impl Sweepable for BuiltIn {
     fn single(&self) -> &dyn Simulator<f64> {
         built_in(&self.name).expect("it was found by this name before")
     }
-    fn in_lanes(&self) -> Option<&dyn Simulator<F64x8>> {
-        scenes::find(&self.name)
+    fn in_lanes(&self) -> Option<InLanes<'_>> {
+        machinist_lanes::find(&self.name).map(|simulator| InLanes::Eight(simulator))
     }
 }
 

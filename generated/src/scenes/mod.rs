@@ -458,3 +458,9 @@ pub fn find_field<R: Real>(name: &str) -> Option<&'static dyn FieldScene<R>> {
         _ => None,
     }
 }
+
+/// The scene with fields of a name in `f64`, compiled once and for all.
+#[must_use]
+pub fn find_field_f64(name: &str) -> Option<&'static dyn FieldScene<f64>> {
+    find_field(name)
+}

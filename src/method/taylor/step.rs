@@ -28,12 +28,12 @@ pub(super) const JUDGED: usize = 5;
 /// convergence rho, is the cheapest where an order costs as much as all products
 /// within it. Here it costs the chain of operations through the machine, and
 /// higher orders with longer steps are cheaper: found by runs of the machines.
-pub(super) fn order_for(rtol: f64) -> usize {
+pub(in crate::method) fn order_for(rtol: f64) -> usize {
     ((2.0 - 0.85 * (AIM * rtol).ln()).ceil() as usize).clamp(5, 32)
 }
 
 /// Tolerances of the states and what follows from them.
-pub(super) struct Tolerance {
+pub(crate) struct Tolerance {
     rtol: f64,
     atol: Vec<f64>,
     /// 1/(atol + rtol |y|) for every state.
@@ -119,7 +119,7 @@ impl Tolerance {
     }
 
     /// Error of a step over what is allowed, by a defect that lasts for a part of it.
-    pub(super) fn lasting_error(&self, slope: &[f64], rate: &[f64], step: f64) -> f64 {
+    pub(in crate::method) fn lasting_error(&self, slope: &[f64], rate: &[f64], step: f64) -> f64 {
         const PART: f64 = 0.25;
         self.defect(slope, rate) * PART * step / LARGEST_ERROR
     }
@@ -249,7 +249,7 @@ pub(super) fn all_finite(values: &[f64]) -> bool {
 }
 
 /// The polynomial and its derivative at `time` after the start of the step.
-pub(super) fn value_and_slope<R: Real>(
+pub(in crate::method) fn value_and_slope<R: Real>(
     coefficients: &[R],
     time: R,
     value: &mut [R],

@@ -14,8 +14,29 @@ use crate::method::one_step::{self, End, LOOKS, end_of_step, is_too_small, rests
 use crate::method::stretch::within;
 use crate::method::{Stopped, Work};
 
+/// Looks at the steps of one variant, which Taylor's method alone would take differently.
+pub(crate) trait Overseer {
+    /// A stretch begins, with coefficients that are finite up to an order; whether the variant
+    /// stays.
+    fn begin(&mut self, span: (f64, f64), order: usize) -> bool;
+    /// Whether steps that are good at their ends are looked at within.
+    fn looks_within(&self) -> bool;
+    /// The error of a step within it, over what is allowed: from the coefficients at its start,
+    /// its start and its length.
+    fn error_within(
+        &mut self,
+        coefficients: &[f64],
+        tolerance: &Tolerance,
+        at: (f64, f64),
+    ) -> f64;
+    /// Whether the variant stays after a step of this length to a time and a state.
+    fn stays(&mut self, time: f64, state: &[f64], step: f64) -> bool;
+}
+
 /// A variant of a machine, to be run.
-pub(crate) struct Variant {
+pub(crate) struct Variant<'a> {
+    /// Who looks at its steps, if somebody does; a variant that does not stay is interrupted.
+    pub(crate) overseer: Option<Box<dyn Overseer + 'a>>,
     pub(crate) parameters: Vec<f64>,
     pub(crate) initial: Vec<f64>,
     /// Start, jumps in order, end \[s\].
@@ -38,11 +59,11 @@ pub(crate) struct Outcome {
 pub(crate) fn integrate<R: Lanes>(
     series: &dyn TaylorSeries<R>,
     rtol: f64,
-    variants: &mut dyn Iterator<Item = Variant>,
+    variants: &mut dyn Iterator<Item = Variant<'_>>,
     done: &mut dyn FnMut(usize, Result<Outcome, Stopped>),
 ) {
     let mut variants = variants.enumerate();
-    let mut lanes: Vec<Option<Lane>> = Vec::with_capacity(R::COUNT);
+    let mut lanes: Vec<Option<Lane<'_>>> = Vec::with_capacity(R::COUNT);
     for _ in 0..R::COUNT {
         lanes.push(variants.next().map(|(number, variant)| Lane::new(number, variant)));
     }
@@ -72,9 +93,9 @@ pub(crate) fn integrate<R: Lanes>(
 }
 
 /// A variant on its way.
-struct Lane {
+struct Lane<'a> {
     number: usize,
-    variant: Variant,
+    variant: Variant<'a>,
     tolerance: Tolerance,
     /// Which stretch between ends it is on.
     stretch: usize,
@@ -104,8 +125,8 @@ enum Trial {
     Rejected,
 }
 
-impl Lane {
-    fn new(number: usize, variant: Variant) -> Self {
+impl<'a> Lane<'a> {
+    fn new(number: usize, variant: Variant<'a>) -> Self {
         let order = order_for(variant.rtol);
         Self {
             number,
@@ -173,10 +194,12 @@ struct Bundle<'a, R> {
     /// Sizes of the last coefficients, from the last one back, in units of the tolerance.
     sizes: [R; step::JUDGED],
     scratch: Vec<f64>,
+    /// Coefficients of one lane.
+    coefficients: Vec<f64>,
 }
 
 impl<'a, R: Lanes> Bundle<'a, R> {
-    fn new(series: &'a dyn TaylorSeries<R>, rtol: f64, first: &Variant) -> Self {
+    fn new(series: &'a dyn TaylorSeries<R>, rtol: f64, first: &Variant<'_>) -> Self {
         let (states, order) = (first.initial.len(), order_for(rtol));
         let zeros = |count: usize| vec![R::literal(0.0); count];
         Self {
@@ -197,11 +220,12 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             inverse_weights: vec![R::literal(1.0); states],
             sizes: [R::literal(0.0); step::JUDGED],
             scratch: vec![0.0; step::JUDGED.max(3) * states],
+            coefficients: vec![0.0; (order + 1) * states],
         }
     }
 
     /// Puts a variant at its start.
-    fn load(&mut self, index: usize, lane: &mut Lane) {
+    fn load(&mut self, index: usize, lane: &mut Lane<'_>) {
         for (into, value) in self.parameters.iter_mut().zip(&lane.variant.parameters) {
             into.set_lane(index, *value);
         }
@@ -244,7 +268,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
     }
 
     /// Takes the coefficients of the lanes whose step passes.
-    fn judge(&mut self, lanes: &mut [Option<Lane>]) {
+    fn judge(&mut self, lanes: &mut [Option<Lane<'_>>]) {
         let mut rejected = R::literal(0.0);
         let mut is_any = false;
         let (defects, finite) = self.defects();
@@ -252,12 +276,17 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             let Some(lane) = lane else { continue };
             lane.work.rate_evaluations += self.order as u64;
             let Trial::Step { now } = lane.trial else { continue };
-            let trial = if finite.lane(index) == 0.0 {
+            let mut trial = if finite.lane(index) == 0.0 {
                 let error = step::error(defects.lane(index), lane.step, lane.order);
                 step::passing(error)
             } else {
                 self.trial(index, lane)
             };
+            if let one_step::Trial::Error(error) = trial
+                && error <= 1.0
+            {
+                trial = one_step::Trial::Error(error.max(self.error_within(index, lane)));
+            }
             if matches!(trial, one_step::Trial::Error(error) if error <= 1.0) {
                 self.record(index, lane, now);
                 lane.trial = Trial::Accepted;
@@ -323,7 +352,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
     }
 
     /// What came of a lane's step to where something is not finite.
-    fn trial(&mut self, index: usize, lane: &mut Lane) -> one_step::Trial {
+    fn trial(&mut self, index: usize, lane: &mut Lane<'_>) -> one_step::Trial {
         gather(&self.inverse_weights, index, lane.tolerance.inverse_weights());
         let (slope, begin) = self.scratch.split_at_mut(self.states);
         let begin = &mut begin[..2 * self.states];
@@ -332,8 +361,37 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         step::trial(&lane.tolerance, slope, begin, (lane.step, lane.order))
     }
 
+    /// The error within a lane's step, if somebody looks there.
+    fn error_within(&mut self, index: usize, lane: &mut Lane<'_>) -> f64 {
+        let at = (lane.time, lane.step);
+        let used = (lane.order + 1) * self.states;
+        let Some(overseer) = &mut lane.variant.overseer else { return 0.0 };
+        if !overseer.looks_within() {
+            return 0.0;
+        }
+        gather(&self.inverse_weights, index, lane.tolerance.inverse_weights());
+        gather(&self.current, index, &mut self.coefficients[..used]);
+        overseer.error_within(&self.coefficients[..used], &lane.tolerance, at)
+    }
+
+    /// Asks who looks at a lane's steps whether its variant stays.
+    fn ask(&mut self, index: usize, lane: &mut Lane<'_>, step: f64) {
+        let span = (lane.from(), lane.until());
+        let Some(overseer) = &mut lane.variant.overseer else { return };
+        let stays = if lane.trial == Trial::Start {
+            overseer.begin(span, lane.order)
+        } else {
+            let state = &mut self.scratch[..self.states];
+            gather(&self.current, index, state);
+            overseer.stays(lane.time, state, step)
+        };
+        if !stays {
+            lane.stop(StopCause::Interrupted);
+        }
+    }
+
     /// Decides what a lane tries next; gives its outcome if it is done.
-    fn go_on(&mut self, index: usize, lane: &mut Lane) -> Option<Result<Outcome, Stopped>> {
+    fn go_on(&mut self, index: usize, lane: &mut Lane<'_>) -> Option<Result<Outcome, Stopped>> {
         if lane.trial == Trial::Accepted && lane.time >= lane.until() {
             lane.stretch += 1;
             if lane.stretch + 1 == lane.variant.ends.len() {
@@ -347,7 +405,9 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             return None;
         }
         if lane.trial != Trial::Rejected {
+            let tried = lane.step;
             self.measure(index, lane);
+            self.ask(index, lane, tried);
         }
         if lane.trial == Trial::Accepted {
             if lane.work.steps >= lane.variant.max_steps as u64 {
@@ -366,7 +426,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
     }
 
     /// Orders and length of a step from new coefficients.
-    fn measure(&mut self, index: usize, lane: &mut Lane) {
+    fn measure(&mut self, index: usize, lane: &mut Lane<'_>) {
         lane.order = self.finite_orders(index, lane);
         if lane.order == self.order {
             let sizes = self.sizes.map(|size| size.lane(index));
@@ -383,7 +443,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
     }
 
     /// State and slope at the end of every lane's step.
-    fn aim(&mut self, lanes: &[Option<Lane>]) {
+    fn aim(&mut self, lanes: &[Option<Lane<'_>>]) {
         let (zero, half) = (R::literal(0.0), R::literal(0.5));
         let (mut steps, mut waits) = (zero, R::literal(1.0));
         for (index, lane) in lanes.iter().enumerate() {
@@ -401,7 +461,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
     }
 
     /// Takes the samples of a step that has passed, and goes to its end.
-    fn record(&mut self, index: usize, lane: &mut Lane, until: f64) {
+    fn record(&mut self, index: usize, lane: &mut Lane<'_>, until: f64) {
         while let Some(time) = lane.next_sample_until(until) {
             for state in 0..self.states {
                 let value = if time >= until {
@@ -432,7 +492,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
 
     /// The highest order up to which the coefficients of a lane are finite; those
     /// beyond become zero.
-    fn finite_orders(&mut self, index: usize, lane: &mut Lane) -> usize {
+    fn finite_orders(&mut self, index: usize, lane: &mut Lane<'_>) -> usize {
         if self.zeros.lane(index).is_finite() {
             return self.order;
         }

@@ -85,6 +85,7 @@ pub(super) fn index(models: &[&Model], modules: &[Ident], options: &EmitOptions)
         doc(["The scene with fields of a name, not yet cut into elements."]),
     );
     let of_fields = (!field_names.is_empty()).then(|| {
+        let find_field_f64 = find_field_f64();
         quote! {
             #field_names_doc
             #[rustfmt::skip]
@@ -98,6 +99,7 @@ pub(super) fn index(models: &[&Model], modules: &[Ident], options: &EmitOptions)
                     _ => None,
                 }
             }
+            #find_field_f64
         }
     });
     let field_import = (!field_names.is_empty()).then(|| quote!(, field::FieldScene));
@@ -149,6 +151,18 @@ fn find_f64() -> TokenStream {
         #[must_use]
         pub fn find_f64(name: &str) -> Option<&'static dyn Simulator<f64>> {
             find(name)
+        }
+    }
+}
+
+/// The look-up for everybody who cuts fields in `f64`.
+fn find_field_f64() -> TokenStream {
+    let doc = doc(["The scene with fields of a name in `f64`, compiled once and for all."]);
+    quote! {
+        #doc
+        #[must_use]
+        pub fn find_field_f64(name: &str) -> Option<&'static dyn FieldScene<f64>> {
+            find_field(name)
         }
     }
 }

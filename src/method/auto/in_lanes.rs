@@ -1,0 +1,104 @@
+//! What `auto` asks of the steps of Taylor's method, where variants take them side by side.
+//!
+//! A variant goes on in its lane for as long as a run of its own would go on by Taylor's
+//! method, with the same bits; one that would change the method is sent away.
+
+use machinist_contract::Simulator;
+use machinist_contract::taylor::{Bends, TaylorSeries};
+
+use super::{Evidence, Strain, suitable_series, taylor_limit};
+use crate::method::Method;
+use crate::method::stretch::within;
+use crate::method::taylor::step::{self, Tolerance, order_for};
+use crate::method::taylor::{FEW, PROBES, variants::Overseer};
+
+/// The relative tolerance of the steps, if `auto` runs a machine by Taylor's method alone until
+/// something turns out to be stiff.
+pub(crate) fn rtol_of_lanes(simulator: &dyn Simulator<f64>, rtol: f64) -> Option<f64> {
+    let rtol = Method::Auto.step_rtol(rtol);
+    let is_plain = simulator.events() == 0
+        && simulator.kinks() == 0
+        && simulator.constraints() == 0
+        && simulator.linear().is_none();
+    (is_plain && suitable_series(simulator, rtol).0.is_some()).then_some(rtol)
+}
+
+/// Looks at the steps of one variant.
+pub(crate) struct InLane<'a> {
+    simulator: &'a dyn Simulator<f64>,
+    parameters: Vec<f64>,
+    constants: Vec<f64>,
+    /// Where the stretch begins and ends.
+    span: (f64, f64),
+    limit: f64,
+    strain: Strain<'a>,
+    evidence: Evidence,
+    looks_within: bool,
+    between: Vec<f64>,
+    slope: Vec<f64>,
+    rate: Vec<f64>,
+}
+
+impl<'a> InLane<'a> {
+    pub(crate) fn new(
+        simulator: &'a dyn Simulator<f64>,
+        parameters: &[f64],
+        rtol: f64,
+    ) -> Self {
+        let mut constants = vec![0.0; simulator.constants()];
+        simulator.prepare(parameters, &mut constants);
+        let limit = taylor_limit(order_for(rtol));
+        let states = simulator.shape().states();
+        Self {
+            simulator,
+            parameters: parameters.to_vec(),
+            constants,
+            span: (0.0, 0.0),
+            limit,
+            strain: Strain::new(simulator, limit),
+            evidence: Evidence::default(),
+            looks_within: simulator.taylor().map(TaylorSeries::bends) == Some(Bends::Saturates),
+            between: vec![0.0; states],
+            slope: vec![0.0; states],
+            rate: vec![0.0; states],
+        }
+    }
+}
+
+impl Overseer for InLane<'_> {
+    fn begin(&mut self, span: (f64, f64), order: usize) -> bool {
+        self.span = span;
+        self.strain = Strain::new(self.simulator, self.limit);
+        self.evidence = Evidence::default();
+        order >= FEW
+    }
+
+    fn looks_within(&self) -> bool {
+        self.looks_within
+    }
+
+    fn error_within(
+        &mut self,
+        coefficients: &[f64],
+        tolerance: &Tolerance,
+        (time, step): (f64, f64),
+    ) -> f64 {
+        let after = PROBES[2] * step;
+        step::value_and_slope(coefficients, after, &mut self.between, &mut self.slope);
+        let (at, parameters) = (within(time + after, self.span), &self.parameters);
+        let (constants, rate) = (&self.constants, &mut self.rate);
+        self.simulator.prepared_rate(at, &self.between, parameters, constants, rate);
+        tolerance.lasting_error(&self.slope, &self.rate, step)
+    }
+
+    fn stays(&mut self, time: f64, state: &[f64], step: f64) -> bool {
+        let Self { simulator, parameters, constants, span, strain, evidence, limit, .. } = self;
+        let left = span.1 - time;
+        let at = within(time, *span);
+        let jacobian = |values: &mut [f64]| {
+            simulator.prepared_rate_jacobian(at, state, parameters, constants, values);
+        };
+        let strain = strain.look(left, step, jacobian);
+        !strain.is_some_and(|strain| evidence.grows(strain > *limit))
+    }
+}

@@ -8,10 +8,10 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use machinist_contract::{F64x2, Real};
 use machinist_contract::digits::{Digits, ROUNDING};
 use machinist_contract::exponential::{exponential, hyperbolic_tangent};
 use machinist_contract::sine::{FARTHEST, sine_and_cosine};
+use machinist_contract::{F64x2, Real};
 use wide::bytemuck::cast;
 
 /// Numbers with lanes that can be taken apart.

@@ -6,7 +6,7 @@
 //! variants out. None of this changes a result: every variant is, to the last bit,
 //! what a run of its own gives, whatever the number of threads.
 
-use machinist_contract::taylor::{Bends, TaylorSeries};
+use machinist_contract::taylor::Bends;
 use machinist_contract::{F64x2, Simulator};
 use rayon::prelude::*;
 
@@ -191,10 +191,8 @@ impl<'a> Sweep<'a> {
         };
         let in_lanes = match self.machine.in_lanes() {
             None => None,
-            Some(InLanes::Two(machine)) => self.run_in_lanes(chunk, (method, rtol), machine.taylor()),
-            Some(InLanes::Eight(machine)) => {
-                self.run_in_lanes(chunk, (method, rtol), machine.taylor())
-            }
+            Some(InLanes::Two(machine)) => self.run_in_lanes(chunk, (method, rtol), machine),
+            Some(InLanes::Eight(machine)) => self.run_in_lanes(chunk, (method, rtol), machine),
         };
         in_lanes.unwrap_or_else(|| {
             chunk.iter().map(|parameters| one(&self.simulation(parameters))).collect()
@@ -229,8 +227,11 @@ impl<'a> Sweep<'a> {
         &self,
         chunk: &[Vec<f64>],
         (method, rtol): (Method, f64),
-        series: Option<&dyn TaylorSeries<R>>,
+        machine: &dyn Simulator<R>,
     ) -> Option<Vec<Result<VariantRun, SimulateError>>> {
+        let series = machine.taylor()?;
+        // As `auto` does of a run of its own.
+        let looks_within = method == Method::Auto && series.bends() == Bends::Saturates;
         let mut results: Vec<Option<Result<VariantRun, SimulateError>>> = vec![None; chunk.len()];
         let mut valid = Vec::with_capacity(chunk.len());
         let mut ready = Vec::with_capacity(chunk.len());
@@ -243,7 +244,8 @@ impl<'a> Sweep<'a> {
                 Err(error) => results[index] = Some(Err(error)),
             }
         }
-        variants::integrate(series?, rtol, &mut ready.into_iter(), &mut |number, outcome| {
+        let (machine, how) = ((machine, series), (rtol, looks_within));
+        variants::integrate(machine, how, &mut ready.into_iter(), &mut |number, outcome| {
             let (index, times) = &valid[number];
             let parameters = &chunk[*index];
             results[*index] = Some(match outcome {

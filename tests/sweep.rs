@@ -1,10 +1,13 @@
 //! Many variants at once are what they are one by one, to the last bit.
 
+use crate::own_scene::model_of_specs;
 use machinist::error::StopCause;
 use machinist::lanes::{F64x4, F64x8, Lanes};
-use machinist::sweep::{Sweepable, VariantRun};
+use machinist::sweep::{InLanes, Sweepable, VariantRun, each_on_its_own, one};
 use machinist::{Method, SimulateError, Simulation, Sweep};
-use machinist_contract::{Describe, Real, Simulator};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_contract::{Describe, F64x2, Real, Simulator};
+use machinist_model::ModelSimulator;
 use machinist_scenes::scenes::{
     bouncing_mass, pendulum_chain, saw_gin, two_mass, winder_nonlinear,
 };
@@ -77,6 +80,87 @@ fn lanes_give_the_bits_of_single_runs_whatever_the_threads() {
         &spread(0.06, 0.12, 9),
         |run| run.until(0.3).points(5).rtol(1e-10).method(Method::Taylor),
     );
+}
+
+#[test]
+fn auto_in_lanes_gives_the_bits_of_single_runs() {
+    // It looks within steps; and it leaves Taylor's method where the coupling is stiff, in
+    // some variants and on the way.
+    assert_same(&saw_gin::SawGin, "coupling.stiffness", &spread(1e3, 1e9, 75), |run| {
+        run.until(0.3).points(4).rtol(1e-6).method(Method::Auto)
+    });
+    let all = Sweep::new(&saw_gin::SawGin)
+        .each(|run| run.until(0.3).points(4).rtol(1e-6).method(Method::Auto))
+        .vary("coupling.stiffness", &spread(1e3, 1e9, 75))
+        .expect("a parameter");
+    let steps: Vec<u64> = all.run().iter().map(|run| run.as_ref().expect("a run").steps).collect();
+    let alone = spread(1e3, 1e9, 75).into_iter().map(|stiffness| {
+        let run = Simulation::new(&saw_gin::SawGin).until(0.3).points(4).rtol(1e-6);
+        let run = run.method(Method::Auto).parameter("coupling.stiffness", stiffness);
+        run.expect("a parameter").run().expect("a run")
+    });
+    let (mut changed, mut stayed) = (0, 0);
+    for (run, steps) in alone.zip(steps) {
+        assert_eq!(run.work.steps, steps);
+        let changes = run.notes.iter().any(|note| note.contains("instead of taylor"));
+        if changes { changed += 1 } else { stayed += 1 }
+    }
+    assert!(changed > 3 && stayed > 3, "{changed} change the method, {stayed} do not");
+    // Looser than its steps, linear, with sums beyond what series are for, with events.
+    assert_same(&pendulum_chain::PendulumChain, "chain.l_1", &spread(0.5, 2.0, 11), |run| {
+        run.until(1.0).points(7).rtol(1e-3).method(Method::Auto)
+    });
+    assert_same(&two_mass::TwoMass, "coupling.stiffness", &spread(1e2, 1e6, 9), |run| {
+        run.until(0.2).points(3).rtol(1e-6).method(Method::Auto)
+    });
+    let name = <_ as Describe>::parameter(&bouncing_mass::BouncingMass, 0).name;
+    assert_same(&bouncing_mass::BouncingMass, name, &[0.9, 1.0], |run| {
+        run.until(0.5).points(5).method(Method::Auto)
+    });
+}
+
+/// A model, two at a time.
+struct InPairs(ModelSimulator);
+
+impl Sweepable for InPairs {
+    fn single(&self) -> &dyn Simulator<f64> {
+        self.0.single()
+    }
+    fn in_lanes(&self) -> Option<InLanes<'_>> {
+        Some(InLanes::Two(self.0.in_pairs()))
+    }
+}
+
+#[test]
+fn models_in_pairs_give_the_bits_of_single_runs() {
+    for make in [ModelSimulator::new, ModelSimulator::interpreted] {
+        let machine = InPairs(make(model_of_specs("saw_gin", Keep::Needed)));
+        for method in [Method::Taylor, Method::Auto] {
+            assert_same(&machine, "coupling.stiffness", &spread(1e3, 1e7, 9), |run| {
+                run.until(0.1).points(4).rtol(1e-7).method(method)
+            });
+        }
+    }
+}
+
+#[test]
+fn machines_that_threads_do_not_share_give_the_same_on_any_number() {
+    let lengths: Vec<Vec<f64>> =
+        spread(0.5, 2.0, 40).into_iter().map(|length| vec![length]).collect();
+    let runs = |threads: usize| {
+        let make = || Ok::<_, SimulateError>(pendulum_chain::PendulumChain);
+        let run = |machine: &pendulum_chain::PendulumChain, variant: &[f64]| {
+            let run = Simulation::new(machine).parameter("chain.l_1", variant[0])?;
+            one(&run.until(0.1).points(3))
+        };
+        each_on_its_own(&lengths, threads, make, run).expect("machines")
+    };
+    let alone = runs(1);
+    assert_eq!(alone.len(), 40);
+    assert!(alone.iter().all(Result::is_ok) && alone == runs(2));
+    let none = || Err::<pendulum_chain::PendulumChain, _>("no machine");
+    let never = |_: &pendulum_chain::PendulumChain, _: &[f64]| unreachable!("there is none");
+    assert_eq!(each_on_its_own(&lengths, 2, none, never), Err("no machine"));
 }
 
 #[test]
@@ -174,6 +258,7 @@ fn lanes_round_as_single_numbers_do() {
             }
         }
     }
+    check::<F64x2>();
     check::<F64x4>();
     check::<F64x8>();
 }

@@ -179,7 +179,9 @@ impl<'a> Choice<'a> {
             is_tight,
         };
         let pair = of_pair("dop853", &DOP853);
-        let (series, why) = if has_tangents { (None, "") } else {
+        let (series, why) = if has_tangents {
+            (None, "")
+        } else {
             suitable_series(stretch.system.simulator(), rtol)
         };
         let chosen = match series {

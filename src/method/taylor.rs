@@ -27,7 +27,11 @@ use step::{Tolerance, order_for};
 pub(crate) const LEAST_RTOL: f64 = 4.0 * f64::EPSILON;
 
 /// Where within a step is looked for corners.
-pub(super) const PROBES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
+const PROBES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
+
+/// And where for turns to and fro of what saturates.
+#[cfg(any(feature = "implicit", feature = "sweep"))]
+const MIDDLE: f64 = 0.5;
 
 /// Fewer finite coefficients make steps of low order.
 #[cfg(feature = "implicit")]
@@ -127,7 +131,7 @@ impl<'a> TaylorSteps<'a> {
     #[cfg(feature = "implicit")]
     pub(super) fn looking_within(mut self) -> Self {
         if self.series.bends() == Bends::Saturates {
-            self.probes = &PROBES[2..3];
+            self.probes = &[MIDDLE];
         }
         self
     }

@@ -4,13 +4,12 @@
 //! method, with the same bits; one that would change the method is sent away.
 
 use machinist_contract::Simulator;
-use machinist_contract::taylor::{Bends, TaylorSeries};
 
 use super::{Evidence, Strain, suitable_series, taylor_limit};
 use crate::method::Method;
 use crate::method::stretch::within;
-use crate::method::taylor::step::{self, Tolerance, order_for};
-use crate::method::taylor::{FEW, PROBES, variants::Overseer};
+use crate::method::taylor::step::order_for;
+use crate::method::taylor::{FEW, variants::Overseer};
 
 /// The relative tolerance of the steps, if `auto` runs a machine by Taylor's method alone until
 /// something turns out to be stiff.
@@ -33,22 +32,13 @@ pub(crate) struct InLane<'a> {
     limit: f64,
     strain: Strain<'a>,
     evidence: Evidence,
-    looks_within: bool,
-    between: Vec<f64>,
-    slope: Vec<f64>,
-    rate: Vec<f64>,
 }
 
 impl<'a> InLane<'a> {
-    pub(crate) fn new(
-        simulator: &'a dyn Simulator<f64>,
-        parameters: &[f64],
-        rtol: f64,
-    ) -> Self {
+    pub(crate) fn new(simulator: &'a dyn Simulator<f64>, parameters: &[f64], rtol: f64) -> Self {
         let mut constants = vec![0.0; simulator.constants()];
         simulator.prepare(parameters, &mut constants);
         let limit = taylor_limit(order_for(rtol));
-        let states = simulator.shape().states();
         Self {
             simulator,
             parameters: parameters.to_vec(),
@@ -57,10 +47,6 @@ impl<'a> InLane<'a> {
             limit,
             strain: Strain::new(simulator, limit),
             evidence: Evidence::default(),
-            looks_within: simulator.taylor().map(TaylorSeries::bends) == Some(Bends::Saturates),
-            between: vec![0.0; states],
-            slope: vec![0.0; states],
-            rate: vec![0.0; states],
         }
     }
 }
@@ -71,24 +57,6 @@ impl Overseer for InLane<'_> {
         self.strain = Strain::new(self.simulator, self.limit);
         self.evidence = Evidence::default();
         order >= FEW
-    }
-
-    fn looks_within(&self) -> bool {
-        self.looks_within
-    }
-
-    fn error_within(
-        &mut self,
-        coefficients: &[f64],
-        tolerance: &Tolerance,
-        (time, step): (f64, f64),
-    ) -> f64 {
-        let after = PROBES[2] * step;
-        step::value_and_slope(coefficients, after, &mut self.between, &mut self.slope);
-        let (at, parameters) = (within(time + after, self.span), &self.parameters);
-        let (constants, rate) = (&self.constants, &mut self.rate);
-        self.simulator.prepared_rate(at, &self.between, parameters, constants, rate);
-        tolerance.lasting_error(&self.slope, &self.rate, step)
     }
 
     fn stays(&mut self, time: f64, state: &[f64], step: f64) -> bool {

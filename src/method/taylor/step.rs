@@ -33,7 +33,7 @@ pub(in crate::method) fn order_for(rtol: f64) -> usize {
 }
 
 /// Tolerances of the states and what follows from them.
-pub(crate) struct Tolerance {
+pub(super) struct Tolerance {
     rtol: f64,
     atol: Vec<f64>,
     /// 1/(atol + rtol |y|) for every state.
@@ -119,9 +119,8 @@ impl Tolerance {
     }
 
     /// Error of a step over what is allowed, by a defect that lasts for a part of it.
-    pub(in crate::method) fn lasting_error(&self, slope: &[f64], rate: &[f64], step: f64) -> f64 {
-        const PART: f64 = 0.25;
-        self.defect(slope, rate) * PART * step / LARGEST_ERROR
+    pub(super) fn lasting_error(&self, slope: &[f64], rate: &[f64], step: f64) -> f64 {
+        lasting_error(self.defect(slope, rate), step)
     }
 
     /// The largest of y' - f in units of the tolerance over time.
@@ -211,6 +210,13 @@ pub(super) fn trial(
     passing(error)
 }
 
+/// Error of a step over what is allowed, by a defect in units of the tolerance that lasts for a
+/// part of it.
+pub(super) fn lasting_error(defect: f64, step: f64) -> f64 {
+    const PART: f64 = 0.25;
+    defect * PART * step / LARGEST_ERROR
+}
+
 /// Error of a step in units of the tolerance: the defect y' - f at its end is
 /// `(p + 1) y_(p+1) h^p`, the error `y_(p+1) h^(p+1)`.
 pub(super) fn error(defect: f64, step: f64, order: usize) -> f64 {
@@ -249,14 +255,18 @@ pub(super) fn all_finite(values: &[f64]) -> bool {
 }
 
 /// The polynomial and its derivative at `time` after the start of the step.
-pub(in crate::method) fn value_and_slope<R: Real>(
+pub(super) fn value_and_slope<R: Real>(
     coefficients: &[R],
     time: R,
     value: &mut [R],
     slope: &mut [R],
 ) {
-    let done = by_blocks::<R, 4>(coefficients, time, value, slope, 0);
-    let done = by_blocks::<R, 2>(coefficients, time, value, slope, done);
+    // Of wide numbers the sums of one state fill the registers.
+    let mut done = 0;
+    if size_of::<R>() <= 2 * size_of::<f64>() {
+        done = by_blocks::<R, 4>(coefficients, time, value, slope, 0);
+        done = by_blocks::<R, 2>(coefficients, time, value, slope, done);
+    }
     by_blocks::<R, 1>(coefficients, time, value, slope, done);
 }
 

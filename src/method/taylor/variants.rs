@@ -4,9 +4,10 @@
 //! variant when it is done. What a lane computes does not depend on its neighbours:
 //! results are those of one run after another, to the last bit.
 
-use machinist_contract::Real;
 use machinist_contract::taylor::TaylorSeries;
+use machinist_contract::{Real, Simulator};
 
+use super::MIDDLE;
 use super::step::{self, Tolerance, order_for};
 use crate::error::StopCause;
 use crate::lanes::Lanes;
@@ -19,16 +20,6 @@ pub(crate) trait Overseer {
     /// A stretch begins, with coefficients that are finite up to an order; whether the variant
     /// stays.
     fn begin(&mut self, span: (f64, f64), order: usize) -> bool;
-    /// Whether steps that are good at their ends are looked at within.
-    fn looks_within(&self) -> bool;
-    /// The error of a step within it, over what is allowed: from the coefficients at its start,
-    /// its start and its length.
-    fn error_within(
-        &mut self,
-        coefficients: &[f64],
-        tolerance: &Tolerance,
-        at: (f64, f64),
-    ) -> f64;
     /// Whether the variant stays after a step of this length to a time and a state.
     fn stays(&mut self, time: f64, state: &[f64], step: f64) -> bool;
 }
@@ -55,10 +46,11 @@ pub(crate) struct Outcome {
 }
 
 /// Runs variants of one relative tolerance until there are no more; `done` gets each
-/// with its number in the order of the iterator.
+/// with its number in the order of the iterator. Steps that are good at their ends are looked at
+/// in their middle too if told so.
 pub(crate) fn integrate<R: Lanes>(
-    series: &dyn TaylorSeries<R>,
-    rtol: f64,
+    (machine, series): (&dyn Simulator<R>, &dyn TaylorSeries<R>),
+    (rtol, looks_within): (f64, bool),
     variants: &mut dyn Iterator<Item = Variant<'_>>,
     done: &mut dyn FnMut(usize, Result<Outcome, Stopped>),
 ) {
@@ -69,6 +61,9 @@ pub(crate) fn integrate<R: Lanes>(
     }
     let Some(first) = lanes.first().and_then(Option::as_ref) else { return };
     let mut bundle = Bundle::<R>::new(series, rtol, &first.variant);
+    if looks_within {
+        bundle.middle = Some(Middle::new(machine, &first.variant));
+    }
     for (index, lane) in lanes.iter_mut().enumerate() {
         match lane {
             Some(lane) => bundle.load(index, lane),
@@ -167,6 +162,23 @@ impl<'a> Lane<'a> {
     }
 }
 
+/// What lanes compute in the middle of their steps.
+struct Middle<'a, R> {
+    machine: &'a dyn Simulator<R>,
+    constants: Vec<R>,
+    state: Vec<R>,
+    slope: Vec<R>,
+    rate: Vec<R>,
+}
+
+impl<'a, R: Lanes> Middle<'a, R> {
+    fn new(machine: &'a dyn Simulator<R>, first: &Variant<'_>) -> Self {
+        let states = || vec![R::literal(0.0); first.initial.len()];
+        let constants = vec![R::literal(0.0); machine.constants()];
+        Self { machine, constants, state: states(), slope: states(), rate: states() }
+    }
+}
+
 /// What all lanes compute together.
 struct Bundle<'a, R> {
     series: &'a dyn TaylorSeries<R>,
@@ -194,8 +206,7 @@ struct Bundle<'a, R> {
     /// Sizes of the last coefficients, from the last one back, in units of the tolerance.
     sizes: [R; step::JUDGED],
     scratch: Vec<f64>,
-    /// Coefficients of one lane.
-    coefficients: Vec<f64>,
+    middle: Option<Middle<'a, R>>,
 }
 
 impl<'a, R: Lanes> Bundle<'a, R> {
@@ -220,7 +231,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             inverse_weights: vec![R::literal(1.0); states],
             sizes: [R::literal(0.0); step::JUDGED],
             scratch: vec![0.0; step::JUDGED.max(3) * states],
-            coefficients: vec![0.0; (order + 1) * states],
+            middle: None,
         }
     }
 
@@ -236,6 +247,9 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             into.set_lane(index, *value);
         }
         self.relative.set_lane(index, lane.tolerance.relative());
+        if let Some(middle) = &mut self.middle {
+            middle.machine.prepare(&self.parameters, &mut middle.constants);
+        }
         while lane.next_sample_until(lane.time).is_some() {
             lane.rows.extend_from_slice(&lane.variant.initial);
             lane.taken += 1;
@@ -272,6 +286,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         let mut rejected = R::literal(0.0);
         let mut is_any = false;
         let (defects, finite) = self.defects();
+        let within = self.defects_within(lanes);
         for (index, lane) in lanes.iter_mut().enumerate() {
             let Some(lane) = lane else { continue };
             lane.work.rate_evaluations += self.order as u64;
@@ -282,10 +297,11 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             } else {
                 self.trial(index, lane)
             };
-            if let one_step::Trial::Error(error) = trial
+            if let (Some(within), one_step::Trial::Error(error)) = (within, trial)
                 && error <= 1.0
             {
-                trial = one_step::Trial::Error(error.max(self.error_within(index, lane)));
+                let within = step::lasting_error(within.lane(index), lane.step);
+                trial = one_step::Trial::Error(error.max(within));
             }
             if matches!(trial, one_step::Trial::Error(error) if error <= 1.0) {
                 self.record(index, lane, now);
@@ -332,6 +348,29 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         (largest, begin.iter().fold(zero, |zeros, value| zeros + *value * zero))
     }
 
+    /// The largest defect in the middle of every lane's step in units of its tolerance, if it
+    /// is looked for.
+    fn defects_within(&mut self, lanes: &[Option<Lane<'_>>]) -> Option<R> {
+        let middle = self.middle.as_mut()?;
+        let zero = R::literal(0.0);
+        let (mut after, mut time) = (zero, self.time);
+        for (index, lane) in lanes.iter().enumerate() {
+            let Some(lane) = lane else { continue };
+            if let Trial::Step { .. } = lane.trial {
+                let share = MIDDLE * lane.step;
+                after.set_lane(index, share);
+                time.set_lane(index, lane.within(lane.time + share));
+            }
+        }
+        let Middle { machine, constants, state, slope, rate } = middle;
+        step::value_and_slope(&self.current, after, state, slope);
+        machine.prepared_rate(time, state, &self.parameters, constants, rate);
+        let rates = slope.iter().zip(&*rate).zip(&self.inverse_weights);
+        Some(rates.fold(zero, |largest, ((slope, rate), inverse)| {
+            larger(largest, ((*slope - *rate) * *inverse).abs())
+        }))
+    }
+
     /// Weighs by the tolerances at the start of every lane's step, and measures the last
     /// coefficients by that.
     fn weigh(&mut self) {
@@ -359,19 +398,6 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         gather(&self.slope, index, slope);
         gather(&self.following[..2 * self.states], index, begin);
         step::trial(&lane.tolerance, slope, begin, (lane.step, lane.order))
-    }
-
-    /// The error within a lane's step, if somebody looks there.
-    fn error_within(&mut self, index: usize, lane: &mut Lane<'_>) -> f64 {
-        let at = (lane.time, lane.step);
-        let used = (lane.order + 1) * self.states;
-        let Some(overseer) = &mut lane.variant.overseer else { return 0.0 };
-        if !overseer.looks_within() {
-            return 0.0;
-        }
-        gather(&self.inverse_weights, index, lane.tolerance.inverse_weights());
-        gather(&self.current, index, &mut self.coefficients[..used]);
-        overseer.error_within(&self.coefficients[..used], &lane.tolerance, at)
     }
 
     /// Asks who looks at a lane's steps whether its variant stays.

@@ -20,7 +20,7 @@ mod modal;
 mod rates;
 mod simulator;
 
-use std::cell::RefCell;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use machinist_contract::field::{FieldScene, HANDED, MAX_ORDER};
 use machinist_contract::{Real, Shape};
@@ -71,7 +71,7 @@ pub enum FieldError {
 /// A scene with fields, cut into elements. Not for several threads at once: room for
 /// the values at nodes is kept between calls, so that no call allocates.
 pub struct FieldSimulator<'a, R> {
-    scene: &'a dyn FieldScene<R>,
+    scene: Scene<'a, R>,
     machine: Shape,
     /// Parameters without those that fields hand over.
     parameters: usize,
@@ -101,7 +101,22 @@ pub struct FieldSimulator<'a, R> {
     parameter_jacobian: Vec<(u32, u32)>,
     mass_matrix: Vec<(u32, u32)>,
     machine_parameter_jacobian: Vec<(u32, u32)>,
-    work: RefCell<Work<R>>,
+    work: Mutex<Work<R>>,
+}
+
+/// The scene whose fields are cut.
+enum Scene<'a, R> {
+    Borrowed(&'a dyn FieldScene<R>),
+    Shared(Arc<dyn FieldScene<R> + Send>),
+}
+
+impl<R: Real> Scene<'_, R> {
+    fn get(&self) -> &dyn FieldScene<R> {
+        match self {
+            Self::Borrowed(scene) => *scene,
+            Self::Shared(scene) => scene.as_ref(),
+        }
+    }
 }
 
 /// A row of the Jacobian that the force on a port reaches.
@@ -167,6 +182,33 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         scene: &'a dyn FieldScene<R>,
         discretisation: Discretisation,
     ) -> Result<Self, FieldError> {
+        Self::cut(Scene::Borrowed(scene), discretisation)
+    }
+
+    /// Cuts the fields of a scene that it keeps.
+    ///
+    /// # Errors
+    /// As [`FieldSimulator::new`].
+    pub fn of_shared(
+        scene: Arc<dyn FieldScene<R> + Send>,
+        discretisation: Discretisation,
+    ) -> Result<Self, FieldError> {
+        Self::cut(Scene::Shared(scene), discretisation)
+    }
+
+    /// The scene.
+    fn scene(&self) -> &dyn FieldScene<R> {
+        self.scene.get()
+    }
+
+    /// Room to compute in, one thread at a time. What a panic left there is written anew by
+    /// whoever comes next.
+    fn work(&self) -> MutexGuard<'_, Work<R>> {
+        self.work.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn cut(of: Scene<'a, R>, discretisation: Discretisation) -> Result<Self, FieldError> {
+        let scene = of.get();
         let machine = scene.shape();
         let attachments: usize =
             (0..scene.fields()).map(|index| scene.field(index).attachments.len()).sum();
@@ -174,7 +216,6 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         let own_nodes: usize = meshes.iter().map(|mesh| mesh.own_nodes).sum();
         let parameters = machine.parameters - HANDED * attachments;
         let mut simulator = Self {
-            scene,
             machine,
             parameters,
             own_nodes,
@@ -193,19 +234,20 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
             parameter_jacobian: Vec::new(),
             mass_matrix: Vec::new(),
             machine_parameter_jacobian: scene.parameter_jacobian_pattern().entries.to_vec(),
-            work: RefCell::new(Work::new(scene, &meshes)),
+            work: Mutex::new(Work::new(scene, &meshes)),
             meshes,
+            scene: of,
         };
         simulator.name_nodes();
         simulator.border = (0..machine.states()).map(|index| simulator.entry(index)).collect();
         simulator.lay_out_rate_jacobian();
         simulator.lay_out_ports();
         simulator.lay_out_others();
-        simulator.excitation_terms = excitation::terms(scene, &simulator.border);
+        simulator.excitation_terms = excitation::terms(simulator.scene(), &simulator.border);
         let constants = simulator.count_constants();
         let weights = simulator.port_rows.iter().map(|rows| vec![R::literal(0.0); rows.len()]);
         let weights = weights.collect();
-        let work = simulator.work.get_mut();
+        let work = simulator.work.get_mut().unwrap_or_else(PoisonError::into_inner);
         work.constants = vec![R::literal(0.0); constants];
         work.port_weights = weights;
         Ok(simulator)
@@ -240,7 +282,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
     /// x of the nodes of a field \[m\] at given parameters.
     #[must_use]
     pub fn places(&self, field: usize, parameters: &[R]) -> Vec<R> {
-        let mut work = self.work.borrow_mut();
+        let mut work = self.work();
         self.place(parameters, &mut work);
         let mesh = &self.meshes[field];
         let mut x = vec![R::literal(0.0); mesh.owners.len()];
@@ -266,7 +308,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
 
     fn name_nodes(&mut self) {
         for (index, mesh) in self.meshes.iter().enumerate() {
-            let description = self.scene.field(index);
+            let description = self.scene.get().field(index);
             for (node, owner) in mesh.owners.iter().enumerate() {
                 if let Owner::Field(_) = owner {
                     self.names[0].push(format!("{}[{node}]", description.value.name));
@@ -286,7 +328,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
     }
 
     fn lay_out_rate_jacobian(&mut self) {
-        let machine = self.scene.rate_jacobian_pattern().entries;
+        let machine = self.scene().rate_jacobian_pattern().entries;
         let n = self.coordinates() as u32;
         let mut entries: Vec<(u32, u32)> = (0..n).map(|row| (row, row + n)).collect();
         let machine: Vec<(u32, u32)> = machine
@@ -315,7 +357,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         self.machine_entries = machine.into_iter().map(find).collect();
         let (mut element_entries, mut chains) = (Vec::new(), Vec::new());
         for (index, mesh) in self.meshes.iter().enumerate() {
-            let is_chain = mesh.order == 1 && self.scene.field_is_local(index);
+            let is_chain = mesh.order == 1 && self.scene().field_is_local(index);
             let place = |row, column| find((row, column));
             chains.push(
                 is_chain.then(|| Chain::new(index, mesh, |owner| self.columns(owner), place)),
@@ -398,7 +440,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
     fn lay_out_others(&mut self) {
         let n = self.machine.coordinates as u32;
         let own = |index: usize| n + index as u32;
-        let mut mass = self.scene.mass_matrix_pattern().entries.to_vec();
+        let mut mass = self.scene().mass_matrix_pattern().entries.to_vec();
         mass.extend((0..self.own_nodes).map(|index| (own(index), own(index))));
         self.mass_matrix = mass;
 
@@ -409,7 +451,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
             }
         }
         for (index, mesh) in self.meshes.iter().enumerate() {
-            let description = self.scene.field(index);
+            let description = self.scene().field(index);
             for owner in &mesh.owners {
                 match *owner {
                     Owner::Fixed => {}

@@ -6,6 +6,7 @@ mod description;
 mod library;
 mod quantity;
 mod structure;
+mod terminals;
 mod xml;
 mod zip;
 

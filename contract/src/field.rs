@@ -103,7 +103,7 @@ pub struct FieldDescription<'a> {
 ///
 /// # Panics
 /// If there is no field of the number, or a slice has another length than stated.
-pub trait FieldScene<R: Real>: Simulator<R> {
+pub trait FieldScene<R: Real>: Simulator<R> + Sync {
     /// Number of fields.
     fn fields(&self) -> usize;
     /// The `index`-th field.

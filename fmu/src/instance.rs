@@ -12,7 +12,6 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use machinist::hosted::{Beginning, Hosted, HostedError, Standing};
-use machinist_contract::{Describe as _, Simulator as _};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -175,7 +174,7 @@ impl Instance {
         until: Option<f64>,
     ) -> Result<(), Refusal> {
         self.require("fmi3EnterInitializationMode", &[Phase::Instantiated])?;
-        let run = &self.machine.simulator.model().run;
+        let run = &self.machine.model().run;
         let until = until.unwrap_or(from + (run.until - run.from));
         if !(from < until && (until - from).is_finite()) {
             let message = format!("an experiment from {from} s until {until} s");
@@ -251,7 +250,7 @@ impl Instance {
     }
 
     fn begin(&self) -> Result<Standing, Refusal> {
-        let simulator = &self.machine.simulator;
+        let simulator = self.machine.simulator();
         let parameters = &self.now.parameters;
         let mut state = vec![0.0; simulator.shape().states()];
         simulator.initial_state(parameters, &mut state);
@@ -279,11 +278,11 @@ impl Instance {
 
 impl Now {
     fn of(machine: &Machine) -> Self {
-        let run = &machine.simulator.model().run;
+        let run = &machine.model().run;
         Self {
             phase: Phase::Instantiated,
             parameters: machine.parameters(),
-            chosen: vec![None; machine.simulator.shape().states()],
+            chosen: vec![None; machine.simulator().shape().states()],
             experiment: Experiment { from: run.from, until: run.until, rtol: run.rtol },
             standing: None,
         }

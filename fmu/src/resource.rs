@@ -3,10 +3,12 @@
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use machinist_contract::Describe as _;
-use machinist_model::ModelSimulator;
+use machinist::{Discretisation, FieldSimulator};
+use machinist_contract::Simulator;
 use machinist_model::file::{self, FileError, Stamped};
+use machinist_model::{Model, ModelSimulator};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 use thiserror::Error;
@@ -25,6 +27,10 @@ const MARK: &[u8; 16] = b"machinist export";
 pub struct Export {
     /// Names of parameters that are inputs.
     pub inputs: Vec<String>,
+    /// Number of elements of each field, where it is not the spec's.
+    pub elements: Option<usize>,
+    /// Their order, likewise.
+    pub order: Option<usize>,
 }
 
 impl Export {
@@ -82,17 +88,59 @@ pub fn token(model: &[u8], export: &[u8]) -> String {
 }
 
 /// A model ready to be run as an FMU.
-#[derive(Debug)]
 pub struct Machine {
     /// It, compiled where the target can.
-    pub simulator: ModelSimulator,
+    model: Arc<ModelSimulator>,
+    /// It with its fields cut, if it has any.
+    cut: Option<FieldSimulator<'static, f64>>,
     /// Its variables.
     pub variables: Variables,
     /// The token of the resources it was read from.
     pub token: String,
 }
 
+impl std::fmt::Debug for Machine {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Machine").field("token", &self.token).finish_non_exhaustive()
+    }
+}
+
 impl Machine {
+    /// Of a model, as it is exported.
+    ///
+    /// # Errors
+    /// [`Unfit`].
+    pub fn of(model: Model, export: &Export, token: String) -> Result<Self, Unfit> {
+        let has_fields = !model.fields.is_empty();
+        let model = Arc::new(ModelSimulator::new(model));
+        let wanted = Discretisation { elements: export.elements, order: export.order };
+        let cut = if has_fields {
+            Some(FieldSimulator::of_shared(model.clone().shared_with_fields(), wanted)?)
+        } else if wanted == Discretisation::default() {
+            None
+        } else {
+            return Err(Unfit::NoFields { scene: model.model().name.clone() });
+        };
+        let simulator = cut.as_ref().map_or_else(|| model.single() as _, FieldSimulator::single);
+        let variables = Variables::of(model.model(), simulator, &export.inputs)?;
+        Ok(Self { model, cut, variables, token })
+    }
+
+    /// What runs.
+    #[must_use]
+    pub fn simulator(&self) -> &dyn Simulator<f64> {
+        match &self.cut {
+            None => self.model.single(),
+            Some(cut) => cut.single(),
+        }
+    }
+
+    /// The model that runs.
+    #[must_use]
+    pub fn model(&self) -> &Model {
+        self.model.model()
+    }
+
     /// Of the files of a folder, which must be those that a token is of.
     ///
     /// # Errors
@@ -113,14 +161,13 @@ impl Machine {
         if expected != found.trim() {
             return Err(LoadError::Token { expected, found: found.to_owned() });
         }
-        let variables = Variables::of(&model, &export.inputs)?;
-        Ok(Self { simulator: ModelSimulator::new(model), variables, token: expected })
+        Ok(Self::of(model, &export, expected)?)
     }
 
     /// Values of parameters as the spec has them.
     #[must_use]
     pub fn parameters(&self) -> Vec<f64> {
-        let count = self.simulator.shape().parameters;
-        (0..count).map(|index| self.simulator.parameter_default(index)).collect()
+        let simulator = self.simulator();
+        (0..simulator.shape().parameters).map(|index| simulator.parameter_default(index)).collect()
     }
 }

@@ -7,8 +7,9 @@ mod reads;
 
 use std::collections::BTreeSet;
 
-use machinist_contract::{Describe as _, Simulator as _};
-use machinist_model::{Model, ModelSimulator, NodeId, Op, StateKind};
+use machinist::field::FieldError;
+use machinist_contract::Simulator;
+use machinist_model::{Model, NodeId, Op};
 use thiserror::Error;
 
 pub use reads::Reads;
@@ -106,14 +107,17 @@ pub struct Variable {
 }
 
 /// Why a model is not exported as wanted.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, PartialEq, Error)]
 pub enum Unfit {
-    /// It has fields.
-    #[error("scene `{scene}` has fields, which cannot be exported as an FMU yet")]
-    Fields {
+    /// It has no fields that could be cut.
+    #[error("scene `{scene}` has no fields")]
+    NoFields {
         /// The scene.
         scene: String,
     },
+    /// Its fields cannot be cut as wanted.
+    #[error(transparent)]
+    Cut(#[from] FieldError),
     /// There is no such parameter.
     #[error("scene `{scene}` has no parameter `{name}` that could be an input")]
     UnknownInput {
@@ -142,16 +146,16 @@ pub struct Variables {
 }
 
 impl Variables {
-    /// Those of a model, of whose parameters these are inputs.
+    /// Those of a model that runs as a simulator, of whose parameters these are inputs.
     ///
     /// # Errors
-    /// [`Unfit`] if the model has fields, or if such a parameter does not exist or is one that
-    /// must not change with time.
-    pub fn of(model: &Model, inputs: &[String]) -> Result<Self, Unfit> {
+    /// [`Unfit`] if such a parameter does not exist or is one that must not change with time.
+    pub fn of(
+        model: &Model,
+        simulator: &dyn Simulator<f64>,
+        inputs: &[String],
+    ) -> Result<Self, Unfit> {
         let scene = || model.name.clone();
-        if !model.fields.is_empty() {
-            return Err(Unfit::Fields { scene: scene() });
-        }
         let uses = Uses::of(model);
         for name in inputs {
             let known = model.parameters.iter().position(|p| p.quantity.name.path == *name);
@@ -163,10 +167,10 @@ impl Variables {
                 return Err(Unfit::NotAnInput { name: name.clone(), why });
             }
         }
-        let is_mode = |entry: &usize| model.states[*entry].kind == StateKind::Mode;
-        let states = (0..model.states.len()).filter(|entry| !is_mode(entry)).collect();
-        let indicators = model.events.len() + model.kink_guards.results.len();
-        let all = Gather::new(model, &uses, inputs, &states).all();
+        let entries = 0..simulator.shape().states();
+        let states = entries.filter(|entry| !simulator.is_mode(*entry)).collect();
+        let indicators = simulator.events() + simulator.kinks();
+        let all = Gather::new((model, simulator), &uses, inputs, &states).all();
         Ok(Self { all, states, indicators })
     }
 
@@ -213,6 +217,8 @@ struct Uses {
     jumps: Reads,
     motion: Reads,
     initial: Vec<Reads>,
+    /// Parameters that fields are made of.
+    fields: BTreeSet<u32>,
 }
 
 impl Uses {
@@ -238,6 +244,7 @@ impl Uses {
             jumps: every(&[&model.discontinuities]),
             motion: every(&of_motion),
             initial: initial.results.iter().map(|id| Reads::of(model, initial, *id)).collect(),
+            fields: model.fields.iter().flat_map(|field| &field.parameters).copied().collect(),
         }
     }
 
@@ -250,7 +257,8 @@ impl Uses {
             (&self.jumps, "the time of a jump depends on it"),
         ];
         let found = reasons.into_iter().find(|(reads, _)| reads.parameters.contains(&parameter));
-        found.map(|(_, why)| why)
+        let of_fields = self.fields.contains(&parameter).then_some("a field is made of it");
+        found.map(|(_, why)| why).or(of_fields)
     }
 
     /// Whether a parameter may change at events: what constraints are made of must not, nor
@@ -258,13 +266,16 @@ impl Uses {
     fn is_tunable(&self, parameter: usize) -> bool {
         let parameter = parameter as u32;
         let is_of = |reads: &Reads| reads.parameters.contains(&parameter);
-        !is_of(&self.constraints) && (is_of(&self.motion) || is_of(&self.jumps))
+        !is_of(&self.constraints)
+            && !self.fields.contains(&parameter)
+            && (is_of(&self.motion) || is_of(&self.jumps))
     }
 }
 
 /// The list as it grows.
 struct Gather<'a> {
     model: &'a Model,
+    simulator: &'a dyn Simulator<f64>,
     uses: &'a Uses,
     inputs: &'a [String],
     states: &'a Vec<usize>,
@@ -275,16 +286,21 @@ struct Gather<'a> {
 }
 
 impl<'a> Gather<'a> {
-    fn new(model: &'a Model, uses: &'a Uses, inputs: &'a [String], states: &'a Vec<usize>) -> Self {
-        let simulator = ModelSimulator::interpreted(model.clone());
+    fn new(
+        (model, simulator): (&'a Model, &'a dyn Simulator<f64>),
+        uses: &'a Uses,
+        inputs: &'a [String],
+        states: &'a Vec<usize>,
+    ) -> Self {
+        let shape = simulator.shape();
         let parameters: Vec<f64> =
-            (0..model.parameters.len()).map(|index| simulator.parameter_default(index)).collect();
-        let mut start = vec![0.0; model.states.len()];
+            (0..shape.parameters).map(|index| simulator.parameter_default(index)).collect();
+        let mut start = vec![0.0; shape.states()];
         simulator.initial_state(&parameters, &mut start);
         // Outputs keep the names that scenes give them.
         let names = model.wanted.iter().map(|wanted| wanted.name.path.clone()).collect();
         let all = Vec::new();
-        Self { model, uses, inputs, states, start, names, all }
+        Self { model, simulator, uses, inputs, states, start, names, all }
     }
 
     fn all(mut self) -> Vec<Variable> {
@@ -301,8 +317,8 @@ impl<'a> Gather<'a> {
         for entry in self.states {
             self.push_derivative(*entry);
         }
-        for entry in 0..self.model.states.len() {
-            if self.model.states[entry].kind == StateKind::Mode {
+        for entry in 0..self.start.len() {
+            if self.simulator.is_mode(entry) {
                 self.push_mode(entry);
             }
         }
@@ -343,6 +359,10 @@ impl<'a> Gather<'a> {
 
     /// The entry of the state that an output is and is named as.
     fn state_of_output(&self, index: usize) -> Option<usize> {
+        if !self.model.fields.is_empty() {
+            // Their states stand among those of the machine, which has other numbers for them.
+            return None;
+        }
         let NodeId(result) = *self.model.outputs.results.get(index)?;
         let Op::State(entry) = self.model.outputs.nodes[result as usize].op else { return None };
         let name = &self.model.states[entry as usize].quantity.name.path;
@@ -358,46 +378,47 @@ impl<'a> Gather<'a> {
     }
 
     fn push_state(&mut self, entry: usize) {
-        let state = &self.model.states[entry];
-        let is_free = !self.model.constraints.is_empty() && !state.is_given;
+        let state = self.simulator.state(entry);
+        let is_free = !self.model.constraints.is_empty() && !self.simulator.is_given(entry);
+        let is_of_none =
+            self.model.fields.is_empty() && self.uses.initial[entry].parameters.is_empty();
         let initial = if is_free {
             Initial::Approx
-        } else if self.uses.initial[entry].parameters.is_empty() {
+        } else if is_of_none {
             Initial::Exact
         } else {
             Initial::Calculated
         };
-        let name = &state.quantity.name.path;
         self.push(Variable {
-            unit: state.quantity.unit.clone(),
-            doc: state.quantity.doc.clone(),
+            unit: state.unit.to_owned(),
+            doc: state.doc.to_owned(),
             causality: self.causality(entry),
             initial: Some(initial),
             start: (initial != Initial::Calculated).then_some(self.start[entry]),
-            nominal: Some(state.scale),
-            ..continuous(name, Kind::State(entry))
+            nominal: Some(self.simulator.state_scale(entry)),
+            ..continuous(state.name, Kind::State(entry))
         });
     }
 
     fn push_derivative(&mut self, entry: usize) {
-        let quantity = &self.model.states[entry].quantity;
-        let name = format!("der({})", quantity.name.path);
+        let state = self.simulator.state(entry);
+        let name = format!("der({})", state.name);
         self.push(Variable {
-            unit: per_second(&quantity.unit),
-            doc: format!("rate of {}", quantity.name.path),
+            unit: per_second(state.unit),
+            doc: format!("rate of {}", state.name),
             ..continuous(&name, Kind::Derivative(entry))
         });
     }
 
     fn push_mode(&mut self, entry: usize) {
-        let quantity = &self.model.states[entry].quantity;
+        let state = self.simulator.state(entry);
         self.push(Variable {
-            doc: quantity.doc.clone(),
+            doc: state.doc.to_owned(),
             causality: self.causality(entry),
             variability: Variability::Discrete,
             initial: Some(Initial::Approx),
             start: Some(self.start[entry].round()),
-            ..continuous(&quantity.name.path, Kind::Mode(entry))
+            ..continuous(state.name, Kind::Mode(entry))
         });
     }
 

@@ -105,7 +105,14 @@ impl ModelSimulator {
     /// It with fields to be cut, likewise.
     #[must_use]
     #[inline(never)]
-    pub fn with_fields(&self) -> &(dyn FieldScene<f64> + Sync) {
+    pub fn with_fields(&self) -> &dyn FieldScene<f64> {
+        self
+    }
+
+    /// Likewise, shared.
+    #[must_use]
+    #[inline(never)]
+    pub fn shared_with_fields(self: Arc<Self>) -> Arc<dyn FieldScene<f64> + Send> {
         self
     }
 

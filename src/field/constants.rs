@@ -32,13 +32,13 @@ impl<R: Real> FieldSimulator<'_, R> {
     /// How many constants there are.
     pub(super) fn count_constants(&self) -> usize {
         let bounds: usize = self.meshes.iter().map(|mesh| mesh.segments.len() + 1).sum();
-        self.scene.constants() + 4 * self.nodes() + bounds
+        self.scene().constants() + 4 * self.nodes() + bounds
     }
 
     /// The constants by what they are.
     pub(super) fn taken_apart<'c>(&self, constants: &'c [R]) -> Constants<'c, R> {
         let nodes = self.nodes();
-        let (machine, rest) = constants.split_at(self.scene.constants());
+        let (machine, rest) = constants.split_at(self.scene().constants());
         let (x, rest) = rest.split_at(nodes);
         let (lengths, rest) = rest.split_at(nodes);
         let (inertia, rest) = rest.split_at(nodes);
@@ -52,7 +52,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         assert_eq!(into.len(), self.count_constants(), "number of constants");
         self.place(parameters, work);
         let nodes = self.nodes();
-        let (machine, rest) = into.split_at_mut(self.scene.constants());
+        let (machine, rest) = into.split_at_mut(self.scene().constants());
         let (x, rest) = rest.split_at_mut(nodes);
         let (lengths, rest) = rest.split_at_mut(nodes);
         let (inertia, rest) = rest.split_at_mut(nodes);
@@ -64,20 +64,20 @@ impl<R: Real> FieldSimulator<'_, R> {
             elements.places(&mut x[nodes.clone()]);
             elements.lengths(&mut lengths[nodes.clone()]);
             let densities = &mut inertia[nodes.clone()];
-            if self.scene.field_is_local(index) {
-                self.scene.field_inertias(index, &x[nodes.clone()], &work.p, densities);
+            if self.scene().field_is_local(index) {
+                self.scene().field_inertias(index, &x[nodes.clone()], &work.p, densities);
                 for (inertia, length) in densities.iter_mut().zip(&lengths[nodes]) {
                     *inertia = *inertia * *length;
                 }
             } else {
-                elements.inertia(self.scene, &work.p, densities);
+                elements.inertia(self.scene(), &work.p, densities);
             }
         }
         for (inverse, inertia) in inverse.iter_mut().zip(&*inertia) {
             *inverse = R::literal(1.0) / *inertia;
         }
         self.hand_over_inertias(inertia, work);
-        self.scene.prepare(&work.p, machine);
+        self.scene().prepare(&work.p, machine);
     }
 
     /// Puts inertias of ports among the parameters of the machine.
@@ -92,9 +92,9 @@ impl<R: Real> FieldSimulator<'_, R> {
         assert_eq!(parameters.len(), self.parameters, "number of parameters");
         work.p[..self.parameters].copy_from_slice(parameters);
         for (index, mesh) in self.meshes.iter().enumerate() {
-            let attachments = self.scene.field(index).attachments;
+            let attachments = self.scene().field(index).attachments;
             let places = &mut work.places[..=attachments.len()];
-            self.scene.field_places(index, &work.p, places);
+            self.scene().field_places(index, &work.p, places);
             let bounds = &mut work.bounds[mesh.bounds(index)];
             let inside = attachments.iter().zip(places.iter());
             let inside = inside.filter(|(at, _)| at.place == FieldPlace::Inside);
@@ -169,13 +169,13 @@ impl<R: Real> FieldSimulator<'_, R> {
     fn load_forces(&self, time: R, constants: &Constants<'_, R>, work: &mut Work<R>) {
         for (index, mesh) in self.meshes.iter().enumerate() {
             if let Some(chain) = &self.chains[index] {
-                chain.force(self.scene, time, (mesh, constants), work);
+                chain.force(self.scene(), time, (mesh, constants), work);
                 continue;
             }
             let nodes = mesh.nodes();
             let elements = mesh.elements(index, constants.bounds(mesh.bounds(index)));
             let motion = (&work.u[nodes.clone()], &work.v[nodes.clone()]);
-            elements.force(self.scene, (time, &work.p), motion, &mut work.force[nodes]);
+            elements.force(self.scene(), (time, &work.p), motion, &mut work.force[nodes]);
         }
         for (node, handed) in self.ports.iter().copied() {
             work.p[handed + 1] = work.force[node];

@@ -22,8 +22,8 @@ impl<R: Real> LinearEquations<R> for FieldSimulator<'_, R> {
     }
 
     fn excitation(&self, time: R, parameters: &[R], values: &mut [R]) {
-        let Some(linear) = self.scene.linear() else { return };
-        let work = &mut *self.work.borrow_mut();
+        let Some(linear) = self.scene().linear() else { return };
+        let work = &mut *self.work();
         let mut constants = std::mem::take(&mut work.constants);
         self.compute_constants(parameters, work, &mut constants);
         work.constants = constants;
@@ -35,13 +35,13 @@ impl<R: Real> LinearEquations<R> for FieldSimulator<'_, R> {
     }
 
     fn switches(&self) -> usize {
-        self.scene.linear().map_or(0, LinearEquations::switches)
+        self.scene().linear().map_or(0, LinearEquations::switches)
     }
 
     fn switch_times(&self, parameters: &[R], times: &mut [R]) {
-        let work = &mut *self.work.borrow_mut();
+        let work = &mut *self.work();
         self.place(parameters, work);
-        if let Some(linear) = self.scene.linear() {
+        if let Some(linear) = self.scene().linear() {
             linear.switch_times(&work.p, times);
         }
     }

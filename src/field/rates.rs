@@ -18,7 +18,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         let n = self.coordinates();
         rate[..n].copy_from_slice(&state[n..2 * n]);
         let result = &mut work.result[..work.state.len()];
-        self.scene.prepared_rate(time, &work.state, &work.p, constants.machine, result);
+        self.scene().prepared_rate(time, &work.state, &work.p, constants.machine, result);
         for (value, place) in result.iter().zip(&self.border) {
             rate[*place as usize] = *value;
         }
@@ -50,22 +50,22 @@ impl<R: Real> FieldSimulator<'_, R> {
     ) {
         derivative.fill(R::literal(0.0));
         let result = &mut work.result[..work.state.len()];
-        self.scene.time_derivative(time, &work.state, &work.p, result);
+        self.scene().time_derivative(time, &work.state, &work.p, result);
         for (value, place) in result.iter().zip(&self.border) {
             derivative[*place as usize] = *value;
         }
         for (index, mesh) in self.meshes.iter().enumerate() {
             if let Some(chain) = &self.chains[index] {
-                chain.force_by_time(self.scene, time, (mesh, constants), work);
+                chain.force_by_time(self.scene(), time, (mesh, constants), work);
                 continue;
             }
             let nodes = mesh.nodes();
             let motion = (&work.u[nodes.clone()], &work.v[nodes.clone()]);
-            let count = self.scene.field(index).parameters.len();
+            let count = self.scene().field(index).parameters.len();
             let gradient = &mut work.gradient[..2 * (2 + count)];
             let changes = (gradient, &mut work.force_change[nodes]);
             let elements = mesh.elements(index, constants.bounds(mesh.bounds(index)));
-            elements.force_by_time(self.scene, (time, &work.p), motion, changes);
+            elements.force_by_time(self.scene(), (time, &work.p), motion, changes);
         }
         self.weigh_ports(time, work);
         for (port, (node, _)) in self.ports.iter().copied().enumerate() {
@@ -91,7 +91,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         values.fill(R::literal(0.0));
         values[..n].fill(R::literal(1.0));
         let result = &mut work.result[..self.machine_entries.len()];
-        self.scene.prepared_rate_jacobian(time, &work.state, &work.p, constants.machine, result);
+        self.scene().prepared_rate_jacobian(time, &work.state, &work.p, constants.machine, result);
         for (place, value) in self.machine_entries.iter().zip(&*result) {
             values[*place as usize] = *value;
         }
@@ -118,7 +118,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         let (Some(chain), mesh) = (&self.chains[index], &self.meshes[index]) else { return };
         let mut of_ports = std::mem::take(&mut work.of_ports);
         of_ports.clear();
-        chain.jacobian(self.scene, time, (mesh, constants), work, values, |node, of_force| {
+        chain.jacobian(self.scene(), time, (mesh, constants), work, values, |node, of_force| {
             if let Owner::Port { .. } = mesh.owners[node] {
                 of_ports.push(of_force);
             }
@@ -155,7 +155,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         let at_ports = &mut work.at_ports;
         at_ports.clear();
         elements.force_jacobian(
-            self.scene,
+            self.scene(),
             (time, &work.p),
             motion,
             |element, i, j, by_u, by_v| {
@@ -191,10 +191,10 @@ impl<R: Real> FieldSimulator<'_, R> {
             return;
         }
         if self.mass_is_diagonal {
-            self.scene.mass_matrix(time, &work.state, &work.p, &mut work.mass);
+            self.scene().mass_matrix(time, &work.state, &work.p, &mut work.mass);
         } else {
             let values = &mut work.parameter_jacobian;
-            self.scene.parameter_jacobian(time, &work.state, &work.p, values);
+            self.scene().parameter_jacobian(time, &work.state, &work.p, values);
         }
         for (rows, weights) in self.port_rows.iter().zip(&mut work.port_weights) {
             for (row, weight) in rows.iter().zip(weights) {

@@ -22,10 +22,10 @@ impl FieldSimulator<'_, f64> {
 
 impl<R: Real> Describe for FieldSimulator<'_, R> {
     fn name(&self) -> &str {
-        self.scene.name()
+        self.scene().name()
     }
     fn title(&self) -> &str {
-        self.scene.title()
+        self.scene().title()
     }
     fn shape(&self) -> Shape {
         Shape {
@@ -39,16 +39,16 @@ impl<R: Real> Describe for FieldSimulator<'_, R> {
     fn state(&self, index: usize) -> Quantity<'_> {
         let (n, all) = (self.machine.coordinates, self.coordinates());
         let node = |order: usize, node: usize| {
-            let field = self.scene.field(self.field_of[node] as usize);
+            let field = self.scene().field(self.field_of[node] as usize);
             let quantity = if order == 0 { field.value } else { field.rate };
             Quantity { name: &self.names[order][node], ..shorter(quantity, self) }
         };
         match index {
-            _ if index < n => self.scene.state(index),
+            _ if index < n => self.scene().state(index),
             _ if index < all => node(0, index - n),
-            _ if index < all + n => self.scene.state(index - all + n),
+            _ if index < all + n => self.scene().state(index - all + n),
             _ if index < 2 * all => node(1, index - all - n),
-            _ => self.scene.state(index - 2 * all + 2 * n),
+            _ => self.scene().state(index - 2 * all + 2 * n),
         }
     }
     fn state_kind(&self, index: usize) -> StateKind {
@@ -60,25 +60,26 @@ impl<R: Real> Describe for FieldSimulator<'_, R> {
     }
     fn state_scale(&self, index: usize) -> f64 {
         let (n, all) = (self.machine.coordinates, self.coordinates());
-        let node =
-            |order: usize, node: usize| self.scene.field(self.field_of[node] as usize).scale[order];
+        let node = |order: usize, node: usize| {
+            self.scene().field(self.field_of[node] as usize).scale[order]
+        };
         match index {
-            _ if index < n => self.scene.state_scale(index),
+            _ if index < n => self.scene().state_scale(index),
             _ if index < all => node(0, index - n),
-            _ if index < all + n => self.scene.state_scale(index - all + n),
+            _ if index < all + n => self.scene().state_scale(index - all + n),
             _ if index < 2 * all => node(1, index - all - n),
-            _ => self.scene.state_scale(index - 2 * all + 2 * n),
+            _ => self.scene().state_scale(index - 2 * all + 2 * n),
         }
     }
     fn parameter(&self, index: usize) -> Quantity<'_> {
         assert!(index < self.parameters, "there is no parameter of number {index}");
-        self.scene.parameter(index)
+        self.scene().parameter(index)
     }
     fn parameter_default(&self, index: usize) -> f64 {
-        self.scene.parameter_default(index)
+        self.scene().parameter_default(index)
     }
     fn output(&self, index: usize) -> Quantity<'_> {
-        self.scene.output(index)
+        self.scene().output(index)
     }
     fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
         let states = self.shape().states();
@@ -96,10 +97,10 @@ impl<R: Real> Describe for FieldSimulator<'_, R> {
         Some(&self.border)
     }
     fn run_defaults(&self) -> RunDefaults<'_> {
-        self.scene.run_defaults()
+        self.scene().run_defaults()
     }
     fn starts_in_equilibrium(&self) -> bool {
-        self.scene.starts_in_equilibrium()
+        self.scene().starts_in_equilibrium()
     }
 }
 
@@ -132,12 +133,12 @@ impl<R: Real> FieldSimulator<'_, R> {
     /// Slopes on both sides of every port, handed over for outputs.
     fn hand_over_slopes(&self, time: R, work: &mut Work<R>) {
         let result = &mut work.result[..work.state.len()];
-        self.scene.rate(time, &work.state, &work.p, result);
+        self.scene().rate(time, &work.state, &work.p, result);
         for (index, mesh) in self.meshes.iter().enumerate() {
             let nodes = mesh.nodes();
             let motion = (&work.u[nodes.clone()], &work.v[nodes]);
             let elements = mesh.elements(index, &work.bounds[mesh.bounds(index)]);
-            let attachments = self.scene.field(index).attachments;
+            let attachments = self.scene().field(index).attachments;
             for [number, bound, _] in &mesh.attached {
                 let at = attachments[*number];
                 let velocity = |coordinate: u32| self.machine.positions + coordinate as usize;
@@ -148,7 +149,7 @@ impl<R: Real> FieldSimulator<'_, R> {
                 for (element, (is_last, place)) in beside.iter().zip([(true, 2), (false, 3)]) {
                     let Some(element) = element else { continue };
                     work.p[handed + place] = elements.slope_of_section(
-                        self.scene,
+                        self.scene(),
                         (time, &work.p),
                         motion,
                         (element, is_last),
@@ -176,9 +177,9 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
     }
 
     fn initial_state(&self, parameters: &[R], state: &mut [R]) {
-        let work = &mut *self.work.borrow_mut();
+        let work = &mut *self.work();
         self.place(parameters, work);
-        self.scene.initial_state(&work.p, &mut work.state);
+        self.scene().initial_state(&work.p, &mut work.state);
         for (index, value) in work.state.iter().enumerate() {
             state[self.border[index] as usize] = *value;
         }
@@ -187,7 +188,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
             mesh.elements(index, &work.bounds[mesh.bounds(index)]).places(x);
             for (owner, x) in mesh.owners.iter().zip(x) {
                 if let (Owner::Field(_), Some(columns)) = (owner, self.columns(*owner)) {
-                    let initial = self.scene.field_initial(index, *x, &work.p);
+                    let initial = self.scene().field_initial(index, *x, &work.p);
                     for (column, value) in columns.into_iter().zip(initial) {
                         state[column as usize] = value;
                     }
@@ -197,9 +198,9 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
     }
 
     fn discontinuities(&self, parameters: &[R], times: &mut [R]) {
-        let work = &mut *self.work.borrow_mut();
+        let work = &mut *self.work();
         self.place(parameters, work);
-        self.scene.discontinuities(&work.p, times);
+        self.scene().discontinuities(&work.p, times);
     }
 
     fn constants(&self) -> usize {
@@ -207,11 +208,11 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
     }
 
     fn prepare(&self, parameters: &[R], constants: &mut [R]) {
-        self.compute_constants(parameters, &mut self.work.borrow_mut(), constants);
+        self.compute_constants(parameters, &mut self.work(), constants);
     }
 
     fn rate(&self, time: R, state: &[R], parameters: &[R], rate: &mut [R]) {
-        let work = &mut *self.work.borrow_mut();
+        let work = &mut *self.work();
         let constants = self.load_anew(time, state, parameters, work);
         self.loaded_rate((time, state), &self.taken_apart(&constants), work, rate);
         work.constants = constants;
@@ -225,13 +226,13 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
         constants: &[R],
         rate: &mut [R],
     ) {
-        let (work, constants) = (&mut *self.work.borrow_mut(), self.taken_apart(constants));
+        let (work, constants) = (&mut *self.work(), self.taken_apart(constants));
         self.load((time, state), parameters, &constants, work);
         self.loaded_rate((time, state), &constants, work, rate);
     }
 
     fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let work = &mut *self.work.borrow_mut();
+        let work = &mut *self.work();
         let constants = self.load_anew(time, state, parameters, work);
         self.loaded_jacobian(time, &self.taken_apart(&constants), work, values);
         work.constants = constants;
@@ -245,18 +246,18 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
         constants: &[R],
         values: &mut [R],
     ) {
-        let (work, constants) = (&mut *self.work.borrow_mut(), self.taken_apart(constants));
+        let (work, constants) = (&mut *self.work(), self.taken_apart(constants));
         self.load_for_derivatives((time, state), parameters, &constants, work);
         self.loaded_jacobian(time, &constants, work, values);
     }
 
     fn parameter_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let work = &mut *self.work.borrow_mut();
+        let work = &mut *self.work();
         self.load_once(time, state, parameters, work);
         let entries = &self.parameter_jacobian;
         assert_eq!(values.len(), entries.len(), "entries of the Jacobian");
         values.fill(R::literal(0.0));
-        self.scene.parameter_jacobian(time, &work.state, &work.p, &mut work.parameter_jacobian);
+        self.scene().parameter_jacobian(time, &work.state, &work.p, &mut work.parameter_jacobian);
         let machine = &self.machine_parameter_jacobian;
         for ((row, column), value) in machine.iter().zip(&work.parameter_jacobian) {
             if (*column as usize) < self.parameters {
@@ -264,10 +265,10 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
             }
         }
         for (index, mesh) in self.meshes.iter().enumerate() {
-            let description = self.scene.field(index);
+            let description = self.scene().field(index);
             let count = description.parameters.len();
             let slopes = &mut work.slopes[..count * (description.attachments.len() + 1)];
-            self.scene.field_places_gradient(index, &work.p, slopes);
+            self.scene().field_places_gradient(index, &work.p, slopes);
             let nodes = mesh.nodes();
             let motion = (&work.u[nodes.clone()], &work.v[nodes.clone()]);
             let elements = mesh.elements(index, &work.bounds[mesh.bounds(index)]);
@@ -284,7 +285,13 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
                 let force = &mut work.force_change[nodes.clone()];
                 let gradient = &mut work.gradient[..2 * (2 + count)];
                 let changes = (gradient, &mut *inertia, &mut *force);
-                elements.by_parameter(self.scene, (time, &work.p), motion, (k, &*bounds), changes);
+                elements.by_parameter(
+                    self.scene(),
+                    (time, &work.p),
+                    motion,
+                    (k, &*bounds),
+                    changes,
+                );
                 for (node, owner) in mesh.owners.iter().enumerate() {
                     match *owner {
                         Owner::Fixed => {}
@@ -315,7 +322,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
     }
 
     fn time_derivative(&self, time: R, state: &[R], parameters: &[R], derivative: &mut [R]) {
-        let work = &mut *self.work.borrow_mut();
+        let work = &mut *self.work();
         let constants = self.load_anew(time, state, parameters, work);
         self.loaded_time_derivative(time, &self.taken_apart(&constants), work, derivative);
         work.constants = constants;
@@ -329,47 +336,47 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
         constants: &[R],
         derivative: &mut [R],
     ) {
-        let (work, constants) = (&mut *self.work.borrow_mut(), self.taken_apart(constants));
+        let (work, constants) = (&mut *self.work(), self.taken_apart(constants));
         self.load_for_derivatives((time, state), parameters, &constants, work);
         self.loaded_time_derivative(time, &constants, work, derivative);
     }
 
     fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let work = &mut *self.work.borrow_mut();
+        let work = &mut *self.work();
         self.load_once(time, state, parameters, work);
         let (machine, own) = values.split_at_mut(self.mass_matrix.len() - self.own_nodes);
-        self.scene.mass_matrix(time, &work.state, &work.p, machine);
+        self.scene().mass_matrix(time, &work.state, &work.p, machine);
         for (node, place) in self.own() {
             own[place] = work.inertia[node];
         }
     }
 
     fn forcing(&self, time: R, state: &[R], parameters: &[R], forcing: &mut [R]) {
-        let work = &mut *self.work.borrow_mut();
+        let work = &mut *self.work();
         self.load_once(time, state, parameters, work);
         let (machine, own) = forcing.split_at_mut(self.machine.coordinates);
-        self.scene.forcing(time, &work.state, &work.p, machine);
+        self.scene().forcing(time, &work.state, &work.p, machine);
         for (node, place) in self.own() {
             own[place] = work.force[node];
         }
     }
 
     fn outputs(&self, time: R, state: &[R], parameters: &[R], outputs: &mut [R]) {
-        let work = &mut *self.work.borrow_mut();
+        let work = &mut *self.work();
         self.load_once(time, state, parameters, work);
         self.hand_over_slopes(time, work);
-        self.scene.outputs(time, &work.state, &work.p, outputs);
+        self.scene().outputs(time, &work.state, &work.p, outputs);
     }
 
     fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
-        let work = &mut *self.work.borrow_mut();
+        let work = &mut *self.work();
         self.load_once(time, state, parameters, work);
-        let mut energy = self.scene.energy(time, &work.state, &work.p);
+        let mut energy = self.scene().energy(time, &work.state, &work.p);
         for (index, mesh) in self.meshes.iter().enumerate() {
             let motion = (&work.u[mesh.nodes()], &work.v[mesh.nodes()]);
             let elements = mesh.elements(index, &work.bounds[mesh.bounds(index)]);
             let [kinetic, potential, ..] =
-                elements.energy_and_power(self.scene, (time, &work.p), motion);
+                elements.energy_and_power(self.scene(), (time, &work.p), motion);
             energy.kinetic = energy.kinetic + kinetic;
             energy.potential = energy.potential + potential;
         }
@@ -382,14 +389,14 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
     }
 
     fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
-        let work = &mut *self.work.borrow_mut();
+        let work = &mut *self.work();
         self.load_once(time, state, parameters, work);
-        let mut balance = self.scene.power_balance(time, &work.state, &work.p);
+        let mut balance = self.scene().power_balance(time, &work.state, &work.p);
         for (index, mesh) in self.meshes.iter().enumerate() {
             let motion = (&work.u[mesh.nodes()], &work.v[mesh.nodes()]);
             let elements = mesh.elements(index, &work.bounds[mesh.bounds(index)]);
             let [_, _, stored, supplied, dissipated] =
-                elements.energy_and_power(self.scene, (time, &work.p), motion);
+                elements.energy_and_power(self.scene(), (time, &work.p), motion);
             balance.stored_rate = balance.stored_rate + stored;
             balance.supplied = balance.supplied + supplied;
             balance.dissipated = balance.dissipated + dissipated;

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use machinist_codegen::mechanics::reduce::Keep;
+use machinist_fmu::resource::Export;
 
 use super::output::{print, require_ending, write_file};
 use super::scene::Given;
@@ -25,6 +26,12 @@ pub struct Fmu {
     /// The shared library to put into it, instead of the one beside this program
     #[arg(long, value_name = "FILE")]
     library: Option<PathBuf>,
+    /// Number of elements of each field
+    #[arg(long, value_name = "NUMBER")]
+    elements: Option<usize>,
+    /// Order of the elements of fields
+    #[arg(long, value_name = "NUMBER")]
+    order: Option<usize>,
     /// Leave nothing out, whether the outputs need it or not
     #[arg(long)]
     keep_all: bool,
@@ -49,7 +56,9 @@ impl Fmu {
                 stamped
             }
         };
-        let archive = Archive::of(&stamped, &self.inputs, &library)?;
+        let (elements, order) = (self.elements, self.order);
+        let export = Export { inputs: self.inputs.clone(), elements, order };
+        let archive = Archive::of(&stamped, &export, &library)?;
         write_file(&self.out, |out| out.write_all(archive.bytes()))?;
         let (name, out) = (&stamped.model.name, self.out.display());
         let [variables, bytes] = [archive.variables(), archive.bytes().len()];

@@ -147,6 +147,14 @@ impl Scene {
         }
     }
 
+    /// Whether it is emitted code.
+    pub fn is_emitted(&self) -> bool {
+        match self {
+            Self::Emitted(_) | Self::Fields(Cut { of: Uncut::BuiltIn(_), .. }) => true,
+            Self::Model(_) | Self::Fields(Cut { of: Uncut::Model(_), .. }) => false,
+        }
+    }
+
     /// The same emitted code in numbers of 31 digits.
     pub fn twin(&self) -> Option<&'static dyn Simulator<DoubleDouble>> {
         match self {
@@ -201,10 +209,13 @@ pub fn cannot_derive(source: &SpecSource) -> Failure {
     Failure::input(message, "give a model, as `machinist compile` of a whole build writes it")
 }
 
+/// What to do where fields cannot be cut as wanted.
+pub const CUTTING: &str =
+    "`--elements` and `--order` say how fields are cut; without them the spec does";
+
 /// Fields that cannot be cut as wanted.
 pub fn refused(error: &FieldError) -> Failure {
-    let help = "`--elements` and `--order` say how fields are cut; without them the spec does";
-    Failure::input(error, help)
+    Failure::input(error, CUTTING)
 }
 
 /// A scene without fields is not cut into elements.

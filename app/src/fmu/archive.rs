@@ -1,12 +1,14 @@
 //! The archive. The same scene gives the same bytes.
 
-use machinist_fmu::resource::{EXPORT, Export, MODEL, token};
-use machinist_fmu::variables::{Unfit, Variables};
+use machinist_fmu::resource::{EXPORT, Export, MODEL, Machine, token};
+use machinist_fmu::variables::Unfit;
 use machinist_model::file::{self, Stamped};
 
 use super::description::Description;
 use super::library::Library;
+use super::terminals;
 use super::zip::archive;
+use crate::cli::scene::CUTTING;
 use crate::failure::{Failure, did_you_mean};
 
 /// A functional mock-up unit.
@@ -16,10 +18,14 @@ pub struct Archive {
 }
 
 impl Archive {
-    /// Of a model, whose parameters of these names are inputs.
-    pub fn of(stamped: &Stamped, inputs: &[String], library: &Library) -> Result<Self, Failure> {
+    /// Of a model, exported as wanted.
+    pub fn of(stamped: &Stamped, export: &Export, library: &Library) -> Result<Self, Failure> {
         let model = &stamped.model;
-        let variables = Variables::of(model, inputs).map_err(|unfit| {
+        let inputs = &export.inputs;
+        let bytes_of_model = file::write(stamped);
+        let bytes_of_export = export.write();
+        let token = token(&bytes_of_model, &bytes_of_export);
+        let machine = Machine::of(model.clone(), export, token).map_err(|unfit| {
             let help = match &unfit {
                 Unfit::UnknownInput { name, .. } => {
                     let names = model.parameters.iter().map(|p| p.quantity.name.path.as_str());
@@ -28,29 +34,33 @@ impl Archive {
                 Unfit::NotAnInput { .. } => {
                     "forces, torques, voltages and other terms of the motion can be".to_owned()
                 }
-                Unfit::Fields { .. } => String::new(),
+                Unfit::NoFields { .. } => "leave `--elements` and `--order` out".to_owned(),
+                Unfit::Cut(_) => CUTTING.to_owned(),
             };
             Failure::input(unfit, help)
         })?;
         if let Some(twice) = (1..inputs.len()).find(|at| inputs[..*at].contains(&inputs[*at])) {
             return Err(Failure::input(format!("--inputs {} is given twice", inputs[twice]), ""));
         }
-        let bytes_of_model = file::write(stamped);
-        let export = Export { inputs: inputs.to_vec() }.write();
-        let token = token(&bytes_of_model, &export);
-        let description = Description { stamped, variables: &variables, token: &token }.text()?;
+        let description = Description { machine: &machine }.text()?;
         let binary =
             format!("binaries/{}/{}", Library::platform(), Library::file_name(&model.name));
-        let files: [(&str, &[u8]); 4] = [
+        let model_path = format!("resources/{MODEL}");
+        let export_path = format!("resources/{EXPORT}");
+        let terminals = terminals::text(&machine);
+        let mut files: Vec<(&str, &[u8])> = vec![
             ("modelDescription.xml", description.as_bytes()),
             (&binary, &library.bytes),
-            (&format!("resources/{MODEL}"), &bytes_of_model),
-            (&format!("resources/{EXPORT}"), &export),
+            (&model_path, &bytes_of_model),
+            (&export_path, &bytes_of_export),
         ];
+        if let Some(text) = &terminals {
+            files.push(("terminalsAndIcons/terminalsAndIcons.xml", text.as_bytes()));
+        }
         let bytes = archive(&files).map_err(|error| {
             Failure::unsuccessful(format!("the archive cannot be made: {error}"), "")
         })?;
-        Ok(Self { bytes, variables: variables.all().len() })
+        Ok(Self { bytes, variables: machine.variables.all().len() })
     }
 
     /// Its bytes.

@@ -1,8 +1,8 @@
 //! `modelDescription.xml`: what a host has to know of an archive.
 
 use machinist_fmu::abi::CATEGORIES;
-use machinist_fmu::variables::{Causality, Initial, Kind, Variability, Variable, Variables};
-use machinist_model::file::Stamped;
+use machinist_fmu::resource::Machine;
+use machinist_fmu::variables::{Causality, Initial, Kind, Variability, Variable};
 
 use super::quantity::{MODE, type_of, types, unit_of, units};
 use super::structure::Structure;
@@ -11,19 +11,16 @@ use crate::failure::Failure;
 
 /// What is described.
 pub struct Description<'a> {
-    pub stamped: &'a Stamped,
-    pub variables: &'a Variables,
-    /// What ties it to resources.
-    pub token: &'a str,
+    pub machine: &'a Machine,
 }
 
 impl Description<'_> {
     /// The text of the file.
     pub fn text(&self) -> Result<String, Failure> {
-        let model = &self.stamped.model;
-        let units = units(self.variables)?;
+        let model = self.machine.model();
+        let units = units(&self.machine.variables)?;
         let has_modes = self.has(|variable| matches!(variable.kind, Kind::Mode(_)));
-        let types = types(self.variables, has_modes);
+        let types = types(&self.machine.variables, has_modes);
         let mut elements = vec![self.exchange(), self.simulation()];
         let lists = [("UnitDefinitions", units), ("TypeDefinitions", types)];
         let filled = lists.into_iter().filter(|(_, list)| !list.is_empty());
@@ -33,10 +30,13 @@ impl Description<'_> {
         });
         elements.push(Element::new("LogCategories").holding(categories));
         elements.push(self.experiment());
-        let variables =
-            self.variables.with_references().map(|(at, variable)| self.variable(at, variable));
+        let variables = self
+            .machine
+            .variables
+            .with_references()
+            .map(|(at, variable)| self.variable(at, variable));
         elements.push(Element::new("ModelVariables").holding(variables));
-        let structure = Structure::new(model, self.variables).elements();
+        let structure = Structure::new(model, &self.machine.variables).elements();
         elements.push(Element::new("ModelStructure").holding(structure));
         let description = [&model.title, &model.doc].map(|text| text.trim());
         let description = description.into_iter().filter(|text| !text.is_empty());
@@ -45,7 +45,7 @@ impl Description<'_> {
         let root = Element::new("fmiModelDescription")
             .with("fmiVersion", "3.0")
             .with("modelName", &model.name)
-            .with("instantiationToken", self.token)
+            .with("instantiationToken", &self.machine.token)
             .with("description", description)
             .with("generationTool", tool)
             .with("variableNamingConvention", "structured");
@@ -53,29 +53,31 @@ impl Description<'_> {
     }
 
     fn has(&self, is: impl Fn(&Variable) -> bool) -> bool {
-        self.variables.all().iter().any(is)
+        self.machine.variables.all().iter().any(is)
     }
 
     fn interface(&self, name: &'static str) -> Element {
+        let derives = self.machine.simulator().derivatives().is_some();
         Element::new(name)
-            .with("modelIdentifier", &self.stamped.model.name)
+            .with("modelIdentifier", &self.machine.model().name)
             .with("canGetAndSetFMUState", true)
             .with("canSerializeFMUState", true)
-            .with("providesDirectionalDerivatives", true)
-            .with("providesAdjointDerivatives", true)
+            .with("providesDirectionalDerivatives", derives)
+            .with("providesAdjointDerivatives", derives)
     }
 
     fn exchange(&self) -> Element {
-        let model = &self.stamped.model;
+        let model = self.machine.model();
         // Guards are looked at after steps, and constraints drift.
-        let looks = self.variables.indicators() > 0 || !model.constraints.is_empty();
+        let looks = self.machine.variables.indicators() > 0 || !model.constraints.is_empty();
         self.interface("ModelExchange").with("needsCompletedIntegratorStep", looks)
     }
 
     fn simulation(&self) -> Element {
+        let derives = self.machine.simulator().derivatives().is_some();
         self.interface("CoSimulation")
             .with("canHandleVariableCommunicationStepSize", true)
-            .with("maxOutputDerivativeOrder", 1)
+            .with("maxOutputDerivativeOrder", i32::from(derives))
             .with("providesIntermediateUpdate", true)
             .with("mightReturnEarlyFromDoStep", true)
             .with("canReturnEarlyAfterIntermediateUpdate", true)
@@ -83,7 +85,7 @@ impl Description<'_> {
     }
 
     fn experiment(&self) -> Element {
-        let run = &self.stamped.model.run;
+        let run = &self.machine.model().run;
         let step = (run.until - run.from) / (run.points.max(2) - 1) as f64;
         Element::new("DefaultExperiment")
             .with_number("startTime", run.from)
@@ -114,9 +116,8 @@ impl Description<'_> {
             element = element.with_number("start", start);
         }
         match variable.kind {
-            Kind::Derivative(entry) => {
-                element.with_some("derivative", self.variables.reference(Kind::State(entry)))
-            }
+            Kind::Derivative(entry) => element
+                .with_some("derivative", self.machine.variables.reference(Kind::State(entry))),
             Kind::State(entry) if self.is_set(entry) => element.with("reinit", true),
             _ => element,
         }
@@ -124,7 +125,7 @@ impl Description<'_> {
 
     /// Whether events, or constraints that it goes back onto, may give a state another value.
     fn is_set(&self, entry: usize) -> bool {
-        let model = &self.stamped.model;
+        let model = self.machine.model();
         let is_set = model.events.iter().any(|event| event.sets.contains(&(entry as u32)));
         is_set || !model.constraints.is_empty()
     }

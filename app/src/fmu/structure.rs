@@ -23,6 +23,9 @@ impl<'a> Structure<'a> {
         let along = |name: &'static str, is: fn(&Variable) -> bool| {
             let all = self.variables.with_references().filter(move |(_, variable)| is(variable));
             all.map(move |(at, variable)| {
+                if self.has_fields() {
+                    return Element::new(name).with("valueReference", at);
+                }
                 element(name, at, &self.along_the_run(&self.reads(variable.kind)))
             })
         };
@@ -36,6 +39,11 @@ impl<'a> Structure<'a> {
         elements
     }
 
+    /// Whether it has fields, whose nodes no tape knows: then everything may depend on all.
+    fn has_fields(&self) -> bool {
+        !self.model.fields.is_empty()
+    }
+
     fn unknown_at_start(&self) -> impl Iterator<Item = Element> {
         let is_unknown = |variable: &Variable| match variable.kind {
             Kind::Output(_) | Kind::Derivative(_) => true,
@@ -45,7 +53,8 @@ impl<'a> Structure<'a> {
         };
         let all = self.variables.with_references();
         all.filter(move |(_, variable)| is_unknown(variable)).map(|(at, variable)| {
-            if !self.model.constraints.is_empty() || !self.model.events.is_empty() {
+            let is_whole = self.model.constraints.is_empty() && self.model.events.is_empty();
+            if !is_whole || self.has_fields() {
                 // Constraints and modes that are set right join all of the start.
                 return Element::new("InitialUnknown").with("valueReference", at);
             }

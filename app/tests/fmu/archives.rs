@@ -35,7 +35,12 @@ fn an_archive_holds_a_description_a_library_and_a_model_and_is_always_the_same()
     let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(names[0], "modelDescription.xml");
     assert!(names[1].starts_with("binaries/") && names[1].contains("/saw_gin."), "{names:?}");
-    assert_eq!(names[2..], ["resources/machine.model", "resources/machine.export"]);
+    let others = [
+        "resources/machine.model",
+        "resources/machine.export",
+        "terminalsAndIcons/terminalsAndIcons.xml",
+    ];
+    assert_eq!(names[2..], others);
     let model = folder.path().join("saw_gin.model");
     let out = model.to_str().expect("a plain path");
     answer(machinist(REPOSITORY, &["compile", "saw_gin", "--out", out]));
@@ -45,6 +50,51 @@ fn an_archive_holds_a_description_a_library_and_a_model_and_is_always_the_same()
     let [library, path] = [&library, &from_model].map(|path| path.to_str().expect("a plain path"));
     answer(machinist(REPOSITORY, &["fmu", out, "-o", path, "--library", library]));
     assert!(archive == fs::read(&from_model).expect("an archive"));
+}
+
+/// The lines of the file of terminals of a scene.
+fn terminals(scene: &str, more: &[&str]) -> Vec<String> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let library = hollow_library(folder.path());
+    let out = folder.path().join("made.fmu");
+    let [library, path] = [&library, &out].map(|path| path.to_str().expect("a plain path"));
+    let command = [&["fmu", scene, "-o", path, "--library", library], more].concat();
+    answer(machinist(REPOSITORY, &command));
+    let files = unpacked(&fs::read(&out).expect("an archive"));
+    let name = "terminalsAndIcons/terminalsAndIcons.xml";
+    let Some((_, bytes)) = files.iter().find(|(found, _)| found == name) else { return vec![] };
+    let text = String::from_utf8(bytes.clone()).expect("text");
+    text.lines().map(|line| line.trim().to_owned()).collect()
+}
+
+#[test]
+fn ports_are_terminals_of_their_outputs_and_of_inputs_that_are_forces_on_them() {
+    let member = |variable: &str, member: &str, kind: &str| {
+        format!(
+            "<TerminalMemberVariable variableName=\"{variable}\" memberName=\"{member}\" \
+             variableKind=\"{kind}\"/>"
+        )
+    };
+    let inputs = ["--inputs", "drive_torque,load_torque,load_amplitude"];
+    let lines = terminals("two_mass", &inputs);
+    let begins = |line: &String| line.starts_with("<Terminal name=");
+    let starts: Vec<usize> = (0..lines.len()).filter(|at| begins(&lines[*at])).collect();
+    let [driver, cylinder] = starts[..] else { panic!("two terminals: {lines:?}") };
+    assert!(lines[driver].contains("name=\"driver\" matchingRule=\"bus\""), "{}", lines[driver]);
+    assert!(lines[driver].contains("terminalKind=\"_machinist_rotational\""));
+    let of_driver =
+        [member("driver_speed", "w", "signal"), member("drive_torque", "tau", "inflow")];
+    assert_eq!(lines[driver + 1..driver + 3], of_driver);
+    // The load goes against the motion; what its amplitude makes of it changes with time.
+    let of_cylinder =
+        [member("cylinder_speed", "w", "signal"), member("load_torque", "tau", "outflow")];
+    assert_eq!(lines[cylinder + 1..cylinder + 3], of_cylinder);
+    assert_eq!(lines[cylinder + 3], "</Terminal>");
+    let without = terminals("two_mass", &[]);
+    assert!(!without.iter().any(|line| line.contains("tau")), "{without:?}");
+    // What slides, and a machine of which no port is an output.
+    let sliding = terminals("bouncing_mass", &[]);
+    assert!(sliding.iter().any(|line| line.contains("_machinist_translational")), "{sliding:?}");
 }
 
 #[test]

@@ -5,12 +5,15 @@ more than 1e-6 of its range.
 """
 
 import csv
+import os
 import sys
 import warnings
+import zipfile
 
 import fmpy
 import numpy
 from fmpy.validation import validate_fmu
+from lxml import etree
 
 WORST = 1e-6
 
@@ -40,11 +43,34 @@ def largest_error(found, run):
     return worst
 
 
+def problems_of_terminals(archive):
+    """By the schema of the standard; variables are those of the description."""
+    with zipfile.ZipFile(archive) as files:
+        name = "terminalsAndIcons/terminalsAndIcons.xml"
+        if name not in files.namelist():
+            return []
+        terminals = etree.fromstring(files.read(name))
+    folder = os.path.join(os.path.dirname(fmpy.__file__), "schema", "fmi3")
+    schema = etree.XMLSchema(file=os.path.join(folder, "fmi3TerminalsAndIcons.xsd"))
+    schema.validate(terminals)
+    problems = [str(error) for error in schema.error_log]
+    known = {v.name: v for v in fmpy.read_model_description(archive).modelVariables}
+    for member in terminals.iter("TerminalMemberVariable"):
+        variable = known.get(member.get("variableName"))
+        if variable is None or variable.causality not in ("input", "output"):
+            problems.append(f"{member.get('variableName')} is no input or output")
+    names = [terminal.get("name") for terminal in terminals.iter("Terminal")]
+    if len(names) != len(set(names)):
+        problems.append(f"terminals are named twice: {names}")
+    print(f"{archive}: terminals {', '.join(names)}")
+    return problems
+
+
 def main(arguments):
     warnings.simplefilter("error")
     failed = False
     for archive, run in zip(arguments[::2], arguments[1::2]):
-        problems = validate_fmu(archive)
+        problems = validate_fmu(archive) + problems_of_terminals(archive)
         experiment = fmpy.read_model_description(archive).defaultExperiment
         run = table(run)
         for interface in ["CoSimulation", "ModelExchange"]:

@@ -2,13 +2,23 @@
 
 use std::process::{Command, Output};
 
+use machinist_scenes::scenes;
+
 use super::archives::library;
 use crate::process::{REPOSITORY, answer, machinist};
 
-/// Scenes with events, constraints, modes, inputs of time.
-const SCENES: [&str; 6] =
-    ["saw_gin", "stick_slip", "bouncing_mass", "winder_linkage", "winder_holder_drop", "four_bar"];
+/// Scenes with events, constraints, modes, inputs of time, fields.
+const SCENES: [&str; 7] = [
+    "saw_gin",
+    "stick_slip",
+    "bouncing_mass",
+    "winder_linkage",
+    "winder_holder_drop",
+    "four_bar",
+    "shaft_with_rotors",
+];
 
+/// Of these scenes, or of those that `MACHINIST_PEERS` names, or of `all` that are built in.
 #[test]
 fn fmpy_validates_and_simulates_what_is_exported() {
     let python = std::env::var("MACHINIST_PYTHON").unwrap_or_else(|_| "python3".to_owned());
@@ -21,7 +31,10 @@ fn fmpy_validates_and_simulates_what_is_exported() {
     let library = library();
     let mut check = Command::new(&python);
     check.arg(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fmu/peers.py"));
-    for scene in SCENES {
+    let wanted = std::env::var("MACHINIST_PEERS").unwrap_or_else(|_| SCENES.join(","));
+    let built_in = [scenes::NAMES, scenes::FIELD_NAMES].concat();
+    let all = if wanted == "all" { built_in } else { wanted.split(',').collect() };
+    for scene in all {
         let [archive, csv] =
             ["fmu", "csv"].map(|ending| folder.path().join(scene).with_extension(ending));
         let [library, out, table] =

@@ -6,9 +6,7 @@
 //! parameters, whereupon what is calculated from them at the start goes with them.
 
 use machinist::hosted::Standing;
-use machinist_contract::{
-    Derivatives as _, Describe as _, Dual, DualFunction, Simulator as _, SparsityPattern,
-};
+use machinist_contract::{Derivatives, Dual, DualFunction, SparsityPattern};
 
 use super::values::{Type, require_count};
 use super::{Instance, Phase, Refusal};
@@ -26,6 +24,7 @@ struct Move {
 /// [`Dual::DIRECTIONS`] directions.
 struct Moved<'a> {
     instance: &'a Instance,
+    exact: &'a dyn Derivatives,
     standing: &'a Standing,
     moves: [Move; Dual::DIRECTIONS],
     on_duals: [Vec<Dual>; 3],
@@ -56,14 +55,14 @@ impl Instance {
         require_count(unknowns.len(), sensitivity.len())?;
         let (unknowns, knowns) = self.unknowns_and_knowns(unknowns, knowns)?;
         self.start()?;
-        let standing = self.standing()?;
+        let (standing, exact) = (self.standing()?, self.exact()?);
         let mut along = self.still();
         for (known, seed) in knowns.iter().zip(seed) {
-            self.add(&mut along, *known, *seed);
+            self.add(exact, &mut along, *known, *seed);
         }
         let still = || self.still();
         let moves = [along, still(), still(), still()];
-        let moved = Moved::new(self, standing, moves, Asked::of(&unknowns));
+        let moved = Moved::new((self, exact), standing, moves, Asked::of(&unknowns));
         for (value, unknown) in sensitivity.iter_mut().zip(unknowns) {
             *value = moved.of(unknown)[0];
         }
@@ -84,17 +83,17 @@ impl Instance {
         require_count(knowns.len(), sensitivity.len())?;
         let (unknowns, knowns) = self.unknowns_and_knowns(unknowns, knowns)?;
         self.start()?;
-        let standing = self.standing()?;
+        let (standing, exact) = (self.standing()?, self.exact()?);
         let blocks = knowns.chunks(Dual::DIRECTIONS);
         for (knowns, into) in blocks.zip(sensitivity.chunks_mut(Dual::DIRECTIONS)) {
             let moves = std::array::from_fn(|direction| {
                 let mut along = self.still();
                 if let Some(known) = knowns.get(direction) {
-                    self.add(&mut along, *known, 1.0);
+                    self.add(exact, &mut along, *known, 1.0);
                 }
                 along
             });
-            let moved = Moved::new(self, standing, moves, Asked::of(&unknowns));
+            let moved = Moved::new((self, exact), standing, moves, Asked::of(&unknowns));
             into.fill(0.0);
             for (unknown, seed) in unknowns.iter().zip(seed) {
                 for (value, slope) in into.iter_mut().zip(moved.of(*unknown)) {
@@ -131,18 +130,24 @@ impl Instance {
             }
             outputs.push(variable.kind);
         }
-        let standing = self.standing()?;
+        let (standing, exact) = (self.standing()?, self.exact()?);
         let mut along = self.still();
         along.time = 1.0;
         along.state = self.rate(standing);
         let still = || self.still();
         let asked = Asked { outputs: true, ..Asked::default() };
         let moves = [along, still(), still(), still()];
-        let moved = Moved::new(self, standing, moves, asked);
+        let moved = Moved::new((self, exact), standing, moves, asked);
         for (value, output) in values.iter_mut().zip(outputs) {
             *value = moved.of(output)[0];
         }
         Ok(())
+    }
+
+    /// The machine on numbers that carry derivatives.
+    fn exact(&self) -> Result<&dyn Derivatives, Refusal> {
+        let missing = || Refusal::argument("a machine with fields has no exact derivatives");
+        self.machine.simulator().derivatives().ok_or_else(missing)
     }
 
     fn unknowns_and_knowns(
@@ -155,7 +160,7 @@ impl Instance {
             return Err(Refusal::OutOfOrder { call: "derivatives", phase });
         }
         let is_before = phase == Phase::Initialization;
-        if is_before && self.machine.simulator.constraints() > 0 {
+        if is_before && self.machine.simulator().constraints() > 0 {
             let message = "there are no derivatives of a start that constraints decide";
             return Err(Refusal::argument(message));
         }
@@ -186,20 +191,20 @@ impl Instance {
     }
 
     fn still(&self) -> Move {
-        let shape = self.machine.simulator.shape();
+        let shape = self.machine.simulator().shape();
         let [state, parameters] = [shape.states(), shape.parameters].map(|count| vec![0.0; count]);
         Move { time: 0.0, state, parameters }
     }
 
     /// Adds a move of one known; before the start, what is calculated from it goes with it.
-    fn add(&self, along: &mut Move, known: Kind, by: f64) {
+    fn add(&self, exact: &dyn Derivatives, along: &mut Move, known: Kind, by: f64) {
         match known {
             Kind::Time => along.time += by,
             Kind::State(entry) => along.state[entry] += by,
             Kind::Parameter(index) => {
                 along.parameters[index] += by;
                 if self.now.phase == Phase::Initialization {
-                    self.add_start(along, index, by);
+                    self.add_start(exact, along, index, by);
                 }
             }
             _ => {}
@@ -207,7 +212,7 @@ impl Instance {
     }
 
     /// Adds the move of the state at the start that a parameter makes.
-    fn add_start(&self, along: &mut Move, parameter: usize, by: f64) {
+    fn add_start(&self, exact: &dyn Derivatives, along: &mut Move, parameter: usize, by: f64) {
         let mut parameters: Vec<Dual> =
             self.now.parameters.iter().map(|value| Dual::constant(*value)).collect();
         parameters[parameter].slopes[0] = by;
@@ -215,7 +220,7 @@ impl Instance {
         let zero = Dual::constant(0.0);
         let function = DualFunction::InitialState;
         let still = state.clone();
-        self.machine.simulator.on_duals(function, zero, &still, &parameters, &mut state);
+        exact.on_duals(function, zero, &still, &parameters, &mut state);
         for (entry, value) in state.iter().enumerate() {
             if self.initial(entry) == Some(Initial::Calculated) {
                 along.state[entry] += value.slopes[0];
@@ -237,14 +242,14 @@ impl Asked {
 
 impl<'a> Moved<'a> {
     fn new(
-        instance: &'a Instance,
+        (instance, exact): (&'a Instance, &'a dyn Derivatives),
         standing: &'a Standing,
         moves: [Move; Dual::DIRECTIONS],
         asked: Asked,
     ) -> Self {
         let on_duals = [Vec::new(), Vec::new(), Vec::new()];
-        let mut moved = Self { instance, standing, moves, on_duals, rates: Vec::new() };
-        let simulator = &instance.machine.simulator;
+        let mut moved = Self { instance, exact, standing, moves, on_duals, rates: Vec::new() };
+        let simulator = instance.machine.simulator();
         if asked.rates {
             moved.rates = moved.rates();
         }
@@ -277,7 +282,7 @@ impl<'a> Moved<'a> {
     /// Of all rates: (dy'/dt) dt + (dy'/dy) dy + (dy'/dp) dp.
     fn rates(&self) -> Vec<[f64; Dual::DIRECTIONS]> {
         let Self { instance, standing, moves, .. } = self;
-        let simulator = &instance.machine.simulator;
+        let simulator = instance.machine.simulator();
         let (time, state) = (standing.within(standing.time), &standing.state[..]);
         let parameters = &instance.now.parameters[..];
         let mut by_time = vec![0.0; state.len()];
@@ -305,7 +310,7 @@ impl<'a> Moved<'a> {
     }
 
     fn on_duals(&self, function: DualFunction, count: usize) -> Vec<Dual> {
-        let Self { instance, standing, moves, .. } = self;
+        let Self { instance, exact, standing, moves, .. } = self;
         let mut values = vec![Dual::constant(0.0); count];
         if count == 0 {
             return values;
@@ -322,8 +327,7 @@ impl<'a> Moved<'a> {
         let parameters: Vec<Dual> = parameters
             .map(|(index, value)| dual(*value, &|along| along.parameters[index]))
             .collect();
-        let simulator = &instance.machine.simulator;
-        simulator.on_duals(function, time, &state, &parameters, &mut values);
+        exact.on_duals(function, time, &state, &parameters, &mut values);
         values
     }
 }

@@ -121,6 +121,6 @@ impl Instance {
             && is_of
             && standing
                 .as_ref()
-                .map_or(is_before, |standing| standing.fits(&self.machine.simulator))
+                .map_or(is_before, |standing| standing.fits(self.machine.simulator()))
     }
 }

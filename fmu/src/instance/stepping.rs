@@ -97,7 +97,7 @@ impl Instance {
         self.require("fmi3UpdateDiscreteStates", &[Phase::Event])?;
         self.start()?;
         let machine = Arc::clone(&self.machine);
-        let hosted = Hosted::new(&machine.simulator, &self.now.parameters);
+        let hosted = Hosted::new(machine.simulator(), &self.now.parameters);
         let mut standing = self.standing()?.clone();
         let events = hosted.happen(&mut standing)?;
         let before = &self.standing()?.state;
@@ -129,7 +129,7 @@ impl Instance {
         let call = "fmi3CompletedIntegratorStep";
         self.require_exchange(call)?;
         self.require(call, &[Phase::ContinuousTime])?;
-        let hosted = Hosted::new(&self.machine.simulator, &self.now.parameters);
+        let hosted = Hosted::new(self.machine.simulator(), &self.now.parameters);
         Ok(self.now.standing.as_mut().is_some_and(|standing| hosted.step_is_complete(standing)))
     }
 
@@ -170,7 +170,7 @@ impl Instance {
         if standing.is_at_event() {
             // The host has left it to us.
             let machine = Arc::clone(&self.machine);
-            Hosted::new(&machine.simulator, &self.now.parameters).happen(&mut standing)?;
+            Hosted::new(machine.simulator(), &self.now.parameters).happen(&mut standing)?;
         }
         let inputs = self.machine.variables.all().iter();
         let is_input = |causality| causality == crate::variables::Causality::Input;
@@ -221,7 +221,7 @@ impl Step {
         let mut parameters = self.parameters.clone();
         let mut until = self.until;
         loop {
-            let hosted = Hosted::new(&self.machine.simulator, &parameters);
+            let hosted = Hosted::new(self.machine.simulator(), &parameters);
             // The host handles jumps as it does events.
             let jump = standing.next_jump().filter(|jump| self.halts && *jump < until);
             let reply = Cell::new(Reply::default());

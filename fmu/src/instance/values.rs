@@ -3,7 +3,6 @@
 use std::cell::OnceCell;
 
 use machinist::hosted::{Hosted, Standing};
-use machinist_contract::{Describe as _, Simulator as _};
 
 use super::{Instance, Phase, Refusal};
 use crate::variables::{Causality, Initial, Kind, Variability, Variable};
@@ -147,7 +146,7 @@ impl Instance {
 
     /// y' where a run stands.
     pub(super) fn rate(&self, standing: &Standing) -> Vec<f64> {
-        let simulator = &self.machine.simulator;
+        let simulator = self.machine.simulator();
         let mut rate = vec![0.0; standing.state.len()];
         let time = standing.within(standing.time);
         simulator.rate(time, &standing.state, &self.now.parameters, &mut rate);
@@ -155,7 +154,7 @@ impl Instance {
     }
 
     fn outputs(&self, standing: &Standing) -> Vec<f64> {
-        let simulator = &self.machine.simulator;
+        let simulator = self.machine.simulator();
         let mut outputs = vec![0.0; simulator.shape().outputs];
         let time = standing.within(standing.time);
         simulator.outputs(time, &standing.state, &self.now.parameters, &mut outputs);
@@ -163,7 +162,7 @@ impl Instance {
     }
 
     fn indicators(&self, standing: &Standing) -> Vec<f64> {
-        let hosted = Hosted::new(&self.machine.simulator, &self.now.parameters);
+        let hosted = Hosted::new(self.machine.simulator(), &self.now.parameters);
         let mut indicators = vec![0.0; hosted.indicators()];
         hosted.indicate(standing, &mut indicators);
         indicators
@@ -187,7 +186,7 @@ impl Instance {
             None => Ok(()),
             Some(index) => {
                 let entry = self.machine.variables.states()[index];
-                let name = self.machine.simulator.state(entry).name;
+                let name = self.machine.simulator().state(entry).name;
                 Err(Refusal::NotFinite(format!("the rate of `{name}`")))
             }
         }
@@ -199,7 +198,7 @@ impl Instance {
     /// [`Refusal`] likewise.
     pub fn nominals(&mut self, values: &mut [f64]) -> Result<(), Refusal> {
         let sizes = |instance: &Self, standing: &Standing| {
-            let simulator = &instance.machine.simulator;
+            let simulator = instance.machine.simulator();
             (0..standing.state.len()).map(|entry| simulator.state_scale(entry)).collect()
         };
         self.for_states("fmi3GetNominalsOfContinuousStates", values, sizes)
@@ -268,7 +267,7 @@ impl Instance {
         let entries = self.machine.variables.states();
         require_count(entries.len(), values.len())?;
         if let Some(index) = values.iter().position(|value| !value.is_finite()) {
-            let name = self.machine.simulator.state(entries[index]).name;
+            let name = self.machine.simulator().state(entries[index]).name;
             return Err(Refusal::NotFinite(format!("`{name}`")));
         }
         if let Some(standing) = &mut self.now.standing {

@@ -217,7 +217,14 @@ fn what_cannot_be_exported_is_refused_with_a_reason() {
     with(&["--inputs", "motor.inertia"], &["motor.inertia", "kinetic energy"]);
     with(&["--inputs", "load.mean,load.mean"], &["given twice"]);
     refused(&["saw_gin", "-o", "x.zip", "--library", library], &[".fmu"]);
-    refused(&["reed_beat_up", "-o", "x.fmu", "--library", library], &["fields"]);
+    with(&["--elements", "4"], &["has no fields", "leave `--elements`"]);
+    let with_fields = |options: &[&str], words: &[&str]| {
+        let mut all = vec!["shaft_with_rotors", "-o", "x.fmu", "--library", library];
+        all.extend(options);
+        refused(&all, words);
+    };
+    with_fields(&["--elements", "0"], &["at least"]);
+    with_fields(&["--inputs", "shaft.stiffness"], &["shaft.stiffness", "a field is made of it"]);
     fs::write(folder.path().join("text.so"), "no library").expect("written");
     refused(
         &["saw_gin", "-o", "x.fmu", "--library", "text.so"],

@@ -3,10 +3,11 @@
 use std::sync::Arc;
 use std::thread;
 
-use machinist::{Simulation, Trajectory};
+use machinist::trajectory::ColumnKind;
+use machinist::{Discretisation, FieldSimulator, Simulation, Trajectory};
 use machinist_contract::Simulator;
-use machinist_fmu::abi::{Status, fmi3GetOutputDerivatives};
-use machinist_scenes::scenes::find_f64;
+use machinist_fmu::abi::{Status, fmi3GetDirectionalDerivative, fmi3GetOutputDerivatives};
+use machinist_scenes::scenes::{find_f64, find_field_f64};
 
 use super::host::{Archive, Stepper, Unit, ok};
 
@@ -48,6 +49,53 @@ fn simulated(archive: &Archive, unit: &Unit, until: f64, points: usize) -> Vec<V
         rows.push(unit.get(&references));
     }
     rows
+}
+
+#[test]
+fn fields_are_cut_as_they_are_exported_and_run_by_both_interfaces() {
+    for (options, elements) in [(&[][..], None), (&["--elements", "3"][..], Some(3))] {
+        let archive = Archive::of("shaft_with_rotors", options);
+        let scene = find_field_f64("shaft_with_rotors").expect("a built-in scene");
+        let wanted = Discretisation { elements, order: None };
+        let cut = FieldSimulator::new(scene, wanted).expect("fields");
+        let (until, points) = (0.01, 11);
+        let run = Simulation::new(cut.single()).until(until).points(points).rtol(1e-11);
+        let reference = run.run().expect("it runs");
+        let simulation = archive.simulation();
+        let rows = simulated(&archive, &simulation, until, points);
+        let (error, place) = worst(&archive, &reference, &rows);
+        assert!(error < 1e-6, "{error:.1e} of {place}");
+        // A state that is kept goes on with the same bits.
+        let bytes = simulation.written();
+        let references: Vec<u32> = archive.outputs().into_iter().map(|(_, at)| at).collect();
+        simulation.step(until, 1e-3);
+        let first = simulation.get(&references);
+        simulation.read(&bytes);
+        simulation.step(until, 1e-3);
+        assert_eq!(simulation.get(&references), first);
+
+        let exchange = archive.exchange();
+        exchange.begin(1e-3);
+        let mut stepper = Stepper::new(&exchange);
+        stepper.go(1e-3, 1e-6);
+        let exact = reference.columns.iter().filter(|c| c.kind == ColumnKind::State);
+        for (found, exact) in stepper.state().iter().zip(exact) {
+            let size = exact.values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            let error = (found - exact.values[1]).abs();
+            assert!(error <= 1e-6 * size, "{}: {found} for {}", exact.name, exact.values[1]);
+        }
+        // Of what fields do there are no exact derivatives: that is said, and refused.
+        assert_eq!(archive.elements("ModelExchange")[0]["providesDirectionalDerivatives"], "false");
+        let at = references.as_ptr();
+        let mut slope = 0.0;
+        let handle = exchange.handle;
+        let status = unsafe {
+            let (seed, into) = ([1.0].as_ptr(), &raw mut slope);
+            fmi3GetDirectionalDerivative(handle, at, 1, [0].as_ptr(), 1, seed, 1, into, 1)
+        };
+        assert_eq!(status, Status::Error);
+        assert!(exchange.log().concat().contains("fields"));
+    }
 }
 
 #[test]

@@ -29,7 +29,7 @@ mod list;
 pub mod modes;
 #[cfg(feature = "derive")]
 pub mod new;
-mod output;
+pub mod output;
 #[cfg(feature = "derive")]
 mod parts;
 mod range;

@@ -19,6 +19,7 @@ mod interrupt;
 mod number;
 #[cfg(feature = "derive")]
 pub mod object;
+mod parquet;
 pub mod plot;
 mod progress;
 #[cfg(feature = "derive")]

@@ -19,5 +19,6 @@ mod process;
 mod report;
 mod schema;
 mod spectrum;
+mod tables;
 mod trajectory;
 mod verify;

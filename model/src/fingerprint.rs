@@ -4,12 +4,14 @@ use machinist_contract::Simulator;
 use sha2::{Digest, Sha256};
 
 /// SHA-256 of bytes, as text.
+#[must_use]
 pub fn of_bytes(bytes: &[u8]) -> String {
     hex(&Sha256::digest(bytes))
 }
 
 /// A hash of what emitted code is called and computes: names, units, defaults, and rates and
 /// outputs at some states beside the start, to the last bit.
+#[must_use]
 pub fn of_behaviour(simulator: &dyn Simulator<f64>) -> String {
     let shape = simulator.shape();
     let mut hash = Sha256::new();

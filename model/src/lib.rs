@@ -14,6 +14,7 @@ pub mod compiled;
 pub mod evaluate;
 mod excitation;
 pub mod file;
+pub mod fingerprint;
 pub mod functions;
 pub mod hoist;
 mod lanes;

@@ -14,7 +14,6 @@
 mod arrays;
 mod describe;
 mod failure;
-mod fingerprint;
 mod fit;
 mod linear;
 mod machine;

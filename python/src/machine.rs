@@ -13,7 +13,6 @@ use pyo3::types::PyDict;
 use crate::arrays::{Numbers, array, numbers};
 use crate::describe::describe;
 use crate::failure::{Failure, exception};
-use crate::fingerprint;
 use crate::patience::Patience;
 use crate::run::Run;
 use crate::settings::Settings;

@@ -1,8 +1,7 @@
 //! Where a simulator comes from.
 
 use machinist::field::{Discretisation, FieldSimulator};
-use machinist::lanes::F64x8;
-use machinist::sweep::Sweepable;
+use machinist::sweep::{InLanes, Sweepable};
 use machinist_contract::Simulator;
 use machinist_model::{ModelSimulator, Running};
 use machinist_scenes::scenes;
@@ -65,14 +64,28 @@ impl Source {
     pub fn with<T>(&self, job: impl FnOnce(&dyn Simulator<f64>) -> T) -> Result<T, Failure> {
         match self {
             Self::BuiltIn(name) => Ok(job(built_in(name))),
-            Self::Model(simulator) => Ok(job(simulator.as_ref())),
+            Self::Model(simulator) => Ok(job(simulator.single())),
+            Self::Fields(..) | Self::BuiltInFields(..) => Ok(job(self.cut()?.single())),
+        }
+    }
+
+    /// Its fields, cut once more.
+    ///
+    /// # Errors
+    /// Fields that cannot be cut as wanted: not once a source has been made.
+    ///
+    /// # Panics
+    /// If it has none.
+    pub fn cut(&self) -> Result<FieldSimulator<'_, f64>, Failure> {
+        match self {
             Self::Fields(simulator, wanted) => {
-                Ok(job(&FieldSimulator::new(simulator.as_ref(), *wanted)?))
+                Ok(FieldSimulator::new(simulator.with_fields(), *wanted)?)
             }
             Self::BuiltInFields(name, wanted) => {
-                let scene = scenes::find_field::<f64>(name).expect("it was found before");
-                Ok(job(&FieldSimulator::new(scene, *wanted)?))
+                let scene = scenes::find_field_f64(name).expect("it was found before");
+                Ok(FieldSimulator::new(scene, *wanted)?)
             }
+            Self::BuiltIn(_) | Self::Model(_) => unreachable!("there are no fields to be cut"),
         }
     }
 
@@ -114,14 +127,14 @@ impl Sweepable for Shared<'_> {
     fn single(&self) -> &dyn Simulator<f64> {
         match self {
             Self::BuiltIn(name) => built_in(name),
-            Self::Model(simulator) => *simulator,
+            Self::Model(simulator) => simulator.single(),
         }
     }
 
-    fn in_lanes(&self) -> Option<&dyn Simulator<F64x8>> {
+    fn in_lanes(&self) -> Option<InLanes<'_>> {
         match self {
-            Self::BuiltIn(name) => scenes::find(name),
-            Self::Model(_) => None,
+            Self::BuiltIn(name) => machinist_lanes::find(name).map(|found| InLanes::Eight(found)),
+            Self::Model(simulator) => Some(InLanes::Two(simulator.in_pairs())),
         }
     }
 }

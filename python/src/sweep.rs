@@ -1,8 +1,8 @@
 //! Pieces of sweeps: some variants of a machine, on threads of this process.
 
 use machinist::error::{StopCause, nearest};
-use machinist::sweep::{Sweepable, VariantRun, Wanted, one};
-use machinist::{Method, SimulateError, Simulation, Sweep};
+use machinist::sweep::{Sweepable, VariantRun, Wanted, each_on_its_own, one};
+use machinist::{FieldSimulator, Method, SimulateError, Simulation, Sweep};
 use machinist_contract::Simulator;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
@@ -144,10 +144,10 @@ fn all_runs(
     threads: usize,
 ) -> Result<Vec<Result<VariantRun, SimulateError>>, Failure> {
     let Some(shared) = machine.source.shared() else {
-        // Fields are cut once for all.
-        return machine.source.with(|simulator| {
-            variants.iter().map(|variant| alone(simulator, settings, variant)).collect()
-        });
+        let run = |simulator: &FieldSimulator<'_, f64>, variant: &[f64]| {
+            alone(simulator.single(), settings, variant)
+        };
+        return each_on_its_own(variants, threads, || machine.source.cut(), run);
     };
     let in_lanes = settings.method() == Some(Method::Taylor) && shared.in_lanes().is_some();
     if settings.time_limit.is_none() || in_lanes {

@@ -13,8 +13,10 @@ use super::output::{
 use super::range::{Range, range};
 use crate::failure::Failure;
 use crate::number::number;
+use crate::parquet::{self, Column, Values};
 use crate::plot::plot_campbell;
 use crate::progress::during;
+use serde_json::json;
 
 /// Values at which the machine may be linearized.
 const MOST_VALUES: usize = 10_000;
@@ -69,6 +71,11 @@ impl CampbellDiagram {
         }
         match &self.out {
             Some(_) if to_standard_output => return print_with(|out| table(&diagram, out)),
+            Some(file) if parquet::is_named(file) => {
+                let of = ("campbell", self.at.scene(), &scene);
+                let more = json!({ "parameter": diagram.parameter });
+                parquet::write_table(file, &as_columns(&diagram), of, more)?;
+            }
             Some(file) => write_file(file, |out| table(&diagram, out))?,
             None => {}
         }
@@ -143,6 +150,27 @@ impl CampbellDiagram {
         }
         text.trim_end().to_owned() + "\n"
     }
+}
+
+/// As [`table`] has them.
+fn as_columns(diagram: &Campbell) -> Vec<Column> {
+    let some = |values: &[f64]| {
+        Values::Some(values.iter().copied().map(|x| x.is_finite().then_some(x)).collect())
+    };
+    let column = |name: String, unit: &str, values: &[f64]| Column {
+        name,
+        unit: Some(unit.to_owned()),
+        values: some(values),
+    };
+    let mut columns = vec![column(diagram.parameter.clone(), &diagram.unit, &diagram.values)];
+    let speeds = diagram.speeds.iter();
+    columns.extend(speeds.map(|speeds| column("speed".to_owned(), "rad/s", speeds)));
+    for (index, branch) in diagram.branches.iter().enumerate() {
+        let name = format!("{} {}", index + 1, branch.moves);
+        columns.push(column(name.clone(), "rad/s", &branch.frequencies));
+        columns.push(column(format!("{name} damping ratio"), "1", &branch.damping_ratios));
+    }
+    columns
 }
 
 /// The parameter, the speed, then frequency and damping ratio of each oscillation; empty where

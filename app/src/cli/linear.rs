@@ -33,6 +33,11 @@ impl Where {
         Scene::load(&self.scene, self.keep_all)
     }
 
+    /// Its name or file.
+    pub fn scene(&self) -> &str {
+        &self.scene
+    }
+
     /// Where to linearize.
     pub fn place(&self) -> Place {
         self.at

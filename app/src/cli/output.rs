@@ -6,6 +6,7 @@ use std::path::Path;
 use crate::plot::PlotError;
 
 use crate::failure::Failure;
+use crate::parquet;
 
 /// Writes an answer to standard output. A reader that has gone away, as `head`
 /// does, is no failure.
@@ -50,6 +51,14 @@ pub fn require_ending(file: &Path, endings: &[&str], option: &str) -> Result<(),
     Err(Failure::input(message, format!("the name must end in .{}", endings.join(" or ."))))
 }
 
+/// Refuses a file for a table whose name has none of these endings nor that of Parquet, and the
+/// latter where the program cannot write it.
+pub fn require_table(file: &Path, endings: &[&str]) -> Result<(), Failure> {
+    let endings = [endings, &[parquet::ENDING]].concat();
+    require_ending(file, &endings, "--out")?;
+    parquet::require(file)
+}
+
 /// Refuses a picture, if one is asked for, whose name says neither `.svg` nor `.png`.
 pub fn require_picture(file: Option<&Path>, option: &str) -> Result<(), Failure> {
     file.map_or(Ok(()), |file| require_ending(file, &["svg", "png"], option))
@@ -58,11 +67,11 @@ pub fn require_picture(file: Option<&Path>, option: &str) -> Result<(), Failure>
 /// Whether a table goes to standard output, as `-` asks for.
 ///
 /// # Errors
-/// [`Failure`] for a file whose name does not end in `.csv`.
+/// [`Failure`] for a file whose name does not end in `.csv` or `.parquet`.
 pub fn is_standard_output(out: Option<&Path>) -> Result<bool, Failure> {
     match out {
         Some(file) if file == Path::new("-") => Ok(true),
-        Some(file) => require_ending(file, &["csv"], "--out").map(|()| false),
+        Some(file) => require_table(file, &["csv"]).map(|()| false),
         None => Ok(false),
     }
 }

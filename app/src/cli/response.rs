@@ -12,6 +12,8 @@ use super::output::{
 };
 use crate::failure::Failure;
 use crate::number::number;
+use crate::parquet::{self, Column};
+use serde_json::json;
 
 #[derive(Debug, Args)]
 pub struct FrequencyResponse {
@@ -58,6 +60,16 @@ impl FrequencyResponse {
         }
         match &self.out {
             Some(_) if to_standard_output => return print_with(|out| response.write_csv(out)),
+            Some(file) if parquet::is_named(file) => {
+                let Response { frequencies, amplitudes, phases, from, to, .. } = &response;
+                let columns = [
+                    Column::numbers("frequency", "rad/s", frequencies.clone()),
+                    Column::numbers("amplitude", &response.amplitude_unit(), amplitudes.clone()),
+                    Column::numbers("phase", "rad", phases.clone()),
+                ];
+                let of = ("response", self.at.scene(), &scene);
+                parquet::write_table(file, &columns, of, json!({ "from": from, "to": to }))?;
+            }
             Some(file) => write_file(file, |out| response.write_csv(out))?,
             None => {}
         }

@@ -14,15 +14,17 @@ use machinist_contract::Simulator;
 
 use super::assignment;
 use super::output::{
-    columns, draw_file, print, print_with, require_ending, require_picture, write_file,
+    columns, draw_file, print, print_with, require_picture, require_table, write_file,
 };
 use super::scene::Scene;
 use super::settings::{with_method, with_parameters};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::number::number;
+use crate::parquet;
 use crate::progress::during;
 use compare::{Other, Others};
+use serde_json::{Map, Value, json};
 
 #[derive(Debug, Args)]
 pub struct Run {
@@ -113,6 +115,7 @@ impl At<'_> {
 enum Format {
     Csv,
     Json,
+    Parquet,
     StandardOutput,
 }
 
@@ -133,7 +136,7 @@ impl Run {
                 let mut summary = self.summary(&scene, &trajectory);
                 let (names, tables) = self.compare(others, &scene, &mut trajectory)?;
                 summary.push_str(&tables);
-                let written = self.write(format, &trajectory, &names)?;
+                let written = self.write(&scene, format, &trajectory, &names)?;
                 if written { print(&summary) } else { Ok(()) }
             }
             Err(error) => Err(self.stopped(&scene, format, error)?),
@@ -163,7 +166,7 @@ impl Run {
             })
             .collect();
         let kept = self.chosen_columns(*kept);
-        let written = files.is_empty() || self.write(format, &kept, &self.columns)?;
+        let written = files.is_empty() || self.write(scene, format, &kept, &self.columns)?;
         if is_interrupted && written {
             print(&self.summary(scene, &kept))?;
         }
@@ -177,6 +180,7 @@ impl Run {
     /// Writes the files that are asked for; whether standard output is still free.
     fn write(
         &self,
+        scene: &Scene,
         format: Option<Format>,
         trajectory: &Trajectory,
         drawn: &[String],
@@ -192,6 +196,18 @@ impl Run {
             }
             (Some(Format::Csv), Some(file)) => write_file(file, |out| trajectory.write_csv(out))?,
             (Some(Format::Json), Some(file)) => write_file(file, |out| trajectory.write_json(out))?,
+            (Some(Format::Parquet), Some(file)) => {
+                let set: Map<String, Value> =
+                    self.set.iter().map(|(name, value)| (name.clone(), (*value).into())).collect();
+                let Trajectory { method, rtol, notes, stopped, .. } = trajectory;
+                let more = json!({
+                    "settings": { "method": method, "rtol": rtol, "parameters": set },
+                    "notes": notes,
+                    "stopped": stopped,
+                });
+                let of = ("run", self.scene.as_str(), scene);
+                parquet::write_table(file, &parquet::of_run(trajectory), of, more)?;
+            }
             _ => {}
         }
         Ok(true)
@@ -417,7 +433,13 @@ fn format_of(file: &Path) -> Result<Format, Failure> {
     if file == Path::new("-") {
         return Ok(Format::StandardOutput);
     }
-    require_ending(file, &["csv", "json"], "--out")?;
+    require_table(file, &["csv", "json"])?;
     let is_json = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
-    Ok(if is_json { Format::Json } else { Format::Csv })
+    Ok(if parquet::is_named(file) {
+        Format::Parquet
+    } else if is_json {
+        Format::Json
+    } else {
+        Format::Csv
+    })
 }

@@ -10,13 +10,15 @@ use machinist_contract::Simulator;
 use serde::Serialize;
 
 use super::assignment;
-use super::output::{columns, draw_file, print, require_ending, require_picture, write_file};
+use super::output::{columns, draw_file, print, require_picture, require_table, write_file};
 use super::scene::Scene;
 use super::settings::{with_method, with_parameters};
 use crate::failure::{Failure, did_you_mean};
 use crate::interrupt;
 use crate::number::number;
+use crate::parquet;
 use crate::progress::during;
+use serde_json::json;
 
 /// Curves of a plot.
 const DRAWN: usize = 6;
@@ -96,7 +98,7 @@ impl Sensitivity {
     pub fn execute(&self) -> Result<(), Failure> {
         require_picture(self.plot.as_deref(), "--plot")?;
         if let Some(file) = &self.out {
-            require_ending(file, &["csv"], "--out")?;
+            require_table(file, &["csv"])?;
         }
         let scene = Scene::load(&self.scene, false)?;
         let simulator = scene.simulator();
@@ -113,8 +115,13 @@ impl Sensitivity {
         let mut effects = effects(&simulation, &trajectory, &by, &outputs);
         effects.sort_by(|a, b| b.rms.total_cmp(&a.rms));
         let relative = relative(&trajectory, &effects);
-        if let Some(file) = &self.out {
-            write_file(file, |out| relative.write_csv(out))?;
+        match &self.out {
+            Some(file) if parquet::is_named(file) => {
+                let of = ("sensitivity", self.scene.as_str(), &scene);
+                parquet::write_table(file, &parquet::of_run(&relative), of, json!({}))?;
+            }
+            Some(file) => write_file(file, |out| relative.write_csv(out))?,
+            None => {}
         }
         if let Some(file) = &self.plot {
             let largest = effects.iter().take(DRAWN).filter(|effect| effect.rms > 0.0);

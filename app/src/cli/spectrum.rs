@@ -10,15 +10,17 @@ use serde::Serialize;
 
 use super::assignment;
 use super::output::{
-    columns, draw_file, print, print_with, require_ending, require_picture, write_file,
+    columns, draw_file, print, print_with, require_picture, require_table, write_file,
 };
 use super::scene::Scene;
 use super::settings::{with_method, with_parameters};
 use crate::failure::{Failure, did_you_mean};
 use crate::number::number;
+use crate::parquet;
 use crate::plot::plot_spectrum;
 use crate::progress::during;
 use crate::spectrum::{Window, amplitudes, peaks};
+use serde_json::json;
 
 /// Samples unless given: lines up to 1024 times the resolution.
 const SAMPLES: usize = 2048;
@@ -89,7 +91,7 @@ impl Spectrum {
     pub fn execute(&self) -> Result<(), Failure> {
         let is_standard_output = self.out.as_deref() == Some(Path::new("-"));
         if let Some(file) = self.out.as_deref().filter(|_| !is_standard_output) {
-            require_ending(file, &["csv", "json"], "--out")?;
+            require_table(file, &["csv", "json"])?;
         }
         require_picture(self.plot.as_deref(), "--plot")?;
         if !(2..=MOST_SAMPLES).contains(&self.samples) {
@@ -120,6 +122,17 @@ impl Spectrum {
             Some(_) if is_standard_output => return print_with(|out| spectra.write_csv(out)),
             Some(file) if file.extension().is_some_and(|ending| ending == "json") => {
                 write_file(file, |out| Ok(serde_json::to_writer_pretty(out, &spectra)?))?;
+            }
+            Some(file) if parquet::is_named(file) => {
+                let frequencies = spectra.frequencies.clone();
+                let mut columns = vec![parquet::Column::numbers("frequency", "Hz", frequencies)];
+                columns.extend(spectra.outputs.iter().map(|One { name, unit, amplitudes }| {
+                    parquet::Column::numbers(name, unit, amplitudes.clone())
+                }));
+                let Spectra { window, from, until, samples, .. } = &spectra;
+                let more =
+                    json!({ "window": window, "from": from, "until": until, "samples": samples });
+                parquet::write_table(file, &columns, ("spectrum", &self.scene, &scene), more)?;
             }
             Some(file) => write_file(file, |out| spectra.write_csv(out))?,
             None => {}

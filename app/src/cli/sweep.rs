@@ -11,12 +11,14 @@ use machinist_contract::Simulator;
 use machinist_model::ModelSimulator;
 
 use super::assignment;
-use super::output::{print_with, require_ending, write_file};
+use super::output::{print_with, require_table, write_file};
 use super::range::{Range, range};
 use super::scene::{Scene, built_in, refused};
 use super::settings::with_parameters;
 use crate::failure::Failure;
+use crate::parquet::{self, Column, Values};
 use crate::progress::during;
+use serde_json::{Map, Value, json};
 
 /// More variants are several sweeps.
 const MOST_VARIANTS: usize = 1_000_000;
@@ -56,7 +58,7 @@ pub struct Sweep {
     /// Number of threads; as many as the machine has unless given
     #[arg(long, value_name = "NUMBER")]
     threads: Option<usize>,
-    /// Write to a file that ends in .csv instead of standard output
+    /// Write to a file that ends in .csv or .parquet instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
@@ -64,7 +66,7 @@ pub struct Sweep {
 impl Sweep {
     pub fn execute(&self) -> Result<(), Failure> {
         if let Some(file) = &self.out {
-            require_ending(file, &["csv"], "--out")?;
+            require_table(file, &["csv"])?;
         }
         self.check_numbers()?;
         let method = self.method.as_deref().map(Method::from_name).transpose();
@@ -84,6 +86,11 @@ impl Sweep {
         let wanted = Wanted { places: wanted, extremes: self.extremes };
         let table = Table { sweep: self, wanted, variants: &variants, runs: &runs };
         match &self.out {
+            Some(file) if parquet::is_named(file) => {
+                let of = ("sweep", self.scene.as_str(), &scene);
+                let columns = table.columns(scene.simulator());
+                parquet::write_table(file, &columns, of, self.told(scene.simulator()))?;
+            }
             Some(file) => write_file(file, |out| table.write(scene.simulator(), out))?,
             None => print_with(|out| table.write(scene.simulator(), out))?,
         }
@@ -159,6 +166,40 @@ impl Sweep {
             variants = varied.collect();
         }
         Ok(variants)
+    }
+
+    /// What decides the numbers besides the machine, as the Python package has it.
+    fn told(&self, simulator: &dyn Simulator<f64>) -> Value {
+        let names: Vec<&str> = self.parameter.iter().map(|range| range.name.as_str()).collect();
+        let axes = self.parameter.iter().map(|range| {
+            (0..self.count).map(|index| range.value(index, self.count)).collect::<Vec<f64>>()
+        });
+        let set: Map<String, Value> =
+            self.set.iter().map(|(name, value)| (name.clone(), (*value).into())).collect();
+        let outputs = if self.outputs.is_empty() {
+            let places = self.wanted(simulator).unwrap_or_default();
+            let known: Vec<&str> = columns_of(simulator).collect();
+            places.into_iter().map(|place| known[place].to_owned()).collect()
+        } else {
+            self.outputs.clone()
+        };
+        let settings = [
+            ("parameters", (!set.is_empty()).then_some(Value::Object(set))),
+            ("points", self.points.or((!self.extremes).then_some(2)).map(Value::from)),
+            ("until", self.until.map(Value::from)),
+            ("rtol", self.rtol.map(Value::from)),
+            ("method", self.method.clone().map(Value::from)),
+        ];
+        let settings: Map<String, Value> = settings
+            .into_iter()
+            .filter_map(|(name, value)| Some((name.to_owned(), value?)))
+            .collect();
+        json!({
+            "design": { "kind": "grid", "names": names, "axes": axes.collect::<Vec<_>>() },
+            "settings": settings,
+            "outputs": outputs,
+            "extremes": self.extremes,
+        })
     }
 
     fn adjusted<'a>(&self, simulation: Simulation<'a>, method: Option<Method>) -> Simulation<'a> {
@@ -270,6 +311,49 @@ impl Table<'_> {
             writer.write_record(record)?;
         }
         writer.flush()
+    }
+
+    /// A row a variant, as the Python package has them: its number, parameters, results, steps,
+    /// and why there are none.
+    fn columns(&self, simulator: &dyn Simulator<f64>) -> Vec<Column> {
+        let shape = simulator.shape();
+        let mut columns = vec![Column {
+            name: "variant".to_owned(),
+            unit: None,
+            values: Values::Counts((0..self.runs.len() as i64).collect()),
+        }];
+        let places =
+            self.sweep.parameter.iter().filter_map(|range| place_of(simulator, &range.name));
+        for place in places {
+            let quantity = simulator.parameter(place);
+            let values = self.variants.iter().map(|variant| variant[place]).collect();
+            columns.push(Column::numbers(quantity.name, quantity.unit, values));
+        }
+        let rows: Vec<Option<Vec<f64>>> =
+            self.runs.iter().map(|run| run.as_ref().ok().map(|r| self.wanted.values(r))).collect();
+        let ends: &[&str] = if self.wanted.extremes { &[".least", ".greatest"] } else { &[""] };
+        let names = self.wanted.places.iter().flat_map(|place| {
+            let quantity = match place.checked_sub(shape.outputs) {
+                None => simulator.output(*place),
+                Some(state) => simulator.state(state),
+            };
+            ends.iter().map(move |end| (format!("{}{end}", quantity.name), quantity.unit))
+        });
+        for (index, (name, unit)) in names.enumerate() {
+            let values = rows.iter().map(|row| row.as_ref().map(|row| row[index])).collect();
+            columns.push(Column {
+                name,
+                unit: Some(unit.to_owned()),
+                values: Values::Some(values),
+            });
+        }
+        let steps = |run: &Result<VariantRun, _>| run.as_ref().map_or(0, |run| run.steps as i64);
+        let steps = Values::Counts(self.runs.iter().map(steps).collect());
+        columns.push(Column { name: "steps".to_owned(), unit: None, values: steps });
+        let errors = self.runs.iter().map(|run| run.as_ref().err().map(ToString::to_string));
+        let errors = Values::Texts(errors.collect());
+        columns.push(Column { name: "error".to_owned(), unit: None, values: errors });
+        columns
     }
 
     fn header(&self, simulator: &dyn Simulator<f64>, any_stopped: bool) -> Vec<String> {

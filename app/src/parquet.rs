@@ -1,0 +1,227 @@
+//! Tables as Parquet files, as the Python package writes and reads them.
+//!
+//! Columns are plain: numbers are `double`, counts `int64`, texts UTF-8; what is missing is
+//! null. What a table is of stands in the file's metadata, as JSON under `machinist.sweep`,
+//! `machinist.run` and so on, and the units of columns under `machinist.units`.
+
+use std::path::Path;
+
+use machinist::Trajectory;
+use serde_json::{Map, Value, json};
+
+use crate::cli::output::write_file;
+use crate::cli::scene::{Given, Scene};
+#[cfg(feature = "derive")]
+use crate::deriving::{self, Request};
+use crate::failure::Failure;
+use machinist_model::file::write;
+use machinist_model::fingerprint::{of_behaviour, of_bytes};
+
+/// How names of such files end.
+pub const ENDING: &str = "parquet";
+
+/// Numbers of a column.
+#[cfg_attr(not(feature = "parquet"), expect(dead_code, reason = "written by none"))]
+pub enum Values {
+    /// Numbers.
+    Numbers(Vec<f64>),
+    /// Numbers, some of which are missing.
+    Some(Vec<Option<f64>>),
+    /// Counts.
+    Counts(Vec<i64>),
+    /// Texts, some of which are missing.
+    Texts(Vec<Option<String>>),
+}
+
+/// A column.
+#[cfg_attr(not(feature = "parquet"), expect(dead_code, reason = "written by none"))]
+pub struct Column {
+    pub name: String,
+    /// SI unit, of numbers.
+    pub unit: Option<String>,
+    pub values: Values,
+}
+
+impl Column {
+    /// Numbers in a unit.
+    pub fn numbers(name: impl Into<String>, unit: &str, values: Vec<f64>) -> Self {
+        let (name, unit) = (name.into(), Some(unit.to_owned()));
+        Self { name, unit, values: Values::Numbers(values) }
+    }
+}
+
+/// Whether a file is to be a Parquet file, by its name.
+pub fn is_named(file: &Path) -> bool {
+    file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(ENDING))
+}
+
+/// Refuses to write such files where the program cannot.
+pub fn require(file: &Path) -> Result<(), Failure> {
+    if cfg!(feature = "parquet") || !is_named(file) {
+        return Ok(());
+    }
+    let message = format!("--out {}: this program was built without Parquet", file.display());
+    let help = "`cargo build --release --features parquet` builds one with it; .csv holds the same";
+    Err(Failure::input(message, help))
+}
+
+/// What results are of: the machine and the program.
+fn provenance(argument: &str, scene: &Scene) -> Result<Map<String, Value>, Failure> {
+    let simulator = scene.simulator();
+    let of_model = |argument: &str| -> Result<String, Failure> {
+        let stamped = match Given::of(argument)? {
+            Given::Model(stamped) => *stamped,
+            #[cfg(feature = "derive")]
+            Given::Spec(source) => {
+                let keep = machinist_codegen::mechanics::reduce::Keep::Needed;
+                deriving::stamped(&Request::model(&source, keep))?
+            }
+            #[cfg(not(feature = "derive"))]
+            Given::Spec(source) => return Err(crate::cli::scene::cannot_derive(&source)),
+        };
+        Ok(of_bytes(&write(&stamped)))
+    };
+    let fingerprint =
+        if scene.is_emitted() { of_behaviour(simulator) } else { of_model(argument)? };
+    let mut told = Map::new();
+    told.insert("model".to_owned(), simulator.name().into());
+    told.insert("fingerprint".to_owned(), fingerprint.into());
+    told.insert("machinist".to_owned(), env!("CARGO_PKG_VERSION").into());
+    Ok(told)
+}
+
+/// What made them.
+fn made_by() -> Value {
+    let system = format!("{} {}", std::env::consts::OS, std::env::consts::ARCH);
+    json!({ "program": concat!("machinist ", env!("CARGO_PKG_VERSION")), "system": system })
+}
+
+/// Writes a table that a command made of a scene; `more` is what else decides its numbers.
+pub fn write_table(
+    file: &Path,
+    columns: &[Column],
+    (command, argument, scene): (&str, &str, &Scene),
+    more: Value,
+) -> Result<(), Failure> {
+    let mut of = provenance(argument, scene)?;
+    if let Value::Object(more) = more {
+        of.extend(more);
+    }
+    let of = Value::Object(of);
+    let key = of_bytes(of.to_string().as_bytes());
+    let told = json!({ command: of, "made_by": made_by(), "key": key });
+    let bytes = bytes(columns, command, &told)?;
+    write_file(file, |out| out.write_all(&bytes))
+}
+
+/// Columns of a run, time first; of a state and an output of one name the state.
+pub fn of_run(run: &Trajectory) -> Vec<Column> {
+    let mut columns = vec![Column::numbers("time", "s", run.times.clone())];
+    for column in &run.columns {
+        if columns.iter().all(|other| other.name != column.name) {
+            columns.push(Column::numbers(&column.name, &column.unit, column.values.clone()));
+        }
+    }
+    columns
+}
+
+/// The bytes of a file of columns of one length, which is of `told`.
+#[cfg(not(feature = "parquet"))]
+fn bytes(_columns: &[Column], _name: &str, _told: &Value) -> Result<Vec<u8>, Failure> {
+    Err(Failure::unsuccessful("this program was built without Parquet", ""))
+}
+
+#[cfg(feature = "parquet")]
+use with_crate::bytes;
+
+#[cfg(feature = "parquet")]
+mod with_crate {
+    use std::sync::Arc;
+
+    use parquet::basic::{LogicalType, Repetition, Type as Physical};
+    use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
+    use parquet::errors::ParquetError;
+    use parquet::file::metadata::KeyValue;
+    use parquet::file::properties::WriterProperties;
+    use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
+    use parquet::schema::types::Type;
+    use serde_json::{Map, Value};
+
+    use super::{Column, Values};
+    use crate::failure::Failure;
+
+    /// The bytes of a file of columns of one length, which is of `told`.
+    pub fn bytes(columns: &[Column], name: &str, told: &Value) -> Result<Vec<u8>, Failure> {
+        let failed = |error: ParquetError| Failure::unsuccessful(format!("the table: {error}"), "");
+        written(columns, name, told).map_err(failed)
+    }
+
+    fn written(columns: &[Column], name: &str, told: &Value) -> Result<Vec<u8>, ParquetError> {
+        let fields = columns.iter().map(field).collect::<Result<Vec<_>, _>>()?;
+        let schema = Type::group_type_builder("schema").with_fields(fields).build()?;
+        let units: Map<String, Value> = columns
+            .iter()
+            .filter_map(|column| Some((column.name.clone(), column.unit.clone()?.into())))
+            .collect();
+        let metadata = vec![
+            KeyValue::new(format!("machinist.{name}"), told.to_string()),
+            KeyValue::new("machinist.units".to_owned(), Value::Object(units).to_string()),
+        ];
+        let properties = WriterProperties::builder()
+            .set_created_by(concat!("machinist ", env!("CARGO_PKG_VERSION")).to_owned())
+            .set_key_value_metadata(Some(metadata));
+        let mut file = Vec::new();
+        let properties = Arc::new(properties.build());
+        let mut writer = SerializedFileWriter::new(&mut file, Arc::new(schema), properties)?;
+        let mut rows = writer.next_row_group()?;
+        for column in columns {
+            if let Some(mut writer) = rows.next_column()? {
+                write(column, &mut writer)?;
+                writer.close()?;
+            }
+        }
+        rows.close()?;
+        writer.close()?;
+        Ok(file)
+    }
+
+    fn field(column: &Column) -> Result<Arc<Type>, ParquetError> {
+        let (physical, logical) = match &column.values {
+            Values::Numbers(_) | Values::Some(_) => (Physical::DOUBLE, None),
+            Values::Counts(_) => (Physical::INT64, None),
+            Values::Texts(_) => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
+        };
+        let field = Type::primitive_type_builder(&column.name, physical)
+            .with_repetition(Repetition::OPTIONAL)
+            .with_logical_type(logical)
+            .build()?;
+        Ok(Arc::new(field))
+    }
+
+    fn write(column: &Column, writer: &mut SerializedColumnWriter<'_>) -> Result<(), ParquetError> {
+        /// 1 where something is, 0 where nothing is; and what is.
+        fn levels<T, U>(all: &[Option<T>], of: impl Fn(&T) -> U) -> (Vec<i16>, Vec<U>) {
+            let levels = all.iter().map(|value| i16::from(value.is_some())).collect();
+            (levels, all.iter().flatten().map(of).collect())
+        }
+        match &column.values {
+            Values::Numbers(all) => {
+                let levels = vec![1; all.len()];
+                writer.typed::<DoubleType>().write_batch(all, Some(&levels), None)?;
+            }
+            Values::Some(all) => {
+                let (levels, all) = levels(all, |value| *value);
+                writer.typed::<DoubleType>().write_batch(&all, Some(&levels), None)?;
+            }
+            Values::Counts(all) => {
+                let levels = vec![1; all.len()];
+                writer.typed::<Int64Type>().write_batch(all, Some(&levels), None)?;
+            }
+            Values::Texts(all) => {
+                let (levels, all) = levels(all, |text| ByteArray::from(text.as_str()));
+                writer.typed::<ByteArrayType>().write_batch(&all, Some(&levels), None)?;
+            }
+        }
+        Ok(())
+    }
+}

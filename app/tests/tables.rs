@@ -137,8 +137,10 @@ mod written {
     #[test]
     fn runs_spectra_responses_and_diagrams_are_tables_too() {
         let folder = tempfile::tempdir().expect("a folder");
-        let response = ["--from", "load_torque", "--to", "twist", "--points", "5"];
-        let speeds = ["--parameter", "coupling.stiffness=1e4..2e4", "--count", "3"];
+        let response =
+            ["--from", "load_torque", "--to", "twist", "--points", "5", "--at", "initial"];
+        let speeds =
+            ["--parameter", "coupling.stiffness=1e4..2e4", "--count", "3", "--at", "initial"];
         let commands: [(&str, &[&str], usize, &str); 4] = [
             ("run", &["--points", "7"], 7, "time"),
             ("spectrum", &["--samples", "16"], 9, "frequency"),

@@ -76,7 +76,11 @@ fn what_the_parser_knows_is_in_the_schema() {
     assert!(methods.contains(&json!("radau")) && methods.len() > 8);
     let initial = &scene["properties"]["initial"];
     assert_eq!(initial["properties"]["from"], json!({ "enum": ["equilibrium"] }));
-    let port = &unit["properties"]["ports"]["additionalProperties"];
+    let ports = &unit["properties"]["ports"]["additionalProperties"]["anyOf"];
+    let of_part = |shape: &&Value| shape["type"] == json!("string");
+    let (texts, tables): (Vec<_>, Vec<_>) =
+        ports.as_array().expect("two").iter().partition(of_part);
+    let ([_], [port]) = (&texts[..], &tables[..]) else { panic!("a port of a part, or a table") };
     let keys: Vec<&String> = port["properties"].as_object().expect("keys").keys().collect();
     for key in ["at", "coordinate", "field", "kind", "ratio"] {
         assert!(keys.iter().any(|known| *known == key), "{key}");

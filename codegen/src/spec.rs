@@ -6,6 +6,7 @@
 mod array;
 pub mod card;
 mod check;
+mod connect;
 mod constraint;
 pub mod diagnostic;
 pub mod dimension;
@@ -13,6 +14,7 @@ mod distributed;
 mod event;
 pub mod expression;
 mod fields;
+mod inside;
 mod lexer;
 pub mod library;
 mod loader;
@@ -31,9 +33,11 @@ mod unit;
 use std::path::Path;
 
 pub use self::check::{CheckSpec, ReferenceSpec};
+pub use self::connect::names_of as port_names;
 pub use self::distributed::{
     AttachmentSpec, Boundary, DiscretisationSpec, FieldSpec, MAX_ELEMENTS, MAX_ORDER, Mass,
 };
+pub use self::inside::{Inside, InstanceText};
 pub use self::names::{FUNCTIONS, did_you_mean, quoted, scene_name_mistake};
 pub use self::scene::METHODS;
 pub use self::source::{MAX_FILE_BYTES, SourceFile, SourceText, Sources, one_line};
@@ -83,9 +87,9 @@ pub struct SceneSpec {
     pub source: String,
     /// The units in use, in the order first named.
     pub units: Vec<UnitSpec>,
-    /// Instances of units.
+    /// Instances of units, each followed by what is inside it.
     pub instances: Vec<InstanceSpec>,
-    /// Joints between ports.
+    /// Joints between ports; those of connectors are one for each of their ports.
     pub joints: Vec<JointSpec>,
     /// The scene's own parameters.
     pub parameters: Vec<ParameterSpec>,
@@ -185,6 +189,10 @@ pub struct UnitSpec {
     pub fields: Vec<FieldSpec>,
     /// What joints take hold of.
     pub ports: Vec<PortSpec>,
+    /// Ports of what is inside that are ports of the unit too.
+    pub exposed: Vec<ExposedSpec>,
+    /// Several ports that joints take hold of together.
+    pub connectors: Vec<ConnectorSpec>,
     /// Parameters.
     pub parameters: Vec<ParameterSpec>,
     /// Signals that the scene binds.
@@ -205,6 +213,16 @@ pub struct UnitSpec {
     pub forces: Vec<ForceSpec>,
     /// What it offers to scenes.
     pub outputs: Vec<DefinitionSpec>,
+    /// Of an assembly, what it is made of; values at the start of what is its own too.
+    pub inside: Inside,
+}
+
+impl UnitSpec {
+    /// Whether it is made of other units.
+    #[must_use]
+    pub fn is_assembly(&self) -> bool {
+        !self.inside.instances.is_empty()
+    }
 }
 
 /// A generalized coordinate.
@@ -239,6 +257,24 @@ pub struct PortSpec {
     pub ratio: Option<Formula>,
     /// Where on a field it is, if it is on one.
     pub attachment: Option<AttachmentSpec>,
+}
+
+/// A port of what is inside an assembly that is a port of the assembly.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ExposedSpec {
+    /// What the assembly calls it.
+    pub name: Spanned<String>,
+    /// `part.port`, or a connector.
+    pub of: Spanned<String>,
+}
+
+/// Several ports that joints take hold of together: a point of a plane, a phase.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ConnectorSpec {
+    /// Its name.
+    pub name: Spanned<String>,
+    /// The unit's ports that it is, in the order in which joints pair them.
+    pub ports: Vec<Spanned<String>>,
 }
 
 /// What goes through a port.
@@ -391,11 +427,14 @@ pub struct ForceSpec {
 /// An instance of a unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InstanceSpec {
-    /// Its name.
+    /// Its name, behind that of the assembly that it is inside: `gearbox.gear`.
     pub name: Spanned<String>,
+    /// The assembly that it is inside, whose names its values are made of; an earlier one of
+    /// [`SceneSpec::instances`].
+    pub parent: Option<usize>,
     /// Index in [`SceneSpec::units`].
     pub unit: usize,
-    /// Values other than the unit's.
+    /// Values other than the unit's, also of what is inside it: `gear.ratio`.
     pub parameters: Vec<(Spanned<String>, Value)>,
     /// Expressions for the inputs.
     pub inputs: Vec<(Spanned<String>, Formula)>,
@@ -410,6 +449,8 @@ pub struct JointSpec {
     pub connect: [Spanned<String>; 2],
     /// Ratio, 1 if absent.
     pub ratio: Option<Formula>,
+    /// The assembly in [`SceneSpec::instances`] that it is inside, if it is inside one.
+    pub within: Option<usize>,
 }
 
 /// A generalized force of the scene.

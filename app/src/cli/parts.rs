@@ -76,7 +76,7 @@ fn list(words: &[String]) -> Result<(), Failure> {
 
 /// What is searched for words, in lower case.
 fn searched(card: &Card) -> String {
-    let ports = card.ports.iter().flatten();
+    let ports = card.ports.iter().flatten().chain(card.parts.iter().flatten());
     let parameters = card.parameters.iter().flat_map(|[name, _, _, doc]| [name, doc]);
     let inputs = card.inputs.iter().flat_map(|[name, _, doc]| [name, doc]);
     let named = [&card.name, &card.title, &card.doc, &card.source].into_iter();
@@ -119,6 +119,9 @@ fn plain(card: &Card) -> String {
         }
     };
     section("Ports", columns(&card.ports, 3));
+    section("Connectors", columns(&card.connectors, 2));
+    section("Parts", columns(&card.parts, 3));
+    section("Joints", joints(card));
     section("Parameters", columns(&card.parameters, 4));
     section("Inputs", columns(&card.inputs, 3));
     section("Modes", columns(&card.modes, 2));
@@ -132,6 +135,10 @@ fn plain(card: &Card) -> String {
     section("Outputs", columns(&card.outputs, 3));
     section("Example", card.example.unwrap_or_default().to_owned());
     text
+}
+
+fn joints(card: &Card) -> String {
+    card.joints.iter().map(|[first, second]| format!("{first} = {second}\n")).collect()
 }
 
 /// All parts in Markdown.
@@ -158,6 +165,11 @@ fn section(card: &Card) -> String {
     let mut text =
         format!("\n## {}\n\n{}. {}\n\n*{}*\n", card.name, card.title, card.doc, card.source);
     table(&mut text, ["port", "kind", "moves by"], &card.ports);
+    table(&mut text, ["connector", "ports"], &card.connectors);
+    table(&mut text, ["part", "unit", "with"], &card.parts);
+    if !card.joints.is_empty() {
+        let _ = write!(text, "\n```text,formula\n{}```\n", joints(card));
+    }
     table(&mut text, ["parameter", "default", "unit", "meaning"], &card.parameters);
     table(&mut text, ["input", "unit", "meaning"], &card.inputs);
     table(&mut text, ["mode", "meaning"], &card.modes);

@@ -5,7 +5,7 @@ mod draw;
 mod symbol;
 
 use machinist_codegen::spec::expression::{Ast, Node};
-use machinist_codegen::spec::{Formula, PortKind, SceneSpec, Symbol};
+use machinist_codegen::spec::{Formula, InstanceSpec, PortKind, SceneSpec, Symbol};
 use maud::{Markup, html};
 
 use super::page::prose;
@@ -52,10 +52,18 @@ enum Tie {
     Constraint,
 }
 
+/// What is drawn: all but assemblies that are nothing beside what is inside them.
+pub fn drawn(scene: &SceneSpec) -> impl Iterator<Item = &InstanceSpec> {
+    scene.instances.iter().filter(|instance| {
+        let unit = &scene.units[instance.unit];
+        !unit.is_assembly() || !unit.coordinates.is_empty()
+    })
+}
+
 impl Schematic {
     /// What a scene says of its parts.
     pub fn of(scene: &SceneSpec) -> Self {
-        let part = |instance: &machinist_codegen::spec::InstanceSpec| {
+        let part = |instance: &InstanceSpec| {
             let unit = &scene.units[instance.unit];
             Part {
                 name: instance.name.value.clone(),
@@ -65,11 +73,8 @@ impl Schematic {
                 symbol: unit.symbol,
             }
         };
-        let mut schematic = Self {
-            parts: scene.instances.iter().map(part).collect(),
-            nets: Vec::new(),
-            links: Vec::new(),
-        };
+        let mut schematic =
+            Self { parts: drawn(scene).map(part).collect(), nets: Vec::new(), links: Vec::new() };
         for joint in &scene.joints {
             schematic.join(scene, &joint.connect[0].value, &joint.connect[1].value);
         }
@@ -110,9 +115,9 @@ impl Schematic {
 
     /// A port by `instance.port`, with what goes through it.
     fn port(&self, scene: &SceneSpec, text: &str) -> Option<(usize, String, PortKind)> {
-        let (instance, port) = text.split_once('.')?;
+        let (instance, port) = text.rsplit_once('.')?;
         let part = self.index(instance)?;
-        let unit = &scene.units[scene.instances.get(part)?.unit];
+        let unit = &scene.units[drawn(scene).nth(part)?.unit];
         let kind = unit.ports.iter().find(|known| known.name.value == port)?.kind.value;
         Some((part, port.to_owned(), kind))
     }
@@ -153,16 +158,16 @@ impl Schematic {
     }
 
     fn links(&mut self, scene: &SceneSpec) {
-        for (to, instance) in scene.instances.iter().enumerate() {
+        for (to, instance) in drawn(scene).enumerate() {
             for (_, formula) in &instance.inputs {
                 let Formula::Expression(ast) = formula else { continue };
-                for from in self.mentioned(scene, ast) {
+                for from in self.mentioned(scene, instance.parent, ast) {
                     self.link(Link { from, to, what: Tie::Signal });
                 }
             }
         }
         for constraint in &scene.constraints {
-            let parts = self.mentioned(scene, &constraint.expression);
+            let parts = self.mentioned(scene, None, &constraint.expression);
             for pair in parts.windows(2) {
                 self.link(Link { from: pair[0], to: pair[1], what: Tie::Constraint });
             }
@@ -175,19 +180,22 @@ impl Schematic {
         }
     }
 
-    /// The parts that an expression mentions, itself or by helpers of the scene.
-    fn mentioned(&self, scene: &SceneSpec, ast: &Ast) -> Vec<usize> {
+    /// The parts that an expression of the scene or of an assembly mentions, itself or by helpers.
+    fn mentioned(&self, scene: &SceneSpec, within: Option<usize>, ast: &Ast) -> Vec<usize> {
         let (mut parts, mut seen) = (Vec::new(), Vec::new());
+        let assembly = within.map(|at| &scene.instances[at]);
+        let prefix = assembly.map_or(String::new(), |it| format!("{}.", it.name.value));
+        let helpers = assembly.map_or(&scene.helpers, |it| &scene.units[it.unit].helpers);
         let mut left = vec![ast];
         while let Some(ast) = left.pop() {
             ast.visit(&mut |part| match &part.node {
                 Node::Name(Some(instance), _) => {
-                    let part = self.index(instance);
+                    let part = self.index(&format!("{prefix}{instance}"));
                     parts.extend(part.filter(|part| !parts.contains(part)));
                 }
                 Node::Name(None, name) if !seen.contains(&name) => {
                     seen.push(name);
-                    let helper = scene.helpers.iter().find(|known| known.name.value == *name);
+                    let helper = helpers.iter().find(|known| known.name.value == *name);
                     left.extend(helper.map(|helper| &helper.expression));
                 }
                 _ => {}

@@ -437,7 +437,7 @@ impl<'a> Assembler<'a> {
         for parameter in &self.spec.parameters {
             take(&mut parameters, &name(None, &parameter.name.value), parameter.name.span);
         }
-        for (_, instance, unit) in self.instances() {
+        for (index, instance, unit) in self.instances() {
             let whose = Some(instance.name.value.as_str());
             // The instance is what the scene's author can rename.
             let span = instance.name.span;
@@ -448,8 +448,11 @@ impl<'a> Assembler<'a> {
             for state in &unit.states {
                 take(&mut states, &name(whose, &state.name.value), span);
             }
-            for parameter in &unit.parameters {
-                take(&mut parameters, &name(whose, &parameter.name.value), span);
+            // Those that follow others are nowhere in the model: `rod.mass` may be `rod_mass`.
+            let is_number =
+                |at: &usize| self.layout.parameter(Scope::Instance(index), *at).is_some();
+            for at in (0..unit.parameters.len()).filter(is_number) {
+                take(&mut parameters, &name(whose, &unit.parameters[at].name.value), span);
             }
             for helper in &unit.helpers {
                 take(&mut helpers, &name(whose, &helper.name.value), span);

@@ -79,23 +79,26 @@ fn edge(
     let (kind, other_kind) = (port.kind.value, other.kind.value);
     if kind != other_kind {
         let message = format!(
-            "a joint connects ports of one kind: {} is {}",
+            "a joint connects ports of one kind: {} is {}, {} is {}",
             quoted(&first.value),
-            kind.name()
+            kind.name(),
+            quoted(&second.value),
+            other_kind.name()
         );
         return Err(Box::new(Mistake::new(second.span, message, other_kind.name())));
     }
     let dimension = dimension_of(spec, layout, port, slot);
     let other_dimension = dimension_of(spec, layout, other, other_slot);
     if dimension != other_dimension {
-        let message = format!("{} is in {dimension}", quoted(&first.value));
+        let (first, other) = (quoted(&first.value), quoted(&second.value));
+        let message = format!("{first} is in {dimension}, {other} in {other_dimension}");
         let label = format!("in {other_dimension}");
         return Err(Box::new(Mistake::new(second.span, message, label)));
     }
     let of_joint = match &joint.ratio {
         Some(formula) => {
             let wanted = Wanted::new(Dimension::ONE, "a ratio").of(Uses::PARAMETERS);
-            Some(resolver.formula(formula, Scope::Scene, &wanted)?.expr)
+            Some(resolver.formula(formula, Scope::within(joint.within), &wanted)?.expr)
         }
         None => None,
     };
@@ -158,10 +161,12 @@ fn unite(
     };
     let [first, second] = &joint.connect;
     let span = first.span.to(second.span);
+    let (first, second) = (quoted(&first.value), quoted(&second.value));
     let mistake = if before.iter().any(|other| pair(other) == pair(joint)) {
-        Mistake::new(span, "these ports are joined twice", "joined before")
+        Mistake::new(span, format!("{first} and {second} are joined twice"), "joined before")
     } else {
-        Mistake::new(span, "this joint closes a loop", "already joined by other joints")
+        let message = format!("the joint of {first} and {second} closes a loop");
+        Mistake::new(span, message, "already joined by other joints")
             .help("the ratios around a loop would have to agree; leave this joint out")
     };
     Err(Box::new(mistake))

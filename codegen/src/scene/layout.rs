@@ -9,7 +9,8 @@ use crate::scene::typed::integer;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::{Dimension, Unit};
 use crate::spec::{
-    CoordinateSpec, Declared, PortKind, PortSpec, SceneSpec, UnitSpec, did_you_mean, quoted,
+    CoordinateSpec, Declared, PortKind, PortSpec, SceneSpec, UnitSpec, did_you_mean, port_names,
+    quoted,
 };
 use machinist_contract::field::HANDED;
 use machinist_model::Place;
@@ -66,6 +67,11 @@ pub enum Scope {
 }
 
 impl Scope {
+    /// That of what stands within an assembly, or else in the scene.
+    pub fn within(assembly: Option<usize>) -> Scope {
+        assembly.map_or(Scope::Scene, Scope::Instance)
+    }
+
     /// The scope without the names of fields.
     pub fn base(self) -> Scope {
         match self {
@@ -326,13 +332,35 @@ pub fn find_instance(spec: &SceneSpec, name: &str, span: Span) -> Result<usize, 
     })
 }
 
+/// The instance of a path that an assembly writes, or any other unit: of what is inside it.
+pub fn find_inside(
+    spec: &SceneSpec,
+    assembly: usize,
+    path: &str,
+    span: Span,
+) -> Result<usize, Box<Mistake>> {
+    let unit = &spec.units[spec.instances[assembly].unit];
+    if !unit.is_assembly() {
+        let message = "a name with a dot is used in scenes and assemblies only";
+        let help = "a unit knows its own names; let the scene bind an input";
+        return Err(Box::new(Mistake::new(span, message, "not in a unit").help(help)));
+    }
+    let whole = format!("{}.{path}", spec.instances[assembly].name.value);
+    let found = spec.instances.iter().position(|instance| instance.name.value == whole);
+    found.ok_or_else(|| {
+        let message = format!("there is no {} inside {}", quoted(path), quoted(&unit.name));
+        let names = unit.inside.instances.iter().map(|text| text.name.value.as_str());
+        Box::new(Mistake::new(span, message, "unknown").help(did_you_mean(path, names)))
+    })
+}
+
 /// The port of a path `instance.port`, and its coordinate's slot.
 pub fn find_port<'a>(
     spec: &'a SceneSpec,
     layout: &Layout,
     path: &Spanned<String>,
 ) -> Result<(&'a PortSpec, usize), Box<Mistake>> {
-    let Some((instance, port)) = path.value.split_once('.') else {
+    let Some((instance, port)) = path.value.rsplit_once('.') else {
         let message = format!("{} is no port", quoted(&path.value));
         let mistake = Mistake::new(path.span, message, "not instance.port");
         return Err(Box::new(mistake.help("a port is written instance.port")));
@@ -342,7 +370,7 @@ pub fn find_port<'a>(
     let unit = &spec.units[unit_index];
     let Some(found) = unit.ports.iter().find(|candidate| candidate.name.value == port) else {
         let message = format!("unit {} has no port {}", quoted(&unit.name), quoted(port));
-        let help = did_you_mean(port, unit.ports.iter().map(|port| port.name.value.as_str()));
+        let help = did_you_mean(port, port_names(unit));
         return Err(Box::new(Mistake::new(path.span, message, "unknown").help(help)));
     };
     match layout.units[unit_index].get(&found.coordinate.value) {

@@ -6,7 +6,9 @@ use num_rational::BigRational;
 use num_traits::Zero as _;
 
 use crate::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
-use crate::scene::layout::{FieldPart, Layout, Link, Local, Scope, Side, find_instance};
+use crate::scene::layout::{
+    FieldPart, Layout, Link, Local, Scope, Side, find_inside, find_instance,
+};
 use crate::scene::parameters;
 use crate::scene::resolve::{Resolved, Resolver, Wanted, beyond_reason, fits, sound};
 use crate::scene::typed::{Typed, Uses, product};
@@ -63,10 +65,9 @@ impl Resolver<'_> {
                 Some(typed) => typed?,
                 None => self.outside_of_field(name, span, scope)?,
             },
-            (Some(_), Scope::Instance(_) | Scope::Density(..), _) => {
-                let message = "a name with a dot is used in scenes only";
-                let help = "a unit knows its own names; let the scene bind an input";
-                return Err(Box::new(Mistake::new(span, message, "not in a unit").help(help)));
+            (Some(path), Scope::Instance(own) | Scope::Density(own, _), _) => {
+                let instance = find_inside(self.spec, own, path, span)?;
+                self.local(name, span, Scope::Instance(instance))?
             }
             (Some(instance), Scope::Scene | Scope::Profile, _) => {
                 let instance = find_instance(self.spec, instance, span)?;
@@ -330,9 +331,10 @@ impl Resolver<'_> {
                 };
                 let what = format!("input {}", quoted(&input.name.value));
                 let wanted = Wanted::new(input.unit.unit.dimension, what);
+                let scope = Scope::within(instance.parent);
                 let typed = match formula {
-                    Formula::Expression(ast) => self.nested(ast, Scope::Scene, &wanted)?,
-                    Formula::Number(_) => self.formula(formula, Scope::Scene, &wanted)?,
+                    Formula::Expression(ast) => self.nested(ast, scope, &wanted)?,
+                    Formula::Number(_) => self.formula(formula, scope, &wanted)?,
                 };
                 Ok(declared(typed, &input.unit))
             }

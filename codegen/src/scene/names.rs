@@ -41,7 +41,9 @@ const GREEK: &[(&str, &str)] = &[
 /// The name of `own` in `instance`, or of the scene's own.
 pub fn name(instance: Option<&str>, own: &str) -> Name {
     let (path, ident) = match instance {
-        Some(instance) => (format!("{instance}.{own}"), format!("{instance}_{own}")),
+        Some(instance) => {
+            (format!("{instance}.{own}"), format!("{}_{own}", instance.replace('.', "_")))
+        }
         None => (own.to_owned(), own.to_owned()),
     };
     Name { path, ident, latex: latex(instance, own) }

@@ -6,13 +6,13 @@
 
 use crate::expr::{Expr, ParameterId};
 use crate::scene::evaluate::evaluate;
-use crate::scene::layout::{Layout, Local, Scope};
+use crate::scene::layout::{Layout, Local, Scope, find_inside};
 use crate::scene::resolve::{Resolver, Wanted};
 use crate::scene::typed::{Typed, Uses};
-use crate::spec::diagnostic::{Mistake, Span};
+use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::Unit;
 use crate::spec::expression::{Ast, Node};
-use crate::spec::{InstanceSpec, ParameterSpec, SceneSpec, Value, did_you_mean, quoted};
+use crate::spec::{ParameterSpec, SceneSpec, Value, did_you_mean, quoted};
 
 /// What a parameter is worth.
 pub enum Given<'a> {
@@ -33,13 +33,13 @@ pub fn declared(spec: &SceneSpec, scope: Scope, index: usize) -> &ParameterSpec 
 /// What is said of it: by the instance, else by its unit.
 pub fn given(spec: &SceneSpec, scope: Scope, index: usize) -> Given<'_> {
     let parameter = declared(spec, scope, index);
-    let own = match scope.base() {
-        Scope::Instance(instance) => own(&spec.instances[instance], parameter),
+    let other = match scope.base() {
+        Scope::Instance(instance) => other(spec, instance, &parameter.name.value),
         _ => None,
     };
-    let (ast, whose) = match (own, &parameter.value) {
-        (Some(Value::Number(number)), _) => return Given::Number(*number),
-        (Some(Value::Expression(ast)), _) => (ast, Scope::Scene),
+    let (ast, whose) = match (other, &parameter.value) {
+        (Some((Value::Number(number), _)), _) => return Given::Number(*number),
+        (Some((Value::Expression(ast), whose)), _) => (ast, whose),
         (None, Value::Number(number)) => {
             return Given::Number(number * parameter.unit.factor.to_f64());
         }
@@ -66,10 +66,30 @@ fn quantity(ast: &Ast) -> Option<(f64, Unit)> {
     }
 }
 
-/// What an instance says of a parameter of its unit.
-fn own<'a>(instance: &'a InstanceSpec, parameter: &ParameterSpec) -> Option<&'a Value> {
-    let named = instance.parameters.iter().find(|(name, _)| name.value == parameter.name.value);
-    named.map(|(_, value)| value)
+/// Another value of an instance's parameter than its unit's, and whose names it is made of: what
+/// the scene says goes before what assemblies say of their parts.
+fn other<'a>(spec: &'a SceneSpec, instance: usize, name: &str) -> Option<(&'a Value, Scope)> {
+    let one = &spec.instances[instance];
+    let from_outside = one.parent.and_then(|parent| {
+        let part = &one.name.value[spec.instances[parent].name.value.len() + 1..];
+        other(spec, parent, &format!("{part}.{name}"))
+    });
+    from_outside.or_else(|| {
+        let (_, value) = one.parameters.iter().find(|(known, _)| known.value == name)?;
+        Some((value, Scope::within(one.parent)))
+    })
+}
+
+/// The instance and name of a parameter that an instance gives, its own or of what is inside it.
+fn given_by<'p>(
+    spec: &SceneSpec,
+    instance: usize,
+    path: &'p Spanned<String>,
+) -> Result<(usize, &'p str), Box<Mistake>> {
+    match path.value.rsplit_once('.') {
+        None => Ok((instance, &path.value)),
+        Some((part, name)) => Ok((find_inside(spec, instance, part, path.span)?, name)),
+    }
 }
 
 /// Every parameter of the scene, then those of its instances.
@@ -93,17 +113,25 @@ pub fn numbers(spec: &SceneSpec) -> impl Iterator<Item = (Scope, usize, f64)> {
 /// Values of the parameters that are numbers, once the scene names only those that its units
 /// have.
 pub fn values(spec: &SceneSpec, layout: &Layout, mistakes: &mut Vec<Mistake>) -> Vec<f64> {
-    for instance in &spec.instances {
-        let unit = &spec.units[instance.unit];
-        for (name, _) in &instance.parameters {
-            if let Some(Local::Parameter(_)) = layout.units[instance.unit].get(&name.value) {
+    for (index, instance) in spec.instances.iter().enumerate() {
+        for (path, _) in &instance.parameters {
+            let (owner, name) = match given_by(spec, index, path) {
+                Ok(found) => found,
+                Err(mistake) => {
+                    mistakes.push(*mistake);
+                    continue;
+                }
+            };
+            let owner = spec.instances[owner].unit;
+            if let Some(Local::Parameter(_)) = layout.units[owner].get(name) {
                 continue;
             }
-            let (unit_name, wanted) = (quoted(&unit.name), quoted(&name.value));
+            let unit = &spec.units[owner];
+            let (unit_name, wanted) = (quoted(&unit.name), quoted(name));
             let message = format!("unit {unit_name} has no parameter {wanted}");
             let known = unit.parameters.iter().map(|parameter| parameter.name.value.as_str());
-            let help = did_you_mean(&name.value, known);
-            mistakes.push(Mistake::new(name.span, message, "unknown").help(help));
+            let help = did_you_mean(name, known);
+            mistakes.push(Mistake::new(path.span, message, "unknown").help(help));
         }
     }
     numbers(spec).map(|(.., value)| value).collect()

@@ -10,8 +10,8 @@ use std::ops::RangeInclusive;
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::expression::{Ast, Literal, Node};
 use crate::spec::fields::Findings;
+use crate::spec::inside::{Inside, InstanceText};
 use crate::spec::names::quoted;
-use crate::spec::scene::{InstanceText, SceneText};
 use crate::spec::{Formula, JointSpec, PortForceSpec, Value};
 
 /// Instances that a row may have.
@@ -22,23 +22,26 @@ const INDEX: &str = "i";
 /// How many instances each row has.
 type Counts = BTreeMap<String, i64>;
 
-/// Makes one of each for every index.
-pub fn unroll(scene: &mut SceneText, found: &mut Findings) {
-    let rows = scene.instances.iter().filter_map(|text| Some((text, text.count.as_ref()?)));
+/// Makes one of each for every index; `names` are those that the index must not have.
+pub fn unroll<'n>(
+    inside: &mut Inside,
+    forces: &mut Vec<PortForceSpec>,
+    names: impl Iterator<Item = &'n Spanned<String>>,
+    found: &mut Findings,
+) {
+    let rows = inside.instances.iter().filter_map(|text| Some((text, text.count.as_ref()?)));
     let counts: Counts = rows.map(|(text, count)| (text.name.value.clone(), count.value)).collect();
     if !counts.is_empty() {
-        let named = scene.parameters.iter().map(|parameter| &parameter.name);
-        let named = named.chain(scene.helpers.iter().map(|helper| &helper.name));
-        for name in named.filter(|name| name.value == INDEX) {
+        for name in names.filter(|name| name.value == INDEX) {
             let message = "`i` is the index of rows, `disc[i]`, and names nothing else";
             found.mistakes.push(Mistake::new(name.span, message, "rename this"));
         }
     }
     let mut unroll = Unroll { counts, found };
-    unroll.instances(&mut scene.instances);
-    scene.joints = unroll.joints(std::mem::take(&mut scene.joints));
-    scene.forces = unroll.forces(std::mem::take(&mut scene.forces));
-    for values in [&mut scene.initial, &mut scene.guess] {
+    unroll.instances(&mut inside.instances);
+    inside.joints = unroll.joints(std::mem::take(&mut inside.joints));
+    *forces = unroll.forces(std::mem::take(forces));
+    for values in [&mut inside.initial, &mut inside.guess] {
         *values = unroll.values(std::mem::take(values));
     }
 }
@@ -75,7 +78,7 @@ impl Unroll<'_> {
             for index in self.indices(&[a, b]) {
                 let connect = joint.connect.each_ref().map(|port| at(port, index));
                 let ratio = joint.ratio.as_ref().map(|ratio| ratio.for_index(index));
-                all.push(JointSpec { connect, ratio });
+                all.push(JointSpec { connect, ratio, within: None });
             }
         }
         all
@@ -151,15 +154,22 @@ fn indexed(path: &str) -> Option<(&str, i64)> {
     Some((row, sign * size))
 }
 
-/// `row[i+1].port` as `row_4.port` where `i` is 3, and `row[3].port` as `row_3.port`.
+/// `row[i+1].port` as `row_4.port` where `i` is 3, and `row[3].port` as `row_3.port`; likewise
+/// what stands in brackets further on.
 fn plain(path: &str, index: Option<i64>) -> String {
     let Some((row, rest)) = path.split_once('[') else { return path.to_owned() };
     let Some((inside, rest)) = rest.split_once(']') else { return path.to_owned() };
+    let rest = plain(rest, index);
     match (indexed(path), index, inside.trim().parse::<u32>()) {
         (Some((_, offset)), Some(index), _) => format!("{row}_{}{rest}", index + offset),
         (_, _, Ok(number)) => format!("{row}_{number}{rest}"),
-        _ => path.to_owned(),
+        _ => format!("{row}[{inside}]{rest}"),
     }
+}
+
+/// `row[3].port` as `row_3.port`.
+pub fn numbered(path: &str) -> String {
+    plain(path, None)
 }
 
 fn at(path: &Spanned<String>, index: Option<i64>) -> Spanned<String> {
@@ -244,6 +254,8 @@ mod tests {
             ("disc[ i - 2 ]", "disc_1"),
             ("disc[7].b", "disc_7.b"),
             ("disc.b", "disc.b"),
+            ("train[i].disc[4].b", "train_3.disc_4.b"),
+            ("train[2].disc[i].b", "train_2.disc_3.b"),
             ("disc[j].b", "disc[j].b"),
             ("disc[i*2].b", "disc[i*2].b"),
             ("disc[i", "disc[i"),

@@ -4,7 +4,9 @@ use crate::spec::diagnostic::{Diagnostics, FileId, Span};
 use crate::spec::fields::Findings;
 use crate::spec::library::LibraryUnit;
 use crate::spec::source::{Sources, one_line, written, written_formula};
-use crate::spec::{Formula, UnitSpec, Value, toml, unit};
+use crate::spec::{
+    ConnectorSpec, ExposedSpec, Formula, InstanceText, JointSpec, UnitSpec, Value, toml, unit,
+};
 use machinist_model::Direction;
 
 /// A unit by its name, ports, numbers and equations, all as its spec writes them.
@@ -20,6 +22,12 @@ pub struct Card {
     pub source: String,
     /// Name, kind, and what it moves by.
     pub ports: Vec<[String; 3]>,
+    /// Several ports that joints take hold of together, and which.
+    pub connectors: Vec<[String; 2]>,
+    /// Of an assembly, its parts: name, unit, and values other than the unit's.
+    pub parts: Vec<[String; 3]>,
+    /// Of an assembly, joints of its parts.
+    pub joints: Vec<[String; 2]>,
     /// Name, value, unit and meaning.
     pub parameters: Vec<[String; 4]>,
     /// Name, unit and meaning.
@@ -97,7 +105,10 @@ impl Reader {
             title: spec.title.clone(),
             doc: one_line(&spec.doc),
             source: one_line(&spec.source),
-            ports: spec.ports.iter().map(port).collect(),
+            ports: spec.ports.iter().map(port).chain(spec.exposed.iter().map(exposed)).collect(),
+            connectors: spec.connectors.iter().map(connector).collect(),
+            parts: spec.inside.instances.iter().map(|part| self.part(part)).collect(),
+            joints: spec.inside.joints.iter().map(|joint| self.joint(joint)).collect(),
             parameters: spec.parameters.iter().map(parameter).collect(),
             inputs: spec.inputs.iter().map(input).collect(),
             modes: modes.map(|mode| [mode.name.value.clone(), one_line(&mode.doc)]).collect(),
@@ -107,6 +118,28 @@ impl Reader {
                 .map(|one| [one.name.value.clone(), one.unit.text.clone(), one_line(&one.doc)])
                 .collect(),
             example: library.example,
+        }
+    }
+
+    fn part(&self, part: &InstanceText) -> [String; 3] {
+        let values = part.parameters.iter().map(|(name, value)| {
+            let value = match value {
+                Value::Number(value) => number(*value),
+                Value::Expression(ast) => self.written(ast.span),
+            };
+            format!("{} = {value}", name.value)
+        });
+        let inputs = part.inputs.iter();
+        let inputs = inputs.map(|(name, of)| format!("{} = {}", name.value, self.formula(of)));
+        let given: Vec<String> = values.chain(inputs).collect();
+        [part.name.value.clone(), part.unit.value.clone(), given.join(", ")]
+    }
+
+    fn joint(&self, joint: &JointSpec) -> [String; 2] {
+        let [first, second] = joint.connect.each_ref().map(|port| port.value.clone());
+        match &joint.ratio {
+            None => [first, second],
+            Some(ratio) => [first, format!("({})*{second}", self.formula(ratio))],
         }
     }
 
@@ -176,6 +209,16 @@ impl Reader {
         });
         events.collect()
     }
+}
+
+/// A port of an assembly.
+fn exposed(port: &ExposedSpec) -> [String; 3] {
+    [port.name.value.clone(), "of a part".to_owned(), port.of.value.clone()]
+}
+
+fn connector(connector: &ConnectorSpec) -> [String; 2] {
+    let ports: Vec<&str> = connector.ports.iter().map(|port| port.value.as_str()).collect();
+    [connector.name.value.clone(), ports.join(", ")]
 }
 
 /// A number as people write it.

@@ -1,5 +1,6 @@
 //! Checks of a scene: what its run is held against.
 
+use crate::spec::array;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::expression::Ast;
 use crate::spec::fields::{Fields, Findings};
@@ -43,7 +44,9 @@ pub enum ReferenceSpec {
 pub fn check(entry: &Entry, found: &mut Findings) -> Option<CheckSpec> {
     let what = format!("check {}", quoted(&entry.key.value));
     let mut fields = Fields::open(&entry.value, what, found);
-    let of = fields.required_text("of");
+    let of = fields
+        .required_text("of")
+        .map(|of| Spanned { value: array::numbered(&of.value), span: of.span });
     let reference = reference(entry.key.span, &mut fields);
     let tolerance = above_zero("tolerance", &mut fields);
     if tolerance.is_none() {

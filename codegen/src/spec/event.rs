@@ -4,9 +4,9 @@ use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::Unit;
 use crate::spec::expression::{Ast, Literal, Node};
 use crate::spec::fields::{Fields, Findings};
+use crate::spec::inside::{by_path, values_by_name};
 use crate::spec::measure::Factor;
 use crate::spec::names::{did_you_mean, quoted};
-use crate::spec::scene::values_by_name;
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::{Declared, EventSpec, Formula, StateSpec};
 use machinist_model::Direction;
@@ -79,18 +79,10 @@ pub(super) fn whole_numbers(
     fields: &mut Fields<'_>,
 ) -> Vec<(Spanned<String>, i32)> {
     let mut numbers = Vec::new();
-    for Entry { key, value } in entries {
-        if let Tree::Table(inner) = &value.value {
-            for entry in inner {
-                let path = format!("{}.{}", key.value, entry.key.value);
-                let name = Spanned { value: path, span: entry.key.span };
-                let number = whole_number(&entry.value, &entry.key.value, fields);
-                numbers.extend(number.map(|number| (name, number)));
-            }
-        } else {
-            let number = whole_number(value, &key.value, fields);
-            numbers.extend(number.map(|number| (key.clone(), number)));
-        }
+    for (name, tree) in by_path(entries) {
+        let own = name.value.rsplit('.').next().unwrap_or_default();
+        let number = whole_number(tree, own, fields);
+        numbers.extend(number.map(|number| (name, number)));
     }
     numbers
 }

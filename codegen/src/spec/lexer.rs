@@ -90,7 +90,7 @@ pub enum Token {
     Number(Literal),
     /// A unit in brackets.
     Unit(Measure),
-    /// A name, or two with a dot between.
+    /// A name, or that of an instance, with dots within what is inside others, and one of its own.
     Name(Option<String>, String),
     /// A quoted text.
     Text(String),
@@ -207,21 +207,25 @@ impl Lexer<'_> {
         length
     }
 
+    /// A name, or several with dots between: all but the last are the instance.
     fn name(&mut self) -> Token {
-        let mut first = self.word();
-        if let Some(index) = self.index() {
-            // A number at once, an `i` once it is known.
-            let number = index.parse::<u32>();
-            first = number.map_or(format!("{first}[{index}]"), |n| format!("{first}_{n}"));
+        let mut path: Option<String> = None;
+        loop {
+            let mut word = self.word();
+            if let Some(index) = self.index() {
+                // A number at once, an `i` once it is known.
+                let number = index.parse::<u32>();
+                word = number.map_or(format!("{word}[{index}]"), |n| format!("{word}_{n}"));
+            }
+            let mut after = self.rest().chars();
+            let dotted = after.next() == Some('.')
+                && after.next().is_some_and(|c| c.is_ascii_alphabetic() || c == '_');
+            if !dotted {
+                return Token::Name(path, word);
+            }
+            self.at += 1;
+            path = Some(path.map_or(word.clone(), |path| format!("{path}.{word}")));
         }
-        let mut after = self.rest().chars();
-        let dotted = after.next() == Some('.')
-            && after.next().is_some_and(|c| c.is_ascii_alphabetic() || c == '_');
-        if !dotted {
-            return Token::Name(None, first);
-        }
-        self.at += 1;
-        Token::Name(Some(first), self.word())
     }
 
     /// What stands in brackets right behind a name: `3`, `i`, `i+1`.

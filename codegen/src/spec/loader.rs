@@ -1,17 +1,22 @@
 //! From a scene's path to everything it refers to.
 
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use crate::spec::diagnostic::{Diagnostics, FileId, Mistake, Spanned};
 use crate::spec::fields::Findings;
 use crate::spec::library::{LIBRARY, LibraryScene};
 use crate::spec::names::quoted;
-use crate::spec::scene::{self, SceneText};
+use crate::spec::scene;
 use crate::spec::source::{Sources, folder_of};
-use crate::spec::{InstanceSpec, SceneSpec, UnitSpec, table, toml, unit};
+use crate::spec::{
+    Inside, InstanceSpec, InstanceText, JointSpec, SceneSpec, UnitSpec, connect, table, toml, unit,
+};
 
 /// Names that are as alike as this are taken for one that was misspelt.
 const ALIKE: f64 = 0.85;
+/// Instances that a scene may have, with all that is inside them.
+const MOST_INSTANCES: usize = 20_000;
 
 pub(super) fn load(path: &Path) -> Result<SceneSpec, Diagnostics> {
     let mut sources = Sources::beside(path);
@@ -31,9 +36,22 @@ fn read(sources: Sources, file: FileId, folder: Option<&Path>) -> Result<SceneSp
     let tree = toml::parse(&text, file).map_err(|mistake| sources.diagnostics(&[mistake]))?;
     let mut found = Findings::default();
     let mut scene = scene::read(&tree, file, &mut found);
-    let mut loader = Loader { sources, found, folder, units: Vec::new() };
-    let instances = loader.instances(&mut scene);
-    let Loader { mut sources, mut found, units, .. } = loader;
+    let mut loader = Loader {
+        sources,
+        found,
+        folder,
+        scene: file,
+        define: std::mem::take(&mut scene.define),
+        units: Vec::new(),
+        known: HashMap::new(),
+        instances: Vec::new(),
+        joints: Vec::new(),
+    };
+    let inside = std::mem::take(&mut scene.inside);
+    loader.open(&inside, None, &mut Vec::new());
+    let Loader { mut sources, mut found, units, instances, joints, .. } = loader;
+    let mut forces = scene.forces;
+    let joints = connect::ports_of(&units, &instances, joints, &mut forces, &mut found.mistakes);
     let tables = table::read_all(&found.tables, &mut sources, &mut found.mistakes);
     match (scene.header, scene.run) {
         (Some(header), Some(run)) if found.mistakes.is_empty() => Ok(SceneSpec {
@@ -44,16 +62,16 @@ fn read(sources: Sources, file: FileId, folder: Option<&Path>) -> Result<SceneSp
             source: header.source,
             units,
             instances,
-            joints: scene.joints,
+            joints,
             parameters: scene.parameters,
             helpers: scene.helpers,
             energy: scene.energy,
-            forces: scene.forces,
+            forces,
             events: scene.events,
             constraints: scene.constraints,
-            initial: scene.initial,
+            initial: inside.initial,
             starts_in_equilibrium: scene.starts_in_equilibrium,
-            guess: scene.guess,
+            guess: inside.guess,
             outputs: scene.outputs,
             checks: scene.checks,
             tunable: scene.tunable,
@@ -71,31 +89,101 @@ struct Loader<'a> {
     found: Findings,
     /// Where units are looked for beside the library.
     folder: Option<&'a Path>,
+    /// The scene's own file.
+    scene: FileId,
+    /// The units that the scene defines.
+    define: Vec<UnitSpec>,
     units: Vec<UnitSpec>,
+    /// Units by name, and by whether only those that come with Machinist are meant.
+    known: HashMap<(bool, String), Option<usize>>,
+    instances: Vec<InstanceSpec>,
+    joints: Vec<JointSpec>,
 }
 
 impl Loader<'_> {
-    /// The instances, each with its unit looked up; a unit is read once.
-    fn instances(&mut self, scene: &mut SceneText) -> Vec<InstanceSpec> {
-        let texts = std::mem::take(&mut scene.instances);
-        let mut instances = Vec::new();
-        for text in texts {
-            let known = self.units.iter().position(|unit| unit.name == text.unit.value);
-            let unit = known.or_else(|| {
-                let unit = self.find(&text.unit, &scene.define)?;
-                self.units.push(unit);
-                Some(self.units.len() - 1)
+    /// Takes in what is inside the scene, or an assembly: `within` is its instance, and `trail`
+    /// the units that it is inside of.
+    fn open(&mut self, inside: &Inside, within: Option<usize>, trail: &mut Vec<usize>) {
+        let prefix =
+            within.map_or(String::new(), |at| format!("{}.", self.instances[at].name.value));
+        for text in &inside.instances {
+            // What comes with Machinist is made of what does so too, whatever else has its name.
+            let by_library = trail.last().is_some_and(|unit| self.is_library(*unit));
+            let Some(unit) = self.unit_of(&text.unit, by_library) else { continue };
+            if trail.contains(&unit) {
+                self.refuse_cycle(text, unit, trail);
+                continue;
+            }
+            if self.instances.len() >= MOST_INSTANCES {
+                let message = format!("a scene has at most {MOST_INSTANCES} instances");
+                let mistake = Mistake::new(text.name.span, message, "too many from here on");
+                self.found.mistakes.push(mistake);
+                return;
+            }
+            let name = format!("{prefix}{}", text.name.value);
+            let at = self.instances.len();
+            self.instances.push(InstanceSpec {
+                name: Spanned { value: name, span: text.name.span },
+                parent: within,
+                unit,
+                parameters: text.parameters.clone(),
+                inputs: text.inputs.clone(),
+                fields: text.fields.clone(),
             });
-            let Some(unit) = unit else { continue };
-            let (parameters, inputs, fields) = (text.parameters, text.inputs, text.fields);
-            instances.push(InstanceSpec { name: text.name, unit, parameters, inputs, fields });
+            if self.units[unit].is_assembly() {
+                let inside = self.units[unit].inside.clone();
+                trail.push(unit);
+                self.open(&inside, Some(at), trail);
+                trail.pop();
+            }
         }
-        instances
+        self.joints.extend(inside.joints.iter().map(|joint| JointSpec {
+            connect:
+                joint.connect.each_ref().map(|port| Spanned {
+                    value: format!("{prefix}{}", port.value),
+                    span: port.span,
+                }),
+            ratio: joint.ratio.clone(),
+            within,
+        }));
     }
 
-    fn find(&mut self, name: &Spanned<String>, define: &[UnitSpec]) -> Option<UnitSpec> {
-        if let Some(unit) = define.iter().find(|unit| unit.name == name.value) {
-            return Some(unit.clone());
+    fn refuse_cycle(&mut self, text: &InstanceText, unit: usize, trail: &[usize]) {
+        let from = trail.iter().position(|known| *known == unit).unwrap_or(0);
+        let names = trail[from..].iter().chain([&unit]).map(|unit| quoted(&self.units[*unit].name));
+        let names: Vec<String> = names.collect();
+        let message = format!("unit {} is made of itself", names[0]);
+        let help = format!("one inside the other: {}", names.join(", "));
+        self.found.mistakes.push(Mistake::new(text.unit.span, message, "again").help(help));
+    }
+
+    /// Whether a unit comes with Machinist; those of the scene's own file do not.
+    fn is_library(&self, unit: usize) -> bool {
+        let file = self.units[unit].file;
+        file != self.scene && self.sources.get(file).file.path.as_os_str().is_empty()
+    }
+
+    /// The unit of a name; each is read once.
+    fn unit_of(&mut self, name: &Spanned<String>, by_library: bool) -> Option<usize> {
+        let key = (by_library, name.value.clone());
+        if let Some(known) = self.known.get(&key) {
+            return *known;
+        }
+        let found = match if by_library { None } else { self.find_own(name) } {
+            Some(own) => own.map(|unit| {
+                self.units.push(unit);
+                self.units.len() - 1
+            }),
+            None => self.of_library(name),
+        };
+        self.known.insert(key, found);
+        found
+    }
+
+    /// A unit that the scene defines, or of a file beside it; `Some(None)` where that is bad.
+    fn find_own(&mut self, name: &Spanned<String>) -> Option<Option<UnitSpec>> {
+        if let Some(unit) = self.define.iter().find(|unit| unit.name == name.value) {
+            return Some(Some(unit.clone()));
         }
         let file_name = format!("{}.toml", name.value);
         for folder in self.unit_folders() {
@@ -106,21 +194,39 @@ impl Loader<'_> {
                         "the file of unit {} is a link that leads out of the folders of specs",
                         quoted(&name.value)
                     );
-                    return self.refuse(name, message, "put the file itself there");
+                    self.refuse(name, message, "put the file itself there");
+                    return Some(None);
                 }
-                let read = self.sources.read(&path);
-                return match read {
+                return Some(match self.sources.read(&path) {
                     Ok(file) => self.unit(name, file),
-                    Err(error) => self.refuse(name, error.to_string(), ""),
-                };
+                    Err(error) => {
+                        self.refuse(name, error.to_string(), "");
+                        None
+                    }
+                });
             }
         }
-        if let Some(unit) = LIBRARY.iter().find(|unit| unit.name == name.value) {
-            let file = self.sources.embed(&format!("units/{file_name}"), unit.text);
-            return self.unit(name, file);
+        None
+    }
+
+    /// A unit that comes with Machinist.
+    fn of_library(&mut self, name: &Spanned<String>) -> Option<usize> {
+        let key = (true, name.value.clone());
+        if let Some(known) = self.known.get(&key) {
+            return *known;
         }
-        let help = help_to_find(&name.value, define);
-        self.refuse(name, format!("there is no unit {}", quoted(&name.value)), &help)
+        let Some(unit) = LIBRARY.iter().find(|unit| unit.name == name.value) else {
+            let help = help_to_find(&name.value, &self.define);
+            self.refuse(name, format!("there is no unit {}", quoted(&name.value)), &help);
+            return None;
+        };
+        let file = self.sources.embed(&format!("units/{}.toml", name.value), unit.text);
+        let found = self.unit(name, file).map(|unit| {
+            self.units.push(unit);
+            self.units.len() - 1
+        });
+        self.known.insert(key, found);
+        found
     }
 
     /// The scene's folder, and that of the units beside it.
@@ -151,9 +257,8 @@ impl Loader<'_> {
         }
     }
 
-    fn refuse(&mut self, name: &Spanned<String>, message: String, help: &str) -> Option<UnitSpec> {
+    fn refuse(&mut self, name: &Spanned<String>, message: String, help: &str) {
         self.found.mistakes.push(Mistake::new(name.span, message, "asked for here").help(help));
-        None
     }
 }
 

@@ -4,16 +4,16 @@ use crate::spec::array;
 use crate::spec::check::check;
 use crate::spec::constraint::constraint;
 use crate::spec::diagnostic::{FileId, Mistake, Span, Spanned};
-use crate::spec::distributed;
 use crate::spec::event;
 use crate::spec::expression::Ast;
 use crate::spec::fields::{Fields, Findings};
-use crate::spec::names::{self, did_you_mean, quoted};
+use crate::spec::inside::{self, Inside, values_by_name};
+use crate::spec::names::{self, did_you_mean};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::unit::{self, each};
 use crate::spec::{
-    CheckSpec, ConstraintSpec, DefinitionSpec, DiscretisationSpec, EnergySpec, EventSpec, Formula,
-    JointSpec, OutputSpec, ParameterSpec, PortForceSpec, RunSpec, UnitSpec, Value,
+    CheckSpec, ConstraintSpec, DefinitionSpec, EnergySpec, EventSpec, OutputSpec, ParameterSpec,
+    PortForceSpec, RunSpec, UnitSpec,
 };
 
 /// Methods a spec may name.
@@ -32,17 +32,14 @@ const RTOL: std::ops::RangeInclusive<f64> = 1e-14..=0.1;
 pub struct SceneText {
     pub header: Option<Header>,
     pub define: Vec<UnitSpec>,
-    pub instances: Vec<InstanceText>,
-    pub joints: Vec<JointSpec>,
+    pub inside: Inside,
     pub parameters: Vec<ParameterSpec>,
     pub helpers: Vec<DefinitionSpec>,
     pub energy: EnergySpec,
     pub forces: Vec<PortForceSpec>,
     pub events: Vec<EventSpec>,
     pub constraints: Vec<ConstraintSpec>,
-    pub initial: Vec<(Spanned<String>, Formula)>,
     pub starts_in_equilibrium: bool,
-    pub guess: Vec<(Spanned<String>, Formula)>,
     pub outputs: Vec<OutputSpec>,
     pub checks: Vec<CheckSpec>,
     pub tunable: Option<Vec<Spanned<String>>>,
@@ -60,18 +57,6 @@ pub struct Header {
     pub source: String,
 }
 
-/// An instance whose unit is only named.
-#[derive(Debug)]
-pub struct InstanceText {
-    pub name: Spanned<String>,
-    pub unit: Spanned<String>,
-    /// Of a row of instances, how many.
-    pub count: Option<Spanned<i64>>,
-    pub parameters: Vec<(Spanned<String>, Value)>,
-    pub inputs: Vec<(Spanned<String>, Formula)>,
-    pub fields: Vec<DiscretisationSpec>,
-}
-
 /// Reads a scene.
 pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneText {
     let mut fields = Fields::open(tree, "the scene".to_owned(), found);
@@ -82,9 +67,7 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
         .map(|entry| unit::read(&entry.value, &entry.key.value, file, false, fields.found()));
     let define = define.collect();
     fields.require("units");
-    let instances = each(&mut fields, "units", instance);
-    let joints = fields.list("joints");
-    let joints = joints.iter().filter_map(|tree| joint(tree, fields.found())).collect();
+    let (instances, joints) = inside::parts(&mut fields);
     let parameters = each(&mut fields, "parameters", unit::parameter_of_scene);
     let helpers = each(&mut fields, "helpers", unit::definition);
     let energy = fields.take("energy").map(|tree| unit::energy(tree, fields.found()));
@@ -95,8 +78,7 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
     let initial = fields.entries("initial");
     let starts_in_equilibrium = starts_in_equilibrium(initial, &mut fields);
     let initial = values_by_name(initial.iter().filter(|entry| !is_from(entry)), &mut fields);
-    let guess = fields.entries("guess");
-    let guess = values_by_name(guess, &mut fields);
+    let guess = values_by_name(fields.entries("guess"), &mut fields);
     let outputs = each(&mut fields, "outputs", output);
     let checks = each(&mut fields, "checks", check);
     let tunable = fields.take("tunable").map(|tree| tunable(tree, fields.found()));
@@ -107,17 +89,14 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
     let mut scene = SceneText {
         header,
         define,
-        instances,
-        joints,
+        inside: Inside { instances, joints, initial, guess },
         parameters,
         helpers,
         energy: energy.unwrap_or_default(),
         forces,
         events,
         constraints,
-        initial,
         starts_in_equilibrium,
-        guess,
         outputs,
         checks,
         tunable,
@@ -125,7 +104,9 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
         freeze_tolerance,
         run,
     };
-    array::unroll(&mut scene, found);
+    let names = scene.parameters.iter().map(|parameter| &parameter.name);
+    let names = names.chain(scene.helpers.iter().map(|helper| &helper.name));
+    array::unroll(&mut scene.inside, &mut scene.forces, names, found);
     scene
 }
 
@@ -141,71 +122,6 @@ fn header(tree: &Spanned<Tree>, found: &mut Findings) -> Option<Header> {
     let name = name.filter(|_| present)?;
     let title = if title.is_empty() { name.value.replace('_', " ") } else { title };
     Some(Header { name, title, doc, source })
-}
-
-fn instance(entry: &Entry, found: &mut Findings) -> Option<InstanceText> {
-    let what = format!("instance {}", quoted(&entry.key.value));
-    let mut fields = Fields::open(&entry.value, what, found);
-    let unit = fields.required_text("unit");
-    let count = fields.number("count").and_then(|count| {
-        if count.value.fract() == 0.0 && (1.0..=array::MOST).contains(&count.value) {
-            return Some(Spanned { value: count.value as i64, span: count.span });
-        }
-        let message = format!("`count` is a whole number from 1 to {}", array::MOST);
-        fields.found().mistakes.push(Mistake::new(count.span, message, "out of range"));
-        None
-    });
-    let unit = unit.filter(|unit| match check_unit_path(unit) {
-        Ok(()) => true,
-        Err(mistake) => {
-            fields.found().mistakes.push(mistake);
-            false
-        }
-    });
-    let overrides = fields.entries("parameters");
-    let parameters = overrides.iter().filter_map(|entry| {
-        let value = fields.as_value(&entry.value, &entry.key.value)?;
-        Some((entry.key.clone(), value))
-    });
-    let parameters = parameters.collect();
-    let bindings = fields.entries("inputs");
-    let inputs = bindings.iter().filter_map(|entry| {
-        let formula = fields.as_formula(&entry.value, &entry.key.value)?;
-        Some((entry.key.clone(), formula))
-    });
-    let inputs = inputs.collect();
-    let choices = each(&mut fields, "fields", distributed::discretisation);
-    fields.close();
-    let name = entry.key.clone();
-    Some(InstanceText { name, unit: unit?, count, parameters, inputs, fields: choices })
-}
-
-/// `inertia`, or `rotational/inertia` of a folder: names with slashes between them.
-fn check_unit_path(unit: &Spanned<String>) -> Result<(), Mistake> {
-    let names = unit.value.split('/');
-    names
-        .map(|part| Spanned { value: part.to_owned(), span: unit.span })
-        .try_for_each(|part| names::check(&part))
-}
-
-fn joint(tree: &Spanned<Tree>, found: &mut Findings) -> Option<JointSpec> {
-    let mut fields = Fields::open(tree, "[[joints]]".to_owned(), found);
-    let connect = fields.require("connect").and_then(|list| ports(list, &mut fields));
-    let ratio = fields.formula("ratio");
-    fields.close();
-    Some(JointSpec { connect: connect?, ratio })
-}
-
-fn ports(tree: &Spanned<Tree>, fields: &mut Fields<'_>) -> Option<[Spanned<String>; 2]> {
-    let Tree::List(items) = &tree.value else {
-        return fields.wrong(tree, "connect", "a list of two ports");
-    };
-    let [first, second] = items.as_slice() else {
-        let mistake = Mistake::new(tree.span, "a joint connects two ports", "not two");
-        fields.found().mistakes.push(mistake.help("write connect = [\"a.port\", \"b.port\"]"));
-        return None;
-    };
-    Some([fields.as_text(first, "connect")?, fields.as_text(second, "connect")?])
 }
 
 fn force(tree: &Spanned<Tree>, found: &mut Findings) -> Option<PortForceSpec> {
@@ -242,27 +158,6 @@ fn starts_in_equilibrium(initial: &[Entry], fields: &mut Fields<'_>) -> bool {
 /// Not the values of an instance of that name, `from.angle = 0`.
 fn is_from(entry: &Entry) -> bool {
     entry.key.value == FROM && !matches!(entry.value.value, Tree::Table(_))
-}
-
-/// Both `"motor.angle" = 0` and `motor.angle = 0`, which TOML takes for a table.
-pub fn values_by_name<'a>(
-    entries: impl IntoIterator<Item = &'a Entry>,
-    fields: &mut Fields<'_>,
-) -> Vec<(Spanned<String>, Formula)> {
-    let mut values = Vec::new();
-    for Entry { key, value } in entries {
-        let Tree::Table(inner) = &value.value else {
-            values.extend(fields.as_formula(value, &key.value).map(|value| (key.clone(), value)));
-            continue;
-        };
-        for entry in inner {
-            let path = format!("{}.{}", key.value, entry.key.value);
-            let name = Spanned { value: path, span: entry.key.span };
-            let formula = fields.as_formula(&entry.value, &entry.key.value);
-            values.extend(formula.map(|value| (name, value)));
-        }
-    }
-    values
 }
 
 fn output(entry: &Entry, found: &mut Findings) -> Option<OutputSpec> {
@@ -305,7 +200,12 @@ fn required_names(key: &'static str, fields: &mut Fields<'_>) -> Vec<Spanned<Str
     match fields.require(key) {
         None => Vec::new(),
         Some(Spanned { value: Tree::List(items), .. }) => {
-            items.iter().filter_map(|item| fields.as_text(item, key)).collect()
+            let names = items.iter().filter_map(|item| fields.as_text(item, key));
+            let numbered = |name: Spanned<String>| Spanned {
+                value: array::numbered(&name.value),
+                span: name.span,
+            };
+            names.map(numbered).collect()
         }
         Some(tree) => fields.wrong(tree, key, "a list of names").unwrap_or_default(),
     }

@@ -116,7 +116,7 @@ impl Asking {
         if self.takes(place, Tree::List(Vec::new())) {
             shapes.push(Shape::List(Box::new(self.shape(&then(place, Step::Item)))));
         }
-        if self.takes(place, Tree::Table(Vec::new())) {
+        if !is_long_path(place) && self.takes(place, Tree::Table(Vec::new())) {
             shapes.push(self.table(place));
         }
         match <[Shape; 1]>::try_from(shapes) {
@@ -215,6 +215,13 @@ impl Asking {
         (self.0)(&tree, &mut found);
         found
     }
+}
+
+/// Whether a place is a path of names, `gearbox.gear.phi`, that goes on as far as a scene has
+/// assemblies in assemblies: longer ones are written in quotes.
+fn is_long_path(place: &[Step]) -> bool {
+    let is_name = |step: &&Step| matches!(step, Step::Key(key, _) if key == NAME);
+    place.iter().rev().take_while(is_name).count() > 3
 }
 
 /// Where what is asked about stands.

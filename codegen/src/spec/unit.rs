@@ -1,16 +1,18 @@
 //! A unit's table to a [`UnitSpec`].
 
+use crate::spec::array;
 use crate::spec::constraint::constraint;
 use crate::spec::diagnostic::{FileId, Mistake, Spanned};
 use crate::spec::distributed::{self, AttachmentSpec};
 use crate::spec::event;
 use crate::spec::fields::{Fields, Findings};
+use crate::spec::inside::{self, Inside};
 use crate::spec::measure::{Measure, UnitError};
 use crate::spec::names::{self, did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::{
-    CoordinateSpec, DefinitionSpec, EnergySpec, ForceSpec, InputSpec, ParameterSpec, PortKind,
-    PortSpec, PowerSpec, StateSpec, Symbol, UnitSpec,
+    ConnectorSpec, CoordinateSpec, DefinitionSpec, EnergySpec, ExposedSpec, ForceSpec, InputSpec,
+    ParameterSpec, PortKind, PortSpec, PowerSpec, StateSpec, Symbol, UnitSpec,
 };
 
 /// Reads a unit found by `name`; `whole` if it is a file of its own, which must
@@ -28,7 +30,8 @@ pub fn read(
         header.map(|tree| self::header(tree, fields.found())).unwrap_or_default();
     let mut coordinates = each(&mut fields, "coordinates", coordinate);
     let distributed = each(&mut fields, "fields", distributed::field);
-    let ports = each(&mut fields, "ports", port);
+    let (ports, exposed) = ports(&mut fields);
+    let connectors = connectors(&mut fields);
     coordinates.extend(ports.iter().filter_map(|port| distributed::coordinate(port, &distributed)));
     let parameters = each(&mut fields, "parameters", parameter);
     let inputs = each(&mut fields, "inputs", input);
@@ -42,7 +45,16 @@ pub fn read(
     let forces = fields.list("forces");
     let forces = forces.iter().filter_map(|tree| force(tree, fields.found())).collect();
     let outputs = each(&mut fields, "outputs", definition);
+    let (instances, joints) = inside::parts(&mut fields);
+    let [initial, guess] = ["initial", "guess"].map(|key| {
+        let entries = fields.entries(key);
+        inside::values_by_name(entries, &mut fields)
+    });
     fields.close();
+    let mut inside = Inside { instances, joints, initial, guess };
+    let names = parameters.iter().map(|parameter| &parameter.name);
+    let names = names.chain(helpers.iter().map(|helper: &DefinitionSpec| &helper.name));
+    array::unroll(&mut inside, &mut Vec::new(), names, found);
     UnitSpec {
         name: name.to_owned(),
         file,
@@ -53,6 +65,8 @@ pub fn read(
         coordinates,
         fields: distributed,
         ports,
+        exposed,
+        connectors,
         parameters,
         inputs,
         helpers,
@@ -63,6 +77,7 @@ pub fn read(
         power: power.unwrap_or_default(),
         forces,
         outputs,
+        inside,
     }
 }
 
@@ -127,6 +142,49 @@ fn coordinate(entry: &Entry, found: &mut Findings) -> Option<CoordinateSpec> {
         scale,
         is_fixed,
     })
+}
+
+/// Ports of the unit's own, and those of what is inside it: `flange = "gear.a"`.
+fn ports(fields: &mut Fields<'_>) -> (Vec<PortSpec>, Vec<ExposedSpec>) {
+    let (mut ports, mut exposed) = (Vec::new(), Vec::new());
+    for entry in fields.named("ports") {
+        let Tree::Text { .. } = entry.value.value else {
+            ports.extend(port(entry, fields.found()));
+            continue;
+        };
+        let Some(mut of) = fields.as_text(&entry.value, &entry.key.value) else { continue };
+        of.value = array::numbered(&of.value);
+        if of.value.contains('.') {
+            exposed.push(ExposedSpec { name: entry.key.clone(), of });
+            continue;
+        }
+        let message = format!("{} is no port of what is inside", quoted(&of.value));
+        let help = "write \"part.port\"; a port of the unit's own is a table, { kind = \"...\", \
+                    coordinate = \"...\" }";
+        fields.found().mistakes.push(Mistake::new(of.span, message, "not part.port").help(help));
+    }
+    (ports, exposed)
+}
+
+/// `[connectors]`: lists of ports by name.
+fn connectors(fields: &mut Fields<'_>) -> Vec<ConnectorSpec> {
+    let mut connectors = Vec::new();
+    for entry in fields.named("connectors") {
+        let Tree::List(items) = &entry.value.value else {
+            fields.wrong::<()>(&entry.value, &entry.key.value, "a list of ports");
+            continue;
+        };
+        let ports: Vec<_> =
+            items.iter().filter_map(|item| fields.as_text(item, &entry.key.value)).collect();
+        if ports.is_empty() {
+            let message = format!("connector {} has no ports", quoted(&entry.key.value));
+            let mistake = Mistake::new(entry.value.span, message, "nothing here");
+            fields.found().mistakes.push(mistake);
+            continue;
+        }
+        connectors.push(ConnectorSpec { name: entry.key.clone(), ports });
+    }
+    connectors
 }
 
 fn port(entry: &Entry, found: &mut Findings) -> Option<PortSpec> {

@@ -5,6 +5,8 @@ use machinist_codegen::spec::{InstanceSpec, PortSpec, SceneSpec, Symbol};
 use machinist_model::{Model, StateKind};
 use serde::Serialize;
 
+use crate::report::schematic::drawn;
+
 /// What moves with which entries of the state.
 #[derive(Debug, Clone, Serialize)]
 pub(in crate::report) struct Moving {
@@ -49,7 +51,7 @@ impl Moving {
     /// Of a scene and its model.
     pub(in crate::report) fn of(scene: &SceneSpec, model: &Model) -> Self {
         let joined = Joined::of(scene);
-        let parts = scene.instances.iter().enumerate();
+        let parts = drawn(scene).enumerate();
         let parts = parts.filter_map(|(part, instance)| {
             let unit = &scene.units[instance.unit];
             let (slides, id) = joined.moves_as_one(scene, model, instance)?;
@@ -182,7 +184,7 @@ impl Joined {
 
 /// The coordinate that a port moves with as much as it.
 fn end_of(scene: &SceneSpec, text: &str) -> Option<String> {
-    let (name, port) = text.split_once('.')?;
+    let (name, port) = text.rsplit_once('.')?;
     let instance = scene.instances.iter().find(|known| known.name.value == name)?;
     let ports = &scene.units[instance.unit].ports;
     let port: &PortSpec = ports.iter().find(|known| known.name.value == port)?;
@@ -191,7 +193,7 @@ fn end_of(scene: &SceneSpec, text: &str) -> Option<String> {
 }
 
 fn is_held(scene: &SceneSpec, path: &str) -> bool {
-    let Some((name, coordinate)) = path.split_once('.') else { return false };
+    let Some((name, coordinate)) = path.rsplit_once('.') else { return false };
     let instance = scene.instances.iter().find(|known| known.name.value == name);
     let coordinates = instance.map(|known| &scene.units[known.unit].coordinates);
     let found = coordinates.and_then(|all| all.iter().find(|c| c.name.value == coordinate));

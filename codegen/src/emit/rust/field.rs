@@ -115,7 +115,8 @@ fn module(scene: &Scene<'_>, field: &FieldModel, name: &Ident) -> Result<TokenSt
     for table in &scene.tables {
         locals.reserve(&table.to_string());
     }
-    let instance = field.quantities[0].name.path.split('.').next().unwrap_or_default();
+    let instance =
+        field.quantities[0].name.path.rsplit_once('.').map_or("", |(instance, _)| instance);
     let own = |quantity: &Quantity| {
         let path = quantity.name.path.as_str();
         path.strip_prefix(instance).and_then(|own| own.strip_prefix('.')).unwrap_or(path).to_owned()

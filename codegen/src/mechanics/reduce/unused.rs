@@ -235,5 +235,5 @@ fn units(system: &LagrangianSystem) -> BTreeSet<String> {
     let states = system.first_order.iter().map(|z| &z.quantity.name.path);
     let parameters = system.parameters.iter().map(|p| &p.quantity.name.path);
     let all = coordinates.chain(states).chain(parameters);
-    all.filter_map(|path| Some(path.split_once('.')?.0.to_owned())).collect()
+    all.filter_map(|path| Some(path.rsplit_once('.')?.0.to_owned())).collect()
 }

@@ -101,7 +101,7 @@ impl Assembler<'_> {
         }
         let asked_for = outputs.iter().any(|output| output.quantity.name.path == of.value);
         if !self.spec.outputs.is_empty() && !asked_for {
-            let (instance, own) = of.value.split_once('.').unwrap_or(("", &of.value));
+            let (instance, own) = of.value.rsplit_once('.').unwrap_or(("", &of.value));
             let quantity = quantity(Some(instance), own, &unit, &doc);
             let mut names = Flat::default();
             for output in &*outputs {
@@ -126,7 +126,7 @@ impl Assembler<'_> {
 
     /// The expression of a coordinate, velocity or state by `instance.name`.
     fn state_named(&self, of: &Spanned<String>) -> Option<Ast> {
-        let (instance, own) = of.value.split_once('.')?;
+        let (instance, own) = of.value.rsplit_once('.')?;
         let instances = &self.spec.instances;
         let unit = instances.iter().find(|known| known.name.value == instance)?.unit;
         match self.layout.units[unit].get(own)? {

@@ -36,7 +36,7 @@ impl Assembler<'_> {
         formula: &Formula,
         profiles: &mut Profiles,
     ) -> bool {
-        let Some((instance, own)) = name.value.split_once('.') else { return false };
+        let Some((instance, own)) = name.value.rsplit_once('.') else { return false };
         let named = |known: &&crate::spec::InstanceSpec| known.name.value == instance;
         let Some(index) = self.spec.instances.iter().position(|known| named(&known)) else {
             return false;

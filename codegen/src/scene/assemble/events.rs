@@ -3,7 +3,7 @@
 use crate::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 use crate::scene::assemble::Assembler;
 use crate::scene::assemble::initial::Target;
-use crate::scene::layout::{Local, Scope, find_instance};
+use crate::scene::layout::{Local, Scope, find_inside, find_instance};
 use crate::scene::names::{Flat, name};
 use crate::scene::resolve::Wanted;
 use crate::scene::system::Event;
@@ -141,25 +141,30 @@ impl Assembler<'_> {
     }
 
     /// The instance a name belongs to, and the name within it.
-    fn owner<'n>(
+    pub(super) fn owner<'n>(
         &self,
         path: &'n Spanned<String>,
         scope: Scope,
     ) -> Result<(usize, &'n str), Box<Mistake>> {
-        match (scope.base(), path.value.split_once('.')) {
+        match (scope.base(), path.value.rsplit_once('.')) {
             (Scope::Instance(instance), None) => Ok((instance, &path.value)),
-            (_, Some((instance, name))) if scope == Scope::Scene => {
-                Ok((find_instance(self.spec, instance, path.span)?, name))
-            }
             (_, None) => {
                 let message = format!("{} is nothing that an event could set", quoted(&path.value));
                 let mistake = Mistake::new(path.span, message, "not instance.name");
                 Err(Box::new(mistake.help("write \"instance.name\"")))
             }
-            (_, Some(_)) => {
-                let message = "a name with a dot is used in scenes only";
-                let help = "a unit's event sets what is the unit's own";
+            (Scope::Instance(own), Some(_))
+                if !self.spec.units[self.spec.instances[own].unit].is_assembly() =>
+            {
+                let message = "a name with a dot is used in scenes and assemblies only";
+                let help = "a unit sets what is its own";
                 Err(Box::new(Mistake::new(path.span, message, "not in a unit").help(help)))
+            }
+            (Scope::Instance(own), Some((part, name))) => {
+                Ok((find_inside(self.spec, own, part, path.span)?, name))
+            }
+            (_, Some((instance, name))) => {
+                Ok((find_instance(self.spec, instance, path.span)?, name))
             }
         }
     }

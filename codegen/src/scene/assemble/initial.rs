@@ -4,7 +4,7 @@ use crate::expr::{Expr, ParameterId};
 use crate::scene::assemble::Assembler;
 use crate::scene::assemble::distributed::Profiles;
 use crate::scene::evaluate::evaluate;
-use crate::scene::layout::{Local, Scope, find_instance};
+use crate::scene::layout::{Local, Scope};
 use crate::scene::resolve::Wanted;
 use crate::scene::typed::{Uses, integer, product, reciprocal};
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
@@ -21,6 +21,14 @@ pub struct Initial {
     pub states: Vec<Expr>,
 }
 
+/// A line of an `[initial]` or a `[guess]`.
+struct Entry<'a> {
+    is_given: bool,
+    scope: Scope,
+    name: &'a Spanned<String>,
+    formula: &'a Formula,
+}
+
 /// What an entry of `[initial]` sets, or an event.
 pub enum Target {
     /// Coordinate of the scene, 0 or 1 for its velocity, and the factor by which
@@ -29,7 +37,7 @@ pub enum Target {
     State(usize),
 }
 
-impl Assembler<'_> {
+impl<'a> Assembler<'a> {
     /// Initial values of the machine, and those of its fields along x.
     pub(super) fn initial(&mut self) -> (Initial, Profiles) {
         let coordinates = self.layout.representatives.iter().map(|_| [integer(0), integer(0)]);
@@ -38,16 +46,15 @@ impl Assembler<'_> {
             given: vec![[false; 2]; self.layout.representatives.len()],
             states: self.of_units(),
         };
-        let mut set: Vec<(usize, usize)> = Vec::new();
+        // What was set, and by whom: the scene goes before its units, these before their parts.
+        let mut set: Vec<((usize, usize), Scope)> = Vec::new();
         self.refuse_guesses();
-        let spec = self.spec;
         let mut profiles = Profiles::new();
-        let given = spec.initial.iter().map(|entry| (true, entry));
-        for (is_given, (name, formula)) in given.chain(spec.guess.iter().map(|g| (false, g))) {
-            if is_given && self.profile(name, formula, &mut profiles) {
+        for Entry { is_given, scope, name, formula } in self.entries() {
+            if is_given && scope == Scope::Scene && self.profile(name, formula, &mut profiles) {
                 continue;
             }
-            let (target, dimension) = match self.target(name) {
+            let (target, dimension) = match self.target(name, scope) {
                 Ok(found) => found,
                 Err(mistake) => {
                     self.mistakes.push(*mistake);
@@ -55,28 +62,55 @@ impl Assembler<'_> {
                 }
             };
             let what = format!("the initial {}", quoted(&name.value));
-            let value = self.initial_value(formula, Scope::Scene, dimension, what);
-            let (place, value, key) = match target {
-                Target::State(index) => (&mut initial.states[index], value, (index, 2)),
+            let value = self.initial_value(formula, scope, dimension, what);
+            let key = match &target {
+                Target::State(index) => (*index, 2),
+                Target::Coordinate(index, order, _) => (*index, *order),
+            };
+            if let Some((_, by)) = set.iter().find(|(known, _)| *known == key) {
+                if *by == scope {
+                    let message = format!("the initial {} is given twice", quoted(&name.value));
+                    let mistake = Mistake::new(name.span, message, "given again");
+                    self.mistakes.push(mistake.help("joined coordinates start together"));
+                }
+                continue;
+            }
+            set.push((key, scope));
+            match target {
+                Target::State(index) => initial.states[index] = value,
                 Target::Coordinate(index, order, factor) => {
                     let value = match factor {
                         Some(factor) => product(vec![value, reciprocal(factor)]),
                         None => value,
                     };
                     initial.given[index][order] = is_given;
-                    (&mut initial.coordinates[index][order], value, (index, order))
+                    initial.coordinates[index][order] = value;
                 }
-            };
-            *place = value;
-            if set.contains(&key) {
-                let message = format!("the initial {} is given twice", quoted(&name.value));
-                let mistake = Mistake::new(name.span, message, "given again");
-                self.mistakes.push(mistake.help("joined coordinates start together"));
             }
-            set.push(key);
         }
         self.start_on_fields(&profiles, &mut initial);
         (initial, profiles)
+    }
+
+    /// Everything that says where something starts: the scene, then its units from the outside
+    /// in; each first what is given, then what is guessed.
+    fn entries(&self) -> Vec<Entry<'a>> {
+        let spec = self.spec;
+        let units = self.instances().map(|(index, _, unit)| {
+            (Scope::Instance(index), &unit.inside.initial, &unit.inside.guess)
+        });
+        let all = std::iter::once((Scope::Scene, &spec.initial, &spec.guess)).chain(units);
+        let entries = all.flat_map(|(scope, initial, guess)| {
+            let given = initial.iter().map(move |entry| (true, entry));
+            let guessed = guess.iter().map(move |entry| (false, entry));
+            given.chain(guessed).map(move |(is_given, (name, formula))| Entry {
+                is_given,
+                scope,
+                name,
+                formula,
+            })
+        });
+        entries.collect()
     }
 
     /// Guesses are of what constraints leave to be solved for.
@@ -91,8 +125,8 @@ impl Assembler<'_> {
             let mistake = Mistake::new(name.span, message, "a guess");
             self.mistakes.push(mistake.help("write it in [initial]"));
         }
-        for (name, _) in &spec.guess {
-            if let Ok((Target::State(_), _)) = self.target(name) {
+        for Entry { scope, name, .. } in self.entries().iter().filter(|entry| !entry.is_given) {
+            if let Ok((Target::State(_), _)) = self.target(name, *scope) {
                 let message = format!("{} is no coordinate or velocity", quoted(&name.value));
                 let mistake = Mistake::new(name.span, message, "a first-order state");
                 self.mistakes.push(mistake.help("constraints do not move it: see [initial]"));
@@ -142,13 +176,17 @@ impl Assembler<'_> {
         }
     }
 
-    fn target(&self, path: &Spanned<String>) -> Result<(Target, Dimension), Box<Mistake>> {
-        let Some((instance, name)) = path.value.split_once('.') else {
+    fn target(
+        &self,
+        path: &Spanned<String>,
+        scope: Scope,
+    ) -> Result<(Target, Dimension), Box<Mistake>> {
+        if scope == Scope::Scene && !path.value.contains('.') {
             let message = format!("{} is nothing that has an initial value", quoted(&path.value));
             let mistake = Mistake::new(path.span, message, "not instance.name");
             return Err(Box::new(mistake.help("write \"instance.name\" = value")));
-        };
-        let instance = find_instance(self.spec, instance, path.span)?;
+        }
+        let (instance, name) = self.owner(path, scope)?;
         self.target_of(instance, name, path)
     }
 

@@ -43,7 +43,7 @@ impl Assembler<'_> {
     }
 
     fn tunable_parameter(&self, path: &Spanned<String>) -> Result<usize, Box<Mistake>> {
-        let (scope, names, name) = match path.value.split_once('.') {
+        let (scope, names, name) = match path.value.rsplit_once('.') {
             None => (Scope::Scene, &self.layout.scene, path.value.as_str()),
             Some((instance, name)) => {
                 let instance = find_instance(self.spec, instance, path.span)?;

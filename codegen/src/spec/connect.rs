@@ -1,0 +1,183 @@
+//! Connectors and ports of assemblies taken apart: what is left are joints of one port with one.
+//!
+//! Excluded: paths of no port, which stay as they are written; the scene says what is wrong with
+//! them.
+
+use std::collections::HashMap;
+
+use crate::spec::diagnostic::{Mistake, Spanned};
+use crate::spec::names::{did_you_mean, quoted};
+use crate::spec::{InstanceSpec, JointSpec, PortForceSpec, UnitSpec};
+
+/// The joints, each of two ports of parts; forces of the scene act on such ports too.
+pub fn ports_of(
+    units: &[UnitSpec],
+    instances: &[InstanceSpec],
+    joints: Vec<JointSpec>,
+    forces: &mut [PortForceSpec],
+    mistakes: &mut Vec<Mistake>,
+) -> Vec<JointSpec> {
+    let named = instances.iter().enumerate();
+    let by_name = named.map(|(at, instance)| (instance.name.value.as_str(), at)).collect();
+    let scene = Ports { units, instances, by_name };
+    units.iter().for_each(|unit| check_names(unit, mistakes));
+    scene.check_exposed(mistakes);
+    let mut all = Vec::with_capacity(joints.len());
+    for joint in joints {
+        match scene.pairs(&joint) {
+            Ok(pairs) => all.extend(pairs),
+            Err(mistake) => mistakes.push(*mistake),
+        }
+    }
+    for force in forces {
+        match scene.ports(&force.port.value).as_deref() {
+            Some([port]) => force.port.value.clone_from(port),
+            Some(ports) => mistakes.push(of_several(&force.port, ports)),
+            None => {}
+        }
+    }
+    all
+}
+
+/// Connectors are of the unit's ports, and no two of them have one name.
+fn check_names(unit: &UnitSpec, mistakes: &mut Vec<Mistake>) {
+    let ports = || {
+        let own = unit.ports.iter().map(|port| port.name.value.as_str());
+        own.chain(unit.exposed.iter().map(|port| port.name.value.as_str()))
+    };
+    for connector in &unit.connectors {
+        let name = &connector.name;
+        if ports().any(|port| port == name.value) {
+            let message = format!("{} is a port and a connector", quoted(&name.value));
+            mistakes.push(Mistake::new(name.span, message, "given again"));
+        }
+        for (index, port) in connector.ports.iter().enumerate() {
+            if !ports().any(|known| known == port.value) {
+                let of = quoted(&unit.name);
+                let message = format!("unit {of} has no port {}", quoted(&port.value));
+                let help = did_you_mean(&port.value, ports());
+                mistakes.push(Mistake::new(port.span, message, "unknown").help(help));
+            }
+            if connector.ports[..index].iter().any(|before| before.value == port.value) {
+                let of = quoted(&name.value);
+                let message = format!("connector {of} has {} twice", quoted(&port.value));
+                mistakes.push(Mistake::new(port.span, message, "again"));
+            }
+        }
+    }
+}
+
+/// A force that would act on a connector.
+fn of_several(port: &Spanned<String>, ports: &[String]) -> Mistake {
+    let message = format!("a force acts on one port, and {} is a connector", quoted(&port.value));
+    let help = format!("it is of {}", ports.join(", "));
+    Mistake::new(port.span, message, "several ports").help(help)
+}
+
+struct Ports<'a> {
+    units: &'a [UnitSpec],
+    instances: &'a [InstanceSpec],
+    by_name: HashMap<&'a str, usize>,
+}
+
+impl Ports<'_> {
+    /// The ports of parts that a path stands for; none, if it is of no port.
+    fn ports(&self, path: &str) -> Option<Vec<String>> {
+        let (instance, name) = path.rsplit_once('.')?;
+        let unit = &self.units[self.instances[*self.by_name.get(instance)?].unit];
+        if let Some(connector) = unit.connectors.iter().find(|known| known.name.value == name) {
+            let ports = connector.ports.iter().map(|port| self.port(unit, instance, &port.value));
+            return Some(ports.collect::<Option<Vec<_>>>()?.concat());
+        }
+        self.port(unit, instance, name)
+    }
+
+    /// Likewise of what is no connector of the unit itself.
+    fn port(&self, unit: &UnitSpec, instance: &str, name: &str) -> Option<Vec<String>> {
+        // What a path names in an assembly is further inside, so that this ends.
+        if let Some(exposed) = unit.exposed.iter().find(|known| known.name.value == name) {
+            return self.ports(&format!("{instance}.{}", exposed.of.value));
+        }
+        let is_own = unit.ports.iter().any(|port| port.name.value == name);
+        is_own.then(|| vec![format!("{instance}.{name}")])
+    }
+
+    /// Ports of assemblies are ports of what is inside them.
+    fn check_exposed(&self, mistakes: &mut Vec<Mistake>) {
+        for instance in self.instances {
+            for exposed in &self.units[instance.unit].exposed {
+                let of = &exposed.of;
+                if self.ports(&format!("{}.{}", instance.name.value, of.value)).is_some() {
+                    continue;
+                }
+                let message = format!("{} is no port of what is inside", quoted(&of.value));
+                let part = of.value.rsplit_once('.').map_or("", |(part, _)| part);
+                let whole = format!("{}.{part}", instance.name.value);
+                let help = match self.by_name.get(whole.as_str()) {
+                    Some(at) => {
+                        let unit = &self.units[self.instances[*at].unit];
+                        did_you_mean(&of.value[part.len() + 1..], names_of(unit))
+                    }
+                    None => {
+                        let inside = &self.units[instance.unit].inside.instances;
+                        did_you_mean(part, inside.iter().map(|text| text.name.value.as_str()))
+                    }
+                };
+                mistakes.push(Mistake::new(of.span, message, "unknown").help(help));
+            }
+        }
+    }
+
+    /// A joint of connectors as joints of their ports, one by one.
+    fn pairs(&self, joint: &JointSpec) -> Result<Vec<JointSpec>, Box<Mistake>> {
+        let [first, second] = &joint.connect;
+        let [Some(ports), Some(others)] = [first, second].map(|path| self.ports(&path.value))
+        else {
+            return Ok(vec![joint.clone()]);
+        };
+        if ports.len() != others.len() {
+            return Err(Box::new(of_unlike_counts([first, second], [&ports, &others])));
+        }
+        if let Some(ratio) = &joint.ratio
+            && ports.len() > 1
+        {
+            let message = "a joint of connectors has no ratio";
+            let mistake = Mistake::new(ratio.span(), message, "of which of their ports?");
+            return Err(Box::new(mistake.help("join their ports one by one")));
+        }
+        let pairs = ports.into_iter().zip(others).map(|(port, other)| JointSpec {
+            connect: [
+                Spanned { value: port, span: first.span },
+                Spanned { value: other, span: second.span },
+            ],
+            ratio: joint.ratio.clone(),
+            within: joint.within,
+        });
+        Ok(pairs.collect())
+    }
+}
+
+/// What joints may take hold of.
+pub fn names_of(unit: &UnitSpec) -> impl Iterator<Item = &str> {
+    let ports = unit.ports.iter().map(|port| port.name.value.as_str());
+    let exposed = unit.exposed.iter().map(|port| port.name.value.as_str());
+    let connectors = unit.connectors.iter().map(|connector| connector.name.value.as_str());
+    ports.chain(exposed).chain(connectors)
+}
+
+fn of_unlike_counts(paths: [&Spanned<String>; 2], ports: [&[String]; 2]) -> Mistake {
+    let count = |ports: &[String]| match ports.len() {
+        1 => "1 port".to_owned(),
+        count => format!("{count} ports"),
+    };
+    let [first, second] = paths;
+    let message = format!(
+        "a joint pairs ports one by one: {} is {}, {} is {}",
+        quoted(&first.value),
+        count(ports[0]),
+        quoted(&second.value),
+        count(ports[1])
+    );
+    let help = format!("{}; {}", ports[0].join(", "), ports[1].join(", "));
+    Mistake::new(second.span, message, count(ports[1])).help(help)
+}

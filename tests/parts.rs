@@ -1,6 +1,7 @@
 //! The standard parts: every example runs, balances its power and has the Jacobian of its
 //! rate; one closed form or independent reference for each law, swept far beyond one setting.
 
+mod assemblies;
 mod controllers;
 mod drives;
 mod friction;

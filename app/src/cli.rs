@@ -5,6 +5,7 @@
 //! code is 0 for success, 1 for a check that failed or a run that stopped, 2 for
 //! bad input. A command that fails leaves no file behind.
 
+mod amount;
 mod bench;
 #[cfg(feature = "derive")]
 mod cache;
@@ -219,18 +220,6 @@ pub fn main() -> ExitCode {
     }
 }
 
-/// `name=value` with a number, as `--set` takes it.
-fn assignment(text: &str) -> Result<(String, f64), String> {
-    let (name, value) =
-        text.split_once('=').ok_or("write it as NAME=VALUE, such as coupling.stiffness=23065.2")?;
-    let number = value.trim().parse().map_err(|_| format!("`{value}` is not a number"))?;
-    if f64::is_finite(number) {
-        Ok((name.trim().to_owned(), number))
-    } else {
-        Err(format!("`{value}` is not a finite number"))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -239,13 +228,5 @@ mod tests {
     #[test]
     fn the_command_line_is_consistent() {
         Cli::command().debug_assert();
-    }
-
-    #[test]
-    fn an_assignment_has_a_name_and_a_finite_number() {
-        assert_eq!(assignment("a.b = 2e3"), Ok(("a.b".to_owned(), 2000.0)));
-        for bad in ["a.b", "a.b=", "a.b=x", "a.b=inf", "a.b=NaN"] {
-            assert!(assignment(bad).is_err(), "{bad}");
-        }
     }
 }

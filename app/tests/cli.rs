@@ -164,6 +164,36 @@ fn settings_change_the_run() {
 }
 
 #[test]
+fn settings_may_be_in_units_of_measure() {
+    let run =
+        |set: &str| answer(&["run", "two_mass", "--points", "11", "--set", set, "--out", "-"]);
+    assert_eq!(run("coupling.stiffness=18 [kN m/rad]"), run("coupling.stiffness=18000"));
+    let sweep = |range: &str| {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("sweep.csv");
+        let count = ["--count", "2", "--outputs", "twist", "--out", text(&file)];
+        answer(&[&["sweep", "two_mass", "--parameter", range][..], &count].concat());
+        fs::read_to_string(&file).expect("a table")
+    };
+    let in_si = sweep("coupling.stiffness=18000..20000");
+    for range in ["18..20 [kN m/rad]", "18 [kN m]..20e3 [N m/rad]"] {
+        assert_eq!(sweep(&format!("coupling.stiffness={range}")), in_si, "{range}");
+    }
+    let length = "coupling.stiffness=18 [kN/m]";
+    let words = ["coupling.stiffness is in N m/rad, and not in kN/m"];
+    assert_refused(&["run", "two_mass", "--set", length], &words);
+    let lengths = "coupling.stiffness=1..2 [mm]";
+    let words = ["coupling.stiffness is in N m/rad, and not in mm"];
+    let few = ["--count", "3"];
+    let sweep = ["sweep", "two_mass", "--parameter", lengths, "--outputs", "twist"];
+    assert_refused(&[&sweep[..], &few].concat(), &words);
+    assert_refused(&[&["campbell", "two_mass", "--parameter", lengths][..], &few].concat(), &words);
+    assert_refused(&["run", "two_mass", "--set", "coupling.stiffness=1 [kn]"], &["kn"]);
+    let built_in = ["verify", "--only", "two_mass", "--set", "two_mass.coupling.stiffness=1 [mm]"];
+    assert_refused(&built_in, &["name the scene"]);
+}
+
+#[test]
 fn emitted_and_evaluated_saw_gin_agree_in_every_column() {
     let run = |scene| read_csv(&answer(&["run", scene, "--out", "-", "--points", "201"]));
     let (emitted, evaluated) = (run("saw_gin"), run(SAW_GIN));

@@ -57,6 +57,7 @@ impl CampbellDiagram {
         let values = self.values()?;
         let scene = self.at.load()?;
         let run = self.at.run(&scene)?;
+        self.parameter.check(&run)?;
         let variation = Variation {
             parameter: &self.parameter.name,
             values: &values,
@@ -88,7 +89,7 @@ impl CampbellDiagram {
     }
 
     fn values(&self) -> Result<Vec<f64>, Failure> {
-        let Range { from, to, .. } = self.parameter;
+        let Range { from, to, .. } = &self.parameter;
         if !(2..=MOST_VALUES).contains(&self.count) {
             let message = format!("--count {}: a range has 2 to {MOST_VALUES} values", self.count);
             return Err(Failure::input(message, ""));

@@ -14,7 +14,7 @@ use machinist::fit::{self, End, Evaluation, Fitted, Measured, Plan, Unknown, Uns
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
 use machinist_contract::Simulator;
 
-use super::assignment;
+use super::amount::{Amount, assignment, bare_assignment, in_si};
 use super::output::{draw_file, print, require_ending, require_picture};
 use super::rewrite::{FoundValue, write_scene};
 use super::scene::Scene;
@@ -50,11 +50,11 @@ pub struct FitCommand {
     outputs: Vec<String>,
     /// Standard deviation of an output's measurement, in its unit; found from the residuals
     /// unless given
-    #[arg(long, value_name = "OUTPUT=VALUE", value_parser = assignment)]
+    #[arg(long, value_name = "OUTPUT=VALUE", value_parser = bare_assignment)]
     sigma: Vec<(String, f64)>,
-    /// Give a parameter another value, in its SI unit
+    /// Give a parameter another value: in its SI unit, or with a unit, `18 [kN m/rad]`
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, f64)>,
+    set: Vec<(String, Amount)>,
     /// Start time of the runs, s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     from: Option<f64>,
@@ -145,7 +145,7 @@ impl FitCommand {
             let found = answer.parameters.iter().zip(&are_parameters).map(|(found, is_it)| {
                 FoundValue { name: &found.name, value: found.value, is_parameter: *is_it }
             });
-            write_scene(&self.scene, found, &self.set, file)?;
+            write_scene(&self.scene, found, &in_si(&self.set), file)?;
         }
         if self.json {
             let text = serde_json::to_string_pretty(&answer)

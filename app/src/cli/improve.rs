@@ -17,7 +17,7 @@ use machinist::{SimulateError, Simulation};
 use machinist_contract::Simulator;
 use miette::{LabeledSpan, MietteDiagnostic, Report};
 
-use super::assignment;
+use super::amount::{Amount, assignment, in_si};
 use super::fit::unknown::{Asked, asked, unknowns};
 use super::output::{draw_file, print, require_ending, require_picture};
 use super::rewrite::{FoundValue, write_scene};
@@ -57,9 +57,9 @@ pub struct Improve {
     #[arg(long, value_name = "NAME[=FROM..TO]", value_delimiter = ',', required = true,
         value_parser = asked)]
     parameters: Vec<Asked>,
-    /// Give a parameter another value, in its SI unit
+    /// Give a parameter another value: in its SI unit, or with a unit, `18 [kN m/rad]`
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, f64)>,
+    set: Vec<(String, Amount)>,
     /// Start time of the runs, s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     from: Option<f64>,
@@ -142,7 +142,7 @@ impl Improve {
             let found = answer.parameters.iter().zip(&are_parameters).map(|(found, is_it)| {
                 FoundValue { name: &found.name, value: found.value, is_parameter: *is_it }
             });
-            write_scene(&self.scene, found, &self.set, file)?;
+            write_scene(&self.scene, found, &in_si(&self.set), file)?;
         }
         self.tell(&answer, &scene)?;
         self.verdict(&searched.found)

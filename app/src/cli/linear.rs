@@ -5,7 +5,7 @@ use clap::Args;
 use machinist::Simulation;
 use machinist::linear_analysis::{Linearization, Place, operating_point};
 
-use super::assignment;
+use super::amount::{Amount, assignment};
 use super::scene::Scene;
 use super::settings::with_parameters;
 use crate::failure::Failure;
@@ -18,9 +18,9 @@ pub struct Where {
     /// Leave nothing out, whether the outputs need it or not
     #[arg(long)]
     keep_all: bool,
-    /// Give a parameter another value, in its SI unit
+    /// Give a parameter another value: in its SI unit, or with a unit, `18 [kN m/rad]`
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, f64)>,
+    set: Vec<(String, Amount)>,
     /// Where to linearize: equilibrium (the one near the end of the scene's run, rest
     /// or constant speed), initial, or t=SECONDS
     #[arg(long, value_name = "PLACE", default_value = "equilibrium")]

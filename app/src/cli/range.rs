@@ -1,18 +1,29 @@
 //! A parameter with a range of values, as options take it.
 
+use machinist::Simulation;
+
+use super::amount::{Amount, is_alike};
+use crate::failure::Failure;
+
 /// Values of a parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Range {
     /// Its name.
     pub name: String,
-    /// The first value.
+    /// The first value, in SI units.
     pub from: f64,
     /// The last.
     pub to: f64,
     is_log: bool,
+    amount: Amount,
 }
 
 impl Range {
+    /// Refuses a unit of another dimension than the parameter's.
+    pub fn check(&self, run: &Simulation<'_>) -> Result<(), Failure> {
+        self.amount.check_of(&self.name, run)
+    }
+
     /// The `index`-th of `count` values; both ends are met exactly.
     pub fn value(&self, index: usize, count: usize) -> f64 {
         let share = index as f64 / (count - 1) as f64;
@@ -34,22 +45,30 @@ pub fn range(text: &str) -> Result<Range, String> {
         Some((values, "log")) => (values, true),
         Some((_, other)) => return Err(format!("`:{other}` is not known, only `:log`")),
     };
-    let (from, to) = ends(values, EXAMPLE)?;
+    let [first, last] = ends(values, EXAMPLE)?;
+    let (from, to) = (first.value, last.value);
     if is_log && from * to <= 0.0 {
         return Err(format!("equal ratios do not lead from {from} to {to}; leave `:log` out"));
     }
-    Ok(Range { name: name.trim().to_owned(), from, to, is_log })
+    Ok(Range { name: name.trim().to_owned(), from, to, is_log, amount: first })
 }
 
-/// `from..to`; what is none is answered with an example.
-pub fn ends(values: &str, example: &str) -> Result<(f64, f64), String> {
+/// `from..to`; what is none is answered with an example. A unit behind the last is that of both, and
+/// both are of one dimension.
+pub fn ends(values: &str, example: &str) -> Result<[Amount; 2], String> {
     let (from, to) = values.split_once("..").ok_or(example)?;
-    let number = |text: &str| match text.trim().parse::<f64>() {
-        Ok(number) if number.is_finite() => Ok(number),
-        Ok(_) => Err(format!("`{text}` is not a finite number")),
-        Err(_) => Err(format!("`{text}` is not a number")),
+    let last = Amount::parse(to)?;
+    let first = match &last.unit {
+        Some(unit) if !from.contains('[') => Amount::parse(&format!("{from} [{unit}]"))?,
+        _ => Amount::parse(from)?,
     };
-    Ok((number(from)?, number(to)?))
+    match (&first.unit, &last.unit) {
+        (Some(unit), None) => Err(format!("`{to}` has no unit, and `{from}` is in {unit}")),
+        (Some(unit), Some(other)) if !is_alike(unit, other) => {
+            Err(format!("{unit} and {other} are not of one dimension"))
+        }
+        _ => Ok([first, last]),
+    }
 }
 
 #[cfg(test)]
@@ -64,6 +83,17 @@ mod tests {
         let ratios = range("a.b=1e2..1e6:log").unwrap();
         assert_eq!(ratios.value(2, 3).to_bits(), 1e6_f64.to_bits());
         assert!((ratios.value(1, 3) / 1e4 - 1.0).abs() < 1e-12);
+    }
+
+    #[cfg(feature = "derive")]
+    #[test]
+    fn a_range_may_be_in_a_unit() {
+        for text in ["a.b=1..3 [kN]", "a.b=1 [kN]..3000 [N]", "a.b=1e3 [N]..3 [kN]:log"] {
+            let range = range(text).unwrap();
+            assert_eq!([range.from, range.to].map(f64::round), [1000.0, 3000.0], "{text}");
+        }
+        assert!(range("a.b=1 [kN]..3").unwrap_err().contains("no unit"));
+        assert!(range("a.b=1 [kN]..3 [m]").unwrap_err().contains("dimension"));
     }
 
     #[test]

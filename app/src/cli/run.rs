@@ -12,7 +12,7 @@ use machinist::trajectory::{Column, ColumnKind, Trajectory, sensitivity_name};
 use machinist::{Discretisation, SimulateError, Simulation};
 use machinist_contract::Simulator;
 
-use super::assignment;
+use super::amount::{Amount, assignment};
 use super::output::{
     columns, draw_file, print, print_with, require_picture, require_table, write_file,
 };
@@ -33,9 +33,9 @@ pub struct Run {
     /// Leave nothing out, whether the outputs need it or not
     #[arg(long)]
     keep_all: bool,
-    /// Give a parameter another value, in its SI unit
+    /// Give a parameter another value: in its SI unit, or with a unit, `18 [kN m/rad]`
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, f64)>,
+    set: Vec<(String, Amount)>,
     /// Start time, s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     from: Option<f64>,
@@ -216,7 +216,7 @@ impl Run {
     fn trajectory(
         &self,
         simulator: &dyn Simulator<f64>,
-        set: &[(String, f64)],
+        set: &[(String, Amount)],
         times: &At<'_>,
     ) -> Result<Result<Trajectory, SimulateError>, Failure> {
         let whole = with_parameters(Simulation::new(simulator), set)?;
@@ -244,7 +244,7 @@ impl Run {
         }
         let (times, mut beside) = (first.times.clone(), Vec::new());
         for other in others {
-            let run = |other: Option<&Scene>, set: &[(String, f64)]| {
+            let run = |other: Option<&Scene>, set: &[(String, Amount)]| {
                 // Of another scene, parameters are as it says.
                 let all = [&self.set, set].concat();
                 let set = if other.is_some() { set } else { &all };

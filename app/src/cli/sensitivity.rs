@@ -9,7 +9,7 @@ use machinist::{Method, SimulateError, Simulation};
 use machinist_contract::Simulator;
 use serde::Serialize;
 
-use super::assignment;
+use super::amount::{Amount, assignment};
 use super::output::{columns, draw_file, print, require_picture, require_table, write_file};
 use super::scene::Scene;
 use super::settings::{with_method, with_parameters};
@@ -33,9 +33,9 @@ pub struct Sensitivity {
     /// Only these outputs or states; all outputs unless given
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
-    /// Give a parameter another value, in its SI unit
+    /// Give a parameter another value: in its SI unit, or with a unit, `18 [kN m/rad]`
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, f64)>,
+    set: Vec<(String, Amount)>,
     /// Start time, s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     from: Option<f64>,

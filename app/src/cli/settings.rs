@@ -2,15 +2,17 @@
 
 use machinist::{Method, Simulation};
 
+use super::amount::Amount;
 use crate::failure::Failure;
 
 /// A run of a simulator with other values of some parameters, as `--set` gives them.
 pub fn with_parameters<'a>(
     mut run: Simulation<'a>,
-    set: &[(String, f64)],
+    set: &[(String, Amount)],
 ) -> Result<Simulation<'a>, Failure> {
-    for (name, value) in set {
-        run = run.parameter(name, *value)?;
+    for (name, amount) in set {
+        amount.check_of(name, &run)?;
+        run = run.parameter(name, amount.value)?;
     }
     Ok(run)
 }

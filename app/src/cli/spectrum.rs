@@ -8,7 +8,7 @@ use machinist::Simulation;
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
 use serde::Serialize;
 
-use super::assignment;
+use super::amount::{Amount, assignment};
 use super::output::{
     columns, draw_file, print, print_with, require_picture, require_table, write_file,
 };
@@ -48,9 +48,9 @@ pub struct Spectrum {
     /// Rows of the table for each output: its greatest peaks
     #[arg(long, value_name = "NUMBER", default_value_t = 5)]
     peaks: usize,
-    /// Give a parameter another value, in its SI unit
+    /// Give a parameter another value: in its SI unit, or with a unit, `18 [kN m/rad]`
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, f64)>,
+    set: Vec<(String, Amount)>,
     /// Relative tolerance of a step
     #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
     rtol: Option<f64>,

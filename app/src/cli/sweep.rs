@@ -10,7 +10,7 @@ use machinist::{FieldSimulator, Method, SimulateError, Simulation};
 use machinist_contract::Simulator;
 use machinist_model::ModelSimulator;
 
-use super::assignment;
+use super::amount::{Amount, assignment};
 use super::output::{print_with, require_table, write_file};
 use super::range::{Range, range};
 use super::scene::{Scene, built_in, refused};
@@ -40,9 +40,9 @@ pub struct Sweep {
     /// The least and the greatest value over the output times instead of the last
     #[arg(long)]
     extremes: bool,
-    /// Give another parameter another value, in its SI unit
+    /// Give another parameter another value: in its SI unit, or with a unit, `18 [kN m/rad]`
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, f64)>,
+    set: Vec<(String, Amount)>,
     /// End time, s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     until: Option<f64>,
@@ -154,6 +154,7 @@ impl Sweep {
         let mut variants = vec![base.parameter_values().to_vec()];
         for range in &self.parameter {
             // Refuses names that are not known.
+            range.check(&base)?;
             base = base.parameter(&range.name, range.from)?;
             let Some(place) = place_of(simulator, &range.name) else { continue };
             let varied = variants.iter().flat_map(|variant| {

@@ -8,7 +8,7 @@ mod machine;
 use clap::Args;
 use machinist_studies::verify::{Tally, Verdict, VerifyOptions, render_table, verify_all};
 
-use super::assignment;
+use super::amount::{Amount, assignment, in_si};
 use super::output::print;
 use crate::failure::Failure;
 use crate::progress::during;
@@ -27,7 +27,7 @@ pub struct Verify {
     /// Give a parameter another value. Without a file write SCENE.UNIT.PARAMETER=VALUE;
     /// references then stay those of the published one
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
-    set: Vec<(String, f64)>,
+    set: Vec<(String, Amount)>,
     /// Only checks whose scene or name contains this text
     #[arg(long, value_name = "TEXT")]
     only: Option<String>,
@@ -68,8 +68,12 @@ impl Verify {
     }
 
     fn of_built_in(&self) -> Result<Vec<Verdict>, Failure> {
+        if let Some((name, _)) = self.set.iter().find(|(_, amount)| amount.unit.is_some()) {
+            let message = format!("--set {name}: without a scene, numbers are in SI units");
+            return Err(Failure::input(message, "leave the unit out, or name the scene"));
+        }
         let options =
-            VerifyOptions { overrides: self.set.clone(), only: self.only.clone(), scenes: None };
+            VerifyOptions { overrides: in_si(&self.set), only: self.only.clone(), scenes: None };
         during("verifying", || verify_all(&options)).map_err(|error| Failure::input(error, ""))
     }
 

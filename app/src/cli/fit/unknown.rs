@@ -4,6 +4,7 @@ use machinist::Simulation;
 use machinist::fit::Unknown;
 use machinist_contract::Simulator;
 
+use crate::cli::amount::Amount;
 use crate::cli::range::ends;
 use crate::failure::{Failure, did_you_mean};
 
@@ -11,7 +12,7 @@ use crate::failure::{Failure, did_you_mean};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Asked {
     pub name: String,
-    pub bounds: Option<(f64, f64)>,
+    pub bounds: Option<[Amount; 2]>,
 }
 
 /// `name` or `name=from..to`, as `--parameters` takes it.
@@ -23,11 +24,12 @@ pub fn asked(text: &str) -> Result<Asked, String> {
     if values.trim() == ".." {
         return Ok(Asked { name: name.trim().to_owned(), bounds: None });
     }
-    let (from, to) = ends(values, EXAMPLE)?;
+    let bounds = ends(values, EXAMPLE)?;
+    let [from, to] = bounds.each_ref().map(|bound| bound.value);
     if from >= to {
         return Err(format!("the bounds cross: {from} is not below {to}"));
     }
-    Ok(Asked { name: name.trim().to_owned(), bounds: Some((from, to)) })
+    Ok(Asked { name: name.trim().to_owned(), bounds: Some(bounds) })
 }
 
 /// The unknowns of a run, and whether each is a parameter.
@@ -61,7 +63,11 @@ pub fn unknowns(
                 return Err(Failure::input(message, did_you_mean(name, known.into_iter())));
             }
         };
-        found.push((Unknown::from(name, value, *bounds), parameter.is_some()));
+        if let Some([from, _]) = bounds {
+            from.check_of(name, simulation)?;
+        }
+        let bounds = bounds.as_ref().map(|[from, to]| (from.value, to.value));
+        found.push((Unknown::from(name, value, bounds), parameter.is_some()));
     }
     Ok(found)
 }
@@ -72,7 +78,8 @@ mod tests {
 
     #[test]
     fn bounds_are_read_and_crossed_ones_refused() {
-        let bounded = Asked { name: "a.b".to_owned(), bounds: Some((10.0, 500.0)) };
+        let bounds = [10.0, 500.0].map(|value| Amount { value, unit: None });
+        let bounded = Asked { name: "a.b".to_owned(), bounds: Some(bounds) };
         assert_eq!(asked("a.b=10..500"), Ok(bounded));
         assert_eq!(asked("a.b").map(|asked| asked.bounds), Ok(None));
         assert_eq!(asked("a.b=..").map(|asked| asked.bounds), Ok(None));

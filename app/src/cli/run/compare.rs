@@ -7,7 +7,7 @@ use machinist::Simulation;
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
 use machinist_contract::Simulator;
 
-use crate::cli::assignment;
+use crate::cli::amount::{Amount, assignment};
 use crate::cli::fit::data::Reading;
 use crate::cli::output::columns;
 use crate::cli::scene::Scene;
@@ -27,13 +27,13 @@ pub struct Others {
 }
 
 /// Runs another scene, or the first one, with such parameters.
-type RunOther<'r> = dyn Fn(Option<&Scene>, &[(String, f64)]) -> Result<Trajectory, Failure> + 'r;
+type RunOther<'r> = dyn Fn(Option<&Scene>, &[(String, Amount)]) -> Result<Trajectory, Failure> + 'r;
 
 /// Parameters and their values, and how they were written.
 #[derive(Debug, Clone)]
 pub struct Settings {
     text: String,
-    values: Vec<(String, f64)>,
+    values: Vec<(String, Amount)>,
 }
 
 /// Another run, before it is one.
@@ -50,7 +50,7 @@ pub enum Other {
     },
     Settings {
         label: String,
-        values: Vec<(String, f64)>,
+        values: Vec<(String, Amount)>,
     },
 }
 
@@ -209,7 +209,8 @@ mod tests {
     #[test]
     fn settings_are_assignments_with_commas_between() {
         let settings = assignments("a.b=1,c.d=2e3").expect("they are");
-        assert_eq!(settings.values, [("a.b".to_owned(), 1.0), ("c.d".to_owned(), 2e3)]);
+        let values = crate::cli::amount::in_si(&settings.values);
+        assert_eq!(values, [("a.b".to_owned(), 1.0), ("c.d".to_owned(), 2e3)]);
         assert!(assignments("a.b").is_err() && assignments("a.b=1,").is_err());
     }
 }

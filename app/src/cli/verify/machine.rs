@@ -10,6 +10,7 @@ use machinist_studies::verify::automatic::{
 
 #[cfg(feature = "derive")]
 use super::independent::Spec;
+use crate::cli::amount::Amount;
 use crate::cli::scene::{self, refused};
 use crate::cli::settings::with_parameters;
 use crate::failure::Failure;
@@ -23,7 +24,7 @@ use without::Spec;
 #[derive(Default)]
 pub struct Changes<'a> {
     /// Parameters and their values.
-    pub parameters: &'a [(String, f64)],
+    pub parameters: &'a [(String, Amount)],
     /// End time, s.
     pub until: Option<f64>,
     /// Relative tolerance of a step.

@@ -1,0 +1,149 @@
+//! A number on the command line, with its unit of measure or without: `23065.2`, `18 [kN m/rad]`.
+
+use machinist::Simulation;
+
+use crate::failure::Failure;
+
+/// A number in SI units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Amount {
+    /// The number.
+    pub value: f64,
+    /// The unit that it was written in; without one it is in that of what it is for.
+    pub unit: Option<String>,
+}
+
+impl Amount {
+    /// Reads one.
+    ///
+    /// # Errors
+    /// If it is no finite number, or its unit is not known, or cannot be read by this build.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let text = text.trim();
+        let (number, unit) = match text.strip_suffix(']').and_then(|text| text.split_once('[')) {
+            Some((number, unit)) => (number.trim_end(), Some(unit.trim())),
+            None => (text, None),
+        };
+        let value: f64 = number.parse().map_err(|_| format!("`{text}` is not a number"))?;
+        let factor = unit.map_or(Ok(1.0), factor_of)?;
+        let value = value * factor;
+        if value.is_finite() {
+            return Ok(Self { value, unit: unit.map(str::to_owned) });
+        }
+        Err(format!("`{text}` is not a finite number"))
+    }
+
+    /// Refuses a unit of another dimension than that of what the number is for.
+    pub fn check(&self, name: &str, wanted: &str) -> Result<(), Failure> {
+        let Some(unit) = &self.unit else { return Ok(()) };
+        if is_alike(unit, wanted) {
+            return Ok(());
+        }
+        let message = format!("{name} is in {wanted}, and not in {unit}");
+        Err(Failure::input(message, format!("give it in {wanted}, or in a unit of that dimension")))
+    }
+
+    /// Likewise, where it is a parameter or a state of the machine that is run.
+    pub fn check_of(&self, name: &str, run: &Simulation<'_>) -> Result<(), Failure> {
+        let simulator = run.simulator();
+        let shape = simulator.shape();
+        let mut all = (0..shape.parameters)
+            .map(|index| simulator.parameter(index))
+            .chain((0..shape.states()).map(|index| simulator.state(index)));
+        // What has no such name is refused where it is set.
+        let Some(quantity) = all.find(|quantity| quantity.name == name) else { return Ok(()) };
+        self.check(name, quantity.unit)
+    }
+}
+
+#[cfg(feature = "derive")]
+fn factor_of(unit: &str) -> Result<f64, String> {
+    use machinist_codegen::spec::measure::Measure;
+
+    let read = Measure::parse(unit);
+    read.map(|measure| measure.factor.to_f64()).map_err(|error| {
+        let help = if error.help.is_empty() { String::new() } else { format!(": {}", error.help) };
+        format!("{}{help}", error.message)
+    })
+}
+
+#[cfg(feature = "derive")]
+pub fn is_alike(unit: &str, wanted: &str) -> bool {
+    use machinist_codegen::spec::measure::Measure;
+
+    match (Measure::parse(unit), Measure::parse(wanted)) {
+        (Ok(unit), Ok(wanted)) => unit.unit.dimension == wanted.unit.dimension,
+        _ => false,
+    }
+}
+
+/// What reads units is the generator's, and to take `5 [mm]` for 5 would be wrong without a word.
+#[cfg(not(feature = "derive"))]
+fn factor_of(unit: &str) -> Result<f64, String> {
+    Err(format!(
+        "this build of the program cannot read the unit `{unit}`; write the number in SI units \
+         without its unit, or build the program with its feature `derive`"
+    ))
+}
+
+#[cfg(not(feature = "derive"))]
+pub fn is_alike(_: &str, _: &str) -> bool {
+    false
+}
+
+/// `name=value`, as `--set` takes it.
+pub fn assignment(text: &str) -> Result<(String, Amount), String> {
+    let (name, value) =
+        text.split_once('=').ok_or("write it as NAME=VALUE, such as coupling.stiffness=23065.2")?;
+    Ok((name.trim().to_owned(), Amount::parse(value)?))
+}
+
+/// `name=value` with a number that has no unit.
+pub fn bare_assignment(text: &str) -> Result<(String, f64), String> {
+    let (name, amount) = assignment(text)?;
+    match amount.unit {
+        None => Ok((name, amount.value)),
+        Some(unit) => Err(format!("`{text}` is in the unit of {name}, without `[{unit}]`")),
+    }
+}
+
+/// Names with their numbers alone.
+pub fn in_si(set: &[(String, Amount)]) -> Vec<(String, f64)> {
+    set.iter().map(|(name, amount)| (name.clone(), amount.value)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_assignment_has_a_name_and_a_finite_number() {
+        let amount = Amount { value: 2000.0, unit: None };
+        assert_eq!(assignment("a.b = 2e3"), Ok(("a.b".to_owned(), amount)));
+        for bad in ["a.b", "a.b=", "a.b=x", "a.b=inf", "a.b=NaN", "a.b=[m]", "a.b=1 m"] {
+            assert!(assignment(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[cfg(feature = "derive")]
+    #[test]
+    fn numbers_in_units_are_in_si_units() {
+        for (text, value) in [
+            ("18 [kN m/rad]", 18e3),
+            ("-2.5[mm]", -2.5e-3),
+            ("90 [deg]", std::f64::consts::FRAC_PI_2),
+        ] {
+            assert!((Amount::parse(text).unwrap().value / value - 1.0).abs() < 1e-15, "{text}");
+        }
+        assert!(Amount::parse("1 [parsec]").unwrap_err().contains("parsec"));
+        let amount = Amount::parse("18 [kN m/rad]").unwrap();
+        assert!(amount.check("k", "N m/rad").is_ok() && amount.check("k", "N/m").is_err());
+        assert!(bare_assignment("a=1 [m]").is_err() && bare_assignment("a=1").is_ok());
+    }
+
+    #[cfg(not(feature = "derive"))]
+    #[test]
+    fn units_are_refused_by_what_cannot_read_them() {
+        assert!(Amount::parse("18 [kN m/rad]").unwrap_err().contains("derive"));
+    }
+}

@@ -95,8 +95,12 @@ pub struct SceneSpec {
     pub parameters: Vec<ParameterSpec>,
     /// The scene's own helpers.
     pub helpers: Vec<DefinitionSpec>,
-    /// T, V and D between instances.
+    /// The scene's own first-order states and modes.
+    pub states: Vec<StateSpec>,
+    /// T, V and D between instances, and energy of the scene's states.
     pub energy: EnergySpec,
+    /// Power of the scene's states.
+    pub power: PowerSpec,
     /// Generalized forces on ports.
     pub forces: Vec<PortForceSpec>,
     /// Events of the scene, on `instance.name`.
@@ -411,11 +415,20 @@ pub struct PowerSpec {
     pub dissipated: Option<Ast>,
 }
 
+/// What a force acts on.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Acts {
+    /// A coordinate of a unit, or a port of a scene by `instance.port`.
+    On(Spanned<String>),
+    /// A length or an angle: Q of each coordinate is the force times the rate of this by it.
+    Along(Ast),
+}
+
 /// A generalized force of a unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ForceSpec {
-    /// The coordinate it acts on.
-    pub coordinate: Spanned<String>,
+    /// The coordinate it acts on, or what it does work along.
+    pub acts: Acts,
     /// Q.
     pub expression: Ast,
     /// Whether it only converts energy of the first-order states.
@@ -456,8 +469,8 @@ pub struct JointSpec {
 /// A generalized force of the scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PortForceSpec {
-    /// `instance.port`.
-    pub port: Spanned<String>,
+    /// The port it acts on, or what it does work along.
+    pub acts: Acts,
     /// Q.
     pub expression: Ast,
     /// Meaning.

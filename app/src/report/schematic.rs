@@ -5,7 +5,7 @@ mod draw;
 mod symbol;
 
 use machinist_codegen::spec::expression::{Ast, Node};
-use machinist_codegen::spec::{Formula, InstanceSpec, PortKind, SceneSpec, Symbol};
+use machinist_codegen::spec::{Acts, Formula, InstanceSpec, PortKind, SceneSpec, Symbol};
 use maud::{Markup, html};
 
 use super::page::prose;
@@ -79,7 +79,9 @@ impl Schematic {
             schematic.join(scene, &joint.connect[0].value, &joint.connect[1].value);
         }
         for force in &scene.forces {
-            schematic.force(scene, &force.port.value, &force.doc);
+            if let Acts::On(port) = &force.acts {
+                schematic.force(scene, &port.value, &force.doc);
+            }
         }
         schematic.links(scene);
         schematic

@@ -32,13 +32,29 @@ pub fn rate(
     most: usize,
     of: &dyn Fn(Symbol) -> Option<Expr>,
 ) -> Result<(Expr, usize), NoRate> {
-    let mut along = Along { of, most, made: 0 };
+    let mut along = Along { of, time: 1, most, made: 0 };
     let rate = along.rate(expr)?;
     Ok((rate, along.made.max(1)))
 }
 
+/// The slope of an expression with respect to some symbols at fixed time, likewise.
+///
+/// # Errors
+/// [`NoRate`], before more than `most` leaves are made.
+pub fn slope_by(
+    expr: &Expr,
+    most: usize,
+    of: &dyn Fn(Symbol) -> Option<Expr>,
+) -> Result<(Expr, usize), NoRate> {
+    let mut along = Along { of, time: 0, most, made: 0 };
+    let slope = along.rate(expr)?;
+    Ok((slope, along.made.max(1)))
+}
+
 struct Along<'a> {
     of: &'a dyn Fn(Symbol) -> Option<Expr>,
+    /// How fast time goes.
+    time: i64,
     most: usize,
     made: usize,
 }
@@ -101,7 +117,7 @@ impl Along<'_> {
     fn of_symbol(&mut self, symbol: Symbol) -> Result<Expr, NoRate> {
         match symbol {
             Symbol::Pi | Symbol::Parameter(_) => Ok(integer(0)),
-            Symbol::Time => Ok(integer(1)),
+            Symbol::Time => Ok(integer(self.time)),
             other => {
                 self.spend(1)?;
                 (self.of)(other).ok_or(NoRate::Unknown(other))

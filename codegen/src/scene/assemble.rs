@@ -4,6 +4,7 @@ mod checks;
 mod constraints;
 mod distributed;
 mod events;
+mod forces;
 mod initial;
 mod outputs;
 mod precision;
@@ -11,21 +12,22 @@ mod precision;
 use crate::expr::rank::motion_without_energy;
 use crate::expr::{CoordinateId, Expr, ParameterId, Symbol};
 use crate::scene::evaluate::evaluate;
-use crate::scene::layout::{Layout, Local, Scope, coordinate_spec, find_port, unknown_coordinate};
+use crate::scene::layout::{Layout, Scope, coordinate_spec};
 use crate::scene::names::{Flat, name};
 use crate::scene::parameters;
-use crate::scene::ports::{dimension_of, ratio_of};
 use crate::scene::resolve::{Resolved, Resolver, Wanted};
 use crate::scene::system::{
-    Constraint, Coordinate, FirstOrderState, GeneralizedForce, LagrangianSystem, Parameter, Spring,
-    without_zeros,
+    Constraint, Coordinate, FirstOrderState, LagrangianSystem, Parameter, Spring, without_zeros,
 };
-use crate::scene::typed::{Uses, integer, product, sum};
+use crate::scene::typed::{Uses, integer, sum};
 use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::dimension::Dimension;
 use crate::spec::expression::Ast;
 use crate::spec::measure::in_coherent_units;
-use crate::spec::{Declared, Formula, InstanceSpec, SceneSpec, UnitSpec, did_you_mean, quoted};
+use crate::spec::{
+    Declared, Formula, InstanceSpec, OutputSpec, SceneSpec, StateSpec, UnitSpec, did_you_mean,
+    quoted,
+};
 use machinist_model::{Name, Quantity, RunDefaults};
 
 /// The system; it means nothing if mistakes were found.
@@ -213,8 +215,15 @@ impl<'a> Assembler<'a> {
                 springs.push(Spring { instance: instance.name.value.clone(), potential });
             }
         }
-        let energy = &self.spec.energy;
-        let texts = [&energy.kinetic, &energy.potential, &energy.dissipation, &energy.stored];
+        let (energy, power) = (&self.spec.energy, &self.spec.power);
+        let texts = [
+            &energy.kinetic,
+            &energy.potential,
+            &energy.dissipation,
+            &energy.stored,
+            &power.supplied,
+            &power.dissipated,
+        ];
         self.energy_terms(&texts, Scope::Scene, &wanted, &mut terms);
         (terms.map(sum), springs)
     }
@@ -233,70 +242,6 @@ impl<'a> Assembler<'a> {
                 terms.push(self.note(resolved));
             }
         }
-    }
-
-    /// Q of each coordinate of the scene: a force on a coordinate that follows
-    /// another by a factor acts on that one times the factor (virtual work).
-    fn forces(&mut self) -> Vec<GeneralizedForce> {
-        let count = self.layout.representatives.len();
-        let mut forces: Vec<[Vec<Expr>; 2]> = vec![Default::default(); count];
-        for (index, _, unit) in self.instances() {
-            for force in &unit.forces {
-                let names = &self.layout.units[self.spec.instances[index].unit];
-                let Some(Local::Coordinate(place)) = names.get(&force.coordinate.value) else {
-                    self.mistakes.push(unknown_coordinate(&force.coordinate, unit));
-                    continue;
-                };
-                let slot = self.layout.slot(index, place);
-                let (id, q) = self.force(&force.expression, Scope::Instance(index), slot);
-                if force.conversion {
-                    forces[id.0 as usize][1].push(q.clone());
-                }
-                forces[id.0 as usize][0].push(q);
-            }
-        }
-        for force in &self.spec.forces {
-            match find_port(self.spec, self.layout, &force.port) {
-                Ok((port, slot)) => {
-                    let dimension = dimension_of(self.spec, self.layout, port, slot);
-                    let ratio = ratio_of(&mut self.resolver, port, slot);
-                    let ratio = ratio.unwrap_or_else(|mistake| {
-                        self.mistakes.push(*mistake);
-                        None
-                    });
-                    let (id, q) =
-                        self.force_along(&force.expression, Scope::Scene, slot, dimension);
-                    let q = product(ratio.into_iter().chain([q]).collect());
-                    forces[id.0 as usize][0].push(q);
-                }
-                Err(mistake) => self.mistakes.push(*mistake),
-            }
-        }
-        let forces = forces.into_iter().map(|force| force.map(sum));
-        forces.map(|[total, conversion]| GeneralizedForce { total, conversion }).collect()
-    }
-
-    fn force(&mut self, ast: &Ast, scope: Scope, slot: usize) -> (CoordinateId, Expr) {
-        let own = coordinate_spec(self.spec, self.layout, slot).unit.unit.dimension;
-        self.force_along(ast, scope, slot, own)
-    }
-
-    /// A force on a coordinate that does work along something of a dimension.
-    fn force_along(
-        &mut self,
-        ast: &Ast,
-        scope: Scope,
-        slot: usize,
-        along: Dimension,
-    ) -> (CoordinateId, Expr) {
-        let coordinate = coordinate_spec(self.spec, self.layout, slot);
-        let dimension = Dimension::ENERGY.over(along);
-        let what = format!("the force on {}", quoted(&coordinate.name.value));
-        let wanted = Wanted::new(dimension.unwrap_or(Dimension::ENERGY), what);
-        let resolved = self.resolver.expect(ast, scope, &wanted);
-        let q = self.note(resolved);
-        let link = &self.layout.links[slot];
-        (link.id, product(vec![Layout::factor(link), q]))
     }
 
     fn coordinates(&mut self, initial: &initial::Initial) -> Vec<Coordinate> {
@@ -334,21 +279,28 @@ impl<'a> Assembler<'a> {
 
     fn first_order(&mut self, initial: &initial::Initial) -> Vec<FirstOrderState> {
         let mut states = Vec::new();
-        for (index, instance, unit) in self.instances() {
-            for state in &unit.states {
-                let what = format!("the rate of {}", quoted(&state.name.value));
-                let rate = state.unit.unit.per_second(1).unwrap_or_default().dimension;
-                let wanted = Wanted::new(rate, what);
-                let resolved = self.resolver.expect(&state.rate, Scope::Instance(index), &wanted);
-                let rate = self.note(resolved);
-                let instance = Some(instance.name.value.as_str());
-                let quantity = quantity(instance, &state.name.value, &state.unit.text, &state.doc);
-                let initial = initial.states[states.len()].clone();
-                let (scale, is_mode) = (state.scale, state.is_mode);
-                states.push(FirstOrderState { quantity, rate, initial, scale, is_mode });
-            }
+        for (scope, instance, state) in self.states() {
+            let what = format!("the rate of {}", quoted(&state.name.value));
+            let rate = state.unit.unit.per_second(1).unwrap_or_default().dimension;
+            let wanted = Wanted::new(rate, what);
+            let resolved = self.resolver.expect(&state.rate, scope, &wanted);
+            let rate = self.note(resolved);
+            let quantity = quantity(instance, &state.name.value, &state.unit.text, &state.doc);
+            let initial = initial.states[states.len()].clone();
+            let (scale, is_mode) = (state.scale, state.is_mode);
+            states.push(FirstOrderState { quantity, rate, initial, scale, is_mode });
         }
         states
+    }
+
+    /// First-order states and modes in the order of their ids, with whose names they are made of
+    /// and what they are of.
+    fn states(&self) -> impl Iterator<Item = (Scope, Option<&'a str>, &'a StateSpec)> + use<'a> {
+        let of_instances = self.instances().flat_map(|(index, instance, unit)| {
+            let whose = Some(instance.name.value.as_str());
+            unit.states.iter().map(move |state| (Scope::Instance(index), whose, state))
+        });
+        of_instances.chain(self.spec.states.iter().map(|state| (Scope::Scene, None, state)))
     }
 
     fn parameters(&mut self) -> Vec<Parameter> {
@@ -460,6 +412,16 @@ impl<'a> Assembler<'a> {
         }
         for helper in &self.spec.helpers {
             take(&mut helpers, &name(None, &helper.name.value), helper.name.span);
+        }
+        for state in &self.spec.states {
+            take(&mut states, &name(None, &state.name.value), state.name.span);
+        }
+        for output in self.spec.outputs.iter().map(OutputSpec::name) {
+            if self.spec.states.iter().any(|state| state.name.value == output.value) {
+                let message = format!("{} is a state and an output", quoted(&output.value));
+                let mistake = Mistake::new(output.span, message, "given again");
+                clashes.push(mistake.help("give the output another name"));
+            }
         }
         self.mistakes.extend(clashes);
     }

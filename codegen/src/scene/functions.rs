@@ -357,7 +357,10 @@ impl Resolver<'_> {
         let Expr::Symbol(Symbol::FirstOrder(id)) = expr else { return false };
         let spec = self.spec;
         let states = spec.instances.iter().flat_map(|instance| &spec.units[instance.unit].states);
-        states.enumerate().any(|(index, state)| index == id.0 as usize && state.is_mode)
+        states
+            .chain(&spec.states)
+            .enumerate()
+            .any(|(index, state)| index == id.0 as usize && state.is_mode)
     }
 
     fn mode_condition(

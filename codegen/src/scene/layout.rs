@@ -145,7 +145,8 @@ pub struct Layout {
     first: Vec<[usize; 4]>,
     /// Ids of the parameters that are numbers, of all parameters of scene and instances.
     parameters: Vec<Option<ParameterId>>,
-    /// Constraints of all instances.
+    /// First-order states, and constraints, of all instances.
+    states: usize,
     constraints: usize,
     /// How each coordinate of each instance follows one of the scene.
     pub links: Vec<Link>,
@@ -172,6 +173,9 @@ impl Layout {
         }
         for (index, helper) in spec.helpers.iter().enumerate() {
             scene.add(&helper.name, Local::Helper(index), mistakes);
+        }
+        for (index, state) in spec.states.iter().enumerate() {
+            scene.add(&state.name, Local::State(index), mistakes);
         }
         for (index, constraint) in spec.constraints.iter().enumerate() {
             scene.add(&constraint.name, Local::Constraint(index), mistakes);
@@ -209,6 +213,7 @@ impl Layout {
             scene,
             first,
             parameters: ids,
+            states: next[2],
             constraints: next[3],
             links,
             representatives,
@@ -281,9 +286,13 @@ impl Layout {
         self.parameters[first + index]
     }
 
-    /// Id of a first-order state.
-    pub fn state(&self, instance: usize, index: usize) -> FirstOrderId {
-        FirstOrderId((self.first[instance][2] + index) as u32)
+    /// Id of a first-order state; those of the scene come last.
+    pub fn state(&self, scope: Scope, index: usize) -> FirstOrderId {
+        let first = match scope.base() {
+            Scope::Instance(instance) => self.first[instance][2],
+            _ => self.states,
+        };
+        FirstOrderId((first + index) as u32)
     }
 
     /// Id of a constraint; those of the scene come last.

@@ -169,6 +169,17 @@ impl Resolver<'_> {
                 self.leaf(Symbol::Parameter(id), unit, Uses::default(), span)
             }
             (scope, Local::Constraint(index)) => self.multiplier(scope, index, span),
+            (scope, Local::State(index)) => {
+                let states = match scope.base() {
+                    Scope::Instance(instance) => {
+                        &self.spec.units[self.spec.instances[instance].unit].states
+                    }
+                    _ => &self.spec.states,
+                };
+                let symbol = Symbol::FirstOrder(self.layout.state(scope, index));
+                let uses = Uses { position: true, ..Uses::default() };
+                self.leaf(symbol, states[index].unit.unit, uses, span)
+            }
             (Scope::Instance(instance), local) => self.motion(instance, local, span),
             _ => Err(Box::new(Mistake::new(span, "this name has no value", "not a value"))),
         }
@@ -186,7 +197,7 @@ impl Resolver<'_> {
         self.leaf(Symbol::Multiplier(self.layout.constraint(scope, index)), unit, uses, span)
     }
 
-    /// A coordinate, its rates, or a state.
+    /// A coordinate or its rates.
     fn motion(&mut self, instance: usize, local: Local, span: Span) -> Resolved {
         let unit = &self.spec.units[self.spec.instances[instance].unit];
         let none = Uses::default();
@@ -194,11 +205,6 @@ impl Resolver<'_> {
             Local::Velocity(index) => (index, 1, Uses { velocity: true, ..none }),
             Local::Acceleration(index) => (index, 2, Uses { acceleration: true, ..none }),
             Local::Coordinate(index) => (index, 0, Uses { position: true, ..none }),
-            Local::State(index) => {
-                let symbol = Symbol::FirstOrder(self.layout.state(instance, index));
-                let uses = Uses { position: true, ..none };
-                return self.leaf(symbol, unit.states[index].unit.unit, uses, span);
-            }
             Local::Slope(port, side) => return self.slope(instance, port, side, span),
             Local::Place | Local::Field(..) => {
                 let help = "ask for it at a port, by the name of the port";

@@ -12,7 +12,7 @@ use crate::spec::expression::{Ast, Literal, Node};
 use crate::spec::fields::Findings;
 use crate::spec::inside::{Inside, InstanceText};
 use crate::spec::names::quoted;
-use crate::spec::{Formula, JointSpec, PortForceSpec, Value};
+use crate::spec::{Acts, Formula, JointSpec, PortForceSpec, Value};
 
 /// Instances that a row may have.
 pub const MOST: f64 = 10_000.0;
@@ -87,11 +87,18 @@ impl Unroll<'_> {
     fn forces(&mut self, forces: Vec<PortForceSpec>) -> Vec<PortForceSpec> {
         let mut all = Vec::new();
         for force in forces {
-            for index in self.indices(&[&force.port]) {
-                let own = &force.expression;
-                let expression = index.map_or_else(|| own.clone(), |index| own.at(index));
-                let (port, doc) = (at(&force.port, index), force.doc.clone());
-                all.push(PortForceSpec { port, expression, doc });
+            let rows = match &force.acts {
+                Acts::On(port) => vec![port.clone()],
+                Acts::Along(ast) => ast.rows(),
+            };
+            for index in self.indices(&rows.iter().collect::<Vec<_>>()) {
+                let of = |own: &Ast| index.map_or_else(|| own.clone(), |index| own.at(index));
+                let acts = match &force.acts {
+                    Acts::On(port) => Acts::On(at(port, index)),
+                    Acts::Along(ast) => Acts::Along(of(ast)),
+                };
+                let (expression, doc) = (of(&force.expression), force.doc.clone());
+                all.push(PortForceSpec { acts, expression, doc });
             }
         }
         all
@@ -214,6 +221,19 @@ impl Formula {
 }
 
 impl Ast {
+    /// The instances of rows that it names by an index.
+    fn rows(&self) -> Vec<Spanned<String>> {
+        let mut rows = Vec::new();
+        self.visit(&mut |part| {
+            if let Node::Name(Some(instance), _) = &part.node
+                && instance.contains('[')
+            {
+                rows.push(Spanned { value: instance.clone(), span: part.span });
+            }
+        });
+        rows
+    }
+
     /// The expression for an index.
     fn at(&self, index: i64) -> Ast {
         let of = |ast: &Ast| ast.at(index);

@@ -5,7 +5,7 @@ use crate::spec::fields::Findings;
 use crate::spec::library::LibraryUnit;
 use crate::spec::source::{Sources, one_line, written, written_formula};
 use crate::spec::{
-    ConnectorSpec, ExposedSpec, Formula, InstanceText, JointSpec, UnitSpec, Value, toml, unit,
+    Acts, ConnectorSpec, ExposedSpec, Formula, InstanceText, JointSpec, UnitSpec, Value, toml, unit,
 };
 use machinist_model::Direction;
 
@@ -166,7 +166,10 @@ impl Reader {
             add(coordinate.name.value.clone(), "0".to_owned(), &coordinate.unit.text, "fixed");
         }
         for force in &spec.forces {
-            let left = format!("Q({})", force.coordinate.value);
+            let left = match &force.acts {
+                Acts::On(coordinate) => format!("Q({})", coordinate.value),
+                Acts::Along(ast) => format!("force along {}", self.written(ast.span)),
+            };
             add(left, self.written(force.expression.span), "", &force.doc);
         }
         for state in spec.states.iter().filter(|state| !state.is_mode) {

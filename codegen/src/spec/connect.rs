@@ -7,7 +7,7 @@ use std::collections::HashMap;
 
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::names::{did_you_mean, quoted};
-use crate::spec::{InstanceSpec, JointSpec, PortForceSpec, UnitSpec};
+use crate::spec::{Acts, InstanceSpec, JointSpec, PortForceSpec, UnitSpec};
 
 /// The joints, each of two ports of parts; forces of the scene act on such ports too.
 pub fn ports_of(
@@ -30,9 +30,10 @@ pub fn ports_of(
         }
     }
     for force in forces {
-        match scene.ports(&force.port.value).as_deref() {
-            Some([port]) => force.port.value.clone_from(port),
-            Some(ports) => mistakes.push(of_several(&force.port, ports)),
+        let Acts::On(port) = &mut force.acts else { continue };
+        match scene.ports(&port.value).as_deref() {
+            Some([one]) => port.value.clone_from(one),
+            Some(ports) => mistakes.push(of_several(port, ports)),
             None => {}
         }
     }

@@ -13,7 +13,7 @@ use crate::spec::toml::{Entry, Tree};
 use crate::spec::unit::{self, each};
 use crate::spec::{
     CheckSpec, ConstraintSpec, DefinitionSpec, EnergySpec, EventSpec, OutputSpec, ParameterSpec,
-    PortForceSpec, RunSpec, UnitSpec,
+    PortForceSpec, PowerSpec, RunSpec, StateSpec, UnitSpec,
 };
 
 /// Methods a spec may name.
@@ -35,7 +35,9 @@ pub struct SceneText {
     pub inside: Inside,
     pub parameters: Vec<ParameterSpec>,
     pub helpers: Vec<DefinitionSpec>,
+    pub states: Vec<StateSpec>,
     pub energy: EnergySpec,
+    pub power: PowerSpec,
     pub forces: Vec<PortForceSpec>,
     pub events: Vec<EventSpec>,
     pub constraints: Vec<ConstraintSpec>,
@@ -70,7 +72,9 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
     let (instances, joints) = inside::parts(&mut fields);
     let parameters = each(&mut fields, "parameters", unit::parameter_of_scene);
     let helpers = each(&mut fields, "helpers", unit::definition);
+    let states = unit::states(&mut fields);
     let energy = fields.take("energy").map(|tree| unit::energy(tree, fields.found()));
+    let power = fields.take("power").map(|tree| unit::power(tree, fields.found()));
     let forces = fields.list("forces");
     let forces = forces.iter().filter_map(|tree| force(tree, fields.found())).collect();
     let events = each(&mut fields, "events", event::event);
@@ -92,7 +96,9 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
         inside: Inside { instances, joints, initial, guess },
         parameters,
         helpers,
+        states,
         energy: energy.unwrap_or_default(),
+        power: power.unwrap_or_default(),
         forces,
         events,
         constraints,
@@ -106,6 +112,7 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
     };
     let names = scene.parameters.iter().map(|parameter| &parameter.name);
     let names = names.chain(scene.helpers.iter().map(|helper| &helper.name));
+    let names = names.chain(scene.states.iter().map(|state| &state.name));
     array::unroll(&mut scene.inside, &mut scene.forces, names, found);
     scene
 }
@@ -126,11 +133,11 @@ fn header(tree: &Spanned<Tree>, found: &mut Findings) -> Option<Header> {
 
 fn force(tree: &Spanned<Tree>, found: &mut Findings) -> Option<PortForceSpec> {
     let mut fields = Fields::open(tree, "[[forces]]".to_owned(), found);
-    let port = fields.required_text("port");
+    let acts = unit::acts("port", &mut fields);
     let expression = fields.required_expression("expression");
     let doc = fields.text("doc");
     fields.close();
-    Some(PortForceSpec { port: port?, expression: expression?, doc })
+    Some(PortForceSpec { acts: acts?, expression: expression?, doc })
 }
 
 /// The key of `[initial]` that is no name of a quantity.

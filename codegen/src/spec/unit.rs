@@ -11,8 +11,8 @@ use crate::spec::measure::{Measure, UnitError};
 use crate::spec::names::{self, did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::{
-    ConnectorSpec, CoordinateSpec, DefinitionSpec, EnergySpec, ExposedSpec, ForceSpec, InputSpec,
-    ParameterSpec, PortKind, PortSpec, PowerSpec, StateSpec, Symbol, UnitSpec,
+    Acts, ConnectorSpec, CoordinateSpec, DefinitionSpec, EnergySpec, ExposedSpec, ForceSpec,
+    InputSpec, ParameterSpec, PortKind, PortSpec, PowerSpec, StateSpec, Symbol, UnitSpec,
 };
 
 /// Reads a unit found by `name`; `whole` if it is a file of its own, which must
@@ -36,8 +36,7 @@ pub fn read(
     let parameters = each(&mut fields, "parameters", parameter);
     let inputs = each(&mut fields, "inputs", input);
     let helpers = each(&mut fields, "helpers", definition);
-    let mut states = each(&mut fields, "states", state);
-    states.extend(each(&mut fields, "modes", event::mode));
+    let states = states(&mut fields);
     let events = each(&mut fields, "events", event::event);
     let constraints = each(&mut fields, "constraints", constraint);
     let energy = fields.take("energy").map(|tree| energy(tree, fields.found()));
@@ -265,6 +264,13 @@ fn definition_in(
     Some(DefinitionSpec { name: entry.key.clone(), expression: expression?, unit: unit?, doc })
 }
 
+/// Reads `[states]` and `[modes]` of a unit or a scene.
+pub fn states(fields: &mut Fields<'_>) -> Vec<StateSpec> {
+    let mut states = each(fields, "states", state);
+    states.extend(each(fields, "modes", event::mode));
+    states
+}
+
 fn state(entry: &Entry, found: &mut Findings) -> Option<StateSpec> {
     let mut fields = open(entry, "state", found);
     let unit = fields.unit();
@@ -297,7 +303,8 @@ pub fn energy(tree: &Spanned<Tree>, found: &mut Findings) -> EnergySpec {
     energy
 }
 
-fn power(tree: &Spanned<Tree>, found: &mut Findings) -> PowerSpec {
+/// Reads `[power]` of a unit or a scene.
+pub fn power(tree: &Spanned<Tree>, found: &mut Findings) -> PowerSpec {
     let mut fields = Fields::open(tree, "[power]".to_owned(), found);
     let power = PowerSpec {
         supplied: fields.expression("supplied"),
@@ -309,10 +316,22 @@ fn power(tree: &Spanned<Tree>, found: &mut Findings) -> PowerSpec {
 
 fn force(tree: &Spanned<Tree>, found: &mut Findings) -> Option<ForceSpec> {
     let mut fields = Fields::open(tree, "[[forces]]".to_owned(), found);
-    let coordinate = fields.required_text("coordinate");
+    let acts = acts("coordinate", &mut fields);
     let expression = fields.required_expression("expression");
     let conversion = fields.flag("conversion");
     let doc = fields.text("doc");
     fields.close();
-    Some(ForceSpec { coordinate: coordinate?, expression: expression?, conversion, doc })
+    Some(ForceSpec { acts: acts?, expression: expression?, conversion, doc })
+}
+
+/// What a force acts on: what stands under `key`, or `along`.
+pub fn acts(key: &'static str, fields: &mut Fields<'_>) -> Option<Acts> {
+    let Some(along) = fields.take("along") else {
+        return fields.required_text(key).map(Acts::On);
+    };
+    if fields.take(key).is_some() {
+        let message = format!("a force has `{key}` or `along`, not both");
+        fields.found().mistakes.push(Mistake::new(along.span, message, "besides"));
+    }
+    fields.as_expression(along, "along").map(Acts::Along)
 }

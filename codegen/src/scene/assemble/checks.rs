@@ -101,8 +101,11 @@ impl Assembler<'_> {
         }
         let asked_for = outputs.iter().any(|output| output.quantity.name.path == of.value);
         if !self.spec.outputs.is_empty() && !asked_for {
-            let (instance, own) = of.value.rsplit_once('.').unwrap_or(("", &of.value));
-            let quantity = quantity(Some(instance), own, &unit, &doc);
+            let (instance, own) = match of.value.rsplit_once('.') {
+                Some((instance, own)) => (Some(instance), own),
+                None => (None, of.value.as_str()),
+            };
+            let quantity = quantity(instance, own, &unit, &doc);
             let mut names = Flat::default();
             for output in &*outputs {
                 names.take(&output.quantity.name, of.span)?;
@@ -126,6 +129,9 @@ impl Assembler<'_> {
 
     /// The expression of a coordinate, velocity or state by `instance.name`.
     fn state_named(&self, of: &Spanned<String>) -> Option<Ast> {
+        if self.own_state(&of.value).is_some() {
+            return Some(Ast { span: of.span, node: Node::Name(None, of.value.clone()) });
+        }
         let (instance, own) = of.value.rsplit_once('.')?;
         let instances = &self.spec.instances;
         let unit = instances.iter().find(|known| known.name.value == instance)?.unit;

@@ -78,12 +78,17 @@ impl Assembler<'_> {
 
     /// The mode of a name.
     fn mode(&self, path: &Spanned<String>, scope: Scope) -> Result<FirstOrderId, Box<Mistake>> {
+        if let (Scope::Scene, Some(index)) = (scope, self.own_state(&path.value))
+            && self.spec.states[index].is_mode
+        {
+            return Ok(self.layout.state(scope, index));
+        }
         let (instance, name) = self.owner(path, scope)?;
         let unit_index = self.spec.instances[instance].unit;
         let unit = &self.spec.units[unit_index];
         match self.layout.units[unit_index].get(name) {
             Some(Local::State(index)) if unit.states[index].is_mode => {
-                Ok(self.layout.state(instance, index))
+                Ok(self.layout.state(Scope::Instance(instance), index))
             }
             _ => {
                 let modes = unit.states.iter().filter(|state| state.is_mode);
@@ -128,8 +133,13 @@ impl Assembler<'_> {
         path: &Spanned<String>,
         scope: Scope,
     ) -> Result<(Symbol, Option<Expr>, Dimension), Box<Mistake>> {
-        let (instance, name) = self.owner(path, scope)?;
-        let (target, dimension) = self.target_of(instance, name, path)?;
+        let (target, dimension) = match (scope, self.own_state(&path.value)) {
+            (Scope::Scene, Some(_)) => self.target(path, scope)?,
+            _ => {
+                let (instance, name) = self.owner(path, scope)?;
+                self.target_of(instance, name, path)?
+            }
+        };
         Ok(match target {
             Target::State(id) => (Symbol::FirstOrder(FirstOrderId(id as u32)), None, dimension),
             Target::Coordinate(id, order, factor) => {

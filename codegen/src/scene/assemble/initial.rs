@@ -134,18 +134,16 @@ impl<'a> Assembler<'a> {
         }
     }
 
-    /// Initial values of states as their units say.
+    /// Initial values of states as their units, or the scene, say.
     fn of_units(&mut self) -> Vec<Expr> {
         let mut values = Vec::new();
-        for (index, _, unit) in self.instances() {
-            for state in &unit.states {
-                let what = format!("the initial {}", quoted(&state.name.value));
-                let dimension = state.unit.unit.dimension;
-                values.push(state.initial.as_ref().map_or_else(
-                    || integer(0),
-                    |formula| self.initial_value(formula, Scope::Instance(index), dimension, what),
-                ));
-            }
+        for (scope, _, state) in self.states() {
+            let what = format!("the initial {}", quoted(&state.name.value));
+            let dimension = state.unit.unit.dimension;
+            values.push(state.initial.as_ref().map_or_else(
+                || integer(0),
+                |formula| self.initial_value(formula, scope, dimension, what),
+            ));
         }
         values
     }
@@ -176,11 +174,15 @@ impl<'a> Assembler<'a> {
         }
     }
 
-    fn target(
+    pub(super) fn target(
         &self,
         path: &Spanned<String>,
         scope: Scope,
     ) -> Result<(Target, Dimension), Box<Mistake>> {
+        if let (Scope::Scene, Some(index)) = (scope, self.own_state(&path.value)) {
+            let id = self.layout.state(scope, index).0 as usize;
+            return Ok((Target::State(id), self.spec.states[index].unit.unit.dimension));
+        }
         if scope == Scope::Scene && !path.value.contains('.') {
             let message = format!("{} is nothing that has an initial value", quoted(&path.value));
             let mistake = Mistake::new(path.span, message, "not instance.name");
@@ -188,6 +190,14 @@ impl<'a> Assembler<'a> {
         }
         let (instance, name) = self.owner(path, scope)?;
         self.target_of(instance, name, path)
+    }
+
+    /// The state or mode of the scene of a name.
+    pub(super) fn own_state(&self, name: &str) -> Option<usize> {
+        match self.layout.scene.get(name) {
+            Some(Local::State(index)) => Some(index),
+            _ => None,
+        }
     }
 
     /// What `name` is of an instance; `path` is how the spec writes it.
@@ -203,7 +213,7 @@ impl<'a> Assembler<'a> {
             Some(Local::Coordinate(index)) => (index, 0),
             Some(Local::Velocity(index)) => (index, 1),
             Some(Local::State(index)) => {
-                let id = self.layout.state(instance, index).0 as usize;
+                let id = self.layout.state(Scope::Instance(instance), index).0 as usize;
                 return Ok((Target::State(id), unit.states[index].unit.unit.dimension));
             }
             _ => {

@@ -96,6 +96,10 @@ impl Assembler<'_> {
                     let parameter = &self.spec.parameters[index];
                     Ok((in_coherent_units(&parameter.unit.text), parameter.doc.clone()))
                 }
+                Some(Local::State(index)) => {
+                    let state = &self.spec.states[index];
+                    plain(&state.unit, &state.doc)
+                }
                 Some(Local::Constraint(index)) => {
                     Ok((String::new(), force_of(&self.spec.constraints[index].doc)))
                 }

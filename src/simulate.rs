@@ -84,6 +84,17 @@ pub struct Simulation<'a> {
 enum Sampling {
     Points(usize),
     Times(Vec<f64>),
+    /// As the spec lists them, as far as they lie within the run, which they show to its ends.
+    Listed(Vec<f64>),
+}
+
+impl Sampling {
+    fn of(defaults: &machinist_contract::RunDefaults<'_>) -> Self {
+        match defaults.times {
+            [] => Self::Points(defaults.points),
+            times => Self::Listed(times.to_vec()),
+        }
+    }
 }
 
 impl<'a> Simulation<'a> {
@@ -100,7 +111,7 @@ impl<'a> Simulation<'a> {
             in_equilibrium: None,
             from: defaults.from,
             until: defaults.until,
-            sampling: Sampling::Points(defaults.points),
+            sampling: Sampling::of(&defaults),
             rtol: defaults.rtol,
             atol: None,
             method: None,
@@ -626,17 +637,17 @@ impl<'a> Simulation<'a> {
         if !(from < until && (until - from).is_finite()) {
             return Err(SimulateError::BadSpan { from, until });
         }
-        let points = match &self.sampling {
-            Sampling::Points(points) => *points,
-            Sampling::Times(times) => times.len(),
-        };
-        if !(2..=MAX_POINTS).contains(&points) {
-            return Err(SimulateError::BadPoints(points));
-        }
         let times = match &self.sampling {
+            Sampling::Points(points) if !(2..=MAX_POINTS).contains(points) => {
+                return Err(SimulateError::BadPoints(*points));
+            }
             Sampling::Points(points) => equally_spaced(from, until, *points),
             Sampling::Times(times) => times.clone(),
+            Sampling::Listed(times) => within(times, from, until),
         };
+        if !(2..=MAX_POINTS).contains(&times.len()) {
+            return Err(SimulateError::BadPoints(times.len()));
+        }
         let mut earliest = from;
         for (index, &time) in times.iter().enumerate() {
             if !(earliest <= time && time <= until) {
@@ -664,6 +675,23 @@ impl<'a> Simulation<'a> {
         let scale = size(initial).max(size(&scales));
         if scale.is_finite() && scale > 0.0 { scale } else { 1.0 }
     }
+}
+
+/// Those of some times that lie within a run; an end of the run that cuts them off, or that they
+/// do not reach, is one of them then.
+fn within(times: &[f64], from: f64, until: f64) -> Vec<f64> {
+    let mut kept: Vec<f64> =
+        times.iter().copied().filter(|time| from <= *time && *time <= until).collect();
+    if times.first().is_some_and(|first| *first < from) && kept.first() != Some(&from) {
+        kept.insert(0, from);
+    }
+    if kept.last() != Some(&until) {
+        kept.push(until);
+    }
+    if kept.len() == 1 {
+        kept.insert(0, from);
+    }
+    kept
 }
 
 /// `points` times from `from` to `until`, both met exactly.

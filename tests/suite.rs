@@ -1,6 +1,7 @@
 //! What users rely on, one module a subject; `cargo test --test suite events::` runs one.
 
 mod common;
+mod output_times;
 mod own_scene;
 
 mod algebras;

@@ -50,6 +50,7 @@ pub mod specs;
 mod spectrum;
 mod stability;
 mod sweep;
+mod times;
 pub mod verify;
 pub mod walk;
 

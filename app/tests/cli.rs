@@ -164,6 +164,24 @@ fn settings_change_the_run() {
 }
 
 #[test]
+fn a_run_may_be_asked_for_at_any_times() {
+    let times = |arguments: &[&str]| {
+        let run = ["run", "two_mass", "--out", "-", "--columns", "twist"];
+        read_csv(&answer(&[&run, arguments].concat())).1[0].clone()
+    };
+    assert_eq!(times(&["--times", "0,0.1,0.25"]), [0.0, 0.1, 0.25]);
+    assert_eq!(times(&["--times", "0 [ms],250 [ms]"]), [0.0, 0.25]);
+    let ratios = times(&["--times", "1e-3..0.1:log", "--points", "4"]);
+    assert_eq!((ratios.len(), ratios[0], ratios[1], ratios[3]), (4, 0.0, 1e-3, 0.1));
+    assert!((ratios[2] - 1e-2).abs() < 1e-15);
+    let run = ["run", "two_mass", "--times"];
+    assert_refused(&[&run[..], &["0,1", "--points", "3"]].concat(), &["leave one of them out"]);
+    assert_refused(&[&run[..], &["0 [m],1 [m]"]].concat(), &["a time is in s, and not in m"]);
+    assert_refused(&[&run[..], &["0..1:log", "--points", "9"]].concat(), &["equal ratios"]);
+    assert_refused(&[&run[..], &["1,2,1.5"]].concat(), &["grow"]);
+}
+
+#[test]
 fn settings_may_be_in_units_of_measure() {
     let run =
         |set: &str| answer(&["run", "two_mass", "--points", "11", "--set", set, "--out", "-"]);

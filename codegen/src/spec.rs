@@ -502,15 +502,27 @@ impl OutputSpec {
     }
 }
 
+/// At which times a run tells what there is.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SamplingSpec {
+    /// So many, equally spaced, both ends included.
+    Even(usize),
+    /// So many, the start among them; from one to the next, the time since the start grows by one
+    /// ratio, from the one given here.
+    Ratios(usize, Formula),
+    /// These.
+    Listed(Vec<Formula>),
+}
+
 /// The run a scene asks for, in range.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunSpec {
     /// Start time \[s\], of parameters; 0 if not given.
     pub from: Option<Formula>,
-    /// End time \[s\], likewise.
-    pub until: Formula,
+    /// End time \[s\], likewise; of a list of output times, the last.
+    pub until: Option<Formula>,
     /// Output times.
-    pub points: usize,
+    pub sampling: SamplingSpec,
     /// Relative tolerance.
     pub rtol: f64,
     /// One of [`crate::spec::METHODS`].

@@ -187,6 +187,7 @@ fn a_simulator_describes_its_spec() {
         assert_eq!(machine.parameter_default(index).to_bits(), parameter.value.to_bits());
     }
     assert_eq!(machine.run_defaults().points, model.run.points);
+    assert_eq!(machine.run_defaults().times, model.run.times);
     assert_eq!(machine.rate_jacobian_pattern(), oddities::RATE_JACOBIAN_PATTERN);
 }
 

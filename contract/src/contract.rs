@@ -147,8 +147,10 @@ pub struct RunDefaults<'a> {
     pub from: f64,
     /// End time \[s\].
     pub until: f64,
-    /// Number of equally spaced output times, both ends included.
+    /// Number of output times, both ends included; equally spaced unless `times` are given.
     pub points: usize,
+    /// Output times \[s\] where they are not equally spaced, increasing; else empty.
+    pub times: &'a [f64],
     /// Relative tolerance; the absolute one is this times the scale of the state.
     pub rtol: f64,
     /// Name of the method.

@@ -23,7 +23,7 @@ macro_rules! simulator {
         $(#[$attribute:meta])*
         $machine:ident: $name:literal, $title:literal;
         run from $from:expr, until $until:expr, points $points:literal, rtol $rtol:expr,
-            method $method:literal;
+            method $method:literal $(, times [$($time:expr),*])?;
         quadratures $quadratures:literal, discontinuities $discontinuities:literal;
         $($part:ident $($argument:literal $($bends:ident)?)?;)*
     ) => {
@@ -39,6 +39,7 @@ macro_rules! simulator {
             from: $from,
             until: $until,
             points: $points,
+            times: &[$($($time),*)?],
             rtol: $rtol,
             method: $method,
         };

@@ -89,8 +89,10 @@ pub struct RunDefaults {
     pub from: f64,
     /// End time \[s\].
     pub until: f64,
-    /// Number of output times, both ends included.
+    /// Number of output times, both ends included; equally spaced unless `times` are given.
     pub points: usize,
+    /// Output times \[s\] where they are not equally spaced, increasing; else empty.
+    pub times: Vec<f64>,
     /// Relative tolerance.
     pub rtol: f64,
     /// Name of the method.

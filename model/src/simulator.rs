@@ -250,6 +250,7 @@ impl Describe for ModelSimulator {
             from: run.from,
             until: run.until,
             points: run.points,
+            times: &run.times,
             rtol: run.rtol,
             method: &run.method,
         }

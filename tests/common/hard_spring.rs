@@ -54,7 +54,7 @@ impl Describe for HardSpring {
         SparsityPattern { rows: 1, columns: 1, entries: &[(0, 0)] }
     }
     fn run_defaults(&self) -> RunDefaults<'_> {
-        RunDefaults { from: 0.0, until: 8.0, points: 81, rtol: 1e-8, method: "bdf" }
+        RunDefaults { from: 0.0, until: 8.0, points: 81, times: &[], rtol: 1e-8, method: "bdf" }
     }
 }
 

@@ -68,7 +68,7 @@ impl Describe for Oscillator {
         SparsityPattern { rows: 1, columns: 1, entries: &[(0, 0)] }
     }
     fn run_defaults(&self) -> RunDefaults<'_> {
-        RunDefaults { from: 0.0, until: 3.0, points: 301, rtol: 1e-8, method: "bdf" }
+        RunDefaults { from: 0.0, until: 3.0, points: 301, times: &[], rtol: 1e-8, method: "bdf" }
     }
 }
 

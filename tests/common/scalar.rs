@@ -62,7 +62,7 @@ impl Describe for Scalar {
         SparsityPattern { rows: 0, columns: 0, entries: &[] }
     }
     fn run_defaults(&self) -> RunDefaults<'_> {
-        RunDefaults { from: 0.0, until: 2.0, points: 21, rtol: 1e-6, method: "bdf" }
+        RunDefaults { from: 0.0, until: 2.0, points: 21, times: &[], rtol: 1e-6, method: "bdf" }
     }
 }
 

@@ -18,6 +18,7 @@ use super::output::{
 };
 use super::scene::Scene;
 use super::settings::{with_method, with_parameters};
+use super::times::{Times, times};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::number::number;
@@ -46,9 +47,13 @@ pub struct Run {
     /// says, unless set
     #[arg(long, value_name = "STATE")]
     start: Option<Start>,
-    /// Number of output times, both ends included
+    /// Number of output times, both ends included; equally spaced, or as `--times` says
     #[arg(long, value_name = "NUMBER")]
     points: Option<usize>,
+    /// Output times, s: a list, `0,0.1,0.5`, or so many as `--points` says at equal ratios since
+    /// the start, `1e-3..10:log`
+    #[arg(long, value_name = "TIMES", value_parser = times, allow_hyphen_values = true)]
+    times: Option<Times>,
     /// Number of elements of each field
     #[arg(long, value_name = "NUMBER")]
     elements: Option<usize>,
@@ -285,6 +290,9 @@ impl Run {
         }
         if let Some(points) = self.points {
             simulation = simulation.points(points);
+        }
+        if let Some(times) = &self.times {
+            simulation = times.asked_of(simulation, [self.from, self.until], self.points)?;
         }
         if let Some(rtol) = self.rtol {
             simulation = simulation.rtol(rtol);

@@ -95,8 +95,13 @@ fn as_text(scene: &Description) -> String {
     section("Taken for rigid", scene.rigid.join(", "));
     let run = &scene.run;
     let line = format!(
-        "{} s to {} s, {} points, rtol {:e}, method {}",
-        run.from, run.until, run.points, run.rtol, run.method
+        "{} s to {} s, {} points{}, rtol {:e}, method {}",
+        run.from,
+        run.until,
+        run.points,
+        if run.times.is_empty() { "" } else { " not equally spaced" },
+        run.rtol,
+        run.method
     );
     section("Run", line);
     text

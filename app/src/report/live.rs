@@ -135,6 +135,9 @@ struct RunOfPage {
     from: f64,
     until: f64,
     points: usize,
+    /// Output times, where they are not equally spaced.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    times: Vec<f64>,
     rtol: f64,
     method: &'static str,
     /// Whether the spec's method is for stiff machines.
@@ -323,6 +326,10 @@ impl Known {
                 from: model.run.from,
                 until: model.run.until,
                 points: model.run.points.clamp(2, MOST_POINTS),
+                times: Some(&model.run.times)
+                    .filter(|times| times.len() <= MOST_POINTS)
+                    .cloned()
+                    .unwrap_or_default(),
                 rtol: run.rtol,
                 method: run.method.name(),
                 is_stiff: is_implicit

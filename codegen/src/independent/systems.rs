@@ -382,6 +382,7 @@ impl Recipe {
                 from: 0.0,
                 until: 2.0,
                 points: 2,
+                times: Vec::new(),
                 rtol: 1e-6,
                 method: "dop853".to_owned(),
             },

@@ -8,10 +8,10 @@ mod forces;
 mod initial;
 mod outputs;
 mod precision;
+mod run;
 
 use crate::expr::rank::motion_without_energy;
-use crate::expr::{CoordinateId, Expr, ParameterId, Symbol};
-use crate::scene::evaluate::evaluate;
+use crate::expr::{CoordinateId, Expr, Symbol};
 use crate::scene::layout::{Layout, Scope, coordinate_spec};
 use crate::scene::names::{Flat, name};
 use crate::scene::parameters;
@@ -19,14 +19,13 @@ use crate::scene::resolve::{Resolved, Resolver, Wanted};
 use crate::scene::system::{
     Constraint, Coordinate, FirstOrderState, LagrangianSystem, Parameter, Spring, without_zeros,
 };
-use crate::scene::typed::{Uses, integer, sum};
+use crate::scene::typed::{integer, sum};
 use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::dimension::Dimension;
 use crate::spec::expression::Ast;
 use crate::spec::measure::in_coherent_units;
 use crate::spec::{
-    Declared, Formula, InstanceSpec, OutputSpec, SceneSpec, StateSpec, UnitSpec, did_you_mean,
-    quoted,
+    Declared, InstanceSpec, OutputSpec, SceneSpec, StateSpec, UnitSpec, did_you_mean, quoted,
 };
 use machinist_model::{Name, Quantity, RunDefaults};
 
@@ -40,7 +39,8 @@ pub fn assemble(
     let run = RunDefaults {
         from: 0.0,
         until: 0.0,
-        points: spec.run.points,
+        points: 0,
+        times: Vec::new(),
         rtol: spec.run.rtol,
         method: spec.run.method.clone(),
     };
@@ -140,26 +140,6 @@ impl<'a> Assembler<'a> {
                 integer(0)
             }
         }
-    }
-
-    /// When the run starts and ends, at the values of the spec.
-    fn span_of_run(&mut self) {
-        let run = &self.spec.run;
-        let mut time = |formula: &Formula, what: &str| {
-            let wanted = Wanted::new(Dimension::TIME, what).of(Uses::PARAMETERS);
-            let resolved = self.resolver.formula(formula, Scope::Scene, &wanted);
-            let expr = self.note(resolved);
-            evaluate(&expr, &|id: ParameterId| self.values[id.0 as usize])
-        };
-        let from = run.from.as_ref().map_or(0.0, |from| time(from, "the start of the run"));
-        let until = time(&run.until, "the end of the run");
-        // Also what is no number.
-        if !(from.is_finite() && until.is_finite() && until > from) {
-            let label = if until <= from { "too early" } else { "not a time" };
-            let mistake = Mistake::new(run.until.span(), "a run ends after its start", label);
-            self.mistakes.push(mistake.help(format!("it goes from {from} s to {until} s")));
-        }
-        (self.run.from, self.run.until) = (from, until);
     }
 
     /// Every input is bound by an expression of its unit, and nothing else is bound.

@@ -12,8 +12,8 @@ use crate::spec::names::{self, did_you_mean};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::unit::{self, each};
 use crate::spec::{
-    CheckSpec, ConstraintSpec, DefinitionSpec, EnergySpec, EventSpec, OutputSpec, ParameterSpec,
-    PortForceSpec, PowerSpec, RunSpec, StateSpec, UnitSpec,
+    CheckSpec, ConstraintSpec, DefinitionSpec, EnergySpec, EventSpec, Formula, OutputSpec,
+    ParameterSpec, PortForceSpec, PowerSpec, RunSpec, SamplingSpec, StateSpec, UnitSpec,
 };
 
 /// Methods a spec may name.
@@ -221,9 +221,7 @@ fn required_names(key: &'static str, fields: &mut Fields<'_>) -> Vec<Spanned<Str
 fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {
     let mut fields = Fields::open(tree, "[run]".to_owned(), found);
     let from = fields.formula("from");
-    fields.require("until");
-    let until = fields.formula("until");
-    let points = fields.required_number("points");
+    let (until, sampling) = sampling(&mut fields);
     let rtol = fields.required_number("rtol");
     let method = fields.required_text("method");
     fields.close();
@@ -233,11 +231,6 @@ fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {
         }
     };
     // Each by itself, whether the others are there or not.
-    if let Some(points) = &points {
-        let whole = points.value.fract() == 0.0 && (2.0..=MAX_POINTS).contains(&points.value);
-        let message = "`points` is an integer from 2 to 10 000 000";
-        refuse(whole, points.span, message, "out of range", String::new());
-    }
     if let Some(rtol) = &rtol {
         let message = "`rtol` lies between 1e-14 and 0.1";
         refuse(RTOL.contains(&rtol.value), rtol.span, message, "out of range", String::new());
@@ -247,7 +240,69 @@ fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {
         let help = did_you_mean(&method.value, METHODS.iter().copied());
         refuse(known, method.span, "unknown method", "unknown", help);
     }
-    let (until, points, rtol, method) = (until?, points?, rtol?, method?);
-    let (points, rtol) = (points.value as usize, rtol.value);
-    Some(RunSpec { from, until, points, rtol, method: method.value })
+    let (sampling, rtol, method) = (sampling?, rtol?.value, method?.value);
+    Some(RunSpec { from, until, sampling, rtol, method })
+}
+
+/// How output times may be spaced, by name.
+pub const SPACINGS: &[&str] = &["even", "log"];
+
+/// `times`; or `until` and `points`, with `spacing` and `first`.
+fn sampling(fields: &mut Fields<'_>) -> (Option<Formula>, Option<SamplingSpec>) {
+    if let Some(tree) = fields.take("times") {
+        for key in ["until", "points", "spacing", "first"] {
+            if let Some(other) = fields.take(key) {
+                let message = format!("a run has `times` or `{key}`, not both");
+                let mistake = Mistake::new(other.span, message, "besides `times`");
+                fields.found().mistakes.push(mistake.help("a run ends at the last of its times"));
+            }
+        }
+        let Tree::List(items) = &tree.value else {
+            return (None, fields.wrong(tree, "times", "a list of times"));
+        };
+        if !(2..=MAX_POINTS as usize).contains(&items.len()) {
+            let message = "`times` are 2 to 10 000 000";
+            fields.found().mistakes.push(Mistake::new(tree.span, message, "out of range"));
+        }
+        let times = items.iter().filter_map(|item| fields.as_formula(item, "times")).collect();
+        return (None, Some(SamplingSpec::Listed(times)));
+    }
+    fields.require("until");
+    let until = fields.formula("until");
+    let points = fields.required_number("points");
+    let spacing = fields.take("spacing").and_then(|tree| fields.as_text(tree, "spacing"));
+    let is_log = spacing.as_ref().is_some_and(|spacing| spacing.value == "log");
+    if let Some(spacing) = &spacing
+        && !SPACINGS.contains(&spacing.value.as_str())
+    {
+        let help = did_you_mean(&spacing.value, SPACINGS.iter().copied());
+        let mistake = Mistake::new(spacing.span, "unknown spacing", "unknown").help(help);
+        fields.found().mistakes.push(mistake);
+    }
+    let first = fields.formula("first");
+    match (&first, &spacing) {
+        (None, Some(spacing)) if is_log => {
+            let message = "times at equal ratios need `first`, the time after the start";
+            let mistake = Mistake::new(spacing.span, message, "from when on?");
+            fields.found().mistakes.push(mistake.help("write first = 1e-3, in s"));
+        }
+        (Some(first), _) if !is_log => {
+            let message = "`first` is of times at equal ratios";
+            let mistake = Mistake::new(first.span(), message, "of no use");
+            fields.found().mistakes.push(mistake.help("write spacing = \"log\" too"));
+        }
+        _ => {}
+    }
+    let Some(points) = points else { return (until, None) };
+    let least = if is_log { 3.0 } else { 2.0 };
+    if !(points.value.fract() == 0.0 && (least..=MAX_POINTS).contains(&points.value)) {
+        let message = format!("`points` is an integer from {least} to 10 000 000");
+        fields.found().mistakes.push(Mistake::new(points.span, message, "out of range"));
+    }
+    let points = points.value as usize;
+    let sampling = match first {
+        Some(first) => SamplingSpec::Ratios(points, first),
+        None => SamplingSpec::Even(points),
+    };
+    (until, Some(sampling))
 }

@@ -140,6 +140,7 @@ impl Asking {
         let Some(Step::Key(key, _)) = place.last().filter(|_| some) else { return None };
         let all = [
             scene::METHODS.to_vec(),
+            scene::SPACINGS.to_vec(),
             PortKind::ALL.into_iter().map(|(name, _)| name).collect(),
             Direction::ALL.into_iter().map(Direction::name).collect(),
             Symbol::ALL.into_iter().map(|(name, _)| name).collect(),

@@ -42,7 +42,7 @@ use ::machinist_contract::{
     ///
     /// Source: \*/ } fn main() {} /\* \` \[main\](x) \<b\> "; // \\ \\u{202e} let code = 1; \# \[\`x\`\] \`\`\` let y;
     Oddities: "oddities", "*/ } fn main() {} /* ` [main](x) <b> \"; // \\ \u{202e}\r\n    let code = 1;\n# [`x`]\n```\nlet y;";
-    run from 0.0, until 2.0, points 1001, rtol 1e-8, method "bdf";
+    run from 0.0, until 2.0, points 3, rtol 1e-8, method "bdf", times [0.0, 0.001, 2.0];
     quadratures 0, discontinuities 1;
     equilibrium; prepared; series 4 Corners;
 }

@@ -254,6 +254,7 @@ pub fn pendulum_system() -> LagrangianSystem {
             from: 0.0,
             until: 2.0,
             points: 1001,
+            times: Vec::new(),
             rtol: 1e-8,
             method: "bdf".to_owned(),
         },
@@ -379,6 +380,7 @@ pub fn oddities() -> Model {
     system.doc = HOSTILE.into();
     system.source = HOSTILE.into();
     system.files[0].label = "scenes/oddities.toml".into();
+    (system.run.points, system.run.times) = (3, vec![0.0, 1e-3, 2.0]);
     system.coordinates[0].position = quantity("state", "rad", HOSTILE);
     system.coordinates[0].velocity = quantity("STATES", "rad/s", HOSTILE);
     system.first_order[0].quantity = quantity("p", HOSTILE, HOSTILE);

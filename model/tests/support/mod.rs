@@ -169,6 +169,7 @@ pub fn model(n: usize, rate: Tape, mass: MatrixTape, forcing: Tape) -> Model {
             from: 0.0,
             until: 1.0,
             points: 11,
+            times: Vec::new(),
             rtol: 1e-6,
             method: "taylor".to_owned(),
         },

@@ -182,7 +182,14 @@ impl Describe for ByHand {
         SparsityPattern { rows: 0, columns: 0, entries: &[] }
     }
     fn run_defaults(&self) -> RunDefaults<'_> {
-        RunDefaults { from: 0.0, until: self.until, points: 2, rtol: 1e-6, method: "bdf" }
+        RunDefaults {
+            from: 0.0,
+            until: self.until,
+            points: 2,
+            times: &[],
+            rtol: 1e-6,
+            method: "bdf",
+        }
     }
 }
 

@@ -83,10 +83,15 @@ class LivePage {
   // has begun.
   async simulated() {
     const { known } = this.machine;
-    const { from, until, points } = known.run;
-    const wanted = { parameters: known.parameters.map(({ value }) => value), from, until, points };
+    const { from, until, points, times } = known.run;
+    const parameters = known.parameters.map(({ value }) => value);
+    const wanted = { parameters, from, until, points, times };
     for (const { key, value } of this.sliders) {
-      if (key === "until") wanted.until = value;
+      if (key === "until") {
+        // Times of the scene are for its own end.
+        if (value !== until) wanted.times = undefined;
+        wanted.until = value;
+      }
       else wanted.parameters[Number(key)] = value;
     }
     if (!(wanted.until > from)) {

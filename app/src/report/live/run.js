@@ -10,14 +10,15 @@ const EASY_STEPS = 6;
 const LOOKS = 100;
 
 class Run {
-  // Of parameters, its ends and the number of its output times.
-  constructor(machine, { parameters, from, until, points }) {
+  // Of parameters, its ends and the number of its output times; equally spaced, unless these are
+  // given.
+  constructor(machine, { parameters, from, until, points, times }) {
     const { known } = machine;
     Object.assign(this, { machine, from, until, points, taken: 0, stopped: null });
     this.rtol = known.run.rtol;
     machine.restart();
     machine.set(parameters);
-    this.times = Float64Array.from({ length: points }, (_, index) =>
+    this.times = times ? Float64Array.from(times) : Float64Array.from({ length: points }, (_, index) =>
       (index === points - 1 ? until : Math.min(from + (until - from) * (index / (points - 1)), until)));
     this.outputs = known.outputs.map(() => new Float64Array(points));
     this.row = new Float64Array(known.outputs.length);

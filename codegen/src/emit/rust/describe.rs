@@ -50,8 +50,11 @@ fn simulator(scene: &Scene<'_>, series: Option<&Series>) -> Result<Vec<String>, 
     rows.push(format!("{}: {}, {};", scene.machine, string(&model.name), string(&model.title)));
     let run = &model.run;
     let [from, until, rtol] = [run.from, run.until, run.rtol].map(|value| number("run", value));
+    let times = run.times.iter().map(|time| number("run", *time)).collect::<Result<Vec<_>, _>>()?;
+    let times =
+        if times.is_empty() { String::new() } else { format!(", times [{}]", times.join(", ")) };
     rows.push(format!(
-        "run from {}, until {}, points {}, rtol {}, method {};",
+        "run from {}, until {}, points {}, rtol {}, method {}{times};",
         from?,
         until?,
         run.points,

@@ -35,7 +35,7 @@ use std::path::Path;
 pub use self::check::{CheckSpec, ReferenceSpec};
 pub use self::connect::names_of as port_names;
 pub use self::distributed::{
-    AttachmentSpec, Boundary, DiscretisationSpec, FieldSpec, MAX_ELEMENTS, MAX_ORDER, Mass,
+    AttachmentSpec, Boundary, DiscretisationSpec, FieldSpec, MAX_ELEMENTS, MAX_ORDER,
 };
 pub use self::inside::{Inside, InstanceText};
 pub use self::names::{FUNCTIONS, did_you_mean, quoted, scene_name_mistake};

@@ -45,6 +45,39 @@ pub fn identify(
     hold(spec, layout, &mut roots, mistakes);
     let starts = starts(spec, layout, &mut roots);
     follow(layout, &edges, &starts);
+    refuse_idle(spec, layout, mistakes);
+}
+
+/// What lies between coordinates does nothing where joints make all of them one: a spring whose
+/// ends are joined to each other, whichever way around.
+fn refuse_idle(spec: &SceneSpec, layout: &Layout, mistakes: &mut Vec<Mistake>) {
+    for (index, instance) in spec.instances.iter().enumerate() {
+        let unit = &spec.units[instance.unit];
+        let energy = &unit.energy;
+        let lies_between = energy.potential.is_some() || energy.dissipation.is_some();
+        let slots = (0..unit.coordinates.len()).map(|at| layout.slot(index, at));
+        let slots: Vec<usize> = slots.collect();
+        let is_of_more = energy.kinetic.is_some()
+            || !unit.constraints.is_empty()
+            || slots.iter().any(|slot| layout.attachment(*slot).is_some());
+        let [first, others @ ..] = &slots[..] else { continue };
+        let is_held = layout.is_fixed(*first);
+        let moves_as_first = |slot: &usize| {
+            let (one, other) = (&layout.links[*first], &layout.links[*slot]);
+            !is_held && !layout.is_fixed(*slot) && one.id == other.id && one.factor == other.factor
+        };
+        if !lies_between || is_of_more || others.is_empty() || !others.iter().all(moves_as_first) {
+            continue;
+        }
+        let names: Vec<String> = unit.coordinates.iter().map(|c| quoted(&c.name.value)).collect();
+        let message = format!(
+            "joints make {} of {} one, so that it does nothing",
+            names.join(" and "),
+            quoted(&instance.name.value)
+        );
+        let mistake = Mistake::new(instance.name.span, message, "between one thing and itself");
+        mistakes.push(mistake.help("join its ends to different parts, or leave it out"));
+    }
 }
 
 /// The slot that each joined set is walked from, in the order of the sets' earliest

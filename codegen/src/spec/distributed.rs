@@ -14,8 +14,6 @@ pub const MAX_ORDER: f64 = 16.0;
 
 /// What may hold at the ends of a field, by name.
 pub const BOUNDARIES: &[(&str, Boundary)] = &[("free", Boundary::Free), ("fixed", Boundary::Fixed)];
-/// Where the inertia of a field may be, by name.
-pub const MASSES: &[(&str, Mass)] = &[("lumped", Mass::Lumped), ("consistent", Mass::Consistent)];
 
 /// A one-dimensional field, by its densities a length.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,15 +51,6 @@ pub enum Boundary {
     Fixed,
 }
 
-/// How the inertia of a field is cut into elements.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Mass {
-    /// At the nodes, by the quadrature of the energies: a diagonal M.
-    Lumped,
-    /// As the shape functions have it: a banded M.
-    Consistent,
-}
-
 /// How a scene cuts a field of an instance into elements.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DiscretisationSpec {
@@ -71,8 +60,6 @@ pub struct DiscretisationSpec {
     pub elements: usize,
     /// Order of the shape functions.
     pub order: usize,
-    /// Where its inertia is.
-    pub mass: Spanned<Mass>,
     /// What holds at its ends, where the scene says so.
     pub ends: [Option<Boundary>; 2],
 }
@@ -157,12 +144,10 @@ pub fn discretisation(entry: &Entry, found: &mut Findings) -> Option<Discretisat
     let mut fields = Fields::open(&entry.value, what, found);
     let elements = count(&mut fields, "elements", MAX_ELEMENTS);
     let order = count(&mut fields, "order", MAX_ORDER);
-    let mass = choice(&mut fields, "mass", MASSES);
     let ends = ["start", "end"].map(|key| boundary(&mut fields, key));
     fields.close();
-    let mass = mass.unwrap_or(Spanned { value: Mass::Lumped, span: entry.key.span });
     let (elements, order) = (elements?, order?);
-    Some(DiscretisationSpec { field: entry.key.clone(), elements, order, mass, ends })
+    Some(DiscretisationSpec { field: entry.key.clone(), elements, order, ends })
 }
 
 fn count(fields: &mut Fields<'_>, key: &'static str, most: f64) -> Option<usize> {

@@ -145,7 +145,6 @@ impl Asking {
             Direction::ALL.into_iter().map(Direction::name).collect(),
             Symbol::ALL.into_iter().map(|(name, _)| name).collect(),
             distributed::BOUNDARIES.iter().map(|(name, _)| *name).collect(),
-            distributed::MASSES.iter().map(|(name, _)| *name).collect(),
         ];
         let known = |words: &Vec<&'static str>| {
             let all_known = words.iter().all(|word| {

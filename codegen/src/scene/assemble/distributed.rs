@@ -16,7 +16,7 @@ use crate::scene::typed::{Uses, integer, product, sum};
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::dimension::Dimension;
 use crate::spec::expression::Ast;
-use crate::spec::{Boundary, FieldSpec, Formula, Mass, quoted};
+use crate::spec::{Boundary, FieldSpec, Formula, quoted};
 use machinist_contract::field::HANDED;
 
 /// Initial u and u_t of fields by instance, field and 0 or 1.
@@ -108,22 +108,12 @@ impl Assembler<'_> {
                     elements: choice.elements,
                     order: choice.order,
                 });
-                self.supported(choice.mass.value, choice.mass.span);
             }
         }
         if !fields.is_empty() {
             self.without_reduction();
         }
         fields
-    }
-
-    fn supported(&mut self, mass: Mass, span: crate::spec::diagnostic::Span) {
-        if mass == Mass::Consistent {
-            let message = "elements of fields have their inertia at their nodes";
-            let help = "leave `mass` out: with nodes at the points of the quadrature it costs \
-                        nothing of the order";
-            self.mistakes.push(Mistake::new(span, message, "not supported").help(help));
-        }
     }
 
     /// What approximates or fixes works on whole machines only.

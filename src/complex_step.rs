@@ -118,6 +118,10 @@ impl Real for ComplexStep {
         if self.0.re < 0.0 { -self } else { self }
     }
 
+    fn floor(self) -> Self {
+        Self::literal(self.0.re.floor())
+    }
+
     fn exp(self) -> Self {
         let value = self.0.re.exp();
         self.chain(value, value)

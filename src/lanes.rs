@@ -167,7 +167,7 @@ macro_rules! lanes {
                 }
                 tangents
             }
-            lanes!(@each ln, tan, asin, acos, atan, sinh, cosh);
+            lanes!(@each floor, ln, tan, asin, acos, atan, sinh, cosh);
         }
 
         impl Digits for $name {

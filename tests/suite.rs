@@ -35,6 +35,7 @@ mod orders;
 mod parts;
 mod place;
 mod prepared;
+mod remainders;
 mod scene_states;
 mod sensitivities;
 mod series;

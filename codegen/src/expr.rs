@@ -80,6 +80,8 @@ pub enum Function {
     Sqrt,
     /// Absolute value.
     Abs,
+    /// The largest whole number that is not above it; its derivative is 0.
+    Floor,
     /// Exponential function.
     Exp,
     /// Natural logarithm.
@@ -117,9 +119,10 @@ pub enum Function {
 
 impl Function {
     /// Functions that tapes know under the same names.
-    const UNARY: [(Self, Unary); 13] = [
+    const UNARY: [(Self, Unary); 14] = [
         (Self::Sqrt, Unary::Sqrt),
         (Self::Abs, Unary::Abs),
+        (Self::Floor, Unary::Floor),
         (Self::Exp, Unary::Exp),
         (Self::Ln, Unary::Ln),
         (Self::Sin, Unary::Sin),

@@ -128,6 +128,10 @@ impl Real for Dual {
         if self.value < 0.0 { -self } else { Self { value: Real::abs(self.value), ..self } }
     }
 
+    fn floor(self) -> Self {
+        Self::literal(Real::floor(self.value))
+    }
+
     fn exp(self) -> Self {
         let value = Real::exp(self.value);
         self.chain(value, value)

@@ -83,5 +83,5 @@ impl Real for F64x2 {
         let [low, high] = self.0.map(Real::sin_cos);
         (Self([low.0, high.0]), Self([low.1, high.1]))
     }
-    functions!(sqrt, abs, exp, ln, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh);
+    functions!(sqrt, abs, floor, exp, ln, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh);
 }

@@ -54,6 +54,8 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// Absolute value.
     fn abs(self) -> Self;
+    /// The largest whole number that is not above it.
+    fn floor(self) -> Self;
     /// Exponential function.
     fn exp(self) -> Self;
     /// Natural logarithm.
@@ -145,7 +147,7 @@ macro_rules! implement_real {
     };
 }
 
-implement_real!(f64, sqrt = sqrt, abs = fabs, ln = log, tan = tan, asin = asin,
+implement_real!(f64, sqrt = sqrt, abs = fabs, floor = floor, ln = log, tan = tan, asin = asin,
 acos = acos, atan = atan, sinh = sinh, cosh = cosh; pow; {
     #[inline]
     fn exp(self) -> Self {
@@ -176,7 +178,7 @@ acos = acos, atan = atan, sinh = sinh, cosh = cosh; pow; {
         hyperbolic_tangents(arguments)
     }
 });
-implement_real!(f32, sqrt = sqrtf, abs = fabsf, exp = expf, ln = logf, sin = sinf, cos = cosf, tan = tanf,
+implement_real!(f32, sqrt = sqrtf, abs = fabsf, floor = floorf, exp = expf, ln = logf, sin = sinf, cos = cosf, tan = tanf,
     asin = asinf, acos = acosf, atan = atanf, sinh = sinhf, cosh = coshf, tanh = tanhf; powf; {});
 
 #[cold]

@@ -129,6 +129,7 @@ pub fn call<R: Real>(function: Function, x: R) -> R {
     match function {
         Function::Sqrt => x.sqrt(),
         Function::Abs => x.abs(),
+        Function::Floor => x.floor(),
         Function::Exp => x.exp(),
         Function::Ln => x.ln(),
         Function::Sin => x.sin(),

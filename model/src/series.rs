@@ -228,6 +228,7 @@ impl TaylorTape {
                 if rests || switches_once { Bends::Nowhere } else { Bends::Corners }
             }
             Recurrence::Table { .. } => Bends::Corners,
+            Recurrence::Integral { function: Function::Floor, .. } => Bends::Corners,
             Recurrence::Integral { function: Function::Exp, argument, .. }
                 if self.is_line(argument) =>
             {

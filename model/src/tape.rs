@@ -20,6 +20,8 @@ pub enum Function {
     Sqrt,
     /// Absolute value.
     Abs,
+    /// The largest whole number that is not above it.
+    Floor,
     /// Exponential function.
     Exp,
     /// Natural logarithm.
@@ -46,9 +48,10 @@ pub enum Function {
 
 impl Function {
     /// Each with its name, that of the method of `machinist_contract::Real`.
-    pub const ALL: [(Function, &'static str); 13] = [
+    pub const ALL: [(Function, &'static str); 14] = [
         (Function::Sqrt, "sqrt"),
         (Function::Abs, "abs"),
+        (Function::Floor, "floor"),
         (Function::Exp, "exp"),
         (Function::Ln, "ln"),
         (Function::Sin, "sin"),
@@ -74,7 +77,7 @@ impl Function {
         match self {
             Self::Sin | Self::Tan | Self::Asin | Self::Atan | Self::Sinh | Self::Tanh => Some(true),
             Self::Cos | Self::Cosh | Self::Abs => Some(false),
-            Self::Sqrt | Self::Exp | Self::Ln | Self::Acos => None,
+            Self::Sqrt | Self::Exp | Self::Ln | Self::Acos | Self::Floor => None,
         }
     }
 }

@@ -136,6 +136,12 @@ impl Real for DoubleDouble {
         Self(self.0.abs())
     }
 
+    fn floor(self) -> Self {
+        // The leading part may have been rounded up to a whole number.
+        let whole = Self::literal(self.to_f64().floor());
+        Self::select_less(self, whole, whole - Self::literal(1.0), whole)
+    }
+
     fn exp(self) -> Self {
         Self(self.0.exp())
     }
@@ -258,6 +264,17 @@ mod tests {
         agree("sinh", (Real::sinh, FBig::sinh), -3.0, 3.0);
         agree("cosh", (Real::cosh, FBig::cosh), -3.0, 3.0);
         agree("tanh", (Real::tanh, FBig::tanh), -3.0, 3.0);
+    }
+
+    #[test]
+    fn whole_numbers_below_are_exact_beyond_doubles() {
+        let tiny = DoubleDouble::literal(1e-20);
+        for (x, floor) in [(2.5, 2.0), (-2.5, -3.0), (3.0, 3.0)] {
+            assert_eq!(DoubleDouble::literal(x).floor(), DoubleDouble::literal(floor));
+        }
+        let three = DoubleDouble::literal(3.0);
+        assert_eq!((three - tiny).floor(), DoubleDouble::literal(2.0));
+        assert_eq!((three + tiny).floor(), three);
     }
 
     #[test]

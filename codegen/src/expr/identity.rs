@@ -260,6 +260,8 @@ impl Point {
             }
             Function::Ln => self.opaque(7, arguments),
             Function::Acos => self.opaque(8, arguments),
+            Function::Floor if x.is_zero() => Value::ZERO,
+            Function::Floor => self.opaque(10, arguments),
             Function::SelectLess => match arguments {
                 // otherwise + (then - otherwise) chi: what is zero for any chi is for 0 and 1.
                 [a, b, then, otherwise] => {

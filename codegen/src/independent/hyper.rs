@@ -147,6 +147,7 @@ impl<R: Real> Hyper<R> {
                 let sign = || R::select_less(x, R::literal(0.0), -one, one);
                 self.through(x.abs(), sign, zero)
             }
+            Function::Floor => self.through(x.floor(), zero, zero),
             Function::Exp => {
                 let f = x.exp();
                 self.through(f, || f, || f)

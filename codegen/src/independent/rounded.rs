@@ -97,6 +97,10 @@ impl<R: Real> Real for Rounded<R> {
         Self { value: self.value.abs(), size: self.size }
     }
 
+    fn floor(self) -> Self {
+        Self::new(self.value.floor())
+    }
+
     fn exp(self) -> Self {
         self.through(self.value.exp(), self.value.exp())
     }

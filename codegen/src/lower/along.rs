@@ -84,6 +84,7 @@ fn derivative(graph: &mut Graph, function: Function, a: NodeId, value: NodeId) -
             let [zero, minus] = [0.0, -1.0].map(|value| graph.literal(value));
             graph.select_less(a, zero, minus, one)
         }
+        Function::Floor => graph.literal(0.0),
         Function::Exp => value,
         Function::Ln => graph.div(one, a),
         Function::Sin => graph.call(Function::Cos, a),

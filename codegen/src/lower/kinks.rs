@@ -2,7 +2,7 @@
 //! on the graph.
 //!
 //! - *Kinks* pass zero along a motion: arguments of `abs` and `sign`, differences of what
-//!   `min` and `max` compare, distances from the ends of tables. They come with their rates
+//!   `min` and `max` compare, distances from the ends of tables, sin(pi x) of `floor(x)`. They come with their rates
 //!   along the motion, differentiated on the graph.
 //! - *Times* follow from parameters: where such an argument is linear in time alone, it
 //!   passes zero at a time known beforehand. So do centres of bells, of tanh and of other
@@ -68,6 +68,12 @@ fn switched(graph: &mut Graph, id: NodeId, tables: &[Table]) -> Vec<NodeId> {
     match graph.op(id) {
         Op::SelectLess { lhs, rhs, .. } => vec![graph.sub(lhs, rhs)],
         Op::Call(Function::Abs, argument) => vec![argument],
+        Op::Call(Function::Floor, argument) => {
+            // Passes zero at every whole number, in turns upwards and downwards.
+            let half_turn = graph.literal(std::f64::consts::PI);
+            let angle = graph.mul(half_turn, argument);
+            vec![graph.call(Function::Sin, angle)]
+        }
         Op::Table { table, argument, .. } => {
             let table = &tables[table.0 as usize];
             let ends = [table.knots.first(), table.knots.last()].into_iter().flatten();
@@ -192,7 +198,9 @@ impl Search<'_> {
             return vec![];
         }
         let arguments = match graph.op(id) {
-            Op::Call(Function::Sin | Function::Cos | Function::Abs, _) => vec![],
+            Op::Call(Function::Sin | Function::Cos | Function::Abs | Function::Floor, _) => {
+                vec![]
+            }
             Op::Call(_, a) | Op::Powi(a, _) | Op::Powf(a, _) => vec![a],
             Op::Div(_, b) => vec![b],
             Op::Mul(a, b) if a == b => vec![a],

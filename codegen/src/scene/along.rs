@@ -152,6 +152,7 @@ fn slope(function: Function, x: &Expr) -> Expr {
     match function {
         Function::Sqrt => reciprocal(product(vec![integer(2), of(Function::Sqrt)])),
         Function::Abs => select_less(x.clone(), integer(0), integer(-1), integer(1)),
+        Function::Floor => integer(0),
         Function::Exp => of(Function::Exp),
         Function::Ln => reciprocal(x.clone()),
         Function::Sin => of(Function::Cos),

@@ -35,6 +35,7 @@ const OTHERS: &[(&str, &str)] = &[
     ("abs", "abs(x)"),
     ("min", "min(a, b)"),
     ("max", "max(a, b)"),
+    ("mod", "mod(x, y)"),
     ("sign", "sign(x)"),
     ("smooth_step", "smooth_step(x)"),
     ("step", "step(t, t0)"),
@@ -68,6 +69,7 @@ impl Resolver<'_> {
                 Ok(typed)
             }
             ("min" | "max", [a, b]) => self.extremum(function == "min", a, b, scope, allowed),
+            ("mod", [x, y]) => self.remainder(x, y, span, scope, allowed),
             ("sign", [x]) => self.sign(x, span, scope, allowed),
             ("smooth_step", [x]) => self.smooth_step(x, span, scope, allowed),
             ("step", [t, at]) => self.step(t, at, span, scope, allowed),
@@ -112,6 +114,37 @@ impl Resolver<'_> {
                 ))
             }
         }
+    }
+
+    /// x - y floor(x/y).
+    fn remainder(
+        &mut self,
+        of: &Ast,
+        by: &Ast,
+        span: Span,
+        scope: Scope,
+        allowed: Uses,
+    ) -> Resolved {
+        let x = self.resolve(of, scope, allowed)?;
+        let y = self.resolve(by, scope, allowed)?;
+        not_zero(&y, by.span, "a remainder by zero")?;
+        if let (Some(dimension), Some(other)) = (x.dimension, y.dimension)
+            && dimension != other
+        {
+            let message =
+                format!("`mod` is of two values of one dimension: this is in {dimension}");
+            return Err(Box::new(Mistake::new(by.span, message, format!("in {other}"))));
+        }
+        self.spend(x.terms.saturating_add(y.terms), span)?;
+        let mut typed = Typed::over(&[&x, &x, &y, &y]);
+        typed.depth += 4;
+        typed.dimension = x.dimension.or(y.dimension);
+        typed.angular = x.angular;
+        typed.value = x.value.zip(y.value).map(|(x, y)| x - y * (x / y).floor());
+        let ratio = product(vec![x.expr.clone(), reciprocal(y.expr.clone())]);
+        let whole = Expr::Call(Function::Floor, vec![ratio]);
+        typed.expr = sum(vec![x.expr, product(vec![integer(-1), y.expr, whole])]);
+        Ok(typed)
     }
 
     fn root(&mut self, of: &Ast, scope: Scope, allowed: Uses) -> Resolved {

@@ -40,6 +40,7 @@ pub const FUNCTIONS: &[&str] = &[
     "der",
     "cbrt",
     "atan2",
+    "mod",
 ];
 
 /// Refuses what is no name.

@@ -86,7 +86,7 @@ macro_rules! of_one {
     };
 }
 
-of_one!(Sqrt, Abs, Exp, Ln, Sin, Cos, Tan, Asin, Acos, Atan, Sinh, Cosh, Tanh);
+of_one!(Sqrt, Abs, Floor, Exp, Ln, Sin, Cos, Tan, Asin, Acos, Atan, Sinh, Cosh, Tanh);
 
 extern "C" fn powf(base: f64, exponent: f64) -> f64 {
     base.powf(exponent)

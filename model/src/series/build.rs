@@ -257,6 +257,10 @@ impl Builder {
                 let (zero, minus) = (self.number(0.0), self.push(Recurrence::Neg(x)));
                 self.push(Recurrence::Select { lhs: x, rhs: zero, then: minus, otherwise: x })
             }
+            Function::Floor => {
+                let zero = self.number(0.0);
+                self.integral(Function::Floor, x, zero, false)
+            }
             Function::Exp => {
                 let itself = self.next_id();
                 self.integral(Function::Exp, x, itself, false)

@@ -12,7 +12,7 @@ class Machine {
   static HOST = {
     exp: Math.exp, ln: Math.log, powf: Math.pow, sin: Math.sin, cos: Math.cos, tan: Math.tan,
     asin: Math.asin, acos: Math.acos, atan: Math.atan, sinh: Math.sinh, cosh: Math.cosh,
-    tanh: Math.tanh,
+    tanh: Math.tanh, floor: Math.floor,
   };
 
   constructor(known, functions) {

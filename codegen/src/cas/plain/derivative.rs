@@ -73,6 +73,7 @@ fn outer(function: Function, x: &Expr) -> Expr {
             let sides = vec![x.clone(), Expr::integer(0), Expr::integer(-1), one()];
             call(Function::SelectLess, sides)
         }
+        Function::Floor => Expr::integer(0),
         Function::Exp => of(Function::Exp),
         Function::Ln => inverse(x.clone()),
         Function::Sin => of(Function::Cos),

@@ -60,6 +60,7 @@ pub(super) fn call(function: Function, mut arguments: Vec<Expr>) -> Expr {
         Function::SelectLess if arguments[2] == arguments[3] => arguments.swap_remove(2),
         Function::Sqrt
         | Function::Abs
+        | Function::Floor
         | Function::Sin
         | Function::Tan
         | Function::Asin

@@ -153,6 +153,7 @@ fn functions() -> Vec<(Function, CasSymbol)> {
             **out = symbol!("machinist::select_less").call_args(&sides);
         }
     );
+    let floor = symbol!("machinist::floor", der = |_, _, out| **out = Atom::new());
     let tan = symbol!(
         "machinist::tan",
         der = |view, _, out| **out = Atom::num(1) + view.to_owned().pow(2)
@@ -188,6 +189,7 @@ fn functions() -> Vec<(Function, CasSymbol)> {
     vec![
         (Function::Sqrt, sqrt),
         (Function::Abs, abs),
+        (Function::Floor, floor),
         (Function::Exp, CasSymbol::EXP),
         (Function::Ln, CasSymbol::LOG),
         (Function::Sin, CasSymbol::SIN),

@@ -243,6 +243,9 @@ impl<'a> Printer<'a> {
         match (function, self.notation) {
             (Function::Sqrt, Notation::Latex) => format!("\\sqrt{{{}}}", arguments[0]),
             (Function::Abs, Notation::Latex) => format!("\\left|{}\\right|", arguments[0]),
+            (Function::Floor, Notation::Latex) => {
+                format!("\\left\\lfloor {} \\right\\rfloor", arguments[0])
+            }
             (Function::SelectLess, Notation::Text) => format!(
                 "(if {} < {} then {} else {})",
                 arguments[0], arguments[1], arguments[2], arguments[3]
@@ -273,6 +276,7 @@ fn plain_name(function: Function) -> &'static str {
     match function {
         Function::Sqrt => "sqrt",
         Function::Abs => "abs",
+        Function::Floor => "floor",
         Function::Exp => "exp",
         Function::Ln => "ln",
         Function::Sin => "sin",

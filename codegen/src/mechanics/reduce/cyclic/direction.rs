@@ -427,6 +427,7 @@ fn value_and_slope(function: Unary, x: f64) -> (f64, f64) {
     let slope = match function {
         Unary::Sqrt => 0.5 / x.sqrt(),
         Unary::Abs => x.signum(),
+        Unary::Floor => 0.0,
         Unary::Exp => x.exp(),
         Unary::Ln => 1.0 / x,
         Unary::Sin => x.cos(),

@@ -1,0 +1,112 @@
+//! `mod(x, y)`: what is left beyond multiples, and motions that it makes jump.
+
+use machinist::{Method, Simulation, Trajectory};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_model::ModelSimulator;
+
+use crate::own_scene::{of_text, refusal};
+
+/// Those that end steps where a rate jumps.
+const METHODS: [Method; 6] =
+    [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Taylor, Method::Auto];
+
+/// A mass of 2 kg, with a force on it.
+fn pushed(force: &str, outputs: &str) -> String {
+    format!(
+        "[scene]\nname = \"pushed\"\n[units.cart]\nunit = \"translational/mass\"\n\
+         parameters = {{ mass = 2 }}\n\
+         [[forces]]\nport = \"cart.a\"\nexpression = \"{force}\"\n\
+         [parameters]\npitch = {{ value = 0.3, unit = \"m\" }}\n\
+         [initial]\n\"cart.v\" = 0.5\n\
+         [outputs]\nx = \"cart.x\"\nv = \"cart.v\"\n{outputs}\n\
+         [run]\nuntil = 2.0\npoints = 201\nrtol = 1e-10\nmethod = \"auto\"\n"
+    )
+}
+
+fn run(scene: &ModelSimulator, method: Method) -> Trajectory {
+    let run = Simulation::new(scene).method(method).run();
+    run.unwrap_or_else(|error| panic!("{method}: {error}"))
+}
+
+fn column<'t>(run: &'t Trajectory, name: &str) -> &'t [f64] {
+    run.column(name).unwrap_or_else(|| panic!("no column {name}"))
+}
+
+#[test]
+fn a_remainder_is_that_of_euclid() {
+    let outputs = "a = { expression = \"mod(3*t - 2.5 [s], 0.7 [s])\", unit = \"s\" }\n\
+                   b = { expression = \"mod(1 - t/1 [s], 0.25)\", unit = \"1\" }\n\
+                   c = { expression = \"mod(5*t, -0.7 [s])\", unit = \"s\" }\n\
+                   d = { expression = \"mod(700 [mm], 0.25 [m]) + mod(-pi, pi/2)*1 [m]\", unit = \"m\" }\n\
+                   rate = { expression = \"der(mod(cart.x, pitch))\", unit = \"m/s\" }\n\
+                   turn = { expression = \"mod(20 [rad/s]*t, 2*pi)\", unit = \"deg\" }";
+    let run = run(&of_text(&pushed("1 [N]", outputs), Keep::Needed), Method::Auto);
+    let beyond = |x: f64, y: f64| x - y * (x / y).floor();
+    for (row, t) in run.times.iter().enumerate() {
+        let at = |name: &str| column(&run, name)[row];
+        assert!((at("a") - (3.0 * t - 2.5).rem_euclid(0.7)).abs() < 1e-14, "{t}: {}", at("a"));
+        assert!((at("b") - (1.0 - t).rem_euclid(0.25)).abs() < 1e-14);
+        // At a multiple itself rounding decides on which side it is.
+        let off = (at("c") - beyond(5.0 * t, -0.7)).abs();
+        assert!(off.min((off - 0.7).abs()) < 1e-14 && at("c") <= 1e-14, "{t}: {}", at("c"));
+        assert!((at("d") - 0.2).abs() < 1e-15, "{}", at("d"));
+        assert!((at("rate") - at("v")).abs() < 1e-12);
+        let turned = (20.0 * t).rem_euclid(std::f64::consts::TAU).to_degrees();
+        assert!((at("turn") - turned).abs() < 1e-10, "{t}: {}", at("turn"));
+    }
+}
+
+/// F = 8 N/s mod(t, 0.3 s): of each tooth an impulse of 0.36 N s, and a way.
+#[test]
+fn a_sawtooth_over_time_is_followed_exactly() {
+    let scene = of_text(&pushed("8 [N/s]*mod(t, 0.3 [s])", ""), Keep::Needed);
+    let exact = |t: f64| {
+        let (teeth, rest) = ((t / 0.3).floor(), t.rem_euclid(0.3));
+        let (mut x, mut v) = (0.0, 0.5);
+        for time in (0..teeth as usize).map(|_| 0.3).chain([rest]) {
+            // a = 4 t within a tooth.
+            x += v * time + 4.0 * time.powi(3) / 6.0;
+            v += 2.0 * time * time;
+        }
+        (x, v)
+    };
+    for method in METHODS {
+        let run = run(&scene, method);
+        for (row, t) in run.times.iter().enumerate() {
+            // Where a tooth ends the reference may be on either side, which is the same.
+            let (x, v) = exact(*t);
+            let off = (column(&run, "x")[row] - x).abs().max((column(&run, "v")[row] - v).abs());
+            assert!(off < 1e-8, "{method} at {t}: {off:e}");
+        }
+    }
+}
+
+/// F = 40 N/m mod(x, p): over each pitch the energy grows by 40 p^2/2, between by that of the rest.
+#[test]
+fn a_force_that_repeats_along_a_way_does_its_work() {
+    let scene = of_text(&pushed("40 [N/m]*mod(cart.x, pitch)", ""), Keep::Needed);
+    for method in METHODS {
+        let run = run(&scene, method);
+        let end = *column(&run, "x").last().expect("a value");
+        assert!(end > 3.0 * 0.3, "{method}: it passes several multiples, {end}");
+        for (x, v) in column(&run, "x").iter().zip(column(&run, "v")) {
+            let (teeth, rest) = ((x / 0.3).floor(), x.rem_euclid(0.3));
+            let work = 20.0 * (teeth * 0.09 + rest * rest);
+            // 2 kg v^2/2
+            let off = v * v - 0.25 - work;
+            assert!(off.abs() < 1e-7 * v * v, "{method} at {x}: {off:e}");
+        }
+    }
+}
+
+#[test]
+fn remainders_of_what_does_not_fit_are_refused() {
+    for (force, message) in [
+        ("1 [N/m]*mod(cart.x, 1 [s])", "`mod` is of two values of one dimension"),
+        ("1 [N/m]*mod(cart.x, pitch - pitch)", "a remainder by zero"),
+        ("1 [N/m]*mod(cart.x)", "mod(x, y)"),
+    ] {
+        let said = refusal(&pushed(force, ""));
+        assert!(said.contains(message), "{force}: {said}");
+    }
+}

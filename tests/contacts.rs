@@ -69,7 +69,7 @@ const ONE_SIDED: &str = r#"
 
 const LAYER: &str = r#"
     [units.stop]
-    unit = "yarn_layer_one_sided"
+    unit = "textile/yarn_layer_one_sided"
     inputs = { shape = "-distance", shape_rate = "0", preload = "0" }
     parameters = { cubic_stiffness = 0 }
     [[joints]]

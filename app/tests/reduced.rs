@@ -198,13 +198,13 @@ const GIN: &str = r#"
 [scene]
 name = "gin"
 [units.motor]
-unit = "induction_motor"
+unit = "textile/induction_motor"
 [units.coupling]
 unit = "coupling"
 [units.cylinder]
 unit = "rotor"
 [units.load]
-unit = "technological_load"
+unit = "textile/technological_load"
 [[joints]]
 connect = ["motor.shaft", "coupling.driving"]
 [[joints]]

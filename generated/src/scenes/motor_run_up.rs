@@ -3,8 +3,8 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   cd46b5dd2787e2c7e2f8f0ced82de665f8064be9ca50f95ea3af96badbbee49f  scenes/motor_run_up.toml
-//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/induction_motor.toml
+//   a5062b8e668a31a3a1f2e8be9d34a169f5b67518f80cffaba24072b22a0d9012  scenes/motor_run_up.toml
+//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/textile/induction_motor.toml
 //
 // Induction motor running up empty
 //

@@ -3,8 +3,8 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   87eeff5720dce2810ad788e37b7912d61bb118f7cdabd0c29c5e373e23f6a192  scenes/motor_stationary_axes.toml
-//   e9e8bf67e0b7bff8dc9f9b2348036de3deddc04aca58719a44260665b98db265  units/induction_motor_stationary.toml
+//   883ed67acaeefe44bca648ebc7d8df0d9d81176ae5f064215d5ca401407adb64  scenes/motor_stationary_axes.toml
+//   e9e8bf67e0b7bff8dc9f9b2348036de3deddc04aca58719a44260665b98db265  units/textile/induction_motor_stationary.toml
 //
 // Induction motor running up empty, from its co-energy
 //

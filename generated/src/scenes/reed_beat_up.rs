@@ -3,11 +3,11 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   29ec01963036dfe10c0836312556c5082e171319285582cf54e6500bfb715022  scenes/reed_beat_up.toml
-//   27ff54ebb22a3b586435703ddffd2395b693238649c4d6fb67f9c6829f6b2d15  units/imposed_drive.toml
-//   a432e3554ef0bee873d254e694b634b60dcc3e16bb2cfdd965f33491dd76f594  units/loom_shaft.toml
-//   1d0520b4231bba2b7140446b5e9a17db2010e38b2cce6a238c16742d74a3f154  units/reed.toml
-//   4059931e3d9f8860c6bfee9b6180d3b431b75d6274bc2d071b6a59ddc0d92e0a  units/cloth_fell_contact.toml
+//   b4871a6e466ee538d276d52e5ad764cf6c171cc1c4080a5c2fb024d527097ceb  scenes/reed_beat_up.toml
+//   27ff54ebb22a3b586435703ddffd2395b693238649c4d6fb67f9c6829f6b2d15  units/textile/imposed_drive.toml
+//   a432e3554ef0bee873d254e694b634b60dcc3e16bb2cfdd965f33491dd76f594  units/textile/loom_shaft.toml
+//   1d0520b4231bba2b7140446b5e9a17db2010e38b2cce6a238c16742d74a3f154  units/textile/reed.toml
+//   4059931e3d9f8860c6bfee9b6180d3b431b75d6274bc2d071b6a59ddc0d92e0a  units/textile/cloth_fell_contact.toml
 //
 // Beat-up of a reed by an elastic shaft
 //

@@ -3,11 +3,11 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   a2403aab864d64bd8b1b4fa874724e8ff8bc26ab5acf3acb5e9ae1870397f1bf  scenes/saw_gin_as_printed.toml
-//   d7bef8f6cd66a7e24469f00b07e7b8ad9f8db91f246c74a9f8652788ebd8e6ff  units/induction_motor_as_printed.toml
+//   de7fe731e173d6ea3f9a020697ae80813dcf20f8abd34ecb17473805af8d238a  scenes/saw_gin_as_printed.toml
+//   d7bef8f6cd66a7e24469f00b07e7b8ad9f8db91f246c74a9f8652788ebd8e6ff  units/textile/induction_motor_as_printed.toml
 //   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
 //   061b3363de5eaa806761bec6f93083a5c0dfa427530c2334cb3457ecc01d9efd  units/rotor.toml
-//   d25c4fb8f05fd3ea6a4488cc180ad128f61e69d53db2b224f154f426e6be9d5b  units/technological_load.toml
+//   d25c4fb8f05fd3ea6a4488cc180ad128f61e69d53db2b224f154f426e6be9d5b  units/textile/technological_load.toml
 //
 // Saw gin with the equations and numbers as printed
 //

@@ -3,10 +3,10 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   c4c2d6396f0304a4888cd124839e58b25a2a797e69561a3d8b874d9ba0142249  scenes/saw_gin_shaft.toml
-//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/induction_motor.toml
+//   c05e661672a85f721c7ece6303c333bdc921b9eca35ffc8d5fc5daa164c743a4  scenes/saw_gin_shaft.toml
+//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/textile/induction_motor.toml
 //   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
-//   2ea0011149ba70fb0247487cb2f6534a92968e34078bd2983235a41e4777837c  units/saw_shaft.toml
+//   2ea0011149ba70fb0247487cb2f6534a92968e34078bd2983235a41e4777837c  units/textile/saw_shaft.toml
 //
 // Saw gin with a distributed shaft
 //

@@ -3,10 +3,10 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   e37df34497b46761b32cf9fd4b2154f2b8af8b4059dbfe9faf6a01ada9944402  scenes/winder_full.toml
-//   eb674f68fba406afed2e40adeec933d314b879e6c7b1b61caba2bfbf006c57fb  units/pressed_bobbin.toml
-//   fa1b5ddc99916b8dd02f89ac526a43dcac856f183bce2271f3569fe77c705a32  units/yarn_layer_one_sided.toml
-//   84277344885bd4f7d86b8058ec1e26c987ebdcef7706a8e9ab70c549c0be3761  units/winding_pair.toml
+//   5202d2d35892601f6ba5b28bd27c0b0ed8bb1ecf42433bfc55a02e9e6fb27c60  scenes/winder_full.toml
+//   eb674f68fba406afed2e40adeec933d314b879e6c7b1b61caba2bfbf006c57fb  units/textile/pressed_bobbin.toml
+//   fa1b5ddc99916b8dd02f89ac526a43dcac856f183bce2271f3569fe77c705a32  units/textile/yarn_layer_one_sided.toml
+//   84277344885bd4f7d86b8058ec1e26c987ebdcef7706a8e9ab70c549c0be3761  units/textile/winding_pair.toml
 //
 // Bobbin on a winding drum, all nonlinearities
 //

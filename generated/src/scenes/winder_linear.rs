@@ -3,9 +3,9 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   03b22d4d9554adef0c3fc4ca26d46400ccd8ebc835b65b9517eb3e1297f3e093  scenes/winder_linear.toml
-//   bb9704add23ab13bd17c52ac1d1c5e67137cd1bcc7ab7b5b2db4ef32be1427ab  units/bobbin_holder.toml
-//   71c306121dd34fe7f6a6deac754ff0569e1ec5d27ed15df8584e2af62f038da6  units/yarn_layer.toml
+//   85bbab16c14062910913050fe469c569b8b869411d97808ea71f6b4ca0d6f086  scenes/winder_linear.toml
+//   bb9704add23ab13bd17c52ac1d1c5e67137cd1bcc7ab7b5b2db4ef32be1427ab  units/textile/bobbin_holder.toml
+//   71c306121dd34fe7f6a6deac754ff0569e1ec5d27ed15df8584e2af62f038da6  units/textile/yarn_layer.toml
 //
 // Bobbin on a winding drum, linear layer
 //

@@ -3,9 +3,9 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   f63237fe587c99a6ad651b37ca93a48c08e8b6265e675d4e13497400519a5c5e  scenes/winder_nonlinear.toml
-//   bb9704add23ab13bd17c52ac1d1c5e67137cd1bcc7ab7b5b2db4ef32be1427ab  units/bobbin_holder.toml
-//   bd2d39adccb12b96d727d4aa34d39034c63e51797801b2699c1eb4b360ad5998  units/yarn_layer_cubic.toml
+//   b757a4987b5bc36fb55e84f5791e21321a7bf7f7a4af7e7b141f786efb5dc7bd  scenes/winder_nonlinear.toml
+//   bb9704add23ab13bd17c52ac1d1c5e67137cd1bcc7ab7b5b2db4ef32be1427ab  units/textile/bobbin_holder.toml
+//   bd2d39adccb12b96d727d4aa34d39034c63e51797801b2699c1eb4b360ad5998  units/textile/yarn_layer_cubic.toml
 //
 // Bobbin on a winding drum, stiffening layer
 //

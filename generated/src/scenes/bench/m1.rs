@@ -3,8 +3,8 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   290c280f2762536a930aee55683f4ed2f3b53337119f1515f76d518b01eb9bd0  bench/m1.toml
-//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/induction_motor.toml
+//   e10023c9e5545611f862023c1c9ab311a625bca1ee0a3bfad85f2ca356ec5e7f  bench/m1.toml
+//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/textile/induction_motor.toml
 //
 // Benchmark M1: induction motor alone
 //

@@ -3,11 +3,11 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   184d7b60cb50339e3f37bce6684fa46f6344f304435d27ee316de2c88fa9ae56  bench/m2.toml
-//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/induction_motor.toml
+//   f8dc371282f23e6accddf2a1342f0bce90a7a236ff406b9e939b9e537756d483  bench/m2.toml
+//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/textile/induction_motor.toml
 //   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
 //   061b3363de5eaa806761bec6f93083a5c0dfa427530c2334cb3457ecc01d9efd  units/rotor.toml
-//   d25c4fb8f05fd3ea6a4488cc180ad128f61e69d53db2b224f154f426e6be9d5b  units/technological_load.toml
+//   d25c4fb8f05fd3ea6a4488cc180ad128f61e69d53db2b224f154f426e6be9d5b  units/textile/technological_load.toml
 //
 // Benchmark M2: saw gin
 //

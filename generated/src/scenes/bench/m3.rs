@@ -3,8 +3,8 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   13345ccc73346ecef2459e96e8d39ff15464e0f13202b0bbe4e83bc3ccc763d0  bench/m3.toml
-//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/induction_motor.toml
+//   4ef71de90973b5cc7e4122e4414761e4f2b2428b3af9f84bdff81c2ef94089c4  bench/m3.toml
+//   f06e5b39542a5b7406a2934cfc03c1fb3d01b8883e6aaf34bc957fde514fe139  units/textile/induction_motor.toml
 //   d038b82d9af81f4024d5efde7b79e41325112d7e0959a69b9d0871383ac385c0  units/coupling.toml
 //
 // Benchmark M3: motor and torsional shaft of equal pieces

@@ -359,7 +359,9 @@ impl<'a> Simulation<'a> {
         let parameters = self.checked_parameters()?.to_vec();
         let mut atol = self.checked_atol(&initial)?;
         let tighter = (rtol / self.rtol).min(1.0);
-        atol.iter_mut().for_each(|atol| *atol *= tighter);
+        for atol in &mut atol {
+            *atol *= tighter;
+        }
         Ok(Variant {
             overseer: method.overseer(self.simulator, &parameters, rtol),
             ends: cut(self.from, self.until, self.checked_jumps()?),

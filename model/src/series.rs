@@ -227,8 +227,9 @@ impl TaylorTape {
                 let rests = self.rests(lhs) && self.rests(rhs);
                 if rests || switches_once { Bends::Nowhere } else { Bends::Corners }
             }
-            Recurrence::Table { .. } => Bends::Corners,
-            Recurrence::Integral { function: Function::Floor, .. } => Bends::Corners,
+            Recurrence::Table { .. } | Recurrence::Integral { function: Function::Floor, .. } => {
+                Bends::Corners
+            }
             Recurrence::Integral { function: Function::Exp, argument, .. }
                 if self.is_line(argument) =>
             {

@@ -202,8 +202,11 @@ impl Run {
             (Some(Format::Csv), Some(file)) => write_file(file, |out| trajectory.write_csv(out))?,
             (Some(Format::Json), Some(file)) => write_file(file, |out| trajectory.write_json(out))?,
             (Some(Format::Parquet), Some(file)) => {
-                let set: Map<String, Value> =
-                    self.set.iter().map(|(name, value)| (name.clone(), (*value).into())).collect();
+                let set: Map<String, Value> = self
+                    .set
+                    .iter()
+                    .map(|(name, value)| (name.clone(), value.value.into()))
+                    .collect();
                 let Trajectory { method, rtol, notes, stopped, .. } = trajectory;
                 let more = json!({
                     "settings": { "method": method, "rtol": rtol, "parameters": set },

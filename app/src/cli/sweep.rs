@@ -176,7 +176,7 @@ impl Sweep {
             (0..self.count).map(|index| range.value(index, self.count)).collect::<Vec<f64>>()
         });
         let set: Map<String, Value> =
-            self.set.iter().map(|(name, value)| (name.clone(), (*value).into())).collect();
+            self.set.iter().map(|(name, value)| (name.clone(), value.value.into())).collect();
         let outputs = if self.outputs.is_empty() {
             let places = self.wanted(simulator).unwrap_or_default();
             let known: Vec<&str> = columns_of(simulator).collect();

@@ -177,32 +177,40 @@ initial."disc.omega" = 0.25
 
 /// Six discs on six springs, one behind the other.
 fn written_out() -> String {
-    let mut text = String::from("[scene]\nname = \"written_out\"\n[units]\n");
-    let mut joints = String::from("joints = [\n");
-    let mut initial = String::from("[initial]\n");
-    // What each level says of the speeds: scene, train, cell.
+    // What each level says of the speeds: train, scene, cell; then train, train, cell.
     let speeds = [1.0, 3.0, 0.25, 1.0, 7.0, 0.25];
-    for index in 0..6 {
-        let inertia = 0.1 * f64::from(index / 3 + 1) * f64::from(index % 3 + 1);
+    let of_each = |line: &dyn Fn(usize) -> String| (0..6).map(line).collect::<String>();
+    let units = of_each(&|index| {
+        let inertia = 0.1 * (index / 3 + 1) as f64 * (index % 3 + 1) as f64;
         let damping = if index % 3 == 1 { 0.5 } else { 0.0 };
-        text += &format!(
-            "disc_{index} = {{ unit = \"rotational/inertia\", parameters = {{ inertia = {inertia:?} }} }}\n\
-             spring_{index} = {{ unit = \"rotational/spring_damper\", parameters = {{ stiffness = 20, damping = {damping:?} }} }}\n"
-        );
-        let before =
-            if index == 0 { "ground.a".to_owned() } else { format!("disc_{}.b", index - 1) };
-        joints += &format!(
-            "{{ connect = [\"{before}\", \"spring_{index}.a\"] }},\n{{ connect = [\"spring_{index}.b\", \"disc_{index}.a\"] }},\n"
-        );
-        initial += &format!("\"disc_{index}.omega\" = {:?}\n", speeds[index as usize]);
-    }
-    let outputs = "[outputs]\nfirst = \"disc_0.phi\"\nlast = \"disc_5.phi\"\n\
-                   twist = { expression = \"disc_2.phi - disc_0.phi\", unit = \"rad\" }\n\
-                   sum = { expression = \"disc_2.phi + spring_3.torque*1 [1/(N m)]\", unit = \"rad\" }\n";
-    let run = "[run]\nuntil = 2.0\npoints = 101\nrtol = 1e-10\nmethod = \"dop853\"\n";
-    let ground = "ground = { unit = \"rotational/fixed\" }\n";
-    let forces = "forces = [{ port = \"disc_5.b\", expression = \"2 [N m]\" }]\n";
-    format!("{joints}]\n{forces}{text}{ground}{initial}{outputs}{run}")
+        format!(
+            "[units.disc_{index}]\nunit = \"rotational/inertia\"\n\
+             parameters = {{ inertia = {inertia:?} }}\n\
+             [units.spring_{index}]\nunit = \"rotational/spring_damper\"\n\
+             parameters = {{ stiffness = 20, damping = {damping:?} }}\n"
+        )
+    });
+    let joints = of_each(&|index| {
+        let before = match index {
+            0 => "ground.a".to_owned(),
+            _ => format!("disc_{}.b", index - 1),
+        };
+        format!(
+            "[[joints]]\nconnect = [\"{before}\", \"spring_{index}.a\"]\n\
+             [[joints]]\nconnect = [\"spring_{index}.b\", \"disc_{index}.a\"]\n"
+        )
+    });
+    let initial = of_each(&|index| format!("\"disc_{index}.omega\" = {:?}\n", speeds[index]));
+    format!(
+        "[scene]\nname = \"written_out\"\n{units}\
+         [units.ground]\nunit = \"rotational/fixed\"\n{joints}\
+         [[forces]]\nport = \"disc_5.b\"\nexpression = \"2 [N m]\"\n\
+         [initial]\n{initial}\
+         [outputs]\nfirst = \"disc_0.phi\"\nlast = \"disc_5.phi\"\n\
+         twist = {{ expression = \"disc_2.phi - disc_0.phi\", unit = \"rad\" }}\n\
+         sum = {{ expression = \"disc_2.phi + spring_3.torque*1 [1/(N m)]\", unit = \"rad\" }}\n\
+         [run]\nuntil = 2.0\npoints = 101\nrtol = 1e-10\nmethod = \"dop853\"\n"
+    )
 }
 
 #[test]

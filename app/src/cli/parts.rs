@@ -138,7 +138,10 @@ fn plain(card: &Card) -> String {
 }
 
 fn joints(card: &Card) -> String {
-    card.joints.iter().map(|[first, second]| format!("{first} = {second}\n")).collect()
+    card.joints.iter().fold(String::new(), |mut text, [first, second]| {
+        let _ = writeln!(text, "{first} = {second}");
+        text
+    })
 }
 
 /// All parts in Markdown.

@@ -252,7 +252,7 @@ impl Point {
             Function::Tan => sin(x)?.times(cos(x).inverse()?),
             Function::Ln if x.is_zero() => return None,
             Function::Ln if x == Value::ONE => Value::ZERO,
-            Function::Sqrt if x.is_zero() => Value::ZERO,
+            Function::Sqrt | Function::Floor if x.is_zero() => Value::ZERO,
             Function::Sqrt => self.root(x, 2),
             Function::Abs => self.even(4, x),
             Function::Asin | Function::Atan => {
@@ -260,7 +260,6 @@ impl Point {
             }
             Function::Ln => self.opaque(7, arguments),
             Function::Acos => self.opaque(8, arguments),
-            Function::Floor if x.is_zero() => Value::ZERO,
             Function::Floor => self.opaque(10, arguments),
             Function::SelectLess => match arguments {
                 // otherwise + (then - otherwise) chi: what is zero for any chi is for 0 and 1.

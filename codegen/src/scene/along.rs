@@ -152,7 +152,6 @@ fn slope(function: Function, x: &Expr) -> Expr {
     match function {
         Function::Sqrt => reciprocal(product(vec![integer(2), of(Function::Sqrt)])),
         Function::Abs => select_less(x.clone(), integer(0), integer(-1), integer(1)),
-        Function::Floor => integer(0),
         Function::Exp => of(Function::Exp),
         Function::Ln => reciprocal(x.clone()),
         Function::Sin => of(Function::Cos),
@@ -165,6 +164,6 @@ fn slope(function: Function, x: &Expr) -> Expr {
         Function::Cosh => of(Function::Sinh),
         Function::Tanh => beside_one(negative(square(of(Function::Tanh)))),
         Function::Table { table, order } => of(Function::Table { table, order: order + 1 }),
-        Function::SelectLess => integer(0),
+        Function::Floor | Function::SelectLess => integer(0),
     }
 }

@@ -20,7 +20,9 @@ pub fn ports_of(
     let named = instances.iter().enumerate();
     let by_name = named.map(|(at, instance)| (instance.name.value.as_str(), at)).collect();
     let scene = Ports { units, instances, by_name };
-    units.iter().for_each(|unit| check_names(unit, mistakes));
+    for unit in units {
+        check_names(unit, mistakes);
+    }
     scene.check_exposed(mistakes);
     let mut all = Vec::with_capacity(joints.len());
     for joint in joints {
@@ -114,15 +116,12 @@ impl Ports<'_> {
                 let message = format!("{} is no port of what is inside", quoted(&of.value));
                 let part = of.value.rsplit_once('.').map_or("", |(part, _)| part);
                 let whole = format!("{}.{part}", instance.name.value);
-                let help = match self.by_name.get(whole.as_str()) {
-                    Some(at) => {
-                        let unit = &self.units[self.instances[*at].unit];
-                        did_you_mean(&of.value[part.len() + 1..], names_of(unit))
-                    }
-                    None => {
-                        let inside = &self.units[instance.unit].inside.instances;
-                        did_you_mean(part, inside.iter().map(|text| text.name.value.as_str()))
-                    }
+                let help = if let Some(at) = self.by_name.get(whole.as_str()) {
+                    let unit = &self.units[self.instances[*at].unit];
+                    did_you_mean(&of.value[part.len() + 1..], names_of(unit))
+                } else {
+                    let inside = &self.units[instance.unit].inside.instances;
+                    did_you_mean(part, inside.iter().map(|text| text.name.value.as_str()))
                 };
                 mistakes.push(Mistake::new(of.span, message, "unknown").help(help));
             }

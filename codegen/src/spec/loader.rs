@@ -86,6 +86,9 @@ fn read(sources: Sources, file: FileId, folder: Option<&Path>) -> Result<SceneSp
     }
 }
 
+/// What is wrong has been noted.
+struct Refused;
+
 struct Loader<'a> {
     sources: Sources,
     found: Findings,
@@ -171,44 +174,47 @@ impl Loader<'_> {
         if let Some(known) = self.known.get(&key) {
             return *known;
         }
-        let found = match if by_library { None } else { self.find_own(name) } {
-            Some(own) => own.map(|unit| {
+        let own = if by_library { Ok(None) } else { self.find_own(name) };
+        let found = match own {
+            Ok(Some(unit)) => {
                 self.units.push(unit);
-                self.units.len() - 1
-            }),
-            None => self.of_library(name),
+                Some(self.units.len() - 1)
+            }
+            Ok(None) => self.of_library(name),
+            Err(Refused) => None,
         };
         self.known.insert(key, found);
         found
     }
 
-    /// A unit that the scene defines, or of a file beside it; `Some(None)` where that is bad.
-    fn find_own(&mut self, name: &Spanned<String>) -> Option<Option<UnitSpec>> {
+    /// A unit that the scene defines, or of a file beside it, if there is one.
+    fn find_own(&mut self, name: &Spanned<String>) -> Result<Option<UnitSpec>, Refused> {
         if let Some(unit) = self.define.iter().find(|unit| unit.name == name.value) {
-            return Some(Some(unit.clone()));
+            return Ok(Some(unit.clone()));
         }
         let file_name = format!("{}.toml", name.value);
         for folder in self.unit_folders() {
             let path = folder.join(&file_name);
-            if std::fs::symlink_metadata(&path).is_ok() {
-                if self.leads_out(&path) {
-                    let message = format!(
-                        "the file of unit {} is a link that leads out of the folders of specs",
-                        quoted(&name.value)
-                    );
-                    self.refuse(name, message, "put the file itself there");
-                    return Some(None);
-                }
-                return Some(match self.sources.read(&path) {
-                    Ok(file) => self.unit(name, file),
-                    Err(error) => {
-                        self.refuse(name, error.to_string(), "");
-                        None
-                    }
-                });
+            if std::fs::symlink_metadata(&path).is_err() {
+                continue;
             }
+            if self.leads_out(&path) {
+                let message = format!(
+                    "the file of unit {} is a link that leads out of the folders of specs",
+                    quoted(&name.value)
+                );
+                self.refuse(name, message, "put the file itself there");
+                return Err(Refused);
+            }
+            return match self.sources.read(&path) {
+                Ok(file) => self.unit(name, file).map(Some).ok_or(Refused),
+                Err(error) => {
+                    self.refuse(name, error.to_string(), "");
+                    Err(Refused)
+                }
+            };
         }
-        None
+        Ok(None)
     }
 
     /// A unit that comes with Machinist.

@@ -133,12 +133,12 @@ impl Assembler<'_> {
         path: &Spanned<String>,
         scope: Scope,
     ) -> Result<(Symbol, Option<Expr>, Dimension), Box<Mistake>> {
-        let (target, dimension) = match (scope, self.own_state(&path.value)) {
-            (Scope::Scene, Some(_)) => self.target(path, scope)?,
-            _ => {
-                let (instance, name) = self.owner(path, scope)?;
-                self.target_of(instance, name, path)?
-            }
+        let is_own = scope == Scope::Scene && self.own_state(&path.value).is_some();
+        let (target, dimension) = if is_own {
+            self.target(path, scope)?
+        } else {
+            let (instance, name) = self.owner(path, scope)?;
+            self.target_of(instance, name, path)?
         };
         Ok(match target {
             Target::State(id) => (Symbol::FirstOrder(FirstOrderId(id as u32)), None, dimension),

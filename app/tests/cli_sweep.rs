@@ -45,6 +45,30 @@ fn a_table_holds_what_single_runs_give_built_in_or_from_a_file() {
 }
 
 #[test]
+fn methods_lanes_threads_and_fields_change_no_number() {
+    let fields = ["--parameter", "shaft.stiffness=7e5..8e5", "--count", "20", "--until", "1e-3"];
+    let lanes = ["--parameter", STIFFNESS, "--count", "20", "--until", "0.02"];
+    let spec = "specs/scenes/saw_gin.toml";
+    let all: [(&[&str], &[&str]); 5] = [
+        (&["shaft_with_rotors"], &fields),
+        (&["specs/scenes/shaft_with_rotors.toml"], &fields),
+        (&["saw_gin", "--method", "auto"], &lanes),
+        (&[spec, "--method", "auto"], &lanes),
+        (&[spec, "--method", "taylor"], &lanes),
+    ];
+    for (scene, ranges) in all {
+        let of = |threads: &str| table(&[scene, ranges, &["--threads", threads]].concat(), 0);
+        let alone = of("1");
+        assert_eq!(alone.len(), 21);
+        assert_ne!(alone[1], alone[20]);
+        assert_eq!(alone, of("2"), "{scene:?}");
+    }
+    // What `auto` chooses is what is chosen by name.
+    let by = |method: &str| table(&[&[spec, "--method", method], &lanes[..]].concat(), 0);
+    assert_eq!(by("auto"), by("taylor"));
+}
+
+#[test]
 fn two_ranges_are_a_grid_with_the_last_fastest_and_extremes_enclose_all_values() {
     let ranges = ["--parameter", STIFFNESS, "--parameter", "load_torque=0..100", "--count", "2"];
     let more = ["--outputs", "twist", "--extremes", "--until", "0.2", "--threads", "2"];

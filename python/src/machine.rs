@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use machinist::field::Discretisation;
 use machinist::{SimulateError, Simulation};
-use machinist_model::file;
+use machinist_model::{file, fingerprint};
 use numpy::PyUntypedArrayMethods;
 use numpy::{PyArray1, PyArray2, PyReadwriteArray1, PyReadwriteArray2};
 use pyo3::prelude::*;

@@ -172,9 +172,8 @@ impl Scene {
     /// How it runs, for people.
     pub fn how(&self) -> &'static str {
         let running = match self {
-            Self::Emitted(_) => None,
+            Self::Emitted(_) | Self::Fields(Cut { of: Uncut::BuiltIn(_), .. }) => None,
             Self::Model(simulator) => Some(simulator.running()),
-            Self::Fields(Cut { of: Uncut::BuiltIn(_), .. }) => None,
             Self::Fields(Cut { of: Uncut::Model(simulator), .. }) => Some(simulator.running()),
         };
         match running {

@@ -261,7 +261,7 @@ impl Sweepable for BuiltIn {
         built_in(&self.name).expect("it was found by this name before")
     }
     fn in_lanes(&self) -> Option<InLanes<'_>> {
-        machinist_lanes::find(&self.name).map(|simulator| InLanes::Eight(simulator))
+        machinist_lanes::find(&self.name).map(InLanes::Eight)
     }
 }
 

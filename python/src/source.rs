@@ -133,7 +133,7 @@ impl Sweepable for Shared<'_> {
 
     fn in_lanes(&self) -> Option<InLanes<'_>> {
         match self {
-            Self::BuiltIn(name) => machinist_lanes::find(name).map(|found| InLanes::Eight(found)),
+            Self::BuiltIn(name) => machinist_lanes::find(name).map(InLanes::Eight),
             Self::Model(simulator) => Some(InLanes::Two(simulator.in_pairs())),
         }
     }

@@ -329,6 +329,10 @@ impl Method {
 
     /// Who looks at the steps of a variant in its lane.
     #[cfg(feature = "sweep")]
+    #[cfg_attr(
+        not(feature = "implicit"),
+        expect(unused_variables, reason = "without implicit methods there is no `auto`")
+    )]
     pub(crate) fn overseer<'a>(
         self,
         simulator: &'a dyn machinist_contract::Simulator<f64>,

@@ -381,7 +381,7 @@ impl<'a> Simulation<'a> {
     }
 
     /// Whether the run is of the states alone.
-    #[cfg(feature = "sweep")]
+    #[cfg(all(feature = "implicit", feature = "sweep"))]
     pub(crate) fn is_of_states_alone(&self) -> bool {
         self.sensitivities.is_empty() && !self.energy_balance
     }

@@ -192,6 +192,89 @@ fn a_winch_of_standard_parts_lifts_and_holds_its_load() {
     }
 }
 
+/// A motor under control lifts a load by a lossy gear; at 3 s a brake on the drum closes.
+const LOSSY_WINCH: &str = r#"
+joints = [
+    { connect = ["motor.a", "gear.a"] },
+    { connect = ["brake.a", "drum.a"] },
+    { connect = ["gear.b", "drum.a"] },
+    { connect = ["wheel.a", "drum.a"] },
+    { connect = ["drum.b", "rope.b"] },
+    { connect = ["rope.a", "load.a"] },
+    { connect = ["weight.a", "load.a"] },
+    { connect = ["floor.a", "load.a"] },
+]
+[scene]
+name = "lossy_winch"
+title = "A winch whose gear has losses lifts a load, and holds it by its brake"
+source = "Standard parts alone: from 0.2 s on a controlled motor lifts, at 3 s it is switched off and the brake closes."
+
+[units]
+motor = { unit = "electrical/dc_motor", inputs = { voltage = "200 [V]*controller.output*(1 - step(t, 3 [s]))" } }
+brake = { unit = "rotational/brake", parameters = { geometry = 0.1 }, inputs = { normal_force = "4e4 [N]*step(t, 3 [s])" } }
+gear = { unit = "rotational/lossy_gear", parameters = { ratio = 20, efficiency = 0.8, back_efficiency = 0.7 } }
+drum = { unit = "rotational/rack", parameters = { radius = 0.25 } }
+wheel = { unit = "rotational/inertia", parameters = { inertia = 2 } }
+rope = { unit = "translational/rope", parameters = { length = 0.02, stiffness = 4e5, damping = 2e3 } }
+load = { unit = "translational/mass", parameters = { mass = 500 } }
+weight = { unit = "sources/force", inputs = { force = "-500 [kg]*9.81 [m/s^2]" } }
+floor = { unit = "translational/end_stops", parameters = { lowest = 0, highest = 100, stiffness = 1e6, damping = 2e4 } }
+
+[units.controller]
+unit = "control/pi_controller"
+parameters = { gain = 0.02, integral_time = 0.3, tracking_time = 0.1 }
+inputs = { error = "(80 [rad/s]*step(t, 0.2 [s])*(1 - step(t, 3 [s])) - motor.omega)/1 [rad/s]" }
+
+[initial]
+"load.x" = -0.004905
+
+[outputs]
+height = "load.x"
+speed = "motor.omega"
+pull = "rope.force"
+current = "motor.current"
+command = "controller.output"
+holding = "brake.torque"
+
+[run]
+until = 9.0
+points = 901
+rtol = 1e-8
+method = "auto"
+"#;
+
+/// The motor lifts by what the gear loses more, and the brake on the drum holds the load alone.
+#[test]
+fn a_winch_with_a_lossy_gear_lifts_by_its_efficiency() {
+    let scene = of_text(LOSSY_WINCH, Keep::Needed);
+    let torque = 500.0 * 9.81 * 0.25;
+    for method in [Method::Dop853, Method::Radau, Method::Auto] {
+        for rtol in [1e-8, 1e-9] {
+            for efficiency in [0.6, 0.8, 1.0] {
+                let what = format!("{method} at {rtol:e}, efficiency {efficiency}");
+                let run = Simulation::new(&scene).parameter("gear.efficiency", efficiency);
+                let run = run.expect("known").method(method).rtol(rtol).run();
+                let run = run.unwrap_or_else(|error| panic!("{what}: {error}"));
+                let over = |name: &str, from: f64, to: f64| {
+                    let times = run.times.iter().zip(column(&run, name));
+                    let found: Vec<f64> = times
+                        .filter(|(time, _)| (from..to).contains(*time))
+                        .map(|(_, value)| *value)
+                        .collect();
+                    found.iter().sum::<f64>() / found.len() as f64
+                };
+                // Over a while, since what oscillates on the rope has not died out.
+                let lifting = torque / 20.0 / 0.6 / efficiency;
+                let found = over("current", 2.0, 3.0);
+                assert!((found - lifting).abs() < 0.02 * lifting, "{what}: {found} for {lifting}");
+                let held = over("holding", 8.5, 9.0);
+                assert!((held - torque).abs() < 1e-3 * torque, "{what}: {held}");
+                assert!(over("speed", 8.5, 9.0).abs() < 1e-9, "{what}");
+            }
+        }
+    }
+}
+
 const ON_A_CONVERTER: &str = r#"
 [scene]
 name = "on_a_converter"

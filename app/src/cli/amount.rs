@@ -1,6 +1,8 @@
 //! A number on the command line, with its unit of measure or without: `23065.2`, `18 [kN m/rad]`.
 
 use machinist::Simulation;
+use machinist_contract::{Quantity, Simulator};
+use serde_json::{Map, Value};
 
 use crate::failure::Failure;
 
@@ -45,15 +47,18 @@ impl Amount {
 
     /// Likewise, where it is a parameter or a state of the machine that is run.
     pub fn check_of(&self, name: &str, run: &Simulation<'_>) -> Result<(), Failure> {
-        let simulator = run.simulator();
-        let shape = simulator.shape();
-        let mut all = (0..shape.parameters)
-            .map(|index| simulator.parameter(index))
-            .chain((0..shape.states()).map(|index| simulator.state(index)));
         // What has no such name is refused where it is set.
-        let Some(quantity) = all.find(|quantity| quantity.name == name) else { return Ok(()) };
+        let Some(quantity) = quantity_of(run.simulator(), name) else { return Ok(()) };
         self.check(name, quantity.unit)
     }
+}
+
+/// The parameter or state of a name.
+pub fn quantity_of<'s>(simulator: &'s dyn Simulator<f64>, name: &str) -> Option<Quantity<'s>> {
+    let shape = simulator.shape();
+    let parameters = (0..shape.parameters).map(|index| simulator.parameter(index));
+    let states = (0..shape.states()).map(|index| simulator.state(index));
+    parameters.chain(states).find(|quantity| quantity.name == name)
 }
 
 #[cfg(feature = "derive")]
@@ -105,6 +110,11 @@ pub fn bare_assignment(text: &str) -> Result<(String, f64), String> {
         None => Ok((name, amount.value)),
         Some(unit) => Err(format!("`{text}` is in the unit of {name}, without `[{unit}]`")),
     }
+}
+
+/// They as JSON, for what tables say of their settings.
+pub fn as_json(set: &[(String, Amount)]) -> Map<String, Value> {
+    set.iter().map(|(name, amount)| (name.clone(), amount.value.into())).collect()
 }
 
 /// Names with their numbers alone.

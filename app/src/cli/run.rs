@@ -12,7 +12,7 @@ use machinist::trajectory::{Column, ColumnKind, Trajectory, sensitivity_name};
 use machinist::{Discretisation, SimulateError, Simulation};
 use machinist_contract::Simulator;
 
-use super::amount::{Amount, assignment};
+use super::amount::{Amount, as_json, assignment};
 use super::output::{
     columns, draw_file, print, print_with, require_picture, require_table, write_file,
 };
@@ -25,7 +25,7 @@ use crate::number::number;
 use crate::parquet;
 use crate::progress::during;
 use compare::{Other, Others};
-use serde_json::{Map, Value, json};
+use serde_json::json;
 
 #[derive(Debug, Args)]
 pub struct Run {
@@ -202,14 +202,9 @@ impl Run {
             (Some(Format::Csv), Some(file)) => write_file(file, |out| trajectory.write_csv(out))?,
             (Some(Format::Json), Some(file)) => write_file(file, |out| trajectory.write_json(out))?,
             (Some(Format::Parquet), Some(file)) => {
-                let set: Map<String, Value> = self
-                    .set
-                    .iter()
-                    .map(|(name, value)| (name.clone(), value.value.into()))
-                    .collect();
                 let Trajectory { method, rtol, notes, stopped, .. } = trajectory;
                 let more = json!({
-                    "settings": { "method": method, "rtol": rtol, "parameters": set },
+                    "settings": { "method": method, "rtol": rtol, "parameters": as_json(&self.set) },
                     "notes": notes,
                     "stopped": stopped,
                 });

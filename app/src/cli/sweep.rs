@@ -10,7 +10,7 @@ use machinist::{FieldSimulator, Method, SimulateError, Simulation};
 use machinist_contract::Simulator;
 use machinist_model::ModelSimulator;
 
-use super::amount::{Amount, assignment};
+use super::amount::{Amount, as_json, assignment};
 use super::output::{print_with, require_table, write_file};
 use super::range::{Range, range};
 use super::scene::{Scene, built_in, refused};
@@ -175,8 +175,7 @@ impl Sweep {
         let axes = self.parameter.iter().map(|range| {
             (0..self.count).map(|index| range.value(index, self.count)).collect::<Vec<f64>>()
         });
-        let set: Map<String, Value> =
-            self.set.iter().map(|(name, value)| (name.clone(), value.value.into())).collect();
+        let set = as_json(&self.set);
         let outputs = if self.outputs.is_empty() {
             let places = self.wanted(simulator).unwrap_or_default();
             let known: Vec<&str> = columns_of(simulator).collect();

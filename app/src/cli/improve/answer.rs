@@ -1,10 +1,11 @@
 //! What a search for a better design has found, for people and for programs.
 
 use machinist::improve::{End, Improvement};
-use machinist_contract::{Quantity, Simulator};
+use machinist_contract::Simulator;
 use serde::Serialize;
 
 use super::{Goal, Searched, before, units};
+use crate::cli::amount::quantity_of;
 use crate::cli::output::columns;
 use crate::cli::scene::Scene;
 use crate::failure::Failure;
@@ -225,10 +226,5 @@ impl Answer {
 }
 
 fn unit_of(simulator: &dyn Simulator<f64>, name: &str) -> String {
-    let shape = simulator.shape();
-    let parameters = (0..shape.parameters).map(|index| simulator.parameter(index));
-    let states = (0..shape.states()).map(|index| simulator.state(index));
-    let mut all = parameters.chain(states);
-    let found: Option<Quantity<'_>> = all.find(|quantity| quantity.name == name);
-    found.map_or("1", |quantity| quantity.unit).to_owned()
+    quantity_of(simulator, name).map_or("1", |quantity| quantity.unit).to_owned()
 }

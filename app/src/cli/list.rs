@@ -14,7 +14,7 @@ impl List {
     pub fn execute(&self) -> Result<(), Failure> {
         let found = scenes::NAMES.iter().filter_map(|name| scenes::find_f64(name));
         let with_fields =
-            scenes::FIELD_NAMES.iter().filter_map(|name| scenes::find_field::<f64>(name));
+            scenes::FIELD_NAMES.iter().filter_map(|name| scenes::find_field_f64(name));
         let row = |name: &str, title: &str| [name.to_owned(), title.to_owned()];
         let mut rows: Vec<[String; 2]> =
             found.map(|scene| row(scene.name(), scene.title())).collect();

@@ -80,7 +80,7 @@ impl Machine {
             let run = Simulation::new(simulator).with_energy_balance(true).run();
             (run, modes::modes(simulator), by(built_in.is_some()))
         } else {
-            let built_in = scenes::find_field::<f64>(name).filter(|_| may_be_built_in);
+            let built_in = scenes::find_field_f64(name).filter(|_| may_be_built_in);
             let scene: &dyn FieldScene<f64> = built_in.unwrap_or_else(|| &*own);
             let run = fields::run(scene)?;
             along = run.along;

@@ -25,7 +25,8 @@ use crate::spec::dimension::Dimension;
 use crate::spec::expression::Ast;
 use crate::spec::measure::in_coherent_units;
 use crate::spec::{
-    Declared, InstanceSpec, OutputSpec, SceneSpec, StateSpec, UnitSpec, did_you_mean, quoted,
+    Declared, EnergySpec, InstanceSpec, OutputSpec, PowerSpec, SceneSpec, StateSpec, UnitSpec,
+    did_you_mean, quoted,
 };
 use machinist_model::{Name, Quantity, RunDefaults};
 
@@ -179,31 +180,15 @@ impl<'a> Assembler<'a> {
         ];
         let mut terms: [Vec<Expr>; 6] = Default::default();
         for (index, instance, unit) in self.instances() {
-            let (energy, power) = (&unit.energy, &unit.power);
-            let texts: [&Option<Ast>; 6] = [
-                &energy.kinetic,
-                &energy.potential,
-                &energy.dissipation,
-                &energy.stored,
-                &power.supplied,
-                &power.dissipated,
-            ];
+            let texts = texts_of(&unit.energy, &unit.power);
             self.energy_terms(&texts, Scope::Instance(index), &wanted, &mut terms);
-            if energy.potential.is_some()
+            if unit.energy.potential.is_some()
                 && let Some(potential) = terms[1].last().cloned()
             {
                 springs.push(Spring { instance: instance.name.value.clone(), potential });
             }
         }
-        let (energy, power) = (&self.spec.energy, &self.spec.power);
-        let texts = [
-            &energy.kinetic,
-            &energy.potential,
-            &energy.dissipation,
-            &energy.stored,
-            &power.supplied,
-            &power.dissipated,
-        ];
+        let texts = texts_of(&self.spec.energy, &self.spec.power);
         self.energy_terms(&texts, Scope::Scene, &wanted, &mut terms);
         (terms.map(sum), springs)
     }
@@ -431,6 +416,19 @@ fn mark_velocities(expr: &Expr, moving: &mut [bool]) {
             mark_velocities(exponent, moving);
         }
     }
+}
+
+/// What is written of energies and powers: kinetic, potential, dissipation, stored; supplied,
+/// dissipated.
+fn texts_of<'t>(energy: &'t EnergySpec, power: &'t PowerSpec) -> [&'t Option<Ast>; 6] {
+    [
+        &energy.kinetic,
+        &energy.potential,
+        &energy.dissipation,
+        &energy.stored,
+        &power.supplied,
+        &power.dissipated,
+    ]
 }
 
 /// Whether a constraint that always holds is of a coordinate or its velocity.

@@ -7,7 +7,7 @@ use num_traits::{One as _, Signed as _, Zero as _};
 
 use crate::expr::Expr;
 
-/// Leaves beyond which nothing is collected: each factor goes through what is left of the sum.
+/// Terms beyond which nothing is collected: each factor goes through what is left of the sum.
 const MOST_TERMS: usize = 400;
 
 /// The same value, in every sum the factor that most of its terms share before them, as often
@@ -27,7 +27,6 @@ pub(in crate::cas) fn collect(expr: &Expr) -> Expr {
 }
 
 /// A number and powers of bases.
-#[derive(Clone)]
 struct Term {
     number: BigRational,
     powers: BTreeMap<Expr, BigRational>,

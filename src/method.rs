@@ -327,6 +327,13 @@ impl Method {
         if self == Self::Auto { rtol.min(LOOSEST_OF_AUTO) } else { rtol }
     }
 
+    /// Absolute tolerances of a run, as much tighter as the relative tolerance of its steps is.
+    #[cfg(any(feature = "implicit", feature = "sweep"))]
+    pub(crate) fn tightened(atol: &[f64], rtol: f64, step_rtol: f64) -> Vec<f64> {
+        let tighter = (step_rtol / rtol).min(1.0);
+        atol.iter().map(|atol| tighter * atol).collect()
+    }
+
     /// Who looks at the steps of a variant in its lane.
     #[cfg(feature = "sweep")]
     #[cfg_attr(

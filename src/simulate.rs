@@ -357,11 +357,7 @@ impl<'a> Simulation<'a> {
     ) -> Result<Variant<'a>, SimulateError> {
         let initial = self.checked_initial_state()?;
         let parameters = self.checked_parameters()?.to_vec();
-        let mut atol = self.checked_atol(&initial)?;
-        let tighter = (rtol / self.rtol).min(1.0);
-        for atol in &mut atol {
-            *atol *= tighter;
-        }
+        let atol = Method::tightened(&self.checked_atol(&initial)?, self.rtol, rtol);
         Ok(Variant {
             overseer: method.overseer(self.simulator, &parameters, rtol),
             ends: cut(self.from, self.until, self.checked_jumps()?),

@@ -79,8 +79,7 @@ impl Integrator for Auto {
                  losses, errors of steps add up"
             ));
         }
-        let tighter = (rtol / stretch.rtol).min(1.0);
-        let atol: Vec<f64> = stretch.atol.iter().map(|atol| tighter * atol).collect();
+        let atol = Method::tightened(stretch.atol, stretch.rtol, rtol);
         let stretch = &Stretch { from, rtol, atol: &atol, ..*stretch };
         let choice = Choice::new(stretch);
         match choice.explicit {

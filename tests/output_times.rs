@@ -1,6 +1,6 @@
 //! Output times that are not equally spaced.
 
-use machinist::{Simulation, Trajectory};
+use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Describe;
 use machinist_model::ModelSimulator;
@@ -9,6 +9,10 @@ use crate::own_scene::{of_text, refusal};
 
 /// A mass on a spring, from rest at 1 m: x = cos(omega t).
 fn swing(run: &str) -> String {
+    swing_as_is(&format!("{run}\nrtol = 1e-10\nmethod = \"dop853\""))
+}
+
+fn swing_as_is(run: &str) -> String {
     format!(
         "[scene]\nname = \"swing\"\n[units]\n\
          mass = {{ unit = \"translational/mass\", parameters = {{ mass = 2 }} }}\n\
@@ -18,7 +22,7 @@ fn swing(run: &str) -> String {
          [[joints]]\nconnect = [\"wall.a\", \"spring.a\"]\n\
          [parameters]\nomega = {{ value = 5, unit = \"1/s\" }}\n\
          [initial]\n\"mass.x\" = 1\n[outputs]\nx = \"mass.x\"\n\
-         [run]\n{run}\nrtol = 1e-10\nmethod = \"dop853\"\n"
+         [run]\n{run}\n"
     )
 }
 
@@ -41,6 +45,17 @@ fn a_run_tells_what_there_is_at_the_times_of_a_list() {
     // What others see of it.
     assert_eq!(scene.run_defaults().until.to_bits(), 2.0_f64.to_bits());
     assert_eq!(scene.run_defaults().times.len(), scene.run_defaults().points);
+}
+
+#[test]
+fn a_run_that_only_says_how_long_is_shown_at_201_times_by_auto_to_a_millionth() {
+    let scene = of_text(&swing_as_is("until = 2"), Keep::Needed);
+    let run = Simulation::new(&scene).run().expect("it runs");
+    assert_eq!((run.times.len(), run.times[1]), (201, 0.01));
+    assert_eq!((run.method, run.rtol), (Method::Auto, 1e-6));
+    for (t, x) in run.times.iter().zip(run.column("x").expect("x")) {
+        assert!((x - (5.0 * t).cos()).abs() < 1e-5, "{t}: {x}");
+    }
 }
 
 #[test]

@@ -27,6 +27,13 @@ const MAX_POINTS: f64 = 1e7;
 /// Relative tolerances a run may ask for.
 const RTOL: std::ops::RangeInclusive<f64> = 1e-14..=0.1;
 
+/// Of a run that does not say otherwise.
+const DEFAULT_POINTS: usize = 201;
+/// Likewise.
+const DEFAULT_RTOL: f64 = 1e-6;
+/// Likewise.
+const DEFAULT_METHOD: &str = "auto";
+
 /// A scene whose units are only named.
 #[derive(Debug)]
 pub struct SceneText {
@@ -222,8 +229,8 @@ fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {
     let mut fields = Fields::open(tree, "[run]".to_owned(), found);
     let from = fields.formula("from");
     let (until, sampling) = sampling(&mut fields);
-    let rtol = fields.required_number("rtol");
-    let method = fields.required_text("method");
+    let rtol = fields.number("rtol");
+    let method = fields.take("method").and_then(|tree| fields.as_text(tree, "method"));
     fields.close();
     let mut refuse = |good: bool, span: Span, message: &str, label: &str, help: String| {
         if !good {
@@ -240,8 +247,9 @@ fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {
         let help = did_you_mean(&method.value, METHODS.iter().copied());
         refuse(known, method.span, "unknown method", "unknown", help);
     }
-    let (sampling, rtol, method) = (sampling?, rtol?.value, method?.value);
-    Some(RunSpec { from, until, sampling, rtol, method })
+    let rtol = rtol.map_or(DEFAULT_RTOL, |rtol| rtol.value);
+    let method = method.map_or_else(|| DEFAULT_METHOD.to_owned(), |method| method.value);
+    Some(RunSpec { from, until, sampling: sampling?, rtol, method })
 }
 
 /// How output times may be spaced, by name.
@@ -269,7 +277,7 @@ fn sampling(fields: &mut Fields<'_>) -> (Option<Formula>, Option<SamplingSpec>) 
     }
     fields.require("until");
     let until = fields.formula("until");
-    let points = fields.required_number("points");
+    let points = fields.number("points");
     let spacing = fields.take("spacing").and_then(|tree| fields.as_text(tree, "spacing"));
     let is_log = spacing.as_ref().is_some_and(|spacing| spacing.value == "log");
     if let Some(spacing) = &spacing
@@ -293,13 +301,14 @@ fn sampling(fields: &mut Fields<'_>) -> (Option<Formula>, Option<SamplingSpec>) 
         }
         _ => {}
     }
-    let Some(points) = points else { return (until, None) };
     let least = if is_log { 3.0 } else { 2.0 };
-    if !(points.value.fract() == 0.0 && (least..=MAX_POINTS).contains(&points.value)) {
+    if let Some(points) = &points
+        && !(points.value.fract() == 0.0 && (least..=MAX_POINTS).contains(&points.value))
+    {
         let message = format!("`points` is an integer from {least} to 10 000 000");
         fields.found().mistakes.push(Mistake::new(points.span, message, "out of range"));
     }
-    let points = points.value as usize;
+    let points = points.map_or(DEFAULT_POINTS, |points| points.value as usize);
     let sampling = match first {
         Some(first) => SamplingSpec::Ratios(points, first),
         None => SamplingSpec::Even(points),

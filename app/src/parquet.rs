@@ -60,9 +60,13 @@ pub fn require(file: &Path) -> Result<(), Failure> {
     if cfg!(feature = "parquet") || !is_named(file) {
         return Ok(());
     }
+    Err(unavailable(file))
+}
+
+fn unavailable(file: &Path) -> Failure {
     let message = format!("--out {}: this program was built without Parquet", file.display());
     let help = "`cargo build --release --features parquet` builds one with it; .csv holds the same";
-    Err(Failure::input(message, help))
+    Failure::input(message, help)
 }
 
 /// What results are of: the machine and the program.

@@ -23,7 +23,7 @@ mod simulator;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use machinist_contract::field::{FieldScene, HANDED, MAX_ORDER};
-use machinist_contract::{Real, Shape};
+use machinist_contract::{Dual, Real, Shape};
 
 use chain::{Chain, columns_beside};
 pub use lobatto::Lobatto;
@@ -102,6 +102,7 @@ pub struct FieldSimulator<'a, R> {
     mass_matrix: Vec<(u32, u32)>,
     machine_parameter_jacobian: Vec<(u32, u32)>,
     work: Mutex<Work<R>>,
+    on_duals: Option<Box<FieldSimulator<'a, Dual>>>,
 }
 
 /// The scene whose fields are cut.
@@ -196,6 +197,12 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         Self::cut(Scene::Shared(scene), discretisation)
     }
 
+    /// It with itself on dual numbers, cut alike, for derivatives of outputs and of the start.
+    #[must_use]
+    pub fn with_derivatives(self, on_duals: FieldSimulator<'a, Dual>) -> Self {
+        Self { on_duals: Some(Box::new(on_duals)), ..self }
+    }
+
     /// The scene.
     fn scene(&self) -> &dyn FieldScene<R> {
         self.scene.get()
@@ -237,6 +244,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
             work: Mutex::new(Work::new(scene, &meshes)),
             meshes,
             scene: of,
+            on_duals: None,
         };
         simulator.name_nodes();
         simulator.border = (0..machine.states()).map(|index| simulator.entry(index)).collect();

@@ -115,7 +115,10 @@ impl Machine {
         let model = Arc::new(ModelSimulator::new(model));
         let wanted = Discretisation { elements: export.elements, order: export.order };
         let cut = if has_fields {
-            Some(FieldSimulator::of_shared(model.clone().shared_with_fields(), wanted)?)
+            let on_duals =
+                FieldSimulator::of_shared(model.clone().shared_with_fields_on_duals(), wanted)?;
+            let cut = FieldSimulator::of_shared(model.clone().shared_with_fields(), wanted)?;
+            Some(cut.with_derivatives(on_duals))
         } else if wanted == Discretisation::default() {
             None
         } else {

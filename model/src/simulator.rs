@@ -1,6 +1,5 @@
 //! Models as simulators, compiled or interpreted.
 
-mod derivatives;
 mod field;
 mod motion;
 mod run;
@@ -11,7 +10,7 @@ use machinist_contract::field::FieldScene;
 use machinist_contract::linear::LinearEquations;
 use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_contract::{
-    Constraint, Derivatives, Describe, Direction, Energy, Event, PowerBalance, Quantity,
+    Constraint, Derivatives, Describe, Direction, Dual, Energy, Event, PowerBalance, Quantity,
     RunDefaults, Shape, Simulator, SparsityPattern,
 };
 
@@ -45,7 +44,6 @@ pub struct ModelSimulator {
     series: Series,
     /// Excitation and switches.
     linear: [TapeFunction; 2],
-    duals: derivatives::OnDuals,
     fields: Vec<field::PointFunctions>,
 }
 
@@ -77,7 +75,6 @@ impl ModelSimulator {
             prepared: Default::default(),
             series: Series::default(),
             linear: Default::default(),
-            duals: derivatives::OnDuals::default(),
             fields: model
                 .fields
                 .iter()
@@ -116,6 +113,13 @@ impl ModelSimulator {
         self
     }
 
+    /// Likewise, on numbers that carry derivatives.
+    #[must_use]
+    #[inline(never)]
+    pub fn shared_with_fields_on_duals(self: Arc<Self>) -> Arc<dyn FieldScene<Dual> + Send> {
+        self
+    }
+
     /// The model that is run.
     #[must_use]
     pub fn model(&self) -> &Model {
@@ -148,18 +152,6 @@ impl ModelSimulator {
             constants: &[],
             motion: &[],
             tables: &self.tables,
-        }
-    }
-
-    #[inline(always)]
-    fn run<R: Lane>(&self, function: FunctionId, read: &Read<'_>, results: &mut [R]) {
-        let tape = (|| self.model.tape(function), self.running);
-        let results = R::numbers_mut(results);
-        let ready = &self.functions[function as usize];
-        if self.motion.is_read_by(function) {
-            self.run_behind_motion((function, ready), tape, R::COUNT, read, results);
-        } else {
-            ready.run(tape, R::COUNT, read, results);
         }
     }
 
@@ -302,52 +294,81 @@ impl Describe for ModelSimulator {
     }
 }
 
-/// The methods of the table of functions.
+/// Runs functions of the table on a type of numbers.
+trait Runs<R> {
+    /// Writes the results of one; what it does not read is nothing.
+    fn run(&self, function: FunctionId, motion: Option<(&R, &[R])>, p: &[R], results: &mut [R]);
+}
+
+impl<R: Lane> Runs<R> for ModelSimulator {
+    #[inline(always)]
+    fn run(&self, function: FunctionId, motion: Option<(&R, &[R])>, p: &[R], results: &mut [R]) {
+        let zero = R::literal(0.0);
+        let read = match motion {
+            Some((time, state)) => self.read(time, state, p),
+            None => self.read_without_state(&zero, p),
+        };
+        let tape = (|| self.model.tape(function), self.running);
+        let results = R::numbers_mut(results);
+        let ready = &self.functions[function as usize];
+        if self.motion.is_read_by(function) {
+            self.run_behind_motion((function, ready), tape, R::COUNT, &read, results);
+        } else {
+            ready.run(tape, R::COUNT, &read, results);
+        }
+    }
+}
+
+/// The methods of the table of functions, on a type of numbers.
 macro_rules! functions {
     (
-        []
+        [$number:ident]
         every { $($every:tt)* }
         events { $($events:tt)* }
         constraints { $($constraints:tt)* }
         kinks { $($kinks:tt)* }
     ) => {
-        $(function! $every)*
-        $(function! $events)*
-        $(function! $constraints)*
-        $(function! $kinks)*
+        $(function! { $number $every })*
+        $(function! { $number $events })*
+        $(function! { $number $constraints })*
+        $(function! { $number $kinks })*
     };
 }
 
 macro_rules! function {
-    ($id:ident $name:ident Parameters $result:tt [] $meaning:literal $doc:literal) => {
-        fn $name(&self, parameters: &[R], values: &mut [R]) {
-            let zero = R::literal(0.0);
-            self.run(FunctionId::$id, &self.read_without_state(&zero, parameters), values);
+    ($R:ident {
+        $id:ident $name:ident Parameters $result:tt [] $meaning:literal $doc:literal
+    }) => {
+        fn $name(&self, parameters: &[$R], values: &mut [$R]) {
+            Runs::<$R>::run(self, FunctionId::$id, None, parameters, values);
         }
     };
-    (
+    ($R:ident {
         $id:ident $name:ident Motion [structure $structure:ident $($field:ident)*] []
         $meaning:literal $doc:literal
-    ) => {
-        fn $name(&self, time: R, state: &[R], parameters: &[R]) -> $structure<R> {
-            let mut values = [R::literal(0.0); [$(stringify!($field)),*].len()];
-            self.run(FunctionId::$id, &self.read(&time, state, parameters), &mut values);
+    }) => {
+        fn $name(&self, time: $R, state: &[$R], parameters: &[$R]) -> $structure<$R> {
+            let mut values = [$R::literal(0.0); [$(stringify!($field)),*].len()];
+            let motion = Some((&time, state));
+            Runs::<$R>::run(self, FunctionId::$id, motion, parameters, &mut values);
             let [$($field),*] = values;
             $structure { $($field),* }
         }
     };
-    (
+    ($R:ident {
         $id:ident $name:ident Motion $result:tt [$($prepared:ident)?] $meaning:literal
         $doc:literal
-    ) => {
-        fn $name(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-            self.run(FunctionId::$id, &self.read(&time, state, parameters), values);
+    }) => {
+        fn $name(&self, time: $R, state: &[$R], parameters: &[$R], values: &mut [$R]) {
+            Runs::<$R>::run(self, FunctionId::$id, Some((&time, state)), parameters, values);
         }
     };
 }
 
+mod derivatives;
+
 impl<R: Lane> Simulator<R> for ModelSimulator {
-    machinist_contract::for_each_function! { [functions] }
+    machinist_contract::for_each_function! { [functions] R }
     fn constants(&self) -> usize {
         self.hoisted().constants.results.len()
     }
@@ -384,7 +405,8 @@ impl<R: Lane> Simulator<R> for ModelSimulator {
     fn linear(&self) -> Option<&dyn LinearEquations<R>> {
         self.model.excitation.is_some().then_some(self)
     }
-    /// None of a model with fields, whose parameters follow from others.
+    /// None of a model with fields, whose parameters follow from others; see
+    /// [`ModelSimulator::shared_with_fields_on_duals`].
     fn derivatives(&self) -> Option<&dyn Derivatives> {
         self.model.fields.is_empty().then_some(self)
     }

@@ -3,7 +3,7 @@
 use machinist_contract::field::FieldPlace;
 use machinist_contract::linear::LinearEquations;
 use machinist_contract::{
-    Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator, SparsityPattern,
+    Derivatives, Describe, Dual, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator, SparsityPattern,
     StateKind,
 };
 
@@ -16,6 +16,14 @@ impl FieldSimulator<'_, f64> {
     #[must_use]
     #[inline(never)]
     pub fn single(&self) -> &dyn Simulator<f64> {
+        self
+    }
+}
+
+impl FieldSimulator<'_, Dual> {
+    /// Likewise.
+    #[inline(never)]
+    fn on_duals(&self) -> &dyn Derivatives {
         self
     }
 }
@@ -174,6 +182,10 @@ impl<R: Real> FieldSimulator<'_, R> {
 impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
     fn linear(&self) -> Option<&dyn LinearEquations<R>> {
         self.excitation_terms.is_some().then_some(self)
+    }
+
+    fn derivatives(&self) -> Option<&dyn Derivatives> {
+        self.on_duals.as_deref().map(FieldSimulator::on_duals)
     }
 
     fn initial_state(&self, parameters: &[R], state: &mut [R]) {

@@ -5,7 +5,6 @@
 use std::fmt::Debug;
 
 use fastrand::Rng;
-use machinist_contract::field::FieldScene;
 use machinist_contract::{Describe, Simulator};
 use machinist_model::file::{MARK, read, seal};
 use machinist_model::{F64x2, Lane, Model, ModelSimulator};
@@ -148,6 +147,7 @@ fn numbers<R: Lane>(simulator: &ModelSimulator, shift: f64) -> Vec<(&'static str
 }
 
 fn of_fields(simulator: &ModelSimulator) -> Vec<(&'static str, Vec<f64>)> {
+    let simulator = simulator.with_fields();
     let shape = simulator.shape();
     let p: Vec<f64> = (0..shape.parameters).map(|k| simulator.parameter_default(k)).collect();
     let (t, x, point) = (0.25, 0.5, [0.1, -0.2, 0.3, 0.4]);

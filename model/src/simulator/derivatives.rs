@@ -1,78 +1,56 @@
 //! Functions of a model on dual numbers, interpreted.
 
-use std::sync::OnceLock;
-
 use machinist_contract::implicit::LANES;
-use machinist_contract::{Derivatives, Dual, DualFunction};
+use machinist_contract::{Dual, Energy, PowerBalance, Real, Simulator};
 
-use super::ModelSimulator;
-use crate::evaluate::{Evaluator, Inputs};
-use crate::functions::{COUNT, FunctionId};
+use super::{ModelSimulator, Runs};
+use crate::evaluate::Inputs;
+use crate::functions::FunctionId;
 
-/// Tapes that are ready to be run on dual numbers: that of the motion, then one for each row
-/// of the table of functions.
-#[derive(Debug)]
-pub(super) struct OnDuals {
-    motion: OnceLock<Evaluator>,
-    functions: [OnceLock<Evaluator>; COUNT],
-}
+const ZERO: Dual = Dual::constant(0.0);
 
-impl Default for OnDuals {
-    fn default() -> Self {
-        Self { motion: OnceLock::new(), functions: [const { OnceLock::new() }; COUNT] }
-    }
-}
-
-fn function_of(function: DualFunction) -> FunctionId {
-    match function {
-        DualFunction::InitialState => FunctionId::InitialState,
-        DualFunction::Discontinuities => FunctionId::Discontinuities,
-        DualFunction::Outputs => FunctionId::Outputs,
-        DualFunction::Guards => FunctionId::Guards,
-        DualFunction::Resets => FunctionId::Resets,
-        DualFunction::KinkGuards => FunctionId::KinkGuards,
-        DualFunction::ConstraintValues => FunctionId::ConstraintValues,
-        DualFunction::ConstraintRates => FunctionId::ConstraintRates,
-        DualFunction::ConstraintMatrix => FunctionId::ConstraintMatrix,
-        DualFunction::MassMatrix => FunctionId::MassMatrix,
-    }
-}
-
-impl Derivatives for ModelSimulator {
-    fn on_duals(
-        &self,
-        function: DualFunction,
-        time: Dual,
-        state: &[Dual],
-        parameters: &[Dual],
-        values: &mut [Dual],
-    ) {
-        let function = function_of(function);
+impl ModelSimulator {
+    /// What tapes read.
+    pub(super) fn dual_inputs<'a>(
+        &'a self,
+        (time, state): (Dual, &'a [Dual]),
+        parameters: &'a [Dual],
+    ) -> Inputs<'a, Dual> {
         let (parameters, handed) = parameters.split_at(self.model.parameters.len());
         let tables = &self.model.tables;
-        let inputs =
-            Inputs { time, state, parameters, handed, constants: &[], motion: &[], tables };
-        let own = self.duals.functions[function as usize]
-            .get_or_init(|| Evaluator::new(self.model.tape(function)));
-        let of_motion = self.model.motion.as_ref().filter(|_| self.motion.is_read_by(function));
-        let mut motion = Vec::new();
-        if let Some(tape) = of_motion.map(|motion| &motion.tape) {
-            let before = self.duals.motion.get_or_init(|| Evaluator::new(tape));
-            motion.resize(before.results(), Dual::constant(0.0));
-            let mut room = vec![Dual::constant(0.0); before.room()];
-            before.evaluate_in(&mut room, &inputs, &mut motion);
-        }
-        let mut room = vec![Dual::constant(0.0); own.room()];
-        let inputs = Inputs { motion: &motion, ..inputs };
-        let (Some(solve), Some(before)) = (self.model.solve(function), &self.model.motion) else {
-            own.evaluate_in(&mut room, &inputs, values);
-            return;
-        };
-        let mut results = vec![Dual::constant(0.0); solve.inputs()];
-        own.evaluate_in(&mut room, &inputs, &mut results);
-        let factors: Vec<Dual> =
-            before.factors.iter().map(|place| motion[*place as usize]).collect();
-        let mut work = vec![[Dual::constant(0.0); LANES]; solve.rows as usize];
-        solve.write(&factors, &results, &mut work, values);
+        Inputs { time, state, parameters, handed, constants: &[], motion: &[], tables }
     }
+}
+
+impl Runs<Dual> for ModelSimulator {
+    fn run(
+        &self,
+        function: FunctionId,
+        motion: Option<(&Dual, &[Dual])>,
+        p: &[Dual],
+        results: &mut [Dual],
+    ) {
+        let (time, state) = motion.map_or((ZERO, &[][..]), |(time, state)| (*time, state));
+        let inputs = self.dual_inputs((time, state), p);
+        let own = |inputs: &Inputs<'_, Dual>, results: &mut [Dual]| {
+            let ready = &self.functions[function as usize];
+            ready.run_on_duals(self.model.tape(function), inputs, results);
+        };
+        let before = self.model.motion.as_ref().filter(|_| self.motion.is_read_by(function));
+        let Some(before) = before else { return own(&inputs, results) };
+        let mut known = vec![ZERO; before.tape.results.len()];
+        self.motion.run_on_duals(&before.tape, &inputs, &mut known);
+        let inputs = Inputs { motion: &known, ..inputs };
+        let Some(solve) = self.model.solve(function) else { return own(&inputs, results) };
+        let mut own_results = vec![ZERO; solve.inputs()];
+        own(&inputs, &mut own_results);
+        let factors: Vec<Dual> =
+            before.factors.iter().map(|place| known[*place as usize]).collect();
+        let mut work = vec![[ZERO; LANES]; solve.rows as usize];
+        solve.write(&factors, &own_results, &mut work, results);
+    }
+}
+
+impl Simulator<Dual> for ModelSimulator {
+    machinist_contract::for_each_function! { [functions] Dual }
 }

@@ -1,6 +1,7 @@
 //! Fields of scenes run from their tapes.
 
 use machinist_contract::field::{FieldAttachment, FieldDescription, FieldPoint, FieldScene};
+use machinist_contract::{Dual, Real, Simulator};
 
 use super::{ModelSimulator, Read, TapeFunction};
 use crate::{FieldModel, Model, Tape};
@@ -43,22 +44,59 @@ impl PointFunctions {
 /// A function of a field with its tape.
 type OfField<'a> = (&'a TapeFunction, &'a Tape);
 
-impl ModelSimulator {
-    fn at_point(
-        &self,
+/// Numbers on which functions of a point are run.
+pub(super) trait AtPoint: Real {
+    /// Writes the results of one, whose state is \[u, u_x, u_t, u_xt, x\].
+    fn run(
+        simulator: &ModelSimulator,
+        of_field: OfField<'_>,
+        motion: (Self, &[Self]),
+        p: &[Self],
+        results: &mut [Self],
+    );
+}
+
+impl AtPoint for f64 {
+    fn run(
+        simulator: &ModelSimulator,
         (function, tape): OfField<'_>,
-        (time, x, point): (f64, f64, &FieldPoint<f64>),
+        (time, state): (f64, &[f64]),
         p: &[f64],
         results: &mut [f64],
     ) {
+        let read = Read { state, ..simulator.read_without_state(&time, p) };
+        function.run((|| tape, simulator.running), 1, &read, results);
+    }
+}
+
+impl AtPoint for Dual {
+    fn run(
+        simulator: &ModelSimulator,
+        (function, tape): OfField<'_>,
+        motion: (Dual, &[Dual]),
+        p: &[Dual],
+        results: &mut [Dual],
+    ) {
+        function.run_on_duals(tape, &simulator.dual_inputs(motion, p), results);
+    }
+}
+
+impl ModelSimulator {
+    fn at_point<R: AtPoint>(
+        &self,
+        of_field: OfField<'_>,
+        (time, x, point): (R, R, &FieldPoint<R>),
+        p: &[R],
+        results: &mut [R],
+    ) {
         let [value, slope, rate, slope_rate] = *point;
         let state = [value, slope, rate, slope_rate, x];
-        let read = Read { state: &state, ..self.read_without_state(&time, p) };
-        function.run((|| tape, self.running), 1, &read, results);
+        R::run(self, of_field, (time, &state), p, results);
     }
 
-    fn at_place(&self, of_field: OfField<'_>, x: f64, p: &[f64], results: &mut [f64]) {
-        self.at_point(of_field, (0.0, x, &[0.0; 4]), p, results);
+    fn at_place<R: AtPoint>(&self, of_field: OfField<'_>, x: R, p: &[R], results: &mut [R]) {
+        let zero = R::literal(0.0);
+        self.at_point(of_field, (zero, x, &[zero; 4]), p, results);
     }
 }
 
@@ -69,7 +107,10 @@ macro_rules! of_field {
     };
 }
 
-impl FieldScene<f64> for ModelSimulator {
+impl<R: AtPoint> FieldScene<R> for ModelSimulator
+where
+    Self: Simulator<R>,
+{
     fn fields(&self) -> usize {
         self.fields.len()
     }
@@ -98,81 +139,81 @@ impl FieldScene<f64> for ModelSimulator {
     fn field_is_local(&self, index: usize) -> bool {
         self.model().fields[index].local.is_some()
     }
-    fn field_inertia(&self, index: usize, x: f64, p: &[f64]) -> f64 {
-        let mut inertia = [0.0];
+    fn field_inertia(&self, index: usize, x: R, p: &[R]) -> R {
+        let mut inertia = [R::literal(0.0)];
         self.at_place(of_field!(self, index, inertia), x, p, &mut inertia);
         inertia[0]
     }
-    fn field_inertia_gradient(&self, index: usize, x: f64, p: &[f64], gradient: &mut [f64]) {
+    fn field_inertia_gradient(&self, index: usize, x: R, p: &[R], gradient: &mut [R]) {
         self.at_place(of_field!(self, index, inertia_gradient), x, p, gradient);
     }
     fn field_force(
         &self,
         index: usize,
-        time: f64,
-        x: f64,
-        point: &FieldPoint<f64>,
-        p: &[f64],
-    ) -> [f64; 2] {
-        let mut force = [0.0; 2];
+        time: R,
+        x: R,
+        point: &FieldPoint<R>,
+        p: &[R],
+    ) -> [R; 2] {
+        let mut force = [R::literal(0.0); 2];
         self.at_point(of_field!(self, index, force), (time, x, point), p, &mut force);
         force
     }
     fn field_force_jacobian(
         &self,
         index: usize,
-        time: f64,
-        x: f64,
-        point: &FieldPoint<f64>,
-        p: &[f64],
-    ) -> [f64; 8] {
-        let mut jacobian = [0.0; 8];
+        time: R,
+        x: R,
+        point: &FieldPoint<R>,
+        p: &[R],
+    ) -> [R; 8] {
+        let mut jacobian = [R::literal(0.0); 8];
         self.at_point(of_field!(self, index, force_jacobian), (time, x, point), p, &mut jacobian);
         jacobian
     }
     fn field_force_gradient(
         &self,
         index: usize,
-        time: f64,
-        x: f64,
-        point: &FieldPoint<f64>,
-        p: &[f64],
-        gradient: &mut [f64],
+        time: R,
+        x: R,
+        point: &FieldPoint<R>,
+        p: &[R],
+        gradient: &mut [R],
     ) {
         self.at_point(of_field!(self, index, force_gradient), (time, x, point), p, gradient);
     }
     fn field_energy(
         &self,
         index: usize,
-        time: f64,
-        x: f64,
-        point: &FieldPoint<f64>,
-        p: &[f64],
-    ) -> [f64; 2] {
-        let mut energy = [0.0; 2];
+        time: R,
+        x: R,
+        point: &FieldPoint<R>,
+        p: &[R],
+    ) -> [R; 2] {
+        let mut energy = [R::literal(0.0); 2];
         self.at_point(of_field!(self, index, energy), (time, x, point), p, &mut energy);
         energy
     }
     fn field_power(
         &self,
         index: usize,
-        time: f64,
-        x: f64,
-        point: &FieldPoint<f64>,
-        p: &[f64],
-    ) -> [f64; 3] {
-        let mut power = [0.0; 3];
+        time: R,
+        x: R,
+        point: &FieldPoint<R>,
+        p: &[R],
+    ) -> [R; 3] {
+        let mut power = [R::literal(0.0); 3];
         self.at_point(of_field!(self, index, power), (time, x, point), p, &mut power);
         power
     }
-    fn field_places(&self, index: usize, p: &[f64], places: &mut [f64]) {
-        self.at_place(of_field!(self, index, places), 0.0, p, places);
+    fn field_places(&self, index: usize, p: &[R], places: &mut [R]) {
+        self.at_place(of_field!(self, index, places), R::literal(0.0), p, places);
     }
-    fn field_places_gradient(&self, index: usize, p: &[f64], gradient: &mut [f64]) {
-        self.at_place(of_field!(self, index, places_gradient), 0.0, p, gradient);
+    fn field_places_gradient(&self, index: usize, p: &[R], gradient: &mut [R]) {
+        self.at_place(of_field!(self, index, places_gradient), R::literal(0.0), p, gradient);
     }
-    fn field_initial(&self, index: usize, x: f64, p: &[f64]) -> [f64; 2] {
-        let mut initial = [0.0; 2];
+    fn field_initial(&self, index: usize, x: R, p: &[R]) -> [R; 2] {
+        let mut initial = [R::literal(0.0); 2];
         self.at_place(of_field!(self, index, initial), x, p, &mut initial);
         initial
     }

@@ -1,10 +1,12 @@
 //! The motion's tape, run before the functions that read it, and matrices that are solved
 //! for with its factors.
 
+use machinist_contract::Dual;
 use machinist_contract::implicit::LANES;
 
 use super::ModelSimulator;
 use super::run::{Read, Running, TapeFunction};
+use crate::evaluate::Inputs;
 use crate::functions::{COUNT, FUNCTIONS, FunctionId};
 use crate::room::with_room;
 use crate::{Model, Motion, Solve, Tape};
@@ -23,6 +25,11 @@ impl MotionFunction {
             tapes: Default::default(),
             readers: FUNCTIONS.each_ref().map(|row| model.reads_motion(row.id)),
         }
+    }
+
+    /// Writes what a model's tape of the motion gives.
+    pub fn run_on_duals(&self, tape: &Tape, inputs: &Inputs<'_, Dual>, results: &mut [Dual]) {
+        self.tapes[0].run_on_duals(tape, inputs, results);
     }
 
     #[inline(always)]

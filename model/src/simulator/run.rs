@@ -2,6 +2,8 @@
 
 use std::sync::{Arc, OnceLock};
 
+use machinist_contract::Dual;
+
 #[cfg(feature = "compiled")]
 use crate::compiled::{CompiledSeries, CompiledTape, Regions};
 use crate::evaluate::{Evaluator, Inputs};
@@ -119,6 +121,7 @@ impl Ready {
 pub(super) struct TapeFunction {
     /// On one number, on two.
     ready: [OnceLock<Box<Ready>>; 2],
+    on_duals: OnceLock<Box<Evaluator>>,
 }
 
 impl TapeFunction {
@@ -149,6 +152,13 @@ impl TapeFunction {
 }
 
 impl TapeFunction {
+    /// Writes the results of its tape on dual numbers, interpreted.
+    pub fn run_on_duals(&self, tape: &Tape, inputs: &Inputs<'_, Dual>, results: &mut [Dual]) {
+        let evaluator = self.on_duals.get_or_init(|| Box::new(Evaluator::new(tape)));
+        let mut room = vec![Dual::constant(0.0); evaluator.room()];
+        evaluator.evaluate_in(&mut room, inputs, results);
+    }
+
     #[cold]
     fn make_ready(
         &self,

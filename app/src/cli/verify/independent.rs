@@ -82,11 +82,11 @@ impl Spec {
     ) -> Independent<'a> {
         let cut = Discretisation { elements: self.elements, order: None };
         // Whether it can be cut so is known before anybody asks.
-        FieldSimulator::new(machine, cut).map_err(|error| error.to_string())?;
+        FieldSimulator::new(machine.with_fields(), cut).map_err(|error| error.to_string())?;
         let parameters = parameters.to_vec();
         Ok(Box::new(move |_| {
             let failed = |place: String| Difference { error: f64::NAN, place, compared: 1 };
-            let simulator = match FieldSimulator::new(machine, cut) {
+            let simulator = match FieldSimulator::new(machine.with_fields(), cut) {
                 Ok(simulator) => simulator,
                 Err(error) => return failed(error.to_string()),
             };

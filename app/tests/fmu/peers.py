@@ -16,6 +16,8 @@ from fmpy.validation import validate_fmu
 from lxml import etree
 
 WORST = 1e-6
+# Errors of CVode add up where nothing is damped; there it is asked once more.
+TOLERANCES = [1e-12, 1e-13]
 
 
 def table(path):
@@ -76,7 +78,7 @@ def problems_of_terminals(archive):
     return problems
 
 
-def simulated(archive, interface, experiment):
+def simulated(archive, interface, experiment, tolerance):
     """FMPy's CVode takes 500 steps at most from output to output: where that is too few there are
     more outputs."""
     for more in [1, 16, 256]:
@@ -86,7 +88,7 @@ def simulated(archive, interface, experiment):
                 fmi_type=interface,
                 stop_time=float(experiment.stopTime),
                 output_interval=float(experiment.stepSize) / more,
-                relative_tolerance=1e-12,
+                relative_tolerance=tolerance,
                 record_events=False,
             )
         except RuntimeError as error:
@@ -103,9 +105,12 @@ def main(arguments):
         experiment = fmpy.read_model_description(archive).defaultExperiment
         run = table(run)
         for interface in ["CoSimulation", "ModelExchange"]:
-            found = simulated(archive, interface, experiment)
-            error, name = largest_error(found, run)
-            print(f"{archive}: {interface}: {error:.1e} ({name})")
+            for tolerance in TOLERANCES:
+                found = simulated(archive, interface, experiment, tolerance)
+                error, name = largest_error(found, run)
+                print(f"{archive}: {interface} at {tolerance:.0e}: {error:.1e} ({name})")
+                if error < WORST:
+                    break
             failed |= not error < WORST
         for problem in problems:
             print(f"{archive}: {problem}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -138,7 +139,12 @@ def _axis(name: str, axis: Axis, n: int | None) -> Array:
     if n is None or n < 2:
         raise InputError(f"`{name}`: n is how many values a range has in a grid, at least 2")
     _limited(n)
-    values = _scaled(np.arange(n) / (n - 1), low, high, scale)
+    shares = np.arange(n) / (n - 1)
+    if scale == "log":
+        # By the C library's function, as the program does; NumPy's own is off by a bit at times.
+        values = np.array([low * math.pow(high / low, share) for share in shares])
+    else:
+        values = _scaled(shares, low, high, scale)
     values[0], values[-1] = low, high
     return values
 

@@ -1,7 +1,8 @@
 """Results of sweeps as an Arrow table, and in a folder as Parquet files.
 
 A folder holds `sweep.json`, what the sweep is of, and files `part-FIRST-STOP.parquet`, each with
-neighbouring variants, written whole or not at all. What there is need not be run again.
+neighbouring variants, written whole or not at all. What there is need not be run again; nor what is
+in one file of all variants, as the program writes it.
 """
 
 from __future__ import annotations
@@ -43,12 +44,15 @@ class Store:
         self._plan = plan
         self._pieces: dict[tuple[int, int], pyarrow.Table] = {}
         self._folder = None if path is None else Path(path)
-        of = json.dumps(provenance["sweep"], sort_keys=True, default=str)
+        self._of = _identity(json.loads(json.dumps(provenance["sweep"], default=str)))
+        of = json.dumps(self._of, sort_keys=True)
         self._key = hashlib.sha256(of.encode()).hexdigest()
         self._told = json.dumps({**provenance, "key": self._key}, indent=1, default=str)
         self._units = _units(model, plan)
         self._schema = self._made_schema()
-        if self._folder is not None:
+        if self._folder is not None and self._folder.is_file():
+            self._take(self._folder)
+        elif self._folder is not None:
             self._open(self._folder)
 
     def _made_schema(self) -> pyarrow.Schema:
@@ -68,6 +72,38 @@ class Store:
             metadata={"machinist.sweep": self._told},
         )
 
+    def _take(self, file: Path) -> None:
+        """Takes a file of all variants, if it is of this sweep."""
+        import pyarrow
+        import pyarrow.parquet as parquet
+
+        try:
+            table = parquet.read_table(file, partitioning=None)
+            told = json.loads(table.schema.metadata[b"machinist.sweep"])["sweep"]
+        except (OSError, ValueError, KeyError, TypeError) as error:
+            raise SweepError(f"it holds no sweep: {error}", file=str(file)) from error
+        self._require(told, file, "`machinist.sweep` in its metadata")
+        if table.num_rows != self._count or not table.schema.equals(self._schema):
+            raise SweepError("it holds other rows or columns than it tells of", file=str(file))
+        self._pieces[0, self._count] = pyarrow.table(table.columns, schema=self._schema)
+
+    def _require(self, told: dict[str, Any], place: Path, where: str) -> None:
+        """Refuses results of another sweep, and says by what it is another."""
+        found = _identity(told)
+        if found == self._of:
+            return
+        names = {
+            name for name in {*found, *self._of}
+            if name != "settings" and found.get(name) != self._of.get(name)
+        }  # fmt: skip
+        theirs, ours = found.get("settings") or {}, self._of["settings"]
+        names |= {name for name in {*theirs, *ours} if theirs.get(name) != ours.get(name)}
+        raise SweepError(
+            f"it holds the results of another sweep, with another {', '.join(sorted(names))}",
+            file=str(place),
+            hint=f"give another path; {where} says what it is of",
+        )
+
     def _open(self, folder: Path) -> None:
         """Takes what is there, if it is of this sweep."""
         import pyarrow.parquet as parquet
@@ -81,16 +117,10 @@ class Store:
                         "there are parts of a sweep, but not what it is of", file=str(folder)
                     )
                 _write(manifest, lambda file: file.write_text(self._told, encoding="utf-8"))
-            found = json.loads(manifest.read_text(encoding="utf-8")).get("key")
-        except (OSError, ValueError, AttributeError) as error:
+            told = json.loads(manifest.read_text(encoding="utf-8"))["sweep"]
+        except (OSError, ValueError, KeyError, TypeError) as error:
             raise SweepError(f"it holds no sweep: {error}", file=str(folder)) from error
-        if found != self._key:
-            raise SweepError(
-                "it holds the results of another sweep: of another machine, version, design, "
-                "outputs or settings",
-                file=str(folder),
-                hint=f"give another folder; {_MANIFEST} there says what it is of",
-            )
+        self._require(told, folder, f"{_MANIFEST} there")
         for name in sorted(os.listdir(folder)):
             match = _PART.match(name)
             if not match:
@@ -155,6 +185,12 @@ class Store:
         metadata = self._schema.metadata
         tables = [table.replace_schema_metadata(metadata) for table in tables]
         return pyarrow.concat_tables(tables).combine_chunks()
+
+
+def _identity(sweep: dict[str, Any]) -> dict[str, Any]:
+    """What tells sweeps apart: of a design its numbers, whatever drew them."""
+    design = sweep.get("design") or {}
+    return {**sweep, "design": {name: design.get(name) for name in ("names", "sha256")}}
 
 
 def _units(model: Model, plan: Plan) -> dict[str, str]:

@@ -102,8 +102,8 @@ def sweep(
         :func:`machinist.design`; or a design.
     :param outputs: outputs or states; all outputs unless told otherwise.
     :param extremes: the least and the greatest value over the output times instead of the last.
-    :param path: a folder for results as Parquet files. What is there already of this sweep is not
-        run again; another sweep's folder is refused.
+    :param path: a folder for results as Parquet files, or a file that `machinist sweep` wrote. What
+        is there already of this sweep is not run again; another sweep's is refused.
     :param client: a Dask client. Without one, threads of this process run the variants.
     :param threads: number of threads without a client; as many as there are cores unless told.
     :param time_limit: seconds of computing that a variant may take.
@@ -224,7 +224,7 @@ class Sweep:
         self.ran = ran
         #: What it took [s], and what its pieces took, one after another or side by side.
         self.seconds, self.computing = took
-        #: The folder of results, if there is one.
+        #: The folder or file of results, if there is one.
         self.path = path
 
     @property

@@ -12,22 +12,22 @@ import machinist
 from machinist import _derive
 
 parquet = pytest.importorskip("pyarrow.parquet")
-SPACE = {"coupling.stiffness": (1e4, 1e5), "coupling.damping": (50.0, 300.0)}
+SPACE = {"coupling.stiffness": (1e4, 1e5), "coupling.damping": (50.0, 300.0, "log")}
 
 
 @pytest.mark.parametrize("of_file", [False, True])
 def test_a_sweep_by_the_program_is_the_same_table(gin, model_file, tmp_path: Path, of_file):
     scene, model = (str(model_file), machinist.load(model_file)) if of_file else ("saw_gin", gin)
     file = tmp_path / "table.parquet"
-    ranges = ["coupling.stiffness=1e4..1e5", "coupling.damping=50..300"]
-    command = [_derive.program(), "sweep", scene, "--count", "3", "--until", "0.05"]
+    ranges = ["coupling.stiffness=1e4..1e5", "coupling.damping=50..300:log"]
+    command = [_derive.program(), "sweep", scene, "--count", "5", "--until", "0.05"]
     command += ["--parameter", ranges[0], "--parameter", ranges[1], "--out", str(file)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if "without Parquet" in done.stderr:
         pytest.skip("the program was built without Parquet")
     assert done.returncode == 0, done.stderr
     written = parquet.read_table(file)
-    swept = model.sweep(SPACE, n=3, until=0.05)
+    swept = model.sweep(SPACE, n=5, until=0.05)
     assert written.schema.equals(swept.table.schema)
     for name in written.column_names:
         assert written[name].to_pylist() == swept.table[name].to_pylist(), name
@@ -35,5 +35,11 @@ def test_a_sweep_by_the_program_is_the_same_table(gin, model_file, tmp_path: Pat
                 for table in (written, swept.table))  # fmt: skip
     for known in ("model", "fingerprint", "machinist", "outputs", "extremes", "settings"):
         assert told[known] == of[known], known
+    # What the program has run is not run again.
+    again = model.sweep(SPACE, n=5, until=0.05, path=file)
+    assert again.ran == 0 and again.table.equals(swept.table)
+    for other, why in [({"rtol": 1e-6}, "rtol"), ({"n": 4}, "design"), ({"until": 0.1}, "until")]:
+        with pytest.raises(machinist.SweepError, match=f"with another {why}$"):
+            model.sweep(SPACE, **{"n": 5, "until": 0.05, "path": file, **other})
     units = json.loads(written.schema.metadata[b"machinist.units"])
     assert units["coupling.stiffness"] == "N m/rad"

@@ -9,6 +9,7 @@ use machinist::sweep::{InLanes, Sweepable, VariantRun, Wanted, each_on_its_own, 
 use machinist::{FieldSimulator, Method, SimulateError, Simulation};
 use machinist_contract::Simulator;
 use machinist_model::ModelSimulator;
+use machinist_model::fingerprint::of_bytes;
 
 use super::amount::{Amount, as_json, assignment};
 use super::output::{print_with, require_table, write_file};
@@ -89,7 +90,8 @@ impl Sweep {
             Some(file) if parquet::is_named(file) => {
                 let of = ("sweep", self.scene.as_str(), &scene);
                 let columns = table.columns(scene.simulator());
-                parquet::write_table(file, &columns, of, self.told(scene.simulator()))?;
+                let told = self.told(scene.simulator(), &variants);
+                parquet::write_table(file, &columns, of, told)?;
             }
             Some(file) => write_file(file, |out| table.write(scene.simulator(), out))?,
             None => print_with(|out| table.write(scene.simulator(), out))?,
@@ -170,7 +172,7 @@ impl Sweep {
     }
 
     /// What decides the numbers besides the machine, as the Python package has it.
-    fn told(&self, simulator: &dyn Simulator<f64>) -> Value {
+    fn told(&self, simulator: &dyn Simulator<f64>, variants: &[Vec<f64>]) -> Value {
         let names: Vec<&str> = self.parameter.iter().map(|range| range.name.as_str()).collect();
         let axes = self.parameter.iter().map(|range| {
             (0..self.count).map(|index| range.value(index, self.count)).collect::<Vec<f64>>()
@@ -194,8 +196,18 @@ impl Sweep {
             .into_iter()
             .filter_map(|(name, value)| Some((name.to_owned(), value?)))
             .collect();
+        let places: Vec<usize> =
+            names.iter().filter_map(|name| place_of(simulator, name)).collect();
+        let numbers = variants.iter().flat_map(|variant| places.iter().map(|at| variant[*at]));
+        let bytes: Vec<u8> = numbers.flat_map(f64::to_le_bytes).collect();
         json!({
-            "design": { "kind": "grid", "names": names, "axes": axes.collect::<Vec<_>>() },
+            "design": {
+                "kind": "grid",
+                "names": names,
+                "axes": axes.collect::<Vec<_>>(),
+                "variants": variants.len(),
+                "sha256": of_bytes(&bytes),
+            },
             "settings": settings,
             "outputs": outputs,
             "extremes": self.extremes,

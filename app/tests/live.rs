@@ -30,7 +30,7 @@ addEventListener("load", async () => {
 
 /// A machine, its page, one of its parameters, and another value for it: events that `dop853`
 /// meets, constraints, and a machine that becomes stiff.
-const MOVES: [(&str, &str, &str, &str); 3] = [
+const MOVES: [(&str, &str, &str, &str); 5] = [
     ("specs/scenes/drives/winch.toml", "winch", "gear.ratio", "31.7"),
     ("specs/scenes/slider_crank.toml", "slider_crank", "crank.length", "0.07"),
     (
@@ -39,7 +39,53 @@ const MOVES: [(&str, &str, &str, &str); 3] = [
         "motor.resistance",
         "0.7",
     ),
+    ("STEADY", "steady", "body.stiffness", "80"),
+    ("STEADY", "steady", "body.drag", "0.7"),
 ];
+
+/// A mass that hangs on a stiffening spring, and a rotor at constant speed, until both are moved.
+const STEADY: &str = r#"
+[scene]
+name = "steady"
+[define.body.coordinates]
+x = { unit = "m", velocity = "v" }
+turn = { unit = "rad", velocity = "omega" }
+[define.body.parameters]
+mass = { value = 2.0, unit = "kg" }
+gravity = { value = 9.81, unit = "m/s^2" }
+stiffness = { value = 300.0, unit = "N/m" }
+cubic = { value = 4e4, unit = "N/m^3" }
+damping = { value = 0.5, unit = "N s/m" }
+inertia = { value = 0.3, unit = "kg m^2" }
+torque = { value = 4.0, unit = "N m" }
+drag = { value = 0.2, unit = "N m s/rad" }
+push = { value = 3.0, unit = "N" }
+pace = { value = 4.0, unit = "rad/s" }
+[define.body.energy]
+kinetic = "mass*v^2/2 + inertia*omega^2/2"
+potential = "stiffness*x^2/2 + cubic*x^4/4 + mass*gravity*x"
+dissipation = "damping*v^2/2 + drag*omega^2/2"
+[[define.body.forces]]
+coordinate = "turn"
+expression = "torque*cos(pace*t)"
+[[define.body.forces]]
+coordinate = "x"
+expression = "push*sin(pace*t)"
+[units.body]
+unit = "body"
+[initial]
+from = "equilibrium"
+"body.turn" = 0.4
+[outputs]
+x = "body.x"
+turn = "body.turn"
+speed = "body.omega"
+[run]
+until = 2.0
+points = 201
+rtol = 1e-10
+method = "dop853"
+"#;
 
 #[test]
 fn a_run_in_the_page_ends_where_a_run_outside_of_it_does() {
@@ -48,7 +94,10 @@ fn a_run_in_the_page_ends_where_a_run_outside_of_it_does() {
         return;
     };
     let folder = tempfile::tempdir().expect("a folder");
+    let steady = folder.path().join("steady.toml");
+    fs::write(&steady, STEADY).expect("written");
     for (scene, name, parameter, value) in MOVES {
+        let scene = if scene == "STEADY" { text(&steady) } else { scene };
         answer(&["report", scene, "--no-times", "--out", text(folder.path())]);
         let page = folder.path().join(format!("machines/{name}.html"));
         let typed = TYPED.replace("PARAMETER", parameter).replace("VALUE", value);

@@ -10,7 +10,7 @@ use machinist::method::published::{ExplicitTable, RosenbrockTable, dop853, rodas
 use machinist::trajectory::Trajectory;
 use machinist_model::functions::FunctionId;
 use machinist_model::wasm::{Layout, NotInWasm, WasmModule, module};
-use machinist_model::{Model, SparsityPattern, StateKind};
+use machinist_model::{Model, ModelSimulator, SparsityPattern, StateKind};
 use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
 
@@ -20,13 +20,14 @@ use super::machine::Machine;
 use crate::number::exact;
 
 /// Scripts of a live page, in the order in which they build on each other.
-const SCRIPTS: [&str; 14] = [
+const SCRIPTS: [&str; 15] = [
     include_str!("live/machine.js"),
     include_str!("live/matrix.js"),
     include_str!("live/stretch.js"),
     include_str!("live/explicit.js"),
     include_str!("live/rosenbrock.js"),
     include_str!("live/constraints.js"),
+    include_str!("live/equilibrium.js"),
     include_str!("live/guards.js"),
     include_str!("live/watch.js"),
     include_str!("live/run.js"),
@@ -98,6 +99,20 @@ struct Known {
     moving: Moving,
     methods: Methods,
     run: RunOfPage,
+    /// Of a machine that starts in equilibrium.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    equilibrium: Option<Equilibrium>,
+}
+
+/// Where the stored run starts, and the guess near which that was found.
+#[derive(Serialize)]
+struct Equilibrium {
+    guess: Vec<f64>,
+    state: Vec<f64>,
+    /// States that are looked for: positions, first-order states, velocities that are not zero.
+    unknown: Vec<usize>,
+    /// States whose rates are zero.
+    still: Vec<usize>,
 }
 
 #[derive(Serialize)]
@@ -159,10 +174,12 @@ impl Live {
     fn of_run(machine: &Machine, run: &Trajectory) -> Result<Self, String> {
         let model = &machine.model;
         let refused = |why: &dyn std::fmt::Display| format!("The page cannot run it: {why}.");
-        if model.starts_in_equilibrium {
-            return Err(refused(&"it starts in equilibrium, which no page looks for"));
-        }
         let (module, is_implicit) = modules(model).map_err(|error| refused(&error))?;
+        if model.starts_in_equilibrium && !(is_implicit && model.constraints.is_empty()) {
+            let why = "it starts in equilibrium, which pages look for without constraints only, \
+                       by a Jacobian that is not too large";
+            return Err(refused(&why));
+        }
         if module.bytes.len() > LARGEST {
             let size = module.bytes.len() / 1000;
             return Err(refused(&format!("its equations would take {size} kB of the page")));
@@ -337,6 +354,26 @@ impl Known {
                     && !matches!(run.method, Method::Auto | Method::Exact),
                 stays_explicit: is_tsit5 || run.method == Method::Dop853,
             },
+            equilibrium: model.starts_in_equilibrium.then(|| equilibrium(model, run)),
         }
     }
+}
+
+fn equilibrium(model: &Model, run: &Trajectory) -> Equilibrium {
+    let simulator = ModelSimulator::interpreted(model.clone());
+    let parameters: Vec<f64> = model.parameters.iter().map(|known| known.value).collect();
+    let mut guess = vec![0.0; model.states.len()];
+    simulator.single().initial_state(&parameters, &mut guess);
+    let states = run.columns.iter().take(model.states.len());
+    let state: Vec<f64> = states.map(|column| column.values[0]).collect();
+    let places = |is: &dyn Fn(usize) -> bool| (0..state.len()).filter(|at| is(*at)).collect();
+    let unknown = places(&|at| match model.states[at].kind {
+        StateKind::Position(_) | StateKind::FirstOrder => true,
+        StateKind::Velocity(_) => state[at] != 0.0,
+        StateKind::Mode => false,
+    });
+    let still = places(&|at| {
+        matches!(model.states[at].kind, StateKind::Velocity(_) | StateKind::FirstOrder)
+    });
+    Equilibrium { guess, state, unknown, still }
 }

@@ -60,16 +60,19 @@ class Run {
 
   *carry() {
     const { machine, from, until } = this;
-    const state = machine.initial();
+    const equilibrium = machine.known.equilibrium ? new Equilibrium(machine, from) : null;
+    const state = equilibrium?.guess() ?? machine.initial();
     const bad = state.findIndex((value) => !Number.isFinite(value));
     if (bad >= 0) throw new Stopped(from, `the initial value of ${machine.nameOf(bad)} is no finite number`);
     this.constraints?.start(from, state);
+    equilibrium?.find(state);
     this.atol = this.scales(state).map((scale) => this.rtol * scale);
     this.tighten(state);
     if (machine.events + machine.kinks > 0) {
       this.watch = new Watch(this);
       this.watch.parts.stretch = new Stretch(this, from, until);
       this.watch.settleStart(from, state);
+      this.settle(equilibrium, state);
       this.constraints?.project(from, state);
     }
     this.sampleUntil(from, state);
@@ -85,6 +88,19 @@ class Run {
         start = yield* this.integrate(stretch, state);
       }
     }
+  }
+
+  // The equilibrium of the modes that guards ask for, which may ask for others there.
+  settle(equilibrium, state) {
+    const ROUNDS = 20;
+    if (!equilibrium) return;
+    for (let round = 0; round < ROUNDS; round++) {
+      const before = state.slice();
+      equilibrium.find(state);
+      this.watch.settleStart(this.from, state);
+      if (state.every((value, index) => value === before[index])) return;
+    }
+    throw new Stopped(this.from, "the modes of the start change without end");
   }
 
   // Scales of states, for absolute tolerances: those of the spec; of first-order states without

@@ -279,7 +279,10 @@ impl<'a> Parser<'a> {
                 (format!("{} is not expected here", quoted(&mark.to_string())), "")
             }
             Token::Number(_) => ("a number is not expected here".to_owned(), "is `*` missing?"),
-            Token::Name(..) => ("a name is not expected here".to_owned(), "is `*` missing?"),
+            Token::Name(..) => (
+                "a name is not expected here".to_owned(),
+                "is `*` missing? A unit of measure stands in brackets: 0.1 [s]",
+            ),
             Token::Text(_) => {
                 ("a quoted text is not expected here".to_owned(), "only `table` takes texts")
             }

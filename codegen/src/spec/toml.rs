@@ -75,11 +75,23 @@ pub fn parse(text: &str, file: FileId) -> Result<Spanned<Tree>, Mistake> {
             deep if deep.contains("recurs") => "tables or lists nest too deep".to_owned(),
             other => format!("not valid TOML: {}", first_line(other)),
         };
-        Mistake::new(Span::new(file, range), message, "here")
+        let is_unit = is_unit_behind_number(text, range.start);
+        let mistake = Mistake::new(Span::new(file, range), message, "here");
+        if is_unit { mistake.help("a number with a unit is a text: \"0.1 [s]\"") } else { mistake }
     })?;
     let reader = Reader { text, file };
     let whole = Span::new(file, 0..0);
     Ok(Spanned { value: Tree::Table(reader.entries(document.as_table().iter_keys())), span: whole })
+}
+
+/// Whether a bracket opens here, behind a number in its line.
+fn is_unit_behind_number(text: &str, at: usize) -> bool {
+    let parts = text.get(..at).zip(text.get(at..));
+    parts.is_some_and(|(before, rest)| {
+        let before = before.trim_end_matches(' ');
+        rest.trim_start_matches(' ').starts_with('[')
+            && before.ends_with(|last: char| last.is_ascii_digit() || last == '.')
+    })
 }
 
 fn first_line(text: &str) -> &str {

@@ -71,7 +71,8 @@ fn every_scene_is_what_its_energies_say() {
         } else {
             let (written_out, elements) = elements::written_out(&system).expect("elements");
             let cut = Discretisation { elements: Some(elements), order: None };
-            let simulator = FieldSimulator::new(simulator.with_fields(), cut).expect("it can be cut so");
+            let simulator =
+                FieldSimulator::new(simulator.with_fields(), cut).expect("it can be cut so");
             deviation(&written_out, &simulator)
         };
         assert!(error <= LIMIT, "{}: {error:e}", path.display());

@@ -229,3 +229,21 @@ mod with_crate {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_program_without_parquet_says_how_to_build_it_in() {
+        let Failure::Input(told) = unavailable(Path::new("table.parquet")) else {
+            panic!("what is asked for makes no sense there");
+        };
+        assert_eq!(
+            told[0].to_string(),
+            "--out table.parquet: this program was built without Parquet"
+        );
+        let help = told[0].help().expect("help").to_string();
+        assert!(help.contains("--features parquet"), "{help}");
+    }
+}

@@ -3,8 +3,8 @@
 use machinist_contract::field::FieldPlace;
 use machinist_contract::linear::LinearEquations;
 use machinist_contract::{
-    Derivatives, Describe, Dual, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator, SparsityPattern,
-    StateKind,
+    Derivatives, Describe, Dual, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
+    Simulator, SparsityPattern, StateKind,
 };
 
 use super::mesh::Owner;

@@ -147,14 +147,7 @@ where
     fn field_inertia_gradient(&self, index: usize, x: R, p: &[R], gradient: &mut [R]) {
         self.at_place(of_field!(self, index, inertia_gradient), x, p, gradient);
     }
-    fn field_force(
-        &self,
-        index: usize,
-        time: R,
-        x: R,
-        point: &FieldPoint<R>,
-        p: &[R],
-    ) -> [R; 2] {
+    fn field_force(&self, index: usize, time: R, x: R, point: &FieldPoint<R>, p: &[R]) -> [R; 2] {
         let mut force = [R::literal(0.0); 2];
         self.at_point(of_field!(self, index, force), (time, x, point), p, &mut force);
         force
@@ -182,26 +175,12 @@ where
     ) {
         self.at_point(of_field!(self, index, force_gradient), (time, x, point), p, gradient);
     }
-    fn field_energy(
-        &self,
-        index: usize,
-        time: R,
-        x: R,
-        point: &FieldPoint<R>,
-        p: &[R],
-    ) -> [R; 2] {
+    fn field_energy(&self, index: usize, time: R, x: R, point: &FieldPoint<R>, p: &[R]) -> [R; 2] {
         let mut energy = [R::literal(0.0); 2];
         self.at_point(of_field!(self, index, energy), (time, x, point), p, &mut energy);
         energy
     }
-    fn field_power(
-        &self,
-        index: usize,
-        time: R,
-        x: R,
-        point: &FieldPoint<R>,
-        p: &[R],
-    ) -> [R; 3] {
+    fn field_power(&self, index: usize, time: R, x: R, point: &FieldPoint<R>, p: &[R]) -> [R; 3] {
         let mut power = [R::literal(0.0); 3];
         self.at_point(of_field!(self, index, power), (time, x, point), p, &mut power);
         power

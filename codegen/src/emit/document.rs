@@ -2,6 +2,8 @@
 
 mod printer;
 
+use std::collections::BTreeMap;
+
 use crate::expr::{
     ConstraintId, CoordinateId, Expr, FirstOrderId, HandedId, HelperId, ParameterId, Symbol,
 };
@@ -74,15 +76,18 @@ impl Document {
             document.outputs.push(definition(&printer, &output.quantity, &printer.print(expr)));
         }
         // Helpers may use helpers: print until no new one appears.
-        let mut shown: Vec<usize> = Vec::new();
-        while let Some(index) = printer.used().into_iter().find(|i| !shown.contains(i)) {
-            shown.push(index);
-            printer.print_helper(index);
+        let mut shown = BTreeMap::new();
+        loop {
+            let used = printer.used();
+            let new: Vec<usize> = used.into_iter().filter(|i| !shown.contains_key(i)).collect();
+            if new.is_empty() {
+                break;
+            }
+            shown.extend(new.into_iter().map(|index| (index, printer.print_helper(index))));
         }
-        shown.sort_unstable();
-        for index in shown {
+        for (index, text) in shown {
             let quantity = &system.helpers[index].quantity;
-            document.helpers.push(definition(&printer, quantity, &printer.print_helper(index)));
+            document.helpers.push(definition(&printer, quantity, &text));
         }
         document
     }

@@ -1,6 +1,7 @@
 //! Expressions in text or LaTeX, with helpers by their names.
 
 use std::cell::RefCell;
+use std::collections::BTreeSet;
 
 use num_rational::BigRational;
 use num_traits::{One, Signed};
@@ -26,7 +27,7 @@ pub(super) struct Printer<'a> {
     system: &'a LagrangianSystem,
     abbreviations: Abbreviations,
     notation: Notation,
-    used: RefCell<Vec<usize>>,
+    used: RefCell<BTreeSet<usize>>,
 }
 
 impl<'a> Printer<'a> {
@@ -35,12 +36,12 @@ impl<'a> Printer<'a> {
             system: &equations.system,
             abbreviations: Abbreviations::new(&equations.helpers),
             notation,
-            used: RefCell::new(Vec::new()),
+            used: RefCell::default(),
         }
     }
 
     /// Indices of the helpers named so far.
-    pub(super) fn used(&self) -> Vec<usize> {
+    pub(super) fn used(&self) -> BTreeSet<usize> {
         self.used.borrow().clone()
     }
 
@@ -84,7 +85,7 @@ impl<'a> Printer<'a> {
             Expr::Number(value) => self.number(value),
             Expr::Symbol(symbol) => {
                 if let Symbol::Helper(HelperId(index)) = symbol {
-                    self.used.borrow_mut().push(*index as usize);
+                    self.used.borrow_mut().insert(*index as usize);
                 }
                 (symbol_name(self.system, *symbol, self.notation), Strength::Atom)
             }

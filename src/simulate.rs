@@ -4,6 +4,7 @@
 mod start;
 
 use std::sync::atomic::AtomicBool;
+use std::time::Duration;
 
 use machinist_contract::Simulator;
 
@@ -76,6 +77,7 @@ pub struct Simulation<'a> {
     energy_balance: bool,
     sensitivities: Vec<By>,
     controls_sensitivities: bool,
+    time_limit: Option<Duration>,
     interrupt: Option<&'a AtomicBool>,
     asked: Option<&'a dyn Fn() -> Option<StopCause>>,
 }
@@ -119,6 +121,7 @@ impl<'a> Simulation<'a> {
             energy_balance: false,
             sensitivities: Vec::new(),
             controls_sensitivities: true,
+            time_limit: None,
             interrupt: None,
             asked: None,
         }
@@ -277,6 +280,13 @@ impl<'a> Simulation<'a> {
         self
     }
 
+    /// Stops with [`StopCause::TooSlow`] soon after each run has computed for so long; there is
+    /// no limit unless set. Runs in the lanes of a sweep do not look at it.
+    pub fn time_limit(mut self, limit: Duration) -> Self {
+        self.time_limit = Some(limit);
+        self
+    }
+
     /// Stops with [`StopCause::Interrupted`] soon after
     /// somebody sets this flag; what there is of the run is handed over with the error.
     /// Runs in the lanes of a sweep do not look at it.
@@ -286,7 +296,7 @@ impl<'a> Simulation<'a> {
     }
 
     /// As [`Simulation::until_flagged`], once this says why, which is asked after every step: for
-    /// a limit on time, or for somebody who cannot set a flag meanwhile.
+    /// somebody who cannot set a flag meanwhile, or for a limit on several runs together.
     pub fn until_told(mut self, why: &'a dyn Fn() -> Option<StopCause>) -> Self {
         self.asked = Some(why);
         self
@@ -408,6 +418,7 @@ impl<'a> Simulation<'a> {
         let system = System::new(self.simulator, parameters, self.energy_balance)
             .until_flagged(self.interrupt)
             .until_told(self.asked)
+            .within(self.time_limit)
             .with_tangents(self.tangents(&initial)?);
         if method != asked {
             system.note(format!("{method} instead of {asked}, which does not carry sensitivities"));

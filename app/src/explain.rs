@@ -1,6 +1,6 @@
 //! What is left out of a scene, why, and what that saves, measured.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use crate::object::{ObjectError, object};
 use machinist::{SimulateError, Simulation, Trajectory};
@@ -226,13 +226,19 @@ impl Times {
 /// Time of the scene's own run \[ms\], and the run.
 pub fn timed(simulator: &ModelSimulator) -> Result<(f64, Trajectory), SimulateError> {
     let start = Instant::now();
-    let run = Simulation::new(simulator).run()?;
+    let run = limited(simulator).run()?;
     Ok((start.elapsed().as_secs_f64() * 1e3, run))
+}
+
+/// A run that ends if it takes too long to be compared.
+pub fn limited(simulator: &ModelSimulator) -> Simulation<'_> {
+    const LONGEST: Duration = Duration::from_secs(60);
+    Simulation::new(simulator).time_limit(LONGEST)
 }
 
 fn fine(simulator: &ModelSimulator) -> Result<Trajectory, SimulateError> {
     let atol = vec![1e-13; simulator.shape().states()];
-    Simulation::new(simulator).rtol(FINE).atol(&atol).points(101).run()
+    limited(simulator).rtol(FINE).atol(&atol).points(101).run()
 }
 
 /// The middle one.

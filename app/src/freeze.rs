@@ -1,14 +1,14 @@
 //! The price of approximations: what freezing does to the outputs and what time it
 //! saves, measured by running the scene with and without it.
 
-use machinist::{SimulateError, Simulation, Trajectory};
+use machinist::{SimulateError, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_model::Model;
 use machinist_model::ModelSimulator;
 use serde::Serialize;
 
 use crate::deriving::{self, Request, Wanted};
-use crate::explain::{median, relative_differences, timed};
+use crate::explain::{limited, median, relative_differences, timed};
 use crate::failure::Failure;
 use crate::spec_source::SpecSource;
 
@@ -50,8 +50,7 @@ impl Price {
             exact_times.push(timed(&exact)?.0);
             frozen_times.push(timed(&frozen)?.0);
         }
-        let run =
-            |simulator| -> Result<Trajectory, SimulateError> { Simulation::new(simulator).run() };
+        let run = |simulator| -> Result<Trajectory, SimulateError> { limited(simulator).run() };
         let errors = relative_differences(&run(&exact)?, &run(&frozen)?);
         Ok(Self { states, errors, time_ratio: median(frozen_times) / median(exact_times) })
     }

@@ -25,4 +25,4 @@ mod studies;
 mod verification;
 mod winder_walk;
 
-pub use gather::{own, whole};
+pub use gather::{Extent, own, whole};

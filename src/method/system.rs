@@ -2,6 +2,7 @@
 
 use std::cell::{Cell, RefCell};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
 use super::Stopped;
 use crate::constraints::Constraints;
@@ -53,6 +54,8 @@ pub struct System<'a> {
     notes: RefCell<Vec<String>>,
     interrupt: Option<&'a AtomicBool>,
     asked: Option<&'a dyn Fn() -> Option<StopCause>>,
+    /// When it has to end, and how long that is after its start.
+    deadline: Option<(Instant, Duration)>,
     onlooker: Option<Onlooker<'a>>,
     /// Length of the run that this is a piece of \[s\]; 0 if it is none.
     whole: f64,
@@ -82,6 +85,7 @@ impl<'a> System<'a> {
             notes: RefCell::default(),
             interrupt: None,
             asked: None,
+            deadline: None,
             onlooker: None,
             whole: 0.0,
             has_stepped: Cell::new(false),
@@ -97,6 +101,12 @@ impl<'a> System<'a> {
     /// The same, to be left after the step at which this says why.
     pub(crate) fn until_told(self, asked: Option<&'a dyn Fn() -> Option<StopCause>>) -> Self {
         Self { asked, ..self }
+    }
+
+    /// The same, to be left after so long from now on.
+    pub(crate) fn within(self, limit: Option<Duration>) -> Self {
+        let deadline = |limit| Some((Instant::now().checked_add(limit)?, limit));
+        Self { deadline: limit.and_then(deadline), ..self }
     }
 
     /// The same, whose steps somebody looks at.
@@ -133,6 +143,11 @@ impl<'a> System<'a> {
     pub(super) fn interruption(&self) -> Option<StopCause> {
         if self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
             return Some(StopCause::Interrupted);
+        }
+        if let Some((deadline, limit)) = self.deadline
+            && deadline <= Instant::now()
+        {
+            return Some(StopCause::TooSlow { seconds: limit.as_secs_f64() });
         }
         self.asked.and_then(|asked| asked())
     }

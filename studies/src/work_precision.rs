@@ -8,7 +8,7 @@
 mod precise;
 mod reference;
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use machinist_contract::Simulator;
 use serde::{Serialize, Serializer};
@@ -37,13 +37,15 @@ pub struct Plan {
     pub enough: f64,
     /// A curve ends once a run takes longer than this \[ms\].
     pub longest: f64,
+    /// How long a run may compute at all.
+    pub time_limit: Option<Duration>,
 }
 
 impl Default for Plan {
     /// Every method at [`TOLERANCES`], 25 runs or 300 ms each.
     fn default() -> Self {
         let (methods, tolerances) = (Method::compiled_in().collect(), TOLERANCES.to_vec());
-        Self { methods, tolerances, runs: 25, enough: 300.0, longest: 300.0 }
+        Self { methods, tolerances, runs: 25, enough: 300.0, longest: 300.0, time_limit: None }
     }
 }
 
@@ -116,7 +118,7 @@ pub fn measure(
     if let Some(rtol) = plan.tolerances.iter().find(|rtol| !(**rtol > 0.0 && **rtol <= 1.0)) {
         return Err(SimulateError::BadTolerance(*rtol));
     }
-    let reference = Reference::of(simulator, twin)?;
+    let reference = Reference::of(simulator, twin, plan.time_limit)?;
     let curves = plan
         .methods
         .iter()
@@ -157,7 +159,7 @@ fn point(
 ) -> Result<Point, SimulateError> {
     let timed = || {
         let start = Instant::now();
-        let trajectory = run(simulator, method, rtol).run()?;
+        let trajectory = run(simulator, method, rtol, plan.time_limit).run()?;
         Ok::<_, SimulateError>((start.elapsed().as_secs_f64() * 1e3, trajectory))
     };
     let (first, trajectory) = timed()?;
@@ -177,8 +179,14 @@ fn point(
 /// Output times of a measured run.
 const POINTS: usize = 101;
 
-fn run(simulator: &dyn Simulator<f64>, method: Method, rtol: f64) -> Simulation<'_> {
-    Simulation::new(simulator).points(POINTS).method(method).rtol(rtol)
+fn run(
+    simulator: &dyn Simulator<f64>,
+    method: Method,
+    rtol: f64,
+    time_limit: Option<Duration>,
+) -> Simulation<'_> {
+    let run = Simulation::new(simulator).points(POINTS).method(method).rtol(rtol);
+    time_limit.into_iter().fold(run, Simulation::time_limit)
 }
 
 /// Names and values of the states.

@@ -1,14 +1,16 @@
 //! `machinist report`: pages with everything, of all machines or of one.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use clap::Args;
 
 use super::generate::EMITTED;
 use super::output::{print, write_file};
 use super::scene;
+use super::settings::{TIME_LIMIT, time_limit};
 use crate::failure::Failure;
-use crate::report;
+use crate::report::{self, Extent};
 
 #[derive(Debug, Args)]
 pub struct Report {
@@ -27,14 +29,18 @@ pub struct Report {
     /// Leave out error against run time: pages are then the same every time
     #[arg(long)]
     no_times: bool,
+    /// How long each run may compute, s
+    #[arg(long, value_name = "SECONDS", default_value = TIME_LIMIT, value_parser = time_limit)]
+    time_limit: Duration,
 }
 
 impl Report {
     /// Pages are written also if a check fails, for they say which.
     pub fn execute(&self) -> Result<(), Failure> {
+        let extent = Extent { with_times: !self.no_times, time_limit: self.time_limit };
         let pages = match &self.scene {
-            Some(scene) => report::own(scene, !self.no_times)?,
-            None => report::whole(&self.specs, &self.emitted, !self.no_times)?,
+            Some(scene) => report::own(scene, extent)?,
+            None => report::whole(&self.specs, &self.emitted, extent)?,
         };
         for (place, html) in &pages.files {
             let file = self.out.join(place);

@@ -5,11 +5,14 @@
 mod independent;
 mod machine;
 
+use std::time::Duration;
+
 use clap::Args;
 use machinist_studies::verify::{Tally, Verdict, VerifyOptions, render_table, verify_all};
 
 use super::amount::{Amount, assignment, in_si};
 use super::output::print;
+use super::settings::{TIME_LIMIT, time_limit};
 use crate::failure::Failure;
 use crate::progress::during;
 pub use machine::Changes;
@@ -37,6 +40,9 @@ pub struct Verify {
     /// Relative tolerance of a step of the file's run
     #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true, requires = "scene")]
     rtol: Option<f64>,
+    /// How long each run of the file may compute, s
+    #[arg(long, value_name = "SECONDS", default_value = TIME_LIMIT, value_parser = time_limit, requires = "scene")]
+    time_limit: Duration,
 }
 
 impl Verify {
@@ -78,8 +84,8 @@ impl Verify {
     }
 
     fn of_machine(&self, scene: &str) -> Result<Vec<Verdict>, Failure> {
-        let (until, rtol) = (self.until, self.rtol);
-        let changes = Changes { parameters: &self.set, until, rtol };
+        let (until, rtol, time_limit) = (self.until, self.rtol, self.time_limit);
+        let changes = Changes { parameters: &self.set, until, rtol, time_limit };
         let mut verdicts = machine::verify(scene, &changes)?;
         if let Some(text) = &self.only {
             verdicts.retain(|verdict| {

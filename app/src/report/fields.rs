@@ -1,6 +1,8 @@
 //! Scenes with fields: runs cut into elements, pictures along the field, and what the
 //! number of elements and the stiffness of the reed's contact do.
 
+use std::time::Duration;
+
 use machinist::field::{Discretisation, FieldError, FieldSimulator};
 use machinist::linear_analysis::{
     LinearError, Linearization, ModeKind, Place, Point, operating_point,
@@ -44,10 +46,11 @@ pub struct FieldRun {
 }
 
 /// Runs a scene as its spec cuts it; its modes are those of a coarser cut.
-pub fn run(scene: &dyn FieldScene<f64>) -> Result<FieldRun, Failure> {
+pub fn run(scene: &dyn FieldScene<f64>, time_limit: Duration) -> Result<FieldRun, Failure> {
     let refused = |error: FieldError| Failure::input(error, "");
     let simulator = FieldSimulator::new(scene, Discretisation::default()).map_err(refused)?;
-    let trajectory = Simulation::new(&simulator).with_energy_balance(true).run();
+    let limited = Simulation::new(&simulator).time_limit(time_limit);
+    let trajectory = limited.with_energy_balance(true).run();
     let coarse = FieldSimulator::new(scene, FEW).map_err(refused)?;
     let along = match &trajectory {
         Ok(trajectory) => {
@@ -56,7 +59,11 @@ pub fn run(scene: &dyn FieldScene<f64>) -> Result<FieldRun, Failure> {
         }
         Err(_) => Vec::new(),
     };
-    Ok(FieldRun { trajectory, modes: modes::modes(&coarse), along })
+    Ok(FieldRun {
+        trajectory,
+        modes: modes::modes(&Simulation::new(&coarse).time_limit(time_limit)),
+        along,
+    })
 }
 
 impl Along {

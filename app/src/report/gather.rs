@@ -1,6 +1,7 @@
 //! What the pages show, gathered; and the pages, made of it.
 
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
@@ -52,8 +53,17 @@ pub(super) struct Report {
     pub(super) stability: Option<Study>,
 }
 
+/// How far pages go.
+#[derive(Debug, Clone, Copy)]
+pub struct Extent {
+    /// Whether error against run time is measured.
+    pub with_times: bool,
+    /// How long each run may compute.
+    pub time_limit: Duration,
+}
+
 /// The page of one machine of the user's own.
-pub fn own(argument: &str, with_times: bool) -> Result<Pages, Failure> {
+pub fn own(argument: &str, extent: Extent) -> Result<Pages, Failure> {
     let spec = match Given::of(argument)? {
         Given::Spec(spec) => spec,
         Given::Model(_) => {
@@ -61,21 +71,23 @@ pub fn own(argument: &str, with_times: bool) -> Result<Pages, Failure> {
             return Err(Failure::input(message, "give the spec it was compiled of"));
         }
     };
-    let machine = of_spec(&spec, with_times)?;
+    let machine = of_spec(&spec, extent)?;
     let all_passed = machine.verdicts.iter().all(|verdict| verdict.pass);
     Ok(Pages { files: vec![file_of(&machine, false)], all_passed })
 }
 
 /// The machine of a spec, run by its model, with what can be checked of any machine.
-fn of_spec(spec: &SpecSource, with_times: bool) -> Result<Machine, Failure> {
+fn of_spec(spec: &SpecSource, extent: Extent) -> Result<Machine, Failure> {
     let derived = deriving::derivation(spec, Keep::Needed)?;
     admit(spec, derived.stages.needed())?;
-    let mut machine = during("simulating", || Machine::new(derived, spec, false, with_times))?;
-    machine.verdicts = verify_spec(spec, &machine.model, &Changes::default())?;
-    if with_times && machine.model.fields.is_empty() {
+    let mut machine = during("simulating", || Machine::new(derived, spec, false, extent))?;
+    let time_limit = extent.time_limit;
+    let changes = Changes { parameters: &[], until: None, rtol: None, time_limit };
+    machine.verdicts = verify_spec(spec, &machine.model, &changes)?;
+    // A machine whose own run stops is not timed.
+    if extent.with_times && machine.model.fields.is_empty() && machine.run.is_ok() {
         let simulator = ModelSimulator::new(machine.model.clone());
-        let measured = during("timing the methods", || measure(&simulator, None));
-        // A machine whose own run stops is not timed.
+        let measured = during("timing the methods", || measure(&simulator, None, time_limit));
         machine.work_precision = measured.ok();
     }
     Ok(machine)
@@ -86,9 +98,10 @@ fn file_of(machine: &Machine, has_index: bool) -> (PathBuf, String) {
     (page_of(machine.name()).into(), scene::page(machine, has_index))
 }
 
-/// The pages of all scenes, with measured times or without. Brings emitted scenes up to
+/// The pages of all scenes. Brings emitted scenes up to
 /// date on the way.
-pub fn whole(specs: &Path, emitted: &Path, with_times: bool) -> Result<Pages, Failure> {
+pub fn whole(specs: &Path, emitted: &Path, extent: Extent) -> Result<Pages, Failure> {
+    let with_times = extent.with_times;
     let files = specs::scene_files(specs)?;
     let derived = deriving::derivations(&files, Keep::Needed)?;
     for (file, derived) in files.iter().zip(&derived) {
@@ -104,7 +117,7 @@ pub fn whole(specs: &Path, emitted: &Path, with_times: bool) -> Result<Pages, Fa
     let mut machines: Vec<Machine> = during("simulating", || {
         let scenes = derived.into_iter().zip(&files);
         scenes
-            .map(|(derived, file)| Machine::new(derived, file, true, with_times))
+            .map(|(derived, file)| Machine::new(derived, file, true, extent))
             .collect::<Result<_, Failure>>()
     })?;
     for machine in &mut machines {
@@ -116,7 +129,7 @@ pub fn whole(specs: &Path, emitted: &Path, with_times: bool) -> Result<Pages, Fa
         verdicts.iter().position(|row| row.scene == machine.name()).unwrap_or(usize::MAX)
     });
     if with_times {
-        during("timing the methods", || measure_built_in(&mut machines))?;
+        during("timing the methods", || measure_built_in(&mut machines, extent.time_limit))?;
     }
     let ledger = during("filling the ledger", || ledger_rows().map_err(|e| e.to_string()));
     let winder = during("walking winders", || winder_walk::Study::new(with_times));
@@ -128,7 +141,7 @@ pub fn whole(specs: &Path, emitted: &Path, with_times: bool) -> Result<Pages, Fa
     };
     let stability = with_times.then(strain).transpose()?;
     let drives = specs::scene_files_below(specs, specs::DRIVES)?;
-    let drives = drives.iter().map(|file| of_spec(file, with_times));
+    let drives = drives.iter().map(|file| of_spec(file, extent));
     let drives = drives.collect::<Result<Vec<_>, Failure>>()?;
     let mut verdicts = verdicts;
     verdicts.extend(drives.iter().flat_map(|drive| drive.verdicts.iter().cloned()));
@@ -144,10 +157,11 @@ pub fn whole(specs: &Path, emitted: &Path, with_times: bool) -> Result<Pages, Fa
 }
 
 /// Error against time of the scenes that are built in.
-fn measure_built_in(machines: &mut [Machine]) -> Result<(), Failure> {
+fn measure_built_in(machines: &mut [Machine], time_limit: Duration) -> Result<(), Failure> {
     for machine in machines {
         if let Some(simulator) = scenes::find_f64(machine.name()) {
-            machine.work_precision = Some(measure(simulator, precise(simulator.name()))?);
+            let twin = precise(simulator.name());
+            machine.work_precision = Some(measure(simulator, twin, time_limit)?);
         }
     }
     Ok(())
@@ -156,9 +170,11 @@ fn measure_built_in(machines: &mut [Machine]) -> Result<(), Failure> {
 fn measure(
     simulator: &dyn Simulator<f64>,
     twin: Option<&'static dyn Simulator<DoubleDouble>>,
+    time_limit: Duration,
 ) -> Result<WorkPrecision, machinist::SimulateError> {
     // Some hundred points a machine, each as long as it takes to tell its median.
-    let plan = Plan { enough: 10.0, longest: 100.0, ..Plan::default() };
+    let time_limit = Some(time_limit);
+    let plan = Plan { enough: 10.0, longest: 100.0, time_limit, ..Plan::default() };
     work_precision::measure(simulator, twin, &plan)
 }
 

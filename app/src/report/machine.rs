@@ -15,6 +15,7 @@ use machinist_studies::verify::{Tally, Verdict};
 use machinist_studies::work_precision::WorkPrecision;
 
 use super::fields;
+use super::gather::Extent;
 use super::key::{self, Figure};
 use super::live::Moving;
 use super::modes::{self, Modes};
@@ -61,7 +62,7 @@ impl Machine {
         derived: Derivation,
         source: &SpecSource,
         may_be_built_in: bool,
-        with_times: bool,
+        extent: Extent,
     ) -> Result<Self, Failure> {
         let Derivation { stages, latex: document, dependencies, .. } = derived;
         let model = stages.needed().clone();
@@ -77,12 +78,13 @@ impl Machine {
         let (run, modes, by) = if model.fields.is_empty() {
             let built_in = scenes::find_f64(name).filter(|_| may_be_built_in);
             let simulator: &dyn Simulator<f64> = built_in.unwrap_or_else(|| &*own);
-            let run = Simulation::new(simulator).with_energy_balance(true).run();
-            (run, modes::modes(simulator), by(built_in.is_some()))
+            let limited = Simulation::new(simulator).time_limit(extent.time_limit);
+            let modes = modes::modes(&limited);
+            (limited.with_energy_balance(true).run(), modes, by(built_in.is_some()))
         } else {
             let built_in = scenes::find_field_f64(name).filter(|_| may_be_built_in);
             let scene: &dyn FieldScene<f64> = built_in.unwrap_or_else(|| &*own);
-            let run = fields::run(scene)?;
+            let run = fields::run(scene, extent.time_limit)?;
             along = run.along;
             (run.trajectory, run.modes, by(built_in.is_some()))
         };
@@ -95,7 +97,8 @@ impl Machine {
             moving: Moving::of(&spec, &model),
             doc: spec.doc,
             document,
-            explanation: Explanation::new(Some(source), stages, with_times)?,
+            // What does not run is not timed.
+            explanation: Explanation::new(Some(source), stages, extent.with_times && run.is_ok())?,
             dependencies,
             by,
             run,

@@ -2,7 +2,6 @@
 
 use machinist::Simulation;
 use machinist::linear_analysis::{LinearError, Linearization, ModeKind, Place, operating_point};
-use machinist_contract::Simulator;
 use maud::{Markup, html};
 
 use crate::cli::modes::{HEADING, NO_MOTION, row};
@@ -23,16 +22,16 @@ pub struct Modes {
 
 /// The motions about the equilibrium near the end of the run; where there is none,
 /// about the state at the end. Nothing for large scenes.
-pub fn modes(simulator: &dyn Simulator<f64>) -> Option<Result<Modes, LinearError>> {
-    (simulator.shape().states() <= MAX_STATES).then(|| about_the_end(simulator))
+pub fn modes(run: &Simulation<'_>) -> Option<Result<Modes, LinearError>> {
+    (run.simulator().shape().states() <= MAX_STATES).then(|| about_the_end(run))
 }
 
-fn about_the_end(simulator: &dyn Simulator<f64>) -> Result<Modes, LinearError> {
-    let run = Simulation::new(simulator);
+fn about_the_end(run: &Simulation<'_>) -> Result<Modes, LinearError> {
+    let simulator = run.simulator();
     let until = simulator.run_defaults().until;
-    let (point, steady) = match operating_point(&run, Place::Equilibrium) {
+    let (point, steady) = match operating_point(run, Place::Equilibrium) {
         Err(LinearError::NoEquilibrium { .. }) => {
-            (operating_point(&run, Place::Time(until))?, "the state in which the run ends")
+            (operating_point(run, Place::Time(until))?, "the state in which the run ends")
         }
         point => (point?, "the equilibrium near the end of the run"),
     };

@@ -14,7 +14,8 @@ mod visit;
 
 use std::borrow::Cow;
 
-use machinist::{Simulation, Trajectory};
+use machinist::error::StopCause;
+use machinist::{SimulateError, Simulation, Trajectory};
 use machinist_contract::Simulator;
 
 use super::Verdict;
@@ -51,6 +52,8 @@ enum Outcome {
     Found(Found),
     /// The row cannot be asked of this machine.
     Skipped(String),
+    /// What it takes was not done in time.
+    TooSlow(String),
 }
 
 /// An error, and where it is largest.
@@ -97,7 +100,7 @@ pub fn verify_machine(subject: &Subject<'_>) -> Vec<Verdict> {
     let scene = subject.simulation.simulator().name();
     let run = match own::with_times(subject).run() {
         Ok(run) => run,
-        Err(error) => return vec![runs_to_its_end(scene, Some(error.to_string()))],
+        Err(error) => return vec![runs_to_its_end(scene, Some(told(&error)))],
     };
     let visit = Visit::new(subject, &run);
     let mut verdicts = vec![runs_to_its_end(scene, None)];
@@ -120,6 +123,9 @@ impl Row {
     fn verdict(&self, scene: &str, visit: &Visit<'_>) -> Verdict {
         let judged = match (self.measure)(visit) {
             Outcome::Skipped(why) => Verdict::skipped(scene, why),
+            Outcome::TooSlow(why) => {
+                Verdict::judged(scene, f64::INFINITY, self.tolerance, Some(why))
+            }
             Outcome::Found(Found { error, place }) => {
                 let failure = || format!("{} {place}", self.matters).trim_end().to_owned();
                 // An error that is NaN must not pass.
@@ -135,6 +141,36 @@ impl Row {
             reason: words(self.reason),
             ..judged
         }
+    }
+}
+
+impl Outcome {
+    /// Of a row that takes a run which stopped.
+    fn without_run(error: &SimulateError) -> Self {
+        let is_slow = is_too_slow(error);
+        if is_slow { Self::TooSlow(told(error)) } else { Self::Skipped(told(error)) }
+    }
+}
+
+fn is_too_slow(error: &SimulateError) -> bool {
+    matches!(error, SimulateError::Stopped { cause: StopCause::TooSlow { .. }, .. })
+}
+
+/// Why a run stopped; of one that took too long, how far it came.
+fn told(error: &SimulateError) -> String {
+    match error {
+        SimulateError::Stopped {
+            method,
+            time,
+            cause: StopCause::TooSlow { seconds },
+            kept: Some(kept),
+            ..
+        } => format!(
+            "`{method}` stopped after {seconds} s at t = {time} s, of {} steps: it creeps, or is \
+             large; give more by `--time-limit`.",
+            kept.work.steps
+        ),
+        error => error.to_string(),
     }
 }
 

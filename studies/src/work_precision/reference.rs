@@ -1,5 +1,7 @@
 //! What errors are measured against.
 
+use std::time::Duration;
+
 use machinist_contract::Simulator;
 use serde::{Serialize, Serializer};
 
@@ -32,16 +34,17 @@ pub struct Reference {
 
 impl Reference {
     /// A run of the same machine in numbers of 31 digits, where there is one and it
-    /// runs as series, else a converged run.
+    /// runs as series, else a converged run; each in no more than the limit, if there is one.
     ///
     /// # Errors
     /// [`SimulateError`] of the last method tried if none gets through the run.
     pub fn of(
         simulator: &dyn Simulator<f64>,
         twin: Option<&dyn Simulator<DoubleDouble>>,
+        time_limit: Option<Duration>,
     ) -> Result<Self, SimulateError> {
-        let precise = twin.map(|twin| Self::precise(simulator, twin)).transpose()?;
-        precise.flatten().map_or_else(|| Self::converged(simulator), Ok)
+        let precise = twin.map(|twin| Self::precise(simulator, twin, time_limit)).transpose()?;
+        precise.flatten().map_or_else(|| Self::converged(simulator, time_limit), Ok)
     }
 
     /// By Taylor series in numbers of 31 digits; none where these do not do, or two
@@ -52,9 +55,10 @@ impl Reference {
     pub fn precise(
         simulator: &dyn Simulator<f64>,
         twin: &dyn Simulator<DoubleDouble>,
+        time_limit: Option<Duration>,
     ) -> Result<Option<Self>, SimulateError> {
         let Some(series) = precise::series(twin) else { return Ok(None) };
-        let pilot = run(simulator, Method::Auto, PILOT).run()?;
+        let pilot = run(simulator, Method::Auto, PILOT, time_limit).run()?;
         let Some(solved) = precise::solve(twin, series, &pilot) else { return Ok(None) };
         let agreement = solved.agreement;
         if agreement.is_nan() || agreement > f64::EPSILON {
@@ -73,7 +77,10 @@ impl Reference {
     ///
     /// # Errors
     /// As [`Reference::of`].
-    pub fn converged(simulator: &dyn Simulator<f64>) -> Result<Self, SimulateError> {
+    pub fn converged(
+        simulator: &dyn Simulator<f64>,
+        time_limit: Option<Duration>,
+    ) -> Result<Self, SimulateError> {
         let mut runs: Vec<Trajectory> = Vec::new();
         let mut failure = None;
         // `auto` would confirm the method it chose by that method.
@@ -85,7 +92,7 @@ impl Reference {
             if runs.len() == CONFIRMING {
                 break;
             }
-            match tightest(simulator, method) {
+            match tightest(simulator, method, time_limit) {
                 Ok(trajectory) => runs.push(trajectory),
                 Err(error) => failure = Some(error),
             }
@@ -136,8 +143,12 @@ impl Serialize for Reference {
     }
 }
 
-fn tightest(simulator: &dyn Simulator<f64>, method: Method) -> Result<Trajectory, SimulateError> {
-    let attempt = |rtol| run(simulator, method, rtol).max_steps(MAX_STEPS).run();
+fn tightest(
+    simulator: &dyn Simulator<f64>,
+    method: Method,
+    time_limit: Option<Duration>,
+) -> Result<Trajectory, SimulateError> {
+    let attempt = |rtol| run(simulator, method, rtol, time_limit).max_steps(MAX_STEPS).run();
     let mut result = attempt(TIGHT[0]);
     for rtol in &TIGHT[1..] {
         if result.is_ok() {

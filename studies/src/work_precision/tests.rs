@@ -13,6 +13,7 @@ fn plan(method: Method, tolerances: &[f64]) -> Plan {
         runs: 1,
         enough: 1e4,
         longest: 1e4,
+        time_limit: None,
     }
 }
 
@@ -46,13 +47,13 @@ fn references_are_as_near_the_truth_as_they_say() {
     let error = distance(&trajectory, &truth);
     assert!(error > 1e-7, "{error:e}");
 
-    let precise = Reference::of(&TwoMass, Some(&TwoMass)).expect("a reference");
+    let precise = Reference::of(&TwoMass, Some(&TwoMass), None).expect("a reference");
     assert!(precise.agreement < 1e-20, "{:e}", precise.agreement);
     assert!(precise.name.contains("31 digits"), "{}", precise.name);
     let ours = precise.distance(&trajectory);
     assert!((ours - error).abs() < 1e-13, "{ours:e} instead of {error:e}");
 
-    let converged = Reference::of(&TwoMass, None).expect("a reference");
+    let converged = Reference::of(&TwoMass, None, None).expect("a reference");
     assert!(converged.agreement < 1e-9, "{:e}", converged.agreement);
     assert!(converged.name.contains("differs by"), "{}", converged.name);
     let ours = converged.distance(&trajectory);
@@ -61,9 +62,9 @@ fn references_are_as_near_the_truth_as_they_say() {
 
 #[test]
 fn a_reference_in_31_digits_knows_jumps_of_the_load() {
-    let precise = Reference::precise(&SawGin, &SawGin).expect("a run").expect("a reference");
+    let precise = Reference::precise(&SawGin, &SawGin, None).expect("a run").expect("a reference");
     assert!(precise.agreement < 1e-18, "{:e}", precise.agreement);
-    let converged = Reference::converged(&SawGin).expect("a reference");
+    let converged = Reference::converged(&SawGin, None).expect("a reference");
     let tight = run(&SawGin, Method::Dop853, 1e-12).run().expect("a run");
     let (error, other) = (precise.distance(&tight), converged.distance(&tight));
     assert!(error < 1e-9 && other < 1e-9, "{error:e}, {other:e}");
@@ -71,8 +72,8 @@ fn a_reference_in_31_digits_knows_jumps_of_the_load() {
 
 #[test]
 fn machines_that_turn_unforeseen_have_no_reference_in_31_digits() {
-    let bouncing = Reference::precise(&BouncingMass, &BouncingMass).expect("a run");
-    let closed_loop = Reference::precise(&FourBar, &FourBar).expect("a run");
+    let bouncing = Reference::precise(&BouncingMass, &BouncingMass, None).expect("a run");
+    let closed_loop = Reference::precise(&FourBar, &FourBar, None).expect("a run");
     assert_eq!((bouncing, closed_loop), (None, None));
 }
 

@@ -1,5 +1,7 @@
 //! A machine of the user's own under check: run in both ways, with the checks of its scene.
 
+use std::time::Duration;
+
 use machinist::{Discretisation, FieldSimulator, Simulation};
 use machinist_contract::Simulator;
 use machinist_model::{Check, Model, ModelSimulator, Reference, Running};
@@ -21,7 +23,6 @@ use crate::spec_source::SpecSource;
 use without::Spec;
 
 /// What is changed of the run.
-#[derive(Default)]
 pub struct Changes<'a> {
     /// Parameters and their values.
     pub parameters: &'a [(String, Amount)],
@@ -29,6 +30,8 @@ pub struct Changes<'a> {
     pub until: Option<f64>,
     /// Relative tolerance of a step.
     pub rtol: Option<f64>,
+    /// How long each run may compute.
+    pub time_limit: Duration,
 }
 
 /// Every check of a scene file or a model file.
@@ -108,7 +111,8 @@ fn verify_both<'a>(
     independent: &dyn Fn(&[f64]) -> Independent<'a>,
     changes: &Changes<'_>,
 ) -> Result<Vec<Verdict>, Failure> {
-    let mut simulation = with_parameters(Simulation::new(ways.simulator), changes.parameters)?;
+    let simulation = Simulation::new(ways.simulator).time_limit(changes.time_limit);
+    let mut simulation = with_parameters(simulation, changes.parameters)?;
     if let Some(time) = changes.until {
         simulation = simulation.until(time);
     }

@@ -101,7 +101,7 @@ fn balance(visit: &Visit<'_>) -> Outcome {
 
 fn account(visit: &Visit<'_>) -> Outcome {
     let Some(balance) = visit.references().account() else {
-        return Outcome::Skipped(visit.references().why_none());
+        return visit.references().missing();
     };
     Outcome::Found(Found { error: account_error(balance), place: String::new() })
 }
@@ -160,7 +160,7 @@ fn events(visit: &Visit<'_>) -> Outcome {
         return Outcome::Skipped("the machine has no events".to_owned());
     }
     let Some(balance) = visit.references().account() else {
-        return Outcome::Skipped(visit.references().why_none());
+        return visit.references().missing();
     };
     if visit.points.iter().any(|point| are_timed(visit, point)) {
         let why = "events go by time: what moves with time may give energy";

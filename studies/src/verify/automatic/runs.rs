@@ -4,7 +4,7 @@ use machinist::trajectory::EnergyBalance;
 use machinist::{Method, Trajectory};
 
 use super::visit::Visit;
-use super::{Found, Outcome, Row, states};
+use super::{Found, Outcome, Row, is_too_slow, states, told};
 
 pub(super) const DRIFT_BEFORE: Row = Row {
     name: "off the constraints before being put back",
@@ -63,11 +63,12 @@ const AROUND_EVENTS: f64 = 1e-5;
 pub(super) struct References {
     runs: Vec<Trajectory>,
     failures: Vec<String>,
+    is_too_slow: bool,
 }
 
 impl References {
     pub(super) fn of(visit: &Visit<'_>) -> Self {
-        let mut found = Self { runs: Vec::new(), failures: Vec::new() };
+        let mut found = Self { runs: Vec::new(), failures: Vec::new(), is_too_slow: false };
         let candidates = CANDIDATES.into_iter().filter(|(method, ..)| method.is_compiled_in());
         for (method, rtol, steps) in candidates {
             if found.runs.len() == 2 {
@@ -78,7 +79,10 @@ impl References {
             let run = run.rtol(rtol).atol(&atol).max_steps(steps);
             match run.with_energy_balance(found.runs.is_empty()).run() {
                 Ok(run) => found.runs.push(run),
-                Err(error) => found.failures.push(error.to_string()),
+                Err(error) => {
+                    found.failures.push(told(&error));
+                    found.is_too_slow |= is_too_slow(&error);
+                }
             }
         }
         found
@@ -94,10 +98,11 @@ impl References {
         self.runs.first().map_or(&[], |run| &run.switches)
     }
 
-    /// Why there are fewer than two.
-    pub(super) fn why_none(&self) -> String {
+    /// Of a row that takes two, where there are fewer.
+    pub(super) fn missing(&self) -> Outcome {
         let why = self.failures.join("; ");
-        format!("no two methods get through the run at tight tolerances: {why}")
+        let why = format!("no two methods get through the run at tight tolerances: {why}");
+        if self.is_too_slow { Outcome::TooSlow(why) } else { Outcome::Skipped(why) }
     }
 }
 
@@ -120,7 +125,7 @@ fn agreement(visit: &Visit<'_>) -> Outcome {
     let references = visit.references();
     match references.runs.as_slice() {
         [first, second, ..] => Outcome::Found(distance(visit, second, first)),
-        _ => Outcome::Skipped(references.why_none()),
+        _ => references.missing(),
     }
 }
 
@@ -128,7 +133,7 @@ fn convergence(visit: &Visit<'_>) -> Outcome {
     let references = visit.references();
     match references.runs.as_slice() {
         [first, _, ..] => Outcome::Found(distance(visit, visit.run, first)),
-        _ => Outcome::Skipped(references.why_none()),
+        _ => references.missing(),
     }
 }
 

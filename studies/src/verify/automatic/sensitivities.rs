@@ -28,11 +28,11 @@ const LEAST: f64 = 1e-5;
 fn by_differences(visit: &Visit<'_>) -> Outcome {
     match compared(visit) {
         Ok(found) => Outcome::Found(found),
-        Err(why) => Outcome::Skipped(why),
+        Err(outcome) => outcome,
     }
 }
 
-fn compared(visit: &Visit<'_>) -> Result<Found, String> {
+fn compared(visit: &Visit<'_>) -> Result<Found, Outcome> {
     let last = visit.run.times.len() - 1;
     let mut times: Vec<f64> = (0..=TIMES).map(|k| visit.run.times[k * last / TIMES]).collect();
     times.dedup();
@@ -57,20 +57,21 @@ fn compared(visit: &Visit<'_>) -> Result<Found, String> {
 fn sensitivities(
     visit: &Visit<'_>,
     base: &Simulation<'_>,
-) -> Result<(Trajectory, Vec<usize>), String> {
+) -> Result<(Trajectory, Vec<usize>), Outcome> {
     let values = base.parameter_values();
     let mut by: Vec<usize> = (0..values.len()).filter(|index| values[*index] != 0.0).collect();
     loop {
         let names: Vec<&str> = by.iter().map(|k| visit.simulator.parameter(*k).name).collect();
         if names.is_empty() {
-            return Err("there are no parameters to differentiate by".to_owned());
+            let why = "there are no parameters to differentiate by";
+            return Err(Outcome::Skipped(why.to_owned()));
         }
         match base.clone().sensitivities(&names).and_then(|run| run.run()) {
             Ok(run) => return Ok((run, by)),
             Err(SimulateError::NotDifferentiable { name, .. }) if names.contains(&&*name) => {
                 by.retain(|index| visit.simulator.parameter(*index).name != name);
             }
-            Err(error) => return Err(error.to_string()),
+            Err(error) => return Err(Outcome::without_run(&error)),
         }
     }
 }
@@ -93,13 +94,13 @@ fn compare(
     run: &Trajectory,
     index: usize,
     found: &mut Found,
-) -> Result<(), String> {
+) -> Result<(), Outcome> {
     let name = visit.simulator.parameter(index).name;
     let value = base.parameter_values()[index];
     let step = STEP * value.abs();
     let at = |times: f64| {
         let run = base.clone().parameter(name, value + times * step).and_then(|run| run.run());
-        run.map_err(|error| error.to_string())
+        run.map_err(|error| Outcome::without_run(&error))
     };
     let [near, far] = [(at(1.0)?, at(-1.0)?), (at(2.0)?, at(-2.0)?)];
     let slopes = |pair: &(Trajectory, Trajectory), times: f64, state: usize, row: usize| {

@@ -172,8 +172,16 @@ impl<'a> Constraints<'a> {
         }
         system.view_mut((n, 0), (m, n)).copy_from(matrix);
         system.view_mut((0, n), (n, m)).copy_from(&matrix.transpose());
-        // A constraint that does not hold in these modes shifts nothing.
-        for row in (0..m).filter(|row| matrix.row(*row).iter().all(|entry| *entry == 0.0)) {
+        // A constraint that does not hold in these modes shifts nothing, and neither does one
+        // that repeats others.
+        let is_empty = |row: &usize| matrix.row(*row).iter().all(|entry| *entry == 0.0);
+        let mut idle: Vec<usize> = (0..m).filter(is_empty).collect();
+        if m > idle.len() + 1 && self.holds_in_modes() {
+            idle.extend(mobility::repeated_rows(self, matrix));
+        }
+        for row in idle {
+            system.row_mut(n + row).fill(0.0);
+            system.column_mut(n + row).fill(0.0);
             system[(n + row, n + row)] = 1.0;
         }
         system
@@ -224,6 +232,11 @@ impl<'a> Constraints<'a> {
             if *residual == 0.0 { 0.0 } else { residual.abs() / size }
         };
         residual.iter().zip(sizes).map(off).collect()
+    }
+
+    /// Whether some hold in modes only.
+    pub(crate) fn holds_in_modes(&self) -> bool {
+        (0..self.count).any(|index| self.simulator.constraint(index).in_modes)
     }
 
     /// Where the positions or the velocities begin in the state.

@@ -330,12 +330,13 @@ pub enum StopCause {
         /// The state that is moved most.
         state: String,
     },
-    /// Modes let a constraint hold that says what others say already.
+    /// Modes let a constraint hold that says what others say already, while these move by
+    /// themselves.
     #[error(
         "constraint `{constraint}` {why}, in the modes that events have set: its force could not \
-         be told from theirs. Hint: two brakes that stick on one shaft, or one on a shaft whose \
-         motion is imposed; make one of them of both, put a spring between, or take friction \
-         that fades near rest, such as `rotational/smooth_friction`"
+         be told from theirs. Hint: a brake that sticks on a shaft whose motion is imposed; put a \
+         spring between, or take friction that fades near rest, such as \
+         `rotational/smooth_friction`"
     )]
     Overdetermined {
         /// The constraint.

@@ -10,6 +10,8 @@ mod laws;
 mod losses;
 mod planar;
 mod shapes;
+mod shared_friction;
+mod winches;
 
 use std::path::{Path, PathBuf};
 

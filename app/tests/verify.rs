@@ -223,6 +223,47 @@ fn a_check_in_the_wrong_unit_is_refused_where_it_stands() {
     assert!(said.contains("the reference of `x` is in m") && said.contains("own.toml:"), "{said}");
 }
 
+/// The rows of a run that lasts for very many oscillations, each run having so many seconds.
+fn within(seconds: &str, method: &str) -> (Option<i32>, Vec<serde_json::Value>) {
+    let text = OSCILLATOR.replace("until = 4.0", "until = 2e6").replace("\"dop853\"", method);
+    let (_folder, path) = written(&text.replace("0.5, unit = \"N s/m\"", "1e-9, unit = \"N s/m\""));
+    let path = path.to_str().expect("a path");
+    let output = machinist(&["verify", path, "--json", "--time-limit", seconds]);
+    let rows =
+        serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{}", said(&output)));
+    (output.status.code(), rows)
+}
+
+#[test]
+fn a_run_that_takes_too_long_fails_and_says_how_far_it_came() {
+    let (code, rows) = within("0.2", "\"tsit5\"");
+    let said = rows[0]["failure"].as_str().expect("a failure");
+    assert_eq!((code, rows.len()), (Some(1), 1), "{said}");
+    for part in ["`tsit5` stopped after 0.2 s at t = ", " s, of ", " steps: "] {
+        assert!(said.contains(part), "{said}");
+    }
+}
+
+/// What is known in closed form takes no time, and what it is held against does.
+#[test]
+fn a_reference_that_takes_too_long_fails_its_rows() {
+    let (code, rows) = within("0.02", "\"auto\"");
+    let row = |name: &str| rows.iter().find(|row| row["check"] == name).expect("a row");
+    assert_eq!((code, row("the run")["pass"].as_bool()), (Some(1), Some(true)));
+    let row = row("two converged runs agree");
+    assert_eq!((row["pass"].as_bool(), row.get("skipped")), (Some(false), None));
+    let said = row["failure"].as_str().expect("a failure");
+    assert!(said.contains("stopped after 0.02 s at t = "), "{said}");
+}
+
+#[test]
+fn a_limit_of_no_time_is_refused() {
+    for seconds in ["0", "-1", "nan", "soon"] {
+        let output = machinist(&["verify", "own.toml", &format!("--time-limit={seconds}")]);
+        assert_eq!(output.status.code(), Some(2), "{seconds}: {}", said(&output));
+    }
+}
+
 #[test]
 fn a_model_file_gives_the_rows_of_its_spec() {
     let (folder, path) = written(OSCILLATOR);

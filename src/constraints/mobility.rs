@@ -25,6 +25,9 @@ pub struct Redundant {
     pub constraint: String,
     /// Names of those it follows from; none if no coordinate can change it.
     pub repeats: Vec<String>,
+    /// Whether the motion is the same whoever carries the force: it holds in modes, and none of
+    /// them moves by itself. Its force is then 0, theirs is all of it.
+    pub is_shared: bool,
 }
 
 impl Mobility {
@@ -52,6 +55,25 @@ impl Redundant {
         let names = self.repeats.iter().map(|name| format!("`{name}`"));
         format!("says nothing that is new beside {}", names.collect::<Vec<_>>().join(", "))
     }
+
+    /// Who carries the force where the motion does not tell, for people.
+    #[must_use]
+    pub fn shares(&self) -> String {
+        let names: Vec<String> = self.repeats.iter().map(|name| format!("`{name}`")).collect();
+        let carries = if names.len() == 1 { "carries" } else { "carry" };
+        format!(
+            "`{}` holds what {} already: the motion is the same whoever carries the \
+             force; {} {carries} all of it, `{}` none",
+            self.constraint,
+            if names.len() == 1 {
+                format!("{} holds", names[0])
+            } else {
+                format!("{} hold together", names.join(", "))
+            },
+            names.join(", "),
+            self.constraint
+        )
+    }
 }
 
 /// The mobility of a simulator at a state, \[q, q', z\]; nothing if it has no
@@ -65,24 +87,44 @@ pub fn mobility(
 ) -> Option<Mobility> {
     let constraints = Constraints::of(simulator, parameters)?;
     let matrix = constraints.matrix(time, state);
-    let (rank, redundant) = independent_rows(&constraints, &matrix);
-    let (coordinates, constraints) = (constraints.coordinates, rank + redundant.len());
-    Some(Mobility { coordinates, constraints, rank, redundant })
+    let Rows { kept, repeated } = rows(&constraints, &matrix);
+    let (rank, all) = (kept.len(), kept.len() + repeated.len());
+    let redundant = repeated.into_iter().map(|(row, line)| {
+        let sources = sources(&kept, &line);
+        let is_shared = !sources.is_empty()
+            && constraints.simulator.constraint(row).in_modes
+            && sources.iter().chain([&row]).all(|row| is_still(&constraints, *row, time, state));
+        let repeats = sources.iter().map(|row| constraints.name(*row).to_owned()).collect();
+        Redundant { constraint: constraints.name(row).to_owned(), repeats, is_shared }
+    });
+    let (redundant, coordinates) = (redundant.collect(), constraints.coordinates);
+    Some(Mobility { coordinates, constraints: all, rank, redundant })
 }
 
-/// The rank of G, by taking its rows one after another in the order of the spec, each
-/// less its parts along those before it; and the rows of which nothing is left.
-pub(super) fn independent_rows(
-    constraints: &Constraints<'_>,
-    matrix: &DMatrix<f64>,
-) -> (usize, Vec<Redundant>) {
+/// Rows of G that repeat those of others.
+pub(super) fn repeated_rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Vec<usize> {
+    let Rows { repeated, .. } = rows(constraints, matrix);
+    repeated.into_iter().map(|(row, _)| row).collect()
+}
+
+/// Rows of G with their directions.
+struct Rows {
+    kept: Vec<(usize, DVector<f64>)>,
+    repeated: Vec<(usize, DVector<f64>)>,
+}
+
+/// The rank of G, by taking its rows one after another, each less its parts along those before
+/// it; and the rows of which nothing is left. First are those that always hold, then those that
+/// hold in modes, both in the order of the spec.
+fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Rows {
     /// What is left of a row of length 1 by rounding, and more.
     const NOTHING: f64 = 1e-9;
     let scales = constraints.scales(Level::Positions);
     let mut basis: Vec<DVector<f64>> = Vec::new();
-    let mut kept: Vec<(usize, DVector<f64>)> = Vec::new();
-    let mut redundant = Vec::new();
-    for row in 0..constraints.count {
+    let mut found = Rows { kept: Vec::new(), repeated: Vec::new() };
+    let in_modes = |row: &usize| constraints.simulator.constraint(*row).in_modes;
+    let (modal, always): (Vec<usize>, Vec<usize>) = (0..constraints.count).partition(in_modes);
+    for row in always.into_iter().chain(modal) {
         let mut line = DVector::from_fn(scales.len(), |i, _| matrix[(row, i)] * scales[i]);
         let length = line.norm();
         if length == 0.0 && constraints.simulator.constraint(row).in_modes {
@@ -101,22 +143,28 @@ pub(super) fn independent_rows(
         let rest = left.norm();
         if rest > NOTHING {
             basis.push(left / rest);
-            kept.push((row, line));
+            found.kept.push((row, line));
         } else {
-            let constraint = constraints.name(row).to_owned();
-            let repeats = sources(constraints, &kept, &line);
-            redundant.push(Redundant { constraint, repeats });
+            found.repeated.push((row, line));
         }
     }
-    (basis.len(), redundant)
+    found
+}
+
+/// Whether a constraint asks for no motion while nothing moves, now and at other times.
+fn is_still(constraints: &Constraints<'_>, row: usize, time: f64, state: &[f64]) -> bool {
+    const PROBES: usize = 8;
+    let simulator = constraints.simulator;
+    let mut at_rest = state.to_vec();
+    at_rest[constraints.coordinates..2 * constraints.coordinates].fill(0.0);
+    let run = simulator.run_defaults();
+    let spread = |probe: usize| run.from + (run.until - run.from) * (probe as f64 * 0.618).fract();
+    let mut times = (0..PROBES).map(spread).chain([time]);
+    times.all(|time| constraints.residual(Level::Velocities, time, &at_rest)[row] == 0.0)
 }
 
 /// The rows of which a row is made.
-fn sources(
-    constraints: &Constraints<'_>,
-    kept: &[(usize, DVector<f64>)],
-    line: &DVector<f64>,
-) -> Vec<String> {
+fn sources(kept: &[(usize, DVector<f64>)], line: &DVector<f64>) -> Vec<usize> {
     const SHARE: f64 = 1e-6;
     if kept.is_empty() || line.norm() == 0.0 {
         return Vec::new();
@@ -125,5 +173,5 @@ fn sources(
     let matrix = DMatrix::from_columns(&columns);
     let Ok(shares) = matrix.svd(true, true).solve(line, 1e-12) else { return Vec::new() };
     let made_of = kept.iter().zip(shares.iter()).filter(|(_, share)| share.abs() > SHARE);
-    made_of.map(|((row, _), _)| constraints.name(*row).to_owned()).collect()
+    made_of.map(|((row, _), _)| *row).collect()
 }

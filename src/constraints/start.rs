@@ -126,7 +126,8 @@ pub(crate) fn free_moves(
     Some(FreeMoves { entries, is_determined, scales, weighed })
 }
 
-/// Refuses constraints that repeat others at a state, or that nothing can move.
+/// Refuses constraints that repeat others at a state, or that nothing can move, unless the
+/// motion is the same whoever carries the force.
 ///
 /// # Errors
 /// [`SimulateError::RedundantConstraint`] names the first.
@@ -137,8 +138,8 @@ pub(crate) fn require_independent(
     state: &[f64],
 ) -> Result<(), SimulateError> {
     let found = mobility(simulator, parameters, time, state);
-    let redundant = found.into_iter().flat_map(|mobility| mobility.redundant).next();
-    redundant.map_or(Ok(()), |redundant| {
+    let mut redundant = found.into_iter().flat_map(|mobility| mobility.redundant);
+    redundant.find(|redundant| !redundant.is_shared).map_or(Ok(()), |redundant| {
         Err(SimulateError::RedundantConstraint {
             scene: simulator.name().to_owned(),
             why: redundant.why(),

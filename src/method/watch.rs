@@ -81,6 +81,17 @@ impl Inner {
     }
 }
 
+/// What became of a guard where events happened.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Passed {
+    No,
+    /// It passed zero, and was watched all the time.
+    GoesOn,
+    /// Its event left the modes in which it is watched for: if other events lead back to these,
+    /// it has not passed in them.
+    Left,
+}
+
 /// Where a guard is.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 enum Side {
@@ -228,6 +239,12 @@ impl<'a> Watch<'a> {
         (from * guard, -guard / rate)
     }
 
+    /// What of the guard that passes first may be rounding.
+    pub(super) fn rounding(&self) -> f64 {
+        let inner = self.inner.borrow();
+        inner.first().map_or(0.0, |(index, _)| inner.parts.rounding(index))
+    }
+
     /// By how much a passing at `time`, where the state is `end`, is early; nothing if
     /// the guard says too little there.
     pub(super) fn correction(&self, time: f64, end: &[f64]) -> Option<f64> {
@@ -253,7 +270,9 @@ impl<'a> Watch<'a> {
                         inner.sides[index] = Side::Known(from);
                     }
                 }
-                Outcome::Stays(Side::Known(_)) if guard != 0.0 && time > inner.time => {
+                Outcome::Stays(Side::Known(_))
+                    if guard.abs() > inner.parts.rounding(index) && time > inner.time =>
+                {
                     inner.sides[index] = Side::Known(guard.signum());
                 }
                 Outcome::Stays(_) => {}
@@ -275,17 +294,18 @@ impl<'a> Watch<'a> {
         let states = self.system.states();
         self.inner.borrow_mut().happened = Happened::default();
         let guards_before = self.guards(time, state);
-        let mut passed = vec![false; guards_before.len()];
+        let mut passed = vec![Passed::No; guards_before.len()];
         for index in events {
             if self.is_kink(index) {
-                passed[index] = true;
+                passed[index] = Passed::GoesOn;
             } else if self.is_armed(index, state) {
-                passed[index] = true;
                 self.apply(index, time, &mut state[..states])?;
+                passed[index] =
+                    if self.is_armed(index, state) { Passed::GoesOn } else { Passed::Left };
                 self.count(index, time)?;
             }
         }
-        let all = passed.iter().enumerate().filter(|(_, passed)| **passed);
+        let all = passed.iter().enumerate().filter(|(_, passed)| **passed != Passed::No);
         self.inner.borrow_mut().happened.passed = all.map(|(index, _)| index).collect();
         self.settle_after(time, state, &guards_before, &mut passed)?;
         let guards = self.guards(time, state);
@@ -299,10 +319,13 @@ impl<'a> Watch<'a> {
             let is_same = guards[index].to_bits() == guards_before[index].to_bits();
             if !self.is_armed(index, state) {
                 *side = Side::Idle;
-            } else if passed[index] {
+            } else if self.is_kink(index) && guards[index].abs() > inner.parts.rounding(index) {
+                // Kinks have no more than sides.
+                *side = Side::Known(guards[index].signum());
+            } else if passed[index] == Passed::GoesOn {
                 let residual = 4.0 * guards_before[index].abs();
                 *side = Side::Fresh { passed: true, residual };
-            } else if !(was_watched && is_same) {
+            } else if passed[index] == Passed::Left || !(was_watched && is_same) {
                 *side = fresh(index);
             }
         }

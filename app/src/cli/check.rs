@@ -7,6 +7,7 @@ use clap::Args;
 use machinist::constraints;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::scene::system::LagrangianSystem;
+use machinist_contract::Describe as _;
 use machinist_model::ModelSimulator;
 use machinist_model::file::Stamped;
 
@@ -80,12 +81,50 @@ fn constraints(file: &SpecSource, system: &LagrangianSystem) -> Result<String, F
         mobility.by_rank(),
         mobility.by_count(),
     );
-    match mobility.redundant.first() {
-        None => Ok(format!(", {counted}")),
+    match mobility.redundant.iter().find(|redundant| !redundant.is_shared) {
+        None => {
+            let state = all_holding(system, &simulator, start);
+            let all = constraints::mobility(&simulator, &parameters, time, &state);
+            let redundant = all.iter().flat_map(|mobility| &mobility.redundant);
+            let shares = redundant.filter(|redundant| redundant.is_shared);
+            let shares: String = shares
+                .map(|redundant| format!("; where it holds, {}", redundant.shares()))
+                .collect();
+            Ok(format!(", {counted}{shares}"))
+        }
         Some(redundant) => {
             let (name, constraint) = (&system.name, &redundant.constraint);
             let message = format!("{name}: constraint `{constraint}` {}", redundant.why());
             Err(Failure::input(message, counted))
         }
     }
+}
+
+/// A state with modes in which all constraints hold that may hold together; of those that
+/// exclude each other the first.
+fn all_holding(
+    system: &LagrangianSystem,
+    simulator: &ModelSimulator,
+    mut state: Vec<f64>,
+) -> Vec<f64> {
+    let mut set = vec![false; state.len()];
+    for constraint in &system.constraints {
+        let modes: Vec<(usize, f64)> = constraint
+            .when
+            .iter()
+            .filter_map(|(id, value)| {
+                let name = &system.first_order[id.0 as usize].quantity.name.path;
+                let entry = (0..state.len()).find(|k| simulator.state(*k).name == *name)?;
+                Some((entry, f64::from(*value)))
+            })
+            .collect();
+        let is_free =
+            |(entry, value): &(usize, f64)| !set[*entry] || (state[*entry] - value).abs() < 0.5;
+        if modes.iter().all(is_free) {
+            for (entry, value) in modes {
+                (set[entry], state[entry]) = (true, value);
+            }
+        }
+    }
+    state
 }

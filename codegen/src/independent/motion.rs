@@ -119,11 +119,10 @@ impl<R: Real> Machine<R> {
         let n = self.coordinates;
         let rates: Vec<Rounded<R>> =
             self.rates.iter().map(|rate| self.value(rate, place, None)).collect();
-        let holding: Vec<usize> =
-            (0..self.constraints.len()).filter(|k| self.holds(*k, place)).collect();
+        let mut matrix = self.masses(place);
+        let holding = self.holding(place, &matrix);
         let normals = self.normals(place)?;
         let order = n + holding.len() + normals.len();
-        let mut matrix = self.masses(place);
         matrix.resize(order, Vec::new());
         for row in &mut matrix {
             row.resize(order, R::literal(0.0));
@@ -134,8 +133,8 @@ impl<R: Real> Machine<R> {
                 (matrix[row][j], matrix[j][row]) = (*entry, -*entry);
             }
         };
-        for (row, k) in (n..).zip(&holding) {
-            border(row, &self.normal(*k, place));
+        for (row, (k, normal)) in (n..).zip(&holding) {
+            border(row, normal);
             right.push(self.bend(*k, place, &rates));
         }
         for (row, normal) in (n + holding.len()..).zip(&normals) {
@@ -149,10 +148,41 @@ impl<R: Real> Machine<R> {
             Rounded { value, size: size + R::literal(alone[row]) }
         };
         let mut multipliers = vec![Rounded::literal(0.0); self.constraints.len()];
-        for (row, k) in (n..).zip(&holding) {
+        for (row, (k, _)) in (n..).zip(&holding) {
             multipliers[*k] = solved(row);
         }
         Some(Motion { accelerations: (0..n).map(solved).collect(), multipliers, rates })
+    }
+
+    /// Constraints that hold and have a force, with their rows of G: first those that always do;
+    /// then those that do in modes, but for what repeats others and leaves the force to them.
+    fn holding(&self, place: &Place<R>, masses: &[Vec<R>]) -> Vec<(usize, Vec<R>)> {
+        /// What is left of a row of length 1 by rounding, and more.
+        const NOTHING: f64 = 1e-9;
+        let mass = |i: usize| self.size(masses[i][i]);
+        let scale = |i: usize| if mass(i) > 0.0 { mass(i).sqrt().recip() } else { 1.0 };
+        let is_modal = |k: &usize| !self.constraints[*k].when.is_empty();
+        let held = (0..self.constraints.len()).filter(|k| self.holds(*k, place));
+        let (modal, always): (Vec<usize>, Vec<usize>) = held.partition(is_modal);
+        let (mut found, mut basis) = (Vec::new(), Vec::<Vec<f64>>::new());
+        for k in always.into_iter().chain(modal) {
+            let normal = self.normal(k, place);
+            let entries = normal.iter().enumerate();
+            let mut left: Vec<f64> =
+                entries.map(|(i, entry)| (self.to_f64)(*entry) * scale(i)).collect();
+            let whole = length(&left);
+            for direction in basis.iter().chain(&basis) {
+                let along: f64 = left.iter().zip(direction).map(|(a, b)| a * b).sum();
+                left.iter_mut().zip(direction).for_each(|(a, b)| *a -= along * b);
+            }
+            let rest = length(&left);
+            if is_modal(&k) && rest <= NOTHING * whole {
+                continue;
+            }
+            basis.push(left.into_iter().map(|entry| entry / rest).collect());
+            found.push((k, normal));
+        }
+        found
     }
 
     /// What the forces on a coordinate would do to it alone, and the force of a constraint if
@@ -328,6 +358,10 @@ impl<R: Real> Machine<R> {
     fn size(&self, value: R) -> f64 {
         (self.to_f64)(value).abs()
     }
+}
+
+fn length(vector: &[f64]) -> f64 {
+    vector.iter().map(|entry| entry * entry).sum::<f64>().sqrt()
 }
 
 /// A row times a column.

@@ -16,8 +16,13 @@ pub struct Factorization {
     pub inverse_diagonal: Vec<NodeId>,
 }
 
-/// Factors a symmetric positive definite matrix given by its nodes.
-pub fn factor(graph: &mut Graph, matrix: &[Vec<NodeId>]) -> Factorization {
+/// Factors a symmetric matrix given by its nodes: positive definite in its first `free` rows,
+/// bordered by constraints.
+///
+/// Of constraints that hold in modes, which have an entry on the diagonal, one may repeat those
+/// before it. Nothing is then left of its pivot, and 0 is taken for 1/D: its force is 0, and the
+/// others are as if it were not there.
+pub fn factor(graph: &mut Graph, matrix: &[Vec<NodeId>], free: usize) -> Factorization {
     let n = matrix.len();
     let zero = graph.literal(0.0);
     let one = graph.literal(1.0);
@@ -28,12 +33,21 @@ pub fn factor(graph: &mut Graph, matrix: &[Vec<NodeId>]) -> Factorization {
     // Columns before j in which L_j is not zero: all that a long chain has is one or two.
     let mut filled: Vec<Vec<usize>> = vec![Vec::new(); n];
     for j in 0..n {
+        let may_repeat = j >= free && !graph.is_zero(matrix[j][j]);
         let mut diagonal = matrix[j][j];
+        // What it is without other constraints, if there are some that it may repeat.
+        let mut alone = None;
         for &k in &filled[j] {
+            if k >= free && may_repeat {
+                alone = alone.or(Some(diagonal));
+            }
             let part = graph.mul(lower[j][k], scaled[j][k]);
             diagonal = graph.sub(diagonal, part);
         }
-        let inverse = graph.div(one, diagonal);
+        let inverse = match alone {
+            None => graph.div(one, diagonal),
+            Some(alone) => inverse_if_any(graph, diagonal, alone),
+        };
         inverse_diagonal.push(inverse);
         for i in j + 1..n {
             let mut entry = matrix[i][j];
@@ -49,6 +63,17 @@ pub fn factor(graph: &mut Graph, matrix: &[Vec<NodeId>]) -> Factorization {
         }
     }
     Factorization { lower, inverse_diagonal }
+}
+
+/// 1/d of a negative pivot d; 0 where only rounding is left of what it was alone.
+fn inverse_if_any(graph: &mut Graph, pivot: NodeId, alone: NodeId) -> NodeId {
+    /// The square of an angle between two constraints, as M measures it.
+    const NOTHING: f64 = 1e-12;
+    let (zero, one, nothing) = (graph.literal(0.0), graph.literal(1.0), graph.literal(NOTHING));
+    let least = graph.mul(nothing, alone);
+    let divisor = graph.select_less(least, pivot, one, pivot);
+    let inverse = graph.div(one, divisor);
+    graph.select_less(least, pivot, zero, inverse)
 }
 
 impl Factorization {

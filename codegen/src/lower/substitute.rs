@@ -197,7 +197,7 @@ impl Substitution {
             terms: vec![(graph.neg(factor), rows[constraint])],
         });
         let steps = steps.collect();
-        Bordered { rows, steps, factorization: factor(graph, &matrix) }
+        Bordered { rows, steps, factorization: factor(graph, &matrix, free) }
     }
 
     fn push(&mut self, step: Step) {
@@ -313,7 +313,8 @@ impl Substitution {
     }
 }
 
-/// Blocks by the constraints that always hold; the others are left to the free block.
+/// Blocks by the constraints that always hold; the others are left to the free block, behind
+/// them: what repeats constraints is one that does not always hold.
 fn blocks_of(held: &[Vec<usize>], always: &[usize], coordinates: usize) -> Blocks {
     let rows: Vec<Vec<usize>> = always.iter().map(|row| held[*row].clone()).collect();
     let mut found = blocks(&rows, coordinates);
@@ -321,8 +322,8 @@ fn blocks_of(held: &[Vec<usize>], always: &[usize], coordinates: usize) -> Block
         block.constraints.iter_mut().for_each(|row| *row = always[*row]);
     }
     let others = (0..held.len()).filter(|row| !always.contains(row));
-    found.free.constraints.extend(others);
     found.free.constraints.sort_unstable();
+    found.free.constraints.extend(others);
     found
 }
 

@@ -120,7 +120,7 @@ fn approach<M: OneStep>(
     for _ in 0..ROUNDS {
         let is_good = method.attempt(time - from).is_good();
         let (distance, correction) = watch.before_kink(time, method.end());
-        if is_good && (correction.abs() <= resolved || distance == 0.0) {
+        if is_good && (correction.abs() <= resolved || distance.abs() <= watch.rounding()) {
             return Some(time);
         }
         let next = Some(time + correction);

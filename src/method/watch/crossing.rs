@@ -67,6 +67,10 @@ impl Watch<'_> {
             // The step has ended in front of it.
             Side::Known(here.signum())
         };
+        if here.abs() <= self.inner.borrow().parts.rounding(kink) {
+            // It is on both sides, and however slowly it moves: it has passed.
+            side = Side::Known(-from);
+        }
         let mut now = time;
         while by <= largest {
             let ahead = shifted(by);

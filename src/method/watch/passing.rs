@@ -29,6 +29,15 @@ pub(super) struct Parts {
     bends: Vec<f64>,
     /// The largest value that each guard has had.
     sizes: Vec<f64>,
+    noise: Noise,
+}
+
+/// What of guards is rounding of the states that they compare, which may be far larger.
+struct Noise {
+    /// Of each guard, at a relative change of 1 of all states.
+    slopes: Vec<f64>,
+    /// Steps since they were looked at.
+    age: usize,
 }
 
 /// A guard to be looked at.
@@ -65,7 +74,8 @@ impl Parts {
         let (times, guards, rates) = (none(), none(), none());
         let (ends, state) = ((f64::NEG_INFINITY, f64::INFINITY), vec![0.0; states]);
         let [bends, sizes] = [vec![0.0; count], vec![0.0; count]];
-        Self { ends, times, guards, rates, events, count, state, one, bends, sizes }
+        let noise = Noise { slopes: vec![0.0; count], age: usize::MAX };
+        Self { ends, times, guards, rates, events, count, state, one, bends, sizes, noise }
     }
 
     /// Looks at a step of `method`, in parts so short that guards between their ends are as
@@ -82,6 +92,9 @@ impl Parts {
         let mut finer = 1;
         loop {
             self.fill_parts(system, method, span, start, finer * method.parts());
+            if finer == 1 {
+                self.look_for_noise(system, span.0, start);
+            }
             if finer >= FINEST || self.is_foretold(system, method, sides) {
                 break;
             }
@@ -94,6 +107,42 @@ impl Parts {
                 (change / (self.times[part + 1] - self.times[part])).abs()
             });
             self.bends[event] = bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max);
+        }
+    }
+
+    /// Looks at how far rounding of states moves guards, where one is so small that it may be
+    /// nothing else; now and then, for that changes slowly.
+    fn look_for_noise(&mut self, system: &System<'_>, time: f64, start: &[f64]) {
+        const SMALL: f64 = 1e-6;
+        const FRESH: usize = 32;
+        const CHANGE: f64 = 1e-7;
+        self.noise.age = self.noise.age.saturating_add(1);
+        let is_small = |event: usize| self.largest(event) <= SMALL * self.sizes[event];
+        if self.noise.age < FRESH || !(0..self.count).any(is_small) {
+            return;
+        }
+        self.noise.age = 0;
+        self.noise.slopes.fill(0.0);
+        let of_system = (system.simulator(), system.parameters());
+        let states = system.states();
+        let mut state = start[..states].to_vec();
+        let (mut here, mut beside) = (vec![0.0; self.count], vec![0.0; self.count]);
+        guards_at(of_system, self.events, time, &state, &mut here);
+        for entry in 0..=states {
+            let at = if entry == states {
+                time * (1.0 + CHANGE)
+            } else {
+                state[entry] *= 1.0 + CHANGE;
+                time
+            };
+            guards_at(of_system, self.events, within(at, self.ends), &state, &mut beside);
+            if entry < states {
+                state[entry] = start[entry];
+            }
+            for ((slope, here), beside) in self.noise.slopes.iter_mut().zip(&here).zip(&beside) {
+                let change = (beside - here).abs() / CHANGE;
+                *slope += if change.is_finite() { change } else { 0.0 };
+            }
         }
     }
 
@@ -299,6 +348,10 @@ impl Parts {
         let rounding = self.rounding(event);
         for part in first_part..self.parts() {
             let mut bracket = [self.times[part], self.times[part + 1]];
+            if is_kink && side * self.guard(part, event) < -rounding {
+                // It is behind, whatever was taken for its side.
+                side = -side;
+            }
             let crosses = side * self.guard(part + 1, event) < -rounding;
             let turns =
                 side * self.rate(part, event) < 0.0 && side * self.rate(part + 1, event) > 0.0;
@@ -332,12 +385,12 @@ impl Parts {
         Outcome::Stays(Side::Known(side))
     }
 
-    /// What of a guard of a kink may be rounding of what it compares: beyond zero by no more, it
-    /// has not passed, and the rate is the same on both sides.
-    fn rounding(&self, event: usize) -> f64 {
+    /// What of a guard may be rounding of what it compares: beyond zero by no more, it has not
+    /// passed, and of a kink the rate is the same on both sides.
+    pub(super) fn rounding(&self, event: usize) -> f64 {
         const ROUNDINGS: f64 = 64.0;
-        let size = self.sizes[event].max(self.largest(event));
-        if event < self.events { 0.0 } else { ROUNDINGS * f64::EPSILON * size }
+        let size = self.sizes[event].max(self.largest(event)).max(self.noise.slopes[event]);
+        ROUNDINGS * f64::EPSILON * size
     }
 
     fn largest(&self, event: usize) -> f64 {
@@ -348,7 +401,7 @@ impl Parts {
     /// the guard itself jumped.
     fn carried(&self, event: usize, side: f64) -> Start {
         let guard = self.guard(0, event);
-        if side * guard < -ROUNDING * self.largest(event) {
+        if side * guard < -(ROUNDING * self.largest(event)).max(self.rounding(event)) {
             Start::Leaves { from: side }
         } else {
             Start::On(side, 0)
@@ -361,13 +414,18 @@ impl Parts {
         let (largest, span) = (self.largest(event), self.times[self.parts()] - self.times[0]);
         let by_time = 16.0 * f64::EPSILON * self.times[0].abs() * rate.abs();
         let zero = residual.max(ROUNDING * largest).max(by_time);
-        if guard.abs() > zero {
+        // What may be beyond zero by rounding alone is not taken for beyond.
+        let is_far = direction != Direction::Both && is_wanted(direction, -guard.signum());
+        let unclear = if is_far { zero.max(self.rounding(event)) } else { zero };
+        if guard.abs() > unclear {
             return Start::On(guard.signum(), 0);
         }
-        let (seen, part) = if rate.abs() * span > AT_REST * largest && rate != 0.0 {
+        let moved = rate.abs() * span;
+        let (seen, part) = if moved > (AT_REST * largest).max(self.rounding(event)) {
             (rate.signum(), 0)
         } else {
-            let clear = |part: &usize| self.guard(*part, event).abs() > zero.max(AT_REST * largest);
+            let least = zero.max(AT_REST * largest).max(self.rounding(event));
+            let clear = |part: &usize| self.guard(*part, event).abs() > least;
             let Some(part) = (1..=self.parts()).find(clear) else { return Start::Unseen };
             (self.guard(part, event).signum(), part)
         };

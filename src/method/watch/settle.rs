@@ -7,8 +7,8 @@
 
 use machinist_contract::Direction;
 
-use super::{Side, Watch};
-use crate::constraints::{Level, mobility};
+use super::{Passed, Side, Watch};
+use crate::constraints::{Constraints, Level, mobility};
 use crate::error::StopCause;
 use crate::method::Stopped;
 
@@ -57,13 +57,13 @@ impl Watch<'_> {
         time: f64,
         state: &mut [f64],
         before: &[f64],
-        passed: &mut [bool],
+        passed: &mut [Passed],
     ) -> Result<(), Stopped> {
         // Where a guard that was watched is now beyond zero, the events made it jump there.
         let simulator = self.system.simulator();
         let is_new = |index: usize, side: &Side| {
             let is_near = !is_beyond(simulator.event(index).direction, before[index]);
-            *side == Side::Idle || is_near && !passed[index]
+            *side == Side::Idle || is_near && passed[index] == Passed::No
         };
         let sides = self.inner.borrow().sides.clone();
         let of_events = sides.iter().enumerate().take(simulator.events());
@@ -80,7 +80,7 @@ impl Watch<'_> {
             state.copy_from_slice(&trial.state);
             self.require_independent(time, state)?;
             self.hold(time, state);
-            passed[index] = true;
+            passed[index] = Passed::Left;
             self.count(index, time)?;
             happened += 1;
         }
@@ -89,8 +89,7 @@ impl Watch<'_> {
 
     /// Whether some constraint holds in some modes only.
     fn holds_in_modes(&self) -> bool {
-        let simulator = self.system.simulator();
-        (0..simulator.constraints()).any(|index| simulator.constraint(index).in_modes)
+        self.system.constraints().is_some_and(Constraints::holds_in_modes)
     }
 
     /// Puts velocities onto what holds in the modes of the state: what has only now begun to
@@ -110,8 +109,8 @@ impl Watch<'_> {
         }
     }
 
-    /// Refuses modes in which a constraint holds that says what others say: guards of its
-    /// force would mean nothing.
+    /// Refuses modes in which a constraint holds that says what others say, but moves otherwise;
+    /// tells of one that moves alike, whose force they carry.
     fn require_independent(&self, time: f64, state: &[f64]) -> Result<(), Stopped> {
         if !self.holds_in_modes() {
             return Ok(());
@@ -119,13 +118,14 @@ impl Watch<'_> {
         let simulator = self.system.simulator();
         let state = &state[..self.system.states()];
         let found = mobility(simulator, self.system.parameters(), time, state);
-        match found.into_iter().flat_map(|mobility| mobility.redundant).next() {
-            None => Ok(()),
-            Some(redundant) => {
+        for redundant in found.into_iter().flat_map(|mobility| mobility.redundant) {
+            if !redundant.is_shared {
                 let (why, constraint) = (redundant.why(), redundant.constraint);
-                Err(Stopped { time, cause: StopCause::Overdetermined { constraint, why } })
+                return Err(Stopped { time, cause: StopCause::Overdetermined { constraint, why } });
             }
+            self.system.note(redundant.shares());
         }
+        Ok(())
     }
 
     /// So many events may follow on one another without time.

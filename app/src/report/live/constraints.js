@@ -75,6 +75,29 @@ class Constraints {
     return most;
   }
 
+  // Which constraints shift nothing: one that does not hold in these modes, and one that repeats
+  // those before it.
+  idle() {
+    // What is left of a row of length 1 by rounding, and more.
+    const NOTHING = 1e-9;
+    const { machine, count, coordinates, matrix } = this;
+    const basis = [];
+    const dot = (a, b) => a.reduce((sum, value, index) => sum + value * b[index], 0);
+    return Array.from({ length: count }, (_, row) => {
+      const slopes = matrix.subarray(row * coordinates, (row + 1) * coordinates);
+      let left = Array.from(slopes, (slope, column) => slope * machine.known.states[column].scale);
+      const whole = Math.sqrt(dot(left, left));
+      for (const direction of [...basis, ...basis]) {
+        const along = dot(left, direction);
+        left = left.map((value, index) => value - along * direction[index]);
+      }
+      const rest = Math.sqrt(dot(left, left));
+      if (rest <= NOTHING * whole) return true;
+      basis.push(left.map((value) => value / rest));
+      return false;
+    });
+  }
+
   // dq of M dq + G^T mu = 0, G dq = residuals.
   shift(time, state) {
     const { machine, count, coordinates, matrix, factors } = this;
@@ -86,16 +109,17 @@ class Constraints {
         factors.values[row * size + column] = this.mass[row * coordinates + column];
       }
     }
+    const idle = this.idle();
     for (let row = 0; row < count; row++) {
-      let isEmpty = true;
+      if (idle[row]) {
+        factors.values[(coordinates + row) * (size + 1)] = 1;
+        continue;
+      }
       for (let column = 0; column < coordinates; column++) {
         const slope = matrix[row * coordinates + column];
-        isEmpty &&= slope === 0;
         factors.values[(coordinates + row) * size + column] = slope;
         factors.values[column * size + coordinates + row] = slope;
       }
-      // A constraint that does not hold in these modes shifts nothing.
-      if (isEmpty) factors.values[(coordinates + row) * (size + 1)] = 1;
     }
     if (!factors.factor()) return null;
     const solution = new Float64Array(size);

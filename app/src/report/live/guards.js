@@ -8,6 +8,10 @@ const AT_REST = 1e-9;
 const PARTS = 4;
 const FINEST = 32;
 
+// What became of a guard where events happened: it passed zero, and was watched all the time; or
+// its event left the modes in which it is watched for.
+const GOES_ON = "goes on";
+const LEFT = "left";
 const IDLE = { kind: "idle" };
 const known = (side) => ({ kind: "known", side });
 const fresh = (passed, residual) => ({ kind: "fresh", passed, residual });
@@ -46,6 +50,9 @@ class Parts {
     this.one = [new Float64Array(this.count), new Float64Array(this.count)];
     this.bends = new Float64Array(this.count);
     this.sizes = new Float64Array(this.count);
+    // Of each guard, what a relative change of 1 of all states does, and how many steps ago.
+    this.noise = new Float64Array(this.count);
+    this.age = Infinity;
   }
 
   // Looks at a step of `method`, in parts so short that guards between their ends are as these
@@ -55,6 +62,7 @@ class Parts {
     this.stretch = stretch;
     for (let finer = 1; ; finer *= 2) {
       this.fillParts(from, until, start, finer * PARTS);
+      if (finer === 1) this.lookForNoise(from, start);
       if (finer >= FINEST || this.isForetold(sides)) break;
     }
     for (let guard = 0; guard < this.count; guard++) {
@@ -86,6 +94,31 @@ class Parts {
     const at = this.stretch.within(time);
     this.machine.guards(at, state, guards);
     this.machine.guardRates(at, state, rates);
+  }
+
+  // Looks at how far rounding of states moves guards, where one is so small that it may be
+  // nothing else; now and then, for that changes slowly.
+  lookForNoise(time, start) {
+    const SMALL = 1e-6;
+    const FRESH = 32;
+    const CHANGE = 1e-7;
+    this.age++;
+    const isSmall = (size, guard) => this.largest(guard) <= SMALL * size;
+    if (this.age < FRESH || !this.sizes.some(isSmall)) return;
+    this.age = 0;
+    this.noise.fill(0);
+    const state = start.slice();
+    const [here, beside, rates] = [0, 1, 2].map(() => new Float64Array(this.count));
+    this.evaluate(time, state, here, rates);
+    for (let entry = 0; entry <= state.length; entry++) {
+      if (entry < state.length) state[entry] *= 1 + CHANGE;
+      this.evaluate(entry < state.length ? time : time * (1 + CHANGE), state, beside, rates);
+      if (entry < state.length) state[entry] = start[entry];
+      for (let guard = 0; guard < this.count; guard++) {
+        const change = Math.abs(beside[guard] - here[guard]) / CHANGE;
+        if (Number.isFinite(change)) this.noise[guard] += change;
+      }
+    }
   }
 
   // Whether every guard that might pass is, between the ends of parts, as the cubic through its
@@ -140,10 +173,10 @@ class Parts {
     return most;
   }
 
-  // What of a guard of a kink may be rounding of what it compares.
+  // What of a guard may be rounding of what it compares.
   rounding(guard) {
-    if (guard < this.events) return 0;
-    return 64 * Number.EPSILON * Math.max(this.sizes[guard], this.largest(guard));
+    const size = Math.max(this.sizes[guard], this.largest(guard), this.noise[guard]);
+    return 64 * Number.EPSILON * size;
   }
 
   // What a guard does over the step that is on `side` at its start: `{ stays }` with the side
@@ -162,6 +195,8 @@ class Parts {
     const { guards, rates } = this;
     for (let part = start.part ?? 0; part < this.parts; part++) {
       const bracket = [this.times[part], this.times[part + 1]];
+      // It is behind, whatever was taken for its side.
+      if (isKink && on * guards[part][guard] < -rounding) on = -on;
       const crosses = on * guards[part + 1][guard] < -rounding;
       const turns = on * rates[part][guard] < 0 && on * rates[part + 1][guard] > 0;
       if (crosses && isKink && on * guards[part][guard] < 0 && on * rates[part][guard] <= 0) {
@@ -189,7 +224,8 @@ class Parts {
 
   // The start of a step for a guard whose side is known: it is still there, unless it jumped.
   carried(guard, side) {
-    const hasJumped = side * this.guards[0][guard] < -ROUNDING * this.largest(guard);
+    const least = Math.max(ROUNDING * this.largest(guard), this.rounding(guard));
+    const hasJumped = side * this.guards[0][guard] < -least;
     return hasJumped ? { leaves: side } : { on: side, part: 0 };
   }
 
@@ -200,10 +236,14 @@ class Parts {
     const span = this.times[this.parts] - this.times[0];
     const byTime = 16 * Number.EPSILON * Math.abs(this.times[0]) * Math.abs(rate);
     const zero = Math.max(residual, ROUNDING * largest, byTime);
-    if (Math.abs(value) > zero) return { on: Math.sign(value), part: 0 };
+    // What may be beyond zero by rounding alone is not taken for beyond.
+    const rounding = this.rounding(guard);
+    const isFar = direction !== "both" && isWanted(direction, -Math.sign(value));
+    const unclear = isFar ? Math.max(zero, rounding) : zero;
+    if (Math.abs(value) > unclear) return { on: Math.sign(value), part: 0 };
     let [seen, part] = [Math.sign(rate), 0];
-    if (!(Math.abs(rate) * span > AT_REST * largest && rate !== 0)) {
-      const clear = Math.max(zero, AT_REST * largest);
+    if (!(Math.abs(rate) * span > Math.max(AT_REST * largest, rounding))) {
+      const clear = Math.max(zero, AT_REST * largest, rounding);
       part = 1;
       while (part <= this.parts && !(Math.abs(this.guards[part][guard]) > clear)) part++;
       if (part > this.parts) return null;

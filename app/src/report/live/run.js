@@ -410,7 +410,7 @@ function approach(method, watch, from, until, passing) {
   for (let round = 0; round < ROUNDS; round++) {
     const isGood = method.attempt(time - from) <= 1;
     const [distance, correction] = watch.beforeKink(time, method.end);
-    if (isGood && (Math.abs(correction) <= resolved || distance === 0)) return time;
+    if (isGood && (Math.abs(correction) <= resolved || Math.abs(distance) <= watch.rounding())) return time;
     const next = Number.isFinite(correction) ? time + correction : null;
     if (isGood && distance > 0) [front, foretold] = [time, next];
     else beyond = time;

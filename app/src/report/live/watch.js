@@ -97,7 +97,7 @@ class Watch {
       if (!outcome.stays) {
         if (outcome.time <= first + near || guard * outcome.from < 0) events.push(index);
         else this.sides[index] = known(outcome.from);
-      } else if (outcome.stays.kind === "known" && guard !== 0 && time > this.time) {
+      } else if (outcome.stays.kind === "known" && Math.abs(guard) > this.parts.rounding(index) && time > this.time) {
         this.sides[index] = known(Math.sign(guard));
       }
     });
@@ -126,6 +126,8 @@ class Watch {
     const distance = here === 0 ? 0 : 2 * Math.abs(here / slope);
     let by = Number.isNaN(distance) ? Infinity : Math.max(distance, 4 * Number.EPSILON * size);
     let side = by <= BEHIND * size ? fresh(true, 4 * Math.abs(here)) : known(Math.sign(here));
+    // It is on both sides, and however slowly it moves: it has passed.
+    if (Math.abs(here) <= this.parts.rounding(kink)) side = known(-from);
     let now = time;
     for (; by <= BEHIND * size; by *= 4) {
       const ahead = shifted(by);
@@ -146,6 +148,11 @@ class Watch {
     return now;
   }
 
+  // What of the guard that passes first may be rounding.
+  rounding() {
+    return this.parts.rounding(this.first());
+  }
+
   // Where the method stopped for events: does what they say to `state`, each only if it is
   // still watched for. Gives the time, or nothing if there are none.
   switch(state) {
@@ -153,13 +160,13 @@ class Watch {
     const { time, events } = this.happening;
     this.happening = null;
     const before = this.guards(time, state);
-    const passed = Array(this.count).fill(false);
+    const passed = Array(this.count).fill(null);
     for (const index of events) {
       if (this.isKink(index)) {
-        passed[index] = true;
+        passed[index] = GOES_ON;
       } else if (this.isArmed(index, state)) {
-        passed[index] = true;
         this.apply(index, time, state);
+        passed[index] = this.isArmed(index, state) ? GOES_ON : LEFT;
         this.tally(index, time);
       }
     }
@@ -167,8 +174,11 @@ class Watch {
     const after = this.guards(time, state);
     this.sides = this.sides.map((side, index) => {
       if (!this.isArmed(index, state)) return IDLE;
-      if (passed[index]) return fresh(true, 4 * Math.abs(before[index]));
-      if (side !== IDLE && after[index] === before[index]) return side;
+      // Kinks have no more than sides.
+      const isClear = Math.abs(after[index]) > this.parts.rounding(index);
+      if (this.isKink(index) && isClear) return known(Math.sign(after[index]));
+      if (passed[index] === GOES_ON) return fresh(true, 4 * Math.abs(before[index]));
+      if (passed[index] !== LEFT && side !== IDLE && after[index] === before[index]) return side;
       return fresh(false, this.residual(index, time, state, after[index]));
     });
     return time;
@@ -236,7 +246,7 @@ class Watch {
       }
       state.set(found.state);
       this.hold(time, state);
-      passed[found.index] = true;
+      passed[found.index] = LEFT;
       this.tally(found.index, time);
     }
   }

@@ -198,6 +198,9 @@ impl Live {
                 p {
                     "The machine runs in this page. What is moved is simulated again at once; the
                      stored run stays as thin dashed lines."
+                    @if self.known.equilibrium.is_some() {
+                        " Each run starts in the equilibrium near that of the stored one."
+                    }
                 }
                 div.sliders {
                     @for index in first { (self.slider(*index)) }

@@ -228,7 +228,8 @@ fn within(seconds: &str, method: &str) -> (Option<i32>, Vec<serde_json::Value>) 
     let text = OSCILLATOR.replace("until = 4.0", "until = 2e6").replace("\"dop853\"", method);
     let (_folder, path) = written(&text.replace("0.5, unit = \"N s/m\"", "1e-9, unit = \"N s/m\""));
     let path = path.to_str().expect("a path");
-    let output = machinist(&["verify", path, "--json", "--time-limit", seconds]);
+    let limit = ["--algebra", "plain", "--time-limit", seconds];
+    let output = machinist(&[&["verify", path, "--json"], &limit[..]].concat());
     let rows =
         serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{}", said(&output)));
     (output.status.code(), rows)

@@ -87,10 +87,10 @@ fn constraints(file: &SpecSource, system: &LagrangianSystem) -> Result<String, F
             let all = constraints::mobility(&simulator, &parameters, time, &state);
             let redundant = all.iter().flat_map(|mobility| &mobility.redundant);
             let shares = redundant.filter(|redundant| redundant.is_shared);
-            let shares: String = shares
+            let shares: Vec<String> = shares
                 .map(|redundant| format!("; where it holds, {}", redundant.shares()))
                 .collect();
-            Ok(format!(", {counted}{shares}"))
+            Ok(format!(", {counted}{}", shares.concat()))
         }
         Some(redundant) => {
             let (name, constraint) = (&system.name, &redundant.constraint);

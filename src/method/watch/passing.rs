@@ -415,13 +415,15 @@ impl Parts {
         let by_time = 16.0 * f64::EPSILON * self.times[0].abs() * rate.abs();
         let zero = residual.max(ROUNDING * largest).max(by_time);
         // What may be beyond zero by rounding alone is not taken for beyond.
-        let is_far = direction != Direction::Both && is_wanted(direction, -guard.signum());
-        let unclear = if is_far { zero.max(self.rounding(event)) } else { zero };
+        let is_far =
+            |side: f64| direction != Direction::Both && is_wanted(direction, -side.signum());
+        let unclear = if is_far(guard) { zero.max(self.rounding(event)) } else { zero };
         if guard.abs() > unclear {
             return Start::On(guard.signum(), 0);
         }
         let moved = rate.abs() * span;
-        let (seen, part) = if moved > (AT_REST * largest).max(self.rounding(event)) {
+        let is_known = moved > AT_REST * largest && rate != 0.0;
+        let (seen, part) = if is_known && (!is_far(rate) || moved > self.rounding(event)) {
             (rate.signum(), 0)
         } else {
             let least = zero.max(AT_REST * largest).max(self.rounding(event));
@@ -431,11 +433,7 @@ impl Parts {
         };
         // What has just passed at a finite rate goes on; what then rests does not.
         let goes_on = passed && part == 0;
-        if !goes_on && direction != Direction::Both && is_wanted(direction, -seen) {
-            Start::Leaves { from: -seen }
-        } else {
-            Start::On(seen, part)
-        }
+        if !goes_on && is_far(seen) { Start::Leaves { from: -seen } } else { Start::On(seen, part) }
     }
 
     /// Where `side` g is largest between two times, at which its rate is above and

@@ -238,11 +238,13 @@ class Parts {
     const zero = Math.max(residual, ROUNDING * largest, byTime);
     // What may be beyond zero by rounding alone is not taken for beyond.
     const rounding = this.rounding(guard);
-    const isFar = direction !== "both" && isWanted(direction, -Math.sign(value));
-    const unclear = isFar ? Math.max(zero, rounding) : zero;
+    const isFar = (side) => direction !== "both" && isWanted(direction, -Math.sign(side));
+    const unclear = isFar(value) ? Math.max(zero, rounding) : zero;
     if (Math.abs(value) > unclear) return { on: Math.sign(value), part: 0 };
     let [seen, part] = [Math.sign(rate), 0];
-    if (!(Math.abs(rate) * span > Math.max(AT_REST * largest, rounding))) {
+    const moved = Math.abs(rate) * span;
+    const isKnown = moved > AT_REST * largest && rate !== 0;
+    if (!(isKnown && (!isFar(rate) || moved > rounding))) {
       const clear = Math.max(zero, AT_REST * largest, rounding);
       part = 1;
       while (part <= this.parts && !(Math.abs(this.guards[part][guard]) > clear)) part++;
@@ -251,7 +253,7 @@ class Parts {
     }
     // What has just passed at a finite rate goes on; what then rests does not.
     const goesOn = passed && part === 0;
-    if (!goesOn && direction !== "both" && isWanted(direction, -seen)) return { leaves: -seen };
+    if (!goesOn && isFar(seen)) return { leaves: -seen };
     return { on: seen, part };
   }
 

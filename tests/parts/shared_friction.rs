@@ -111,7 +111,7 @@ fn of_break_away_torques_only_the_last_counts() {
     for (time, speed) in run.times.iter().zip(column(&run, "speed")) {
         let after = (time - slips).max(0.0);
         // It starts with a jump from 20 N m to 15 N m.
-        let exact = (1.5 * after * after + 5.0 * after) / 2.0;
+        let exact = 0.75 * after * after + 2.5 * after;
         assert!((speed - exact).abs() < 1e-6, "{speed} for {exact} at {time}");
     }
 }

@@ -42,7 +42,7 @@ fn closed_form_of_two_mass(times: &[f64]) -> States {
 
 #[test]
 fn references_are_as_near_the_truth_as_they_say() {
-    let trajectory = run(&TwoMass, Method::Tsit45, 1e-4).run().expect("a run");
+    let trajectory = run(&TwoMass, Method::Tsit45, 1e-4, None).run().expect("a run");
     let truth = closed_form_of_two_mass(&trajectory.times);
     let error = distance(&trajectory, &truth);
     assert!(error > 1e-7, "{error:e}");
@@ -65,7 +65,7 @@ fn a_reference_in_31_digits_knows_jumps_of_the_load() {
     let precise = Reference::precise(&SawGin, &SawGin, None).expect("a run").expect("a reference");
     assert!(precise.agreement < 1e-18, "{:e}", precise.agreement);
     let converged = Reference::converged(&SawGin, None).expect("a reference");
-    let tight = run(&SawGin, Method::Dop853, 1e-12).run().expect("a run");
+    let tight = run(&SawGin, Method::Dop853, 1e-12, None).run().expect("a run");
     let (error, other) = (precise.distance(&tight), converged.distance(&tight));
     assert!(error < 1e-9 && other < 1e-9, "{error:e}, {other:e}");
 }
@@ -98,7 +98,7 @@ fn a_tolerance_of_zero_is_refused() {
 
 #[test]
 fn a_value_that_is_no_number_is_no_small_error() {
-    let trajectory = run(&TwoMass, Method::Tsit45, 1e-4).run().expect("a run");
+    let trajectory = run(&TwoMass, Method::Tsit45, 1e-4, None).run().expect("a run");
     let mut spoilt = trajectory.clone();
     spoilt.columns[1].values[3] = f64::NAN;
     assert!(distance(&spoilt, &states(&trajectory)).is_nan());

@@ -245,6 +245,7 @@ impl Problem<'_> {
             while from < ends[1] {
                 let stretch = Stretch::new(self, (from, ends[1]), watch);
                 from = stretch.until;
+                stretch.require_uninterrupted(stretch.from)?;
                 stretch.require_finite_rate(state)?;
                 if stretch.is_trivial() {
                     stretch.leap(state, samples);

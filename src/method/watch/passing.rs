@@ -366,7 +366,10 @@ impl Parts {
                 }
                 if is_wanted(direction, side) {
                     let time = self.root(system, method, event, bracket, side);
-                    return Outcome::Passes { time, from: side };
+                    // A step cannot end at a kink at which it starts.
+                    if !is_kink || time > self.times[0] {
+                        return Outcome::Passes { time, from: side };
+                    }
                 }
                 side = -side;
             } else if turns {
@@ -378,7 +381,9 @@ impl Parts {
                         ([turn, bracket[1]], -side)
                     };
                     let time = self.root(system, method, event, bracket, from);
-                    return Outcome::Passes { time, from };
+                    if !is_kink || time > self.times[0] {
+                        return Outcome::Passes { time, from };
+                    }
                 }
             }
         }

@@ -207,7 +207,11 @@ class Parts {
           // It sets out from zero, and is back beyond it: the top is between.
           bracket[0] = this.turn(guard, bracket, on);
         }
-        if (isWanted(direction, on)) return { time: this.root(guard, bracket, on), from: on };
+        if (isWanted(direction, on)) {
+          const time = this.root(guard, bracket, on);
+          // A step cannot end at a kink at which it starts.
+          if (!isKink || time > this.times[0]) return { time, from: on };
+        }
         on = -on;
       } else if (turns) {
         const turn = this.turn(guard, bracket, -on);
@@ -215,7 +219,8 @@ class Parts {
           const there = isWanted(direction, on);
           const within = there ? [bracket[0], turn] : [turn, bracket[1]];
           const from = there ? on : -on;
-          return { time: this.root(guard, within, from), from };
+          const time = this.root(guard, within, from);
+          if (!isKink || time > this.times[0]) return { time, from };
         }
       }
     }

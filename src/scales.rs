@@ -1,6 +1,6 @@
 //! Sizes at which absolute tolerances of states are taken.
 
-use machinist_contract::Simulator;
+use machinist_contract::{Simulator, StateKind};
 
 /// The scale of every state at a start: what the spec says. A first-order state for which it
 /// says nothing, so that its scale is 1, is taken as smaller where it acts strongly on a
@@ -18,9 +18,10 @@ pub(crate) fn scales(
     state: &[f64],
 ) -> Vec<f64> {
     let mut scales: Vec<f64> = (0..state.len()).map(|index| simulator.state_scale(index)).collect();
-    let first = 2 * simulator.shape().coordinates;
     let is_open = |index: usize| {
-        index >= first && !simulator.is_mode(index) && scales[index].to_bits() == 1f64.to_bits()
+        simulator.state_kind(index) == StateKind::FirstOrder
+            && !simulator.is_mode(index)
+            && scales[index].to_bits() == 1f64.to_bits()
     };
     let open: Vec<bool> = (0..state.len()).map(is_open).collect();
     if !open.contains(&true) {

@@ -119,6 +119,7 @@ struct Equilibrium {
 struct State {
     name: String,
     scale: f64,
+    is_first_order: bool,
     is_mode: bool,
     is_given: bool,
 }
@@ -295,6 +296,7 @@ impl Known {
         let state = |state: &machinist_model::State| State {
             name: state.quantity.name.path.clone(),
             scale: state.scale,
+            is_first_order: state.kind == StateKind::FirstOrder,
             is_mode: state.kind == StateKind::Mode,
             is_given: state.is_given,
         };

@@ -109,7 +109,7 @@ class Run {
     const { known, size } = this.machine;
     const given = known.states.map(({ scale }) => scale);
     const scales = given.slice();
-    const isOpen = known.states.map(({ is_mode, scale }, index) => index >= 2 * known.coordinates && !is_mode && scale === 1);
+    const isOpen = known.states.map(({ is_first_order, scale }) => is_first_order && scale === 1);
     if (!isOpen.includes(true)) return scales;
     const jacobian = new Float64Array(size * size);
     this.machine.jacobian(this.from, state, jacobian);

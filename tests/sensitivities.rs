@@ -287,7 +287,7 @@ fn machines_of_many_events_agree_with_differences() {
         assert!(off < 1e-6, "winder_full by {by}: {off:e}");
     }
     let winch = of_specs("drives/winch", Keep::Needed);
-    for by in ["load.mass", "brake.friction"] {
+    for by in ["load.mass", "gear.efficiency"] {
         let off = off_differences(
             &winch,
             &|run| run.rtol(1e-12).method(Method::Dop853).until(2.0).points(21),

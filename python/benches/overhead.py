@@ -16,14 +16,16 @@ ROUNDS = 400
 def measure(what: str, **ask: object) -> None:
     gin = machinist.load("saw_gin")
     gin.simulate(**ask)
-    outside, inside = [], []
+    rounds = []
     for _ in range(ROUNDS):
         start = time.perf_counter()
         gin.simulate(**ask)
-        outside.append(time.perf_counter() - start)
-        inside += gin._machine.time_runs(dict(ask), 1)
-    python, rust = (1e6 * statistics.median(times) for times in (outside, inside))
-    print(f"{what}: {python:.1f} us from Python, {rust:.1f} us within, {python - rust:+.1f} us")
+        python = time.perf_counter() - start
+        rounds.append((python, *gin._machine.time_runs(dict(ask), 1)))
+    python, rust = (1e6 * statistics.median(times) for times in zip(*rounds))
+    # Of neighbours, since a machine's pace drifts by more than what is looked for.
+    more = 1e6 * statistics.median(python - rust for python, rust in rounds)
+    print(f"{what}: {python:.1f} us from Python, {rust:.1f} us within, {more:+.1f} us a pair")
 
 
 measure("0.05 s, 11 points", until=0.05, points=11)

@@ -1,7 +1,9 @@
 //! Fits of parameters to what was measured.
 
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
+use machinist::error::StopCause;
 use machinist::fit::{End, Findings, Fit, Fitted, Measured, Plan, Unknown, Unsolved, steps_of};
 use machinist::{SimulateError, Simulation, constraints};
 use machinist_contract::Simulator;
@@ -48,7 +50,7 @@ pub fn fit<'py>(
     }
     let search = Search { sigma, is_robust, starts, steps };
     let (found, quiet) = py.detach(|| {
-        let patience = Patience::new(settings.time_limit);
+        let patience = Patience::new();
         let solve = |simulator: &dyn Simulator<f64>| {
             solved(simulator, &settings, &asked, &measured, &search, &patience)
         };
@@ -95,7 +97,13 @@ fn solved(
     patience: &Patience,
 ) -> Result<(Fitted, Findings), Failure> {
     let flag = AtomicBool::new(false);
-    let end = || patience.end().inspect(|_| flag.store(true, Ordering::Relaxed));
+    // A fit as a whole has the time that a run would have.
+    let deadline = settings.time_limit.and_then(|limit| Instant::now().checked_add(limit));
+    let is_late = || deadline.is_some_and(|deadline| deadline <= Instant::now());
+    let end = || {
+        let late = || is_late().then_some(StopCause::Interrupted);
+        patience.end().or_else(late).inspect(|_| flag.store(true, Ordering::Relaxed))
+    };
     let run = settings.apply(Simulation::new(simulator))?.until_told(&end);
     let from = settings.start().unwrap_or(simulator.run_defaults().from);
     require_times(measured, from)?;

@@ -8,7 +8,7 @@
 //! - [`arrays`]: numbers that Python hands over;
 //! - [`source`]: where a simulator comes from;
 //! - [`settings`]: what a run is asked for, by keywords;
-//! - [`patience`]: runs that are left on Ctrl-C or after a limit of time;
+//! - [`patience`]: runs that are left on Ctrl-C;
 //! - [`machine`], [`run`], [`linear`], [`fit`], [`sweep`]: what Python sees.
 
 mod arrays;

@@ -29,7 +29,7 @@ fn looked_at<T: Send>(
 ) -> Result<(T, Looked), Failure> {
     let place: Place = place.parse().map_err(Failure::input)?;
     let (found, quiet) = py.detach(|| {
-        let patience = Patience::new(settings.time_limit);
+        let patience = Patience::new();
         let end = || patience.end();
         let found = machine.source.with(|simulator| {
             let run = settings.apply(Simulation::new(simulator))?.until_told(&end);

@@ -232,7 +232,7 @@ impl Machine {
     ) -> Result<(Option<Run>, Option<Py<PyAny>>), Failure> {
         let settings = Settings::of(settings)?;
         let (run, quiet) = py.detach(|| {
-            let patience = Patience::new(settings.time_limit);
+            let patience = Patience::new();
             let end = || patience.end();
             let run = self.source.with(|simulator| {
                 settings.apply(Simulation::new(simulator))?.until_told(&end).run()

@@ -1,4 +1,4 @@
-//! Runs that are left on Ctrl-C or after a limit of time.
+//! Runs that are left on Ctrl-C.
 
 use std::cell::{Cell, RefCell};
 use std::time::{Duration, Instant};
@@ -15,25 +15,16 @@ const STEPS: u32 = 64;
 pub struct Patience {
     steps: Cell<u32>,
     /// When to look for signals.
-    next: Cell<Option<Instant>>,
-    limit: Option<(Instant, Duration)>,
+    next: Cell<Instant>,
     signal: RefCell<Option<PyErr>>,
 }
 
 impl Patience {
-    /// From now on, for so long, or until a signal is raised.
-    pub fn new(limit: Option<Duration>) -> Self {
-        let patience = Self::without_signals(limit);
-        patience.next.set(Some(Instant::now() + PERIOD));
-        patience
-    }
-
-    /// From now on, for so long, in a thread that Python does not know.
-    pub fn without_signals(limit: Option<Duration>) -> Self {
+    /// From now on, until a signal is raised.
+    pub fn new() -> Self {
         Self {
             steps: Cell::new(0),
-            next: Cell::new(None),
-            limit: limit.and_then(|limit| Some((Instant::now().checked_add(limit)?, limit))),
+            next: Cell::new(Instant::now() + PERIOD),
             signal: RefCell::new(None),
         }
     }
@@ -46,16 +37,13 @@ impl Patience {
             return None;
         }
         let now = Instant::now();
-        if self.next.get().is_some_and(|next| next <= now) {
-            self.next.set(Some(now + PERIOD));
-            let signals = Python::attach(|py: Python<'_>| -> PyResult<()> { py.check_signals() });
-            if let Err(signal) = signals {
-                self.signal.replace(Some(signal));
-                return Some(StopCause::Interrupted);
-            }
+        if now < self.next.get() {
+            return None;
         }
-        let (deadline, limit) = self.limit?;
-        (deadline <= now).then_some(StopCause::TooSlow { seconds: limit.as_secs_f64() })
+        self.next.set(now + PERIOD);
+        let signals = Python::attach(|py: Python<'_>| -> PyResult<()> { py.check_signals() });
+        self.signal.replace(Some(signals.err()?));
+        Some(StopCause::Interrupted)
     }
 
     /// What a handler of a signal raised, such as `KeyboardInterrupt`.

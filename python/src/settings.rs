@@ -132,6 +132,7 @@ impl Settings {
         }
         run = self.method.into_iter().fold(run, Simulation::method);
         run = self.max_steps.into_iter().fold(run, Simulation::max_steps);
+        run = self.time_limit.into_iter().fold(run, Simulation::time_limit);
         Ok(run.with_energy_balance(self.energy_balance))
     }
 }

@@ -11,7 +11,6 @@ use rayon::prelude::*;
 
 use crate::failure::Failure;
 use crate::machine::Machine;
-use crate::patience::Patience;
 use crate::settings::Settings;
 
 /// Under a limit of time, variants run in lanes only for so many steps, since lanes do not look
@@ -197,7 +196,5 @@ fn alone(
     settings: &Settings,
     variant: &[f64],
 ) -> Result<VariantRun, SimulateError> {
-    let patience = Patience::without_signals(settings.time_limit);
-    let end = || patience.end();
-    one(&settings.apply(Simulation::new(simulator))?.parameters(variant).until_told(&end))
+    one(&settings.apply(Simulation::new(simulator))?.parameters(variant))
 }

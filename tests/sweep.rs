@@ -85,7 +85,7 @@ fn lanes_give_the_bits_of_single_runs_whatever_the_threads() {
 #[test]
 fn auto_in_lanes_gives_the_bits_of_single_runs() {
     // It looks within steps; and it leaves Taylor's method where the coupling is stiff, in
-    // some variants and on the way.
+    // some variants from the start.
     assert_same(&saw_gin::SawGin, "coupling.stiffness", &spread(1e3, 1e9, 75), |run| {
         run.until(0.3).points(4).rtol(1e-6).method(Method::Auto)
     });
@@ -102,10 +102,10 @@ fn auto_in_lanes_gives_the_bits_of_single_runs() {
     let (mut changed, mut stayed) = (0, 0);
     for (run, steps) in alone.zip(steps) {
         assert_eq!(run.work.steps, steps);
-        let changes = run.notes.iter().any(|note| note.contains("instead of taylor"));
+        let changes = run.notes.iter().any(|note| note.contains("radau"));
         if changes { changed += 1 } else { stayed += 1 }
     }
-    assert!(changed > 3 && stayed > 3, "{changed} change the method, {stayed} do not");
+    assert!(changed >= 3 && stayed > 3, "{changed} change the method, {stayed} do not");
     // Looser than its steps, linear, with sums beyond what series are for, with events.
     assert_same(&pendulum_chain::PendulumChain, "chain.l_1", &spread(0.5, 2.0, 11), |run| {
         run.until(1.0).points(7).rtol(1e-3).method(Method::Auto)

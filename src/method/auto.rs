@@ -4,6 +4,7 @@
 #[cfg(feature = "sweep")]
 pub(crate) mod in_lanes;
 mod ringing;
+mod stiffness;
 
 use machinist_contract::Simulator;
 use machinist_contract::taylor::{Bends, TaylorSeries};
@@ -17,27 +18,19 @@ use super::tableau::{DOP853, Pair, RODAS5P};
 use super::taylor::TaylorSteps;
 use super::{Integrator, Method, Samples, Sealed, Stopped, Stretch};
 use ringing::{LENIENT, rings};
+use stiffness::{
+    Evidence, STIFF_STEPS, SpectralRadius, Strain, TRANSIENT, few_steps, is_worth_beginning, worth,
+};
 
-/// So many steps of evidence change the method.
-const STIFF_STEPS: usize = 15;
-/// So many without it make the evidence void.
-const EASY_STEPS: usize = 6;
 /// After so many changes within a stretch the run stays with the implicit method,
 /// which is never wrong, only slower.
 const MOST_CHANGES: usize = 20;
-/// An implicit step that is not this much longer than an explicit one could be
-/// does not pay for its factorization.
-const WORTH: f64 = 2.0;
 /// A machine with constraints that neither gains nor loses energy forgets no error: it drifts
 /// in energy with every step, and in phase with the square of their number. Its steps are so
 /// many times as tight, which makes twice as many of them.
 const FAITHFUL: f64 = 300.0;
 /// Steps that are tighter only for that are not tighter than this.
 const TIGHTEST: f64 = 1e-13;
-/// Taylor's method looks for stiffness every so many steps, each of which costs as much
-/// as this many rates and more, while a look costs a Jacobian.
-const LOOKS_EVERY: usize = 8;
-
 /// Series with more sums of products in an order than this are slower than Runge-Kutta
 /// steps. So it is measured on chains of pendulums: of two links they have 12 and are
 /// nearly twice as fast, of five 75 and half as fast, of ten 300 and a quarter as fast, at
@@ -46,13 +39,15 @@ const MANY_SUMS: usize = 40;
 /// At tolerances up to this one Radau's methods cost less than Rosenbrock's, or as much,
 /// and keep to it where a spring is all but rigid.
 const TIGHT: f64 = 1e-6;
-/// Taylor's method goes on where so many steps more would do, stiff or not: an implicit
-/// method first has to find its step.
-const FEW_STEPS: f64 = 150.0;
+/// With so many states and more Radau's methods cost less at looser tolerances too, for they factor
+/// less often. At 1e-5 Rosenbrock's take 0.7 to 0.9 of their time with 2 to 20 states, stiff
+/// chemistry and circuits, but 1.6, 1.9 and 2.8 times as long on shafts of 26, 76 and 206.
+const MANY_STATES: usize = 24;
 
 /// Solves linear machines without steps where that is exact enough. Otherwise starts
-/// with an explicit method; changes to an implicit one where steps are
-/// held by stability instead of accuracy, and back where they are not.
+/// with an explicit method, unless stability alone would ask for very many of its steps;
+/// changes to an implicit one where steps are held by stability instead of accuracy, and
+/// back where they are not.
 pub(super) struct Auto;
 
 impl Sealed for Auto {}
@@ -81,7 +76,7 @@ impl Integrator for Auto {
         }
         let atol = Method::tightened(stretch.atol, stretch.rtol, rtol);
         let stretch = &Stretch { from, rtol, atol: &atol, ..*stretch };
-        let choice = Choice::new(stretch);
+        let choice = Choice::new(stretch, state);
         match choice.explicit {
             Explicit::Taylor(series) => {
                 let mut strain = Strain::new(stretch.system.simulator(), choice.limit);
@@ -92,6 +87,9 @@ impl Integrator for Auto {
                     })
                 };
                 let mut method = TaylorSteps::new(stretch, series).looking_within();
+                if choice.is_stiff_from_the_start {
+                    return choice.alternate(&mut method, stretch, (state, samples), look);
+                }
                 method.begin(stretch.from, state);
                 if method.is_cut_short() {
                     stretch.system.note(
@@ -154,7 +152,9 @@ struct Choice<'a> {
     /// Where |h lambda| is larger, stability holds the explicit method's steps.
     limit: f64,
     implicit_name: &'static str,
-    is_tight: bool,
+    by_radau: bool,
+    /// Whether an implicit method begins.
+    is_stiff_from_the_start: bool,
 }
 
 #[derive(Clone, Copy)]
@@ -164,18 +164,20 @@ enum Explicit<'a> {
 }
 
 impl<'a> Choice<'a> {
-    fn new(stretch: &Stretch<'a>) -> Self {
+    fn new(stretch: &Stretch<'a>, state: &[f64]) -> Self {
         let rtol = stretch.rtol;
         let has_tangents = stretch.system.tangents().is_some();
         // Of the implicit methods only Radau's carry sensitivities.
-        let is_tight = rtol <= TIGHT || has_tangents;
-        let implicit_name = if is_tight { "radau" } else { "rodas5p" };
+        let has_many = stretch.system.states() >= MANY_STATES;
+        let by_radau = rtol <= TIGHT || has_many || has_tangents;
+        let implicit_name = if by_radau { "radau" } else { "rodas5p" };
         let of_pair = |name, pair: &'static Pair| Self {
             explicit: Explicit::Pair(pair),
             explicit_name: name,
             limit: pair.stability,
             implicit_name,
-            is_tight,
+            by_radau,
+            is_stiff_from_the_start: false,
         };
         let pair = of_pair("dop853", &DOP853);
         let (series, why) = if has_tangents {
@@ -183,7 +185,7 @@ impl<'a> Choice<'a> {
         } else {
             suitable_series(stretch.system.simulator(), rtol)
         };
-        let chosen = match series {
+        let mut chosen = match series {
             None => pair,
             Some(series) => Self {
                 explicit: Explicit::Taylor(series),
@@ -192,10 +194,21 @@ impl<'a> Choice<'a> {
                 ..pair
             },
         };
-        stretch.system.note(format!(
-            "starts with {}, for a relative tolerance of {rtol:e}{why}",
-            chosen.explicit_name
-        ));
+        let (simulator, span) = (stretch.system.simulator(), stretch.until - stretch.from);
+        let held = is_worth_beginning(simulator, span / chosen.limit, |values| {
+            stretch.jacobian(stretch.from, &state[..stretch.system.states()], values);
+        });
+        chosen.is_stiff_from_the_start = held.is_some();
+        let first = if held.is_some() { implicit_name } else { chosen.explicit_name };
+        let why = held.map_or_else(
+            || why.to_owned(),
+            |steps| {
+                format!("; stability would ask for {steps:.0} steps of {}", chosen.explicit_name)
+            },
+        );
+        stretch
+            .system
+            .note(format!("starts with {first}, for a relative tolerance of {rtol:e}{why}"));
         chosen
     }
 
@@ -207,9 +220,15 @@ impl<'a> Choice<'a> {
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
         let choice = Self { explicit_name: "dop853", limit: pair.stability, ..*self };
-        let look = |method: &ExplicitSteps<'_>, _| Some(method.stiffness());
+        let few = few_steps(stretch.system.states());
+        let look = |method: &ExplicitSteps<'_>, step: f64| {
+            let is_far = stretch.until - method.time() >= few * step;
+            is_far.then(|| method.stiffness())
+        };
         let mut method = ExplicitSteps::new(pair, stretch);
-        method.begin(stretch.from, state);
+        if !choice.is_stiff_from_the_start {
+            method.begin(stretch.from, state);
+        }
         choice.alternate(&mut method, stretch, (state, samples), look)
     }
 
@@ -223,67 +242,92 @@ impl<'a> Choice<'a> {
         (state, samples): (&mut [f64], &mut Samples<'_>),
         mut look: impl FnMut(&M, f64) -> Option<f64>,
     ) -> Result<(), Stopped> {
-        let mut at = Left { time: stretch.from, step: explicit.first_step() };
         let mut changes = 0;
+        let mut patience = STIFF_STEPS;
+        let mut left = Left { time: stretch.from, step: 0.0 };
+        let mut is_explicit = !self.is_stiff_from_the_start;
+        if is_explicit {
+            left.step = explicit.first_step();
+        }
         loop {
-            let mut evidence = Evidence::default();
-            let mut seen = 0.0;
-            let is_stiff = |method: &M, step| {
-                look(method, step).is_some_and(|strain| {
-                    seen = strain;
-                    evidence.grows(strain > self.limit)
-                })
-            };
-            let Some(left) = drive(explicit, stretch, at, state, samples, is_stiff)? else {
-                return Ok(());
-            };
-            stretch.system.note(format!(
-                "{} instead of {} from t = {:.6} s on: steps were held by stability, \
-                 |h lambda| = {seen:.1}",
-                self.implicit_name, self.explicit_name, left.time,
-            ));
+            if is_explicit {
+                let mut evidence = Evidence::of(patience);
+                let mut seen = 0.0;
+                let is_stiff = |method: &M, step| {
+                    look(method, step).is_some_and(|strain| {
+                        seen = strain;
+                        evidence.grows(strain > self.limit)
+                    })
+                };
+                let Some(at) = drive(explicit, stretch, left, state, samples, is_stiff)? else {
+                    return Ok(());
+                };
+                left = at;
+                stretch.system.note(format!(
+                    "{} instead of {} from t = {:.6} s on: steps were held by stability, \
+                     |h lambda| = {seen:.1}",
+                    self.implicit_name, self.explicit_name, left.time,
+                ));
+            }
             changes += 2;
             let may_return = changes < MOST_CHANGES;
-            let Some(left) = self.implicit_stretch(stretch, left, state, samples, may_return)?
-            else {
-                return Ok(());
-            };
+            let mut steps = 0;
+            let at = self.implicit_stretch(stretch, left, (state, samples), &mut |easy| {
+                steps += 1;
+                may_return && easy
+            })?;
+            let Some(at) = at else { return Ok(()) };
             stretch.system.note(format!(
                 "{} instead of {} from t = {:.6} s on: no longer stiff",
-                self.explicit_name, self.implicit_name, left.time
+                self.explicit_name, self.implicit_name, at.time
             ));
-            explicit.begin(left.time, state);
-            at = Left { step: explicit.own_step().unwrap_or(left.step), ..left };
+            // What was changed for nothing is changed less readily.
+            if is_explicit && steps < 2 * STIFF_STEPS {
+                patience *= 2;
+            }
+            is_explicit = true;
+            explicit.begin(at.time, state);
+            left = Left { step: explicit.own_step().unwrap_or(at.step), ..at };
         }
     }
 
-    /// Goes on implicitly, until it would do explicitly.
+    /// Goes on implicitly, until `leave`, told after each step whether enough of them would do
+    /// explicitly, says so. A step of no length is one to be found.
     fn implicit_stretch(
         &self,
         stretch: &Stretch<'_>,
         from: Left,
-        state: &mut [f64],
-        samples: &mut Samples<'_>,
-        may_return: bool,
+        (state, samples): (&mut [f64], &mut Samples<'_>),
+        leave: &mut dyn FnMut(bool) -> bool,
     ) -> Result<Option<Left>, Stopped> {
-        let mut radius = SpectralRadius::new(stretch.system.simulator());
-        let mut evidence = Evidence::default();
-        let mut is_easy = |jacobian: &[f64], step: f64| {
+        let simulator = stretch.system.simulator();
+        let mut radius = SpectralRadius::new(simulator);
+        let mut evidence = Evidence::of(STIFF_STEPS);
+        let worth = worth(stretch.system.states());
+        let mut passed = 0.0;
+        let mut is_over = |jacobian: &[f64], step: f64| {
             let explicit_step = self.limit / radius.renew(jacobian);
-            evidence.grows(step < WORTH * explicit_step) && may_return
+            passed += step;
+            let is_over = passed > TRANSIENT * explicit_step;
+            leave(is_over && evidence.grows(step < worth * explicit_step))
         };
-        if self.is_tight {
-            let mut method = RadauSteps::new(stretch);
-            method.begin(from.time, state);
-            let leave = |method: &RadauSteps<'_>, step| is_easy(method.jacobian(), step);
-            drive(&mut method, stretch, from, state, samples, leave)
+        if self.by_radau {
+            let (mut method, from) = begun(RadauSteps::new(stretch), from, state);
+            let is_over = |method: &RadauSteps<'_>, step| is_over(method.jacobian(), step);
+            drive(&mut method, stretch, from, state, samples, is_over)
         } else {
-            let mut method = RosenbrockSteps::new(&RODAS5P, stretch);
-            method.begin(from.time, state);
-            let leave = |method: &RosenbrockSteps<'_>, step| is_easy(method.jacobian(), step);
-            drive(&mut method, stretch, from, state, samples, leave)
+            let (mut method, from) = begun(RosenbrockSteps::new(&RODAS5P, stretch), from, state);
+            let is_over = |method: &RosenbrockSteps<'_>, step| is_over(method.jacobian(), step);
+            drive(&mut method, stretch, from, state, samples, is_over)
         }
     }
+}
+
+/// A method that has begun, and its first step: the given one, unless that has no length.
+fn begun<M: OneStep>(mut method: M, from: Left, state: &[f64]) -> (M, Left) {
+    method.begin(from.time, state);
+    let step = if from.step > 0.0 { from.step } else { method.first_step() };
+    (method, Left { step, ..from })
 }
 
 /// The machine's series, if a run by it is likely to be right and the fastest; and why
@@ -315,112 +359,4 @@ fn suitable_series(
 /// end at less than half of it, for terms decay to the tolerance.
 fn taylor_limit(order: usize) -> f64 {
     0.8 * (order as f64 / std::f64::consts::E + 1.4)
-}
-
-/// How near Taylor's method is to the limit of its stability.
-struct Strain<'a> {
-    radius: SpectralRadius<'a>,
-    jacobian: Vec<f64>,
-    limit: f64,
-    steps: usize,
-    is_near: bool,
-}
-
-impl<'a> Strain<'a> {
-    fn new(simulator: &'a dyn Simulator<f64>, limit: f64) -> Self {
-        let entries = simulator.rate_jacobian_pattern().entries.len();
-        Self {
-            radius: SpectralRadius::new(simulator),
-            jacobian: vec![0.0; entries],
-            limit,
-            steps: 0,
-            is_near: false,
-        }
-    }
-
-    /// |h lambda| after a step, `left` of the stretch being left: now and then, and after every
-    /// one beyond the limit; not where few steps are left.
-    fn look(&mut self, left: f64, step: f64, jacobian: impl FnOnce(&mut [f64])) -> Option<f64> {
-        self.steps += 1;
-        let is_due = self.is_near || self.steps.is_multiple_of(LOOKS_EVERY);
-        if !is_due || left < FEW_STEPS * step {
-            return None;
-        }
-        jacobian(&mut self.jacobian);
-        self.radius.renew(&self.jacobian);
-        let strain = step * self.radius.renew(&self.jacobian);
-        self.is_near = strain > self.limit;
-        Some(strain)
-    }
-}
-
-/// Steps that speak for a change, not too far apart (Hairer, Wanner, section
-/// IV.2).
-#[derive(Default)]
-struct Evidence {
-    found: usize,
-    missed: usize,
-}
-
-impl Evidence {
-    /// Takes the evidence of one step; true if it is enough.
-    fn grows(&mut self, is_evidence: bool) -> bool {
-        if is_evidence {
-            self.missed = 0;
-            self.found += 1;
-        } else {
-            self.missed += 1;
-            if self.missed == EASY_STEPS {
-                self.found = 0;
-            }
-        }
-        self.found >= STIFF_STEPS
-    }
-}
-
-/// Largest |eigenvalue| of the Jacobian, by one more power of it a step.
-struct SpectralRadius<'a> {
-    entries: &'a [(u32, u32)],
-    vector: Vec<f64>,
-    next: Vec<f64>,
-    estimate: f64,
-}
-
-impl<'a> SpectralRadius<'a> {
-    fn new(simulator: &'a dyn Simulator<f64>) -> Self {
-        let size = simulator.shape().states();
-        // Anything but an eigenvector.
-        let vector = (0..size).map(|index| 1.0 + 0.1 * ((index % 7) as f64)).collect();
-        let entries = simulator.rate_jacobian_pattern().entries;
-        Self { entries, vector, next: vec![0.0; size], estimate: 0.0 }
-    }
-
-    /// The estimate after two more multiplications: the square root of the growth
-    /// over both, for one alone turns positions into accelerations and says
-    /// nothing. It decays slowly, so that a vector that happens to be short of
-    /// the fastest motion does not make a machine look easy.
-    fn renew(&mut self, jacobian: &[f64]) -> f64 {
-        let growth = self.multiply(jacobian) * self.multiply(jacobian);
-        let radius = growth.sqrt();
-        if radius.is_finite() {
-            self.estimate = radius.max(0.9 * self.estimate);
-        }
-        self.estimate
-    }
-
-    /// vector = J vector, then made of length 1; gives the length it had.
-    fn multiply(&mut self, jacobian: &[f64]) -> f64 {
-        self.next.fill(0.0);
-        for (&(row, column), value) in self.entries.iter().zip(jacobian) {
-            self.next[row as usize] += value * self.vector[column as usize];
-        }
-        let length = |vector: &[f64]| vector.iter().map(|v| v * v).sum::<f64>().sqrt();
-        let (before, after) = (length(&self.vector), length(&self.next));
-        if after > 0.0 && after.is_finite() {
-            for (vector, next) in self.vector.iter_mut().zip(&self.next) {
-                *vector = next / after;
-            }
-        }
-        after / before
-    }
 }

@@ -5,7 +5,8 @@
 
 use machinist_contract::Simulator;
 
-use super::{Evidence, Strain, suitable_series, taylor_limit};
+use super::stiffness::{Evidence, STIFF_STEPS, Strain, is_worth_beginning};
+use super::{suitable_series, taylor_limit};
 use crate::method::Method;
 use crate::method::stretch::within;
 use crate::method::taylor::step::order_for;
@@ -46,16 +47,29 @@ impl<'a> InLane<'a> {
             span: (0.0, 0.0),
             limit,
             strain: Strain::new(simulator, limit),
-            evidence: Evidence::default(),
+            evidence: Evidence::of(STIFF_STEPS),
         }
     }
 }
 
 impl Overseer for InLane<'_> {
-    fn begin(&mut self, span: (f64, f64), order: usize) -> bool {
+    fn begin(&mut self, span: (f64, f64), state: &[f64], order: usize) -> bool {
+        let Self { simulator, parameters, constants, limit, .. } = self;
+        let held = is_worth_beginning(*simulator, (span.1 - span.0) / *limit, |values| {
+            simulator.prepared_rate_jacobian(
+                within(span.0, span),
+                state,
+                parameters,
+                constants,
+                values,
+            );
+        });
+        if held.is_some() {
+            return false;
+        }
         self.span = span;
         self.strain = Strain::new(self.simulator, self.limit);
-        self.evidence = Evidence::default();
+        self.evidence = Evidence::of(STIFF_STEPS);
         order >= FEW
     }
 

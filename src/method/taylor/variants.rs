@@ -303,11 +303,11 @@ impl<'a, R: Lanes> Bundle<'a, R> {
     fn ask(&mut self, index: usize, lane: &mut Lane<'_>, step: f64) {
         let span = (lane.from(), lane.until());
         let Some(overseer) = &mut lane.variant.overseer else { return };
+        let state = &mut self.scratch[..self.states];
+        gather(&self.current, index, state);
         let stays = if lane.trial == Trial::Start {
-            overseer.begin(span, lane.order)
+            overseer.begin(span, state, lane.order)
         } else {
-            let state = &mut self.scratch[..self.states];
-            gather(&self.current, index, state);
             overseer.stays(lane.time, state, step)
         };
         if !stays {

@@ -7,9 +7,9 @@ use crate::method::{Stopped, Work};
 
 /// Looks at the steps of one variant, which Taylor's method alone would take differently.
 pub(crate) trait Overseer {
-    /// A stretch begins, with coefficients that are finite up to an order; whether the variant
+    /// A stretch begins from a state, with coefficients that are finite up to an order; whether the variant
     /// stays.
-    fn begin(&mut self, span: (f64, f64), order: usize) -> bool;
+    fn begin(&mut self, span: (f64, f64), state: &[f64], order: usize) -> bool;
     /// Whether the variant stays after a step of this length to a time and a state.
     fn stays(&mut self, time: f64, state: &[f64], step: f64) -> bool;
 }

@@ -1,15 +1,24 @@
 //! Machines of one's own, for tests of the runtime: from a spec to a simulator.
 
+use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::{Arc, Mutex, OnceLock};
 
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_model::{Model, ModelSimulator};
 
-/// The model of a scene of the folder `specs/scenes`, such as `msl/first`.
+/// Models of scenes of the folder `specs/scenes` that some test has asked for, or is waiting for.
+type Derived = BTreeMap<(String, Keep), Arc<OnceLock<Model>>>;
+static DERIVED: Mutex<Derived> = Mutex::new(Derived::new());
+
+/// The model of a scene of the folder `specs/scenes`, such as `msl/first`: derived once, however
+/// many tests ask for it.
 pub fn model_of_specs(name: &str, keep: Keep) -> Model {
     let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes");
-    of_path(&scenes.join(format!("{name}.toml")), keep)
+    let key = (name.to_owned(), keep);
+    let model = Arc::clone(DERIVED.lock().expect("models").entry(key).or_default());
+    model.get_or_init(|| of_path(&scenes.join(format!("{name}.toml")), keep)).clone()
 }
 
 /// That scene.

@@ -47,3 +47,4 @@ mod taylor;
 mod unrolled;
 mod variable_mass;
 mod wasm;
+mod work;

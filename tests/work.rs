@@ -1,0 +1,89 @@
+//! How much work runs take: the counters of every scene, held against the table of the book.
+
+mod table;
+
+use std::iter::once;
+use std::path::{Path, PathBuf};
+
+use machinist::field::{Discretisation, FieldSimulator};
+use machinist::{Method, Simulation};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_contract::Simulator;
+use machinist_scenes::{bench, scenes};
+use table::{Row, Table};
+
+use crate::own_scene::of_specs;
+
+/// The page that is the table.
+const PAGE: &str = "docs/book/src/work.md";
+
+/// Methods that are held on every emitted scene without fields: `auto` seldom takes some of them,
+/// and there they take a few seconds in all.
+const OWN: [Method; 5] =
+    [Method::Tsit5, Method::Dop853, Method::Taylor, Method::Rodas5p, Method::Radau];
+
+fn repository() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+#[test]
+fn no_scene_takes_more_work_than_the_book_says() {
+    let page = repository().join(PAGE);
+    let now = Table { rows: names().iter().flat_map(|name| rows_of(name)).collect() };
+    if std::env::var("MACHINIST_BOOK").is_ok_and(|word| word == "write") {
+        let text = std::fs::read_to_string(&page).expect("the page");
+        std::fs::write(&page, now.put_into(&text)).expect("written");
+        return;
+    }
+    let told = Table::read(&std::fs::read_to_string(&page).expect("the page"));
+    let differences = now.differences(&told);
+    assert!(
+        differences.is_empty(),
+        "\n{}\nMACHINIST_BOOK=write before `cargo test -p machinist-tests --test suite work::` \
+         writes {PAGE} again; what is worse needs its reason in CHANGELOG.md",
+        differences.join("\n")
+    );
+}
+
+/// Paths of all scenes below `specs/scenes`, without their ending.
+fn names() -> Vec<String> {
+    let root = repository().join("specs/scenes");
+    let (mut folders, mut names) = (vec![root.clone()], Vec::new());
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|ending| ending == "toml") {
+                let name = path.strip_prefix(&root).expect("below it").with_extension("");
+                names.push(name.to_str().expect("a plain path").replace('\\', "/"));
+            }
+        }
+    }
+    names.sort();
+    names
+}
+
+/// A scene by `auto`, and by our other methods if that is cheap.
+fn rows_of(name: &str) -> Vec<Row> {
+    let of_kit = name.strip_prefix("bench/");
+    if let Some(simulator) = of_kit.map_or_else(|| scenes::find_f64(name), bench::find_f64) {
+        let own = OWN.into_iter().filter(|method| method.suits(simulator));
+        return once(Method::Auto).chain(own).map(|by| row(name, by, simulator)).collect();
+    }
+    let field = of_kit.map_or_else(|| scenes::find_field_f64(name), bench::find_field_f64);
+    if let Some(scene) = field {
+        let cut = FieldSimulator::new(scene, Discretisation::default()).expect("as its spec says");
+        return vec![row(name, Method::Auto, &cut)];
+    }
+    let simulator = of_specs(name, Keep::Needed);
+    assert!(simulator.model().fields.is_empty(), "{name} has fields, and is not emitted");
+    vec![row(name, Method::Auto, &simulator)]
+}
+
+/// A run as the scene's spec says, but for the method.
+fn row(name: &str, method: Method, simulator: &dyn Simulator<f64>) -> Row {
+    let run = Simulation::new(simulator).method(method).run();
+    let run = run.unwrap_or_else(|error| panic!("{name} by {}: {error}", method.name()));
+    Row::new(name, method, run.work)
+}

@@ -12,17 +12,23 @@
 //! ```
 
 mod mobility;
+mod saddle;
 mod start;
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
 pub use mobility::{Mobility, Redundant, mobility};
+use saddle::Saddle;
 pub use start::start;
 pub(crate) use start::{consistent, free_moves, require_independent};
+
+/// Coordinates and constraints from which on the matrix of what puts a state back is factored
+/// as a sparse one.
+const MANY: usize = 48;
 
 /// How far the states of a run were off the constraints at most, each constraint
 /// measured by the move of typical size of its coordinates that it would take.
@@ -41,6 +47,15 @@ pub struct Constraints<'a> {
     coordinates: usize,
     count: usize,
     drift: Cell<Drift>,
+    sparse: RefCell<Sparse>,
+}
+
+/// The sparse matrix of a projection.
+enum Sparse {
+    NotYet,
+    Here(Box<Saddle>),
+    /// There are few rows, some that hold in modes only, or rows had to be exchanged.
+    Never,
 }
 
 /// The first constraint that a state cannot be put back onto.
@@ -61,8 +76,22 @@ impl<'a> Constraints<'a> {
     #[must_use]
     pub fn of(simulator: &'a dyn Simulator<f64>, parameters: &'a [f64]) -> Option<Self> {
         let (count, coordinates) = (simulator.constraints(), simulator.shape().coordinates);
+        if count == 0 {
+            return None;
+        }
         let drift = Cell::default();
-        (count > 0).then_some(Self { simulator, parameters, coordinates, count, drift })
+        let found = Self {
+            simulator,
+            parameters,
+            coordinates,
+            count,
+            drift,
+            sparse: RefCell::new(Sparse::NotYet),
+        };
+        if coordinates + count < MANY || found.holds_in_modes() {
+            found.sparse.replace(Sparse::Never);
+        }
+        Some(found)
     }
 
     /// The largest drift so far.
@@ -94,21 +123,21 @@ impl<'a> Constraints<'a> {
         const ROUNDS: usize = 10;
         const ROUNDING: f64 = 1e-12;
         let first = self.first(level);
-        let mut matrix = self.matrix(time, state);
+        let mut slopes = self.slopes(time, state);
         let mut residual = self.residual(level, time, state);
-        let mut off = self.relative(level, &matrix, &residual, state);
+        let mut off = self.relative(level, &slopes, &residual, state);
         for _ in 0..ROUNDS {
             if off.iter().all(|off| *off <= 4.0 * f64::EPSILON) {
                 return Ok(());
             }
-            let Some(shift) = self.shortest(time, state, &matrix, &residual) else { break };
+            let Some(shift) = self.shortest(time, state, &slopes, &residual) else { break };
             let trial: Vec<f64> =
                 (0..self.coordinates).map(|index| state[first + index] - shift[index]).collect();
             let kept = state[first..first + self.coordinates].to_vec();
             state[first..first + self.coordinates].copy_from_slice(&trial);
-            matrix = self.matrix(time, state);
+            slopes = self.slopes(time, state);
             residual = self.residual(level, time, state);
-            let now = self.relative(level, &matrix, &residual, state);
+            let now = self.relative(level, &slopes, &residual, state);
             let is_nearer = largest_of(&now) < largest_of(&off);
             if !is_nearer {
                 state[first..first + self.coordinates].copy_from_slice(&kept);
@@ -128,14 +157,42 @@ impl<'a> Constraints<'a> {
         &self,
         time: f64,
         state: &[f64],
-        matrix: &DMatrix<f64>,
+        slopes: &[f64],
         residual: &DVector<f64>,
     ) -> Option<DVector<f64>> {
         let (n, m) = (self.coordinates, self.count);
         let mut right_side = DVector::zeros(n + m);
         right_side.rows_mut(n, m).copy_from(residual);
-        let solution = self.saddle(time, state, matrix).lu().solve(&right_side)?;
+        let solution = match self.shortest_sparse(time, state, slopes, right_side.as_slice()) {
+            Some(solution) => DVector::from_vec(solution),
+            None => self.saddle(time, state, &self.filled(slopes)).lu().solve(&right_side)?,
+        };
         solution.iter().all(|value| value.is_finite()).then_some(solution)
+    }
+
+    /// The same by the sparse matrix, if that is worth it and sound.
+    fn shortest_sparse(
+        &self,
+        time: f64,
+        state: &[f64],
+        slopes: &[f64],
+        right_side: &[f64],
+    ) -> Option<Vec<f64>> {
+        let mut sparse = self.sparse.borrow_mut();
+        let mass = self.simulator.mass_matrix_pattern().entries;
+        let matrix = self.simulator.constraint_matrix_pattern().entries;
+        if matches!(*sparse, Sparse::NotYet) {
+            let saddle = Saddle::new([self.coordinates, self.count], mass, matrix);
+            *sparse = Sparse::Here(Box::new(saddle));
+        }
+        let Sparse::Here(saddle) = &mut *sparse else { return None };
+        let mut values = vec![0.0; mass.len()];
+        self.simulator.mass_matrix(time, state, self.parameters, &mut values);
+        if !saddle.factor(mass.iter().zip(&values), matrix.iter().zip(slopes)) {
+            *sparse = Sparse::Never;
+            return None;
+        }
+        Some(saddle.solve(right_side))
     }
 
     /// As [`Constraints::shortest`] at G of the state, n rows, one column for each of several
@@ -189,11 +246,21 @@ impl<'a> Constraints<'a> {
 
     /// G at a state, m by n.
     pub(crate) fn matrix(&self, time: f64, state: &[f64]) -> DMatrix<f64> {
-        let pattern = self.simulator.constraint_matrix_pattern();
-        let mut values = vec![0.0; pattern.entries.len()];
+        self.filled(&self.slopes(time, state))
+    }
+
+    /// G at a state, in the order of its pattern.
+    pub(crate) fn slopes(&self, time: f64, state: &[f64]) -> Vec<f64> {
+        let mut values = vec![0.0; self.simulator.constraint_matrix_pattern().entries.len()];
         self.simulator.constraint_matrix(time, state, self.parameters, &mut values);
+        values
+    }
+
+    /// G of its entries.
+    fn filled(&self, slopes: &[f64]) -> DMatrix<f64> {
+        let pattern = self.simulator.constraint_matrix_pattern();
         let mut matrix = DMatrix::zeros(self.count, self.coordinates);
-        for ((row, column), value) in pattern.entries.iter().zip(&values) {
+        for ((row, column), value) in pattern.entries.iter().zip(slopes) {
             matrix[(*row as usize, *column as usize)] = *value;
         }
         matrix
@@ -218,16 +285,18 @@ impl<'a> Constraints<'a> {
     pub(crate) fn relative(
         &self,
         level: Level,
-        matrix: &DMatrix<f64>,
+        slopes: &[f64],
         residual: &DVector<f64>,
         state: &[f64],
     ) -> Vec<f64> {
         let scales = self.scales(level);
         let first = self.first(level);
-        let sizes = matrix.row_iter().map(|row| {
-            let moves = row.iter().zip(&scales).zip(&state[first..]);
-            moves.map(|((slope, scale), now)| slope.abs() * scale.max(now.abs())).sum::<f64>()
-        });
+        let mut sizes = vec![0.0; self.count];
+        let pattern = self.simulator.constraint_matrix_pattern();
+        for ((row, column), slope) in pattern.entries.iter().zip(slopes) {
+            let (row, column) = (*row as usize, *column as usize);
+            sizes[row] += slope.abs() * scales[column].max(state[first + column].abs());
+        }
         let off = |(residual, size): (&f64, f64)| {
             if *residual == 0.0 { 0.0 } else { residual.abs() / size }
         };
@@ -246,18 +315,18 @@ impl<'a> Constraints<'a> {
 
     /// How far a state is off in position.
     fn size(&self, time: f64, state: &[f64]) -> f64 {
-        let matrix = self.matrix(time, state);
+        let slopes = self.slopes(time, state);
         let residual = self.residual(Level::Positions, time, state);
-        let off = self.relative(Level::Positions, &matrix, &residual, state);
+        let off = self.relative(Level::Positions, &slopes, &residual, state);
         largest_of(&off)
     }
 
     /// How far a state is off in position and in velocity, whichever is more.
     pub(crate) fn off(&self, time: f64, state: &[f64]) -> f64 {
-        let matrix = self.matrix(time, state);
+        let slopes = self.slopes(time, state);
         let of = |level: Level| {
             let residual = self.residual(level, time, state);
-            largest_of(&self.relative(level, &matrix, &residual, state))
+            largest_of(&self.relative(level, &slopes, &residual, state))
         };
         largest_of(&[of(Level::Positions), of(Level::Velocities)])
     }

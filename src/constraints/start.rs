@@ -165,8 +165,9 @@ impl Constraints<'_> {
         let scales = self.scales(level);
         let mut residual = self.residual(level, time, state);
         for _ in 0..ROUNDS {
-            let matrix = self.matrix(time, state);
-            self.worst(level, &matrix, &residual, state)?;
+            let slopes = self.slopes(time, state);
+            self.worst(level, &slopes, &residual, state)?;
+            let matrix = self.filled(&slopes);
             let weighed = DMatrix::from_fn(self.count, free.len(), |row, column| {
                 matrix[(row, free[column])] * scales[free[column]]
             });
@@ -194,20 +195,20 @@ impl Constraints<'_> {
                 break;
             }
         }
-        let matrix = self.matrix(time, state);
-        self.worst(level, &matrix, &residual, state)
+        let slopes = self.slopes(time, state);
+        self.worst(level, &slopes, &residual, state)
     }
 
     /// The constraint that is farthest from fulfilled, beyond rounding.
     fn worst(
         &self,
         level: Level,
-        matrix: &DMatrix<f64>,
+        slopes: &[f64],
         residual: &DVector<f64>,
         state: &[f64],
     ) -> Option<usize> {
         const ROUNDING: f64 = 1e-13;
-        let off = self.relative(level, matrix, residual, state);
+        let off = self.relative(level, slopes, residual, state);
         let worst = largest_of(&off);
         if worst <= ROUNDING {
             return None;

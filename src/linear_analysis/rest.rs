@@ -94,8 +94,8 @@ impl<'a> Solver<'a> {
             return Ok(());
         };
         let rates = constraints.residual(Level::Velocities, point.time, &point.state);
-        let matrix = constraints.matrix(point.time, &point.state);
-        let off = constraints.relative(Level::Velocities, &matrix, &rates, &point.state);
+        let slopes = constraints.slopes(point.time, &point.state);
+        let off = constraints.relative(Level::Velocities, &slopes, &rates, &point.state);
         let moving =
             (0..rates.len()).filter(|index| off[*index].is_nan() || off[*index] > ACCEPTED);
         let residual = |index: usize| {

@@ -11,6 +11,7 @@
 //! M dv + G^T nu = 0,  G dv = -g'     likewise
 //! ```
 
+mod led;
 mod mobility;
 mod saddle;
 mod start;
@@ -120,11 +121,33 @@ impl<'a> Constraints<'a> {
     /// # Errors
     /// [`Lost`] if that does not succeed.
     pub fn put_back(&self, level: Level, time: f64, state: &mut [f64]) -> Result<(), Lost> {
+        self.put_back_but(&[], level, time, state)
+    }
+
+    /// As [`Constraints::put_back`], as if some rows did not hold.
+    fn put_back_but(
+        &self,
+        without: &[usize],
+        level: Level,
+        time: f64,
+        state: &mut [f64],
+    ) -> Result<(), Lost> {
         const ROUNDS: usize = 10;
         const ROUNDING: f64 = 1e-12;
         let first = self.first(level);
-        let mut slopes = self.slopes(time, state);
-        let mut residual = self.residual(level, time, state);
+        let pattern = self.simulator.constraint_matrix_pattern().entries;
+        let linear = |state: &[f64]| {
+            let mut slopes = self.slopes(time, state);
+            let mut residual = self.residual(level, time, state);
+            for row in without {
+                let entries = pattern.iter().zip(&mut slopes);
+                let of_row = entries.filter(|((of, _), _)| *of as usize == *row);
+                of_row.for_each(|(_, slope)| *slope = 0.0);
+                residual[*row] = 0.0;
+            }
+            (slopes, residual)
+        };
+        let (mut slopes, mut residual) = linear(state);
         let mut off = self.relative(level, &slopes, &residual, state);
         for _ in 0..ROUNDS {
             if off.iter().all(|off| *off <= 4.0 * f64::EPSILON) {
@@ -135,8 +158,7 @@ impl<'a> Constraints<'a> {
                 (0..self.coordinates).map(|index| state[first + index] - shift[index]).collect();
             let kept = state[first..first + self.coordinates].to_vec();
             state[first..first + self.coordinates].copy_from_slice(&trial);
-            slopes = self.slopes(time, state);
-            residual = self.residual(level, time, state);
+            (slopes, residual) = linear(state);
             let now = self.relative(level, &slopes, &residual, state);
             let is_nearer = largest_of(&now) < largest_of(&off);
             if !is_nearer {

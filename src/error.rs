@@ -334,9 +334,10 @@ pub enum StopCause {
     /// themselves.
     #[error(
         "constraint `{constraint}` {why}, in the modes that events have set: its force could not \
-         be told from theirs. Hint: a brake that sticks on a shaft whose motion is imposed; put a \
-         spring between, or take friction that fades near rest, such as \
-         `rotational/smooth_friction`"
+         be told from theirs, and no event lets it go behind which the motion could go on. Hint: \
+         what is imposed may be what the part forbids, as a one-way clutch that would be driven \
+         backwards, or a mass onto its stop; put a spring between, or take friction that fades \
+         near rest, such as `rotational/smooth_friction`"
     )]
     Overdetermined {
         /// The constraint.

@@ -256,7 +256,9 @@ impl Problem<'_> {
                     continue;
                 };
                 watch.start_stretch(&stretch, state);
-                integrator.integrate(&stretch, state, samples)?;
+                if !watch.turns(&stretch, stretch.from, state) {
+                    integrator.integrate(&stretch, state, samples)?;
+                }
                 if halts && let Some(time) = watch.has_halted() {
                     return Ok(Some(time));
                 }

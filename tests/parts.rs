@@ -3,6 +3,7 @@
 
 mod assemblies;
 mod controllers;
+mod driven_friction;
 mod drives;
 mod friction;
 mod hydraulics;

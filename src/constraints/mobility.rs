@@ -23,6 +23,10 @@ pub struct Mobility {
 pub struct Redundant {
     /// Its name.
     pub constraint: String,
+    /// Whether it holds in modes only.
+    pub in_modes: bool,
+    /// Whether it holds in modes only, and what it follows from always.
+    pub is_led: bool,
     /// Names of those it follows from; none if no coordinate can change it.
     pub repeats: Vec<String>,
     /// Whether the motion is the same whoever carries the force: it holds in modes, and none of
@@ -91,11 +95,18 @@ pub fn mobility(
     let (rank, all) = (kept.len(), kept.len() + repeated.len());
     let redundant = repeated.into_iter().map(|(row, line)| {
         let sources = sources(&kept, &line);
+        let holds_in_modes = |row: usize| constraints.simulator.constraint(row).in_modes;
+        let in_modes = holds_in_modes(row);
+        let is_led = in_modes && !sources.iter().any(|row| holds_in_modes(*row));
         let is_shared = !sources.is_empty()
-            && constraints.simulator.constraint(row).in_modes
-            && sources.iter().chain([&row]).all(|row| is_still(&constraints, *row, time, state));
+            && in_modes
+            && sources
+                .iter()
+                .chain([&row])
+                .all(|row| stands_still(&constraints, *row, time, state));
         let repeats = sources.iter().map(|row| constraints.name(*row).to_owned()).collect();
-        Redundant { constraint: constraints.name(row).to_owned(), repeats, is_shared }
+        let constraint = constraints.name(row).to_owned();
+        Redundant { constraint, in_modes, is_led, repeats, is_shared }
     });
     let (redundant, coordinates) = (redundant.collect(), constraints.coordinates);
     Some(Mobility { coordinates, constraints: all, rank, redundant })
@@ -119,6 +130,9 @@ struct Rows {
 fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Rows {
     /// What is left of a row of length 1 by rounding, and more.
     const NOTHING: f64 = 1e-9;
+    /// Of one that holds in modes, by what the time of an event is told by: what is left then would
+    /// hold others by a huge force. The factors of forces take no less for nothing.
+    const NEARLY: f64 = 1e-6;
     let scales = constraints.scales(Level::Positions);
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let mut found = Rows { kept: Vec::new(), repeated: Vec::new() };
@@ -141,7 +155,7 @@ fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Rows {
             }
         }
         let rest = left.norm();
-        if rest > NOTHING {
+        if rest > if in_modes(&row) { NEARLY } else { NOTHING } {
             basis.push(left / rest);
             found.kept.push((row, line));
         } else {
@@ -152,7 +166,7 @@ fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Rows {
 }
 
 /// Whether a constraint asks for no motion while nothing moves, now and at other times.
-fn is_still(constraints: &Constraints<'_>, row: usize, time: f64, state: &[f64]) -> bool {
+fn stands_still(constraints: &Constraints<'_>, row: usize, time: f64, state: &[f64]) -> bool {
     const PROBES: usize = 8;
     let simulator = constraints.simulator;
     let mut at_rest = state.to_vec();

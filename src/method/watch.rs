@@ -19,6 +19,7 @@
 
 mod crossing;
 mod hosted;
+mod led;
 mod passing;
 mod settle;
 
@@ -33,6 +34,7 @@ use super::{Problem, Stopped, Stretch, System};
 use crate::error::StopCause;
 use crate::trajectory::Switch;
 pub(crate) use hosted::Memory;
+use led::Turn;
 use passing::{Guard, Outcome, Parts, guards_at};
 
 /// So many events within [`NO_TIME`] are taken for endless ones; more in a scene that has many.
@@ -56,6 +58,8 @@ struct Inner {
     start: Vec<f64>,
     parts: Parts,
     outcomes: Vec<Outcome>,
+    /// What begins or ends to rest first within the step.
+    turn: Option<Turn>,
     /// Time and events, where a guard passed.
     happening: Option<(f64, Vec<usize>)>,
     latest: VecDeque<f64>,
@@ -73,11 +77,21 @@ pub(crate) struct Happened {
 }
 
 impl Inner {
-    /// The first of the guards that pass, and when.
+    /// The first of the guards that pass, and when; nothing if something that is led turns before.
     fn first(&self) -> Option<(usize, f64)> {
         let guards = self.outcomes.iter().enumerate();
         let passings = guards.filter_map(|(index, outcome)| Some((index, outcome.passing()?)));
-        passings.min_by(|a, b| a.1.total_cmp(&b.1))
+        let first = passings.min_by(|a, b| a.1.total_cmp(&b.1));
+        first.filter(|(_, time)| {
+            let near = 64.0 * f64::EPSILON * time.abs();
+            self.turn.as_ref().is_none_or(|turn| turn.time >= time - near)
+        })
+    }
+
+    /// When a guard passes, or something that is led turns, whichever is first.
+    fn first_time(&self) -> Option<f64> {
+        let turn = self.turn.as_ref().map(|turn| turn.time);
+        self.first().map(|(_, time)| time).or(turn)
     }
 }
 
@@ -136,6 +150,7 @@ impl<'a> Watch<'a> {
             start: state.to_vec(),
             parts: Parts::new(events, kinks, state.len()),
             outcomes: Vec::new(),
+            turn: None,
             happening: None,
             latest,
             switches: Vec::new(),
@@ -153,6 +168,7 @@ impl<'a> Watch<'a> {
     /// Starts on a stretch.
     pub(super) fn start_stretch(&self, stretch: &Stretch<'_>, state: &[f64]) {
         self.inner.borrow_mut().parts.ends = (stretch.from, stretch.until);
+        self.look_who_is_led(stretch.from, state);
         self.start(stretch.from, state);
     }
 
@@ -175,7 +191,8 @@ impl<'a> Watch<'a> {
             return None;
         }
         let inner = &mut *self.inner.borrow_mut();
-        let (index, passing) = self.passing(inner, method, until)?;
+        self.look_into(inner, method, until);
+        let (index, passing) = inner.first()?;
         self.is_kink(index).then_some(passing)
     }
 
@@ -189,7 +206,9 @@ impl<'a> Watch<'a> {
             inner.start.copy_from_slice(method.end());
             return None;
         }
-        let first = self.passing(inner, method, until).map(|(_, time)| time);
+        self.look_into(inner, method, until);
+        inner.turn = self.turn_within(inner, method, until);
+        let first = inner.first_time();
         if first.is_none() {
             for (side, outcome) in inner.sides.iter_mut().zip(&inner.outcomes) {
                 if let Outcome::Stays(on) = outcome {
@@ -202,14 +221,8 @@ impl<'a> Watch<'a> {
         first
     }
 
-    /// The guard that passes zero first within the current step, and when; what all of them
-    /// do is known then.
-    fn passing<M: OneStep>(
-        &self,
-        inner: &mut Inner,
-        method: &mut M,
-        until: f64,
-    ) -> Option<(usize, f64)> {
+    /// Sees what all guards do within the current step.
+    fn look_into<M: OneStep>(&self, inner: &mut Inner, method: &mut M, until: f64) {
         let start = (&inner.start[..], &inner.sides[..]);
         inner.parts.fill(self.system, method, (inner.time, until), start);
         inner.outcomes.clear();
@@ -218,7 +231,7 @@ impl<'a> Watch<'a> {
             let guard = Guard { index, direction, is_kink: self.is_kink(index) };
             inner.outcomes.push(inner.parts.outcome(self.system, method, guard, *side));
         }
-        inner.first()
+        inner.turn = None;
     }
 
     /// Whether what passes first is a kink.
@@ -235,7 +248,8 @@ impl<'a> Watch<'a> {
             Outcome::Passes { from, .. } => from,
             Outcome::Stays(_) => 1.0,
         };
-        let (guard, rate) = inner.parts.at(self.system, time, state, index);
+        let there = self.followed(inner, time, state);
+        let (guard, rate) = inner.parts.at(self.system, time, &there, index);
         (from * guard, -guard / rate)
     }
 
@@ -250,7 +264,8 @@ impl<'a> Watch<'a> {
     pub(super) fn correction(&self, time: f64, end: &[f64]) -> Option<f64> {
         let inner = &mut *self.inner.borrow_mut();
         let (index, _) = inner.first()?;
-        let (guard, rate) = inner.parts.at(self.system, time, end, index);
+        let there = self.followed(inner, time, end);
+        let (guard, rate) = inner.parts.at(self.system, time, &there, index);
         let correction = -guard / rate;
         correction.is_finite().then_some(correction)
     }
@@ -277,6 +292,12 @@ impl<'a> Watch<'a> {
                 }
                 Outcome::Stays(_) => {}
             }
+        }
+        inner.turn.take_if(|turn| turn.time > time + near);
+        if let Some(turn) = &inner.turn {
+            happening.extend(&turn.begins);
+            happening.sort_unstable();
+            happening.dedup();
         }
         inner.happening = Some((time, happening));
     }
@@ -314,6 +335,7 @@ impl<'a> Watch<'a> {
             Side::Fresh { passed: false, residual }
         };
         let inner = &mut *self.inner.borrow_mut();
+        inner.turn = None;
         for (index, side) in inner.sides.iter_mut().enumerate() {
             let was_watched = *side != Side::Idle;
             let is_same = guards[index].to_bits() == guards_before[index].to_bits();

@@ -45,6 +45,7 @@ pub fn factor(graph: &mut Graph, matrix: &[Vec<NodeId>], free: usize) -> Factori
             diagonal = graph.sub(diagonal, part);
         }
         let inverse = match alone {
+            None if may_repeat && filled[j].is_empty() => inverse_of_empty(graph, diagonal),
             None => graph.div(one, diagonal),
             Some(alone) => inverse_if_any(graph, diagonal, alone),
         };
@@ -74,6 +75,15 @@ fn inverse_if_any(graph: &mut Graph, pivot: NodeId, alone: NodeId) -> NodeId {
     let divisor = graph.select_less(least, pivot, one, pivot);
     let inverse = graph.div(one, divisor);
     graph.select_less(least, pivot, zero, inverse)
+}
+
+/// 1/d of a constraint that holds nothing but what others decide whatever the forces: its pivot is
+/// -1 where it does not hold, and 0 where it does, for which 0 is taken.
+fn inverse_of_empty(graph: &mut Graph, pivot: NodeId) -> NodeId {
+    let (zero, one) = (graph.literal(0.0), graph.literal(1.0));
+    let divisor = graph.select_less(pivot, zero, pivot, one);
+    let inverse = graph.div(one, divisor);
+    graph.select_less(pivot, zero, inverse, zero)
 }
 
 impl Factorization {

@@ -71,6 +71,9 @@ pub(super) fn end_at<M: OneStep>(
         let passing = Passing { time, before: &kept.end, front: (earlier, &front) };
         tangents.cross(stretch, watch, &passing, &kinks, (behind, state))?;
     }
+    if watch.turns(stretch, behind, state) {
+        return Ok(Ending::Event);
+    }
     Ok(Ending::Kink { time: behind })
 }
 
@@ -82,9 +85,9 @@ fn correct<M: OneStep>(
     (from, until): (f64, f64),
     passing: f64,
 ) -> Option<f64> {
-    const CORRECTIONS: usize = 3;
+    let corrections = watch.corrections();
     let mut time = passing;
-    for round in 0..=CORRECTIONS {
+    for round in 0..=corrections {
         if !method.attempt(time - from).is_good() {
             return None;
         }
@@ -93,7 +96,7 @@ fn correct<M: OneStep>(
         let Some(correction) = correction.filter(|c| c.abs() <= small) else { break };
         let corrected = (time + correction).min(until);
         let is_settled = correction.abs() <= 4.0 * f64::EPSILON * time.abs() || corrected <= from;
-        if is_settled || round == CORRECTIONS {
+        if is_settled || round == corrections {
             break;
         }
         time = corrected;

@@ -24,7 +24,9 @@ impl Watch<'_> {
         state: &mut [f64],
     ) -> Result<Option<(f64, Vec<usize>)>, Stopped> {
         let is_kink = |index: &usize| self.is_kink(*index);
-        let are_kinks = |happening: &mut (f64, Vec<usize>)| happening.1.iter().all(is_kink);
+        let are_kinks = |happening: &mut (f64, Vec<usize>)| {
+            !happening.1.is_empty() && happening.1.iter().all(is_kink)
+        };
         let happening = self.inner.borrow_mut().happening.take_if(are_kinks);
         let Some((time, kinks)) = happening else { return Ok(None) };
         let mut behind = time;

@@ -16,6 +16,8 @@ pub(super) const AT_REST: f64 = 1e-9;
 pub(super) struct Parts {
     /// Of the stretch: a guard that jumps at its end has not jumped within it.
     pub(super) ends: (f64, f64),
+    /// Constraints that hold in modes and repeat others.
+    pub(super) led: Vec<usize>,
     times: Vec<f64>,
     /// One row for each time.
     guards: Vec<f64>,
@@ -75,7 +77,8 @@ impl Parts {
         let (ends, state) = ((f64::NEG_INFINITY, f64::INFINITY), vec![0.0; states]);
         let [bends, sizes] = [vec![0.0; count], vec![0.0; count]];
         let noise = Noise { slopes: vec![0.0; count], age: usize::MAX };
-        Self { ends, times, guards, rates, events, count, state, one, bends, sizes, noise }
+        let led = Vec::new();
+        Self { ends, led, times, guards, rates, events, count, state, one, bends, sizes, noise }
     }
 
     /// Looks at a step of `method`, in parts so short that guards between their ends are as
@@ -219,10 +222,19 @@ impl Parts {
                 _ if part == parts => self.state.copy_from_slice(method.end()),
                 _ => method.interpolate(time, &mut self.state),
             }
+            self.follow(system, time);
             self.times[part] = time;
             let row = part * self.count..(part + 1) * self.count;
             let into = [&mut self.guards[row.clone()], &mut self.rates[row]];
             evaluate(system, self.events, within(time, self.ends), &self.state, into);
+        }
+    }
+
+    /// Puts the state onto what leads others: their guards tell no less of it than they would of
+    /// the states that steps start from.
+    fn follow(&mut self, system: &System<'_>, time: f64) {
+        if let Some(constraints) = system.constraints().filter(|it| it.may_lead()) {
+            constraints.follow(&self.led, within(time, self.ends), &mut self.state);
         }
     }
 
@@ -303,11 +315,17 @@ impl Parts {
         time: f64,
         event: usize,
     ) -> (f64, f64) {
-        let mut state = std::mem::take(&mut self.state);
-        method.interpolate(time, &mut state);
+        method.interpolate(time, &mut self.state);
+        self.follow(system, time);
+        let state = std::mem::take(&mut self.state);
         let found = self.at(system, time, &state, event);
         self.state = state;
         found
+    }
+
+    /// A guard and its rate at the end of the step that was looked at.
+    pub(super) fn last(&self, event: usize) -> (f64, f64) {
+        (self.guard(self.parts(), event), self.rate(self.parts(), event))
     }
 
     /// Number of parts.
@@ -399,7 +417,7 @@ impl Parts {
     }
 
     fn largest(&self, event: usize) -> f64 {
-        (0..=self.parts()).fold(0.0, |most: f64, part| most.max(self.guard(part, event).abs()))
+        (0..self.times.len()).fold(0.0, |most: f64, part| most.max(self.guard(part, event).abs()))
     }
 
     /// The start of a step for a guard whose side is known: it is still there, unless
@@ -568,7 +586,7 @@ pub(super) fn is_wanted(direction: Direction, side: f64) -> bool {
 }
 
 /// Between two times, if numbers lie there that differ by more than rounding.
-fn middle(low: f64, high: f64) -> Option<f64> {
+pub(super) fn middle(low: f64, high: f64) -> Option<f64> {
     let middle = low + 0.5 * (high - low);
     let resolved = 4.0 * f64::EPSILON * low.abs().max(high.abs());
     (high - low > resolved && low < middle && middle < high).then_some(middle)

@@ -8,17 +8,17 @@
 use machinist_contract::Direction;
 
 use super::{Passed, Side, Watch};
-use crate::constraints::{Constraints, Level, mobility};
+use crate::constraints::{Constraints, Level};
 use crate::error::StopCause;
 use crate::method::Stopped;
 
 /// What an event would make of a state.
-struct Trial {
-    state: Vec<f64>,
+pub(super) struct Trial {
+    pub(super) state: Vec<f64>,
     /// Whether it would no longer be watched for.
-    leaves: bool,
+    pub(super) leaves: bool,
     /// Whether it would change anything but modes by more than the tolerances.
-    moves: bool,
+    pub(super) moves: bool,
 }
 
 impl Watch<'_> {
@@ -26,7 +26,7 @@ impl Watch<'_> {
     /// stays.
     pub(super) fn settle_start(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
         let mut happened = 0;
-        self.require_independent(time, state)?;
+        self.let_go(time, state, |_| ())?;
         while let Some((index, trial)) = self.contradiction(time, state, |_| true, true)? {
             let event = || self.system.simulator().event(index).name.to_owned();
             if trial.moves || happened == self.most() {
@@ -34,8 +34,8 @@ impl Watch<'_> {
                 return Err(Stopped { time, cause });
             }
             state.copy_from_slice(&trial.state);
-            self.require_independent(time, state)?;
             self.count(index, time)?;
+            self.let_go(time, state, |_| ())?;
             happened += 1;
         }
         let guards = self.guards(time, state);
@@ -70,7 +70,7 @@ impl Watch<'_> {
         let asked: Vec<bool> = of_events.map(|(index, side)| is_new(index, side)).collect();
         let mut happened = 0;
         let is_asked = |index: usize| asked[index];
-        self.require_independent(time, state)?;
+        self.let_go(time, state, |index| passed[index] = Passed::Left)?;
         self.hold(time, state);
         while let Some((index, trial)) = self.contradiction(time, state, is_asked, false)? {
             if happened == self.most() {
@@ -78,10 +78,10 @@ impl Watch<'_> {
                 return Err(Stopped { time, cause: StopCause::Contradiction { event } });
             }
             state.copy_from_slice(&trial.state);
-            self.require_independent(time, state)?;
-            self.hold(time, state);
             passed[index] = Passed::Left;
             self.count(index, time)?;
+            self.let_go(time, state, |index| passed[index] = Passed::Left)?;
+            self.hold(time, state);
             happened += 1;
         }
         Ok(())
@@ -109,25 +109,6 @@ impl Watch<'_> {
         }
     }
 
-    /// Refuses modes in which a constraint holds that says what others say, but moves otherwise;
-    /// tells of one that moves alike, whose force they carry.
-    fn require_independent(&self, time: f64, state: &[f64]) -> Result<(), Stopped> {
-        if !self.holds_in_modes() {
-            return Ok(());
-        }
-        let simulator = self.system.simulator();
-        let state = &state[..self.system.states()];
-        let found = mobility(simulator, self.system.parameters(), time, state);
-        for redundant in found.into_iter().flat_map(|mobility| mobility.redundant) {
-            if !redundant.is_shared {
-                let (why, constraint) = (redundant.why(), redundant.constraint);
-                return Err(Stopped { time, cause: StopCause::Overdetermined { constraint, why } });
-            }
-            self.system.note(redundant.shares());
-        }
-        Ok(())
-    }
-
     /// So many events may follow on one another without time.
     pub(super) fn most(&self) -> usize {
         2 * self.system.simulator().events() + 8
@@ -146,12 +127,11 @@ impl Watch<'_> {
         let events = self.system.simulator().events();
         for (index, guard) in guards.iter().enumerate().take(events) {
             let event = self.system.simulator().event(index);
-            let sets_its_mode = event.when.iter().any(|(entry, _)| event.sets.contains(entry));
-            if !sets_its_mode
+            if !self.sets_its_mode(index)
                 || !is_asked(index)
                 || !self.is_armed(index, state)
                 || !is_beyond(event.direction, *guard)
-                || guard.abs() <= self.blur(index, time, state)
+                || guard.abs() <= self.zero(index, time, state)
             {
                 continue;
             }
@@ -163,7 +143,13 @@ impl Watch<'_> {
         Ok(None)
     }
 
-    fn trial(&self, index: usize, time: f64, state: &[f64]) -> Result<Trial, Stopped> {
+    /// Whether an event may change the modes that it is watched for in.
+    pub(super) fn sets_its_mode(&self, index: usize) -> bool {
+        let event = self.system.simulator().event(index);
+        event.when.iter().any(|(entry, _)| event.sets.contains(entry))
+    }
+
+    pub(super) fn trial(&self, index: usize, time: f64, state: &[f64]) -> Result<Trial, Stopped> {
         let mut after = state.to_vec();
         self.apply(index, time, &mut after[..self.system.states()])?;
         let simulator = self.system.simulator();
@@ -180,6 +166,16 @@ impl Watch<'_> {
     pub(super) fn residual(&self, index: usize, time: f64, state: &[f64], guard: f64) -> f64 {
         let direction = self.direction(index);
         if is_beyond(direction, guard) { self.blur(index, time, state) } else { 0.0 }
+    }
+
+    /// What of a guard is zero where events happen: what the tolerances make of it, and what the
+    /// rounding of their time does.
+    pub(super) fn zero(&self, index: usize, time: f64, state: &[f64]) -> f64 {
+        const ROUNDINGS: f64 = 64.0;
+        let (_, rate) = self.guard_at(time, state, index);
+        let by_time = ROUNDINGS * f64::EPSILON * time.abs() * rate.abs();
+        let blur = self.blur(index, time, state);
+        if by_time > blur { by_time } else { blur }
     }
 
     /// By how much the tolerances of the run may change a guard, the errors of all states
@@ -205,7 +201,7 @@ impl Watch<'_> {
 }
 
 /// Whether a guard is on the far side of zero, on which its event has happened.
-fn is_beyond(direction: Direction, guard: f64) -> bool {
+pub(super) fn is_beyond(direction: Direction, guard: f64) -> bool {
     match direction {
         Direction::Rising => guard > 0.0,
         Direction::Falling => guard < 0.0,

@@ -1,0 +1,358 @@
+//! What would stick although it is led: friction on a shaft whose motion is imposed, on a slider
+//! at a dead point of its crank.
+//!
+//! A constraint that holds in modes may repeat others. Then these lead what it holds:
+//!
+//! - Where they go on as it says, it holds, and they carry all of the force.
+//! - Where they go on otherwise, it cannot: whatever it took, they would take more. Of the events
+//!   that let go, the one happens behind which the motion goes on and no other part would let go
+//!   in its place. So friction whose speed passes zero slides on to the other side at once.
+//! - What rests with them lets go as soon as they move, and what slides begins to stick as they
+//!   come to rest: their guards need not pass zero for that.
+
+use super::super::{Stopped, Stretch};
+use super::passing::middle;
+use super::settle::{Trial, is_beyond};
+use super::{Inner, Side, Watch};
+use crate::constraints::Constraints;
+use crate::error::StopCause;
+use crate::method::one_step::OneStep;
+
+/// What is off by less, over its typical size, goes on alike.
+const ALIKE: f64 = 2e-14;
+/// What is off by more goes otherwise; it could still be put back.
+const OTHERWISE: f64 = 10.0 * ALIKE;
+
+/// Where within a step something that is led begins or ends to rest.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Turn {
+    pub(super) time: f64,
+    /// Events of what begins to.
+    pub(super) begins: Vec<usize>,
+    /// How much later what ends to has surely moved \[s\].
+    moves_within: f64,
+}
+
+impl Watch<'_> {
+    fn constraints(&self) -> Option<&Constraints<'_>> {
+        self.system.constraints()
+    }
+
+    /// Remembers what is led in the modes of a state.
+    pub(super) fn look_who_is_led(&self, time: f64, state: &[f64]) {
+        let states = &state[..self.system.states()];
+        let constraints = self.constraints().filter(|constraints| constraints.holds_in_modes());
+        let led = constraints.map_or_else(Vec::new, |constraints| constraints.led(time, states));
+        self.inner.borrow_mut().parts.led.clone_from(&led);
+    }
+
+    /// How often the time of an event is corrected at most: where something may be led, what is
+    /// not quite there yet would hold what leads it.
+    pub(in crate::method) fn corrections(&self) -> usize {
+        if self.constraints().is_some_and(Constraints::may_lead) { 12 } else { 3 }
+    }
+
+    /// A state on what may lead others.
+    pub(super) fn followed(&self, inner: &Inner, time: f64, state: &[f64]) -> Vec<f64> {
+        let mut there = state.to_vec();
+        if let Some(constraints) = self.constraints().filter(|it| it.may_lead()) {
+            constraints.follow(&inner.parts.led, time, &mut there);
+        }
+        there
+    }
+
+    /// After how long what is led has gone another way than it would, if it does soon.
+    fn goes_otherwise(&self, led: &[usize], time: f64, state: &[f64], within: f64) -> Option<f64> {
+        /// Of the run.
+        const SOON: f64 = 1e-6;
+        const FINEST: f64 = 1e-13;
+        /// Less than a power of five leaves.
+        const EVENLY: f64 = 0.02;
+        let constraints = self.constraints()?;
+        let size = self.span.max(time.abs());
+        let mut there = state.to_vec();
+        constraints.follow(led, time, &mut there);
+        let now = constraints.left_behind(led, time, &there);
+        let least = FINEST * size;
+        if now > OTHERWISE {
+            return Some(least);
+        }
+        let off = |span: f64| {
+            let later = self.later(led, (time, &there), span);
+            constraints.left_behind(led, time + span, &later)
+        };
+        let most = within.max(SOON * size);
+        let halvings = (most / least).log2() as i32;
+        let spans = (0..=halvings).rev().map(|finer| most * 0.5_f64.powi(finer));
+        let (span, far) = spans.map(|span| (span, off(span))).find(|(_, off)| *off > OTHERWISE)?;
+        // Not what sets out only later: of that nothing is to be seen half as soon.
+        let is_now = within > 0.0 || off(0.5 * span) > EVENLY * far;
+        is_now.then_some(span)
+    }
+
+    /// The state a moment later, without what is led.
+    fn later(&self, led: &[usize], (time, state): (f64, &[f64]), by: f64) -> Vec<f64> {
+        let states = self.system.states();
+        let mut rate = vec![0.0; states];
+        self.system.state_rate(time, &state[..states], &mut rate);
+        let mut later: Vec<f64> = state.iter().zip(&rate).map(|(y, f)| y + by * f).collect();
+        if let Some(constraints) = self.constraints() {
+            constraints.follow(led, time + by, &mut later);
+        }
+        later
+    }
+
+    /// Lets go what others lead another way; notes who carries what goes on alike.
+    ///
+    /// # Errors
+    /// [`StopCause::Overdetermined`] where nothing lets go, behind which the motion could go on.
+    pub(super) fn let_go(
+        &self,
+        time: f64,
+        state: &mut [f64],
+        mut went: impl FnMut(usize),
+    ) -> Result<(), Stopped> {
+        let Some(constraints) = self.constraints().filter(|it| it.holds_in_modes()) else {
+            return Ok(());
+        };
+        let states = self.system.states();
+        for _ in 0..=self.most() {
+            let (simulator, parameters) = (self.system.simulator(), self.system.parameters());
+            let found = crate::constraints::mobility(simulator, parameters, time, &state[..states]);
+            let redundant = found.map_or_else(Vec::new, |mobility| mobility.redundant);
+            let led = constraints.led(time, &state[..states]);
+            let within = self.inner.borrow().turn.as_ref().map_or(0.0, |turn| turn.moves_within);
+            let after =
+                if led.is_empty() { None } else { self.goes_otherwise(&led, time, state, within) };
+            let is_refused = |index: usize| !redundant[index].in_modes || after.is_some();
+            let Some(first) = (0..redundant.len()).find(|index| is_refused(*index)) else {
+                for redundant in redundant {
+                    self.system.note(redundant.shares());
+                }
+                self.inner.borrow_mut().parts.led = led;
+                return Ok(());
+            };
+            let released = after.and_then(|after| self.release(time, state, &led, after));
+            let Some((index, after)) = released else {
+                let (constraint, why) =
+                    (redundant[first].constraint.clone(), redundant[first].why());
+                return Err(Stopped { time, cause: StopCause::Overdetermined { constraint, why } });
+            };
+            state.copy_from_slice(&after);
+            self.count(index, time)?;
+            went(index);
+        }
+        let event = self.system.simulator().event(0).name.to_owned();
+        Err(Stopped { time, cause: StopCause::Contradiction { event } })
+    }
+
+    /// The event that lets go something that is led, and the state behind it.
+    fn release(
+        &self,
+        time: f64,
+        state: &[f64],
+        led: &[usize],
+        after: f64,
+    ) -> Option<(usize, Vec<f64>)> {
+        let constraints = self.constraints()?;
+        let simulator = self.system.simulator();
+        let mut possible = None;
+        for index in (0..simulator.events()).filter(|index| self.sets_its_mode(*index)) {
+            if !self.is_armed(index, state) {
+                continue;
+            }
+            let Ok(Trial { state: behind, leaves: true, moves: false }) =
+                self.trial(index, time, state)
+            else {
+                continue;
+            };
+            let left = constraints.led(time, &behind[..self.system.states()]);
+            if left.len() >= led.len() || !self.goes_on(time, (state, &behind), &left, after) {
+                continue;
+            }
+            if !self.lets_others_go(time, (state, &behind)) {
+                return Some((index, behind));
+            }
+            possible = possible.or(Some((index, behind)));
+        }
+        possible
+    }
+
+    /// Whether nothing calls back what has let go: of the events that are watched for behind it
+    /// and were not before, none has happened by then, and some guard moves.
+    fn goes_on(
+        &self,
+        time: f64,
+        (before, behind): (&[f64], &[f64]),
+        led: &[usize],
+        after: f64,
+    ) -> bool {
+        // Other guards than those of speeds need not be as sharp.
+        const LONGER: f64 = 8.0;
+        let after = LONGER * after;
+        let later = self.later(led, (time, behind), after);
+        let (guards, guards_later) = (self.guards(time, behind), self.guards(time + after, &later));
+        let is_new = |index: &usize| {
+            self.sets_its_mode(*index)
+                && self.is_armed(*index, behind)
+                && !self.is_armed(*index, before)
+        };
+        let mut new = (0..self.system.simulator().events()).filter(is_new).peekable();
+        let mut moves = false;
+        new.all(|index| {
+            let (now, then) = (guards[index], guards_later[index]);
+            moves |= now.to_bits() != then.to_bits();
+            let direction = self.direction(index);
+            let zero = self.zero(index, time, behind);
+            let is_behind = is_beyond(direction, now) && now.abs() > zero;
+            !(is_behind || is_beyond(direction, then) && (then - now) * then > 0.0)
+        }) && moves
+    }
+
+    /// Whether another part would let go, too, that would not before.
+    fn lets_others_go(&self, time: f64, (before, behind): (&[f64], &[f64])) -> bool {
+        let (guards, guards_behind) = (self.guards(time, before), self.guards(time, behind));
+        (0..self.system.simulator().events()).any(|index| {
+            let direction = self.direction(index);
+            self.sets_its_mode(index)
+                && self.is_armed(index, before)
+                && self.is_armed(index, behind)
+                && !is_beyond(direction, guards[index])
+                && is_beyond(direction, guards_behind[index])
+                && guards_behind[index].abs() > self.zero(index, time, behind)
+        })
+    }
+
+    /// What begins or ends to rest with what leads it, if something does in a state that steps
+    /// start from; it then happens.
+    pub(in crate::method) fn turns(&self, stretch: &Stretch<'_>, time: f64, state: &[f64]) -> bool {
+        let is_led = self.constraints().is_some_and(Constraints::holds_in_modes);
+        if !is_led || time >= stretch.until {
+            return false;
+        }
+        let led = self.inner.borrow().parts.led.clone();
+        let begins = self.begin_to_rest(time, state);
+        let ends = !led.is_empty() && self.goes_otherwise(&led, time, state, 0.0).is_some();
+        if begins.is_empty() && !ends {
+            return false;
+        }
+        self.system.tangents().inspect(|tangents| tangents.comes_from(time, state));
+        self.inner.borrow_mut().happening = Some((time, begins));
+        true
+    }
+
+    /// Events whose guards are at rest at zero, behind which something holds that is led along.
+    fn begin_to_rest(&self, time: f64, state: &[f64]) -> Vec<usize> {
+        let Some(constraints) = self.constraints().filter(|it| it.may_lead()) else {
+            return Vec::new();
+        };
+        let inner = &mut *self.inner.borrow_mut();
+        let mut there = state.to_vec();
+        constraints.follow(&inner.parts.led, time, &mut there);
+        let guards = self.guards(time, &there);
+        let events = 0..self.system.simulator().events();
+        let at_zero = events.filter(|index| {
+            let zero = inner.parts.rounding(*index);
+            guards[*index].abs() <= zero
+                && inner.parts.at(self.system, time, &there, *index).1.abs() * self.span <= zero
+        });
+        let at_zero: Vec<usize> = at_zero.collect();
+        self.that_begin(&at_zero, inner, time, &there)
+    }
+
+    /// Of events whose guards are at rest at zero those behind which something holds that is led
+    /// along by what always holds.
+    fn that_begin(&self, at_zero: &[usize], inner: &Inner, time: f64, state: &[f64]) -> Vec<usize> {
+        let Some(constraints) = self.constraints() else { return Vec::new() };
+        let (simulator, parameters) = (self.system.simulator(), self.system.parameters());
+        let begins = |index: usize| {
+            if !matches!(inner.sides[index], Side::Known(_))
+                || !self.sets_its_mode(index)
+                || !self.is_armed(index, state)
+            {
+                return false;
+            }
+            let Ok(Trial { state: behind, leaves: true, moves: false }) =
+                self.trial(index, time, state)
+            else {
+                return false;
+            };
+            let behind = &behind[..self.system.states()];
+            let found = crate::constraints::mobility(simulator, parameters, time, behind);
+            let is_led = found.is_some_and(|found| found.redundant.iter().any(|it| it.is_led));
+            let led = constraints.led(time, behind);
+            is_led
+                && led.len() > inner.parts.led.len()
+                && self.goes_otherwise(&led, time, behind, 0.0).is_none()
+        };
+        at_zero.iter().copied().filter(|index| begins(*index)).collect()
+    }
+
+    /// Where within the current step, which ends at `until`, something begins or ends to rest
+    /// with what leads it.
+    pub(super) fn turn_within<M: OneStep>(
+        &self,
+        inner: &Inner,
+        method: &mut M,
+        until: f64,
+    ) -> Option<Turn> {
+        let constraints = self.constraints().filter(|it| it.may_lead())?;
+        let mut state = method.end().to_vec();
+        let from = inner.time;
+        constraints.follow(&inner.parts.led, until, &mut state);
+        if constraints.left_behind(&inner.parts.led, until, &state) > OTHERWISE {
+            let has_moved = |time: f64, state: &[f64]| {
+                constraints.left_behind(&inner.parts.led, time, state) > ALIKE
+            };
+            let time = self.first_time(inner, method, (from, until), has_moved).0;
+            return Some(Turn { time, begins: Vec::new(), moves_within: until - time });
+        }
+        let zero = |index: usize| inner.parts.rounding(index);
+        let at_zero = (0..self.system.simulator().events()).filter(|index| {
+            let (guard, rate) = inner.parts.last(*index);
+            guard.abs() <= zero(*index) && rate.abs() * self.span <= zero(*index)
+        });
+        let at_zero: Vec<usize> = at_zero.collect();
+        if at_zero.is_empty() {
+            return None;
+        }
+        let begins = self.that_begin(&at_zero, inner, until, &state);
+        let first = *begins.first()?;
+        let is_at_zero =
+            |time: f64, state: &[f64]| self.guards(time, state)[first].abs() <= zero(first);
+        let time = self.first_time(inner, method, (from, until), is_at_zero).1;
+        Some(Turn { time, begins, moves_within: 0.0 })
+    }
+
+    /// Neighbouring times within the current step, at the latter of which something is so that
+    /// is at its end.
+    fn first_time<M: OneStep>(
+        &self,
+        inner: &Inner,
+        method: &mut M,
+        (from, until): (f64, f64),
+        is_so: impl Fn(f64, &[f64]) -> bool,
+    ) -> (f64, f64) {
+        let (mut before, mut after) = (from, until);
+        let mut state = method.end().to_vec();
+        let is_so_at = |time: f64, state: &mut Vec<f64>| {
+            if let Some(constraints) = self.constraints() {
+                constraints.follow(&inner.parts.led, time, state);
+            }
+            is_so(time, state)
+        };
+        state.copy_from_slice(&inner.start);
+        if is_so_at(from, &mut state) {
+            return (from, from);
+        }
+        while let Some(time) = middle(before, after) {
+            method.interpolate(time, &mut state);
+            if is_so_at(time, &mut state) {
+                after = time;
+            } else {
+                before = time;
+            }
+        }
+        (before, after)
+    }
+}

@@ -417,3 +417,70 @@ fn friction_of_a_slider_lets_its_crank_through_dead_points() {
         }
     }
 }
+
+/// Parts along a line, behind a screw, and a gear with losses between a drive and a load: events at zeros
+/// of the speed, and what is lost is what the drive gives and the load does not take.
+#[test]
+fn every_part_with_friction_can_be_driven() {
+    let scene = |units: &str, joints: &[[&str; 2]], events: &str| {
+        let joints =
+            joints.iter().map(|[a, b]| format!("[[joints]]\nconnect = [\"{a}\", \"{b}\"]\n"));
+        let text = format!(
+            r#"
+            [scene]
+            name = "{events}"
+            [units]
+            {units}
+            {}
+            [run]
+            until = 10.0
+            points = 101
+            rtol = 1e-9
+            method = "dop853"
+            "#,
+            joints.collect::<String>()
+        );
+        of_text(&text, Keep::All)
+    };
+    let turns =
+        r#"drive = { unit = "sources/speed", inputs = { speed = "3 [rad/s]*sin(2 [rad/s]*t)" } }"#;
+    let slides = r#"drive = { unit = "sources/linear_speed", inputs = { speed = "3 [m/s]*sin(2 [rad/s]*t)" } }"#;
+    let guide = r#"part = { unit = "translational/friction" }"#;
+    let gear = r#"part = { unit = "rotational/lossy_gear" }
+            load = { unit = "rotational/inertia" }
+            damper = { unit = "sources/torque", inputs = { torque = "7 [N m]" } }"#;
+    let scenes = [
+        scene(&format!("{slides}\n{guide}"), &[["drive.a", "part.a"]], "guide"),
+        scene(
+            &format!("{turns}\nscrew = {{ unit = \"rotational/screw\" }}\n{guide}"),
+            &[["drive.a", "screw.a"], ["screw.b", "part.a"]],
+            "screw",
+        ),
+        scene(
+            &format!("{turns}\n{gear}"),
+            &[["drive.a", "part.a"], ["part.b", "load.a"], ["load.b", "damper.a"]],
+            "gear",
+        ),
+    ];
+    for scene in &scenes {
+        for method in [Method::Dop853, Method::Radau, Method::Auto] {
+            for rtol in [1e-4, 1e-7] {
+                let run = run(scene, &[], method, rtol);
+                let what = format!("{} {method} {rtol:e}", run.scene);
+                let ends = times_of(&run, &["part.ends_forth", "part.ends_back"]);
+                assert_eq!(ends.len(), 6, "{what}: {ends:?}");
+                for (number, found) in ends.iter().enumerate() {
+                    let exact = (number + 1) as f64 * PI / 2.0;
+                    assert!((found - exact).abs() < 1e-11, "{what}: {found} for {exact}");
+                }
+                let balance = run.energy_balance.as_ref().expect("asked for");
+                assert!(
+                    balance.max_residual_relative() < 1e3 * rtol,
+                    "{what}: {:e}",
+                    balance.max_residual_relative()
+                );
+                assert!(*balance.dissipated.last().expect("rows") > 0.0, "{what}");
+            }
+        }
+    }
+}

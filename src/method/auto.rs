@@ -19,7 +19,7 @@ use super::taylor::TaylorSteps;
 use super::{Integrator, Method, Samples, Sealed, Stopped, Stretch};
 use ringing::{LENIENT, rings};
 use stiffness::{
-    Evidence, STIFF_STEPS, SpectralRadius, Strain, TRANSIENT, few_steps, is_worth_beginning, worth,
+    Evidence, STIFF_STEPS, SpectralRadius, Strain, TRANSIENT, is_worth_beginning, worth,
 };
 
 /// After so many changes within a stretch the run stays with the implicit method,
@@ -220,11 +220,7 @@ impl<'a> Choice<'a> {
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
         let choice = Self { explicit_name: "dop853", limit: pair.stability, ..*self };
-        let few = few_steps(stretch.system.states());
-        let look = |method: &ExplicitSteps<'_>, step: f64| {
-            let is_far = stretch.until - method.time() >= few * step;
-            is_far.then(|| method.stiffness())
-        };
+        let look = |method: &ExplicitSteps<'_>, _| Some(method.stiffness());
         let mut method = ExplicitSteps::new(pair, stretch);
         if !choice.is_stiff_from_the_start {
             method.begin(stretch.from, state);

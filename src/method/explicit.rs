@@ -141,12 +141,6 @@ impl<'a> ExplicitSteps<'a> {
         tangents.rate(self.stretch, time, &state[..self.size], argument, rate);
     }
 
-    /// At the start of the next step \[s\].
-    #[cfg(feature = "implicit")]
-    pub(super) fn time(&self) -> f64 {
-        self.time
-    }
-
     /// |h lambda| of the fastest motion that the last two stages show, both at
     /// the end of the step: h |f(Y_s) - f(Y_(s-1))| / |Y_s - Y_(s-1)|; 0 if they
     /// are equal (Hairer, Wanner, section IV.2).

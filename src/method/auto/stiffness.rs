@@ -28,8 +28,8 @@ pub(super) fn worth(states: usize) -> f64 {
     (1.5 + 20.0 / states as f64).clamp(2.0, 4.0)
 }
 
-/// An explicit method goes on where so many steps more would do, stiff or not.
-pub(super) fn few_steps(states: usize) -> f64 {
+/// Taylor's method goes on where so many steps more would do, stiff or not.
+fn few_steps(states: usize) -> f64 {
     IMPLICIT_STEPS * worth(states)
 }
 

@@ -1,5 +1,5 @@
 //! One run of every emitted scene by every method that suits it, from loose to
-//! tight tolerances: `cargo bench --no-default-features`.
+//! tight tolerances: `cargo bench -p machinist --bench methods`.
 
 #![allow(missing_docs, reason = "what the macro of benchmarks makes")]
 

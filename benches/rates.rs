@@ -1,5 +1,5 @@
 //! Nanoseconds of one rate and of one Jacobian of every emitted scene:
-//! `cargo bench --no-default-features --bench rates`.
+//! `cargo bench -p machinist --bench rates`.
 
 #![allow(missing_docs, reason = "what the macro of benchmarks makes")]
 

@@ -252,7 +252,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         simulator.lay_out_ports();
         simulator.lay_out_others();
         simulator.excitation_terms = excitation::terms(simulator.scene(), &simulator.border);
-        let constants = simulator.count_constants();
+        let constants = simulator.count_without_jacobian();
         let weights = simulator.port_rows.iter().map(|rows| vec![R::literal(0.0); rows.len()]);
         let weights = weights.collect();
         let work = simulator.work.get_mut().unwrap_or_else(PoisonError::into_inner);

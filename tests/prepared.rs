@@ -1,8 +1,10 @@
 //! What parameters alone decide is computed once a run and changes no bit.
 
+use machinist::field::{Discretisation, FieldSimulator};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
 use machinist_model::ModelSimulator;
+use machinist_scenes::{bench, scenes};
 
 use crate::own_scene::model_of_specs;
 
@@ -28,26 +30,51 @@ fn rate_and_jacobian_by_constants_are_those_of_the_whole_tape_to_the_last_bit() 
     for name in SCENES {
         let scene = ModelSimulator::interpreted(model_of_specs(name, Keep::Needed));
         let scene: &dyn Simulator<f64> = &scene;
-        let shape = scene.shape();
-        let nonzeros = scene.rate_jacobian_pattern().entries.len();
         assert!(scene.constants() > 0, "{name} computes nothing once a run");
-        for sample in 0..100_usize {
-            let value = |index: usize| ((index * 7 + sample) as f64 * 0.37).sin();
-            let factor = |index| 1.0 + 0.1 * value(index);
-            let parameters: Vec<f64> = (0..shape.parameters)
-                .map(|index| scene.parameter_default(index) * factor(index))
-                .collect();
-            let state: Vec<f64> =
-                (0..shape.states()).map(|i| value(i) * scene.state_scale(i)).collect();
-            let (t, y, p) = (0.02 * sample as f64, &state[..], &parameters[..]);
-            let c = filled(scene.constants(), |values| scene.prepare(p, values));
-            let plain = filled(state.len(), |values| scene.rate(t, y, p, values));
-            let prepared = filled(state.len(), |values| scene.prepared_rate(t, y, p, &c, values));
-            assert_same_bits(name, &prepared, &plain);
-            let plain = filled(nonzeros, |values| scene.rate_jacobian(t, y, p, values));
-            let prepared =
-                filled(nonzeros, |values| scene.prepared_rate_jacobian(t, y, p, &c, values));
-            assert_same_bits(name, &prepared, &plain);
+        assert_same(name, scene);
+    }
+}
+
+/// Of what is linear the whole Jacobian is a constant.
+#[test]
+fn of_fields_too_to_the_last_bit() {
+    let scenes = scenes::FIELD_NAMES.iter().map(|name| (*name, scenes::find_field_f64(name)));
+    let bench = bench::FIELD_NAMES.iter().map(|name| (*name, bench::find_field_f64(name)));
+    let mut constant = Vec::new();
+    for (name, scene) in scenes.chain(bench) {
+        for order in [1, 3] {
+            let wanted = Discretisation { elements: Some(12), order: Some(order) };
+            let cut = FieldSimulator::new(scene.expect("built in"), wanted).expect("elements");
+            let scene: &dyn Simulator<f64> = &cut;
+            assert_same(name, scene);
+            let nonzeros = scene.rate_jacobian_pattern().entries.len();
+            if scene.constants() > nonzeros {
+                constant.push(name);
+            }
         }
+    }
+    constant.dedup();
+    assert_eq!(constant, ["reed_beat_up", "shaft_step_torque", "shaft_with_rotors", "m4"]);
+}
+
+fn assert_same(name: &str, scene: &dyn Simulator<f64>) {
+    let shape = scene.shape();
+    let nonzeros = scene.rate_jacobian_pattern().entries.len();
+    for sample in 0..100_usize {
+        let value = |index: usize| ((index * 7 + sample) as f64 * 0.37).sin();
+        let factor = |index| 1.0 + 0.1 * value(index);
+        let parameters: Vec<f64> = (0..shape.parameters)
+            .map(|index| scene.parameter_default(index) * factor(index))
+            .collect();
+        let state: Vec<f64> =
+            (0..shape.states()).map(|i| value(i) * scene.state_scale(i)).collect();
+        let (t, y, p) = (0.02 * sample as f64, &state[..], &parameters[..]);
+        let c = filled(scene.constants(), |values| scene.prepare(p, values));
+        let plain = filled(state.len(), |values| scene.rate(t, y, p, values));
+        let prepared = filled(state.len(), |values| scene.prepared_rate(t, y, p, &c, values));
+        assert_same_bits(name, &prepared, &plain);
+        let plain = filled(nonzeros, |values| scene.rate_jacobian(t, y, p, values));
+        let prepared = filled(nonzeros, |values| scene.prepared_rate_jacobian(t, y, p, &c, values));
+        assert_same_bits(name, &prepared, &plain);
     }
 }

@@ -10,7 +10,7 @@ use super::{FieldSimulator, Work};
 
 /// Where everything is among the constants: those of the machine, then for every node of
 /// every field x, its part of the length, its inertia and the inverse of that, then the
-/// bounds of all segments.
+/// bounds of all segments; and where nothing else decides of it, the Jacobian.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Constants<'c, R> {
     pub machine: &'c [R],
@@ -19,6 +19,8 @@ pub(super) struct Constants<'c, R> {
     pub inertia: &'c [R],
     pub inverse: &'c [R],
     bounds: &'c [R],
+    /// Empty where it is not constant, or only the others were asked for.
+    pub jacobian: &'c [R],
 }
 
 impl<'c, R> Constants<'c, R> {
@@ -31,8 +33,20 @@ impl<'c, R> Constants<'c, R> {
 impl<R: Real> FieldSimulator<'_, R> {
     /// How many constants there are.
     pub(super) fn count_constants(&self) -> usize {
+        let jacobian = if self.jacobian_is_constant() { self.rate_jacobian.len() } else { 0 };
+        self.count_without_jacobian() + jacobian
+    }
+
+    /// How many there are but for the Jacobian.
+    pub(super) fn count_without_jacobian(&self) -> usize {
         let bounds: usize = self.meshes.iter().map(|mesh| mesh.segments.len() + 1).sum();
         self.scene().constants() + 4 * self.nodes() + bounds
+    }
+
+    /// Whether machine and fields are linear, and nothing of them switches.
+    fn jacobian_is_constant(&self) -> bool {
+        let linear = self.excitation_terms.as_ref().and_then(|_| self.scene().linear());
+        linear.is_some_and(|linear| linear.switches() == 0)
     }
 
     /// The constants by what they are.
@@ -42,14 +56,30 @@ impl<R: Real> FieldSimulator<'_, R> {
         let (x, rest) = rest.split_at(nodes);
         let (lengths, rest) = rest.split_at(nodes);
         let (inertia, rest) = rest.split_at(nodes);
-        let (inverse, bounds) = rest.split_at(nodes);
-        Constants { machine, x, lengths, inertia, inverse, bounds }
+        let (inverse, rest) = rest.split_at(nodes);
+        let bounds = self.count_without_jacobian() - self.scene().constants() - 4 * nodes;
+        let (bounds, jacobian) = rest.split_at(bounds);
+        Constants { machine, x, lengths, inertia, inverse, bounds, jacobian }
     }
 
-    /// Computes the constants, and leaves the parameters with the inertias that fields
+    /// Computes all constants.
+    pub(super) fn prepare_all(&self, parameters: &[R], work: &mut Work<R>, into: &mut [R]) {
+        assert_eq!(into.len(), self.count_constants(), "number of constants");
+        let (others, jacobian) = into.split_at_mut(self.count_without_jacobian());
+        self.compute_constants(parameters, work, others);
+        if !jacobian.is_empty() {
+            // Any time and state will do.
+            let (time, rest) = (R::literal(0.0), vec![R::literal(0.0); self.border_and_own()]);
+            let others = self.taken_apart(others);
+            self.load_for_derivatives((time, &rest), parameters, &others, work);
+            self.loaded_jacobian(time, &others, work, jacobian);
+        }
+    }
+
+    /// Computes the constants but for the Jacobian, and leaves the parameters with the inertias that fields
     /// hand over in `work.p`.
     pub(super) fn compute_constants(&self, parameters: &[R], work: &mut Work<R>, into: &mut [R]) {
-        assert_eq!(into.len(), self.count_constants(), "number of constants");
+        assert_eq!(into.len(), self.count_without_jacobian(), "number of constants");
         self.place(parameters, work);
         let nodes = self.nodes();
         let (machine, rest) = into.split_at_mut(self.scene().constants());

@@ -7,7 +7,7 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::{Describe, Simulator};
 use machinist_model::ModelSimulator;
 
-use crate::own_scene::of_text;
+use crate::own_scene::{of_specs, of_text};
 
 const OWN: [Method; 6] =
     [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Taylor, Method::Auto];
@@ -251,6 +251,31 @@ fn what_comes_to_rest_at_a_limit_does_not_chatter_there() {
             let last = run(&limited, method, rtol, &[]).last("block.v").expect("a state");
             // Half of the first two seconds, and all of eight.
             assert!((last - 10.0).abs() < 1e3 * rtol, "{method} at {rtol:e}: {last}");
+        }
+    }
+}
+
+/// `abs` of a frequency that comes to zero with a horizontal tangent where the run ends: by
+/// then it is rounding, of what it has been long before.
+#[test]
+fn a_ramp_that_ends_at_zero_does_not_chatter() {
+    let scene = of_specs("parts/electrical/converter", Keep::Needed);
+    let base = Simulation::new(&scene).points(2);
+    let run = |method, rtol| base.clone().method(method).rtol(rtol).run().expect("a run");
+    let exact = run(Method::Radau, 1e-13);
+    let methods = [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Auto];
+    for method in methods {
+        for exponent in 4..=13 {
+            let rtol = 10.0_f64.powi(-exponent);
+            let found = run(method, rtol);
+            for name in ["speed", "torque"] {
+                let [found, exact] = [&found, &exact].map(|run| run.last(name).expect(name));
+                let error = (found - exact).abs() / exact.abs();
+                assert!(
+                    error < 300.0 * rtol + 1e-10,
+                    "{method:?} at {rtol:e}: {name} off {error:e}"
+                );
+            }
         }
     }
 }

@@ -268,10 +268,12 @@ impl Parts {
             [&mut after[..self.count], &mut rates_after[..self.count]],
         );
         evaluate(system, 0, from, start, [before, rates_before]);
-        let bends = &mut self.bends;
+        let (bends, sizes) = (&mut self.bends, &mut self.sizes);
         (0..self.count).all(|index| {
             let Side::Known(side) = sides[index] else { return false };
             let (g, h) = (before[index], after[index]);
+            // What it has been tells what of it is rounding later.
+            sizes[index] = sizes[index].max(h.abs());
             let (dg, dh) = (rates_before[index].abs(), rates_after[index].abs());
             let span = until - from;
             let way = (span * dg.max(dh)).max((h - g).abs()).max(0.5 * span * span * bends[index]);

@@ -39,8 +39,11 @@ impl<R: Real> FieldSimulator<'_, R> {
 
     /// How many there are but for the Jacobian.
     pub(super) fn count_without_jacobian(&self) -> usize {
-        let bounds: usize = self.meshes.iter().map(|mesh| mesh.segments.len() + 1).sum();
-        self.scene().constants() + 4 * self.nodes() + bounds
+        self.scene().constants() + 4 * self.nodes() + self.count_bounds()
+    }
+
+    fn count_bounds(&self) -> usize {
+        self.meshes.iter().map(|mesh| mesh.segments.len() + 1).sum()
     }
 
     /// Whether machine and fields are linear, and nothing of them switches.
@@ -57,8 +60,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         let (lengths, rest) = rest.split_at(nodes);
         let (inertia, rest) = rest.split_at(nodes);
         let (inverse, rest) = rest.split_at(nodes);
-        let bounds = self.count_without_jacobian() - self.scene().constants() - 4 * nodes;
-        let (bounds, jacobian) = rest.split_at(bounds);
+        let (bounds, jacobian) = rest.split_at(self.count_bounds());
         Constants { machine, x, lengths, inertia, inverse, bounds, jacobian }
     }
 
@@ -76,8 +78,8 @@ impl<R: Real> FieldSimulator<'_, R> {
         }
     }
 
-    /// Computes the constants but for the Jacobian, and leaves the parameters with the inertias that fields
-    /// hand over in `work.p`.
+    /// Computes the constants but for the Jacobian, and leaves the parameters with the inertias
+    /// that fields hand over in `work.p`.
     pub(super) fn compute_constants(&self, parameters: &[R], work: &mut Work<R>, into: &mut [R]) {
         assert_eq!(into.len(), self.count_without_jacobian(), "number of constants");
         self.place(parameters, work);

@@ -1,7 +1,7 @@
 //! Models derived by our own algebra, without Symbolica: the same machines, by equations that
 //! may be written otherwise.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use machinist::Simulation;
 use machinist::field::{Discretisation, FieldSimulator};
@@ -16,26 +16,12 @@ use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;
 use machinist_studies::double_double::DoubleDouble;
 
+use crate::own_scene::{folder_of_specs, specs_in};
+
 /// Rounding beside the size of what numbers are put together from.
 const LIMIT: f64 = 3e-12;
 /// Random places of each scene.
 const PLACES: usize = 3;
-
-/// Every scene of the folder and of those within it.
-fn specs(folder: &Path, found: &mut Vec<PathBuf>) {
-    for entry in std::fs::read_dir(folder).expect("a folder") {
-        let path = entry.expect("an entry").path();
-        if path.is_dir() {
-            specs(&path, found);
-        } else if path.extension().is_some_and(|extension| extension == "toml") {
-            found.push(path);
-        }
-    }
-}
-
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes")
-}
 
 fn checked(path: &Path) -> LagrangianSystem {
     pipeline::check(path).unwrap_or_else(|errors| panic!("{}", errors.render()))
@@ -60,8 +46,7 @@ fn deviation(system: &LagrangianSystem, simulator: &dyn Simulator<f64>) -> f64 {
 
 #[test]
 fn every_scene_is_what_its_energies_say() {
-    let mut paths = Vec::new();
-    specs(&folder(), &mut paths);
+    let paths = specs_in(&folder_of_specs());
     assert!(paths.len() > 100, "{}", paths.len());
     for path in paths {
         let system = checked(&path);
@@ -88,7 +73,7 @@ fn run(simulator: &dyn Simulator<f64>) -> Trajectory {
 #[test]
 fn emitted_scenes_run_as_those_derived_with_symbolica() {
     for name in scenes::NAMES {
-        let simulator = plain(&checked(&folder().join(format!("{name}.toml"))));
+        let simulator = plain(&checked(&folder_of_specs().join(format!("{name}.toml"))));
         let own = run(&simulator);
         let other = run(scenes::find_f64(name).expect("a scene"));
         // After impacts on a stiff layer, runs differ by more than their tolerance says.
@@ -129,8 +114,9 @@ fn derivatives(of: &ModelSimulator, t: f64, state: &[f64], parameters: &[f64]) -
 #[test]
 fn derivatives_are_those_of_symbolica() {
     let mut paths = Vec::new();
-    specs(&folder().join("msl"), &mut paths);
-    specs(&folder().join("linkages"), &mut paths);
+    for folder in ["msl", "linkages"] {
+        paths.extend(specs_in(&folder_of_specs().join(folder)));
+    }
     assert!(paths.len() > 10, "{}", paths.len());
     for path in paths {
         let system = checked(&path);

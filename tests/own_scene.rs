@@ -1,12 +1,34 @@
 //! Machines of one's own, for tests of the runtime: from a spec to a simulator.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock};
 
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_model::{Model, ModelSimulator};
+
+/// The folder `specs/scenes`.
+pub fn folder_of_specs() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes")
+}
+
+/// Files of all scenes of a folder and of those within it, sorted.
+pub fn specs_in(folder: &Path) -> Vec<PathBuf> {
+    let (mut folders, mut files) = (vec![folder.to_owned()], Vec::new());
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|ending| ending == "toml") {
+                files.push(path);
+            }
+        }
+    }
+    files.sort();
+    files
+}
 
 /// Models of scenes of the folder `specs/scenes` that some test has asked for, or is waiting for.
 type Derived = BTreeMap<(String, Keep), Arc<OnceLock<Model>>>;
@@ -15,10 +37,9 @@ static DERIVED: Mutex<Derived> = Mutex::new(Derived::new());
 /// The model of a scene of the folder `specs/scenes`, such as `msl/first`: derived once, however
 /// many tests ask for it.
 pub fn model_of_specs(name: &str, keep: Keep) -> Model {
-    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes");
     let key = (name.to_owned(), keep);
     let model = Arc::clone(DERIVED.lock().expect("models").entry(key).or_default());
-    model.get_or_init(|| of_path(&scenes.join(format!("{name}.toml")), keep)).clone()
+    model.get_or_init(|| of_path(&folder_of_specs().join(format!("{name}.toml")), keep)).clone()
 }
 
 /// That scene.

@@ -12,7 +12,7 @@ use machinist_contract::Simulator;
 use machinist_scenes::{bench, scenes};
 use table::{Row, Table};
 
-use crate::own_scene::of_specs;
+use crate::own_scene::{folder_of_specs, of_specs, specs_in};
 
 /// The page that is the table.
 const PAGE: &str = "docs/book/src/work.md";
@@ -22,13 +22,9 @@ const PAGE: &str = "docs/book/src/work.md";
 const OWN: [Method; 5] =
     [Method::Tsit5, Method::Dop853, Method::Taylor, Method::Rodas5p, Method::Radau];
 
-fn repository() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
-
 #[test]
 fn no_scene_takes_more_work_than_the_book_says() {
-    let page = repository().join(PAGE);
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(PAGE);
     let now = Table { rows: names().iter().flat_map(|name| rows_of(name)).collect() };
     if std::env::var("MACHINIST_BOOK").is_ok_and(|word| word == "write") {
         let text = std::fs::read_to_string(&page).expect("the page");
@@ -47,19 +43,12 @@ fn no_scene_takes_more_work_than_the_book_says() {
 
 /// Paths of all scenes below `specs/scenes`, without their ending.
 fn names() -> Vec<String> {
-    let root = repository().join("specs/scenes");
-    let (mut folders, mut names) = (vec![root.clone()], Vec::new());
-    while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(folder).expect("a folder") {
-            let path = entry.expect("an entry").path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|ending| ending == "toml") {
-                let name = path.strip_prefix(&root).expect("below it").with_extension("");
-                names.push(name.to_str().expect("a plain path").replace('\\', "/"));
-            }
-        }
-    }
+    let root = folder_of_specs();
+    let name = |path: PathBuf| {
+        let name = path.strip_prefix(&root).expect("below it").with_extension("");
+        name.to_str().expect("a plain path").replace('\\', "/")
+    };
+    let mut names: Vec<String> = specs_in(&root).into_iter().map(name).collect();
     names.sort();
     names
 }

@@ -344,17 +344,14 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
             .map(|(row, column)| (self.entry(*row as usize), self.entry(*column as usize)))
             .collect();
         entries.extend(&machine);
-        self.each_element_entry(|owner, columns| match owner {
+        self.each_element_entry(|owner, column| match owner {
             Owner::Fixed => {}
             Owner::Field(own) => {
-                let row = n + self.machine.coordinates as u32 + own;
-                entries.extend(columns.map(|column| (row, column)));
+                entries.push((n + self.machine.coordinates as u32 + own, column));
             }
             Owner::Port { handed, .. } => {
-                for (_, row) in self.rows_of_port(handed) {
-                    let row = self.entry(row as usize);
-                    entries.extend(columns.map(|column| (row, column)));
-                }
+                let rows = self.rows_of_port(handed);
+                entries.extend(rows.map(|(_, row)| (self.entry(row as usize), column)));
             }
         });
         entries.sort_unstable();
@@ -365,11 +362,10 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         self.machine_entries = machine.into_iter().map(find).collect();
         let (mut element_entries, mut chains) = (Vec::new(), Vec::new());
         for (index, mesh) in self.meshes.iter().enumerate() {
-            let is_chain = mesh.order == 1 && self.scene().field_is_local(index);
+            let is_chain = mesh.order == 1 && self.scene().force_structure(index).local;
             let place = |row, column| find((row, column));
-            chains.push(
-                is_chain.then(|| Chain::new(index, mesh, |owner| self.columns(owner), place)),
-            );
+            let columns = |owner| self.columns(owner);
+            chains.push(is_chain.then(|| Chain::new((self.scene(), index), mesh, columns, place)));
             element_entries.push(if is_chain { Vec::new() } else { self.entries_of(mesh, &find) });
         }
         (self.element_entries, self.chains) = (element_entries, chains);
@@ -429,16 +425,18 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         rows.collect()
     }
 
-    /// Calls `see` with the owner of a row and the columns of every pair of nodes of
-    /// every element.
-    fn each_element_entry(&self, mut see: impl FnMut(Owner, [u32; 2])) {
-        for mesh in &self.meshes {
+    /// Calls `see` with the owner of a row and a column of every pair of nodes of every
+    /// element of which one's force depends on the other's motion.
+    fn each_element_entry(&self, mut see: impl FnMut(Owner, u32)) {
+        for (index, mesh) in self.meshes.iter().enumerate() {
+            let structure = self.scene().force_structure(index);
             for nodes in mesh.elements_of_nodes() {
                 for row in nodes.clone() {
-                    for column in nodes.clone() {
-                        if let Some(columns) = self.columns(mesh.owners[column]) {
-                            see(mesh.owners[row], columns);
-                        }
+                    for node in nodes.clone() {
+                        let Some(columns) = self.columns(mesh.owners[node]) else { continue };
+                        let reaches = structure.reaches(row == node);
+                        let there = columns.into_iter().zip(reaches).filter(|(_, there)| *there);
+                        there.for_each(|(column, _)| see(mesh.owners[row], column));
                     }
                 }
             }

@@ -44,6 +44,106 @@ fn deviation(system: &LagrangianSystem, simulator: &dyn Simulator<f64>) -> f64 {
     found.error
 }
 
+/// That of a system with fields, cut into few elements, and how many entries its Jacobian has.
+fn deviation_of_fields(system: &LagrangianSystem, simulator: &ModelSimulator) -> (f64, usize) {
+    let (written_out, elements) = elements::written_out(system).expect("elements");
+    let cut = Discretisation { elements: Some(elements), order: None };
+    let simulator = FieldSimulator::new(simulator.with_fields(), cut).expect("it can be cut so");
+    let entries = simulator.rate_jacobian_pattern().entries.len();
+    (deviation(&written_out, &simulator), entries)
+}
+
+/// A shaft of elements of this order with a rotor at its end and this law.
+fn shaft_of(law: &str, order: usize) -> LagrangianSystem {
+    let text = format!(
+        r#"
+[scene]
+name = "shaft"
+title = "Shaft"
+
+[units.shaft]
+unit = "bar"
+fields = {{ phi = {{ elements = 2, order = {order} }} }}
+[units.disc]
+unit = "rotor"
+
+[[joints]]
+connect = ["shaft.end", "disc.shaft"]
+
+[outputs]
+angle = "disc.phi"
+
+[tunable]
+parameters = []
+
+[run]
+until = 1.0
+
+[define.rotor.unit]
+name = "rotor"
+title = "Rotor"
+[define.rotor.coordinates.phi]
+unit = "rad"
+[define.rotor.ports.shaft]
+kind = "rotational"
+coordinate = "phi"
+[define.rotor.energy]
+kinetic = "3 [kg m^2]*phi_dot^2/2"
+
+[define.bar.unit]
+name = "bar"
+title = "Bar"
+[define.bar.parameters.length]
+value = 1.3
+unit = "m"
+[define.bar.fields.phi]
+unit = "rad"
+over = "length"
+kinetic = "2 [kg m]*phi_dot^2/2"
+{law}
+[define.bar.ports.end]
+kind = "rotational"
+field = "phi"
+at = "length"
+"#
+    );
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("shaft.toml");
+    std::fs::write(&path, text).expect("a file");
+    checked(&path)
+}
+
+#[test]
+fn fields_of_any_law_are_what_it_says_and_their_jacobians_have_no_more_entries_than_it_needs() {
+    const TWIST: &str = "potential = \"500 [N m^2]*(phi_x - 0.2 [rad/m])^2/2\"";
+    const STIFFENING: &str = "potential = \"500 [N m^2]*phi_x^2/2 + 90 [N m^4]*phi_x^4\"";
+    const ON_GROUND: &str = "potential = \"500 [N m^2]*phi_x^2/2 + 30 [N]*phi^2/2\"";
+    const DAMPED: &str = "dissipation = \"0.3 [N m^2 s]*phi_x_dot^2/2\"";
+    const WEARING: &str = "dissipation = \"0.3 [N m^2 s]*phi_x_dot^4*1 [m^2 s^2]\"";
+    const IN_OIL: &str = "dissipation = \"0.3 [N s]*phi_dot^2/2\"";
+    const DRIVEN: &str = "force = \"2 [N]*sin(3 [1/s]*t) - 0.1 [N s^3]*phi_dot^3\"";
+    // Two elements of order 1: three angles follow speeds; the nodes reach two, three and two
+    // by angles, and if speeds pull at each other, as many by these.
+    for (law, entries) in [
+        (TWIST.to_owned(), 3 + 7),
+        (STIFFENING.to_owned(), 3 + 7),
+        (ON_GROUND.to_owned(), 3 + 7),
+        (format!("{TWIST}\n{DAMPED}"), 3 + 14),
+        (format!("{TWIST}\n{WEARING}"), 3 + 14),
+        (format!("{STIFFENING}\n{IN_OIL}"), 3 + 7 + 3),
+        (format!("{ON_GROUND}\n{DRIVEN}"), 3 + 7 + 3),
+        (format!("{DAMPED}\n{DRIVEN}"), 3 + 7),
+        (DRIVEN.to_owned(), 3 + 3),
+    ] {
+        for order in [1, 2, 3] {
+            let system = shaft_of(&law, order);
+            let (error, found) = deviation_of_fields(&system, &plain(&system));
+            assert!(error <= LIMIT, "{law}, order {order}: {error:e}");
+            assert!(order > 1 || found == entries, "{law}: {found} entries");
+        }
+    }
+}
+
 #[test]
 fn every_scene_is_what_its_energies_say() {
     let paths = specs_in(&folder_of_specs());
@@ -54,11 +154,7 @@ fn every_scene_is_what_its_energies_say() {
         let error = if system.fields.is_empty() {
             deviation(&system, &simulator)
         } else {
-            let (written_out, elements) = elements::written_out(&system).expect("elements");
-            let cut = Discretisation { elements: Some(elements), order: None };
-            let simulator =
-                FieldSimulator::new(simulator.with_fields(), cut).expect("it can be cut so");
-            deviation(&written_out, &simulator)
+            deviation_of_fields(&system, &simulator).0
         };
         assert!(error <= LIMIT, "{}: {error:e}", path.display());
     }

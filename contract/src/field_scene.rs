@@ -6,8 +6,9 @@
 /// ```text
 /// field_scene! {
 ///     Machine: jacobian_reads_forces false;
-///     0 module: linear true, local true, scale [1.0, 100.0], fixed [false, false],
-///         length 1.75, elements 24, order 4;
+///     0 module: linear true, local true, forces [Zero, Varying],
+///         derivatives [Zero, Zero, Zero, Zero, Zero, Constant, Zero, Zero],
+///         scale [1.0, 100.0], fixed [false, false], length 1.75, elements 24, order 4;
 ///     value "unit", "spec.name", "meaning";
 ///     rate "unit", "spec.name", "meaning";
 ///     slope "unit", "spec.name", "meaning";
@@ -22,6 +23,7 @@ macro_rules! field_scene {
         $machine:ident: jacobian_reads_forces $reads_forces:literal;
         $(
             $number:literal $module:ident: linear $linear:literal, local $local:tt,
+                forces [$($force:ident),*], derivatives [$($derivative:ident),*],
                 scale $scale:expr, fixed $fixed:expr, length $length:expr,
                 elements $elements:literal, order $order:literal;
             value $value_unit:literal, $value:literal, $value_doc:literal;
@@ -182,11 +184,16 @@ macro_rules! field_scene {
             fn jacobian_reads_forces(&self) -> bool {
                 $reads_forces
             }
-            fn field_is_linear(&self, index: usize) -> bool {
-                [$($linear),*][index]
-            }
-            fn field_is_local(&self, index: usize) -> bool {
-                [$($local),*][index]
+            fn force_structure(&self, index: usize) -> $crate::field::ForceStructure {
+                match index {
+                    $($number => $crate::field::ForceStructure {
+                        linear: $linear,
+                        local: $local,
+                        forces: [$($crate::field::Variation::$force),*],
+                        derivatives: [$($crate::field::Variation::$derivative),*],
+                    },)*
+                    _ => $crate::field::no_field(index),
+                }
             }
             fn field_inertias(&self, index: usize, x: &[R], parameters: &[R], inertias: &mut [R]) {
                 let p = Parameters::from_slice(parameters);

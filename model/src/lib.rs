@@ -13,6 +13,7 @@ mod check;
 pub mod compiled;
 pub mod evaluate;
 mod excitation;
+mod field;
 pub mod file;
 pub mod fingerprint;
 pub mod functions;
@@ -35,10 +36,11 @@ pub mod wasm;
 
 pub use check::{Check, ClosedForm, Reference};
 pub use excitation::Excitation;
+pub use field::{Attachment, FieldModel, LocalForces};
 pub use lanes::{F64x2, Lane};
 pub use model::{
-    Attachment, Constraint, Coordinate, Event, FieldModel, Freeze, LocalForces, MatrixTape, Model,
-    Parameter, SparsityPattern, State, StateKind,
+    Constraint, Coordinate, Event, Freeze, MatrixTape, Model, Parameter, SparsityPattern, State,
+    StateKind,
 };
 pub use motion::{Motion, Solve, SolveStep};
 pub use names::{Direction, Name, Place, Quantity, RunDefaults, SourceFile, Table};

@@ -5,12 +5,13 @@ use std::ops::Range;
 use machinist_contract::Real;
 use machinist_contract::field::FieldPlace;
 
+use super::chain::SECTION;
 use super::mesh::Owner;
 use super::{FieldSimulator, Work};
 
 /// Where everything is among the constants: those of the machine, then for every node of
 /// every field x, its part of the length, its inertia and the inverse of that, then the
-/// bounds of all segments; and where nothing else decides of it, the Jacobian.
+/// bounds of all segments, and the section of every field; and where nothing else decides of it, the Jacobian.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Constants<'c, R> {
     pub machine: &'c [R],
@@ -19,14 +20,20 @@ pub(super) struct Constants<'c, R> {
     pub inertia: &'c [R],
     pub inverse: &'c [R],
     bounds: &'c [R],
+    sections: &'c [R],
     /// Empty where it is not constant, or only the others were asked for.
     pub jacobian: &'c [R],
 }
 
-impl<'c, R> Constants<'c, R> {
+impl<'c, R: Copy> Constants<'c, R> {
     /// Bounds of the segments of a mesh.
     pub fn bounds(&self, range: Range<usize>) -> &'c [R] {
         &self.bounds[range]
+    }
+
+    /// Section of a field that is a chain.
+    pub fn section(&self, field: usize) -> [R; SECTION] {
+        std::array::from_fn(|number| self.sections[SECTION * field + number])
     }
 }
 
@@ -39,7 +46,8 @@ impl<R: Real> FieldSimulator<'_, R> {
 
     /// How many there are but for the Jacobian.
     pub(super) fn count_without_jacobian(&self) -> usize {
-        self.scene().constants() + 4 * self.nodes() + self.count_bounds()
+        let of_fields = self.count_bounds() + SECTION * self.meshes.len();
+        self.scene().constants() + 4 * self.nodes() + of_fields
     }
 
     fn count_bounds(&self) -> usize {
@@ -60,8 +68,9 @@ impl<R: Real> FieldSimulator<'_, R> {
         let (lengths, rest) = rest.split_at(nodes);
         let (inertia, rest) = rest.split_at(nodes);
         let (inverse, rest) = rest.split_at(nodes);
-        let (bounds, jacobian) = rest.split_at(self.count_bounds());
-        Constants { machine, x, lengths, inertia, inverse, bounds, jacobian }
+        let (bounds, rest) = rest.split_at(self.count_bounds());
+        let (sections, jacobian) = rest.split_at(SECTION * self.meshes.len());
+        Constants { machine, x, lengths, inertia, inverse, bounds, sections, jacobian }
     }
 
     /// Computes all constants.
@@ -88,15 +97,21 @@ impl<R: Real> FieldSimulator<'_, R> {
         let (x, rest) = rest.split_at_mut(nodes);
         let (lengths, rest) = rest.split_at_mut(nodes);
         let (inertia, rest) = rest.split_at_mut(nodes);
-        let (inverse, bounds) = rest.split_at_mut(nodes);
+        let (inverse, rest) = rest.split_at_mut(nodes);
+        let (bounds, sections) = rest.split_at_mut(self.count_bounds());
         bounds.copy_from_slice(&work.bounds);
+        for (section, chain) in sections.chunks_exact_mut(SECTION).zip(&self.chains) {
+            let zeros = [R::literal(0.0); SECTION];
+            let known = chain.as_ref().map(|chain| chain.section(self.scene(), &work.p));
+            section.copy_from_slice(&known.unwrap_or(zeros));
+        }
         for (index, mesh) in self.meshes.iter().enumerate() {
             let elements = mesh.elements(index, &bounds[mesh.bounds(index)]);
             let nodes = mesh.nodes();
             elements.places(&mut x[nodes.clone()]);
             elements.lengths(&mut lengths[nodes.clone()]);
             let densities = &mut inertia[nodes.clone()];
-            if self.scene().field_is_local(index) {
+            if self.scene().force_structure(index).local {
                 self.scene().field_inertias(index, &x[nodes.clone()], &work.p, densities);
                 for (inertia, length) in densities.iter_mut().zip(&lengths[nodes]) {
                     *inertia = *inertia * *length;

@@ -11,7 +11,7 @@ use super::FieldSimulator;
 /// where the machine's entries are in the state.
 pub(super) fn terms<R: Real>(scene: &dyn FieldScene<R>, border: &[u32]) -> Option<Vec<(u32, u32)>> {
     let linear = scene.linear()?;
-    let is_linear = (0..scene.fields()).all(|index| scene.field_is_linear(index));
+    let is_linear = (0..scene.fields()).all(|index| scene.force_structure(index).linear);
     let terms = linear.excitation_terms().iter();
     is_linear.then(|| terms.map(|(entry, power)| (border[*entry as usize], *power)).collect())
 }

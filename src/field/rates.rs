@@ -152,6 +152,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         let motion = (&work.u[nodes.clone()], &work.v[nodes]);
         let elements = mesh.elements(index, constants.bounds(mesh.bounds(index)));
         let mut places = self.element_entries[index].iter();
+        let structure = self.scene().force_structure(index);
         let at_ports = &mut work.at_ports;
         at_ports.clear();
         elements.force_jacobian(
@@ -161,14 +162,17 @@ impl<R: Real> FieldSimulator<'_, R> {
             |element, i, j, by_u, by_v| {
                 let row = element * mesh.order + i;
                 let place = places.next().map_or([NOWHERE; 2], |place| *place);
-                if place[0] != NOWHERE {
-                    for (place, by) in place.into_iter().zip([by_u, by_v]) {
+                for (place, by) in place.into_iter().zip([by_u, by_v]) {
+                    if place != NOWHERE {
                         let value = &mut values[place as usize];
                         *value = *value + by * inverse[row];
                     }
-                } else if mesh.ports.contains(&row) {
+                }
+                if mesh.ports.contains(&row) {
                     let columns = self.columns(mesh.owners[element * mesh.order + j]);
-                    for (column, by) in columns.into_iter().flatten().zip([by_u, by_v]) {
+                    let reaches = structure.reaches(i == j);
+                    let there = columns.into_iter().flatten().zip([by_u, by_v]).zip(reaches);
+                    for ((column, by), _) in there.filter(|(_, there)| *there) {
                         at_ports.push((row, column, by));
                     }
                 }

@@ -107,8 +107,9 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
 ::machinist_contract::field_scene! {
     ReedBeatUp: jacobian_reads_forces false;
-    0 shaft_u: linear true, local true, scale [1.0, 100.0], fixed [false, false], length 1.75,
-        elements 24, order 4;
+    0 shaft_u: linear true, local true, forces [Zero, Varying], derivatives [Zero, Zero, Zero,
+        Zero, Zero, Constant, Zero, Constant], scale [1.0, 100.0], fixed [false, false],
+        length 1.75, elements 24, order 4;
     value "rad", "shaft.u", "angle of the section";
     rate "rad/s", "shaft.u_dot", "rate of angle of the section";
     slope "rad/m", "shaft.u_x", "slope of angle of the section";

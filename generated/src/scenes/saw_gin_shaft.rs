@@ -122,8 +122,9 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
 ::machinist_contract::field_scene! {
     SawGinShaft: jacobian_reads_forces false;
-    0 saws_phi: linear false, local true, scale [150.0, 78.5], fixed [false, false], length 2.322,
-        elements 8, order 4;
+    0 saws_phi: linear false, local true, forces [Varying, Varying], derivatives [Zero, Zero,
+        Varying, Zero, Zero, Constant, Zero, Constant], scale [150.0, 78.5], fixed [false, false],
+        length 2.322, elements 8, order 4;
     value "rad", "saws.phi", "angle of the section";
     rate "rad/s", "saws.phi_dot", "rate of angle of the section";
     slope "rad/m", "saws.phi_x", "slope of angle of the section";

@@ -83,8 +83,9 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
 ::machinist_contract::field_scene! {
     ShaftWithRotors: jacobian_reads_forces false;
-    0 shaft_phi: linear true, local true, scale [1.0, 78.5], fixed [false, false], length 2.322,
-        elements 16, order 4;
+    0 shaft_phi: linear true, local true, forces [Zero, Varying], derivatives [Zero, Zero, Zero,
+        Zero, Zero, Constant, Zero, Constant], scale [1.0, 78.5], fixed [false, false],
+        length 2.322, elements 16, order 4;
     value "rad", "shaft.phi", "angle of the section";
     rate "rad/s", "shaft.phi_dot", "rate of angle of the section";
     slope "rad/m", "shaft.phi_x", "slope of angle of the section";

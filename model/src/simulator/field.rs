@@ -1,6 +1,8 @@
 //! Fields of scenes run from their tapes.
 
-use machinist_contract::field::{FieldAttachment, FieldDescription, FieldPoint, FieldScene};
+use machinist_contract::field::{
+    FieldAttachment, FieldDescription, FieldPoint, FieldScene, ForceStructure,
+};
 use machinist_contract::{Dual, Real, Simulator};
 
 use super::{ModelSimulator, Read, TapeFunction};
@@ -10,6 +12,7 @@ use crate::{FieldModel, Model, Tape};
 #[derive(Debug)]
 pub(super) struct PointFunctions {
     attachments: Vec<FieldAttachment>,
+    structure: ForceStructure,
     inertia: TapeFunction,
     inertia_gradient: TapeFunction,
     force: TapeFunction,
@@ -27,6 +30,7 @@ impl PointFunctions {
         let own = model.parameters.len();
         Self {
             attachments: field.attachments.iter().map(|at| at.described(own)).collect(),
+            structure: field.structure(),
             inertia: TapeFunction::default(),
             inertia_gradient: TapeFunction::default(),
             force: TapeFunction::default(),
@@ -133,11 +137,8 @@ where
     fn jacobian_reads_forces(&self) -> bool {
         self.model().jacobian_reads_forces()
     }
-    fn field_is_linear(&self, index: usize) -> bool {
-        self.model().fields[index].is_linear
-    }
-    fn field_is_local(&self, index: usize) -> bool {
-        self.model().fields[index].local.is_some()
+    fn force_structure(&self, index: usize) -> ForceStructure {
+        self.fields[index].structure
     }
     fn field_inertia(&self, index: usize, x: R, p: &[R]) -> R {
         let mut inertia = [R::literal(0.0)];

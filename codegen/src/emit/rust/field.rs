@@ -13,6 +13,7 @@ use super::names::{Namer, argument, distinct};
 use super::points;
 use crate::emit::EmitError;
 use crate::emit::text::doc;
+use machinist_contract::field::ForceStructure;
 use machinist_model::{FieldModel, Place, Quantity, Tape, operations};
 
 /// Modules of all fields; nothing for a scene without fields.
@@ -220,12 +221,12 @@ pub(super) fn description(scene: &Scene<'_>) -> Result<String, EmitError> {
         let [scale, scale_of_rate, length] =
             [field.scale[0], field.scale[1], field.length].map(number);
         let [start, end] = field.fixed;
-        let is_local = field.local.is_some();
+        let ForceStructure { linear, local, forces, derivatives } = field.structure();
         let head = format!(
-            "{index} {}: linear {}, local {is_local}, scale [{}, {}], fixed [{start}, {end}], \
-             length {}, elements {}, order {};",
+            "{index} {}: linear {linear}, local {local}, forces {forces:?}, \
+             derivatives {derivatives:?}, scale [{}, {}], fixed [{start}, {end}], length {}, \
+             elements {}, order {};",
             field.quantities[0].name.ident,
-            field.is_linear,
             scale?,
             scale_of_rate?,
             length?,

@@ -120,8 +120,9 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
 ::machinist_contract::field_scene! {
     M3: jacobian_reads_forces false;
-    0 shaft_phi: linear false, local true, scale [40.0, 78.5], fixed [false, false], length 2.322,
-        elements 99, order 1;
+    0 shaft_phi: linear false, local true, forces [Varying, Varying], derivatives [Zero, Zero,
+        Varying, Zero, Zero, Constant, Zero, Constant], scale [40.0, 78.5], fixed [false, false],
+        length 2.322, elements 99, order 1;
     value "rad", "shaft.phi", "angle of the section";
     rate "rad/s", "shaft.phi_dot", "rate of angle of the section";
     slope "rad/m", "shaft.phi_x", "slope of angle of the section";

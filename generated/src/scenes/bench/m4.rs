@@ -86,7 +86,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
 ::machinist_contract::field_scene! {
     M4: jacobian_reads_forces false;
-    0 shaft_theta: linear true, local true, scale [0.12, 3.0], fixed [false, false], length 1.75,
+    0 shaft_theta: linear true, local true, forces [Zero, Varying], derivatives [Zero, Zero, Zero,
+        Zero, Zero, Constant, Zero, Zero], scale [0.12, 3.0], fixed [false, false], length 1.75,
         elements 70, order 1;
     value "rad", "shaft.theta", "angle of the section";
     rate "rad/s", "shaft.theta_dot", "rate of angle of the section";

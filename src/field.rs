@@ -14,10 +14,12 @@ mod chain;
 mod constants;
 mod excitation;
 mod lobatto;
+mod local;
 mod mesh;
 #[cfg(feature = "linear")]
 mod modal;
 mod rates;
+mod section;
 mod simulator;
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -27,9 +29,11 @@ use machinist_contract::{Dual, Real, Shape};
 
 use chain::{Chain, columns_beside};
 pub use lobatto::Lobatto;
+use local::Local;
 use mesh::{Mesh, Owner};
 #[cfg(feature = "linear")]
 pub use modal::{ModalError, ModalSimulator};
+use section::Section;
 
 /// Elements that all fields of a scene may have together.
 pub const MAX_ELEMENTS: usize = 1_000_000;
@@ -86,11 +90,8 @@ pub struct FieldSimulator<'a, R> {
     rate_jacobian: Vec<(u32, u32)>,
     /// Where the machine's entries of the Jacobian are.
     machine_entries: Vec<u32>,
-    /// Of every field where the entries of its elements are, by u and by u'; of none
-    /// that is a chain.
-    element_entries: Vec<Vec<[u32; 2]>>,
-    /// Fields that are chains.
-    chains: Vec<Option<Chain>>,
+    /// One for each field.
+    laws: Vec<Law>,
     /// Every port: node among those of all fields, and first of the parameters handed
     /// over; and rows that the force on it reaches.
     ports: Vec<(usize, usize)>,
@@ -118,6 +119,16 @@ impl<R: Real> Scene<'_, R> {
             Self::Shared(scene) => scene.as_ref(),
         }
     }
+}
+
+/// How the elements of a field are gone through.
+enum Law {
+    /// What is between nodes is known once a run.
+    Section(Section),
+    /// Once an element.
+    Chain(Chain),
+    /// Point by point, with the places of every element's entries, by u and by u'.
+    Any { places: Vec<[u32; 2]> },
 }
 
 /// A row of the Jacobian that the force on a port reaches.
@@ -231,8 +242,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
             border: Vec::new(),
             rate_jacobian: Vec::new(),
             machine_entries: Vec::new(),
-            element_entries: Vec::new(),
-            chains: Vec::new(),
+            laws: Vec::new(),
             ports: Vec::new(),
             port_rows: Vec::new(),
             mass_is_diagonal: scene.mass_matrix_pattern().entries.iter().all(|(i, j)| i == j),
@@ -360,16 +370,38 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
             entries.binary_search(&entry).map_or(u32::MAX, |index| index as u32)
         };
         self.machine_entries = machine.into_iter().map(find).collect();
-        let (mut element_entries, mut chains) = (Vec::new(), Vec::new());
-        for (index, mesh) in self.meshes.iter().enumerate() {
-            let is_chain = mesh.order == 1 && self.scene().force_structure(index).local;
-            let place = |row, column| find((row, column));
-            let columns = |owner| self.columns(owner);
-            chains.push(is_chain.then(|| Chain::new((self.scene(), index), mesh, columns, place)));
-            element_entries.push(if is_chain { Vec::new() } else { self.entries_of(mesh, &find) });
-        }
-        (self.element_entries, self.chains) = (element_entries, chains);
+        let laws = self.meshes.iter().enumerate();
+        self.laws = laws.map(|(index, mesh)| self.law(index, mesh, &find)).collect();
         self.rate_jacobian = entries;
+    }
+
+    /// How the elements of a field are gone through.
+    fn law(&self, index: usize, mesh: &Mesh, find: &dyn Fn((u32, u32)) -> u32) -> Law {
+        let local = Local { field: index, structure: self.scene().force_structure(index) };
+        let place = |row, column| find((row, column));
+        let columns = |owner| self.columns(owner);
+        if local.structure.local && Section::is_there(&local) {
+            let rows = |owner| match owner {
+                Owner::Port { handed, .. } => {
+                    self.rows_of_port(handed).map(|(_, row)| self.entry(row as usize)).collect()
+                }
+                _ => Vec::new(),
+            };
+            let places = self.entries_of(mesh, find);
+            Law::Section(Section::new(local, mesh, places, columns, rows, place))
+        } else if local.structure.local && mesh.order == 1 {
+            Law::Chain(Chain::new(local, mesh, columns, place))
+        } else {
+            Law::Any { places: self.entries_of(mesh, find) }
+        }
+    }
+
+    /// Fields that have a section.
+    fn sections(&self) -> impl Iterator<Item = (usize, &Section)> {
+        self.laws.iter().enumerate().filter_map(|(index, law)| match law {
+            Law::Section(section) => Some((index, section)),
+            _ => None,
+        })
     }
 
     /// Places of the entries of every element, by u and by u'.

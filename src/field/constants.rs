@@ -5,13 +5,14 @@ use std::ops::Range;
 use machinist_contract::Real;
 use machinist_contract::field::FieldPlace;
 
-use super::chain::SECTION;
-use super::mesh::Owner;
-use super::{FieldSimulator, Work};
+use super::mesh::{Mesh, Owner};
+use super::section::NUMBERS;
+use super::{FieldSimulator, Law, Work};
 
 /// Where everything is among the constants: those of the machine, then for every node of
 /// every field x, its part of the length, its inertia and the inverse of that, then the
-/// bounds of all segments, and the section of every field; and where nothing else decides of it, the Jacobian.
+/// bounds of all segments, and the numbers of every field's section; and what is constant of the
+/// Jacobian.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Constants<'c, R> {
     pub machine: &'c [R],
@@ -21,7 +22,8 @@ pub(super) struct Constants<'c, R> {
     pub inverse: &'c [R],
     bounds: &'c [R],
     sections: &'c [R],
-    /// Empty where it is not constant, or only the others were asked for.
+    /// All of it, or with zeros where it varies. Empty where nothing of it is constant, or only
+    /// the others were asked for.
     pub jacobian: &'c [R],
 }
 
@@ -31,22 +33,46 @@ impl<'c, R: Copy> Constants<'c, R> {
         &self.bounds[range]
     }
 
-    /// Section of a field that is a chain.
-    pub fn section(&self, field: usize) -> [R; SECTION] {
-        std::array::from_fn(|number| self.sections[SECTION * field + number])
+    /// c, a and b of a field that has a section.
+    pub fn section(&self, field: usize) -> [R; NUMBERS] {
+        std::array::from_fn(|number| self.sections[NUMBERS * field + number])
+    }
+}
+
+impl<'c, R: Real> Constants<'c, R> {
+    /// Nodes of every segment of a field, both ends included, and the inverse of the length of
+    /// its elements.
+    pub fn stretches(
+        &self,
+        mesh: &'c Mesh,
+        field: usize,
+    ) -> impl Iterator<Item = (Range<usize>, R)> + use<'c, R> {
+        let (constants, order) = (*self, mesh.order);
+        mesh.segments.iter().enumerate().map(move |(index, segment)| {
+            let (first, elements) = (segment.first_node as usize, segment.elements as usize);
+            let inverse = constants.inverse_of_length(mesh, field, index);
+            (first..first + order * elements + 1, inverse)
+        })
+    }
+
+    /// The inverse of the length of the elements of a segment.
+    pub fn inverse_of_length(&self, mesh: &Mesh, field: usize, segment: usize) -> R {
+        let bounds = &self.bounds[mesh.bounds(field)];
+        let elements = f64::from(mesh.segments[segment].elements);
+        R::literal(elements) / (bounds[segment + 1] - bounds[segment])
     }
 }
 
 impl<R: Real> FieldSimulator<'_, R> {
     /// How many constants there are.
     pub(super) fn count_constants(&self) -> usize {
-        let jacobian = if self.jacobian_is_constant() { self.rate_jacobian.len() } else { 0 };
-        self.count_without_jacobian() + jacobian
+        let is_there = self.jacobian_is_constant() || self.sections().next().is_some();
+        self.count_without_jacobian() + if is_there { self.rate_jacobian.len() } else { 0 }
     }
 
     /// How many there are but for the Jacobian.
     pub(super) fn count_without_jacobian(&self) -> usize {
-        let of_fields = self.count_bounds() + SECTION * self.meshes.len();
+        let of_fields = self.count_bounds() + NUMBERS * self.meshes.len();
         self.scene().constants() + 4 * self.nodes() + of_fields
     }
 
@@ -55,7 +81,7 @@ impl<R: Real> FieldSimulator<'_, R> {
     }
 
     /// Whether machine and fields are linear, and nothing of them switches.
-    fn jacobian_is_constant(&self) -> bool {
+    pub(super) fn jacobian_is_constant(&self) -> bool {
         let linear = self.excitation_terms.as_ref().and_then(|_| self.scene().linear());
         linear.is_some_and(|linear| linear.switches() == 0)
     }
@@ -69,7 +95,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         let (inertia, rest) = rest.split_at(nodes);
         let (inverse, rest) = rest.split_at(nodes);
         let (bounds, rest) = rest.split_at(self.count_bounds());
-        let (sections, jacobian) = rest.split_at(SECTION * self.meshes.len());
+        let (sections, jacobian) = rest.split_at(NUMBERS * self.meshes.len());
         Constants { machine, x, lengths, inertia, inverse, bounds, sections, jacobian }
     }
 
@@ -83,7 +109,11 @@ impl<R: Real> FieldSimulator<'_, R> {
             let (time, rest) = (R::literal(0.0), vec![R::literal(0.0); self.border_and_own()]);
             let others = self.taken_apart(others);
             self.load_for_derivatives((time, &rest), parameters, &others, work);
-            self.loaded_jacobian(time, &others, work, jacobian);
+            if self.jacobian_is_constant() {
+                self.loaded_jacobian(time, &others, work, jacobian);
+            } else {
+                self.constant_part(&others, work, jacobian);
+            }
         }
     }
 
@@ -100,10 +130,9 @@ impl<R: Real> FieldSimulator<'_, R> {
         let (inverse, rest) = rest.split_at_mut(nodes);
         let (bounds, sections) = rest.split_at_mut(self.count_bounds());
         bounds.copy_from_slice(&work.bounds);
-        for (section, chain) in sections.chunks_exact_mut(SECTION).zip(&self.chains) {
-            let zeros = [R::literal(0.0); SECTION];
-            let known = chain.as_ref().map(|chain| chain.section(self.scene(), &work.p));
-            section.copy_from_slice(&known.unwrap_or(zeros));
+        for (index, section) in self.sections() {
+            let numbers = section.numbers(self.scene(), &work.p);
+            sections[NUMBERS * index..][..NUMBERS].copy_from_slice(&numbers);
         }
         for (index, mesh) in self.meshes.iter().enumerate() {
             let elements = mesh.elements(index, &bounds[mesh.bounds(index)]);
@@ -215,14 +244,16 @@ impl<R: Real> FieldSimulator<'_, R> {
 
     fn load_forces(&self, time: R, constants: &Constants<'_, R>, work: &mut Work<R>) {
         for (index, mesh) in self.meshes.iter().enumerate() {
-            if let Some(chain) = &self.chains[index] {
-                chain.force(self.scene(), time, (mesh, constants), work);
-                continue;
+            match &self.laws[index] {
+                Law::Section(section) => section.force(self.scene(), time, (mesh, constants), work),
+                Law::Chain(chain) => chain.force(self.scene(), time, (mesh, constants), work),
+                Law::Any { .. } => {
+                    let nodes = mesh.nodes();
+                    let elements = mesh.elements(index, constants.bounds(mesh.bounds(index)));
+                    let motion = (&work.u[nodes.clone()], &work.v[nodes.clone()]);
+                    elements.force(self.scene(), (time, &work.p), motion, &mut work.force[nodes]);
+                }
             }
-            let nodes = mesh.nodes();
-            let elements = mesh.elements(index, constants.bounds(mesh.bounds(index)));
-            let motion = (&work.u[nodes.clone()], &work.v[nodes.clone()]);
-            elements.force(self.scene(), (time, &work.p), motion, &mut work.force[nodes]);
         }
         for (node, handed) in self.ports.iter().copied() {
             work.p[handed + 1] = work.force[node];

@@ -46,6 +46,18 @@ impl Lobatto {
         }
     }
 
+    /// Integrals of l_i' l_j' over the unit interval, row by row.
+    #[must_use]
+    pub(super) fn stiffness(&self) -> Vec<f64> {
+        let len = self.points.len();
+        let slopes = |node: usize| self.slopes[node..].iter().step_by(len);
+        let integral = |i: usize, j: usize| -> f64 {
+            let products = slopes(i).zip(slopes(j)).zip(&self.weights);
+            products.map(|((a, b), weight)| weight * a * b).sum()
+        };
+        (0..len * len).map(|entry| integral(entry / len, entry % len)).collect()
+    }
+
     /// As the contract's loops take it.
     #[must_use]
     pub fn rule(&self) -> Rule<'_> {

@@ -73,6 +73,11 @@ impl Mesh {
         self.first_node..self.first_node + self.owners.len()
     }
 
+    /// Segment of the element that begins at a node.
+    pub fn segment_of(&self, node: usize) -> usize {
+        self.segments.partition_point(|segment| segment.first_node as usize <= node) - 1
+    }
+
     /// Nodes of each element.
     pub fn elements_of_nodes(&self) -> impl Iterator<Item = Range<usize>> + '_ {
         let elements = (self.owners.len() - 1) / self.order;

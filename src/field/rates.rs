@@ -2,9 +2,10 @@
 
 use machinist_contract::Real;
 
+use super::chain::Chain;
 use super::constants::Constants;
 use super::mesh::Owner;
-use super::{FieldSimulator, NOWHERE, Work, find};
+use super::{FieldSimulator, Law, NOWHERE, Work, find};
 
 impl<R: Real> FieldSimulator<'_, R> {
     /// y'.
@@ -55,17 +56,20 @@ impl<R: Real> FieldSimulator<'_, R> {
             derivative[*place as usize] = *value;
         }
         for (index, mesh) in self.meshes.iter().enumerate() {
-            if let Some(chain) = &self.chains[index] {
-                chain.force_by_time(self.scene(), time, (mesh, constants), work);
-                continue;
+            let (scene, at) = (self.scene(), (mesh, constants));
+            match &self.laws[index] {
+                Law::Section(section) => section.force_by_time(scene, time, at, work),
+                Law::Chain(chain) => chain.force_by_time(scene, time, at, work),
+                Law::Any { .. } => {
+                    let nodes = mesh.nodes();
+                    let motion = (&work.u[nodes.clone()], &work.v[nodes.clone()]);
+                    let count = scene.field(index).parameters.len();
+                    let gradient = &mut work.gradient[..2 * (2 + count)];
+                    let changes = (gradient, &mut work.force_change[nodes]);
+                    let elements = mesh.elements(index, constants.bounds(mesh.bounds(index)));
+                    elements.force_by_time(scene, (time, &work.p), motion, changes);
+                }
             }
-            let nodes = mesh.nodes();
-            let motion = (&work.u[nodes.clone()], &work.v[nodes.clone()]);
-            let count = self.scene().field(index).parameters.len();
-            let gradient = &mut work.gradient[..2 * (2 + count)];
-            let changes = (gradient, &mut work.force_change[nodes]);
-            let elements = mesh.elements(index, constants.bounds(mesh.bounds(index)));
-            elements.force_by_time(self.scene(), (time, &work.p), motion, changes);
         }
         self.weigh_ports(time, work);
         for (port, (node, _)) in self.ports.iter().copied().enumerate() {
@@ -87,9 +91,11 @@ impl<R: Real> FieldSimulator<'_, R> {
     ) {
         let entries = &self.rate_jacobian;
         assert_eq!(values.len(), entries.len(), "entries of the Jacobian");
-        let n = self.coordinates();
-        values.fill(R::literal(0.0));
-        values[..n].fill(R::literal(1.0));
+        if constants.jacobian.is_empty() {
+            self.constant_part(constants, work, values);
+        } else {
+            values.copy_from_slice(constants.jacobian);
+        }
         let result = &mut work.result[..self.machine_entries.len()];
         self.scene().prepared_rate_jacobian(time, &work.state, &work.p, constants.machine, result);
         for (place, value) in self.machine_entries.iter().zip(&*result) {
@@ -97,25 +103,52 @@ impl<R: Real> FieldSimulator<'_, R> {
         }
         self.weigh_ports(time, work);
         let mut port = 0;
-        for index in 0..self.meshes.len() {
-            if self.chains[index].is_some() {
-                self.jacobian_of_chain(index, (time, constants), work, values, &mut port);
-            } else {
-                self.jacobian_of_elements(index, (time, constants), work, values, &mut port);
+        for (index, law) in self.laws.iter().enumerate() {
+            match law {
+                Law::Section(section) => {
+                    let mesh = &self.meshes[index];
+                    section.varying_part(self.scene(), time, (mesh, constants), work, values);
+                    let weights = &work.port_weights[port..];
+                    let by_ports = (&work.by_value, weights);
+                    section.rows_of_ports((mesh, constants), by_ports, values);
+                    port += section.ports();
+                }
+                Law::Chain(chain) => {
+                    let at = (index, constants);
+                    self.jacobian_of_chain(chain, (time, at), work, values, &mut port);
+                }
+                Law::Any { places } => {
+                    let at = (index, constants);
+                    self.jacobian_of_elements(places, (time, at), work, values, &mut port);
+                }
             }
+        }
+    }
+
+    /// What is constant of it, with zeros where it varies.
+    pub(super) fn constant_part(
+        &self,
+        constants: &Constants<'_, R>,
+        work: &mut Work<R>,
+        values: &mut [R],
+    ) {
+        values.fill(R::literal(0.0));
+        values[..self.coordinates()].fill(R::literal(1.0));
+        for (index, section) in self.sections() {
+            section.constant_part(self.scene(), (&self.meshes[index], constants), work, values);
         }
     }
 
     /// The part of a chain; ports are counted.
     fn jacobian_of_chain(
         &self,
-        index: usize,
-        (time, constants): (R, &Constants<'_, R>),
+        chain: &Chain,
+        (time, (index, constants)): (R, (usize, &Constants<'_, R>)),
         work: &mut Work<R>,
         values: &mut [R],
         port: &mut usize,
     ) {
-        let (Some(chain), mesh) = (&self.chains[index], &self.meshes[index]) else { return };
+        let mesh = &self.meshes[index];
         let mut of_ports = std::mem::take(&mut work.of_ports);
         of_ports.clear();
         chain.jacobian(self.scene(), time, (mesh, constants), work, values, |node, of_force| {
@@ -140,8 +173,8 @@ impl<R: Real> FieldSimulator<'_, R> {
     /// The part of elements of any order; ports are counted.
     fn jacobian_of_elements(
         &self,
-        index: usize,
-        (time, constants): (R, &Constants<'_, R>),
+        places: &[[u32; 2]],
+        (time, (index, constants)): (R, (usize, &Constants<'_, R>)),
         work: &mut Work<R>,
         values: &mut [R],
         port: &mut usize,
@@ -151,7 +184,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         let inverse = &constants.inverse[nodes.clone()];
         let motion = (&work.u[nodes.clone()], &work.v[nodes]);
         let elements = mesh.elements(index, constants.bounds(mesh.bounds(index)));
-        let mut places = self.element_entries[index].iter();
+        let mut places = places.iter();
         let structure = self.scene().force_structure(index);
         let at_ports = &mut work.at_ports;
         at_ports.clear();

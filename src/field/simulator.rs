@@ -259,7 +259,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
         values: &mut [R],
     ) {
         let constants = self.taken_apart(constants);
-        if !constants.jacobian.is_empty() {
+        if self.jacobian_is_constant() {
             values.copy_from_slice(constants.jacobian);
             return;
         }

@@ -28,6 +28,7 @@ use machinist_contract::field::{FieldScene, HANDED, MAX_ORDER};
 use machinist_contract::{Dual, Real, Shape};
 
 use chain::{Chain, columns_beside};
+use constants::Counts;
 pub use lobatto::Lobatto;
 use local::Local;
 use mesh::{Mesh, Owner};
@@ -92,6 +93,7 @@ pub struct FieldSimulator<'a, R> {
     machine_entries: Vec<u32>,
     /// One for each field.
     laws: Vec<Law>,
+    counts: Counts,
     /// Every port: node among those of all fields, and first of the parameters handed
     /// over; and rows that the force on it reaches.
     ports: Vec<(usize, usize)>,
@@ -243,6 +245,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
             rate_jacobian: Vec::new(),
             machine_entries: Vec::new(),
             laws: Vec::new(),
+            counts: Counts::default(),
             ports: Vec::new(),
             port_rows: Vec::new(),
             mass_is_diagonal: scene.mass_matrix_pattern().entries.iter().all(|(i, j)| i == j),
@@ -262,7 +265,8 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         simulator.lay_out_ports();
         simulator.lay_out_others();
         simulator.excitation_terms = excitation::terms(simulator.scene(), &simulator.border);
-        let constants = simulator.count_without_jacobian();
+        simulator.counts = simulator.count_constants();
+        let constants = simulator.counts.without_jacobian();
         let weights = simulator.port_rows.iter().map(|rows| vec![R::literal(0.0); rows.len()]);
         let weights = weights.collect();
         let work = simulator.work.get_mut().unwrap_or_else(PoisonError::into_inner);

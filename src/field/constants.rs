@@ -63,53 +63,70 @@ impl<'c, R: Real> Constants<'c, R> {
     }
 }
 
-impl<R: Real> FieldSimulator<'_, R> {
-    /// How many constants there are.
-    pub(super) fn count_constants(&self) -> usize {
-        let is_there = self.jacobian_is_constant() || self.sections().next().is_some();
-        self.count_without_jacobian() + if is_there { self.rate_jacobian.len() } else { 0 }
-    }
-
-    /// How many there are but for the Jacobian.
-    pub(super) fn count_without_jacobian(&self) -> usize {
-        let of_fields = self.count_bounds() + NUMBERS * self.meshes.len();
-        self.scene().constants() + 4 * self.nodes() + of_fields
-    }
-
-    fn count_bounds(&self) -> usize {
-        self.meshes.iter().map(|mesh| mesh.segments.len() + 1).sum()
-    }
-
+/// How many constants there are.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Counts {
+    machine: usize,
+    nodes: usize,
+    bounds: usize,
+    sections: usize,
+    jacobian: usize,
     /// Whether machine and fields are linear, and nothing of them switches.
-    pub(super) fn jacobian_is_constant(&self) -> bool {
+    pub jacobian_is_constant: bool,
+}
+
+impl Counts {
+    /// All of them.
+    pub fn all(&self) -> usize {
+        self.without_jacobian() + self.jacobian
+    }
+
+    /// All but the Jacobian.
+    pub fn without_jacobian(&self) -> usize {
+        self.machine + 4 * self.nodes + self.bounds + self.sections
+    }
+}
+
+impl<R: Real> FieldSimulator<'_, R> {
+    /// Counts the constants, once everything else is laid out.
+    pub(super) fn count_constants(&self) -> Counts {
         let linear = self.excitation_terms.as_ref().and_then(|_| self.scene().linear());
-        linear.is_some_and(|linear| linear.switches() == 0)
+        let jacobian_is_constant = linear.is_some_and(|linear| linear.switches() == 0);
+        let has_part = jacobian_is_constant || self.sections().next().is_some();
+        Counts {
+            machine: self.scene().constants(),
+            nodes: self.nodes(),
+            bounds: self.meshes.iter().map(|mesh| mesh.segments.len() + 1).sum(),
+            sections: NUMBERS * self.meshes.len(),
+            jacobian: if has_part { self.rate_jacobian.len() } else { 0 },
+            jacobian_is_constant,
+        }
     }
 
     /// The constants by what they are.
     pub(super) fn taken_apart<'c>(&self, constants: &'c [R]) -> Constants<'c, R> {
-        let nodes = self.nodes();
-        let (machine, rest) = constants.split_at(self.scene().constants());
+        let Counts { machine, nodes, bounds, sections, .. } = self.counts;
+        let (machine, rest) = constants.split_at(machine);
         let (x, rest) = rest.split_at(nodes);
         let (lengths, rest) = rest.split_at(nodes);
         let (inertia, rest) = rest.split_at(nodes);
         let (inverse, rest) = rest.split_at(nodes);
-        let (bounds, rest) = rest.split_at(self.count_bounds());
-        let (sections, jacobian) = rest.split_at(NUMBERS * self.meshes.len());
+        let (bounds, rest) = rest.split_at(bounds);
+        let (sections, jacobian) = rest.split_at(sections);
         Constants { machine, x, lengths, inertia, inverse, bounds, sections, jacobian }
     }
 
     /// Computes all constants.
     pub(super) fn prepare_all(&self, parameters: &[R], work: &mut Work<R>, into: &mut [R]) {
-        assert_eq!(into.len(), self.count_constants(), "number of constants");
-        let (others, jacobian) = into.split_at_mut(self.count_without_jacobian());
+        assert_eq!(into.len(), self.counts.all(), "number of constants");
+        let (others, jacobian) = into.split_at_mut(self.counts.without_jacobian());
         self.compute_constants(parameters, work, others);
         if !jacobian.is_empty() {
             // Any time and state will do.
             let (time, rest) = (R::literal(0.0), vec![R::literal(0.0); self.border_and_own()]);
             let others = self.taken_apart(others);
             self.load_for_derivatives((time, &rest), parameters, &others, work);
-            if self.jacobian_is_constant() {
+            if self.counts.jacobian_is_constant {
                 self.loaded_jacobian(time, &others, work, jacobian);
             } else {
                 self.constant_part(&others, work, jacobian);
@@ -120,15 +137,15 @@ impl<R: Real> FieldSimulator<'_, R> {
     /// Computes the constants but for the Jacobian, and leaves the parameters with the inertias
     /// that fields hand over in `work.p`.
     pub(super) fn compute_constants(&self, parameters: &[R], work: &mut Work<R>, into: &mut [R]) {
-        assert_eq!(into.len(), self.count_without_jacobian(), "number of constants");
+        assert_eq!(into.len(), self.counts.without_jacobian(), "number of constants");
         self.place(parameters, work);
-        let nodes = self.nodes();
-        let (machine, rest) = into.split_at_mut(self.scene().constants());
+        let Counts { machine, nodes, bounds, .. } = self.counts;
+        let (machine, rest) = into.split_at_mut(machine);
         let (x, rest) = rest.split_at_mut(nodes);
         let (lengths, rest) = rest.split_at_mut(nodes);
         let (inertia, rest) = rest.split_at_mut(nodes);
         let (inverse, rest) = rest.split_at_mut(nodes);
-        let (bounds, sections) = rest.split_at_mut(self.count_bounds());
+        let (bounds, sections) = rest.split_at_mut(bounds);
         bounds.copy_from_slice(&work.bounds);
         for (index, section) in self.sections() {
             let numbers = section.numbers(self.scene(), &work.p);

@@ -216,7 +216,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
     }
 
     fn constants(&self) -> usize {
-        self.count_constants()
+        self.counts.all()
     }
 
     fn prepare(&self, parameters: &[R], constants: &mut [R]) {
@@ -258,12 +258,11 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
         constants: &[R],
         values: &mut [R],
     ) {
-        let constants = self.taken_apart(constants);
-        if self.jacobian_is_constant() {
-            values.copy_from_slice(constants.jacobian);
+        if self.counts.jacobian_is_constant {
+            values.copy_from_slice(&constants[self.counts.without_jacobian()..]);
             return;
         }
-        let work = &mut *self.work();
+        let (work, constants) = (&mut *self.work(), self.taken_apart(constants));
         self.load_for_derivatives((time, state), parameters, &constants, work);
         self.loaded_jacobian(time, &constants, work, values);
     }

@@ -9,7 +9,6 @@
 //! `implicit`), linear analysis (`linear`), many variants at once (`sweep`), parameters from
 //! measured runs (`fit`).
 //! Without any of them, what remains runs any simulator by explicit methods.
-#![forbid(unsafe_code)]
 
 #[cfg(feature = "linear")]
 pub mod complex_step;

@@ -39,6 +39,7 @@ mod suitable;
 mod system;
 mod tableau;
 pub(crate) mod taylor;
+mod vectors;
 mod watch;
 
 use std::fmt;

@@ -4,11 +4,16 @@
 //! next to nothing: work arrays are made once, stages lie in lanes of four, and
 //! no zero coefficient is ever multiplied.
 
-use super::lanes::{Sum, combine, combine_many, padded, padded_many, sum};
+mod carried;
+
+use std::ops::Range;
+
+use super::lanes::{Sum, combine, padded, sum};
 use super::one_step::{OneStep, Pace, Trial, drive_all, first_step};
 use super::tableau::{DOP853, Pair, Row, TSIT5};
 use super::{Integrator, Samples, Sealed, Stopped, Stretch};
 use crate::method::sensitivity::Tangents;
+use carried::Carried;
 
 /// [`TSIT5`].
 pub(super) struct Tsit5;
@@ -65,22 +70,6 @@ pub(super) struct ExplicitSteps<'a> {
     carried: Option<Carried>,
 }
 
-/// Stages of sensitivities: those of the variational equations at the states of the stages.
-struct Carried {
-    /// Number of sensitivities and padding of zeros.
-    width: usize,
-    stages: Vec<f64>,
-    sums: Vec<Sum>,
-    estimates: Vec<Sum>,
-    argument: Vec<f64>,
-    start: Vec<f64>,
-    /// States of the stages, one after another.
-    states: Vec<f64>,
-    /// Whether the first stage is known, as the last one of the step before.
-    has_first_stage: bool,
-    has_extra_stages: bool,
-}
-
 impl<'a> ExplicitSteps<'a> {
     pub(super) fn new(pair: &'static Pair, stretch: &'a Stretch<'a>) -> Self {
         let size = stretch.system.len();
@@ -104,7 +93,7 @@ impl<'a> ExplicitSteps<'a> {
             estimates: pair.estimates.iter().map(offsets).collect(),
             weights: vec![0.0; count],
             has_extra_stages: false,
-            carried: stretch.system.tangents().map(|t| Carried::new(pair, t.len(), width)),
+            carried: stretch.system.tangents().map(|t| Carried::new(pair, t, width)),
         }
     }
 
@@ -114,31 +103,25 @@ impl<'a> ExplicitSteps<'a> {
         tangents: &Tangents<'_>,
         ends: (&[f64], &[f64]),
     ) -> f64 {
-        let Carried { stages, estimates, argument, .. } = carried;
-        let mut norm = |row: &Sum| {
-            combine_many(row, stages, self.step, None, argument);
-            tangents.error(self.stretch, &argument[..tangents.len()], ends)
-        };
-        let error = norm(&estimates[0]);
-        match estimates.get(1) {
-            Some(lower) if error > 0.0 => blended(error, norm(lower)),
-            _ => error,
-        }
+        let count = tangents.len();
+        tangents.errors(self.stretch, ends, |norm| {
+            let mut error =
+                |index| carried.estimate(index, self.step).map(|errors| norm(&errors[..count]));
+            match error(0) {
+                Some(first) if first > 0.0 => error(1).map_or(first, |lower| blended(first, lower)),
+                first => first.unwrap_or(f64::NAN),
+            }
+        })
     }
 
-    /// A stage of the sensitivities: their rate where those before it lead.
-    fn carry_stage(&self, carried: &mut Carried, tangents: &Tangents<'_>, stage: usize) {
-        let Carried { width, stages, sums, argument, start, states, .. } = carried;
-        let time = self.time + self.pair.nodes[stage] * self.step;
-        let state = match stage {
-            0 => &self.start,
-            stage if stage + 1 == self.pair.rows.len() => &self.end,
-            stage => &states[stage * self.width..],
-        };
-        combine_many(&sums[stage], stages, self.step, Some(start), argument);
-        let rate = &mut stages[stage * *width..][..tangents.len()];
-        let argument = &argument[..tangents.len()];
-        tangents.rate(self.stretch, time, &state[..self.size], argument, rate);
+    /// J and df/dp at the states of stages.
+    fn linearize(&self, carried: &mut Carried, tangents: &Tangents<'_>, stages: Range<usize>) {
+        for stage in stages {
+            let time = self.time + self.pair.nodes[stage] * self.step;
+            carried.linearize(tangents, stage, |state, jacobian, rate| {
+                tangents.linearize(self.stretch, time, &state[..self.size], jacobian, rate);
+            });
+        }
     }
 
     /// |h lambda| of the fastest motion that the last two stages show, both at
@@ -170,8 +153,8 @@ impl<'a> ExplicitSteps<'a> {
             At::Argument => &self.argument,
             At::End => &self.end,
         };
-        if let Some(Carried { states, .. }) = &mut self.carried {
-            states[stage * self.width..][..self.width].copy_from_slice(state);
+        if let Some(carried) = &mut self.carried {
+            carried.state(stage).copy_from_slice(state);
         }
         let rate = &mut self.stages[stage * self.width..][..self.size];
         self.stretch.rate(time, &state[..self.size], rate);
@@ -216,8 +199,8 @@ impl<'a> ExplicitSteps<'a> {
             let start = Some(&self.start[..]);
             // The error has served; the argument of the last stage but one has not.
             combine(&self.sums[stage], &self.stages, self.step, start, &mut self.error);
-            if let Some(Carried { states, .. }) = &mut self.carried {
-                states[stage * self.width..][..self.width].copy_from_slice(&self.error);
+            if let Some(carried) = &mut self.carried {
+                carried.state(stage).copy_from_slice(&self.error);
             }
             let time = self.time + self.pair.nodes[stage] * self.step;
             let rate = &mut self.stages[stage * self.width..][..self.size];
@@ -236,24 +219,6 @@ fn blended(error: f64, lower: f64) -> f64 {
 enum At {
     Argument,
     End,
-}
-
-impl Carried {
-    fn new(pair: &Pair, count: usize, state_width: usize) -> Self {
-        let width = padded_many(count);
-        let zeros = || vec![0.0; width];
-        Self {
-            width,
-            stages: vec![0.0; width * pair.nodes.len()],
-            sums: pair.rows.iter().chain(pair.dense.extra).map(|row| sum(row, width)).collect(),
-            estimates: pair.estimates.iter().map(|row| sum(row, width)).collect(),
-            argument: zeros(),
-            start: zeros(),
-            states: vec![0.0; state_width * pair.nodes.len()],
-            has_first_stage: false,
-            has_extra_stages: false,
-        }
-    }
 }
 
 impl OneStep for ExplicitSteps<'_> {
@@ -331,24 +296,25 @@ impl OneStep for ExplicitSteps<'_> {
         self.start.copy_from_slice(&self.end);
         let last = self.pair.rows.len() - 1;
         self.stages.copy_within(last * self.width..(last + 1) * self.width, 0);
-        if let Some(Carried { width, stages, has_first_stage, .. }) = &mut self.carried {
-            stages.copy_within(last * *width..(last + 1) * *width, 0);
+        if let Some(carried) = &mut self.carried {
             // What is put back onto constraints is no longer where the last stage was.
-            *has_first_stage = self.stretch.system.constraints().is_none();
+            carried.restart(last, self.stretch.system.constraints().is_none());
         }
     }
 
     fn carry(&mut self, tangents: &Tangents<'_>, start: &[f64], end: &mut [f64]) -> f64 {
         let Some(mut carried) = self.carried.take() else { return f64::NAN };
-        carried.start[..start.len()].copy_from_slice(start);
-        carried.has_extra_stages = false;
+        carried.begin(start);
         let last = self.pair.rows.len() - 1;
-        for stage in usize::from(carried.has_first_stage)..=last {
-            self.carry_stage(&mut carried, tangents, stage);
+        let first = usize::from(carried.has_first_stage);
+        if first == 0 {
+            carried.state(0).copy_from_slice(&self.start);
         }
+        self.linearize(&mut carried, tangents, first..last + 1);
+        carried.add_stages(tangents, first..last + 1, self.step);
         carried.has_first_stage = true;
         // The last stage is at the end of the step.
-        end.copy_from_slice(&carried.argument[..end.len()]);
+        end.copy_from_slice(carried.reached(end.len()));
         let error = if tangents.is_controlled() {
             self.error_of_tangents(&mut carried, tangents, (start, end))
         } else {
@@ -358,26 +324,26 @@ impl OneStep for ExplicitSteps<'_> {
         error
     }
 
-    fn tangents_at(&mut self, tangents: &Tangents<'_>, time: f64, start: &[f64], into: &mut [f64]) {
+    fn tangents_at(
+        &mut self,
+        tangents: &Tangents<'_>,
+        time: f64,
+        _start: &[f64],
+        into: &mut [f64],
+    ) {
         if !self.has_extra_stages {
             self.add_extra_stages();
         }
         let Some(mut carried) = self.carried.take() else { return };
         if !carried.has_extra_stages {
-            for stage in self.pair.rows.len()..self.pair.nodes.len() {
-                self.carry_stage(&mut carried, tangents, stage);
-            }
+            let extra = self.pair.rows.len()..self.pair.nodes.len();
+            self.linearize(&mut carried, tangents, extra.clone());
+            carried.add_stages(tangents, extra, self.step);
             carried.has_extra_stages = true;
         }
         let theta = (time - self.time) / self.step;
         (self.pair.dense.weights)(theta, &mut self.weights);
-        into.copy_from_slice(start);
-        for (weight, rate) in self.weights.iter().zip(carried.stages.chunks_exact(carried.width)) {
-            let weight = self.step * weight;
-            for (into, rate) in into.iter_mut().zip(rate) {
-                *into += weight * rate;
-            }
-        }
+        carried.interpolate(&self.weights, self.step, into);
         self.carried = Some(carried);
     }
 

@@ -48,6 +48,7 @@ pub(super) fn combine(
 
 /// As [`combine`], for so many values that all their sums would not stay in registers beside
 /// second ones: sensitivities.
+#[inline(always)]
 pub(super) fn combine_many(
     sum: &[(usize, f64)],
     stages: &[f64],
@@ -55,17 +56,20 @@ pub(super) fn combine_many(
     start: Option<&[f64]>,
     into: &mut [f64],
 ) {
-    let (first, rest) = into.split_at_mut(into.len() / WIDE * WIDE);
-    blocks::<WIDE, false>(sum, stages, step, (start, 0), first);
+    let (first, rest) = into.split_at_mut(into.len() / WIDEST * WIDEST);
+    blocks::<WIDEST, false>(sum, stages, step, (start, 0), first);
     blocks::<LANES, false>(sum, stages, step, (start, first.len()), rest);
 }
 
 /// States summed at once where there are many.
 const WIDE: usize = 4 * LANES;
 
+/// Sensitivities summed at once: as many as registers hold.
+const WIDEST: usize = 6 * LANES;
+
 /// The sum over blocks of so many states, of which the first is the `first`-th; of pairs of
 /// terms side by side, or of one after the other.
-#[inline]
+#[inline(always)]
 fn blocks<const COUNT: usize, const PAIRED: bool>(
     sum: &[(usize, f64)],
     stages: &[f64],
@@ -73,7 +77,7 @@ fn blocks<const COUNT: usize, const PAIRED: bool>(
     (start, first): (Option<&[f64]>, usize),
     into: &mut [f64],
 ) {
-    for (block, into) in into.chunks_exact_mut(COUNT).enumerate() {
+    for (block, into) in into.as_chunks_mut::<COUNT>().0.iter_mut().enumerate() {
         let at = first + block * COUNT;
         let mut total = [0.0; COUNT];
         if PAIRED {
@@ -95,18 +99,18 @@ fn blocks<const COUNT: usize, const PAIRED: bool>(
                 add(term, stages, at, &mut total);
             }
         }
-        match start {
-            Some(start) => {
-                for ((into, total), start) in into.iter_mut().zip(total).zip(&start[at..]) {
-                    *into = Real::mul_add(step, total, *start);
+        // Arrays that are written at once: else each number is compared with the end of its
+        // slice, and written before the next is read.
+        *into = match start.map(|start| start[at..].first_chunk::<COUNT>()) {
+            Some(Some(start)) => {
+                let mut values = *start;
+                for (value, total) in values.iter_mut().zip(total) {
+                    *value = Real::mul_add(step, total, *value);
                 }
+                values
             }
-            None => {
-                for (into, total) in into.iter_mut().zip(total) {
-                    *into = step * total;
-                }
-            }
-        }
+            _ => total.map(|total| step * total),
+        };
     }
 }
 

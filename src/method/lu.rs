@@ -2,6 +2,8 @@
 
 use nalgebra::ComplexField;
 
+use super::vectors::{Work, widest};
+
 /// The matrix has a column without a pivot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Singular;
@@ -57,6 +59,7 @@ impl<S: ComplexField<RealField = f64> + Copy> Lu<S> {
     ///
     /// # Errors
     /// [`Singular`], also where entries are not finite.
+    #[inline(always)]
     pub(super) fn factor(&mut self) -> Result<(), Singular> {
         for k in 0..self.size {
             let bottom = self.column_ends[k].max(k + 1);
@@ -127,19 +130,7 @@ impl<S: ComplexField<RealField = f64> + Copy> Lu<S> {
                 above[k * columns..][..columns].swap_with_slice(&mut below[..columns]);
             }
         }
-        for (row, entries) in self.entries.chunks_exact(self.size.max(1)).enumerate() {
-            let (known, rest) = b.split_at_mut(row * columns);
-            subtract(&entries[..row], known, &mut rest[..columns]);
-        }
-        for row in (0..self.size).rev() {
-            let entries = &self.entries[row * self.size..][row..self.row_ends[row].max(row + 1)];
-            let (unknown, known) = b[row * columns..].split_at_mut(columns);
-            subtract(&entries[1..], known, unknown);
-            let inverse = entries[0].recip();
-            for value in unknown {
-                *value *= inverse;
-            }
-        }
+        widest(Substitution { factors: self, b, columns });
     }
 
     fn largest_below(&self, k: usize, bottom: usize) -> usize {
@@ -163,19 +154,95 @@ impl<S: ComplexField<RealField = f64> + Copy> Lu<S> {
     }
 }
 
-/// Subtracts rows, each times its entry, of which many are zero.
-fn subtract<S: ComplexField + Copy>(entries: &[S], rows: &[S], from: &mut [S]) {
-    for (entry, row) in entries.iter().zip(rows.chunks_exact(from.len())) {
-        if entry.is_zero() {
-            continue;
-        }
-        for (value, known) in from.iter_mut().zip(row) {
-            *value -= *entry * *known;
+/// Forward and backward substitution of many columns, as many at once as registers hold.
+struct Substitution<'a, S> {
+    factors: &'a Lu<S>,
+    b: &'a mut [S],
+    columns: usize,
+}
+
+impl<S: ComplexField<RealField = f64> + Copy> Work for Substitution<'_, S> {
+    type Result = ();
+    #[inline(always)]
+    fn run(self) {
+        let Self { factors, b, columns } = self;
+        let mut first = 0;
+        while first < columns {
+            first += match columns - first {
+                10.. => factors.substitute::<10>(b, first, columns),
+                4.. => factors.substitute::<4>(b, first, columns),
+                _ => factors.substitute::<1>(b, first, columns),
+            };
         }
     }
 }
 
+impl<S: ComplexField<RealField = f64> + Copy> Lu<S> {
+    /// Substitution of `N` of the columns; how many these are.
+    #[inline(always)]
+    fn substitute<const N: usize>(&self, b: &mut [S], first: usize, columns: usize) -> usize {
+        for (row, entries) in self.entries.chunks_exact(self.size.max(1)).enumerate() {
+            let (known, rest) = b.split_at_mut(row * columns);
+            let Some(rest) = rest.get_mut(first..).and_then(<[S]>::first_chunk_mut::<N>) else {
+                break;
+            };
+            *rest = subtracted(&entries[..row], known, (first, columns), *rest);
+        }
+        for row in (0..self.size).rev() {
+            let entries = &self.entries[row * self.size..][row..self.row_ends[row].max(row + 1)];
+            let (unknown, known) = b[row * columns..].split_at_mut(columns);
+            let Some(unknown) = unknown.get_mut(first..).and_then(<[S]>::first_chunk_mut::<N>)
+            else {
+                break;
+            };
+            let rest = subtracted(&entries[1..], known, (first, columns), *unknown);
+            let inverse = entries[0].recip();
+            *unknown = rest.map(|value| value * inverse);
+        }
+        N
+    }
+}
+
+/// What rows, each times its entry, of which many are zero, leave of some columns.
+#[inline(always)]
+fn subtracted<S: ComplexField + Copy, const N: usize>(
+    entries: &[S],
+    rows: &[S],
+    (first, columns): (usize, usize),
+    mut from: [S; N],
+) -> [S; N] {
+    for (entry, row) in entries.iter().zip(rows.chunks_exact(columns)) {
+        if entry.is_zero() {
+            continue;
+        }
+        let Some(row) = row.get(first..).and_then(<[S]>::first_chunk::<N>) else { break };
+        for (value, known) in from.iter_mut().zip(row) {
+            *value -= *entry * *known;
+        }
+    }
+    from
+}
+
+/// The factorization of a large matrix of numbers, for which wide vectors pay.
+struct Factorization<'a>(&'a mut Lu<f64>);
+
+impl Work for Factorization<'_> {
+    type Result = Result<(), Singular>;
+    #[inline(always)]
+    fn run(self) -> Result<(), Singular> {
+        self.0.factor()
+    }
+}
+
 impl Lu<f64> {
+    /// As [`Lu::factor`], of a matrix so large that wide vectors pay.
+    ///
+    /// # Errors
+    /// Likewise.
+    pub(super) fn factor_large(&mut self) -> Result<(), Singular> {
+        widest(Factorization(self))
+    }
+
     /// Whether the determinant of the factored matrix is negative.
     pub(super) fn is_negative(&self) -> bool {
         let exchanges = self.pivots.iter().enumerate().filter(|(k, pivot)| k != *pivot).count();

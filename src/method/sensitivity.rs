@@ -13,21 +13,27 @@
 //!
 //! An entry of S stands at `state * directions + direction`.
 
+mod allowed;
 mod columns;
+mod equations;
 mod instant;
 mod start;
 
 use std::cell::RefCell;
 use std::ops::Range;
 
-use machinist_contract::{Derivatives, Describe, Dual, DualFunction, Real, Simulator};
+use machinist_contract::{Derivatives, Describe, Dual, DualFunction, Simulator};
 
 use crate::constraints::Constraints;
 use crate::error::{SimulateError, did_you_mean};
+use crate::method::vectors::widest;
 use crate::method::{Method, OneStep, Samples, Stopped, Stretch, Trial};
+use allowed::Allowed;
+use equations::Product;
 use instant::Instant;
 
 pub(crate) use columns::columns;
+pub(crate) use equations::Equations;
 pub(crate) use instant::{Passing, moment};
 pub(crate) use start::Start;
 
@@ -79,18 +85,12 @@ pub(crate) struct Tangents<'a> {
     parameters: &'a [f64],
     by: Vec<By>,
     states: usize,
-    /// Rows of dy'/dy: where they begin in S, and their entries.
-    slopes_at: Vec<(usize, Range<usize>)>,
-    /// Where the row of S begins that an entry of dy'/dy is multiplied with.
-    columns_at: Vec<usize>,
-    /// (entry of dy'/dp, place in S) of the parameters among `by`.
-    driven: Vec<(usize, usize)>,
+    equations: Equations,
     /// Sizes of what is differentiated by.
     sizes: Vec<f64>,
     is_controlled: bool,
     inner: RefCell<Inner>,
-    /// The largest that entries of S were at the ends of steps until now.
-    largest: RefCell<Vec<f64>>,
+    allowed: RefCell<Option<Allowed>>,
     /// Values of dy'/dy and dy'/dp.
     scratch: RefCell<[Vec<f64>; 2]>,
 }
@@ -123,30 +123,22 @@ impl<'a> Tangents<'a> {
             .derivatives()
             .ok_or_else(|| SimulateError::NoDerivatives { scene: scene() })?;
         let (states, count) = (simulator.shape().states(), by.len());
-        let pattern = simulator.parameter_jacobian_pattern().entries;
-        let mut driven = Vec::new();
-        for (entry, (row, column)) in pattern.iter().enumerate() {
-            let is_it = |by: &By| *by == By::Parameter(*column as usize);
-            let place = |direction: usize| (entry, *row as usize * count + direction);
-            driven.extend((0..count).filter(|direction| is_it(&by[*direction])).map(place));
-        }
+        let parameter = |by: &By| match by {
+            By::Parameter(index) => Some(*index),
+            By::Initial(_) => None,
+        };
+        let patterns = (simulator.rate_jacobian_pattern(), simulator.parameter_jacobian_pattern());
+        let directions: Vec<_> = by.iter().map(parameter).collect();
+        let equations = Equations::new(patterns.0, patterns.1, &directions);
         let zeros = vec![0.0; states * count];
         let inner = Inner {
             start: zeros.clone(),
-            end: zeros.clone(),
+            end: zeros,
             rows: Vec::new(),
             latest: Instant { time: from, shifts: vec![0.0; count] },
             front: (from, Vec::new()),
         };
-        let slopes = simulator.rate_jacobian_pattern().entries;
-        let columns_at: Vec<_> = slopes.iter().map(|slope| slope.1 as usize * count).collect();
-        let mut slopes_at = Vec::new();
-        let mut first = 0;
-        for row in slopes.chunk_by(|a, b| a.0 == b.0) {
-            slopes_at.push((row[0].0 as usize * count, first..first + row.len()));
-            first += row.len();
-        }
-        let scratch = RefCell::new([vec![0.0; slopes.len()], vec![0.0; pattern.len()]]);
+        let values = [patterns.0, patterns.1].map(|pattern| vec![0.0; pattern.entries.len()]);
         let inner = RefCell::new(inner);
         let size = |by: &By| match by {
             By::Parameter(index) if parameters[*index] != 0.0 => parameters[*index].abs(),
@@ -160,14 +152,12 @@ impl<'a> Tangents<'a> {
             parameters,
             by,
             states,
-            slopes_at,
-            columns_at,
-            driven,
+            equations,
             sizes,
             is_controlled,
             inner,
-            largest: RefCell::new(zeros),
-            scratch,
+            allowed: RefCell::default(),
+            scratch: RefCell::new(values),
         })
     }
 
@@ -192,6 +182,29 @@ impl<'a> Tangents<'a> {
         std::mem::take(&mut self.inner.borrow_mut().rows)
     }
 
+    /// What S' is made of.
+    pub(crate) fn equations(&self) -> &Equations {
+        &self.equations
+    }
+
+    /// J and df/dp at a state of a stretch: of S' = J S + df/dp what does not depend on S.
+    pub(crate) fn linearize(
+        &self,
+        stretch: &Stretch<'_>,
+        time: f64,
+        state: &[f64],
+        jacobian: &mut [f64],
+        into: &mut [f64],
+    ) {
+        stretch.jacobian(time, state, jacobian);
+        let [_, by_parameters] = &mut *self.scratch.borrow_mut();
+        if self.equations.are_driven() {
+            let (time, state) = (stretch.within(time), &state[..self.states]);
+            self.simulator.parameter_jacobian(time, state, self.parameters, by_parameters);
+        }
+        self.equations.drive(by_parameters, into);
+    }
+
     /// J S + df/dp at a state of a stretch.
     pub(crate) fn rate(
         &self,
@@ -201,55 +214,10 @@ impl<'a> Tangents<'a> {
         tangents: &[f64],
         into: &mut [f64],
     ) {
-        let [jacobian, by_parameters] = &mut *self.scratch.borrow_mut();
-        stretch.jacobian(time, state, jacobian);
-        into.fill(0.0);
-        if !self.driven.is_empty() {
-            let (time, state) = (stretch.within(time), &state[..self.states]);
-            self.simulator.parameter_jacobian(time, state, self.parameters, by_parameters);
-            for (entry, place) in &self.driven {
-                into[*place] = by_parameters[*entry];
-            }
-        }
-        self.add_product(jacobian, tangents, into);
-    }
-
-    /// Adds J S, as many directions at once as registers hold.
-    fn add_product(&self, jacobian: &[f64], tangents: &[f64], into: &mut [f64]) {
-        let count = self.by.len();
-        let mut first = 0;
-        while first < count {
-            let (s, into) = (&tangents[first..], &mut into[first..]);
-            first += match count - first {
-                10.. => self.add_block::<10>(jacobian, s, into),
-                6.. => self.add_block::<6>(jacobian, s, into),
-                4.. => self.add_block::<4>(jacobian, s, into),
-                2.. => self.add_block::<2>(jacobian, s, into),
-                _ => self.add_block::<1>(jacobian, s, into),
-            };
-        }
-    }
-
-    /// Adds J S in the first directions of every row; so many.
-    fn add_block<const N: usize>(&self, jacobian: &[f64], s: &[f64], into: &mut [f64]) -> usize {
-        for (row, entries) in &self.slopes_at {
-            let Some(into) = into.get_mut(*row..).and_then(<[f64]>::first_chunk_mut::<N>) else {
-                break;
-            };
-            let mut sum = *into;
-            for (column, value) in
-                self.columns_at[entries.clone()].iter().zip(&jacobian[entries.clone()])
-            {
-                let Some(tangents) = s.get(*column..).and_then(<[f64]>::first_chunk::<N>) else {
-                    break;
-                };
-                for (sum, tangent) in sum.iter_mut().zip(tangents) {
-                    *sum = Real::mul_add(*value, *tangent, *sum);
-                }
-            }
-            *into = sum;
-        }
-        N
+        let mut jacobian = std::mem::take(&mut self.scratch.borrow_mut()[0]);
+        self.linearize(stretch, time, state, &mut jacobian, into);
+        widest(Product { equations: &self.equations, jacobian: &jacobian, tangents, into });
+        self.scratch.borrow_mut()[0] = jacobian;
     }
 
     /// The entries of dy'/dy where [`Tangents::rate`] was last asked for: row, column, value.
@@ -278,40 +246,19 @@ impl<'a> Tangents<'a> {
         }
     }
 
-    /// Errors of S over what is allowed, the greatest of all directions: root mean squares over
-    /// the states of
-    ///
-    /// ```text
-    /// error / (atol / |p| + rtol |S|)
-    /// ```
-    ///
-    /// where |S| is the largest that an entry was until now, its natural size: where it passes
-    /// zero, nothing is to be held that is better than that.
-    pub(crate) fn error(
+    /// Errors of S over what is allowed, the greatest of all directions, for each of some
+    /// estimates that are asked for one after the other; see [`Allowed`].
+    pub(crate) fn errors(
         &self,
         stretch: &Stretch<'_>,
-        errors: &[f64],
-        (start, end): (&[f64], &[f64]),
+        ends: (&[f64], &[f64]),
+        of: impl FnOnce(&mut dyn FnMut(&[f64]) -> f64) -> f64,
     ) -> f64 {
-        let count = self.by.len();
-        let largest = self.largest.borrow();
-        let mut sums = vec![0.0; count];
-        let rows = |values| <[f64]>::chunks_exact(values, count);
-        for ((((errors, start), end), largest), atol) in rows(errors)
-            .zip(rows(start))
-            .zip(rows(end))
-            .zip(rows(&largest))
-            .zip(&stretch.atol[..self.states])
-        {
-            for (k, sum) in sums.iter_mut().enumerate() {
-                let size = largest[k].max(start[k].abs()).max(end[k].abs());
-                let ratio = errors[k] / (atol / self.sizes[k] + stretch.rtol * size);
-                *sum += ratio * ratio;
-            }
-        }
-        // A NaN is kept.
-        let largest = sums.iter().fold(0.0, |a: f64, b| if *b <= a { a } else { *b });
-        (largest / self.states as f64).sqrt()
+        let mut allowed = self.allowed.borrow_mut();
+        let states = &stretch.atol[..self.states];
+        let allowed = allowed.get_or_insert_with(|| Allowed::new(states, &self.sizes));
+        allowed.set(stretch.rtol, ends);
+        of(&mut |errors| allowed.norm(errors))
     }
 
     /// Whether S is under the control of error.
@@ -340,8 +287,8 @@ impl<'a> Tangents<'a> {
     /// Takes the current step: its end is the start of the next one.
     pub(crate) fn accept(&self) {
         let inner = &mut *self.inner.borrow_mut();
-        for (largest, value) in self.largest.borrow_mut().iter_mut().zip(&inner.end) {
-            *largest = largest.max(value.abs());
+        if let Some(allowed) = &mut *self.allowed.borrow_mut() {
+            allowed.keep(&inner.end);
         }
         std::mem::swap(&mut inner.start, &mut inner.end);
     }

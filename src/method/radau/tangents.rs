@@ -70,7 +70,7 @@ impl RadauSteps<'_> {
                 solved[row * directions..][..directions].copy_from_slice(rate);
             }
         }
-        if matrix.factor().is_err() {
+        if matrix.factor_large().is_err() {
             return f64::NAN;
         }
         matrix.solve_each(solved, directions);
@@ -107,7 +107,7 @@ impl RadauSteps<'_> {
                 row[direction] = *value;
             }
         }
-        tangents.error(self.stretch, errors, (start, end)) / looser
+        tangents.errors(self.stretch, (start, end), |norm| norm(errors)) / looser
     }
 
     /// Sensitivities within the current step.

@@ -78,14 +78,13 @@ impl Tangents<'_> {
         let (states, count) = (self.states, self.by.len());
         let (time, state) = (start.time, start.state.to_vec());
         let point = Point { time, state, parameters: self.parameters.to_vec() };
-        let mut rates = DMatrix::zeros(states, count);
         let entries = self.simulator.parameter_jacobian_pattern().entries.len();
         let mut by_parameters = vec![0.0; entries];
         let Point { state, parameters, .. } = &point;
         self.simulator.parameter_jacobian(time, state, parameters, &mut by_parameters);
-        for (entry, place) in &self.driven {
-            rates[(place / count, place % count)] = by_parameters[*entry];
-        }
+        let mut rates = vec![0.0; states * count];
+        self.equations.drive(&by_parameters, &mut rates);
+        let rates = DMatrix::from_row_slice(states, count, &rates);
         let guess = DMatrix::from_row_slice(states, count, tangents);
         let onto = |moves: &mut DMatrix<f64>| {
             let mut tangents = moves.transpose().as_slice().to_vec();

@@ -1,0 +1,150 @@
+//! Stages of sensitivities: those of the variational equations at the states of the stages.
+
+use std::ops::Range;
+
+use crate::method::lanes::{Sum, combine_many, padded_many, sum};
+use crate::method::sensitivity::{Equations, Tangents};
+use crate::method::tableau::Pair;
+use crate::method::vectors::{Work, widest};
+
+/// Stages of S' = J S + df/dp. What does not depend on S, J and df/dp, is asked for at the states
+/// of all stages first; the stages themselves are then sums of products and nothing else.
+pub(super) struct Carried {
+    /// Number of sensitivities and padding of zeros.
+    width: usize,
+    /// Number of states and padding.
+    state_width: usize,
+    /// S', stage after stage; before a stage is known, its df/dp.
+    stages: Vec<f64>,
+    /// J of the stages, one after another.
+    jacobians: Vec<f64>,
+    sums: Vec<Sum>,
+    estimates: Vec<Sum>,
+    dense: Sum,
+    argument: Vec<f64>,
+    start: Vec<f64>,
+    /// States of the stages, one after another.
+    states: Vec<f64>,
+    /// Whether the first stage is known, as the last one of the step before.
+    pub(super) has_first_stage: bool,
+    pub(super) has_extra_stages: bool,
+}
+
+impl Carried {
+    pub(super) fn new(pair: &Pair, tangents: &Tangents<'_>, state_width: usize) -> Self {
+        let (width, count) = (padded_many(tangents.len()), pair.nodes.len());
+        let zeros = || vec![0.0; width];
+        Self {
+            width,
+            state_width,
+            stages: vec![0.0; width * count],
+            jacobians: vec![0.0; tangents.equations().nonzeros() * count],
+            sums: pair.rows.iter().chain(pair.dense.extra).map(|row| sum(row, width)).collect(),
+            estimates: pair.estimates.iter().map(|row| sum(row, width)).collect(),
+            dense: (0..count).map(|stage| (stage * width, 0.0)).collect(),
+            argument: zeros(),
+            start: zeros(),
+            states: vec![0.0; state_width * count],
+            has_first_stage: false,
+            has_extra_stages: false,
+        }
+    }
+
+    /// The state of a stage.
+    pub(super) fn state(&mut self, stage: usize) -> &mut [f64] {
+        &mut self.states[stage * self.state_width..][..self.state_width]
+    }
+
+    /// Starts a step with S.
+    pub(super) fn begin(&mut self, start: &[f64]) {
+        self.start[..start.len()].copy_from_slice(start);
+        self.has_extra_stages = false;
+    }
+
+    /// Asks for J and df/dp of a stage; `evaluate` writes them for its state.
+    pub(super) fn linearize(
+        &mut self,
+        tangents: &Tangents<'_>,
+        stage: usize,
+        evaluate: impl FnOnce(&[f64], &mut [f64], &mut [f64]),
+    ) {
+        let nonzeros = tangents.equations().nonzeros();
+        let jacobian = &mut self.jacobians[stage * nonzeros..][..nonzeros];
+        let rate = &mut self.stages[stage * self.width..][..tangents.len()];
+        evaluate(&self.states[stage * self.state_width..], jacobian, rate);
+    }
+
+    /// Computes some of the stages, over a step.
+    pub(super) fn add_stages(&mut self, tangents: &Tangents<'_>, stages: Range<usize>, step: f64) {
+        widest(Recursion { carried: self, equations: tangents.equations(), stages, step });
+    }
+
+    /// S where the last stage computed is.
+    pub(super) fn reached(&self, count: usize) -> &[f64] {
+        &self.argument[..count]
+    }
+
+    /// Errors of S by one of the pair's estimates.
+    pub(super) fn estimate(&mut self, index: usize, step: f64) -> Option<&[f64]> {
+        let row = self.estimates.get(index)?;
+        let (stages, into) = (&self.stages, &mut self.argument[..]);
+        widest(Combination { sum: row, stages, step, start: None, into });
+        Some(&self.argument)
+    }
+
+    /// S within the step, by weights of the stages.
+    pub(super) fn interpolate(&mut self, weights: &[f64], step: f64, into: &mut [f64]) {
+        for ((_, own), weight) in self.dense.iter_mut().zip(weights) {
+            *own = *weight;
+        }
+        let (sum, stages, start) = (&self.dense, &self.stages, Some(&self.start[..]));
+        widest(Combination { sum, stages, step, start, into: &mut self.argument });
+        into.copy_from_slice(&self.argument[..into.len()]);
+    }
+
+    /// Makes a stage the first one of the next step.
+    pub(super) fn restart(&mut self, stage: usize, is_first: bool) {
+        self.stages.copy_within(stage * self.width..(stage + 1) * self.width, 0);
+        self.has_first_stage = is_first;
+    }
+}
+
+/// Stages one after the other.
+struct Recursion<'a> {
+    carried: &'a mut Carried,
+    equations: &'a Equations,
+    stages: Range<usize>,
+    step: f64,
+}
+
+impl Work for Recursion<'_> {
+    type Result = ();
+    #[inline(always)]
+    fn run(self) {
+        let Carried { width, stages, jacobians, sums, argument, start, .. } = self.carried;
+        let nonzeros = self.equations.nonzeros();
+        for stage in self.stages {
+            combine_many(&sums[stage], stages, self.step, Some(start), argument);
+            let jacobian = &jacobians[stage * nonzeros..][..nonzeros];
+            let rate = &mut stages[stage * *width..][..*width];
+            self.equations.add_product(jacobian, argument, rate);
+        }
+    }
+}
+
+/// A sum of stages.
+struct Combination<'a> {
+    sum: &'a Sum,
+    stages: &'a [f64],
+    step: f64,
+    start: Option<&'a [f64]>,
+    into: &'a mut [f64],
+}
+
+impl Work for Combination<'_> {
+    type Result = ();
+    #[inline(always)]
+    fn run(self) {
+        combine_many(self.sum, self.stages, self.step, self.start, self.into);
+    }
+}

@@ -71,5 +71,11 @@ fn assert_same(name: &str, scene: &dyn Simulator<f64>) {
         let plain = filled(nonzeros, |values| scene.rate_jacobian(t, y, p, values));
         let prepared = filled(nonzeros, |values| scene.prepared_rate_jacobian(t, y, p, &c, values));
         assert_same_bits(name, &prepared, &plain);
+        let entries = scene.parameter_jacobian_pattern().entries.len();
+        let plain = filled(entries, |values| scene.parameter_jacobian(t, y, p, values));
+        let by_constants = |values: &mut [f64]| {
+            scene.prepared_parameter_jacobian(t, y, p, &c, values);
+        };
+        assert_same_bits(name, &filled(entries, by_constants), &plain);
     }
 }

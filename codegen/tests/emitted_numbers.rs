@@ -77,6 +77,13 @@ fn assert_simulator_is_model(simulator: &impl Simulator<f64>, model: &Model, inp
             }),
         ),
         (
+            "prepared_parameter_jacobian",
+            &model.parameter_jacobian.tape,
+            simulated(n(&model.parameter_jacobian.tape), |v| {
+                s.prepared_parameter_jacobian(t, y, p, &c, v);
+            }),
+        ),
+        (
             "rate_jacobian",
             &model.rate_jacobian.tape,
             simulated(n(&model.rate_jacobian.tape), |v| s.rate_jacobian(t, y, p, v)),

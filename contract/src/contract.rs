@@ -300,8 +300,9 @@ pub trait Simulator<R: Real>: Describe {
     fn constants(&self) -> usize {
         0
     }
-    /// What rate and Jacobian need of the parameters, `constants` long: once a run, for
-    /// [`Simulator::prepared_rate`] and [`Simulator::prepared_rate_jacobian`].
+    /// What rate and Jacobians need of the parameters, `constants` long: once a run, for
+    /// [`Simulator::prepared_rate`], [`Simulator::prepared_rate_jacobian`] and
+    /// [`Simulator::prepared_parameter_jacobian`].
     fn prepare(&self, _parameters: &[R], _constants: &mut [R]) {}
     /// Taylor series of the solution, where the simulator has them.
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {

@@ -50,7 +50,7 @@ macro_rules! for_each_function {
                     [prepared_rate_jacobian] "dy'/dy"
                     "`dy'/dy`, values in the order of its pattern." }
                 { ParameterJacobian parameter_jacobian Motion [matrix PARAMETER_JACOBIAN_PATTERN]
-                    [] "dy'/dp"
+                    [prepared_parameter_jacobian] "dy'/dp"
                     "`dy'/dp`, values in the order of its pattern." }
                 { TimeDerivative time_derivative Motion [numbers STATES]
                     [prepared_time_derivative] "partial y'/partial t"

@@ -176,6 +176,7 @@ macro_rules! __simulate_part {
         }
         $crate::__simulate_part! { by_constants prepared_rate }
         $crate::__simulate_part! { by_constants prepared_rate_jacobian }
+        $crate::__simulate_part! { by_constants prepared_parameter_jacobian }
     };
     (by_constants $name:ident) => {
         fn $name(&self, time: R, state: &[R], parameters: &[R], constants: &[R], values: &mut [R]) {
@@ -202,26 +203,46 @@ macro_rules! __simulate_part {
 #[macro_export]
 macro_rules! __part {
     ($machine:ident prepared) => {
-        /// `y'`: [`prepared_rate`] by constants that [`prepare`] computes on the way.
-        #[must_use]
-        #[inline]
-        pub fn rate<R: $crate::Real>(
-            time: R,
-            state: &[R; STATES],
-            p: &Parameters<R>,
-        ) -> [R; STATES] {
-            prepared_rate(time, state, p, &prepare(p))
+        $crate::__part! {
+            by_constants $machine rate prepared_rate STATES;
+            "`y'`: [`prepared_rate`] by constants that [`prepare`] computes on the way."
         }
-        /// `dy'/dy`: [`prepared_rate_jacobian`] by constants that [`prepare`] computes on the
-        /// way.
+        $crate::__part! {
+            by_constants $machine rate_jacobian prepared_rate_jacobian
+            RATE_JACOBIAN_PATTERN.entries.len();
+            "`dy'/dy`: [`prepared_rate_jacobian`] by constants that [`prepare`] computes on the \
+way."
+        }
+        $crate::__part! {
+            by_constants $machine parameter_jacobian prepared_parameter_jacobian
+            PARAMETER_JACOBIAN_PATTERN.entries.len();
+            "`dy'/dp`: [`prepared_parameter_jacobian`] by constants that [`prepare`] computes on \
+the way."
+        }
+    };
+    // By the method, so that nothing but that calls the function, which is then compiled into it
+    // and reads parameters and constants from where they are.
+    (
+        by_constants $machine:ident $name:ident $prepared:ident $length:expr; $doc:literal
+    ) => {
+        #[doc = $doc]
         #[must_use]
-        #[inline]
-        pub fn rate_jacobian<R: $crate::Real>(
+        pub fn $name<R: $crate::Real>(
             time: R,
             state: &[R; STATES],
             p: &Parameters<R>,
-        ) -> [R; RATE_JACOBIAN_PATTERN.entries.len()] {
-            prepared_rate_jacobian(time, state, p, &prepare(p))
+        ) -> [R; $length] {
+            let mut values = [R::literal(0.0); $length];
+            let (parameters, constants) = (p.to_array(), prepare(p).to_array());
+            $crate::Simulator::$prepared(
+                &$machine,
+                time,
+                state,
+                &parameters,
+                &constants,
+                &mut values,
+            );
+            values
         }
     };
     ($machine:ident series $lanes:literal) => {

@@ -11,21 +11,23 @@ use crate::{
     Dependence, Model, Node, NodeId, Op, OpKey, Tape, needed_nodes, operations, reachable,
 };
 
-/// Rate and Jacobian without what parameters alone decide.
+/// Rate and Jacobians without what parameters alone decide.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Hoisted {
     /// Of parameters only; its results are the constants.
     pub constants: Tape,
-    /// y'; it reads constants, and so does the Jacobian.
+    /// y'; it reads constants, and so do the Jacobians.
     pub rate: Tape,
     /// dy'/dy.
     pub rate_jacobian: Tape,
+    /// dy'/dp.
+    pub parameter_jacobian: Tape,
     /// What goes before dy'/dy and other functions; empty if nothing does.
     pub motion: Tape,
 }
 
 impl Hoisted {
-    /// Takes the rate and the Jacobian of a model apart. Every operation is done
+    /// Takes the rate and the Jacobians of a model apart. Every operation is done
     /// on the same operands as before, so no result changes by a bit.
     #[must_use]
     pub fn new(model: &Model) -> Self {
@@ -34,7 +36,8 @@ impl Hoisted {
         let rate_jacobian = constants.hoist(&model.rate_jacobian.tape);
         let motion = model.motion.as_ref().map(|motion| constants.hoist(&motion.tape));
         let motion = motion.unwrap_or_default();
-        Self { constants: constants.tape, rate, rate_jacobian, motion }
+        let parameter_jacobian = constants.hoist(&model.parameter_jacobian.tape);
+        Self { constants: constants.tape, rate, rate_jacobian, parameter_jacobian, motion }
     }
 
     /// Operations done once a run.

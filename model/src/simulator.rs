@@ -39,8 +39,8 @@ pub struct ModelSimulator {
     /// What goes before functions that read it.
     motion: motion::MotionFunction,
     hoisted: OnceLock<Hoisted>,
-    /// What parameters alone decide, then rate and Jacobian that read it.
-    prepared: [TapeFunction; 3],
+    /// What parameters alone decide, then rate and Jacobians that read it.
+    prepared: [TapeFunction; 4],
     series: Series,
     /// Excitation and switches.
     linear: [TapeFunction; 2],
@@ -168,12 +168,17 @@ impl ModelSimulator {
     ) {
         let tape = (|| tape(self.hoisted()), self.running);
         let (ready, results) = (&self.prepared[index], R::numbers_mut(results));
-        // Of what is prepared only the Jacobian may be behind the motion.
-        let jacobian = FunctionId::RateJacobian;
-        if index == 2 && self.motion.is_read_by(jacobian) {
-            self.run_behind_motion((jacobian, ready), tape, R::COUNT, read, results);
-        } else {
-            ready.run(tape, R::COUNT, read, results);
+        // Of what is prepared only the Jacobians may be behind the motion.
+        let jacobian = match index {
+            2 => Some(FunctionId::RateJacobian),
+            3 => Some(FunctionId::ParameterJacobian),
+            _ => None,
+        };
+        match jacobian.filter(|jacobian| self.motion.is_read_by(*jacobian)) {
+            Some(jacobian) => {
+                self.run_behind_motion((jacobian, ready), tape, R::COUNT, read, results);
+            }
+            None => ready.run(tape, R::COUNT, read, results),
         }
     }
 }
@@ -398,6 +403,17 @@ impl<R: Lane> Simulator<R> for ModelSimulator {
     ) {
         let read = Read { constants: R::numbers(constants), ..self.read(&time, state, parameters) };
         self.run_prepared((2, |hoisted| &hoisted.rate_jacobian), &read, values);
+    }
+    fn prepared_parameter_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let read = Read { constants: R::numbers(constants), ..self.read(&time, state, parameters) };
+        self.run_prepared((3, |hoisted| &hoisted.parameter_jacobian), &read, values);
     }
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         self.model.constraints.is_empty().then_some(self as &dyn TaylorSeries<R>)

@@ -183,6 +183,7 @@ fn programs(
         let tape = match row.id {
             FunctionId::Rate => &hoisted.rate,
             FunctionId::RateJacobian => &hoisted.rate_jacobian,
+            FunctionId::ParameterJacobian => &hoisted.parameter_jacobian,
             id => model.tape(id),
         };
         let straight = of_tape(tape)?;

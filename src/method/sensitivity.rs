@@ -200,7 +200,7 @@ impl<'a> Tangents<'a> {
         let [_, by_parameters] = &mut *self.scratch.borrow_mut();
         if self.equations.are_driven() {
             let (time, state) = (stretch.within(time), &state[..self.states]);
-            self.simulator.parameter_jacobian(time, state, self.parameters, by_parameters);
+            stretch.system.parameter_jacobian(time, state, by_parameters);
         }
         self.equations.drive(by_parameters, into);
     }

@@ -237,6 +237,12 @@ impl<'a> System<'a> {
         self.simulator.prepared_rate_jacobian(time, state, parameters, constants, values);
     }
 
+    /// df/dp without the rows of the quadratures, values in pattern order.
+    pub(crate) fn parameter_jacobian(&self, time: f64, state: &[f64], values: &mut [f64]) {
+        let (parameters, constants) = (self.parameters, &self.constants);
+        self.simulator.prepared_parameter_jacobian(time, state, parameters, constants, values);
+    }
+
     /// The rows of df/dy that belong to the quadratures, as `(column, entries)`;
     /// nothing if there are none.
     ///

@@ -69,7 +69,7 @@ use ::machinist_contract::{
     t0, t1
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 2 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 2 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -135,9 +135,10 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Para
     []
 }
 
-/// `dy'/dp`, values in the order of its pattern. No operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. No operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) -> [R; 0] {
+pub fn prepared_parameter_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>,
+        _c: &Constants<R>) -> [R; 0] {
     []
 }
 

@@ -20,7 +20,7 @@
 //     parameter_jacobian 108 of 18 by 15, constraint_matrix 24 of 8 by 9.
 // Operations: rate 292, forcing 6, rate_jacobian 912, parameter_jacobian 1523, outputs 248,
 //     energy 37, power_balance 321, constraint_values 32, constraint_rates 34, constraint_matrix 19,
-//     prepare 15, prepared_rate 277, prepared_rate_jacobian 897.
+//     prepare 18, prepared_rate 277, prepared_rate_jacobian 897, prepared_parameter_jacobian 1505.
 
 use ::machinist_contract::{Energy, PowerBalance, Real};
 
@@ -117,10 +117,11 @@ use ::machinist_contract::{Energy, PowerBalance, Real};
 
 ::machinist_contract::constants! {
     t0, t1, t2, inverse_crank_mass, inverse_crank_inertia, inverse_coupler_mass,
-    inverse_coupler_inertia, inverse_rocker_mass, inverse_rocker_inertia, t3, t4, t5
+    inverse_coupler_inertia, inverse_rocker_mass, inverse_rocker_inertia, t3, t4, t5,
+    inverse_crank_mass_times_crank_mass, t6, t7
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 15 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 18 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -136,8 +137,12 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t3 = inverse_crank_mass * (p.crank_mass * p.crank_gravity);
     let t4 = inverse_coupler_mass * (p.coupler_mass * p.coupler_gravity);
     let t5 = inverse_rocker_mass * (p.rocker_mass * p.rocker_gravity);
+    let inverse_crank_mass_times_crank_mass = inverse_crank_mass * p.crank_mass;
+    let t6 = inverse_coupler_mass * p.coupler_mass;
+    let t7 = inverse_rocker_mass * p.rocker_mass;
     Constants { t0, t1, t2, inverse_crank_mass, inverse_crank_inertia, inverse_coupler_mass,
-        inverse_coupler_inertia, inverse_rocker_mass, inverse_rocker_inertia, t3, t4, t5 }
+        inverse_coupler_inertia, inverse_rocker_mass, inverse_rocker_inertia, t3, t4, t5,
+        inverse_crank_mass_times_crank_mass, t6, t7 }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -638,534 +643,520 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         rocker_omega_dot_by_rocker_omega]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 1523 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 1505 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 108] {
+pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 108] {
     let [_, _, crank_phi, _, _, coupler_phi, _, _, rocker_phi, _, _, crank_omega, _, _,
         coupler_omega, _, _, rocker_omega] = *state;
     let [(sin_crank_phi, cos_crank_phi), (sin_coupler_phi, cos_coupler_phi), (sin_rocker_phi,
         cos_rocker_phi)] = R::sin_cos_each([crank_phi, coupler_phi, rocker_phi]);
-    let t0 = R::literal(0.5) * p.crank_length;
-    let t1 = t0 * cos_crank_phi;
-    let t2 = t0 * sin_crank_phi;
-    let t3 = R::literal(0.5) * p.coupler_length;
-    let t4 = t3 * cos_coupler_phi;
-    let t5 = t3 * sin_coupler_phi;
-    let t6 = R::literal(0.5) * p.rocker_length;
-    let t7 = t6 * cos_rocker_phi;
-    let t8 = t6 * sin_rocker_phi;
-    let inverse_crank_mass = R::literal(1.0) / p.crank_mass;
-    let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
-    let t9 = t2 * inverse_crank_inertia;
-    let t10 = t1 * inverse_crank_inertia;
-    let inverse_coupler_mass = R::literal(1.0) / p.coupler_mass;
-    let inverse_coupler_inertia = R::literal(1.0) / p.coupler_inertia;
-    let t11 = t5 * inverse_coupler_inertia;
-    let t12 = t4 * inverse_coupler_inertia;
-    let inverse_rocker_mass = R::literal(1.0) / p.rocker_mass;
-    let inverse_rocker_inertia = R::literal(1.0) / p.rocker_inertia;
-    let t13 = t8 * inverse_rocker_inertia;
-    let t14 = t7 * inverse_rocker_inertia;
-    let t15 = t9 * t2;
-    let t16 = inverse_crank_mass + t15;
-    let t17 = R::literal(1.0) / t16;
-    let t18 = t10 * t2;
-    let t19 = t18 * t17;
-    let t20 = inverse_crank_mass - t15;
-    let t21 = t20 * t17;
-    let t22 = t10 * t1;
-    let t23 = inverse_crank_mass + t22;
-    let t24 = t19 * t18;
-    let t25 = R::literal(1.0) / (t24 - t23);
-    let t26 = (t9 * t1).add_product(t21, t18);
-    let t27 = t26 * t25;
-    let t28 = inverse_crank_mass - t22 + t24;
-    let t29 = t28 * t25;
-    let t30 = t11 * t5;
-    let t31 = R::literal(1.0) / (-(t16 + inverse_coupler_mass + t30)).add_product(t21, t20)
-        .sub_product(t27, t26);
-    let t32 = t12 * t5;
-    let t33 = (t18 + t32).add_product(t19, t20).sub_product(t29, t26);
-    let t34 = t33 * t31;
-    let t35 = inverse_coupler_mass - t30;
-    let t36 = t35 * t31;
-    let t37 = t32 * t31;
-    let t38 = t12 * t4;
-    let t39 = R::literal(1.0) / (t24 - (t23 + inverse_coupler_mass + t38)).sub_product(t29, t28)
-        .sub_product(t34, t33);
-    let t40 = (t11 * t4).sub_product(t36, t33);
-    let t41 = t40 * t39;
-    let t42 = (inverse_coupler_mass - t38).sub_product(t37, t33);
-    let t43 = t42 * t39;
-    let t44 = t13 * t8;
-    let t45 = R::literal(1.0) / (inverse_coupler_mass + t30 + inverse_rocker_mass + t44)
-        .add_product(t36, t35).add_product(t41, t40);
-    let t46 = t14 * t8;
-    let t47 = (t32 + t46).sub_product(t37, t35).sub_product(t43, t40);
-    let t48 = t47 * t45;
-    let t49 = t44 - inverse_rocker_mass;
-    let t50 = t49 * t45;
-    let t51 = t46 * t45;
-    let t52 = t14 * t7;
-    let t53 = R::literal(1.0) / (-(inverse_coupler_mass + t38 + inverse_rocker_mass + t52)
-        .add_product(t37, t32).add_product(t43, t42)).add_product(t48, t47);
-    let t54 = (-(t13 * t7)).add_product(t50, t47);
-    let t55 = t54 * t53;
-    let t56 = (t52 - inverse_rocker_mass).sub_product(t51, t47);
-    let t57 = t56 * t53;
-    let t58 = R::literal(1.0) / (-(inverse_rocker_mass + t44)).add_product(t50, t49)
-        .sub_product(t55, t54);
-    let t59 = t46.sub_product(t51, t49).sub_product(t57, t54);
-    let t60 = t59 * t58;
-    let t61 = R::literal(1.0) / (-(inverse_rocker_mass + t52)).add_product(t51, t46)
-        .sub_product(t57, t56).sub_product(t60, t59);
+    let t0 = c.t0 * cos_crank_phi;
+    let t1 = c.t0 * sin_crank_phi;
+    let t2 = c.t1 * cos_coupler_phi;
+    let t3 = c.t1 * sin_coupler_phi;
+    let t4 = c.t2 * cos_rocker_phi;
+    let t5 = c.t2 * sin_rocker_phi;
+    let t6 = t1 * c.inverse_crank_inertia;
+    let t7 = t0 * c.inverse_crank_inertia;
+    let t8 = t3 * c.inverse_coupler_inertia;
+    let t9 = t2 * c.inverse_coupler_inertia;
+    let t10 = t5 * c.inverse_rocker_inertia;
+    let t11 = t4 * c.inverse_rocker_inertia;
+    let t12 = t6 * t1;
+    let t13 = c.inverse_crank_mass + t12;
+    let t14 = R::literal(1.0) / t13;
+    let t15 = t7 * t1;
+    let t16 = t15 * t14;
+    let t17 = c.inverse_crank_mass - t12;
+    let t18 = t17 * t14;
+    let t19 = t7 * t0;
+    let t20 = c.inverse_crank_mass + t19;
+    let t21 = t16 * t15;
+    let t22 = R::literal(1.0) / (t21 - t20);
+    let t23 = (t6 * t0).add_product(t18, t15);
+    let t24 = t23 * t22;
+    let t25 = c.inverse_crank_mass - t19 + t21;
+    let t26 = t25 * t22;
+    let t27 = t8 * t3;
+    let t28 = R::literal(1.0) / (-(t13 + c.inverse_coupler_mass + t27)).add_product(t18, t17)
+        .sub_product(t24, t23);
+    let t29 = t9 * t3;
+    let t30 = (t15 + t29).add_product(t16, t17).sub_product(t26, t23);
+    let t31 = t30 * t28;
+    let t32 = c.inverse_coupler_mass - t27;
+    let t33 = t32 * t28;
+    let t34 = t29 * t28;
+    let t35 = t9 * t2;
+    let t36 = R::literal(1.0) / (t21 - (t20 + c.inverse_coupler_mass + t35)).sub_product(t26, t25)
+        .sub_product(t31, t30);
+    let t37 = (t8 * t2).sub_product(t33, t30);
+    let t38 = t37 * t36;
+    let t39 = (c.inverse_coupler_mass - t35).sub_product(t34, t30);
+    let t40 = t39 * t36;
+    let t41 = t10 * t5;
+    let t42 = R::literal(1.0) / (c.inverse_coupler_mass + t27 + c.inverse_rocker_mass + t41)
+        .add_product(t33, t32).add_product(t38, t37);
+    let t43 = t11 * t5;
+    let t44 = (t29 + t43).sub_product(t34, t32).sub_product(t40, t37);
+    let t45 = t44 * t42;
+    let t46 = t41 - c.inverse_rocker_mass;
+    let t47 = t46 * t42;
+    let t48 = t43 * t42;
+    let t49 = t11 * t4;
+    let t50 = R::literal(1.0) / (-(c.inverse_coupler_mass + t35 + c.inverse_rocker_mass + t49)
+        .add_product(t34, t29).add_product(t40, t39)).add_product(t45, t44);
+    let t51 = (-(t10 * t4)).add_product(t47, t44);
+    let t52 = t51 * t50;
+    let t53 = (t49 - c.inverse_rocker_mass).sub_product(t48, t44);
+    let t54 = t53 * t50;
+    let t55 = R::literal(1.0) / (-(c.inverse_rocker_mass + t41)).add_product(t47, t46)
+        .sub_product(t52, t51);
+    let t56 = t43.sub_product(t48, t46).sub_product(t54, t51);
+    let t57 = t56 * t55;
+    let t58 = R::literal(1.0) / (-(c.inverse_rocker_mass + t49)).add_product(t48, t43)
+        .sub_product(t54, t53).sub_product(t57, t56);
     let crank_omega_squared = crank_omega * crank_omega;
-    let t62 = t0 * crank_omega_squared;
-    let t63 = t62 * cos_crank_phi;
-    let t64 = p.crank_length * crank_omega_squared;
+    let t59 = c.t0 * crank_omega_squared;
+    let t60 = t59 * cos_crank_phi;
+    let t61 = p.crank_length * crank_omega_squared;
     let coupler_omega_squared = coupler_omega * coupler_omega;
-    let t65 = p.coupler_length * coupler_omega_squared;
-    let t66 = t65 * cos_coupler_phi;
-    let t67 = t65 * sin_coupler_phi;
+    let t62 = p.coupler_length * coupler_omega_squared;
+    let t63 = t62 * cos_coupler_phi;
+    let t64 = t62 * sin_coupler_phi;
     let rocker_omega_squared = rocker_omega * rocker_omega;
-    let t68 = p.rocker_length * rocker_omega_squared;
-    let t69 = t6 * rocker_omega_squared;
-    let t70 = inverse_crank_mass * (p.crank_mass * p.crank_gravity);
-    let t71 = t19 * t63;
-    let t72 = t70.sub_product(t62, sin_crank_phi) - t71;
-    let t73 = (R::literal(0.5) * t66.add_product(t64, cos_crank_phi)).add_product(t21, t63)
-        .add_product(t27, t72);
-    let t74 = inverse_coupler_mass * (p.coupler_mass * p.coupler_gravity);
-    let t75 = (t74 - t70.add_product(R::literal(0.5), t67.add_product(t64, sin_crank_phi)) - t71)
-        .sub_product(t29, t72).add_product(t34, t73);
-    let t76 = (R::literal(-0.5) * t66.sub_product(t68, cos_rocker_phi)).add_product(t36, t73)
-        .sub_product(t41, t75);
-    let t77 = inverse_rocker_mass * (p.rocker_mass * p.rocker_gravity);
-    let t78 = (t77 - t74.add_product(R::literal(0.5), t67.sub_product(t68, sin_rocker_phi)))
-        .add_product(t37, t73).sub_product(t43, t75).add_product(t48, t76);
-    let t79 = (-(t69 * cos_rocker_phi)).add_product(t50, t76).sub_product(t55, t78);
-    let t80 = t77.sub_product(t69, sin_rocker_phi).sub_product(t51, t76).sub_product(t57, t78)
-        .sub_product(t60, t79) * t61;
-    let t81 = (t79 * t58).sub_product(t60, t80);
-    let t82 = (t78 * t53).sub_product(t55, t81).sub_product(t57, t80);
-    let t83 = (-(t76 * t45)).add_product(t48, t82).add_product(t50, t81).sub_product(t51, t80);
-    let t84 = (t75 * t39).sub_product(t41, t83).sub_product(t43, t82);
-    let pin_a_x = (t73 * t31).add_product(t34, t84).add_product(t36, t83).add_product(t37, t82);
-    let t85 = (t72 * t25).add_product(t27, pin_a_x).sub_product(t29, t84);
-    let t86 = (t63 * t17).add_product(t19, t85).sub_product(t21, pin_a_x).add_product(t19, t84);
-    let rocker_omega_dot = (-(t14 * t82)).add_product(t13, t83).sub_product(t13, t81)
-        .add_product(t14, t80);
-    let coupler_omega_dot = (t12 * t84).add_product(t11, pin_a_x).sub_product(t11, t83)
-        .add_product(t12, t82);
-    let coupler_v_y_dot = (-t74.add_product(inverse_coupler_mass, t84))
-        .add_product(inverse_coupler_mass, t82);
-    let coupler_v_x_dot = (inverse_coupler_mass * t83).add_product(inverse_coupler_mass, pin_a_x);
-    let crank_omega_dot = (t10 * t85).sub_product(t9, t86).add_product(t9, pin_a_x)
-        .add_product(t10, t84);
-    let crank_v_y_dot = (-t70.add_product(inverse_crank_mass, t85)).add_product(inverse_crank_mass,
-        t84);
-    let t87 = R::literal(0.5) * crank_omega_squared;
-    let t88 = R::literal(0.5) * sin_crank_phi;
-    let t89 = R::literal(0.5) * cos_crank_phi;
-    let t90 = (t89 * t85).sub_product(t88, t86).add_product(t88, pin_a_x).add_product(t89, t84);
-    let t91 = (t87 * cos_crank_phi).add_product(t88, crank_omega_dot).add_product(t9, t90);
-    let t92 = (-(t87 * sin_crank_phi)).add_product(t89, crank_omega_dot).add_product(t10, t90)
-        .sub_product(t19, t91);
-    let t93 = t91.add_product(t21, t91).add_product(t27, t92);
-    let t94 = t92.sub_product(t29, t92).add_product(t34, t93);
-    let t95 = (t36 * t93).sub_product(t41, t94);
-    let t96 = (t37 * t93).sub_product(t43, t94).add_product(t48, t95);
-    let t97 = (t50 * t95).sub_product(t55, t96);
-    let t98 = (t51 * t95).add_product(t57, t96).add_product(t60, t97) * t61;
-    let t99 = (t97 * t58).add_product(t60, t98);
-    let t100 = (t96 * t53).sub_product(t55, t99).add_product(t57, t98);
-    let t101 = (-(t95 * t45)).add_product(t48, t100).add_product(t50, t99).add_product(t51, t98);
-    let t102 = (t94 * t39).sub_product(t41, t101).sub_product(t43, t100);
-    let t103 = (t93 * t31).add_product(t34, t102).add_product(t36, t101).add_product(t37, t100);
-    let t104 = (t92 * t25).add_product(t27, t103).sub_product(t29, t102);
-    let t105 = (t91 * t17).add_product(t19, t104).sub_product(t21, t103).add_product(t19, t102);
-    let rocker_omega_dot_by_crank_length = (-(t14 * t100)).add_product(t13, t101).sub_product(t13,
-        t99).sub_product(t14, t98);
-    let rocker_v_y_dot_by_crank_length = (inverse_rocker_mass * t98)
-        .sub_product(inverse_rocker_mass, t100);
-    let rocker_v_x_dot_by_crank_length = -(inverse_rocker_mass * t99)
-        .add_product(inverse_rocker_mass, t101);
-    let coupler_omega_dot_by_crank_length = (t12 * t102).add_product(t11, t103).sub_product(t11,
-        t101).add_product(t12, t100);
-    let coupler_v_y_dot_by_crank_length = (inverse_coupler_mass * t100)
-        .sub_product(inverse_coupler_mass, t102);
-    let coupler_v_x_dot_by_crank_length = (inverse_coupler_mass * t101)
-        .add_product(inverse_coupler_mass, t103);
-    let crank_omega_dot_by_crank_length = (t90 * inverse_crank_inertia).sub_product(t9, t105)
-        .add_product(t10, t104).add_product(t9, t103).add_product(t10, t102);
-    let crank_v_y_dot_by_crank_length = (inverse_crank_mass * t102).sub_product(inverse_crank_mass,
-        t104);
-    let crank_v_x_dot_by_crank_length = -(inverse_crank_mass * t103)
-        .add_product(inverse_crank_mass, t105);
-    let t106 = inverse_crank_mass * (inverse_crank_mass * pin_a_x).add_product(inverse_crank_mass,
-        t86);
-    let t107 = inverse_crank_mass * (p.crank_gravity + crank_v_y_dot);
-    let t108 = t19 * t106;
-    let t109 = t107 - t108;
-    let t110 = t106.sub_product(t21, t106).sub_product(t27, t109);
-    let t111 = (t107 + t108).add_product(t29, t109).add_product(t34, t110);
-    let t112 = (-(t36 * t110)).add_product(t41, t111);
-    let t113 = (-(t37 * t110)).add_product(t43, t111).add_product(t48, t112);
-    let t114 = (t50 * t112).sub_product(t55, t113);
-    let t115 = (t51 * t112).add_product(t57, t113).add_product(t60, t114) * t61;
-    let t116 = (t114 * t58).add_product(t60, t115);
-    let t117 = (t113 * t53).sub_product(t55, t116).add_product(t57, t115);
-    let t118 = (-(t112 * t45)).add_product(t48, t117).add_product(t50, t116).add_product(t51, t115);
-    let t119 = (t111 * t39).add_product(t41, t118).add_product(t43, t117);
-    let t120 = (t110 * t31).add_product(t34, t119).sub_product(t36, t118).sub_product(t37, t117);
-    let t121 = (t109 * t25).sub_product(t27, t120).add_product(t29, t119);
-    let t122 = (t106 * t17).add_product(t19, t121).add_product(t21, t120).sub_product(t19, t119);
-    let rocker_omega_dot_by_crank_mass = (-(t14 * t117)).add_product(t13, t118).sub_product(t13,
-        t116).sub_product(t14, t115);
-    let rocker_v_y_dot_by_crank_mass = (inverse_rocker_mass * t115)
-        .sub_product(inverse_rocker_mass, t117);
-    let rocker_v_x_dot_by_crank_mass = -(inverse_rocker_mass * t116)
-        .add_product(inverse_rocker_mass, t118);
-    let coupler_omega_dot_by_crank_mass = (-(t12 * t119).add_product(t11, t120).add_product(t11,
-        t118)).add_product(t12, t117);
-    let coupler_v_y_dot_by_crank_mass = (inverse_coupler_mass * t117)
-        .add_product(inverse_coupler_mass, t119);
-    let coupler_v_x_dot_by_crank_mass = (inverse_coupler_mass * t118)
-        .sub_product(inverse_coupler_mass, t120);
-    let crank_omega_dot_by_crank_mass = (t10 * t121).sub_product(t9, t122).sub_product(t9, t120)
-        .sub_product(t10, t119);
-    let crank_v_y_dot_by_crank_mass = -t107.add_product(inverse_crank_mass, t121)
-        .add_product(inverse_crank_mass, t119);
-    let crank_v_x_dot_by_crank_mass = t106.sub_product(inverse_crank_mass, t122)
-        .add_product(inverse_crank_mass, t120);
-    let t123 = t9 * crank_omega_dot;
-    let t124 = (-(t10 * crank_omega_dot)).add_product(t19, t123);
-    let t125 = t123.add_product(t21, t123).sub_product(t27, t124);
-    let t126 = t124.sub_product(t29, t124).sub_product(t34, t125);
-    let t127 = (t36 * t125).add_product(t41, t126);
-    let t128 = (t37 * t125).add_product(t43, t126).add_product(t48, t127);
-    let t129 = (-(t50 * t127)).add_product(t55, t128);
-    let t130 = (t51 * t127).add_product(t57, t128).sub_product(t60, t129) * t61;
-    let t131 = (t129 * t58).sub_product(t60, t130);
-    let t132 = (t128 * t53).add_product(t55, t131).add_product(t57, t130);
-    let t133 = (t127 * t45).sub_product(t48, t132).add_product(t50, t131).sub_product(t51, t130);
-    let t134 = (t126 * t39).sub_product(t41, t133).add_product(t43, t132);
-    let t135 = (t125 * t31).sub_product(t34, t134).sub_product(t36, t133).add_product(t37, t132);
-    let t136 = (t124 * t25).sub_product(t27, t135).sub_product(t29, t134);
-    let t137 = (-(t123 * t17)).add_product(t19, t136).add_product(t21, t135).add_product(t19, t134);
-    let rocker_omega_dot_by_crank_inertia = (t14 * t132).add_product(t13, t133).sub_product(t13,
-        t131).add_product(t14, t130);
-    let rocker_v_y_dot_by_crank_inertia = (-(inverse_rocker_mass * t130))
-        .add_product(inverse_rocker_mass, t132);
-    let rocker_v_x_dot_by_crank_inertia = -(inverse_rocker_mass * t131)
-        .add_product(inverse_rocker_mass, t133);
-    let coupler_omega_dot_by_crank_inertia = (t12 * t134).sub_product(t11, t135).sub_product(t11,
-        t133).sub_product(t12, t132);
-    let coupler_v_y_dot_by_crank_inertia = -(inverse_coupler_mass * t132)
-        .add_product(inverse_coupler_mass, t134);
-    let coupler_v_x_dot_by_crank_inertia = (inverse_coupler_mass * t133)
-        .sub_product(inverse_coupler_mass, t135);
-    let crank_omega_dot_by_crank_inertia = (-(crank_omega_dot * inverse_crank_inertia)
-        .add_product(t9, t137)).add_product(t10, t136).sub_product(t9, t135).add_product(t10, t134);
-    let crank_v_y_dot_by_crank_inertia = (inverse_crank_mass * t134)
-        .sub_product(inverse_crank_mass, t136);
-    let crank_v_x_dot_by_crank_inertia = (inverse_crank_mass * t135)
-        .sub_product(inverse_crank_mass, t137);
-    let inverse_crank_mass_times_crank_mass = inverse_crank_mass * p.crank_mass;
-    let t138 = t27 * inverse_crank_mass_times_crank_mass;
-    let t139 = (-inverse_crank_mass_times_crank_mass.add_product(t29,
-        inverse_crank_mass_times_crank_mass)).add_product(t34, t138);
-    let t140 = (t36 * t138).sub_product(t41, t139);
-    let t141 = (t37 * t138).sub_product(t43, t139).add_product(t48, t140);
-    let t142 = (t50 * t140).sub_product(t55, t141);
-    let t143 = (t51 * t140).add_product(t57, t141).add_product(t60, t142) * t61;
-    let t144 = (t142 * t58).add_product(t60, t143);
-    let t145 = (t141 * t53).sub_product(t55, t144).add_product(t57, t143);
-    let t146 = (-(t140 * t45)).add_product(t48, t145).add_product(t50, t144).add_product(t51, t143);
-    let t147 = (t139 * t39).sub_product(t41, t146).sub_product(t43, t145);
-    let t148 = (t138 * t31).add_product(t34, t147).add_product(t36, t146).add_product(t37, t145);
-    let t149 = (inverse_crank_mass_times_crank_mass * t25).add_product(t27, t148).sub_product(t29,
-        t147);
-    let t150 = (-(t21 * t148)).add_product(t19, t149).add_product(t19, t147);
-    let rocker_omega_dot_by_crank_gravity = (-(t14 * t145)).add_product(t13, t146).sub_product(t13,
-        t144).sub_product(t14, t143);
-    let rocker_v_y_dot_by_crank_gravity = (inverse_rocker_mass * t143)
-        .sub_product(inverse_rocker_mass, t145);
-    let rocker_v_x_dot_by_crank_gravity = -(inverse_rocker_mass * t144)
-        .add_product(inverse_rocker_mass, t146);
-    let coupler_omega_dot_by_crank_gravity = (t12 * t147).add_product(t11, t148).sub_product(t11,
-        t146).add_product(t12, t145);
-    let coupler_v_y_dot_by_crank_gravity = (inverse_coupler_mass * t145)
-        .sub_product(inverse_coupler_mass, t147);
-    let coupler_v_x_dot_by_crank_gravity = (inverse_coupler_mass * t146)
-        .add_product(inverse_coupler_mass, t148);
-    let crank_omega_dot_by_crank_gravity = (t10 * t149).sub_product(t9, t150).add_product(t9, t148)
-        .add_product(t10, t147);
-    let crank_v_y_dot_by_crank_gravity = (-inverse_crank_mass_times_crank_mass
-        .add_product(inverse_crank_mass, t149)).add_product(inverse_crank_mass, t147);
-    let crank_v_x_dot_by_crank_gravity = -(inverse_crank_mass * t148)
-        .add_product(inverse_crank_mass, t150);
-    let t151 = R::literal(0.5) * coupler_omega_squared;
-    let t152 = R::literal(0.5) * sin_coupler_phi;
-    let t153 = R::literal(0.5) * cos_coupler_phi;
-    let t154 = (t153 * t84).add_product(t152, pin_a_x).sub_product(t152, t83).add_product(t153,
-        t82);
-    let t155 = (t151 * cos_coupler_phi).add_product(t152, coupler_omega_dot).add_product(t11, t154);
-    let t156 = (-(t151 * sin_coupler_phi)).add_product(t153, coupler_omega_dot).add_product(t12,
-        t154);
-    let t157 = t156.add_product(t34, t155);
-    let t158 = (-t155).add_product(t36, t155).sub_product(t41, t157);
-    let t159 = t156.add_product(t37, t155).sub_product(t43, t157).add_product(t48, t158);
-    let t160 = (t50 * t158).sub_product(t55, t159);
-    let t161 = (t51 * t158).add_product(t57, t159).add_product(t60, t160) * t61;
-    let t162 = (t160 * t58).add_product(t60, t161);
-    let t163 = (t159 * t53).sub_product(t55, t162).add_product(t57, t161);
-    let t164 = (-(t158 * t45)).add_product(t48, t163).add_product(t50, t162).add_product(t51, t161);
-    let t165 = (t157 * t39).sub_product(t41, t164).sub_product(t43, t163);
-    let t166 = (t155 * t31).add_product(t34, t165).add_product(t36, t164).add_product(t37, t163);
-    let t167 = (-(t29 * t165)).add_product(t27, t166);
-    let t168 = (-(t21 * t166)).add_product(t19, t167).add_product(t19, t165);
-    let rocker_omega_dot_by_coupler_length = (-(t14 * t163)).add_product(t13, t164)
-        .sub_product(t13, t162).sub_product(t14, t161);
-    let rocker_v_y_dot_by_coupler_length = (inverse_rocker_mass * t161)
-        .sub_product(inverse_rocker_mass, t163);
-    let rocker_v_x_dot_by_coupler_length = -(inverse_rocker_mass * t162)
-        .add_product(inverse_rocker_mass, t164);
-    let coupler_omega_dot_by_coupler_length = (t154 * inverse_coupler_inertia).add_product(t11,
-        t166).add_product(t12, t165).sub_product(t11, t164).add_product(t12, t163);
-    let coupler_v_y_dot_by_coupler_length = (inverse_coupler_mass * t163)
-        .sub_product(inverse_coupler_mass, t165);
-    let coupler_v_x_dot_by_coupler_length = (inverse_coupler_mass * t164)
-        .add_product(inverse_coupler_mass, t166);
-    let crank_omega_dot_by_coupler_length = (t10 * t167).sub_product(t9, t168).add_product(t9, t166)
-        .add_product(t10, t165);
-    let crank_v_y_dot_by_coupler_length = (inverse_crank_mass * t165)
-        .sub_product(inverse_crank_mass, t167);
-    let crank_v_x_dot_by_coupler_length = -(inverse_crank_mass * t166)
-        .add_product(inverse_crank_mass, t168);
-    let t169 = inverse_coupler_mass * coupler_v_x_dot;
-    let t170 = inverse_coupler_mass * (p.coupler_gravity + coupler_v_y_dot);
-    let t171 = t170.sub_product(t34, t169);
-    let t172 = t169.add_product(t36, t169).add_product(t41, t171);
-    let t173 = t170.add_product(t37, t169).add_product(t43, t171).add_product(t48, t172);
-    let t174 = (-(t50 * t172)).add_product(t55, t173);
-    let t175 = (t51 * t172).add_product(t57, t173).sub_product(t60, t174) * t61;
-    let t176 = (t174 * t58).sub_product(t60, t175);
-    let t177 = (t173 * t53).add_product(t55, t176).add_product(t57, t175);
-    let t178 = (t172 * t45).sub_product(t48, t177).add_product(t50, t176).sub_product(t51, t175);
-    let t179 = (t171 * t39).sub_product(t41, t178).add_product(t43, t177);
-    let t180 = (t169 * t31).sub_product(t34, t179).sub_product(t36, t178).add_product(t37, t177);
-    let t181 = (t29 * t179).add_product(t27, t180);
-    let t182 = (t21 * t180).sub_product(t19, t181).add_product(t19, t179);
-    let rocker_omega_dot_by_coupler_mass = (t14 * t177).add_product(t13, t178).sub_product(t13,
-        t176).add_product(t14, t175);
-    let rocker_v_y_dot_by_coupler_mass = (-(inverse_rocker_mass * t175))
-        .add_product(inverse_rocker_mass, t177);
-    let rocker_v_x_dot_by_coupler_mass = -(inverse_rocker_mass * t176)
-        .add_product(inverse_rocker_mass, t178);
-    let coupler_omega_dot_by_coupler_mass = (t12 * t179).sub_product(t11, t180).sub_product(t11,
-        t178).sub_product(t12, t177);
-    let coupler_v_y_dot_by_coupler_mass = -t170.add_product(inverse_coupler_mass, t179)
-        .add_product(inverse_coupler_mass, t177);
-    let coupler_v_x_dot_by_coupler_mass = (-t169.add_product(inverse_coupler_mass, t180))
-        .add_product(inverse_coupler_mass, t178);
-    let crank_omega_dot_by_coupler_mass = (-(t10 * t181).add_product(t9, t182).add_product(t9,
-        t180)).add_product(t10, t179);
-    let crank_v_y_dot_by_coupler_mass = (inverse_crank_mass * t179).add_product(inverse_crank_mass,
-        t181);
-    let crank_v_x_dot_by_coupler_mass = (inverse_crank_mass * t180).sub_product(inverse_crank_mass,
-        t182);
-    let t183 = t11 * coupler_omega_dot;
-    let t184 = t12 * coupler_omega_dot;
-    let t185 = t184.add_product(t34, t183);
-    let t186 = t183.sub_product(t36, t183).add_product(t41, t185);
-    let t187 = (-t184.add_product(t37, t183)).add_product(t43, t185).add_product(t48, t186);
-    let t188 = (t50 * t186).sub_product(t55, t187);
-    let t189 = (t51 * t186).add_product(t57, t187).add_product(t60, t188) * t61;
-    let t190 = (t188 * t58).add_product(t60, t189);
-    let t191 = (t187 * t53).sub_product(t55, t190).add_product(t57, t189);
-    let t192 = (-(t186 * t45)).add_product(t48, t191).add_product(t50, t190).add_product(t51, t189);
-    let t193 = (t185 * t39).add_product(t41, t192).add_product(t43, t191);
-    let t194 = (t183 * t31).add_product(t34, t193).sub_product(t36, t192).sub_product(t37, t191);
-    let t195 = (t29 * t193).sub_product(t27, t194);
-    let t196 = (t21 * t194).add_product(t19, t195).sub_product(t19, t193);
-    let rocker_omega_dot_by_coupler_inertia = (-(t14 * t191)).add_product(t13, t192)
-        .sub_product(t13, t190).sub_product(t14, t189);
-    let rocker_v_y_dot_by_coupler_inertia = (inverse_rocker_mass * t189)
-        .sub_product(inverse_rocker_mass, t191);
-    let rocker_v_x_dot_by_coupler_inertia = -(inverse_rocker_mass * t190)
-        .add_product(inverse_rocker_mass, t192);
-    let coupler_omega_dot_by_coupler_inertia = (-(coupler_omega_dot * inverse_coupler_inertia)
-        .add_product(t11, t194).add_product(t12, t193).add_product(t11, t192)).add_product(t12,
-        t191);
-    let coupler_v_y_dot_by_coupler_inertia = (inverse_coupler_mass * t191)
-        .add_product(inverse_coupler_mass, t193);
-    let coupler_v_x_dot_by_coupler_inertia = (inverse_coupler_mass * t192)
-        .sub_product(inverse_coupler_mass, t194);
-    let crank_omega_dot_by_coupler_inertia = (t10 * t195).sub_product(t9, t196).sub_product(t9,
-        t194).sub_product(t10, t193);
-    let crank_v_y_dot_by_coupler_inertia = -(inverse_crank_mass * t193)
-        .add_product(inverse_crank_mass, t195);
-    let crank_v_x_dot_by_coupler_inertia = (inverse_crank_mass * t194)
-        .sub_product(inverse_crank_mass, t196);
-    let t197 = inverse_coupler_mass * p.coupler_mass;
-    let t198 = t41 * t197;
-    let t199 = t197.add_product(t43, t197).add_product(t48, t198);
-    let t200 = (-(t50 * t198)).add_product(t55, t199);
-    let t201 = (t51 * t198).add_product(t57, t199).sub_product(t60, t200) * t61;
-    let t202 = (t200 * t58).sub_product(t60, t201);
-    let t203 = (t199 * t53).add_product(t55, t202).add_product(t57, t201);
-    let t204 = (t198 * t45).sub_product(t48, t203).add_product(t50, t202).sub_product(t51, t201);
-    let t205 = (t197 * t39).sub_product(t41, t204).add_product(t43, t203);
-    let t206 = (-(t36 * t204).add_product(t34, t205)).add_product(t37, t203);
-    let t207 = (t29 * t205).add_product(t27, t206);
-    let t208 = (t21 * t206).sub_product(t19, t207).add_product(t19, t205);
-    let rocker_omega_dot_by_coupler_gravity = (t14 * t203).add_product(t13, t204).sub_product(t13,
-        t202).add_product(t14, t201);
-    let rocker_v_y_dot_by_coupler_gravity = (-(inverse_rocker_mass * t201))
-        .add_product(inverse_rocker_mass, t203);
-    let rocker_v_x_dot_by_coupler_gravity = -(inverse_rocker_mass * t202)
-        .add_product(inverse_rocker_mass, t204);
-    let coupler_omega_dot_by_coupler_gravity = (t12 * t205).sub_product(t11, t206).sub_product(t11,
-        t204).sub_product(t12, t203);
-    let coupler_v_y_dot_by_coupler_gravity = -t197.add_product(inverse_coupler_mass, t205)
-        .add_product(inverse_coupler_mass, t203);
-    let coupler_v_x_dot_by_coupler_gravity = (inverse_coupler_mass * t204)
-        .sub_product(inverse_coupler_mass, t206);
-    let crank_omega_dot_by_coupler_gravity = (-(t10 * t207).add_product(t9, t208).add_product(t9,
-        t206)).add_product(t10, t205);
-    let crank_v_y_dot_by_coupler_gravity = (inverse_crank_mass * t205)
-        .add_product(inverse_crank_mass, t207);
-    let crank_v_x_dot_by_coupler_gravity = (inverse_crank_mass * t206)
-        .sub_product(inverse_crank_mass, t208);
-    let t209 = R::literal(0.5) * rocker_omega_squared;
-    let t210 = t209 * sin_rocker_phi;
-    let t211 = R::literal(0.5) * sin_rocker_phi;
-    let t212 = R::literal(0.5) * cos_rocker_phi;
-    let t213 = t212 * rocker_omega_dot;
-    let t214 = (-(t212 * t82)).add_product(t211, t83).sub_product(t211, t81).add_product(t212, t80);
-    let t215 = (t209 * cos_rocker_phi).add_product(t211, rocker_omega_dot).add_product(t13, t214);
-    let t216 = t14 * t214;
-    let t217 = (t210 - t213 - t216).add_product(t48, t215);
-    let t218 = (-t215).add_product(t50, t215).sub_product(t55, t217);
-    let t219 = (t213 - t210 + t216).sub_product(t51, t215).sub_product(t57, t217).sub_product(t60,
-        t218) * t61;
-    let t220 = (t218 * t58).sub_product(t60, t219);
-    let t221 = (t217 * t53).sub_product(t55, t220).sub_product(t57, t219);
-    let t222 = (-(t215 * t45)).add_product(t48, t221).add_product(t50, t220).sub_product(t51, t219);
-    let t223 = (t43 * t221).add_product(t41, t222);
-    let t224 = (-(t36 * t222)).add_product(t34, t223).sub_product(t37, t221);
-    let t225 = (t29 * t223).sub_product(t27, t224);
-    let t226 = (t21 * t224).add_product(t19, t225).sub_product(t19, t223);
-    let rocker_omega_dot_by_rocker_length = (t214 * inverse_rocker_inertia).add_product(t13, t222)
-        .sub_product(t14, t221).sub_product(t13, t220).add_product(t14, t219);
-    let rocker_v_y_dot_by_rocker_length = -(inverse_rocker_mass * t219)
-        .add_product(inverse_rocker_mass, t221);
-    let rocker_v_x_dot_by_rocker_length = -(inverse_rocker_mass * t220)
-        .add_product(inverse_rocker_mass, t222);
-    let coupler_omega_dot_by_rocker_length = (-(t12 * t223).add_product(t11, t224).add_product(t11,
-        t222)).add_product(t12, t221);
-    let coupler_v_y_dot_by_rocker_length = (inverse_coupler_mass * t221)
-        .add_product(inverse_coupler_mass, t223);
-    let coupler_v_x_dot_by_rocker_length = (inverse_coupler_mass * t222)
-        .sub_product(inverse_coupler_mass, t224);
-    let crank_omega_dot_by_rocker_length = (t10 * t225).sub_product(t9, t226).sub_product(t9, t224)
-        .sub_product(t10, t223);
-    let crank_v_y_dot_by_rocker_length = -(inverse_crank_mass * t223)
-        .add_product(inverse_crank_mass, t225);
-    let crank_v_x_dot_by_rocker_length = (inverse_crank_mass * t224)
-        .sub_product(inverse_crank_mass, t226);
-    let t227 = inverse_rocker_mass * (inverse_rocker_mass * t81).add_product(inverse_rocker_mass,
-        t83);
-    let t228 = inverse_rocker_mass * (t77.add_product(inverse_rocker_mass, t82)
-        .add_product(inverse_rocker_mass, t80) - p.rocker_gravity);
-    let t229 = t228.add_product(t48, t227);
-    let t230 = (-t227.add_product(t50, t227)).add_product(t55, t229);
-    let t231 = (-t228).add_product(t51, t227).add_product(t57, t229).sub_product(t60, t230) * t61;
-    let t232 = (t230 * t58).sub_product(t60, t231);
-    let t233 = (t229 * t53).add_product(t55, t232).add_product(t57, t231);
-    let t234 = (t227 * t45).sub_product(t48, t233).add_product(t50, t232).sub_product(t51, t231);
-    let t235 = (t43 * t233).sub_product(t41, t234);
-    let t236 = (-(t36 * t234).add_product(t34, t235)).add_product(t37, t233);
-    let t237 = (t29 * t235).add_product(t27, t236);
-    let t238 = (t21 * t236).sub_product(t19, t237).add_product(t19, t235);
-    let rocker_omega_dot_by_rocker_mass = (t14 * t233).add_product(t13, t234).sub_product(t13, t232)
-        .add_product(t14, t231);
-    let rocker_v_y_dot_by_rocker_mass = t228.add_product(inverse_rocker_mass, t233)
-        .sub_product(inverse_rocker_mass, t231);
-    let rocker_v_x_dot_by_rocker_mass = t227.sub_product(inverse_rocker_mass, t234)
-        .sub_product(inverse_rocker_mass, t232);
-    let coupler_omega_dot_by_rocker_mass = (t12 * t235).sub_product(t11, t236).sub_product(t11,
-        t234).sub_product(t12, t233);
-    let coupler_v_y_dot_by_rocker_mass = -(inverse_coupler_mass * t233)
-        .add_product(inverse_coupler_mass, t235);
-    let coupler_v_x_dot_by_rocker_mass = (inverse_coupler_mass * t234)
-        .sub_product(inverse_coupler_mass, t236);
-    let crank_omega_dot_by_rocker_mass = (-(t10 * t237).add_product(t9, t238).add_product(t9, t236))
-        .add_product(t10, t235);
-    let crank_v_y_dot_by_rocker_mass = (inverse_crank_mass * t235).add_product(inverse_crank_mass,
-        t237);
-    let crank_v_x_dot_by_rocker_mass = (inverse_crank_mass * t236).sub_product(inverse_crank_mass,
-        t238);
-    let t239 = t13 * rocker_omega_dot;
-    let t240 = t14 * rocker_omega_dot;
-    let t241 = t240.sub_product(t48, t239);
-    let t242 = t239.sub_product(t50, t239).sub_product(t55, t241);
-    let t243 = (-t240).add_product(t51, t239).sub_product(t57, t241).sub_product(t60, t242) * t61;
-    let t244 = (t242 * t58).sub_product(t60, t243);
-    let t245 = (t241 * t53).sub_product(t55, t244).sub_product(t57, t243);
-    let t246 = (t239 * t45).add_product(t48, t245).add_product(t50, t244).sub_product(t51, t243);
-    let t247 = (t43 * t245).add_product(t41, t246);
-    let t248 = (-(t36 * t246)).add_product(t34, t247).sub_product(t37, t245);
-    let t249 = (t29 * t247).sub_product(t27, t248);
-    let t250 = (t21 * t248).add_product(t19, t249).sub_product(t19, t247);
-    let rocker_omega_dot_by_rocker_inertia = (-(rocker_omega_dot * inverse_rocker_inertia))
-        .add_product(t13, t246).sub_product(t14, t245).sub_product(t13, t244).add_product(t14,
-        t243);
-    let rocker_v_y_dot_by_rocker_inertia = -(inverse_rocker_mass * t243)
-        .add_product(inverse_rocker_mass, t245);
-    let rocker_v_x_dot_by_rocker_inertia = -(inverse_rocker_mass * t244)
-        .add_product(inverse_rocker_mass, t246);
-    let coupler_omega_dot_by_rocker_inertia = (-(t12 * t247).add_product(t11, t248)
-        .add_product(t11, t246)).add_product(t12, t245);
-    let coupler_v_y_dot_by_rocker_inertia = (inverse_coupler_mass * t245)
-        .add_product(inverse_coupler_mass, t247);
-    let coupler_v_x_dot_by_rocker_inertia = (inverse_coupler_mass * t246)
-        .sub_product(inverse_coupler_mass, t248);
-    let crank_omega_dot_by_rocker_inertia = (t10 * t249).sub_product(t9, t250).sub_product(t9, t248)
-        .sub_product(t10, t247);
-    let crank_v_y_dot_by_rocker_inertia = -(inverse_crank_mass * t247)
-        .add_product(inverse_crank_mass, t249);
-    let crank_v_x_dot_by_rocker_inertia = (inverse_crank_mass * t248)
-        .sub_product(inverse_crank_mass, t250);
-    let t251 = inverse_rocker_mass * p.rocker_mass;
-    let t252 = t55 * t251;
-    let t253 = t251.sub_product(t57, t251).add_product(t60, t252) * t61;
-    let t254 = (t252 * t58).add_product(t60, t253);
-    let t255 = (t251 * t53).add_product(t55, t254).sub_product(t57, t253);
-    let t256 = (-(t50 * t254)).add_product(t48, t255).sub_product(t51, t253);
-    let t257 = (t43 * t255).add_product(t41, t256);
-    let t258 = (-(t36 * t256)).add_product(t34, t257).sub_product(t37, t255);
-    let t259 = (t29 * t257).sub_product(t27, t258);
-    let t260 = (t21 * t258).add_product(t19, t259).sub_product(t19, t257);
-    let rocker_omega_dot_by_rocker_gravity = (-(t14 * t255)).add_product(t13, t256)
-        .add_product(t13, t254).add_product(t14, t253);
-    let rocker_v_y_dot_by_rocker_gravity = -t251.add_product(inverse_rocker_mass, t255)
-        .add_product(inverse_rocker_mass, t253);
-    let rocker_v_x_dot_by_rocker_gravity = (inverse_rocker_mass * t254)
-        .sub_product(inverse_rocker_mass, t256);
-    let coupler_omega_dot_by_rocker_gravity = (-(t12 * t257).add_product(t11, t258)
-        .add_product(t11, t256)).add_product(t12, t255);
-    let coupler_v_y_dot_by_rocker_gravity = (inverse_coupler_mass * t255)
-        .add_product(inverse_coupler_mass, t257);
-    let coupler_v_x_dot_by_rocker_gravity = (inverse_coupler_mass * t256)
-        .sub_product(inverse_coupler_mass, t258);
-    let crank_omega_dot_by_rocker_gravity = (t10 * t259).sub_product(t9, t260).sub_product(t9, t258)
-        .sub_product(t10, t257);
-    let crank_v_y_dot_by_rocker_gravity = -(inverse_crank_mass * t257)
-        .add_product(inverse_crank_mass, t259);
-    let crank_v_x_dot_by_rocker_gravity = (inverse_crank_mass * t258)
-        .sub_product(inverse_crank_mass, t260);
+    let t65 = p.rocker_length * rocker_omega_squared;
+    let t66 = c.t2 * rocker_omega_squared;
+    let t67 = t16 * t60;
+    let t68 = c.t3.sub_product(t59, sin_crank_phi) - t67;
+    let t69 = (R::literal(0.5) * t63.add_product(t61, cos_crank_phi)).add_product(t18, t60)
+        .add_product(t24, t68);
+    let t70 = (c.t4 - c.t3.add_product(R::literal(0.5), t64.add_product(t61, sin_crank_phi)) - t67)
+        .sub_product(t26, t68).add_product(t31, t69);
+    let t71 = (R::literal(-0.5) * t63.sub_product(t65, cos_rocker_phi)).add_product(t33, t69)
+        .sub_product(t38, t70);
+    let t72 = (c.t5 - c.t4.add_product(R::literal(0.5), t64.sub_product(t65, sin_rocker_phi)))
+        .add_product(t34, t69).sub_product(t40, t70).add_product(t45, t71);
+    let t73 = (-(t66 * cos_rocker_phi)).add_product(t47, t71).sub_product(t52, t72);
+    let t74 = c.t5.sub_product(t66, sin_rocker_phi).sub_product(t48, t71).sub_product(t54, t72)
+        .sub_product(t57, t73) * t58;
+    let t75 = (t73 * t55).sub_product(t57, t74);
+    let t76 = (t72 * t50).sub_product(t52, t75).sub_product(t54, t74);
+    let t77 = (-(t71 * t42)).add_product(t45, t76).add_product(t47, t75).sub_product(t48, t74);
+    let t78 = (t70 * t36).sub_product(t38, t77).sub_product(t40, t76);
+    let pin_a_x = (t69 * t28).add_product(t31, t78).add_product(t33, t77).add_product(t34, t76);
+    let t79 = (t68 * t22).add_product(t24, pin_a_x).sub_product(t26, t78);
+    let t80 = (t60 * t14).add_product(t16, t79).sub_product(t18, pin_a_x).add_product(t16, t78);
+    let rocker_omega_dot = (-(t11 * t76)).add_product(t10, t77).sub_product(t10, t75)
+        .add_product(t11, t74);
+    let coupler_omega_dot = (t9 * t78).add_product(t8, pin_a_x).sub_product(t8, t77)
+        .add_product(t9, t76);
+    let coupler_v_y_dot = (-c.t4.add_product(c.inverse_coupler_mass, t78))
+        .add_product(c.inverse_coupler_mass, t76);
+    let coupler_v_x_dot = (c.inverse_coupler_mass * t77).add_product(c.inverse_coupler_mass,
+        pin_a_x);
+    let crank_omega_dot = (t7 * t79).sub_product(t6, t80).add_product(t6, pin_a_x).add_product(t7,
+        t78);
+    let crank_v_y_dot = (-c.t3.add_product(c.inverse_crank_mass, t79))
+        .add_product(c.inverse_crank_mass, t78);
+    let t81 = R::literal(0.5) * crank_omega_squared;
+    let t82 = R::literal(0.5) * sin_crank_phi;
+    let t83 = R::literal(0.5) * cos_crank_phi;
+    let t84 = (t83 * t79).sub_product(t82, t80).add_product(t82, pin_a_x).add_product(t83, t78);
+    let t85 = (t81 * cos_crank_phi).add_product(t82, crank_omega_dot).add_product(t6, t84);
+    let t86 = (-(t81 * sin_crank_phi)).add_product(t83, crank_omega_dot).add_product(t7, t84)
+        .sub_product(t16, t85);
+    let t87 = t85.add_product(t18, t85).add_product(t24, t86);
+    let t88 = t86.sub_product(t26, t86).add_product(t31, t87);
+    let t89 = (t33 * t87).sub_product(t38, t88);
+    let t90 = (t34 * t87).sub_product(t40, t88).add_product(t45, t89);
+    let t91 = (t47 * t89).sub_product(t52, t90);
+    let t92 = (t48 * t89).add_product(t54, t90).add_product(t57, t91) * t58;
+    let t93 = (t91 * t55).add_product(t57, t92);
+    let t94 = (t90 * t50).sub_product(t52, t93).add_product(t54, t92);
+    let t95 = (-(t89 * t42)).add_product(t45, t94).add_product(t47, t93).add_product(t48, t92);
+    let t96 = (t88 * t36).sub_product(t38, t95).sub_product(t40, t94);
+    let t97 = (t87 * t28).add_product(t31, t96).add_product(t33, t95).add_product(t34, t94);
+    let t98 = (t86 * t22).add_product(t24, t97).sub_product(t26, t96);
+    let t99 = (t85 * t14).add_product(t16, t98).sub_product(t18, t97).add_product(t16, t96);
+    let rocker_omega_dot_by_crank_length = (-(t11 * t94)).add_product(t10, t95).sub_product(t10,
+        t93).sub_product(t11, t92);
+    let rocker_v_y_dot_by_crank_length = (c.inverse_rocker_mass * t92)
+        .sub_product(c.inverse_rocker_mass, t94);
+    let rocker_v_x_dot_by_crank_length = -(c.inverse_rocker_mass * t93)
+        .add_product(c.inverse_rocker_mass, t95);
+    let coupler_omega_dot_by_crank_length = (t9 * t96).add_product(t8, t97).sub_product(t8, t95)
+        .add_product(t9, t94);
+    let coupler_v_y_dot_by_crank_length = (c.inverse_coupler_mass * t94)
+        .sub_product(c.inverse_coupler_mass, t96);
+    let coupler_v_x_dot_by_crank_length = (c.inverse_coupler_mass * t95)
+        .add_product(c.inverse_coupler_mass, t97);
+    let crank_omega_dot_by_crank_length = (t84 * c.inverse_crank_inertia).sub_product(t6, t99)
+        .add_product(t7, t98).add_product(t6, t97).add_product(t7, t96);
+    let crank_v_y_dot_by_crank_length = (c.inverse_crank_mass * t96)
+        .sub_product(c.inverse_crank_mass, t98);
+    let crank_v_x_dot_by_crank_length = -(c.inverse_crank_mass * t97)
+        .add_product(c.inverse_crank_mass, t99);
+    let t100 = c.inverse_crank_mass * (c.inverse_crank_mass * pin_a_x)
+        .add_product(c.inverse_crank_mass, t80);
+    let t101 = c.inverse_crank_mass * (p.crank_gravity + crank_v_y_dot);
+    let t102 = t16 * t100;
+    let t103 = t101 - t102;
+    let t104 = t100.sub_product(t18, t100).sub_product(t24, t103);
+    let t105 = (t101 + t102).add_product(t26, t103).add_product(t31, t104);
+    let t106 = (-(t33 * t104)).add_product(t38, t105);
+    let t107 = (-(t34 * t104)).add_product(t40, t105).add_product(t45, t106);
+    let t108 = (t47 * t106).sub_product(t52, t107);
+    let t109 = (t48 * t106).add_product(t54, t107).add_product(t57, t108) * t58;
+    let t110 = (t108 * t55).add_product(t57, t109);
+    let t111 = (t107 * t50).sub_product(t52, t110).add_product(t54, t109);
+    let t112 = (-(t106 * t42)).add_product(t45, t111).add_product(t47, t110).add_product(t48, t109);
+    let t113 = (t105 * t36).add_product(t38, t112).add_product(t40, t111);
+    let t114 = (t104 * t28).add_product(t31, t113).sub_product(t33, t112).sub_product(t34, t111);
+    let t115 = (t103 * t22).sub_product(t24, t114).add_product(t26, t113);
+    let t116 = (t100 * t14).add_product(t16, t115).add_product(t18, t114).sub_product(t16, t113);
+    let rocker_omega_dot_by_crank_mass = (-(t11 * t111)).add_product(t10, t112).sub_product(t10,
+        t110).sub_product(t11, t109);
+    let rocker_v_y_dot_by_crank_mass = (c.inverse_rocker_mass * t109)
+        .sub_product(c.inverse_rocker_mass, t111);
+    let rocker_v_x_dot_by_crank_mass = -(c.inverse_rocker_mass * t110)
+        .add_product(c.inverse_rocker_mass, t112);
+    let coupler_omega_dot_by_crank_mass = (-(t9 * t113).add_product(t8, t114).add_product(t8, t112))
+        .add_product(t9, t111);
+    let coupler_v_y_dot_by_crank_mass = (c.inverse_coupler_mass * t111)
+        .add_product(c.inverse_coupler_mass, t113);
+    let coupler_v_x_dot_by_crank_mass = (c.inverse_coupler_mass * t112)
+        .sub_product(c.inverse_coupler_mass, t114);
+    let crank_omega_dot_by_crank_mass = (t7 * t115).sub_product(t6, t116).sub_product(t6, t114)
+        .sub_product(t7, t113);
+    let crank_v_y_dot_by_crank_mass = -t101.add_product(c.inverse_crank_mass, t115)
+        .add_product(c.inverse_crank_mass, t113);
+    let crank_v_x_dot_by_crank_mass = t100.sub_product(c.inverse_crank_mass, t116)
+        .add_product(c.inverse_crank_mass, t114);
+    let t117 = t6 * crank_omega_dot;
+    let t118 = (-(t7 * crank_omega_dot)).add_product(t16, t117);
+    let t119 = t117.add_product(t18, t117).sub_product(t24, t118);
+    let t120 = t118.sub_product(t26, t118).sub_product(t31, t119);
+    let t121 = (t33 * t119).add_product(t38, t120);
+    let t122 = (t34 * t119).add_product(t40, t120).add_product(t45, t121);
+    let t123 = (-(t47 * t121)).add_product(t52, t122);
+    let t124 = (t48 * t121).add_product(t54, t122).sub_product(t57, t123) * t58;
+    let t125 = (t123 * t55).sub_product(t57, t124);
+    let t126 = (t122 * t50).add_product(t52, t125).add_product(t54, t124);
+    let t127 = (t121 * t42).sub_product(t45, t126).add_product(t47, t125).sub_product(t48, t124);
+    let t128 = (t120 * t36).sub_product(t38, t127).add_product(t40, t126);
+    let t129 = (t119 * t28).sub_product(t31, t128).sub_product(t33, t127).add_product(t34, t126);
+    let t130 = (t118 * t22).sub_product(t24, t129).sub_product(t26, t128);
+    let t131 = (-(t117 * t14)).add_product(t16, t130).add_product(t18, t129).add_product(t16, t128);
+    let rocker_omega_dot_by_crank_inertia = (t11 * t126).add_product(t10, t127).sub_product(t10,
+        t125).add_product(t11, t124);
+    let rocker_v_y_dot_by_crank_inertia = (-(c.inverse_rocker_mass * t124))
+        .add_product(c.inverse_rocker_mass, t126);
+    let rocker_v_x_dot_by_crank_inertia = -(c.inverse_rocker_mass * t125)
+        .add_product(c.inverse_rocker_mass, t127);
+    let coupler_omega_dot_by_crank_inertia = (t9 * t128).sub_product(t8, t129).sub_product(t8, t127)
+        .sub_product(t9, t126);
+    let coupler_v_y_dot_by_crank_inertia = -(c.inverse_coupler_mass * t126)
+        .add_product(c.inverse_coupler_mass, t128);
+    let coupler_v_x_dot_by_crank_inertia = (c.inverse_coupler_mass * t127)
+        .sub_product(c.inverse_coupler_mass, t129);
+    let crank_omega_dot_by_crank_inertia = (-(crank_omega_dot * c.inverse_crank_inertia)
+        .add_product(t6, t131)).add_product(t7, t130).sub_product(t6, t129).add_product(t7, t128);
+    let crank_v_y_dot_by_crank_inertia = (c.inverse_crank_mass * t128)
+        .sub_product(c.inverse_crank_mass, t130);
+    let crank_v_x_dot_by_crank_inertia = (c.inverse_crank_mass * t129)
+        .sub_product(c.inverse_crank_mass, t131);
+    let t132 = t24 * c.inverse_crank_mass_times_crank_mass;
+    let t133 = (-c.inverse_crank_mass_times_crank_mass.add_product(t26,
+        c.inverse_crank_mass_times_crank_mass)).add_product(t31, t132);
+    let t134 = (t33 * t132).sub_product(t38, t133);
+    let t135 = (t34 * t132).sub_product(t40, t133).add_product(t45, t134);
+    let t136 = (t47 * t134).sub_product(t52, t135);
+    let t137 = (t48 * t134).add_product(t54, t135).add_product(t57, t136) * t58;
+    let t138 = (t136 * t55).add_product(t57, t137);
+    let t139 = (t135 * t50).sub_product(t52, t138).add_product(t54, t137);
+    let t140 = (-(t134 * t42)).add_product(t45, t139).add_product(t47, t138).add_product(t48, t137);
+    let t141 = (t133 * t36).sub_product(t38, t140).sub_product(t40, t139);
+    let t142 = (t132 * t28).add_product(t31, t141).add_product(t33, t140).add_product(t34, t139);
+    let t143 = (c.inverse_crank_mass_times_crank_mass * t22).add_product(t24, t142)
+        .sub_product(t26, t141);
+    let t144 = (-(t18 * t142)).add_product(t16, t143).add_product(t16, t141);
+    let rocker_omega_dot_by_crank_gravity = (-(t11 * t139)).add_product(t10, t140).sub_product(t10,
+        t138).sub_product(t11, t137);
+    let rocker_v_y_dot_by_crank_gravity = (c.inverse_rocker_mass * t137)
+        .sub_product(c.inverse_rocker_mass, t139);
+    let rocker_v_x_dot_by_crank_gravity = -(c.inverse_rocker_mass * t138)
+        .add_product(c.inverse_rocker_mass, t140);
+    let coupler_omega_dot_by_crank_gravity = (t9 * t141).add_product(t8, t142).sub_product(t8, t140)
+        .add_product(t9, t139);
+    let coupler_v_y_dot_by_crank_gravity = (c.inverse_coupler_mass * t139)
+        .sub_product(c.inverse_coupler_mass, t141);
+    let coupler_v_x_dot_by_crank_gravity = (c.inverse_coupler_mass * t140)
+        .add_product(c.inverse_coupler_mass, t142);
+    let crank_omega_dot_by_crank_gravity = (t7 * t143).sub_product(t6, t144).add_product(t6, t142)
+        .add_product(t7, t141);
+    let crank_v_y_dot_by_crank_gravity = (-c.inverse_crank_mass_times_crank_mass
+        .add_product(c.inverse_crank_mass, t143)).add_product(c.inverse_crank_mass, t141);
+    let crank_v_x_dot_by_crank_gravity = -(c.inverse_crank_mass * t142)
+        .add_product(c.inverse_crank_mass, t144);
+    let t145 = R::literal(0.5) * coupler_omega_squared;
+    let t146 = R::literal(0.5) * sin_coupler_phi;
+    let t147 = R::literal(0.5) * cos_coupler_phi;
+    let t148 = (t147 * t78).add_product(t146, pin_a_x).sub_product(t146, t77).add_product(t147,
+        t76);
+    let t149 = (t145 * cos_coupler_phi).add_product(t146, coupler_omega_dot).add_product(t8, t148);
+    let t150 = (-(t145 * sin_coupler_phi)).add_product(t147, coupler_omega_dot).add_product(t9,
+        t148);
+    let t151 = t150.add_product(t31, t149);
+    let t152 = (-t149).add_product(t33, t149).sub_product(t38, t151);
+    let t153 = t150.add_product(t34, t149).sub_product(t40, t151).add_product(t45, t152);
+    let t154 = (t47 * t152).sub_product(t52, t153);
+    let t155 = (t48 * t152).add_product(t54, t153).add_product(t57, t154) * t58;
+    let t156 = (t154 * t55).add_product(t57, t155);
+    let t157 = (t153 * t50).sub_product(t52, t156).add_product(t54, t155);
+    let t158 = (-(t152 * t42)).add_product(t45, t157).add_product(t47, t156).add_product(t48, t155);
+    let t159 = (t151 * t36).sub_product(t38, t158).sub_product(t40, t157);
+    let t160 = (t149 * t28).add_product(t31, t159).add_product(t33, t158).add_product(t34, t157);
+    let t161 = (-(t26 * t159)).add_product(t24, t160);
+    let t162 = (-(t18 * t160)).add_product(t16, t161).add_product(t16, t159);
+    let rocker_omega_dot_by_coupler_length = (-(t11 * t157)).add_product(t10, t158)
+        .sub_product(t10, t156).sub_product(t11, t155);
+    let rocker_v_y_dot_by_coupler_length = (c.inverse_rocker_mass * t155)
+        .sub_product(c.inverse_rocker_mass, t157);
+    let rocker_v_x_dot_by_coupler_length = -(c.inverse_rocker_mass * t156)
+        .add_product(c.inverse_rocker_mass, t158);
+    let coupler_omega_dot_by_coupler_length = (t148 * c.inverse_coupler_inertia).add_product(t8,
+        t160).add_product(t9, t159).sub_product(t8, t158).add_product(t9, t157);
+    let coupler_v_y_dot_by_coupler_length = (c.inverse_coupler_mass * t157)
+        .sub_product(c.inverse_coupler_mass, t159);
+    let coupler_v_x_dot_by_coupler_length = (c.inverse_coupler_mass * t158)
+        .add_product(c.inverse_coupler_mass, t160);
+    let crank_omega_dot_by_coupler_length = (t7 * t161).sub_product(t6, t162).add_product(t6, t160)
+        .add_product(t7, t159);
+    let crank_v_y_dot_by_coupler_length = (c.inverse_crank_mass * t159)
+        .sub_product(c.inverse_crank_mass, t161);
+    let crank_v_x_dot_by_coupler_length = -(c.inverse_crank_mass * t160)
+        .add_product(c.inverse_crank_mass, t162);
+    let t163 = c.inverse_coupler_mass * coupler_v_x_dot;
+    let t164 = c.inverse_coupler_mass * (p.coupler_gravity + coupler_v_y_dot);
+    let t165 = t164.sub_product(t31, t163);
+    let t166 = t163.add_product(t33, t163).add_product(t38, t165);
+    let t167 = t164.add_product(t34, t163).add_product(t40, t165).add_product(t45, t166);
+    let t168 = (-(t47 * t166)).add_product(t52, t167);
+    let t169 = (t48 * t166).add_product(t54, t167).sub_product(t57, t168) * t58;
+    let t170 = (t168 * t55).sub_product(t57, t169);
+    let t171 = (t167 * t50).add_product(t52, t170).add_product(t54, t169);
+    let t172 = (t166 * t42).sub_product(t45, t171).add_product(t47, t170).sub_product(t48, t169);
+    let t173 = (t165 * t36).sub_product(t38, t172).add_product(t40, t171);
+    let t174 = (t163 * t28).sub_product(t31, t173).sub_product(t33, t172).add_product(t34, t171);
+    let t175 = (t26 * t173).add_product(t24, t174);
+    let t176 = (t18 * t174).sub_product(t16, t175).add_product(t16, t173);
+    let rocker_omega_dot_by_coupler_mass = (t11 * t171).add_product(t10, t172).sub_product(t10,
+        t170).add_product(t11, t169);
+    let rocker_v_y_dot_by_coupler_mass = (-(c.inverse_rocker_mass * t169))
+        .add_product(c.inverse_rocker_mass, t171);
+    let rocker_v_x_dot_by_coupler_mass = -(c.inverse_rocker_mass * t170)
+        .add_product(c.inverse_rocker_mass, t172);
+    let coupler_omega_dot_by_coupler_mass = (t9 * t173).sub_product(t8, t174).sub_product(t8, t172)
+        .sub_product(t9, t171);
+    let coupler_v_y_dot_by_coupler_mass = -t164.add_product(c.inverse_coupler_mass, t173)
+        .add_product(c.inverse_coupler_mass, t171);
+    let coupler_v_x_dot_by_coupler_mass = (-t163.add_product(c.inverse_coupler_mass, t174))
+        .add_product(c.inverse_coupler_mass, t172);
+    let crank_omega_dot_by_coupler_mass = (-(t7 * t175).add_product(t6, t176).add_product(t6, t174))
+        .add_product(t7, t173);
+    let crank_v_y_dot_by_coupler_mass = (c.inverse_crank_mass * t173)
+        .add_product(c.inverse_crank_mass, t175);
+    let crank_v_x_dot_by_coupler_mass = (c.inverse_crank_mass * t174)
+        .sub_product(c.inverse_crank_mass, t176);
+    let t177 = t8 * coupler_omega_dot;
+    let t178 = t9 * coupler_omega_dot;
+    let t179 = t178.add_product(t31, t177);
+    let t180 = t177.sub_product(t33, t177).add_product(t38, t179);
+    let t181 = (-t178.add_product(t34, t177)).add_product(t40, t179).add_product(t45, t180);
+    let t182 = (t47 * t180).sub_product(t52, t181);
+    let t183 = (t48 * t180).add_product(t54, t181).add_product(t57, t182) * t58;
+    let t184 = (t182 * t55).add_product(t57, t183);
+    let t185 = (t181 * t50).sub_product(t52, t184).add_product(t54, t183);
+    let t186 = (-(t180 * t42)).add_product(t45, t185).add_product(t47, t184).add_product(t48, t183);
+    let t187 = (t179 * t36).add_product(t38, t186).add_product(t40, t185);
+    let t188 = (t177 * t28).add_product(t31, t187).sub_product(t33, t186).sub_product(t34, t185);
+    let t189 = (t26 * t187).sub_product(t24, t188);
+    let t190 = (t18 * t188).add_product(t16, t189).sub_product(t16, t187);
+    let rocker_omega_dot_by_coupler_inertia = (-(t11 * t185)).add_product(t10, t186)
+        .sub_product(t10, t184).sub_product(t11, t183);
+    let rocker_v_y_dot_by_coupler_inertia = (c.inverse_rocker_mass * t183)
+        .sub_product(c.inverse_rocker_mass, t185);
+    let rocker_v_x_dot_by_coupler_inertia = -(c.inverse_rocker_mass * t184)
+        .add_product(c.inverse_rocker_mass, t186);
+    let coupler_omega_dot_by_coupler_inertia = (-(coupler_omega_dot * c.inverse_coupler_inertia)
+        .add_product(t8, t188).add_product(t9, t187).add_product(t8, t186)).add_product(t9, t185);
+    let coupler_v_y_dot_by_coupler_inertia = (c.inverse_coupler_mass * t185)
+        .add_product(c.inverse_coupler_mass, t187);
+    let coupler_v_x_dot_by_coupler_inertia = (c.inverse_coupler_mass * t186)
+        .sub_product(c.inverse_coupler_mass, t188);
+    let crank_omega_dot_by_coupler_inertia = (t7 * t189).sub_product(t6, t190).sub_product(t6, t188)
+        .sub_product(t7, t187);
+    let crank_v_y_dot_by_coupler_inertia = -(c.inverse_crank_mass * t187)
+        .add_product(c.inverse_crank_mass, t189);
+    let crank_v_x_dot_by_coupler_inertia = (c.inverse_crank_mass * t188)
+        .sub_product(c.inverse_crank_mass, t190);
+    let t191 = t38 * c.t6;
+    let t192 = c.t6.add_product(t40, c.t6).add_product(t45, t191);
+    let t193 = (-(t47 * t191)).add_product(t52, t192);
+    let t194 = (t48 * t191).add_product(t54, t192).sub_product(t57, t193) * t58;
+    let t195 = (t193 * t55).sub_product(t57, t194);
+    let t196 = (t192 * t50).add_product(t52, t195).add_product(t54, t194);
+    let t197 = (t191 * t42).sub_product(t45, t196).add_product(t47, t195).sub_product(t48, t194);
+    let t198 = (c.t6 * t36).sub_product(t38, t197).add_product(t40, t196);
+    let t199 = (-(t33 * t197).add_product(t31, t198)).add_product(t34, t196);
+    let t200 = (t26 * t198).add_product(t24, t199);
+    let t201 = (t18 * t199).sub_product(t16, t200).add_product(t16, t198);
+    let rocker_omega_dot_by_coupler_gravity = (t11 * t196).add_product(t10, t197).sub_product(t10,
+        t195).add_product(t11, t194);
+    let rocker_v_y_dot_by_coupler_gravity = (-(c.inverse_rocker_mass * t194))
+        .add_product(c.inverse_rocker_mass, t196);
+    let rocker_v_x_dot_by_coupler_gravity = -(c.inverse_rocker_mass * t195)
+        .add_product(c.inverse_rocker_mass, t197);
+    let coupler_omega_dot_by_coupler_gravity = (t9 * t198).sub_product(t8, t199).sub_product(t8,
+        t197).sub_product(t9, t196);
+    let coupler_v_y_dot_by_coupler_gravity = -c.t6.add_product(c.inverse_coupler_mass, t198)
+        .add_product(c.inverse_coupler_mass, t196);
+    let coupler_v_x_dot_by_coupler_gravity = (c.inverse_coupler_mass * t197)
+        .sub_product(c.inverse_coupler_mass, t199);
+    let crank_omega_dot_by_coupler_gravity = (-(t7 * t200).add_product(t6, t201).add_product(t6,
+        t199)).add_product(t7, t198);
+    let crank_v_y_dot_by_coupler_gravity = (c.inverse_crank_mass * t198)
+        .add_product(c.inverse_crank_mass, t200);
+    let crank_v_x_dot_by_coupler_gravity = (c.inverse_crank_mass * t199)
+        .sub_product(c.inverse_crank_mass, t201);
+    let t202 = R::literal(0.5) * rocker_omega_squared;
+    let t203 = t202 * sin_rocker_phi;
+    let t204 = R::literal(0.5) * sin_rocker_phi;
+    let t205 = R::literal(0.5) * cos_rocker_phi;
+    let t206 = t205 * rocker_omega_dot;
+    let t207 = (-(t205 * t76)).add_product(t204, t77).sub_product(t204, t75).add_product(t205, t74);
+    let t208 = (t202 * cos_rocker_phi).add_product(t204, rocker_omega_dot).add_product(t10, t207);
+    let t209 = t11 * t207;
+    let t210 = (t203 - t206 - t209).add_product(t45, t208);
+    let t211 = (-t208).add_product(t47, t208).sub_product(t52, t210);
+    let t212 = (t206 - t203 + t209).sub_product(t48, t208).sub_product(t54, t210).sub_product(t57,
+        t211) * t58;
+    let t213 = (t211 * t55).sub_product(t57, t212);
+    let t214 = (t210 * t50).sub_product(t52, t213).sub_product(t54, t212);
+    let t215 = (-(t208 * t42)).add_product(t45, t214).add_product(t47, t213).sub_product(t48, t212);
+    let t216 = (t40 * t214).add_product(t38, t215);
+    let t217 = (-(t33 * t215)).add_product(t31, t216).sub_product(t34, t214);
+    let t218 = (t26 * t216).sub_product(t24, t217);
+    let t219 = (t18 * t217).add_product(t16, t218).sub_product(t16, t216);
+    let rocker_omega_dot_by_rocker_length = (t207 * c.inverse_rocker_inertia).add_product(t10, t215)
+        .sub_product(t11, t214).sub_product(t10, t213).add_product(t11, t212);
+    let rocker_v_y_dot_by_rocker_length = -(c.inverse_rocker_mass * t212)
+        .add_product(c.inverse_rocker_mass, t214);
+    let rocker_v_x_dot_by_rocker_length = -(c.inverse_rocker_mass * t213)
+        .add_product(c.inverse_rocker_mass, t215);
+    let coupler_omega_dot_by_rocker_length = (-(t9 * t216).add_product(t8, t217).add_product(t8,
+        t215)).add_product(t9, t214);
+    let coupler_v_y_dot_by_rocker_length = (c.inverse_coupler_mass * t214)
+        .add_product(c.inverse_coupler_mass, t216);
+    let coupler_v_x_dot_by_rocker_length = (c.inverse_coupler_mass * t215)
+        .sub_product(c.inverse_coupler_mass, t217);
+    let crank_omega_dot_by_rocker_length = (t7 * t218).sub_product(t6, t219).sub_product(t6, t217)
+        .sub_product(t7, t216);
+    let crank_v_y_dot_by_rocker_length = -(c.inverse_crank_mass * t216)
+        .add_product(c.inverse_crank_mass, t218);
+    let crank_v_x_dot_by_rocker_length = (c.inverse_crank_mass * t217)
+        .sub_product(c.inverse_crank_mass, t219);
+    let t220 = c.inverse_rocker_mass * (c.inverse_rocker_mass * t75)
+        .add_product(c.inverse_rocker_mass, t77);
+    let t221 = c.inverse_rocker_mass * (c.t5.add_product(c.inverse_rocker_mass, t76)
+        .add_product(c.inverse_rocker_mass, t74) - p.rocker_gravity);
+    let t222 = t221.add_product(t45, t220);
+    let t223 = (-t220.add_product(t47, t220)).add_product(t52, t222);
+    let t224 = (-t221).add_product(t48, t220).add_product(t54, t222).sub_product(t57, t223) * t58;
+    let t225 = (t223 * t55).sub_product(t57, t224);
+    let t226 = (t222 * t50).add_product(t52, t225).add_product(t54, t224);
+    let t227 = (t220 * t42).sub_product(t45, t226).add_product(t47, t225).sub_product(t48, t224);
+    let t228 = (t40 * t226).sub_product(t38, t227);
+    let t229 = (-(t33 * t227).add_product(t31, t228)).add_product(t34, t226);
+    let t230 = (t26 * t228).add_product(t24, t229);
+    let t231 = (t18 * t229).sub_product(t16, t230).add_product(t16, t228);
+    let rocker_omega_dot_by_rocker_mass = (t11 * t226).add_product(t10, t227).sub_product(t10, t225)
+        .add_product(t11, t224);
+    let rocker_v_y_dot_by_rocker_mass = t221.add_product(c.inverse_rocker_mass, t226)
+        .sub_product(c.inverse_rocker_mass, t224);
+    let rocker_v_x_dot_by_rocker_mass = t220.sub_product(c.inverse_rocker_mass, t227)
+        .sub_product(c.inverse_rocker_mass, t225);
+    let coupler_omega_dot_by_rocker_mass = (t9 * t228).sub_product(t8, t229).sub_product(t8, t227)
+        .sub_product(t9, t226);
+    let coupler_v_y_dot_by_rocker_mass = -(c.inverse_coupler_mass * t226)
+        .add_product(c.inverse_coupler_mass, t228);
+    let coupler_v_x_dot_by_rocker_mass = (c.inverse_coupler_mass * t227)
+        .sub_product(c.inverse_coupler_mass, t229);
+    let crank_omega_dot_by_rocker_mass = (-(t7 * t230).add_product(t6, t231).add_product(t6, t229))
+        .add_product(t7, t228);
+    let crank_v_y_dot_by_rocker_mass = (c.inverse_crank_mass * t228)
+        .add_product(c.inverse_crank_mass, t230);
+    let crank_v_x_dot_by_rocker_mass = (c.inverse_crank_mass * t229)
+        .sub_product(c.inverse_crank_mass, t231);
+    let t232 = t10 * rocker_omega_dot;
+    let t233 = t11 * rocker_omega_dot;
+    let t234 = t233.sub_product(t45, t232);
+    let t235 = t232.sub_product(t47, t232).sub_product(t52, t234);
+    let t236 = (-t233).add_product(t48, t232).sub_product(t54, t234).sub_product(t57, t235) * t58;
+    let t237 = (t235 * t55).sub_product(t57, t236);
+    let t238 = (t234 * t50).sub_product(t52, t237).sub_product(t54, t236);
+    let t239 = (t232 * t42).add_product(t45, t238).add_product(t47, t237).sub_product(t48, t236);
+    let t240 = (t40 * t238).add_product(t38, t239);
+    let t241 = (-(t33 * t239)).add_product(t31, t240).sub_product(t34, t238);
+    let t242 = (t26 * t240).sub_product(t24, t241);
+    let t243 = (t18 * t241).add_product(t16, t242).sub_product(t16, t240);
+    let rocker_omega_dot_by_rocker_inertia = (-(rocker_omega_dot * c.inverse_rocker_inertia))
+        .add_product(t10, t239).sub_product(t11, t238).sub_product(t10, t237).add_product(t11,
+        t236);
+    let rocker_v_y_dot_by_rocker_inertia = -(c.inverse_rocker_mass * t236)
+        .add_product(c.inverse_rocker_mass, t238);
+    let rocker_v_x_dot_by_rocker_inertia = -(c.inverse_rocker_mass * t237)
+        .add_product(c.inverse_rocker_mass, t239);
+    let coupler_omega_dot_by_rocker_inertia = (-(t9 * t240).add_product(t8, t241).add_product(t8,
+        t239)).add_product(t9, t238);
+    let coupler_v_y_dot_by_rocker_inertia = (c.inverse_coupler_mass * t238)
+        .add_product(c.inverse_coupler_mass, t240);
+    let coupler_v_x_dot_by_rocker_inertia = (c.inverse_coupler_mass * t239)
+        .sub_product(c.inverse_coupler_mass, t241);
+    let crank_omega_dot_by_rocker_inertia = (t7 * t242).sub_product(t6, t243).sub_product(t6, t241)
+        .sub_product(t7, t240);
+    let crank_v_y_dot_by_rocker_inertia = -(c.inverse_crank_mass * t240)
+        .add_product(c.inverse_crank_mass, t242);
+    let crank_v_x_dot_by_rocker_inertia = (c.inverse_crank_mass * t241)
+        .sub_product(c.inverse_crank_mass, t243);
+    let t244 = t52 * c.t7;
+    let t245 = c.t7.sub_product(t54, c.t7).add_product(t57, t244) * t58;
+    let t246 = (t244 * t55).add_product(t57, t245);
+    let t247 = (c.t7 * t50).add_product(t52, t246).sub_product(t54, t245);
+    let t248 = (-(t47 * t246)).add_product(t45, t247).sub_product(t48, t245);
+    let t249 = (t40 * t247).add_product(t38, t248);
+    let t250 = (-(t33 * t248)).add_product(t31, t249).sub_product(t34, t247);
+    let t251 = (t26 * t249).sub_product(t24, t250);
+    let t252 = (t18 * t250).add_product(t16, t251).sub_product(t16, t249);
+    let rocker_omega_dot_by_rocker_gravity = (-(t11 * t247)).add_product(t10, t248)
+        .add_product(t10, t246).add_product(t11, t245);
+    let rocker_v_y_dot_by_rocker_gravity = -c.t7.add_product(c.inverse_rocker_mass, t247)
+        .add_product(c.inverse_rocker_mass, t245);
+    let rocker_v_x_dot_by_rocker_gravity = (c.inverse_rocker_mass * t246)
+        .sub_product(c.inverse_rocker_mass, t248);
+    let coupler_omega_dot_by_rocker_gravity = (-(t9 * t249).add_product(t8, t250).add_product(t8,
+        t248)).add_product(t9, t247);
+    let coupler_v_y_dot_by_rocker_gravity = (c.inverse_coupler_mass * t247)
+        .add_product(c.inverse_coupler_mass, t249);
+    let coupler_v_x_dot_by_rocker_gravity = (c.inverse_coupler_mass * t248)
+        .sub_product(c.inverse_coupler_mass, t250);
+    let crank_omega_dot_by_rocker_gravity = (t7 * t251).sub_product(t6, t252).sub_product(t6, t250)
+        .sub_product(t7, t249);
+    let crank_v_y_dot_by_rocker_gravity = -(c.inverse_crank_mass * t249)
+        .add_product(c.inverse_crank_mass, t251);
+    let crank_v_x_dot_by_rocker_gravity = (c.inverse_crank_mass * t250)
+        .sub_product(c.inverse_crank_mass, t252);
     [crank_v_x_dot_by_crank_length, crank_v_x_dot_by_crank_mass, crank_v_x_dot_by_crank_inertia,
         crank_v_x_dot_by_crank_gravity, crank_v_x_dot_by_coupler_length,
         crank_v_x_dot_by_coupler_mass, crank_v_x_dot_by_coupler_inertia,

@@ -23,8 +23,8 @@
 // Shapes: coordinates 6, first-order states 4, states 16, parameters 39, outputs 8.
 // Nonzeros: mass_matrix 6 of 6 by 6, rate_jacobian 39 of 16 by 16, parameter_jacobian 47 of 16 by 39.
 // Operations: rate 87, mass_matrix 2, forcing 42, rate_jacobian 81, parameter_jacobian 185,
-//     outputs 17, energy 75, power_balance 185, prepare 57, prepared_rate 61,
-//     prepared_rate_jacobian 30.
+//     outputs 17, energy 75, power_balance 185, prepare 81, prepared_rate 61,
+//     prepared_rate_jacobian 30, prepared_parameter_jacobian 135.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
@@ -128,18 +128,19 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 }
 
 ::machinist_contract::constants! {
-    motor_omega_0, motor_u_x, motor_u_y, t1, inverse_motor_inertia, inverse_crank_inertia,
+    motor_omega_0, motor_u_x, motor_u_y, t2, inverse_motor_inertia, inverse_crank_inertia,
     inverse_shaft_driven_field_inertia, inverse_shaft_reed_field_inertia,
-    inverse_shaft_middle_field_inertia, t2, t3, crank_ratio_times_crank_stiffness, t4,
+    inverse_shaft_middle_field_inertia, t3, t4, crank_ratio_times_crank_stiffness, t5,
     motor_alpha_s_times_motor_omega_0, motor_alpha_r_times_motor_omega_0,
-    crank_turn_speed_dot_by_motor_phi, motor_omega_dot_by_motor_phi, t5, t6,
+    crank_turn_speed_dot_by_motor_phi, motor_omega_dot_by_motor_phi, t6, t7,
     motor_omega_dot_by_crank_turn, shaft_driven_dot_dot_by_shaft_driven,
-    reed_speed_dot_by_shaft_reed, t7, shaft_reed_dot_dot_by_shaft_reed,
+    reed_speed_dot_by_shaft_reed, t8, shaft_reed_dot_dot_by_shaft_reed,
     reed_speed_dot_by_reed_angle, crank_turn_speed_dot_by_motor_omega,
     motor_omega_dot_by_motor_omega, crank_turn_speed_dot_by_crank_turn_speed,
     motor_omega_dot_by_crank_turn_speed, motor_psi_sx_dot_by_motor_psi_sx,
     motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
-    motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx
+    motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx, reed_arm_squared, t9, t10,
+    t11, t12, t13, minus_motor_u_y, t14, motor_k_r_over_motor_sigma, t16, t17, t18, t19, t20
 }
 
 ::machinist_contract::field_scene! {
@@ -155,64 +156,83 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     at 1.75 => End, coordinate Some(4), handed 35;
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 57 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 81 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let (sin_motor_supply_phase, cos_motor_supply_phase) = p.motor_supply_phase.sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
-    let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0 / (p.motor_x_s
-        * motor_sigma);
+    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
+    let t1 = R::literal(1.5) * p.motor_pole_pairs;
+    let t2 = t1 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let reed_arm_squared = p.reed_arm * p.reed_arm;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
     let inverse_shaft_driven_field_inertia = R::literal(1.0) / p.shaft_driven_field_inertia;
     let inverse_shaft_reed_field_inertia = R::literal(1.0) / p.shaft_reed_field_inertia;
     let inverse_shaft_middle_field_inertia = R::literal(1.0) / p.shaft_middle_field_inertia;
-    let t2 = R::literal(1.0) / (p.reed_mass * (p.reed_arm * p.reed_arm));
-    let t3 = p.coupling_stiffness * p.coupling_ratio;
+    let t3 = R::literal(1.0) / (p.reed_mass * reed_arm_squared);
+    let t4 = p.coupling_stiffness * p.coupling_ratio;
     let crank_ratio_times_crank_stiffness = p.crank_ratio * p.crank_stiffness;
-    let t4 = p.coupling_damping * p.coupling_ratio;
+    let t5 = p.coupling_damping * p.coupling_ratio;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let crank_turn_speed_dot_by_motor_phi = t3 * inverse_crank_inertia;
+    let crank_turn_speed_dot_by_motor_phi = t4 * inverse_crank_inertia;
     let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
-    let t5 = p.coupling_stiffness * coupling_ratio_squared;
-    let t6 = p.crank_stiffness * (p.crank_ratio * p.crank_ratio);
-    let motor_omega_dot_by_crank_turn = t3 * inverse_motor_inertia;
+    let t6 = p.coupling_stiffness * coupling_ratio_squared;
+    let t7 = p.crank_stiffness * (p.crank_ratio * p.crank_ratio);
+    let motor_omega_dot_by_crank_turn = t4 * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_shaft_driven = -(p.crank_stiffness
         * inverse_shaft_driven_field_inertia);
-    let reed_speed_dot_by_shaft_reed = p.reed_stiffness * t2;
-    let t7 = p.reed_stiffness * inverse_shaft_reed_field_inertia;
-    let shaft_reed_dot_dot_by_shaft_reed = -t7;
-    let reed_speed_dot_by_reed_angle = -((p.reed_stiffness + p.fell_stiffness) * t2);
-    let crank_turn_speed_dot_by_motor_omega = t4 * inverse_crank_inertia;
+    let reed_speed_dot_by_shaft_reed = p.reed_stiffness * t3;
+    let t8 = p.reed_stiffness * inverse_shaft_reed_field_inertia;
+    let shaft_reed_dot_dot_by_shaft_reed = -t8;
+    let reed_speed_dot_by_reed_angle = -((p.reed_stiffness + p.fell_stiffness) * t3);
+    let crank_turn_speed_dot_by_motor_omega = t5 * inverse_crank_inertia;
     let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let crank_turn_speed_dot_by_crank_turn_speed = -(p.crank_drag.add_product(p.coupling_damping,
         coupling_ratio_squared) * inverse_crank_inertia);
-    let motor_omega_dot_by_crank_turn_speed = t4 * inverse_motor_inertia;
+    let motor_omega_dot_by_crank_turn_speed = t5 * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_psi_sx = -motor_alpha_s_times_motor_omega_0;
     let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
     let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_rx = -motor_alpha_r_times_motor_omega_0;
-    Constants { motor_omega_0, motor_u_x, motor_u_y, t1, inverse_motor_inertia,
+    let t9 = R::literal(core::f64::consts::SQRT_2) * cos_motor_supply_phase;
+    let t10 = R::literal(core::f64::consts::SQRT_2) * sin_motor_supply_phase;
+    let t11 = R::literal(3.0 * core::f64::consts::PI) * p.motor_pole_pairs * p.motor_k_r
+        / motor_x_s_times_motor_sigma;
+    let t12 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
+    let t13 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+    let minus_motor_u_y = -motor_u_y;
+    let t14 = R::literal(1.5) * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let motor_k_r_over_motor_sigma = p.motor_k_r / motor_sigma;
+    let t15 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let t16 = t1 * motor_omega_0 / (p.motor_x_s * (t15 * t15));
+    let t17 = R::literal(-1.0) / p.motor_x_s;
+    let t18 = R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio;
+    let t19 = R::literal(2.0) * p.coupling_damping * p.coupling_ratio;
+    let t20 = R::literal(-2.0) * p.reed_mass * p.reed_arm;
+    Constants { motor_omega_0, motor_u_x, motor_u_y, t2, inverse_motor_inertia,
         inverse_crank_inertia, inverse_shaft_driven_field_inertia,
-        inverse_shaft_reed_field_inertia, inverse_shaft_middle_field_inertia, t2, t3,
-        crank_ratio_times_crank_stiffness, t4, motor_alpha_s_times_motor_omega_0,
+        inverse_shaft_reed_field_inertia, inverse_shaft_middle_field_inertia, t3, t4,
+        crank_ratio_times_crank_stiffness, t5, motor_alpha_s_times_motor_omega_0,
         motor_alpha_r_times_motor_omega_0, crank_turn_speed_dot_by_motor_phi,
-        motor_omega_dot_by_motor_phi, t5, t6, motor_omega_dot_by_crank_turn,
-        shaft_driven_dot_dot_by_shaft_driven, reed_speed_dot_by_shaft_reed, t7,
+        motor_omega_dot_by_motor_phi, t6, t7, motor_omega_dot_by_crank_turn,
+        shaft_driven_dot_dot_by_shaft_driven, reed_speed_dot_by_shaft_reed, t8,
         shaft_reed_dot_dot_by_shaft_reed, reed_speed_dot_by_reed_angle,
         crank_turn_speed_dot_by_motor_omega, motor_omega_dot_by_motor_omega,
         crank_turn_speed_dot_by_crank_turn_speed, motor_omega_dot_by_crank_turn_speed,
         motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
         motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
-        motor_psi_rx_dot_by_motor_psi_rx }
+        motor_psi_rx_dot_by_motor_psi_rx, reed_arm_squared, t9, t10, t11, t12, t13,
+        minus_motor_u_y, t14, motor_k_r_over_motor_sigma, t16, t17, t18, t19, t20 }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -246,17 +266,17 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let motor_slip_speed = c.motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
-    let motor_torque = c.t1 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
+    let motor_torque = c.t2 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
     let t0 = p.reed_stiffness * (shaft_reed - reed_angle);
-    let reed_speed_dot = (t0 - fell_torque) * c.t2;
+    let reed_speed_dot = (t0 - fell_torque) * c.t3;
     let shaft_middle_dot_dot = p.shaft_middle_field_force * c.inverse_shaft_middle_field_inertia;
     let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0) * c.inverse_shaft_reed_field_inertia;
     let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.crank_stiffness,
         shaft_driven_minus_crank_angle) * c.inverse_shaft_driven_field_inertia;
-    let crank_turn_speed_dot = ((c.t3 * coupling_twist)
+    let crank_turn_speed_dot = ((c.t4 * coupling_twist)
         .add_product(c.crank_ratio_times_crank_stiffness * shaft_driven_minus_crank_angle,
-        cos_crank_turn) - (p.crank_drag * crank_turn_speed).sub_product(c.t4, coupling_twist_rate))
+        cos_crank_turn) - (p.crank_drag * crank_turn_speed).sub_product(c.t5, coupling_twist_rate))
         * c.inverse_crank_inertia;
     let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot = c.motor_u_x.add_product(c.motor_omega_0, motor_psi_sy)
@@ -328,17 +348,17 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
     let t0 = c.crank_ratio_times_crank_stiffness * cos_crank_turn;
     let shaft_driven_dot_dot_by_crank_turn = t0 * c.inverse_shaft_driven_field_inertia;
-    let crank_turn_speed_dot_by_crank_turn = (-c.t5).add_product(p.crank_stiffness * crank_angle,
-        crank_angle - shaft_driven).sub_product(c.t6, cos_crank_turn * cos_crank_turn)
+    let crank_turn_speed_dot_by_crank_turn = (-c.t6).add_product(p.crank_stiffness * crank_angle,
+        crank_angle - shaft_driven).sub_product(c.t7, cos_crank_turn * cos_crank_turn)
         * c.inverse_crank_inertia;
     let crank_turn_speed_dot_by_shaft_driven = t0 * c.inverse_crank_inertia;
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
-    let motor_omega_dot_by_motor_psi_sx = -(c.t1 * motor_psi_ry * c.inverse_motor_inertia);
-    let motor_omega_dot_by_motor_psi_sy = c.t1 * motor_psi_rx * c.inverse_motor_inertia;
-    let motor_omega_dot_by_motor_psi_rx = c.t1 * motor_psi_sy * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_sx = -(c.t2 * motor_psi_ry * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_sy = c.t2 * motor_psi_rx * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_rx = c.t2 * motor_psi_sy * c.inverse_motor_inertia;
     let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega - c.motor_omega_0;
-    let motor_omega_dot_by_motor_psi_ry = -(c.t1 * motor_psi_sx * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_ry = -(c.t2 * motor_psi_sx * c.inverse_motor_inertia);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         R::literal(1.0), c.motor_omega_dot_by_motor_phi, c.motor_omega_dot_by_crank_turn,
         c.motor_omega_dot_by_motor_omega, c.motor_omega_dot_by_crank_turn_speed,
@@ -347,7 +367,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         c.crank_turn_speed_dot_by_motor_phi, crank_turn_speed_dot_by_crank_turn,
         crank_turn_speed_dot_by_shaft_driven, c.crank_turn_speed_dot_by_motor_omega,
         c.crank_turn_speed_dot_by_crank_turn_speed, shaft_driven_dot_dot_by_crank_turn,
-        c.shaft_driven_dot_dot_by_shaft_driven, c.shaft_reed_dot_dot_by_shaft_reed, c.t7,
+        c.shaft_driven_dot_dot_by_shaft_driven, c.shaft_reed_dot_dot_by_shaft_reed, c.t8,
         c.reed_speed_dot_by_shaft_reed, c.reed_speed_dot_by_reed_angle,
         c.motor_psi_sx_dot_by_motor_psi_sx, c.motor_omega_0, c.motor_psi_sx_dot_by_motor_psi_rx,
         c.motor_psi_sy_dot_by_motor_psi_sx, c.motor_psi_sx_dot_by_motor_psi_sx,
@@ -357,135 +377,103 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         motor_psi_ry_dot_by_motor_psi_rx, c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 185 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 135 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 47] {
+pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 47] {
     let [motor_phi, crank_turn, shaft_driven, shaft_reed, _, reed_angle, motor_omega,
         crank_turn_speed, _, _, _, _, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry]
         = *state;
-    let [(sin_crank_turn, cos_crank_turn), (sin_motor_supply_phase, cos_motor_supply_phase)]
-        = R::sin_cos_each([crank_turn, p.motor_supply_phase]);
+    let (sin_crank_turn, cos_crank_turn) = crank_turn.sin_cos();
     let fell_torque = p.fell_stiffness * reed_angle;
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let crank_angle = p.crank_ratio * sin_crank_turn;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
-    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * cos_motor_supply_phase;
-    let motor_u_y = t0 * sin_motor_supply_phase;
     let coupling_ratio_times_crank_turn = p.coupling_ratio * crank_turn;
     let coupling_twist = motor_phi - coupling_ratio_times_crank_turn;
-    let t1 = p.coupling_ratio * crank_turn_speed;
-    let coupling_twist_rate = motor_omega - t1;
+    let t0 = p.coupling_ratio * crank_turn_speed;
+    let coupling_twist_rate = motor_omega - t0;
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
-    let t2 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
-    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t3 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
+    let t1 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
+    let t2 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t4 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
-    let t5 = R::literal(1.5) * p.motor_pole_pairs;
-    let motor_torque = t5 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t4;
-    let reed_arm_squared = p.reed_arm * p.reed_arm;
-    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
-    let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
-    let inverse_shaft_driven_field_inertia = R::literal(1.0) / p.shaft_driven_field_inertia;
-    let inverse_shaft_reed_field_inertia = R::literal(1.0) / p.shaft_reed_field_inertia;
-    let inverse_shaft_middle_field_inertia = R::literal(1.0) / p.shaft_middle_field_inertia;
-    let t6 = R::literal(1.0) / (p.reed_mass * reed_arm_squared);
+    let t3 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let motor_torque = c.t2 * t3;
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
     let shaft_reed_minus_reed_angle = shaft_reed - reed_angle;
-    let t7 = p.reed_stiffness * shaft_reed_minus_reed_angle;
-    let reed_speed_dot = (t7 - fell_torque) * t6;
-    let shaft_middle_dot_dot = p.shaft_middle_field_force * inverse_shaft_middle_field_inertia;
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t7) * inverse_shaft_reed_field_inertia;
+    let t4 = p.reed_stiffness * shaft_reed_minus_reed_angle;
+    let reed_speed_dot = (t4 - fell_torque) * c.t3;
+    let shaft_middle_dot_dot = p.shaft_middle_field_force * c.inverse_shaft_middle_field_inertia;
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t4) * c.inverse_shaft_reed_field_inertia;
     let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.crank_stiffness,
-        shaft_driven_minus_crank_angle) * inverse_shaft_driven_field_inertia;
-    let crank_turn_speed_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
-        .add_product(p.crank_ratio * p.crank_stiffness * shaft_driven_minus_crank_angle,
-        cos_crank_turn) - (p.crank_drag * crank_turn_speed).sub_product(p.coupling_damping
-        * p.coupling_ratio, coupling_twist_rate)) * inverse_crank_inertia;
-    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
-    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t8 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
-    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t9 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
-    let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
-    let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
-        * cos_motor_supply_phase;
-    let motor_psi_sy_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
-        * sin_motor_supply_phase;
-    let motor_omega_dot_by_motor_supply_frequency = R::literal(3.0 * core::f64::consts::PI)
-        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t4
-        * inverse_motor_inertia;
-    let t10 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
+        shaft_driven_minus_crank_angle) * c.inverse_shaft_driven_field_inertia;
+    let crank_turn_speed_dot = ((c.t4 * coupling_twist)
+        .add_product(c.crank_ratio_times_crank_stiffness * shaft_driven_minus_crank_angle,
+        cos_crank_turn) - (p.crank_drag * crank_turn_speed).sub_product(c.t5, coupling_twist_rate))
+        * c.inverse_crank_inertia;
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
+    let t5 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
+    let t6 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
+    let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_supply_frequency = c.t11 * t3 * c.inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_sy).sub_product(t10, t2);
+        * motor_psi_sy).sub_product(c.t12, t1);
     let motor_psi_sy_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
-        * motor_psi_sx).sub_product(t10, t3);
-    let t11 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+        * motor_psi_sx).sub_product(c.t12, t2);
     let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_ry).add_product(t11, t8);
+        * motor_psi_ry).add_product(c.t13, t5);
     let motor_psi_ry_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
-        * motor_psi_rx).add_product(t11, t9);
-    let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
-    let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r * motor_omega_0
-        / motor_x_s_times_motor_sigma * t4 * inverse_motor_inertia;
+        * motor_psi_rx).add_product(c.t13, t6);
+    let motor_omega_dot_by_motor_pole_pairs = c.t14 * t3 * c.inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
-    let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
-        * inverse_motor_inertia;
-    let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
-    let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let t12 = motor_k_s_times_motor_k_r - R::literal(1.0);
-    let motor_omega_dot_by_motor_k_r = t5 * motor_omega_0 / (p.motor_x_s * (t12 * t12))
-        * (motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry)
-        * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
-    let motor_psi_sy_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
-    let motor_omega_dot_by_motor_x_s = R::literal(-1.0) / p.motor_x_s * motor_torque
-        * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t2);
-    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t3);
-    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t8;
-    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t9;
+    let motor_omega_dot_by_motor_k_s = c.motor_k_r_over_motor_sigma * motor_torque
+        * c.inverse_motor_inertia;
+    let motor_psi_rx_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
+    let motor_psi_ry_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
+    let motor_omega_dot_by_motor_k_r = c.t16 * (motor_psi_sy_times_motor_psi_rx
+        - motor_psi_sx_times_motor_psi_ry) * c.inverse_motor_inertia;
+    let motor_psi_sx_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
+    let motor_psi_sy_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
+    let motor_omega_dot_by_motor_x_s = c.t17 * motor_torque * c.inverse_motor_inertia;
+    let motor_psi_sx_dot_by_motor_alpha_s = -(c.motor_omega_0 * t1);
+    let motor_psi_sy_dot_by_motor_alpha_s = -(c.motor_omega_0 * t2);
+    let motor_psi_rx_dot_by_motor_alpha_r = c.motor_omega_0 * t5;
+    let motor_psi_ry_dot_by_motor_alpha_r = c.motor_omega_0 * t6;
     let crank_turn_speed_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
-        * inverse_crank_inertia;
+        * c.inverse_crank_inertia;
     let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_crank_turn - motor_phi)
-        * inverse_motor_inertia;
+        * c.inverse_motor_inertia;
     let crank_turn_speed_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
-        * inverse_crank_inertia;
-    let motor_omega_dot_by_coupling_damping = (t1 - motor_omega) * inverse_motor_inertia;
+        * c.inverse_crank_inertia;
+    let motor_omega_dot_by_coupling_damping = (t0 - motor_omega) * c.inverse_motor_inertia;
     let crank_turn_speed_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
-        .add_product(p.coupling_damping, motor_omega).sub_product(R::literal(2.0)
-        * p.coupling_stiffness * p.coupling_ratio, crank_turn).sub_product(R::literal(2.0)
-        * p.coupling_damping * p.coupling_ratio, crank_turn_speed) * inverse_crank_inertia;
+        .add_product(p.coupling_damping, motor_omega).sub_product(c.t18, crank_turn)
+        .sub_product(c.t19, crank_turn_speed) * c.inverse_crank_inertia;
     let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * crank_turn)
-        .add_product(p.coupling_damping, crank_turn_speed) * inverse_motor_inertia;
-    let crank_turn_speed_dot_by_crank_inertia = -(crank_turn_speed_dot * inverse_crank_inertia);
+        .add_product(p.coupling_damping, crank_turn_speed) * c.inverse_motor_inertia;
+    let crank_turn_speed_dot_by_crank_inertia = -(crank_turn_speed_dot * c.inverse_crank_inertia);
     let shaft_driven_dot_dot_by_crank_ratio = p.crank_stiffness * sin_crank_turn
-        * inverse_shaft_driven_field_inertia;
+        * c.inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot_by_crank_ratio = p.crank_stiffness * shaft_driven
-        .sub_product(R::literal(2.0), crank_angle) * cos_crank_turn * inverse_crank_inertia;
+        .sub_product(R::literal(2.0), crank_angle) * cos_crank_turn * c.inverse_crank_inertia;
     let shaft_driven_dot_dot_by_crank_stiffness = (crank_angle - shaft_driven)
-        * inverse_shaft_driven_field_inertia;
+        * c.inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot_by_crank_stiffness = p.crank_ratio * shaft_driven_minus_crank_angle
-        * cos_crank_turn * inverse_crank_inertia;
-    let crank_turn_speed_dot_by_crank_drag = -(crank_turn_speed * inverse_crank_inertia);
-    let reed_speed_dot_by_reed_mass = -(reed_arm_squared * reed_speed_dot * t6);
-    let reed_speed_dot_by_reed_arm = R::literal(-2.0) * p.reed_mass * p.reed_arm * reed_speed_dot
-        * t6;
-    let reed_speed_dot_by_reed_stiffness = shaft_reed_minus_reed_angle * t6;
+        * cos_crank_turn * c.inverse_crank_inertia;
+    let crank_turn_speed_dot_by_crank_drag = -(crank_turn_speed * c.inverse_crank_inertia);
+    let reed_speed_dot_by_reed_mass = -(c.reed_arm_squared * reed_speed_dot * c.t3);
+    let reed_speed_dot_by_reed_arm = c.t20 * reed_speed_dot * c.t3;
+    let reed_speed_dot_by_reed_stiffness = shaft_reed_minus_reed_angle * c.t3;
     let shaft_reed_dot_dot_by_reed_stiffness = (reed_angle - shaft_reed)
-        * inverse_shaft_reed_field_inertia;
-    let reed_speed_dot_by_fell_stiffness = -(reed_angle * t6);
+        * c.inverse_shaft_reed_field_inertia;
+    let reed_speed_dot_by_fell_stiffness = -(reed_angle * c.t3);
     let shaft_driven_dot_dot_by_shaft_driven_field_inertia = -(shaft_driven_dot_dot
-        * inverse_shaft_driven_field_inertia);
+        * c.inverse_shaft_driven_field_inertia);
     let shaft_reed_dot_dot_by_shaft_reed_field_inertia = -(shaft_reed_dot_dot
-        * inverse_shaft_reed_field_inertia);
+        * c.inverse_shaft_reed_field_inertia);
     let shaft_middle_dot_dot_by_shaft_middle_field_inertia = -(shaft_middle_dot_dot
-        * inverse_shaft_middle_field_inertia);
+        * c.inverse_shaft_middle_field_inertia);
     [motor_omega_dot_by_motor_inertia, motor_omega_dot_by_motor_supply_frequency,
         motor_omega_dot_by_motor_pole_pairs, motor_omega_dot_by_motor_k_s,
         motor_omega_dot_by_motor_k_r, motor_omega_dot_by_motor_x_s,
@@ -495,20 +483,19 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
         crank_turn_speed_dot_by_crank_inertia, crank_turn_speed_dot_by_crank_ratio,
         crank_turn_speed_dot_by_crank_stiffness, crank_turn_speed_dot_by_crank_drag,
         shaft_driven_dot_dot_by_crank_ratio, shaft_driven_dot_dot_by_crank_stiffness,
-        shaft_driven_dot_dot_by_shaft_driven_field_inertia, inverse_shaft_driven_field_inertia,
+        shaft_driven_dot_dot_by_shaft_driven_field_inertia, c.inverse_shaft_driven_field_inertia,
         shaft_reed_dot_dot_by_reed_stiffness, shaft_reed_dot_dot_by_shaft_reed_field_inertia,
-        inverse_shaft_reed_field_inertia, shaft_middle_dot_dot_by_shaft_middle_field_inertia,
-        inverse_shaft_middle_field_inertia, reed_speed_dot_by_reed_mass,
+        c.inverse_shaft_reed_field_inertia, shaft_middle_dot_dot_by_shaft_middle_field_inertia,
+        c.inverse_shaft_middle_field_inertia, reed_speed_dot_by_reed_mass,
         reed_speed_dot_by_reed_arm, reed_speed_dot_by_reed_stiffness,
-        reed_speed_dot_by_fell_stiffness, motor_psi_sx_dot_by_motor_phase_voltage,
-        motor_psi_sx_dot_by_motor_supply_frequency, motor_psi_sx_dot_by_motor_supply_phase,
-        motor_psi_sx_dot_by_motor_k_r, motor_psi_sx_dot_by_motor_alpha_s,
-        motor_psi_sy_dot_by_motor_phase_voltage, motor_psi_sy_dot_by_motor_supply_frequency,
-        motor_u_x, motor_psi_sy_dot_by_motor_k_r, motor_psi_sy_dot_by_motor_alpha_s,
-        motor_psi_rx_dot_by_motor_supply_frequency, motor_psi_rx_dot_by_motor_pole_pairs,
-        motor_psi_rx_dot_by_motor_k_s, motor_psi_rx_dot_by_motor_alpha_r,
-        motor_psi_ry_dot_by_motor_supply_frequency, motor_psi_ry_dot_by_motor_pole_pairs,
-        motor_psi_ry_dot_by_motor_k_s, motor_psi_ry_dot_by_motor_alpha_r]
+        reed_speed_dot_by_fell_stiffness, c.t9, motor_psi_sx_dot_by_motor_supply_frequency,
+        c.minus_motor_u_y, motor_psi_sx_dot_by_motor_k_r, motor_psi_sx_dot_by_motor_alpha_s, c.t10,
+        motor_psi_sy_dot_by_motor_supply_frequency, c.motor_u_x, motor_psi_sy_dot_by_motor_k_r,
+        motor_psi_sy_dot_by_motor_alpha_s, motor_psi_rx_dot_by_motor_supply_frequency,
+        motor_psi_rx_dot_by_motor_pole_pairs, motor_psi_rx_dot_by_motor_k_s,
+        motor_psi_rx_dot_by_motor_alpha_r, motor_psi_ry_dot_by_motor_supply_frequency,
+        motor_psi_ry_dot_by_motor_pole_pairs, motor_psi_ry_dot_by_motor_k_s,
+        motor_psi_ry_dot_by_motor_alpha_r]
 }
 
 /// Partial derivative of `y'` with respect to time. No operations.

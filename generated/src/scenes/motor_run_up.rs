@@ -17,7 +17,8 @@
 // Shapes: coordinates 1, first-order states 4, states 5, parameters 11, outputs 4.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 18 of 5 by 5, parameter_jacobian 24 of 5 by 11.
 // Operations: rate 45, forcing 12, rate_jacobian 34, parameter_jacobian 85, outputs 27, energy 32,
-//     power_balance 106, prepare 23, prepared_rate 29, prepared_rate_jacobian 16.
+//     power_balance 106, prepare 41, prepared_rate 29, prepared_rate_jacobian 16,
+//     prepared_parameter_jacobian 51.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -79,24 +80,27 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    motor_omega_0, motor_u_x, motor_u_y, t1, inverse_motor_inertia, motor_alpha_s_times_motor_omega_0,
+    motor_omega_0, motor_u_x, motor_u_y, t2, inverse_motor_inertia, motor_alpha_s_times_motor_omega_0,
     motor_alpha_r_times_motor_omega_0, motor_psi_sx_dot_by_motor_psi_sx,
     motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
-    motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx
+    motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx, t3, t4, t5, t6, t7,
+    minus_motor_u_y, t8, motor_k_r_over_motor_sigma, t10, t11
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 23 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 41 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let (sin_motor_supply_phase, cos_motor_supply_phase) = p.motor_supply_phase.sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
-    let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0 / (p.motor_x_s
-        * motor_sigma);
+    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
+    let t1 = R::literal(1.5) * p.motor_pole_pairs;
+    let t2 = t1 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
@@ -105,11 +109,24 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
     let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_rx = -motor_alpha_r_times_motor_omega_0;
-    Constants { motor_omega_0, motor_u_x, motor_u_y, t1, inverse_motor_inertia,
+    let t3 = R::literal(core::f64::consts::SQRT_2) * cos_motor_supply_phase;
+    let t4 = R::literal(core::f64::consts::SQRT_2) * sin_motor_supply_phase;
+    let t5 = R::literal(3.0 * core::f64::consts::PI) * p.motor_pole_pairs * p.motor_k_r
+        / motor_x_s_times_motor_sigma;
+    let t6 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
+    let t7 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+    let minus_motor_u_y = -motor_u_y;
+    let t8 = R::literal(1.5) * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let motor_k_r_over_motor_sigma = p.motor_k_r / motor_sigma;
+    let t9 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let t10 = t1 * motor_omega_0 / (p.motor_x_s * (t9 * t9));
+    let t11 = R::literal(-1.0) / p.motor_x_s;
+    Constants { motor_omega_0, motor_u_x, motor_u_y, t2, inverse_motor_inertia,
         motor_alpha_s_times_motor_omega_0, motor_alpha_r_times_motor_omega_0,
         motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
         motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
-        motor_psi_rx_dot_by_motor_psi_rx }
+        motor_psi_rx_dot_by_motor_psi_rx, t3, t4, t5, t6, t7, minus_motor_u_y, t8,
+        motor_k_r_over_motor_sigma, t10, t11 }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -131,7 +148,7 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; STATES] {
     let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_slip_speed = c.motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
-    let motor_torque = c.t1 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
+    let motor_torque = c.t2 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let motor_omega_dot = motor_torque * c.inverse_motor_inertia;
     let motor_psi_sx_dot = c.motor_u_x.add_product(c.motor_omega_0, motor_psi_sy)
         .sub_product(c.motor_alpha_s_times_motor_omega_0, motor_psi_sx.sub_product(p.motor_k_r,
@@ -174,11 +191,11 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
-    let motor_omega_dot_by_motor_psi_sx = -(c.t1 * motor_psi_ry * c.inverse_motor_inertia);
-    let motor_omega_dot_by_motor_psi_sy = c.t1 * motor_psi_rx * c.inverse_motor_inertia;
-    let motor_omega_dot_by_motor_psi_rx = c.t1 * motor_psi_sy * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_sx = -(c.t2 * motor_psi_ry * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_sy = c.t2 * motor_psi_rx * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_rx = c.t2 * motor_psi_sy * c.inverse_motor_inertia;
     let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega - c.motor_omega_0;
-    let motor_omega_dot_by_motor_psi_ry = -(c.t1 * motor_psi_sx * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_ry = -(c.t2 * motor_psi_sx * c.inverse_motor_inertia);
     [motor_omega_dot_by_motor_psi_sx, motor_omega_dot_by_motor_psi_sy,
         motor_omega_dot_by_motor_psi_rx, motor_omega_dot_by_motor_psi_ry,
         c.motor_psi_sx_dot_by_motor_psi_sx, c.motor_omega_0, c.motor_psi_sx_dot_by_motor_psi_rx,
@@ -189,77 +206,52 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         motor_psi_ry_dot_by_motor_psi_rx, c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 85 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 51 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 24] {
+pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 24] {
     let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
-    let (sin_motor_supply_phase, cos_motor_supply_phase) = p.motor_supply_phase.sin_cos();
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
-    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * cos_motor_supply_phase;
-    let motor_u_y = t0 * sin_motor_supply_phase;
-    let t1 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
-    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t2 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
+    let t0 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
+    let t1 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t3 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
-    let t4 = R::literal(1.5) * p.motor_pole_pairs;
-    let motor_torque = t4 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t3;
-    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
-    let motor_omega_dot = motor_torque * inverse_motor_inertia;
-    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t5 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
-    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t6 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
-    let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
-    let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
-        * cos_motor_supply_phase;
-    let motor_psi_sy_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
-        * sin_motor_supply_phase;
-    let motor_omega_dot_by_motor_supply_frequency = R::literal(3.0 * core::f64::consts::PI)
-        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t3
-        * inverse_motor_inertia;
-    let t7 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
+    let t2 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let motor_torque = c.t2 * t2;
+    let motor_omega_dot = motor_torque * c.inverse_motor_inertia;
+    let t3 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
+    let t4 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
+    let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_supply_frequency = c.t5 * t2 * c.inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_sy).sub_product(t7, t1);
+        * motor_psi_sy).sub_product(c.t6, t0);
     let motor_psi_sy_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
-        * motor_psi_sx).sub_product(t7, t2);
-    let t8 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+        * motor_psi_sx).sub_product(c.t6, t1);
     let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_ry).add_product(t8, t5);
+        * motor_psi_ry).add_product(c.t7, t3);
     let motor_psi_ry_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
-        * motor_psi_rx).add_product(t8, t6);
-    let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
-    let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r * motor_omega_0
-        / motor_x_s_times_motor_sigma * t3 * inverse_motor_inertia;
+        * motor_psi_rx).add_product(c.t7, t4);
+    let motor_omega_dot_by_motor_pole_pairs = c.t8 * t2 * c.inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
-    let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
-        * inverse_motor_inertia;
-    let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
-    let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let t9 = motor_k_s_times_motor_k_r - R::literal(1.0);
-    let motor_omega_dot_by_motor_k_r = t4 * motor_omega_0 / (p.motor_x_s * (t9 * t9))
-        * (motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry)
-        * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
-    let motor_psi_sy_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
-    let motor_omega_dot_by_motor_x_s = R::literal(-1.0) / p.motor_x_s * motor_torque
-        * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t1);
-    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t2);
-    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t5;
-    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t6;
+    let motor_omega_dot_by_motor_k_s = c.motor_k_r_over_motor_sigma * motor_torque
+        * c.inverse_motor_inertia;
+    let motor_psi_rx_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
+    let motor_psi_ry_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
+    let motor_omega_dot_by_motor_k_r = c.t10 * (motor_psi_sy_times_motor_psi_rx
+        - motor_psi_sx_times_motor_psi_ry) * c.inverse_motor_inertia;
+    let motor_psi_sx_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
+    let motor_psi_sy_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
+    let motor_omega_dot_by_motor_x_s = c.t11 * motor_torque * c.inverse_motor_inertia;
+    let motor_psi_sx_dot_by_motor_alpha_s = -(c.motor_omega_0 * t0);
+    let motor_psi_sy_dot_by_motor_alpha_s = -(c.motor_omega_0 * t1);
+    let motor_psi_rx_dot_by_motor_alpha_r = c.motor_omega_0 * t3;
+    let motor_psi_ry_dot_by_motor_alpha_r = c.motor_omega_0 * t4;
     [motor_omega_dot_by_motor_inertia, motor_omega_dot_by_motor_supply_frequency,
         motor_omega_dot_by_motor_pole_pairs, motor_omega_dot_by_motor_k_s,
-        motor_omega_dot_by_motor_k_r, motor_omega_dot_by_motor_x_s,
-        motor_psi_sx_dot_by_motor_phase_voltage, motor_psi_sx_dot_by_motor_supply_frequency,
-        motor_psi_sx_dot_by_motor_supply_phase, motor_psi_sx_dot_by_motor_k_r,
-        motor_psi_sx_dot_by_motor_alpha_s, motor_psi_sy_dot_by_motor_phase_voltage,
-        motor_psi_sy_dot_by_motor_supply_frequency, motor_u_x, motor_psi_sy_dot_by_motor_k_r,
+        motor_omega_dot_by_motor_k_r, motor_omega_dot_by_motor_x_s, c.t3,
+        motor_psi_sx_dot_by_motor_supply_frequency, c.minus_motor_u_y,
+        motor_psi_sx_dot_by_motor_k_r, motor_psi_sx_dot_by_motor_alpha_s, c.t4,
+        motor_psi_sy_dot_by_motor_supply_frequency, c.motor_u_x, motor_psi_sy_dot_by_motor_k_r,
         motor_psi_sy_dot_by_motor_alpha_s, motor_psi_rx_dot_by_motor_supply_frequency,
         motor_psi_rx_dot_by_motor_pole_pairs, motor_psi_rx_dot_by_motor_k_s,
         motor_psi_rx_dot_by_motor_alpha_r, motor_psi_ry_dot_by_motor_supply_frequency,

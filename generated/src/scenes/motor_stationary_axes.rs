@@ -17,8 +17,8 @@
 // Shapes: coordinates 5, states 6, parameters 11, outputs 9.
 // Nonzeros: mass_matrix 13 of 5 by 5, rate_jacobian 30 of 6 by 6, parameter_jacobian 41 of 6 by 11.
 // Operations: rate 118, mass_matrix 13, forcing 69, rate_jacobian 295, parameter_jacobian 575,
-//     time_derivative 63, outputs 25, energy 33, power_balance 169, prepare 25, prepared_rate 98,
-//     prepared_rate_jacobian 270.
+//     time_derivative 63, outputs 25, energy 33, power_balance 169, prepare 62, prepared_rate 98,
+//     prepared_rate_jacobian 270, prepared_parameter_jacobian 516.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
@@ -91,10 +91,12 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    motor_omega_0, t0, t1, t2, t3, inverse_motor_inertia, t4, t5, t6, motor_pole_pairs_squared, t7, t8
+    motor_omega_0, t0, t2, t3, t4, inverse_motor_inertia, t5, t6, t7, motor_pole_pairs_squared, t8, t9,
+    t1, t10, t11, t12, t13, t14, t15, t16, t18, t19, t20, t22, t23, t24, t25, t26, t27, t28, t29,
+    t30, t31
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 25 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 62 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -106,18 +108,42 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_L_r = motor_M / p.motor_k_r;
     let motor_R_r = p.motor_k_s * p.motor_x_s * p.motor_alpha_r * motor_sigma / p.motor_k_r;
-    let t1 = R::literal(1.5) * motor_M;
-    let t2 = R::literal(1.5) * motor_L_r;
-    let t3 = R::literal(1.0) / (R::literal(1.5) * motor_L_s);
+    let t1 = R::literal(1.5) * motor_L_s;
+    let t2 = R::literal(1.5) * motor_M;
+    let t3 = R::literal(1.5) * motor_L_r;
+    let t4 = R::literal(1.0) / t1;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
-    let t4 = R::literal(1.5) * motor_R_s;
-    let t5 = R::literal(1.5) * motor_R_r;
-    let t6 = R::literal(1.5) * p.motor_pole_pairs * motor_M;
+    let t5 = R::literal(1.5) * motor_R_s;
+    let t6 = R::literal(1.5) * motor_R_r;
+    let t7 = R::literal(1.5) * p.motor_pole_pairs * motor_M;
     let motor_pole_pairs_squared = p.motor_pole_pairs * p.motor_pole_pairs;
-    let t7 = t1 * motor_pole_pairs_squared;
-    let t8 = t4 * t3;
-    Constants { motor_omega_0, t0, t1, t2, t3, inverse_motor_inertia, t4, t5, t6,
-        motor_pole_pairs_squared, t7, t8 }
+    let t8 = t2 * motor_pole_pairs_squared;
+    let t9 = t5 * t4;
+    let t10 = t2 / p.motor_supply_frequency;
+    let t11 = t7 / p.motor_supply_frequency;
+    let t12 = t1 / p.motor_supply_frequency;
+    let t13 = t3 / p.motor_supply_frequency;
+    let t14 = R::literal(1.5) * p.motor_k_r * p.motor_x_s * p.motor_alpha_s;
+    let t15 = R::literal(0.75) * p.motor_pole_pairs * p.motor_k_r;
+    let t16 = R::literal(0.75) * p.motor_alpha_r * motor_omega_0;
+    let t17 = R::literal(1.5) * p.motor_k_s;
+    let t18 = t17 * p.motor_k_r * p.motor_alpha_r * motor_omega_0;
+    let t19 = R::literal(2.0) * motor_L_s / p.motor_k_r;
+    let t20 = t1 / p.motor_k_r;
+    let t21 = t17 * p.motor_x_s;
+    let t22 = t21 * p.motor_alpha_s;
+    let t23 = t21 * p.motor_alpha_r / (p.motor_k_r * p.motor_k_r);
+    let t24 = t3 / p.motor_k_r;
+    let t25 = R::literal(1.5) * p.motor_alpha_s * motor_sigma;
+    let t26 = t17 / motor_omega_0;
+    let t27 = t17 * p.motor_alpha_r * motor_sigma / p.motor_k_r;
+    let t28 = R::literal(1.5) / motor_omega_0;
+    let t29 = t17 / (p.motor_k_r * motor_omega_0);
+    let t30 = R::literal(1.5) * p.motor_x_s * motor_sigma;
+    let t31 = t21 * motor_sigma / p.motor_k_r;
+    Constants { motor_omega_0, t0, t2, t3, t4, inverse_motor_inertia, t5, t6, t7,
+        motor_pole_pairs_squared, t8, t9, t1, t10, t11, t12, t13, t14, t15, t16, t18, t19, t20,
+        t22, t23, t24, t25, t26, t27, t28, t29, t30, t31 }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -146,39 +172,39 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
     let motor_u_a = c.t0 * t2;
     let motor_u_b = c.t0 * t1;
-    let t3 = c.t1 * cos_motor_theta;
-    let t4 = c.t1 * sin_motor_theta;
-    let t5 = t3 * c.t3;
-    let t6 = t4 * c.t3;
+    let t3 = c.t2 * cos_motor_theta;
+    let t4 = c.t2 * sin_motor_theta;
+    let t5 = t3 * c.t4;
+    let t6 = t4 * c.t4;
     let t7 = t5 * t3;
     let t8 = t6 * t4;
-    let t9 = R::literal(1.0) / (c.t2 - t7 - t8);
+    let t9 = R::literal(1.0) / (c.t3 - t7 - t8);
     let t10 = (t6 * t3).sub_product(t5, t4);
     let t11 = t10 * t9;
     let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
     let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
-    let t12 = c.t1 * motor_omega;
-    let t13 = (-(c.t4 * motor_i_sa)).add_product(R::literal(1.5), motor_u_a).add_product(t12,
+    let t12 = c.t2 * motor_omega;
+    let t13 = (-(c.t5 * motor_i_sa)).add_product(R::literal(1.5), motor_u_a).add_product(t12,
         (motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
         .add_product(motor_pole_pairs_times_motor_i_rb, cos_motor_theta));
-    let t14 = (-(c.t4 * motor_i_sb)).add_product(R::literal(1.5), motor_u_b).sub_product(t12,
+    let t14 = (-(c.t5 * motor_i_sb)).add_product(R::literal(1.5), motor_u_b).sub_product(t12,
         (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
         .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta));
     let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
     let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
-    let t15 = (c.t5 * motor_i_ra).add_product(t12, (motor_pole_pairs_times_motor_i_sb
+    let t15 = (c.t6 * motor_i_ra).add_product(t12, (motor_pole_pairs_times_motor_i_sb
         * cos_motor_theta).sub_product(motor_pole_pairs_times_motor_i_sa, sin_motor_theta))
         .add_product(t5, t13).add_product(t6, t14);
-    let motor_omega_dot = c.t1 * (p.motor_pole_pairs * motor_across * cos_motor_theta)
+    let motor_omega_dot = c.t2 * (p.motor_pole_pairs * motor_across * cos_motor_theta)
         .sub_product(p.motor_pole_pairs * motor_along, sin_motor_theta) * c.inverse_motor_inertia;
-    let motor_i_rb_dot = (-(c.t5 * motor_i_rb)).add_product(t12, (motor_pole_pairs_times_motor_i_sa
+    let motor_i_rb_dot = (-(c.t6 * motor_i_rb)).add_product(t12, (motor_pole_pairs_times_motor_i_sa
         * cos_motor_theta).add_product(motor_pole_pairs_times_motor_i_sb, sin_motor_theta))
         .add_product(t6, t13).sub_product(t5, t14).add_product(t11, t15) * (R::literal(1.0)
-        / (c.t2 - t8 - t7).sub_product(t11, t10));
+        / (c.t3 - t8 - t7).sub_product(t11, t10));
     let t16 = (t15 * t9).add_product(t11, motor_i_rb_dot);
     let motor_i_ra_dot = -t16;
-    let motor_i_sb_dot = (t14 * c.t3).add_product(t6, t16).sub_product(t5, motor_i_rb_dot);
-    let motor_i_sa_dot = (t13 * c.t3).add_product(t5, t16).add_product(t6, motor_i_rb_dot);
+    let motor_i_sb_dot = (t14 * c.t4).add_product(t6, t16).sub_product(t5, motor_i_rb_dot);
+    let motor_i_sa_dot = (t13 * c.t4).add_product(t5, t16).add_product(t6, motor_i_rb_dot);
     [motor_omega, motor_i_sa_dot, motor_i_sb_dot, motor_i_ra_dot, motor_i_rb_dot, motor_omega_dot]
 }
 
@@ -257,97 +283,97 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
     let motor_u_a = c.t0 * t2;
     let motor_u_b = c.t0 * t1;
-    let t3 = c.t1 * cos_motor_theta;
-    let t4 = c.t1 * sin_motor_theta;
-    let t5 = t3 * c.t3;
-    let t6 = t4 * c.t3;
+    let t3 = c.t2 * cos_motor_theta;
+    let t4 = c.t2 * sin_motor_theta;
+    let t5 = t3 * c.t4;
+    let t6 = t4 * c.t4;
     let t7 = t5 * t3;
     let t8 = t6 * t4;
-    let t9 = R::literal(1.0) / (c.t2 - t7 - t8);
+    let t9 = R::literal(1.0) / (c.t3 - t7 - t8);
     let t10 = (t6 * t3).sub_product(t5, t4);
     let t11 = t10 * t9;
-    let t12 = R::literal(1.0) / (c.t2 - t8 - t7).sub_product(t11, t10);
+    let t12 = R::literal(1.0) / (c.t3 - t8 - t7).sub_product(t11, t10);
     let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
     let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
-    let t13 = c.t1 * motor_omega;
-    let t14 = (-(c.t4 * motor_i_sa)).add_product(R::literal(1.5), motor_u_a).add_product(t13,
+    let t13 = c.t2 * motor_omega;
+    let t14 = (-(c.t5 * motor_i_sa)).add_product(R::literal(1.5), motor_u_a).add_product(t13,
         (motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
         .add_product(motor_pole_pairs_times_motor_i_rb, cos_motor_theta));
-    let t15 = (-(c.t4 * motor_i_sb)).add_product(R::literal(1.5), motor_u_b).sub_product(t13,
+    let t15 = (-(c.t5 * motor_i_sb)).add_product(R::literal(1.5), motor_u_b).sub_product(t13,
         (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
         .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta));
     let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
     let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
-    let t16 = (c.t5 * motor_i_ra).add_product(t13, (motor_pole_pairs_times_motor_i_sb
+    let t16 = (c.t6 * motor_i_ra).add_product(t13, (motor_pole_pairs_times_motor_i_sb
         * cos_motor_theta).sub_product(motor_pole_pairs_times_motor_i_sa, sin_motor_theta))
         .add_product(t5, t14).add_product(t6, t15);
-    let motor_i_rb_dot = (-(c.t5 * motor_i_rb)).add_product(t13, (motor_pole_pairs_times_motor_i_sa
+    let motor_i_rb_dot = (-(c.t6 * motor_i_rb)).add_product(t13, (motor_pole_pairs_times_motor_i_sa
         * cos_motor_theta).add_product(motor_pole_pairs_times_motor_i_sb, sin_motor_theta))
         .add_product(t6, t14).sub_product(t5, t15).add_product(t11, t16) * t12;
     let t17 = (t16 * t9).add_product(t11, motor_i_rb_dot);
-    let motor_i_sb_dot = (t15 * c.t3).add_product(t6, t17).sub_product(t5, motor_i_rb_dot);
-    let motor_i_sa_dot = (t14 * c.t3).add_product(t5, t17).add_product(t6, motor_i_rb_dot);
+    let motor_i_sb_dot = (t15 * c.t4).add_product(t6, t17).sub_product(t5, motor_i_rb_dot);
+    let motor_i_sa_dot = (t14 * c.t4).add_product(t5, t17).add_product(t6, motor_i_rb_dot);
     let t18 = (motor_i_ra * cos_motor_theta).sub_product(motor_i_rb, sin_motor_theta);
-    let t19 = c.t7 * motor_omega;
+    let t19 = c.t8 * motor_omega;
     let t20 = (motor_i_ra * sin_motor_theta).add_product(motor_i_rb, cos_motor_theta);
     let t21 = (motor_i_sa * cos_motor_theta).add_product(motor_i_sb, sin_motor_theta);
     let t22 = (motor_i_sa * sin_motor_theta).sub_product(motor_i_sb, cos_motor_theta);
-    let t23 = c.t6 * sin_motor_theta;
-    let t24 = c.t6 * cos_motor_theta;
+    let t23 = c.t7 * sin_motor_theta;
+    let t24 = c.t7 * cos_motor_theta;
     let t25 = (t19 * t18).sub_product(t23, t17).add_product(t24, motor_i_rb_dot);
     let t26 = (t19 * t20).add_product(t24, t17).add_product(t23, motor_i_rb_dot);
     let t27 = (t19 * t21).add_product(t23, motor_i_sa_dot).sub_product(t24, motor_i_sb_dot)
         .sub_product(t5, t25).sub_product(t6, t26);
-    let motor_omega_dot_by_motor_phi = -(c.t1 * (c.motor_pole_pairs_squared * motor_along
+    let motor_omega_dot_by_motor_phi = -(c.t2 * (c.motor_pole_pairs_squared * motor_along
         * cos_motor_theta).add_product(c.motor_pole_pairs_squared * motor_across, sin_motor_theta)
         * c.inverse_motor_inertia);
     let motor_i_rb_dot_by_motor_phi = (-(t19 * t22)).add_product(t24, motor_i_sa_dot)
         .add_product(t23, motor_i_sb_dot).add_product(t6, t25).sub_product(t5, t26)
         .sub_product(t11, t27) * t12;
     let motor_i_ra_dot_by_motor_phi = (t27 * t9).sub_product(t11, motor_i_rb_dot_by_motor_phi);
-    let motor_i_sb_dot_by_motor_phi = (t26 * c.t3).sub_product(t6, motor_i_ra_dot_by_motor_phi)
+    let motor_i_sb_dot_by_motor_phi = (t26 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_phi)
         .sub_product(t5, motor_i_rb_dot_by_motor_phi);
-    let motor_i_sa_dot_by_motor_phi = (t25 * c.t3).sub_product(t5, motor_i_ra_dot_by_motor_phi)
+    let motor_i_sa_dot_by_motor_phi = (t25 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_phi)
         .add_product(t6, motor_i_rb_dot_by_motor_phi);
-    let t28 = c.t6 * motor_omega;
+    let t28 = c.t7 * motor_omega;
     let t29 = t28 * sin_motor_theta;
     let t30 = t28 * cos_motor_theta;
-    let t31 = c.t6 * t20;
-    let t32 = t29.add_product(t5, c.t4);
-    let t33 = t6 * c.t4;
+    let t31 = c.t7 * t20;
+    let t32 = t29.add_product(t5, c.t5);
+    let t33 = t6 * c.t5;
     let motor_omega_dot_by_motor_i_sa = -(t31 * c.inverse_motor_inertia);
     let motor_i_rb_dot_by_motor_i_sa = (t30 - t33).sub_product(t11, t32) * t12;
     let motor_i_ra_dot_by_motor_i_sa = (t32 * t9).sub_product(t11, motor_i_rb_dot_by_motor_i_sa);
     let motor_i_sb_dot_by_motor_i_sa = -(t5 * motor_i_rb_dot_by_motor_i_sa).add_product(t6,
         motor_i_ra_dot_by_motor_i_sa);
-    let motor_i_sa_dot_by_motor_i_sa = (-c.t8.add_product(t5, motor_i_ra_dot_by_motor_i_sa))
+    let motor_i_sa_dot_by_motor_i_sa = (-c.t9.add_product(t5, motor_i_ra_dot_by_motor_i_sa))
         .add_product(t6, motor_i_rb_dot_by_motor_i_sa);
-    let t34 = c.t6 * t18;
+    let t34 = c.t7 * t18;
     let t35 = t33 - t30;
     let motor_omega_dot_by_motor_i_sb = t34 * c.inverse_motor_inertia;
     let motor_i_rb_dot_by_motor_i_sb = t32.sub_product(t11, t35) * t12;
     let motor_i_ra_dot_by_motor_i_sb = (t35 * t9).sub_product(t11, motor_i_rb_dot_by_motor_i_sb);
-    let motor_i_sb_dot_by_motor_i_sb = -c.t8.add_product(t6, motor_i_ra_dot_by_motor_i_sb)
+    let motor_i_sb_dot_by_motor_i_sb = -c.t9.add_product(t6, motor_i_ra_dot_by_motor_i_sb)
         .add_product(t5, motor_i_rb_dot_by_motor_i_sb);
     let motor_i_sa_dot_by_motor_i_sb = (t6 * motor_i_rb_dot_by_motor_i_sb).sub_product(t5,
         motor_i_ra_dot_by_motor_i_sb);
-    let t36 = c.t6 * t22;
+    let t36 = c.t7 * t22;
     let t37 = t5 * t29;
     let t38 = t6 * t30;
-    let t39 = t38 - (c.t5 + t37);
+    let t39 = t38 - (c.t6 + t37);
     let t40 = (t6 * t29).add_product(t5, t30);
     let motor_omega_dot_by_motor_i_ra = -(t36 * c.inverse_motor_inertia);
     let motor_i_rb_dot_by_motor_i_ra = t40.sub_product(t11, t39) * t12;
     let motor_i_ra_dot_by_motor_i_ra = (t39 * t9).sub_product(t11, motor_i_rb_dot_by_motor_i_ra);
-    let t41 = t30 * c.t3;
+    let t41 = t30 * c.t4;
     let motor_i_sb_dot_by_motor_i_ra = -t41.add_product(t6, motor_i_ra_dot_by_motor_i_ra)
         .add_product(t5, motor_i_rb_dot_by_motor_i_ra);
-    let t42 = t29 * c.t3;
+    let t42 = t29 * c.t4;
     let motor_i_sa_dot_by_motor_i_ra = t42.sub_product(t5, motor_i_ra_dot_by_motor_i_ra)
         .add_product(t6, motor_i_rb_dot_by_motor_i_ra);
-    let t43 = c.t6 * t21;
+    let t43 = c.t7 * t21;
     let motor_omega_dot_by_motor_i_rb = -(t43 * c.inverse_motor_inertia);
-    let motor_i_rb_dot_by_motor_i_rb = (t38 - c.t5 - t37).add_product(t11, t40) * t12;
+    let motor_i_rb_dot_by_motor_i_rb = (t38 - c.t6 - t37).add_product(t11, t40) * t12;
     let t44 = (t40 * t9).add_product(t11, motor_i_rb_dot_by_motor_i_rb);
     let motor_i_ra_dot_by_motor_i_rb = -t44;
     let motor_i_sb_dot_by_motor_i_rb = t42.add_product(t6, t44).sub_product(t5,
@@ -358,9 +384,9 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let motor_i_rb_dot_by_motor_omega = t43.add_product(t6, t31).add_product(t5, t34)
         .sub_product(t11, t45) * t12;
     let motor_i_ra_dot_by_motor_omega = (t45 * t9).sub_product(t11, motor_i_rb_dot_by_motor_omega);
-    let motor_i_sb_dot_by_motor_omega = -(t34 * c.t3).add_product(t6, motor_i_ra_dot_by_motor_omega)
+    let motor_i_sb_dot_by_motor_omega = -(t34 * c.t4).add_product(t6, motor_i_ra_dot_by_motor_omega)
         .add_product(t5, motor_i_rb_dot_by_motor_omega);
-    let motor_i_sa_dot_by_motor_omega = (t31 * c.t3).sub_product(t5, motor_i_ra_dot_by_motor_omega)
+    let motor_i_sa_dot_by_motor_omega = (t31 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_omega)
         .add_product(t6, motor_i_rb_dot_by_motor_omega);
     [R::literal(1.0), motor_i_sa_dot_by_motor_phi, motor_i_sa_dot_by_motor_i_sa,
         motor_i_sa_dot_by_motor_i_sb, motor_i_sa_dot_by_motor_i_ra, motor_i_sa_dot_by_motor_i_rb,
@@ -374,245 +400,209 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         motor_omega_dot_by_motor_i_sb, motor_omega_dot_by_motor_i_ra, motor_omega_dot_by_motor_i_rb]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 575 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 516 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 41] {
+pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 41] {
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let t0 = p.motor_supply_phase.add_product(motor_omega_0, time);
+    let t0 = p.motor_supply_phase.add_product(c.motor_omega_0, time);
     let [(t1, t2), (sin_motor_theta, cos_motor_theta)] = R::sin_cos_each([t0, motor_theta]);
-    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_along = (motor_i_sa * motor_i_ra).add_product(motor_i_sb, motor_i_rb);
     let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
-    let motor_L_s = p.motor_x_s / motor_omega_0;
-    let motor_R_s = p.motor_x_s * p.motor_alpha_s * motor_sigma;
-    let motor_M = p.motor_k_s * motor_L_s;
-    let t3 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_a = t3 * t2;
-    let motor_u_b = t3 * t1;
-    let motor_L_r = motor_M / p.motor_k_r;
-    let motor_R_r = p.motor_k_s * p.motor_x_s * p.motor_alpha_r * motor_sigma / p.motor_k_r;
-    let t4 = R::literal(1.5) * motor_L_s;
-    let t5 = R::literal(1.5) * motor_M;
-    let t6 = t5 * cos_motor_theta;
-    let t7 = t5 * sin_motor_theta;
-    let t8 = R::literal(1.5) * motor_L_r;
-    let t9 = R::literal(1.0) / t4;
-    let t10 = t6 * t9;
-    let t11 = t7 * t9;
-    let t12 = t10 * t6;
-    let t13 = t11 * t7;
-    let t14 = R::literal(1.0) / (t8 - t12 - t13);
-    let t15 = (t11 * t6).sub_product(t10, t7);
-    let t16 = t15 * t14;
-    let t17 = R::literal(1.0) / (t8 - t13 - t12).sub_product(t16, t15);
-    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
-    let t18 = R::literal(1.5) * motor_R_s;
+    let motor_u_a = c.t0 * t2;
+    let motor_u_b = c.t0 * t1;
+    let t3 = c.t2 * cos_motor_theta;
+    let t4 = c.t2 * sin_motor_theta;
+    let t5 = t3 * c.t4;
+    let t6 = t4 * c.t4;
+    let t7 = t5 * t3;
+    let t8 = t6 * t4;
+    let t9 = R::literal(1.0) / (c.t3 - t7 - t8);
+    let t10 = (t6 * t3).sub_product(t5, t4);
+    let t11 = t10 * t9;
+    let t12 = R::literal(1.0) / (c.t3 - t8 - t7).sub_product(t11, t10);
     let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
     let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
-    let t19 = (motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
+    let t13 = (motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
         .add_product(motor_pole_pairs_times_motor_i_rb, cos_motor_theta);
-    let t20 = t5 * motor_omega;
-    let t21 = R::literal(1.5) * motor_u_a;
-    let t22 = t21.sub_product(t18, motor_i_sa).add_product(t20, t19);
-    let t23 = (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
+    let t14 = c.t2 * motor_omega;
+    let t15 = R::literal(1.5) * motor_u_a;
+    let t16 = t15.sub_product(c.t5, motor_i_sa).add_product(t14, t13);
+    let t17 = (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
         .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta);
-    let t24 = R::literal(1.5) * motor_u_b;
-    let t25 = t24.sub_product(t18, motor_i_sb).sub_product(t20, t23);
-    let t26 = R::literal(1.5) * motor_R_r;
+    let t18 = R::literal(1.5) * motor_u_b;
+    let t19 = t18.sub_product(c.t5, motor_i_sb).sub_product(t14, t17);
     let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
     let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
-    let t27 = (motor_pole_pairs_times_motor_i_sb * cos_motor_theta)
+    let t20 = (motor_pole_pairs_times_motor_i_sb * cos_motor_theta)
         .sub_product(motor_pole_pairs_times_motor_i_sa, sin_motor_theta);
-    let t28 = (motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
+    let t21 = (motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
         .add_product(motor_pole_pairs_times_motor_i_sb, sin_motor_theta);
-    let t29 = (p.motor_pole_pairs * motor_across * cos_motor_theta).sub_product(p.motor_pole_pairs
+    let t22 = (p.motor_pole_pairs * motor_across * cos_motor_theta).sub_product(p.motor_pole_pairs
         * motor_along, sin_motor_theta);
-    let t30 = (t26 * motor_i_ra).add_product(t20, t27).add_product(t10, t22).add_product(t11, t25);
-    let motor_omega_dot = t5 * t29 * inverse_motor_inertia;
-    let motor_i_rb_dot = (-(t26 * motor_i_rb)).add_product(t20, t28).add_product(t11, t22)
-        .sub_product(t10, t25).add_product(t16, t30) * t17;
-    let t31 = (t30 * t14).add_product(t16, motor_i_rb_dot);
-    let motor_i_sb_dot = (t25 * t9).add_product(t11, t31).sub_product(t10, motor_i_rb_dot);
-    let motor_i_sa_dot = (t22 * t9).add_product(t10, t31).add_product(t11, motor_i_rb_dot);
+    let t23 = (c.t6 * motor_i_ra).add_product(t14, t20).add_product(t5, t16).add_product(t6, t19);
+    let motor_omega_dot = c.t2 * t22 * c.inverse_motor_inertia;
+    let motor_i_rb_dot = (-(c.t6 * motor_i_rb)).add_product(t14, t21).add_product(t6, t16)
+        .sub_product(t5, t19).add_product(t11, t23) * t12;
+    let t24 = (t23 * t9).add_product(t11, motor_i_rb_dot);
+    let motor_i_sb_dot = (t19 * c.t4).add_product(t6, t24).sub_product(t5, motor_i_rb_dot);
+    let motor_i_sa_dot = (t16 * c.t4).add_product(t5, t24).add_product(t6, motor_i_rb_dot);
     let motor_i_sa_times_cos_motor_theta = motor_i_sa * cos_motor_theta;
     let motor_i_sb_times_sin_motor_theta = motor_i_sb * sin_motor_theta;
     let motor_i_sb_times_cos_motor_theta = motor_i_sb * cos_motor_theta;
     let motor_i_sa_times_sin_motor_theta = motor_i_sa * sin_motor_theta;
-    let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
-    let t32 = R::literal(2.121_320_343_559_643) * t2;
-    let t33 = R::literal(2.121_320_343_559_643) * t1;
-    let t34 = (t10 * t32).add_product(t11, t33);
-    let motor_i_rb_dot_by_motor_phase_voltage = (t11 * t32).sub_product(t10, t33).add_product(t16,
-        t34) * t17;
-    let t35 = (t34 * t14).add_product(t16, motor_i_rb_dot_by_motor_phase_voltage);
-    let motor_i_ra_dot_by_motor_phase_voltage = -t35;
-    let motor_i_sb_dot_by_motor_phase_voltage = (t33 * t9).add_product(t11, t35).sub_product(t10,
+    let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * c.inverse_motor_inertia);
+    let t25 = R::literal(2.121_320_343_559_643) * t2;
+    let t26 = R::literal(2.121_320_343_559_643) * t1;
+    let t27 = (t5 * t25).add_product(t6, t26);
+    let motor_i_rb_dot_by_motor_phase_voltage = (t6 * t25).sub_product(t5, t26).add_product(t11,
+        t27) * t12;
+    let t28 = (t27 * t9).add_product(t11, motor_i_rb_dot_by_motor_phase_voltage);
+    let motor_i_ra_dot_by_motor_phase_voltage = -t28;
+    let motor_i_sb_dot_by_motor_phase_voltage = (t26 * c.t4).add_product(t6, t28).sub_product(t5,
         motor_i_rb_dot_by_motor_phase_voltage);
-    let motor_i_sa_dot_by_motor_phase_voltage = (t32 * t9).add_product(t10, t35).add_product(t11,
+    let motor_i_sa_dot_by_motor_phase_voltage = (t25 * c.t4).add_product(t5, t28).add_product(t6,
         motor_i_rb_dot_by_motor_phase_voltage);
-    let t36 = R::literal(3.0 * core::f64::consts::PI) * time;
-    let t37 = t5 / p.motor_supply_frequency;
-    let t38 = t37 * motor_omega;
-    let t39 = R::literal(1.5) * p.motor_pole_pairs * motor_M / p.motor_supply_frequency
-        * motor_omega;
-    let t40 = t4 / p.motor_supply_frequency;
-    let t41 = t37 * cos_motor_theta;
-    let t42 = t37 * sin_motor_theta;
-    let t43 = (-(t38 * t19).add_product(t36, motor_u_b)).add_product(t40, motor_i_sa_dot)
-        .sub_product(t41, t31).sub_product(t42, motor_i_rb_dot);
-    let t44 = (t38 * t23).add_product(t36, motor_u_a).add_product(t40, motor_i_sb_dot)
-        .sub_product(t42, t31).add_product(t41, motor_i_rb_dot);
-    let t45 = t8 / p.motor_supply_frequency;
-    let t46 = (-(t39 * (motor_i_sa_times_sin_motor_theta - motor_i_sb_times_cos_motor_theta)))
-        .add_product(t41, motor_i_sa_dot).add_product(t42, motor_i_sb_dot).sub_product(t45, t31)
-        .sub_product(t10, t43).sub_product(t11, t44);
-    let motor_omega_dot_by_motor_supply_frequency = -(t37 * t29 * inverse_motor_inertia);
-    let motor_i_rb_dot_by_motor_supply_frequency = (-(t39 * (motor_i_sa_times_cos_motor_theta
-        + motor_i_sb_times_sin_motor_theta)).add_product(t42, motor_i_sa_dot)).add_product(t41,
-        motor_i_sb_dot).add_product(t45, motor_i_rb_dot).add_product(t11, t43).sub_product(t10, t44)
-        .sub_product(t16, t46) * t17;
-    let motor_i_ra_dot_by_motor_supply_frequency = (t46 * t14).sub_product(t16,
+    let t29 = R::literal(3.0 * core::f64::consts::PI) * time;
+    let t30 = c.t10 * motor_omega;
+    let t31 = c.t11 * motor_omega;
+    let t32 = c.t10 * cos_motor_theta;
+    let t33 = c.t10 * sin_motor_theta;
+    let t34 = (-(t30 * t13).add_product(t29, motor_u_b)).add_product(c.t12, motor_i_sa_dot)
+        .sub_product(t32, t24).sub_product(t33, motor_i_rb_dot);
+    let t35 = (t30 * t17).add_product(t29, motor_u_a).add_product(c.t12, motor_i_sb_dot)
+        .sub_product(t33, t24).add_product(t32, motor_i_rb_dot);
+    let t36 = (-(t31 * (motor_i_sa_times_sin_motor_theta - motor_i_sb_times_cos_motor_theta)))
+        .add_product(t32, motor_i_sa_dot).add_product(t33, motor_i_sb_dot).sub_product(c.t13, t24)
+        .sub_product(t5, t34).sub_product(t6, t35);
+    let motor_omega_dot_by_motor_supply_frequency = -(c.t10 * t22 * c.inverse_motor_inertia);
+    let motor_i_rb_dot_by_motor_supply_frequency = (-(t31 * (motor_i_sa_times_cos_motor_theta
+        + motor_i_sb_times_sin_motor_theta)).add_product(t33, motor_i_sa_dot)).add_product(t32,
+        motor_i_sb_dot).add_product(c.t13, motor_i_rb_dot).add_product(t6, t34).sub_product(t5, t35)
+        .sub_product(t11, t36) * t12;
+    let motor_i_ra_dot_by_motor_supply_frequency = (t36 * t9).sub_product(t11,
         motor_i_rb_dot_by_motor_supply_frequency);
-    let motor_i_sb_dot_by_motor_supply_frequency = (t44 * t9).sub_product(t11,
-        motor_i_ra_dot_by_motor_supply_frequency).sub_product(t10,
+    let motor_i_sb_dot_by_motor_supply_frequency = (t35 * c.t4).sub_product(t6,
+        motor_i_ra_dot_by_motor_supply_frequency).sub_product(t5,
         motor_i_rb_dot_by_motor_supply_frequency);
-    let motor_i_sa_dot_by_motor_supply_frequency = (t43 * t9).sub_product(t10,
-        motor_i_ra_dot_by_motor_supply_frequency).add_product(t11,
+    let motor_i_sa_dot_by_motor_supply_frequency = (t34 * c.t4).sub_product(t5,
+        motor_i_ra_dot_by_motor_supply_frequency).add_product(t6,
         motor_i_rb_dot_by_motor_supply_frequency);
-    let t47 = (t10 * t24).sub_product(t11, t21);
-    let t48 = (t11 * t24).add_product(t10, t21).add_product(t16, t47) * t17;
-    let motor_i_rb_dot_by_motor_supply_phase = -t48;
-    let motor_i_ra_dot_by_motor_supply_phase = (t47 * t14).add_product(t16, t48);
-    let motor_i_sb_dot_by_motor_supply_phase = (t21 * t9).sub_product(t11,
-        motor_i_ra_dot_by_motor_supply_phase).add_product(t10, t48);
-    let motor_i_sa_dot_by_motor_supply_phase = -(t24 * t9).add_product(t10,
-        motor_i_ra_dot_by_motor_supply_phase).add_product(t11, t48);
+    let t37 = (t5 * t18).sub_product(t6, t15);
+    let t38 = (t6 * t18).add_product(t5, t15).add_product(t11, t37) * t12;
+    let motor_i_rb_dot_by_motor_supply_phase = -t38;
+    let motor_i_ra_dot_by_motor_supply_phase = (t37 * t9).add_product(t11, t38);
+    let motor_i_sb_dot_by_motor_supply_phase = (t15 * c.t4).sub_product(t6,
+        motor_i_ra_dot_by_motor_supply_phase).add_product(t5, t38);
+    let motor_i_sa_dot_by_motor_supply_phase = -(t18 * c.t4).add_product(t5,
+        motor_i_ra_dot_by_motor_supply_phase).add_product(t6, t38);
     let motor_i_ra_times_motor_theta = motor_i_ra * motor_theta;
     let motor_i_rb_times_motor_theta = motor_i_rb * motor_theta;
     let motor_i_sa_times_motor_theta = motor_i_sa * motor_theta;
     let motor_i_sb_times_motor_theta = motor_i_sb * motor_theta;
-    let t49 = t5 * motor_phi;
-    let t50 = t49 * sin_motor_theta;
-    let t51 = t49 * cos_motor_theta;
-    let t52 = (-(t20 * (motor_i_rb_times_motor_theta * sin_motor_theta)
+    let t39 = c.t2 * motor_phi;
+    let t40 = t39 * sin_motor_theta;
+    let t41 = t39 * cos_motor_theta;
+    let t42 = (-(t14 * (motor_i_rb_times_motor_theta * sin_motor_theta)
         .sub_product(motor_i_ra_times_motor_theta, cos_motor_theta).sub_product(motor_i_ra,
-        sin_motor_theta).sub_product(motor_i_rb, cos_motor_theta)).add_product(t50, t31))
-        .add_product(t51, motor_i_rb_dot);
-    let t53 = (-(t20 * (motor_i_ra * cos_motor_theta).sub_product(motor_i_ra_times_motor_theta,
+        sin_motor_theta).sub_product(motor_i_rb, cos_motor_theta)).add_product(t40, t24))
+        .add_product(t41, motor_i_rb_dot);
+    let t43 = (-(t14 * (motor_i_ra * cos_motor_theta).sub_product(motor_i_ra_times_motor_theta,
         sin_motor_theta).sub_product(motor_i_rb_times_motor_theta, cos_motor_theta)
-        .sub_product(motor_i_rb, sin_motor_theta))).add_product(t51, t31).add_product(t50,
+        .sub_product(motor_i_rb, sin_motor_theta))).add_product(t41, t24).add_product(t40,
         motor_i_rb_dot);
-    let t54 = (-(t20 * (motor_i_sb_times_cos_motor_theta.sub_product(motor_i_sa_times_motor_theta,
+    let t44 = (-(t14 * (motor_i_sb_times_cos_motor_theta.sub_product(motor_i_sa_times_motor_theta,
         cos_motor_theta) - motor_i_sa_times_sin_motor_theta)
-        .sub_product(motor_i_sb_times_motor_theta, sin_motor_theta))).add_product(t50,
-        motor_i_sa_dot).sub_product(t51, motor_i_sb_dot).sub_product(t10, t52).sub_product(t11,
-        t53);
-    let motor_omega_dot_by_motor_pole_pairs = t5 * (motor_across * cos_motor_theta)
+        .sub_product(motor_i_sb_times_motor_theta, sin_motor_theta))).add_product(t40,
+        motor_i_sa_dot).sub_product(t41, motor_i_sb_dot).sub_product(t5, t42).sub_product(t6, t43);
+    let motor_omega_dot_by_motor_pole_pairs = c.t2 * (motor_across * cos_motor_theta)
         .sub_product(motor_theta * motor_along, cos_motor_theta).sub_product(motor_theta
         * motor_across, sin_motor_theta).sub_product(motor_along, sin_motor_theta)
-        * inverse_motor_inertia;
-    let motor_i_rb_dot_by_motor_pole_pairs = (-(t20 * ((-motor_i_sa_times_cos_motor_theta)
+        * c.inverse_motor_inertia;
+    let motor_i_rb_dot_by_motor_pole_pairs = (-(t14 * ((-motor_i_sa_times_cos_motor_theta)
         .add_product(motor_i_sa_times_motor_theta, sin_motor_theta)
         .sub_product(motor_i_sb_times_motor_theta, cos_motor_theta)
-        - motor_i_sb_times_sin_motor_theta))).add_product(t51, motor_i_sa_dot).add_product(t50,
-        motor_i_sb_dot).add_product(t11, t52).sub_product(t10, t53).sub_product(t16, t54) * t17;
-    let motor_i_ra_dot_by_motor_pole_pairs = (t54 * t14).sub_product(t16,
+        - motor_i_sb_times_sin_motor_theta))).add_product(t41, motor_i_sa_dot).add_product(t40,
+        motor_i_sb_dot).add_product(t6, t42).sub_product(t5, t43).sub_product(t11, t44) * t12;
+    let motor_i_ra_dot_by_motor_pole_pairs = (t44 * t9).sub_product(t11,
         motor_i_rb_dot_by_motor_pole_pairs);
-    let motor_i_sb_dot_by_motor_pole_pairs = (t53 * t9).sub_product(t11,
-        motor_i_ra_dot_by_motor_pole_pairs).sub_product(t10, motor_i_rb_dot_by_motor_pole_pairs);
-    let motor_i_sa_dot_by_motor_pole_pairs = (t52 * t9).sub_product(t10,
-        motor_i_ra_dot_by_motor_pole_pairs).add_product(t11, motor_i_rb_dot_by_motor_pole_pairs);
-    let t55 = t4 * motor_omega;
-    let t56 = R::literal(1.5) * p.motor_k_r * p.motor_x_s * p.motor_alpha_s;
-    let t57 = R::literal(0.75) * p.motor_pole_pairs * p.motor_k_r;
-    let t58 = t57 * motor_i_sb * motor_omega;
-    let t59 = R::literal(0.75) * p.motor_alpha_r * motor_omega_0;
-    let t60 = t57 * motor_i_sa * motor_omega;
-    let t61 = R::literal(1.5) * p.motor_k_s;
-    let t62 = t61 * p.motor_k_r * p.motor_alpha_r * motor_omega_0;
-    let t63 = R::literal(2.0) * motor_L_s / p.motor_k_r;
-    let t64 = t4 * cos_motor_theta;
-    let t65 = t4 * sin_motor_theta;
-    let t66 = (t56 * motor_i_sa).add_product(t55, t19).add_product(t64, t31).add_product(t65,
+    let motor_i_sb_dot_by_motor_pole_pairs = (t43 * c.t4).sub_product(t6,
+        motor_i_ra_dot_by_motor_pole_pairs).sub_product(t5, motor_i_rb_dot_by_motor_pole_pairs);
+    let motor_i_sa_dot_by_motor_pole_pairs = (t42 * c.t4).sub_product(t5,
+        motor_i_ra_dot_by_motor_pole_pairs).add_product(t6, motor_i_rb_dot_by_motor_pole_pairs);
+    let t45 = c.t1 * motor_omega;
+    let t46 = c.t15 * motor_i_sb * motor_omega;
+    let t47 = c.t15 * motor_i_sa * motor_omega;
+    let t48 = c.t1 * cos_motor_theta;
+    let t49 = c.t1 * sin_motor_theta;
+    let t50 = (c.t14 * motor_i_sa).add_product(t45, t13).add_product(t48, t24).add_product(t49,
         motor_i_rb_dot);
-    let t67 = (t56 * motor_i_sb).sub_product(t55, t23).add_product(t65, t31).sub_product(t64,
+    let t51 = (c.t14 * motor_i_sb).sub_product(t45, t17).add_product(t49, t24).sub_product(t48,
         motor_i_rb_dot);
-    let t68 = t4 / p.motor_k_r;
-    let t69 = (t63 * (t62 * motor_i_ra).add_product(t60, sin_motor_theta).sub_product(t58,
-        cos_motor_theta).sub_product(t59, motor_i_ra)).sub_product(t64, motor_i_sa_dot)
-        .sub_product(t65, motor_i_sb_dot).add_product(t68, t31).sub_product(t10, t66)
-        .sub_product(t11, t67);
-    let motor_omega_dot_by_motor_k_s = t4 * t29 * inverse_motor_inertia;
-    let motor_i_rb_dot_by_motor_k_s = (t63 * (t60 * cos_motor_theta).add_product(t58,
-        sin_motor_theta).add_product(t62, motor_i_rb).sub_product(t59, motor_i_rb))
-        .add_product(t65, motor_i_sa_dot).sub_product(t64, motor_i_sb_dot).sub_product(t68,
-        motor_i_rb_dot).add_product(t11, t66).sub_product(t10, t67).sub_product(t16, t69) * t17;
-    let motor_i_ra_dot_by_motor_k_s = (t69 * t14).sub_product(t16, motor_i_rb_dot_by_motor_k_s);
-    let motor_i_sb_dot_by_motor_k_s = (t67 * t9).sub_product(t11, motor_i_ra_dot_by_motor_k_s)
-        .sub_product(t10, motor_i_rb_dot_by_motor_k_s);
-    let motor_i_sa_dot_by_motor_k_s = (t66 * t9).sub_product(t10, motor_i_ra_dot_by_motor_k_s)
-        .add_product(t11, motor_i_rb_dot_by_motor_k_s);
-    let t70 = t61 * p.motor_x_s;
-    let t71 = t70 * p.motor_alpha_s;
-    let t72 = t71 * motor_i_sa;
-    let t73 = t71 * motor_i_sb;
-    let t74 = t70 * p.motor_alpha_r / (p.motor_k_r * p.motor_k_r);
-    let t75 = t8 / p.motor_k_r;
-    let t76 = (t74 * motor_i_ra).sub_product(t75, t31).sub_product(t10, t72).sub_product(t11, t73);
-    let motor_i_rb_dot_by_motor_k_r = (t74 * motor_i_rb).add_product(t75, motor_i_rb_dot)
-        .add_product(t11, t72).sub_product(t10, t73).sub_product(t16, t76) * t17;
-    let motor_i_ra_dot_by_motor_k_r = (t76 * t14).sub_product(t16, motor_i_rb_dot_by_motor_k_r);
-    let motor_i_sb_dot_by_motor_k_r = (t73 * t9).sub_product(t11, motor_i_ra_dot_by_motor_k_r)
-        .sub_product(t10, motor_i_rb_dot_by_motor_k_r);
-    let motor_i_sa_dot_by_motor_k_r = (t72 * t9).sub_product(t10, motor_i_ra_dot_by_motor_k_r)
-        .add_product(t11, motor_i_rb_dot_by_motor_k_r);
-    let t77 = R::literal(1.5) * p.motor_alpha_s * motor_sigma;
-    let t78 = t61 / motor_omega_0;
-    let t79 = t78 * motor_omega;
-    let t80 = t61 * p.motor_alpha_r * motor_sigma / p.motor_k_r;
-    let t81 = R::literal(1.5) / motor_omega_0;
-    let t82 = t78 * cos_motor_theta;
-    let t83 = t78 * sin_motor_theta;
-    let t84 = (-(t77 * motor_i_sa)).add_product(t79, t19).sub_product(t81, motor_i_sa_dot)
-        .add_product(t82, t31).add_product(t83, motor_i_rb_dot);
-    let t85 = (-(t77 * motor_i_sb).add_product(t79, t23).add_product(t81, motor_i_sb_dot))
-        .add_product(t83, t31).sub_product(t82, motor_i_rb_dot);
-    let t86 = t61 / (p.motor_k_r * motor_omega_0);
-    let t87 = (-(t80 * motor_i_ra).add_product(t79, t27).add_product(t82, motor_i_sa_dot)
-        .add_product(t83, motor_i_sb_dot)).add_product(t86, t31).sub_product(t10, t84)
-        .sub_product(t11, t85);
-    let motor_omega_dot_by_motor_x_s = t78 * t29 * inverse_motor_inertia;
-    let motor_i_rb_dot_by_motor_x_s = (-(t80 * motor_i_rb)).add_product(t79, t28).add_product(t83,
-        motor_i_sa_dot).sub_product(t82, motor_i_sb_dot).sub_product(t86, motor_i_rb_dot)
-        .add_product(t11, t84).sub_product(t10, t85).sub_product(t16, t87) * t17;
-    let motor_i_ra_dot_by_motor_x_s = (t87 * t14).sub_product(t16, motor_i_rb_dot_by_motor_x_s);
-    let motor_i_sb_dot_by_motor_x_s = (t85 * t9).sub_product(t11, motor_i_ra_dot_by_motor_x_s)
-        .sub_product(t10, motor_i_rb_dot_by_motor_x_s);
-    let motor_i_sa_dot_by_motor_x_s = (t84 * t9).sub_product(t10, motor_i_ra_dot_by_motor_x_s)
-        .add_product(t11, motor_i_rb_dot_by_motor_x_s);
-    let t88 = R::literal(1.5) * p.motor_x_s * motor_sigma;
-    let t89 = t88 * motor_i_sa;
-    let t90 = t88 * motor_i_sb;
-    let t91 = (t10 * t89).add_product(t11, t90);
-    let motor_i_rb_dot_by_motor_alpha_s = (t10 * t90).sub_product(t11, t89).sub_product(t16, t91)
-        * t17;
-    let motor_i_ra_dot_by_motor_alpha_s = (t91 * t14).sub_product(t16,
+    let t52 = (c.t19 * (c.t18 * motor_i_ra).add_product(t47, sin_motor_theta).sub_product(t46,
+        cos_motor_theta).sub_product(c.t16, motor_i_ra)).sub_product(t48, motor_i_sa_dot)
+        .sub_product(t49, motor_i_sb_dot).add_product(c.t20, t24).sub_product(t5, t50)
+        .sub_product(t6, t51);
+    let motor_omega_dot_by_motor_k_s = c.t1 * t22 * c.inverse_motor_inertia;
+    let motor_i_rb_dot_by_motor_k_s = (c.t19 * (t47 * cos_motor_theta).add_product(t46,
+        sin_motor_theta).add_product(c.t18, motor_i_rb).sub_product(c.t16, motor_i_rb))
+        .add_product(t49, motor_i_sa_dot).sub_product(t48, motor_i_sb_dot).sub_product(c.t20,
+        motor_i_rb_dot).add_product(t6, t50).sub_product(t5, t51).sub_product(t11, t52) * t12;
+    let motor_i_ra_dot_by_motor_k_s = (t52 * t9).sub_product(t11, motor_i_rb_dot_by_motor_k_s);
+    let motor_i_sb_dot_by_motor_k_s = (t51 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_k_s)
+        .sub_product(t5, motor_i_rb_dot_by_motor_k_s);
+    let motor_i_sa_dot_by_motor_k_s = (t50 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_k_s)
+        .add_product(t6, motor_i_rb_dot_by_motor_k_s);
+    let t53 = c.t22 * motor_i_sa;
+    let t54 = c.t22 * motor_i_sb;
+    let t55 = (c.t23 * motor_i_ra).sub_product(c.t24, t24).sub_product(t5, t53).sub_product(t6,
+        t54);
+    let motor_i_rb_dot_by_motor_k_r = (c.t23 * motor_i_rb).add_product(c.t24, motor_i_rb_dot)
+        .add_product(t6, t53).sub_product(t5, t54).sub_product(t11, t55) * t12;
+    let motor_i_ra_dot_by_motor_k_r = (t55 * t9).sub_product(t11, motor_i_rb_dot_by_motor_k_r);
+    let motor_i_sb_dot_by_motor_k_r = (t54 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_k_r)
+        .sub_product(t5, motor_i_rb_dot_by_motor_k_r);
+    let motor_i_sa_dot_by_motor_k_r = (t53 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_k_r)
+        .add_product(t6, motor_i_rb_dot_by_motor_k_r);
+    let t56 = c.t26 * motor_omega;
+    let t57 = c.t26 * cos_motor_theta;
+    let t58 = c.t26 * sin_motor_theta;
+    let t59 = (-(c.t25 * motor_i_sa)).add_product(t56, t13).sub_product(c.t28, motor_i_sa_dot)
+        .add_product(t57, t24).add_product(t58, motor_i_rb_dot);
+    let t60 = (-(c.t25 * motor_i_sb).add_product(t56, t17).add_product(c.t28, motor_i_sb_dot))
+        .add_product(t58, t24).sub_product(t57, motor_i_rb_dot);
+    let t61 = (-(c.t27 * motor_i_ra).add_product(t56, t20).add_product(t57, motor_i_sa_dot)
+        .add_product(t58, motor_i_sb_dot)).add_product(c.t29, t24).sub_product(t5, t59)
+        .sub_product(t6, t60);
+    let motor_omega_dot_by_motor_x_s = c.t26 * t22 * c.inverse_motor_inertia;
+    let motor_i_rb_dot_by_motor_x_s = (-(c.t27 * motor_i_rb)).add_product(t56, t21)
+        .add_product(t58, motor_i_sa_dot).sub_product(t57, motor_i_sb_dot).sub_product(c.t29,
+        motor_i_rb_dot).add_product(t6, t59).sub_product(t5, t60).sub_product(t11, t61) * t12;
+    let motor_i_ra_dot_by_motor_x_s = (t61 * t9).sub_product(t11, motor_i_rb_dot_by_motor_x_s);
+    let motor_i_sb_dot_by_motor_x_s = (t60 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_x_s)
+        .sub_product(t5, motor_i_rb_dot_by_motor_x_s);
+    let motor_i_sa_dot_by_motor_x_s = (t59 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_x_s)
+        .add_product(t6, motor_i_rb_dot_by_motor_x_s);
+    let t62 = c.t30 * motor_i_sa;
+    let t63 = c.t30 * motor_i_sb;
+    let t64 = (t5 * t62).add_product(t6, t63);
+    let motor_i_rb_dot_by_motor_alpha_s = (t5 * t63).sub_product(t6, t62).sub_product(t11, t64)
+        * t12;
+    let motor_i_ra_dot_by_motor_alpha_s = (t64 * t9).sub_product(t11,
         motor_i_rb_dot_by_motor_alpha_s);
-    let motor_i_sb_dot_by_motor_alpha_s = -(t90 * t9).add_product(t11,
-        motor_i_ra_dot_by_motor_alpha_s).add_product(t10, motor_i_rb_dot_by_motor_alpha_s);
-    let motor_i_sa_dot_by_motor_alpha_s = (-(t89 * t9).add_product(t10,
-        motor_i_ra_dot_by_motor_alpha_s)).add_product(t11, motor_i_rb_dot_by_motor_alpha_s);
-    let t92 = t70 * motor_sigma / p.motor_k_r;
-    let t93 = t92 * motor_i_ra;
-    let motor_i_rb_dot_by_motor_alpha_r = (-(t92 * motor_i_rb)).add_product(t16, t93) * t17;
-    let t94 = (t93 * t14).add_product(t16, motor_i_rb_dot_by_motor_alpha_r);
-    let motor_i_ra_dot_by_motor_alpha_r = -t94;
-    let motor_i_sb_dot_by_motor_alpha_r = (-(t10 * motor_i_rb_dot_by_motor_alpha_r))
-        .add_product(t11, t94);
-    let motor_i_sa_dot_by_motor_alpha_r = (t11 * motor_i_rb_dot_by_motor_alpha_r).add_product(t10,
-        t94);
+    let motor_i_sb_dot_by_motor_alpha_s = -(t63 * c.t4).add_product(t6,
+        motor_i_ra_dot_by_motor_alpha_s).add_product(t5, motor_i_rb_dot_by_motor_alpha_s);
+    let motor_i_sa_dot_by_motor_alpha_s = (-(t62 * c.t4).add_product(t5,
+        motor_i_ra_dot_by_motor_alpha_s)).add_product(t6, motor_i_rb_dot_by_motor_alpha_s);
+    let t65 = c.t31 * motor_i_ra;
+    let motor_i_rb_dot_by_motor_alpha_r = (-(c.t31 * motor_i_rb)).add_product(t11, t65) * t12;
+    let t66 = (t65 * t9).add_product(t11, motor_i_rb_dot_by_motor_alpha_r);
+    let motor_i_ra_dot_by_motor_alpha_r = -t66;
+    let motor_i_sb_dot_by_motor_alpha_r = (-(t5 * motor_i_rb_dot_by_motor_alpha_r)).add_product(t6,
+        t66);
+    let motor_i_sa_dot_by_motor_alpha_r = (t6 * motor_i_rb_dot_by_motor_alpha_r).add_product(t5,
+        t66);
     [motor_i_sa_dot_by_motor_phase_voltage, motor_i_sa_dot_by_motor_supply_frequency,
         motor_i_sa_dot_by_motor_supply_phase, motor_i_sa_dot_by_motor_pole_pairs,
         motor_i_sa_dot_by_motor_k_s, motor_i_sa_dot_by_motor_k_r, motor_i_sa_dot_by_motor_x_s,

@@ -17,8 +17,8 @@
 // Shapes: coordinates 3, states 6, parameters 7, outputs 2.
 // Nonzeros: mass_matrix 9 of 3 by 3, rate_jacobian 21 of 6 by 6, parameter_jacobian 21 of 6 by 7.
 // Operations: rate 116, mass_matrix 24, forcing 56, rate_jacobian 281, parameter_jacobian 319,
-//     outputs 17, energy 48, power_balance 219, prepare 30, prepared_rate 94,
-//     prepared_rate_jacobian 251.
+//     outputs 17, energy 48, power_balance 219, prepare 38, prepared_rate 94,
+//     prepared_rate_jacobian 251, prepared_parameter_jacobian 287.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
@@ -71,40 +71,56 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    t0, chain_m_3_times_chain_l_1, t1, t2, chain_m_3_times_chain_l_2, t3,
-    chain_m_3_times_chain_l_3_squared, t4, chain_m_1_times_chain_gravity,
+    t1, chain_m_3_times_chain_l_1, t2, t3, chain_m_3_times_chain_l_2, t4,
+    chain_m_3_times_chain_l_3_squared, t5, chain_m_1_times_chain_gravity,
     chain_m_2_times_chain_l_2, chain_m_2_times_chain_gravity, chain_m_3_times_chain_l_3,
-    chain_m_3_times_chain_gravity, chain_m_2_times_chain_l_1, t5, t7, t8
+    chain_m_3_times_chain_gravity, chain_m_2_times_chain_l_1, t7, t9, t10, t0, chain_l_1_squared,
+    chain_l_1_times_chain_l_2, chain_l_2_squared, chain_l_3_squared, chain_l_1_times_chain_l_3,
+    chain_l_2_times_chain_l_3, t11, t12, t13, t14, t15
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 30 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 38 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let t0 = p.chain_m_1 + p.chain_m_2 + p.chain_m_3;
+    let chain_l_1_squared = p.chain_l_1 * p.chain_l_1;
     let chain_m_2_plus_chain_m_3 = p.chain_m_2 + p.chain_m_3;
-    let t0 = p.chain_l_1 * p.chain_l_2 * chain_m_2_plus_chain_m_3;
+    let chain_l_1_times_chain_l_2 = p.chain_l_1 * p.chain_l_2;
+    let t1 = chain_l_1_times_chain_l_2 * chain_m_2_plus_chain_m_3;
     let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
-    let t1 = chain_m_3_times_chain_l_1 * p.chain_l_3;
-    let t2 = chain_m_2_plus_chain_m_3 * (p.chain_l_2 * p.chain_l_2);
+    let t2 = chain_m_3_times_chain_l_1 * p.chain_l_3;
+    let chain_l_2_squared = p.chain_l_2 * p.chain_l_2;
+    let t3 = chain_m_2_plus_chain_m_3 * chain_l_2_squared;
     let chain_m_3_times_chain_l_2 = p.chain_m_3 * p.chain_l_2;
-    let t3 = chain_m_3_times_chain_l_2 * p.chain_l_3;
-    let chain_m_3_times_chain_l_3_squared = p.chain_m_3 * (p.chain_l_3 * p.chain_l_3);
-    let t4 = R::literal(1.0) / ((p.chain_m_1 + p.chain_m_2 + p.chain_m_3) * (p.chain_l_1
-        * p.chain_l_1));
+    let t4 = chain_m_3_times_chain_l_2 * p.chain_l_3;
+    let chain_l_3_squared = p.chain_l_3 * p.chain_l_3;
+    let chain_m_3_times_chain_l_3_squared = p.chain_m_3 * chain_l_3_squared;
+    let t5 = R::literal(1.0) / (t0 * chain_l_1_squared);
     let chain_m_1_times_chain_gravity = p.chain_m_1 * p.chain_gravity;
     let chain_m_2_times_chain_l_2 = p.chain_m_2 * p.chain_l_2;
     let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
     let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
     let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
     let chain_m_2_times_chain_l_1 = p.chain_m_2 * p.chain_l_1;
-    let t5 = R::literal(2.0) * p.chain_l_1 * p.chain_l_2 * chain_m_2_plus_chain_m_3;
-    let t6 = R::literal(2.0) * p.chain_m_3;
-    let t7 = t6 * p.chain_l_1 * p.chain_l_3;
-    let t8 = t6 * p.chain_l_2 * p.chain_l_3;
-    Constants { t0, chain_m_3_times_chain_l_1, t1, t2, chain_m_3_times_chain_l_2, t3,
-        chain_m_3_times_chain_l_3_squared, t4, chain_m_1_times_chain_gravity,
+    let t6 = R::literal(2.0) * p.chain_l_1;
+    let t7 = t6 * p.chain_l_2 * chain_m_2_plus_chain_m_3;
+    let t8 = R::literal(2.0) * p.chain_m_3;
+    let t9 = t8 * p.chain_l_1 * p.chain_l_3;
+    let t10 = t8 * p.chain_l_2 * p.chain_l_3;
+    let chain_l_1_times_chain_l_3 = p.chain_l_1 * p.chain_l_3;
+    let chain_l_2_times_chain_l_3 = p.chain_l_2 * p.chain_l_3;
+    let t11 = p.chain_l_2 * chain_m_2_plus_chain_m_3;
+    let t12 = t6 * t0;
+    let t13 = p.chain_l_1 * chain_m_2_plus_chain_m_3;
+    let t14 = R::literal(2.0) * p.chain_l_2 * chain_m_2_plus_chain_m_3;
+    let t15 = t8 * p.chain_l_3;
+    Constants { t1, chain_m_3_times_chain_l_1, t2, t3, chain_m_3_times_chain_l_2, t4,
+        chain_m_3_times_chain_l_3_squared, t5, chain_m_1_times_chain_gravity,
         chain_m_2_times_chain_l_2, chain_m_2_times_chain_gravity, chain_m_3_times_chain_l_3,
-        chain_m_3_times_chain_gravity, chain_m_2_times_chain_l_1, t5, t7, t8 }
+        chain_m_3_times_chain_gravity, chain_m_2_times_chain_l_1, t7, t9, t10, t0,
+        chain_l_1_squared, chain_l_1_times_chain_l_2, chain_l_2_squared, chain_l_3_squared,
+        chain_l_1_times_chain_l_3, chain_l_2_times_chain_l_3, t11, t12, t13, t14, t15 }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -129,14 +145,14 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let [(sin_chain_th_1, cos_chain_th_1), (sin_chain_th_2, cos_chain_th_2), (sin_chain_th_3,
         cos_chain_th_3)] = R::sin_cos_each([chain_th_1, chain_th_2, chain_th_3]);
     let t0 = (sin_chain_th_1 * cos_chain_th_2).sub_product(cos_chain_th_1, sin_chain_th_2);
-    let t1 = c.t0 * (cos_chain_th_1 * cos_chain_th_2).add_product(sin_chain_th_1, sin_chain_th_2);
+    let t1 = c.t1 * (cos_chain_th_1 * cos_chain_th_2).add_product(sin_chain_th_1, sin_chain_th_2);
     let t2 = (sin_chain_th_1 * cos_chain_th_3).sub_product(cos_chain_th_1, sin_chain_th_3);
-    let t3 = c.t1 * (cos_chain_th_1 * cos_chain_th_3).add_product(sin_chain_th_1, sin_chain_th_3);
+    let t3 = c.t2 * (cos_chain_th_1 * cos_chain_th_3).add_product(sin_chain_th_1, sin_chain_th_3);
     let t4 = (sin_chain_th_2 * cos_chain_th_3).sub_product(cos_chain_th_2, sin_chain_th_3);
-    let t5 = t1 * c.t4;
-    let t6 = t3 * c.t4;
-    let t7 = R::literal(1.0) / c.t2.sub_product(t5, t1);
-    let t8 = (c.t3 * (cos_chain_th_2 * cos_chain_th_3).add_product(sin_chain_th_2, sin_chain_th_3))
+    let t5 = t1 * c.t5;
+    let t6 = t3 * c.t5;
+    let t7 = R::literal(1.0) / c.t3.sub_product(t5, t1);
+    let t8 = (c.t4 * (cos_chain_th_2 * cos_chain_th_3).add_product(sin_chain_th_2, sin_chain_th_3))
         .sub_product(t6, t1);
     let t9 = t8 * t7;
     let chain_w_2_squared = chain_w_2 * chain_w_2;
@@ -156,7 +172,7 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         * chain_w_2_squared, t4))).add_product(t6, t11).sub_product(t9, t12) * (R::literal(1.0)
         / c.chain_m_3_times_chain_l_3_squared.sub_product(t6, t3).sub_product(t9, t8));
     let chain_w_2_dot = (t12 * t7).sub_product(t9, chain_w_3_dot);
-    let chain_w_1_dot = -(t11 * c.t4).add_product(t5, chain_w_2_dot).add_product(t6, chain_w_3_dot);
+    let chain_w_1_dot = -(t11 * c.t5).add_product(t5, chain_w_2_dot).add_product(t6, chain_w_3_dot);
     [chain_w_1, chain_w_2, chain_w_3, chain_w_1_dot, chain_w_2_dot, chain_w_3_dot]
 }
 
@@ -217,16 +233,16 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         cos_chain_th_3)] = R::sin_cos_each([chain_th_1, chain_th_2, chain_th_3]);
     let t0 = (sin_chain_th_1 * cos_chain_th_2).sub_product(cos_chain_th_1, sin_chain_th_2);
     let t1 = (cos_chain_th_1 * cos_chain_th_2).add_product(sin_chain_th_1, sin_chain_th_2);
-    let t2 = c.t0 * t1;
+    let t2 = c.t1 * t1;
     let t3 = (sin_chain_th_1 * cos_chain_th_3).sub_product(cos_chain_th_1, sin_chain_th_3);
     let t4 = (cos_chain_th_1 * cos_chain_th_3).add_product(sin_chain_th_1, sin_chain_th_3);
-    let t5 = c.t1 * t4;
+    let t5 = c.t2 * t4;
     let t6 = (sin_chain_th_2 * cos_chain_th_3).sub_product(cos_chain_th_2, sin_chain_th_3);
     let t7 = (cos_chain_th_2 * cos_chain_th_3).add_product(sin_chain_th_2, sin_chain_th_3);
-    let t8 = t2 * c.t4;
-    let t9 = t5 * c.t4;
-    let t10 = R::literal(1.0) / c.t2.sub_product(t8, t2);
-    let t11 = (c.t3 * t7).sub_product(t9, t2);
+    let t8 = t2 * c.t5;
+    let t9 = t5 * c.t5;
+    let t10 = R::literal(1.0) / c.t3.sub_product(t8, t2);
+    let t11 = (c.t4 * t7).sub_product(t9, t2);
     let t12 = t11 * t10;
     let t13 = R::literal(1.0) / c.chain_m_3_times_chain_l_3_squared.sub_product(t9, t5)
         .sub_product(t12, t11);
@@ -251,61 +267,61 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         .sub_product(chain_l_2_times_chain_w_2_squared, t6))).add_product(t9, t17).sub_product(t12,
         t20) * t13;
     let chain_w_2_dot = (t20 * t10).sub_product(t12, chain_w_3_dot);
-    let t21 = (t17 * c.t4).add_product(t8, chain_w_2_dot).add_product(t9, chain_w_3_dot);
-    let t22 = c.t0 * t0;
+    let t21 = (t17 * c.t5).add_product(t8, chain_w_2_dot).add_product(t9, chain_w_3_dot);
+    let t22 = c.t1 * t0;
     let t23 = t22 * chain_w_2_dot;
     let t24 = t22 * t21;
-    let t25 = c.t1 * t3;
+    let t25 = c.t2 * t3;
     let t26 = t25 * chain_w_3_dot;
     let t27 = t23.sub_product(p.chain_l_1, (c.chain_m_1_times_chain_gravity * cos_chain_th_1)
         .add_product(t14, t1).add_product(c.chain_m_2_times_chain_gravity, cos_chain_th_1)
         .add_product(t15, t1).add_product(t16, t4).add_product(c.chain_m_3_times_chain_gravity,
         cos_chain_th_1)) + t26;
     let t28 = t25 * t21;
-    let t29 = (-t24).add_product(c.t0 * chain_w_1_squared, t1).sub_product(t8, t27);
-    let chain_w_3_dot_by_chain_th_1 = (-t28).add_product(c.t1 * chain_w_1_squared, t4)
+    let t29 = (-t24).add_product(c.t1 * chain_w_1_squared, t1).sub_product(t8, t27);
+    let chain_w_3_dot_by_chain_th_1 = (-t28).add_product(c.t2 * chain_w_1_squared, t4)
         .sub_product(t9, t27).sub_product(t12, t29) * t13;
     let chain_w_2_dot_by_chain_th_1 = (t29 * t10).sub_product(t12, chain_w_3_dot_by_chain_th_1);
-    let chain_w_1_dot_by_chain_th_1 = (t27 * c.t4).sub_product(t8, chain_w_2_dot_by_chain_th_1)
+    let chain_w_1_dot_by_chain_th_1 = (t27 * c.t5).sub_product(t8, chain_w_2_dot_by_chain_th_1)
         .sub_product(t9, chain_w_3_dot_by_chain_th_1);
-    let t30 = (-t23).add_product(c.t0 * chain_w_2_squared, t1);
-    let t31 = c.t3 * t6;
+    let t30 = (-t23).add_product(c.t1 * chain_w_2_squared, t1);
+    let t31 = c.t4 * t6;
     let t32 = t31 * chain_w_3_dot;
     let t33 = t31 * chain_w_2_dot;
     let t34 = (t24.sub_product(p.chain_l_2, (c.chain_m_2_times_chain_gravity * cos_chain_th_2)
         .add_product(t18, t1).add_product(t19, t1).add_product(t16, t7)
         .add_product(c.chain_m_3_times_chain_gravity, cos_chain_th_2)) + t32).sub_product(t8, t30);
-    let chain_w_3_dot_by_chain_th_2 = t33.add_product(c.t3 * chain_w_2_squared, t7).sub_product(t9,
+    let chain_w_3_dot_by_chain_th_2 = t33.add_product(c.t4 * chain_w_2_squared, t7).sub_product(t9,
         t30).sub_product(t12, t34) * t13;
     let chain_w_2_dot_by_chain_th_2 = (t34 * t10).sub_product(t12, chain_w_3_dot_by_chain_th_2);
-    let chain_w_1_dot_by_chain_th_2 = (t30 * c.t4).sub_product(t8, chain_w_2_dot_by_chain_th_2)
+    let chain_w_1_dot_by_chain_th_2 = (t30 * c.t5).sub_product(t8, chain_w_2_dot_by_chain_th_2)
         .sub_product(t9, chain_w_3_dot_by_chain_th_2);
-    let t35 = (-t26).add_product(c.t1 * chain_w_3_squared, t4);
-    let t36 = (-t32).add_product(c.t3 * chain_w_3_squared, t7).sub_product(t8, t35);
+    let t35 = (-t26).add_product(c.t2 * chain_w_3_squared, t4);
+    let t36 = (-t32).add_product(c.t4 * chain_w_3_squared, t7).sub_product(t8, t35);
     let chain_w_3_dot_by_chain_th_3 = (t28.sub_product(c.chain_m_3_times_chain_l_3,
         (chain_l_1_times_chain_w_1_squared * t4).add_product(chain_l_2_times_chain_w_2_squared, t7)
         .add_product(p.chain_gravity, cos_chain_th_3)) - t33).sub_product(t9, t35).sub_product(t12,
         t36) * t13;
     let chain_w_2_dot_by_chain_th_3 = (t36 * t10).sub_product(t12, chain_w_3_dot_by_chain_th_3);
-    let chain_w_1_dot_by_chain_th_3 = (t35 * c.t4).sub_product(t8, chain_w_2_dot_by_chain_th_3)
+    let chain_w_1_dot_by_chain_th_3 = (t35 * c.t5).sub_product(t8, chain_w_2_dot_by_chain_th_3)
         .sub_product(t9, chain_w_3_dot_by_chain_th_3);
-    let t37 = c.t5 * chain_w_1 * t0;
-    let chain_w_3_dot_by_chain_w_1 = (c.t7 * chain_w_1 * t3).sub_product(t12, t37) * t13;
+    let t37 = c.t7 * chain_w_1 * t0;
+    let chain_w_3_dot_by_chain_w_1 = (c.t9 * chain_w_1 * t3).sub_product(t12, t37) * t13;
     let chain_w_2_dot_by_chain_w_1 = (t37 * t10).sub_product(t12, chain_w_3_dot_by_chain_w_1);
     let chain_w_1_dot_by_chain_w_1 = -(t9 * chain_w_3_dot_by_chain_w_1).add_product(t8,
         chain_w_2_dot_by_chain_w_1);
-    let t38 = c.t5 * chain_w_2 * t0;
+    let t38 = c.t7 * chain_w_2 * t0;
     let t39 = t8 * t38;
-    let chain_w_3_dot_by_chain_w_2 = (c.t8 * chain_w_2 * t6).add_product(t9, t38).sub_product(t12,
+    let chain_w_3_dot_by_chain_w_2 = (c.t10 * chain_w_2 * t6).add_product(t9, t38).sub_product(t12,
         t39) * t13;
     let chain_w_2_dot_by_chain_w_2 = (t39 * t10).sub_product(t12, chain_w_3_dot_by_chain_w_2);
-    let chain_w_1_dot_by_chain_w_2 = -(t38 * c.t4).add_product(t8, chain_w_2_dot_by_chain_w_2)
+    let chain_w_1_dot_by_chain_w_2 = -(t38 * c.t5).add_product(t8, chain_w_2_dot_by_chain_w_2)
         .add_product(t9, chain_w_3_dot_by_chain_w_2);
-    let t40 = c.t7 * chain_w_3 * t3;
-    let t41 = (-(c.t8 * chain_w_3 * t6)).add_product(t8, t40);
+    let t40 = c.t9 * chain_w_3 * t3;
+    let t41 = (-(c.t10 * chain_w_3 * t6)).add_product(t8, t40);
     let chain_w_3_dot_by_chain_w_3 = (t9 * t40).sub_product(t12, t41) * t13;
     let chain_w_2_dot_by_chain_w_3 = (t41 * t10).sub_product(t12, chain_w_3_dot_by_chain_w_3);
-    let chain_w_1_dot_by_chain_w_3 = -(t40 * c.t4).add_product(t8, chain_w_2_dot_by_chain_w_3)
+    let chain_w_1_dot_by_chain_w_3 = -(t40 * c.t5).add_product(t8, chain_w_2_dot_by_chain_w_3)
         .add_product(t9, chain_w_3_dot_by_chain_w_3);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), chain_w_1_dot_by_chain_th_1,
         chain_w_1_dot_by_chain_th_2, chain_w_1_dot_by_chain_th_3, chain_w_1_dot_by_chain_w_1,
@@ -316,9 +332,10 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         chain_w_3_dot_by_chain_w_2, chain_w_3_dot_by_chain_w_3]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 319 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 287 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 21] {
+pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 21] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
     let chain_th_1_minus_chain_th_2 = chain_th_1 - chain_th_2;
     let chain_th_1_minus_chain_th_3 = chain_th_1 - chain_th_3;
@@ -330,139 +347,123 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
         = R::sin_cos_each([chain_th_1, chain_th_2, chain_th_3, chain_th_1_minus_chain_th_2,
         chain_th_1_minus_chain_th_3, chain_th_2_minus_chain_th_3]);
     let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
-    let t0 = p.chain_m_1 + p.chain_m_2 + p.chain_m_3;
-    let chain_l_1_squared = p.chain_l_1 * p.chain_l_1;
-    let chain_m_2_plus_chain_m_3 = p.chain_m_2 + p.chain_m_3;
-    let chain_l_1_times_chain_l_2 = p.chain_l_1 * p.chain_l_2;
-    let t1 = chain_l_1_times_chain_l_2 * chain_m_2_plus_chain_m_3 * cos_chain_th_1_minus_chain_th_2;
-    let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
-    let t2 = chain_m_3_times_chain_l_1 * p.chain_l_3 * cos_chain_th_1_minus_chain_th_3;
-    let chain_l_2_squared = p.chain_l_2 * p.chain_l_2;
-    let chain_m_3_times_chain_l_2 = p.chain_m_3 * p.chain_l_2;
-    let chain_l_3_squared = p.chain_l_3 * p.chain_l_3;
-    let t3 = R::literal(1.0) / (t0 * chain_l_1_squared);
-    let t4 = t1 * t3;
-    let t5 = t2 * t3;
-    let t6 = R::literal(1.0) / (chain_m_2_plus_chain_m_3 * chain_l_2_squared).sub_product(t4, t1);
-    let t7 = (chain_m_3_times_chain_l_2 * p.chain_l_3 * cos_chain_th_2_minus_chain_th_3)
-        .sub_product(t5, t1);
-    let t8 = t7 * t6;
-    let t9 = R::literal(1.0) / (p.chain_m_3 * chain_l_3_squared).sub_product(t5, t2)
-        .sub_product(t8, t7);
+    let t0 = c.t1 * cos_chain_th_1_minus_chain_th_2;
+    let t1 = c.t2 * cos_chain_th_1_minus_chain_th_3;
+    let t2 = t0 * c.t5;
+    let t3 = t1 * c.t5;
+    let t4 = R::literal(1.0) / c.t3.sub_product(t2, t0);
+    let t5 = (c.t4 * cos_chain_th_2_minus_chain_th_3).sub_product(t3, t0);
+    let t6 = t5 * t4;
+    let t7 = R::literal(1.0) / c.chain_m_3_times_chain_l_3_squared.sub_product(t3, t1)
+        .sub_product(t6, t5);
     let chain_w_2_squared = chain_w_2 * chain_w_2;
-    let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
     let chain_w_3_squared = chain_w_3 * chain_w_3;
-    let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
-    let t10 = chain_m_3_times_chain_l_3 * chain_w_3_squared;
-    let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
-    let t11 = (p.chain_m_1 * p.chain_gravity * sin_chain_th_1).add_product(p.chain_m_2
-        * p.chain_l_2 * chain_w_2_squared, sin_chain_th_1_minus_chain_th_2)
-        .add_product(chain_m_2_times_chain_gravity, sin_chain_th_1)
-        .add_product(chain_m_3_times_chain_l_2 * chain_w_2_squared, sin_chain_th_1_minus_chain_th_2)
-        .add_product(t10, sin_chain_th_1_minus_chain_th_3)
-        .add_product(chain_m_3_times_chain_gravity, sin_chain_th_1);
-    let t12 = p.chain_l_1 * t11;
+    let t8 = c.chain_m_3_times_chain_l_3 * chain_w_3_squared;
+    let t9 = (c.chain_m_1_times_chain_gravity * sin_chain_th_1)
+        .add_product(c.chain_m_2_times_chain_l_2 * chain_w_2_squared,
+        sin_chain_th_1_minus_chain_th_2).add_product(c.chain_m_2_times_chain_gravity,
+        sin_chain_th_1).add_product(c.chain_m_3_times_chain_l_2 * chain_w_2_squared,
+        sin_chain_th_1_minus_chain_th_2).add_product(t8, sin_chain_th_1_minus_chain_th_3)
+        .add_product(c.chain_m_3_times_chain_gravity, sin_chain_th_1);
+    let t10 = p.chain_l_1 * t9;
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let t13 = chain_m_3_times_chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2;
-    let t14 = (chain_m_2_times_chain_gravity * sin_chain_th_2).add_product(t10,
-        sin_chain_th_2_minus_chain_th_3).add_product(chain_m_3_times_chain_gravity, sin_chain_th_2)
-        .sub_product(p.chain_m_2 * p.chain_l_1 * chain_w_1_squared,
+    let t11 = c.chain_m_3_times_chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2;
+    let t12 = (c.chain_m_2_times_chain_gravity * sin_chain_th_2).add_product(t8,
+        sin_chain_th_2_minus_chain_th_3).add_product(c.chain_m_3_times_chain_gravity,
+        sin_chain_th_2).sub_product(c.chain_m_2_times_chain_l_1 * chain_w_1_squared,
         sin_chain_th_1_minus_chain_th_2);
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
     let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
-    let t15 = (p.chain_gravity * sin_chain_th_3).sub_product(chain_l_1_times_chain_w_1_squared,
+    let t13 = (p.chain_gravity * sin_chain_th_3).sub_product(chain_l_1_times_chain_w_1_squared,
         sin_chain_th_1_minus_chain_th_3).sub_product(chain_l_2_times_chain_w_2_squared,
         sin_chain_th_2_minus_chain_th_3);
-    let t16 = (-(p.chain_l_2 * (t14 - t13))).add_product(t4, t12);
-    let chain_w_3_dot = (-(chain_m_3_times_chain_l_3 * t15)).add_product(t5, t12).sub_product(t8,
-        t16) * t9;
-    let chain_w_2_dot = (t16 * t6).sub_product(t8, chain_w_3_dot);
-    let t17 = (t12 * t3).add_product(t4, chain_w_2_dot).add_product(t5, chain_w_3_dot);
-    let t18 = chain_l_1_squared * t17;
-    let t19 = t18.sub_product(p.chain_gravity, chain_x_1);
-    let t20 = t4 * t19;
-    let chain_w_3_dot_by_chain_m_1 = (-(t5 * t19)).add_product(t8, t20) * t9;
-    let t21 = (t20 * t6).add_product(t8, chain_w_3_dot_by_chain_m_1);
-    let chain_w_2_dot_by_chain_m_1 = -t21;
-    let chain_w_1_dot_by_chain_m_1 = (t19 * t3).add_product(t4, t21).sub_product(t5,
+    let t14 = (-(p.chain_l_2 * (t12 - t11))).add_product(t2, t10);
+    let chain_w_3_dot = (-(c.chain_m_3_times_chain_l_3 * t13)).add_product(t3, t10).sub_product(t6,
+        t14) * t7;
+    let chain_w_2_dot = (t14 * t4).sub_product(t6, chain_w_3_dot);
+    let t15 = (t10 * c.t5).add_product(t2, chain_w_2_dot).add_product(t3, chain_w_3_dot);
+    let t16 = c.chain_l_1_squared * t15;
+    let t17 = t16.sub_product(p.chain_gravity, chain_x_1);
+    let t18 = t2 * t17;
+    let chain_w_3_dot_by_chain_m_1 = (-(t3 * t17)).add_product(t6, t18) * t7;
+    let t19 = (t18 * t4).add_product(t6, chain_w_3_dot_by_chain_m_1);
+    let chain_w_2_dot_by_chain_m_1 = -t19;
+    let chain_w_1_dot_by_chain_m_1 = (t17 * c.t5).add_product(t2, t19).sub_product(t3,
         chain_w_3_dot_by_chain_m_1);
-    let t22 = chain_l_2_times_chain_w_2_squared * sin_chain_th_1_minus_chain_th_2;
+    let t20 = chain_l_2_times_chain_w_2_squared * sin_chain_th_1_minus_chain_th_2;
     let chain_gravity_times_sin_chain_th_1 = p.chain_gravity * sin_chain_th_1;
-    let t23 = chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_2;
+    let t21 = chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_2;
     let chain_gravity_times_sin_chain_th_2 = p.chain_gravity * sin_chain_th_2;
-    let t24 = chain_l_1_times_chain_l_2 * cos_chain_th_1_minus_chain_th_2;
-    let t25 = t24 * chain_w_2_dot;
-    let t26 = t18.sub_product(p.chain_l_1, t22 + chain_gravity_times_sin_chain_th_1) - t25;
-    let t27 = t24 * t17;
-    let t28 = chain_l_2_squared * chain_w_2_dot;
-    let t29 = (t27.sub_product(p.chain_l_2, chain_gravity_times_sin_chain_th_2 - t23) - t28)
-        .sub_product(t4, t26);
-    let t30 = (t5 * t26).add_product(t8, t29) * t9;
-    let chain_w_3_dot_by_chain_m_2 = -t30;
-    let chain_w_2_dot_by_chain_m_2 = (t29 * t6).add_product(t8, t30);
-    let chain_w_1_dot_by_chain_m_2 = (t26 * t3).sub_product(t4, chain_w_2_dot_by_chain_m_2)
-        .add_product(t5, t30);
+    let t22 = c.chain_l_1_times_chain_l_2 * cos_chain_th_1_minus_chain_th_2;
+    let t23 = t22 * chain_w_2_dot;
+    let t24 = t16.sub_product(p.chain_l_1, t20 + chain_gravity_times_sin_chain_th_1) - t23;
+    let t25 = t22 * t15;
+    let t26 = c.chain_l_2_squared * chain_w_2_dot;
+    let t27 = (t25.sub_product(p.chain_l_2, chain_gravity_times_sin_chain_th_2 - t21) - t26)
+        .sub_product(t2, t24);
+    let t28 = (t3 * t24).add_product(t6, t27) * t7;
+    let chain_w_3_dot_by_chain_m_2 = -t28;
+    let chain_w_2_dot_by_chain_m_2 = (t27 * t4).add_product(t6, t28);
+    let chain_w_1_dot_by_chain_m_2 = (t24 * c.t5).sub_product(t2, chain_w_2_dot_by_chain_m_2)
+        .add_product(t3, t28);
     let chain_l_3_times_chain_w_3_squared = p.chain_l_3 * chain_w_3_squared;
-    let t31 = p.chain_l_1 * p.chain_l_3 * cos_chain_th_1_minus_chain_th_3;
-    let t32 = (t18.sub_product(p.chain_l_1, t22.add_product(chain_l_3_times_chain_w_3_squared,
-        sin_chain_th_1_minus_chain_th_3) + chain_gravity_times_sin_chain_th_1) - t25)
-        .sub_product(t31, chain_w_3_dot);
-    let t33 = p.chain_l_2 * p.chain_l_3 * cos_chain_th_2_minus_chain_th_3;
-    let t34 = (t27.sub_product(p.chain_l_2, chain_gravity_times_sin_chain_th_2
-        .add_product(chain_l_3_times_chain_w_3_squared, sin_chain_th_2_minus_chain_th_3) - t23)
-        - t28).sub_product(t33, chain_w_3_dot).sub_product(t4, t32);
-    let chain_w_3_dot_by_chain_m_3 = (-(p.chain_l_3 * t15)).add_product(t31, t17).sub_product(t33,
-        chain_w_2_dot).sub_product(chain_l_3_squared, chain_w_3_dot).sub_product(t5, t32)
-        .sub_product(t8, t34) * t9;
-    let chain_w_2_dot_by_chain_m_3 = (t34 * t6).sub_product(t8, chain_w_3_dot_by_chain_m_3);
-    let chain_w_1_dot_by_chain_m_3 = (t32 * t3).sub_product(t4, chain_w_2_dot_by_chain_m_3)
-        .sub_product(t5, chain_w_3_dot_by_chain_m_3);
-    let t35 = p.chain_l_2 * chain_m_2_plus_chain_m_3;
-    let t36 = t35 * cos_chain_th_1_minus_chain_th_2;
-    let t37 = chain_m_3_times_chain_l_3 * cos_chain_th_1_minus_chain_th_3;
-    let t38 = (-t11).add_product(R::literal(2.0) * p.chain_l_1 * t0, t17).sub_product(t36,
-        chain_w_2_dot).sub_product(t37, chain_w_3_dot);
-    let t39 = (t35 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2).add_product(t36, t17)
-        .sub_product(t4, t38);
-    let chain_w_3_dot_by_chain_l_1 = (chain_m_3_times_chain_l_3 * chain_w_1_squared
-        * sin_chain_th_1_minus_chain_th_3).add_product(t37, t17).sub_product(t5, t38)
-        .sub_product(t8, t39) * t9;
-    let chain_w_2_dot_by_chain_l_1 = (t39 * t6).sub_product(t8, chain_w_3_dot_by_chain_l_1);
-    let chain_w_1_dot_by_chain_l_1 = (t38 * t3).sub_product(t4, chain_w_2_dot_by_chain_l_1)
-        .sub_product(t5, chain_w_3_dot_by_chain_l_1);
-    let t40 = p.chain_l_1 * chain_m_2_plus_chain_m_3;
-    let t41 = t40 * cos_chain_th_1_minus_chain_th_2;
-    let t42 = (t40 * chain_w_2_squared * sin_chain_th_1_minus_chain_th_2).add_product(t41,
+    let t29 = c.chain_l_1_times_chain_l_3 * cos_chain_th_1_minus_chain_th_3;
+    let t30 = (t16.sub_product(p.chain_l_1, t20.add_product(chain_l_3_times_chain_w_3_squared,
+        sin_chain_th_1_minus_chain_th_3) + chain_gravity_times_sin_chain_th_1) - t23)
+        .sub_product(t29, chain_w_3_dot);
+    let t31 = c.chain_l_2_times_chain_l_3 * cos_chain_th_2_minus_chain_th_3;
+    let t32 = (t25.sub_product(p.chain_l_2, chain_gravity_times_sin_chain_th_2
+        .add_product(chain_l_3_times_chain_w_3_squared, sin_chain_th_2_minus_chain_th_3) - t21)
+        - t26).sub_product(t31, chain_w_3_dot).sub_product(t2, t30);
+    let chain_w_3_dot_by_chain_m_3 = (-(p.chain_l_3 * t13)).add_product(t29, t15).sub_product(t31,
+        chain_w_2_dot).sub_product(c.chain_l_3_squared, chain_w_3_dot).sub_product(t3, t30)
+        .sub_product(t6, t32) * t7;
+    let chain_w_2_dot_by_chain_m_3 = (t32 * t4).sub_product(t6, chain_w_3_dot_by_chain_m_3);
+    let chain_w_1_dot_by_chain_m_3 = (t30 * c.t5).sub_product(t2, chain_w_2_dot_by_chain_m_3)
+        .sub_product(t3, chain_w_3_dot_by_chain_m_3);
+    let t33 = c.t11 * cos_chain_th_1_minus_chain_th_2;
+    let t34 = c.chain_m_3_times_chain_l_3 * cos_chain_th_1_minus_chain_th_3;
+    let t35 = (-t9).add_product(c.t12, t15).sub_product(t33, chain_w_2_dot).sub_product(t34,
+        chain_w_3_dot);
+    let t36 = (c.t11 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2).add_product(t33, t15)
+        .sub_product(t2, t35);
+    let chain_w_3_dot_by_chain_l_1 = (c.chain_m_3_times_chain_l_3 * chain_w_1_squared
+        * sin_chain_th_1_minus_chain_th_3).add_product(t34, t15).sub_product(t3, t35)
+        .sub_product(t6, t36) * t7;
+    let chain_w_2_dot_by_chain_l_1 = (t36 * t4).sub_product(t6, chain_w_3_dot_by_chain_l_1);
+    let chain_w_1_dot_by_chain_l_1 = (t35 * c.t5).sub_product(t2, chain_w_2_dot_by_chain_l_1)
+        .sub_product(t3, chain_w_3_dot_by_chain_l_1);
+    let t37 = c.t13 * cos_chain_th_1_minus_chain_th_2;
+    let t38 = (c.t13 * chain_w_2_squared * sin_chain_th_1_minus_chain_th_2).add_product(t37,
         chain_w_2_dot);
-    let t43 = chain_m_3_times_chain_l_3 * cos_chain_th_2_minus_chain_th_3;
-    let t44 = (t13 - t14).add_product(t41, t17).sub_product(R::literal(2.0) * p.chain_l_2
-        * chain_m_2_plus_chain_m_3, chain_w_2_dot).sub_product(t43, chain_w_3_dot).add_product(t4,
-        t42);
-    let chain_w_3_dot_by_chain_l_2 = (chain_m_3_times_chain_l_3 * chain_w_2_squared
-        * sin_chain_th_2_minus_chain_th_3).sub_product(t43, chain_w_2_dot).add_product(t5, t42)
-        .sub_product(t8, t44) * t9;
-    let chain_w_2_dot_by_chain_l_2 = (t44 * t6).sub_product(t8, chain_w_3_dot_by_chain_l_2);
-    let chain_w_1_dot_by_chain_l_2 = -(t42 * t3).add_product(t4, chain_w_2_dot_by_chain_l_2)
-        .add_product(t5, chain_w_3_dot_by_chain_l_2);
-    let t45 = chain_m_3_times_chain_l_1 * cos_chain_th_1_minus_chain_th_3;
-    let t46 = (chain_m_3_times_chain_l_1 * chain_w_3_squared * sin_chain_th_1_minus_chain_th_3)
-        .add_product(t45, chain_w_3_dot);
-    let t47 = chain_m_3_times_chain_l_2 * cos_chain_th_2_minus_chain_th_3;
-    let t48 = (-(chain_m_3_times_chain_l_2 * chain_w_3_squared * sin_chain_th_2_minus_chain_th_3)
-        .add_product(t47, chain_w_3_dot)).add_product(t4, t46);
-    let chain_w_3_dot_by_chain_l_3 = (-(p.chain_m_3 * t15)).add_product(t45, t17).sub_product(t47,
-        chain_w_2_dot).sub_product(R::literal(2.0) * p.chain_m_3 * p.chain_l_3, chain_w_3_dot)
-        .add_product(t5, t46).sub_product(t8, t48) * t9;
-    let chain_w_2_dot_by_chain_l_3 = (t48 * t6).sub_product(t8, chain_w_3_dot_by_chain_l_3);
-    let chain_w_1_dot_by_chain_l_3 = -(t46 * t3).add_product(t4, chain_w_2_dot_by_chain_l_3)
-        .add_product(t5, chain_w_3_dot_by_chain_l_3);
-    let t49 = t0 * chain_x_1;
-    let t50 = (-(t35 * sin_chain_th_2)).add_product(t4, t49);
-    let chain_w_3_dot_by_chain_gravity = (-(chain_m_3_times_chain_l_3 * sin_chain_th_3))
-        .add_product(t5, t49).sub_product(t8, t50) * t9;
-    let chain_w_2_dot_by_chain_gravity = (t50 * t6).sub_product(t8, chain_w_3_dot_by_chain_gravity);
-    let chain_w_1_dot_by_chain_gravity = -(t49 * t3).add_product(t4, chain_w_2_dot_by_chain_gravity)
-        .add_product(t5, chain_w_3_dot_by_chain_gravity);
+    let t39 = c.chain_m_3_times_chain_l_3 * cos_chain_th_2_minus_chain_th_3;
+    let t40 = (t11 - t12).add_product(t37, t15).sub_product(c.t14, chain_w_2_dot).sub_product(t39,
+        chain_w_3_dot).add_product(t2, t38);
+    let chain_w_3_dot_by_chain_l_2 = (c.chain_m_3_times_chain_l_3 * chain_w_2_squared
+        * sin_chain_th_2_minus_chain_th_3).sub_product(t39, chain_w_2_dot).add_product(t3, t38)
+        .sub_product(t6, t40) * t7;
+    let chain_w_2_dot_by_chain_l_2 = (t40 * t4).sub_product(t6, chain_w_3_dot_by_chain_l_2);
+    let chain_w_1_dot_by_chain_l_2 = -(t38 * c.t5).add_product(t2, chain_w_2_dot_by_chain_l_2)
+        .add_product(t3, chain_w_3_dot_by_chain_l_2);
+    let t41 = c.chain_m_3_times_chain_l_1 * cos_chain_th_1_minus_chain_th_3;
+    let t42 = (c.chain_m_3_times_chain_l_1 * chain_w_3_squared * sin_chain_th_1_minus_chain_th_3)
+        .add_product(t41, chain_w_3_dot);
+    let t43 = c.chain_m_3_times_chain_l_2 * cos_chain_th_2_minus_chain_th_3;
+    let t44 = (-(c.chain_m_3_times_chain_l_2 * chain_w_3_squared * sin_chain_th_2_minus_chain_th_3)
+        .add_product(t43, chain_w_3_dot)).add_product(t2, t42);
+    let chain_w_3_dot_by_chain_l_3 = (-(p.chain_m_3 * t13)).add_product(t41, t15).sub_product(t43,
+        chain_w_2_dot).sub_product(c.t15, chain_w_3_dot).add_product(t3, t42).sub_product(t6, t44)
+        * t7;
+    let chain_w_2_dot_by_chain_l_3 = (t44 * t4).sub_product(t6, chain_w_3_dot_by_chain_l_3);
+    let chain_w_1_dot_by_chain_l_3 = -(t42 * c.t5).add_product(t2, chain_w_2_dot_by_chain_l_3)
+        .add_product(t3, chain_w_3_dot_by_chain_l_3);
+    let t45 = c.t0 * chain_x_1;
+    let t46 = (-(c.t11 * sin_chain_th_2)).add_product(t2, t45);
+    let chain_w_3_dot_by_chain_gravity = (-(c.chain_m_3_times_chain_l_3 * sin_chain_th_3))
+        .add_product(t3, t45).sub_product(t6, t46) * t7;
+    let chain_w_2_dot_by_chain_gravity = (t46 * t4).sub_product(t6, chain_w_3_dot_by_chain_gravity);
+    let chain_w_1_dot_by_chain_gravity = -(t45 * c.t5).add_product(t2,
+        chain_w_2_dot_by_chain_gravity).add_product(t3, chain_w_3_dot_by_chain_gravity);
     [chain_w_1_dot_by_chain_m_1, chain_w_1_dot_by_chain_m_2, chain_w_1_dot_by_chain_m_3,
         chain_w_1_dot_by_chain_l_1, chain_w_1_dot_by_chain_l_2, chain_w_1_dot_by_chain_l_3,
         chain_w_1_dot_by_chain_gravity, chain_w_2_dot_by_chain_m_1, chain_w_2_dot_by_chain_m_2,

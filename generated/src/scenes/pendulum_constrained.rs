@@ -20,7 +20,8 @@
 //     constraint_matrix 10 of 3 by 6.
 // Operations: initial_state 8, rate 132, forcing 6, rate_jacobian 506, parameter_jacobian 305,
 //     outputs 111, energy 25, power_balance 153, constraint_values 25, constraint_rates 33,
-//     constraint_matrix 17, prepare 15, prepared_rate 120, prepared_rate_jacobian 491.
+//     constraint_matrix 17, prepare 18, prepared_rate 120, prepared_rate_jacobian 491,
+//     prepared_parameter_jacobian 290.
 
 use ::machinist_contract::{Energy, PowerBalance, Real};
 
@@ -99,10 +100,11 @@ use ::machinist_contract::{Energy, PowerBalance, Real};
 ::machinist_contract::constants! {
     inverse_l_1, inverse_l_2, inverse_l_3, inverse_first_mass, inverse_second_mass, inverse_third_mass,
     first_mass_times_first_gravity, second_mass_times_second_gravity,
-    third_mass_times_third_gravity, t0, t1, t2, t3, t4, t5
+    third_mass_times_third_gravity, t0, t1, t2, t3, t4, t5, first_mass_times_inverse_first_mass,
+    t6, third_mass_times_inverse_third_mass
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 15 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 18 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -121,9 +123,13 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t3 = R::literal(2.0) / p.l_1;
     let t4 = R::literal(2.0) / p.l_2;
     let t5 = R::literal(2.0) / p.l_3;
+    let first_mass_times_inverse_first_mass = p.first_mass * inverse_first_mass;
+    let t6 = p.second_mass * inverse_second_mass;
+    let third_mass_times_inverse_third_mass = p.third_mass * inverse_third_mass;
     Constants { inverse_l_1, inverse_l_2, inverse_l_3, inverse_first_mass, inverse_second_mass,
         inverse_third_mass, first_mass_times_first_gravity, second_mass_times_second_gravity,
-        third_mass_times_third_gravity, t0, t1, t2, t3, t4, t5 }
+        third_mass_times_third_gravity, t0, t1, t2, t3, t4, t5,
+        first_mass_times_inverse_first_mass, t6, third_mass_times_inverse_third_mass }
 }
 
 /// State at the start of the run, in the units of the states. 8 operations.
@@ -445,33 +451,28 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Param
         third_v_y_dot_by_third_v_y]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 305 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 290 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 36] {
+pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 36] {
     let [first_x, first_y, second_x, second_y, third_x, third_y, first_v_x, first_v_y, second_v_x,
         second_v_y, third_v_x, third_v_y] = *state;
-    let inverse_l_1 = R::literal(1.0) / p.l_1;
-    let inverse_l_1_times_first_x = inverse_l_1 * first_x;
-    let inverse_l_2 = R::literal(1.0) / p.l_2;
-    let t0 = inverse_l_2 * (second_x - first_x);
-    let inverse_l_1_times_first_y = inverse_l_1 * first_y;
-    let t1 = inverse_l_2 * (second_y - first_y);
-    let inverse_l_3 = R::literal(1.0) / p.l_3;
-    let t2 = inverse_l_3 * (third_x - second_x);
-    let t3 = inverse_l_3 * (third_y - second_y);
-    let inverse_first_mass = R::literal(1.0) / p.first_mass;
-    let t4 = inverse_l_1_times_first_x * inverse_first_mass;
-    let t5 = t0 * inverse_first_mass;
-    let t6 = inverse_l_1_times_first_y * inverse_first_mass;
-    let t7 = t1 * inverse_first_mass;
-    let inverse_second_mass = R::literal(1.0) / p.second_mass;
-    let t8 = t0 * inverse_second_mass;
-    let t9 = t2 * inverse_second_mass;
-    let t10 = t1 * inverse_second_mass;
-    let t11 = t3 * inverse_second_mass;
-    let inverse_third_mass = R::literal(1.0) / p.third_mass;
-    let t12 = t2 * inverse_third_mass;
-    let t13 = t3 * inverse_third_mass;
+    let inverse_l_1_times_first_x = c.inverse_l_1 * first_x;
+    let t0 = c.inverse_l_2 * (second_x - first_x);
+    let inverse_l_1_times_first_y = c.inverse_l_1 * first_y;
+    let t1 = c.inverse_l_2 * (second_y - first_y);
+    let t2 = c.inverse_l_3 * (third_x - second_x);
+    let t3 = c.inverse_l_3 * (third_y - second_y);
+    let t4 = inverse_l_1_times_first_x * c.inverse_first_mass;
+    let t5 = t0 * c.inverse_first_mass;
+    let t6 = inverse_l_1_times_first_y * c.inverse_first_mass;
+    let t7 = t1 * c.inverse_first_mass;
+    let t8 = t0 * c.inverse_second_mass;
+    let t9 = t2 * c.inverse_second_mass;
+    let t10 = t1 * c.inverse_second_mass;
+    let t11 = t3 * c.inverse_second_mass;
+    let t12 = t2 * c.inverse_third_mass;
+    let t13 = t3 * c.inverse_third_mass;
     let t14 = R::literal(1.0) / (t4 * inverse_l_1_times_first_x).add_product(t6,
         inverse_l_1_times_first_y);
     let t15 = (t5 * inverse_l_1_times_first_x).add_product(t7, inverse_l_1_times_first_y);
@@ -482,32 +483,28 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let t19 = t18 * t17;
     let t20 = R::literal(1.0) / (t9 * t2).add_product(t11, t3).add_product(t12, t2)
         .add_product(t13, t3).add_product(t19, t18);
-    let first_mass_times_first_gravity = p.first_mass * p.first_gravity;
-    let second_mass_times_second_gravity = p.second_mass * p.second_gravity;
-    let third_mass_times_third_gravity = p.third_mass * p.third_gravity;
     let first_v_x_squared = first_v_x * first_v_x;
     let first_v_y_squared = first_v_y * first_v_y;
     let second_v_x_squared = second_v_x * second_v_x;
     let second_v_y_squared = second_v_y * second_v_y;
-    let t21 = (-(inverse_l_1 * (first_v_x_squared + first_v_y_squared))).add_product(t6,
-        first_mass_times_first_gravity);
-    let t22 = (-(t7 * first_mass_times_first_gravity)).add_product(inverse_l_2, (R::literal(2.0)
-        * first_v_x * second_v_x).add_product(R::literal(2.0) * first_v_y, second_v_y)
-        - first_v_x_squared - first_v_y_squared - second_v_x_squared - second_v_y_squared)
-        .add_product(t10, second_mass_times_second_gravity).add_product(t16, t21);
-    let link_3 = (-(t11 * second_mass_times_second_gravity)).add_product(inverse_l_3,
+    let t21 = (t6 * c.first_mass_times_first_gravity).sub_product(c.inverse_l_1, first_v_x_squared
+        + first_v_y_squared);
+    let t22 = (-(t7 * c.first_mass_times_first_gravity)).add_product(c.inverse_l_2,
+        (R::literal(2.0) * first_v_x * second_v_x).add_product(R::literal(2.0) * first_v_y,
+        second_v_y) - first_v_x_squared - first_v_y_squared - second_v_x_squared
+        - second_v_y_squared).add_product(t10, c.second_mass_times_second_gravity).add_product(t16,
+        t21);
+    let link_3 = (-(t11 * c.second_mass_times_second_gravity)).add_product(c.inverse_l_3,
         ((R::literal(2.0) * second_v_x * third_v_x).add_product(R::literal(2.0) * second_v_y,
         third_v_y) - second_v_x_squared - second_v_y_squared).sub_product(third_v_x, third_v_x)
-        .sub_product(third_v_y, third_v_y)).add_product(t13, third_mass_times_third_gravity)
+        .sub_product(third_v_y, third_v_y)).add_product(t13, c.third_mass_times_third_gravity)
         .sub_product(t19, t22) * t20;
     let t23 = (t22 * t17).add_product(t19, link_3);
     let t24 = (-(t21 * t14)).add_product(t16, t23);
-    let third_v_y_dot = (-(third_mass_times_third_gravity * inverse_third_mass)).add_product(t13,
-        link_3);
+    let third_v_y_dot = (-c.t0).add_product(t13, link_3);
     let third_v_x_dot = t12 * link_3;
     let t25 = (t9 * link_3).add_product(t8, t23);
-    let first_v_y_dot = (-(first_mass_times_first_gravity * inverse_first_mass).add_product(t6,
-        t24)).add_product(t7, t23);
+    let first_v_y_dot = (-c.t2.add_product(t6, t24)).add_product(t7, t23);
     let t26 = (-(t5 * t23)).add_product(t4, t24);
     let first_gravity_plus_first_v_y_dot = p.first_gravity + first_v_y_dot;
     let t27 = (-(t4 * t26)).add_product(t6, first_gravity_plus_first_v_y_dot);
@@ -519,9 +516,9 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let third_v_x_dot_by_first_mass = -(t12 * t29);
     let second_v_y_dot_by_first_mass = (t11 * t29).sub_product(t10, t30);
     let second_v_x_dot_by_first_mass = (t9 * t29).sub_product(t8, t30);
-    let first_v_y_dot_by_first_mass = (-(first_gravity_plus_first_v_y_dot * inverse_first_mass)
+    let first_v_y_dot_by_first_mass = (-(first_gravity_plus_first_v_y_dot * c.inverse_first_mass)
         .add_product(t6, t31)).add_product(t7, t30);
-    let first_v_x_dot_by_first_mass = (t26 * inverse_first_mass).sub_product(t4, t31)
+    let first_v_x_dot_by_first_mass = (t26 * c.inverse_first_mass).sub_product(t4, t31)
         .add_product(t5, t30);
     let t32 = t6 * p.first_mass;
     let t33 = (-(t7 * p.first_mass)).add_product(t16, t32);
@@ -532,20 +529,19 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let third_v_x_dot_by_first_gravity = -(t12 * t34);
     let second_v_y_dot_by_first_gravity = (t11 * t34).sub_product(t10, t35);
     let second_v_x_dot_by_first_gravity = (t9 * t34).sub_product(t8, t35);
-    let first_v_y_dot_by_first_gravity = (-(p.first_mass * inverse_first_mass).add_product(t6, t36))
-        .add_product(t7, t35);
+    let first_v_y_dot_by_first_gravity = (-c.first_mass_times_inverse_first_mass.add_product(t6,
+        t36)).add_product(t7, t35);
     let first_v_x_dot_by_first_gravity = (t5 * t35).sub_product(t4, t36);
-    let t37 = (second_mass_times_second_gravity * inverse_second_mass).add_product(t10, t23)
-        .add_product(t11, link_3) - p.second_gravity;
+    let t37 = c.t1.add_product(t10, t23).add_product(t11, link_3) - p.second_gravity;
     let t38 = (t8 * t25).add_product(t10, t37);
     let t39 = (t9 * t25).add_product(t11, t37).add_product(t19, t38) * t20;
     let t40 = (-(t38 * t17)).add_product(t19, t39);
     let t41 = t16 * t40;
     let third_v_y_dot_by_second_mass = t13 * t39;
     let third_v_x_dot_by_second_mass = t12 * t39;
-    let second_v_y_dot_by_second_mass = (t37 * inverse_second_mass).sub_product(t10, t40)
+    let second_v_y_dot_by_second_mass = (t37 * c.inverse_second_mass).sub_product(t10, t40)
         .sub_product(t11, t39);
-    let second_v_x_dot_by_second_mass = (t25 * inverse_second_mass).sub_product(t8, t40)
+    let second_v_x_dot_by_second_mass = (t25 * c.inverse_second_mass).sub_product(t8, t40)
         .sub_product(t9, t39);
     let first_v_y_dot_by_second_mass = (t7 * t40).sub_product(t6, t41);
     let first_v_x_dot_by_second_mass = (t5 * t40).sub_product(t4, t41);
@@ -555,8 +551,7 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let t45 = t16 * t44;
     let third_v_y_dot_by_second_gravity = -(t13 * t43);
     let third_v_x_dot_by_second_gravity = -(t12 * t43);
-    let second_v_y_dot_by_second_gravity = (-(p.second_mass * inverse_second_mass).add_product(t10,
-        t44)).add_product(t11, t43);
+    let second_v_y_dot_by_second_gravity = (-c.t6.add_product(t10, t44)).add_product(t11, t43);
     let second_v_x_dot_by_second_gravity = (t9 * t43).sub_product(t8, t44);
     let first_v_y_dot_by_second_gravity = (t7 * t44).sub_product(t6, t45);
     let first_v_x_dot_by_second_gravity = (t5 * t44).sub_product(t4, t45);
@@ -564,9 +559,10 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let t46 = (t12 * third_v_x_dot).add_product(t13, third_gravity_plus_third_v_y_dot) * t20;
     let t47 = t19 * t46;
     let t48 = t16 * t47;
-    let third_v_y_dot_by_third_mass = (-(third_gravity_plus_third_v_y_dot * inverse_third_mass))
+    let third_v_y_dot_by_third_mass = (-(third_gravity_plus_third_v_y_dot * c.inverse_third_mass))
         .add_product(t13, t46);
-    let third_v_x_dot_by_third_mass = (-(third_v_x_dot * inverse_third_mass)).add_product(t12, t46);
+    let third_v_x_dot_by_third_mass = (-(third_v_x_dot * c.inverse_third_mass)).add_product(t12,
+        t46);
     let second_v_y_dot_by_third_mass = -(t11 * t46).add_product(t10, t47);
     let second_v_x_dot_by_third_mass = -(t9 * t46).add_product(t8, t47);
     let first_v_y_dot_by_third_mass = (t7 * t47).sub_product(t6, t48);
@@ -574,7 +570,7 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let t49 = t13 * p.third_mass * t20;
     let t50 = t19 * t49;
     let t51 = t16 * t50;
-    let third_v_y_dot_by_third_gravity = (-(p.third_mass * inverse_third_mass)).add_product(t13,
+    let third_v_y_dot_by_third_gravity = (-c.third_mass_times_inverse_third_mass).add_product(t13,
         t49);
     let third_v_x_dot_by_third_gravity = t12 * t49;
     let second_v_y_dot_by_third_gravity = -(t11 * t49).add_product(t10, t50);

@@ -17,8 +17,8 @@
 // Shapes: coordinates 3, states 6, parameters 7, outputs 2.
 // Nonzeros: mass_matrix 9 of 3 by 3, rate_jacobian 21 of 6 by 6, parameter_jacobian 21 of 6 by 7.
 // Operations: rate 218, mass_matrix 61, forcing 126, rate_jacobian 504, parameter_jacobian 627,
-//     outputs 19, energy 52, power_balance 310, prepare 43, prepared_rate 177,
-//     prepared_rate_jacobian 461.
+//     outputs 19, energy 52, power_balance 310, prepare 61, prepared_rate 177,
+//     prepared_rate_jacobian 461, prepared_parameter_jacobian 566.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
@@ -71,53 +71,83 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    t0, t3, t4, t5, chain_m_3_times_chain_l_3_squared, t6, t7, t8, t9, t10, chain_m_3_times_chain_l_3,
-    chain_m_1_times_chain_gravity, t11, chain_m_2_times_chain_gravity, t12, t13, t14,
-    chain_m_3_times_chain_gravity, t15, chain_m_2_times_chain_l_2, chain_m_3_times_chain_l_2, t16,
-    t17
+    t2, t5, t6, t8, chain_m_3_times_chain_l_3_squared, t9, t10, t11, t12, t13,
+    chain_m_3_times_chain_l_3, chain_m_1_times_chain_gravity, t14, chain_m_2_times_chain_gravity,
+    t15, t16, t17, chain_m_3_times_chain_gravity, t18, chain_m_2_times_chain_l_2,
+    chain_m_3_times_chain_l_2, t19, t20, t1, t3, t4, t7, chain_l_1_squared, chain_l_2_squared,
+    chain_l_3_squared, chain_m_2_times_chain_l_1, chain_m_3_times_chain_l_1, t21,
+    chain_l_1_times_chain_l_2, chain_l_2_times_chain_gravity, t22, t23, t24,
+    chain_l_1_times_chain_l_3, chain_l_2_times_chain_l_3, chain_l_3_times_chain_gravity, t25, t26,
+    t27, t28, t29, t30, t31
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 43 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 61 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
-    let t0 = R::literal(2.0) * p.chain_m_2 * p.chain_l_1 * p.chain_l_2;
-    let t1 = R::literal(2.0) * p.chain_m_3;
-    let t2 = t1 * p.chain_l_1;
-    let t3 = t2 * p.chain_l_2;
-    let t4 = t2 * p.chain_l_3;
-    let t5 = t1 * p.chain_l_2 * p.chain_l_3;
+    let t0 = R::literal(2.0) * p.chain_m_2;
+    let t1 = t0 * p.chain_l_1;
+    let t2 = t1 * p.chain_l_2;
+    let t3 = R::literal(2.0) * p.chain_m_3;
+    let t4 = t3 * p.chain_l_1;
+    let t5 = t4 * p.chain_l_2;
+    let t6 = t4 * p.chain_l_3;
+    let t7 = t3 * p.chain_l_2;
+    let t8 = t7 * p.chain_l_3;
     let chain_l_1_squared = p.chain_l_1 * p.chain_l_1;
     let chain_l_2_squared = p.chain_l_2 * p.chain_l_2;
     let chain_m_2_times_chain_l_2_squared = p.chain_m_2 * chain_l_2_squared;
     let chain_m_3_times_chain_l_2_squared = p.chain_m_3 * chain_l_2_squared;
-    let chain_m_3_times_chain_l_3_squared = p.chain_m_3 * (p.chain_l_3 * p.chain_l_3);
-    let t6 = ((p.chain_m_1 * chain_l_1_squared).add_product(p.chain_m_2, chain_l_1_squared)
+    let chain_l_3_squared = p.chain_l_3 * p.chain_l_3;
+    let chain_m_3_times_chain_l_3_squared = p.chain_m_3 * chain_l_3_squared;
+    let t9 = ((p.chain_m_1 * chain_l_1_squared).add_product(p.chain_m_2, chain_l_1_squared)
         + chain_m_2_times_chain_l_2_squared).add_product(p.chain_m_3, chain_l_1_squared)
         + chain_m_3_times_chain_l_2_squared + chain_m_3_times_chain_l_3_squared;
-    let t7 = p.chain_m_2 * p.chain_l_1 * p.chain_l_2;
+    let chain_m_2_times_chain_l_1 = p.chain_m_2 * p.chain_l_1;
+    let t10 = chain_m_2_times_chain_l_1 * p.chain_l_2;
     let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
-    let t8 = chain_m_3_times_chain_l_1 * p.chain_l_2;
-    let t9 = chain_m_3_times_chain_l_1 * p.chain_l_3;
-    let t10 = chain_m_2_times_chain_l_2_squared + chain_m_3_times_chain_l_2_squared
+    let t11 = chain_m_3_times_chain_l_1 * p.chain_l_2;
+    let t12 = chain_m_3_times_chain_l_1 * p.chain_l_3;
+    let t13 = chain_m_2_times_chain_l_2_squared + chain_m_3_times_chain_l_2_squared
         + chain_m_3_times_chain_l_3_squared;
     let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
     let chain_m_1_times_chain_gravity = p.chain_m_1 * p.chain_gravity;
     let chain_m_2_times_chain_l_2 = p.chain_m_2 * p.chain_l_2;
-    let t11 = chain_m_2_times_chain_l_2 * p.chain_gravity;
+    let t14 = chain_m_2_times_chain_l_2 * p.chain_gravity;
     let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
     let chain_m_3_times_chain_l_2 = p.chain_m_3 * p.chain_l_2;
-    let t12 = chain_m_3_times_chain_l_2 * p.chain_l_3;
-    let t13 = chain_m_3_times_chain_l_2 * p.chain_gravity;
-    let t14 = chain_m_3_times_chain_l_3 * p.chain_gravity;
+    let t15 = chain_m_3_times_chain_l_2 * p.chain_l_3;
+    let t16 = chain_m_3_times_chain_l_2 * p.chain_gravity;
+    let t17 = chain_m_3_times_chain_l_3 * p.chain_gravity;
     let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
-    let t15 = R::literal(2.0) * p.chain_l_2;
-    let t16 = R::literal(2.0) * p.chain_l_1;
-    let t17 = t1 * p.chain_l_3;
-    Constants { t0, t3, t4, t5, chain_m_3_times_chain_l_3_squared, t6, t7, t8, t9, t10,
-        chain_m_3_times_chain_l_3, chain_m_1_times_chain_gravity, t11,
-        chain_m_2_times_chain_gravity, t12, t13, t14, chain_m_3_times_chain_gravity, t15,
-        chain_m_2_times_chain_l_2, chain_m_3_times_chain_l_2, t16, t17 }
+    let t18 = R::literal(2.0) * p.chain_l_2;
+    let t19 = R::literal(2.0) * p.chain_l_1;
+    let t20 = t3 * p.chain_l_3;
+    let t21 = t19 * p.chain_l_2;
+    let chain_l_1_times_chain_l_2 = p.chain_l_1 * p.chain_l_2;
+    let chain_l_2_times_chain_gravity = p.chain_l_2 * p.chain_gravity;
+    let t22 = chain_l_1_squared + chain_l_2_squared;
+    let t23 = t19 * p.chain_l_3;
+    let t24 = t18 * p.chain_l_3;
+    let chain_l_1_times_chain_l_3 = p.chain_l_1 * p.chain_l_3;
+    let chain_l_2_times_chain_l_3 = p.chain_l_2 * p.chain_l_3;
+    let chain_l_3_times_chain_gravity = p.chain_l_3 * p.chain_gravity;
+    let t25 = t22 + chain_l_3_squared;
+    let t26 = chain_l_2_squared + chain_l_3_squared;
+    let t27 = t0 * p.chain_l_2;
+    let t28 = chain_m_2_times_chain_l_1.add_product(p.chain_m_1, p.chain_l_1)
+        + chain_m_3_times_chain_l_1;
+    let t29 = chain_m_2_times_chain_l_2 + chain_m_3_times_chain_l_2;
+    let t30 = t27 + t7;
+    let t31 = R::literal(2.0) * p.chain_l_3;
+    Constants { t2, t5, t6, t8, chain_m_3_times_chain_l_3_squared, t9, t10, t11, t12, t13,
+        chain_m_3_times_chain_l_3, chain_m_1_times_chain_gravity, t14,
+        chain_m_2_times_chain_gravity, t15, t16, t17, chain_m_3_times_chain_gravity, t18,
+        chain_m_2_times_chain_l_2, chain_m_3_times_chain_l_2, t19, t20, t1, t3, t4, t7,
+        chain_l_1_squared, chain_l_2_squared, chain_l_3_squared, chain_m_2_times_chain_l_1,
+        chain_m_3_times_chain_l_1, t21, chain_l_1_times_chain_l_2, chain_l_2_times_chain_gravity,
+        t22, t23, t24, chain_l_1_times_chain_l_3, chain_l_2_times_chain_l_3,
+        chain_l_3_times_chain_gravity, t25, t26, t27, t28, t29, t30, t31 }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -152,42 +182,42 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let t7 = (cos_chain_th_1 * t3).add_product(sin_chain_th_1, t2);
     let t8 = (t0 * t3).sub_product(t1, t2);
     let t9 = (t1 * t3).add_product(t0, t2);
-    let t10 = c.t5 * t9;
-    let t11 = c.t10 + t10;
-    let t12 = t11.add_product(c.t7, t5).add_product(c.t8, t5).add_product(c.t9, t7);
+    let t10 = c.t8 * t9;
+    let t11 = c.t13 + t10;
+    let t12 = t11.add_product(c.t10, t5).add_product(c.t11, t5).add_product(c.t12, t7);
     let t13 = p.chain_l_2 * t9;
     let t14 = c.chain_m_3_times_chain_l_3 * (p.chain_l_3.add_product(p.chain_l_1, t7) + t13);
-    let t15 = R::literal(1.0) / (c.t6.add_product(c.t0, t5).add_product(c.t3, t5).add_product(c.t4,
+    let t15 = R::literal(1.0) / (c.t9.add_product(c.t2, t5).add_product(c.t5, t5).add_product(c.t6,
         t7) + t10);
     let t16 = t12 * t15;
     let t17 = t14 * t15;
     let t18 = R::literal(1.0) / t11.sub_product(t16, t12);
     let t19 = (c.chain_m_3_times_chain_l_3 * (p.chain_l_3 + t13)).sub_product(t17, t12);
     let t20 = t19 * t18;
-    let t21 = c.t4 * chain_w_1;
-    let t22 = c.t5 * chain_w_1 * chain_w_3 * t8;
-    let t23 = c.t5 * chain_w_2 * chain_w_3 * t8;
+    let t21 = c.t6 * chain_w_1;
+    let t22 = c.t8 * chain_w_1 * chain_w_3 * t8;
+    let t23 = c.t8 * chain_w_2 * chain_w_3 * t8;
     let chain_w_2_squared = chain_w_2 * chain_w_2;
-    let t24 = c.t11 * t0;
+    let t24 = c.t14 * t0;
     let chain_w_3_squared = chain_w_3 * chain_w_3;
-    let t25 = c.t12 * chain_w_3_squared * t8;
-    let t26 = c.t13 * t0;
-    let t27 = c.t14 * t2;
-    let t28 = ((((c.t0 * chain_w_1 * chain_w_2 * t4).add_product(c.t3 * chain_w_1 * chain_w_2, t4)
-        .add_product(t21 * chain_w_2, t6).add_product(t21 * chain_w_3, t6) + t22).add_product(c.t4
+    let t25 = c.t15 * chain_w_3_squared * t8;
+    let t26 = c.t16 * t0;
+    let t27 = c.t17 * t2;
+    let t28 = ((((c.t2 * chain_w_1 * chain_w_2 * t4).add_product(c.t5 * chain_w_1 * chain_w_2, t4)
+        .add_product(t21 * chain_w_2, t6).add_product(t21 * chain_w_3, t6) + t22).add_product(c.t6
         * chain_w_2 * chain_w_3, t6) + t23).add_product(c.chain_m_1_times_chain_gravity, chain_x_1)
-        .add_product(c.t7 * chain_w_2_squared, t4) + t24)
-        .add_product(c.chain_m_2_times_chain_gravity, chain_x_1).add_product(c.t8
-        * chain_w_2_squared, t4).add_product(c.t9 * chain_w_2_squared, t6);
-    let t29 = (t28.add_product(c.t9 * chain_w_3_squared, t6) + t25 + t26 + t27)
+        .add_product(c.t10 * chain_w_2_squared, t4) + t24)
+        .add_product(c.chain_m_2_times_chain_gravity, chain_x_1).add_product(c.t11
+        * chain_w_2_squared, t4).add_product(c.t12 * chain_w_2_squared, t6);
+    let t29 = (t28.add_product(c.t12 * chain_w_3_squared, t6) + t25 + t26 + t27)
         .add_product(c.chain_m_3_times_chain_gravity, chain_x_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
     let t30 = (sin_chain_th_2 * cos_chain_th_3).add_product(cos_chain_th_2, sin_chain_th_3);
-    let t31 = (-(((t22 + t23).add_product(c.t7 * chain_w_1_squared, sin_chain_th_2) + t24)
-        .add_product(c.t8 * chain_w_1_squared, sin_chain_th_2).add_product(c.t9
+    let t31 = (-(((t22 + t23).add_product(c.t10 * chain_w_1_squared, sin_chain_th_2) + t24)
+        .add_product(c.t11 * chain_w_1_squared, sin_chain_th_2).add_product(c.t12
         * chain_w_1_squared, t30) + t25 + t26 + t27)).add_product(t16, t29);
     let chain_w_3_dot = (c.chain_m_3_times_chain_l_3 * (-(p.chain_l_1 * chain_w_1_squared * t30))
-        .add_product(c.t15 * chain_w_1 * chain_w_2, t8).add_product(p.chain_l_2
+        .add_product(c.t18 * chain_w_1 * chain_w_2, t8).add_product(p.chain_l_2
         * chain_w_1_squared, t8).add_product(p.chain_l_2 * chain_w_2_squared, t8)
         .sub_product(p.chain_gravity, t2)).add_product(t17, t29).sub_product(t20, t31)
         * (R::literal(1.0) / c.chain_m_3_times_chain_l_3_squared.sub_product(t17, t14)
@@ -313,12 +343,12 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let t7 = (cos_chain_th_1 * t3).add_product(sin_chain_th_1, t2);
     let t8 = (t0 * t3).sub_product(t1, t2);
     let t9 = (t1 * t3).add_product(t0, t2);
-    let t10 = c.t5 * t9;
-    let t11 = c.t10 + t10;
-    let t12 = t11.add_product(c.t7, t5).add_product(c.t8, t5).add_product(c.t9, t7);
+    let t10 = c.t8 * t9;
+    let t11 = c.t13 + t10;
+    let t12 = t11.add_product(c.t10, t5).add_product(c.t11, t5).add_product(c.t12, t7);
     let t13 = p.chain_l_2 * t9;
     let t14 = c.chain_m_3_times_chain_l_3 * (p.chain_l_3.add_product(p.chain_l_1, t7) + t13);
-    let t15 = R::literal(1.0) / (c.t6.add_product(c.t0, t5).add_product(c.t3, t5).add_product(c.t4,
+    let t15 = R::literal(1.0) / (c.t9.add_product(c.t2, t5).add_product(c.t5, t5).add_product(c.t6,
         t7) + t10);
     let t16 = t12 * t15;
     let t17 = t14 * t15;
@@ -327,36 +357,36 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let t20 = t19 * t18;
     let t21 = R::literal(1.0) / c.chain_m_3_times_chain_l_3_squared.sub_product(t17, t14)
         .sub_product(t20, t19);
-    let t22 = c.t0 * chain_w_1 * chain_w_2;
-    let t23 = c.t3 * chain_w_1 * chain_w_2;
-    let t24 = c.t4 * chain_w_1;
+    let t22 = c.t2 * chain_w_1 * chain_w_2;
+    let t23 = c.t5 * chain_w_1 * chain_w_2;
+    let t24 = c.t6 * chain_w_1;
     let t25 = t24 * chain_w_2;
     let t26 = t24 * chain_w_3;
-    let t27 = c.t5 * chain_w_1 * chain_w_3 * t8;
-    let t28 = c.t4 * chain_w_2 * chain_w_3;
-    let t29 = c.t5 * chain_w_2 * chain_w_3 * t8;
+    let t27 = c.t8 * chain_w_1 * chain_w_3 * t8;
+    let t28 = c.t6 * chain_w_2 * chain_w_3;
+    let t29 = c.t8 * chain_w_2 * chain_w_3 * t8;
     let chain_w_2_squared = chain_w_2 * chain_w_2;
-    let t30 = c.t7 * chain_w_2_squared;
-    let t31 = c.t11 * t0;
-    let t32 = c.t8 * chain_w_2_squared;
-    let t33 = c.t9 * chain_w_2_squared;
+    let t30 = c.t10 * chain_w_2_squared;
+    let t31 = c.t14 * t0;
+    let t32 = c.t11 * chain_w_2_squared;
+    let t33 = c.t12 * chain_w_2_squared;
     let chain_w_3_squared = chain_w_3 * chain_w_3;
-    let t34 = c.t9 * chain_w_3_squared;
-    let t35 = c.t12 * chain_w_3_squared * t8;
-    let t36 = c.t13 * t0;
-    let t37 = c.t14 * t2;
+    let t34 = c.t12 * chain_w_3_squared;
+    let t35 = c.t15 * chain_w_3_squared * t8;
+    let t36 = c.t16 * t0;
+    let t37 = c.t17 * t2;
     let t38 = (((((t22 * t4).add_product(t23, t4).add_product(t25, t6).add_product(t26, t6) + t27)
         .add_product(t28, t6) + t29).add_product(c.chain_m_1_times_chain_gravity, chain_x_1)
         .add_product(t30, t4) + t31).add_product(c.chain_m_2_times_chain_gravity, chain_x_1)
         .add_product(t32, t4).add_product(t33, t6).add_product(t34, t6) + t35 + t36 + t37)
         .add_product(c.chain_m_3_times_chain_gravity, chain_x_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let t39 = c.t7 * chain_w_1_squared;
-    let t40 = c.t8 * chain_w_1_squared;
+    let t39 = c.t10 * chain_w_1_squared;
+    let t40 = c.t11 * chain_w_1_squared;
     let t41 = (sin_chain_th_2 * cos_chain_th_3).add_product(cos_chain_th_2, sin_chain_th_3);
     let t42 = (cos_chain_th_2 * cos_chain_th_3).sub_product(sin_chain_th_2, sin_chain_th_3);
-    let t43 = c.t9 * chain_w_1_squared;
-    let t44 = c.t15 * chain_w_1;
+    let t43 = c.t12 * chain_w_1_squared;
+    let t44 = c.t18 * chain_w_1;
     let t45 = t44 * chain_w_2;
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
     let chain_l_2_times_chain_w_1_squared = p.chain_l_2 * chain_w_1_squared;
@@ -374,23 +404,23 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let t49 = p.chain_gravity * t48.add_product(p.chain_m_1, chain_l_1_times_cos_chain_th_1)
         .add_product(p.chain_m_2, chain_l_1_times_cos_chain_th_1).add_product(p.chain_m_3,
         chain_l_1_times_cos_chain_th_1);
-    let t50 = c.t14 * t3;
+    let t50 = c.t17 * t3;
     let t51 = (-(p.chain_gravity * t48)).add_product(t16, t49);
     let chain_w_3_dot_by_chain_th_1 = (-t50).add_product(t17, t49).sub_product(t20, t51) * t21;
     let chain_w_2_dot_by_chain_th_1 = (t51 * t18).sub_product(t20, chain_w_3_dot_by_chain_th_1);
     let chain_w_1_dot_by_chain_th_1 = -(t49 * t15).add_product(t16, chain_w_2_dot_by_chain_th_1)
         .add_product(t17, chain_w_3_dot_by_chain_th_1);
-    let t52 = c.t11 * t1;
-    let t53 = c.t13 * t1;
+    let t52 = c.t14 * t1;
+    let t53 = c.t16 * t1;
     let t54 = chain_l_1_times_chain_w_1_squared * t42;
     let t55 = p.chain_gravity * t3;
     let t56 = (c.chain_m_2_times_chain_l_2 * t4).add_product(c.chain_m_3_times_chain_l_2, t4)
         .add_product(c.chain_m_3_times_chain_l_3, t6);
     let t57 = p.chain_l_1 * t56;
-    let t58 = c.t9 * t6;
+    let t58 = c.t12 * t6;
     let t59 = ((t22 * t5).add_product(t23, t5).add_product(t25, t7).add_product(t26, t7)
         .add_product(t28, t7).add_product(t30, t5).add_product(t32, t5).add_product(t33, t7)
-        .add_product(t34, t7) - t52 - t53 - t50).add_product(c.t16 * t56, t47).sub_product(t57,
+        .add_product(t34, t7) - t52 - t53 - t50).add_product(c.t19 * t56, t47).sub_product(t57,
         chain_w_2_dot).sub_product(t58, chain_w_3_dot);
     let t60 = (-(t52.add_product(t39, cos_chain_th_2).add_product(t40, cos_chain_th_2)
         .add_product(t43, t42) + t53 + t50)).add_product(t57, t47).sub_product(t16, t59);
@@ -399,22 +429,22 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let chain_w_2_dot_by_chain_th_2 = (t60 * t18).sub_product(t20, chain_w_3_dot_by_chain_th_2);
     let chain_w_1_dot_by_chain_th_2 = (t59 * t15).sub_product(t16, chain_w_2_dot_by_chain_th_2)
         .sub_product(t17, chain_w_3_dot_by_chain_th_2);
-    let t61 = c.t16 * chain_w_1;
+    let t61 = c.t19 * chain_w_1;
     let t62 = t44 * chain_w_3 * t9;
-    let t63 = c.t15 * chain_w_2 * chain_w_3 * t9;
+    let t63 = c.t18 * chain_w_2 * chain_w_3 * t9;
     let t64 = p.chain_l_2 * chain_w_3_squared * t9;
     let t65 = p.chain_l_1 * t6;
     let t66 = t65.add_product(p.chain_l_2, t8);
-    let t67 = c.chain_m_3_times_chain_l_3 * t65.add_product(c.t15, t8);
+    let t67 = c.chain_m_3_times_chain_l_3 * t65.add_product(c.t18, t8);
     let t68 = c.chain_m_3_times_chain_l_3 * t66;
     let t69 = (c.chain_m_3_times_chain_l_3 * ((((t61 * chain_w_2 * t7).add_product(t61 * chain_w_3,
-        t7) + t62).add_product(c.t16 * chain_w_2 * chain_w_3, t7) + t63).add_product(p.chain_l_1
+        t7) + t62).add_product(c.t19 * chain_w_2 * chain_w_3, t7) + t63).add_product(p.chain_l_1
         * chain_w_2_squared, t7).add_product(p.chain_l_1 * chain_w_3_squared, t7) + t64 - t55))
-        .add_product(c.t17 * t66, t47).sub_product(t67, chain_w_2_dot).sub_product(t68,
+        .add_product(c.t20 * t66, t47).sub_product(t67, chain_w_2_dot).sub_product(t68,
         chain_w_3_dot);
-    let t70 = c.t12 * t8;
+    let t70 = c.t15 * t8;
     let t71 = (c.chain_m_3_times_chain_l_3 * (t62 + t63 + t64 - t54 - t55)).add_product(t67, t47)
-        .sub_product(c.t5 * t8, chain_w_2_dot).sub_product(t70, chain_w_3_dot).sub_product(t16,
+        .sub_product(c.t8 * t8, chain_w_2_dot).sub_product(t70, chain_w_3_dot).sub_product(t16,
         t69);
     let chain_w_3_dot_by_chain_th_3 = (-(c.chain_m_3_times_chain_l_3 * (t54.add_product(t45, t9)
         .add_product(chain_l_2_times_chain_w_1_squared, t9)
@@ -423,18 +453,18 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let chain_w_2_dot_by_chain_th_3 = (t71 * t18).sub_product(t20, chain_w_3_dot_by_chain_th_3);
     let chain_w_1_dot_by_chain_th_3 = (t69 * t15).sub_product(t16, chain_w_2_dot_by_chain_th_3)
         .sub_product(t17, chain_w_3_dot_by_chain_th_3);
-    let t72 = c.t7 * chain_w_2 * t4;
-    let t73 = c.t8 * chain_w_2 * t4;
-    let t74 = c.t9 * chain_w_2 * t6;
-    let t75 = c.t9 * chain_w_3 * t6;
-    let t76 = c.t12 * chain_w_3 * t8;
+    let t72 = c.t10 * chain_w_2 * t4;
+    let t73 = c.t11 * chain_w_2 * t4;
+    let t74 = c.t12 * chain_w_2 * t6;
+    let t75 = c.t12 * chain_w_3 * t6;
+    let t76 = c.t15 * chain_w_3 * t8;
     let t77 = R::literal(2.0) * (t72 + t73 + t74 + t75 + t76);
-    let t78 = c.t7 * chain_w_1;
-    let t79 = c.t8 * chain_w_1;
-    let t80 = c.t9 * chain_w_1;
+    let t78 = c.t10 * chain_w_1;
+    let t79 = c.t11 * chain_w_1;
+    let t80 = c.t12 * chain_w_1;
     let t81 = (R::literal(-2.0) * ((t78 * sin_chain_th_2).add_product(t79, sin_chain_th_2)
         .add_product(t80, t41) + t76)).add_product(t16, t77);
-    let chain_w_3_dot_by_chain_w_1 = (-(c.t17 * (p.chain_l_1 * chain_w_1 * t41)
+    let chain_w_3_dot_by_chain_w_1 = (-(c.t20 * (p.chain_l_1 * chain_w_1 * t41)
         .sub_product(p.chain_l_2 * chain_w_1, t8).sub_product(p.chain_l_2 * chain_w_2, t8)))
         .add_product(t17, t77).sub_product(t20, t81) * t21;
     let chain_w_2_dot_by_chain_w_1 = (t81 * t18).sub_product(t20, chain_w_3_dot_by_chain_w_1);
@@ -442,14 +472,14 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         .add_product(t17, chain_w_3_dot_by_chain_w_1);
     let t82 = R::literal(2.0) * ((t78 * t4).add_product(t79, t4).add_product(t80, t6) + t72 + t73
         + t74 + t75 + t76);
-    let t83 = (-(c.t5 * chain_w_3 * t8)).add_product(t16, t82);
-    let chain_w_3_dot_by_chain_w_2 = (c.t5 * chain_s_2 * t8).add_product(t17, t82).sub_product(t20,
+    let t83 = (-(c.t8 * chain_w_3 * t8)).add_product(t16, t82);
+    let chain_w_3_dot_by_chain_w_2 = (c.t8 * chain_s_2 * t8).add_product(t17, t82).sub_product(t20,
         t83) * t21;
     let chain_w_2_dot_by_chain_w_2 = (t83 * t18).sub_product(t20, chain_w_3_dot_by_chain_w_2);
     let chain_w_1_dot_by_chain_w_2 = -(t82 * t15).add_product(t16, chain_w_2_dot_by_chain_w_2)
         .add_product(t17, chain_w_3_dot_by_chain_w_2);
-    let t84 = c.t17 * chain_s_3 * t66;
-    let t85 = (-(c.t5 * chain_s_3 * t8)).add_product(t16, t84);
+    let t84 = c.t20 * chain_s_3 * t66;
+    let t85 = (-(c.t8 * chain_s_3 * t8)).add_product(t16, t84);
     let chain_w_3_dot_by_chain_w_3 = (t17 * t84).sub_product(t20, t85) * t21;
     let chain_w_2_dot_by_chain_w_3 = (t85 * t18).sub_product(t20, chain_w_3_dot_by_chain_w_3);
     let chain_w_1_dot_by_chain_w_3 = -(t84 * t15).add_product(t16, chain_w_2_dot_by_chain_w_3)
@@ -463,9 +493,10 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         chain_w_3_dot_by_chain_w_2, chain_w_3_dot_by_chain_w_3]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 627 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 566 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 21] {
+pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 21] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
     let chain_a_2 = chain_th_1 + chain_th_2;
     let chain_a_3 = chain_th_3 + chain_a_2;
@@ -481,249 +512,208 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
         chain_th_2, chain_th_2 + chain_th_3]);
     let chain_s_2 = chain_w_1 + chain_w_2;
     let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
-    let t0 = R::literal(2.0) * p.chain_m_2;
-    let t1 = t0 * p.chain_l_1;
-    let t2 = t1 * p.chain_l_2;
-    let t3 = R::literal(2.0) * p.chain_m_3;
-    let t4 = t3 * p.chain_l_1;
-    let t5 = t4 * p.chain_l_2;
-    let t6 = t4 * p.chain_l_3;
-    let t7 = t3 * p.chain_l_2;
-    let t8 = t7 * p.chain_l_3;
-    let t9 = t8 * cos_chain_a_2_minus_chain_a_3;
-    let chain_l_1_squared = p.chain_l_1 * p.chain_l_1;
-    let chain_l_2_squared = p.chain_l_2 * p.chain_l_2;
-    let chain_m_2_times_chain_l_2_squared = p.chain_m_2 * chain_l_2_squared;
-    let chain_m_3_times_chain_l_2_squared = p.chain_m_3 * chain_l_2_squared;
-    let chain_l_3_squared = p.chain_l_3 * p.chain_l_3;
-    let chain_m_3_times_chain_l_3_squared = p.chain_m_3 * chain_l_3_squared;
-    let chain_m_2_times_chain_l_1 = p.chain_m_2 * p.chain_l_1;
-    let t10 = chain_m_2_times_chain_l_1 * p.chain_l_2;
-    let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
-    let t11 = chain_m_3_times_chain_l_1 * p.chain_l_2;
-    let t12 = chain_m_3_times_chain_l_1 * p.chain_l_3;
-    let t13 = chain_m_2_times_chain_l_2_squared + chain_m_3_times_chain_l_2_squared
-        + chain_m_3_times_chain_l_3_squared + t9;
-    let t14 = t13.add_product(t10, cos_chain_th_1_minus_chain_a_2).add_product(t11,
-        cos_chain_th_1_minus_chain_a_2).add_product(t12, cos_chain_th_1_minus_chain_a_3);
-    let t15 = p.chain_l_1 * cos_chain_th_1_minus_chain_a_3;
-    let t16 = p.chain_l_2 * cos_chain_a_2_minus_chain_a_3;
-    let t17 = p.chain_l_3 + t15 + t16;
-    let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
-    let t18 = chain_m_3_times_chain_l_3 * t17;
-    let t19 = p.chain_l_3 + t16;
-    let t20 = R::literal(1.0) / ((((p.chain_m_1 * chain_l_1_squared).add_product(p.chain_m_2,
-        chain_l_1_squared) + chain_m_2_times_chain_l_2_squared).add_product(p.chain_m_3,
-        chain_l_1_squared) + chain_m_3_times_chain_l_2_squared + chain_m_3_times_chain_l_3_squared)
-        .add_product(t2, cos_chain_th_1_minus_chain_a_2).add_product(t5,
-        cos_chain_th_1_minus_chain_a_2).add_product(t6, cos_chain_th_1_minus_chain_a_3) + t9);
-    let t21 = t14 * t20;
-    let t22 = t18 * t20;
-    let t23 = R::literal(1.0) / t13.sub_product(t21, t14);
-    let t24 = (chain_m_3_times_chain_l_3 * t19).sub_product(t22, t14);
-    let t25 = t24 * t23;
-    let t26 = R::literal(1.0) / chain_m_3_times_chain_l_3_squared.sub_product(t22, t18)
-        .sub_product(t25, t24);
-    let t27 = t6 * chain_w_1;
-    let t28 = t8 * chain_w_1 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
-    let t29 = t8 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
-    let chain_m_1_times_chain_gravity = p.chain_m_1 * p.chain_gravity;
+    let t0 = c.t8 * cos_chain_a_2_minus_chain_a_3;
+    let t1 = c.t13 + t0;
+    let t2 = t1.add_product(c.t10, cos_chain_th_1_minus_chain_a_2).add_product(c.t11,
+        cos_chain_th_1_minus_chain_a_2).add_product(c.t12, cos_chain_th_1_minus_chain_a_3);
+    let t3 = p.chain_l_1 * cos_chain_th_1_minus_chain_a_3;
+    let t4 = p.chain_l_2 * cos_chain_a_2_minus_chain_a_3;
+    let t5 = p.chain_l_3 + t3 + t4;
+    let t6 = c.chain_m_3_times_chain_l_3 * t5;
+    let t7 = p.chain_l_3 + t4;
+    let t8 = R::literal(1.0) / (c.t9.add_product(c.t2, cos_chain_th_1_minus_chain_a_2)
+        .add_product(c.t5, cos_chain_th_1_minus_chain_a_2).add_product(c.t6,
+        cos_chain_th_1_minus_chain_a_3) + t0);
+    let t9 = t2 * t8;
+    let t10 = t6 * t8;
+    let t11 = R::literal(1.0) / t1.sub_product(t9, t2);
+    let t12 = (c.chain_m_3_times_chain_l_3 * t7).sub_product(t10, t2);
+    let t13 = t12 * t11;
+    let t14 = R::literal(1.0) / c.chain_m_3_times_chain_l_3_squared.sub_product(t10, t6)
+        .sub_product(t13, t12);
+    let t15 = c.t6 * chain_w_1;
+    let t16 = c.t8 * chain_w_1 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let t17 = c.t8 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
     let chain_w_2_squared = chain_w_2 * chain_w_2;
-    let chain_m_2_times_chain_l_2 = p.chain_m_2 * p.chain_l_2;
-    let t30 = chain_m_2_times_chain_l_2 * p.chain_gravity * sin_chain_a_2;
-    let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
+    let t18 = c.t14 * sin_chain_a_2;
     let chain_w_3_squared = chain_w_3 * chain_w_3;
-    let chain_m_3_times_chain_l_2 = p.chain_m_3 * p.chain_l_2;
-    let t31 = chain_m_3_times_chain_l_2 * p.chain_l_3 * chain_w_3_squared
-        * sin_chain_a_2_minus_chain_a_3;
-    let t32 = chain_m_3_times_chain_l_2 * p.chain_gravity * sin_chain_a_2;
-    let t33 = chain_m_3_times_chain_l_3 * p.chain_gravity * sin_chain_a_3;
-    let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
-    let t34 = ((((t2 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2).add_product(t5
-        * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2).add_product(t27 * chain_w_2,
-        sin_chain_th_1_minus_chain_a_3).add_product(t27 * chain_w_3,
-        sin_chain_th_1_minus_chain_a_3) + t28).add_product(t6 * chain_w_2 * chain_w_3,
-        sin_chain_th_1_minus_chain_a_3) + t29).add_product(chain_m_1_times_chain_gravity, chain_x_1)
-        .add_product(t10 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2) + t30)
-        .add_product(chain_m_2_times_chain_gravity, chain_x_1).add_product(t11 * chain_w_2_squared,
-        sin_chain_th_1_minus_chain_a_2).add_product(t12 * chain_w_2_squared,
+    let t19 = c.t15 * chain_w_3_squared * sin_chain_a_2_minus_chain_a_3;
+    let t20 = c.t16 * sin_chain_a_2;
+    let t21 = c.t17 * sin_chain_a_3;
+    let t22 = ((((c.t2 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2).add_product(c.t5
+        * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2).add_product(t15 * chain_w_2,
+        sin_chain_th_1_minus_chain_a_3).add_product(t15 * chain_w_3,
+        sin_chain_th_1_minus_chain_a_3) + t16).add_product(c.t6 * chain_w_2 * chain_w_3,
+        sin_chain_th_1_minus_chain_a_3) + t17).add_product(c.chain_m_1_times_chain_gravity,
+        chain_x_1).add_product(c.t10 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2) + t18)
+        .add_product(c.chain_m_2_times_chain_gravity, chain_x_1).add_product(c.t11
+        * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2).add_product(c.t12 * chain_w_2_squared,
         sin_chain_th_1_minus_chain_a_3);
-    let t35 = (t34.add_product(t12 * chain_w_3_squared, sin_chain_th_1_minus_chain_a_3) + t31 + t32
-        + t33).add_product(chain_m_3_times_chain_gravity, chain_x_1);
+    let t23 = (t22.add_product(c.t12 * chain_w_3_squared, sin_chain_th_1_minus_chain_a_3) + t19
+        + t20 + t21).add_product(c.chain_m_3_times_chain_gravity, chain_x_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let t36 = R::literal(2.0) * p.chain_l_2;
-    let t37 = t36 * chain_w_1;
+    let t24 = c.t18 * chain_w_1;
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
-    let t38 = chain_l_1_times_chain_w_1_squared * sin_chain_th_2_plus_chain_th_3;
+    let t25 = chain_l_1_times_chain_w_1_squared * sin_chain_th_2_plus_chain_th_3;
     let chain_gravity_times_sin_chain_a_3 = p.chain_gravity * sin_chain_a_3;
-    let t39 = (-t38).add_product(t37 * chain_w_2, sin_chain_a_2_minus_chain_a_3)
+    let t26 = (-t25).add_product(t24 * chain_w_2, sin_chain_a_2_minus_chain_a_3)
         .add_product(p.chain_l_2 * chain_w_1_squared, sin_chain_a_2_minus_chain_a_3)
         .add_product(p.chain_l_2 * chain_w_2_squared, sin_chain_a_2_minus_chain_a_3)
         - chain_gravity_times_sin_chain_a_3;
-    let t40 = (-(((t28 + t29).add_product(t10 * chain_w_1_squared, sin_chain_th_2) + t30)
-        .add_product(t11 * chain_w_1_squared, sin_chain_th_2).add_product(t12 * chain_w_1_squared,
-        sin_chain_th_2_plus_chain_th_3) + t31 + t32 + t33)).add_product(t21, t35);
-    let chain_w_3_dot = (chain_m_3_times_chain_l_3 * t39).add_product(t22, t35).sub_product(t25,
-        t40) * t26;
-    let chain_w_2_dot = (t40 * t23).sub_product(t25, chain_w_3_dot);
-    let t41 = (t35 * t20).add_product(t21, chain_w_2_dot).add_product(t22, chain_w_3_dot);
-    let t42 = R::literal(2.0) * p.chain_l_1;
-    let t43 = t42 * chain_w_1;
-    let t44 = t3 * p.chain_l_3;
+    let t27 = (-(((t16 + t17).add_product(c.t10 * chain_w_1_squared, sin_chain_th_2) + t18)
+        .add_product(c.t11 * chain_w_1_squared, sin_chain_th_2).add_product(c.t12
+        * chain_w_1_squared, sin_chain_th_2_plus_chain_th_3) + t19 + t20 + t21)).add_product(t9,
+        t23);
+    let chain_w_3_dot = (c.chain_m_3_times_chain_l_3 * t26).add_product(t10, t23).sub_product(t13,
+        t27) * t14;
+    let chain_w_2_dot = (t27 * t11).sub_product(t13, chain_w_3_dot);
+    let t28 = (t23 * t8).add_product(t9, chain_w_2_dot).add_product(t10, chain_w_3_dot);
+    let t29 = c.t19 * chain_w_1;
     let chain_gravity_times_chain_x_1 = p.chain_gravity * chain_x_1;
-    let t45 = (-chain_gravity_times_chain_x_1).add_product(chain_l_1_squared, t41);
-    let t46 = t21 * t45;
-    let chain_w_3_dot_by_chain_m_1 = (-(t22 * t45)).add_product(t25, t46) * t26;
-    let t47 = (t46 * t23).add_product(t25, chain_w_3_dot_by_chain_m_1);
-    let chain_w_2_dot_by_chain_m_1 = -t47;
-    let chain_w_1_dot_by_chain_m_1 = (t45 * t20).add_product(t21, t47).sub_product(t22,
+    let t30 = (-chain_gravity_times_chain_x_1).add_product(c.chain_l_1_squared, t28);
+    let t31 = t9 * t30;
+    let chain_w_3_dot_by_chain_m_1 = (-(t10 * t30)).add_product(t13, t31) * t14;
+    let t32 = (t31 * t11).add_product(t13, chain_w_3_dot_by_chain_m_1);
+    let chain_w_2_dot_by_chain_m_1 = -t32;
+    let chain_w_1_dot_by_chain_m_1 = (t30 * t8).add_product(t9, t32).sub_product(t10,
         chain_w_3_dot_by_chain_m_1);
-    let t48 = t42 * p.chain_l_2;
-    let t49 = t48 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2;
-    let chain_l_1_times_chain_l_2 = p.chain_l_1 * p.chain_l_2;
-    let t50 = chain_l_1_times_chain_l_2 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2;
-    let t51 = p.chain_l_2 * p.chain_gravity * sin_chain_a_2;
-    let t52 = t48 * cos_chain_th_1_minus_chain_a_2;
-    let t53 = chain_l_1_squared + chain_l_2_squared;
-    let t54 = p.chain_l_2 * p.chain_l_2.add_product(p.chain_l_1, cos_chain_th_1_minus_chain_a_2);
-    let t55 = (-(t49 + t50 + t51 + chain_gravity_times_chain_x_1)).add_product(t53 + t52, t41)
-        .sub_product(t54, chain_w_2_dot);
-    let t56 = (-(p.chain_l_2 * (chain_l_1_times_chain_w_1_squared * sin_chain_th_2)
-        .add_product(p.chain_gravity, sin_chain_a_2))).add_product(t54, t41)
-        .sub_product(chain_l_2_squared, chain_w_2_dot).sub_product(t21, t55);
-    let t57 = (t22 * t55).add_product(t25, t56) * t26;
-    let chain_w_3_dot_by_chain_m_2 = -t57;
-    let chain_w_2_dot_by_chain_m_2 = (t56 * t23).add_product(t25, t57);
-    let chain_w_1_dot_by_chain_m_2 = (t55 * t20).sub_product(t21, chain_w_2_dot_by_chain_m_2)
-        .add_product(t22, t57);
-    let t58 = t42 * p.chain_l_3;
-    let t59 = t58 * chain_w_1;
-    let t60 = t36 * p.chain_l_3;
-    let t61 = t60 * chain_w_1 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
-    let t62 = t60 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
-    let chain_l_1_times_chain_l_3 = p.chain_l_1 * p.chain_l_3;
-    let t63 = p.chain_l_2 * p.chain_l_3 * chain_w_3_squared * sin_chain_a_2_minus_chain_a_3;
-    let t64 = p.chain_l_3 * p.chain_gravity * sin_chain_a_3;
-    let t65 = t60 * cos_chain_a_2_minus_chain_a_3;
-    let t66 = chain_l_2_squared + chain_l_3_squared + t65;
-    let t67 = t66.add_product(chain_l_1_times_chain_l_2, cos_chain_th_1_minus_chain_a_2)
-        .add_product(chain_l_1_times_chain_l_3, cos_chain_th_1_minus_chain_a_3);
-    let t68 = (-(((t49.add_product(t59 * chain_w_2, sin_chain_th_1_minus_chain_a_3).add_product(t59
-        * chain_w_3, sin_chain_th_1_minus_chain_a_3) + t61).add_product(t58 * chain_w_2
-        * chain_w_3, sin_chain_th_1_minus_chain_a_3) + t62 + t50)
-        .add_product(chain_l_1_times_chain_l_3 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_3)
-        .add_product(chain_l_1_times_chain_l_3 * chain_w_3_squared, sin_chain_th_1_minus_chain_a_3)
-        + t63 + t51 + t64 + chain_gravity_times_chain_x_1)).add_product((t53 + chain_l_3_squared
-        + t52).add_product(t58, cos_chain_th_1_minus_chain_a_3) + t65, t41).sub_product(t67,
-        chain_w_2_dot);
-    let t69 = p.chain_l_3 * t17;
-    let t70 = t68.sub_product(t69, chain_w_3_dot);
-    let t71 = p.chain_l_3 * t19;
-    let t72 = (-((t61 + t62).add_product(chain_l_1_times_chain_l_2 * chain_w_1_squared,
-        sin_chain_th_2).add_product(chain_l_1_times_chain_l_3 * chain_w_1_squared,
-        sin_chain_th_2_plus_chain_th_3) + t63 + t51 + t64)).add_product(t67, t41).sub_product(t66,
-        chain_w_2_dot).sub_product(t71, chain_w_3_dot).sub_product(t21, t70);
-    let chain_w_3_dot_by_chain_m_3 = (p.chain_l_3 * t39).add_product(t69, t41).sub_product(t71,
-        chain_w_2_dot).sub_product(chain_l_3_squared, chain_w_3_dot).sub_product(t22, t70)
-        .sub_product(t25, t72) * t26;
-    let chain_w_2_dot_by_chain_m_3 = (t72 * t23).sub_product(t25, chain_w_3_dot_by_chain_m_3);
-    let chain_w_1_dot_by_chain_m_3 = (t70 * t20).sub_product(t21, chain_w_2_dot_by_chain_m_3)
-        .sub_product(t22, chain_w_3_dot_by_chain_m_3);
-    let t73 = t0 * p.chain_l_2;
-    let t74 = t44 * chain_w_1;
-    let t75 = t74 * chain_w_3;
-    let t76 = t44 * chain_w_2 * chain_w_3;
-    let t77 = chain_m_3_times_chain_l_3 * chain_w_3_squared;
-    let t78 = (t73 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2).add_product(t7
-        * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2).add_product(t74 * chain_w_2,
-        sin_chain_th_1_minus_chain_a_3).add_product(t75, sin_chain_th_1_minus_chain_a_3)
-        .add_product(t76, sin_chain_th_1_minus_chain_a_3)
-        .add_product(chain_m_1_times_chain_gravity, sin_chain_th_1)
-        .add_product(chain_m_2_times_chain_l_2 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2)
-        .add_product(chain_m_2_times_chain_gravity, sin_chain_th_1)
-        .add_product(chain_m_3_times_chain_l_2 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2)
-        .add_product(chain_m_3_times_chain_l_3 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_3)
-        .add_product(t77, sin_chain_th_1_minus_chain_a_3)
-        .add_product(chain_m_3_times_chain_gravity, sin_chain_th_1);
-    let t79 = chain_m_2_times_chain_l_2 * cos_chain_th_1_minus_chain_a_2;
-    let t80 = chain_m_3_times_chain_l_2 * cos_chain_th_1_minus_chain_a_2;
-    let t81 = chain_m_3_times_chain_l_3 * cos_chain_th_1_minus_chain_a_3;
-    let t82 = t79 + t80 + t81;
-    let t83 = (-t78).add_product(R::literal(2.0) * (chain_m_2_times_chain_l_1
-        .add_product(p.chain_m_1, p.chain_l_1) + chain_m_3_times_chain_l_1 + t79 + t80 + t81), t41)
-        .sub_product(t82, chain_w_2_dot).sub_product(t81, chain_w_3_dot);
-    let t84 = (-((chain_m_2_times_chain_l_2 * sin_chain_th_2)
-        .add_product(chain_m_3_times_chain_l_2, sin_chain_th_2)
-        .add_product(chain_m_3_times_chain_l_3, sin_chain_th_2_plus_chain_th_3)
-        * chain_w_1_squared)).add_product(t82, t41).sub_product(t21, t83);
-    let chain_w_3_dot_by_chain_l_1 = (-(chain_m_3_times_chain_l_3 * chain_w_1_squared
-        * sin_chain_th_2_plus_chain_th_3)).add_product(t81, t41).sub_product(t22, t83)
-        .sub_product(t25, t84) * t26;
-    let chain_w_2_dot_by_chain_l_1 = (t84 * t23).sub_product(t25, chain_w_3_dot_by_chain_l_1);
-    let chain_w_1_dot_by_chain_l_1 = (t83 * t20).sub_product(t21, chain_w_2_dot_by_chain_l_1)
-        .sub_product(t22, chain_w_3_dot_by_chain_l_1);
-    let t85 = t75 * sin_chain_a_2_minus_chain_a_3;
-    let t86 = t76 * sin_chain_a_2_minus_chain_a_3;
-    let t87 = chain_m_2_times_chain_gravity * sin_chain_a_2;
-    let t88 = t77 * sin_chain_a_2_minus_chain_a_3;
-    let t89 = chain_m_3_times_chain_gravity * sin_chain_a_2;
-    let t90 = chain_m_2_times_chain_l_1 * cos_chain_th_1_minus_chain_a_2;
-    let t91 = chain_m_3_times_chain_l_1 * cos_chain_th_1_minus_chain_a_2;
-    let t92 = chain_m_3_times_chain_l_3 * cos_chain_a_2_minus_chain_a_3;
-    let t93 = chain_m_2_times_chain_l_2 + chain_m_3_times_chain_l_2;
-    let t94 = (t73 + t7).add_product(t44, cos_chain_a_2_minus_chain_a_3) + t90 + t91;
-    let t95 = t92 * chain_w_3_dot;
-    let t96 = (-((((t1 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2).add_product(t4
-        * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2) + t85 + t86)
-        .add_product(chain_m_2_times_chain_l_1 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2)
-        + t87).add_product(chain_m_3_times_chain_l_1 * chain_w_2_squared,
-        sin_chain_th_1_minus_chain_a_2) + t88 + t89)).add_product(R::literal(2.0)
-        * (t93 + t90 + t91 + t92), t41).sub_product(t94, chain_w_2_dot) - t95;
-    let t97 = ((-(((t85 + t86).add_product(chain_m_2_times_chain_l_1 * chain_w_1_squared,
-        sin_chain_th_2) + t87).add_product(chain_m_3_times_chain_l_1 * chain_w_1_squared,
-        sin_chain_th_2) + t88 + t89)).add_product(t94, t41).sub_product(R::literal(2.0)
-        * (t93 + t92), chain_w_2_dot) - t95).sub_product(t21, t96);
-    let chain_w_3_dot_by_chain_l_2 = (chain_m_3_times_chain_l_3 * (chain_s_2 * chain_s_2)
-        * sin_chain_a_2_minus_chain_a_3).add_product(t92, t41).sub_product(t92, chain_w_2_dot)
-        .sub_product(t22, t96).sub_product(t25, t97) * t26;
-    let chain_w_2_dot_by_chain_l_2 = (t97 * t23).sub_product(t25, chain_w_3_dot_by_chain_l_2);
-    let chain_w_1_dot_by_chain_l_2 = (t96 * t20).sub_product(t21, chain_w_2_dot_by_chain_l_2)
-        .sub_product(t22, chain_w_3_dot_by_chain_l_2);
-    let t98 = t37 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
-    let t99 = t36 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
-    let t100 = p.chain_l_2 * chain_w_3_squared * sin_chain_a_2_minus_chain_a_3;
-    let t101 = R::literal(2.0) * p.chain_l_3;
-    let t102 = p.chain_m_3 * (t101.add_product(t36, cos_chain_a_2_minus_chain_a_3) + t15);
-    let t103 = p.chain_m_3 * (t101 + t15 + t16);
-    let t104 = (-(p.chain_m_3 * ((((t43 * chain_w_2 * sin_chain_th_1_minus_chain_a_3)
-        .add_product(t43 * chain_w_3, sin_chain_th_1_minus_chain_a_3) + t98).add_product(t42
-        * chain_w_2 * chain_w_3, sin_chain_th_1_minus_chain_a_3) + t99).add_product(p.chain_l_1
+    let t33 = c.t21 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2;
+    let t34 = c.chain_l_1_times_chain_l_2 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2;
+    let t35 = c.chain_l_2_times_chain_gravity * sin_chain_a_2;
+    let t36 = c.t21 * cos_chain_th_1_minus_chain_a_2;
+    let t37 = p.chain_l_2 * p.chain_l_2.add_product(p.chain_l_1, cos_chain_th_1_minus_chain_a_2);
+    let t38 = (-(t33 + t34 + t35 + chain_gravity_times_chain_x_1)).add_product(c.t22 + t36, t28)
+        .sub_product(t37, chain_w_2_dot);
+    let t39 = (-(p.chain_l_2 * (chain_l_1_times_chain_w_1_squared * sin_chain_th_2)
+        .add_product(p.chain_gravity, sin_chain_a_2))).add_product(t37, t28)
+        .sub_product(c.chain_l_2_squared, chain_w_2_dot).sub_product(t9, t38);
+    let t40 = (t10 * t38).add_product(t13, t39) * t14;
+    let chain_w_3_dot_by_chain_m_2 = -t40;
+    let chain_w_2_dot_by_chain_m_2 = (t39 * t11).add_product(t13, t40);
+    let chain_w_1_dot_by_chain_m_2 = (t38 * t8).sub_product(t9, chain_w_2_dot_by_chain_m_2)
+        .add_product(t10, t40);
+    let t41 = c.t23 * chain_w_1;
+    let t42 = c.t24 * chain_w_1 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let t43 = c.t24 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let t44 = c.chain_l_2_times_chain_l_3 * chain_w_3_squared * sin_chain_a_2_minus_chain_a_3;
+    let t45 = c.chain_l_3_times_chain_gravity * sin_chain_a_3;
+    let t46 = c.t24 * cos_chain_a_2_minus_chain_a_3;
+    let t47 = c.t26 + t46;
+    let t48 = t47.add_product(c.chain_l_1_times_chain_l_2, cos_chain_th_1_minus_chain_a_2)
+        .add_product(c.chain_l_1_times_chain_l_3, cos_chain_th_1_minus_chain_a_3);
+    let t49 = p.chain_l_3 * t5;
+    let t50 = (-(((t33.add_product(t41 * chain_w_2, sin_chain_th_1_minus_chain_a_3).add_product(t41
+        * chain_w_3, sin_chain_th_1_minus_chain_a_3) + t42).add_product(c.t23 * chain_w_2
+        * chain_w_3, sin_chain_th_1_minus_chain_a_3) + t43 + t34)
+        .add_product(c.chain_l_1_times_chain_l_3 * chain_w_2_squared,
+        sin_chain_th_1_minus_chain_a_3).add_product(c.chain_l_1_times_chain_l_3
+        * chain_w_3_squared, sin_chain_th_1_minus_chain_a_3) + t44 + t35 + t45
+        + chain_gravity_times_chain_x_1)).add_product((c.t25 + t36).add_product(c.t23,
+        cos_chain_th_1_minus_chain_a_3) + t46, t28).sub_product(t48, chain_w_2_dot)
+        .sub_product(t49, chain_w_3_dot);
+    let t51 = p.chain_l_3 * t7;
+    let t52 = (-((t42 + t43).add_product(c.chain_l_1_times_chain_l_2 * chain_w_1_squared,
+        sin_chain_th_2).add_product(c.chain_l_1_times_chain_l_3 * chain_w_1_squared,
+        sin_chain_th_2_plus_chain_th_3) + t44 + t35 + t45)).add_product(t48, t28).sub_product(t47,
+        chain_w_2_dot).sub_product(t51, chain_w_3_dot).sub_product(t9, t50);
+    let chain_w_3_dot_by_chain_m_3 = (p.chain_l_3 * t26).add_product(t49, t28).sub_product(t51,
+        chain_w_2_dot).sub_product(c.chain_l_3_squared, chain_w_3_dot).sub_product(t10, t50)
+        .sub_product(t13, t52) * t14;
+    let chain_w_2_dot_by_chain_m_3 = (t52 * t11).sub_product(t13, chain_w_3_dot_by_chain_m_3);
+    let chain_w_1_dot_by_chain_m_3 = (t50 * t8).sub_product(t9, chain_w_2_dot_by_chain_m_3)
+        .sub_product(t10, chain_w_3_dot_by_chain_m_3);
+    let t53 = c.t20 * chain_w_1;
+    let t54 = t53 * chain_w_3;
+    let t55 = c.t20 * chain_w_2 * chain_w_3;
+    let t56 = c.chain_m_3_times_chain_l_3 * chain_w_3_squared;
+    let t57 = (c.t27 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2).add_product(c.t7
+        * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2).add_product(t53 * chain_w_2,
+        sin_chain_th_1_minus_chain_a_3).add_product(t54, sin_chain_th_1_minus_chain_a_3)
+        .add_product(t55, sin_chain_th_1_minus_chain_a_3)
+        .add_product(c.chain_m_1_times_chain_gravity, sin_chain_th_1)
+        .add_product(c.chain_m_2_times_chain_l_2 * chain_w_2_squared,
+        sin_chain_th_1_minus_chain_a_2).add_product(c.chain_m_2_times_chain_gravity, sin_chain_th_1)
+        .add_product(c.chain_m_3_times_chain_l_2 * chain_w_2_squared,
+        sin_chain_th_1_minus_chain_a_2).add_product(c.chain_m_3_times_chain_l_3
+        * chain_w_2_squared, sin_chain_th_1_minus_chain_a_3).add_product(t56,
+        sin_chain_th_1_minus_chain_a_3).add_product(c.chain_m_3_times_chain_gravity,
+        sin_chain_th_1);
+    let t58 = c.chain_m_2_times_chain_l_2 * cos_chain_th_1_minus_chain_a_2;
+    let t59 = c.chain_m_3_times_chain_l_2 * cos_chain_th_1_minus_chain_a_2;
+    let t60 = c.chain_m_3_times_chain_l_3 * cos_chain_th_1_minus_chain_a_3;
+    let t61 = t58 + t59 + t60;
+    let t62 = (-t57).add_product(R::literal(2.0) * (c.t28 + t58 + t59 + t60), t28).sub_product(t61,
+        chain_w_2_dot).sub_product(t60, chain_w_3_dot);
+    let t63 = (-((c.chain_m_2_times_chain_l_2 * sin_chain_th_2)
+        .add_product(c.chain_m_3_times_chain_l_2, sin_chain_th_2)
+        .add_product(c.chain_m_3_times_chain_l_3, sin_chain_th_2_plus_chain_th_3)
+        * chain_w_1_squared)).add_product(t61, t28).sub_product(t9, t62);
+    let chain_w_3_dot_by_chain_l_1 = (-(c.chain_m_3_times_chain_l_3 * chain_w_1_squared
+        * sin_chain_th_2_plus_chain_th_3)).add_product(t60, t28).sub_product(t10, t62)
+        .sub_product(t13, t63) * t14;
+    let chain_w_2_dot_by_chain_l_1 = (t63 * t11).sub_product(t13, chain_w_3_dot_by_chain_l_1);
+    let chain_w_1_dot_by_chain_l_1 = (t62 * t8).sub_product(t9, chain_w_2_dot_by_chain_l_1)
+        .sub_product(t10, chain_w_3_dot_by_chain_l_1);
+    let t64 = t54 * sin_chain_a_2_minus_chain_a_3;
+    let t65 = t55 * sin_chain_a_2_minus_chain_a_3;
+    let t66 = c.chain_m_2_times_chain_gravity * sin_chain_a_2;
+    let t67 = t56 * sin_chain_a_2_minus_chain_a_3;
+    let t68 = c.chain_m_3_times_chain_gravity * sin_chain_a_2;
+    let t69 = c.chain_m_2_times_chain_l_1 * cos_chain_th_1_minus_chain_a_2;
+    let t70 = c.chain_m_3_times_chain_l_1 * cos_chain_th_1_minus_chain_a_2;
+    let t71 = c.chain_m_3_times_chain_l_3 * cos_chain_a_2_minus_chain_a_3;
+    let t72 = c.t30.add_product(c.t20, cos_chain_a_2_minus_chain_a_3) + t69 + t70;
+    let t73 = t71 * chain_w_3_dot;
+    let t74 = (-((((c.t1 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2).add_product(c.t4
+        * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2) + t64 + t65)
+        .add_product(c.chain_m_2_times_chain_l_1 * chain_w_2_squared,
+        sin_chain_th_1_minus_chain_a_2) + t66).add_product(c.chain_m_3_times_chain_l_1
+        * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2) + t67 + t68))
+        .add_product(R::literal(2.0) * (c.t29 + t69 + t70 + t71), t28).sub_product(t72,
+        chain_w_2_dot) - t73;
+    let t75 = ((-(((t64 + t65).add_product(c.chain_m_2_times_chain_l_1 * chain_w_1_squared,
+        sin_chain_th_2) + t66).add_product(c.chain_m_3_times_chain_l_1 * chain_w_1_squared,
+        sin_chain_th_2) + t67 + t68)).add_product(t72, t28).sub_product(R::literal(2.0)
+        * (c.t29 + t71), chain_w_2_dot) - t73).sub_product(t9, t74);
+    let chain_w_3_dot_by_chain_l_2 = (c.chain_m_3_times_chain_l_3 * (chain_s_2 * chain_s_2)
+        * sin_chain_a_2_minus_chain_a_3).add_product(t71, t28).sub_product(t71, chain_w_2_dot)
+        .sub_product(t10, t74).sub_product(t13, t75) * t14;
+    let chain_w_2_dot_by_chain_l_2 = (t75 * t11).sub_product(t13, chain_w_3_dot_by_chain_l_2);
+    let chain_w_1_dot_by_chain_l_2 = (t74 * t8).sub_product(t9, chain_w_2_dot_by_chain_l_2)
+        .sub_product(t10, chain_w_3_dot_by_chain_l_2);
+    let t76 = t24 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let t77 = c.t18 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let t78 = p.chain_l_2 * chain_w_3_squared * sin_chain_a_2_minus_chain_a_3;
+    let t79 = p.chain_m_3 * (c.t31.add_product(c.t18, cos_chain_a_2_minus_chain_a_3) + t3);
+    let t80 = p.chain_m_3 * (c.t31 + t3 + t4);
+    let t81 = (-(p.chain_m_3 * ((((t29 * chain_w_2 * sin_chain_th_1_minus_chain_a_3)
+        .add_product(t29 * chain_w_3, sin_chain_th_1_minus_chain_a_3) + t76).add_product(c.t19
+        * chain_w_2 * chain_w_3, sin_chain_th_1_minus_chain_a_3) + t77).add_product(p.chain_l_1
         * chain_w_2_squared, sin_chain_th_1_minus_chain_a_3).add_product(p.chain_l_1
-        * chain_w_3_squared, sin_chain_th_1_minus_chain_a_3) + t100
-        + chain_gravity_times_sin_chain_a_3))).add_product(t3 * t17, t41).sub_product(t102,
-        chain_w_2_dot).sub_product(t103, chain_w_3_dot);
-    let t105 = p.chain_m_3 * (t101 + t16);
-    let t106 = (-(p.chain_m_3 * (t98 + t99 + t38 + t100 + chain_gravity_times_sin_chain_a_3)))
-        .add_product(t102, t41).sub_product(t3 * t19, chain_w_2_dot).sub_product(t105,
-        chain_w_3_dot).sub_product(t21, t104);
-    let chain_w_3_dot_by_chain_l_3 = (p.chain_m_3 * t39).add_product(t103, t41).sub_product(t105,
-        chain_w_2_dot).sub_product(t44, chain_w_3_dot).sub_product(t22, t104).sub_product(t25,
-        t106) * t26;
-    let chain_w_2_dot_by_chain_l_3 = (t106 * t23).sub_product(t25, chain_w_3_dot_by_chain_l_3);
-    let chain_w_1_dot_by_chain_l_3 = (t104 * t20).sub_product(t21, chain_w_2_dot_by_chain_l_3)
-        .sub_product(t22, chain_w_3_dot_by_chain_l_3);
-    let t107 = chain_m_2_times_chain_l_2 * sin_chain_a_2;
-    let t108 = chain_m_3_times_chain_l_2 * sin_chain_a_2;
-    let t109 = chain_m_3_times_chain_l_3 * sin_chain_a_3;
-    let t110 = (t107.add_product(p.chain_m_1, chain_x_1).add_product(p.chain_m_2, chain_x_1) + t108
-        + t109).add_product(p.chain_m_3, chain_x_1);
-    let t111 = (-(t107 + t108 + t109)).add_product(t21, t110);
-    let chain_w_3_dot_by_chain_gravity = (-t109).add_product(t22, t110).sub_product(t25, t111)
-        * t26;
-    let chain_w_2_dot_by_chain_gravity = (t111 * t23).sub_product(t25,
+        * chain_w_3_squared, sin_chain_th_1_minus_chain_a_3) + t78
+        + chain_gravity_times_sin_chain_a_3))).add_product(c.t3 * t5, t28).sub_product(t79,
+        chain_w_2_dot).sub_product(t80, chain_w_3_dot);
+    let t82 = p.chain_m_3 * (c.t31 + t4);
+    let t83 = (-(p.chain_m_3 * (t76 + t77 + t25 + t78 + chain_gravity_times_sin_chain_a_3)))
+        .add_product(t79, t28).sub_product(c.t3 * t7, chain_w_2_dot).sub_product(t82, chain_w_3_dot)
+        .sub_product(t9, t81);
+    let chain_w_3_dot_by_chain_l_3 = (p.chain_m_3 * t26).add_product(t80, t28).sub_product(t82,
+        chain_w_2_dot).sub_product(c.t20, chain_w_3_dot).sub_product(t10, t81).sub_product(t13,
+        t83) * t14;
+    let chain_w_2_dot_by_chain_l_3 = (t83 * t11).sub_product(t13, chain_w_3_dot_by_chain_l_3);
+    let chain_w_1_dot_by_chain_l_3 = (t81 * t8).sub_product(t9, chain_w_2_dot_by_chain_l_3)
+        .sub_product(t10, chain_w_3_dot_by_chain_l_3);
+    let t84 = c.chain_m_2_times_chain_l_2 * sin_chain_a_2;
+    let t85 = c.chain_m_3_times_chain_l_2 * sin_chain_a_2;
+    let t86 = c.chain_m_3_times_chain_l_3 * sin_chain_a_3;
+    let t87 = (t84.add_product(p.chain_m_1, chain_x_1).add_product(p.chain_m_2, chain_x_1) + t85
+        + t86).add_product(p.chain_m_3, chain_x_1);
+    let t88 = (-(t84 + t85 + t86)).add_product(t9, t87);
+    let chain_w_3_dot_by_chain_gravity = (-t86).add_product(t10, t87).sub_product(t13, t88) * t14;
+    let chain_w_2_dot_by_chain_gravity = (t88 * t11).sub_product(t13,
         chain_w_3_dot_by_chain_gravity);
-    let chain_w_1_dot_by_chain_gravity = -(t110 * t20).add_product(t21,
-        chain_w_2_dot_by_chain_gravity).add_product(t22, chain_w_3_dot_by_chain_gravity);
+    let chain_w_1_dot_by_chain_gravity = -(t87 * t8).add_product(t9, chain_w_2_dot_by_chain_gravity)
+        .add_product(t10, chain_w_3_dot_by_chain_gravity);
     [chain_w_1_dot_by_chain_m_1, chain_w_1_dot_by_chain_m_2, chain_w_1_dot_by_chain_m_3,
         chain_w_1_dot_by_chain_l_1, chain_w_1_dot_by_chain_l_2, chain_w_1_dot_by_chain_l_3,
         chain_w_1_dot_by_chain_gravity, chain_w_2_dot_by_chain_m_1, chain_w_2_dot_by_chain_m_2,

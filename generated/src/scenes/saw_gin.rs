@@ -21,8 +21,8 @@
 // Shapes: coordinates 2, first-order states 4, states 7, parameters 21, outputs 8, discontinuities 1.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 26 of 7 by 7, parameter_jacobian 39 of 7 by 21.
 // Operations: discontinuities 6, rate 77, forcing 42, rate_jacobian 70, parameter_jacobian 180,
-//     time_derivative 30, outputs 54, energy 39, power_balance 151, prepare 40, prepared_rate 54,
-//     prepared_rate_jacobian 35.
+//     time_derivative 30, outputs 54, energy 39, power_balance 151, prepare 66, prepared_rate 54,
+//     prepared_rate_jacobian 35, prepared_parameter_jacobian 132.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -103,58 +103,82 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    motor_omega_0, motor_u_x, motor_u_y, t1, t2, t3, inverse_load_standstill_band,
-    inverse_motor_inertia, inverse_cylinder_inertia, t4, t5, motor_alpha_s_times_motor_omega_0,
+    motor_omega_0, motor_u_x, motor_u_y, t1, t3, t4, inverse_load_standstill_band,
+    inverse_motor_inertia, inverse_cylinder_inertia, t5, t6, motor_alpha_s_times_motor_omega_0,
     motor_alpha_r_times_motor_omega_0, cylinder_omega_dot_by_coupling_twist,
     motor_omega_dot_by_coupling_twist, cylinder_omega_dot_by_motor_omega,
-    motor_omega_dot_by_motor_omega, t6, motor_omega_dot_by_cylinder_omega,
+    motor_omega_dot_by_motor_omega, t7, motor_omega_dot_by_cylinder_omega,
     coupling_twist_dot_by_cylinder_omega, motor_psi_sx_dot_by_motor_psi_sx,
     motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
-    motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx
+    motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx,
+    inverse_load_engagement_width, t8, t9, t10, t11, t12, minus_motor_u_y, t13,
+    motor_k_r_over_motor_sigma, t15, t16, t17, t18, t19, inverse_load_standstill_band_squared
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 40 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 66 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let (sin_motor_supply_phase, cos_motor_supply_phase) = p.motor_supply_phase.sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
     let t1 = R::literal(-1.0) / p.load_engagement_width;
-    let t2 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0 / (p.motor_x_s
-        * motor_sigma);
-    let t3 = R::literal(core::f64::consts::PI) * load_omega_2;
+    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
+    let t2 = R::literal(1.5) * p.motor_pole_pairs;
+    let t3 = t2 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let t4 = R::literal(core::f64::consts::PI) * load_omega_2;
     let inverse_load_standstill_band = R::literal(1.0) / p.load_standstill_band;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let t4 = p.coupling_stiffness * p.coupling_ratio;
-    let t5 = p.coupling_damping * p.coupling_ratio;
+    let t5 = p.coupling_stiffness * p.coupling_ratio;
+    let t6 = p.coupling_damping * p.coupling_ratio;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let cylinder_omega_dot_by_coupling_twist = t4 * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_coupling_twist = t5 * inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_twist = -(p.coupling_stiffness * inverse_motor_inertia);
-    let cylinder_omega_dot_by_motor_omega = t5 * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_motor_omega = t6 * inverse_cylinder_inertia;
     let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
-    let t6 = p.coupling_damping * (p.coupling_ratio * p.coupling_ratio);
-    let motor_omega_dot_by_cylinder_omega = t5 * inverse_motor_inertia;
+    let t7 = p.coupling_damping * (p.coupling_ratio * p.coupling_ratio);
+    let motor_omega_dot_by_cylinder_omega = t6 * inverse_motor_inertia;
     let coupling_twist_dot_by_cylinder_omega = -p.coupling_ratio;
     let motor_psi_sx_dot_by_motor_psi_sx = -motor_alpha_s_times_motor_omega_0;
     let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
     let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_rx = -motor_alpha_r_times_motor_omega_0;
-    Constants { motor_omega_0, motor_u_x, motor_u_y, t1, t2, t3, inverse_load_standstill_band,
-        inverse_motor_inertia, inverse_cylinder_inertia, t4, t5, motor_alpha_s_times_motor_omega_0,
+    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
+    let t8 = R::literal(core::f64::consts::SQRT_2) * cos_motor_supply_phase;
+    let t9 = R::literal(core::f64::consts::SQRT_2) * sin_motor_supply_phase;
+    let t10 = R::literal(3.0 * core::f64::consts::PI) * p.motor_pole_pairs * p.motor_k_r
+        / motor_x_s_times_motor_sigma;
+    let t11 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
+    let t12 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+    let minus_motor_u_y = -motor_u_y;
+    let t13 = R::literal(1.5) * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let motor_k_r_over_motor_sigma = p.motor_k_r / motor_sigma;
+    let t14 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let t15 = t2 * motor_omega_0 / (p.motor_x_s * (t14 * t14));
+    let t16 = R::literal(-1.0) / p.motor_x_s;
+    let t17 = R::literal(2.0) * p.coupling_damping * p.coupling_ratio;
+    let t18 = R::literal(-0.328_986_813_369_645_25) * p.load_amplitude;
+    let t19 = R::literal(1.0) / (p.load_engagement_width * p.load_engagement_width);
+    let inverse_load_standstill_band_squared = R::literal(1.0) / (p.load_standstill_band
+        * p.load_standstill_band);
+    Constants { motor_omega_0, motor_u_x, motor_u_y, t1, t3, t4, inverse_load_standstill_band,
+        inverse_motor_inertia, inverse_cylinder_inertia, t5, t6, motor_alpha_s_times_motor_omega_0,
         motor_alpha_r_times_motor_omega_0, cylinder_omega_dot_by_coupling_twist,
         motor_omega_dot_by_coupling_twist, cylinder_omega_dot_by_motor_omega,
-        motor_omega_dot_by_motor_omega, t6, motor_omega_dot_by_cylinder_omega,
+        motor_omega_dot_by_motor_omega, t7, motor_omega_dot_by_cylinder_omega,
         coupling_twist_dot_by_cylinder_omega, motor_psi_sx_dot_by_motor_psi_sx,
         motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
-        motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx }
+        motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx,
+        inverse_load_engagement_width, t8, t9, t10, t11, t12, minus_motor_u_y, t13,
+        motor_k_r_over_motor_sigma, t15, t16, t17, t18, t19, inverse_load_standstill_band_squared }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -188,10 +212,10 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         coupling_twist_rate);
     let load_engagement = R::literal(1.0) / (R::literal(1.0)
         + (c.t1 * (time - p.load_engagement_time)).exp());
-    let motor_torque = c.t2 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
+    let motor_torque = c.t3 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let load_resistance = load_engagement * p.load_mean.add_product(p.load_amplitude, p.load_phase
-        .add_product(c.t3, time).sin()) * (c.inverse_load_standstill_band * cylinder_omega).tanh();
-    let cylinder_omega_dot = ((c.t4 * coupling_twist).add_product(c.t5, coupling_twist_rate)
+        .add_product(c.t4, time).sin()) * (c.inverse_load_standstill_band * cylinder_omega).tanh();
+    let cylinder_omega_dot = ((c.t5 * coupling_twist).add_product(c.t6, coupling_twist_rate)
         - load_resistance) * c.inverse_cylinder_inertia;
     let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot = c.motor_u_x.add_product(c.motor_omega_0, motor_psi_sy)
@@ -253,15 +277,15 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let t0 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
-    let cylinder_omega_dot_by_cylinder_omega = (-c.t6).add_product(c.inverse_load_standstill_band
+    let cylinder_omega_dot_by_cylinder_omega = (-c.t7).add_product(c.inverse_load_standstill_band
         * load_engagement * R::literal(-1.0).add_product(t0, t0), p.load_mean
-        .add_product(p.load_amplitude, p.load_phase.add_product(c.t3, time).sin()))
+        .add_product(p.load_amplitude, p.load_phase.add_product(c.t4, time).sin()))
         * c.inverse_cylinder_inertia;
-    let motor_omega_dot_by_motor_psi_sx = -(c.t2 * motor_psi_ry * c.inverse_motor_inertia);
-    let motor_omega_dot_by_motor_psi_sy = c.t2 * motor_psi_rx * c.inverse_motor_inertia;
-    let motor_omega_dot_by_motor_psi_rx = c.t2 * motor_psi_sy * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_sx = -(c.t3 * motor_psi_ry * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_sy = c.t3 * motor_psi_rx * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_rx = c.t3 * motor_psi_sy * c.inverse_motor_inertia;
     let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega - c.motor_omega_0;
-    let motor_omega_dot_by_motor_psi_ry = -(c.t2 * motor_psi_sx * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_ry = -(c.t3 * motor_psi_sx * c.inverse_motor_inertia);
     [R::literal(1.0), c.coupling_twist_dot_by_cylinder_omega, c.motor_omega_dot_by_coupling_twist,
         c.motor_omega_dot_by_motor_omega, c.motor_omega_dot_by_cylinder_omega,
         motor_omega_dot_by_motor_psi_sx, motor_omega_dot_by_motor_psi_sy,
@@ -276,120 +300,90 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 180 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 132 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 39] {
+pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 39] {
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
         motor_psi_ry] = *state;
-    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let t0 = p.load_phase.add_product(R::literal(core::f64::consts::PI) * load_omega_2, time);
-    let [(sin_motor_supply_phase, cos_motor_supply_phase), (t1, t2)]
-        = R::sin_cos_each([p.motor_supply_phase, t0]);
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
-    let t3 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t3 * cos_motor_supply_phase;
-    let motor_u_y = t3 * sin_motor_supply_phase;
+    let t0 = p.load_phase.add_product(c.t4, time);
+    let (t1, t2) = t0.sin_cos();
     let coupling_ratio_times_cylinder_omega = p.coupling_ratio * cylinder_omega;
     let coupling_twist_rate = motor_omega - coupling_ratio_times_cylinder_omega;
-    let t4 = p.coupling_stiffness * coupling_twist;
-    let coupling_torque = t4.add_product(p.coupling_damping, coupling_twist_rate);
+    let t3 = p.coupling_stiffness * coupling_twist;
+    let coupling_torque = t3.add_product(p.coupling_damping, coupling_twist_rate);
     let time_minus_load_engagement_time = time - p.load_engagement_time;
-    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
-    let t5 = (-(inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
-    let t6 = R::literal(1.0) + t5;
-    let load_engagement = R::literal(1.0) / t6;
-    let t7 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
-    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t8 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
+    let t4 = (-(c.inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
+    let t5 = R::literal(1.0) + t4;
+    let load_engagement = R::literal(1.0) / t5;
+    let t6 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
+    let t7 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t9 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
-    let t10 = R::literal(1.5) * p.motor_pole_pairs;
-    let motor_torque = t10 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t9;
-    let t11 = p.load_mean.add_product(p.load_amplitude, t1);
-    let t12 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let load_resistance = load_engagement * t11 * t12;
-    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
-    let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
-        .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate) - load_resistance)
-        * inverse_cylinder_inertia;
-    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
-    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t13 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
-    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t14 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
-    let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
-    let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
-        * cos_motor_supply_phase;
-    let motor_psi_sy_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
-        * sin_motor_supply_phase;
-    let motor_omega_dot_by_motor_supply_frequency = R::literal(3.0 * core::f64::consts::PI)
-        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t9
-        * inverse_motor_inertia;
-    let t15 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
+    let t8 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let motor_torque = c.t3 * t8;
+    let t9 = p.load_mean.add_product(p.load_amplitude, t1);
+    let t10 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
+    let load_resistance = load_engagement * t9 * t10;
+    let cylinder_omega_dot = ((c.t5 * coupling_twist).add_product(c.t6, coupling_twist_rate)
+        - load_resistance) * c.inverse_cylinder_inertia;
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
+    let t11 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
+    let t12 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
+    let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_supply_frequency = c.t10 * t8 * c.inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_sy).sub_product(t15, t7);
+        * motor_psi_sy).sub_product(c.t11, t6);
     let motor_psi_sy_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
-        * motor_psi_sx).sub_product(t15, t8);
-    let t16 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+        * motor_psi_sx).sub_product(c.t11, t7);
     let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_ry).add_product(t16, t13);
+        * motor_psi_ry).add_product(c.t12, t11);
     let motor_psi_ry_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
-        * motor_psi_rx).add_product(t16, t14);
-    let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
-    let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r * motor_omega_0
-        / motor_x_s_times_motor_sigma * t9 * inverse_motor_inertia;
+        * motor_psi_rx).add_product(c.t12, t12);
+    let motor_omega_dot_by_motor_pole_pairs = c.t13 * t8 * c.inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
-    let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
-        * inverse_motor_inertia;
-    let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
-    let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let t17 = motor_k_s_times_motor_k_r - R::literal(1.0);
-    let motor_omega_dot_by_motor_k_r = t10 * motor_omega_0 / (p.motor_x_s * (t17 * t17))
-        * (motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry)
-        * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
-    let motor_psi_sy_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
-    let motor_omega_dot_by_motor_x_s = R::literal(-1.0) / p.motor_x_s * motor_torque
-        * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t7);
-    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t8);
-    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t13;
-    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t14;
+    let motor_omega_dot_by_motor_k_s = c.motor_k_r_over_motor_sigma * motor_torque
+        * c.inverse_motor_inertia;
+    let motor_psi_rx_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
+    let motor_psi_ry_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
+    let motor_omega_dot_by_motor_k_r = c.t15 * (motor_psi_sy_times_motor_psi_rx
+        - motor_psi_sx_times_motor_psi_ry) * c.inverse_motor_inertia;
+    let motor_psi_sx_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
+    let motor_psi_sy_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
+    let motor_omega_dot_by_motor_x_s = c.t16 * motor_torque * c.inverse_motor_inertia;
+    let motor_psi_sx_dot_by_motor_alpha_s = -(c.motor_omega_0 * t6);
+    let motor_psi_sy_dot_by_motor_alpha_s = -(c.motor_omega_0 * t7);
+    let motor_psi_rx_dot_by_motor_alpha_r = c.motor_omega_0 * t11;
+    let motor_psi_ry_dot_by_motor_alpha_r = c.motor_omega_0 * t12;
     let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
-        * inverse_cylinder_inertia;
-    let motor_omega_dot_by_coupling_stiffness = -(coupling_twist * inverse_motor_inertia);
+        * c.inverse_cylinder_inertia;
+    let motor_omega_dot_by_coupling_stiffness = -(coupling_twist * c.inverse_motor_inertia);
     let cylinder_omega_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
-        * inverse_cylinder_inertia;
+        * c.inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_damping = (coupling_ratio_times_cylinder_omega - motor_omega)
-        * inverse_motor_inertia;
-    let cylinder_omega_dot_by_coupling_ratio = t4.add_product(p.coupling_damping, motor_omega)
-        .sub_product(R::literal(2.0) * p.coupling_damping * p.coupling_ratio, cylinder_omega)
-        * inverse_cylinder_inertia;
+        * c.inverse_motor_inertia;
+    let cylinder_omega_dot_by_coupling_ratio = t3.add_product(p.coupling_damping, motor_omega)
+        .sub_product(c.t17, cylinder_omega) * c.inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_ratio = p.coupling_damping * cylinder_omega
-        * inverse_motor_inertia;
+        * c.inverse_motor_inertia;
     let coupling_twist_dot_by_coupling_ratio = -cylinder_omega;
-    let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_mean = -(load_engagement * t12 * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t12
-        * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_speed = R::literal(-0.328_986_813_369_645_25) * p.load_amplitude
-        * time * load_engagement * t2 * t12 * inverse_cylinder_inertia;
-    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2 * t12
-        * inverse_cylinder_inertia);
-    let t18 = t6 * t6;
-    let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t11 * t5 * t12
-        / t18 * inverse_cylinder_inertia;
-    let cylinder_omega_dot_by_load_engagement_width = R::literal(1.0) / (p.load_engagement_width
-        * p.load_engagement_width) * time_minus_load_engagement_time * t11 * t5 * t12 / t18
-        * inverse_cylinder_inertia;
-    let cylinder_omega_dot_by_load_standstill_band = R::literal(1.0) / (p.load_standstill_band
-        * p.load_standstill_band) * cylinder_omega * load_engagement * R::literal(1.0)
-        .sub_product(t12, t12) * t11 * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot * c.inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_mean = -(load_engagement * t10 * c.inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t10
+        * c.inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_speed = c.t18 * time * load_engagement * t2 * t10
+        * c.inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2 * t10
+        * c.inverse_cylinder_inertia);
+    let t13 = t5 * t5;
+    let cylinder_omega_dot_by_load_engagement_time = c.inverse_load_engagement_width * t9 * t4
+        * t10 / t13 * c.inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_load_engagement_width = c.t19 * time_minus_load_engagement_time * t9
+        * t4 * t10 / t13 * c.inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_load_standstill_band = c.inverse_load_standstill_band_squared
+        * cylinder_omega * load_engagement * R::literal(1.0).sub_product(t10, t10) * t9
+        * c.inverse_cylinder_inertia;
     [coupling_twist_dot_by_coupling_ratio, motor_omega_dot_by_motor_inertia,
         motor_omega_dot_by_motor_supply_frequency, motor_omega_dot_by_motor_pole_pairs,
         motor_omega_dot_by_motor_k_s, motor_omega_dot_by_motor_k_r, motor_omega_dot_by_motor_x_s,
@@ -400,10 +394,9 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         cylinder_omega_dot_by_load_amplitude, cylinder_omega_dot_by_load_speed,
         cylinder_omega_dot_by_load_phase, cylinder_omega_dot_by_load_engagement_time,
         cylinder_omega_dot_by_load_engagement_width, cylinder_omega_dot_by_load_standstill_band,
-        motor_psi_sx_dot_by_motor_phase_voltage, motor_psi_sx_dot_by_motor_supply_frequency,
-        motor_psi_sx_dot_by_motor_supply_phase, motor_psi_sx_dot_by_motor_k_r,
-        motor_psi_sx_dot_by_motor_alpha_s, motor_psi_sy_dot_by_motor_phase_voltage,
-        motor_psi_sy_dot_by_motor_supply_frequency, motor_u_x, motor_psi_sy_dot_by_motor_k_r,
+        c.t8, motor_psi_sx_dot_by_motor_supply_frequency, c.minus_motor_u_y,
+        motor_psi_sx_dot_by_motor_k_r, motor_psi_sx_dot_by_motor_alpha_s, c.t9,
+        motor_psi_sy_dot_by_motor_supply_frequency, c.motor_u_x, motor_psi_sy_dot_by_motor_k_r,
         motor_psi_sy_dot_by_motor_alpha_s, motor_psi_rx_dot_by_motor_supply_frequency,
         motor_psi_rx_dot_by_motor_pole_pairs, motor_psi_rx_dot_by_motor_k_s,
         motor_psi_rx_dot_by_motor_alpha_r, motor_psi_ry_dot_by_motor_supply_frequency,

@@ -20,8 +20,8 @@
 // Shapes: coordinates 2, first-order states 4, states 8, parameters 23, outputs 5, discontinuities 1.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 30 of 8 by 8, parameter_jacobian 38 of 8 by 23.
 // Operations: discontinuities 6, rate 85, forcing 41, rate_jacobian 76, parameter_jacobian 179,
-//     time_derivative 30, outputs 42, energy 12, power_balance 62, prepare 40, prepared_rate 61,
-//     prepared_rate_jacobian 40.
+//     time_derivative 30, outputs 42, energy 12, power_balance 62, prepare 61, prepared_rate 61,
+//     prepared_rate_jacobian 40, prepared_parameter_jacobian 140.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -97,17 +97,20 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    t0, t1, t2, t3, inverse_load_standstill_band, inverse_motor_inertia, inverse_cylinder_inertia, t4,
-    t5, motor_omega_0_times_motor_alpha_s, t6, motor_u_m_times_cos_motor_gamma,
-    motor_u_m_times_sin_motor_gamma, motor_omega_0_times_motor_alpha_r, t7,
+    t0, t1, t4, t5, inverse_load_standstill_band, inverse_motor_inertia, inverse_cylinder_inertia, t6,
+    t7, motor_omega_0_times_motor_alpha_s, t8, motor_u_m_times_cos_motor_gamma,
+    motor_u_m_times_sin_motor_gamma, motor_omega_0_times_motor_alpha_r, t9,
     cylinder_omega_dot_by_motor_phi, motor_omega_dot_by_motor_phi,
     cylinder_omega_dot_by_cylinder_phi, motor_omega_dot_by_cylinder_phi,
-    cylinder_omega_dot_by_motor_omega, motor_omega_dot_by_motor_omega, t8,
+    cylinder_omega_dot_by_motor_omega, motor_omega_dot_by_motor_omega, t10,
     motor_omega_dot_by_cylinder_omega, motor_psi_x1_dot_by_motor_psi_x1,
-    motor_psi_y1_dot_by_motor_psi_x1, motor_psi_x2_dot_by_motor_psi_x2
+    motor_psi_y1_dot_by_motor_psi_x1, motor_psi_x2_dot_by_motor_psi_x2,
+    inverse_load_engagement_width, cos_motor_gamma, sin_motor_gamma, t11, t12,
+    motor_k_r_times_motor_alpha_s, motor_k_s_times_motor_alpha_r, t13, t14, t15, t16, t17, t18,
+    t19, t20, inverse_load_standstill_band_squared
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 40 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 61 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -115,42 +118,61 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let t0 = R::literal(1.0) - p.motor_literal;
     let t1 = R::literal(-1.0) / p.load_engagement_width;
-    let t2 = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs * p.motor_k_r / (p.motor_sigma
-        * p.motor_x_s);
-    let t3 = R::literal(core::f64::consts::PI) * load_omega_2;
+    let t2 = R::literal(1.5) * p.motor_omega_0;
+    let t3 = t2 * p.motor_pole_pairs;
+    let motor_sigma_times_motor_x_s = p.motor_sigma * p.motor_x_s;
+    let t4 = t3 * p.motor_k_r / motor_sigma_times_motor_x_s;
+    let t5 = R::literal(core::f64::consts::PI) * load_omega_2;
     let inverse_load_standstill_band = R::literal(1.0) / p.load_standstill_band;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let t4 = p.coupling_stiffness * p.coupling_ratio;
-    let t5 = p.coupling_damping * p.coupling_ratio;
+    let t6 = p.coupling_stiffness * p.coupling_ratio;
+    let t7 = p.coupling_damping * p.coupling_ratio;
     let motor_omega_0_times_motor_alpha_s = p.motor_omega_0 * p.motor_alpha_s;
-    let t6 = p.motor_omega_0 * p.motor_k_r * p.motor_alpha_s;
+    let t8 = p.motor_omega_0 * p.motor_k_r * p.motor_alpha_s;
     let motor_u_m_times_cos_motor_gamma = p.motor_u_m * cos_motor_gamma;
     let motor_u_m_times_sin_motor_gamma = p.motor_u_m * sin_motor_gamma;
     let motor_omega_0_times_motor_alpha_r = p.motor_omega_0 * p.motor_alpha_r;
-    let t7 = p.motor_omega_0 * p.motor_k_s * p.motor_alpha_r;
-    let cylinder_omega_dot_by_motor_phi = t4 * inverse_cylinder_inertia;
+    let t9 = p.motor_omega_0 * p.motor_k_s * p.motor_alpha_r;
+    let cylinder_omega_dot_by_motor_phi = t6 * inverse_cylinder_inertia;
     let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
     let cylinder_omega_dot_by_cylinder_phi = -(p.coupling_stiffness * coupling_ratio_squared
         * inverse_cylinder_inertia);
-    let motor_omega_dot_by_cylinder_phi = t4 * inverse_motor_inertia;
-    let cylinder_omega_dot_by_motor_omega = t5 * inverse_cylinder_inertia;
+    let motor_omega_dot_by_cylinder_phi = t6 * inverse_motor_inertia;
+    let cylinder_omega_dot_by_motor_omega = t7 * inverse_cylinder_inertia;
     let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
-    let t8 = p.coupling_damping * coupling_ratio_squared;
-    let motor_omega_dot_by_cylinder_omega = t5 * inverse_motor_inertia;
+    let t10 = p.coupling_damping * coupling_ratio_squared;
+    let motor_omega_dot_by_cylinder_omega = t7 * inverse_motor_inertia;
     let motor_psi_x1_dot_by_motor_psi_x1 = -motor_omega_0_times_motor_alpha_s;
     let motor_psi_y1_dot_by_motor_psi_x1 = -p.motor_omega_0;
     let motor_psi_x2_dot_by_motor_psi_x2 = -motor_omega_0_times_motor_alpha_r;
-    Constants { t0, t1, t2, t3, inverse_load_standstill_band, inverse_motor_inertia,
-        inverse_cylinder_inertia, t4, t5, motor_omega_0_times_motor_alpha_s, t6,
+    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
+    let t11 = -motor_u_m_times_sin_motor_gamma;
+    let t12 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r / motor_sigma_times_motor_x_s;
+    let motor_k_r_times_motor_alpha_s = p.motor_k_r * p.motor_alpha_s;
+    let motor_k_s_times_motor_alpha_r = p.motor_k_s * p.motor_alpha_r;
+    let t13 = t2 * p.motor_k_r / motor_sigma_times_motor_x_s;
+    let t14 = t3 / motor_sigma_times_motor_x_s;
+    let t15 = R::literal(-1.0) / p.motor_sigma;
+    let t16 = R::literal(-1.0) / p.motor_x_s;
+    let t17 = R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio;
+    let t18 = R::literal(2.0) * p.coupling_damping * p.coupling_ratio;
+    let t19 = R::literal(-0.328_986_813_369_645_25) * p.load_amplitude;
+    let t20 = R::literal(1.0) / (p.load_engagement_width * p.load_engagement_width);
+    let inverse_load_standstill_band_squared = R::literal(1.0) / (p.load_standstill_band
+        * p.load_standstill_band);
+    Constants { t0, t1, t4, t5, inverse_load_standstill_band, inverse_motor_inertia,
+        inverse_cylinder_inertia, t6, t7, motor_omega_0_times_motor_alpha_s, t8,
         motor_u_m_times_cos_motor_gamma, motor_u_m_times_sin_motor_gamma,
-        motor_omega_0_times_motor_alpha_r, t7, cylinder_omega_dot_by_motor_phi,
+        motor_omega_0_times_motor_alpha_r, t9, cylinder_omega_dot_by_motor_phi,
         motor_omega_dot_by_motor_phi, cylinder_omega_dot_by_cylinder_phi,
         motor_omega_dot_by_cylinder_phi, cylinder_omega_dot_by_motor_omega,
-        motor_omega_dot_by_motor_omega, t8, motor_omega_dot_by_cylinder_omega,
+        motor_omega_dot_by_motor_omega, t10, motor_omega_dot_by_cylinder_omega,
         motor_psi_x1_dot_by_motor_psi_x1, motor_psi_y1_dot_by_motor_psi_x1,
-        motor_psi_x2_dot_by_motor_psi_x2 }
+        motor_psi_x2_dot_by_motor_psi_x2, inverse_load_engagement_width, cos_motor_gamma,
+        sin_motor_gamma, t11, t12, motor_k_r_times_motor_alpha_s, motor_k_s_times_motor_alpha_r,
+        t13, t14, t15, t16, t17, t18, t19, t20, inverse_load_standstill_band_squared }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -185,22 +207,22 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         + (c.t1 * (time - p.load_engagement_time)).exp());
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
-    let motor_torque = c.t2 * (motor_psi_y1 * motor_psi_x2).sub_product(motor_psi_x1, motor_psi_y2);
+    let motor_torque = c.t4 * (motor_psi_y1 * motor_psi_x2).sub_product(motor_psi_x1, motor_psi_y2);
     let load_resistance = load_engagement * p.load_mean.add_product(p.load_amplitude, p.load_phase
-        .add_product(c.t3, time).sin()) * (c.inverse_load_standstill_band * cylinder_omega).tanh();
-    let cylinder_omega_dot = ((c.t4 * coupling_twist).add_product(c.t5, coupling_twist_rate)
+        .add_product(c.t5, time).sin()) * (c.inverse_load_standstill_band * cylinder_omega).tanh();
+    let cylinder_omega_dot = ((c.t6 * coupling_twist).add_product(c.t7, coupling_twist_rate)
         - load_resistance) * c.inverse_cylinder_inertia;
     let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let motor_psi_x1_dot = c.motor_u_m_times_cos_motor_gamma.add_product(p.motor_omega_0,
-        motor_psi_y1).add_product(c.t6, motor_psi_x2)
+        motor_psi_y1).add_product(c.t8, motor_psi_x2)
         .sub_product(c.motor_omega_0_times_motor_alpha_s, motor_psi_x1);
-    let motor_psi_y1_dot = c.motor_u_m_times_sin_motor_gamma.add_product(c.t6, motor_psi_y2)
+    let motor_psi_y1_dot = c.motor_u_m_times_sin_motor_gamma.add_product(c.t8, motor_psi_y2)
         .sub_product(p.motor_omega_0, motor_psi_x1)
         .sub_product(c.motor_omega_0_times_motor_alpha_s, motor_psi_y1);
-    let motor_psi_x2_dot = (c.t7 * motor_psi_x1).add_product(p.motor_omega_0, motor_psi_y2)
+    let motor_psi_x2_dot = (c.t9 * motor_psi_x1).add_product(p.motor_omega_0, motor_psi_y2)
         .sub_product(c.motor_omega_0_times_motor_alpha_r, motor_psi_x2).sub_product(motor_psi_y2,
         motor_rotor_term);
-    let motor_psi_y2_dot = (c.t7 * motor_psi_y1).add_product(motor_psi_x2, motor_rotor_term)
+    let motor_psi_y2_dot = (c.t9 * motor_psi_y1).add_product(motor_psi_x2, motor_rotor_term)
         .sub_product(p.motor_omega_0, motor_psi_x2)
         .sub_product(c.motor_omega_0_times_motor_alpha_r, motor_psi_y2);
     [motor_omega, cylinder_omega, motor_omega_dot, cylinder_omega_dot, motor_psi_x1_dot,
@@ -251,15 +273,15 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let motor_psi_y2_dot_by_motor_phi = p.motor_literal * motor_psi_x2;
     let motor_psi_x2_dot_by_motor_omega = -(c.t0 * motor_psi_y2);
     let motor_psi_y2_dot_by_motor_omega = c.t0 * motor_psi_x2;
-    let cylinder_omega_dot_by_cylinder_omega = (-c.t8).add_product(c.inverse_load_standstill_band
+    let cylinder_omega_dot_by_cylinder_omega = (-c.t10).add_product(c.inverse_load_standstill_band
         * load_engagement * R::literal(-1.0).add_product(t0, t0), p.load_mean
-        .add_product(p.load_amplitude, p.load_phase.add_product(c.t3, time).sin()))
+        .add_product(p.load_amplitude, p.load_phase.add_product(c.t5, time).sin()))
         * c.inverse_cylinder_inertia;
-    let motor_omega_dot_by_motor_psi_x1 = -(c.t2 * motor_psi_y2 * c.inverse_motor_inertia);
-    let motor_omega_dot_by_motor_psi_y1 = c.t2 * motor_psi_x2 * c.inverse_motor_inertia;
-    let motor_omega_dot_by_motor_psi_x2 = c.t2 * motor_psi_y1 * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_x1 = -(c.t4 * motor_psi_y2 * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_y1 = c.t4 * motor_psi_x2 * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_x2 = c.t4 * motor_psi_y1 * c.inverse_motor_inertia;
     let motor_psi_y2_dot_by_motor_psi_x2 = motor_rotor_term - p.motor_omega_0;
-    let motor_omega_dot_by_motor_psi_y2 = -(c.t2 * motor_psi_x1 * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_y2 = -(c.t4 * motor_psi_x1 * c.inverse_motor_inertia);
     let motor_psi_x2_dot_by_motor_psi_y2 = p.motor_omega_0 - motor_rotor_term;
     [R::literal(1.0), R::literal(1.0), c.motor_omega_dot_by_motor_phi,
         c.motor_omega_dot_by_cylinder_phi, c.motor_omega_dot_by_motor_omega,
@@ -268,77 +290,61 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         motor_omega_dot_by_motor_psi_y2, c.cylinder_omega_dot_by_motor_phi,
         c.cylinder_omega_dot_by_cylinder_phi, c.cylinder_omega_dot_by_motor_omega,
         cylinder_omega_dot_by_cylinder_omega, c.motor_psi_x1_dot_by_motor_psi_x1, p.motor_omega_0,
-        c.t6, c.motor_psi_y1_dot_by_motor_psi_x1, c.motor_psi_x1_dot_by_motor_psi_x1, c.t6,
-        motor_psi_x2_dot_by_motor_phi, motor_psi_x2_dot_by_motor_omega, c.t7,
+        c.t8, c.motor_psi_y1_dot_by_motor_psi_x1, c.motor_psi_x1_dot_by_motor_psi_x1, c.t8,
+        motor_psi_x2_dot_by_motor_phi, motor_psi_x2_dot_by_motor_omega, c.t9,
         c.motor_psi_x2_dot_by_motor_psi_x2, motor_psi_x2_dot_by_motor_psi_y2,
-        motor_psi_y2_dot_by_motor_phi, motor_psi_y2_dot_by_motor_omega, c.t7,
+        motor_psi_y2_dot_by_motor_phi, motor_psi_y2_dot_by_motor_omega, c.t9,
         motor_psi_y2_dot_by_motor_psi_x2, c.motor_psi_x2_dot_by_motor_psi_x2]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 179 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 140 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 38] {
+pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 38] {
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1, motor_psi_y1,
         motor_psi_x2, motor_psi_y2] = *state;
-    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let t0 = p.load_phase.add_product(R::literal(core::f64::consts::PI) * load_omega_2, time);
-    let [(t1, t2), (sin_motor_gamma, cos_motor_gamma)] = R::sin_cos_each([t0, p.motor_gamma]);
+    let t0 = p.load_phase.add_product(c.t5, time);
+    let (t1, t2) = t0.sin_cos();
     let coupling_ratio_times_cylinder_phi = p.coupling_ratio * cylinder_phi;
     let coupling_twist = motor_phi - coupling_ratio_times_cylinder_phi;
     let coupling_ratio_times_cylinder_omega = p.coupling_ratio * cylinder_omega;
     let coupling_twist_rate = motor_omega - coupling_ratio_times_cylinder_omega;
     let time_minus_load_engagement_time = time - p.load_engagement_time;
-    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
-    let t3 = (-(inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
+    let t3 = (-(c.inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
     let t4 = R::literal(1.0) + t3;
     let load_engagement = R::literal(1.0) / t4;
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
     let t5 = (motor_psi_y1 * motor_psi_x2).sub_product(motor_psi_x1, motor_psi_y2);
-    let t6 = R::literal(1.5) * p.motor_omega_0;
-    let t7 = t6 * p.motor_pole_pairs;
-    let motor_sigma_times_motor_x_s = p.motor_sigma * p.motor_x_s;
-    let motor_torque = t7 * p.motor_k_r / motor_sigma_times_motor_x_s * t5;
-    let t8 = p.load_mean.add_product(p.load_amplitude, t1);
-    let t9 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let load_resistance = load_engagement * t8 * t9;
-    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
-    let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
-        .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate) - load_resistance)
-        * inverse_cylinder_inertia;
-    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
-    let motor_omega_0_times_motor_alpha_s = p.motor_omega_0 * p.motor_alpha_s;
-    let motor_psi_y1_dot_by_motor_gamma = p.motor_u_m * cos_motor_gamma;
-    let motor_omega_0_times_motor_alpha_r = p.motor_omega_0 * p.motor_alpha_r;
-    let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
-    let motor_psi_x1_dot_by_motor_gamma = -(p.motor_u_m * sin_motor_gamma);
-    let motor_omega_dot_by_motor_omega_0 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r
-        / motor_sigma_times_motor_x_s * t5 * inverse_motor_inertia;
-    let motor_k_r_times_motor_alpha_s = p.motor_k_r * p.motor_alpha_s;
-    let motor_psi_x1_dot_by_motor_omega_0 = motor_psi_y1.add_product(motor_k_r_times_motor_alpha_s,
-        motor_psi_x2).sub_product(p.motor_alpha_s, motor_psi_x1);
+    let motor_torque = c.t4 * t5;
+    let t6 = p.load_mean.add_product(p.load_amplitude, t1);
+    let t7 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
+    let load_resistance = load_engagement * t6 * t7;
+    let cylinder_omega_dot = ((c.t6 * coupling_twist).add_product(c.t7, coupling_twist_rate)
+        - load_resistance) * c.inverse_cylinder_inertia;
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_omega_0 = c.t12 * t5 * c.inverse_motor_inertia;
+    let motor_psi_x1_dot_by_motor_omega_0 = motor_psi_y1
+        .add_product(c.motor_k_r_times_motor_alpha_s, motor_psi_x2).sub_product(p.motor_alpha_s,
+        motor_psi_x1);
     let motor_psi_y1_dot_by_motor_omega_0 = (-motor_psi_x1)
-        .add_product(motor_k_r_times_motor_alpha_s, motor_psi_y2).sub_product(p.motor_alpha_s,
+        .add_product(c.motor_k_r_times_motor_alpha_s, motor_psi_y2).sub_product(p.motor_alpha_s,
         motor_psi_y1);
-    let motor_k_s_times_motor_alpha_r = p.motor_k_s * p.motor_alpha_r;
-    let motor_psi_x2_dot_by_motor_omega_0 = motor_psi_y2.add_product(motor_k_s_times_motor_alpha_r,
-        motor_psi_x1).sub_product(p.motor_alpha_r, motor_psi_x2);
+    let motor_psi_x2_dot_by_motor_omega_0 = motor_psi_y2
+        .add_product(c.motor_k_s_times_motor_alpha_r, motor_psi_x1).sub_product(p.motor_alpha_r,
+        motor_psi_x2);
     let motor_psi_y2_dot_by_motor_omega_0 = (-motor_psi_x2)
-        .add_product(motor_k_s_times_motor_alpha_r, motor_psi_y1).sub_product(p.motor_alpha_r,
+        .add_product(c.motor_k_s_times_motor_alpha_r, motor_psi_y1).sub_product(p.motor_alpha_r,
         motor_psi_y2);
-    let motor_omega_dot_by_motor_pole_pairs = t6 * p.motor_k_r / motor_sigma_times_motor_x_s * t5
-        * inverse_motor_inertia;
-    let motor_psi_x2_dot_by_motor_k_s = motor_omega_0_times_motor_alpha_r * motor_psi_x1;
-    let motor_psi_y2_dot_by_motor_k_s = motor_omega_0_times_motor_alpha_r * motor_psi_y1;
-    let motor_omega_dot_by_motor_k_r = t7 / motor_sigma_times_motor_x_s * t5
-        * inverse_motor_inertia;
-    let motor_psi_x1_dot_by_motor_k_r = motor_omega_0_times_motor_alpha_s * motor_psi_x2;
-    let motor_psi_y1_dot_by_motor_k_r = motor_omega_0_times_motor_alpha_s * motor_psi_y2;
-    let motor_omega_dot_by_motor_sigma = R::literal(-1.0) / p.motor_sigma * motor_torque
-        * inverse_motor_inertia;
-    let motor_omega_dot_by_motor_x_s = R::literal(-1.0) / p.motor_x_s * motor_torque
-        * inverse_motor_inertia;
+    let motor_omega_dot_by_motor_pole_pairs = c.t13 * t5 * c.inverse_motor_inertia;
+    let motor_psi_x2_dot_by_motor_k_s = c.motor_omega_0_times_motor_alpha_r * motor_psi_x1;
+    let motor_psi_y2_dot_by_motor_k_s = c.motor_omega_0_times_motor_alpha_r * motor_psi_y1;
+    let motor_omega_dot_by_motor_k_r = c.t14 * t5 * c.inverse_motor_inertia;
+    let motor_psi_x1_dot_by_motor_k_r = c.motor_omega_0_times_motor_alpha_s * motor_psi_x2;
+    let motor_psi_y1_dot_by_motor_k_r = c.motor_omega_0_times_motor_alpha_s * motor_psi_y2;
+    let motor_omega_dot_by_motor_sigma = c.t15 * motor_torque * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_x_s = c.t16 * motor_torque * c.inverse_motor_inertia;
     let motor_psi_x1_dot_by_motor_alpha_s = p.motor_omega_0 * (-motor_psi_x1)
         .add_product(p.motor_k_r, motor_psi_x2);
     let motor_psi_y1_dot_by_motor_alpha_s = p.motor_omega_0 * (-motor_psi_y1)
@@ -351,36 +357,34 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let motor_psi_x2_dot_by_motor_literal = -(motor_psi_y2 * motor_phi_minus_motor_omega);
     let motor_psi_y2_dot_by_motor_literal = motor_psi_x2 * motor_phi_minus_motor_omega;
     let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
-        * inverse_cylinder_inertia;
+        * c.inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_cylinder_phi - motor_phi)
-        * inverse_motor_inertia;
+        * c.inverse_motor_inertia;
     let cylinder_omega_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
-        * inverse_cylinder_inertia;
+        * c.inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_damping = (coupling_ratio_times_cylinder_omega - motor_omega)
-        * inverse_motor_inertia;
+        * c.inverse_motor_inertia;
     let cylinder_omega_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
-        .add_product(p.coupling_damping, motor_omega).sub_product(R::literal(2.0)
-        * p.coupling_stiffness * p.coupling_ratio, cylinder_phi).sub_product(R::literal(2.0)
-        * p.coupling_damping * p.coupling_ratio, cylinder_omega) * inverse_cylinder_inertia;
+        .add_product(p.coupling_damping, motor_omega).sub_product(c.t17, cylinder_phi)
+        .sub_product(c.t18, cylinder_omega) * c.inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * cylinder_phi)
-        .add_product(p.coupling_damping, cylinder_omega) * inverse_motor_inertia;
-    let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_mean = -(load_engagement * t9 * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t9
-        * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_speed = R::literal(-0.328_986_813_369_645_25) * p.load_amplitude
-        * time * load_engagement * t2 * t9 * inverse_cylinder_inertia;
-    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2 * t9
-        * inverse_cylinder_inertia);
-    let t10 = t4 * t4;
-    let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t8 * t3 * t9
-        / t10 * inverse_cylinder_inertia;
-    let cylinder_omega_dot_by_load_engagement_width = R::literal(1.0) / (p.load_engagement_width
-        * p.load_engagement_width) * time_minus_load_engagement_time * t8 * t3 * t9 / t10
-        * inverse_cylinder_inertia;
-    let cylinder_omega_dot_by_load_standstill_band = R::literal(1.0) / (p.load_standstill_band
-        * p.load_standstill_band) * cylinder_omega * load_engagement * R::literal(1.0)
-        .sub_product(t9, t9) * t8 * inverse_cylinder_inertia;
+        .add_product(p.coupling_damping, cylinder_omega) * c.inverse_motor_inertia;
+    let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot * c.inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_mean = -(load_engagement * t7 * c.inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t7
+        * c.inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_speed = c.t19 * time * load_engagement * t2 * t7
+        * c.inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2 * t7
+        * c.inverse_cylinder_inertia);
+    let t8 = t4 * t4;
+    let cylinder_omega_dot_by_load_engagement_time = c.inverse_load_engagement_width * t6 * t3 * t7
+        / t8 * c.inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_load_engagement_width = c.t20 * time_minus_load_engagement_time * t6
+        * t3 * t7 / t8 * c.inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_load_standstill_band = c.inverse_load_standstill_band_squared
+        * cylinder_omega * load_engagement * R::literal(1.0).sub_product(t7, t7) * t6
+        * c.inverse_cylinder_inertia;
     [motor_omega_dot_by_motor_inertia, motor_omega_dot_by_motor_omega_0,
         motor_omega_dot_by_motor_pole_pairs, motor_omega_dot_by_motor_k_r,
         motor_omega_dot_by_motor_sigma, motor_omega_dot_by_motor_x_s,
@@ -391,14 +395,14 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         cylinder_omega_dot_by_load_amplitude, cylinder_omega_dot_by_load_speed,
         cylinder_omega_dot_by_load_phase, cylinder_omega_dot_by_load_engagement_time,
         cylinder_omega_dot_by_load_engagement_width, cylinder_omega_dot_by_load_standstill_band,
-        cos_motor_gamma, motor_psi_x1_dot_by_motor_gamma, motor_psi_x1_dot_by_motor_omega_0,
-        motor_psi_x1_dot_by_motor_k_r, motor_psi_x1_dot_by_motor_alpha_s, sin_motor_gamma,
-        motor_psi_y1_dot_by_motor_gamma, motor_psi_y1_dot_by_motor_omega_0,
-        motor_psi_y1_dot_by_motor_k_r, motor_psi_y1_dot_by_motor_alpha_s,
-        motor_psi_x2_dot_by_motor_omega_0, motor_psi_x2_dot_by_motor_k_s,
-        motor_psi_x2_dot_by_motor_alpha_r, motor_psi_x2_dot_by_motor_literal,
-        motor_psi_y2_dot_by_motor_omega_0, motor_psi_y2_dot_by_motor_k_s,
-        motor_psi_y2_dot_by_motor_alpha_r, motor_psi_y2_dot_by_motor_literal]
+        c.cos_motor_gamma, c.t11, motor_psi_x1_dot_by_motor_omega_0, motor_psi_x1_dot_by_motor_k_r,
+        motor_psi_x1_dot_by_motor_alpha_s, c.sin_motor_gamma, c.motor_u_m_times_cos_motor_gamma,
+        motor_psi_y1_dot_by_motor_omega_0, motor_psi_y1_dot_by_motor_k_r,
+        motor_psi_y1_dot_by_motor_alpha_s, motor_psi_x2_dot_by_motor_omega_0,
+        motor_psi_x2_dot_by_motor_k_s, motor_psi_x2_dot_by_motor_alpha_r,
+        motor_psi_x2_dot_by_motor_literal, motor_psi_y2_dot_by_motor_omega_0,
+        motor_psi_y2_dot_by_motor_k_s, motor_psi_y2_dot_by_motor_alpha_r,
+        motor_psi_y2_dot_by_motor_literal]
 }
 
 /// Partial derivative of `y'` with respect to time. 30 operations.

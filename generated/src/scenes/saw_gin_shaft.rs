@@ -20,7 +20,8 @@
 // Shapes: coordinates 3, first-order states 4, states 10, parameters 33, outputs 8.
 // Nonzeros: mass_matrix 3 of 3 by 3, rate_jacobian 29 of 10 by 10, parameter_jacobian 34 of 10 by 33.
 // Operations: rate 63, forcing 26, rate_jacobian 52, parameter_jacobian 131, outputs 22, energy 45,
-//     power_balance 144, prepare 42, prepared_rate 43, prepared_rate_jacobian 16.
+//     power_balance 144, prepare 64, prepared_rate 43, prepared_rate_jacobian 16,
+//     prepared_parameter_jacobian 89.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
@@ -109,15 +110,16 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 }
 
 ::machinist_contract::constants! {
-    motor_omega_0, motor_u_x, motor_u_y, t1, inverse_motor_inertia, inverse_saws_driven_field_inertia,
-    inverse_saws_end_field_inertia, t2, t3, motor_alpha_s_times_motor_omega_0,
+    motor_omega_0, motor_u_x, motor_u_y, t2, inverse_motor_inertia, inverse_saws_driven_field_inertia,
+    inverse_saws_end_field_inertia, t3, t4, motor_alpha_s_times_motor_omega_0,
     motor_alpha_r_times_motor_omega_0, saws_driven_dot_dot_by_motor_phi,
     motor_omega_dot_by_motor_phi, saws_driven_dot_dot_by_saws_driven,
     motor_omega_dot_by_saws_driven, saws_driven_dot_dot_by_motor_omega,
     motor_omega_dot_by_motor_omega, saws_driven_dot_dot_by_saws_driven_dot,
     motor_omega_dot_by_saws_driven_dot, motor_psi_sx_dot_by_motor_psi_sx,
     motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
-    motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx
+    motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx, t5, t6, t7, t8, t9,
+    minus_motor_u_y, t10, motor_k_r_over_motor_sigma, t12, t13, t14, t15
 }
 
 ::machinist_contract::field_scene! {
@@ -132,43 +134,59 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     at 2.322 => End, coordinate Some(2), handed 29;
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 42 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 64 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let (sin_motor_supply_phase, cos_motor_supply_phase) = p.motor_supply_phase.sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
-    let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0 / (p.motor_x_s
-        * motor_sigma);
+    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
+    let t1 = R::literal(1.5) * p.motor_pole_pairs;
+    let t2 = t1 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_saws_driven_field_inertia = R::literal(1.0) / p.saws_driven_field_inertia;
     let inverse_saws_end_field_inertia = R::literal(1.0) / p.saws_end_field_inertia;
-    let t2 = p.coupling_stiffness * p.coupling_ratio;
-    let t3 = p.coupling_damping * p.coupling_ratio;
+    let t3 = p.coupling_stiffness * p.coupling_ratio;
+    let t4 = p.coupling_damping * p.coupling_ratio;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let saws_driven_dot_dot_by_motor_phi = t2 * inverse_saws_driven_field_inertia;
+    let saws_driven_dot_dot_by_motor_phi = t3 * inverse_saws_driven_field_inertia;
     let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
     let saws_driven_dot_dot_by_saws_driven = -(p.coupling_stiffness * coupling_ratio_squared
         * inverse_saws_driven_field_inertia);
-    let motor_omega_dot_by_saws_driven = t2 * inverse_motor_inertia;
-    let saws_driven_dot_dot_by_motor_omega = t3 * inverse_saws_driven_field_inertia;
+    let motor_omega_dot_by_saws_driven = t3 * inverse_motor_inertia;
+    let saws_driven_dot_dot_by_motor_omega = t4 * inverse_saws_driven_field_inertia;
     let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let saws_driven_dot_dot_by_saws_driven_dot = -(p.coupling_damping * coupling_ratio_squared
         * inverse_saws_driven_field_inertia);
-    let motor_omega_dot_by_saws_driven_dot = t3 * inverse_motor_inertia;
+    let motor_omega_dot_by_saws_driven_dot = t4 * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_psi_sx = -motor_alpha_s_times_motor_omega_0;
     let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
     let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_rx = -motor_alpha_r_times_motor_omega_0;
-    Constants { motor_omega_0, motor_u_x, motor_u_y, t1, inverse_motor_inertia,
-        inverse_saws_driven_field_inertia, inverse_saws_end_field_inertia, t2, t3,
+    let t5 = R::literal(core::f64::consts::SQRT_2) * cos_motor_supply_phase;
+    let t6 = R::literal(core::f64::consts::SQRT_2) * sin_motor_supply_phase;
+    let t7 = R::literal(3.0 * core::f64::consts::PI) * p.motor_pole_pairs * p.motor_k_r
+        / motor_x_s_times_motor_sigma;
+    let t8 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
+    let t9 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+    let minus_motor_u_y = -motor_u_y;
+    let t10 = R::literal(1.5) * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let motor_k_r_over_motor_sigma = p.motor_k_r / motor_sigma;
+    let t11 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let t12 = t1 * motor_omega_0 / (p.motor_x_s * (t11 * t11));
+    let t13 = R::literal(-1.0) / p.motor_x_s;
+    let t14 = R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio;
+    let t15 = R::literal(2.0) * p.coupling_damping * p.coupling_ratio;
+    Constants { motor_omega_0, motor_u_x, motor_u_y, t2, inverse_motor_inertia,
+        inverse_saws_driven_field_inertia, inverse_saws_end_field_inertia, t3, t4,
         motor_alpha_s_times_motor_omega_0, motor_alpha_r_times_motor_omega_0,
         saws_driven_dot_dot_by_motor_phi, motor_omega_dot_by_motor_phi,
         saws_driven_dot_dot_by_saws_driven, motor_omega_dot_by_saws_driven,
@@ -176,7 +194,8 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         saws_driven_dot_dot_by_saws_driven_dot, motor_omega_dot_by_saws_driven_dot,
         motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
         motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
-        motor_psi_rx_dot_by_motor_psi_rx }
+        motor_psi_rx_dot_by_motor_psi_rx, t5, t6, t7, t8, t9, minus_motor_u_y, t10,
+        motor_k_r_over_motor_sigma, t12, t13, t14, t15 }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -204,10 +223,10 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let motor_slip_speed = c.motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
-    let motor_torque = c.t1 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
+    let motor_torque = c.t2 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let saws_end_dot_dot = p.saws_end_field_force * c.inverse_saws_end_field_inertia;
-    let saws_driven_dot_dot = p.saws_driven_field_force.add_product(c.t2, coupling_twist)
-        .add_product(c.t3, coupling_twist_rate) * c.inverse_saws_driven_field_inertia;
+    let saws_driven_dot_dot = p.saws_driven_field_force.add_product(c.t3, coupling_twist)
+        .add_product(c.t4, coupling_twist_rate) * c.inverse_saws_driven_field_inertia;
     let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot = c.motor_u_x.add_product(c.motor_omega_0, motor_psi_sy)
         .sub_product(c.motor_alpha_s_times_motor_omega_0, motor_psi_sx.sub_product(p.motor_k_r,
@@ -261,11 +280,11 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
-    let motor_omega_dot_by_motor_psi_sx = -(c.t1 * motor_psi_ry * c.inverse_motor_inertia);
-    let motor_omega_dot_by_motor_psi_sy = c.t1 * motor_psi_rx * c.inverse_motor_inertia;
-    let motor_omega_dot_by_motor_psi_rx = c.t1 * motor_psi_sy * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_sx = -(c.t2 * motor_psi_ry * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_sy = c.t2 * motor_psi_rx * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_rx = c.t2 * motor_psi_sy * c.inverse_motor_inertia;
     let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega - c.motor_omega_0;
-    let motor_omega_dot_by_motor_psi_ry = -(c.t1 * motor_psi_sx * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_ry = -(c.t2 * motor_psi_sx * c.inverse_motor_inertia);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), c.motor_omega_dot_by_motor_phi,
         c.motor_omega_dot_by_saws_driven, c.motor_omega_dot_by_motor_omega,
         c.motor_omega_dot_by_saws_driven_dot, motor_omega_dot_by_motor_psi_sx,
@@ -281,114 +300,84 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 131 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 89 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 34] {
+pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 34] {
     let [motor_phi, saws_driven, _, motor_omega, saws_driven_dot, _, motor_psi_sx, motor_psi_sy,
         motor_psi_rx, motor_psi_ry] = *state;
-    let (sin_motor_supply_phase, cos_motor_supply_phase) = p.motor_supply_phase.sin_cos();
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
-    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * cos_motor_supply_phase;
-    let motor_u_y = t0 * sin_motor_supply_phase;
     let coupling_ratio_times_saws_driven = p.coupling_ratio * saws_driven;
     let coupling_twist = motor_phi - coupling_ratio_times_saws_driven;
     let coupling_ratio_times_saws_driven_dot = p.coupling_ratio * saws_driven_dot;
     let coupling_twist_rate = motor_omega - coupling_ratio_times_saws_driven_dot;
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
-    let t1 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
-    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t2 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
+    let t0 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
+    let t1 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t3 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
-    let t4 = R::literal(1.5) * p.motor_pole_pairs;
-    let motor_torque = t4 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t3;
-    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
-    let inverse_saws_driven_field_inertia = R::literal(1.0) / p.saws_driven_field_inertia;
-    let inverse_saws_end_field_inertia = R::literal(1.0) / p.saws_end_field_inertia;
-    let saws_end_dot_dot = p.saws_end_field_force * inverse_saws_end_field_inertia;
-    let saws_driven_dot_dot = p.saws_driven_field_force.add_product(p.coupling_stiffness
-        * p.coupling_ratio, coupling_twist).add_product(p.coupling_damping * p.coupling_ratio,
-        coupling_twist_rate) * inverse_saws_driven_field_inertia;
-    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
-    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t5 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
-    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t6 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
-    let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
-    let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
-        * cos_motor_supply_phase;
-    let motor_psi_sy_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
-        * sin_motor_supply_phase;
-    let motor_omega_dot_by_motor_supply_frequency = R::literal(3.0 * core::f64::consts::PI)
-        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t3
-        * inverse_motor_inertia;
-    let t7 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
+    let t2 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let motor_torque = c.t2 * t2;
+    let saws_end_dot_dot = p.saws_end_field_force * c.inverse_saws_end_field_inertia;
+    let saws_driven_dot_dot = p.saws_driven_field_force.add_product(c.t3, coupling_twist)
+        .add_product(c.t4, coupling_twist_rate) * c.inverse_saws_driven_field_inertia;
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
+    let t3 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
+    let t4 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
+    let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_supply_frequency = c.t7 * t2 * c.inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_sy).sub_product(t7, t1);
+        * motor_psi_sy).sub_product(c.t8, t0);
     let motor_psi_sy_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
-        * motor_psi_sx).sub_product(t7, t2);
-    let t8 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+        * motor_psi_sx).sub_product(c.t8, t1);
     let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_ry).add_product(t8, t5);
+        * motor_psi_ry).add_product(c.t9, t3);
     let motor_psi_ry_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
-        * motor_psi_rx).add_product(t8, t6);
-    let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
-    let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r * motor_omega_0
-        / motor_x_s_times_motor_sigma * t3 * inverse_motor_inertia;
+        * motor_psi_rx).add_product(c.t9, t4);
+    let motor_omega_dot_by_motor_pole_pairs = c.t10 * t2 * c.inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
-    let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
-        * inverse_motor_inertia;
-    let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
-    let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let t9 = motor_k_s_times_motor_k_r - R::literal(1.0);
-    let motor_omega_dot_by_motor_k_r = t4 * motor_omega_0 / (p.motor_x_s * (t9 * t9))
-        * (motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry)
-        * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
-    let motor_psi_sy_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
-    let motor_omega_dot_by_motor_x_s = R::literal(-1.0) / p.motor_x_s * motor_torque
-        * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t1);
-    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t2);
-    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t5;
-    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t6;
+    let motor_omega_dot_by_motor_k_s = c.motor_k_r_over_motor_sigma * motor_torque
+        * c.inverse_motor_inertia;
+    let motor_psi_rx_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
+    let motor_psi_ry_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
+    let motor_omega_dot_by_motor_k_r = c.t12 * (motor_psi_sy_times_motor_psi_rx
+        - motor_psi_sx_times_motor_psi_ry) * c.inverse_motor_inertia;
+    let motor_psi_sx_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
+    let motor_psi_sy_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
+    let motor_omega_dot_by_motor_x_s = c.t13 * motor_torque * c.inverse_motor_inertia;
+    let motor_psi_sx_dot_by_motor_alpha_s = -(c.motor_omega_0 * t0);
+    let motor_psi_sy_dot_by_motor_alpha_s = -(c.motor_omega_0 * t1);
+    let motor_psi_rx_dot_by_motor_alpha_r = c.motor_omega_0 * t3;
+    let motor_psi_ry_dot_by_motor_alpha_r = c.motor_omega_0 * t4;
     let saws_driven_dot_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
-        * inverse_saws_driven_field_inertia;
+        * c.inverse_saws_driven_field_inertia;
     let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_saws_driven - motor_phi)
-        * inverse_motor_inertia;
+        * c.inverse_motor_inertia;
     let saws_driven_dot_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
-        * inverse_saws_driven_field_inertia;
+        * c.inverse_saws_driven_field_inertia;
     let motor_omega_dot_by_coupling_damping = (coupling_ratio_times_saws_driven_dot - motor_omega)
-        * inverse_motor_inertia;
+        * c.inverse_motor_inertia;
     let saws_driven_dot_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
-        .add_product(p.coupling_damping, motor_omega).sub_product(R::literal(2.0)
-        * p.coupling_stiffness * p.coupling_ratio, saws_driven).sub_product(R::literal(2.0)
-        * p.coupling_damping * p.coupling_ratio, saws_driven_dot)
-        * inverse_saws_driven_field_inertia;
+        .add_product(p.coupling_damping, motor_omega).sub_product(c.t14, saws_driven)
+        .sub_product(c.t15, saws_driven_dot) * c.inverse_saws_driven_field_inertia;
     let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * saws_driven)
-        .add_product(p.coupling_damping, saws_driven_dot) * inverse_motor_inertia;
+        .add_product(p.coupling_damping, saws_driven_dot) * c.inverse_motor_inertia;
     let saws_driven_dot_dot_by_saws_driven_field_inertia = -(saws_driven_dot_dot
-        * inverse_saws_driven_field_inertia);
+        * c.inverse_saws_driven_field_inertia);
     let saws_end_dot_dot_by_saws_end_field_inertia = -(saws_end_dot_dot
-        * inverse_saws_end_field_inertia);
+        * c.inverse_saws_end_field_inertia);
     [motor_omega_dot_by_motor_inertia, motor_omega_dot_by_motor_supply_frequency,
         motor_omega_dot_by_motor_pole_pairs, motor_omega_dot_by_motor_k_s,
         motor_omega_dot_by_motor_k_r, motor_omega_dot_by_motor_x_s,
         motor_omega_dot_by_coupling_stiffness, motor_omega_dot_by_coupling_damping,
         motor_omega_dot_by_coupling_ratio, saws_driven_dot_dot_by_coupling_stiffness,
         saws_driven_dot_dot_by_coupling_damping, saws_driven_dot_dot_by_coupling_ratio,
-        saws_driven_dot_dot_by_saws_driven_field_inertia, inverse_saws_driven_field_inertia,
-        saws_end_dot_dot_by_saws_end_field_inertia, inverse_saws_end_field_inertia,
-        motor_psi_sx_dot_by_motor_phase_voltage, motor_psi_sx_dot_by_motor_supply_frequency,
-        motor_psi_sx_dot_by_motor_supply_phase, motor_psi_sx_dot_by_motor_k_r,
-        motor_psi_sx_dot_by_motor_alpha_s, motor_psi_sy_dot_by_motor_phase_voltage,
-        motor_psi_sy_dot_by_motor_supply_frequency, motor_u_x, motor_psi_sy_dot_by_motor_k_r,
+        saws_driven_dot_dot_by_saws_driven_field_inertia, c.inverse_saws_driven_field_inertia,
+        saws_end_dot_dot_by_saws_end_field_inertia, c.inverse_saws_end_field_inertia, c.t5,
+        motor_psi_sx_dot_by_motor_supply_frequency, c.minus_motor_u_y,
+        motor_psi_sx_dot_by_motor_k_r, motor_psi_sx_dot_by_motor_alpha_s, c.t6,
+        motor_psi_sy_dot_by_motor_supply_frequency, c.motor_u_x, motor_psi_sy_dot_by_motor_k_r,
         motor_psi_sy_dot_by_motor_alpha_s, motor_psi_rx_dot_by_motor_supply_frequency,
         motor_psi_rx_dot_by_motor_pole_pairs, motor_psi_rx_dot_by_motor_k_s,
         motor_psi_rx_dot_by_motor_alpha_r, motor_psi_ry_dot_by_motor_supply_frequency,

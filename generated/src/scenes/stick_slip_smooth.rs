@@ -17,8 +17,8 @@
 // Shapes: coordinates 1, states 2, parameters 9, outputs 3, kinks 1.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 9 of 2 by 9.
 // Operations: rate 18, forcing 17, rate_jacobian 27, parameter_jacobian 58, outputs 13, energy 6,
-//     power_balance 26, kink_guards 1, kink_rates 18, prepare 8, prepared_rate 15,
-//     prepared_rate_jacobian 20.
+//     power_balance 26, kink_guards 1, kink_rates 18, prepare 12, prepared_rate 15,
+//     prepared_rate_jacobian 20, prepared_parameter_jacobian 49.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -69,10 +69,11 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    t0, inverse_slider_width, t1, inverse_slider_mass, slider_v_dot_by_slider_x, t2
+    t0, inverse_slider_width, t1, inverse_slider_mass, slider_v_dot_by_slider_x, t3, t4,
+    inverse_slider_width_squared
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 8 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 12 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -81,8 +82,12 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t1 = R::literal(-1.0) / p.slider_mass;
     let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
     let slider_v_dot_by_slider_x = -(p.slider_stiffness * inverse_slider_mass);
-    let t2 = p.slider_normal_force * p.slider_stribeck_friction / p.slider_stribeck_speed;
-    Constants { t0, inverse_slider_width, t1, inverse_slider_mass, slider_v_dot_by_slider_x, t2 }
+    let t2 = p.slider_normal_force * p.slider_stribeck_friction;
+    let t3 = t2 / p.slider_stribeck_speed;
+    let t4 = t2 / (p.slider_stribeck_speed * p.slider_stribeck_speed);
+    let inverse_slider_width_squared = R::literal(1.0) / (p.slider_width * p.slider_width);
+    Constants { t0, inverse_slider_width, t1, inverse_slider_mass, slider_v_dot_by_slider_x, t3,
+        t4, inverse_slider_width_squared }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -142,43 +147,41 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
         .add_product(p.slider_stribeck_friction, t0);
     let t1 = (c.inverse_slider_width * slider_sliding).tanh();
-    let slider_v_dot_by_slider_v = (-p.slider_damping).add_product(c.t2 * t0 * t1,
+    let slider_v_dot_by_slider_v = (-p.slider_damping).add_product(c.t3 * t0 * t1,
         R::select_less(slider_sliding, R::literal(0.0), R::literal(-1.0), R::literal(1.0)))
         .sub_product(c.inverse_slider_width * slider_dragged, R::literal(1.0).sub_product(t1, t1))
         * c.inverse_slider_mass;
     [R::literal(1.0), c.slider_v_dot_by_slider_x, slider_v_dot_by_slider_v]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 58 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 49 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 9] {
+pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 9] {
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let abs_slider_sliding = slider_sliding.abs();
-    let t0 = (R::literal(-1.0) / p.slider_stribeck_speed * abs_slider_sliding).exp();
+    let t0 = (c.t0 * abs_slider_sliding).exp();
     let t1 = p.slider_kinetic_friction.add_product(p.slider_stribeck_friction, t0);
     let slider_dragged = p.slider_normal_force * t1;
-    let inverse_slider_width = R::literal(1.0) / p.slider_width;
-    let t2 = (inverse_slider_width * slider_sliding).tanh();
-    let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
+    let t2 = (c.inverse_slider_width * slider_sliding).tanh();
     let t3 = R::literal(1.0).sub_product(t2, t2);
-    let t4 = p.slider_normal_force * p.slider_stribeck_friction;
-    let slider_v_dot_by_belt_speed = (-(t4 / p.slider_stribeck_speed * t0 * t2
-        * R::select_less(slider_sliding, R::literal(0.0), R::literal(-1.0), R::literal(1.0))))
-        .add_product(inverse_slider_width * slider_dragged, t3) * inverse_slider_mass;
+    let slider_v_dot_by_belt_speed = (-(c.t3 * t0 * t2 * R::select_less(slider_sliding,
+        R::literal(0.0), R::literal(-1.0), R::literal(1.0)))).add_product(c.inverse_slider_width
+        * slider_dragged, t3) * c.inverse_slider_mass;
     let slider_v_dot_by_slider_mass = (p.slider_stiffness * slider_x).add_product(slider_dragged,
-        t2).add_product(p.slider_damping, slider_v) * inverse_slider_mass * inverse_slider_mass;
-    let slider_v_dot_by_slider_stiffness = -(slider_x * inverse_slider_mass);
-    let slider_v_dot_by_slider_damping = -(slider_v * inverse_slider_mass);
-    let slider_v_dot_by_slider_normal_force = -(t1 * t2 * inverse_slider_mass);
+        t2).add_product(p.slider_damping, slider_v) * c.inverse_slider_mass * c.inverse_slider_mass;
+    let slider_v_dot_by_slider_stiffness = -(slider_x * c.inverse_slider_mass);
+    let slider_v_dot_by_slider_damping = -(slider_v * c.inverse_slider_mass);
+    let slider_v_dot_by_slider_normal_force = -(t1 * t2 * c.inverse_slider_mass);
     let slider_v_dot_by_slider_kinetic_friction = -(p.slider_normal_force * t2
-        * inverse_slider_mass);
+        * c.inverse_slider_mass);
     let slider_v_dot_by_slider_stribeck_friction = -(p.slider_normal_force * t0 * t2
-        * inverse_slider_mass);
-    let slider_v_dot_by_slider_stribeck_speed = -(t4 / (p.slider_stribeck_speed
-        * p.slider_stribeck_speed) * abs_slider_sliding * t0 * t2 * inverse_slider_mass);
-    let slider_v_dot_by_slider_width = R::literal(1.0) / (p.slider_width * p.slider_width)
-        * slider_sliding * slider_dragged * t3 * inverse_slider_mass;
+        * c.inverse_slider_mass);
+    let slider_v_dot_by_slider_stribeck_speed = -(c.t4 * abs_slider_sliding * t0 * t2
+        * c.inverse_slider_mass);
+    let slider_v_dot_by_slider_width = c.inverse_slider_width_squared * slider_sliding
+        * slider_dragged * t3 * c.inverse_slider_mass;
     [slider_v_dot_by_belt_speed, slider_v_dot_by_slider_mass, slider_v_dot_by_slider_stiffness,
         slider_v_dot_by_slider_damping, slider_v_dot_by_slider_normal_force,
         slider_v_dot_by_slider_kinetic_friction, slider_v_dot_by_slider_stribeck_friction,

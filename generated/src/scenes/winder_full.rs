@@ -22,7 +22,8 @@
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 14 of 8 by 8, parameter_jacobian 51 of 8 by 30.
 // Operations: initial_state 5, rate 101, mass_matrix 17, forcing 80, rate_jacobian 182,
 //     parameter_jacobian 453, time_derivative 80, outputs 75, energy 59, power_balance 144,
-//     guards 63, guard_rates 198, resets 66, prepare 24, prepared_rate 82, prepared_rate_jacobian 158.
+//     guards 63, guard_rates 198, resets 66, prepare 67, prepared_rate 82,
+//     prepared_rate_jacobian 158, prepared_parameter_jacobian 388.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -121,11 +122,15 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    drum_speed, t1, pair_bobbin_radius_squared, t2, pair_bobbin_radius_squared_squared, t3, t4, t5, t6,
-    eccentricity_times_drum_speed, t7, t8, t9, t10, minus_layer_viscosity, t11, t12
+    drum_speed, t1, pair_bobbin_radius_squared, t2, pair_bobbin_radius_squared_squared, t4, t6, t7, t9,
+    eccentricity_times_drum_speed, t10, t11, t12, t13, minus_layer_viscosity, t14, t15, t0, t3,
+    inverse_layer_viscosity, force_amplitude_over_drum_radius, t16, eccentricity_over_drum_radius,
+    t18, t19, t20, t21, t22, t23, t24, t25, t26, ovality_times_layer_stiffness,
+    layer_viscosity_times_drum_speed, t27, t28, t29, minus_inverse_layer_viscosity,
+    inverse_layer_viscosity_squared, t31, t32, t33, t34, t35, t36, t37, t38, t39
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 24 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 67 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -136,21 +141,61 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t2 = t0 * p.pair_yarn_density;
     let pair_bobbin_radius_squared_squared = pair_bobbin_radius_squared
         * pair_bobbin_radius_squared;
-    let t3 = R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width * p.pair_yarn_density;
-    let t4 = p.holder_bobbin_mass + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let t5 = R::literal(2.0) * drum_speed;
-    let t6 = R::literal(2.0) * p.ovality * drum_speed;
+    let t3 = R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width;
+    let t4 = t3 * p.pair_yarn_density;
+    let t5 = p.holder_link_mass * p.holder_link_arm;
+    let t6 = p.holder_bobbin_mass + t5 / p.holder_holder_arm;
+    let t7 = R::literal(2.0) * drum_speed;
+    let t8 = R::literal(2.0) * p.ovality;
+    let t9 = t8 * drum_speed;
     let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
-    let t7 = p.pair_support_arm + p.pair_rolling_arm;
-    let t8 = p.pair_yarn_density * p.pair_thread_area;
-    let t9 = R::literal(-1.0) / p.layer_viscosity;
-    let t10 = R::literal(3.0) * p.layer_cubic_stiffness;
+    let t10 = p.pair_support_arm + p.pair_rolling_arm;
+    let t11 = p.pair_yarn_density * p.pair_thread_area;
+    let t12 = R::literal(-1.0) / p.layer_viscosity;
+    let t13 = R::literal(3.0) * p.layer_cubic_stiffness;
     let minus_layer_viscosity = -p.layer_viscosity;
-    let t11 = -t7;
-    let t12 = R::literal(core::f64::consts::TAU) * p.pair_package_width * p.pair_yarn_density;
+    let t14 = -t10;
+    let t15 = R::literal(core::f64::consts::TAU) * p.pair_package_width * p.pair_yarn_density;
+    let inverse_layer_viscosity = R::literal(1.0) / p.layer_viscosity;
+    let force_amplitude_over_drum_radius = p.force_amplitude / p.drum_radius;
+    let t16 = t8 / p.drum_radius;
+    let eccentricity_over_drum_radius = p.eccentricity / p.drum_radius;
+    let t17 = R::literal(4.0) * p.ovality;
+    let t18 = t17 * drum_speed / p.drum_radius;
+    let t19 = eccentricity_times_drum_speed / p.drum_radius;
+    let t20 = p.force_amplitude * drum_speed / p.drum_radius;
+    let t21 = t9 / p.drum_radius;
+    let drum_speed_squared = drum_speed * drum_speed;
+    let t22 = t17 * drum_speed_squared / p.drum_radius;
+    let t23 = p.eccentricity * drum_speed_squared / p.drum_radius;
+    let t24 = R::literal(2.0) * p.layer_viscosity * drum_speed;
+    let t25 = t8 * p.layer_viscosity * drum_speed;
+    let t26 = R::literal(3.0) * p.ovality * p.layer_cubic_stiffness;
+    let ovality_times_layer_stiffness = p.ovality * p.layer_stiffness;
+    let layer_viscosity_times_drum_speed = p.layer_viscosity * drum_speed;
+    let t27 = p.holder_link_arm / p.holder_holder_arm;
+    let t28 = p.holder_link_mass / p.holder_holder_arm;
+    let t29 = t5 / (p.holder_holder_arm * p.holder_holder_arm);
+    let minus_inverse_layer_viscosity = -inverse_layer_viscosity;
+    let inverse_layer_viscosity_squared = R::literal(1.0) / (p.layer_viscosity * p.layer_viscosity);
+    let t30 = pair_bobbin_radius_squared * p.pair_bobbin_radius;
+    let t31 = t11 * t30;
+    let t32 = R::literal(core::f64::consts::TAU) * p.pair_bobbin_radius * p.pair_package_width
+        * p.pair_yarn_density;
+    let t33 = t15 * t30;
+    let t34 = p.pair_bobbin_inertia / p.pair_package_width;
+    let t35 = R::literal(core::f64::consts::FRAC_PI_2) * p.pair_yarn_density;
+    let t36 = R::literal(-3.141_592_653_589_793) * p.pair_yarn_density;
+    let t37 = R::literal(-1.0) / p.pair_package_width;
+    let t38 = R::literal(-0.25) * p.pair_thread_area;
+    let t39 = R::literal(0.5) / t0;
     Constants { drum_speed, t1, pair_bobbin_radius_squared, t2, pair_bobbin_radius_squared_squared,
-        t3, t4, t5, t6, eccentricity_times_drum_speed, t7, t8, t9, t10, minus_layer_viscosity, t11,
-        t12 }
+        t4, t6, t7, t9, eccentricity_times_drum_speed, t10, t11, t12, t13, minus_layer_viscosity,
+        t14, t15, t0, t3, inverse_layer_viscosity, force_amplitude_over_drum_radius, t16,
+        eccentricity_over_drum_radius, t18, t19, t20, t21, t22, t23, t24, t25, t26,
+        ovality_times_layer_stiffness, layer_viscosity_times_drum_speed, t27, t28, t29,
+        minus_inverse_layer_viscosity, inverse_layer_viscosity_squared, t31, t32, t33, t34, t35,
+        t36, t37, t38, t39 }
 }
 
 /// State at the start of the run, in the units of the states. 5 operations.
@@ -176,7 +221,7 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let [holder_x, pair_phi, holder_v, pair_omega, layer_surface, layer_closed, pair_radius,
         pair_slip] = *state;
     let drum_speed_times_time = c.drum_speed * time;
-    let t0 = p.ovality_phase.add_product(c.t5, time);
+    let t0 = p.ovality_phase.add_product(c.t7, time);
     let [(_, t1), (_, cos_package_phase_plus_pair_phi), (t2, t3), (sin_drum_speed_times_time,
         cos_drum_speed_times_time)] = R::sin_cos_each([p.force_phase + drum_speed_times_time,
         p.package_phase + pair_phi, t0, drum_speed_times_time]);
@@ -185,15 +230,15 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let pair_growth = c.t1 * pair_omega;
     let pair_radius_squared = pair_radius * pair_radius;
     let pair_package_mass = c.t2 * (pair_radius_squared - c.pair_bobbin_radius_squared);
-    let pair_inertia = p.pair_bobbin_inertia.add_product(c.t3,
+    let pair_inertia = p.pair_bobbin_inertia.add_product(c.t4,
         (-c.pair_bobbin_radius_squared_squared).add_product(pair_radius_squared,
         pair_radius_squared));
     let force = (p.package_force * cos_package_phase_plus_pair_phi).add_product(p.force_amplitude,
         t1);
-    let holder_mass = c.t4 + pair_package_mass;
+    let holder_mass = c.t6 + pair_package_mass;
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t3);
     let layer_compression = shape - holder_x;
-    let t4 = (c.eccentricity_times_drum_speed * sin_drum_speed_times_time).add_product(c.t6, t2)
+    let t4 = (c.eccentricity_times_drum_speed * sin_drum_speed_times_time).add_product(c.t9, t2)
         + holder_v;
     let layer_compression_rate = -t4;
     let t5 = p.layer_viscosity * t4;
@@ -205,7 +250,7 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let pair_limit = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_friction_times_layer_push);
     let pair_resistance = p.pair_tension + R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), c.t7 * layer_push / pair_radius);
+        R::literal(0.0), c.t10 * layer_push / pair_radius);
     let pair_held = pair_resistance - pair_omega * pair_growth * pair_inertia / pair_radius_squared;
     let pair_carried = R::select_less(pair_slip, R::literal(-0.5), pair_limit,
         R::select_less(pair_slip, R::literal(0.5), pair_held, R::select_less(layer_closed,
@@ -213,10 +258,10 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
         * (pair_carried - pair_resistance)) * (R::literal(1.0) / pair_inertia);
     let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        -t5)).sub_product(c.t8 * holder_v * pair_omega, pair_radius) - (p.holder_preload
+        -t5)).sub_product(c.t11 * holder_v * pair_omega, pair_radius) - (p.holder_preload
         .add_product(p.holder_stiffness, holder_x) + R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -t6))) * (R::literal(1.0) / holder_mass);
-    let layer_surface_dot = R::select_less(layer_closed, R::literal(0.5), c.t9 * layer_swelling,
+    let layer_surface_dot = R::select_less(layer_closed, R::literal(0.5), c.t12 * layer_swelling,
         layer_compression_rate);
     [holder_v, pair_omega, holder_v_dot, pair_omega_dot, layer_surface_dot, R::literal(0.0),
         pair_growth, R::literal(0.0)]
@@ -292,7 +337,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         pair_slip] = *state;
     let drum_speed_times_time = c.drum_speed * time;
     let package_phase_plus_pair_phi = p.package_phase + pair_phi;
-    let t0 = p.ovality_phase.add_product(c.t5, time);
+    let t0 = p.ovality_phase.add_product(c.t7, time);
     let [(_, t1), (sin_package_phase_plus_pair_phi, cos_package_phase_plus_pair_phi), (t2, t3),
         (sin_drum_speed_times_time, cos_drum_speed_times_time)]
         = R::sin_cos_each([p.force_phase + drum_speed_times_time, package_phase_plus_pair_phi, t0,
@@ -300,24 +345,24 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let pair_growth = c.t1 * pair_omega;
     let pair_radius_squared = pair_radius * pair_radius;
     let pair_package_mass = c.t2 * (pair_radius_squared - c.pair_bobbin_radius_squared);
-    let pair_inertia = p.pair_bobbin_inertia.add_product(c.t3,
+    let pair_inertia = p.pair_bobbin_inertia.add_product(c.t4,
         (-c.pair_bobbin_radius_squared_squared).add_product(pair_radius_squared,
         pair_radius_squared));
     let force = (p.package_force * cos_package_phase_plus_pair_phi).add_product(p.force_amplitude,
         t1);
-    let holder_mass = c.t4 + pair_package_mass;
+    let holder_mass = c.t6 + pair_package_mass;
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t3);
     let layer_compression = shape - holder_x;
     let layer_compression_squared = layer_compression * layer_compression;
     let t4 = p.layer_viscosity * ((c.eccentricity_times_drum_speed * sin_drum_speed_times_time)
-        .add_product(c.t6, t2) + holder_v);
+        .add_product(c.t9, t2) + holder_v);
     let t5 = p.holder_preload.add_product(p.layer_stiffness, layer_compression)
         .add_product(p.layer_cubic_stiffness, layer_compression_squared * layer_compression);
     let layer_push = t5 - t4;
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_friction_times_layer_push);
-    let t6 = c.t7 * layer_push;
+    let t6 = c.t10 * layer_push;
     let pair_resistance = p.pair_tension + R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), t6 / pair_radius);
     let pair_held = pair_resistance - pair_omega * pair_growth * pair_inertia / pair_radius_squared;
@@ -326,7 +371,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         R::literal(0.5), R::literal(0.0), -pair_friction_times_layer_push)));
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let inverse_pair_inertia = R::literal(1.0) / pair_inertia;
-    let t7 = c.t8 * holder_v;
+    let t7 = c.t11 * holder_v;
     let t8 = t7 * pair_omega;
     let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
         * (pair_carried - pair_resistance)) * inverse_pair_inertia;
@@ -334,8 +379,8 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         -t4)).sub_product(t8, pair_radius) - (p.holder_preload.add_product(p.holder_stiffness,
         holder_x) + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t5)))
         * inverse_holder_mass;
-    let t9 = p.layer_stiffness.add_product(c.t10, layer_compression_squared);
-    let t10 = c.t7 * t9 / pair_radius;
+    let t9 = p.layer_stiffness.add_product(c.t13, layer_compression_squared);
+    let t10 = c.t10 * t9 / pair_radius;
     let t11 = p.pair_friction * t9;
     let t12 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), R::literal(1.0));
     let pair_omega_dot_by_holder_x = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
@@ -347,11 +392,11 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         * inverse_holder_mass);
     let pair_friction_times_pair_radius = p.pair_friction * pair_radius;
     let pair_omega_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        p.layer_viscosity * (c.t7 + R::select_less(pair_slip, R::literal(-0.5),
-        -pair_friction_times_pair_radius, R::select_less(pair_slip, R::literal(0.5), c.t11,
+        p.layer_viscosity * (c.t10 + R::select_less(pair_slip, R::literal(-0.5),
+        -pair_friction_times_pair_radius, R::select_less(pair_slip, R::literal(0.5), c.t14,
         pair_friction_times_pair_radius))) * t12) * inverse_pair_inertia;
     let holder_v_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        c.minus_layer_viscosity).sub_product(c.t8 * pair_omega, pair_radius) * inverse_holder_mass;
+        c.minus_layer_viscosity).sub_product(c.t11 * pair_omega, pair_radius) * inverse_holder_mass;
     let layer_surface_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), R::literal(-1.0));
     let pair_omega_dot_by_pair_omega = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0),
@@ -359,8 +404,8 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         R::literal(0.0), R::literal(1.0)) * R::select_less(pair_slip, R::literal(0.5),
         R::literal(1.0), R::literal(0.0)) / pair_radius) * inverse_pair_inertia;
     let holder_v_dot_by_pair_omega = -(t7 * pair_radius * inverse_holder_mass);
-    let layer_surface_dot_by_layer_surface = R::select_less(layer_closed, R::literal(0.5), c.t9
-        * p.layer_stiffness.add_product(c.t10, layer_surface * layer_surface), R::literal(0.0));
+    let layer_surface_dot_by_layer_surface = R::select_less(layer_closed, R::literal(0.5), c.t12
+        * p.layer_stiffness.add_product(c.t13, layer_surface * layer_surface), R::literal(0.0));
     let t13 = t6 / pair_radius_squared;
     let t14 = pair_radius_squared * pair_radius;
     let pair_omega_dot_by_pair_radius = R::select_less(pair_slip, R::literal(-1.5),
@@ -368,10 +413,10 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         R::literal(0.5), R::literal(0.0), t13) + R::select_less(pair_slip, R::literal(-0.5),
         R::literal(0.0), R::select_less(pair_slip, R::literal(0.5), (R::literal(2.0) * pair_omega
         * pair_growth * pair_inertia / t14 + R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -t13)).sub_product(c.t8 * pair_radius, pair_omega * pair_omega),
-        R::literal(0.0)))) - pair_resistance).sub_product(c.t12 * t14, pair_omega_dot)
+        R::literal(0.0), -t13)).sub_product(c.t11 * pair_radius, pair_omega * pair_omega),
+        R::literal(0.0)))) - pair_resistance).sub_product(c.t15 * t14, pair_omega_dot)
         * inverse_pair_inertia;
-    let holder_v_dot_by_pair_radius = -(t8.add_product(c.t12 * pair_radius, holder_v_dot)
+    let holder_v_dot_by_pair_radius = -(t8.add_product(c.t15 * pair_radius, holder_v_dot)
         * inverse_holder_mass);
     [R::literal(1.0), R::literal(1.0), holder_v_dot_by_holder_x, holder_v_dot_by_pair_phi,
         holder_v_dot_by_holder_v, holder_v_dot_by_pair_omega, holder_v_dot_by_pair_radius,
@@ -380,57 +425,48 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         layer_surface_dot_by_layer_surface, c.t1]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 453 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 388 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 51] {
+pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 51] {
     let [holder_x, pair_phi, holder_v, pair_omega, layer_surface, layer_closed, pair_radius,
         pair_slip] = *state;
-    let drum_speed = p.winding_speed / p.drum_radius;
-    let drum_speed_times_time = drum_speed * time;
+    let drum_speed_times_time = c.drum_speed * time;
     let t0 = p.force_phase + drum_speed_times_time;
     let package_phase_plus_pair_phi = p.package_phase + pair_phi;
-    let t1 = R::literal(2.0) * drum_speed;
-    let t2 = p.ovality_phase.add_product(t1, time);
-    let [(t3, t4), (sin_package_phase_plus_pair_phi, cos_package_phase_plus_pair_phi), (t5, t6),
+    let t1 = p.ovality_phase.add_product(c.t7, time);
+    let [(t2, t3), (sin_package_phase_plus_pair_phi, cos_package_phase_plus_pair_phi), (t4, t5),
         (sin_drum_speed_times_time, cos_drum_speed_times_time)]
-        = R::sin_cos_each([t0, package_phase_plus_pair_phi, t2, drum_speed_times_time]);
-    let t7 = layer_surface * layer_surface * layer_surface;
+        = R::sin_cos_each([t0, package_phase_plus_pair_phi, t1, drum_speed_times_time]);
+    let t6 = layer_surface * layer_surface * layer_surface;
     let layer_swelling = p.holder_preload.add_product(p.layer_stiffness, layer_surface)
-        .add_product(p.layer_cubic_stiffness, t7);
-    let t8 = R::literal(core::f64::consts::PI) * p.pair_package_width;
-    let pair_growth = R::literal(0.5) * p.pair_thread_area / t8 * pair_omega;
-    let pair_bobbin_radius_squared = p.pair_bobbin_radius * p.pair_bobbin_radius;
+        .add_product(p.layer_cubic_stiffness, t6);
+    let pair_growth = c.t1 * pair_omega;
     let pair_radius_squared = pair_radius * pair_radius;
-    let t9 = pair_radius_squared - pair_bobbin_radius_squared;
-    let pair_package_mass = t8 * p.pair_yarn_density * t9;
-    let t10 = (pair_radius_squared * pair_radius_squared).sub_product(pair_bobbin_radius_squared,
-        pair_bobbin_radius_squared);
-    let t11 = R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width;
-    let pair_inertia = p.pair_bobbin_inertia.add_product(t11 * p.pair_yarn_density, t10);
+    let t7 = pair_radius_squared - c.pair_bobbin_radius_squared;
+    let pair_package_mass = c.t2 * t7;
+    let t8 = (-c.pair_bobbin_radius_squared_squared).add_product(pair_radius_squared,
+        pair_radius_squared);
+    let pair_inertia = p.pair_bobbin_inertia.add_product(c.t4, t8);
     let force = (p.package_force * cos_package_phase_plus_pair_phi).add_product(p.force_amplitude,
-        t4);
-    let t12 = p.holder_link_mass * p.holder_link_arm;
-    let holder_mass = p.holder_bobbin_mass + t12 / p.holder_holder_arm + pair_package_mass;
-    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t6);
+        t3);
+    let holder_mass = c.t6 + pair_package_mass;
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t5);
     let layer_compression = shape - holder_x;
-    let t13 = R::literal(2.0) * p.ovality;
-    let t14 = t13 * drum_speed;
-    let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
-    let t15 = (eccentricity_times_drum_speed * sin_drum_speed_times_time).add_product(t14, t5)
+    let t9 = (c.eccentricity_times_drum_speed * sin_drum_speed_times_time).add_product(c.t9, t4)
         + holder_v;
-    let layer_compression_rate = -t15;
+    let layer_compression_rate = -t9;
     let layer_compression_squared = layer_compression * layer_compression;
-    let t16 = layer_compression_squared * layer_compression;
-    let t17 = p.layer_viscosity * t15;
-    let t18 = p.holder_preload.add_product(p.layer_stiffness, layer_compression)
-        .add_product(p.layer_cubic_stiffness, t16);
-    let layer_push = t18 - t17;
+    let t10 = layer_compression_squared * layer_compression;
+    let t11 = p.layer_viscosity * t9;
+    let t12 = p.holder_preload.add_product(p.layer_stiffness, layer_compression)
+        .add_product(p.layer_cubic_stiffness, t10);
+    let layer_push = t12 - t11;
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_friction_times_layer_push);
-    let t19 = p.pair_support_arm + p.pair_rolling_arm;
     let pair_resistance = p.pair_tension + R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t19 * layer_push / pair_radius);
+        R::literal(0.0), c.t10 * layer_push / pair_radius);
     let pair_omega_times_pair_growth = pair_omega * pair_growth;
     let pair_held = pair_resistance - pair_omega_times_pair_growth * pair_inertia
         / pair_radius_squared;
@@ -439,191 +475,165 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         R::literal(0.5), R::literal(0.0), -pair_friction_times_layer_push)));
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let inverse_pair_inertia = R::literal(1.0) / pair_inertia;
-    let t20 = p.pair_yarn_density * p.pair_thread_area;
     let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
         * (pair_carried - pair_resistance)) * inverse_pair_inertia;
     let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        -t17)).sub_product(t20 * holder_v * pair_omega, pair_radius) - (p.holder_preload
+        -t11)).sub_product(c.t11 * holder_v * pair_omega, pair_radius) - (p.holder_preload
         .add_product(p.holder_stiffness, holder_x) + R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -t18))) * inverse_holder_mass;
-    let inverse_layer_viscosity = R::literal(1.0) / p.layer_viscosity;
-    let t21 = R::literal(3.0) * p.layer_cubic_stiffness;
-    let t22 = t21 * layer_compression_squared;
-    let t23 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), R::literal(1.0));
+        R::literal(0.0), -t12))) * inverse_holder_mass;
+    let t13 = c.t13 * layer_compression_squared;
+    let t14 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), R::literal(1.0));
     let holder_v_dot_by_package_phase = -(p.package_force * sin_package_phase_plus_pair_phi
         * inverse_holder_mass);
     let pair_friction_times_pair_radius = p.pair_friction * pair_radius;
-    let t24 = -pair_friction_times_pair_radius;
-    let t25 = t19 + R::select_less(pair_slip, R::literal(-0.5), t24, R::select_less(pair_slip,
-        R::literal(0.5), -t19, pair_friction_times_pair_radius));
-    let t26 = R::select_less(pair_slip, R::literal(-0.5), R::literal(0.0), R::literal(1.0));
-    let t27 = R::select_less(pair_slip, R::literal(0.5), R::literal(1.0), R::literal(0.0));
+    let t15 = -pair_friction_times_pair_radius;
+    let t16 = c.t10 + R::select_less(pair_slip, R::literal(-0.5), t15, R::select_less(pair_slip,
+        R::literal(0.5), c.t14, pair_friction_times_pair_radius));
+    let t17 = R::select_less(pair_slip, R::literal(-0.5), R::literal(0.0), R::literal(1.0));
+    let t18 = R::select_less(pair_slip, R::literal(0.5), R::literal(1.0), R::literal(0.0));
     let pair_omega_squared = pair_omega * pair_omega;
-    let t28 = t13 / p.drum_radius;
-    let eccentricity_over_drum_radius = p.eccentricity / p.drum_radius;
-    let t29 = (eccentricity_over_drum_radius * time * sin_drum_speed_times_time).add_product(t28
-        * time, t5);
-    let t30 = R::literal(4.0) * p.ovality;
-    let t31 = eccentricity_times_drum_speed / p.drum_radius;
-    let t32 = t31 * time;
-    let t33 = (t30 * drum_speed / p.drum_radius * time * t6).add_product(t28, t5).add_product(t32,
-        cos_drum_speed_times_time).add_product(eccentricity_over_drum_radius,
-        sin_drum_speed_times_time);
-    let t34 = (p.layer_stiffness * t29).add_product(t21 * t29, layer_compression_squared)
-        .add_product(p.layer_viscosity, t33);
-    let t35 = t19 * t34 / pair_radius;
-    let t36 = p.pair_friction * t34;
+    let t19 = (c.eccentricity_over_drum_radius * time * sin_drum_speed_times_time)
+        .add_product(c.t16 * time, t4);
+    let t20 = c.t19 * time;
+    let t21 = (c.t18 * time * t5).add_product(c.t16, t4).add_product(t20, cos_drum_speed_times_time)
+        .add_product(c.eccentricity_over_drum_radius, sin_drum_speed_times_time);
+    let t22 = (p.layer_stiffness * t19).add_product(c.t13 * t19, layer_compression_squared)
+        .add_product(p.layer_viscosity, t21);
+    let t23 = c.t10 * t22 / pair_radius;
+    let t24 = p.pair_friction * t22;
     let pair_omega_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t36,
-        R::select_less(pair_slip, R::literal(0.5), -t35, t36)) + t35) * t23) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t24,
+        R::select_less(pair_slip, R::literal(0.5), -t23, t24)) + t23) * t14) * inverse_pair_inertia;
     let holder_v_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -t34).sub_product(p.force_amplitude / p.drum_radius * time, t3)
+        R::literal(0.0), -t22).sub_product(c.force_amplitude_over_drum_radius * time, t2)
         * inverse_holder_mass;
     let layer_surface_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -t33);
-    let t37 = t14 / p.drum_radius;
-    let t38 = (t32 * sin_drum_speed_times_time).add_product(t37 * time, t5);
-    let drum_speed_squared = drum_speed * drum_speed;
-    let t39 = (t37 * t5).add_product(t30 * drum_speed_squared / p.drum_radius * time, t6)
-        .add_product(p.eccentricity * drum_speed_squared / p.drum_radius * time,
-        cos_drum_speed_times_time).add_product(t31, sin_drum_speed_times_time);
-    let t40 = (p.layer_stiffness * t38).add_product(t21 * t38, layer_compression_squared)
-        .add_product(p.layer_viscosity, t39);
-    let t41 = t19 * t40 / pair_radius;
-    let t42 = p.pair_friction * t40;
+        R::literal(0.0), -t21);
+    let t25 = (t20 * sin_drum_speed_times_time).add_product(c.t21 * time, t4);
+    let t26 = (c.t21 * t4).add_product(c.t22 * time, t5).add_product(c.t23 * time,
+        cos_drum_speed_times_time).add_product(c.t19, sin_drum_speed_times_time);
+    let t27 = (p.layer_stiffness * t25).add_product(c.t13 * t25, layer_compression_squared)
+        .add_product(p.layer_viscosity, t26);
+    let t28 = c.t10 * t27 / pair_radius;
+    let t29 = p.pair_friction * t27;
     let pair_omega_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t42,
-        R::select_less(pair_slip, R::literal(0.5), t41, -t42)) - t41) * t23) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t29,
+        R::select_less(pair_slip, R::literal(0.5), t28, -t29)) - t28) * t14) * inverse_pair_inertia;
     let holder_v_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t40).add_product(p.force_amplitude * drum_speed / p.drum_radius * time,
-        t3) * inverse_holder_mass;
+        R::literal(0.0), t27).add_product(c.t20 * time, t2) * inverse_holder_mass;
     let layer_surface_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t39);
-    let holder_v_dot_by_force_amplitude = t4 * inverse_holder_mass;
-    let holder_v_dot_by_force_phase = -(p.force_amplitude * t3 * inverse_holder_mass);
+        R::literal(0.0), t26);
+    let holder_v_dot_by_force_amplitude = t3 * inverse_holder_mass;
+    let holder_v_dot_by_force_phase = -(p.force_amplitude * t2 * inverse_holder_mass);
     let holder_v_dot_by_package_force = cos_package_phase_plus_pair_phi * inverse_holder_mass;
-    let t43 = (p.layer_stiffness * t6).add_product(t22, t6).sub_product(R::literal(2.0)
-        * p.layer_viscosity * drum_speed, t5);
-    let t44 = t19 * t43 / pair_radius;
-    let t45 = p.pair_friction * t43;
+    let t30 = (p.layer_stiffness * t5).add_product(t13, t5).sub_product(c.t24, t4);
+    let t31 = c.t10 * t30 / pair_radius;
+    let t32 = p.pair_friction * t30;
     let pair_omega_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t45, R::select_less(pair_slip,
-        R::literal(0.5), t44, -t45)) - t44) * t23) * inverse_pair_inertia;
+        pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t32, R::select_less(pair_slip,
+        R::literal(0.5), t31, -t32)) - t31) * t14) * inverse_pair_inertia;
     let holder_v_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        t43) * inverse_holder_mass;
+        t30) * inverse_holder_mass;
     let layer_surface_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -(t1 * t5));
-    let t46 = t13 * p.layer_viscosity * drum_speed * t6;
-    let t47 = R::literal(3.0) * p.ovality * p.layer_cubic_stiffness * layer_compression_squared
-        * t5;
-    let t48 = p.ovality * p.layer_stiffness * t5;
-    let t49 = t47 + t46 + t48;
-    let t50 = t19 * t49 / pair_radius;
-    let t51 = p.pair_friction * t49;
+        R::literal(0.0), -(c.t7 * t4));
+    let t33 = c.t25 * t5;
+    let t34 = c.t26 * layer_compression_squared * t4;
+    let t35 = c.ovality_times_layer_stiffness * t4;
+    let t36 = t34 + t33 + t35;
+    let t37 = c.t10 * t36 / pair_radius;
+    let t38 = p.pair_friction * t36;
     let pair_omega_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t51,
-        R::select_less(pair_slip, R::literal(0.5), -t50, t51)) + t50) * t23) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t38,
+        R::select_less(pair_slip, R::literal(0.5), -t37, t38)) + t37) * t14) * inverse_pair_inertia;
     let holder_v_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -(t46 + (t47 + t48))) * inverse_holder_mass;
+        R::literal(0.0), -(t33 + (t34 + t35))) * inverse_holder_mass;
     let layer_surface_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -(t14 * t6));
-    let t52 = (p.layer_stiffness * cos_drum_speed_times_time).add_product(t22,
-        cos_drum_speed_times_time).sub_product(p.layer_viscosity * drum_speed,
+        R::literal(0.0), -(c.t9 * t5));
+    let t39 = (p.layer_stiffness * cos_drum_speed_times_time).add_product(t13,
+        cos_drum_speed_times_time).sub_product(c.layer_viscosity_times_drum_speed,
         sin_drum_speed_times_time);
-    let t53 = t19 * t52 / pair_radius;
-    let t54 = p.pair_friction * t52;
+    let t40 = c.t10 * t39 / pair_radius;
+    let t41 = p.pair_friction * t39;
     let pair_omega_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t54,
-        R::select_less(pair_slip, R::literal(0.5), t53, -t54)) - t53) * t23) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t41,
+        R::select_less(pair_slip, R::literal(0.5), t40, -t41)) - t40) * t14) * inverse_pair_inertia;
     let holder_v_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t52) * inverse_holder_mass;
+        R::literal(0.0), t39) * inverse_holder_mass;
     let layer_surface_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -(drum_speed * sin_drum_speed_times_time));
+        R::literal(0.0), -(c.drum_speed * sin_drum_speed_times_time));
     let holder_v_dot_by_holder_bobbin_mass = -(holder_v_dot * inverse_holder_mass);
-    let holder_v_dot_by_holder_link_mass = -(p.holder_link_arm / p.holder_holder_arm * holder_v_dot
-        * inverse_holder_mass);
-    let holder_v_dot_by_holder_link_arm = -(p.holder_link_mass / p.holder_holder_arm * holder_v_dot
-        * inverse_holder_mass);
-    let holder_v_dot_by_holder_holder_arm = t12 / (p.holder_holder_arm * p.holder_holder_arm)
-        * holder_v_dot * inverse_holder_mass;
+    let holder_v_dot_by_holder_link_mass = -(c.t27 * holder_v_dot * inverse_holder_mass);
+    let holder_v_dot_by_holder_link_arm = -(c.t28 * holder_v_dot * inverse_holder_mass);
+    let holder_v_dot_by_holder_holder_arm = c.t29 * holder_v_dot * inverse_holder_mass;
     let holder_v_dot_by_holder_stiffness = -(holder_x * inverse_holder_mass);
     let pair_omega_dot_by_holder_preload = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0),
         R::select_less(pair_slip, R::literal(-0.5), pair_friction_times_pair_radius,
-        R::select_less(pair_slip, R::literal(0.5), t19, t24)) - p.pair_support_arm
+        R::select_less(pair_slip, R::literal(0.5), c.t10, t15)) - p.pair_support_arm
         - p.pair_rolling_arm)) * inverse_pair_inertia;
     let holder_v_dot_by_holder_preload = (R::literal(-1.0) - R::select_less(layer_closed,
         R::literal(0.5), R::literal(0.0), R::literal(-1.0))) * inverse_holder_mass;
     let layer_surface_dot_by_holder_preload = R::select_less(layer_closed, R::literal(0.5),
-        -inverse_layer_viscosity, R::literal(0.0));
+        c.minus_inverse_layer_viscosity, R::literal(0.0));
     let pair_omega_dot_by_layer_stiffness = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -(layer_compression * t25 * t23)) * inverse_pair_inertia;
+        R::literal(0.0), -(layer_compression * t16 * t14)) * inverse_pair_inertia;
     let holder_v_dot_by_layer_stiffness = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), layer_compression) * inverse_holder_mass;
     let layer_surface_dot_by_layer_stiffness = R::select_less(layer_closed, R::literal(0.5),
-        -(inverse_layer_viscosity * layer_surface), R::literal(0.0));
+        -(c.inverse_layer_viscosity * layer_surface), R::literal(0.0));
     let holder_x_minus_shape = holder_x - shape;
     let pair_omega_dot_by_layer_cubic_stiffness = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t25 * (holder_x_minus_shape * holder_x_minus_shape * holder_x_minus_shape)
-        * t23) * inverse_pair_inertia;
+        R::literal(0.0), t16 * (holder_x_minus_shape * holder_x_minus_shape * holder_x_minus_shape)
+        * t14) * inverse_pair_inertia;
     let holder_v_dot_by_layer_cubic_stiffness = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t16) * inverse_holder_mass;
+        R::literal(0.0), t10) * inverse_holder_mass;
     let layer_surface_dot_by_layer_cubic_stiffness = R::select_less(layer_closed, R::literal(0.5),
-        -(inverse_layer_viscosity * t7), R::literal(0.0));
-    let t55 = t19 * t15 / pair_radius;
-    let t56 = p.pair_friction * t15;
+        -(c.inverse_layer_viscosity * t6), R::literal(0.0));
+    let t42 = c.t10 * t9 / pair_radius;
+    let t43 = p.pair_friction * t9;
     let pair_omega_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t56,
-        R::select_less(pair_slip, R::literal(0.5), -t55, t56)) + t55) * t23) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t43,
+        R::select_less(pair_slip, R::literal(0.5), -t42, t43)) + t42) * t14) * inverse_pair_inertia;
     let holder_v_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), layer_compression_rate) * inverse_holder_mass;
     let layer_surface_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(1.0) / (p.layer_viscosity * p.layer_viscosity) * layer_swelling,
-        R::literal(0.0));
-    let t57 = pair_bobbin_radius_squared * p.pair_bobbin_radius;
+        c.inverse_layer_viscosity_squared * layer_swelling, R::literal(0.0));
     let pair_omega_dot_by_pair_bobbin_radius = R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), t20 * t57 * pair_omega_squared * t26 * t27 / pair_radius)
-        .add_product(R::literal(core::f64::consts::TAU) * p.pair_package_width
-        * p.pair_yarn_density * t57, pair_omega_dot) * inverse_pair_inertia;
-    let holder_v_dot_by_pair_bobbin_radius = R::literal(core::f64::consts::TAU)
-        * p.pair_bobbin_radius * p.pair_package_width * p.pair_yarn_density * holder_v_dot
-        * inverse_holder_mass;
+        R::literal(0.0), c.t31 * pair_omega_squared * t17 * t18 / pair_radius).add_product(c.t33,
+        pair_omega_dot) * inverse_pair_inertia;
+    let holder_v_dot_by_pair_bobbin_radius = c.t32 * holder_v_dot * inverse_holder_mass;
     let pair_omega_dot_by_pair_package_width = R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), p.pair_bobbin_inertia / p.pair_package_width * pair_omega * pair_growth
-        * t26 * t27 / pair_radius).sub_product(R::literal(core::f64::consts::FRAC_PI_2)
-        * p.pair_yarn_density * t10, pair_omega_dot) * inverse_pair_inertia;
-    let holder_v_dot_by_pair_package_width = R::literal(-3.141_592_653_589_793)
-        * p.pair_yarn_density * t9 * holder_v_dot * inverse_holder_mass;
-    let pair_radius_dot_by_pair_package_width = R::literal(-1.0) / p.pair_package_width
-        * pair_growth;
+        R::literal(0.0), c.t34 * pair_omega * pair_growth * t17 * t18 / pair_radius)
+        .sub_product(c.t35 * t8, pair_omega_dot) * inverse_pair_inertia;
+    let holder_v_dot_by_pair_package_width = c.t36 * t7 * holder_v_dot * inverse_holder_mass;
+    let pair_radius_dot_by_pair_package_width = c.t37 * pair_growth;
     let pair_omega_dot_by_pair_yarn_density = R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), R::literal(-0.25) * p.pair_thread_area * t10 * pair_omega_squared * t26
-        * t27 / pair_radius).sub_product(t11 * t10, pair_omega_dot) * inverse_pair_inertia;
+        R::literal(0.0), c.t38 * t8 * pair_omega_squared * t17 * t18 / pair_radius)
+        .sub_product(c.t3 * t8, pair_omega_dot) * inverse_pair_inertia;
     let holder_v_dot_by_pair_yarn_density = -((p.pair_thread_area * holder_v * pair_omega
-        * pair_radius).add_product(t8 * t9, holder_v_dot) * inverse_holder_mass);
-    let t58 = R::literal(0.5) / t8;
+        * pair_radius).add_product(c.t0 * t7, holder_v_dot) * inverse_holder_mass);
     let pair_omega_dot_by_pair_thread_area = R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), -(t58 * pair_inertia * pair_omega_squared * t26 * t27 / pair_radius))
+        R::literal(0.0), -(c.t39 * pair_inertia * pair_omega_squared * t17 * t18 / pair_radius))
         * inverse_pair_inertia;
     let holder_v_dot_by_pair_thread_area = -(p.pair_yarn_density * holder_v * pair_omega
         * pair_radius * inverse_holder_mass);
-    let pair_radius_dot_by_pair_thread_area = t58 * pair_omega;
+    let pair_radius_dot_by_pair_thread_area = c.t39 * pair_omega;
     let pair_omega_dot_by_pair_bobbin_inertia = (R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), -(pair_omega_times_pair_growth * t26 * t27 / pair_radius))
+        R::literal(0.0), -(pair_omega_times_pair_growth * t17 * t18 / pair_radius))
         - pair_omega_dot) * inverse_pair_inertia;
     let pair_omega_dot_by_pair_tension = R::select_less(pair_slip, R::literal(-1.5),
         R::literal(0.0), R::select_less(pair_slip, R::literal(-0.5), R::literal(0.0),
         R::select_less(pair_slip, R::literal(0.5), pair_radius, R::literal(0.0))) - pair_radius)
         * inverse_pair_inertia;
     let pair_omega_dot_by_pair_friction = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * t23 * R::select_less(pair_slip, R::literal(-0.5),
-        layer_push, R::select_less(pair_slip, R::literal(0.5), R::literal(0.0), t17 - t18)))
+        R::literal(0.0), pair_radius * t14 * R::select_less(pair_slip, R::literal(-0.5),
+        layer_push, R::select_less(pair_slip, R::literal(0.5), R::literal(0.0), t11 - t12)))
         * inverse_pair_inertia;
     let layer_push_over_pair_radius = layer_push / pair_radius;
     let pair_omega_dot_by_pair_support_arm = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5),
         R::literal(0.0), R::select_less(pair_slip, R::literal(0.5), layer_push_over_pair_radius,
-        R::literal(0.0))) - layer_push_over_pair_radius) * t23) * inverse_pair_inertia;
+        R::literal(0.0))) - layer_push_over_pair_radius) * t14) * inverse_pair_inertia;
     [holder_v_dot_by_winding_speed, holder_v_dot_by_drum_radius, holder_v_dot_by_force_amplitude,
         holder_v_dot_by_force_phase, holder_v_dot_by_package_force, holder_v_dot_by_package_phase,
         holder_v_dot_by_ovality, holder_v_dot_by_ovality_phase, holder_v_dot_by_eccentricity,

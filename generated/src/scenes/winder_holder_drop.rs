@@ -25,7 +25,7 @@
 // Operations: initial_state 1, rate 722, forcing 78, rate_jacobian 4137, parameter_jacobian 57,
 //     outputs 52, energy 78, power_balance 109, guards 31, guard_rates 59, constraint_values 49,
 //     constraint_rates 63, constraint_matrix 30, prepare 1, prepared_rate 722,
-//     prepared_rate_jacobian 4136, motion 746.
+//     prepared_rate_jacobian 4136, prepared_parameter_jacobian 57, motion 746.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitute}};
 
@@ -150,7 +150,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitu
     t0
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 1 operation.
+/// What `rate` and its Jacobians need of the parameters, once a run. 1 operation.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -2551,13 +2551,14 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         bobbin_v_y_dot_by_rod_omega, bobbin_v_y_dot_by_bobbin_v_x, bobbin_v_y_dot_by_bobbin_v_y]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 57 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 57 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 56] {
+pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 56] {
     let [_, _, _, _, _, _, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y, _, bobbin_x,
         bobbin_y, _, _, _, _, _, _, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y,
         _, bobbin_v_x, bobbin_v_y, contact_closed, ..] = *state;
-    let m = &motion(time, state, p, &prepare(p));
+    let m = &motion(time, state, p, c);
     let (sin_cylinder_phi, cos_cylinder_phi) = cylinder_phi.sin_cos();
     let t0 = bobbin_x - R::literal(0.328);
     let t1 = bobbin_y - R::literal(0.058);

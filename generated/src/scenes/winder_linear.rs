@@ -19,7 +19,8 @@
 // Shapes: coordinates 1, states 2, parameters 22, outputs 5.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 20 of 2 by 22.
 // Operations: rate 47, mass_matrix 10, forcing 35, rate_jacobian 16, parameter_jacobian 198,
-//     time_derivative 59, outputs 42, energy 31, power_balance 57, prepare 22, prepared_rate 30.
+//     time_derivative 59, outputs 42, energy 31, power_balance 57, prepare 75, prepared_rate 30,
+//     prepared_parameter_jacobian 128.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse};
 
@@ -84,29 +85,80 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
 }
 
 ::machinist_contract::constants! {
-    drum_speed, package_speed, t0, t1, eccentricity_times_drum_speed, inverse_holder_mass,
-    holder_v_dot_by_holder_x, holder_v_dot_by_holder_v
+    drum_speed, package_speed, t3, t5, eccentricity_times_drum_speed, inverse_holder_mass,
+    holder_v_dot_by_holder_x, holder_v_dot_by_holder_v, t7, t10, t11,
+    winding_speed_times_eccentricity, t12, drum_radius_times_force_amplitude, t13, t15, t16, t17,
+    t18, t19, t20, t21, t22, t23, t24, drum_speed_over_drum_radius_squared, t25, t26,
+    ovality_times_layer_stiffness, layer_viscosity_times_drum_speed, t27, t28, t29, t30, t31, t32,
+    t33, t34, t35, t36
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 22 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 75 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let holder_mass = p.holder_bobbin_mass.add_product(R::literal(core::f64::consts::PI)
-        * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
-        * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let t0 = R::literal(2.0) * drum_speed;
-    let t1 = R::literal(2.0) * p.ovality * drum_speed;
+    let t0 = (p.holder_package_radius * p.holder_package_radius)
+        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
+    let t1 = R::literal(core::f64::consts::PI) * p.holder_package_width;
+    let t2 = p.holder_link_mass * p.holder_link_arm;
+    let holder_mass = p.holder_bobbin_mass.add_product(t1 * p.holder_yarn_density, t0) + t2
+        / p.holder_holder_arm;
+    let t3 = R::literal(2.0) * drum_speed;
+    let t4 = R::literal(2.0) * p.ovality;
+    let t5 = t4 * drum_speed;
     let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let holder_v_dot_by_holder_x = -((p.holder_stiffness + p.layer_stiffness)
         * inverse_holder_mass);
     let holder_v_dot_by_holder_v = -(p.layer_viscosity * inverse_holder_mass);
-    Constants { drum_speed, package_speed, t0, t1, eccentricity_times_drum_speed,
-        inverse_holder_mass, holder_v_dot_by_holder_x, holder_v_dot_by_holder_v }
+    let t6 = R::literal(4.0) * p.winding_speed * p.ovality;
+    let t7 = t6 * p.holder_package_radius * p.layer_viscosity;
+    let t8 = R::literal(2.0) * p.drum_radius * p.ovality;
+    let t9 = t8 * p.holder_package_radius;
+    let t10 = t9 * p.layer_stiffness;
+    let t11 = t9 * p.layer_viscosity;
+    let winding_speed_times_eccentricity = p.winding_speed * p.eccentricity;
+    let t12 = winding_speed_times_eccentricity * p.holder_package_radius * p.layer_viscosity;
+    let drum_radius_times_force_amplitude = p.drum_radius * p.force_amplitude;
+    let t13 = drum_radius_times_force_amplitude * p.holder_package_radius;
+    let drum_radius_times_eccentricity = p.drum_radius * p.eccentricity;
+    let t14 = drum_radius_times_eccentricity * p.holder_package_radius;
+    let t15 = t14 * p.layer_stiffness;
+    let drum_radius_squared = p.drum_radius * p.drum_radius;
+    let t16 = p.package_force * drum_radius_squared;
+    let t17 = t14 * p.layer_viscosity;
+    let t18 = R::literal(-1.0) / (drum_radius_squared * p.holder_package_radius);
+    let t19 = t8 * p.layer_stiffness;
+    let t20 = t8 * p.layer_viscosity;
+    let t21 = t6 * p.layer_viscosity;
+    let t22 = winding_speed_times_eccentricity * p.layer_viscosity;
+    let t23 = drum_radius_times_eccentricity * p.layer_stiffness;
+    let t24 = drum_radius_times_eccentricity * p.layer_viscosity;
+    let drum_speed_over_drum_radius_squared = drum_speed / drum_radius_squared;
+    let t25 = R::literal(2.0) * p.layer_viscosity * drum_speed;
+    let t26 = t4 * p.layer_viscosity * drum_speed;
+    let ovality_times_layer_stiffness = p.ovality * p.layer_stiffness;
+    let layer_viscosity_times_drum_speed = p.layer_viscosity * drum_speed;
+    let t27 = p.holder_link_arm / p.holder_holder_arm;
+    let t28 = p.holder_link_mass / p.holder_holder_arm;
+    let t29 = t2 / (p.holder_holder_arm * p.holder_holder_arm);
+    let t30 = p.package_force * package_speed / p.holder_package_radius;
+    let t31 = R::literal(core::f64::consts::TAU) * p.holder_package_radius * p.holder_package_width
+        * p.holder_yarn_density;
+    let t32 = R::literal(core::f64::consts::TAU) * p.holder_bobbin_radius * p.holder_package_width
+        * p.holder_yarn_density;
+    let t33 = R::literal(-3.141_592_653_589_793) * p.holder_yarn_density * t0;
+    let t34 = t1 * t0;
+    let t35 = R::literal(2.0) * p.winding_speed * p.ovality;
+    let t36 = R::literal(-1.0) / p.drum_radius;
+    Constants { drum_speed, package_speed, t3, t5, eccentricity_times_drum_speed,
+        inverse_holder_mass, holder_v_dot_by_holder_x, holder_v_dot_by_holder_v, t7, t10, t11,
+        winding_speed_times_eccentricity, t12, drum_radius_times_force_amplitude, t13, t15, t16,
+        t17, t18, t19, t20, t21, t22, t23, t24, drum_speed_over_drum_radius_squared, t25, t26,
+        ovality_times_layer_stiffness, layer_viscosity_times_drum_speed, t27, t28, t29, t30, t31,
+        t32, t33, t34, t35, t36 }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -127,7 +179,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; STATES] {
     let [holder_x, holder_v] = *state;
-    let t0 = p.ovality_phase.add_product(c.t0, time);
+    let t0 = p.ovality_phase.add_product(c.t3, time);
     let drum_speed_times_time = c.drum_speed * time;
     let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3), (_, t4)]
         = R::sin_cos_each([t0, drum_speed_times_time, p.force_phase + drum_speed_times_time,
@@ -136,7 +188,7 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
     let holder_v_dot = (force.sub_product(p.layer_viscosity, (c.eccentricity_times_drum_speed
-        * sin_drum_speed_times_time).add_product(c.t1, t1) + holder_v) - (p.holder_stiffness
+        * sin_drum_speed_times_time).add_product(c.t5, t1) + holder_v) - (p.holder_stiffness
         * holder_x).sub_product(p.layer_stiffness, layer_compression)) * c.inverse_holder_mass;
     [holder_v, holder_v_dot]
 }
@@ -179,91 +231,58 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Para
     [R::literal(1.0), c.holder_v_dot_by_holder_x, c.holder_v_dot_by_holder_v]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 198 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 128 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 20] {
+pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 20] {
     let [holder_x, holder_v] = *state;
-    let drum_speed = p.winding_speed / p.drum_radius;
-    let package_speed = p.winding_speed / p.holder_package_radius;
-    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
-    let drum_speed_times_time = drum_speed * time;
+    let t0 = p.ovality_phase.add_product(c.t3, time);
+    let drum_speed_times_time = c.drum_speed * time;
     let t1 = p.force_phase + drum_speed_times_time;
-    let t2 = p.package_phase.add_product(package_speed, time);
+    let t2 = p.package_phase.add_product(c.package_speed, time);
     let [(t3, t4), (sin_drum_speed_times_time, cos_drum_speed_times_time), (t5, t6), (t7, t8)]
         = R::sin_cos_each([t0, drum_speed_times_time, t1, t2]);
-    let t9 = (p.holder_package_radius * p.holder_package_radius)
-        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
-    let t10 = R::literal(core::f64::consts::PI) * p.holder_package_width;
-    let t11 = p.holder_link_mass * p.holder_link_arm;
-    let holder_mass = p.holder_bobbin_mass.add_product(t10 * p.holder_yarn_density, t9) + t11
-        / p.holder_holder_arm;
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t4);
     let force = (p.force_amplitude * t6).add_product(p.package_force, t8);
     let layer_compression = shape - holder_x;
-    let t12 = R::literal(2.0) * p.ovality;
-    let inverse_holder_mass = R::literal(1.0) / holder_mass;
-    let holder_v_dot = (force.sub_product(p.layer_viscosity, (p.eccentricity * drum_speed
-        * sin_drum_speed_times_time).add_product(t12 * drum_speed, t3) + holder_v)
-        - (p.holder_stiffness * holder_x).sub_product(p.layer_stiffness, layer_compression))
-        * inverse_holder_mass;
-    let t13 = R::literal(4.0) * p.winding_speed * p.ovality;
-    let t14 = R::literal(2.0) * p.drum_radius * p.ovality;
-    let t15 = t14 * p.holder_package_radius;
-    let winding_speed_times_eccentricity = p.winding_speed * p.eccentricity;
-    let drum_radius_times_force_amplitude = p.drum_radius * p.force_amplitude;
-    let drum_radius_times_eccentricity = p.drum_radius * p.eccentricity;
-    let t16 = drum_radius_times_eccentricity * p.holder_package_radius;
-    let drum_radius_squared = p.drum_radius * p.drum_radius;
-    let t17 = (t13 * p.holder_package_radius * p.layer_viscosity * time * t4).add_product(t15
-        * p.layer_stiffness * time, t3).add_product(t15 * p.layer_viscosity, t3)
-        .add_product(winding_speed_times_eccentricity * p.holder_package_radius * p.layer_viscosity
-        * time, cos_drum_speed_times_time).add_product(drum_radius_times_force_amplitude
-        * p.holder_package_radius * time, t5).add_product(t16 * p.layer_stiffness * time,
-        sin_drum_speed_times_time).add_product(p.package_force * drum_radius_squared * time, t7)
-        .add_product(t16 * p.layer_viscosity, sin_drum_speed_times_time);
-    let holder_v_dot_by_winding_speed = R::literal(-1.0) / (drum_radius_squared
-        * p.holder_package_radius) * t17 * inverse_holder_mass;
-    let holder_v_dot_by_drum_radius = drum_speed / drum_radius_squared * (t14 * p.layer_stiffness
-        * time * t3).add_product(t14 * p.layer_viscosity, t3).add_product(t13 * p.layer_viscosity
-        * time, t4).add_product(winding_speed_times_eccentricity * p.layer_viscosity * time,
-        cos_drum_speed_times_time).add_product(drum_radius_times_force_amplitude * time, t5)
-        .add_product(drum_radius_times_eccentricity * p.layer_stiffness * time,
-        sin_drum_speed_times_time).add_product(drum_radius_times_eccentricity * p.layer_viscosity,
-        sin_drum_speed_times_time) * inverse_holder_mass;
-    let holder_v_dot_by_force_amplitude = t6 * inverse_holder_mass;
-    let holder_v_dot_by_force_phase = -(p.force_amplitude * t5 * inverse_holder_mass);
-    let holder_v_dot_by_package_force = t8 * inverse_holder_mass;
-    let holder_v_dot_by_package_phase = -(p.package_force * t7 * inverse_holder_mass);
-    let holder_v_dot_by_ovality = (p.layer_stiffness * t4).sub_product(R::literal(2.0)
-        * p.layer_viscosity * drum_speed, t3) * inverse_holder_mass;
-    let holder_v_dot_by_ovality_phase = -((t12 * p.layer_viscosity * drum_speed * t4)
-        .add_product(p.ovality * p.layer_stiffness, t3) * inverse_holder_mass);
+    let holder_v_dot = (force.sub_product(p.layer_viscosity, (c.eccentricity_times_drum_speed
+        * sin_drum_speed_times_time).add_product(c.t5, t3) + holder_v) - (p.holder_stiffness
+        * holder_x).sub_product(p.layer_stiffness, layer_compression)) * c.inverse_holder_mass;
+    let holder_v_dot_by_winding_speed = c.t18 * (c.t7 * time * t4).add_product(c.t10 * time, t3)
+        .add_product(c.t11, t3).add_product(c.t12 * time, cos_drum_speed_times_time)
+        .add_product(c.t13 * time, t5).add_product(c.t15 * time, sin_drum_speed_times_time)
+        .add_product(c.t16 * time, t7).add_product(c.t17, sin_drum_speed_times_time)
+        * c.inverse_holder_mass;
+    let holder_v_dot_by_drum_radius = c.drum_speed_over_drum_radius_squared * (c.t19 * time * t3)
+        .add_product(c.t20, t3).add_product(c.t21 * time, t4).add_product(c.t22 * time,
+        cos_drum_speed_times_time).add_product(c.drum_radius_times_force_amplitude * time, t5)
+        .add_product(c.t23 * time, sin_drum_speed_times_time).add_product(c.t24,
+        sin_drum_speed_times_time) * c.inverse_holder_mass;
+    let holder_v_dot_by_force_amplitude = t6 * c.inverse_holder_mass;
+    let holder_v_dot_by_force_phase = -(p.force_amplitude * t5 * c.inverse_holder_mass);
+    let holder_v_dot_by_package_force = t8 * c.inverse_holder_mass;
+    let holder_v_dot_by_package_phase = -(p.package_force * t7 * c.inverse_holder_mass);
+    let holder_v_dot_by_ovality = (p.layer_stiffness * t4).sub_product(c.t25, t3)
+        * c.inverse_holder_mass;
+    let holder_v_dot_by_ovality_phase = -((c.t26 * t4).add_product(c.ovality_times_layer_stiffness,
+        t3) * c.inverse_holder_mass);
     let holder_v_dot_by_eccentricity = (p.layer_stiffness * cos_drum_speed_times_time)
-        .sub_product(p.layer_viscosity * drum_speed, sin_drum_speed_times_time)
-        * inverse_holder_mass;
-    let holder_v_dot_by_holder_bobbin_mass = -(holder_v_dot * inverse_holder_mass);
-    let holder_v_dot_by_holder_link_mass = -(p.holder_link_arm / p.holder_holder_arm * holder_v_dot
-        * inverse_holder_mass);
-    let holder_v_dot_by_holder_link_arm = -(p.holder_link_mass / p.holder_holder_arm * holder_v_dot
-        * inverse_holder_mass);
-    let holder_v_dot_by_holder_holder_arm = t11 / (p.holder_holder_arm * p.holder_holder_arm)
-        * holder_v_dot * inverse_holder_mass;
-    let holder_v_dot_by_holder_package_radius = (p.package_force * package_speed
-        / p.holder_package_radius * time * t7).sub_product(R::literal(core::f64::consts::TAU)
-        * p.holder_package_radius * p.holder_package_width * p.holder_yarn_density, holder_v_dot)
-        * inverse_holder_mass;
-    let holder_v_dot_by_holder_bobbin_radius = R::literal(core::f64::consts::TAU)
-        * p.holder_bobbin_radius * p.holder_package_width * p.holder_yarn_density * holder_v_dot
-        * inverse_holder_mass;
-    let holder_v_dot_by_holder_package_width = R::literal(-3.141_592_653_589_793)
-        * p.holder_yarn_density * t9 * holder_v_dot * inverse_holder_mass;
-    let holder_v_dot_by_holder_yarn_density = -(t10 * t9 * holder_v_dot * inverse_holder_mass);
-    let holder_v_dot_by_holder_stiffness = -(holder_x * inverse_holder_mass);
-    let holder_v_dot_by_layer_stiffness = layer_compression * inverse_holder_mass;
-    let holder_v_dot_by_layer_viscosity = R::literal(-1.0) / p.drum_radius * (p.drum_radius
-        * holder_v).add_product(R::literal(2.0) * p.winding_speed * p.ovality, t3)
-        .add_product(winding_speed_times_eccentricity, sin_drum_speed_times_time)
-        * inverse_holder_mass;
+        .sub_product(c.layer_viscosity_times_drum_speed, sin_drum_speed_times_time)
+        * c.inverse_holder_mass;
+    let holder_v_dot_by_holder_bobbin_mass = -(holder_v_dot * c.inverse_holder_mass);
+    let holder_v_dot_by_holder_link_mass = -(c.t27 * holder_v_dot * c.inverse_holder_mass);
+    let holder_v_dot_by_holder_link_arm = -(c.t28 * holder_v_dot * c.inverse_holder_mass);
+    let holder_v_dot_by_holder_holder_arm = c.t29 * holder_v_dot * c.inverse_holder_mass;
+    let holder_v_dot_by_holder_package_radius = (c.t30 * time * t7).sub_product(c.t31,
+        holder_v_dot) * c.inverse_holder_mass;
+    let holder_v_dot_by_holder_bobbin_radius = c.t32 * holder_v_dot * c.inverse_holder_mass;
+    let holder_v_dot_by_holder_package_width = c.t33 * holder_v_dot * c.inverse_holder_mass;
+    let holder_v_dot_by_holder_yarn_density = -(c.t34 * holder_v_dot * c.inverse_holder_mass);
+    let holder_v_dot_by_holder_stiffness = -(holder_x * c.inverse_holder_mass);
+    let holder_v_dot_by_layer_stiffness = layer_compression * c.inverse_holder_mass;
+    let holder_v_dot_by_layer_viscosity = c.t36 * (p.drum_radius * holder_v).add_product(c.t35, t3)
+        .add_product(c.winding_speed_times_eccentricity, sin_drum_speed_times_time)
+        * c.inverse_holder_mass;
     [holder_v_dot_by_winding_speed, holder_v_dot_by_drum_radius, holder_v_dot_by_force_amplitude,
         holder_v_dot_by_force_phase, holder_v_dot_by_package_force, holder_v_dot_by_package_phase,
         holder_v_dot_by_ovality, holder_v_dot_by_ovality_phase, holder_v_dot_by_eccentricity,

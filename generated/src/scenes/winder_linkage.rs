@@ -152,7 +152,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitu
     inverse_bobbin_mass
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 1 operation.
+/// What `rate` and its Jacobians need of the parameters, once a run. 1 operation.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -1010,9 +1010,10 @@ static RATE_JACOBIAN_STEPS: &[Step<'static>] = &[Step::less(2, &[(0, 33)]), Step
     Step::less(10, &[(48, 25), (49, 27)]), Step::less(9, &[(50, 25), (49, 26)]), Step::less(8,
     &[(51, 22), (52, 23), (53, 24), (54, 25)]), Step::less(7, &[(55, 23), (56, 25)]), Step::less(6,
     &[(55, 22), (57, 25)])];
-/// `dy'/dp`, values in the order of its pattern. No operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. No operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) -> [R; 0] {
+pub fn prepared_parameter_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>,
+        _c: &Constants<R>) -> [R; 0] {
     []
 }
 

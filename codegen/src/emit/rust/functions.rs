@@ -23,6 +23,7 @@ pub(super) fn functions(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
         _ if scene.prepare.is_empty() => function(scene, row, None),
         FunctionId::Rate => function(scene, row, Some(&hoisted.rate)),
         FunctionId::RateJacobian => function(scene, row, Some(&hoisted.rate_jacobian)),
+        FunctionId::ParameterJacobian => function(scene, row, Some(&hoisted.parameter_jacobian)),
         _ => function(scene, row, None),
     });
     functions.collect()

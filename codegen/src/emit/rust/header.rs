@@ -82,11 +82,13 @@ fn sparsity(model: &Model) -> Vec<String> {
 /// Operations of every function, as without constants and with them.
 fn costs(model: &Model) -> Vec<String> {
     let rows = model.functions().map(|row| (row.name, operations((row.tape)(model))));
-    let Hoisted { constants, rate, rate_jacobian, motion } = Hoisted::new(model);
+    let Hoisted { constants, rate, rate_jacobian, parameter_jacobian, motion } =
+        Hoisted::new(model);
     let prepared = [
         ("prepare", &constants),
         ("prepared_rate", &rate),
         ("prepared_rate_jacobian", &rate_jacobian),
+        ("prepared_parameter_jacobian", &parameter_jacobian),
         ("motion", &motion),
     ];
     let has_constants = !constants.results.is_empty();

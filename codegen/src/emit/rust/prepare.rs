@@ -12,7 +12,7 @@ use crate::emit::EmitError;
 use machinist_model::hoist::Hoisted;
 use machinist_model::{Model, NodeId, Op, Tape};
 
-/// The constants of a scene, and rate and Jacobian that read them.
+/// The constants of a scene, and rate and Jacobians that read them.
 pub(super) struct Prepare {
     pub(super) hoisted: Hoisted,
     /// Fields of `Constants`.
@@ -60,7 +60,7 @@ impl Prepare {
     pub(super) fn items(&self) -> Option<TokenStream> {
         let (constants, statements) = (&self.constants, &self.statements);
         let docs = documentation(
-            "What `rate` and `rate_jacobian` need of the parameters, once a run.",
+            "What `rate` and its Jacobians need of the parameters, once a run.",
             self.hoisted.operations(),
         );
         (!self.is_empty()).then(|| {

@@ -21,7 +21,8 @@
 // Shapes: coordinates 2, first-order states 4, states 8, parameters 1, outputs 8.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 27 of 8 by 8, parameter_jacobian 2 of 8 by 1.
 // Operations: rate 50, forcing 23, rate_jacobian 29, parameter_jacobian 2, time_derivative 22,
-//     outputs 1, energy 28, power_balance 108, prepare 2, prepared_rate 50, prepared_rate_jacobian 27.
+//     outputs 1, energy 28, power_balance 108, prepare 2, prepared_rate 50,
+//     prepared_rate_jacobian 27, prepared_parameter_jacobian 2.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -85,7 +86,7 @@ use ::machinist_contract::{
     cylinder_omega_dot_by_coupling_twist, motor_omega_dot_by_coupling_twist
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 2 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 2 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -210,9 +211,10 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], _p: &Parame
         motor_psi_ry_dot_by_motor_psi_rx, R::literal(-26.954_864_967_800_425), R::literal(1.0)]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 2 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 2 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; 2] {
+pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
+        _c: &Constants<R>) -> [R; 2] {
     let [coupling_twist, ..] = *state;
     let cylinder_omega_dot_by_coupling_stiffness = coupling_twist
         * R::literal(0.803_858_520_900_321_5);

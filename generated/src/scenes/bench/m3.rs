@@ -20,8 +20,8 @@
 // Shapes: coordinates 3, first-order states 4, states 10, parameters 33, outputs 3.
 // Nonzeros: mass_matrix 3 of 3 by 3, rate_jacobian 30 of 10 by 10, parameter_jacobian 50 of 10 by 33.
 // Operations: initial_state 18, rate 91, mass_matrix 4, forcing 50, rate_jacobian 85,
-//     parameter_jacobian 241, time_derivative 44, energy 50, power_balance 177, prepare 51,
-//     prepared_rate 62, prepared_rate_jacobian 40.
+//     parameter_jacobian 241, time_derivative 44, energy 50, power_balance 177, prepare 86,
+//     prepared_rate 62, prepared_rate_jacobian 40, prepared_parameter_jacobian 177.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
@@ -107,15 +107,16 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 }
 
 ::machinist_contract::constants! {
-    motor_omega_0, motor_u_x, motor_u_y, t1, t2, t3, inverse_motor_inertia, t5, t6,
-    inverse_shaft_standstill_band, t7, t8, t9, motor_alpha_s_times_motor_omega_0,
+    motor_omega_0, motor_u_x, motor_u_y, t1, t3, t4, inverse_motor_inertia, t7, t8,
+    inverse_shaft_standstill_band, t9, t10, t11, motor_alpha_s_times_motor_omega_0,
     motor_alpha_r_times_motor_omega_0, shaft_driven_dot_dot_by_motor_phi,
     motor_omega_dot_by_motor_phi, shaft_driven_dot_dot_by_shaft_driven,
     motor_omega_dot_by_shaft_driven, shaft_driven_dot_dot_by_motor_omega,
-    motor_omega_dot_by_motor_omega, t10, t11, motor_omega_dot_by_shaft_driven_dot,
+    motor_omega_dot_by_motor_omega, t12, t13, motor_omega_dot_by_shaft_driven_dot,
     motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
     motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
-    motor_psi_rx_dot_by_motor_psi_rx
+    motor_psi_rx_dot_by_motor_psi_rx, t14, t15, t16, t17, t18, minus_motor_u_y, t19,
+    motor_k_r_over_motor_sigma, t21, t22, t23, t24, t25, t26, t27, t28, t29, t30
 }
 
 ::machinist_contract::field_scene! {
@@ -130,56 +131,83 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     at 2.322 => End, coordinate Some(2), handed 29;
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 51 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 86 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let (sin_motor_supply_phase, cos_motor_supply_phase) = p.motor_supply_phase.sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let shaft_omega_2 = R::literal(0.104_719_755_119_659_77) * p.shaft_speed;
-    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
     let t1 = R::literal(-1.0) / p.shaft_engagement_width;
-    let t2 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0 / (p.motor_x_s
-        * motor_sigma);
-    let t3 = R::literal(core::f64::consts::PI) * shaft_omega_2;
-    let t4 = R::literal(0.5) * p.shaft_inertia / p.shaft_pieces;
+    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
+    let t2 = R::literal(1.5) * p.motor_pole_pairs;
+    let t3 = t2 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let t4 = R::literal(core::f64::consts::PI) * shaft_omega_2;
+    let t5 = R::literal(0.5) * p.shaft_inertia;
+    let t6 = t5 / p.shaft_pieces;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
-    let t5 = R::literal(1.0) / (t4 + p.shaft_driven_field_inertia);
-    let t6 = R::literal(1.0) / (t4 + p.shaft_end_field_inertia);
+    let t7 = R::literal(1.0) / (t6 + p.shaft_driven_field_inertia);
+    let t8 = R::literal(1.0) / (t6 + p.shaft_end_field_inertia);
     let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
-    let t7 = R::literal(0.5) / p.shaft_pieces;
-    let t8 = p.coupling_stiffness * p.coupling_ratio;
-    let t9 = p.coupling_damping * p.coupling_ratio;
+    let t9 = R::literal(0.5) / p.shaft_pieces;
+    let t10 = p.coupling_stiffness * p.coupling_ratio;
+    let t11 = p.coupling_damping * p.coupling_ratio;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let shaft_driven_dot_dot_by_motor_phi = t8 * t5;
+    let shaft_driven_dot_dot_by_motor_phi = t10 * t7;
     let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
     let shaft_driven_dot_dot_by_shaft_driven = -(p.coupling_stiffness * coupling_ratio_squared
-        * t5);
-    let motor_omega_dot_by_shaft_driven = t8 * inverse_motor_inertia;
-    let shaft_driven_dot_dot_by_motor_omega = t9 * t5;
+        * t7);
+    let motor_omega_dot_by_shaft_driven = t10 * inverse_motor_inertia;
+    let shaft_driven_dot_dot_by_motor_omega = t11 * t7;
     let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
-    let t10 = p.coupling_damping * coupling_ratio_squared;
-    let t11 = R::literal(0.5) / (p.shaft_pieces * p.shaft_standstill_band);
-    let motor_omega_dot_by_shaft_driven_dot = t9 * inverse_motor_inertia;
+    let t12 = p.coupling_damping * coupling_ratio_squared;
+    let t13 = R::literal(0.5) / (p.shaft_pieces * p.shaft_standstill_band);
+    let motor_omega_dot_by_shaft_driven_dot = t11 * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_psi_sx = -motor_alpha_s_times_motor_omega_0;
     let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
     let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_rx = -motor_alpha_r_times_motor_omega_0;
-    Constants { motor_omega_0, motor_u_x, motor_u_y, t1, t2, t3, inverse_motor_inertia, t5, t6,
-        inverse_shaft_standstill_band, t7, t8, t9, motor_alpha_s_times_motor_omega_0,
+    let t14 = R::literal(core::f64::consts::SQRT_2) * cos_motor_supply_phase;
+    let t15 = R::literal(core::f64::consts::SQRT_2) * sin_motor_supply_phase;
+    let t16 = R::literal(3.0 * core::f64::consts::PI) * p.motor_pole_pairs * p.motor_k_r
+        / motor_x_s_times_motor_sigma;
+    let t17 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
+    let t18 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+    let minus_motor_u_y = -motor_u_y;
+    let t19 = R::literal(1.5) * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let motor_k_r_over_motor_sigma = p.motor_k_r / motor_sigma;
+    let t20 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let t21 = t2 * motor_omega_0 / (p.motor_x_s * (t20 * t20));
+    let t22 = R::literal(-1.0) / p.motor_x_s;
+    let t23 = R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio;
+    let t24 = R::literal(2.0) * p.coupling_damping * p.coupling_ratio;
+    let shaft_pieces_squared = p.shaft_pieces * p.shaft_pieces;
+    let t25 = R::literal(0.5) / shaft_pieces_squared;
+    let t26 = t5 / shaft_pieces_squared;
+    let t27 = R::literal(0.164_493_406_684_822_62) * p.shaft_amplitude / p.shaft_pieces;
+    let t28 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width);
+    let t29 = R::literal(0.5) / (p.shaft_pieces * (p.shaft_engagement_width
+        * p.shaft_engagement_width));
+    let t30 = R::literal(0.5) / (p.shaft_pieces * (p.shaft_standstill_band
+        * p.shaft_standstill_band));
+    Constants { motor_omega_0, motor_u_x, motor_u_y, t1, t3, t4, inverse_motor_inertia, t7, t8,
+        inverse_shaft_standstill_band, t9, t10, t11, motor_alpha_s_times_motor_omega_0,
         motor_alpha_r_times_motor_omega_0, shaft_driven_dot_dot_by_motor_phi,
         motor_omega_dot_by_motor_phi, shaft_driven_dot_dot_by_shaft_driven,
         motor_omega_dot_by_shaft_driven, shaft_driven_dot_dot_by_motor_omega,
-        motor_omega_dot_by_motor_omega, t10, t11, motor_omega_dot_by_shaft_driven_dot,
+        motor_omega_dot_by_motor_omega, t12, t13, motor_omega_dot_by_shaft_driven_dot,
         motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
         motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
-        motor_psi_rx_dot_by_motor_psi_rx }
+        motor_psi_rx_dot_by_motor_psi_rx, t14, t15, t16, t17, t18, minus_motor_u_y, t19,
+        motor_k_r_over_motor_sigma, t21, t22, t23, t24, t25, t26, t27, t28, t29, t30 }
 }
 
 /// State at the start of the run, in the units of the states. 18 operations.
@@ -218,13 +246,13 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         + (c.t1 * (time - p.shaft_engagement_time)).exp());
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
-    let motor_torque = c.t2 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
-    let shaft_load = shaft_engagement * p.shaft_mean.add_product(p.shaft_amplitude, (c.t3 * time)
+    let motor_torque = c.t3 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
+    let shaft_load = shaft_engagement * p.shaft_mean.add_product(p.shaft_amplitude, (c.t4 * time)
         .sin());
-    let t2 = c.t7 * shaft_load;
-    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t2, t1) * c.t6;
-    let shaft_driven_dot_dot = p.shaft_driven_field_force.add_product(c.t8, coupling_twist)
-        .add_product(c.t9, coupling_twist_rate).sub_product(t2, t0) * c.t5;
+    let t2 = c.t9 * shaft_load;
+    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t2, t1) * c.t8;
+    let shaft_driven_dot_dot = p.shaft_driven_field_force.add_product(c.t10, coupling_twist)
+        .add_product(c.t11, coupling_twist_rate).sub_product(t2, t0) * c.t7;
     let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot = c.motor_u_x.add_product(c.motor_omega_0, motor_psi_sy)
         .sub_product(c.motor_alpha_s_times_motor_omega_0, motor_psi_sx.sub_product(p.motor_k_r,
@@ -291,19 +319,19 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
     let shaft_engagement = R::literal(1.0) / (R::literal(1.0)
         + (c.t1 * (time - p.shaft_engagement_time)).exp());
-    let shaft_load = shaft_engagement * p.shaft_mean.add_product(p.shaft_amplitude, (c.t3 * time)
+    let shaft_load = shaft_engagement * p.shaft_mean.add_product(p.shaft_amplitude, (c.t4 * time)
         .sin());
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
-    let t2 = c.t11 * shaft_load;
-    let shaft_driven_dot_dot_by_shaft_driven_dot = (-c.t10).add_product(t2, R::literal(-1.0)
-        .add_product(t0, t0)) * c.t5;
-    let shaft_end_dot_dot_by_shaft_end_dot = t2 * R::literal(-1.0).add_product(t1, t1) * c.t6;
-    let motor_omega_dot_by_motor_psi_sx = -(c.t2 * motor_psi_ry * c.inverse_motor_inertia);
-    let motor_omega_dot_by_motor_psi_sy = c.t2 * motor_psi_rx * c.inverse_motor_inertia;
-    let motor_omega_dot_by_motor_psi_rx = c.t2 * motor_psi_sy * c.inverse_motor_inertia;
+    let t2 = c.t13 * shaft_load;
+    let shaft_driven_dot_dot_by_shaft_driven_dot = (-c.t12).add_product(t2, R::literal(-1.0)
+        .add_product(t0, t0)) * c.t7;
+    let shaft_end_dot_dot_by_shaft_end_dot = t2 * R::literal(-1.0).add_product(t1, t1) * c.t8;
+    let motor_omega_dot_by_motor_psi_sx = -(c.t3 * motor_psi_ry * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_sy = c.t3 * motor_psi_rx * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_rx = c.t3 * motor_psi_sy * c.inverse_motor_inertia;
     let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega - c.motor_omega_0;
-    let motor_omega_dot_by_motor_psi_ry = -(c.t2 * motor_psi_sx * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_ry = -(c.t3 * motor_psi_sx * c.inverse_motor_inertia);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), c.motor_omega_dot_by_motor_phi,
         c.motor_omega_dot_by_shaft_driven, c.motor_omega_dot_by_motor_omega,
         c.motor_omega_dot_by_shaft_driven_dot, motor_omega_dot_by_motor_psi_sx,
@@ -319,164 +347,105 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         motor_psi_ry_dot_by_motor_psi_rx, c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 241 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 177 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 50] {
+pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 50] {
     let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot, motor_psi_sx,
         motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
-    let shaft_omega_2 = R::literal(0.104_719_755_119_659_77) * p.shaft_speed;
-    let t0 = R::literal(core::f64::consts::PI) * shaft_omega_2 * time;
-    let [(sin_motor_supply_phase, cos_motor_supply_phase), (t1, t2)]
-        = R::sin_cos_each([p.motor_supply_phase, t0]);
-    let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
-    let [t3, t4] = R::tanh_each([inverse_shaft_standstill_band * shaft_driven_dot,
-        inverse_shaft_standstill_band * shaft_end_dot]);
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
-    let t5 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t5 * cos_motor_supply_phase;
-    let motor_u_y = t5 * sin_motor_supply_phase;
+    let t0 = c.t4 * time;
+    let (t1, t2) = t0.sin_cos();
+    let [t3, t4] = R::tanh_each([c.inverse_shaft_standstill_band * shaft_driven_dot,
+        c.inverse_shaft_standstill_band * shaft_end_dot]);
     let coupling_ratio_times_shaft_driven = p.coupling_ratio * shaft_driven;
     let coupling_twist = motor_phi - coupling_ratio_times_shaft_driven;
-    let t6 = p.coupling_ratio * shaft_driven_dot;
-    let coupling_twist_rate = motor_omega - t6;
+    let t5 = p.coupling_ratio * shaft_driven_dot;
+    let coupling_twist_rate = motor_omega - t5;
     let time_minus_shaft_engagement_time = time - p.shaft_engagement_time;
-    let t7 = (R::literal(-1.0) / p.shaft_engagement_width * time_minus_shaft_engagement_time).exp();
-    let t8 = R::literal(1.0) + t7;
-    let shaft_engagement = R::literal(1.0) / t8;
+    let t6 = (c.t1 * time_minus_shaft_engagement_time).exp();
+    let t7 = R::literal(1.0) + t6;
+    let shaft_engagement = R::literal(1.0) / t7;
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
-    let t9 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
-    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t10 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
+    let t8 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
+    let t9 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t11 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
-    let t12 = R::literal(1.5) * p.motor_pole_pairs;
-    let motor_torque = t12 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t11;
-    let t13 = p.shaft_mean.add_product(p.shaft_amplitude, t1);
-    let shaft_load = shaft_engagement * t13;
-    let t14 = R::literal(0.5) * p.shaft_inertia;
-    let t15 = t14 / p.shaft_pieces;
-    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
-    let shaft_driven_dot_dot_by_shaft_driven_field_force = R::literal(1.0)
-        / (t15 + p.shaft_driven_field_inertia);
-    let shaft_end_dot_dot_by_shaft_end_field_force = R::literal(1.0)
-        / (t15 + p.shaft_end_field_inertia);
-    let t16 = R::literal(0.5) / p.shaft_pieces;
-    let t17 = t16 * shaft_load;
-    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t17, t4)
-        * shaft_end_dot_dot_by_shaft_end_field_force;
-    let shaft_driven_dot_dot = p.shaft_driven_field_force.add_product(p.coupling_stiffness
-        * p.coupling_ratio, coupling_twist).add_product(p.coupling_damping * p.coupling_ratio,
-        coupling_twist_rate).sub_product(t17, t3)
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
-    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t18 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
-    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t19 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
-    let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
-    let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
-        * cos_motor_supply_phase;
-    let motor_psi_sy_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
-        * sin_motor_supply_phase;
-    let motor_omega_dot_by_motor_supply_frequency = R::literal(3.0 * core::f64::consts::PI)
-        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t11
-        * inverse_motor_inertia;
-    let t20 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
+    let t10 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let motor_torque = c.t3 * t10;
+    let t11 = p.shaft_mean.add_product(p.shaft_amplitude, t1);
+    let shaft_load = shaft_engagement * t11;
+    let t12 = c.t9 * shaft_load;
+    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t12, t4) * c.t8;
+    let shaft_driven_dot_dot = p.shaft_driven_field_force.add_product(c.t10, coupling_twist)
+        .add_product(c.t11, coupling_twist_rate).sub_product(t12, t3) * c.t7;
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
+    let t13 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
+    let t14 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
+    let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_supply_frequency = c.t16 * t10 * c.inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_sy).sub_product(t20, t9);
+        * motor_psi_sy).sub_product(c.t17, t8);
     let motor_psi_sy_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
-        * motor_psi_sx).sub_product(t20, t10);
-    let t21 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+        * motor_psi_sx).sub_product(c.t17, t9);
     let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_ry).add_product(t21, t18);
+        * motor_psi_ry).add_product(c.t18, t13);
     let motor_psi_ry_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
-        * motor_psi_rx).add_product(t21, t19);
-    let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
-    let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r * motor_omega_0
-        / motor_x_s_times_motor_sigma * t11 * inverse_motor_inertia;
+        * motor_psi_rx).add_product(c.t18, t14);
+    let motor_omega_dot_by_motor_pole_pairs = c.t19 * t10 * c.inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
-    let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
-        * inverse_motor_inertia;
-    let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
-    let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let t22 = motor_k_s_times_motor_k_r - R::literal(1.0);
-    let motor_omega_dot_by_motor_k_r = t12 * motor_omega_0 / (p.motor_x_s * (t22 * t22))
-        * (motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry)
-        * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
-    let motor_psi_sy_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
-    let motor_omega_dot_by_motor_x_s = R::literal(-1.0) / p.motor_x_s * motor_torque
-        * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t9);
-    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t10);
-    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t18;
-    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t19;
-    let shaft_driven_dot_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
+    let motor_omega_dot_by_motor_k_s = c.motor_k_r_over_motor_sigma * motor_torque
+        * c.inverse_motor_inertia;
+    let motor_psi_rx_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
+    let motor_psi_ry_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
+    let motor_omega_dot_by_motor_k_r = c.t21 * (motor_psi_sy_times_motor_psi_rx
+        - motor_psi_sx_times_motor_psi_ry) * c.inverse_motor_inertia;
+    let motor_psi_sx_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
+    let motor_psi_sy_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
+    let motor_omega_dot_by_motor_x_s = c.t22 * motor_torque * c.inverse_motor_inertia;
+    let motor_psi_sx_dot_by_motor_alpha_s = -(c.motor_omega_0 * t8);
+    let motor_psi_sy_dot_by_motor_alpha_s = -(c.motor_omega_0 * t9);
+    let motor_psi_rx_dot_by_motor_alpha_r = c.motor_omega_0 * t13;
+    let motor_psi_ry_dot_by_motor_alpha_r = c.motor_omega_0 * t14;
+    let shaft_driven_dot_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist * c.t7;
     let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_shaft_driven - motor_phi)
-        * inverse_motor_inertia;
-    let shaft_driven_dot_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let motor_omega_dot_by_coupling_damping = (t6 - motor_omega) * inverse_motor_inertia;
+        * c.inverse_motor_inertia;
+    let shaft_driven_dot_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate * c.t7;
+    let motor_omega_dot_by_coupling_damping = (t5 - motor_omega) * c.inverse_motor_inertia;
     let shaft_driven_dot_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
-        .add_product(p.coupling_damping, motor_omega).sub_product(R::literal(2.0)
-        * p.coupling_stiffness * p.coupling_ratio, shaft_driven).sub_product(R::literal(2.0)
-        * p.coupling_damping * p.coupling_ratio, shaft_driven_dot)
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
+        .add_product(p.coupling_damping, motor_omega).sub_product(c.t23, shaft_driven)
+        .sub_product(c.t24, shaft_driven_dot) * c.t7;
     let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * shaft_driven)
-        .add_product(p.coupling_damping, shaft_driven_dot) * inverse_motor_inertia;
-    let shaft_pieces_squared = p.shaft_pieces * p.shaft_pieces;
-    let t23 = R::literal(0.5) / shaft_pieces_squared * shaft_load;
-    let t24 = t14 / shaft_pieces_squared;
-    let shaft_end_dot_dot_by_shaft_pieces = (t23 * t4).add_product(t24, shaft_end_dot_dot)
-        * shaft_end_dot_dot_by_shaft_end_field_force;
-    let shaft_driven_dot_dot_by_shaft_pieces = (t23 * t3).add_product(t24, shaft_driven_dot_dot)
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot_by_shaft_inertia = -(t16 * shaft_end_dot_dot
-        * shaft_end_dot_dot_by_shaft_end_field_force);
-    let shaft_driven_dot_dot_by_shaft_inertia = -(t16 * shaft_driven_dot_dot
-        * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let t25 = t16 * shaft_engagement;
-    let shaft_end_dot_dot_by_shaft_mean = -(t25 * t4 * shaft_end_dot_dot_by_shaft_end_field_force);
-    let shaft_driven_dot_dot_by_shaft_mean = -(t25 * t3
-        * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let t26 = t25 * t1;
-    let shaft_end_dot_dot_by_shaft_amplitude = -(t26 * t4
-        * shaft_end_dot_dot_by_shaft_end_field_force);
-    let shaft_driven_dot_dot_by_shaft_amplitude = -(t26 * t3
-        * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let t27 = R::literal(0.164_493_406_684_822_62) * p.shaft_amplitude / p.shaft_pieces * time
-        * shaft_engagement * t2;
-    let shaft_end_dot_dot_by_shaft_speed = -(t27 * t4 * shaft_end_dot_dot_by_shaft_end_field_force);
-    let shaft_driven_dot_dot_by_shaft_speed = -(t27 * t3
-        * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let t28 = t8 * t8;
-    let t29 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width) * t13 * t7;
-    let shaft_end_dot_dot_by_shaft_engagement_time = t29 * t4 / t28
-        * shaft_end_dot_dot_by_shaft_end_field_force;
-    let shaft_driven_dot_dot_by_shaft_engagement_time = t29 * t3 / t28
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let t30 = R::literal(0.5) / (p.shaft_pieces * (p.shaft_engagement_width
-        * p.shaft_engagement_width)) * time_minus_shaft_engagement_time * t13 * t7;
-    let shaft_end_dot_dot_by_shaft_engagement_width = t30 * t4 / t28
-        * shaft_end_dot_dot_by_shaft_end_field_force;
-    let shaft_driven_dot_dot_by_shaft_engagement_width = t30 * t3 / t28
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let t31 = R::literal(0.5) / (p.shaft_pieces * (p.shaft_standstill_band
-        * p.shaft_standstill_band));
-    let shaft_end_dot_dot_by_shaft_standstill_band = t31 * shaft_end_dot * shaft_load
-        * R::literal(1.0).sub_product(t4, t4) * shaft_end_dot_dot_by_shaft_end_field_force;
-    let shaft_driven_dot_dot_by_shaft_standstill_band = t31 * shaft_driven_dot * shaft_load
-        * R::literal(1.0).sub_product(t3, t3) * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_driven_dot_dot_by_shaft_driven_field_inertia = -(shaft_driven_dot_dot
-        * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let shaft_end_dot_dot_by_shaft_end_field_inertia = -(shaft_end_dot_dot
-        * shaft_end_dot_dot_by_shaft_end_field_force);
+        .add_product(p.coupling_damping, shaft_driven_dot) * c.inverse_motor_inertia;
+    let t15 = c.t25 * shaft_load;
+    let shaft_end_dot_dot_by_shaft_pieces = (t15 * t4).add_product(c.t26, shaft_end_dot_dot) * c.t8;
+    let shaft_driven_dot_dot_by_shaft_pieces = (t15 * t3).add_product(c.t26, shaft_driven_dot_dot)
+        * c.t7;
+    let shaft_end_dot_dot_by_shaft_inertia = -(c.t9 * shaft_end_dot_dot * c.t8);
+    let shaft_driven_dot_dot_by_shaft_inertia = -(c.t9 * shaft_driven_dot_dot * c.t7);
+    let t16 = c.t9 * shaft_engagement;
+    let shaft_end_dot_dot_by_shaft_mean = -(t16 * t4 * c.t8);
+    let shaft_driven_dot_dot_by_shaft_mean = -(t16 * t3 * c.t7);
+    let t17 = t16 * t1;
+    let shaft_end_dot_dot_by_shaft_amplitude = -(t17 * t4 * c.t8);
+    let shaft_driven_dot_dot_by_shaft_amplitude = -(t17 * t3 * c.t7);
+    let t18 = c.t27 * time * shaft_engagement * t2;
+    let shaft_end_dot_dot_by_shaft_speed = -(t18 * t4 * c.t8);
+    let shaft_driven_dot_dot_by_shaft_speed = -(t18 * t3 * c.t7);
+    let t19 = t7 * t7;
+    let t20 = c.t28 * t11 * t6;
+    let shaft_end_dot_dot_by_shaft_engagement_time = t20 * t4 / t19 * c.t8;
+    let shaft_driven_dot_dot_by_shaft_engagement_time = t20 * t3 / t19 * c.t7;
+    let t21 = c.t29 * time_minus_shaft_engagement_time * t11 * t6;
+    let shaft_end_dot_dot_by_shaft_engagement_width = t21 * t4 / t19 * c.t8;
+    let shaft_driven_dot_dot_by_shaft_engagement_width = t21 * t3 / t19 * c.t7;
+    let shaft_end_dot_dot_by_shaft_standstill_band = c.t30 * shaft_end_dot * shaft_load
+        * R::literal(1.0).sub_product(t4, t4) * c.t8;
+    let shaft_driven_dot_dot_by_shaft_standstill_band = c.t30 * shaft_driven_dot * shaft_load
+        * R::literal(1.0).sub_product(t3, t3) * c.t7;
+    let shaft_driven_dot_dot_by_shaft_driven_field_inertia = -(shaft_driven_dot_dot * c.t7);
+    let shaft_end_dot_dot_by_shaft_end_field_inertia = -(shaft_end_dot_dot * c.t8);
     [motor_omega_dot_by_motor_inertia, motor_omega_dot_by_motor_supply_frequency,
         motor_omega_dot_by_motor_pole_pairs, motor_omega_dot_by_motor_k_s,
         motor_omega_dot_by_motor_k_r, motor_omega_dot_by_motor_x_s,
@@ -488,21 +457,20 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         shaft_driven_dot_dot_by_shaft_speed, shaft_driven_dot_dot_by_shaft_engagement_time,
         shaft_driven_dot_dot_by_shaft_engagement_width,
         shaft_driven_dot_dot_by_shaft_standstill_band,
-        shaft_driven_dot_dot_by_shaft_driven_field_inertia,
-        shaft_driven_dot_dot_by_shaft_driven_field_force, shaft_end_dot_dot_by_shaft_pieces,
-        shaft_end_dot_dot_by_shaft_inertia, shaft_end_dot_dot_by_shaft_mean,
-        shaft_end_dot_dot_by_shaft_amplitude, shaft_end_dot_dot_by_shaft_speed,
-        shaft_end_dot_dot_by_shaft_engagement_time, shaft_end_dot_dot_by_shaft_engagement_width,
-        shaft_end_dot_dot_by_shaft_standstill_band, shaft_end_dot_dot_by_shaft_end_field_inertia,
-        shaft_end_dot_dot_by_shaft_end_field_force, motor_psi_sx_dot_by_motor_phase_voltage,
-        motor_psi_sx_dot_by_motor_supply_frequency, motor_psi_sx_dot_by_motor_supply_phase,
-        motor_psi_sx_dot_by_motor_k_r, motor_psi_sx_dot_by_motor_alpha_s,
-        motor_psi_sy_dot_by_motor_phase_voltage, motor_psi_sy_dot_by_motor_supply_frequency,
-        motor_u_x, motor_psi_sy_dot_by_motor_k_r, motor_psi_sy_dot_by_motor_alpha_s,
-        motor_psi_rx_dot_by_motor_supply_frequency, motor_psi_rx_dot_by_motor_pole_pairs,
-        motor_psi_rx_dot_by_motor_k_s, motor_psi_rx_dot_by_motor_alpha_r,
-        motor_psi_ry_dot_by_motor_supply_frequency, motor_psi_ry_dot_by_motor_pole_pairs,
-        motor_psi_ry_dot_by_motor_k_s, motor_psi_ry_dot_by_motor_alpha_r]
+        shaft_driven_dot_dot_by_shaft_driven_field_inertia, c.t7,
+        shaft_end_dot_dot_by_shaft_pieces, shaft_end_dot_dot_by_shaft_inertia,
+        shaft_end_dot_dot_by_shaft_mean, shaft_end_dot_dot_by_shaft_amplitude,
+        shaft_end_dot_dot_by_shaft_speed, shaft_end_dot_dot_by_shaft_engagement_time,
+        shaft_end_dot_dot_by_shaft_engagement_width, shaft_end_dot_dot_by_shaft_standstill_band,
+        shaft_end_dot_dot_by_shaft_end_field_inertia, c.t8, c.t14,
+        motor_psi_sx_dot_by_motor_supply_frequency, c.minus_motor_u_y,
+        motor_psi_sx_dot_by_motor_k_r, motor_psi_sx_dot_by_motor_alpha_s, c.t15,
+        motor_psi_sy_dot_by_motor_supply_frequency, c.motor_u_x, motor_psi_sy_dot_by_motor_k_r,
+        motor_psi_sy_dot_by_motor_alpha_s, motor_psi_rx_dot_by_motor_supply_frequency,
+        motor_psi_rx_dot_by_motor_pole_pairs, motor_psi_rx_dot_by_motor_k_s,
+        motor_psi_rx_dot_by_motor_alpha_r, motor_psi_ry_dot_by_motor_supply_frequency,
+        motor_psi_ry_dot_by_motor_pole_pairs, motor_psi_ry_dot_by_motor_k_s,
+        motor_psi_ry_dot_by_motor_alpha_r]
 }
 
 /// Partial derivative of `y'` with respect to time. 44 operations.

@@ -18,7 +18,8 @@
 // Shapes: coordinates 2, states 4, parameters 17, outputs 4.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 4 of 4 by 4, parameter_jacobian 8 of 4 by 17.
 // Operations: rate 15, mass_matrix 3, forcing 8, rate_jacobian 7, parameter_jacobian 30,
-//     time_derivative 6, energy 23, power_balance 35, prepare 9, prepared_rate 10.
+//     time_derivative 6, energy 23, power_balance 35, prepare 11, prepared_rate 10,
+//     prepared_parameter_jacobian 23.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
@@ -81,7 +82,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
 ::machinist_contract::constants! {
     inverse_shaft_driven_field_inertia, t1, shaft_driven_dot_dot_by_shaft_driven,
-    shaft_reed_dot_dot_by_shaft_reed
+    shaft_reed_dot_dot_by_shaft_reed, reed_radius_squared, t2
 }
 
 ::machinist_contract::field_scene! {
@@ -96,18 +97,20 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     at 1.0 => Inside, coordinate Some(1), handed 13;
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 9 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 11 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
-    let t0 = p.shaft_reed_field_inertia.add_product(p.reed_mass, p.reed_radius * p.reed_radius);
+    let reed_radius_squared = p.reed_radius * p.reed_radius;
+    let t0 = p.shaft_reed_field_inertia.add_product(p.reed_mass, reed_radius_squared);
     let inverse_shaft_driven_field_inertia = R::literal(1.0) / p.shaft_driven_field_inertia;
     let t1 = R::literal(1.0) / t0;
     let shaft_driven_dot_dot_by_shaft_driven = p.drive_spring_stiffness * (R::literal(-1.0)
         / p.shaft_driven_field_inertia);
     let shaft_reed_dot_dot_by_shaft_reed = p.ground_spring_stiffness * (R::literal(-1.0) / t0);
+    let t2 = R::literal(-2.0) * p.reed_mass * p.reed_radius;
     Constants { inverse_shaft_driven_field_inertia, t1, shaft_driven_dot_dot_by_shaft_driven,
-        shaft_reed_dot_dot_by_shaft_reed }
+        shaft_reed_dot_dot_by_shaft_reed, reed_radius_squared, t2 }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -163,37 +166,29 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Para
         c.shaft_reed_dot_dot_by_shaft_reed]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 30 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 23 operations.
 #[must_use]
-pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 8] {
+pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 8] {
     let [shaft_driven, shaft_reed, ..] = *state;
     let drive = R::literal(0.12) * (R::literal(8.0 * core::f64::consts::PI) * time).sin();
-    let reed_radius_squared = p.reed_radius * p.reed_radius;
-    let inverse_shaft_driven_field_inertia = R::literal(1.0) / p.shaft_driven_field_inertia;
-    let shaft_reed_dot_dot_by_shaft_reed_field_force = R::literal(1.0) / p.shaft_reed_field_inertia
-        .add_product(p.reed_mass, reed_radius_squared);
     let shaft_reed_dot_dot = p.shaft_reed_field_force.sub_product(p.ground_spring_stiffness,
-        shaft_reed) * shaft_reed_dot_dot_by_shaft_reed_field_force;
+        shaft_reed) * c.t1;
     let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.drive_spring_stiffness,
-        shaft_driven - drive) * inverse_shaft_driven_field_inertia;
-    let shaft_reed_dot_dot_by_reed_mass = -(reed_radius_squared * shaft_reed_dot_dot
-        * shaft_reed_dot_dot_by_shaft_reed_field_force);
-    let shaft_reed_dot_dot_by_reed_radius = R::literal(-2.0) * p.reed_mass * p.reed_radius
-        * shaft_reed_dot_dot * shaft_reed_dot_dot_by_shaft_reed_field_force;
+        shaft_driven - drive) * c.inverse_shaft_driven_field_inertia;
+    let shaft_reed_dot_dot_by_reed_mass = -(c.reed_radius_squared * shaft_reed_dot_dot * c.t1);
+    let shaft_reed_dot_dot_by_reed_radius = c.t2 * shaft_reed_dot_dot * c.t1;
     let shaft_driven_dot_dot_by_drive_spring_stiffness = (drive - shaft_driven)
-        * inverse_shaft_driven_field_inertia;
-    let shaft_reed_dot_dot_by_ground_spring_stiffness = -(shaft_reed
-        * shaft_reed_dot_dot_by_shaft_reed_field_force);
+        * c.inverse_shaft_driven_field_inertia;
+    let shaft_reed_dot_dot_by_ground_spring_stiffness = -(shaft_reed * c.t1);
     let shaft_driven_dot_dot_by_shaft_driven_field_inertia = -(shaft_driven_dot_dot
-        * inverse_shaft_driven_field_inertia);
-    let shaft_reed_dot_dot_by_shaft_reed_field_inertia = -(shaft_reed_dot_dot
-        * shaft_reed_dot_dot_by_shaft_reed_field_force);
+        * c.inverse_shaft_driven_field_inertia);
+    let shaft_reed_dot_dot_by_shaft_reed_field_inertia = -(shaft_reed_dot_dot * c.t1);
     [shaft_driven_dot_dot_by_drive_spring_stiffness,
-        shaft_driven_dot_dot_by_shaft_driven_field_inertia, inverse_shaft_driven_field_inertia,
+        shaft_driven_dot_dot_by_shaft_driven_field_inertia, c.inverse_shaft_driven_field_inertia,
         shaft_reed_dot_dot_by_reed_mass, shaft_reed_dot_dot_by_reed_radius,
         shaft_reed_dot_dot_by_ground_spring_stiffness,
-        shaft_reed_dot_dot_by_shaft_reed_field_inertia,
-        shaft_reed_dot_dot_by_shaft_reed_field_force]
+        shaft_reed_dot_dot_by_shaft_reed_field_inertia, c.t1]
 }
 
 /// Partial derivative of `y'` with respect to time. 6 operations.

@@ -5,6 +5,7 @@ use proptest::test_runner::{Config, RngSeed, TestRunner};
 
 use super::systems::recipes;
 use super::tests::{LIMIT, deviation};
+use crate::cas::Algebra;
 use crate::faults::{self, Fault};
 
 /// Systems within which a fault is to be found.
@@ -31,6 +32,6 @@ fn first_found(fault: Fault) -> Option<usize> {
     let mut runner = TestRunner::new(config);
     (1..=SYSTEMS).find(|_| {
         let recipe = recipes(TERMS).new_tree(&mut runner).expect("a recipe").current();
-        faults::with(Some(fault), || deviation(&recipe)).error > LIMIT
+        faults::with(Some(fault), || deviation(&recipe, Algebra::default())).error > LIMIT
     })
 }

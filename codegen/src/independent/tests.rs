@@ -1,9 +1,11 @@
 //! Random systems derived both ways, and the second derivation against closed forms.
 //!
-//! `MACHINIST_SYSTEMS=5000 cargo test -p machinist-codegen --lib independent -- --nocapture`
-//! derives as many.
+//! `MACHINIST_SYSTEMS=10000 cargo test --release -p machinist-codegen --lib random_systems --
+//! --nocapture` derives as many by each algebra, from seed `MACHINIST_SEED`;
+//! `MACHINIST_ALGEBRA=plain` by that one alone.
 
 use std::cell::RefCell;
+use std::str::FromStr;
 
 use machinist_model::ModelSimulator;
 use proptest::prelude::*;
@@ -14,6 +16,7 @@ use super::motion::{Machine, Place};
 use super::random::Random;
 use super::systems::{Recipe, recipes};
 use super::{Comparison, Deviation};
+use crate::cas::Algebra;
 use crate::expr::{CoordinateId, Expr, FirstOrderId, Function, Symbol};
 use crate::pipeline;
 use crate::scene::along::{NoRate, rate};
@@ -21,6 +24,8 @@ use crate::scene::system::LagrangianSystem;
 
 /// Systems unless the environment says how many.
 const SYSTEMS: u32 = 50;
+/// Where they begin, likewise.
+const SEED: u64 = 0x5eed;
 /// Terms of a kind that those have, and those that the environment asks for.
 const FEW_TERMS: usize = 1;
 const TERMS: usize = 3;
@@ -29,10 +34,10 @@ const PLACES: usize = 6;
 /// Rounding of both derivations: of factors of bordered matrices, mostly.
 pub const LIMIT: f64 = 1e-10;
 
-/// How far the model of a system is off its second derivation.
-pub fn deviation(recipe: &Recipe) -> Deviation {
+/// How far the model of a system, by some algebra, is off its second derivation.
+pub fn deviation(recipe: &Recipe, algebra: Algebra) -> Deviation {
     let system = recipe.system();
-    let model = pipeline::compile(system.clone(), recipe.keep)
+    let model = pipeline::compile_by(algebra, system.clone(), recipe.keep)
         .unwrap_or_else(|errors| panic!("{}", errors.render()));
     let parameters: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
     let simulator = ModelSimulator::interpreted(model);
@@ -41,22 +46,43 @@ pub fn deviation(recipe: &Recipe) -> Deviation {
     comparison.at_random(PLACES, &parameters, 1)
 }
 
+/// A number that the environment asks for.
+fn asked<N: FromStr>(variable: &str) -> Option<N> {
+    let text = std::env::var(variable).ok()?;
+    let number = text.parse();
+    Some(number.unwrap_or_else(|_| panic!("{variable} is no number: {text}")))
+}
+
+/// The algebras that the environment asks for: one by its name, or all.
+fn algebras() -> Vec<Algebra> {
+    let wanted = std::env::var("MACHINIST_ALGEBRA").ok();
+    let is_wanted = |algebra: &Algebra| wanted.as_ref().is_none_or(|name| name == algebra.name());
+    let found: Vec<Algebra> = Algebra::ALL.iter().copied().filter(is_wanted).collect();
+    assert!(!found.is_empty(), "there is no algebra {wanted:?} here");
+    found
+}
+
 #[test]
 fn random_systems_are_derived_alike() {
-    let cases = std::env::var("MACHINIST_SYSTEMS").ok().and_then(|text| text.parse().ok());
-    let seed = std::env::var("MACHINIST_SEED").ok().and_then(|text| text.parse().ok());
-    let terms = if cases.is_some() { TERMS } else { FEW_TERMS };
-    let seed = seed.unwrap_or(0x5eed);
+    let systems = asked("MACHINIST_SYSTEMS");
+    let terms = if systems.is_some() { TERMS } else { FEW_TERMS };
+    let seed = asked("MACHINIST_SEED").unwrap_or(SEED);
+    for algebra in algebras() {
+        derived_alike(algebra, systems.unwrap_or(SYSTEMS), seed, terms);
+    }
+}
+
+/// Random systems are what their energies say, and how far off the worst of them is.
+fn derived_alike(algebra: Algebra, systems: u32, seed: u64, terms: usize) {
     let config = Config {
-        cases: cases.unwrap_or(SYSTEMS),
+        cases: systems,
         rng_seed: RngSeed::Fixed(seed),
         failure_persistence: None,
         ..Config::default()
     };
-    let cases = config.cases;
     let worst = RefCell::new(Deviation::default());
     let outcome = TestRunner::new(config).run(&recipes(terms), |recipe| {
-        let found = deviation(&recipe);
+        let found = deviation(&recipe, algebra);
         prop_assert!(found.error <= LIMIT, "{:e}: {}", found.error, found.place);
         prop_assert!(found.compared > 0, "nothing was compared");
         let before = worst.take();
@@ -65,8 +91,11 @@ fn random_systems_are_derived_alike() {
     });
     let worst = worst.into_inner();
     println!(
-        "{cases} systems of seed {seed}, {} numbers, worst {:.1e}: {}",
-        worst.compared, worst.error, worst.place
+        "{systems} systems of seed {seed} by {}: {} numbers, the worst {:.1e}, {}",
+        algebra.name(),
+        worst.compared,
+        worst.error,
+        worst.place
     );
     if let Err(failure) = outcome {
         panic!("{failure}");

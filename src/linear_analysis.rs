@@ -17,6 +17,7 @@
 //!
 //! All is dense algebra, for scenes of up to [`MAX_STATES`] states.
 
+mod banded;
 mod bends;
 mod campbell;
 pub mod differences;
@@ -30,6 +31,7 @@ mod response;
 mod rest;
 mod search;
 mod slopes;
+mod sparse_rows;
 mod steady;
 mod within;
 

@@ -3,13 +3,14 @@
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 
+use super::banded;
 use super::motions::{Motions, Places};
 use super::search::{ACCEPTED, Balance, Equations, newton};
 use super::{LinearError, Point, Residual, jacobian, rate};
 
 /// Directions in which rates change by less than that, over the sizes of their rows, are of
 /// drift: what rounding makes of nothing, and no soft spring beside stiff ones.
-const DRIFT: f64 = 1e-13;
+pub(super) const DRIFT: f64 = 1e-13;
 
 /// The equilibrium near a guess, by Newton's method on the emitted rates and
 /// their emitted Jacobian; time and parameters are those of the guess.
@@ -110,7 +111,7 @@ impl<'a> Solver<'a> {
             let slopes = slopes(&self.motions(&point)?);
             stacked.view_mut((place * rows, 0), (rows, n)).copy_from(&slopes.columns(0, n));
         }
-        Ok(split(stacked).0)
+        Ok(banded::drift(&stacked).unwrap_or_else(|| split(stacked).0))
     }
 
     fn motions(&self, point: &Point) -> Result<Motions, LinearError> {

@@ -1,14 +1,18 @@
 //! Eigenvalues of dy'/dy and how the machine moves at each.
 
+use std::cmp::Ordering;
+
 use nalgebra::linalg::Schur;
 use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 use serde::Serialize;
 
+use super::banded::{self, Found};
 use super::equilibrium::drift_and_rest;
 use super::inverse_iteration::InverseIteration;
 use super::motions::Motions;
+use super::sparse_rows::SparseRows;
 use super::within::Within;
 use super::{LinearError, Linearization};
 
@@ -92,6 +96,9 @@ impl Linearization<'_> {
     /// with the Hessenberg form of the whole matrix, and eigenvalues are improved by the quotient of left
     /// and right eigenvector, w A x/(w x).
     ///
+    /// Of a large machine whose coordinates each depend on but a few others, such as a chain, the
+    /// same is found by banded matrices, see [`super::banded`].
+    ///
     /// Of a machine with constraints, all this is done with the motions that these
     /// allow, in coordinates of their own; shapes are those of all coordinates again.
     ///
@@ -99,30 +106,53 @@ impl Linearization<'_> {
     /// [`LinearError::Eigenvalues`] if the iteration does not converge.
     pub fn modes(&self) -> Result<Vec<Mode>, LinearError> {
         let motions = Motions::new(self.simulator, &self.matrix);
-        let problem = Problem::new(Within::of(self.simulator, &self.point, &motions), motions);
-        let (drift, rest) = drift_and_rest(&problem.solved);
-        let mut modes: Vec<Mode> =
-            (0..drift.ncols()).map(|column| problem.drift_mode(&drift, column)).collect();
-        let mut values = problem.eigenvalues(&rest)?;
-        values.retain(|value| value.im >= 0.0);
-        values.sort_by(|a, b| a.norm().total_cmp(&b.norm()).then(a.re.total_cmp(&b.re)));
-        let mut found: Vec<(Complex64, DVector<Complex64>)> = Vec::new();
-        for (number, value) in values.into_iter().enumerate() {
-            let (mode, vector) = problem.mode(value, number, &found);
-            found.push((value, vector));
-            modes.push(mode);
-        }
-        Ok(modes)
+        let within = Within::of(self.simulator, &self.point, &motions);
+        let of_bands = if within.is_none() { of_bands(&motions) } else { None };
+        of_bands.map_or_else(|| of_full_matrices(within, motions), Ok)
     }
+}
+
+/// By full matrices.
+pub(super) fn of_full_matrices(
+    within: Option<Within>,
+    motions: Motions,
+) -> Result<Vec<Mode>, LinearError> {
+    let problem = Problem::new(within, motions);
+    let (drift, rest) = drift_and_rest(&problem.solved);
+    let mut modes: Vec<Mode> =
+        (0..drift.ncols()).map(|column| problem.drift_mode(&drift, column)).collect();
+    let mut values = problem.eigenvalues(&rest)?;
+    values.retain(|value| value.im >= 0.0);
+    values.sort_by(order);
+    let mut found: Vec<(Complex64, DVector<Complex64>)> = Vec::new();
+    for (number, value) in values.into_iter().enumerate() {
+        let (mode, vector) = problem.mode(value, number, &found);
+        found.push((value, vector));
+        modes.push(mode);
+    }
+    Ok(modes)
+}
+
+/// By banded matrices, where these do.
+pub(super) fn of_bands(motions: &Motions) -> Option<Vec<Mode>> {
+    let mut found = banded::spectrum(motions, &SparseRows::of(&motions.matrix))?;
+    found.sort_by(|a, b| order(&a.value, &b.value));
+    let shapes = Shapes::new(motions);
+    let mode = |Found { value, right, left }: Found| {
+        let shares = shapes.shares(&right, &left);
+        shapes.described(value, &right, shares)
+    };
+    Some(found.into_iter().map(mode).collect())
+}
+
+/// Slow motions first.
+fn order(a: &Complex64, b: &Complex64) -> Ordering {
+    a.norm().total_cmp(&b.norm()).then(a.re.total_cmp(&b.re))
 }
 
 /// A with states measured by their scales.
 struct Problem {
-    coordinates: usize,
-    first_order: usize,
-    scales: DVector<f64>,
-    /// Of all motions.
-    whole: DMatrix<Complex64>,
+    shapes: Shapes,
     within: Option<Within>,
     /// Of those whose modes are looked for: all, or those within constraints.
     solved: Motions,
@@ -134,8 +164,7 @@ struct Problem {
 
 impl Problem {
     fn new(within: Option<Within>, motions: Motions) -> Self {
-        let (coordinates, first_order) = (motions.coordinates, motions.first_order);
-        let (scales, whole) = (motions.scales.clone(), motions.scaled());
+        let shapes = Shapes::new(&motions);
         let solved = match &within {
             Some(within) => within.motions(&motions),
             None => motions,
@@ -143,10 +172,7 @@ impl Problem {
         let matrix = solved.scaled();
         let complex = matrix.map(Complex64::from);
         Self {
-            coordinates,
-            first_order,
-            scales,
-            whole: whole.map(Complex64::from),
+            shapes,
             within,
             norm: matrix.norm(),
             iteration: InverseIteration::new(&matrix),
@@ -200,8 +226,8 @@ impl Problem {
             vector[index] = Complex64::from(drift[(index, column)]);
         }
         let vector = self.right(&vector);
-        let shares = self.shares(&vector, &vector.conjugate());
-        self.described(Complex64::ZERO, &vector, shares)
+        let shares = self.shapes.shares(&vector, &vector.conjugate());
+        self.shapes.described(Complex64::ZERO, &vector, shares)
     }
 
     /// The mode of an eigenvalue, and its vector; `found` are those before it.
@@ -221,13 +247,36 @@ impl Problem {
             let better = left.dot(&(&self.complex * &right)) / overlap;
             let value = if value.im == 0.0 { Complex64::from(better.re) } else { better };
             let moved = self.right(&right);
-            let shares = self.shares(&moved, &self.left(&left));
-            return (self.described(value, &moved, shares), right);
+            let shares = self.shapes.shares(&moved, &self.left(&left));
+            return (self.shapes.described(value, &moved, shares), right);
         }
         // Of several motions with one eigenvalue, left vectors do not pair up.
         let moved = self.right(&right);
-        let shares = self.shares(&moved, &moved.conjugate());
-        (self.described(value, &moved, shares), right)
+        let shares = self.shapes.shares(&moved, &moved.conjugate());
+        (self.shapes.described(value, &moved, shares), right)
+    }
+}
+
+/// How motions are told.
+struct Shapes {
+    coordinates: usize,
+    first_order: usize,
+    scales: DVector<f64>,
+    /// A with states measured by their scales.
+    matrix: SparseRows,
+    norm: f64,
+}
+
+impl Shapes {
+    fn new(motions: &Motions) -> Self {
+        let matrix = SparseRows::of(&motions.scaled());
+        Self {
+            coordinates: motions.coordinates,
+            first_order: motions.first_order,
+            scales: motions.scales.clone(),
+            norm: matrix.norm(),
+            matrix,
+        }
     }
 
     /// |w_i x_i| of coordinates with their velocities, then of first-order states.
@@ -249,8 +298,8 @@ impl Problem {
         } else {
             ModeKind::Oscillation
         };
-        let distance = &self.whole * vector - vector * value;
-        let size = self.whole.norm() * vector.norm();
+        let distance = self.matrix.times(vector) - vector * value;
+        let size = self.norm * vector.norm();
         let residual = if size > 0.0 { distance.norm() / size } else { 0.0 };
         let in_units =
             DVector::from_fn(vector.len(), |index, _| vector[index] * self.scales[index]);

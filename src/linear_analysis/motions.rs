@@ -61,7 +61,7 @@ impl Motions {
             of_state.select_rows(&places.positions).select_columns(&places.velocities);
         let mut matrix = DMatrix::zeros(2 * n + m, 2 * n + m);
         matrix.view_mut((0, n), (n, n)).fill_with_identity();
-        let by_q = rates.select_columns(&places.positions) * &by_coordinates;
+        let by_q = product(&rates.select_columns(&places.positions), &by_coordinates);
         matrix.view_mut((n, 0), (n + m, n)).copy_from(&by_q);
         matrix.view_mut((n, n), (n + m, n + m)).copy_from(&rates.select_columns(&dynamic));
         let scales = scales(&super::scales(simulator), &places, &by_coordinates);
@@ -102,6 +102,38 @@ impl Motions {
             state[*place] += change;
         }
     }
+}
+
+/// A B of matrices that are mostly zeros. What cancels but for rounding is nothing: a rate that
+/// depends on differences does not depend on what these are taken to.
+fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+    const ROUNDING: f64 = 4.0 * f64::EPSILON;
+    let nonzeros = |column: &[f64]| -> Vec<(usize, f64)> {
+        let entries = column.iter().copied().enumerate();
+        entries.filter(|(_, entry)| *entry != 0.0).collect()
+    };
+    let columns: Vec<_> = a.column_iter().map(|column| nonzeros(column.as_slice())).collect();
+    let mut product = DMatrix::<f64>::zeros(a.nrows(), b.ncols());
+    let mut terms = vec![0.0; a.nrows()];
+    for (mut into, column) in product.column_iter_mut().zip(b.column_iter()) {
+        let shares = nonzeros(column.as_slice());
+        let entries = || {
+            shares
+                .iter()
+                .flat_map(|(at, share)| columns[*at].iter().map(move |(row, x)| (*row, x * share)))
+        };
+        for (row, term) in entries() {
+            into[row] += term;
+            terms[row] += term.abs();
+        }
+        for (row, _) in entries() {
+            if into[row].abs() <= ROUNDING * terms[row] {
+                into[row] = 0.0;
+            }
+        }
+        entries().for_each(|(row, _)| terms[row] = 0.0);
+    }
+    product
 }
 
 /// Names of x.

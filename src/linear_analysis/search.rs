@@ -3,6 +3,7 @@
 
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
+use super::banded::LeastSquares;
 use super::{LinearError, Point};
 
 const MAX_ITERATIONS: usize = 100;
@@ -109,36 +110,49 @@ fn shrinking_step<B: Balance>(
 
 /// Steps x that solve J x = r, or come nearest to it. Of those that do, one that moves what is
 /// named least, and of these the least.
-pub(super) struct LeastSteps {
-    svd: SVD<f64, Dyn, Dyn>,
-    named: DMatrix<f64>,
-    rank: usize,
+pub(super) enum LeastSteps {
+    /// By singular values.
+    Full { svd: SVD<f64, Dyn, Dyn>, named: DMatrix<f64>, rank: usize },
+    /// Where nothing is named and rates depend on few unknowns each.
+    Sparse(LeastSquares),
 }
 
 impl LeastSteps {
     pub(super) fn new(jacobian: &DMatrix<f64>, named: DMatrix<f64>) -> Result<Self, LinearError> {
+        if named.nrows() == 0
+            && let Some(sparse) = LeastSquares::new(jacobian, RANK)
+        {
+            return Ok(Self::Sparse(sparse));
+        }
         let svd = jacobian.clone().try_svd(true, true, f64::EPSILON, 10_000).ok_or(SINGULAR)?;
         let rank = svd.rank(RANK);
-        Ok(Self { svd, named, rank })
+        Ok(Self::Full { svd, named, rank })
     }
 
     /// Whether the equations leave no choice.
     pub(super) fn is_determined(&self) -> bool {
-        self.named.ncols() == self.rank
+        match self {
+            Self::Full { named, rank, .. } => named.ncols() == *rank,
+            Self::Sparse(sparse) => sparse.is_determined(),
+        }
     }
 
     pub(super) fn solve(&self, right_side: &DVector<f64>) -> Result<DVector<f64>, LinearError> {
-        let step = self.svd.solve(right_side, RANK).map_err(|_| SINGULAR)?;
-        let moved = &self.named * &step;
+        let (svd, named, rank) = match self {
+            Self::Full { svd, named, rank } => (svd, named, *rank),
+            Self::Sparse(sparse) => return sparse.solve(right_side).ok_or(SINGULAR),
+        };
+        let step = svd.solve(right_side, RANK).map_err(|_| SINGULAR)?;
+        let moved = named * &step;
         let is_seen = moved.iter().any(|moved| moved.abs() > SEEN * step.amax());
-        let Some(rows) = self.svd.v_t.as_ref().filter(|_| is_seen && !self.is_determined()) else {
+        let Some(rows) = svd.v_t.as_ref().filter(|_| is_seen && !self.is_determined()) else {
             return Ok(step);
         };
         // What the equations leave open may make up for moves of what is named.
-        let decided = rows.rows(0, self.rank);
+        let decided = rows.rows(0, rank);
         let size = step.len();
         let left_open = DMatrix::identity(size, size) - decided.transpose() * decided;
-        let open = (&self.named * &left_open).svd(true, true);
+        let open = (named * &left_open).svd(true, true);
         let back = open.solve(&moved, RANK.sqrt()).map_err(|_| SINGULAR)?;
         Ok(step - left_open * back)
     }

@@ -297,11 +297,12 @@ fn moving(linearization: &Linearization<'_>, mode: &Mode) -> String {
     let n = linearization.simulator().shape().coordinates;
     let names = linearization.motion_names();
     let motion = |index: usize| if index < n { index } else { index + n };
-    let mut order: Vec<usize> = (0..mode.shares.len()).collect();
-    order.sort_by(|a, b| mode.shares[*b].total_cmp(&mode.shares[*a]));
-    let largest = order.first().map_or(0.0, |index| mode.shares[*index]);
-    let major = order.into_iter().filter(|index| mode.shares[*index] >= MINOR * largest);
+    let largest = mode.shares.iter().copied().fold(0.0, f64::max);
+    let is_major = |index: &usize| mode.shares[*index] >= MINOR * largest;
+    let mut major: Vec<usize> = (0..mode.shares.len()).filter(is_major).collect();
+    major.sort_by(|a, b| mode.shares[*b].total_cmp(&mode.shares[*a]));
     let named = major
+        .into_iter()
         .take(MOVING)
         .map(|index| format!("{} {:.0} %", names[motion(index)], 100.0 * mode.shares[index]));
     named.collect::<Vec<_>>().join(", ")

@@ -1,0 +1,321 @@
+//! Modes of machines whose coordinates each meet but a few others, such as chains: what grows as
+//! the square of their number, of which all shapes take as much, instead of its cube.
+//!
+//! Coordinates and first-order states that depend on each other are a graph; each part of it that
+//! hangs together is by itself, in an order that keeps neighbours near. Its motions e^(s t) x are
+//! those of a banded matrix T(s), see [`pencil`]; eigenvalues are the zeros of its determinant
+//! ([`roots`]), shapes come by inverse iteration.
+//!
+//! Nothing is given that is not checked: eigenvalues have the sum and the sum of squares that they
+//! must have, each but for those of drift has a left and a right vector that are not across each
+//! other, and all shapes fulfil the equations. Else full matrices answer.
+
+mod least;
+mod null_space;
+mod order;
+mod pencil;
+mod roots;
+#[cfg(test)]
+mod tests;
+
+use nalgebra::{DMatrix, DVector};
+use num_complex::Complex64;
+
+use super::equilibrium::DRIFT;
+use super::motions::Motions;
+use super::sparse_rows::SparseRows;
+pub(super) use least::LeastSquares;
+use null_space::NullSpace;
+use pencil::{Factors, Pencil};
+
+/// Coordinates and first-order states below which full matrices are as fast.
+const FEW: usize = 48;
+/// A part has so many times its bandwidth at least.
+const SLENDER: usize = 8;
+/// Beside the size of a row, what is not below it is not zero, and in between nobody can say.
+const DOUBTFUL: f64 = 100.0 * DRIFT;
+/// Beside the largest, an eigenvalue below this may be zero.
+const NEARLY_ZERO: f64 = 1e-10;
+/// Sums of eigenvalues differ from traces by less, beside the sum of their sizes.
+const SUMS: f64 = 1e-9;
+/// Beside its terms, w T' x of left and right vectors is larger: else the eigenvalue is double.
+const ACROSS: f64 = 1e-7;
+/// Beside its terms, T x of a shape is less.
+const RESIDUAL: f64 = 1e-11;
+/// Solutions of inverse iteration.
+const ITERATIONS: usize = 3;
+/// How often that is done with a better eigenvalue.
+const ROUNDS: usize = 3;
+
+/// An eigenvalue, with imaginary part not negative, and its vectors of \[q, q', z\] over the
+/// scales of these. Of eigenvalue zero the left one is the right one.
+pub(super) struct Found {
+    pub value: Complex64,
+    pub right: DVector<Complex64>,
+    pub left: DVector<Complex64>,
+}
+
+/// All eigenvalues with their vectors, of drift and other zeros first, or nothing where full
+/// matrices are better. `matrix` is A of the motions.
+pub(super) fn spectrum(motions: &Motions, matrix: &SparseRows) -> Option<Vec<Found>> {
+    let (n, nodes) = (motions.coordinates, motions.coordinates + motions.first_order);
+    if nodes < FEW {
+        return None;
+    }
+    let mut neighbours = vec![Vec::new(); nodes];
+    for row in 0..nodes {
+        for (column, _) in matrix.row(n + row) {
+            let column = node(n, *column);
+            if column != row {
+                neighbours[row].push(column);
+                neighbours[column].push(row);
+            }
+        }
+    }
+    let mut places = vec![0; nodes];
+    let mut found = Vec::new();
+    for order in order::parts(&neighbours) {
+        order.iter().enumerate().for_each(|(place, index)| places[*index] = place);
+        found.extend(Part::new(motions, matrix, order, &places)?.spectrum()?);
+    }
+    Some(found)
+}
+
+/// The null space of a matrix with short rows, as columns; nothing where it has not.
+pub(super) fn drift(matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let columns = matrix.ncols();
+    if columns < FEW {
+        return None;
+    }
+    let mut rows = vec![Vec::new(); matrix.nrows()];
+    for (column, entries) in matrix.column_iter().enumerate() {
+        for (row, entry) in entries.iter().enumerate().filter(|(_, entry)| **entry != 0.0) {
+            rows[row].push((column, *entry));
+        }
+    }
+    let vectors = NullSpace::of(columns, &rows, DRIFT)?.vectors;
+    Some(DMatrix::from_fn(columns, vectors.len(), |row, column| vectors[column][row]))
+}
+
+/// Which coordinate, or n and which first-order state, an entry of \[q, q', z\] is of. The rate
+/// of its velocity or of itself is the row n further.
+fn node(n: usize, entry: usize) -> usize {
+    if entry < n { entry } else { entry - n }
+}
+
+/// Coordinates and first-order states that hang together.
+struct Part<'m> {
+    motions: &'m Motions,
+    /// Their rates in turn: (place of what is moved, whether its velocity is, entry). Velocities
+    /// are measured by the scales of their coordinates here.
+    rates: Vec<Vec<(usize, bool, f64)>>,
+    /// Nodes in turn.
+    order: Vec<usize>,
+    pencil: Pencil,
+}
+
+impl<'m> Part<'m> {
+    fn new(
+        motions: &'m Motions,
+        matrix: &SparseRows,
+        order: Vec<usize>,
+        places: &[usize],
+    ) -> Option<Self> {
+        let n = motions.coordinates;
+        let scale = |node: usize| motions.scales[if node < n { node } else { node + n }];
+        let rates = order.iter().map(|row| {
+            let entries = matrix.row(n + row).iter().map(|(at, entry)| {
+                let column = node(n, *at);
+                let is_velocity = (n..2 * n).contains(at);
+                (places[column], is_velocity, entry * scale(column) / scale(*row))
+            });
+            entries.collect::<Vec<_>>()
+        });
+        let rates: Vec<_> = rates.collect();
+        let reach = rates.iter().enumerate().flat_map(|(row, entries)| {
+            entries.iter().map(move |(column, ..)| column.abs_diff(row))
+        });
+        let width = reach.max().unwrap_or(0);
+        if order.len() >= FEW && width * SLENDER > order.len() {
+            return None;
+        }
+        let mut pencil = Pencil::new(order.iter().map(|node| *node < n).collect(), width);
+        for (row, entries) in rates.iter().enumerate() {
+            for (column, is_velocity, entry) in entries {
+                pencil.subtract(row, *column, *is_velocity, *entry);
+            }
+        }
+        Some(Self { motions, rates, order, pencil })
+    }
+
+    fn spectrum(&self) -> Option<Vec<Found>> {
+        let drift = self.drift()?;
+        let is_free = self.is_free(&drift)?;
+        let zeros = if is_free { 2 * drift.len() } else { drift.len() };
+        let values = roots::eigenvalues(&self.pencil, zeros)?;
+        let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.norm()));
+        if values.iter().any(|value| value.norm() <= NEARLY_ZERO * largest) {
+            return None;
+        }
+        let found: Option<Vec<Found>> =
+            values.iter().enumerate().map(|(number, value)| self.found(*value, number)).collect();
+        let found = found?;
+        if !self.is_all(&found) {
+            return None;
+        }
+        let still = drift.iter().cycle().take(zeros).map(|drift| {
+            let right = self.unfolded(drift, &vec![Complex64::ZERO; drift.len()], false);
+            Found { value: Complex64::ZERO, left: right.conjugate(), right }
+        });
+        Some(still.chain(found).collect())
+    }
+
+    /// Directions of coordinates on which no rate depends, in turn.
+    fn drift(&self) -> Option<Vec<Vec<Complex64>>> {
+        let coordinates: Vec<usize> =
+            (0..self.order.len()).filter(|place| self.is_coordinate(*place)).collect();
+        let of_coordinates = |place: &usize| coordinates.binary_search(place).ok();
+        let rows = self.rates.iter().enumerate().map(|(row, entries)| {
+            let size = self.row_size(row);
+            let of_positions = entries.iter().filter(|(_, is_velocity, _)| !is_velocity);
+            let entries = of_positions
+                .filter_map(|(column, _, entry)| Some((of_coordinates(column)?, entry / size)));
+            entries.collect()
+        });
+        let rows: Vec<Vec<(usize, f64)>> = rows.collect();
+        let found = NullSpace::of(coordinates.len(), &rows, DRIFT)?.vectors;
+        let spread = |vector: &DVector<f64>| {
+            let mut whole = vec![Complex64::ZERO; self.order.len()];
+            for (place, value) in coordinates.iter().zip(vector) {
+                whole[*place] = Complex64::from(*value);
+            }
+            whole
+        };
+        Some(found.iter().map(spread).collect())
+    }
+
+    /// Whether rates do not depend on velocities along drift either, so that each of its
+    /// directions is an eigenvalue zero twice; nothing where that is so of some.
+    fn is_free(&self, drift: &[Vec<Complex64>]) -> Option<bool> {
+        let changes = |row: usize, along: &[Complex64]| {
+            let of_velocities = self.rates[row].iter().filter(|(_, is_velocity, _)| *is_velocity);
+            let change: f64 = of_velocities.map(|(at, _, entry)| entry * along[*at].re).sum();
+            change.abs() / self.row_size(row)
+        };
+        let rows = 0..self.order.len();
+        let most = |along: &Vec<Complex64>| {
+            rows.clone().map(|row| changes(row, along)).fold(0.0, f64::max)
+        };
+        let changes: Vec<f64> = drift.iter().map(most).collect();
+        let is_none = changes.iter().all(|change| *change <= DRIFT);
+        let is_one_that_slows = changes.len() == 1 && changes[0] > DOUBTFUL;
+        (is_none || is_one_that_slows).then_some(is_none)
+    }
+
+    /// What a rate changes by when all coordinates, velocities and states move by their scales.
+    fn row_size(&self, row: usize) -> f64 {
+        let entries = self.rates[row].iter().map(|(at, is_velocity, entry)| {
+            if *is_velocity { entry * self.speed_scale(*at) } else { *entry }
+        });
+        let size = entries.map(|entry| entry * entry).sum::<f64>().sqrt();
+        if size > 0.0 { size } else { 1.0 }
+    }
+
+    fn is_coordinate(&self, place: usize) -> bool {
+        self.order[place] < self.motions.coordinates
+    }
+
+    /// The scale of a velocity beside that of its coordinate.
+    fn speed_scale(&self, place: usize) -> f64 {
+        let (index, n) = (self.order[place], self.motions.coordinates);
+        self.motions.scales[n + index] / self.motions.scales[index]
+    }
+
+    /// An eigenvalue with its vectors.
+    fn found(&self, value: Complex64, number: usize) -> Option<Found> {
+        let mut value = value;
+        for _ in 0..ROUNDS {
+            let [right, left] = self.vectors(value, number);
+            let [residual, _] = self.pencil.times(value, &right);
+            let [slope, size] = self.pencil.slope_times(value, &right);
+            let dot =
+                |row: &[Complex64]| -> Complex64 { left.iter().zip(row).map(|(w, x)| w * x).sum() };
+            let overlap = dot(&slope);
+            let terms: f64 = left.iter().zip(&size).map(|(w, x)| w.norm() * x.re).sum();
+            if overlap.is_nan() || overlap.norm() <= ACROSS * terms {
+                return None;
+            }
+            let better = value - dot(&residual) / overlap;
+            value = if value.im == 0.0 { Complex64::from(better.re) } else { better };
+            let [residual, size] = self.pencil.times(value, &right);
+            if largest(&residual) <= RESIDUAL * largest(&size) {
+                let moving = right
+                    .iter()
+                    .enumerate()
+                    .map(|(place, x)| if self.is_coordinate(place) { x * value } else { *x });
+                let moving: Vec<Complex64> = moving.collect();
+                let momenta = self.pencil.momenta(value, &left);
+                let right = self.unfolded(&right, &moving, false);
+                return Some(Found { value, right, left: self.unfolded(&momenta, &left, true) });
+            }
+        }
+        None
+    }
+
+    /// Right and left vectors of T by inverse iteration, whose largest entries are of size 1.
+    fn vectors(&self, value: Complex64, number: usize) -> [Vec<Complex64>; 2] {
+        let factors = self.pencil.factors(value);
+        let start = |index: usize| (1.0 + (index + 1) as f64 * (number + 2) as f64).cos();
+        [Factors::solve, Factors::solve_transposed].map(|solve| {
+            let mut vector: Vec<_> =
+                (0..self.order.len()).map(|index| Complex64::from(start(index))).collect();
+            for _ in 0..ITERATIONS {
+                solve(&factors, &mut vector);
+                let largest = largest(&vector);
+                for x in &mut vector {
+                    *x /= largest;
+                }
+            }
+            vector
+        })
+    }
+
+    /// Whether eigenvalues have the sum and the sum of squares of the whole part.
+    fn is_all(&self, found: &[Found]) -> bool {
+        let [mut sums, mut sizes] = [[0.0; 2]; 2];
+        for Found { value, .. } in found {
+            let times = if value.im > 0.0 { 2.0 } else { 1.0 };
+            for (power, of_value) in [*value, value * value].into_iter().enumerate() {
+                sums[power] += times * of_value.re;
+                sizes[power] += times * of_value.norm();
+            }
+        }
+        let traces = self.pencil.traces();
+        (0..2).all(|power| (sums[power] - traces[power]).abs() <= SUMS * sizes[power])
+    }
+
+    /// What is of coordinates and of velocities and states, in turn, as of \[q, q', z\] over their
+    /// scales: of a motion, or of a left vector.
+    fn unfolded(
+        &self,
+        coordinates: &[Complex64],
+        others: &[Complex64],
+        is_left: bool,
+    ) -> DVector<Complex64> {
+        let n = self.motions.coordinates;
+        let mut whole = DVector::zeros(2 * n + self.motions.first_order);
+        for (place, index) in self.order.iter().enumerate() {
+            let scale = if self.is_coordinate(place) { self.speed_scale(place) } else { 1.0 };
+            if self.is_coordinate(place) {
+                whole[*index] = coordinates[place];
+            }
+            whole[n + index] = if is_left { others[place] * scale } else { others[place] / scale };
+        }
+        whole
+    }
+}
+
+/// The size of the largest entry.
+fn largest(vector: &[Complex64]) -> f64 {
+    vector.iter().map(|x| x.norm()).fold(0.0, f64::max)
+}

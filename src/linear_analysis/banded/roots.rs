@@ -1,0 +1,225 @@
+//! All eigenvalues of a part: zeros of det T(s), looked for at once.
+//!
+//! The Ehrlich-Aberth iteration, Newton's on det T over what the other zeros contribute to it,
+//! from the eigenvalues of both halves, where what couples them is left out; likewise these, down
+//! to halves small enough for a full matrix. An evaluation costs what the band costs, so that all
+//! eigenvalues of n bodies take n^2 operations, and memory as the band.
+//!
+//! Source: Bini, Gemignani, Tisseur, "The Ehrlich-Aberth method for the nonsymmetric tridiagonal
+//! eigenvalue problem", SIAM J. Matrix Anal. Appl. 27 (2005).
+
+use std::ops::Range;
+
+use nalgebra::linalg::Schur;
+use nalgebra::linalg::balancing::balance_parlett_reinsch;
+use num_complex::Complex64;
+
+use super::pencil::Pencil;
+
+/// Rows up to which a full matrix is as good.
+const SMALL: usize = 16;
+/// Iterations before zeros that do not come to rest are taken for ones of the other kind, and how
+/// often that is done.
+const PATIENCE: usize = 20;
+const EXCHANGES: usize = 4;
+/// Relative corrections at which a zero is as it is, of the whole and of halves, which only say
+/// where to begin.
+const SETTLED: f64 = 1e-15;
+const NEARLY: f64 = 1e-5;
+/// Corrections that shrink no more are rounding if they are below this, beside the square of the
+/// fastest over that of the zero: T(s) is a difference of numbers of that size.
+const ROUNDING: f64 = 1e-13;
+/// Beside its distance, how near to 0 a step takes a zero: it may pass by, and would not come back.
+const NEAREST: f64 = 0.1;
+/// Beside the distance to the next, a zero so near the one before is moved away from it.
+const TOGETHER: f64 = 0.1;
+
+/// A zero, or with a positive imaginary part two of them, conjugate to each other.
+#[derive(Clone, Copy)]
+struct Root {
+    value: Complex64,
+    is_pair: bool,
+    is_settled: bool,
+    /// Size of its last correction.
+    correction: f64,
+}
+
+impl Root {
+    fn at(value: Complex64, is_pair: bool) -> Self {
+        Self { value, is_pair, is_settled: false, correction: f64::INFINITY }
+    }
+
+    fn count(&self) -> usize {
+        1 + usize::from(self.is_pair)
+    }
+}
+
+/// Eigenvalues with imaginary part not negative, but for so many that are zero; nothing if they
+/// are not found one by one, as where some are double.
+pub(super) fn eigenvalues(pencil: &Pencil, zeros: usize) -> Option<Vec<Complex64>> {
+    let fastest = pencil.fastest();
+    let search = Search { pencil, rows: 0..pencil.size(), zeros, tolerance: SETTLED, fastest };
+    let mut roots = search.starts()?;
+    for _ in 0..=EXCHANGES {
+        if search.settle(&mut roots) {
+            return Some(roots.into_iter().map(|root| root.value).collect());
+        }
+        exchange_kinds(&mut roots);
+    }
+    None
+}
+
+/// Zeros of some rows, without what couples these to others.
+struct Search<'p> {
+    pencil: &'p Pencil,
+    rows: Range<usize>,
+    /// How many zeros are at 0, and are none of those looked for.
+    zeros: usize,
+    tolerance: f64,
+    /// About the largest of them.
+    fastest: f64,
+}
+
+impl Search<'_> {
+    /// Where to begin: at the zeros of both halves, but as many as there are.
+    fn starts(&self) -> Option<Vec<Root>> {
+        let middle = usize::midpoint(self.rows.start, self.rows.end);
+        let mut roots = if self.rows.len() <= SMALL {
+            self.of_full_matrix()?
+        } else {
+            let half = |rows| Search { rows, zeros: 0, tolerance: NEARLY, ..*self };
+            let halves = [half(self.rows.start..middle), half(middle..self.rows.end)];
+            let [mut roots, others] = [halves[0].nearly()?, halves[1].nearly()?];
+            roots.extend(others);
+            roots
+        };
+        roots.sort_by(|a, b| b.value.norm().total_cmp(&a.value.norm()));
+        let degree = self.pencil.degree(self.rows.clone()).checked_sub(self.zeros)?;
+        let mut count: usize = roots.iter().map(Root::count).sum();
+        while count > degree {
+            let last = roots.pop()?;
+            count -= last.count();
+            if count < degree {
+                roots.push(Root::at(Complex64::from(-last.value.norm()), false));
+                count += 1;
+            }
+        }
+        part(&mut roots);
+        (count == degree).then_some(roots)
+    }
+
+    /// Zeros, as far as they come.
+    fn nearly(&self) -> Option<Vec<Root>> {
+        if self.rows.len() <= SMALL {
+            return self.of_full_matrix();
+        }
+        let mut roots = self.starts()?;
+        self.settle(&mut roots);
+        Some(roots.iter().map(|root| Root::at(root.value, root.is_pair)).collect())
+    }
+
+    fn of_full_matrix(&self) -> Option<Vec<Root>> {
+        let mut matrix = self.pencil.companion(self.rows.clone());
+        balance_parlett_reinsch(&mut matrix);
+        let values = Schur::try_new(matrix, f64::EPSILON, 10_000)?.complex_eigenvalues();
+        let upper = values.iter().filter(|value| value.im >= 0.0);
+        Some(upper.map(|value| Root::at(*value, value.im > 0.0)).collect())
+    }
+
+    /// Moves zeros to rest, and says whether all are.
+    fn settle(&self, roots: &mut [Root]) -> bool {
+        (0..PATIENCE).any(|_| {
+            for index in 0..roots.len() {
+                if !roots[index].is_settled {
+                    self.improve(roots, index);
+                }
+            }
+            roots.iter().all(|root| root.is_settled)
+        })
+    }
+
+    /// A step of one zero: 1/(p'/p - sum of 1/(s - others)).
+    fn improve(&self, roots: &mut [Root], index: usize) {
+        let Root { value: s, is_pair, correction: before, .. } = roots[index];
+        let Some(slope) = self.pencil.logarithmic_slope(self.rows.clone(), s) else {
+            roots[index].is_settled = true;
+            return;
+        };
+        let mut others = Complex64::ZERO;
+        if self.zeros > 0 {
+            others += s.inv() * self.zeros as f64;
+        }
+        for (number, other) in roots.iter().enumerate() {
+            if number != index {
+                others += (s - other.value).inv();
+            }
+            if other.is_pair {
+                others += (s - other.value.conj()).inv();
+            }
+        }
+        let step = (slope - others).inv();
+        if !step.is_finite() {
+            return;
+        }
+        let (size, correction) = (s.norm(), step.norm());
+        let rounding = ROUNDING * self.fastest.max(size).powi(2) / size;
+        let mut next = s - step;
+        if next.norm() < NEAREST * size {
+            let direction = if next == Complex64::ZERO { s } else { next };
+            next = direction * (NEAREST * size / direction.norm());
+        }
+        let root = &mut roots[index];
+        root.value =
+            if is_pair { Complex64::new(next.re, next.im.abs()) } else { Complex64::from(next.re) };
+        root.correction = correction;
+        root.is_settled = correction <= self.tolerance * size
+            || (correction <= rounding && correction >= before / 2.0);
+    }
+}
+
+/// Moves zeros away from each other where halves that are alike have the same.
+fn part(roots: &mut [Root]) {
+    let distance = |a: &Root, b: &Root| (a.value - b.value).norm();
+    for index in 1..roots.len() {
+        let (before, root) = (roots[index - 1], roots[index]);
+        let next = roots.get(index + 1);
+        let room = next.map_or(f64::INFINITY, |next| distance(next, &root));
+        if distance(&before, &root) >= TOGETHER * room.min(root.value.norm()) {
+            continue;
+        }
+        let step = match next {
+            Some(next) => (next.value - root.value) * 0.25,
+            None => root.value * -0.01,
+        };
+        roots[index].value += if root.is_pair { step } else { Complex64::from(step.re) };
+    }
+}
+
+/// Takes pairs that do not come to rest for two real zeros beside each other, and two such real
+/// ones for a pair.
+fn exchange_kinds(roots: &mut Vec<Root>) {
+    let (mut changed, mut reals) = (Vec::new(), Vec::new());
+    roots.retain(|root| {
+        match (root.is_settled, root.is_pair) {
+            (true, _) => return true,
+            (false, true) => changed.extend([-1.0, 1.0].map(|side| {
+                let apart = (0.05 * root.value.re.abs()).max(root.value.im);
+                Root::at(Complex64::from(root.value.re + side * apart), false)
+            })),
+            (false, false) => reals.push(*root),
+        }
+        false
+    });
+    reals.sort_by(|a, b| a.value.re.total_cmp(&b.value.re));
+    for two in reals.chunks(2) {
+        match two {
+            [a, b] => {
+                let middle = f64::midpoint(a.value.re, b.value.re);
+                let apart = (0.05 * middle.abs()).max((b.value.re - a.value.re) / 2.0);
+                changed.push(Root::at(Complex64::new(middle, apart), true));
+            }
+            alone => changed.extend_from_slice(alone),
+        }
+    }
+    roots.extend(changed);
+}

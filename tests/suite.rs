@@ -26,6 +26,7 @@ mod interpreted;
 mod kinks;
 mod language;
 mod linear_analysis;
+mod long_chains;
 mod massless;
 mod methods;
 mod mode_slopes;

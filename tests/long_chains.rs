@@ -1,0 +1,90 @@
+//! Chains of a hundred rotors and more, whose modes come by banded matrices.
+
+use std::f64::consts::PI;
+use std::fmt::Write as _;
+
+use machinist::Simulation;
+use machinist::linear_analysis::{Linearization, ModeKind, Place, operating_point};
+use machinist_codegen::mechanics::reduce::Keep;
+use num_complex::Complex64;
+
+use crate::own_scene::of_text;
+
+const ROTORS: usize = 120;
+const INERTIA: f64 = 2.0;
+const STIFFNESS: f64 = 5e3;
+const DAMPING: f64 = 0.5;
+
+/// Rotors on couplings, each a unit, that turn freely; a brake may hold the first back.
+fn rotors(brake: Option<f64>) -> String {
+    let mut text = "[scene]\nname = \"rotors\"\nsource = \"Textbook.\"\n".to_owned();
+    for k in 0..ROTORS {
+        let _ = write!(
+            text,
+            "[units.r{k}]\nunit = \"rotor\"\nparameters = {{ inertia = {INERTIA} }}\n"
+        );
+    }
+    for k in 1..ROTORS {
+        let before = k - 1;
+        let _ = write!(
+            text,
+            "[units.c{k}]\nunit = \"coupling\"\nparameters = {{ stiffness = {STIFFNESS}, \
+             damping = {DAMPING} }}\n[[joints]]\nconnect = [\"r{before}.shaft\", \"c{k}.driving\"]\n\
+             [[joints]]\nconnect = [\"c{k}.driven\", \"r{k}.shaft\"]\n"
+        );
+    }
+    if let Some(brake) = brake {
+        let _ = write!(
+            text,
+            "[[forces]]\nport = \"r0.shaft\"\nexpression = \"{brake} [N m s/rad]*(3 [rad/s] - \
+             r0.omega)\"\n"
+        );
+    }
+    let last = ROTORS - 1;
+    let _ = write!(
+        text,
+        "[initial]\n\"r0.omega\" = 1.0\n[outputs]\nlast = \"r{last}.omega\"\n[run]\nuntil = 0.05\n"
+    );
+    text
+}
+
+#[test]
+fn a_chain_that_turns_freely_has_the_frequencies_and_damping_of_the_closed_form() {
+    for keep in [Keep::All, Keep::Needed] {
+        let rotors = of_text(&rotors(None), keep);
+        let run = Simulation::new(&rotors);
+        // It turns on with the momentum it has: a hundred and twentieth of what one had.
+        let point = operating_point(&run, Place::Equilibrium).expect("it turns on");
+        let speeds = &point.state[point.state.len() - ROTORS..];
+        assert!(speeds.iter().all(|speed| (speed * ROTORS as f64 - 1.0).abs() < 1e-6));
+        let modes = Linearization::at(&rotors, point).expect("regular").modes().expect("modes");
+        let oscillations: Vec<_> =
+            modes.iter().filter(|mode| mode.kind == ModeKind::Oscillation).collect();
+        assert_eq!([modes.len(), oscillations.len()], [ROTORS + 1, ROTORS - 1]);
+        for (k, mode) in (1..).zip(oscillations) {
+            let sine = (f64::from(k) * PI / (2.0 * ROTORS as f64)).sin();
+            let natural = 2.0 * (STIFFNESS / INERTIA).sqrt() * sine;
+            let ratio = DAMPING / STIFFNESS * natural / 2.0;
+            let expected = natural * Complex64::new(-ratio, (1.0 - ratio * ratio).sqrt());
+            assert!((mode.eigenvalue() - expected).norm() < 1e-11 * natural, "{k}");
+            assert!(mode.residual < 1e-13);
+        }
+    }
+}
+
+#[test]
+fn a_chain_that_is_driven_runs_at_the_speed_of_its_drive() {
+    let rotors = of_text(&rotors(Some(40.0)), Keep::Needed);
+    let point = operating_point(&Simulation::new(&rotors), Place::Equilibrium).expect("driven");
+    let speeds = &point.state[point.state.len() - ROTORS..];
+    assert!(speeds.iter().all(|speed| (speed / 3.0 - 1.0).abs() < 1e-12));
+    let modes = Linearization::at(&rotors, point).expect("regular").modes().expect("modes");
+    let count = |kind| modes.iter().filter(|mode| mode.kind == kind).count();
+    assert_eq!(count(ModeKind::Free), 1);
+    let sum: f64 = modes
+        .iter()
+        .map(|mode| mode.real * if mode.kind == ModeKind::Oscillation { 2.0 } else { 1.0 })
+        .sum();
+    let trace = -(2.0 * (ROTORS - 1) as f64 * DAMPING + 40.0) / INERTIA;
+    assert!((sum / trace - 1.0).abs() < 1e-12, "{sum} {trace}");
+}

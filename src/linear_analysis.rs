@@ -15,7 +15,8 @@
 //! [`Linearization::motion_names`]. Time is held still: a force that depends on t
 //! counts with its value at the point's time.
 //!
-//! All is dense algebra, for scenes of up to [`MAX_STATES`] states.
+//! All is dense algebra, for scenes of up to [`MAX_STATES`] states, but modes and equilibria of
+//! machines whose coordinates each meet but a few others, such as chains.
 
 mod banded;
 mod bends;

@@ -5,7 +5,9 @@
 //! Excluded: what of a rate depends on time and parameters alone. A stage of a method has
 //! a time of its own, so that is computed once a stage as it is.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
+
+use rustc_hash::FxHashMap;
 
 use crate::{
     Dependence, Model, Node, NodeId, Op, OpKey, Tape, needed_nodes, operations, reachable,
@@ -71,11 +73,11 @@ struct Constants {
     tape: Tape,
     of: Known,
     /// Constants by their operation, on the tape of constants.
-    known: HashMap<OpKey, NodeId>,
+    known: FxHashMap<OpKey, NodeId>,
     /// Names that are taken there.
     names: HashSet<String>,
     /// Which constant a node of that tape is.
-    places: HashMap<NodeId, u32>,
+    places: FxHashMap<NodeId, u32>,
 }
 
 impl Constants {
@@ -83,9 +85,9 @@ impl Constants {
         Self {
             tape: Tape::default(),
             of,
-            known: HashMap::new(),
+            known: FxHashMap::default(),
             names: HashSet::new(),
-            places: HashMap::new(),
+            places: FxHashMap::default(),
         }
     }
 

@@ -7,10 +7,11 @@
 //!
 //! The result holds [`Symbol::Helper`], which the computer algebra never sees.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 use num_rational::BigRational;
 use num_traits::{One, Pow, Signed, ToPrimitive, Zero};
+use rustc_hash::FxHashMap;
 
 use crate::expr::{Expr, HelperId, Symbol};
 
@@ -20,7 +21,7 @@ use crate::expr::{Expr, HelperId, Symbol};
 pub struct Abbreviations {
     entries: Vec<(HelperId, Expr)>,
     /// The first entry of a definition.
-    by_definition: HashMap<Expr, HelperId>,
+    by_definition: FxHashMap<Expr, HelperId>,
     /// Entries that are sums: their terms, and these with the other sign.
     sums: Vec<(HelperId, [Vec<Expr>; 2])>,
     /// Sums by the first of their terms.
@@ -32,7 +33,7 @@ pub struct Abbreviations {
 }
 
 /// Where something is that begins with an expression.
-type Places = HashMap<Expr, Vec<usize>>;
+type Places = FxHashMap<Expr, Vec<usize>>;
 
 /// What may be found in a sum or product, in order, by what it is made of: only what begins
 /// with one of these can be.
@@ -128,7 +129,7 @@ impl Abbreviations {
 
     fn sum(&self, terms: Vec<Expr>) -> Expr {
         let mut candidates = Candidates::new(&self.by_term, terms.iter());
-        let mut counts: HashMap<Expr, usize> = HashMap::new();
+        let mut counts: FxHashMap<Expr, usize> = FxHashMap::default();
         for term in terms {
             *counts.entry(term).or_default() += 1;
         }
@@ -164,7 +165,7 @@ impl Abbreviations {
     }
 }
 
-fn take_one(counts: &mut HashMap<Expr, usize>, term: &Expr) {
+fn take_one(counts: &mut FxHashMap<Expr, usize>, term: &Expr) {
     match counts.get_mut(term) {
         Some(count) if *count > 1 => *count -= 1,
         _ => drop(counts.remove(term)),

@@ -1,8 +1,7 @@
 //! The operations of a whole scene, each written once.
 
-use std::collections::HashMap;
-
 use machinist_model::{Function, Node, NodeId, Op, OpKey, TableId, Tape, reachable};
+use rustc_hash::FxHashMap;
 
 use super::fold;
 use super::{Expr, HelperId, Symbol};
@@ -12,14 +11,14 @@ use super::{Expr, HelperId, Symbol};
 #[derive(Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
-    known: HashMap<OpKey, NodeId>,
+    known: FxHashMap<OpKey, NodeId>,
     /// Depends on parameters and literals only; see [`super::terms`].
     constant: Vec<bool>,
     /// Entries of the state by what expressions call them.
-    entries: HashMap<Symbol, u32>,
+    entries: FxHashMap<Symbol, u32>,
     accelerations: Vec<NodeId>,
     multipliers: Vec<NodeId>,
-    helpers: HashMap<HelperId, NodeId>,
+    helpers: FxHashMap<HelperId, NodeId>,
 }
 
 impl Graph {

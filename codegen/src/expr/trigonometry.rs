@@ -8,10 +8,9 @@
 //!
 //! Every rule takes one term off a sum, so repeated application ends.
 
-use std::collections::HashMap;
-
 use num_rational::BigRational;
 use num_traits::One;
+use rustc_hash::FxHashMap;
 
 use crate::expr::{Expr, Function};
 
@@ -55,7 +54,7 @@ struct Term {
 
 fn combine_sum(terms: Vec<Expr>) -> Expr {
     let mut terms: Vec<Option<Term>> = terms.into_iter().map(|t| Some(Term::new(t))).collect();
-    let mut places: HashMap<Vec<Expr>, usize> = HashMap::new();
+    let mut places: FxHashMap<Vec<Expr>, usize> = FxHashMap::default();
     for (index, term) in terms.iter().flatten().enumerate() {
         places.insert(term.factors.clone(), index);
     }
@@ -87,7 +86,7 @@ fn combine_sum(terms: Vec<Expr>) -> Expr {
 fn partner(
     term: &Term,
     terms: &[Option<Term>],
-    places: &HashMap<Vec<Expr>, usize>,
+    places: &FxHashMap<Vec<Expr>, usize>,
     at: usize,
 ) -> Option<(usize, Term)> {
     let trigonometric: Vec<usize> =

@@ -10,11 +10,10 @@
 //!
 //! Two expressions with the same normal form are equal; equal ones may have different forms.
 
-use std::collections::HashMap;
-
 use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One as _, Pow as _, Signed as _, ToPrimitive as _, Zero as _};
+use rustc_hash::FxHashMap;
 
 use crate::expr::{Expr, Function};
 
@@ -117,7 +116,7 @@ pub(super) fn sum(terms: impl IntoIterator<Item = Expr>) -> Expr {
 #[derive(Default)]
 struct Terms {
     number: BigRational,
-    terms: HashMap<Expr, BigRational>,
+    terms: FxHashMap<Expr, BigRational>,
 }
 
 impl Terms {
@@ -146,7 +145,7 @@ impl Terms {
 /// The product of factors in normal form.
 pub(super) fn product(factors: impl IntoIterator<Item = Expr>) -> Expr {
     let mut all =
-        Factors { number: BigRational::one(), exponents: HashMap::new(), powers: Vec::new() };
+        Factors { number: BigRational::one(), exponents: FxHashMap::default(), powers: Vec::new() };
     factors.into_iter().for_each(|factor| all.take(factor));
     all.into_expr()
 }
@@ -154,7 +153,7 @@ pub(super) fn product(factors: impl IntoIterator<Item = Expr>) -> Expr {
 struct Factors {
     number: BigRational,
     /// Where the power of a base is.
-    exponents: HashMap<Expr, usize>,
+    exponents: FxHashMap<Expr, usize>,
     powers: Vec<(Expr, Expr)>,
 }
 

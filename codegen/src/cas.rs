@@ -182,7 +182,7 @@ impl Cas {
     /// polynomials by Symbolica. None beyond what that may cost.
     #[must_use]
     pub fn rational(&self, form: &Form) -> Option<Form> {
-        simplify::may_be_factored(&self.expr(form)).then(|| match &form.0 {
+        simplify::may_be_joined(&self.expr(form)).then(|| match &form.0 {
             #[cfg(feature = "symbolica")]
             Kind::Symbolica(known) => known.rational().into(),
             Kind::Plain(_) => form.clone(),

@@ -8,10 +8,6 @@ use crate::expr::extent::{self, bits};
 use crate::expr::trigonometry::{combine, has_sine};
 use crate::expr::{Expr, Function, operations, weigh};
 
-/// Forms larger than this are not factored: the cost of factoring grows much
-/// faster than what it can save.
-const FACTOR_LIMIT: usize = 60;
-
 /// Forms larger than this are not multiplied out.
 const EXPAND_LIMIT: usize = 2000;
 
@@ -19,8 +15,8 @@ const EXPAND_LIMIT: usize = 2000;
 /// ten terms are small before and 10^10 terms after.
 const EXPANDED_LIMIT: f64 = 20_000.0;
 
-/// Likewise for factoring and for common denominators.
-const FACTORED_LIMIT: f64 = 1500.0;
+/// Likewise for common denominators.
+const JOINED_LIMIT: f64 = 1500.0;
 
 /// Whether multiplying an expression out has a result of bounded size.
 pub(super) fn may_be_expanded(expr: &Expr) -> bool {
@@ -28,20 +24,22 @@ pub(super) fn may_be_expanded(expr: &Expr) -> bool {
 }
 
 /// Whether putting an expression over one denominator does.
-pub(super) fn may_be_factored(expr: &Expr) -> bool {
-    extent::expanded(expr).leaves <= FACTORED_LIMIT
+pub(super) fn may_be_joined(expr: &Expr) -> bool {
+    extent::expanded(expr).leaves <= JOINED_LIMIT
         && bits(expr) <= NUMBER_LIMIT
         && !has_high_degree(expr)
 }
 
-/// Powers higher than this are not factored.
+/// Sums with higher powers than this are not put over one denominator.
 const HIGHEST_DEGREE: i32 = 16;
 
 /// Bits of exact numbers beyond which algebra with them is not worth its time.
 const NUMBER_LIMIT: u64 = 8192;
 
 /// The form whose tape takes the least time: as it is, multiplied out with
-/// trigonometric identities applied, with common factors collected, or factored.
+/// trigonometric identities applied, or so with common factors collected. Polynomials are not
+/// factored: Symbolica's factors save two operations in a thousand of the scenes, and it does
+/// not find an end of one polynomial in some thousands.
 pub(super) fn cheapest(cas: &mut Cas, form: &Form) -> Expr {
     let expr = cas.expr(form);
     let (size, cost) = weigh(&expr);
@@ -59,11 +57,7 @@ pub(super) fn cheapest(cas: &mut Cas, form: &Form) -> Expr {
     if is_expanded {
         let expanded = expanded(cas, form);
         offer(collected(cas, &expanded));
-        let as_sum = cas.expr(&expanded);
-        if size <= FACTOR_LIMIT && may_be_factored(&as_sum) {
-            factored(cas, &expanded).into_iter().for_each(&mut offer);
-        }
-        offer(as_sum);
+        offer(cas.expr(&expanded));
     } else {
         let combined = trigonometric(cas, form);
         offer(cas.expr(&combined));
@@ -77,16 +71,6 @@ fn collected(cas: &Cas, form: &Form) -> Expr {
         #[cfg(feature = "symbolica")]
         Kind::Symbolica(known) => cas.expr(&known.collect().into()),
         Kind::Plain(_) => plain::collect(&cas.expr(form)),
-    }
-}
-
-/// As a product of polynomials, if the algebra finds one.
-#[cfg_attr(not(feature = "symbolica"), expect(unused_variables, reason = "ours finds none"))]
-fn factored(cas: &Cas, form: &Form) -> Option<Expr> {
-    match &form.0 {
-        #[cfg(feature = "symbolica")]
-        Kind::Symbolica(known) => Some(cas.expr(&known.factor().into())),
-        Kind::Plain(_) => None,
     }
 }
 
@@ -116,7 +100,7 @@ pub(super) fn expanded(cas: &mut Cas, form: &Form) -> Form {
 
 /// Whether there is a high power, or an exponential with a number in its argument:
 /// exp(50 t + 7) is a power of exp(t) to Symbolica. Polynomials of degree 50 take long to
-/// factor, and those with large numbers besides, such as (1000/a)^64 + a, for ever.
+/// divide, and those with large numbers besides, such as (1000/a)^64 + a, for ever.
 fn has_high_degree(expr: &Expr) -> bool {
     let one = BigRational::from_integer(1.into());
     let highest = BigRational::from_integer(HIGHEST_DEGREE.into());

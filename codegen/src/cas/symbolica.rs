@@ -42,10 +42,6 @@ impl Known {
         Known(self.0.collect_factors())
     }
 
-    pub(super) fn factor(&self) -> Self {
-        Known(self.0.factor())
-    }
-
     /// One quotient of polynomials, common factors cancelled.
     pub(super) fn rational(&self) -> Self {
         Known(self.0.together().cancel())

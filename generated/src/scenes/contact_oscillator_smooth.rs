@@ -17,9 +17,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 1, states 2, parameters 7, outputs 2.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 6 of 2 by 7.
-// Operations: rate 17, forcing 15, rate_jacobian 24, parameter_jacobian 40, energy 16,
-//     power_balance 23, prepare 7, prepared_rate 14, prepared_rate_jacobian 19,
-//     prepared_parameter_jacobian 36.
+// Operations: rate 17, forcing 15, rate_jacobian 24, parameter_jacobian 49, energy 16,
+//     power_balance 23, prepare 10, prepared_rate 14, prepared_rate_jacobian 19,
+//     prepared_parameter_jacobian 42.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -67,10 +67,11 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    stop_width_squared, inverse_oscillator_mass, t0, t1, oscillator_v_dot_by_oscillator_v, t2
+    stop_width_squared, inverse_oscillator_mass, t0, t1, oscillator_v_dot_by_oscillator_v, t2, t3,
+    stop_stiffness_times_stop_width
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 7 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 10 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -79,9 +80,11 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t0 = R::literal(-0.25) * p.stop_stiffness;
     let t1 = R::literal(0.25) * p.stop_stiffness;
     let oscillator_v_dot_by_oscillator_v = -(p.oscillator_damping * inverse_oscillator_mass);
-    let t2 = t1 * p.stop_width;
+    let t2 = R::literal(0.5) * p.stop_distance;
+    let t3 = R::literal(0.25) * (p.stop_distance * p.stop_distance);
+    let stop_stiffness_times_stop_width = p.stop_stiffness * p.stop_width;
     Constants { stop_width_squared, inverse_oscillator_mass, t0, t1,
-        oscillator_v_dot_by_oscillator_v, t2 }
+        oscillator_v_dot_by_oscillator_v, t2, t3, stop_stiffness_times_stop_width }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -147,29 +150,31 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     [R::literal(1.0), oscillator_v_dot_by_oscillator_x, c.oscillator_v_dot_by_oscillator_v]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 36 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 42 operations.
 #[must_use]
 pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 6] {
     let [oscillator_x, oscillator_v] = *state;
     let oscillator_x_minus_stop_distance = oscillator_x - p.stop_distance;
-    let t0 = c.stop_width_squared.add_product(oscillator_x_minus_stop_distance,
-        oscillator_x_minus_stop_distance).sqrt();
-    let t1 = oscillator_x_minus_stop_distance + t0;
-    let t2 = t0 * t0 * t0;
+    let t0 = oscillator_x_minus_stop_distance * oscillator_x_minus_stop_distance;
+    let t1 = (c.stop_width_squared + t0).sqrt();
+    let t2 = oscillator_x_minus_stop_distance + t1;
+    let t3 = R::literal(1.0) + oscillator_x_minus_stop_distance / t1;
+    let t4 = c.t1 * t3;
+    let t5 = t1 * t1;
+    let t6 = t5 * t1;
     let oscillator_v_dot_by_oscillator_mass = (p.oscillator_stiffness * oscillator_x)
-        .add_product(c.t1 * (R::literal(1.0) + oscillator_x_minus_stop_distance / t0), t1)
-        .add_product(p.oscillator_damping, oscillator_v) * c.inverse_oscillator_mass
-        * c.inverse_oscillator_mass;
+        .add_product(t4, t2).add_product(p.oscillator_damping, oscillator_v)
+        * c.inverse_oscillator_mass * c.inverse_oscillator_mass;
     let oscillator_v_dot_by_oscillator_stiffness = -(oscillator_x * c.inverse_oscillator_mass);
     let oscillator_v_dot_by_oscillator_damping = -(oscillator_v * c.inverse_oscillator_mass);
-    let t3 = t1 * t1;
-    let oscillator_v_dot_by_stop_distance = c.t1 * (-oscillator_x_minus_stop_distance)
-        .add_product(R::literal(2.0), t0) * t3 / t2 * c.inverse_oscillator_mass;
-    let oscillator_v_dot_by_stop_stiffness = R::literal(-0.25) * t3 / t0
+    let oscillator_v_dot_by_stop_distance = (t4 * t3).sub_product(c.t1 * t2, t0 / t6
+        - R::literal(1.0) / t1) * c.inverse_oscillator_mass;
+    let oscillator_v_dot_by_stop_stiffness = R::literal(-0.25) * t3 * t2
         * c.inverse_oscillator_mass;
-    let oscillator_v_dot_by_stop_width = c.t2 * (oscillator_x_minus_stop_distance - t0) * t1 / t2
-        * c.inverse_oscillator_mass;
+    let oscillator_v_dot_by_stop_width = c.stop_stiffness_times_stop_width * c.t3
+        .add_product(R::literal(0.25), oscillator_x * oscillator_x).sub_product(c.t2, oscillator_x)
+        .sub_product(R::literal(0.25), t5) / t6 * c.inverse_oscillator_mass;
     [oscillator_v_dot_by_oscillator_mass, oscillator_v_dot_by_oscillator_stiffness,
         oscillator_v_dot_by_oscillator_damping, oscillator_v_dot_by_stop_distance,
         oscillator_v_dot_by_stop_stiffness, oscillator_v_dot_by_stop_width]

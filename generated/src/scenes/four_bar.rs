@@ -18,9 +18,9 @@
 // Shapes: coordinates 9, states 18, parameters 15, outputs 6, constraints 8.
 // Nonzeros: mass_matrix 9 of 9 by 9, rate_jacobian 63 of 18 by 18,
 //     parameter_jacobian 108 of 18 by 15, constraint_matrix 24 of 8 by 9.
-// Operations: rate 292, forcing 6, rate_jacobian 912, parameter_jacobian 1523, outputs 248,
-//     energy 37, power_balance 321, constraint_values 32, constraint_rates 34, constraint_matrix 19,
-//     prepare 18, prepared_rate 277, prepared_rate_jacobian 897, prepared_parameter_jacobian 1505.
+// Operations: rate 290, forcing 6, rate_jacobian 907, parameter_jacobian 1521, outputs 246,
+//     energy 37, power_balance 319, constraint_values 32, constraint_rates 34, constraint_matrix 19,
+//     prepare 18, prepared_rate 275, prepared_rate_jacobian 892, prepared_parameter_jacobian 1503.
 
 use ::machinist_contract::{Energy, PowerBalance, Real};
 
@@ -160,7 +160,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 277 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 275 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
@@ -236,26 +236,25 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let t58 = c.t0 * crank_omega_squared;
     let t59 = t58 * cos_crank_phi;
     let t60 = p.crank_length * crank_omega_squared;
-    let t61 = p.coupler_length * (coupler_omega * coupler_omega);
-    let t62 = t61 * cos_coupler_phi;
-    let t63 = t61 * sin_coupler_phi;
-    let rocker_omega_squared = rocker_omega * rocker_omega;
-    let t64 = p.rocker_length * rocker_omega_squared;
-    let t65 = c.t2 * rocker_omega_squared;
+    let coupler_omega_squared = coupler_omega * coupler_omega;
+    let t61 = p.coupler_length * coupler_omega_squared;
+    let t62 = c.t2 * (rocker_omega * rocker_omega);
+    let t63 = t62 * cos_rocker_phi;
+    let t64 = c.t1 * coupler_omega_squared;
+    let t65 = t62 * sin_rocker_phi;
     let t66 = t16 * t59;
     let t67 = c.t3.sub_product(t58, sin_crank_phi) - t66;
-    let t68 = (R::literal(0.5) * t62.add_product(t60, cos_crank_phi)).add_product(t18, t59)
-        .add_product(t24, t67);
-    let t69 = (c.t4 - c.t3.add_product(R::literal(0.5), t63.add_product(t60, sin_crank_phi)) - t66)
-        .sub_product(t26, t67).add_product(t31, t68);
-    let t70 = (R::literal(-0.5) * t62.sub_product(t64, cos_rocker_phi)).add_product(t33, t68)
-        .sub_product(t38, t69);
-    let t71 = (c.t5 - c.t4.add_product(R::literal(0.5), t63.sub_product(t64, sin_rocker_phi)))
-        .add_product(t34, t68).sub_product(t40, t69).add_product(t45, t70);
-    let t72 = (-(t65 * cos_rocker_phi)).add_product(t47, t70).sub_product(t52, t71);
-    let t73 = c.t5.sub_product(t65, sin_rocker_phi).sub_product(t48, t70).sub_product(t54, t71)
-        .sub_product(t57, t72) * (R::literal(1.0) / (-(c.inverse_rocker_mass + t49))
-        .add_product(t48, t43).sub_product(t54, t53).sub_product(t57, t56));
+    let t68 = (R::literal(0.5) * (t60 * cos_crank_phi).add_product(t61, cos_coupler_phi))
+        .add_product(t18, t59).add_product(t24, t67);
+    let t69 = (c.t4 - c.t3.add_product(R::literal(0.5), (t60 * sin_crank_phi).add_product(t61,
+        sin_coupler_phi)) - t66).sub_product(t26, t67).add_product(t31, t68);
+    let t70 = t63.sub_product(t64, cos_coupler_phi).add_product(t33, t68).sub_product(t38, t69);
+    let t71 = (t65.sub_product(t64, sin_coupler_phi) - c.t4 + c.t5).add_product(t34, t68)
+        .sub_product(t40, t69).add_product(t45, t70);
+    let t72 = (-t63).add_product(t47, t70).sub_product(t52, t71);
+    let t73 = (c.t5 - t65).sub_product(t48, t70).sub_product(t54, t71).sub_product(t57, t72)
+        * (R::literal(1.0) / (-(c.inverse_rocker_mass + t49)).add_product(t48, t43)
+        .sub_product(t54, t53).sub_product(t57, t56));
     let t74 = (t72 * t55).sub_product(t57, t73);
     let t75 = (t71 * t50).sub_product(t52, t74).sub_product(t54, t73);
     let t76 = (-(t70 * t42)).add_product(t45, t75).add_product(t47, t74).sub_product(t48, t73);
@@ -301,7 +300,7 @@ pub fn forcing<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -> [R
         R::literal(0.0), R::literal(0.0), rocker_y_forcing, R::literal(0.0)]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 897 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 892 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 63] {
@@ -381,25 +380,23 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let t62 = p.crank_length * crank_omega_squared;
     let coupler_omega_squared = coupler_omega * coupler_omega;
     let t63 = p.coupler_length * coupler_omega_squared;
-    let t64 = t63 * cos_coupler_phi;
-    let t65 = t63 * sin_coupler_phi;
-    let rocker_omega_squared = rocker_omega * rocker_omega;
-    let t66 = p.rocker_length * rocker_omega_squared;
-    let t67 = c.t2 * rocker_omega_squared;
-    let t68 = t67 * cos_rocker_phi;
-    let t69 = t67 * sin_rocker_phi;
+    let t64 = c.t2 * (rocker_omega * rocker_omega);
+    let t65 = t64 * cos_rocker_phi;
+    let t66 = c.t1 * coupler_omega_squared;
+    let t67 = t66 * cos_coupler_phi;
+    let t68 = t64 * sin_rocker_phi;
+    let t69 = t66 * sin_coupler_phi;
     let t70 = t16 * t60;
     let t71 = c.t3 - t61 - t70;
-    let t72 = (R::literal(0.5) * t64.add_product(t62, cos_crank_phi)).add_product(t18, t60)
-        .add_product(t24, t71);
-    let t73 = (c.t4 - c.t3.add_product(R::literal(0.5), t65.add_product(t62, sin_crank_phi)) - t70)
-        .sub_product(t26, t71).add_product(t31, t72);
-    let t74 = (R::literal(-0.5) * t64.sub_product(t66, cos_rocker_phi)).add_product(t33, t72)
-        .sub_product(t38, t73);
-    let t75 = (c.t5 - c.t4.add_product(R::literal(0.5), t65.sub_product(t66, sin_rocker_phi)))
-        .add_product(t34, t72).sub_product(t40, t73).add_product(t45, t74);
-    let t76 = (-t68).add_product(t47, t74).sub_product(t52, t75);
-    let t77 = (c.t5 - t69).sub_product(t48, t74).sub_product(t54, t75).sub_product(t57, t76) * t58;
+    let t72 = (R::literal(0.5) * (t62 * cos_crank_phi).add_product(t63, cos_coupler_phi))
+        .add_product(t18, t60).add_product(t24, t71);
+    let t73 = (c.t4 - c.t3.add_product(R::literal(0.5), (t62 * sin_crank_phi).add_product(t63,
+        sin_coupler_phi)) - t70).sub_product(t26, t71).add_product(t31, t72);
+    let t74 = (t65 - t67).add_product(t33, t72).sub_product(t38, t73);
+    let t75 = (t68 - t69 - c.t4 + c.t5).add_product(t34, t72).sub_product(t40, t73)
+        .add_product(t45, t74);
+    let t76 = (-t65).add_product(t47, t74).sub_product(t52, t75);
+    let t77 = (c.t5 - t68).sub_product(t48, t74).sub_product(t54, t75).sub_product(t57, t76) * t58;
     let t78 = (t76 * t55).sub_product(t57, t77);
     let t79 = (t75 * t50).sub_product(t52, t78).sub_product(t54, t77);
     let t80 = (-(t74 * t42)).add_product(t45, t79).add_product(t47, t78).sub_product(t48, t77);
@@ -447,173 +444,172 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         t98);
     let crank_v_x_dot_by_crank_phi = (c.inverse_crank_mass * t97).sub_product(c.inverse_crank_mass,
         t99);
-    let t100 = c.t1 * coupler_omega_squared;
-    let t101 = (-(t3 * t81)).add_product(t2, pin_a_x).sub_product(t2, t80).sub_product(t3, t79);
-    let t102 = (t100 * sin_coupler_phi).sub_product(t2, coupler_omega_dot).sub_product(t8, t101);
-    let t103 = (-(t100 * cos_coupler_phi).add_product(t3, coupler_omega_dot)).add_product(t9, t101);
-    let t104 = t103.sub_product(t31, t102);
-    let t105 = t102.sub_product(t33, t102).sub_product(t38, t104);
-    let t106 = t103.sub_product(t34, t102).sub_product(t40, t104).add_product(t45, t105);
-    let t107 = (t47 * t105).sub_product(t52, t106);
-    let t108 = (t48 * t105).add_product(t54, t106).add_product(t57, t107) * t58;
-    let t109 = (t107 * t55).add_product(t57, t108);
-    let t110 = (t106 * t50).sub_product(t52, t109).add_product(t54, t108);
-    let t111 = (-(t105 * t42)).add_product(t45, t110).add_product(t47, t109).add_product(t48, t108);
-    let t112 = (t104 * t36).sub_product(t38, t111).sub_product(t40, t110);
-    let t113 = (t102 * t28).sub_product(t31, t112).sub_product(t33, t111).sub_product(t34, t110);
-    let t114 = (t26 * t112).add_product(t24, t113);
-    let t115 = (t18 * t113).sub_product(t16, t114).add_product(t16, t112);
-    let rocker_omega_dot_by_coupler_phi = (-(t11 * t110)).add_product(t10, t111).sub_product(t10,
-        t109).sub_product(t11, t108);
-    let rocker_v_y_dot_by_coupler_phi = (c.inverse_rocker_mass * t108)
-        .sub_product(c.inverse_rocker_mass, t110);
-    let rocker_v_x_dot_by_coupler_phi = -(c.inverse_rocker_mass * t109)
-        .add_product(c.inverse_rocker_mass, t111);
-    let coupler_omega_dot_by_coupler_phi = (t101 * c.inverse_coupler_inertia).sub_product(t8, t113)
-        .add_product(t9, t112).sub_product(t8, t111).add_product(t9, t110);
-    let coupler_v_y_dot_by_coupler_phi = (c.inverse_coupler_mass * t110)
+    let t100 = (-(t3 * t81)).add_product(t2, pin_a_x).sub_product(t2, t80).sub_product(t3, t79);
+    let t101 = t69.sub_product(t2, coupler_omega_dot).sub_product(t8, t100);
+    let t102 = (-t67.add_product(t3, coupler_omega_dot)).add_product(t9, t100);
+    let t103 = t102.sub_product(t31, t101);
+    let t104 = t101.sub_product(t33, t101).sub_product(t38, t103);
+    let t105 = t102.sub_product(t34, t101).sub_product(t40, t103).add_product(t45, t104);
+    let t106 = (t47 * t104).sub_product(t52, t105);
+    let t107 = (t48 * t104).add_product(t54, t105).add_product(t57, t106) * t58;
+    let t108 = (t106 * t55).add_product(t57, t107);
+    let t109 = (t105 * t50).sub_product(t52, t108).add_product(t54, t107);
+    let t110 = (-(t104 * t42)).add_product(t45, t109).add_product(t47, t108).add_product(t48, t107);
+    let t111 = (t103 * t36).sub_product(t38, t110).sub_product(t40, t109);
+    let t112 = (t101 * t28).sub_product(t31, t111).sub_product(t33, t110).sub_product(t34, t109);
+    let t113 = (t26 * t111).add_product(t24, t112);
+    let t114 = (t18 * t112).sub_product(t16, t113).add_product(t16, t111);
+    let rocker_omega_dot_by_coupler_phi = (-(t11 * t109)).add_product(t10, t110).sub_product(t10,
+        t108).sub_product(t11, t107);
+    let rocker_v_y_dot_by_coupler_phi = (c.inverse_rocker_mass * t107)
+        .sub_product(c.inverse_rocker_mass, t109);
+    let rocker_v_x_dot_by_coupler_phi = -(c.inverse_rocker_mass * t108)
+        .add_product(c.inverse_rocker_mass, t110);
+    let coupler_omega_dot_by_coupler_phi = (t100 * c.inverse_coupler_inertia).sub_product(t8, t112)
+        .add_product(t9, t111).sub_product(t8, t110).add_product(t9, t109);
+    let coupler_v_y_dot_by_coupler_phi = (c.inverse_coupler_mass * t109)
+        .sub_product(c.inverse_coupler_mass, t111);
+    let coupler_v_x_dot_by_coupler_phi = (c.inverse_coupler_mass * t110)
         .sub_product(c.inverse_coupler_mass, t112);
-    let coupler_v_x_dot_by_coupler_phi = (c.inverse_coupler_mass * t111)
-        .sub_product(c.inverse_coupler_mass, t113);
-    let crank_omega_dot_by_coupler_phi = (-(t7 * t114).add_product(t6, t115).add_product(t6, t113))
-        .add_product(t7, t112);
-    let crank_v_y_dot_by_coupler_phi = (c.inverse_crank_mass * t112)
-        .add_product(c.inverse_crank_mass, t114);
-    let crank_v_x_dot_by_coupler_phi = (c.inverse_crank_mass * t113)
-        .sub_product(c.inverse_crank_mass, t115);
-    let t116 = t4 * rocker_omega_dot;
-    let t117 = t68.add_product(t5, rocker_omega_dot);
-    let t118 = (t5 * t79).add_product(t4, t80).sub_product(t4, t78).sub_product(t5, t77);
-    let t119 = t10 * t118;
-    let t120 = t116 - t69 + t119;
-    let t121 = t11 * t118;
-    let t122 = (t117 - t121).add_product(t45, t120);
-    let t123 = (t69 - t116 - t119).add_product(t47, t120).sub_product(t52, t122);
-    let t124 = (t121 - t117).sub_product(t48, t120).sub_product(t54, t122).sub_product(t57, t123)
+    let crank_omega_dot_by_coupler_phi = (-(t7 * t113).add_product(t6, t114).add_product(t6, t112))
+        .add_product(t7, t111);
+    let crank_v_y_dot_by_coupler_phi = (c.inverse_crank_mass * t111)
+        .add_product(c.inverse_crank_mass, t113);
+    let crank_v_x_dot_by_coupler_phi = (c.inverse_crank_mass * t112)
+        .sub_product(c.inverse_crank_mass, t114);
+    let t115 = t4 * rocker_omega_dot;
+    let t116 = t65.add_product(t5, rocker_omega_dot);
+    let t117 = (t5 * t79).add_product(t4, t80).sub_product(t4, t78).sub_product(t5, t77);
+    let t118 = t10 * t117;
+    let t119 = t115 - t68 + t118;
+    let t120 = t11 * t117;
+    let t121 = (t116 - t120).add_product(t45, t119);
+    let t122 = (t68 - t115 - t118).add_product(t47, t119).sub_product(t52, t121);
+    let t123 = (t120 - t116).sub_product(t48, t119).sub_product(t54, t121).sub_product(t57, t122)
         * t58;
-    let t125 = (t123 * t55).sub_product(t57, t124);
-    let t126 = (t122 * t50).sub_product(t52, t125).sub_product(t54, t124);
-    let t127 = (-(t120 * t42)).add_product(t45, t126).add_product(t47, t125).sub_product(t48, t124);
-    let t128 = (t40 * t126).add_product(t38, t127);
-    let t129 = (-(t33 * t127)).add_product(t31, t128).sub_product(t34, t126);
-    let t130 = (t26 * t128).sub_product(t24, t129);
-    let t131 = (t18 * t129).add_product(t16, t130).sub_product(t16, t128);
-    let rocker_omega_dot_by_rocker_phi = (t118 * c.inverse_rocker_inertia).add_product(t10, t127)
-        .sub_product(t11, t126).sub_product(t10, t125).add_product(t11, t124);
-    let rocker_v_y_dot_by_rocker_phi = -(c.inverse_rocker_mass * t124)
+    let t124 = (t122 * t55).sub_product(t57, t123);
+    let t125 = (t121 * t50).sub_product(t52, t124).sub_product(t54, t123);
+    let t126 = (-(t119 * t42)).add_product(t45, t125).add_product(t47, t124).sub_product(t48, t123);
+    let t127 = (t40 * t125).add_product(t38, t126);
+    let t128 = (-(t33 * t126)).add_product(t31, t127).sub_product(t34, t125);
+    let t129 = (t26 * t127).sub_product(t24, t128);
+    let t130 = (t18 * t128).add_product(t16, t129).sub_product(t16, t127);
+    let rocker_omega_dot_by_rocker_phi = (t117 * c.inverse_rocker_inertia).add_product(t10, t126)
+        .sub_product(t11, t125).sub_product(t10, t124).add_product(t11, t123);
+    let rocker_v_y_dot_by_rocker_phi = -(c.inverse_rocker_mass * t123)
+        .add_product(c.inverse_rocker_mass, t125);
+    let rocker_v_x_dot_by_rocker_phi = -(c.inverse_rocker_mass * t124)
         .add_product(c.inverse_rocker_mass, t126);
-    let rocker_v_x_dot_by_rocker_phi = -(c.inverse_rocker_mass * t125)
-        .add_product(c.inverse_rocker_mass, t127);
-    let coupler_omega_dot_by_rocker_phi = (-(t9 * t128).add_product(t8, t129).add_product(t8, t127))
-        .add_product(t9, t126);
-    let coupler_v_y_dot_by_rocker_phi = (c.inverse_coupler_mass * t126)
-        .add_product(c.inverse_coupler_mass, t128);
-    let coupler_v_x_dot_by_rocker_phi = (c.inverse_coupler_mass * t127)
-        .sub_product(c.inverse_coupler_mass, t129);
-    let crank_omega_dot_by_rocker_phi = (t7 * t130).sub_product(t6, t131).sub_product(t6, t129)
-        .sub_product(t7, t128);
-    let crank_v_y_dot_by_rocker_phi = -(c.inverse_crank_mass * t128)
-        .add_product(c.inverse_crank_mass, t130);
-    let crank_v_x_dot_by_rocker_phi = (c.inverse_crank_mass * t129)
-        .sub_product(c.inverse_crank_mass, t131);
+    let coupler_omega_dot_by_rocker_phi = (-(t9 * t127).add_product(t8, t128).add_product(t8, t126))
+        .add_product(t9, t125);
+    let coupler_v_y_dot_by_rocker_phi = (c.inverse_coupler_mass * t125)
+        .add_product(c.inverse_coupler_mass, t127);
+    let coupler_v_x_dot_by_rocker_phi = (c.inverse_coupler_mass * t126)
+        .sub_product(c.inverse_coupler_mass, t128);
+    let crank_omega_dot_by_rocker_phi = (t7 * t129).sub_product(t6, t130).sub_product(t6, t128)
+        .sub_product(t7, t127);
+    let crank_v_y_dot_by_rocker_phi = -(c.inverse_crank_mass * t127)
+        .add_product(c.inverse_crank_mass, t129);
+    let crank_v_x_dot_by_rocker_phi = (c.inverse_crank_mass * t128)
+        .sub_product(c.inverse_crank_mass, t130);
     let crank_length_times_crank_omega = p.crank_length * crank_omega;
-    let t132 = crank_length_times_crank_omega * cos_crank_phi;
-    let t133 = (crank_length_times_crank_omega * sin_crank_phi).add_product(t16, t132);
-    let t134 = (-t132.add_product(t18, t132)).add_product(t24, t133);
-    let t135 = (-t133).add_product(t26, t133).sub_product(t31, t134);
-    let t136 = (t33 * t134).add_product(t38, t135);
-    let t137 = (t34 * t134).add_product(t40, t135).add_product(t45, t136);
-    let t138 = (-(t47 * t136)).add_product(t52, t137);
-    let t139 = (t48 * t136).add_product(t54, t137).sub_product(t57, t138) * t58;
-    let t140 = (t138 * t55).sub_product(t57, t139);
-    let t141 = (t137 * t50).add_product(t52, t140).add_product(t54, t139);
-    let t142 = (t136 * t42).sub_product(t45, t141).add_product(t47, t140).sub_product(t48, t139);
-    let t143 = (t135 * t36).sub_product(t38, t142).add_product(t40, t141);
-    let t144 = (t134 * t28).sub_product(t31, t143).sub_product(t33, t142).add_product(t34, t141);
-    let t145 = (t133 * t22).add_product(t24, t144).add_product(t26, t143);
-    let t146 = (t132 * t14).sub_product(t16, t145).add_product(t18, t144).add_product(t16, t143);
-    let rocker_omega_dot_by_crank_omega = (t11 * t141).add_product(t10, t142).sub_product(t10, t140)
-        .add_product(t11, t139);
-    let rocker_v_y_dot_by_crank_omega = (-(c.inverse_rocker_mass * t139))
+    let t131 = crank_length_times_crank_omega * cos_crank_phi;
+    let t132 = (crank_length_times_crank_omega * sin_crank_phi).add_product(t16, t131);
+    let t133 = (-t131.add_product(t18, t131)).add_product(t24, t132);
+    let t134 = (-t132).add_product(t26, t132).sub_product(t31, t133);
+    let t135 = (t33 * t133).add_product(t38, t134);
+    let t136 = (t34 * t133).add_product(t40, t134).add_product(t45, t135);
+    let t137 = (-(t47 * t135)).add_product(t52, t136);
+    let t138 = (t48 * t135).add_product(t54, t136).sub_product(t57, t137) * t58;
+    let t139 = (t137 * t55).sub_product(t57, t138);
+    let t140 = (t136 * t50).add_product(t52, t139).add_product(t54, t138);
+    let t141 = (t135 * t42).sub_product(t45, t140).add_product(t47, t139).sub_product(t48, t138);
+    let t142 = (t134 * t36).sub_product(t38, t141).add_product(t40, t140);
+    let t143 = (t133 * t28).sub_product(t31, t142).sub_product(t33, t141).add_product(t34, t140);
+    let t144 = (t132 * t22).add_product(t24, t143).add_product(t26, t142);
+    let t145 = (t131 * t14).sub_product(t16, t144).add_product(t18, t143).add_product(t16, t142);
+    let rocker_omega_dot_by_crank_omega = (t11 * t140).add_product(t10, t141).sub_product(t10, t139)
+        .add_product(t11, t138);
+    let rocker_v_y_dot_by_crank_omega = (-(c.inverse_rocker_mass * t138))
+        .add_product(c.inverse_rocker_mass, t140);
+    let rocker_v_x_dot_by_crank_omega = -(c.inverse_rocker_mass * t139)
         .add_product(c.inverse_rocker_mass, t141);
-    let rocker_v_x_dot_by_crank_omega = -(c.inverse_rocker_mass * t140)
-        .add_product(c.inverse_rocker_mass, t142);
-    let coupler_omega_dot_by_crank_omega = (t9 * t143).sub_product(t8, t144).sub_product(t8, t142)
-        .sub_product(t9, t141);
-    let coupler_v_y_dot_by_crank_omega = -(c.inverse_coupler_mass * t141)
-        .add_product(c.inverse_coupler_mass, t143);
-    let coupler_v_x_dot_by_crank_omega = (c.inverse_coupler_mass * t142)
-        .sub_product(c.inverse_coupler_mass, t144);
-    let crank_omega_dot_by_crank_omega = (-(t7 * t145).add_product(t6, t146).add_product(t6, t144))
-        .add_product(t7, t143);
-    let crank_v_y_dot_by_crank_omega = (c.inverse_crank_mass * t143)
-        .add_product(c.inverse_crank_mass, t145);
-    let crank_v_x_dot_by_crank_omega = (c.inverse_crank_mass * t144)
-        .sub_product(c.inverse_crank_mass, t146);
+    let coupler_omega_dot_by_crank_omega = (t9 * t142).sub_product(t8, t143).sub_product(t8, t141)
+        .sub_product(t9, t140);
+    let coupler_v_y_dot_by_crank_omega = -(c.inverse_coupler_mass * t140)
+        .add_product(c.inverse_coupler_mass, t142);
+    let coupler_v_x_dot_by_crank_omega = (c.inverse_coupler_mass * t141)
+        .sub_product(c.inverse_coupler_mass, t143);
+    let crank_omega_dot_by_crank_omega = (-(t7 * t144).add_product(t6, t145).add_product(t6, t143))
+        .add_product(t7, t142);
+    let crank_v_y_dot_by_crank_omega = (c.inverse_crank_mass * t142)
+        .add_product(c.inverse_crank_mass, t144);
+    let crank_v_x_dot_by_crank_omega = (c.inverse_crank_mass * t143)
+        .sub_product(c.inverse_crank_mass, t145);
     let coupler_length_times_coupler_omega = p.coupler_length * coupler_omega;
-    let t147 = coupler_length_times_coupler_omega * cos_coupler_phi;
-    let t148 = coupler_length_times_coupler_omega * sin_coupler_phi;
-    let t149 = (-t148).add_product(t31, t147);
-    let t150 = (-t147).add_product(t33, t147).sub_product(t38, t149);
-    let t151 = (-t148).add_product(t34, t147).sub_product(t40, t149).add_product(t45, t150);
-    let t152 = (t47 * t150).sub_product(t52, t151);
-    let t153 = (t48 * t150).add_product(t54, t151).add_product(t57, t152) * t58;
-    let t154 = (t152 * t55).add_product(t57, t153);
-    let t155 = (t151 * t50).sub_product(t52, t154).add_product(t54, t153);
-    let t156 = (-(t150 * t42)).add_product(t45, t155).add_product(t47, t154).add_product(t48, t153);
-    let t157 = (t149 * t36).sub_product(t38, t156).sub_product(t40, t155);
-    let t158 = (t147 * t28).add_product(t31, t157).add_product(t33, t156).add_product(t34, t155);
-    let t159 = (-(t26 * t157)).add_product(t24, t158);
-    let t160 = (-(t18 * t158)).add_product(t16, t159).add_product(t16, t157);
-    let rocker_omega_dot_by_coupler_omega = (-(t11 * t155)).add_product(t10, t156).sub_product(t10,
-        t154).sub_product(t11, t153);
-    let rocker_v_y_dot_by_coupler_omega = (c.inverse_rocker_mass * t153)
-        .sub_product(c.inverse_rocker_mass, t155);
-    let rocker_v_x_dot_by_coupler_omega = -(c.inverse_rocker_mass * t154)
-        .add_product(c.inverse_rocker_mass, t156);
-    let coupler_omega_dot_by_coupler_omega = (t9 * t157).add_product(t8, t158).sub_product(t8, t156)
-        .add_product(t9, t155);
-    let coupler_v_y_dot_by_coupler_omega = (c.inverse_coupler_mass * t155)
-        .sub_product(c.inverse_coupler_mass, t157);
-    let coupler_v_x_dot_by_coupler_omega = (c.inverse_coupler_mass * t156)
-        .add_product(c.inverse_coupler_mass, t158);
-    let crank_omega_dot_by_coupler_omega = (t7 * t159).sub_product(t6, t160).add_product(t6, t158)
-        .add_product(t7, t157);
-    let crank_v_y_dot_by_coupler_omega = (c.inverse_crank_mass * t157)
-        .sub_product(c.inverse_crank_mass, t159);
-    let crank_v_x_dot_by_coupler_omega = -(c.inverse_crank_mass * t158)
-        .add_product(c.inverse_crank_mass, t160);
+    let t146 = coupler_length_times_coupler_omega * cos_coupler_phi;
+    let t147 = coupler_length_times_coupler_omega * sin_coupler_phi;
+    let t148 = (-t147).add_product(t31, t146);
+    let t149 = (-t146).add_product(t33, t146).sub_product(t38, t148);
+    let t150 = (-t147).add_product(t34, t146).sub_product(t40, t148).add_product(t45, t149);
+    let t151 = (t47 * t149).sub_product(t52, t150);
+    let t152 = (t48 * t149).add_product(t54, t150).add_product(t57, t151) * t58;
+    let t153 = (t151 * t55).add_product(t57, t152);
+    let t154 = (t150 * t50).sub_product(t52, t153).add_product(t54, t152);
+    let t155 = (-(t149 * t42)).add_product(t45, t154).add_product(t47, t153).add_product(t48, t152);
+    let t156 = (t148 * t36).sub_product(t38, t155).sub_product(t40, t154);
+    let t157 = (t146 * t28).add_product(t31, t156).add_product(t33, t155).add_product(t34, t154);
+    let t158 = (-(t26 * t156)).add_product(t24, t157);
+    let t159 = (-(t18 * t157)).add_product(t16, t158).add_product(t16, t156);
+    let rocker_omega_dot_by_coupler_omega = (-(t11 * t154)).add_product(t10, t155).sub_product(t10,
+        t153).sub_product(t11, t152);
+    let rocker_v_y_dot_by_coupler_omega = (c.inverse_rocker_mass * t152)
+        .sub_product(c.inverse_rocker_mass, t154);
+    let rocker_v_x_dot_by_coupler_omega = -(c.inverse_rocker_mass * t153)
+        .add_product(c.inverse_rocker_mass, t155);
+    let coupler_omega_dot_by_coupler_omega = (t9 * t156).add_product(t8, t157).sub_product(t8, t155)
+        .add_product(t9, t154);
+    let coupler_v_y_dot_by_coupler_omega = (c.inverse_coupler_mass * t154)
+        .sub_product(c.inverse_coupler_mass, t156);
+    let coupler_v_x_dot_by_coupler_omega = (c.inverse_coupler_mass * t155)
+        .add_product(c.inverse_coupler_mass, t157);
+    let crank_omega_dot_by_coupler_omega = (t7 * t158).sub_product(t6, t159).add_product(t6, t157)
+        .add_product(t7, t156);
+    let crank_v_y_dot_by_coupler_omega = (c.inverse_crank_mass * t156)
+        .sub_product(c.inverse_crank_mass, t158);
+    let crank_v_x_dot_by_coupler_omega = -(c.inverse_crank_mass * t157)
+        .add_product(c.inverse_crank_mass, t159);
     let rocker_length_times_rocker_omega = p.rocker_length * rocker_omega;
-    let t161 = rocker_length_times_rocker_omega * cos_rocker_phi;
-    let t162 = rocker_length_times_rocker_omega * sin_rocker_phi;
-    let t163 = t162.add_product(t45, t161);
-    let t164 = (-t161).add_product(t47, t161).sub_product(t52, t163);
-    let t165 = t162.add_product(t48, t161).add_product(t54, t163).add_product(t57, t164) * t58;
-    let t166 = (t164 * t55).add_product(t57, t165);
-    let t167 = (t163 * t50).sub_product(t52, t166).add_product(t54, t165);
-    let t168 = (-(t161 * t42)).add_product(t45, t167).add_product(t47, t166).add_product(t48, t165);
-    let t169 = (t40 * t167).add_product(t38, t168);
-    let t170 = (-(t33 * t168)).add_product(t31, t169).sub_product(t34, t167);
-    let t171 = (t26 * t169).sub_product(t24, t170);
-    let t172 = (t18 * t170).add_product(t16, t171).sub_product(t16, t169);
-    let rocker_omega_dot_by_rocker_omega = (-(t11 * t167)).add_product(t10, t168).sub_product(t10,
-        t166).sub_product(t11, t165);
-    let rocker_v_y_dot_by_rocker_omega = (c.inverse_rocker_mass * t165)
-        .sub_product(c.inverse_rocker_mass, t167);
-    let rocker_v_x_dot_by_rocker_omega = -(c.inverse_rocker_mass * t166)
-        .add_product(c.inverse_rocker_mass, t168);
-    let coupler_omega_dot_by_rocker_omega = (-(t9 * t169).add_product(t8, t170).add_product(t8,
-        t168)).add_product(t9, t167);
-    let coupler_v_y_dot_by_rocker_omega = (c.inverse_coupler_mass * t167)
-        .add_product(c.inverse_coupler_mass, t169);
-    let coupler_v_x_dot_by_rocker_omega = (c.inverse_coupler_mass * t168)
-        .sub_product(c.inverse_coupler_mass, t170);
-    let crank_omega_dot_by_rocker_omega = (t7 * t171).sub_product(t6, t172).sub_product(t6, t170)
-        .sub_product(t7, t169);
-    let crank_v_y_dot_by_rocker_omega = -(c.inverse_crank_mass * t169)
-        .add_product(c.inverse_crank_mass, t171);
-    let crank_v_x_dot_by_rocker_omega = (c.inverse_crank_mass * t170)
-        .sub_product(c.inverse_crank_mass, t172);
+    let t160 = rocker_length_times_rocker_omega * cos_rocker_phi;
+    let t161 = rocker_length_times_rocker_omega * sin_rocker_phi;
+    let t162 = t161.add_product(t45, t160);
+    let t163 = (-t160).add_product(t47, t160).sub_product(t52, t162);
+    let t164 = t161.add_product(t48, t160).add_product(t54, t162).add_product(t57, t163) * t58;
+    let t165 = (t163 * t55).add_product(t57, t164);
+    let t166 = (t162 * t50).sub_product(t52, t165).add_product(t54, t164);
+    let t167 = (-(t160 * t42)).add_product(t45, t166).add_product(t47, t165).add_product(t48, t164);
+    let t168 = (t40 * t166).add_product(t38, t167);
+    let t169 = (-(t33 * t167)).add_product(t31, t168).sub_product(t34, t166);
+    let t170 = (t26 * t168).sub_product(t24, t169);
+    let t171 = (t18 * t169).add_product(t16, t170).sub_product(t16, t168);
+    let rocker_omega_dot_by_rocker_omega = (-(t11 * t166)).add_product(t10, t167).sub_product(t10,
+        t165).sub_product(t11, t164);
+    let rocker_v_y_dot_by_rocker_omega = (c.inverse_rocker_mass * t164)
+        .sub_product(c.inverse_rocker_mass, t166);
+    let rocker_v_x_dot_by_rocker_omega = -(c.inverse_rocker_mass * t165)
+        .add_product(c.inverse_rocker_mass, t167);
+    let coupler_omega_dot_by_rocker_omega = (-(t9 * t168).add_product(t8, t169).add_product(t8,
+        t167)).add_product(t9, t166);
+    let coupler_v_y_dot_by_rocker_omega = (c.inverse_coupler_mass * t166)
+        .add_product(c.inverse_coupler_mass, t168);
+    let coupler_v_x_dot_by_rocker_omega = (c.inverse_coupler_mass * t167)
+        .sub_product(c.inverse_coupler_mass, t169);
+    let crank_omega_dot_by_rocker_omega = (t7 * t170).sub_product(t6, t171).sub_product(t6, t169)
+        .sub_product(t7, t168);
+    let crank_v_y_dot_by_rocker_omega = -(c.inverse_crank_mass * t168)
+        .add_product(c.inverse_crank_mass, t170);
+    let crank_v_x_dot_by_rocker_omega = (c.inverse_crank_mass * t169)
+        .sub_product(c.inverse_crank_mass, t171);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         crank_v_x_dot_by_crank_phi, crank_v_x_dot_by_coupler_phi, crank_v_x_dot_by_rocker_phi,
@@ -643,7 +639,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         rocker_omega_dot_by_rocker_omega]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 1505 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 1503 operations.
 #[must_use]
 pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 108] {
@@ -722,24 +718,22 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
     let t61 = p.crank_length * crank_omega_squared;
     let coupler_omega_squared = coupler_omega * coupler_omega;
     let t62 = p.coupler_length * coupler_omega_squared;
-    let t63 = t62 * cos_coupler_phi;
-    let t64 = t62 * sin_coupler_phi;
     let rocker_omega_squared = rocker_omega * rocker_omega;
-    let t65 = p.rocker_length * rocker_omega_squared;
-    let t66 = c.t2 * rocker_omega_squared;
+    let t63 = c.t2 * rocker_omega_squared;
+    let t64 = t63 * cos_rocker_phi;
+    let t65 = c.t1 * coupler_omega_squared;
+    let t66 = t63 * sin_rocker_phi;
     let t67 = t16 * t60;
     let t68 = c.t3.sub_product(t59, sin_crank_phi) - t67;
-    let t69 = (R::literal(0.5) * t63.add_product(t61, cos_crank_phi)).add_product(t18, t60)
-        .add_product(t24, t68);
-    let t70 = (c.t4 - c.t3.add_product(R::literal(0.5), t64.add_product(t61, sin_crank_phi)) - t67)
-        .sub_product(t26, t68).add_product(t31, t69);
-    let t71 = (R::literal(-0.5) * t63.sub_product(t65, cos_rocker_phi)).add_product(t33, t69)
-        .sub_product(t38, t70);
-    let t72 = (c.t5 - c.t4.add_product(R::literal(0.5), t64.sub_product(t65, sin_rocker_phi)))
-        .add_product(t34, t69).sub_product(t40, t70).add_product(t45, t71);
-    let t73 = (-(t66 * cos_rocker_phi)).add_product(t47, t71).sub_product(t52, t72);
-    let t74 = c.t5.sub_product(t66, sin_rocker_phi).sub_product(t48, t71).sub_product(t54, t72)
-        .sub_product(t57, t73) * t58;
+    let t69 = (R::literal(0.5) * (t61 * cos_crank_phi).add_product(t62, cos_coupler_phi))
+        .add_product(t18, t60).add_product(t24, t68);
+    let t70 = (c.t4 - c.t3.add_product(R::literal(0.5), (t61 * sin_crank_phi).add_product(t62,
+        sin_coupler_phi)) - t67).sub_product(t26, t68).add_product(t31, t69);
+    let t71 = t64.sub_product(t65, cos_coupler_phi).add_product(t33, t69).sub_product(t38, t70);
+    let t72 = (t66.sub_product(t65, sin_coupler_phi) - c.t4 + c.t5).add_product(t34, t69)
+        .sub_product(t40, t70).add_product(t45, t71);
+    let t73 = (-t64).add_product(t47, t71).sub_product(t52, t72);
+    let t74 = (c.t5 - t66).sub_product(t48, t71).sub_product(t54, t72).sub_product(t57, t73) * t58;
     let t75 = (t73 * t55).sub_product(t57, t74);
     let t76 = (t72 * t50).sub_product(t52, t75).sub_product(t54, t74);
     let t77 = (-(t71 * t42)).add_product(t45, t76).add_product(t47, t75).sub_product(t48, t74);
@@ -1222,7 +1216,7 @@ pub fn time_derivative<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<
         R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
 
-/// Wanted outputs. 248 operations.
+/// Wanted outputs. 246 operations.
 #[must_use]
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [_, _, crank_phi, _, _, coupler_phi, _, _, rocker_phi, _, _, crank_omega, _, _,
@@ -1305,29 +1299,28 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let t61 = t0 * crank_omega_squared;
     let t62 = t61 * cos_crank_phi;
     let t63 = p.crank_length * crank_omega_squared;
-    let t64 = p.coupler_length * (coupler_omega * coupler_omega);
-    let t65 = t64 * cos_coupler_phi;
-    let t66 = t64 * sin_coupler_phi;
-    let rocker_omega_squared = rocker_omega * rocker_omega;
-    let t67 = p.rocker_length * rocker_omega_squared;
-    let t68 = t6 * rocker_omega_squared;
+    let coupler_omega_squared = coupler_omega * coupler_omega;
+    let t64 = p.coupler_length * coupler_omega_squared;
+    let t65 = t6 * (rocker_omega * rocker_omega);
+    let t66 = t65 * cos_rocker_phi;
+    let t67 = t3 * coupler_omega_squared;
+    let t68 = t65 * sin_rocker_phi;
     let t69 = inverse_crank_mass * (p.crank_mass * p.crank_gravity);
     let t70 = t19 * t62;
     let t71 = t69.sub_product(t61, sin_crank_phi) - t70;
-    let t72 = (R::literal(0.5) * t65.add_product(t63, cos_crank_phi)).add_product(t21, t62)
-        .add_product(t27, t71);
+    let t72 = (R::literal(0.5) * (t63 * cos_crank_phi).add_product(t64, cos_coupler_phi))
+        .add_product(t21, t62).add_product(t27, t71);
     let t73 = inverse_coupler_mass * (p.coupler_mass * p.coupler_gravity);
-    let t74 = (t73 - t69.add_product(R::literal(0.5), t66.add_product(t63, sin_crank_phi)) - t70)
-        .sub_product(t29, t71).add_product(t34, t72);
-    let t75 = (R::literal(-0.5) * t65.sub_product(t67, cos_rocker_phi)).add_product(t36, t72)
-        .sub_product(t41, t74);
+    let t74 = (t73 - t69.add_product(R::literal(0.5), (t63 * sin_crank_phi).add_product(t64,
+        sin_coupler_phi)) - t70).sub_product(t29, t71).add_product(t34, t72);
+    let t75 = t66.sub_product(t67, cos_coupler_phi).add_product(t36, t72).sub_product(t41, t74);
     let t76 = inverse_rocker_mass * (p.rocker_mass * p.rocker_gravity);
-    let t77 = (t76 - t73.add_product(R::literal(0.5), t66.sub_product(t67, sin_rocker_phi)))
-        .add_product(t37, t72).sub_product(t43, t74).add_product(t48, t75);
-    let t78 = (-(t68 * cos_rocker_phi)).add_product(t50, t75).sub_product(t55, t77);
-    let t79 = t76.sub_product(t68, sin_rocker_phi).sub_product(t51, t75).sub_product(t57, t77)
-        .sub_product(t60, t78) * (R::literal(1.0) / (-(inverse_rocker_mass + t52)).add_product(t51,
-        t46).sub_product(t57, t56).sub_product(t60, t59));
+    let t77 = (t68.sub_product(t67, sin_coupler_phi) - t73 + t76).add_product(t37, t72)
+        .sub_product(t43, t74).add_product(t48, t75);
+    let t78 = (-t66).add_product(t50, t75).sub_product(t55, t77);
+    let t79 = (t76 - t68).sub_product(t51, t75).sub_product(t57, t77).sub_product(t60, t78)
+        * (R::literal(1.0) / (-(inverse_rocker_mass + t52)).add_product(t51, t46).sub_product(t57,
+        t56).sub_product(t60, t59));
     let t80 = (t78 * t58).sub_product(t60, t79);
     let t81 = (t77 * t53).sub_product(t55, t80).sub_product(t57, t79);
     let t82 = (-(t75 * t45)).add_product(t48, t81).add_product(t50, t80).sub_product(t51, t79);
@@ -1368,7 +1361,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 321 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 319 operations.
 #[must_use]
 pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [_, _, crank_phi, _, _, coupler_phi, _, _, rocker_phi, crank_v_x, crank_v_y, crank_omega,
@@ -1454,29 +1447,28 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
     let t61 = t0 * crank_omega_squared;
     let t62 = t61 * cos_crank_phi;
     let t63 = p.crank_length * crank_omega_squared;
-    let t64 = p.coupler_length * (coupler_omega * coupler_omega);
-    let t65 = t64 * cos_coupler_phi;
-    let t66 = t64 * sin_coupler_phi;
-    let rocker_omega_squared = rocker_omega * rocker_omega;
-    let t67 = p.rocker_length * rocker_omega_squared;
-    let t68 = t6 * rocker_omega_squared;
+    let coupler_omega_squared = coupler_omega * coupler_omega;
+    let t64 = p.coupler_length * coupler_omega_squared;
+    let t65 = t6 * (rocker_omega * rocker_omega);
+    let t66 = t65 * cos_rocker_phi;
+    let t67 = t3 * coupler_omega_squared;
+    let t68 = t65 * sin_rocker_phi;
     let t69 = inverse_crank_mass * crank_mass_times_crank_gravity;
     let t70 = t19 * t62;
     let t71 = t69.sub_product(t61, sin_crank_phi) - t70;
-    let t72 = (R::literal(0.5) * t65.add_product(t63, cos_crank_phi)).add_product(t21, t62)
-        .add_product(t27, t71);
+    let t72 = (R::literal(0.5) * (t63 * cos_crank_phi).add_product(t64, cos_coupler_phi))
+        .add_product(t21, t62).add_product(t27, t71);
     let t73 = inverse_coupler_mass * coupler_mass_times_coupler_gravity;
-    let t74 = (t73 - t69.add_product(R::literal(0.5), t66.add_product(t63, sin_crank_phi)) - t70)
-        .sub_product(t29, t71).add_product(t34, t72);
-    let t75 = (R::literal(-0.5) * t65.sub_product(t67, cos_rocker_phi)).add_product(t36, t72)
-        .sub_product(t41, t74);
+    let t74 = (t73 - t69.add_product(R::literal(0.5), (t63 * sin_crank_phi).add_product(t64,
+        sin_coupler_phi)) - t70).sub_product(t29, t71).add_product(t34, t72);
+    let t75 = t66.sub_product(t67, cos_coupler_phi).add_product(t36, t72).sub_product(t41, t74);
     let t76 = inverse_rocker_mass * rocker_mass_times_rocker_gravity;
-    let t77 = (t76 - t73.add_product(R::literal(0.5), t66.sub_product(t67, sin_rocker_phi)))
-        .add_product(t37, t72).sub_product(t43, t74).add_product(t48, t75);
-    let t78 = (-(t68 * cos_rocker_phi)).add_product(t50, t75).sub_product(t55, t77);
-    let t79 = t76.sub_product(t68, sin_rocker_phi).sub_product(t51, t75).sub_product(t57, t77)
-        .sub_product(t60, t78) * (R::literal(1.0) / (-(inverse_rocker_mass + t52)).add_product(t51,
-        t46).sub_product(t57, t56).sub_product(t60, t59));
+    let t77 = (t68.sub_product(t67, sin_coupler_phi) - t73 + t76).add_product(t37, t72)
+        .sub_product(t43, t74).add_product(t48, t75);
+    let t78 = (-t66).add_product(t50, t75).sub_product(t55, t77);
+    let t79 = (t76 - t68).sub_product(t51, t75).sub_product(t57, t77).sub_product(t60, t78)
+        * (R::literal(1.0) / (-(inverse_rocker_mass + t52)).add_product(t51, t46).sub_product(t57,
+        t56).sub_product(t60, t59));
     let t80 = (t78 * t58).sub_product(t60, t79);
     let t81 = (t77 * t53).sub_product(t55, t80).sub_product(t57, t79);
     let t82 = (-(t75 * t45)).add_product(t48, t81).add_product(t50, t80).sub_product(t51, t79);

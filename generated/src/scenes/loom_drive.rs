@@ -22,9 +22,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 6, first-order states 4, states 16, parameters 39, outputs 8.
 // Nonzeros: mass_matrix 6 of 6 by 6, rate_jacobian 39 of 16 by 16, parameter_jacobian 47 of 16 by 39.
-// Operations: rate 87, mass_matrix 2, forcing 42, rate_jacobian 81, parameter_jacobian 185,
-//     outputs 17, energy 75, power_balance 185, prepare 81, prepared_rate 61,
-//     prepared_rate_jacobian 30, prepared_parameter_jacobian 135.
+// Operations: rate 87, mass_matrix 2, forcing 42, rate_jacobian 81, parameter_jacobian 184,
+//     outputs 17, energy 75, power_balance 185, prepare 79, prepared_rate 61,
+//     prepared_rate_jacobian 30, prepared_parameter_jacobian 136.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
@@ -140,7 +140,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     motor_omega_dot_by_crank_turn_speed, motor_psi_sx_dot_by_motor_psi_sx,
     motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
     motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx, reed_arm_squared, t9, t10,
-    t11, t12, t13, minus_motor_u_y, t14, motor_k_r_over_motor_sigma, t16, t17, t18, t19, t20
+    t11, t12, t13, minus_motor_u_y, t14, motor_k_r_over_motor_sigma, t15,
+    motor_k_s_over_motor_sigma, t16, t17, t18, t19
 }
 
 ::machinist_contract::field_scene! {
@@ -156,14 +157,13 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     at 1.75 => End, coordinate Some(4), handed 35;
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 81 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 79 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let (sin_motor_supply_phase, cos_motor_supply_phase) = p.motor_supply_phase.sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
@@ -213,12 +213,12 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let minus_motor_u_y = -motor_u_y;
     let t14 = R::literal(1.5) * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
     let motor_k_r_over_motor_sigma = p.motor_k_r / motor_sigma;
-    let t15 = motor_k_s_times_motor_k_r - R::literal(1.0);
-    let t16 = t1 * motor_omega_0 / (p.motor_x_s * (t15 * t15));
-    let t17 = R::literal(-1.0) / p.motor_x_s;
-    let t18 = R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio;
-    let t19 = R::literal(2.0) * p.coupling_damping * p.coupling_ratio;
-    let t20 = R::literal(-2.0) * p.reed_mass * p.reed_arm;
+    let t15 = t1 * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let motor_k_s_over_motor_sigma = p.motor_k_s / motor_sigma;
+    let t16 = R::literal(-1.0) / p.motor_x_s;
+    let t17 = R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio;
+    let t18 = R::literal(2.0) * p.coupling_damping * p.coupling_ratio;
+    let t19 = R::literal(-2.0) * p.reed_mass * p.reed_arm;
     Constants { motor_omega_0, motor_u_x, motor_u_y, t2, inverse_motor_inertia,
         inverse_crank_inertia, inverse_shaft_driven_field_inertia,
         inverse_shaft_reed_field_inertia, inverse_shaft_middle_field_inertia, t3, t4,
@@ -232,7 +232,8 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
         motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
         motor_psi_rx_dot_by_motor_psi_rx, reed_arm_squared, t9, t10, t11, t12, t13,
-        minus_motor_u_y, t14, motor_k_r_over_motor_sigma, t16, t17, t18, t19, t20 }
+        minus_motor_u_y, t14, motor_k_r_over_motor_sigma, t15, motor_k_s_over_motor_sigma, t16,
+        t17, t18, t19 }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -377,7 +378,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         motor_psi_ry_dot_by_motor_psi_rx, c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 135 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 136 operations.
 #[must_use]
 pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 47] {
@@ -395,9 +396,7 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
         coupling_twist_rate);
     let t1 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let t2 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
-    let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
-    let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t3 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let t3 = (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let motor_torque = c.t2 * t3;
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
     let shaft_reed_minus_reed_angle = shaft_reed - reed_angle;
@@ -431,11 +430,11 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
         * c.inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
     let motor_psi_ry_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let motor_omega_dot_by_motor_k_r = c.t16 * (motor_psi_sy_times_motor_psi_rx
-        - motor_psi_sx_times_motor_psi_ry) * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_k_r = (c.t15 * t3).add_product(c.motor_k_s_over_motor_sigma,
+        motor_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
     let motor_psi_sy_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
-    let motor_omega_dot_by_motor_x_s = c.t17 * motor_torque * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_x_s = c.t16 * motor_torque * c.inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_alpha_s = -(c.motor_omega_0 * t1);
     let motor_psi_sy_dot_by_motor_alpha_s = -(c.motor_omega_0 * t2);
     let motor_psi_rx_dot_by_motor_alpha_r = c.motor_omega_0 * t5;
@@ -448,8 +447,8 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
         * c.inverse_crank_inertia;
     let motor_omega_dot_by_coupling_damping = (t0 - motor_omega) * c.inverse_motor_inertia;
     let crank_turn_speed_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
-        .add_product(p.coupling_damping, motor_omega).sub_product(c.t18, crank_turn)
-        .sub_product(c.t19, crank_turn_speed) * c.inverse_crank_inertia;
+        .add_product(p.coupling_damping, motor_omega).sub_product(c.t17, crank_turn)
+        .sub_product(c.t18, crank_turn_speed) * c.inverse_crank_inertia;
     let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * crank_turn)
         .add_product(p.coupling_damping, crank_turn_speed) * c.inverse_motor_inertia;
     let crank_turn_speed_dot_by_crank_inertia = -(crank_turn_speed_dot * c.inverse_crank_inertia);
@@ -463,7 +462,7 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
         * cos_crank_turn * c.inverse_crank_inertia;
     let crank_turn_speed_dot_by_crank_drag = -(crank_turn_speed * c.inverse_crank_inertia);
     let reed_speed_dot_by_reed_mass = -(c.reed_arm_squared * reed_speed_dot * c.t3);
-    let reed_speed_dot_by_reed_arm = c.t20 * reed_speed_dot * c.t3;
+    let reed_speed_dot_by_reed_arm = c.t19 * reed_speed_dot * c.t3;
     let reed_speed_dot_by_reed_stiffness = shaft_reed_minus_reed_angle * c.t3;
     let shaft_reed_dot_dot_by_reed_stiffness = (reed_angle - shaft_reed)
         * c.inverse_shaft_reed_field_inertia;

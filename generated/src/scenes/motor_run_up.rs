@@ -16,9 +16,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 1, first-order states 4, states 5, parameters 11, outputs 4.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 18 of 5 by 5, parameter_jacobian 24 of 5 by 11.
-// Operations: rate 45, forcing 12, rate_jacobian 34, parameter_jacobian 85, outputs 27, energy 32,
-//     power_balance 106, prepare 41, prepared_rate 29, prepared_rate_jacobian 16,
-//     prepared_parameter_jacobian 51.
+// Operations: rate 45, forcing 12, rate_jacobian 34, parameter_jacobian 84, outputs 27, energy 32,
+//     power_balance 106, prepare 39, prepared_rate 29, prepared_rate_jacobian 16,
+//     prepared_parameter_jacobian 52.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -84,17 +84,16 @@ use ::machinist_contract::{
     motor_alpha_r_times_motor_omega_0, motor_psi_sx_dot_by_motor_psi_sx,
     motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
     motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx, t3, t4, t5, t6, t7,
-    minus_motor_u_y, t8, motor_k_r_over_motor_sigma, t10, t11
+    minus_motor_u_y, t8, motor_k_r_over_motor_sigma, t9, motor_k_s_over_motor_sigma, t10
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 41 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 39 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let (sin_motor_supply_phase, cos_motor_supply_phase) = p.motor_supply_phase.sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
@@ -118,15 +117,15 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let minus_motor_u_y = -motor_u_y;
     let t8 = R::literal(1.5) * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
     let motor_k_r_over_motor_sigma = p.motor_k_r / motor_sigma;
-    let t9 = motor_k_s_times_motor_k_r - R::literal(1.0);
-    let t10 = t1 * motor_omega_0 / (p.motor_x_s * (t9 * t9));
-    let t11 = R::literal(-1.0) / p.motor_x_s;
+    let t9 = t1 * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let motor_k_s_over_motor_sigma = p.motor_k_s / motor_sigma;
+    let t10 = R::literal(-1.0) / p.motor_x_s;
     Constants { motor_omega_0, motor_u_x, motor_u_y, t2, inverse_motor_inertia,
         motor_alpha_s_times_motor_omega_0, motor_alpha_r_times_motor_omega_0,
         motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
         motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
         motor_psi_rx_dot_by_motor_psi_rx, t3, t4, t5, t6, t7, minus_motor_u_y, t8,
-        motor_k_r_over_motor_sigma, t10, t11 }
+        motor_k_r_over_motor_sigma, t9, motor_k_s_over_motor_sigma, t10 }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -206,16 +205,14 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         motor_psi_ry_dot_by_motor_psi_rx, c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 51 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 52 operations.
 #[must_use]
 pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 24] {
     let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let t0 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let t1 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
-    let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
-    let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t2 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let t2 = (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let motor_torque = c.t2 * t2;
     let motor_omega_dot = motor_torque * c.inverse_motor_inertia;
     let t3 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
@@ -237,11 +234,11 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
         * c.inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
     let motor_psi_ry_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let motor_omega_dot_by_motor_k_r = c.t10 * (motor_psi_sy_times_motor_psi_rx
-        - motor_psi_sx_times_motor_psi_ry) * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_k_r = (c.t9 * t2).add_product(c.motor_k_s_over_motor_sigma,
+        motor_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
     let motor_psi_sy_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
-    let motor_omega_dot_by_motor_x_s = c.t11 * motor_torque * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_x_s = c.t10 * motor_torque * c.inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_alpha_s = -(c.motor_omega_0 * t0);
     let motor_psi_sy_dot_by_motor_alpha_s = -(c.motor_omega_0 * t1);
     let motor_psi_rx_dot_by_motor_alpha_r = c.motor_omega_0 * t3;

@@ -16,9 +16,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 5, states 6, parameters 11, outputs 9.
 // Nonzeros: mass_matrix 13 of 5 by 5, rate_jacobian 30 of 6 by 6, parameter_jacobian 41 of 6 by 11.
-// Operations: rate 118, mass_matrix 13, forcing 69, rate_jacobian 295, parameter_jacobian 575,
+// Operations: rate 118, mass_matrix 13, forcing 69, rate_jacobian 298, parameter_jacobian 574,
 //     time_derivative 63, outputs 25, energy 33, power_balance 169, prepare 62, prepared_rate 98,
-//     prepared_rate_jacobian 270, prepared_parameter_jacobian 516.
+//     prepared_rate_jacobian 273, prepared_parameter_jacobian 515.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
@@ -271,7 +271,7 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
         motor_phi_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 270 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 273 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 30] {
@@ -299,37 +299,38 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let t14 = (-(c.t5 * motor_i_sa)).add_product(R::literal(1.5), motor_u_a).add_product(t13,
         (motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
         .add_product(motor_pole_pairs_times_motor_i_rb, cos_motor_theta));
-    let t15 = (-(c.t5 * motor_i_sb)).add_product(R::literal(1.5), motor_u_b).sub_product(t13,
-        (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
-        .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta));
+    let t15 = (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
+        .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta);
+    let t16 = (-(c.t5 * motor_i_sb)).add_product(R::literal(1.5), motor_u_b).sub_product(t13, t15);
     let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
     let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
-    let t16 = (c.t6 * motor_i_ra).add_product(t13, (motor_pole_pairs_times_motor_i_sb
-        * cos_motor_theta).sub_product(motor_pole_pairs_times_motor_i_sa, sin_motor_theta))
-        .add_product(t5, t14).add_product(t6, t15);
+    let t17 = (motor_pole_pairs_times_motor_i_sb * cos_motor_theta)
+        .sub_product(motor_pole_pairs_times_motor_i_sa, sin_motor_theta);
+    let t18 = (c.t6 * motor_i_ra).add_product(t13, t17).add_product(t5, t14).add_product(t6, t16);
     let motor_i_rb_dot = (-(c.t6 * motor_i_rb)).add_product(t13, (motor_pole_pairs_times_motor_i_sa
         * cos_motor_theta).add_product(motor_pole_pairs_times_motor_i_sb, sin_motor_theta))
-        .add_product(t6, t14).sub_product(t5, t15).add_product(t11, t16) * t12;
-    let t17 = (t16 * t9).add_product(t11, motor_i_rb_dot);
-    let motor_i_sb_dot = (t15 * c.t4).add_product(t6, t17).sub_product(t5, motor_i_rb_dot);
-    let motor_i_sa_dot = (t14 * c.t4).add_product(t5, t17).add_product(t6, motor_i_rb_dot);
-    let t18 = (motor_i_ra * cos_motor_theta).sub_product(motor_i_rb, sin_motor_theta);
-    let t19 = c.t8 * motor_omega;
+        .add_product(t6, t14).sub_product(t5, t16).add_product(t11, t18) * t12;
+    let t19 = (t18 * t9).add_product(t11, motor_i_rb_dot);
+    let motor_i_sb_dot = (t16 * c.t4).add_product(t6, t19).sub_product(t5, motor_i_rb_dot);
+    let motor_i_sa_dot = (t14 * c.t4).add_product(t5, t19).add_product(t6, motor_i_rb_dot);
     let t20 = (motor_i_ra * sin_motor_theta).add_product(motor_i_rb, cos_motor_theta);
-    let t21 = (motor_i_sa * cos_motor_theta).add_product(motor_i_sb, sin_motor_theta);
-    let t22 = (motor_i_sa * sin_motor_theta).sub_product(motor_i_sb, cos_motor_theta);
+    let t21 = c.t8 * motor_omega;
+    let t22 = (motor_i_sa * cos_motor_theta).add_product(motor_i_sb, sin_motor_theta);
     let t23 = c.t7 * sin_motor_theta;
     let t24 = c.t7 * cos_motor_theta;
-    let t25 = (t19 * t18).sub_product(t23, t17).add_product(t24, motor_i_rb_dot);
-    let t26 = (t19 * t20).add_product(t24, t17).add_product(t23, motor_i_rb_dot);
-    let t27 = (t19 * t21).add_product(t23, motor_i_sa_dot).sub_product(t24, motor_i_sb_dot)
+    let t25 = (-(t13 * (c.motor_pole_pairs_squared * motor_i_rb * sin_motor_theta)
+        .sub_product(c.motor_pole_pairs_squared * motor_i_ra, cos_motor_theta)).add_product(t23,
+        t19)).add_product(t24, motor_i_rb_dot);
+    let t26 = (t21 * t20).add_product(t24, t19).add_product(t23, motor_i_rb_dot);
+    let t27 = (t21 * t22).add_product(t23, motor_i_sa_dot).sub_product(t24, motor_i_sb_dot)
         .sub_product(t5, t25).sub_product(t6, t26);
     let motor_omega_dot_by_motor_phi = -(c.t2 * (c.motor_pole_pairs_squared * motor_along
         * cos_motor_theta).add_product(c.motor_pole_pairs_squared * motor_across, sin_motor_theta)
         * c.inverse_motor_inertia);
-    let motor_i_rb_dot_by_motor_phi = (-(t19 * t22)).add_product(t24, motor_i_sa_dot)
-        .add_product(t23, motor_i_sb_dot).add_product(t6, t25).sub_product(t5, t26)
-        .sub_product(t11, t27) * t12;
+    let motor_i_rb_dot_by_motor_phi = (-(t13 * (c.motor_pole_pairs_squared * motor_i_sa
+        * sin_motor_theta).sub_product(c.motor_pole_pairs_squared * motor_i_sb, cos_motor_theta)))
+        .add_product(t24, motor_i_sa_dot).add_product(t23, motor_i_sb_dot).add_product(t6, t25)
+        .sub_product(t5, t26).sub_product(t11, t27) * t12;
     let motor_i_ra_dot_by_motor_phi = (t27 * t9).sub_product(t11, motor_i_rb_dot_by_motor_phi);
     let motor_i_sb_dot_by_motor_phi = (t26 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_phi)
         .sub_product(t5, motor_i_rb_dot_by_motor_phi);
@@ -348,7 +349,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         motor_i_ra_dot_by_motor_i_sa);
     let motor_i_sa_dot_by_motor_i_sa = (-c.t9.add_product(t5, motor_i_ra_dot_by_motor_i_sa))
         .add_product(t6, motor_i_rb_dot_by_motor_i_sa);
-    let t34 = c.t7 * t18;
+    let t34 = c.t2 * t15;
     let t35 = t33 - t30;
     let motor_omega_dot_by_motor_i_sb = t34 * c.inverse_motor_inertia;
     let motor_i_rb_dot_by_motor_i_sb = t32.sub_product(t11, t35) * t12;
@@ -357,12 +358,12 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         .add_product(t5, motor_i_rb_dot_by_motor_i_sb);
     let motor_i_sa_dot_by_motor_i_sb = (t6 * motor_i_rb_dot_by_motor_i_sb).sub_product(t5,
         motor_i_ra_dot_by_motor_i_sb);
-    let t36 = c.t7 * t22;
+    let t36 = c.t2 * t17;
     let t37 = t5 * t29;
     let t38 = t6 * t30;
     let t39 = t38 - (c.t6 + t37);
     let t40 = (t6 * t29).add_product(t5, t30);
-    let motor_omega_dot_by_motor_i_ra = -(t36 * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_i_ra = t36 * c.inverse_motor_inertia;
     let motor_i_rb_dot_by_motor_i_ra = t40.sub_product(t11, t39) * t12;
     let motor_i_ra_dot_by_motor_i_ra = (t39 * t9).sub_product(t11, motor_i_rb_dot_by_motor_i_ra);
     let t41 = t30 * c.t4;
@@ -371,7 +372,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let t42 = t29 * c.t4;
     let motor_i_sa_dot_by_motor_i_ra = t42.sub_product(t5, motor_i_ra_dot_by_motor_i_ra)
         .add_product(t6, motor_i_rb_dot_by_motor_i_ra);
-    let t43 = c.t7 * t21;
+    let t43 = c.t7 * t22;
     let motor_omega_dot_by_motor_i_rb = -(t43 * c.inverse_motor_inertia);
     let motor_i_rb_dot_by_motor_i_rb = (t38 - c.t6 - t37).add_product(t11, t40) * t12;
     let t44 = (t40 * t9).add_product(t11, motor_i_rb_dot_by_motor_i_rb);
@@ -380,7 +381,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         motor_i_rb_dot_by_motor_i_rb);
     let motor_i_sa_dot_by_motor_i_rb = t41.add_product(t5, t44).add_product(t6,
         motor_i_rb_dot_by_motor_i_rb);
-    let t45 = t36.sub_product(t5, t31).add_product(t6, t34);
+    let t45 = (-t36.add_product(t5, t31)).add_product(t6, t34);
     let motor_i_rb_dot_by_motor_omega = t43.add_product(t6, t31).add_product(t5, t34)
         .sub_product(t11, t45) * t12;
     let motor_i_ra_dot_by_motor_omega = (t45 * t9).sub_product(t11, motor_i_rb_dot_by_motor_omega);
@@ -400,7 +401,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         motor_omega_dot_by_motor_i_sb, motor_omega_dot_by_motor_i_ra, motor_omega_dot_by_motor_i_rb]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 516 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 515 operations.
 #[must_use]
 pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 41] {
@@ -450,8 +451,6 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let motor_i_sa_dot = (t16 * c.t4).add_product(t5, t24).add_product(t6, motor_i_rb_dot);
     let motor_i_sa_times_cos_motor_theta = motor_i_sa * cos_motor_theta;
     let motor_i_sb_times_sin_motor_theta = motor_i_sb * sin_motor_theta;
-    let motor_i_sb_times_cos_motor_theta = motor_i_sb * cos_motor_theta;
-    let motor_i_sa_times_sin_motor_theta = motor_i_sa * sin_motor_theta;
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * c.inverse_motor_inertia);
     let t25 = R::literal(2.121_320_343_559_643) * t2;
     let t26 = R::literal(2.121_320_343_559_643) * t1;
@@ -466,56 +465,54 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
         motor_i_rb_dot_by_motor_phase_voltage);
     let t29 = R::literal(3.0 * core::f64::consts::PI) * time;
     let t30 = c.t10 * motor_omega;
-    let t31 = c.t11 * motor_omega;
-    let t32 = c.t10 * cos_motor_theta;
-    let t33 = c.t10 * sin_motor_theta;
-    let t34 = (-(t30 * t13).add_product(t29, motor_u_b)).add_product(c.t12, motor_i_sa_dot)
-        .sub_product(t32, t24).sub_product(t33, motor_i_rb_dot);
-    let t35 = (t30 * t17).add_product(t29, motor_u_a).add_product(c.t12, motor_i_sb_dot)
-        .sub_product(t33, t24).add_product(t32, motor_i_rb_dot);
-    let t36 = (-(t31 * (motor_i_sa_times_sin_motor_theta - motor_i_sb_times_cos_motor_theta)))
-        .add_product(t32, motor_i_sa_dot).add_product(t33, motor_i_sb_dot).sub_product(c.t13, t24)
-        .sub_product(t5, t34).sub_product(t6, t35);
+    let t31 = c.t10 * cos_motor_theta;
+    let t32 = c.t10 * sin_motor_theta;
+    let t33 = (-(t30 * t13).add_product(t29, motor_u_b)).add_product(c.t12, motor_i_sa_dot)
+        .sub_product(t31, t24).sub_product(t32, motor_i_rb_dot);
+    let t34 = (t30 * t17).add_product(t29, motor_u_a).add_product(c.t12, motor_i_sb_dot)
+        .sub_product(t32, t24).add_product(t31, motor_i_rb_dot);
+    let t35 = (t30 * t20).add_product(t31, motor_i_sa_dot).add_product(t32, motor_i_sb_dot)
+        .sub_product(c.t13, t24).sub_product(t5, t33).sub_product(t6, t34);
     let motor_omega_dot_by_motor_supply_frequency = -(c.t10 * t22 * c.inverse_motor_inertia);
-    let motor_i_rb_dot_by_motor_supply_frequency = (-(t31 * (motor_i_sa_times_cos_motor_theta
-        + motor_i_sb_times_sin_motor_theta)).add_product(t33, motor_i_sa_dot)).add_product(t32,
-        motor_i_sb_dot).add_product(c.t13, motor_i_rb_dot).add_product(t6, t34).sub_product(t5, t35)
-        .sub_product(t11, t36) * t12;
-    let motor_i_ra_dot_by_motor_supply_frequency = (t36 * t9).sub_product(t11,
+    let motor_i_rb_dot_by_motor_supply_frequency = (-(c.t11 * motor_omega
+        * (motor_i_sa_times_cos_motor_theta + motor_i_sb_times_sin_motor_theta)).add_product(t32,
+        motor_i_sa_dot)).add_product(t31, motor_i_sb_dot).add_product(c.t13, motor_i_rb_dot)
+        .add_product(t6, t33).sub_product(t5, t34).sub_product(t11, t35) * t12;
+    let motor_i_ra_dot_by_motor_supply_frequency = (t35 * t9).sub_product(t11,
         motor_i_rb_dot_by_motor_supply_frequency);
-    let motor_i_sb_dot_by_motor_supply_frequency = (t35 * c.t4).sub_product(t6,
+    let motor_i_sb_dot_by_motor_supply_frequency = (t34 * c.t4).sub_product(t6,
         motor_i_ra_dot_by_motor_supply_frequency).sub_product(t5,
         motor_i_rb_dot_by_motor_supply_frequency);
-    let motor_i_sa_dot_by_motor_supply_frequency = (t34 * c.t4).sub_product(t5,
+    let motor_i_sa_dot_by_motor_supply_frequency = (t33 * c.t4).sub_product(t5,
         motor_i_ra_dot_by_motor_supply_frequency).add_product(t6,
         motor_i_rb_dot_by_motor_supply_frequency);
-    let t37 = (t5 * t18).sub_product(t6, t15);
-    let t38 = (t6 * t18).add_product(t5, t15).add_product(t11, t37) * t12;
-    let motor_i_rb_dot_by_motor_supply_phase = -t38;
-    let motor_i_ra_dot_by_motor_supply_phase = (t37 * t9).add_product(t11, t38);
+    let t36 = (t5 * t18).sub_product(t6, t15);
+    let t37 = (t6 * t18).add_product(t5, t15).add_product(t11, t36) * t12;
+    let motor_i_rb_dot_by_motor_supply_phase = -t37;
+    let motor_i_ra_dot_by_motor_supply_phase = (t36 * t9).add_product(t11, t37);
     let motor_i_sb_dot_by_motor_supply_phase = (t15 * c.t4).sub_product(t6,
-        motor_i_ra_dot_by_motor_supply_phase).add_product(t5, t38);
+        motor_i_ra_dot_by_motor_supply_phase).add_product(t5, t37);
     let motor_i_sa_dot_by_motor_supply_phase = -(t18 * c.t4).add_product(t5,
-        motor_i_ra_dot_by_motor_supply_phase).add_product(t6, t38);
+        motor_i_ra_dot_by_motor_supply_phase).add_product(t6, t37);
     let motor_i_ra_times_motor_theta = motor_i_ra * motor_theta;
     let motor_i_rb_times_motor_theta = motor_i_rb * motor_theta;
     let motor_i_sa_times_motor_theta = motor_i_sa * motor_theta;
     let motor_i_sb_times_motor_theta = motor_i_sb * motor_theta;
-    let t39 = c.t2 * motor_phi;
-    let t40 = t39 * sin_motor_theta;
-    let t41 = t39 * cos_motor_theta;
-    let t42 = (-(t14 * (motor_i_rb_times_motor_theta * sin_motor_theta)
+    let t38 = c.t2 * motor_phi;
+    let t39 = t38 * sin_motor_theta;
+    let t40 = t38 * cos_motor_theta;
+    let t41 = (-(t14 * (motor_i_rb_times_motor_theta * sin_motor_theta)
         .sub_product(motor_i_ra_times_motor_theta, cos_motor_theta).sub_product(motor_i_ra,
-        sin_motor_theta).sub_product(motor_i_rb, cos_motor_theta)).add_product(t40, t24))
-        .add_product(t41, motor_i_rb_dot);
-    let t43 = (-(t14 * (motor_i_ra * cos_motor_theta).sub_product(motor_i_ra_times_motor_theta,
+        sin_motor_theta).sub_product(motor_i_rb, cos_motor_theta)).add_product(t39, t24))
+        .add_product(t40, motor_i_rb_dot);
+    let t42 = (-(t14 * (motor_i_ra * cos_motor_theta).sub_product(motor_i_ra_times_motor_theta,
         sin_motor_theta).sub_product(motor_i_rb_times_motor_theta, cos_motor_theta)
-        .sub_product(motor_i_rb, sin_motor_theta))).add_product(t41, t24).add_product(t40,
+        .sub_product(motor_i_rb, sin_motor_theta))).add_product(t40, t24).add_product(t39,
         motor_i_rb_dot);
-    let t44 = (-(t14 * (motor_i_sb_times_cos_motor_theta.sub_product(motor_i_sa_times_motor_theta,
-        cos_motor_theta) - motor_i_sa_times_sin_motor_theta)
-        .sub_product(motor_i_sb_times_motor_theta, sin_motor_theta))).add_product(t40,
-        motor_i_sa_dot).sub_product(t41, motor_i_sb_dot).sub_product(t5, t42).sub_product(t6, t43);
+    let t43 = (-(t14 * (motor_i_sb * cos_motor_theta).sub_product(motor_i_sa_times_motor_theta,
+        cos_motor_theta).sub_product(motor_i_sa, sin_motor_theta)
+        .sub_product(motor_i_sb_times_motor_theta, sin_motor_theta))).add_product(t39,
+        motor_i_sa_dot).sub_product(t40, motor_i_sb_dot).sub_product(t5, t41).sub_product(t6, t42);
     let motor_omega_dot_by_motor_pole_pairs = c.t2 * (motor_across * cos_motor_theta)
         .sub_product(motor_theta * motor_along, cos_motor_theta).sub_product(motor_theta
         * motor_across, sin_motor_theta).sub_product(motor_along, sin_motor_theta)
@@ -523,86 +520,86 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let motor_i_rb_dot_by_motor_pole_pairs = (-(t14 * ((-motor_i_sa_times_cos_motor_theta)
         .add_product(motor_i_sa_times_motor_theta, sin_motor_theta)
         .sub_product(motor_i_sb_times_motor_theta, cos_motor_theta)
-        - motor_i_sb_times_sin_motor_theta))).add_product(t41, motor_i_sa_dot).add_product(t40,
-        motor_i_sb_dot).add_product(t6, t42).sub_product(t5, t43).sub_product(t11, t44) * t12;
-    let motor_i_ra_dot_by_motor_pole_pairs = (t44 * t9).sub_product(t11,
+        - motor_i_sb_times_sin_motor_theta))).add_product(t40, motor_i_sa_dot).add_product(t39,
+        motor_i_sb_dot).add_product(t6, t41).sub_product(t5, t42).sub_product(t11, t43) * t12;
+    let motor_i_ra_dot_by_motor_pole_pairs = (t43 * t9).sub_product(t11,
         motor_i_rb_dot_by_motor_pole_pairs);
-    let motor_i_sb_dot_by_motor_pole_pairs = (t43 * c.t4).sub_product(t6,
+    let motor_i_sb_dot_by_motor_pole_pairs = (t42 * c.t4).sub_product(t6,
         motor_i_ra_dot_by_motor_pole_pairs).sub_product(t5, motor_i_rb_dot_by_motor_pole_pairs);
-    let motor_i_sa_dot_by_motor_pole_pairs = (t42 * c.t4).sub_product(t5,
+    let motor_i_sa_dot_by_motor_pole_pairs = (t41 * c.t4).sub_product(t5,
         motor_i_ra_dot_by_motor_pole_pairs).add_product(t6, motor_i_rb_dot_by_motor_pole_pairs);
-    let t45 = c.t1 * motor_omega;
-    let t46 = c.t15 * motor_i_sb * motor_omega;
-    let t47 = c.t15 * motor_i_sa * motor_omega;
-    let t48 = c.t1 * cos_motor_theta;
-    let t49 = c.t1 * sin_motor_theta;
-    let t50 = (c.t14 * motor_i_sa).add_product(t45, t13).add_product(t48, t24).add_product(t49,
+    let t44 = c.t1 * motor_omega;
+    let t45 = c.t15 * motor_i_sb * motor_omega;
+    let t46 = c.t15 * motor_i_sa * motor_omega;
+    let t47 = c.t1 * cos_motor_theta;
+    let t48 = c.t1 * sin_motor_theta;
+    let t49 = (c.t14 * motor_i_sa).add_product(t44, t13).add_product(t47, t24).add_product(t48,
         motor_i_rb_dot);
-    let t51 = (c.t14 * motor_i_sb).sub_product(t45, t17).add_product(t49, t24).sub_product(t48,
+    let t50 = (c.t14 * motor_i_sb).sub_product(t44, t17).add_product(t48, t24).sub_product(t47,
         motor_i_rb_dot);
-    let t52 = (c.t19 * (c.t18 * motor_i_ra).add_product(t47, sin_motor_theta).sub_product(t46,
-        cos_motor_theta).sub_product(c.t16, motor_i_ra)).sub_product(t48, motor_i_sa_dot)
-        .sub_product(t49, motor_i_sb_dot).add_product(c.t20, t24).sub_product(t5, t50)
-        .sub_product(t6, t51);
+    let t51 = (c.t19 * (c.t18 * motor_i_ra).add_product(t46, sin_motor_theta).sub_product(t45,
+        cos_motor_theta).sub_product(c.t16, motor_i_ra)).sub_product(t47, motor_i_sa_dot)
+        .sub_product(t48, motor_i_sb_dot).add_product(c.t20, t24).sub_product(t5, t49)
+        .sub_product(t6, t50);
     let motor_omega_dot_by_motor_k_s = c.t1 * t22 * c.inverse_motor_inertia;
-    let motor_i_rb_dot_by_motor_k_s = (c.t19 * (t47 * cos_motor_theta).add_product(t46,
+    let motor_i_rb_dot_by_motor_k_s = (c.t19 * (t46 * cos_motor_theta).add_product(t45,
         sin_motor_theta).add_product(c.t18, motor_i_rb).sub_product(c.t16, motor_i_rb))
-        .add_product(t49, motor_i_sa_dot).sub_product(t48, motor_i_sb_dot).sub_product(c.t20,
-        motor_i_rb_dot).add_product(t6, t50).sub_product(t5, t51).sub_product(t11, t52) * t12;
-    let motor_i_ra_dot_by_motor_k_s = (t52 * t9).sub_product(t11, motor_i_rb_dot_by_motor_k_s);
-    let motor_i_sb_dot_by_motor_k_s = (t51 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_k_s)
+        .add_product(t48, motor_i_sa_dot).sub_product(t47, motor_i_sb_dot).sub_product(c.t20,
+        motor_i_rb_dot).add_product(t6, t49).sub_product(t5, t50).sub_product(t11, t51) * t12;
+    let motor_i_ra_dot_by_motor_k_s = (t51 * t9).sub_product(t11, motor_i_rb_dot_by_motor_k_s);
+    let motor_i_sb_dot_by_motor_k_s = (t50 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_k_s)
         .sub_product(t5, motor_i_rb_dot_by_motor_k_s);
-    let motor_i_sa_dot_by_motor_k_s = (t50 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_k_s)
+    let motor_i_sa_dot_by_motor_k_s = (t49 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_k_s)
         .add_product(t6, motor_i_rb_dot_by_motor_k_s);
-    let t53 = c.t22 * motor_i_sa;
-    let t54 = c.t22 * motor_i_sb;
-    let t55 = (c.t23 * motor_i_ra).sub_product(c.t24, t24).sub_product(t5, t53).sub_product(t6,
-        t54);
+    let t52 = c.t22 * motor_i_sa;
+    let t53 = c.t22 * motor_i_sb;
+    let t54 = (c.t23 * motor_i_ra).sub_product(c.t24, t24).sub_product(t5, t52).sub_product(t6,
+        t53);
     let motor_i_rb_dot_by_motor_k_r = (c.t23 * motor_i_rb).add_product(c.t24, motor_i_rb_dot)
-        .add_product(t6, t53).sub_product(t5, t54).sub_product(t11, t55) * t12;
-    let motor_i_ra_dot_by_motor_k_r = (t55 * t9).sub_product(t11, motor_i_rb_dot_by_motor_k_r);
-    let motor_i_sb_dot_by_motor_k_r = (t54 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_k_r)
+        .add_product(t6, t52).sub_product(t5, t53).sub_product(t11, t54) * t12;
+    let motor_i_ra_dot_by_motor_k_r = (t54 * t9).sub_product(t11, motor_i_rb_dot_by_motor_k_r);
+    let motor_i_sb_dot_by_motor_k_r = (t53 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_k_r)
         .sub_product(t5, motor_i_rb_dot_by_motor_k_r);
-    let motor_i_sa_dot_by_motor_k_r = (t53 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_k_r)
+    let motor_i_sa_dot_by_motor_k_r = (t52 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_k_r)
         .add_product(t6, motor_i_rb_dot_by_motor_k_r);
-    let t56 = c.t26 * motor_omega;
-    let t57 = c.t26 * cos_motor_theta;
-    let t58 = c.t26 * sin_motor_theta;
-    let t59 = (-(c.t25 * motor_i_sa)).add_product(t56, t13).sub_product(c.t28, motor_i_sa_dot)
-        .add_product(t57, t24).add_product(t58, motor_i_rb_dot);
-    let t60 = (-(c.t25 * motor_i_sb).add_product(t56, t17).add_product(c.t28, motor_i_sb_dot))
-        .add_product(t58, t24).sub_product(t57, motor_i_rb_dot);
-    let t61 = (-(c.t27 * motor_i_ra).add_product(t56, t20).add_product(t57, motor_i_sa_dot)
-        .add_product(t58, motor_i_sb_dot)).add_product(c.t29, t24).sub_product(t5, t59)
-        .sub_product(t6, t60);
+    let t55 = c.t26 * motor_omega;
+    let t56 = c.t26 * cos_motor_theta;
+    let t57 = c.t26 * sin_motor_theta;
+    let t58 = (-(c.t25 * motor_i_sa)).add_product(t55, t13).sub_product(c.t28, motor_i_sa_dot)
+        .add_product(t56, t24).add_product(t57, motor_i_rb_dot);
+    let t59 = (-(c.t25 * motor_i_sb).add_product(t55, t17).add_product(c.t28, motor_i_sb_dot))
+        .add_product(t57, t24).sub_product(t56, motor_i_rb_dot);
+    let t60 = (-(c.t27 * motor_i_ra).add_product(t55, t20).add_product(t56, motor_i_sa_dot)
+        .add_product(t57, motor_i_sb_dot)).add_product(c.t29, t24).sub_product(t5, t58)
+        .sub_product(t6, t59);
     let motor_omega_dot_by_motor_x_s = c.t26 * t22 * c.inverse_motor_inertia;
-    let motor_i_rb_dot_by_motor_x_s = (-(c.t27 * motor_i_rb)).add_product(t56, t21)
-        .add_product(t58, motor_i_sa_dot).sub_product(t57, motor_i_sb_dot).sub_product(c.t29,
-        motor_i_rb_dot).add_product(t6, t59).sub_product(t5, t60).sub_product(t11, t61) * t12;
-    let motor_i_ra_dot_by_motor_x_s = (t61 * t9).sub_product(t11, motor_i_rb_dot_by_motor_x_s);
-    let motor_i_sb_dot_by_motor_x_s = (t60 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_x_s)
+    let motor_i_rb_dot_by_motor_x_s = (-(c.t27 * motor_i_rb)).add_product(t55, t21)
+        .add_product(t57, motor_i_sa_dot).sub_product(t56, motor_i_sb_dot).sub_product(c.t29,
+        motor_i_rb_dot).add_product(t6, t58).sub_product(t5, t59).sub_product(t11, t60) * t12;
+    let motor_i_ra_dot_by_motor_x_s = (t60 * t9).sub_product(t11, motor_i_rb_dot_by_motor_x_s);
+    let motor_i_sb_dot_by_motor_x_s = (t59 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_x_s)
         .sub_product(t5, motor_i_rb_dot_by_motor_x_s);
-    let motor_i_sa_dot_by_motor_x_s = (t59 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_x_s)
+    let motor_i_sa_dot_by_motor_x_s = (t58 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_x_s)
         .add_product(t6, motor_i_rb_dot_by_motor_x_s);
-    let t62 = c.t30 * motor_i_sa;
-    let t63 = c.t30 * motor_i_sb;
-    let t64 = (t5 * t62).add_product(t6, t63);
-    let motor_i_rb_dot_by_motor_alpha_s = (t5 * t63).sub_product(t6, t62).sub_product(t11, t64)
+    let t61 = c.t30 * motor_i_sa;
+    let t62 = c.t30 * motor_i_sb;
+    let t63 = (t5 * t61).add_product(t6, t62);
+    let motor_i_rb_dot_by_motor_alpha_s = (t5 * t62).sub_product(t6, t61).sub_product(t11, t63)
         * t12;
-    let motor_i_ra_dot_by_motor_alpha_s = (t64 * t9).sub_product(t11,
+    let motor_i_ra_dot_by_motor_alpha_s = (t63 * t9).sub_product(t11,
         motor_i_rb_dot_by_motor_alpha_s);
-    let motor_i_sb_dot_by_motor_alpha_s = -(t63 * c.t4).add_product(t6,
+    let motor_i_sb_dot_by_motor_alpha_s = -(t62 * c.t4).add_product(t6,
         motor_i_ra_dot_by_motor_alpha_s).add_product(t5, motor_i_rb_dot_by_motor_alpha_s);
-    let motor_i_sa_dot_by_motor_alpha_s = (-(t62 * c.t4).add_product(t5,
+    let motor_i_sa_dot_by_motor_alpha_s = (-(t61 * c.t4).add_product(t5,
         motor_i_ra_dot_by_motor_alpha_s)).add_product(t6, motor_i_rb_dot_by_motor_alpha_s);
-    let t65 = c.t31 * motor_i_ra;
-    let motor_i_rb_dot_by_motor_alpha_r = (-(c.t31 * motor_i_rb)).add_product(t11, t65) * t12;
-    let t66 = (t65 * t9).add_product(t11, motor_i_rb_dot_by_motor_alpha_r);
-    let motor_i_ra_dot_by_motor_alpha_r = -t66;
+    let t64 = c.t31 * motor_i_ra;
+    let motor_i_rb_dot_by_motor_alpha_r = (-(c.t31 * motor_i_rb)).add_product(t11, t64) * t12;
+    let t65 = (t64 * t9).add_product(t11, motor_i_rb_dot_by_motor_alpha_r);
+    let motor_i_ra_dot_by_motor_alpha_r = -t65;
     let motor_i_sb_dot_by_motor_alpha_r = (-(t5 * motor_i_rb_dot_by_motor_alpha_r)).add_product(t6,
-        t66);
+        t65);
     let motor_i_sa_dot_by_motor_alpha_r = (t6 * motor_i_rb_dot_by_motor_alpha_r).add_product(t5,
-        t66);
+        t65);
     [motor_i_sa_dot_by_motor_phase_voltage, motor_i_sa_dot_by_motor_supply_frequency,
         motor_i_sa_dot_by_motor_supply_phase, motor_i_sa_dot_by_motor_pole_pairs,
         motor_i_sa_dot_by_motor_k_s, motor_i_sa_dot_by_motor_k_r, motor_i_sa_dot_by_motor_x_s,

@@ -16,9 +16,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 3, states 6, parameters 7, outputs 2.
 // Nonzeros: mass_matrix 9 of 3 by 3, rate_jacobian 21 of 6 by 6, parameter_jacobian 21 of 6 by 7.
-// Operations: rate 116, mass_matrix 24, forcing 56, rate_jacobian 281, parameter_jacobian 319,
+// Operations: rate 116, mass_matrix 24, forcing 56, rate_jacobian 281, parameter_jacobian 318,
 //     outputs 17, energy 48, power_balance 219, prepare 38, prepared_rate 94,
-//     prepared_rate_jacobian 251, prepared_parameter_jacobian 287.
+//     prepared_rate_jacobian 251, prepared_parameter_jacobian 286.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
@@ -163,13 +163,13 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         .add_product(c.chain_m_3_times_chain_l_2 * chain_w_2_squared, t0).add_product(t10, t2)
         .add_product(c.chain_m_3_times_chain_gravity, sin_chain_th_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let t12 = (-(p.chain_l_2 * (c.chain_m_2_times_chain_gravity * sin_chain_th_2).add_product(t10,
-        t4).add_product(c.chain_m_3_times_chain_gravity, sin_chain_th_2)
-        .sub_product(c.chain_m_2_times_chain_l_1 * chain_w_1_squared, t0)
-        .sub_product(c.chain_m_3_times_chain_l_1 * chain_w_1_squared, t0))).add_product(t5, t11);
-    let chain_w_3_dot = (-(c.chain_m_3_times_chain_l_3 * (p.chain_gravity * sin_chain_th_3)
-        .sub_product(p.chain_l_1 * chain_w_1_squared, t2).sub_product(p.chain_l_2
-        * chain_w_2_squared, t4))).add_product(t6, t11).sub_product(t9, t12) * (R::literal(1.0)
+    let t12 = (p.chain_l_2 * (c.chain_m_2_times_chain_l_1 * chain_w_1_squared * t0)
+        .add_product(c.chain_m_3_times_chain_l_1 * chain_w_1_squared, t0)
+        .sub_product(c.chain_m_2_times_chain_gravity, sin_chain_th_2).sub_product(t10, t4)
+        .sub_product(c.chain_m_3_times_chain_gravity, sin_chain_th_2)).add_product(t5, t11);
+    let chain_w_3_dot = (c.chain_m_3_times_chain_l_3 * (p.chain_l_1 * chain_w_1_squared * t2)
+        .add_product(p.chain_l_2 * chain_w_2_squared, t4).sub_product(p.chain_gravity,
+        sin_chain_th_3)).add_product(t6, t11).sub_product(t9, t12) * (R::literal(1.0)
         / c.chain_m_3_times_chain_l_3_squared.sub_product(t6, t3).sub_product(t9, t8));
     let chain_w_2_dot = (t12 * t7).sub_product(t9, chain_w_3_dot);
     let chain_w_1_dot = -(t11 * c.t5).add_product(t5, chain_w_2_dot).add_product(t6, chain_w_3_dot);
@@ -212,15 +212,14 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R;
         sin_chain_th_1_minus_chain_th_3).add_product(chain_m_3_times_chain_gravity,
         sin_chain_th_1));
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let chain_th_2_forcing = p.chain_l_2 * (-(chain_m_2_times_chain_gravity * sin_chain_th_2)
-        .add_product(t0, sin_chain_th_2_minus_chain_th_3)
-        .add_product(chain_m_3_times_chain_gravity, sin_chain_th_2).sub_product(p.chain_m_2
-        * p.chain_l_1 * chain_w_1_squared, sin_chain_th_1_minus_chain_th_2))
-        .add_product(p.chain_m_3 * p.chain_l_1 * chain_w_1_squared,
-        sin_chain_th_1_minus_chain_th_2);
-    let chain_th_3_forcing = chain_m_3_times_chain_l_3 * (-(p.chain_gravity * sin_chain_th_3)
-        .sub_product(p.chain_l_1 * chain_w_1_squared, sin_chain_th_1_minus_chain_th_3))
-        .add_product(p.chain_l_2 * chain_w_2_squared, sin_chain_th_2_minus_chain_th_3);
+    let chain_th_2_forcing = p.chain_l_2 * (p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
+        * sin_chain_th_1_minus_chain_th_2).add_product(p.chain_m_3 * p.chain_l_1
+        * chain_w_1_squared, sin_chain_th_1_minus_chain_th_2)
+        .sub_product(chain_m_2_times_chain_gravity, sin_chain_th_2).sub_product(t0,
+        sin_chain_th_2_minus_chain_th_3).sub_product(chain_m_3_times_chain_gravity, sin_chain_th_2);
+    let chain_th_3_forcing = chain_m_3_times_chain_l_3 * (p.chain_l_1 * chain_w_1_squared
+        * sin_chain_th_1_minus_chain_th_3).add_product(p.chain_l_2 * chain_w_2_squared,
+        sin_chain_th_2_minus_chain_th_3).sub_product(p.chain_gravity, sin_chain_th_3);
     [chain_th_1_forcing, chain_th_2_forcing, chain_th_3_forcing]
 }
 
@@ -259,13 +258,12 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let t19 = c.chain_m_3_times_chain_l_1 * chain_w_1_squared;
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
     let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
-    let t20 = (-(p.chain_l_2 * (c.chain_m_2_times_chain_gravity * sin_chain_th_2).add_product(t16,
-        t6).add_product(c.chain_m_3_times_chain_gravity, sin_chain_th_2).sub_product(t18, t0)
-        .sub_product(t19, t0))).add_product(t8, t17);
-    let chain_w_3_dot = (-(c.chain_m_3_times_chain_l_3 * (p.chain_gravity * sin_chain_th_3)
-        .sub_product(chain_l_1_times_chain_w_1_squared, t3)
-        .sub_product(chain_l_2_times_chain_w_2_squared, t6))).add_product(t9, t17).sub_product(t12,
-        t20) * t13;
+    let t20 = (p.chain_l_2 * (t18 * t0).add_product(t19, t0)
+        .sub_product(c.chain_m_2_times_chain_gravity, sin_chain_th_2).sub_product(t16, t6)
+        .sub_product(c.chain_m_3_times_chain_gravity, sin_chain_th_2)).add_product(t8, t17);
+    let chain_w_3_dot = (c.chain_m_3_times_chain_l_3 * (chain_l_1_times_chain_w_1_squared * t3)
+        .add_product(chain_l_2_times_chain_w_2_squared, t6).sub_product(p.chain_gravity,
+        sin_chain_th_3)).add_product(t9, t17).sub_product(t12, t20) * t13;
     let chain_w_2_dot = (t20 * t10).sub_product(t12, chain_w_3_dot);
     let t21 = (t17 * c.t5).add_product(t8, chain_w_2_dot).add_product(t9, chain_w_3_dot);
     let t22 = c.t1 * t0;
@@ -332,7 +330,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         chain_w_3_dot_by_chain_w_2, chain_w_3_dot_by_chain_w_3]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 287 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 286 operations.
 #[must_use]
 pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 21] {
@@ -367,102 +365,102 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
         .add_product(c.chain_m_3_times_chain_gravity, sin_chain_th_1);
     let t10 = p.chain_l_1 * t9;
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let t11 = c.chain_m_3_times_chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2;
-    let t12 = (c.chain_m_2_times_chain_gravity * sin_chain_th_2).add_product(t8,
-        sin_chain_th_2_minus_chain_th_3).add_product(c.chain_m_3_times_chain_gravity,
-        sin_chain_th_2).sub_product(c.chain_m_2_times_chain_l_1 * chain_w_1_squared,
-        sin_chain_th_1_minus_chain_th_2);
+    let t11 = (c.chain_m_2_times_chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2)
+        .add_product(c.chain_m_3_times_chain_l_1 * chain_w_1_squared,
+        sin_chain_th_1_minus_chain_th_2).sub_product(c.chain_m_2_times_chain_gravity,
+        sin_chain_th_2).sub_product(t8, sin_chain_th_2_minus_chain_th_3)
+        .sub_product(c.chain_m_3_times_chain_gravity, sin_chain_th_2);
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
     let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
-    let t13 = (p.chain_gravity * sin_chain_th_3).sub_product(chain_l_1_times_chain_w_1_squared,
-        sin_chain_th_1_minus_chain_th_3).sub_product(chain_l_2_times_chain_w_2_squared,
-        sin_chain_th_2_minus_chain_th_3);
-    let t14 = (-(p.chain_l_2 * (t12 - t11))).add_product(t2, t10);
-    let chain_w_3_dot = (-(c.chain_m_3_times_chain_l_3 * t13)).add_product(t3, t10).sub_product(t6,
-        t14) * t7;
-    let chain_w_2_dot = (t14 * t4).sub_product(t6, chain_w_3_dot);
-    let t15 = (t10 * c.t5).add_product(t2, chain_w_2_dot).add_product(t3, chain_w_3_dot);
-    let t16 = c.chain_l_1_squared * t15;
-    let t17 = t16.sub_product(p.chain_gravity, chain_x_1);
-    let t18 = t2 * t17;
-    let chain_w_3_dot_by_chain_m_1 = (-(t3 * t17)).add_product(t6, t18) * t7;
-    let t19 = (t18 * t4).add_product(t6, chain_w_3_dot_by_chain_m_1);
-    let chain_w_2_dot_by_chain_m_1 = -t19;
-    let chain_w_1_dot_by_chain_m_1 = (t17 * c.t5).add_product(t2, t19).sub_product(t3,
+    let t12 = (chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_3)
+        .add_product(chain_l_2_times_chain_w_2_squared, sin_chain_th_2_minus_chain_th_3)
+        .sub_product(p.chain_gravity, sin_chain_th_3);
+    let t13 = (p.chain_l_2 * t11).add_product(t2, t10);
+    let chain_w_3_dot = (c.chain_m_3_times_chain_l_3 * t12).add_product(t3, t10).sub_product(t6,
+        t13) * t7;
+    let chain_w_2_dot = (t13 * t4).sub_product(t6, chain_w_3_dot);
+    let t14 = (t10 * c.t5).add_product(t2, chain_w_2_dot).add_product(t3, chain_w_3_dot);
+    let t15 = c.chain_l_1_squared * t14;
+    let t16 = t15.sub_product(p.chain_gravity, chain_x_1);
+    let t17 = t2 * t16;
+    let chain_w_3_dot_by_chain_m_1 = (-(t3 * t16)).add_product(t6, t17) * t7;
+    let t18 = (t17 * t4).add_product(t6, chain_w_3_dot_by_chain_m_1);
+    let chain_w_2_dot_by_chain_m_1 = -t18;
+    let chain_w_1_dot_by_chain_m_1 = (t16 * c.t5).add_product(t2, t18).sub_product(t3,
         chain_w_3_dot_by_chain_m_1);
-    let t20 = chain_l_2_times_chain_w_2_squared * sin_chain_th_1_minus_chain_th_2;
+    let t19 = chain_l_2_times_chain_w_2_squared * sin_chain_th_1_minus_chain_th_2;
     let chain_gravity_times_sin_chain_th_1 = p.chain_gravity * sin_chain_th_1;
-    let t21 = chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_2;
     let chain_gravity_times_sin_chain_th_2 = p.chain_gravity * sin_chain_th_2;
-    let t22 = c.chain_l_1_times_chain_l_2 * cos_chain_th_1_minus_chain_th_2;
-    let t23 = t22 * chain_w_2_dot;
-    let t24 = t16.sub_product(p.chain_l_1, t20 + chain_gravity_times_sin_chain_th_1) - t23;
-    let t25 = t22 * t15;
-    let t26 = c.chain_l_2_squared * chain_w_2_dot;
-    let t27 = (t25.sub_product(p.chain_l_2, chain_gravity_times_sin_chain_th_2 - t21) - t26)
-        .sub_product(t2, t24);
-    let t28 = (t3 * t24).add_product(t6, t27) * t7;
-    let chain_w_3_dot_by_chain_m_2 = -t28;
-    let chain_w_2_dot_by_chain_m_2 = (t27 * t4).add_product(t6, t28);
-    let chain_w_1_dot_by_chain_m_2 = (t24 * c.t5).sub_product(t2, chain_w_2_dot_by_chain_m_2)
-        .add_product(t3, t28);
+    let t20 = chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_2;
+    let t21 = c.chain_l_1_times_chain_l_2 * cos_chain_th_1_minus_chain_th_2;
+    let t22 = t21 * chain_w_2_dot;
+    let t23 = t15.sub_product(p.chain_l_1, t19 + chain_gravity_times_sin_chain_th_1) - t22;
+    let t24 = t21 * t14;
+    let t25 = c.chain_l_2_squared * chain_w_2_dot;
+    let t26 = (t24.add_product(p.chain_l_2, t20 - chain_gravity_times_sin_chain_th_2) - t25)
+        .sub_product(t2, t23);
+    let t27 = (t3 * t23).add_product(t6, t26) * t7;
+    let chain_w_3_dot_by_chain_m_2 = -t27;
+    let chain_w_2_dot_by_chain_m_2 = (t26 * t4).add_product(t6, t27);
+    let chain_w_1_dot_by_chain_m_2 = (t23 * c.t5).sub_product(t2, chain_w_2_dot_by_chain_m_2)
+        .add_product(t3, t27);
     let chain_l_3_times_chain_w_3_squared = p.chain_l_3 * chain_w_3_squared;
-    let t29 = c.chain_l_1_times_chain_l_3 * cos_chain_th_1_minus_chain_th_3;
-    let t30 = (t16.sub_product(p.chain_l_1, t20.add_product(chain_l_3_times_chain_w_3_squared,
-        sin_chain_th_1_minus_chain_th_3) + chain_gravity_times_sin_chain_th_1) - t23)
-        .sub_product(t29, chain_w_3_dot);
-    let t31 = c.chain_l_2_times_chain_l_3 * cos_chain_th_2_minus_chain_th_3;
-    let t32 = (t25.sub_product(p.chain_l_2, chain_gravity_times_sin_chain_th_2
-        .add_product(chain_l_3_times_chain_w_3_squared, sin_chain_th_2_minus_chain_th_3) - t21)
-        - t26).sub_product(t31, chain_w_3_dot).sub_product(t2, t30);
-    let chain_w_3_dot_by_chain_m_3 = (-(p.chain_l_3 * t13)).add_product(t29, t15).sub_product(t31,
-        chain_w_2_dot).sub_product(c.chain_l_3_squared, chain_w_3_dot).sub_product(t3, t30)
-        .sub_product(t6, t32) * t7;
-    let chain_w_2_dot_by_chain_m_3 = (t32 * t4).sub_product(t6, chain_w_3_dot_by_chain_m_3);
-    let chain_w_1_dot_by_chain_m_3 = (t30 * c.t5).sub_product(t2, chain_w_2_dot_by_chain_m_3)
+    let t28 = c.chain_l_1_times_chain_l_3 * cos_chain_th_1_minus_chain_th_3;
+    let t29 = (t15.sub_product(p.chain_l_1, t19.add_product(chain_l_3_times_chain_w_3_squared,
+        sin_chain_th_1_minus_chain_th_3) + chain_gravity_times_sin_chain_th_1) - t22)
+        .sub_product(t28, chain_w_3_dot);
+    let t30 = c.chain_l_2_times_chain_l_3 * cos_chain_th_2_minus_chain_th_3;
+    let t31 = (t24.add_product(p.chain_l_2, t20.sub_product(chain_l_3_times_chain_w_3_squared,
+        sin_chain_th_2_minus_chain_th_3) - chain_gravity_times_sin_chain_th_2) - t25)
+        .sub_product(t30, chain_w_3_dot).sub_product(t2, t29);
+    let chain_w_3_dot_by_chain_m_3 = (p.chain_l_3 * t12).add_product(t28, t14).sub_product(t30,
+        chain_w_2_dot).sub_product(c.chain_l_3_squared, chain_w_3_dot).sub_product(t3, t29)
+        .sub_product(t6, t31) * t7;
+    let chain_w_2_dot_by_chain_m_3 = (t31 * t4).sub_product(t6, chain_w_3_dot_by_chain_m_3);
+    let chain_w_1_dot_by_chain_m_3 = (t29 * c.t5).sub_product(t2, chain_w_2_dot_by_chain_m_3)
         .sub_product(t3, chain_w_3_dot_by_chain_m_3);
-    let t33 = c.t11 * cos_chain_th_1_minus_chain_th_2;
-    let t34 = c.chain_m_3_times_chain_l_3 * cos_chain_th_1_minus_chain_th_3;
-    let t35 = (-t9).add_product(c.t12, t15).sub_product(t33, chain_w_2_dot).sub_product(t34,
+    let t32 = c.t11 * cos_chain_th_1_minus_chain_th_2;
+    let t33 = c.chain_m_3_times_chain_l_3 * cos_chain_th_1_minus_chain_th_3;
+    let t34 = (-t9).add_product(c.t12, t14).sub_product(t32, chain_w_2_dot).sub_product(t33,
         chain_w_3_dot);
-    let t36 = (c.t11 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2).add_product(t33, t15)
-        .sub_product(t2, t35);
+    let t35 = (c.t11 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2).add_product(t32, t14)
+        .sub_product(t2, t34);
     let chain_w_3_dot_by_chain_l_1 = (c.chain_m_3_times_chain_l_3 * chain_w_1_squared
-        * sin_chain_th_1_minus_chain_th_3).add_product(t34, t15).sub_product(t3, t35)
-        .sub_product(t6, t36) * t7;
-    let chain_w_2_dot_by_chain_l_1 = (t36 * t4).sub_product(t6, chain_w_3_dot_by_chain_l_1);
-    let chain_w_1_dot_by_chain_l_1 = (t35 * c.t5).sub_product(t2, chain_w_2_dot_by_chain_l_1)
+        * sin_chain_th_1_minus_chain_th_3).add_product(t33, t14).sub_product(t3, t34)
+        .sub_product(t6, t35) * t7;
+    let chain_w_2_dot_by_chain_l_1 = (t35 * t4).sub_product(t6, chain_w_3_dot_by_chain_l_1);
+    let chain_w_1_dot_by_chain_l_1 = (t34 * c.t5).sub_product(t2, chain_w_2_dot_by_chain_l_1)
         .sub_product(t3, chain_w_3_dot_by_chain_l_1);
-    let t37 = c.t13 * cos_chain_th_1_minus_chain_th_2;
-    let t38 = (c.t13 * chain_w_2_squared * sin_chain_th_1_minus_chain_th_2).add_product(t37,
+    let t36 = c.t13 * cos_chain_th_1_minus_chain_th_2;
+    let t37 = (c.t13 * chain_w_2_squared * sin_chain_th_1_minus_chain_th_2).add_product(t36,
         chain_w_2_dot);
-    let t39 = c.chain_m_3_times_chain_l_3 * cos_chain_th_2_minus_chain_th_3;
-    let t40 = (t11 - t12).add_product(t37, t15).sub_product(c.t14, chain_w_2_dot).sub_product(t39,
-        chain_w_3_dot).add_product(t2, t38);
+    let t38 = c.chain_m_3_times_chain_l_3 * cos_chain_th_2_minus_chain_th_3;
+    let t39 = t11.add_product(t36, t14).sub_product(c.t14, chain_w_2_dot).sub_product(t38,
+        chain_w_3_dot).add_product(t2, t37);
     let chain_w_3_dot_by_chain_l_2 = (c.chain_m_3_times_chain_l_3 * chain_w_2_squared
-        * sin_chain_th_2_minus_chain_th_3).sub_product(t39, chain_w_2_dot).add_product(t3, t38)
-        .sub_product(t6, t40) * t7;
-    let chain_w_2_dot_by_chain_l_2 = (t40 * t4).sub_product(t6, chain_w_3_dot_by_chain_l_2);
-    let chain_w_1_dot_by_chain_l_2 = -(t38 * c.t5).add_product(t2, chain_w_2_dot_by_chain_l_2)
+        * sin_chain_th_2_minus_chain_th_3).sub_product(t38, chain_w_2_dot).add_product(t3, t37)
+        .sub_product(t6, t39) * t7;
+    let chain_w_2_dot_by_chain_l_2 = (t39 * t4).sub_product(t6, chain_w_3_dot_by_chain_l_2);
+    let chain_w_1_dot_by_chain_l_2 = -(t37 * c.t5).add_product(t2, chain_w_2_dot_by_chain_l_2)
         .add_product(t3, chain_w_3_dot_by_chain_l_2);
-    let t41 = c.chain_m_3_times_chain_l_1 * cos_chain_th_1_minus_chain_th_3;
-    let t42 = (c.chain_m_3_times_chain_l_1 * chain_w_3_squared * sin_chain_th_1_minus_chain_th_3)
-        .add_product(t41, chain_w_3_dot);
-    let t43 = c.chain_m_3_times_chain_l_2 * cos_chain_th_2_minus_chain_th_3;
-    let t44 = (-(c.chain_m_3_times_chain_l_2 * chain_w_3_squared * sin_chain_th_2_minus_chain_th_3)
-        .add_product(t43, chain_w_3_dot)).add_product(t2, t42);
-    let chain_w_3_dot_by_chain_l_3 = (-(p.chain_m_3 * t13)).add_product(t41, t15).sub_product(t43,
-        chain_w_2_dot).sub_product(c.t15, chain_w_3_dot).add_product(t3, t42).sub_product(t6, t44)
+    let t40 = c.chain_m_3_times_chain_l_1 * cos_chain_th_1_minus_chain_th_3;
+    let t41 = (c.chain_m_3_times_chain_l_1 * chain_w_3_squared * sin_chain_th_1_minus_chain_th_3)
+        .add_product(t40, chain_w_3_dot);
+    let t42 = c.chain_m_3_times_chain_l_2 * cos_chain_th_2_minus_chain_th_3;
+    let t43 = (-(c.chain_m_3_times_chain_l_2 * chain_w_3_squared * sin_chain_th_2_minus_chain_th_3)
+        .add_product(t42, chain_w_3_dot)).add_product(t2, t41);
+    let chain_w_3_dot_by_chain_l_3 = (p.chain_m_3 * t12).add_product(t40, t14).sub_product(t42,
+        chain_w_2_dot).sub_product(c.t15, chain_w_3_dot).add_product(t3, t41).sub_product(t6, t43)
         * t7;
-    let chain_w_2_dot_by_chain_l_3 = (t44 * t4).sub_product(t6, chain_w_3_dot_by_chain_l_3);
-    let chain_w_1_dot_by_chain_l_3 = -(t42 * c.t5).add_product(t2, chain_w_2_dot_by_chain_l_3)
+    let chain_w_2_dot_by_chain_l_3 = (t43 * t4).sub_product(t6, chain_w_3_dot_by_chain_l_3);
+    let chain_w_1_dot_by_chain_l_3 = -(t41 * c.t5).add_product(t2, chain_w_2_dot_by_chain_l_3)
         .add_product(t3, chain_w_3_dot_by_chain_l_3);
-    let t45 = c.t0 * chain_x_1;
-    let t46 = (-(c.t11 * sin_chain_th_2)).add_product(t2, t45);
+    let t44 = c.t0 * chain_x_1;
+    let t45 = (-(c.t11 * sin_chain_th_2)).add_product(t2, t44);
     let chain_w_3_dot_by_chain_gravity = (-(c.chain_m_3_times_chain_l_3 * sin_chain_th_3))
-        .add_product(t3, t45).sub_product(t6, t46) * t7;
-    let chain_w_2_dot_by_chain_gravity = (t46 * t4).sub_product(t6, chain_w_3_dot_by_chain_gravity);
-    let chain_w_1_dot_by_chain_gravity = -(t45 * c.t5).add_product(t2,
+        .add_product(t3, t44).sub_product(t6, t45) * t7;
+    let chain_w_2_dot_by_chain_gravity = (t45 * t4).sub_product(t6, chain_w_3_dot_by_chain_gravity);
+    let chain_w_1_dot_by_chain_gravity = -(t44 * c.t5).add_product(t2,
         chain_w_2_dot_by_chain_gravity).add_product(t3, chain_w_3_dot_by_chain_gravity);
     [chain_w_1_dot_by_chain_m_1, chain_w_1_dot_by_chain_m_2, chain_w_1_dot_by_chain_m_3,
         chain_w_1_dot_by_chain_l_1, chain_w_1_dot_by_chain_l_2, chain_w_1_dot_by_chain_l_3,
@@ -576,14 +574,15 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
         .add_product(t8, sin_chain_th_1_minus_chain_th_3)
         .add_product(chain_m_3_times_chain_gravity, sin_chain_th_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let t10 = (-(p.chain_l_2 * (chain_m_2_times_chain_gravity * sin_chain_th_2).add_product(t8,
-        sin_chain_th_2_minus_chain_th_3).add_product(chain_m_3_times_chain_gravity, sin_chain_th_2)
-        .sub_product(p.chain_m_2 * p.chain_l_1 * chain_w_1_squared, sin_chain_th_1_minus_chain_th_2)
-        .sub_product(chain_m_3_times_chain_l_1 * chain_w_1_squared,
-        sin_chain_th_1_minus_chain_th_2))).add_product(t3, t9);
-    let chain_w_3_dot = (-(chain_m_3_times_chain_l_3 * (p.chain_gravity * sin_chain_th_3)
-        .sub_product(p.chain_l_1 * chain_w_1_squared, sin_chain_th_1_minus_chain_th_3)
-        .sub_product(p.chain_l_2 * chain_w_2_squared, sin_chain_th_2_minus_chain_th_3)))
+    let t10 = (p.chain_l_2 * (p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
+        * sin_chain_th_1_minus_chain_th_2).add_product(chain_m_3_times_chain_l_1
+        * chain_w_1_squared, sin_chain_th_1_minus_chain_th_2)
+        .sub_product(chain_m_2_times_chain_gravity, sin_chain_th_2).sub_product(t8,
+        sin_chain_th_2_minus_chain_th_3).sub_product(chain_m_3_times_chain_gravity, sin_chain_th_2))
+        .add_product(t3, t9);
+    let chain_w_3_dot = (chain_m_3_times_chain_l_3 * (p.chain_l_1 * chain_w_1_squared
+        * sin_chain_th_1_minus_chain_th_3).add_product(p.chain_l_2 * chain_w_2_squared,
+        sin_chain_th_2_minus_chain_th_3).sub_product(p.chain_gravity, sin_chain_th_3))
         .add_product(t4, t9).sub_product(t7, t10) * (R::literal(1.0) / (p.chain_m_3 * (p.chain_l_3
         * p.chain_l_3)).sub_product(t4, t1).sub_product(t7, t6));
     let chain_w_2_dot = (t10 * t5).sub_product(t7, chain_w_3_dot);
@@ -698,27 +697,27 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let t47 = t46 + t42;
     let t48 = t47 * p.chain_l_1;
     let t49 = -t48;
-    let t50 = chain_w_1 * chain_w_1;
-    let t51 = p.chain_m_2 * p.chain_l_1;
-    let t52 = t50 * t51;
-    let t53 = t52 * t6;
-    let t54 = t50 * t14;
-    let t55 = t54 * t6;
-    let t56 = sin_chain_th_2 * t33;
-    let t57 = t39 * t20;
-    let t58 = sin_chain_th_2 * t41;
-    let t59 = t56 + t57;
-    let t60 = t59 + t58;
-    let t61 = t60 - t53;
-    let t62 = t55 - t61;
+    let t50 = sin_chain_th_2 * t33;
+    let t51 = t39 * t20;
+    let t52 = sin_chain_th_2 * t41;
+    let t53 = chain_w_1 * chain_w_1;
+    let t54 = p.chain_m_2 * p.chain_l_1;
+    let t55 = t53 * t54;
+    let t56 = t55 * t6;
+    let t57 = t53 * t14;
+    let t58 = t57 * t6;
+    let t59 = t56 + t58;
+    let t60 = t59 - t50;
+    let t61 = t60 - t51;
+    let t62 = t61 - t52;
     let t63 = t62 * p.chain_l_2;
-    let t64 = t50 * p.chain_l_1;
-    let t65 = t64 * t12;
-    let t66 = t29 * p.chain_l_2;
-    let t67 = t66 * t20;
-    let t68 = sin_chain_th_3 * p.chain_gravity;
-    let t69 = t68 - t65;
-    let t70 = t67 - t69;
+    let t64 = sin_chain_th_3 * p.chain_gravity;
+    let t65 = t53 * p.chain_l_1;
+    let t66 = t65 * t12;
+    let t67 = t29 * p.chain_l_2;
+    let t68 = t67 * t20;
+    let t69 = t66 + t68;
+    let t70 = t69 - t64;
     let t71 = t70 * t38;
     let factored = Factored::new([[t3, R::literal(0.0), R::literal(0.0)],
         [t10, t18, R::literal(0.0)], [t16, t24, t26]]);
@@ -775,22 +774,22 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         let t47_k = sin_chain_th_1_k.mul_add(t41, t46_k);
         let t48_k = t47_k * p.chain_l_1;
         let t49_k = -t48_k;
-        let t50_k = (chain_w_1 + chain_w_1).mul_add(chain_w_1_k, sums[2]);
-        let t52_k = t50_k * t51;
-        let t53_k = t52.mul_add(t6_k, t6.mul_add(t52_k, sums_4[2]));
-        let t54_k = t50_k * t14;
-        let t55_k = t54.mul_add(t6_k, t6.mul_add(t54_k, sums_4[3]));
-        let t57_k = t39.mul_add(t20_k, t20.mul_add(t39_k, sums_5[0]));
-        let t59_k = sin_chain_th_2_k.mul_add(t33, t57_k);
-        let t60_k = sin_chain_th_2_k.mul_add(t41, t59_k);
-        let t61_k = t60_k - t53_k;
-        let t62_k = t55_k - t61_k;
-        let t64_k = t50_k * p.chain_l_1;
-        let t65_k = t64.mul_add(t12_k, t12.mul_add(t64_k, sums_5[1]));
-        let t66_k = t29_k * p.chain_l_2;
-        let t67_k = t66.mul_add(t20_k, t20.mul_add(t66_k, sums_5[2]));
-        let t69_k = sin_chain_th_3_k.mul_add(p.chain_gravity, -t65_k);
-        let t70_k = t67_k - t69_k;
+        let t51_k = t39.mul_add(t20_k, t20.mul_add(t39_k, sums_4[2]));
+        let t53_k = (chain_w_1 + chain_w_1).mul_add(chain_w_1_k, sums[2]);
+        let t55_k = t53_k * t54;
+        let t56_k = t55.mul_add(t6_k, t6.mul_add(t55_k, sums_4[3]));
+        let t57_k = t53_k * t14;
+        let t58_k = t57.mul_add(t6_k, t6.mul_add(t57_k, sums_5[0]));
+        let t59_k = t56_k + t58_k;
+        let t60_k = (-sin_chain_th_2_k).mul_add(t33, t59_k);
+        let t61_k = t60_k - t51_k;
+        let t62_k = (-sin_chain_th_2_k).mul_add(t41, t61_k);
+        let t65_k = t53_k * p.chain_l_1;
+        let t66_k = t65.mul_add(t12_k, t12.mul_add(t65_k, sums_5[1]));
+        let t67_k = t29_k * p.chain_l_2;
+        let t68_k = t67.mul_add(t20_k, t20.mul_add(t67_k, sums_5[2]));
+        let t69_k = t66_k + t68_k;
+        let t70_k = (-sin_chain_th_3_k).mul_add(p.chain_gravity, t69_k);
         let n94_k = t10_k.mul_add(chain_w_2_dot, sums_5[3]);
         let n95_k = t16_k.mul_add(chain_w_3_dot, sums_6[0]);
         let n96_k = t10_k.mul_add(chain_w_1_dot, sums_6[1]);
@@ -813,8 +812,8 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         lanes_2.set(order, [k * chain_th_3_k, k * t5_k, k * t5_k, k * t11_k], [sin_chain_th_3_k,
             t7_k, t6_k, t13_k]);
         lanes_3.set(order, [k * t11_k, k * t19_k, k * t19_k, t6_k], [t12_k, t21_k, t20_k, t31_k]);
-        lanes_4.set(order, [t6_k, t12_k, t6_k, t6_k], [t35_k, t39_k, t52_k, t54_k]);
-        lanes_5.set(order, [t20_k, t12_k, t20_k, t10_k], [t39_k, t64_k, t66_k, chain_w_2_dot_k]);
+        lanes_4.set(order, [t6_k, t12_k, t20_k, t6_k], [t35_k, t39_k, t39_k, t55_k]);
+        lanes_5.set(order, [t6_k, t12_k, t20_k, t10_k], [t57_k, t65_k, t67_k, chain_w_2_dot_k]);
         lanes_6.set(order, [t16_k, t10_k, t24_k, t16_k], [chain_w_3_dot_k, chain_w_1_dot_k,
             chain_w_3_dot_k, chain_w_1_dot_k]);
         lanes_7.set(order, [t24_k], [chain_w_2_dot_k]);

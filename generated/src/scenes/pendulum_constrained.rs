@@ -18,9 +18,9 @@
 // Shapes: coordinates 6, states 12, parameters 12, outputs 5, constraints 3.
 // Nonzeros: mass_matrix 6 of 6 by 6, rate_jacobian 78 of 12 by 12, parameter_jacobian 36 of 12 by 12,
 //     constraint_matrix 10 of 3 by 6.
-// Operations: initial_state 8, rate 132, forcing 6, rate_jacobian 506, parameter_jacobian 305,
+// Operations: initial_state 8, rate 132, forcing 6, rate_jacobian 514, parameter_jacobian 305,
 //     outputs 111, energy 25, power_balance 153, constraint_values 25, constraint_rates 33,
-//     constraint_matrix 17, prepare 18, prepared_rate 120, prepared_rate_jacobian 491,
+//     constraint_matrix 17, prepare 18, prepared_rate 120, prepared_rate_jacobian 499,
 //     prepared_parameter_jacobian 290.
 
 use ::machinist_contract::{Energy, PowerBalance, Real};
@@ -225,7 +225,7 @@ pub fn forcing<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -> [R
         third_y_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 491 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 499 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
         c: &Constants<R>) -> [R; 78] {
@@ -362,67 +362,73 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Param
     let first_v_y_dot_by_third_y = (t7 * t68).sub_product(t6, t69);
     let first_v_x_dot_by_third_y = (t5 * t68).sub_product(t4, t69);
     let t70 = c.t3 * first_v_x;
-    let t71 = c.t4 * (first_v_x - second_v_x);
-    let t72 = t71.add_product(t16, t70);
-    let t73 = t19 * t72 * t20;
-    let t74 = (-(t72 * t17)).add_product(t19, t73);
-    let t75 = (t70 * t14).add_product(t16, t74);
-    let third_v_y_dot_by_first_v_x = t13 * t73;
-    let third_v_x_dot_by_first_v_x = t12 * t73;
-    let second_v_y_dot_by_first_v_x = -(t11 * t73).add_product(t10, t74);
-    let second_v_x_dot_by_first_v_x = -(t9 * t73).add_product(t8, t74);
-    let first_v_y_dot_by_first_v_x = (t7 * t74).sub_product(t6, t75);
-    let first_v_x_dot_by_first_v_x = (t5 * t74).sub_product(t4, t75);
-    let t76 = c.t3 * first_v_y;
-    let t77 = c.t4 * (first_v_y - second_v_y);
-    let t78 = t77.add_product(t16, t76);
-    let t79 = t19 * t78 * t20;
-    let t80 = (-(t78 * t17)).add_product(t19, t79);
-    let t81 = (t76 * t14).add_product(t16, t80);
-    let third_v_y_dot_by_first_v_y = t13 * t79;
-    let third_v_x_dot_by_first_v_y = t12 * t79;
-    let second_v_y_dot_by_first_v_y = -(t11 * t79).add_product(t10, t80);
-    let second_v_x_dot_by_first_v_y = -(t9 * t79).add_product(t8, t80);
-    let first_v_y_dot_by_first_v_y = (t7 * t80).sub_product(t6, t81);
-    let first_v_x_dot_by_first_v_y = (t5 * t80).sub_product(t4, t81);
-    let t82 = c.t5 * (second_v_x - third_v_x);
-    let t83 = t82.add_product(t19, t71) * t20;
-    let t84 = (t71 * t17).sub_product(t19, t83);
-    let t85 = t16 * t84;
-    let third_v_y_dot_by_second_v_x = -(t13 * t83);
-    let third_v_x_dot_by_second_v_x = -(t12 * t83);
-    let second_v_y_dot_by_second_v_x = (t11 * t83).sub_product(t10, t84);
-    let second_v_x_dot_by_second_v_x = (t9 * t83).sub_product(t8, t84);
-    let first_v_y_dot_by_second_v_x = (t7 * t84).sub_product(t6, t85);
-    let first_v_x_dot_by_second_v_x = (t5 * t84).sub_product(t4, t85);
-    let t86 = c.t5 * (second_v_y - third_v_y);
-    let t87 = t86.add_product(t19, t77) * t20;
-    let t88 = (t77 * t17).sub_product(t19, t87);
+    let t71 = c.t4 * first_v_x;
+    let t72 = c.t4 * second_v_x;
+    let t73 = (t72 - t71).sub_product(t16, t70);
+    let t74 = t19 * t73 * t20;
+    let t75 = (t73 * t17).sub_product(t19, t74);
+    let t76 = (t70 * t14).add_product(t16, t75);
+    let third_v_y_dot_by_first_v_x = -(t13 * t74);
+    let third_v_x_dot_by_first_v_x = -(t12 * t74);
+    let second_v_y_dot_by_first_v_x = (t11 * t74).sub_product(t10, t75);
+    let second_v_x_dot_by_first_v_x = (t9 * t74).sub_product(t8, t75);
+    let first_v_y_dot_by_first_v_x = (t7 * t75).sub_product(t6, t76);
+    let first_v_x_dot_by_first_v_x = (t5 * t75).sub_product(t4, t76);
+    let t77 = c.t3 * first_v_y;
+    let t78 = c.t4 * first_v_y;
+    let t79 = c.t4 * second_v_y;
+    let t80 = (t79 - t78).sub_product(t16, t77);
+    let t81 = t19 * t80 * t20;
+    let t82 = (t80 * t17).sub_product(t19, t81);
+    let t83 = (t77 * t14).add_product(t16, t82);
+    let third_v_y_dot_by_first_v_y = -(t13 * t81);
+    let third_v_x_dot_by_first_v_y = -(t12 * t81);
+    let second_v_y_dot_by_first_v_y = (t11 * t81).sub_product(t10, t82);
+    let second_v_x_dot_by_first_v_y = (t9 * t81).sub_product(t8, t82);
+    let first_v_y_dot_by_first_v_y = (t7 * t82).sub_product(t6, t83);
+    let first_v_x_dot_by_first_v_y = (t5 * t82).sub_product(t4, t83);
+    let t84 = t71 - t72;
+    let t85 = c.t5 * second_v_x;
+    let t86 = c.t5 * third_v_x;
+    let t87 = (t86 - t85).sub_product(t19, t84) * t20;
+    let t88 = (t84 * t17).add_product(t19, t87);
     let t89 = t16 * t88;
-    let third_v_y_dot_by_second_v_y = -(t13 * t87);
-    let third_v_x_dot_by_second_v_y = -(t12 * t87);
-    let second_v_y_dot_by_second_v_y = (t11 * t87).sub_product(t10, t88);
-    let second_v_x_dot_by_second_v_y = (t9 * t87).sub_product(t8, t88);
-    let first_v_y_dot_by_second_v_y = (t7 * t88).sub_product(t6, t89);
-    let first_v_x_dot_by_second_v_y = (t5 * t88).sub_product(t4, t89);
-    let t90 = t82 * t20;
-    let t91 = t19 * t90;
-    let t92 = t16 * t91;
-    let third_v_y_dot_by_third_v_x = t13 * t90;
-    let third_v_x_dot_by_third_v_x = t12 * t90;
-    let second_v_y_dot_by_third_v_x = -(t11 * t90).add_product(t10, t91);
-    let second_v_x_dot_by_third_v_x = -(t9 * t90).add_product(t8, t91);
-    let first_v_y_dot_by_third_v_x = (t7 * t91).sub_product(t6, t92);
-    let first_v_x_dot_by_third_v_x = (t5 * t91).sub_product(t4, t92);
-    let t93 = t86 * t20;
-    let t94 = t19 * t93;
+    let third_v_y_dot_by_second_v_x = t13 * t87;
+    let third_v_x_dot_by_second_v_x = t12 * t87;
+    let second_v_y_dot_by_second_v_x = -(t11 * t87).add_product(t10, t88);
+    let second_v_x_dot_by_second_v_x = -(t9 * t87).add_product(t8, t88);
+    let first_v_y_dot_by_second_v_x = (t7 * t88).sub_product(t6, t89);
+    let first_v_x_dot_by_second_v_x = (t5 * t88).sub_product(t4, t89);
+    let t90 = t78 - t79;
+    let t91 = c.t5 * second_v_y;
+    let t92 = c.t5 * third_v_y;
+    let t93 = (t92 - t91).sub_product(t19, t90) * t20;
+    let t94 = (t90 * t17).add_product(t19, t93);
     let t95 = t16 * t94;
-    let third_v_y_dot_by_third_v_y = t13 * t93;
-    let third_v_x_dot_by_third_v_y = t12 * t93;
-    let second_v_y_dot_by_third_v_y = -(t11 * t93).add_product(t10, t94);
-    let second_v_x_dot_by_third_v_y = -(t9 * t93).add_product(t8, t94);
-    let first_v_y_dot_by_third_v_y = (t7 * t94).sub_product(t6, t95);
-    let first_v_x_dot_by_third_v_y = (t5 * t94).sub_product(t4, t95);
+    let third_v_y_dot_by_second_v_y = t13 * t93;
+    let third_v_x_dot_by_second_v_y = t12 * t93;
+    let second_v_y_dot_by_second_v_y = -(t11 * t93).add_product(t10, t94);
+    let second_v_x_dot_by_second_v_y = -(t9 * t93).add_product(t8, t94);
+    let first_v_y_dot_by_second_v_y = (t7 * t94).sub_product(t6, t95);
+    let first_v_x_dot_by_second_v_y = (t5 * t94).sub_product(t4, t95);
+    let t96 = (t85 - t86) * t20;
+    let t97 = t19 * t96;
+    let t98 = t16 * t97;
+    let third_v_y_dot_by_third_v_x = t13 * t96;
+    let third_v_x_dot_by_third_v_x = t12 * t96;
+    let second_v_y_dot_by_third_v_x = -(t11 * t96).add_product(t10, t97);
+    let second_v_x_dot_by_third_v_x = -(t9 * t96).add_product(t8, t97);
+    let first_v_y_dot_by_third_v_x = (t7 * t97).sub_product(t6, t98);
+    let first_v_x_dot_by_third_v_x = (t5 * t97).sub_product(t4, t98);
+    let t99 = (t91 - t92) * t20;
+    let t100 = t19 * t99;
+    let t101 = t16 * t100;
+    let third_v_y_dot_by_third_v_y = t13 * t99;
+    let third_v_x_dot_by_third_v_y = t12 * t99;
+    let second_v_y_dot_by_third_v_y = -(t11 * t99).add_product(t10, t100);
+    let second_v_x_dot_by_third_v_y = -(t9 * t99).add_product(t8, t100);
+    let first_v_y_dot_by_third_v_y = (t7 * t100).sub_product(t6, t101);
+    let first_v_x_dot_by_third_v_y = (t5 * t100).sub_product(t4, t101);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         R::literal(1.0), first_v_x_dot_by_first_x, first_v_x_dot_by_first_y,
         first_v_x_dot_by_second_x, first_v_x_dot_by_second_y, first_v_x_dot_by_third_x,

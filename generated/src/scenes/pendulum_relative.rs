@@ -16,9 +16,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 3, states 6, parameters 7, outputs 2.
 // Nonzeros: mass_matrix 9 of 3 by 3, rate_jacobian 21 of 6 by 6, parameter_jacobian 21 of 6 by 7.
-// Operations: rate 218, mass_matrix 61, forcing 126, rate_jacobian 504, parameter_jacobian 627,
+// Operations: rate 218, mass_matrix 61, forcing 126, rate_jacobian 515, parameter_jacobian 629,
 //     outputs 19, energy 52, power_balance 310, prepare 61, prepared_rate 177,
-//     prepared_rate_jacobian 461, prepared_parameter_jacobian 566.
+//     prepared_rate_jacobian 472, prepared_parameter_jacobian 568.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
@@ -322,7 +322,7 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R;
     [chain_th_1_forcing, chain_th_2_forcing, chain_th_3_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 461 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 472 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 21] {
@@ -462,27 +462,31 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let t78 = c.t10 * chain_w_1;
     let t79 = c.t11 * chain_w_1;
     let t80 = c.t12 * chain_w_1;
-    let t81 = (R::literal(-2.0) * ((t78 * sin_chain_th_2).add_product(t79, sin_chain_th_2)
+    let chain_l_1_times_chain_w_1 = p.chain_l_1 * chain_w_1;
+    let t81 = p.chain_l_2 * chain_w_1 * t8;
+    let t82 = p.chain_l_2 * chain_w_2 * t8;
+    let t83 = (R::literal(-2.0) * ((t78 * sin_chain_th_2).add_product(t79, sin_chain_th_2)
         .add_product(t80, t41) + t76)).add_product(t16, t77);
-    let chain_w_3_dot_by_chain_w_1 = (-(c.t20 * (p.chain_l_1 * chain_w_1 * t41)
-        .sub_product(p.chain_l_2 * chain_w_1, t8).sub_product(p.chain_l_2 * chain_w_2, t8)))
-        .add_product(t17, t77).sub_product(t20, t81) * t21;
-    let chain_w_2_dot_by_chain_w_1 = (t81 * t18).sub_product(t20, chain_w_3_dot_by_chain_w_1);
+    let chain_w_3_dot_by_chain_w_1 = (-(c.t20 * ((-t81).add_product(chain_l_1_times_chain_w_1, t41)
+        - t82))).add_product(t17, t77).sub_product(t20, t83) * t21;
+    let chain_w_2_dot_by_chain_w_1 = (t83 * t18).sub_product(t20, chain_w_3_dot_by_chain_w_1);
     let chain_w_1_dot_by_chain_w_1 = -(t77 * t15).add_product(t16, chain_w_2_dot_by_chain_w_1)
         .add_product(t17, chain_w_3_dot_by_chain_w_1);
-    let t82 = R::literal(2.0) * ((t78 * t4).add_product(t79, t4).add_product(t80, t6) + t72 + t73
+    let t84 = R::literal(2.0) * ((t78 * t4).add_product(t79, t4).add_product(t80, t6) + t72 + t73
         + t74 + t75 + t76);
-    let t83 = (-(c.t8 * chain_w_3 * t8)).add_product(t16, t82);
-    let chain_w_3_dot_by_chain_w_2 = (c.t8 * chain_s_2 * t8).add_product(t17, t82).sub_product(t20,
-        t83) * t21;
-    let chain_w_2_dot_by_chain_w_2 = (t83 * t18).sub_product(t20, chain_w_3_dot_by_chain_w_2);
-    let chain_w_1_dot_by_chain_w_2 = -(t82 * t15).add_product(t16, chain_w_2_dot_by_chain_w_2)
+    let t85 = (-(c.t8 * chain_w_3 * t8)).add_product(t16, t84);
+    let chain_w_3_dot_by_chain_w_2 = (c.t8 * chain_s_2 * t8).add_product(t17, t84).sub_product(t20,
+        t85) * t21;
+    let chain_w_2_dot_by_chain_w_2 = (t85 * t18).sub_product(t20, chain_w_3_dot_by_chain_w_2);
+    let chain_w_1_dot_by_chain_w_2 = -(t84 * t15).add_product(t16, chain_w_2_dot_by_chain_w_2)
         .add_product(t17, chain_w_3_dot_by_chain_w_2);
-    let t84 = c.t20 * chain_s_3 * t66;
-    let t85 = (-(c.t8 * chain_s_3 * t8)).add_product(t16, t84);
-    let chain_w_3_dot_by_chain_w_3 = (t17 * t84).sub_product(t20, t85) * t21;
-    let chain_w_2_dot_by_chain_w_3 = (t85 * t18).sub_product(t20, chain_w_3_dot_by_chain_w_3);
-    let chain_w_1_dot_by_chain_w_3 = -(t84 * t15).add_product(t16, chain_w_2_dot_by_chain_w_3)
+    let t86 = c.t20 * (t81.add_product(chain_l_1_times_chain_w_1, t6).add_product(p.chain_l_1
+        * chain_w_2, t6) + t82).add_product(p.chain_l_1 * chain_w_3, t6).add_product(p.chain_l_2
+        * chain_w_3, t8);
+    let t87 = (-(c.t8 * chain_s_3 * t8)).add_product(t16, t86);
+    let chain_w_3_dot_by_chain_w_3 = (t17 * t86).sub_product(t20, t87) * t21;
+    let chain_w_2_dot_by_chain_w_3 = (t87 * t18).sub_product(t20, chain_w_3_dot_by_chain_w_3);
+    let chain_w_1_dot_by_chain_w_3 = -(t86 * t15).add_product(t16, chain_w_2_dot_by_chain_w_3)
         .add_product(t17, chain_w_3_dot_by_chain_w_3);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), chain_w_1_dot_by_chain_th_1,
         chain_w_1_dot_by_chain_th_2, chain_w_1_dot_by_chain_th_3, chain_w_1_dot_by_chain_w_1,
@@ -493,7 +497,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         chain_w_3_dot_by_chain_w_2, chain_w_3_dot_by_chain_w_3]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 566 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 568 operations.
 #[must_use]
 pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 21] {
@@ -510,7 +514,6 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
         (sin_chain_th_2_plus_chain_th_3, _)] = R::sin_cos_each([chain_th_1, chain_a_2, chain_a_3,
         chain_th_1_minus_chain_a_2, chain_th_1_minus_chain_a_3, chain_a_2_minus_chain_a_3,
         chain_th_2, chain_th_2 + chain_th_3]);
-    let chain_s_2 = chain_w_1 + chain_w_2;
     let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
     let t0 = c.t8 * cos_chain_a_2_minus_chain_a_3;
     let t1 = c.t13 + t0;
@@ -675,7 +678,8 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
         sin_chain_th_2) + t66).add_product(c.chain_m_3_times_chain_l_1 * chain_w_1_squared,
         sin_chain_th_2) + t67 + t68)).add_product(t72, t28).sub_product(R::literal(2.0)
         * (c.t29 + t71), chain_w_2_dot) - t73).sub_product(t9, t74);
-    let chain_w_3_dot_by_chain_l_2 = (c.chain_m_3_times_chain_l_3 * (chain_s_2 * chain_s_2)
+    let chain_w_3_dot_by_chain_l_2 = (c.chain_m_3_times_chain_l_3 * (chain_w_1_squared
+        .add_product(R::literal(2.0) * chain_w_1, chain_w_2) + chain_w_2_squared)
         * sin_chain_a_2_minus_chain_a_3).add_product(t71, t28).sub_product(t71, chain_w_2_dot)
         .sub_product(t10, t74).sub_product(t13, t75) * t14;
     let chain_w_2_dot_by_chain_l_2 = (t75 * t11).sub_product(t13, chain_w_3_dot_by_chain_l_2);

@@ -20,9 +20,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 2, first-order states 4, states 7, parameters 21, outputs 8, discontinuities 1.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 26 of 7 by 7, parameter_jacobian 39 of 7 by 21.
-// Operations: discontinuities 6, rate 77, forcing 42, rate_jacobian 70, parameter_jacobian 180,
-//     time_derivative 30, outputs 54, energy 39, power_balance 151, prepare 66, prepared_rate 54,
-//     prepared_rate_jacobian 35, prepared_parameter_jacobian 132.
+// Operations: discontinuities 6, rate 77, forcing 42, rate_jacobian 70, parameter_jacobian 179,
+//     time_derivative 30, outputs 54, energy 39, power_balance 151, prepare 64, prepared_rate 54,
+//     prepared_rate_jacobian 35, prepared_parameter_jacobian 133.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -112,18 +112,18 @@ use ::machinist_contract::{
     motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
     motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx,
     inverse_load_engagement_width, t8, t9, t10, t11, t12, minus_motor_u_y, t13,
-    motor_k_r_over_motor_sigma, t15, t16, t17, t18, t19, inverse_load_standstill_band_squared
+    motor_k_r_over_motor_sigma, t14, motor_k_s_over_motor_sigma, t15, t16, t17, t18,
+    inverse_load_standstill_band_squared
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 66 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 64 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let (sin_motor_supply_phase, cos_motor_supply_phase) = p.motor_supply_phase.sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
@@ -161,12 +161,12 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let minus_motor_u_y = -motor_u_y;
     let t13 = R::literal(1.5) * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
     let motor_k_r_over_motor_sigma = p.motor_k_r / motor_sigma;
-    let t14 = motor_k_s_times_motor_k_r - R::literal(1.0);
-    let t15 = t2 * motor_omega_0 / (p.motor_x_s * (t14 * t14));
-    let t16 = R::literal(-1.0) / p.motor_x_s;
-    let t17 = R::literal(2.0) * p.coupling_damping * p.coupling_ratio;
-    let t18 = R::literal(-0.328_986_813_369_645_25) * p.load_amplitude;
-    let t19 = R::literal(1.0) / (p.load_engagement_width * p.load_engagement_width);
+    let t14 = t2 * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let motor_k_s_over_motor_sigma = p.motor_k_s / motor_sigma;
+    let t15 = R::literal(-1.0) / p.motor_x_s;
+    let t16 = R::literal(2.0) * p.coupling_damping * p.coupling_ratio;
+    let t17 = R::literal(-0.328_986_813_369_645_25) * p.load_amplitude;
+    let t18 = R::literal(1.0) / (p.load_engagement_width * p.load_engagement_width);
     let inverse_load_standstill_band_squared = R::literal(1.0) / (p.load_standstill_band
         * p.load_standstill_band);
     Constants { motor_omega_0, motor_u_x, motor_u_y, t1, t3, t4, inverse_load_standstill_band,
@@ -178,7 +178,8 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
         motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx,
         inverse_load_engagement_width, t8, t9, t10, t11, t12, minus_motor_u_y, t13,
-        motor_k_r_over_motor_sigma, t15, t16, t17, t18, t19, inverse_load_standstill_band_squared }
+        motor_k_r_over_motor_sigma, t14, motor_k_s_over_motor_sigma, t15, t16, t17, t18,
+        inverse_load_standstill_band_squared }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -300,7 +301,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 132 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 133 operations.
 #[must_use]
 pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 39] {
@@ -318,9 +319,7 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let load_engagement = R::literal(1.0) / t5;
     let t6 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let t7 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
-    let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
-    let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t8 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let t8 = (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let motor_torque = c.t3 * t8;
     let t9 = p.load_mean.add_product(p.load_amplitude, t1);
     let t10 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
@@ -347,11 +346,11 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
         * c.inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
     let motor_psi_ry_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let motor_omega_dot_by_motor_k_r = c.t15 * (motor_psi_sy_times_motor_psi_rx
-        - motor_psi_sx_times_motor_psi_ry) * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_k_r = (c.t14 * t8).add_product(c.motor_k_s_over_motor_sigma,
+        motor_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
     let motor_psi_sy_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
-    let motor_omega_dot_by_motor_x_s = c.t16 * motor_torque * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_x_s = c.t15 * motor_torque * c.inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_alpha_s = -(c.motor_omega_0 * t6);
     let motor_psi_sy_dot_by_motor_alpha_s = -(c.motor_omega_0 * t7);
     let motor_psi_rx_dot_by_motor_alpha_r = c.motor_omega_0 * t11;
@@ -364,7 +363,7 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let motor_omega_dot_by_coupling_damping = (coupling_ratio_times_cylinder_omega - motor_omega)
         * c.inverse_motor_inertia;
     let cylinder_omega_dot_by_coupling_ratio = t3.add_product(p.coupling_damping, motor_omega)
-        .sub_product(c.t17, cylinder_omega) * c.inverse_cylinder_inertia;
+        .sub_product(c.t16, cylinder_omega) * c.inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_ratio = p.coupling_damping * cylinder_omega
         * c.inverse_motor_inertia;
     let coupling_twist_dot_by_coupling_ratio = -cylinder_omega;
@@ -372,14 +371,14 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let cylinder_omega_dot_by_load_mean = -(load_engagement * t10 * c.inverse_cylinder_inertia);
     let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t10
         * c.inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_speed = c.t18 * time * load_engagement * t2 * t10
+    let cylinder_omega_dot_by_load_speed = c.t17 * time * load_engagement * t2 * t10
         * c.inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2 * t10
         * c.inverse_cylinder_inertia);
     let t13 = t5 * t5;
     let cylinder_omega_dot_by_load_engagement_time = c.inverse_load_engagement_width * t9 * t4
         * t10 / t13 * c.inverse_cylinder_inertia;
-    let cylinder_omega_dot_by_load_engagement_width = c.t19 * time_minus_load_engagement_time * t9
+    let cylinder_omega_dot_by_load_engagement_width = c.t18 * time_minus_load_engagement_time * t9
         * t4 * t10 / t13 * c.inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_standstill_band = c.inverse_load_standstill_band_squared
         * cylinder_omega * load_engagement * R::literal(1.0).sub_product(t10, t10) * t9

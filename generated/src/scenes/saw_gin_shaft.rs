@@ -19,9 +19,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 3, first-order states 4, states 10, parameters 33, outputs 8.
 // Nonzeros: mass_matrix 3 of 3 by 3, rate_jacobian 29 of 10 by 10, parameter_jacobian 34 of 10 by 33.
-// Operations: rate 63, forcing 26, rate_jacobian 52, parameter_jacobian 131, outputs 22, energy 45,
-//     power_balance 144, prepare 64, prepared_rate 43, prepared_rate_jacobian 16,
-//     prepared_parameter_jacobian 89.
+// Operations: rate 63, forcing 26, rate_jacobian 52, parameter_jacobian 130, outputs 22, energy 45,
+//     power_balance 144, prepare 62, prepared_rate 43, prepared_rate_jacobian 16,
+//     prepared_parameter_jacobian 90.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
@@ -119,7 +119,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     motor_omega_dot_by_saws_driven_dot, motor_psi_sx_dot_by_motor_psi_sx,
     motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
     motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx, t5, t6, t7, t8, t9,
-    minus_motor_u_y, t10, motor_k_r_over_motor_sigma, t12, t13, t14, t15
+    minus_motor_u_y, t10, motor_k_r_over_motor_sigma, t11, motor_k_s_over_motor_sigma, t12, t13, t14
 }
 
 ::machinist_contract::field_scene! {
@@ -134,14 +134,13 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     at 2.322 => End, coordinate Some(2), handed 29;
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 64 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 62 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let (sin_motor_supply_phase, cos_motor_supply_phase) = p.motor_supply_phase.sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
@@ -180,11 +179,11 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let minus_motor_u_y = -motor_u_y;
     let t10 = R::literal(1.5) * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
     let motor_k_r_over_motor_sigma = p.motor_k_r / motor_sigma;
-    let t11 = motor_k_s_times_motor_k_r - R::literal(1.0);
-    let t12 = t1 * motor_omega_0 / (p.motor_x_s * (t11 * t11));
-    let t13 = R::literal(-1.0) / p.motor_x_s;
-    let t14 = R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio;
-    let t15 = R::literal(2.0) * p.coupling_damping * p.coupling_ratio;
+    let t11 = t1 * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let motor_k_s_over_motor_sigma = p.motor_k_s / motor_sigma;
+    let t12 = R::literal(-1.0) / p.motor_x_s;
+    let t13 = R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio;
+    let t14 = R::literal(2.0) * p.coupling_damping * p.coupling_ratio;
     Constants { motor_omega_0, motor_u_x, motor_u_y, t2, inverse_motor_inertia,
         inverse_saws_driven_field_inertia, inverse_saws_end_field_inertia, t3, t4,
         motor_alpha_s_times_motor_omega_0, motor_alpha_r_times_motor_omega_0,
@@ -195,7 +194,7 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
         motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
         motor_psi_rx_dot_by_motor_psi_rx, t5, t6, t7, t8, t9, minus_motor_u_y, t10,
-        motor_k_r_over_motor_sigma, t12, t13, t14, t15 }
+        motor_k_r_over_motor_sigma, t11, motor_k_s_over_motor_sigma, t12, t13, t14 }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -300,7 +299,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 89 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 90 operations.
 #[must_use]
 pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 34] {
@@ -314,9 +313,7 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
         coupling_twist_rate);
     let t0 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let t1 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
-    let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
-    let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t2 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let t2 = (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let motor_torque = c.t2 * t2;
     let saws_end_dot_dot = p.saws_end_field_force * c.inverse_saws_end_field_inertia;
     let saws_driven_dot_dot = p.saws_driven_field_force.add_product(c.t3, coupling_twist)
@@ -341,11 +338,11 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
         * c.inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
     let motor_psi_ry_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let motor_omega_dot_by_motor_k_r = c.t12 * (motor_psi_sy_times_motor_psi_rx
-        - motor_psi_sx_times_motor_psi_ry) * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_k_r = (c.t11 * t2).add_product(c.motor_k_s_over_motor_sigma,
+        motor_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
     let motor_psi_sy_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
-    let motor_omega_dot_by_motor_x_s = c.t13 * motor_torque * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_x_s = c.t12 * motor_torque * c.inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_alpha_s = -(c.motor_omega_0 * t0);
     let motor_psi_sy_dot_by_motor_alpha_s = -(c.motor_omega_0 * t1);
     let motor_psi_rx_dot_by_motor_alpha_r = c.motor_omega_0 * t3;
@@ -359,8 +356,8 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
     let motor_omega_dot_by_coupling_damping = (coupling_ratio_times_saws_driven_dot - motor_omega)
         * c.inverse_motor_inertia;
     let saws_driven_dot_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
-        .add_product(p.coupling_damping, motor_omega).sub_product(c.t14, saws_driven)
-        .sub_product(c.t15, saws_driven_dot) * c.inverse_saws_driven_field_inertia;
+        .add_product(p.coupling_damping, motor_omega).sub_product(c.t13, saws_driven)
+        .sub_product(c.t14, saws_driven_dot) * c.inverse_saws_driven_field_inertia;
     let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * saws_driven)
         .add_product(p.coupling_damping, saws_driven_dot) * c.inverse_motor_inertia;
     let saws_driven_dot_dot_by_saws_driven_field_inertia = -(saws_driven_dot_dot

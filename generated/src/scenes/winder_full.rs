@@ -21,9 +21,9 @@
 // Shapes: coordinates 2, first-order states 4, states 8, parameters 30, outputs 8, events 9.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 14 of 8 by 8, parameter_jacobian 51 of 8 by 30.
 // Operations: initial_state 5, rate 101, mass_matrix 17, forcing 80, rate_jacobian 182,
-//     parameter_jacobian 453, time_derivative 80, outputs 75, energy 59, power_balance 144,
+//     parameter_jacobian 459, time_derivative 80, outputs 75, energy 59, power_balance 144,
 //     guards 63, guard_rates 198, resets 66, prepare 67, prepared_rate 82,
-//     prepared_rate_jacobian 158, prepared_parameter_jacobian 388.
+//     prepared_rate_jacobian 158, prepared_parameter_jacobian 395.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -425,7 +425,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         layer_surface_dot_by_layer_surface, c.t1]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 388 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 395 operations.
 #[must_use]
 pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 51] {
@@ -486,79 +486,76 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let holder_v_dot_by_package_phase = -(p.package_force * sin_package_phase_plus_pair_phi
         * inverse_holder_mass);
     let pair_friction_times_pair_radius = p.pair_friction * pair_radius;
-    let t15 = -pair_friction_times_pair_radius;
-    let t16 = c.t10 + R::select_less(pair_slip, R::literal(-0.5), t15, R::select_less(pair_slip,
-        R::literal(0.5), c.t14, pair_friction_times_pair_radius));
-    let t17 = R::select_less(pair_slip, R::literal(-0.5), R::literal(0.0), R::literal(1.0));
-    let t18 = R::select_less(pair_slip, R::literal(0.5), R::literal(1.0), R::literal(0.0));
+    let t15 = R::select_less(pair_slip, R::literal(-0.5), R::literal(0.0), R::literal(1.0));
+    let t16 = R::select_less(pair_slip, R::literal(0.5), R::literal(1.0), R::literal(0.0));
     let pair_omega_squared = pair_omega * pair_omega;
-    let t19 = (c.eccentricity_over_drum_radius * time * sin_drum_speed_times_time)
+    let t17 = (c.eccentricity_over_drum_radius * time * sin_drum_speed_times_time)
         .add_product(c.t16 * time, t4);
-    let t20 = c.t19 * time;
-    let t21 = (c.t18 * time * t5).add_product(c.t16, t4).add_product(t20, cos_drum_speed_times_time)
+    let t18 = c.t19 * time;
+    let t19 = (c.t18 * time * t5).add_product(c.t16, t4).add_product(t18, cos_drum_speed_times_time)
         .add_product(c.eccentricity_over_drum_radius, sin_drum_speed_times_time);
-    let t22 = (p.layer_stiffness * t19).add_product(c.t13 * t19, layer_compression_squared)
-        .add_product(p.layer_viscosity, t21);
-    let t23 = c.t10 * t22 / pair_radius;
-    let t24 = p.pair_friction * t22;
+    let t20 = (p.layer_stiffness * t17).add_product(c.t13 * t17, layer_compression_squared)
+        .add_product(p.layer_viscosity, t19);
+    let t21 = c.t10 * t20 / pair_radius;
+    let t22 = p.pair_friction * t20;
     let pair_omega_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t24,
-        R::select_less(pair_slip, R::literal(0.5), -t23, t24)) + t23) * t14) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t22,
+        R::select_less(pair_slip, R::literal(0.5), -t21, t22)) + t21) * t14) * inverse_pair_inertia;
     let holder_v_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -t22).sub_product(c.force_amplitude_over_drum_radius * time, t2)
+        R::literal(0.0), -t20).sub_product(c.force_amplitude_over_drum_radius * time, t2)
         * inverse_holder_mass;
     let layer_surface_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -t21);
-    let t25 = (t20 * sin_drum_speed_times_time).add_product(c.t21 * time, t4);
-    let t26 = (c.t21 * t4).add_product(c.t22 * time, t5).add_product(c.t23 * time,
+        R::literal(0.0), -t19);
+    let t23 = (t18 * sin_drum_speed_times_time).add_product(c.t21 * time, t4);
+    let t24 = (c.t21 * t4).add_product(c.t22 * time, t5).add_product(c.t23 * time,
         cos_drum_speed_times_time).add_product(c.t19, sin_drum_speed_times_time);
-    let t27 = (p.layer_stiffness * t25).add_product(c.t13 * t25, layer_compression_squared)
-        .add_product(p.layer_viscosity, t26);
-    let t28 = c.t10 * t27 / pair_radius;
-    let t29 = p.pair_friction * t27;
+    let t25 = (p.layer_stiffness * t23).add_product(c.t13 * t23, layer_compression_squared)
+        .add_product(p.layer_viscosity, t24);
+    let t26 = c.t10 * t25 / pair_radius;
+    let t27 = p.pair_friction * t25;
     let pair_omega_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t29,
-        R::select_less(pair_slip, R::literal(0.5), t28, -t29)) - t28) * t14) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t27,
+        R::select_less(pair_slip, R::literal(0.5), t26, -t27)) - t26) * t14) * inverse_pair_inertia;
     let holder_v_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t27).add_product(c.t20 * time, t2) * inverse_holder_mass;
+        R::literal(0.0), t25).add_product(c.t20 * time, t2) * inverse_holder_mass;
     let layer_surface_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t26);
+        R::literal(0.0), t24);
     let holder_v_dot_by_force_amplitude = t3 * inverse_holder_mass;
     let holder_v_dot_by_force_phase = -(p.force_amplitude * t2 * inverse_holder_mass);
     let holder_v_dot_by_package_force = cos_package_phase_plus_pair_phi * inverse_holder_mass;
-    let t30 = (p.layer_stiffness * t5).add_product(t13, t5).sub_product(c.t24, t4);
-    let t31 = c.t10 * t30 / pair_radius;
-    let t32 = p.pair_friction * t30;
+    let t28 = (p.layer_stiffness * t5).add_product(t13, t5).sub_product(c.t24, t4);
+    let t29 = c.t10 * t28 / pair_radius;
+    let t30 = p.pair_friction * t28;
     let pair_omega_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t32, R::select_less(pair_slip,
-        R::literal(0.5), t31, -t32)) - t31) * t14) * inverse_pair_inertia;
+        pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t30, R::select_less(pair_slip,
+        R::literal(0.5), t29, -t30)) - t29) * t14) * inverse_pair_inertia;
     let holder_v_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        t30) * inverse_holder_mass;
+        t28) * inverse_holder_mass;
     let layer_surface_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -(c.t7 * t4));
-    let t33 = c.t25 * t5;
-    let t34 = c.t26 * layer_compression_squared * t4;
-    let t35 = c.ovality_times_layer_stiffness * t4;
-    let t36 = t34 + t33 + t35;
-    let t37 = c.t10 * t36 / pair_radius;
-    let t38 = p.pair_friction * t36;
+    let t31 = c.t25 * t5;
+    let t32 = c.t26 * layer_compression_squared * t4;
+    let t33 = c.ovality_times_layer_stiffness * t4;
+    let t34 = t32 + t31 + t33;
+    let t35 = c.t10 * t34 / pair_radius;
+    let t36 = p.pair_friction * t34;
     let pair_omega_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t38,
-        R::select_less(pair_slip, R::literal(0.5), -t37, t38)) + t37) * t14) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t36,
+        R::select_less(pair_slip, R::literal(0.5), -t35, t36)) + t35) * t14) * inverse_pair_inertia;
     let holder_v_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -(t33 + (t34 + t35))) * inverse_holder_mass;
+        R::literal(0.0), -(t31 + (t32 + t33))) * inverse_holder_mass;
     let layer_surface_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -(c.t9 * t5));
-    let t39 = (p.layer_stiffness * cos_drum_speed_times_time).add_product(t13,
+    let t37 = (p.layer_stiffness * cos_drum_speed_times_time).add_product(t13,
         cos_drum_speed_times_time).sub_product(c.layer_viscosity_times_drum_speed,
         sin_drum_speed_times_time);
-    let t40 = c.t10 * t39 / pair_radius;
-    let t41 = p.pair_friction * t39;
+    let t38 = c.t10 * t37 / pair_radius;
+    let t39 = p.pair_friction * t37;
     let pair_omega_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t41,
-        R::select_less(pair_slip, R::literal(0.5), t40, -t41)) - t40) * t14) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t39,
+        R::select_less(pair_slip, R::literal(0.5), t38, -t39)) - t38) * t14) * inverse_pair_inertia;
     let holder_v_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t39) * inverse_holder_mass;
+        R::literal(0.0), t37) * inverse_holder_mass;
     let layer_surface_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -(c.drum_speed * sin_drum_speed_times_time));
     let holder_v_dot_by_holder_bobbin_mass = -(holder_v_dot * inverse_holder_mass);
@@ -569,57 +566,61 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let pair_omega_dot_by_holder_preload = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0),
         R::select_less(pair_slip, R::literal(-0.5), pair_friction_times_pair_radius,
-        R::select_less(pair_slip, R::literal(0.5), c.t10, t15)) - p.pair_support_arm
-        - p.pair_rolling_arm)) * inverse_pair_inertia;
+        R::select_less(pair_slip, R::literal(0.5), c.t10, -pair_friction_times_pair_radius))
+        - p.pair_support_arm - p.pair_rolling_arm)) * inverse_pair_inertia;
     let holder_v_dot_by_holder_preload = (R::literal(-1.0) - R::select_less(layer_closed,
         R::literal(0.5), R::literal(0.0), R::literal(-1.0))) * inverse_holder_mass;
     let layer_surface_dot_by_holder_preload = R::select_less(layer_closed, R::literal(0.5),
         c.minus_inverse_layer_viscosity, R::literal(0.0));
+    let t40 = c.t10 * layer_compression / pair_radius;
+    let t41 = p.pair_friction * layer_compression;
     let pair_omega_dot_by_layer_stiffness = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -(layer_compression * t16 * t14)) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t41,
+        R::select_less(pair_slip, R::literal(0.5), t40, -t41)) - t40) * t14) * inverse_pair_inertia;
     let holder_v_dot_by_layer_stiffness = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), layer_compression) * inverse_holder_mass;
     let layer_surface_dot_by_layer_stiffness = R::select_less(layer_closed, R::literal(0.5),
         -(c.inverse_layer_viscosity * layer_surface), R::literal(0.0));
-    let holder_x_minus_shape = holder_x - shape;
+    let t42 = c.t10 * t10 / pair_radius;
+    let t43 = p.pair_friction * t10;
     let pair_omega_dot_by_layer_cubic_stiffness = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t16 * (holder_x_minus_shape * holder_x_minus_shape * holder_x_minus_shape)
-        * t14) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t43,
+        R::select_less(pair_slip, R::literal(0.5), t42, -t43)) - t42) * t14) * inverse_pair_inertia;
     let holder_v_dot_by_layer_cubic_stiffness = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), t10) * inverse_holder_mass;
     let layer_surface_dot_by_layer_cubic_stiffness = R::select_less(layer_closed, R::literal(0.5),
         -(c.inverse_layer_viscosity * t6), R::literal(0.0));
-    let t42 = c.t10 * t9 / pair_radius;
-    let t43 = p.pair_friction * t9;
+    let t44 = c.t10 * t9 / pair_radius;
+    let t45 = p.pair_friction * t9;
     let pair_omega_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t43,
-        R::select_less(pair_slip, R::literal(0.5), -t42, t43)) + t42) * t14) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t45,
+        R::select_less(pair_slip, R::literal(0.5), -t44, t45)) + t44) * t14) * inverse_pair_inertia;
     let holder_v_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), layer_compression_rate) * inverse_holder_mass;
     let layer_surface_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
         c.inverse_layer_viscosity_squared * layer_swelling, R::literal(0.0));
     let pair_omega_dot_by_pair_bobbin_radius = R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), c.t31 * pair_omega_squared * t17 * t18 / pair_radius).add_product(c.t33,
+        R::literal(0.0), c.t31 * pair_omega_squared * t15 * t16 / pair_radius).add_product(c.t33,
         pair_omega_dot) * inverse_pair_inertia;
     let holder_v_dot_by_pair_bobbin_radius = c.t32 * holder_v_dot * inverse_holder_mass;
     let pair_omega_dot_by_pair_package_width = R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), c.t34 * pair_omega * pair_growth * t17 * t18 / pair_radius)
+        R::literal(0.0), c.t34 * pair_omega * pair_growth * t15 * t16 / pair_radius)
         .sub_product(c.t35 * t8, pair_omega_dot) * inverse_pair_inertia;
     let holder_v_dot_by_pair_package_width = c.t36 * t7 * holder_v_dot * inverse_holder_mass;
     let pair_radius_dot_by_pair_package_width = c.t37 * pair_growth;
     let pair_omega_dot_by_pair_yarn_density = R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), c.t38 * t8 * pair_omega_squared * t17 * t18 / pair_radius)
+        R::literal(0.0), c.t38 * t8 * pair_omega_squared * t15 * t16 / pair_radius)
         .sub_product(c.t3 * t8, pair_omega_dot) * inverse_pair_inertia;
     let holder_v_dot_by_pair_yarn_density = -((p.pair_thread_area * holder_v * pair_omega
         * pair_radius).add_product(c.t0 * t7, holder_v_dot) * inverse_holder_mass);
     let pair_omega_dot_by_pair_thread_area = R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), -(c.t39 * pair_inertia * pair_omega_squared * t17 * t18 / pair_radius))
+        R::literal(0.0), -(c.t39 * pair_inertia * pair_omega_squared * t15 * t16 / pair_radius))
         * inverse_pair_inertia;
     let holder_v_dot_by_pair_thread_area = -(p.pair_yarn_density * holder_v * pair_omega
         * pair_radius * inverse_holder_mass);
     let pair_radius_dot_by_pair_thread_area = c.t39 * pair_omega;
     let pair_omega_dot_by_pair_bobbin_inertia = (R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), -(pair_omega_times_pair_growth * t17 * t18 / pair_radius))
+        R::literal(0.0), -(pair_omega_times_pair_growth * t15 * t16 / pair_radius))
         - pair_omega_dot) * inverse_pair_inertia;
     let pair_omega_dot_by_pair_tension = R::select_less(pair_slip, R::literal(-1.5),
         R::literal(0.0), R::select_less(pair_slip, R::literal(-0.5), R::literal(0.0),

@@ -22,10 +22,10 @@
 //     constraints 12.
 // Nonzeros: mass_matrix 14 of 14 by 14, rate_jacobian 294 of 30 by 30,
 //     parameter_jacobian 56 of 30 by 5, constraint_matrix 37 of 12 by 14.
-// Operations: initial_state 1, rate 722, forcing 78, rate_jacobian 4137, parameter_jacobian 57,
+// Operations: initial_state 1, rate 722, forcing 78, rate_jacobian 4144, parameter_jacobian 57,
 //     outputs 52, energy 78, power_balance 109, guards 31, guard_rates 59, constraint_values 49,
 //     constraint_rates 63, constraint_matrix 30, prepare 1, prepared_rate 722,
-//     prepared_rate_jacobian 4136, prepared_parameter_jacobian 57, motion 746.
+//     prepared_rate_jacobian 4143, prepared_parameter_jacobian 57, motion 746.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitute}};
 
@@ -1098,7 +1098,7 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R;
         rod_x_forcing, rod_y_forcing, R::literal(0.0), bobbin_x_forcing, bobbin_y_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 4136 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 4143 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 294] {
@@ -1146,1304 +1146,1301 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let plate_omega_squared = plate_omega * plate_omega;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
     let t34 = cylinder_omega_squared * m.sin_cylinder_phi;
-    let cylinder_y_times_cylinder_omega = cylinder_y * cylinder_omega;
-    let rod_x_times_cylinder_omega = rod_x * cylinder_omega;
-    let cylinder_x_times_cylinder_omega = cylinder_x * cylinder_omega;
-    let rod_y_times_cylinder_omega = rod_y * cylinder_omega;
-    let t35 = m.t219 - m.t220;
-    let t36 = m.t223 - m.t224;
-    let t37 = m.t226 + m.t227;
-    let t38 = m.t231 - m.t230;
-    let t39 = m.t7 * m.t7;
-    let t40 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), (R::literal(3000.0)
+    let t35 = R::literal(2.0) * cylinder_v_x;
+    let t36 = R::literal(2.0) * cylinder_v_y;
+    let t37 = R::literal(2.0) * rod_v_x;
+    let t38 = R::literal(2.0) * rod_v_y;
+    let t39 = m.t219 - m.t220;
+    let t40 = m.t223 - m.t224;
+    let t41 = m.t226 + m.t227;
+    let t42 = m.t231 - m.t230;
+    let t43 = m.t7 * m.t7;
+    let t44 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), (R::literal(3000.0)
         * m.stop_gap * stop_rate).add_product(R::literal(1_000_000.0), m.stop_gap * m.stop_gap)
-        .sub_product(R::literal(1_000_000.0), t39)).sub_product(t0, m.t234).sub_product(t1, m.t233)
-        .sub_product(t0, t38).sub_product(t1, m.t229);
-    let t41 = (-(t2 * t38).add_product(t3, m.t229).add_product(t2, t37).add_product(t3, t36)
+        .sub_product(R::literal(1_000_000.0), t43)).sub_product(t0, m.t234).sub_product(t1, m.t233)
+        .sub_product(t0, t42).sub_product(t1, m.t229);
+    let t45 = (-(t2 * t42).add_product(t3, m.t229).add_product(t2, t41).add_product(t3, t40)
         .add_product(t10, m.t213)).add_product(m.t13, (m.t210 - m.t211) * m.factors[35]);
-    let t42 = p.spring_stiffness * m.cos_cylinder_phi;
+    let t46 = p.spring_stiffness * m.cos_cylinder_phi;
     let spring_damping_times_cylinder_omega = p.spring_damping * cylinder_omega;
-    let t43 = spring_damping_times_cylinder_omega * m.sin_cylinder_phi;
-    let t44 = t43 - t42;
-    let t45 = t44 * m.cos_cylinder_phi;
-    let t46 = t44 * m.sin_cylinder_phi;
-    let t47 = spring_damping_times_cylinder_omega * m.t12;
-    let t48 = t47 * m.sin_cylinder_phi;
-    let t49 = p.spring_stiffness * m.t12;
-    let t50 = t49 * m.cos_cylinder_phi;
-    let t51 = t42 - t43;
-    let t52 = t51 * m.cos_cylinder_phi;
-    let t53 = t51 * m.sin_cylinder_phi;
-    let t54 = m.cos_cylinder_phi * t35;
-    let t55 = t50 - t48 - m.t169 - t33 - t54;
-    let t56 = m.cos_cylinder_phi * m.cylinder_omega_dot;
-    let t57 = (p.spring_stiffness * m.sin_cylinder_phi)
+    let t47 = spring_damping_times_cylinder_omega * m.sin_cylinder_phi;
+    let t48 = t47 - t46;
+    let t49 = t48 * m.cos_cylinder_phi;
+    let t50 = t48 * m.sin_cylinder_phi;
+    let t51 = spring_damping_times_cylinder_omega * m.t12;
+    let t52 = t51 * m.sin_cylinder_phi;
+    let t53 = p.spring_stiffness * m.t12;
+    let t54 = t53 * m.cos_cylinder_phi;
+    let t55 = t46 - t47;
+    let t56 = t55 * m.cos_cylinder_phi;
+    let t57 = t55 * m.sin_cylinder_phi;
+    let t58 = m.cos_cylinder_phi * t39;
+    let t59 = t54 - t52 - m.t169 - t33 - t58;
+    let t60 = m.cos_cylinder_phi * m.cylinder_omega_dot;
+    let t61 = (p.spring_stiffness * m.sin_cylinder_phi)
         .add_product(spring_damping_times_cylinder_omega, m.cos_cylinder_phi);
-    let t58 = t57 * m.cos_cylinder_phi;
-    let t59 = t57 * m.sin_cylinder_phi;
-    let t60 = t49 * m.sin_cylinder_phi;
-    let t61 = m.t167.add_product(t47, m.cos_cylinder_phi) + t60 + t32;
-    let t62 = m.sin_cylinder_phi * t35;
-    let t63 = t61 - t62;
-    let t64 = (m.sin_cylinder_phi * m.cylinder_omega_dot).add_product(cylinder_omega_squared,
+    let t62 = t61 * m.cos_cylinder_phi;
+    let t63 = t61 * m.sin_cylinder_phi;
+    let t64 = t53 * m.sin_cylinder_phi;
+    let t65 = m.t167.add_product(t51, m.cos_cylinder_phi) + t64 + t32;
+    let t66 = m.sin_cylinder_phi * t39;
+    let t67 = t65 - t66;
+    let t68 = (m.sin_cylinder_phi * m.cylinder_omega_dot).add_product(cylinder_omega_squared,
         m.cos_cylinder_phi);
-    let t65 = p.spring_damping * (-(cylinder_omega * m.slide)).add_product(rod_v_y - cylinder_v_y,
+    let t69 = p.spring_damping * (-(cylinder_omega * m.slide)).add_product(rod_v_y - cylinder_v_y,
         m.cos_cylinder_phi).sub_product(rod_v_x - cylinder_v_x, m.sin_cylinder_phi);
-    let t66 = t65 * m.cos_cylinder_phi;
-    let t67 = t32.add_product(t65, m.sin_cylinder_phi) + (m.t167 + t60);
-    let t68 = m.t12 * m.t12;
-    let t69 = R::literal(0.06) * cylinder_omega_squared;
-    let t70 = t50 + t66 - m.t169 - t33 - t54;
-    let t71 = t67 - t62;
-    let t72 = ((rod_x - cylinder_x) * m.sin_cylinder_phi).sub_product(rod_y - cylinder_y,
+    let t70 = t69 * m.cos_cylinder_phi;
+    let t71 = t32.add_product(t69, m.sin_cylinder_phi) + (m.t167 + t64);
+    let t72 = m.t12 * m.t12;
+    let t73 = R::literal(0.06) * cylinder_omega_squared;
+    let t74 = t54 + t70 - m.t169 - t33 - t58;
+    let t75 = t71 - t66;
+    let t76 = ((rod_x - cylinder_x) * m.sin_cylinder_phi).sub_product(rod_y - cylinder_y,
         m.cos_cylinder_phi);
-    let t73 = (p.spring_stiffness * m.slide * (m.slide - R::literal(0.116)))
-        .add_product(p.spring_damping * m.slide, m.slide_rate).sub_product(p.spring_stiffness, t68)
-        .sub_product(t65, m.t12).sub_product(t4, t37).sub_product(t5, t36).sub_product(t72, t35);
-    let t74 = m.t169 + t33 - t50 - t66 + t54;
-    let t75 = t62 - t67;
-    let t76 = t48 + m.t169 + t33 - t50 + t54;
-    let t77 = t62 - t61;
-    let t78 = (t7 * m.t214).add_product(t6, m.t215 + m.t216 + m.t217);
-    let t79 = m.between * m.between;
+    let t77 = (p.spring_stiffness * m.slide * (m.slide - R::literal(0.116)))
+        .add_product(p.spring_damping * m.slide, m.slide_rate).sub_product(p.spring_stiffness, t72)
+        .sub_product(t69, m.t12).sub_product(t4, t41).sub_product(t5, t40).sub_product(t76, t39);
+    let t78 = m.t169 + t33 - t54 - t70 + t58;
+    let t79 = t66 - t71;
+    let t80 = t52 + m.t169 + t33 - t54 + t58;
+    let t81 = t66 - t65;
+    let t82 = (t7 * m.t214).add_product(t6, m.t215 + m.t216 + m.t217);
+    let t83 = m.between * m.between;
     let contact_damping_times_bobbin_v_x = p.contact_damping * bobbin_v_x;
-    let t80 = contact_stiffness_times_contact_gap / m.between;
-    let t81 = p.contact_damping * m.contact_rate / m.between;
-    let t82 = t79 * m.between;
-    let t83 = c.t0 * m.contact_rate;
-    let t84 = t83 * t8 * t9 / t82;
-    let t85 = m.t175 * t9 / t82;
-    let t86 = p.contact_stiffness * t8 * t9 / t79;
+    let t84 = contact_stiffness_times_contact_gap / m.between;
+    let t85 = p.contact_damping * m.contact_rate / m.between;
+    let t86 = t83 * m.between;
+    let t87 = c.t0 * m.contact_rate;
+    let t88 = t87 * t8 * t9 / t86;
+    let t89 = m.t175 * t9 / t86;
+    let t90 = p.contact_stiffness * t8 * t9 / t83;
     let contact_damping_times_bobbin_v_y = p.contact_damping * bobbin_v_y;
-    let t87 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), R::literal(-1500.0)
-        * t39);
-    let t88 = R::literal(0.2) * post_omega;
-    let t89 = R::literal(0.12) * plate_omega;
-    let t90 = t89 * m.cos_plate_phi;
-    let t91 = t89 * m.sin_plate_phi;
-    let t92 = p.spring_damping * (m.cos_cylinder_phi * m.cos_cylinder_phi);
-    let t93 = p.spring_damping * m.sin_cylinder_phi * m.cos_cylinder_phi;
-    let t94 = p.spring_damping * m.t12;
-    let t95 = t94 * m.cos_cylinder_phi;
-    let t96 = R::literal(2.0) * cylinder_omega;
-    let t97 = t96 * m.cos_cylinder_phi;
-    let t98 = p.spring_damping * (m.sin_cylinder_phi * m.sin_cylinder_phi);
-    let t99 = t94 * m.sin_cylinder_phi;
-    let t100 = t96 * m.sin_cylinder_phi;
-    let t101 = p.spring_damping * t68;
-    let t102 = R::literal(0.12) * cylinder_omega;
-    let t103 = R::literal(0.12) * rod_omega;
-    let t104 = t103 * m.cos_rod_phi;
-    let t105 = m.t182.sub_product(t0, m.post_omega_dot).sub_product(m.factors[66], t40);
-    let t106 = (-m.t181.add_product(t1, m.post_omega_dot)).add_product(t11, t40).add_product(t19,
-        t105);
-    let t107 = t105.add_product(t20, t105).sub_product(m.factors[52], t106);
-    let t108 = t106.sub_product(m.factors[53], t106).sub_product(m.factors[47], t107);
-    let t109 = (m.factors[48] * t107).add_product(m.factors[43], t108);
-    let t110 = (m.factors[49] * t107).add_product(m.factors[44], t108).add_product(t23, t109);
-    let t111 = (m.factors[5] * t109).add_product(m.factors[6], t110);
-    let t112 = (-(m.t95 * t109)).add_product(m.factors[13], t110).add_product(t25, t111);
-    let t113 = (m.factors[16] * t111).add_product(m.factors[17], t112);
-    let t114 = (t26 * t111).add_product(m.t133, t112).sub_product(m.t144, t113);
-    let t115 = (-(m.factors[50] * t107)).add_product(t22, t108).sub_product(t24, t109)
-        .add_product(m.factors[23], t110).add_product(t27, t111).sub_product(m.factors[25], t112)
-        .sub_product(t29, t113).sub_product(m.factors[27], t114);
-    let t116 = (t21 * t107).sub_product(m.factors[46], t108).sub_product(m.t101, t109)
-        .add_product(m.factors[29], t110).add_product(t28, t111).sub_product(m.factors[31], t112)
-        .sub_product(t30, t113).sub_product(m.factors[33], t114).sub_product(m.factors[34], t115)
+    let t91 = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), R::literal(-1500.0)
+        * t43);
+    let t92 = R::literal(0.2) * post_omega;
+    let t93 = R::literal(0.12) * plate_omega;
+    let t94 = t93 * m.cos_plate_phi;
+    let t95 = t93 * m.sin_plate_phi;
+    let t96 = p.spring_damping * (m.cos_cylinder_phi * m.cos_cylinder_phi);
+    let t97 = p.spring_damping * m.sin_cylinder_phi * m.cos_cylinder_phi;
+    let t98 = p.spring_damping * m.t12;
+    let t99 = t98 * m.cos_cylinder_phi;
+    let t100 = R::literal(2.0) * cylinder_omega;
+    let t101 = t100 * m.cos_cylinder_phi;
+    let t102 = p.spring_damping * (m.sin_cylinder_phi * m.sin_cylinder_phi);
+    let t103 = t98 * m.sin_cylinder_phi;
+    let t104 = t100 * m.sin_cylinder_phi;
+    let t105 = p.spring_damping * t72;
+    let t106 = R::literal(0.12) * cylinder_omega;
+    let t107 = R::literal(0.12) * rod_omega;
+    let t108 = t107 * m.cos_rod_phi;
+    let t109 = m.t182.sub_product(t0, m.post_omega_dot).sub_product(m.factors[66], t44);
+    let t110 = (-m.t181.add_product(t1, m.post_omega_dot)).add_product(t11, t44).add_product(t19,
+        t109);
+    let t111 = t109.add_product(t20, t109).sub_product(m.factors[52], t110);
+    let t112 = t110.sub_product(m.factors[53], t110).sub_product(m.factors[47], t111);
+    let t113 = (m.factors[48] * t111).add_product(m.factors[43], t112);
+    let t114 = (m.factors[49] * t111).add_product(m.factors[44], t112).add_product(t23, t113);
+    let t115 = (m.factors[5] * t113).add_product(m.factors[6], t114);
+    let t116 = (-(m.t95 * t113)).add_product(m.factors[13], t114).add_product(t25, t115);
+    let t117 = (m.factors[16] * t115).add_product(m.factors[17], t116);
+    let t118 = (t26 * t115).add_product(m.t133, t116).sub_product(m.t144, t117);
+    let t119 = (-(m.factors[50] * t111)).add_product(t22, t112).sub_product(t24, t113)
+        .add_product(m.factors[23], t114).add_product(t27, t115).sub_product(m.factors[25], t116)
+        .sub_product(t29, t117).sub_product(m.factors[27], t118);
+    let t120 = (t21 * t111).sub_product(m.factors[46], t112).sub_product(m.t101, t113)
+        .add_product(m.factors[29], t114).add_product(t28, t115).sub_product(m.factors[31], t116)
+        .sub_product(t30, t117).sub_product(m.factors[33], t118).sub_product(m.factors[34], t119)
         * m.factors[35];
-    let t117 = (t115 * m.factors[36]).sub_product(m.factors[34], t116);
-    let t118 = (t114 * m.factors[37]).sub_product(m.factors[27], t117).sub_product(m.factors[33],
-        t116);
-    let t119 = (t113 * m.t141).add_product(m.t144, t118).add_product(t29, t117).add_product(t30,
-        t116);
-    let t120 = (t112 * m.factors[39]).sub_product(m.factors[17], t119).add_product(m.t133, t118)
-        .sub_product(m.factors[25], t117).sub_product(m.factors[31], t116);
-    let t121 = (t111 * m.factors[40]).add_product(t25, t120).sub_product(m.factors[16], t119)
-        .add_product(t26, t118).add_product(t27, t117).add_product(t28, t116);
-    let t122 = (t110 * m.factors[41]).add_product(m.factors[6], t121).add_product(m.factors[13],
-        t120).add_product(m.factors[23], t117).add_product(m.factors[29], t116);
-    let t123 = (t109 * m.t87).sub_product(t23, t122).sub_product(m.factors[5], t121)
-        .add_product(m.t95, t120).add_product(t24, t117).add_product(m.t101, t116);
-    let t124 = (t108 * m.t72).sub_product(m.factors[43], t123).add_product(m.factors[44], t122)
-        .add_product(t22, t117).sub_product(m.factors[46], t116);
-    let t125 = (t107 * m.t58).sub_product(m.factors[47], t124).sub_product(m.factors[48], t123)
-        .add_product(m.factors[49], t122).sub_product(m.factors[50], t117).add_product(t21, t116);
-    let t126 = (t106 * m.t50).sub_product(m.factors[52], t125).sub_product(m.factors[53], t124);
-    let t127 = (-(t105 * m.t40)).add_product(t19, t126).add_product(t20, t125).add_product(t19,
-        t124);
-    let bobbin_v_y_dot_by_post_phi = R::literal(-1.428_571_428_571_428_6) * t116;
-    let bobbin_v_x_dot_by_post_phi = R::literal(-1.428_571_428_571_428_6) * t117;
-    let rod_omega_dot_by_post_phi = (t18 * t119).sub_product(R::literal(4_166.666_666_666_667),
-        t121).sub_product(m.factors[58], t118);
-    let rod_v_y_dot_by_post_phi = (R::literal(-5.0) * t118).sub_product(m.factors[11], t120);
-    let rod_v_x_dot_by_post_phi = (R::literal(-5.0) * t119).add_product(t17, t120);
-    let cylinder_omega_dot_by_post_phi = (-(t15 * t122).add_product(m.factors[1], t123)
-        .add_product(R::literal(-2_777.777_777_777_778), t121)).add_product(t16, t120);
-    let cylinder_v_y_dot_by_post_phi = (t14 * t120)
-        .add_product(R::literal(3.333_333_333_333_333_5), t122);
-    let cylinder_v_x_dot_by_post_phi = (-(m.factors[7] * t120))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t123);
-    let plate_omega_dot_by_post_phi = (t12 * t124).sub_product(m.factors[60], t125)
-        .sub_product(m.factors[60], t123).sub_product(t12, t122).add_product(t13, t117)
-        .sub_product(m.factors[63], t116);
-    let plate_v_y_dot_by_post_phi = (R::literal(-0.833_333_333_333_333_4) * t122)
-        .sub_product(R::literal(0.833_333_333_333_333_4), t124)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t116);
-    let plate_v_x_dot_by_post_phi = (R::literal(0.833_333_333_333_333_4) * t123)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t125)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t117);
-    let post_omega_dot_by_post_phi = (t40 * R::literal(370.370_370_370_370_3))
-        .sub_product(m.factors[66], t127).add_product(t11, t126).sub_product(m.factors[66], t125)
-        .add_product(t11, t124);
-    let post_v_y_dot_by_post_phi = (R::literal(1.25) * t124).add_product(R::literal(-1.25), t126);
-    let post_v_x_dot_by_post_phi = (R::literal(1.25) * t125).add_product(R::literal(-1.25), t127);
-    let t128 = m.t185.sub_product(t2, m.plate_omega_dot).sub_product(m.factors[60], t41);
-    let t129 = (-m.t184.add_product(t3, m.plate_omega_dot)).add_product(t12, t41);
-    let t130 = t129.sub_product(m.factors[47], t128);
-    let t131 = t128.sub_product(m.factors[48], t128).sub_product(m.factors[43], t130);
-    let t132 = t129.sub_product(m.factors[49], t128).sub_product(m.factors[44], t130)
-        .add_product(t23, t131);
-    let t133 = (m.factors[5] * t131).add_product(m.factors[6], t132);
-    let t134 = (m.t95 * t131).sub_product(m.factors[13], t132).sub_product(t25, t133);
-    let t135 = (m.factors[16] * t133).sub_product(m.factors[17], t134);
-    let t136 = (-(t26 * t133)).add_product(m.t133, t134).add_product(m.t144, t135);
-    let t137 = (-(m.t13 * plate_omega_squared).add_product(t10, m.plate_omega_dot))
-        .add_product(t13, t41).sub_product(m.factors[50], t128).add_product(t22, t130)
-        .add_product(t24, t131).sub_product(m.factors[23], t132).sub_product(t27, t133)
-        .sub_product(m.factors[25], t134).add_product(t29, t135).sub_product(m.factors[27], t136);
-    let t138 = (m.t13 * m.plate_omega_dot).add_product(m.t14, plate_omega_squared)
-        .sub_product(m.factors[63], t41).add_product(t21, t128).sub_product(m.factors[46], t130)
-        .add_product(m.t101, t131).sub_product(m.factors[29], t132).sub_product(t28, t133)
-        .sub_product(m.factors[31], t134).add_product(t30, t135).sub_product(m.factors[33], t136)
-        .sub_product(m.factors[34], t137) * m.factors[35];
-    let t139 = (t137 * m.factors[36]).sub_product(m.factors[34], t138);
-    let t140 = (t136 * m.factors[37]).sub_product(m.factors[27], t139).sub_product(m.factors[33],
-        t138);
-    let t141 = (-(t135 * m.t141)).add_product(m.t144, t140).add_product(t29, t139).add_product(t30,
-        t138);
-    let t142 = (t134 * m.factors[39]).sub_product(m.factors[17], t141).add_product(m.t133, t140)
-        .sub_product(m.factors[25], t139).sub_product(m.factors[31], t138);
-    let t143 = (-(t133 * m.factors[40])).add_product(t25, t142).sub_product(m.factors[16], t141)
-        .add_product(t26, t140).add_product(t27, t139).add_product(t28, t138);
-    let t144 = (t132 * m.factors[41]).sub_product(m.factors[6], t143).sub_product(m.factors[13],
-        t142).sub_product(m.factors[23], t139).sub_product(m.factors[29], t138);
-    let t145 = (-(t131 * m.t87)).add_product(t23, t144).sub_product(m.factors[5], t143)
-        .add_product(m.t95, t142).add_product(t24, t139).add_product(m.t101, t138);
-    let t146 = (t130 * m.t72).sub_product(m.factors[43], t145).sub_product(m.factors[44], t144)
-        .add_product(t22, t139).sub_product(m.factors[46], t138);
-    let t147 = (t128 * m.t58).sub_product(m.factors[47], t146).sub_product(m.factors[48], t145)
-        .sub_product(m.factors[49], t144).sub_product(m.factors[50], t139).add_product(t21, t138);
-    let t148 = (m.factors[53] * t146).add_product(m.factors[52], t147);
-    let t149 = (t20 * t147).sub_product(t19, t148).add_product(t19, t146);
-    let bobbin_v_y_dot_by_plate_phi = R::literal(-1.428_571_428_571_428_6) * t138;
-    let bobbin_v_x_dot_by_plate_phi = R::literal(-1.428_571_428_571_428_6) * t139;
-    let rod_omega_dot_by_plate_phi = (t18 * t141).sub_product(R::literal(4_166.666_666_666_667),
-        t143).sub_product(m.factors[58], t140);
-    let rod_v_y_dot_by_plate_phi = (R::literal(-5.0) * t140).sub_product(m.factors[11], t142);
-    let rod_v_x_dot_by_plate_phi = (R::literal(-5.0) * t141).add_product(t17, t142);
-    let cylinder_omega_dot_by_plate_phi = (t15 * t144).sub_product(m.factors[1], t145)
-        .sub_product(R::literal(-2_777.777_777_777_778), t143).add_product(t16, t142);
-    let cylinder_v_y_dot_by_plate_phi = (t14 * t142)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t144);
-    let cylinder_v_x_dot_by_plate_phi = (-(m.factors[7] * t142))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t145);
-    let plate_omega_dot_by_plate_phi = (t41 * R::literal(400.0)).sub_product(m.factors[60], t147)
-        .add_product(t12, t146).sub_product(m.factors[60], t145).add_product(t12, t144)
-        .add_product(t13, t139).sub_product(m.factors[63], t138);
-    let plate_v_y_dot_by_plate_phi = (R::literal(0.833_333_333_333_333_4) * t144)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t146)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t138);
-    let plate_v_x_dot_by_plate_phi = (R::literal(0.833_333_333_333_333_4) * t145)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t147)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t139);
-    let post_omega_dot_by_plate_phi = (-(t11 * t148).add_product(m.factors[66], t149)
-        .add_product(m.factors[66], t147)).add_product(t11, t146);
-    let post_v_y_dot_by_plate_phi = (R::literal(1.25) * t146).add_product(R::literal(1.25), t148);
-    let post_v_x_dot_by_plate_phi = (R::literal(1.25) * t147).add_product(R::literal(-1.25), t149);
-    let t150 = R::literal(3.333_333_333_333_333_5) * t45;
-    let t151 = t150.add_product(m.factors[1], t55);
-    let t152 = R::literal(3.333_333_333_333_333_5) * t46;
-    let t153 = (-t152).add_product(t15, t55).sub_product(t23, t151);
-    let t154 = (R::literal(2_777.777_777_777_778) * t55).add_product(m.factors[5], t151)
-        .sub_product(m.factors[6], t153);
-    let t155 = (t34 - t56).sub_product(m.factors[7], t45).add_product(t14, t46).add_product(t16,
-        t55).add_product(t17, t52).sub_product(m.factors[11], t53).sub_product(m.t95, t151)
-        .sub_product(m.factors[13], t153).add_product(t25, t154);
-    let t156 = R::literal(5.0) * t52;
-    let t157 = t156.add_product(m.factors[16], t154).add_product(m.factors[17], t155);
-    let t158 = R::literal(5.0) * t53;
-    let t159 = (-t158).add_product(t26, t154).add_product(m.t133, t155).sub_product(m.t144, t157);
-    let t160 = (-(t24 * t151).add_product(m.factors[23], t153)).add_product(t27, t154)
-        .sub_product(m.factors[25], t155).sub_product(t29, t157).sub_product(m.factors[27], t159);
-    let t161 = (-(m.t101 * t151).add_product(m.factors[29], t153)).add_product(t28, t154)
-        .sub_product(m.factors[31], t155).sub_product(t30, t157).sub_product(m.factors[33], t159)
-        .sub_product(m.factors[34], t160) * m.factors[35];
-    let t162 = (t160 * m.factors[36]).sub_product(m.factors[34], t161);
-    let t163 = (t159 * m.factors[37]).sub_product(m.factors[27], t162).sub_product(m.factors[33],
-        t161);
-    let t164 = (t157 * m.t141).add_product(m.t144, t163).add_product(t29, t162).add_product(t30,
-        t161);
-    let t165 = (t155 * m.factors[39]).sub_product(m.factors[17], t164).add_product(m.t133, t163)
-        .sub_product(m.factors[25], t162).sub_product(m.factors[31], t161);
-    let t166 = (t154 * m.factors[40]).add_product(t25, t165).sub_product(m.factors[16], t164)
-        .add_product(t26, t163).add_product(t27, t162).add_product(t28, t161);
-    let t167 = (t153 * m.factors[41]).sub_product(m.factors[6], t166).sub_product(m.factors[13],
-        t165).sub_product(m.factors[23], t162).sub_product(m.factors[29], t161);
-    let t168 = (t151 * m.t87).add_product(t23, t167).sub_product(m.factors[5], t166)
-        .add_product(m.t95, t165).add_product(t24, t162).add_product(m.t101, t161);
-    let t169 = (-(m.factors[44] * t167).add_product(m.factors[43], t168)).add_product(t22, t162)
-        .sub_product(m.factors[46], t161);
-    let t170 = (-(m.factors[48] * t168).add_product(m.factors[47], t169).add_product(m.factors[49],
-        t167).add_product(m.factors[50], t162)).add_product(t21, t161);
-    let t171 = (m.factors[53] * t169).add_product(m.factors[52], t170);
-    let t172 = (t20 * t170).sub_product(t19, t171).add_product(t19, t169);
-    let bobbin_v_y_dot_by_cylinder_x = R::literal(-1.428_571_428_571_428_6) * t161;
-    let bobbin_v_x_dot_by_cylinder_x = R::literal(-1.428_571_428_571_428_6) * t162;
-    let rod_omega_dot_by_cylinder_x = (t18 * t164).sub_product(R::literal(4_166.666_666_666_667),
-        t166).sub_product(m.factors[58], t163);
-    let rod_v_y_dot_by_cylinder_x = t158.sub_product(m.factors[11], t165)
-        .sub_product(R::literal(5.0), t163);
-    let rod_v_x_dot_by_cylinder_x = t156.add_product(t17, t165).sub_product(R::literal(5.0), t164);
-    let cylinder_omega_dot_by_cylinder_x = (t55 * R::literal(2_777.777_777_777_778))
-        .sub_product(m.factors[1], t168).add_product(t15, t167)
-        .sub_product(R::literal(-2_777.777_777_777_778), t166).add_product(t16, t165);
-    let cylinder_v_y_dot_by_cylinder_x = t152.sub_product(R::literal(3.333_333_333_333_333_5), t167)
-        .add_product(t14, t165);
-    let cylinder_v_x_dot_by_cylinder_x = t150.sub_product(R::literal(3.333_333_333_333_333_5), t168)
-        .sub_product(m.factors[7], t165);
-    let plate_omega_dot_by_cylinder_x = (t12 * t169).sub_product(m.factors[60], t170)
-        .sub_product(m.factors[60], t168).add_product(t12, t167).add_product(t13, t162)
-        .sub_product(m.factors[63], t161);
-    let plate_v_y_dot_by_cylinder_x = (R::literal(0.833_333_333_333_333_4) * t167)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t169)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t161);
-    let plate_v_x_dot_by_cylinder_x = (R::literal(0.833_333_333_333_333_4) * t168)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t170)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t162);
-    let post_omega_dot_by_cylinder_x = (-(t11 * t171).add_product(m.factors[66], t172)
-        .add_product(m.factors[66], t170)).add_product(t11, t169);
-    let post_v_y_dot_by_cylinder_x = (R::literal(1.25) * t169).add_product(R::literal(1.25), t171);
-    let post_v_x_dot_by_cylinder_x = (R::literal(1.25) * t170).add_product(R::literal(-1.25), t172);
-    let t173 = R::literal(3.333_333_333_333_333_5) * t58;
-    let t174 = t173.sub_product(m.factors[1], t63);
-    let t175 = R::literal(3.333_333_333_333_333_5) * t59;
-    let t176 = t175.add_product(t15, t63).add_product(t23, t174);
-    let t177 = (R::literal(-2_777.777_777_777_778) * t63).add_product(m.factors[5], t174)
-        .add_product(m.factors[6], t176);
-    let t178 = m.factors[7] * t58;
-    let t179 = t14 * t59;
-    let t180 = t17 * t58;
-    let t181 = m.factors[11] * t59;
-    let t182 = ((t178 - t64 - t179).add_product(t16, t63) + t180 - t181).add_product(m.t95, t174)
-        .sub_product(m.factors[13], t176).sub_product(t25, t177);
-    let t183 = R::literal(5.0) * t58;
-    let t184 = (-t183).add_product(m.factors[16], t177).sub_product(m.factors[17], t182);
-    let t185 = R::literal(5.0) * t59;
-    let t186 = (-t185.add_product(t26, t177)).add_product(m.t133, t182).add_product(m.t144, t184);
-    let t187 = (t24 * t174).sub_product(m.factors[23], t176).sub_product(t27, t177)
-        .sub_product(m.factors[25], t182).add_product(t29, t184).sub_product(m.factors[27], t186);
-    let t188 = (m.t101 * t174).sub_product(m.factors[29], t176).sub_product(t28, t177)
-        .sub_product(m.factors[31], t182).add_product(t30, t184).sub_product(m.factors[33], t186)
-        .sub_product(m.factors[34], t187) * m.factors[35];
-    let t189 = (t187 * m.factors[36]).sub_product(m.factors[34], t188);
-    let t190 = (t186 * m.factors[37]).sub_product(m.factors[27], t189).sub_product(m.factors[33],
-        t188);
-    let t191 = (-(t184 * m.t141)).add_product(m.t144, t190).add_product(t29, t189).add_product(t30,
-        t188);
-    let t192 = (t182 * m.factors[39]).sub_product(m.factors[17], t191).add_product(m.t133, t190)
-        .sub_product(m.factors[25], t189).sub_product(m.factors[31], t188);
-    let t193 = (-(t177 * m.factors[40])).add_product(t25, t192).sub_product(m.factors[16], t191)
-        .add_product(t26, t190).add_product(t27, t189).add_product(t28, t188);
-    let t194 = (t176 * m.factors[41]).sub_product(m.factors[6], t193).sub_product(m.factors[13],
-        t192).sub_product(m.factors[23], t189).sub_product(m.factors[29], t188);
-    let t195 = (-(t174 * m.t87)).add_product(t23, t194).sub_product(m.factors[5], t193)
-        .add_product(m.t95, t192).add_product(t24, t189).add_product(m.t101, t188);
-    let t196 = (-(m.factors[44] * t194).add_product(m.factors[43], t195)).add_product(t22, t189)
-        .sub_product(m.factors[46], t188);
-    let t197 = (-(m.factors[48] * t195).add_product(m.factors[47], t196).add_product(m.factors[49],
-        t194).add_product(m.factors[50], t189)).add_product(t21, t188);
-    let t198 = (m.factors[53] * t196).add_product(m.factors[52], t197);
-    let t199 = (t20 * t197).sub_product(t19, t198).add_product(t19, t196);
-    let bobbin_v_y_dot_by_cylinder_y = R::literal(-1.428_571_428_571_428_6) * t188;
-    let bobbin_v_x_dot_by_cylinder_y = R::literal(-1.428_571_428_571_428_6) * t189;
-    let rod_omega_dot_by_cylinder_y = (t18 * t191).sub_product(R::literal(4_166.666_666_666_667),
-        t193).sub_product(m.factors[58], t190);
-    let rod_v_y_dot_by_cylinder_y = t185.sub_product(m.factors[11], t192)
-        .sub_product(R::literal(5.0), t190);
-    let rod_v_x_dot_by_cylinder_y = t183.add_product(t17, t192).sub_product(R::literal(5.0), t191);
-    let cylinder_omega_dot_by_cylinder_y = (t63 * R::literal(2_777.777_777_777_778))
-        .sub_product(m.factors[1], t195).add_product(t15, t194)
-        .sub_product(R::literal(-2_777.777_777_777_778), t193).add_product(t16, t192);
-    let cylinder_v_y_dot_by_cylinder_y = (-t175.add_product(R::literal(3.333_333_333_333_333_5),
-        t194)).add_product(t14, t192);
-    let cylinder_v_x_dot_by_cylinder_y = (-t173).add_product(R::literal(-3.333_333_333_333_333_5),
-        t195).sub_product(m.factors[7], t192);
-    let plate_omega_dot_by_cylinder_y = (t12 * t196).sub_product(m.factors[60], t197)
-        .sub_product(m.factors[60], t195).add_product(t12, t194).add_product(t13, t189)
-        .sub_product(m.factors[63], t188);
-    let plate_v_y_dot_by_cylinder_y = (R::literal(0.833_333_333_333_333_4) * t194)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t196)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t188);
-    let plate_v_x_dot_by_cylinder_y = (R::literal(0.833_333_333_333_333_4) * t195)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t197)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t189);
-    let post_omega_dot_by_cylinder_y = (-(t11 * t198).add_product(m.factors[66], t199)
-        .add_product(m.factors[66], t197)).add_product(t11, t196);
-    let post_v_y_dot_by_cylinder_y = (R::literal(1.25) * t196).add_product(R::literal(1.25), t198);
-    let post_v_x_dot_by_cylinder_y = (R::literal(1.25) * t197).add_product(R::literal(-1.25), t199);
-    let t200 = R::literal(3.333_333_333_333_333_5) * t70;
-    let t201 = ((-(t4 * m.cylinder_omega_dot)).add_product(t69, m.sin_cylinder_phi) - t200)
-        .sub_product(m.factors[1], t73);
-    let t202 = R::literal(3.333_333_333_333_333_5) * t71;
-    let t203 = (-((t5 * m.cylinder_omega_dot).add_product(t69, m.cos_cylinder_phi) + t202))
-        .add_product(t15, t73).add_product(t23, t201);
-    let t204 = (R::literal(-2_777.777_777_777_778) * t73).add_product(m.factors[5], t201)
-        .add_product(m.factors[6], t203);
-    let t205 = (-(m.cos_cylinder_phi * m.cylinder_v_x_dot)).add_product(cylinder_omega,
-        (R::literal(2.0) * cylinder_v_x * m.sin_cylinder_phi).add_product(R::literal(2.0)
-        * rod_v_y, m.cos_cylinder_phi).add_product(cylinder_x_times_cylinder_omega,
-        m.cos_cylinder_phi).add_product(cylinder_y_times_cylinder_omega, m.sin_cylinder_phi)
-        .sub_product(R::literal(2.0) * cylinder_v_y, m.cos_cylinder_phi)
-        .sub_product(R::literal(2.0) * rod_v_x, m.sin_cylinder_phi)
-        .sub_product(rod_x_times_cylinder_omega, m.cos_cylinder_phi)
-        .sub_product(rod_y_times_cylinder_omega, m.sin_cylinder_phi))
-        .sub_product(m.sin_cylinder_phi, m.cylinder_v_y_dot).sub_product(t72, m.cylinder_omega_dot)
-        .add_product(m.cos_cylinder_phi, m.rod_v_x_dot).sub_product(m.sin_cylinder_phi, m.t235)
-        .sub_product(m.factors[7], t70).add_product(t14, t71).add_product(t16, t73)
-        .add_product(t17, t74).sub_product(m.factors[11], t75).add_product(m.t95, t201);
-    let t206 = t205.sub_product(m.factors[13], t203).sub_product(t25, t204);
-    let t207 = R::literal(5.0) * t74;
-    let t208 = (-t207).add_product(m.factors[16], t204).sub_product(m.factors[17], t206);
-    let t209 = R::literal(5.0) * t75;
-    let t210 = (-t209.add_product(t26, t204)).add_product(m.t133, t206).add_product(m.t144, t208);
-    let t211 = (t24 * t201).sub_product(m.factors[23], t203).sub_product(t27, t204)
-        .sub_product(m.factors[25], t206).add_product(t29, t208).sub_product(m.factors[27], t210);
-    let t212 = (m.t101 * t201).sub_product(m.factors[29], t203).sub_product(t28, t204)
-        .sub_product(m.factors[31], t206).add_product(t30, t208).sub_product(m.factors[33], t210)
-        .sub_product(m.factors[34], t211) * m.factors[35];
-    let t213 = (t211 * m.factors[36]).sub_product(m.factors[34], t212);
-    let t214 = (t210 * m.factors[37]).sub_product(m.factors[27], t213).sub_product(m.factors[33],
-        t212);
-    let t215 = (-(t208 * m.t141)).add_product(m.t144, t214).add_product(t29, t213).add_product(t30,
-        t212);
-    let t216 = (t206 * m.factors[39]).sub_product(m.factors[17], t215).add_product(m.t133, t214)
-        .sub_product(m.factors[25], t213).sub_product(m.factors[31], t212);
-    let t217 = (-(t204 * m.factors[40])).add_product(t25, t216).sub_product(m.factors[16], t215)
-        .add_product(t26, t214).add_product(t27, t213).add_product(t28, t212);
-    let t218 = (t203 * m.factors[41]).sub_product(m.factors[6], t217).sub_product(m.factors[13],
-        t216).sub_product(m.factors[23], t213).sub_product(m.factors[29], t212);
-    let t219 = (-(t201 * m.t87)).add_product(t23, t218).sub_product(m.factors[5], t217)
-        .add_product(m.t95, t216).add_product(t24, t213).add_product(m.t101, t212);
-    let t220 = (-(m.factors[44] * t218).add_product(m.factors[43], t219)).add_product(t22, t213)
-        .sub_product(m.factors[46], t212);
-    let t221 = (-(m.factors[48] * t219).add_product(m.factors[47], t220).add_product(m.factors[49],
-        t218).add_product(m.factors[50], t213)).add_product(t21, t212);
-    let t222 = (m.factors[53] * t220).add_product(m.factors[52], t221);
-    let t223 = (t20 * t221).sub_product(t19, t222).add_product(t19, t220);
-    let bobbin_v_y_dot_by_cylinder_phi = R::literal(-1.428_571_428_571_428_6) * t212;
-    let bobbin_v_x_dot_by_cylinder_phi = R::literal(-1.428_571_428_571_428_6) * t213;
-    let rod_omega_dot_by_cylinder_phi = (t18 * t215).sub_product(R::literal(4_166.666_666_666_667),
-        t217).sub_product(m.factors[58], t214);
-    let rod_v_y_dot_by_cylinder_phi = t209.sub_product(m.factors[11], t216)
-        .sub_product(R::literal(5.0), t214);
-    let rod_v_x_dot_by_cylinder_phi = t207.add_product(t17, t216).sub_product(R::literal(5.0),
-        t215);
-    let cylinder_omega_dot_by_cylinder_phi = (t73 * R::literal(2_777.777_777_777_778))
-        .sub_product(m.factors[1], t219).add_product(t15, t218)
-        .sub_product(R::literal(-2_777.777_777_777_778), t217).add_product(t16, t216);
-    let cylinder_v_y_dot_by_cylinder_phi = t202.sub_product(R::literal(3.333_333_333_333_333_5),
-        t218).add_product(t14, t216);
-    let cylinder_v_x_dot_by_cylinder_phi = t200.sub_product(R::literal(3.333_333_333_333_333_5),
-        t219).sub_product(m.factors[7], t216);
-    let plate_omega_dot_by_cylinder_phi = (t12 * t220).sub_product(m.factors[60], t221)
-        .sub_product(m.factors[60], t219).add_product(t12, t218).add_product(t13, t213)
-        .sub_product(m.factors[63], t212);
-    let plate_v_y_dot_by_cylinder_phi = (R::literal(0.833_333_333_333_333_4) * t218)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t220)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t212);
-    let plate_v_x_dot_by_cylinder_phi = (R::literal(0.833_333_333_333_333_4) * t219)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t221)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t213);
-    let post_omega_dot_by_cylinder_phi = (-(t11 * t222).add_product(m.factors[66], t223)
-        .add_product(m.factors[66], t221)).add_product(t11, t220);
-    let post_v_y_dot_by_cylinder_phi = (R::literal(1.25) * t220).add_product(R::literal(1.25),
-        t222);
-    let post_v_x_dot_by_cylinder_phi = (R::literal(1.25) * t221).add_product(R::literal(-1.25),
-        t223);
-    let t224 = R::literal(3.333_333_333_333_333_5) * t52;
-    let t225 = t224.add_product(m.factors[1], t76);
-    let t226 = R::literal(3.333_333_333_333_333_5) * t53;
-    let t227 = (-t226).add_product(t15, t76).sub_product(t23, t225);
-    let t228 = (R::literal(2_777.777_777_777_778) * t76).add_product(m.factors[5], t225)
-        .sub_product(m.factors[6], t227);
-    let t229 = (t56 - t34).sub_product(m.factors[7], t52).add_product(t14, t53).add_product(t16,
-        t76).add_product(t17, t45).sub_product(m.factors[11], t46).sub_product(m.t95, t225)
-        .sub_product(m.factors[13], t227).add_product(t25, t228);
-    let t230 = R::literal(5.0) * t45;
-    let t231 = t230.add_product(m.factors[16], t228).add_product(m.factors[17], t229);
-    let t232 = R::literal(5.0) * t46;
-    let t233 = (-t232).add_product(t26, t228).add_product(m.t133, t229).sub_product(m.t144, t231);
-    let t234 = (-(t24 * t225).add_product(m.factors[23], t227)).add_product(t27, t228)
-        .sub_product(m.factors[25], t229).sub_product(t29, t231).sub_product(m.factors[27], t233);
-    let t235 = (-(m.t101 * t225).add_product(m.factors[29], t227)).add_product(t28, t228)
-        .sub_product(m.factors[31], t229).sub_product(t30, t231).sub_product(m.factors[33], t233)
-        .sub_product(m.factors[34], t234) * m.factors[35];
-    let t236 = (t234 * m.factors[36]).sub_product(m.factors[34], t235);
-    let t237 = (t233 * m.factors[37]).sub_product(m.factors[27], t236).sub_product(m.factors[33],
-        t235);
-    let t238 = (t231 * m.t141).add_product(m.t144, t237).add_product(t29, t236).add_product(t30,
-        t235);
-    let t239 = (t229 * m.factors[39]).sub_product(m.factors[17], t238).add_product(m.t133, t237)
-        .sub_product(m.factors[25], t236).sub_product(m.factors[31], t235);
-    let t240 = (t228 * m.factors[40]).add_product(t25, t239).sub_product(m.factors[16], t238)
-        .add_product(t26, t237).add_product(t27, t236).add_product(t28, t235);
-    let t241 = (t227 * m.factors[41]).sub_product(m.factors[6], t240).sub_product(m.factors[13],
-        t239).sub_product(m.factors[23], t236).sub_product(m.factors[29], t235);
-    let t242 = (t225 * m.t87).add_product(t23, t241).sub_product(m.factors[5], t240)
-        .add_product(m.t95, t239).add_product(t24, t236).add_product(m.t101, t235);
-    let t243 = (-(m.factors[44] * t241).add_product(m.factors[43], t242)).add_product(t22, t236)
-        .sub_product(m.factors[46], t235);
-    let t244 = (-(m.factors[48] * t242).add_product(m.factors[47], t243).add_product(m.factors[49],
-        t241).add_product(m.factors[50], t236)).add_product(t21, t235);
-    let t245 = (m.factors[53] * t243).add_product(m.factors[52], t244);
-    let t246 = (t20 * t244).sub_product(t19, t245).add_product(t19, t243);
-    let bobbin_v_y_dot_by_rod_x = R::literal(-1.428_571_428_571_428_6) * t235;
-    let bobbin_v_x_dot_by_rod_x = R::literal(-1.428_571_428_571_428_6) * t236;
-    let rod_omega_dot_by_rod_x = (t18 * t238).sub_product(R::literal(4_166.666_666_666_667), t240)
-        .sub_product(m.factors[58], t237);
-    let rod_v_y_dot_by_rod_x = t232.sub_product(m.factors[11], t239).sub_product(R::literal(5.0),
-        t237);
-    let rod_v_x_dot_by_rod_x = t230.add_product(t17, t239).sub_product(R::literal(5.0), t238);
-    let cylinder_omega_dot_by_rod_x = (t76 * R::literal(2_777.777_777_777_778))
-        .sub_product(m.factors[1], t242).add_product(t15, t241)
-        .sub_product(R::literal(-2_777.777_777_777_778), t240).add_product(t16, t239);
-    let cylinder_v_y_dot_by_rod_x = t226.sub_product(R::literal(3.333_333_333_333_333_5), t241)
-        .add_product(t14, t239);
-    let cylinder_v_x_dot_by_rod_x = t224.sub_product(R::literal(3.333_333_333_333_333_5), t242)
-        .sub_product(m.factors[7], t239);
-    let plate_omega_dot_by_rod_x = (t12 * t243).sub_product(m.factors[60], t244)
-        .sub_product(m.factors[60], t242).add_product(t12, t241).add_product(t13, t236)
-        .sub_product(m.factors[63], t235);
-    let plate_v_y_dot_by_rod_x = (R::literal(0.833_333_333_333_333_4) * t241)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t243)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t235);
-    let plate_v_x_dot_by_rod_x = (R::literal(0.833_333_333_333_333_4) * t242)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t244)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t236);
-    let post_omega_dot_by_rod_x = (-(t11 * t245).add_product(m.factors[66], t246)
-        .add_product(m.factors[66], t244)).add_product(t11, t243);
-    let post_v_y_dot_by_rod_x = (R::literal(1.25) * t243).add_product(R::literal(1.25), t245);
-    let post_v_x_dot_by_rod_x = (R::literal(1.25) * t244).add_product(R::literal(-1.25), t246);
-    let t247 = t173.add_product(m.factors[1], t77);
-    let t248 = (-t175).add_product(t15, t77).sub_product(t23, t247);
-    let t249 = (R::literal(2_777.777_777_777_778) * t77).add_product(m.factors[5], t247)
-        .sub_product(m.factors[6], t248);
-    let t250 = ((t64 - t178 + t179).add_product(t16, t77) - t180 + t181).sub_product(m.t95, t247)
-        .sub_product(m.factors[13], t248).add_product(t25, t249);
-    let t251 = t183.sub_product(m.factors[16], t249).sub_product(m.factors[17], t250);
-    let t252 = t185.add_product(t26, t249).add_product(m.t133, t250).add_product(m.t144, t251);
-    let t253 = (-(t24 * t247).add_product(m.factors[23], t248)).add_product(t27, t249)
-        .sub_product(m.factors[25], t250).add_product(t29, t251).sub_product(m.factors[27], t252);
-    let t254 = (-(m.t101 * t247).add_product(m.factors[29], t248)).add_product(t28, t249)
-        .sub_product(m.factors[31], t250).add_product(t30, t251).sub_product(m.factors[33], t252)
-        .sub_product(m.factors[34], t253) * m.factors[35];
-    let t255 = (t253 * m.factors[36]).sub_product(m.factors[34], t254);
-    let t256 = (t252 * m.factors[37]).sub_product(m.factors[27], t255).sub_product(m.factors[33],
-        t254);
-    let t257 = (-(t251 * m.t141)).add_product(m.t144, t256).add_product(t29, t255).add_product(t30,
-        t254);
-    let t258 = (t250 * m.factors[39]).sub_product(m.factors[17], t257).add_product(m.t133, t256)
-        .sub_product(m.factors[25], t255).sub_product(m.factors[31], t254);
-    let t259 = (t249 * m.factors[40]).add_product(t25, t258).sub_product(m.factors[16], t257)
-        .add_product(t26, t256).add_product(t27, t255).add_product(t28, t254);
-    let t260 = (t248 * m.factors[41]).sub_product(m.factors[6], t259).sub_product(m.factors[13],
-        t258).sub_product(m.factors[23], t255).sub_product(m.factors[29], t254);
-    let t261 = (t247 * m.t87).add_product(t23, t260).sub_product(m.factors[5], t259)
-        .add_product(m.t95, t258).add_product(t24, t255).add_product(m.t101, t254);
-    let t262 = (-(m.factors[44] * t260).add_product(m.factors[43], t261)).add_product(t22, t255)
-        .sub_product(m.factors[46], t254);
-    let t263 = (-(m.factors[48] * t261).add_product(m.factors[47], t262).add_product(m.factors[49],
-        t260).add_product(m.factors[50], t255)).add_product(t21, t254);
-    let t264 = (m.factors[53] * t262).add_product(m.factors[52], t263);
-    let t265 = (t20 * t263).sub_product(t19, t264).add_product(t19, t262);
-    let bobbin_v_y_dot_by_rod_y = R::literal(-1.428_571_428_571_428_6) * t254;
-    let bobbin_v_x_dot_by_rod_y = R::literal(-1.428_571_428_571_428_6) * t255;
-    let rod_omega_dot_by_rod_y = (t18 * t257).sub_product(R::literal(4_166.666_666_666_667), t259)
-        .sub_product(m.factors[58], t256);
-    let rod_v_y_dot_by_rod_y = (-t185.add_product(m.factors[11], t258))
-        .add_product(R::literal(-5.0), t256);
-    let rod_v_x_dot_by_rod_y = (-t183).add_product(t17, t258).sub_product(R::literal(5.0), t257);
-    let cylinder_omega_dot_by_rod_y = (t77 * R::literal(2_777.777_777_777_778))
-        .sub_product(m.factors[1], t261).add_product(t15, t260)
-        .sub_product(R::literal(-2_777.777_777_777_778), t259).add_product(t16, t258);
-    let cylinder_v_y_dot_by_rod_y = t175.sub_product(R::literal(3.333_333_333_333_333_5), t260)
-        .add_product(t14, t258);
-    let cylinder_v_x_dot_by_rod_y = t173.sub_product(R::literal(3.333_333_333_333_333_5), t261)
-        .sub_product(m.factors[7], t258);
-    let plate_omega_dot_by_rod_y = (t12 * t262).sub_product(m.factors[60], t263)
-        .sub_product(m.factors[60], t261).add_product(t12, t260).add_product(t13, t255)
-        .sub_product(m.factors[63], t254);
-    let plate_v_y_dot_by_rod_y = (R::literal(0.833_333_333_333_333_4) * t260)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t262)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t254);
-    let plate_v_x_dot_by_rod_y = (R::literal(0.833_333_333_333_333_4) * t261)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t263)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t255);
-    let post_omega_dot_by_rod_y = (-(t11 * t264).add_product(m.factors[66], t265)
-        .add_product(m.factors[66], t263)).add_product(t11, t262);
-    let post_v_y_dot_by_rod_y = (R::literal(1.25) * t262).add_product(R::literal(1.25), t264);
-    let post_v_x_dot_by_rod_y = (R::literal(1.25) * t263).add_product(R::literal(-1.25), t265);
-    let t266 = R::literal(4_166.666_666_666_667) * t78;
-    let t267 = t25 * t266;
-    let t268 = (-m.t188).add_product(t6, m.rod_omega_dot).add_product(t18, t78)
-        .add_product(m.factors[16], t266).add_product(m.factors[17], t267);
-    let t269 = m.t187.add_product(t7, m.rod_omega_dot).sub_product(m.factors[58], t78)
-        .sub_product(t26, t266).sub_product(m.t133, t267).add_product(m.t144, t268);
-    let t270 = (-(t27 * t266)).add_product(m.factors[25], t267).add_product(t29, t268)
-        .sub_product(m.factors[27], t269);
-    let t271 = (-(t28 * t266)).add_product(m.factors[31], t267).add_product(t30, t268)
-        .sub_product(m.factors[33], t269).sub_product(m.factors[34], t270) * m.factors[35];
-    let t272 = (t270 * m.factors[36]).sub_product(m.factors[34], t271);
-    let t273 = (t269 * m.factors[37]).sub_product(m.factors[27], t272).sub_product(m.factors[33],
-        t271);
-    let t274 = (-(t268 * m.t141)).add_product(m.t144, t273).add_product(t29, t272).add_product(t30,
-        t271);
-    let t275 = (-(t267 * m.factors[39]).add_product(m.factors[17], t274)).add_product(m.t133, t273)
-        .sub_product(m.factors[25], t272).sub_product(m.factors[31], t271);
-    let t276 = (-(t266 * m.factors[40])).add_product(t25, t275).sub_product(m.factors[16], t274)
-        .add_product(t26, t273).add_product(t27, t272).add_product(t28, t271);
-    let t277 = (m.factors[13] * t275).add_product(m.factors[6], t276).add_product(m.factors[23],
-        t272).add_product(m.factors[29], t271);
-    let t278 = (-(m.factors[5] * t276).add_product(t23, t277)).add_product(m.t95, t275)
-        .add_product(t24, t272).add_product(m.t101, t271);
-    let t279 = (m.factors[44] * t277).sub_product(m.factors[43], t278).add_product(t22, t272)
-        .sub_product(m.factors[46], t271);
-    let t280 = (-(m.factors[48] * t278).add_product(m.factors[47], t279))
-        .add_product(m.factors[49], t277).sub_product(m.factors[50], t272).add_product(t21, t271);
-    let t281 = (m.factors[53] * t279).add_product(m.factors[52], t280);
-    let t282 = (t20 * t280).sub_product(t19, t281).add_product(t19, t279);
-    let bobbin_v_y_dot_by_rod_phi = R::literal(-1.428_571_428_571_428_6) * t271;
-    let bobbin_v_x_dot_by_rod_phi = R::literal(-1.428_571_428_571_428_6) * t272;
-    let rod_omega_dot_by_rod_phi = t266.sub_product(R::literal(4_166.666_666_666_667), t276)
-        .add_product(t18, t274).sub_product(m.factors[58], t273);
-    let rod_v_y_dot_by_rod_phi = (R::literal(-5.0) * t273).sub_product(m.factors[11], t275);
-    let rod_v_x_dot_by_rod_phi = (R::literal(-5.0) * t274).add_product(t17, t275);
-    let cylinder_omega_dot_by_rod_phi = (-(t15 * t277).add_product(m.factors[1], t278)
-        .add_product(R::literal(-2_777.777_777_777_778), t276)).add_product(t16, t275);
-    let cylinder_v_y_dot_by_rod_phi = (t14 * t275).add_product(R::literal(3.333_333_333_333_333_5),
-        t277);
-    let cylinder_v_x_dot_by_rod_phi = (-(m.factors[7] * t275))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t278);
-    let plate_omega_dot_by_rod_phi = (t12 * t279).sub_product(m.factors[60], t280)
-        .sub_product(m.factors[60], t278).sub_product(t12, t277).add_product(t13, t272)
-        .sub_product(m.factors[63], t271);
-    let plate_v_y_dot_by_rod_phi = (R::literal(-0.833_333_333_333_333_4) * t277)
-        .sub_product(R::literal(0.833_333_333_333_333_4), t279)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t271);
-    let plate_v_x_dot_by_rod_phi = (R::literal(0.833_333_333_333_333_4) * t278)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t280)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t272);
-    let post_omega_dot_by_rod_phi = (-(t11 * t281).add_product(m.factors[66], t282)
-        .add_product(m.factors[66], t280)).add_product(t11, t279);
-    let post_v_y_dot_by_rod_phi = (R::literal(1.25) * t279).add_product(R::literal(1.25), t281);
-    let post_v_x_dot_by_rod_phi = (R::literal(1.25) * t280).add_product(R::literal(-1.25), t282);
-    let t283 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), t83 * m.t9 / t82 + contact_stiffness_times_contact_gap
-        * m.t9 / t82 - contact_damping_times_bobbin_v_x * t8 / t79 - t80 - p.contact_stiffness
-        * m.t9 / t79 - t81);
-    let t284 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), t84 - contact_damping_times_bobbin_v_x * t9 / t79
-        - (t86 - t85));
-    let t285 = (-t284).add_product(m.factors[34], t283) * m.factors[35];
-    let t286 = (t283 * m.factors[36]).add_product(m.factors[34], t285);
-    let t287 = (-(m.factors[33] * t285)).add_product(m.factors[27], t286);
-    let t288 = (-(t29 * t286)).add_product(m.t144, t287).add_product(t30, t285);
-    let t289 = (m.t133 * t287).sub_product(m.factors[17], t288).add_product(m.factors[25], t286)
-        .sub_product(m.factors[31], t285);
-    let t290 = (-(m.factors[16] * t288)).add_product(t25, t289).add_product(t26, t287)
-        .sub_product(t27, t286).add_product(t28, t285);
-    let t291 = (-(m.factors[13] * t289).add_product(m.factors[6], t290)).add_product(m.factors[23],
-        t286).sub_product(m.factors[29], t285);
-    let t292 = (-(m.factors[5] * t290)).add_product(t23, t291).add_product(m.t95, t289)
-        .sub_product(t24, t286).add_product(m.t101, t285);
-    let t293 = (m.factors[44] * t291).add_product(m.factors[43], t292).add_product(t22, t286)
-        .add_product(m.factors[46], t285);
-    let t294 = (-(m.factors[48] * t292)).add_product(m.factors[47], t293)
-        .sub_product(m.factors[49], t291).add_product(m.factors[50], t286).add_product(t21, t285);
-    let t295 = (m.factors[53] * t293).sub_product(m.factors[52], t294);
-    let t296 = (t20 * t294).add_product(t19, t295).sub_product(t19, t293);
-    let bobbin_v_y_dot_by_bobbin_x = t284.sub_product(R::literal(1.428_571_428_571_428_6), t285);
-    let bobbin_v_x_dot_by_bobbin_x = t283.add_product(R::literal(1.428_571_428_571_428_6), t286);
-    let rod_omega_dot_by_bobbin_x = (t18 * t288).sub_product(R::literal(4_166.666_666_666_667),
-        t290).sub_product(m.factors[58], t287);
-    let rod_v_y_dot_by_bobbin_x = (R::literal(-5.0) * t287).sub_product(m.factors[11], t289);
-    let rod_v_x_dot_by_bobbin_x = (R::literal(-5.0) * t288).add_product(t17, t289);
-    let cylinder_omega_dot_by_bobbin_x = (t15 * t291).sub_product(m.factors[1], t292)
-        .sub_product(R::literal(-2_777.777_777_777_778), t290).add_product(t16, t289);
-    let cylinder_v_y_dot_by_bobbin_x = (t14 * t289)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t291);
-    let cylinder_v_x_dot_by_bobbin_x = (-(m.factors[7] * t289))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t292);
-    let plate_omega_dot_by_bobbin_x = (-(t12 * t293).add_product(m.factors[60], t294)
-        .add_product(m.factors[60], t292)).add_product(t12, t291).sub_product(t13, t286)
-        .sub_product(m.factors[63], t285);
-    let plate_v_y_dot_by_bobbin_x = (R::literal(0.833_333_333_333_333_4) * t291)
-        .add_product(R::literal(0.833_333_333_333_333_4), t293)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t285);
-    let plate_v_x_dot_by_bobbin_x = (-(R::literal(-0.833_333_333_333_333_4) * t292)
-        .add_product(R::literal(0.833_333_333_333_333_4), t294))
-        .add_product(R::literal(-0.833_333_333_333_333_4), t286);
-    let post_omega_dot_by_bobbin_x = (t11 * t295).sub_product(m.factors[66], t296)
-        .sub_product(m.factors[66], t294).sub_product(t11, t293);
-    let post_v_y_dot_by_bobbin_x = (R::literal(-1.25) * t293).sub_product(R::literal(1.25), t295);
-    let post_v_x_dot_by_bobbin_x = (R::literal(1.25) * t294).add_product(R::literal(-1.25), t296);
-    let t297 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), t84 + t85 - contact_damping_times_bobbin_v_y * t8 / t79
-        - t86);
-    let t298 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), t83 * m.t11 / t82 - contact_damping_times_bobbin_v_y * t9
-        / t79 - t81 - (t80 + p.contact_stiffness * m.t11 / t79
-        - contact_stiffness_times_contact_gap * m.t11 / t82));
-    let t299 = (-t298).add_product(m.factors[34], t297) * m.factors[35];
-    let t300 = (t297 * m.factors[36]).add_product(m.factors[34], t299);
-    let t301 = (-(m.factors[33] * t299)).add_product(m.factors[27], t300);
-    let t302 = (-(t29 * t300)).add_product(m.t144, t301).add_product(t30, t299);
-    let t303 = (m.t133 * t301).sub_product(m.factors[17], t302).add_product(m.factors[25], t300)
-        .sub_product(m.factors[31], t299);
-    let t304 = (-(m.factors[16] * t302)).add_product(t25, t303).add_product(t26, t301)
-        .sub_product(t27, t300).add_product(t28, t299);
-    let t305 = (-(m.factors[13] * t303).add_product(m.factors[6], t304)).add_product(m.factors[23],
-        t300).sub_product(m.factors[29], t299);
-    let t306 = (-(m.factors[5] * t304)).add_product(t23, t305).add_product(m.t95, t303)
-        .sub_product(t24, t300).add_product(m.t101, t299);
-    let t307 = (m.factors[44] * t305).add_product(m.factors[43], t306).add_product(t22, t300)
-        .add_product(m.factors[46], t299);
-    let t308 = (-(m.factors[48] * t306)).add_product(m.factors[47], t307)
-        .sub_product(m.factors[49], t305).add_product(m.factors[50], t300).add_product(t21, t299);
-    let t309 = (m.factors[53] * t307).sub_product(m.factors[52], t308);
-    let t310 = (t20 * t308).add_product(t19, t309).sub_product(t19, t307);
-    let bobbin_v_y_dot_by_bobbin_y = t298.sub_product(R::literal(1.428_571_428_571_428_6), t299);
-    let bobbin_v_x_dot_by_bobbin_y = t297.add_product(R::literal(1.428_571_428_571_428_6), t300);
-    let rod_omega_dot_by_bobbin_y = (t18 * t302).sub_product(R::literal(4_166.666_666_666_667),
-        t304).sub_product(m.factors[58], t301);
-    let rod_v_y_dot_by_bobbin_y = (R::literal(-5.0) * t301).sub_product(m.factors[11], t303);
-    let rod_v_x_dot_by_bobbin_y = (R::literal(-5.0) * t302).add_product(t17, t303);
-    let cylinder_omega_dot_by_bobbin_y = (t15 * t305).sub_product(m.factors[1], t306)
-        .sub_product(R::literal(-2_777.777_777_777_778), t304).add_product(t16, t303);
-    let cylinder_v_y_dot_by_bobbin_y = (t14 * t303)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t305);
-    let cylinder_v_x_dot_by_bobbin_y = (-(m.factors[7] * t303))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t306);
-    let plate_omega_dot_by_bobbin_y = (-(t12 * t307).add_product(m.factors[60], t308)
-        .add_product(m.factors[60], t306)).add_product(t12, t305).sub_product(t13, t300)
-        .sub_product(m.factors[63], t299);
-    let plate_v_y_dot_by_bobbin_y = (R::literal(0.833_333_333_333_333_4) * t305)
-        .add_product(R::literal(0.833_333_333_333_333_4), t307)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t299);
-    let plate_v_x_dot_by_bobbin_y = (-(R::literal(-0.833_333_333_333_333_4) * t306)
-        .add_product(R::literal(0.833_333_333_333_333_4), t308))
-        .add_product(R::literal(-0.833_333_333_333_333_4), t300);
-    let post_omega_dot_by_bobbin_y = (t11 * t309).sub_product(m.factors[66], t310)
-        .sub_product(m.factors[66], t308).sub_product(t11, t307);
-    let post_v_y_dot_by_bobbin_y = (R::literal(-1.25) * t307).sub_product(R::literal(1.25), t309);
-    let post_v_x_dot_by_bobbin_y = (R::literal(1.25) * t308).add_product(R::literal(-1.25), t310);
-    let t311 = (t88 * m.cos_post_phi).add_product(m.factors[66], t87);
-    let t312 = (-(t88 * m.sin_post_phi)).add_product(t11, t87).sub_product(t19, t311);
-    let t313 = t311.add_product(t20, t311).add_product(m.factors[52], t312);
-    let t314 = t312.sub_product(m.factors[53], t312).add_product(m.factors[47], t313);
-    let t315 = (m.factors[48] * t313).sub_product(m.factors[43], t314);
-    let t316 = (m.factors[49] * t313).sub_product(m.factors[44], t314).add_product(t23, t315);
-    let t317 = (m.factors[5] * t315).add_product(m.factors[6], t316);
-    let t318 = (m.t95 * t315).sub_product(m.factors[13], t316).sub_product(t25, t317);
-    let t319 = (m.factors[16] * t317).sub_product(m.factors[17], t318);
-    let t320 = (-(t26 * t317)).add_product(m.t133, t318).add_product(m.t144, t319);
-    let t321 = (m.factors[50] * t313).add_product(t22, t314).add_product(t24, t315)
-        .sub_product(m.factors[23], t316).sub_product(t27, t317).sub_product(m.factors[25], t318)
-        .add_product(t29, t319).sub_product(m.factors[27], t320);
-    let t322 = (-(t21 * t313).add_product(m.factors[46], t314)).add_product(m.t101, t315)
-        .sub_product(m.factors[29], t316).sub_product(t28, t317).sub_product(m.factors[31], t318)
-        .add_product(t30, t319).sub_product(m.factors[33], t320).sub_product(m.factors[34], t321)
+    let t121 = (t119 * m.factors[36]).sub_product(m.factors[34], t120);
+    let t122 = (t118 * m.factors[37]).sub_product(m.factors[27], t121).sub_product(m.factors[33],
+        t120);
+    let t123 = (t117 * m.t141).add_product(m.t144, t122).add_product(t29, t121).add_product(t30,
+        t120);
+    let t124 = (t116 * m.factors[39]).sub_product(m.factors[17], t123).add_product(m.t133, t122)
+        .sub_product(m.factors[25], t121).sub_product(m.factors[31], t120);
+    let t125 = (t115 * m.factors[40]).add_product(t25, t124).sub_product(m.factors[16], t123)
+        .add_product(t26, t122).add_product(t27, t121).add_product(t28, t120);
+    let t126 = (t114 * m.factors[41]).add_product(m.factors[6], t125).add_product(m.factors[13],
+        t124).add_product(m.factors[23], t121).add_product(m.factors[29], t120);
+    let t127 = (t113 * m.t87).sub_product(t23, t126).sub_product(m.factors[5], t125)
+        .add_product(m.t95, t124).add_product(t24, t121).add_product(m.t101, t120);
+    let t128 = (t112 * m.t72).sub_product(m.factors[43], t127).add_product(m.factors[44], t126)
+        .add_product(t22, t121).sub_product(m.factors[46], t120);
+    let t129 = (t111 * m.t58).sub_product(m.factors[47], t128).sub_product(m.factors[48], t127)
+        .add_product(m.factors[49], t126).sub_product(m.factors[50], t121).add_product(t21, t120);
+    let t130 = (t110 * m.t50).sub_product(m.factors[52], t129).sub_product(m.factors[53], t128);
+    let t131 = (-(t109 * m.t40)).add_product(t19, t130).add_product(t20, t129).add_product(t19,
+        t128);
+    let bobbin_v_y_dot_by_post_phi = R::literal(-1.428_571_428_571_428_6) * t120;
+    let bobbin_v_x_dot_by_post_phi = R::literal(-1.428_571_428_571_428_6) * t121;
+    let rod_omega_dot_by_post_phi = (t18 * t123).sub_product(R::literal(4_166.666_666_666_667),
+        t125).sub_product(m.factors[58], t122);
+    let rod_v_y_dot_by_post_phi = (R::literal(-5.0) * t122).sub_product(m.factors[11], t124);
+    let rod_v_x_dot_by_post_phi = (R::literal(-5.0) * t123).add_product(t17, t124);
+    let cylinder_omega_dot_by_post_phi = (-(t15 * t126).add_product(m.factors[1], t127)
+        .add_product(R::literal(-2_777.777_777_777_778), t125)).add_product(t16, t124);
+    let cylinder_v_y_dot_by_post_phi = (t14 * t124)
+        .add_product(R::literal(3.333_333_333_333_333_5), t126);
+    let cylinder_v_x_dot_by_post_phi = (-(m.factors[7] * t124))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t127);
+    let plate_omega_dot_by_post_phi = (t12 * t128).sub_product(m.factors[60], t129)
+        .sub_product(m.factors[60], t127).sub_product(t12, t126).add_product(t13, t121)
+        .sub_product(m.factors[63], t120);
+    let plate_v_y_dot_by_post_phi = (R::literal(-0.833_333_333_333_333_4) * t126)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t128)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t120);
+    let plate_v_x_dot_by_post_phi = (R::literal(0.833_333_333_333_333_4) * t127)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t129)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t121);
+    let post_omega_dot_by_post_phi = (t44 * R::literal(370.370_370_370_370_3))
+        .sub_product(m.factors[66], t131).add_product(t11, t130).sub_product(m.factors[66], t129)
+        .add_product(t11, t128);
+    let post_v_y_dot_by_post_phi = (R::literal(1.25) * t128).add_product(R::literal(-1.25), t130);
+    let post_v_x_dot_by_post_phi = (R::literal(1.25) * t129).add_product(R::literal(-1.25), t131);
+    let t132 = m.t185.sub_product(t2, m.plate_omega_dot).sub_product(m.factors[60], t45);
+    let t133 = (-m.t184.add_product(t3, m.plate_omega_dot)).add_product(t12, t45);
+    let t134 = t133.sub_product(m.factors[47], t132);
+    let t135 = t132.sub_product(m.factors[48], t132).sub_product(m.factors[43], t134);
+    let t136 = t133.sub_product(m.factors[49], t132).sub_product(m.factors[44], t134)
+        .add_product(t23, t135);
+    let t137 = (m.factors[5] * t135).add_product(m.factors[6], t136);
+    let t138 = (m.t95 * t135).sub_product(m.factors[13], t136).sub_product(t25, t137);
+    let t139 = (m.factors[16] * t137).sub_product(m.factors[17], t138);
+    let t140 = (-(t26 * t137)).add_product(m.t133, t138).add_product(m.t144, t139);
+    let t141 = (-(m.t13 * plate_omega_squared).add_product(t10, m.plate_omega_dot))
+        .add_product(t13, t45).sub_product(m.factors[50], t132).add_product(t22, t134)
+        .add_product(t24, t135).sub_product(m.factors[23], t136).sub_product(t27, t137)
+        .sub_product(m.factors[25], t138).add_product(t29, t139).sub_product(m.factors[27], t140);
+    let t142 = (m.t13 * m.plate_omega_dot).add_product(m.t14, plate_omega_squared)
+        .sub_product(m.factors[63], t45).add_product(t21, t132).sub_product(m.factors[46], t134)
+        .add_product(m.t101, t135).sub_product(m.factors[29], t136).sub_product(t28, t137)
+        .sub_product(m.factors[31], t138).add_product(t30, t139).sub_product(m.factors[33], t140)
+        .sub_product(m.factors[34], t141) * m.factors[35];
+    let t143 = (t141 * m.factors[36]).sub_product(m.factors[34], t142);
+    let t144 = (t140 * m.factors[37]).sub_product(m.factors[27], t143).sub_product(m.factors[33],
+        t142);
+    let t145 = (-(t139 * m.t141)).add_product(m.t144, t144).add_product(t29, t143).add_product(t30,
+        t142);
+    let t146 = (t138 * m.factors[39]).sub_product(m.factors[17], t145).add_product(m.t133, t144)
+        .sub_product(m.factors[25], t143).sub_product(m.factors[31], t142);
+    let t147 = (-(t137 * m.factors[40])).add_product(t25, t146).sub_product(m.factors[16], t145)
+        .add_product(t26, t144).add_product(t27, t143).add_product(t28, t142);
+    let t148 = (t136 * m.factors[41]).sub_product(m.factors[6], t147).sub_product(m.factors[13],
+        t146).sub_product(m.factors[23], t143).sub_product(m.factors[29], t142);
+    let t149 = (-(t135 * m.t87)).add_product(t23, t148).sub_product(m.factors[5], t147)
+        .add_product(m.t95, t146).add_product(t24, t143).add_product(m.t101, t142);
+    let t150 = (t134 * m.t72).sub_product(m.factors[43], t149).sub_product(m.factors[44], t148)
+        .add_product(t22, t143).sub_product(m.factors[46], t142);
+    let t151 = (t132 * m.t58).sub_product(m.factors[47], t150).sub_product(m.factors[48], t149)
+        .sub_product(m.factors[49], t148).sub_product(m.factors[50], t143).add_product(t21, t142);
+    let t152 = (m.factors[53] * t150).add_product(m.factors[52], t151);
+    let t153 = (t20 * t151).sub_product(t19, t152).add_product(t19, t150);
+    let bobbin_v_y_dot_by_plate_phi = R::literal(-1.428_571_428_571_428_6) * t142;
+    let bobbin_v_x_dot_by_plate_phi = R::literal(-1.428_571_428_571_428_6) * t143;
+    let rod_omega_dot_by_plate_phi = (t18 * t145).sub_product(R::literal(4_166.666_666_666_667),
+        t147).sub_product(m.factors[58], t144);
+    let rod_v_y_dot_by_plate_phi = (R::literal(-5.0) * t144).sub_product(m.factors[11], t146);
+    let rod_v_x_dot_by_plate_phi = (R::literal(-5.0) * t145).add_product(t17, t146);
+    let cylinder_omega_dot_by_plate_phi = (t15 * t148).sub_product(m.factors[1], t149)
+        .sub_product(R::literal(-2_777.777_777_777_778), t147).add_product(t16, t146);
+    let cylinder_v_y_dot_by_plate_phi = (t14 * t146)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t148);
+    let cylinder_v_x_dot_by_plate_phi = (-(m.factors[7] * t146))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t149);
+    let plate_omega_dot_by_plate_phi = (t45 * R::literal(400.0)).sub_product(m.factors[60], t151)
+        .add_product(t12, t150).sub_product(m.factors[60], t149).add_product(t12, t148)
+        .add_product(t13, t143).sub_product(m.factors[63], t142);
+    let plate_v_y_dot_by_plate_phi = (R::literal(0.833_333_333_333_333_4) * t148)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t150)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t142);
+    let plate_v_x_dot_by_plate_phi = (R::literal(0.833_333_333_333_333_4) * t149)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t151)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t143);
+    let post_omega_dot_by_plate_phi = (-(t11 * t152).add_product(m.factors[66], t153)
+        .add_product(m.factors[66], t151)).add_product(t11, t150);
+    let post_v_y_dot_by_plate_phi = (R::literal(1.25) * t150).add_product(R::literal(1.25), t152);
+    let post_v_x_dot_by_plate_phi = (R::literal(1.25) * t151).add_product(R::literal(-1.25), t153);
+    let t154 = R::literal(3.333_333_333_333_333_5) * t49;
+    let t155 = t154.add_product(m.factors[1], t59);
+    let t156 = R::literal(3.333_333_333_333_333_5) * t50;
+    let t157 = (-t156).add_product(t15, t59).sub_product(t23, t155);
+    let t158 = (R::literal(2_777.777_777_777_778) * t59).add_product(m.factors[5], t155)
+        .sub_product(m.factors[6], t157);
+    let t159 = (t34 - t60).sub_product(m.factors[7], t49).add_product(t14, t50).add_product(t16,
+        t59).add_product(t17, t56).sub_product(m.factors[11], t57).sub_product(m.t95, t155)
+        .sub_product(m.factors[13], t157).add_product(t25, t158);
+    let t160 = R::literal(5.0) * t56;
+    let t161 = t160.add_product(m.factors[16], t158).add_product(m.factors[17], t159);
+    let t162 = R::literal(5.0) * t57;
+    let t163 = (-t162).add_product(t26, t158).add_product(m.t133, t159).sub_product(m.t144, t161);
+    let t164 = (-(t24 * t155).add_product(m.factors[23], t157)).add_product(t27, t158)
+        .sub_product(m.factors[25], t159).sub_product(t29, t161).sub_product(m.factors[27], t163);
+    let t165 = (-(m.t101 * t155).add_product(m.factors[29], t157)).add_product(t28, t158)
+        .sub_product(m.factors[31], t159).sub_product(t30, t161).sub_product(m.factors[33], t163)
+        .sub_product(m.factors[34], t164) * m.factors[35];
+    let t166 = (t164 * m.factors[36]).sub_product(m.factors[34], t165);
+    let t167 = (t163 * m.factors[37]).sub_product(m.factors[27], t166).sub_product(m.factors[33],
+        t165);
+    let t168 = (t161 * m.t141).add_product(m.t144, t167).add_product(t29, t166).add_product(t30,
+        t165);
+    let t169 = (t159 * m.factors[39]).sub_product(m.factors[17], t168).add_product(m.t133, t167)
+        .sub_product(m.factors[25], t166).sub_product(m.factors[31], t165);
+    let t170 = (t158 * m.factors[40]).add_product(t25, t169).sub_product(m.factors[16], t168)
+        .add_product(t26, t167).add_product(t27, t166).add_product(t28, t165);
+    let t171 = (t157 * m.factors[41]).sub_product(m.factors[6], t170).sub_product(m.factors[13],
+        t169).sub_product(m.factors[23], t166).sub_product(m.factors[29], t165);
+    let t172 = (t155 * m.t87).add_product(t23, t171).sub_product(m.factors[5], t170)
+        .add_product(m.t95, t169).add_product(t24, t166).add_product(m.t101, t165);
+    let t173 = (-(m.factors[44] * t171).add_product(m.factors[43], t172)).add_product(t22, t166)
+        .sub_product(m.factors[46], t165);
+    let t174 = (-(m.factors[48] * t172).add_product(m.factors[47], t173).add_product(m.factors[49],
+        t171).add_product(m.factors[50], t166)).add_product(t21, t165);
+    let t175 = (m.factors[53] * t173).add_product(m.factors[52], t174);
+    let t176 = (t20 * t174).sub_product(t19, t175).add_product(t19, t173);
+    let bobbin_v_y_dot_by_cylinder_x = R::literal(-1.428_571_428_571_428_6) * t165;
+    let bobbin_v_x_dot_by_cylinder_x = R::literal(-1.428_571_428_571_428_6) * t166;
+    let rod_omega_dot_by_cylinder_x = (t18 * t168).sub_product(R::literal(4_166.666_666_666_667),
+        t170).sub_product(m.factors[58], t167);
+    let rod_v_y_dot_by_cylinder_x = t162.sub_product(m.factors[11], t169)
+        .sub_product(R::literal(5.0), t167);
+    let rod_v_x_dot_by_cylinder_x = t160.add_product(t17, t169).sub_product(R::literal(5.0), t168);
+    let cylinder_omega_dot_by_cylinder_x = (t59 * R::literal(2_777.777_777_777_778))
+        .sub_product(m.factors[1], t172).add_product(t15, t171)
+        .sub_product(R::literal(-2_777.777_777_777_778), t170).add_product(t16, t169);
+    let cylinder_v_y_dot_by_cylinder_x = t156.sub_product(R::literal(3.333_333_333_333_333_5), t171)
+        .add_product(t14, t169);
+    let cylinder_v_x_dot_by_cylinder_x = t154.sub_product(R::literal(3.333_333_333_333_333_5), t172)
+        .sub_product(m.factors[7], t169);
+    let plate_omega_dot_by_cylinder_x = (t12 * t173).sub_product(m.factors[60], t174)
+        .sub_product(m.factors[60], t172).add_product(t12, t171).add_product(t13, t166)
+        .sub_product(m.factors[63], t165);
+    let plate_v_y_dot_by_cylinder_x = (R::literal(0.833_333_333_333_333_4) * t171)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t173)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t165);
+    let plate_v_x_dot_by_cylinder_x = (R::literal(0.833_333_333_333_333_4) * t172)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t174)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t166);
+    let post_omega_dot_by_cylinder_x = (-(t11 * t175).add_product(m.factors[66], t176)
+        .add_product(m.factors[66], t174)).add_product(t11, t173);
+    let post_v_y_dot_by_cylinder_x = (R::literal(1.25) * t173).add_product(R::literal(1.25), t175);
+    let post_v_x_dot_by_cylinder_x = (R::literal(1.25) * t174).add_product(R::literal(-1.25), t176);
+    let t177 = R::literal(3.333_333_333_333_333_5) * t62;
+    let t178 = t177.sub_product(m.factors[1], t67);
+    let t179 = R::literal(3.333_333_333_333_333_5) * t63;
+    let t180 = t179.add_product(t15, t67).add_product(t23, t178);
+    let t181 = (R::literal(-2_777.777_777_777_778) * t67).add_product(m.factors[5], t178)
+        .add_product(m.factors[6], t180);
+    let t182 = m.factors[7] * t62;
+    let t183 = t14 * t63;
+    let t184 = t17 * t62;
+    let t185 = m.factors[11] * t63;
+    let t186 = ((t182 - t68 - t183).add_product(t16, t67) + t184 - t185).add_product(m.t95, t178)
+        .sub_product(m.factors[13], t180).sub_product(t25, t181);
+    let t187 = R::literal(5.0) * t62;
+    let t188 = (-t187).add_product(m.factors[16], t181).sub_product(m.factors[17], t186);
+    let t189 = R::literal(5.0) * t63;
+    let t190 = (-t189.add_product(t26, t181)).add_product(m.t133, t186).add_product(m.t144, t188);
+    let t191 = (t24 * t178).sub_product(m.factors[23], t180).sub_product(t27, t181)
+        .sub_product(m.factors[25], t186).add_product(t29, t188).sub_product(m.factors[27], t190);
+    let t192 = (m.t101 * t178).sub_product(m.factors[29], t180).sub_product(t28, t181)
+        .sub_product(m.factors[31], t186).add_product(t30, t188).sub_product(m.factors[33], t190)
+        .sub_product(m.factors[34], t191) * m.factors[35];
+    let t193 = (t191 * m.factors[36]).sub_product(m.factors[34], t192);
+    let t194 = (t190 * m.factors[37]).sub_product(m.factors[27], t193).sub_product(m.factors[33],
+        t192);
+    let t195 = (-(t188 * m.t141)).add_product(m.t144, t194).add_product(t29, t193).add_product(t30,
+        t192);
+    let t196 = (t186 * m.factors[39]).sub_product(m.factors[17], t195).add_product(m.t133, t194)
+        .sub_product(m.factors[25], t193).sub_product(m.factors[31], t192);
+    let t197 = (-(t181 * m.factors[40])).add_product(t25, t196).sub_product(m.factors[16], t195)
+        .add_product(t26, t194).add_product(t27, t193).add_product(t28, t192);
+    let t198 = (t180 * m.factors[41]).sub_product(m.factors[6], t197).sub_product(m.factors[13],
+        t196).sub_product(m.factors[23], t193).sub_product(m.factors[29], t192);
+    let t199 = (-(t178 * m.t87)).add_product(t23, t198).sub_product(m.factors[5], t197)
+        .add_product(m.t95, t196).add_product(t24, t193).add_product(m.t101, t192);
+    let t200 = (-(m.factors[44] * t198).add_product(m.factors[43], t199)).add_product(t22, t193)
+        .sub_product(m.factors[46], t192);
+    let t201 = (-(m.factors[48] * t199).add_product(m.factors[47], t200).add_product(m.factors[49],
+        t198).add_product(m.factors[50], t193)).add_product(t21, t192);
+    let t202 = (m.factors[53] * t200).add_product(m.factors[52], t201);
+    let t203 = (t20 * t201).sub_product(t19, t202).add_product(t19, t200);
+    let bobbin_v_y_dot_by_cylinder_y = R::literal(-1.428_571_428_571_428_6) * t192;
+    let bobbin_v_x_dot_by_cylinder_y = R::literal(-1.428_571_428_571_428_6) * t193;
+    let rod_omega_dot_by_cylinder_y = (t18 * t195).sub_product(R::literal(4_166.666_666_666_667),
+        t197).sub_product(m.factors[58], t194);
+    let rod_v_y_dot_by_cylinder_y = t189.sub_product(m.factors[11], t196)
+        .sub_product(R::literal(5.0), t194);
+    let rod_v_x_dot_by_cylinder_y = t187.add_product(t17, t196).sub_product(R::literal(5.0), t195);
+    let cylinder_omega_dot_by_cylinder_y = (t67 * R::literal(2_777.777_777_777_778))
+        .sub_product(m.factors[1], t199).add_product(t15, t198)
+        .sub_product(R::literal(-2_777.777_777_777_778), t197).add_product(t16, t196);
+    let cylinder_v_y_dot_by_cylinder_y = (-t179.add_product(R::literal(3.333_333_333_333_333_5),
+        t198)).add_product(t14, t196);
+    let cylinder_v_x_dot_by_cylinder_y = (-t177).add_product(R::literal(-3.333_333_333_333_333_5),
+        t199).sub_product(m.factors[7], t196);
+    let plate_omega_dot_by_cylinder_y = (t12 * t200).sub_product(m.factors[60], t201)
+        .sub_product(m.factors[60], t199).add_product(t12, t198).add_product(t13, t193)
+        .sub_product(m.factors[63], t192);
+    let plate_v_y_dot_by_cylinder_y = (R::literal(0.833_333_333_333_333_4) * t198)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t200)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t192);
+    let plate_v_x_dot_by_cylinder_y = (R::literal(0.833_333_333_333_333_4) * t199)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t201)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t193);
+    let post_omega_dot_by_cylinder_y = (-(t11 * t202).add_product(m.factors[66], t203)
+        .add_product(m.factors[66], t201)).add_product(t11, t200);
+    let post_v_y_dot_by_cylinder_y = (R::literal(1.25) * t200).add_product(R::literal(1.25), t202);
+    let post_v_x_dot_by_cylinder_y = (R::literal(1.25) * t201).add_product(R::literal(-1.25), t203);
+    let t204 = R::literal(3.333_333_333_333_333_5) * t74;
+    let t205 = ((-(t4 * m.cylinder_omega_dot)).add_product(t73, m.sin_cylinder_phi) - t204)
+        .sub_product(m.factors[1], t77);
+    let t206 = R::literal(3.333_333_333_333_333_5) * t75;
+    let t207 = (-((t5 * m.cylinder_omega_dot).add_product(t73, m.cos_cylinder_phi) + t206))
+        .add_product(t15, t77).add_product(t23, t205);
+    let t208 = (R::literal(-2_777.777_777_777_778) * t77).add_product(m.factors[5], t205)
+        .add_product(m.factors[6], t207);
+    let t209 = (-(m.cos_cylinder_phi * m.cylinder_v_x_dot)).add_product(cylinder_omega,
+        (t35 * m.sin_cylinder_phi).add_product(t38, m.cos_cylinder_phi).add_product(cylinder_x
+        * cylinder_omega, m.cos_cylinder_phi).add_product(cylinder_y * cylinder_omega,
+        m.sin_cylinder_phi).sub_product(t36, m.cos_cylinder_phi).sub_product(t37,
+        m.sin_cylinder_phi).sub_product(rod_x * cylinder_omega, m.cos_cylinder_phi)
+        .sub_product(rod_y * cylinder_omega, m.sin_cylinder_phi)).sub_product(m.sin_cylinder_phi,
+        m.cylinder_v_y_dot).sub_product(t76, m.cylinder_omega_dot).add_product(m.cos_cylinder_phi,
+        m.rod_v_x_dot).sub_product(m.sin_cylinder_phi, m.t235).sub_product(m.factors[7], t74)
+        .add_product(t14, t75).add_product(t16, t77).add_product(t17, t78)
+        .sub_product(m.factors[11], t79).add_product(m.t95, t205);
+    let t210 = t209.sub_product(m.factors[13], t207).sub_product(t25, t208);
+    let t211 = R::literal(5.0) * t78;
+    let t212 = (-t211).add_product(m.factors[16], t208).sub_product(m.factors[17], t210);
+    let t213 = R::literal(5.0) * t79;
+    let t214 = (-t213.add_product(t26, t208)).add_product(m.t133, t210).add_product(m.t144, t212);
+    let t215 = (t24 * t205).sub_product(m.factors[23], t207).sub_product(t27, t208)
+        .sub_product(m.factors[25], t210).add_product(t29, t212).sub_product(m.factors[27], t214);
+    let t216 = (m.t101 * t205).sub_product(m.factors[29], t207).sub_product(t28, t208)
+        .sub_product(m.factors[31], t210).add_product(t30, t212).sub_product(m.factors[33], t214)
+        .sub_product(m.factors[34], t215) * m.factors[35];
+    let t217 = (t215 * m.factors[36]).sub_product(m.factors[34], t216);
+    let t218 = (t214 * m.factors[37]).sub_product(m.factors[27], t217).sub_product(m.factors[33],
+        t216);
+    let t219 = (-(t212 * m.t141)).add_product(m.t144, t218).add_product(t29, t217).add_product(t30,
+        t216);
+    let t220 = (t210 * m.factors[39]).sub_product(m.factors[17], t219).add_product(m.t133, t218)
+        .sub_product(m.factors[25], t217).sub_product(m.factors[31], t216);
+    let t221 = (-(t208 * m.factors[40])).add_product(t25, t220).sub_product(m.factors[16], t219)
+        .add_product(t26, t218).add_product(t27, t217).add_product(t28, t216);
+    let t222 = (t207 * m.factors[41]).sub_product(m.factors[6], t221).sub_product(m.factors[13],
+        t220).sub_product(m.factors[23], t217).sub_product(m.factors[29], t216);
+    let t223 = (-(t205 * m.t87)).add_product(t23, t222).sub_product(m.factors[5], t221)
+        .add_product(m.t95, t220).add_product(t24, t217).add_product(m.t101, t216);
+    let t224 = (-(m.factors[44] * t222).add_product(m.factors[43], t223)).add_product(t22, t217)
+        .sub_product(m.factors[46], t216);
+    let t225 = (-(m.factors[48] * t223).add_product(m.factors[47], t224).add_product(m.factors[49],
+        t222).add_product(m.factors[50], t217)).add_product(t21, t216);
+    let t226 = (m.factors[53] * t224).add_product(m.factors[52], t225);
+    let t227 = (t20 * t225).sub_product(t19, t226).add_product(t19, t224);
+    let bobbin_v_y_dot_by_cylinder_phi = R::literal(-1.428_571_428_571_428_6) * t216;
+    let bobbin_v_x_dot_by_cylinder_phi = R::literal(-1.428_571_428_571_428_6) * t217;
+    let rod_omega_dot_by_cylinder_phi = (t18 * t219).sub_product(R::literal(4_166.666_666_666_667),
+        t221).sub_product(m.factors[58], t218);
+    let rod_v_y_dot_by_cylinder_phi = t213.sub_product(m.factors[11], t220)
+        .sub_product(R::literal(5.0), t218);
+    let rod_v_x_dot_by_cylinder_phi = t211.add_product(t17, t220).sub_product(R::literal(5.0),
+        t219);
+    let cylinder_omega_dot_by_cylinder_phi = (t77 * R::literal(2_777.777_777_777_778))
+        .sub_product(m.factors[1], t223).add_product(t15, t222)
+        .sub_product(R::literal(-2_777.777_777_777_778), t221).add_product(t16, t220);
+    let cylinder_v_y_dot_by_cylinder_phi = t206.sub_product(R::literal(3.333_333_333_333_333_5),
+        t222).add_product(t14, t220);
+    let cylinder_v_x_dot_by_cylinder_phi = t204.sub_product(R::literal(3.333_333_333_333_333_5),
+        t223).sub_product(m.factors[7], t220);
+    let plate_omega_dot_by_cylinder_phi = (t12 * t224).sub_product(m.factors[60], t225)
+        .sub_product(m.factors[60], t223).add_product(t12, t222).add_product(t13, t217)
+        .sub_product(m.factors[63], t216);
+    let plate_v_y_dot_by_cylinder_phi = (R::literal(0.833_333_333_333_333_4) * t222)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t224)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t216);
+    let plate_v_x_dot_by_cylinder_phi = (R::literal(0.833_333_333_333_333_4) * t223)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t225)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t217);
+    let post_omega_dot_by_cylinder_phi = (-(t11 * t226).add_product(m.factors[66], t227)
+        .add_product(m.factors[66], t225)).add_product(t11, t224);
+    let post_v_y_dot_by_cylinder_phi = (R::literal(1.25) * t224).add_product(R::literal(1.25),
+        t226);
+    let post_v_x_dot_by_cylinder_phi = (R::literal(1.25) * t225).add_product(R::literal(-1.25),
+        t227);
+    let t228 = R::literal(3.333_333_333_333_333_5) * t56;
+    let t229 = t228.add_product(m.factors[1], t80);
+    let t230 = R::literal(3.333_333_333_333_333_5) * t57;
+    let t231 = (-t230).add_product(t15, t80).sub_product(t23, t229);
+    let t232 = (R::literal(2_777.777_777_777_778) * t80).add_product(m.factors[5], t229)
+        .sub_product(m.factors[6], t231);
+    let t233 = (t60 - t34).sub_product(m.factors[7], t56).add_product(t14, t57).add_product(t16,
+        t80).add_product(t17, t49).sub_product(m.factors[11], t50).sub_product(m.t95, t229)
+        .sub_product(m.factors[13], t231).add_product(t25, t232);
+    let t234 = R::literal(5.0) * t49;
+    let t235 = t234.add_product(m.factors[16], t232).add_product(m.factors[17], t233);
+    let t236 = R::literal(5.0) * t50;
+    let t237 = (-t236).add_product(t26, t232).add_product(m.t133, t233).sub_product(m.t144, t235);
+    let t238 = (-(t24 * t229).add_product(m.factors[23], t231)).add_product(t27, t232)
+        .sub_product(m.factors[25], t233).sub_product(t29, t235).sub_product(m.factors[27], t237);
+    let t239 = (-(m.t101 * t229).add_product(m.factors[29], t231)).add_product(t28, t232)
+        .sub_product(m.factors[31], t233).sub_product(t30, t235).sub_product(m.factors[33], t237)
+        .sub_product(m.factors[34], t238) * m.factors[35];
+    let t240 = (t238 * m.factors[36]).sub_product(m.factors[34], t239);
+    let t241 = (t237 * m.factors[37]).sub_product(m.factors[27], t240).sub_product(m.factors[33],
+        t239);
+    let t242 = (t235 * m.t141).add_product(m.t144, t241).add_product(t29, t240).add_product(t30,
+        t239);
+    let t243 = (t233 * m.factors[39]).sub_product(m.factors[17], t242).add_product(m.t133, t241)
+        .sub_product(m.factors[25], t240).sub_product(m.factors[31], t239);
+    let t244 = (t232 * m.factors[40]).add_product(t25, t243).sub_product(m.factors[16], t242)
+        .add_product(t26, t241).add_product(t27, t240).add_product(t28, t239);
+    let t245 = (t231 * m.factors[41]).sub_product(m.factors[6], t244).sub_product(m.factors[13],
+        t243).sub_product(m.factors[23], t240).sub_product(m.factors[29], t239);
+    let t246 = (t229 * m.t87).add_product(t23, t245).sub_product(m.factors[5], t244)
+        .add_product(m.t95, t243).add_product(t24, t240).add_product(m.t101, t239);
+    let t247 = (-(m.factors[44] * t245).add_product(m.factors[43], t246)).add_product(t22, t240)
+        .sub_product(m.factors[46], t239);
+    let t248 = (-(m.factors[48] * t246).add_product(m.factors[47], t247).add_product(m.factors[49],
+        t245).add_product(m.factors[50], t240)).add_product(t21, t239);
+    let t249 = (m.factors[53] * t247).add_product(m.factors[52], t248);
+    let t250 = (t20 * t248).sub_product(t19, t249).add_product(t19, t247);
+    let bobbin_v_y_dot_by_rod_x = R::literal(-1.428_571_428_571_428_6) * t239;
+    let bobbin_v_x_dot_by_rod_x = R::literal(-1.428_571_428_571_428_6) * t240;
+    let rod_omega_dot_by_rod_x = (t18 * t242).sub_product(R::literal(4_166.666_666_666_667), t244)
+        .sub_product(m.factors[58], t241);
+    let rod_v_y_dot_by_rod_x = t236.sub_product(m.factors[11], t243).sub_product(R::literal(5.0),
+        t241);
+    let rod_v_x_dot_by_rod_x = t234.add_product(t17, t243).sub_product(R::literal(5.0), t242);
+    let cylinder_omega_dot_by_rod_x = (t80 * R::literal(2_777.777_777_777_778))
+        .sub_product(m.factors[1], t246).add_product(t15, t245)
+        .sub_product(R::literal(-2_777.777_777_777_778), t244).add_product(t16, t243);
+    let cylinder_v_y_dot_by_rod_x = t230.sub_product(R::literal(3.333_333_333_333_333_5), t245)
+        .add_product(t14, t243);
+    let cylinder_v_x_dot_by_rod_x = t228.sub_product(R::literal(3.333_333_333_333_333_5), t246)
+        .sub_product(m.factors[7], t243);
+    let plate_omega_dot_by_rod_x = (t12 * t247).sub_product(m.factors[60], t248)
+        .sub_product(m.factors[60], t246).add_product(t12, t245).add_product(t13, t240)
+        .sub_product(m.factors[63], t239);
+    let plate_v_y_dot_by_rod_x = (R::literal(0.833_333_333_333_333_4) * t245)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t247)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t239);
+    let plate_v_x_dot_by_rod_x = (R::literal(0.833_333_333_333_333_4) * t246)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t248)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t240);
+    let post_omega_dot_by_rod_x = (-(t11 * t249).add_product(m.factors[66], t250)
+        .add_product(m.factors[66], t248)).add_product(t11, t247);
+    let post_v_y_dot_by_rod_x = (R::literal(1.25) * t247).add_product(R::literal(1.25), t249);
+    let post_v_x_dot_by_rod_x = (R::literal(1.25) * t248).add_product(R::literal(-1.25), t250);
+    let t251 = t177.add_product(m.factors[1], t81);
+    let t252 = (-t179).add_product(t15, t81).sub_product(t23, t251);
+    let t253 = (R::literal(2_777.777_777_777_778) * t81).add_product(m.factors[5], t251)
+        .sub_product(m.factors[6], t252);
+    let t254 = ((t68 - t182 + t183).add_product(t16, t81) - t184 + t185).sub_product(m.t95, t251)
+        .sub_product(m.factors[13], t252).add_product(t25, t253);
+    let t255 = t187.sub_product(m.factors[16], t253).sub_product(m.factors[17], t254);
+    let t256 = t189.add_product(t26, t253).add_product(m.t133, t254).add_product(m.t144, t255);
+    let t257 = (-(t24 * t251).add_product(m.factors[23], t252)).add_product(t27, t253)
+        .sub_product(m.factors[25], t254).add_product(t29, t255).sub_product(m.factors[27], t256);
+    let t258 = (-(m.t101 * t251).add_product(m.factors[29], t252)).add_product(t28, t253)
+        .sub_product(m.factors[31], t254).add_product(t30, t255).sub_product(m.factors[33], t256)
+        .sub_product(m.factors[34], t257) * m.factors[35];
+    let t259 = (t257 * m.factors[36]).sub_product(m.factors[34], t258);
+    let t260 = (t256 * m.factors[37]).sub_product(m.factors[27], t259).sub_product(m.factors[33],
+        t258);
+    let t261 = (-(t255 * m.t141)).add_product(m.t144, t260).add_product(t29, t259).add_product(t30,
+        t258);
+    let t262 = (t254 * m.factors[39]).sub_product(m.factors[17], t261).add_product(m.t133, t260)
+        .sub_product(m.factors[25], t259).sub_product(m.factors[31], t258);
+    let t263 = (t253 * m.factors[40]).add_product(t25, t262).sub_product(m.factors[16], t261)
+        .add_product(t26, t260).add_product(t27, t259).add_product(t28, t258);
+    let t264 = (t252 * m.factors[41]).sub_product(m.factors[6], t263).sub_product(m.factors[13],
+        t262).sub_product(m.factors[23], t259).sub_product(m.factors[29], t258);
+    let t265 = (t251 * m.t87).add_product(t23, t264).sub_product(m.factors[5], t263)
+        .add_product(m.t95, t262).add_product(t24, t259).add_product(m.t101, t258);
+    let t266 = (-(m.factors[44] * t264).add_product(m.factors[43], t265)).add_product(t22, t259)
+        .sub_product(m.factors[46], t258);
+    let t267 = (-(m.factors[48] * t265).add_product(m.factors[47], t266).add_product(m.factors[49],
+        t264).add_product(m.factors[50], t259)).add_product(t21, t258);
+    let t268 = (m.factors[53] * t266).add_product(m.factors[52], t267);
+    let t269 = (t20 * t267).sub_product(t19, t268).add_product(t19, t266);
+    let bobbin_v_y_dot_by_rod_y = R::literal(-1.428_571_428_571_428_6) * t258;
+    let bobbin_v_x_dot_by_rod_y = R::literal(-1.428_571_428_571_428_6) * t259;
+    let rod_omega_dot_by_rod_y = (t18 * t261).sub_product(R::literal(4_166.666_666_666_667), t263)
+        .sub_product(m.factors[58], t260);
+    let rod_v_y_dot_by_rod_y = (-t189.add_product(m.factors[11], t262))
+        .add_product(R::literal(-5.0), t260);
+    let rod_v_x_dot_by_rod_y = (-t187).add_product(t17, t262).sub_product(R::literal(5.0), t261);
+    let cylinder_omega_dot_by_rod_y = (t81 * R::literal(2_777.777_777_777_778))
+        .sub_product(m.factors[1], t265).add_product(t15, t264)
+        .sub_product(R::literal(-2_777.777_777_777_778), t263).add_product(t16, t262);
+    let cylinder_v_y_dot_by_rod_y = t179.sub_product(R::literal(3.333_333_333_333_333_5), t264)
+        .add_product(t14, t262);
+    let cylinder_v_x_dot_by_rod_y = t177.sub_product(R::literal(3.333_333_333_333_333_5), t265)
+        .sub_product(m.factors[7], t262);
+    let plate_omega_dot_by_rod_y = (t12 * t266).sub_product(m.factors[60], t267)
+        .sub_product(m.factors[60], t265).add_product(t12, t264).add_product(t13, t259)
+        .sub_product(m.factors[63], t258);
+    let plate_v_y_dot_by_rod_y = (R::literal(0.833_333_333_333_333_4) * t264)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t266)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t258);
+    let plate_v_x_dot_by_rod_y = (R::literal(0.833_333_333_333_333_4) * t265)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t267)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t259);
+    let post_omega_dot_by_rod_y = (-(t11 * t268).add_product(m.factors[66], t269)
+        .add_product(m.factors[66], t267)).add_product(t11, t266);
+    let post_v_y_dot_by_rod_y = (R::literal(1.25) * t266).add_product(R::literal(1.25), t268);
+    let post_v_x_dot_by_rod_y = (R::literal(1.25) * t267).add_product(R::literal(-1.25), t269);
+    let t270 = R::literal(4_166.666_666_666_667) * t82;
+    let t271 = t25 * t270;
+    let t272 = (-m.t188).add_product(t6, m.rod_omega_dot).add_product(t18, t82)
+        .add_product(m.factors[16], t270).add_product(m.factors[17], t271);
+    let t273 = m.t187.add_product(t7, m.rod_omega_dot).sub_product(m.factors[58], t82)
+        .sub_product(t26, t270).sub_product(m.t133, t271).add_product(m.t144, t272);
+    let t274 = (-(t27 * t270)).add_product(m.factors[25], t271).add_product(t29, t272)
+        .sub_product(m.factors[27], t273);
+    let t275 = (-(t28 * t270)).add_product(m.factors[31], t271).add_product(t30, t272)
+        .sub_product(m.factors[33], t273).sub_product(m.factors[34], t274) * m.factors[35];
+    let t276 = (t274 * m.factors[36]).sub_product(m.factors[34], t275);
+    let t277 = (t273 * m.factors[37]).sub_product(m.factors[27], t276).sub_product(m.factors[33],
+        t275);
+    let t278 = (-(t272 * m.t141)).add_product(m.t144, t277).add_product(t29, t276).add_product(t30,
+        t275);
+    let t279 = (-(t271 * m.factors[39]).add_product(m.factors[17], t278)).add_product(m.t133, t277)
+        .sub_product(m.factors[25], t276).sub_product(m.factors[31], t275);
+    let t280 = (-(t270 * m.factors[40])).add_product(t25, t279).sub_product(m.factors[16], t278)
+        .add_product(t26, t277).add_product(t27, t276).add_product(t28, t275);
+    let t281 = (m.factors[13] * t279).add_product(m.factors[6], t280).add_product(m.factors[23],
+        t276).add_product(m.factors[29], t275);
+    let t282 = (-(m.factors[5] * t280).add_product(t23, t281)).add_product(m.t95, t279)
+        .add_product(t24, t276).add_product(m.t101, t275);
+    let t283 = (m.factors[44] * t281).sub_product(m.factors[43], t282).add_product(t22, t276)
+        .sub_product(m.factors[46], t275);
+    let t284 = (-(m.factors[48] * t282).add_product(m.factors[47], t283))
+        .add_product(m.factors[49], t281).sub_product(m.factors[50], t276).add_product(t21, t275);
+    let t285 = (m.factors[53] * t283).add_product(m.factors[52], t284);
+    let t286 = (t20 * t284).sub_product(t19, t285).add_product(t19, t283);
+    let bobbin_v_y_dot_by_rod_phi = R::literal(-1.428_571_428_571_428_6) * t275;
+    let bobbin_v_x_dot_by_rod_phi = R::literal(-1.428_571_428_571_428_6) * t276;
+    let rod_omega_dot_by_rod_phi = t270.sub_product(R::literal(4_166.666_666_666_667), t280)
+        .add_product(t18, t278).sub_product(m.factors[58], t277);
+    let rod_v_y_dot_by_rod_phi = (R::literal(-5.0) * t277).sub_product(m.factors[11], t279);
+    let rod_v_x_dot_by_rod_phi = (R::literal(-5.0) * t278).add_product(t17, t279);
+    let cylinder_omega_dot_by_rod_phi = (-(t15 * t281).add_product(m.factors[1], t282)
+        .add_product(R::literal(-2_777.777_777_777_778), t280)).add_product(t16, t279);
+    let cylinder_v_y_dot_by_rod_phi = (t14 * t279).add_product(R::literal(3.333_333_333_333_333_5),
+        t281);
+    let cylinder_v_x_dot_by_rod_phi = (-(m.factors[7] * t279))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t282);
+    let plate_omega_dot_by_rod_phi = (t12 * t283).sub_product(m.factors[60], t284)
+        .sub_product(m.factors[60], t282).sub_product(t12, t281).add_product(t13, t276)
+        .sub_product(m.factors[63], t275);
+    let plate_v_y_dot_by_rod_phi = (R::literal(-0.833_333_333_333_333_4) * t281)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t283)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t275);
+    let plate_v_x_dot_by_rod_phi = (R::literal(0.833_333_333_333_333_4) * t282)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t284)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t276);
+    let post_omega_dot_by_rod_phi = (-(t11 * t285).add_product(m.factors[66], t286)
+        .add_product(m.factors[66], t284)).add_product(t11, t283);
+    let post_v_y_dot_by_rod_phi = (R::literal(1.25) * t283).add_product(R::literal(1.25), t285);
+    let post_v_x_dot_by_rod_phi = (R::literal(1.25) * t284).add_product(R::literal(-1.25), t286);
+    let t287 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), t87 * m.t9 / t86 + contact_stiffness_times_contact_gap
+        * m.t9 / t86 - contact_damping_times_bobbin_v_x * t8 / t83 - t84 - p.contact_stiffness
+        * m.t9 / t83 - t85);
+    let t288 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), t88 - contact_damping_times_bobbin_v_x * t9 / t83
+        - (t90 - t89));
+    let t289 = (-t288).add_product(m.factors[34], t287) * m.factors[35];
+    let t290 = (t287 * m.factors[36]).add_product(m.factors[34], t289);
+    let t291 = (-(m.factors[33] * t289)).add_product(m.factors[27], t290);
+    let t292 = (-(t29 * t290)).add_product(m.t144, t291).add_product(t30, t289);
+    let t293 = (m.t133 * t291).sub_product(m.factors[17], t292).add_product(m.factors[25], t290)
+        .sub_product(m.factors[31], t289);
+    let t294 = (-(m.factors[16] * t292)).add_product(t25, t293).add_product(t26, t291)
+        .sub_product(t27, t290).add_product(t28, t289);
+    let t295 = (-(m.factors[13] * t293).add_product(m.factors[6], t294)).add_product(m.factors[23],
+        t290).sub_product(m.factors[29], t289);
+    let t296 = (-(m.factors[5] * t294)).add_product(t23, t295).add_product(m.t95, t293)
+        .sub_product(t24, t290).add_product(m.t101, t289);
+    let t297 = (m.factors[44] * t295).add_product(m.factors[43], t296).add_product(t22, t290)
+        .add_product(m.factors[46], t289);
+    let t298 = (-(m.factors[48] * t296)).add_product(m.factors[47], t297)
+        .sub_product(m.factors[49], t295).add_product(m.factors[50], t290).add_product(t21, t289);
+    let t299 = (m.factors[53] * t297).sub_product(m.factors[52], t298);
+    let t300 = (t20 * t298).add_product(t19, t299).sub_product(t19, t297);
+    let bobbin_v_y_dot_by_bobbin_x = t288.sub_product(R::literal(1.428_571_428_571_428_6), t289);
+    let bobbin_v_x_dot_by_bobbin_x = t287.add_product(R::literal(1.428_571_428_571_428_6), t290);
+    let rod_omega_dot_by_bobbin_x = (t18 * t292).sub_product(R::literal(4_166.666_666_666_667),
+        t294).sub_product(m.factors[58], t291);
+    let rod_v_y_dot_by_bobbin_x = (R::literal(-5.0) * t291).sub_product(m.factors[11], t293);
+    let rod_v_x_dot_by_bobbin_x = (R::literal(-5.0) * t292).add_product(t17, t293);
+    let cylinder_omega_dot_by_bobbin_x = (t15 * t295).sub_product(m.factors[1], t296)
+        .sub_product(R::literal(-2_777.777_777_777_778), t294).add_product(t16, t293);
+    let cylinder_v_y_dot_by_bobbin_x = (t14 * t293)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t295);
+    let cylinder_v_x_dot_by_bobbin_x = (-(m.factors[7] * t293))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t296);
+    let plate_omega_dot_by_bobbin_x = (-(t12 * t297).add_product(m.factors[60], t298)
+        .add_product(m.factors[60], t296)).add_product(t12, t295).sub_product(t13, t290)
+        .sub_product(m.factors[63], t289);
+    let plate_v_y_dot_by_bobbin_x = (R::literal(0.833_333_333_333_333_4) * t295)
+        .add_product(R::literal(0.833_333_333_333_333_4), t297)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t289);
+    let plate_v_x_dot_by_bobbin_x = (-(R::literal(-0.833_333_333_333_333_4) * t296)
+        .add_product(R::literal(0.833_333_333_333_333_4), t298))
+        .add_product(R::literal(-0.833_333_333_333_333_4), t290);
+    let post_omega_dot_by_bobbin_x = (t11 * t299).sub_product(m.factors[66], t300)
+        .sub_product(m.factors[66], t298).sub_product(t11, t297);
+    let post_v_y_dot_by_bobbin_x = (R::literal(-1.25) * t297).sub_product(R::literal(1.25), t299);
+    let post_v_x_dot_by_bobbin_x = (R::literal(1.25) * t298).add_product(R::literal(-1.25), t300);
+    let t301 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), t88 + t89 - contact_damping_times_bobbin_v_y * t8 / t83
+        - t90);
+    let t302 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), t87 * m.t11 / t86 - contact_damping_times_bobbin_v_y * t9
+        / t83 - t85 - (t84 + p.contact_stiffness * m.t11 / t83
+        - contact_stiffness_times_contact_gap * m.t11 / t86));
+    let t303 = (-t302).add_product(m.factors[34], t301) * m.factors[35];
+    let t304 = (t301 * m.factors[36]).add_product(m.factors[34], t303);
+    let t305 = (-(m.factors[33] * t303)).add_product(m.factors[27], t304);
+    let t306 = (-(t29 * t304)).add_product(m.t144, t305).add_product(t30, t303);
+    let t307 = (m.t133 * t305).sub_product(m.factors[17], t306).add_product(m.factors[25], t304)
+        .sub_product(m.factors[31], t303);
+    let t308 = (-(m.factors[16] * t306)).add_product(t25, t307).add_product(t26, t305)
+        .sub_product(t27, t304).add_product(t28, t303);
+    let t309 = (-(m.factors[13] * t307).add_product(m.factors[6], t308)).add_product(m.factors[23],
+        t304).sub_product(m.factors[29], t303);
+    let t310 = (-(m.factors[5] * t308)).add_product(t23, t309).add_product(m.t95, t307)
+        .sub_product(t24, t304).add_product(m.t101, t303);
+    let t311 = (m.factors[44] * t309).add_product(m.factors[43], t310).add_product(t22, t304)
+        .add_product(m.factors[46], t303);
+    let t312 = (-(m.factors[48] * t310)).add_product(m.factors[47], t311)
+        .sub_product(m.factors[49], t309).add_product(m.factors[50], t304).add_product(t21, t303);
+    let t313 = (m.factors[53] * t311).sub_product(m.factors[52], t312);
+    let t314 = (t20 * t312).add_product(t19, t313).sub_product(t19, t311);
+    let bobbin_v_y_dot_by_bobbin_y = t302.sub_product(R::literal(1.428_571_428_571_428_6), t303);
+    let bobbin_v_x_dot_by_bobbin_y = t301.add_product(R::literal(1.428_571_428_571_428_6), t304);
+    let rod_omega_dot_by_bobbin_y = (t18 * t306).sub_product(R::literal(4_166.666_666_666_667),
+        t308).sub_product(m.factors[58], t305);
+    let rod_v_y_dot_by_bobbin_y = (R::literal(-5.0) * t305).sub_product(m.factors[11], t307);
+    let rod_v_x_dot_by_bobbin_y = (R::literal(-5.0) * t306).add_product(t17, t307);
+    let cylinder_omega_dot_by_bobbin_y = (t15 * t309).sub_product(m.factors[1], t310)
+        .sub_product(R::literal(-2_777.777_777_777_778), t308).add_product(t16, t307);
+    let cylinder_v_y_dot_by_bobbin_y = (t14 * t307)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t309);
+    let cylinder_v_x_dot_by_bobbin_y = (-(m.factors[7] * t307))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t310);
+    let plate_omega_dot_by_bobbin_y = (-(t12 * t311).add_product(m.factors[60], t312)
+        .add_product(m.factors[60], t310)).add_product(t12, t309).sub_product(t13, t304)
+        .sub_product(m.factors[63], t303);
+    let plate_v_y_dot_by_bobbin_y = (R::literal(0.833_333_333_333_333_4) * t309)
+        .add_product(R::literal(0.833_333_333_333_333_4), t311)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t303);
+    let plate_v_x_dot_by_bobbin_y = (-(R::literal(-0.833_333_333_333_333_4) * t310)
+        .add_product(R::literal(0.833_333_333_333_333_4), t312))
+        .add_product(R::literal(-0.833_333_333_333_333_4), t304);
+    let post_omega_dot_by_bobbin_y = (t11 * t313).sub_product(m.factors[66], t314)
+        .sub_product(m.factors[66], t312).sub_product(t11, t311);
+    let post_v_y_dot_by_bobbin_y = (R::literal(-1.25) * t311).sub_product(R::literal(1.25), t313);
+    let post_v_x_dot_by_bobbin_y = (R::literal(1.25) * t312).add_product(R::literal(-1.25), t314);
+    let t315 = (t92 * m.cos_post_phi).add_product(m.factors[66], t91);
+    let t316 = (-(t92 * m.sin_post_phi)).add_product(t11, t91).sub_product(t19, t315);
+    let t317 = t315.add_product(t20, t315).add_product(m.factors[52], t316);
+    let t318 = t316.sub_product(m.factors[53], t316).add_product(m.factors[47], t317);
+    let t319 = (m.factors[48] * t317).sub_product(m.factors[43], t318);
+    let t320 = (m.factors[49] * t317).sub_product(m.factors[44], t318).add_product(t23, t319);
+    let t321 = (m.factors[5] * t319).add_product(m.factors[6], t320);
+    let t322 = (m.t95 * t319).sub_product(m.factors[13], t320).sub_product(t25, t321);
+    let t323 = (m.factors[16] * t321).sub_product(m.factors[17], t322);
+    let t324 = (-(t26 * t321)).add_product(m.t133, t322).add_product(m.t144, t323);
+    let t325 = (m.factors[50] * t317).add_product(t22, t318).add_product(t24, t319)
+        .sub_product(m.factors[23], t320).sub_product(t27, t321).sub_product(m.factors[25], t322)
+        .add_product(t29, t323).sub_product(m.factors[27], t324);
+    let t326 = (-(t21 * t317).add_product(m.factors[46], t318)).add_product(m.t101, t319)
+        .sub_product(m.factors[29], t320).sub_product(t28, t321).sub_product(m.factors[31], t322)
+        .add_product(t30, t323).sub_product(m.factors[33], t324).sub_product(m.factors[34], t325)
         * m.factors[35];
-    let t323 = (t321 * m.factors[36]).sub_product(m.factors[34], t322);
-    let t324 = (t320 * m.factors[37]).sub_product(m.factors[27], t323).sub_product(m.factors[33],
-        t322);
-    let t325 = (-(t319 * m.t141)).add_product(m.t144, t324).add_product(t29, t323).add_product(t30,
-        t322);
-    let t326 = (t318 * m.factors[39]).sub_product(m.factors[17], t325).add_product(m.t133, t324)
-        .sub_product(m.factors[25], t323).sub_product(m.factors[31], t322);
-    let t327 = (-(t317 * m.factors[40])).add_product(t25, t326).sub_product(m.factors[16], t325)
-        .add_product(t26, t324).add_product(t27, t323).add_product(t28, t322);
-    let t328 = (t316 * m.factors[41]).sub_product(m.factors[6], t327).sub_product(m.factors[13],
-        t326).sub_product(m.factors[23], t323).sub_product(m.factors[29], t322);
-    let t329 = (-(t315 * m.t87)).add_product(t23, t328).sub_product(m.factors[5], t327)
-        .add_product(m.t95, t326).add_product(t24, t323).add_product(m.t101, t322);
-    let t330 = (t314 * m.t72).sub_product(m.factors[43], t329).sub_product(m.factors[44], t328)
-        .add_product(t22, t323).sub_product(m.factors[46], t322);
-    let t331 = (-(t313 * m.t58).add_product(m.factors[47], t330).add_product(m.factors[48], t329)
-        .add_product(m.factors[49], t328).add_product(m.factors[50], t323)).add_product(t21, t322);
-    let t332 = (t312 * m.t50).sub_product(m.factors[52], t331).sub_product(m.factors[53], t330);
-    let t333 = (t311 * m.t40).add_product(t19, t332).add_product(t20, t331).add_product(t19, t330);
-    let bobbin_v_y_dot_by_post_omega = R::literal(-1.428_571_428_571_428_6) * t322;
-    let bobbin_v_x_dot_by_post_omega = R::literal(-1.428_571_428_571_428_6) * t323;
-    let rod_omega_dot_by_post_omega = (t18 * t325).sub_product(R::literal(4_166.666_666_666_667),
-        t327).sub_product(m.factors[58], t324);
-    let rod_v_y_dot_by_post_omega = (R::literal(-5.0) * t324).sub_product(m.factors[11], t326);
-    let rod_v_x_dot_by_post_omega = (R::literal(-5.0) * t325).add_product(t17, t326);
-    let cylinder_omega_dot_by_post_omega = (t15 * t328).sub_product(m.factors[1], t329)
-        .sub_product(R::literal(-2_777.777_777_777_778), t327).add_product(t16, t326);
-    let cylinder_v_y_dot_by_post_omega = (t14 * t326)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t328);
-    let cylinder_v_x_dot_by_post_omega = (-(m.factors[7] * t326))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t329);
-    let plate_omega_dot_by_post_omega = (t12 * t330).sub_product(m.factors[60], t331)
-        .sub_product(m.factors[60], t329).add_product(t12, t328).add_product(t13, t323)
-        .sub_product(m.factors[63], t322);
-    let plate_v_y_dot_by_post_omega = (R::literal(0.833_333_333_333_333_4) * t328)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t330)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t322);
-    let plate_v_x_dot_by_post_omega = (R::literal(0.833_333_333_333_333_4) * t329)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t331)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t323);
-    let post_omega_dot_by_post_omega = (t87 * R::literal(370.370_370_370_370_3))
-        .sub_product(m.factors[66], t333).add_product(t11, t332).sub_product(m.factors[66], t331)
-        .add_product(t11, t330);
-    let post_v_y_dot_by_post_omega = (R::literal(1.25) * t330).add_product(R::literal(-1.25), t332);
-    let post_v_x_dot_by_post_omega = (R::literal(1.25) * t331).add_product(R::literal(-1.25), t333);
-    let t334 = (-t91).add_product(m.factors[47], t90);
-    let t335 = (-t90).add_product(m.factors[48], t90).sub_product(m.factors[43], t334);
-    let t336 = (-t91).add_product(m.factors[49], t90).sub_product(m.factors[44], t334)
-        .add_product(t23, t335);
-    let t337 = (m.factors[5] * t335).add_product(m.factors[6], t336);
-    let t338 = (m.t95 * t335).sub_product(m.factors[13], t336).sub_product(t25, t337);
-    let t339 = (m.factors[16] * t337).sub_product(m.factors[17], t338);
-    let t340 = (-(t26 * t337)).add_product(m.t133, t338).add_product(m.t144, t339);
-    let t341 = (plate_omega * (R::literal(0.02) * m.cos_plate_phi).sub_product(R::literal(0.2),
-        m.sin_plate_phi)).add_product(m.factors[50], t90).add_product(t22, t334).add_product(t24,
-        t335).sub_product(m.factors[23], t336).sub_product(t27, t337).sub_product(m.factors[25],
-        t338).add_product(t29, t339).sub_product(m.factors[27], t340);
-    let t342 = (plate_omega * (R::literal(0.02) * m.sin_plate_phi).add_product(R::literal(0.2),
-        m.cos_plate_phi)).sub_product(t21, t90).sub_product(m.factors[46], t334)
-        .add_product(m.t101, t335).sub_product(m.factors[29], t336).sub_product(t28, t337)
-        .sub_product(m.factors[31], t338).add_product(t30, t339).sub_product(m.factors[33], t340)
-        .sub_product(m.factors[34], t341) * m.factors[35];
-    let t343 = (t341 * m.factors[36]).sub_product(m.factors[34], t342);
-    let t344 = (t340 * m.factors[37]).sub_product(m.factors[27], t343).sub_product(m.factors[33],
-        t342);
-    let t345 = (-(t339 * m.t141)).add_product(m.t144, t344).add_product(t29, t343).add_product(t30,
-        t342);
-    let t346 = (t338 * m.factors[39]).sub_product(m.factors[17], t345).add_product(m.t133, t344)
-        .sub_product(m.factors[25], t343).sub_product(m.factors[31], t342);
-    let t347 = (-(t337 * m.factors[40])).add_product(t25, t346).sub_product(m.factors[16], t345)
-        .add_product(t26, t344).add_product(t27, t343).add_product(t28, t342);
-    let t348 = (t336 * m.factors[41]).sub_product(m.factors[6], t347).sub_product(m.factors[13],
-        t346).sub_product(m.factors[23], t343).sub_product(m.factors[29], t342);
-    let t349 = (-(t335 * m.t87)).add_product(t23, t348).sub_product(m.factors[5], t347)
-        .add_product(m.t95, t346).add_product(t24, t343).add_product(m.t101, t342);
-    let t350 = (t334 * m.t72).sub_product(m.factors[43], t349).sub_product(m.factors[44], t348)
-        .add_product(t22, t343).sub_product(m.factors[46], t342);
-    let t351 = (-(t90 * m.t58).add_product(m.factors[47], t350).add_product(m.factors[48], t349)
-        .add_product(m.factors[49], t348).add_product(m.factors[50], t343)).add_product(t21, t342);
-    let t352 = (m.factors[53] * t350).add_product(m.factors[52], t351);
-    let t353 = (t20 * t351).sub_product(t19, t352).add_product(t19, t350);
-    let bobbin_v_y_dot_by_plate_omega = R::literal(-1.428_571_428_571_428_6) * t342;
-    let bobbin_v_x_dot_by_plate_omega = R::literal(-1.428_571_428_571_428_6) * t343;
-    let rod_omega_dot_by_plate_omega = (t18 * t345).sub_product(R::literal(4_166.666_666_666_667),
-        t347).sub_product(m.factors[58], t344);
-    let rod_v_y_dot_by_plate_omega = (R::literal(-5.0) * t344).sub_product(m.factors[11], t346);
-    let rod_v_x_dot_by_plate_omega = (R::literal(-5.0) * t345).add_product(t17, t346);
-    let cylinder_omega_dot_by_plate_omega = (t15 * t348).sub_product(m.factors[1], t349)
-        .sub_product(R::literal(-2_777.777_777_777_778), t347).add_product(t16, t346);
-    let cylinder_v_y_dot_by_plate_omega = (t14 * t346)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t348);
-    let cylinder_v_x_dot_by_plate_omega = (-(m.factors[7] * t346))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t349);
-    let plate_omega_dot_by_plate_omega = (t12 * t350).sub_product(m.factors[60], t351)
-        .sub_product(m.factors[60], t349).add_product(t12, t348).add_product(t13, t343)
-        .sub_product(m.factors[63], t342);
-    let plate_v_y_dot_by_plate_omega = (R::literal(0.833_333_333_333_333_4) * t348)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t350)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t342);
-    let plate_v_x_dot_by_plate_omega = (R::literal(0.833_333_333_333_333_4) * t349)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t351)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t343);
-    let post_omega_dot_by_plate_omega = (-(t11 * t352).add_product(m.factors[66], t353)
-        .add_product(m.factors[66], t351)).add_product(t11, t350);
-    let post_v_y_dot_by_plate_omega = (R::literal(1.25) * t350).add_product(R::literal(1.25), t352);
-    let post_v_x_dot_by_plate_omega = (R::literal(1.25) * t351).add_product(R::literal(-1.25),
-        t353);
-    let t354 = R::literal(3.333_333_333_333_333_5) * t92;
-    let t355 = m.factors[1] * t95;
-    let t356 = t354 - t355;
-    let t357 = R::literal(3.333_333_333_333_333_5) * t93;
-    let t358 = t357.add_product(t15, t95);
-    let t359 = t358.add_product(t23, t356);
-    let t360 = R::literal(-2_777.777_777_777_778) * t95;
-    let t361 = t360.add_product(m.factors[5], t356).add_product(m.factors[6], t359);
-    let t362 = m.factors[7] * t92;
-    let t363 = t14 * t93;
-    let t364 = t16 * t95;
-    let t365 = t17 * t92;
-    let t366 = m.factors[11] * t93;
-    let t367 = (t362 - t97 - t363 + t364 + t365 - t366).add_product(m.t95, t356)
-        .sub_product(m.factors[13], t359).sub_product(t25, t361);
-    let t368 = R::literal(5.0) * t92;
-    let t369 = (-t368).add_product(m.factors[16], t361).sub_product(m.factors[17], t367);
-    let t370 = R::literal(5.0) * t93;
-    let t371 = (-t370.add_product(t26, t361)).add_product(m.t133, t367).add_product(m.t144, t369);
-    let t372 = (t24 * t356).sub_product(m.factors[23], t359).sub_product(t27, t361)
-        .sub_product(m.factors[25], t367).add_product(t29, t369).sub_product(m.factors[27], t371);
-    let t373 = (m.t101 * t356).sub_product(m.factors[29], t359).sub_product(t28, t361)
-        .sub_product(m.factors[31], t367).add_product(t30, t369).sub_product(m.factors[33], t371)
-        .sub_product(m.factors[34], t372) * m.factors[35];
-    let t374 = (t372 * m.factors[36]).sub_product(m.factors[34], t373);
-    let t375 = (t371 * m.factors[37]).sub_product(m.factors[27], t374).sub_product(m.factors[33],
-        t373);
-    let t376 = (-(t369 * m.t141)).add_product(m.t144, t375).add_product(t29, t374).add_product(t30,
-        t373);
-    let t377 = (t367 * m.factors[39]).sub_product(m.factors[17], t376).add_product(m.t133, t375)
-        .sub_product(m.factors[25], t374).sub_product(m.factors[31], t373);
-    let t378 = (-(t361 * m.factors[40])).add_product(t25, t377).sub_product(m.factors[16], t376)
-        .add_product(t26, t375).add_product(t27, t374).add_product(t28, t373);
-    let t379 = (t359 * m.factors[41]).sub_product(m.factors[6], t378).sub_product(m.factors[13],
-        t377).sub_product(m.factors[23], t374).sub_product(m.factors[29], t373);
-    let t380 = (-(t356 * m.t87)).add_product(t23, t379).sub_product(m.factors[5], t378)
-        .add_product(m.t95, t377).add_product(t24, t374).add_product(m.t101, t373);
-    let t381 = (-(m.factors[44] * t379).add_product(m.factors[43], t380)).add_product(t22, t374)
-        .sub_product(m.factors[46], t373);
-    let t382 = (-(m.factors[48] * t380).add_product(m.factors[47], t381).add_product(m.factors[49],
-        t379).add_product(m.factors[50], t374)).add_product(t21, t373);
-    let t383 = (m.factors[53] * t381).add_product(m.factors[52], t382);
-    let t384 = (t20 * t382).sub_product(t19, t383).add_product(t19, t381);
-    let bobbin_v_y_dot_by_cylinder_v_x = R::literal(-1.428_571_428_571_428_6) * t373;
-    let bobbin_v_x_dot_by_cylinder_v_x = R::literal(-1.428_571_428_571_428_6) * t374;
-    let rod_omega_dot_by_cylinder_v_x = (t18 * t376).sub_product(R::literal(4_166.666_666_666_667),
-        t378).sub_product(m.factors[58], t375);
-    let rod_v_y_dot_by_cylinder_v_x = t370.sub_product(m.factors[11], t377)
-        .sub_product(R::literal(5.0), t375);
-    let rod_v_x_dot_by_cylinder_v_x = t368.add_product(t17, t377).sub_product(R::literal(5.0),
-        t376);
-    let t385 = t95 * R::literal(2_777.777_777_777_778);
-    let cylinder_omega_dot_by_cylinder_v_x = t385.sub_product(m.factors[1], t380).add_product(t15,
-        t379).sub_product(R::literal(-2_777.777_777_777_778), t378).add_product(t16, t377);
-    let cylinder_v_y_dot_by_cylinder_v_x = (-t357.add_product(R::literal(3.333_333_333_333_333_5),
-        t379)).add_product(t14, t377);
-    let cylinder_v_x_dot_by_cylinder_v_x = (-t354)
-        .add_product(R::literal(-3.333_333_333_333_333_5), t380).sub_product(m.factors[7], t377);
-    let plate_omega_dot_by_cylinder_v_x = (t12 * t381).sub_product(m.factors[60], t382)
-        .sub_product(m.factors[60], t380).add_product(t12, t379).add_product(t13, t374)
-        .sub_product(m.factors[63], t373);
-    let plate_v_y_dot_by_cylinder_v_x = (R::literal(0.833_333_333_333_333_4) * t379)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t381)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t373);
-    let plate_v_x_dot_by_cylinder_v_x = (R::literal(0.833_333_333_333_333_4) * t380)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t382)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t374);
-    let post_omega_dot_by_cylinder_v_x = (-(t11 * t383).add_product(m.factors[66], t384)
-        .add_product(m.factors[66], t382)).add_product(t11, t381);
-    let post_v_y_dot_by_cylinder_v_x = (R::literal(1.25) * t381).add_product(R::literal(1.25),
-        t383);
-    let post_v_x_dot_by_cylinder_v_x = (R::literal(1.25) * t382).add_product(R::literal(-1.25),
-        t384);
-    let t386 = m.factors[1] * t99;
-    let t387 = t357 - t386;
-    let t388 = R::literal(3.333_333_333_333_333_5) * t98;
-    let t389 = t388.add_product(t15, t99);
-    let t390 = t389.add_product(t23, t387);
-    let t391 = R::literal(-2_777.777_777_777_778) * t99;
-    let t392 = t391.add_product(m.factors[5], t387).add_product(m.factors[6], t390);
-    let t393 = m.factors[7] * t93;
-    let t394 = t14 * t98;
-    let t395 = t16 * t99;
-    let t396 = t17 * t93;
-    let t397 = m.factors[11] * t98;
-    let t398 = (t393 - t100 - t394 + t395 + t396 - t397).add_product(m.t95, t387)
-        .sub_product(m.factors[13], t390).sub_product(t25, t392);
-    let t399 = (-t370).add_product(m.factors[16], t392).sub_product(m.factors[17], t398);
-    let t400 = R::literal(5.0) * t98;
-    let t401 = (-t400.add_product(t26, t392)).add_product(m.t133, t398).add_product(m.t144, t399);
-    let t402 = (t24 * t387).sub_product(m.factors[23], t390).sub_product(t27, t392)
-        .sub_product(m.factors[25], t398).add_product(t29, t399).sub_product(m.factors[27], t401);
-    let t403 = (m.t101 * t387).sub_product(m.factors[29], t390).sub_product(t28, t392)
-        .sub_product(m.factors[31], t398).add_product(t30, t399).sub_product(m.factors[33], t401)
-        .sub_product(m.factors[34], t402) * m.factors[35];
-    let t404 = (t402 * m.factors[36]).sub_product(m.factors[34], t403);
-    let t405 = (t401 * m.factors[37]).sub_product(m.factors[27], t404).sub_product(m.factors[33],
-        t403);
-    let t406 = (-(t399 * m.t141)).add_product(m.t144, t405).add_product(t29, t404).add_product(t30,
-        t403);
-    let t407 = (t398 * m.factors[39]).sub_product(m.factors[17], t406).add_product(m.t133, t405)
-        .sub_product(m.factors[25], t404).sub_product(m.factors[31], t403);
-    let t408 = (-(t392 * m.factors[40])).add_product(t25, t407).sub_product(m.factors[16], t406)
-        .add_product(t26, t405).add_product(t27, t404).add_product(t28, t403);
-    let t409 = (t390 * m.factors[41]).sub_product(m.factors[6], t408).sub_product(m.factors[13],
-        t407).sub_product(m.factors[23], t404).sub_product(m.factors[29], t403);
-    let t410 = (-(t387 * m.t87)).add_product(t23, t409).sub_product(m.factors[5], t408)
-        .add_product(m.t95, t407).add_product(t24, t404).add_product(m.t101, t403);
-    let t411 = (-(m.factors[44] * t409).add_product(m.factors[43], t410)).add_product(t22, t404)
-        .sub_product(m.factors[46], t403);
-    let t412 = (-(m.factors[48] * t410).add_product(m.factors[47], t411).add_product(m.factors[49],
-        t409).add_product(m.factors[50], t404)).add_product(t21, t403);
-    let t413 = (m.factors[53] * t411).add_product(m.factors[52], t412);
-    let t414 = (t20 * t412).sub_product(t19, t413).add_product(t19, t411);
-    let bobbin_v_y_dot_by_cylinder_v_y = R::literal(-1.428_571_428_571_428_6) * t403;
-    let bobbin_v_x_dot_by_cylinder_v_y = R::literal(-1.428_571_428_571_428_6) * t404;
-    let rod_omega_dot_by_cylinder_v_y = (t18 * t406).sub_product(R::literal(4_166.666_666_666_667),
-        t408).sub_product(m.factors[58], t405);
-    let rod_v_y_dot_by_cylinder_v_y = t400.sub_product(m.factors[11], t407)
-        .sub_product(R::literal(5.0), t405);
-    let rod_v_x_dot_by_cylinder_v_y = t370.add_product(t17, t407).sub_product(R::literal(5.0),
-        t406);
-    let t415 = t99 * R::literal(2_777.777_777_777_778);
-    let cylinder_omega_dot_by_cylinder_v_y = t415.sub_product(m.factors[1], t410).add_product(t15,
-        t409).sub_product(R::literal(-2_777.777_777_777_778), t408).add_product(t16, t407);
-    let cylinder_v_y_dot_by_cylinder_v_y = (-t388.add_product(R::literal(3.333_333_333_333_333_5),
-        t409)).add_product(t14, t407);
-    let cylinder_v_x_dot_by_cylinder_v_y = (-t357)
-        .add_product(R::literal(-3.333_333_333_333_333_5), t410).sub_product(m.factors[7], t407);
-    let plate_omega_dot_by_cylinder_v_y = (t12 * t411).sub_product(m.factors[60], t412)
-        .sub_product(m.factors[60], t410).add_product(t12, t409).add_product(t13, t404)
-        .sub_product(m.factors[63], t403);
-    let plate_v_y_dot_by_cylinder_v_y = (R::literal(0.833_333_333_333_333_4) * t409)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t411)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t403);
-    let plate_v_x_dot_by_cylinder_v_y = (R::literal(0.833_333_333_333_333_4) * t410)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t412)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t404);
-    let post_omega_dot_by_cylinder_v_y = (-(t11 * t413).add_product(m.factors[66], t414)
-        .add_product(m.factors[66], t412)).add_product(t11, t411);
-    let post_v_y_dot_by_cylinder_v_y = (R::literal(1.25) * t411).add_product(R::literal(1.25),
-        t413);
-    let post_v_x_dot_by_cylinder_v_y = (R::literal(1.25) * t412).add_product(R::literal(-1.25),
-        t414);
-    let t416 = R::literal(3.333_333_333_333_333_5) * t95;
-    let t417 = (-t416.add_product(t102, m.cos_cylinder_phi)).add_product(m.factors[1], t101);
-    let t418 = R::literal(3.333_333_333_333_333_5) * t99;
-    let t419 = (-t418.add_product(t102, m.sin_cylinder_phi).add_product(t15, t101))
-        .add_product(t23, t417);
-    let t420 = (R::literal(-2_777.777_777_777_778) * t101).sub_product(m.factors[5], t417)
-        .sub_product(m.factors[6], t419);
-    let t421 = (-(m.factors[7] * t95)).add_product(R::literal(2.0),
-        (cylinder_x_times_cylinder_omega * m.sin_cylinder_phi)
-        .add_product(rod_y_times_cylinder_omega, m.cos_cylinder_phi).add_product(rod_v_x,
-        m.cos_cylinder_phi).add_product(rod_v_y, m.sin_cylinder_phi)
-        .sub_product(cylinder_y_times_cylinder_omega, m.cos_cylinder_phi)
-        .sub_product(rod_x_times_cylinder_omega, m.sin_cylinder_phi).sub_product(cylinder_v_x,
-        m.cos_cylinder_phi).sub_product(cylinder_v_y, m.sin_cylinder_phi)).add_product(t14, t99)
-        .sub_product(t16, t101).sub_product(t17, t95).add_product(m.factors[11], t99)
-        .add_product(m.t95, t417).sub_product(m.factors[13], t419).add_product(t25, t420);
-    let t422 = R::literal(5.0) * t95;
-    let t423 = t422.sub_product(m.factors[16], t420).sub_product(m.factors[17], t421);
-    let t424 = R::literal(5.0) * t99;
-    let t425 = t424.add_product(t26, t420).add_product(m.t133, t421).add_product(m.t144, t423);
-    let t426 = (t24 * t417).sub_product(m.factors[23], t419).add_product(t27, t420)
-        .sub_product(m.factors[25], t421).add_product(t29, t423).sub_product(m.factors[27], t425);
-    let t427 = (m.t101 * t417).sub_product(m.factors[29], t419).add_product(t28, t420)
-        .sub_product(m.factors[31], t421).add_product(t30, t423).sub_product(m.factors[33], t425)
-        .sub_product(m.factors[34], t426) * m.factors[35];
-    let t428 = (t426 * m.factors[36]).sub_product(m.factors[34], t427);
-    let t429 = (t425 * m.factors[37]).sub_product(m.factors[27], t428).sub_product(m.factors[33],
-        t427);
-    let t430 = (-(t423 * m.t141)).add_product(m.t144, t429).add_product(t29, t428).add_product(t30,
-        t427);
-    let t431 = (t421 * m.factors[39]).sub_product(m.factors[17], t430).add_product(m.t133, t429)
-        .sub_product(m.factors[25], t428).sub_product(m.factors[31], t427);
-    let t432 = (t420 * m.factors[40]).add_product(t25, t431).sub_product(m.factors[16], t430)
-        .add_product(t26, t429).add_product(t27, t428).add_product(t28, t427);
-    let t433 = (t419 * m.factors[41]).sub_product(m.factors[6], t432).sub_product(m.factors[13],
-        t431).sub_product(m.factors[23], t428).sub_product(m.factors[29], t427);
-    let t434 = (-(t417 * m.t87)).add_product(t23, t433).sub_product(m.factors[5], t432)
-        .add_product(m.t95, t431).add_product(t24, t428).add_product(m.t101, t427);
-    let t435 = (-(m.factors[44] * t433).add_product(m.factors[43], t434)).add_product(t22, t428)
-        .sub_product(m.factors[46], t427);
-    let t436 = (-(m.factors[48] * t434).add_product(m.factors[47], t435).add_product(m.factors[49],
-        t433).add_product(m.factors[50], t428)).add_product(t21, t427);
-    let t437 = (m.factors[53] * t435).add_product(m.factors[52], t436);
-    let t438 = (t20 * t436).sub_product(t19, t437).add_product(t19, t435);
-    let bobbin_v_y_dot_by_cylinder_omega = R::literal(-1.428_571_428_571_428_6) * t427;
-    let bobbin_v_x_dot_by_cylinder_omega = R::literal(-1.428_571_428_571_428_6) * t428;
-    let rod_omega_dot_by_cylinder_omega = (t18 * t430)
-        .sub_product(R::literal(4_166.666_666_666_667), t432).sub_product(m.factors[58], t429);
-    let rod_v_y_dot_by_cylinder_omega = (-t424.add_product(m.factors[11], t431))
-        .add_product(R::literal(-5.0), t429);
-    let rod_v_x_dot_by_cylinder_omega = (-t422).add_product(t17, t431).sub_product(R::literal(5.0),
-        t430);
-    let cylinder_omega_dot_by_cylinder_omega = (-(t101 * R::literal(2_777.777_777_777_778))
-        .add_product(m.factors[1], t434)).add_product(t15, t433)
-        .sub_product(R::literal(-2_777.777_777_777_778), t432).add_product(t16, t431);
-    let cylinder_v_y_dot_by_cylinder_omega = t418.sub_product(R::literal(3.333_333_333_333_333_5),
-        t433).add_product(t14, t431);
-    let cylinder_v_x_dot_by_cylinder_omega = t416.sub_product(R::literal(3.333_333_333_333_333_5),
-        t434).sub_product(m.factors[7], t431);
-    let plate_omega_dot_by_cylinder_omega = (t12 * t435).sub_product(m.factors[60], t436)
-        .sub_product(m.factors[60], t434).add_product(t12, t433).add_product(t13, t428)
-        .sub_product(m.factors[63], t427);
-    let plate_v_y_dot_by_cylinder_omega = (R::literal(0.833_333_333_333_333_4) * t433)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t435)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t427);
-    let plate_v_x_dot_by_cylinder_omega = (R::literal(0.833_333_333_333_333_4) * t434)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t436)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t428);
-    let post_omega_dot_by_cylinder_omega = (-(t11 * t437).add_product(m.factors[66], t438)
-        .add_product(m.factors[66], t436)).add_product(t11, t435);
-    let post_v_y_dot_by_cylinder_omega = (R::literal(1.25) * t435).add_product(R::literal(1.25),
-        t437);
-    let post_v_x_dot_by_cylinder_omega = (R::literal(1.25) * t436).add_product(R::literal(-1.25),
-        t438);
-    let t439 = t355 - t354;
-    let t440 = (-t358).add_product(t23, t439);
-    let t441 = t360.sub_product(m.factors[5], t439).sub_product(m.factors[6], t440);
-    let t442 = (t97 - t362 + t363 - t364 - t365 + t366).add_product(m.t95, t439)
-        .sub_product(m.factors[13], t440).add_product(t25, t441);
-    let t443 = t368.sub_product(m.factors[16], t441).sub_product(m.factors[17], t442);
-    let t444 = t370.add_product(t26, t441).add_product(m.t133, t442).add_product(m.t144, t443);
-    let t445 = (t24 * t439).sub_product(m.factors[23], t440).add_product(t27, t441)
-        .sub_product(m.factors[25], t442).add_product(t29, t443).sub_product(m.factors[27], t444);
-    let t446 = (m.t101 * t439).sub_product(m.factors[29], t440).add_product(t28, t441)
-        .sub_product(m.factors[31], t442).add_product(t30, t443).sub_product(m.factors[33], t444)
-        .sub_product(m.factors[34], t445) * m.factors[35];
-    let t447 = (t445 * m.factors[36]).sub_product(m.factors[34], t446);
-    let t448 = (t444 * m.factors[37]).sub_product(m.factors[27], t447).sub_product(m.factors[33],
-        t446);
-    let t449 = (-(t443 * m.t141)).add_product(m.t144, t448).add_product(t29, t447).add_product(t30,
-        t446);
-    let t450 = (t442 * m.factors[39]).sub_product(m.factors[17], t449).add_product(m.t133, t448)
-        .sub_product(m.factors[25], t447).sub_product(m.factors[31], t446);
-    let t451 = (t441 * m.factors[40]).add_product(t25, t450).sub_product(m.factors[16], t449)
-        .add_product(t26, t448).add_product(t27, t447).add_product(t28, t446);
-    let t452 = (t440 * m.factors[41]).sub_product(m.factors[6], t451).sub_product(m.factors[13],
-        t450).sub_product(m.factors[23], t447).sub_product(m.factors[29], t446);
-    let t453 = (-(t439 * m.t87)).add_product(t23, t452).sub_product(m.factors[5], t451)
-        .add_product(m.t95, t450).add_product(t24, t447).add_product(m.t101, t446);
-    let t454 = (-(m.factors[44] * t452).add_product(m.factors[43], t453)).add_product(t22, t447)
-        .sub_product(m.factors[46], t446);
-    let t455 = (-(m.factors[48] * t453).add_product(m.factors[47], t454).add_product(m.factors[49],
-        t452).add_product(m.factors[50], t447)).add_product(t21, t446);
-    let t456 = (m.factors[53] * t454).add_product(m.factors[52], t455);
-    let t457 = (t20 * t455).sub_product(t19, t456).add_product(t19, t454);
-    let bobbin_v_y_dot_by_rod_v_x = R::literal(-1.428_571_428_571_428_6) * t446;
-    let bobbin_v_x_dot_by_rod_v_x = R::literal(-1.428_571_428_571_428_6) * t447;
-    let rod_omega_dot_by_rod_v_x = (t18 * t449).sub_product(R::literal(4_166.666_666_666_667), t451)
-        .sub_product(m.factors[58], t448);
-    let rod_v_y_dot_by_rod_v_x = (-t370.add_product(m.factors[11], t450))
-        .add_product(R::literal(-5.0), t448);
-    let rod_v_x_dot_by_rod_v_x = (-t368).add_product(t17, t450).sub_product(R::literal(5.0), t449);
-    let cylinder_omega_dot_by_rod_v_x = (-t385.add_product(m.factors[1], t453)).add_product(t15,
-        t452).sub_product(R::literal(-2_777.777_777_777_778), t451).add_product(t16, t450);
-    let cylinder_v_y_dot_by_rod_v_x = t357.sub_product(R::literal(3.333_333_333_333_333_5), t452)
-        .add_product(t14, t450);
-    let cylinder_v_x_dot_by_rod_v_x = t354.sub_product(R::literal(3.333_333_333_333_333_5), t453)
-        .sub_product(m.factors[7], t450);
-    let plate_omega_dot_by_rod_v_x = (t12 * t454).sub_product(m.factors[60], t455)
-        .sub_product(m.factors[60], t453).add_product(t12, t452).add_product(t13, t447)
-        .sub_product(m.factors[63], t446);
-    let plate_v_y_dot_by_rod_v_x = (R::literal(0.833_333_333_333_333_4) * t452)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t454)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t446);
-    let plate_v_x_dot_by_rod_v_x = (R::literal(0.833_333_333_333_333_4) * t453)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t455)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t447);
-    let post_omega_dot_by_rod_v_x = (-(t11 * t456).add_product(m.factors[66], t457)
-        .add_product(m.factors[66], t455)).add_product(t11, t454);
-    let post_v_y_dot_by_rod_v_x = (R::literal(1.25) * t454).add_product(R::literal(1.25), t456);
-    let post_v_x_dot_by_rod_v_x = (R::literal(1.25) * t455).add_product(R::literal(-1.25), t457);
-    let t458 = t386 - t357;
-    let t459 = (-t389).add_product(t23, t458);
-    let t460 = t391.sub_product(m.factors[5], t458).sub_product(m.factors[6], t459);
-    let t461 = (t100 - t393 + t394 - t395 - t396 + t397).add_product(m.t95, t458)
-        .sub_product(m.factors[13], t459).add_product(t25, t460);
-    let t462 = t370.sub_product(m.factors[16], t460).sub_product(m.factors[17], t461);
-    let t463 = t400.add_product(t26, t460).add_product(m.t133, t461).add_product(m.t144, t462);
-    let t464 = (t24 * t458).sub_product(m.factors[23], t459).add_product(t27, t460)
-        .sub_product(m.factors[25], t461).add_product(t29, t462).sub_product(m.factors[27], t463);
-    let t465 = (m.t101 * t458).sub_product(m.factors[29], t459).add_product(t28, t460)
-        .sub_product(m.factors[31], t461).add_product(t30, t462).sub_product(m.factors[33], t463)
-        .sub_product(m.factors[34], t464) * m.factors[35];
-    let t466 = (t464 * m.factors[36]).sub_product(m.factors[34], t465);
-    let t467 = (t463 * m.factors[37]).sub_product(m.factors[27], t466).sub_product(m.factors[33],
-        t465);
-    let t468 = (-(t462 * m.t141)).add_product(m.t144, t467).add_product(t29, t466).add_product(t30,
-        t465);
-    let t469 = (t461 * m.factors[39]).sub_product(m.factors[17], t468).add_product(m.t133, t467)
-        .sub_product(m.factors[25], t466).sub_product(m.factors[31], t465);
-    let t470 = (t460 * m.factors[40]).add_product(t25, t469).sub_product(m.factors[16], t468)
-        .add_product(t26, t467).add_product(t27, t466).add_product(t28, t465);
-    let t471 = (t459 * m.factors[41]).sub_product(m.factors[6], t470).sub_product(m.factors[13],
-        t469).sub_product(m.factors[23], t466).sub_product(m.factors[29], t465);
-    let t472 = (-(t458 * m.t87)).add_product(t23, t471).sub_product(m.factors[5], t470)
-        .add_product(m.t95, t469).add_product(t24, t466).add_product(m.t101, t465);
-    let t473 = (-(m.factors[44] * t471).add_product(m.factors[43], t472)).add_product(t22, t466)
-        .sub_product(m.factors[46], t465);
-    let t474 = (-(m.factors[48] * t472).add_product(m.factors[47], t473).add_product(m.factors[49],
-        t471).add_product(m.factors[50], t466)).add_product(t21, t465);
-    let t475 = (m.factors[53] * t473).add_product(m.factors[52], t474);
-    let t476 = (t20 * t474).sub_product(t19, t475).add_product(t19, t473);
-    let bobbin_v_y_dot_by_rod_v_y = R::literal(-1.428_571_428_571_428_6) * t465;
-    let bobbin_v_x_dot_by_rod_v_y = R::literal(-1.428_571_428_571_428_6) * t466;
-    let rod_omega_dot_by_rod_v_y = (t18 * t468).sub_product(R::literal(4_166.666_666_666_667), t470)
-        .sub_product(m.factors[58], t467);
-    let rod_v_y_dot_by_rod_v_y = (-t400.add_product(m.factors[11], t469))
-        .add_product(R::literal(-5.0), t467);
-    let rod_v_x_dot_by_rod_v_y = (-t370).add_product(t17, t469).sub_product(R::literal(5.0), t468);
-    let cylinder_omega_dot_by_rod_v_y = (-t415.add_product(m.factors[1], t472)).add_product(t15,
-        t471).sub_product(R::literal(-2_777.777_777_777_778), t470).add_product(t16, t469);
-    let cylinder_v_y_dot_by_rod_v_y = t388.sub_product(R::literal(3.333_333_333_333_333_5), t471)
-        .add_product(t14, t469);
-    let cylinder_v_x_dot_by_rod_v_y = t357.sub_product(R::literal(3.333_333_333_333_333_5), t472)
-        .sub_product(m.factors[7], t469);
-    let plate_omega_dot_by_rod_v_y = (t12 * t473).sub_product(m.factors[60], t474)
-        .sub_product(m.factors[60], t472).add_product(t12, t471).add_product(t13, t466)
-        .sub_product(m.factors[63], t465);
-    let plate_v_y_dot_by_rod_v_y = (R::literal(0.833_333_333_333_333_4) * t471)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t473)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t465);
-    let plate_v_x_dot_by_rod_v_y = (R::literal(0.833_333_333_333_333_4) * t472)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t474)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t466);
-    let post_omega_dot_by_rod_v_y = (-(t11 * t475).add_product(m.factors[66], t476)
-        .add_product(m.factors[66], t474)).add_product(t11, t473);
-    let post_v_y_dot_by_rod_v_y = (R::literal(1.25) * t473).add_product(R::literal(1.25), t475);
-    let post_v_x_dot_by_rod_v_y = (R::literal(1.25) * t474).add_product(R::literal(-1.25), t476);
-    let t477 = (t103 * m.sin_rod_phi).add_product(m.t144, t104);
-    let t478 = (t29 * t104).sub_product(m.factors[27], t477);
-    let t479 = (t30 * t104).sub_product(m.factors[33], t477).sub_product(m.factors[34], t478)
+    let t327 = (t325 * m.factors[36]).sub_product(m.factors[34], t326);
+    let t328 = (t324 * m.factors[37]).sub_product(m.factors[27], t327).sub_product(m.factors[33],
+        t326);
+    let t329 = (-(t323 * m.t141)).add_product(m.t144, t328).add_product(t29, t327).add_product(t30,
+        t326);
+    let t330 = (t322 * m.factors[39]).sub_product(m.factors[17], t329).add_product(m.t133, t328)
+        .sub_product(m.factors[25], t327).sub_product(m.factors[31], t326);
+    let t331 = (-(t321 * m.factors[40])).add_product(t25, t330).sub_product(m.factors[16], t329)
+        .add_product(t26, t328).add_product(t27, t327).add_product(t28, t326);
+    let t332 = (t320 * m.factors[41]).sub_product(m.factors[6], t331).sub_product(m.factors[13],
+        t330).sub_product(m.factors[23], t327).sub_product(m.factors[29], t326);
+    let t333 = (-(t319 * m.t87)).add_product(t23, t332).sub_product(m.factors[5], t331)
+        .add_product(m.t95, t330).add_product(t24, t327).add_product(m.t101, t326);
+    let t334 = (t318 * m.t72).sub_product(m.factors[43], t333).sub_product(m.factors[44], t332)
+        .add_product(t22, t327).sub_product(m.factors[46], t326);
+    let t335 = (-(t317 * m.t58).add_product(m.factors[47], t334).add_product(m.factors[48], t333)
+        .add_product(m.factors[49], t332).add_product(m.factors[50], t327)).add_product(t21, t326);
+    let t336 = (t316 * m.t50).sub_product(m.factors[52], t335).sub_product(m.factors[53], t334);
+    let t337 = (t315 * m.t40).add_product(t19, t336).add_product(t20, t335).add_product(t19, t334);
+    let bobbin_v_y_dot_by_post_omega = R::literal(-1.428_571_428_571_428_6) * t326;
+    let bobbin_v_x_dot_by_post_omega = R::literal(-1.428_571_428_571_428_6) * t327;
+    let rod_omega_dot_by_post_omega = (t18 * t329).sub_product(R::literal(4_166.666_666_666_667),
+        t331).sub_product(m.factors[58], t328);
+    let rod_v_y_dot_by_post_omega = (R::literal(-5.0) * t328).sub_product(m.factors[11], t330);
+    let rod_v_x_dot_by_post_omega = (R::literal(-5.0) * t329).add_product(t17, t330);
+    let cylinder_omega_dot_by_post_omega = (t15 * t332).sub_product(m.factors[1], t333)
+        .sub_product(R::literal(-2_777.777_777_777_778), t331).add_product(t16, t330);
+    let cylinder_v_y_dot_by_post_omega = (t14 * t330)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t332);
+    let cylinder_v_x_dot_by_post_omega = (-(m.factors[7] * t330))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t333);
+    let plate_omega_dot_by_post_omega = (t12 * t334).sub_product(m.factors[60], t335)
+        .sub_product(m.factors[60], t333).add_product(t12, t332).add_product(t13, t327)
+        .sub_product(m.factors[63], t326);
+    let plate_v_y_dot_by_post_omega = (R::literal(0.833_333_333_333_333_4) * t332)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t334)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t326);
+    let plate_v_x_dot_by_post_omega = (R::literal(0.833_333_333_333_333_4) * t333)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t335)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t327);
+    let post_omega_dot_by_post_omega = (t91 * R::literal(370.370_370_370_370_3))
+        .sub_product(m.factors[66], t337).add_product(t11, t336).sub_product(m.factors[66], t335)
+        .add_product(t11, t334);
+    let post_v_y_dot_by_post_omega = (R::literal(1.25) * t334).add_product(R::literal(-1.25), t336);
+    let post_v_x_dot_by_post_omega = (R::literal(1.25) * t335).add_product(R::literal(-1.25), t337);
+    let t338 = (-t95).add_product(m.factors[47], t94);
+    let t339 = (-t94).add_product(m.factors[48], t94).sub_product(m.factors[43], t338);
+    let t340 = (-t95).add_product(m.factors[49], t94).sub_product(m.factors[44], t338)
+        .add_product(t23, t339);
+    let t341 = (m.factors[5] * t339).add_product(m.factors[6], t340);
+    let t342 = (m.t95 * t339).sub_product(m.factors[13], t340).sub_product(t25, t341);
+    let t343 = (m.factors[16] * t341).sub_product(m.factors[17], t342);
+    let t344 = (-(t26 * t341)).add_product(m.t133, t342).add_product(m.t144, t343);
+    let t345 = (plate_omega * (R::literal(0.02) * m.cos_plate_phi).sub_product(R::literal(0.2),
+        m.sin_plate_phi)).add_product(m.factors[50], t94).add_product(t22, t338).add_product(t24,
+        t339).sub_product(m.factors[23], t340).sub_product(t27, t341).sub_product(m.factors[25],
+        t342).add_product(t29, t343).sub_product(m.factors[27], t344);
+    let t346 = (plate_omega * (R::literal(0.02) * m.sin_plate_phi).add_product(R::literal(0.2),
+        m.cos_plate_phi)).sub_product(t21, t94).sub_product(m.factors[46], t338)
+        .add_product(m.t101, t339).sub_product(m.factors[29], t340).sub_product(t28, t341)
+        .sub_product(m.factors[31], t342).add_product(t30, t343).sub_product(m.factors[33], t344)
+        .sub_product(m.factors[34], t345) * m.factors[35];
+    let t347 = (t345 * m.factors[36]).sub_product(m.factors[34], t346);
+    let t348 = (t344 * m.factors[37]).sub_product(m.factors[27], t347).sub_product(m.factors[33],
+        t346);
+    let t349 = (-(t343 * m.t141)).add_product(m.t144, t348).add_product(t29, t347).add_product(t30,
+        t346);
+    let t350 = (t342 * m.factors[39]).sub_product(m.factors[17], t349).add_product(m.t133, t348)
+        .sub_product(m.factors[25], t347).sub_product(m.factors[31], t346);
+    let t351 = (-(t341 * m.factors[40])).add_product(t25, t350).sub_product(m.factors[16], t349)
+        .add_product(t26, t348).add_product(t27, t347).add_product(t28, t346);
+    let t352 = (t340 * m.factors[41]).sub_product(m.factors[6], t351).sub_product(m.factors[13],
+        t350).sub_product(m.factors[23], t347).sub_product(m.factors[29], t346);
+    let t353 = (-(t339 * m.t87)).add_product(t23, t352).sub_product(m.factors[5], t351)
+        .add_product(m.t95, t350).add_product(t24, t347).add_product(m.t101, t346);
+    let t354 = (t338 * m.t72).sub_product(m.factors[43], t353).sub_product(m.factors[44], t352)
+        .add_product(t22, t347).sub_product(m.factors[46], t346);
+    let t355 = (-(t94 * m.t58).add_product(m.factors[47], t354).add_product(m.factors[48], t353)
+        .add_product(m.factors[49], t352).add_product(m.factors[50], t347)).add_product(t21, t346);
+    let t356 = (m.factors[53] * t354).add_product(m.factors[52], t355);
+    let t357 = (t20 * t355).sub_product(t19, t356).add_product(t19, t354);
+    let bobbin_v_y_dot_by_plate_omega = R::literal(-1.428_571_428_571_428_6) * t346;
+    let bobbin_v_x_dot_by_plate_omega = R::literal(-1.428_571_428_571_428_6) * t347;
+    let rod_omega_dot_by_plate_omega = (t18 * t349).sub_product(R::literal(4_166.666_666_666_667),
+        t351).sub_product(m.factors[58], t348);
+    let rod_v_y_dot_by_plate_omega = (R::literal(-5.0) * t348).sub_product(m.factors[11], t350);
+    let rod_v_x_dot_by_plate_omega = (R::literal(-5.0) * t349).add_product(t17, t350);
+    let cylinder_omega_dot_by_plate_omega = (t15 * t352).sub_product(m.factors[1], t353)
+        .sub_product(R::literal(-2_777.777_777_777_778), t351).add_product(t16, t350);
+    let cylinder_v_y_dot_by_plate_omega = (t14 * t350)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t352);
+    let cylinder_v_x_dot_by_plate_omega = (-(m.factors[7] * t350))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t353);
+    let plate_omega_dot_by_plate_omega = (t12 * t354).sub_product(m.factors[60], t355)
+        .sub_product(m.factors[60], t353).add_product(t12, t352).add_product(t13, t347)
+        .sub_product(m.factors[63], t346);
+    let plate_v_y_dot_by_plate_omega = (R::literal(0.833_333_333_333_333_4) * t352)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t354)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t346);
+    let plate_v_x_dot_by_plate_omega = (R::literal(0.833_333_333_333_333_4) * t353)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t355)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t347);
+    let post_omega_dot_by_plate_omega = (-(t11 * t356).add_product(m.factors[66], t357)
+        .add_product(m.factors[66], t355)).add_product(t11, t354);
+    let post_v_y_dot_by_plate_omega = (R::literal(1.25) * t354).add_product(R::literal(1.25), t356);
+    let post_v_x_dot_by_plate_omega = (R::literal(1.25) * t355).add_product(R::literal(-1.25),
+        t357);
+    let t358 = R::literal(3.333_333_333_333_333_5) * t96;
+    let t359 = m.factors[1] * t99;
+    let t360 = t358 - t359;
+    let t361 = R::literal(3.333_333_333_333_333_5) * t97;
+    let t362 = t361.add_product(t15, t99);
+    let t363 = t362.add_product(t23, t360);
+    let t364 = R::literal(-2_777.777_777_777_778) * t99;
+    let t365 = t364.add_product(m.factors[5], t360).add_product(m.factors[6], t363);
+    let t366 = m.factors[7] * t96;
+    let t367 = t14 * t97;
+    let t368 = t16 * t99;
+    let t369 = t17 * t96;
+    let t370 = m.factors[11] * t97;
+    let t371 = (t366 - t101 - t367 + t368 + t369 - t370).add_product(m.t95, t360)
+        .sub_product(m.factors[13], t363).sub_product(t25, t365);
+    let t372 = R::literal(5.0) * t96;
+    let t373 = (-t372).add_product(m.factors[16], t365).sub_product(m.factors[17], t371);
+    let t374 = R::literal(5.0) * t97;
+    let t375 = (-t374.add_product(t26, t365)).add_product(m.t133, t371).add_product(m.t144, t373);
+    let t376 = (t24 * t360).sub_product(m.factors[23], t363).sub_product(t27, t365)
+        .sub_product(m.factors[25], t371).add_product(t29, t373).sub_product(m.factors[27], t375);
+    let t377 = (m.t101 * t360).sub_product(m.factors[29], t363).sub_product(t28, t365)
+        .sub_product(m.factors[31], t371).add_product(t30, t373).sub_product(m.factors[33], t375)
+        .sub_product(m.factors[34], t376) * m.factors[35];
+    let t378 = (t376 * m.factors[36]).sub_product(m.factors[34], t377);
+    let t379 = (t375 * m.factors[37]).sub_product(m.factors[27], t378).sub_product(m.factors[33],
+        t377);
+    let t380 = (-(t373 * m.t141)).add_product(m.t144, t379).add_product(t29, t378).add_product(t30,
+        t377);
+    let t381 = (t371 * m.factors[39]).sub_product(m.factors[17], t380).add_product(m.t133, t379)
+        .sub_product(m.factors[25], t378).sub_product(m.factors[31], t377);
+    let t382 = (-(t365 * m.factors[40])).add_product(t25, t381).sub_product(m.factors[16], t380)
+        .add_product(t26, t379).add_product(t27, t378).add_product(t28, t377);
+    let t383 = (t363 * m.factors[41]).sub_product(m.factors[6], t382).sub_product(m.factors[13],
+        t381).sub_product(m.factors[23], t378).sub_product(m.factors[29], t377);
+    let t384 = (-(t360 * m.t87)).add_product(t23, t383).sub_product(m.factors[5], t382)
+        .add_product(m.t95, t381).add_product(t24, t378).add_product(m.t101, t377);
+    let t385 = (-(m.factors[44] * t383).add_product(m.factors[43], t384)).add_product(t22, t378)
+        .sub_product(m.factors[46], t377);
+    let t386 = (-(m.factors[48] * t384).add_product(m.factors[47], t385).add_product(m.factors[49],
+        t383).add_product(m.factors[50], t378)).add_product(t21, t377);
+    let t387 = (m.factors[53] * t385).add_product(m.factors[52], t386);
+    let t388 = (t20 * t386).sub_product(t19, t387).add_product(t19, t385);
+    let bobbin_v_y_dot_by_cylinder_v_x = R::literal(-1.428_571_428_571_428_6) * t377;
+    let bobbin_v_x_dot_by_cylinder_v_x = R::literal(-1.428_571_428_571_428_6) * t378;
+    let rod_omega_dot_by_cylinder_v_x = (t18 * t380).sub_product(R::literal(4_166.666_666_666_667),
+        t382).sub_product(m.factors[58], t379);
+    let rod_v_y_dot_by_cylinder_v_x = t374.sub_product(m.factors[11], t381)
+        .sub_product(R::literal(5.0), t379);
+    let rod_v_x_dot_by_cylinder_v_x = t372.add_product(t17, t381).sub_product(R::literal(5.0),
+        t380);
+    let t389 = t99 * R::literal(2_777.777_777_777_778);
+    let cylinder_omega_dot_by_cylinder_v_x = t389.sub_product(m.factors[1], t384).add_product(t15,
+        t383).sub_product(R::literal(-2_777.777_777_777_778), t382).add_product(t16, t381);
+    let cylinder_v_y_dot_by_cylinder_v_x = (-t361.add_product(R::literal(3.333_333_333_333_333_5),
+        t383)).add_product(t14, t381);
+    let cylinder_v_x_dot_by_cylinder_v_x = (-t358)
+        .add_product(R::literal(-3.333_333_333_333_333_5), t384).sub_product(m.factors[7], t381);
+    let plate_omega_dot_by_cylinder_v_x = (t12 * t385).sub_product(m.factors[60], t386)
+        .sub_product(m.factors[60], t384).add_product(t12, t383).add_product(t13, t378)
+        .sub_product(m.factors[63], t377);
+    let plate_v_y_dot_by_cylinder_v_x = (R::literal(0.833_333_333_333_333_4) * t383)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t385)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t377);
+    let plate_v_x_dot_by_cylinder_v_x = (R::literal(0.833_333_333_333_333_4) * t384)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t386)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t378);
+    let post_omega_dot_by_cylinder_v_x = (-(t11 * t387).add_product(m.factors[66], t388)
+        .add_product(m.factors[66], t386)).add_product(t11, t385);
+    let post_v_y_dot_by_cylinder_v_x = (R::literal(1.25) * t385).add_product(R::literal(1.25),
+        t387);
+    let post_v_x_dot_by_cylinder_v_x = (R::literal(1.25) * t386).add_product(R::literal(-1.25),
+        t388);
+    let t390 = m.factors[1] * t103;
+    let t391 = t361 - t390;
+    let t392 = R::literal(3.333_333_333_333_333_5) * t102;
+    let t393 = t392.add_product(t15, t103);
+    let t394 = t393.add_product(t23, t391);
+    let t395 = R::literal(-2_777.777_777_777_778) * t103;
+    let t396 = t395.add_product(m.factors[5], t391).add_product(m.factors[6], t394);
+    let t397 = m.factors[7] * t97;
+    let t398 = t14 * t102;
+    let t399 = t16 * t103;
+    let t400 = t17 * t97;
+    let t401 = m.factors[11] * t102;
+    let t402 = (t397 - t104 - t398 + t399 + t400 - t401).add_product(m.t95, t391)
+        .sub_product(m.factors[13], t394).sub_product(t25, t396);
+    let t403 = (-t374).add_product(m.factors[16], t396).sub_product(m.factors[17], t402);
+    let t404 = R::literal(5.0) * t102;
+    let t405 = (-t404.add_product(t26, t396)).add_product(m.t133, t402).add_product(m.t144, t403);
+    let t406 = (t24 * t391).sub_product(m.factors[23], t394).sub_product(t27, t396)
+        .sub_product(m.factors[25], t402).add_product(t29, t403).sub_product(m.factors[27], t405);
+    let t407 = (m.t101 * t391).sub_product(m.factors[29], t394).sub_product(t28, t396)
+        .sub_product(m.factors[31], t402).add_product(t30, t403).sub_product(m.factors[33], t405)
+        .sub_product(m.factors[34], t406) * m.factors[35];
+    let t408 = (t406 * m.factors[36]).sub_product(m.factors[34], t407);
+    let t409 = (t405 * m.factors[37]).sub_product(m.factors[27], t408).sub_product(m.factors[33],
+        t407);
+    let t410 = (-(t403 * m.t141)).add_product(m.t144, t409).add_product(t29, t408).add_product(t30,
+        t407);
+    let t411 = (t402 * m.factors[39]).sub_product(m.factors[17], t410).add_product(m.t133, t409)
+        .sub_product(m.factors[25], t408).sub_product(m.factors[31], t407);
+    let t412 = (-(t396 * m.factors[40])).add_product(t25, t411).sub_product(m.factors[16], t410)
+        .add_product(t26, t409).add_product(t27, t408).add_product(t28, t407);
+    let t413 = (t394 * m.factors[41]).sub_product(m.factors[6], t412).sub_product(m.factors[13],
+        t411).sub_product(m.factors[23], t408).sub_product(m.factors[29], t407);
+    let t414 = (-(t391 * m.t87)).add_product(t23, t413).sub_product(m.factors[5], t412)
+        .add_product(m.t95, t411).add_product(t24, t408).add_product(m.t101, t407);
+    let t415 = (-(m.factors[44] * t413).add_product(m.factors[43], t414)).add_product(t22, t408)
+        .sub_product(m.factors[46], t407);
+    let t416 = (-(m.factors[48] * t414).add_product(m.factors[47], t415).add_product(m.factors[49],
+        t413).add_product(m.factors[50], t408)).add_product(t21, t407);
+    let t417 = (m.factors[53] * t415).add_product(m.factors[52], t416);
+    let t418 = (t20 * t416).sub_product(t19, t417).add_product(t19, t415);
+    let bobbin_v_y_dot_by_cylinder_v_y = R::literal(-1.428_571_428_571_428_6) * t407;
+    let bobbin_v_x_dot_by_cylinder_v_y = R::literal(-1.428_571_428_571_428_6) * t408;
+    let rod_omega_dot_by_cylinder_v_y = (t18 * t410).sub_product(R::literal(4_166.666_666_666_667),
+        t412).sub_product(m.factors[58], t409);
+    let rod_v_y_dot_by_cylinder_v_y = t404.sub_product(m.factors[11], t411)
+        .sub_product(R::literal(5.0), t409);
+    let rod_v_x_dot_by_cylinder_v_y = t374.add_product(t17, t411).sub_product(R::literal(5.0),
+        t410);
+    let t419 = t103 * R::literal(2_777.777_777_777_778);
+    let cylinder_omega_dot_by_cylinder_v_y = t419.sub_product(m.factors[1], t414).add_product(t15,
+        t413).sub_product(R::literal(-2_777.777_777_777_778), t412).add_product(t16, t411);
+    let cylinder_v_y_dot_by_cylinder_v_y = (-t392.add_product(R::literal(3.333_333_333_333_333_5),
+        t413)).add_product(t14, t411);
+    let cylinder_v_x_dot_by_cylinder_v_y = (-t361)
+        .add_product(R::literal(-3.333_333_333_333_333_5), t414).sub_product(m.factors[7], t411);
+    let plate_omega_dot_by_cylinder_v_y = (t12 * t415).sub_product(m.factors[60], t416)
+        .sub_product(m.factors[60], t414).add_product(t12, t413).add_product(t13, t408)
+        .sub_product(m.factors[63], t407);
+    let plate_v_y_dot_by_cylinder_v_y = (R::literal(0.833_333_333_333_333_4) * t413)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t415)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t407);
+    let plate_v_x_dot_by_cylinder_v_y = (R::literal(0.833_333_333_333_333_4) * t414)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t416)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t408);
+    let post_omega_dot_by_cylinder_v_y = (-(t11 * t417).add_product(m.factors[66], t418)
+        .add_product(m.factors[66], t416)).add_product(t11, t415);
+    let post_v_y_dot_by_cylinder_v_y = (R::literal(1.25) * t415).add_product(R::literal(1.25),
+        t417);
+    let post_v_x_dot_by_cylinder_v_y = (R::literal(1.25) * t416).add_product(R::literal(-1.25),
+        t418);
+    let t420 = R::literal(3.333_333_333_333_333_5) * t99;
+    let t421 = (-t420.add_product(t106, m.cos_cylinder_phi)).add_product(m.factors[1], t105);
+    let t422 = R::literal(3.333_333_333_333_333_5) * t103;
+    let t423 = (-t422.add_product(t106, m.sin_cylinder_phi).add_product(t15, t105))
+        .add_product(t23, t421);
+    let t424 = (R::literal(-2_777.777_777_777_778) * t105).sub_product(m.factors[5], t421)
+        .sub_product(m.factors[6], t423);
+    let t425 = (R::literal(2.0) * cylinder_x * cylinder_omega * m.sin_cylinder_phi)
+        .add_product(R::literal(2.0) * rod_y * cylinder_omega, m.cos_cylinder_phi).add_product(t37,
+        m.cos_cylinder_phi).add_product(t38, m.sin_cylinder_phi).sub_product(R::literal(2.0)
+        * cylinder_y * cylinder_omega, m.cos_cylinder_phi).sub_product(R::literal(2.0) * rod_x
+        * cylinder_omega, m.sin_cylinder_phi).sub_product(t35, m.cos_cylinder_phi).sub_product(t36,
+        m.sin_cylinder_phi).sub_product(m.factors[7], t99).add_product(t14, t103).sub_product(t16,
+        t105).sub_product(t17, t99).add_product(m.factors[11], t103).add_product(m.t95, t421)
+        .sub_product(m.factors[13], t423).add_product(t25, t424);
+    let t426 = R::literal(5.0) * t99;
+    let t427 = t426.sub_product(m.factors[16], t424).sub_product(m.factors[17], t425);
+    let t428 = R::literal(5.0) * t103;
+    let t429 = t428.add_product(t26, t424).add_product(m.t133, t425).add_product(m.t144, t427);
+    let t430 = (t24 * t421).sub_product(m.factors[23], t423).add_product(t27, t424)
+        .sub_product(m.factors[25], t425).add_product(t29, t427).sub_product(m.factors[27], t429);
+    let t431 = (m.t101 * t421).sub_product(m.factors[29], t423).add_product(t28, t424)
+        .sub_product(m.factors[31], t425).add_product(t30, t427).sub_product(m.factors[33], t429)
+        .sub_product(m.factors[34], t430) * m.factors[35];
+    let t432 = (t430 * m.factors[36]).sub_product(m.factors[34], t431);
+    let t433 = (t429 * m.factors[37]).sub_product(m.factors[27], t432).sub_product(m.factors[33],
+        t431);
+    let t434 = (-(t427 * m.t141)).add_product(m.t144, t433).add_product(t29, t432).add_product(t30,
+        t431);
+    let t435 = (t425 * m.factors[39]).sub_product(m.factors[17], t434).add_product(m.t133, t433)
+        .sub_product(m.factors[25], t432).sub_product(m.factors[31], t431);
+    let t436 = (t424 * m.factors[40]).add_product(t25, t435).sub_product(m.factors[16], t434)
+        .add_product(t26, t433).add_product(t27, t432).add_product(t28, t431);
+    let t437 = (t423 * m.factors[41]).sub_product(m.factors[6], t436).sub_product(m.factors[13],
+        t435).sub_product(m.factors[23], t432).sub_product(m.factors[29], t431);
+    let t438 = (-(t421 * m.t87)).add_product(t23, t437).sub_product(m.factors[5], t436)
+        .add_product(m.t95, t435).add_product(t24, t432).add_product(m.t101, t431);
+    let t439 = (-(m.factors[44] * t437).add_product(m.factors[43], t438)).add_product(t22, t432)
+        .sub_product(m.factors[46], t431);
+    let t440 = (-(m.factors[48] * t438).add_product(m.factors[47], t439).add_product(m.factors[49],
+        t437).add_product(m.factors[50], t432)).add_product(t21, t431);
+    let t441 = (m.factors[53] * t439).add_product(m.factors[52], t440);
+    let t442 = (t20 * t440).sub_product(t19, t441).add_product(t19, t439);
+    let bobbin_v_y_dot_by_cylinder_omega = R::literal(-1.428_571_428_571_428_6) * t431;
+    let bobbin_v_x_dot_by_cylinder_omega = R::literal(-1.428_571_428_571_428_6) * t432;
+    let rod_omega_dot_by_cylinder_omega = (t18 * t434)
+        .sub_product(R::literal(4_166.666_666_666_667), t436).sub_product(m.factors[58], t433);
+    let rod_v_y_dot_by_cylinder_omega = (-t428.add_product(m.factors[11], t435))
+        .add_product(R::literal(-5.0), t433);
+    let rod_v_x_dot_by_cylinder_omega = (-t426).add_product(t17, t435).sub_product(R::literal(5.0),
+        t434);
+    let cylinder_omega_dot_by_cylinder_omega = (-(t105 * R::literal(2_777.777_777_777_778))
+        .add_product(m.factors[1], t438)).add_product(t15, t437)
+        .sub_product(R::literal(-2_777.777_777_777_778), t436).add_product(t16, t435);
+    let cylinder_v_y_dot_by_cylinder_omega = t422.sub_product(R::literal(3.333_333_333_333_333_5),
+        t437).add_product(t14, t435);
+    let cylinder_v_x_dot_by_cylinder_omega = t420.sub_product(R::literal(3.333_333_333_333_333_5),
+        t438).sub_product(m.factors[7], t435);
+    let plate_omega_dot_by_cylinder_omega = (t12 * t439).sub_product(m.factors[60], t440)
+        .sub_product(m.factors[60], t438).add_product(t12, t437).add_product(t13, t432)
+        .sub_product(m.factors[63], t431);
+    let plate_v_y_dot_by_cylinder_omega = (R::literal(0.833_333_333_333_333_4) * t437)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t439)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t431);
+    let plate_v_x_dot_by_cylinder_omega = (R::literal(0.833_333_333_333_333_4) * t438)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t440)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t432);
+    let post_omega_dot_by_cylinder_omega = (-(t11 * t441).add_product(m.factors[66], t442)
+        .add_product(m.factors[66], t440)).add_product(t11, t439);
+    let post_v_y_dot_by_cylinder_omega = (R::literal(1.25) * t439).add_product(R::literal(1.25),
+        t441);
+    let post_v_x_dot_by_cylinder_omega = (R::literal(1.25) * t440).add_product(R::literal(-1.25),
+        t442);
+    let t443 = t359 - t358;
+    let t444 = (-t362).add_product(t23, t443);
+    let t445 = t364.sub_product(m.factors[5], t443).sub_product(m.factors[6], t444);
+    let t446 = (t101 - t366 + t367 - t368 - t369 + t370).add_product(m.t95, t443)
+        .sub_product(m.factors[13], t444).add_product(t25, t445);
+    let t447 = t372.sub_product(m.factors[16], t445).sub_product(m.factors[17], t446);
+    let t448 = t374.add_product(t26, t445).add_product(m.t133, t446).add_product(m.t144, t447);
+    let t449 = (t24 * t443).sub_product(m.factors[23], t444).add_product(t27, t445)
+        .sub_product(m.factors[25], t446).add_product(t29, t447).sub_product(m.factors[27], t448);
+    let t450 = (m.t101 * t443).sub_product(m.factors[29], t444).add_product(t28, t445)
+        .sub_product(m.factors[31], t446).add_product(t30, t447).sub_product(m.factors[33], t448)
+        .sub_product(m.factors[34], t449) * m.factors[35];
+    let t451 = (t449 * m.factors[36]).sub_product(m.factors[34], t450);
+    let t452 = (t448 * m.factors[37]).sub_product(m.factors[27], t451).sub_product(m.factors[33],
+        t450);
+    let t453 = (-(t447 * m.t141)).add_product(m.t144, t452).add_product(t29, t451).add_product(t30,
+        t450);
+    let t454 = (t446 * m.factors[39]).sub_product(m.factors[17], t453).add_product(m.t133, t452)
+        .sub_product(m.factors[25], t451).sub_product(m.factors[31], t450);
+    let t455 = (t445 * m.factors[40]).add_product(t25, t454).sub_product(m.factors[16], t453)
+        .add_product(t26, t452).add_product(t27, t451).add_product(t28, t450);
+    let t456 = (t444 * m.factors[41]).sub_product(m.factors[6], t455).sub_product(m.factors[13],
+        t454).sub_product(m.factors[23], t451).sub_product(m.factors[29], t450);
+    let t457 = (-(t443 * m.t87)).add_product(t23, t456).sub_product(m.factors[5], t455)
+        .add_product(m.t95, t454).add_product(t24, t451).add_product(m.t101, t450);
+    let t458 = (-(m.factors[44] * t456).add_product(m.factors[43], t457)).add_product(t22, t451)
+        .sub_product(m.factors[46], t450);
+    let t459 = (-(m.factors[48] * t457).add_product(m.factors[47], t458).add_product(m.factors[49],
+        t456).add_product(m.factors[50], t451)).add_product(t21, t450);
+    let t460 = (m.factors[53] * t458).add_product(m.factors[52], t459);
+    let t461 = (t20 * t459).sub_product(t19, t460).add_product(t19, t458);
+    let bobbin_v_y_dot_by_rod_v_x = R::literal(-1.428_571_428_571_428_6) * t450;
+    let bobbin_v_x_dot_by_rod_v_x = R::literal(-1.428_571_428_571_428_6) * t451;
+    let rod_omega_dot_by_rod_v_x = (t18 * t453).sub_product(R::literal(4_166.666_666_666_667), t455)
+        .sub_product(m.factors[58], t452);
+    let rod_v_y_dot_by_rod_v_x = (-t374.add_product(m.factors[11], t454))
+        .add_product(R::literal(-5.0), t452);
+    let rod_v_x_dot_by_rod_v_x = (-t372).add_product(t17, t454).sub_product(R::literal(5.0), t453);
+    let cylinder_omega_dot_by_rod_v_x = (-t389.add_product(m.factors[1], t457)).add_product(t15,
+        t456).sub_product(R::literal(-2_777.777_777_777_778), t455).add_product(t16, t454);
+    let cylinder_v_y_dot_by_rod_v_x = t361.sub_product(R::literal(3.333_333_333_333_333_5), t456)
+        .add_product(t14, t454);
+    let cylinder_v_x_dot_by_rod_v_x = t358.sub_product(R::literal(3.333_333_333_333_333_5), t457)
+        .sub_product(m.factors[7], t454);
+    let plate_omega_dot_by_rod_v_x = (t12 * t458).sub_product(m.factors[60], t459)
+        .sub_product(m.factors[60], t457).add_product(t12, t456).add_product(t13, t451)
+        .sub_product(m.factors[63], t450);
+    let plate_v_y_dot_by_rod_v_x = (R::literal(0.833_333_333_333_333_4) * t456)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t458)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t450);
+    let plate_v_x_dot_by_rod_v_x = (R::literal(0.833_333_333_333_333_4) * t457)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t459)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t451);
+    let post_omega_dot_by_rod_v_x = (-(t11 * t460).add_product(m.factors[66], t461)
+        .add_product(m.factors[66], t459)).add_product(t11, t458);
+    let post_v_y_dot_by_rod_v_x = (R::literal(1.25) * t458).add_product(R::literal(1.25), t460);
+    let post_v_x_dot_by_rod_v_x = (R::literal(1.25) * t459).add_product(R::literal(-1.25), t461);
+    let t462 = t390 - t361;
+    let t463 = (-t393).add_product(t23, t462);
+    let t464 = t395.sub_product(m.factors[5], t462).sub_product(m.factors[6], t463);
+    let t465 = (t104 - t397 + t398 - t399 - t400 + t401).add_product(m.t95, t462)
+        .sub_product(m.factors[13], t463).add_product(t25, t464);
+    let t466 = t374.sub_product(m.factors[16], t464).sub_product(m.factors[17], t465);
+    let t467 = t404.add_product(t26, t464).add_product(m.t133, t465).add_product(m.t144, t466);
+    let t468 = (t24 * t462).sub_product(m.factors[23], t463).add_product(t27, t464)
+        .sub_product(m.factors[25], t465).add_product(t29, t466).sub_product(m.factors[27], t467);
+    let t469 = (m.t101 * t462).sub_product(m.factors[29], t463).add_product(t28, t464)
+        .sub_product(m.factors[31], t465).add_product(t30, t466).sub_product(m.factors[33], t467)
+        .sub_product(m.factors[34], t468) * m.factors[35];
+    let t470 = (t468 * m.factors[36]).sub_product(m.factors[34], t469);
+    let t471 = (t467 * m.factors[37]).sub_product(m.factors[27], t470).sub_product(m.factors[33],
+        t469);
+    let t472 = (-(t466 * m.t141)).add_product(m.t144, t471).add_product(t29, t470).add_product(t30,
+        t469);
+    let t473 = (t465 * m.factors[39]).sub_product(m.factors[17], t472).add_product(m.t133, t471)
+        .sub_product(m.factors[25], t470).sub_product(m.factors[31], t469);
+    let t474 = (t464 * m.factors[40]).add_product(t25, t473).sub_product(m.factors[16], t472)
+        .add_product(t26, t471).add_product(t27, t470).add_product(t28, t469);
+    let t475 = (t463 * m.factors[41]).sub_product(m.factors[6], t474).sub_product(m.factors[13],
+        t473).sub_product(m.factors[23], t470).sub_product(m.factors[29], t469);
+    let t476 = (-(t462 * m.t87)).add_product(t23, t475).sub_product(m.factors[5], t474)
+        .add_product(m.t95, t473).add_product(t24, t470).add_product(m.t101, t469);
+    let t477 = (-(m.factors[44] * t475).add_product(m.factors[43], t476)).add_product(t22, t470)
+        .sub_product(m.factors[46], t469);
+    let t478 = (-(m.factors[48] * t476).add_product(m.factors[47], t477).add_product(m.factors[49],
+        t475).add_product(m.factors[50], t470)).add_product(t21, t469);
+    let t479 = (m.factors[53] * t477).add_product(m.factors[52], t478);
+    let t480 = (t20 * t478).sub_product(t19, t479).add_product(t19, t477);
+    let bobbin_v_y_dot_by_rod_v_y = R::literal(-1.428_571_428_571_428_6) * t469;
+    let bobbin_v_x_dot_by_rod_v_y = R::literal(-1.428_571_428_571_428_6) * t470;
+    let rod_omega_dot_by_rod_v_y = (t18 * t472).sub_product(R::literal(4_166.666_666_666_667), t474)
+        .sub_product(m.factors[58], t471);
+    let rod_v_y_dot_by_rod_v_y = (-t404.add_product(m.factors[11], t473))
+        .add_product(R::literal(-5.0), t471);
+    let rod_v_x_dot_by_rod_v_y = (-t374).add_product(t17, t473).sub_product(R::literal(5.0), t472);
+    let cylinder_omega_dot_by_rod_v_y = (-t419.add_product(m.factors[1], t476)).add_product(t15,
+        t475).sub_product(R::literal(-2_777.777_777_777_778), t474).add_product(t16, t473);
+    let cylinder_v_y_dot_by_rod_v_y = t392.sub_product(R::literal(3.333_333_333_333_333_5), t475)
+        .add_product(t14, t473);
+    let cylinder_v_x_dot_by_rod_v_y = t361.sub_product(R::literal(3.333_333_333_333_333_5), t476)
+        .sub_product(m.factors[7], t473);
+    let plate_omega_dot_by_rod_v_y = (t12 * t477).sub_product(m.factors[60], t478)
+        .sub_product(m.factors[60], t476).add_product(t12, t475).add_product(t13, t470)
+        .sub_product(m.factors[63], t469);
+    let plate_v_y_dot_by_rod_v_y = (R::literal(0.833_333_333_333_333_4) * t475)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t477)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t469);
+    let plate_v_x_dot_by_rod_v_y = (R::literal(0.833_333_333_333_333_4) * t476)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t478)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t470);
+    let post_omega_dot_by_rod_v_y = (-(t11 * t479).add_product(m.factors[66], t480)
+        .add_product(m.factors[66], t478)).add_product(t11, t477);
+    let post_v_y_dot_by_rod_v_y = (R::literal(1.25) * t477).add_product(R::literal(1.25), t479);
+    let post_v_x_dot_by_rod_v_y = (R::literal(1.25) * t478).add_product(R::literal(-1.25), t480);
+    let t481 = (t107 * m.sin_rod_phi).add_product(m.t144, t108);
+    let t482 = (t29 * t108).sub_product(m.factors[27], t481);
+    let t483 = (t30 * t108).sub_product(m.factors[33], t481).sub_product(m.factors[34], t482)
         * m.factors[35];
-    let t480 = (t478 * m.factors[36]).sub_product(m.factors[34], t479);
-    let t481 = (t477 * m.factors[37]).sub_product(m.factors[27], t480).sub_product(m.factors[33],
-        t479);
-    let t482 = (-(t104 * m.t141)).add_product(m.t144, t481).add_product(t29, t480).add_product(t30,
-        t479);
-    let t483 = (m.t133 * t481).sub_product(m.factors[17], t482).sub_product(m.factors[25], t480)
-        .sub_product(m.factors[31], t479);
-    let t484 = (-(m.factors[16] * t482)).add_product(t25, t483).add_product(t26, t481)
-        .add_product(t27, t480).add_product(t28, t479);
-    let t485 = (m.factors[13] * t483).add_product(m.factors[6], t484).add_product(m.factors[23],
-        t480).add_product(m.factors[29], t479);
-    let t486 = (-(m.factors[5] * t484).add_product(t23, t485)).add_product(m.t95, t483)
-        .add_product(t24, t480).add_product(m.t101, t479);
-    let t487 = (m.factors[44] * t485).sub_product(m.factors[43], t486).add_product(t22, t480)
-        .sub_product(m.factors[46], t479);
-    let t488 = (-(m.factors[48] * t486).add_product(m.factors[47], t487))
-        .add_product(m.factors[49], t485).sub_product(m.factors[50], t480).add_product(t21, t479);
-    let t489 = (m.factors[53] * t487).add_product(m.factors[52], t488);
-    let t490 = (t20 * t488).sub_product(t19, t489).add_product(t19, t487);
-    let bobbin_v_y_dot_by_rod_omega = R::literal(-1.428_571_428_571_428_6) * t479;
-    let bobbin_v_x_dot_by_rod_omega = R::literal(-1.428_571_428_571_428_6) * t480;
-    let rod_omega_dot_by_rod_omega = (t18 * t482).sub_product(R::literal(4_166.666_666_666_667),
-        t484).sub_product(m.factors[58], t481);
-    let rod_v_y_dot_by_rod_omega = (R::literal(-5.0) * t481).sub_product(m.factors[11], t483);
-    let rod_v_x_dot_by_rod_omega = (R::literal(-5.0) * t482).add_product(t17, t483);
-    let cylinder_omega_dot_by_rod_omega = (-(t15 * t485).add_product(m.factors[1], t486)
-        .add_product(R::literal(-2_777.777_777_777_778), t484)).add_product(t16, t483);
-    let cylinder_v_y_dot_by_rod_omega = (t14 * t483)
-        .add_product(R::literal(3.333_333_333_333_333_5), t485);
-    let cylinder_v_x_dot_by_rod_omega = (-(m.factors[7] * t483))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t486);
-    let plate_omega_dot_by_rod_omega = (t12 * t487).sub_product(m.factors[60], t488)
-        .sub_product(m.factors[60], t486).sub_product(t12, t485).add_product(t13, t480)
-        .sub_product(m.factors[63], t479);
-    let plate_v_y_dot_by_rod_omega = (R::literal(-0.833_333_333_333_333_4) * t485)
-        .sub_product(R::literal(0.833_333_333_333_333_4), t487)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t479);
-    let plate_v_x_dot_by_rod_omega = (R::literal(0.833_333_333_333_333_4) * t486)
-        .add_product(R::literal(-0.833_333_333_333_333_4), t488)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t480);
-    let post_omega_dot_by_rod_omega = (-(t11 * t489).add_product(m.factors[66], t490)
-        .add_product(m.factors[66], t488)).add_product(t11, t487);
-    let post_v_y_dot_by_rod_omega = (R::literal(1.25) * t487).add_product(R::literal(1.25), t489);
-    let post_v_x_dot_by_rod_omega = (R::literal(1.25) * t488).add_product(R::literal(-1.25), t490);
-    let t491 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), -(p.contact_damping * m.t9 / t79));
-    let t492 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), -(p.contact_damping * t8 * t9 / t79));
-    let t493 = (-t492).add_product(m.factors[34], t491) * m.factors[35];
-    let t494 = (t491 * m.factors[36]).add_product(m.factors[34], t493);
-    let t495 = (-(m.factors[33] * t493)).add_product(m.factors[27], t494);
-    let t496 = (-(t29 * t494)).add_product(m.t144, t495).add_product(t30, t493);
-    let t497 = (m.t133 * t495).sub_product(m.factors[17], t496).add_product(m.factors[25], t494)
-        .sub_product(m.factors[31], t493);
-    let t498 = (-(m.factors[16] * t496)).add_product(t25, t497).add_product(t26, t495)
-        .sub_product(t27, t494).add_product(t28, t493);
-    let t499 = (-(m.factors[13] * t497).add_product(m.factors[6], t498)).add_product(m.factors[23],
-        t494).sub_product(m.factors[29], t493);
-    let t500 = (-(m.factors[5] * t498)).add_product(t23, t499).add_product(m.t95, t497)
-        .sub_product(t24, t494).add_product(m.t101, t493);
-    let t501 = (m.factors[44] * t499).add_product(m.factors[43], t500).add_product(t22, t494)
-        .add_product(m.factors[46], t493);
-    let t502 = (-(m.factors[48] * t500)).add_product(m.factors[47], t501)
-        .sub_product(m.factors[49], t499).add_product(m.factors[50], t494).add_product(t21, t493);
-    let t503 = (m.factors[53] * t501).sub_product(m.factors[52], t502);
-    let t504 = (t20 * t502).add_product(t19, t503).sub_product(t19, t501);
-    let bobbin_v_y_dot_by_bobbin_v_x = t492.sub_product(R::literal(1.428_571_428_571_428_6), t493);
-    let bobbin_v_x_dot_by_bobbin_v_x = t491.add_product(R::literal(1.428_571_428_571_428_6), t494);
-    let rod_omega_dot_by_bobbin_v_x = (t18 * t496).sub_product(R::literal(4_166.666_666_666_667),
-        t498).sub_product(m.factors[58], t495);
-    let rod_v_y_dot_by_bobbin_v_x = (R::literal(-5.0) * t495).sub_product(m.factors[11], t497);
-    let rod_v_x_dot_by_bobbin_v_x = (R::literal(-5.0) * t496).add_product(t17, t497);
-    let cylinder_omega_dot_by_bobbin_v_x = (t15 * t499).sub_product(m.factors[1], t500)
-        .sub_product(R::literal(-2_777.777_777_777_778), t498).add_product(t16, t497);
-    let cylinder_v_y_dot_by_bobbin_v_x = (t14 * t497)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t499);
-    let cylinder_v_x_dot_by_bobbin_v_x = (-(m.factors[7] * t497))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t500);
-    let plate_omega_dot_by_bobbin_v_x = (-(t12 * t501).add_product(m.factors[60], t502)
-        .add_product(m.factors[60], t500)).add_product(t12, t499).sub_product(t13, t494)
-        .sub_product(m.factors[63], t493);
-    let plate_v_y_dot_by_bobbin_v_x = (R::literal(0.833_333_333_333_333_4) * t499)
-        .add_product(R::literal(0.833_333_333_333_333_4), t501)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t493);
-    let plate_v_x_dot_by_bobbin_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t500)
-        .add_product(R::literal(0.833_333_333_333_333_4), t502))
-        .add_product(R::literal(-0.833_333_333_333_333_4), t494);
-    let post_omega_dot_by_bobbin_v_x = (t11 * t503).sub_product(m.factors[66], t504)
-        .sub_product(m.factors[66], t502).sub_product(t11, t501);
-    let post_v_y_dot_by_bobbin_v_x = (R::literal(-1.25) * t501).sub_product(R::literal(1.25), t503);
-    let post_v_x_dot_by_bobbin_v_x = (R::literal(1.25) * t502).add_product(R::literal(-1.25), t504);
-    let t505 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
-        R::literal(0.5), R::literal(0.0), -(p.contact_damping * m.t11 / t79));
-    let t506 = (-t505).add_product(m.factors[34], t492) * m.factors[35];
-    let t507 = (t492 * m.factors[36]).add_product(m.factors[34], t506);
-    let t508 = (-(m.factors[33] * t506)).add_product(m.factors[27], t507);
-    let t509 = (-(t29 * t507)).add_product(m.t144, t508).add_product(t30, t506);
-    let t510 = (m.t133 * t508).sub_product(m.factors[17], t509).add_product(m.factors[25], t507)
-        .sub_product(m.factors[31], t506);
-    let t511 = (-(m.factors[16] * t509)).add_product(t25, t510).add_product(t26, t508)
-        .sub_product(t27, t507).add_product(t28, t506);
-    let t512 = (-(m.factors[13] * t510).add_product(m.factors[6], t511)).add_product(m.factors[23],
-        t507).sub_product(m.factors[29], t506);
-    let t513 = (-(m.factors[5] * t511)).add_product(t23, t512).add_product(m.t95, t510)
-        .sub_product(t24, t507).add_product(m.t101, t506);
-    let t514 = (m.factors[44] * t512).add_product(m.factors[43], t513).add_product(t22, t507)
-        .add_product(m.factors[46], t506);
-    let t515 = (-(m.factors[48] * t513)).add_product(m.factors[47], t514)
-        .sub_product(m.factors[49], t512).add_product(m.factors[50], t507).add_product(t21, t506);
-    let t516 = (m.factors[53] * t514).sub_product(m.factors[52], t515);
-    let t517 = (t20 * t515).add_product(t19, t516).sub_product(t19, t514);
-    let bobbin_v_y_dot_by_bobbin_v_y = t505.sub_product(R::literal(1.428_571_428_571_428_6), t506);
-    let bobbin_v_x_dot_by_bobbin_v_y = t492.add_product(R::literal(1.428_571_428_571_428_6), t507);
-    let rod_omega_dot_by_bobbin_v_y = (t18 * t509).sub_product(R::literal(4_166.666_666_666_667),
-        t511).sub_product(m.factors[58], t508);
-    let rod_v_y_dot_by_bobbin_v_y = (R::literal(-5.0) * t508).sub_product(m.factors[11], t510);
-    let rod_v_x_dot_by_bobbin_v_y = (R::literal(-5.0) * t509).add_product(t17, t510);
-    let cylinder_omega_dot_by_bobbin_v_y = (t15 * t512).sub_product(m.factors[1], t513)
-        .sub_product(R::literal(-2_777.777_777_777_778), t511).add_product(t16, t510);
-    let cylinder_v_y_dot_by_bobbin_v_y = (t14 * t510)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t512);
-    let cylinder_v_x_dot_by_bobbin_v_y = (-(m.factors[7] * t510))
-        .add_product(R::literal(-3.333_333_333_333_333_5), t513);
-    let plate_omega_dot_by_bobbin_v_y = (-(t12 * t514).add_product(m.factors[60], t515)
-        .add_product(m.factors[60], t513)).add_product(t12, t512).sub_product(t13, t507)
-        .sub_product(m.factors[63], t506);
-    let plate_v_y_dot_by_bobbin_v_y = (R::literal(0.833_333_333_333_333_4) * t512)
-        .add_product(R::literal(0.833_333_333_333_333_4), t514)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t506);
-    let plate_v_x_dot_by_bobbin_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t513)
-        .add_product(R::literal(0.833_333_333_333_333_4), t515))
-        .add_product(R::literal(-0.833_333_333_333_333_4), t507);
-    let post_omega_dot_by_bobbin_v_y = (t11 * t516).sub_product(m.factors[66], t517)
-        .sub_product(m.factors[66], t515).sub_product(t11, t514);
-    let post_v_y_dot_by_bobbin_v_y = (R::literal(-1.25) * t514).sub_product(R::literal(1.25), t516);
-    let post_v_x_dot_by_bobbin_v_y = (R::literal(1.25) * t515).add_product(R::literal(-1.25), t517);
+    let t484 = (t482 * m.factors[36]).sub_product(m.factors[34], t483);
+    let t485 = (t481 * m.factors[37]).sub_product(m.factors[27], t484).sub_product(m.factors[33],
+        t483);
+    let t486 = (-(t108 * m.t141)).add_product(m.t144, t485).add_product(t29, t484).add_product(t30,
+        t483);
+    let t487 = (m.t133 * t485).sub_product(m.factors[17], t486).sub_product(m.factors[25], t484)
+        .sub_product(m.factors[31], t483);
+    let t488 = (-(m.factors[16] * t486)).add_product(t25, t487).add_product(t26, t485)
+        .add_product(t27, t484).add_product(t28, t483);
+    let t489 = (m.factors[13] * t487).add_product(m.factors[6], t488).add_product(m.factors[23],
+        t484).add_product(m.factors[29], t483);
+    let t490 = (-(m.factors[5] * t488).add_product(t23, t489)).add_product(m.t95, t487)
+        .add_product(t24, t484).add_product(m.t101, t483);
+    let t491 = (m.factors[44] * t489).sub_product(m.factors[43], t490).add_product(t22, t484)
+        .sub_product(m.factors[46], t483);
+    let t492 = (-(m.factors[48] * t490).add_product(m.factors[47], t491))
+        .add_product(m.factors[49], t489).sub_product(m.factors[50], t484).add_product(t21, t483);
+    let t493 = (m.factors[53] * t491).add_product(m.factors[52], t492);
+    let t494 = (t20 * t492).sub_product(t19, t493).add_product(t19, t491);
+    let bobbin_v_y_dot_by_rod_omega = R::literal(-1.428_571_428_571_428_6) * t483;
+    let bobbin_v_x_dot_by_rod_omega = R::literal(-1.428_571_428_571_428_6) * t484;
+    let rod_omega_dot_by_rod_omega = (t18 * t486).sub_product(R::literal(4_166.666_666_666_667),
+        t488).sub_product(m.factors[58], t485);
+    let rod_v_y_dot_by_rod_omega = (R::literal(-5.0) * t485).sub_product(m.factors[11], t487);
+    let rod_v_x_dot_by_rod_omega = (R::literal(-5.0) * t486).add_product(t17, t487);
+    let cylinder_omega_dot_by_rod_omega = (-(t15 * t489).add_product(m.factors[1], t490)
+        .add_product(R::literal(-2_777.777_777_777_778), t488)).add_product(t16, t487);
+    let cylinder_v_y_dot_by_rod_omega = (t14 * t487)
+        .add_product(R::literal(3.333_333_333_333_333_5), t489);
+    let cylinder_v_x_dot_by_rod_omega = (-(m.factors[7] * t487))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t490);
+    let plate_omega_dot_by_rod_omega = (t12 * t491).sub_product(m.factors[60], t492)
+        .sub_product(m.factors[60], t490).sub_product(t12, t489).add_product(t13, t484)
+        .sub_product(m.factors[63], t483);
+    let plate_v_y_dot_by_rod_omega = (R::literal(-0.833_333_333_333_333_4) * t489)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t491)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t483);
+    let plate_v_x_dot_by_rod_omega = (R::literal(0.833_333_333_333_333_4) * t490)
+        .add_product(R::literal(-0.833_333_333_333_333_4), t492)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t484);
+    let post_omega_dot_by_rod_omega = (-(t11 * t493).add_product(m.factors[66], t494)
+        .add_product(m.factors[66], t492)).add_product(t11, t491);
+    let post_v_y_dot_by_rod_omega = (R::literal(1.25) * t491).add_product(R::literal(1.25), t493);
+    let post_v_x_dot_by_rod_omega = (R::literal(1.25) * t492).add_product(R::literal(-1.25), t494);
+    let t495 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), -(p.contact_damping * m.t9 / t83));
+    let t496 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), -(p.contact_damping * t8 * t9 / t83));
+    let t497 = (-t496).add_product(m.factors[34], t495) * m.factors[35];
+    let t498 = (t495 * m.factors[36]).add_product(m.factors[34], t497);
+    let t499 = (-(m.factors[33] * t497)).add_product(m.factors[27], t498);
+    let t500 = (-(t29 * t498)).add_product(m.t144, t499).add_product(t30, t497);
+    let t501 = (m.t133 * t499).sub_product(m.factors[17], t500).add_product(m.factors[25], t498)
+        .sub_product(m.factors[31], t497);
+    let t502 = (-(m.factors[16] * t500)).add_product(t25, t501).add_product(t26, t499)
+        .sub_product(t27, t498).add_product(t28, t497);
+    let t503 = (-(m.factors[13] * t501).add_product(m.factors[6], t502)).add_product(m.factors[23],
+        t498).sub_product(m.factors[29], t497);
+    let t504 = (-(m.factors[5] * t502)).add_product(t23, t503).add_product(m.t95, t501)
+        .sub_product(t24, t498).add_product(m.t101, t497);
+    let t505 = (m.factors[44] * t503).add_product(m.factors[43], t504).add_product(t22, t498)
+        .add_product(m.factors[46], t497);
+    let t506 = (-(m.factors[48] * t504)).add_product(m.factors[47], t505)
+        .sub_product(m.factors[49], t503).add_product(m.factors[50], t498).add_product(t21, t497);
+    let t507 = (m.factors[53] * t505).sub_product(m.factors[52], t506);
+    let t508 = (t20 * t506).add_product(t19, t507).sub_product(t19, t505);
+    let bobbin_v_y_dot_by_bobbin_v_x = t496.sub_product(R::literal(1.428_571_428_571_428_6), t497);
+    let bobbin_v_x_dot_by_bobbin_v_x = t495.add_product(R::literal(1.428_571_428_571_428_6), t498);
+    let rod_omega_dot_by_bobbin_v_x = (t18 * t500).sub_product(R::literal(4_166.666_666_666_667),
+        t502).sub_product(m.factors[58], t499);
+    let rod_v_y_dot_by_bobbin_v_x = (R::literal(-5.0) * t499).sub_product(m.factors[11], t501);
+    let rod_v_x_dot_by_bobbin_v_x = (R::literal(-5.0) * t500).add_product(t17, t501);
+    let cylinder_omega_dot_by_bobbin_v_x = (t15 * t503).sub_product(m.factors[1], t504)
+        .sub_product(R::literal(-2_777.777_777_777_778), t502).add_product(t16, t501);
+    let cylinder_v_y_dot_by_bobbin_v_x = (t14 * t501)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t503);
+    let cylinder_v_x_dot_by_bobbin_v_x = (-(m.factors[7] * t501))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t504);
+    let plate_omega_dot_by_bobbin_v_x = (-(t12 * t505).add_product(m.factors[60], t506)
+        .add_product(m.factors[60], t504)).add_product(t12, t503).sub_product(t13, t498)
+        .sub_product(m.factors[63], t497);
+    let plate_v_y_dot_by_bobbin_v_x = (R::literal(0.833_333_333_333_333_4) * t503)
+        .add_product(R::literal(0.833_333_333_333_333_4), t505)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t497);
+    let plate_v_x_dot_by_bobbin_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t504)
+        .add_product(R::literal(0.833_333_333_333_333_4), t506))
+        .add_product(R::literal(-0.833_333_333_333_333_4), t498);
+    let post_omega_dot_by_bobbin_v_x = (t11 * t507).sub_product(m.factors[66], t508)
+        .sub_product(m.factors[66], t506).sub_product(t11, t505);
+    let post_v_y_dot_by_bobbin_v_x = (R::literal(-1.25) * t505).sub_product(R::literal(1.25), t507);
+    let post_v_x_dot_by_bobbin_v_x = (R::literal(1.25) * t506).add_product(R::literal(-1.25), t508);
+    let t509 = R::literal(1.428_571_428_571_428_6) * R::select_less(contact_closed,
+        R::literal(0.5), R::literal(0.0), -(p.contact_damping * m.t11 / t83));
+    let t510 = (-t509).add_product(m.factors[34], t496) * m.factors[35];
+    let t511 = (t496 * m.factors[36]).add_product(m.factors[34], t510);
+    let t512 = (-(m.factors[33] * t510)).add_product(m.factors[27], t511);
+    let t513 = (-(t29 * t511)).add_product(m.t144, t512).add_product(t30, t510);
+    let t514 = (m.t133 * t512).sub_product(m.factors[17], t513).add_product(m.factors[25], t511)
+        .sub_product(m.factors[31], t510);
+    let t515 = (-(m.factors[16] * t513)).add_product(t25, t514).add_product(t26, t512)
+        .sub_product(t27, t511).add_product(t28, t510);
+    let t516 = (-(m.factors[13] * t514).add_product(m.factors[6], t515)).add_product(m.factors[23],
+        t511).sub_product(m.factors[29], t510);
+    let t517 = (-(m.factors[5] * t515)).add_product(t23, t516).add_product(m.t95, t514)
+        .sub_product(t24, t511).add_product(m.t101, t510);
+    let t518 = (m.factors[44] * t516).add_product(m.factors[43], t517).add_product(t22, t511)
+        .add_product(m.factors[46], t510);
+    let t519 = (-(m.factors[48] * t517)).add_product(m.factors[47], t518)
+        .sub_product(m.factors[49], t516).add_product(m.factors[50], t511).add_product(t21, t510);
+    let t520 = (m.factors[53] * t518).sub_product(m.factors[52], t519);
+    let t521 = (t20 * t519).add_product(t19, t520).sub_product(t19, t518);
+    let bobbin_v_y_dot_by_bobbin_v_y = t509.sub_product(R::literal(1.428_571_428_571_428_6), t510);
+    let bobbin_v_x_dot_by_bobbin_v_y = t496.add_product(R::literal(1.428_571_428_571_428_6), t511);
+    let rod_omega_dot_by_bobbin_v_y = (t18 * t513).sub_product(R::literal(4_166.666_666_666_667),
+        t515).sub_product(m.factors[58], t512);
+    let rod_v_y_dot_by_bobbin_v_y = (R::literal(-5.0) * t512).sub_product(m.factors[11], t514);
+    let rod_v_x_dot_by_bobbin_v_y = (R::literal(-5.0) * t513).add_product(t17, t514);
+    let cylinder_omega_dot_by_bobbin_v_y = (t15 * t516).sub_product(m.factors[1], t517)
+        .sub_product(R::literal(-2_777.777_777_777_778), t515).add_product(t16, t514);
+    let cylinder_v_y_dot_by_bobbin_v_y = (t14 * t514)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t516);
+    let cylinder_v_x_dot_by_bobbin_v_y = (-(m.factors[7] * t514))
+        .add_product(R::literal(-3.333_333_333_333_333_5), t517);
+    let plate_omega_dot_by_bobbin_v_y = (-(t12 * t518).add_product(m.factors[60], t519)
+        .add_product(m.factors[60], t517)).add_product(t12, t516).sub_product(t13, t511)
+        .sub_product(m.factors[63], t510);
+    let plate_v_y_dot_by_bobbin_v_y = (R::literal(0.833_333_333_333_333_4) * t516)
+        .add_product(R::literal(0.833_333_333_333_333_4), t518)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t510);
+    let plate_v_x_dot_by_bobbin_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t517)
+        .add_product(R::literal(0.833_333_333_333_333_4), t519))
+        .add_product(R::literal(-0.833_333_333_333_333_4), t511);
+    let post_omega_dot_by_bobbin_v_y = (t11 * t520).sub_product(m.factors[66], t521)
+        .sub_product(m.factors[66], t519).sub_product(t11, t518);
+    let post_v_y_dot_by_bobbin_v_y = (R::literal(-1.25) * t518).sub_product(R::literal(1.25), t520);
+    let post_v_x_dot_by_bobbin_v_y = (R::literal(1.25) * t519).add_product(R::literal(-1.25), t521);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),

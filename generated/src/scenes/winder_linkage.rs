@@ -24,9 +24,9 @@
 // Shapes: coordinates 18, states 36, parameters 5, outputs 7, constraints 16.
 // Nonzeros: mass_matrix 18 of 18 by 18, rate_jacobian 228 of 36 by 36,
 //     parameter_jacobian 0 of 36 by 5, constraint_matrix 44 of 16 by 18.
-// Operations: rate 450, forcing 49, rate_jacobian 376, outputs 234, energy 72, power_balance 114,
+// Operations: rate 450, forcing 49, rate_jacobian 415, outputs 234, energy 72, power_balance 114,
 //     constraint_values 62, constraint_rates 89, constraint_matrix 43, prepare 1, prepared_rate 449,
-//     prepared_rate_jacobian 376, motion 466.
+//     prepared_rate_jacobian 415, motion 466.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitute}};
 
@@ -774,7 +774,7 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R;
         R::literal(0.0), R::literal(0.0), R::literal(-14.715), R::literal(0.0)]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 376 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 415 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 228] {
@@ -788,178 +788,199 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let plate_omega_squared = plate_omega * plate_omega;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
     let t0 = cylinder_omega_squared * m.sin_cylinder_phi;
-    let cylinder_y_times_cylinder_omega = cylinder_y * cylinder_omega;
-    let rod_x_times_cylinder_omega = rod_x * cylinder_omega;
-    let cylinder_x_times_cylinder_omega = cylinder_x * cylinder_omega;
-    let rod_y_times_cylinder_omega = rod_y * cylinder_omega;
-    let t1 = m.between * m.between;
-    let t2 = t1 * m.between;
-    let t3 = m.t108.sub_product(R::literal(0.06) * m.cos_plate_phi, m.plate_omega_dot);
-    let t4 = -m.t107.add_product(m.factors[26], m.plate_omega_dot);
-    let t5 = m.cos_cylinder_phi * m.cylinder_omega_dot;
-    let t6 = (m.sin_cylinder_phi * m.cylinder_omega_dot).add_product(cylinder_omega_squared,
+    let t1 = R::literal(2.0) * cylinder_v_x;
+    let t2 = R::literal(2.0) * cylinder_v_y;
+    let t3 = R::literal(2.0) * rod_v_x;
+    let t4 = R::literal(2.0) * rod_v_y;
+    let t5 = m.between * m.between;
+    let t6 = t5 * m.between;
+    let t7 = m.t108.sub_product(R::literal(0.06) * m.cos_plate_phi, m.plate_omega_dot);
+    let t8 = -m.t107.add_product(m.factors[26], m.plate_omega_dot);
+    let t9 = m.cos_cylinder_phi * m.cylinder_omega_dot;
+    let t10 = (m.sin_cylinder_phi * m.cylinder_omega_dot).add_product(cylinder_omega_squared,
         m.cos_cylinder_phi);
-    let t7 = R::literal(0.06) * cylinder_omega_squared;
-    let t8 = R::literal(3.0) * bobbin_v_x;
-    let t9 = t8 * bobbin_x_minus_drum_x;
-    let t10 = t9 / t2;
-    let t11 = m.between.powi(5);
-    let t12 = m.bobbin_x_minus_drum_x_squared * bobbin_x_minus_drum_x;
-    let t13 = R::literal(3.0) * drum_v_x;
-    let t14 = t13 * t12 / t11;
-    let t15 = R::literal(3.0) * drum_v_y;
-    let t16 = t15 * bobbin_y_minus_drum_y;
-    let t17 = t16 * m.bobbin_x_minus_drum_x_squared / t11;
-    let t18 = bobbin_v_y * bobbin_y_minus_drum_y / t2;
-    let t19 = t8 * t12 / t11;
-    let t20 = R::literal(3.0) * bobbin_v_y;
-    let t21 = t20 * bobbin_y_minus_drum_y;
-    let t22 = t21 * m.bobbin_x_minus_drum_x_squared / t11;
-    let t23 = t13 * bobbin_x_minus_drum_x;
-    let t24 = t23 / t2;
-    let t25 = drum_v_y * bobbin_y_minus_drum_y / t2;
-    let t26 = t19 + t22 + t24 + t25 - t10 - t14 - t17 - t18;
-    let t27 = t13 * bobbin_y_minus_drum_y * m.bobbin_x_minus_drum_x_squared / t11;
-    let t28 = t15 * bobbin_x_minus_drum_x * m.bobbin_y_minus_drum_y_squared / t11;
-    let t29 = bobbin_v_x * bobbin_y_minus_drum_y / t2;
-    let t30 = bobbin_v_y * bobbin_x_minus_drum_x / t2;
-    let t31 = t8 * bobbin_y_minus_drum_y * m.bobbin_x_minus_drum_x_squared / t11;
-    let t32 = t20 * bobbin_x_minus_drum_x * m.bobbin_y_minus_drum_y_squared / t11;
-    let t33 = drum_v_x * bobbin_y_minus_drum_y / t2;
-    let t34 = drum_v_y * bobbin_x_minus_drum_x / t2;
-    let t35 = t31 + t32 + t33 + t34 - t27 - t28 - t29 - t30;
-    let t36 = t10 + t14 + t17 + t18 - t19 - t22 - t24 - t25;
-    let t37 = t27 + t28 + t29 + t30 - t31 - t32 - t33 - t34;
-    let t38 = (bobbin_x + m.between - drum_x) * (bobbin_x_minus_drum_x - m.between) / t2
-        * m.bobbin_v_x_dot;
-    let t39 = bobbin_x_minus_drum_x * bobbin_y_minus_drum_y / t2;
-    let t40 = t39 * m.bobbin_v_y_dot;
-    let t41 = t21 / t2;
-    let t42 = t23 * m.bobbin_y_minus_drum_y_squared / t11;
-    let t43 = m.bobbin_y_minus_drum_y_squared * bobbin_y_minus_drum_y;
-    let t44 = t15 * t43 / t11;
-    let t45 = bobbin_v_x * bobbin_x_minus_drum_x / t2;
-    let t46 = t9 * m.bobbin_y_minus_drum_y_squared / t11;
-    let t47 = t20 * t43 / t11;
-    let t48 = t16 / t2;
-    let t49 = drum_v_x * bobbin_x_minus_drum_x / t2;
-    let t50 = t46 + t47 + t48 + t49 - t41 - t42 - t44 - t45;
-    let t51 = t41 + t42 + t44 + t45 - t46 - t47 - t48 - t49;
-    let t52 = t39 * m.bobbin_v_x_dot;
-    let t53 = (bobbin_y + m.between - drum_y) * (bobbin_y_minus_drum_y - m.between) / t2
-        * m.bobbin_v_y_dot;
-    let t54 = R::literal(0.2) * post_omega;
-    let t55 = -(t54 * m.cos_post_phi);
-    let t56 = -(t54 * m.sin_post_phi);
-    let t57 = R::literal(0.12) * plate_omega;
-    let t58 = -(t57 * m.cos_plate_phi);
-    let t59 = -(t57 * m.sin_plate_phi);
-    let t60 = R::literal(2.0) * cylinder_omega;
-    let t61 = t60 * m.cos_cylinder_phi;
-    let t62 = t60 * m.sin_cylinder_phi;
-    let t63 = R::literal(0.12) * cylinder_omega;
-    let t64 = R::literal(0.12) * rod_omega;
-    let t65 = R::literal(2.0) * bobbin_x * drum_x;
-    let bobbin_x_times_bobbin_y = bobbin_x * bobbin_y;
-    let bobbin_x_times_drum_y = bobbin_x * drum_y;
-    let bobbin_y_times_drum_x = bobbin_y * drum_x;
-    let drum_x_times_drum_y = drum_x * drum_y;
+    let t11 = R::literal(0.06) * cylinder_omega_squared;
+    let t12 = R::literal(3.0) * bobbin_v_x;
+    let t13 = t12 * bobbin_x_minus_drum_x;
+    let t14 = t13 / t6;
+    let t15 = m.between.powi(5);
+    let t16 = m.bobbin_x_minus_drum_x_squared * bobbin_x_minus_drum_x;
+    let t17 = R::literal(3.0) * drum_v_x;
+    let t18 = t17 * t16 / t15;
+    let t19 = R::literal(3.0) * drum_v_y;
+    let t20 = t19 * bobbin_y_minus_drum_y;
+    let t21 = t20 * m.bobbin_x_minus_drum_x_squared / t15;
+    let t22 = bobbin_v_y * bobbin_y_minus_drum_y / t6;
+    let t23 = t12 * t16 / t15;
+    let t24 = R::literal(3.0) * bobbin_v_y;
+    let t25 = t24 * bobbin_y_minus_drum_y;
+    let t26 = t25 * m.bobbin_x_minus_drum_x_squared / t15;
+    let t27 = t17 * bobbin_x_minus_drum_x;
+    let t28 = t27 / t6;
+    let t29 = drum_v_y * bobbin_y_minus_drum_y / t6;
+    let t30 = t23 + t26 + t28 + t29 - t14 - t18 - t21 - t22;
+    let t31 = t17 * bobbin_y_minus_drum_y * m.bobbin_x_minus_drum_x_squared / t15;
+    let t32 = t19 * bobbin_x_minus_drum_x * m.bobbin_y_minus_drum_y_squared / t15;
+    let t33 = bobbin_v_x * bobbin_y_minus_drum_y / t6;
+    let t34 = bobbin_v_y * bobbin_x_minus_drum_x / t6;
+    let t35 = t12 * bobbin_y_minus_drum_y * m.bobbin_x_minus_drum_x_squared / t15;
+    let t36 = t24 * bobbin_x_minus_drum_x * m.bobbin_y_minus_drum_y_squared / t15;
+    let t37 = drum_v_x * bobbin_y_minus_drum_y / t6;
+    let t38 = drum_v_y * bobbin_x_minus_drum_x / t6;
+    let t39 = t35 + t36 + t37 + t38 - t31 - t32 - t33 - t34;
+    let t40 = t14 + t18 + t21 + t22 - t23 - t26 - t28 - t29;
+    let t41 = t31 + t32 + t33 + t34 - t35 - t36 - t37 - t38;
+    let t42 = m.bobbin_x_minus_drum_x_squared / t6;
+    let t43 = R::literal(1.0) / m.between;
+    let t44 = bobbin_x_minus_drum_x * bobbin_y_minus_drum_y / t6;
+    let t45 = t44 * m.bobbin_v_y_dot;
+    let t46 = t25 / t6;
+    let t47 = t27 * m.bobbin_y_minus_drum_y_squared / t15;
+    let t48 = m.bobbin_y_minus_drum_y_squared * bobbin_y_minus_drum_y;
+    let t49 = t19 * t48 / t15;
+    let t50 = bobbin_v_x * bobbin_x_minus_drum_x / t6;
+    let t51 = t13 * m.bobbin_y_minus_drum_y_squared / t15;
+    let t52 = t24 * t48 / t15;
+    let t53 = t20 / t6;
+    let t54 = drum_v_x * bobbin_x_minus_drum_x / t6;
+    let t55 = t51 + t52 + t53 + t54 - t46 - t47 - t49 - t50;
+    let t56 = t46 + t47 + t49 + t50 - t51 - t52 - t53 - t54;
+    let t57 = t44 * m.bobbin_v_x_dot;
+    let t58 = m.bobbin_y_minus_drum_y_squared / t6;
+    let t59 = R::literal(0.2) * post_omega;
+    let t60 = -(t59 * m.cos_post_phi);
+    let t61 = -(t59 * m.sin_post_phi);
+    let t62 = R::literal(0.12) * plate_omega;
+    let t63 = -(t62 * m.cos_plate_phi);
+    let t64 = -(t62 * m.sin_plate_phi);
+    let t65 = R::literal(2.0) * cylinder_omega;
+    let t66 = t65 * m.cos_cylinder_phi;
+    let t67 = t65 * m.sin_cylinder_phi;
+    let t68 = R::literal(0.12) * cylinder_omega;
+    let t69 = R::literal(0.12) * rod_omega;
+    let t70 = R::literal(4.0) * bobbin_x * drum_x;
+    let t71 = t70 * bobbin_v_x;
+    let t72 = R::literal(2.0) * bobbin_x;
+    let t73 = t72 * bobbin_y;
+    let t74 = t73 * drum_v_y;
+    let t75 = t72 * drum_y;
+    let t76 = t75 * bobbin_v_y;
+    let t77 = R::literal(2.0) * bobbin_y * drum_x;
+    let t78 = t77 * bobbin_v_y;
+    let t79 = R::literal(2.0) * drum_x * drum_y;
+    let t80 = t79 * drum_v_y;
+    let t81 = R::literal(2.0) * bobbin_v_x;
+    let t82 = t81 * t5;
     let bobbin_x_squared = bobbin_x * bobbin_x;
+    let t83 = R::literal(2.0) * drum_v_x;
+    let t84 = t83 * bobbin_x_squared;
     let drum_x_squared = drum_x * drum_x;
-    let t66 = R::literal(2.0) * (bobbin_x_times_bobbin_y * bobbin_v_y).add_product(t65, drum_v_x)
-        .add_product(bobbin_x_times_drum_y, drum_v_y).add_product(bobbin_y_times_drum_x, drum_v_y)
-        .add_product(drum_x_times_drum_y, bobbin_v_y).add_product(bobbin_v_x, bobbin_x_squared)
-        .add_product(bobbin_v_x, drum_x_squared).add_product(drum_v_x, t1).sub_product(t65,
-        bobbin_v_x).sub_product(bobbin_x_times_bobbin_y, drum_v_y)
-        .sub_product(bobbin_x_times_drum_y, bobbin_v_y).sub_product(bobbin_y_times_drum_x,
-        bobbin_v_y).sub_product(drum_x_times_drum_y, drum_v_y).sub_product(bobbin_v_x, t1)
-        .sub_product(drum_v_x, bobbin_x_squared).sub_product(drum_v_x, drum_x_squared) / t2;
-    let t67 = R::literal(2.0) * bobbin_y * drum_y;
+    let t85 = t83 * drum_x_squared;
+    let t86 = t73 * bobbin_v_y;
+    let t87 = t75 * drum_v_y;
+    let t88 = t77 * drum_v_y;
+    let t89 = t79 * bobbin_v_y;
+    let t90 = t81 * bobbin_x_squared;
+    let t91 = t81 * drum_x_squared;
+    let t92 = t83 * t5;
+    let t93 = t70 * drum_v_x;
+    let t94 = R::literal(4.0) * bobbin_y * drum_y;
+    let t95 = t94 * bobbin_v_y;
+    let t96 = t73 * drum_v_x;
+    let t97 = t75 * bobbin_v_x;
+    let t98 = t77 * bobbin_v_x;
+    let t99 = t79 * drum_v_x;
+    let t100 = R::literal(2.0) * bobbin_v_y;
+    let t101 = t100 * t5;
     let bobbin_y_squared = bobbin_y * bobbin_y;
+    let t102 = R::literal(2.0) * drum_v_y;
+    let t103 = t102 * bobbin_y_squared;
     let drum_y_squared = drum_y * drum_y;
-    let t68 = R::literal(2.0) * (bobbin_x_times_bobbin_y * bobbin_v_x).add_product(t67, drum_v_y)
-        .add_product(bobbin_x_times_drum_y, drum_v_x).add_product(bobbin_y_times_drum_x, drum_v_x)
-        .add_product(drum_x_times_drum_y, bobbin_v_x).add_product(bobbin_v_y, bobbin_y_squared)
-        .add_product(bobbin_v_y, drum_y_squared).add_product(drum_v_y, t1).sub_product(t67,
-        bobbin_v_y).sub_product(bobbin_x_times_bobbin_y, drum_v_x)
-        .sub_product(bobbin_x_times_drum_y, bobbin_v_x).sub_product(bobbin_y_times_drum_x,
-        bobbin_v_x).sub_product(drum_x_times_drum_y, drum_v_x).sub_product(bobbin_v_y, t1)
-        .sub_product(drum_v_y, bobbin_y_squared).sub_product(drum_v_y, drum_y_squared) / t2;
+    let t104 = t102 * drum_y_squared;
+    let t105 = t73 * bobbin_v_x;
+    let t106 = t75 * drum_v_x;
+    let t107 = t77 * drum_v_x;
+    let t108 = t79 * bobbin_v_x;
+    let t109 = t100 * bobbin_y_squared;
+    let t110 = t100 * drum_y_squared;
+    let t111 = t102 * t5;
+    let t112 = t94 * drum_v_y;
     let mut x = [[R::literal(0.0); 24]; 34];
     x[18][0] = m.t125;
     x[19][0] = m.post_v_x_dot;
     x[20][0] = m.t125;
     x[21][0] = m.post_v_x_dot;
     x[33][0] = (m.t121 * m.t122).add_product(m.t8, post_omega * post_omega);
-    x[20][1] = t3;
-    x[21][1] = t4;
-    x[22][1] = t3;
-    x[23][1] = t4;
+    x[20][1] = t7;
+    x[21][1] = t8;
+    x[22][1] = t7;
+    x[23][1] = t8;
     x[28][1] = (-(m.t10 * plate_omega_squared)).add_product((R::literal(0.01) * m.cos_plate_phi)
         .sub_product(R::literal(0.1), m.sin_plate_phi), m.plate_omega_dot);
     x[29][1] = (m.t10 * m.plate_omega_dot).add_product(m.t11, plate_omega_squared);
-    x[25][2] = t0 - t5;
-    x[25][3] = -t6;
-    x[22][4] = (R::literal(-0.06) * m.cos_cylinder_phi * m.cylinder_omega_dot).add_product(t7,
+    x[25][2] = t0 - t9;
+    x[25][3] = -t10;
+    x[22][4] = (R::literal(-0.06) * m.cos_cylinder_phi * m.cylinder_omega_dot).add_product(t11,
         m.sin_cylinder_phi);
-    x[23][4] = -(R::literal(0.06) * m.sin_cylinder_phi * m.cylinder_omega_dot).add_product(t7,
+    x[23][4] = -(R::literal(0.06) * m.sin_cylinder_phi * m.cylinder_omega_dot).add_product(t11,
         m.cos_cylinder_phi);
-    x[25][4] = (m.cos_cylinder_phi * m.t150).add_product(cylinder_omega, (R::literal(2.0)
-        * cylinder_v_x * m.sin_cylinder_phi).add_product(R::literal(2.0) * rod_v_y,
-        m.cos_cylinder_phi).add_product(cylinder_x_times_cylinder_omega, m.cos_cylinder_phi)
-        .add_product(cylinder_y_times_cylinder_omega, m.sin_cylinder_phi)
-        .sub_product(R::literal(2.0) * cylinder_v_y, m.cos_cylinder_phi)
-        .sub_product(R::literal(2.0) * rod_v_x, m.sin_cylinder_phi)
-        .sub_product(rod_x_times_cylinder_omega, m.cos_cylinder_phi)
-        .sub_product(rod_y_times_cylinder_omega, m.sin_cylinder_phi))
-        .sub_product(m.sin_cylinder_phi, m.cylinder_v_y_dot).sub_product(((rod_x - cylinder_x)
-        * m.sin_cylinder_phi).sub_product(rod_y - cylinder_y, m.cos_cylinder_phi),
-        m.cylinder_omega_dot).add_product(m.cos_cylinder_phi, m.rod_v_x_dot)
+    x[25][4] = (m.cos_cylinder_phi * m.t150).add_product(cylinder_omega, (t1 * m.sin_cylinder_phi)
+        .add_product(t4, m.cos_cylinder_phi).add_product(cylinder_x * cylinder_omega,
+        m.cos_cylinder_phi).add_product(cylinder_y * cylinder_omega, m.sin_cylinder_phi)
+        .sub_product(t2, m.cos_cylinder_phi).sub_product(t3, m.sin_cylinder_phi).sub_product(rod_x
+        * cylinder_omega, m.cos_cylinder_phi).sub_product(rod_y * cylinder_omega,
+        m.sin_cylinder_phi)).sub_product(m.sin_cylinder_phi, m.cylinder_v_y_dot)
+        .sub_product(((rod_x - cylinder_x) * m.sin_cylinder_phi).sub_product(rod_y - cylinder_y,
+        m.cos_cylinder_phi), m.cylinder_omega_dot).add_product(m.cos_cylinder_phi, m.rod_v_x_dot)
         .sub_product(m.sin_cylinder_phi, m.t149.add_product(R::literal(5.0), m.t142));
-    x[25][5] = t5 - t0;
-    x[25][6] = t6;
+    x[25][5] = t9 - t0;
+    x[25][6] = t10;
     x[26][7] = (-m.t111).add_product(R::literal(0.06) * m.cos_rod_phi, m.rod_omega_dot);
     x[27][7] = m.t110.add_product(R::literal(0.06) * m.sin_rod_phi, m.rod_omega_dot);
-    x[32][8] = t38 - (bobbin_v_x * t26).add_product(bobbin_v_y, t35).add_product(drum_v_x, t36)
-        .add_product(drum_v_y, t37) + t40;
-    x[32][9] = t52 - (bobbin_v_x * t35).add_product(bobbin_v_y, t50).add_product(drum_v_x, t37)
-        .add_product(drum_v_y, t51) + t53;
-    x[32][10] = -((bobbin_v_x * t36).add_product(bobbin_v_y, t37).add_product(drum_v_x, t26)
-        .add_product(drum_v_y, t35) + t38 + t40);
-    x[32][11] = -((bobbin_v_x * t37).add_product(bobbin_v_y, t51).add_product(drum_v_x, t35)
-        .add_product(drum_v_y, t50) + t52 + t53);
-    x[18][12] = t55;
-    x[19][12] = t56;
-    x[20][12] = t55;
-    x[21][12] = t56;
+    x[32][8] = t45 - (bobbin_v_x * t30).add_product(bobbin_v_y, t39).add_product(drum_v_x, t40)
+        .add_product(drum_v_y, t41).add_product(t43 - t42, m.bobbin_v_x_dot);
+    x[32][9] = (t57 - (bobbin_v_x * t39).add_product(bobbin_v_y, t55).add_product(drum_v_x, t41)
+        .add_product(drum_v_y, t56)).sub_product(t43 - t58, m.bobbin_v_y_dot);
+    x[32][10] = (-(bobbin_v_x * t40).add_product(bobbin_v_y, t41).add_product(drum_v_x, t30)
+        .add_product(drum_v_y, t39)).add_product(t43 - t42, m.bobbin_v_x_dot) - t45;
+    x[32][11] = (-((bobbin_v_x * t41).add_product(bobbin_v_y, t56).add_product(drum_v_x, t39)
+        .add_product(drum_v_y, t55) + t57)).add_product(t43 - t58, m.bobbin_v_y_dot);
+    x[18][12] = t60;
+    x[19][12] = t61;
+    x[20][12] = t60;
+    x[21][12] = t61;
     x[33][12] = post_omega * (R::literal(0.286) * m.sin_post_phi).sub_product(R::literal(0.088),
         m.cos_post_phi);
-    x[20][13] = t58;
-    x[21][13] = t59;
-    x[22][13] = t58;
-    x[23][13] = t59;
+    x[20][13] = t63;
+    x[21][13] = t64;
+    x[22][13] = t63;
+    x[23][13] = t64;
     x[28][13] = plate_omega * (R::literal(0.02) * m.cos_plate_phi).sub_product(R::literal(0.2),
         m.sin_plate_phi);
     x[29][13] = plate_omega * (R::literal(0.02) * m.sin_plate_phi).add_product(R::literal(0.2),
         m.cos_plate_phi);
-    x[25][14] = -t61;
-    x[25][15] = -t62;
-    x[22][16] = -(t63 * m.cos_cylinder_phi);
-    x[23][16] = -(t63 * m.sin_cylinder_phi);
-    x[25][16] = R::literal(2.0) * (cylinder_x_times_cylinder_omega * m.sin_cylinder_phi)
-        .add_product(rod_y_times_cylinder_omega, m.cos_cylinder_phi).add_product(rod_v_x,
-        m.cos_cylinder_phi).add_product(rod_v_y, m.sin_cylinder_phi)
-        .sub_product(cylinder_y_times_cylinder_omega, m.cos_cylinder_phi)
-        .sub_product(rod_x_times_cylinder_omega, m.sin_cylinder_phi).sub_product(cylinder_v_x,
-        m.cos_cylinder_phi).sub_product(cylinder_v_y, m.sin_cylinder_phi);
-    x[25][17] = t61;
-    x[25][18] = t62;
-    x[26][19] = t64 * m.cos_rod_phi;
-    x[27][19] = t64 * m.sin_rod_phi;
-    x[32][20] = t66;
-    x[32][21] = t68;
-    x[32][22] = -t66;
-    x[32][23] = -t68;
+    x[25][14] = -t66;
+    x[25][15] = -t67;
+    x[22][16] = -(t68 * m.cos_cylinder_phi);
+    x[23][16] = -(t68 * m.sin_cylinder_phi);
+    x[25][16] = (R::literal(2.0) * cylinder_x * cylinder_omega * m.sin_cylinder_phi)
+        .add_product(R::literal(2.0) * rod_y * cylinder_omega, m.cos_cylinder_phi).add_product(t3,
+        m.cos_cylinder_phi).add_product(t4, m.sin_cylinder_phi).sub_product(R::literal(2.0)
+        * cylinder_y * cylinder_omega, m.cos_cylinder_phi).sub_product(R::literal(2.0) * rod_x
+        * cylinder_omega, m.sin_cylinder_phi).sub_product(t1, m.cos_cylinder_phi).sub_product(t2,
+        m.sin_cylinder_phi);
+    x[25][17] = t66;
+    x[25][18] = t67;
+    x[26][19] = t69 * m.cos_rod_phi;
+    x[27][19] = t69 * m.sin_rod_phi;
+    x[32][20] = (t86 + t87 + t88 + t89 + t90 + t91 + t92 + t93 - t71 - t74 - t76 - t78 - t80 - t82
+        - t84 - t85) / t6;
+    x[32][21] = (t105 + t106 + t107 + t108 + t109 + t110 + t111 + t112 - t95 - t96 - t97 - t98
+        - t99 - t101 - t103 - t104) / t6;
+    x[32][22] = (t74 + t76 + t78 + t80 + t82 + t84 + t85 + t71 - t93 - t86 - t87 - t88 - t89 - t90
+        - t91 - t92) / t6;
+    x[32][23] = (t96 + t97 + t98 + t99 + t101 + t103 + t104 + t95 - t112 - t105 - t106 - t107
+        - t108 - t109 - t110 - t111) / t6;
     substitute(RATE_JACOBIAN_STEPS.iter().copied(), &m.factors, &mut x);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),

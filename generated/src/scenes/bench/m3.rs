@@ -20,8 +20,8 @@
 // Shapes: coordinates 3, first-order states 4, states 10, parameters 33, outputs 3.
 // Nonzeros: mass_matrix 3 of 3 by 3, rate_jacobian 30 of 10 by 10, parameter_jacobian 50 of 10 by 33.
 // Operations: initial_state 18, rate 91, mass_matrix 4, forcing 50, rate_jacobian 85,
-//     parameter_jacobian 241, time_derivative 44, energy 50, power_balance 177, prepare 86,
-//     prepared_rate 62, prepared_rate_jacobian 40, prepared_parameter_jacobian 177.
+//     parameter_jacobian 240, time_derivative 44, energy 50, power_balance 177, prepare 84,
+//     prepared_rate 62, prepared_rate_jacobian 40, prepared_parameter_jacobian 178.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
@@ -116,7 +116,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
     motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
     motor_psi_rx_dot_by_motor_psi_rx, t14, t15, t16, t17, t18, minus_motor_u_y, t19,
-    motor_k_r_over_motor_sigma, t21, t22, t23, t24, t25, t26, t27, t28, t29, t30
+    motor_k_r_over_motor_sigma, t20, motor_k_s_over_motor_sigma, t21, t22, t23, t24, t25, t26, t27,
+    t28, t29
 }
 
 ::machinist_contract::field_scene! {
@@ -131,15 +132,14 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     at 2.322 => End, coordinate Some(2), handed 29;
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 86 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 84 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let (sin_motor_supply_phase, cos_motor_supply_phase) = p.motor_supply_phase.sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let shaft_omega_2 = R::literal(0.104_719_755_119_659_77) * p.shaft_speed;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
@@ -184,19 +184,19 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let minus_motor_u_y = -motor_u_y;
     let t19 = R::literal(1.5) * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
     let motor_k_r_over_motor_sigma = p.motor_k_r / motor_sigma;
-    let t20 = motor_k_s_times_motor_k_r - R::literal(1.0);
-    let t21 = t2 * motor_omega_0 / (p.motor_x_s * (t20 * t20));
-    let t22 = R::literal(-1.0) / p.motor_x_s;
-    let t23 = R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio;
-    let t24 = R::literal(2.0) * p.coupling_damping * p.coupling_ratio;
+    let t20 = t2 * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let motor_k_s_over_motor_sigma = p.motor_k_s / motor_sigma;
+    let t21 = R::literal(-1.0) / p.motor_x_s;
+    let t22 = R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio;
+    let t23 = R::literal(2.0) * p.coupling_damping * p.coupling_ratio;
     let shaft_pieces_squared = p.shaft_pieces * p.shaft_pieces;
-    let t25 = R::literal(0.5) / shaft_pieces_squared;
-    let t26 = t5 / shaft_pieces_squared;
-    let t27 = R::literal(0.164_493_406_684_822_62) * p.shaft_amplitude / p.shaft_pieces;
-    let t28 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width);
-    let t29 = R::literal(0.5) / (p.shaft_pieces * (p.shaft_engagement_width
+    let t24 = R::literal(0.5) / shaft_pieces_squared;
+    let t25 = t5 / shaft_pieces_squared;
+    let t26 = R::literal(0.164_493_406_684_822_62) * p.shaft_amplitude / p.shaft_pieces;
+    let t27 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width);
+    let t28 = R::literal(0.5) / (p.shaft_pieces * (p.shaft_engagement_width
         * p.shaft_engagement_width));
-    let t30 = R::literal(0.5) / (p.shaft_pieces * (p.shaft_standstill_band
+    let t29 = R::literal(0.5) / (p.shaft_pieces * (p.shaft_standstill_band
         * p.shaft_standstill_band));
     Constants { motor_omega_0, motor_u_x, motor_u_y, t1, t3, t4, inverse_motor_inertia, t7, t8,
         inverse_shaft_standstill_band, t9, t10, t11, motor_alpha_s_times_motor_omega_0,
@@ -207,7 +207,8 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
         motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
         motor_psi_rx_dot_by_motor_psi_rx, t14, t15, t16, t17, t18, minus_motor_u_y, t19,
-        motor_k_r_over_motor_sigma, t21, t22, t23, t24, t25, t26, t27, t28, t29, t30 }
+        motor_k_r_over_motor_sigma, t20, motor_k_s_over_motor_sigma, t21, t22, t23, t24, t25, t26,
+        t27, t28, t29 }
 }
 
 /// State at the start of the run, in the units of the states. 18 operations.
@@ -347,7 +348,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         motor_psi_ry_dot_by_motor_psi_rx, c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 177 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 178 operations.
 #[must_use]
 pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 50] {
@@ -369,9 +370,7 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
         coupling_twist_rate);
     let t8 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let t9 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
-    let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
-    let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t10 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let t10 = (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let motor_torque = c.t3 * t10;
     let t11 = p.shaft_mean.add_product(p.shaft_amplitude, t1);
     let shaft_load = shaft_engagement * t11;
@@ -399,11 +398,11 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
         * c.inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
     let motor_psi_ry_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let motor_omega_dot_by_motor_k_r = c.t21 * (motor_psi_sy_times_motor_psi_rx
-        - motor_psi_sx_times_motor_psi_ry) * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_k_r = (c.t20 * t10).add_product(c.motor_k_s_over_motor_sigma,
+        motor_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
     let motor_psi_sy_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
-    let motor_omega_dot_by_motor_x_s = c.t22 * motor_torque * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_x_s = c.t21 * motor_torque * c.inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_alpha_s = -(c.motor_omega_0 * t8);
     let motor_psi_sy_dot_by_motor_alpha_s = -(c.motor_omega_0 * t9);
     let motor_psi_rx_dot_by_motor_alpha_r = c.motor_omega_0 * t13;
@@ -414,13 +413,13 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let shaft_driven_dot_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate * c.t7;
     let motor_omega_dot_by_coupling_damping = (t5 - motor_omega) * c.inverse_motor_inertia;
     let shaft_driven_dot_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
-        .add_product(p.coupling_damping, motor_omega).sub_product(c.t23, shaft_driven)
-        .sub_product(c.t24, shaft_driven_dot) * c.t7;
+        .add_product(p.coupling_damping, motor_omega).sub_product(c.t22, shaft_driven)
+        .sub_product(c.t23, shaft_driven_dot) * c.t7;
     let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * shaft_driven)
         .add_product(p.coupling_damping, shaft_driven_dot) * c.inverse_motor_inertia;
-    let t15 = c.t25 * shaft_load;
-    let shaft_end_dot_dot_by_shaft_pieces = (t15 * t4).add_product(c.t26, shaft_end_dot_dot) * c.t8;
-    let shaft_driven_dot_dot_by_shaft_pieces = (t15 * t3).add_product(c.t26, shaft_driven_dot_dot)
+    let t15 = c.t24 * shaft_load;
+    let shaft_end_dot_dot_by_shaft_pieces = (t15 * t4).add_product(c.t25, shaft_end_dot_dot) * c.t8;
+    let shaft_driven_dot_dot_by_shaft_pieces = (t15 * t3).add_product(c.t25, shaft_driven_dot_dot)
         * c.t7;
     let shaft_end_dot_dot_by_shaft_inertia = -(c.t9 * shaft_end_dot_dot * c.t8);
     let shaft_driven_dot_dot_by_shaft_inertia = -(c.t9 * shaft_driven_dot_dot * c.t7);
@@ -430,19 +429,19 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let t17 = t16 * t1;
     let shaft_end_dot_dot_by_shaft_amplitude = -(t17 * t4 * c.t8);
     let shaft_driven_dot_dot_by_shaft_amplitude = -(t17 * t3 * c.t7);
-    let t18 = c.t27 * time * shaft_engagement * t2;
+    let t18 = c.t26 * time * shaft_engagement * t2;
     let shaft_end_dot_dot_by_shaft_speed = -(t18 * t4 * c.t8);
     let shaft_driven_dot_dot_by_shaft_speed = -(t18 * t3 * c.t7);
     let t19 = t7 * t7;
-    let t20 = c.t28 * t11 * t6;
+    let t20 = c.t27 * t11 * t6;
     let shaft_end_dot_dot_by_shaft_engagement_time = t20 * t4 / t19 * c.t8;
     let shaft_driven_dot_dot_by_shaft_engagement_time = t20 * t3 / t19 * c.t7;
-    let t21 = c.t29 * time_minus_shaft_engagement_time * t11 * t6;
+    let t21 = c.t28 * time_minus_shaft_engagement_time * t11 * t6;
     let shaft_end_dot_dot_by_shaft_engagement_width = t21 * t4 / t19 * c.t8;
     let shaft_driven_dot_dot_by_shaft_engagement_width = t21 * t3 / t19 * c.t7;
-    let shaft_end_dot_dot_by_shaft_standstill_band = c.t30 * shaft_end_dot * shaft_load
+    let shaft_end_dot_dot_by_shaft_standstill_band = c.t29 * shaft_end_dot * shaft_load
         * R::literal(1.0).sub_product(t4, t4) * c.t8;
-    let shaft_driven_dot_dot_by_shaft_standstill_band = c.t30 * shaft_driven_dot * shaft_load
+    let shaft_driven_dot_dot_by_shaft_standstill_band = c.t29 * shaft_driven_dot * shaft_load
         * R::literal(1.0).sub_product(t3, t3) * c.t7;
     let shaft_driven_dot_dot_by_shaft_driven_field_inertia = -(shaft_driven_dot_dot * c.t7);
     let shaft_end_dot_dot_by_shaft_end_field_inertia = -(shaft_end_dot_dot * c.t8);
@@ -686,7 +685,7 @@ pub mod shaft_phi {
             / p.shaft_engagement_width * (time - p.shaft_engagement_time)).exp()), R::literal(0.0),
             R::literal(0.0), -(t2 / t0), R::literal(0.0), -(t2 * p.shaft_loss_time / t0)]
     }
-    /// Derivatives of f_0 and f_1 with respect to x, to t, then to `PARAMETERS`. 94 operations.
+    /// Derivatives of f_0 and f_1 with respect to x, to t, then to `PARAMETERS`. 97 operations.
     #[must_use]
     #[inline]
     pub fn force_gradient<R: Real>(time: R, _x: R, point: &FieldPoint<R>,
@@ -705,21 +704,23 @@ pub mod shaft_phi {
         let t9 = t4 / p.shaft_length;
         let t10 = phi_x.add_product(p.shaft_loss_time, phi_x_dot);
         let t11 = p.shaft_pieces * p.shaft_shear_modulus;
-        let t12 = t7 * t7;
-        let t13 = t4 / (p.shaft_length * p.shaft_engagement_width) * t5 * t6 * t8 / t12;
-        let t14 = R::literal(0.033_333_333_333_333_33) * p.shaft_amplitude;
+        let t12 = t11 * p.shaft_polar_moment;
+        let t13 = t7 * t7;
+        let t14 = t4 / (p.shaft_length * p.shaft_engagement_width) * t5 * t6 * t8 / t13;
+        let t15 = R::literal(0.033_333_333_333_333_33) * p.shaft_amplitude;
         [R::literal(0.0), R::literal(0.0),
-            t14 * p.shaft_speed * t4 * R::literal(-9.869_604_401_089_358) / p.shaft_length * t2
-            * t8 / t7 - t13, R::literal(0.0), t4 / (p.shaft_length
+            t15 * p.shaft_speed * t4 * R::literal(-9.869_604_401_089_358) / p.shaft_length * t2
+            * t8 / t7 - t14, R::literal(0.0), t4 / (p.shaft_length
             * p.shaft_length) * t5 * t8 / t7, R::literal(0.0), R::literal(-1.0) / (p.shaft_length
             * (p.shaft_pieces * p.shaft_pieces)) * t5 * t8 / t7,
-            p.shaft_shear_modulus * p.shaft_polar_moment / (t3 * t3) * t10, R::literal(0.0),
-            R::literal(0.0), R::literal(0.0), -(p.shaft_pieces * p.shaft_polar_moment / t3 * t10),
-            R::literal(0.0), -(t11 / t3 * t10), R::literal(0.0), -(t11 * p.shaft_polar_moment / t3
-            * phi_x_dot), -(t9 * t8 / t7), R::literal(0.0), -(t9 * t1 * t8 / t7), R::literal(0.0),
-            t14 * t4 * R::literal(-9.869_604_401_089_358) / p.shaft_length * time * t2 * t8 / t7,
-            R::literal(0.0), t13, R::literal(0.0), t4 / (p.shaft_length * (p.shaft_engagement_width
-            * p.shaft_engagement_width)) * time_minus_shaft_engagement_time * t5 * t6 * t8 / t12,
+            (-(p.shaft_shear_modulus * p.shaft_polar_moment / t3 * t10)).add_product(t12
+            / (t3 * t3), t10), R::literal(0.0), R::literal(0.0), R::literal(0.0), -(p.shaft_pieces
+            * p.shaft_polar_moment / t3 * t10), R::literal(0.0), -(t11 / t3 * t10),
+            R::literal(0.0), -(t12 / t3 * phi_x_dot), -(t9 * t8 / t7), R::literal(0.0),
+            -(t9 * t1 * t8 / t7), R::literal(0.0),
+            t15 * t4 * R::literal(-9.869_604_401_089_358) / p.shaft_length * time * t2 * t8 / t7,
+            R::literal(0.0), t14, R::literal(0.0), t4 / (p.shaft_length * (p.shaft_engagement_width
+            * p.shaft_engagement_width)) * time_minus_shaft_engagement_time * t5 * t6 * t8 / t13,
             R::literal(0.0), t4 / (p.shaft_length * (p.shaft_standstill_band
             * p.shaft_standstill_band)) * phi_dot * R::literal(1.0).sub_product(t8, t8) * t5 / t7,
             R::literal(0.0)]

@@ -16,7 +16,7 @@
 // All quantities are in SI units.
 // Shapes: coordinates 8, states 16, outputs 16.
 // Nonzeros: mass_matrix 8 of 8 by 8, rate_jacobian 30 of 16 by 16, parameter_jacobian 0 of 16 by 0.
-// Operations: rate 39, forcing 37, time_derivative 3, energy 60, power_balance 96.
+// Operations: rate 36, forcing 28, time_derivative 3, energy 60, power_balance 86.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse};
 
@@ -99,7 +99,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 }
 
 /// `y'`: velocities, `q''` of `M q'' = f + G^T lambda`, `h`; in the units of the states per second.
-/// 39 operations.
+/// 36 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
@@ -107,23 +107,23 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; ST
         node_6_theta, node_7_theta, node_0_omega, node_1_omega, node_2_omega, node_3_omega,
         node_4_omega, node_5_omega, node_6_omega, node_7_omega] = *state;
     let drive = R::literal(0.12) * (R::literal(8.0 * core::f64::consts::PI) * time).sin();
-    let node_7_omega_dot = R::literal(321_391_625.739_451_8) * (node_6_theta - node_7_theta);
-    let node_6_omega_dot = R::literal(160_695_812.869_725_9) * (node_5_theta + node_7_theta)
-        .sub_product(R::literal(2.0), node_6_theta);
-    let node_5_omega_dot = R::literal(160_695_812.869_725_9) * (node_4_theta + node_6_theta)
-        .sub_product(R::literal(2.0), node_5_theta);
-    let node_4_omega_dot = (-(R::literal(15600.0) * node_4_theta)
-        .add_product(R::literal(188_797.635_432_078_9), node_4_theta - node_5_theta))
-        .add_product(R::literal(188_797.635_432_078_9), node_3_theta - node_4_theta)
+    let t0 = R::literal(188_797.635_432_078_9) * (node_0_theta - node_1_theta);
+    let t1 = R::literal(188_797.635_432_078_9) * (node_1_theta - node_2_theta);
+    let t2 = R::literal(188_797.635_432_078_9) * (node_2_theta - node_3_theta);
+    let t3 = R::literal(188_797.635_432_078_9) * (node_3_theta - node_4_theta);
+    let t4 = R::literal(188_797.635_432_078_9) * (node_4_theta - node_5_theta);
+    let t5 = R::literal(188_797.635_432_078_9) * (node_5_theta - node_6_theta);
+    let node_6_theta_minus_node_7_theta = node_6_theta - node_7_theta;
+    let node_7_omega_dot = R::literal(321_391_625.739_451_8) * node_6_theta_minus_node_7_theta;
+    let node_6_omega_dot = t5.sub_product(R::literal(188_797.635_432_078_9),
+        node_6_theta_minus_node_7_theta) * R::literal(851.153_736_655_442_5);
+    let node_5_omega_dot = (t4 - t5) * R::literal(851.153_736_655_442_5);
+    let node_4_omega_dot = (t3 - t4.add_product(R::literal(15600.0), node_4_theta))
         * R::literal(19.069_821_446_680_283);
-    let node_3_omega_dot = R::literal(160_695_812.869_725_9) * (node_2_theta + node_4_theta)
-        .sub_product(R::literal(2.0), node_3_theta);
-    let node_2_omega_dot = R::literal(160_695_812.869_725_9) * (node_1_theta + node_3_theta)
-        .sub_product(R::literal(2.0), node_2_theta);
-    let node_1_omega_dot = R::literal(160_695_812.869_725_9) * (node_0_theta + node_2_theta)
-        .sub_product(R::literal(2.0), node_1_theta);
-    let node_0_omega_dot = (R::literal(-188_797.635_432_078_9) * (node_0_theta - node_1_theta))
-        .add_product(R::literal(-45200.0), node_0_theta - drive)
+    let node_3_omega_dot = (t2 - t3) * R::literal(851.153_736_655_442_5);
+    let node_2_omega_dot = (t1 - t2) * R::literal(851.153_736_655_442_5);
+    let node_1_omega_dot = (t0 - t1) * R::literal(851.153_736_655_442_5);
+    let node_0_omega_dot = (-t0).add_product(R::literal(-45200.0), node_0_theta - drive)
         * R::literal(1_702.307_473_310_885);
     [node_0_omega, node_1_omega, node_2_omega, node_3_omega, node_4_omega, node_5_omega,
         node_6_omega, node_7_omega, node_0_omega_dot, node_1_omega_dot, node_2_omega_dot,
@@ -139,28 +139,26 @@ pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) 
         R::literal(0.001_174_875_885_441_612_5), R::literal(0.000_587_437_942_720_806_3)]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 37 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 28 operations.
 #[must_use]
 pub fn forcing<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; COORDINATES] {
     let [node_0_theta, node_1_theta, node_2_theta, node_3_theta, node_4_theta, node_5_theta,
         node_6_theta, node_7_theta, ..] = *state;
     let drive = R::literal(0.12) * (R::literal(8.0 * core::f64::consts::PI) * time).sin();
-    let node_0_theta_forcing = (R::literal(-188_797.635_432_078_9) * (node_0_theta - node_1_theta))
-        .add_product(R::literal(-45200.0), node_0_theta - drive);
-    let node_1_theta_forcing = R::literal(188_797.635_432_078_9) * (node_0_theta + node_2_theta)
-        .sub_product(R::literal(2.0), node_1_theta);
-    let node_2_theta_forcing = R::literal(188_797.635_432_078_9) * (node_1_theta + node_3_theta)
-        .sub_product(R::literal(2.0), node_2_theta);
-    let node_3_theta_forcing = R::literal(188_797.635_432_078_9) * (node_2_theta + node_4_theta)
-        .sub_product(R::literal(2.0), node_3_theta);
-    let node_4_theta_forcing = (-(R::literal(15600.0) * node_4_theta)
-        .add_product(R::literal(188_797.635_432_078_9), node_4_theta - node_5_theta))
-        .add_product(R::literal(188_797.635_432_078_9), node_3_theta - node_4_theta);
-    let node_5_theta_forcing = R::literal(188_797.635_432_078_9) * (node_4_theta + node_6_theta)
-        .sub_product(R::literal(2.0), node_5_theta);
-    let node_6_theta_forcing = R::literal(188_797.635_432_078_9) * (node_5_theta + node_7_theta)
-        .sub_product(R::literal(2.0), node_6_theta);
+    let t0 = R::literal(188_797.635_432_078_9) * (node_0_theta - node_1_theta);
+    let node_0_theta_forcing = (-t0).add_product(R::literal(-45200.0), node_0_theta - drive);
+    let t1 = R::literal(188_797.635_432_078_9) * (node_1_theta - node_2_theta);
+    let node_1_theta_forcing = t0 - t1;
+    let t2 = R::literal(188_797.635_432_078_9) * (node_2_theta - node_3_theta);
+    let node_2_theta_forcing = t1 - t2;
+    let t3 = R::literal(188_797.635_432_078_9) * (node_3_theta - node_4_theta);
+    let node_3_theta_forcing = t2 - t3;
+    let t4 = R::literal(188_797.635_432_078_9) * (node_4_theta - node_5_theta);
+    let node_4_theta_forcing = t3 - t4.add_product(R::literal(15600.0), node_4_theta);
+    let t5 = R::literal(188_797.635_432_078_9) * (node_5_theta - node_6_theta);
+    let node_5_theta_forcing = t4 - t5;
     let node_7_theta_forcing = R::literal(188_797.635_432_078_9) * (node_6_theta - node_7_theta);
+    let node_6_theta_forcing = t5 - node_7_theta_forcing;
     [node_0_theta_forcing, node_1_theta_forcing, node_2_theta_forcing, node_3_theta_forcing,
         node_4_theta_forcing, node_5_theta_forcing, node_6_theta_forcing, node_7_theta_forcing]
 }
@@ -235,12 +233,12 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ener
     let drive = R::literal(0.12) * (R::literal(8.0 * core::f64::consts::PI) * time).sin();
     let node_0_theta_minus_drive = node_0_theta - drive;
     let node_0_theta_minus_node_1_theta = node_0_theta - node_1_theta;
-    let node_3_theta_minus_node_4_theta = node_3_theta - node_4_theta;
-    let node_4_theta_minus_node_5_theta = node_4_theta - node_5_theta;
-    let node_6_theta_minus_node_7_theta = node_6_theta - node_7_theta;
     let node_1_theta_minus_node_2_theta = node_1_theta - node_2_theta;
     let node_2_theta_minus_node_3_theta = node_2_theta - node_3_theta;
+    let node_3_theta_minus_node_4_theta = node_3_theta - node_4_theta;
+    let node_4_theta_minus_node_5_theta = node_4_theta - node_5_theta;
     let node_5_theta_minus_node_6_theta = node_5_theta - node_6_theta;
+    let node_6_theta_minus_node_7_theta = node_6_theta - node_7_theta;
     Energy {
         kinetic: (R::literal(0.000_293_718_971_360_403_13) * (node_0_omega * node_0_omega))
             .add_product(R::literal(0.000_293_718_971_360_403_13), node_7_omega * node_7_omega)
@@ -267,7 +265,7 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ener
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 96 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 86 operations.
 #[must_use]
 pub fn power_balance<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> PowerBalance<R> {
     let [node_0_theta, node_1_theta, node_2_theta, node_3_theta, node_4_theta, node_5_theta,
@@ -279,31 +277,26 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) 
     let node_0_theta_minus_drive = node_0_theta - drive;
     let t3 = R::literal(188_797.635_432_078_9) * (node_0_theta - node_1_theta);
     let t4 = t3.add_product(R::literal(45200.0), node_0_theta_minus_drive);
-    let t5 = R::literal(188_797.635_432_078_9) * (node_3_theta - node_4_theta);
-    let t6 = R::literal(188_797.635_432_078_9) * (node_4_theta - node_5_theta);
-    let t7 = t6.add_product(R::literal(15600.0), node_4_theta);
+    let t5 = R::literal(188_797.635_432_078_9) * (node_1_theta - node_2_theta);
+    let t6 = R::literal(188_797.635_432_078_9) * (node_2_theta - node_3_theta);
+    let t7 = R::literal(188_797.635_432_078_9) * (node_3_theta - node_4_theta);
+    let t8 = R::literal(188_797.635_432_078_9) * (node_4_theta - node_5_theta);
+    let t9 = t8.add_product(R::literal(15600.0), node_4_theta);
+    let t10 = R::literal(188_797.635_432_078_9) * (node_5_theta - node_6_theta);
     let node_6_theta_minus_node_7_theta = node_6_theta - node_7_theta;
-    let t8 = R::literal(188_797.635_432_078_9) * node_6_theta_minus_node_7_theta;
+    let t11 = R::literal(188_797.635_432_078_9) * node_6_theta_minus_node_7_theta;
     let node_7_omega_dot = R::literal(321_391_625.739_451_8) * node_6_theta_minus_node_7_theta;
-    let node_6_omega_dot = R::literal(160_695_812.869_725_9) * (node_5_theta + node_7_theta)
-        .sub_product(R::literal(2.0), node_6_theta);
-    let node_5_omega_dot = R::literal(160_695_812.869_725_9) * (node_4_theta + node_6_theta)
-        .sub_product(R::literal(2.0), node_5_theta);
-    let node_4_omega_dot = (t5 - t7) * R::literal(19.069_821_446_680_283);
-    let node_3_omega_dot = R::literal(160_695_812.869_725_9) * (node_2_theta + node_4_theta)
-        .sub_product(R::literal(2.0), node_3_theta);
-    let node_2_omega_dot = R::literal(160_695_812.869_725_9) * (node_1_theta + node_3_theta)
-        .sub_product(R::literal(2.0), node_2_theta);
-    let node_1_omega_dot = R::literal(160_695_812.869_725_9) * (node_0_theta + node_2_theta)
-        .sub_product(R::literal(2.0), node_1_theta);
-    let t9 = R::literal(136_319.988_424_568_3) * node_0_theta_minus_drive * t2;
-    let t10 = R::literal(188_797.635_432_078_9) * (node_1_theta - node_2_theta);
-    let t11 = R::literal(188_797.635_432_078_9) * (node_2_theta - node_3_theta);
-    let t12 = R::literal(188_797.635_432_078_9) * (node_5_theta - node_6_theta);
-    let t13 = (-t9).add_product(t4, node_0_omega).add_product(t10 - t3, node_1_omega)
-        .add_product(t11 - t10, node_2_omega).add_product(t5 - t11, node_3_omega).add_product(t7
-        - t5, node_4_omega).add_product(t12 - t6, node_5_omega).add_product(t8 - t12, node_6_omega)
-        .sub_product(t8, node_7_omega).sub_product(R::literal(0.000_587_437_942_720_806_3)
+    let node_6_omega_dot = (t10 - t11) * R::literal(851.153_736_655_442_5);
+    let node_5_omega_dot = (t8 - t10) * R::literal(851.153_736_655_442_5);
+    let node_4_omega_dot = (t7 - t9) * R::literal(19.069_821_446_680_283);
+    let node_3_omega_dot = (t6 - t7) * R::literal(851.153_736_655_442_5);
+    let node_2_omega_dot = (t5 - t6) * R::literal(851.153_736_655_442_5);
+    let node_1_omega_dot = (t3 - t5) * R::literal(851.153_736_655_442_5);
+    let t12 = R::literal(136_319.988_424_568_3) * node_0_theta_minus_drive * t2;
+    let t13 = (-t12).add_product(t4, node_0_omega).add_product(t5 - t3, node_1_omega)
+        .add_product(t6 - t5, node_2_omega).add_product(t7 - t6, node_3_omega).add_product(t9 - t7,
+        node_4_omega).add_product(t10 - t8, node_5_omega).add_product(t11 - t10, node_6_omega)
+        .sub_product(t11, node_7_omega).sub_product(R::literal(0.000_587_437_942_720_806_3)
         * node_0_omega, t4 * R::literal(1_702.307_473_310_885))
         .add_product(R::literal(0.001_174_875_885_441_612_5) * node_1_omega, node_1_omega_dot)
         .add_product(R::literal(0.001_174_875_885_441_612_5) * node_2_omega, node_2_omega_dot)
@@ -314,7 +307,7 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) 
             node_5_omega_dot).add_product(R::literal(0.001_174_875_885_441_612_5) * node_6_omega,
             node_6_omega_dot).add_product(R::literal(0.000_587_437_942_720_806_3) * node_7_omega,
             node_7_omega_dot),
-        supplied: -t9,
+        supplied: -t12,
         dissipated: R::literal(0.0),
     }
 }
@@ -324,7 +317,7 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) 
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 67 recurrences. No sums of products.
+/// 63 recurrences. No sums of products.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -340,39 +333,36 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>,
     let t3 = node_0_theta - drive;
     let t4 = node_0_theta - node_1_theta;
     let t5 = t4 * R::literal(188_797.635_432_078_9);
-    let t6 = node_1_theta * R::literal(2.0);
-    let t7 = node_0_theta + node_2_theta;
-    let t8 = t7 - t6;
-    let t9 = node_2_theta * R::literal(2.0);
-    let t10 = node_1_theta + node_3_theta;
-    let t11 = t10 - t9;
-    let t12 = node_3_theta * R::literal(2.0);
-    let t13 = node_2_theta + node_4_theta;
-    let t14 = t13 - t12;
-    let t15 = node_3_theta - node_4_theta;
-    let t16 = t15 * R::literal(188_797.635_432_078_9);
-    let t17 = node_4_theta * R::literal(15600.0);
-    let t18 = node_4_theta - node_5_theta;
-    let t19 = t18 * R::literal(188_797.635_432_078_9);
-    let t20 = t17 + t19;
-    let t21 = t16 - t20;
-    let t22 = node_5_theta * R::literal(2.0);
-    let t23 = node_4_theta + node_6_theta;
-    let t24 = t23 - t22;
-    let t25 = node_6_theta * R::literal(2.0);
-    let t26 = node_5_theta + node_7_theta;
-    let t27 = t26 - t25;
-    let t28 = node_6_theta - node_7_theta;
-    let node_7_omega_dot = t28 * R::literal(321_391_625.739_451_8);
-    let node_6_omega_dot = t27 * R::literal(160_695_812.869_725_9);
-    let node_5_omega_dot = t24 * R::literal(160_695_812.869_725_9);
-    let node_4_omega_dot = t21 * R::literal(19.069_821_446_680_283);
-    let node_3_omega_dot = t14 * R::literal(160_695_812.869_725_9);
-    let node_2_omega_dot = t11 * R::literal(160_695_812.869_725_9);
-    let node_1_omega_dot = t8 * R::literal(160_695_812.869_725_9);
-    let t29 = t3 * R::literal(-45200.0);
-    let t30 = t29 - t5;
-    let node_0_omega_dot = t30 * R::literal(1_702.307_473_310_885);
+    let t6 = node_1_theta - node_2_theta;
+    let t7 = t6 * R::literal(188_797.635_432_078_9);
+    let t8 = t5 - t7;
+    let t9 = node_2_theta - node_3_theta;
+    let t10 = t9 * R::literal(188_797.635_432_078_9);
+    let t11 = t7 - t10;
+    let t12 = node_3_theta - node_4_theta;
+    let t13 = t12 * R::literal(188_797.635_432_078_9);
+    let t14 = t10 - t13;
+    let t15 = node_4_theta * R::literal(15600.0);
+    let t16 = node_4_theta - node_5_theta;
+    let t17 = t16 * R::literal(188_797.635_432_078_9);
+    let t18 = t15 + t17;
+    let t19 = t13 - t18;
+    let t20 = node_5_theta - node_6_theta;
+    let t21 = t20 * R::literal(188_797.635_432_078_9);
+    let t22 = t17 - t21;
+    let t23 = node_6_theta - node_7_theta;
+    let t24 = t23 * R::literal(188_797.635_432_078_9);
+    let t25 = t21 - t24;
+    let node_7_omega_dot = t23 * R::literal(321_391_625.739_451_8);
+    let node_6_omega_dot = t25 * R::literal(851.153_736_655_442_5);
+    let node_5_omega_dot = t22 * R::literal(851.153_736_655_442_5);
+    let node_4_omega_dot = t19 * R::literal(19.069_821_446_680_283);
+    let node_3_omega_dot = t14 * R::literal(851.153_736_655_442_5);
+    let node_2_omega_dot = t11 * R::literal(851.153_736_655_442_5);
+    let node_1_omega_dot = t8 * R::literal(851.153_736_655_442_5);
+    let t26 = t3 * R::literal(-45200.0);
+    let t27 = t26 - t5;
+    let node_0_omega_dot = t27 * R::literal(1_702.307_473_310_885);
     let mut t1_before = t1;
     let mut t2_before = t2;
     let mut rates = [node_0_omega, node_1_omega, node_2_omega, node_3_omega, node_4_omega,
@@ -395,31 +385,34 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>,
         let t2_k = -inverse * R::literal(8.0 * core::f64::consts::PI) * t1_before;
         let t3_k = (-t1_k).mul_add(R::literal(0.12), node_0_theta_k);
         let t4_k = node_0_theta_k - node_1_theta_k;
-        let t7_k = node_0_theta_k + node_2_theta_k;
-        let t8_k = (-node_1_theta_k).mul_add(R::literal(2.0), t7_k);
-        let t10_k = node_1_theta_k + node_3_theta_k;
-        let t11_k = (-node_2_theta_k).mul_add(R::literal(2.0), t10_k);
-        let t13_k = node_2_theta_k + node_4_theta_k;
-        let t14_k = (-node_3_theta_k).mul_add(R::literal(2.0), t13_k);
-        let t15_k = node_3_theta_k - node_4_theta_k;
-        let t18_k = node_4_theta_k - node_5_theta_k;
-        let t20_k = t18_k.mul_add(R::literal(188_797.635_432_078_9), node_4_theta_k
-            * R::literal(15600.0));
-        let t21_k = t15_k.mul_add(R::literal(188_797.635_432_078_9), -t20_k);
-        let t23_k = node_4_theta_k + node_6_theta_k;
-        let t24_k = (-node_5_theta_k).mul_add(R::literal(2.0), t23_k);
-        let t26_k = node_5_theta_k + node_7_theta_k;
-        let t27_k = (-node_6_theta_k).mul_add(R::literal(2.0), t26_k);
-        let t28_k = node_6_theta_k - node_7_theta_k;
-        let node_7_omega_dot_k = t28_k * R::literal(321_391_625.739_451_8);
-        let node_6_omega_dot_k = t27_k * R::literal(160_695_812.869_725_9);
-        let node_5_omega_dot_k = t24_k * R::literal(160_695_812.869_725_9);
-        let node_4_omega_dot_k = t21_k * R::literal(19.069_821_446_680_283);
-        let node_3_omega_dot_k = t14_k * R::literal(160_695_812.869_725_9);
-        let node_2_omega_dot_k = t11_k * R::literal(160_695_812.869_725_9);
-        let node_1_omega_dot_k = t8_k * R::literal(160_695_812.869_725_9);
-        let t30_k = (-t4_k).mul_add(R::literal(188_797.635_432_078_9), t3_k * R::literal(-45200.0));
-        let node_0_omega_dot_k = t30_k * R::literal(1_702.307_473_310_885);
+        let t5_k = t4_k * R::literal(188_797.635_432_078_9);
+        let t6_k = node_1_theta_k - node_2_theta_k;
+        let t7_k = t6_k * R::literal(188_797.635_432_078_9);
+        let t8_k = t5_k - t7_k;
+        let t9_k = node_2_theta_k - node_3_theta_k;
+        let t10_k = t9_k * R::literal(188_797.635_432_078_9);
+        let t11_k = t7_k - t10_k;
+        let t12_k = node_3_theta_k - node_4_theta_k;
+        let t13_k = t12_k * R::literal(188_797.635_432_078_9);
+        let t14_k = t10_k - t13_k;
+        let t16_k = node_4_theta_k - node_5_theta_k;
+        let t17_k = t16_k * R::literal(188_797.635_432_078_9);
+        let t18_k = node_4_theta_k.mul_add(R::literal(15600.0), t17_k);
+        let t19_k = t13_k - t18_k;
+        let t20_k = node_5_theta_k - node_6_theta_k;
+        let t21_k = t20_k * R::literal(188_797.635_432_078_9);
+        let t22_k = t17_k - t21_k;
+        let t23_k = node_6_theta_k - node_7_theta_k;
+        let t25_k = (-t23_k).mul_add(R::literal(188_797.635_432_078_9), t21_k);
+        let node_7_omega_dot_k = t23_k * R::literal(321_391_625.739_451_8);
+        let node_6_omega_dot_k = t25_k * R::literal(851.153_736_655_442_5);
+        let node_5_omega_dot_k = t22_k * R::literal(851.153_736_655_442_5);
+        let node_4_omega_dot_k = t19_k * R::literal(19.069_821_446_680_283);
+        let node_3_omega_dot_k = t14_k * R::literal(851.153_736_655_442_5);
+        let node_2_omega_dot_k = t11_k * R::literal(851.153_736_655_442_5);
+        let node_1_omega_dot_k = t8_k * R::literal(851.153_736_655_442_5);
+        let t27_k = t3_k.mul_add(R::literal(-45200.0), -t5_k);
+        let node_0_omega_dot_k = t27_k * R::literal(1_702.307_473_310_885);
         t1_before = t1_k;
         t2_before = t2_k;
         rates = [node_0_omega_k, node_1_omega_k, node_2_omega_k, node_3_omega_k, node_4_omega_k,

@@ -30,10 +30,8 @@
 //! Navier-Stokes equations", 1989; Cohen, "Higher-order numerical methods for
 //! transient wave equations", 2002, on the mass at the nodes.
 
-mod elements;
-
+pub use crate::elements::{Element, Elements, Rule, Segment};
 use crate::{Quantity, Real, Simulator};
-pub use elements::{Element, Elements, Rule, Segment};
 
 /// Highest order of an element.
 pub const MAX_ORDER: usize = 16;

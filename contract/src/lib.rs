@@ -27,6 +27,7 @@ compile_error!("elementary functions come from `std` or `libm`: turn on one of t
 mod contract;
 pub mod digits;
 mod dual;
+mod elements;
 pub mod emitted;
 pub mod exponential;
 pub mod field;

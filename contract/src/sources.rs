@@ -6,6 +6,7 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("contract.rs", include_str!("contract.rs")),
     ("digits.rs", include_str!("digits.rs")),
     ("dual.rs", include_str!("dual.rs")),
+    ("elements.rs", include_str!("elements.rs")),
     ("emitted.rs", include_str!("emitted.rs")),
     ("exponential.rs", include_str!("exponential.rs")),
     ("functions.rs", include_str!("functions.rs")),

@@ -300,7 +300,9 @@ fn moving(linearization: &Linearization<'_>, mode: &Mode) -> String {
     let largest = mode.shares.iter().copied().fold(0.0, f64::max);
     let is_major = |index: &usize| mode.shares[*index] >= MINOR * largest;
     let mut major: Vec<usize> = (0..mode.shares.len()).filter(is_major).collect();
-    major.sort_by(|a, b| mode.shares[*b].total_cmp(&mode.shares[*a]));
+    // Equal ones, which only rounding tells apart, in the order of the states.
+    let size = |index: usize| (1e9 * mode.shares[index]).round();
+    major.sort_by(|a, b| size(*b).total_cmp(&size(*a)));
     let named = major
         .into_iter()
         .take(MOVING)

@@ -65,6 +65,9 @@ pub struct Sensitivity {
     plot: Option<PathBuf>,
 }
 
+/// Sizes that differ by less, in relation, are one.
+const TIE: f64 = 1e-9;
+
 /// What an output has of a parameter: (p/scale) d(output)/dp, the scale being the largest size
 /// of the output over the run.
 #[derive(Debug, Clone, Serialize)]
@@ -320,8 +323,9 @@ fn effects(
 impl Effect {
     fn new(parameter: &str, output: &str, values: Vec<f64>, times: &[f64]) -> Self {
         let mean = values.iter().map(|value| value * value).sum::<f64>() / values.len() as f64;
+        // The first of those that rounding tells apart.
         let largest = values.iter().zip(times).fold((0.0_f64, 0.0), |most, (value, time)| {
-            if value.abs() > most.0.abs() { (*value, *time) } else { most }
+            if value.abs() > (1.0 + TIE) * most.0.abs() { (*value, *time) } else { most }
         });
         Self {
             parameter: parameter.to_owned(),

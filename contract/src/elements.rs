@@ -1,7 +1,7 @@
 //! The loops over the elements of a field, which know nothing of the scene.
 
-use super::{FieldPoint, FieldScene, MAX_POINTS};
 use crate::Real;
+use crate::field::{FieldPoint, FieldScene, MAX_POINTS};
 
 /// Gauss-Lobatto points of the unit interval and the shape functions on them.
 #[derive(Debug, Clone, Copy, PartialEq)]

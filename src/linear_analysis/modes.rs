@@ -97,7 +97,7 @@ impl Linearization<'_> {
     /// and right eigenvector, w A x/(w x).
     ///
     /// Of a large machine whose coordinates each depend on but a few others, such as a chain, the
-    /// same is found by banded matrices, see [`super::banded`].
+    /// same is found by banded matrices.
     ///
     /// Of a machine with constraints, all this is done with the motions that these
     /// allow, in coordinates of their own; shapes are those of all coordinates again.

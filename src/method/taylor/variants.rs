@@ -229,8 +229,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         } else {
             std::mem::swap(&mut self.current, &mut self.following);
         }
-        let zero = R::literal(0.0);
-        self.zeros = self.current.iter().fold(zero, |zeros, value| zeros + *value * zero);
+        self.zeros = zeros(&self.current);
         self.weigh();
     }
 
@@ -244,7 +243,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         let largest = defects.fold(zero, |largest, ((slope, rate), inverse)| {
             larger(largest, ((*slope - *rate) * *inverse).abs())
         });
-        (largest, begin.iter().fold(zero, |zeros, value| zeros + *value * zero))
+        (largest, zeros(begin))
     }
 
     /// The largest defect in the middle of every lane's step in units of its tolerance, if it
@@ -440,6 +439,21 @@ impl<'a, R: Lanes> Bundle<'a, R> {
 /// The larger number in every lane; one that is not a number does not count.
 fn larger<R: Lanes>(size: R, value: R) -> R {
     R::select_less(size, value, value, size)
+}
+
+/// Zero in the lanes in which all numbers are finite, NaN in others.
+fn zeros<R: Lanes>(values: &[R]) -> R {
+    // Several sums, for additions that wait for one another would take most of the time.
+    let zero = R::literal(0.0);
+    let (blocks, rest) = values.as_chunks::<8>();
+    let mut sums = [zero; 8];
+    for block in blocks {
+        for (sum, value) in sums.iter_mut().zip(block) {
+            *sum = *sum + *value * zero;
+        }
+    }
+    sums.iter()
+        .fold(rest.iter().fold(zero, |sum, value| sum + *value * zero), |sum, part| sum + *part)
 }
 
 /// Numbers of one lane, as many as there is room for.

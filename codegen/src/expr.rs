@@ -9,6 +9,7 @@ pub mod extent;
 mod fold;
 mod graph;
 pub mod identity;
+mod matrix;
 pub mod rank;
 mod signs;
 mod terms;
@@ -23,6 +24,7 @@ use num_traits::Zero as _;
 
 pub use cost::{operations, weigh};
 pub use graph::Graph;
+pub use matrix::Matrix;
 
 /// Index of a generalized coordinate of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -11,6 +11,8 @@ mod factor;
 mod implicit;
 mod kinks;
 mod model;
+mod needed;
+mod nonzeros;
 mod share;
 pub mod structure;
 pub mod substitute;

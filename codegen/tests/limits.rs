@@ -211,7 +211,7 @@ fn a_scene_of_too_many_things_is_refused_before_they_are_made() {
     for i in 0..2000 {
         let _ = write!(text, "[units.many{i}]\nunit = \"many\"\n");
     }
-    assert_eq!(refusal(&text), "a scene has at most 20000 named things");
+    assert_eq!(refusal(&text), "a scene has at most 100000 named things");
 }
 
 #[test]

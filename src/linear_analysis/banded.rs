@@ -241,7 +241,7 @@ impl<'m> Part<'m> {
             let dot =
                 |row: &[Complex64]| -> Complex64 { left.iter().zip(row).map(|(w, x)| w * x).sum() };
             let overlap = dot(&slope);
-            let terms: f64 = left.iter().zip(&size).map(|(w, x)| w.norm() * x.re).sum();
+            let terms: f64 = left.iter().zip(&size).map(|(w, x)| w.norm_sqr().sqrt() * x.re).sum();
             if overlap.is_nan() || overlap.norm() <= ACROSS * terms {
                 return None;
             }

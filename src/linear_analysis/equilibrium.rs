@@ -281,11 +281,18 @@ pub(super) fn may_meet_something(simulator: &dyn Simulator<f64>) -> bool {
 /// by its scale; where nothing moves it, the scale of its state a second.
 pub(super) fn row_sizes(motions: &Motions) -> DVector<f64> {
     let Motions { matrix, scales, coordinates: from, .. } = motions;
-    let size = |row: usize| {
-        let moved = matrix.row(row).transpose().component_mul(scales).norm();
-        if moved > 0.0 { moved } else { scales[row] }
-    };
-    DVector::from_fn(matrix.nrows() - from, |row, _| size(from + row))
+    let rows = matrix.nrows() - from;
+    // Column by column, as the matrix lies in memory.
+    let mut squares = DVector::<f64>::zeros(rows);
+    for (column, scale) in matrix.column_iter().zip(scales) {
+        let entries = column.rows_range(*from..);
+        for (square, entry) in squares.iter_mut().zip(entries.iter()).filter(|e| *e.1 != 0.0) {
+            *square += (entry * scale).powi(2);
+        }
+    }
+    DVector::from_fn(rows, |row, _| {
+        if squares[row] > 0.0 { squares[row].sqrt() } else { scales[from + row] }
+    })
 }
 
 /// Rows of [q'', z'] of A with motions measured by scales and rows by sizes.

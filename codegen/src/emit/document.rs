@@ -182,11 +182,11 @@ fn energies(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
 fn motion(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
     let rows = equations.system.coordinates.iter().enumerate();
     rows.map(|(row, coordinate)| {
-        let columns = equations.mass_matrix[row].iter().enumerate();
+        let columns = equations.mass_matrix.row(row).iter();
         let terms: Vec<Expr> = columns
             .filter(|(_, entry)| !is_zero(entry))
             .map(|(column, entry)| {
-                let acceleration = Symbol::Acceleration(CoordinateId(column as u32));
+                let acceleration = Symbol::Acceleration(CoordinateId(*column as u32));
                 Expr::Product(vec![entry.clone(), Expr::Symbol(acceleration)])
             })
             .collect();

@@ -102,7 +102,7 @@ impl Graph {
     /// Whether a node is the literal zero.
     #[must_use]
     pub fn is_zero(&self, id: NodeId) -> bool {
-        self.literal_value(id) == Some(0.0)
+        matches!(self.nodes[id.0 as usize].op, Op::Literal(value) if value == 0.0)
     }
 
     /// Of each node, whether it is zero whatever the state, the parameters and time are,

@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::identity::{P, Point, inverse, times};
-use super::{CoordinateId, Expr, Symbol};
+use super::{CoordinateId, Expr, Matrix, Symbol};
 
 /// Coordinates beyond which nothing is said: elimination fills in.
 const MOST_COORDINATES: usize = 2000;
@@ -29,21 +29,21 @@ pub fn motion_without_energy(kinetic: &Expr, coordinates: usize) -> Option<Vec<C
 /// Columns in which a vector that a square matrix takes to zero is not zero, whatever its
 /// symbols are; none if there is no such vector, or if an entry has no value.
 #[must_use]
-pub fn null_columns(matrix: &[Vec<Expr>]) -> Option<Vec<usize>> {
+pub fn null_columns(matrix: &Matrix) -> Option<Vec<usize>> {
     if matrix.len() > MOST_COORDINATES {
         return None;
     }
-    let row = |entries: &Vec<Expr>| -> Option<Row> {
+    let row = |entries: &[(usize, Expr)]| -> Option<Row> {
         let mut row = Row::new();
-        for (column, entry) in (0..).zip(entries) {
+        for (column, entry) in entries {
             let value = POINT.value(entry)?.p;
             if value != 0 {
-                row.insert(column, value);
+                row.insert(*column as u32, value);
             }
         }
         Some(row)
     };
-    let columns = null_vector(matrix.iter().map(row).collect::<Option<_>>()?)?;
+    let columns = null_vector(matrix.rows().map(row).collect::<Option<_>>()?)?;
     Some(columns.into_iter().map(|column| column as usize).collect())
 }
 

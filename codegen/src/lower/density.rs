@@ -19,7 +19,8 @@ pub fn lower(field: &Field, equations: &FieldEquations) -> FieldModel {
         equations.parameters.iter().filter_map(|id| linearization.parameters.get(id.0 as usize));
     let of_parameters: Vec<&Partials> = of_parameters.collect();
 
-    let inertia = build.nodes([&motion.mass_matrix[0][0]]);
+    let inertia = motion.mass_matrix.entry(0, 0).map(|entry| build.graph.lower(entry));
+    let inertia = vec![inertia.unwrap_or_else(|| build.graph.literal(0.0))];
     let inertia_gradient: Vec<NodeId> =
         place.into_iter().chain(of_parameters.iter().copied()).map(|p| build.inertia(p)).collect();
     let force = build.nodes(&motion.forcing);

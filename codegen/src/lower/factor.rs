@@ -5,13 +5,18 @@
 //! zeros fold away, so a diagonal matrix costs one reciprocal a row and a block
 //! its own factorization.
 
+use std::collections::BTreeSet;
+
+use super::nonzeros::Nonzeros;
 use crate::expr::Graph;
 use machinist_model::NodeId;
 
 /// L (unit lower triangle) and 1/D.
 pub struct Factorization {
-    /// L, of which the part below the diagonal is not zero.
-    pub lower: Vec<Vec<NodeId>>,
+    /// L without its diagonal.
+    pub lower: Nonzeros,
+    /// Rows in which a column of it has something.
+    pub below: Vec<Vec<usize>>,
     /// 1/D.
     pub inverse_diagonal: Vec<NodeId>,
 }
@@ -22,48 +27,59 @@ pub struct Factorization {
 /// Of constraints that hold in modes, which have an entry on the diagonal, one may repeat those
 /// before it. Nothing is then left of its pivot, and 0 is taken for 1/D: its force is 0, and the
 /// others are as if it were not there.
-pub fn factor(graph: &mut Graph, matrix: &[Vec<NodeId>], free: usize) -> Factorization {
+pub fn factor(graph: &mut Graph, matrix: &Nonzeros, free: usize) -> Factorization {
     let n = matrix.len();
     let zero = graph.literal(0.0);
     let one = graph.literal(1.0);
-    let mut lower = vec![vec![zero; n]; n];
-    // scaled[i][j] = L_ij D_j
-    let mut scaled = vec![vec![zero; n]; n];
+    let mut lower = Nonzeros::new(n);
+    // L_ij D_j
+    let mut scaled = Nonzeros::new(n);
     let mut inverse_diagonal = Vec::with_capacity(n);
-    // Columns before j in which L_j is not zero: all that a long chain has is one or two.
-    let mut filled: Vec<Vec<usize>> = vec![Vec::new(); n];
+    let mut below: Vec<Vec<usize>> = vec![Vec::new(); n];
     for j in 0..n {
-        let may_repeat = j >= free && !graph.is_zero(matrix[j][j]);
-        let mut diagonal = matrix[j][j];
+        let given = matrix.get(j, j);
+        let may_repeat = j >= free && given.is_some();
+        let mut diagonal = given.unwrap_or(zero);
+        let filled: Vec<(usize, NodeId, NodeId)> = lower
+            .row(j)
+            .iter()
+            .map(|(k, lower)| (*k, *lower, scaled.get(j, *k).unwrap_or(zero)))
+            .collect();
         // What it is without other constraints, if there are some that it may repeat.
         let mut alone = None;
-        for &k in &filled[j] {
+        for &(k, lower, scaled) in &filled {
             if k >= free && may_repeat {
                 alone = alone.or(Some(diagonal));
             }
-            let part = graph.mul(lower[j][k], scaled[j][k]);
+            let part = graph.mul(lower, scaled);
             diagonal = graph.sub(diagonal, part);
         }
         let inverse = match alone {
-            None if may_repeat && filled[j].is_empty() => inverse_of_empty(graph, diagonal),
+            None if may_repeat && filled.is_empty() => inverse_of_empty(graph, diagonal),
             None => graph.div(one, diagonal),
             Some(alone) => inverse_if_any(graph, diagonal, alone),
         };
         inverse_diagonal.push(inverse);
-        for i in j + 1..n {
-            let mut entry = matrix[i][j];
-            for &k in &filled[j] {
-                let part = graph.mul(lower[i][k], scaled[j][k]);
-                entry = graph.sub(entry, part);
+        let given = matrix.row(j).keys().copied();
+        let made = filled.iter().flat_map(|(k, ..)| below[*k].iter().copied());
+        let rows: BTreeSet<usize> = given.chain(made).filter(|i| *i > j).collect();
+        for i in rows {
+            let mut entry = matrix.get(i, j).unwrap_or(zero);
+            for &(k, _, scaled) in &filled {
+                if let Some(lower) = lower.get(i, k) {
+                    let part = graph.mul(lower, scaled);
+                    entry = graph.sub(entry, part);
+                }
             }
             if !graph.is_zero(entry) {
-                scaled[i][j] = entry;
-                lower[i][j] = graph.mul(entry, inverse);
-                filled[i].push(j);
+                scaled.set(graph, (i, j), entry);
+                let part = graph.mul(entry, inverse);
+                lower.set(graph, (i, j), part);
+                below[j].push(i);
             }
         }
     }
-    Factorization { lower, inverse_diagonal }
+    Factorization { lower, below, inverse_diagonal }
 }
 
 /// 1/d of a negative pivot d; 0 where only rounding is left of what it was alone.
@@ -87,13 +103,19 @@ fn inverse_of_empty(graph: &mut Graph, pivot: NodeId) -> NodeId {
 }
 
 impl Factorization {
+    /// Entries of L below the diagonal in a column, by row.
+    pub fn column(&self, column: usize) -> impl Iterator<Item = (usize, NodeId)> {
+        let rows = self.below[column].iter();
+        rows.filter_map(move |row| Some((*row, self.lower.get(*row, column)?)))
+    }
+
     /// x with L D L^T x = b.
     pub fn solve(&self, graph: &mut Graph, right_side: &[NodeId]) -> Vec<NodeId> {
         let n = right_side.len();
         let mut x = right_side.to_vec();
         for i in 0..n {
-            for k in 0..i {
-                let part = graph.mul(self.lower[i][k], x[k]);
+            for (k, factor) in self.lower.row(i) {
+                let part = graph.mul(*factor, x[*k]);
                 x[i] = graph.sub(x[i], part);
             }
         }
@@ -101,8 +123,8 @@ impl Factorization {
             *entry = graph.mul(*entry, *inverse);
         }
         for i in (0..n).rev() {
-            for k in i + 1..n {
-                let part = graph.mul(self.lower[k][i], x[k]);
+            for (k, factor) in self.column(i) {
+                let part = graph.mul(factor, x[k]);
                 x[i] = graph.sub(x[i], part);
             }
         }

@@ -10,7 +10,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use machinist_model::{NodeId, Solve, SolveStep, SparsityPattern};
 
-use super::substitute::{Step, needed};
+use super::needed::needed;
+use super::substitute::Step;
 
 /// Products of a loop up to which it is short whatever it does in vain; a longer one has to
 /// be dense.

@@ -1,5 +1,10 @@
 //! The functions of a scene, put together on one graph.
 
+mod watched;
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
 use machinist_model::{MatrixTape, Model, NodeId, SparsityPattern, Tape};
 
 use crate::expr::abbreviate::Abbreviations;
@@ -9,6 +14,7 @@ use crate::lower::describe::{constraints, describe, events};
 use crate::lower::excitation::excitation;
 use crate::lower::implicit::{Columns, Implicit, implicit};
 use crate::lower::kinks::{Kinks, kinks};
+use crate::lower::nonzeros::Nonzeros;
 use crate::lower::share::{Parts, share};
 use crate::lower::substitute::{Step, Substitution};
 use crate::mechanics::linearize::{Linearization, Partials};
@@ -21,7 +27,7 @@ pub fn lower(linearization: &Linearization) -> Model {
     let mut build = Build::new(linearization);
     let system = &linearization.equations.system;
     let jacobians = build.jacobians();
-    let time_derivative = build.column(&linearization.time);
+    let time_derivative = build.time_derivative();
     let initial = build.initial_state();
     let Kinks { guards: kinks, rates: kink_rates, times } = build.kinks();
     let mut discontinuities: Vec<NodeId> =
@@ -101,7 +107,7 @@ struct Build<'a> {
     abbreviations: Abbreviations,
     graph: Graph,
     /// M, bordered by G below and G^T beside it.
-    matrix: Vec<Vec<NodeId>>,
+    matrix: Nonzeros,
     substitution: Substitution,
     forcing: Vec<NodeId>,
     /// q'', then -lambda.
@@ -123,8 +129,13 @@ impl<'a> Build<'a> {
         }
         let short = |expr: &Expr| abbreviations.apply(expr);
         let (rows, right_side) = equations.bordered();
-        let matrix: Vec<Vec<NodeId>> =
-            rows.iter().map(|row| row.iter().map(|e| graph.lower(&short(e))).collect()).collect();
+        let mut matrix = Nonzeros::new(rows.len());
+        for (row, entries) in rows.rows().enumerate() {
+            for (column, entry) in entries {
+                let node = graph.lower(&short(entry));
+                matrix.set(&graph, (row, *column), node);
+            }
+        }
         let coordinates = equations.forcing.len();
         let is_singular = equations.is_singular();
         let substitution = Substitution::new(&mut graph, matrix.clone(), coordinates, is_singular);
@@ -168,8 +179,9 @@ impl<'a> Build<'a> {
         if self.is_large() {
             Jacobians::Implicit(partials.map(|partials| self.columns(partials)))
         } else {
-            let columns = partials.map(|partials| -> Vec<Vec<NodeId>> {
-                partials.iter().map(|partials| self.column(partials)).collect()
+            let entries = self.velocity_entries();
+            let columns = partials.map(|partials| -> Vec<BTreeMap<usize, NodeId>> {
+                partials.iter().map(|partials| self.column(partials, &entries)).collect()
             });
             let vanishes = self.graph.vanishing();
             Jacobians::Unrolled(Box::new(columns.map(|columns| self.jacobian(&columns, &vanishes))))
@@ -180,7 +192,7 @@ impl<'a> Build<'a> {
     fn columns(&mut self, partials: &[Partials]) -> Columns {
         let mut columns = Columns { count: partials.len(), ..Columns::default() };
         for (column, partials) in partials.iter().enumerate() {
-            let side = self.side(partials).into_iter().enumerate();
+            let side = self.side(partials).into_iter();
             let is_read = |row: usize| self.substitution.is_read(row);
             let side = side.filter(|(row, node)| is_read(*row) && !self.graph.is_zero(*node));
             columns.sides.extend(side.map(|(row, node)| ((row, column), node)));
@@ -195,11 +207,10 @@ impl<'a> Build<'a> {
     }
 
     /// Right side of the equations of dq''/ds.
-    fn side(&mut self, partials: &Partials) -> Vec<NodeId> {
-        let zero = self.graph.literal(0.0);
-        let mut side = vec![zero; self.solution.len()];
+    fn side(&mut self, partials: &Partials) -> BTreeMap<usize, NodeId> {
+        let mut side = BTreeMap::new();
         for (row, expr) in &partials.forcing {
-            side[*row] = self.lower(expr);
+            side.insert(*row, self.lower(expr));
         }
         for (i, j, expr) in &partials.mass_matrix {
             let entry = self.lower(expr);
@@ -214,13 +225,15 @@ impl<'a> Build<'a> {
     /// right_side\[row\] -= entry solution\[column\]
     fn subtract_product(
         &mut self,
-        right_side: &mut [NodeId],
+        right_side: &mut BTreeMap<usize, NodeId>,
         row: usize,
         entry: NodeId,
         column: usize,
     ) {
         let part = self.graph.mul(entry, self.solution[column]);
-        right_side[row] = self.graph.sub(right_side[row], part);
+        let before = right_side.get(&row).copied();
+        let before = before.unwrap_or_else(|| self.graph.literal(0.0));
+        right_side.insert(row, self.graph.sub(before, part));
     }
 
     /// Entries of the state that are velocities, with their coordinates.
@@ -232,31 +245,50 @@ impl<'a> Build<'a> {
         })
     }
 
-    /// One column of a Jacobian of the rate: dy'/ds, solved for on the graph.
-    fn column(&mut self, partials: &Partials) -> Vec<NodeId> {
+    /// Of each coordinate the entry of the state that is its velocity, if there is one.
+    fn velocity_entries(&self) -> BTreeMap<usize, usize> {
+        self.velocities().map(|(entry, coordinate)| (coordinate, entry)).collect()
+    }
+
+    /// One column of a Jacobian of the rate: dy'/ds by entries, solved for on the graph.
+    fn column(
+        &mut self,
+        partials: &Partials,
+        entries: &BTreeMap<usize, usize>,
+    ) -> BTreeMap<usize, NodeId> {
         let side = self.side(partials);
-        let accelerations = self.substitution.accelerations(&mut self.graph, &side);
-        let zero = self.graph.literal(0.0);
-        let mut column = vec![zero; self.rate.len()];
-        for (entry, coordinate) in self.velocities() {
-            column[entry] = accelerations[coordinate];
-        }
+        let accelerations = self.substitution.accelerations(&mut self.graph, side);
+        let mut column: BTreeMap<usize, NodeId> = accelerations
+            .into_iter()
+            .filter_map(|(coordinate, node)| Some((*entries.get(&coordinate)?, node)))
+            .collect();
         for (entry, expr) in &partials.rates {
-            column[*entry] = self.lower(expr);
+            column.insert(*entry, self.lower(expr));
         }
         column
+    }
+
+    /// Partial derivative of the rate by time.
+    fn time_derivative(&mut self) -> Vec<NodeId> {
+        let entries = self.velocity_entries();
+        let column = self.column(&self.linearization.time, &entries);
+        let zero = self.graph.literal(0.0);
+        (0..self.rate.len()).map(|entry| column.get(&entry).copied().unwrap_or(zero)).collect()
     }
 
     /// A Jacobian each column of which is solved for on the graph.
     fn unrolled(&mut self, columns: &Columns, velocities: &[(usize, usize)]) -> Implicit {
         let mut nonzeros = columns.given.clone();
-        let zero = self.graph.literal(0.0);
-        for column in 0..columns.count {
-            let side = |row| columns.sides.get(&(row, column)).copied().unwrap_or(zero);
-            let side: Vec<NodeId> = (0..self.solution.len()).map(side).collect();
-            let solved = self.substitution.accelerations(&mut self.graph, &side);
+        let mut sides = vec![BTreeMap::new(); columns.count];
+        for ((row, column), node) in &columns.sides {
+            sides[*column].insert(*row, *node);
+        }
+        for (column, side) in sides.into_iter().enumerate() {
+            let solved = self.substitution.accelerations(&mut self.graph, side);
             for (entry, coordinate) in velocities {
-                nonzeros.insert((*entry, column), solved[*coordinate]);
+                if let Some(node) = solved.get(coordinate) {
+                    nonzeros.insert((*entry, column), *node);
+                }
             }
         }
         let vanishes = self.graph.vanishing();
@@ -265,9 +297,13 @@ impl<'a> Build<'a> {
     }
 
     /// A Jacobian by columns, stored by rows, without the nodes that vanish.
-    fn jacobian(&self, columns: &[Vec<NodeId>], vanishes: &[bool]) -> MatrixTape {
-        let is_zero = |node: NodeId| vanishes[node.0 as usize];
-        self.matrix_tape(self.rate.len(), columns.len(), |r, c| columns[c][r], is_zero)
+    fn jacobian(&self, columns: &[BTreeMap<usize, NodeId>], vanishes: &[bool]) -> MatrixTape {
+        let columns_of = columns.iter().enumerate();
+        let entries = columns_of
+            .flat_map(|(column, nodes)| nodes.iter().map(move |(row, node)| (*row, column, *node)));
+        let mut entries: Vec<_> = entries.filter(|(.., node)| !vanishes[node.0 as usize]).collect();
+        entries.sort_unstable_by_key(|(row, column, _)| (*row, *column));
+        self.matrix_tape((self.rate.len(), columns.len()), &entries)
     }
 
     /// Whether derivatives are worth a solve by factors: where factors change with the state,
@@ -358,28 +394,33 @@ impl<'a> Build<'a> {
 
     fn mass_matrix_tape(&self) -> MatrixTape {
         let n = self.coordinates();
-        self.matrix_tape(n, n, |row, column| self.matrix[row][column], |id| self.graph.is_zero(id))
+        self.part_tape(0..n)
     }
 
     fn constraint_matrix_tape(&self) -> MatrixTape {
-        let n = self.coordinates();
-        let count = self.solution.len() - n;
-        let entry = |row: usize, column: usize| self.matrix[n + row][column];
-        self.matrix_tape(count, n, entry, |id| self.graph.is_zero(id))
+        self.part_tape(self.coordinates()..self.solution.len())
     }
 
+    /// Rows of the matrix, without what borders them.
+    fn part_tape(&self, rows: Range<usize>) -> MatrixTape {
+        let n = self.coordinates();
+        let entries: Vec<_> = (0..)
+            .zip(rows.clone())
+            .flat_map(|(place, row)| {
+                self.matrix.row(row).range(..n).map(move |(column, node)| (place, *column, *node))
+            })
+            .collect();
+        self.matrix_tape((rows.len(), n), &entries)
+    }
+
+    /// A matrix by its nonzeros, row by row.
     fn matrix_tape(
         &self,
-        rows: usize,
-        columns: usize,
-        entry: impl Fn(usize, usize) -> NodeId,
-        is_zero: impl Fn(NodeId) -> bool,
+        (rows, columns): (usize, usize),
+        nonzeros: &[(usize, usize, NodeId)],
     ) -> MatrixTape {
-        let places = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
-        let nonzeros: Vec<(usize, usize)> =
-            places.filter(|(row, column)| !is_zero(entry(*row, *column))).collect();
-        let results: Vec<NodeId> = nonzeros.iter().map(|(r, c)| entry(*r, *c)).collect();
-        let entries = nonzeros.iter().map(|(r, c)| (*r as u32, *c as u32)).collect();
+        let results: Vec<NodeId> = nonzeros.iter().map(|(.., node)| *node).collect();
+        let entries = nonzeros.iter().map(|(r, c, _)| (*r as u32, *c as u32)).collect();
         MatrixTape {
             pattern: SparsityPattern { rows, columns, entries },
             tape: self.graph.tape(&results),
@@ -419,53 +460,6 @@ impl<'a> Build<'a> {
         let run = &equations.system.run;
         let given = (&equations.system.tables[..], run.until - run.from);
         kinks(&mut self.graph, &self.rate, &is_mode, given)
-    }
-
-    /// Guards, their rates along the motion, and new values.
-    fn events(&mut self) -> [Vec<NodeId>; 3] {
-        let linearization = self.linearization;
-        let events = &linearization.equations.events;
-        let guards = events.iter().map(|event| self.lower(&event.guard)).collect();
-        let indices = 0..events.len();
-        let mut rates: Vec<NodeId> =
-            indices.map(|index| self.total_derivative(|p| &p.guards[index])).collect();
-        if !linearization.guards_by_forces.is_empty() {
-            let forces = self.rates_of_forces();
-            for (slopes, force) in linearization.guards_by_forces.iter().zip(forces) {
-                for (rate, slope) in rates.iter_mut().zip(slopes) {
-                    let slope = self.lower(slope);
-                    let part = self.graph.mul(slope, force);
-                    *rate = self.graph.add(*rate, part);
-                }
-            }
-        }
-        let values = events.iter().flat_map(|event| &event.set);
-        let resets = values.map(|(_, value)| self.lower(value)).collect();
-        [guards, rates, resets]
-    }
-
-    /// dlambda/dt along the motion, of the same equations differentiated by time.
-    fn rates_of_forces(&mut self) -> Vec<NodeId> {
-        let linearization = self.linearization;
-        let mut sides = self.side(&linearization.time);
-        for (index, partials) in linearization.state.iter().enumerate() {
-            for (total, side) in sides.iter_mut().zip(self.side(partials)) {
-                let part = self.graph.mul(side, self.rate[index]);
-                *total = self.graph.add(*total, part);
-            }
-        }
-        let solution = self.substitution.solve(&mut self.graph, &sides);
-        let negative = &solution[self.coordinates()..];
-        negative.iter().map(|node| self.graph.neg(*node)).collect()
-    }
-
-    /// g and g', of constraints that hold.
-    fn constraints(&mut self) -> [Vec<NodeId>; 2] {
-        let constraints = &self.linearization.equations.constraints;
-        [&constraints.values, &constraints.rates].map(|exprs| {
-            let held = exprs.iter().enumerate().map(|(index, expr)| constraints.held(index, expr));
-            held.map(|expr| self.lower(&expr)).collect()
-        })
     }
 
     /// dX/dt = dX/dy y' + partial dX/dt.

@@ -29,6 +29,7 @@ use machinist_model::NodeId;
 use crate::expr::Graph;
 use crate::lower::blocks::{Block, Blocks, blocks};
 use crate::lower::factor::{Factorization, factor};
+use crate::lower::nonzeros::Nonzeros;
 
 /// `x_row = scale x_row - sum of factor x_from`
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -51,7 +52,7 @@ impl Step {
 /// Factors of the bordered matrix, and how to solve with them.
 pub struct Substitution {
     /// M bordered by G.
-    matrix: Vec<Vec<NodeId>>,
+    matrix: Nonzeros,
     /// Rows of the matrix that are coordinates.
     coordinates: usize,
     /// Whether M has no factors.
@@ -60,6 +61,10 @@ pub struct Substitution {
     factors: Vec<BlockFactors>,
     /// What gives the accelerations.
     pub steps: Vec<Step>,
+    /// Of each row the steps that read it.
+    readers: Vec<Vec<usize>>,
+    /// Whether a row is that of a pinned coordinate.
+    is_pinned: Vec<bool>,
 }
 
 /// What solves a pinned block.
@@ -88,29 +93,30 @@ struct Weighed {
 /// Adds G^T W G to the M of a bordered matrix of which the first `free` rows are M, by the
 /// constraints that always hold. A weight is the sum of M's diagonal over that of G G^T's
 /// entry: nothing that is zero at a state where all is regular.
-fn stiffen(graph: &mut Graph, matrix: &mut [Vec<NodeId>], free: usize) -> Vec<Weighed> {
+fn stiffen(graph: &mut Graph, matrix: &mut Nonzeros, free: usize) -> Vec<Weighed> {
     let zero = graph.literal(0.0);
     let sum = |graph: &mut Graph, parts: Vec<NodeId>| {
         parts.into_iter().fold(zero, |sum, part| graph.add(sum, part))
     };
-    let trace = sum(graph, (0..free).map(|i| matrix[i][i]).collect());
+    let trace = sum(graph, (0..free).filter_map(|i| matrix.get(i, i)).collect());
     let trace = if graph.is_zero(trace) { graph.literal(1.0) } else { trace };
     let mut weighed = Vec::new();
     for constraint in free..matrix.len() {
-        let line = matrix[constraint].clone();
-        let held: Vec<usize> = (0..free).filter(|i| !graph.is_zero(line[*i])).collect();
-        if held.is_empty() || !graph.is_zero(line[constraint]) {
+        let line = matrix.row(constraint).clone();
+        let held: Vec<(usize, NodeId)> = line.range(..free).map(|(i, node)| (*i, *node)).collect();
+        if held.is_empty() || line.contains_key(&constraint) {
             continue;
         }
-        let squares = held.iter().map(|i| graph.mul(line[*i], line[*i])).collect();
+        let squares = held.iter().map(|(_, entry)| graph.mul(*entry, *entry)).collect();
         let size = sum(graph, squares);
         let weight = graph.div(trace, size);
-        for &i in &held {
-            let factor = graph.mul(weight, line[i]);
-            for &j in held.iter().filter(|j| **j <= i) {
-                let part = graph.mul(factor, line[j]);
-                matrix[i][j] = graph.add(matrix[i][j], part);
-                matrix[j][i] = matrix[i][j];
+        for &(i, entry) in &held {
+            let factor = graph.mul(weight, entry);
+            for &(j, other) in held.iter().filter(|(j, _)| *j <= i) {
+                let part = graph.mul(factor, other);
+                let entry = graph.add(matrix.get(i, j).unwrap_or(zero), part);
+                matrix.set(graph, (i, j), entry);
+                matrix.set(graph, (j, i), entry);
             }
             weighed.push(Weighed { row: i, constraint, factor });
         }
@@ -121,22 +127,21 @@ fn stiffen(graph: &mut Graph, matrix: &mut [Vec<NodeId>], free: usize) -> Vec<We
 impl Substitution {
     /// Factors a matrix of which the first `coordinates` rows are M, which may be singular
     /// where the whole is not.
-    pub fn new(
-        graph: &mut Graph,
-        matrix: Vec<Vec<NodeId>>,
-        coordinates: usize,
-        is_singular: bool,
-    ) -> Self {
-        let held: Vec<Vec<usize>> = matrix[coordinates..]
-            .iter()
-            .map(|row| (0..coordinates).filter(|c| !graph.is_zero(row[*c])).collect())
+    pub fn new(graph: &mut Graph, matrix: Nonzeros, coordinates: usize, is_singular: bool) -> Self {
+        let held: Vec<Vec<usize>> = (coordinates..matrix.len())
+            .map(|row| matrix.row(row).range(..coordinates).map(|(column, _)| *column).collect())
             .collect();
         // A constraint that holds in some modes only has an entry on the diagonal, and decides
         // nothing by itself.
         let always: Vec<usize> = (0..held.len())
-            .filter(|row| graph.is_zero(matrix[coordinates + row][coordinates + row]))
+            .filter(|row| matrix.get(coordinates + row, coordinates + row).is_none())
             .collect();
         let blocks = blocks_of(&held, &always, coordinates);
+        let rows = matrix.len();
+        let mut is_pinned = vec![false; rows];
+        for coordinate in blocks.pinned.iter().flat_map(|block| &block.coordinates) {
+            is_pinned[*coordinate] = true;
+        }
         let mut this = Substitution {
             matrix,
             coordinates,
@@ -144,8 +149,16 @@ impl Substitution {
             blocks,
             factors: Vec::new(),
             steps: Vec::new(),
+            readers: vec![Vec::new(); rows],
+            is_pinned,
         };
         this.factor(graph);
+        for (place, step) in this.steps.iter().enumerate() {
+            let scaled = step.scale.map(|_| step.row);
+            for row in scaled.into_iter().chain(step.terms.iter().map(|(_, from)| *from)) {
+                this.readers[row].push(place);
+            }
+        }
         this
     }
 
@@ -155,16 +168,18 @@ impl Substitution {
         for block in &blocks.pinned {
             let rows: Vec<usize> = self.constraint_rows(block).collect();
             for &row in &rows {
-                self.couple(graph, row, &known);
+                self.couple(row, &known);
             }
             let factors = if let ([coordinate], [row]) = (&block.coordinates[..], &rows[..]) {
                 let minus_one = graph.literal(-1.0);
-                let inverse = graph.div(minus_one, self.matrix[*row][*coordinate]);
+                let held = self.matrix.get(*row, *coordinate);
+                let held = held.unwrap_or_else(|| graph.literal(0.0));
+                let inverse = graph.div(minus_one, held);
                 self.push(Step { row: *coordinate, scale: None, terms: vec![(inverse, *row)] });
                 BlockFactors::One(inverse)
             } else {
                 let bordered = self.bordered(graph, block);
-                self.substitute(graph, &bordered);
+                self.substitute(&bordered);
                 BlockFactors::Bordered(bordered.factorization)
             };
             self.factors.push(factors);
@@ -173,9 +188,9 @@ impl Substitution {
         known.sort_unstable();
         let bordered = self.bordered(graph, &blocks.free);
         for &row in &bordered.rows {
-            self.couple(graph, row, &known);
+            self.couple(row, &known);
         }
-        self.substitute(graph, &bordered);
+        self.substitute(&bordered);
     }
 
     fn constraint_rows<'a>(&self, block: &'a Block) -> impl Iterator<Item = usize> + 'a {
@@ -187,8 +202,15 @@ impl Substitution {
     fn bordered(&self, graph: &mut Graph, block: &Block) -> Bordered {
         let constraints = self.constraint_rows(block);
         let rows: Vec<usize> = block.coordinates.iter().copied().chain(constraints).collect();
-        let part = |row: &usize| rows.iter().map(|column| self.matrix[*row][*column]).collect();
-        let mut matrix: Vec<Vec<NodeId>> = rows.iter().map(part).collect();
+        let place: BTreeMap<usize, usize> = rows.iter().copied().zip(0..).collect();
+        let mut matrix = Nonzeros::new(rows.len());
+        for (at, row) in rows.iter().enumerate() {
+            for (column, node) in self.matrix.row(*row) {
+                if let Some(column) = place.get(column) {
+                    matrix.set(graph, (at, *column), *node);
+                }
+            }
+        }
         let free = block.coordinates.len();
         let weighed = if self.is_singular { stiffen(graph, &mut matrix, free) } else { Vec::new() };
         let steps = weighed.into_iter().map(|Weighed { row, constraint, factor }| Step {
@@ -207,32 +229,35 @@ impl Substitution {
     }
 
     /// Takes what is known of other coordinates to the right side of a row.
-    fn couple(&mut self, graph: &Graph, row: usize, known: &[usize]) {
-        let entry = |column: &usize| (self.matrix[row][*column], *column);
-        let terms = known.iter().map(entry).filter(|(factor, _)| !graph.is_zero(*factor));
-        let terms = terms.collect();
+    fn couple(&mut self, row: usize, known: &[usize]) {
+        let entry = |column: &usize| Some((self.matrix.get(row, *column)?, *column));
+        let terms = known.iter().filter_map(entry).collect();
         self.push(Step { row, scale: None, terms });
     }
 
-    fn substitute(&mut self, graph: &Graph, bordered: &Bordered) {
+    fn substitute(&mut self, bordered: &Bordered) {
         let Bordered { rows, steps, factorization: factors } = bordered;
         self.steps.extend(steps.iter().cloned());
-        let terms = |of: &mut dyn Iterator<Item = (NodeId, usize)>| -> Vec<(NodeId, usize)> {
-            of.filter(|(factor, _)| !graph.is_zero(*factor)).collect()
-        };
         for (i, row) in rows.iter().enumerate() {
-            let terms = terms(&mut (0..i).map(|k| (factors.lower[i][k], rows[k])));
+            let terms = factors.lower.row(i).iter();
+            let terms = terms.map(|(k, factor)| (*factor, rows[*k])).collect();
             self.push(Step { row: *row, scale: None, terms });
         }
         for (i, row) in rows.iter().enumerate().rev() {
-            let terms = terms(&mut (i + 1..rows.len()).map(|k| (factors.lower[k][i], rows[k])));
+            let terms = factors.column(i).map(|(k, factor)| (factor, rows[k])).collect();
             self.push(Step { row: *row, scale: Some(factors.inverse_diagonal[i]), terms });
         }
     }
 
     /// q'', then -lambda, of `f` and `gamma`.
     pub fn solve(&self, graph: &mut Graph, right_side: &[NodeId]) -> Vec<NodeId> {
-        let mut x = self.accelerations(graph, right_side);
+        let zero = graph.literal(0.0);
+        let sides = right_side.iter().copied().enumerate().collect();
+        let found = self.accelerations(graph, sides);
+        let mut x = vec![zero; right_side.len()];
+        for (row, value) in found {
+            x[row] = value;
+        }
         let n = self.coordinates;
         // Of pinned blocks from the last to the first, G_b^T (-lambda_b) is what is left of
         // the equations of motion.
@@ -245,8 +270,10 @@ impl Substitution {
                 .map(|&row| {
                     let others = (0..n).chain(known.iter().map(|constraint| n + constraint));
                     let mut left = right_side[row];
-                    for column in others {
-                        let part = graph.mul(self.matrix[row][column], x[column]);
+                    let others =
+                        others.filter_map(|column| Some((self.matrix.get(row, column)?, column)));
+                    for (entry, column) in others {
+                        let part = graph.mul(entry, x[column]);
                         left = graph.sub(left, part);
                     }
                     left
@@ -260,7 +287,6 @@ impl Substitution {
                     }
                 }
                 BlockFactors::Bordered(factors) => {
-                    let zero = graph.literal(0.0);
                     let mut sides = left;
                     sides.extend(constraints().map(|_| zero));
                     let solved = factors.solve(graph, &sides);
@@ -275,41 +301,47 @@ impl Substitution {
     }
 
     /// q'' in the rows of coordinates, of `f` and `gamma`; the rows of constraints hold
-    /// -lambda of those only that no pinned block has.
-    pub fn accelerations(&self, graph: &mut Graph, right_side: &[NodeId]) -> Vec<NodeId> {
-        let mut x = self.own_sides(graph, right_side);
-        // Most of a column of a Jacobian is.
-        let mut is_zero: Vec<bool> = x.iter().map(|value| graph.is_zero(*value)).collect();
-        for Step { row, scale, terms } in &self.steps {
-            let mut value = x[*row];
-            if let Some(scale) = scale
-                && !graph.is_zero(value)
-            {
-                value = graph.mul(value, *scale);
+    /// -lambda of those only that no pinned block has. Rows that are not there are zero, before
+    /// and after.
+    pub fn accelerations(
+        &self,
+        graph: &mut Graph,
+        mut x: BTreeMap<usize, NodeId>,
+    ) -> BTreeMap<usize, NodeId> {
+        let zero = graph.literal(0.0);
+        x.retain(|row, value| self.is_read(*row) && !graph.is_zero(*value));
+        // Most of a column of a Jacobian is zero, and most steps do nothing to it.
+        let mut open: BTreeSet<usize> =
+            x.keys().flat_map(|row| self.readers[*row].iter().copied()).collect();
+        while let Some(place) = open.pop_first() {
+            let Step { row, scale, terms } = &self.steps[place];
+            let before = x.get(row).copied();
+            let mut value = match (before, scale) {
+                (Some(value), Some(scale)) => graph.mul(value, *scale),
+                (before, _) => before.unwrap_or(zero),
+            };
+            for (factor, from) in terms {
+                if let Some(from) = x.get(from) {
+                    let part = graph.mul(*factor, *from);
+                    value = graph.sub(value, part);
+                }
             }
-            for (factor, from) in terms.iter().filter(|(_, from)| !is_zero[*from]) {
-                let part = graph.mul(*factor, x[*from]);
-                value = graph.sub(value, part);
+            if graph.is_zero(value) {
+                x.remove(row);
+                continue;
             }
-            is_zero[*row] = graph.is_zero(value);
-            x[*row] = value;
+            x.insert(*row, value);
+            if before.is_none() {
+                open.extend(self.readers[*row].iter().filter(|later| **later > place));
+            }
         }
         x
-    }
-
-    /// The right side without the equations of motion of pinned coordinates.
-    fn own_sides(&self, graph: &mut Graph, right_side: &[NodeId]) -> Vec<NodeId> {
-        let mut sides = right_side.to_vec();
-        for coordinate in self.blocks.pinned.iter().flat_map(|block| &block.coordinates) {
-            sides[*coordinate] = graph.literal(0.0);
-        }
-        sides
     }
 
     /// Whether a row of right sides has a say in accelerations.
     #[must_use]
     pub fn is_read(&self, row: usize) -> bool {
-        !self.blocks.pinned.iter().any(|block| block.coordinates.contains(&row))
+        !self.is_pinned[row]
     }
 }
 
@@ -327,61 +359,10 @@ fn blocks_of(held: &[Vec<usize>], always: &[usize], coordinates: usize) -> Block
     found
 }
 
-/// Steps of which only those are left that take something from right sides to rows that
-/// are wanted.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Needed {
-    /// What is left of them.
-    pub steps: Vec<Step>,
-    /// Rows of right sides that have a say.
-    pub sides: BTreeSet<usize>,
-    /// Products of nonzeros, in all columns.
-    pub products: usize,
-    /// Columns in which a row may be nonzero afterwards.
-    pub columns: BTreeMap<usize, BTreeSet<usize>>,
-}
-
-/// Leaves out steps on structural zeros and steps that no wanted row needs. `sides` are the
-/// (row, column) of nonzeros of right sides.
-#[must_use]
-pub fn needed(
-    steps: &[Step],
-    sides: &BTreeSet<(usize, usize)>,
-    wanted: &BTreeSet<usize>,
-) -> Needed {
-    let mut columns: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
-    for &(row, column) in sides {
-        columns.entry(row).or_default().insert(column);
-    }
-    let mut forward = Vec::new();
-    for step in steps {
-        let terms = step.terms.iter().filter(|(_, from)| columns.contains_key(from));
-        let terms: Vec<_> = terms.copied().collect();
-        let scale = step.scale.filter(|_| columns.contains_key(&step.row));
-        if scale.is_none() && terms.is_empty() {
-            continue;
-        }
-        let more: Vec<usize> = terms.iter().flat_map(|(_, from)| columns[from].clone()).collect();
-        let products = more.len();
-        columns.entry(step.row).or_default().extend(more);
-        forward.push((Step { row: step.row, scale, terms }, products));
-    }
-    let mut live = wanted.clone();
-    let (mut kept, mut products) = (Vec::new(), 0);
-    for (step, own) in forward.into_iter().rev() {
-        if live.contains(&step.row) {
-            live.extend(step.terms.iter().map(|(_, from)| *from));
-            kept.push(step);
-            products += own;
-        }
-    }
-    kept.reverse();
-    Needed { steps: kept, sides: live, products, columns }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lower::needed::needed;
     use machinist_model::Op;
     use machinist_model::evaluate::{Evaluator, Inputs};
 
@@ -438,7 +419,12 @@ mod tests {
             let place = (i.max(j) * SIZE + i.min(j)) as u32;
             if matrix[i][j] == 0.0 { zero } else { graph.insert(Op::State(place)) }
         };
-        let nodes = (0..SIZE).map(|i| (0..SIZE).map(|j| entry(i, j)).collect()).collect();
+        let places = (0..SIZE).flat_map(|i| (0..SIZE).map(move |j| (i, j)));
+        let entries: Vec<_> = places.map(|(i, j)| ((i, j), entry(i, j))).collect();
+        let mut nodes = Nonzeros::new(SIZE);
+        for (place, node) in entries {
+            nodes.set(&graph, place, node);
+        }
         let substitution = Substitution::new(&mut graph, nodes, N, is_singular);
         let side = (0..SIZE).map(|i| graph.insert(Op::State((SIZE * SIZE + i) as u32))).collect();
         state.extend((0..SIZE).map(|i| (i as f64 + 0.5).cos()));

@@ -12,7 +12,7 @@
 
 use crate::cas::{Cas, Form};
 use crate::expr::rank::null_columns;
-use crate::expr::{ConstraintId, CoordinateId, Expr, Symbol};
+use crate::expr::{ConstraintId, CoordinateId, Expr, Matrix, Symbol};
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::scene::system::LagrangianSystem;
 
@@ -169,20 +169,21 @@ impl EquationsOfMotion {
     /// constraints hold what has no inertia. Of a constraint that holds in some modes only,
     /// the row is s G, s - 1 on the diagonal, and s gamma.
     #[must_use]
-    pub fn bordered(&self) -> (Vec<Vec<Expr>>, Vec<Expr>) {
+    pub fn bordered(&self) -> (Matrix, Vec<Expr>) {
         let constraints = &self.constraints;
         let held = |(index, line): (usize, &Vec<Expr>)| -> Vec<Expr> {
             line.iter().map(|entry| constraints.held(index, entry)).collect()
         };
         let border: Vec<Vec<Expr>> = constraints.matrix.iter().enumerate().map(held).collect();
         let mut matrix = self.mass_matrix.clone();
-        for (column, row) in matrix.iter_mut().enumerate() {
-            row.extend(border.iter().map(|line| line[column].clone()));
+        let n = matrix.len();
+        for column in 0..n {
+            let beside = border.iter().map(|line| line[column].clone());
+            matrix.extend_row(column, (n..).zip(beside));
         }
-        for (index, line) in border.iter().enumerate() {
-            let mut corner = vec![Expr::integer(0); border.len()];
-            corner[index] = constraints.diagonal(index);
-            matrix.push([line.as_slice(), &corner].concat());
+        for (index, line) in border.into_iter().enumerate() {
+            let corner = (n + index, constraints.diagonal(index));
+            matrix.push(line.into_iter().enumerate().chain([corner]));
         }
         let accelerations = constraints.accelerations.iter().enumerate();
         let accelerations = accelerations.map(|(index, gamma)| constraints.held(index, gamma));
@@ -195,9 +196,14 @@ impl EquationsOfMotion {
     /// to zero.
     #[must_use]
     pub fn is_singular(&self) -> bool {
-        let entries = |row: &Vec<Expr>| row.iter().map(|entry| self.system.given(entry)).collect();
-        let matrix = || self.mass_matrix.iter().map(entries).collect::<Vec<_>>();
-        !self.constraints.is_empty() && null_columns(&matrix()).is_some()
+        !self.constraints.is_empty() && null_columns(&self.given(&self.mass_matrix)).is_some()
+    }
+
+    /// Entries without the parameters that the spec sets to zero.
+    fn given(&self, matrix: &Matrix) -> Matrix {
+        let mut given = matrix.clone();
+        given.exprs_mut().for_each(|entry| *entry = self.system.given(entry));
+        given
     }
 
     /// Coordinates that can move together although nothing decides how: neither an inertia
@@ -212,12 +218,14 @@ impl EquationsOfMotion {
         let n = self.mass_matrix.len();
         let rows: Vec<usize> =
             (0..n).chain((0..self.constraints.len()).filter(always).map(|row| n + row)).collect();
-        let part = |row: &usize| -> Vec<Expr> {
-            rows.iter().map(|column| self.system.given(&bordered[*row][*column])).collect()
-        };
-        let matrix: Vec<Vec<Expr>> = rows.iter().map(part).collect();
+        let place = |row: usize| rows.binary_search(&row).ok();
+        let mut part = Matrix::default();
+        for row in &rows {
+            let entries = bordered.row(*row).iter();
+            part.push(entries.filter_map(|(column, entry)| Some((place(*column)?, entry.clone()))));
+        }
         let columns: Vec<usize> =
-            null_columns(&matrix)?.into_iter().filter(|column| *column < n).collect();
+            null_columns(&self.given(&part))?.into_iter().filter(|column| *column < n).collect();
         // Constraints that repeat others are told of where a run starts.
         (!columns.is_empty()).then_some(columns)
     }

@@ -99,7 +99,7 @@ impl Dependencies {
             let symbol = Symbol::Velocity(CoordinateId(row as u32));
             if let Some(from) = place(Column::Equation, symbol) {
                 connect(from, force);
-                whole.mass_matrix[row].iter().for_each(|entry| connect(from, entry));
+                whole.mass_matrix.row(row).iter().for_each(|(_, entry)| connect(from, entry));
             }
         }
         for (row, rate) in whole.rates.iter().enumerate() {

@@ -7,8 +7,10 @@
 //! M q'' = f + G^T lambda            z' = h
 //! ```
 
+use std::collections::BTreeMap;
+
 use crate::cas::{Cas, Form, Terms};
-use crate::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
+use crate::expr::{CoordinateId, Expr, FirstOrderId, Matrix, Symbol};
 use crate::mechanics::constraint::Constraints;
 use crate::mechanics::state::Layout;
 use crate::scene::system::{Event, LagrangianSystem};
@@ -25,7 +27,7 @@ pub struct EquationsOfMotion {
     /// The entries of the state, in order.
     pub layout: Layout,
     /// M, n by n, symmetric.
-    pub mass_matrix: Vec<Vec<Expr>>,
+    pub mass_matrix: Matrix,
     /// f, n long.
     pub forcing: Vec<Expr>,
     /// h, m long.
@@ -68,7 +70,7 @@ pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
     let momenta: Vec<Form> =
         ids.iter().map(|id| kinetic_terms.derivative(cas, Symbol::Velocity(*id))).collect();
     let momenta: Vec<Terms> = momenta.iter().map(|momentum| cas.terms(momentum)).collect();
-    let mass_matrix = mass_matrix(cas, &momenta, &ids);
+    let mass_matrix = mass_matrix(cas, &momenta);
     let forcing = forcing(cas, system, &lagrangian, &dissipation, &momenta);
     let constraints = Constraints::derive(cas, system);
     let energies = [&kinetic, &lagrangian, &dissipation];
@@ -169,22 +171,23 @@ fn events(cas: &mut Cas, system: &LagrangianSystem) -> Vec<Event> {
 }
 
 /// Second derivatives of T; the lower triangle is copied, not derived again.
-fn mass_matrix(cas: &mut Cas, momenta: &[Terms], ids: &[CoordinateId]) -> Vec<Vec<Expr>> {
-    let mut matrix: Vec<Vec<Expr>> = Vec::new();
+fn mass_matrix(cas: &mut Cas, momenta: &[Terms]) -> Matrix {
+    let velocity = |symbol| match symbol {
+        Symbol::Velocity(CoordinateId(id)) => Some(id as usize),
+        _ => None,
+    };
+    let mut lines: Vec<BTreeMap<usize, Expr>> = vec![BTreeMap::new(); momenta.len()];
     for (row, momentum) in momenta.iter().enumerate() {
-        let mut line = Vec::new();
-        for (column, id) in ids.iter().enumerate() {
-            let velocity = Symbol::Velocity(*id);
-            if column < row {
-                line.push(matrix[column][row].clone());
-            } else if momentum.mention(velocity) {
-                let slope = momentum.derivative(cas, velocity);
-                let entry = unless_faulty!(Inertia, slope, off_diagonal(slope, row == column));
-                line.push(cas.simplify(&entry));
-            } else {
-                line.push(Expr::integer(0));
-            }
+        for column in momentum.symbols(velocity).into_iter().filter(|column| *column >= row) {
+            let slope = momentum.derivative(cas, Symbol::Velocity(CoordinateId(column as u32)));
+            let entry = unless_faulty!(Inertia, slope, off_diagonal(slope, row == column));
+            let entry = cas.simplify(&entry);
+            lines[column].insert(row, entry.clone());
+            lines[row].insert(column, entry);
         }
+    }
+    let mut matrix = Matrix::default();
+    for line in lines {
         matrix.push(line);
     }
     matrix

@@ -95,12 +95,10 @@ impl Forms {
         let [kinetic, potential, stored] = equations.energy.each_ref().map(|e| cas.form(e));
         let (matrix, right_side) = equations.bordered();
         let mut mass_matrix = Vec::new();
-        for (i, row) in matrix.iter().enumerate() {
-            for (j, entry) in row.iter().enumerate().skip(i) {
-                if !entry.is_zero() {
-                    mention(entry, |places| &mut places.mass_matrix, mass_matrix.len());
-                    mass_matrix.push((i, j, cas.form(entry)));
-                }
+        for (i, row) in matrix.rows().enumerate() {
+            for (j, entry) in row.iter().filter(|(j, entry)| *j >= i && !entry.is_zero()) {
+                mention(entry, |places| &mut places.mass_matrix, mass_matrix.len());
+                mass_matrix.push((i, *j, cas.form(entry)));
             }
         }
         let mut forcing = Vec::new();

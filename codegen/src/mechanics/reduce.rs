@@ -127,7 +127,7 @@ impl EquationsOfMotion {
 
     /// M, f, h and the constraints.
     fn dynamics(&self) -> impl Iterator<Item = &crate::expr::Expr> {
-        let free = self.mass_matrix.iter().flatten().chain(&self.forcing).chain(&self.rates);
+        let free = self.mass_matrix.exprs().chain(&self.forcing).chain(&self.rates);
         free.chain(self.constraints.exprs())
     }
 }

@@ -16,7 +16,7 @@ use machinist_contract::field::HANDED;
 use machinist_model::Place;
 
 /// Named things that all instances may have together.
-const MAX_NAMES: usize = 20_000;
+const MAX_NAMES: usize = 100_000;
 
 /// What a name stands for; indices are of the unit's or the scene's own lists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -191,7 +191,8 @@ impl Pencil {
             for column in self.columns(row) {
                 let term = entry(row, column) * vector[column];
                 sum += term;
-                size += term.norm();
+                // Tiny terms may vanish: sizes are of the largest.
+                size += term.norm_sqr().sqrt();
             }
             products[0].push(sum);
             products[1].push(size);

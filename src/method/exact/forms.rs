@@ -12,6 +12,10 @@ pub(super) const ROUNDING: f64 = 1e-11;
 /// Matrices of more rows take seconds.
 const MOST_OF_MATRICES: usize = 400;
 
+/// Relative size of K D - D K by mass beyond which K and D share no modes: far above what rounding
+/// makes, so that modes themselves need not be looked for.
+const APART: f64 = 1e-6;
+
 /// M, K and D.
 pub(super) struct Forms {
     pub(super) mass: Mass,
@@ -73,7 +77,44 @@ impl Forms {
             return of_chain;
         }
         let is_short = self.mass.len() <= MOST_OF_MATRICES;
-        if of_chain.is_none() || is_short { self.modes_of_matrices() } else { of_chain }
+        if of_chain.is_some() && !is_short {
+            return of_chain;
+        }
+        if self.share_none() { None } else { self.modes_of_matrices() }
+    }
+
+    /// Whether K and D clearly share no modes, since they do not commute by mass. That is seen
+    /// from their entries; modes take the cube of the rows.
+    fn share_none(&self) -> bool {
+        let Mass::Diagonal(mass) = &self.mass else { return false };
+        let by_mass = |entries: &[(usize, usize, f64)]| {
+            let mut rows = vec![Vec::new(); mass.len()];
+            let mut largest: f64 = 0.0;
+            for &(row, column, value) in entries {
+                let value = value / (mass[row] * mass[column]).sqrt();
+                rows[row].push((column, value));
+                largest = largest.max(value.abs());
+            }
+            (rows, largest)
+        };
+        let (stiffness, stiffest) = by_mass(&self.stiffness);
+        let (damping, most_damped) = by_mass(&self.damping);
+        let allowed = APART * stiffest * most_damped;
+        let mut sums = vec![0.0; mass.len()];
+        let mut touched = Vec::new();
+        (0..mass.len()).any(|row| {
+            for (sign, first, second) in [(1.0, &stiffness, &damping), (-1.0, &damping, &stiffness)]
+            {
+                for (middle, factor) in &first[row] {
+                    for (column, value) in &second[*middle] {
+                        sums[*column] += sign * factor * value;
+                        touched.push(*column);
+                    }
+                }
+            }
+            // Emptied as it is read: an entry that comes twice is zero the second time.
+            touched.drain(..).any(|column| std::mem::take::<f64>(&mut sums[column]).abs() > allowed)
+        })
     }
 
     /// Of a line of springs, damped not at all or as Rayleigh's.
@@ -280,4 +321,63 @@ fn dampings(damping: &DMatrix<f64>, shapes: &DMatrix<f64>) -> Option<Vec<f64>> {
         })
     });
     (!shared).then_some(diagonal)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const N: usize = 6;
+
+    /// Rotors on springs, with so much damping.
+    fn forms(damping: impl Fn(usize, usize, f64) -> f64) -> Forms {
+        let inertia = |row: usize| 1.0 + 0.5 * row as f64;
+        let spring = |row: usize, column: usize| match row.abs_diff(column) {
+            0 => 2000.0 + 300.0 * row as f64,
+            1 => -900.0 - 50.0 * (row + column) as f64,
+            _ => 0.0,
+        };
+        let places = || (0..N).flat_map(|row| (0..N).map(move |column| (row, column)));
+        let entries = |value: &dyn Fn(usize, usize) -> f64| {
+            let all = places().map(|(row, column)| (row, column, value(row, column)));
+            all.filter(|entry| entry.2 != 0.0).collect()
+        };
+        Forms {
+            mass: Mass::Diagonal((0..N).map(inertia).collect()),
+            stiffness: entries(&spring),
+            damping: entries(&|row, column| damping(row, column, spring(row, column))),
+        }
+    }
+
+    #[test]
+    fn matrices_that_share_modes_are_not_told_apart() {
+        let inertia = |row: usize| 1.0 + 0.5 * row as f64;
+        let rayleigh = forms(|row, column, spring| {
+            1e-4 * spring + if row == column { 0.3 * inertia(row) } else { 0.0 }
+        });
+        // K M^-1 K, which is no sum of M and K.
+        let springs = forms(|_, _, spring| spring);
+        let stiffness = |row: usize, column: usize| {
+            let found = springs.damping.iter().find(|entry| (entry.0, entry.1) == (row, column));
+            found.map_or(0.0, |entry| entry.2)
+        };
+        let squared = forms(|row, column, _| {
+            (0..N).map(|at| stiffness(row, at) * stiffness(at, column) / inertia(at)).sum()
+        });
+        for forms in [forms(|_, _, _| 0.0), rayleigh, squared] {
+            assert!(!forms.share_none());
+            assert!(forms.modes(1e-9).is_some());
+        }
+    }
+
+    #[test]
+    fn matrices_without_common_modes_are_seen_by_their_entries() {
+        for place in 0..N {
+            let braked = forms(|row, column, spring| {
+                1e-4 * spring + if (row, column) == (place, place) { 0.5 } else { 0.0 }
+            });
+            assert!(braked.share_none());
+            assert!(braked.modes_of_matrices().is_none());
+        }
+    }
 }

@@ -84,7 +84,7 @@ fn apply(cas: &mut Cas, equations: &mut EquationsOfMotion, direction: &Direction
     if !is_asked_for {
         leave_energy(cas, equations, direction);
     }
-    let dynamics = equations.mass_matrix.iter_mut().flatten().chain(&mut equations.forcing);
+    let dynamics = equations.mass_matrix.exprs_mut().chain(&mut equations.forcing);
     for expr in dynamics.filter(|expr| direction.is_in(expr)) {
         let form = cas.form(&direction.relative(expr));
         *expr = cas.simplify(&form);

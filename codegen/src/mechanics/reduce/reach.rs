@@ -251,7 +251,7 @@ fn needed(equations: &EquationsOfMotion) -> BTreeSet<Symbol> {
                 }
                 for row in (0..blocks.len()).filter(|row| blocks[*row] == block) {
                     found.push(Symbol::Velocity(CoordinateId(row as u32)));
-                    let entries = equations.mass_matrix[row].iter();
+                    let entries = equations.mass_matrix.row(row).iter().map(|(_, entry)| entry);
                     let entries = entries.chain([&equations.forcing[row]]);
                     found.extend(entries.flat_map(Expr::symbols));
                 }
@@ -271,10 +271,10 @@ fn blocks(equations: &EquationsOfMotion) -> Vec<usize> {
         let (from, to) = (block[i].max(block[j]), block[i].min(block[j]));
         block.iter_mut().filter(|b| **b == from).for_each(|b| *b = to);
     };
-    for (i, row) in equations.mass_matrix.iter().enumerate() {
-        for (j, entry) in row.iter().enumerate().take(i) {
+    for (i, row) in equations.mass_matrix.rows().enumerate() {
+        for (j, entry) in row.iter().take_while(|(j, _)| *j < i) {
             if !entry.is_zero() {
-                join(i, j);
+                join(i, *j);
             }
         }
     }

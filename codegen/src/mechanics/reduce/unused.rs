@@ -201,7 +201,7 @@ fn consume(equations: &mut EquationsOfMotion) {
 
 fn renumber(equations: &mut EquationsOfMotion, used: &Used) {
     let EquationsOfMotion { system, layout, .. } = equations;
-    let mut all: Vec<&mut Expr> = equations.mass_matrix.iter_mut().flatten().collect();
+    let mut all: Vec<&mut Expr> = equations.mass_matrix.exprs_mut().collect();
     all.extend(equations.forcing.iter_mut().chain(&mut equations.rates));
     all.extend(equations.energy.iter_mut().chain(&mut equations.helpers));
     all.extend(&mut equations.outputs);

@@ -30,6 +30,7 @@ pub fn fastest(mut call: impl FnMut() -> f64) -> f64 {
 }
 
 /// Least seconds from the end of one step to that of the next, of some steps of a run.
+#[allow(dead_code, reason = "not every benchmark looks at steps")]
 pub fn fastest_step(run: &Simulation<'_>) -> f64 {
     const STEPS: usize = 12;
     let ends = RefCell::new(Vec::new());

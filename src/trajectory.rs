@@ -43,7 +43,7 @@ pub struct Trajectory {
 /// The name of the column of a derivative.
 #[must_use]
 pub fn sensitivity_name(of: &str, by: &str) -> String {
-    format!("d({of})/d({by})")
+    ["d(", of, ")/d(", by, ")"].concat()
 }
 
 /// Why a run ended before its end.

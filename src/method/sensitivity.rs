@@ -359,16 +359,26 @@ impl<'a> Tangents<'a> {
         duals
     }
 
+    /// Makes `duals` a state with slopes S along some directions.
+    fn set_along(
+        &self,
+        state: &[f64],
+        tangents: &[f64],
+        directions: &Range<usize>,
+        duals: &mut [Dual],
+    ) {
+        let rows = tangents.chunks_exact(self.by.len());
+        for ((dual, value), row) in duals.iter_mut().zip(state).zip(rows) {
+            *dual = Dual::constant(*value);
+            dual.slopes[..directions.len()].copy_from_slice(&row[directions.clone()]);
+        }
+    }
+
     /// A state with slopes S along some directions.
     fn state_along(&self, state: &[f64], tangents: &[f64], directions: &Range<usize>) -> Vec<Dual> {
-        let count = self.by.len();
-        let along = |index: usize| {
-            let mut dual = Dual::constant(state[index]);
-            dual.slopes[..directions.len()]
-                .copy_from_slice(&tangents[index * count..][directions.clone()]);
-            dual
-        };
-        (0..self.states).map(along).collect()
+        let mut duals = vec![Dual::constant(0.0); self.states];
+        self.set_along(state, tangents, directions, &mut duals);
+        duals
     }
 
     /// Slopes of a function in every direction, one row a value.

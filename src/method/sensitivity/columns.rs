@@ -15,41 +15,57 @@ pub(crate) fn columns(
     (rows, width): (&[f64], usize),
 ) -> Vec<Column> {
     let sensitivities = tangents.take_rows();
-    let shape = simulator.shape();
-    let by = tangents.by().to_vec();
-    let count = by.len();
-    let rows_of_tangents = || sensitivities.chunks_exact(tangents.len().max(1));
-    let mut outputs = vec![Vec::with_capacity(times.len()); shape.outputs * count];
-    let mut results = vec![Dual::constant(0.0); shape.outputs];
-    for directions in tangents.chunks() {
-        let parameters = tangents.parameters_along(&directions);
-        let states = rows.chunks_exact(width).zip(rows_of_tangents());
-        for (time, (row, s)) in times.iter().zip(states) {
-            let state = tangents.state_along(row, s, &directions);
-            let (function, time) = (DualFunction::Outputs, Dual::constant(*time));
-            tangents.derivatives.on_duals(function, time, &state, &parameters, &mut results);
-            for (columns, result) in outputs.chunks_exact_mut(count).zip(&results) {
-                let columns = &mut columns[directions.clone()];
-                columns
-                    .iter_mut()
-                    .zip(result.slopes)
-                    .for_each(|(column, slope)| column.push(slope));
-            }
-        }
-    }
-    let states = (0..shape.states()).flat_map(|index| (0..count).map(move |k| (index, k)));
-    let of_states = states.map(|(index, k)| {
-        let values = rows_of_tangents().map(|row| row[index * count + k]).collect();
-        column(simulator.state(index), by[k], simulator, values)
-    });
-    let of_outputs = outputs.into_iter().enumerate().map(|(place, values)| {
-        column(simulator.output(place / count), by[place % count], simulator, values)
-    });
-    of_states.chain(of_outputs).collect()
+    let (by, outputs) = (tangents.by(), simulator.shape().outputs);
+    let of_outputs = tangents.of_outputs(outputs, times, (rows, width), &sensitivities);
+    let quantities = (0..tangents.states).map(|index| simulator.state(index));
+    let quantities = quantities.chain((0..outputs).map(|index| simulator.output(index)));
+    let values = transposed(&sensitivities, tangents.len());
+    let values = values.chain(transposed(&of_outputs, outputs * by.len()));
+    let directions: Vec<_> = by.iter().map(|by| (by, by.quantity(simulator))).collect();
+    quantities
+        .flat_map(|of| directions.iter().map(move |(by, quantity)| (of, **by, *quantity)))
+        .zip(values)
+        .map(|((of, by, quantity), values)| column(of, by, quantity, values))
+        .collect()
 }
 
-fn column(of: Quantity<'_>, by: By, simulator: &dyn Simulator<f64>, values: Vec<f64>) -> Column {
-    let quantity = by.quantity(simulator);
+impl Tangents<'_> {
+    /// Derivatives of outputs at states and S of many times, row after row.
+    fn of_outputs(
+        &self,
+        outputs: usize,
+        times: &[f64],
+        (rows, width): (&[f64], usize),
+        sensitivities: &[f64],
+    ) -> Vec<f64> {
+        let count = self.by.len();
+        let mut derivatives = vec![0.0; times.len() * outputs * count];
+        let mut results = vec![Dual::constant(0.0); outputs];
+        let mut state = vec![Dual::constant(0.0); self.states];
+        for directions in self.chunks() {
+            let parameters = self.parameters_along(&directions);
+            let states = rows.chunks_exact(width).zip(sensitivities.chunks_exact(self.len()));
+            let derivatives = derivatives.chunks_exact_mut((outputs * count).max(1));
+            for ((time, (row, s)), derivatives) in times.iter().zip(states).zip(derivatives) {
+                self.set_along(row, s, &directions, &mut state);
+                let (function, time) = (DualFunction::Outputs, Dual::constant(*time));
+                self.derivatives.on_duals(function, time, &state, &parameters, &mut results);
+                for (of_output, result) in derivatives.chunks_exact_mut(count).zip(&results) {
+                    let slopes = &result.slopes[..directions.len()];
+                    of_output[directions.clone()].copy_from_slice(slopes);
+                }
+            }
+        }
+        derivatives
+    }
+}
+
+/// The columns of a matrix that is given row after row.
+fn transposed(rows: &[f64], width: usize) -> impl Iterator<Item = Vec<f64>> {
+    (0..width).map(move |first| rows[first..].iter().step_by(width).copied().collect())
+}
+
+fn column(of: Quantity<'_>, by: By, quantity: Quantity<'_>, values: Vec<f64>) -> Column {
     let what = match by {
         By::Parameter(_) => "",
         By::Initial(_) => "the initial value of ",
@@ -58,7 +74,7 @@ fn column(of: Quantity<'_>, by: By, simulator: &dyn Simulator<f64>, values: Vec<
         name: sensitivity_name(of.name, quantity.name),
         unit: unit(of.unit, quantity.unit),
         kind: ColumnKind::Sensitivity,
-        doc: format!("derivative of `{}` by {what}`{}`", of.name, quantity.name),
+        doc: ["derivative of `", of.name, "` by ", what, "`", quantity.name, "`"].concat(),
         values,
     }
 }
@@ -69,8 +85,8 @@ fn unit(of: &str, by: &str) -> String {
     match (of, by) {
         (_, "1") => of.to_owned(),
         _ if of == by => "1".to_owned(),
-        _ if is_one_word => format!("{of}/{by}"),
-        _ => format!("{of}/({by})"),
+        _ if is_one_word => [of, "/", by].concat(),
+        _ => [of, "/(", by, ")"].concat(),
     }
 }
 

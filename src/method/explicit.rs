@@ -118,8 +118,8 @@ impl<'a> ExplicitSteps<'a> {
     fn linearize(&self, carried: &mut Carried, tangents: &Tangents<'_>, stages: Range<usize>) {
         for stage in stages {
             let time = self.time + self.pair.nodes[stage] * self.step;
-            carried.linearize(tangents, stage, |state, jacobian, rate| {
-                tangents.linearize(self.stretch, time, &state[..self.size], jacobian, rate);
+            carried.linearize(tangents, stage, |state, jacobian, drive| {
+                tangents.linearize(self.stretch, time, &state[..self.size], jacobian, drive);
             });
         }
     }

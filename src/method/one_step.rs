@@ -564,8 +564,7 @@ pub(super) fn require_finite(what: &'static str, values: &[f64]) -> Result<(), T
 
 /// The first of many values that is not finite: looked for only where there is one, for
 /// that can be told of all at once.
-#[cfg(feature = "implicit")]
-fn first_not_finite(values: &[f64]) -> Option<usize> {
+pub(super) fn first_not_finite(values: &[f64]) -> Option<usize> {
     let is_wrong = values.iter().fold(false, |wrong, value| wrong | !value.is_finite());
     if is_wrong { values.iter().position(|value| !value.is_finite()) } else { None }
 }

@@ -26,6 +26,7 @@ use machinist_contract::{Derivatives, Describe, Dual, DualFunction, Simulator};
 
 use crate::constraints::Constraints;
 use crate::error::{SimulateError, did_you_mean};
+use crate::method::one_step::first_not_finite;
 use crate::method::vectors::widest;
 use crate::method::{Method, OneStep, Samples, Stopped, Stretch, Trial};
 use allowed::Allowed;
@@ -91,8 +92,17 @@ pub(crate) struct Tangents<'a> {
     is_controlled: bool,
     inner: RefCell<Inner>,
     allowed: RefCell<Option<Allowed>>,
-    /// Values of dy'/dy and dy'/dp.
-    scratch: RefCell<[Vec<f64>; 2]>,
+    scratch: RefCell<Scratch>,
+}
+
+/// What is written anew at every state.
+struct Scratch {
+    /// Values of dy'/dy.
+    jacobian: Vec<f64>,
+    /// Values of dy'/dp.
+    by_parameters: Vec<f64>,
+    /// df/dp of the directions.
+    drive: Vec<f64>,
 }
 
 struct Inner {
@@ -133,12 +143,16 @@ impl<'a> Tangents<'a> {
         let zeros = vec![0.0; states * count];
         let inner = Inner {
             start: zeros.clone(),
-            end: zeros,
+            end: zeros.clone(),
             rows: Vec::new(),
             latest: Instant { time: from, shifts: vec![0.0; count] },
             front: (from, Vec::new()),
         };
-        let values = [patterns.0, patterns.1].map(|pattern| vec![0.0; pattern.entries.len()]);
+        let scratch = Scratch {
+            jacobian: vec![0.0; patterns.0.entries.len()],
+            by_parameters: vec![0.0; patterns.1.entries.len()],
+            drive: zeros,
+        };
         let inner = RefCell::new(inner);
         let size = |by: &By| match by {
             By::Parameter(index) if parameters[*index] != 0.0 => parameters[*index].abs(),
@@ -157,7 +171,7 @@ impl<'a> Tangents<'a> {
             is_controlled,
             inner,
             allowed: RefCell::default(),
-            scratch: RefCell::new(values),
+            scratch: RefCell::new(scratch),
         })
     }
 
@@ -187,22 +201,23 @@ impl<'a> Tangents<'a> {
         &self.equations
     }
 
-    /// J and df/dp at a state of a stretch: of S' = J S + df/dp what does not depend on S.
+    /// J and df/dp at a state of a stretch: of S' = J S + df/dp what does not depend on S. df/dp
+    /// has to be zero where no parameter is.
     pub(crate) fn linearize(
         &self,
         stretch: &Stretch<'_>,
         time: f64,
         state: &[f64],
         jacobian: &mut [f64],
-        into: &mut [f64],
+        drive: &mut [f64],
     ) {
         stretch.jacobian(time, state, jacobian);
-        let [_, by_parameters] = &mut *self.scratch.borrow_mut();
         if self.equations.are_driven() {
+            let by_parameters = &mut self.scratch.borrow_mut().by_parameters;
             let (time, state) = (stretch.within(time), &state[..self.states]);
             stretch.system.parameter_jacobian(time, state, by_parameters);
+            self.equations.drive(by_parameters, drive);
         }
-        self.equations.drive(by_parameters, into);
     }
 
     /// J S + df/dp at a state of a stretch.
@@ -214,16 +229,21 @@ impl<'a> Tangents<'a> {
         tangents: &[f64],
         into: &mut [f64],
     ) {
-        let mut jacobian = std::mem::take(&mut self.scratch.borrow_mut()[0]);
-        self.linearize(stretch, time, state, &mut jacobian, into);
-        widest(Product { equations: &self.equations, jacobian: &jacobian, tangents, into });
-        self.scratch.borrow_mut()[0] = jacobian;
+        let [mut jacobian, mut drive] = {
+            let scratch = &mut *self.scratch.borrow_mut();
+            [&mut scratch.jacobian, &mut scratch.drive].map(std::mem::take)
+        };
+        self.linearize(stretch, time, state, &mut jacobian, &mut drive);
+        let of = (&jacobian[..], &drive[..]);
+        widest(Product { equations: &self.equations, of, tangents, into });
+        let scratch = &mut *self.scratch.borrow_mut();
+        (scratch.jacobian, scratch.drive) = (jacobian, drive);
     }
 
     /// The entries of dy'/dy where [`Tangents::rate`] was last asked for: row, column, value.
     #[cfg(feature = "implicit")]
     pub(crate) fn for_each_slope(&self, mut look: impl FnMut(usize, usize, f64)) {
-        let [jacobian, _] = &*self.scratch.borrow();
+        let jacobian = &self.scratch.borrow().jacobian;
         let entries = self.simulator.rate_jacobian_pattern().entries;
         for ((row, column), value) in entries.iter().zip(jacobian) {
             look(*row as usize, *column as usize, *value);
@@ -235,7 +255,7 @@ impl<'a> Tangents<'a> {
     pub(crate) fn carry<M: OneStep>(&self, method: &mut M, of_states: f64) -> Trial {
         let Inner { start, end, .. } = &mut *self.inner.borrow_mut();
         let error = method.carry(self, start, end);
-        match end.iter().position(|value| !value.is_finite()) {
+        match first_not_finite(end) {
             Some(place) => {
                 let index = place / self.by.len();
                 Trial::NotFinite { what: "a sensitivity of", index }
@@ -272,7 +292,7 @@ impl<'a> Tangents<'a> {
         time: f64,
         tangents: &[f64],
     ) -> Result<(), Stopped> {
-        match tangents.iter().position(|value| !value.is_finite()) {
+        match first_not_finite(tangents) {
             None => Ok(()),
             Some(place) => Err(stretch.not_finite("a sensitivity of", place / self.by.len(), time)),
         }

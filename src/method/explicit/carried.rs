@@ -14,10 +14,12 @@ pub(super) struct Carried {
     width: usize,
     /// Number of states and padding.
     state_width: usize,
-    /// S', stage after stage; before a stage is known, its df/dp.
+    /// S', stage after stage.
     stages: Vec<f64>,
     /// J of the stages, one after another.
     jacobians: Vec<f64>,
+    /// df/dp of the stages.
+    drives: Vec<f64>,
     sums: Vec<Sum>,
     estimates: Vec<Sum>,
     dense: Sum,
@@ -39,6 +41,7 @@ impl Carried {
             state_width,
             stages: vec![0.0; width * count],
             jacobians: vec![0.0; tangents.equations().nonzeros() * count],
+            drives: vec![0.0; width * count],
             sums: pair.rows.iter().chain(pair.dense.extra).map(|row| sum(row, width)).collect(),
             estimates: pair.estimates.iter().map(|row| sum(row, width)).collect(),
             dense: (0..count).map(|stage| (stage * width, 0.0)).collect(),
@@ -70,8 +73,8 @@ impl Carried {
     ) {
         let nonzeros = tangents.equations().nonzeros();
         let jacobian = &mut self.jacobians[stage * nonzeros..][..nonzeros];
-        let rate = &mut self.stages[stage * self.width..][..tangents.len()];
-        evaluate(&self.states[stage * self.state_width..], jacobian, rate);
+        let drive = &mut self.drives[stage * self.width..][..tangents.len()];
+        evaluate(&self.states[stage * self.state_width..], jacobian, drive);
     }
 
     /// Computes some of the stages, over a step.
@@ -121,13 +124,14 @@ impl Work for Recursion<'_> {
     type Result = ();
     #[inline(always)]
     fn run(self) {
-        let Carried { width, stages, jacobians, sums, argument, start, .. } = self.carried;
+        let Carried { width, stages, jacobians, drives, sums, argument, start, .. } = self.carried;
         let nonzeros = self.equations.nonzeros();
         for stage in self.stages {
             combine_many(&sums[stage], stages, self.step, Some(start), argument);
             let jacobian = &jacobians[stage * nonzeros..][..nonzeros];
-            let rate = &mut stages[stage * *width..][..*width];
-            self.equations.add_product(jacobian, argument, rate);
+            let of_stage = stage * *width..(stage + 1) * *width;
+            let of = (jacobian, &drives[of_stage.clone()]);
+            self.equations.rate(of, argument, &mut stages[of_stage]);
         }
     }
 }

@@ -16,11 +16,10 @@ pub(super) struct Allowed {
     absolute: Vec<f64>,
     /// The largest that entries were at the ends of steps until now.
     largest: Vec<f64>,
-    /// What is allowed over the step.
-    total: Vec<f64>,
-    /// (error / allowed)^2 of every entry.
-    squares: Vec<f64>,
-    directions: usize,
+    /// One over what is allowed over the step.
+    inverse: Vec<f64>,
+    /// Sums of (error / allowed)^2 over the states, one for each direction.
+    sums: Vec<f64>,
 }
 
 impl Allowed {
@@ -29,8 +28,7 @@ impl Allowed {
         let of_state = |atol: &f64| sizes.iter().map(move |size| atol / size).collect::<Vec<_>>();
         let absolute: Vec<f64> = atol.iter().flat_map(of_state).collect();
         let zeros = vec![0.0; absolute.len()];
-        let (largest, total, squares) = (zeros.clone(), zeros.clone(), zeros);
-        Self { absolute, largest, total, squares, directions: sizes.len() }
+        Self { absolute, largest: zeros.clone(), inverse: zeros, sums: vec![0.0; sizes.len()] }
     }
 
     /// Takes the ends of a step, over which errors are to be judged.
@@ -42,13 +40,9 @@ impl Allowed {
     /// those of the states.
     pub(super) fn norm(&mut self, errors: &[f64]) -> f64 {
         widest(Squares { of: self, errors });
-        let of_direction = |direction: usize| {
-            self.squares[direction..].iter().step_by(self.directions).sum::<f64>()
-        };
-        let sums = (0..self.directions).map(of_direction);
         // A NaN is kept.
-        let greatest = sums.fold(0.0, |a: f64, b| if b <= a { a } else { b });
-        (greatest / (self.squares.len() / self.directions) as f64).sqrt()
+        let greatest = self.sums.iter().fold(0.0, |a: f64, b| if *b <= a { a } else { *b });
+        (greatest / (self.inverse.len() / self.sums.len()) as f64).sqrt()
     }
 
     /// Takes S at the end of a step that is taken.
@@ -76,13 +70,13 @@ impl Work for Sizes<'_> {
     type Result = ();
     #[inline(always)]
     fn run(self) {
-        let Allowed { absolute, largest, total, .. } = self.of;
+        let Allowed { absolute, largest, inverse, .. } = self.of;
         let ends = self.start.iter().zip(self.end);
-        for (((total, absolute), largest), (start, end)) in
-            total.iter_mut().zip(absolute).zip(largest).zip(ends)
+        for (((inverse, absolute), largest), (start, end)) in
+            inverse.iter_mut().zip(absolute).zip(largest).zip(ends)
         {
             let size = larger(larger(*largest, start.abs()), end.abs());
-            *total = *absolute + self.rtol * size;
+            *inverse = 1.0 / (*absolute + self.rtol * size);
         }
     }
 }
@@ -96,10 +90,14 @@ impl Work for Squares<'_> {
     type Result = ();
     #[inline(always)]
     fn run(self) {
-        let Allowed { total, squares, .. } = self.of;
-        for ((square, error), total) in squares.iter_mut().zip(self.errors).zip(total) {
-            let ratio = error / *total;
-            *square = ratio * ratio;
+        let Allowed { inverse, sums, .. } = self.of;
+        sums.fill(0.0);
+        let count = sums.len();
+        for (errors, inverse) in self.errors.chunks_exact(count).zip(inverse.chunks_exact(count)) {
+            for ((sum, error), inverse) in sums.iter_mut().zip(errors).zip(inverse) {
+                let ratio = error * inverse;
+                *sum += ratio * ratio;
+            }
         }
     }
 }

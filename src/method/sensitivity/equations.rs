@@ -10,7 +10,7 @@ use crate::method::vectors::Work;
 /// `state * directions + direction`.
 pub(crate) struct Equations {
     directions: usize,
-    /// Rows of J: where they begin in S', and their entries.
+    /// Rows of J, one for each state: where they begin in S', and their entries.
     rows: Vec<(usize, Range<usize>)>,
     /// Where the row of S begins that an entry of J is multiplied with.
     columns: Vec<usize>,
@@ -36,12 +36,14 @@ impl Equations {
             }
         }
         let columns = jacobian.entries.iter().map(|entry| entry.1 as usize * count).collect();
-        let mut rows = Vec::new();
         let mut first = 0;
-        for row in jacobian.entries.chunk_by(|a, b| a.0 == b.0) {
-            rows.push((row[0].0 as usize * count, first..first + row.len()));
-            first += row.len();
-        }
+        let row = |index: usize| {
+            let entries = jacobian.entries[first..].iter();
+            let from = first;
+            first += entries.take_while(|entry| entry.0 as usize == index).count();
+            (index * count, from..first)
+        };
+        let rows = (0..jacobian.rows).map(row).collect();
         Self { directions: count, rows, columns, driven }
     }
 
@@ -55,44 +57,47 @@ impl Equations {
         !self.driven.is_empty()
     }
 
-    /// Writes df/dp of the directions, from dy'/dp.
+    /// Writes df/dp of the directions where it is not zero, from dy'/dp.
     pub(super) fn drive(&self, by_parameters: &[f64], into: &mut [f64]) {
-        into.fill(0.0);
         for (entry, place) in &self.driven {
             into[*place] = by_parameters[*entry];
         }
     }
 
-    /// Adds J S, as many directions at once as registers hold.
+    /// J S + df/dp, as many directions at once as registers hold.
     #[inline(always)]
-    pub(crate) fn add_product(&self, jacobian: &[f64], tangents: &[f64], into: &mut [f64]) {
+    pub(crate) fn rate(&self, of: Linear<'_>, tangents: &[f64], into: &mut [f64]) {
         let mut first = 0;
         while first < self.directions {
+            let of = (of.0, &of.1[first..]);
             let (s, into) = (&tangents[first..], &mut into[first..]);
             first += match self.directions - first {
-                10.. => self.add_block::<10>(jacobian, s, into),
-                6.. => self.add_block::<6>(jacobian, s, into),
-                4.. => self.add_block::<4>(jacobian, s, into),
-                2.. => self.add_block::<2>(jacobian, s, into),
-                _ => self.add_block::<1>(jacobian, s, into),
+                10.. => self.rate_of::<10>(of, s, into),
+                6.. => self.rate_of::<6>(of, s, into),
+                4.. => self.rate_of::<4>(of, s, into),
+                2.. => self.rate_of::<2>(of, s, into),
+                _ => self.rate_of::<1>(of, s, into),
             };
         }
     }
 
-    /// Adds J S in the first directions of every row; so many.
+    /// J S + df/dp in the first directions of every row; so many.
     #[inline(always)]
-    fn add_block<const N: usize>(&self, jacobian: &[f64], s: &[f64], into: &mut [f64]) -> usize {
+    fn rate_of<const N: usize>(
+        &self,
+        (jacobian, drive): Linear<'_>,
+        s: &[f64],
+        into: &mut [f64],
+    ) -> usize {
         for (row, entries) in &self.rows {
+            let Some(drive) = first_of(drive, *row) else { break };
             let Some(into) = into.get_mut(*row..).and_then(<[f64]>::first_chunk_mut::<N>) else {
                 break;
             };
-            let mut sum = *into;
-            for (column, value) in
-                self.columns[entries.clone()].iter().zip(&jacobian[entries.clone()])
-            {
-                let Some(tangents) = s.get(*column..).and_then(<[f64]>::first_chunk::<N>) else {
-                    break;
-                };
+            let mut sum = *drive;
+            let entries = self.columns[entries.clone()].iter().zip(&jacobian[entries.clone()]);
+            for (column, value) in entries {
+                let Some(tangents) = first_of::<N>(s, *column) else { break };
                 for (sum, tangent) in sum.iter_mut().zip(tangents) {
                     *sum = Real::mul_add(*value, *tangent, *sum);
                 }
@@ -103,10 +108,19 @@ impl Equations {
     }
 }
 
-/// Adds J S to what stands in S'.
+/// Values of J, and df/dp.
+pub(crate) type Linear<'a> = (&'a [f64], &'a [f64]);
+
+/// So many numbers from a place on.
+#[inline(always)]
+fn first_of<const N: usize>(numbers: &[f64], place: usize) -> Option<&[f64; N]> {
+    numbers.get(place..)?.first_chunk()
+}
+
+/// J S + df/dp.
 pub(super) struct Product<'a> {
     pub(super) equations: &'a Equations,
-    pub(super) jacobian: &'a [f64],
+    pub(super) of: Linear<'a>,
     pub(super) tangents: &'a [f64],
     pub(super) into: &'a mut [f64],
 }
@@ -115,6 +129,6 @@ impl Work for Product<'_> {
     type Result = ();
     #[inline(always)]
     fn run(self) {
-        self.equations.add_product(self.jacobian, self.tangents, self.into);
+        self.equations.rate(self.of, self.tangents, self.into);
     }
 }

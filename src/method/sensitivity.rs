@@ -389,8 +389,10 @@ impl<'a> Tangents<'a> {
     ) {
         let rows = tangents.chunks_exact(self.by.len());
         for ((dual, value), row) in duals.iter_mut().zip(state).zip(rows) {
-            *dual = Dual::constant(*value);
-            dual.slopes[..directions.len()].copy_from_slice(&row[directions.clone()]);
+            let along = &row[directions.clone()];
+            // One by one: a call that copies so few costs more than they do.
+            let slopes = std::array::from_fn(|lane| along.get(lane).copied().unwrap_or(0.0));
+            *dual = Dual { value: *value, slopes };
         }
     }
 

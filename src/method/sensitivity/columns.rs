@@ -51,8 +51,12 @@ impl Tangents<'_> {
                 let (function, time) = (DualFunction::Outputs, Dual::constant(*time));
                 self.derivatives.on_duals(function, time, &state, &parameters, &mut results);
                 for (of_output, result) in derivatives.chunks_exact_mut(count).zip(&results) {
-                    let slopes = &result.slopes[..directions.len()];
-                    of_output[directions.clone()].copy_from_slice(slopes);
+                    let along = &mut of_output[directions.clone()];
+                    for (lane, slope) in result.slopes.into_iter().enumerate() {
+                        if let Some(derivative) = along.get_mut(lane) {
+                            *derivative = slope;
+                        }
+                    }
                 }
             }
         }

@@ -44,7 +44,8 @@ impl Tangents<'_> {
         let mut state = vec![Dual::constant(0.0); self.states];
         for directions in self.chunks() {
             let parameters = self.parameters_along(&directions);
-            let states = rows.chunks_exact(width).zip(sensitivities.chunks_exact(self.len()));
+            let of_each = sensitivities.chunks_exact(self.len().max(1));
+            let states = rows.chunks_exact(width).zip(of_each);
             let derivatives = derivatives.chunks_exact_mut((outputs * count).max(1));
             for ((time, (row, s)), derivatives) in times.iter().zip(states).zip(derivatives) {
                 self.set_along(row, s, &directions, &mut state);
@@ -66,7 +67,7 @@ impl Tangents<'_> {
 
 /// The columns of a matrix that is given row after row.
 fn transposed(rows: &[f64], width: usize) -> impl Iterator<Item = Vec<f64>> {
-    (0..width).map(move |first| rows[first..].iter().step_by(width).copied().collect())
+    (0..width).map(move |first| rows.iter().skip(first).step_by(width).copied().collect())
 }
 
 fn column(of: Quantity<'_>, by: By, quantity: Quantity<'_>, values: Vec<f64>) -> Column {
@@ -96,7 +97,14 @@ fn unit(of: &str, by: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::unit;
+    use super::{transposed, unit};
+
+    #[test]
+    fn rows_become_columns_also_where_there_are_none() {
+        let columns = |rows: &[f64]| transposed(rows, 2).collect::<Vec<_>>();
+        assert_eq!(columns(&[1.0, 2.0, 3.0, 4.0]), [[1.0, 3.0], [2.0, 4.0]]);
+        assert_eq!(columns(&[]), [[0.0; 0]; 2]);
+    }
 
     #[test]
     fn units_divide() {

@@ -132,3 +132,36 @@ impl Work for Product<'_> {
         self.equations.rate(self.of, self.tangents, self.into);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use machinist_contract::SparsityPattern;
+
+    use super::{Equations, Product};
+    use crate::method::vectors::widest;
+
+    /// A row of J without entries has its df/dp all the same; thirteen directions are blocks of
+    /// several widths.
+    #[test]
+    #[allow(clippy::float_cmp, reason = "small whole numbers are exact")]
+    fn sums_are_those_of_dense_matrices() {
+        let pattern = |entries, columns| SparsityPattern { rows: 3, columns, entries };
+        let jacobian = pattern(&[(0, 0), (0, 2), (2, 1)], 3);
+        let by_parameters = pattern(&[(0, 1), (1, 0), (1, 1)], 2);
+        let directions: Vec<_> = (0..13).map(|k| [None, Some(0), Some(1)][k % 3]).collect();
+        let equations = Equations::new(jacobian, by_parameters, &directions);
+        let (j, p) = ([2.0, 3.0, 5.0], [7.0, 11.0, 13.0]);
+        let s: Vec<f64> = (0..39).map(f64::from).collect();
+        let mut drive = vec![0.0; s.len()];
+        equations.drive(&p, &mut drive);
+        let mut found = vec![f64::NAN; s.len()];
+        let of = (&j[..], &drive[..]);
+        widest(Product { equations: &equations, of, tangents: &s, into: &mut found });
+        for (k, by) in directions.iter().enumerate() {
+            let [x, y, z] = [s[k], s[13 + k], s[26 + k]];
+            let driven = by.map_or([0.0; 3], |by| [[0.0, 11.0, 0.0], [7.0, 13.0, 0.0]][by]);
+            let wanted = [2.0 * x + 3.0 * z + driven[0], driven[1], 5.0 * y + driven[2]];
+            assert_eq!([found[k], found[13 + k], found[26 + k]], wanted, "direction {k}");
+        }
+    }
+}

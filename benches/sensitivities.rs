@@ -2,7 +2,8 @@
 //! compiled at once: `cargo bench -p machinist-tests --features measure --bench sensitivities`.
 //!
 //! Medians of many rounds, in turns, with 201 rows; errors of all columns over the largest size
-//! of each, against a run at 1e-12.
+//! of each, against a run at 1e-12. `-- WORDS` keeps rows that hold one of the words: `emitted`,
+//! `compiled`, the name of another machine or of a method.
 
 use std::collections::BTreeSet;
 use std::hint::black_box;
@@ -69,8 +70,16 @@ fn of(simulator: &dyn Simulator<f64>, method: Method, rtol: f64) -> Simulation<'
 }
 
 fn rows(name: &str, simulator: &dyn Simulator<f64>, by: &[&str]) -> Result<(), SimulateError> {
+    let words: Vec<String> = std::env::args().skip(1).filter(|word| word != "--bench").collect();
+    let is_kept = |method: &Method| {
+        let holds = |word: &String| name.contains(word.as_str()) || method.name() == word;
+        words.is_empty() || words.iter().any(holds)
+    };
+    if !METHODS.iter().any(is_kept) {
+        return Ok(());
+    }
     let reference = of(simulator, Method::Dop853, 1e-12).sensitivities(by)?.run()?;
-    for method in METHODS {
+    for method in METHODS.into_iter().filter(is_kept) {
         for rtol in TOLERANCES {
             row(name, (simulator, by), (method, rtol), &reference)?;
         }

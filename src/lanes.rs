@@ -14,8 +14,10 @@ use machinist_contract::sine::{FARTHEST, sine_and_cosine};
 use machinist_contract::{F64x2, Real};
 use wide::bytemuck::cast;
 
+use crate::method::taylor::magnitude::{self, LOWER, Magnitude, WHOLE, log2_of_halves};
+
 /// Numbers with lanes that can be taken apart.
-pub trait Lanes: Real {
+pub trait Lanes: Magnitude {
     /// How many lanes.
     const COUNT: usize;
     /// The same number in every lane.
@@ -27,6 +29,8 @@ pub trait Lanes: Real {
     fn lane(&self, lane: usize) -> f64;
     /// Puts a number into a lane.
     fn set_lane(&mut self, lane: usize, value: f64);
+    /// The lanes in which `lhs` is less than `rhs`, as bits from the lowest on.
+    fn less(lhs: Self, rhs: Self) -> u32;
 }
 
 macro_rules! lanes {
@@ -80,6 +84,23 @@ macro_rules! lanes {
             #[inline]
             fn set_lane(&mut self, lane: usize, value: f64) {
                 self.0.as_mut_array()[lane] = value;
+            }
+            #[inline(always)]
+            fn less(lhs: Self, rhs: Self) -> u32 {
+                lhs.0.simd_lt(rhs.0).to_bitmask()
+            }
+        }
+
+        impl Magnitude for $name {
+            #[inline(always)]
+            fn log2(self) -> Self {
+                let bits: $bits = cast(self.0);
+                let half = |bits: $bits| Self(cast(bits | <$bits>::splat(WHOLE)));
+                log2_of_halves(half(bits >> 32_u32), half(bits & <$bits>::splat(LOWER)))
+            }
+            #[inline(always)]
+            fn exp2(self) -> Self {
+                magnitude::exp2(self)
             }
         }
 
@@ -232,5 +253,20 @@ impl Lanes for F64x2 {
     #[inline]
     fn set_lane(&mut self, lane: usize, value: f64) {
         self.0[lane] = value;
+    }
+    #[inline]
+    fn less(lhs: Self, rhs: Self) -> u32 {
+        u32::from(lhs.0[0] < rhs.0[0]) | u32::from(lhs.0[1] < rhs.0[1]) << 1
+    }
+}
+
+impl Magnitude for F64x2 {
+    #[inline]
+    fn log2(self) -> Self {
+        Self(self.0.map(Magnitude::log2))
+    }
+    #[inline]
+    fn exp2(self) -> Self {
+        Self(self.0.map(Magnitude::exp2))
     }
 }

@@ -373,7 +373,6 @@ impl<'a> Simulation<'a> {
             ends: cut(self.from, self.until, self.checked_jumps()?),
             times: self.checked_times()?,
             atol,
-            rtol,
             max_steps: self.max_steps,
             initial,
             parameters,

@@ -3,6 +3,8 @@
 
 mod ending;
 
+use machinist_contract::Real;
+
 use super::{Samples, Stopped, Stretch};
 use crate::error::StopCause;
 use crate::method::sensitivity::Tangents;
@@ -91,8 +93,13 @@ pub(super) const LOOKS: f64 = 100.0;
 
 /// Whether nothing has moved over a step, by more than a small part of the absolute tolerances.
 pub(super) fn rests(moves: impl Iterator<Item = (f64, f64)>, atol: &[f64]) -> bool {
+    moves.zip(atol).all(|((start, end), atol)| (end - start).abs() <= resting(*atol))
+}
+
+/// By how much a state of an absolute tolerance moves at most while it rests.
+pub(super) fn resting(atol: f64) -> f64 {
     const PART: f64 = 1e-3;
-    moves.zip(atol).all(|((start, end), atol)| (end - start).abs() <= PART * atol)
+    PART * atol
 }
 
 /// What came of a step.
@@ -159,6 +166,7 @@ pub(super) fn drive<M: OneStep>(
     let mut kept = Kept::new(state);
     loop {
         let End { now, tried, arrives } = end_of_step(time, step, stretch.until);
+        let arrives = arrives > 0.0;
         method.is_last(arrives);
         let trial = attempt(method, stretch, samples, (tried, now));
         let pace = method.pace();
@@ -359,24 +367,24 @@ impl Pace {
 }
 
 /// The end of a step.
-pub(super) struct End {
-    pub(super) now: f64,
-    pub(super) tried: f64,
-    /// Whether it is the end of the stretch.
-    pub(super) arrives: bool,
+pub(super) struct End<R> {
+    pub(super) now: R,
+    pub(super) tried: R,
+    /// Whether it is the end of the stretch: 1 or 0.
+    pub(super) arrives: R,
 }
 
 /// The end of a step from `time`. What is left of the stretch is halved rather than cut
 /// into a step and a sliver.
-pub(super) fn end_of_step(time: f64, step: f64, until: f64) -> End {
+#[inline(always)]
+pub(super) fn end_of_step<R: Real>(time: R, step: R, until: R) -> End<R> {
+    let [zero, one, half, near] = [0.0, 1.0, 0.5, 0.99].map(R::literal);
     let remaining = until - time;
-    if step >= 0.99 * remaining {
-        return End { now: until, tried: remaining, arrives: true };
-    }
-    let now = time + if 2.0 * step > remaining { 0.5 * remaining } else { step };
+    let part = R::select_less(remaining, step + step, half * remaining, step);
     // What the clock advances is what is stepped, to the last bit.
-    let tried = now - time;
-    End { now: time + tried, tried, arrives: false }
+    let tried = time + part - time;
+    let or = |inside, end| R::select_less(step, near * remaining, inside, end);
+    End { now: or(time + tried, until), tried: or(tried, remaining), arrives: or(zero, one) }
 }
 
 pub(super) fn shrink(trial: Trial, pace: Pace) -> f64 {

@@ -6,6 +6,7 @@
 //! step is its polynomial: dense output costs no order of accuracy, and events are
 //! roots of guards on it.
 
+pub(crate) mod magnitude;
 #[cfg(test)]
 mod order;
 pub(super) mod quadrature;

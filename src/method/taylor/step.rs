@@ -3,6 +3,7 @@
 use machinist_contract::Real;
 
 use super::super::one_step::{Pace, Trial};
+use super::magnitude::Magnitude;
 
 /// Steps aim at this share of the tolerances: errors add up over a run, and a decade
 /// costs a series little.
@@ -47,14 +48,14 @@ pub(super) struct Tolerance {
 
 /// For each of the last coefficients, from the last one back, `(a, b)` by which log2 of the
 /// step is `a - b log2(size)`.
-type Judges = [(f64, f64); JUDGED];
+pub(super) type Judges = [(f64, f64); JUDGED];
 
 impl Tolerance {
     pub(super) fn new(rtol: f64, atol: &[f64], order: usize) -> Self {
-        let rtol = AIM * rtol;
-        let decay = rtol.log2() / (order + 1) as f64;
-        let atol: Vec<f64> = atol.iter().map(|atol| AIM * atol).collect();
+        let decay = decay(rtol, order);
+        let atol: Vec<f64> = atol.iter().copied().map(aimed_at).collect();
         let judges = (order, judges(order, decay));
+        let rtol = aimed_at(rtol);
         Self { rtol, inverse_weights: vec![0.0; atol.len()], atol, decay, judges }
     }
 
@@ -82,40 +83,17 @@ impl Tolerance {
         for (size, terms) in sizes.iter_mut().zip(newest.chunks_exact(self.atol.len()).rev()) {
             *size = self.size(terms);
         }
-        self.step_length_of(sizes, order)
-    }
-
-    /// As [`Tolerance::step_length`], from the sizes of the last coefficients, from the last
-    /// one back, in units of the tolerance.
-    pub(super) fn step_length_of(&self, sizes: [f64; JUDGED], order: usize) -> f64 {
         let judges = match self.judges {
             (known, judges) if known == order => judges,
             _ => judges(order, self.decay),
         };
-        // All logarithms side by side, then the least.
-        let mut logs = [0.0; JUDGED];
-        for ((log, size), (a, b)) in logs.iter_mut().zip(sizes).zip(judges) {
-            *log = a - b * log2(size);
-        }
-        exp2(logs.into_iter().take(order).fold(f64::INFINITY, smaller))
+        step_length(sizes, &judges, order)
     }
 
     /// One over what is allowed of every state.
     #[cfg(feature = "sweep")]
     pub(super) fn inverse_weights(&mut self) -> &mut [f64] {
         &mut self.inverse_weights
-    }
-
-    /// Of a state, what is allowed is this plus the next times its size.
-    #[cfg(feature = "sweep")]
-    pub(super) fn absolute(&self) -> &[f64] {
-        &self.atol
-    }
-
-    /// The share of a state's size that is allowed.
-    #[cfg(feature = "sweep")]
-    pub(super) fn relative(&self) -> f64 {
-        self.rtol
     }
 
     /// Error of a step over what is allowed, by a defect that lasts for a part of it.
@@ -151,7 +129,29 @@ impl Tolerance {
     }
 }
 
-fn judges(order: usize, decay: f64) -> Judges {
+/// What is aimed at for a tolerance.
+pub(super) fn aimed_at(tolerance: f64) -> f64 {
+    AIM * tolerance
+}
+
+/// See [`Tolerance`].
+pub(super) fn decay(rtol: f64, order: usize) -> f64 {
+    aimed_at(rtol).log2() / (order + 1) as f64
+}
+
+/// The length of a step by the sizes of the last coefficients, from the last one back, in units of
+/// the tolerance; see [`Tolerance::step_length`].
+#[inline(always)]
+pub(super) fn step_length<R: Magnitude>(sizes: [R; JUDGED], judges: &Judges, order: usize) -> R {
+    // All logarithms side by side, then the least.
+    let mut logs = [R::literal(0.0); JUDGED];
+    for ((log, size), (a, b)) in logs.iter_mut().zip(sizes).zip(judges) {
+        *log = R::literal(*a) - R::literal(*b) * size.log2();
+    }
+    logs.into_iter().take(order).fold(R::literal(f64::INFINITY), smaller).exp2()
+}
+
+pub(super) fn judges(order: usize, decay: f64) -> Judges {
     std::array::from_fn(|index| {
         let back = index + 1;
         let guessed = if back > 2 { GUESS } else { 0.0 };
@@ -161,35 +161,16 @@ fn judges(order: usize, decay: f64) -> Judges {
 }
 
 /// The smaller of two numbers. A NaN does not count.
-fn smaller(length: f64, value: f64) -> f64 {
-    if value < length { value } else { length }
+#[inline(always)]
+pub(super) fn smaller<R: Real>(length: R, value: R) -> R {
+    R::select_less(value, length, value, length)
 }
 
 /// The larger of two numbers. A NaN does not count; whoever calls has looked for
 /// it, or looks at the result of the step.
-fn larger(size: f64, value: f64) -> f64 {
-    if value > size { value } else { size }
-}
-
-/// Log2 to about a twentieth, which is more than a step's length needs: of a positive
-/// number the bits, read as a whole number, are nearly its logarithm. Very small for zero.
-fn log2(value: f64) -> f64 {
-    const ONE: i64 = 1.0_f64.to_bits() as i64;
-    const DOUBLING: f64 = 1.0 / (1_u64 << 52) as f64;
-    // m falls behind log2(1 + m) by 0.086 at most.
-    0.043 + (value.to_bits() as i64 - ONE) as f64 * DOUBLING
-}
-
-/// 2^x to about three thousandths; infinite and zero where it is out of range.
-fn exp2(x: f64) -> f64 {
-    if x >= 1024.0 {
-        return f64::INFINITY;
-    }
-    let whole = x.max(-1022.0).floor();
-    let f = x.max(-1022.0) - whole;
-    let power = f64::from_bits(((whole as i64 + 1023) as u64) << 52);
-    // 2^f is nearly 1 + f - 0.337 f (1 - f).
-    power * (1.0 + f - 0.337 * f * (1.0 - f))
+#[inline(always)]
+pub(super) fn larger<R: Real>(size: R, value: R) -> R {
+    R::select_less(size, value, value, size)
 }
 
 /// What came of a step of a length and order: `begin` is state and rate at its end,
@@ -201,31 +182,31 @@ pub(super) fn trial(
     (step, order): (f64, usize),
 ) -> Trial {
     let states = slope.len();
-    let error = error(tolerance.defect(slope, &begin[states..]), step, order);
+    let error = error(tolerance.defect(slope, &begin[states..]), step, (order + 1) as f64);
     if (error <= LARGEST_ERROR || !error.is_finite()) && !all_finite(begin) {
         let index = begin.iter().position(|value| !value.is_finite()).unwrap_or_default();
         let what = if index < states { "the state" } else { "the rate of" };
         return Trial::NotFinite { what, index: index % states };
     }
-    passing(error)
+    Trial::Error(over_allowed(error))
 }
 
 /// Error of a step over what is allowed, by a defect in units of the tolerance that lasts for a
 /// part of it.
-pub(super) fn lasting_error(defect: f64, step: f64) -> f64 {
+pub(super) fn lasting_error<R: Real>(defect: R, step: R) -> R {
     const PART: f64 = 0.25;
-    defect * PART * step / LARGEST_ERROR
+    defect * R::literal(PART) * step / R::literal(LARGEST_ERROR)
 }
 
-/// Error of a step in units of the tolerance: the defect y' - f at its end is
-/// `(p + 1) y_(p+1) h^p`, the error `y_(p+1) h^(p+1)`.
-pub(super) fn error(defect: f64, step: f64, order: usize) -> f64 {
-    defect * step / (order + 1) as f64
+/// Error of a step in units of the tolerance, by so many terms p + 1: the defect y' - f at its end
+/// is `(p + 1) y_(p+1) h^p`, the error `y_(p+1) h^(p+1)`.
+pub(super) fn error<R: Real>(defect: R, step: R, terms: R) -> R {
+    defect * step / terms
 }
 
-/// What came of a step with finite state and rate at its end.
-pub(super) fn passing(error: f64) -> Trial {
-    Trial::Error(error / LARGEST_ERROR)
+/// The error over what is allowed, of one in units of the tolerance.
+pub(super) fn over_allowed<R: Real>(error: R) -> R {
+    error / R::literal(LARGEST_ERROR)
 }
 
 /// How steps shrink whose error is too large; how long the next one is, the series
@@ -261,10 +242,20 @@ pub(super) fn value_and_slope<R: Real>(
     value: &mut [R],
     slope: &mut [R],
 ) {
-    // Of wide numbers the sums of one state fill the registers.
+    /// Bytes of the target's widest registers.
+    const REGISTER: usize = if cfg!(target_feature = "avx512f") {
+        64
+    } else if cfg!(target_feature = "avx") {
+        32
+    } else {
+        16
+    };
     let mut done = 0;
     if size_of::<R>() <= 2 * size_of::<f64>() {
         done = by_blocks::<R, 4>(coefficients, time, value, slope, 0);
+    }
+    // Of numbers that take several registers the sums of one state fill them all.
+    if size_of::<R>() <= REGISTER {
         done = by_blocks::<R, 2>(coefficients, time, value, slope, done);
     }
     by_blocks::<R, 1>(coefficients, time, value, slope, done);
@@ -348,15 +339,5 @@ mod tests {
                 }
             }
         }
-    }
-
-    #[test]
-    fn logarithms_and_powers_are_good_enough_for_a_step() {
-        for x in (-200..200).map(|n| 0.37 * f64::from(n)) {
-            assert!((log2(x.exp2()) - x).abs() < 0.05);
-            assert!((exp2(x) / x.exp2() - 1.0).abs() < 0.005);
-        }
-        assert_eq!((exp2(f64::INFINITY), exp2(2000.0)), (f64::INFINITY, f64::INFINITY));
-        assert!(exp2(-2000.0) < 1e-300);
     }
 }

@@ -4,18 +4,20 @@
 //! variant when it is done. What a lane computes does not depend on its neighbours:
 //! results are those of one run after another, to the last bit.
 
+mod clock;
+mod judge;
 mod lane;
 
+use machinist_contract::Simulator;
 use machinist_contract::taylor::TaylorSeries;
-use machinist_contract::{Real, Simulator};
 
-use super::MIDDLE;
-use super::step::{self, order_for};
+use super::step::{self, Judges, Tolerance, order_for};
 use crate::error::StopCause;
 use crate::lanes::Lanes;
 use crate::method::Stopped;
-use crate::method::one_step::{self, End, LOOKS, end_of_step, is_too_small, rests};
-use lane::{Lane, Trial};
+use crate::method::one_step::resting;
+use clock::{Clock, places};
+use lane::Lane;
 
 pub(crate) use lane::{Outcome, Overseer, Variant};
 
@@ -29,10 +31,9 @@ pub(crate) fn integrate<R: Lanes>(
     done: &mut dyn FnMut(usize, Result<Outcome, Stopped>),
 ) {
     let mut variants = variants.enumerate();
+    let mut next = || variants.next().map(|(number, variant)| Lane::new(number, variant));
     let mut lanes: Vec<Option<Lane<'_>>> = Vec::with_capacity(R::COUNT);
-    for _ in 0..R::COUNT {
-        lanes.push(variants.next().map(|(number, variant)| Lane::new(number, variant)));
-    }
+    lanes.resize_with(R::COUNT, &mut next);
     let Some(first) = lanes.first().and_then(Option::as_ref) else { return };
     let mut bundle = Bundle::<R>::new(series, rtol, &first.variant);
     if looks_within {
@@ -45,19 +46,22 @@ pub(crate) fn integrate<R: Lanes>(
             None => bundle.copy_lane(0, index),
         }
     }
-    while lanes.iter().any(Option::is_some) {
+    while bundle.clock.running != 0 {
         bundle.expand();
         bundle.judge(&mut lanes);
-        for (index, place) in lanes.iter_mut().enumerate() {
-            let Some(lane) = place else { continue };
-            let Some(outcome) = bundle.go_on(index, lane) else { continue };
-            done(lane.number, outcome);
-            *place = variants.next().map(|(number, variant)| Lane::new(number, variant));
-            if let Some(lane) = place {
-                bundle.load(index, lane);
+        for index in places(bundle.go_on(&mut lanes)) {
+            let place = &mut lanes[index];
+            if let Some(lane) = place.take() {
+                let steps = bundle.clock.steps.lane(index) as u64;
+                done(lane.number, lane.outcome(steps, bundle.order));
+            }
+            *place = next();
+            match place {
+                Some(lane) => bundle.load(index, lane),
+                None => bundle.clock.stop(index),
             }
         }
-        bundle.aim(&lanes);
+        bundle.aim();
     }
 }
 
@@ -82,8 +86,12 @@ impl<'a, R: Lanes> Middle<'a, R> {
 struct Bundle<'a, R> {
     series: &'a dyn TaylorSeries<R>,
     states: usize,
+    rtol: f64,
     order: usize,
+    /// Of that order, how lengths of steps follow from the last coefficients.
+    judges: Judges,
     parameters: Vec<R>,
+    clock: Clock<R>,
     /// Coefficients at the start of each lane's step, order after order.
     current: Vec<R>,
     /// Coefficients at its end.
@@ -95,13 +103,23 @@ struct Bundle<'a, R> {
     /// Ends of the steps that lanes try, for those that do.
     aimed: Vec<R>,
     slope: Vec<R>,
+    /// How many terms of each lane's coefficients are finite.
+    terms: R,
     /// Zero in the lanes whose coefficients are finite, NaN in others.
     zeros: R,
+    /// Lanes whose step has passed, as bits.
+    passed: u32,
+    /// 1 in the lanes whose step is to be taken again, 0 in others.
+    rejected: R,
+    /// Lanes at whose steps somebody looks, as bits.
+    overseen: u32,
     /// What every lane allows of every state, apart from its size.
     absolute: Vec<R>,
     relative: R,
     /// One over what is allowed at the start of each lane's step.
     inverse_weights: Vec<R>,
+    /// By how much a state moves at most while it rests.
+    resting: Vec<R>,
     /// Sizes of the last coefficients, from the last one back, in units of the tolerance.
     sizes: [R; step::JUDGED],
     scratch: Vec<f64>,
@@ -115,8 +133,11 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         Self {
             series,
             states,
+            rtol,
             order,
+            judges: step::judges(order, step::decay(rtol, order)),
             parameters: zeros(first.parameters.len()),
+            clock: Clock::new(),
             current: zeros((order + 1) * states),
             following: zeros((order + 1) * states),
             workspace: zeros(series.series_workspace(order)),
@@ -124,10 +145,15 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             end: zeros(states),
             aimed: zeros(states),
             slope: zeros(states),
+            terms: R::literal(0.0),
             zeros: R::literal(0.0),
+            passed: 0,
+            rejected: R::literal(0.0),
+            overseen: 0,
             absolute: vec![R::literal(1.0); states],
-            relative: R::literal(0.0),
+            relative: R::literal(step::aimed_at(rtol)),
             inverse_weights: vec![R::literal(1.0); states],
+            resting: zeros(states),
             sizes: [R::literal(0.0); step::JUDGED],
             scratch: vec![0.0; step::JUDGED.max(3) * states],
             middle: None,
@@ -142,20 +168,26 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         for (into, value) in self.end.iter_mut().zip(&lane.variant.initial) {
             into.set_lane(index, *value);
         }
-        for (into, value) in self.absolute.iter_mut().zip(lane.tolerance.absolute()) {
-            into.set_lane(index, *value);
+        for ((absolute, resting_by), atol) in
+            self.absolute.iter_mut().zip(&mut self.resting).zip(&lane.variant.atol)
+        {
+            absolute.set_lane(index, step::aimed_at(*atol));
+            resting_by.set_lane(index, resting(*atol));
         }
-        self.relative.set_lane(index, lane.tolerance.relative());
         if let Some(middle) = &mut self.middle {
             middle.machine.prepare(&self.parameters, &mut middle.constants);
         }
-        while lane.next_sample_until(lane.time).is_some() {
+        let bit = 1 << index;
+        self.overseen &= !bit;
+        if lane.variant.overseer.is_some() {
+            self.overseen |= bit;
+        }
+        while lane.next_sample() <= lane.from() {
             lane.rows.extend_from_slice(&lane.variant.initial);
             lane.taken += 1;
         }
-        self.time.set_lane(index, lane.within(lane.time));
-        lane.longest = (lane.until() - lane.from()) / step::GROWTH;
-        lane.trial = Trial::Start;
+        self.clock.load(index, lane);
+        self.start_at(index);
     }
 
     fn copy_lane(&mut self, from: usize, to: usize) {
@@ -169,6 +201,12 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         self.time.set_lane(to, known);
     }
 
+    /// Computes a lane's coefficients next at the start of its stretch.
+    fn start_at(&mut self, index: usize) {
+        let time = self.clock.within(self.clock.time);
+        self.time.set_lane(index, time.lane(index));
+    }
+
     /// Coefficients of every lane at the end of its step.
     fn expand(&mut self) {
         self.series.series(
@@ -180,280 +218,132 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         );
     }
 
-    /// Takes the coefficients of the lanes whose step passes.
-    fn judge(&mut self, lanes: &mut [Option<Lane<'_>>]) {
-        let mut rejected = R::literal(0.0);
-        let mut is_any = false;
-        let (defects, finite) = self.defects();
-        let within = self.defects_within(lanes);
-        for (index, lane) in lanes.iter_mut().enumerate() {
-            let Some(lane) = lane else { continue };
-            lane.work.rate_evaluations += self.order as u64;
-            let Trial::Step { now } = lane.trial else { continue };
-            let mut trial = if finite.lane(index) == 0.0 {
-                let error = step::error(defects.lane(index), lane.step, lane.order);
-                step::passing(error)
+    /// Decides what lanes try next; gives those that are done, as bits.
+    fn go_on(&mut self, lanes: &mut [Option<Lane<'_>>]) -> u32 {
+        let (half, running) = (R::literal(0.5), self.clock.running);
+        let arrived = self.passed & self.clock.arrived();
+        let (passed, starting) = (self.passed & !arrived, self.clock.starting());
+        let fresh = passed | starting;
+        let tried = self.clock.step;
+        self.measure();
+        let broken = fresh & !R::less(self.zeros, half);
+        for index in places(broken) {
+            if let Some(lane) = &mut lanes[index] {
+                self.measure_finite(index, lane);
+            }
+        }
+        let overseen = fresh & self.overseen;
+        for index in places(overseen) {
+            if let Some(lane) = &mut lanes[index] {
+                let tried = (starting >> index & 1 == 0).then(|| tried.lane(index));
+                self.ask(index, lane, tried);
+            }
+        }
+        let exhausted = passed & self.clock.exhausted();
+        let stuck = passed & self.clock.stuck();
+        for index in places(exhausted | stuck) {
+            let Some(lane) = &mut lanes[index] else { continue };
+            let cause = if exhausted >> index & 1 == 1 {
+                StopCause::TooManySteps { limit: lane.variant.max_steps }
             } else {
-                self.trial(index, lane)
+                StopCause::StepTooSmall
             };
-            if let (Some(within), one_step::Trial::Error(error)) = (within, trial)
-                && error <= 1.0
-            {
-                let within = step::lasting_error(within.lane(index), lane.step);
-                trial = one_step::Trial::Error(error.max(within));
-            }
-            if matches!(trial, one_step::Trial::Error(error) if error <= 1.0) {
-                self.record(index, lane, now);
-                lane.trial = Trial::Accepted;
-            } else {
-                lane.trial = Trial::Rejected;
-                lane.work.rejected += 1;
-                lane.step *= one_step::shrink(trial, step::pace(lane.order));
-                if is_too_small(lane.step, lane.time) {
-                    lane.stop(match trial {
-                        one_step::Trial::NotFinite { what, index } => {
-                            StopCause::NotFinite { what: format!("{what} state number {index}") }
-                        }
-                        _ => StopCause::StepTooSmall,
-                    });
-                }
-                rejected.set_lane(index, 1.0);
-                is_any = true;
-            }
+            lane.stop(self.clock.time.lane(index), cause);
         }
-        if is_any {
-            let half = R::literal(0.5);
-            for (current, following) in self.current.iter_mut().zip(&self.following) {
-                *current = R::select_less(rejected, half, *following, *current);
-            }
-        } else {
-            std::mem::swap(&mut self.current, &mut self.following);
+        for index in places(starting) {
+            self.clock.waits.set_lane(index, 0.0);
         }
-        self.zeros = zeros(&self.current);
-        self.weigh();
-    }
-
-    /// The largest defect of every lane's step in units of its tolerance, and zero in the
-    /// lanes in which state and rate at the end are finite.
-    fn defects(&self) -> (R, R) {
-        let zero = R::literal(0.0);
-        let begin = &self.following[..2 * self.states];
-        let rates = self.slope.iter().zip(&begin[self.states..]);
-        let defects = rates.zip(&self.inverse_weights);
-        let largest = defects.fold(zero, |largest, ((slope, rate), inverse)| {
-            larger(largest, ((*slope - *rate) * *inverse).abs())
-        });
-        (largest, zeros(begin))
-    }
-
-    /// The largest defect in the middle of every lane's step in units of its tolerance, if it
-    /// is looked for.
-    fn defects_within(&mut self, lanes: &[Option<Lane<'_>>]) -> Option<R> {
-        let middle = self.middle.as_mut()?;
-        let zero = R::literal(0.0);
-        let (mut after, mut time) = (zero, self.time);
-        for (index, lane) in lanes.iter().enumerate() {
-            let Some(lane) = lane else { continue };
-            if let Trial::Step { .. } = lane.trial {
-                let share = MIDDLE * lane.step;
-                after.set_lane(index, share);
-                time.set_lane(index, lane.within(lane.time + share));
-            }
-        }
-        let Middle { machine, constants, state, slope, rate } = middle;
-        step::value_and_slope(&self.current, after, state, slope);
-        machine.prepared_rate(time, state, &self.parameters, constants, rate);
-        let rates = slope.iter().zip(&*rate).zip(&self.inverse_weights);
-        Some(rates.fold(zero, |largest, ((slope, rate), inverse)| {
-            larger(largest, ((*slope - *rate) * *inverse).abs())
-        }))
-    }
-
-    /// Weighs by the tolerances at the start of every lane's step, and measures the last
-    /// coefficients by that.
-    fn weigh(&mut self) {
-        let one = R::literal(1.0);
-        let allowed = self.absolute.iter().zip(&self.current);
-        for (inverse, (absolute, value)) in self.inverse_weights.iter_mut().zip(allowed) {
-            *inverse = one / (*absolute + self.relative * value.abs());
-        }
-        for (size, terms) in self.sizes.iter_mut().zip(self.current.chunks_exact(self.states).rev())
-        {
-            *size = terms
-                .iter()
-                .zip(&self.inverse_weights)
-                .fold(R::literal(0.0), |largest, (term, inverse)| {
-                    larger(largest, (*term * *inverse).abs())
-                });
-        }
-    }
-
-    /// What came of a lane's step to where something is not finite.
-    fn trial(&mut self, index: usize, lane: &mut Lane<'_>) -> one_step::Trial {
-        gather(&self.inverse_weights, index, lane.tolerance.inverse_weights());
-        let (slope, begin) = self.scratch.split_at_mut(self.states);
-        let begin = &mut begin[..2 * self.states];
-        gather(&self.slope, index, slope);
-        gather(&self.following[..2 * self.states], index, begin);
-        step::trial(&lane.tolerance, slope, begin, (lane.step, lane.order))
-    }
-
-    /// Asks who looks at a lane's steps whether its variant stays.
-    fn ask(&mut self, index: usize, lane: &mut Lane<'_>, step: f64) {
-        let span = (lane.from(), lane.until());
-        let Some(overseer) = &mut lane.variant.overseer else { return };
-        let state = &mut self.scratch[..self.states];
-        gather(&self.current, index, state);
-        let stays = if lane.trial == Trial::Start {
-            overseer.begin(span, state, lane.order)
-        } else {
-            overseer.stays(lane.time, state, step)
-        };
-        if !stays {
-            lane.stop(StopCause::Interrupted);
-        }
-    }
-
-    /// Decides what a lane tries next; gives its outcome if it is done.
-    fn go_on(&mut self, index: usize, lane: &mut Lane<'_>) -> Option<Result<Outcome, Stopped>> {
-        if lane.trial == Trial::Accepted && lane.time >= lane.until() {
+        let mut done = 0;
+        for index in places(arrived) {
+            let Some(lane) = &mut lanes[index] else { continue };
             lane.stretch += 1;
             if lane.stretch + 1 == lane.variant.ends.len() {
-                let rows = std::mem::take(&mut lane.rows);
-                return Some(Ok(Outcome { rows, work: lane.work }));
-            }
-            // The end of the last step is where the next stretch starts.
-            lane.trial = Trial::Start;
-            lane.longest = (lane.until() - lane.from()) / step::GROWTH;
-            self.time.set_lane(index, lane.within(lane.time));
-            return None;
-        }
-        if lane.trial != Trial::Rejected {
-            let tried = lane.step;
-            self.measure(index, lane);
-            self.ask(index, lane, tried);
-        }
-        if lane.trial == Trial::Accepted {
-            if lane.work.steps >= lane.variant.max_steps as u64 {
-                lane.stop(StopCause::TooManySteps { limit: lane.variant.max_steps });
-            } else if lane.time + lane.step <= lane.time {
-                lane.stop(StopCause::StepTooSmall);
+                done |= 1 << index;
+            } else {
+                // The end of the last step is where the next stretch starts.
+                self.clock.begin(index, lane);
+                self.start_at(index);
             }
         }
-        if let Some(stopped) = lane.stopped.take() {
-            return Some(Err(stopped));
-        }
-        let End { now, tried, .. } = end_of_step(lane.time, lane.step, lane.until());
-        lane.step = tried;
-        lane.trial = Trial::Step { now };
-        None
-    }
-
-    /// Orders and length of a step from new coefficients.
-    fn measure(&mut self, index: usize, lane: &mut Lane<'_>) {
-        lane.order = self.finite_orders(index, lane);
-        if lane.order == self.order {
-            let sizes = self.sizes.map(|size| size.lane(index));
-            lane.step = lane.tolerance.step_length_of(sizes, lane.order).min(lane.longest);
-            return;
-        }
-        let state = &mut self.scratch[..self.states];
-        gather(&self.current, index, state);
-        lane.tolerance.weigh(state);
-        let judged = step::JUDGED.min(lane.order);
-        let newest = &mut self.scratch[..judged * self.states];
-        gather(&self.current[(lane.order + 1 - judged) * self.states..], index, newest);
-        lane.step = lane.tolerance.step_length_by(newest, lane.order).min(lane.longest);
-    }
-
-    /// State and slope at the end of every lane's step.
-    fn aim(&mut self, lanes: &[Option<Lane<'_>>]) {
-        let (zero, half) = (R::literal(0.0), R::literal(0.5));
-        let (mut steps, mut waits) = (zero, R::literal(1.0));
-        for (index, lane) in lanes.iter().enumerate() {
-            let Some(lane) = lane else { continue };
-            if let Trial::Step { .. } = lane.trial {
-                steps.set_lane(index, lane.step);
-                waits.set_lane(index, 0.0);
-                self.time.set_lane(index, lane.within(lane.time + lane.step));
+        let steady = passed & !broken & !overseen & !exhausted & !stuck;
+        for index in places(running & !steady & !arrived) {
+            if lanes[index].as_ref().is_some_and(|lane| lane.stopped.is_some()) {
+                done |= 1 << index;
             }
         }
-        step::value_and_slope(&self.current, steps, &mut self.aimed, &mut self.slope);
-        for (end, aimed) in self.end.iter_mut().zip(&self.aimed) {
-            *end = R::select_less(waits, half, *aimed, *end);
-        }
+        done
     }
 
-    /// Takes the samples of a step that has passed, and goes to its end.
-    fn record(&mut self, index: usize, lane: &mut Lane<'_>, until: f64) {
-        while let Some(time) = lane.next_sample_until(until) {
-            for state in 0..self.states {
-                let value = if time >= until {
-                    self.end[state].lane(index)
-                } else {
-                    self.value(index, state, time - lane.time)
-                };
-                lane.rows.push(value);
-            }
-            lane.taken += 1;
-        }
-        lane.time = until;
-        lane.longest = step::GROWTH * lane.step;
-        let state =
-            |index_of: usize| (self.current[index_of].lane(index), self.end[index_of].lane(index));
-        if rests((0..self.states).map(state), &lane.variant.atol) {
-            lane.longest = lane.longest.min((lane.until() - lane.from()) / LOOKS);
-        }
-        lane.work.steps += 1;
+    /// Steps of the lanes with new coefficients, as if those were finite.
+    fn measure(&mut self) {
+        let half = R::literal(0.5);
+        let step = step::step_length(self.sizes, &self.judges, self.order);
+        let step = self.clock.bounded(step);
+        self.clock.step = R::select_less(self.rejected, half, step, self.clock.step);
+        let terms = R::literal((self.order + 1) as f64);
+        self.terms = R::select_less(self.rejected, half, terms, self.terms);
     }
 
-    /// The polynomial of a state after the start of the lane's step.
-    fn value(&self, index: usize, state: usize, after: f64) -> f64 {
-        let mut terms = self.current.iter().skip(state).step_by(self.states).rev();
-        let highest = terms.next().map_or(0.0, |term| term.lane(index));
-        terms.fold(highest, |value, term| Real::mul_add(value, after, term.lane(index)))
-    }
-
-    /// The highest order up to which the coefficients of a lane are finite; those
-    /// beyond become zero.
-    fn finite_orders(&mut self, index: usize, lane: &mut Lane<'_>) -> usize {
-        if self.zeros.lane(index).is_finite() {
-            return self.order;
-        }
+    /// Order and length of a lane's step from new coefficients that are not all finite; those
+    /// beyond that order become zero.
+    fn measure_finite(&mut self, index: usize, lane: &mut Lane<'_>) {
         let broken = self.current.iter().position(|value| !value.lane(index).is_finite());
-        let Some(broken) = broken else { return self.order };
+        let Some(broken) = broken else { return };
         if broken < 2 * self.states {
             let what = if broken < self.states { "the state" } else { "the rate of" };
             let what = format!("{what} state number {}", broken % self.states);
-            lane.stop(StopCause::NotFinite { what });
-            return self.order;
+            lane.stop(self.clock.time.lane(index), StopCause::NotFinite { what });
+            return;
         }
         let order = broken / self.states - 1;
         for value in &mut self.current[(order + 1) * self.states..] {
             value.set_lane(index, 0.0);
         }
-        order
+        let mut tolerance = Tolerance::new(self.rtol, &lane.variant.atol, self.order);
+        let state = &mut self.scratch[..self.states];
+        gather(&self.current, index, state);
+        tolerance.weigh(state);
+        let judged = step::JUDGED.min(order);
+        let newest = &mut self.scratch[..judged * self.states];
+        gather(&self.current[(order + 1 - judged) * self.states..], index, newest);
+        let step = self.clock.bounded(R::literal(tolerance.step_length_by(newest, order)));
+        self.clock.step.set_lane(index, step.lane(index));
+        self.terms.set_lane(index, (order + 1) as f64);
     }
-}
 
-/// The larger number in every lane; one that is not a number does not count.
-fn larger<R: Lanes>(size: R, value: R) -> R {
-    R::select_less(size, value, value, size)
-}
+    /// The highest order up to which a lane's coefficients are finite.
+    fn order_of(&self, index: usize) -> usize {
+        self.terms.lane(index) as usize - 1
+    }
 
-/// Zero in the lanes in which all numbers are finite, NaN in others.
-fn zeros<R: Lanes>(values: &[R]) -> R {
-    // Several sums, for additions that wait for one another would take most of the time.
-    let zero = R::literal(0.0);
-    let (blocks, rest) = values.as_chunks::<8>();
-    let mut sums = [zero; 8];
-    for block in blocks {
-        for (sum, value) in sums.iter_mut().zip(block) {
-            *sum = *sum + *value * zero;
+    /// Asks who looks at a lane's steps whether its variant stays, after a step that was tried or
+    /// at the start of a stretch.
+    fn ask(&mut self, index: usize, lane: &mut Lane<'_>, tried: Option<f64>) {
+        let (time, span, order) =
+            (self.clock.time.lane(index), self.clock.span(index), self.order_of(index));
+        let Some(overseer) = &mut lane.variant.overseer else { return };
+        let state = &mut self.scratch[..self.states];
+        gather(&self.current, index, state);
+        let stays = match tried {
+            Some(step) => overseer.stays(time, state, step),
+            None => overseer.begin(span, state, order),
+        };
+        if !stays {
+            lane.stop(time, StopCause::Interrupted);
         }
     }
-    sums.iter()
-        .fold(rest.iter().fold(zero, |sum, value| sum + *value * zero), |sum, part| sum + *part)
+
+    /// State and slope at the end of every lane's step.
+    fn aim(&mut self) {
+        let half = R::literal(0.5);
+        self.clock.aim();
+        let time = self.clock.within(self.clock.time + self.clock.step);
+        self.time = R::select_less(self.clock.waits, half, time, self.time);
+        step::value_and_slope(&self.current, self.clock.step, &mut self.aimed, &mut self.slope);
+        for (end, aimed) in self.end.iter_mut().zip(&self.aimed) {
+            *end = R::select_less(self.clock.waits, half, *aimed, *end);
+        }
+    }
 }
 
 /// Numbers of one lane, as many as there is room for.

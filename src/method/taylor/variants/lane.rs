@@ -1,8 +1,6 @@
 //! A variant, and what it is at in its lane.
 
-use super::super::step::{Tolerance, order_for};
 use crate::error::StopCause;
-use crate::method::stretch::within;
 use crate::method::{Stopped, Work};
 
 /// Looks at the steps of one variant, which Taylor's method alone would take differently.
@@ -25,7 +23,6 @@ pub(crate) struct Variant<'a> {
     /// Times at which the state is wanted, sorted \[s\].
     pub(crate) times: Vec<f64>,
     pub(crate) atol: Vec<f64>,
-    pub(crate) rtol: f64,
     pub(crate) max_steps: usize,
 }
 
@@ -39,50 +36,22 @@ pub(crate) struct Outcome {
 pub(super) struct Lane<'a> {
     pub(super) number: usize,
     pub(super) variant: Variant<'a>,
-    pub(super) tolerance: Tolerance,
     /// Which stretch between ends it is on.
     pub(super) stretch: usize,
-    pub(super) time: f64,
-    pub(super) step: f64,
-    /// Order up to which the coefficients at `time` are finite.
-    pub(super) order: usize,
-    pub(super) longest: f64,
-    pub(super) trial: Trial,
     pub(super) rows: Vec<f64>,
     pub(super) taken: usize,
-    pub(super) work: Work,
+    pub(super) rejected: u64,
     pub(super) stopped: Option<Stopped>,
-}
-
-/// What the coefficients being computed are those of.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Trial {
-    /// The start of a stretch.
-    Start,
-    /// The end of a step.
-    Step {
-        now: f64,
-    },
-    /// Nothing more was asked for.
-    Accepted,
-    Rejected,
 }
 
 impl<'a> Lane<'a> {
     pub(super) fn new(number: usize, variant: Variant<'a>) -> Self {
-        let order = order_for(variant.rtol);
         Self {
             number,
-            tolerance: Tolerance::new(variant.rtol, &variant.atol, order),
             stretch: 0,
-            time: variant.ends[0],
-            step: 0.0,
-            order,
-            longest: 0.0,
-            trial: Trial::Start,
             rows: Vec::with_capacity(variant.times.len() * variant.initial.len()),
             taken: 0,
-            work: Work::default(),
+            rejected: 0,
             stopped: None,
             variant,
         }
@@ -96,16 +65,28 @@ impl<'a> Lane<'a> {
         self.variant.ends[self.stretch + 1]
     }
 
-    /// Moved into the stretch.
-    pub(super) fn within(&self, time: f64) -> f64 {
-        within(time, (self.from(), self.until()))
+    /// The time of the sample that is due next; infinite if there is none.
+    pub(super) fn next_sample(&self) -> f64 {
+        self.variant.times.get(self.taken).copied().unwrap_or(f64::INFINITY)
     }
 
-    pub(super) fn next_sample_until(&self, time: f64) -> Option<f64> {
-        self.variant.times.get(self.taken).copied().filter(|next| *next <= time)
+    pub(super) fn stop(&mut self, time: f64, cause: StopCause) {
+        self.stopped = Some(Stopped { time, cause });
     }
 
-    pub(super) fn stop(&mut self, cause: StopCause) {
-        self.stopped = Some(Stopped { time: self.time, cause });
+    /// What came of the variant, after steps of so many orders.
+    pub(super) fn outcome(self, steps: u64, order: usize) -> Result<Outcome, Stopped> {
+        if let Some(stopped) = self.stopped {
+            return Err(stopped);
+        }
+        // Coefficients are those of ends of steps, and of starts of stretches.
+        let series = steps + self.rejected + self.stretch as u64;
+        let work = Work {
+            steps,
+            rejected: self.rejected,
+            rate_evaluations: series * order as u64,
+            ..Work::default()
+        };
+        Ok(Outcome { rows: self.rows, work })
     }
 }

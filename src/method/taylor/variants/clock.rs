@@ -1,0 +1,136 @@
+//! Where every lane is in time.
+
+use crate::lanes::Lanes;
+use crate::method::one_step::{End, LOOKS, end_of_step};
+use crate::method::taylor::step::{GROWTH, larger, smaller};
+
+use super::lane::Lane;
+
+/// Times and steps of all lanes, side by side.
+pub(super) struct Clock<R> {
+    /// Lanes that have a variant, as bits.
+    pub(super) running: u32,
+    /// 1 in the lanes that try no step, but begin a stretch or have no variant; 0 in others.
+    pub(super) waits: R,
+    /// Start of the stretch, its end, and the last moment before that.
+    from: R,
+    until: R,
+    last: R,
+    /// Where the step starts.
+    pub(super) time: R,
+    /// Its end.
+    pub(super) now: R,
+    pub(super) step: R,
+    /// Longest step to be tried next.
+    longest: R,
+    /// When the next sample is due.
+    pub(super) sample: R,
+    pub(super) steps: R,
+    /// So many steps are too many.
+    most: R,
+}
+
+impl<R: Lanes> Clock<R> {
+    pub(super) fn new() -> Self {
+        let (zero, one) = (R::literal(0.0), R::literal(1.0));
+        Self {
+            running: 0,
+            waits: one,
+            from: zero,
+            until: zero,
+            last: zero,
+            time: zero,
+            now: zero,
+            step: zero,
+            longest: zero,
+            sample: zero,
+            steps: zero,
+            most: zero,
+        }
+    }
+
+    /// Puts a variant at its start.
+    pub(super) fn load(&mut self, index: usize, lane: &Lane<'_>) {
+        self.running |= 1 << index;
+        self.time.set_lane(index, lane.from());
+        self.steps.set_lane(index, 0.0);
+        self.most.set_lane(index, lane.variant.max_steps as f64);
+        self.sample.set_lane(index, lane.next_sample());
+        self.begin(index, lane);
+    }
+
+    /// Puts a lane at the start of its stretch.
+    pub(super) fn begin(&mut self, index: usize, lane: &Lane<'_>) {
+        let (from, until) = (lane.from(), lane.until());
+        self.from.set_lane(index, from);
+        self.until.set_lane(index, until);
+        self.last.set_lane(index, until.next_down());
+        self.longest.set_lane(index, (until - from) / GROWTH);
+        self.waits.set_lane(index, 1.0);
+    }
+
+    /// Leaves a lane idle.
+    pub(super) fn stop(&mut self, index: usize) {
+        self.running &= !(1 << index);
+        self.waits.set_lane(index, 1.0);
+    }
+
+    /// Lanes that begin a stretch.
+    pub(super) fn starting(&self) -> u32 {
+        self.running & R::less(R::literal(0.5), self.waits)
+    }
+
+    pub(super) fn span(&self, index: usize) -> (f64, f64) {
+        (self.from.lane(index), self.until.lane(index))
+    }
+
+    /// Moved into the stretch; see [`crate::method::stretch::Stretch::within`].
+    pub(super) fn within(&self, time: R) -> R {
+        larger(smaller(time, self.last), self.from)
+    }
+
+    /// Goes to the ends of the steps that are good, 1 or 0; `moves` tells by the same whether
+    /// anything has moved.
+    pub(super) fn pass(&mut self, good: R, moves: R) {
+        let half = R::literal(0.5);
+        let longest = R::literal(GROWTH) * self.step;
+        let looked_at = (self.until - self.from) / R::literal(LOOKS);
+        let longest = R::select_less(half, moves, longest, smaller(longest, looked_at));
+        self.longest = R::select_less(half, good, longest, self.longest);
+        self.time = R::select_less(half, good, self.now, self.time);
+        self.steps = self.steps + good;
+    }
+
+    /// Lanes that are at the end of their stretch.
+    pub(super) fn arrived(&self) -> u32 {
+        !R::less(self.time, self.until)
+    }
+
+    /// A step of a length, but none that leaps.
+    pub(super) fn bounded(&self, step: R) -> R {
+        smaller(step, self.longest)
+    }
+
+    /// Lanes that have taken too many steps.
+    pub(super) fn exhausted(&self) -> u32 {
+        !R::less(self.steps, self.most)
+    }
+
+    /// Lanes whose step does not move the time.
+    pub(super) fn stuck(&self) -> u32 {
+        !R::less(self.time, self.time + self.step)
+    }
+
+    /// Where the steps end that are tried next.
+    pub(super) fn aim(&mut self) {
+        let End { now, tried, .. } = end_of_step(self.time, self.step, self.until);
+        (self.now, self.step) = (now, tried);
+    }
+}
+
+/// The lanes of bits.
+pub(super) fn places(bits: u32) -> impl Iterator<Item = usize> {
+    let rest = |bits: &u32| Some(bits & bits.wrapping_sub(1)).filter(|bits| *bits != 0);
+    std::iter::successors(Some(bits).filter(|bits| *bits != 0), rest)
+        .map(|bits| bits.trailing_zeros() as usize)
+}

@@ -1,0 +1,193 @@
+//! What came of the steps of all lanes, side by side.
+
+use machinist_contract::Real;
+
+use crate::error::StopCause;
+use crate::lanes::Lanes;
+use crate::method::one_step::{self, is_too_small};
+use crate::method::taylor::MIDDLE;
+use crate::method::taylor::step::{self, Tolerance, larger};
+
+use super::clock::places;
+use super::lane::Lane;
+use super::{Bundle, Middle, gather};
+
+impl<R: Lanes> Bundle<'_, R> {
+    /// Takes the coefficients of the lanes whose step passes.
+    pub(super) fn judge(&mut self, lanes: &mut [Option<Lane<'_>>]) {
+        let (zero, half, one) = (R::literal(0.0), R::literal(0.5), R::literal(1.0));
+        let (defects, finite) = self.defects();
+        let mut error = step::over_allowed(step::error(defects, self.clock.step, self.terms));
+        if let Some(within) = self.defects_within() {
+            let largest = larger(error, step::lasting_error(within, self.clock.step));
+            error = R::select_less(one, error, error, largest);
+        }
+        // Of the lanes that try a step and end it at something finite, those with errors up to 1.
+        let good = R::select_less(error, R::literal(1.0_f64.next_up()), one, zero);
+        let good = R::select_less(finite, half, good, zero);
+        let good = R::select_less(self.clock.waits, half, good, zero);
+        self.passed = R::less(half, good);
+        let rejected = self.clock.running & !self.passed & !self.clock.starting();
+        self.rejected = zero;
+        for index in places(rejected) {
+            self.rejected.set_lane(index, 1.0);
+            if let Some(lane) = &mut lanes[index] {
+                let is_finite = finite.lane(index) == 0.0;
+                self.reject(index, lane, is_finite.then(|| error.lane(index)));
+            }
+        }
+        for index in places(self.passed & !R::less(self.clock.now, self.clock.sample)) {
+            if let Some(lane) = &mut lanes[index] {
+                self.sample(index, lane);
+            }
+        }
+        let moves = self.moves();
+        self.clock.pass(good, moves);
+        if rejected == 0 {
+            std::mem::swap(&mut self.current, &mut self.following);
+        } else {
+            for (current, following) in self.current.iter_mut().zip(&self.following) {
+                *current = R::select_less(self.rejected, half, *following, *current);
+            }
+        }
+        self.zeros = zeros(&self.current);
+        self.weigh();
+    }
+
+    /// The largest defect of every lane's step in units of its tolerance, and zero in the
+    /// lanes in which state and rate at the end are finite.
+    fn defects(&self) -> (R, R) {
+        let zero = R::literal(0.0);
+        let begin = &self.following[..2 * self.states];
+        let rates = self.slope.iter().zip(&begin[self.states..]);
+        let defects = rates.zip(&self.inverse_weights);
+        let largest = defects.fold(zero, |largest, ((slope, rate), inverse)| {
+            larger(largest, ((*slope - *rate) * *inverse).abs())
+        });
+        (largest, zeros(begin))
+    }
+
+    /// The largest defect in the middle of every lane's step in units of its tolerance, if it
+    /// is looked for.
+    fn defects_within(&mut self) -> Option<R> {
+        let middle = self.middle.as_mut()?;
+        let (zero, half) = (R::literal(0.0), R::literal(0.5));
+        let after = R::literal(MIDDLE) * self.clock.step;
+        let after = R::select_less(self.clock.waits, half, after, zero);
+        let time = self.clock.within(self.clock.time + after);
+        let time = R::select_less(self.clock.waits, half, time, self.time);
+        let Middle { machine, constants, state, slope, rate } = middle;
+        step::value_and_slope(&self.current, after, state, slope);
+        machine.prepared_rate(time, state, &self.parameters, constants, rate);
+        let rates = slope.iter().zip(&*rate).zip(&self.inverse_weights);
+        Some(rates.fold(zero, |largest, ((slope, rate), inverse)| {
+            larger(largest, ((*slope - *rate) * *inverse).abs())
+        }))
+    }
+
+    /// Weighs by the tolerances at the start of every lane's step, and measures the last
+    /// coefficients by that.
+    fn weigh(&mut self) {
+        let one = R::literal(1.0);
+        let allowed = self.absolute.iter().zip(&self.current);
+        for (inverse, (absolute, value)) in self.inverse_weights.iter_mut().zip(allowed) {
+            *inverse = one / (*absolute + self.relative * value.abs());
+        }
+        for (size, terms) in self.sizes.iter_mut().zip(self.current.chunks_exact(self.states).rev())
+        {
+            *size = terms
+                .iter()
+                .zip(&self.inverse_weights)
+                .fold(R::literal(0.0), |largest, (term, inverse)| {
+                    larger(largest, (*term * *inverse).abs())
+                });
+        }
+    }
+
+    /// 1 in the lanes in which something has moved over the step, 0 in others.
+    fn moves(&self) -> R {
+        let (zero, one) = (R::literal(0.0), R::literal(1.0));
+        let ends = self.current.iter().zip(&self.end).zip(&self.resting);
+        ends.fold(zero, |moves, ((start, end), resting)| {
+            R::select_less(*resting, (*end - *start).abs(), one, moves)
+        })
+    }
+
+    /// Shortens a lane's step by its error over what is allowed, if it ended at something finite.
+    fn reject(&mut self, index: usize, lane: &mut Lane<'_>, error: Option<f64>) {
+        let (time, step, order) =
+            (self.clock.time.lane(index), self.clock.step.lane(index), self.order_of(index));
+        let trial = match error {
+            Some(error) => one_step::Trial::Error(error),
+            None => self.trial(index, lane, (step, order)),
+        };
+        lane.rejected += 1;
+        let step = step * one_step::shrink(trial, step::pace(order));
+        self.clock.step.set_lane(index, step);
+        if is_too_small(step, time) {
+            let cause = match trial {
+                one_step::Trial::NotFinite { what, index } => {
+                    StopCause::NotFinite { what: format!("{what} state number {index}") }
+                }
+                _ => StopCause::StepTooSmall,
+            };
+            lane.stop(time, cause);
+        }
+    }
+
+    /// What came of a lane's step to where something is not finite.
+    fn trial(
+        &mut self,
+        index: usize,
+        lane: &Lane<'_>,
+        step_and_order: (f64, usize),
+    ) -> one_step::Trial {
+        let mut tolerance = Tolerance::new(self.rtol, &lane.variant.atol, self.order);
+        gather(&self.inverse_weights, index, tolerance.inverse_weights());
+        let (slope, begin) = self.scratch.split_at_mut(self.states);
+        let begin = &mut begin[..2 * self.states];
+        gather(&self.slope, index, slope);
+        gather(&self.following[..2 * self.states], index, begin);
+        step::trial(&tolerance, slope, begin, step_and_order)
+    }
+
+    /// Takes the samples of a lane's step that has passed.
+    fn sample(&mut self, index: usize, lane: &mut Lane<'_>) {
+        let (from, until) = (self.clock.time.lane(index), self.clock.now.lane(index));
+        while lane.next_sample() <= until {
+            let time = lane.next_sample();
+            for state in 0..self.states {
+                let value = if time >= until {
+                    self.end[state].lane(index)
+                } else {
+                    self.value(index, state, time - from)
+                };
+                lane.rows.push(value);
+            }
+            lane.taken += 1;
+        }
+        self.clock.sample.set_lane(index, lane.next_sample());
+    }
+
+    /// The polynomial of a state after the start of the lane's step.
+    fn value(&self, index: usize, state: usize, after: f64) -> f64 {
+        let mut terms = self.current.iter().skip(state).step_by(self.states).rev();
+        let highest = terms.next().map_or(0.0, |term| term.lane(index));
+        terms.fold(highest, |value, term| Real::mul_add(value, after, term.lane(index)))
+    }
+}
+
+/// Zero in the lanes in which all numbers are finite, NaN in others.
+fn zeros<R: Lanes>(values: &[R]) -> R {
+    // Several sums, for additions that wait for one another would take most of the time.
+    let zero = R::literal(0.0);
+    let (blocks, rest) = values.as_chunks::<8>();
+    let mut sums = [zero; 8];
+    for block in blocks {
+        for (sum, value) in sums.iter_mut().zip(block) {
+            *sum = *sum + *value * zero;
+        }
+    }
+    sums.iter()
+        .fold(rest.iter().fold(zero, |sum, value| sum + *value * zero), |sum, part| sum + *part)
+}

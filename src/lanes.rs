@@ -98,6 +98,12 @@ macro_rules! lanes {
                 let half = |bits: $bits| Self(cast(bits | <$bits>::splat(WHOLE)));
                 log2_of_halves(half(bits >> 32_u32), half(bits & <$bits>::splat(LOWER)))
             }
+            // The instruction gives its second number if one is NaN.
+            #[cfg(target_arch = "x86_64")]
+            #[inline(always)]
+            fn larger(self, value: Self) -> Self {
+                Self(value.0.fast_max(self.0))
+            }
             #[inline(always)]
             fn exp2(self) -> Self {
                 magnitude::exp2(self)

@@ -9,6 +9,11 @@ pub trait Magnitude: Real {
     /// not below zero. Very small for zero.
     #[must_use]
     fn log2(self) -> Self;
+    /// The larger of two numbers; `self` if one is NaN.
+    #[must_use]
+    fn larger(self, value: Self) -> Self {
+        Self::select_less(self, value, value, self)
+    }
     /// 2^x to about three thousandths; infinite and zero where it is out of range.
     #[must_use]
     fn exp2(self) -> Self;

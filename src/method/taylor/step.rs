@@ -209,6 +209,16 @@ pub(super) fn over_allowed<R: Real>(error: R) -> R {
     error / R::literal(LARGEST_ERROR)
 }
 
+/// What a defect times its step stays below where a step passes, by so many terms: the same
+/// decision as by [`over_allowed`], to the last bit, without divisions.
+///
+/// The limit is whole, and between it and the next number no quotient rounds down to what is
+/// allowed.
+#[cfg(feature = "sweep")]
+pub(super) fn limit(terms: usize) -> f64 {
+    (LARGEST_ERROR * terms as f64).next_up()
+}
+
 /// How steps shrink whose error is too large; how long the next one is, the series
 /// says.
 pub(super) fn pace(order: usize) -> Pace {
@@ -338,6 +348,20 @@ mod tests {
                     assert!((slopes[state] - slope).abs() < 1e-14 * slope.abs());
                 }
             }
+        }
+    }
+
+    #[cfg(feature = "sweep")]
+    #[test]
+    fn steps_pass_below_the_limit_and_nowhere_else() {
+        for terms in 2..40 {
+            let mut product = LARGEST_ERROR * terms as f64 * (1.0 - 1e-14);
+            for _ in 0..200 {
+                let passes = over_allowed(error(product, 1.0, terms as f64)) <= 1.0;
+                assert_eq!(product < limit(terms), passes, "{product} of {terms}");
+                product = product.next_up();
+            }
+            assert!(product > limit(terms));
         }
     }
 }

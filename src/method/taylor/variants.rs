@@ -17,6 +17,7 @@ use crate::lanes::Lanes;
 use crate::method::Stopped;
 use crate::method::one_step::resting;
 use clock::{Clock, places};
+use judge::zeros;
 use lane::Lane;
 
 pub(crate) use lane::{Outcome, Overseer, Variant};
@@ -61,7 +62,7 @@ pub(crate) fn integrate<R: Lanes>(
                 None => bundle.clock.stop(index),
             }
         }
-        bundle.aim();
+        bundle.leave();
     }
 }
 
@@ -105,8 +106,8 @@ struct Bundle<'a, R> {
     slope: Vec<R>,
     /// How many terms of each lane's coefficients are finite.
     terms: R,
-    /// Zero in the lanes whose coefficients are finite, NaN in others.
-    zeros: R,
+    /// What the defect of a step that passes times the step is less than.
+    limit: R,
     /// Lanes whose step has passed, as bits.
     passed: u32,
     /// 1 in the lanes whose step is to be taken again, 0 in others.
@@ -118,6 +119,8 @@ struct Bundle<'a, R> {
     relative: R,
     /// One over what is allowed at the start of each lane's step.
     inverse_weights: Vec<R>,
+    /// And at its end.
+    following_weights: Vec<R>,
     /// By how much a state moves at most while it rests.
     resting: Vec<R>,
     /// Sizes of the last coefficients, from the last one back, in units of the tolerance.
@@ -146,13 +149,14 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             aimed: zeros(states),
             slope: zeros(states),
             terms: R::literal(0.0),
-            zeros: R::literal(0.0),
+            limit: R::literal(0.0),
             passed: 0,
             rejected: R::literal(0.0),
             overseen: 0,
             absolute: vec![R::literal(1.0); states],
             relative: R::literal(step::aimed_at(rtol)),
             inverse_weights: vec![R::literal(1.0); states],
+            following_weights: vec![R::literal(1.0); states],
             resting: zeros(states),
             sizes: [R::literal(0.0); step::JUDGED],
             scratch: vec![0.0; step::JUDGED.max(3) * states],
@@ -207,8 +211,14 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         self.time.set_lane(index, time.lane(index));
     }
 
-    /// Coefficients of every lane at the end of its step.
+    /// Coefficients of every lane at the end of its step, and weights by the tolerances there.
     fn expand(&mut self) {
+        // Divisions take their time, which they have beside the series.
+        let one = R::literal(1.0);
+        let allowed = self.absolute.iter().zip(&self.end);
+        for (inverse, (absolute, value)) in self.following_weights.iter_mut().zip(allowed) {
+            *inverse = one / (*absolute + self.relative * value.abs());
+        }
         self.series.series(
             self.time,
             &self.end,
@@ -220,14 +230,14 @@ impl<'a, R: Lanes> Bundle<'a, R> {
 
     /// Decides what lanes try next; gives those that are done, as bits.
     fn go_on(&mut self, lanes: &mut [Option<Lane<'_>>]) -> u32 {
-        let (half, running) = (R::literal(0.5), self.clock.running);
         let arrived = self.passed & self.clock.arrived();
         let (passed, starting) = (self.passed & !arrived, self.clock.starting());
         let fresh = passed | starting;
         let tried = self.clock.step;
         self.measure();
-        let broken = fresh & !R::less(self.zeros, half);
-        for index in places(broken) {
+        // Of what is not finite the aims will tell, but these lanes need to know now.
+        let suspect = starting & self.overseen | passed & self.clock.stuck();
+        for index in places(suspect) {
             if let Some(lane) = &mut lanes[index] {
                 self.measure_finite(index, lane);
             }
@@ -253,6 +263,8 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         for index in places(starting) {
             self.clock.waits.set_lane(index, 0.0);
         }
+        let broken = fresh & self.aim();
+        self.aim_finite(broken, passed, lanes);
         let mut done = 0;
         for index in places(arrived) {
             let Some(lane) = &mut lanes[index] else { continue };
@@ -265,8 +277,8 @@ impl<'a, R: Lanes> Bundle<'a, R> {
                 self.start_at(index);
             }
         }
-        let steady = passed & !broken & !overseen & !exhausted & !stuck;
-        for index in places(running & !steady & !arrived) {
+        let rejected = self.clock.running & !fresh & !arrived;
+        for index in places(rejected | suspect | overseen | exhausted | stuck | broken) {
             if lanes[index].as_ref().is_some_and(|lane| lane.stopped.is_some()) {
                 done |= 1 << index;
             }
@@ -280,20 +292,21 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         let step = step::step_length(self.sizes, &self.judges, self.order);
         let step = self.clock.bounded(step);
         self.clock.step = R::select_less(self.rejected, half, step, self.clock.step);
-        let terms = R::literal((self.order + 1) as f64);
-        self.terms = R::select_less(self.rejected, half, terms, self.terms);
+        let (terms, limit) = (self.order + 1, step::limit(self.order + 1));
+        self.terms = R::select_less(self.rejected, half, R::literal(terms as f64), self.terms);
+        self.limit = R::select_less(self.rejected, half, R::literal(limit), self.limit);
     }
 
     /// Order and length of a lane's step from new coefficients that are not all finite; those
-    /// beyond that order become zero.
-    fn measure_finite(&mut self, index: usize, lane: &mut Lane<'_>) {
+    /// beyond that order become zero. Whether it is so.
+    fn measure_finite(&mut self, index: usize, lane: &mut Lane<'_>) -> bool {
         let broken = self.current.iter().position(|value| !value.lane(index).is_finite());
-        let Some(broken) = broken else { return };
+        let Some(broken) = broken else { return false };
         if broken < 2 * self.states {
             let what = if broken < self.states { "the state" } else { "the rate of" };
             let what = format!("{what} state number {}", broken % self.states);
             lane.stop(self.clock.time.lane(index), StopCause::NotFinite { what });
-            return;
+            return true;
         }
         let order = broken / self.states - 1;
         for value in &mut self.current[(order + 1) * self.states..] {
@@ -309,6 +322,8 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         let step = self.clock.bounded(R::literal(tolerance.step_length_by(newest, order)));
         self.clock.step.set_lane(index, step.lane(index));
         self.terms.set_lane(index, (order + 1) as f64);
+        self.limit.set_lane(index, step::limit(order + 1));
+        true
     }
 
     /// The highest order up to which a lane's coefficients are finite.
@@ -333,13 +348,42 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         }
     }
 
-    /// State and slope at the end of every lane's step.
-    fn aim(&mut self) {
-        let half = R::literal(0.5);
+    /// State and slope at the end of every lane's step; gives the lanes in which the state is not
+    /// finite, as bits.
+    fn aim(&mut self) -> u32 {
         self.clock.aim();
+        self.sum();
+        !R::less(zeros(&self.aimed), R::literal(0.5))
+    }
+
+    fn sum(&mut self) {
+        step::value_and_slope(&self.current, self.clock.step, &mut self.aimed, &mut self.slope);
+    }
+
+    /// Aims anew in lanes whose coefficients may not all be finite: one that is not leaves no sum
+    /// of its state finite.
+    fn aim_finite(&mut self, broken: u32, passed: u32, lanes: &mut [Option<Lane<'_>>]) {
+        let mut is_any = false;
+        for index in places(broken) {
+            let Some(lane) = &mut lanes[index] else { continue };
+            if self.measure_finite(index, lane) {
+                is_any = true;
+                if (passed & self.clock.stuck()) >> index & 1 == 1 {
+                    lane.stop(self.clock.time.lane(index), StopCause::StepTooSmall);
+                }
+                self.clock.aim_at(index);
+            }
+        }
+        if is_any {
+            self.sum();
+        }
+    }
+
+    /// Leaves for the ends of the steps that are tried.
+    fn leave(&mut self) {
+        let half = R::literal(0.5);
         let time = self.clock.within(self.clock.time + self.clock.step);
         self.time = R::select_less(self.clock.waits, half, time, self.time);
-        step::value_and_slope(&self.current, self.clock.step, &mut self.aimed, &mut self.slope);
         for (end, aimed) in self.end.iter_mut().zip(&self.aimed) {
             *end = R::select_less(self.clock.waits, half, *aimed, *end);
         }

@@ -23,6 +23,8 @@ pub(super) struct Clock<R> {
     pub(super) step: R,
     /// Longest step to be tried next.
     longest: R,
+    /// And where nothing moves.
+    longest_at_rest: R,
     /// When the next sample is due.
     pub(super) sample: R,
     pub(super) steps: R,
@@ -43,6 +45,7 @@ impl<R: Lanes> Clock<R> {
             now: zero,
             step: zero,
             longest: zero,
+            longest_at_rest: zero,
             sample: zero,
             steps: zero,
             most: zero,
@@ -66,6 +69,7 @@ impl<R: Lanes> Clock<R> {
         self.until.set_lane(index, until);
         self.last.set_lane(index, until.next_down());
         self.longest.set_lane(index, (until - from) / GROWTH);
+        self.longest_at_rest.set_lane(index, (until - from) / LOOKS);
         self.waits.set_lane(index, 1.0);
     }
 
@@ -94,8 +98,8 @@ impl<R: Lanes> Clock<R> {
     pub(super) fn pass(&mut self, good: R, moves: R) {
         let half = R::literal(0.5);
         let longest = R::literal(GROWTH) * self.step;
-        let looked_at = (self.until - self.from) / R::literal(LOOKS);
-        let longest = R::select_less(half, moves, longest, smaller(longest, looked_at));
+        let at_rest = smaller(longest, self.longest_at_rest);
+        let longest = R::select_less(half, moves, longest, at_rest);
         self.longest = R::select_less(half, good, longest, self.longest);
         self.time = R::select_less(half, good, self.now, self.time);
         self.steps = self.steps + good;
@@ -125,6 +129,13 @@ impl<R: Lanes> Clock<R> {
     pub(super) fn aim(&mut self) {
         let End { now, tried, .. } = end_of_step(self.time, self.step, self.until);
         (self.now, self.step) = (now, tried);
+    }
+
+    /// As [`Clock::aim`], of one lane.
+    pub(super) fn aim_at(&mut self, index: usize) {
+        let End { now, tried, .. } = end_of_step(self.time, self.step, self.until);
+        self.now.set_lane(index, now.lane(index));
+        self.step.set_lane(index, tried.lane(index));
     }
 }
 

@@ -17,15 +17,13 @@ impl<R: Lanes> Bundle<'_, R> {
     pub(super) fn judge(&mut self, lanes: &mut [Option<Lane<'_>>]) {
         let (zero, half, one) = (R::literal(0.0), R::literal(0.5), R::literal(1.0));
         let (defects, finite) = self.defects();
-        let mut error = step::over_allowed(step::error(defects, self.clock.step, self.terms));
-        if let Some(within) = self.defects_within() {
-            let largest = larger(error, step::lasting_error(within, self.clock.step));
-            error = R::select_less(one, error, error, largest);
-        }
+        let within =
+            self.defects_within().map(|defects| step::lasting_error(defects, self.clock.step));
         // Of the lanes that try a step and end it at something finite, those with errors up to 1.
-        let good = R::select_less(error, R::literal(1.0_f64.next_up()), one, zero);
+        let good = R::select_less(defects * self.clock.step, self.limit, one, zero);
         let good = R::select_less(finite, half, good, zero);
         let good = R::select_less(self.clock.waits, half, good, zero);
+        let good = within.map_or(good, |within| R::select_less(one, within, zero, good));
         self.passed = R::less(half, good);
         let rejected = self.clock.running & !self.passed & !self.clock.starting();
         self.rejected = zero;
@@ -33,7 +31,12 @@ impl<R: Lanes> Bundle<'_, R> {
             self.rejected.set_lane(index, 1.0);
             if let Some(lane) = &mut lanes[index] {
                 let is_finite = finite.lane(index) == 0.0;
-                self.reject(index, lane, is_finite.then(|| error.lane(index)));
+                let [defect, step, terms] =
+                    [defects, self.clock.step, self.terms].map(|values| values.lane(index));
+                let error = step::over_allowed(step::error(defect, step, terms));
+                let within = within.map_or(0.0, |within| within.lane(index));
+                let error = if error <= 1.0 { larger(error, within) } else { error };
+                self.reject(index, lane, is_finite.then_some(error));
             }
         }
         for index in places(self.passed & !R::less(self.clock.now, self.clock.sample)) {
@@ -45,13 +48,12 @@ impl<R: Lanes> Bundle<'_, R> {
         self.clock.pass(good, moves);
         if rejected == 0 {
             std::mem::swap(&mut self.current, &mut self.following);
+            std::mem::swap(&mut self.inverse_weights, &mut self.following_weights);
         } else {
-            for (current, following) in self.current.iter_mut().zip(&self.following) {
-                *current = R::select_less(self.rejected, half, *following, *current);
-            }
+            take(&mut self.current, &self.following, self.rejected);
+            take(&mut self.inverse_weights, &self.following_weights, self.rejected);
         }
-        self.zeros = zeros(&self.current);
-        self.weigh();
+        self.measure_terms();
     }
 
     /// The largest defect of every lane's step in units of its tolerance, and zero in the
@@ -62,7 +64,7 @@ impl<R: Lanes> Bundle<'_, R> {
         let rates = self.slope.iter().zip(&begin[self.states..]);
         let defects = rates.zip(&self.inverse_weights);
         let largest = defects.fold(zero, |largest, ((slope, rate), inverse)| {
-            larger(largest, ((*slope - *rate) * *inverse).abs())
+            largest.larger(((*slope - *rate) * *inverse).abs())
         });
         (largest, zeros(begin))
     }
@@ -81,25 +83,19 @@ impl<R: Lanes> Bundle<'_, R> {
         machine.prepared_rate(time, state, &self.parameters, constants, rate);
         let rates = slope.iter().zip(&*rate).zip(&self.inverse_weights);
         Some(rates.fold(zero, |largest, ((slope, rate), inverse)| {
-            larger(largest, ((*slope - *rate) * *inverse).abs())
+            largest.larger(((*slope - *rate) * *inverse).abs())
         }))
     }
 
-    /// Weighs by the tolerances at the start of every lane's step, and measures the last
-    /// coefficients by that.
-    fn weigh(&mut self) {
-        let one = R::literal(1.0);
-        let allowed = self.absolute.iter().zip(&self.current);
-        for (inverse, (absolute, value)) in self.inverse_weights.iter_mut().zip(allowed) {
-            *inverse = one / (*absolute + self.relative * value.abs());
-        }
+    /// Measures the last coefficients by the tolerances.
+    fn measure_terms(&mut self) {
         for (size, terms) in self.sizes.iter_mut().zip(self.current.chunks_exact(self.states).rev())
         {
             *size = terms
                 .iter()
                 .zip(&self.inverse_weights)
                 .fold(R::literal(0.0), |largest, (term, inverse)| {
-                    larger(largest, (*term * *inverse).abs())
+                    largest.larger((*term * *inverse).abs())
                 });
         }
     }
@@ -177,8 +173,16 @@ impl<R: Lanes> Bundle<'_, R> {
     }
 }
 
+/// Takes what follows but in the lanes that stay, 1 or 0.
+fn take<R: Lanes>(values: &mut [R], following: &[R], stays: R) {
+    let half = R::literal(0.5);
+    for (value, following) in values.iter_mut().zip(following) {
+        *value = R::select_less(stays, half, *following, *value);
+    }
+}
+
 /// Zero in the lanes in which all numbers are finite, NaN in others.
-fn zeros<R: Lanes>(values: &[R]) -> R {
+pub(super) fn zeros<R: Lanes>(values: &[R]) -> R {
     // Several sums, for additions that wait for one another would take most of the time.
     let zero = R::literal(0.0);
     let (blocks, rest) = values.as_chunks::<8>();

@@ -190,6 +190,39 @@ fn a_variant_that_cannot_be_run_leaves_the_others_alone() {
 }
 
 #[test]
+fn what_leaves_doubles_stops_as_alone_and_leaves_its_neighbours() {
+    // Torques are squares of fluxes, which are as the voltage.
+    let values = [220.0, 1e80, 1e153, 230.0, 1e155, 1e200, 1e290, 240.0, 1e154, 250.0];
+    let of = |run: Simulation<'static>| run.until(0.02).points(3).method(Method::Taylor);
+    for rtol in [1e-3, 1e-9] {
+        let each = move |run| of(run).rtol(rtol).max_steps(400);
+        let sweep = Sweep::new(&saw_gin::SawGin).each(each).vary("motor.phase_voltage", &values);
+        let runs = sweep.expect("a parameter").threads(1).run();
+        let mut stopped = 0;
+        for (run, value) in runs.iter().zip(values) {
+            let alone = each(Simulation::new(&saw_gin::SawGin))
+                .parameter("motor.phase_voltage", value)
+                .and_then(|run| run.run());
+            match (run, alone) {
+                (Ok(run), Ok(alone)) => {
+                    let shape = saw_gin::SawGin.shape();
+                    let all = alone.columns[..shape.states() + shape.outputs].iter();
+                    let all: Vec<f64> = all.flat_map(|column| column.values.clone()).collect();
+                    assert_eq!(bits(&columns(run)), bits(&all), "{value:e}");
+                }
+                (Err(in_lanes), Err(alone)) => {
+                    assert_eq!(in_lanes.to_string(), alone.to_string(), "{value:e}");
+                    stopped += 1;
+                }
+                (in_lanes, alone) => panic!("{value:e}: {in_lanes:?}, alone {alone:?}"),
+            }
+        }
+        // The others are as those of the study.
+        assert!((3..=6).contains(&stopped), "{stopped} at {rtol:e}");
+    }
+}
+
+#[test]
 fn machines_with_events_run_one_by_one() {
     let machine = &bouncing_mass::BouncingMass;
     let name = <_ as Describe>::parameter(machine, 0).name;

@@ -251,7 +251,7 @@ fn derive(key: &str) -> Result<(), Box<dyn Error>> {
 /// The spec of a model: a scene's file, or that of a chain, written into `folder`.
 fn spec(key: &str, folder: &std::path::Path) -> std::io::Result<Option<std::path::PathBuf>> {
     if let Some(model) = Model::find(key) {
-        let scenes = concat!(env!("CARGO_MANIFEST_DIR"), "/specs/scenes/bench");
+        let scenes = concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/scenes/bench");
         return Ok(Some(std::path::Path::new(scenes).join(format!("{}.toml", model.scene))));
     }
     let links = key.strip_prefix("M6:").and_then(|links| links.parse().ok());

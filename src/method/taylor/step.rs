@@ -104,9 +104,9 @@ impl Tolerance {
     /// The largest of y' - f in units of the tolerance over time.
     fn defect(&self, slope: &[f64], rate: &[f64]) -> f64 {
         let defects = slope.iter().zip(rate).map(|(slope, rate)| slope - rate);
-        let mut largest = 0.0;
+        let mut largest = 0.0_f64;
         for (defect, inverse) in defects.zip(&self.inverse_weights) {
-            largest = larger(largest, (defect * inverse).abs());
+            largest = largest.larger((defect * inverse).abs());
         }
         largest
     }
@@ -115,17 +115,17 @@ impl Tolerance {
     fn size(&self, values: &[f64]) -> f64 {
         let (blocks, rest) = values.as_chunks::<4>();
         let (weights, rest_weights) = self.inverse_weights.as_chunks::<4>();
-        let mut largest = [0.0; 4];
+        let mut largest = [0.0_f64; 4];
         for (block, weights) in blocks.iter().zip(weights) {
             for lane in 0..4 {
-                largest[lane] = larger(largest[lane], (block[lane] * weights[lane]).abs());
+                largest[lane] = largest[lane].larger((block[lane] * weights[lane]).abs());
             }
         }
         for (value, weight) in rest.iter().zip(rest_weights) {
-            largest[0] = larger(largest[0], (value * weight).abs());
+            largest[0] = largest[0].larger((value * weight).abs());
         }
         let [a, b, c, d] = largest;
-        larger(larger(a, b), larger(c, d))
+        a.larger(b).larger(c.larger(d))
     }
 }
 
@@ -164,13 +164,6 @@ pub(super) fn judges(order: usize, decay: f64) -> Judges {
 #[inline(always)]
 pub(super) fn smaller<R: Real>(length: R, value: R) -> R {
     R::select_less(value, length, value, length)
-}
-
-/// The larger of two numbers. A NaN does not count; whoever calls has looked for
-/// it, or looks at the result of the step.
-#[inline(always)]
-pub(super) fn larger<R: Real>(size: R, value: R) -> R {
-    R::select_less(size, value, value, size)
 }
 
 /// What came of a step of a length and order: `begin` is state and rate at its end,

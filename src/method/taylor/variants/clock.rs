@@ -2,7 +2,7 @@
 
 use crate::lanes::Lanes;
 use crate::method::one_step::{End, LOOKS, end_of_step};
-use crate::method::taylor::step::{GROWTH, larger, smaller};
+use crate::method::taylor::step::{GROWTH, smaller};
 
 use super::lane::Lane;
 
@@ -90,7 +90,7 @@ impl<R: Lanes> Clock<R> {
 
     /// Moved into the stretch; see [`crate::method::stretch::Stretch::within`].
     pub(super) fn within(&self, time: R) -> R {
-        larger(smaller(time, self.last), self.from)
+        smaller(time, self.last).larger(self.from)
     }
 
     /// Goes to the ends of the steps that are good, 1 or 0; `moves` tells by the same whether

@@ -6,7 +6,8 @@ use crate::error::StopCause;
 use crate::lanes::Lanes;
 use crate::method::one_step::{self, is_too_small};
 use crate::method::taylor::MIDDLE;
-use crate::method::taylor::step::{self, Tolerance, larger};
+use crate::method::taylor::magnitude::Magnitude;
+use crate::method::taylor::step::{self, Tolerance};
 
 use super::clock::places;
 use super::lane::Lane;
@@ -35,7 +36,7 @@ impl<R: Lanes> Bundle<'_, R> {
                     [defects, self.clock.step, self.terms].map(|values| values.lane(index));
                 let error = step::over_allowed(step::error(defect, step, terms));
                 let within = within.map_or(0.0, |within| within.lane(index));
-                let error = if error <= 1.0 { larger(error, within) } else { error };
+                let error = if error <= 1.0 { error.larger(within) } else { error };
                 self.reject(index, lane, is_finite.then_some(error));
             }
         }

@@ -14,7 +14,26 @@ use machinist_contract::sine::{FARTHEST, sine_and_cosine};
 use machinist_contract::{F64x2, Real};
 use wide::bytemuck::cast;
 
-use crate::method::taylor::magnitude::{self, LOWER, Magnitude, WHOLE, log2_of_halves};
+use crate::method::taylor::magnitude::{self, BEHIND, Magnitude};
+
+/// Digits of a number that is this number with those of a small whole one at the end.
+const WHOLE: u64 = SHIFT.to_bits();
+
+/// The lower half of a number's digits.
+const LOWER: u64 = 0xffff_ffff;
+
+const SHIFT: f64 = (1_u64 << 52) as f64;
+
+/// Log2 by the halves of a number's digits behind [`WHOLE`]: all vectors have what it takes. The same
+/// as of one number, whose digits are taken at once, for all but the sum is exact.
+#[inline(always)]
+fn log2_of_halves<R: Real>(upper: R, lower: R) -> R {
+    const ONE: f64 = (1.0_f64.to_bits() >> 32) as f64;
+    const UPPER: f64 = 1.0 / (1_u64 << 20) as f64;
+    let whole = (upper - R::literal(SHIFT + ONE)) * R::literal(UPPER);
+    let part = (lower - R::literal(SHIFT)) * R::literal(1.0 / SHIFT);
+    R::literal(BEHIND) + (whole + part)
+}
 
 /// Numbers with lanes that can be taken apart.
 pub trait Lanes: Magnitude {
@@ -274,5 +293,22 @@ impl Magnitude for F64x2 {
     #[inline]
     fn exp2(self) -> Self {
         Self(self.0.map(Magnitude::exp2))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn logarithms_in_lanes_are_those_of_single_numbers() {
+        let mut random = fastrand::Rng::with_seed(11);
+        for _ in 0..10_000 {
+            let values: [f64; 8] =
+                std::array::from_fn(|_| f64::from_bits(random.u64(..) & (u64::MAX >> 1)));
+            let logs: [f64; 8] = F64x8::from(values).log2().into();
+            let expected = values.map(Magnitude::log2);
+            assert_eq!(logs.map(f64::to_bits), expected.map(f64::to_bits), "{values:?}");
+        }
     }
 }

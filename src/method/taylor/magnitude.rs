@@ -22,9 +22,10 @@ pub trait Magnitude: Real {
 impl Magnitude for f64 {
     #[inline(always)]
     fn log2(self) -> Self {
-        let bits = self.to_bits();
-        let half = |bits: u64| f64::from_bits(bits | WHOLE);
-        log2_of_halves(half(bits >> 32), half(bits & LOWER))
+        const ONE: i64 = 1.0_f64.to_bits() as i64;
+        const DOUBLING: f64 = 1.0 / (1_u64 << 52) as f64;
+        // What `log2_of_halves` gives, in fewer operations: of one number digits are soon a number.
+        BEHIND + (self.to_bits() as i64 - ONE) as f64 * DOUBLING
     }
     #[inline(always)]
     fn exp2(self) -> Self {
@@ -32,26 +33,8 @@ impl Magnitude for f64 {
     }
 }
 
-/// Digits of a number that is this number with those of a small whole one at the end.
-pub(crate) const WHOLE: u64 = SHIFT.to_bits();
-
-/// The lower half of a number's digits.
-pub(crate) const LOWER: u64 = 0xffff_ffff;
-
-const SHIFT: f64 = (1_u64 << 52) as f64;
-
-/// Log2 by the halves of a number's digits behind [`WHOLE`]: the digits of a positive number, read
-/// as a whole number, are nearly its logarithm.
-#[inline(always)]
-pub(crate) fn log2_of_halves<R: Real>(upper: R, lower: R) -> R {
-    const ONE: f64 = (1.0_f64.to_bits() >> 32) as f64;
-    const UPPER: f64 = 1.0 / (1_u64 << 20) as f64;
-    // All but the sum is exact.
-    let whole = (upper - R::literal(SHIFT + ONE)) * R::literal(UPPER);
-    let part = (lower - R::literal(SHIFT)) * R::literal(1.0 / SHIFT);
-    // m falls behind log2(1 + m) by 0.086 at most.
-    R::literal(0.043) + (whole + part)
-}
+/// Half of what m falls behind log2(1 + m) at most.
+pub(crate) const BEHIND: f64 = 0.043;
 
 /// See [`Magnitude::exp2`].
 #[inline(always)]
@@ -82,19 +65,15 @@ mod tests {
         assert!(Magnitude::exp2(-2000.0) < 1e-300);
     }
 
-    /// The digits as one whole number, and the power by rounding down.
     #[test]
-    fn halves_of_digits_add_up_to_all_of_them() {
+    fn powers_are_those_by_rounding_down() {
         let mut bits = 0x3fe5_5555_1234_5678_u64;
         for _ in 0..10_000 {
             // Marsaglia's xorshift.
             bits ^= bits << 13;
             bits ^= bits >> 7;
             bits ^= bits << 17;
-            let value = f64::from_bits(bits & (u64::MAX >> 1));
-            let whole = value.to_bits().cast_signed() - 1.0_f64.to_bits().cast_signed();
-            let log = 0.043 + whole as f64 / SHIFT;
-            assert_eq!(Magnitude::log2(value).to_bits(), log.to_bits());
+            let log = Magnitude::log2(f64::from_bits(bits & (u64::MAX >> 1)));
             let x = 2.5 * (log % 400.0);
             let f = x - x.floor();
             let power = f64::exp2(x.floor().max(-1022.0)) * (1.0 + f - 0.337 * f * (1.0 - f));

@@ -286,7 +286,7 @@ pub(super) fn row_sizes(motions: &Motions) -> DVector<f64> {
     let mut squares = DVector::<f64>::zeros(rows);
     for (column, scale) in matrix.column_iter().zip(scales) {
         let entries = column.rows_range(*from..);
-        for (square, entry) in squares.iter_mut().zip(entries.iter()).filter(|e| *e.1 != 0.0) {
+        for (square, entry) in squares.iter_mut().zip(entries.iter()) {
             *square += (entry * scale).powi(2);
         }
     }

@@ -98,17 +98,7 @@ impl Tolerance {
 
     /// Error of a step over what is allowed, by a defect that lasts for a part of it.
     pub(super) fn lasting_error(&self, slope: &[f64], rate: &[f64], step: f64) -> f64 {
-        lasting_error(self.defect(slope, rate), step)
-    }
-
-    /// The largest of y' - f in units of the tolerance over time.
-    fn defect(&self, slope: &[f64], rate: &[f64]) -> f64 {
-        let defects = slope.iter().zip(rate).map(|(slope, rate)| slope - rate);
-        let mut largest = 0.0_f64;
-        for (defect, inverse) in defects.zip(&self.inverse_weights) {
-            largest = largest.larger((defect * inverse).abs());
-        }
-        largest
+        lasting_error(defect(slope, rate, &self.inverse_weights), step)
     }
 
     /// The largest value in units of its tolerance.
@@ -175,13 +165,22 @@ pub(super) fn trial(
     (step, order): (f64, usize),
 ) -> Trial {
     let states = slope.len();
-    let error = error(tolerance.defect(slope, &begin[states..]), step, (order + 1) as f64);
+    let defect = defect(slope, &begin[states..], &tolerance.inverse_weights);
+    let error = error(defect, step, (order + 1) as f64);
     if (error <= LARGEST_ERROR || !error.is_finite()) && !all_finite(begin) {
         let index = begin.iter().position(|value| !value.is_finite()).unwrap_or_default();
         let what = if index < states { "the state" } else { "the rate of" };
         return Trial::NotFinite { what, index: index % states };
     }
     Trial::Error(over_allowed(error))
+}
+
+/// The largest of y' - f in units of the tolerance over time.
+pub(super) fn defect<R: Magnitude>(slope: &[R], rate: &[R], inverse_weights: &[R]) -> R {
+    let defects = slope.iter().zip(rate).zip(inverse_weights);
+    defects.fold(R::literal(0.0), |largest, ((slope, rate), inverse)| {
+        largest.larger(((*slope - *rate) * *inverse).abs())
+    })
 }
 
 /// Error of a step over what is allowed, by a defect in units of the tolerance that lasts for a

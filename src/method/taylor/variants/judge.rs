@@ -60,13 +60,8 @@ impl<R: Lanes> Bundle<'_, R> {
     /// The largest defect of every lane's step in units of its tolerance, and zero in the
     /// lanes in which state and rate at the end are finite.
     fn defects(&self) -> (R, R) {
-        let zero = R::literal(0.0);
         let begin = &self.following[..2 * self.states];
-        let rates = self.slope.iter().zip(&begin[self.states..]);
-        let defects = rates.zip(&self.inverse_weights);
-        let largest = defects.fold(zero, |largest, ((slope, rate), inverse)| {
-            largest.larger(((*slope - *rate) * *inverse).abs())
-        });
+        let largest = step::defect(&self.slope, &begin[self.states..], &self.inverse_weights);
         (largest, zeros(begin))
     }
 
@@ -82,10 +77,7 @@ impl<R: Lanes> Bundle<'_, R> {
         let Middle { machine, constants, state, slope, rate } = middle;
         step::value_and_slope(&self.current, after, state, slope);
         machine.prepared_rate(time, state, &self.parameters, constants, rate);
-        let rates = slope.iter().zip(&*rate).zip(&self.inverse_weights);
-        Some(rates.fold(zero, |largest, ((slope, rate), inverse)| {
-            largest.larger(((*slope - *rate) * *inverse).abs())
-        }))
+        Some(step::defect(slope, rate, &self.inverse_weights))
     }
 
     /// Measures the last coefficients by the tolerances.

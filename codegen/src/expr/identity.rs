@@ -133,7 +133,7 @@ fn residue(number: &BigInt, modulus: u64) -> u64 {
 /// a b modulo P or Q, for a and b below it.
 ///
 /// Both are 2^k - c with a small c, so that 2^k counts as c: what is above k bits folds down to
-/// less than 2^(k + 1) by two products, where a division of 128 bits takes ten times as long.
+/// less than 2^(k + 1) by two products, without a division of 128 bits.
 pub(super) fn times(a: u64, b: u64, modulus: u64) -> u64 {
     let bits = u64::BITS - modulus.leading_zeros();
     let c = u128::from((1 << bits) - modulus);

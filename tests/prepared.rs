@@ -1,12 +1,16 @@
 //! What parameters alone decide is computed once a run and changes no bit.
 
+use machinist::complex_step::dense;
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_contract::Simulator;
+use machinist_contract::{Real as _, Simulator};
 use machinist_model::ModelSimulator;
 use machinist_scenes::{bench, scenes};
+use machinist_studies::double_double::DoubleDouble;
+use nalgebra::DMatrix;
 
 use crate::own_scene::model_of_specs;
+use crate::place::Place;
 
 /// A motor's many constants, branches, factors that move with the state, a solve in a loop,
 /// constraints.
@@ -76,6 +80,110 @@ fn assert_same(name: &str, scene: &dyn Simulator<f64>) {
         let by_constants = |values: &mut [f64]| {
             scene.prepared_parameter_jacobian(t, y, p, &c, values);
         };
-        assert_same_bits(name, &filled(entries, by_constants), &plain);
+        let by_parameters = filled(entries, by_constants);
+        assert_same_bits(name, &by_parameters, &plain);
+        let at_once = filled(nonzeros + entries, |values| {
+            scene.prepared_jacobians(t, y, p, &c, values);
+        });
+        assert_same_bits(name, &at_once, &[prepared, by_parameters].concat());
     }
+}
+
+/// Machine code of both Jacobians at once against the tape of each.
+#[test]
+fn compiled_at_once_too_to_the_last_bit() {
+    for name in ["saw_gin", "winder_linkage"] {
+        let model = model_of_specs(name, Keep::Needed);
+        assert_eq!(model.gives_jacobians_at_once(), name == "saw_gin");
+        let (scene, tapes) =
+            (ModelSimulator::new(model.clone()), ModelSimulator::interpreted(model));
+        let (scene, tapes): (&dyn Simulator<f64>, &dyn Simulator<f64>) = (&scene, &tapes);
+        assert_same(name, scene);
+        let lengths = [scene.rate_jacobian_pattern(), scene.parameter_jacobian_pattern()];
+        let [nonzeros, entries] = lengths.map(|pattern| pattern.entries.len());
+        for seed in 0..20 {
+            let at = Place::near_the_start(scene, seed);
+            let (t, y, p) = (at.time, &at.state[..], &at.parameters[..]);
+            let c = filled(scene.constants(), |values| scene.prepare(p, values));
+            let at_once = filled(nonzeros + entries, |values| {
+                scene.prepared_jacobians(t, y, p, &c, values);
+            });
+            let apart = [
+                filled(nonzeros, |values| tapes.rate_jacobian(t, y, p, values)),
+                filled(entries, |values| tapes.parameter_jacobian(t, y, p, values)),
+            ];
+            assert_same_bits(name, &at_once, &apart.concat());
+        }
+    }
+}
+
+/// What one function gives of both, against the function of dy'/dy, to the last bit, and against
+/// central differences of the rate in 31 digits, which leave nothing but the rounding of ours.
+#[test]
+fn emitted_jacobians_at_once_are_the_slopes_of_the_rate() {
+    let of_scenes =
+        scenes::NAMES.iter().map(|name| (name, scenes::find_f64(name), scenes::find(name)));
+    let of_bench = bench::NAMES.iter().map(|name| (name, bench::find_f64(name), bench::find(name)));
+    let mut looked_at = 0;
+    for (name, scene, twin) in of_scenes.chain(of_bench) {
+        let (Some(scene), Some(twin)) = (scene, twin) else { continue };
+        let patterns = [scene.rate_jacobian_pattern(), scene.parameter_jacobian_pattern()];
+        let [nonzeros, entries] = patterns.map(|pattern| pattern.entries.len());
+        for seed in 0..4 {
+            let at = Place::near_the_start(scene, seed);
+            let (t, y, p) = (at.time, &at.state[..], &at.parameters[..]);
+            let c = filled(scene.constants(), |values| scene.prepare(p, values));
+            let ours = filled(nonzeros + entries, |values| {
+                scene.prepared_jacobians(t, y, p, &c, values);
+            });
+            let alone =
+                filled(nonzeros, |values| scene.prepared_rate_jacobian(t, y, p, &c, values));
+            assert_same_bits(name, &ours[..nonzeros], &alone);
+            let ours =
+                [dense(patterns[0], &ours[..nonzeros]), dense(patterns[1], &ours[nonzeros..])];
+            let slopes = differences(twin, &at);
+            let largest = slopes[0].amax().max(slopes[1].amax());
+            for (ours, slopes) in ours.iter().zip(&slopes) {
+                for (row, slopes) in slopes.row_iter().enumerate() {
+                    let off = (ours.row(row) - slopes).amax();
+                    // Where all of a row is zero, differences have a rounding of their own.
+                    let allowed = 1e-10 * slopes.amax() + 1e-16 * largest;
+                    assert!(off <= allowed, "{name}: {off:e}, not {allowed:e}, in row {row}");
+                }
+            }
+        }
+        looked_at += 1;
+    }
+    assert!(looked_at > 20, "{looked_at} scenes");
+}
+
+/// dy'/dy and dy'/dp by central differences of the rate in 31 digits.
+fn differences(twin: &dyn Simulator<DoubleDouble>, at: &Place) -> [DMatrix<f64>; 2] {
+    let to = |values: &[f64]| -> Vec<DoubleDouble> {
+        values.iter().map(|value| DoubleDouble::literal(*value)).collect()
+    };
+    let rate = |given: &[Vec<DoubleDouble>; 2]| {
+        let mut rate = vec![DoubleDouble::literal(0.0); at.state.len()];
+        twin.rate(DoubleDouble::literal(at.time), &given[0], &given[1], &mut rate);
+        rate
+    };
+    [0, 1].map(|varied| {
+        let mut given = [to(&at.state), to(&at.parameters)];
+        let count = given[varied].len();
+        let mut matrix = DMatrix::zeros(at.state.len(), count);
+        for column in 0..count {
+            let value = given[varied][column];
+            let size = value.to_f64().abs();
+            let step = 1e-10 * if size > 0.0 { size } else { 1.0 };
+            let [ahead, behind] = [step, -step].map(|step| {
+                given[varied][column] = value + DoubleDouble::literal(step);
+                rate(&given)
+            });
+            given[varied][column] = value;
+            for (row, (ahead, behind)) in ahead.into_iter().zip(behind).enumerate() {
+                matrix[(row, column)] = (ahead - behind).to_f64() / (2.0 * step);
+            }
+        }
+        matrix
+    })
 }

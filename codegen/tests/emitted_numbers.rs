@@ -111,6 +111,10 @@ fn assert_simulator_is_model(simulator: &impl Simulator<f64>, model: &Model, inp
     for (name, tape, emitted) in cases {
         assert_same_bits(name, &evaluated(model, tape, inputs), &emitted);
     }
+    let matrices = [&model.rate_jacobian.tape, &model.parameter_jacobian.tape];
+    let apart = matrices.map(|tape| evaluated(model, tape, inputs)).concat();
+    let at_once = simulated(apart.len(), |v| s.prepared_jacobians(t, y, p, &c, v));
+    assert_same_bits("prepared_jacobians", &apart, &at_once);
 }
 
 /// Time, state, parameters.

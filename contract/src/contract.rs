@@ -301,9 +301,26 @@ pub trait Simulator<R: Real>: Describe {
         0
     }
     /// What rate and Jacobians need of the parameters, `constants` long: once a run, for
-    /// [`Simulator::prepared_rate`], [`Simulator::prepared_rate_jacobian`] and
-    /// [`Simulator::prepared_parameter_jacobian`].
+    /// [`Simulator::prepared_rate`], [`Simulator::prepared_rate_jacobian`],
+    /// [`Simulator::prepared_parameter_jacobian`] and [`Simulator::prepared_jacobians`].
     fn prepare(&self, _parameters: &[R], _constants: &mut [R]) {}
+    /// `dy'/dy` and `dy'/dp` by constants, values of the one behind those of the other, to the
+    /// last bit as [`Simulator::prepared_rate_jacobian`] and
+    /// [`Simulator::prepared_parameter_jacobian`] give them: for sensitivities, which need both at
+    /// every state. What both need may be computed once.
+    fn prepared_jacobians(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let by_state = self.rate_jacobian_pattern().entries.len();
+        let (by_state, by_parameters) = values.split_at_mut(by_state);
+        self.prepared_rate_jacobian(time, state, parameters, constants, by_state);
+        self.prepared_parameter_jacobian(time, state, parameters, constants, by_parameters);
+    }
     /// Taylor series of the solution, where the simulator has them.
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         None

@@ -98,6 +98,7 @@ impl Real for Dual {
         if lhs.value < rhs.value { then } else { otherwise }
     }
 
+    #[inline(always)]
     fn mul_add(self, factor: Self, summand: Self) -> Self {
         let value = Real::mul_add(self.value, factor.value, summand.value);
         Self { value, slopes: (self * factor + summand).slopes }

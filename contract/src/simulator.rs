@@ -15,7 +15,8 @@
 /// ```
 ///
 /// Parts are what not every machine has, each followed by a semicolon: `coordinates`
-/// (see `coordinates!`), `events`, `constraints`, `equilibrium`, `kinks COUNT`, `prepared` (see `constants!`),
+/// (see `coordinates!`), `events`, `constraints`, `equilibrium`, `kinks COUNT`, `prepared` (see `constants!`)
+/// with `jacobians_at_once` where `prepared_jacobians` gives both Jacobians or `jacobians_apart`,
 /// `series LANES` or `series LANES Bends` (as many sums of products an order), and `linear`.
 #[macro_export]
 macro_rules! simulator {
@@ -176,7 +177,29 @@ macro_rules! __simulate_part {
         }
         $crate::__simulate_part! { by_constants prepared_rate }
         $crate::__simulate_part! { by_constants prepared_rate_jacobian }
+    };
+    (jacobians_apart) => {
         $crate::__simulate_part! { by_constants prepared_parameter_jacobian }
+    };
+    (jacobians_at_once) => {
+        $crate::__simulate_part! { by_constants prepared_jacobians }
+        // By the method, as the free functions below.
+        fn prepared_parameter_jacobian(
+            &self,
+            time: R,
+            state: &[R],
+            parameters: &[R],
+            constants: &[R],
+            values: &mut [R],
+        ) {
+            const BY_STATE: usize = RATE_JACOBIAN_PATTERN.entries.len();
+            const BOTH: usize = BY_STATE + PARAMETER_JACOBIAN_PATTERN.entries.len();
+            let mut both = [R::literal(0.0); BOTH];
+            $crate::Simulator::<R>::prepared_jacobians(
+                self, time, state, parameters, constants, &mut both,
+            );
+            values.copy_from_slice(&both[BY_STATE..]);
+        }
     };
     (by_constants $name:ident) => {
         fn $name(&self, time: R, state: &[R], parameters: &[R], constants: &[R], values: &mut [R]) {
@@ -213,11 +236,18 @@ macro_rules! __part {
             "`dy'/dy`: [`prepared_rate_jacobian`] by constants that [`prepare`] computes on the \
 way."
         }
+    };
+    ($machine:ident jacobians_apart) => {
+        $crate::__part! { $machine parameter_jacobian }
+    };
+    ($machine:ident jacobians_at_once) => {
+        $crate::__part! { $machine parameter_jacobian }
+    };
+    ($machine:ident parameter_jacobian) => {
         $crate::__part! {
             by_constants $machine parameter_jacobian prepared_parameter_jacobian
             PARAMETER_JACOBIAN_PATTERN.entries.len();
-            "`dy'/dp`: [`prepared_parameter_jacobian`] by constants that [`prepare`] computes on \
-the way."
+            "`dy'/dp`, by constants that [`prepare`] computes on the way."
         }
     };
     // By the method, so that nothing but that calls the function, which is then compiled into it

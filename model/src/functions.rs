@@ -239,6 +239,13 @@ impl Model {
         self.motion.is_some() && (self.solve(id).is_some() || is_read(self.tape(id)))
     }
 
+    /// Whether dy'/dy and dy'/dp by constants are one function: where no motion goes before both,
+    /// and no fields add to them.
+    #[must_use]
+    pub fn gives_jacobians_at_once(&self) -> bool {
+        self.motion.is_none() && self.fields.is_empty()
+    }
+
     /// The tape of a function.
     #[must_use]
     pub fn tape(&self, id: FunctionId) -> &Tape {

@@ -24,6 +24,9 @@ pub struct Hoisted {
     pub rate_jacobian: Tape,
     /// dy'/dp.
     pub parameter_jacobian: Tape,
+    /// Both, entries of dy'/dp behind those of dy'/dy, and what both need once; empty unless
+    /// [`Model::gives_jacobians_at_once`].
+    pub jacobians: Tape,
     /// What goes before dy'/dy and other functions; empty if nothing does.
     pub motion: Tape,
 }
@@ -39,7 +42,14 @@ impl Hoisted {
         let motion = model.motion.as_ref().map(|motion| constants.hoist(&motion.tape));
         let motion = motion.unwrap_or_default();
         let parameter_jacobian = constants.hoist(&model.parameter_jacobian.tape);
-        Self { constants: constants.tape, rate, rate_jacobian, parameter_jacobian, motion }
+        let jacobians = if model.gives_jacobians_at_once() {
+            let both = [&model.rate_jacobian, &model.parameter_jacobian];
+            constants.hoist(&at_once(both.map(|matrix| &matrix.tape)))
+        } else {
+            Tape::default()
+        };
+        let constants = constants.shared.tape;
+        Self { constants, rate, rate_jacobian, parameter_jacobian, jacobians, motion }
     }
 
     /// Operations done once a run.
@@ -56,7 +66,18 @@ impl Hoisted {
 pub fn apart_from_state(tape: &Tape) -> (Tape, Tape) {
     let mut constants = Constants::new(Known::OnceATime);
     let remaining = constants.hoist(tape);
-    (constants.tape, remaining)
+    (constants.shared.tape, remaining)
+}
+
+/// One tape with the results of several, one behind the other, and every operation once.
+fn at_once<const N: usize>(tapes: [&Tape; N]) -> Tape {
+    let mut shared = Shared::default();
+    let mut results = Vec::new();
+    for tape in tapes {
+        let places = shared.keep(tape, |_| true);
+        results.extend(tape.results.iter().map(|id| places[id.0 as usize]));
+    }
+    Tape { results, ..shared.tape }
 }
 
 /// When constants are known.
@@ -70,25 +91,25 @@ enum Known {
 
 /// The constants as they are found, those of several tapes shared.
 struct Constants {
-    tape: Tape,
+    shared: Shared,
     of: Known,
-    /// Constants by their operation, on the tape of constants.
-    known: FxHashMap<OpKey, NodeId>,
-    /// Names that are taken there.
-    names: HashSet<String>,
-    /// Which constant a node of that tape is.
+    /// Which constant a node of the shared tape is.
     places: FxHashMap<NodeId, u32>,
+}
+
+/// Nodes of several tapes on one, each operation once.
+#[derive(Default)]
+struct Shared {
+    tape: Tape,
+    /// Nodes by their operation.
+    known: FxHashMap<OpKey, NodeId>,
+    /// Names that are taken.
+    names: HashSet<String>,
 }
 
 impl Constants {
     fn new(of: Known) -> Self {
-        Self {
-            tape: Tape::default(),
-            of,
-            known: FxHashMap::default(),
-            names: HashSet::new(),
-            places: FxHashMap::default(),
-        }
+        Self { shared: Shared::default(), of, places: FxHashMap::default() }
     }
 
     /// The tape with constants in place of what is done once a run.
@@ -113,7 +134,8 @@ impl Constants {
             }
         }
         tape.results.iter().for_each(|id| is_read[id.0 as usize] = true);
-        let moved = self.keep(tape, |index| is_constant[index] && is_read[index] && needed[index]);
+        let moved =
+            self.shared.keep(tape, |index| is_constant[index] && is_read[index] && needed[index]);
         let mut places = vec![NodeId(0); tape.nodes.len()];
         let mut remaining = Tape::default();
         for (index, node) in tape.nodes.iter().enumerate().filter(|(index, _)| needed[*index]) {
@@ -132,8 +154,19 @@ impl Constants {
         reachable(&remaining.nodes, &results)
     }
 
-    /// Puts nodes of a tape on the tape of constants, with all that they need; where each
-    /// of them is now.
+    /// Which constant a node of the shared tape is.
+    fn place(&mut self, id: NodeId) -> u32 {
+        let next = self.shared.tape.results.len() as u32;
+        let place = *self.places.entry(id).or_insert(next);
+        if place == next {
+            self.shared.tape.results.push(id);
+        }
+        place
+    }
+}
+
+impl Shared {
+    /// Takes nodes of a tape, with all that they need; where each of them is now.
     fn keep(&mut self, tape: &Tape, is_read: impl Fn(usize) -> bool) -> Vec<NodeId> {
         let mut wanted: Vec<bool> = (0..tape.nodes.len()).map(is_read).collect();
         for index in (0..tape.nodes.len()).rev() {
@@ -151,7 +184,7 @@ impl Constants {
         moved
     }
 
-    /// The node of an operation on the tape of constants.
+    /// The node of an operation.
     fn node(&mut self, op: Op, name: Option<&str>) -> NodeId {
         let next = NodeId(self.tape.nodes.len() as u32);
         let id = *self.known.entry(op.key()).or_insert(next);
@@ -160,16 +193,6 @@ impl Constants {
             self.tape.nodes.push(Node { op, name: name.map(str::to_owned) });
         }
         id
-    }
-
-    /// Which constant a node of that tape is.
-    fn place(&mut self, id: NodeId) -> u32 {
-        let next = self.tape.results.len() as u32;
-        let place = *self.places.entry(id).or_insert(next);
-        if place == next {
-            self.tape.results.push(id);
-        }
-        place
     }
 }
 
@@ -195,7 +218,7 @@ mod tests {
         assert_eq!(first, tape(&[Op::State(0), Op::Constant(0), product(1, 0)], &[2]));
         // The parameter itself is read by nothing any more.
         assert_eq!(second, tape(&[Op::Constant(0), Op::Constant(1)], &[0, 1]));
-        assert_eq!(constants.tape, tape(&[p, product(0, 0), root], &[1, 2]));
+        assert_eq!(constants.shared.tape, tape(&[p, product(0, 0), root], &[1, 2]));
     }
 
     #[test]

@@ -40,7 +40,7 @@ pub struct ModelSimulator {
     motion: motion::MotionFunction,
     hoisted: OnceLock<Hoisted>,
     /// What parameters alone decide, then rate and Jacobians that read it.
-    prepared: [TapeFunction; 4],
+    prepared: [TapeFunction; 5],
     series: Series,
     /// Excitation and switches.
     linear: [TapeFunction; 2],
@@ -106,7 +106,14 @@ impl ModelSimulator {
         self
     }
 
-    /// Likewise, shared.
+    /// Likewise, on numbers that carry derivatives.
+    #[must_use]
+    #[inline(never)]
+    pub fn with_fields_on_duals(&self) -> &dyn FieldScene<Dual> {
+        self
+    }
+
+    /// It with fields, shared.
     #[must_use]
     #[inline(never)]
     pub fn shared_with_fields(self: Arc<Self>) -> Arc<dyn FieldScene<f64> + Send> {
@@ -414,6 +421,24 @@ impl<R: Lane> Simulator<R> for ModelSimulator {
     ) {
         let read = Read { constants: R::numbers(constants), ..self.read(&time, state, parameters) };
         self.run_prepared((3, |hoisted| &hoisted.parameter_jacobian), &read, values);
+    }
+    fn prepared_jacobians(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        if !self.model.gives_jacobians_at_once() {
+            let by_state = self.model.rate_jacobian.pattern.entries.len();
+            let (by_state, by_parameters) = values.split_at_mut(by_state);
+            self.prepared_rate_jacobian(time, state, parameters, constants, by_state);
+            self.prepared_parameter_jacobian(time, state, parameters, constants, by_parameters);
+            return;
+        }
+        let read = Read { constants: R::numbers(constants), ..self.read(&time, state, parameters) };
+        self.run_prepared((4, |hoisted| &hoisted.jacobians), &read, values);
     }
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         self.model.constraints.is_empty().then_some(self as &dyn TaylorSeries<R>)

@@ -8,7 +8,7 @@ mod carried;
 
 use std::ops::Range;
 
-use super::lanes::{Sum, combine, padded, sum};
+use super::lanes::{Sum, combine, copy, padded, sum};
 use super::one_step::{OneStep, Pace, Trial, drive_all, first_step};
 use super::tableau::{DOP853, Pair, Row, TSIT5};
 use super::{Integrator, Samples, Sealed, Stopped, Stretch};
@@ -118,8 +118,8 @@ impl<'a> ExplicitSteps<'a> {
     fn linearize(&self, carried: &mut Carried, tangents: &Tangents<'_>, stages: Range<usize>) {
         for stage in stages {
             let time = self.time + self.pair.nodes[stage] * self.step;
-            carried.linearize(tangents, stage, |state, jacobian, drive| {
-                tangents.linearize(self.stretch, time, &state[..self.size], jacobian, drive);
+            carried.linearize(tangents, stage, |state, values, drive| {
+                tangents.linearize(self.stretch, time, &state[..self.size], values, drive);
             });
         }
     }
@@ -154,7 +154,7 @@ impl<'a> ExplicitSteps<'a> {
             At::End => &self.end,
         };
         if let Some(carried) = &mut self.carried {
-            carried.state(stage).copy_from_slice(state);
+            copy(state, carried.state(stage));
         }
         let rate = &mut self.stages[stage * self.width..][..self.size];
         self.stretch.rate(time, &state[..self.size], rate);
@@ -293,7 +293,7 @@ impl OneStep for ExplicitSteps<'_> {
 
     fn accept(&mut self) {
         self.time += self.step;
-        self.start.copy_from_slice(&self.end);
+        copy(&self.end, &mut self.start);
         let last = self.pair.rows.len() - 1;
         self.stages.copy_within(last * self.width..(last + 1) * self.width, 0);
         if let Some(carried) = &mut self.carried {

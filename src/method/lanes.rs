@@ -12,6 +12,24 @@ pub(super) fn padded_many(size: usize) -> usize {
     size.next_multiple_of(LANES)
 }
 
+/// Copies a stage. So few numbers as small machines have take less time than a call.
+#[inline(always)]
+pub(super) fn copy(from: &[f64], into: &mut [f64]) {
+    #[inline(always)]
+    fn chunk<const COUNT: usize>(from: &[f64], into: &mut [f64]) {
+        if let (Some(from), Some(into)) = (from.first_chunk(), into.first_chunk_mut::<COUNT>()) {
+            *into = *from;
+        }
+    }
+    match into.len() {
+        2 => chunk::<2>(from, into),
+        4 => chunk::<4>(from, into),
+        6 => chunk::<6>(from, into),
+        8 => chunk::<8>(from, into),
+        _ => into.copy_from_slice(from),
+    }
+}
+
 /// Longer stages are padded to a multiple of so many states.
 const LANES: usize = 4;
 

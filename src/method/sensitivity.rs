@@ -97,10 +97,8 @@ pub(crate) struct Tangents<'a> {
 
 /// What is written anew at every state.
 struct Scratch {
-    /// Values of dy'/dy.
-    jacobian: Vec<f64>,
-    /// Values of dy'/dp.
-    by_parameters: Vec<f64>,
+    /// Values of dy'/dy and dy'/dp.
+    jacobians: Vec<f64>,
     /// df/dp of the directions.
     drive: Vec<f64>,
 }
@@ -148,11 +146,7 @@ impl<'a> Tangents<'a> {
             latest: Instant { time: from, shifts: vec![0.0; count] },
             front: (from, Vec::new()),
         };
-        let scratch = Scratch {
-            jacobian: vec![0.0; patterns.0.entries.len()],
-            by_parameters: vec![0.0; patterns.1.entries.len()],
-            drive: zeros,
-        };
+        let scratch = Scratch { jacobians: vec![0.0; equations.values()], drive: zeros };
         let inner = RefCell::new(inner);
         let size = |by: &By| match by {
             By::Parameter(index) if parameters[*index] != 0.0 => parameters[*index].abs(),
@@ -201,22 +195,21 @@ impl<'a> Tangents<'a> {
         &self.equations
     }
 
-    /// J and df/dp at a state of a stretch: of S' = J S + df/dp what does not depend on S. df/dp
-    /// has to be zero where no parameter is.
+    /// J and df/dp at a state of a stretch: of S' = J S + df/dp what does not depend on S. `values`
+    /// are [`Equations::values`] long and begin with J; df/dp has to be zero where no parameter is.
     pub(crate) fn linearize(
         &self,
         stretch: &Stretch<'_>,
         time: f64,
         state: &[f64],
-        jacobian: &mut [f64],
+        values: &mut [f64],
         drive: &mut [f64],
     ) {
-        stretch.jacobian(time, state, jacobian);
         if self.equations.are_driven() {
-            let by_parameters = &mut self.scratch.borrow_mut().by_parameters;
-            let (time, state) = (stretch.within(time), &state[..self.states]);
-            stretch.system.parameter_jacobian(time, state, by_parameters);
-            self.equations.drive(by_parameters, drive);
+            stretch.system.jacobians(stretch.within(time), state, values);
+            self.equations.drive(values, drive);
+        } else {
+            stretch.jacobian(time, state, values);
         }
     }
 
@@ -229,23 +222,18 @@ impl<'a> Tangents<'a> {
         tangents: &[f64],
         into: &mut [f64],
     ) {
-        let [mut jacobian, mut drive] = {
-            let scratch = &mut *self.scratch.borrow_mut();
-            [&mut scratch.jacobian, &mut scratch.drive].map(std::mem::take)
-        };
-        self.linearize(stretch, time, state, &mut jacobian, &mut drive);
-        let of = (&jacobian[..], &drive[..]);
+        let Scratch { jacobians, drive } = &mut *self.scratch.borrow_mut();
+        self.linearize(stretch, time, state, jacobians, drive);
+        let of = (&jacobians[..], &drive[..]);
         widest(Product { equations: &self.equations, of, tangents, into });
-        let scratch = &mut *self.scratch.borrow_mut();
-        (scratch.jacobian, scratch.drive) = (jacobian, drive);
     }
 
     /// The entries of dy'/dy where [`Tangents::rate`] was last asked for: row, column, value.
     #[cfg(feature = "implicit")]
     pub(crate) fn for_each_slope(&self, mut look: impl FnMut(usize, usize, f64)) {
-        let jacobian = &self.scratch.borrow().jacobian;
+        let jacobians = &self.scratch.borrow().jacobians;
         let entries = self.simulator.rate_jacobian_pattern().entries;
-        for ((row, column), value) in entries.iter().zip(jacobian) {
+        for ((row, column), value) in entries.iter().zip(jacobians) {
             look(*row as usize, *column as usize, *value);
         }
     }

@@ -237,10 +237,12 @@ impl<'a> System<'a> {
         self.simulator.prepared_rate_jacobian(time, state, parameters, constants, values);
     }
 
-    /// df/dp without the rows of the quadratures, values in pattern order.
-    pub(crate) fn parameter_jacobian(&self, time: f64, state: &[f64], values: &mut [f64]) {
+    /// df/dy, then df/dp, without the rows of the quadratures, values in pattern order.
+    pub(crate) fn jacobians(&self, time: f64, state: &[f64], values: &mut [f64]) {
+        self.count(|work| work.jacobian_evaluations += 1);
+        let state = &state[..self.states()];
         let (parameters, constants) = (self.parameters, &self.constants);
-        self.simulator.prepared_parameter_jacobian(time, state, parameters, constants, values);
+        self.simulator.prepared_jacobians(time, state, parameters, constants, values);
     }
 
     /// The rows of df/dy that belong to the quadratures, as `(column, entries)`;

@@ -175,6 +175,11 @@ impl<'a> Scene<'a> {
 }
 
 impl Scene<'_> {
+    /// Whether one function gives dy'/dy and dy'/dp by constants.
+    fn gives_jacobians_at_once(&self) -> bool {
+        !self.prepare.is_empty() && self.model.gives_jacobians_at_once()
+    }
+
     /// What bodies of free functions may name.
     fn scope<'a>(&'a self, constants: &'a [Ident]) -> Scope<'a> {
         Scope {

@@ -5,7 +5,7 @@ mod watched;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use machinist_model::{MatrixTape, Model, NodeId, SparsityPattern, Tape};
+use machinist_model::{MatrixTape, Model, NodeId, SparsityPattern, Tape, reachable};
 
 use crate::expr::abbreviate::Abbreviations;
 use crate::expr::{Expr, Graph};
@@ -183,8 +183,7 @@ impl<'a> Build<'a> {
             let columns = partials.map(|partials| -> Vec<BTreeMap<usize, NodeId>> {
                 partials.iter().map(|partials| self.column(partials, &entries)).collect()
             });
-            let vanishes = self.graph.vanishing();
-            Jacobians::Unrolled(Box::new(columns.map(|columns| self.jacobian(&columns, &vanishes))))
+            Jacobians::Unrolled(Box::new(self.unrolled_matrices(&columns)))
         }
     }
 
@@ -296,14 +295,35 @@ impl<'a> Build<'a> {
         Implicit::unrolled(&nonzeros, self.rate.len(), columns.count)
     }
 
-    /// A Jacobian by columns, stored by rows, without the nodes that vanish.
-    fn jacobian(&self, columns: &[BTreeMap<usize, NodeId>], vanishes: &[bool]) -> MatrixTape {
-        let columns_of = columns.iter().enumerate();
-        let entries = columns_of
-            .flat_map(|(column, nodes)| nodes.iter().map(move |(row, node)| (*row, column, *node)));
-        let mut entries: Vec<_> = entries.filter(|(.., node)| !vanishes[node.0 as usize]).collect();
-        entries.sort_unstable_by_key(|(row, column, _)| (*row, *column));
-        self.matrix_tape((self.rate.len(), columns.len()), &entries)
+    /// Jacobians by columns, stored by rows, without the nodes that vanish; as one tape before they
+    /// are parted, so that what several need has the same form in each.
+    fn unrolled_matrices(&self, matrices: &[Vec<BTreeMap<usize, NodeId>>; 2]) -> [MatrixTape; 2] {
+        let vanishes = self.graph.vanishing();
+        let nonzeros = matrices.each_ref().map(|columns| {
+            let entries = columns.iter().enumerate().flat_map(|(column, nodes)| {
+                nodes.iter().map(move |(row, node)| (*row, column, *node))
+            });
+            let mut entries: Vec<_> =
+                entries.filter(|(.., node)| !vanishes[node.0 as usize]).collect();
+            entries.sort_unstable_by_key(|(row, column, _)| (*row, *column));
+            entries
+        });
+        let all: Vec<NodeId> = nonzeros.iter().flatten().map(|(.., node)| *node).collect();
+        let tape = expand(&self.graph.tape(&all));
+        let mut results = &tape.results[..];
+        let counts = matrices.each_ref().map(Vec::len);
+        std::array::from_fn(|matrix| {
+            let entries = &nonzeros[matrix];
+            let (own, others) = results.split_at(entries.len());
+            results = others;
+            let entries = entries.iter().map(|(r, c, _)| (*r as u32, *c as u32)).collect();
+            let (rows, columns) = (self.rate.len(), counts[matrix]);
+            MatrixTape {
+                pattern: SparsityPattern { rows, columns, entries },
+                tape: reachable(&tape.nodes, own),
+                solve: None,
+            }
+        })
     }
 
     /// Whether derivatives are worth a solve by factors: where factors change with the state,
@@ -321,8 +341,7 @@ impl<'a> Build<'a> {
         let columns = match jacobians {
             Jacobians::Implicit(columns) => columns,
             Jacobians::Unrolled(matrices) => {
-                let [mut rate_jacobian, parameter_jacobian] = *matrices;
-                rate_jacobian.tape = expand(&rate_jacobian.tape);
+                let [rate_jacobian, parameter_jacobian] = *matrices;
                 let [time_derivative, outputs, power_balance, guard_rates, kink_rates] =
                     motion.each().map(|results| self.graph.tape(results));
                 return Model {

@@ -35,7 +35,7 @@ use ::machinist_contract::{
     Coupled: "coupled", "Damped pendulum";
     run from 0.0, until 2.0, points 1001, rtol 1e-8, method "bdf";
     quadratures 0, discontinuities 0;
-    prepared; series 12;
+    prepared; jacobians_at_once; series 12;
 }
 
 ::machinist_contract::parameters! {
@@ -135,9 +135,10 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Para
     []
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. No operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// No operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>,
+pub fn prepared_jacobians<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>,
         _c: &Constants<R>) -> [R; 0] {
     []
 }

@@ -25,7 +25,7 @@
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 5 of 3 by 3, parameter_jacobian 2 of 3 by 6.
 // Operations: rate 14, mass_matrix 2, forcing 7, rate_jacobian 13, parameter_jacobian 7,
 //     time_derivative 3, outputs 167, energy 10, power_balance 4, prepare 9, prepared_rate 10,
-//     prepared_rate_jacobian 4, prepared_parameter_jacobian 5.
+//     prepared_rate_jacobian 4, prepared_jacobians 9.
 
 use ::machinist_contract::{
     CubicTable, Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -44,7 +44,7 @@ use ::machinist_contract::{
     Oddities: "oddities", "*/ } fn main() {} /* ` [main](x) <b> \"; // \\ \u{202e}\r\n    let code = 1;\n# [`x`]\n```\nlet y;";
     run from 0.0, until 2.0, points 3, rtol 1e-8, method "bdf", times [0.0, 0.001, 2.0];
     quadratures 0, discontinuities 1;
-    equilibrium; prepared; series 4 Corners;
+    equilibrium; prepared; jacobians_at_once; series 4 Corners;
 }
 
 ::machinist_contract::parameters! {
@@ -180,14 +180,19 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Param
         c.p_2_dot_by_p_2]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 5 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 9 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 2] {
+pub fn prepared_jacobians<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 7] {
     let [state_2, STATES_2, ..] = *state;
-    let STATES_2_dot_by_arm_gravity = -(state_2.sin() / p.time);
+    let (sin_state_2, cos_state_2) = state_2.sin_cos();
+    let STATES_2_dot_by_state_2 = -(c.STATES_times_arm_gravity_times_time * cos_state_2
+        / c.inertia);
+    let STATES_2_dot_by_arm_gravity = -(sin_state_2 / p.time);
     let STATES_2_dot_by_arm_damping = -(STATES_2 / c.inertia);
-    [STATES_2_dot_by_arm_gravity, STATES_2_dot_by_arm_damping]
+    [R::literal(1.0), STATES_2_dot_by_state_2, c.STATES_2_dot_by_STATES_2, c.STATES_2_dot_by_p_2,
+        c.p_2_dot_by_p_2, STATES_2_dot_by_arm_gravity, STATES_2_dot_by_arm_damping]
 }
 
 /// Partial derivative of `y'` with respect to time. 3 operations.

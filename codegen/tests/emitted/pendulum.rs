@@ -19,7 +19,7 @@
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 5 of 3 by 3, parameter_jacobian 2 of 3 by 6.
 // Operations: rate 14, mass_matrix 2, forcing 7, rate_jacobian 13, parameter_jacobian 7,
 //     time_derivative 3, outputs 3, energy 10, power_balance 4, prepare 9, prepared_rate 10,
-//     prepared_rate_jacobian 4, prepared_parameter_jacobian 5.
+//     prepared_rate_jacobian 4, prepared_jacobians 9.
 
 use ::machinist_contract::{
     CubicTable, Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -36,7 +36,7 @@ use ::machinist_contract::{
     Pendulum: "pendulum", "Damped pendulum";
     run from 0.0, until 2.0, points 1001, rtol 1e-8, method "bdf";
     quadratures 0, discontinuities 1;
-    prepared; series 4 Corners;
+    prepared; jacobians_at_once; series 4 Corners;
 }
 
 ::machinist_contract::parameters! {
@@ -138,14 +138,19 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Param
         c.arm_phi_dot_dot_by_drive_torque, c.drive_torque_dot_by_drive_torque]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 5 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 9 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 2] {
+pub fn prepared_jacobians<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 7] {
     let [arm_phi, arm_phi_dot, ..] = *state;
-    let arm_phi_dot_dot_by_arm_gravity = -(arm_phi.sin() / p.arm_length);
+    let (sin_arm_phi, cos_arm_phi) = arm_phi.sin_cos();
+    let arm_phi_dot_dot_by_arm_phi = -(c.t0 * cos_arm_phi / c.inertia);
+    let arm_phi_dot_dot_by_arm_gravity = -(sin_arm_phi / p.arm_length);
     let arm_phi_dot_dot_by_arm_damping = -(arm_phi_dot / c.inertia);
-    [arm_phi_dot_dot_by_arm_gravity, arm_phi_dot_dot_by_arm_damping]
+    [R::literal(1.0), arm_phi_dot_dot_by_arm_phi, c.arm_phi_dot_dot_by_arm_phi_dot,
+        c.arm_phi_dot_dot_by_drive_torque, c.drive_torque_dot_by_drive_torque,
+        arm_phi_dot_dot_by_arm_gravity, arm_phi_dot_dot_by_arm_damping]
 }
 
 /// Partial derivative of `y'` with respect to time. 3 operations.

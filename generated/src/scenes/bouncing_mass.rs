@@ -19,7 +19,7 @@
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 1 of 3 by 3, parameter_jacobian 3 of 3 by 8.
 // Operations: rate 12, forcing 10, parameter_jacobian 23, time_derivative 11, outputs 4, energy 5,
 //     power_balance 18, guards 8, guard_rates 9, resets 23, prepare 6, prepared_rate 9,
-//     prepared_parameter_jacobian 18.
+//     prepared_jacobians 18.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse};
 
@@ -33,7 +33,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     BouncingMass: "bouncing_mass", "Mass bouncing on a shaken plate";
     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
-    events; prepared; series 0;
+    events; prepared; jacobians_at_once; series 0;
 }
 
 ::machinist_contract::parameters! {
@@ -144,10 +144,11 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Para
     [R::literal(1.0)]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 18 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 18 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 3] {
+pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 4] {
     let [_, _, ball_resting] = *state;
     let frequency_times_time = p.frequency * time;
     let (sin_frequency_times_time, cos_frequency_times_time) = frequency_times_time.sin_cos();
@@ -160,7 +161,7 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
         * c.inverse_ball_mass;
     let ball_v_dot_by_ball_gravity = (R::select_less(ball_resting, R::literal(0.5),
         R::literal(0.0), p.ball_mass) - p.ball_mass) * c.inverse_ball_mass;
-    [ball_v_dot_by_amplitude, ball_v_dot_by_frequency, ball_v_dot_by_ball_gravity]
+    [R::literal(1.0), ball_v_dot_by_amplitude, ball_v_dot_by_frequency, ball_v_dot_by_ball_gravity]
 }
 
 /// Partial derivative of `y'` with respect to time. 11 operations.

@@ -19,7 +19,7 @@
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 3 by 3, parameter_jacobian 6 of 3 by 7.
 // Operations: rate 12, forcing 10, rate_jacobian 9, parameter_jacobian 26, outputs 5, energy 12,
 //     power_balance 23, guards 5, guard_rates 19, prepare 4, prepared_rate 10,
-//     prepared_rate_jacobian 6, prepared_parameter_jacobian 24.
+//     prepared_rate_jacobian 6, prepared_jacobians 30.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse};
 
@@ -32,7 +32,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     ContactOscillator: "contact_oscillator", "Oscillator with a one-sided stop";
     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
-    events; prepared; series 0;
+    events; prepared; jacobians_at_once; series 0;
 }
 
 ::machinist_contract::parameters! {
@@ -144,11 +144,17 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     [R::literal(1.0), oscillator_v_dot_by_oscillator_x, oscillator_v_dot_by_oscillator_v]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 24 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 30 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 6] {
+pub fn prepared_jacobians<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 9] {
     let [oscillator_x, oscillator_v, stop_closed] = *state;
+    let oscillator_v_dot_by_oscillator_x = (R::select_less(stop_closed, R::literal(0.5),
+        R::literal(0.0), c.minus_stop_stiffness) - p.oscillator_stiffness)
+        * c.inverse_oscillator_mass;
+    let oscillator_v_dot_by_oscillator_v = (R::select_less(stop_closed, R::literal(0.5),
+        R::literal(0.0), c.minus_stop_damping) - p.oscillator_damping) * c.inverse_oscillator_mass;
     let oscillator_v_dot = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0),
         c.stop_distance_times_stop_stiffness.sub_product(p.stop_stiffness, oscillator_x)
         .sub_product(p.stop_damping, oscillator_v)).sub_product(p.oscillator_stiffness,
@@ -162,7 +168,8 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
         R::literal(0.0), p.stop_distance - oscillator_x) * c.inverse_oscillator_mass;
     let oscillator_v_dot_by_stop_damping = R::select_less(stop_closed, R::literal(0.5),
         R::literal(0.0), -oscillator_v) * c.inverse_oscillator_mass;
-    [oscillator_v_dot_by_oscillator_mass, oscillator_v_dot_by_oscillator_stiffness,
+    [R::literal(1.0), oscillator_v_dot_by_oscillator_x, oscillator_v_dot_by_oscillator_v,
+        oscillator_v_dot_by_oscillator_mass, oscillator_v_dot_by_oscillator_stiffness,
         oscillator_v_dot_by_oscillator_damping, oscillator_v_dot_by_stop_distance,
         oscillator_v_dot_by_stop_stiffness, oscillator_v_dot_by_stop_damping]
 }

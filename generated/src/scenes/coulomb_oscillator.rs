@@ -17,9 +17,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 1, first-order states 1, states 3, parameters 10, outputs 4, events 6.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 4 of 3 by 3, parameter_jacobian 7 of 3 by 10.
-// Operations: rate 16, forcing 14, rate_jacobian 27, parameter_jacobian 49, outputs 13, energy 6,
+// Operations: rate 16, forcing 14, rate_jacobian 27, parameter_jacobian 50, outputs 13, energy 6,
 //     power_balance 23, guards 8, guard_rates 19, resets 12, prepare 9, prepared_rate 14,
-//     prepared_rate_jacobian 22, prepared_parameter_jacobian 43.
+//     prepared_rate_jacobian 22, prepared_jacobians 62.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -35,7 +35,7 @@ use ::machinist_contract::{
     CoulombOscillator: "coulomb_oscillator", "Oscillator braked by dry friction";
     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
-    events; prepared; series 2 Saturates;
+    events; prepared; jacobians_at_once; series 2 Saturates;
 }
 
 ::machinist_contract::parameters! {
@@ -169,15 +169,26 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         slider_v_dot_by_slider_slip]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 43 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 62 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 7] {
+pub fn prepared_jacobians<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 11] {
     let [slider_x, slider_v, slider_slip] = *state;
+    let t0 = (-(c.inverse_slider_stribeck_speed * slider_v * slider_slip)).exp();
+    let slider_v_dot_by_slider_x = (R::select_less(slider_slip, R::literal(-0.5), R::literal(0.0),
+        R::select_less(slider_slip, R::literal(0.5), p.slider_stiffness, R::literal(0.0)))
+        - p.slider_stiffness) * c.inverse_slider_mass;
+    let t1 = c.t2 * slider_slip * t0;
+    let slider_v_dot_by_slider_v = c.inverse_slider_stribeck_speed * (R::select_less(slider_slip,
+        R::literal(-0.5), -t1, R::select_less(slider_slip, R::literal(0.5), c.t1, t1)) - c.t1)
+        * c.inverse_slider_mass;
+    let t2 = c.t3 * slider_v * t0;
+    let slider_v_dot_by_slider_slip = R::select_less(slider_slip, R::literal(-0.5), -t2,
+        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), t2)) * c.inverse_slider_mass;
     let slider_held = (p.slider_stiffness * slider_x).add_product(p.slider_damping, slider_v);
-    let t0 = (c.t0 * slider_v * slider_slip).exp();
-    let t1 = p.slider_kinetic_friction.add_product(p.slider_stribeck_friction, t0);
-    let slider_dragged = p.slider_normal_force * t1;
+    let t3 = p.slider_kinetic_friction.add_product(p.slider_stribeck_friction, t0);
+    let slider_dragged = p.slider_normal_force * t3;
     let slider_friction = R::select_less(slider_slip, R::literal(-0.5), slider_dragged,
         R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged));
     let slider_v_dot = (slider_friction - slider_held) * c.inverse_slider_mass;
@@ -188,21 +199,23 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
     let slider_v_dot_by_slider_damping = (R::select_less(slider_slip, R::literal(-0.5),
         R::literal(0.0), R::select_less(slider_slip, R::literal(0.5), slider_v, R::literal(0.0)))
         - slider_v) * c.inverse_slider_mass;
-    let slider_v_dot_by_slider_normal_force = R::select_less(slider_slip, R::literal(-0.5), t1,
-        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t1)) * c.inverse_slider_mass;
+    let slider_v_dot_by_slider_normal_force = R::select_less(slider_slip, R::literal(-0.5), t3,
+        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t3)) * c.inverse_slider_mass;
     let slider_v_dot_by_slider_kinetic_friction = R::select_less(slider_slip, R::literal(-0.5),
         p.slider_normal_force, R::select_less(slider_slip, R::literal(0.5), R::literal(0.0),
         c.minus_slider_normal_force)) * c.inverse_slider_mass;
-    let t2 = p.slider_normal_force * t0;
+    let t4 = p.slider_normal_force * t0;
     let slider_v_dot_by_slider_stribeck_friction = R::select_less(slider_slip, R::literal(-0.5),
-        t2, R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t2))
+        t4, R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t4))
         * c.inverse_slider_mass;
-    let t3 = c.t4 * slider_v * slider_slip * t0;
-    let slider_v_dot_by_slider_stribeck_speed = R::select_less(slider_slip, R::literal(-0.5), t3,
-        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t3)) * c.inverse_slider_mass;
-    [slider_v_dot_by_slider_mass, slider_v_dot_by_slider_stiffness, slider_v_dot_by_slider_damping,
-        slider_v_dot_by_slider_normal_force, slider_v_dot_by_slider_kinetic_friction,
-        slider_v_dot_by_slider_stribeck_friction, slider_v_dot_by_slider_stribeck_speed]
+    let t5 = c.t4 * slider_v * slider_slip * t0;
+    let slider_v_dot_by_slider_stribeck_speed = R::select_less(slider_slip, R::literal(-0.5), t5,
+        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t5)) * c.inverse_slider_mass;
+    [R::literal(1.0), slider_v_dot_by_slider_x, slider_v_dot_by_slider_v,
+        slider_v_dot_by_slider_slip, slider_v_dot_by_slider_mass, slider_v_dot_by_slider_stiffness,
+        slider_v_dot_by_slider_damping, slider_v_dot_by_slider_normal_force,
+        slider_v_dot_by_slider_kinetic_friction, slider_v_dot_by_slider_stribeck_friction,
+        slider_v_dot_by_slider_stribeck_speed]
 }
 
 /// Partial derivative of `y'` with respect to time. No operations.

@@ -20,7 +20,7 @@
 //     parameter_jacobian 108 of 18 by 15, constraint_matrix 24 of 8 by 9.
 // Operations: rate 290, forcing 6, rate_jacobian 907, parameter_jacobian 1521, outputs 246,
 //     energy 37, power_balance 319, constraint_values 32, constraint_rates 34, constraint_matrix 19,
-//     prepare 18, prepared_rate 275, prepared_rate_jacobian 892, prepared_parameter_jacobian 1503.
+//     prepare 18, prepared_rate 275, prepared_rate_jacobian 892, prepared_jacobians 2144.
 
 use ::machinist_contract::{Energy, PowerBalance, Real};
 
@@ -34,7 +34,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real};
     FourBar: "four_bar", "Four-bar linkage under gravity";
     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
-    constraints; prepared;
+    constraints; prepared; jacobians_at_once;
 }
 
 ::machinist_contract::parameters! {
@@ -639,10 +639,11 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         rocker_omega_dot_by_rocker_omega]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 1503 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 2144 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 108] {
+pub fn prepared_jacobians<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 171] {
     let [_, _, crank_phi, _, _, coupler_phi, _, _, rocker_phi, _, _, crank_omega, _, _,
         coupler_omega, _, _, rocker_omega] = *state;
     let [(sin_crank_phi, cos_crank_phi), (sin_coupler_phi, cos_coupler_phi), (sin_rocker_phi,
@@ -715,443 +716,674 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
     let crank_omega_squared = crank_omega * crank_omega;
     let t59 = c.t0 * crank_omega_squared;
     let t60 = t59 * cos_crank_phi;
-    let t61 = p.crank_length * crank_omega_squared;
+    let t61 = t59 * sin_crank_phi;
+    let t62 = p.crank_length * crank_omega_squared;
     let coupler_omega_squared = coupler_omega * coupler_omega;
-    let t62 = p.coupler_length * coupler_omega_squared;
+    let t63 = p.coupler_length * coupler_omega_squared;
     let rocker_omega_squared = rocker_omega * rocker_omega;
-    let t63 = c.t2 * rocker_omega_squared;
-    let t64 = t63 * cos_rocker_phi;
-    let t65 = c.t1 * coupler_omega_squared;
-    let t66 = t63 * sin_rocker_phi;
-    let t67 = t16 * t60;
-    let t68 = c.t3.sub_product(t59, sin_crank_phi) - t67;
-    let t69 = (R::literal(0.5) * (t61 * cos_crank_phi).add_product(t62, cos_coupler_phi))
-        .add_product(t18, t60).add_product(t24, t68);
-    let t70 = (c.t4 - c.t3.add_product(R::literal(0.5), (t61 * sin_crank_phi).add_product(t62,
-        sin_coupler_phi)) - t67).sub_product(t26, t68).add_product(t31, t69);
-    let t71 = t64.sub_product(t65, cos_coupler_phi).add_product(t33, t69).sub_product(t38, t70);
-    let t72 = (t66.sub_product(t65, sin_coupler_phi) - c.t4 + c.t5).add_product(t34, t69)
-        .sub_product(t40, t70).add_product(t45, t71);
-    let t73 = (-t64).add_product(t47, t71).sub_product(t52, t72);
-    let t74 = (c.t5 - t66).sub_product(t48, t71).sub_product(t54, t72).sub_product(t57, t73) * t58;
-    let t75 = (t73 * t55).sub_product(t57, t74);
-    let t76 = (t72 * t50).sub_product(t52, t75).sub_product(t54, t74);
-    let t77 = (-(t71 * t42)).add_product(t45, t76).add_product(t47, t75).sub_product(t48, t74);
-    let t78 = (t70 * t36).sub_product(t38, t77).sub_product(t40, t76);
-    let pin_a_x = (t69 * t28).add_product(t31, t78).add_product(t33, t77).add_product(t34, t76);
-    let t79 = (t68 * t22).add_product(t24, pin_a_x).sub_product(t26, t78);
-    let t80 = (t60 * t14).add_product(t16, t79).sub_product(t18, pin_a_x).add_product(t16, t78);
-    let rocker_omega_dot = (-(t11 * t76)).add_product(t10, t77).sub_product(t10, t75)
-        .add_product(t11, t74);
-    let coupler_omega_dot = (t9 * t78).add_product(t8, pin_a_x).sub_product(t8, t77)
-        .add_product(t9, t76);
-    let coupler_v_y_dot = (-c.t4.add_product(c.inverse_coupler_mass, t78))
-        .add_product(c.inverse_coupler_mass, t76);
-    let coupler_v_x_dot = (c.inverse_coupler_mass * t77).add_product(c.inverse_coupler_mass,
-        pin_a_x);
-    let crank_omega_dot = (t7 * t79).sub_product(t6, t80).add_product(t6, pin_a_x).add_product(t7,
-        t78);
-    let crank_v_y_dot = (-c.t3.add_product(c.inverse_crank_mass, t79))
-        .add_product(c.inverse_crank_mass, t78);
-    let t81 = R::literal(0.5) * crank_omega_squared;
-    let t82 = R::literal(0.5) * sin_crank_phi;
-    let t83 = R::literal(0.5) * cos_crank_phi;
-    let t84 = (t83 * t79).sub_product(t82, t80).add_product(t82, pin_a_x).add_product(t83, t78);
-    let t85 = (t81 * cos_crank_phi).add_product(t82, crank_omega_dot).add_product(t6, t84);
-    let t86 = (-(t81 * sin_crank_phi)).add_product(t83, crank_omega_dot).add_product(t7, t84)
-        .sub_product(t16, t85);
-    let t87 = t85.add_product(t18, t85).add_product(t24, t86);
-    let t88 = t86.sub_product(t26, t86).add_product(t31, t87);
-    let t89 = (t33 * t87).sub_product(t38, t88);
-    let t90 = (t34 * t87).sub_product(t40, t88).add_product(t45, t89);
-    let t91 = (t47 * t89).sub_product(t52, t90);
-    let t92 = (t48 * t89).add_product(t54, t90).add_product(t57, t91) * t58;
-    let t93 = (t91 * t55).add_product(t57, t92);
-    let t94 = (t90 * t50).sub_product(t52, t93).add_product(t54, t92);
-    let t95 = (-(t89 * t42)).add_product(t45, t94).add_product(t47, t93).add_product(t48, t92);
-    let t96 = (t88 * t36).sub_product(t38, t95).sub_product(t40, t94);
-    let t97 = (t87 * t28).add_product(t31, t96).add_product(t33, t95).add_product(t34, t94);
-    let t98 = (t86 * t22).add_product(t24, t97).sub_product(t26, t96);
-    let t99 = (t85 * t14).add_product(t16, t98).sub_product(t18, t97).add_product(t16, t96);
-    let rocker_omega_dot_by_crank_length = (-(t11 * t94)).add_product(t10, t95).sub_product(t10,
-        t93).sub_product(t11, t92);
-    let rocker_v_y_dot_by_crank_length = (c.inverse_rocker_mass * t92)
-        .sub_product(c.inverse_rocker_mass, t94);
-    let rocker_v_x_dot_by_crank_length = -(c.inverse_rocker_mass * t93)
+    let t64 = c.t2 * rocker_omega_squared;
+    let t65 = t64 * cos_rocker_phi;
+    let t66 = c.t1 * coupler_omega_squared;
+    let t67 = t66 * cos_coupler_phi;
+    let t68 = t64 * sin_rocker_phi;
+    let t69 = t66 * sin_coupler_phi;
+    let t70 = t16 * t60;
+    let t71 = c.t3 - t61 - t70;
+    let t72 = (R::literal(0.5) * (t62 * cos_crank_phi).add_product(t63, cos_coupler_phi))
+        .add_product(t18, t60).add_product(t24, t71);
+    let t73 = (c.t4 - c.t3.add_product(R::literal(0.5), (t62 * sin_crank_phi).add_product(t63,
+        sin_coupler_phi)) - t70).sub_product(t26, t71).add_product(t31, t72);
+    let t74 = (t65 - t67).add_product(t33, t72).sub_product(t38, t73);
+    let t75 = (t68 - t69 - c.t4 + c.t5).add_product(t34, t72).sub_product(t40, t73)
+        .add_product(t45, t74);
+    let t76 = (-t65).add_product(t47, t74).sub_product(t52, t75);
+    let t77 = (c.t5 - t68).sub_product(t48, t74).sub_product(t54, t75).sub_product(t57, t76) * t58;
+    let t78 = (t76 * t55).sub_product(t57, t77);
+    let t79 = (t75 * t50).sub_product(t52, t78).sub_product(t54, t77);
+    let t80 = (-(t74 * t42)).add_product(t45, t79).add_product(t47, t78).sub_product(t48, t77);
+    let t81 = (t73 * t36).sub_product(t38, t80).sub_product(t40, t79);
+    let pin_a_x = (t72 * t28).add_product(t31, t81).add_product(t33, t80).add_product(t34, t79);
+    let t82 = (t71 * t22).add_product(t24, pin_a_x).sub_product(t26, t81);
+    let t83 = (t60 * t14).add_product(t16, t82).sub_product(t18, pin_a_x).add_product(t16, t81);
+    let rocker_omega_dot = (-(t11 * t79)).add_product(t10, t80).sub_product(t10, t78)
+        .add_product(t11, t77);
+    let coupler_omega_dot = (t9 * t81).add_product(t8, pin_a_x).sub_product(t8, t80)
+        .add_product(t9, t79);
+    let crank_omega_dot = (t7 * t82).sub_product(t6, t83).add_product(t6, pin_a_x).add_product(t7,
+        t81);
+    let t84 = (-(t1 * t82).add_product(t0, t83)).add_product(t0, pin_a_x).sub_product(t1, t81);
+    let t85 = t61.sub_product(t0, crank_omega_dot).sub_product(t6, t84);
+    let t86 = (-t60.add_product(t1, crank_omega_dot)).add_product(t7, t84).add_product(t16, t85);
+    let t87 = t85.add_product(t18, t85).sub_product(t24, t86);
+    let t88 = t86.sub_product(t26, t86).sub_product(t31, t87);
+    let t89 = (t33 * t87).add_product(t38, t88);
+    let t90 = (t34 * t87).add_product(t40, t88).add_product(t45, t89);
+    let t91 = (-(t47 * t89)).add_product(t52, t90);
+    let t92 = (t48 * t89).add_product(t54, t90).sub_product(t57, t91) * t58;
+    let t93 = (t91 * t55).sub_product(t57, t92);
+    let t94 = (t90 * t50).add_product(t52, t93).add_product(t54, t92);
+    let t95 = (t89 * t42).sub_product(t45, t94).add_product(t47, t93).sub_product(t48, t92);
+    let t96 = (t88 * t36).sub_product(t38, t95).add_product(t40, t94);
+    let t97 = (t87 * t28).sub_product(t31, t96).sub_product(t33, t95).add_product(t34, t94);
+    let t98 = (t86 * t22).sub_product(t24, t97).sub_product(t26, t96);
+    let t99 = (-(t85 * t14)).add_product(t16, t98).add_product(t18, t97).add_product(t16, t96);
+    let rocker_omega_dot_by_crank_phi = (t11 * t94).add_product(t10, t95).sub_product(t10, t93)
+        .add_product(t11, t92);
+    let rocker_v_y_dot_by_crank_phi = (-(c.inverse_rocker_mass * t92))
+        .add_product(c.inverse_rocker_mass, t94);
+    let rocker_v_x_dot_by_crank_phi = -(c.inverse_rocker_mass * t93)
         .add_product(c.inverse_rocker_mass, t95);
-    let coupler_omega_dot_by_crank_length = (t9 * t96).add_product(t8, t97).sub_product(t8, t95)
-        .add_product(t9, t94);
-    let coupler_v_y_dot_by_crank_length = (c.inverse_coupler_mass * t94)
-        .sub_product(c.inverse_coupler_mass, t96);
-    let coupler_v_x_dot_by_crank_length = (c.inverse_coupler_mass * t95)
-        .add_product(c.inverse_coupler_mass, t97);
-    let crank_omega_dot_by_crank_length = (t84 * c.inverse_crank_inertia).sub_product(t6, t99)
-        .add_product(t7, t98).add_product(t6, t97).add_product(t7, t96);
-    let crank_v_y_dot_by_crank_length = (c.inverse_crank_mass * t96)
-        .sub_product(c.inverse_crank_mass, t98);
-    let crank_v_x_dot_by_crank_length = -(c.inverse_crank_mass * t97)
-        .add_product(c.inverse_crank_mass, t99);
-    let t100 = c.inverse_crank_mass * (c.inverse_crank_mass * pin_a_x)
-        .add_product(c.inverse_crank_mass, t80);
-    let t101 = c.inverse_crank_mass * (p.crank_gravity + crank_v_y_dot);
-    let t102 = t16 * t100;
-    let t103 = t101 - t102;
-    let t104 = t100.sub_product(t18, t100).sub_product(t24, t103);
-    let t105 = (t101 + t102).add_product(t26, t103).add_product(t31, t104);
-    let t106 = (-(t33 * t104)).add_product(t38, t105);
-    let t107 = (-(t34 * t104)).add_product(t40, t105).add_product(t45, t106);
-    let t108 = (t47 * t106).sub_product(t52, t107);
-    let t109 = (t48 * t106).add_product(t54, t107).add_product(t57, t108) * t58;
-    let t110 = (t108 * t55).add_product(t57, t109);
-    let t111 = (t107 * t50).sub_product(t52, t110).add_product(t54, t109);
-    let t112 = (-(t106 * t42)).add_product(t45, t111).add_product(t47, t110).add_product(t48, t109);
-    let t113 = (t105 * t36).add_product(t38, t112).add_product(t40, t111);
-    let t114 = (t104 * t28).add_product(t31, t113).sub_product(t33, t112).sub_product(t34, t111);
-    let t115 = (t103 * t22).sub_product(t24, t114).add_product(t26, t113);
-    let t116 = (t100 * t14).add_product(t16, t115).add_product(t18, t114).sub_product(t16, t113);
-    let rocker_omega_dot_by_crank_mass = (-(t11 * t111)).add_product(t10, t112).sub_product(t10,
-        t110).sub_product(t11, t109);
-    let rocker_v_y_dot_by_crank_mass = (c.inverse_rocker_mass * t109)
-        .sub_product(c.inverse_rocker_mass, t111);
-    let rocker_v_x_dot_by_crank_mass = -(c.inverse_rocker_mass * t110)
-        .add_product(c.inverse_rocker_mass, t112);
-    let coupler_omega_dot_by_crank_mass = (-(t9 * t113).add_product(t8, t114).add_product(t8, t112))
-        .add_product(t9, t111);
-    let coupler_v_y_dot_by_crank_mass = (c.inverse_coupler_mass * t111)
-        .add_product(c.inverse_coupler_mass, t113);
-    let coupler_v_x_dot_by_crank_mass = (c.inverse_coupler_mass * t112)
-        .sub_product(c.inverse_coupler_mass, t114);
-    let crank_omega_dot_by_crank_mass = (t7 * t115).sub_product(t6, t116).sub_product(t6, t114)
-        .sub_product(t7, t113);
-    let crank_v_y_dot_by_crank_mass = -t101.add_product(c.inverse_crank_mass, t115)
+    let coupler_omega_dot_by_crank_phi = (t9 * t96).sub_product(t8, t97).sub_product(t8, t95)
+        .sub_product(t9, t94);
+    let coupler_v_y_dot_by_crank_phi = -(c.inverse_coupler_mass * t94)
+        .add_product(c.inverse_coupler_mass, t96);
+    let coupler_v_x_dot_by_crank_phi = (c.inverse_coupler_mass * t95)
+        .sub_product(c.inverse_coupler_mass, t97);
+    let crank_omega_dot_by_crank_phi = (t84 * c.inverse_crank_inertia).sub_product(t6, t99)
+        .add_product(t7, t98).sub_product(t6, t97).add_product(t7, t96);
+    let crank_v_y_dot_by_crank_phi = (c.inverse_crank_mass * t96).sub_product(c.inverse_crank_mass,
+        t98);
+    let crank_v_x_dot_by_crank_phi = (c.inverse_crank_mass * t97).sub_product(c.inverse_crank_mass,
+        t99);
+    let t100 = (-(t3 * t81)).add_product(t2, pin_a_x).sub_product(t2, t80).sub_product(t3, t79);
+    let t101 = t69.sub_product(t2, coupler_omega_dot).sub_product(t8, t100);
+    let t102 = (-t67.add_product(t3, coupler_omega_dot)).add_product(t9, t100);
+    let t103 = t102.sub_product(t31, t101);
+    let t104 = t101.sub_product(t33, t101).sub_product(t38, t103);
+    let t105 = t102.sub_product(t34, t101).sub_product(t40, t103).add_product(t45, t104);
+    let t106 = (t47 * t104).sub_product(t52, t105);
+    let t107 = (t48 * t104).add_product(t54, t105).add_product(t57, t106) * t58;
+    let t108 = (t106 * t55).add_product(t57, t107);
+    let t109 = (t105 * t50).sub_product(t52, t108).add_product(t54, t107);
+    let t110 = (-(t104 * t42)).add_product(t45, t109).add_product(t47, t108).add_product(t48, t107);
+    let t111 = (t103 * t36).sub_product(t38, t110).sub_product(t40, t109);
+    let t112 = (t101 * t28).sub_product(t31, t111).sub_product(t33, t110).sub_product(t34, t109);
+    let t113 = (t26 * t111).add_product(t24, t112);
+    let t114 = (t18 * t112).sub_product(t16, t113).add_product(t16, t111);
+    let rocker_omega_dot_by_coupler_phi = (-(t11 * t109)).add_product(t10, t110).sub_product(t10,
+        t108).sub_product(t11, t107);
+    let rocker_v_y_dot_by_coupler_phi = (c.inverse_rocker_mass * t107)
+        .sub_product(c.inverse_rocker_mass, t109);
+    let rocker_v_x_dot_by_coupler_phi = -(c.inverse_rocker_mass * t108)
+        .add_product(c.inverse_rocker_mass, t110);
+    let coupler_omega_dot_by_coupler_phi = (t100 * c.inverse_coupler_inertia).sub_product(t8, t112)
+        .add_product(t9, t111).sub_product(t8, t110).add_product(t9, t109);
+    let coupler_v_y_dot_by_coupler_phi = (c.inverse_coupler_mass * t109)
+        .sub_product(c.inverse_coupler_mass, t111);
+    let coupler_v_x_dot_by_coupler_phi = (c.inverse_coupler_mass * t110)
+        .sub_product(c.inverse_coupler_mass, t112);
+    let crank_omega_dot_by_coupler_phi = (-(t7 * t113).add_product(t6, t114).add_product(t6, t112))
+        .add_product(t7, t111);
+    let crank_v_y_dot_by_coupler_phi = (c.inverse_crank_mass * t111)
         .add_product(c.inverse_crank_mass, t113);
-    let crank_v_x_dot_by_crank_mass = t100.sub_product(c.inverse_crank_mass, t116)
-        .add_product(c.inverse_crank_mass, t114);
-    let t117 = t6 * crank_omega_dot;
-    let t118 = (-(t7 * crank_omega_dot)).add_product(t16, t117);
-    let t119 = t117.add_product(t18, t117).sub_product(t24, t118);
-    let t120 = t118.sub_product(t26, t118).sub_product(t31, t119);
-    let t121 = (t33 * t119).add_product(t38, t120);
-    let t122 = (t34 * t119).add_product(t40, t120).add_product(t45, t121);
-    let t123 = (-(t47 * t121)).add_product(t52, t122);
-    let t124 = (t48 * t121).add_product(t54, t122).sub_product(t57, t123) * t58;
-    let t125 = (t123 * t55).sub_product(t57, t124);
-    let t126 = (t122 * t50).add_product(t52, t125).add_product(t54, t124);
-    let t127 = (t121 * t42).sub_product(t45, t126).add_product(t47, t125).sub_product(t48, t124);
-    let t128 = (t120 * t36).sub_product(t38, t127).add_product(t40, t126);
-    let t129 = (t119 * t28).sub_product(t31, t128).sub_product(t33, t127).add_product(t34, t126);
-    let t130 = (t118 * t22).sub_product(t24, t129).sub_product(t26, t128);
-    let t131 = (-(t117 * t14)).add_product(t16, t130).add_product(t18, t129).add_product(t16, t128);
-    let rocker_omega_dot_by_crank_inertia = (t11 * t126).add_product(t10, t127).sub_product(t10,
-        t125).add_product(t11, t124);
-    let rocker_v_y_dot_by_crank_inertia = (-(c.inverse_rocker_mass * t124))
+    let crank_v_x_dot_by_coupler_phi = (c.inverse_crank_mass * t112)
+        .sub_product(c.inverse_crank_mass, t114);
+    let t115 = t4 * rocker_omega_dot;
+    let t116 = t65.add_product(t5, rocker_omega_dot);
+    let t117 = (t5 * t79).add_product(t4, t80).sub_product(t4, t78).sub_product(t5, t77);
+    let t118 = t10 * t117;
+    let t119 = t115 - t68 + t118;
+    let t120 = t11 * t117;
+    let t121 = (t116 - t120).add_product(t45, t119);
+    let t122 = (t68 - t115 - t118).add_product(t47, t119).sub_product(t52, t121);
+    let t123 = (t120 - t116).sub_product(t48, t119).sub_product(t54, t121).sub_product(t57, t122)
+        * t58;
+    let t124 = (t122 * t55).sub_product(t57, t123);
+    let t125 = (t121 * t50).sub_product(t52, t124).sub_product(t54, t123);
+    let t126 = (-(t119 * t42)).add_product(t45, t125).add_product(t47, t124).sub_product(t48, t123);
+    let t127 = (t40 * t125).add_product(t38, t126);
+    let t128 = (-(t33 * t126)).add_product(t31, t127).sub_product(t34, t125);
+    let t129 = (t26 * t127).sub_product(t24, t128);
+    let t130 = (t18 * t128).add_product(t16, t129).sub_product(t16, t127);
+    let rocker_omega_dot_by_rocker_phi = (t117 * c.inverse_rocker_inertia).add_product(t10, t126)
+        .sub_product(t11, t125).sub_product(t10, t124).add_product(t11, t123);
+    let rocker_v_y_dot_by_rocker_phi = -(c.inverse_rocker_mass * t123)
+        .add_product(c.inverse_rocker_mass, t125);
+    let rocker_v_x_dot_by_rocker_phi = -(c.inverse_rocker_mass * t124)
         .add_product(c.inverse_rocker_mass, t126);
-    let rocker_v_x_dot_by_crank_inertia = -(c.inverse_rocker_mass * t125)
-        .add_product(c.inverse_rocker_mass, t127);
-    let coupler_omega_dot_by_crank_inertia = (t9 * t128).sub_product(t8, t129).sub_product(t8, t127)
-        .sub_product(t9, t126);
-    let coupler_v_y_dot_by_crank_inertia = -(c.inverse_coupler_mass * t126)
-        .add_product(c.inverse_coupler_mass, t128);
-    let coupler_v_x_dot_by_crank_inertia = (c.inverse_coupler_mass * t127)
-        .sub_product(c.inverse_coupler_mass, t129);
-    let crank_omega_dot_by_crank_inertia = (-(crank_omega_dot * c.inverse_crank_inertia)
-        .add_product(t6, t131)).add_product(t7, t130).sub_product(t6, t129).add_product(t7, t128);
-    let crank_v_y_dot_by_crank_inertia = (c.inverse_crank_mass * t128)
+    let coupler_omega_dot_by_rocker_phi = (-(t9 * t127).add_product(t8, t128).add_product(t8, t126))
+        .add_product(t9, t125);
+    let coupler_v_y_dot_by_rocker_phi = (c.inverse_coupler_mass * t125)
+        .add_product(c.inverse_coupler_mass, t127);
+    let coupler_v_x_dot_by_rocker_phi = (c.inverse_coupler_mass * t126)
+        .sub_product(c.inverse_coupler_mass, t128);
+    let crank_omega_dot_by_rocker_phi = (t7 * t129).sub_product(t6, t130).sub_product(t6, t128)
+        .sub_product(t7, t127);
+    let crank_v_y_dot_by_rocker_phi = -(c.inverse_crank_mass * t127)
+        .add_product(c.inverse_crank_mass, t129);
+    let crank_v_x_dot_by_rocker_phi = (c.inverse_crank_mass * t128)
         .sub_product(c.inverse_crank_mass, t130);
-    let crank_v_x_dot_by_crank_inertia = (c.inverse_crank_mass * t129)
-        .sub_product(c.inverse_crank_mass, t131);
-    let t132 = t24 * c.inverse_crank_mass_times_crank_mass;
-    let t133 = (-c.inverse_crank_mass_times_crank_mass.add_product(t26,
-        c.inverse_crank_mass_times_crank_mass)).add_product(t31, t132);
-    let t134 = (t33 * t132).sub_product(t38, t133);
-    let t135 = (t34 * t132).sub_product(t40, t133).add_product(t45, t134);
-    let t136 = (t47 * t134).sub_product(t52, t135);
-    let t137 = (t48 * t134).add_product(t54, t135).add_product(t57, t136) * t58;
-    let t138 = (t136 * t55).add_product(t57, t137);
-    let t139 = (t135 * t50).sub_product(t52, t138).add_product(t54, t137);
-    let t140 = (-(t134 * t42)).add_product(t45, t139).add_product(t47, t138).add_product(t48, t137);
-    let t141 = (t133 * t36).sub_product(t38, t140).sub_product(t40, t139);
-    let t142 = (t132 * t28).add_product(t31, t141).add_product(t33, t140).add_product(t34, t139);
-    let t143 = (c.inverse_crank_mass_times_crank_mass * t22).add_product(t24, t142)
-        .sub_product(t26, t141);
-    let t144 = (-(t18 * t142)).add_product(t16, t143).add_product(t16, t141);
-    let rocker_omega_dot_by_crank_gravity = (-(t11 * t139)).add_product(t10, t140).sub_product(t10,
-        t138).sub_product(t11, t137);
-    let rocker_v_y_dot_by_crank_gravity = (c.inverse_rocker_mass * t137)
-        .sub_product(c.inverse_rocker_mass, t139);
-    let rocker_v_x_dot_by_crank_gravity = -(c.inverse_rocker_mass * t138)
+    let crank_length_times_crank_omega = p.crank_length * crank_omega;
+    let t131 = crank_length_times_crank_omega * cos_crank_phi;
+    let t132 = (crank_length_times_crank_omega * sin_crank_phi).add_product(t16, t131);
+    let t133 = (-t131.add_product(t18, t131)).add_product(t24, t132);
+    let t134 = (-t132).add_product(t26, t132).sub_product(t31, t133);
+    let t135 = (t33 * t133).add_product(t38, t134);
+    let t136 = (t34 * t133).add_product(t40, t134).add_product(t45, t135);
+    let t137 = (-(t47 * t135)).add_product(t52, t136);
+    let t138 = (t48 * t135).add_product(t54, t136).sub_product(t57, t137) * t58;
+    let t139 = (t137 * t55).sub_product(t57, t138);
+    let t140 = (t136 * t50).add_product(t52, t139).add_product(t54, t138);
+    let t141 = (t135 * t42).sub_product(t45, t140).add_product(t47, t139).sub_product(t48, t138);
+    let t142 = (t134 * t36).sub_product(t38, t141).add_product(t40, t140);
+    let t143 = (t133 * t28).sub_product(t31, t142).sub_product(t33, t141).add_product(t34, t140);
+    let t144 = (t132 * t22).add_product(t24, t143).add_product(t26, t142);
+    let t145 = (t131 * t14).sub_product(t16, t144).add_product(t18, t143).add_product(t16, t142);
+    let rocker_omega_dot_by_crank_omega = (t11 * t140).add_product(t10, t141).sub_product(t10, t139)
+        .add_product(t11, t138);
+    let rocker_v_y_dot_by_crank_omega = (-(c.inverse_rocker_mass * t138))
         .add_product(c.inverse_rocker_mass, t140);
-    let coupler_omega_dot_by_crank_gravity = (t9 * t141).add_product(t8, t142).sub_product(t8, t140)
-        .add_product(t9, t139);
-    let coupler_v_y_dot_by_crank_gravity = (c.inverse_coupler_mass * t139)
-        .sub_product(c.inverse_coupler_mass, t141);
-    let coupler_v_x_dot_by_crank_gravity = (c.inverse_coupler_mass * t140)
+    let rocker_v_x_dot_by_crank_omega = -(c.inverse_rocker_mass * t139)
+        .add_product(c.inverse_rocker_mass, t141);
+    let coupler_omega_dot_by_crank_omega = (t9 * t142).sub_product(t8, t143).sub_product(t8, t141)
+        .sub_product(t9, t140);
+    let coupler_v_y_dot_by_crank_omega = -(c.inverse_coupler_mass * t140)
         .add_product(c.inverse_coupler_mass, t142);
-    let crank_omega_dot_by_crank_gravity = (t7 * t143).sub_product(t6, t144).add_product(t6, t142)
-        .add_product(t7, t141);
-    let crank_v_y_dot_by_crank_gravity = (-c.inverse_crank_mass_times_crank_mass
-        .add_product(c.inverse_crank_mass, t143)).add_product(c.inverse_crank_mass, t141);
-    let crank_v_x_dot_by_crank_gravity = -(c.inverse_crank_mass * t142)
+    let coupler_v_x_dot_by_crank_omega = (c.inverse_coupler_mass * t141)
+        .sub_product(c.inverse_coupler_mass, t143);
+    let crank_omega_dot_by_crank_omega = (-(t7 * t144).add_product(t6, t145).add_product(t6, t143))
+        .add_product(t7, t142);
+    let crank_v_y_dot_by_crank_omega = (c.inverse_crank_mass * t142)
         .add_product(c.inverse_crank_mass, t144);
-    let t145 = R::literal(0.5) * coupler_omega_squared;
-    let t146 = R::literal(0.5) * sin_coupler_phi;
-    let t147 = R::literal(0.5) * cos_coupler_phi;
-    let t148 = (t147 * t78).add_product(t146, pin_a_x).sub_product(t146, t77).add_product(t147,
-        t76);
-    let t149 = (t145 * cos_coupler_phi).add_product(t146, coupler_omega_dot).add_product(t8, t148);
-    let t150 = (-(t145 * sin_coupler_phi)).add_product(t147, coupler_omega_dot).add_product(t9,
-        t148);
-    let t151 = t150.add_product(t31, t149);
-    let t152 = (-t149).add_product(t33, t149).sub_product(t38, t151);
-    let t153 = t150.add_product(t34, t149).sub_product(t40, t151).add_product(t45, t152);
-    let t154 = (t47 * t152).sub_product(t52, t153);
-    let t155 = (t48 * t152).add_product(t54, t153).add_product(t57, t154) * t58;
-    let t156 = (t154 * t55).add_product(t57, t155);
-    let t157 = (t153 * t50).sub_product(t52, t156).add_product(t54, t155);
-    let t158 = (-(t152 * t42)).add_product(t45, t157).add_product(t47, t156).add_product(t48, t155);
-    let t159 = (t151 * t36).sub_product(t38, t158).sub_product(t40, t157);
-    let t160 = (t149 * t28).add_product(t31, t159).add_product(t33, t158).add_product(t34, t157);
-    let t161 = (-(t26 * t159)).add_product(t24, t160);
-    let t162 = (-(t18 * t160)).add_product(t16, t161).add_product(t16, t159);
-    let rocker_omega_dot_by_coupler_length = (-(t11 * t157)).add_product(t10, t158)
-        .sub_product(t10, t156).sub_product(t11, t155);
-    let rocker_v_y_dot_by_coupler_length = (c.inverse_rocker_mass * t155)
-        .sub_product(c.inverse_rocker_mass, t157);
-    let rocker_v_x_dot_by_coupler_length = -(c.inverse_rocker_mass * t156)
-        .add_product(c.inverse_rocker_mass, t158);
-    let coupler_omega_dot_by_coupler_length = (t148 * c.inverse_coupler_inertia).add_product(t8,
-        t160).add_product(t9, t159).sub_product(t8, t158).add_product(t9, t157);
-    let coupler_v_y_dot_by_coupler_length = (c.inverse_coupler_mass * t157)
-        .sub_product(c.inverse_coupler_mass, t159);
-    let coupler_v_x_dot_by_coupler_length = (c.inverse_coupler_mass * t158)
-        .add_product(c.inverse_coupler_mass, t160);
-    let crank_omega_dot_by_coupler_length = (t7 * t161).sub_product(t6, t162).add_product(t6, t160)
-        .add_product(t7, t159);
-    let crank_v_y_dot_by_coupler_length = (c.inverse_crank_mass * t159)
-        .sub_product(c.inverse_crank_mass, t161);
-    let crank_v_x_dot_by_coupler_length = -(c.inverse_crank_mass * t160)
-        .add_product(c.inverse_crank_mass, t162);
-    let t163 = c.inverse_coupler_mass * coupler_v_x_dot;
-    let t164 = c.inverse_coupler_mass * (p.coupler_gravity + coupler_v_y_dot);
-    let t165 = t164.sub_product(t31, t163);
-    let t166 = t163.add_product(t33, t163).add_product(t38, t165);
-    let t167 = t164.add_product(t34, t163).add_product(t40, t165).add_product(t45, t166);
-    let t168 = (-(t47 * t166)).add_product(t52, t167);
-    let t169 = (t48 * t166).add_product(t54, t167).sub_product(t57, t168) * t58;
-    let t170 = (t168 * t55).sub_product(t57, t169);
-    let t171 = (t167 * t50).add_product(t52, t170).add_product(t54, t169);
-    let t172 = (t166 * t42).sub_product(t45, t171).add_product(t47, t170).sub_product(t48, t169);
-    let t173 = (t165 * t36).sub_product(t38, t172).add_product(t40, t171);
-    let t174 = (t163 * t28).sub_product(t31, t173).sub_product(t33, t172).add_product(t34, t171);
-    let t175 = (t26 * t173).add_product(t24, t174);
-    let t176 = (t18 * t174).sub_product(t16, t175).add_product(t16, t173);
-    let rocker_omega_dot_by_coupler_mass = (t11 * t171).add_product(t10, t172).sub_product(t10,
-        t170).add_product(t11, t169);
-    let rocker_v_y_dot_by_coupler_mass = (-(c.inverse_rocker_mass * t169))
-        .add_product(c.inverse_rocker_mass, t171);
-    let rocker_v_x_dot_by_coupler_mass = -(c.inverse_rocker_mass * t170)
-        .add_product(c.inverse_rocker_mass, t172);
-    let coupler_omega_dot_by_coupler_mass = (t9 * t173).sub_product(t8, t174).sub_product(t8, t172)
-        .sub_product(t9, t171);
-    let coupler_v_y_dot_by_coupler_mass = -t164.add_product(c.inverse_coupler_mass, t173)
-        .add_product(c.inverse_coupler_mass, t171);
-    let coupler_v_x_dot_by_coupler_mass = (-t163.add_product(c.inverse_coupler_mass, t174))
-        .add_product(c.inverse_coupler_mass, t172);
-    let crank_omega_dot_by_coupler_mass = (-(t7 * t175).add_product(t6, t176).add_product(t6, t174))
-        .add_product(t7, t173);
-    let crank_v_y_dot_by_coupler_mass = (c.inverse_crank_mass * t173)
-        .add_product(c.inverse_crank_mass, t175);
-    let crank_v_x_dot_by_coupler_mass = (c.inverse_crank_mass * t174)
-        .sub_product(c.inverse_crank_mass, t176);
-    let t177 = t8 * coupler_omega_dot;
-    let t178 = t9 * coupler_omega_dot;
-    let t179 = t178.add_product(t31, t177);
-    let t180 = t177.sub_product(t33, t177).add_product(t38, t179);
-    let t181 = (-t178.add_product(t34, t177)).add_product(t40, t179).add_product(t45, t180);
+    let crank_v_x_dot_by_crank_omega = (c.inverse_crank_mass * t143)
+        .sub_product(c.inverse_crank_mass, t145);
+    let coupler_length_times_coupler_omega = p.coupler_length * coupler_omega;
+    let t146 = coupler_length_times_coupler_omega * cos_coupler_phi;
+    let t147 = coupler_length_times_coupler_omega * sin_coupler_phi;
+    let t148 = (-t147).add_product(t31, t146);
+    let t149 = (-t146).add_product(t33, t146).sub_product(t38, t148);
+    let t150 = (-t147).add_product(t34, t146).sub_product(t40, t148).add_product(t45, t149);
+    let t151 = (t47 * t149).sub_product(t52, t150);
+    let t152 = (t48 * t149).add_product(t54, t150).add_product(t57, t151) * t58;
+    let t153 = (t151 * t55).add_product(t57, t152);
+    let t154 = (t150 * t50).sub_product(t52, t153).add_product(t54, t152);
+    let t155 = (-(t149 * t42)).add_product(t45, t154).add_product(t47, t153).add_product(t48, t152);
+    let t156 = (t148 * t36).sub_product(t38, t155).sub_product(t40, t154);
+    let t157 = (t146 * t28).add_product(t31, t156).add_product(t33, t155).add_product(t34, t154);
+    let t158 = (-(t26 * t156)).add_product(t24, t157);
+    let t159 = (-(t18 * t157)).add_product(t16, t158).add_product(t16, t156);
+    let rocker_omega_dot_by_coupler_omega = (-(t11 * t154)).add_product(t10, t155).sub_product(t10,
+        t153).sub_product(t11, t152);
+    let rocker_v_y_dot_by_coupler_omega = (c.inverse_rocker_mass * t152)
+        .sub_product(c.inverse_rocker_mass, t154);
+    let rocker_v_x_dot_by_coupler_omega = -(c.inverse_rocker_mass * t153)
+        .add_product(c.inverse_rocker_mass, t155);
+    let coupler_omega_dot_by_coupler_omega = (t9 * t156).add_product(t8, t157).sub_product(t8, t155)
+        .add_product(t9, t154);
+    let coupler_v_y_dot_by_coupler_omega = (c.inverse_coupler_mass * t154)
+        .sub_product(c.inverse_coupler_mass, t156);
+    let coupler_v_x_dot_by_coupler_omega = (c.inverse_coupler_mass * t155)
+        .add_product(c.inverse_coupler_mass, t157);
+    let crank_omega_dot_by_coupler_omega = (t7 * t158).sub_product(t6, t159).add_product(t6, t157)
+        .add_product(t7, t156);
+    let crank_v_y_dot_by_coupler_omega = (c.inverse_crank_mass * t156)
+        .sub_product(c.inverse_crank_mass, t158);
+    let crank_v_x_dot_by_coupler_omega = -(c.inverse_crank_mass * t157)
+        .add_product(c.inverse_crank_mass, t159);
+    let rocker_length_times_rocker_omega = p.rocker_length * rocker_omega;
+    let t160 = rocker_length_times_rocker_omega * cos_rocker_phi;
+    let t161 = rocker_length_times_rocker_omega * sin_rocker_phi;
+    let t162 = t161.add_product(t45, t160);
+    let t163 = (-t160).add_product(t47, t160).sub_product(t52, t162);
+    let t164 = t161.add_product(t48, t160).add_product(t54, t162).add_product(t57, t163) * t58;
+    let t165 = (t163 * t55).add_product(t57, t164);
+    let t166 = (t162 * t50).sub_product(t52, t165).add_product(t54, t164);
+    let t167 = (-(t160 * t42)).add_product(t45, t166).add_product(t47, t165).add_product(t48, t164);
+    let t168 = (t40 * t166).add_product(t38, t167);
+    let t169 = (-(t33 * t167)).add_product(t31, t168).sub_product(t34, t166);
+    let t170 = (t26 * t168).sub_product(t24, t169);
+    let t171 = (t18 * t169).add_product(t16, t170).sub_product(t16, t168);
+    let rocker_omega_dot_by_rocker_omega = (-(t11 * t166)).add_product(t10, t167).sub_product(t10,
+        t165).sub_product(t11, t164);
+    let rocker_v_y_dot_by_rocker_omega = (c.inverse_rocker_mass * t164)
+        .sub_product(c.inverse_rocker_mass, t166);
+    let rocker_v_x_dot_by_rocker_omega = -(c.inverse_rocker_mass * t165)
+        .add_product(c.inverse_rocker_mass, t167);
+    let coupler_omega_dot_by_rocker_omega = (-(t9 * t168).add_product(t8, t169).add_product(t8,
+        t167)).add_product(t9, t166);
+    let coupler_v_y_dot_by_rocker_omega = (c.inverse_coupler_mass * t166)
+        .add_product(c.inverse_coupler_mass, t168);
+    let coupler_v_x_dot_by_rocker_omega = (c.inverse_coupler_mass * t167)
+        .sub_product(c.inverse_coupler_mass, t169);
+    let crank_omega_dot_by_rocker_omega = (t7 * t170).sub_product(t6, t171).sub_product(t6, t169)
+        .sub_product(t7, t168);
+    let crank_v_y_dot_by_rocker_omega = -(c.inverse_crank_mass * t168)
+        .add_product(c.inverse_crank_mass, t170);
+    let crank_v_x_dot_by_rocker_omega = (c.inverse_crank_mass * t169)
+        .sub_product(c.inverse_crank_mass, t171);
+    let coupler_v_y_dot = (-c.t4.add_product(c.inverse_coupler_mass, t81))
+        .add_product(c.inverse_coupler_mass, t79);
+    let coupler_v_x_dot = (c.inverse_coupler_mass * t80).add_product(c.inverse_coupler_mass,
+        pin_a_x);
+    let crank_v_y_dot = (-c.t3.add_product(c.inverse_crank_mass, t82))
+        .add_product(c.inverse_crank_mass, t81);
+    let t172 = R::literal(0.5) * crank_omega_squared;
+    let t173 = R::literal(0.5) * sin_crank_phi;
+    let t174 = R::literal(0.5) * cos_crank_phi;
+    let t175 = (t174 * t82).sub_product(t173, t83).add_product(t173, pin_a_x).add_product(t174,
+        t81);
+    let t176 = (t172 * cos_crank_phi).add_product(t173, crank_omega_dot).add_product(t6, t175);
+    let t177 = (-(t172 * sin_crank_phi)).add_product(t174, crank_omega_dot).add_product(t7, t175)
+        .sub_product(t16, t176);
+    let t178 = t176.add_product(t18, t176).add_product(t24, t177);
+    let t179 = t177.sub_product(t26, t177).add_product(t31, t178);
+    let t180 = (t33 * t178).sub_product(t38, t179);
+    let t181 = (t34 * t178).sub_product(t40, t179).add_product(t45, t180);
     let t182 = (t47 * t180).sub_product(t52, t181);
     let t183 = (t48 * t180).add_product(t54, t181).add_product(t57, t182) * t58;
     let t184 = (t182 * t55).add_product(t57, t183);
     let t185 = (t181 * t50).sub_product(t52, t184).add_product(t54, t183);
     let t186 = (-(t180 * t42)).add_product(t45, t185).add_product(t47, t184).add_product(t48, t183);
-    let t187 = (t179 * t36).add_product(t38, t186).add_product(t40, t185);
-    let t188 = (t177 * t28).add_product(t31, t187).sub_product(t33, t186).sub_product(t34, t185);
-    let t189 = (t26 * t187).sub_product(t24, t188);
-    let t190 = (t18 * t188).add_product(t16, t189).sub_product(t16, t187);
-    let rocker_omega_dot_by_coupler_inertia = (-(t11 * t185)).add_product(t10, t186)
-        .sub_product(t10, t184).sub_product(t11, t183);
-    let rocker_v_y_dot_by_coupler_inertia = (c.inverse_rocker_mass * t183)
+    let t187 = (t179 * t36).sub_product(t38, t186).sub_product(t40, t185);
+    let t188 = (t178 * t28).add_product(t31, t187).add_product(t33, t186).add_product(t34, t185);
+    let t189 = (t177 * t22).add_product(t24, t188).sub_product(t26, t187);
+    let t190 = (t176 * t14).add_product(t16, t189).sub_product(t18, t188).add_product(t16, t187);
+    let rocker_omega_dot_by_crank_length = (-(t11 * t185)).add_product(t10, t186).sub_product(t10,
+        t184).sub_product(t11, t183);
+    let rocker_v_y_dot_by_crank_length = (c.inverse_rocker_mass * t183)
         .sub_product(c.inverse_rocker_mass, t185);
-    let rocker_v_x_dot_by_coupler_inertia = -(c.inverse_rocker_mass * t184)
+    let rocker_v_x_dot_by_crank_length = -(c.inverse_rocker_mass * t184)
         .add_product(c.inverse_rocker_mass, t186);
-    let coupler_omega_dot_by_coupler_inertia = (-(coupler_omega_dot * c.inverse_coupler_inertia)
-        .add_product(t8, t188).add_product(t9, t187).add_product(t8, t186)).add_product(t9, t185);
-    let coupler_v_y_dot_by_coupler_inertia = (c.inverse_coupler_mass * t185)
-        .add_product(c.inverse_coupler_mass, t187);
-    let coupler_v_x_dot_by_coupler_inertia = (c.inverse_coupler_mass * t186)
-        .sub_product(c.inverse_coupler_mass, t188);
-    let crank_omega_dot_by_coupler_inertia = (t7 * t189).sub_product(t6, t190).sub_product(t6, t188)
-        .sub_product(t7, t187);
-    let crank_v_y_dot_by_coupler_inertia = -(c.inverse_crank_mass * t187)
-        .add_product(c.inverse_crank_mass, t189);
-    let crank_v_x_dot_by_coupler_inertia = (c.inverse_crank_mass * t188)
-        .sub_product(c.inverse_crank_mass, t190);
-    let t191 = t38 * c.t6;
-    let t192 = c.t6.add_product(t40, c.t6).add_product(t45, t191);
-    let t193 = (-(t47 * t191)).add_product(t52, t192);
-    let t194 = (t48 * t191).add_product(t54, t192).sub_product(t57, t193) * t58;
-    let t195 = (t193 * t55).sub_product(t57, t194);
-    let t196 = (t192 * t50).add_product(t52, t195).add_product(t54, t194);
-    let t197 = (t191 * t42).sub_product(t45, t196).add_product(t47, t195).sub_product(t48, t194);
-    let t198 = (c.t6 * t36).sub_product(t38, t197).add_product(t40, t196);
-    let t199 = (-(t33 * t197).add_product(t31, t198)).add_product(t34, t196);
-    let t200 = (t26 * t198).add_product(t24, t199);
-    let t201 = (t18 * t199).sub_product(t16, t200).add_product(t16, t198);
-    let rocker_omega_dot_by_coupler_gravity = (t11 * t196).add_product(t10, t197).sub_product(t10,
-        t195).add_product(t11, t194);
-    let rocker_v_y_dot_by_coupler_gravity = (-(c.inverse_rocker_mass * t194))
-        .add_product(c.inverse_rocker_mass, t196);
-    let rocker_v_x_dot_by_coupler_gravity = -(c.inverse_rocker_mass * t195)
-        .add_product(c.inverse_rocker_mass, t197);
-    let coupler_omega_dot_by_coupler_gravity = (t9 * t198).sub_product(t8, t199).sub_product(t8,
-        t197).sub_product(t9, t196);
-    let coupler_v_y_dot_by_coupler_gravity = -c.t6.add_product(c.inverse_coupler_mass, t198)
-        .add_product(c.inverse_coupler_mass, t196);
-    let coupler_v_x_dot_by_coupler_gravity = (c.inverse_coupler_mass * t197)
-        .sub_product(c.inverse_coupler_mass, t199);
-    let crank_omega_dot_by_coupler_gravity = (-(t7 * t200).add_product(t6, t201).add_product(t6,
-        t199)).add_product(t7, t198);
-    let crank_v_y_dot_by_coupler_gravity = (c.inverse_crank_mass * t198)
-        .add_product(c.inverse_crank_mass, t200);
-    let crank_v_x_dot_by_coupler_gravity = (c.inverse_crank_mass * t199)
-        .sub_product(c.inverse_crank_mass, t201);
-    let t202 = R::literal(0.5) * rocker_omega_squared;
-    let t203 = t202 * sin_rocker_phi;
-    let t204 = R::literal(0.5) * sin_rocker_phi;
-    let t205 = R::literal(0.5) * cos_rocker_phi;
-    let t206 = t205 * rocker_omega_dot;
-    let t207 = (-(t205 * t76)).add_product(t204, t77).sub_product(t204, t75).add_product(t205, t74);
-    let t208 = (t202 * cos_rocker_phi).add_product(t204, rocker_omega_dot).add_product(t10, t207);
-    let t209 = t11 * t207;
-    let t210 = (t203 - t206 - t209).add_product(t45, t208);
-    let t211 = (-t208).add_product(t47, t208).sub_product(t52, t210);
-    let t212 = (t206 - t203 + t209).sub_product(t48, t208).sub_product(t54, t210).sub_product(t57,
-        t211) * t58;
-    let t213 = (t211 * t55).sub_product(t57, t212);
-    let t214 = (t210 * t50).sub_product(t52, t213).sub_product(t54, t212);
-    let t215 = (-(t208 * t42)).add_product(t45, t214).add_product(t47, t213).sub_product(t48, t212);
-    let t216 = (t40 * t214).add_product(t38, t215);
-    let t217 = (-(t33 * t215)).add_product(t31, t216).sub_product(t34, t214);
-    let t218 = (t26 * t216).sub_product(t24, t217);
-    let t219 = (t18 * t217).add_product(t16, t218).sub_product(t16, t216);
-    let rocker_omega_dot_by_rocker_length = (t207 * c.inverse_rocker_inertia).add_product(t10, t215)
-        .sub_product(t11, t214).sub_product(t10, t213).add_product(t11, t212);
-    let rocker_v_y_dot_by_rocker_length = -(c.inverse_rocker_mass * t212)
-        .add_product(c.inverse_rocker_mass, t214);
-    let rocker_v_x_dot_by_rocker_length = -(c.inverse_rocker_mass * t213)
-        .add_product(c.inverse_rocker_mass, t215);
-    let coupler_omega_dot_by_rocker_length = (-(t9 * t216).add_product(t8, t217).add_product(t8,
-        t215)).add_product(t9, t214);
-    let coupler_v_y_dot_by_rocker_length = (c.inverse_coupler_mass * t214)
-        .add_product(c.inverse_coupler_mass, t216);
-    let coupler_v_x_dot_by_rocker_length = (c.inverse_coupler_mass * t215)
-        .sub_product(c.inverse_coupler_mass, t217);
-    let crank_omega_dot_by_rocker_length = (t7 * t218).sub_product(t6, t219).sub_product(t6, t217)
-        .sub_product(t7, t216);
-    let crank_v_y_dot_by_rocker_length = -(c.inverse_crank_mass * t216)
-        .add_product(c.inverse_crank_mass, t218);
-    let crank_v_x_dot_by_rocker_length = (c.inverse_crank_mass * t217)
-        .sub_product(c.inverse_crank_mass, t219);
-    let t220 = c.inverse_rocker_mass * (c.inverse_rocker_mass * t75)
-        .add_product(c.inverse_rocker_mass, t77);
-    let t221 = c.inverse_rocker_mass * (c.t5.add_product(c.inverse_rocker_mass, t76)
-        .add_product(c.inverse_rocker_mass, t74) - p.rocker_gravity);
-    let t222 = t221.add_product(t45, t220);
-    let t223 = (-t220.add_product(t47, t220)).add_product(t52, t222);
-    let t224 = (-t221).add_product(t48, t220).add_product(t54, t222).sub_product(t57, t223) * t58;
-    let t225 = (t223 * t55).sub_product(t57, t224);
-    let t226 = (t222 * t50).add_product(t52, t225).add_product(t54, t224);
-    let t227 = (t220 * t42).sub_product(t45, t226).add_product(t47, t225).sub_product(t48, t224);
-    let t228 = (t40 * t226).sub_product(t38, t227);
-    let t229 = (-(t33 * t227).add_product(t31, t228)).add_product(t34, t226);
-    let t230 = (t26 * t228).add_product(t24, t229);
-    let t231 = (t18 * t229).sub_product(t16, t230).add_product(t16, t228);
-    let rocker_omega_dot_by_rocker_mass = (t11 * t226).add_product(t10, t227).sub_product(t10, t225)
-        .add_product(t11, t224);
-    let rocker_v_y_dot_by_rocker_mass = t221.add_product(c.inverse_rocker_mass, t226)
-        .sub_product(c.inverse_rocker_mass, t224);
-    let rocker_v_x_dot_by_rocker_mass = t220.sub_product(c.inverse_rocker_mass, t227)
-        .sub_product(c.inverse_rocker_mass, t225);
-    let coupler_omega_dot_by_rocker_mass = (t9 * t228).sub_product(t8, t229).sub_product(t8, t227)
-        .sub_product(t9, t226);
-    let coupler_v_y_dot_by_rocker_mass = -(c.inverse_coupler_mass * t226)
-        .add_product(c.inverse_coupler_mass, t228);
-    let coupler_v_x_dot_by_rocker_mass = (c.inverse_coupler_mass * t227)
-        .sub_product(c.inverse_coupler_mass, t229);
-    let crank_omega_dot_by_rocker_mass = (-(t7 * t230).add_product(t6, t231).add_product(t6, t229))
-        .add_product(t7, t228);
-    let crank_v_y_dot_by_rocker_mass = (c.inverse_crank_mass * t228)
-        .add_product(c.inverse_crank_mass, t230);
-    let crank_v_x_dot_by_rocker_mass = (c.inverse_crank_mass * t229)
-        .sub_product(c.inverse_crank_mass, t231);
-    let t232 = t10 * rocker_omega_dot;
-    let t233 = t11 * rocker_omega_dot;
-    let t234 = t233.sub_product(t45, t232);
-    let t235 = t232.sub_product(t47, t232).sub_product(t52, t234);
-    let t236 = (-t233).add_product(t48, t232).sub_product(t54, t234).sub_product(t57, t235) * t58;
-    let t237 = (t235 * t55).sub_product(t57, t236);
-    let t238 = (t234 * t50).sub_product(t52, t237).sub_product(t54, t236);
-    let t239 = (t232 * t42).add_product(t45, t238).add_product(t47, t237).sub_product(t48, t236);
-    let t240 = (t40 * t238).add_product(t38, t239);
-    let t241 = (-(t33 * t239)).add_product(t31, t240).sub_product(t34, t238);
-    let t242 = (t26 * t240).sub_product(t24, t241);
-    let t243 = (t18 * t241).add_product(t16, t242).sub_product(t16, t240);
-    let rocker_omega_dot_by_rocker_inertia = (-(rocker_omega_dot * c.inverse_rocker_inertia))
-        .add_product(t10, t239).sub_product(t11, t238).sub_product(t10, t237).add_product(t11,
-        t236);
-    let rocker_v_y_dot_by_rocker_inertia = -(c.inverse_rocker_mass * t236)
-        .add_product(c.inverse_rocker_mass, t238);
-    let rocker_v_x_dot_by_rocker_inertia = -(c.inverse_rocker_mass * t237)
-        .add_product(c.inverse_rocker_mass, t239);
-    let coupler_omega_dot_by_rocker_inertia = (-(t9 * t240).add_product(t8, t241).add_product(t8,
-        t239)).add_product(t9, t238);
-    let coupler_v_y_dot_by_rocker_inertia = (c.inverse_coupler_mass * t238)
-        .add_product(c.inverse_coupler_mass, t240);
-    let coupler_v_x_dot_by_rocker_inertia = (c.inverse_coupler_mass * t239)
-        .sub_product(c.inverse_coupler_mass, t241);
-    let crank_omega_dot_by_rocker_inertia = (t7 * t242).sub_product(t6, t243).sub_product(t6, t241)
-        .sub_product(t7, t240);
-    let crank_v_y_dot_by_rocker_inertia = -(c.inverse_crank_mass * t240)
-        .add_product(c.inverse_crank_mass, t242);
-    let crank_v_x_dot_by_rocker_inertia = (c.inverse_crank_mass * t241)
-        .sub_product(c.inverse_crank_mass, t243);
-    let t244 = t52 * c.t7;
-    let t245 = c.t7.sub_product(t54, c.t7).add_product(t57, t244) * t58;
-    let t246 = (t244 * t55).add_product(t57, t245);
-    let t247 = (c.t7 * t50).add_product(t52, t246).sub_product(t54, t245);
-    let t248 = (-(t47 * t246)).add_product(t45, t247).sub_product(t48, t245);
-    let t249 = (t40 * t247).add_product(t38, t248);
-    let t250 = (-(t33 * t248)).add_product(t31, t249).sub_product(t34, t247);
-    let t251 = (t26 * t249).sub_product(t24, t250);
-    let t252 = (t18 * t250).add_product(t16, t251).sub_product(t16, t249);
-    let rocker_omega_dot_by_rocker_gravity = (-(t11 * t247)).add_product(t10, t248)
-        .add_product(t10, t246).add_product(t11, t245);
-    let rocker_v_y_dot_by_rocker_gravity = -c.t7.add_product(c.inverse_rocker_mass, t247)
-        .add_product(c.inverse_rocker_mass, t245);
-    let rocker_v_x_dot_by_rocker_gravity = (c.inverse_rocker_mass * t246)
+    let coupler_omega_dot_by_crank_length = (t9 * t187).add_product(t8, t188).sub_product(t8, t186)
+        .add_product(t9, t185);
+    let coupler_v_y_dot_by_crank_length = (c.inverse_coupler_mass * t185)
+        .sub_product(c.inverse_coupler_mass, t187);
+    let coupler_v_x_dot_by_crank_length = (c.inverse_coupler_mass * t186)
+        .add_product(c.inverse_coupler_mass, t188);
+    let crank_omega_dot_by_crank_length = (t175 * c.inverse_crank_inertia).sub_product(t6, t190)
+        .add_product(t7, t189).add_product(t6, t188).add_product(t7, t187);
+    let crank_v_y_dot_by_crank_length = (c.inverse_crank_mass * t187)
+        .sub_product(c.inverse_crank_mass, t189);
+    let crank_v_x_dot_by_crank_length = -(c.inverse_crank_mass * t188)
+        .add_product(c.inverse_crank_mass, t190);
+    let t191 = c.inverse_crank_mass * (c.inverse_crank_mass * pin_a_x)
+        .add_product(c.inverse_crank_mass, t83);
+    let t192 = c.inverse_crank_mass * (p.crank_gravity + crank_v_y_dot);
+    let t193 = t16 * t191;
+    let t194 = t192 - t193;
+    let t195 = t191.sub_product(t18, t191).sub_product(t24, t194);
+    let t196 = (t192 + t193).add_product(t26, t194).add_product(t31, t195);
+    let t197 = (-(t33 * t195)).add_product(t38, t196);
+    let t198 = (-(t34 * t195)).add_product(t40, t196).add_product(t45, t197);
+    let t199 = (t47 * t197).sub_product(t52, t198);
+    let t200 = (t48 * t197).add_product(t54, t198).add_product(t57, t199) * t58;
+    let t201 = (t199 * t55).add_product(t57, t200);
+    let t202 = (t198 * t50).sub_product(t52, t201).add_product(t54, t200);
+    let t203 = (-(t197 * t42)).add_product(t45, t202).add_product(t47, t201).add_product(t48, t200);
+    let t204 = (t196 * t36).add_product(t38, t203).add_product(t40, t202);
+    let t205 = (t195 * t28).add_product(t31, t204).sub_product(t33, t203).sub_product(t34, t202);
+    let t206 = (t194 * t22).sub_product(t24, t205).add_product(t26, t204);
+    let t207 = (t191 * t14).add_product(t16, t206).add_product(t18, t205).sub_product(t16, t204);
+    let rocker_omega_dot_by_crank_mass = (-(t11 * t202)).add_product(t10, t203).sub_product(t10,
+        t201).sub_product(t11, t200);
+    let rocker_v_y_dot_by_crank_mass = (c.inverse_rocker_mass * t200)
+        .sub_product(c.inverse_rocker_mass, t202);
+    let rocker_v_x_dot_by_crank_mass = -(c.inverse_rocker_mass * t201)
+        .add_product(c.inverse_rocker_mass, t203);
+    let coupler_omega_dot_by_crank_mass = (-(t9 * t204).add_product(t8, t205).add_product(t8, t203))
+        .add_product(t9, t202);
+    let coupler_v_y_dot_by_crank_mass = (c.inverse_coupler_mass * t202)
+        .add_product(c.inverse_coupler_mass, t204);
+    let coupler_v_x_dot_by_crank_mass = (c.inverse_coupler_mass * t203)
+        .sub_product(c.inverse_coupler_mass, t205);
+    let crank_omega_dot_by_crank_mass = (t7 * t206).sub_product(t6, t207).sub_product(t6, t205)
+        .sub_product(t7, t204);
+    let crank_v_y_dot_by_crank_mass = -t192.add_product(c.inverse_crank_mass, t206)
+        .add_product(c.inverse_crank_mass, t204);
+    let crank_v_x_dot_by_crank_mass = t191.sub_product(c.inverse_crank_mass, t207)
+        .add_product(c.inverse_crank_mass, t205);
+    let t208 = t6 * crank_omega_dot;
+    let t209 = (-(t7 * crank_omega_dot)).add_product(t16, t208);
+    let t210 = t208.add_product(t18, t208).sub_product(t24, t209);
+    let t211 = t209.sub_product(t26, t209).sub_product(t31, t210);
+    let t212 = (t33 * t210).add_product(t38, t211);
+    let t213 = (t34 * t210).add_product(t40, t211).add_product(t45, t212);
+    let t214 = (-(t47 * t212)).add_product(t52, t213);
+    let t215 = (t48 * t212).add_product(t54, t213).sub_product(t57, t214) * t58;
+    let t216 = (t214 * t55).sub_product(t57, t215);
+    let t217 = (t213 * t50).add_product(t52, t216).add_product(t54, t215);
+    let t218 = (t212 * t42).sub_product(t45, t217).add_product(t47, t216).sub_product(t48, t215);
+    let t219 = (t211 * t36).sub_product(t38, t218).add_product(t40, t217);
+    let t220 = (t210 * t28).sub_product(t31, t219).sub_product(t33, t218).add_product(t34, t217);
+    let t221 = (t209 * t22).sub_product(t24, t220).sub_product(t26, t219);
+    let t222 = (-(t208 * t14)).add_product(t16, t221).add_product(t18, t220).add_product(t16, t219);
+    let rocker_omega_dot_by_crank_inertia = (t11 * t217).add_product(t10, t218).sub_product(t10,
+        t216).add_product(t11, t215);
+    let rocker_v_y_dot_by_crank_inertia = (-(c.inverse_rocker_mass * t215))
+        .add_product(c.inverse_rocker_mass, t217);
+    let rocker_v_x_dot_by_crank_inertia = -(c.inverse_rocker_mass * t216)
+        .add_product(c.inverse_rocker_mass, t218);
+    let coupler_omega_dot_by_crank_inertia = (t9 * t219).sub_product(t8, t220).sub_product(t8, t218)
+        .sub_product(t9, t217);
+    let coupler_v_y_dot_by_crank_inertia = -(c.inverse_coupler_mass * t217)
+        .add_product(c.inverse_coupler_mass, t219);
+    let coupler_v_x_dot_by_crank_inertia = (c.inverse_coupler_mass * t218)
+        .sub_product(c.inverse_coupler_mass, t220);
+    let crank_omega_dot_by_crank_inertia = (-(crank_omega_dot * c.inverse_crank_inertia)
+        .add_product(t6, t222)).add_product(t7, t221).sub_product(t6, t220).add_product(t7, t219);
+    let crank_v_y_dot_by_crank_inertia = (c.inverse_crank_mass * t219)
+        .sub_product(c.inverse_crank_mass, t221);
+    let crank_v_x_dot_by_crank_inertia = (c.inverse_crank_mass * t220)
+        .sub_product(c.inverse_crank_mass, t222);
+    let t223 = t24 * c.inverse_crank_mass_times_crank_mass;
+    let t224 = (-c.inverse_crank_mass_times_crank_mass.add_product(t26,
+        c.inverse_crank_mass_times_crank_mass)).add_product(t31, t223);
+    let t225 = (t33 * t223).sub_product(t38, t224);
+    let t226 = (t34 * t223).sub_product(t40, t224).add_product(t45, t225);
+    let t227 = (t47 * t225).sub_product(t52, t226);
+    let t228 = (t48 * t225).add_product(t54, t226).add_product(t57, t227) * t58;
+    let t229 = (t227 * t55).add_product(t57, t228);
+    let t230 = (t226 * t50).sub_product(t52, t229).add_product(t54, t228);
+    let t231 = (-(t225 * t42)).add_product(t45, t230).add_product(t47, t229).add_product(t48, t228);
+    let t232 = (t224 * t36).sub_product(t38, t231).sub_product(t40, t230);
+    let t233 = (t223 * t28).add_product(t31, t232).add_product(t33, t231).add_product(t34, t230);
+    let t234 = (c.inverse_crank_mass_times_crank_mass * t22).add_product(t24, t233)
+        .sub_product(t26, t232);
+    let t235 = (-(t18 * t233)).add_product(t16, t234).add_product(t16, t232);
+    let rocker_omega_dot_by_crank_gravity = (-(t11 * t230)).add_product(t10, t231).sub_product(t10,
+        t229).sub_product(t11, t228);
+    let rocker_v_y_dot_by_crank_gravity = (c.inverse_rocker_mass * t228)
+        .sub_product(c.inverse_rocker_mass, t230);
+    let rocker_v_x_dot_by_crank_gravity = -(c.inverse_rocker_mass * t229)
+        .add_product(c.inverse_rocker_mass, t231);
+    let coupler_omega_dot_by_crank_gravity = (t9 * t232).add_product(t8, t233).sub_product(t8, t231)
+        .add_product(t9, t230);
+    let coupler_v_y_dot_by_crank_gravity = (c.inverse_coupler_mass * t230)
+        .sub_product(c.inverse_coupler_mass, t232);
+    let coupler_v_x_dot_by_crank_gravity = (c.inverse_coupler_mass * t231)
+        .add_product(c.inverse_coupler_mass, t233);
+    let crank_omega_dot_by_crank_gravity = (t7 * t234).sub_product(t6, t235).add_product(t6, t233)
+        .add_product(t7, t232);
+    let crank_v_y_dot_by_crank_gravity = (-c.inverse_crank_mass_times_crank_mass
+        .add_product(c.inverse_crank_mass, t234)).add_product(c.inverse_crank_mass, t232);
+    let crank_v_x_dot_by_crank_gravity = -(c.inverse_crank_mass * t233)
+        .add_product(c.inverse_crank_mass, t235);
+    let t236 = R::literal(0.5) * coupler_omega_squared;
+    let t237 = R::literal(0.5) * sin_coupler_phi;
+    let t238 = R::literal(0.5) * cos_coupler_phi;
+    let t239 = (t238 * t81).add_product(t237, pin_a_x).sub_product(t237, t80).add_product(t238,
+        t79);
+    let t240 = (t236 * cos_coupler_phi).add_product(t237, coupler_omega_dot).add_product(t8, t239);
+    let t241 = (-(t236 * sin_coupler_phi)).add_product(t238, coupler_omega_dot).add_product(t9,
+        t239);
+    let t242 = t241.add_product(t31, t240);
+    let t243 = (-t240).add_product(t33, t240).sub_product(t38, t242);
+    let t244 = t241.add_product(t34, t240).sub_product(t40, t242).add_product(t45, t243);
+    let t245 = (t47 * t243).sub_product(t52, t244);
+    let t246 = (t48 * t243).add_product(t54, t244).add_product(t57, t245) * t58;
+    let t247 = (t245 * t55).add_product(t57, t246);
+    let t248 = (t244 * t50).sub_product(t52, t247).add_product(t54, t246);
+    let t249 = (-(t243 * t42)).add_product(t45, t248).add_product(t47, t247).add_product(t48, t246);
+    let t250 = (t242 * t36).sub_product(t38, t249).sub_product(t40, t248);
+    let t251 = (t240 * t28).add_product(t31, t250).add_product(t33, t249).add_product(t34, t248);
+    let t252 = (-(t26 * t250)).add_product(t24, t251);
+    let t253 = (-(t18 * t251)).add_product(t16, t252).add_product(t16, t250);
+    let rocker_omega_dot_by_coupler_length = (-(t11 * t248)).add_product(t10, t249)
+        .sub_product(t10, t247).sub_product(t11, t246);
+    let rocker_v_y_dot_by_coupler_length = (c.inverse_rocker_mass * t246)
         .sub_product(c.inverse_rocker_mass, t248);
-    let coupler_omega_dot_by_rocker_gravity = (-(t9 * t249).add_product(t8, t250).add_product(t8,
-        t248)).add_product(t9, t247);
-    let coupler_v_y_dot_by_rocker_gravity = (c.inverse_coupler_mass * t247)
-        .add_product(c.inverse_coupler_mass, t249);
-    let coupler_v_x_dot_by_rocker_gravity = (c.inverse_coupler_mass * t248)
+    let rocker_v_x_dot_by_coupler_length = -(c.inverse_rocker_mass * t247)
+        .add_product(c.inverse_rocker_mass, t249);
+    let coupler_omega_dot_by_coupler_length = (t239 * c.inverse_coupler_inertia).add_product(t8,
+        t251).add_product(t9, t250).sub_product(t8, t249).add_product(t9, t248);
+    let coupler_v_y_dot_by_coupler_length = (c.inverse_coupler_mass * t248)
         .sub_product(c.inverse_coupler_mass, t250);
-    let crank_omega_dot_by_rocker_gravity = (t7 * t251).sub_product(t6, t252).sub_product(t6, t250)
-        .sub_product(t7, t249);
-    let crank_v_y_dot_by_rocker_gravity = -(c.inverse_crank_mass * t249)
-        .add_product(c.inverse_crank_mass, t251);
-    let crank_v_x_dot_by_rocker_gravity = (c.inverse_crank_mass * t250)
+    let coupler_v_x_dot_by_coupler_length = (c.inverse_coupler_mass * t249)
+        .add_product(c.inverse_coupler_mass, t251);
+    let crank_omega_dot_by_coupler_length = (t7 * t252).sub_product(t6, t253).add_product(t6, t251)
+        .add_product(t7, t250);
+    let crank_v_y_dot_by_coupler_length = (c.inverse_crank_mass * t250)
         .sub_product(c.inverse_crank_mass, t252);
-    [crank_v_x_dot_by_crank_length, crank_v_x_dot_by_crank_mass, crank_v_x_dot_by_crank_inertia,
+    let crank_v_x_dot_by_coupler_length = -(c.inverse_crank_mass * t251)
+        .add_product(c.inverse_crank_mass, t253);
+    let t254 = c.inverse_coupler_mass * coupler_v_x_dot;
+    let t255 = c.inverse_coupler_mass * (p.coupler_gravity + coupler_v_y_dot);
+    let t256 = t255.sub_product(t31, t254);
+    let t257 = t254.add_product(t33, t254).add_product(t38, t256);
+    let t258 = t255.add_product(t34, t254).add_product(t40, t256).add_product(t45, t257);
+    let t259 = (-(t47 * t257)).add_product(t52, t258);
+    let t260 = (t48 * t257).add_product(t54, t258).sub_product(t57, t259) * t58;
+    let t261 = (t259 * t55).sub_product(t57, t260);
+    let t262 = (t258 * t50).add_product(t52, t261).add_product(t54, t260);
+    let t263 = (t257 * t42).sub_product(t45, t262).add_product(t47, t261).sub_product(t48, t260);
+    let t264 = (t256 * t36).sub_product(t38, t263).add_product(t40, t262);
+    let t265 = (t254 * t28).sub_product(t31, t264).sub_product(t33, t263).add_product(t34, t262);
+    let t266 = (t26 * t264).add_product(t24, t265);
+    let t267 = (t18 * t265).sub_product(t16, t266).add_product(t16, t264);
+    let rocker_omega_dot_by_coupler_mass = (t11 * t262).add_product(t10, t263).sub_product(t10,
+        t261).add_product(t11, t260);
+    let rocker_v_y_dot_by_coupler_mass = (-(c.inverse_rocker_mass * t260))
+        .add_product(c.inverse_rocker_mass, t262);
+    let rocker_v_x_dot_by_coupler_mass = -(c.inverse_rocker_mass * t261)
+        .add_product(c.inverse_rocker_mass, t263);
+    let coupler_omega_dot_by_coupler_mass = (t9 * t264).sub_product(t8, t265).sub_product(t8, t263)
+        .sub_product(t9, t262);
+    let coupler_v_y_dot_by_coupler_mass = -t255.add_product(c.inverse_coupler_mass, t264)
+        .add_product(c.inverse_coupler_mass, t262);
+    let coupler_v_x_dot_by_coupler_mass = (-t254.add_product(c.inverse_coupler_mass, t265))
+        .add_product(c.inverse_coupler_mass, t263);
+    let crank_omega_dot_by_coupler_mass = (-(t7 * t266).add_product(t6, t267).add_product(t6, t265))
+        .add_product(t7, t264);
+    let crank_v_y_dot_by_coupler_mass = (c.inverse_crank_mass * t264)
+        .add_product(c.inverse_crank_mass, t266);
+    let crank_v_x_dot_by_coupler_mass = (c.inverse_crank_mass * t265)
+        .sub_product(c.inverse_crank_mass, t267);
+    let t268 = t8 * coupler_omega_dot;
+    let t269 = t9 * coupler_omega_dot;
+    let t270 = t269.add_product(t31, t268);
+    let t271 = t268.sub_product(t33, t268).add_product(t38, t270);
+    let t272 = (-t269.add_product(t34, t268)).add_product(t40, t270).add_product(t45, t271);
+    let t273 = (t47 * t271).sub_product(t52, t272);
+    let t274 = (t48 * t271).add_product(t54, t272).add_product(t57, t273) * t58;
+    let t275 = (t273 * t55).add_product(t57, t274);
+    let t276 = (t272 * t50).sub_product(t52, t275).add_product(t54, t274);
+    let t277 = (-(t271 * t42)).add_product(t45, t276).add_product(t47, t275).add_product(t48, t274);
+    let t278 = (t270 * t36).add_product(t38, t277).add_product(t40, t276);
+    let t279 = (t268 * t28).add_product(t31, t278).sub_product(t33, t277).sub_product(t34, t276);
+    let t280 = (t26 * t278).sub_product(t24, t279);
+    let t281 = (t18 * t279).add_product(t16, t280).sub_product(t16, t278);
+    let rocker_omega_dot_by_coupler_inertia = (-(t11 * t276)).add_product(t10, t277)
+        .sub_product(t10, t275).sub_product(t11, t274);
+    let rocker_v_y_dot_by_coupler_inertia = (c.inverse_rocker_mass * t274)
+        .sub_product(c.inverse_rocker_mass, t276);
+    let rocker_v_x_dot_by_coupler_inertia = -(c.inverse_rocker_mass * t275)
+        .add_product(c.inverse_rocker_mass, t277);
+    let coupler_omega_dot_by_coupler_inertia = (-(coupler_omega_dot * c.inverse_coupler_inertia)
+        .add_product(t8, t279).add_product(t9, t278).add_product(t8, t277)).add_product(t9, t276);
+    let coupler_v_y_dot_by_coupler_inertia = (c.inverse_coupler_mass * t276)
+        .add_product(c.inverse_coupler_mass, t278);
+    let coupler_v_x_dot_by_coupler_inertia = (c.inverse_coupler_mass * t277)
+        .sub_product(c.inverse_coupler_mass, t279);
+    let crank_omega_dot_by_coupler_inertia = (t7 * t280).sub_product(t6, t281).sub_product(t6, t279)
+        .sub_product(t7, t278);
+    let crank_v_y_dot_by_coupler_inertia = -(c.inverse_crank_mass * t278)
+        .add_product(c.inverse_crank_mass, t280);
+    let crank_v_x_dot_by_coupler_inertia = (c.inverse_crank_mass * t279)
+        .sub_product(c.inverse_crank_mass, t281);
+    let t282 = t38 * c.t6;
+    let t283 = c.t6.add_product(t40, c.t6).add_product(t45, t282);
+    let t284 = (-(t47 * t282)).add_product(t52, t283);
+    let t285 = (t48 * t282).add_product(t54, t283).sub_product(t57, t284) * t58;
+    let t286 = (t284 * t55).sub_product(t57, t285);
+    let t287 = (t283 * t50).add_product(t52, t286).add_product(t54, t285);
+    let t288 = (t282 * t42).sub_product(t45, t287).add_product(t47, t286).sub_product(t48, t285);
+    let t289 = (c.t6 * t36).sub_product(t38, t288).add_product(t40, t287);
+    let t290 = (-(t33 * t288).add_product(t31, t289)).add_product(t34, t287);
+    let t291 = (t26 * t289).add_product(t24, t290);
+    let t292 = (t18 * t290).sub_product(t16, t291).add_product(t16, t289);
+    let rocker_omega_dot_by_coupler_gravity = (t11 * t287).add_product(t10, t288).sub_product(t10,
+        t286).add_product(t11, t285);
+    let rocker_v_y_dot_by_coupler_gravity = (-(c.inverse_rocker_mass * t285))
+        .add_product(c.inverse_rocker_mass, t287);
+    let rocker_v_x_dot_by_coupler_gravity = -(c.inverse_rocker_mass * t286)
+        .add_product(c.inverse_rocker_mass, t288);
+    let coupler_omega_dot_by_coupler_gravity = (t9 * t289).sub_product(t8, t290).sub_product(t8,
+        t288).sub_product(t9, t287);
+    let coupler_v_y_dot_by_coupler_gravity = -c.t6.add_product(c.inverse_coupler_mass, t289)
+        .add_product(c.inverse_coupler_mass, t287);
+    let coupler_v_x_dot_by_coupler_gravity = (c.inverse_coupler_mass * t288)
+        .sub_product(c.inverse_coupler_mass, t290);
+    let crank_omega_dot_by_coupler_gravity = (-(t7 * t291).add_product(t6, t292).add_product(t6,
+        t290)).add_product(t7, t289);
+    let crank_v_y_dot_by_coupler_gravity = (c.inverse_crank_mass * t289)
+        .add_product(c.inverse_crank_mass, t291);
+    let crank_v_x_dot_by_coupler_gravity = (c.inverse_crank_mass * t290)
+        .sub_product(c.inverse_crank_mass, t292);
+    let t293 = R::literal(0.5) * rocker_omega_squared;
+    let t294 = t293 * sin_rocker_phi;
+    let t295 = R::literal(0.5) * sin_rocker_phi;
+    let t296 = R::literal(0.5) * cos_rocker_phi;
+    let t297 = t296 * rocker_omega_dot;
+    let t298 = (-(t296 * t79)).add_product(t295, t80).sub_product(t295, t78).add_product(t296, t77);
+    let t299 = (t293 * cos_rocker_phi).add_product(t295, rocker_omega_dot).add_product(t10, t298);
+    let t300 = t11 * t298;
+    let t301 = (t294 - t297 - t300).add_product(t45, t299);
+    let t302 = (-t299).add_product(t47, t299).sub_product(t52, t301);
+    let t303 = (t297 - t294 + t300).sub_product(t48, t299).sub_product(t54, t301).sub_product(t57,
+        t302) * t58;
+    let t304 = (t302 * t55).sub_product(t57, t303);
+    let t305 = (t301 * t50).sub_product(t52, t304).sub_product(t54, t303);
+    let t306 = (-(t299 * t42)).add_product(t45, t305).add_product(t47, t304).sub_product(t48, t303);
+    let t307 = (t40 * t305).add_product(t38, t306);
+    let t308 = (-(t33 * t306)).add_product(t31, t307).sub_product(t34, t305);
+    let t309 = (t26 * t307).sub_product(t24, t308);
+    let t310 = (t18 * t308).add_product(t16, t309).sub_product(t16, t307);
+    let rocker_omega_dot_by_rocker_length = (t298 * c.inverse_rocker_inertia).add_product(t10, t306)
+        .sub_product(t11, t305).sub_product(t10, t304).add_product(t11, t303);
+    let rocker_v_y_dot_by_rocker_length = -(c.inverse_rocker_mass * t303)
+        .add_product(c.inverse_rocker_mass, t305);
+    let rocker_v_x_dot_by_rocker_length = -(c.inverse_rocker_mass * t304)
+        .add_product(c.inverse_rocker_mass, t306);
+    let coupler_omega_dot_by_rocker_length = (-(t9 * t307).add_product(t8, t308).add_product(t8,
+        t306)).add_product(t9, t305);
+    let coupler_v_y_dot_by_rocker_length = (c.inverse_coupler_mass * t305)
+        .add_product(c.inverse_coupler_mass, t307);
+    let coupler_v_x_dot_by_rocker_length = (c.inverse_coupler_mass * t306)
+        .sub_product(c.inverse_coupler_mass, t308);
+    let crank_omega_dot_by_rocker_length = (t7 * t309).sub_product(t6, t310).sub_product(t6, t308)
+        .sub_product(t7, t307);
+    let crank_v_y_dot_by_rocker_length = -(c.inverse_crank_mass * t307)
+        .add_product(c.inverse_crank_mass, t309);
+    let crank_v_x_dot_by_rocker_length = (c.inverse_crank_mass * t308)
+        .sub_product(c.inverse_crank_mass, t310);
+    let t311 = c.inverse_rocker_mass * (c.inverse_rocker_mass * t78)
+        .add_product(c.inverse_rocker_mass, t80);
+    let t312 = c.inverse_rocker_mass * (c.t5.add_product(c.inverse_rocker_mass, t79)
+        .add_product(c.inverse_rocker_mass, t77) - p.rocker_gravity);
+    let t313 = t312.add_product(t45, t311);
+    let t314 = (-t311.add_product(t47, t311)).add_product(t52, t313);
+    let t315 = (-t312).add_product(t48, t311).add_product(t54, t313).sub_product(t57, t314) * t58;
+    let t316 = (t314 * t55).sub_product(t57, t315);
+    let t317 = (t313 * t50).add_product(t52, t316).add_product(t54, t315);
+    let t318 = (t311 * t42).sub_product(t45, t317).add_product(t47, t316).sub_product(t48, t315);
+    let t319 = (t40 * t317).sub_product(t38, t318);
+    let t320 = (-(t33 * t318).add_product(t31, t319)).add_product(t34, t317);
+    let t321 = (t26 * t319).add_product(t24, t320);
+    let t322 = (t18 * t320).sub_product(t16, t321).add_product(t16, t319);
+    let rocker_omega_dot_by_rocker_mass = (t11 * t317).add_product(t10, t318).sub_product(t10, t316)
+        .add_product(t11, t315);
+    let rocker_v_y_dot_by_rocker_mass = t312.add_product(c.inverse_rocker_mass, t317)
+        .sub_product(c.inverse_rocker_mass, t315);
+    let rocker_v_x_dot_by_rocker_mass = t311.sub_product(c.inverse_rocker_mass, t318)
+        .sub_product(c.inverse_rocker_mass, t316);
+    let coupler_omega_dot_by_rocker_mass = (t9 * t319).sub_product(t8, t320).sub_product(t8, t318)
+        .sub_product(t9, t317);
+    let coupler_v_y_dot_by_rocker_mass = -(c.inverse_coupler_mass * t317)
+        .add_product(c.inverse_coupler_mass, t319);
+    let coupler_v_x_dot_by_rocker_mass = (c.inverse_coupler_mass * t318)
+        .sub_product(c.inverse_coupler_mass, t320);
+    let crank_omega_dot_by_rocker_mass = (-(t7 * t321).add_product(t6, t322).add_product(t6, t320))
+        .add_product(t7, t319);
+    let crank_v_y_dot_by_rocker_mass = (c.inverse_crank_mass * t319)
+        .add_product(c.inverse_crank_mass, t321);
+    let crank_v_x_dot_by_rocker_mass = (c.inverse_crank_mass * t320)
+        .sub_product(c.inverse_crank_mass, t322);
+    let t323 = t10 * rocker_omega_dot;
+    let t324 = t11 * rocker_omega_dot;
+    let t325 = t324.sub_product(t45, t323);
+    let t326 = t323.sub_product(t47, t323).sub_product(t52, t325);
+    let t327 = (-t324).add_product(t48, t323).sub_product(t54, t325).sub_product(t57, t326) * t58;
+    let t328 = (t326 * t55).sub_product(t57, t327);
+    let t329 = (t325 * t50).sub_product(t52, t328).sub_product(t54, t327);
+    let t330 = (t323 * t42).add_product(t45, t329).add_product(t47, t328).sub_product(t48, t327);
+    let t331 = (t40 * t329).add_product(t38, t330);
+    let t332 = (-(t33 * t330)).add_product(t31, t331).sub_product(t34, t329);
+    let t333 = (t26 * t331).sub_product(t24, t332);
+    let t334 = (t18 * t332).add_product(t16, t333).sub_product(t16, t331);
+    let rocker_omega_dot_by_rocker_inertia = (-(rocker_omega_dot * c.inverse_rocker_inertia))
+        .add_product(t10, t330).sub_product(t11, t329).sub_product(t10, t328).add_product(t11,
+        t327);
+    let rocker_v_y_dot_by_rocker_inertia = -(c.inverse_rocker_mass * t327)
+        .add_product(c.inverse_rocker_mass, t329);
+    let rocker_v_x_dot_by_rocker_inertia = -(c.inverse_rocker_mass * t328)
+        .add_product(c.inverse_rocker_mass, t330);
+    let coupler_omega_dot_by_rocker_inertia = (-(t9 * t331).add_product(t8, t332).add_product(t8,
+        t330)).add_product(t9, t329);
+    let coupler_v_y_dot_by_rocker_inertia = (c.inverse_coupler_mass * t329)
+        .add_product(c.inverse_coupler_mass, t331);
+    let coupler_v_x_dot_by_rocker_inertia = (c.inverse_coupler_mass * t330)
+        .sub_product(c.inverse_coupler_mass, t332);
+    let crank_omega_dot_by_rocker_inertia = (t7 * t333).sub_product(t6, t334).sub_product(t6, t332)
+        .sub_product(t7, t331);
+    let crank_v_y_dot_by_rocker_inertia = -(c.inverse_crank_mass * t331)
+        .add_product(c.inverse_crank_mass, t333);
+    let crank_v_x_dot_by_rocker_inertia = (c.inverse_crank_mass * t332)
+        .sub_product(c.inverse_crank_mass, t334);
+    let t335 = t52 * c.t7;
+    let t336 = c.t7.sub_product(t54, c.t7).add_product(t57, t335) * t58;
+    let t337 = (t335 * t55).add_product(t57, t336);
+    let t338 = (c.t7 * t50).add_product(t52, t337).sub_product(t54, t336);
+    let t339 = (-(t47 * t337)).add_product(t45, t338).sub_product(t48, t336);
+    let t340 = (t40 * t338).add_product(t38, t339);
+    let t341 = (-(t33 * t339)).add_product(t31, t340).sub_product(t34, t338);
+    let t342 = (t26 * t340).sub_product(t24, t341);
+    let t343 = (t18 * t341).add_product(t16, t342).sub_product(t16, t340);
+    let rocker_omega_dot_by_rocker_gravity = (-(t11 * t338)).add_product(t10, t339)
+        .add_product(t10, t337).add_product(t11, t336);
+    let rocker_v_y_dot_by_rocker_gravity = -c.t7.add_product(c.inverse_rocker_mass, t338)
+        .add_product(c.inverse_rocker_mass, t336);
+    let rocker_v_x_dot_by_rocker_gravity = (c.inverse_rocker_mass * t337)
+        .sub_product(c.inverse_rocker_mass, t339);
+    let coupler_omega_dot_by_rocker_gravity = (-(t9 * t340).add_product(t8, t341).add_product(t8,
+        t339)).add_product(t9, t338);
+    let coupler_v_y_dot_by_rocker_gravity = (c.inverse_coupler_mass * t338)
+        .add_product(c.inverse_coupler_mass, t340);
+    let coupler_v_x_dot_by_rocker_gravity = (c.inverse_coupler_mass * t339)
+        .sub_product(c.inverse_coupler_mass, t341);
+    let crank_omega_dot_by_rocker_gravity = (t7 * t342).sub_product(t6, t343).sub_product(t6, t341)
+        .sub_product(t7, t340);
+    let crank_v_y_dot_by_rocker_gravity = -(c.inverse_crank_mass * t340)
+        .add_product(c.inverse_crank_mass, t342);
+    let crank_v_x_dot_by_rocker_gravity = (c.inverse_crank_mass * t341)
+        .sub_product(c.inverse_crank_mass, t343);
+    [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
+        R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
+        crank_v_x_dot_by_crank_phi, crank_v_x_dot_by_coupler_phi, crank_v_x_dot_by_rocker_phi,
+        crank_v_x_dot_by_crank_omega, crank_v_x_dot_by_coupler_omega,
+        crank_v_x_dot_by_rocker_omega, crank_v_y_dot_by_crank_phi, crank_v_y_dot_by_coupler_phi,
+        crank_v_y_dot_by_rocker_phi, crank_v_y_dot_by_crank_omega, crank_v_y_dot_by_coupler_omega,
+        crank_v_y_dot_by_rocker_omega, crank_omega_dot_by_crank_phi,
+        crank_omega_dot_by_coupler_phi, crank_omega_dot_by_rocker_phi,
+        crank_omega_dot_by_crank_omega, crank_omega_dot_by_coupler_omega,
+        crank_omega_dot_by_rocker_omega, coupler_v_x_dot_by_crank_phi,
+        coupler_v_x_dot_by_coupler_phi, coupler_v_x_dot_by_rocker_phi,
+        coupler_v_x_dot_by_crank_omega, coupler_v_x_dot_by_coupler_omega,
+        coupler_v_x_dot_by_rocker_omega, coupler_v_y_dot_by_crank_phi,
+        coupler_v_y_dot_by_coupler_phi, coupler_v_y_dot_by_rocker_phi,
+        coupler_v_y_dot_by_crank_omega, coupler_v_y_dot_by_coupler_omega,
+        coupler_v_y_dot_by_rocker_omega, coupler_omega_dot_by_crank_phi,
+        coupler_omega_dot_by_coupler_phi, coupler_omega_dot_by_rocker_phi,
+        coupler_omega_dot_by_crank_omega, coupler_omega_dot_by_coupler_omega,
+        coupler_omega_dot_by_rocker_omega, rocker_v_x_dot_by_crank_phi,
+        rocker_v_x_dot_by_coupler_phi, rocker_v_x_dot_by_rocker_phi, rocker_v_x_dot_by_crank_omega,
+        rocker_v_x_dot_by_coupler_omega, rocker_v_x_dot_by_rocker_omega,
+        rocker_v_y_dot_by_crank_phi, rocker_v_y_dot_by_coupler_phi, rocker_v_y_dot_by_rocker_phi,
+        rocker_v_y_dot_by_crank_omega, rocker_v_y_dot_by_coupler_omega,
+        rocker_v_y_dot_by_rocker_omega, rocker_omega_dot_by_crank_phi,
+        rocker_omega_dot_by_coupler_phi, rocker_omega_dot_by_rocker_phi,
+        rocker_omega_dot_by_crank_omega, rocker_omega_dot_by_coupler_omega,
+        rocker_omega_dot_by_rocker_omega, crank_v_x_dot_by_crank_length,
+        crank_v_x_dot_by_crank_mass, crank_v_x_dot_by_crank_inertia,
         crank_v_x_dot_by_crank_gravity, crank_v_x_dot_by_coupler_length,
         crank_v_x_dot_by_coupler_mass, crank_v_x_dot_by_coupler_inertia,
         crank_v_x_dot_by_coupler_gravity, crank_v_x_dot_by_rocker_length,

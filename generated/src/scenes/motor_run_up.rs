@@ -18,7 +18,7 @@
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 18 of 5 by 5, parameter_jacobian 24 of 5 by 11.
 // Operations: rate 45, forcing 12, rate_jacobian 34, parameter_jacobian 84, outputs 27, energy 32,
 //     power_balance 106, prepare 39, prepared_rate 29, prepared_rate_jacobian 16,
-//     prepared_parameter_jacobian 52.
+//     prepared_jacobians 68.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -33,7 +33,7 @@ use ::machinist_contract::{
     MotorRunUp: "motor_run_up", "Induction motor running up empty";
     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
-    coordinates; prepared; series 4;
+    coordinates; prepared; jacobians_at_once; series 4;
 }
 
 ::machinist_contract::parameters! {
@@ -205,11 +205,21 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         motor_psi_ry_dot_by_motor_psi_rx, c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 52 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 68 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 24] {
+pub fn prepared_jacobians<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 42] {
     let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
+    let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
+    let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
+    let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
+    let motor_omega_dot_by_motor_psi_sx = -(c.t2 * motor_psi_ry * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_sy = c.t2 * motor_psi_rx * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_rx = c.t2 * motor_psi_sy * c.inverse_motor_inertia;
+    let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega - c.motor_omega_0;
+    let motor_omega_dot_by_motor_psi_ry = -(c.t2 * motor_psi_sx * c.inverse_motor_inertia);
     let t0 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let t1 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let t2 = (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
@@ -243,7 +253,15 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
     let motor_psi_sy_dot_by_motor_alpha_s = -(c.motor_omega_0 * t1);
     let motor_psi_rx_dot_by_motor_alpha_r = c.motor_omega_0 * t3;
     let motor_psi_ry_dot_by_motor_alpha_r = c.motor_omega_0 * t4;
-    [motor_omega_dot_by_motor_inertia, motor_omega_dot_by_motor_supply_frequency,
+    [motor_omega_dot_by_motor_psi_sx, motor_omega_dot_by_motor_psi_sy,
+        motor_omega_dot_by_motor_psi_rx, motor_omega_dot_by_motor_psi_ry,
+        c.motor_psi_sx_dot_by_motor_psi_sx, c.motor_omega_0, c.motor_psi_sx_dot_by_motor_psi_rx,
+        c.motor_psi_sy_dot_by_motor_psi_sx, c.motor_psi_sx_dot_by_motor_psi_sx,
+        c.motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_omega,
+        c.motor_psi_rx_dot_by_motor_psi_sx, c.motor_psi_rx_dot_by_motor_psi_rx, motor_slip_speed,
+        motor_psi_ry_dot_by_motor_omega, c.motor_psi_rx_dot_by_motor_psi_sx,
+        motor_psi_ry_dot_by_motor_psi_rx, c.motor_psi_rx_dot_by_motor_psi_rx,
+        motor_omega_dot_by_motor_inertia, motor_omega_dot_by_motor_supply_frequency,
         motor_omega_dot_by_motor_pole_pairs, motor_omega_dot_by_motor_k_s,
         motor_omega_dot_by_motor_k_r, motor_omega_dot_by_motor_x_s, c.t3,
         motor_psi_sx_dot_by_motor_supply_frequency, c.minus_motor_u_y,

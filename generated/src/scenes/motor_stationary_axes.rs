@@ -18,7 +18,7 @@
 // Nonzeros: mass_matrix 13 of 5 by 5, rate_jacobian 30 of 6 by 6, parameter_jacobian 41 of 6 by 11.
 // Operations: rate 118, mass_matrix 13, forcing 69, rate_jacobian 298, parameter_jacobian 574,
 //     time_derivative 63, outputs 25, energy 33, power_balance 169, prepare 62, prepared_rate 98,
-//     prepared_rate_jacobian 273, prepared_parameter_jacobian 515.
+//     prepared_rate_jacobian 273, prepared_jacobians 693.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
@@ -33,7 +33,7 @@ use ::machinist_contract::{
     MotorStationaryAxes: "motor_stationary_axes", "Induction motor running up empty, from its co-energy";
     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
-    coordinates; prepared; series 28;
+    coordinates; prepared; jacobians_at_once; series 28;
 }
 
 ::machinist_contract::parameters! {
@@ -401,10 +401,11 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         motor_omega_dot_by_motor_i_sb, motor_omega_dot_by_motor_i_ra, motor_omega_dot_by_motor_i_rb]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 515 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 693 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 41] {
+pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 71] {
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let t0 = p.motor_supply_phase.add_product(c.motor_omega_0, time);
@@ -440,79 +441,156 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
         .sub_product(motor_pole_pairs_times_motor_i_sa, sin_motor_theta);
     let t21 = (motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
         .add_product(motor_pole_pairs_times_motor_i_sb, sin_motor_theta);
-    let t22 = (p.motor_pole_pairs * motor_across * cos_motor_theta).sub_product(p.motor_pole_pairs
-        * motor_along, sin_motor_theta);
-    let t23 = (c.t6 * motor_i_ra).add_product(t14, t20).add_product(t5, t16).add_product(t6, t19);
-    let motor_omega_dot = c.t2 * t22 * c.inverse_motor_inertia;
+    let t22 = (c.t6 * motor_i_ra).add_product(t14, t20).add_product(t5, t16).add_product(t6, t19);
     let motor_i_rb_dot = (-(c.t6 * motor_i_rb)).add_product(t14, t21).add_product(t6, t16)
-        .sub_product(t5, t19).add_product(t11, t23) * t12;
-    let t24 = (t23 * t9).add_product(t11, motor_i_rb_dot);
-    let motor_i_sb_dot = (t19 * c.t4).add_product(t6, t24).sub_product(t5, motor_i_rb_dot);
-    let motor_i_sa_dot = (t16 * c.t4).add_product(t5, t24).add_product(t6, motor_i_rb_dot);
+        .sub_product(t5, t19).add_product(t11, t22) * t12;
+    let t23 = (t22 * t9).add_product(t11, motor_i_rb_dot);
+    let motor_i_sb_dot = (t19 * c.t4).add_product(t6, t23).sub_product(t5, motor_i_rb_dot);
+    let motor_i_sa_dot = (t16 * c.t4).add_product(t5, t23).add_product(t6, motor_i_rb_dot);
+    let motor_i_ra_times_sin_motor_theta = motor_i_ra * sin_motor_theta;
+    let motor_i_rb_times_cos_motor_theta = motor_i_rb * cos_motor_theta;
+    let t24 = motor_i_ra_times_sin_motor_theta + motor_i_rb_times_cos_motor_theta;
+    let t25 = c.t8 * motor_omega;
     let motor_i_sa_times_cos_motor_theta = motor_i_sa * cos_motor_theta;
     let motor_i_sb_times_sin_motor_theta = motor_i_sb * sin_motor_theta;
+    let t26 = motor_i_sa_times_cos_motor_theta + motor_i_sb_times_sin_motor_theta;
+    let t27 = c.t7 * sin_motor_theta;
+    let t28 = c.t7 * cos_motor_theta;
+    let t29 = (-(t14 * (c.motor_pole_pairs_squared * motor_i_rb * sin_motor_theta)
+        .sub_product(c.motor_pole_pairs_squared * motor_i_ra, cos_motor_theta)).add_product(t27,
+        t23)).add_product(t28, motor_i_rb_dot);
+    let t30 = (t25 * t24).add_product(t28, t23).add_product(t27, motor_i_rb_dot);
+    let t31 = (t25 * t26).add_product(t27, motor_i_sa_dot).sub_product(t28, motor_i_sb_dot)
+        .sub_product(t5, t29).sub_product(t6, t30);
+    let motor_omega_dot_by_motor_phi = -(c.t2 * (c.motor_pole_pairs_squared * motor_along
+        * cos_motor_theta).add_product(c.motor_pole_pairs_squared * motor_across, sin_motor_theta)
+        * c.inverse_motor_inertia);
+    let motor_i_rb_dot_by_motor_phi = (-(t14 * (c.motor_pole_pairs_squared * motor_i_sa
+        * sin_motor_theta).sub_product(c.motor_pole_pairs_squared * motor_i_sb, cos_motor_theta)))
+        .add_product(t28, motor_i_sa_dot).add_product(t27, motor_i_sb_dot).add_product(t6, t29)
+        .sub_product(t5, t30).sub_product(t11, t31) * t12;
+    let motor_i_ra_dot_by_motor_phi = (t31 * t9).sub_product(t11, motor_i_rb_dot_by_motor_phi);
+    let motor_i_sb_dot_by_motor_phi = (t30 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_phi)
+        .sub_product(t5, motor_i_rb_dot_by_motor_phi);
+    let motor_i_sa_dot_by_motor_phi = (t29 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_phi)
+        .add_product(t6, motor_i_rb_dot_by_motor_phi);
+    let t32 = c.t7 * motor_omega;
+    let t33 = t32 * sin_motor_theta;
+    let t34 = t32 * cos_motor_theta;
+    let t35 = c.t7 * t24;
+    let t36 = t33.add_product(t5, c.t5);
+    let t37 = t6 * c.t5;
+    let motor_omega_dot_by_motor_i_sa = -(t35 * c.inverse_motor_inertia);
+    let motor_i_rb_dot_by_motor_i_sa = (t34 - t37).sub_product(t11, t36) * t12;
+    let motor_i_ra_dot_by_motor_i_sa = (t36 * t9).sub_product(t11, motor_i_rb_dot_by_motor_i_sa);
+    let motor_i_sb_dot_by_motor_i_sa = -(t5 * motor_i_rb_dot_by_motor_i_sa).add_product(t6,
+        motor_i_ra_dot_by_motor_i_sa);
+    let motor_i_sa_dot_by_motor_i_sa = (-c.t9.add_product(t5, motor_i_ra_dot_by_motor_i_sa))
+        .add_product(t6, motor_i_rb_dot_by_motor_i_sa);
+    let t38 = c.t2 * t17;
+    let t39 = t37 - t34;
+    let motor_omega_dot_by_motor_i_sb = t38 * c.inverse_motor_inertia;
+    let motor_i_rb_dot_by_motor_i_sb = t36.sub_product(t11, t39) * t12;
+    let motor_i_ra_dot_by_motor_i_sb = (t39 * t9).sub_product(t11, motor_i_rb_dot_by_motor_i_sb);
+    let motor_i_sb_dot_by_motor_i_sb = -c.t9.add_product(t6, motor_i_ra_dot_by_motor_i_sb)
+        .add_product(t5, motor_i_rb_dot_by_motor_i_sb);
+    let motor_i_sa_dot_by_motor_i_sb = (t6 * motor_i_rb_dot_by_motor_i_sb).sub_product(t5,
+        motor_i_ra_dot_by_motor_i_sb);
+    let t40 = c.t2 * t20;
+    let t41 = t5 * t33;
+    let t42 = t6 * t34;
+    let t43 = t42 - (c.t6 + t41);
+    let t44 = (t6 * t33).add_product(t5, t34);
+    let motor_omega_dot_by_motor_i_ra = t40 * c.inverse_motor_inertia;
+    let motor_i_rb_dot_by_motor_i_ra = t44.sub_product(t11, t43) * t12;
+    let motor_i_ra_dot_by_motor_i_ra = (t43 * t9).sub_product(t11, motor_i_rb_dot_by_motor_i_ra);
+    let t45 = t34 * c.t4;
+    let motor_i_sb_dot_by_motor_i_ra = -t45.add_product(t6, motor_i_ra_dot_by_motor_i_ra)
+        .add_product(t5, motor_i_rb_dot_by_motor_i_ra);
+    let t46 = t33 * c.t4;
+    let motor_i_sa_dot_by_motor_i_ra = t46.sub_product(t5, motor_i_ra_dot_by_motor_i_ra)
+        .add_product(t6, motor_i_rb_dot_by_motor_i_ra);
+    let t47 = c.t7 * t26;
+    let motor_omega_dot_by_motor_i_rb = -(t47 * c.inverse_motor_inertia);
+    let motor_i_rb_dot_by_motor_i_rb = (t42 - c.t6 - t41).add_product(t11, t44) * t12;
+    let t48 = (t44 * t9).add_product(t11, motor_i_rb_dot_by_motor_i_rb);
+    let motor_i_ra_dot_by_motor_i_rb = -t48;
+    let motor_i_sb_dot_by_motor_i_rb = t46.add_product(t6, t48).sub_product(t5,
+        motor_i_rb_dot_by_motor_i_rb);
+    let motor_i_sa_dot_by_motor_i_rb = t45.add_product(t5, t48).add_product(t6,
+        motor_i_rb_dot_by_motor_i_rb);
+    let t49 = (-t40.add_product(t5, t35)).add_product(t6, t38);
+    let motor_i_rb_dot_by_motor_omega = t47.add_product(t6, t35).add_product(t5, t38)
+        .sub_product(t11, t49) * t12;
+    let motor_i_ra_dot_by_motor_omega = (t49 * t9).sub_product(t11, motor_i_rb_dot_by_motor_omega);
+    let motor_i_sb_dot_by_motor_omega = -(t38 * c.t4).add_product(t6, motor_i_ra_dot_by_motor_omega)
+        .add_product(t5, motor_i_rb_dot_by_motor_omega);
+    let motor_i_sa_dot_by_motor_omega = (t35 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_omega)
+        .add_product(t6, motor_i_rb_dot_by_motor_omega);
+    let t50 = (p.motor_pole_pairs * motor_across * cos_motor_theta).sub_product(p.motor_pole_pairs
+        * motor_along, sin_motor_theta);
+    let motor_omega_dot = c.t2 * t50 * c.inverse_motor_inertia;
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * c.inverse_motor_inertia);
-    let t25 = R::literal(2.121_320_343_559_643) * t2;
-    let t26 = R::literal(2.121_320_343_559_643) * t1;
-    let t27 = (t5 * t25).add_product(t6, t26);
-    let motor_i_rb_dot_by_motor_phase_voltage = (t6 * t25).sub_product(t5, t26).add_product(t11,
-        t27) * t12;
-    let t28 = (t27 * t9).add_product(t11, motor_i_rb_dot_by_motor_phase_voltage);
-    let motor_i_ra_dot_by_motor_phase_voltage = -t28;
-    let motor_i_sb_dot_by_motor_phase_voltage = (t26 * c.t4).add_product(t6, t28).sub_product(t5,
+    let t51 = R::literal(2.121_320_343_559_643) * t2;
+    let t52 = R::literal(2.121_320_343_559_643) * t1;
+    let t53 = (t5 * t51).add_product(t6, t52);
+    let motor_i_rb_dot_by_motor_phase_voltage = (t6 * t51).sub_product(t5, t52).add_product(t11,
+        t53) * t12;
+    let t54 = (t53 * t9).add_product(t11, motor_i_rb_dot_by_motor_phase_voltage);
+    let motor_i_ra_dot_by_motor_phase_voltage = -t54;
+    let motor_i_sb_dot_by_motor_phase_voltage = (t52 * c.t4).add_product(t6, t54).sub_product(t5,
         motor_i_rb_dot_by_motor_phase_voltage);
-    let motor_i_sa_dot_by_motor_phase_voltage = (t25 * c.t4).add_product(t5, t28).add_product(t6,
+    let motor_i_sa_dot_by_motor_phase_voltage = (t51 * c.t4).add_product(t5, t54).add_product(t6,
         motor_i_rb_dot_by_motor_phase_voltage);
-    let t29 = R::literal(3.0 * core::f64::consts::PI) * time;
-    let t30 = c.t10 * motor_omega;
-    let t31 = c.t10 * cos_motor_theta;
-    let t32 = c.t10 * sin_motor_theta;
-    let t33 = (-(t30 * t13).add_product(t29, motor_u_b)).add_product(c.t12, motor_i_sa_dot)
-        .sub_product(t31, t24).sub_product(t32, motor_i_rb_dot);
-    let t34 = (t30 * t17).add_product(t29, motor_u_a).add_product(c.t12, motor_i_sb_dot)
-        .sub_product(t32, t24).add_product(t31, motor_i_rb_dot);
-    let t35 = (t30 * t20).add_product(t31, motor_i_sa_dot).add_product(t32, motor_i_sb_dot)
-        .sub_product(c.t13, t24).sub_product(t5, t33).sub_product(t6, t34);
-    let motor_omega_dot_by_motor_supply_frequency = -(c.t10 * t22 * c.inverse_motor_inertia);
-    let motor_i_rb_dot_by_motor_supply_frequency = (-(c.t11 * motor_omega
-        * (motor_i_sa_times_cos_motor_theta + motor_i_sb_times_sin_motor_theta)).add_product(t32,
-        motor_i_sa_dot)).add_product(t31, motor_i_sb_dot).add_product(c.t13, motor_i_rb_dot)
-        .add_product(t6, t33).sub_product(t5, t34).sub_product(t11, t35) * t12;
-    let motor_i_ra_dot_by_motor_supply_frequency = (t35 * t9).sub_product(t11,
+    let t55 = R::literal(3.0 * core::f64::consts::PI) * time;
+    let t56 = c.t10 * motor_omega;
+    let t57 = c.t10 * cos_motor_theta;
+    let t58 = c.t10 * sin_motor_theta;
+    let t59 = (-(t56 * t13).add_product(t55, motor_u_b)).add_product(c.t12, motor_i_sa_dot)
+        .sub_product(t57, t23).sub_product(t58, motor_i_rb_dot);
+    let t60 = (t56 * t17).add_product(t55, motor_u_a).add_product(c.t12, motor_i_sb_dot)
+        .sub_product(t58, t23).add_product(t57, motor_i_rb_dot);
+    let t61 = (t56 * t20).add_product(t57, motor_i_sa_dot).add_product(t58, motor_i_sb_dot)
+        .sub_product(c.t13, t23).sub_product(t5, t59).sub_product(t6, t60);
+    let motor_omega_dot_by_motor_supply_frequency = -(c.t10 * t50 * c.inverse_motor_inertia);
+    let motor_i_rb_dot_by_motor_supply_frequency = (-(c.t11 * motor_omega * t26).add_product(t58,
+        motor_i_sa_dot)).add_product(t57, motor_i_sb_dot).add_product(c.t13, motor_i_rb_dot)
+        .add_product(t6, t59).sub_product(t5, t60).sub_product(t11, t61) * t12;
+    let motor_i_ra_dot_by_motor_supply_frequency = (t61 * t9).sub_product(t11,
         motor_i_rb_dot_by_motor_supply_frequency);
-    let motor_i_sb_dot_by_motor_supply_frequency = (t34 * c.t4).sub_product(t6,
+    let motor_i_sb_dot_by_motor_supply_frequency = (t60 * c.t4).sub_product(t6,
         motor_i_ra_dot_by_motor_supply_frequency).sub_product(t5,
         motor_i_rb_dot_by_motor_supply_frequency);
-    let motor_i_sa_dot_by_motor_supply_frequency = (t33 * c.t4).sub_product(t5,
+    let motor_i_sa_dot_by_motor_supply_frequency = (t59 * c.t4).sub_product(t5,
         motor_i_ra_dot_by_motor_supply_frequency).add_product(t6,
         motor_i_rb_dot_by_motor_supply_frequency);
-    let t36 = (t5 * t18).sub_product(t6, t15);
-    let t37 = (t6 * t18).add_product(t5, t15).add_product(t11, t36) * t12;
-    let motor_i_rb_dot_by_motor_supply_phase = -t37;
-    let motor_i_ra_dot_by_motor_supply_phase = (t36 * t9).add_product(t11, t37);
+    let t62 = (t5 * t18).sub_product(t6, t15);
+    let t63 = (t6 * t18).add_product(t5, t15).add_product(t11, t62) * t12;
+    let motor_i_rb_dot_by_motor_supply_phase = -t63;
+    let motor_i_ra_dot_by_motor_supply_phase = (t62 * t9).add_product(t11, t63);
     let motor_i_sb_dot_by_motor_supply_phase = (t15 * c.t4).sub_product(t6,
-        motor_i_ra_dot_by_motor_supply_phase).add_product(t5, t37);
+        motor_i_ra_dot_by_motor_supply_phase).add_product(t5, t63);
     let motor_i_sa_dot_by_motor_supply_phase = -(t18 * c.t4).add_product(t5,
-        motor_i_ra_dot_by_motor_supply_phase).add_product(t6, t37);
+        motor_i_ra_dot_by_motor_supply_phase).add_product(t6, t63);
     let motor_i_ra_times_motor_theta = motor_i_ra * motor_theta;
     let motor_i_rb_times_motor_theta = motor_i_rb * motor_theta;
     let motor_i_sa_times_motor_theta = motor_i_sa * motor_theta;
     let motor_i_sb_times_motor_theta = motor_i_sb * motor_theta;
-    let t38 = c.t2 * motor_phi;
-    let t39 = t38 * sin_motor_theta;
-    let t40 = t38 * cos_motor_theta;
-    let t41 = (-(t14 * (motor_i_rb_times_motor_theta * sin_motor_theta)
-        .sub_product(motor_i_ra_times_motor_theta, cos_motor_theta).sub_product(motor_i_ra,
-        sin_motor_theta).sub_product(motor_i_rb, cos_motor_theta)).add_product(t39, t24))
-        .add_product(t40, motor_i_rb_dot);
-    let t42 = (-(t14 * (motor_i_ra * cos_motor_theta).sub_product(motor_i_ra_times_motor_theta,
+    let t64 = c.t2 * motor_phi;
+    let t65 = t64 * sin_motor_theta;
+    let t66 = t64 * cos_motor_theta;
+    let t67 = (-(t14 * ((motor_i_rb_times_motor_theta * sin_motor_theta)
+        .sub_product(motor_i_ra_times_motor_theta, cos_motor_theta)
+        - motor_i_ra_times_sin_motor_theta - motor_i_rb_times_cos_motor_theta)).add_product(t65,
+        t23)).add_product(t66, motor_i_rb_dot);
+    let t68 = (-(t14 * (motor_i_ra * cos_motor_theta).sub_product(motor_i_ra_times_motor_theta,
         sin_motor_theta).sub_product(motor_i_rb_times_motor_theta, cos_motor_theta)
-        .sub_product(motor_i_rb, sin_motor_theta))).add_product(t40, t24).add_product(t39,
+        .sub_product(motor_i_rb, sin_motor_theta))).add_product(t66, t23).add_product(t65,
         motor_i_rb_dot);
-    let t43 = (-(t14 * (motor_i_sb * cos_motor_theta).sub_product(motor_i_sa_times_motor_theta,
+    let t69 = (-(t14 * (motor_i_sb * cos_motor_theta).sub_product(motor_i_sa_times_motor_theta,
         cos_motor_theta).sub_product(motor_i_sa, sin_motor_theta)
-        .sub_product(motor_i_sb_times_motor_theta, sin_motor_theta))).add_product(t39,
-        motor_i_sa_dot).sub_product(t40, motor_i_sb_dot).sub_product(t5, t41).sub_product(t6, t42);
+        .sub_product(motor_i_sb_times_motor_theta, sin_motor_theta))).add_product(t65,
+        motor_i_sa_dot).sub_product(t66, motor_i_sb_dot).sub_product(t5, t67).sub_product(t6, t68);
     let motor_omega_dot_by_motor_pole_pairs = c.t2 * (motor_across * cos_motor_theta)
         .sub_product(motor_theta * motor_along, cos_motor_theta).sub_product(motor_theta
         * motor_across, sin_motor_theta).sub_product(motor_along, sin_motor_theta)
@@ -520,105 +598,115 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let motor_i_rb_dot_by_motor_pole_pairs = (-(t14 * ((-motor_i_sa_times_cos_motor_theta)
         .add_product(motor_i_sa_times_motor_theta, sin_motor_theta)
         .sub_product(motor_i_sb_times_motor_theta, cos_motor_theta)
-        - motor_i_sb_times_sin_motor_theta))).add_product(t40, motor_i_sa_dot).add_product(t39,
-        motor_i_sb_dot).add_product(t6, t41).sub_product(t5, t42).sub_product(t11, t43) * t12;
-    let motor_i_ra_dot_by_motor_pole_pairs = (t43 * t9).sub_product(t11,
+        - motor_i_sb_times_sin_motor_theta))).add_product(t66, motor_i_sa_dot).add_product(t65,
+        motor_i_sb_dot).add_product(t6, t67).sub_product(t5, t68).sub_product(t11, t69) * t12;
+    let motor_i_ra_dot_by_motor_pole_pairs = (t69 * t9).sub_product(t11,
         motor_i_rb_dot_by_motor_pole_pairs);
-    let motor_i_sb_dot_by_motor_pole_pairs = (t42 * c.t4).sub_product(t6,
+    let motor_i_sb_dot_by_motor_pole_pairs = (t68 * c.t4).sub_product(t6,
         motor_i_ra_dot_by_motor_pole_pairs).sub_product(t5, motor_i_rb_dot_by_motor_pole_pairs);
-    let motor_i_sa_dot_by_motor_pole_pairs = (t41 * c.t4).sub_product(t5,
+    let motor_i_sa_dot_by_motor_pole_pairs = (t67 * c.t4).sub_product(t5,
         motor_i_ra_dot_by_motor_pole_pairs).add_product(t6, motor_i_rb_dot_by_motor_pole_pairs);
-    let t44 = c.t1 * motor_omega;
-    let t45 = c.t15 * motor_i_sb * motor_omega;
-    let t46 = c.t15 * motor_i_sa * motor_omega;
-    let t47 = c.t1 * cos_motor_theta;
-    let t48 = c.t1 * sin_motor_theta;
-    let t49 = (c.t14 * motor_i_sa).add_product(t44, t13).add_product(t47, t24).add_product(t48,
+    let t70 = c.t1 * motor_omega;
+    let t71 = c.t15 * motor_i_sb * motor_omega;
+    let t72 = c.t15 * motor_i_sa * motor_omega;
+    let t73 = c.t1 * cos_motor_theta;
+    let t74 = c.t1 * sin_motor_theta;
+    let t75 = (c.t14 * motor_i_sa).add_product(t70, t13).add_product(t73, t23).add_product(t74,
         motor_i_rb_dot);
-    let t50 = (c.t14 * motor_i_sb).sub_product(t44, t17).add_product(t48, t24).sub_product(t47,
+    let t76 = (c.t14 * motor_i_sb).sub_product(t70, t17).add_product(t74, t23).sub_product(t73,
         motor_i_rb_dot);
-    let t51 = (c.t19 * (c.t18 * motor_i_ra).add_product(t46, sin_motor_theta).sub_product(t45,
-        cos_motor_theta).sub_product(c.t16, motor_i_ra)).sub_product(t47, motor_i_sa_dot)
-        .sub_product(t48, motor_i_sb_dot).add_product(c.t20, t24).sub_product(t5, t49)
-        .sub_product(t6, t50);
-    let motor_omega_dot_by_motor_k_s = c.t1 * t22 * c.inverse_motor_inertia;
-    let motor_i_rb_dot_by_motor_k_s = (c.t19 * (t46 * cos_motor_theta).add_product(t45,
+    let t77 = (c.t19 * (c.t18 * motor_i_ra).add_product(t72, sin_motor_theta).sub_product(t71,
+        cos_motor_theta).sub_product(c.t16, motor_i_ra)).sub_product(t73, motor_i_sa_dot)
+        .sub_product(t74, motor_i_sb_dot).add_product(c.t20, t23).sub_product(t5, t75)
+        .sub_product(t6, t76);
+    let motor_omega_dot_by_motor_k_s = c.t1 * t50 * c.inverse_motor_inertia;
+    let motor_i_rb_dot_by_motor_k_s = (c.t19 * (t72 * cos_motor_theta).add_product(t71,
         sin_motor_theta).add_product(c.t18, motor_i_rb).sub_product(c.t16, motor_i_rb))
-        .add_product(t48, motor_i_sa_dot).sub_product(t47, motor_i_sb_dot).sub_product(c.t20,
-        motor_i_rb_dot).add_product(t6, t49).sub_product(t5, t50).sub_product(t11, t51) * t12;
-    let motor_i_ra_dot_by_motor_k_s = (t51 * t9).sub_product(t11, motor_i_rb_dot_by_motor_k_s);
-    let motor_i_sb_dot_by_motor_k_s = (t50 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_k_s)
+        .add_product(t74, motor_i_sa_dot).sub_product(t73, motor_i_sb_dot).sub_product(c.t20,
+        motor_i_rb_dot).add_product(t6, t75).sub_product(t5, t76).sub_product(t11, t77) * t12;
+    let motor_i_ra_dot_by_motor_k_s = (t77 * t9).sub_product(t11, motor_i_rb_dot_by_motor_k_s);
+    let motor_i_sb_dot_by_motor_k_s = (t76 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_k_s)
         .sub_product(t5, motor_i_rb_dot_by_motor_k_s);
-    let motor_i_sa_dot_by_motor_k_s = (t49 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_k_s)
+    let motor_i_sa_dot_by_motor_k_s = (t75 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_k_s)
         .add_product(t6, motor_i_rb_dot_by_motor_k_s);
-    let t52 = c.t22 * motor_i_sa;
-    let t53 = c.t22 * motor_i_sb;
-    let t54 = (c.t23 * motor_i_ra).sub_product(c.t24, t24).sub_product(t5, t52).sub_product(t6,
-        t53);
+    let t78 = c.t22 * motor_i_sa;
+    let t79 = c.t22 * motor_i_sb;
+    let t80 = (c.t23 * motor_i_ra).sub_product(c.t24, t23).sub_product(t5, t78).sub_product(t6,
+        t79);
     let motor_i_rb_dot_by_motor_k_r = (c.t23 * motor_i_rb).add_product(c.t24, motor_i_rb_dot)
-        .add_product(t6, t52).sub_product(t5, t53).sub_product(t11, t54) * t12;
-    let motor_i_ra_dot_by_motor_k_r = (t54 * t9).sub_product(t11, motor_i_rb_dot_by_motor_k_r);
-    let motor_i_sb_dot_by_motor_k_r = (t53 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_k_r)
+        .add_product(t6, t78).sub_product(t5, t79).sub_product(t11, t80) * t12;
+    let motor_i_ra_dot_by_motor_k_r = (t80 * t9).sub_product(t11, motor_i_rb_dot_by_motor_k_r);
+    let motor_i_sb_dot_by_motor_k_r = (t79 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_k_r)
         .sub_product(t5, motor_i_rb_dot_by_motor_k_r);
-    let motor_i_sa_dot_by_motor_k_r = (t52 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_k_r)
+    let motor_i_sa_dot_by_motor_k_r = (t78 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_k_r)
         .add_product(t6, motor_i_rb_dot_by_motor_k_r);
-    let t55 = c.t26 * motor_omega;
-    let t56 = c.t26 * cos_motor_theta;
-    let t57 = c.t26 * sin_motor_theta;
-    let t58 = (-(c.t25 * motor_i_sa)).add_product(t55, t13).sub_product(c.t28, motor_i_sa_dot)
-        .add_product(t56, t24).add_product(t57, motor_i_rb_dot);
-    let t59 = (-(c.t25 * motor_i_sb).add_product(t55, t17).add_product(c.t28, motor_i_sb_dot))
-        .add_product(t57, t24).sub_product(t56, motor_i_rb_dot);
-    let t60 = (-(c.t27 * motor_i_ra).add_product(t55, t20).add_product(t56, motor_i_sa_dot)
-        .add_product(t57, motor_i_sb_dot)).add_product(c.t29, t24).sub_product(t5, t58)
-        .sub_product(t6, t59);
-    let motor_omega_dot_by_motor_x_s = c.t26 * t22 * c.inverse_motor_inertia;
-    let motor_i_rb_dot_by_motor_x_s = (-(c.t27 * motor_i_rb)).add_product(t55, t21)
-        .add_product(t57, motor_i_sa_dot).sub_product(t56, motor_i_sb_dot).sub_product(c.t29,
-        motor_i_rb_dot).add_product(t6, t58).sub_product(t5, t59).sub_product(t11, t60) * t12;
-    let motor_i_ra_dot_by_motor_x_s = (t60 * t9).sub_product(t11, motor_i_rb_dot_by_motor_x_s);
-    let motor_i_sb_dot_by_motor_x_s = (t59 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_x_s)
+    let t81 = c.t26 * motor_omega;
+    let t82 = c.t26 * cos_motor_theta;
+    let t83 = c.t26 * sin_motor_theta;
+    let t84 = (-(c.t25 * motor_i_sa)).add_product(t81, t13).sub_product(c.t28, motor_i_sa_dot)
+        .add_product(t82, t23).add_product(t83, motor_i_rb_dot);
+    let t85 = (-(c.t25 * motor_i_sb).add_product(t81, t17).add_product(c.t28, motor_i_sb_dot))
+        .add_product(t83, t23).sub_product(t82, motor_i_rb_dot);
+    let t86 = (-(c.t27 * motor_i_ra).add_product(t81, t20).add_product(t82, motor_i_sa_dot)
+        .add_product(t83, motor_i_sb_dot)).add_product(c.t29, t23).sub_product(t5, t84)
+        .sub_product(t6, t85);
+    let motor_omega_dot_by_motor_x_s = c.t26 * t50 * c.inverse_motor_inertia;
+    let motor_i_rb_dot_by_motor_x_s = (-(c.t27 * motor_i_rb)).add_product(t81, t21)
+        .add_product(t83, motor_i_sa_dot).sub_product(t82, motor_i_sb_dot).sub_product(c.t29,
+        motor_i_rb_dot).add_product(t6, t84).sub_product(t5, t85).sub_product(t11, t86) * t12;
+    let motor_i_ra_dot_by_motor_x_s = (t86 * t9).sub_product(t11, motor_i_rb_dot_by_motor_x_s);
+    let motor_i_sb_dot_by_motor_x_s = (t85 * c.t4).sub_product(t6, motor_i_ra_dot_by_motor_x_s)
         .sub_product(t5, motor_i_rb_dot_by_motor_x_s);
-    let motor_i_sa_dot_by_motor_x_s = (t58 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_x_s)
+    let motor_i_sa_dot_by_motor_x_s = (t84 * c.t4).sub_product(t5, motor_i_ra_dot_by_motor_x_s)
         .add_product(t6, motor_i_rb_dot_by_motor_x_s);
-    let t61 = c.t30 * motor_i_sa;
-    let t62 = c.t30 * motor_i_sb;
-    let t63 = (t5 * t61).add_product(t6, t62);
-    let motor_i_rb_dot_by_motor_alpha_s = (t5 * t62).sub_product(t6, t61).sub_product(t11, t63)
+    let t87 = c.t30 * motor_i_sa;
+    let t88 = c.t30 * motor_i_sb;
+    let t89 = (t5 * t87).add_product(t6, t88);
+    let motor_i_rb_dot_by_motor_alpha_s = (t5 * t88).sub_product(t6, t87).sub_product(t11, t89)
         * t12;
-    let motor_i_ra_dot_by_motor_alpha_s = (t63 * t9).sub_product(t11,
+    let motor_i_ra_dot_by_motor_alpha_s = (t89 * t9).sub_product(t11,
         motor_i_rb_dot_by_motor_alpha_s);
-    let motor_i_sb_dot_by_motor_alpha_s = -(t62 * c.t4).add_product(t6,
+    let motor_i_sb_dot_by_motor_alpha_s = -(t88 * c.t4).add_product(t6,
         motor_i_ra_dot_by_motor_alpha_s).add_product(t5, motor_i_rb_dot_by_motor_alpha_s);
-    let motor_i_sa_dot_by_motor_alpha_s = (-(t61 * c.t4).add_product(t5,
+    let motor_i_sa_dot_by_motor_alpha_s = (-(t87 * c.t4).add_product(t5,
         motor_i_ra_dot_by_motor_alpha_s)).add_product(t6, motor_i_rb_dot_by_motor_alpha_s);
-    let t64 = c.t31 * motor_i_ra;
-    let motor_i_rb_dot_by_motor_alpha_r = (-(c.t31 * motor_i_rb)).add_product(t11, t64) * t12;
-    let t65 = (t64 * t9).add_product(t11, motor_i_rb_dot_by_motor_alpha_r);
-    let motor_i_ra_dot_by_motor_alpha_r = -t65;
+    let t90 = c.t31 * motor_i_ra;
+    let motor_i_rb_dot_by_motor_alpha_r = (-(c.t31 * motor_i_rb)).add_product(t11, t90) * t12;
+    let t91 = (t90 * t9).add_product(t11, motor_i_rb_dot_by_motor_alpha_r);
+    let motor_i_ra_dot_by_motor_alpha_r = -t91;
     let motor_i_sb_dot_by_motor_alpha_r = (-(t5 * motor_i_rb_dot_by_motor_alpha_r)).add_product(t6,
-        t65);
+        t91);
     let motor_i_sa_dot_by_motor_alpha_r = (t6 * motor_i_rb_dot_by_motor_alpha_r).add_product(t5,
-        t65);
-    [motor_i_sa_dot_by_motor_phase_voltage, motor_i_sa_dot_by_motor_supply_frequency,
-        motor_i_sa_dot_by_motor_supply_phase, motor_i_sa_dot_by_motor_pole_pairs,
-        motor_i_sa_dot_by_motor_k_s, motor_i_sa_dot_by_motor_k_r, motor_i_sa_dot_by_motor_x_s,
-        motor_i_sa_dot_by_motor_alpha_s, motor_i_sa_dot_by_motor_alpha_r,
-        motor_i_sb_dot_by_motor_phase_voltage, motor_i_sb_dot_by_motor_supply_frequency,
-        motor_i_sb_dot_by_motor_supply_phase, motor_i_sb_dot_by_motor_pole_pairs,
-        motor_i_sb_dot_by_motor_k_s, motor_i_sb_dot_by_motor_k_r, motor_i_sb_dot_by_motor_x_s,
-        motor_i_sb_dot_by_motor_alpha_s, motor_i_sb_dot_by_motor_alpha_r,
-        motor_i_ra_dot_by_motor_phase_voltage, motor_i_ra_dot_by_motor_supply_frequency,
-        motor_i_ra_dot_by_motor_supply_phase, motor_i_ra_dot_by_motor_pole_pairs,
-        motor_i_ra_dot_by_motor_k_s, motor_i_ra_dot_by_motor_k_r, motor_i_ra_dot_by_motor_x_s,
-        motor_i_ra_dot_by_motor_alpha_s, motor_i_ra_dot_by_motor_alpha_r,
-        motor_i_rb_dot_by_motor_phase_voltage, motor_i_rb_dot_by_motor_supply_frequency,
-        motor_i_rb_dot_by_motor_supply_phase, motor_i_rb_dot_by_motor_pole_pairs,
-        motor_i_rb_dot_by_motor_k_s, motor_i_rb_dot_by_motor_k_r, motor_i_rb_dot_by_motor_x_s,
-        motor_i_rb_dot_by_motor_alpha_s, motor_i_rb_dot_by_motor_alpha_r,
-        motor_omega_dot_by_motor_inertia, motor_omega_dot_by_motor_supply_frequency,
-        motor_omega_dot_by_motor_pole_pairs, motor_omega_dot_by_motor_k_s,
-        motor_omega_dot_by_motor_x_s]
+        t91);
+    [R::literal(1.0), motor_i_sa_dot_by_motor_phi, motor_i_sa_dot_by_motor_i_sa,
+        motor_i_sa_dot_by_motor_i_sb, motor_i_sa_dot_by_motor_i_ra, motor_i_sa_dot_by_motor_i_rb,
+        motor_i_sa_dot_by_motor_omega, motor_i_sb_dot_by_motor_phi, motor_i_sb_dot_by_motor_i_sa,
+        motor_i_sb_dot_by_motor_i_sb, motor_i_sb_dot_by_motor_i_ra, motor_i_sb_dot_by_motor_i_rb,
+        motor_i_sb_dot_by_motor_omega, motor_i_ra_dot_by_motor_phi, motor_i_ra_dot_by_motor_i_sa,
+        motor_i_ra_dot_by_motor_i_sb, motor_i_ra_dot_by_motor_i_ra, motor_i_ra_dot_by_motor_i_rb,
+        motor_i_ra_dot_by_motor_omega, motor_i_rb_dot_by_motor_phi, motor_i_rb_dot_by_motor_i_sa,
+        motor_i_rb_dot_by_motor_i_sb, motor_i_rb_dot_by_motor_i_ra, motor_i_rb_dot_by_motor_i_rb,
+        motor_i_rb_dot_by_motor_omega, motor_omega_dot_by_motor_phi, motor_omega_dot_by_motor_i_sa,
+        motor_omega_dot_by_motor_i_sb, motor_omega_dot_by_motor_i_ra,
+        motor_omega_dot_by_motor_i_rb, motor_i_sa_dot_by_motor_phase_voltage,
+        motor_i_sa_dot_by_motor_supply_frequency, motor_i_sa_dot_by_motor_supply_phase,
+        motor_i_sa_dot_by_motor_pole_pairs, motor_i_sa_dot_by_motor_k_s,
+        motor_i_sa_dot_by_motor_k_r, motor_i_sa_dot_by_motor_x_s, motor_i_sa_dot_by_motor_alpha_s,
+        motor_i_sa_dot_by_motor_alpha_r, motor_i_sb_dot_by_motor_phase_voltage,
+        motor_i_sb_dot_by_motor_supply_frequency, motor_i_sb_dot_by_motor_supply_phase,
+        motor_i_sb_dot_by_motor_pole_pairs, motor_i_sb_dot_by_motor_k_s,
+        motor_i_sb_dot_by_motor_k_r, motor_i_sb_dot_by_motor_x_s, motor_i_sb_dot_by_motor_alpha_s,
+        motor_i_sb_dot_by_motor_alpha_r, motor_i_ra_dot_by_motor_phase_voltage,
+        motor_i_ra_dot_by_motor_supply_frequency, motor_i_ra_dot_by_motor_supply_phase,
+        motor_i_ra_dot_by_motor_pole_pairs, motor_i_ra_dot_by_motor_k_s,
+        motor_i_ra_dot_by_motor_k_r, motor_i_ra_dot_by_motor_x_s, motor_i_ra_dot_by_motor_alpha_s,
+        motor_i_ra_dot_by_motor_alpha_r, motor_i_rb_dot_by_motor_phase_voltage,
+        motor_i_rb_dot_by_motor_supply_frequency, motor_i_rb_dot_by_motor_supply_phase,
+        motor_i_rb_dot_by_motor_pole_pairs, motor_i_rb_dot_by_motor_k_s,
+        motor_i_rb_dot_by_motor_k_r, motor_i_rb_dot_by_motor_x_s, motor_i_rb_dot_by_motor_alpha_s,
+        motor_i_rb_dot_by_motor_alpha_r, motor_omega_dot_by_motor_inertia,
+        motor_omega_dot_by_motor_supply_frequency, motor_omega_dot_by_motor_pole_pairs,
+        motor_omega_dot_by_motor_k_s, motor_omega_dot_by_motor_x_s]
 }
 
 /// Partial derivative of `y'` with respect to time. 63 operations.

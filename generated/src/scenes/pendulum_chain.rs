@@ -16,9 +16,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 3, states 6, parameters 7, outputs 2.
 // Nonzeros: mass_matrix 9 of 3 by 3, rate_jacobian 21 of 6 by 6, parameter_jacobian 21 of 6 by 7.
-// Operations: rate 116, mass_matrix 24, forcing 56, rate_jacobian 281, parameter_jacobian 318,
+// Operations: rate 116, mass_matrix 24, forcing 56, rate_jacobian 281, parameter_jacobian 330,
 //     outputs 17, energy 48, power_balance 219, prepare 38, prepared_rate 94,
-//     prepared_rate_jacobian 251, prepared_parameter_jacobian 286.
+//     prepared_rate_jacobian 251, prepared_jacobians 456.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
@@ -33,7 +33,7 @@ use ::machinist_contract::{
     PendulumChain: "pendulum_chain", "Chain of three pendulums";
     run from 0.0, until 5.0, points 1001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
-    prepared; series 29;
+    prepared; jacobians_at_once; series 29;
 }
 
 ::machinist_contract::parameters! {
@@ -330,145 +330,202 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         chain_w_3_dot_by_chain_w_2, chain_w_3_dot_by_chain_w_3]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 286 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 456 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 21] {
+pub fn prepared_jacobians<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 42] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
-    let chain_th_1_minus_chain_th_2 = chain_th_1 - chain_th_2;
-    let chain_th_1_minus_chain_th_3 = chain_th_1 - chain_th_3;
-    let chain_th_2_minus_chain_th_3 = chain_th_2 - chain_th_3;
-    let [(sin_chain_th_1, _), (sin_chain_th_2, _), (sin_chain_th_3, _),
-        (sin_chain_th_1_minus_chain_th_2, cos_chain_th_1_minus_chain_th_2),
-        (sin_chain_th_1_minus_chain_th_3, cos_chain_th_1_minus_chain_th_3),
-        (sin_chain_th_2_minus_chain_th_3, cos_chain_th_2_minus_chain_th_3)]
-        = R::sin_cos_each([chain_th_1, chain_th_2, chain_th_3, chain_th_1_minus_chain_th_2,
-        chain_th_1_minus_chain_th_3, chain_th_2_minus_chain_th_3]);
-    let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
-    let t0 = c.t1 * cos_chain_th_1_minus_chain_th_2;
-    let t1 = c.t2 * cos_chain_th_1_minus_chain_th_3;
-    let t2 = t0 * c.t5;
-    let t3 = t1 * c.t5;
-    let t4 = R::literal(1.0) / c.t3.sub_product(t2, t0);
-    let t5 = (c.t4 * cos_chain_th_2_minus_chain_th_3).sub_product(t3, t0);
-    let t6 = t5 * t4;
-    let t7 = R::literal(1.0) / c.chain_m_3_times_chain_l_3_squared.sub_product(t3, t1)
-        .sub_product(t6, t5);
+    let [(sin_chain_th_1, cos_chain_th_1), (sin_chain_th_2, cos_chain_th_2), (sin_chain_th_3,
+        cos_chain_th_3)] = R::sin_cos_each([chain_th_1, chain_th_2, chain_th_3]);
+    let t0 = (sin_chain_th_1 * cos_chain_th_2).sub_product(cos_chain_th_1, sin_chain_th_2);
+    let t1 = (cos_chain_th_1 * cos_chain_th_2).add_product(sin_chain_th_1, sin_chain_th_2);
+    let t2 = c.t1 * t1;
+    let t3 = (sin_chain_th_1 * cos_chain_th_3).sub_product(cos_chain_th_1, sin_chain_th_3);
+    let t4 = (cos_chain_th_1 * cos_chain_th_3).add_product(sin_chain_th_1, sin_chain_th_3);
+    let t5 = c.t2 * t4;
+    let t6 = (sin_chain_th_2 * cos_chain_th_3).sub_product(cos_chain_th_2, sin_chain_th_3);
+    let t7 = (cos_chain_th_2 * cos_chain_th_3).add_product(sin_chain_th_2, sin_chain_th_3);
+    let t8 = t2 * c.t5;
+    let t9 = t5 * c.t5;
+    let t10 = R::literal(1.0) / c.t3.sub_product(t8, t2);
+    let t11 = (c.t4 * t7).sub_product(t9, t2);
+    let t12 = t11 * t10;
+    let t13 = R::literal(1.0) / c.chain_m_3_times_chain_l_3_squared.sub_product(t9, t5)
+        .sub_product(t12, t11);
     let chain_w_2_squared = chain_w_2 * chain_w_2;
+    let t14 = c.chain_m_2_times_chain_l_2 * chain_w_2_squared;
+    let t15 = c.chain_m_3_times_chain_l_2 * chain_w_2_squared;
     let chain_w_3_squared = chain_w_3 * chain_w_3;
-    let t8 = c.chain_m_3_times_chain_l_3 * chain_w_3_squared;
-    let t9 = (c.chain_m_1_times_chain_gravity * sin_chain_th_1)
-        .add_product(c.chain_m_2_times_chain_l_2 * chain_w_2_squared,
-        sin_chain_th_1_minus_chain_th_2).add_product(c.chain_m_2_times_chain_gravity,
-        sin_chain_th_1).add_product(c.chain_m_3_times_chain_l_2 * chain_w_2_squared,
-        sin_chain_th_1_minus_chain_th_2).add_product(t8, sin_chain_th_1_minus_chain_th_3)
-        .add_product(c.chain_m_3_times_chain_gravity, sin_chain_th_1);
-    let t10 = p.chain_l_1 * t9;
+    let t16 = c.chain_m_3_times_chain_l_3 * chain_w_3_squared;
+    let t17 = (c.chain_m_1_times_chain_gravity * sin_chain_th_1).add_product(t14, t0)
+        .add_product(c.chain_m_2_times_chain_gravity, sin_chain_th_1).add_product(t15, t0)
+        .add_product(t16, t3).add_product(c.chain_m_3_times_chain_gravity, sin_chain_th_1);
+    let t18 = p.chain_l_1 * t17;
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let t11 = (c.chain_m_2_times_chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2)
-        .add_product(c.chain_m_3_times_chain_l_1 * chain_w_1_squared,
-        sin_chain_th_1_minus_chain_th_2).sub_product(c.chain_m_2_times_chain_gravity,
-        sin_chain_th_2).sub_product(t8, sin_chain_th_2_minus_chain_th_3)
-        .sub_product(c.chain_m_3_times_chain_gravity, sin_chain_th_2);
+    let t19 = c.chain_m_2_times_chain_l_1 * chain_w_1_squared;
+    let t20 = c.chain_m_3_times_chain_l_1 * chain_w_1_squared;
+    let t21 = (t19 * t0).add_product(t20, t0).sub_product(c.chain_m_2_times_chain_gravity,
+        sin_chain_th_2).sub_product(t16, t6).sub_product(c.chain_m_3_times_chain_gravity,
+        sin_chain_th_2);
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
     let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
-    let t12 = (chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_3)
-        .add_product(chain_l_2_times_chain_w_2_squared, sin_chain_th_2_minus_chain_th_3)
-        .sub_product(p.chain_gravity, sin_chain_th_3);
-    let t13 = (p.chain_l_2 * t11).add_product(t2, t10);
-    let chain_w_3_dot = (c.chain_m_3_times_chain_l_3 * t12).add_product(t3, t10).sub_product(t6,
-        t13) * t7;
-    let chain_w_2_dot = (t13 * t4).sub_product(t6, chain_w_3_dot);
-    let t14 = (t10 * c.t5).add_product(t2, chain_w_2_dot).add_product(t3, chain_w_3_dot);
-    let t15 = c.chain_l_1_squared * t14;
-    let t16 = t15.sub_product(p.chain_gravity, chain_x_1);
-    let t17 = t2 * t16;
-    let chain_w_3_dot_by_chain_m_1 = (-(t3 * t16)).add_product(t6, t17) * t7;
-    let t18 = (t17 * t4).add_product(t6, chain_w_3_dot_by_chain_m_1);
-    let chain_w_2_dot_by_chain_m_1 = -t18;
-    let chain_w_1_dot_by_chain_m_1 = (t16 * c.t5).add_product(t2, t18).sub_product(t3,
+    let t22 = (chain_l_1_times_chain_w_1_squared * t3)
+        .add_product(chain_l_2_times_chain_w_2_squared, t6).sub_product(p.chain_gravity,
+        sin_chain_th_3);
+    let t23 = (p.chain_l_2 * t21).add_product(t8, t18);
+    let chain_w_3_dot = (c.chain_m_3_times_chain_l_3 * t22).add_product(t9, t18).sub_product(t12,
+        t23) * t13;
+    let chain_w_2_dot = (t23 * t10).sub_product(t12, chain_w_3_dot);
+    let t24 = (t18 * c.t5).add_product(t8, chain_w_2_dot).add_product(t9, chain_w_3_dot);
+    let t25 = c.t1 * t0;
+    let t26 = t25 * chain_w_2_dot;
+    let t27 = t25 * t24;
+    let t28 = c.t2 * t3;
+    let t29 = t28 * chain_w_3_dot;
+    let t30 = t26.sub_product(p.chain_l_1, (c.chain_m_1_times_chain_gravity * cos_chain_th_1)
+        .add_product(t14, t1).add_product(c.chain_m_2_times_chain_gravity, cos_chain_th_1)
+        .add_product(t15, t1).add_product(t16, t4).add_product(c.chain_m_3_times_chain_gravity,
+        cos_chain_th_1)) + t29;
+    let t31 = t28 * t24;
+    let t32 = (-t27).add_product(c.t1 * chain_w_1_squared, t1).sub_product(t8, t30);
+    let chain_w_3_dot_by_chain_th_1 = (-t31).add_product(c.t2 * chain_w_1_squared, t4)
+        .sub_product(t9, t30).sub_product(t12, t32) * t13;
+    let chain_w_2_dot_by_chain_th_1 = (t32 * t10).sub_product(t12, chain_w_3_dot_by_chain_th_1);
+    let chain_w_1_dot_by_chain_th_1 = (t30 * c.t5).sub_product(t8, chain_w_2_dot_by_chain_th_1)
+        .sub_product(t9, chain_w_3_dot_by_chain_th_1);
+    let t33 = (-t26).add_product(c.t1 * chain_w_2_squared, t1);
+    let t34 = c.t4 * t6;
+    let t35 = t34 * chain_w_3_dot;
+    let t36 = t34 * chain_w_2_dot;
+    let t37 = (t27.sub_product(p.chain_l_2, (c.chain_m_2_times_chain_gravity * cos_chain_th_2)
+        .add_product(t19, t1).add_product(t20, t1).add_product(t16, t7)
+        .add_product(c.chain_m_3_times_chain_gravity, cos_chain_th_2)) + t35).sub_product(t8, t33);
+    let chain_w_3_dot_by_chain_th_2 = t36.add_product(c.t4 * chain_w_2_squared, t7).sub_product(t9,
+        t33).sub_product(t12, t37) * t13;
+    let chain_w_2_dot_by_chain_th_2 = (t37 * t10).sub_product(t12, chain_w_3_dot_by_chain_th_2);
+    let chain_w_1_dot_by_chain_th_2 = (t33 * c.t5).sub_product(t8, chain_w_2_dot_by_chain_th_2)
+        .sub_product(t9, chain_w_3_dot_by_chain_th_2);
+    let t38 = (-t29).add_product(c.t2 * chain_w_3_squared, t4);
+    let t39 = (-t35).add_product(c.t4 * chain_w_3_squared, t7).sub_product(t8, t38);
+    let chain_w_3_dot_by_chain_th_3 = (t31.sub_product(c.chain_m_3_times_chain_l_3,
+        (chain_l_1_times_chain_w_1_squared * t4).add_product(chain_l_2_times_chain_w_2_squared, t7)
+        .add_product(p.chain_gravity, cos_chain_th_3)) - t36).sub_product(t9, t38).sub_product(t12,
+        t39) * t13;
+    let chain_w_2_dot_by_chain_th_3 = (t39 * t10).sub_product(t12, chain_w_3_dot_by_chain_th_3);
+    let chain_w_1_dot_by_chain_th_3 = (t38 * c.t5).sub_product(t8, chain_w_2_dot_by_chain_th_3)
+        .sub_product(t9, chain_w_3_dot_by_chain_th_3);
+    let t40 = c.t7 * chain_w_1 * t0;
+    let chain_w_3_dot_by_chain_w_1 = (c.t9 * chain_w_1 * t3).sub_product(t12, t40) * t13;
+    let chain_w_2_dot_by_chain_w_1 = (t40 * t10).sub_product(t12, chain_w_3_dot_by_chain_w_1);
+    let chain_w_1_dot_by_chain_w_1 = -(t9 * chain_w_3_dot_by_chain_w_1).add_product(t8,
+        chain_w_2_dot_by_chain_w_1);
+    let t41 = c.t7 * chain_w_2 * t0;
+    let t42 = t8 * t41;
+    let chain_w_3_dot_by_chain_w_2 = (c.t10 * chain_w_2 * t6).add_product(t9, t41).sub_product(t12,
+        t42) * t13;
+    let chain_w_2_dot_by_chain_w_2 = (t42 * t10).sub_product(t12, chain_w_3_dot_by_chain_w_2);
+    let chain_w_1_dot_by_chain_w_2 = -(t41 * c.t5).add_product(t8, chain_w_2_dot_by_chain_w_2)
+        .add_product(t9, chain_w_3_dot_by_chain_w_2);
+    let t43 = c.t9 * chain_w_3 * t3;
+    let t44 = (-(c.t10 * chain_w_3 * t6)).add_product(t8, t43);
+    let chain_w_3_dot_by_chain_w_3 = (t9 * t43).sub_product(t12, t44) * t13;
+    let chain_w_2_dot_by_chain_w_3 = (t44 * t10).sub_product(t12, chain_w_3_dot_by_chain_w_3);
+    let chain_w_1_dot_by_chain_w_3 = -(t43 * c.t5).add_product(t8, chain_w_2_dot_by_chain_w_3)
+        .add_product(t9, chain_w_3_dot_by_chain_w_3);
+    let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
+    let t45 = c.chain_l_1_squared * t24;
+    let t46 = t45.sub_product(p.chain_gravity, chain_x_1);
+    let t47 = t8 * t46;
+    let chain_w_3_dot_by_chain_m_1 = (-(t9 * t46)).add_product(t12, t47) * t13;
+    let t48 = (t47 * t10).add_product(t12, chain_w_3_dot_by_chain_m_1);
+    let chain_w_2_dot_by_chain_m_1 = -t48;
+    let chain_w_1_dot_by_chain_m_1 = (t46 * c.t5).add_product(t8, t48).sub_product(t9,
         chain_w_3_dot_by_chain_m_1);
-    let t19 = chain_l_2_times_chain_w_2_squared * sin_chain_th_1_minus_chain_th_2;
+    let t49 = chain_l_2_times_chain_w_2_squared * t0;
     let chain_gravity_times_sin_chain_th_1 = p.chain_gravity * sin_chain_th_1;
     let chain_gravity_times_sin_chain_th_2 = p.chain_gravity * sin_chain_th_2;
-    let t20 = chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_2;
-    let t21 = c.chain_l_1_times_chain_l_2 * cos_chain_th_1_minus_chain_th_2;
-    let t22 = t21 * chain_w_2_dot;
-    let t23 = t15.sub_product(p.chain_l_1, t19 + chain_gravity_times_sin_chain_th_1) - t22;
-    let t24 = t21 * t14;
-    let t25 = c.chain_l_2_squared * chain_w_2_dot;
-    let t26 = (t24.add_product(p.chain_l_2, t20 - chain_gravity_times_sin_chain_th_2) - t25)
-        .sub_product(t2, t23);
-    let t27 = (t3 * t23).add_product(t6, t26) * t7;
-    let chain_w_3_dot_by_chain_m_2 = -t27;
-    let chain_w_2_dot_by_chain_m_2 = (t26 * t4).add_product(t6, t27);
-    let chain_w_1_dot_by_chain_m_2 = (t23 * c.t5).sub_product(t2, chain_w_2_dot_by_chain_m_2)
-        .add_product(t3, t27);
+    let t50 = chain_l_1_times_chain_w_1_squared * t0;
+    let t51 = c.chain_l_1_times_chain_l_2 * t1;
+    let t52 = t51 * chain_w_2_dot;
+    let t53 = t45.sub_product(p.chain_l_1, t49 + chain_gravity_times_sin_chain_th_1) - t52;
+    let t54 = t51 * t24;
+    let t55 = c.chain_l_2_squared * chain_w_2_dot;
+    let t56 = (t54.add_product(p.chain_l_2, t50 - chain_gravity_times_sin_chain_th_2) - t55)
+        .sub_product(t8, t53);
+    let t57 = (t9 * t53).add_product(t12, t56) * t13;
+    let chain_w_3_dot_by_chain_m_2 = -t57;
+    let chain_w_2_dot_by_chain_m_2 = (t56 * t10).add_product(t12, t57);
+    let chain_w_1_dot_by_chain_m_2 = (t53 * c.t5).sub_product(t8, chain_w_2_dot_by_chain_m_2)
+        .add_product(t9, t57);
     let chain_l_3_times_chain_w_3_squared = p.chain_l_3 * chain_w_3_squared;
-    let t28 = c.chain_l_1_times_chain_l_3 * cos_chain_th_1_minus_chain_th_3;
-    let t29 = (t15.sub_product(p.chain_l_1, t19.add_product(chain_l_3_times_chain_w_3_squared,
-        sin_chain_th_1_minus_chain_th_3) + chain_gravity_times_sin_chain_th_1) - t22)
-        .sub_product(t28, chain_w_3_dot);
-    let t30 = c.chain_l_2_times_chain_l_3 * cos_chain_th_2_minus_chain_th_3;
-    let t31 = (t24.add_product(p.chain_l_2, t20.sub_product(chain_l_3_times_chain_w_3_squared,
-        sin_chain_th_2_minus_chain_th_3) - chain_gravity_times_sin_chain_th_2) - t25)
-        .sub_product(t30, chain_w_3_dot).sub_product(t2, t29);
-    let chain_w_3_dot_by_chain_m_3 = (p.chain_l_3 * t12).add_product(t28, t14).sub_product(t30,
-        chain_w_2_dot).sub_product(c.chain_l_3_squared, chain_w_3_dot).sub_product(t3, t29)
-        .sub_product(t6, t31) * t7;
-    let chain_w_2_dot_by_chain_m_3 = (t31 * t4).sub_product(t6, chain_w_3_dot_by_chain_m_3);
-    let chain_w_1_dot_by_chain_m_3 = (t29 * c.t5).sub_product(t2, chain_w_2_dot_by_chain_m_3)
-        .sub_product(t3, chain_w_3_dot_by_chain_m_3);
-    let t32 = c.t11 * cos_chain_th_1_minus_chain_th_2;
-    let t33 = c.chain_m_3_times_chain_l_3 * cos_chain_th_1_minus_chain_th_3;
-    let t34 = (-t9).add_product(c.t12, t14).sub_product(t32, chain_w_2_dot).sub_product(t33,
+    let t58 = c.chain_l_1_times_chain_l_3 * t4;
+    let t59 = (t45.sub_product(p.chain_l_1, t49.add_product(chain_l_3_times_chain_w_3_squared, t3)
+        + chain_gravity_times_sin_chain_th_1) - t52).sub_product(t58, chain_w_3_dot);
+    let t60 = c.chain_l_2_times_chain_l_3 * t7;
+    let t61 = (t54.add_product(p.chain_l_2, t50.sub_product(chain_l_3_times_chain_w_3_squared, t6)
+        - chain_gravity_times_sin_chain_th_2) - t55).sub_product(t60, chain_w_3_dot)
+        .sub_product(t8, t59);
+    let chain_w_3_dot_by_chain_m_3 = (p.chain_l_3 * t22).add_product(t58, t24).sub_product(t60,
+        chain_w_2_dot).sub_product(c.chain_l_3_squared, chain_w_3_dot).sub_product(t9, t59)
+        .sub_product(t12, t61) * t13;
+    let chain_w_2_dot_by_chain_m_3 = (t61 * t10).sub_product(t12, chain_w_3_dot_by_chain_m_3);
+    let chain_w_1_dot_by_chain_m_3 = (t59 * c.t5).sub_product(t8, chain_w_2_dot_by_chain_m_3)
+        .sub_product(t9, chain_w_3_dot_by_chain_m_3);
+    let t62 = c.t11 * t1;
+    let t63 = c.chain_m_3_times_chain_l_3 * t4;
+    let t64 = (-t17).add_product(c.t12, t24).sub_product(t62, chain_w_2_dot).sub_product(t63,
         chain_w_3_dot);
-    let t35 = (c.t11 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2).add_product(t32, t14)
-        .sub_product(t2, t34);
-    let chain_w_3_dot_by_chain_l_1 = (c.chain_m_3_times_chain_l_3 * chain_w_1_squared
-        * sin_chain_th_1_minus_chain_th_3).add_product(t33, t14).sub_product(t3, t34)
-        .sub_product(t6, t35) * t7;
-    let chain_w_2_dot_by_chain_l_1 = (t35 * t4).sub_product(t6, chain_w_3_dot_by_chain_l_1);
-    let chain_w_1_dot_by_chain_l_1 = (t34 * c.t5).sub_product(t2, chain_w_2_dot_by_chain_l_1)
-        .sub_product(t3, chain_w_3_dot_by_chain_l_1);
-    let t36 = c.t13 * cos_chain_th_1_minus_chain_th_2;
-    let t37 = (c.t13 * chain_w_2_squared * sin_chain_th_1_minus_chain_th_2).add_product(t36,
-        chain_w_2_dot);
-    let t38 = c.chain_m_3_times_chain_l_3 * cos_chain_th_2_minus_chain_th_3;
-    let t39 = t11.add_product(t36, t14).sub_product(c.t14, chain_w_2_dot).sub_product(t38,
-        chain_w_3_dot).add_product(t2, t37);
-    let chain_w_3_dot_by_chain_l_2 = (c.chain_m_3_times_chain_l_3 * chain_w_2_squared
-        * sin_chain_th_2_minus_chain_th_3).sub_product(t38, chain_w_2_dot).add_product(t3, t37)
-        .sub_product(t6, t39) * t7;
-    let chain_w_2_dot_by_chain_l_2 = (t39 * t4).sub_product(t6, chain_w_3_dot_by_chain_l_2);
-    let chain_w_1_dot_by_chain_l_2 = -(t37 * c.t5).add_product(t2, chain_w_2_dot_by_chain_l_2)
-        .add_product(t3, chain_w_3_dot_by_chain_l_2);
-    let t40 = c.chain_m_3_times_chain_l_1 * cos_chain_th_1_minus_chain_th_3;
-    let t41 = (c.chain_m_3_times_chain_l_1 * chain_w_3_squared * sin_chain_th_1_minus_chain_th_3)
-        .add_product(t40, chain_w_3_dot);
-    let t42 = c.chain_m_3_times_chain_l_2 * cos_chain_th_2_minus_chain_th_3;
-    let t43 = (-(c.chain_m_3_times_chain_l_2 * chain_w_3_squared * sin_chain_th_2_minus_chain_th_3)
-        .add_product(t42, chain_w_3_dot)).add_product(t2, t41);
-    let chain_w_3_dot_by_chain_l_3 = (p.chain_m_3 * t12).add_product(t40, t14).sub_product(t42,
-        chain_w_2_dot).sub_product(c.t15, chain_w_3_dot).add_product(t3, t41).sub_product(t6, t43)
-        * t7;
-    let chain_w_2_dot_by_chain_l_3 = (t43 * t4).sub_product(t6, chain_w_3_dot_by_chain_l_3);
-    let chain_w_1_dot_by_chain_l_3 = -(t41 * c.t5).add_product(t2, chain_w_2_dot_by_chain_l_3)
-        .add_product(t3, chain_w_3_dot_by_chain_l_3);
-    let t44 = c.t0 * chain_x_1;
-    let t45 = (-(c.t11 * sin_chain_th_2)).add_product(t2, t44);
+    let t65 = (c.t11 * chain_w_1_squared * t0).add_product(t62, t24).sub_product(t8, t64);
+    let chain_w_3_dot_by_chain_l_1 = (c.chain_m_3_times_chain_l_3 * chain_w_1_squared * t3)
+        .add_product(t63, t24).sub_product(t9, t64).sub_product(t12, t65) * t13;
+    let chain_w_2_dot_by_chain_l_1 = (t65 * t10).sub_product(t12, chain_w_3_dot_by_chain_l_1);
+    let chain_w_1_dot_by_chain_l_1 = (t64 * c.t5).sub_product(t8, chain_w_2_dot_by_chain_l_1)
+        .sub_product(t9, chain_w_3_dot_by_chain_l_1);
+    let t66 = c.t13 * t1;
+    let t67 = (c.t13 * chain_w_2_squared * t0).add_product(t66, chain_w_2_dot);
+    let t68 = c.chain_m_3_times_chain_l_3 * t7;
+    let t69 = t21.add_product(t66, t24).sub_product(c.t14, chain_w_2_dot).sub_product(t68,
+        chain_w_3_dot).add_product(t8, t67);
+    let chain_w_3_dot_by_chain_l_2 = (c.chain_m_3_times_chain_l_3 * chain_w_2_squared * t6)
+        .sub_product(t68, chain_w_2_dot).add_product(t9, t67).sub_product(t12, t69) * t13;
+    let chain_w_2_dot_by_chain_l_2 = (t69 * t10).sub_product(t12, chain_w_3_dot_by_chain_l_2);
+    let chain_w_1_dot_by_chain_l_2 = -(t67 * c.t5).add_product(t8, chain_w_2_dot_by_chain_l_2)
+        .add_product(t9, chain_w_3_dot_by_chain_l_2);
+    let t70 = c.chain_m_3_times_chain_l_1 * t4;
+    let t71 = (c.chain_m_3_times_chain_l_1 * chain_w_3_squared * t3).add_product(t70,
+        chain_w_3_dot);
+    let t72 = c.chain_m_3_times_chain_l_2 * t7;
+    let t73 = (-(c.chain_m_3_times_chain_l_2 * chain_w_3_squared * t6).add_product(t72,
+        chain_w_3_dot)).add_product(t8, t71);
+    let chain_w_3_dot_by_chain_l_3 = (p.chain_m_3 * t22).add_product(t70, t24).sub_product(t72,
+        chain_w_2_dot).sub_product(c.t15, chain_w_3_dot).add_product(t9, t71).sub_product(t12, t73)
+        * t13;
+    let chain_w_2_dot_by_chain_l_3 = (t73 * t10).sub_product(t12, chain_w_3_dot_by_chain_l_3);
+    let chain_w_1_dot_by_chain_l_3 = -(t71 * c.t5).add_product(t8, chain_w_2_dot_by_chain_l_3)
+        .add_product(t9, chain_w_3_dot_by_chain_l_3);
+    let t74 = c.t0 * chain_x_1;
+    let t75 = (-(c.t11 * sin_chain_th_2)).add_product(t8, t74);
     let chain_w_3_dot_by_chain_gravity = (-(c.chain_m_3_times_chain_l_3 * sin_chain_th_3))
-        .add_product(t3, t44).sub_product(t6, t45) * t7;
-    let chain_w_2_dot_by_chain_gravity = (t45 * t4).sub_product(t6, chain_w_3_dot_by_chain_gravity);
-    let chain_w_1_dot_by_chain_gravity = -(t44 * c.t5).add_product(t2,
-        chain_w_2_dot_by_chain_gravity).add_product(t3, chain_w_3_dot_by_chain_gravity);
-    [chain_w_1_dot_by_chain_m_1, chain_w_1_dot_by_chain_m_2, chain_w_1_dot_by_chain_m_3,
-        chain_w_1_dot_by_chain_l_1, chain_w_1_dot_by_chain_l_2, chain_w_1_dot_by_chain_l_3,
-        chain_w_1_dot_by_chain_gravity, chain_w_2_dot_by_chain_m_1, chain_w_2_dot_by_chain_m_2,
-        chain_w_2_dot_by_chain_m_3, chain_w_2_dot_by_chain_l_1, chain_w_2_dot_by_chain_l_2,
-        chain_w_2_dot_by_chain_l_3, chain_w_2_dot_by_chain_gravity, chain_w_3_dot_by_chain_m_1,
-        chain_w_3_dot_by_chain_m_2, chain_w_3_dot_by_chain_m_3, chain_w_3_dot_by_chain_l_1,
-        chain_w_3_dot_by_chain_l_2, chain_w_3_dot_by_chain_l_3, chain_w_3_dot_by_chain_gravity]
+        .add_product(t9, t74).sub_product(t12, t75) * t13;
+    let chain_w_2_dot_by_chain_gravity = (t75 * t10).sub_product(t12,
+        chain_w_3_dot_by_chain_gravity);
+    let chain_w_1_dot_by_chain_gravity = -(t74 * c.t5).add_product(t8,
+        chain_w_2_dot_by_chain_gravity).add_product(t9, chain_w_3_dot_by_chain_gravity);
+    [R::literal(1.0), R::literal(1.0), R::literal(1.0), chain_w_1_dot_by_chain_th_1,
+        chain_w_1_dot_by_chain_th_2, chain_w_1_dot_by_chain_th_3, chain_w_1_dot_by_chain_w_1,
+        chain_w_1_dot_by_chain_w_2, chain_w_1_dot_by_chain_w_3, chain_w_2_dot_by_chain_th_1,
+        chain_w_2_dot_by_chain_th_2, chain_w_2_dot_by_chain_th_3, chain_w_2_dot_by_chain_w_1,
+        chain_w_2_dot_by_chain_w_2, chain_w_2_dot_by_chain_w_3, chain_w_3_dot_by_chain_th_1,
+        chain_w_3_dot_by_chain_th_2, chain_w_3_dot_by_chain_th_3, chain_w_3_dot_by_chain_w_1,
+        chain_w_3_dot_by_chain_w_2, chain_w_3_dot_by_chain_w_3, chain_w_1_dot_by_chain_m_1,
+        chain_w_1_dot_by_chain_m_2, chain_w_1_dot_by_chain_m_3, chain_w_1_dot_by_chain_l_1,
+        chain_w_1_dot_by_chain_l_2, chain_w_1_dot_by_chain_l_3, chain_w_1_dot_by_chain_gravity,
+        chain_w_2_dot_by_chain_m_1, chain_w_2_dot_by_chain_m_2, chain_w_2_dot_by_chain_m_3,
+        chain_w_2_dot_by_chain_l_1, chain_w_2_dot_by_chain_l_2, chain_w_2_dot_by_chain_l_3,
+        chain_w_2_dot_by_chain_gravity, chain_w_3_dot_by_chain_m_1, chain_w_3_dot_by_chain_m_2,
+        chain_w_3_dot_by_chain_m_3, chain_w_3_dot_by_chain_l_1, chain_w_3_dot_by_chain_l_2,
+        chain_w_3_dot_by_chain_l_3, chain_w_3_dot_by_chain_gravity]
 }
 
 /// Partial derivative of `y'` with respect to time. No operations.

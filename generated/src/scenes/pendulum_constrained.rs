@@ -21,7 +21,7 @@
 // Operations: initial_state 8, rate 132, forcing 6, rate_jacobian 514, parameter_jacobian 305,
 //     outputs 111, energy 25, power_balance 153, constraint_values 25, constraint_rates 33,
 //     constraint_matrix 17, prepare 18, prepared_rate 120, prepared_rate_jacobian 499,
-//     prepared_parameter_jacobian 290.
+//     prepared_jacobians 672.
 
 use ::machinist_contract::{Energy, PowerBalance, Real};
 
@@ -35,7 +35,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real};
     PendulumConstrained: "pendulum_constrained", "Chain of three pendulums, by constraints";
     run from 0.0, until 5.0, points 1001, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
-    constraints; prepared;
+    constraints; prepared; jacobians_at_once;
 }
 
 ::machinist_contract::parameters! {
@@ -457,10 +457,11 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Param
         third_v_y_dot_by_third_v_y]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 290 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 672 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 36] {
+pub fn prepared_jacobians<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 114] {
     let [first_x, first_y, second_x, second_y, third_x, third_y, first_v_x, first_v_y, second_v_x,
         second_v_y, third_v_x, third_v_y] = *state;
     let inverse_l_1_times_first_x = c.inverse_l_1 * first_x;
@@ -509,82 +510,259 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
     let t24 = (-(t21 * t14)).add_product(t16, t23);
     let third_v_y_dot = (-c.t0).add_product(t13, link_3);
     let third_v_x_dot = t12 * link_3;
-    let t25 = (t9 * link_3).add_product(t8, t23);
+    let t25 = c.t1.add_product(t10, t23).add_product(t11, link_3);
+    let t26 = (t9 * link_3).add_product(t8, t23);
     let first_v_y_dot = (-c.t2.add_product(t6, t24)).add_product(t7, t23);
-    let t26 = (-(t5 * t23)).add_product(t4, t24);
-    let first_gravity_plus_first_v_y_dot = p.first_gravity + first_v_y_dot;
-    let t27 = (-(t4 * t26)).add_product(t6, first_gravity_plus_first_v_y_dot);
-    let t28 = (t5 * t26).sub_product(t7, first_gravity_plus_first_v_y_dot).add_product(t16, t27);
-    let t29 = t19 * t28 * t20;
-    let t30 = (t28 * t17).sub_product(t19, t29);
-    let t31 = (-(t27 * t14)).add_product(t16, t30);
-    let third_v_y_dot_by_first_mass = -(t13 * t29);
-    let third_v_x_dot_by_first_mass = -(t12 * t29);
-    let second_v_y_dot_by_first_mass = (t11 * t29).sub_product(t10, t30);
-    let second_v_x_dot_by_first_mass = (t9 * t29).sub_product(t8, t30);
-    let first_v_y_dot_by_first_mass = (-(first_gravity_plus_first_v_y_dot * c.inverse_first_mass)
-        .add_product(t6, t31)).add_product(t7, t30);
-    let first_v_x_dot_by_first_mass = (t26 * c.inverse_first_mass).sub_product(t4, t31)
-        .add_product(t5, t30);
-    let t32 = t6 * p.first_mass;
-    let t33 = (-(t7 * p.first_mass)).add_product(t16, t32);
-    let t34 = t19 * t33 * t20;
-    let t35 = (t33 * t17).sub_product(t19, t34);
+    let t27 = t4 * t24;
+    let t28 = t5 * t23;
+    let first_v_x_dot = t28 - t27;
+    let t29 = c.inverse_l_2 * t23;
+    let t30 = t29.add_product(c.inverse_l_1, t24);
+    let t31 = (c.inverse_l_2 * t26).add_product(c.inverse_l_2, first_v_x_dot);
+    let t32 = (t4 * t30).sub_product(c.inverse_l_1, first_v_x_dot);
+    let t33 = (-t31.add_product(t5, t30).add_product(t8, t29)).add_product(t16, t32);
+    let t34 = (t9 * t29).sub_product(t19, t33) * t20;
+    let t35 = (t33 * t17).add_product(t19, t34);
     let t36 = (-(t32 * t14)).add_product(t16, t35);
-    let third_v_y_dot_by_first_gravity = -(t13 * t34);
-    let third_v_x_dot_by_first_gravity = -(t12 * t34);
-    let second_v_y_dot_by_first_gravity = (t11 * t34).sub_product(t10, t35);
-    let second_v_x_dot_by_first_gravity = (t9 * t34).sub_product(t8, t35);
+    let third_v_y_dot_by_first_x = t13 * t34;
+    let third_v_x_dot_by_first_x = t12 * t34;
+    let second_v_y_dot_by_first_x = -(t11 * t34).add_product(t10, t35);
+    let t37 = t29 * c.inverse_second_mass;
+    let second_v_x_dot_by_first_x = t37.sub_product(t8, t35).sub_product(t9, t34);
+    let first_v_y_dot_by_first_x = (t7 * t35).sub_product(t6, t36);
+    let t38 = t30 * c.inverse_first_mass;
+    let first_v_x_dot_by_first_x = (-t38.add_product(t4, t36)).add_product(t5, t35);
+    let t39 = (c.inverse_l_2 * t25).add_product(c.inverse_l_2, first_v_y_dot);
+    let t40 = (t6 * t30).sub_product(c.inverse_l_1, first_v_y_dot);
+    let t41 = (-t39.add_product(t7, t30).add_product(t10, t29)).add_product(t16, t40);
+    let t42 = (t11 * t29).sub_product(t19, t41) * t20;
+    let t43 = (t41 * t17).add_product(t19, t42);
+    let t44 = (-(t40 * t14)).add_product(t16, t43);
+    let third_v_y_dot_by_first_y = t13 * t42;
+    let third_v_x_dot_by_first_y = t12 * t42;
+    let second_v_y_dot_by_first_y = t37.sub_product(t10, t43).sub_product(t11, t42);
+    let second_v_x_dot_by_first_y = -(t9 * t42).add_product(t8, t43);
+    let first_v_y_dot_by_first_y = (-t38.add_product(t6, t44)).add_product(t7, t43);
+    let first_v_x_dot_by_first_y = (t5 * t43).sub_product(t4, t44);
+    let inverse_l_3_times_link_3 = c.inverse_l_3 * link_3;
+    let t45 = inverse_l_3_times_link_3 - t29;
+    let t46 = (c.inverse_l_3 * third_v_x_dot).add_product(c.inverse_l_3, t26);
+    let t47 = t4 * t29;
+    let t48 = t31.add_product(t5, t29).sub_product(t8, t45).sub_product(t16, t47);
+    let t49 = t12 * inverse_l_3_times_link_3;
+    let t50 = (t46.add_product(t9, t45) + t49).sub_product(t19, t48) * t20;
+    let t51 = (t48 * t17).add_product(t19, t50);
+    let t52 = (t47 * t14).add_product(t16, t51);
+    let third_v_y_dot_by_second_x = t13 * t50;
+    let t53 = inverse_l_3_times_link_3 * c.inverse_third_mass;
+    let third_v_x_dot_by_second_x = (-t53).add_product(t12, t50);
+    let second_v_y_dot_by_second_x = -(t11 * t50).add_product(t10, t51);
+    let t54 = t45 * c.inverse_second_mass;
+    let second_v_x_dot_by_second_x = t54.sub_product(t8, t51).sub_product(t9, t50);
+    let first_v_y_dot_by_second_x = (t7 * t51).sub_product(t6, t52);
+    let t55 = t29 * c.inverse_first_mass;
+    let first_v_x_dot_by_second_x = t55.sub_product(t4, t52).add_product(t5, t51);
+    let t56 = (c.inverse_l_3 * third_v_y_dot).add_product(c.inverse_l_3, t25);
+    let t57 = t6 * t29;
+    let t58 = t39.add_product(t7, t29).sub_product(t10, t45).sub_product(t16, t57);
+    let t59 = t13 * inverse_l_3_times_link_3;
+    let t60 = (t56.add_product(t11, t45) + t59).sub_product(t19, t58) * t20;
+    let t61 = (t58 * t17).add_product(t19, t60);
+    let t62 = (t57 * t14).add_product(t16, t61);
+    let third_v_y_dot_by_second_y = (-t53).add_product(t13, t60);
+    let third_v_x_dot_by_second_y = t12 * t60;
+    let second_v_y_dot_by_second_y = t54.sub_product(t10, t61).sub_product(t11, t60);
+    let second_v_x_dot_by_second_y = -(t9 * t60).add_product(t8, t61);
+    let first_v_y_dot_by_second_y = t55.sub_product(t6, t62).add_product(t7, t61);
+    let first_v_x_dot_by_second_y = (t5 * t61).sub_product(t4, t62);
+    let t63 = t8 * inverse_l_3_times_link_3;
+    let t64 = (t46.add_product(t9, inverse_l_3_times_link_3) + t49).add_product(t19, t63) * t20;
+    let t65 = (t63 * t17).sub_product(t19, t64);
+    let t66 = t16 * t65;
+    let third_v_y_dot_by_third_x = -(t13 * t64);
+    let third_v_x_dot_by_third_x = t53.sub_product(t12, t64);
+    let second_v_y_dot_by_third_x = (t11 * t64).sub_product(t10, t65);
+    let t67 = inverse_l_3_times_link_3 * c.inverse_second_mass;
+    let second_v_x_dot_by_third_x = (-t67.add_product(t8, t65)).add_product(t9, t64);
+    let first_v_y_dot_by_third_x = (t7 * t65).sub_product(t6, t66);
+    let first_v_x_dot_by_third_x = (t5 * t65).sub_product(t4, t66);
+    let t68 = t10 * inverse_l_3_times_link_3;
+    let t69 = (t56.add_product(t11, inverse_l_3_times_link_3) + t59).add_product(t19, t68) * t20;
+    let t70 = (t68 * t17).sub_product(t19, t69);
+    let t71 = t16 * t70;
+    let third_v_y_dot_by_third_y = t53.sub_product(t13, t69);
+    let third_v_x_dot_by_third_y = -(t12 * t69);
+    let second_v_y_dot_by_third_y = (-t67.add_product(t10, t70)).add_product(t11, t69);
+    let second_v_x_dot_by_third_y = (t9 * t69).sub_product(t8, t70);
+    let first_v_y_dot_by_third_y = (t7 * t70).sub_product(t6, t71);
+    let first_v_x_dot_by_third_y = (t5 * t70).sub_product(t4, t71);
+    let t72 = c.t3 * first_v_x;
+    let t73 = c.t4 * first_v_x;
+    let t74 = c.t4 * second_v_x;
+    let t75 = (t74 - t73).sub_product(t16, t72);
+    let t76 = t19 * t75 * t20;
+    let t77 = (t75 * t17).sub_product(t19, t76);
+    let t78 = (t72 * t14).add_product(t16, t77);
+    let third_v_y_dot_by_first_v_x = -(t13 * t76);
+    let third_v_x_dot_by_first_v_x = -(t12 * t76);
+    let second_v_y_dot_by_first_v_x = (t11 * t76).sub_product(t10, t77);
+    let second_v_x_dot_by_first_v_x = (t9 * t76).sub_product(t8, t77);
+    let first_v_y_dot_by_first_v_x = (t7 * t77).sub_product(t6, t78);
+    let first_v_x_dot_by_first_v_x = (t5 * t77).sub_product(t4, t78);
+    let t79 = c.t3 * first_v_y;
+    let t80 = c.t4 * first_v_y;
+    let t81 = c.t4 * second_v_y;
+    let t82 = (t81 - t80).sub_product(t16, t79);
+    let t83 = t19 * t82 * t20;
+    let t84 = (t82 * t17).sub_product(t19, t83);
+    let t85 = (t79 * t14).add_product(t16, t84);
+    let third_v_y_dot_by_first_v_y = -(t13 * t83);
+    let third_v_x_dot_by_first_v_y = -(t12 * t83);
+    let second_v_y_dot_by_first_v_y = (t11 * t83).sub_product(t10, t84);
+    let second_v_x_dot_by_first_v_y = (t9 * t83).sub_product(t8, t84);
+    let first_v_y_dot_by_first_v_y = (t7 * t84).sub_product(t6, t85);
+    let first_v_x_dot_by_first_v_y = (t5 * t84).sub_product(t4, t85);
+    let t86 = t73 - t74;
+    let t87 = c.t5 * second_v_x;
+    let t88 = c.t5 * third_v_x;
+    let t89 = (t88 - t87).sub_product(t19, t86) * t20;
+    let t90 = (t86 * t17).add_product(t19, t89);
+    let t91 = t16 * t90;
+    let third_v_y_dot_by_second_v_x = t13 * t89;
+    let third_v_x_dot_by_second_v_x = t12 * t89;
+    let second_v_y_dot_by_second_v_x = -(t11 * t89).add_product(t10, t90);
+    let second_v_x_dot_by_second_v_x = -(t9 * t89).add_product(t8, t90);
+    let first_v_y_dot_by_second_v_x = (t7 * t90).sub_product(t6, t91);
+    let first_v_x_dot_by_second_v_x = (t5 * t90).sub_product(t4, t91);
+    let t92 = t80 - t81;
+    let t93 = c.t5 * second_v_y;
+    let t94 = c.t5 * third_v_y;
+    let t95 = (t94 - t93).sub_product(t19, t92) * t20;
+    let t96 = (t92 * t17).add_product(t19, t95);
+    let t97 = t16 * t96;
+    let third_v_y_dot_by_second_v_y = t13 * t95;
+    let third_v_x_dot_by_second_v_y = t12 * t95;
+    let second_v_y_dot_by_second_v_y = -(t11 * t95).add_product(t10, t96);
+    let second_v_x_dot_by_second_v_y = -(t9 * t95).add_product(t8, t96);
+    let first_v_y_dot_by_second_v_y = (t7 * t96).sub_product(t6, t97);
+    let first_v_x_dot_by_second_v_y = (t5 * t96).sub_product(t4, t97);
+    let t98 = (t87 - t88) * t20;
+    let t99 = t19 * t98;
+    let t100 = t16 * t99;
+    let third_v_y_dot_by_third_v_x = t13 * t98;
+    let third_v_x_dot_by_third_v_x = t12 * t98;
+    let second_v_y_dot_by_third_v_x = -(t11 * t98).add_product(t10, t99);
+    let second_v_x_dot_by_third_v_x = -(t9 * t98).add_product(t8, t99);
+    let first_v_y_dot_by_third_v_x = (t7 * t99).sub_product(t6, t100);
+    let first_v_x_dot_by_third_v_x = (t5 * t99).sub_product(t4, t100);
+    let t101 = (t93 - t94) * t20;
+    let t102 = t19 * t101;
+    let t103 = t16 * t102;
+    let third_v_y_dot_by_third_v_y = t13 * t101;
+    let third_v_x_dot_by_third_v_y = t12 * t101;
+    let second_v_y_dot_by_third_v_y = -(t11 * t101).add_product(t10, t102);
+    let second_v_x_dot_by_third_v_y = -(t9 * t101).add_product(t8, t102);
+    let first_v_y_dot_by_third_v_y = (t7 * t102).sub_product(t6, t103);
+    let first_v_x_dot_by_third_v_y = (t5 * t102).sub_product(t4, t103);
+    let t104 = t27 - t28;
+    let first_gravity_plus_first_v_y_dot = p.first_gravity + first_v_y_dot;
+    let t105 = (-(t4 * t104)).add_product(t6, first_gravity_plus_first_v_y_dot);
+    let t106 = (t5 * t104).sub_product(t7, first_gravity_plus_first_v_y_dot).add_product(t16, t105);
+    let t107 = t19 * t106 * t20;
+    let t108 = (t106 * t17).sub_product(t19, t107);
+    let t109 = (-(t105 * t14)).add_product(t16, t108);
+    let third_v_y_dot_by_first_mass = -(t13 * t107);
+    let third_v_x_dot_by_first_mass = -(t12 * t107);
+    let second_v_y_dot_by_first_mass = (t11 * t107).sub_product(t10, t108);
+    let second_v_x_dot_by_first_mass = (t9 * t107).sub_product(t8, t108);
+    let first_v_y_dot_by_first_mass = (-(first_gravity_plus_first_v_y_dot * c.inverse_first_mass)
+        .add_product(t6, t109)).add_product(t7, t108);
+    let first_v_x_dot_by_first_mass = (t104 * c.inverse_first_mass).sub_product(t4, t109)
+        .add_product(t5, t108);
+    let t110 = t6 * p.first_mass;
+    let t111 = (-(t7 * p.first_mass)).add_product(t16, t110);
+    let t112 = t19 * t111 * t20;
+    let t113 = (t111 * t17).sub_product(t19, t112);
+    let t114 = (-(t110 * t14)).add_product(t16, t113);
+    let third_v_y_dot_by_first_gravity = -(t13 * t112);
+    let third_v_x_dot_by_first_gravity = -(t12 * t112);
+    let second_v_y_dot_by_first_gravity = (t11 * t112).sub_product(t10, t113);
+    let second_v_x_dot_by_first_gravity = (t9 * t112).sub_product(t8, t113);
     let first_v_y_dot_by_first_gravity = (-c.first_mass_times_inverse_first_mass.add_product(t6,
-        t36)).add_product(t7, t35);
-    let first_v_x_dot_by_first_gravity = (t5 * t35).sub_product(t4, t36);
-    let t37 = c.t1.add_product(t10, t23).add_product(t11, link_3) - p.second_gravity;
-    let t38 = (t8 * t25).add_product(t10, t37);
-    let t39 = (t9 * t25).add_product(t11, t37).add_product(t19, t38) * t20;
-    let t40 = (-(t38 * t17)).add_product(t19, t39);
-    let t41 = t16 * t40;
-    let third_v_y_dot_by_second_mass = t13 * t39;
-    let third_v_x_dot_by_second_mass = t12 * t39;
-    let second_v_y_dot_by_second_mass = (t37 * c.inverse_second_mass).sub_product(t10, t40)
-        .sub_product(t11, t39);
-    let second_v_x_dot_by_second_mass = (t25 * c.inverse_second_mass).sub_product(t8, t40)
-        .sub_product(t9, t39);
-    let first_v_y_dot_by_second_mass = (t7 * t40).sub_product(t6, t41);
-    let first_v_x_dot_by_second_mass = (t5 * t40).sub_product(t4, t41);
-    let t42 = t10 * p.second_mass;
-    let t43 = (t11 * p.second_mass).add_product(t19, t42) * t20;
-    let t44 = (t42 * t17).sub_product(t19, t43);
-    let t45 = t16 * t44;
-    let third_v_y_dot_by_second_gravity = -(t13 * t43);
-    let third_v_x_dot_by_second_gravity = -(t12 * t43);
-    let second_v_y_dot_by_second_gravity = (-c.t6.add_product(t10, t44)).add_product(t11, t43);
-    let second_v_x_dot_by_second_gravity = (t9 * t43).sub_product(t8, t44);
-    let first_v_y_dot_by_second_gravity = (t7 * t44).sub_product(t6, t45);
-    let first_v_x_dot_by_second_gravity = (t5 * t44).sub_product(t4, t45);
+        t114)).add_product(t7, t113);
+    let first_v_x_dot_by_first_gravity = (t5 * t113).sub_product(t4, t114);
+    let t115 = t25 - p.second_gravity;
+    let t116 = (t8 * t26).add_product(t10, t115);
+    let t117 = (t9 * t26).add_product(t11, t115).add_product(t19, t116) * t20;
+    let t118 = (-(t116 * t17)).add_product(t19, t117);
+    let t119 = t16 * t118;
+    let third_v_y_dot_by_second_mass = t13 * t117;
+    let third_v_x_dot_by_second_mass = t12 * t117;
+    let second_v_y_dot_by_second_mass = (t115 * c.inverse_second_mass).sub_product(t10, t118)
+        .sub_product(t11, t117);
+    let second_v_x_dot_by_second_mass = (t26 * c.inverse_second_mass).sub_product(t8, t118)
+        .sub_product(t9, t117);
+    let first_v_y_dot_by_second_mass = (t7 * t118).sub_product(t6, t119);
+    let first_v_x_dot_by_second_mass = (t5 * t118).sub_product(t4, t119);
+    let t120 = t10 * p.second_mass;
+    let t121 = (t11 * p.second_mass).add_product(t19, t120) * t20;
+    let t122 = (t120 * t17).sub_product(t19, t121);
+    let t123 = t16 * t122;
+    let third_v_y_dot_by_second_gravity = -(t13 * t121);
+    let third_v_x_dot_by_second_gravity = -(t12 * t121);
+    let second_v_y_dot_by_second_gravity = (-c.t6.add_product(t10, t122)).add_product(t11, t121);
+    let second_v_x_dot_by_second_gravity = (t9 * t121).sub_product(t8, t122);
+    let first_v_y_dot_by_second_gravity = (t7 * t122).sub_product(t6, t123);
+    let first_v_x_dot_by_second_gravity = (t5 * t122).sub_product(t4, t123);
     let third_gravity_plus_third_v_y_dot = p.third_gravity + third_v_y_dot;
-    let t46 = (t12 * third_v_x_dot).add_product(t13, third_gravity_plus_third_v_y_dot) * t20;
-    let t47 = t19 * t46;
-    let t48 = t16 * t47;
+    let t124 = (t12 * third_v_x_dot).add_product(t13, third_gravity_plus_third_v_y_dot) * t20;
+    let t125 = t19 * t124;
+    let t126 = t16 * t125;
     let third_v_y_dot_by_third_mass = (-(third_gravity_plus_third_v_y_dot * c.inverse_third_mass))
-        .add_product(t13, t46);
+        .add_product(t13, t124);
     let third_v_x_dot_by_third_mass = (-(third_v_x_dot * c.inverse_third_mass)).add_product(t12,
-        t46);
-    let second_v_y_dot_by_third_mass = -(t11 * t46).add_product(t10, t47);
-    let second_v_x_dot_by_third_mass = -(t9 * t46).add_product(t8, t47);
-    let first_v_y_dot_by_third_mass = (t7 * t47).sub_product(t6, t48);
-    let first_v_x_dot_by_third_mass = (t5 * t47).sub_product(t4, t48);
-    let t49 = t13 * p.third_mass * t20;
-    let t50 = t19 * t49;
-    let t51 = t16 * t50;
+        t124);
+    let second_v_y_dot_by_third_mass = -(t11 * t124).add_product(t10, t125);
+    let second_v_x_dot_by_third_mass = -(t9 * t124).add_product(t8, t125);
+    let first_v_y_dot_by_third_mass = (t7 * t125).sub_product(t6, t126);
+    let first_v_x_dot_by_third_mass = (t5 * t125).sub_product(t4, t126);
+    let t127 = t13 * p.third_mass * t20;
+    let t128 = t19 * t127;
+    let t129 = t16 * t128;
     let third_v_y_dot_by_third_gravity = (-c.third_mass_times_inverse_third_mass).add_product(t13,
-        t49);
-    let third_v_x_dot_by_third_gravity = t12 * t49;
-    let second_v_y_dot_by_third_gravity = -(t11 * t49).add_product(t10, t50);
-    let second_v_x_dot_by_third_gravity = -(t9 * t49).add_product(t8, t50);
-    let first_v_y_dot_by_third_gravity = (t7 * t50).sub_product(t6, t51);
-    let first_v_x_dot_by_third_gravity = (t5 * t50).sub_product(t4, t51);
-    [first_v_x_dot_by_first_mass, first_v_x_dot_by_first_gravity, first_v_x_dot_by_second_mass,
-        first_v_x_dot_by_second_gravity, first_v_x_dot_by_third_mass,
+        t127);
+    let third_v_x_dot_by_third_gravity = t12 * t127;
+    let second_v_y_dot_by_third_gravity = -(t11 * t127).add_product(t10, t128);
+    let second_v_x_dot_by_third_gravity = -(t9 * t127).add_product(t8, t128);
+    let first_v_y_dot_by_third_gravity = (t7 * t128).sub_product(t6, t129);
+    let first_v_x_dot_by_third_gravity = (t5 * t128).sub_product(t4, t129);
+    [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
+        R::literal(1.0), first_v_x_dot_by_first_x, first_v_x_dot_by_first_y,
+        first_v_x_dot_by_second_x, first_v_x_dot_by_second_y, first_v_x_dot_by_third_x,
+        first_v_x_dot_by_third_y, first_v_x_dot_by_first_v_x, first_v_x_dot_by_first_v_y,
+        first_v_x_dot_by_second_v_x, first_v_x_dot_by_second_v_y, first_v_x_dot_by_third_v_x,
+        first_v_x_dot_by_third_v_y, first_v_y_dot_by_first_x, first_v_y_dot_by_first_y,
+        first_v_y_dot_by_second_x, first_v_y_dot_by_second_y, first_v_y_dot_by_third_x,
+        first_v_y_dot_by_third_y, first_v_y_dot_by_first_v_x, first_v_y_dot_by_first_v_y,
+        first_v_y_dot_by_second_v_x, first_v_y_dot_by_second_v_y, first_v_y_dot_by_third_v_x,
+        first_v_y_dot_by_third_v_y, second_v_x_dot_by_first_x, second_v_x_dot_by_first_y,
+        second_v_x_dot_by_second_x, second_v_x_dot_by_second_y, second_v_x_dot_by_third_x,
+        second_v_x_dot_by_third_y, second_v_x_dot_by_first_v_x, second_v_x_dot_by_first_v_y,
+        second_v_x_dot_by_second_v_x, second_v_x_dot_by_second_v_y, second_v_x_dot_by_third_v_x,
+        second_v_x_dot_by_third_v_y, second_v_y_dot_by_first_x, second_v_y_dot_by_first_y,
+        second_v_y_dot_by_second_x, second_v_y_dot_by_second_y, second_v_y_dot_by_third_x,
+        second_v_y_dot_by_third_y, second_v_y_dot_by_first_v_x, second_v_y_dot_by_first_v_y,
+        second_v_y_dot_by_second_v_x, second_v_y_dot_by_second_v_y, second_v_y_dot_by_third_v_x,
+        second_v_y_dot_by_third_v_y, third_v_x_dot_by_first_x, third_v_x_dot_by_first_y,
+        third_v_x_dot_by_second_x, third_v_x_dot_by_second_y, third_v_x_dot_by_third_x,
+        third_v_x_dot_by_third_y, third_v_x_dot_by_first_v_x, third_v_x_dot_by_first_v_y,
+        third_v_x_dot_by_second_v_x, third_v_x_dot_by_second_v_y, third_v_x_dot_by_third_v_x,
+        third_v_x_dot_by_third_v_y, third_v_y_dot_by_first_x, third_v_y_dot_by_first_y,
+        third_v_y_dot_by_second_x, third_v_y_dot_by_second_y, third_v_y_dot_by_third_x,
+        third_v_y_dot_by_third_y, third_v_y_dot_by_first_v_x, third_v_y_dot_by_first_v_y,
+        third_v_y_dot_by_second_v_x, third_v_y_dot_by_second_v_y, third_v_y_dot_by_third_v_x,
+        third_v_y_dot_by_third_v_y, first_v_x_dot_by_first_mass, first_v_x_dot_by_first_gravity,
+        first_v_x_dot_by_second_mass, first_v_x_dot_by_second_gravity, first_v_x_dot_by_third_mass,
         first_v_x_dot_by_third_gravity, first_v_y_dot_by_first_mass,
         first_v_y_dot_by_first_gravity, first_v_y_dot_by_second_mass,
         first_v_y_dot_by_second_gravity, first_v_y_dot_by_third_mass,

@@ -16,9 +16,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 3, states 6, parameters 7, outputs 2.
 // Nonzeros: mass_matrix 9 of 3 by 3, rate_jacobian 21 of 6 by 6, parameter_jacobian 21 of 6 by 7.
-// Operations: rate 218, mass_matrix 61, forcing 126, rate_jacobian 515, parameter_jacobian 629,
+// Operations: rate 218, mass_matrix 61, forcing 126, rate_jacobian 515, parameter_jacobian 651,
 //     outputs 19, energy 52, power_balance 310, prepare 61, prepared_rate 177,
-//     prepared_rate_jacobian 472, prepared_parameter_jacobian 568.
+//     prepared_rate_jacobian 472, prepared_jacobians 875.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
@@ -33,7 +33,7 @@ use ::machinist_contract::{
     PendulumRelative: "pendulum_relative", "Chain of three pendulums, by relative angles";
     run from 0.0, until 5.0, points 1001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
-    prepared; series 54;
+    prepared; jacobians_at_once; series 54;
 }
 
 ::machinist_contract::parameters! {
@@ -497,234 +497,333 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         chain_w_3_dot_by_chain_w_2, chain_w_3_dot_by_chain_w_3]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 568 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 875 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 21] {
+pub fn prepared_jacobians<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 42] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
-    let chain_a_2 = chain_th_1 + chain_th_2;
-    let chain_a_3 = chain_th_3 + chain_a_2;
-    let chain_th_1_minus_chain_a_2 = chain_th_1 - chain_a_2;
-    let chain_th_1_minus_chain_a_3 = chain_th_1 - chain_a_3;
-    let chain_a_2_minus_chain_a_3 = chain_a_2 - chain_a_3;
-    let [(sin_chain_th_1, _), (sin_chain_a_2, _), (sin_chain_a_3, _),
-        (sin_chain_th_1_minus_chain_a_2, cos_chain_th_1_minus_chain_a_2),
-        (sin_chain_th_1_minus_chain_a_3, cos_chain_th_1_minus_chain_a_3),
-        (sin_chain_a_2_minus_chain_a_3, cos_chain_a_2_minus_chain_a_3), (sin_chain_th_2, _),
-        (sin_chain_th_2_plus_chain_th_3, _)] = R::sin_cos_each([chain_th_1, chain_a_2, chain_a_3,
-        chain_th_1_minus_chain_a_2, chain_th_1_minus_chain_a_3, chain_a_2_minus_chain_a_3,
-        chain_th_2, chain_th_2 + chain_th_3]);
+    let [(sin_chain_th_1, cos_chain_th_1), (sin_chain_th_2, cos_chain_th_2), (sin_chain_th_3,
+        cos_chain_th_3)] = R::sin_cos_each([chain_th_1, chain_th_2, chain_th_3]);
+    let chain_s_2 = chain_w_1 + chain_w_2;
+    let chain_s_3 = chain_w_3 + chain_s_2;
     let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
-    let t0 = c.t8 * cos_chain_a_2_minus_chain_a_3;
-    let t1 = c.t13 + t0;
-    let t2 = t1.add_product(c.t10, cos_chain_th_1_minus_chain_a_2).add_product(c.t11,
-        cos_chain_th_1_minus_chain_a_2).add_product(c.t12, cos_chain_th_1_minus_chain_a_3);
-    let t3 = p.chain_l_1 * cos_chain_th_1_minus_chain_a_3;
-    let t4 = p.chain_l_2 * cos_chain_a_2_minus_chain_a_3;
-    let t5 = p.chain_l_3 + t3 + t4;
-    let t6 = c.chain_m_3_times_chain_l_3 * t5;
-    let t7 = p.chain_l_3 + t4;
-    let t8 = R::literal(1.0) / (c.t9.add_product(c.t2, cos_chain_th_1_minus_chain_a_2)
-        .add_product(c.t5, cos_chain_th_1_minus_chain_a_2).add_product(c.t6,
-        cos_chain_th_1_minus_chain_a_3) + t0);
-    let t9 = t2 * t8;
-    let t10 = t6 * t8;
-    let t11 = R::literal(1.0) / t1.sub_product(t9, t2);
-    let t12 = (c.chain_m_3_times_chain_l_3 * t7).sub_product(t10, t2);
-    let t13 = t12 * t11;
-    let t14 = R::literal(1.0) / c.chain_m_3_times_chain_l_3_squared.sub_product(t10, t6)
-        .sub_product(t13, t12);
-    let t15 = c.t6 * chain_w_1;
-    let t16 = c.t8 * chain_w_1 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
-    let t17 = c.t8 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * cos_chain_th_1;
+    let t0 = (sin_chain_th_1 * cos_chain_th_2).add_product(cos_chain_th_1, sin_chain_th_2);
+    let t1 = (cos_chain_th_1 * cos_chain_th_2).sub_product(sin_chain_th_1, sin_chain_th_2);
+    let t2 = (sin_chain_th_3 * t1).add_product(cos_chain_th_3, t0);
+    let t3 = (cos_chain_th_3 * t1).sub_product(sin_chain_th_3, t0);
+    let t4 = (sin_chain_th_1 * t1).sub_product(cos_chain_th_1, t0);
+    let t5 = (cos_chain_th_1 * t1).add_product(sin_chain_th_1, t0);
+    let t6 = (sin_chain_th_1 * t3).sub_product(cos_chain_th_1, t2);
+    let t7 = (cos_chain_th_1 * t3).add_product(sin_chain_th_1, t2);
+    let t8 = (t0 * t3).sub_product(t1, t2);
+    let t9 = (t1 * t3).add_product(t0, t2);
+    let t10 = c.t8 * t9;
+    let t11 = c.t13 + t10;
+    let t12 = t11.add_product(c.t10, t5).add_product(c.t11, t5).add_product(c.t12, t7);
+    let t13 = p.chain_l_1 * t7;
+    let t14 = p.chain_l_2 * t9;
+    let t15 = p.chain_l_3 + t13 + t14;
+    let t16 = c.chain_m_3_times_chain_l_3 * t15;
+    let t17 = p.chain_l_3 + t14;
+    let t18 = R::literal(1.0) / (c.t9.add_product(c.t2, t5).add_product(c.t5, t5).add_product(c.t6,
+        t7) + t10);
+    let t19 = t12 * t18;
+    let t20 = t16 * t18;
+    let t21 = R::literal(1.0) / t11.sub_product(t19, t12);
+    let t22 = (c.chain_m_3_times_chain_l_3 * t17).sub_product(t20, t12);
+    let t23 = t22 * t21;
+    let t24 = R::literal(1.0) / c.chain_m_3_times_chain_l_3_squared.sub_product(t20, t16)
+        .sub_product(t23, t22);
+    let t25 = c.t2 * chain_w_1 * chain_w_2;
+    let t26 = c.t5 * chain_w_1 * chain_w_2;
+    let t27 = c.t6 * chain_w_1;
+    let t28 = t27 * chain_w_2;
+    let t29 = t27 * chain_w_3;
+    let t30 = c.t8 * chain_w_1 * chain_w_3 * t8;
+    let t31 = c.t6 * chain_w_2 * chain_w_3;
+    let t32 = c.t8 * chain_w_2 * chain_w_3 * t8;
     let chain_w_2_squared = chain_w_2 * chain_w_2;
-    let t18 = c.t14 * sin_chain_a_2;
+    let t33 = c.t10 * chain_w_2_squared;
+    let t34 = c.t14 * t0;
+    let t35 = c.t11 * chain_w_2_squared;
+    let t36 = c.t12 * chain_w_2_squared;
     let chain_w_3_squared = chain_w_3 * chain_w_3;
-    let t19 = c.t15 * chain_w_3_squared * sin_chain_a_2_minus_chain_a_3;
-    let t20 = c.t16 * sin_chain_a_2;
-    let t21 = c.t17 * sin_chain_a_3;
-    let t22 = ((((c.t2 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2).add_product(c.t5
-        * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2).add_product(t15 * chain_w_2,
-        sin_chain_th_1_minus_chain_a_3).add_product(t15 * chain_w_3,
-        sin_chain_th_1_minus_chain_a_3) + t16).add_product(c.t6 * chain_w_2 * chain_w_3,
-        sin_chain_th_1_minus_chain_a_3) + t17).add_product(c.chain_m_1_times_chain_gravity,
-        chain_x_1).add_product(c.t10 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2) + t18)
-        .add_product(c.chain_m_2_times_chain_gravity, chain_x_1).add_product(c.t11
-        * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2).add_product(c.t12 * chain_w_2_squared,
-        sin_chain_th_1_minus_chain_a_3);
-    let t23 = (t22.add_product(c.t12 * chain_w_3_squared, sin_chain_th_1_minus_chain_a_3) + t19
-        + t20 + t21).add_product(c.chain_m_3_times_chain_gravity, chain_x_1);
+    let t37 = c.t12 * chain_w_3_squared;
+    let t38 = c.t15 * chain_w_3_squared * t8;
+    let t39 = c.t16 * t0;
+    let t40 = c.t17 * t2;
+    let t41 = (((((t25 * t4).add_product(t26, t4).add_product(t28, t6).add_product(t29, t6) + t30)
+        .add_product(t31, t6) + t32).add_product(c.chain_m_1_times_chain_gravity, chain_x_1)
+        .add_product(t33, t4) + t34).add_product(c.chain_m_2_times_chain_gravity, chain_x_1)
+        .add_product(t35, t4).add_product(t36, t6).add_product(t37, t6) + t38 + t39 + t40)
+        .add_product(c.chain_m_3_times_chain_gravity, chain_x_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let t24 = c.t18 * chain_w_1;
+    let t42 = c.t10 * chain_w_1_squared;
+    let t43 = c.t11 * chain_w_1_squared;
+    let t44 = (sin_chain_th_2 * cos_chain_th_3).add_product(cos_chain_th_2, sin_chain_th_3);
+    let t45 = (cos_chain_th_2 * cos_chain_th_3).sub_product(sin_chain_th_2, sin_chain_th_3);
+    let t46 = c.t12 * chain_w_1_squared;
+    let t47 = c.t18 * chain_w_1;
+    let t48 = t47 * chain_w_2;
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
-    let t25 = chain_l_1_times_chain_w_1_squared * sin_chain_th_2_plus_chain_th_3;
-    let chain_gravity_times_sin_chain_a_3 = p.chain_gravity * sin_chain_a_3;
-    let t26 = (-t25).add_product(t24 * chain_w_2, sin_chain_a_2_minus_chain_a_3)
-        .add_product(p.chain_l_2 * chain_w_1_squared, sin_chain_a_2_minus_chain_a_3)
-        .add_product(p.chain_l_2 * chain_w_2_squared, sin_chain_a_2_minus_chain_a_3)
-        - chain_gravity_times_sin_chain_a_3;
-    let t27 = (-(((t16 + t17).add_product(c.t10 * chain_w_1_squared, sin_chain_th_2) + t18)
-        .add_product(c.t11 * chain_w_1_squared, sin_chain_th_2).add_product(c.t12
-        * chain_w_1_squared, sin_chain_th_2_plus_chain_th_3) + t19 + t20 + t21)).add_product(t9,
-        t23);
-    let chain_w_3_dot = (c.chain_m_3_times_chain_l_3 * t26).add_product(t10, t23).sub_product(t13,
-        t27) * t14;
-    let chain_w_2_dot = (t27 * t11).sub_product(t13, chain_w_3_dot);
-    let t28 = (t23 * t8).add_product(t9, chain_w_2_dot).add_product(t10, chain_w_3_dot);
-    let t29 = c.t19 * chain_w_1;
+    let t49 = chain_l_1_times_chain_w_1_squared * t44;
+    let chain_l_2_times_chain_w_1_squared = p.chain_l_2 * chain_w_1_squared;
+    let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
+    let t50 = p.chain_gravity * t2;
+    let t51 = (-t49).add_product(t48, t8).add_product(chain_l_2_times_chain_w_1_squared, t8)
+        .add_product(chain_l_2_times_chain_w_2_squared, t8) - t50;
+    let t52 = (-(((t30 + t32).add_product(t42, sin_chain_th_2) + t34).add_product(t43,
+        sin_chain_th_2).add_product(t46, t44) + t38 + t39 + t40)).add_product(t19, t41);
+    let chain_w_3_dot = (c.chain_m_3_times_chain_l_3 * t51).add_product(t20, t41).sub_product(t23,
+        t52) * t24;
+    let chain_w_2_dot = (t52 * t21).sub_product(t23, chain_w_3_dot);
+    let t53 = (t41 * t18).add_product(t19, chain_w_2_dot).add_product(t20, chain_w_3_dot);
+    let t54 = (c.chain_m_2_times_chain_l_2 * t1).add_product(c.chain_m_3_times_chain_l_2, t1)
+        .add_product(c.chain_m_3_times_chain_l_3, t3);
+    let t55 = p.chain_gravity * t54.add_product(p.chain_m_1, chain_l_1_times_cos_chain_th_1)
+        .add_product(p.chain_m_2, chain_l_1_times_cos_chain_th_1).add_product(p.chain_m_3,
+        chain_l_1_times_cos_chain_th_1);
+    let t56 = c.t17 * t3;
+    let t57 = (-(p.chain_gravity * t54)).add_product(t19, t55);
+    let chain_w_3_dot_by_chain_th_1 = (-t56).add_product(t20, t55).sub_product(t23, t57) * t24;
+    let chain_w_2_dot_by_chain_th_1 = (t57 * t21).sub_product(t23, chain_w_3_dot_by_chain_th_1);
+    let chain_w_1_dot_by_chain_th_1 = -(t55 * t18).add_product(t19, chain_w_2_dot_by_chain_th_1)
+        .add_product(t20, chain_w_3_dot_by_chain_th_1);
+    let t58 = c.t14 * t1;
+    let t59 = c.t16 * t1;
+    let t60 = chain_l_1_times_chain_w_1_squared * t45;
+    let t61 = p.chain_gravity * t3;
+    let t62 = (c.chain_m_2_times_chain_l_2 * t4).add_product(c.chain_m_3_times_chain_l_2, t4)
+        .add_product(c.chain_m_3_times_chain_l_3, t6);
+    let t63 = p.chain_l_1 * t62;
+    let t64 = c.t12 * t6;
+    let t65 = ((t25 * t5).add_product(t26, t5).add_product(t28, t7).add_product(t29, t7)
+        .add_product(t31, t7).add_product(t33, t5).add_product(t35, t5).add_product(t36, t7)
+        .add_product(t37, t7) - t58 - t59 - t56).add_product(c.t19 * t62, t53).sub_product(t63,
+        chain_w_2_dot).sub_product(t64, chain_w_3_dot);
+    let t66 = (-(t58.add_product(t42, cos_chain_th_2).add_product(t43, cos_chain_th_2)
+        .add_product(t46, t45) + t59 + t56)).add_product(t63, t53).sub_product(t19, t65);
+    let chain_w_3_dot_by_chain_th_2 = (-(c.chain_m_3_times_chain_l_3 * (t60 + t61)))
+        .add_product(t64, t53).sub_product(t20, t65).sub_product(t23, t66) * t24;
+    let chain_w_2_dot_by_chain_th_2 = (t66 * t21).sub_product(t23, chain_w_3_dot_by_chain_th_2);
+    let chain_w_1_dot_by_chain_th_2 = (t65 * t18).sub_product(t19, chain_w_2_dot_by_chain_th_2)
+        .sub_product(t20, chain_w_3_dot_by_chain_th_2);
+    let t67 = c.t19 * chain_w_1;
+    let t68 = t67 * chain_w_2;
+    let t69 = t67 * chain_w_3;
+    let t70 = t47 * chain_w_3;
+    let t71 = t70 * t9;
+    let t72 = c.t19 * chain_w_2 * chain_w_3;
+    let t73 = c.t18 * chain_w_2 * chain_w_3;
+    let t74 = t73 * t9;
+    let chain_l_1_times_chain_w_2_squared = p.chain_l_1 * chain_w_2_squared;
+    let chain_l_1_times_chain_w_3_squared = p.chain_l_1 * chain_w_3_squared;
+    let chain_l_2_times_chain_w_3_squared = p.chain_l_2 * chain_w_3_squared;
+    let t75 = chain_l_2_times_chain_w_3_squared * t9;
+    let t76 = p.chain_l_1 * t6;
+    let t77 = t76.add_product(p.chain_l_2, t8);
+    let t78 = c.chain_m_3_times_chain_l_3 * t76.add_product(c.t18, t8);
+    let t79 = c.chain_m_3_times_chain_l_3 * t77;
+    let t80 = (c.chain_m_3_times_chain_l_3 * ((((t68 * t7).add_product(t69, t7) + t71)
+        .add_product(t72, t7) + t74).add_product(chain_l_1_times_chain_w_2_squared, t7)
+        .add_product(chain_l_1_times_chain_w_3_squared, t7) + t75 - t61)).add_product(c.t20 * t77,
+        t53).sub_product(t78, chain_w_2_dot).sub_product(t79, chain_w_3_dot);
+    let t81 = c.t15 * t8;
+    let t82 = (c.chain_m_3_times_chain_l_3 * (t71 + t74 + t75 - t60 - t61)).add_product(t78, t53)
+        .sub_product(c.t8 * t8, chain_w_2_dot).sub_product(t81, chain_w_3_dot).sub_product(t19,
+        t80);
+    let chain_w_3_dot_by_chain_th_3 = (-(c.chain_m_3_times_chain_l_3 * (t60.add_product(t48, t9)
+        .add_product(chain_l_2_times_chain_w_1_squared, t9)
+        .add_product(chain_l_2_times_chain_w_2_squared, t9) + t61))).add_product(t79, t53)
+        .sub_product(t81, chain_w_2_dot).sub_product(t20, t80).sub_product(t23, t82) * t24;
+    let chain_w_2_dot_by_chain_th_3 = (t82 * t21).sub_product(t23, chain_w_3_dot_by_chain_th_3);
+    let chain_w_1_dot_by_chain_th_3 = (t80 * t18).sub_product(t19, chain_w_2_dot_by_chain_th_3)
+        .sub_product(t20, chain_w_3_dot_by_chain_th_3);
+    let t83 = c.t10 * chain_w_2 * t4;
+    let t84 = c.t11 * chain_w_2 * t4;
+    let t85 = c.t12 * chain_w_2 * t6;
+    let t86 = c.t12 * chain_w_3 * t6;
+    let t87 = c.t15 * chain_w_3 * t8;
+    let t88 = R::literal(2.0) * (t83 + t84 + t85 + t86 + t87);
+    let t89 = c.t10 * chain_w_1;
+    let t90 = c.t11 * chain_w_1;
+    let t91 = c.t12 * chain_w_1;
+    let chain_l_1_times_chain_w_1 = p.chain_l_1 * chain_w_1;
+    let t92 = p.chain_l_2 * chain_w_1 * t8;
+    let t93 = p.chain_l_2 * chain_w_2 * t8;
+    let t94 = (R::literal(-2.0) * ((t89 * sin_chain_th_2).add_product(t90, sin_chain_th_2)
+        .add_product(t91, t44) + t87)).add_product(t19, t88);
+    let chain_w_3_dot_by_chain_w_1 = (-(c.t20 * ((-t92).add_product(chain_l_1_times_chain_w_1, t44)
+        - t93))).add_product(t20, t88).sub_product(t23, t94) * t24;
+    let chain_w_2_dot_by_chain_w_1 = (t94 * t21).sub_product(t23, chain_w_3_dot_by_chain_w_1);
+    let chain_w_1_dot_by_chain_w_1 = -(t88 * t18).add_product(t19, chain_w_2_dot_by_chain_w_1)
+        .add_product(t20, chain_w_3_dot_by_chain_w_1);
+    let t95 = R::literal(2.0) * ((t89 * t4).add_product(t90, t4).add_product(t91, t6) + t83 + t84
+        + t85 + t86 + t87);
+    let t96 = (-(c.t8 * chain_w_3 * t8)).add_product(t19, t95);
+    let chain_w_3_dot_by_chain_w_2 = (c.t8 * chain_s_2 * t8).add_product(t20, t95).sub_product(t23,
+        t96) * t24;
+    let chain_w_2_dot_by_chain_w_2 = (t96 * t21).sub_product(t23, chain_w_3_dot_by_chain_w_2);
+    let chain_w_1_dot_by_chain_w_2 = -(t95 * t18).add_product(t19, chain_w_2_dot_by_chain_w_2)
+        .add_product(t20, chain_w_3_dot_by_chain_w_2);
+    let t97 = c.t20 * (t92.add_product(chain_l_1_times_chain_w_1, t6).add_product(p.chain_l_1
+        * chain_w_2, t6) + t93).add_product(p.chain_l_1 * chain_w_3, t6).add_product(p.chain_l_2
+        * chain_w_3, t8);
+    let t98 = (-(c.t8 * chain_s_3 * t8)).add_product(t19, t97);
+    let chain_w_3_dot_by_chain_w_3 = (t20 * t97).sub_product(t23, t98) * t24;
+    let chain_w_2_dot_by_chain_w_3 = (t98 * t21).sub_product(t23, chain_w_3_dot_by_chain_w_3);
+    let chain_w_1_dot_by_chain_w_3 = -(t97 * t18).add_product(t19, chain_w_2_dot_by_chain_w_3)
+        .add_product(t20, chain_w_3_dot_by_chain_w_3);
     let chain_gravity_times_chain_x_1 = p.chain_gravity * chain_x_1;
-    let t30 = (-chain_gravity_times_chain_x_1).add_product(c.chain_l_1_squared, t28);
-    let t31 = t9 * t30;
-    let chain_w_3_dot_by_chain_m_1 = (-(t10 * t30)).add_product(t13, t31) * t14;
-    let t32 = (t31 * t11).add_product(t13, chain_w_3_dot_by_chain_m_1);
-    let chain_w_2_dot_by_chain_m_1 = -t32;
-    let chain_w_1_dot_by_chain_m_1 = (t30 * t8).add_product(t9, t32).sub_product(t10,
+    let t99 = (-chain_gravity_times_chain_x_1).add_product(c.chain_l_1_squared, t53);
+    let t100 = t19 * t99;
+    let chain_w_3_dot_by_chain_m_1 = (-(t20 * t99)).add_product(t23, t100) * t24;
+    let t101 = (t100 * t21).add_product(t23, chain_w_3_dot_by_chain_m_1);
+    let chain_w_2_dot_by_chain_m_1 = -t101;
+    let chain_w_1_dot_by_chain_m_1 = (t99 * t18).add_product(t19, t101).sub_product(t20,
         chain_w_3_dot_by_chain_m_1);
-    let t33 = c.t21 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2;
-    let t34 = c.chain_l_1_times_chain_l_2 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2;
-    let t35 = c.chain_l_2_times_chain_gravity * sin_chain_a_2;
-    let t36 = c.t21 * cos_chain_th_1_minus_chain_a_2;
-    let t37 = p.chain_l_2 * p.chain_l_2.add_product(p.chain_l_1, cos_chain_th_1_minus_chain_a_2);
-    let t38 = (-(t33 + t34 + t35 + chain_gravity_times_chain_x_1)).add_product(c.t22 + t36, t28)
-        .sub_product(t37, chain_w_2_dot);
-    let t39 = (-(p.chain_l_2 * (chain_l_1_times_chain_w_1_squared * sin_chain_th_2)
-        .add_product(p.chain_gravity, sin_chain_a_2))).add_product(t37, t28)
-        .sub_product(c.chain_l_2_squared, chain_w_2_dot).sub_product(t9, t38);
-    let t40 = (t10 * t38).add_product(t13, t39) * t14;
-    let chain_w_3_dot_by_chain_m_2 = -t40;
-    let chain_w_2_dot_by_chain_m_2 = (t39 * t11).add_product(t13, t40);
-    let chain_w_1_dot_by_chain_m_2 = (t38 * t8).sub_product(t9, chain_w_2_dot_by_chain_m_2)
-        .add_product(t10, t40);
-    let t41 = c.t23 * chain_w_1;
-    let t42 = c.t24 * chain_w_1 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
-    let t43 = c.t24 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
-    let t44 = c.chain_l_2_times_chain_l_3 * chain_w_3_squared * sin_chain_a_2_minus_chain_a_3;
-    let t45 = c.chain_l_3_times_chain_gravity * sin_chain_a_3;
-    let t46 = c.t24 * cos_chain_a_2_minus_chain_a_3;
-    let t47 = c.t26 + t46;
-    let t48 = t47.add_product(c.chain_l_1_times_chain_l_2, cos_chain_th_1_minus_chain_a_2)
-        .add_product(c.chain_l_1_times_chain_l_3, cos_chain_th_1_minus_chain_a_3);
-    let t49 = p.chain_l_3 * t5;
-    let t50 = (-(((t33.add_product(t41 * chain_w_2, sin_chain_th_1_minus_chain_a_3).add_product(t41
-        * chain_w_3, sin_chain_th_1_minus_chain_a_3) + t42).add_product(c.t23 * chain_w_2
-        * chain_w_3, sin_chain_th_1_minus_chain_a_3) + t43 + t34)
-        .add_product(c.chain_l_1_times_chain_l_3 * chain_w_2_squared,
-        sin_chain_th_1_minus_chain_a_3).add_product(c.chain_l_1_times_chain_l_3
-        * chain_w_3_squared, sin_chain_th_1_minus_chain_a_3) + t44 + t35 + t45
-        + chain_gravity_times_chain_x_1)).add_product((c.t25 + t36).add_product(c.t23,
-        cos_chain_th_1_minus_chain_a_3) + t46, t28).sub_product(t48, chain_w_2_dot)
-        .sub_product(t49, chain_w_3_dot);
-    let t51 = p.chain_l_3 * t7;
-    let t52 = (-((t42 + t43).add_product(c.chain_l_1_times_chain_l_2 * chain_w_1_squared,
-        sin_chain_th_2).add_product(c.chain_l_1_times_chain_l_3 * chain_w_1_squared,
-        sin_chain_th_2_plus_chain_th_3) + t44 + t35 + t45)).add_product(t48, t28).sub_product(t47,
-        chain_w_2_dot).sub_product(t51, chain_w_3_dot).sub_product(t9, t50);
-    let chain_w_3_dot_by_chain_m_3 = (p.chain_l_3 * t26).add_product(t49, t28).sub_product(t51,
-        chain_w_2_dot).sub_product(c.chain_l_3_squared, chain_w_3_dot).sub_product(t10, t50)
-        .sub_product(t13, t52) * t14;
-    let chain_w_2_dot_by_chain_m_3 = (t52 * t11).sub_product(t13, chain_w_3_dot_by_chain_m_3);
-    let chain_w_1_dot_by_chain_m_3 = (t50 * t8).sub_product(t9, chain_w_2_dot_by_chain_m_3)
-        .sub_product(t10, chain_w_3_dot_by_chain_m_3);
-    let t53 = c.t20 * chain_w_1;
-    let t54 = t53 * chain_w_3;
-    let t55 = c.t20 * chain_w_2 * chain_w_3;
-    let t56 = c.chain_m_3_times_chain_l_3 * chain_w_3_squared;
-    let t57 = (c.t27 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2).add_product(c.t7
-        * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2).add_product(t53 * chain_w_2,
-        sin_chain_th_1_minus_chain_a_3).add_product(t54, sin_chain_th_1_minus_chain_a_3)
-        .add_product(t55, sin_chain_th_1_minus_chain_a_3)
+    let t102 = c.t21 * chain_w_1 * chain_w_2 * t4;
+    let t103 = c.chain_l_1_times_chain_l_2 * chain_w_2_squared * t4;
+    let t104 = c.chain_l_2_times_chain_gravity * t0;
+    let t105 = c.t21 * t5;
+    let t106 = p.chain_l_2 * p.chain_l_2.add_product(p.chain_l_1, t5);
+    let t107 = (-(t102 + t103 + t104 + chain_gravity_times_chain_x_1)).add_product(c.t22 + t105,
+        t53).sub_product(t106, chain_w_2_dot);
+    let t108 = (-(p.chain_l_2 * (chain_l_1_times_chain_w_1_squared * sin_chain_th_2)
+        .add_product(p.chain_gravity, t0))).add_product(t106, t53).sub_product(c.chain_l_2_squared,
+        chain_w_2_dot).sub_product(t19, t107);
+    let t109 = (t20 * t107).add_product(t23, t108) * t24;
+    let chain_w_3_dot_by_chain_m_2 = -t109;
+    let chain_w_2_dot_by_chain_m_2 = (t108 * t21).add_product(t23, t109);
+    let chain_w_1_dot_by_chain_m_2 = (t107 * t18).sub_product(t19, chain_w_2_dot_by_chain_m_2)
+        .add_product(t20, t109);
+    let t110 = c.t23 * chain_w_1;
+    let t111 = c.t24 * chain_w_1 * chain_w_3 * t8;
+    let t112 = c.t24 * chain_w_2 * chain_w_3 * t8;
+    let t113 = c.chain_l_2_times_chain_l_3 * chain_w_3_squared * t8;
+    let t114 = c.chain_l_3_times_chain_gravity * t2;
+    let t115 = c.t24 * t9;
+    let t116 = c.t26 + t115;
+    let t117 = t116.add_product(c.chain_l_1_times_chain_l_2, t5)
+        .add_product(c.chain_l_1_times_chain_l_3, t7);
+    let t118 = p.chain_l_3 * t15;
+    let t119 = (-(((t102.add_product(t110 * chain_w_2, t6).add_product(t110 * chain_w_3, t6) + t111)
+        .add_product(c.t23 * chain_w_2 * chain_w_3, t6) + t112 + t103)
+        .add_product(c.chain_l_1_times_chain_l_3 * chain_w_2_squared, t6)
+        .add_product(c.chain_l_1_times_chain_l_3 * chain_w_3_squared, t6) + t113 + t104 + t114
+        + chain_gravity_times_chain_x_1)).add_product((c.t25 + t105).add_product(c.t23, t7) + t115,
+        t53).sub_product(t117, chain_w_2_dot).sub_product(t118, chain_w_3_dot);
+    let t120 = p.chain_l_3 * t17;
+    let t121 = (-((t111 + t112).add_product(c.chain_l_1_times_chain_l_2 * chain_w_1_squared,
+        sin_chain_th_2).add_product(c.chain_l_1_times_chain_l_3 * chain_w_1_squared, t44) + t113
+        + t104 + t114)).add_product(t117, t53).sub_product(t116, chain_w_2_dot).sub_product(t120,
+        chain_w_3_dot).sub_product(t19, t119);
+    let chain_w_3_dot_by_chain_m_3 = (p.chain_l_3 * t51).add_product(t118, t53).sub_product(t120,
+        chain_w_2_dot).sub_product(c.chain_l_3_squared, chain_w_3_dot).sub_product(t20, t119)
+        .sub_product(t23, t121) * t24;
+    let chain_w_2_dot_by_chain_m_3 = (t121 * t21).sub_product(t23, chain_w_3_dot_by_chain_m_3);
+    let chain_w_1_dot_by_chain_m_3 = (t119 * t18).sub_product(t19, chain_w_2_dot_by_chain_m_3)
+        .sub_product(t20, chain_w_3_dot_by_chain_m_3);
+    let t122 = c.t20 * chain_w_1;
+    let t123 = t122 * chain_w_3;
+    let t124 = c.t20 * chain_w_2 * chain_w_3;
+    let t125 = c.chain_m_3_times_chain_l_3 * chain_w_3_squared;
+    let t126 = (c.t27 * chain_w_1 * chain_w_2 * t4).add_product(c.t7 * chain_w_1 * chain_w_2, t4)
+        .add_product(t122 * chain_w_2, t6).add_product(t123, t6).add_product(t124, t6)
         .add_product(c.chain_m_1_times_chain_gravity, sin_chain_th_1)
-        .add_product(c.chain_m_2_times_chain_l_2 * chain_w_2_squared,
-        sin_chain_th_1_minus_chain_a_2).add_product(c.chain_m_2_times_chain_gravity, sin_chain_th_1)
-        .add_product(c.chain_m_3_times_chain_l_2 * chain_w_2_squared,
-        sin_chain_th_1_minus_chain_a_2).add_product(c.chain_m_3_times_chain_l_3
-        * chain_w_2_squared, sin_chain_th_1_minus_chain_a_3).add_product(t56,
-        sin_chain_th_1_minus_chain_a_3).add_product(c.chain_m_3_times_chain_gravity,
-        sin_chain_th_1);
-    let t58 = c.chain_m_2_times_chain_l_2 * cos_chain_th_1_minus_chain_a_2;
-    let t59 = c.chain_m_3_times_chain_l_2 * cos_chain_th_1_minus_chain_a_2;
-    let t60 = c.chain_m_3_times_chain_l_3 * cos_chain_th_1_minus_chain_a_3;
-    let t61 = t58 + t59 + t60;
-    let t62 = (-t57).add_product(R::literal(2.0) * (c.t28 + t58 + t59 + t60), t28).sub_product(t61,
-        chain_w_2_dot).sub_product(t60, chain_w_3_dot);
-    let t63 = (-((c.chain_m_2_times_chain_l_2 * sin_chain_th_2)
+        .add_product(c.chain_m_2_times_chain_l_2 * chain_w_2_squared, t4)
+        .add_product(c.chain_m_2_times_chain_gravity, sin_chain_th_1)
+        .add_product(c.chain_m_3_times_chain_l_2 * chain_w_2_squared, t4)
+        .add_product(c.chain_m_3_times_chain_l_3 * chain_w_2_squared, t6).add_product(t125, t6)
+        .add_product(c.chain_m_3_times_chain_gravity, sin_chain_th_1);
+    let t127 = c.chain_m_2_times_chain_l_2 * t5;
+    let t128 = c.chain_m_3_times_chain_l_2 * t5;
+    let t129 = c.chain_m_3_times_chain_l_3 * t7;
+    let t130 = t127 + t128 + t129;
+    let t131 = (-t126).add_product(R::literal(2.0) * (c.t28 + t127 + t128 + t129), t53)
+        .sub_product(t130, chain_w_2_dot).sub_product(t129, chain_w_3_dot);
+    let t132 = (-((c.chain_m_2_times_chain_l_2 * sin_chain_th_2)
         .add_product(c.chain_m_3_times_chain_l_2, sin_chain_th_2)
-        .add_product(c.chain_m_3_times_chain_l_3, sin_chain_th_2_plus_chain_th_3)
-        * chain_w_1_squared)).add_product(t61, t28).sub_product(t9, t62);
-    let chain_w_3_dot_by_chain_l_1 = (-(c.chain_m_3_times_chain_l_3 * chain_w_1_squared
-        * sin_chain_th_2_plus_chain_th_3)).add_product(t60, t28).sub_product(t10, t62)
-        .sub_product(t13, t63) * t14;
-    let chain_w_2_dot_by_chain_l_1 = (t63 * t11).sub_product(t13, chain_w_3_dot_by_chain_l_1);
-    let chain_w_1_dot_by_chain_l_1 = (t62 * t8).sub_product(t9, chain_w_2_dot_by_chain_l_1)
-        .sub_product(t10, chain_w_3_dot_by_chain_l_1);
-    let t64 = t54 * sin_chain_a_2_minus_chain_a_3;
-    let t65 = t55 * sin_chain_a_2_minus_chain_a_3;
-    let t66 = c.chain_m_2_times_chain_gravity * sin_chain_a_2;
-    let t67 = t56 * sin_chain_a_2_minus_chain_a_3;
-    let t68 = c.chain_m_3_times_chain_gravity * sin_chain_a_2;
-    let t69 = c.chain_m_2_times_chain_l_1 * cos_chain_th_1_minus_chain_a_2;
-    let t70 = c.chain_m_3_times_chain_l_1 * cos_chain_th_1_minus_chain_a_2;
-    let t71 = c.chain_m_3_times_chain_l_3 * cos_chain_a_2_minus_chain_a_3;
-    let t72 = c.t30.add_product(c.t20, cos_chain_a_2_minus_chain_a_3) + t69 + t70;
-    let t73 = t71 * chain_w_3_dot;
-    let t74 = (-((((c.t1 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2).add_product(c.t4
-        * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2) + t64 + t65)
-        .add_product(c.chain_m_2_times_chain_l_1 * chain_w_2_squared,
-        sin_chain_th_1_minus_chain_a_2) + t66).add_product(c.chain_m_3_times_chain_l_1
-        * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2) + t67 + t68))
-        .add_product(R::literal(2.0) * (c.t29 + t69 + t70 + t71), t28).sub_product(t72,
-        chain_w_2_dot) - t73;
-    let t75 = ((-(((t64 + t65).add_product(c.chain_m_2_times_chain_l_1 * chain_w_1_squared,
-        sin_chain_th_2) + t66).add_product(c.chain_m_3_times_chain_l_1 * chain_w_1_squared,
-        sin_chain_th_2) + t67 + t68)).add_product(t72, t28).sub_product(R::literal(2.0)
-        * (c.t29 + t71), chain_w_2_dot) - t73).sub_product(t9, t74);
+        .add_product(c.chain_m_3_times_chain_l_3, t44) * chain_w_1_squared)).add_product(t130, t53)
+        .sub_product(t19, t131);
+    let chain_w_3_dot_by_chain_l_1 = (-(c.chain_m_3_times_chain_l_3 * chain_w_1_squared * t44))
+        .add_product(t129, t53).sub_product(t20, t131).sub_product(t23, t132) * t24;
+    let chain_w_2_dot_by_chain_l_1 = (t132 * t21).sub_product(t23, chain_w_3_dot_by_chain_l_1);
+    let chain_w_1_dot_by_chain_l_1 = (t131 * t18).sub_product(t19, chain_w_2_dot_by_chain_l_1)
+        .sub_product(t20, chain_w_3_dot_by_chain_l_1);
+    let t133 = t123 * t8;
+    let t134 = t124 * t8;
+    let t135 = c.chain_m_2_times_chain_gravity * t0;
+    let t136 = t125 * t8;
+    let t137 = c.chain_m_3_times_chain_gravity * t0;
+    let t138 = c.chain_m_2_times_chain_l_1 * t5;
+    let t139 = c.chain_m_3_times_chain_l_1 * t5;
+    let t140 = c.chain_m_3_times_chain_l_3 * t9;
+    let t141 = c.t30.add_product(c.t20, t9) + t138 + t139;
+    let t142 = t140 * chain_w_3_dot;
+    let t143 = (-((((c.t1 * chain_w_1 * chain_w_2 * t4).add_product(c.t4 * chain_w_1 * chain_w_2,
+        t4) + t133 + t134).add_product(c.chain_m_2_times_chain_l_1 * chain_w_2_squared, t4) + t135)
+        .add_product(c.chain_m_3_times_chain_l_1 * chain_w_2_squared, t4) + t136 + t137))
+        .add_product(R::literal(2.0) * (c.t29 + t138 + t139 + t140), t53).sub_product(t141,
+        chain_w_2_dot) - t142;
+    let t144 = ((-(((t133 + t134).add_product(c.chain_m_2_times_chain_l_1 * chain_w_1_squared,
+        sin_chain_th_2) + t135).add_product(c.chain_m_3_times_chain_l_1 * chain_w_1_squared,
+        sin_chain_th_2) + t136 + t137)).add_product(t141, t53).sub_product(R::literal(2.0)
+        * (c.t29 + t140), chain_w_2_dot) - t142).sub_product(t19, t143);
     let chain_w_3_dot_by_chain_l_2 = (c.chain_m_3_times_chain_l_3 * (chain_w_1_squared
-        .add_product(R::literal(2.0) * chain_w_1, chain_w_2) + chain_w_2_squared)
-        * sin_chain_a_2_minus_chain_a_3).add_product(t71, t28).sub_product(t71, chain_w_2_dot)
-        .sub_product(t10, t74).sub_product(t13, t75) * t14;
-    let chain_w_2_dot_by_chain_l_2 = (t75 * t11).sub_product(t13, chain_w_3_dot_by_chain_l_2);
-    let chain_w_1_dot_by_chain_l_2 = (t74 * t8).sub_product(t9, chain_w_2_dot_by_chain_l_2)
-        .sub_product(t10, chain_w_3_dot_by_chain_l_2);
-    let t76 = t24 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
-    let t77 = c.t18 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
-    let t78 = p.chain_l_2 * chain_w_3_squared * sin_chain_a_2_minus_chain_a_3;
-    let t79 = p.chain_m_3 * (c.t31.add_product(c.t18, cos_chain_a_2_minus_chain_a_3) + t3);
-    let t80 = p.chain_m_3 * (c.t31 + t3 + t4);
-    let t81 = (-(p.chain_m_3 * ((((t29 * chain_w_2 * sin_chain_th_1_minus_chain_a_3)
-        .add_product(t29 * chain_w_3, sin_chain_th_1_minus_chain_a_3) + t76).add_product(c.t19
-        * chain_w_2 * chain_w_3, sin_chain_th_1_minus_chain_a_3) + t77).add_product(p.chain_l_1
-        * chain_w_2_squared, sin_chain_th_1_minus_chain_a_3).add_product(p.chain_l_1
-        * chain_w_3_squared, sin_chain_th_1_minus_chain_a_3) + t78
-        + chain_gravity_times_sin_chain_a_3))).add_product(c.t3 * t5, t28).sub_product(t79,
-        chain_w_2_dot).sub_product(t80, chain_w_3_dot);
-    let t82 = p.chain_m_3 * (c.t31 + t4);
-    let t83 = (-(p.chain_m_3 * (t76 + t77 + t25 + t78 + chain_gravity_times_sin_chain_a_3)))
-        .add_product(t79, t28).sub_product(c.t3 * t7, chain_w_2_dot).sub_product(t82, chain_w_3_dot)
-        .sub_product(t9, t81);
-    let chain_w_3_dot_by_chain_l_3 = (p.chain_m_3 * t26).add_product(t80, t28).sub_product(t82,
-        chain_w_2_dot).sub_product(c.t20, chain_w_3_dot).sub_product(t10, t81).sub_product(t13,
-        t83) * t14;
-    let chain_w_2_dot_by_chain_l_3 = (t83 * t11).sub_product(t13, chain_w_3_dot_by_chain_l_3);
-    let chain_w_1_dot_by_chain_l_3 = (t81 * t8).sub_product(t9, chain_w_2_dot_by_chain_l_3)
-        .sub_product(t10, chain_w_3_dot_by_chain_l_3);
-    let t84 = c.chain_m_2_times_chain_l_2 * sin_chain_a_2;
-    let t85 = c.chain_m_3_times_chain_l_2 * sin_chain_a_2;
-    let t86 = c.chain_m_3_times_chain_l_3 * sin_chain_a_3;
-    let t87 = (t84.add_product(p.chain_m_1, chain_x_1).add_product(p.chain_m_2, chain_x_1) + t85
-        + t86).add_product(p.chain_m_3, chain_x_1);
-    let t88 = (-(t84 + t85 + t86)).add_product(t9, t87);
-    let chain_w_3_dot_by_chain_gravity = (-t86).add_product(t10, t87).sub_product(t13, t88) * t14;
-    let chain_w_2_dot_by_chain_gravity = (t88 * t11).sub_product(t13,
+        .add_product(R::literal(2.0) * chain_w_1, chain_w_2) + chain_w_2_squared) * t8)
+        .add_product(t140, t53).sub_product(t140, chain_w_2_dot).sub_product(t20, t143)
+        .sub_product(t23, t144) * t24;
+    let chain_w_2_dot_by_chain_l_2 = (t144 * t21).sub_product(t23, chain_w_3_dot_by_chain_l_2);
+    let chain_w_1_dot_by_chain_l_2 = (t143 * t18).sub_product(t19, chain_w_2_dot_by_chain_l_2)
+        .sub_product(t20, chain_w_3_dot_by_chain_l_2);
+    let t145 = t70 * t8;
+    let t146 = t73 * t8;
+    let t147 = chain_l_2_times_chain_w_3_squared * t8;
+    let t148 = p.chain_m_3 * (c.t31.add_product(c.t18, t9) + t13);
+    let t149 = p.chain_m_3 * (c.t31 + t13 + t14);
+    let t150 = (-(p.chain_m_3 * ((((t68 * t6).add_product(t69, t6) + t145).add_product(t72, t6)
+        + t146).add_product(chain_l_1_times_chain_w_2_squared, t6)
+        .add_product(chain_l_1_times_chain_w_3_squared, t6) + t147 + t50))).add_product(c.t3 * t15,
+        t53).sub_product(t148, chain_w_2_dot).sub_product(t149, chain_w_3_dot);
+    let t151 = p.chain_m_3 * (c.t31 + t14);
+    let t152 = (-(p.chain_m_3 * (t145 + t146 + t49 + t147 + t50))).add_product(t148, t53)
+        .sub_product(c.t3 * t17, chain_w_2_dot).sub_product(t151, chain_w_3_dot).sub_product(t19,
+        t150);
+    let chain_w_3_dot_by_chain_l_3 = (p.chain_m_3 * t51).add_product(t149, t53).sub_product(t151,
+        chain_w_2_dot).sub_product(c.t20, chain_w_3_dot).sub_product(t20, t150).sub_product(t23,
+        t152) * t24;
+    let chain_w_2_dot_by_chain_l_3 = (t152 * t21).sub_product(t23, chain_w_3_dot_by_chain_l_3);
+    let chain_w_1_dot_by_chain_l_3 = (t150 * t18).sub_product(t19, chain_w_2_dot_by_chain_l_3)
+        .sub_product(t20, chain_w_3_dot_by_chain_l_3);
+    let t153 = c.chain_m_2_times_chain_l_2 * t0;
+    let t154 = c.chain_m_3_times_chain_l_2 * t0;
+    let t155 = c.chain_m_3_times_chain_l_3 * t2;
+    let t156 = (t153.add_product(p.chain_m_1, chain_x_1).add_product(p.chain_m_2, chain_x_1) + t154
+        + t155).add_product(p.chain_m_3, chain_x_1);
+    let t157 = (-(t153 + t154 + t155)).add_product(t19, t156);
+    let chain_w_3_dot_by_chain_gravity = (-t155).add_product(t20, t156).sub_product(t23, t157)
+        * t24;
+    let chain_w_2_dot_by_chain_gravity = (t157 * t21).sub_product(t23,
         chain_w_3_dot_by_chain_gravity);
-    let chain_w_1_dot_by_chain_gravity = -(t87 * t8).add_product(t9, chain_w_2_dot_by_chain_gravity)
-        .add_product(t10, chain_w_3_dot_by_chain_gravity);
-    [chain_w_1_dot_by_chain_m_1, chain_w_1_dot_by_chain_m_2, chain_w_1_dot_by_chain_m_3,
-        chain_w_1_dot_by_chain_l_1, chain_w_1_dot_by_chain_l_2, chain_w_1_dot_by_chain_l_3,
-        chain_w_1_dot_by_chain_gravity, chain_w_2_dot_by_chain_m_1, chain_w_2_dot_by_chain_m_2,
-        chain_w_2_dot_by_chain_m_3, chain_w_2_dot_by_chain_l_1, chain_w_2_dot_by_chain_l_2,
-        chain_w_2_dot_by_chain_l_3, chain_w_2_dot_by_chain_gravity, chain_w_3_dot_by_chain_m_1,
-        chain_w_3_dot_by_chain_m_2, chain_w_3_dot_by_chain_m_3, chain_w_3_dot_by_chain_l_1,
-        chain_w_3_dot_by_chain_l_2, chain_w_3_dot_by_chain_l_3, chain_w_3_dot_by_chain_gravity]
+    let chain_w_1_dot_by_chain_gravity = -(t156 * t18).add_product(t19,
+        chain_w_2_dot_by_chain_gravity).add_product(t20, chain_w_3_dot_by_chain_gravity);
+    [R::literal(1.0), R::literal(1.0), R::literal(1.0), chain_w_1_dot_by_chain_th_1,
+        chain_w_1_dot_by_chain_th_2, chain_w_1_dot_by_chain_th_3, chain_w_1_dot_by_chain_w_1,
+        chain_w_1_dot_by_chain_w_2, chain_w_1_dot_by_chain_w_3, chain_w_2_dot_by_chain_th_1,
+        chain_w_2_dot_by_chain_th_2, chain_w_2_dot_by_chain_th_3, chain_w_2_dot_by_chain_w_1,
+        chain_w_2_dot_by_chain_w_2, chain_w_2_dot_by_chain_w_3, chain_w_3_dot_by_chain_th_1,
+        chain_w_3_dot_by_chain_th_2, chain_w_3_dot_by_chain_th_3, chain_w_3_dot_by_chain_w_1,
+        chain_w_3_dot_by_chain_w_2, chain_w_3_dot_by_chain_w_3, chain_w_1_dot_by_chain_m_1,
+        chain_w_1_dot_by_chain_m_2, chain_w_1_dot_by_chain_m_3, chain_w_1_dot_by_chain_l_1,
+        chain_w_1_dot_by_chain_l_2, chain_w_1_dot_by_chain_l_3, chain_w_1_dot_by_chain_gravity,
+        chain_w_2_dot_by_chain_m_1, chain_w_2_dot_by_chain_m_2, chain_w_2_dot_by_chain_m_3,
+        chain_w_2_dot_by_chain_l_1, chain_w_2_dot_by_chain_l_2, chain_w_2_dot_by_chain_l_3,
+        chain_w_2_dot_by_chain_gravity, chain_w_3_dot_by_chain_m_1, chain_w_3_dot_by_chain_m_2,
+        chain_w_3_dot_by_chain_m_3, chain_w_3_dot_by_chain_l_1, chain_w_3_dot_by_chain_l_2,
+        chain_w_3_dot_by_chain_l_3, chain_w_3_dot_by_chain_gravity]
 }
 
 /// Partial derivative of `y'` with respect to time. No operations.

@@ -20,9 +20,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 2, first-order states 4, states 7, parameters 21, outputs 8, discontinuities 1.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 26 of 7 by 7, parameter_jacobian 39 of 7 by 21.
-// Operations: discontinuities 6, rate 77, forcing 42, rate_jacobian 70, parameter_jacobian 179,
+// Operations: discontinuities 6, rate 77, forcing 42, rate_jacobian 72, parameter_jacobian 179,
 //     time_derivative 30, outputs 54, energy 39, power_balance 151, prepare 64, prepared_rate 54,
-//     prepared_rate_jacobian 35, prepared_parameter_jacobian 133.
+//     prepared_rate_jacobian 37, prepared_jacobians 155.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -38,7 +38,7 @@ use ::machinist_contract::{
     SawGin: "saw_gin", "Saw gin: motor, coupling and saw cylinder";
     run from 0.0, until 2.0, points 2001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 1;
-    coordinates; prepared; series 9 Saturates;
+    coordinates; prepared; jacobians_at_once; series 9 Saturates;
 }
 
 ::machinist_contract::parameters! {
@@ -105,13 +105,13 @@ use ::machinist_contract::{
 ::machinist_contract::constants! {
     motor_omega_0, motor_u_x, motor_u_y, t1, t3, t4, inverse_load_standstill_band,
     inverse_motor_inertia, inverse_cylinder_inertia, t5, t6, motor_alpha_s_times_motor_omega_0,
-    motor_alpha_r_times_motor_omega_0, cylinder_omega_dot_by_coupling_twist,
-    motor_omega_dot_by_coupling_twist, cylinder_omega_dot_by_motor_omega,
-    motor_omega_dot_by_motor_omega, t7, motor_omega_dot_by_cylinder_omega,
-    coupling_twist_dot_by_cylinder_omega, motor_psi_sx_dot_by_motor_psi_sx,
-    motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
-    motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx,
-    inverse_load_engagement_width, t8, t9, t10, t11, t12, minus_motor_u_y, t13,
+    motor_alpha_r_times_motor_omega_0, inverse_load_engagement_width,
+    cylinder_omega_dot_by_coupling_twist, motor_omega_dot_by_coupling_twist,
+    cylinder_omega_dot_by_motor_omega, motor_omega_dot_by_motor_omega, t7,
+    motor_omega_dot_by_cylinder_omega, coupling_twist_dot_by_cylinder_omega,
+    motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
+    motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
+    motor_psi_rx_dot_by_motor_psi_rx, t8, t9, t10, t11, t12, minus_motor_u_y, t13,
     motor_k_r_over_motor_sigma, t14, motor_k_s_over_motor_sigma, t15, t16, t17, t18,
     inverse_load_standstill_band_squared
 }
@@ -139,6 +139,7 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t6 = p.coupling_damping * p.coupling_ratio;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
+    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
     let cylinder_omega_dot_by_coupling_twist = t5 * inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_twist = -(p.coupling_stiffness * inverse_motor_inertia);
     let cylinder_omega_dot_by_motor_omega = t6 * inverse_cylinder_inertia;
@@ -151,7 +152,6 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
     let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_rx = -motor_alpha_r_times_motor_omega_0;
-    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
     let t8 = R::literal(core::f64::consts::SQRT_2) * cos_motor_supply_phase;
     let t9 = R::literal(core::f64::consts::SQRT_2) * sin_motor_supply_phase;
     let t10 = R::literal(3.0 * core::f64::consts::PI) * p.motor_pole_pairs * p.motor_k_r
@@ -171,13 +171,13 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         * p.load_standstill_band);
     Constants { motor_omega_0, motor_u_x, motor_u_y, t1, t3, t4, inverse_load_standstill_band,
         inverse_motor_inertia, inverse_cylinder_inertia, t5, t6, motor_alpha_s_times_motor_omega_0,
-        motor_alpha_r_times_motor_omega_0, cylinder_omega_dot_by_coupling_twist,
-        motor_omega_dot_by_coupling_twist, cylinder_omega_dot_by_motor_omega,
-        motor_omega_dot_by_motor_omega, t7, motor_omega_dot_by_cylinder_omega,
-        coupling_twist_dot_by_cylinder_omega, motor_psi_sx_dot_by_motor_psi_sx,
-        motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
-        motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx,
-        inverse_load_engagement_width, t8, t9, t10, t11, t12, minus_motor_u_y, t13,
+        motor_alpha_r_times_motor_omega_0, inverse_load_engagement_width,
+        cylinder_omega_dot_by_coupling_twist, motor_omega_dot_by_coupling_twist,
+        cylinder_omega_dot_by_motor_omega, motor_omega_dot_by_motor_omega, t7,
+        motor_omega_dot_by_cylinder_omega, coupling_twist_dot_by_cylinder_omega,
+        motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
+        motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
+        motor_psi_rx_dot_by_motor_psi_rx, t8, t9, t10, t11, t12, minus_motor_u_y, t13,
         motor_k_r_over_motor_sigma, t14, motor_k_s_over_motor_sigma, t15, t16, t17, t18,
         inverse_load_standstill_band_squared }
 }
@@ -265,7 +265,7 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     [motor_phi_forcing, cylinder_phi_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 35 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 37 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 26] {
@@ -273,15 +273,15 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         = *state;
     let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
     let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
-    let load_engagement = R::literal(1.0) / (R::literal(1.0)
-        + (c.t1 * (time - p.load_engagement_time)).exp());
+    let load_engagement = R::literal(1.0) / (R::literal(1.0) + (-(c.inverse_load_engagement_width
+        * (time - p.load_engagement_time))).exp());
     let t0 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
-    let cylinder_omega_dot_by_cylinder_omega = (-c.t7).add_product(c.inverse_load_standstill_band
-        * load_engagement * R::literal(-1.0).add_product(t0, t0), p.load_mean
+    let cylinder_omega_dot_by_cylinder_omega = -(c.t7.add_product(c.inverse_load_standstill_band
+        * load_engagement * R::literal(1.0).sub_product(t0, t0), p.load_mean
         .add_product(p.load_amplitude, p.load_phase.add_product(c.t4, time).sin()))
-        * c.inverse_cylinder_inertia;
+        * c.inverse_cylinder_inertia);
     let motor_omega_dot_by_motor_psi_sx = -(c.t3 * motor_psi_ry * c.inverse_motor_inertia);
     let motor_omega_dot_by_motor_psi_sy = c.t3 * motor_psi_rx * c.inverse_motor_inertia;
     let motor_omega_dot_by_motor_psi_rx = c.t3 * motor_psi_sy * c.inverse_motor_inertia;
@@ -301,60 +301,73 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 133 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 155 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 39] {
+pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 65] {
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
         motor_psi_ry] = *state;
     let t0 = p.load_phase.add_product(c.t4, time);
     let (t1, t2) = t0.sin_cos();
+    let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
+    let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
+    let time_minus_load_engagement_time = time - p.load_engagement_time;
+    let t3 = (-(c.inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
+    let t4 = R::literal(1.0) + t3;
+    let load_engagement = R::literal(1.0) / t4;
+    let t5 = p.load_mean.add_product(p.load_amplitude, t1);
+    let t6 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
+    let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
+    let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
+    let t7 = R::literal(1.0).sub_product(t6, t6);
+    let cylinder_omega_dot_by_cylinder_omega = -(c.t7.add_product(c.inverse_load_standstill_band
+        * load_engagement * t7, t5) * c.inverse_cylinder_inertia);
+    let motor_omega_dot_by_motor_psi_sx = -(c.t3 * motor_psi_ry * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_sy = c.t3 * motor_psi_rx * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_rx = c.t3 * motor_psi_sy * c.inverse_motor_inertia;
+    let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega - c.motor_omega_0;
+    let motor_omega_dot_by_motor_psi_ry = -(c.t3 * motor_psi_sx * c.inverse_motor_inertia);
     let coupling_ratio_times_cylinder_omega = p.coupling_ratio * cylinder_omega;
     let coupling_twist_rate = motor_omega - coupling_ratio_times_cylinder_omega;
-    let t3 = p.coupling_stiffness * coupling_twist;
-    let coupling_torque = t3.add_product(p.coupling_damping, coupling_twist_rate);
-    let time_minus_load_engagement_time = time - p.load_engagement_time;
-    let t4 = (-(c.inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
-    let t5 = R::literal(1.0) + t4;
-    let load_engagement = R::literal(1.0) / t5;
-    let t6 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
-    let t7 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
-    let t8 = (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
-    let motor_torque = c.t3 * t8;
-    let t9 = p.load_mean.add_product(p.load_amplitude, t1);
-    let t10 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
-    let load_resistance = load_engagement * t9 * t10;
+    let t8 = p.coupling_stiffness * coupling_twist;
+    let coupling_torque = t8.add_product(p.coupling_damping, coupling_twist_rate);
+    let t9 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
+    let t10 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
+    let t11 = (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
+    let motor_torque = c.t3 * t11;
+    let load_resistance = load_engagement * t5 * t6;
     let cylinder_omega_dot = ((c.t5 * coupling_twist).add_product(c.t6, coupling_twist_rate)
         - load_resistance) * c.inverse_cylinder_inertia;
     let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
-    let t11 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
-    let t12 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
+    let t12 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
+    let t13 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * c.inverse_motor_inertia);
-    let motor_omega_dot_by_motor_supply_frequency = c.t10 * t8 * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_supply_frequency = c.t10 * t11 * c.inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_sy).sub_product(c.t11, t6);
+        * motor_psi_sy).sub_product(c.t11, t9);
     let motor_psi_sy_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
-        * motor_psi_sx).sub_product(c.t11, t7);
+        * motor_psi_sx).sub_product(c.t11, t10);
     let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_ry).add_product(c.t12, t11);
+        * motor_psi_ry).add_product(c.t12, t12);
     let motor_psi_ry_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
-        * motor_psi_rx).add_product(c.t12, t12);
-    let motor_omega_dot_by_motor_pole_pairs = c.t13 * t8 * c.inverse_motor_inertia;
+        * motor_psi_rx).add_product(c.t12, t13);
+    let motor_omega_dot_by_motor_pole_pairs = c.t13 * t11 * c.inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
     let motor_omega_dot_by_motor_k_s = c.motor_k_r_over_motor_sigma * motor_torque
         * c.inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
     let motor_psi_ry_dot_by_motor_k_s = c.motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let motor_omega_dot_by_motor_k_r = (c.t14 * t8).add_product(c.motor_k_s_over_motor_sigma,
+    let motor_omega_dot_by_motor_k_r = (c.t14 * t11).add_product(c.motor_k_s_over_motor_sigma,
         motor_torque) * c.inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
     let motor_psi_sy_dot_by_motor_k_r = c.motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
     let motor_omega_dot_by_motor_x_s = c.t15 * motor_torque * c.inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_alpha_s = -(c.motor_omega_0 * t6);
-    let motor_psi_sy_dot_by_motor_alpha_s = -(c.motor_omega_0 * t7);
-    let motor_psi_rx_dot_by_motor_alpha_r = c.motor_omega_0 * t11;
-    let motor_psi_ry_dot_by_motor_alpha_r = c.motor_omega_0 * t12;
+    let motor_psi_sx_dot_by_motor_alpha_s = -(c.motor_omega_0 * t9);
+    let motor_psi_sy_dot_by_motor_alpha_s = -(c.motor_omega_0 * t10);
+    let motor_psi_rx_dot_by_motor_alpha_r = c.motor_omega_0 * t12;
+    let motor_psi_ry_dot_by_motor_alpha_r = c.motor_omega_0 * t13;
     let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
         * c.inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_stiffness = -(coupling_twist * c.inverse_motor_inertia);
@@ -362,30 +375,41 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
         * c.inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_damping = (coupling_ratio_times_cylinder_omega - motor_omega)
         * c.inverse_motor_inertia;
-    let cylinder_omega_dot_by_coupling_ratio = t3.add_product(p.coupling_damping, motor_omega)
+    let cylinder_omega_dot_by_coupling_ratio = t8.add_product(p.coupling_damping, motor_omega)
         .sub_product(c.t16, cylinder_omega) * c.inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_ratio = p.coupling_damping * cylinder_omega
         * c.inverse_motor_inertia;
     let coupling_twist_dot_by_coupling_ratio = -cylinder_omega;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot * c.inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_mean = -(load_engagement * t10 * c.inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t10
+    let cylinder_omega_dot_by_load_mean = -(load_engagement * t6 * c.inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t6
         * c.inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_speed = c.t17 * time * load_engagement * t2 * t10
+    let cylinder_omega_dot_by_load_speed = c.t17 * time * load_engagement * t2 * t6
         * c.inverse_cylinder_inertia;
-    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2 * t10
+    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2 * t6
         * c.inverse_cylinder_inertia);
-    let t13 = t5 * t5;
-    let cylinder_omega_dot_by_load_engagement_time = c.inverse_load_engagement_width * t9 * t4
-        * t10 / t13 * c.inverse_cylinder_inertia;
-    let cylinder_omega_dot_by_load_engagement_width = c.t18 * time_minus_load_engagement_time * t9
-        * t4 * t10 / t13 * c.inverse_cylinder_inertia;
+    let t14 = t4 * t4;
+    let cylinder_omega_dot_by_load_engagement_time = c.inverse_load_engagement_width * t5 * t3 * t6
+        / t14 * c.inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_load_engagement_width = c.t18 * time_minus_load_engagement_time * t5
+        * t3 * t6 / t14 * c.inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_standstill_band = c.inverse_load_standstill_band_squared
-        * cylinder_omega * load_engagement * R::literal(1.0).sub_product(t10, t10) * t9
-        * c.inverse_cylinder_inertia;
-    [coupling_twist_dot_by_coupling_ratio, motor_omega_dot_by_motor_inertia,
-        motor_omega_dot_by_motor_supply_frequency, motor_omega_dot_by_motor_pole_pairs,
-        motor_omega_dot_by_motor_k_s, motor_omega_dot_by_motor_k_r, motor_omega_dot_by_motor_x_s,
+        * cylinder_omega * load_engagement * t7 * t5 * c.inverse_cylinder_inertia;
+    [R::literal(1.0), c.coupling_twist_dot_by_cylinder_omega, c.motor_omega_dot_by_coupling_twist,
+        c.motor_omega_dot_by_motor_omega, c.motor_omega_dot_by_cylinder_omega,
+        motor_omega_dot_by_motor_psi_sx, motor_omega_dot_by_motor_psi_sy,
+        motor_omega_dot_by_motor_psi_rx, motor_omega_dot_by_motor_psi_ry,
+        c.cylinder_omega_dot_by_coupling_twist, c.cylinder_omega_dot_by_motor_omega,
+        cylinder_omega_dot_by_cylinder_omega, c.motor_psi_sx_dot_by_motor_psi_sx, c.motor_omega_0,
+        c.motor_psi_sx_dot_by_motor_psi_rx, c.motor_psi_sy_dot_by_motor_psi_sx,
+        c.motor_psi_sx_dot_by_motor_psi_sx, c.motor_psi_sx_dot_by_motor_psi_rx,
+        motor_psi_rx_dot_by_motor_omega, c.motor_psi_rx_dot_by_motor_psi_sx,
+        c.motor_psi_rx_dot_by_motor_psi_rx, motor_slip_speed, motor_psi_ry_dot_by_motor_omega,
+        c.motor_psi_rx_dot_by_motor_psi_sx, motor_psi_ry_dot_by_motor_psi_rx,
+        c.motor_psi_rx_dot_by_motor_psi_rx, coupling_twist_dot_by_coupling_ratio,
+        motor_omega_dot_by_motor_inertia, motor_omega_dot_by_motor_supply_frequency,
+        motor_omega_dot_by_motor_pole_pairs, motor_omega_dot_by_motor_k_s,
+        motor_omega_dot_by_motor_k_r, motor_omega_dot_by_motor_x_s,
         motor_omega_dot_by_coupling_stiffness, motor_omega_dot_by_coupling_damping,
         motor_omega_dot_by_coupling_ratio, cylinder_omega_dot_by_coupling_stiffness,
         cylinder_omega_dot_by_coupling_damping, cylinder_omega_dot_by_coupling_ratio,

@@ -19,9 +19,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 2, first-order states 4, states 8, parameters 23, outputs 5, discontinuities 1.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 30 of 8 by 8, parameter_jacobian 38 of 8 by 23.
-// Operations: discontinuities 6, rate 85, forcing 41, rate_jacobian 76, parameter_jacobian 179,
+// Operations: discontinuities 6, rate 85, forcing 41, rate_jacobian 78, parameter_jacobian 179,
 //     time_derivative 30, outputs 42, energy 12, power_balance 62, prepare 61, prepared_rate 61,
-//     prepared_rate_jacobian 40, prepared_parameter_jacobian 140.
+//     prepared_rate_jacobian 42, prepared_jacobians 167.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -36,7 +36,7 @@ use ::machinist_contract::{
     SawGinAsPrinted: "saw_gin_as_printed", "Saw gin with the equations and numbers as printed";
     run from 0.0, until 3.0, points 3001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 1;
-    prepared; series 9 Saturates;
+    prepared; jacobians_at_once; series 9 Saturates;
 }
 
 ::machinist_contract::parameters! {
@@ -100,14 +100,13 @@ use ::machinist_contract::{
     t0, t1, t4, t5, inverse_load_standstill_band, inverse_motor_inertia, inverse_cylinder_inertia, t6,
     t7, motor_omega_0_times_motor_alpha_s, t8, motor_u_m_times_cos_motor_gamma,
     motor_u_m_times_sin_motor_gamma, motor_omega_0_times_motor_alpha_r, t9,
-    cylinder_omega_dot_by_motor_phi, motor_omega_dot_by_motor_phi,
+    inverse_load_engagement_width, cylinder_omega_dot_by_motor_phi, motor_omega_dot_by_motor_phi,
     cylinder_omega_dot_by_cylinder_phi, motor_omega_dot_by_cylinder_phi,
     cylinder_omega_dot_by_motor_omega, motor_omega_dot_by_motor_omega, t10,
     motor_omega_dot_by_cylinder_omega, motor_psi_x1_dot_by_motor_psi_x1,
-    motor_psi_y1_dot_by_motor_psi_x1, motor_psi_x2_dot_by_motor_psi_x2,
-    inverse_load_engagement_width, cos_motor_gamma, sin_motor_gamma, t11, t12,
-    motor_k_r_times_motor_alpha_s, motor_k_s_times_motor_alpha_r, t13, t14, t15, t16, t17, t18,
-    t19, t20, inverse_load_standstill_band_squared
+    motor_psi_y1_dot_by_motor_psi_x1, motor_psi_x2_dot_by_motor_psi_x2, cos_motor_gamma,
+    sin_motor_gamma, t11, t12, motor_k_r_times_motor_alpha_s, motor_k_s_times_motor_alpha_r, t13,
+    t14, t15, t16, t17, t18, t19, t20, inverse_load_standstill_band_squared
 }
 
 /// What `rate` and its Jacobians need of the parameters, once a run. 61 operations.
@@ -134,6 +133,7 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let motor_u_m_times_sin_motor_gamma = p.motor_u_m * sin_motor_gamma;
     let motor_omega_0_times_motor_alpha_r = p.motor_omega_0 * p.motor_alpha_r;
     let t9 = p.motor_omega_0 * p.motor_k_s * p.motor_alpha_r;
+    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
     let cylinder_omega_dot_by_motor_phi = t6 * inverse_cylinder_inertia;
     let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
@@ -147,7 +147,6 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let motor_psi_x1_dot_by_motor_psi_x1 = -motor_omega_0_times_motor_alpha_s;
     let motor_psi_y1_dot_by_motor_psi_x1 = -p.motor_omega_0;
     let motor_psi_x2_dot_by_motor_psi_x2 = -motor_omega_0_times_motor_alpha_r;
-    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
     let t11 = -motor_u_m_times_sin_motor_gamma;
     let t12 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r / motor_sigma_times_motor_x_s;
     let motor_k_r_times_motor_alpha_s = p.motor_k_r * p.motor_alpha_s;
@@ -165,12 +164,12 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     Constants { t0, t1, t4, t5, inverse_load_standstill_band, inverse_motor_inertia,
         inverse_cylinder_inertia, t6, t7, motor_omega_0_times_motor_alpha_s, t8,
         motor_u_m_times_cos_motor_gamma, motor_u_m_times_sin_motor_gamma,
-        motor_omega_0_times_motor_alpha_r, t9, cylinder_omega_dot_by_motor_phi,
-        motor_omega_dot_by_motor_phi, cylinder_omega_dot_by_cylinder_phi,
-        motor_omega_dot_by_cylinder_phi, cylinder_omega_dot_by_motor_omega,
-        motor_omega_dot_by_motor_omega, t10, motor_omega_dot_by_cylinder_omega,
-        motor_psi_x1_dot_by_motor_psi_x1, motor_psi_y1_dot_by_motor_psi_x1,
-        motor_psi_x2_dot_by_motor_psi_x2, inverse_load_engagement_width, cos_motor_gamma,
+        motor_omega_0_times_motor_alpha_r, t9, inverse_load_engagement_width,
+        cylinder_omega_dot_by_motor_phi, motor_omega_dot_by_motor_phi,
+        cylinder_omega_dot_by_cylinder_phi, motor_omega_dot_by_cylinder_phi,
+        cylinder_omega_dot_by_motor_omega, motor_omega_dot_by_motor_omega, t10,
+        motor_omega_dot_by_cylinder_omega, motor_psi_x1_dot_by_motor_psi_x1,
+        motor_psi_y1_dot_by_motor_psi_x1, motor_psi_x2_dot_by_motor_psi_x2, cos_motor_gamma,
         sin_motor_gamma, t11, t12, motor_k_r_times_motor_alpha_s, motor_k_s_times_motor_alpha_r,
         t13, t14, t15, t16, t17, t18, t19, t20, inverse_load_standstill_band_squared }
 }
@@ -259,24 +258,24 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     [motor_phi_forcing, cylinder_phi_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 40 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 42 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 30] {
     let [motor_phi, _, motor_omega, cylinder_omega, motor_psi_x1, motor_psi_y1, motor_psi_x2,
         motor_psi_y2] = *state;
     let motor_rotor_term = (p.motor_literal * motor_phi).add_product(c.t0, motor_omega);
-    let load_engagement = R::literal(1.0) / (R::literal(1.0)
-        + (c.t1 * (time - p.load_engagement_time)).exp());
+    let load_engagement = R::literal(1.0) / (R::literal(1.0) + (-(c.inverse_load_engagement_width
+        * (time - p.load_engagement_time))).exp());
     let t0 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
     let motor_psi_x2_dot_by_motor_phi = -(p.motor_literal * motor_psi_y2);
     let motor_psi_y2_dot_by_motor_phi = p.motor_literal * motor_psi_x2;
     let motor_psi_x2_dot_by_motor_omega = -(c.t0 * motor_psi_y2);
     let motor_psi_y2_dot_by_motor_omega = c.t0 * motor_psi_x2;
-    let cylinder_omega_dot_by_cylinder_omega = (-c.t10).add_product(c.inverse_load_standstill_band
-        * load_engagement * R::literal(-1.0).add_product(t0, t0), p.load_mean
+    let cylinder_omega_dot_by_cylinder_omega = -(c.t10.add_product(c.inverse_load_standstill_band
+        * load_engagement * R::literal(1.0).sub_product(t0, t0), p.load_mean
         .add_product(p.load_amplitude, p.load_phase.add_product(c.t5, time).sin()))
-        * c.inverse_cylinder_inertia;
+        * c.inverse_cylinder_inertia);
     let motor_omega_dot_by_motor_psi_x1 = -(c.t4 * motor_psi_y2 * c.inverse_motor_inertia);
     let motor_omega_dot_by_motor_psi_y1 = c.t4 * motor_psi_x2 * c.inverse_motor_inertia;
     let motor_omega_dot_by_motor_psi_x2 = c.t4 * motor_psi_y1 * c.inverse_motor_inertia;
@@ -297,34 +296,49 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         motor_psi_y2_dot_by_motor_psi_x2, c.motor_psi_x2_dot_by_motor_psi_x2]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 140 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 167 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 38] {
+pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 68] {
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1, motor_psi_y1,
         motor_psi_x2, motor_psi_y2] = *state;
     let t0 = p.load_phase.add_product(c.t5, time);
     let (t1, t2) = t0.sin_cos();
-    let coupling_ratio_times_cylinder_phi = p.coupling_ratio * cylinder_phi;
-    let coupling_twist = motor_phi - coupling_ratio_times_cylinder_phi;
-    let coupling_ratio_times_cylinder_omega = p.coupling_ratio * cylinder_omega;
-    let coupling_twist_rate = motor_omega - coupling_ratio_times_cylinder_omega;
+    let motor_rotor_term = (p.motor_literal * motor_phi).add_product(c.t0, motor_omega);
     let time_minus_load_engagement_time = time - p.load_engagement_time;
     let t3 = (-(c.inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
     let t4 = R::literal(1.0) + t3;
     let load_engagement = R::literal(1.0) / t4;
+    let t5 = p.load_mean.add_product(p.load_amplitude, t1);
+    let t6 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
+    let motor_psi_x2_dot_by_motor_phi = -(p.motor_literal * motor_psi_y2);
+    let motor_psi_y2_dot_by_motor_phi = p.motor_literal * motor_psi_x2;
+    let motor_psi_x2_dot_by_motor_omega = -(c.t0 * motor_psi_y2);
+    let motor_psi_y2_dot_by_motor_omega = c.t0 * motor_psi_x2;
+    let t7 = R::literal(1.0).sub_product(t6, t6);
+    let cylinder_omega_dot_by_cylinder_omega = -(c.t10.add_product(c.inverse_load_standstill_band
+        * load_engagement * t7, t5) * c.inverse_cylinder_inertia);
+    let motor_omega_dot_by_motor_psi_x1 = -(c.t4 * motor_psi_y2 * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_y1 = c.t4 * motor_psi_x2 * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_x2 = c.t4 * motor_psi_y1 * c.inverse_motor_inertia;
+    let motor_psi_y2_dot_by_motor_psi_x2 = motor_rotor_term - p.motor_omega_0;
+    let motor_omega_dot_by_motor_psi_y2 = -(c.t4 * motor_psi_x1 * c.inverse_motor_inertia);
+    let motor_psi_x2_dot_by_motor_psi_y2 = p.motor_omega_0 - motor_rotor_term;
+    let coupling_ratio_times_cylinder_phi = p.coupling_ratio * cylinder_phi;
+    let coupling_twist = motor_phi - coupling_ratio_times_cylinder_phi;
+    let coupling_ratio_times_cylinder_omega = p.coupling_ratio * cylinder_omega;
+    let coupling_twist_rate = motor_omega - coupling_ratio_times_cylinder_omega;
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
-    let t5 = (motor_psi_y1 * motor_psi_x2).sub_product(motor_psi_x1, motor_psi_y2);
-    let motor_torque = c.t4 * t5;
-    let t6 = p.load_mean.add_product(p.load_amplitude, t1);
-    let t7 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
-    let load_resistance = load_engagement * t6 * t7;
+    let t8 = (motor_psi_y1 * motor_psi_x2).sub_product(motor_psi_x1, motor_psi_y2);
+    let motor_torque = c.t4 * t8;
+    let load_resistance = load_engagement * t5 * t6;
     let cylinder_omega_dot = ((c.t6 * coupling_twist).add_product(c.t7, coupling_twist_rate)
         - load_resistance) * c.inverse_cylinder_inertia;
     let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * c.inverse_motor_inertia);
-    let motor_omega_dot_by_motor_omega_0 = c.t12 * t5 * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_omega_0 = c.t12 * t8 * c.inverse_motor_inertia;
     let motor_psi_x1_dot_by_motor_omega_0 = motor_psi_y1
         .add_product(c.motor_k_r_times_motor_alpha_s, motor_psi_x2).sub_product(p.motor_alpha_s,
         motor_psi_x1);
@@ -337,10 +351,10 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let motor_psi_y2_dot_by_motor_omega_0 = (-motor_psi_x2)
         .add_product(c.motor_k_s_times_motor_alpha_r, motor_psi_y1).sub_product(p.motor_alpha_r,
         motor_psi_y2);
-    let motor_omega_dot_by_motor_pole_pairs = c.t13 * t5 * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_pole_pairs = c.t13 * t8 * c.inverse_motor_inertia;
     let motor_psi_x2_dot_by_motor_k_s = c.motor_omega_0_times_motor_alpha_r * motor_psi_x1;
     let motor_psi_y2_dot_by_motor_k_s = c.motor_omega_0_times_motor_alpha_r * motor_psi_y1;
-    let motor_omega_dot_by_motor_k_r = c.t14 * t5 * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_k_r = c.t14 * t8 * c.inverse_motor_inertia;
     let motor_psi_x1_dot_by_motor_k_r = c.motor_omega_0_times_motor_alpha_s * motor_psi_x2;
     let motor_psi_y1_dot_by_motor_k_r = c.motor_omega_0_times_motor_alpha_s * motor_psi_y2;
     let motor_omega_dot_by_motor_sigma = c.t15 * motor_torque * c.inverse_motor_inertia;
@@ -370,22 +384,33 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * cylinder_phi)
         .add_product(p.coupling_damping, cylinder_omega) * c.inverse_motor_inertia;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot * c.inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_mean = -(load_engagement * t7 * c.inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t7
+    let cylinder_omega_dot_by_load_mean = -(load_engagement * t6 * c.inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t6
         * c.inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_speed = c.t19 * time * load_engagement * t2 * t7
+    let cylinder_omega_dot_by_load_speed = c.t19 * time * load_engagement * t2 * t6
         * c.inverse_cylinder_inertia;
-    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2 * t7
+    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2 * t6
         * c.inverse_cylinder_inertia);
-    let t8 = t4 * t4;
-    let cylinder_omega_dot_by_load_engagement_time = c.inverse_load_engagement_width * t6 * t3 * t7
-        / t8 * c.inverse_cylinder_inertia;
-    let cylinder_omega_dot_by_load_engagement_width = c.t20 * time_minus_load_engagement_time * t6
-        * t3 * t7 / t8 * c.inverse_cylinder_inertia;
+    let t9 = t4 * t4;
+    let cylinder_omega_dot_by_load_engagement_time = c.inverse_load_engagement_width * t5 * t3 * t6
+        / t9 * c.inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_load_engagement_width = c.t20 * time_minus_load_engagement_time * t5
+        * t3 * t6 / t9 * c.inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_standstill_band = c.inverse_load_standstill_band_squared
-        * cylinder_omega * load_engagement * R::literal(1.0).sub_product(t7, t7) * t6
-        * c.inverse_cylinder_inertia;
-    [motor_omega_dot_by_motor_inertia, motor_omega_dot_by_motor_omega_0,
+        * cylinder_omega * load_engagement * t7 * t5 * c.inverse_cylinder_inertia;
+    [R::literal(1.0), R::literal(1.0), c.motor_omega_dot_by_motor_phi,
+        c.motor_omega_dot_by_cylinder_phi, c.motor_omega_dot_by_motor_omega,
+        c.motor_omega_dot_by_cylinder_omega, motor_omega_dot_by_motor_psi_x1,
+        motor_omega_dot_by_motor_psi_y1, motor_omega_dot_by_motor_psi_x2,
+        motor_omega_dot_by_motor_psi_y2, c.cylinder_omega_dot_by_motor_phi,
+        c.cylinder_omega_dot_by_cylinder_phi, c.cylinder_omega_dot_by_motor_omega,
+        cylinder_omega_dot_by_cylinder_omega, c.motor_psi_x1_dot_by_motor_psi_x1, p.motor_omega_0,
+        c.t8, c.motor_psi_y1_dot_by_motor_psi_x1, c.motor_psi_x1_dot_by_motor_psi_x1, c.t8,
+        motor_psi_x2_dot_by_motor_phi, motor_psi_x2_dot_by_motor_omega, c.t9,
+        c.motor_psi_x2_dot_by_motor_psi_x2, motor_psi_x2_dot_by_motor_psi_y2,
+        motor_psi_y2_dot_by_motor_phi, motor_psi_y2_dot_by_motor_omega, c.t9,
+        motor_psi_y2_dot_by_motor_psi_x2, c.motor_psi_x2_dot_by_motor_psi_x2,
+        motor_omega_dot_by_motor_inertia, motor_omega_dot_by_motor_omega_0,
         motor_omega_dot_by_motor_pole_pairs, motor_omega_dot_by_motor_k_r,
         motor_omega_dot_by_motor_sigma, motor_omega_dot_by_motor_x_s,
         motor_omega_dot_by_coupling_stiffness, motor_omega_dot_by_coupling_damping,

@@ -35,7 +35,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     SawGinShaft: "saw_gin_shaft", "Saw gin with a distributed shaft";
     run from 0.0, until 2.0, points 2001, rtol 1e-7, method "rodas5p";
     quadratures 0, discontinuities 0;
-    prepared;
+    prepared; jacobians_apart;
 }
 
 ::machinist_contract::parameters! {

@@ -32,7 +32,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     ShaftStepTorque: "shaft_step_torque", "Uniform shaft under a step of end torque";
     run from 0.0, until 0.01, points 501, rtol 1e-8, method "auto";
     quadratures 0, discontinuities 0;
-    prepared; linear;
+    prepared; jacobians_apart; linear;
 }
 
 ::machinist_contract::parameters! {

@@ -35,7 +35,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     ShaftWithRotors: "shaft_with_rotors", "Shaft with a rotor at each end, let go twisted";
     run from 0.0, until 0.02, points 401, rtol 1e-8, method "auto";
     quadratures 0, discontinuities 0;
-    prepared; linear;
+    prepared; jacobians_apart; linear;
 }
 
 ::machinist_contract::parameters! {

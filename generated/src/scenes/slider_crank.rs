@@ -20,7 +20,7 @@
 //     constraint_matrix 20 of 8 by 8.
 // Operations: rate 60, forcing 6, rate_jacobian 120, parameter_jacobian 88, outputs 94, energy 33,
 //     power_balance 116, constraint_values 25, constraint_rates 25, constraint_matrix 12, prepare 4,
-//     prepared_rate 56, prepared_rate_jacobian 116, prepared_parameter_jacobian 84.
+//     prepared_rate 56, prepared_rate_jacobian 116, prepared_jacobians 162.
 
 use ::machinist_contract::{Energy, PowerBalance, Real};
 
@@ -34,7 +34,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real};
     SliderCrank: "slider_crank", "Slider-crank turned at constant speed";
     run from 0.0, until 1.0, points 1001, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
-    constraints; prepared;
+    constraints; prepared; jacobians_at_once;
 }
 
 ::machinist_contract::parameters! {
@@ -276,10 +276,11 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         slider_v_x_dot_by_crank_omega, slider_v_x_dot_by_rod_omega]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 84 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 162 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 9] {
+pub fn prepared_jacobians<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 35] {
     let crank_phi = state[2];
     let rod_phi = state[5];
     let crank_omega = state[10];
@@ -296,39 +297,91 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
     let t7 = t6 * t5;
     let t8 = R::literal(1.0) / (-t4).add_product(t7, t6);
     let crank_omega_squared = crank_omega * crank_omega;
+    let t9 = c.t0 * crank_omega_squared;
+    let t10 = t9 * cos_crank_phi;
+    let crank_v_x_dot = -t10;
+    let crank_v_x_dot_by_crank_phi = t9 * sin_crank_phi;
     let rod_omega_squared = rod_omega * rod_omega;
-    let t9 = (c.t0 * crank_omega_squared * sin_crank_phi).add_product(R::literal(0.5),
-        (p.crank_length * crank_omega_squared * sin_crank_phi).add_product(p.rod_length
-        * rod_omega_squared, sin_rod_phi));
-    let t10 = (c.t1 * rod_omega_squared * sin_rod_phi).add_product(t7, t9) * t8;
-    let rod_omega_dot = (-(t2 * t10)).add_product(t2, (t9 * t5).sub_product(t7, t10));
-    let t11 = R::literal(0.5) * crank_omega_squared;
-    let t12 = t11 * cos_crank_phi;
-    let crank_v_x_dot_by_crank_length = -t12;
-    let t13 = t11 * sin_crank_phi;
-    let crank_v_y_dot_by_crank_length = -t13;
-    let t14 = t13 + t13;
-    let t15 = t7 * t14 * t8;
-    let t16 = (t14 * t5).sub_product(t7, t15);
-    let rod_omega_dot_by_crank_length = (-(t2 * t15)).add_product(t2, t16);
-    let rod_v_y_dot_by_crank_length = -(c.inverse_rod_mass * t15).add_product(c.inverse_rod_mass,
-        t16);
-    let t17 = t1 * rod_omega_dot_by_crank_length;
-    let t18 = t12 + t12 + t17;
-    let rod_v_x_dot_by_crank_length = -t18;
-    let slider_v_x_dot_by_crank_length = -(t17 + t18);
-    let t19 = R::literal(0.5) * rod_omega_squared;
-    let t20 = (-(t19 * sin_rod_phi)).add_product(R::literal(0.5) * cos_rod_phi, rod_omega_dot);
-    let t21 = t20.add_product(t7, t20) * t8;
-    let rod_omega_dot_by_rod_length = (t2 * t21).add_product(t2, (-(t20 * t5)).add_product(t7,
-        t21));
-    let t22 = (t19 * cos_rod_phi).add_product(R::literal(0.5) * sin_rod_phi, rod_omega_dot)
+    let t11 = c.t1 * rod_omega_squared;
+    let t12 = t11 * sin_rod_phi;
+    let t13 = crank_v_x_dot_by_crank_phi.add_product(R::literal(0.5), (p.crank_length
+        * crank_omega_squared * sin_crank_phi).add_product(p.rod_length * rod_omega_squared,
+        sin_rod_phi));
+    let t14 = t12.add_product(t7, t13) * t8;
+    let rod_omega_dot = (-(t2 * t14)).add_product(t2, (t13 * t5).sub_product(t7, t14));
+    let t15 = (t11 * cos_rod_phi).add_product(t1, rod_omega_dot);
+    let t16 = t10 + t10;
+    let t17 = t7 * t16 * t8;
+    let t18 = (t16 * t5).sub_product(t7, t17);
+    let rod_omega_dot_by_crank_phi = (-(t2 * t17)).add_product(t2, t18);
+    let rod_v_y_dot_by_crank_phi = -(c.inverse_rod_mass * t17).add_product(c.inverse_rod_mass, t18);
+    let t19 = t1 * rod_omega_dot_by_crank_phi;
+    let rod_v_x_dot_by_crank_phi = crank_v_x_dot_by_crank_phi + crank_v_x_dot_by_crank_phi - t19;
+    let slider_v_x_dot_by_crank_phi = rod_v_x_dot_by_crank_phi - t19;
+    let t20 = t12.sub_product(t0, rod_omega_dot);
+    let t21 = t15.add_product(t7, t15) * t8;
+    let rod_omega_dot_by_rod_phi = (-(t2 * t21)).add_product(t2, (t15 * t5).sub_product(t7, t21));
+    let t22 = t1 * rod_omega_dot_by_rod_phi;
+    let rod_v_x_dot_by_rod_phi = t20 - t22;
+    let slider_v_x_dot_by_rod_phi = rod_v_x_dot_by_rod_phi - (t22 - t20);
+    let crank_length_times_crank_omega = p.crank_length * crank_omega;
+    let t23 = crank_length_times_crank_omega * cos_crank_phi;
+    let crank_v_x_dot_by_crank_omega = -t23;
+    let t24 = crank_length_times_crank_omega * sin_crank_phi;
+    let crank_v_y_dot_by_crank_omega = -t24;
+    let t25 = t24 + t24;
+    let t26 = t7 * t25 * t8;
+    let t27 = (t25 * t5).sub_product(t7, t26);
+    let rod_omega_dot_by_crank_omega = (-(t2 * t26)).add_product(t2, t27);
+    let rod_v_y_dot_by_crank_omega = -(c.inverse_rod_mass * t26).add_product(c.inverse_rod_mass,
+        t27);
+    let t28 = t1 * rod_omega_dot_by_crank_omega;
+    let t29 = t23 + t23 + t28;
+    let rod_v_x_dot_by_crank_omega = -t29;
+    let slider_v_x_dot_by_crank_omega = -(t28 + t29);
+    let rod_length_times_rod_omega = p.rod_length * rod_omega;
+    let t30 = rod_length_times_rod_omega * sin_rod_phi;
+    let t31 = t30.add_product(t7, t30) * t8;
+    let rod_omega_dot_by_rod_omega = (-(t2 * t31)).add_product(t2, (t30 * t5).sub_product(t7, t31));
+    let t32 = (rod_length_times_rod_omega * cos_rod_phi).add_product(t1,
+        rod_omega_dot_by_rod_omega);
+    let rod_v_x_dot_by_rod_omega = -t32;
+    let slider_v_x_dot_by_rod_omega = -(t32 + t32);
+    let t33 = R::literal(0.5) * crank_omega_squared;
+    let t34 = t33 * cos_crank_phi;
+    let crank_v_x_dot_by_crank_length = -t34;
+    let t35 = t33 * sin_crank_phi;
+    let crank_v_y_dot_by_crank_length = -t35;
+    let t36 = t35 + t35;
+    let t37 = t7 * t36 * t8;
+    let t38 = (t36 * t5).sub_product(t7, t37);
+    let rod_omega_dot_by_crank_length = (-(t2 * t37)).add_product(t2, t38);
+    let rod_v_y_dot_by_crank_length = -(c.inverse_rod_mass * t37).add_product(c.inverse_rod_mass,
+        t38);
+    let t39 = t1 * rod_omega_dot_by_crank_length;
+    let t40 = t34 + t34 + t39;
+    let rod_v_x_dot_by_crank_length = -t40;
+    let slider_v_x_dot_by_crank_length = -(t39 + t40);
+    let t41 = R::literal(0.5) * rod_omega_squared;
+    let t42 = (-(t41 * sin_rod_phi)).add_product(R::literal(0.5) * cos_rod_phi, rod_omega_dot);
+    let t43 = t42.add_product(t7, t42) * t8;
+    let rod_omega_dot_by_rod_length = (t2 * t43).add_product(t2, (-(t42 * t5)).add_product(t7,
+        t43));
+    let t44 = (t41 * cos_rod_phi).add_product(R::literal(0.5) * sin_rod_phi, rod_omega_dot)
         .add_product(t1, rod_omega_dot_by_rod_length);
-    let rod_v_x_dot_by_rod_length = -t22;
-    let slider_v_x_dot_by_rod_length = -(t22 + t22);
-    [crank_v_x_dot_by_crank_length, crank_v_y_dot_by_crank_length, rod_v_x_dot_by_crank_length,
-        rod_v_x_dot_by_rod_length, rod_v_y_dot_by_crank_length, rod_omega_dot_by_crank_length,
-        rod_omega_dot_by_rod_length, slider_v_x_dot_by_crank_length, slider_v_x_dot_by_rod_length]
+    let rod_v_x_dot_by_rod_length = -t44;
+    let slider_v_x_dot_by_rod_length = -(t44 + t44);
+    [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
+        R::literal(1.0), R::literal(1.0), R::literal(1.0), crank_v_x_dot_by_crank_phi,
+        crank_v_x_dot_by_crank_omega, crank_v_x_dot, crank_v_y_dot_by_crank_omega,
+        rod_v_x_dot_by_crank_phi, rod_v_x_dot_by_rod_phi, rod_v_x_dot_by_crank_omega,
+        rod_v_x_dot_by_rod_omega, rod_v_y_dot_by_crank_phi, rod_v_y_dot_by_crank_omega,
+        rod_omega_dot_by_crank_phi, rod_omega_dot_by_rod_phi, rod_omega_dot_by_crank_omega,
+        rod_omega_dot_by_rod_omega, slider_v_x_dot_by_crank_phi, slider_v_x_dot_by_rod_phi,
+        slider_v_x_dot_by_crank_omega, slider_v_x_dot_by_rod_omega, crank_v_x_dot_by_crank_length,
+        crank_v_y_dot_by_crank_length, rod_v_x_dot_by_crank_length, rod_v_x_dot_by_rod_length,
+        rod_v_y_dot_by_crank_length, rod_omega_dot_by_crank_length, rod_omega_dot_by_rod_length,
+        slider_v_x_dot_by_crank_length, slider_v_x_dot_by_rod_length]
 }
 
 /// Partial derivative of `y'` with respect to time. No operations.

@@ -19,7 +19,7 @@
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 4 of 3 by 3, parameter_jacobian 8 of 3 by 10.
 // Operations: rate 17, forcing 15, rate_jacobian 25, parameter_jacobian 57, outputs 14, energy 6,
 //     power_balance 24, guards 9, guard_rates 20, resets 12, prepare 7, prepared_rate 15,
-//     prepared_rate_jacobian 21, prepared_parameter_jacobian 50.
+//     prepared_rate_jacobian 21, prepared_jacobians 64.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -35,7 +35,7 @@ use ::machinist_contract::{
     StickSlip: "stick_slip", "Stick-slip oscillation on a belt";
     run from 0.0, until 5.0, points 2001, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
-    events; prepared; series 2 Saturates;
+    events; prepared; jacobians_at_once; series 2 Saturates;
 }
 
 ::machinist_contract::parameters! {
@@ -169,22 +169,33 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         slider_v_dot_by_slider_slip]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 50 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 64 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 8] {
+pub fn prepared_jacobians<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 12] {
     let [slider_x, slider_v, slider_slip] = *state;
     let slider_sliding = slider_v - p.belt_speed;
-    let slider_held = (p.slider_stiffness * slider_x).add_product(p.slider_damping, slider_v);
     let t0 = (c.t0 * slider_slip * slider_sliding).exp();
-    let t1 = p.slider_kinetic_friction.add_product(p.slider_stribeck_friction, t0);
-    let slider_dragged = p.slider_normal_force * t1;
+    let slider_v_dot_by_slider_x = (R::select_less(slider_slip, R::literal(-0.5), R::literal(0.0),
+        R::select_less(slider_slip, R::literal(0.5), p.slider_stiffness, R::literal(0.0)))
+        - p.slider_stiffness) * c.inverse_slider_mass;
+    let t1 = c.t2 * slider_slip * t0;
+    let t2 = -t1;
+    let slider_v_dot_by_slider_v = (R::select_less(slider_slip, R::literal(-0.5), t2,
+        R::select_less(slider_slip, R::literal(0.5), p.slider_damping, t1)) - p.slider_damping)
+        * c.inverse_slider_mass;
+    let t3 = c.t2 * slider_sliding * t0;
+    let slider_v_dot_by_slider_slip = R::select_less(slider_slip, R::literal(-0.5), -t3,
+        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), t3)) * c.inverse_slider_mass;
+    let slider_held = (p.slider_stiffness * slider_x).add_product(p.slider_damping, slider_v);
+    let t4 = p.slider_kinetic_friction.add_product(p.slider_stribeck_friction, t0);
+    let slider_dragged = p.slider_normal_force * t4;
     let slider_friction = R::select_less(slider_slip, R::literal(-0.5), slider_dragged,
         R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged));
     let slider_v_dot = (slider_friction - slider_held) * c.inverse_slider_mass;
-    let t2 = c.t2 * slider_slip * t0;
-    let slider_v_dot_by_belt_speed = R::select_less(slider_slip, R::literal(-0.5), t2,
-        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t2)) * c.inverse_slider_mass;
+    let slider_v_dot_by_belt_speed = R::select_less(slider_slip, R::literal(-0.5), t1,
+        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), t2)) * c.inverse_slider_mass;
     let slider_v_dot_by_slider_mass = -(slider_v_dot * c.inverse_slider_mass);
     let slider_v_dot_by_slider_stiffness = (R::select_less(slider_slip, R::literal(-0.5),
         R::literal(0.0), R::select_less(slider_slip, R::literal(0.5), slider_x, R::literal(0.0)))
@@ -192,22 +203,23 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
     let slider_v_dot_by_slider_damping = (R::select_less(slider_slip, R::literal(-0.5),
         R::literal(0.0), R::select_less(slider_slip, R::literal(0.5), slider_v, R::literal(0.0)))
         - slider_v) * c.inverse_slider_mass;
-    let slider_v_dot_by_slider_normal_force = R::select_less(slider_slip, R::literal(-0.5), t1,
-        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t1)) * c.inverse_slider_mass;
+    let slider_v_dot_by_slider_normal_force = R::select_less(slider_slip, R::literal(-0.5), t4,
+        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t4)) * c.inverse_slider_mass;
     let slider_v_dot_by_slider_kinetic_friction = R::select_less(slider_slip, R::literal(-0.5),
         p.slider_normal_force, R::select_less(slider_slip, R::literal(0.5), R::literal(0.0),
         c.minus_slider_normal_force)) * c.inverse_slider_mass;
-    let t3 = p.slider_normal_force * t0;
+    let t5 = p.slider_normal_force * t0;
     let slider_v_dot_by_slider_stribeck_friction = R::select_less(slider_slip, R::literal(-0.5),
-        t3, R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t3))
+        t5, R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t5))
         * c.inverse_slider_mass;
-    let t4 = c.t3 * slider_slip * slider_sliding * t0;
-    let slider_v_dot_by_slider_stribeck_speed = R::select_less(slider_slip, R::literal(-0.5), t4,
-        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t4)) * c.inverse_slider_mass;
-    [slider_v_dot_by_belt_speed, slider_v_dot_by_slider_mass, slider_v_dot_by_slider_stiffness,
-        slider_v_dot_by_slider_damping, slider_v_dot_by_slider_normal_force,
-        slider_v_dot_by_slider_kinetic_friction, slider_v_dot_by_slider_stribeck_friction,
-        slider_v_dot_by_slider_stribeck_speed]
+    let t6 = c.t3 * slider_slip * slider_sliding * t0;
+    let slider_v_dot_by_slider_stribeck_speed = R::select_less(slider_slip, R::literal(-0.5), t6,
+        R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), -t6)) * c.inverse_slider_mass;
+    [R::literal(1.0), slider_v_dot_by_slider_x, slider_v_dot_by_slider_v,
+        slider_v_dot_by_slider_slip, slider_v_dot_by_belt_speed, slider_v_dot_by_slider_mass,
+        slider_v_dot_by_slider_stiffness, slider_v_dot_by_slider_damping,
+        slider_v_dot_by_slider_normal_force, slider_v_dot_by_slider_kinetic_friction,
+        slider_v_dot_by_slider_stribeck_friction, slider_v_dot_by_slider_stribeck_speed]
 }
 
 /// Partial derivative of `y'` with respect to time. No operations.

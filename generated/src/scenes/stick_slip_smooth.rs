@@ -18,7 +18,7 @@
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 9 of 2 by 9.
 // Operations: rate 18, forcing 17, rate_jacobian 27, parameter_jacobian 58, outputs 13, energy 6,
 //     power_balance 26, kink_guards 1, kink_rates 18, prepare 12, prepared_rate 15,
-//     prepared_rate_jacobian 20, prepared_parameter_jacobian 49.
+//     prepared_rate_jacobian 20, prepared_jacobians 52.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -33,7 +33,7 @@ use ::machinist_contract::{
     StickSlipSmooth: "stick_slip_smooth", "Stick-slip oscillation on a belt, smoothed";
     run from 0.0, until 5.0, points 2001, rtol 1e-8, method "radau";
     quadratures 0, discontinuities 0;
-    prepared; kinks 1; series 4 Corners;
+    prepared; jacobians_at_once; kinks 1; series 4 Corners;
 }
 
 ::machinist_contract::parameters! {
@@ -154,10 +154,11 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     [R::literal(1.0), c.slider_v_dot_by_slider_x, slider_v_dot_by_slider_v]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 49 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 52 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 9] {
+pub fn prepared_jacobians<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 12] {
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let abs_slider_sliding = slider_sliding.abs();
@@ -166,9 +167,11 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
     let slider_dragged = p.slider_normal_force * t1;
     let t2 = (c.inverse_slider_width * slider_sliding).tanh();
     let t3 = R::literal(1.0).sub_product(t2, t2);
-    let slider_v_dot_by_belt_speed = (-(c.t3 * t0 * t2 * R::select_less(slider_sliding,
-        R::literal(0.0), R::literal(-1.0), R::literal(1.0)))).add_product(c.inverse_slider_width
-        * slider_dragged, t3) * c.inverse_slider_mass;
+    let t4 = c.inverse_slider_width * slider_dragged * t3;
+    let t5 = c.t3 * t0 * t2 * R::select_less(slider_sliding, R::literal(0.0), R::literal(-1.0),
+        R::literal(1.0));
+    let slider_v_dot_by_slider_v = (t5 - p.slider_damping - t4) * c.inverse_slider_mass;
+    let slider_v_dot_by_belt_speed = (t4 - t5) * c.inverse_slider_mass;
     let slider_v_dot_by_slider_mass = (p.slider_stiffness * slider_x).add_product(slider_dragged,
         t2).add_product(p.slider_damping, slider_v) * c.inverse_slider_mass * c.inverse_slider_mass;
     let slider_v_dot_by_slider_stiffness = -(slider_x * c.inverse_slider_mass);
@@ -182,7 +185,8 @@ pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &P
         * c.inverse_slider_mass);
     let slider_v_dot_by_slider_width = c.inverse_slider_width_squared * slider_sliding
         * slider_dragged * t3 * c.inverse_slider_mass;
-    [slider_v_dot_by_belt_speed, slider_v_dot_by_slider_mass, slider_v_dot_by_slider_stiffness,
+    [R::literal(1.0), c.slider_v_dot_by_slider_x, slider_v_dot_by_slider_v,
+        slider_v_dot_by_belt_speed, slider_v_dot_by_slider_mass, slider_v_dot_by_slider_stiffness,
         slider_v_dot_by_slider_damping, slider_v_dot_by_slider_normal_force,
         slider_v_dot_by_slider_kinetic_friction, slider_v_dot_by_slider_stribeck_friction,
         slider_v_dot_by_slider_stribeck_speed, slider_v_dot_by_slider_width]

@@ -18,8 +18,7 @@
 // Shapes: coordinates 2, states 3, parameters 11, outputs 4.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 8 of 3 by 3, parameter_jacobian 13 of 3 by 11.
 // Operations: rate 20, forcing 16, rate_jacobian 16, parameter_jacobian 50, time_derivative 6,
-//     outputs 5, energy 10, power_balance 35, prepare 19, prepared_rate 16,
-//     prepared_parameter_jacobian 43.
+//     outputs 5, energy 10, power_balance 35, prepare 19, prepared_rate 16, prepared_jacobians 43.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse};
 
@@ -32,7 +31,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     TwoMass: "two_mass", "Two rotors on an elasto-dissipative coupling";
     run from 0.0, until 0.5, points 1001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
-    coordinates; prepared; linear; series 0;
+    coordinates; prepared; jacobians_at_once; linear; series 0;
 }
 
 ::machinist_contract::parameters! {
@@ -167,10 +166,11 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Para
         c.cylinder_omega_dot_by_cylinder_omega]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 43 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 43 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 13] {
+pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 21] {
     let [coupling_twist, driver_omega, cylinder_omega] = *state;
     let load_frequency_times_time = p.load_frequency * time;
     let (sin_load_frequency_times_time, cos_load_frequency_times_time) = load_frequency_times_time
@@ -201,13 +201,16 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
         * c.inverse_driver_inertia;
     let coupling_twist_dot_by_coupling_ratio = -cylinder_omega;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot * c.inverse_cylinder_inertia);
-    [coupling_twist_dot_by_coupling_ratio, c.inverse_driver_inertia,
-        driver_omega_dot_by_driver_inertia, driver_omega_dot_by_coupling_stiffness,
-        driver_omega_dot_by_coupling_damping, driver_omega_dot_by_coupling_ratio,
-        c.minus_inverse_cylinder_inertia, cylinder_omega_dot_by_load_amplitude,
-        cylinder_omega_dot_by_load_frequency, cylinder_omega_dot_by_coupling_stiffness,
-        cylinder_omega_dot_by_coupling_damping, cylinder_omega_dot_by_coupling_ratio,
-        cylinder_omega_dot_by_cylinder_inertia]
+    [R::literal(1.0), c.coupling_twist_dot_by_cylinder_omega, c.driver_omega_dot_by_coupling_twist,
+        c.driver_omega_dot_by_driver_omega, c.driver_omega_dot_by_cylinder_omega,
+        c.cylinder_omega_dot_by_coupling_twist, c.cylinder_omega_dot_by_driver_omega,
+        c.cylinder_omega_dot_by_cylinder_omega, coupling_twist_dot_by_coupling_ratio,
+        c.inverse_driver_inertia, driver_omega_dot_by_driver_inertia,
+        driver_omega_dot_by_coupling_stiffness, driver_omega_dot_by_coupling_damping,
+        driver_omega_dot_by_coupling_ratio, c.minus_inverse_cylinder_inertia,
+        cylinder_omega_dot_by_load_amplitude, cylinder_omega_dot_by_load_frequency,
+        cylinder_omega_dot_by_coupling_stiffness, cylinder_omega_dot_by_coupling_damping,
+        cylinder_omega_dot_by_coupling_ratio, cylinder_omega_dot_by_cylinder_inertia]
 }
 
 /// Partial derivative of `y'` with respect to time. 6 operations.

@@ -20,10 +20,10 @@
 // All quantities are in SI units.
 // Shapes: coordinates 2, first-order states 4, states 8, parameters 30, outputs 8, events 9.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 14 of 8 by 8, parameter_jacobian 51 of 8 by 30.
-// Operations: initial_state 5, rate 101, mass_matrix 17, forcing 80, rate_jacobian 182,
+// Operations: initial_state 5, rate 101, mass_matrix 17, forcing 80, rate_jacobian 183,
 //     parameter_jacobian 459, time_derivative 80, outputs 75, energy 59, power_balance 144,
 //     guards 63, guard_rates 198, resets 66, prepare 67, prepared_rate 82,
-//     prepared_rate_jacobian 158, prepared_parameter_jacobian 395.
+//     prepared_rate_jacobian 159, prepared_jacobians 468.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -40,7 +40,7 @@ use ::machinist_contract::{
     WinderFull: "winder_full", "Bobbin on a winding drum, all nonlinearities";
     run from 0.0, until 0.5, points 2001, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
-    events; prepared; series 19;
+    events; prepared; jacobians_at_once; series 19;
 }
 
 ::machinist_contract::parameters! {
@@ -123,11 +123,12 @@ use ::machinist_contract::{
 
 ::machinist_contract::constants! {
     drum_speed, t1, pair_bobbin_radius_squared, t2, pair_bobbin_radius_squared_squared, t4, t6, t7, t9,
-    eccentricity_times_drum_speed, t10, t11, t12, t13, minus_layer_viscosity, t14, t15, t0, t3,
-    inverse_layer_viscosity, force_amplitude_over_drum_radius, t16, eccentricity_over_drum_radius,
-    t18, t19, t20, t21, t22, t23, t24, t25, t26, ovality_times_layer_stiffness,
-    layer_viscosity_times_drum_speed, t27, t28, t29, minus_inverse_layer_viscosity,
-    inverse_layer_viscosity_squared, t31, t32, t33, t34, t35, t36, t37, t38, t39
+    eccentricity_times_drum_speed, t10, t11, t12, inverse_layer_viscosity, t13,
+    minus_layer_viscosity, t14, t15, t0, t3, force_amplitude_over_drum_radius, t16,
+    eccentricity_over_drum_radius, t18, t19, t20, t21, t22, t23, t24, t25, t26,
+    ovality_times_layer_stiffness, layer_viscosity_times_drum_speed, t27, t28, t29,
+    minus_inverse_layer_viscosity, inverse_layer_viscosity_squared, t31, t32, t33, t34, t35, t36,
+    t37, t38, t39
 }
 
 /// What `rate` and its Jacobians need of the parameters, once a run. 67 operations.
@@ -152,11 +153,11 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t10 = p.pair_support_arm + p.pair_rolling_arm;
     let t11 = p.pair_yarn_density * p.pair_thread_area;
     let t12 = R::literal(-1.0) / p.layer_viscosity;
+    let inverse_layer_viscosity = R::literal(1.0) / p.layer_viscosity;
     let t13 = R::literal(3.0) * p.layer_cubic_stiffness;
     let minus_layer_viscosity = -p.layer_viscosity;
     let t14 = -t10;
     let t15 = R::literal(core::f64::consts::TAU) * p.pair_package_width * p.pair_yarn_density;
-    let inverse_layer_viscosity = R::literal(1.0) / p.layer_viscosity;
     let force_amplitude_over_drum_radius = p.force_amplitude / p.drum_radius;
     let t16 = t8 / p.drum_radius;
     let eccentricity_over_drum_radius = p.eccentricity / p.drum_radius;
@@ -190,8 +191,8 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t38 = R::literal(-0.25) * p.pair_thread_area;
     let t39 = R::literal(0.5) / t0;
     Constants { drum_speed, t1, pair_bobbin_radius_squared, t2, pair_bobbin_radius_squared_squared,
-        t4, t6, t7, t9, eccentricity_times_drum_speed, t10, t11, t12, t13, minus_layer_viscosity,
-        t14, t15, t0, t3, inverse_layer_viscosity, force_amplitude_over_drum_radius, t16,
+        t4, t6, t7, t9, eccentricity_times_drum_speed, t10, t11, t12, inverse_layer_viscosity, t13,
+        minus_layer_viscosity, t14, t15, t0, t3, force_amplitude_over_drum_radius, t16,
         eccentricity_over_drum_radius, t18, t19, t20, t21, t22, t23, t24, t25, t26,
         ovality_times_layer_stiffness, layer_viscosity_times_drum_speed, t27, t28, t29,
         minus_inverse_layer_viscosity, inverse_layer_viscosity_squared, t31, t32, t33, t34, t35,
@@ -329,7 +330,7 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     [holder_x_forcing, pair_phi_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 158 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 159 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 14] {
@@ -404,8 +405,9 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         R::literal(0.0), R::literal(1.0)) * R::select_less(pair_slip, R::literal(0.5),
         R::literal(1.0), R::literal(0.0)) / pair_radius) * inverse_pair_inertia;
     let holder_v_dot_by_pair_omega = -(t7 * pair_radius * inverse_holder_mass);
-    let layer_surface_dot_by_layer_surface = R::select_less(layer_closed, R::literal(0.5), c.t12
-        * p.layer_stiffness.add_product(c.t13, layer_surface * layer_surface), R::literal(0.0));
+    let layer_surface_dot_by_layer_surface = R::select_less(layer_closed, R::literal(0.5),
+        -(c.inverse_layer_viscosity * p.layer_stiffness.add_product(c.t13, layer_surface
+        * layer_surface)), R::literal(0.0));
     let t13 = t6 / pair_radius_squared;
     let t14 = pair_radius_squared * pair_radius;
     let pair_omega_dot_by_pair_radius = R::select_less(pair_slip, R::literal(-1.5),
@@ -425,10 +427,11 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         layer_surface_dot_by_layer_surface, c.t1]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 395 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 468 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 51] {
+pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 65] {
     let [holder_x, pair_phi, holder_v, pair_omega, layer_surface, layer_closed, pair_radius,
         pair_slip] = *state;
     let drum_speed_times_time = c.drum_speed * time;
@@ -438,35 +441,33 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let [(t2, t3), (sin_package_phase_plus_pair_phi, cos_package_phase_plus_pair_phi), (t4, t5),
         (sin_drum_speed_times_time, cos_drum_speed_times_time)]
         = R::sin_cos_each([t0, package_phase_plus_pair_phi, t1, drum_speed_times_time]);
-    let t6 = layer_surface * layer_surface * layer_surface;
-    let layer_swelling = p.holder_preload.add_product(p.layer_stiffness, layer_surface)
-        .add_product(p.layer_cubic_stiffness, t6);
+    let layer_surface_squared = layer_surface * layer_surface;
     let pair_growth = c.t1 * pair_omega;
     let pair_radius_squared = pair_radius * pair_radius;
-    let t7 = pair_radius_squared - c.pair_bobbin_radius_squared;
-    let pair_package_mass = c.t2 * t7;
-    let t8 = (-c.pair_bobbin_radius_squared_squared).add_product(pair_radius_squared,
+    let t6 = pair_radius_squared - c.pair_bobbin_radius_squared;
+    let pair_package_mass = c.t2 * t6;
+    let t7 = (-c.pair_bobbin_radius_squared_squared).add_product(pair_radius_squared,
         pair_radius_squared);
-    let pair_inertia = p.pair_bobbin_inertia.add_product(c.t4, t8);
+    let pair_inertia = p.pair_bobbin_inertia.add_product(c.t4, t7);
     let force = (p.package_force * cos_package_phase_plus_pair_phi).add_product(p.force_amplitude,
         t3);
     let holder_mass = c.t6 + pair_package_mass;
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t5);
     let layer_compression = shape - holder_x;
-    let t9 = (c.eccentricity_times_drum_speed * sin_drum_speed_times_time).add_product(c.t9, t4)
+    let t8 = (c.eccentricity_times_drum_speed * sin_drum_speed_times_time).add_product(c.t9, t4)
         + holder_v;
-    let layer_compression_rate = -t9;
     let layer_compression_squared = layer_compression * layer_compression;
-    let t10 = layer_compression_squared * layer_compression;
-    let t11 = p.layer_viscosity * t9;
-    let t12 = p.holder_preload.add_product(p.layer_stiffness, layer_compression)
-        .add_product(p.layer_cubic_stiffness, t10);
-    let layer_push = t12 - t11;
+    let t9 = layer_compression_squared * layer_compression;
+    let t10 = p.layer_viscosity * t8;
+    let t11 = p.holder_preload.add_product(p.layer_stiffness, layer_compression)
+        .add_product(p.layer_cubic_stiffness, t9);
+    let layer_push = t11 - t10;
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_friction_times_layer_push);
+    let t12 = c.t10 * layer_push;
     let pair_resistance = p.pair_tension + R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), c.t10 * layer_push / pair_radius);
+        R::literal(0.0), t12 / pair_radius);
     let pair_omega_times_pair_growth = pair_omega * pair_growth;
     let pair_held = pair_resistance - pair_omega_times_pair_growth * pair_inertia
         / pair_radius_squared;
@@ -475,87 +476,129 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
         R::literal(0.5), R::literal(0.0), -pair_friction_times_layer_push)));
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let inverse_pair_inertia = R::literal(1.0) / pair_inertia;
+    let t13 = c.t11 * holder_v;
+    let t14 = t13 * pair_omega;
     let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
         * (pair_carried - pair_resistance)) * inverse_pair_inertia;
     let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        -t11)).sub_product(c.t11 * holder_v * pair_omega, pair_radius) - (p.holder_preload
-        .add_product(p.holder_stiffness, holder_x) + R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -t12))) * inverse_holder_mass;
-    let t13 = c.t13 * layer_compression_squared;
-    let t14 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), R::literal(1.0));
-    let holder_v_dot_by_package_phase = -(p.package_force * sin_package_phase_plus_pair_phi
+        -t10)).sub_product(t14, pair_radius) - (p.holder_preload.add_product(p.holder_stiffness,
+        holder_x) + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t11)))
+        * inverse_holder_mass;
+    let t15 = c.t13 * layer_compression_squared;
+    let t16 = p.layer_stiffness + t15;
+    let t17 = c.t10 * t16 / pair_radius;
+    let t18 = p.pair_friction * t16;
+    let t19 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), R::literal(1.0));
+    let pair_omega_dot_by_holder_x = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
+        pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t18, R::select_less(pair_slip,
+        R::literal(0.5), -t17, t18)) + t17) * t19) * inverse_pair_inertia;
+    let holder_v_dot_by_holder_x = -((p.holder_stiffness + R::select_less(layer_closed,
+        R::literal(0.5), R::literal(0.0), t16)) * inverse_holder_mass);
+    let holder_v_dot_by_pair_phi = -(p.package_force * sin_package_phase_plus_pair_phi
         * inverse_holder_mass);
     let pair_friction_times_pair_radius = p.pair_friction * pair_radius;
-    let t15 = R::select_less(pair_slip, R::literal(-0.5), R::literal(0.0), R::literal(1.0));
-    let t16 = R::select_less(pair_slip, R::literal(0.5), R::literal(1.0), R::literal(0.0));
+    let t20 = -pair_friction_times_pair_radius;
+    let pair_omega_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
+        p.layer_viscosity * (c.t10 + R::select_less(pair_slip, R::literal(-0.5), t20,
+        R::select_less(pair_slip, R::literal(0.5), c.t14, pair_friction_times_pair_radius))) * t19)
+        * inverse_pair_inertia;
+    let holder_v_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
+        c.minus_layer_viscosity).sub_product(c.t11 * pair_omega, pair_radius) * inverse_holder_mass;
+    let layer_surface_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), R::literal(-1.0));
+    let t21 = R::select_less(pair_slip, R::literal(-0.5), R::literal(0.0), R::literal(1.0));
+    let t22 = R::select_less(pair_slip, R::literal(0.5), R::literal(1.0), R::literal(0.0));
+    let pair_omega_dot_by_pair_omega = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0),
+        R::literal(-2.0) * pair_growth * pair_inertia * t21 * t22 / pair_radius)
+        * inverse_pair_inertia;
+    let holder_v_dot_by_pair_omega = -(t13 * pair_radius * inverse_holder_mass);
+    let layer_surface_dot_by_layer_surface = R::select_less(layer_closed, R::literal(0.5),
+        -(c.inverse_layer_viscosity * p.layer_stiffness.add_product(c.t13, layer_surface_squared)),
+        R::literal(0.0));
+    let t23 = t12 / pair_radius_squared;
     let pair_omega_squared = pair_omega * pair_omega;
-    let t17 = (c.eccentricity_over_drum_radius * time * sin_drum_speed_times_time)
+    let t24 = pair_radius_squared * pair_radius;
+    let pair_omega_dot_by_pair_radius = R::select_less(pair_slip, R::literal(-1.5),
+        R::literal(0.0), pair_carried.add_product(pair_radius, R::select_less(layer_closed,
+        R::literal(0.5), R::literal(0.0), t23) + R::select_less(pair_slip, R::literal(-0.5),
+        R::literal(0.0), R::select_less(pair_slip, R::literal(0.5), (R::literal(2.0) * pair_omega
+        * pair_growth * pair_inertia / t24 + R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), -t23)).sub_product(c.t11 * pair_radius, pair_omega_squared),
+        R::literal(0.0)))) - pair_resistance).sub_product(c.t15 * t24, pair_omega_dot)
+        * inverse_pair_inertia;
+    let holder_v_dot_by_pair_radius = -(t14.add_product(c.t15 * pair_radius, holder_v_dot)
+        * inverse_holder_mass);
+    let t25 = layer_surface_squared * layer_surface;
+    let layer_swelling = p.holder_preload.add_product(p.layer_stiffness, layer_surface)
+        .add_product(p.layer_cubic_stiffness, t25);
+    let layer_compression_rate = -t8;
+    let t26 = (c.eccentricity_over_drum_radius * time * sin_drum_speed_times_time)
         .add_product(c.t16 * time, t4);
-    let t18 = c.t19 * time;
-    let t19 = (c.t18 * time * t5).add_product(c.t16, t4).add_product(t18, cos_drum_speed_times_time)
+    let t27 = c.t19 * time;
+    let t28 = (c.t18 * time * t5).add_product(c.t16, t4).add_product(t27, cos_drum_speed_times_time)
         .add_product(c.eccentricity_over_drum_radius, sin_drum_speed_times_time);
-    let t20 = (p.layer_stiffness * t17).add_product(c.t13 * t17, layer_compression_squared)
-        .add_product(p.layer_viscosity, t19);
-    let t21 = c.t10 * t20 / pair_radius;
-    let t22 = p.pair_friction * t20;
+    let t29 = (p.layer_stiffness * t26).add_product(c.t13 * t26, layer_compression_squared)
+        .add_product(p.layer_viscosity, t28);
+    let t30 = c.t10 * t29 / pair_radius;
+    let t31 = p.pair_friction * t29;
     let pair_omega_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t22,
-        R::select_less(pair_slip, R::literal(0.5), -t21, t22)) + t21) * t14) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t31,
+        R::select_less(pair_slip, R::literal(0.5), -t30, t31)) + t30) * t19) * inverse_pair_inertia;
     let holder_v_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -t20).sub_product(c.force_amplitude_over_drum_radius * time, t2)
+        R::literal(0.0), -t29).sub_product(c.force_amplitude_over_drum_radius * time, t2)
         * inverse_holder_mass;
     let layer_surface_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -t19);
-    let t23 = (t18 * sin_drum_speed_times_time).add_product(c.t21 * time, t4);
-    let t24 = (c.t21 * t4).add_product(c.t22 * time, t5).add_product(c.t23 * time,
+        R::literal(0.0), -t28);
+    let t32 = (t27 * sin_drum_speed_times_time).add_product(c.t21 * time, t4);
+    let t33 = (c.t21 * t4).add_product(c.t22 * time, t5).add_product(c.t23 * time,
         cos_drum_speed_times_time).add_product(c.t19, sin_drum_speed_times_time);
-    let t25 = (p.layer_stiffness * t23).add_product(c.t13 * t23, layer_compression_squared)
-        .add_product(p.layer_viscosity, t24);
-    let t26 = c.t10 * t25 / pair_radius;
-    let t27 = p.pair_friction * t25;
+    let t34 = (p.layer_stiffness * t32).add_product(c.t13 * t32, layer_compression_squared)
+        .add_product(p.layer_viscosity, t33);
+    let t35 = c.t10 * t34 / pair_radius;
+    let t36 = p.pair_friction * t34;
     let pair_omega_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t27,
-        R::select_less(pair_slip, R::literal(0.5), t26, -t27)) - t26) * t14) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t36,
+        R::select_less(pair_slip, R::literal(0.5), t35, -t36)) - t35) * t19) * inverse_pair_inertia;
     let holder_v_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t25).add_product(c.t20 * time, t2) * inverse_holder_mass;
+        R::literal(0.0), t34).add_product(c.t20 * time, t2) * inverse_holder_mass;
     let layer_surface_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t24);
+        R::literal(0.0), t33);
     let holder_v_dot_by_force_amplitude = t3 * inverse_holder_mass;
     let holder_v_dot_by_force_phase = -(p.force_amplitude * t2 * inverse_holder_mass);
     let holder_v_dot_by_package_force = cos_package_phase_plus_pair_phi * inverse_holder_mass;
-    let t28 = (p.layer_stiffness * t5).add_product(t13, t5).sub_product(c.t24, t4);
-    let t29 = c.t10 * t28 / pair_radius;
-    let t30 = p.pair_friction * t28;
-    let pair_omega_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t30, R::select_less(pair_slip,
-        R::literal(0.5), t29, -t30)) - t29) * t14) * inverse_pair_inertia;
-    let holder_v_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        t28) * inverse_holder_mass;
-    let layer_surface_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -(c.t7 * t4));
-    let t31 = c.t25 * t5;
-    let t32 = c.t26 * layer_compression_squared * t4;
-    let t33 = c.ovality_times_layer_stiffness * t4;
-    let t34 = t32 + t31 + t33;
-    let t35 = c.t10 * t34 / pair_radius;
-    let t36 = p.pair_friction * t34;
-    let pair_omega_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t36,
-        R::select_less(pair_slip, R::literal(0.5), -t35, t36)) + t35) * t14) * inverse_pair_inertia;
-    let holder_v_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -(t31 + (t32 + t33))) * inverse_holder_mass;
-    let layer_surface_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -(c.t9 * t5));
-    let t37 = (p.layer_stiffness * cos_drum_speed_times_time).add_product(t13,
-        cos_drum_speed_times_time).sub_product(c.layer_viscosity_times_drum_speed,
-        sin_drum_speed_times_time);
+    let t37 = (p.layer_stiffness * t5).add_product(t15, t5).sub_product(c.t24, t4);
     let t38 = c.t10 * t37 / pair_radius;
     let t39 = p.pair_friction * t37;
+    let pair_omega_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
+        pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t39, R::select_less(pair_slip,
+        R::literal(0.5), t38, -t39)) - t38) * t19) * inverse_pair_inertia;
+    let holder_v_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
+        t37) * inverse_holder_mass;
+    let layer_surface_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), -(c.t7 * t4));
+    let t40 = c.t25 * t5;
+    let t41 = c.t26 * layer_compression_squared * t4;
+    let t42 = c.ovality_times_layer_stiffness * t4;
+    let t43 = t41 + t40 + t42;
+    let t44 = c.t10 * t43 / pair_radius;
+    let t45 = p.pair_friction * t43;
+    let pair_omega_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t45,
+        R::select_less(pair_slip, R::literal(0.5), -t44, t45)) + t44) * t19) * inverse_pair_inertia;
+    let holder_v_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), -(t40 + (t41 + t42))) * inverse_holder_mass;
+    let layer_surface_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), -(c.t9 * t5));
+    let t46 = (p.layer_stiffness * cos_drum_speed_times_time).add_product(t15,
+        cos_drum_speed_times_time).sub_product(c.layer_viscosity_times_drum_speed,
+        sin_drum_speed_times_time);
+    let t47 = c.t10 * t46 / pair_radius;
+    let t48 = p.pair_friction * t46;
     let pair_omega_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t39,
-        R::select_less(pair_slip, R::literal(0.5), t38, -t39)) - t38) * t14) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t48,
+        R::select_less(pair_slip, R::literal(0.5), t47, -t48)) - t47) * t19) * inverse_pair_inertia;
     let holder_v_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t37) * inverse_holder_mass;
+        R::literal(0.0), t46) * inverse_holder_mass;
     let layer_surface_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -(c.drum_speed * sin_drum_speed_times_time));
     let holder_v_dot_by_holder_bobbin_mass = -(holder_v_dot * inverse_holder_mass);
@@ -566,78 +609,83 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let pair_omega_dot_by_holder_preload = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0),
         R::select_less(pair_slip, R::literal(-0.5), pair_friction_times_pair_radius,
-        R::select_less(pair_slip, R::literal(0.5), c.t10, -pair_friction_times_pair_radius))
-        - p.pair_support_arm - p.pair_rolling_arm)) * inverse_pair_inertia;
-    let holder_v_dot_by_holder_preload = (R::literal(-1.0) - R::select_less(layer_closed,
-        R::literal(0.5), R::literal(0.0), R::literal(-1.0))) * inverse_holder_mass;
+        R::select_less(pair_slip, R::literal(0.5), c.t10, t20)) - p.pair_support_arm
+        - p.pair_rolling_arm)) * inverse_pair_inertia;
+    let holder_v_dot_by_holder_preload = (R::literal(-1.0) - layer_surface_dot_by_holder_v)
+        * inverse_holder_mass;
     let layer_surface_dot_by_holder_preload = R::select_less(layer_closed, R::literal(0.5),
         c.minus_inverse_layer_viscosity, R::literal(0.0));
-    let t40 = c.t10 * layer_compression / pair_radius;
-    let t41 = p.pair_friction * layer_compression;
+    let t49 = c.t10 * layer_compression / pair_radius;
+    let t50 = p.pair_friction * layer_compression;
     let pair_omega_dot_by_layer_stiffness = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t41,
-        R::select_less(pair_slip, R::literal(0.5), t40, -t41)) - t40) * t14) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t50,
+        R::select_less(pair_slip, R::literal(0.5), t49, -t50)) - t49) * t19) * inverse_pair_inertia;
     let holder_v_dot_by_layer_stiffness = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), layer_compression) * inverse_holder_mass;
     let layer_surface_dot_by_layer_stiffness = R::select_less(layer_closed, R::literal(0.5),
         -(c.inverse_layer_viscosity * layer_surface), R::literal(0.0));
-    let t42 = c.t10 * t10 / pair_radius;
-    let t43 = p.pair_friction * t10;
+    let t51 = c.t10 * t9 / pair_radius;
+    let t52 = p.pair_friction * t9;
     let pair_omega_dot_by_layer_cubic_stiffness = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t43,
-        R::select_less(pair_slip, R::literal(0.5), t42, -t43)) - t42) * t14) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t52,
+        R::select_less(pair_slip, R::literal(0.5), t51, -t52)) - t51) * t19) * inverse_pair_inertia;
     let holder_v_dot_by_layer_cubic_stiffness = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t10) * inverse_holder_mass;
+        R::literal(0.0), t9) * inverse_holder_mass;
     let layer_surface_dot_by_layer_cubic_stiffness = R::select_less(layer_closed, R::literal(0.5),
-        -(c.inverse_layer_viscosity * t6), R::literal(0.0));
-    let t44 = c.t10 * t9 / pair_radius;
-    let t45 = p.pair_friction * t9;
+        -(c.inverse_layer_viscosity * t25), R::literal(0.0));
+    let t53 = c.t10 * t8 / pair_radius;
+    let t54 = p.pair_friction * t8;
     let pair_omega_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t45,
-        R::select_less(pair_slip, R::literal(0.5), -t44, t45)) + t44) * t14) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t54,
+        R::select_less(pair_slip, R::literal(0.5), -t53, t54)) + t53) * t19) * inverse_pair_inertia;
     let holder_v_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), layer_compression_rate) * inverse_holder_mass;
     let layer_surface_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
         c.inverse_layer_viscosity_squared * layer_swelling, R::literal(0.0));
     let pair_omega_dot_by_pair_bobbin_radius = R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), c.t31 * pair_omega_squared * t15 * t16 / pair_radius).add_product(c.t33,
+        R::literal(0.0), c.t31 * pair_omega_squared * t21 * t22 / pair_radius).add_product(c.t33,
         pair_omega_dot) * inverse_pair_inertia;
     let holder_v_dot_by_pair_bobbin_radius = c.t32 * holder_v_dot * inverse_holder_mass;
     let pair_omega_dot_by_pair_package_width = R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), c.t34 * pair_omega * pair_growth * t15 * t16 / pair_radius)
-        .sub_product(c.t35 * t8, pair_omega_dot) * inverse_pair_inertia;
-    let holder_v_dot_by_pair_package_width = c.t36 * t7 * holder_v_dot * inverse_holder_mass;
+        R::literal(0.0), c.t34 * pair_omega * pair_growth * t21 * t22 / pair_radius)
+        .sub_product(c.t35 * t7, pair_omega_dot) * inverse_pair_inertia;
+    let holder_v_dot_by_pair_package_width = c.t36 * t6 * holder_v_dot * inverse_holder_mass;
     let pair_radius_dot_by_pair_package_width = c.t37 * pair_growth;
     let pair_omega_dot_by_pair_yarn_density = R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), c.t38 * t8 * pair_omega_squared * t15 * t16 / pair_radius)
-        .sub_product(c.t3 * t8, pair_omega_dot) * inverse_pair_inertia;
+        R::literal(0.0), c.t38 * t7 * pair_omega_squared * t21 * t22 / pair_radius)
+        .sub_product(c.t3 * t7, pair_omega_dot) * inverse_pair_inertia;
     let holder_v_dot_by_pair_yarn_density = -((p.pair_thread_area * holder_v * pair_omega
-        * pair_radius).add_product(c.t0 * t7, holder_v_dot) * inverse_holder_mass);
+        * pair_radius).add_product(c.t0 * t6, holder_v_dot) * inverse_holder_mass);
     let pair_omega_dot_by_pair_thread_area = R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), -(c.t39 * pair_inertia * pair_omega_squared * t15 * t16 / pair_radius))
+        R::literal(0.0), -(c.t39 * pair_inertia * pair_omega_squared * t21 * t22 / pair_radius))
         * inverse_pair_inertia;
     let holder_v_dot_by_pair_thread_area = -(p.pair_yarn_density * holder_v * pair_omega
         * pair_radius * inverse_holder_mass);
     let pair_radius_dot_by_pair_thread_area = c.t39 * pair_omega;
     let pair_omega_dot_by_pair_bobbin_inertia = (R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), -(pair_omega_times_pair_growth * t15 * t16 / pair_radius))
+        R::literal(0.0), -(pair_omega_times_pair_growth * t21 * t22 / pair_radius))
         - pair_omega_dot) * inverse_pair_inertia;
     let pair_omega_dot_by_pair_tension = R::select_less(pair_slip, R::literal(-1.5),
         R::literal(0.0), R::select_less(pair_slip, R::literal(-0.5), R::literal(0.0),
         R::select_less(pair_slip, R::literal(0.5), pair_radius, R::literal(0.0))) - pair_radius)
         * inverse_pair_inertia;
     let pair_omega_dot_by_pair_friction = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * t14 * R::select_less(pair_slip, R::literal(-0.5),
-        layer_push, R::select_less(pair_slip, R::literal(0.5), R::literal(0.0), t11 - t12)))
+        R::literal(0.0), pair_radius * t19 * R::select_less(pair_slip, R::literal(-0.5),
+        layer_push, R::select_less(pair_slip, R::literal(0.5), R::literal(0.0), t10 - t11)))
         * inverse_pair_inertia;
     let layer_push_over_pair_radius = layer_push / pair_radius;
     let pair_omega_dot_by_pair_support_arm = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5),
         R::literal(0.0), R::select_less(pair_slip, R::literal(0.5), layer_push_over_pair_radius,
-        R::literal(0.0))) - layer_push_over_pair_radius) * t14) * inverse_pair_inertia;
-    [holder_v_dot_by_winding_speed, holder_v_dot_by_drum_radius, holder_v_dot_by_force_amplitude,
-        holder_v_dot_by_force_phase, holder_v_dot_by_package_force, holder_v_dot_by_package_phase,
-        holder_v_dot_by_ovality, holder_v_dot_by_ovality_phase, holder_v_dot_by_eccentricity,
+        R::literal(0.0))) - layer_push_over_pair_radius) * t19) * inverse_pair_inertia;
+    [R::literal(1.0), R::literal(1.0), holder_v_dot_by_holder_x, holder_v_dot_by_pair_phi,
+        holder_v_dot_by_holder_v, holder_v_dot_by_pair_omega, holder_v_dot_by_pair_radius,
+        pair_omega_dot_by_holder_x, pair_omega_dot_by_holder_v, pair_omega_dot_by_pair_omega,
+        pair_omega_dot_by_pair_radius, layer_surface_dot_by_holder_v,
+        layer_surface_dot_by_layer_surface, c.t1, holder_v_dot_by_winding_speed,
+        holder_v_dot_by_drum_radius, holder_v_dot_by_force_amplitude, holder_v_dot_by_force_phase,
+        holder_v_dot_by_package_force, holder_v_dot_by_pair_phi, holder_v_dot_by_ovality,
+        holder_v_dot_by_ovality_phase, holder_v_dot_by_eccentricity,
         holder_v_dot_by_holder_bobbin_mass, holder_v_dot_by_holder_link_mass,
         holder_v_dot_by_holder_link_arm, holder_v_dot_by_holder_holder_arm,
         holder_v_dot_by_holder_stiffness, holder_v_dot_by_holder_preload,

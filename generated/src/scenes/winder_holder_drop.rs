@@ -40,7 +40,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitu
     WinderHolderDrop: "winder_holder_drop", "Four-link bobbin holder, let go";
     run from 0.0, until 1.0, points 1001, rtol 1e-7, method "auto";
     quadratures 0, discontinuities 0;
-    events; constraints; prepared;
+    events; constraints; prepared; jacobians_apart;
 }
 
 ::machinist_contract::parameters! {

@@ -20,7 +20,7 @@
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 20 of 2 by 22.
 // Operations: rate 47, mass_matrix 10, forcing 35, rate_jacobian 16, parameter_jacobian 198,
 //     time_derivative 59, outputs 42, energy 31, power_balance 57, prepare 75, prepared_rate 30,
-//     prepared_parameter_jacobian 128.
+//     prepared_jacobians 128.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse};
 
@@ -34,7 +34,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse
     WinderLinear: "winder_linear", "Bobbin on a winding drum, linear layer";
     run from 0.0, until 0.5, points 2001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
-    prepared; linear; series 0;
+    prepared; jacobians_at_once; linear; series 0;
 }
 
 ::machinist_contract::parameters! {
@@ -231,10 +231,11 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Para
     [R::literal(1.0), c.holder_v_dot_by_holder_x, c.holder_v_dot_by_holder_v]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 128 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 128 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 20] {
+pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 23] {
     let [holder_x, holder_v] = *state;
     let t0 = p.ovality_phase.add_product(c.t3, time);
     let drum_speed_times_time = c.drum_speed * time;
@@ -283,9 +284,11 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let holder_v_dot_by_layer_viscosity = c.t36 * (p.drum_radius * holder_v).add_product(c.t35, t3)
         .add_product(c.winding_speed_times_eccentricity, sin_drum_speed_times_time)
         * c.inverse_holder_mass;
-    [holder_v_dot_by_winding_speed, holder_v_dot_by_drum_radius, holder_v_dot_by_force_amplitude,
-        holder_v_dot_by_force_phase, holder_v_dot_by_package_force, holder_v_dot_by_package_phase,
-        holder_v_dot_by_ovality, holder_v_dot_by_ovality_phase, holder_v_dot_by_eccentricity,
+    [R::literal(1.0), c.holder_v_dot_by_holder_x, c.holder_v_dot_by_holder_v,
+        holder_v_dot_by_winding_speed, holder_v_dot_by_drum_radius,
+        holder_v_dot_by_force_amplitude, holder_v_dot_by_force_phase,
+        holder_v_dot_by_package_force, holder_v_dot_by_package_phase, holder_v_dot_by_ovality,
+        holder_v_dot_by_ovality_phase, holder_v_dot_by_eccentricity,
         holder_v_dot_by_holder_bobbin_mass, holder_v_dot_by_holder_link_mass,
         holder_v_dot_by_holder_link_arm, holder_v_dot_by_holder_holder_arm,
         holder_v_dot_by_holder_package_radius, holder_v_dot_by_holder_bobbin_radius,

@@ -45,7 +45,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitu
     WinderLinkage: "winder_linkage", "Four-link bobbin holder, at work";
     run from 0.0, until 1.0, points 101, rtol 1e-8, method "dop853";
     quadratures 0, discontinuities 0;
-    constraints; prepared;
+    constraints; prepared; jacobians_apart;
 }
 
 ::machinist_contract::parameters! {

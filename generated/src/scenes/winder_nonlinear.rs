@@ -18,9 +18,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 1, states 2, parameters 23, outputs 5.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 21 of 2 by 23.
-// Operations: rate 51, mass_matrix 10, forcing 39, rate_jacobian 30, parameter_jacobian 209,
-//     time_derivative 58, outputs 46, energy 35, power_balance 65, prepare 65, prepared_rate 34,
-//     prepared_rate_jacobian 13, prepared_parameter_jacobian 148.
+// Operations: rate 51, mass_matrix 10, forcing 39, rate_jacobian 31, parameter_jacobian 209,
+//     time_derivative 58, outputs 46, energy 35, power_balance 65, prepare 64, prepared_rate 34,
+//     prepared_rate_jacobian 14, prepared_jacobians 151.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -36,7 +36,7 @@ use ::machinist_contract::{
     WinderNonlinear: "winder_nonlinear", "Bobbin on a winding drum, stiffening layer";
     run from 0.0, until 0.5, points 2001, rtol 1e-8, method "tsit5";
     quadratures 0, discontinuities 0;
-    prepared; series 2;
+    prepared; jacobians_at_once; series 2;
 }
 
 ::machinist_contract::parameters! {
@@ -90,13 +90,13 @@ use ::machinist_contract::{
 
 ::machinist_contract::constants! {
     drum_speed, package_speed, t3, t5, eccentricity_times_drum_speed, inverse_holder_mass, t6, t7,
-    holder_v_dot_by_holder_v, t8, force_amplitude_over_drum_radius, t9, t10,
-    eccentricity_over_drum_radius, t12, t13, t14, t15, t16, t17, t18, t19,
-    ovality_times_layer_stiffness, t20, layer_viscosity_times_drum_speed, t21, t22, t23, t24, t25,
-    t26, t27, t28, t29, winding_speed_times_eccentricity, t30
+    holder_v_dot_by_holder_v, force_amplitude_over_drum_radius, t8, t9,
+    eccentricity_over_drum_radius, t11, t12, t13, t14, t15, t16, t17, t18,
+    ovality_times_layer_stiffness, t19, layer_viscosity_times_drum_speed, t20, t21, t22, t23, t24,
+    t25, t26, t27, t28, winding_speed_times_eccentricity, t29
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 65 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 64 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -113,46 +113,44 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t5 = t4 * drum_speed;
     let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
-    let t6 = p.holder_stiffness + p.layer_stiffness;
-    let t7 = R::literal(-3.0) * p.layer_cubic_stiffness;
+    let t6 = R::literal(3.0) * p.layer_cubic_stiffness;
+    let t7 = p.holder_stiffness + p.layer_stiffness;
     let holder_v_dot_by_holder_v = -(p.layer_viscosity * inverse_holder_mass);
-    let t8 = R::literal(3.0) * p.layer_cubic_stiffness;
     let force_amplitude_over_drum_radius = p.force_amplitude / p.drum_radius;
-    let t9 = p.package_force / p.holder_package_radius;
-    let t10 = t4 / p.drum_radius;
+    let t8 = p.package_force / p.holder_package_radius;
+    let t9 = t4 / p.drum_radius;
     let eccentricity_over_drum_radius = p.eccentricity / p.drum_radius;
-    let t11 = R::literal(4.0) * p.ovality;
-    let t12 = t11 * drum_speed / p.drum_radius;
-    let t13 = eccentricity_times_drum_speed / p.drum_radius;
-    let t14 = t5 / p.drum_radius;
-    let t15 = p.force_amplitude * drum_speed / p.drum_radius;
+    let t10 = R::literal(4.0) * p.ovality;
+    let t11 = t10 * drum_speed / p.drum_radius;
+    let t12 = eccentricity_times_drum_speed / p.drum_radius;
+    let t13 = t5 / p.drum_radius;
+    let t14 = p.force_amplitude * drum_speed / p.drum_radius;
     let drum_speed_squared = drum_speed * drum_speed;
-    let t16 = t11 * drum_speed_squared / p.drum_radius;
-    let t17 = p.eccentricity * drum_speed_squared / p.drum_radius;
-    let t18 = R::literal(2.0) * p.layer_viscosity * drum_speed;
-    let t19 = t4 * p.layer_viscosity * drum_speed;
+    let t15 = t10 * drum_speed_squared / p.drum_radius;
+    let t16 = p.eccentricity * drum_speed_squared / p.drum_radius;
+    let t17 = R::literal(2.0) * p.layer_viscosity * drum_speed;
+    let t18 = t4 * p.layer_viscosity * drum_speed;
     let ovality_times_layer_stiffness = p.ovality * p.layer_stiffness;
-    let t20 = R::literal(-3.0) * p.ovality * p.layer_cubic_stiffness;
+    let t19 = R::literal(-3.0) * p.ovality * p.layer_cubic_stiffness;
     let layer_viscosity_times_drum_speed = p.layer_viscosity * drum_speed;
-    let t21 = p.holder_link_arm / p.holder_holder_arm;
-    let t22 = p.holder_link_mass / p.holder_holder_arm;
-    let t23 = t2 / (p.holder_holder_arm * p.holder_holder_arm);
-    let t24 = p.package_force * package_speed / p.holder_package_radius;
-    let t25 = R::literal(core::f64::consts::TAU) * p.holder_package_radius * p.holder_package_width
+    let t20 = p.holder_link_arm / p.holder_holder_arm;
+    let t21 = p.holder_link_mass / p.holder_holder_arm;
+    let t22 = t2 / (p.holder_holder_arm * p.holder_holder_arm);
+    let t23 = p.package_force * package_speed / p.holder_package_radius;
+    let t24 = R::literal(core::f64::consts::TAU) * p.holder_package_radius * p.holder_package_width
         * p.holder_yarn_density;
-    let t26 = R::literal(core::f64::consts::TAU) * p.holder_bobbin_radius * p.holder_package_width
+    let t25 = R::literal(core::f64::consts::TAU) * p.holder_bobbin_radius * p.holder_package_width
         * p.holder_yarn_density;
-    let t27 = R::literal(-3.141_592_653_589_793) * p.holder_yarn_density * t0;
-    let t28 = t1 * t0;
-    let t29 = R::literal(2.0) * p.winding_speed * p.ovality;
+    let t26 = R::literal(-3.141_592_653_589_793) * p.holder_yarn_density * t0;
+    let t27 = t1 * t0;
+    let t28 = R::literal(2.0) * p.winding_speed * p.ovality;
     let winding_speed_times_eccentricity = p.winding_speed * p.eccentricity;
-    let t30 = R::literal(-1.0) / p.drum_radius;
+    let t29 = R::literal(-1.0) / p.drum_radius;
     Constants { drum_speed, package_speed, t3, t5, eccentricity_times_drum_speed,
-        inverse_holder_mass, t6, t7, holder_v_dot_by_holder_v, t8,
-        force_amplitude_over_drum_radius, t9, t10, eccentricity_over_drum_radius, t12, t13, t14,
-        t15, t16, t17, t18, t19, ovality_times_layer_stiffness, t20,
-        layer_viscosity_times_drum_speed, t21, t22, t23, t24, t25, t26, t27, t28, t29,
-        winding_speed_times_eccentricity, t30 }
+        inverse_holder_mass, t6, t7, holder_v_dot_by_holder_v, force_amplitude_over_drum_radius,
+        t8, t9, eccentricity_over_drum_radius, t11, t12, t13, t14, t15, t16, t17, t18,
+        ovality_times_layer_stiffness, t19, layer_viscosity_times_drum_speed, t20, t21, t22, t23,
+        t24, t25, t26, t27, t28, winding_speed_times_eccentricity, t29 }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -221,7 +219,7 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     [holder_x_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 13 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 14 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 3] {
@@ -230,15 +228,16 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         = R::sin_cos_each([p.ovality_phase.add_product(c.t3, time), c.drum_speed * time]);
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t0);
     let layer_compression = shape - holder_x;
-    let holder_v_dot_by_holder_x = (-c.t6).add_product(c.t7, layer_compression * layer_compression)
-        * c.inverse_holder_mass;
+    let holder_v_dot_by_holder_x = -(c.t7.add_product(c.t6, layer_compression * layer_compression)
+        * c.inverse_holder_mass);
     [R::literal(1.0), holder_v_dot_by_holder_x, c.holder_v_dot_by_holder_v]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 148 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 151 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
-        c: &Constants<R>) -> [R; 21] {
+pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 24] {
     let [holder_x, holder_v] = *state;
     let t0 = p.ovality_phase.add_product(c.t3, time);
     let drum_speed_times_time = c.drum_speed * time;
@@ -247,59 +246,61 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let [(t3, t4), (sin_drum_speed_times_time, cos_drum_speed_times_time), (t5, t6), (t7, t8)]
         = R::sin_cos_each([t0, drum_speed_times_time, t1, t2]);
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t4);
-    let force = (p.force_amplitude * t6).add_product(p.package_force, t8);
     let layer_compression = shape - holder_x;
     let layer_compression_squared = layer_compression * layer_compression;
-    let t9 = layer_compression_squared * layer_compression;
+    let t9 = c.t6 * layer_compression_squared;
+    let holder_v_dot_by_holder_x = -((c.t7 + t9) * c.inverse_holder_mass);
+    let force = (p.force_amplitude * t6).add_product(p.package_force, t8);
+    let t10 = layer_compression_squared * layer_compression;
     let holder_v_dot = (force.sub_product(p.layer_viscosity, (c.eccentricity_times_drum_speed
         * sin_drum_speed_times_time).add_product(c.t5, t3) + holder_v) - (p.holder_stiffness
         * holder_x).sub_product(p.layer_stiffness, layer_compression)
-        .sub_product(p.layer_cubic_stiffness, t9)) * c.inverse_holder_mass;
-    let t10 = c.t8 * layer_compression_squared;
-    let t11 = (c.eccentricity_over_drum_radius * time * sin_drum_speed_times_time)
-        .add_product(c.t10 * time, t3);
-    let t12 = c.t13 * time;
+        .sub_product(p.layer_cubic_stiffness, t10)) * c.inverse_holder_mass;
+    let t11 = (c.eccentricity_over_drum_radius * time * sin_drum_speed_times_time).add_product(c.t9
+        * time, t3);
+    let t12 = c.t12 * time;
     let holder_v_dot_by_winding_speed = -(((c.force_amplitude_over_drum_radius * time * t5)
-        .add_product(p.layer_viscosity, (c.t12 * time * t4).add_product(c.t10, t3).add_product(t12,
+        .add_product(p.layer_viscosity, (c.t11 * time * t4).add_product(c.t9, t3).add_product(t12,
         cos_drum_speed_times_time).add_product(c.eccentricity_over_drum_radius,
-        sin_drum_speed_times_time)).add_product(c.t9 * time, t7) + (p.layer_stiffness * t11)
-        .add_product(c.t8 * t11, layer_compression_squared)) * c.inverse_holder_mass);
-    let t13 = (t12 * sin_drum_speed_times_time).add_product(c.t14 * time, t3);
-    let holder_v_dot_by_drum_radius = ((c.t15 * time * t5).add_product(p.layer_viscosity,
-        (c.t14 * t3).add_product(c.t16 * time, t4).add_product(c.t17 * time,
-        cos_drum_speed_times_time).add_product(c.t13, sin_drum_speed_times_time))
-        + (p.layer_stiffness * t13).add_product(c.t8 * t13, layer_compression_squared))
+        sin_drum_speed_times_time)).add_product(c.t8 * time, t7) + (p.layer_stiffness * t11)
+        .add_product(c.t6 * t11, layer_compression_squared)) * c.inverse_holder_mass);
+    let t13 = (t12 * sin_drum_speed_times_time).add_product(c.t13 * time, t3);
+    let holder_v_dot_by_drum_radius = ((c.t14 * time * t5).add_product(p.layer_viscosity,
+        (c.t13 * t3).add_product(c.t15 * time, t4).add_product(c.t16 * time,
+        cos_drum_speed_times_time).add_product(c.t12, sin_drum_speed_times_time))
+        + (p.layer_stiffness * t13).add_product(c.t6 * t13, layer_compression_squared))
         * c.inverse_holder_mass;
     let holder_v_dot_by_force_amplitude = t6 * c.inverse_holder_mass;
     let holder_v_dot_by_force_phase = -(p.force_amplitude * t5 * c.inverse_holder_mass);
     let holder_v_dot_by_package_force = t8 * c.inverse_holder_mass;
     let holder_v_dot_by_package_phase = -(p.package_force * t7 * c.inverse_holder_mass);
-    let holder_v_dot_by_ovality = (p.layer_stiffness * t4).add_product(t10, t4).sub_product(c.t18,
+    let holder_v_dot_by_ovality = (p.layer_stiffness * t4).add_product(t9, t4).sub_product(c.t17,
         t3) * c.inverse_holder_mass;
-    let holder_v_dot_by_ovality_phase = (-(c.ovality_times_layer_stiffness * t3)).add_product(c.t20
-        * layer_compression_squared, t3).sub_product(c.t19, t4) * c.inverse_holder_mass;
+    let holder_v_dot_by_ovality_phase = (-(c.ovality_times_layer_stiffness * t3)).add_product(c.t19
+        * layer_compression_squared, t3).sub_product(c.t18, t4) * c.inverse_holder_mass;
     let holder_v_dot_by_eccentricity = (p.layer_stiffness * cos_drum_speed_times_time)
-        .add_product(t10, cos_drum_speed_times_time)
-        .sub_product(c.layer_viscosity_times_drum_speed, sin_drum_speed_times_time)
-        * c.inverse_holder_mass;
+        .add_product(t9, cos_drum_speed_times_time).sub_product(c.layer_viscosity_times_drum_speed,
+        sin_drum_speed_times_time) * c.inverse_holder_mass;
     let holder_v_dot_by_holder_bobbin_mass = -(holder_v_dot * c.inverse_holder_mass);
-    let holder_v_dot_by_holder_link_mass = -(c.t21 * holder_v_dot * c.inverse_holder_mass);
-    let holder_v_dot_by_holder_link_arm = -(c.t22 * holder_v_dot * c.inverse_holder_mass);
-    let holder_v_dot_by_holder_holder_arm = c.t23 * holder_v_dot * c.inverse_holder_mass;
-    let holder_v_dot_by_holder_package_radius = (c.t24 * time * t7).sub_product(c.t25,
+    let holder_v_dot_by_holder_link_mass = -(c.t20 * holder_v_dot * c.inverse_holder_mass);
+    let holder_v_dot_by_holder_link_arm = -(c.t21 * holder_v_dot * c.inverse_holder_mass);
+    let holder_v_dot_by_holder_holder_arm = c.t22 * holder_v_dot * c.inverse_holder_mass;
+    let holder_v_dot_by_holder_package_radius = (c.t23 * time * t7).sub_product(c.t24,
         holder_v_dot) * c.inverse_holder_mass;
-    let holder_v_dot_by_holder_bobbin_radius = c.t26 * holder_v_dot * c.inverse_holder_mass;
-    let holder_v_dot_by_holder_package_width = c.t27 * holder_v_dot * c.inverse_holder_mass;
-    let holder_v_dot_by_holder_yarn_density = -(c.t28 * holder_v_dot * c.inverse_holder_mass);
+    let holder_v_dot_by_holder_bobbin_radius = c.t25 * holder_v_dot * c.inverse_holder_mass;
+    let holder_v_dot_by_holder_package_width = c.t26 * holder_v_dot * c.inverse_holder_mass;
+    let holder_v_dot_by_holder_yarn_density = -(c.t27 * holder_v_dot * c.inverse_holder_mass);
     let holder_v_dot_by_holder_stiffness = -(holder_x * c.inverse_holder_mass);
     let holder_v_dot_by_layer_stiffness = layer_compression * c.inverse_holder_mass;
-    let holder_v_dot_by_layer_cubic_stiffness = t9 * c.inverse_holder_mass;
-    let holder_v_dot_by_layer_viscosity = c.t30 * (p.drum_radius * holder_v).add_product(c.t29, t3)
+    let holder_v_dot_by_layer_cubic_stiffness = t10 * c.inverse_holder_mass;
+    let holder_v_dot_by_layer_viscosity = c.t29 * (p.drum_radius * holder_v).add_product(c.t28, t3)
         .add_product(c.winding_speed_times_eccentricity, sin_drum_speed_times_time)
         * c.inverse_holder_mass;
-    [holder_v_dot_by_winding_speed, holder_v_dot_by_drum_radius, holder_v_dot_by_force_amplitude,
-        holder_v_dot_by_force_phase, holder_v_dot_by_package_force, holder_v_dot_by_package_phase,
-        holder_v_dot_by_ovality, holder_v_dot_by_ovality_phase, holder_v_dot_by_eccentricity,
+    [R::literal(1.0), holder_v_dot_by_holder_x, c.holder_v_dot_by_holder_v,
+        holder_v_dot_by_winding_speed, holder_v_dot_by_drum_radius,
+        holder_v_dot_by_force_amplitude, holder_v_dot_by_force_phase,
+        holder_v_dot_by_package_force, holder_v_dot_by_package_phase, holder_v_dot_by_ovality,
+        holder_v_dot_by_ovality_phase, holder_v_dot_by_eccentricity,
         holder_v_dot_by_holder_bobbin_mass, holder_v_dot_by_holder_link_mass,
         holder_v_dot_by_holder_link_arm, holder_v_dot_by_holder_holder_arm,
         holder_v_dot_by_holder_package_radius, holder_v_dot_by_holder_bobbin_radius,

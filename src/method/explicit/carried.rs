@@ -16,7 +16,7 @@ pub(super) struct Carried {
     state_width: usize,
     /// S', stage after stage.
     stages: Vec<f64>,
-    /// J of the stages, one after another.
+    /// J and dy'/dp of the stages, one after another.
     jacobians: Vec<f64>,
     /// df/dp of the stages.
     drives: Vec<f64>,
@@ -40,7 +40,7 @@ impl Carried {
             width,
             state_width,
             stages: vec![0.0; width * count],
-            jacobians: vec![0.0; tangents.equations().nonzeros() * count],
+            jacobians: vec![0.0; tangents.equations().values() * count],
             drives: vec![0.0; width * count],
             sums: pair.rows.iter().chain(pair.dense.extra).map(|row| sum(row, width)).collect(),
             estimates: pair.estimates.iter().map(|row| sum(row, width)).collect(),
@@ -71,10 +71,10 @@ impl Carried {
         stage: usize,
         evaluate: impl FnOnce(&[f64], &mut [f64], &mut [f64]),
     ) {
-        let nonzeros = tangents.equations().nonzeros();
-        let jacobian = &mut self.jacobians[stage * nonzeros..][..nonzeros];
+        let values = tangents.equations().values();
+        let jacobians = &mut self.jacobians[stage * values..][..values];
         let drive = &mut self.drives[stage * self.width..][..tangents.len()];
-        evaluate(&self.states[stage * self.state_width..], jacobian, drive);
+        evaluate(&self.states[stage * self.state_width..], jacobians, drive);
     }
 
     /// Computes some of the stages, over a step.
@@ -125,10 +125,10 @@ impl Work for Recursion<'_> {
     #[inline(always)]
     fn run(self) {
         let Carried { width, stages, jacobians, drives, sums, argument, start, .. } = self.carried;
-        let nonzeros = self.equations.nonzeros();
+        let values = self.equations.values();
         for stage in self.stages {
             combine_many(&sums[stage], stages, self.step, Some(start), argument);
-            let jacobian = &jacobians[stage * nonzeros..][..nonzeros];
+            let jacobian = &jacobians[stage * values..][..values];
             let of_stage = stage * *width..(stage + 1) * *width;
             let of = (jacobian, &drives[of_stage.clone()]);
             self.equations.rate(of, argument, &mut stages[of_stage]);

@@ -19,7 +19,7 @@ pub(crate) fn columns(
     let of_outputs = tangents.of_outputs(outputs, times, (rows, width), &sensitivities);
     let quantities = (0..tangents.states).map(|index| simulator.state(index));
     let quantities = quantities.chain((0..outputs).map(|index| simulator.output(index)));
-    let values = transposed(&sensitivities, tangents.len());
+    let values = transposed(&sensitivities, tangents.len()).into_iter();
     let values = values.chain(transposed(&of_outputs, outputs * by.len()));
     let directions: Vec<_> = by.iter().map(|by| (by, by.quantity(simulator))).collect();
     quantities
@@ -65,9 +65,20 @@ impl Tangents<'_> {
     }
 }
 
-/// The columns of a matrix that is given row after row.
-fn transposed(rows: &[f64], width: usize) -> impl Iterator<Item = Vec<f64>> {
-    (0..width).map(move |first| rows.iter().skip(first).step_by(width).copied().collect())
+/// The columns of a matrix that is given row after row; so many at once that a row is read by
+/// whole lines of the cache.
+fn transposed(rows: &[f64], width: usize) -> Vec<Vec<f64>> {
+    const BLOCK: usize = 8;
+    let count = rows.len().checked_div(width).unwrap_or(0);
+    let mut columns: Vec<_> = (0..width).map(|_| vec![0.0; count]).collect();
+    for (block, columns) in columns.chunks_mut(BLOCK).enumerate() {
+        for (index, row) in rows.chunks_exact(width).enumerate() {
+            for (column, value) in columns.iter_mut().zip(&row[block * BLOCK..]) {
+                column[index] = *value;
+            }
+        }
+    }
+    columns
 }
 
 fn column(of: Quantity<'_>, by: By, quantity: Quantity<'_>, values: Vec<f64>) -> Column {
@@ -101,7 +112,7 @@ mod tests {
 
     #[test]
     fn rows_become_columns_also_where_there_are_none() {
-        let columns = |rows: &[f64]| transposed(rows, 2).collect::<Vec<_>>();
+        let columns = |rows: &[f64]| transposed(rows, 2);
         assert_eq!(columns(&[1.0, 2.0, 3.0, 4.0]), [[1.0, 3.0], [2.0, 4.0]]);
         assert_eq!(columns(&[]), [[0.0; 0]; 2]);
     }

@@ -14,8 +14,11 @@ pub(crate) struct Equations {
     rows: Vec<(usize, Range<usize>)>,
     /// Where the row of S begins that an entry of J is multiplied with.
     columns: Vec<usize>,
-    /// (entry of dy'/dp, place in S') of the parameters among the directions.
+    /// (place among the values, place in S') of entries of dy'/dp of the parameters among the
+    /// directions.
     driven: Vec<(usize, usize)>,
+    /// See [`Equations::values`].
+    values: usize,
 }
 
 impl Equations {
@@ -27,11 +30,12 @@ impl Equations {
         directions: &[Option<usize>],
     ) -> Self {
         let count = directions.len();
+        let nonzeros = jacobian.entries.len();
         let mut driven = Vec::new();
         for (entry, (row, column)) in by_parameters.entries.iter().enumerate() {
             for (direction, parameter) in directions.iter().enumerate() {
                 if *parameter == Some(*column as usize) {
-                    driven.push((entry, *row as usize * count + direction));
+                    driven.push((nonzeros + entry, *row as usize * count + direction));
                 }
             }
         }
@@ -44,12 +48,13 @@ impl Equations {
             (index * count, from..first)
         };
         let rows = (0..jacobian.rows).map(row).collect();
-        Self { directions: count, rows, columns, driven }
+        let values = nonzeros + if driven.is_empty() { 0 } else { by_parameters.entries.len() };
+        Self { directions: count, rows, columns, driven, values }
     }
 
-    /// Nonzeros of J.
-    pub(crate) fn nonzeros(&self) -> usize {
-        self.columns.len()
+    /// How many values they are made of: nonzeros of J, then those of dy'/dp if any is asked for.
+    pub(crate) fn values(&self) -> usize {
+        self.values
     }
 
     /// Whether any direction is a parameter that a rate depends on.
@@ -57,10 +62,10 @@ impl Equations {
         !self.driven.is_empty()
     }
 
-    /// Writes df/dp of the directions where it is not zero, from dy'/dp.
-    pub(super) fn drive(&self, by_parameters: &[f64], into: &mut [f64]) {
+    /// Writes df/dp of the directions where it is not zero, from the values.
+    pub(super) fn drive(&self, values: &[f64], into: &mut [f64]) {
         for (entry, place) in &self.driven {
-            into[*place] = by_parameters[*entry];
+            into[*place] = values[*entry];
         }
     }
 
@@ -108,7 +113,7 @@ impl Equations {
     }
 }
 
-/// Values of J, and df/dp.
+/// Values that begin with J, and df/dp.
 pub(crate) type Linear<'a> = (&'a [f64], &'a [f64]);
 
 /// So many numbers from a place on.
@@ -150,12 +155,14 @@ mod tests {
         let by_parameters = pattern(&[(0, 1), (1, 0), (1, 1)], 2);
         let directions: Vec<_> = (0..13).map(|k| [None, Some(0), Some(1)][k % 3]).collect();
         let equations = Equations::new(jacobian, by_parameters, &directions);
-        let (j, p) = ([2.0, 3.0, 5.0], [7.0, 11.0, 13.0]);
+        // J, then dy'/dp.
+        let values = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0];
         let s: Vec<f64> = (0..39).map(f64::from).collect();
         let mut drive = vec![0.0; s.len()];
-        equations.drive(&p, &mut drive);
+        assert_eq!(equations.values(), values.len());
+        equations.drive(&values, &mut drive);
         let mut found = vec![f64::NAN; s.len()];
-        let of = (&j[..], &drive[..]);
+        let of = (&values[..], &drive[..]);
         widest(Product { equations: &equations, of, tangents: &s, into: &mut found });
         for (k, by) in directions.iter().enumerate() {
             let [x, y, z] = [s[k], s[13 + k], s[26 + k]];

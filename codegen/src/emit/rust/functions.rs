@@ -23,6 +23,7 @@ pub(super) fn functions(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
         _ if scene.prepare.is_empty() => function(scene, row, None),
         FunctionId::Rate => function(scene, row, Some(&hoisted.rate)),
         FunctionId::RateJacobian => function(scene, row, Some(&hoisted.rate_jacobian)),
+        FunctionId::ParameterJacobian if scene.gives_jacobians_at_once() => jacobians(scene),
         FunctionId::ParameterJacobian => function(scene, row, Some(&hoisted.parameter_jacobian)),
         _ => function(scene, row, None),
     });
@@ -81,6 +82,44 @@ fn function(
             #value
         }
         #statics
+    })
+}
+
+/// The name of what gives both Jacobians at once.
+pub(super) const JACOBIANS: &str = "prepared_jacobians";
+
+/// dy'/dy and dy'/dp at once, by constants, from which the contract makes dy'/dp alone.
+fn jacobians(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
+    let tape = &scene.prepare.hoisted.jacobians;
+    let names = [FunctionId::RateJacobian, FunctionId::ParameterJacobian];
+    let names = names.iter().flat_map(|id| result_names(scene, id.row()).names).collect();
+    let names = ResultNames { names, spread: true };
+    let Body { statements, results, reads } =
+        body(JACOBIANS, tape, &scene.scope(&scene.prepare.constants), &names)?;
+    let p = argument(reads.parameters, "p");
+    let time = argument(reads.time, "time");
+    let state = argument(!reads.state.is_empty(), "state");
+    let c = argument(reads.constants, "c");
+    let destructured = destructure(&scene.states, &reads.state);
+    let docs = documentation(
+        "`rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from \
+         `prepare`.",
+        operations(tape),
+    );
+    let (name, length) = (format_ident!("{JACOBIANS}"), Literal::usize_unsuffixed(results.len()));
+    Ok(quote! {
+        #docs
+        #[must_use]
+        pub fn #name<R: Real>(
+            #time: R,
+            #state: &[R; STATES],
+            #p: &Parameters<R>,
+            #c: &Constants<R>
+        ) -> [R; #length] {
+            #destructured
+            #(#statements)*
+            [#(#results),*]
+        }
     })
 }
 

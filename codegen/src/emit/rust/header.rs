@@ -1,6 +1,7 @@
 //! The comment at the top of an emitted file: where it comes from and what is
 //! in it.
 
+use super::functions::JACOBIANS;
 use super::layout::broken;
 use crate::emit::EmitOptions;
 use crate::emit::text::comment_lines;
@@ -82,13 +83,18 @@ fn sparsity(model: &Model) -> Vec<String> {
 /// Operations of every function, as without constants and with them.
 fn costs(model: &Model) -> Vec<String> {
     let rows = model.functions().map(|row| (row.name, operations((row.tape)(model))));
-    let Hoisted { constants, rate, rate_jacobian, parameter_jacobian, motion } =
+    let Hoisted { constants, rate, rate_jacobian, parameter_jacobian, jacobians, motion } =
         Hoisted::new(model);
+    let by_parameters = if model.gives_jacobians_at_once() {
+        (JACOBIANS, &jacobians)
+    } else {
+        ("prepared_parameter_jacobian", &parameter_jacobian)
+    };
     let prepared = [
         ("prepare", &constants),
         ("prepared_rate", &rate),
         ("prepared_rate_jacobian", &rate_jacobian),
-        ("prepared_parameter_jacobian", &parameter_jacobian),
+        by_parameters,
         ("motion", &motion),
     ];
     let has_constants = !constants.results.is_empty();

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
 
+use super::functions::JACOBIANS;
 use crate::emit::EmitError;
 use machinist_model::functions::Gives;
 
@@ -43,7 +44,8 @@ const RESERVED: &[&str] = &[
 ];
 
 /// Functions that are not in their table.
-const FUNCTIONS: &[&str] = &["series", "prepare", "excitation", "switches", "substitute"];
+const FUNCTIONS: &[&str] =
+    &["series", "prepare", JACOBIANS, "excitation", "switches", "substitute"];
 
 /// Names of the functions, and of the constants that say how much they give.
 fn of_the_table() -> impl Iterator<Item = &'static str> {

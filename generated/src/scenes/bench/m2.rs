@@ -22,7 +22,7 @@
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 27 of 8 by 8, parameter_jacobian 2 of 8 by 1.
 // Operations: rate 50, forcing 23, rate_jacobian 29, parameter_jacobian 2, time_derivative 22,
 //     outputs 1, energy 28, power_balance 108, prepare 2, prepared_rate 50,
-//     prepared_rate_jacobian 27, prepared_parameter_jacobian 2.
+//     prepared_rate_jacobian 27, prepared_jacobians 29.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -38,7 +38,7 @@ use ::machinist_contract::{
     M2: "m2", "Benchmark M2: saw gin";
     run from 0.0, until 2.0, points 501, rtol 1e-8, method "auto";
     quadratures 1, discontinuities 0;
-    coordinates; prepared; series 9 Saturates;
+    coordinates; prepared; jacobians_at_once; series 9 Saturates;
 }
 
 ::machinist_contract::parameters! {
@@ -211,16 +211,46 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], _p: &Parame
         motor_psi_ry_dot_by_motor_psi_rx, R::literal(-26.954_864_967_800_425), R::literal(1.0)]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 2 operations.
+/// `rate_jacobian`, then `parameter_jacobian`, with the constants of the parameters from `prepare`.
+/// 29 operations.
 #[must_use]
-pub fn prepared_parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
-        _c: &Constants<R>) -> [R; 2] {
-    let [coupling_twist, ..] = *state;
+pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>,
+        c: &Constants<R>) -> [R; 29] {
+    let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
+        motor_psi_ry, ..] = *state;
+    let t0 = R::literal(4.0) * motor_omega;
+    let motor_slip_speed = R::literal(314.159_265_358_979_3) - t0;
+    let load_engagement = R::literal(1.0) / (R::literal(1.0) + (R::literal(-50.0)
+        * (time - R::literal(1.2))).exp());
+    let t1 = (R::literal(2.0) * cylinder_omega).tanh();
+    let motor_psi_rx_dot_by_motor_omega = R::literal(-4.0) * motor_psi_ry;
+    let motor_psi_ry_dot_by_motor_omega = R::literal(4.0) * motor_psi_rx;
+    let cylinder_omega_dot_by_cylinder_omega = R::literal(-128.5346).sub_product(R::literal(2.0)
+        * load_engagement * R::literal(1.0).sub_product(t1, t1), R::literal(843.72)
+        .add_product(R::literal(78.78), (R::literal(241.805_307_826_689_27) * time).sin()))
+        * R::literal(0.803_858_520_900_321_5);
+    let motor_omega_dot_by_motor_psi_sx = R::literal(-1_148.118_519_816_103_6) * motor_psi_ry;
+    let motor_omega_dot_by_motor_psi_sy = R::literal(1_148.118_519_816_103_6) * motor_psi_rx;
+    let motor_omega_dot_by_motor_psi_rx = R::literal(1_148.118_519_816_103_6) * motor_psi_sy;
+    let motor_psi_ry_dot_by_motor_psi_rx = t0 - R::literal(314.159_265_358_979_3);
+    let motor_omega_dot_by_motor_psi_ry = R::literal(-1_148.118_519_816_103_6) * motor_psi_sx;
     let cylinder_omega_dot_by_coupling_stiffness = coupling_twist
         * R::literal(0.803_858_520_900_321_5);
     let motor_omega_dot_by_coupling_stiffness = coupling_twist
         * R::literal(-0.238_095_238_095_238_08);
-    [motor_omega_dot_by_coupling_stiffness, cylinder_omega_dot_by_coupling_stiffness]
+    [R::literal(1.0), R::literal(-1.0), c.motor_omega_dot_by_coupling_twist,
+        R::literal(-30.603_476_190_476_19), R::literal(30.603_476_190_476_19),
+        motor_omega_dot_by_motor_psi_sx, motor_omega_dot_by_motor_psi_sy,
+        motor_omega_dot_by_motor_psi_rx, motor_omega_dot_by_motor_psi_ry,
+        c.cylinder_omega_dot_by_coupling_twist, R::literal(103.323_633_440_514_47),
+        cylinder_omega_dot_by_cylinder_omega, R::literal(-36.128_315_516_282_62),
+        R::literal(314.159_265_358_979_3), R::literal(34.394_156_371_501_055),
+        R::literal(-314.159_265_358_979_3), R::literal(-36.128_315_516_282_62),
+        R::literal(34.394_156_371_501_055), motor_psi_rx_dot_by_motor_omega,
+        R::literal(25.768_850_909_217_203), R::literal(-26.954_864_967_800_425), motor_slip_speed,
+        motor_psi_ry_dot_by_motor_omega, R::literal(25.768_850_909_217_203),
+        motor_psi_ry_dot_by_motor_psi_rx, R::literal(-26.954_864_967_800_425), R::literal(1.0),
+        motor_omega_dot_by_coupling_stiffness, cylinder_omega_dot_by_coupling_stiffness]
 }
 
 /// Partial derivative of `y'` with respect to time. 22 operations.

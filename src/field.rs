@@ -22,7 +22,7 @@ mod rates;
 mod section;
 mod simulator;
 
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use machinist_contract::field::{FieldScene, HANDED, MAX_ORDER};
 use machinist_contract::{Dual, Real, Shape};
@@ -77,6 +77,7 @@ pub enum FieldError {
 /// the values at nodes is kept between calls, so that no call allocates.
 pub struct FieldSimulator<'a, R> {
     scene: Scene<'a, R>,
+    discretisation: Discretisation,
     machine: Shape,
     /// Parameters without those that fields hand over.
     parameters: usize,
@@ -105,13 +106,36 @@ pub struct FieldSimulator<'a, R> {
     mass_matrix: Vec<(u32, u32)>,
     machine_parameter_jacobian: Vec<(u32, u32)>,
     work: Mutex<Work<R>>,
-    on_duals: Option<Box<FieldSimulator<'a, Dual>>>,
+    on_duals: Option<OnDuals<'a>>,
+}
+
+/// The scene on dual numbers, cut once derivatives are asked for.
+struct OnDuals<'a> {
+    scene: Scene<'a, Dual>,
+    discretisation: Discretisation,
+    cut: OnceLock<Option<Box<FieldSimulator<'a, Dual>>>>,
+}
+
+impl<'a> OnDuals<'a> {
+    fn get(&self) -> Option<&FieldSimulator<'a, Dual>> {
+        let cut = || FieldSimulator::cut(self.scene.clone(), self.discretisation).ok();
+        self.cut.get_or_init(|| cut().map(Box::new)).as_deref()
+    }
 }
 
 /// The scene whose fields are cut.
 enum Scene<'a, R> {
     Borrowed(&'a dyn FieldScene<R>),
     Shared(Arc<dyn FieldScene<R> + Send>),
+}
+
+impl<R> Clone for Scene<'_, R> {
+    fn clone(&self) -> Self {
+        match self {
+            Self::Borrowed(scene) => Self::Borrowed(*scene),
+            Self::Shared(scene) => Self::Shared(scene.clone()),
+        }
+    }
 }
 
 impl<R: Real> Scene<'_, R> {
@@ -210,10 +234,22 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         Self::cut(Scene::Shared(scene), discretisation)
     }
 
-    /// It with itself on dual numbers, cut alike, for derivatives of outputs and of the start.
+    /// It with its scene on dual numbers, cut alike once somebody asks for derivatives of outputs
+    /// or of the start.
     #[must_use]
-    pub fn with_derivatives(self, on_duals: FieldSimulator<'a, Dual>) -> Self {
-        Self { on_duals: Some(Box::new(on_duals)), ..self }
+    pub fn with_derivatives(self, scene: &'a dyn FieldScene<Dual>) -> Self {
+        self.on_duals(Scene::Borrowed(scene))
+    }
+
+    /// Likewise, of a scene that it keeps.
+    #[must_use]
+    pub fn with_shared_derivatives(self, scene: Arc<dyn FieldScene<Dual> + Send>) -> Self {
+        self.on_duals(Scene::Shared(scene))
+    }
+
+    fn on_duals(self, scene: Scene<'a, Dual>) -> Self {
+        let (discretisation, cut) = (self.discretisation, OnceLock::new());
+        Self { on_duals: Some(OnDuals { scene, discretisation, cut }), ..self }
     }
 
     /// The scene.
@@ -257,6 +293,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
             work: Mutex::new(Work::new(scene, &meshes)),
             meshes,
             scene: of,
+            discretisation,
             on_duals: None,
         };
         simulator.name_nodes();

@@ -1,5 +1,6 @@
 //! Sensitivities along a run: against closed forms, and against differences of runs.
 
+use machinist::field::{Discretisation, FieldSimulator};
 use machinist::{Method, SimulateError, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
@@ -8,7 +9,7 @@ use machinist_scenes::scenes;
 use crate::common::{Oscillator, oscillator_state};
 use machinist_model::ModelSimulator;
 
-use crate::own_scene::{of_specs, of_text};
+use crate::own_scene::{model_of_specs, of_specs, of_text};
 
 const EXPLICIT: [Method; 2] = [Method::Tsit5, Method::Dop853];
 
@@ -317,6 +318,44 @@ fn stiff_machines_are_carried_by_radau() {
             assert!(off < 1e-6, "{method} by {by}: {off:e}");
         }
     }
+}
+
+/// Of emitted code and of models, by parameters of the field, of the machine beside it and of where
+/// ports are. The gin's shaft is made soft: twists of a stiff one are rounding in differences.
+#[test]
+fn scenes_with_fields_agree_with_differences() {
+    type Case<'c> = (&'c str, f64, &'c [&'c str], Method, f64);
+    let cases: [Case<'_>; 3] = [
+        ("saw_gin_shaft", 0.05, &["saws.inertia", "motor.inertia"], Method::Radau, 1e-7),
+        ("shaft_with_rotors", 0.005, &["shaft.length", "driven.inertia"], Method::Dop853, 1e-7),
+        ("loom_drive", 0.1, &["shaft.reed_position", "crank.stiffness"], Method::Radau, 1e-5),
+    ];
+    let wanted = Discretisation { elements: Some(4), order: Some(2) };
+    // Where a reed is hardly moves a motor, and differences are rounding there.
+    for (name, until, by, method, allowed) in cases {
+        let emitted = scenes::find_field_f64(name).expect("built in");
+        let emitted = FieldSimulator::new(emitted, wanted).expect("elements");
+        let emitted = emitted.with_derivatives(scenes::find_field_duals(name).expect("built in"));
+        let model = ModelSimulator::new(model_of_specs(name, Keep::Needed));
+        let own = FieldSimulator::new(model.with_fields(), wanted).expect("elements");
+        let own = own.with_derivatives(model.with_fields_on_duals());
+        for scene in [&emitted, &own] {
+            for by in by {
+                let off = off_differences(
+                    scene,
+                    &|run| softened(run.rtol(1e-12).method(method).until(until).points(11)),
+                    by,
+                    1e-3,
+                );
+                assert!(off < allowed, "{name} by {by}, {method}: {off:e}");
+            }
+        }
+    }
+}
+
+/// With a softer cylinder, where there is one.
+fn softened(run: Simulation<'_>) -> Simulation<'_> {
+    run.clone().parameter("saws.shear_modulus", 8e6).unwrap_or(run)
 }
 
 #[test]

@@ -115,10 +115,8 @@ impl Machine {
         let model = Arc::new(ModelSimulator::new(model));
         let wanted = Discretisation { elements: export.elements, order: export.order };
         let cut = if has_fields {
-            let on_duals =
-                FieldSimulator::of_shared(model.clone().shared_with_fields_on_duals(), wanted)?;
             let cut = FieldSimulator::of_shared(model.clone().shared_with_fields(), wanted)?;
-            Some(cut.with_derivatives(on_duals))
+            Some(cut.with_shared_derivatives(model.clone().shared_with_fields_on_duals()))
         } else if wanted == Discretisation::default() {
             None
         } else {

@@ -79,11 +79,16 @@ impl Source {
     pub fn cut(&self) -> Result<FieldSimulator<'_, f64>, Failure> {
         match self {
             Self::Fields(simulator, wanted) => {
-                Ok(FieldSimulator::new(simulator.with_fields(), *wanted)?)
+                let cut = FieldSimulator::new(simulator.with_fields(), *wanted)?;
+                Ok(cut.with_derivatives(simulator.with_fields_on_duals()))
             }
             Self::BuiltInFields(name, wanted) => {
                 let scene = scenes::find_field_f64(name).expect("it was found before");
-                Ok(FieldSimulator::new(scene, *wanted)?)
+                let cut = FieldSimulator::new(scene, *wanted)?;
+                Ok(match scenes::find_field_duals(name) {
+                    Some(scene) => cut.with_derivatives(scene),
+                    None => cut,
+                })
             }
             Self::BuiltIn(_) | Self::Model(_) => unreachable!("there are no fields to be cut"),
         }

@@ -23,7 +23,7 @@ impl FieldSimulator<'_, f64> {
 impl FieldSimulator<'_, Dual> {
     /// Likewise.
     #[inline(never)]
-    fn on_duals(&self) -> &dyn Derivatives {
+    fn as_derivatives(&self) -> &dyn Derivatives {
         self
     }
 }
@@ -185,7 +185,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
     }
 
     fn derivatives(&self) -> Option<&dyn Derivatives> {
-        self.on_duals.as_deref().map(FieldSimulator::on_duals)
+        self.on_duals.as_ref()?.get().map(FieldSimulator::as_derivatives)
     }
 
     fn initial_state(&self, parameters: &[R], state: &mut [R]) {

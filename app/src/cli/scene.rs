@@ -83,9 +83,16 @@ impl Uncut {
         match self {
             Self::BuiltIn(name) => {
                 let scene = scenes::find_field_f64(name).expect("it was found by this name before");
-                FieldSimulator::new(scene, wanted)
+                let cut = FieldSimulator::new(scene, wanted)?;
+                Ok(match scenes::find_field_duals(name) {
+                    Some(scene) => cut.with_derivatives(scene),
+                    None => cut,
+                })
             }
-            Self::Model(simulator) => FieldSimulator::new(simulator.with_fields(), wanted),
+            Self::Model(simulator) => {
+                let cut = FieldSimulator::new(simulator.with_fields(), wanted)?;
+                Ok(cut.with_derivatives(simulator.with_fields_on_duals()))
+            }
         }
     }
 }

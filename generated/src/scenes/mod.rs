@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 
 //! Simulators emitted from the specs, one module and one feature a scene.
-use ::machinist_contract::{Real, Simulator, field::FieldScene};
+use ::machinist_contract::{Dual, Real, Simulator, field::FieldScene};
 
 /// Mass bouncing on a shaken plate
 #[cfg(feature = "bouncing_mass")]
@@ -462,5 +462,11 @@ pub fn find_field<R: Real>(name: &str) -> Option<&'static dyn FieldScene<R>> {
 /// The scene with fields of a name in `f64`, compiled once and for all.
 #[must_use]
 pub fn find_field_f64(name: &str) -> Option<&'static dyn FieldScene<f64>> {
+    find_field(name)
+}
+
+/// It on numbers that carry derivatives, likewise.
+#[must_use]
+pub fn find_field_duals(name: &str) -> Option<&'static dyn FieldScene<Dual>> {
     find_field(name)
 }

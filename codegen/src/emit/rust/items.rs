@@ -85,7 +85,7 @@ pub(super) fn index(models: &[&Model], modules: &[Ident], options: &EmitOptions)
         doc(["The scene with fields of a name, not yet cut into elements."]),
     );
     let of_fields = (!field_names.is_empty()).then(|| {
-        let find_field_f64 = find_field_f64();
+        let for_all = find_fields_for_all();
         quote! {
             #field_names_doc
             #[rustfmt::skip]
@@ -99,10 +99,10 @@ pub(super) fn index(models: &[&Model], modules: &[Ident], options: &EmitOptions)
                     _ => None,
                 }
             }
-            #find_field_f64
+            #for_all
         }
     });
-    let field_import = (!field_names.is_empty()).then(|| quote!(, field::FieldScene));
+    let field_import = (!field_names.is_empty()).then(|| quote!(, Dual, field::FieldScene));
     let [inner, names_doc, find_doc] = index_docs(options);
     let (names_doc, find_doc) = (doc([names_doc]), doc([find_doc]));
     let inner = format!(" {inner}");
@@ -155,13 +155,19 @@ fn find_f64() -> TokenStream {
     }
 }
 
-/// The look-up for everybody who cuts fields in `f64`.
-fn find_field_f64() -> TokenStream {
-    let doc = doc(["The scene with fields of a name in `f64`, compiled once and for all."]);
+/// The look-ups for everybody who cuts fields.
+fn find_fields_for_all() -> TokenStream {
+    let doc_f64 = doc(["The scene with fields of a name in `f64`, compiled once and for all."]);
+    let doc_duals = doc(["It on numbers that carry derivatives, likewise."]);
     quote! {
-        #doc
+        #doc_f64
         #[must_use]
         pub fn find_field_f64(name: &str) -> Option<&'static dyn FieldScene<f64>> {
+            find_field(name)
+        }
+        #doc_duals
+        #[must_use]
+        pub fn find_field_duals(name: &str) -> Option<&'static dyn FieldScene<Dual>> {
             find_field(name)
         }
     }

@@ -78,12 +78,14 @@ impl Tangents<'_> {
         let (states, count) = (self.states, self.by.len());
         let (time, state) = (start.time, start.state.to_vec());
         let point = Point { time, state, parameters: self.parameters.to_vec() };
+        let first = self.simulator.rate_jacobian_pattern().entries.len();
         let entries = self.simulator.parameter_jacobian_pattern().entries.len();
-        let mut by_parameters = vec![0.0; entries];
+        // Behind those of dy'/dy, of which nothing is read here.
+        let mut values = vec![0.0; first + entries];
         let Point { state, parameters, .. } = &point;
-        self.simulator.parameter_jacobian(time, state, parameters, &mut by_parameters);
+        self.simulator.parameter_jacobian(time, state, parameters, &mut values[first..]);
         let mut rates = vec![0.0; states * count];
-        self.equations.drive(&by_parameters, &mut rates);
+        self.equations.drive(&values, &mut rates);
         let rates = DMatrix::from_row_slice(states, count, &rates);
         let guess = DMatrix::from_row_slice(states, count, tangents);
         let onto = |moves: &mut DMatrix<f64>| {

@@ -54,6 +54,14 @@ pub enum SimulateError {
         /// The names of the methods that do.
         known: String,
     },
+    /// What cannot be gone back over.
+    #[error("scene `{scene}` has no gradient in reverse: {why}")]
+    NotReversible {
+        /// The scene's name.
+        scene: String,
+        /// What is in the way.
+        why: &'static str,
+    },
     /// No method has this name.
     #[error(transparent)]
     UnknownMethod(#[from] UnknownMethod),

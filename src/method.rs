@@ -27,6 +27,7 @@ pub mod published;
 mod quadrature;
 #[cfg(feature = "implicit")]
 mod radau;
+pub(crate) mod reverse;
 #[cfg(feature = "implicit")]
 mod rosenbrock;
 pub(crate) mod sensitivity;

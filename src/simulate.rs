@@ -1,6 +1,7 @@
 //! Runs a simulator: checks what is asked, integrates, and hands back a
 //! [`Trajectory`].
 
+mod gradient;
 mod start;
 
 use std::sync::atomic::AtomicBool;
@@ -12,12 +13,15 @@ use crate::constraints::Constraints;
 use crate::error::{NotCompiledIn, SimulateError, StopCause, did_you_mean};
 #[cfg(feature = "sweep")]
 use crate::method::cut;
+use crate::method::reverse::Log;
 use crate::method::sensitivity::{By, Start, Tangents, columns};
 #[cfg(feature = "sweep")]
 use crate::method::taylor::variants::Variant;
 use crate::method::{Method, Problem, Run, Stopped, System, identically_zero};
 use crate::scales::scales;
 use crate::trajectory::{Column, ColumnKind, EnergyBalance, Stop, Trajectory};
+
+pub use gradient::{Gradient, Pull, Slope};
 
 /// Largest number of output times of a run.
 pub const MAX_POINTS: usize = 10_000_000;
@@ -391,7 +395,7 @@ impl<'a> Simulation<'a> {
         self.sensitivities.is_empty() && !self.energy_balance
     }
 
-    fn chosen_method(&self) -> Result<Method, SimulateError> {
+    pub(crate) fn chosen_method(&self) -> Result<Method, SimulateError> {
         match self.method {
             Some(method) => Ok(method),
             None => Ok(Method::from_name(self.simulator.run_defaults().method)?),
@@ -407,6 +411,16 @@ impl<'a> Simulation<'a> {
     pub fn run(&self) -> Result<Trajectory, SimulateError> {
         let asked = self.chosen_method()?;
         let method = self.method_for_sensitivities(asked)?;
+        self.run_by(method, asked, None)
+    }
+
+    /// By a method instead of the one that was asked for, its steps kept if they are wanted.
+    pub(crate) fn run_by(
+        &self,
+        method: Method,
+        asked: Method,
+        log: Option<&Log>,
+    ) -> Result<Trajectory, SimulateError> {
         if !method.is_compiled_in() {
             return Err(NotCompiledIn::of(method).into());
         }
@@ -418,6 +432,7 @@ impl<'a> Simulation<'a> {
             .until_flagged(self.interrupt)
             .until_told(self.asked)
             .within(self.time_limit)
+            .logged(log)
             .with_tangents(self.tangents(&initial)?);
         if method != asked {
             system.note(format!("{method} instead of {asked}, which does not carry sensitivities"));

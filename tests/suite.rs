@@ -19,6 +19,7 @@ mod exact;
 mod fields;
 mod fits;
 mod forces_along;
+mod gradients;
 mod hosted;
 mod improvements;
 mod independent;

@@ -11,7 +11,7 @@ use std::ops::Range;
 use super::lanes::{Sum, combine, copy, padded, sum};
 use super::one_step::{OneStep, Pace, Trial, drive_all, first_step};
 use super::tableau::{DOP853, Pair, Row, TSIT5};
-use super::{Integrator, Samples, Sealed, Stopped, Stretch};
+use super::{Integrator, Method, Samples, Sealed, Stopped, Stretch};
 use crate::method::sensitivity::Tangents;
 use carried::Carried;
 
@@ -43,6 +43,15 @@ impl Integrator for Dop853 {
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
         drive_all(&mut ExplicitSteps::new(&DOP853, stretch), stretch, state, samples)
+    }
+}
+
+/// The pair of a method that is one.
+pub(super) fn pair_of(method: Method) -> Option<&'static Pair> {
+    match method {
+        Method::Tsit5 => Some(&TSIT5),
+        Method::Dop853 => Some(&DOP853),
+        _ => None,
     }
 }
 
@@ -226,6 +235,8 @@ impl OneStep for ExplicitSteps<'_> {
         if let Some(carried) = &mut self.carried {
             carried.has_first_stage = false;
         }
+        let stretch = self.stretch;
+        stretch.system.log().inspect(|log| log.begin((stretch.from, stretch.until), state));
         self.time = time;
         self.step = 0.0;
         self.end[..self.size].copy_from_slice(state);
@@ -292,6 +303,8 @@ impl OneStep for ExplicitSteps<'_> {
     }
 
     fn accept(&mut self) {
+        let log = self.stretch.system.log();
+        log.inspect(|log| log.take((self.time, self.step), &self.start[..self.size]));
         self.time += self.step;
         copy(&self.end, &mut self.start);
         let last = self.pair.rows.len() - 1;

@@ -179,6 +179,28 @@ impl<'a> Tangents<'a> {
         self.states * self.by.len()
     }
 
+    /// S at the start of the current step.
+    pub(crate) fn start(&self) -> Vec<f64> {
+        self.inner.borrow().start.clone()
+    }
+
+    /// Lets the current step start with this S.
+    pub(crate) fn restart(&self, tangents: &[f64]) {
+        self.inner.borrow_mut().start.copy_from_slice(tangents);
+    }
+
+    /// lambda^T S at the start of the current step, of every direction.
+    pub(crate) fn pulled(&self, lambda: &[f64]) -> Vec<f64> {
+        let mut sums = vec![0.0; self.by.len()];
+        let start = &self.inner.borrow().start;
+        for (row, factor) in start.chunks_exact(self.by.len().max(1)).zip(lambda) {
+            for (sum, value) in sums.iter_mut().zip(row) {
+                *sum += factor * value;
+            }
+        }
+        sums
+    }
+
     /// S of one direction, at the start of the current step.
     pub(crate) fn start_of(&self, direction: usize) -> impl Iterator<Item = f64> {
         let start = self.inner.borrow().start.clone();

@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use super::Stopped;
 use crate::constraints::Constraints;
 use crate::error::StopCause;
+use crate::method::reverse::Log;
 use crate::method::sensitivity::Tangents;
 use machinist_contract::{Simulator, SparsityPattern};
 use serde::Serialize;
@@ -50,6 +51,7 @@ pub struct System<'a> {
     with_flows: bool,
     constraints: Option<Constraints<'a>>,
     tangents: Option<Tangents<'a>>,
+    log: Option<&'a Log>,
     work: Cell<Work>,
     notes: RefCell<Vec<String>>,
     interrupt: Option<&'a AtomicBool>,
@@ -81,6 +83,7 @@ impl<'a> System<'a> {
             with_flows,
             constraints: Constraints::of(simulator, parameters),
             tangents: None,
+            log: None,
             work: Cell::default(),
             notes: RefCell::default(),
             interrupt: None,
@@ -132,6 +135,16 @@ impl<'a> System<'a> {
     /// The same, whose sensitivities are carried along.
     pub(crate) fn with_tangents(self, tangents: Option<Tangents<'a>>) -> Self {
         Self { tangents, ..self }
+    }
+
+    /// The same, whose steps are kept.
+    pub(crate) fn logged(self, log: Option<&'a Log>) -> Self {
+        Self { log, ..self }
+    }
+
+    /// Where steps are kept, if they are.
+    pub(crate) fn log(&self) -> Option<&'a Log> {
+        self.log
     }
 
     /// Sensitivities, if they are asked for.

@@ -31,7 +31,7 @@ pub(crate) fn columns(
 
 impl Tangents<'_> {
     /// Derivatives of outputs at states and S of many times, row after row.
-    fn of_outputs(
+    pub(crate) fn of_outputs(
         &self,
         outputs: usize,
         times: &[f64],

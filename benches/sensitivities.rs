@@ -10,6 +10,7 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
+use machinist::simulate::Pull;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
@@ -50,6 +51,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         "ratios"
     );
     rows("saw_gin, emitted", emitted, &BY)?;
+    in_reverse("saw_gin, emitted", emitted)?;
     rows("saw_gin, compiled", &compiled, &BY)?;
     for name in OTHERS {
         let simulator = scenes::find_f64(name).ok_or("it is built in")?;
@@ -123,6 +125,42 @@ fn row(
         times[1] / times[0],
         times[2] / times[0],
     );
+    Ok(())
+}
+
+/// What the gradient of one number by all parameters and initial values costs.
+fn in_reverse(name: &str, simulator: &dyn Simulator<f64>) -> Result<(), SimulateError> {
+    for method in [Method::Tsit5, Method::Dop853] {
+        for rtol in TOLERANCES {
+            let run = of(simulator, method, rtol);
+            let pull = |run: &Trajectory| {
+                let slopes = vec![1.0; run.times.len()];
+                vec![Pull { column: "twist".to_owned(), slopes }]
+            };
+            let count = run.gradient(pull)?.slopes.len();
+            let mut times: [Vec<f64>; 2] = Default::default();
+            for _ in 0..ROUNDS {
+                let begin = Instant::now();
+                black_box(run.run()?);
+                times[0].push(begin.elapsed().as_secs_f64() * 1e3);
+                let begin = Instant::now();
+                black_box(run.gradient(pull)?);
+                times[1].push(begin.elapsed().as_secs_f64() * 1e3);
+            }
+            let [alone, whole] = times.map(|mut times| {
+                times.sort_by(f64::total_cmp);
+                times[ROUNDS / 2]
+            });
+            println!(
+                "{:24} {:7} {rtol:6.0e} {alone:17.3} {:>7} {whole:14.3} {:>20} {:>18.2}",
+                format!("{name}, {count} in reverse"),
+                method.name(),
+                "",
+                "",
+                whole / alone
+            );
+        }
+    }
     Ok(())
 }
 

@@ -9,6 +9,7 @@
 mod course;
 mod evaluate;
 mod expression;
+mod gradient;
 mod quadratic;
 mod search;
 
@@ -26,6 +27,7 @@ pub use evaluate::Branch;
 pub use expression::{
     Expression, ExpressionError, Function, Inequality, Node, Operator, Reduction,
 };
+pub use gradient::{NumberGradient, gradient};
 pub use search::{End, Evaluation, Found, Search, search};
 
 /// A design to be improved.
@@ -241,14 +243,10 @@ impl Improvement<'_> {
         expression: &Expression,
     ) -> Result<Vec<Branch>, SimulateError> {
         let simulation = self.given(values)?;
-        let parameters = simulation.parameter_values();
-        let simulator = self.simulation.simulator();
-        let parameter = |name: &str| {
-            let place = (0..parameters.len()).find(|k| simulator.parameter(*k).name == name)?;
-            Some(parameters[place])
-        };
-        let stretches = stretches(simulator, parameters, run);
-        let shown = Shown { run, stretches, by, parameter: &parameter };
+        let parameter = |name: &str| parameter_of(&simulation, name);
+        let stretches = stretches(&simulation, run);
+        let slopes = |column: &str, k: usize| run.sensitivity(column, &by[k]).unwrap_or_default();
+        let shown = Shown { run, stretches, by, slopes: &slopes, parameter: &parameter };
         Ok(shown.branches(expression))
     }
 
@@ -282,8 +280,16 @@ impl Improvement<'_> {
     }
 }
 
+/// The value of a parameter in a run.
+fn parameter_of(simulation: &Simulation<'_>, name: &str) -> Option<f64> {
+    let (values, simulator) = (simulation.parameter_values(), simulation.simulator());
+    let place = (0..values.len()).find(|index| simulator.parameter(*index).name == name)?;
+    Some(values[place])
+}
+
 /// First rows of stretches between events and jumps.
-fn stretches(simulator: &dyn Simulator<f64>, parameters: &[f64], run: &Trajectory) -> Vec<usize> {
+fn stretches(simulation: &Simulation<'_>, run: &Trajectory) -> Vec<usize> {
+    let (simulator, parameters) = (simulation.simulator(), simulation.parameter_values());
     let mut jumps = vec![0.0; simulator.shape().discontinuities];
     simulator.discontinuities(parameters, &mut jumps);
     let happened = run.switches.iter().map(|switch| switch.time);

@@ -1,6 +1,7 @@
 //! Gradients in reverse: against sensitivities along the same steps, and a closed form.
 
 use machinist::field::{Discretisation, FieldSimulator};
+use machinist::improve::{Expression, gradient};
 use machinist::simulate::Pull;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_contract::{Describe, Simulator};
@@ -113,6 +114,27 @@ fn the_end_of_an_oscillator_moves_as_its_closed_form_says() {
     let slope = gradient.slopes.iter().find(|s| s.name == "rotor.angle" && !s.is_parameter);
     let found = slope.expect("a state").value;
     assert!((found - wanted).abs() < 1e-11, "{found} for {wanted}");
+}
+
+/// An extreme, a mean, an end, and a parameter itself: in reverse, and by sensitivities of an implicit
+/// method.
+#[test]
+fn expressions_have_the_derivatives_that_sensitivities_give() {
+    let text =
+        "max(abs(twist))*coupling.stiffness + 0.3*rms(motor_torque) - final(twist)*motor.k_s";
+    let expression = Expression::parse(text).expect("it is one");
+    let gin = Simulation::new(scenes::find_f64("saw_gin").expect("built in"));
+    let gin = gin.until(0.3).points(601).rtol(1e-10);
+    let reverse = gradient(&gin.clone().method(Method::Dop853), &expression).expect("it runs");
+    let forwards = gradient(&gin.method(Method::Radau), &expression).expect("it runs");
+    assert!(reverse.is_in_reverse && !forwards.is_in_reverse);
+    assert!((reverse.value / forwards.value - 1.0).abs() < 1e-8);
+    for own in &forwards.gradient.slopes {
+        let other = reverse.gradient.slopes.iter().find(|s| s.is_parameter && s.name == own.name);
+        let size = reverse.value.abs() / own.at.abs().max(1e-3);
+        let off = (other.expect("all are there").value - own.value).abs();
+        assert!(off < 1e-6 * size, "{}: {off:e} of {size:e}", own.name);
+    }
 }
 
 #[test]

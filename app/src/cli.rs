@@ -24,6 +24,7 @@ mod fit;
 mod fmu;
 #[cfg(feature = "derive")]
 mod generate;
+mod gradient;
 mod improve;
 mod linear;
 mod list;
@@ -107,6 +108,8 @@ enum Command {
     Run(run::Run),
     /// Which parameters matter for which outputs, along a run
     Sensitivity(sensitivity::Sensitivity),
+    /// How one number of a run depends on all parameters and initial values
+    Gradient(gradient::GradientCommand),
     /// Find parameters of a scene from measured runs
     Fit(fit::FitCommand),
     /// Find parameters at which a design is best, within limits
@@ -187,6 +190,7 @@ pub fn main() -> ExitCode {
         Command::Run(command) => command.execute(),
         Command::Sensitivity(command) => command.execute(),
         Command::Fit(command) => command.execute(),
+        Command::Gradient(command) => command.execute(),
         Command::Improve(command) => command.execute(),
         Command::Spectrum(command) => command.execute(),
         Command::Sweep(command) => command.execute(),

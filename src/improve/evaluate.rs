@@ -11,6 +11,8 @@ pub(super) struct Shown<'a> {
     pub stretches: Vec<usize>,
     /// Names of what is differentiated by.
     pub by: &'a [String],
+    /// Derivatives of a column by the one of them that stands at a place, one for each time.
+    pub slopes: &'a dyn Fn(&str, usize) -> &'a [f64],
     /// Values of parameters by name.
     pub parameter: &'a dyn Fn(&str) -> Option<f64>,
 }
@@ -51,6 +53,12 @@ impl Shown<'_> {
             }
         }
         all
+    }
+
+    /// The value of an expression, and its derivatives.
+    pub fn value(&self, expression: &Expression) -> (f64, Vec<f64>) {
+        let Value { value, slopes } = self.scalar(expression, 0, &mut 0);
+        (value, slopes)
     }
 
     fn constant(&self, value: f64) -> Value {
@@ -120,8 +128,7 @@ impl Shown<'_> {
             if let Some(values) = self.run.column(name)
                 && columns.iter().all(|known| known.name != name)
             {
-                let slopes = |by: &String| self.run.sensitivity(name, by).unwrap_or_default();
-                let slopes = self.by.iter().map(slopes).collect();
+                let slopes = (0..self.by.len()).map(|by| (self.slopes)(name, by)).collect();
                 columns.push(Known { name: name.to_owned(), values, slopes });
             }
         });

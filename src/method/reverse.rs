@@ -112,9 +112,12 @@ pub(crate) struct Pulled<'p> {
     pub(crate) times: &'p [f64],
     /// d(number)/dy at each, one row after another.
     pub(crate) by_states: &'p [f64],
-    /// Is given lambda and the state where a stretch begins, at this time \[s\].
-    pub(crate) begins: &'p mut dyn FnMut(f64, &[f64], &[f64]),
+    /// Is told where a stretch begins.
+    pub(crate) begins: &'p mut Begins<'p>,
 }
+
+/// Takes the time \[s\] of a start, lambda and the state there.
+pub(crate) type Begins<'b> = dyn FnMut(f64, &[f64], &[f64]) + 'b;
 
 /// The way back over steps of an explicit pair.
 pub(crate) struct WayBack {

@@ -1,7 +1,7 @@
 //! `machinist improve`: parameters at which a design is best, within limits.
 
 mod answer;
-mod units;
+pub(super) mod units;
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -32,7 +32,7 @@ use answer::Answer;
 /// Steps of a search at most, unless told otherwise.
 const STEPS: usize = 100;
 /// Runs are looked at at so many times at least.
-const POINTS: usize = 2001;
+pub(super) const POINTS: usize = 2001;
 
 #[derive(Debug, Args)]
 pub struct Improve {
@@ -171,12 +171,7 @@ impl Improve {
             (Some(text), _) => ("--minimise", text),
             (None, text) => ("--maximise", text.as_ref().unwrap_or(&self.scene)),
         };
-        let read = Expression::parse(text).and_then(|expression| {
-            check(&expression, simulator)?;
-            units::check(&expression, simulator)?;
-            Ok(expression)
-        });
-        let mut objective = read.map_err(|error| wrong(option, text, &error))?;
+        let mut objective = expression(option, text, simulator)?;
         let is_greatest = self.minimise.is_none();
         if is_greatest {
             let range = objective.range.clone();
@@ -313,6 +308,20 @@ impl Improve {
             }
         }
     }
+}
+
+/// The expression that an option gives, whose names and units are right.
+pub(super) fn expression(
+    option: &str,
+    text: &str,
+    simulator: &dyn Simulator<f64>,
+) -> Result<Expression, Failure> {
+    let read = Expression::parse(text).and_then(|expression| {
+        check(&expression, simulator)?;
+        units::check(&expression, simulator)?;
+        Ok(expression)
+    });
+    read.map_err(|error| wrong(option, text, &error))
 }
 
 /// What is wrong with an expression of the command line, with its place in it.

@@ -1,0 +1,183 @@
+//! `machinist gradient`: how one number of a run depends on everything the run is given.
+
+use clap::Args;
+use machinist::Simulation;
+use machinist::improve::{NumberGradient, gradient};
+use machinist::simulate::Slope;
+use machinist_contract::Simulator;
+use serde::Serialize;
+
+use super::amount::{Amount, assignment};
+use super::improve::{POINTS, expression, units};
+use super::output::{columns, print};
+use super::scene::Scene;
+use super::settings::{with_method, with_parameters};
+use crate::failure::Failure;
+use crate::interrupt;
+use crate::number::number;
+use crate::progress::during;
+
+#[derive(Debug, Args)]
+pub struct GradientCommand {
+    /// Name of a scene built in, or a scene file
+    scene: String,
+    /// The number: an expression over extremes, means and ends of outputs, such as
+    /// max(abs(twist)), and parameters, as of `improve`
+    #[arg(long, value_name = "EXPRESSION", allow_hyphen_values = true)]
+    of: String,
+    /// Give a parameter another value: in its SI unit, or with a unit, `18 [kN m/rad]`
+    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
+    set: Vec<(String, Amount)>,
+    /// Start time, s
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    from: Option<f64>,
+    /// End time, s
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    until: Option<f64>,
+    /// Times at which the run is looked at; as many as the scene's, and at least 2001, unless
+    /// given
+    #[arg(long, value_name = "NUMBER")]
+    points: Option<usize>,
+    /// Relative tolerance of a step
+    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
+    rtol: Option<f64>,
+    /// The method: tsit5 or dop853 in reverse, or another that carries sensitivities
+    #[arg(long, value_name = "NAME")]
+    method: Option<String>,
+    /// So many rows of the table at most; 0 for all
+    #[arg(long, value_name = "NUMBER", default_value_t = 20)]
+    top: usize,
+    /// As JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// A derivative as it is told.
+#[derive(Debug, Serialize)]
+struct Row {
+    name: String,
+    unit: String,
+    /// Whether it is a parameter, or else the initial value of a state.
+    is_parameter: bool,
+    value: f64,
+    /// By it, in the unit of the number over its own.
+    slope: f64,
+    /// Change of the number, over the number, for a relative change of it; nothing where either
+    /// is 0.
+    relative: Option<f64>,
+}
+
+#[derive(Debug, Serialize)]
+struct Answer<'a> {
+    scene: &'a str,
+    of: &'a str,
+    value: f64,
+    unit: String,
+    method: &'static str,
+    rtol: f64,
+    steps: u64,
+    in_reverse: bool,
+    slopes: Vec<Row>,
+    left_out: Vec<String>,
+}
+
+impl GradientCommand {
+    pub fn execute(&self) -> Result<(), Failure> {
+        if self.points.is_some_and(|points| points < 2) {
+            return Err(Failure::input("--points is at least 2", ""));
+        }
+        let scene = Scene::load(&self.scene, false)?;
+        let simulator = scene.simulator();
+        let of = expression("--of", &self.of, simulator)?;
+        let flag = interrupt::flag();
+        let simulation = self.simulation(simulator)?.until_flagged(&flag);
+        let found = during("simulating", || gradient(&simulation, &of))?;
+        let answer = self.answer(found, units::of(&of, simulator), simulator);
+        if self.json {
+            let text = serde_json::to_string_pretty(&answer)
+                .map_err(|error| Failure::unsuccessful(error, ""))?;
+            return print(&format!("{text}\n"));
+        }
+        print(&self.told(&answer, &scene))
+    }
+
+    fn simulation<'a>(&self, simulator: &'a dyn Simulator<f64>) -> Result<Simulation<'a>, Failure> {
+        let mut simulation = with_parameters(Simulation::new(simulator), &self.set)?;
+        simulation = self.from.into_iter().fold(simulation, Simulation::from);
+        simulation = self.until.into_iter().fold(simulation, Simulation::until);
+        simulation = self.rtol.into_iter().fold(simulation, Simulation::rtol);
+        let points = self.points.unwrap_or(simulator.run_defaults().points.max(POINTS));
+        with_method(simulation.points(points), self.method.as_deref())
+    }
+
+    fn answer<'a>(
+        &'a self,
+        found: NumberGradient,
+        unit: String,
+        simulator: &'a dyn Simulator<f64>,
+    ) -> Answer<'a> {
+        let NumberGradient { value, gradient, is_in_reverse, left_out } = found;
+        let row = |slope: Slope| {
+            let Slope { name, unit, is_parameter, at, value: slope } = slope;
+            let relative = (at != 0.0 && value != 0.0).then(|| slope * at / value);
+            Row { name, unit, is_parameter, value: at, slope, relative }
+        };
+        let mut slopes: Vec<Row> = gradient.slopes.into_iter().map(row).collect();
+        let size = |row: &Row| row.relative.map_or(0.0, f64::abs);
+        slopes.sort_by(|a, b| size(b).total_cmp(&size(a)));
+        Answer {
+            scene: simulator.name(),
+            of: &self.of,
+            value,
+            unit,
+            method: gradient.run.method.name(),
+            rtol: gradient.run.rtol,
+            steps: gradient.run.work.steps,
+            in_reverse: is_in_reverse,
+            slopes,
+            left_out: left_out.into_iter().map(|(name, why)| format!("{name} {why}")).collect(),
+        }
+    }
+
+    fn told(&self, answer: &Answer<'_>, scene: &Scene) -> String {
+        let how = if answer.in_reverse { "in reverse" } else { "by sensitivities" };
+        let mut text = format!(
+            "{}: {} ({})\n{}, rtol {:e}, {} steps; {how}\n{} = {} {}\n\n",
+            answer.scene,
+            scene.simulator().title(),
+            scene.how(),
+            answer.method,
+            answer.rtol,
+            answer.steps,
+            answer.of,
+            number(answer.value, 7),
+            answer.unit
+        );
+        let per_unit = |unit: &str| match (answer.unit.as_str(), unit) {
+            (of, "1") => of.to_owned(),
+            (of, unit) if unit.contains([' ', '/']) => format!("{of}/({unit})"),
+            (of, unit) => format!("{of}/{unit}"),
+        };
+        let header = ["by", "which is", "", "derivative", "", "% per %"].map(str::to_owned);
+        let shown = if self.top == 0 { answer.slopes.len() } else { self.top };
+        let rows = answer.slopes.iter().take(shown).map(|row| {
+            let start = if row.is_parameter { "" } else { " at the start" };
+            [
+                format!("{}{start}", row.name),
+                number(row.value, 6),
+                row.unit.clone(),
+                number(row.slope, 6),
+                per_unit(&row.unit),
+                row.relative.map_or_else(String::new, |relative| number(relative, 4)),
+            ]
+        });
+        text.push_str(&columns(&std::iter::once(header).chain(rows).collect::<Vec<_>>(), 1));
+        if let Some(rest) = answer.slopes.len().checked_sub(shown).filter(|rest| *rest > 0) {
+            text.extend([format!("and {rest} more; --top 0 shows all\n")]);
+        }
+        if !answer.left_out.is_empty() {
+            text.extend(["\nleft out: ", &answer.left_out.join("; "), "\n"]);
+        }
+        text
+    }
+}

@@ -1,0 +1,139 @@
+//! The derivatives of an expression over a run by all parameters and initial values.
+
+use super::evaluate::Shown;
+use super::expression::Expression;
+use super::{parameter_of, stretches};
+use crate::error::SimulateError;
+use crate::simulate::{Gradient, Pull, Simulation, Slope};
+use crate::trajectory::Trajectory;
+
+/// An expression over a run, and its derivatives.
+#[derive(Debug, Clone)]
+pub struct NumberGradient {
+    /// The expression.
+    pub value: f64,
+    /// The run, and derivatives by what it is given.
+    pub gradient: Gradient,
+    /// Whether they were found in reverse, by initial values too.
+    pub is_in_reverse: bool,
+    /// What the expression has no derivative by, and why.
+    pub left_out: Vec<(String, String)>,
+}
+
+/// The value of an expression over a run with its derivatives: in reverse
+/// ([`Simulation::gradient`]) by all parameters and initial values where the machine is smooth and
+/// the method an explicit pair or left open, else by sensitivities, by all parameters. What the
+/// run alone depends on by events that are moved apart is refused.
+///
+/// # Errors
+/// As [`Simulation::run`].
+pub fn gradient(
+    simulation: &Simulation<'_>,
+    expression: &Expression,
+) -> Result<NumberGradient, SimulateError> {
+    if !simulation.is_reversible() {
+        return forwards(simulation, expression);
+    }
+    let mut told = (f64::NAN, Vec::new());
+    let gradient = simulation.gradient(|run| {
+        let (value, pulls, direct) = pulls(simulation, expression, run);
+        told = (value, direct);
+        pulls
+    });
+    let mut gradient = match gradient {
+        Err(SimulateError::NoSensitivities { .. }) => return forwards(simulation, expression),
+        gradient => gradient?,
+    };
+    let (value, direct) = told;
+    for (name, slope) in direct {
+        let own = gradient.slopes.iter_mut().find(|own| own.is_parameter && own.name == name);
+        if let Some(own) = own {
+            own.value += slope;
+        }
+    }
+    Ok(NumberGradient { value, gradient, is_in_reverse: true, left_out: Vec::new() })
+}
+
+/// Parameters with the derivatives that an expression has by them where the run stays as it is.
+type Direct = Vec<(String, f64)>;
+
+/// The value of an expression, what it is by each value of the columns it names, and what it is
+/// by parameters themselves.
+fn pulls(
+    simulation: &Simulation<'_>,
+    expression: &Expression,
+    run: &Trajectory,
+) -> (f64, Vec<Pull>, Direct) {
+    /// Values that are varied at once.
+    const BLOCK: usize = 64;
+    let rows = run.times.len();
+    // From one row on, a one that as many zeros go before as rows: moved, it stands for any row.
+    let mut one = vec![0.0; 2 * rows];
+    one[rows] = 1.0;
+    let parameter = |name: &str| parameter_of(simulation, name);
+    let valued = |by: &[String], slopes: &dyn Fn(&str, usize) -> std::ops::Range<usize>| {
+        let slopes = |column: &str, by: usize| &one[slopes(column, by)];
+        let stretches = stretches(simulation, run);
+        let shown = Shown { run, stretches, by, slopes: &slopes, parameter: &parameter };
+        shown.value(expression)
+    };
+    let mut names: Vec<String> = Vec::new();
+    expression.for_each_name(&mut |name, _, _| {
+        if !names.iter().any(|known| known == name) {
+            names.push(name.to_owned());
+        }
+    });
+    let (columns, parameters): (Vec<_>, Vec<_>) =
+        names.into_iter().partition(|name| run.column(name).is_some());
+    let (value, direct) = valued(&parameters, &|_, _| 0..rows);
+    let pulls = columns.into_iter().map(|column| {
+        let blocks = (0..rows).step_by(BLOCK).flat_map(|first| {
+            let nameless = vec![String::new(); BLOCK.min(rows - first)];
+            let slopes = |of: &str, by: usize| {
+                let start = if of == column { rows - first - by } else { 0 };
+                start..start + rows
+            };
+            valued(&nameless, &slopes).1
+        });
+        let slopes = blocks.collect();
+        Pull { column, slopes }
+    });
+    (value, pulls.collect(), parameters.into_iter().zip(direct).collect())
+}
+
+/// By sensitivities.
+fn forwards(
+    simulation: &Simulation<'_>,
+    expression: &Expression,
+) -> Result<NumberGradient, SimulateError> {
+    let simulator = simulation.simulator();
+    let mut by: Vec<String> = (0..simulator.shape().parameters)
+        .map(|index| simulator.parameter(index).name.to_owned())
+        .collect();
+    let mut left_out = Vec::new();
+    let run = loop {
+        match simulation.clone().sensitivities(&by)?.run() {
+            Err(SimulateError::NotDifferentiable { name, why }) if by.contains(&name) => {
+                by.retain(|other| *other != name);
+                left_out.push((name, why));
+            }
+            run => break run?,
+        }
+    };
+    let parameter = |name: &str| parameter_of(simulation, name);
+    let slopes = |column: &str, k: usize| run.sensitivity(column, &by[k]).unwrap_or_default();
+    let stretches = stretches(simulation, &run);
+    let shown = Shown { run: &run, stretches, by: &by, slopes: &slopes, parameter: &parameter };
+    let (value, values) = shown.value(expression);
+    let slopes = by.iter().zip(values).map(|(name, value)| {
+        let index = (0..simulator.shape().parameters)
+            .find(|index| simulator.parameter(*index).name == name);
+        let unit =
+            index.map_or_else(String::new, |index| simulator.parameter(index).unit.to_owned());
+        let at = parameter(name).unwrap_or(f64::NAN);
+        Slope { name: name.clone(), unit, is_parameter: true, at, value }
+    });
+    let slopes = slopes.collect();
+    let gradient = Gradient { run, slopes };
+    Ok(NumberGradient { value, gradient, is_in_reverse: false, left_out })
+}

@@ -5,10 +5,13 @@
 //! ([`Simulation::sensitivities`]). Unknowns are searched for on a logarithmic scale where
 //! their bounds are positive, else over their size.
 
+mod experiment;
 mod findings;
 mod least_squares;
+mod profile;
 mod rounds;
 mod statistics;
+mod threads;
 
 use std::sync::atomic::AtomicBool;
 
@@ -18,10 +21,14 @@ use crate::error::{SimulateError, StopCause};
 use crate::simulate::Simulation;
 use crate::trajectory::Trajectory;
 
+pub use experiment::{Experiment, Measured, Noise};
 pub use findings::{Combination, Findings, FoundParameter, OutputResidual};
 pub use least_squares::{End, Evaluation, Found, Loss, Search, least_squares};
-pub use rounds::{Fitted, Plan, Unsolved, scale_of, steps_of};
+pub use profile::{Profile, ProfilePoint};
+pub use rounds::{Fitted, Plan, Unsolved, scale_of};
 pub use statistics::{Chance, Direction, Statistics, chance, statistics, students_t};
+#[cfg(feature = "sweep")]
+pub use threads::Lender;
 
 /// A parameter, or the initial value of a state, to be found.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,23 +98,17 @@ impl Unknown {
     }
 }
 
-/// What was measured in one run.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Measured {
-    /// When, ascending and not before the start of the run \[s\].
-    pub times: Vec<f64>,
-    /// Outputs or states by name, with a value for each time; NaN where there is none.
-    pub columns: Vec<(String, Vec<f64>)>,
-}
-
 /// A fit to be made.
+#[derive(Clone, Copy)]
 pub struct Fit<'a> {
     /// The run without what is fitted: parameters, start, method, tolerance.
     pub simulation: &'a Simulation<'a>,
     /// What is looked for.
     pub unknowns: &'a [Unknown],
-    /// Measured runs, all from the same start.
-    pub measured: &'a [Measured],
+    /// Measured runs, each with what differs from the simulation.
+    pub experiments: &'a [Experiment],
+    #[cfg(feature = "sweep")]
+    lender: Option<threads::Lender<'a>>,
 }
 
 /// The given start, then others spread evenly within bounds, by multiples of powers of the root
@@ -127,17 +128,41 @@ pub fn spread_starts(first: &[f64], bounds: &[(f64, f64)], count: usize) -> Vec<
     std::iter::once(first.to_vec()).chain((1..count).map(spread)).collect()
 }
 
-impl Fit<'_> {
+impl<'a> Fit<'a> {
+    /// A fit on this thread.
+    #[must_use]
+    pub fn new(
+        simulation: &'a Simulation<'a>,
+        unknowns: &'a [Unknown],
+        experiments: &'a [Experiment],
+    ) -> Self {
+        Self {
+            simulation,
+            unknowns,
+            experiments,
+            #[cfg(feature = "sweep")]
+            lender: None,
+        }
+    }
+
     /// Names of what was measured, each once.
     #[must_use]
-    pub fn outputs(&self) -> Vec<&str> {
+    pub fn outputs(&self) -> Vec<&'a str> {
         let mut names: Vec<&str> = Vec::new();
-        for (name, _) in self.measured.iter().flat_map(|measured| &measured.columns) {
-            if !names.contains(&name.as_str()) {
+        for (_, name, _) in self.columns() {
+            if !names.contains(&name) {
                 names.push(name);
             }
         }
         names
+    }
+
+    /// Measured columns with their experiments.
+    fn columns(&self) -> impl Iterator<Item = (&'a Experiment, &'a str, &'a [f64])> + use<'a> {
+        self.experiments.iter().flat_map(|experiment| {
+            let columns = experiment.measured.columns.iter();
+            columns.map(move |(name, values)| (experiment, name.as_str(), values.as_slice()))
+        })
     }
 
     /// Where the search starts, as it knows it.
@@ -158,24 +183,43 @@ impl Fit<'_> {
         self.unknowns.iter().zip(inner).map(|(unknown, inner)| unknown.outer(*inner)).collect()
     }
 
-    /// The run of one measurement at these values, sampled where it was measured, and at its
-    /// start in front of that.
+    /// The simulation with what an experiment gives otherwise.
+    ///
+    /// # Errors
+    /// A name that is no parameter and no state, with the nearest known one.
+    pub fn simulation_of(&self, experiment: &Experiment) -> Result<Simulation<'a>, SimulateError> {
+        let mut simulation = self.simulation.clone();
+        for (name, value) in &experiment.given {
+            simulation = match simulation.clone().given(name, *value) {
+                // A mode, by which nothing is differentiated.
+                Err(SimulateError::NotDifferentiable { .. }) => {
+                    simulation.initial_value(name, *value)?
+                }
+                other => other?,
+            };
+        }
+        Ok(experiment.from.into_iter().fold(simulation, Simulation::from))
+    }
+
+    /// The run of one experiment at these values, sampled at these times, and at its start in
+    /// front of that.
     ///
     /// # Errors
     /// As [`Simulation::run`].
     pub fn run(
         &self,
-        measured: &Measured,
+        experiment: &Experiment,
         values: &[f64],
+        times: &[f64],
         with_sensitivities: bool,
     ) -> Result<Trajectory, SimulateError> {
-        let mut simulation = self.simulation.clone();
+        let mut simulation = self.simulation_of(experiment)?;
         for (unknown, value) in self.unknowns.iter().zip(values) {
             simulation = simulation.given(&unknown.name, *value)?;
         }
         let from = simulation.start_time();
-        let until = measured.times.last().copied().unwrap_or(from);
-        let times: Vec<f64> = std::iter::once(from).chain(measured.times.iter().copied()).collect();
+        let until = times.last().copied().unwrap_or(from);
+        let times: Vec<f64> = std::iter::once(from).chain(times.iter().copied()).collect();
         simulation = simulation.until(until).times(&times);
         if with_sensitivities {
             let names: Vec<&str> = self.unknowns.iter().map(|unknown| &*unknown.name).collect();
@@ -191,38 +235,64 @@ impl Fit<'_> {
     pub fn evaluate(
         &self,
         inner: &[f64],
-        scale_of: &dyn Fn(&str) -> f64,
+        scale_of: &(dyn Fn(&str) -> f64 + Sync),
     ) -> Result<Evaluation, FitError> {
         let values = self.values(inner);
+        let compared = self.each(self.experiments.len(), |fit, number| {
+            fit.compared(&fit.experiments[number], &values, scale_of)
+        });
         let (mut residuals, mut rows) = (Vec::new(), Vec::new());
-        for measured in self.measured {
-            let run = self.run(measured, &values, true)?;
-            for (name, data) in &measured.columns {
-                let scale = scale_of(name);
-                let found = run.column(name).unwrap_or_default();
-                let slopes: Vec<&[f64]> = self
-                    .unknowns
-                    .iter()
-                    .map(|unknown| run.sensitivity(name, &unknown.name).unwrap_or_default())
-                    .collect();
-                // The first row of the run is its start.
-                let samples = data.iter().zip(found.iter().skip(1)).enumerate();
-                for (row, (data, found)) in samples.filter(|(_, (data, _))| !data.is_nan()) {
-                    residuals.push((found - data) / scale);
-                    for ((unknown, value), slopes) in self.unknowns.iter().zip(&values).zip(&slopes)
-                    {
-                        rows.push(slopes[row + 1] * unknown.slope(*value) / scale);
-                    }
-                }
-            }
-        }
-        if !residuals.iter().chain(&rows).all(|value| value.is_finite()) {
-            return Err(FitError::NotFinite);
+        for (experiment, compared) in self.experiments.iter().zip(compared) {
+            let (own, own_rows) = compared.map_err(|why| self.of_experiment(experiment, why))?;
+            residuals.extend(own);
+            rows.extend(own_rows);
         }
         Ok(Evaluation {
             jacobian: DMatrix::from_row_slice(residuals.len(), self.unknowns.len(), &rows),
             residuals: DVector::from_vec(residuals),
         })
+    }
+
+    /// Residuals of one experiment, and their derivatives row by row.
+    fn compared(
+        &self,
+        experiment: &Experiment,
+        values: &[f64],
+        scale_of: &dyn Fn(&str) -> f64,
+    ) -> Result<(Vec<f64>, Vec<f64>), FitError> {
+        let (mut residuals, mut rows) = (Vec::new(), Vec::new());
+        let run = self.run(experiment, values, &experiment.measured.times, true)?;
+        for (name, data) in &experiment.measured.columns {
+            let noise = experiment.noise_of(name);
+            let found = run.column(name).unwrap_or_default();
+            let slopes: Vec<&[f64]> = self
+                .unknowns
+                .iter()
+                .map(|unknown| run.sensitivity(name, &unknown.name).unwrap_or_default())
+                .collect();
+            // The first row of the run is its start.
+            let samples = data.iter().zip(found.iter().skip(1)).enumerate();
+            for (row, (data, found)) in samples.filter(|(_, (data, _))| !data.is_nan()) {
+                let scale = scale_of(name) * noise.map_or(1.0, |noise| noise.at(row, *data));
+                residuals.push((found - data) / scale);
+                for ((unknown, value), slopes) in self.unknowns.iter().zip(values).zip(&slopes) {
+                    rows.push(slopes[row + 1] * unknown.slope(*value) / scale);
+                }
+            }
+        }
+        if residuals.iter().chain(&rows).all(|value| value.is_finite()) {
+            Ok((residuals, rows))
+        } else {
+            Err(FitError::NotFinite)
+        }
+    }
+
+    /// Says which of several experiments it was.
+    fn of_experiment(&self, experiment: &Experiment, why: FitError) -> FitError {
+        if self.experiments.len() < 2 {
+            return why;
+        }
+        FitError::Experiment { name: experiment.name.clone(), why: Box::new(why) }
     }
 
     /// Searches from a start, as the search knows it.
@@ -232,33 +302,88 @@ impl Fit<'_> {
     pub fn search(
         &self,
         start: &[f64],
-        scale_of: &dyn Fn(&str) -> f64,
+        scale_of: &(dyn Fn(&str) -> f64 + Sync),
         (loss, most): (Loss, usize),
         interrupt: Option<&AtomicBool>,
-        mut watch: impl FnMut(&Evaluation),
+        watch: &(dyn Fn(&Evaluation) + Sync),
+    ) -> Result<Found, String> {
+        let bounds = self.bounds();
+        let search = Search { bounds: &bounds, loss, most, interrupt };
+        self.search_within(start, scale_of, &search, watch)
+    }
+
+    /// Likewise, within these bounds.
+    fn search_within(
+        &self,
+        start: &[f64],
+        scale_of: &(dyn Fn(&str) -> f64 + Sync),
+        search: &Search<'_>,
+        watch: &(dyn Fn(&Evaluation) + Sync),
     ) -> Result<Found, String> {
         let evaluate = |inner: &[f64]| {
             let evaluation = self.evaluate(inner, scale_of).map_err(|error| error.to_string())?;
             watch(&evaluation);
             Ok(evaluation)
         };
-        let bounds = self.bounds();
-        least_squares(evaluate, start, &Search { bounds: &bounds, loss, most, interrupt })
+        least_squares(evaluate, start, search)
     }
 
-    /// Residuals of every measured column in the order of time, as they stand in an evaluation.
+    /// Residuals of every measured column in the order of time, as they stand in an evaluation
+    /// with these scales.
     #[must_use]
-    pub fn residuals_by_column<'e>(&self, evaluation: &'e Evaluation) -> Vec<(&str, &'e [f64])> {
+    pub fn residuals_by_column<'e>(
+        &self,
+        evaluation: &'e Evaluation,
+        scales: &[(String, f64)],
+    ) -> Vec<ColumnResiduals<'e>>
+    where
+        'a: 'e,
+    {
         let mut rest = evaluation.residuals.as_slice();
         let mut all = Vec::new();
-        for (name, data) in self.measured.iter().flat_map(|measured| &measured.columns) {
-            let count = data.iter().filter(|value| !value.is_nan()).count();
-            let (own, others) = rest.split_at(count);
-            all.push((name.as_str(), own));
+        for (experiment, output, data) in self.columns() {
+            let (noise, scale) = (experiment.noise_of(output), scale_of(scales, output));
+            let known = data.iter().enumerate().filter(|(_, value)| !value.is_nan());
+            let size = |(row, value): (usize, &f64)| {
+                scale * noise.map_or(1.0, |noise| noise.at(row, *value))
+            };
+            let sizes: Vec<f64> = known.map(size).collect();
+            let (residuals, others) = rest.split_at(sizes.len());
+            all.push(ColumnResiduals { experiment: &experiment.name, output, residuals, sizes });
             rest = others;
         }
         all
     }
+
+    /// Steps that a variant may take before it is given up: many times those of the start.
+    #[must_use]
+    pub fn step_limit(&self) -> usize {
+        const TIMES: u64 = 50;
+        const LEAST: u64 = 20_000;
+        const UNKNOWN: u64 = 200_000;
+        let first = self.simulation.clone().max_steps(UNKNOWN as usize);
+        let fit = Fit::new(&first, self.unknowns, self.experiments);
+        let starts: Vec<f64> = self.unknowns.iter().map(|unknown| unknown.start).collect();
+        let steps = |experiment: &Experiment| {
+            let run = fit.run(experiment, &starts, &experiment.measured.times, false);
+            run.map_or(UNKNOWN / TIMES, |run| run.work.steps)
+        };
+        let most = self.experiments.iter().map(steps).max();
+        (TIMES * most.unwrap_or_default()).max(LEAST) as usize
+    }
+}
+
+/// What is left of one measured column.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ColumnResiduals<'e> {
+    /// Name of its experiment.
+    pub experiment: &'e str,
+    /// Output or state.
+    pub output: &'e str,
+    /// By what they were weighed.
+    pub residuals: &'e [f64],
+    /// What each was divided by, in the output's unit.
+    pub sizes: Vec<f64>,
 }
 
 /// Why residuals could not be evaluated.
@@ -270,12 +395,26 @@ pub enum FitError {
     /// What is compared, or a derivative of it, is no number.
     #[error("an output that is compared, or its derivative, is not a finite number")]
     NotFinite,
+    /// Of one of several experiments.
+    #[error("{name}: {why}")]
+    Experiment {
+        /// Its name.
+        name: String,
+        /// What happened.
+        why: Box<FitError>,
+    },
 }
 
 impl FitError {
     /// Whether somebody has asked to stop.
     #[must_use]
     pub fn is_interrupted(&self) -> bool {
-        matches!(self, Self::Simulate(SimulateError::Stopped { cause: StopCause::Interrupted, .. }))
+        match self {
+            Self::Simulate(SimulateError::Stopped { cause, .. }) => {
+                *cause == StopCause::Interrupted
+            }
+            Self::Experiment { why, .. } => why.is_interrupted(),
+            _ => false,
+        }
     }
 }

@@ -1,27 +1,33 @@
 //! Parameters from measured runs: against textbook least squares, and whether intervals hold
 //! what they promise.
 
-use machinist::fit::{End, Fit, Found, Loss, Measured, Unknown, statistics, students_t};
+use machinist::fit::{
+    End, Experiment, Fit, Found, Loss, Measured, Unknown, statistics, students_t,
+};
 use machinist::{Method, Simulation};
 use machinist_scenes::scenes;
 use nalgebra::{DMatrix, DVector};
 
 use crate::common::Oscillator;
 
-const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
+pub const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
-fn unknown(name: &str, start: f64, bounds: (f64, f64)) -> Unknown {
+pub fn unknown(name: &str, start: f64, bounds: (f64, f64)) -> Unknown {
     Unknown { name: name.to_owned(), start, bounds }
 }
 
+pub fn experiment(times: Vec<f64>, columns: Vec<(String, Vec<f64>)>) -> Experiment {
+    Experiment::new("run", Measured { times, columns })
+}
+
 /// Numbers of mean 0 and variance 1, normally distributed.
-fn normal(random: &mut fastrand::Rng) -> f64 {
+pub fn normal(random: &mut fastrand::Rng) -> f64 {
     let radius = (-2.0 * (1.0 - random.f64()).ln()).sqrt();
     radius * (std::f64::consts::TAU * random.f64()).cos()
 }
 
-fn found(fit: &Fit<'_>, scale_of: &dyn Fn(&str) -> f64) -> Found {
-    let found = fit.search(&fit.start(), scale_of, (Loss::Squares, 100), None, |_| ());
+fn found(fit: &Fit<'_>, scale_of: &(dyn Fn(&str) -> f64 + Sync)) -> Found {
+    let found = fit.search(&fit.start(), scale_of, (Loss::Squares, 100), None, &|_| ());
     let found = found.expect("the start can be simulated");
     assert_eq!(found.end, End::Converged);
     found
@@ -46,9 +52,9 @@ fn a_linear_machine_is_fitted_as_the_textbook_does() {
 
     let simulation = Simulation::new(&Oscillator).method(Method::Dop853).rtol(1e-13);
     let column = ("rotor.angle".to_owned(), data.as_slice().to_vec());
-    let measured = [Measured { times, columns: vec![column] }];
+    let experiments = [experiment(times, vec![column])];
     let unknowns = [unknown("torque", 30.0, FREE), unknown("rotor.angle", 0.4, FREE)];
-    let fit = Fit { simulation: &simulation, unknowns: &unknowns, measured: &measured };
+    let fit = Fit::new(&simulation, &unknowns, &experiments);
     let found = found(&fit, &|_| 1.0);
     for (value, wanted) in fit.values(&found.at).iter().zip(wanted.iter()) {
         assert!((value - wanted).abs() <= 1e-9 * wanted.abs(), "{value} for {wanted}");
@@ -73,17 +79,17 @@ fn coverage(
     draws: usize,
 ) -> Vec<f64> {
     let truth: Vec<f64> = unknowns.iter().map(|unknown| unknown.start).collect();
-    let nothing = [Measured { times: times.to_vec(), columns: Vec::new() }];
-    let fit = Fit { simulation, unknowns, measured: &nothing };
-    let run = fit.run(&nothing[0], &truth, false).expect("it runs");
+    let nothing = [experiment(times.to_vec(), Vec::new())];
+    let fit = Fit::new(simulation, unknowns, &nothing);
+    let run = fit.run(&nothing[0], &truth, times, false).expect("it runs");
     let exact = &run.column(output).expect("an output")[1..];
     let mut held = vec![0; truth.len()];
     let mut random = fastrand::Rng::with_seed(11);
     for _ in 0..draws {
         let noisy = exact.iter().map(|value| value + deviation * normal(&mut random)).collect();
         let columns = vec![(output.to_owned(), noisy)];
-        let measured = [Measured { times: times.to_vec(), columns }];
-        let fit = Fit { simulation, unknowns, measured: &measured };
+        let experiments = [experiment(times.to_vec(), columns)];
+        let fit = Fit::new(simulation, unknowns, &experiments);
         let found = found(&fit, &|_| deviation);
         let (ones, free) = (vec![1.0; truth.len()], vec![false; truth.len()]);
         let told = statistics(&found.evaluation, Loss::Squares, (&ones, 10.0), &free);
@@ -110,46 +116,26 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
     assert!(shares.iter().all(|share| (0.905..=0.995).contains(share)), "{shares:?}");
 }
 
-/// `cargo test --release -p machinist-tests -- --ignored twin` takes a minute.
-#[test]
-#[ignore = "a study of 400 fits"]
-fn twin_experiments_on_the_saw_gin_are_covered() {
-    let scene = scenes::find_f64("saw_gin").expect("it is built in");
-    let simulation = Simulation::new(scene).method(Method::Dop853);
-    let unknowns = [
-        unknown("coupling.stiffness", 23_065.2, (1e3, 1e6)),
-        unknown("coupling.damping", 128.5346, (1.0, 1e4)),
-        unknown("motor.inertia", 4.2, (0.1, 100.0)),
-    ];
-    let times: Vec<f64> = (1..=200).map(|k| 0.005 * f64::from(k)).collect();
-    let shares = coverage(&simulation, &unknowns, ("twist", 2e-4), &times, 400);
-    eprintln!(
-        "of 400 intervals of each of three parameters these shares hold the truth: {shares:?}"
-    );
-    // Give or take two and a half standard deviations.
-    assert!(shares.iter().all(|share| (0.923..=0.977).contains(share)), "{shares:?}");
-}
-
 #[test]
 fn what_the_data_cannot_tell_apart_is_named() {
     // Only the product of the coupling factors of stator and rotor counts.
     let scene = scenes::find_f64("saw_gin").expect("it is built in");
     let simulation = Simulation::new(scene).method(Method::Tsit5).rtol(1e-6);
     let times: Vec<f64> = (1..=30).map(|k| 0.01 * f64::from(k)).collect();
-    let nothing = [Measured { times: times.clone(), columns: Vec::new() }];
+    let nothing = [experiment(times.clone(), Vec::new())];
     let unknowns = [
         unknown("motor.k_s", 0.956, (0.5, 0.999)),
         unknown("motor.inertia", 4.2, (1.0, 10.0)),
         unknown("motor.k_r", 0.952, (0.5, 0.999)),
     ];
     let start: Vec<f64> = unknowns.iter().map(|unknown| unknown.start).collect();
-    let fit = Fit { simulation: &simulation, unknowns: &unknowns, measured: &nothing };
-    let run = fit.run(&nothing[0], &start, false).expect("it runs");
+    let fit = Fit::new(&simulation, &unknowns, &nothing);
+    let run = fit.run(&nothing[0], &start, &times, false).expect("it runs");
     let mut random = fastrand::Rng::with_seed(3);
     let noisy = |value: &f64| value + 0.1 * normal(&mut random);
     let data = run.column("motor_speed").expect("an output")[1..].iter().map(noisy).collect();
-    let measured = [Measured { times, columns: vec![("motor_speed".to_owned(), data)] }];
-    let fit = Fit { measured: &measured, ..fit };
+    let experiments = [experiment(times, vec![("motor_speed".to_owned(), data)])];
+    let fit = Fit::new(&simulation, &unknowns, &experiments);
     let found = found(&fit, &|_| 0.1);
     let told = statistics(&found.evaluation, Loss::Squares, (&[1.0; 3], 0.5), &[false; 3]);
     let [direction] = &told.untold[..] else { panic!("{told:?}") };

@@ -37,6 +37,7 @@ mod orders;
 mod parts;
 mod place;
 mod prepared;
+mod profiles;
 mod remainders;
 mod scene_states;
 mod sensitivities;

@@ -4,7 +4,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use machinist::error::StopCause;
-use machinist::fit::{End, Findings, Fit, Fitted, Measured, Plan, Unknown, Unsolved, steps_of};
+use machinist::fit::{
+    End, Experiment, Findings, Fit, Fitted, Measured, Noise, Plan, Unknown, Unsolved,
+};
 use machinist::{SimulateError, Simulation, constraints};
 use machinist_contract::Simulator;
 use pyo3::prelude::*;
@@ -120,11 +122,12 @@ fn solved(
         Ok(_) | Err(SimulateError::Stopped { .. }) => {}
         Err(error) => return Err(error.into()),
     }
-    let limit = steps_of(&run, &unknowns, measured);
+    let experiments: Vec<Experiment> =
+        measured.iter().enumerate().map(|(number, run)| experiment(number, run, search)).collect();
+    let limit = Fit::new(&run, &unknowns, &experiments).step_limit();
     let run = run.max_steps(limit);
-    let fit = Fit { simulation: &run, unknowns: &unknowns, measured };
+    let fit = Fit::new(&run, &unknowns, &experiments);
     let plan = Plan {
-        sigma: &search.sigma,
         is_robust: search.is_robust,
         starts: search.starts,
         steps: search.steps,
@@ -139,6 +142,15 @@ fn solved(
     })?;
     let findings = fit.findings(&fitted);
     Ok((fitted, findings))
+}
+
+/// A measured run with the noise that is known.
+fn experiment(number: usize, measured: &Measured, search: &Search) -> Experiment {
+    let is_measured =
+        |(name, _): &&(String, f64)| measured.columns.iter().any(|(column, _)| column == name);
+    let noise = search.sigma.iter().filter(is_measured);
+    let noise = noise.map(|(name, sigma)| (name.clone(), Noise::constant(*sigma))).collect();
+    Experiment { noise, ..Experiment::new(&number.to_string(), measured.clone()) }
 }
 
 /// Times must ascend, from the start of the run on, and go beyond it.

@@ -3,8 +3,8 @@
 use machinist_contract::{Quantity, Simulator};
 use serde::Serialize;
 
-use super::statistics::{Chance, Direction, chance, statistics, students_t};
-use super::{Fit, Fitted, Unknown, scale_of};
+use super::statistics::{Chance, Direction, Statistics, chance, statistics, students_t};
+use super::{ColumnResiduals, Fit, Fitted, Unknown};
 
 /// Unknowns that may go further than this share of themselves are not told.
 const FAR: f64 = 0.5;
@@ -59,6 +59,8 @@ pub struct Combination {
 /// What an output is off in the end.
 #[derive(Debug, Clone, Serialize)]
 pub struct OutputResidual {
+    /// Name of the experiment.
+    pub experiment: String,
     /// Its name.
     pub output: String,
     /// Its unit.
@@ -69,7 +71,7 @@ pub struct OutputResidual {
     pub rms: f64,
     /// The largest of them.
     pub largest: f64,
-    /// The scale by which residuals were weighed.
+    /// What residuals were weighed by: a standard deviation, or the root mean square of all.
     pub scale: f64,
     /// Whether they are as small as errors of the runs may be.
     pub is_rounding: bool,
@@ -84,11 +86,9 @@ pub struct OutputResidual {
 }
 
 impl Fit<'_> {
-    /// What was found, and what the data say of it.
-    #[must_use]
-    pub fn findings(&self, fitted: &Fitted) -> Findings {
-        let Fitted { found, loss, scales, .. } = fitted;
-        let simulator = self.simulation.simulator();
+    /// Statistics about where a search has ended, and which unknowns a bound holds there.
+    pub(super) fn told(&self, fitted: &Fitted) -> (Statistics, Vec<bool>) {
+        let Fitted { found, loss, .. } = fitted;
         let values = self.values(&found.at);
         let is_held = |(value, unknown): (&f64, &Unknown)| {
             let (low, high) = unknown.bounds;
@@ -106,6 +106,16 @@ impl Fit<'_> {
             )
             .collect();
         let told = statistics(&found.evaluation, *loss, (&sizes, FAR), &held);
+        (told, held)
+    }
+
+    /// What was found, and what the data say of it.
+    #[must_use]
+    pub fn findings(&self, fitted: &Fitted) -> Findings {
+        let Fitted { found, scales, .. } = fitted;
+        let simulator = self.simulation.simulator();
+        let values = self.values(&found.at);
+        let (told, held) = self.told(fitted);
         let t = students_t(told.freedom);
         let parameter = |k: usize| {
             let (unknown, at) = (&self.unknowns[k], found.at[k]);
@@ -138,19 +148,23 @@ impl Fit<'_> {
             shares: named(&direction.shares),
             standard_error: direction.error.is_finite().then_some(direction.error),
         };
-        let all = self.residuals_by_column(&found.evaluation);
-        let output = |(name, residuals): &(&str, &[f64])| {
-            let scale = scale_of(scales, name);
-            let mean = residuals.iter().map(|r| r * r).sum::<f64>() / residuals.len() as f64;
+        let all = self.residuals_by_column(&found.evaluation, scales);
+        let output = |column: &ColumnResiduals<'_>| {
+            let ColumnResiduals { experiment, output, residuals, sizes } = column;
+            let count = residuals.len().max(1) as f64;
+            let off = || residuals.iter().zip(sizes).map(|(r, size)| (r * size).abs());
+            let root_mean = |squares: f64| (squares / count).sqrt();
+            let rms = root_mean(off().map(|off| off * off).sum());
             let looks: Option<Chance> = chance(residuals);
             OutputResidual {
-                output: (*name).to_owned(),
-                unit: quantity(simulator, name).map_or("", |q| q.unit).to_owned(),
+                experiment: (*experiment).to_owned(),
+                output: (*output).to_owned(),
+                unit: quantity(simulator, output).map_or("", |q| q.unit).to_owned(),
                 values: residuals.len(),
-                rms: scale * mean.sqrt(),
-                largest: scale * residuals.iter().fold(0.0_f64, |most, r| most.max(r.abs())),
-                scale,
-                is_rounding: scale * mean.sqrt() <= ROUNDING * largest_of(self, name),
+                rms,
+                largest: off().fold(0.0, f64::max),
+                scale: root_mean(sizes.iter().map(|size| size * size).sum()),
+                is_rounding: rms <= ROUNDING * largest_of(self, output),
                 autocorrelation: looks.map(|chance| chance.autocorrelation),
                 runs: looks.map(|chance| chance.runs),
                 expected_runs: looks.map(|chance| chance.expected),
@@ -174,13 +188,13 @@ impl Fit<'_> {
 
 /// The largest size of what was measured.
 fn largest_of(fit: &Fit<'_>, name: &str) -> f64 {
-    let all = fit.measured.iter().flat_map(|measured| &measured.columns);
-    let own = all.filter(|(other, _)| other == name).flat_map(|(_, values)| values);
+    let own = fit.columns().filter(|(_, other, _)| *other == name);
+    let own = own.flat_map(|(_, _, values)| values);
     own.filter(|value| !value.is_nan()).fold(0.0_f64, |most, value| most.max(value.abs()))
 }
 
 /// The value of an unknown beyond its bounds too, as intervals may reach there.
-fn unknown_value(unknown: &Unknown, inner: f64) -> f64 {
+pub(super) fn unknown_value(unknown: &Unknown, inner: f64) -> f64 {
     let free = (f64::NEG_INFINITY, f64::INFINITY);
     if unknown.is_logarithmic() {
         inner.exp()
@@ -190,7 +204,7 @@ fn unknown_value(unknown: &Unknown, inner: f64) -> f64 {
 }
 
 /// The parameter, output or state of a name.
-fn quantity<'s>(simulator: &'s dyn Simulator<f64>, name: &str) -> Option<Quantity<'s>> {
+pub(super) fn quantity<'s>(simulator: &'s dyn Simulator<f64>, name: &str) -> Option<Quantity<'s>> {
     let shape = simulator.shape();
     let parameters = (0..shape.parameters).map(|index| simulator.parameter(index));
     let outputs = (0..shape.outputs).map(|index| simulator.output(index));

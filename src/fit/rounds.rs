@@ -1,9 +1,9 @@
 //! A fit from start to end: searches from several starts, and scales that follow residuals.
 
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
 
-use super::{End, Evaluation, Fit, Found, Loss, Measured, Unknown, spread_starts};
-use crate::simulate::Simulation;
+use super::{End, Evaluation, Fit, Found, Loss, spread_starts};
 
 /// How often the scales of outputs follow the residuals.
 const REWEIGHTINGS: usize = 4;
@@ -17,9 +17,6 @@ const OF_MEDIAN: f64 = 1.4826;
 /// How a fit is made.
 #[derive(Debug, Clone, Copy)]
 pub struct Plan<'a> {
-    /// Standard deviations of outputs' measurements that are known, in their units; what is not
-    /// known follows from residuals.
-    pub sigma: &'a [(String, f64)],
     /// Whether outliers count less, by Huber's loss.
     pub is_robust: bool,
     /// Searches from so many starts, at least one.
@@ -28,6 +25,13 @@ pub struct Plan<'a> {
     pub steps: usize,
     /// Ends the fit where it is, once set.
     pub interrupt: Option<&'a AtomicBool>,
+}
+
+impl Plan<'_> {
+    /// Whether somebody has asked to stop.
+    pub(super) fn is_flagged(&self) -> bool {
+        self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed))
+    }
 }
 
 /// Why nothing was found.
@@ -71,123 +75,159 @@ impl Fit<'_> {
     pub fn solve(
         &self,
         plan: &Plan<'_>,
-        watch: &mut dyn FnMut(usize, &Evaluation),
+        watch: &mut (dyn FnMut(usize, &Evaluation) + Send),
     ) -> Result<Fitted, Unsolved> {
-        let is_flagged = || plan.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed));
-        let mut scales = self.first_scales(plan.sigma);
-        let mut runs = 0;
-        let mut search = |start: &[f64], scales: &[(String, f64)], loss: Loss| {
-            let scale_of = |name: &str| scale_of(scales, name);
-            let (first, told) = (runs, std::cell::Cell::new(runs));
-            let found =
-                self.search(start, &scale_of, (loss, plan.steps), plan.interrupt, |evaluation| {
-                    told.set(told.get() + 1);
-                    watch(told.get(), evaluation);
-                });
-            runs = told.get().max(first);
-            found
-        };
-        let mut best: Option<Found> = None;
-        let mut lost = (0, None);
-        for start in spread_starts(&self.start(), &self.bounds(), plan.starts) {
-            match search(&start, &scales, Loss::Squares) {
-                Ok(found) => {
-                    let is_interrupted = found.end == End::Interrupted;
-                    if best.as_ref().is_none_or(|best| found.cost < best.cost) {
-                        best = Some(found);
-                    }
-                    if is_interrupted {
-                        break;
-                    }
+        let counter = Counter::new(watch);
+        let mut fitted = self.best_of_starts(plan, &counter)?;
+        let weighs =
+            self.outputs().iter().any(|name| !self.is_known(name)) && self.outputs().len() > 1;
+        if weighs || plan.is_robust {
+            self.reweigh(&mut fitted, plan, weighs, &counter);
+        }
+        if plan.is_flagged() {
+            fitted.found.end = End::Interrupted;
+        }
+        Ok(Fitted { runs: counter.count(), ..fitted })
+    }
+
+    /// The best that searches from all starts find, by their first scales.
+    fn best_of_starts(&self, plan: &Plan<'_>, counter: &Counter<'_>) -> Result<Fitted, Unsolved> {
+        let scales = self.first_scales();
+        let starts = spread_starts(&self.start(), &self.bounds(), plan.starts);
+        let searched = self.each(starts.len(), |fit, number| {
+            let scale_of = |name: &str| scale_of(&scales, name);
+            let how = (Loss::Squares, plan.steps);
+            fit.search(&starts[number], &scale_of, how, plan.interrupt, &|now| counter.tell(now))
+        });
+        let (mut best, mut lost) = (None::<Found>, (0, None));
+        for found in searched {
+            match found {
+                Ok(found) if best.as_ref().is_none_or(|best| found.cost < best.cost) => {
+                    best = Some(found);
                 }
-                Err(_) if is_flagged() => {}
+                Ok(_) => {}
+                Err(_) if plan.is_flagged() => {}
                 Err(why) => {
                     lost.0 += 1;
                     lost.1.get_or_insert(why);
                 }
             }
-            if is_flagged() {
-                break;
-            }
         }
-        let Some(mut found) = best else {
-            if is_flagged() {
-                return Err(Unsolved::Interrupted);
+        match best {
+            Some(found) => {
+                let steps = found.steps;
+                Ok(Fitted { found, loss: Loss::Squares, scales, lost, steps, runs: 0 })
             }
-            return Err(Unsolved::NoStart { why: lost.1.unwrap_or_default() });
-        };
-        let mut loss = Loss::Squares;
-        let weighs = plan.sigma.is_empty() && self.outputs().len() > 1;
-        let is_robust = plan.is_robust;
-        let rounds = if weighs || is_robust { REWEIGHTINGS } else { 0 };
-        let mut steps = found.steps;
-        for _ in 0..rounds {
-            if is_flagged() {
-                break;
-            }
-            let before = scales.clone();
-            if weighs {
-                scales = renewed(self, &found.evaluation, &scales, is_robust);
-            }
-            let is_same =
-                |(a, b): (&(String, f64), &(String, f64))| (a.1 - b.1).abs() <= SETTLED * a.1;
-            if !is_robust && before.iter().zip(&scales).all(is_same) {
-                break;
-            }
-            if is_robust {
-                let scale_of = |name: &str| scale_of(&scales, name);
-                if let Ok(now) = self.evaluate(&found.at, &scale_of) {
-                    let sizes: Vec<f64> = now.residuals.iter().map(|r| r.abs()).collect();
-                    loss = Loss::Huber(HUBER * OF_MEDIAN * median(sizes).max(f64::MIN_POSITIVE));
-                }
-            }
-            match search(&found.at.clone(), &scales, loss) {
-                Ok(better) => {
-                    steps += better.steps;
-                    found = better;
-                }
-                Err(why) => {
-                    scales = before;
-                    if !is_flagged() {
-                        lost.1.get_or_insert(why);
-                    }
-                    break;
-                }
-            }
+            None if plan.is_flagged() => Err(Unsolved::Interrupted),
+            None => Err(Unsolved::NoStart { why: lost.1.unwrap_or_default() }),
         }
-        if is_flagged() {
-            found.end = End::Interrupted;
-        }
-        Ok(Fitted { found, loss, scales, lost, steps, runs })
     }
 
-    /// What residuals are measured by at first: the standard deviation given, else that of what
-    /// was measured about its mean.
-    fn first_scales(&self, sigma: &[(String, f64)]) -> Vec<(String, f64)> {
+    /// Searches again, with scales by the residuals, or with a loss by their median.
+    fn reweigh(&self, fitted: &mut Fitted, plan: &Plan<'_>, weighs: bool, counter: &Counter<'_>) {
+        let is_same = |(a, b): (&(String, f64), &(String, f64))| (a.1 - b.1).abs() <= SETTLED * a.1;
+        for _ in 0..REWEIGHTINGS {
+            if plan.is_flagged() {
+                return;
+            }
+            let mut scales = fitted.scales.clone();
+            if weighs {
+                scales = self.renewed(&fitted.found.evaluation, &scales, plan.is_robust);
+            }
+            if !plan.is_robust && fitted.scales.iter().zip(&scales).all(is_same) {
+                return;
+            }
+            let scale_of = |name: &str| scale_of(&scales, name);
+            if plan.is_robust
+                && let Ok(now) = self.evaluate(&fitted.found.at, &scale_of)
+            {
+                let sizes: Vec<f64> = now.residuals.iter().map(|r| r.abs()).collect();
+                let size = HUBER * OF_MEDIAN * median(sizes).max(f64::MIN_POSITIVE);
+                fitted.loss = Loss::Huber(size);
+            }
+            let how = (fitted.loss, plan.steps);
+            let tell = |now: &Evaluation| counter.tell(now);
+            match self.search(&fitted.found.at, &scale_of, how, plan.interrupt, &tell) {
+                Ok(better) => {
+                    fitted.steps += better.steps;
+                    (fitted.found, fitted.scales) = (better, scales);
+                }
+                Err(why) => {
+                    if !plan.is_flagged() {
+                        fitted.lost.1.get_or_insert(why);
+                    }
+                    return;
+                }
+            }
+        }
+    }
+
+    /// Whether the noise of an output is known.
+    fn is_known(&self, output: &str) -> bool {
+        self.experiments.iter().any(|experiment| experiment.noise_of(output).is_some())
+    }
+
+    /// What residuals are measured by at first: 1 where noise is known, else the standard
+    /// deviation of what was measured about its mean.
+    fn first_scales(&self) -> Vec<(String, f64)> {
         let of = |name: &&str| {
-            let given = sigma.iter().find(|(other, _)| other == name);
-            let all = self.measured.iter().flat_map(|measured| &measured.columns);
-            let own = all.filter(|(other, _)| other == name).flat_map(|(_, values)| values);
-            let own: Vec<f64> = own.copied().filter(|value| !value.is_nan()).collect();
-            let scale = given.map_or_else(|| spread(&own), |(_, sigma)| *sigma);
-            ((*name).to_owned(), scale)
+            let own = self.columns().filter(|(_, other, _)| other == name);
+            let own = own.flat_map(|(_, _, values)| values).copied();
+            let own: Vec<f64> = own.filter(|value| !value.is_nan()).collect();
+            ((*name).to_owned(), if self.is_known(name) { 1.0 } else { spread(&own) })
         };
         self.outputs().iter().map(of).collect()
     }
+
+    /// Scales of outputs by their residuals, so that what is measured well counts for more; not
+    /// below a millionth of what they were at first.
+    fn renewed(
+        &self,
+        evaluation: &Evaluation,
+        scales: &[(String, f64)],
+        is_robust: bool,
+    ) -> Vec<(String, f64)> {
+        const LEAST: f64 = 1e-6;
+        let residuals = self.residuals_by_column(evaluation, scales);
+        let renew = |(name, scale): &(String, f64)| {
+            if self.is_known(name) {
+                return (name.clone(), *scale);
+            }
+            let own = residuals.iter().filter(|column| column.output == name);
+            let own: Vec<f64> = own.flat_map(|column| column.residuals).copied().collect();
+            let mean = own.iter().map(|r| r * r).sum::<f64>() / own.len().max(1) as f64;
+            let usual = if is_robust {
+                OF_MEDIAN * median(own.iter().map(|r| r.abs()).collect())
+            } else {
+                mean.sqrt()
+            };
+            (name.clone(), scale * if usual.is_finite() { usual.max(LEAST) } else { 1.0 })
+        };
+        scales.iter().map(renew).collect()
+    }
 }
 
-/// Steps that a variant may take before it is given up: many times those of the start.
-#[must_use]
-pub fn steps_of(simulation: &Simulation<'_>, unknowns: &[Unknown], measured: &[Measured]) -> usize {
-    const TIMES: u64 = 50;
-    const LEAST: u64 = 20_000;
-    const UNKNOWN: u64 = 200_000;
-    let first = simulation.clone().max_steps(UNKNOWN as usize);
-    let fit = Fit { simulation: &first, unknowns, measured };
-    let starts: Vec<f64> = unknowns.iter().map(|unknown| unknown.start).collect();
-    let runs = measured.iter().map(|measured| fit.run(measured, &starts, false));
-    let most = runs.map(|run| run.map_or(UNKNOWN / TIMES, |run| run.work.steps)).max();
-    (TIMES * most.unwrap_or_default()).max(LEAST) as usize
+/// Counts evaluations of all threads, and tells of them one after another.
+pub(super) struct Counter<'w>(Mutex<(usize, Watch<'w>)>);
+
+/// Told of every evaluation, and how many there have been.
+type Watch<'w> = &'w mut (dyn FnMut(usize, &Evaluation) + Send);
+
+impl<'w> Counter<'w> {
+    pub(super) fn new(watch: Watch<'w>) -> Self {
+        Self(Mutex::new((0, watch)))
+    }
+
+    pub(super) fn tell(&self, evaluation: &Evaluation) {
+        let mut told = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let (count, watch) = &mut *told;
+        *count += 1;
+        watch(*count, evaluation);
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).0
+    }
 }
 
 /// The scale of an output; 1 of what has none.
@@ -212,28 +252,4 @@ fn spread(values: &[f64]) -> f64 {
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
-}
-
-/// Scales of outputs by their residuals, so that what is measured well counts for more; not
-/// below a millionth of what they were at first.
-fn renewed(
-    fit: &Fit<'_>,
-    evaluation: &Evaluation,
-    scales: &[(String, f64)],
-    is_robust: bool,
-) -> Vec<(String, f64)> {
-    const LEAST: f64 = 1e-6;
-    let residuals = fit.residuals_by_column(evaluation);
-    let renew = |(name, scale): &(String, f64)| {
-        let own = residuals.iter().filter(|(other, _)| other == name);
-        let own: Vec<f64> = own.flat_map(|(_, residuals)| *residuals).copied().collect();
-        let mean = own.iter().map(|r| r * r).sum::<f64>() / own.len().max(1) as f64;
-        let usual = if is_robust {
-            OF_MEDIAN * median(own.iter().map(|r| r.abs()).collect())
-        } else {
-            mean.sqrt()
-        };
-        (name.clone(), scale * if usual.is_finite() { usual.max(LEAST) } else { 1.0 })
-    };
-    scales.iter().map(renew).collect()
 }

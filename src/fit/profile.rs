@@ -1,0 +1,351 @@
+//! Profiles of the likelihood: how much worse the best fit becomes as one unknown is held away
+//! from where it was found.
+//!
+//! ```text
+//! S(u_k) = min sum rho(r_i)  over all other unknowns
+//! tau    = sign(u_k - found) sqrt((S(u_k) - S)/s^2)      s^2 = sum r^2/(m - n)
+//! ```
+//!
+//! Values with |tau| <= t, Student's of 95 % with m - n degrees of freedom, are the interval of
+//! confidence; F(1, m - n) = t^2. Where the model is linear tau is, and the interval that of
+//! the standard error. (D. M. Bates, D. G. Watts, Nonlinear Regression Analysis and Its
+//! Applications, 1988, section 6.1.)
+//!
+//! A walk goes outwards by steps of a part of t, each from the best of the last along the tangent
+//! dS/du_others = 0, and when it has passed t back to it by Newton's method: dS/du_k is
+//! known from the derivatives of the residuals alone.
+
+use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
+
+use super::findings::quantity;
+use super::least_squares::weighed;
+use super::rounds::Counter;
+use super::statistics::students_t;
+use super::{End, Evaluation, Fit, Fitted, Found, Loss, Plan, Search, Unknown, scale_of};
+
+/// Steps of a walk until t, if tau grows evenly.
+const STEPS: f64 = 4.0;
+/// Points of a side at most.
+const MOST: usize = 60;
+/// A walk that has come so far, as a search knows the unknown, leads to no end: a thousandfold on
+/// a logarithmic scale.
+const FAR: f64 = 7.0;
+/// The first step where the residuals do not say how far to go.
+const FIRST: f64 = 0.05;
+/// Shorter ones are tried so often where a run fails.
+const HALVINGS: usize = 6;
+/// A fit whose sum of squares is smaller by so many variances is another one.
+const BETTER: f64 = 0.01;
+/// An end of an interval is found where tau is t to this share.
+const EXACT: f64 = 1e-6;
+
+/// The profile of one unknown.
+#[derive(Debug, Clone, Serialize)]
+pub struct Profile {
+    /// Name of the parameter or state.
+    pub parameter: String,
+    /// Its unit.
+    pub unit: String,
+    /// What was found.
+    pub value: f64,
+    /// Ends of the interval of confidence of 95 %; null where there is none.
+    pub confidence_95: [Option<f64>; 2],
+    /// Why there is none.
+    pub open: [Option<String>; 2],
+    /// Points of the profile, ascending.
+    pub points: Vec<ProfilePoint>,
+}
+
+/// The best fit with one unknown held.
+#[derive(Debug, Clone, Serialize)]
+pub struct ProfilePoint {
+    /// The value held.
+    pub value: f64,
+    /// Signed root of what the sum of squares has grown by, over the variance of residuals.
+    pub tau: f64,
+    /// Its derivative by the value.
+    pub slope: f64,
+    /// Best values of all unknowns, the one held too.
+    pub parameters: Vec<f64>,
+}
+
+/// Where a walk stands, as the search knows it.
+#[derive(Clone)]
+struct Stand {
+    at: Vec<f64>,
+    /// Size of tau.
+    tau: f64,
+    /// d tau/d u_k, outwards.
+    slope: f64,
+    /// d u/d u_k, the others at their best.
+    tangent: Vec<f64>,
+}
+
+/// One side of a profile.
+struct Side {
+    /// Outwards.
+    points: Vec<Stand>,
+    end: Result<f64, String>,
+}
+
+/// What all walks go by.
+struct Walk<'w> {
+    fit: &'w Fit<'w>,
+    fitted: &'w Fitted,
+    plan: &'w Plan<'w>,
+    tell: &'w (dyn Fn(&Evaluation) + Sync),
+    /// The unknown that is held, and whether the walk goes up.
+    held: usize,
+    outwards: f64,
+    /// s^2.
+    variance: f64,
+    t: f64,
+}
+
+impl Fit<'_> {
+    /// Profiles of these unknowns about where a fit has ended, with its scales and its loss.
+    /// `watch` is told of every evaluation, as by [`Fit::solve`].
+    pub fn profiles(
+        &self,
+        fitted: &Fitted,
+        which: &[usize],
+        plan: &Plan<'_>,
+        watch: &mut (dyn FnMut(usize, &Evaluation) + Send),
+    ) -> Vec<Profile> {
+        let (told, _) = self.told(fitted);
+        let (variance, t) = (told.deviation * told.deviation, students_t(told.freedom));
+        let counter = Counter::new(watch);
+        let mut sides = self.each(2 * which.len(), |fit, number| {
+            let (held, outwards) = (which[number / 2], if number % 2 == 0 { -1.0 } else { 1.0 });
+            let tell = &|now: &Evaluation| counter.tell(now);
+            Walk { fit, fitted, plan, tell, held, outwards, variance, t }.side()
+        });
+        let profiles = which.iter().rev().map(|held| {
+            let (up, down) = (sides.pop(), sides.pop());
+            self.joined(*held, [down, up].map(Option::unwrap_or_default))
+        });
+        let mut profiles: Vec<Profile> = profiles.collect();
+        profiles.reverse();
+        profiles
+    }
+
+    /// Both sides of a profile as one.
+    fn joined(&self, held: usize, [down, up]: [Side; 2]) -> Profile {
+        let unknown = &self.unknowns[held];
+        let point = |stand: &Stand, outwards: f64| {
+            let parameters = self.values(&stand.at);
+            let value = parameters[held];
+            let slope = stand.slope / unknown.slope(value).abs();
+            ProfilePoint { value, tau: outwards * stand.tau, slope, parameters }
+        };
+        let below = down.points.iter().skip(1).rev().map(|stand| point(stand, -1.0));
+        let above = up.points.iter().map(|stand| point(stand, 1.0));
+        let value = up.points.first().map_or(f64::NAN, |stand| unknown.outer(stand.at[held]));
+        let points = below.chain(above).collect();
+        let ends = [&down.end, &up.end];
+        Profile {
+            parameter: unknown.name.clone(),
+            unit: quantity(self.simulation.simulator(), &unknown.name)
+                .map_or("", |quantity| quantity.unit)
+                .to_owned(),
+            value,
+            confidence_95: ends.map(|end| end.as_ref().ok().map(|inner| unknown.outer(*inner))),
+            open: ends.map(|end| end.as_ref().err().cloned()),
+            points,
+        }
+    }
+}
+
+impl Default for Side {
+    fn default() -> Self {
+        Self { points: Vec::new(), end: Err(String::new()) }
+    }
+}
+
+impl Walk<'_> {
+    fn side(&self) -> Side {
+        let Found { at, evaluation, .. } = &self.fitted.found;
+        let (tangent, alone) = tangent(evaluation, self.fitted.loss, self.held, &self.is_free(at));
+        let slope = alone / self.variance.sqrt();
+        let mut points = vec![Stand { at: at.clone(), tau: 0.0, slope, tangent }];
+        let end = if self.t.is_finite() && self.variance > 0.0 {
+            self.outward(&mut points)
+        } else {
+            Err("residuals do not say how exact the data are".to_owned())
+        };
+        Side { points, end }
+    }
+
+    fn unknown(&self) -> &Unknown {
+        &self.fit.unknowns[self.held]
+    }
+
+    /// Where the walk has to end, as the search knows it.
+    fn bound(&self) -> f64 {
+        let (low, high) = self.unknown().inner_bounds();
+        if self.outwards < 0.0 { low } else { high }
+    }
+
+    /// Goes on until tau has passed t, and says where it is t, or why nowhere.
+    fn outward(&self, points: &mut Vec<Stand>) -> Result<f64, String> {
+        let (first, bound) = (points[0].at[self.held], self.bound());
+        let by_slope = self.t / STEPS / points[0].slope;
+        let mut step = if by_slope < FAR { by_slope } else { FIRST };
+        let mut halvings = 0;
+        while points.len() < MOST {
+            let here = points[points.len() - 1].clone();
+            let from = here.at[self.held];
+            if (bound - from) * self.outwards <= 0.0 {
+                return Err("a bound holds it".to_owned());
+            }
+            if (from - first).abs() > FAR {
+                break;
+            }
+            let wanted = from + self.outwards * step;
+            let ahead = if (bound - wanted) * self.outwards < 0.0 { bound } else { wanted };
+            match self.best_at(ahead, &here) {
+                Ok(next) => {
+                    points.push(next.clone());
+                    if next.tau >= self.t {
+                        return self.crossing(points, here, next);
+                    }
+                    let by_slope = self.t / STEPS / next.slope.max(f64::MIN_POSITIVE);
+                    step = by_slope.clamp(0.25 * step, 2.0 * step);
+                }
+                Err(Halt::Run(why)) if halvings == HALVINGS => {
+                    let value = number(self.unknown().outer(from));
+                    return Err(format!("it cannot be simulated beyond {value}: {why}"));
+                }
+                Err(Halt::Run(_)) => {
+                    halvings += 1;
+                    step *= 0.25;
+                }
+                Err(Halt::For(why)) => return Err(why),
+            }
+        }
+        let last = self.unknown().outer(points[points.len() - 1].at[self.held]);
+        Err(format!("the data do not tell it up to {}", number(last)))
+    }
+
+    /// Where tau is t between two points of the walk; those on the way are added to it.
+    fn crossing(
+        &self,
+        points: &mut Vec<Stand>,
+        mut low: Stand,
+        mut high: Stand,
+    ) -> Result<f64, String> {
+        const MOST: usize = 12;
+        let by_slope =
+            |from: &Stand| from.at[self.held] + self.outwards * (self.t - from.tau) / from.slope;
+        for _ in 0..MOST {
+            let is_low_nearer = self.t - low.tau < high.tau - self.t;
+            let from = if is_low_nearer { &low } else { &high };
+            if (from.tau - self.t).abs() <= EXACT * self.t {
+                return Ok(by_slope(from));
+            }
+            let (a, b) = (low.at[self.held], high.at[self.held]);
+            let straight = by_slope(from);
+            let is_between = (straight - a) * (straight - b) < 0.0;
+            let ahead = if is_between { straight } else { f64::midpoint(a, b) };
+            let next = self.best_at(ahead, from).map_err(|halt| match halt {
+                Halt::Run(why) | Halt::For(why) => why,
+            })?;
+            // In the order of the walk.
+            points.insert(points.len() - 1, next.clone());
+            points.sort_by(|a, b| {
+                (self.outwards * a.at[self.held]).total_cmp(&(self.outwards * b.at[self.held]))
+            });
+            if next.tau < self.t {
+                low = next;
+            } else {
+                high = next;
+            }
+        }
+        Err("the sum of squares is too rough there to tell the end".to_owned())
+    }
+
+    /// The best fit with the unknown held there, looked for from a point of the walk.
+    fn best_at(&self, held: f64, from: &Stand) -> Result<Stand, Halt> {
+        let Walk { fit, fitted, plan, .. } = self;
+        let mut bounds = fit.bounds();
+        bounds[self.held] = (held, held);
+        let moved = held - from.at[self.held];
+        let straight: Vec<f64> =
+            from.at.iter().zip(&from.tangent).map(|(u, slope)| u + slope * moved).collect();
+        let loss = fitted.loss;
+        let search = Search { bounds: &bounds, loss, most: plan.steps, interrupt: plan.interrupt };
+        let scales = |name: &str| scale_of(&fitted.scales, name);
+        let look = |start: &[f64]| fit.search_within(start, &scales, &search, self.tell);
+        let found = look(&straight).or_else(|_| look(&from.at));
+        let interrupted = || Halt::For("the profile was interrupted".to_owned());
+        let found =
+            found.map_err(|why| if plan.is_flagged() { interrupted() } else { Halt::Run(why) })?;
+        if found.end == End::Interrupted {
+            return Err(interrupted());
+        }
+        let grown = 2.0 * (found.cost - fitted.found.cost);
+        if grown < -BETTER * self.variance {
+            let value = number(self.unknown().outer(held));
+            let why = format!("there is a better fit at {value}; start from there");
+            return Err(Halt::For(why));
+        }
+        let tau = (grown.max(0.0) / self.variance).sqrt();
+        let (jacobian, residuals) = weighed(&found.evaluation, loss);
+        let rise = self.outwards * jacobian.column(self.held).dot(&residuals);
+        let (tangent, alone) =
+            tangent(&found.evaluation, loss, self.held, &self.is_free(&found.at));
+        let slope =
+            if tau > 0.0 { rise / (self.variance * tau) } else { alone / self.variance.sqrt() };
+        Ok(Stand { at: found.at, tau, slope, tangent })
+    }
+
+    /// Which of the others no bound holds.
+    fn is_free(&self, at: &[f64]) -> Vec<bool> {
+        let bounds = self.fit.bounds();
+        let is_within = |(k, (u, (low, high))): (usize, (&f64, &(f64, f64)))| {
+            k != self.held && low < u && u < high
+        };
+        at.iter().zip(&bounds).enumerate().map(is_within).collect()
+    }
+}
+
+/// Why a walk does not go on.
+enum Halt {
+    /// Nothing can be simulated there.
+    Run(String),
+    /// For another reason.
+    For(String),
+}
+
+/// How the others move with the one that is held, to first order, and the length of what of its
+/// column of the Jacobian they cannot make.
+fn tangent(evaluation: &Evaluation, loss: Loss, held: usize, is_free: &[bool]) -> (Vec<f64>, f64) {
+    const ROUNDING: f64 = 1e-9;
+    let (jacobian, _) = weighed(evaluation, loss);
+    let own = jacobian.column(held).into_owned();
+    let free: Vec<usize> = (0..is_free.len()).filter(|k| is_free[*k]).collect();
+    let mut tangent = vec![0.0; is_free.len()];
+    tangent[held] = 1.0;
+    if free.is_empty() {
+        return (tangent, own.norm());
+    }
+    let others = DMatrix::from_fn(jacobian.nrows(), free.len(), |row, k| jacobian[(row, free[k])]);
+    // By columns of length 1, since unknowns are of different sizes.
+    let sizes: Vec<f64> =
+        others.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
+    let scaled = DMatrix::from_fn(others.nrows(), free.len(), |row, k| others[(row, k)] / sizes[k]);
+    let made = scaled.clone().svd(true, true).solve(&own, ROUNDING);
+    let made = made.unwrap_or_else(|_| DVector::zeros(free.len()));
+    for (k, (place, size)) in free.iter().zip(&sizes).enumerate() {
+        tangent[*place] = -made[k] / size;
+    }
+    (tangent, (own - scaled * made).norm())
+}
+
+/// Six digits, for words.
+fn number(value: f64) -> String {
+    format!("{value:.5e}")
+        .parse::<f64>()
+        .map_or_else(|_| value.to_string(), |value| value.to_string())
+}

@@ -1,0 +1,52 @@
+//! Work on a fit side by side: searches from several starts, runs of several experiments,
+//! profiles of several parameters.
+
+use super::Fit;
+
+/// Hands a simulator of the fit's machine to whoever is on the calling thread: one that all
+/// share, or one that is made for it.
+#[cfg(feature = "sweep")]
+pub type Lender<'a> = &'a (dyn Fn(&mut dyn FnMut(&dyn machinist_contract::Simulator<f64>)) + Sync);
+
+impl<'a> Fit<'a> {
+    /// The same on threads, each of which is lent a simulator. Results do not depend on how many
+    /// there are. Where the simulation is asked by [`Simulation::until_told`] it stays on one.
+    ///
+    /// [`Simulation::until_told`]: crate::Simulation::until_told
+    #[cfg(feature = "sweep")]
+    #[must_use]
+    pub fn on_threads(self, lender: Lender<'a>) -> Self {
+        Self { lender: Some(lender), ..self }
+    }
+
+    /// What `work` makes of each number below `count`.
+    pub(super) fn each<T: Send>(
+        &self,
+        count: usize,
+        work: impl Fn(&Fit<'_>, usize) -> T + Sync,
+    ) -> Vec<T> {
+        #[cfg(feature = "sweep")]
+        if let Some(lender) = self.lender
+            && count > 1
+            && let Some(settings) = self.simulation.settings()
+        {
+            use rayon::prelude::*;
+
+            let (unknowns, experiments) = (self.unknowns, self.experiments);
+            let lent = |number: usize| {
+                let mut found = None;
+                lender(&mut |simulator| {
+                    let simulation = settings.clone().of(simulator);
+                    let fit = Fit::new(&simulation, unknowns, experiments).on_threads(lender);
+                    found = Some(work(&fit, number));
+                });
+                found
+            };
+            let found: Vec<Option<T>> = (0..count).into_par_iter().map(lent).collect();
+            let own =
+                |(number, found): (usize, Option<T>)| found.unwrap_or_else(|| work(self, number));
+            return found.into_iter().enumerate().map(own).collect();
+        }
+        (0..count).map(|number| work(self, number)).collect()
+    }
+}

@@ -1,0 +1,83 @@
+//! Settings of a run apart from its simulator, for threads that have a simulator of their own.
+
+use std::sync::atomic::AtomicBool;
+use std::time::Duration;
+
+use machinist_contract::Simulator;
+
+use super::{Sampling, Simulation};
+use crate::method::Method;
+use crate::method::sensitivity::By;
+
+/// A [`Simulation`] without its simulator, which threads may share; and without
+/// [`Simulation::until_told`], whose question is one thread's.
+#[derive(Clone)]
+pub(crate) struct Settings<'a> {
+    parameters: Vec<f64>,
+    initial_state: Option<Vec<f64>>,
+    initial_values: Vec<(usize, f64)>,
+    in_equilibrium: Option<bool>,
+    from: f64,
+    until: f64,
+    sampling: Sampling,
+    rtol: f64,
+    atol: Option<Vec<f64>>,
+    method: Option<Method>,
+    max_steps: usize,
+    energy_balance: bool,
+    sensitivities: Vec<By>,
+    controls_sensitivities: bool,
+    time_limit: Option<Duration>,
+    interrupt: Option<&'a AtomicBool>,
+}
+
+impl<'a> Simulation<'a> {
+    /// They, if nobody asks by [`Simulation::until_told`].
+    pub(crate) fn settings(&self) -> Option<Settings<'a>> {
+        let own = self.clone();
+        own.asked.is_none().then_some(Settings {
+            parameters: own.parameters,
+            initial_state: own.initial_state,
+            initial_values: own.initial_values,
+            in_equilibrium: own.in_equilibrium,
+            from: own.from,
+            until: own.until,
+            sampling: own.sampling,
+            rtol: own.rtol,
+            atol: own.atol,
+            method: own.method,
+            max_steps: own.max_steps,
+            energy_balance: own.energy_balance,
+            sensitivities: own.sensitivities,
+            controls_sensitivities: own.controls_sensitivities,
+            time_limit: own.time_limit,
+            interrupt: own.interrupt,
+        })
+    }
+}
+
+impl<'a> Settings<'a> {
+    /// The run of a simulator of the same machine.
+    pub(crate) fn of(self, simulator: &'a dyn Simulator<f64>) -> Simulation<'a> {
+        Simulation {
+            simulator,
+            parameters: self.parameters,
+            initial_state: self.initial_state,
+            initial_values: self.initial_values,
+            in_equilibrium: self.in_equilibrium,
+            from: self.from,
+            until: self.until,
+            sampling: self.sampling,
+            rtol: self.rtol,
+            atol: self.atol,
+            method: self.method,
+            max_steps: self.max_steps,
+            energy_balance: self.energy_balance,
+            sensitivities: self.sensitivities,
+            controls_sensitivities: self.controls_sensitivities,
+            time_limit: self.time_limit,
+            interrupt: self.interrupt,
+            asked: None,
+        }
+    }
+}

@@ -103,15 +103,6 @@ pub fn assignment(text: &str) -> Result<(String, Amount), String> {
     Ok((name.trim().to_owned(), Amount::parse(value)?))
 }
 
-/// `name=value` with a number that has no unit.
-pub fn bare_assignment(text: &str) -> Result<(String, f64), String> {
-    let (name, amount) = assignment(text)?;
-    match amount.unit {
-        None => Ok((name, amount.value)),
-        Some(unit) => Err(format!("`{text}` is in the unit of {name}, without `[{unit}]`")),
-    }
-}
-
 /// They as JSON, for what tables say of their settings.
 pub fn as_json(set: &[(String, Amount)]) -> Map<String, Value> {
     set.iter().map(|(name, amount)| (name.clone(), amount.value.into())).collect()
@@ -148,7 +139,6 @@ mod tests {
         assert!(Amount::parse("1 [parsec]").unwrap_err().contains("parsec"));
         let amount = Amount::parse("18 [kN m/rad]").unwrap();
         assert!(amount.check("k", "N m/rad").is_ok() && amount.check("k", "N/m").is_err());
-        assert!(bare_assignment("a=1 [m]").is_err() && bare_assignment("a=1").is_ok());
     }
 
     #[cfg(not(feature = "derive"))]

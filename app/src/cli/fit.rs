@@ -2,42 +2,51 @@
 
 mod answer;
 pub mod data;
+mod experiments;
+mod noise;
+mod plot;
+mod threads;
 pub(super) mod unknown;
 
 use std::path::PathBuf;
-use std::sync::atomic::AtomicBool;
 
 use clap::{Args, ValueEnum};
 use machinist::Simulation;
 use machinist::constraints;
-use machinist::fit::{self, End, Evaluation, Fitted, Measured, Plan, Unknown, Unsolved};
-use machinist::trajectory::{Column, ColumnKind, Trajectory};
+use machinist::fit::{
+    End, Evaluation, Experiment, Fit, Fitted, Noise, Plan, Profile, Unknown, Unsolved,
+};
 use machinist_contract::Simulator;
 
-use super::amount::{Amount, assignment, bare_assignment, in_si};
-use super::output::{draw_file, print, require_ending, require_picture};
+use super::amount::{Amount, assignment, in_si};
+use super::output::{print, require_ending, require_picture};
 use super::rewrite::{FoundValue, write_scene};
 use super::scene::Scene;
 use super::settings::{with_method, with_parameters};
-use crate::failure::Failure;
+use crate::failure::{Failure, did_you_mean};
 use crate::interrupt;
 use crate::number::number;
 use crate::progress::spinner;
 use answer::Answer;
-use data::Reading;
+use data::{File, Reading};
+use experiments::Setup;
+use noise::of_output;
 use unknown::{Asked, asked, unknowns};
 
 /// Steps of a search at most, unless told otherwise.
 const STEPS: usize = 100;
-/// Curves of a plot have so many points beside those of the data.
-const POINTS: usize = 600;
+
 #[derive(Debug, Args)]
 pub struct FitCommand {
     /// Name of a scene built in, or a scene file
     scene: String,
     /// A measured run: a CSV file with time in its first column; may be given several times
-    #[arg(long, value_name = "FILE", required = true)]
+    #[arg(long, value_name = "FILE", required_unless_present = "experiments")]
     data: Vec<PathBuf>,
+    /// Measured runs with settings of their own: a TOML file with a table [[experiment]] for each,
+    /// of `data`, and as wanted `name`, `from`, `set`, `map`, `outputs`, `sigma`
+    #[arg(long, value_name = "FILE")]
+    experiments: Option<PathBuf>,
     /// What is fitted: parameters, or initial values of states, with bounds or without
     #[arg(long, value_name = "NAME[=FROM..TO]", value_delimiter = ',', required = true,
         value_parser = asked)]
@@ -48,10 +57,11 @@ pub struct FitCommand {
     /// Only these outputs or states; all columns unless given
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
-    /// Standard deviation of an output's measurement, in its unit; found from the residuals
-    /// unless given
-    #[arg(long, value_name = "OUTPUT=VALUE", value_parser = bare_assignment)]
-    sigma: Vec<(String, f64)>,
+    /// Standard deviation of an output's measurement: in its unit, as a share of what is measured,
+    /// or both, `0.02 + 1 %`; found from the residuals unless given here, or by a column
+    /// `sigma(OUTPUT)` of the data
+    #[arg(long, value_name = "OUTPUT=VALUE", value_parser = of_output)]
+    sigma: Vec<(String, Noise)>,
     /// Give a parameter another value: in its SI unit, or with a unit, `18 [kN m/rad]`
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
     set: Vec<(String, Amount)>,
@@ -73,6 +83,12 @@ pub struct FitCommand {
     /// Steps of a search at most
     #[arg(long, value_name = "NUMBER", default_value_t = STEPS)]
     steps: usize,
+    /// Intervals by profiles of the likelihood besides, of all that is fitted or of these
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', num_args = 0..=1)]
+    profile: Option<Vec<String>>,
+    /// Plot the profiles to a file that ends in .svg or .png
+    #[arg(long, value_name = "FILE")]
+    plot_profiles: Option<PathBuf>,
     /// As JSON
     #[arg(long)]
     json: bool,
@@ -106,40 +122,43 @@ impl FitCommand {
         let scene = Scene::load(&self.scene, false)?;
         let simulator = scene.simulator();
         let simulation = self.simulation(simulator)?;
+        let setups = self.setups()?;
+        let (experiments, gaps) = self.experiments(&setups, &simulation)?;
         let from = self.from.unwrap_or(simulator.run_defaults().from);
-        let outputs = &self.outputs[..];
-        let reading = Reading { simulator, map: &self.map, outputs, from, skips_unknown: false };
-        let files =
-            self.data.iter().map(|path| reading.read(path)).collect::<Result<Vec<_>, _>>()?;
-        let gaps: usize = files.iter().map(|file| file.gaps).sum();
-        let measured: Vec<Measured> = files.into_iter().map(|file| file.measured).collect();
-        let is_measured = |name: &String| {
-            measured.iter().any(|run| run.columns.iter().any(|(column, _)| column == name))
-        };
-        if let Some((column, output)) = self.map.iter().find(|(_, output)| !is_measured(output)) {
-            let message = format!("--map {column}={output}: no file has a column `{column}`");
-            return Err(Failure::input(message.escape_debug(), ""));
-        }
         let start = constraints::start(simulator, simulation.parameter_values(), from)?;
         let unknowns = unknowns(&self.parameters, simulator, &simulation, &start)?;
         let (unknowns, are_parameters): (Vec<Unknown>, Vec<bool>) = unknowns.into_iter().unzip();
+        check_settings(&setups, &unknowns)?;
+        let profiled = self.profiled(&unknowns)?;
         let flag = interrupt::flag();
         let plain = simulation.clone();
         let simulation = simulation.until_flagged(&flag);
-        let limit = fit::steps_of(&simulation, &unknowns, &measured);
+        let lender = threads::lender(&scene);
+        let limit = Fit::new(&simulation, &unknowns, &experiments).step_limit();
         let simulation = simulation.max_steps(limit);
-        let fit = fit::Fit { simulation: &simulation, unknowns: &unknowns, measured: &measured };
-        let count = values(&measured).count();
+        let fit = Fit::new(&simulation, &unknowns, &experiments).on_threads(&*lender);
+        let count = values(&experiments).count();
         if count < unknowns.len() {
             let message = format!("{count} values are too few for {} unknowns", unknowns.len());
             return Err(Failure::input(message, ""));
         }
-        self.check_sigmas(&fit)?;
-        check_first_run(&fit)?;
-        let fitted = self.solve(&fit, &flag)?;
-        let answer = Answer::new(&fit, &fitted, gaps, simulator);
+        check_first_runs(&fit)?;
+        let plan = Plan {
+            is_robust: self.loss == LossName::Huber,
+            starts: self.starts,
+            steps: self.steps,
+            interrupt: Some(&flag),
+        };
+        let fitted = solve(&fit, &plan)?;
+        let mut answer = Answer::new(&fit, &fitted, (&setups, &gaps), simulator);
+        if !profiled.is_empty() && fitted.found.end != End::Interrupted {
+            answer.profiles = profiles(&fit, &fitted, &profiled, &plan);
+        }
         if let Some(file) = &self.plot {
-            draw(&fit::Fit { simulation: &plain, ..fit }, &answer, file)?;
+            plot::draw(&Fit::new(&plain, &unknowns, &experiments), &answer, file)?;
+        }
+        if let Some(file) = &self.plot_profiles {
+            plot::draw_profiles(&answer, file)?;
         }
         if let Some(file) = &self.out {
             let found = answer.parameters.iter().zip(&are_parameters).map(|(found, is_it)| {
@@ -147,19 +166,28 @@ impl FitCommand {
             });
             write_scene(&self.scene, found, &in_si(&self.set), file)?;
         }
+        self.tell(&answer, &scene)?;
+        self.ended(&answer, fitted.found.end)
+    }
+
+    /// Standard output.
+    fn tell(&self, answer: &Answer, scene: &Scene) -> Result<(), Failure> {
         if self.json {
-            let text = serde_json::to_string_pretty(&answer)
+            let text = serde_json::to_string_pretty(answer)
                 .map_err(|error| Failure::unsuccessful(error, ""))?;
-            print(&format!("{text}\n"))?;
-        } else {
-            let mut text = answer.told(&scene, &self.data);
-            for file in [&self.out, &self.plot].into_iter().flatten() {
-                text.extend(["\nwrote ", &file.display().to_string(), "\n"]);
-            }
-            print(&text)?;
+            return print(&format!("{text}\n"));
         }
+        let mut text = answer.told(scene);
+        for file in [&self.out, &self.plot, &self.plot_profiles].into_iter().flatten() {
+            text.extend(["\nwrote ", &file.display().to_string(), "\n"]);
+        }
+        print(&text)
+    }
+
+    /// Whether that is a success.
+    fn ended(&self, answer: &Answer, end: End) -> Result<(), Failure> {
         let more = "the values above are the best so far";
-        match fitted.found.end {
+        match end {
             End::Converged => Ok(()),
             // Nothing is better than as exact as the runs themselves.
             End::Stuck if answer.is_exact() => Ok(()),
@@ -177,18 +205,18 @@ impl FitCommand {
 
     fn check(&self) -> Result<(), Failure> {
         require_picture(self.plot.as_deref(), "--plot")?;
+        require_picture(self.plot_profiles.as_deref(), "--plot-profiles")?;
         if let Some(file) = &self.out {
             require_ending(file, &["toml"], "--out")?;
+        }
+        if self.plot_profiles.is_some() && self.profile.is_none() {
+            let help = "`--profile` asks for them, of all or of some parameters";
+            return Err(Failure::input("--plot-profiles: there are no profiles", help));
         }
         if self.starts == 0 || self.steps == 0 {
             return Err(Failure::input("--starts and --steps are at least 1", ""));
         }
-        match self.sigma.iter().find(|(_, sigma)| *sigma <= 0.0) {
-            None => Ok(()),
-            Some((name, sigma)) => {
-                Err(Failure::input(format!("--sigma {name}={sigma} is not above 0"), ""))
-            }
-        }
+        Ok(())
     }
 
     fn simulation<'a>(&self, simulator: &'a dyn Simulator<f64>) -> Result<Simulation<'a>, Failure> {
@@ -198,112 +226,210 @@ impl FitCommand {
         with_method(simulation, self.method.as_deref())
     }
 
-    fn check_sigmas(&self, fit: &fit::Fit<'_>) -> Result<(), Failure> {
-        let known = fit.outputs();
+    /// Experiments as they are asked for: files alone, then those with settings. What the
+    /// command line says of columns holds where an experiment says nothing.
+    fn setups(&self) -> Result<Vec<Setup>, Failure> {
+        let plain = self.data.iter().map(|path| Setup {
+            name: path.display().to_string(),
+            data: path.clone(),
+            ..Setup::default()
+        });
+        let mut setups: Vec<Setup> = plain.collect();
+        if let Some(path) = &self.experiments {
+            setups.extend(experiments::read(path)?);
+        }
+        for setup in &mut setups {
+            let is_new =
+                |(name, _): &&(String, Noise)| setup.sigma.iter().all(|(other, _)| other != name);
+            let sigma: Vec<_> = self.sigma.iter().filter(is_new).cloned().collect();
+            setup.sigma.extend(sigma);
+            setup.map.extend(self.map.iter().cloned());
+            if setup.outputs.is_empty() {
+                setup.outputs.clone_from(&self.outputs);
+            }
+            setup.from = setup.from.or(self.from);
+        }
+        Ok(setups)
+    }
+
+    /// They with their data, and how many gaps each has.
+    fn experiments(
+        &self,
+        setups: &[Setup],
+        simulation: &Simulation<'_>,
+    ) -> Result<(Vec<Experiment>, Vec<usize>), Failure> {
+        let simulator = simulation.simulator();
+        let mut all = Vec::new();
+        for setup in setups {
+            let Setup { map, outputs, .. } = setup;
+            let from = setup.from.unwrap_or(simulator.run_defaults().from);
+            let reading = Reading { simulator, map, outputs, from, skips_unknown: false };
+            let File { measured, mut noise, gaps } = reading.read(&setup.data)?;
+            for (name, own) in &setup.sigma {
+                if !measured.columns.iter().any(|(column, _)| column == name) {
+                    continue;
+                }
+                if noise.iter().any(|(other, _)| other == name) {
+                    let message = format!("{}: `sigma({name})` is a column already", setup.name);
+                    return Err(Failure::input(message, "leave the sigma of the output out"));
+                }
+                noise.push((name.clone(), own.clone()));
+            }
+            let (name, given) = (setup.name.clone(), in_si(&setup.set));
+            let experiment = Experiment { name, measured, given, from: setup.from, noise };
+            check_given(setup, &experiment, simulation)?;
+            all.push((experiment, gaps));
+        }
+        let (all, gaps): (Vec<Experiment>, Vec<usize>) = all.into_iter().unzip();
+        self.check_columns(&all)?;
+        check_noise(&all)?;
+        Ok((all, gaps))
+    }
+
+    /// What the command line says of columns is of some that there are.
+    fn check_columns(&self, experiments: &[Experiment]) -> Result<(), Failure> {
+        let columns = experiments.iter().flat_map(|experiment| &experiment.measured.columns);
+        let known: Vec<&str> = columns.map(|(name, _)| name.as_str()).collect();
+        if let Some((column, output)) =
+            self.map.iter().find(|(_, output)| !known.contains(&output.as_str()))
+        {
+            let message = format!("--map {column}={output}: no file has a column `{column}`");
+            return Err(Failure::input(message.escape_debug(), ""));
+        }
         match self.sigma.iter().find(|(name, _)| !known.contains(&name.as_str())) {
             None => Ok(()),
             Some((name, _)) => Err(Failure::input(
                 format!("--sigma {}: that is not measured", name.escape_debug()),
-                crate::failure::did_you_mean(name, known.into_iter()),
+                did_you_mean(name, known.into_iter()),
             )),
         }
     }
 
-    /// The fit as asked for, told of on the way.
-    fn solve(&self, fit: &fit::Fit<'_>, flag: &AtomicBool) -> Result<Fitted, Failure> {
-        let spinner = spinner("fitting");
-        let plan = Plan {
-            sigma: &self.sigma,
-            is_robust: self.loss == LossName::Huber,
-            starts: self.starts,
-            steps: self.steps,
-            interrupt: Some(flag),
+    /// Places of the unknowns whose profiles are asked for.
+    fn profiled(&self, unknowns: &[Unknown]) -> Result<Vec<usize>, Failure> {
+        let Some(names) = &self.profile else { return Ok(Vec::new()) };
+        if names.is_empty() {
+            return Ok((0..unknowns.len()).collect());
+        }
+        let place = |name: &String| {
+            let known = unknowns.iter().map(|unknown| unknown.name.as_str());
+            known.clone().position(|other| other == name).ok_or_else(|| {
+                let message = format!("--profile {}: that is not fitted", name.escape_debug());
+                Failure::input(message, did_you_mean(name, known))
+            })
         };
-        let fitted = fit.solve(&plan, &mut |runs, evaluation| {
-            spinner.set_message(progress(runs, evaluation));
-        });
-        spinner.finish_and_clear();
-        fitted.map_err(|unsolved| match unsolved {
-            Unsolved::Interrupted => Failure::unsuccessful(unsolved, ""),
-            Unsolved::NoStart { .. } => {
-                Failure::unsuccessful(unsolved, "other bounds, or `--set`, may help")
-            }
-        })
+        names.iter().map(place).collect()
     }
+}
+
+/// The fit as asked for, told of on the way.
+fn solve(fit: &Fit<'_>, plan: &Plan<'_>) -> Result<Fitted, Failure> {
+    let spinner = spinner("fitting");
+    let fitted = fit.solve(plan, &mut |runs, evaluation| {
+        spinner.set_message(progress("fitting", runs, evaluation));
+    });
+    spinner.finish_and_clear();
+    fitted.map_err(|unsolved| match unsolved {
+        Unsolved::Interrupted => Failure::unsuccessful(unsolved, ""),
+        Unsolved::NoStart { .. } => {
+            Failure::unsuccessful(unsolved, "other bounds, or `--set`, may help")
+        }
+    })
+}
+
+/// Likewise the profiles.
+fn profiles(fit: &Fit<'_>, fitted: &Fitted, which: &[usize], plan: &Plan<'_>) -> Vec<Profile> {
+    let spinner = spinner("profiling");
+    let found = fit.profiles(fitted, which, plan, &mut |runs, evaluation| {
+        spinner.set_message(progress("profiling", runs, evaluation));
+    });
+    spinner.finish_and_clear();
+    found
+}
+
+/// What an experiment is set to is known, and in units of its dimension.
+fn check_given(
+    setup: &Setup,
+    experiment: &Experiment,
+    simulation: &Simulation<'_>,
+) -> Result<(), Failure> {
+    for (name, amount) in &setup.set {
+        amount.check_of(name, simulation)?;
+    }
+    let fit = Fit::new(simulation, &[], &[]);
+    fit.simulation_of(experiment).map(|_| ()).map_err(|error| {
+        let message = format!("experiment `{}`: {error}", setup.name.escape_debug());
+        Failure::input(message, "")
+    })
+}
+
+/// What is fitted is the same in all experiments, and none sets it.
+fn check_settings(setups: &[Setup], unknowns: &[Unknown]) -> Result<(), Failure> {
+    for setup in setups {
+        let is_fitted = |name: &String| unknowns.iter().any(|unknown| unknown.name == *name);
+        if let Some((name, _)) = setup.set.iter().find(|(name, _)| is_fitted(name)) {
+            let message = format!(
+                "experiment `{}` sets `{name}`, which is fitted",
+                setup.name.escape_debug()
+            );
+            let help = "leave it out of `set`, or out of `--parameters`; `--set` gives the start";
+            return Err(Failure::input(message, help));
+        }
+    }
+    Ok(())
+}
+
+/// Noise that is known of an output is so in all experiments, and nowhere 0.
+fn check_noise(experiments: &[Experiment]) -> Result<(), Failure> {
+    for experiment in experiments {
+        for (name, values) in &experiment.measured.columns {
+            let Some(noise) = experiment.noise_of(name) else { continue };
+            let lacks = |other: &&Experiment| {
+                let is_measured = other.measured.columns.iter().any(|(column, _)| column == name);
+                is_measured && other.noise_of(name).is_none()
+            };
+            if let Some(other) = experiments.iter().find(lacks) {
+                let message = format!(
+                    "the sigma of `{name}` is given for {}, but not for {}",
+                    experiment.name, other.name
+                );
+                return Err(Failure::input(message, "give it for all experiments, or for none"));
+            }
+            let mut known = values.iter().enumerate().filter(|(_, value)| !value.is_nan());
+            if let Some((row, value)) = known.find(|(row, value)| noise.at(*row, **value) == 0.0) {
+                let message = format!(
+                    "{}: row {} of `{name}` is {value}, of which no share is a standard deviation",
+                    experiment.name,
+                    row + 1
+                );
+                return Err(Failure::input(message, "add what it is at 0, as in `0.02 + 1 %`"));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Refuses at once what no variant would do either.
-fn check_first_run(fit: &fit::Fit<'_>) -> Result<(), Failure> {
+fn check_first_runs(fit: &Fit<'_>) -> Result<(), Failure> {
     let names: Vec<&str> = fit.unknowns.iter().map(|unknown| unknown.name.as_str()).collect();
-    let short = fit.simulation.clone().points(2).max_steps(1).sensitivities(&names)?;
-    match short.run() {
-        Err(machinist::SimulateError::Stopped { .. }) | Ok(_) => Ok(()),
-        Err(error) => Err(error.into()),
-    }
-}
-
-/// Draws each data file beside the runs before and after.
-fn draw(fit: &fit::Fit<'_>, answer: &Answer, file: &std::path::Path) -> Result<(), Failure> {
-    for (index, measured) in fit.measured.iter().enumerate() {
-        let drawn = compared(fit, measured, answer)?;
-        let names: Vec<&str> = drawn.columns.iter().map(|column| &*column.name).collect();
-        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-        let ending = file.extension().unwrap_or_default().to_string_lossy();
-        let path = match index {
-            0 => file.to_owned(),
-            _ => file.with_file_name(format!("{stem}-{}.{ending}", index + 1)),
-        };
-        draw_file(&path, |path| crate::plot::plot(&drawn, &names, path))?;
+    for experiment in fit.experiments {
+        let simulation = fit.simulation_of(experiment)?;
+        let short = simulation.points(2).max_steps(1).sensitivities(&names)?;
+        match short.run() {
+            Err(machinist::SimulateError::Stopped { .. }) | Ok(_) => {}
+            Err(error) => return Err(error.into()),
+        }
     }
     Ok(())
 }
 
 /// Values of all measured columns.
-fn values(measured: &[Measured]) -> impl Iterator<Item = f64> {
-    let columns = measured.iter().flat_map(|measured| &measured.columns);
+fn values(experiments: &[Experiment]) -> impl Iterator<Item = f64> {
+    let columns = experiments.iter().flat_map(|experiment| &experiment.measured.columns);
     columns.flat_map(|(_, values)| values).copied().filter(|value| !value.is_nan())
 }
 
-fn progress(runs: usize, evaluation: &Evaluation) -> String {
+fn progress(what: &str, runs: usize, evaluation: &Evaluation) -> String {
     let mean = evaluation.residuals.norm() / (evaluation.residuals.len() as f64).sqrt();
-    format!("fitting: {runs} evaluations, residuals of {} on average", number(mean, 4))
-}
-
-/// What was measured in a run as dots, and the runs before and after as lines.
-fn compared(
-    fit: &fit::Fit<'_>,
-    measured: &Measured,
-    answer: &Answer,
-) -> Result<Trajectory, Failure> {
-    let from = measured.times.first().copied().unwrap_or(0.0);
-    let until = measured.times.last().copied().unwrap_or(from);
-    let dense = (0..=POINTS).map(|k| from + (until - from) * k as f64 / POINTS as f64);
-    let dense = dense.map(|time| (time.clamp(from, until), None));
-    let sampled = measured.times.iter().enumerate().map(|(row, time)| (*time, Some(row)));
-    let mut all: Vec<(f64, Option<usize>)> = dense.chain(sampled).collect();
-    all.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let times: Vec<f64> = all.iter().map(|(time, _)| *time).collect();
-    let wanted = Measured { times: times.clone(), columns: Vec::new() };
-    let starts: Vec<f64> = fit.unknowns.iter().map(|unknown| unknown.start).collect();
-    let fitted: Vec<f64> = answer.parameters.iter().map(|found| found.value).collect();
-    let after = fit.run(&wanted, &fitted, false)?;
-    // A start that cannot be simulated is not drawn.
-    let before = fit.run(&wanted, &starts, false).ok();
-    let mut columns = Vec::new();
-    for (name, values) in &measured.columns {
-        let Some(of) = after.find(name) else { continue };
-        let column = |what: &str, kind: ColumnKind, values: Vec<f64>| Column {
-            name: format!("{name}, {what}"),
-            kind,
-            values,
-            ..of.clone()
-        };
-        let data = all.iter().map(|(_, row)| row.map_or(f64::NAN, |row| values[row])).collect();
-        columns.push(column("measured", ColumnKind::Measured, data));
-        if let Some(before) = before.as_ref().and_then(|run| run.column(name)) {
-            columns.push(column("before", of.kind, before[1..].to_vec()));
-        }
-        columns.push(column("fitted", of.kind, of.values[1..].to_vec()));
-    }
-    Ok(Trajectory { times, columns, ..after })
+    format!("{what}: {runs} evaluations, residuals of {} on average", number(mean, 4))
 }

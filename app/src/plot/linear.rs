@@ -85,6 +85,31 @@ pub fn plot_spectrum(
     Picture { title: texts[0], subtitle: texts[1].to_owned(), panels }.write(path)
 }
 
+/// Draws tau of profiles of the likelihood over the change of their parameters by standard
+/// errors, and the limits of 95 %, into an `.svg` or `.png` file.
+///
+/// # Errors
+/// As [`plot_response`].
+pub fn plot_profiles(
+    places: &[f64],
+    curves: Vec<(String, Vec<f64>)>,
+    limit: f64,
+    title: &str,
+    path: &Path,
+) -> Result<(), PlotError> {
+    let limits = [("t of 95 %", limit), ("-t", -limit)];
+    let limits = limits.map(|(name, limit)| (name.to_owned(), vec![limit; places.len()]));
+    let drawn = curves.into_iter().chain(limits);
+    let drawn: Vec<Column> = drawn.map(|(name, values)| column(&name, "1", values)).collect();
+    let axes = [
+        Axis::Linear("change of the parameter, in standard errors".into()),
+        Axis::Linear("".into()),
+    ];
+    let panel = over(places, drawn.iter().collect(), [&axes[0], &axes[1]]);
+    let subtitle = "profiles: signed root of the growth of the sum of squares, over s".to_owned();
+    Picture { title, subtitle, panels: vec![panel] }.write(path)
+}
+
 /// Draws the shapes of the slowest six oscillations, or of aperiodic motions if there
 /// is none, into an `.svg` or `.png` file: roots of the shares that coordinates and
 /// first-order states have, the largest as 1, in phase with that one and a quarter of

@@ -1,13 +1,15 @@
 //! What a fit has found, for people and for programs.
 
-use std::path::PathBuf;
-
 use machinist::fit::{
-    self, Combination, End, Findings, Fitted, FoundParameter, Loss, OutputResidual,
+    Combination, End, Experiment, Findings, Fit, Fitted, FoundParameter, Loss, OutputResidual,
+    Profile, students_t,
 };
 use machinist_contract::Simulator;
 use serde::Serialize;
+use serde_json::{Map, Value};
 
+use super::experiments::Setup;
+use crate::cli::amount::as_json;
 use crate::cli::output::columns;
 use crate::cli::scene::Scene;
 use crate::number::{exact, number};
@@ -31,6 +33,7 @@ pub struct Answer {
     pub gaps: usize,
     pub from: f64,
     pub until: f64,
+    pub experiments: Vec<Told>,
     pub parameters: Vec<FoundParameter>,
     /// Of each two parameters; null where one is not told.
     pub correlations: Vec<Vec<Option<f64>>>,
@@ -39,18 +42,38 @@ pub struct Answer {
     /// Variants that could not be simulated, and why the first could not.
     pub failed: usize,
     pub why_failed: Option<String>,
+    /// Of what they were asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub profiles: Vec<Profile>,
+    /// Student's t of 95 %.
+    #[serde(skip)]
+    pub t: f64,
+}
+
+/// An experiment as it was compared.
+#[derive(Debug, Serialize)]
+pub struct Told {
+    pub name: String,
+    pub data: String,
+    /// Parameters and initial values that were its own, in SI units.
+    pub set: Map<String, Value>,
+    pub from: f64,
+    pub until: f64,
+    pub values: usize,
+    pub gaps: usize,
 }
 
 impl Answer {
     pub(super) fn new(
-        fit: &fit::Fit<'_>,
+        fit: &Fit<'_>,
         fitted: &Fitted,
-        gaps: usize,
+        (setups, gaps): (&[Setup], &[usize]),
         simulator: &dyn Simulator<f64>,
     ) -> Self {
         let Fitted { found, loss, lost, steps, runs, .. } = fitted;
         let Findings { values, parameters, correlations, untold, outputs } = fit.findings(fitted);
-        let times = || fit.measured.iter().flat_map(|measured| measured.times.iter().copied());
+        let experiments = experiments(fit, setups, gaps);
+        let held = parameters.iter().filter(|found| found.is_at_bound).count();
         Self {
             scene: simulator.name().to_owned(),
             title: simulator.title().to_owned(),
@@ -63,15 +86,18 @@ impl Answer {
             steps: *steps,
             runs: *runs,
             values,
-            gaps,
-            from: times().fold(f64::INFINITY, f64::min),
-            until: times().fold(f64::NEG_INFINITY, f64::max),
+            gaps: gaps.iter().sum(),
+            from: experiments.iter().map(|told| told.from).fold(f64::INFINITY, f64::min),
+            until: experiments.iter().map(|told| told.until).fold(f64::NEG_INFINITY, f64::max),
+            t: students_t(values.saturating_sub(parameters.len() - held)),
+            experiments,
             parameters,
             correlations,
             untold,
             outputs,
             failed: found.failed.0 + lost.0,
             why_failed: found.failed.1.clone().or_else(|| lost.1.clone()),
+            profiles: Vec::new(),
         }
         .with_loss(*loss)
     }
@@ -95,24 +121,33 @@ impl Answer {
     }
 
     /// The answer for people.
-    pub fn told(&self, scene: &Scene, files: &[PathBuf]) -> String {
-        let files: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
+    pub fn told(&self, scene: &Scene) -> String {
         let gaps =
             if self.gaps > 0 { format!(", {} gaps left out", self.gaps) } else { String::new() };
+        let is_plain = |told: &Told| told.set.is_empty() && told.name == told.data;
+        let all_plain = self.experiments.iter().all(is_plain);
+        let files: Vec<&str> = self.experiments.iter().map(|told| &*told.data).collect();
+        let fitted_to = match files.len() {
+            _ if all_plain => files.join(", "),
+            1 => "1 experiment".to_owned(),
+            count => format!("{count} experiments"),
+        };
         let mut text = format!(
-            "{}: {} ({})\nfitted to {}: {} values{gaps}, {} s to {} s\n{} after {} steps, {} \
-             evaluations\n\n",
+            "{}: {} ({})\nfitted to {fitted_to}: {} values{gaps}, {} s to {} s\n",
             self.scene,
             self.title,
             scene.how(),
-            files.join(", "),
             self.values,
             self.from,
             self.until,
-            self.end,
-            self.steps,
-            self.runs,
         );
+        if !all_plain {
+            text.push_str(&self.experiments_told());
+        }
+        text.extend([format!(
+            "{} after {} steps, {} evaluations\n\n",
+            self.end, self.steps, self.runs
+        )]);
         text.push_str(&columns(&self.parameter_rows(), 2));
         text.push_str(&self.correlations_told());
         for Combination { shares, standard_error } in &self.untold {
@@ -142,9 +177,55 @@ impl Answer {
                 )]);
             }
         }
+        text.push_str(&self.profiles_told());
         if let Some(why) = &self.why_failed {
             let count = self.failed;
             text.extend([format!("\n{count} variants could not be simulated; the first: {why}\n")]);
+        }
+        text
+    }
+
+    fn experiments_told(&self) -> String {
+        let row = |told: &Told| {
+            let set = told
+                .set
+                .iter()
+                .filter_map(|(name, value)| Some(format!("{name}={}", exact(value.as_f64()?))));
+            let set = set.collect::<Vec<_>>().join(", ");
+            let data = if told.name == told.data { String::new() } else { told.data.clone() };
+            let span = format!("{} values, {} s to {} s", told.values, told.from, told.until);
+            [format!("  {}", told.name), data, span, set]
+        };
+        let rows: Vec<[String; 4]> = self.experiments.iter().map(row).collect();
+        columns(&rows, 4)
+    }
+
+    /// Intervals by profiles beside those by standard errors, and why there are none.
+    fn profiles_told(&self) -> String {
+        if self.profiles.is_empty() {
+            return String::new();
+        }
+        let header = ["", "unit", "95 % by standard error", "by likelihood"].map(str::to_owned);
+        let interval = |[low, high]: [Option<f64>; 2]| {
+            let end = |end: Option<f64>| end.map_or_else(|| "?".to_owned(), |end| number(end, 6));
+            format!("{} .. {}", end(low), end(high))
+        };
+        let row = |profile: &Profile| {
+            let found = self.parameters.iter().find(|found| found.name == profile.parameter);
+            let linear = found.and_then(|found| found.confidence_95);
+            let linear = linear.map_or_else(String::new, |ends| interval(ends.map(Some)));
+            let (name, unit) = (profile.parameter.clone(), profile.unit.clone());
+            [name, unit, linear, interval(profile.confidence_95)]
+        };
+        let rows: Vec<[String; 4]> =
+            std::iter::once(header).chain(self.profiles.iter().map(row)).collect();
+        let mut text = format!("\nProfiles\n{}", columns(&rows, 2));
+        for profile in &self.profiles {
+            for (side, why) in ["lower", "upper"].iter().zip(&profile.open) {
+                if let Some(why) = why {
+                    text.extend([format!("No {side} end of {}: {why}\n", profile.parameter)]);
+                }
+            }
         }
         text
     }
@@ -190,8 +271,12 @@ impl Answer {
             let optional = |value: Option<f64>, digits| {
                 value.map_or_else(String::new, |value| number(value, digits))
             };
+            let name = match self.experiments.len() {
+                1 => output.output.clone(),
+                _ => format!("{}, {}", output.output, output.experiment),
+            };
             [
-                output.output.clone(),
+                name,
                 output.unit.clone(),
                 output.values.to_string(),
                 number(output.rms, 4),
@@ -203,6 +288,23 @@ impl Answer {
         };
         std::iter::once(header).chain(self.outputs.iter().map(row)).collect()
     }
+}
+
+fn experiments(fit: &Fit<'_>, setups: &[Setup], gaps: &[usize]) -> Vec<Told> {
+    let told = |((experiment, setup), gaps): ((&Experiment, &Setup), &usize)| {
+        let times = &experiment.measured.times;
+        let columns = experiment.measured.columns.iter().flat_map(|(_, values)| values);
+        Told {
+            name: setup.name.clone(),
+            data: setup.data.display().to_string(),
+            set: as_json(&setup.set),
+            from: times.first().copied().unwrap_or(f64::NAN),
+            until: times.last().copied().unwrap_or(f64::NAN),
+            values: columns.filter(|value| !value.is_nan()).count(),
+            gaps: *gaps,
+        }
+    };
+    fit.experiments.iter().zip(setups).zip(gaps).map(told).collect()
 }
 
 fn sign(share: f64) -> char {

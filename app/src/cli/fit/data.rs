@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use machinist::fit::Measured;
+use machinist::fit::{Measured, Noise};
 use machinist_contract::Simulator;
 
 use crate::failure::{Failure, did_you_mean};
@@ -24,16 +24,32 @@ pub struct Reading<'r> {
 /// A file, and how many of its places are empty or NaN.
 pub struct File {
     pub measured: Measured,
+    /// Standard deviations that stand in columns of their own.
+    pub noise: Vec<(String, Noise)>,
     pub gaps: usize,
 }
 
+/// A column that is read.
+struct Wanted {
+    place: usize,
+    /// Output or state.
+    name: String,
+    /// Whether it is the standard deviation of that.
+    is_deviation: bool,
+    values: Vec<f64>,
+}
+
 impl Reading<'_> {
-    /// Reads a file: a header, times in its first column, ascending, then a column an output.
+    /// Reads a file: a header, times in its first column, ascending, then a column an output,
+    /// and `sigma(output)` for standard deviations of its values.
     pub fn read(&self, path: &Path) -> Result<File, Failure> {
         let text = fs::read_to_string(path).map_err(|error| Failure::file(path, &error))?;
-        let refuse = |message: String, help: &str| {
+        self.read_text(&text).map_err(|Refusal(message, help)| {
             Failure::input(format!("{}: {message}", path.display()), help)
-        };
+        })
+    }
+
+    fn read_text(&self, text: &str) -> Result<File, Refusal> {
         let text = text.trim_start_matches('\u{feff}');
         let header = text.lines().next().unwrap_or_default();
         let delimiter = [b',', b';', b'\t']
@@ -45,78 +61,21 @@ impl Reading<'_> {
             .comment(Some(b'#'))
             .from_reader(text.as_bytes());
         let header = reader.headers().map_err(|error| refuse(error.to_string(), ""))?.clone();
-        let (time, unit) = named(header.get(0).unwrap_or_default());
-        if !matches!(time.to_ascii_lowercase().as_str(), "t" | "time") {
-            let message = format!("the first column is `{}`, not time", time.escape_debug());
-            return Err(refuse(message, "a header begins with `time` or `time [s]`"));
-        }
-        if unit.is_some_and(|unit| unit != "s") {
-            let message = format!("time is in {}, not in s", unit.unwrap_or_default());
-            return Err(refuse(message, "times are in seconds"));
-        }
-        let mut wanted: Vec<(usize, String)> = Vec::new();
-        for (place, cell) in header.iter().enumerate().skip(1) {
-            if let Some(name) =
-                self.output_of(cell).map_err(|(message, help)| refuse(message, &help))?
-            {
-                if wanted.iter().any(|(_, other)| *other == name) {
-                    return Err(refuse(format!("`{name}` stands in two columns"), ""));
-                }
-                wanted.push((place, name));
-            }
-        }
-        if let Some(missing) =
-            self.outputs.iter().find(|name| wanted.iter().all(|(_, other)| other != *name))
-        {
-            let columns = header.iter().map(|cell| named(cell).0);
-            return Err(refuse(
-                format!("there is no column `{}`", missing.escape_debug()),
-                &did_you_mean(missing, columns.collect::<Vec<_>>().into_iter()),
-            ));
-        }
-        if wanted.is_empty() {
-            return Err(refuse("there is no column but time".to_owned(), ""));
-        }
+        let mut wanted = self.wanted(&header)?;
         let mut times: Vec<f64> = Vec::new();
-        let mut columns: Vec<(String, Vec<f64>)> =
-            wanted.iter().map(|(_, name)| (name.clone(), Vec::new())).collect();
-        let mut gaps = 0;
         for record in reader.records() {
             let record = record.map_err(|error| refuse(error.to_string(), ""))?;
             let line = record.position().map_or(0, csv::Position::line);
-            let cell = |place: usize, what: &str| match record.get(place).unwrap_or_default() {
-                "" => Ok(f64::NAN),
-                cell => cell.parse::<f64>().map_err(|_| {
-                    let message =
-                        format!("line {line}: `{}` of {what} is no number", cell.escape_debug());
-                    refuse(message, "an empty place is a gap, and so is NaN")
-                }),
-            };
-            let time = cell(0, "time")?;
-            let latest = times.last().copied().unwrap_or(f64::NEG_INFINITY);
-            if !time.is_finite() {
-                return Err(refuse(format!("line {line}: there is no time"), ""));
-            }
-            if time < latest {
-                let message = format!("line {line}: {time} s is before the {latest} s above it");
-                return Err(refuse(message, "times must ascend"));
-            }
-            if time < self.from {
-                let message = format!(
-                    "line {line}: {time} s is before the start of the run, {} s",
-                    self.from
-                );
-                return Err(refuse(message, "`--from` gives another start"));
-            }
+            let time = cell(&record, 0, (line, "time"))?;
+            self.check_time(time, times.last().copied(), line)?;
             times.push(time);
-            for ((place, name), (_, values)) in wanted.iter().zip(&mut columns) {
-                let value = cell(*place, name)?;
+            for column in &mut wanted {
+                let value = cell(&record, column.place, (line, &column.name))?;
                 if value.is_infinite() {
-                    let message = format!("line {line}: `{name}` is infinite");
+                    let message = format!("line {line}: `{}` is infinite", column.name);
                     return Err(refuse(message, "an empty place is a gap, and so is NaN"));
                 }
-                gaps += usize::from(value.is_nan());
-                values.push(value);
+                column.values.push(value);
             }
         }
         if times.last().is_none_or(|last| *last <= self.from) {
@@ -124,11 +83,73 @@ impl Reading<'_> {
                 format!("nothing is measured after the start of the run, {} s", self.from);
             return Err(refuse(message, ""));
         }
-        Ok(File { measured: Measured { times, columns }, gaps })
+        let (deviations, columns): (Vec<Wanted>, Vec<Wanted>) =
+            wanted.into_iter().partition(|column| column.is_deviation);
+        for deviation in &deviations {
+            check_deviations(deviation, &columns)?;
+        }
+        let gaps = columns.iter().flat_map(|column| &column.values).filter(|v| v.is_nan()).count();
+        let noise = deviations.into_iter().map(|own| (own.name, Noise::Each(own.values)));
+        let columns = columns.into_iter().map(|column| (column.name, column.values)).collect();
+        Ok(File { measured: Measured { times, columns }, noise: noise.collect(), gaps })
+    }
+
+    /// Columns that are to be read, and that there are some.
+    fn wanted(&self, header: &csv::StringRecord) -> Result<Vec<Wanted>, Refusal> {
+        let (time, unit) = named(header.get(0).unwrap_or_default());
+        if !matches!(time.to_ascii_lowercase().as_str(), "t" | "time") {
+            let message = format!("the first column is `{}`, not time", time.escape_debug());
+            return Err(refuse(message, "a header begins with `time` or `time [s]`"));
+        }
+        if unit.is_some_and(|unit| unit != "s") {
+            let unit = unit.unwrap_or_default().escape_debug();
+            return Err(refuse(format!("time is in {unit}, not in s"), "times are in seconds"));
+        }
+        let mut wanted: Vec<Wanted> = Vec::new();
+        for (place, cell) in header.iter().enumerate().skip(1) {
+            let deviation = deviation_of(cell);
+            let is_deviation = deviation.is_some();
+            let Some(name) = self.output_of(deviation.as_deref().unwrap_or(cell))? else {
+                continue;
+            };
+            let is_same = |other: &Wanted| other.name == name && other.is_deviation == is_deviation;
+            if wanted.iter().any(is_same) {
+                return Err(refuse(format!("`{name}` stands in two columns"), ""));
+            }
+            wanted.push(Wanted { place, name, is_deviation, values: Vec::new() });
+        }
+        let has = |name: &str| wanted.iter().any(|other| !other.is_deviation && other.name == name);
+        if let Some(missing) = self.outputs.iter().find(|name| !has(name)) {
+            let columns: Vec<&str> = header.iter().map(|cell| named(cell).0).collect();
+            return Err(refuse(
+                format!("there is no column `{}`", missing.escape_debug()),
+                did_you_mean(missing, columns.into_iter()),
+            ));
+        }
+        if wanted.iter().all(|column| column.is_deviation) {
+            return Err(refuse("there is no column but time".to_owned(), ""));
+        }
+        Ok(wanted)
+    }
+
+    fn check_time(&self, time: f64, latest: Option<f64>, line: u64) -> Result<(), Refusal> {
+        if !time.is_finite() {
+            return Err(refuse(format!("line {line}: there is no time"), ""));
+        }
+        if let Some(latest) = latest.filter(|latest| time < *latest) {
+            let message = format!("line {line}: {time} s is before the {latest} s above it");
+            return Err(refuse(message, "times must ascend"));
+        }
+        if time < self.from {
+            let message =
+                format!("line {line}: {time} s is before the start of the run, {} s", self.from);
+            return Err(refuse(message, "`--from` gives another start"));
+        }
+        Ok(())
     }
 
     /// The output or state that a column is of; nothing if it is not wanted.
-    fn output_of(&self, cell: &str) -> Result<Option<String>, (String, String)> {
+    fn output_of(&self, cell: &str) -> Result<Option<String>, Refusal> {
         let simulator = self.simulator;
         let shape = simulator.shape();
         let outputs = (0..shape.outputs).map(|index| simulator.output(index));
@@ -157,17 +178,67 @@ impl Reading<'_> {
             let help = format!(
                 "{hint}; `--map COLUMN=OUTPUT` names it, `--outputs` takes only some columns"
             );
-            return Err((message, help));
+            return Err(refuse(message, help));
         };
         if let Some(unit) = unit
             && unit != quantity.unit
         {
-            let message =
-                format!("column `{column}` is in {unit}, but `{name}` in {}", quantity.unit);
-            return Err((message, "convert it, or leave the unit out of the header".to_owned()));
+            let message = format!(
+                "column `{column}` is in {}, but `{name}` in {}",
+                unit.escape_debug(),
+                quantity.unit
+            );
+            return Err(refuse(message, "convert it, or leave the unit out of the header"));
         }
         Ok(Some(name.to_owned()))
     }
+}
+
+/// What is wrong with a file, and how to mend it.
+struct Refusal(String, String);
+
+fn refuse(message: String, help: impl Into<String>) -> Refusal {
+    Refusal(message, help.into())
+}
+
+/// The number at a place; NaN where there is none.
+fn cell(
+    record: &csv::StringRecord,
+    place: usize,
+    (line, what): (u64, &str),
+) -> Result<f64, Refusal> {
+    match record.get(place).unwrap_or_default() {
+        "" => Ok(f64::NAN),
+        cell => cell.parse::<f64>().map_err(|_| {
+            let message = format!("line {line}: `{}` of {what} is no number", cell.escape_debug());
+            refuse(message, "an empty place is a gap, and so is NaN")
+        }),
+    }
+}
+
+/// Standard deviations are of a column that is there, and above 0 where it has a value.
+fn check_deviations(deviation: &Wanted, columns: &[Wanted]) -> Result<(), Refusal> {
+    let Wanted { name, values, .. } = deviation;
+    let Some(column) = columns.iter().find(|column| column.name == *name) else {
+        return Err(refuse(format!("`sigma({name})` is of no column"), ""));
+    };
+    let is_bad =
+        |(value, sigma): (&f64, &f64)| !value.is_nan() && (sigma.is_nan() || *sigma <= 0.0);
+    match column.values.iter().zip(values).position(is_bad) {
+        None => Ok(()),
+        Some(row) => {
+            let message =
+                format!("row {}: `sigma({name})` is {}, not above 0", row + 1, values[row]);
+            Err(refuse(message, "every value has its standard deviation, in its unit"))
+        }
+    }
+}
+
+/// `twist [rad]` of `sigma(twist) [rad]`.
+fn deviation_of(cell: &str) -> Option<String> {
+    let rest = cell.trim().strip_prefix("sigma(")?;
+    let (name, unit) = rest.split_once(')')?;
+    Some(format!("{name}{unit}"))
 }
 
 /// Name and unit of `name [unit]`.
@@ -181,12 +252,18 @@ fn named(cell: &str) -> (&str, Option<&str>) {
 
 #[cfg(test)]
 mod tests {
-    use super::named;
+    use super::{deviation_of, named};
 
     #[test]
     fn a_header_may_give_a_unit() {
         assert_eq!(named("time [s]"), ("time", Some("s")));
         assert_eq!(named(" twist "), ("twist", None));
         assert_eq!(named("a.b[N m/rad]"), ("a.b", Some("N m/rad")));
+    }
+
+    #[test]
+    fn a_column_may_be_the_standard_deviation_of_another() {
+        assert_eq!(deviation_of("sigma(a.b) [rad]").as_deref(), Some("a.b [rad]"));
+        assert_eq!(deviation_of("sigma"), None);
     }
 }

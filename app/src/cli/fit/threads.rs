@@ -1,0 +1,29 @@
+//! A simulator of the scene for each thread of a fit.
+
+use machinist_contract::Simulator;
+
+use crate::cli::scene::{Scene, built_in};
+
+type Lender<'s> = Box<dyn Fn(&mut dyn FnMut(&dyn Simulator<f64>)) + Sync + 's>;
+
+/// Emitted code and models are shared; fields are cut once more.
+pub fn lender(scene: &Scene) -> Lender<'_> {
+    match scene {
+        Scene::Emitted(simulator) => {
+            let name = simulator.name().to_owned();
+            Box::new(move |work| built_in(&name).into_iter().for_each(&mut *work))
+        }
+        Scene::Model(model) => {
+            let model = &**model;
+            Box::new(move |work| work(model.single()))
+        }
+        Scene::Fields(cut) => {
+            let again = cut.again();
+            Box::new(move |work| {
+                if let Ok(simulator) = again() {
+                    work(simulator.single());
+                }
+            })
+        }
+    }
+}

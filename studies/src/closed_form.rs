@@ -1,7 +1,8 @@
 //! Exact answers to hold the simulators against, derived by hand.
 //!
 //! Nothing here depends on a simulator, a solver or the symbolic pipeline: every
-//! function is a formula over `f64`, one file a subject. Quantities are in SI
+//! function is a formula over `f64`, or over any [`Number`] where its derivatives are
+//! wanted too, one file a subject. Quantities are in SI
 //! units, angles in rad. No function fails; numbers outside the stated ranges
 //! (such as a negative inertia) give NaN or infinities, as their formulas do.
 
@@ -13,6 +14,7 @@ pub mod four_bar;
 pub mod holder_oscillation;
 pub mod induction_motor;
 pub mod motor_windings;
+mod number;
 pub mod one_sided_stop;
 pub mod pendulum_chain;
 pub mod printed_laws;
@@ -35,6 +37,7 @@ pub use four_bar::FourBar;
 pub use holder_oscillation::SwingingHolder;
 pub use induction_motor::{InductionMotor, Nameplate};
 pub use motor_windings::MotorWindings;
+pub use number::Number;
 pub use one_sided_stop::OneSidedStop;
 pub use pendulum_chain::PendulumChain;
 pub use printed_laws::PrintedShaft;

@@ -28,6 +28,7 @@ mod reference;
 mod saw_gin;
 pub(crate) mod saw_gin_as_printed;
 mod saw_gin_shaft;
+mod sensitivities;
 mod shaft_step_torque;
 mod shaft_with_rotors;
 mod stick_slip;

@@ -12,54 +12,56 @@
 
 use std::f64::consts::PI;
 
+use super::Number;
+
 /// Mass on a spring with dry friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CoulombOscillator {
+pub struct CoulombOscillator<N = f64> {
     /// m \[kg\], positive.
-    pub mass: f64,
+    pub mass: N,
     /// k \[N/m\], positive.
-    pub stiffness: f64,
+    pub stiffness: N,
     /// F \[N\], friction while it slides.
-    pub kinetic: f64,
+    pub kinetic: N,
     /// F_s \[N\], largest friction while it sticks, at least F.
-    pub limit: f64,
+    pub limit: N,
 }
 
-impl CoulombOscillator {
+impl<N: Number> CoulombOscillator<N> {
     /// Position \[m\] and velocity \[m/s\] at time t \[s\] after let go at X \[m\].
     #[must_use]
-    pub fn motion(&self, t: f64, start: f64) -> (f64, f64) {
+    pub fn motion(&self, t: f64, start: N) -> (N, N) {
         let frequency = (self.stiffness / self.mass).sqrt();
-        let (mut x, mut phase) = (start, frequency * t);
+        let (mut x, mut phase) = (start, frequency * N::literal(t));
         while self.slides_from(x) {
             let centre = self.centre(x);
-            if phase < PI {
+            if phase.value() < PI {
                 let (sin, cos) = phase.sin_cos();
                 return (centre + (x - centre) * cos, -frequency * (x - centre) * sin);
             }
-            x = 2.0 * centre - x;
-            phase -= PI;
+            x = N::literal(2.0) * centre - x;
+            phase = phase - N::literal(PI);
         }
-        (x, 0.0)
+        (x, N::literal(0.0))
     }
 
     /// Half cycles until the mass rests.
     #[must_use]
-    pub fn half_cycles(&self, start: f64) -> usize {
+    pub fn half_cycles(&self, start: N) -> usize {
         let (mut x, mut count) = (start, 0);
         while self.slides_from(x) {
-            x = 2.0 * self.centre(x) - x;
+            x = N::literal(2.0) * self.centre(x) - x;
             count += 1;
         }
         count
     }
 
-    fn slides_from(&self, x: f64) -> bool {
-        self.stiffness * x.abs() > self.limit
+    fn slides_from(&self, x: N) -> bool {
+        self.stiffness.value() * x.value().abs() > self.limit.value()
     }
 
-    fn centre(&self, x: f64) -> f64 {
-        self.kinetic / self.stiffness * x.signum()
+    fn centre(&self, x: N) -> N {
+        self.kinetic / self.stiffness * N::literal(x.value().signum())
     }
 }
 

@@ -10,53 +10,63 @@
 //!
 //! Source: textbook.
 
+use std::f64::consts::PI;
+
+use super::Number;
+
 /// Mass on a spring with force k1 x + k3 x^3.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Duffing {
+pub struct Duffing<N = f64> {
     /// m \[kg\], positive.
-    pub mass: f64,
+    pub mass: N,
     /// k1 \[N/m\], positive.
-    pub stiffness: f64,
+    pub stiffness: N,
     /// k3 \[N/m^3\], not negative.
-    pub cubic_stiffness: f64,
+    pub cubic_stiffness: N,
 }
 
-impl Duffing {
+impl<N: Number> Duffing<N> {
     /// Position \[m\] and velocity \[m/s\] at time t \[s\] after let go at X \[m\].
     #[must_use]
-    pub fn motion(&self, t: f64, amplitude: f64) -> (f64, f64) {
+    pub fn motion(&self, t: f64, amplitude: N) -> (N, N) {
         let frequency = self.frequency(amplitude);
-        let [sn, cn, dn] = jacobi(frequency * t, self.parameter(amplitude));
+        let [sn, cn, dn] = jacobi(frequency * N::literal(t), self.parameter(amplitude));
         (amplitude * cn, -amplitude * frequency * sn * dn)
     }
 
     /// Period 4 K(n)/w \[s\], with K = pi/(2 agm(1, sqrt(1 - n))).
     #[must_use]
-    pub fn period(&self, amplitude: f64) -> f64 {
-        let mean = arithmetic_geometric_mean(1.0, (1.0 - self.parameter(amplitude)).sqrt());
-        2.0 * std::f64::consts::PI / (mean * self.frequency(amplitude))
+    pub fn period(&self, amplitude: N) -> N {
+        let one = N::literal(1.0);
+        let mean = arithmetic_geometric_mean(one, (one - self.parameter(amplitude)).sqrt());
+        N::literal(2.0 * PI) / (mean * self.frequency(amplitude))
     }
 
     /// w \[rad/s\] of cn(w t).
-    fn frequency(&self, amplitude: f64) -> f64 {
+    fn frequency(&self, amplitude: N) -> N {
         (self.largest_stiffness(amplitude) / self.mass).sqrt()
     }
 
     /// n.
-    fn parameter(&self, amplitude: f64) -> f64 {
-        self.cubic_stiffness * amplitude * amplitude / (2.0 * self.largest_stiffness(amplitude))
+    fn parameter(&self, amplitude: N) -> N {
+        let twice = N::literal(2.0) * self.largest_stiffness(amplitude);
+        self.cubic_stiffness * amplitude * amplitude / twice
     }
 
     /// k1 + k3 X^2, force over deflection at the turning point.
-    fn largest_stiffness(&self, amplitude: f64) -> f64 {
+    fn largest_stiffness(&self, amplitude: N) -> N {
         self.stiffness + self.cubic_stiffness * amplitude * amplitude
     }
 }
 
+fn middle<N: Number>(a: N, b: N) -> N {
+    N::literal(0.5) * (a + b)
+}
+
 /// Both means until they meet; six steps suffice, since each squares the distance.
-fn arithmetic_geometric_mean(mut a: f64, mut b: f64) -> f64 {
+fn arithmetic_geometric_mean<N: Number>(mut a: N, mut b: N) -> N {
     for _ in 0..6 {
-        (a, b) = (f64::midpoint(a, b), (a * b).sqrt());
+        (a, b) = (middle(a, b), (a * b).sqrt());
     }
     a
 }
@@ -64,23 +74,25 @@ fn arithmetic_geometric_mean(mut a: f64, mut b: f64) -> f64 {
 /// sn, cn and dn of u at the parameter n, 0 <= n < 1, by the means of 1 and sqrt(1 - n):
 /// from the amplitude 2^k a_k u of the last of them back to that of the first (Abramowitz
 /// and Stegun 16.4).
-fn jacobi(u: f64, n: f64) -> [f64; 3] {
+fn jacobi<N: Number>(u: N, n: N) -> [N; 3] {
     const STEPS: usize = 6;
-    let (mut a, mut b) = (1.0, (1.0 - n).sqrt());
-    let mut ratios = [0.0; STEPS];
+    let one = N::literal(1.0);
+    let (mut a, mut b) = (one, (one - n).sqrt());
+    let mut ratios = [N::literal(0.0); STEPS];
     let mut scale = 1.0;
     for ratio in &mut ratios {
-        let next = f64::midpoint(a, b);
-        *ratio = (a - b) / 2.0 / next;
+        let next = middle(a, b);
+        *ratio = N::literal(0.5) * (a - b) / next;
         (a, b) = (next, (a * b).sqrt());
         scale *= 2.0;
     }
-    let mut amplitude = scale * a * u;
+    let mut amplitude = N::literal(scale) * a * u;
     for ratio in ratios.iter().rev() {
-        amplitude = f64::midpoint(amplitude, (ratio * amplitude.sin()).asin());
+        let (sine, _) = amplitude.sin_cos();
+        amplitude = middle(amplitude, (*ratio * sine).asin());
     }
     let (sn, cn) = amplitude.sin_cos();
-    [sn, cn, (1.0 - n * sn * sn).sqrt()]
+    [sn, cn, (one - n * sn * sn).sqrt()]
 }
 
 #[cfg(test)]

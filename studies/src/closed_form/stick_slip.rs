@@ -11,36 +11,39 @@
 
 use std::f64::consts::PI;
 
+use super::Number;
+
 /// Mass, spring, belt and friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StickSlip {
+pub struct StickSlip<N = f64> {
     /// m \[kg\], positive.
-    pub mass: f64,
+    pub mass: N,
     /// k \[N/m\], positive.
-    pub stiffness: f64,
+    pub stiffness: N,
     /// V \[m/s\], positive.
-    pub belt_speed: f64,
+    pub belt_speed: N,
     /// F_s \[N\].
-    pub limit: f64,
+    pub limit: N,
     /// F \[N\], less than F_s.
-    pub kinetic: f64,
+    pub kinetic: N,
 }
 
-impl StickSlip {
+impl<N: Number> StickSlip<N> {
     /// Deflection \[m\], velocity \[m/s\] and how often stick and slip have changed, at
     /// time t \[s\] after the mass started to stick at x = 0.
     #[must_use]
-    pub fn motion(&self, t: f64) -> (f64, f64, usize) {
+    pub fn motion(&self, t: f64) -> (N, N, usize) {
+        let t = N::literal(t);
         let first = self.limit / self.stiffness / self.belt_speed;
-        if t < first {
+        if t.value() < first.value() {
             return (self.belt_speed * t, self.belt_speed, 0);
         }
-        let cycles = ((t - first) / self.period()).floor();
-        let since = t - first - cycles * self.period();
+        let cycles = ((t - first) / self.period()).value().floor();
+        let since = t - first - N::literal(cycles) * self.period();
         let switches = 2 * cycles as usize + 1;
         let (offset, frequency) = (self.offset(), self.frequency());
         let centre = self.kinetic / self.stiffness;
-        if since < self.slip_time() {
+        if since.value() < self.slip_time().value() {
             let (sin, cos) = (frequency * since).sin_cos();
             let swing = self.belt_speed / frequency;
             let x = centre + offset * cos + swing * sin;
@@ -53,20 +56,21 @@ impl StickSlip {
 
     /// Time of a whole cycle \[s\].
     #[must_use]
-    pub fn period(&self) -> f64 {
-        self.slip_time() + 2.0 * self.offset() / self.belt_speed
+    pub fn period(&self) -> N {
+        self.slip_time() + N::literal(2.0) * self.offset() / self.belt_speed
     }
 
-    fn slip_time(&self) -> f64 {
+    fn slip_time(&self) -> N {
         let frequency = self.frequency();
-        2.0 * (PI - (self.offset() * frequency / self.belt_speed).atan()) / frequency
+        let angle = N::literal(PI) - (self.offset() * frequency / self.belt_speed).atan();
+        N::literal(2.0) * angle / frequency
     }
 
-    fn frequency(&self) -> f64 {
+    fn frequency(&self) -> N {
         (self.stiffness / self.mass).sqrt()
     }
 
-    fn offset(&self) -> f64 {
+    fn offset(&self) -> N {
         (self.limit - self.kinetic) / self.stiffness
     }
 }

@@ -1,5 +1,6 @@
 //! Checks of the oscillator with a one-sided stop, and of its smooth twin.
 
+use super::sensitivities::{ACROSS, against_differences};
 use super::{
     Check, CheckFailure, Machine, Measured, convergence, counted, relative_distance, worse,
 };
@@ -20,6 +21,16 @@ pub(super) const CHECKS: &[Check] = &[
         tolerance: 0.0,
         reason: "a count",
         measure: switches,
+    },
+    Check {
+        name: "sensitivities over 0.5 s",
+        reference: "central differences of sixth order, over the largest of each",
+        tolerance: 1e-6,
+        reason: ACROSS,
+        measure: |machine| {
+            let by = ["deflection", "stop.stiffness", "oscillator.mass"];
+            against_differences(machine, &by, (0.5, 97), 1e-5)
+        },
     },
 ];
 

@@ -1,7 +1,8 @@
 //! Checks of the oscillator braked by dry friction, half cycle by half cycle.
 
+use super::sensitivities::{ACROSS, ClosedForm, of_closed_form};
 use super::{Check, CheckFailure, Machine, Measured, counted, relative_distance, worse};
-use crate::closed_form::CoulombOscillator;
+use crate::closed_form::{CoulombOscillator, Number};
 use machinist::{Method, Trajectory};
 
 pub(super) const CHECKS: &[Check] = &[
@@ -18,6 +19,13 @@ pub(super) const CHECKS: &[Check] = &[
         tolerance: 0.0,
         reason: "a count",
         measure: turns,
+    },
+    Check {
+        name: "sensitivities until rest, and at rest",
+        reference: "derivative of the closed form, over the largest of each",
+        tolerance: 1e-6,
+        reason: ACROSS,
+        measure: slopes,
     },
 ];
 
@@ -41,4 +49,25 @@ fn motion(machine: &Machine) -> Result<Measured, CheckFailure> {
 
 fn turns(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(counted(run(machine)?.work.switches, SLIDER.half_cycles(START)))
+}
+
+fn slopes(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let form = ClosedForm {
+        settings: &[],
+        columns: ["slider.x", "slider.v"],
+        by: [
+            ("deflection", START),
+            ("slider.mass", 1.0),
+            ("slider.stiffness", 400.0),
+            ("slider.kinetic_friction", 0.25),
+        ],
+        until: 2.0,
+        points: 401,
+    };
+    of_closed_form(machine, &form, |t, [start, mass, stiffness, friction]| {
+        let kinetic = friction * Number::literal(10.0);
+        let limit = Number::literal(SLIDER.limit);
+        let (x, v) = CoulombOscillator { mass, stiffness, kinetic, limit }.motion(t, start);
+        [x, v]
+    })
 }

@@ -2,6 +2,7 @@
 //! kinematics in closed form, energy and virtual work.
 
 use super::machine;
+use super::sensitivities::{SMOOTH, against_differences};
 use super::{Check, CheckFailure, Machine, Measured, relative_distance, worse};
 use crate::closed_form::four_bar::FOUR_BAR;
 use crate::closed_form::pendulum_chain::CHAIN;
@@ -86,6 +87,16 @@ pub(super) const SLIDER_CRANK_CHECKS: &[Check] = &[
             Ok(super::counted(modes.len() as u64, 0))
         },
     },
+    Check {
+        name: "sensitivities over 0.3 s",
+        reference: "central differences of sixth order, over the largest of each",
+        tolerance: 1e-8,
+        reason: SMOOTH,
+        measure: |machine| {
+            let by = ["rod.length", "speed"];
+            against_differences(machine, &by, (0.3, 21), 1e-3)
+        },
+    },
 ];
 
 pub(super) const FOUR_BAR_CHECKS: &[Check] = &[
@@ -120,6 +131,16 @@ pub(super) const FOUR_BAR_CHECKS: &[Check] = &[
         tolerance: 1e-12,
         reason: "both are solved to rounding",
         measure: lowest,
+    },
+    Check {
+        name: "sensitivities over 0.3 s",
+        reference: "central differences of sixth order, over the largest of each",
+        tolerance: 1e-8,
+        reason: SMOOTH,
+        measure: |machine| {
+            let by = ["crank.length", "angle", "coupler.mass"];
+            against_differences(machine, &by, (0.3, 21), 1e-3)
+        },
     },
 ];
 

@@ -4,6 +4,7 @@
 use num_complex::Complex64;
 
 use super::reference::{MOTOR_RUN_UP, scaled_distance};
+use super::sensitivities::{SMOOTH, against_complex_runs};
 use super::{Check, CheckFailure, Machine, Measured, relative_distance, worse};
 use crate::closed_form::induction_motor::{Flux, MOTOR_4A280M8};
 use machinist::linear_analysis::{Mode, Place};
@@ -99,6 +100,16 @@ pub(super) const CHECKS: &[Check] = &[
         tolerance: 1e-12,
         reason: "emitted Jacobian and dense algebra of six states, near rounding",
         measure: eigenvalues,
+    },
+    Check {
+        name: "sensitivities over 0.4 s of run-up",
+        reference: "runs on numbers that carry derivatives, over the largest of each",
+        tolerance: 1e-8,
+        reason: SMOOTH,
+        measure: |machine| {
+            let by = ["motor.inertia", "motor.k_r", "motor.x_s", "motor.alpha_s", "motor.alpha_r"];
+            against_complex_runs(machine, &by, 0.4)
+        },
     },
 ];
 

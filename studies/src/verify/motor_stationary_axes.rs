@@ -4,6 +4,7 @@
 use num_complex::Complex64;
 
 use super::machine::motor_run_up;
+use super::sensitivities::{SMOOTH, against_complex_runs};
 use super::{Check, CheckFailure, Machine, Measured, relative_distance};
 use crate::closed_form::induction_motor::{Flux, MOTOR_4A280M8};
 use crate::closed_form::motor_windings::{Currents, MotorWindings};
@@ -50,6 +51,16 @@ pub(super) const CHECKS: &[Check] = &[
         tolerance: 1e-8,
         reason: "the run is held to 1e-11 a step; the inertia of 1e30 kg m^2 keeps the speed",
         measure: |machine| switched_on(machine, 76.97),
+    },
+    Check {
+        name: "sensitivities over 0.2 s of run-up",
+        reference: "runs on numbers that carry derivatives, over the largest of each",
+        tolerance: 1e-8,
+        reason: SMOOTH,
+        measure: |machine| {
+            let by = ["motor.inertia", "motor.k_r", "motor.x_s", "motor.alpha_s", "motor.alpha_r"];
+            against_complex_runs(machine, &by, 0.2)
+        },
     },
 ];
 

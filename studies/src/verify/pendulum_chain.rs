@@ -2,6 +2,7 @@
 //! and of their energy.
 
 use super::machine::{Point, SplitMix};
+use super::sensitivities::{SMOOTH, against_complex_runs};
 use super::{Check, CheckFailure, Machine, Measured, worse};
 use crate::closed_form::pendulum_chain::CHAIN;
 
@@ -19,6 +20,16 @@ pub(super) const CHECKS: &[Check] = &[
         tolerance: 1e-9,
         reason: "the run is held to 1e-12 a step",
         measure: energy,
+    },
+    Check {
+        name: "sensitivities over 1 s",
+        reference: "runs on numbers that carry derivatives, over the largest of each",
+        tolerance: 1e-8,
+        reason: SMOOTH,
+        measure: |machine| {
+            let by = ["chain.m_1", "chain.m_2", "chain.l_1", "chain.l_3", "chain.gravity"];
+            against_complex_runs(machine, &by, 1.0)
+        },
     },
 ];
 

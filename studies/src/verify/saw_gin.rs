@@ -3,6 +3,7 @@
 
 use super::machine::{Point, SplitMix};
 use super::reference::{SAW_GIN, scaled_distance};
+use super::sensitivities::{SMOOTH, against_complex_runs};
 use super::{Check, CheckFailure, Machine, Measured, worse};
 use crate::closed_form::induction_motor::MOTOR_4A280M8;
 use crate::closed_form::saw_gin_by_hand::{SawGinByHand, SawGinState};
@@ -30,6 +31,26 @@ pub(super) const CHECKS: &[Check] = &[
         tolerance: 1e-10,
         reason: "Newton's method ends at rounding; the slip of 0.02 loses two digits of the speed",
         measure: operating_point,
+    },
+    Check {
+        name: "sensitivities over 0.3 s of run-up",
+        reference: "runs on numbers that carry derivatives, over the largest of each",
+        tolerance: 1e-8,
+        reason: SMOOTH,
+        measure: |machine| {
+            let by = [
+                "coupling.stiffness",
+                "coupling.damping",
+                "motor.inertia",
+                "cylinder.inertia",
+                "motor.phase_voltage",
+                "motor.supply_frequency",
+                "motor.k_s",
+                "motor.x_s",
+                "motor.alpha_r",
+            ];
+            against_complex_runs(machine, &by, 0.3)
+        },
     },
 ];
 

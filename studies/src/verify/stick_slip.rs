@@ -2,10 +2,11 @@
 //! smooth twin.
 
 use super::machine;
+use super::sensitivities::{ACROSS, ClosedForm, against_differences, of_closed_form};
 use super::{
     Check, CheckFailure, Machine, Measured, convergence, counted, relative_distance, worse,
 };
-use crate::closed_form::StickSlip;
+use crate::closed_form::{Number, StickSlip};
 use machinist::{Method, Trajectory};
 
 pub(super) const CHECKS: &[Check] = &[
@@ -22,6 +23,23 @@ pub(super) const CHECKS: &[Check] = &[
         tolerance: 0.0,
         reason: "a count",
         measure: switches,
+    },
+    Check {
+        name: "sensitivities over 2 s without the Stribeck term",
+        reference: "derivative of the closed form, over the largest of each",
+        tolerance: 1e-6,
+        reason: ACROSS,
+        measure: slopes,
+    },
+    Check {
+        name: "sensitivities over 2 s with it",
+        reference: "central differences of sixth order, over the largest of each",
+        tolerance: 1e-6,
+        reason: ACROSS,
+        measure: |machine| {
+            let by = ["belt_speed", "slider.static_friction", "slider.stribeck_speed"];
+            against_differences(machine, &by, (2.0, 97), 1e-5)
+        },
     },
 ];
 
@@ -73,4 +91,26 @@ fn order(smooth: &Machine) -> Result<Measured, CheckFailure> {
         Ok::<_, CheckFailure>(relative_distance(smooth.column(&run, "slider.x")?, exact))
     };
     Ok(convergence([error(4e-5)?, error(2e-5)?], 0.9))
+}
+
+fn slopes(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let form = ClosedForm {
+        settings: &NO_STRIBECK,
+        columns: ["slider.x", "slider.v"],
+        by: [
+            ("slider.mass", BELT.mass),
+            ("slider.stiffness", BELT.stiffness),
+            ("belt_speed", BELT.belt_speed),
+            ("slider.static_friction", 0.4),
+            ("slider.kinetic_friction", 0.25),
+        ],
+        until: 2.0,
+        points: 397,
+    };
+    of_closed_form(machine, &form, |t, [mass, stiffness, belt_speed, holds, slides]| {
+        let pressed = Number::literal(10.0);
+        let (limit, kinetic) = (holds * pressed, slides * pressed);
+        let (x, v, _) = StickSlip { mass, stiffness, belt_speed, limit, kinetic }.motion(t);
+        [x, v]
+    })
 }

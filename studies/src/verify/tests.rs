@@ -57,6 +57,8 @@ fn a_broken_parameter_makes_the_rows_that_depend_on_it_fail() {
             "damping ratio of the coupling",
             "twist at constant speed, by the equilibrium solve",
             "frequency response of the twist to the load",
+            "sensitivities of the free decay",
+            "sensitivities under a harmonic load",
         ]
     );
     let motor = failed(&verdicts, "motor_run_up");
@@ -98,7 +100,7 @@ fn a_broken_parameter_makes_the_rows_that_depend_on_it_fail() {
         "all motions see the viscosity, mass and mobility do not: {winder:?}"
     );
     // The override wins over what the linear limit sets.
-    assert_eq!(failed(&verdicts, "winder_nonlinear").len(), 4);
+    assert_eq!(failed(&verdicts, "winder_nonlinear").len(), 5);
     assert_eq!(
         failed(&verdicts, "winder_full"),
         [

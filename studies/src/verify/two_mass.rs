@@ -4,7 +4,9 @@ use std::f64::consts::PI;
 
 use num_complex::Complex64;
 
+use super::sensitivities::{ClosedForm, SMOOTH, of_closed_form};
 use super::{Check, CheckFailure, Machine, Measured, relative_distance, worse};
+use crate::closed_form::Number;
 use crate::closed_form::two_mass::{Motion, SAW_GIN, Torques};
 use machinist::Trajectory;
 use machinist::linear_analysis::{Mode, ModeKind, Place, logarithmic_range};
@@ -88,6 +90,20 @@ pub(super) const CHECKS: &[Check] = &[
         tolerance: 1e-9,
         reason: "one linear solve a frequency; outputs differentiated to about 1e-12",
         measure: frequency_response,
+    },
+    Check {
+        name: "sensitivities of the free decay",
+        reference: "derivative of the closed form, over the largest of each",
+        tolerance: 1e-8,
+        reason: SMOOTH,
+        measure: slopes_of_decay,
+    },
+    Check {
+        name: "sensitivities under a harmonic load",
+        reference: "derivative of the closed form, over the largest of each",
+        tolerance: 1e-8,
+        reason: SMOOTH,
+        measure: slopes_of_harmonic,
     },
 ];
 
@@ -205,4 +221,100 @@ fn frequency_response(machine: &Machine) -> Result<Measured, CheckFailure> {
         error = worse(error, (ours - exact).norm() / exact.norm());
     }
     Ok(Measured::error(error))
+}
+
+const COUPLED: [(&str, f64); 4] = [
+    ("coupling.stiffness", SAW_GIN.stiffness),
+    ("coupling.damping", SAW_GIN.damping),
+    ("driver.inertia", SAW_GIN.driver_inertia),
+    ("cylinder.inertia", SAW_GIN.driven_inertia),
+];
+
+fn slopes_of_decay(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let [c, b, driver, driven] = COUPLED;
+    let form = ClosedForm {
+        settings: &[("drive_torque", 0.0), ("load_torque", 0.0), ("initial_twist", 0.01)],
+        columns: ["twist", "coupling_torque"],
+        by: [c, b, driver, driven, ("initial_twist", 0.01)],
+        until: 0.2,
+        points: 401,
+    };
+    of_closed_form(machine, &form, |t, [c, b, driver, driven, twist]| {
+        let nothing = Number::literal(0.0);
+        twist_and_torque(t, [c, b, driver, driven], twist, [nothing; 4])
+    })
+}
+
+fn slopes_of_harmonic(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let [c, b, driver, driven] = COUPLED;
+    let form = ClosedForm {
+        settings: &[("load_amplitude", 78.78)],
+        columns: ["twist", "coupling_torque"],
+        by: [
+            c,
+            b,
+            driver,
+            driven,
+            ("drive_torque", CONSTANT.driving),
+            ("load_torque", CONSTANT.load),
+            ("load_amplitude", 78.78),
+            ("load_frequency", LOAD_FREQUENCY),
+        ],
+        until: 0.2,
+        points: 401,
+    };
+    of_closed_form(machine, &form, |t, [c, b, driver, driven, torques @ ..]| {
+        twist_and_torque(t, [c, b, driver, driven], Number::literal(0.0), torques)
+    })
+}
+
+/// Twist and torque of the coupling after an initial twist, under the driving torque, and mean,
+/// amplitude and frequency of the resisting one; once more, on any numbers, the harmonic answer by
+/// what is in phase and what is in quadrature.
+fn twist_and_torque<N: Number>(
+    t: f64,
+    [c, b, driver, driven]: [N; 4],
+    start: N,
+    [drive, load, amplitude, frequency]: [N; 4],
+) -> [N; 2] {
+    let t = N::literal(t);
+    let total = driver + driven;
+    let reduced = driver * driven / total;
+    let level = (drive * driven + load * driver) / (c * total);
+    let (stiff, viscous) = (c - reduced * frequency * frequency, b * frequency);
+    let size = amplitude * driver / total / (stiff * stiff + viscous * viscous);
+    let (in_phase, quadrature) = (size * stiff, -(size * viscous));
+    let decay = b / (N::literal(2.0) * reduced);
+    let square = c / reduced;
+    let root = (square - decay * decay).sqrt();
+    let fade = (-(decay * t)).exp();
+    let (sine, cosine) = (root * t).sin_cos();
+    let (cosine, sine) = (fade * cosine, fade * sine / root);
+    let (left, rate) = (start - level - quadrature, -(frequency * in_phase));
+    let (sin, cos) = (frequency * t).sin_cos();
+    let angle =
+        level + in_phase * sin + quadrature * cos + left * cosine + (rate + decay * left) * sine;
+    let speed = frequency * (in_phase * cos - quadrature * sin) + rate * cosine
+        - (decay * rate + square * left) * sine;
+    [angle, c * angle + b * speed]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_twist_is_written_twice_alike() {
+        let torques = Torques { load_amplitude: 78.78, ..CONSTANT };
+        let start = Motion { driver_angle: 0.01, ..Motion::default() }.twist();
+        for k in 0..40 {
+            let t = 0.005 * f64::from(k);
+            let once = SAW_GIN.twist(t, start, torques);
+            let loads = [torques.driving, torques.load, 78.78, LOAD_FREQUENCY];
+            let [angle, torque] = twist_and_torque(t, COUPLED.map(|(_, at)| at), 0.01, loads);
+            assert!((angle - once.angle).abs() < 1e-14, "{t}");
+            let carried = SAW_GIN.stiffness * once.angle + SAW_GIN.damping * once.rate;
+            assert!((torque - carried).abs() < 1e-9, "{t}");
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! Checks of the bobbin with all nonlinearities: each of them alone against its closed form,
 //! and without them the second stage of modelling.
 
+use super::sensitivities::{ACROSS, against_differences};
 use super::{Check, CheckFailure, Machine, Measured, counted, machine, relative_distance, worse};
 use crate::closed_form::BouncingBobbin;
 use crate::closed_form::winder::{BENCH_M5, FORCE_M5, SHAPE_M5};
@@ -59,6 +60,16 @@ pub(super) const CHECKS: &[Check] = &[
         tolerance: 1e-12,
         reason: "linear in time; rounding is left",
         measure: lagging,
+    },
+    Check {
+        name: "sensitivities over 0.1 s, the package leaving the drum",
+        reference: "central differences of sixth order, over the largest of each",
+        tolerance: 1e-6,
+        reason: ACROSS,
+        measure: |machine| {
+            let by = ["layer.stiffness", "force_amplitude", "holder.preload", "pair.friction"];
+            against_differences(machine, &by, (0.1, 41), 1e-4)
+        },
     },
 ];
 

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 
 use num_complex::Complex64;
 
+use super::sensitivities::{SMOOTH, against_complex_runs};
 use super::{Check, CheckFailure, Machine, Measured, relative_distance, worse};
 use crate::closed_form::winder::{BENCH_M5, Deflection, FORCE_M5, Harmonic, MASS_M5, SHAPE_M5};
 use crate::closed_form::winding_pair::HOLDER_POSITIONS;
@@ -68,6 +69,23 @@ pub(super) const CHECKS: &[Check] = &[
         tolerance: 0.0,
         reason: "integers",
         measure: |_| Ok(Measured::error(positions_that_differ())),
+    },
+    Check {
+        name: "sensitivities over 0.2 s",
+        reference: "runs on numbers that carry derivatives, over the largest of each",
+        tolerance: 1e-8,
+        reason: SMOOTH,
+        measure: |machine| {
+            let by = [
+                "layer.stiffness",
+                "layer.viscosity",
+                "force_amplitude",
+                "ovality",
+                "winding_speed",
+                "holder.bobbin_mass",
+            ];
+            against_complex_runs(machine, &by, 0.2)
+        },
     },
 ];
 

@@ -3,7 +3,9 @@
 
 use std::f64::consts::TAU;
 
+use super::sensitivities::{ClosedForm, SMOOTH, of_closed_form};
 use super::{Check, CheckFailure, Machine, Measured, relative_distance, worse};
+use crate::closed_form::Number;
 use crate::closed_form::duffing::Duffing;
 use crate::closed_form::winder::{BENCH_M5, Deflection, FORCE_M5, SHAPE_M5};
 use crate::winder_walk::balance;
@@ -38,6 +40,13 @@ pub(super) const CHECKS: &[Check] = &[
         tolerance: 1e-9,
         reason: HELD,
         measure: balanced,
+    },
+    Check {
+        name: "sensitivities of the free vibration from 8 mm",
+        reference: "derivatives of Jacobi elliptic functions, over the largest of each",
+        tolerance: 1e-8,
+        reason: SMOOTH,
+        measure: slopes,
     },
 ];
 
@@ -83,4 +92,32 @@ fn balanced(machine: &Machine) -> Result<Measured, CheckFailure> {
     let times: Vec<f64> = (0..balance::SAMPLES).map(time).collect();
     let run = machine.simulation(&[])?.until(1.8).times(&times).rtol(1e-12).run()?;
     Ok(Measured::error(relative_distance(machine.column(&run, "holder.x")?, &exact)))
+}
+
+fn slopes(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let (amplitude, own) = (8e-3, 3800.0);
+    let form = ClosedForm {
+        settings: &[
+            ("layer.viscosity", 0.0),
+            ("force_amplitude", 0.0),
+            ("ovality", 0.0),
+            ("initial_deflection", amplitude),
+        ],
+        columns: ["holder.x", "holder.v"],
+        by: [
+            ("layer.stiffness", LAYER.stiffness - own),
+            ("layer.cubic_stiffness", LAYER.cubic_stiffness),
+            ("initial_deflection", amplitude),
+            // Of 2.1 kg that move.
+            ("holder.bobbin_mass", 1.5),
+        ],
+        until: 0.1,
+        points: 401,
+    };
+    of_closed_form(machine, &form, |t, [stiffness, cubic_stiffness, amplitude, bobbin]| {
+        let mass = bobbin + Number::literal(LAYER.mass - 1.5);
+        let stiffness = stiffness + Number::literal(own);
+        let (x, v) = Duffing { mass, stiffness, cubic_stiffness }.motion(t, amplitude);
+        [x, v]
+    })
 }

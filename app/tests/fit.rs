@@ -105,13 +105,238 @@ fn gaps_are_counted_and_wild_values_count_less() {
     assert!((value / 30000.0 - 1.0).abs() < 1e-3, "{value}");
 }
 
+/// A ball on a spring whose stiffness is by the root of what a load leaves of 4: beyond, none is.
+const LOADED: &str = r#"
+[scene]
+name = "loaded"
+[units.ball]
+unit = "ball"
+[parameters.load]
+value = 1.0
+unit = "1"
+doc = "load"
+[initial]
+"ball.x" = 1.0
+[outputs]
+x = "ball.x"
+[run]
+until = 1.0
+[define.ball.coordinates.x]
+unit = "m"
+velocity = "v"
+[define.ball.energy]
+kinetic = "0.5 [kg]*v^2/2"
+[[define.ball.forces]]
+coordinate = "x"
+expression = "-10 [N/m]*x*sqrt(4 - load)"
+"#;
+
 #[test]
 fn a_range_in_which_runs_fail_is_survived_and_told() {
-    // A negative inertia lets the machine run away.
+    let folder = tempfile::tempdir().expect("a folder");
+    let [scene, data] =
+        ["loaded.toml", "data.csv"].map(|name| folder.path().join(name).display().to_string());
+    fs::write(&scene, LOADED).expect("written");
+    answer(&[
+        "run",
+        &scene,
+        "--points",
+        "21",
+        "--columns",
+        "x",
+        "--set",
+        "load=3.9",
+        "--out",
+        &data,
+    ]);
+    let fit = ["fit", &scene, "--data", &data, "--parameters", "load=0.5..20"];
+    let text = answer(&[&fit[..], &["--starts", "4"]].concat());
+    assert!(text.contains("3.9") && text.contains("could not be simulated"), "{text}");
+    assert!(text.contains("not a finite number"), "{text}");
+    // Where no start can be simulated, nothing is found, and that is said.
+    let beyond = ["fit", &scene, "--data", &data, "--parameters", "load=5..20"];
+    let output = process::output(machinist(&beyond));
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() == Some(1) && said.contains("no start can be"), "{said}");
+}
+
+/// Runs of the saw gin at full and at lower voltage, with a stiffer coupling, and a file that says
+/// which is which.
+fn laboratory(folder: &Path) -> String {
+    for (file, voltage) in [("full.csv", "220"), ("low.csv", "180")] {
+        let file = folder.join(file).display().to_string();
+        let run = ["run", "saw_gin", "--until", "0.3", "--points", "41", "--columns", "twist"];
+        let voltage = format!("motor.phase_voltage={voltage}");
+        let set = ["--set", "coupling.stiffness=30000", "--set", &voltage, "--out", &file];
+        answer(&[&run[..], &set].concat());
+    }
+    let file = folder.join("lab.toml");
+    let text = r#"
+        [[experiment]]
+        data = "full.csv"
+        [[experiment]]
+        name = "low"
+        data = "low.csv"
+        set = { motor.phase_voltage = "0.18 [kV]" }
+    "#;
+    fs::write(&file, text).expect("written");
+    file.display().to_string()
+}
+
+#[test]
+fn experiments_have_settings_of_their_own() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lab = laboratory(folder.path());
+    let plot = folder.path().join("all.svg").display().to_string();
+    let fit = ["fit", "saw_gin", "--parameters", "coupling.stiffness=1e3..1e6"];
+    let told = answer(&[&fit[..], &["--experiments", &lab, "--plot", &plot]].concat());
+    for words in ["2 experiments: 82 values", "motor.phase_voltage=180", "twist, low", "30000"] {
+        assert!(told.contains(words), "{words}: {told}");
+    }
+    let second = fs::read_to_string(folder.path().join("all-2.svg")).expect("a plot");
+    assert!(second.contains(", low"), "its title says which it is");
+    let json = answer(&[&fit[..], &["--experiments", &lab, "--json"]].concat());
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let low = &json["experiments"][1];
+    assert_eq!((&low["name"], &low["values"]), (&"low".into(), &41.into()));
+    assert_eq!(low["set"]["motor.phase_voltage"], 180.0);
+    assert_eq!(json["outputs"][1]["experiment"], "low");
+    // With one voltage for both, nothing fits.
+    let [full, low] = ["full.csv", "low.csv"].map(|name| folder.path().join(name));
+    let files = ["--data", &*full.to_string_lossy(), "--data", &*low.to_string_lossy(), "--json"];
+    let json = answer(&[&fit[..], &files].concat());
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let value = json["parameters"][0]["value"].as_f64().expect("a value");
+    assert!((value / 30_000.0 - 1.0).abs() > 1e-2, "{value}");
+}
+
+#[test]
+fn experiments_that_make_no_sense_are_refused_by_name() {
+    let folder = tempfile::tempdir().expect("a folder");
+    laboratory(folder.path());
+    let file = folder.path().join("wrong.toml");
+    let path = file.display().to_string();
+    let refused = |text: &str, words: &[&str]| {
+        fs::write(&file, text).expect("written");
+        let fit = ["fit", "saw_gin", "--parameters", "coupling.stiffness", "--experiments", &path];
+        assert_refused(&fit, words);
+    };
+    let with = |line: &str| format!("[[experiment]]\ndata = \"full.csv\"\n{line}\n");
+    refused("", &["no experiments", "[[experiment]]"]);
+    refused(&with("sgima = { twist = 1 }"), &["line 3", "did you mean `sigma`"]);
+    let sets = "set = { coupling.stiffness = 3 }";
+    refused(&with(sets), &["full.csv", "coupling.stiffness", "which is fitted"]);
+    refused(&with("set = { motor.inertja = 3 }"), &["full.csv", "did you mean `motor.inertia`"]);
+    refused(&with("set = { motor.inertia = \"3 [kg]\" }"), &["motor.inertia is in kg m^2"]);
+    refused(&with("sigma = { twst = 1 }"), &["full.csv", "did you mean `twist`"]);
+    refused(&with("outputs = [\"twst\"]"), &["did you mean `twist`"]);
+    refused(&with("from = 0.2"), &["line 2", "before the start", "0.2 s"]);
+    let both = with("sigma = { twist = 1 }") + "[[experiment]]\ndata = \"low.csv\"\n";
+    refused(&both, &["sigma of `twist`", "not for low.csv"]);
+    refused(&with("").repeat(2), &["`full.csv`", "`name` tells them apart"]);
+    let twice = folder.path().join("full.csv").display().to_string();
+    let fit = ["fit", "saw_gin", "--parameters", "coupling.stiffness", "--data", &twice];
+    assert_refused(&[&fit[..], &["--data", &twice]].concat(), &["two runs", "full.csv"]);
+}
+
+#[test]
+fn profiles_stand_beside_standard_errors() {
     let folder = tempfile::tempdir().expect("a folder");
     let data = measured(folder.path());
-    let fit = ["fit", "saw_gin", "--data", &data, "--parameters", "cylinder.inertia=-1..5"];
-    let output = process::output(machinist(&[&fit[..], &["--starts", "4"]].concat()));
-    let text = String::from_utf8_lossy(&output.stdout);
-    assert!(text.contains("cylinder.inertia"), "{text}");
+    // Noise of 1e-4, the same every time.
+    let text = fs::read_to_string(&data).expect("data");
+    let mut random = fastrand::Rng::with_seed(1);
+    let noisy: Vec<String> = text
+        .lines()
+        .map(|line| match line.split_once(',').map(|(time, value)| (time, value.parse::<f64>())) {
+            Some((time, Ok(value))) => {
+                format!("{time},{}", value + 3e-4 * (random.f64() - 0.5))
+            }
+            _ => line.to_owned(),
+        })
+        .collect();
+    fs::write(&data, noisy.join("\n")).expect("written");
+    let plot = folder.path().join("profiles.svg").display().to_string();
+    let fit = ["fit", "saw_gin", "--data", &data, "--parameters", "coupling.stiffness=1e4..1e5"];
+    let profile = ["--profile", "--plot-profiles", &plot];
+    let text = answer(&[&fit[..], &profile].concat());
+    assert!(text.contains("95 % by standard error") && text.contains("by likelihood"), "{text}");
+    assert!(fs::read_to_string(&plot).expect("a plot").contains("in standard errors"));
+    let json = answer(&[&fit[..], &["--profile", "coupling.stiffness", "--json"]].concat());
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let ends = |of: &serde_json::Value| [0, 1].map(|end| of[end].as_f64().expect("a number"));
+    let [low, high] = ends(&json["parameters"][0]["confidence_95"]);
+    let [profile_low, profile_high] = ends(&json["profiles"][0]["confidence_95"]);
+    let width = high - low;
+    assert!((low - profile_low).abs() < 0.02 * width && (high - profile_high).abs() < 0.02 * width);
+    assert!((low - width..high + width).contains(&30_000.0), "{low} .. {high}");
+    let points = json["profiles"][0]["points"].as_array().expect("points");
+    let tau: Vec<f64> = points.iter().filter_map(|point| point["tau"].as_f64()).collect();
+    assert!(tau.len() > 8 && tau.is_sorted(), "{tau:?}");
+    assert_refused(&[&fit[..], &["--profile", "motor.inertia"]].concat(), &["is not fitted"]);
+    assert_refused(&[&fit[..], &["--plot-profiles", &plot]].concat(), &["no profiles"]);
+}
+
+#[test]
+fn noise_is_a_number_a_share_or_a_column() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("data.csv");
+    let path = file.display().to_string();
+    let fit = |sigma: &'static str| {
+        let fit = ["fit", "saw_gin", "--data", &path, "--parameters", "coupling.stiffness"];
+        let sigma = if sigma.is_empty() { vec![] } else { vec!["--sigma", sigma] };
+        [&fit[..], &sigma].concat().iter().map(|word| (*word).to_owned()).collect::<Vec<_>>()
+    };
+    let refused = |text: &str, sigma: &'static str, words: &[&str]| {
+        fs::write(&file, text).expect("written");
+        let arguments = fit(sigma);
+        let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        assert_refused(&arguments, words);
+    };
+    let plain = "time,twist\n0.1,0\n0.2,0.01\n";
+    refused(plain, "twist=1 %", &["row 1", "no share", "0.02 + 1 %"]);
+    refused(plain, "twist=0", &["not above 0"]);
+    refused(plain, "twist=1 + 2", &["0.02 + 1 %"]);
+    refused(plain, "twst=1", &["did you mean `twist`"]);
+    let column = "time,twist,sigma(twist)\n0.1,0.01,1\n0.2,0.01,0\n";
+    refused(column, "", &["row 2", "not above 0"]);
+    refused("time,twist,sigma(twist)\n0.1,0.01,1\n", "twist=1", &["is a column already"]);
+    refused("time,twist,sigma(twist) [deg]\n0.1,0.01,1\n", "", &["in deg"]);
+    refused("time,twist,sigma(motor_speed)\n0.1,0.01,1\n", "", &["of no column"]);
+    // A value that is said to be wild counts for nothing.
+    let data = measured(folder.path());
+    let text = fs::read_to_string(&data).expect("data");
+    let weighed: Vec<String> = text
+        .lines()
+        .enumerate()
+        .map(|(row, line)| match (row, line.split_once(',')) {
+            (0, _) => format!("{line},sigma(twist) [rad]"),
+            (20, Some((time, _))) => format!("{time},0.05,100"),
+            _ => format!("{line},0.0001"),
+        })
+        .collect();
+    fs::write(&file, weighed.join("\n")).expect("written");
+    let text = answer(&[
+        "fit",
+        "saw_gin",
+        "--data",
+        &path,
+        "--parameters",
+        "coupling.stiffness",
+        "--json",
+    ]);
+    let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let value = json["parameters"][0]["value"].as_f64().expect("a value");
+    assert!((value / 30_000.0 - 1.0).abs() < 1e-3, "{value}");
+}
+
+#[test]
+fn as_many_unknowns_as_values_leave_errors_open() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("data.csv");
+    fs::write(&file, "time,twist\n0.1,0.01\n").expect("written");
+    let path = file.display().to_string();
+    let text =
+        answer(&["fit", "saw_gin", "--data", &path, "--parameters", "coupling.stiffness=1e3..1e6"]);
+    assert!(text.contains("as many unknowns as values") && text.contains("not told"), "{text}");
 }

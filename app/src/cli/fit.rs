@@ -226,8 +226,7 @@ impl FitCommand {
         with_method(simulation, self.method.as_deref())
     }
 
-    /// Experiments as they are asked for: files alone, then those with settings. What the
-    /// command line says of columns holds where an experiment says nothing.
+    /// Experiments as they are asked for: files alone, then those with settings.
     fn setups(&self) -> Result<Vec<Setup>, Failure> {
         let plain = self.data.iter().map(|path| Setup {
             name: path.display().to_string(),
@@ -238,18 +237,19 @@ impl FitCommand {
         if let Some(path) = &self.experiments {
             setups.extend(experiments::read(path)?);
         }
-        for setup in &mut setups {
-            let is_new =
-                |(name, _): &&(String, Noise)| setup.sigma.iter().all(|(other, _)| other != name);
-            let sigma: Vec<_> = self.sigma.iter().filter(is_new).cloned().collect();
-            setup.sigma.extend(sigma);
-            setup.map.extend(self.map.iter().cloned());
-            if setup.outputs.is_empty() {
-                setup.outputs.clone_from(&self.outputs);
+        let is_twice = |(number, setup): &(usize, &Setup)| {
+            setups[..*number].iter().any(|other| other.name == setup.name)
+        };
+        match setups.iter().enumerate().find(is_twice) {
+            None => Ok(setups),
+            Some((_, setup)) => {
+                let message = format!("there are two runs `{}`", setup.name.escape_debug());
+                Err(Failure::input(
+                    message,
+                    "each counts once; `name` of experiments tells them apart",
+                ))
             }
-            setup.from = setup.from.or(self.from);
         }
-        Ok(setups)
     }
 
     /// They with their data, and how many gaps each has.
@@ -258,32 +258,53 @@ impl FitCommand {
         setups: &[Setup],
         simulation: &Simulation<'_>,
     ) -> Result<(Vec<Experiment>, Vec<usize>), Failure> {
-        let simulator = simulation.simulator();
-        let mut all = Vec::new();
-        for setup in setups {
-            let Setup { map, outputs, .. } = setup;
-            let from = setup.from.unwrap_or(simulator.run_defaults().from);
-            let reading = Reading { simulator, map, outputs, from, skips_unknown: false };
-            let File { measured, mut noise, gaps } = reading.read(&setup.data)?;
-            for (name, own) in &setup.sigma {
-                if !measured.columns.iter().any(|(column, _)| column == name) {
-                    continue;
-                }
-                if noise.iter().any(|(other, _)| other == name) {
-                    let message = format!("{}: `sigma({name})` is a column already", setup.name);
-                    return Err(Failure::input(message, "leave the sigma of the output out"));
-                }
-                noise.push((name.clone(), own.clone()));
-            }
-            let (name, given) = (setup.name.clone(), in_si(&setup.set));
-            let experiment = Experiment { name, measured, given, from: setup.from, noise };
-            check_given(setup, &experiment, simulation)?;
-            all.push((experiment, gaps));
-        }
-        let (all, gaps): (Vec<Experiment>, Vec<usize>) = all.into_iter().unzip();
+        let read = setups.iter().map(|setup| self.experiment(setup, simulation));
+        let (all, gaps): (Vec<Experiment>, Vec<usize>) =
+            read.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
         self.check_columns(&all)?;
         check_noise(&all)?;
         Ok((all, gaps))
+    }
+
+    /// One of them. What the command line says of columns holds where it says nothing itself.
+    fn experiment(
+        &self,
+        setup: &Setup,
+        simulation: &Simulation<'_>,
+    ) -> Result<(Experiment, usize), Failure> {
+        let simulator = simulation.simulator();
+        let map = [&setup.map[..], &self.map].concat();
+        let outputs = if setup.outputs.is_empty() { &self.outputs } else { &setup.outputs };
+        let given_from = setup.from.or(self.from);
+        let from = given_from.unwrap_or(simulator.run_defaults().from);
+        let reading = Reading { simulator, map: &map, outputs, from, skips_unknown: false };
+        let File { measured, mut noise, gaps } = reading.read(&setup.data)?;
+        let is_measured = |name: &str| measured.columns.iter().any(|(column, _)| column == name);
+        let own = setup.sigma.iter().map(|(name, _)| ("sigma", name));
+        let own = own.chain(setup.map.iter().map(|(_, output)| ("map", output)));
+        if let Some((key, name)) = own.into_iter().find(|(_, name)| !is_measured(name)) {
+            let message = format!(
+                "experiment `{}`: {key} of `{}`, which is not measured",
+                setup.name.escape_debug(),
+                name.escape_debug()
+            );
+            let known = measured.columns.iter().map(|(column, _)| column.as_str());
+            return Err(Failure::input(message, did_you_mean(name, known)));
+        }
+        let is_new = |(name, _): &&(String, Noise)| {
+            is_measured(name) && setup.sigma.iter().all(|(other, _)| other != name)
+        };
+        for (name, sigma) in setup.sigma.iter().chain(self.sigma.iter().filter(is_new)) {
+            if noise.iter().any(|(other, _)| other == name) {
+                let message = format!("{}: `sigma({name})` is a column already", setup.name);
+                return Err(Failure::input(message, "leave the sigma of the output out"));
+            }
+            noise.push((name.clone(), sigma.clone()));
+        }
+        let (name, given) = (setup.name.clone(), in_si(&setup.set));
+        let experiment = Experiment { name, measured, given, from: given_from, noise };
+        check_given(setup, &experiment, simulation)?;
+        Ok((experiment, gaps))
     }
 
     /// What the command line says of columns is of some that there are.

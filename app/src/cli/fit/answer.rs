@@ -149,6 +149,11 @@ impl Answer {
             self.end, self.steps, self.runs
         )]);
         text.push_str(&columns(&self.parameter_rows(), 2));
+        if self.t.is_nan() {
+            text.push_str(
+                "\nThere are as many unknowns as values: nothing says how exact they are\n",
+            );
+        }
         text.push_str(&self.correlations_told());
         for Combination { shares, standard_error } in &self.untold {
             let shares: Vec<String> = shares

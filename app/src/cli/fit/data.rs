@@ -65,7 +65,7 @@ impl Reading<'_> {
         let mut times: Vec<f64> = Vec::new();
         for record in reader.records() {
             let record = record.map_err(|error| refuse(error.to_string(), ""))?;
-            let line = record.position().map_or(0, csv::Position::line);
+            let line = record.position().map_or(0, |position| line_of(text, position.byte()));
             let time = cell(&record, 0, (line, "time"))?;
             self.check_time(time, times.last().copied(), line)?;
             times.push(time);
@@ -132,7 +132,7 @@ impl Reading<'_> {
         Ok(wanted)
     }
 
-    fn check_time(&self, time: f64, latest: Option<f64>, line: u64) -> Result<(), Refusal> {
+    fn check_time(&self, time: f64, latest: Option<f64>, line: usize) -> Result<(), Refusal> {
         if !time.is_finite() {
             return Err(refuse(format!("line {line}: there is no time"), ""));
         }
@@ -201,11 +201,22 @@ fn refuse(message: String, help: impl Into<String>) -> Refusal {
     Refusal(message, help.into())
 }
 
+/// The line, from 1, of a record that is read from here on: comments and the second half of the
+/// end of a line may come before it.
+fn line_of(text: &str, byte: u64) -> usize {
+    let (before, rest) = text.split_at_checked(byte as usize).unwrap_or((text, ""));
+    let skipped = rest.split_inclusive('\n').take_while(|line| {
+        let line = line.trim();
+        line.is_empty() || line.starts_with('#')
+    });
+    before.matches('\n').count() + skipped.count() + 1
+}
+
 /// The number at a place; NaN where there is none.
 fn cell(
     record: &csv::StringRecord,
     place: usize,
-    (line, what): (u64, &str),
+    (line, what): (usize, &str),
 ) -> Result<f64, Refusal> {
     match record.get(place).unwrap_or_default() {
         "" => Ok(f64::NAN),
@@ -252,13 +263,20 @@ fn named(cell: &str) -> (&str, Option<&str>) {
 
 #[cfg(test)]
 mod tests {
-    use super::{deviation_of, named};
+    use super::{deviation_of, line_of, named};
 
     #[test]
     fn a_header_may_give_a_unit() {
         assert_eq!(named("time [s]"), ("time", Some("s")));
         assert_eq!(named(" twist "), ("twist", None));
         assert_eq!(named("a.b[N m/rad]"), ("a.b", Some("N m/rad")));
+    }
+
+    #[test]
+    fn lines_are_counted_whatever_they_end_with() {
+        assert_eq!(line_of("a,b\n1,2\n", 4), 2);
+        assert_eq!(line_of("a,b\r\n1,2\r\n", 4), 2);
+        assert_eq!(line_of("a,b\n# made by\n\n1,2\n", 4), 4);
     }
 
     #[test]

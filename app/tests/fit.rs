@@ -111,10 +111,6 @@ const LOADED: &str = r#"
 name = "loaded"
 [units.ball]
 unit = "ball"
-[parameters.load]
-value = 1.0
-unit = "1"
-doc = "load"
 [initial]
 "ball.x" = 1.0
 [outputs]
@@ -124,6 +120,8 @@ until = 1.0
 [define.ball.coordinates.x]
 unit = "m"
 velocity = "v"
+[define.ball.parameters]
+load = { value = 1.0, unit = "1" }
 [define.ball.energy]
 kinetic = "0.5 [kg]*v^2/2"
 [[define.ball.forces]]
@@ -145,16 +143,16 @@ fn a_range_in_which_runs_fail_is_survived_and_told() {
         "--columns",
         "x",
         "--set",
-        "load=3.9",
+        "ball.load=3.9",
         "--out",
         &data,
     ]);
-    let fit = ["fit", &scene, "--data", &data, "--parameters", "load=0.5..20"];
+    let fit = ["fit", &scene, "--data", &data, "--parameters", "ball.load=0.5..20"];
     let text = answer(&[&fit[..], &["--starts", "4"]].concat());
     assert!(text.contains("3.9") && text.contains("could not be simulated"), "{text}");
     assert!(text.contains("not a finite number"), "{text}");
     // Where no start can be simulated, nothing is found, and that is said.
-    let beyond = ["fit", &scene, "--data", &data, "--parameters", "load=5..20"];
+    let beyond = ["fit", &scene, "--data", &data, "--parameters", "ball.load=5..20"];
     let output = process::output(machinist(&beyond));
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.code() == Some(1) && said.contains("no start can be"), "{said}");

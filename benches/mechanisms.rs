@@ -9,6 +9,7 @@ mod growth;
 
 use std::error::Error;
 use std::fmt::Write as _;
+use std::sync::Arc;
 use std::time::Instant;
 
 use growth::{Row, bytes, fastest, fastest_step, print};
@@ -16,7 +17,8 @@ use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_contract::Simulator;
-use machinist_model::ModelSimulator;
+use machinist_model::compiled::CompiledTape;
+use machinist_model::{ModelSimulator, Table};
 
 const NUMBERS: [usize; 4] = [10, 30, 100, 300];
 const WHAT: [&str; 7] = [
@@ -46,6 +48,10 @@ fn costs(bodies: usize) -> Result<[f64; 7], Box<dyn Error>> {
     let model = pipeline::generate(&path, Keep::Needed).map_err(|errors| errors.render())?;
     let derived = begin.elapsed().as_secs_f64();
     let held = bytes::held() - before;
+    let tables: Arc<[Table]> = model.tables.clone().into();
+    let begin = Instant::now();
+    CompiledTape::new(&model.rate, &tables).ok_or("this target has no machine code")?;
+    let code = begin.elapsed().as_secs_f64();
     let simulator = ModelSimulator::new(model);
     let simulator: &dyn Simulator<f64> = &simulator;
     let shape = simulator.shape();
@@ -58,9 +64,6 @@ fn costs(bodies: usize) -> Result<[f64; 7], Box<dyn Error>> {
         simulator.prepared_rate(0.0, &state, &p, &constants, &mut rate);
         1.0
     };
-    let begin = Instant::now();
-    call();
-    let code = begin.elapsed().as_secs_f64();
     let of_rate = fastest(&mut call);
     let run = Simulation::new(simulator).method(Method::Dop853).rtol(1e-6);
     let mut least = [f64::INFINITY; 2];

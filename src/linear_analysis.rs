@@ -16,7 +16,8 @@
 //! counts with its value at the point's time.
 //!
 //! All is dense algebra, for scenes of up to [`MAX_STATES`] states, but modes and equilibria of
-//! machines whose coordinates each meet but a few others, such as chains.
+//! machines whose coordinates each meet but a few others, such as chains: these are for scenes of
+//! up to [`MAX_STATES_OF_CHAINS`].
 
 mod banded;
 mod bends;
@@ -36,9 +37,12 @@ mod sparse_rows;
 mod steady;
 mod within;
 
+use std::sync::OnceLock;
+
 use machinist_contract::{Quantity, Simulator};
 use motions::Motions;
 use nalgebra::{DMatrix, DVector};
+use sparse_rows::SparseRows;
 use within::Within;
 
 pub use campbell::{Branch, Campbell, Critical, Variation, campbell};
@@ -50,8 +54,12 @@ pub use response::{Response, logarithmic_range};
 pub use slopes::{ModeSlope, NoSlope, PointSlopes};
 pub(crate) use steady::{growth, steady_start, steady_tangents};
 
-/// Largest number of states; beyond, dense matrices take too much time.
+/// Largest number of states of dense matrices; beyond, they take too much time.
 pub const MAX_STATES: usize = 2000;
+
+/// Largest number of states; beyond, shapes of all modes, as many numbers as the square of them,
+/// take too much memory.
+pub const MAX_STATES_OF_CHAINS: usize = 10_000;
 
 /// Time \[s\], state y and parameters at which a scene is looked at.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,7 +77,9 @@ pub struct Point {
 pub struct Linearization<'a> {
     simulator: &'a dyn Simulator<f64>,
     point: Point,
-    matrix: DMatrix<f64>,
+    matrix: SparseRows,
+    /// The same with its zeros, once somebody asks.
+    full: OnceLock<DMatrix<f64>>,
 }
 
 /// The mechanical part, M dq'' + D dq' + K dq = df, in the units of the scene's
@@ -92,11 +102,11 @@ impl<'a> Linearization<'a> {
     /// Linearizes a scene about a point, by its emitted Jacobian.
     ///
     /// # Errors
-    /// [`LinearError`] if the scene has more than [`MAX_STATES`] states, if the
+    /// [`LinearError`] if the scene has more than [`MAX_STATES_OF_CHAINS`] states, if the
     /// point has other lengths than the scene, or if something is not finite.
     pub fn at(simulator: &'a dyn Simulator<f64>, point: Point) -> Result<Self, LinearError> {
         let matrix = jacobian(simulator, &point)?;
-        Ok(Self { simulator, point, matrix })
+        Ok(Self { simulator, point, matrix, full: OnceLock::new() })
     }
 
     /// Where it was linearized.
@@ -106,9 +116,12 @@ impl<'a> Linearization<'a> {
     }
 
     /// A = dy'/dy, `states` by `states`.
-    #[must_use]
-    pub fn matrix(&self) -> &DMatrix<f64> {
-        &self.matrix
+    ///
+    /// # Errors
+    /// [`LinearError::TooLarge`] of more than [`MAX_STATES`] states.
+    pub fn matrix(&self) -> Result<&DMatrix<f64>, LinearError> {
+        require_small(self.simulator)?;
+        Ok(self.full.get_or_init(|| self.matrix.full()))
     }
 
     /// The simulator.
@@ -119,23 +132,28 @@ impl<'a> Linearization<'a> {
 
     /// M, D and K. Exact as derivatives of f where accelerations are zero;
     /// elsewhere K holds the change of M times acceleration too.
-    #[must_use]
-    pub fn second_order(&self) -> SecondOrder {
+    ///
+    /// # Errors
+    /// [`LinearError::TooLarge`] of more than [`MAX_STATES`] states.
+    pub fn second_order(&self) -> Result<SecondOrder, LinearError> {
         let motions = Motions::new(self.simulator, &self.matrix);
         let (n, mass) = (motions.coordinates, self.mass_matrix());
-        let block = |column: usize| -&mass * motions.matrix.view((n, column), (n, n));
+        let matrix = full(self.simulator, &motions.matrix)?;
+        let block = |column: usize| -&mass * matrix.view((n, column), (n, n));
         let whole = SecondOrder { damping: block(n), stiffness: block(0), mass: mass.clone() };
-        let Some(within) = Within::of(self.simulator, &self.point, &motions) else { return whole };
+        let Some(within) = Within::of(self.simulator, &self.point, &motions) else {
+            return Ok(whole);
+        };
         let mut allowed = within.velocities;
         for (mut row, scale) in allowed.row_iter_mut().zip(&motions.scales.as_slice()[n..]) {
             row *= *scale;
         }
         let projected = |matrix: DMatrix<f64>| allowed.transpose() * matrix * &allowed;
-        SecondOrder {
+        Ok(SecondOrder {
             mass: projected(whole.mass),
             damping: projected(whole.damping),
             stiffness: projected(whole.stiffness),
-        }
+        })
     }
 
     /// Names of \[q, q', z\]: what shapes of modes are made of. All generalized
@@ -189,13 +207,13 @@ fn rate(simulator: &dyn Simulator<f64>, point: &Point) -> DVector<f64> {
 }
 
 /// The emitted dy'/dy at a point, once the point is found to fit the scene.
-fn jacobian(simulator: &dyn Simulator<f64>, point: &Point) -> Result<DMatrix<f64>, LinearError> {
+fn jacobian(simulator: &dyn Simulator<f64>, point: &Point) -> Result<SparseRows, LinearError> {
     check_point(simulator, point)?;
     let pattern = simulator.rate_jacobian_pattern();
     let mut values = vec![0.0; pattern.entries.len()];
     simulator.rate_jacobian(point.time, &point.state, &point.parameters, &mut values);
     match values.iter().position(|value| !value.is_finite()) {
-        None => Ok(crate::complex_step::dense(pattern, &values)),
+        None => Ok(SparseRows::of_pattern(pattern, &values)),
         Some(index) => {
             let name = |state: u32| simulator.state(state as usize).name.to_owned();
             let (row, column) = pattern.entries[index];
@@ -206,11 +224,27 @@ fn jacobian(simulator: &dyn Simulator<f64>, point: &Point) -> Result<DMatrix<f64
     }
 }
 
+/// A matrix with its zeros, if that is not too large.
+fn full(simulator: &dyn Simulator<f64>, rows: &SparseRows) -> Result<DMatrix<f64>, LinearError> {
+    require_small(simulator)?;
+    Ok(rows.full())
+}
+
+fn require_small(simulator: &dyn Simulator<f64>) -> Result<(), LinearError> {
+    let is_small = simulator.shape().states() <= MAX_STATES;
+    if is_small { Ok(()) } else { Err(too_large(simulator, MAX_STATES)) }
+}
+
+fn too_large(simulator: &dyn Simulator<f64>, most: usize) -> LinearError {
+    let (scene, states) = (simulator.name().to_owned(), simulator.shape().states());
+    LinearError::TooLarge { scene, states, most }
+}
+
 fn check_point(simulator: &dyn Simulator<f64>, point: &Point) -> Result<(), LinearError> {
     let shape = simulator.shape();
     let states = shape.states();
-    if states > MAX_STATES {
-        return Err(LinearError::TooLarge { scene: simulator.name().to_owned(), states });
+    if states > MAX_STATES_OF_CHAINS {
+        return Err(too_large(simulator, MAX_STATES_OF_CHAINS));
     }
     let lengths = [
         ("states", states, point.state.len()),

@@ -4,8 +4,14 @@ use std::f64::consts::PI;
 use std::fmt::Write as _;
 
 use machinist::Simulation;
-use machinist::linear_analysis::{Linearization, ModeKind, Place, operating_point};
+use machinist::field::{Discretisation, FieldSimulator};
+use machinist::linear_analysis::{
+    LinearError, Linearization, ModeKind, Place, Point, equilibrium, operating_point,
+};
 use machinist_codegen::mechanics::reduce::Keep;
+use machinist_contract::Describe as _;
+use machinist_scenes::scenes::shaft_step_torque::ShaftStepTorque;
+use machinist_studies::closed_form::shaft::SAW_GIN_SHAFT;
 use num_complex::Complex64;
 
 use crate::own_scene::of_text;
@@ -87,4 +93,49 @@ fn a_chain_that_is_driven_runs_at_the_speed_of_its_drive() {
         .sum();
     let trace = -(2.0 * (ROTORS - 1) as f64 * DAMPING + 40.0) / INERTIA;
     assert!((sum / trace - 1.0).abs() < 1e-12, "{sum} {trace}");
+}
+
+/// An undamped shaft of so many elements of order 1, held at one end, at rest without its torque's
+/// twist.
+fn shaft(elements: usize) -> (FieldSimulator<'static, f64>, Point) {
+    let wanted = Discretisation { elements: Some(elements), order: Some(1) };
+    let shaft = FieldSimulator::new(&ShaftStepTorque, wanted).expect("elements");
+    let shape = shaft.shape();
+    let parameters = (0..shape.parameters).map(|index| shaft.parameter_default(index)).collect();
+    let point = Point { time: 1.0, state: vec![0.0; shape.states()], parameters };
+    (shaft, point)
+}
+
+#[test]
+fn a_shaft_of_more_states_than_full_matrices_take_twists_and_vibrates_as_the_closed_forms() {
+    const ELEMENTS: usize = 1200;
+    let (shaft, point) = shaft(ELEMENTS);
+    assert_eq!(shaft.shape().states(), 2 * ELEMENTS);
+    let point = equilibrium(&shaft, &point).expect("it twists");
+    let end = SAW_GIN_SHAFT.static_twist(SAW_GIN_SHAFT.length, 843.72);
+    let places = shaft.places(0, &point.parameters);
+    for (x, angle) in places.iter().zip(shaft.values(0, &point.state)) {
+        let expected = end * x / SAW_GIN_SHAFT.length;
+        assert!((angle - expected).abs() < 1e-11 * end, "{x}: {angle} {expected}");
+    }
+    let linear = Linearization::at(&shaft, point).expect("regular");
+    let modes = linear.modes().expect("modes");
+    assert_eq!(modes.len(), ELEMENTS);
+    // Of the shaft itself (2 k - 1) w; inertia is at the nodes, half as much at the end.
+    let slowest = SAW_GIN_SHAFT.fixed_free_frequency(1);
+    let nodes = 4.0 * ELEMENTS as f64 / PI * slowest;
+    for (k, mode) in (1..).zip(&modes) {
+        let expected = nodes * (f64::from(2 * k - 1) * PI / (4.0 * ELEMENTS as f64)).sin();
+        assert_eq!((mode.kind, mode.shape.len()), (ModeKind::Oscillation, 2 * ELEMENTS));
+        let off = (mode.imaginary / expected - 1.0).abs();
+        // Frequencies far below the highest have the rounding of its square.
+        assert!(off < 1e-15 * (ELEMENTS * ELEMENTS) as f64, "{k}: {off:e}");
+        assert!(mode.real.abs() < 1e-12 * nodes && mode.residual < 1e-13);
+    }
+    let too_large = |refused: Option<LinearError>, limit: usize| matches!(refused, Some(LinearError::TooLarge { most, .. }) if most == limit);
+    assert!(too_large(linear.matrix().err(), 2000));
+    assert!(too_large(linear.second_order().err(), 2000));
+    assert!(too_large(linear.response("torque", "end_angle", &[1.0, 2.0]).err(), 2000));
+    let (longer, point) = self::shaft(6000);
+    assert!(too_large(Linearization::at(&longer, point).err(), 10_000));
 }

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from . import _svg
 from ._run import Picture
 from ._tables import html, text
+from .errors import AnalysisError
 
 Array = NDArray[np.float64]
 
@@ -74,11 +75,17 @@ class Modes(Sequence[Mode]):
         self.state: Array = told["state"]
         #: Names of [q, q', z], which shapes are made of.
         self.names: tuple[str, ...] = tuple(told["names"])
-        #: dy'/dy there.
-        self.matrix: Array = told["matrix"].reshape(len(self.state), len(self.state))
+        self._matrix: Array | None = told["matrix"]
         n = told["coordinates"]
         moving = self.names[:n] + self.names[2 * n :]
         self._modes = [_mode(row, self.names, moving, told["by"]) for row in told["modes"]]
+
+    @property
+    def matrix(self) -> Array:
+        """dy'/dy there; an `AnalysisError` of more states than full matrices take."""
+        if self._matrix is None:
+            raise AnalysisError(f"{len(self.state)} states are too many for a full matrix")
+        return self._matrix.reshape(len(self.state), len(self.state))
 
     @property
     def eigenvalues(self) -> NDArray[np.complex128]:

@@ -52,7 +52,8 @@ struct Told {
     /// Names of parameters, and how each mode moves with them.
     by: Vec<String>,
     slopes: Vec<Result<Vec<[f64; 4]>, String>>,
-    matrix: Vec<f64>,
+    /// Nothing where it would be too large.
+    matrix: Option<Vec<f64>>,
 }
 
 /// Natural motions of a machine where it is looked at, by name.
@@ -80,7 +81,7 @@ pub fn modes<'py>(
             by,
             slopes,
             // Columns of the transposed are rows.
-            matrix: linearization.matrix().transpose().as_slice().to_vec(),
+            matrix: linearization.matrix().ok().map(|a| a.transpose().as_slice().to_vec()),
         })
     })?;
     let answer = PyDict::new(py);
@@ -88,7 +89,7 @@ pub fn modes<'py>(
     answer.set_item("state", array(py, point.state))?;
     answer.set_item("names", told.names)?;
     answer.set_item("coordinates", told.coordinates)?;
-    answer.set_item("matrix", array(py, told.matrix))?;
+    answer.set_item("matrix", told.matrix.map(|matrix| array(py, matrix)))?;
     answer.set_item("by", told.by)?;
     let rows = PyList::empty(py);
     let mut slopes = told.slopes.into_iter();

@@ -85,7 +85,7 @@ impl<'a> ModalSimulator<'a> {
         simulator.initial_state(parameters, &mut state);
         let time = simulator.run_defaults().from;
         let point = Point { time, state: state.clone(), parameters: parameters.to_vec() };
-        let system = Linearization::at(simulator, point)?.second_order();
+        let system = Linearization::at(simulator, point)?.second_order()?;
         let mut masses = vec![0.0; simulator.mass_matrix_pattern().entries.len()];
         let mut moved = masses.clone();
         simulator.mass_matrix(time, &state, parameters, &mut masses);

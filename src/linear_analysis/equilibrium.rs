@@ -6,7 +6,8 @@ use nalgebra::{DMatrix, DVector};
 use super::banded;
 use super::motions::{Motions, Places};
 use super::search::{ACCEPTED, Balance, Equations, newton};
-use super::{LinearError, Point, Residual, jacobian, rate};
+use super::sparse_rows::SparseRows;
+use super::{LinearError, Point, Residual, full, jacobian, rate};
 
 /// Directions in which rates change by less than that, over the sizes of their rows, are of
 /// drift: what rounding makes of nothing, and no soft spring beside stiff ones.
@@ -96,8 +97,8 @@ impl<'a> Solver<'a> {
     fn drift_directions(&self, guess: &Point) -> Result<DMatrix<f64>, LinearError> {
         let (n, rows) = (self.coordinates, self.coordinates + self.first_order);
         let at_guess = self.motions(guess)?;
-        let mut stacked = DMatrix::zeros(3 * rows, n);
-        for (place, shift) in [0.0, 0.0137, -0.0071].into_iter().enumerate() {
+        let mut stacked = SparseRows::new(n);
+        for shift in [0.0, 0.0137, -0.0071] {
             let mut point = guess.clone();
             let size = |index: usize| at_guess.scales[index] * (1.0 + index as f64).sqrt();
             let change =
@@ -108,10 +109,14 @@ impl<'a> Solver<'a> {
                     },
                 );
             at_guess.add(&mut point.state, &change);
-            let slopes = slopes(&self.motions(&point)?);
-            stacked.view_mut((place * rows, 0), (rows, n)).copy_from(&slopes.columns(0, n));
+            for row in slopes(&self.motions(&point)?).iter() {
+                stacked.push(row.iter().copied().filter(|(column, _)| *column < n));
+            }
         }
-        Ok(banded::drift(&stacked).unwrap_or_else(|| split(stacked).0))
+        match banded::drift(&stacked) {
+            Some(drift) => Ok(drift),
+            None => Ok(split(full(self.simulator, &stacked)?).0),
+        }
     }
 
     fn motions(&self, point: &Point) -> Result<Motions, LinearError> {
@@ -144,6 +149,10 @@ impl<'a> Solver<'a> {
 impl Balance for Solver<'_> {
     type Frame = Frame;
 
+    fn simulator(&self) -> &dyn Simulator<f64> {
+        self.simulator
+    }
+
     fn equations(&self, point: &Point) -> Result<Equations<Frame>, LinearError> {
         let n = self.coordinates;
         let motions = self.motions(point)?;
@@ -153,17 +162,25 @@ impl Balance for Solver<'_> {
             let what = format!("the rate of `{}`", self.simulator.state(self.dynamic[index]).name);
             return Err(LinearError::NotFinite { what, value: residual[index] });
         }
-        let slopes = slopes(&motions);
         let scales = &motions.scales;
-        // Velocities move along the drift only: q' = scale * drift * s.
-        let by_velocity = DMatrix::from_fn(slopes.nrows(), n, |row, column| {
-            slopes[(row, n + column)] / scales[n + column] * scales[column]
-        });
         let (k, m) = (self.drift.ncols(), self.first_order);
-        let mut jacobian = DMatrix::zeros(n + m, n + k + m);
-        jacobian.columns_mut(0, n).copy_from(&slopes.columns(0, n));
-        jacobian.columns_mut(n, k).copy_from(&(by_velocity * &self.drift));
-        jacobian.columns_mut(n + k, m).copy_from(&slopes.columns(2 * n, m));
+        let mut jacobian = SparseRows::new(n + k + m);
+        for row in slopes(&motions).iter() {
+            let of_coordinates = row.iter().copied().filter(|(column, _)| *column < n);
+            // Velocities move along the drift only: q' = scale * drift * s.
+            let of_velocities = row.iter().filter(|(column, _)| (n..2 * n).contains(column));
+            let mut of_drift = vec![0.0; k];
+            for (column, slope) in of_velocities {
+                let by_velocity = slope / scales[*column] * scales[column - n];
+                for (sum, drift) in of_drift.iter_mut().zip(&self.drift.row(column - n)) {
+                    *sum += by_velocity * drift;
+                }
+            }
+            let of_drift = of_drift.into_iter().enumerate().map(|(index, sum)| (n + index, sum));
+            let of_first_order = row.iter().filter(|(column, _)| *column >= 2 * n);
+            let of_first_order = of_first_order.map(|(column, slope)| (column + k - n, *slope));
+            jacobian.push(of_coordinates.chain(of_drift).chain(of_first_order));
+        }
         Ok(Equations { frame: Frame { motions, row_sizes }, residual, jacobian })
     }
 
@@ -219,9 +236,8 @@ impl Balance for Solver<'_> {
         for (mut row, entry) in named.row_iter_mut().zip(self.named) {
             let scale = self.simulator.state_scale(*entry);
             if let Some(place) = self.positions.iter().position(|at| at == entry) {
-                let by_coordinates = motions.positions_by_coordinates().row(place);
-                for column in 0..n {
-                    row[column] = by_coordinates[column] * scales[column] / scale;
+                for (column, share) in motions.positions_by_coordinates().row(place) {
+                    row[*column] = share * scales[*column] / scale;
                 }
             } else if let Some(place) = self.velocities.iter().position(|at| at == entry) {
                 row.columns_mut(n, k).copy_from(&(self.drift.row(place) * scales[place] / scale));
@@ -248,10 +264,10 @@ impl Balance for Solver<'_> {
     }
 
     fn accepted(&self, point: Point) -> Result<Point, LinearError> {
-        let n = self.coordinates;
         let equations = self.equations(&point)?;
         let drift = self.velocity(&point, &equations.frame.motions);
-        let change = equations.jacobian.columns(0, n) * drift;
+        let drift = drift.resize_vertically(equations.jacobian.columns(), 0.0);
+        let change = equations.jacobian.times(&drift);
         let still = if change.is_empty() { 0.0 } else { change.amax() };
         if equations.size() <= ACCEPTED && still <= ACCEPTED {
             return Ok(point);
@@ -281,33 +297,31 @@ pub(super) fn may_meet_something(simulator: &dyn Simulator<f64>) -> bool {
 /// by its scale; where nothing moves it, the scale of its state a second.
 pub(super) fn row_sizes(motions: &Motions) -> DVector<f64> {
     let Motions { matrix, scales, coordinates: from, .. } = motions;
-    let rows = matrix.nrows() - from;
-    // Column by column, as the matrix lies in memory.
-    let mut squares = DVector::<f64>::zeros(rows);
-    for (column, scale) in matrix.column_iter().zip(scales) {
-        let entries = column.rows_range(*from..);
-        for (square, entry) in squares.iter_mut().zip(entries.iter()) {
-            *square += (entry * scale).powi(2);
-        }
-    }
-    DVector::from_fn(rows, |row, _| {
-        if squares[row] > 0.0 { squares[row].sqrt() } else { scales[from + row] }
-    })
+    let size = |row: usize| {
+        let squares =
+            matrix.row(row).iter().map(|(column, entry)| (entry * scales[*column]).powi(2));
+        let square: f64 = squares.sum();
+        if square > 0.0 { square.sqrt() } else { scales[row] }
+    };
+    DVector::from_fn(matrix.rows() - from, |row, _| size(from + row))
 }
 
 /// Rows of [q'', z'] of A with motions measured by scales and rows by sizes.
-pub(super) fn slopes(motions: &Motions) -> DMatrix<f64> {
+pub(super) fn slopes(motions: &Motions) -> SparseRows {
     let Motions { matrix, scales, coordinates: from, .. } = motions;
     let sizes = row_sizes(motions);
-    DMatrix::from_fn(matrix.nrows() - from, matrix.ncols(), |row, column| {
-        matrix[(from + row, column)] * scales[column] / sizes[row]
-    })
+    let mut slopes = SparseRows::new(matrix.columns());
+    for (row, size) in sizes.iter().enumerate() {
+        let entries = matrix.row(from + row).iter();
+        slopes.push(entries.map(|(column, entry)| (*column, entry * scales[*column] / size)));
+    }
+    slopes
 }
 
 /// Drift directions at one point, and those across, both orthonormal in q divided
 /// by its scales.
 pub(super) fn drift_and_rest(motions: &Motions) -> (DMatrix<f64>, DMatrix<f64>) {
-    split(slopes(motions).columns(0, motions.coordinates).into_owned())
+    split(slopes(motions).full().columns(0, motions.coordinates).into_owned())
 }
 
 /// The null space of a matrix and its orthogonal complement, as columns.

@@ -12,16 +12,18 @@ pub enum LinearError {
     /// The run that leads to the point was refused or stopped.
     #[error(transparent)]
     Simulate(#[from] SimulateError),
-    /// The scene is too large for dense matrices.
+    /// The scene is too large: for full matrices, or for all shapes of a chain.
     #[error(
-        "scene `{scene}` has {states} states, but a linear analysis takes at most {max}",
-        max = super::MAX_STATES
+        "scene `{scene}` has {states} states, but what a linear analysis needs here takes at most \
+         {most}"
     )]
     TooLarge {
         /// The scene.
         scene: String,
         /// Its number of states.
         states: usize,
+        /// How many would do.
+        most: usize,
     },
     /// A constraint would have to move with what varies.
     #[error(

@@ -14,7 +14,7 @@ use super::inverse_iteration::InverseIteration;
 use super::motions::Motions;
 use super::sparse_rows::SparseRows;
 use super::within::Within;
-use super::{LinearError, Linearization};
+use super::{LinearError, Linearization, require_small};
 
 /// Beside the norm of the matrix, an eigenvalue below this is zero.
 const ZERO: f64 = 1e-11;
@@ -103,12 +103,21 @@ impl Linearization<'_> {
     /// allow, in coordinates of their own; shapes are those of all coordinates again.
     ///
     /// # Errors
-    /// [`LinearError::Eigenvalues`] if the iteration does not converge.
+    /// [`LinearError::Eigenvalues`] if the iteration does not converge, [`LinearError::TooLarge`]
+    /// of more states than full matrices take if the machine needs them.
     pub fn modes(&self) -> Result<Vec<Mode>, LinearError> {
+        if self.simulator.constraints() > 0 {
+            require_small(self.simulator)?;
+        }
         let motions = Motions::new(self.simulator, &self.matrix);
         let within = Within::of(self.simulator, &self.point, &motions);
-        let of_bands = if within.is_none() { of_bands(&motions) } else { None };
-        of_bands.map_or_else(|| of_full_matrices(within, motions), Ok)
+        if within.is_none()
+            && let Some(modes) = of_bands(&motions)
+        {
+            return Ok(modes);
+        }
+        require_small(self.simulator)?;
+        of_full_matrices(within, motions)
     }
 }
 
@@ -135,7 +144,7 @@ pub(super) fn of_full_matrices(
 
 /// By banded matrices, where these do.
 pub(super) fn of_bands(motions: &Motions) -> Option<Vec<Mode>> {
-    let mut found = banded::spectrum(motions, &SparseRows::of(&motions.matrix))?;
+    let mut found = banded::spectrum(motions)?;
     found.sort_by(|a, b| order(&a.value, &b.value));
     let shapes = Shapes::new(motions);
     let mode = |Found { value, right, left }: Found| {
@@ -169,7 +178,7 @@ impl Problem {
             Some(within) => within.motions(&motions),
             None => motions,
         };
-        let matrix = solved.scaled();
+        let matrix = solved.scaled().full();
         let complex = matrix.map(Complex64::from);
         Self {
             shapes,
@@ -269,7 +278,7 @@ struct Shapes {
 
 impl Shapes {
     fn new(motions: &Motions) -> Self {
-        let matrix = SparseRows::of(&motions.scaled());
+        let matrix = motions.scaled();
         Self {
             coordinates: motions.coordinates,
             first_order: motions.first_order,
@@ -282,7 +291,7 @@ impl Shapes {
     /// |w_i x_i| of coordinates with their velocities, then of first-order states.
     fn shares(&self, right: &DVector<Complex64>, left: &DVector<Complex64>) -> Vec<f64> {
         let n = self.coordinates;
-        let part = |index: usize| (left[index] * right[index]).norm();
+        let part = |index: usize| (left[index] * right[index]).norm_sqr().sqrt();
         let of_coordinates = (0..n).map(|index| part(index) + part(n + index));
         let of_first_order = (0..self.first_order).map(|index| part(2 * n + index));
         let parts: Vec<f64> = of_coordinates.chain(of_first_order).collect();

@@ -3,6 +3,8 @@
 use machinist_contract::{Simulator, StateKind};
 use nalgebra::{DMatrix, DVector};
 
+use super::sparse_rows::SparseRows;
+
 /// dx' = A dx of x = \[q, q', z\], all n coordinates, all velocities and all
 /// first-order states but modes, from dy' = A_y dy of the state y.
 ///
@@ -15,11 +17,11 @@ pub(super) struct Motions {
     /// m.
     pub first_order: usize,
     /// A, 2 n + m square.
-    pub matrix: DMatrix<f64>,
+    pub matrix: SparseRows,
     /// Typical sizes of x.
     pub scales: DVector<f64>,
     /// S, as many rows as there are positions.
-    positions_by_coordinates: DMatrix<f64>,
+    positions_by_coordinates: SparseRows,
     places: Places,
 }
 
@@ -52,49 +54,65 @@ impl Places {
 }
 
 impl Motions {
-    pub fn new(simulator: &dyn Simulator<f64>, of_state: &DMatrix<f64>) -> Self {
+    pub fn new(simulator: &dyn Simulator<f64>, of_state: &SparseRows) -> Self {
         let places = Places::of(simulator);
         let dynamic = places.dynamic();
         let (n, m) = (places.velocities.len(), places.first_order.len());
-        let rates = of_state.select_rows(&dynamic);
-        let by_coordinates =
-            of_state.select_rows(&places.positions).select_columns(&places.velocities);
-        let mut matrix = DMatrix::zeros(2 * n + m, 2 * n + m);
-        matrix.view_mut((0, n), (n, n)).fill_with_identity();
-        let by_q = product(&rates.select_columns(&places.positions), &by_coordinates);
-        matrix.view_mut((n, 0), (n + m, n)).copy_from(&by_q);
-        matrix.view_mut((n, n), (n + m, n + m)).copy_from(&rates.select_columns(&dynamic));
+        let [positions, velocities, dynamic_places] =
+            [&places.positions, &places.velocities, &dynamic].map(|places| {
+                let mut numbers = vec![None; of_state.columns()];
+                places
+                    .iter()
+                    .enumerate()
+                    .for_each(|(number, place)| numbers[*place] = Some(number));
+                numbers
+            });
+        let mut by_coordinates = SparseRows::new(n);
+        for place in &places.positions {
+            let entries = of_state.row(*place).iter();
+            by_coordinates.push(entries.filter_map(|(at, x)| Some((velocities[*at]?, *x))));
+        }
+        let mut matrix = SparseRows::new(2 * n + m);
+        (0..n).for_each(|index| matrix.push([(n + index, 1.0)]));
+        let mut by_q = Sums::new(n);
+        for place in &dynamic {
+            let entries = of_state.row(*place).iter();
+            let of_positions = entries.clone().filter_map(|(at, x)| Some((positions[*at]?, *x)));
+            let mut row = by_q.product(of_positions, &by_coordinates);
+            row.extend(entries.filter_map(|(at, x)| Some((n + dynamic_places[*at]?, *x))));
+            row.sort_unstable_by_key(|(column, _)| *column);
+            matrix.push(row);
+        }
         let scales = scales(&super::scales(simulator), &places, &by_coordinates);
         let positions_by_coordinates = by_coordinates;
         Self { coordinates: n, first_order: m, matrix, scales, positions_by_coordinates, places }
     }
 
     /// dx' = A dx that belongs to no state, of scales 1: of motions within constraints.
-    pub fn alone(matrix: DMatrix<f64>, coordinates: usize, first_order: usize) -> Self {
+    pub fn alone(matrix: &DMatrix<f64>, coordinates: usize, first_order: usize) -> Self {
         let scales = DVector::from_element(matrix.nrows(), 1.0);
         let none = || Vec::new();
         let places = Places { positions: none(), velocities: none(), first_order: none() };
-        let positions_by_coordinates = DMatrix::zeros(0, coordinates);
+        let positions_by_coordinates = SparseRows::new(coordinates);
+        let matrix = SparseRows::of(matrix);
         Self { coordinates, first_order, matrix, scales, positions_by_coordinates, places }
     }
 
     /// A with x measured by its scales.
-    pub fn scaled(&self) -> DMatrix<f64> {
-        let size = self.scales.len();
-        DMatrix::from_fn(size, size, |row, column| {
-            self.matrix[(row, column)] * self.scales[column] / self.scales[row]
-        })
+    pub fn scaled(&self) -> SparseRows {
+        let scales = &self.scales;
+        self.matrix.clone().scaled(|row, column, entry| entry * scales[column] / scales[row])
     }
 
     /// S: positions of the state by coordinates.
-    pub fn positions_by_coordinates(&self) -> &DMatrix<f64> {
+    pub fn positions_by_coordinates(&self) -> &SparseRows {
         &self.positions_by_coordinates
     }
 
     /// Adds a change dx to a state.
     pub fn add(&self, state: &mut [f64], change: &DVector<f64>) {
         let n = self.coordinates;
-        let of_positions = &self.positions_by_coordinates * change.rows(0, n);
+        let of_positions = self.positions_by_coordinates.times(&change.rows(0, n).into_owned());
         for (place, change) in self.places.positions.iter().zip(&of_positions) {
             state[*place] += change;
         }
@@ -104,36 +122,41 @@ impl Motions {
     }
 }
 
-/// A B of matrices that are mostly zeros. What cancels but for rounding is nothing: a rate that
-/// depends on differences does not depend on what these are taken to.
-fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
-    const ROUNDING: f64 = 4.0 * f64::EPSILON;
-    let nonzeros = |column: &[f64]| -> Vec<(usize, f64)> {
-        let entries = column.iter().copied().enumerate();
-        entries.filter(|(_, entry)| *entry != 0.0).collect()
-    };
-    let columns: Vec<_> = a.column_iter().map(|column| nonzeros(column.as_slice())).collect();
-    let mut product = DMatrix::<f64>::zeros(a.nrows(), b.ncols());
-    let mut terms = vec![0.0; a.nrows()];
-    for (mut into, column) in product.column_iter_mut().zip(b.column_iter()) {
-        let shares = nonzeros(column.as_slice());
-        let entries = || {
-            shares
-                .iter()
-                .flat_map(|(at, share)| columns[*at].iter().map(move |(row, x)| (*row, x * share)))
-        };
-        for (row, term) in entries() {
-            into[row] += term;
-            terms[row] += term.abs();
-        }
-        for (row, _) in entries() {
-            if into[row].abs() <= ROUNDING * terms[row] {
-                into[row] = 0.0;
+/// Sums of one row of a product of matrices that are mostly zeros.
+struct Sums {
+    /// Of each column: the sum of its terms, and of their sizes.
+    sums: Vec<(f64, f64)>,
+}
+
+impl Sums {
+    fn new(columns: usize) -> Self {
+        Self { sums: vec![(0.0, 0.0); columns] }
+    }
+
+    /// A row times B, as (column, entry) in any order. What cancels but for rounding is nothing: a
+    /// rate that depends on differences does not depend on what these are taken to.
+    fn product(
+        &mut self,
+        row: impl Iterator<Item = (usize, f64)>,
+        matrix: &SparseRows,
+    ) -> Vec<(usize, f64)> {
+        const ROUNDING: f64 = 4.0 * f64::EPSILON;
+        let mut touched = Vec::new();
+        for (middle, share) in row {
+            for (column, entry) in matrix.row(middle) {
+                let (sum, terms) = &mut self.sums[*column];
+                let term = share * entry;
+                *sum += term;
+                *terms += term.abs();
+                touched.push(*column);
             }
         }
-        entries().for_each(|(row, _)| terms[row] = 0.0);
+        // Emptied as it is read: a column that comes twice is zero the second time.
+        let emptied =
+            touched.into_iter().map(|column| (column, std::mem::take(&mut self.sums[column])));
+        let left = emptied.filter(|(_, (sum, terms))| sum.abs() > ROUNDING * terms);
+        left.map(|(column, (sum, _))| (column, sum)).collect()
     }
-    product
 }
 
 /// Names of x.
@@ -149,19 +172,19 @@ pub(super) fn names(simulator: &dyn Simulator<f64>) -> Vec<String> {
 fn scales(
     of_state: &DVector<f64>,
     places: &Places,
-    positions_by_coordinates: &DMatrix<f64>,
+    positions_by_coordinates: &SparseRows,
 ) -> DVector<f64> {
-    let coordinate = |index: usize| {
-        let column = positions_by_coordinates.column(index);
-        let sizes = places.positions.iter().zip(column.iter());
-        let moved = sizes.filter(|(_, share)| **share != 0.0);
-        let least = moved.map(|(place, share)| of_state[*place] / share.abs());
-        let least = least.fold(f64::INFINITY, f64::min);
-        if least.is_finite() { least } else { of_state[places.velocities[index]] }
-    };
-    let n = places.velocities.len();
-    let dynamic = places.dynamic();
-    DVector::from_fn(n + dynamic.len(), |index, _| {
-        if index < n { coordinate(index) } else { of_state[dynamic[index - n]] }
-    })
+    let mut least = vec![f64::INFINITY; places.velocities.len()];
+    for (place, entries) in places.positions.iter().zip(positions_by_coordinates.iter()) {
+        for (coordinate, share) in entries {
+            least[*coordinate] = least[*coordinate].min(of_state[*place] / share.abs());
+        }
+    }
+    let velocities = &places.velocities;
+    let of_coordinates = least
+        .iter()
+        .zip(velocities)
+        .map(|(least, velocity)| if least.is_finite() { *least } else { of_state[*velocity] });
+    let of_rest = places.dynamic().into_iter().map(|place| of_state[place]);
+    DVector::from_vec(of_coordinates.chain(of_rest).collect())
 }

@@ -10,7 +10,7 @@ use serde::Serialize;
 use super::differences::derivative;
 use super::motions::{Motions, Places};
 use super::within::Within;
-use super::{LinearError, Linearization, ModeKind, Point, position, scales};
+use super::{LinearError, Linearization, ModeKind, Point, full, position, scales};
 use crate::constraints::Constraints;
 use crate::error::did_you_mean;
 
@@ -212,7 +212,7 @@ impl Linearization<'_> {
         let what = if m == 0 { "the mass matrix" } else { "the mass matrix with constraints" };
         let solution = whole.lu().solve(&force).ok_or(LinearError::Singular { what })?;
         let acceleration = solution.rows(0, n);
-        let mut column = DVector::zeros(self.matrix.nrows());
+        let mut column = DVector::zeros(self.matrix.rows());
         for (place, value) in Places::of(self.simulator).velocities.iter().zip(acceleration.iter())
         {
             column[*place] = *value;
@@ -221,7 +221,7 @@ impl Linearization<'_> {
     }
 
     fn output(&self, name: &str, input: &Input) -> Result<Output, LinearError> {
-        let (shape, states) = (self.simulator.shape(), self.matrix.nrows());
+        let (shape, states) = (self.simulator.shape(), self.matrix.rows());
         if let Some(index) = position(name, shape.outputs, |i| self.simulator.output(i)) {
             let unit = self.simulator.output(index).unit.to_owned();
             let by_state = DVector::from_vec(self.output_derivatives(index));
@@ -320,11 +320,10 @@ impl Linearization<'_> {
     /// A, b and C with all that moves measured by its scale; of a machine with constraints, of
     /// the motions that these allow.
     fn scaled(&self, input: &Input, output: &Output) -> Result<Scaled, LinearError> {
-        let size = self.matrix.nrows();
         let scales = scales(self.simulator);
-        let matrix = DMatrix::from_fn(size, size, |row, column| {
-            self.matrix[(row, column)] * scales[column] / scales[row]
-        });
+        let by_scales =
+            |row: usize, column: usize, entry: f64| entry * scales[column] / scales[row];
+        let matrix = full(self.simulator, &self.matrix.clone().scaled(by_scales))?;
         let rate = input.rate.component_div(&scales);
         let by_state = output.by_state.component_mul(&scales);
         if self.simulator.constraints() == 0 {
@@ -338,7 +337,7 @@ impl Linearization<'_> {
         let moving = [&places.positions[..], &places.dynamic()].concat();
         let rate = within.dual() * rate.select_rows(&moving);
         let by_state = within.basis().transpose() * by_state.select_rows(&moving);
-        Ok(Scaled { matrix: within.motions(&motions).matrix, rate, by_state })
+        Ok(Scaled { matrix: within.motions(&motions).matrix.full(), rate, by_state })
     }
 
     fn transfer(

@@ -6,8 +6,9 @@ use nalgebra::{DMatrix, DVector};
 use super::equilibrium::{may_meet_something, row_sizes, slopes, split};
 use super::motions::{Motions, Places};
 use super::search::{ACCEPTED, Balance, Equations};
+use super::sparse_rows::SparseRows;
 use super::within::Within;
-use super::{LinearError, Point, Residual, jacobian, rate};
+use super::{LinearError, Point, Residual, jacobian, rate, require_small};
 use crate::constraints::{Constraints, Level, Lost};
 
 /// A machine with constraints.
@@ -35,6 +36,7 @@ impl<'a> Solver<'a> {
         guess: &Point,
         named: &'a [usize],
     ) -> Result<(Self, Point), LinearError> {
+        require_small(simulator)?;
         let places = Places::of(simulator);
         let drift = DMatrix::zeros(places.velocities.len(), 0);
         let mut solver = Self { simulator, named, places, drift };
@@ -62,7 +64,7 @@ impl<'a> Solver<'a> {
             let point = self.moved_by(guess, &frame, &step, None)?;
             let Frame { within, free, .. } = self.frame(&point)?;
             let allowed = within.positions.transpose();
-            rows.push(slopes(&free).columns(0, free.coordinates) * &allowed);
+            rows.push(slopes(&free).full().columns(0, free.coordinates) * &allowed);
             rows.push(DMatrix::identity(n, n) - &within.positions * allowed);
         }
         let mut stacked = DMatrix::zeros(rows.iter().map(DMatrix::nrows).sum(), n);
@@ -159,12 +161,16 @@ impl<'a> Solver<'a> {
 impl Balance for Solver<'_> {
     type Frame = Frame;
 
+    fn simulator(&self) -> &dyn Simulator<f64> {
+        self.simulator
+    }
+
     fn equations(&self, point: &Point) -> Result<Equations<Frame>, LinearError> {
         let frame = self.frame(point)?;
         let (n, d) = (frame.whole.coordinates, frame.free.coordinates);
         let (m, k) = (frame.free.first_order, self.drift.ncols());
         let e = frame.within.velocities.ncols();
-        let slopes = slopes(&frame.free);
+        let slopes = slopes(&frame.free).full();
         let scales = &frame.whole.scales;
         let drift = DMatrix::from_fn(n, k, |row, column| {
             self.drift[(row, column)] * scales[row] / scales[n + row]
@@ -176,7 +182,7 @@ impl Balance for Solver<'_> {
         jacobian.columns_mut(d + k, m).copy_from(&slopes.columns(d + e, m));
         let residual = self.residual(point, &frame);
         match residual.iter().find(|value| !value.is_finite()) {
-            None => Ok(Equations { frame, residual, jacobian }),
+            None => Ok(Equations { frame, residual, jacobian: SparseRows::of(&jacobian) }),
             Some(value) => {
                 let what = format!("a rate of `{}`", self.simulator.name());
                 Err(LinearError::NotFinite { what, value: *value })

@@ -1,10 +1,12 @@
 //! How an equilibrium is looked for: by Newton's method, and where that finds none, along the
 //! way on which the machine would creep to rest.
 
+use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
 use super::banded::LeastSquares;
-use super::{LinearError, Point};
+use super::sparse_rows::SparseRows;
+use super::{LinearError, Point, full};
 
 const MAX_ITERATIONS: usize = 100;
 const MAX_HALVINGS: usize = 40;
@@ -28,7 +30,7 @@ const SEEN: f64 = 1e-9;
 pub(super) struct Equations<F> {
     pub frame: F,
     pub residual: DVector<f64>,
-    pub jacobian: DMatrix<f64>,
+    pub jacobian: SparseRows,
 }
 
 impl<F> Equations<F> {
@@ -41,6 +43,9 @@ impl<F> Equations<F> {
 pub(super) trait Balance {
     /// What moves at a point, and how.
     type Frame;
+
+    /// What is looked at.
+    fn simulator(&self) -> &dyn Simulator<f64>;
 
     fn equations(&self, point: &Point) -> Result<Equations<Self::Frame>, LinearError>;
     /// Length of the residuals at another point, as far as they can be compared with those of
@@ -92,7 +97,7 @@ fn shrinking_step<B: Balance>(
     point: &Point,
     equations: &Equations<B::Frame>,
 ) -> Result<Option<Point>, LinearError> {
-    let least = LeastSteps::new(&equations.jacobian, balance.named(&equations.frame))?;
+    let least = LeastSteps::new(balance, equations)?;
     let step = least.solve(&-&equations.residual)?;
     let length = equations.residual.norm();
     let mut share = 1.0;
@@ -118,13 +123,18 @@ pub(super) enum LeastSteps {
 }
 
 impl LeastSteps {
-    pub(super) fn new(jacobian: &DMatrix<f64>, named: DMatrix<f64>) -> Result<Self, LinearError> {
+    pub(super) fn new<B: Balance>(
+        balance: &B,
+        equations: &Equations<B::Frame>,
+    ) -> Result<Self, LinearError> {
+        let named = balance.named(&equations.frame);
         if named.nrows() == 0
-            && let Some(sparse) = LeastSquares::new(jacobian, RANK)
+            && let Some(sparse) = LeastSquares::new(&equations.jacobian, RANK)
         {
             return Ok(Self::Sparse(sparse));
         }
-        let svd = jacobian.clone().try_svd(true, true, f64::EPSILON, 10_000).ok_or(SINGULAR)?;
+        let jacobian = full(balance.simulator(), &equations.jacobian)?;
+        let svd = jacobian.try_svd(true, true, f64::EPSILON, 10_000).ok_or(SINGULAR)?;
         let rank = svd.rank(RANK);
         Ok(Self::Full { svd, named, rank })
     }
@@ -240,7 +250,7 @@ fn creeping_step<B: Balance>(
     for (index, mut column) in matrix.column_iter_mut().enumerate() {
         column /= if index < positions { pace * pace } else { pace };
     }
-    matrix -= &equations.jacobian;
+    matrix -= equations.jacobian.full();
     let step = if matrix.is_square() {
         matrix.lu().solve(&equations.residual)?
     } else {

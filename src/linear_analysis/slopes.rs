@@ -20,7 +20,7 @@ use super::bends::{Direction, changes};
 use super::inverse_iteration::InverseIteration;
 use super::motions::Places;
 use super::search::{ACCEPTED, RANK};
-use super::{LinearError, Linearization, Mode, ModeKind, Place, Point, position, scales};
+use super::{LinearError, Linearization, Mode, ModeKind, Place, Point, full, position, scales};
 use crate::error::did_you_mean;
 use crate::simulate::Simulation;
 use crate::trajectory::sensitivity_name;
@@ -137,9 +137,9 @@ impl Linearization<'_> {
         point: &PointSlopes,
     ) -> Result<Vec<Result<Vec<ModeSlope>, NoSlope>>, LinearError> {
         let scales = scales(self.simulator);
-        let matrix = DMatrix::from_fn(scales.len(), scales.len(), |row, column| {
-            self.matrix[(row, column)] * scales[column] / scales[row]
-        });
+        let by_scales =
+            |row: usize, column: usize, entry: f64| entry * scales[column] / scales[row];
+        let matrix = full(self.simulator, &self.matrix.clone().scaled(by_scales))?;
         let changes = self.matrix_slopes(point)?;
         let iteration = InverseIteration::new(&matrix);
         let solver = Solver { norm: matrix.norm(), iteration, scales };
@@ -294,7 +294,7 @@ fn equations(
     let at = (point.time, &point.state[..], &point.parameters[..]);
     let places = Places::of(simulator);
     let (positions, dynamic) = (&places.positions, places.dynamic());
-    let jacobian = super::jacobian(simulator, point)?;
+    let jacobian = full(simulator, &super::jacobian(simulator, point)?)?;
     let by_parameters = parameter_jacobian(simulator, point, parameters);
     let steepness = jacobian.select_rows(&dynamic).select_columns(positions);
     let mut drift_by_state = &steepness * jacobian.select_rows(positions);

@@ -1,38 +1,106 @@
 //! What of a matrix is not zero, row by row.
 
-use nalgebra::{DMatrix, DVector};
-use num_complex::Complex64;
+use std::iter::Sum;
+use std::ops::Mul;
 
-/// A square matrix of which most is zero.
+use machinist_contract::SparsityPattern;
+use nalgebra::{DMatrix, DVector, Scalar};
+
+/// A matrix of which most is zero.
+#[derive(Debug, Clone)]
 pub(super) struct SparseRows {
-    rows: Vec<Vec<(usize, f64)>>,
+    columns: usize,
+    /// Where among the entries each row begins, and where the last one ends.
+    starts: Vec<usize>,
+    /// (column, entry) of one row after the other, columns ascending.
+    entries: Vec<(usize, f64)>,
 }
 
 impl SparseRows {
+    /// None yet, of so many columns.
+    pub(super) fn new(columns: usize) -> Self {
+        Self { columns, starts: vec![0], entries: Vec::new() }
+    }
+
+    /// Adds a row by its entries, columns ascending; zeros are left out.
+    pub(super) fn push(&mut self, row: impl IntoIterator<Item = (usize, f64)>) {
+        self.entries.extend(row.into_iter().filter(|(_, entry)| *entry != 0.0));
+        self.starts.push(self.entries.len());
+    }
+
     /// The nonzeros of a full matrix.
     pub(super) fn of(matrix: &DMatrix<f64>) -> Self {
-        let mut rows = vec![Vec::new(); matrix.nrows()];
-        for (column, entries) in matrix.column_iter().enumerate() {
-            for (row, entry) in entries.iter().enumerate().filter(|(_, entry)| **entry != 0.0) {
-                rows[row].push((column, *entry));
-            }
+        let mut rows = Self::new(matrix.ncols());
+        for row in matrix.row_iter() {
+            rows.push(row.iter().copied().enumerate());
         }
-        Self { rows }
+        rows
+    }
+
+    /// Values at the entries of a pattern, each of which is there once.
+    pub(super) fn of_pattern(pattern: SparsityPattern<'_>, values: &[f64]) -> Self {
+        let mut rows = vec![Vec::new(); pattern.rows];
+        for (&(row, column), value) in pattern.entries.iter().zip(values) {
+            rows[row as usize].push((column as usize, *value));
+        }
+        let mut whole = Self::new(pattern.columns);
+        for mut row in rows {
+            row.sort_unstable_by_key(|(column, _)| *column);
+            whole.push(row);
+        }
+        whole
+    }
+
+    pub(super) fn rows(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    pub(super) fn columns(&self) -> usize {
+        self.columns
     }
 
     /// (column, entry) of a row, ascending.
     pub(super) fn row(&self, row: usize) -> &[(usize, f64)] {
-        &self.rows[row]
+        &self.entries[self.starts[row]..self.starts[row + 1]]
+    }
+
+    /// All rows in turn.
+    pub(super) fn iter(&self) -> impl Iterator<Item = &[(usize, f64)]> {
+        (0..self.rows()).map(|row| self.row(row))
+    }
+
+    /// Each entry times what is given for its row and column.
+    pub(super) fn scaled(mut self, factor: impl Fn(usize, usize, f64) -> f64) -> Self {
+        for row in 0..self.rows() {
+            for (column, entry) in &mut self.entries[self.starts[row]..self.starts[row + 1]] {
+                *entry = factor(row, *column, *entry);
+            }
+        }
+        self
+    }
+
+    /// The matrix with its zeros.
+    pub(super) fn full(&self) -> DMatrix<f64> {
+        let mut matrix = DMatrix::zeros(self.rows(), self.columns);
+        for (row, entries) in self.iter().enumerate() {
+            for (column, entry) in entries {
+                matrix[(row, *column)] = *entry;
+            }
+        }
+        matrix
     }
 
     /// A x.
-    pub(super) fn times(&self, vector: &DVector<Complex64>) -> DVector<Complex64> {
-        let row = |row: usize| self.rows[row].iter().map(|(at, entry)| vector[*at] * *entry).sum();
-        DVector::from_fn(self.rows.len(), |index, _| row(index))
+    pub(super) fn times<T>(&self, vector: &DVector<T>) -> DVector<T>
+    where
+        T: Scalar + Copy + Mul<f64, Output = T> + Sum,
+    {
+        let row = |row: usize| self.row(row).iter().map(|(at, entry)| vector[*at] * *entry).sum();
+        DVector::from_fn(self.rows(), |index, _| row(index))
     }
 
     /// The square root of the sum of all squares.
     pub(super) fn norm(&self) -> f64 {
-        self.rows.iter().flatten().map(|(_, entry)| entry * entry).sum::<f64>().sqrt()
+        self.entries.iter().map(|(_, entry)| entry * entry).sum::<f64>().sqrt()
     }
 }

@@ -4,7 +4,7 @@ use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 
 use super::search::{Balance, Crept, LeastSteps, creep, newton};
-use super::{LinearError, Linearization, Point, equilibrium, jacobian, rest};
+use super::{LinearError, Linearization, Point, equilibrium, full, jacobian, rest};
 use crate::constraints::consistent;
 use crate::error::SimulateError;
 
@@ -196,9 +196,8 @@ fn moves(
         column.copy_from(&change);
     }
     onto(&mut state)?;
-    let rates = rates + jacobian(simulator, point)? * &state;
-    let named = balance.named(&equations.frame);
-    let least = LeastSteps::new(&equations.jacobian, named)?;
+    let rates = rates + full(simulator, &jacobian(simulator, point)?)? * &state;
+    let least = LeastSteps::new(balance, &equations)?;
     for (mut column, rates) in state.column_iter_mut().zip(rates.column_iter()) {
         let residual: DVector<f64> = balance.measured(&equations.frame, &rates.clone_owned());
         let step = least.solve(&-residual)?;

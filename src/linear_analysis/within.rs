@@ -73,7 +73,7 @@ impl Within {
 
     /// The motions of \[s, u, z\].
     pub fn motions(&self, whole: &Motions) -> Motions {
-        let scaled = whole.scaled();
+        let scaled = whole.scaled().full();
         let mut matrix = &self.dual * &scaled * &self.basis;
         // What cancels but for rounding is nothing: rates that no allowed motion changes.
         let terms = self.dual.abs() * scaled.abs() * self.basis.abs();
@@ -83,7 +83,7 @@ impl Within {
                 *value = 0.0;
             }
         });
-        Motions::alone(matrix, self.positions.ncols(), whole.first_order)
+        Motions::alone(&matrix, self.positions.ncols(), whole.first_order)
     }
 
     /// \[q, q', z\] over their scales, of \[s, u, z\].

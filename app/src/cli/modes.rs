@@ -51,10 +51,11 @@ struct Answer<'a> {
     modes: &'a [Mode],
     #[serde(skip_serializing_if = "Option::is_none")]
     sensitivities: Option<Vec<ModeAnswer<'a>>>,
-    mass: Vec<Vec<f64>>,
-    damping: Vec<Vec<f64>>,
-    stiffness: Vec<Vec<f64>>,
-    /// Null if M is singular.
+    /// Null if they are too large to be shown.
+    mass: Option<Vec<Vec<f64>>>,
+    damping: Option<Vec<Vec<f64>>>,
+    stiffness: Option<Vec<Vec<f64>>>,
+    /// Null too if M is singular.
     undamped_frequencies: Option<Vec<f64>>,
 }
 
@@ -135,9 +136,11 @@ impl Modes {
         slopes: Option<&'a Slopes<'_>>,
     ) -> Answer<'a> {
         let simulator = linearization.simulator();
-        let second_order = linearization.second_order();
-        let undamped_frequencies = second_order.undamped_frequencies().ok();
-        let SecondOrder { mass, damping, stiffness } = second_order;
+        let second_order = linearization.second_order().ok();
+        let undamped_frequencies =
+            second_order.as_ref().and_then(|forms| forms.undamped_frequencies().ok());
+        let of =
+            |form: fn(&SecondOrder) -> &DMatrix<f64>| second_order.as_ref().map(form).map(rows);
         Answer {
             scene: simulator.name(),
             place: self.at.described(linearization),
@@ -147,9 +150,9 @@ impl Modes {
             motions: linearization.motion_names(),
             modes,
             sensitivities: slopes.map(|slopes| slopes.answer(linearization, modes)),
-            mass: rows(&mass),
-            damping: rows(&damping),
-            stiffness: rows(&stiffness),
+            mass: of(|forms| &forms.mass),
+            damping: of(|forms| &forms.damping),
+            stiffness: of(|forms| &forms.stiffness),
             undamped_frequencies,
         }
     }

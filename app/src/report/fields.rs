@@ -204,7 +204,7 @@ fn errors() -> Result<Vec<Named>, LinearError> {
                 let state = vec![0.0; simulator.shape().states()];
                 let point = Point { time: 0.0, state, parameters: defaults(&simulator) };
                 let linearization = Linearization::at(&simulator, point)?;
-                let found = linearization.second_order().undamped_frequencies()?;
+                let found = linearization.second_order()?.undamped_frequencies()?;
                 x.push(elements as f64);
                 y.push(found.get(4).map_or(f64::NAN, |found| (found / exact - 1.0).abs()));
             }

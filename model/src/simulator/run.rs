@@ -1,5 +1,6 @@
 //! Tapes of a model, compiled or interpreted when they are first asked for.
 
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use machinist_contract::Dual;
@@ -11,11 +12,18 @@ use crate::room::with_room;
 use crate::series::{SeriesEvaluator, TaylorTape, recurrences};
 use crate::{Model, Table, Tape};
 
+/// Nodes beyond which a tape is interpreted at first: machine code of as many takes some 20 ms.
+const LONG: usize = 4000;
+
+/// Calls that are: they take a tenth of what making machine code takes. Starts, equilibria and
+/// looks at single places have fewer.
+const CALLS_AT_FIRST: u32 = 100;
+
 /// How the tapes of a model are run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Running {
-    /// As machine code, made when a function is first called; what cannot be compiled is
-    /// interpreted.
+    /// As machine code, made when a function is first called, or of a long one when it has been
+    /// called a hundred times; what cannot be compiled is interpreted.
     Compiled,
     /// Operation by operation.
     Interpreted,
@@ -114,6 +122,19 @@ impl Ready {
         }
         Self::Interpreted(Evaluator::new(tape))
     }
+
+    #[inline(always)]
+    fn run(&self, lanes: usize, read: &Read<'_>, results: &mut [f64]) {
+        match self {
+            #[cfg(feature = "compiled")]
+            Self::Compiled(compiled) => compiled.run(&read.regions(), results),
+            Self::Interpreted(evaluator) => interpret(evaluator, lanes, read, results),
+        }
+    }
+}
+
+fn interpret(evaluator: &Evaluator, lanes: usize, read: &Read<'_>, results: &mut [f64]) {
+    read.for_each_lane(lanes, results, |inputs, results| evaluator.evaluate(inputs, results));
 }
 
 /// A function of a model.
@@ -121,7 +142,9 @@ impl Ready {
 pub(super) struct TapeFunction {
     /// On one number, on two.
     ready: [OnceLock<Box<Ready>>; 2],
-    on_duals: OnceLock<Box<Evaluator>>,
+    /// On dual numbers, and at first.
+    evaluator: OnceLock<Box<Evaluator>>,
+    calls_at_first: AtomicU32,
 }
 
 impl TapeFunction {
@@ -134,19 +157,9 @@ impl TapeFunction {
         read: &Read<'_>,
         results: &mut [f64],
     ) {
-        let ready = match self.ready[lanes - 1].get() {
-            Some(ready) => ready,
-            None => self.make_ready(tape(), read.tables, running, lanes),
-        };
-        match ready {
-            #[cfg(feature = "compiled")]
-            Ready::Compiled(compiled) => compiled.run(&read.regions(), results),
-            Ready::Interpreted(evaluator) => {
-                let evaluate = |inputs: &Inputs<'_>, results: &mut [f64]| {
-                    evaluator.evaluate(inputs, results);
-                };
-                read.for_each_lane(lanes, results, evaluate);
-            }
+        match self.ready[lanes - 1].get() {
+            Some(ready) => ready.run(lanes, read, results),
+            None => self.run_at_first((tape(), running), lanes, read, results),
         }
     }
 }
@@ -154,20 +167,31 @@ impl TapeFunction {
 impl TapeFunction {
     /// Writes the results of its tape on dual numbers, interpreted.
     pub fn run_on_duals(&self, tape: &Tape, inputs: &Inputs<'_, Dual>, results: &mut [Dual]) {
-        let evaluator = self.on_duals.get_or_init(|| Box::new(Evaluator::new(tape)));
+        let evaluator = self.evaluator(tape);
         let mut room = vec![Dual::constant(0.0); evaluator.room()];
         evaluator.evaluate_in(&mut room, inputs, results);
     }
 
+    fn evaluator(&self, tape: &Tape) -> &Evaluator {
+        self.evaluator.get_or_init(|| Box::new(Evaluator::new(tape)))
+    }
+
+    /// As long as it is not ready. Both ways have the same bits.
     #[cold]
-    fn make_ready(
+    fn run_at_first(
         &self,
-        tape: &Tape,
-        tables: &Arc<[Table]>,
-        running: Running,
+        (tape, running): (&Tape, Running),
         lanes: usize,
-    ) -> &Ready {
-        self.ready[lanes - 1].get_or_init(|| Box::new(Ready::new(tape, tables, running, lanes)))
+        read: &Read<'_>,
+        results: &mut [f64],
+    ) {
+        let is_long = running == Running::Compiled && tape.nodes.len() > LONG;
+        if is_long && self.calls_at_first.fetch_add(1, Ordering::Relaxed) < CALLS_AT_FIRST {
+            return interpret(self.evaluator(tape), lanes, read, results);
+        }
+        let ready = self.ready[lanes - 1]
+            .get_or_init(|| Box::new(Ready::new(tape, read.tables, running, lanes)));
+        ready.run(lanes, read, results);
     }
 }
 
@@ -247,6 +271,47 @@ impl Series {
                 };
                 read.for_each_lane(lanes, coefficients, evaluate);
             }
+        }
+    }
+}
+
+#[cfg(all(test, feature = "compiled"))]
+mod tests {
+    use super::*;
+    use crate::{Node, NodeId, Op};
+
+    /// x -> 1 + x + ... by so many additions.
+    fn sums(count: usize) -> Tape {
+        let mut ops = vec![Op::State(0), Op::Literal(1.0)];
+        ops.extend((0..count).map(|k| Op::Add(NodeId(k as u32 + 1), NodeId(0))));
+        let results = vec![NodeId(ops.len() as u32 - 1)];
+        Tape { nodes: ops.into_iter().map(|op| Node { op, name: None }).collect(), results }
+    }
+
+    #[test]
+    fn long_tapes_are_interpreted_until_machine_code_pays() {
+        let tables: Arc<[Table]> = Arc::new([]);
+        for (additions, at_first) in [(10, 0), (LONG, CALLS_AT_FIRST)] {
+            let (function, tape) = (TapeFunction::default(), sums(additions));
+            let mut before = 0;
+            for call in 1..=CALLS_AT_FIRST + 2 {
+                let state = [f64::from(call) * 0.1];
+                let read = Read {
+                    time: &[0.0],
+                    state: &state,
+                    parameters: &[],
+                    handed: &[],
+                    constants: &[],
+                    motion: &[],
+                    tables: &tables,
+                };
+                let mut result = [0.0];
+                function.run((|| &tape, Running::Compiled), 1, &read, &mut result);
+                let expected = (0..additions).fold(1.0, |sum, _| sum + state[0]);
+                assert_eq!(result[0].to_bits(), f64::to_bits(expected), "call {call}");
+                before += u32::from(function.ready[0].get().is_none());
+            }
+            assert_eq!(before, at_first, "{additions} additions");
         }
     }
 }

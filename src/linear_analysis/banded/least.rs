@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::super::sparse_rows::SparseRows;
 use super::null_space::NullSpace;
 
 /// Unknowns that may be in many equations.
@@ -32,24 +33,28 @@ pub(in crate::linear_analysis) struct LeastSquares {
 
 impl LeastSquares {
     /// Of a matrix, or nothing where it has no such form. Singular values below `limit` are zero.
-    pub(in crate::linear_analysis) fn new(jacobian: &DMatrix<f64>, limit: f64) -> Option<Self> {
-        let (count, columns) = jacobian.shape();
+    pub(in crate::linear_analysis) fn new(jacobian: &SparseRows, limit: f64) -> Option<Self> {
+        let (count, columns) = (jacobian.rows(), jacobian.columns());
         if count < super::FEW {
             return None;
         }
+        let mut by_columns = vec![Vec::new(); columns];
+        for (row, entries) in jacobian.iter().enumerate() {
+            for (column, entry) in entries {
+                by_columns[*column].push((row, *entry));
+            }
+        }
         let (mut short, mut places) = (Vec::new(), Vec::new());
         let (mut rows, mut transposed) = (vec![Vec::new(); count], Vec::new());
-        for (column, entries) in jacobian.column_iter().enumerate() {
-            let nonzeros = entries.iter().copied().enumerate().filter(|(_, entry)| *entry != 0.0);
-            let nonzeros: Vec<(usize, f64)> = nonzeros.collect();
-            if nonzeros.len() * super::SLENDER > count {
+        for (column, entries) in by_columns.iter().enumerate() {
+            if entries.len() * super::SLENDER > count {
                 places.push(column);
-            } else if !nonzeros.is_empty() {
-                for (row, entry) in &nonzeros {
+            } else if !entries.is_empty() {
+                for (row, entry) in entries {
                     rows[*row].push((short.len(), *entry));
                 }
                 short.push(column);
-                transposed.push(nonzeros);
+                transposed.push(entries.clone());
             }
         }
         if places.len() > MANY {
@@ -57,7 +62,12 @@ impl LeastSquares {
         }
         let right = NullSpace::of(short.len(), &rows, limit)?;
         let left = NullSpace::of(count, &transposed, limit)?;
-        let long = jacobian.select_columns(&places);
+        let mut long = DMatrix::zeros(count, places.len());
+        for (mut column, place) in long.column_iter_mut().zip(&places) {
+            for (row, entry) in &by_columns[*place] {
+                column[*row] = *entry;
+            }
+        }
         Some(Self { columns, rows, short, long, places, right, left, limit })
     }
 
@@ -169,7 +179,7 @@ mod tests {
             (90, false, 0, 3),
         ] {
             let matrix = matrix(size, is_held, long, parts);
-            let least = LeastSquares::new(&matrix, 1e-10).expect("short rows");
+            let least = LeastSquares::new(&SparseRows::of(&matrix), 1e-10).expect("short rows");
             let svd = matrix.clone().svd(true, true);
             assert_eq!(least.is_determined(), svd.rank(1e-10) == matrix.ncols());
             let right_side = DVector::from_fn(size, |row, _| (0.7 * row as f64).cos());
@@ -179,6 +189,6 @@ mod tests {
             assert!(off < 1e-10, "{size} {is_held} {long} {parts}: {off:e}");
         }
         let full = DMatrix::from_fn(60, 60, |row, column| ((row * column) as f64).sin());
-        assert!(LeastSquares::new(&full, 1e-10).is_none());
+        assert!(LeastSquares::new(&SparseRows::of(&full), 1e-10).is_none());
     }
 }

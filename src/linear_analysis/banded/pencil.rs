@@ -70,24 +70,58 @@ impl Pencil {
     }
 
     /// A row from the column at which elimination meets it, of what is coupled within `rows`.
+    #[inline(always)]
     fn read(&self, row: usize, rows: &Range<usize>, s: Complex64, into: &mut [Dual]) {
-        let first = row as isize - self.width as isize;
-        for (index, entry) in into.iter_mut().enumerate() {
-            let column = first + index as isize;
-            let is_within = column >= rows.start as isize && column < rows.end as isize;
-            let is_there = row < rows.end && is_within;
-            *entry = if is_there { self.entry(row, column as usize, s) } else { NOTHING };
+        if row >= rows.end {
+            into.fill(NOTHING);
+            return;
         }
+        let (width, length) = (into.len() / 2, into.len());
+        let own = row * length..(row + 1) * length;
+        let entries = self.constant[own.clone()].iter().zip(&self.linear[own]);
+        for (into, (constant, linear)) in into.iter_mut().zip(entries) {
+            *into = Dual { value: s * linear + constant, slope: Complex64::from(*linear) };
+        }
+        let (value, slope) =
+            if self.is_coordinate[row] { (s * s, s * 2.0) } else { (s, Complex64::ONE) };
+        into[width].value += value;
+        into[width].slope += slope;
+        let before = (rows.start + width).saturating_sub(row);
+        into[..before].fill(NOTHING);
+        let beyond = (row + width + 1).saturating_sub(rows.end);
+        into[length - beyond..].fill(NOTHING);
     }
 
     /// (det T)'/det T of the rows and columns, by elimination with derivatives; nothing where the
     /// determinant is zero.
     pub(super) fn logarithmic_slope(&self, rows: Range<usize>, s: Complex64) -> Option<Complex64> {
-        let (width, length) = (self.width, 2 * self.width + 1);
-        let mut waiting = self.first_rows(&rows, s);
+        // Of few diagonals as many are known when this is compiled: so nearly all of them are.
+        match self.width {
+            1 => self.slope_within(1, &mut [NOTHING; 6], &rows, s),
+            2 => self.slope_within(2, &mut [NOTHING; 15], &rows, s),
+            width => self.slope_within(
+                width,
+                &mut vec![NOTHING; (width + 1) * (2 * width + 1)],
+                &rows,
+                s,
+            ),
+        }
+    }
+
+    /// Likewise, with the width of all rows and room for those that wait.
+    #[inline(always)]
+    fn slope_within(
+        &self,
+        width: usize,
+        waiting: &mut [Dual],
+        rows: &Range<usize>,
+        s: Complex64,
+    ) -> Option<Complex64> {
+        let length = 2 * width + 1;
+        self.read_first(rows, s, waiting);
         let mut sum = Complex64::ZERO;
         for step in rows.clone() {
-            exchange(&mut waiting, length, |_, entry| entry.value.norm_sqr());
+            exchange(waiting, length, |_, entry| entry.value.norm_sqr());
             let (pivot_row, others) = waiting.split_at_mut(length);
             let inverse = pivot_row[0].value.inv();
             if !inverse.is_finite() {
@@ -107,21 +141,20 @@ impl Pencil {
                 }
                 row[length - 1] = NOTHING;
             }
-            self.read(step + width + 1, &rows, s, pivot_row);
+            self.read(step + width + 1, rows, s, pivot_row);
         }
         sum.is_finite().then_some(sum)
     }
 
     /// The rows that elimination begins with, each from its first column on.
-    fn first_rows(&self, rows: &Range<usize>, s: Complex64) -> Vec<Dual> {
+    #[inline(always)]
+    fn read_first(&self, rows: &Range<usize>, s: Complex64, waiting: &mut [Dual]) {
         let (width, length) = (self.width, 2 * self.width + 1);
-        let mut waiting = vec![NOTHING; (width + 1) * length];
         for (index, row) in waiting.chunks_exact_mut(length).enumerate() {
             self.read(rows.start + index, rows, s, row);
             // Its first column is `width - index` further.
             row.rotate_left(width - index);
         }
-        waiting
     }
 
     /// P T(s) = L U of all rows, ready for inverse iteration: pivots smaller than rounding of
@@ -130,7 +163,9 @@ impl Pencil {
         let (width, length, size) = (self.width, 2 * self.width + 1, self.size());
         let rows = 0..size;
         let values = |rows: &[Dual]| rows.iter().map(|dual| dual.value).collect::<Vec<_>>();
-        let mut waiting = values(&self.first_rows(&rows, s));
+        let mut waiting = vec![NOTHING; (width + 1) * length];
+        self.read_first(&rows, s, &mut waiting);
+        let mut waiting = values(&waiting);
         let largest = |row: usize| self.entry(row, row, s).value.norm();
         let least = f64::EPSILON * rows.clone().map(largest).fold(f64::MIN_POSITIVE, f64::max);
         let mut factors = Factors {
@@ -268,6 +303,7 @@ impl Pencil {
 }
 
 /// Brings the row whose first entry is largest to the front, and says where it was.
+#[inline(always)]
 fn exchange<T: Copy>(waiting: &mut [T], length: usize, size: impl Fn(usize, &T) -> f64) -> usize {
     let first = |row: usize| size(row, &waiting[row * length]);
     let rows = waiting.len() / length;

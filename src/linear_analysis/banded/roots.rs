@@ -52,6 +52,20 @@ impl Root {
     fn count(&self) -> usize {
         1 + usize::from(self.is_pair)
     }
+
+    /// The sum of 1/(s - zero): of a pair a + b i, 2 d/(d^2 + b^2) with d = s - a, formed so that
+    /// nothing cancels near it.
+    #[inline]
+    fn contribution(&self, s: Complex64) -> Complex64 {
+        let distance = s - self.value;
+        if !self.is_pair {
+            return distance.inv();
+        }
+        let d = Complex64::new(distance.re, s.im);
+        let product =
+            Complex64::new(d.re * d.re - distance.im * (s.im + self.value.im), 2.0 * d.re * d.im);
+        d * product.conj() * (2.0 / product.norm_sqr())
+    }
 }
 
 /// Eigenvalues with imaginary part not negative, but for so many that are zero; nothing if they
@@ -149,13 +163,12 @@ impl Search<'_> {
         if self.zeros > 0 {
             others += s.inv() * self.zeros as f64;
         }
-        for (number, other) in roots.iter().enumerate() {
-            if number != index {
-                others += (s - other.value).inv();
-            }
-            if other.is_pair {
-                others += (s - other.value.conj()).inv();
-            }
+        let (before_it, from_it) = roots.split_at(index);
+        for other in before_it.iter().chain(&from_it[1..]) {
+            others += other.contribution(s);
+        }
+        if is_pair {
+            others += (s - s.conj()).inv();
         }
         let step = (slope - others).inv();
         if !step.is_finite() {

@@ -7,7 +7,6 @@ use num_complex::Complex64;
 
 use super::super::modes::{Mode, ModeKind, of_bands, of_full_matrices};
 use super::super::motions::Motions;
-use super::super::sparse_rows::SparseRows;
 use super::{Found, spectrum};
 
 /// M^-1 K or M^-1 D of a chain: so stiff between neighbours, and from each to the ground.
@@ -32,7 +31,7 @@ fn motions(stiffness: &DMatrix<f64>, damping: &DMatrix<f64>) -> Motions {
     matrix.view_mut((0, n), (n, n)).fill_with_identity();
     matrix.view_mut((n, 0), (n, n)).copy_from(&-stiffness);
     matrix.view_mut((n, n), (n, n)).copy_from(&-damping);
-    Motions::alone(matrix, n, 0)
+    Motions::alone(&matrix, n, 0)
 }
 
 /// Random numbers from 0.5 to 1.5, the same ones every time.
@@ -153,22 +152,21 @@ fn first_order_states_along_a_chain_are_part_of_its_modes() {
     let plain = motions(&stiffness, &damping);
     // Each tenth is braked by a state that follows its speed.
     let states = n / 10;
-    let mut matrix = plain.matrix.resize(2 * n + states, 2 * n + states, 0.0);
+    let mut matrix = plain.matrix.full().resize(2 * n + states, 2 * n + states, 0.0);
     for state in 0..states {
         matrix[(n + 10 * state, 2 * n + state)] = -3.0;
         let pace = 20.0 + 7.0 * state as f64;
         matrix[(2 * n + state, n + 10 * state)] = pace;
         matrix[(2 * n + state, 2 * n + state)] = -pace;
     }
-    let of = || Motions::alone(matrix.clone(), n, states);
+    let of = || Motions::alone(&matrix, n, states);
     let found = of_bands(&of()).expect("a chain");
     let full = of_full_matrices(None, of()).expect("modes");
     assert_alike(&found, &full, 1e-11);
     // Vectors are those of the whole matrix, entry by entry beside the terms of each.
     let complex = matrix.map(Complex64::from);
     let sizes = matrix.abs();
-    for Found { value, right, left } in spectrum(&of(), &SparseRows::of(&matrix)).expect("a chain")
-    {
+    for Found { value, right, left } in spectrum(&of()).expect("a chain") {
         let [x, w] = [&right, &left].map(|vector| vector.map(Complex64::norm));
         let terms = [&sizes * &x + &x * value.norm(), sizes.tr_mul(&w) + &w * value.norm()];
         let off = [&complex * &right - &right * value, complex.tr_mul(&left) - &left * value];

@@ -248,7 +248,7 @@ fn swings(machine: &Machine, settings: &[(&str, f64)]) -> Result<[Vec<f64>; 2], 
     let modes = linearization.modes()?;
     let is_swing = |mode: &&Mode| mode.kind == ModeKind::Oscillation;
     let of_rate = modes.iter().filter(is_swing).map(Mode::natural_frequency).collect();
-    Ok([of_rate, linearization.second_order().undamped_frequencies()?])
+    Ok([of_rate, linearization.second_order()?.undamped_frequencies()?])
 }
 
 fn found_is(found: &[Vec<f64>; 2], exact: &[f64]) -> Measured {

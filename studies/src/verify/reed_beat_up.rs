@@ -102,7 +102,7 @@ fn roots(
     known: &[f64],
 ) -> Result<Measured, CheckFailure> {
     let simulator = cut(10, 8)?;
-    let found = at_rest(machine, &simulator, settings)?.second_order().undamped_frequencies()?;
+    let found = at_rest(machine, &simulator, settings)?.second_order()?.undamped_frequencies()?;
     let time = REED_STUDY.time_scale();
     let errors =
         found.iter().skip(skip).zip(known).map(|(found, root)| (found * time - root).abs());
@@ -140,7 +140,7 @@ fn harmonic(machine: &Machine) -> Result<Measured, CheckFailure> {
         let farthest = std::f64::consts::FRAC_PI_2 / frequency;
         let mut forces = vec![0.0; n];
         simulator.forcing(farthest, &rest, &parameters, &mut forces);
-        let system = at_rest(machine, &simulator, &settings)?.second_order();
+        let system = at_rest(machine, &simulator, &settings)?.second_order()?;
         let matrix = system.stiffness - system.mass * (frequency * frequency);
         let forces = DVector::from_vec(forces);
         let answer = matrix.lu().solve(&forces).ok_or(CheckFailure::Singular)?;

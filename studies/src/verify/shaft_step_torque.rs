@@ -67,7 +67,7 @@ fn at_rest<'a>(
 
 fn natural(machine: &Machine, elements: usize, order: usize) -> Result<Vec<f64>, CheckFailure> {
     let simulator = cut(elements, order)?;
-    Ok(at_rest(machine, &simulator)?.second_order().undamped_frequencies()?)
+    Ok(at_rest(machine, &simulator)?.second_order()?.undamped_frequencies()?)
 }
 
 fn frequencies(machine: &Machine) -> Result<Measured, CheckFailure> {
@@ -105,7 +105,7 @@ fn static_twist(machine: &Machine) -> Result<Measured, CheckFailure> {
     let mut rate = vec![0.0; 2 * n];
     simulator.rate(0.0, &vec![0.0; 2 * n], &parameters, &mut rate);
     let linearization = at_rest(machine, &simulator)?;
-    let slopes = linearization.matrix().view((n, 0), (n, n)).into_owned();
+    let slopes = linearization.matrix()?.view((n, 0), (n, n)).into_owned();
     let accelerations = nalgebra::DVector::from_column_slice(&rate[n..]);
     let twist = slopes.lu().solve(&-accelerations).ok_or(CheckFailure::Singular)?;
     let mut state = twist.as_slice().to_vec();

@@ -86,7 +86,7 @@ fn natural(
 ) -> Result<Vec<f64>, CheckFailure> {
     let simulator = cut(elements, order)?;
     let mut natural =
-        at_rest(machine, &simulator, rotors)?.second_order().undamped_frequencies()?;
+        at_rest(machine, &simulator, rotors)?.second_order()?.undamped_frequencies()?;
     natural.remove(0);
     Ok(natural)
 }

@@ -185,3 +185,155 @@ fn computed(graph: &Graph, op: &Op) -> Option<f64> {
     // never selected.
     result.is_finite().then_some(if result == 0.0 { 0.0 } else { result })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A graph with two entries of the state.
+    fn graph() -> (Graph, NodeId, NodeId) {
+        let mut graph = Graph::new();
+        let [x, y] = [0, 1].map(|entry| graph.insert(Op::State(entry)));
+        (graph, x, y)
+    }
+
+    #[test]
+    fn signs_move_outward_and_operands_that_change_nothing_go() {
+        let (mut g, x, y) = graph();
+        let [zero, one, minus, two, less] = [0.0, 1.0, -1.0, 2.0, -2.0].map(|v| g.literal(v));
+        let [not_x, not_y] = [x, y].map(|node| g.neg(node));
+        let (sum, product, quotient) = (g.add(x, y), g.mul(x, y), g.div(x, y));
+        let (difference, opposite) = (g.sub(x, y), g.sub(y, x));
+        let [not_sum, not_product, not_quotient] = [sum, product, quotient].map(|id| g.neg(id));
+        let (more, fewer, halved, over) =
+            (g.add(x, two), g.sub(x, two), g.div(x, two), g.div(two, x));
+        let [not_more, not_halved, not_over] = [more, halved, over].map(|id| g.neg(id));
+        for (op, expected) in [
+            (Op::Neg(not_x), x),
+            (Op::Neg(difference), opposite),
+            (Op::Add(zero, x), x),
+            (Op::Add(x, zero), x),
+            (Op::Add(not_x, not_y), not_sum),
+            (Op::Add(x, not_y), difference),
+            (Op::Add(not_x, y), opposite),
+            (Op::Add(x, less), fewer),
+            (Op::Add(less, x), fewer),
+            (Op::Sub(x, x), zero),
+            (Op::Sub(x, zero), x),
+            (Op::Sub(zero, x), not_x),
+            (Op::Sub(x, not_y), sum),
+            (Op::Sub(x, less), more),
+            (Op::Sub(not_x, y), not_sum),
+            (Op::Sub(less, x), not_more),
+            (Op::Mul(zero, x), zero),
+            (Op::Mul(x, zero), zero),
+            (Op::Mul(one, x), x),
+            (Op::Mul(x, one), x),
+            (Op::Mul(minus, x), not_x),
+            (Op::Mul(x, minus), not_x),
+            (Op::Mul(not_x, not_y), product),
+            (Op::Mul(not_x, y), not_product),
+            (Op::Mul(x, not_y), not_product),
+            (Op::Div(zero, x), zero),
+            (Op::Div(x, one), x),
+            (Op::Div(not_x, not_y), quotient),
+            (Op::Div(not_x, y), not_quotient),
+            (Op::Div(x, not_y), not_quotient),
+            (Op::Div(less, x), not_over),
+            (Op::Div(x, less), not_halved),
+            (Op::SelectLess { lhs: x, rhs: y, then: sum, otherwise: sum }, sum),
+            (Op::SelectLess { lhs: one, rhs: two, then: x, otherwise: y }, x),
+            (Op::SelectLess { lhs: two, rhs: one, then: x, otherwise: y }, y),
+            (Op::SelectLess { lhs: one, rhs: one, then: x, otherwise: y }, y),
+        ] {
+            assert_eq!(g.insert(op), expected, "{op:?}");
+        }
+    }
+
+    #[test]
+    fn operations_that_say_something_stay() {
+        let (mut g, x, y) = graph();
+        let [zero, two] = [0.0, 2.0].map(|v| g.literal(v));
+        for op in [
+            Op::Neg(x),
+            Op::Add(x, y),
+            Op::Add(x, two),
+            Op::Sub(x, two),
+            Op::Sub(two, x),
+            Op::Mul(x, x),
+            Op::Mul(two, x),
+            Op::Div(x, two),
+            Op::Div(two, x),
+            Op::Div(x, zero),
+            Op::Call(Function::Sqrt, x),
+            Op::SelectLess { lhs: x, rhs: two, then: x, otherwise: y },
+        ] {
+            let node = g.insert(op);
+            assert_eq!(g.op(node), op);
+        }
+        // Not finite: perhaps in a branch that is never selected.
+        let infinite = g.div(two, zero);
+        assert_eq!(g.op(infinite), Op::Div(two, zero));
+    }
+
+    #[test]
+    fn operations_on_literals_are_computed() {
+        let (mut g, ..) = graph();
+        let [zero, two, three] = [0.0, 2.0, 3.0].map(|v| g.literal(v));
+        for (op, expected) in [
+            (Op::Neg(two), -2.0),
+            (Op::Neg(zero), 0.0),
+            (Op::Add(two, three), 5.0),
+            (Op::Sub(two, three), -1.0),
+            (Op::Mul(two, three), 6.0),
+            (Op::Div(three, two), 1.5),
+            (Op::Powi(three, 5), 243.0),
+            (Op::Powf(two, three), 8.0),
+            (Op::Call(Function::Exp, zero), 1.0),
+        ] {
+            let node = g.insert(op);
+            let found = g.literal_value(node).expect("a literal");
+            assert_eq!(found.to_bits(), f64::to_bits(expected), "{op:?}");
+        }
+    }
+
+    #[test]
+    fn literal_factors_become_one_unless_the_product_has_a_name() {
+        let (mut g, x, y) = graph();
+        let [two, three, six, tiny] = [2.0, 3.0, 6.0, 1e-200].map(|v| g.literal(v));
+        let (twice, six_times) = (g.mul(two, x), g.mul(six, x));
+        assert_eq!([g.mul(three, twice), g.mul(twice, three)], [six_times; 2]);
+        let other_way = g.mul(y, two);
+        let expected = g.mul(six, y);
+        assert_eq!(g.mul(three, other_way), expected);
+        let product = g.mul(x, y);
+        for stays in [product, g.add(x, two)] {
+            let node = g.mul(three, stays);
+            assert_eq!(g.op(node), Op::Mul(three, stays));
+        }
+        // Two factors that are nothing together are something one after the other.
+        let little = g.mul(tiny, x);
+        let node = g.mul(tiny, little);
+        assert_eq!(g.op(node), Op::Mul(tiny, little));
+        g.name(six_times, "lever");
+        let node = g.mul(three, six_times);
+        assert_eq!(g.op(node), Op::Mul(three, six_times));
+    }
+
+    #[test]
+    fn odd_and_even_functions_are_of_one_way_round() {
+        let (mut g, x, y) = graph();
+        let (not_x, difference, opposite) = (g.neg(x), g.sub(x, y), g.sub(y, x));
+        for function in [Function::Sin, Function::Cos, Function::Tanh, Function::Abs] {
+            let is_odd = function.is_odd().expect("one of both");
+            for (turned, straight) in [(not_x, x), (opposite, difference)] {
+                let value = g.call(function, straight);
+                assert_eq!(g.op(value), Op::Call(function, straight));
+                let expected = if is_odd { g.neg(value) } else { value };
+                assert_eq!(g.call(function, turned), expected, "{function:?}");
+            }
+        }
+        let root = g.call(Function::Exp, not_x);
+        assert_eq!(g.op(root), Op::Call(Function::Exp, not_x));
+    }
+}

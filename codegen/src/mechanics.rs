@@ -8,3 +8,5 @@ pub mod lagrange;
 pub mod linearize;
 pub mod reduce;
 pub mod state;
+#[cfg(test)]
+mod tests;

@@ -128,3 +128,64 @@ pub(super) fn reached(graph: &Graph, results: &[NodeId]) -> BTreeSet<NodeId> {
     }
     reached
 }
+
+#[cfg(test)]
+mod tests {
+    use machinist_model::evaluate::{Evaluator, Inputs};
+
+    use super::*;
+
+    /// Rates along x = x0 + 0.7 (t - 0.4) against differences of values there.
+    #[test]
+    fn rates_of_all_operations_are_differences_along_the_motion() {
+        type Build = fn(&mut Graph, [NodeId; 3]) -> NodeId;
+        let builds: [Build; 12] = [
+            |g, [x, ..]| g.neg(x),
+            |g, [x, t, _]| g.add(x, t),
+            |g, [x, t, _]| g.sub(x, t),
+            |g, [x, t, _]| g.mul(x, t),
+            |g, [x, t, _]| g.div(x, t),
+            |g, [x, t, _]| g.div(t, x),
+            |g, [x, ..]| g.powi(x, 7),
+            |g, [x, ..]| g.powi(x, -3),
+            |g, [x, t, _]| g.powf(x, t),
+            |g, [x, _, p]| g.powf(x, p),
+            |g, [x, t, p]| g.select_less(p, x, t, x),
+            |g, [x, t, p]| {
+                let product = g.mul(x, p);
+                g.select_less(x, p, t, product)
+            },
+        ];
+        let functions = Function::ALL.map(|(function, _)| function);
+        let mut graph = Graph::new();
+        let [x, time, p] = [Op::State(0), Op::Time, Op::Parameter(0)].map(|op| graph.insert(op));
+        let speed = graph.literal(0.7);
+        let mut nodes: Vec<NodeId> =
+            builds.iter().map(|build| build(&mut graph, [x, time, p])).collect();
+        nodes.extend(functions.map(|function| graph.call(function, x)));
+        // What does not move.
+        nodes.extend([p, speed, graph.call(Function::Sin, p)]);
+        let rates = along(&mut graph, &[speed], &nodes);
+        let values = |nodes: &[NodeId], later: f64| {
+            let tape = graph.tape(nodes);
+            let state = [0.6 + 0.7 * later];
+            let inputs = Inputs {
+                time: 0.4 + later,
+                state: &state,
+                parameters: &[1.7],
+                ..Inputs::default()
+            };
+            let mut values = vec![0.0; nodes.len()];
+            Evaluator::new(&tape).evaluate(&inputs, &mut values);
+            values
+        };
+        let (found, after, before) =
+            (values(&rates, 0.0), values(&nodes, 1e-5), values(&nodes, -1e-5));
+        for (index, node) in nodes.iter().enumerate() {
+            let expected = (after[index] - before[index]) / 2e-5;
+            let off = (found[index] - expected).abs();
+            let size = expected.abs().max(1.0);
+            assert!(off < 1e-7 * size, "{:?}: {} {expected}", graph.op(*node), found[index]);
+        }
+    }
+}

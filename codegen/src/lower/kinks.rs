@@ -316,3 +316,6 @@ fn bends(table: &Table) -> Vec<(f64, f64)> {
     inside.sort_unstable_by_key(|(k, _)| *k);
     inside.iter().map(|(k, _)| (table.knots[*k], lengths[*k - 1].min(lengths[*k]))).collect()
 }
+
+#[cfg(test)]
+mod tests;

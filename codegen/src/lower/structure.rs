@@ -187,3 +187,86 @@ fn subsystems(reads: &[Vec<u32>]) -> Vec<Vec<u32>> {
     });
     parts.filter(|part| !part.is_empty()).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use machinist_model::{Node, SparsityPattern, TableId};
+
+    use super::*;
+
+    fn tape(ops: &[Op], results: &[u32]) -> Tape {
+        let nodes = ops.iter().map(|&op| Node { op, name: None }).collect();
+        Tape { nodes, results: results.iter().copied().map(NodeId).collect() }
+    }
+
+    #[test]
+    fn a_rate_is_switched_by_what_the_state_decides() {
+        let [x, t, p] = [NodeId(0), NodeId(1), NodeId(2)];
+        let select = |lhs, rhs| Op::SelectLess { lhs, rhs, then: p, otherwise: p };
+        let over = |argument| Op::Table { table: TableId(0), order: 0, argument };
+        let ops = [
+            Op::State(0),
+            Op::Time,
+            Op::Parameter(0),
+            select(x, p),
+            select(p, x),
+            select(t, p),
+            over(x),
+            over(t),
+            Op::Add(NodeId(3), p),
+            Op::Mul(x, t),
+        ];
+        let expected = [false, false, false, true, true, false, true, false, true, false];
+        assert_eq!(switched(&tape(&ops, &[9])), expected);
+    }
+
+    #[test]
+    fn parts_are_what_reads_nothing_else() {
+        // 0 and 1 read each other, 2 reads 1, 3 itself; all but 1 are linear.
+        let reads = [vec![1], vec![0], vec![1, 2], vec![3]];
+        assert_eq!(closed_part(&reads, &[0, 2, 3]), [3]);
+        assert_eq!(closed_part(&reads, &[0, 1, 2]), [0, 1, 2]);
+        assert_eq!(closed_part(&reads, &[0, 1, 3]), [0, 1, 3]);
+        assert_eq!(subsystems(&reads), [vec![0, 1, 2], vec![3]]);
+        assert_eq!(subsystems(&[vec![2], vec![], vec![]]), [vec![0, 2], vec![1]]);
+    }
+
+    #[test]
+    fn operations_are_counted_by_how_often_they_change() {
+        let ops = [
+            Op::State(4),
+            Op::Time,
+            Op::Parameter(0),
+            Op::Mul(NodeId(2), NodeId(2)),
+            Op::Add(NodeId(1), NodeId(3)),
+            Op::Mul(NodeId(0), NodeId(4)),
+            Op::Neg(NodeId(5)),
+            // Nobody needs it.
+            Op::Neg(NodeId(0)),
+        ];
+        let tape = tape(&ops, &[3, 6, 4]);
+        assert_eq!(Frequency::of(&tape), Frequency { once: 1, by_time: 1, by_state: 2 });
+        assert_eq!(reads(&tape), [vec![], vec![4], vec![]]);
+        let entries = vec![(0, 0), (0, 1), (1, 1)];
+        let pattern = SparsityPattern { rows: 2, columns: 2, entries };
+        assert_eq!(constants(&MatrixTape { pattern, tape, solve: None }), 1);
+    }
+
+    #[test]
+    fn a_machine_is_linear_if_all_of_its_rows_are() {
+        let structure = |linear_rows| Structure {
+            coordinates: 1,
+            constant_mass: true,
+            diagonal_mass: true,
+            constant_jacobian: (0, 0),
+            linear_rows,
+            linear_part: vec![],
+            autonomous: true,
+            subsystems: vec![vec![0, 2], vec![1]],
+            rate: Frequency::default(),
+            jacobian: Frequency::default(),
+        };
+        assert!(structure(vec![0, 1, 2]).is_linear());
+        assert!(!structure(vec![0, 2]).is_linear());
+    }
+}

@@ -359,3 +359,6 @@ impl Algebra {
         sum
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,213 @@
+//! Kinks of small graphs, by their values.
+
+use machinist_model::Name;
+use machinist_model::evaluate::{Evaluator, Inputs};
+
+use super::*;
+
+const SPAN: f64 = 100.0;
+/// What the parameter is.
+const P: f64 = 3.0;
+
+fn table(knots: &[f64], coefficients: &[[f64; 4]]) -> Table {
+    let name = Name { path: "table".to_owned(), ident: "table".to_owned(), latex: String::new() };
+    Table { name, knots: knots.to_vec(), coefficients: coefficients.to_vec() }
+}
+
+/// Guards and times of a rate that is made of time, a parameter and two states, the second a mode.
+fn found(build: impl FnOnce(&mut Graph, [NodeId; 4]) -> NodeId, tables: &[Table]) -> [Vec<f64>; 2] {
+    let mut graph = Graph::new();
+    let leaves = [Op::Time, Op::Parameter(0), Op::State(0), Op::State(1)];
+    let leaves = leaves.map(|op| graph.insert(op));
+    let rate = build(&mut graph, leaves);
+    let zero = graph.literal(0.0);
+    let kinks = kinks(&mut graph, &[rate, zero], &[false, true], (tables, SPAN));
+    assert_eq!(kinks.guards.len(), kinks.rates.len());
+    [kinks.guards, kinks.times].map(|nodes| {
+        let tape = graph.tape(&nodes);
+        let inputs =
+            Inputs { time: 0.25, state: &[2.0, 1.0], parameters: &[P], ..Inputs::default() };
+        let mut values = vec![0.0; nodes.len()];
+        Evaluator::new(&tape).evaluate(&inputs, &mut values);
+        values
+    })
+}
+
+fn times(build: impl FnOnce(&mut Graph, NodeId, NodeId) -> NodeId) -> Vec<f64> {
+    let [guards, times] = found(|graph, [time, p, ..]| build(graph, time, p), &[]);
+    assert!(guards.is_empty(), "{guards:?}");
+    times
+}
+
+/// factor (t - p)^2
+fn square(graph: &mut Graph, time: NodeId, p: NodeId, factor: f64) -> NodeId {
+    let distance = graph.sub(time, p);
+    let square = graph.mul(distance, distance);
+    let factor = graph.literal(factor);
+    graph.mul(factor, square)
+}
+
+#[test]
+fn what_is_linear_in_time_passes_zero_at_a_time_that_parameters_decide() {
+    let two = |graph: &mut Graph| graph.literal(2.0);
+    let abs = |graph: &mut Graph, a| graph.call(Function::Abs, a);
+    // |p - 2 t|, |p + -(2 t)|, |(t - p)/2|, |t/p - 2|, |p t - 2 p|
+    let expected = [P / 2.0, P / 2.0, P, 2.0 * P, 2.0];
+    let builds: [fn(&mut Graph, NodeId, NodeId, NodeId) -> NodeId; 5] = [
+        |g, t, p, two| {
+            let twice = g.mul(two, t);
+            g.sub(p, twice)
+        },
+        |g, t, p, two| {
+            // Without folding a sign away.
+            let product = g.mul(p, t);
+            let opposite = g.neg(product);
+            let twice = g.mul(two, p);
+            let [a, b] = [g.mul(twice, opposite), g.mul(p, p)];
+            let b = g.mul(b, p);
+            g.add(a, b)
+        },
+        |g, t, p, two| {
+            let distance = g.sub(t, p);
+            g.div(distance, two)
+        },
+        |g, t, p, two| {
+            let share = g.div(t, p);
+            g.sub(share, two)
+        },
+        |g, t, p, two| {
+            let [a, b] = [g.mul(p, t), g.mul(two, p)];
+            g.sub(a, b)
+        },
+    ];
+    for (build, expected) in builds.into_iter().zip(expected) {
+        let found = times(|graph, time, p| {
+            let two = two(graph);
+            let argument = build(graph, time, p, two);
+            abs(graph, argument)
+        });
+        assert_eq!(found, [expected]);
+    }
+    let found = times(|graph, time, p| {
+        let zero = graph.literal(0.0);
+        graph.select_less(time, p, zero, time)
+    });
+    assert_eq!(found, [P]);
+    // The same twice is one, and what no time decides is none.
+    let found = times(|graph, time, p| {
+        let distance = graph.sub(time, p);
+        let [a, zero] = [abs(graph, distance), graph.literal(0.0)];
+        let b = graph.select_less(time, p, zero, time);
+        let c = abs(graph, p);
+        let sum = graph.add(a, b);
+        graph.add(sum, c)
+    });
+    assert_eq!(found, [P]);
+}
+
+#[test]
+fn what_the_state_decides_is_a_guard_and_modes_are_not() {
+    let [guards, times] = found(
+        |graph, [time, _, x, mode]| {
+            let ahead = graph.select_less(x, time, time, x);
+            let behind = graph.select_less(time, x, x, mode);
+            let size = graph.call(Function::Abs, mode);
+            let sum = graph.add(ahead, behind);
+            graph.add(sum, size)
+        },
+        &[],
+    );
+    // x - t and t - x are one.
+    assert_eq!((guards, times), (vec![1.75], vec![]));
+    let [guards, _] = found(
+        |graph, [_, p, x, _]| {
+            let [least, whole] = [graph.select_less(x, p, x, p), graph.call(Function::Floor, x)];
+            graph.add(least, whole)
+        },
+        &[],
+    );
+    assert!((guards[0] - (2.0 - P)).abs() < 1e-15 && guards[1].abs() < 1e-15, "{guards:?}");
+}
+
+#[test]
+fn narrow_features_of_time_are_found_and_wide_ones_left_to_steps() {
+    for (factor, is_found) in [(1e6, true), (9.1, true), (8.9, false), (1e-2, false)] {
+        let expected = if is_found { vec![P] } else { vec![] };
+        let bell = times(|graph, time, p| {
+            let square = square(graph, time, p, -factor);
+            graph.call(Function::Exp, square)
+        });
+        assert_eq!(bell, expected, "{factor}");
+        let pole = times(|graph, time, p| {
+            let [square, one] = [square(graph, time, p, factor), graph.literal(1.0)];
+            let below = graph.add(one, square);
+            graph.div(one, below)
+        });
+        assert_eq!(pole, expected, "{factor}");
+        let step = times(|graph, time, p| {
+            let [distance, factor] = [graph.sub(time, p), graph.literal(factor.sqrt())];
+            let argument = graph.mul(factor, distance);
+            graph.call(Function::Tanh, argument)
+        });
+        assert_eq!(step, expected, "{factor}");
+    }
+    // How narrow it is may be for a parameter to say; the start stands for a wide one.
+    for (power, expected) in [(1, 0.0), (7, 2.0)] {
+        let found = times(|graph, time, p| {
+            let two = graph.literal(2.0);
+            let [distance, steepness] = [graph.sub(time, two), graph.powi(p, power)];
+            let argument = graph.mul(steepness, distance);
+            graph.call(Function::Tanh, argument)
+        });
+        assert_eq!(found, [expected], "{power}");
+    }
+    let none = times(|graph, time, p| {
+        let [cube, wave] = [graph.powi(time, 3), graph.mul(p, time)];
+        let thousand = graph.literal(1e9);
+        let cube = graph.mul(thousand, cube);
+        let [a, b] = [graph.call(Function::Exp, cube), graph.call(Function::Sin, wave)];
+        graph.mul(a, b)
+    });
+    assert!(none.is_empty(), "{none:?}");
+}
+
+#[test]
+fn tables_bend_at_corners_and_where_they_are_curved() {
+    let flat = [[1.0, 0.0, 0.0, 0.0]; 3];
+    let knots = [0.0, 2.0, 3.0, 7.0];
+    assert!(corners(&table(&knots, &flat)).is_empty());
+    assert!(bends(&table(&knots, &flat)).is_empty());
+    // u^2 + u^3 has the slope 16 at 2.
+    let smooth = [[0.0, 0.0, 1.0, 1.0], [12.0, 16.0, 0.0, 0.0], [28.0, 16.0, 0.0, 0.0]];
+    assert!(corners(&table(&knots, &smooth)).is_empty());
+    assert_eq!(bends(&table(&knots, &smooth)), [(2.0, 1.0)]);
+    let bent = [[0.0, 0.0, 1.0, 1.0], [12.0, 15.0, 0.0, 0.0], [27.0, 15.0, -1.0, 0.0]];
+    assert_eq!(corners(&table(&knots, &bent)), [2.0]);
+    assert_eq!(bends(&table(&knots, &bent)), [(2.0, 1.0), (3.0, 1.0)]);
+    let many: Vec<f64> = (0..200).map(f64::from).collect();
+    let pieces: Vec<[f64; 4]> =
+        (0..199).map(|k| [0.0, f64::from(k % 2), 1.0 + f64::from(k), 0.0]).collect();
+    assert!(corners(&table(&many, &pieces)).is_empty());
+    let most = bends(&table(&many, &pieces));
+    // The most curved ones.
+    assert_eq!((most.len(), most[0].0, most[63].0), (64, 135.0, 198.0));
+}
+
+#[test]
+fn a_table_over_time_is_found_at_its_knots_and_one_over_a_state_at_its_ends() {
+    let knots = [0.0, 0.25, 0.5, 4.0];
+    let curved = [[0.0, 0.0, 1.0, 0.0], [0.0, 0.5, 1.0, 0.0], [0.0, 1.0, 0.0, 0.0]];
+    let tables = [table(&knots, &curved)];
+    let look = |over: fn(&mut Graph, [NodeId; 4]) -> NodeId| {
+        let build = |graph: &mut Graph, leaves| {
+            let argument = over(graph, leaves);
+            graph.table(machinist_model::TableId(0), 0, argument)
+        };
+        found(build, &tables)
+    };
+    let mut of_time = look(|graph, [time, p, ..]| graph.sub(time, p));
+    of_time[1].sort_by(f64::total_cmp);
+    // Ends, a corner where the slope jumps, and curved pieces between knots.
+    assert_eq!(of_time, [vec![], vec![P, P + 0.25, P + 0.5, P + 4.0]]);
+    assert_eq!(look(|_, [_, _, x, _]| x), [vec![2.0, -2.0], vec![]]);
+}

@@ -1,0 +1,133 @@
+//! Equations of small machines from their specs: power, constraints, what nothing decides.
+
+use std::path::Path;
+
+use machinist_contract::PowerBalance;
+use machinist_model::ModelSimulator;
+
+use crate::cas::{Algebra, session};
+use crate::expr::Expr;
+use crate::mechanics::lagrange::{self, EquationsOfMotion};
+use crate::mechanics::reduce::Keep;
+use crate::pipeline;
+use crate::scene::system::LagrangianSystem;
+
+fn system(text: &str) -> LagrangianSystem {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("machine.toml");
+    std::fs::write(&path, text).expect("written");
+    let system = pipeline::check(Path::new(&path));
+    system.unwrap_or_else(|errors| panic!("{}", errors.render()))
+}
+
+fn equations(system: LagrangianSystem) -> EquationsOfMotion {
+    session("a test", Algebra::Plain, move |cas| lagrange::derive(cas, &system)).expect("a session")
+}
+
+/// A cart in a frame that swings, on a spring, with a brake that fades out; another one is moved along with it
+/// by a constraint that moves.
+const CARTS: &str = r#"
+[scene]
+name = "carts"
+[units.s]
+unit = "s"
+[run]
+until = 1.0
+[define.s.coordinates]
+x = { unit = "m" }
+y = { unit = "m" }
+[define.s.parameters]
+mass = { value = 1.5, unit = "kg" }
+stiffness = { value = 40, unit = "N/m" }
+damping = { value = 2.5, unit = "N s/m" }
+[define.s.energy]
+kinetic = "mass*(x_dot + 2 [m/s]*cos(3 [1/s]*t))^2/2 + mass*y_dot^2/4"
+potential = "stiffness*(1 + t/(1 [s]))*x^2/2"
+dissipation = "damping*x_dot^2/2"
+[define.s.constraints.led]
+expression = "y - x/2 - 0.1 [m]*sin(2 [1/s]*t)"
+[[define.s.forces]]
+coordinate = "x"
+expression = "7 [N]*sin(t/(1 [s]))"
+"#;
+
+#[test]
+fn power_that_is_supplied_is_stored_or_dissipated_along_any_motion() {
+    let model = pipeline::compile_by(Algebra::Plain, system(CARTS), Keep::All);
+    let model = model.unwrap_or_else(|errors| panic!("{}", errors.render()));
+    let simulator = ModelSimulator::interpreted(model);
+    let simulator = simulator.single();
+    let shape = simulator.shape();
+    let p: Vec<f64> = (0..shape.parameters).map(|i| simulator.parameter_default(i)).collect();
+    let names: Vec<&str> = (0..shape.states()).map(|i| simulator.state(i).name).collect();
+    assert_eq!(names, ["s.x", "s.y", "s.x_dot", "s.y_dot"]);
+    for (t, x, v) in [(0.2, 0.3, -1.1), (0.7, -0.4, 0.6), (1.9, 0.1, 2.3)] {
+        let state = [x, x / 2.0 + 0.1 * f64::sin(2.0 * t), v, v / 2.0 + 0.2 * f64::cos(2.0 * t)];
+        let power = simulator.power_balance(t, &state, &p);
+        let PowerBalance { stored_rate: stored, supplied, dissipated } = power;
+        assert!((dissipated - 2.5 * v * v).abs() < 1e-12, "{dissipated}");
+        let size = stored.abs() + supplied.abs() + dissipated;
+        assert!((stored - supplied + dissipated).abs() < 1e-12 * size, "{power:?}");
+    }
+}
+
+fn crank(inertia: f64, rod: &str, constraints: &str) -> LagrangianSystem {
+    system(&format!(
+        r#"
+[scene]
+name = "crank"
+[units.s]
+unit = "s"
+[run]
+until = 1.0
+[initial]
+"s.phi" = 0.3
+[define.s.coordinates]
+phi = {{ unit = "rad" }}
+psi = {{ unit = "rad" }}
+x = {{ unit = "m" }}
+[define.s.parameters]
+inertia = {{ value = {inertia}, unit = "kg m^2" }}
+mass = {{ value = 1.5, unit = "kg" }}
+crank = {{ value = 0.1, unit = "m" }}
+rod = {{ value = 0.3, unit = "m" }}
+[define.s.energy]
+kinetic = "inertia*phi_dot^2/2 + mass*x_dot^2/2 {rod}"
+{constraints}
+"#
+    ))
+}
+
+const LOOP: &str = r#"
+[guess]
+"s.psi" = -0.1
+"s.x" = 0.4
+[define.s.constraints.along]
+expression = "x - crank*cos(phi) - rod*cos(psi)"
+[define.s.constraints.across]
+expression = "crank*sin(phi) + rod*sin(psi)"
+"#;
+
+#[test]
+fn what_has_neither_inertia_nor_a_constraint_is_told_by_its_coordinates() {
+    let of_rod = "+ inertia*psi_dot^2/2";
+    let regular = equations(crank(0.02, of_rod, LOOP));
+    assert!(!regular.is_singular());
+    assert_eq!(regular.undecided(), None);
+    // The loop holds a rod without mass.
+    let massless = equations(crank(0.02, "", LOOP));
+    assert!(massless.is_singular());
+    assert_eq!(massless.undecided(), None);
+    let open = equations(crank(0.02, of_rod, ""));
+    assert!(!open.is_singular());
+    // An inertia that the spec sets to zero is none; the slider's mass decides.
+    let light = equations(crank(0.0, of_rod, LOOP));
+    assert!(light.is_singular());
+    assert_eq!(light.undecided(), None);
+    // Without that, nothing decides the one motion that the loop allows.
+    let mut system = crank(0.02, of_rod, LOOP);
+    system.kinetic = Expr::integer(0);
+    let nothing = equations(system);
+    assert!(nothing.is_singular());
+    assert_eq!(nothing.undecided(), Some(vec![0, 1, 2]));
+}

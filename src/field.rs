@@ -12,6 +12,7 @@
 
 mod chain;
 mod constants;
+mod direct;
 mod excitation;
 mod lobatto;
 mod local;
@@ -29,6 +30,7 @@ use machinist_contract::{Dual, Real, Shape};
 
 use chain::{Chain, columns_beside};
 use constants::Counts;
+use direct::Line;
 pub use lobatto::Lobatto;
 use local::Local;
 use mesh::{Mesh, Owner};
@@ -95,6 +97,8 @@ pub struct FieldSimulator<'a, R> {
     /// One for each field.
     laws: Vec<Law>,
     counts: Counts,
+    /// Where rates are computed without [`Work`].
+    lines: Option<Vec<Line>>,
     /// Every port: node among those of all fields, and first of the parameters handed
     /// over; and rows that the force on it reaches.
     ports: Vec<(usize, usize)>,
@@ -282,6 +286,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
             machine_entries: Vec::new(),
             laws: Vec::new(),
             counts: Counts::default(),
+            lines: None,
             ports: Vec::new(),
             port_rows: Vec::new(),
             mass_is_diagonal: scene.mass_matrix_pattern().entries.iter().all(|(i, j)| i == j),
@@ -303,6 +308,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         simulator.lay_out_others();
         simulator.excitation_terms = excitation::terms(simulator.scene(), &simulator.border);
         simulator.counts = simulator.count_constants();
+        simulator.lines = direct::lines(&simulator);
         let constants = simulator.counts.without_jacobian();
         let weights = simulator.port_rows.iter().map(|rows| vec![R::literal(0.0); rows.len()]);
         let weights = weights.collect();

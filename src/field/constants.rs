@@ -11,8 +11,8 @@ use super::{FieldSimulator, Law, Work};
 
 /// Where everything is among the constants: those of the machine, then for every node of
 /// every field x, its part of the length, its inertia and the inverse of that, then the
-/// bounds of all segments, and the numbers of every field's section; and what is constant of the
-/// Jacobian.
+/// bounds of all segments, the numbers of every field's section and by what those pull at nodes in every
+/// segment; and what is constant of the Jacobian.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Constants<'c, R> {
     pub machine: &'c [R],
@@ -22,6 +22,7 @@ pub(super) struct Constants<'c, R> {
     pub inverse: &'c [R],
     bounds: &'c [R],
     sections: &'c [R],
+    pulls: &'c [[R; 2]],
     /// All of it, or with zeros where it varies. Empty where nothing of it is constant, or only
     /// the others were asked for.
     pub jacobian: &'c [R],
@@ -40,6 +41,11 @@ impl<'c, R: Copy> Constants<'c, R> {
 }
 
 impl<'c, R: Real> Constants<'c, R> {
+    /// a and b over the length of the elements, for every segment of a field that has a section.
+    pub fn pulls(&self, mesh: &Mesh) -> &'c [[R; 2]] {
+        &self.pulls[mesh.first_segment..][..mesh.segments.len()]
+    }
+
     /// Nodes of every segment of a field, both ends included, and the inverse of the length of
     /// its elements.
     pub fn stretches(
@@ -57,9 +63,7 @@ impl<'c, R: Real> Constants<'c, R> {
 
     /// The inverse of the length of the elements of a segment.
     pub fn inverse_of_length(&self, mesh: &Mesh, field: usize, segment: usize) -> R {
-        let bounds = &self.bounds[mesh.bounds(field)];
-        let elements = f64::from(mesh.segments[segment].elements);
-        R::literal(elements) / (bounds[segment + 1] - bounds[segment])
+        mesh.inverse_of_length(segment, &self.bounds[mesh.bounds(field)])
     }
 }
 
@@ -70,6 +74,7 @@ pub(super) struct Counts {
     nodes: usize,
     bounds: usize,
     sections: usize,
+    segments: usize,
     jacobian: usize,
     /// Whether machine and fields are linear, and nothing of them switches.
     pub jacobian_is_constant: bool,
@@ -83,7 +88,7 @@ impl Counts {
 
     /// All but the Jacobian.
     pub fn without_jacobian(&self) -> usize {
-        self.machine + 4 * self.nodes + self.bounds + self.sections
+        self.machine + 4 * self.nodes + self.bounds + self.sections + 2 * self.segments
     }
 }
 
@@ -98,6 +103,7 @@ impl<R: Real> FieldSimulator<'_, R> {
             nodes: self.nodes(),
             bounds: self.meshes.iter().map(|mesh| mesh.segments.len() + 1).sum(),
             sections: NUMBERS * self.meshes.len(),
+            segments: self.meshes.iter().map(|mesh| mesh.segments.len()).sum(),
             jacobian: if has_part { self.rate_jacobian.len() } else { 0 },
             jacobian_is_constant,
         }
@@ -105,15 +111,17 @@ impl<R: Real> FieldSimulator<'_, R> {
 
     /// The constants by what they are.
     pub(super) fn taken_apart<'c>(&self, constants: &'c [R]) -> Constants<'c, R> {
-        let Counts { machine, nodes, bounds, sections, .. } = self.counts;
+        let Counts { machine, nodes, bounds, sections, segments, .. } = self.counts;
         let (machine, rest) = constants.split_at(machine);
         let (x, rest) = rest.split_at(nodes);
         let (lengths, rest) = rest.split_at(nodes);
         let (inertia, rest) = rest.split_at(nodes);
         let (inverse, rest) = rest.split_at(nodes);
         let (bounds, rest) = rest.split_at(bounds);
-        let (sections, jacobian) = rest.split_at(sections);
-        Constants { machine, x, lengths, inertia, inverse, bounds, sections, jacobian }
+        let (sections, rest) = rest.split_at(sections);
+        let (pulls, jacobian) = rest.split_at(2 * segments);
+        let (pulls, _) = pulls.as_chunks();
+        Constants { machine, x, lengths, inertia, inverse, bounds, sections, pulls, jacobian }
     }
 
     /// Computes all constants.
@@ -139,17 +147,27 @@ impl<R: Real> FieldSimulator<'_, R> {
     pub(super) fn compute_constants(&self, parameters: &[R], work: &mut Work<R>, into: &mut [R]) {
         assert_eq!(into.len(), self.counts.without_jacobian(), "number of constants");
         self.place(parameters, work);
-        let Counts { machine, nodes, bounds, .. } = self.counts;
+        let Counts { machine, nodes, bounds, sections, .. } = self.counts;
         let (machine, rest) = into.split_at_mut(machine);
         let (x, rest) = rest.split_at_mut(nodes);
         let (lengths, rest) = rest.split_at_mut(nodes);
         let (inertia, rest) = rest.split_at_mut(nodes);
         let (inverse, rest) = rest.split_at_mut(nodes);
-        let (bounds, sections) = rest.split_at_mut(bounds);
+        let (bounds, rest) = rest.split_at_mut(bounds);
+        let (sections, pulls) = rest.split_at_mut(sections);
+        let (pulls, _) = pulls.as_chunks_mut();
         bounds.copy_from_slice(&work.bounds);
         for (index, section) in self.sections() {
-            let numbers = section.numbers(self.scene(), &work.p);
+            let numbers @ [_, a, b] = section.numbers(self.scene(), &work.p);
             sections[NUMBERS * index..][..NUMBERS].copy_from_slice(&numbers);
+            let mesh = &self.meshes[index];
+            let bounds = &bounds[mesh.bounds(index)];
+            for (segment, pulls) in
+                pulls[mesh.first_segment..][..mesh.segments.len()].iter_mut().enumerate()
+            {
+                let inverse = mesh.inverse_of_length(segment, bounds);
+                *pulls = [a * inverse, b * inverse];
+            }
         }
         for (index, mesh) in self.meshes.iter().enumerate() {
             let elements = mesh.elements(index, &bounds[mesh.bounds(index)]);

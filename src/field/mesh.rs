@@ -73,6 +73,12 @@ impl Mesh {
         self.first_node..self.first_node + self.owners.len()
     }
 
+    /// The inverse of the length of the elements of a segment between these bounds.
+    pub fn inverse_of_length<R: Real>(&self, segment: usize, bounds: &[R]) -> R {
+        let elements = f64::from(self.segments[segment].elements);
+        R::literal(elements) / (bounds[segment + 1] - bounds[segment])
+    }
+
     /// Segment of the element that begins at a node.
     pub fn segment_of(&self, node: usize) -> usize {
         self.segments.partition_point(|segment| segment.first_node as usize <= node) - 1

@@ -238,7 +238,12 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
         constants: &[R],
         rate: &mut [R],
     ) {
-        let (work, constants) = (&mut *self.work(), self.taken_apart(constants));
+        let constants = self.taken_apart(constants);
+        if let Some(lines) = &self.lines {
+            self.direct_rate(lines, (time, state), parameters, &constants, rate);
+            return;
+        }
+        let work = &mut *self.work();
         self.load((time, state), parameters, &constants, work);
         self.loaded_rate((time, state), &constants, work, rate);
     }

@@ -339,21 +339,20 @@ impl Method {
         atol.iter().map(|atol| tighter * atol).collect()
     }
 
-    /// Who looks at the steps of a variant in its lane.
+    /// Who looks at the steps of variants in lanes.
     #[cfg(feature = "sweep")]
     #[cfg_attr(
         not(feature = "implicit"),
         expect(unused_variables, reason = "without implicit methods there is no `auto`")
     )]
-    pub(crate) fn overseer<'a>(
+    pub(crate) fn overseer<'a, R: crate::lanes::Lanes>(
         self,
-        simulator: &'a dyn machinist_contract::Simulator<f64>,
-        parameters: &[f64],
+        machine: &'a dyn machinist_contract::Simulator<R>,
         rtol: f64,
-    ) -> Option<Box<dyn taylor::variants::Overseer + 'a>> {
+    ) -> Option<Box<dyn taylor::variants::Overseer<R> + 'a>> {
         match self {
             #[cfg(feature = "implicit")]
-            Self::Auto => Some(Box::new(auto::in_lanes::InLane::new(simulator, parameters, rtol))),
+            Self::Auto => Some(Box::new(auto::in_lanes::Lookout::new(machine, rtol))),
             _ => None,
         }
     }

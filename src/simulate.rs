@@ -366,22 +366,16 @@ impl<'a> Simulation<'a> {
     /// # Errors
     /// As [`Simulation::run`].
     #[cfg(feature = "sweep")]
-    pub(crate) fn variant_for(
-        &self,
-        method: Method,
-        rtol: f64,
-    ) -> Result<Variant<'a>, SimulateError> {
+    pub(crate) fn variant_for(&self, rtol: f64) -> Result<Variant, SimulateError> {
         let initial = self.checked_initial_state()?;
-        let parameters = self.checked_parameters()?.to_vec();
         let atol = Method::tightened(&self.checked_atol(&initial)?, self.rtol, rtol);
         Ok(Variant {
-            overseer: method.overseer(self.simulator, &parameters, rtol),
+            parameters: self.checked_parameters()?.to_vec(),
             ends: cut(self.from, self.until, self.checked_jumps()?),
             times: self.checked_times()?,
             atol,
             max_steps: self.max_steps,
             initial,
-            parameters,
         })
     }
 

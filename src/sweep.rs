@@ -236,31 +236,52 @@ impl<'a> Sweep<'a> {
         let mut valid = Vec::with_capacity(chunk.len());
         let mut ready = Vec::with_capacity(chunk.len());
         for (index, parameters) in chunk.iter().enumerate() {
-            match self.simulation(parameters).variant_for(method, rtol) {
+            match self.simulation(parameters).variant_for(rtol) {
                 Ok(variant) => {
-                    valid.push((index, variant.times.clone()));
+                    valid.push(index);
                     ready.push(variant);
                 }
                 Err(error) => results[index] = Some(Err(error)),
             }
         }
-        let (machine, how) = ((machine, series), (rtol, looks_within));
-        variants::integrate(machine, how, &mut ready.into_iter(), &mut |number, outcome| {
-            let (index, times) = &valid[number];
-            let parameters = &chunk[*index];
-            results[*index] = Some(match outcome {
-                Ok(outcome) => Ok(self.finished(parameters, times, &outcome)),
-                // What `auto` would not do by Taylor's method; and it says more of what stops it.
-                Err(_) if method == Method::Auto => one(&self.simulation(parameters)),
-                Err(stopped) => Err(SimulateError::Stopped {
-                    scene: self.machine.single().name().to_owned(),
-                    method: method.name(),
-                    time: stopped.time,
-                    cause: stopped.cause,
-                    kept: None,
-                }),
+        let mut overseer = method.overseer(machine, rtol);
+        if let Some(overseer) = &mut overseer {
+            let leaving = overseer.leaving(&ready);
+            let mut leaves = leaving.iter();
+            valid.retain(|index| {
+                let leaves = leaves.next() == Some(&true);
+                if leaves {
+                    results[*index] = Some(one(&self.simulation(&chunk[*index])));
+                }
+                !leaves
             });
-        });
+            let mut leaves = leaving.iter();
+            ready.retain(|_| leaves.next() != Some(&true));
+        }
+        let times: Vec<Vec<f64>> = ready.iter().map(|variant| variant.times.clone()).collect();
+        let (machine, how) = ((machine, series), (rtol, looks_within));
+        variants::integrate(
+            machine,
+            how,
+            overseer,
+            &mut ready.into_iter(),
+            &mut |number, outcome| {
+                let index = valid[number];
+                let parameters = &chunk[index];
+                results[index] = Some(match outcome {
+                    Ok(outcome) => Ok(self.finished(parameters, &times[number], &outcome)),
+                    // What `auto` would not do by Taylor's method; and it says more of what stops it.
+                    Err(_) if method == Method::Auto => one(&self.simulation(parameters)),
+                    Err(stopped) => Err(SimulateError::Stopped {
+                        scene: self.machine.single().name().to_owned(),
+                        method: method.name(),
+                        time: stopped.time,
+                        cause: stopped.cause,
+                        kept: None,
+                    }),
+                });
+            },
+        );
         Some(results.into_iter().flatten().collect())
     }
 

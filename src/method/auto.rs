@@ -302,7 +302,7 @@ impl<'a> Choice<'a> {
         let worth = worth(stretch.system.states());
         let mut passed = 0.0;
         let mut is_over = |jacobian: &[f64], step: f64| {
-            let explicit_step = self.limit / radius.renew(jacobian);
+            let explicit_step = self.limit / radius.renew(jacobian, 1.0);
             passed += step;
             let is_over = passed > TRANSIENT * explicit_step;
             leave(is_over && evidence.grows(step < worth * explicit_step))

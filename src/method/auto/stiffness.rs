@@ -1,7 +1,7 @@
 //! How it is found that stability, not accuracy, holds the steps of an explicit method, and
 //! whether an implicit one is worth its steps.
 
-use machinist_contract::Simulator;
+use machinist_contract::{Real, Simulator};
 
 /// So many steps of evidence change the method.
 pub(super) const STIFF_STEPS: usize = 15;
@@ -9,7 +9,7 @@ pub(super) const STIFF_STEPS: usize = 15;
 const EASY_STEPS: usize = 6;
 /// Taylor's method looks for stiffness every so many steps, each of which costs as much
 /// as this many rates and more, while a look costs a Jacobian.
-const LOOKS_EVERY: usize = 8;
+pub(super) const LOOKS_EVERY: usize = 8;
 /// What is fast and decays has done so after so many explicit steps; an implicit method is not left
 /// for steps that are short before.
 pub(super) const TRANSIENT: f64 = 10.0;
@@ -29,7 +29,7 @@ pub(super) fn worth(states: usize) -> f64 {
 }
 
 /// Taylor's method goes on where so many steps more would do, stiff or not.
-fn few_steps(states: usize) -> f64 {
+pub(super) fn few_steps(states: usize) -> f64 {
     IMPLICIT_STEPS * worth(states)
 }
 
@@ -44,12 +44,17 @@ pub(super) fn is_worth_beginning(
     let mut values = vec![0.0; simulator.rate_jacobian_pattern().entries.len()];
     jacobian(&mut values);
     let steps = limits * SpectralRadius::new(simulator).settled(&values);
-    (steps > CLEARLY * few_steps(simulator.shape().states())).then_some(steps)
+    (steps > worth_beginning(simulator.shape().states())).then_some(steps)
+}
+
+/// An implicit method begins where stability would ask for more steps than so many.
+pub(super) fn worth_beginning(states: usize) -> f64 {
+    CLEARLY * few_steps(states)
 }
 
 /// How near Taylor's method is to the limit of its stability.
 pub(super) struct Strain<'a> {
-    radius: SpectralRadius<'a>,
+    radius: SpectralRadius<'a, f64>,
     jacobian: Vec<f64>,
     limit: f64,
     few: f64,
@@ -84,8 +89,7 @@ impl<'a> Strain<'a> {
             return None;
         }
         jacobian(&mut self.jacobian);
-        self.radius.renew(&self.jacobian);
-        let strain = step * self.radius.renew(&self.jacobian);
+        let strain = step * self.radius.looked_at(&self.jacobian, 1.0);
         self.is_near = strain > self.limit;
         Some(strain)
     }
@@ -120,59 +124,103 @@ impl Evidence {
     }
 }
 
-/// Largest |eigenvalue| of the Jacobian, by one more power of it a step.
-pub(super) struct SpectralRadius<'a> {
+/// Largest |eigenvalue| of the Jacobian, by two more powers of it a step; of numbers in lanes each
+/// on its own.
+pub(super) struct SpectralRadius<'a, R> {
     entries: &'a [(u32, u32)],
-    vector: Vec<f64>,
-    next: Vec<f64>,
-    estimate: f64,
+    /// Of length 1.
+    vector: Vec<R>,
+    between: Vec<R>,
+    next: Vec<R>,
+    estimate: R,
 }
 
-impl<'a> SpectralRadius<'a> {
-    pub(super) fn new(simulator: &'a dyn Simulator<f64>) -> Self {
-        let size = simulator.shape().states();
-        // Anything but an eigenvector.
-        let vector = (0..size).map(|index| 1.0 + 0.1 * ((index % 7) as f64)).collect();
+impl<'a, R: Real> SpectralRadius<'a, R> {
+    pub(super) fn new(simulator: &'a dyn Simulator<R>) -> Self {
+        let zeros = || vec![R::literal(0.0); simulator.shape().states()];
         let entries = simulator.rate_jacobian_pattern().entries;
-        Self { entries, vector, next: vec![0.0; size], estimate: 0.0 }
+        let estimate = R::literal(0.0);
+        let (vector, between, next) = (zeros(), zeros(), zeros());
+        let mut radius = Self { entries, vector, between, next, estimate };
+        radius.begin(R::literal(1.0));
+        radius
     }
 
-    /// The estimate after two more multiplications: the square root of the growth
-    /// over both, for one alone turns positions into accelerations and says
+    /// Forgets what it knows where this is 1.
+    pub(super) fn begin(&mut self, takes: R) {
+        // Anything but an eigenvector.
+        let value = |index: usize| 1.0 + 0.1 * ((index % 7) as f64);
+        let squares: f64 = (0..self.vector.len()).map(|index| value(index) * value(index)).sum();
+        let (half, zero) = (R::literal(0.5), R::literal(0.0));
+        for (index, known) in self.vector.iter_mut().enumerate() {
+            let first = R::literal(value(index) / squares.sqrt());
+            *known = R::select_less(half, takes, first, *known);
+        }
+        self.estimate = R::select_less(half, takes, zero, self.estimate);
+    }
+
+    /// The estimate after two more multiplications, where `takes` is 1: the square root of the
+    /// growth over both, for one alone turns positions into accelerations and says
     /// nothing. It decays slowly, so that a vector that happens to be short of
     /// the fastest motion does not make a machine look easy.
-    pub(super) fn renew(&mut self, jacobian: &[f64]) -> f64 {
-        let growth = self.multiply(jacobian) * self.multiply(jacobian);
-        let radius = growth.sqrt();
-        if radius.is_finite() {
-            self.estimate = radius.max(0.9 * self.estimate);
-        }
+    pub(super) fn renew(&mut self, jacobian: &[R], takes: R) -> R {
+        let radius = self.grow(jacobian, takes).sqrt();
+        let kept = R::literal(0.9) * self.estimate;
+        let larger = R::select_less(kept, radius, radius, kept);
+        let larger = R::select_less(R::literal(0.5), takes, larger, self.estimate);
+        self.estimate = R::select_less(radius, R::literal(f64::INFINITY), larger, self.estimate);
         self.estimate
+    }
+
+    /// The estimate that a look gives: by twice as many multiplications.
+    pub(super) fn looked_at(&mut self, jacobian: &[R], takes: R) -> R {
+        self.renew(jacobian, takes);
+        self.renew(jacobian, takes)
     }
 
     /// The estimate by so many multiplications that what the vector began with hardly counts.
-    fn settled(&mut self, jacobian: &[f64]) -> f64 {
+    pub(super) fn settled(&mut self, jacobian: &[R]) -> R {
         const ROUNDS: usize = 8;
-        (0..ROUNDS).for_each(|_| {
-            self.estimate = 0.0;
-            self.renew(jacobian);
-        });
-        self.estimate
+        let (zero, one) = (R::literal(0.0), R::literal(1.0));
+        self.begin(one);
+        for _ in 1..ROUNDS {
+            self.grow(jacobian, one);
+        }
+        self.estimate = zero;
+        self.renew(jacobian, one)
     }
 
-    /// vector = J vector, then made of length 1; gives the length it had.
-    fn multiply(&mut self, jacobian: &[f64]) -> f64 {
-        self.next.fill(0.0);
-        for (&(row, column), value) in self.entries.iter().zip(jacobian) {
-            self.next[row as usize] += value * self.vector[column as usize];
+    /// vector = J J vector, then made of length 1, where `takes` is 1; gives the length it had.
+    fn grow(&mut self, jacobian: &[R], takes: R) -> R {
+        multiply(self.entries, jacobian, &self.vector, &mut self.between);
+        multiply(self.entries, jacobian, &self.between, &mut self.next);
+        let (zero, one) = (R::literal(0.0), R::literal(1.0));
+        let squares = self.next.iter().fold(zero, |sum, value| sum + *value * *value);
+        let length = squares.sqrt();
+        let takes = R::select_less(length, R::literal(f64::INFINITY), takes, zero);
+        let takes = R::select_less(zero, length, takes, zero);
+        let inverse = one / length;
+        for (value, next) in self.vector.iter_mut().zip(&self.next) {
+            *value = R::select_less(R::literal(0.5), takes, *next * inverse, *value);
         }
-        let length = |vector: &[f64]| vector.iter().map(|v| v * v).sum::<f64>().sqrt();
-        let (before, after) = (length(&self.vector), length(&self.next));
-        if after > 0.0 && after.is_finite() {
-            for (vector, next) in self.vector.iter_mut().zip(&self.next) {
-                *vector = next / after;
-            }
+        length
+    }
+}
+
+/// product = J vector.
+fn multiply<R: Real>(entries: &[(u32, u32)], jacobian: &[R], vector: &[R], product: &mut [R]) {
+    let zero = R::literal(0.0);
+    product.fill(zero);
+    // Sums of neighbouring entries of a row do not go through memory.
+    let (mut at, mut sum) = (0, zero);
+    for (&(row, column), value) in entries.iter().zip(jacobian) {
+        if row != at {
+            product[at as usize] = product[at as usize] + sum;
+            (at, sum) = (row, zero);
         }
-        after / before
+        sum = sum + *value * vector[column as usize];
+    }
+    if let Some(last) = product.get_mut(at as usize) {
+        *last = *last + sum;
     }
 }

@@ -244,6 +244,15 @@ pub(super) fn value_and_slope<R: Real>(
     value: &mut [R],
     slope: &mut [R],
 ) {
+    values_and_slopes(coefficients, [time], [(value, slope)]);
+}
+
+/// As [`value_and_slope`], at several times at once: their sums do not wait for one another.
+pub(super) fn values_and_slopes<R: Real, const T: usize>(
+    coefficients: &[R],
+    times: [R; T],
+    mut into: [Sums<'_, R>; T],
+) {
     /// Bytes of the target's widest registers.
     const REGISTER: usize = if cfg!(target_feature = "avx512f") {
         64
@@ -252,32 +261,41 @@ pub(super) fn value_and_slope<R: Real>(
     } else {
         16
     };
+    let states = into[0].0.len();
     let mut done = 0;
     if size_of::<R>() <= 2 * size_of::<f64>() {
-        done = by_blocks::<R, 4>(coefficients, time, value, slope, 0);
+        done = by_blocks::<R, 4, T>(coefficients, times, &mut into, done);
+        if T > 1 && done >= 4 && states - done == 3 {
+            // One state once more costs less than two blocks.
+            done = by_blocks::<R, 4, T>(coefficients, times, &mut into, done - 1);
+        }
     }
     // Of numbers that take several registers the sums of one state fill them all.
-    if size_of::<R>() <= REGISTER {
-        done = by_blocks::<R, 2>(coefficients, time, value, slope, done);
+    if T * size_of::<R>() <= REGISTER {
+        done = by_blocks::<R, 2, T>(coefficients, times, &mut into, done);
     }
-    by_blocks::<R, 1>(coefficients, time, value, slope, done);
+    by_blocks::<R, 1, T>(coefficients, times, &mut into, done);
 }
+
+/// Where values and slopes of all states go.
+type Sums<'a, R> = (&'a mut [R], &'a mut [R]);
 
 /// Sums states from the `first` on as long as there are `N` left, so many together that the
 /// sums stay in registers; gives how many states are done.
-fn by_blocks<R: Real, const N: usize>(
+fn by_blocks<R: Real, const N: usize, const T: usize>(
     coefficients: &[R],
-    time: R,
-    value: &mut [R],
-    slope: &mut [R],
+    times: [R; T],
+    into: &mut [Sums<'_, R>; T],
     first: usize,
 ) -> usize {
-    let states = value.len();
-    let (values, _) = value[first..].as_chunks_mut();
-    let (slopes, _) = slope[first..].as_chunks_mut();
-    let done = first + N * values.len();
-    for ((value, slope), first) in values.iter_mut().zip(slopes).zip((first..).step_by(N)) {
-        (*value, *slope) = sum::<R, N>(coefficients, states, first, time);
+    let states = into[0].0.len();
+    let done = first + (states - first) / N * N;
+    for first in (first..done).step_by(N) {
+        let sums = sum::<R, N, T>(coefficients, states, first, times);
+        for ((values, slopes), (value, slope)) in into.iter_mut().zip(sums) {
+            values[first..first + N].copy_from_slice(&value);
+            slopes[first..first + N].copy_from_slice(&slope);
+        }
     }
     done
 }
@@ -287,36 +305,42 @@ fn by_blocks<R: Real, const N: usize>(
 /// Even and odd powers of the time h apart, so that half as many operations wait for one
 /// another: `E(h^2) + h O(h^2)`, with the derivative `2 h (E' + h O') + O`.
 #[inline(always)]
-fn sum<R: Real, const N: usize>(
+fn sum<R: Real, const N: usize, const T: usize>(
     coefficients: &[R],
     states: usize,
     first: usize,
-    time: R,
-) -> ([R; N], [R; N]) {
-    let square = time * time;
-    let zero = [R::literal(0.0); N];
+    times: [R; T],
+) -> [([R; N], [R; N]); T] {
+    let squares = times.map(|time| time * time);
+    let zero = [[R::literal(0.0); N]; T];
     let [mut even, mut even_slope, mut odd, mut odd_slope] = [zero; 4];
     let pairs = coefficients.chunks_exact(2 * states);
     if let Some(highest) = pairs.remainder().get(first..first + N) {
-        even.copy_from_slice(highest);
+        for even in &mut even {
+            even.copy_from_slice(highest);
+        }
     }
     for pair in pairs.rev() {
         let (even_terms, odd_terms) = pair.split_at(states);
         let (even_terms, odd_terms) = (&even_terms[first..first + N], &odd_terms[first..first + N]);
-        for index in 0..N {
-            odd_slope[index] = odd_slope[index].mul_add(square, odd[index]);
-            odd[index] = odd[index].mul_add(square, odd_terms[index]);
-            even_slope[index] = even_slope[index].mul_add(square, even[index]);
-            even[index] = even[index].mul_add(square, even_terms[index]);
+        for t in 0..T {
+            for index in 0..N {
+                odd_slope[t][index] = odd_slope[t][index].mul_add(squares[t], odd[t][index]);
+                odd[t][index] = odd[t][index].mul_add(squares[t], odd_terms[index]);
+                even_slope[t][index] = even_slope[t][index].mul_add(squares[t], even[t][index]);
+                even[t][index] = even[t][index].mul_add(squares[t], even_terms[index]);
+            }
         }
     }
-    let twice = time + time;
-    for index in 0..N {
-        even[index] = odd[index].mul_add(time, even[index]);
-        let inner = odd_slope[index].mul_add(time, even_slope[index]);
-        even_slope[index] = twice.mul_add(inner, odd[index]);
+    for t in 0..T {
+        let twice = times[t] + times[t];
+        for index in 0..N {
+            even[t][index] = odd[t][index].mul_add(times[t], even[t][index]);
+            let inner = odd_slope[t][index].mul_add(times[t], even_slope[t][index]);
+            even_slope[t][index] = twice.mul_add(inner, odd[t][index]);
+        }
     }
-    (even, even_slope)
+    std::array::from_fn(|t| (even[t], even_slope[t]))
 }
 
 #[cfg(test)]
@@ -326,11 +350,19 @@ mod tests {
     #[test]
     fn polynomials_are_summed_with_their_derivatives() {
         for order in 1..9 {
-            for states in 1..7 {
+            for states in 1..9 {
                 let term = |index: usize| 1.0 / (1.0 + index as f64);
                 let coefficients: Vec<f64> = (0..(order + 1) * states).map(term).collect();
                 let (mut values, mut slopes) = (vec![0.0; states], vec![0.0; states]);
                 value_and_slope(&coefficients, 0.7, &mut values, &mut slopes);
+                let mut both = [[(); 2]; 2].map(|pair| pair.map(|()| vec![0.0; states]));
+                let [[value, slope], [before, slope_before]] = &mut both;
+                let into = [(&mut value[..], &mut slope[..]), (&mut before[..], slope_before)];
+                values_and_slopes(&coefficients, [0.7, 0.35], into);
+                assert_eq!(both[0], [values.clone(), slopes.clone()]);
+                let [mut value, mut slope] = [vec![0.0; states], vec![0.0; states]];
+                value_and_slope(&coefficients, 0.35, &mut value, &mut slope);
+                assert_eq!(both[1], [value, slope]);
                 for state in 0..states {
                     let terms = coefficients.iter().skip(state).step_by(states).zip(0..);
                     let value: f64 = terms.clone().map(|(c, k)| c * 0.7_f64.powi(k)).sum();

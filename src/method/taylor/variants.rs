@@ -7,39 +7,44 @@
 mod clock;
 mod judge;
 mod lane;
+mod overseer;
 
 use machinist_contract::Simulator;
 use machinist_contract::taylor::TaylorSeries;
 
+use super::MIDDLE;
 use super::step::{self, Judges, Tolerance, order_for};
 use crate::error::StopCause;
 use crate::lanes::Lanes;
 use crate::method::Stopped;
 use crate::method::one_step::resting;
-use clock::{Clock, places};
+use clock::Clock;
 use judge::zeros;
 use lane::Lane;
 
-pub(crate) use lane::{Outcome, Overseer, Variant};
+pub(crate) use clock::places;
+pub(crate) use lane::{Outcome, Variant};
+pub(crate) use overseer::{Equations, Moment, Overseer};
 
 /// Runs variants of one relative tolerance until there are no more; `done` gets each
 /// with its number in the order of the iterator. Steps that are good at their ends are looked at
-/// in their middle too if told so.
-pub(crate) fn integrate<R: Lanes>(
-    (machine, series): (&dyn Simulator<R>, &dyn TaylorSeries<R>),
+/// in their middle too if told so. A variant that does not stay, by who looks at the steps if
+/// somebody does, is interrupted.
+pub(crate) fn integrate<'a, R: Lanes>(
+    (machine, series): (&'a dyn Simulator<R>, &'a dyn TaylorSeries<R>),
     (rtol, looks_within): (f64, bool),
-    variants: &mut dyn Iterator<Item = Variant<'_>>,
+    overseer: Option<Box<dyn Overseer<R> + 'a>>,
+    variants: &mut dyn Iterator<Item = Variant>,
     done: &mut dyn FnMut(usize, Result<Outcome, Stopped>),
 ) {
     let mut variants = variants.enumerate();
     let mut next = || variants.next().map(|(number, variant)| Lane::new(number, variant));
-    let mut lanes: Vec<Option<Lane<'_>>> = Vec::with_capacity(R::COUNT);
+    let mut lanes: Vec<Option<Lane>> = Vec::with_capacity(R::COUNT);
     lanes.resize_with(R::COUNT, &mut next);
     let Some(first) = lanes.first().and_then(Option::as_ref) else { return };
-    let mut bundle = Bundle::<R>::new(series, rtol, &first.variant);
-    if looks_within {
-        bundle.middle = Some(Middle::new(machine, &first.variant));
-    }
+    let mut bundle = Bundle::<R>::new((machine, series), rtol, &first.variant);
+    bundle.middle = looks_within.then(|| Middle::new(&first.variant));
+    bundle.overseer = overseer;
     for (index, lane) in lanes.iter_mut().enumerate() {
         match lane {
             Some(lane) => bundle.load(index, lane),
@@ -47,10 +52,12 @@ pub(crate) fn integrate<R: Lanes>(
             None => bundle.copy_lane(0, index),
         }
     }
+    bundle.equations.prepare();
     while bundle.clock.running != 0 {
         bundle.expand();
         bundle.judge(&mut lanes);
-        for index in places(bundle.go_on(&mut lanes)) {
+        let finished = bundle.go_on(&mut lanes);
+        for index in places(finished) {
             let place = &mut lanes[index];
             if let Some(lane) = place.take() {
                 let steps = bundle.clock.steps.lane(index) as u64;
@@ -62,24 +69,24 @@ pub(crate) fn integrate<R: Lanes>(
                 None => bundle.clock.stop(index),
             }
         }
+        if finished != 0 {
+            bundle.equations.prepare();
+        }
         bundle.leave();
     }
 }
 
 /// What lanes compute in the middle of their steps.
-struct Middle<'a, R> {
-    machine: &'a dyn Simulator<R>,
-    constants: Vec<R>,
+struct Middle<R> {
     state: Vec<R>,
     slope: Vec<R>,
     rate: Vec<R>,
 }
 
-impl<'a, R: Lanes> Middle<'a, R> {
-    fn new(machine: &'a dyn Simulator<R>, first: &Variant<'_>) -> Self {
+impl<R: Lanes> Middle<R> {
+    fn new(first: &Variant) -> Self {
         let states = || vec![R::literal(0.0); first.initial.len()];
-        let constants = vec![R::literal(0.0); machine.constants()];
-        Self { machine, constants, state: states(), slope: states(), rate: states() }
+        Self { state: states(), slope: states(), rate: states() }
     }
 }
 
@@ -91,7 +98,7 @@ struct Bundle<'a, R> {
     order: usize,
     /// Of that order, how lengths of steps follow from the last coefficients.
     judges: Judges,
-    parameters: Vec<R>,
+    equations: Equations<'a, R>,
     clock: Clock<R>,
     /// Coefficients at the start of each lane's step, order after order.
     current: Vec<R>,
@@ -108,12 +115,11 @@ struct Bundle<'a, R> {
     terms: R,
     /// What the defect of a step that passes times the step is less than.
     limit: R,
-    /// Lanes whose step has passed, as bits.
+    /// Lanes whose step has passed, as bits, and by 1 or 0.
     passed: u32,
+    good: R,
     /// 1 in the lanes whose step is to be taken again, 0 in others.
     rejected: R,
-    /// Lanes at whose steps somebody looks, as bits.
-    overseen: u32,
     /// What every lane allows of every state, apart from its size.
     absolute: Vec<R>,
     relative: R,
@@ -126,11 +132,17 @@ struct Bundle<'a, R> {
     /// Sizes of the last coefficients, from the last one back, in units of the tolerance.
     sizes: [R; step::JUDGED],
     scratch: Vec<f64>,
-    middle: Option<Middle<'a, R>>,
+    middle: Option<Middle<R>>,
+    /// Who looks at the steps, if somebody does.
+    overseer: Option<Box<dyn Overseer<R> + 'a>>,
 }
 
 impl<'a, R: Lanes> Bundle<'a, R> {
-    fn new(series: &'a dyn TaylorSeries<R>, rtol: f64, first: &Variant<'_>) -> Self {
+    fn new(
+        (machine, series): (&'a dyn Simulator<R>, &'a dyn TaylorSeries<R>),
+        rtol: f64,
+        first: &Variant,
+    ) -> Self {
         let (states, order) = (first.initial.len(), order_for(rtol));
         let zeros = |count: usize| vec![R::literal(0.0); count];
         Self {
@@ -139,7 +151,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             rtol,
             order,
             judges: step::judges(order, step::decay(rtol, order)),
-            parameters: zeros(first.parameters.len()),
+            equations: Equations::new(machine),
             clock: Clock::new(),
             current: zeros((order + 1) * states),
             following: zeros((order + 1) * states),
@@ -152,7 +164,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             limit: R::literal(0.0),
             passed: 0,
             rejected: R::literal(0.0),
-            overseen: 0,
+            good: R::literal(0.0),
             absolute: vec![R::literal(1.0); states],
             relative: R::literal(step::aimed_at(rtol)),
             inverse_weights: vec![R::literal(1.0); states],
@@ -161,14 +173,13 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             sizes: [R::literal(0.0); step::JUDGED],
             scratch: vec![0.0; step::JUDGED.max(3) * states],
             middle: None,
+            overseer: None,
         }
     }
 
     /// Puts a variant at its start.
-    fn load(&mut self, index: usize, lane: &mut Lane<'_>) {
-        for (into, value) in self.parameters.iter_mut().zip(&lane.variant.parameters) {
-            into.set_lane(index, *value);
-        }
+    fn load(&mut self, index: usize, lane: &mut Lane) {
+        self.equations.load(index, &lane.variant.parameters);
         for (into, value) in self.end.iter_mut().zip(&lane.variant.initial) {
             into.set_lane(index, *value);
         }
@@ -177,14 +188,6 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         {
             absolute.set_lane(index, step::aimed_at(*atol));
             resting_by.set_lane(index, resting(*atol));
-        }
-        if let Some(middle) = &mut self.middle {
-            middle.machine.prepare(&self.parameters, &mut middle.constants);
-        }
-        let bit = 1 << index;
-        self.overseen &= !bit;
-        if lane.variant.overseer.is_some() {
-            self.overseen |= bit;
         }
         while lane.next_sample() <= lane.from() {
             lane.rows.extend_from_slice(&lane.variant.initial);
@@ -195,7 +198,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
     }
 
     fn copy_lane(&mut self, from: usize, to: usize) {
-        for values in [&mut self.parameters, &mut self.end] {
+        for values in [&mut self.equations.parameters, &mut self.end] {
             for value in values {
                 let known = value.lane(from);
                 value.set_lane(to, known);
@@ -219,36 +222,37 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         for (inverse, (absolute, value)) in self.following_weights.iter_mut().zip(allowed) {
             *inverse = one / (*absolute + self.relative * value.abs());
         }
+        // Neither does what is in the middle of steps wait for it.
+        if let Some(middle) = &mut self.middle {
+            let half = R::literal(0.5);
+            let time = self.clock.within(self.clock.time + R::literal(MIDDLE) * self.clock.step);
+            let time = R::select_less(self.clock.waits, half, time, self.time);
+            self.equations.rate(time, &middle.state, &mut middle.rate);
+        }
         self.series.series(
             self.time,
             &self.end,
-            &self.parameters,
+            &self.equations.parameters,
             &mut self.following,
             &mut self.workspace,
         );
     }
 
     /// Decides what lanes try next; gives those that are done, as bits.
-    fn go_on(&mut self, lanes: &mut [Option<Lane<'_>>]) -> u32 {
+    fn go_on(&mut self, lanes: &mut [Option<Lane>]) -> u32 {
         let arrived = self.passed & self.clock.arrived();
         let (passed, starting) = (self.passed & !arrived, self.clock.starting());
         let fresh = passed | starting;
         let tried = self.clock.step;
         self.measure();
         // Of what is not finite the aims will tell, but these lanes need to know now.
-        let suspect = starting & self.overseen | passed & self.clock.stuck();
+        let suspect = passed & self.clock.stuck() | self.starting_short(starting);
         for index in places(suspect) {
             if let Some(lane) = &mut lanes[index] {
                 self.measure_finite(index, lane);
             }
         }
-        let overseen = fresh & self.overseen;
-        for index in places(overseen) {
-            if let Some(lane) = &mut lanes[index] {
-                let tried = (starting >> index & 1 == 0).then(|| tried.lane(index));
-                self.ask(index, lane, tried);
-            }
-        }
+        let leaving = self.ask((passed, starting), tried, lanes);
         let exhausted = passed & self.clock.exhausted();
         let stuck = passed & self.clock.stuck();
         for index in places(exhausted | stuck) {
@@ -278,7 +282,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             }
         }
         let rejected = self.clock.running & !fresh & !arrived;
-        for index in places(rejected | suspect | overseen | exhausted | stuck | broken) {
+        for index in places(rejected | suspect | leaving | exhausted | stuck | broken) {
             if lanes[index].as_ref().is_some_and(|lane| lane.stopped.is_some()) {
                 done |= 1 << index;
             }
@@ -299,7 +303,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
 
     /// Order and length of a lane's step from new coefficients that are not all finite; those
     /// beyond that order become zero. Whether it is so.
-    fn measure_finite(&mut self, index: usize, lane: &mut Lane<'_>) -> bool {
+    fn measure_finite(&mut self, index: usize, lane: &mut Lane) -> bool {
         let broken = self.current.iter().position(|value| !value.lane(index).is_finite());
         let Some(broken) = broken else { return false };
         if broken < 2 * self.states {
@@ -331,21 +335,38 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         self.terms.lane(index) as usize - 1
     }
 
-    /// Asks who looks at a lane's steps whether its variant stays, after a step that was tried or
-    /// at the start of a stretch.
-    fn ask(&mut self, index: usize, lane: &mut Lane<'_>, tried: Option<f64>) {
-        let (time, span, order) =
-            (self.clock.time.lane(index), self.clock.span(index), self.order_of(index));
-        let Some(overseer) = &mut lane.variant.overseer else { return };
-        let state = &mut self.scratch[..self.states];
-        gather(&self.current, index, state);
-        let stays = match tried {
-            Some(step) => overseer.stays(time, state, step),
-            None => overseer.begin(span, state, order),
-        };
-        if !stays {
-            lane.stop(time, StopCause::Interrupted);
+    /// Lanes that begin with coefficients that are not all finite, where somebody asks for them.
+    fn starting_short(&self, starting: u32) -> u32 {
+        if self.overseer.is_none() || starting == 0 {
+            return 0;
         }
+        starting & !R::less(zeros(&self.current), R::literal(0.5))
+    }
+
+    /// Asks who looks at the steps which variants stay, after steps that have passed and at starts of
+    /// stretches; stops the others, and gives them.
+    fn ask(&mut self, (passed, starting): (u32, u32), tried: R, lanes: &mut [Option<Lane>]) -> u32 {
+        let Some(overseer) = &mut self.overseer else { return 0 };
+        let at = Moment {
+            equations: &self.equations,
+            time: self.clock.within(self.clock.time),
+            left: self.clock.left(),
+            state: &self.current[..self.states],
+        };
+        let mut leaving = overseer.look((passed, self.good), tried, &at);
+        if starting != 0 {
+            let is_first =
+                |lane: &Option<Lane>| lane.as_ref().is_some_and(|lane| lane.stretch == 0);
+            let first = places(starting).filter(|index| is_first(&lanes[*index]));
+            let first = first.fold(0, |first, index| first | 1 << index);
+            leaving |= overseer.begin(starting, first, self.terms, &at);
+        }
+        for index in places(leaving) {
+            if let Some(lane) = &mut lanes[index] {
+                lane.stop(self.clock.time.lane(index), StopCause::Interrupted);
+            }
+        }
+        leaving
     }
 
     /// State and slope at the end of every lane's step; gives the lanes in which the state is not
@@ -357,12 +378,20 @@ impl<'a, R: Lanes> Bundle<'a, R> {
     }
 
     fn sum(&mut self) {
-        step::value_and_slope(&self.current, self.clock.step, &mut self.aimed, &mut self.slope);
+        let (step, end) = (self.clock.step, (&mut self.aimed[..], &mut self.slope[..]));
+        match &mut self.middle {
+            None => step::value_and_slope(&self.current, step, end.0, end.1),
+            Some(middle) => {
+                let within = (&mut middle.state[..], &mut middle.slope[..]);
+                let times = [step, R::literal(MIDDLE) * step];
+                step::values_and_slopes(&self.current, times, [end, within]);
+            }
+        }
     }
 
     /// Aims anew in lanes whose coefficients may not all be finite: one that is not leaves no sum
     /// of its state finite.
-    fn aim_finite(&mut self, broken: u32, passed: u32, lanes: &mut [Option<Lane<'_>>]) {
+    fn aim_finite(&mut self, broken: u32, passed: u32, lanes: &mut [Option<Lane>]) {
         let mut is_any = false;
         for index in places(broken) {
             let Some(lane) = &mut lanes[index] else { continue };

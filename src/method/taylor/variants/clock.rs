@@ -53,7 +53,7 @@ impl<R: Lanes> Clock<R> {
     }
 
     /// Puts a variant at its start.
-    pub(super) fn load(&mut self, index: usize, lane: &Lane<'_>) {
+    pub(super) fn load(&mut self, index: usize, lane: &Lane) {
         self.running |= 1 << index;
         self.time.set_lane(index, lane.from());
         self.steps.set_lane(index, 0.0);
@@ -63,7 +63,7 @@ impl<R: Lanes> Clock<R> {
     }
 
     /// Puts a lane at the start of its stretch.
-    pub(super) fn begin(&mut self, index: usize, lane: &Lane<'_>) {
+    pub(super) fn begin(&mut self, index: usize, lane: &Lane) {
         let (from, until) = (lane.from(), lane.until());
         self.from.set_lane(index, from);
         self.until.set_lane(index, until);
@@ -84,8 +84,9 @@ impl<R: Lanes> Clock<R> {
         self.running & R::less(R::literal(0.5), self.waits)
     }
 
-    pub(super) fn span(&self, index: usize) -> (f64, f64) {
-        (self.from.lane(index), self.until.lane(index))
+    /// What is left of the stretch.
+    pub(super) fn left(&self) -> R {
+        self.until - self.time
     }
 
     /// Moved into the stretch; see [`crate::method::stretch::Stretch::within`].
@@ -140,7 +141,7 @@ impl<R: Lanes> Clock<R> {
 }
 
 /// The lanes of bits.
-pub(super) fn places(bits: u32) -> impl Iterator<Item = usize> {
+pub(crate) fn places(bits: u32) -> impl Iterator<Item = usize> {
     let rest = |bits: &u32| Some(bits & bits.wrapping_sub(1)).filter(|bits| *bits != 0);
     std::iter::successors(Some(bits).filter(|bits| *bits != 0), rest)
         .map(|bits| bits.trailing_zeros() as usize)

@@ -5,7 +5,6 @@ use machinist_contract::Real;
 use crate::error::StopCause;
 use crate::lanes::Lanes;
 use crate::method::one_step::{self, is_too_small};
-use crate::method::taylor::MIDDLE;
 use crate::method::taylor::magnitude::Magnitude;
 use crate::method::taylor::step::{self, Tolerance};
 
@@ -15,7 +14,7 @@ use super::{Bundle, Middle, gather};
 
 impl<R: Lanes> Bundle<'_, R> {
     /// Takes the coefficients of the lanes whose step passes.
-    pub(super) fn judge(&mut self, lanes: &mut [Option<Lane<'_>>]) {
+    pub(super) fn judge(&mut self, lanes: &mut [Option<Lane>]) {
         let (zero, half, one) = (R::literal(0.0), R::literal(0.5), R::literal(1.0));
         let (defects, finite) = self.defects();
         let within =
@@ -25,7 +24,7 @@ impl<R: Lanes> Bundle<'_, R> {
         let good = R::select_less(finite, half, good, zero);
         let good = R::select_less(self.clock.waits, half, good, zero);
         let good = within.map_or(good, |within| R::select_less(one, within, zero, good));
-        self.passed = R::less(half, good);
+        (self.passed, self.good) = (R::less(half, good), good);
         let rejected = self.clock.running & !self.passed & !self.clock.starting();
         self.rejected = zero;
         for index in places(rejected) {
@@ -67,16 +66,8 @@ impl<R: Lanes> Bundle<'_, R> {
 
     /// The largest defect in the middle of every lane's step in units of its tolerance, if it
     /// is looked for.
-    fn defects_within(&mut self) -> Option<R> {
-        let middle = self.middle.as_mut()?;
-        let (zero, half) = (R::literal(0.0), R::literal(0.5));
-        let after = R::literal(MIDDLE) * self.clock.step;
-        let after = R::select_less(self.clock.waits, half, after, zero);
-        let time = self.clock.within(self.clock.time + after);
-        let time = R::select_less(self.clock.waits, half, time, self.time);
-        let Middle { machine, constants, state, slope, rate } = middle;
-        step::value_and_slope(&self.current, after, state, slope);
-        machine.prepared_rate(time, state, &self.parameters, constants, rate);
+    fn defects_within(&self) -> Option<R> {
+        let Middle { slope, rate, .. } = self.middle.as_ref()?;
         Some(step::defect(slope, rate, &self.inverse_weights))
     }
 
@@ -103,7 +94,7 @@ impl<R: Lanes> Bundle<'_, R> {
     }
 
     /// Shortens a lane's step by its error over what is allowed, if it ended at something finite.
-    fn reject(&mut self, index: usize, lane: &mut Lane<'_>, error: Option<f64>) {
+    fn reject(&mut self, index: usize, lane: &mut Lane, error: Option<f64>) {
         let (time, step, order) =
             (self.clock.time.lane(index), self.clock.step.lane(index), self.order_of(index));
         let trial = match error {
@@ -128,7 +119,7 @@ impl<R: Lanes> Bundle<'_, R> {
     fn trial(
         &mut self,
         index: usize,
-        lane: &Lane<'_>,
+        lane: &Lane,
         step_and_order: (f64, usize),
     ) -> one_step::Trial {
         let mut tolerance = Tolerance::new(self.rtol, &lane.variant.atol, self.order);
@@ -141,7 +132,7 @@ impl<R: Lanes> Bundle<'_, R> {
     }
 
     /// Takes the samples of a lane's step that has passed.
-    fn sample(&mut self, index: usize, lane: &mut Lane<'_>) {
+    fn sample(&mut self, index: usize, lane: &mut Lane) {
         let (from, until) = (self.clock.time.lane(index), self.clock.now.lane(index));
         while lane.next_sample() <= until {
             let time = lane.next_sample();

@@ -3,19 +3,8 @@
 use crate::error::StopCause;
 use crate::method::{Stopped, Work};
 
-/// Looks at the steps of one variant, which Taylor's method alone would take differently.
-pub(crate) trait Overseer {
-    /// A stretch begins from a state, with coefficients that are finite up to an order; whether the variant
-    /// stays.
-    fn begin(&mut self, span: (f64, f64), state: &[f64], order: usize) -> bool;
-    /// Whether the variant stays after a step of this length to a time and a state.
-    fn stays(&mut self, time: f64, state: &[f64], step: f64) -> bool;
-}
-
 /// A variant of a machine, to be run.
-pub(crate) struct Variant<'a> {
-    /// Who looks at its steps, if somebody does; a variant that does not stay is interrupted.
-    pub(crate) overseer: Option<Box<dyn Overseer + 'a>>,
+pub(crate) struct Variant {
     pub(crate) parameters: Vec<f64>,
     pub(crate) initial: Vec<f64>,
     /// Start, jumps in order, end \[s\].
@@ -33,9 +22,9 @@ pub(crate) struct Outcome {
 }
 
 /// A variant on its way.
-pub(super) struct Lane<'a> {
+pub(super) struct Lane {
     pub(super) number: usize,
-    pub(super) variant: Variant<'a>,
+    pub(super) variant: Variant,
     /// Which stretch between ends it is on.
     pub(super) stretch: usize,
     pub(super) rows: Vec<f64>,
@@ -44,8 +33,8 @@ pub(super) struct Lane<'a> {
     pub(super) stopped: Option<Stopped>,
 }
 
-impl<'a> Lane<'a> {
-    pub(super) fn new(number: usize, variant: Variant<'a>) -> Self {
+impl Lane {
+    pub(super) fn new(number: usize, variant: Variant) -> Self {
         Self {
             number,
             stretch: 0,

@@ -16,6 +16,7 @@ mod explicit;
 #[cfg(feature = "implicit")]
 pub mod fixed;
 mod lanes;
+pub(crate) mod loose;
 #[cfg(feature = "implicit")]
 mod lu;
 mod one_step;
@@ -156,6 +157,10 @@ impl Problem<'_> {
     /// rows until then.
     #[must_use]
     pub fn integrate_kept(&self, method: Method) -> (Run, Option<Stopped>) {
+        self.tried_loosely(method).unwrap_or_else(|| self.integrate_once(method))
+    }
+
+    fn integrate_once(&self, method: Method) -> (Run, Option<Stopped>) {
         let mut watch = None;
         let mut samples = Samples::new(self.times, self.initial.len());
         let stopped = self.carry(method, &mut watch, &mut samples).err();
@@ -321,17 +326,7 @@ struct Row {
     integrator: Option<&'static (dyn Integrator + Sync)>,
 }
 
-/// Steps of `auto` are never looser than this, whatever the tolerance of the run: over
-/// thousands of periods their errors add up, and three digits less save less than half the
-/// time.
-const LOOSEST_OF_AUTO: f64 = 1e-5;
-
 impl Method {
-    /// The relative tolerance that steps keep to in a run of this one.
-    pub(crate) fn step_rtol(self, rtol: f64) -> f64 {
-        if self == Self::Auto { rtol.min(LOOSEST_OF_AUTO) } else { rtol }
-    }
-
     /// Absolute tolerances of a run, as much tighter as the relative tolerance of its steps is.
     #[cfg(any(feature = "implicit", feature = "sweep"))]
     pub(crate) fn tightened(atol: &[f64], rtol: f64, step_rtol: f64) -> Vec<f64> {

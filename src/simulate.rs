@@ -15,6 +15,8 @@ use crate::constraints::Constraints;
 use crate::error::{NotCompiledIn, SimulateError, StopCause, did_you_mean};
 #[cfg(feature = "sweep")]
 use crate::method::cut;
+#[cfg(feature = "sweep")]
+use crate::method::loose::few;
 use crate::method::reverse::Log;
 use crate::method::sensitivity::{By, Start, Tangents, columns};
 #[cfg(feature = "sweep")]
@@ -361,16 +363,23 @@ impl<'a> Simulation<'a> {
         Ok((self.checked_initial_state()?, parameters))
     }
 
-    /// What a method in lanes, whose steps keep to a relative tolerance, needs of a run.
+    /// What a method in lanes, whose steps keep to a relative tolerance, needs of a run, which is
+    /// left if told so where its steps are too many.
     ///
     /// # Errors
     /// As [`Simulation::run`].
     #[cfg(feature = "sweep")]
-    pub(crate) fn variant_for(&self, rtol: f64) -> Result<Variant, SimulateError> {
+    pub(crate) fn variant_for(
+        &self,
+        (rtol, is_left): (f64, bool),
+    ) -> Result<Variant, SimulateError> {
         let initial = self.checked_initial_state()?;
         let atol = Method::tightened(&self.checked_atol(&initial)?, self.rtol, rtol);
+        let parameters = self.checked_parameters()?;
+        let of_few = || few(self.simulator, parameters, (self.from, self.until), &initial);
         Ok(Variant {
-            parameters: self.checked_parameters()?.to_vec(),
+            few: if is_left { of_few() } else { f64::INFINITY },
+            parameters: parameters.to_vec(),
             ends: cut(self.from, self.until, self.checked_jumps()?),
             times: self.checked_times()?,
             atol,

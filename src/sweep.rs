@@ -6,15 +6,17 @@
 //! variants out. None of this changes a result: every variant is, to the last bit,
 //! what a run of its own gives, whatever the number of threads.
 
-use machinist_contract::taylor::Bends;
+use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_contract::{F64x2, Simulator};
 use rayon::prelude::*;
 
 use crate::error::SimulateError;
 use crate::lanes::{F64x8, Lanes};
 use crate::method::Method;
+#[cfg(feature = "implicit")]
+use crate::method::auto::in_lanes::goes_in_lanes;
 use crate::method::taylor::LEAST_RTOL;
-use crate::method::taylor::variants::{self, Outcome};
+use crate::method::taylor::variants::{self, Ended, Outcome};
 use crate::simulate::Simulation;
 use crate::trajectory::ColumnKind;
 
@@ -199,8 +201,7 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// The method, and the relative tolerance of its steps, if variants may take them side by
-    /// side.
+    /// The method and the relative tolerance, if variants may go side by side.
     fn of_lanes(&self, simulation: &Simulation<'a>) -> Option<(Method, f64)> {
         let single = self.machine.single();
         match simulation.method_and_rtol().ok()? {
@@ -211,8 +212,7 @@ impl<'a> Sweep<'a> {
             }
             #[cfg(feature = "implicit")]
             (Method::Auto, rtol) if rtol >= LEAST_RTOL && simulation.is_of_states_alone() => {
-                let rtol = crate::method::auto::in_lanes::rtol_of_lanes(single, rtol)?;
-                Some((Method::Auto, rtol))
+                goes_in_lanes(single, rtol).then_some((Method::Auto, rtol))
             }
             _ => None,
         }
@@ -233,56 +233,78 @@ impl<'a> Sweep<'a> {
         // As `auto` does of a run of its own.
         let looks_within = method == Method::Auto && series.bends() == Bends::Saturates;
         let mut results: Vec<Option<Result<VariantRun, SimulateError>>> = vec![None; chunk.len()];
-        let mut valid = Vec::with_capacity(chunk.len());
-        let mut ready = Vec::with_capacity(chunk.len());
-        for (index, parameters) in chunk.iter().enumerate() {
-            match self.simulation(parameters).variant_for(rtol) {
-                Ok(variant) => {
-                    valid.push(index);
-                    ready.push(variant);
-                }
-                Err(error) => results[index] = Some(Err(error)),
-            }
+        // Those that are still to be run, and the steps that each of them has taken in vain.
+        let mut left: Vec<(usize, u64)> = (0..chunk.len()).map(|index| (index, 0)).collect();
+        for (rtol, is_left) in method.paces(rtol) {
+            let variants = std::mem::take(&mut left);
+            let (machine, how) = ((machine, series), (method, (rtol, is_left), looks_within));
+            self.run_at_pace(chunk, variants, machine, how, |index, ended| match ended {
+                Ok(result) => results[index] = Some(result),
+                Err(steps) => left.push((index, steps)),
+            });
         }
-        let mut overseer = method.overseer(machine, rtol);
+        Some(results.into_iter().flatten().collect())
+    }
+
+    /// Runs variants of a chunk; `done` gets what came of each, or how many steps it has taken in
+    /// vain.
+    fn run_at_pace<R: Lanes>(
+        &self,
+        chunk: &[Vec<f64>],
+        mut variants: Vec<(usize, u64)>,
+        (machine, series): (&dyn Simulator<R>, &dyn TaylorSeries<R>),
+        (method, pace, looks_within): (Method, (f64, bool), bool),
+        mut done: impl FnMut(usize, Result<Result<VariantRun, SimulateError>, u64>),
+    ) {
+        let mut ready = Vec::with_capacity(variants.len());
+        variants.retain(|(index, spent)| {
+            match self.simulation(&chunk[*index]).variant_for(pace) {
+                // None of its steps may be loose.
+                Ok(variant) if variant.few == 0.0 => done(*index, Err(*spent)),
+                Ok(mut variant) => {
+                    variant.max_steps = variant.max_steps.saturating_sub(*spent as usize);
+                    ready.push(variant);
+                    return true;
+                }
+                Err(error) => done(*index, Ok(Err(error))),
+            }
+            false
+        });
+        let mut overseer = method.overseer(machine, pace.0);
         if let Some(overseer) = &mut overseer {
             let leaving = overseer.leaving(&ready);
-            let mut leaves = leaving.iter();
-            valid.retain(|index| {
-                let leaves = leaves.next() == Some(&true);
-                if leaves {
-                    results[*index] = Some(one(&self.simulation(&chunk[*index])));
-                }
-                !leaves
-            });
-            let mut leaves = leaving.iter();
-            ready.retain(|_| leaves.next() != Some(&true));
+            for ((index, _), _) in variants.iter().zip(&leaving).filter(|(_, leaves)| **leaves) {
+                done(*index, Ok(one(&self.simulation(&chunk[*index]))));
+            }
+            let mut stays = leaving.iter().map(|leaves| !leaves);
+            variants.retain(|_| stays.next() == Some(true));
+            let mut stays = leaving.iter().map(|leaves| !leaves);
+            ready.retain(|_| stays.next() == Some(true));
         }
         let times: Vec<Vec<f64>> = ready.iter().map(|variant| variant.times.clone()).collect();
-        let (machine, how) = ((machine, series), (rtol, looks_within));
-        variants::integrate(
-            machine,
-            how,
-            overseer,
-            &mut ready.into_iter(),
-            &mut |number, outcome| {
-                let index = valid[number];
-                let parameters = &chunk[index];
-                results[index] = Some(match outcome {
-                    Ok(outcome) => Ok(self.finished(parameters, &times[number], &outcome)),
-                    // What `auto` would not do by Taylor's method; and it says more of what stops it.
-                    Err(_) if method == Method::Auto => one(&self.simulation(parameters)),
-                    Err(stopped) => Err(SimulateError::Stopped {
-                        scene: self.machine.single().name().to_owned(),
-                        method: method.name(),
-                        time: stopped.time,
-                        cause: stopped.cause,
-                        kept: None,
-                    }),
-                });
-            },
-        );
-        Some(results.into_iter().flatten().collect())
+        let mut ended = |number: usize, ended| {
+            let (index, spent): (usize, u64) = variants[number];
+            let parameters = &chunk[index];
+            let result = match ended {
+                Ended::Over(steps) => return done(index, Err(steps)),
+                Ended::Through(outcome) => {
+                    let run = self.finished(parameters, &times[number], &outcome);
+                    Ok(VariantRun { steps: spent + run.steps, ..run })
+                }
+                // What `auto` would not do by Taylor's method; and it says more of what stops it.
+                Ended::Stopped(_) if method == Method::Auto => one(&self.simulation(parameters)),
+                Ended::Stopped(stopped) => Err(SimulateError::Stopped {
+                    scene: self.machine.single().name().to_owned(),
+                    method: method.name(),
+                    time: stopped.time,
+                    cause: stopped.cause,
+                    kept: None,
+                }),
+            };
+            done(index, Ok(result));
+        };
+        let (ready, how) = (&mut ready.into_iter(), (pace.0, looks_within));
+        variants::integrate((machine, series), how, overseer, ready, &mut ended);
     }
 
     fn finished(&self, parameters: &[f64], times: &[f64], outcome: &Outcome) -> VariantRun {

@@ -28,6 +28,7 @@ mod kinks;
 mod language;
 mod linear_analysis;
 mod long_chains;
+mod loose;
 mod massless;
 mod methods;
 mod mode_slopes;

@@ -11,6 +11,7 @@ use machinist_contract::taylor::{Bends, TaylorSeries};
 
 use super::exact::Exact;
 use super::explicit::ExplicitSteps;
+use super::loose::is_conservative;
 use super::one_step::{Left, OneStep, drive};
 use super::radau::RadauSteps;
 use super::rosenbrock::RosenbrockSteps;
@@ -39,10 +40,14 @@ const MANY_SUMS: usize = 40;
 /// At tolerances up to this one Radau's methods cost less than Rosenbrock's, or as much,
 /// and keep to it where a spring is all but rigid.
 const TIGHT: f64 = 1e-6;
-/// With so many states and more Radau's methods cost less at looser tolerances too, for they factor
-/// less often. At 1e-5 Rosenbrock's take 0.7 to 0.9 of their time with 2 to 20 states, stiff
-/// chemistry and circuits, but 1.6, 1.9 and 2.8 times as long on shafts of 26, 76 and 206.
+/// With so many states and more Radau's methods cost less from 1e-5 on, for they factor less often:
+/// there Rosenbrock's take 0.7 to 0.9 of their time with 2 to 20 states, stiff chemistry and
+/// circuits, but 1.6, 1.9 and 2.8 times as long on shafts of 26, 76 and 206.
 const MANY_STATES: usize = 24;
+/// At looser tolerances runs of so many states are short, and Rosenbrock's steps the cheaper again,
+const LOOSE: f64 = 1e-5;
+/// but for what is all but rigid: stability would ask for more explicit steps than so many.
+const RIGID: f64 = 1e6;
 
 /// Solves linear machines without steps where that is exact enough. Otherwise starts
 /// with an explicit method, unless stability alone would ask for very many of its steps;
@@ -66,8 +71,12 @@ impl Integrator for Auto {
             let Some(from) = without_steps(stretch, state, samples) else { return Ok(()) };
             from
         };
-        let mut rtol = Method::Auto.step_rtol(stretch.rtol);
-        if stretch.system.constraints().is_some() && is_conservative(stretch, state) {
+        let of_many = Method::Auto.step_rtol(stretch.rtol);
+        let mut rtol = stretch.system.trial().map_or(of_many, |trial| trial.rtol);
+        let (system, span) = (stretch.system, (stretch.from, stretch.until));
+        let is_conservative =
+            || is_conservative(system.simulator(), system.parameters(), span, state);
+        if system.constraints().is_some() && is_conservative() {
             rtol = (rtol / FAITHFUL).max(TIGHTEST.min(rtol));
             stretch.system.note(format!(
                 "steps at a relative tolerance of {rtol:.1e}: with constraints and without \
@@ -104,20 +113,6 @@ impl Integrator for Auto {
             Explicit::Pair(pair) => choice.by_pair(pair, stretch, state, samples),
         }
     }
-}
-
-/// Whether no power is supplied or dissipated, neither at a state nor at some beside it: then
-/// it is exactly zero, for there are no terms of it.
-fn is_conservative(stretch: &Stretch<'_>, state: &[f64]) -> bool {
-    let simulator = stretch.system.simulator();
-    let states = stretch.system.states();
-    [0.0, 0.37, -0.61].into_iter().all(|shift| {
-        let beside = |index: usize| state[index] + shift * simulator.state_scale(index);
-        let beside: Vec<f64> = (0..states).map(beside).collect();
-        let time = stretch.from + f64::abs(shift) * (stretch.until - stretch.from);
-        let power = simulator.power_balance(time, &beside, stretch.system.parameters());
-        power.supplied == 0.0 && power.dissipated == 0.0
-    })
 }
 
 /// Solves a linear machine in closed form as far as that is exact enough, or more exact
@@ -169,7 +164,7 @@ impl<'a> Choice<'a> {
         let has_tangents = stretch.system.tangents().is_some();
         // Of the implicit methods only Radau's carry sensitivities.
         let has_many = stretch.system.states() >= MANY_STATES;
-        let by_radau = rtol <= TIGHT || has_many || has_tangents;
+        let by_radau = rtol <= TIGHT || has_many && rtol <= LOOSE || has_tangents;
         let implicit_name = if by_radau { "radau" } else { "rodas5p" };
         let of_pair = |name, pair: &'static Pair| Self {
             explicit: Explicit::Pair(pair),
@@ -199,7 +194,10 @@ impl<'a> Choice<'a> {
             stretch.jacobian(stretch.from, &state[..stretch.system.states()], values);
         });
         chosen.is_stiff_from_the_start = held.is_some();
-        let first = if held.is_some() { implicit_name } else { chosen.explicit_name };
+        if rtol > LOOSE && held.is_some_and(|steps| steps > RIGID) {
+            (chosen.by_radau, chosen.implicit_name) = (true, "radau");
+        }
+        let first = if held.is_some() { chosen.implicit_name } else { chosen.explicit_name };
         let why = held.map_or_else(
             || why.to_owned(),
             |steps| {

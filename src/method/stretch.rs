@@ -140,7 +140,7 @@ impl<'a> Stretch<'a> {
     /// As [`Stretch::require_uninterrupted`], after a step that ends in a state.
     pub(super) fn require_wanted(&self, time: f64, state: &[f64]) -> Result<(), Stopped> {
         self.require_uninterrupted(time)?;
-        if self.system.is_left_at(time, state) {
+        if self.system.is_left_at(time, state) || self.system.is_over_at(time) {
             return Err(Stopped { time, cause: StopCause::Interrupted });
         }
         Ok(())

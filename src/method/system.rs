@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use super::Stopped;
+use super::loose::Trial;
 use crate::constraints::Constraints;
 use crate::error::StopCause;
 use crate::method::reverse::Log;
@@ -62,6 +63,8 @@ pub struct System<'a> {
     /// Length of the run that this is a piece of \[s\]; 0 if it is none.
     whole: f64,
     has_stepped: Cell<bool>,
+    /// What is tried with loose steps, while it is.
+    trial: Cell<Option<Trial>>,
 }
 
 /// Who is shown time and state after every step that is not the last of a stretch, and says
@@ -92,6 +95,7 @@ impl<'a> System<'a> {
             onlooker: None,
             whole: 0.0,
             has_stepped: Cell::new(false),
+            trial: Cell::new(None),
         }
     }
 
@@ -301,6 +305,11 @@ impl<'a> System<'a> {
         }
     }
 
+    /// Forgets all notes but so many.
+    pub(super) fn forget_notes(&self, but: usize) {
+        self.notes.borrow_mut().truncate(but);
+    }
+
     /// All that was noted.
     #[must_use]
     pub fn notes(&self) -> Vec<String> {
@@ -317,6 +326,24 @@ impl<'a> System<'a> {
     #[must_use]
     pub fn has_stepped(&self) -> bool {
         self.has_stepped.get()
+    }
+
+    /// Begins or ends to try loose steps; gives what was tried.
+    pub(super) fn tries(&self, trial: Option<Trial>) -> Option<Trial> {
+        self.trial.replace(trial)
+    }
+
+    /// What is tried with loose steps, if that is so.
+    pub(super) fn trial(&self) -> Option<Trial> {
+        self.trial.get()
+    }
+
+    /// Whether loose steps are too many until a time.
+    pub(super) fn is_over_at(&self, time: f64) -> bool {
+        let Some(mut trial) = self.trial.get() else { return false };
+        let is_over = trial.is_over_at(self.work().steps, time);
+        self.trial.set(Some(trial));
+        is_over
     }
 
     /// Adds to the work counted.

@@ -17,15 +17,14 @@ use crate::method::taylor::FEW;
 use crate::method::taylor::step::order_for;
 use crate::method::taylor::variants::{Equations, Moment, Overseer, Variant, places};
 
-/// The relative tolerance of the steps, if `auto` runs a machine by Taylor's method alone until
-/// something turns out to be stiff.
-pub(crate) fn rtol_of_lanes(simulator: &dyn Simulator<f64>, rtol: f64) -> Option<f64> {
-    let rtol = Method::Auto.step_rtol(rtol);
+/// Whether `auto` runs a machine by Taylor's method alone until something turns out to be stiff.
+pub(crate) fn goes_in_lanes(simulator: &dyn Simulator<f64>, rtol: f64) -> bool {
     let is_plain = simulator.events() == 0
         && simulator.kinks() == 0
         && simulator.constraints() == 0
         && simulator.linear().is_none();
-    (is_plain && suitable_series(simulator, rtol).0.is_some()).then_some(rtol)
+    let is_suitable = |(rtol, _)| suitable_series(simulator, rtol).0.is_some();
+    is_plain && Method::Auto.paces(rtol).all(is_suitable)
 }
 
 /// Looks at the steps of all lanes.

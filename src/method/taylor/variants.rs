@@ -16,26 +16,25 @@ use super::MIDDLE;
 use super::step::{self, Judges, Tolerance, order_for};
 use crate::error::StopCause;
 use crate::lanes::Lanes;
-use crate::method::Stopped;
 use crate::method::one_step::resting;
 use clock::Clock;
 use judge::zeros;
 use lane::Lane;
 
 pub(crate) use clock::places;
-pub(crate) use lane::{Outcome, Variant};
+pub(crate) use lane::{Ended, Outcome, Variant};
 pub(crate) use overseer::{Equations, Moment, Overseer};
 
 /// Runs variants of one relative tolerance until there are no more; `done` gets each
 /// with its number in the order of the iterator. Steps that are good at their ends are looked at
 /// in their middle too if told so. A variant that does not stay, by who looks at the steps if
-/// somebody does, is interrupted.
+/// somebody does, is interrupted, and one of too many loose steps is left.
 pub(crate) fn integrate<'a, R: Lanes>(
     (machine, series): (&'a dyn Simulator<R>, &'a dyn TaylorSeries<R>),
     (rtol, looks_within): (f64, bool),
     overseer: Option<Box<dyn Overseer<R> + 'a>>,
     variants: &mut dyn Iterator<Item = Variant>,
-    done: &mut dyn FnMut(usize, Result<Outcome, Stopped>),
+    done: &mut dyn FnMut(usize, Ended),
 ) {
     let mut variants = variants.enumerate();
     let mut next = || variants.next().map(|(number, variant)| Lane::new(number, variant));
@@ -61,7 +60,7 @@ pub(crate) fn integrate<'a, R: Lanes>(
             let place = &mut lanes[index];
             if let Some(lane) = place.take() {
                 let steps = bundle.clock.steps.lane(index) as u64;
-                done(lane.number, lane.outcome(steps, bundle.order));
+                done(lane.number, lane.ended(steps, bundle.order));
             }
             *place = next();
             match place {
@@ -253,6 +252,13 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             }
         }
         let leaving = self.ask((passed, starting), tried, lanes);
+        let over = passed & !leaving & self.clock.over();
+        for index in places(over) {
+            if let Some(lane) = &mut lanes[index] {
+                lane.is_over = true;
+                lane.stop(self.clock.time.lane(index), StopCause::Interrupted);
+            }
+        }
         let exhausted = passed & self.clock.exhausted();
         let stuck = passed & self.clock.stuck();
         for index in places(exhausted | stuck) {
@@ -282,7 +288,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             }
         }
         let rejected = self.clock.running & !fresh & !arrived;
-        for index in places(rejected | suspect | leaving | exhausted | stuck | broken) {
+        for index in places(rejected | suspect | leaving | over | exhausted | stuck | broken) {
             if lanes[index].as_ref().is_some_and(|lane| lane.stopped.is_some()) {
                 done |= 1 << index;
             }

@@ -122,7 +122,7 @@ class Run {
     return scales;
   }
 
-  // Steps of `auto` are never looser than 1e-5; of a machine with constraints that neither gains
+  // Steps of `auto` are no looser than 1e-5 where they may be many; of a machine with constraints that neither gains
   // nor loses energy they are tighter, for it forgets no error.
   tighten(state) {
     const { known } = this.machine;

@@ -1,6 +1,7 @@
 //! Where every lane is in time.
 
 use crate::lanes::Lanes;
+use crate::method::loose::has_passed;
 use crate::method::one_step::{End, LOOKS, end_of_step};
 use crate::method::taylor::step::{GROWTH, smaller};
 
@@ -30,6 +31,11 @@ pub(super) struct Clock<R> {
     pub(super) steps: R,
     /// So many steps are too many.
     most: R,
+    /// Start and length of the whole run.
+    start: R,
+    whole: R,
+    /// So many steps are few.
+    few: R,
 }
 
 impl<R: Lanes> Clock<R> {
@@ -49,6 +55,9 @@ impl<R: Lanes> Clock<R> {
             sample: zero,
             steps: zero,
             most: zero,
+            start: zero,
+            whole: zero,
+            few: zero,
         }
     }
 
@@ -59,6 +68,10 @@ impl<R: Lanes> Clock<R> {
         self.steps.set_lane(index, 0.0);
         self.most.set_lane(index, lane.variant.max_steps as f64);
         self.sample.set_lane(index, lane.next_sample());
+        let (start, whole) = lane.span();
+        self.start.set_lane(index, start);
+        self.whole.set_lane(index, whole);
+        self.few.set_lane(index, lane.variant.few);
         self.begin(index, lane);
     }
 
@@ -119,6 +132,13 @@ impl<R: Lanes> Clock<R> {
     /// Lanes that have taken too many steps.
     pub(super) fn exhausted(&self) -> u32 {
         !R::less(self.steps, self.most)
+    }
+
+    /// Lanes that have taken too many steps for the time that they have come.
+    pub(super) fn over(&self) -> u32 {
+        let [least, passed] =
+            has_passed((self.steps, self.few), self.time - self.start, self.whole);
+        R::less(passed, least)
     }
 
     /// Lanes whose step does not move the time.

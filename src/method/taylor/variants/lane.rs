@@ -13,6 +13,18 @@ pub(crate) struct Variant {
     pub(crate) times: Vec<f64>,
     pub(crate) atol: Vec<f64>,
     pub(crate) max_steps: usize,
+    /// So many steps are few; infinite where many are no harm.
+    pub(crate) few: f64,
+}
+
+/// What came of a variant.
+pub(crate) enum Ended {
+    /// It is through.
+    Through(Outcome),
+    /// It cannot go on.
+    Stopped(Stopped),
+    /// It was left, as its loose steps are too many; so many it took.
+    Over(u64),
 }
 
 /// States at the wanted times, one row after another.
@@ -31,6 +43,8 @@ pub(super) struct Lane {
     pub(super) taken: usize,
     pub(super) rejected: u64,
     pub(super) stopped: Option<Stopped>,
+    /// Whether it has taken too many loose steps.
+    pub(super) is_over: bool,
 }
 
 impl Lane {
@@ -42,6 +56,7 @@ impl Lane {
             taken: 0,
             rejected: 0,
             stopped: None,
+            is_over: false,
             variant,
         }
     }
@@ -54,6 +69,12 @@ impl Lane {
         self.variant.ends[self.stretch + 1]
     }
 
+    /// Start of the whole run, and its length.
+    pub(super) fn span(&self) -> (f64, f64) {
+        let ends = &self.variant.ends;
+        (ends[0], ends[ends.len() - 1] - ends[0])
+    }
+
     /// The time of the sample that is due next; infinite if there is none.
     pub(super) fn next_sample(&self) -> f64 {
         self.variant.times.get(self.taken).copied().unwrap_or(f64::INFINITY)
@@ -64,9 +85,9 @@ impl Lane {
     }
 
     /// What came of the variant, after steps of so many orders.
-    pub(super) fn outcome(self, steps: u64, order: usize) -> Result<Outcome, Stopped> {
+    pub(super) fn ended(self, steps: u64, order: usize) -> Ended {
         if let Some(stopped) = self.stopped {
-            return Err(stopped);
+            return if self.is_over { Ended::Over(steps) } else { Ended::Stopped(stopped) };
         }
         // Coefficients are those of ends of steps, and of starts of stretches.
         let series = steps + self.rejected + self.stretch as u64;
@@ -76,6 +97,6 @@ impl Lane {
             rate_evaluations: series * order as u64,
             ..Work::default()
         };
-        Ok(Outcome { rows: self.rows, work })
+        Ended::Through(Outcome { rows: self.rows, work })
     }
 }

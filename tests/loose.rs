@@ -1,0 +1,140 @@
+//! `auto` steps as loosely as it is asked to where errors of steps do not add up, and nowhere else.
+
+use machinist::field::{Discretisation, FieldSimulator};
+use machinist::{Method, Simulation, Sweep, Trajectory};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_contract::Simulator;
+use machinist_scenes::scenes::{
+    pendulum_constrained, pendulum_relative, saw_gin, stick_slip, winder_full,
+};
+use machinist_scenes::{bench, scenes};
+
+use crate::common::HardSpring;
+use crate::own_scene::{folder_of_specs, of_specs, specs_in};
+
+/// Tolerances asked for; the last two are those that steps keep to in any case.
+const ASKED: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
+/// Runs that are looser than these are held to a multiple of the tolerance.
+const ANY_CASE: usize = 3;
+
+fn by_auto(simulator: &dyn Simulator<f64>, rtol: f64) -> Simulation<'_> {
+    Simulation::new(simulator).rtol(rtol).method(Method::Auto)
+}
+
+/// The largest difference of a state, over what it is at most, or its scale if that is more.
+fn error(simulator: &dyn Simulator<f64>, run: &Trajectory, exact: &Trajectory) -> f64 {
+    let of_state = |index: usize| {
+        let (found, exact) = (&run.columns[index].values, &exact.columns[index].values);
+        let size = exact.iter().fold(simulator.state_scale(index), |most, x| most.max(x.abs()));
+        let pairs = found.iter().zip(exact);
+        pairs.fold(0.0f64, |most, (a, b)| most.max((a - b).abs())) / size
+    };
+    let states = (0..simulator.shape().states()).filter(|index| !simulator.is_mode(*index));
+    states.map(of_state).fold(0.0, f64::max)
+}
+
+/// Errors of a scene over the tolerance, with the steps of each run.
+fn errors(name: &str, simulator: &dyn Simulator<f64>) -> [(f64, u64); ASKED.len()] {
+    let run = |rtol| {
+        let run = by_auto(simulator, rtol).run();
+        run.unwrap_or_else(|error| panic!("{name} at {rtol:e}: {error}"))
+    };
+    let exact = run(1e-11);
+    ASKED.map(|rtol| {
+        let run = run(rtol);
+        (error(simulator, &run, &exact) / rtol, run.work.steps)
+    })
+}
+
+/// `cargo test -p machinist-tests --test suite loose:: -- --nocapture` prints all of them.
+#[test]
+fn errors_of_loose_runs_are_tens_of_tolerances_or_no_more_than_those_of_tight_ones() {
+    let root = folder_of_specs();
+    let mut rows = Vec::new();
+    for path in specs_in(&root) {
+        let name = path.strip_prefix(&root).expect("below it").with_extension("");
+        let name = name.to_str().expect("a plain path").replace('\\', "/");
+        let of_kit = name.strip_prefix("bench/");
+        let emitted = of_kit.map_or_else(|| scenes::find_f64(&name), bench::find_f64);
+        let field = of_kit.map_or_else(|| scenes::find_field_f64(&name), bench::find_field_f64);
+        let errors = match (emitted, field) {
+            (Some(simulator), _) => errors(&name, simulator),
+            (_, Some(field)) => {
+                let cut = FieldSimulator::new(field, Discretisation::default());
+                errors(&name, &cut.expect("as its spec says"))
+            }
+            _ => errors(&name, &of_specs(&name, Keep::Needed)),
+        };
+        let shown = errors.map(|(error, steps)| format!("{error:.2} ({steps})")).join(" | ");
+        println!("| {name} | {shown} |");
+        rows.push((name, errors));
+    }
+    for (name, errors) in rows {
+        let (loose, tight) = errors.split_at(ANY_CASE);
+        let most = tight.iter().fold(50.0f64, |most, (error, _)| most.max(2.0 * error));
+        let is_kept = loose.iter().all(|(error, _)| *error <= most);
+        assert!(is_kept, "{name}: {errors:?} tolerances at {ASKED:?}");
+    }
+}
+
+#[test]
+fn a_run_of_many_steps_begins_anew_with_tighter_ones() {
+    let run =
+        |rtol, until| by_auto(&HardSpring, rtol).until(until).points(101).run().expect("a run");
+    assert!(run(1e-3, 100.0).notes[0].ends_with("tolerance of 1e-3"));
+    let [loose, tight, exact] = [1e-3, 1e-5, 1e-12].map(|rtol| run(rtol, 3000.0));
+    assert_eq!(loose.notes, tight.notes);
+    // What was tried is counted, and is little.
+    let tried = loose.work.steps - tight.work.steps;
+    assert!(tried > 0 && tried < tight.work.steps / 10, "{tried} of {}", tight.work.steps);
+    let [loose, tight] = [loose, tight].map(|run| error(&HardSpring, &run, &exact));
+    assert!(loose < 1.1 * tight, "{loose:e} at 1e-3, {tight:e} at 1e-5");
+}
+
+#[test]
+fn machines_that_forget_nothing_and_those_that_switch_are_not_loose_at_all() {
+    for simulator in [
+        &pendulum_relative::PendulumRelative as &dyn Simulator<f64>,
+        &pendulum_constrained::PendulumConstrained,
+        &stick_slip::StickSlip,
+        &winder_full::WinderFull,
+    ] {
+        let [loose, tight] = [1e-3, 1e-5].map(|rtol| by_auto(simulator, rtol).run().expect("runs"));
+        assert_eq!(loose.work, tight.work, "{}", loose.scene);
+    }
+}
+
+#[test]
+fn variants_in_lanes_begin_anew_as_single_runs_do() {
+    let stiffnesses: Vec<f64> = (0..75).map(|n| 1e4 * 10f64.powf(f64::from(n) / 20.0)).collect();
+    for max_steps in [100_000, 700] {
+        let each = move |run: Simulation<'static>| {
+            run.points(3).rtol(1e-3).method(Method::Auto).max_steps(max_steps)
+        };
+        let sweep =
+            Sweep::new(&saw_gin::SawGin).each(each).vary("coupling.stiffness", &stiffnesses);
+        let (mut anew, mut stopped) = (0, 0);
+        for (found, stiffness) in sweep.expect("a parameter").run().iter().zip(&stiffnesses) {
+            let alone = each(Simulation::new(&saw_gin::SawGin))
+                .parameter("coupling.stiffness", *stiffness)
+                .and_then(|run| run.run());
+            let (found, alone) = match (found, alone) {
+                (Ok(found), Ok(alone)) => (found, alone),
+                (Err(found), Err(alone)) => {
+                    assert_eq!(found.to_string(), alone.to_string());
+                    stopped += 1;
+                    continue;
+                }
+                (found, alone) => panic!("{stiffness:e}: {found:?}, alone {alone:?}"),
+            };
+            assert_eq!(found.steps, alone.work.steps, "{stiffness:e}");
+            for (index, value) in found.states[2].iter().enumerate() {
+                assert_eq!(value.to_bits(), alone.columns[index].values[2].to_bits());
+            }
+            anew += usize::from(alone.notes.iter().any(|note| note.contains("tolerance of 1e-5")));
+        }
+        println!("{anew} of {} begin anew, {stopped} stop", stiffnesses.len());
+        assert!(anew > 3 && anew + stopped < 70, "{anew} begin anew, {stopped} stop");
+        assert_eq!(stopped > 0, max_steps < 1000);
+    }
+}

@@ -287,6 +287,22 @@ pub trait Describe {
     }
 }
 
+/// What [`Simulator::prepared_jacobians`] gives, by the functions of the two.
+#[inline]
+pub fn jacobians_apart<R: Real>(
+    simulator: &(impl Simulator<R> + ?Sized),
+    time: R,
+    state: &[R],
+    parameters: &[R],
+    constants: &[R],
+    values: &mut [R],
+) {
+    let by_state = simulator.rate_jacobian_pattern().entries.len();
+    let (by_state, by_parameters) = values.split_at_mut(by_state);
+    simulator.prepared_rate_jacobian(time, state, parameters, constants, by_state);
+    simulator.prepared_parameter_jacobian(time, state, parameters, constants, by_parameters);
+}
+
 /// The numbers of a simulator: the functions of their table
 /// ([`for_each_function`](crate::for_each_function)), and what else there may be. Slices
 /// have the lengths of [`Shape`] and of the patterns; every method writes all of its output
@@ -316,10 +332,7 @@ pub trait Simulator<R: Real>: Describe {
         constants: &[R],
         values: &mut [R],
     ) {
-        let by_state = self.rate_jacobian_pattern().entries.len();
-        let (by_state, by_parameters) = values.split_at_mut(by_state);
-        self.prepared_rate_jacobian(time, state, parameters, constants, by_state);
-        self.prepared_parameter_jacobian(time, state, parameters, constants, by_parameters);
+        jacobians_apart(self, time, state, parameters, constants, values);
     }
     /// Taylor series of the solution, where the simulator has them.
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {

@@ -11,7 +11,7 @@ use machinist_contract::linear::LinearEquations;
 use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_contract::{
     Constraint, Derivatives, Describe, Direction, Dual, Energy, Event, PowerBalance, Quantity,
-    RunDefaults, Shape, Simulator, SparsityPattern,
+    RunDefaults, Shape, Simulator, SparsityPattern, jacobians_apart,
 };
 
 use crate::functions::{FUNCTIONS, FunctionId};
@@ -431,11 +431,7 @@ impl<R: Lane> Simulator<R> for ModelSimulator {
         values: &mut [R],
     ) {
         if !self.model.gives_jacobians_at_once() {
-            let by_state = self.model.rate_jacobian.pattern.entries.len();
-            let (by_state, by_parameters) = values.split_at_mut(by_state);
-            self.prepared_rate_jacobian(time, state, parameters, constants, by_state);
-            self.prepared_parameter_jacobian(time, state, parameters, constants, by_parameters);
-            return;
+            return jacobians_apart(self, time, state, parameters, constants, values);
         }
         let read = Read { constants: R::numbers(constants), ..self.read(&time, state, parameters) };
         self.run_prepared((4, |hoisted| &hoisted.jacobians), &read, values);

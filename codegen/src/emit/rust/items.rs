@@ -102,7 +102,8 @@ pub(super) fn index(models: &[&Model], modules: &[Ident], options: &EmitOptions)
             #for_all
         }
     });
-    let field_import = (!field_names.is_empty()).then(|| quote!(, Dual, field::FieldScene));
+    let field_import = (!field_names.is_empty()).then(|| quote!(, field::FieldScene));
+    let dual_import = (!field_names.is_empty()).then(|| quote!(Dual,));
     let [inner, names_doc, find_doc] = index_docs(options);
     let (names_doc, find_doc) = (doc([names_doc]), doc([find_doc]));
     let inner = format!(" {inner}");
@@ -125,7 +126,7 @@ pub(super) fn index(models: &[&Model], modules: &[Ident], options: &EmitOptions)
     let find_f64 = find_f64();
     quote! {
         #![doc = #inner]
-        use ::machinist_contract::{Real, Simulator #field_import};
+        use ::machinist_contract::{#dual_import Real, Simulator #field_import};
         #(#declarations)*
         #names_doc
         #[rustfmt::skip]

@@ -334,6 +334,7 @@ impl<'a> System<'a> {
     }
 
     /// What is tried with loose steps, if that is so.
+    #[cfg(feature = "implicit")]
     pub(super) fn trial(&self) -> Option<Trial> {
         self.trial.get()
     }

@@ -19,6 +19,7 @@ pub(crate) trait Overseer<R> {
 }
 
 /// Where all lanes are.
+#[cfg_attr(not(feature = "implicit"), expect(dead_code, reason = "only `auto` looks at it"))]
 pub(crate) struct Moment<'a, R> {
     pub(crate) equations: &'a Equations<'a, R>,
     /// Moved into the stretch.

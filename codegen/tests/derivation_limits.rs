@@ -58,6 +58,13 @@ fn numbers_of_twenty_thousand_digits_are_handed_over_in_time() {
     derived(&with_potential("asin((1e-320)^64)*u")).expect("is derived");
 }
 
+/// Sixty-five thousand digits took Symbolica most of a minute.
+#[test]
+fn numbers_that_powers_make_too_long_are_refused() {
+    let report = refusal("((t/1 [s] + u)*((1e-16)^64))^64");
+    assert!(report.contains("powers of powers grow beyond"), "{report}");
+}
+
 /// Its derivative by the force holds the sign of the force.
 #[test]
 fn a_guard_may_hold_the_size_of_a_force() {

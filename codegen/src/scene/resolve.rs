@@ -28,6 +28,9 @@ const MAX_SCENE_TERMS: usize = 1_000_000;
 const MAX_LEVELS: usize = 3 * MAX_NESTING + 2;
 /// Bits that exact numbers could grow to.
 const MAX_BITS: u64 = 1 << 18;
+/// Likewise by powers, some twenty thousand digits: sums of as many such numbers as the power has are
+/// handed to Symbolica and back as text, in time that grows as the square of their digits.
+const MAX_BITS_OF_POWERS: u64 = 70_000;
 /// Leaves that a second derivative may have, written out: equations of motion are made of
 /// second derivatives of energies, and their Jacobians of those of forces.
 const MAX_DERIVATIVE: f64 = 200_000.0;
@@ -227,7 +230,7 @@ impl<'a> Resolver<'a> {
             typed.dimension = product.map(|d| d.ok_or_else(|| beyond_reason(span))).transpose()?;
         }
         typed.value = parts.iter().map(|part| part.value).product();
-        guard_bits(typed.bits, span)?;
+        guard_bits(typed.bits, MAX_BITS, span)?;
         typed.expr = product(parts.into_iter().map(|part| part.expr).collect());
         Ok(typed)
     }
@@ -268,7 +271,7 @@ impl<'a> Resolver<'a> {
             (Some(base), Some(exponent)) => Some(base.powf(exponent)),
             _ => None,
         };
-        guard_bits(typed.bits, span)?;
+        guard_bits(typed.bits, MAX_BITS_OF_POWERS, span)?;
         typed.terms += 1;
         self.spend(1, span)?;
         if number.is_zero() {
@@ -421,8 +424,8 @@ pub(super) fn sound(typed: Typed, span: Span) -> Resolved {
     Ok(typed)
 }
 
-fn guard_bits(bits: u64, span: Span) -> Result<(), Box<Mistake>> {
-    if bits <= MAX_BITS {
+fn guard_bits(bits: u64, most: u64, span: Span) -> Result<(), Box<Mistake>> {
+    if bits <= most {
         return Ok(());
     }
     let message = "powers of powers grow beyond what exact numbers can hold";

@@ -5,6 +5,8 @@ use machinist_model::evaluate::{Evaluator, Inputs};
 
 use super::*;
 
+type Build = fn(&mut Graph, NodeId, NodeId, NodeId) -> NodeId;
+
 const SPAN: f64 = 100.0;
 /// What the parameter is.
 const P: f64 = 3.0;
@@ -53,7 +55,7 @@ fn what_is_linear_in_time_passes_zero_at_a_time_that_parameters_decide() {
     let abs = |graph: &mut Graph, a| graph.call(Function::Abs, a);
     // |p - 2 t|, |p + -(2 t)|, |(t - p)/2|, |t/p - 2|, |p t - 2 p|
     let expected = [P / 2.0, P / 2.0, P, 2.0 * P, 2.0];
-    let builds: [fn(&mut Graph, NodeId, NodeId, NodeId) -> NodeId; 5] = [
+    let builds: [Build; 5] = [
         |g, t, p, two| {
             let twice = g.mul(two, t);
             g.sub(p, twice)

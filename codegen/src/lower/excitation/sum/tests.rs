@@ -2,6 +2,8 @@
 
 use super::*;
 
+type Of = fn(f64) -> f64;
+
 const TIMES: [f64; 4] = [0.0, 0.3, 1.1, 2.7];
 
 /// a t^power e^(growth t) sin(frequency t + phase)
@@ -97,7 +99,7 @@ fn functions_of_what_is_linear_in_time_are_waves_and_others_nothing() {
     let time = algebra.time();
     let part = algebra.product(&slope, &time).expect("linear in time");
     let argument = algebra.sum(&part, &offset);
-    let functions: [(Function, fn(f64) -> f64); 5] = [
+    let functions: [(Function, Of); 5] = [
         (Function::Sin, f64::sin),
         (Function::Cos, f64::cos),
         (Function::Exp, f64::exp),
@@ -174,7 +176,8 @@ fn a_choice_by_time_switches_where_both_sides_are_equal() {
             };
             let [then, otherwise] =
                 [then, otherwise].map(|node| algebra.graph.literal_value(node).expect("0 or 1"));
-            assert_eq!([then, otherwise], if is_then { [1.0, 0.0] } else { [0.0, 1.0] });
+            let expected: [f64; 2] = if is_then { [1.0, 0.0] } else { [0.0, 1.0] };
+            assert_eq!([then, otherwise].map(f64::to_bits), expected.map(f64::to_bits));
         }
         let switches: Vec<f64> = algebra
             .switches()

@@ -2,7 +2,7 @@
 //! what they promise.
 
 use machinist::fit::{
-    End, Experiment, Fit, Found, Loss, Measured, Unknown, statistics, students_t,
+    End, Experiment, Fit, Found, Loss, Measured, Plan, Unknown, statistics, students_t,
 };
 use machinist::{Method, Simulation};
 use machinist_scenes::scenes;
@@ -114,6 +114,63 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
     let shares = coverage(&simulation, &unknowns, ("rotor.angle", 0.02), &times, 150);
     // Of 150 intervals 95 %, give or take two and a half standard deviations.
     assert!(shares.iter().all(|share| (0.905..=0.995).contains(share)), "{shares:?}");
+}
+
+/// Fits of noisy runs of a machine, from a start far away and another one, with scales from the
+/// residuals: intervals that hold the truth, of all there are. `cargo bench --bench twins` has more
+/// draws, starts and unknowns.
+fn twins(
+    scene: &str,
+    (until, outputs): (f64, [&str; 2]),
+    unknowns: &[(&str, f64)],
+    draws: usize,
+) -> (usize, usize) {
+    let scene = scenes::find_f64(scene).expect("it is built in");
+    let simulation = Simulation::new(scene).method(Method::Dop853).rtol(1e-7);
+    let truth = |name: &str| {
+        let place = (0..scene.shape().parameters).find(|k| scene.parameter(*k).name == name);
+        scene.parameter_default(place.expect("a parameter"))
+    };
+    let truths: Vec<f64> = unknowns.iter().map(|(name, _)| truth(name)).collect();
+    let searched: Vec<Unknown> = unknowns
+        .iter()
+        .zip(&truths)
+        .map(|((name, far), at)| unknown(name, far * at, (0.3 * at, 3.0 * at)))
+        .collect();
+    let times: Vec<f64> = (1..=100).map(|k| 0.01 * until * f64::from(k)).collect();
+    let run = simulation.clone().until(until).times(&times).run().expect("it runs");
+    let mut random = fastrand::Rng::with_seed(16);
+    let plan = Plan { is_robust: false, starts: 2, steps: 100, interrupt: None };
+    let (mut held, mut all) = (0, 0);
+    for _ in 0..draws {
+        let columns = outputs.map(|name| {
+            let exact = run.column(name).expect("an output");
+            let size = exact.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+            let noisy = exact.iter().map(|value| value + 0.01 * size * normal(&mut random));
+            (name.to_owned(), noisy.collect())
+        });
+        let experiments = [experiment(times.clone(), columns.to_vec())];
+        let fit = Fit::new(&simulation, &searched, &experiments);
+        let fitted = fit.solve(&plan, &mut |_, _| {}).expect("it can be simulated");
+        for (found, truth) in fit.findings(&fitted).parameters.iter().zip(&truths) {
+            let holds = |[low, high]: [f64; 2]| low <= *truth && *truth <= high;
+            held += usize::from(found.confidence_95.is_some_and(holds));
+            all += 1;
+        }
+    }
+    (held, all)
+}
+
+/// Of 45 intervals 95 %, give or take three standard deviations; with errors that were half as
+/// large, 30 would hold the truth.
+#[test]
+fn twins_are_told_apart_from_their_noise() {
+    let unknowns = [("coupling.stiffness", 2.5), ("motor.inertia", 1.8), ("motor.alpha_r", 0.6)];
+    let (held, all) = twins("saw_gin", (0.5, ["twist", "motor_speed"]), &unknowns, 15);
+    assert!(held >= 38 && all == 45, "saw_gin: {held} of {all}");
+    let unknowns = [("layer.stiffness", 1.4), ("layer.viscosity", 0.5), ("pair.friction", 0.8)];
+    let (held, all) = twins("winder_full", (0.15, ["deflection", "slip"]), &unknowns, 15);
+    assert!(held >= 38 && all == 45, "winder_full: {held} of {all}");
 }
 
 #[test]

@@ -42,11 +42,26 @@ impl<'a> Fit<'a> {
                 });
                 found
             };
-            let found: Vec<Option<T>> = (0..count).into_par_iter().map(lent).collect();
+            let all = || (0..count).into_par_iter().map(lent).collect::<Vec<Option<T>>>();
+            let found = match pool() {
+                // Within work of another `each` it is the same pool.
+                Some(pool) => pool.install(all),
+                None => all(),
+            };
             let own =
                 |(number, found): (usize, Option<T>)| found.unwrap_or_else(|| work(self, number));
             return found.into_iter().enumerate().map(own).collect();
         }
         (0..count).map(|number| work(self, number)).collect()
     }
+}
+
+/// Threads of fits, made once. The pool that rayon makes by itself may be wanted by others, as
+/// algebras are, with a size of their own.
+#[cfg(feature = "sweep")]
+fn pool() -> Option<&'static rayon::ThreadPool> {
+    use std::sync::OnceLock;
+
+    static POOL: OnceLock<Option<rayon::ThreadPool>> = OnceLock::new();
+    POOL.get_or_init(|| rayon::ThreadPoolBuilder::new().build().ok()).as_ref()
 }

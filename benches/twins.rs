@@ -82,6 +82,9 @@ const TWINS: &[Twin] = &[
     },
 ];
 
+/// An output with its values.
+type Column = (String, Vec<f64>);
+
 /// Of the standard deviation of each output.
 const NOISE: f64 = 0.01;
 const STARTS: usize = 3;
@@ -165,7 +168,7 @@ fn exact(
     twin: &Twin,
     simulation: &Simulation<'_>,
     times: &[f64],
-) -> Result<Vec<(String, Vec<f64>)>, Box<dyn Error>> {
+) -> Result<Vec<Column>, Box<dyn Error>> {
     let run = simulation.clone().until(twin.until).times(times).run()?;
     let column = |name: &&str| {
         let values = run.column(name).ok_or_else(|| format!("no output {name}"))?;
@@ -174,8 +177,8 @@ fn exact(
     twin.outputs.iter().map(column).collect()
 }
 
-fn noisy(times: &[f64], exact: &[(String, Vec<f64>)], random: &mut fastrand::Rng) -> Experiment {
-    let mut column = |(name, values): &(String, Vec<f64>)| {
+fn noisy(times: &[f64], exact: &[Column], random: &mut fastrand::Rng) -> Experiment {
+    let mut column = |(name, values): &Column| {
         let mean = values.iter().sum::<f64>() / values.len() as f64;
         let square = values.iter().map(|value| (value - mean).powi(2)).sum::<f64>();
         let sigma = NOISE * (square / values.len() as f64).sqrt();

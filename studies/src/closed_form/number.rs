@@ -16,14 +16,18 @@ pub trait Number:
     /// Its value alone, by which cases are told apart.
     fn value(self) -> f64;
     /// Square root.
+    #[must_use]
     fn sqrt(self) -> Self;
     /// Exponential.
+    #[must_use]
     fn exp(self) -> Self;
     /// Sine and cosine.
     fn sin_cos(self) -> (Self, Self);
     /// Arcus sine.
+    #[must_use]
     fn asin(self) -> Self;
     /// Arcus tangent.
+    #[must_use]
     fn atan(self) -> Self;
 }
 

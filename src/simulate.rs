@@ -568,6 +568,7 @@ impl<'a> Simulation<'a> {
                  motion that adds up to a large part of it: compare with a lower `rtol`"
             ));
         }
+        table.note_not_finite(system, &times);
         let mut columns_of_run = table.into_columns(energy_balance.as_ref());
         if let Some(tangents) = system.tangents() {
             columns_of_run.extend(columns(self.simulator, tangents, &times, (&rows, width)));
@@ -769,6 +770,22 @@ impl<'a> Table<'a> {
         self.energy.push(energy.total());
         let active = energy.kinetic.abs() + energy.stored.abs();
         self.largest_active = self.largest_active.max(active);
+    }
+
+    /// Tells of outputs that are no numbers where the states are, as a logarithm of what is negative.
+    fn note_not_finite(&self, system: &System<'_>, times: &[f64]) {
+        for (index, values) in self.outputs.iter().enumerate() {
+            let count = values.iter().filter(|value| !value.is_finite()).count();
+            let first = values.iter().zip(times).find(|(value, _)| !value.is_finite());
+            if let Some((value, time)) = first {
+                let name = self.simulator.output(index).name;
+                let of = times.len();
+                system.note(format!(
+                    "output `{name}` is {value} at {time} s, and not a finite number at {count} of \
+                     {of} times"
+                ));
+            }
+        }
     }
 
     /// The account, from rows of `width` whose last three are the quadratures.

@@ -4,10 +4,12 @@ use std::f64::consts::PI;
 use std::sync::atomic::AtomicBool;
 
 use crate::common::{Oscillator, Scalar, oscillator_state};
+use crate::own_scene::of_text;
 use machinist::error::StopCause;
 use machinist::method::Work;
 use machinist::trajectory::ColumnKind;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
 
 /// Largest error of the oscillator's angle \[rad\] over all output times.
@@ -386,4 +388,36 @@ fn a_run_far_from_time_zero_ends_on_time() {
         let error = (run.last("rotor.angle").unwrap() - exact).abs();
         assert!(error < allowed(method, 1e-8), "{method} errs by {error:e}");
     }
+}
+
+/// A logarithm of what becomes negative, and one of what always is.
+#[test]
+fn outputs_that_are_no_numbers_are_told_of() {
+    let text = r#"
+        [scene]
+        name = "logarithms"
+        [parameters]
+        shift = { value = 0.5, unit = "1", doc = "shift" }
+        [units.s]
+        unit = "s"
+        [initial]
+        "s.x" = 1.0
+        [outputs]
+        late = { expression = "ln(s.x/1 [m] - shift)", unit = "1", doc = "falls without end" }
+        [run]
+        until = 2.0
+        points = 21
+        [define.s.coordinates]
+        x = { unit = "m" }
+        [define.s.energy]
+        kinetic = "1 [kg]*x_dot^2/2"
+        potential = "1 [N/m]*x^2/2"
+        "#;
+    let scene = of_text(text, Keep::Needed);
+    let run = Simulation::new(&scene).run().expect("the states are numbers");
+    // cos(t) passes 0.5 at pi/3, the first of the times behind which is 1.1.
+    let told = "output `late` is NaN at 1.1 s, and not a finite number at 10 of 21 times";
+    assert!(run.notes.iter().any(|note| note == told), "{:?}", run.notes);
+    let before = Simulation::new(&scene).until(1.0).run().expect("all are");
+    assert!(before.notes.iter().all(|note| !note.contains("not a finite number")));
 }

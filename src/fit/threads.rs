@@ -8,17 +8,19 @@ use super::Fit;
 #[cfg(feature = "sweep")]
 pub type Lender<'a> = &'a (dyn Fn(&mut dyn FnMut(&dyn machinist_contract::Simulator<f64>)) + Sync);
 
+#[cfg(feature = "sweep")]
 impl<'a> Fit<'a> {
     /// The same on threads, each of which is lent a simulator. Results do not depend on how many
     /// there are. Where the simulation is asked by [`Simulation::until_told`] it stays on one.
     ///
     /// [`Simulation::until_told`]: crate::Simulation::until_told
-    #[cfg(feature = "sweep")]
     #[must_use]
     pub fn on_threads(self, lender: Lender<'a>) -> Self {
         Self { lender: Some(lender), ..self }
     }
+}
 
+impl Fit<'_> {
     /// What `work` makes of each number below `count`.
     pub(super) fn each<T: Send>(
         &self,

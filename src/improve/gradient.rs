@@ -22,8 +22,7 @@ pub struct NumberGradient {
 
 /// The value of an expression over a run with its derivatives: in reverse
 /// ([`Simulation::gradient`]) by all parameters and initial values where the machine is smooth and
-/// the method an explicit pair or left open, else by sensitivities, by all parameters. What the
-/// run alone depends on by events that are moved apart is refused.
+/// the method an explicit pair or left open, else by sensitivities, by all parameters.
 ///
 /// # Errors
 /// As [`Simulation::run`].
@@ -71,9 +70,10 @@ fn pulls(
     let mut one = vec![0.0; 2 * rows];
     one[rows] = 1.0;
     let parameter = |name: &str| parameter_of(simulation, name);
+    let stretches = stretches(simulation, run);
     let valued = |by: &[String], slopes: &dyn Fn(&str, usize) -> std::ops::Range<usize>| {
         let slopes = |column: &str, by: usize| &one[slopes(column, by)];
-        let stretches = stretches(simulation, run);
+        let stretches = stretches.clone();
         let shown = Shown { run, stretches, by, slopes: &slopes, parameter: &parameter };
         shown.value(expression)
     };
@@ -125,13 +125,11 @@ fn forwards(
     let stretches = stretches(simulation, &run);
     let shown = Shown { run: &run, stretches, by: &by, slopes: &slopes, parameter: &parameter };
     let (value, values) = shown.value(expression);
-    let slopes = by.iter().zip(values).map(|(name, value)| {
-        let index = (0..simulator.shape().parameters)
-            .find(|index| simulator.parameter(*index).name == name);
-        let unit =
-            index.map_or_else(String::new, |index| simulator.parameter(index).unit.to_owned());
-        let at = parameter(name).unwrap_or(f64::NAN);
-        Slope { name: name.clone(), unit, is_parameter: true, at, value }
+    let slopes = by.iter().zip(values).filter_map(|(name, value)| {
+        let index = simulation.parameter_index(name).ok()?;
+        let unit = simulator.parameter(index).unit.to_owned();
+        let at = simulation.parameter_values()[index];
+        Some(Slope { name: name.clone(), unit, is_parameter: true, at, value })
     });
     let slopes = slopes.collect();
     let gradient = Gradient { run, slopes };

@@ -8,10 +8,10 @@ use machinist_contract::Simulator;
 use serde::Serialize;
 
 use super::amount::{Amount, assignment};
-use super::improve::{POINTS, expression, units};
+use super::improve::{expression, units};
 use super::output::{columns, print};
 use super::scene::Scene;
-use super::settings::{with_method, with_parameters};
+use super::settings::Told;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::number::number;
@@ -102,12 +102,9 @@ impl GradientCommand {
     }
 
     fn simulation<'a>(&self, simulator: &'a dyn Simulator<f64>) -> Result<Simulation<'a>, Failure> {
-        let mut simulation = with_parameters(Simulation::new(simulator), &self.set)?;
-        simulation = self.from.into_iter().fold(simulation, Simulation::from);
-        simulation = self.until.into_iter().fold(simulation, Simulation::until);
-        simulation = self.rtol.into_iter().fold(simulation, Simulation::rtol);
-        let points = self.points.unwrap_or(simulator.run_defaults().points.max(POINTS));
-        with_method(simulation.points(points), self.method.as_deref())
+        let Self { set, from, until, points, rtol, method, .. } = self;
+        let (from, until, points, rtol) = (*from, *until, *points, *rtol);
+        Told { set, from, until, points, rtol, method: method.as_deref() }.of(simulator)
     }
 
     fn answer<'a>(

@@ -22,7 +22,7 @@ use super::fit::unknown::{Asked, asked, unknowns};
 use super::output::{draw_file, print, require_ending, require_picture};
 use super::rewrite::{FoundValue, write_scene};
 use super::scene::Scene;
-use super::settings::{with_method, with_parameters};
+use super::settings::Told;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::number::number;
@@ -31,8 +31,6 @@ use answer::Answer;
 
 /// Steps of a search at most, unless told otherwise.
 const STEPS: usize = 100;
-/// Runs are looked at at so many times at least.
-pub(super) const POINTS: usize = 2001;
 
 #[derive(Debug, Args)]
 pub struct Improve {
@@ -192,12 +190,9 @@ impl Improve {
     }
 
     fn simulation<'a>(&self, simulator: &'a dyn Simulator<f64>) -> Result<Simulation<'a>, Failure> {
-        let mut simulation = with_parameters(Simulation::new(simulator), &self.set)?;
-        simulation = self.from.into_iter().fold(simulation, Simulation::from);
-        simulation = self.until.into_iter().fold(simulation, Simulation::until);
-        simulation = self.rtol.into_iter().fold(simulation, Simulation::rtol);
-        let points = self.points.unwrap_or(simulator.run_defaults().points.max(POINTS));
-        with_method(simulation.points(points), self.method.as_deref())
+        let Self { set, from, until, points, rtol, method, .. } = self;
+        let (from, until, points, rtol) = (*from, *until, *points, *rtol);
+        Told { set, from, until, points, rtol, method: method.as_deref() }.of(simulator)
     }
 
     fn search(

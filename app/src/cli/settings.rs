@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use machinist::{Method, Simulation};
+use machinist_contract::Simulator;
 
 use super::amount::Amount;
 use crate::failure::Failure;
@@ -17,6 +18,37 @@ pub fn with_parameters<'a>(
         run = run.parameter(name, amount.value)?;
     }
     Ok(run)
+}
+
+/// A run of which numbers are told, as options set it.
+pub struct Told<'o> {
+    /// `--set`.
+    pub set: &'o [(String, Amount)],
+    /// `--from`.
+    pub from: Option<f64>,
+    /// `--until`.
+    pub until: Option<f64>,
+    /// `--points`; as many as the scene's, and at least [`POINTS`], unless given.
+    pub points: Option<usize>,
+    /// `--rtol`.
+    pub rtol: Option<f64>,
+    /// `--method`.
+    pub method: Option<&'o str>,
+}
+
+/// Runs of which numbers are told are looked at at so many times at least.
+const POINTS: usize = 2001;
+
+impl Told<'_> {
+    /// The run of a simulator.
+    pub fn of<'a>(&self, simulator: &'a dyn Simulator<f64>) -> Result<Simulation<'a>, Failure> {
+        let mut simulation = with_parameters(Simulation::new(simulator), self.set)?;
+        simulation = self.from.into_iter().fold(simulation, Simulation::from);
+        simulation = self.until.into_iter().fold(simulation, Simulation::until);
+        simulation = self.rtol.into_iter().fold(simulation, Simulation::rtol);
+        let points = self.points.unwrap_or(simulator.run_defaults().points.max(POINTS));
+        with_method(simulation.points(points), self.method)
+    }
 }
 
 /// How long each run of a check or a page may compute unless `--time-limit` is given \[s\].

@@ -8,6 +8,8 @@
 pub(crate) mod auto;
 #[cfg(feature = "implicit")]
 mod bordered;
+#[cfg(feature = "implicit")]
+mod caution;
 #[cfg(feature = "diffsol")]
 mod diffsol;
 #[cfg(feature = "implicit")]

@@ -11,54 +11,7 @@ use crate::own_scene::of_text;
 /// K. J. Astrom, P. Lischinsky: A new model for control of systems with friction, IEEE Trans.
 /// Automatic Control 40, 1995): it sticks until the spring pulls it off, at a fold behind
 /// which the bristles' own motion grows at 1e3 a second.
-const LUGRE: &str = r#"
-[scene]
-name = "lugre"
-
-[units.block]
-unit = "block"
-
-[run]
-until = 20.0
-points = 201
-rtol = 1e-6
-method = "auto"
-
-[define.block.coordinates.x]
-unit = "m"
-velocity = "v"
-
-[define.block.parameters]
-mass = { value = 1.0, unit = "kg" }
-spring = { value = 2.0, unit = "N/m" }
-belt = { value = 0.1, unit = "m/s" }
-bristles = { value = 1e5, unit = "N/m" }
-bristle_damping = { value = 316.0, unit = "N s/m" }
-viscous = { value = 0.4, unit = "N s/m" }
-sliding = { value = 1.0, unit = "N" }
-breakaway = { value = 1.5, unit = "N" }
-stribeck = { value = 0.001, unit = "m/s" }
-
-[define.block.states.z]
-unit = "m"
-rate = "slip - abs(slip)*z*bristles/limit"
-
-[define.block.helpers.slip]
-expression = "v - belt"
-unit = "m/s"
-
-[define.block.helpers.limit]
-expression = "sliding + (breakaway - sliding)*exp(-(slip/stribeck)^2)"
-unit = "N"
-
-[define.block.energy]
-kinetic = "mass*v^2/2"
-potential = "spring*x^2/2"
-
-[[define.block.forces]]
-coordinate = "x"
-expression = "-bristles*z - bristle_damping*(slip - abs(slip)*z*bristles/limit) - viscous*slip"
-"#;
+const LUGRE: &str = include_str!("../benches/tolerances/lugre.toml");
 
 fn run(block: &ModelSimulator, method: Method, rtol: f64, set: &[(&str, f64)]) -> Trajectory {
     let mut run = Simulation::new(block).method(method).rtol(rtol);
@@ -74,8 +27,8 @@ fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
     a.iter().zip(b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
 }
 
-/// Fifteen tolerances, five settings. A slip that begins late shifts all that follows, so that
-/// errors are far above tolerances; none is missed.
+/// Fifteen tolerances, five settings: steps that fail where it lets go are a warning, from which
+/// on errors are held stricter, for what is left of them grows a thousandfold.
 #[test]
 fn what_sticks_on_a_belt_lets_go_in_time() {
     let block = of_text(LUGRE, Keep::All);
@@ -86,23 +39,24 @@ fn what_sticks_on_a_belt_lets_go_in_time() {
         &[("bristles", 1e4), ("bristle_damping", 100.0)],
         &[("stribeck", 0.01), ("breakaway", 2.0)],
     ];
-    let (mut near, mut all) = (0, 0);
     for set in settings {
         let exact = run(&block, Method::Radau, 1e-12, set);
         let doubt = difference(&exact, &run(&block, Method::Dop853, 1e-11, set));
         assert!(doubt < 1e-8, "{set:?}: two converged runs differ by {doubt:e}");
         for method in [Method::Radau, Method::Rodas5p, Method::Auto] {
+            let mut worst = 0.0f64;
             for step in 0..15 {
                 let rtol = 10f64.powf(-5.0 - 5.0 * f64::from(step) / 14.0);
                 let error = difference(&run(&block, method, rtol, set), &exact);
-                assert!(error < 0.06, "{method} at {rtol:.1e}, {set:?}: off by {error:.1e} m");
-                all += 1;
-                near += usize::from(error < 3000.0 * rtol);
+                assert!(
+                    error < 100.0 * rtol + doubt,
+                    "{method} at {rtol:.1e}, {set:?}: {error:.1e} m"
+                );
+                worst = worst.max(error / rtol);
             }
+            println!("{method}, {set:?}: at most {worst:.1} tolerances");
         }
     }
-    println!("{near} of {all} runs are within 3000 tolerances");
-    assert!(near * 100 >= all * 95, "{near} of {all}");
 }
 
 /// The scale of bristles that say none is what they do to the block.

@@ -9,6 +9,7 @@ mod stiffness;
 use machinist_contract::Simulator;
 use machinist_contract::taylor::{Bends, TaylorSeries};
 
+use super::caution::Caution;
 use super::exact::Exact;
 use super::explicit::ExplicitSteps;
 use super::loose::is_conservative;
@@ -238,6 +239,7 @@ impl<'a> Choice<'a> {
     ) -> Result<(), Stopped> {
         let mut changes = 0;
         let mut patience = STIFF_STEPS;
+        let mut caution = Caution::default();
         let mut left = Left { time: stretch.from, step: 0.0 };
         let mut is_explicit = !self.is_stiff_from_the_start;
         if is_explicit {
@@ -266,10 +268,16 @@ impl<'a> Choice<'a> {
             changes += 2;
             let may_return = changes < MOST_CHANGES;
             let mut steps = 0;
-            let at = self.implicit_stretch(stretch, left, (state, samples), &mut |easy| {
-                steps += 1;
-                may_return && easy
-            })?;
+            let at = self.implicit_stretch(
+                stretch,
+                left,
+                (state, samples),
+                &mut caution,
+                &mut |easy| {
+                    steps += 1;
+                    may_return && easy
+                },
+            )?;
             let Some(at) = at else { return Ok(()) };
             stretch.system.note(format!(
                 "{} instead of {} from t = {:.6} s on: no longer stiff",
@@ -286,12 +294,14 @@ impl<'a> Choice<'a> {
     }
 
     /// Goes on implicitly, until `leave`, told after each step whether enough of them would do
-    /// explicitly, says so. A step of no length is one to be found.
+    /// explicitly, says so. A step of no length is one to be found. Caution is kept from one
+    /// such stretch to the next, and one in which a step was a surprise is not left.
     fn implicit_stretch(
         &self,
         stretch: &Stretch<'_>,
         from: Left,
         (state, samples): (&mut [f64], &mut Samples<'_>),
+        caution: &mut Caution,
         leave: &mut dyn FnMut(bool) -> bool,
     ) -> Result<Option<Left>, Stopped> {
         let simulator = stretch.system.simulator();
@@ -307,12 +317,22 @@ impl<'a> Choice<'a> {
         };
         if self.by_radau {
             let (mut method, from) = begun(RadauSteps::new(stretch), from, state);
-            let is_over = |method: &RadauSteps<'_>, step| is_over(method.jacobian(), step);
-            drive(&mut method, stretch, from, state, samples, is_over)
+            let is_over = |method: &RadauSteps<'_>, step| {
+                is_over(method.jacobian(), step) && !method.caution.is_warned()
+            };
+            method.caution = *caution;
+            let left = drive(&mut method, stretch, from, state, samples, is_over);
+            *caution = method.caution;
+            left
         } else {
             let (mut method, from) = begun(RosenbrockSteps::new(&RODAS5P, stretch), from, state);
-            let is_over = |method: &RosenbrockSteps<'_>, step| is_over(method.jacobian(), step);
-            drive(&mut method, stretch, from, state, samples, is_over)
+            let is_over = |method: &RosenbrockSteps<'_>, step| {
+                is_over(method.jacobian(), step) && !method.caution.is_warned()
+            };
+            method.caution = *caution;
+            let left = drive(&mut method, stretch, from, state, samples, is_over);
+            *caution = method.caution;
+            left
         }
     }
 }

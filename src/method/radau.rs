@@ -10,6 +10,7 @@ mod tangents;
 
 use self::collocation::Collocation;
 use self::newton::{Newton, Outcome};
+use super::caution::Caution;
 use super::one_step::{
     BETWEEN, OneStep, Pace, Trial, drive_all, first_step, sum_of_squares, weighted_norm,
 };
@@ -65,6 +66,7 @@ pub(super) struct RadauSteps<'a> {
     was_rejected: bool,
     last_error: f64,
     accepted: Option<Accepted>,
+    pub(super) caution: Caution,
     order_choice: OrderChoice,
     carried: tangents::Carried,
 }
@@ -126,6 +128,7 @@ impl<'a> RadauSteps<'a> {
             was_rejected: false,
             last_error: 1.0,
             accepted: None,
+            caution: Caution::default(),
             order_choice: OrderChoice::default(),
             carried: tangents::Carried::default(),
         }
@@ -162,7 +165,7 @@ impl<'a> RadauSteps<'a> {
 
     /// Allowed errors, which a method's estimate is held to.
     fn set_scale(&mut self) {
-        let (looser, rtol) = (self.looser(), self.stretch.rtol);
+        let (looser, rtol) = (self.looser() / self.caution.strictness(), self.stretch.rtol);
         for ((scale, state), atol) in self.scale.iter_mut().zip(&self.start).zip(self.stretch.atol)
         {
             *scale = looser * (atol + rtol * state.abs());
@@ -174,6 +177,7 @@ impl<'a> RadauSteps<'a> {
     }
 
     fn try_step(&mut self) -> Result<f64, Trial> {
+        self.set_scale();
         self.guess_stages();
         let method = &self.methods[self.current];
         let size = self.size;
@@ -359,7 +363,7 @@ impl OneStep for RadauSteps<'_> {
         self.previous.is_known = false;
         self.accepted = None;
         self.newton.forget();
-        self.set_scale();
+        self.caution.begin();
     }
 
     fn first_step(&mut self) -> f64 {
@@ -378,6 +382,7 @@ impl OneStep for RadauSteps<'_> {
             Ok(error)
         });
         self.was_rejected |= !matches!(tried, Ok(error) if error <= 1.0);
+        self.caution.look(&tried);
         match tried {
             Ok(error) => {
                 self.last_error = error;
@@ -449,7 +454,7 @@ impl OneStep for RadauSteps<'_> {
         self.accepted = Some(Accepted { step: self.step, error: self.last_error.max(1e-2) });
         self.was_rejected = false;
         self.newton.start_anew();
-        self.set_scale();
+        self.caution.accept();
     }
 
     fn pace(&self) -> Pace {

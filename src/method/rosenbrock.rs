@@ -1,6 +1,7 @@
 //! Rosenbrock methods: implicit, but each stage solves one linear system with
 //! the emitted Jacobian, so that nothing is iterated.
 
+use super::caution::Caution;
 use super::lanes::{Sum, combine, padded, sum};
 use super::one_step::{
     BETWEEN, OneStep, Pace, Trial, drive_all, finite_jacobian, first_step, require_finite,
@@ -60,6 +61,7 @@ pub(super) struct RosenbrockSteps<'a> {
     /// D_1, D_2, D_3 of the dense output.
     dense: Vec<f64>,
     has_dense: bool,
+    pub(super) caution: Caution,
 }
 
 impl<'a> RosenbrockSteps<'a> {
@@ -93,6 +95,7 @@ impl<'a> RosenbrockSteps<'a> {
             stage_sums: method.stages.iter().map(|row| sum(row, width)).collect(),
             dense: vec![0.0; 3 * width],
             has_dense: false,
+            caution: Caution::default(),
         }
     }
 
@@ -182,7 +185,8 @@ impl<'a> RosenbrockSteps<'a> {
         self.error[..self.width].copy_from_slice(&self.stages[last..]);
         self.sum_up_flows();
         let len = self.stretch.system.len();
-        Ok(weighted_norm(self.stretch, &self.error[..len], &self.start, &self.end))
+        let error = weighted_norm(self.stretch, &self.error[..len], &self.start, &self.end);
+        Ok(self.caution.strictness() * error)
     }
 
     fn sum_up_flows(&mut self) {
@@ -238,6 +242,7 @@ impl OneStep for RosenbrockSteps<'_> {
         self.end[..state.len()].copy_from_slice(state);
         self.is_linearized = false;
         self.onset.forget();
+        self.caution.begin();
         if let Some(quadrature) = &mut self.quadrature {
             quadrature.at_start = self.stretch.flow_rates(time, &self.start[..self.size]);
         }
@@ -261,6 +266,7 @@ impl OneStep for RosenbrockSteps<'_> {
             }
             Ok(error)
         });
+        self.caution.look(&tried);
         tried.map_or_else(|trial| trial, Trial::Error)
     }
 
@@ -305,6 +311,7 @@ impl OneStep for RosenbrockSteps<'_> {
         self.time += self.step;
         self.start.copy_from_slice(&self.end);
         self.is_linearized = false;
+        self.caution.accept();
         if let Some(quadrature) = &mut self.quadrature {
             quadrature.advance();
         }

@@ -191,6 +191,7 @@ impl<'a> Newton<'a> {
         self.limit = 7 + (count - 3) * 5 / 2;
         self.transform(method, len, stages);
         self.remainder = self.remainder.max(f64::EPSILON).powf(0.8);
+        let carried = self.remainder;
         let mut before = 0.0;
         let mut ratio_before = 0.0;
         self.iterations = 0;
@@ -221,9 +222,15 @@ impl<'a> Newton<'a> {
                     return Ok(Outcome::Failed { shrink: shrink.min(0.8) });
                 }
             }
+            let is_near = if self.iterations > 1 { before } else { change } <= NEAR;
             before = change.max(f64::EPSILON * self.tolerance);
-            let is_trusted = self.iterations > 1 || change <= NEAR;
-            if is_trusted && self.remainder * change <= self.tolerance {
+            // A step from afar says little of how it goes on where it came to.
+            let remainder = match self.iterations {
+                _ if is_near => self.remainder,
+                1 => 1.0,
+                _ => self.remainder.max(carried),
+            };
+            if remainder * change <= self.tolerance {
                 if self.iterations == 1 {
                     self.contraction = 0.0;
                 }

@@ -132,6 +132,7 @@ pub(super) fn reached(graph: &Graph, results: &[NodeId]) -> BTreeSet<NodeId> {
 #[cfg(test)]
 mod tests {
     use machinist_model::evaluate::{Evaluator, Inputs};
+    use machinist_model::{Name, Table, TableId};
 
     use super::*;
 
@@ -163,6 +164,12 @@ mod tests {
         let mut nodes: Vec<NodeId> =
             builds.iter().map(|build| build(&mut graph, [x, time, p])).collect();
         nodes.extend(functions.map(|function| graph.call(function, x)));
+        let table = Table {
+            name: Name { path: "table".into(), ident: "table".into(), latex: String::new() },
+            knots: vec![0.0, 1.0, 2.0],
+            coefficients: vec![[0.2, -1.1, 0.7, 2.0], [1.8, 6.3, 6.7, -1.0]],
+        };
+        nodes.extend([0, 1].map(|order| graph.table(TableId(0), order, x)));
         // What does not move.
         nodes.extend([p, speed, graph.call(Function::Sin, p)]);
         let rates = along(&mut graph, &[speed], &nodes);
@@ -173,6 +180,7 @@ mod tests {
                 time: 0.4 + later,
                 state: &state,
                 parameters: &[1.7],
+                tables: std::slice::from_ref(&table),
                 ..Inputs::default()
             };
             let mut values = vec![0.0; nodes.len()];

@@ -198,6 +198,32 @@ mod tests {
     }
 
     #[test]
+    fn as_many_parts_as_angles_are_left_alone() {
+        let mut graph = Graph::new();
+        let [x, y] = [0, 1].map(|entry| graph.insert(Op::State(entry)));
+        let difference = graph.sub(x, y);
+        let sines = [x, difference].map(|angle| graph.call(Function::Sin, angle));
+        let tape = graph.tape(&sines);
+        assert_eq!(expand(&tape), tape);
+    }
+
+    #[test]
+    fn angles_that_differ_by_numbers_are_one() {
+        let mut graph = Graph::new();
+        let x = graph.insert(Op::State(0));
+        let [one, two] = [1.0, 2.0].map(|value| graph.literal(value));
+        let (ahead, behind) = (graph.add(x, one), graph.sub(x, two));
+        let cosines = [ahead, behind].map(|angle| graph.call(Function::Cos, angle));
+        let sines = [ahead, behind].map(|angle| graph.call(Function::Sin, angle));
+        let tape = graph.tape(&[cosines, sines].concat());
+        let expanded = expand(&tape);
+        assert_eq!((calls(&tape), calls(&expanded)), (4, 2));
+        for (before, after) in values(&tape, &[0.4]).iter().zip(values(&expanded, &[0.4])) {
+            assert!((before - after).abs() < 4e-16, "{before} {after}");
+        }
+    }
+
+    #[test]
     fn groups_that_share_no_angle_are_decided_apart() {
         let mut graph = Graph::new();
         let entries: Vec<NodeId> = (0..5).map(|i| graph.insert(Op::State(i))).collect();

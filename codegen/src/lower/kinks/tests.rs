@@ -153,6 +153,22 @@ fn narrow_features_of_time_are_found_and_wide_ones_left_to_steps() {
         });
         assert_eq!(step, expected, "{factor}");
     }
+    // A square turns where its base passes zero; a product of two lines has no such place.
+    let lines = |graph: &mut Graph, time: NodeId, p: NodeId| {
+        [p, graph.literal(7.0)].map(|zero| {
+            let [distance, factor] = [graph.sub(time, zero), graph.literal(1e3)];
+            graph.mul(factor, distance)
+        })
+    };
+    let of_one = times(|graph, time, p| {
+        let [line, _] = lines(graph, time, p);
+        graph.mul(line, line)
+    });
+    let of_two = times(|graph, time, p| {
+        let [a, b] = lines(graph, time, p);
+        graph.mul(a, b)
+    });
+    assert_eq!((of_one, of_two), (vec![P], vec![]));
     // How narrow it is may be for a parameter to say; the start stands for a wide one.
     for (power, expected) in [(1, 0.0), (7, 2.0)] {
         let found = times(|graph, time, p| {
@@ -179,6 +195,9 @@ fn tables_bend_at_corners_and_where_they_are_curved() {
     let knots = [0.0, 2.0, 3.0, 7.0];
     assert!(corners(&table(&knots, &flat)).is_empty());
     assert!(bends(&table(&knots, &flat)).is_empty());
+    // A spline through points of a line is curved by its rounding.
+    let rounded = [[1.0, 1.0, 1e-14, 0.0], [3.0, 1.0, -1e-14, 1e-15], [4.0, 1.0, 0.0, 0.0]];
+    assert!(bends(&table(&knots, &rounded)).is_empty());
     // u^2 + u^3 has the slope 16 at 2.
     let smooth = [[0.0, 0.0, 1.0, 1.0], [12.0, 16.0, 0.0, 0.0], [28.0, 16.0, 0.0, 0.0]];
     assert!(corners(&table(&knots, &smooth)).is_empty());

@@ -118,6 +118,13 @@ fn what_has_neither_inertia_nor_a_constraint_is_told_by_its_coordinates() {
     let massless = equations(crank(0.02, "", LOOP));
     assert!(massless.is_singular());
     assert_eq!(massless.undecided(), None);
+    // Constraints that repeat each other leave forces undecided, but no motion.
+    let again = format!(
+        "{LOOP}[define.s.constraints.again]\nexpression = \"2*x - 2*crank*cos(phi) - 2*rod*cos(psi)\"\n"
+    );
+    let repeated = equations(crank(0.02, "", &again));
+    assert!(repeated.is_singular());
+    assert_eq!(repeated.undecided(), None);
     let open = equations(crank(0.02, of_rod, ""));
     assert!(!open.is_singular());
     // An inertia that the spec sets to zero is none; the slider's mass decides.

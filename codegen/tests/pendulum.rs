@@ -9,6 +9,7 @@ use crate::support;
 use machinist_codegen::cas::{Algebra, session};
 use machinist_codegen::expr::{CoordinateId, Expr, Function, ParameterId, Symbol};
 use machinist_codegen::lower::lower;
+use machinist_codegen::lower::structure::Structure;
 use machinist_codegen::mechanics::lagrange;
 use machinist_codegen::mechanics::linearize::linearize;
 use machinist_codegen::scene::system::{Coordinate, GeneralizedForce, LagrangianSystem, Parameter};
@@ -202,4 +203,22 @@ fn cartesian_components_are_put_together_by_the_addition_theorem() {
         nodes.filter(|node| format!("{:?}", node.op).starts_with("Call(Cos")).count()
     };
     assert_eq!(cosines(&program.mass_matrix.tape), 10, "one for each pair of links");
+}
+
+#[test]
+fn links_are_coupled_by_their_angles_which_follow_their_speeds() {
+    let two = Structure::of(&program(chain(2)));
+    assert!(!two.constant_mass && !two.diagonal_mass && two.autonomous);
+    assert_eq!((two.linear_rows, two.linear_part), (vec![0, 1], vec![]));
+    assert_eq!(two.subsystems, [[0, 1, 2, 3]]);
+    // Two masses that know nothing of each other.
+    let speed = |i| squared(Expr::Symbol(Symbol::Velocity(CoordinateId(i))));
+    let apart = LagrangianSystem {
+        kinetic: Expr::Sum(vec![speed(0), speed(1)]),
+        potential: number(0),
+        ..chain(2)
+    };
+    let apart = Structure::of(&program(apart));
+    assert!(apart.constant_mass && apart.diagonal_mass && apart.is_linear());
+    assert_eq!(apart.subsystems, [[0, 2], [1, 3]]);
 }

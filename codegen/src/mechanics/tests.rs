@@ -25,7 +25,7 @@ fn equations(system: LagrangianSystem) -> EquationsOfMotion {
 }
 
 /// A cart in a frame that swings, on a spring, with a brake that fades out; another one is moved along with it
-/// by a constraint that moves.
+/// by a constraint that moves. What a state stores is converted by a force, not supplied.
 const CARTS: &str = r#"
 [scene]
 name = "carts"
@@ -44,30 +44,89 @@ damping = { value = 2.5, unit = "N s/m" }
 kinetic = "mass*(x_dot + 2 [m/s]*cos(3 [1/s]*t))^2/2 + mass*y_dot^2/4"
 potential = "stiffness*(1 + t/(1 [s]))*x^2/2"
 dissipation = "damping*x_dot^2/2"
+stored = "stiffness*z^2/4"
+[define.s.states.z]
+unit = "m"
+rate = "2*x_dot - y_dot"
+initial = 0
 [define.s.constraints.led]
 expression = "y - x/2 - 0.1 [m]*sin(2 [1/s]*t)"
 [[define.s.forces]]
 coordinate = "x"
 expression = "7 [N]*sin(t/(1 [s]))"
+[[define.s.forces]]
+coordinate = "x"
+expression = "-stiffness*z"
+conversion = true
+[[define.s.forces]]
+coordinate = "y"
+expression = "stiffness*z/2"
+conversion = true
+[define.s.events.pulled]
+guard = "abs(led) - 3 [N]"
+[define.s.events.met]
+guard = "x*x_dot - z*y_dot + 0.2 [m^2/s]*sin(2 [1/s]*t)"
 "#;
+
+fn carts() -> ModelSimulator {
+    let model = pipeline::compile_by(Algebra::Plain, system(CARTS), Keep::All);
+    ModelSimulator::interpreted(model.unwrap_or_else(|errors| panic!("{}", errors.render())))
+}
+
+/// A state on the constraint at a time.
+fn held(t: f64, x: f64, v: f64) -> [f64; 5] {
+    let [y, y_dot] = [x / 2.0 + 0.1 * f64::sin(2.0 * t), v / 2.0 + 0.2 * f64::cos(2.0 * t)];
+    [x, y, v, y_dot, 0.3 - v]
+}
+
+const PLACES: [(f64, f64, f64); 3] = [(0.2, 0.3, -1.1), (0.7, -0.4, 0.6), (1.9, 0.1, 2.3)];
 
 #[test]
 fn power_that_is_supplied_is_stored_or_dissipated_along_any_motion() {
-    let model = pipeline::compile_by(Algebra::Plain, system(CARTS), Keep::All);
-    let model = model.unwrap_or_else(|errors| panic!("{}", errors.render()));
-    let simulator = ModelSimulator::interpreted(model);
+    let simulator = carts();
     let simulator = simulator.single();
     let shape = simulator.shape();
     let p: Vec<f64> = (0..shape.parameters).map(|i| simulator.parameter_default(i)).collect();
     let names: Vec<&str> = (0..shape.states()).map(|i| simulator.state(i).name).collect();
-    assert_eq!(names, ["s.x", "s.y", "s.x_dot", "s.y_dot"]);
-    for (t, x, v) in [(0.2, 0.3, -1.1), (0.7, -0.4, 0.6), (1.9, 0.1, 2.3)] {
-        let state = [x, x / 2.0 + 0.1 * f64::sin(2.0 * t), v, v / 2.0 + 0.2 * f64::cos(2.0 * t)];
-        let power = simulator.power_balance(t, &state, &p);
+    assert_eq!(names, ["s.x", "s.y", "s.x_dot", "s.y_dot", "s.z"]);
+    for (t, x, v) in PLACES {
+        let power = simulator.power_balance(t, &held(t, x, v), &p);
         let PowerBalance { stored_rate: stored, supplied, dissipated } = power;
         assert!((dissipated - 2.5 * v * v).abs() < 1e-12, "{dissipated}");
         let size = stored.abs() + supplied.abs() + dissipated;
         assert!((stored - supplied + dissipated).abs() < 1e-12 * size, "{power:?}");
+    }
+}
+
+/// Of a force, by its size, and of positions and velocities.
+#[test]
+fn rates_of_guards_are_their_differences_along_the_motion() {
+    const STEP: f64 = 1e-5;
+    let simulator = carts();
+    let simulator = simulator.single();
+    let p: Vec<f64> =
+        (0..simulator.shape().parameters).map(|i| simulator.parameter_default(i)).collect();
+    let ahead = |t: f64, from: &[f64; 5], along: &[f64; 5], step: f64| -> [f64; 5] {
+        let mut rate = [0.0; 5];
+        simulator.rate(t, along, &p, &mut rate);
+        std::array::from_fn(|entry| from[entry] + step * rate[entry])
+    };
+    for (t, x, v) in PLACES {
+        let state = held(t, x, v);
+        let guards = |step: f64| {
+            let middle = ahead(t, &state, &state, step / 2.0);
+            let end = ahead(t + step / 2.0, &state, &middle, step);
+            let mut guards = [0.0; 2];
+            simulator.guards(t + step, &end, &p, &mut guards);
+            guards
+        };
+        let (after, before) = (guards(STEP), guards(-STEP));
+        let mut rates = [0.0; 2];
+        simulator.guard_rates(t, &state, &p, &mut rates);
+        for (index, rate) in rates.into_iter().enumerate() {
+            let expected = (after[index] - before[index]) / (2.0 * STEP);
+            assert!((rate - expected).abs() < 1e-6 * expected.abs().max(1.0), "{rate} {expected}");
+        }
     }
 }
 

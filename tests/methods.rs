@@ -1,6 +1,8 @@
 //! What the methods of this crate do that none other need do: stiff machines
 //! against each other, tolerances that are kept, choices that are told.
 
+use std::cell::RefCell;
+
 use crate::common::{HardSpring, Scalar};
 use machinist::error::StopCause;
 use machinist::method::Work;
@@ -327,4 +329,59 @@ fn steps_so_many_that_their_errors_add_up_are_told_of() {
     };
     assert!(notes(1.0).is_empty());
     assert!(notes(30.0)[0].contains("adds up"));
+}
+
+thread_local! {
+    /// When rates were asked for.
+    static ASKED: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
+}
+
+fn asked(time: f64, rate: f64) -> f64 {
+    ASKED.with_borrow_mut(|asked| asked.push(time));
+    rate
+}
+
+/// Hairer, Norsett, Wanner, section II.4, "Starting step size", for one equation.
+#[test]
+fn first_steps_are_those_of_the_book() {
+    const RTOL: f64 = 1e-6;
+    const FROM: f64 = 2.0;
+    const UNTIL: f64 = 3.5;
+    type Rate = fn(f64, f64) -> f64;
+    let cases: [(Rate, f64, f64); 9] = [
+        // By the change of the rate, by the rate, by the guess, by the span.
+        (|t, y| asked(t, -3.0 * y), 2.0, 1e-7),
+        (|t, y| asked(t, -3.0 * y * y), 2.0, 1e-7),
+        (|t, _| asked(t, 5.0), 2.0, 1e-7),
+        (|t, y| asked(t, -100.0 * y), 2.0, 0.2),
+        (|t, _| asked(t, 1.0), 8.0, 1e3),
+        (|t, _| asked(t, 0.02), 8.0, 1e3),
+        // From rest, without a rate, without either.
+        (|t, y| asked(t, 1.0 - y), 0.0, 1e-7),
+        (|t, y| asked(t, 2.0 - y), 2.0, 1e-7),
+        (|t, _| asked(t, 0.0), 0.0, 1e-7),
+    ];
+    for (rate, y, atol) in cases {
+        let scalar = Scalar::new(rate, |_, _| 0.0, y);
+        let run = Simulation::new(&scalar).method(Method::Tsit5).from(FROM).until(UNTIL);
+        ASKED.take();
+        run.rtol(RTOL).atol(&[atol]).run().unwrap();
+        let times = ASKED.take();
+        let mut later = times.into_iter().map(|time| time - FROM).filter(|time| *time > 0.0);
+
+        let scale = atol + RTOL * y;
+        let f = rate(FROM, y);
+        let (d0, d1) = (y / scale, f.abs() / scale);
+        let h0 = if d0 < 1e-5 || d1 < 1e-5 { 1e-6 } else { 0.01 * d0 / d1 };
+        let h0 = h0.min(UNTIL - FROM);
+        let d2 = (rate(FROM, y + h0 * f) - f).abs() / scale / h0;
+        let largest = d1.max(d2);
+        let h1 = if largest <= 1e-15 { 1e-6 } else { (0.01 / largest).powf(0.2) };
+        let first = h1.min(100.0 * h0).min(UNTIL - FROM);
+        // The guess, then the second stage.
+        let found = [later.next(), later.next()].map(|time| time.unwrap());
+        for (found, expected) in found.into_iter().zip([h0, 0.161 * first]) {
+            assert!((found / expected - 1.0).abs() < 1e-6, "{y}: {found} {expected}");
+        }
+    }
 }

@@ -579,7 +579,15 @@ pub(super) fn first_not_finite(values: &[f64]) -> Option<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::Pace;
+    use super::{Pace, rests};
+
+    #[test]
+    fn what_stays_where_it_is_rests_wherever_that_is() {
+        let atol = [1e-6, 1e-3];
+        assert!(rests([(4.0, 4.0), (-2.0, -2.0 + 1e-7)].into_iter(), &atol));
+        assert!(!rests([(4.0, 4.0 + 2e-9), (-2.0, -2.0)].into_iter(), &atol));
+        assert!(!rests([(4.0, -4.0), (0.0, 0.0)].into_iter(), &atol));
+    }
 
     #[test]
     fn an_error_far_below_what_was_foretold_is_not_believed_at_once() {

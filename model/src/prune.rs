@@ -107,3 +107,21 @@ impl Dependence {
         self.0[id.0 as usize] != (false, false)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_field_hands_over_changes_with_the_state_but_for_its_inertia() {
+        let nodes =
+            (0..2 * HANDED as u32).map(|number| Node { op: Op::Handed(number), name: None });
+        let nodes: Vec<Node> = nodes.collect();
+        let tape = reachable(&nodes, &[NodeId(0), NodeId(5)]);
+        assert_eq!(tape.nodes, [nodes[0].clone(), nodes[5].clone()]);
+        let dependence = Dependence::of(&Tape { nodes, results: vec![] });
+        let on_state = (0..2 * HANDED as u32).map(|id| dependence.on_state(NodeId(id)));
+        let expected = [false, true, true, true, false, true, true, true];
+        assert_eq!(on_state.collect::<Vec<_>>(), expected);
+    }
+}

@@ -131,3 +131,40 @@ impl Factorization {
         x
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use machinist_model::Op;
+    use machinist_model::evaluate::{Evaluator, Inputs};
+
+    /// m a = f + g (l_1 + l_2), g a = gamma, twice the same while the mode holds.
+    #[test]
+    fn what_a_mode_holds_twice_is_held_by_the_first() {
+        let mut graph = Graph::new();
+        let [mass, slope, diagonal, force, gamma] =
+            [0, 1, 2, 3, 4].map(|entry| graph.insert(Op::State(entry)));
+        let mut matrix = Nonzeros::new(3);
+        matrix.set(&graph, (0, 0), mass);
+        for row in [1, 2] {
+            matrix.set(&graph, (row, 0), slope);
+            matrix.set(&graph, (0, row), slope);
+            matrix.set(&graph, (row, row), diagonal);
+        }
+        let factors = factor(&mut graph, &matrix, 1);
+        let solution = factors.solve(&mut graph, &[force, gamma, gamma]);
+        let tape = graph.tape(&solution);
+        for (state, expected) in [
+            ([3.0, 0.1, 0.0, 2.0, 0.7], [7.0, -190.0, 0.0]),
+            ([0.3, 0.7, 0.0, 2.0, 0.7], [1.0, 1.7 / 0.7, 0.0]),
+            ([3.0, 0.0, -1.0, 2.0, 0.0], [2.0 / 3.0, 0.0, 0.0]),
+        ] {
+            let mut found = [0.0; 3];
+            let inputs = Inputs { state: &state, ..Inputs::default() };
+            Evaluator::new(&tape).evaluate(&inputs, &mut found);
+            for (found, expected) in found.into_iter().zip(expected) {
+                assert!((found - expected).abs() < 1e-12 * expected.abs().max(1.0), "{found}");
+            }
+        }
+    }
+}

@@ -578,35 +578,4 @@ pub(super) fn first_not_finite(values: &[f64]) -> Option<usize> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::{Pace, rests};
-
-    #[test]
-    fn what_stays_where_it_is_rests_wherever_that_is() {
-        let atol = [1e-6, 1e-3];
-        assert!(rests([(4.0, 4.0), (-2.0, -2.0 + 1e-7)].into_iter(), &atol));
-        assert!(!rests([(4.0, 4.0 + 2e-9), (-2.0, -2.0)].into_iter(), &atol));
-        assert!(!rests([(4.0, -4.0), (0.0, 0.0)].into_iter(), &atol));
-    }
-
-    #[test]
-    fn an_error_far_below_what_was_foretold_is_not_believed_at_once() {
-        let pace = Pace {
-            exponent: 0.125,
-            memory: 0.0,
-            safety: 0.9,
-            smallest: 0.2,
-            largest: 8.0,
-            hold: 1.0,
-        };
-        // As foretold, and better than foretold by little: as it is.
-        assert_eq!(pace.believed(0.2, 1.0, Some((1.0, 0.5))).to_bits(), 0.2f64.to_bits());
-        assert_eq!(pace.believed(1e-9, 1.0, None).to_bits(), 1e-9f64.to_bits());
-        // Growth at the order of the method, as after a short first step: as it is.
-        let grown = 1e-12 * 8f64.powi(8);
-        assert_eq!(pace.believed(grown, 8.0, Some((1.0, 1e-12))).to_bits(), grown.to_bits());
-        // Out of the blue: the step grows less than twofold.
-        let believed = pace.believed(1e-9, 1.0, Some((1.0, 0.5)));
-        assert!(pace.factor(believed, 0.5) < 2.0 && pace.factor(1e-9, 0.5) > 7.0);
-    }
-}
+mod tests;

@@ -98,6 +98,18 @@ fn power_that_is_supplied_is_stored_or_dissipated_along_any_motion() {
     }
 }
 
+#[test]
+fn a_model_says_which_files_it_is_of_and_how_much_may_be_taken_for_rigid() {
+    let mut system = system(CARTS);
+    system.freeze.tolerance = 0.02;
+    let model = pipeline::compile_by(Algebra::Plain, system.clone(), Keep::All);
+    let model = model.unwrap_or_else(|errors| panic!("{}", errors.render()));
+    assert_eq!(model.freeze, system.freeze);
+    let read = system.files.iter().map(|file| (&file.label, &file.sha256));
+    assert!(read.eq(model.files.iter().map(|file| (&file.label, &file.sha256))));
+    assert_eq!(model.files.len(), 1);
+}
+
 /// Of a force, by its size, and of positions and velocities.
 #[test]
 fn rates_of_guards_are_their_differences_along_the_motion() {

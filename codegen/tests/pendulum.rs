@@ -13,9 +13,8 @@ use machinist_codegen::lower::structure::Structure;
 use machinist_codegen::mechanics::lagrange;
 use machinist_codegen::mechanics::linearize::linearize;
 use machinist_codegen::scene::system::{Coordinate, GeneralizedForce, LagrangianSystem, Parameter};
-use machinist_model::Model;
-use machinist_model::Tape;
 use machinist_model::evaluate::{Evaluator, Inputs};
+use machinist_model::{Model, ModelSimulator, Tape};
 use num_rational::BigRational;
 
 fn number(n: i64) -> Expr {
@@ -154,33 +153,44 @@ fn accelerations_solve_the_mass_matrix() {
 
 #[test]
 fn jacobian_of_a_full_mass_matrix_agrees_with_differences() {
-    let n = 3;
-    let program = program(chain(n as u32));
-    for state in states(n).take(10) {
-        let jacobian = evaluate(&program.rate_jacobian.tape, &state);
-        let mut dense = vec![vec![0.0; 2 * n]; 2 * n];
-        for ((i, j), value) in program.rate_jacobian.pattern.entries.iter().zip(jacobian) {
-            dense[*i as usize][*j as usize] = value;
-        }
-        for column in 0..2 * n {
-            // Richardson's extrapolation of two central differences, order 4.
-            let slope = |h: f64| {
-                let moved = |by: f64| {
-                    let mut moved = state.clone();
-                    moved[column] += by;
-                    evaluate(&program.rate, &moved)
-                };
-                let (plus, minus) = (moved(h), moved(-h));
-                let each = plus.into_iter().zip(minus).map(move |(p, m)| (p - m) / (2.0 * h));
-                each.collect::<Vec<f64>>()
-            };
-            let (coarse, fine) = (slope(2e-3), slope(1e-3));
-            for row in 0..2 * n {
-                let expected = (4.0 * fine[row] - coarse[row]) / 3.0;
-                let scale = 1.0 + expected.abs();
-                assert!((dense[row][column] - expected).abs() < 1e-6 * scale, "({row}, {column})");
+    // Solved for on the graph, and in a loop.
+    for (n, is_looped) in [(3, false), (10, true)] {
+        let program = program(chain(n as u32));
+        assert_eq!(program.rate_jacobian.solve.is_some(), is_looped);
+        let pattern = program.rate_jacobian.pattern.entries.clone();
+        let rate = program.rate.clone();
+        let simulator = ModelSimulator::interpreted(program);
+        for state in states(n).take(if is_looped { 2 } else { 10 }) {
+            let mut jacobian = vec![0.0; pattern.len()];
+            simulator.single().rate_jacobian(0.0, &state, &[9.81], &mut jacobian);
+            let mut dense = vec![vec![0.0; 2 * n]; 2 * n];
+            for ((i, j), value) in pattern.iter().zip(jacobian) {
+                dense[*i as usize][*j as usize] = value;
+            }
+            for column in 0..2 * n {
+                assert_column_is_of_differences(&rate, &state, &dense, column);
             }
         }
+    }
+}
+
+fn assert_column_is_of_differences(rate: &Tape, state: &[f64], dense: &[Vec<f64>], column: usize) {
+    // Richardson's extrapolation of two central differences, order 4.
+    let slope = |h: f64| {
+        let moved = |by: f64| {
+            let mut moved = state.to_vec();
+            moved[column] += by;
+            evaluate(rate, &moved)
+        };
+        let (plus, minus) = (moved(h), moved(-h));
+        let each = plus.into_iter().zip(minus).map(move |(p, m)| (p - m) / (2.0 * h));
+        each.collect::<Vec<f64>>()
+    };
+    let (coarse, fine) = (slope(2e-3), slope(1e-3));
+    for row in 0..state.len() {
+        let expected = (4.0 * fine[row] - coarse[row]) / 3.0;
+        let scale = 1.0 + expected.abs();
+        assert!((dense[row][column] - expected).abs() < 1e-6 * scale, "({row}, {column})");
     }
 }
 

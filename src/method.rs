@@ -344,7 +344,7 @@ impl Method {
     )]
     pub(crate) fn overseer<'a, R: crate::lanes::Lanes>(
         self,
-        machine: &'a dyn machinist_contract::Simulator<R>,
+        machine: &'a dyn machinist_contract::SideBySide<R>,
         rtol: f64,
     ) -> Option<Box<dyn taylor::variants::Overseer<R> + 'a>> {
         match self {

@@ -7,7 +7,7 @@
 //! what a run of its own gives, whatever the number of threads.
 
 use machinist_contract::taylor::{Bends, TaylorSeries};
-use machinist_contract::{F64x2, Simulator};
+use machinist_contract::{F64x2, SideBySide, Simulator};
 use rayon::prelude::*;
 
 use crate::error::SimulateError;
@@ -35,9 +35,9 @@ pub trait Sweepable: Sync {
 #[derive(Clone, Copy)]
 pub enum InLanes<'a> {
     /// Two.
-    Two(&'a dyn Simulator<F64x2>),
+    Two(&'a dyn SideBySide<F64x2>),
     /// Eight.
-    Eight(&'a dyn Simulator<F64x8>),
+    Eight(&'a dyn SideBySide<F64x8>),
 }
 
 /// Every emitted machine.
@@ -227,7 +227,7 @@ impl<'a> Sweep<'a> {
         &self,
         chunk: &[Vec<f64>],
         (method, rtol): (Method, f64),
-        machine: &dyn Simulator<R>,
+        machine: &dyn SideBySide<R>,
     ) -> Option<Vec<Result<VariantRun, SimulateError>>> {
         let series = machine.taylor()?;
         // As `auto` does of a run of its own.
@@ -252,7 +252,7 @@ impl<'a> Sweep<'a> {
         &self,
         chunk: &[Vec<f64>],
         mut variants: Vec<(usize, u64)>,
-        (machine, series): (&dyn Simulator<R>, &dyn TaylorSeries<R>),
+        (machine, series): (&dyn SideBySide<R>, &dyn TaylorSeries<R>),
         (method, pace, looks_within): (Method, (f64, bool), bool),
         mut done: impl FnMut(usize, Result<Result<VariantRun, SimulateError>, u64>),
     ) {

@@ -349,3 +349,64 @@ pub trait Simulator<R: Real>: Describe {
         None
     }
 }
+
+/// What variants side by side ask of their machine; all else is asked of it one variant at a time. Every
+/// simulator has it, and who makes `&dyn SideBySide` of one compiles no more than this in lanes.
+pub trait SideBySide<R: Real>: Describe {
+    /// As [`Simulator::constants`].
+    fn constants(&self) -> usize;
+    /// As [`Simulator::prepare`].
+    fn prepare(&self, parameters: &[R], constants: &mut [R]);
+    /// As [`Simulator::prepared_rate`].
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        rate: &mut [R],
+    );
+    /// As [`Simulator::prepared_rate_jacobian`].
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    );
+    /// As [`Simulator::taylor`].
+    fn taylor(&self) -> Option<&dyn TaylorSeries<R>>;
+}
+
+impl<R: Real, S: Simulator<R>> SideBySide<R> for S {
+    fn constants(&self) -> usize {
+        Simulator::constants(self)
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        Simulator::prepare(self, parameters, constants);
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        rate: &mut [R],
+    ) {
+        Simulator::prepared_rate(self, time, state, parameters, constants, rate);
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        Simulator::prepared_rate_jacobian(self, time, state, parameters, constants, values);
+    }
+    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        Simulator::taylor(self)
+    }
+}

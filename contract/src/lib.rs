@@ -47,7 +47,7 @@ pub mod taylor;
 
 pub use contract::{
     Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape,
-    Simulator, SparsityPattern, StateKind, jacobians_apart,
+    SideBySide, Simulator, SparsityPattern, StateKind, jacobians_apart,
 };
 pub use dual::{Derivatives, Dual, DualFunction};
 pub use pair::F64x2;

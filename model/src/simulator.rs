@@ -11,7 +11,7 @@ use machinist_contract::linear::LinearEquations;
 use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_contract::{
     Constraint, Derivatives, Describe, Direction, Dual, Energy, Event, PowerBalance, Quantity,
-    RunDefaults, Shape, Simulator, SparsityPattern, jacobians_apart,
+    RunDefaults, Shape, SideBySide, Simulator, SparsityPattern, jacobians_apart,
 };
 
 use crate::functions::{FUNCTIONS, FunctionId};
@@ -95,7 +95,7 @@ impl ModelSimulator {
     /// It on two variants side by side, likewise.
     #[must_use]
     #[inline(never)]
-    pub fn in_pairs(&self) -> &(dyn Simulator<F64x2> + Sync) {
+    pub fn in_pairs(&self) -> &(dyn SideBySide<F64x2> + Sync) {
         self
     }
 

@@ -4,7 +4,7 @@
 //! method, with the same bits; one that would change the method is sent away. Lanes are asked side
 //! by side, and no lane that is not due.
 
-use machinist_contract::Simulator;
+use machinist_contract::{SideBySide, Simulator};
 
 use super::stiffness::{
     Evidence, LOOKS_EVERY, STIFF_STEPS, SpectralRadius, few_steps, worth_beginning,
@@ -29,7 +29,7 @@ pub(crate) fn goes_in_lanes(simulator: &dyn Simulator<f64>, rtol: f64) -> bool {
 
 /// Looks at the steps of all lanes.
 pub(crate) struct Lookout<'a, R> {
-    machine: &'a dyn Simulator<R>,
+    machine: &'a dyn SideBySide<R>,
     limit: f64,
     few: f64,
     worth_beginning: f64,
@@ -46,7 +46,7 @@ pub(crate) struct Lookout<'a, R> {
 
 impl<'a, R: Lanes> Lookout<'a, R> {
     /// For steps of a relative tolerance.
-    pub(crate) fn new(machine: &'a dyn Simulator<R>, rtol: f64) -> Self {
+    pub(crate) fn new(machine: &'a dyn SideBySide<R>, rtol: f64) -> Self {
         let states = machine.shape().states();
         Self {
             machine,

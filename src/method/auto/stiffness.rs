@@ -1,7 +1,7 @@
 //! How it is found that stability, not accuracy, holds the steps of an explicit method, and
 //! whether an implicit one is worth its steps.
 
-use machinist_contract::{Real, Simulator};
+use machinist_contract::{Describe, Real, Simulator};
 
 /// So many steps of evidence change the method.
 pub(super) const STIFF_STEPS: usize = 15;
@@ -136,7 +136,7 @@ pub(super) struct SpectralRadius<'a, R> {
 }
 
 impl<'a, R: Real> SpectralRadius<'a, R> {
-    pub(super) fn new(simulator: &'a dyn Simulator<R>) -> Self {
+    pub(super) fn new(simulator: &'a (impl Describe + ?Sized)) -> Self {
         let zeros = || vec![R::literal(0.0); simulator.shape().states()];
         let entries = simulator.rate_jacobian_pattern().entries;
         let estimate = R::literal(0.0);

@@ -9,7 +9,7 @@ mod judge;
 mod lane;
 mod overseer;
 
-use machinist_contract::Simulator;
+use machinist_contract::SideBySide;
 use machinist_contract::taylor::TaylorSeries;
 
 use super::MIDDLE;
@@ -30,7 +30,7 @@ pub(crate) use overseer::{Equations, Moment, Overseer};
 /// in their middle too if told so. A variant that does not stay, by who looks at the steps if
 /// somebody does, is interrupted, and one of too many loose steps is left.
 pub(crate) fn integrate<'a, R: Lanes>(
-    (machine, series): (&'a dyn Simulator<R>, &'a dyn TaylorSeries<R>),
+    (machine, series): (&'a dyn SideBySide<R>, &'a dyn TaylorSeries<R>),
     (rtol, looks_within): (f64, bool),
     overseer: Option<Box<dyn Overseer<R> + 'a>>,
     variants: &mut dyn Iterator<Item = Variant>,
@@ -138,7 +138,7 @@ struct Bundle<'a, R> {
 
 impl<'a, R: Lanes> Bundle<'a, R> {
     fn new(
-        (machine, series): (&'a dyn Simulator<R>, &'a dyn TaylorSeries<R>),
+        (machine, series): (&'a dyn SideBySide<R>, &'a dyn TaylorSeries<R>),
         rtol: f64,
         first: &Variant,
     ) -> Self {

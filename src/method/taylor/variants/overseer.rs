@@ -1,6 +1,6 @@
 //! Who looks at the steps of lanes, and what there is to be asked beside the series.
 
-use machinist_contract::Simulator;
+use machinist_contract::SideBySide;
 
 use super::lane::Variant;
 use crate::lanes::Lanes;
@@ -31,13 +31,13 @@ pub(crate) struct Moment<'a, R> {
 
 /// Rate and Jacobian, each lane with parameters of its own.
 pub(crate) struct Equations<'a, R> {
-    machine: &'a dyn Simulator<R>,
+    machine: &'a dyn SideBySide<R>,
     pub(super) parameters: Vec<R>,
     constants: Vec<R>,
 }
 
 impl<'a, R: Lanes> Equations<'a, R> {
-    pub(crate) fn new(machine: &'a dyn Simulator<R>) -> Self {
+    pub(crate) fn new(machine: &'a dyn SideBySide<R>) -> Self {
         let zeros = |count: usize| vec![R::literal(0.0); count];
         let parameters = zeros(machine.shape().parameters);
         Self { machine, parameters, constants: zeros(machine.constants()) }

@@ -8,7 +8,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use machinist_contract::{Real, Shape, Simulator, SparsityPattern};
+use machinist_contract::{Describe, Energy, Real, Shape, Simulator, SparsityPattern};
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
@@ -176,13 +176,75 @@ impl Real for ComplexStep {
     }
 }
 
+/// Functions of a simulator whose derivatives the complex step takes. Every simulator has them, and
+/// who makes `&dyn Values` of one compiles no more than these on complex numbers.
+pub trait Values: Describe {
+    /// As [`Simulator::initial_state`].
+    fn initial_state(&self, parameters: &[ComplexStep], state: &mut [ComplexStep]);
+    /// As [`Simulator::rate`].
+    fn rate(
+        &self,
+        time: ComplexStep,
+        state: &[ComplexStep],
+        parameters: &[ComplexStep],
+        rate: &mut [ComplexStep],
+    );
+    /// As [`Simulator::outputs`].
+    fn outputs(
+        &self,
+        time: ComplexStep,
+        state: &[ComplexStep],
+        parameters: &[ComplexStep],
+        outputs: &mut [ComplexStep],
+    );
+    /// As [`Simulator::energy`].
+    fn energy(
+        &self,
+        time: ComplexStep,
+        state: &[ComplexStep],
+        parameters: &[ComplexStep],
+    ) -> Energy<ComplexStep>;
+}
+
+impl<S: Simulator<ComplexStep> + ?Sized> Values for S {
+    fn initial_state(&self, parameters: &[ComplexStep], state: &mut [ComplexStep]) {
+        Simulator::initial_state(self, parameters, state);
+    }
+    fn rate(
+        &self,
+        time: ComplexStep,
+        state: &[ComplexStep],
+        parameters: &[ComplexStep],
+        rate: &mut [ComplexStep],
+    ) {
+        Simulator::rate(self, time, state, parameters, rate);
+    }
+    fn outputs(
+        &self,
+        time: ComplexStep,
+        state: &[ComplexStep],
+        parameters: &[ComplexStep],
+        outputs: &mut [ComplexStep],
+    ) {
+        Simulator::outputs(self, time, state, parameters, outputs);
+    }
+    fn energy(
+        &self,
+        time: ComplexStep,
+        state: &[ComplexStep],
+        parameters: &[ComplexStep],
+    ) -> Energy<ComplexStep> {
+        Simulator::energy(self, time, state, parameters)
+    }
+}
+
 /// dy'/dy, `states` by `states`, at real `time`, `state` and `parameters`.
 ///
 /// # Panics
 /// If `state` or `parameters` has another length than the simulator's.
 #[must_use]
 pub fn rate_jacobian(
-    simulator: &dyn Simulator<ComplexStep>,
+    simulator: &(impl Values + ?Sized),
     time: f64,
     state: &[f64],
     parameters: &[f64],
@@ -199,7 +261,7 @@ pub fn rate_jacobian(
 /// If `state` or `parameters` has another length than the simulator's.
 #[must_use]
 pub fn parameter_jacobian(
-    simulator: &dyn Simulator<ComplexStep>,
+    simulator: &(impl Values + ?Sized),
     time: f64,
     state: &[f64],
     parameters: &[f64],
@@ -216,7 +278,7 @@ pub fn parameter_jacobian(
 /// If `state` or `parameters` has another length than the simulator's.
 #[must_use]
 pub fn time_derivative(
-    simulator: &dyn Simulator<ComplexStep>,
+    simulator: &(impl Values + ?Sized),
     time: f64,
     state: &[f64],
     parameters: &[f64],
@@ -262,11 +324,7 @@ fn by_columns(
     matrix
 }
 
-fn checked_shape(
-    simulator: &dyn Simulator<ComplexStep>,
-    state: &[f64],
-    parameters: &[f64],
-) -> Shape {
+fn checked_shape(simulator: &(impl Describe + ?Sized), state: &[f64], parameters: &[f64]) -> Shape {
     let shape = simulator.shape();
     assert_eq!(state.len(), shape.states(), "length of the state");
     assert_eq!(parameters.len(), shape.parameters, "number of parameters");

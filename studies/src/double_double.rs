@@ -8,7 +8,12 @@
 use std::f64::consts::FRAC_PI_2;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use machinist_contract::{Real, Simulator};
+use machinist_contract::taylor::TaylorSeries;
+use machinist_contract::{Describe, Real, Simulator};
+use machinist_scenes::scenes::{
+    contact_oscillator_smooth, motor_run_up, motor_stationary_axes, pendulum_chain,
+    pendulum_relative, saw_gin, saw_gin_as_printed, two_mass, winder_linear, winder_nonlinear,
+};
 use qd::Quad;
 
 /// A real number of 31 digits.
@@ -25,10 +30,41 @@ const SMALL: f64 = 0.5;
 /// Beyond this size tanh is one to the last digit.
 const SATURATED: f64 = 40.0;
 
-/// The emitted scene of a name in these numbers.
+/// What a run of 31 digits asks of its machine. Every simulator has it, and who makes `&dyn Twin` of
+/// one compiles no more than this in these numbers.
+pub trait Twin: Describe {
+    /// As [`Simulator::discontinuities`].
+    fn discontinuities(&self, parameters: &[DoubleDouble], times: &mut [DoubleDouble]);
+    /// As [`Simulator::taylor`].
+    fn taylor(&self) -> Option<&dyn TaylorSeries<DoubleDouble>>;
+}
+
+impl<S: Simulator<DoubleDouble>> Twin for S {
+    fn discontinuities(&self, parameters: &[DoubleDouble], times: &mut [DoubleDouble]) {
+        Simulator::discontinuities(self, parameters, times);
+    }
+    fn taylor(&self) -> Option<&dyn TaylorSeries<DoubleDouble>> {
+        Simulator::taylor(self)
+    }
+}
+
+/// The emitted scene of a name in these numbers, if series tell what is ahead: without events and
+/// corners.
 #[must_use]
-pub fn precise(name: &str) -> Option<&'static dyn Simulator<DoubleDouble>> {
-    machinist_scenes::scenes::find(name)
+pub fn precise(name: &str) -> Option<&'static dyn Twin> {
+    match name {
+        "contact_oscillator_smooth" => Some(&contact_oscillator_smooth::ContactOscillatorSmooth),
+        "motor_run_up" => Some(&motor_run_up::MotorRunUp),
+        "motor_stationary_axes" => Some(&motor_stationary_axes::MotorStationaryAxes),
+        "pendulum_chain" => Some(&pendulum_chain::PendulumChain),
+        "pendulum_relative" => Some(&pendulum_relative::PendulumRelative),
+        "saw_gin" => Some(&saw_gin::SawGin),
+        "saw_gin_as_printed" => Some(&saw_gin_as_printed::SawGinAsPrinted),
+        "two_mass" => Some(&two_mass::TwoMass),
+        "winder_linear" => Some(&winder_linear::WinderLinear),
+        "winder_nonlinear" => Some(&winder_nonlinear::WinderNonlinear),
+        _ => None,
+    }
 }
 
 impl DoubleDouble {

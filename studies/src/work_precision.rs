@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 use machinist_contract::Simulator;
 use serde::{Serialize, Serializer};
 
-use crate::double_double::DoubleDouble;
+use crate::double_double::Twin;
 use machinist::error::SimulateError;
 use machinist::method::{Method, Work};
 use machinist::simulate::Simulation;
@@ -112,7 +112,7 @@ impl Point {
 /// cannot go on is no error but a [`Stop`].
 pub fn measure(
     simulator: &dyn Simulator<f64>,
-    twin: Option<&dyn Simulator<DoubleDouble>>,
+    twin: Option<&dyn Twin>,
     plan: &Plan,
 ) -> Result<WorkPrecision, SimulateError> {
     if let Some(rtol) = plan.tolerances.iter().find(|rtol| !(**rtol > 0.0 && **rtol <= 1.0)) {

@@ -12,7 +12,7 @@ use machinist_contract::Simulator;
 use machinist_model::file::{MARK, Stamped, read};
 use machinist_model::{Model, ModelSimulator, Running};
 use machinist_scenes::scenes;
-use machinist_studies::double_double::{DoubleDouble, precise};
+use machinist_studies::double_double::{Twin, precise};
 
 #[cfg(feature = "derive")]
 use crate::deriving;
@@ -163,11 +163,11 @@ impl Scene {
     }
 
     /// The same emitted code in numbers of 31 digits.
-    pub fn twin(&self) -> Option<&'static dyn Simulator<DoubleDouble>> {
+    pub fn twin(&self) -> Option<&'static dyn Twin> {
         match self {
             Self::Emitted(simulator) => {
                 #[cfg(feature = "bench")]
-                if let Some(twin) = machinist_scenes::bench::find(simulator.name()) {
+                if let Some(twin) = of_bench(simulator.name()) {
                     return Some(twin);
                 }
                 precise(simulator.name())
@@ -240,6 +240,23 @@ pub fn built_in(name: &str) -> Option<&'static dyn Simulator<f64>> {
         return Some(simulator);
     }
     scenes::find_f64(name)
+}
+
+/// The scene of `specs/scenes/bench` of a name in numbers of 31 digits, as [`precise`] has the others.
+#[cfg(feature = "bench")]
+fn of_bench(name: &str) -> Option<&'static dyn Twin> {
+    use machinist_scenes::bench::{m1, m2, m3_10, m4_7, m5, m6_2, m6_5, m6_10};
+    match name {
+        "m1" => Some(&m1::M1),
+        "m2" => Some(&m2::M2),
+        "m3_10" => Some(&m3_10::M310),
+        "m4_7" => Some(&m4_7::M47),
+        "m5" => Some(&m5::M5),
+        "m6_2" => Some(&m6_2::M62),
+        "m6_5" => Some(&m6_5::M65),
+        "m6_10" => Some(&m6_10::M610),
+        _ => None,
+    }
 }
 
 /// Where scenes are kept.

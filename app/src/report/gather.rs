@@ -8,7 +8,7 @@ use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
 use machinist_contract::Simulator;
 use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;
-use machinist_studies::double_double::{DoubleDouble, precise};
+use machinist_studies::double_double::{Twin, precise};
 use machinist_studies::ledger::{LedgerRow, ledger as ledger_rows};
 use machinist_studies::stability::{Plan as Strain, Study, study};
 use machinist_studies::verify::{Verdict, VerifyOptions, verify_all};
@@ -169,7 +169,7 @@ fn measure_built_in(machines: &mut [Machine], time_limit: Duration) -> Result<()
 
 fn measure(
     simulator: &dyn Simulator<f64>,
-    twin: Option<&'static dyn Simulator<DoubleDouble>>,
+    twin: Option<&'static dyn Twin>,
     time_limit: Duration,
 ) -> Result<WorkPrecision, machinist::SimulateError> {
     // Some hundred points a machine, each as long as it takes to tell its median.

@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::CheckFailure;
 pub(crate) use super::random::SplitMix;
-use machinist::complex_step::{self, ComplexStep};
+use machinist::complex_step::{self, ComplexStep, Values};
 use machinist::constraints::{Constraints, Level};
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist::linear_analysis::{Linearization, Place, Point as LinearPoint, operating_point};
@@ -23,7 +23,7 @@ pub(crate) struct Machine {
     /// The simulator in `f64`.
     pub(crate) real: &'static dyn Simulator<f64>,
     /// The same emitted code in complex-step numbers.
-    pub(crate) complex: &'static dyn Simulator<ComplexStep>,
+    pub(crate) complex: &'static dyn Values,
     overrides: Vec<(usize, f64)>,
 }
 
@@ -69,107 +69,107 @@ pub(crate) fn all() -> Vec<Machine> {
 
 /// Two rotors on a coupling.
 pub(crate) fn two_mass() -> Machine {
-    Machine::new("two_mass")
+    Machine::new(&scenes::two_mass::TwoMass)
 }
 
 /// The motor alone.
 pub(crate) fn motor_run_up() -> Machine {
-    Machine::new("motor_run_up")
+    Machine::new(&scenes::motor_run_up::MotorRunUp)
 }
 
 /// The saw gin in its consistent reading.
 pub(crate) fn saw_gin() -> Machine {
-    Machine::new("saw_gin")
+    Machine::new(&scenes::saw_gin::SawGin)
 }
 
 /// The saw gin as printed.
 pub(crate) fn saw_gin_as_printed() -> Machine {
-    Machine::new("saw_gin_as_printed")
+    Machine::new(&scenes::saw_gin_as_printed::SawGinAsPrinted)
 }
 
 /// The motor alone, in charges.
 pub(crate) fn motor_stationary_axes() -> Machine {
-    Machine::new("motor_stationary_axes")
+    Machine::new(&scenes::motor_stationary_axes::MotorStationaryAxes)
 }
 
 /// The bobbin on a linear layer.
 pub(crate) fn winder_linear() -> Machine {
-    Machine::new("winder_linear")
+    Machine::new(&scenes::winder_linear::WinderLinear)
 }
 
 /// The bobbin on a stiffening layer.
 pub(crate) fn winder_nonlinear() -> Machine {
-    Machine::new("winder_nonlinear")
+    Machine::new(&scenes::winder_nonlinear::WinderNonlinear)
 }
 
 /// The bobbin with all nonlinearities.
 pub(crate) fn winder_full() -> Machine {
-    Machine::new("winder_full")
+    Machine::new(&scenes::winder_full::WinderFull)
 }
 
 /// Three pendulums hanging on one another.
 pub(crate) fn pendulum_chain() -> Machine {
-    Machine::new("pendulum_chain")
+    Machine::new(&scenes::pendulum_chain::PendulumChain)
 }
 
 /// The same by relative angles.
 pub(crate) fn pendulum_relative() -> Machine {
-    Machine::new("pendulum_relative")
+    Machine::new(&scenes::pendulum_relative::PendulumRelative)
 }
 
 /// The same by constraints.
 pub(crate) fn pendulum_constrained() -> Machine {
-    Machine::new("pendulum_constrained")
+    Machine::new(&scenes::pendulum_constrained::PendulumConstrained)
 }
 
 /// A slider-crank turned at constant speed.
 pub(crate) fn slider_crank() -> Machine {
-    Machine::new("slider_crank")
+    Machine::new(&scenes::slider_crank::SliderCrank)
 }
 
 /// A four-bar linkage under gravity.
 pub(crate) fn four_bar() -> Machine {
-    Machine::new("four_bar")
+    Machine::new(&scenes::four_bar::FourBar)
 }
 
 /// The four-link bobbin holder.
 pub(crate) fn winder_linkage() -> Machine {
-    Machine::new("winder_linkage")
+    Machine::new(&scenes::winder_linkage::WinderLinkage)
 }
 
 /// The holder let go, its contacts one-sided.
 pub(crate) fn winder_holder_drop() -> Machine {
-    Machine::new("winder_holder_drop")
+    Machine::new(&scenes::winder_holder_drop::WinderHolderDrop)
 }
 
 /// A mass bouncing on a shaken plate.
 pub(crate) fn bouncing_mass() -> Machine {
-    Machine::new("bouncing_mass")
+    Machine::new(&scenes::bouncing_mass::BouncingMass)
 }
 
 /// An oscillator braked by dry friction.
 pub(crate) fn coulomb_oscillator() -> Machine {
-    Machine::new("coulomb_oscillator")
+    Machine::new(&scenes::coulomb_oscillator::CoulombOscillator)
 }
 
 /// A mass that sticks to a belt and slips.
 pub(crate) fn stick_slip() -> Machine {
-    Machine::new("stick_slip")
+    Machine::new(&scenes::stick_slip::StickSlip)
 }
 
 /// Its smooth twin.
 pub(crate) fn stick_slip_smooth() -> Machine {
-    Machine::new("stick_slip_smooth")
+    Machine::new(&scenes::stick_slip_smooth::StickSlipSmooth)
 }
 
 /// An oscillator with a stop on one side.
 pub(crate) fn contact_oscillator() -> Machine {
-    Machine::new("contact_oscillator")
+    Machine::new(&scenes::contact_oscillator::ContactOscillator)
 }
 
 /// Its smooth twin.
 pub(crate) fn contact_oscillator_smooth() -> Machine {
-    Machine::new("contact_oscillator_smooth")
+    Machine::new(&scenes::contact_oscillator_smooth::ContactOscillatorSmooth)
 }
 
 /// The uniform shaft, cut coarsely: checks over refinements cut it anew.
@@ -204,7 +204,7 @@ impl Machine {
     /// # Panics
     /// If no scene with fields of this name is built in.
     fn with_fields(name: &'static str) -> Self {
-        type Cut = (&'static str, &'static dyn Simulator<f64>, &'static dyn Simulator<ComplexStep>);
+        type Cut = (&'static str, &'static dyn Simulator<f64>, &'static dyn Values);
         thread_local! {
             static CUT: RefCell<Vec<Cut>> = const { RefCell::new(Vec::new()) };
         }
@@ -214,30 +214,29 @@ impl Machine {
                 return Self::of(name, *real, *complex);
             }
             let missing = "scenes that are verified are built in";
-            let real = scenes::find_field(name).expect(missing);
+            let real = scenes::find_field_f64(name).expect(missing);
             let complex = scenes::find_field(name).expect(missing);
             let four = "every scene has fewer than four stretches between ports";
             let real: &'static FieldSimulator<'static, f64> =
                 Box::leak(Box::new(FieldSimulator::new(real, FEW).expect(four)));
             let complex: &'static FieldSimulator<'static, ComplexStep> =
                 Box::leak(Box::new(FieldSimulator::new(complex, FEW).expect(four)));
-            known.push((name, real, complex));
-            Self::of(name, real, complex)
+            known.push((name, real.single(), complex));
+            Self::of(name, real.single(), complex)
         })
     }
 
     /// # Panics
-    /// If no scene of this name is built in.
-    fn new(name: &'static str) -> Self {
-        let (real, complex) = (scenes::find_f64(name), scenes::find(name));
-        let (real, complex) = real.zip(complex).expect("scenes that are verified are built in");
-        Self::of(name, real, complex)
+    /// If the scene is not built in.
+    fn new(scene: &'static impl Simulator<ComplexStep>) -> Self {
+        let real = scenes::find_f64(scene.name()).expect("scenes that are verified are built in");
+        Self::of(real.name(), real, scene)
     }
 
     fn of(
         name: &'static str,
         real: &'static dyn Simulator<f64>,
-        complex: &'static dyn Simulator<ComplexStep>,
+        complex: &'static dyn Values,
     ) -> Self {
         Self { name, real, complex, overrides: Vec::new() }
     }

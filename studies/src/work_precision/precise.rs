@@ -1,11 +1,11 @@
 //! A run so precise that no method's error hides in it: emitted Taylor series in
 //! numbers of 31 digits.
 
+use machinist_contract::Real;
 use machinist_contract::taylor::{Bends, TaylorSeries};
-use machinist_contract::{Real, Simulator};
 
 use super::worse;
-use crate::double_double::DoubleDouble;
+use crate::double_double::{DoubleDouble, Twin};
 use machinist::trajectory::{ColumnKind, Trajectory};
 use machinist_contract::taylor::value;
 
@@ -29,9 +29,7 @@ pub(super) struct Precise {
 
 /// The series of a machine, unless they do not tell what is ahead, or constraints or
 /// events interfere.
-pub(super) fn series(
-    machine: &dyn Simulator<DoubleDouble>,
-) -> Option<&dyn TaylorSeries<DoubleDouble>> {
+pub(super) fn series(machine: &dyn Twin) -> Option<&dyn TaylorSeries<DoubleDouble>> {
     let is_free = machine.events() == 0 && machine.constraints() == 0;
     machine.taylor().filter(|series| is_free && series.bends() != Bends::Corners)
 }
@@ -39,7 +37,7 @@ pub(super) fn series(
 /// What `pilot` is a run of, from the same start at the same times; none where steps
 /// are too short.
 pub(super) fn solve(
-    machine: &dyn Simulator<DoubleDouble>,
+    machine: &dyn Twin,
     series: &dyn TaylorSeries<DoubleDouble>,
     pilot: &Trajectory,
 ) -> Option<Precise> {
@@ -71,7 +69,7 @@ struct Run<'a> {
 
 impl<'a> Run<'a> {
     fn new(
-        machine: &dyn Simulator<DoubleDouble>,
+        machine: &dyn Twin,
         series: &'a dyn TaylorSeries<DoubleDouble>,
         pilot: &'a Trajectory,
     ) -> Self {

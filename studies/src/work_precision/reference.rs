@@ -6,7 +6,7 @@ use machinist_contract::Simulator;
 use serde::{Serialize, Serializer};
 
 use super::{States, distance, precise, run, states};
-use crate::double_double::DoubleDouble;
+use crate::double_double::Twin;
 use machinist::error::SimulateError;
 use machinist::method::Method;
 use machinist::trajectory::{ColumnKind, Trajectory};
@@ -40,7 +40,7 @@ impl Reference {
     /// [`SimulateError`] of the last method tried if none gets through the run.
     pub fn of(
         simulator: &dyn Simulator<f64>,
-        twin: Option<&dyn Simulator<DoubleDouble>>,
+        twin: Option<&dyn Twin>,
         time_limit: Option<Duration>,
     ) -> Result<Self, SimulateError> {
         let precise = twin.map(|twin| Self::precise(simulator, twin, time_limit)).transpose()?;
@@ -54,7 +54,7 @@ impl Reference {
     /// [`SimulateError`] if the scene does not run at all.
     pub fn precise(
         simulator: &dyn Simulator<f64>,
-        twin: &dyn Simulator<DoubleDouble>,
+        twin: &dyn Twin,
         time_limit: Option<Duration>,
     ) -> Result<Option<Self>, SimulateError> {
         let Some(series) = precise::series(twin) else { return Ok(None) };

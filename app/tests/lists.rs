@@ -1,6 +1,6 @@
 //! Scenes that are listed by hand are those that they are said to be.
 
-use machinist_contract::taylor::Bends;
+use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_scenes::scenes;
 use machinist_studies::double_double::precise;
 
@@ -8,7 +8,7 @@ use machinist_studies::double_double::precise;
 fn scenes_that_series_carry_run_in_lanes_and_in_31_digits() {
     for name in scenes::NAMES {
         let scene = scenes::find_f64(name).expect("it is built in");
-        let bends = scene.taylor().map(|series| series.bends());
+        let bends = scene.taylor().map(TaylorSeries::bends);
         let is_carried = scene.events() == 0
             && scene.constraints() == 0
             && bends.is_some_and(|bends| bends != Bends::Corners);

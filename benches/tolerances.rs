@@ -17,13 +17,16 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_model::ModelSimulator;
 
+/// Names and values for values that are drawn.
+type Translation = fn(&[f64]) -> Vec<(&'static str, f64)>;
+
 /// A machine, what of it is compared, and how its parameters are drawn.
 struct Problem {
     name: &'static str,
     /// Columns of the run and of the reference, with scales.
     columns: &'static [(&'static str, &'static str, f64)],
-    /// Its reference, if another machine is.
-    reference: Option<(&'static str, fn(&[f64]) -> Vec<(&'static str, f64)>)>,
+    /// Another machine that is its reference, and what that is given for what is drawn.
+    reference: Option<(&'static str, Translation)>,
     /// Initial values and parameters, each drawn between two values, evenly in its logarithm.
     drawn: &'static [(&'static str, [f64; 2])],
     loosest: f64,
@@ -131,11 +134,13 @@ fn model(name: &str) -> Result<ModelSimulator, Box<dyn Error>> {
     Ok(ModelSimulator::new(model.map_err(|errors| errors.render())?))
 }
 
+type Failed = Box<dyn Error + Send + Sync>;
+
 fn run(
     machine: &ModelSimulator,
     (method, rtol): (Method, f64),
     given: &[(&str, f64)],
-) -> Result<Trajectory, Box<dyn Error + Send + Sync>> {
+) -> Result<Trajectory, Failed> {
     let mut run = Simulation::new(machine).method(method).rtol(rtol);
     for (name, value) in given {
         run = match run.clone().initial_value(name, *value) {
@@ -146,18 +151,92 @@ fn run(
     Ok(run.run()?)
 }
 
-fn difference(problem: &Problem, run: &Trajectory, exact: &[Vec<f64>]) -> f64 {
-    let columns = problem.columns.iter().zip(exact);
-    columns.fold(0.0, |most: f64, ((name, _, scale), exact)| {
+/// The largest difference of columns, over what they are at most, or their scale if that is more.
+fn difference(problem: &Problem, found: &[Vec<f64>], exact: &[Vec<f64>]) -> f64 {
+    let columns = problem.columns.iter().zip(found).zip(exact);
+    columns.fold(0.0, |most: f64, (((.., scale), found), exact)| {
         let size = exact.iter().fold(*scale, |most, x| most.max(x.abs()));
-        let found = run.column(name).expect("a state");
         let pairs = found.iter().zip(exact);
         most.max(pairs.fold(0.0f64, |most, (a, b)| most.max((a - b).abs())) / size)
     })
 }
 
-/// One run: set, method, tolerance, and its error over the tolerance or why there is none.
-type Outcome = (usize, Method, f64, Result<f64, String>);
+/// One run: set, tolerance, and its error over the tolerance or why there is none.
+type Outcome = (usize, f64, Result<f64, String>);
+
+/// A problem's machine with the values that are drawn for it.
+struct Study<'a> {
+    problem: &'a Problem,
+    machine: ModelSimulator,
+    reference: Option<(ModelSimulator, Translation)>,
+    drawn: Vec<Vec<f64>>,
+}
+
+impl<'a> Study<'a> {
+    fn new(problem: &'a Problem, sets: usize) -> Result<Self, Box<dyn Error>> {
+        let mut random = fastrand::Rng::with_seed(SEED);
+        let mut draw = |_| {
+            let draw = |(_, [low, high]): &(_, [f64; 2])| low * (high / low).powf(random.f64());
+            problem.drawn.iter().map(draw).collect()
+        };
+        let reference = problem.reference.map(|(name, of)| model(name).map(|model| (model, of)));
+        Ok(Self {
+            problem,
+            machine: model(problem.name)?,
+            reference: reference.transpose()?,
+            drawn: (0..sets).map(&mut draw).collect(),
+        })
+    }
+
+    fn given(&self, set: usize) -> Vec<(&'static str, f64)> {
+        let names = self.problem.drawn.iter().map(|(name, _)| *name);
+        names.zip(self.drawn[set].iter().copied()).collect()
+    }
+
+    /// Columns of a converged run, by which much they differ from those of another one, and both
+    /// over what they are at most.
+    fn exact(&self, set: usize) -> Result<(Vec<Vec<f64>>, f64), Failed> {
+        let columns = |run: &Trajectory| -> Vec<Vec<f64>> {
+            let names = self.problem.columns.iter();
+            let names =
+                names.map(|(own, other, _)| if self.reference.is_some() { other } else { own });
+            names.map(|name| run.column(name).expect("a column").to_vec()).collect()
+        };
+        let [fine, other] = match &self.reference {
+            Some((machine, of)) => {
+                let given = of(&self.drawn[set]);
+                [1e-14, 1e-12].map(|rtol| run(machine, (Method::Taylor, rtol), &given))
+            }
+            None => [Method::Radau, Method::Dop853]
+                .map(|method| run(&self.machine, (method, 1e-12), &self.given(set))),
+        };
+        let (fine, other) = (columns(&fine?), columns(&other?));
+        let doubt = difference(self.problem, &other, &fine);
+        Ok((fine, doubt))
+    }
+
+    /// Runs of a method at all tolerances.
+    fn runs(
+        &self,
+        (set, method): (usize, Method),
+        exact: &[Vec<f64>],
+        tolerances: usize,
+    ) -> Vec<Outcome> {
+        let (loosest, given) = (self.problem.loosest, self.given(set));
+        let at = |step| {
+            let share = step as f64 / (tolerances.max(2) - 1) as f64;
+            let rtol = loosest * (TIGHTEST / loosest).powf(share);
+            let error = run(&self.machine, (method, rtol), &given).map(|run| {
+                let own = self.problem.columns.iter();
+                let own: Vec<_> =
+                    own.map(|(name, ..)| run.column(name).expect("a state").to_vec()).collect();
+                difference(self.problem, &own, exact) / rtol
+            });
+            (set, rtol, error.map_err(|error| error.to_string()))
+        };
+        (0..tolerances).map(at).collect()
+    }
+}
 
 fn study(
     problem: &Problem,
@@ -165,101 +244,62 @@ fn study(
     sets: usize,
     tolerances: usize,
 ) -> Result<(), Box<dyn Error>> {
-    let mut random = fastrand::Rng::with_seed(SEED);
-    let drawn: Vec<Vec<f64>> = (0..sets)
-        .map(|_| {
-            let draw = |(_, [low, high]): &(_, [f64; 2])| low * (high / low).powf(random.f64());
-            problem.drawn.iter().map(draw).collect()
-        })
-        .collect();
-    let machine = model(problem.name)?;
-    let other = problem.reference.map(|(name, given)| model(name).map(|model| (model, given)));
-    let other = other.transpose()?;
-    let names = || problem.drawn.iter().map(|(name, _)| *name);
-    let jobs: Vec<_> = (0..sets).flat_map(|set| methods.iter().map(move |m| (set, *m))).collect();
-    let outcomes = Mutex::new(Vec::<Outcome>::new());
-    let references = Mutex::new(BTreeMap::new());
-    let next = AtomicUsize::new(0);
-    let reference = |set: usize| -> Vec<Vec<f64>> {
-        let given: Vec<_> = names().zip(drawn[set].iter().copied()).collect();
-        let columns = |run: &Trajectory, of_other: bool| -> Vec<Vec<f64>> {
-            let names = problem.columns.iter().map(|(a, b, _)| if of_other { b } else { a });
-            names.map(|name| run.column(name).expect("a column").to_vec()).collect()
-        };
-        let [fine, check] = match &other {
-            Some((other, of)) => [1e-14, 1e-12].map(|rtol| {
-                let run = run(other, (Method::Taylor, rtol), &of(&drawn[set])).expect("it runs");
-                (columns(&run, true), run)
-            }),
-            None => [(Method::Radau, 1e-12), (Method::Dop853, 1e-12)].map(|how| {
-                let run = run(&machine, how, &given).expect("it runs");
-                (columns(&run, false), run)
-            }),
-        };
-        let doubt = if other.is_some() {
-            let pairs = fine.0.iter().flatten().zip(check.0.iter().flatten());
-            pairs.fold(0.0f64, |most, (a, b)| most.max((a - b).abs()))
-        } else {
-            difference(problem, &check.1, &fine.0)
-        };
-        println!("{}, set {set}: references differ by {doubt:.1e}; {given:.4?}", problem.name);
-        fine.0
+    let study = Study::new(problem, sets)?;
+    let exact: Vec<_> = in_parallel(sets, |set| study.exact(set));
+    let exact =
+        exact.into_iter().collect::<Result<Vec<_>, _>>().map_err(|error| error.to_string())?;
+    let doubt = exact.iter().fold(0.0f64, |most, (_, doubt)| most.max(*doubt));
+    println!(
+        "{}: {sets} sets of parameters, {tolerances} tolerances; references differ by {doubt:.1e}",
+        problem.name
+    );
+    println!("| method | median | worst | at | beyond 100 | refused |");
+    println!("| --- | --- | --- | --- | --- | --- |");
+    for &method in methods {
+        let of_sets = in_parallel(sets, |set| study.runs((set, method), &exact[set].0, tolerances));
+        print(method, &of_sets.concat());
+    }
+    println!();
+    Ok(())
+}
+
+/// A row of the table.
+fn print(method: Method, outcomes: &[Outcome]) {
+    let errors = outcomes
+        .iter()
+        .filter_map(|(set, rtol, error)| error.as_ref().ok().map(|error| (*error, *set, *rtol)));
+    let mut errors: Vec<_> = errors.collect();
+    errors.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let refused: Vec<_> = outcomes.iter().filter_map(|(.., error)| error.as_ref().err()).collect();
+    let why = refused.first().map_or("", |why| why.as_str());
+    let Some((worst, set, rtol)) = errors.last() else {
+        println!("| {method} | | | | | {}: {why} |", refused.len());
+        return;
     };
+    let far = errors.iter().filter(|(error, ..)| *error > 100.0).count();
+    let (median, all) = (errors[errors.len() / 2].0, errors.len());
+    println!(
+        "| {method} | {median:.2} | {worst:.1} | set {set}, {rtol:.2e} | {far} of {all} | {} {why} |",
+        refused.len()
+    );
+}
+
+/// What a function gives for each index, on all cores.
+fn in_parallel<T: Send>(count: usize, of: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let (next, found) = (AtomicUsize::new(0), Mutex::new(BTreeMap::new()));
     std::thread::scope(|scope| {
         for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
             scope.spawn(|| {
-                while let Some(&(set, method)) = jobs.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let known = references.lock().expect("no panic").get(&set).cloned();
-                    let exact = known.unwrap_or_else(|| {
-                        let exact = reference(set);
-                        references.lock().expect("no panic").insert(set, exact.clone());
-                        exact
-                    });
-                    let given: Vec<_> = names().zip(drawn[set].iter().copied()).collect();
-                    for step in 0..tolerances {
-                        let share = step as f64 / (tolerances.max(2) - 1) as f64;
-                        let rtol = problem.loosest * (TIGHTEST / problem.loosest).powf(share);
-                        let found = run(&machine, (method, rtol), &given);
-                        let error = found.map(|run| difference(problem, &run, &exact) / rtol);
-                        let outcome = (set, method, rtol, error.map_err(|error| error.to_string()));
-                        outcomes.lock().expect("no panic").push(outcome);
+                loop {
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    if index >= count {
+                        break;
                     }
+                    let value = of(index);
+                    found.lock().expect("no panic").insert(index, value);
                 }
             });
         }
     });
-    let outcomes = outcomes.into_inner()?;
-    println!(
-        "\n{}: error over tolerance, {sets} sets of parameters, {tolerances} tolerances",
-        problem.name
-    );
-    println!("| method | median | worst | at | beyond 100 | refused |");
-    for method in methods {
-        let own = outcomes.iter().filter(|(_, of, _, _)| of == method);
-        let mut errors: Vec<_> = own
-            .clone()
-            .filter_map(|(set, _, rtol, error)| {
-                error.as_ref().ok().map(|error| (*error, *set, *rtol))
-            })
-            .collect();
-        errors.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let refused: Vec<_> = own.filter_map(|(.., error)| error.as_ref().err()).collect();
-        let far = errors.iter().filter(|(error, ..)| *error > 100.0).count();
-        if let Some((worst, set, rtol)) = errors.last() {
-            let median = errors[errors.len() / 2].0;
-            println!(
-                "| {method} | {median:.2} | {worst:.1} | set {set}, {rtol:.2e} | {far} of {} | {} {} |",
-                errors.len(),
-                refused.len(),
-                refused.first().map_or("", |why| why.as_str())
-            );
-        }
-        if std::env::var_os("MACHINIST_SHOW").is_some() {
-            for (error, set, rtol) in errors.iter().rev().take(40) {
-                println!("    {error:.1} set {set} {rtol:.3e}");
-            }
-        }
-    }
-    println!();
-    Ok(())
+    found.into_inner().expect("no panic").into_values().collect()
 }

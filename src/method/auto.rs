@@ -288,6 +288,7 @@ impl<'a> Choice<'a> {
                 patience *= 2;
             }
             is_explicit = true;
+            explicit.hold_stricter(caution.strictness(stretch.rtol));
             explicit.begin(at.time, state);
             left = Left { step: explicit.own_step().unwrap_or(at.step), ..at };
         }
@@ -295,7 +296,7 @@ impl<'a> Choice<'a> {
 
     /// Goes on implicitly, until `leave`, told after each step whether enough of them would do
     /// explicitly, says so. A step of no length is one to be found. Caution is kept from one
-    /// such stretch to the next, and one in which a step was a surprise is not left.
+    /// such stretch to the next.
     fn implicit_stretch(
         &self,
         stretch: &Stretch<'_>,
@@ -317,18 +318,14 @@ impl<'a> Choice<'a> {
         };
         if self.by_radau {
             let (mut method, from) = begun(RadauSteps::new(stretch), from, state);
-            let is_over = |method: &RadauSteps<'_>, step| {
-                is_over(method.jacobian(), step) && !method.caution.is_warned()
-            };
+            let is_over = |method: &RadauSteps<'_>, step| is_over(method.jacobian(), step);
             method.caution = *caution;
             let left = drive(&mut method, stretch, from, state, samples, is_over);
             *caution = method.caution;
             left
         } else {
             let (mut method, from) = begun(RosenbrockSteps::new(&RODAS5P, stretch), from, state);
-            let is_over = |method: &RosenbrockSteps<'_>, step| {
-                is_over(method.jacobian(), step) && !method.caution.is_warned()
-            };
+            let is_over = |method: &RosenbrockSteps<'_>, step| is_over(method.jacobian(), step);
             method.caution = *caution;
             let left = drive(&mut method, stretch, from, state, samples, is_over);
             *caution = method.caution;

@@ -76,6 +76,8 @@ pub(super) struct ExplicitSteps<'a> {
     estimates: Vec<Sum>,
     weights: Vec<f64>,
     has_extra_stages: bool,
+    /// By so much errors are held stricter than the tolerances do.
+    strictness: f64,
     carried: Option<Carried>,
 }
 
@@ -102,6 +104,7 @@ impl<'a> ExplicitSteps<'a> {
             estimates: pair.estimates.iter().map(offsets).collect(),
             weights: vec![0.0; count],
             has_extra_stages: false,
+            strictness: 1.0,
             carried: stretch.system.tangents().map(|t| Carried::new(pair, t, width)),
         }
     }
@@ -181,10 +184,11 @@ impl<'a> ExplicitSteps<'a> {
             )
         };
         let error = norm(&self.estimates[0]);
-        match self.estimates.get(1) {
+        let error = match self.estimates.get(1) {
             Some(lower) if error > 0.0 => blended(error, norm(lower)),
             _ => error,
-        }
+        };
+        self.strictness * error
     }
 
     /// What is not finite of an attempt that is to be refused for it.
@@ -281,6 +285,11 @@ impl OneStep for ExplicitSteps<'_> {
         } else {
             self.trouble()
         }
+    }
+
+    #[cfg(feature = "implicit")]
+    fn hold_stricter(&mut self, strictness: f64) {
+        self.strictness = strictness;
     }
 
     fn end(&self) -> &[f64] {

@@ -165,7 +165,8 @@ impl<'a> RadauSteps<'a> {
 
     /// Allowed errors, which a method's estimate is held to.
     fn set_scale(&mut self) {
-        let (looser, rtol) = (self.looser() / self.caution.strictness(), self.stretch.rtol);
+        let rtol = self.stretch.rtol;
+        let looser = self.looser() / self.caution.strictness(rtol);
         for ((scale, state), atol) in self.scale.iter_mut().zip(&self.start).zip(self.stretch.atol)
         {
             *scale = looser * (atol + rtol * state.abs());
@@ -382,7 +383,9 @@ impl OneStep for RadauSteps<'_> {
             Ok(error)
         });
         self.was_rejected |= !matches!(tried, Ok(error) if error <= 1.0);
-        self.caution.look(&tried);
+        if self.newton.jacobian_has_changed() {
+            self.caution.look(step, &tried);
+        }
         match tried {
             Ok(error) => {
                 self.last_error = error;
@@ -454,7 +457,7 @@ impl OneStep for RadauSteps<'_> {
         self.accepted = Some(Accepted { step: self.step, error: self.last_error.max(1e-2) });
         self.was_rejected = false;
         self.newton.start_anew();
-        self.caution.accept();
+        self.caution.accept(self.step);
     }
 
     fn pace(&self) -> Pace {

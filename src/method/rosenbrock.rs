@@ -186,7 +186,7 @@ impl<'a> RosenbrockSteps<'a> {
         self.sum_up_flows();
         let len = self.stretch.system.len();
         let error = weighted_norm(self.stretch, &self.error[..len], &self.start, &self.end);
-        Ok(self.caution.strictness() * error)
+        Ok(self.caution.strictness(self.stretch.rtol) * error)
     }
 
     fn sum_up_flows(&mut self) {
@@ -266,7 +266,9 @@ impl OneStep for RosenbrockSteps<'_> {
             }
             Ok(error)
         });
-        self.caution.look(&tried);
+        if self.onset.has_changed() {
+            self.caution.look(step, &tried);
+        }
         tried.map_or_else(|trial| trial, Trial::Error)
     }
 
@@ -311,7 +313,7 @@ impl OneStep for RosenbrockSteps<'_> {
         self.time += self.step;
         self.start.copy_from_slice(&self.end);
         self.is_linearized = false;
-        self.caution.accept();
+        self.caution.accept(self.step);
         if let Some(quadrature) = &mut self.quadrature {
             quadrature.advance();
         }

@@ -127,6 +127,11 @@ impl<'a> Newton<'a> {
         self.onset.refuse(self.stretch, (now, &end[..self.size]), (shift, &self.jacobian))
     }
 
+    /// See [`Onset::has_changed`].
+    pub(super) fn jacobian_has_changed(&self) -> bool {
+        self.onset.has_changed()
+    }
+
     /// Whether the Jacobian and the factors are worth keeping for the next step.
     pub(super) fn is_reusable(&self) -> bool {
         self.contraction < 1e-3

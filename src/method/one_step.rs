@@ -117,7 +117,7 @@ pub(crate) enum Trial {
     NotFinite { what: &'static str, index: usize },
     /// The step's equations could not be solved; `shrink` times the step may do.
     #[cfg_attr(
-        not(feature = "implicit"),
+        not(any(feature = "implicit", test)),
         expect(dead_code, reason = "only implicit methods solve")
     )]
     Unsolved { shrink: f64 },

@@ -30,11 +30,10 @@ struct Problem {
     /// Initial values and parameters, each drawn between two values, evenly in its logarithm.
     drawn: &'static [(&'static str, [f64; 2])],
     loosest: f64,
-    methods: &'static [Method],
 }
 
-const EXPLICIT_AND_IMPLICIT: &[Method] =
-    &[Method::Auto, Method::Radau, Method::Rodas5p, Method::Taylor, Method::Dop853, Method::Tsit5];
+const METHODS: [Method; 6] =
+    [Method::Auto, Method::Radau, Method::Rodas5p, Method::Taylor, Method::Dop853, Method::Tsit5];
 
 const PROBLEMS: [Problem; 3] = [
     Problem {
@@ -53,7 +52,6 @@ const PROBLEMS: [Problem; 3] = [
             ("block.stribeck", [1e-3, 1e-2]),
         ],
         loosest: 1e-4,
-        methods: EXPLICIT_AND_IMPLICIT,
     },
     Problem {
         name: "play",
@@ -69,7 +67,6 @@ const PROBLEMS: [Problem; 3] = [
             ("block.frequency", [0.5, 5.0]),
         ],
         loosest: 1e-3,
-        methods: EXPLICIT_AND_IMPLICIT,
     },
     Problem {
         name: "pendulum",
@@ -82,7 +79,6 @@ const PROBLEMS: [Problem; 3] = [
             ("bob.gravity", [1.0, 20.0]),
         ],
         loosest: 1e-4,
-        methods: EXPLICIT_AND_IMPLICIT,
     },
 ];
 const TIGHTEST: f64 = 1e-10;
@@ -115,13 +111,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         let mut all = all.filter(|other| words.iter().any(|word| word == other)).peekable();
         all.peek().is_none() || all.any(|other| other == name)
     };
+    let all = || METHODS.iter().map(|method| method.name());
+    let methods: Vec<_> =
+        METHODS.into_iter().filter(|method| asked(method.name(), &mut all())).collect();
     for problem in &PROBLEMS {
         if !asked(problem.name, &mut PROBLEMS.iter().map(|problem| problem.name)) {
             continue;
         }
-        let methods = problem.methods.iter().copied();
-        let all = || problem.methods.iter().map(|method| method.name());
-        let methods: Vec<_> = methods.filter(|method| asked(method.name(), &mut all())).collect();
         study(problem, &methods, sets, tolerances)?;
     }
     Ok(())

@@ -11,3 +11,48 @@
 #[path = "scenes/bench/mod.rs"]
 pub mod bench;
 pub mod scenes;
+
+/// The scene of a name as the trait object that is expected of it, of those that series carry: without
+/// events and corners. All scenes have to be there; who makes trait objects of one compiles
+/// what that trait asks for, and of [`scenes::find`] all of the contract.
+#[macro_export]
+macro_rules! find_carried {
+    ($name:expr) => {
+        match $name {
+            "contact_oscillator_smooth" => {
+                Some(&$crate::scenes::contact_oscillator_smooth::ContactOscillatorSmooth)
+            }
+            "motor_run_up" => Some(&$crate::scenes::motor_run_up::MotorRunUp),
+            "motor_stationary_axes" => {
+                Some(&$crate::scenes::motor_stationary_axes::MotorStationaryAxes)
+            }
+            "pendulum_chain" => Some(&$crate::scenes::pendulum_chain::PendulumChain),
+            "pendulum_relative" => Some(&$crate::scenes::pendulum_relative::PendulumRelative),
+            "saw_gin" => Some(&$crate::scenes::saw_gin::SawGin),
+            "saw_gin_as_printed" => Some(&$crate::scenes::saw_gin_as_printed::SawGinAsPrinted),
+            "two_mass" => Some(&$crate::scenes::two_mass::TwoMass),
+            "winder_linear" => Some(&$crate::scenes::winder_linear::WinderLinear),
+            "winder_nonlinear" => Some(&$crate::scenes::winder_nonlinear::WinderNonlinear),
+            _ => None,
+        }
+    };
+}
+
+/// The scene of [`mod@bench`] of a name, as [`find_carried`] has the others.
+#[cfg(feature = "bench")]
+#[macro_export]
+macro_rules! find_carried_in_bench {
+    ($name:expr) => {
+        match $name {
+            "m1" => Some(&$crate::bench::m1::M1),
+            "m2" => Some(&$crate::bench::m2::M2),
+            "m3_10" => Some(&$crate::bench::m3_10::M310),
+            "m4_7" => Some(&$crate::bench::m4_7::M47),
+            "m5" => Some(&$crate::bench::m5::M5),
+            "m6_2" => Some(&$crate::bench::m6_2::M62),
+            "m6_5" => Some(&$crate::bench::m6_5::M65),
+            "m6_10" => Some(&$crate::bench::m6_10::M610),
+            _ => None,
+        }
+    };
+}

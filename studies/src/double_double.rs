@@ -10,10 +10,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use machinist_contract::taylor::TaylorSeries;
 use machinist_contract::{Describe, Real, Simulator};
-use machinist_scenes::scenes::{
-    contact_oscillator_smooth, motor_run_up, motor_stationary_axes, pendulum_chain,
-    pendulum_relative, saw_gin, saw_gin_as_printed, two_mass, winder_linear, winder_nonlinear,
-};
+use machinist_scenes::find_carried;
 use qd::Quad;
 
 /// A real number of 31 digits.
@@ -52,19 +49,7 @@ impl<S: Simulator<DoubleDouble>> Twin for S {
 /// corners.
 #[must_use]
 pub fn precise(name: &str) -> Option<&'static dyn Twin> {
-    match name {
-        "contact_oscillator_smooth" => Some(&contact_oscillator_smooth::ContactOscillatorSmooth),
-        "motor_run_up" => Some(&motor_run_up::MotorRunUp),
-        "motor_stationary_axes" => Some(&motor_stationary_axes::MotorStationaryAxes),
-        "pendulum_chain" => Some(&pendulum_chain::PendulumChain),
-        "pendulum_relative" => Some(&pendulum_relative::PendulumRelative),
-        "saw_gin" => Some(&saw_gin::SawGin),
-        "saw_gin_as_printed" => Some(&saw_gin_as_printed::SawGinAsPrinted),
-        "two_mass" => Some(&two_mass::TwoMass),
-        "winder_linear" => Some(&winder_linear::WinderLinear),
-        "winder_nonlinear" => Some(&winder_nonlinear::WinderNonlinear),
-        _ => None,
-    }
+    find_carried!(name)
 }
 
 impl DoubleDouble {

@@ -245,18 +245,7 @@ pub fn built_in(name: &str) -> Option<&'static dyn Simulator<f64>> {
 /// The scene of `specs/scenes/bench` of a name in numbers of 31 digits, as [`precise`] has the others.
 #[cfg(feature = "bench")]
 fn of_bench(name: &str) -> Option<&'static dyn Twin> {
-    use machinist_scenes::bench::{m1, m2, m3_10, m4_7, m5, m6_2, m6_5, m6_10};
-    match name {
-        "m1" => Some(&m1::M1),
-        "m2" => Some(&m2::M2),
-        "m3_10" => Some(&m3_10::M310),
-        "m4_7" => Some(&m4_7::M47),
-        "m5" => Some(&m5::M5),
-        "m6_2" => Some(&m6_2::M62),
-        "m6_5" => Some(&m6_5::M65),
-        "m6_10" => Some(&m6_10::M610),
-        _ => None,
-    }
+    machinist_scenes::find_carried_in_bench!(name)
 }
 
 /// Where scenes are kept.

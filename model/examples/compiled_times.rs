@@ -9,8 +9,8 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use machinist_contract::Simulator;
 use machinist_contract::taylor::TaylorSeries;
+use machinist_contract::{Describe, Simulator};
 use machinist_model::functions::FunctionId;
 use machinist_model::{F64x2, Lane, Model, ModelSimulator, file, operations};
 
@@ -33,7 +33,11 @@ fn report(model: &Model) {
         "", "ready, ms", "interpreted", "compiled", "a lane"
     );
     for id in [FunctionId::Rate, FunctionId::RateJacobian, FunctionId::Outputs] {
-        let work = of_function(id, model.tape(id).results.len());
+        let results = match id {
+            FunctionId::RateJacobian => compiled.rate_jacobian_pattern().entries.len(),
+            _ => model.tape(id).results.len(),
+        };
+        let work = of_function(id, results);
         let count = operations(model.tape(id));
         row(&format!("{} ({count})", id.row().name), [&*compiled, &*interpreted], work);
     }

@@ -76,6 +76,7 @@ pub(super) struct ExplicitSteps<'a> {
     estimates: Vec<Sum>,
     weights: Vec<f64>,
     has_extra_stages: bool,
+    middle: Middle,
     /// By so much errors are held stricter than the tolerances do.
     strictness: f64,
     carried: Option<Carried>,
@@ -104,6 +105,7 @@ impl<'a> ExplicitSteps<'a> {
             estimates: pair.estimates.iter().map(offsets).collect(),
             weights: vec![0.0; count],
             has_extra_stages: false,
+            middle: Middle::new(pair, width),
             strictness: 1.0,
             carried: stretch.system.tangents().map(|t| Carried::new(pair, t, width)),
         }
@@ -134,6 +136,12 @@ impl<'a> ExplicitSteps<'a> {
                 tangents.linearize(self.stretch, time, &state[..self.size], values, drive);
             });
         }
+    }
+
+    /// Time and state at the start of the next step.
+    #[cfg(feature = "implicit")]
+    pub(super) fn start(&self) -> (f64, &[f64]) {
+        (self.time, &self.start[..self.stretch.system.states()])
     }
 
     /// |h lambda| of the fastest motion that the last two stages show, both at
@@ -223,6 +231,42 @@ impl<'a> ExplicitSteps<'a> {
     }
 }
 
+/// The dense output half way through a step.
+struct Middle {
+    /// b_i(1/2).
+    state: Sum,
+    /// Derivatives of b_i there.
+    slope: Sum,
+    rate: Vec<f64>,
+}
+
+impl Middle {
+    fn new(pair: &Pair, width: usize) -> Self {
+        /// Of central differences of order 8, exact for polynomials up to that degree.
+        const DIFFERENCES: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
+        const DISTANCE: f64 = 0.125;
+        let at = |theta: f64| {
+            let mut weights = vec![0.0; pair.nodes.len()];
+            (pair.dense.weights)(theta, &mut weights);
+            weights
+        };
+        let mut slopes = vec![0.0; pair.nodes.len()];
+        for (steps, weight) in (1..).zip(DIFFERENCES) {
+            let distance = f64::from(steps) * DISTANCE;
+            let [after, before] = [at(0.5 + distance), at(0.5 - distance)];
+            for (slope, (after, before)) in slopes.iter_mut().zip(after.iter().zip(&before)) {
+                *slope += weight / DISTANCE * (after - before);
+            }
+        }
+        let of = |weights: Vec<f64>| {
+            let row = weights.into_iter().enumerate().filter(|(_, weight)| *weight != 0.0);
+            let row: Vec<(usize, f64)> = row.collect();
+            sum(&row, width)
+        };
+        Self { state: of(at(0.5)), slope: of(slopes), rate: vec![0.0; width] }
+    }
+}
+
 /// The error by an estimate of higher order and one of lower order.
 fn blended(error: f64, lower: f64) -> f64 {
     error * (error / (error * error + 0.01 * lower * lower).sqrt())
@@ -294,6 +338,33 @@ impl OneStep for ExplicitSteps<'_> {
 
     fn end(&self) -> &[f64] {
         &self.end[..self.size]
+    }
+
+    /// By how much the slope of the dense output differs from the rate, times the step; of pairs
+    /// whose dense output has stages of its own, of which the error of the step knows nothing.
+    ///
+    /// Where a fast motion is at rest to the last bit, the error of a step hundreds of its time
+    /// constants long is small; stages beyond its end make rounding so many times as large again.
+    fn error_between(&mut self, is_sampled: bool) -> f64 {
+        /// The difference is an order larger than the error of a state.
+        const AMISS: f64 = 100.0;
+        if !is_sampled || self.pair.dense.extra.is_empty() {
+            return 0.0;
+        }
+        if !self.has_extra_stages {
+            self.add_extra_stages();
+        }
+        let (size, middle) = (self.size, &mut self.middle);
+        combine(&middle.state, &self.stages, self.step, Some(&self.start), &mut self.error);
+        let time = self.time + 0.5 * self.step;
+        self.stretch.rate(time, &self.error[..size], &mut middle.rate[..size]);
+        combine(&middle.slope, &self.stages, 1.0, None, &mut self.error);
+        for (slope, rate) in self.error.iter_mut().zip(&middle.rate) {
+            *slope = self.step * (*slope - rate);
+        }
+        let error = &self.error[..size];
+        let error = super::one_step::weighted_norm(self.stretch, error, &self.start, &self.end);
+        error / AMISS
     }
 
     fn interpolate(&mut self, time: f64, state: &mut [f64]) {

@@ -38,11 +38,11 @@ pub(crate) trait OneStep {
 
     /// The error half way through the current step, between its ends, over what is
     /// allowed there, [`BETWEEN`] times the tolerances; asked where samples or events may
-    /// lie.
+    /// lie, and told whether samples do.
     ///
     /// The error of a step's end says nothing of states between, where a stiff machine
     /// follows its excitation: any end is then right, and steps grow without bound.
-    fn error_between(&mut self) -> f64 {
+    fn error_between(&mut self, _is_sampled: bool) -> f64 {
         0.0
     }
 
@@ -269,11 +269,12 @@ fn attempt<M: OneStep>(
     (step, now): (f64, f64),
 ) -> Trial {
     let mut trial = method.attempt(step);
+    let is_sampled = || samples.next_until(now).is_some_and(|at| at < now);
     if let Trial::Error(error) = trial
         && error <= 1.0
-        && (stretch.watch.is_some() || samples.next_until(now).is_some_and(|at| at < now))
+        && (stretch.watch.is_some() || is_sampled())
     {
-        let between = method.error_between();
+        let between = method.error_between(is_sampled());
         trial = Trial::Error(if between <= error { error } else { between });
     }
     match (trial, stretch.system.tangents()) {

@@ -421,7 +421,7 @@ impl OneStep for RadauSteps<'_> {
     }
 
     /// Norm of (gamma/h I - J)^-1 (f(t, u) - u'(t)) half way, u the polynomial.
-    fn error_between(&mut self) -> f64 {
+    fn error_between(&mut self, _is_sampled: bool) -> f64 {
         const THETA: f64 = 0.5;
         let method = &self.methods[self.current];
         method.differences(&self.start, &self.stages, &mut self.within);

@@ -289,7 +289,7 @@ impl OneStep for RosenbrockSteps<'_> {
     }
 
     /// Norm of (1/(gamma h) I - J)^-1 (f(t, u) - u'(t)) half way, u the dense output.
-    fn error_between(&mut self) -> f64 {
+    fn error_between(&mut self, _is_sampled: bool) -> f64 {
         const THETA: f64 = 0.5;
         self.states_at(THETA);
         let (size, width) = (self.size, self.width);

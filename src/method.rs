@@ -15,6 +15,7 @@ mod diffsol;
 #[cfg(feature = "implicit")]
 mod exact;
 mod explicit;
+mod faithful;
 #[cfg(feature = "implicit")]
 pub mod fixed;
 mod lanes;
@@ -54,6 +55,7 @@ use serde::{Serialize, Serializer};
 use crate::error::{NotCompiledIn, StopCause, UnknownMethod, did_you_mean};
 use crate::method::sensitivity::Passing;
 use crate::trajectory::Switch;
+use faithful::faithful_tolerances;
 pub(crate) use one_step::{OneStep, Trial};
 pub use stretch::{Samples, Stretch};
 pub(crate) use stretch::{cut, within};
@@ -204,7 +206,7 @@ impl Problem<'_> {
         while samples.next_until(self.from).is_some() {
             samples.push(&state);
         }
-        self.go_on(integrator, watch, &mut state, samples, false).map(|_| ())
+        self.go_on((method, integrator), watch, &mut state, samples, false).map(|_| ())
     }
 
     /// Carries a state that is under watch from start to end; if it is to halt at events, gives
@@ -220,7 +222,7 @@ impl Problem<'_> {
         halts: bool,
     ) -> Result<Option<f64>, Stopped> {
         let mut samples = Samples::new(&[], state.len());
-        self.go_on(self.integrator(method)?, watch, state, &mut samples, halts)
+        self.go_on((method, self.integrator(method)?), watch, state, &mut samples, halts)
     }
 
     /// The method, if it is made for such a machine and compiled in.
@@ -238,7 +240,7 @@ impl Problem<'_> {
     /// [`Problem::carry_on`], with samples on the way.
     fn go_on(
         &self,
-        integrator: &dyn Integrator,
+        (method, integrator): (Method, &dyn Integrator),
         watch: Option<&Watch<'_>>,
         state: &mut [f64],
         samples: &mut Samples<'_>,
@@ -260,6 +262,8 @@ impl Problem<'_> {
                     stretch.leap(state, samples);
                     continue;
                 }
+                let tighter = faithful_tolerances(method, &stretch, state);
+                let stretch = stretch.at_tolerances(tighter.as_ref());
                 let Some(watch) = stretch.watch else {
                     integrator.integrate(&stretch, state, samples)?;
                     continue;
@@ -330,7 +334,6 @@ struct Row {
 
 impl Method {
     /// Absolute tolerances of a run, as much tighter as the relative tolerance of its steps is.
-    #[cfg(any(feature = "implicit", feature = "sweep"))]
     pub(crate) fn tightened(atol: &[f64], rtol: f64, step_rtol: f64) -> Vec<f64> {
         let tighter = (step_rtol / rtol).min(1.0);
         atol.iter().map(|atol| tighter * atol).collect()

@@ -12,7 +12,7 @@ use machinist_contract::taylor::{Bends, TaylorSeries};
 use super::caution::Caution;
 use super::exact::Exact;
 use super::explicit::ExplicitSteps;
-use super::loose::is_conservative;
+use super::faithful::tolerances_at_kinks;
 use super::one_step::{Left, OneStep, drive};
 use super::radau::RadauSteps;
 use super::rosenbrock::RosenbrockSteps;
@@ -21,18 +21,13 @@ use super::taylor::TaylorSteps;
 use super::{Integrator, Method, Samples, Sealed, Stopped, Stretch};
 use ringing::{LENIENT, rings};
 use stiffness::{
-    Evidence, STIFF_STEPS, SpectralRadius, Strain, TRANSIENT, is_worth_beginning, worth,
+    Evidence, LOOKS_EVERY, LOOKS_OF_PAIR_EVERY, STIFF_STEPS, SpectralRadius, Strain, TRANSIENT,
+    is_worth_beginning, worth,
 };
 
 /// After so many changes within a stretch the run stays with the implicit method,
 /// which is never wrong, only slower.
 const MOST_CHANGES: usize = 20;
-/// A machine with constraints that neither gains nor loses energy forgets no error: it drifts
-/// in energy with every step, and in phase with the square of their number. Its steps are so
-/// many times as tight, which makes twice as many of them.
-const FAITHFUL: f64 = 300.0;
-/// Steps that are tighter only for that are not tighter than this.
-const TIGHTEST: f64 = 1e-13;
 /// Series with more sums of products in an order than this are slower than Runge-Kutta
 /// steps. So it is measured on chains of pendulums: of two links they have 12 and are
 /// nearly twice as fast, of five 75 and half as fast, of ten 300 and a quarter as fast, at
@@ -41,6 +36,8 @@ const MANY_SUMS: usize = 40;
 /// At tolerances up to this one Radau's methods cost less than Rosenbrock's, or as much,
 /// and keep to it where a spring is all but rigid.
 const TIGHT: f64 = 1e-6;
+/// Steps that are held by stability vary around what it allows, down to so much of it.
+const VARIES: f64 = 0.8;
 /// With so many states and more Radau's methods cost less from 1e-5 on, for they factor less often:
 /// there Rosenbrock's take 0.7 to 0.9 of their time with 2 to 20 states, stiff chemistry and
 /// circuits, but 1.6, 1.9 and 2.8 times as long on shafts of 26, 76 and 206.
@@ -73,23 +70,13 @@ impl Integrator for Auto {
             from
         };
         let of_many = Method::Auto.step_rtol(stretch.rtol);
-        let mut rtol = stretch.system.trial().map_or(of_many, |trial| trial.rtol);
-        let (system, span) = (stretch.system, (stretch.from, stretch.until));
-        let is_conservative =
-            || is_conservative(system.simulator(), system.parameters(), span, state);
-        if system.constraints().is_some() && is_conservative() {
-            rtol = (rtol / FAITHFUL).max(TIGHTEST.min(rtol));
-            stretch.system.note(format!(
-                "steps at a relative tolerance of {rtol:.1e}: with constraints and without \
-                 losses, errors of steps add up"
-            ));
-        }
+        let rtol = stretch.system.trial().map_or(of_many, |trial| trial.rtol);
         let atol = Method::tightened(stretch.atol, stretch.rtol, rtol);
         let stretch = &Stretch { from, rtol, atol: &atol, ..*stretch };
         let choice = Choice::new(stretch, state);
         match choice.explicit {
             Explicit::Taylor(series) => {
-                let mut strain = Strain::new(stretch.system.simulator(), choice.limit);
+                let mut strain = Strain::new(stretch.system.simulator(), choice.limit, LOOKS_EVERY);
                 let look = |method: &TaylorSteps<'_>, step: f64| {
                     let (time, state) = method.start();
                     strain.look(stretch.until - time, step, |values| {
@@ -165,12 +152,14 @@ impl<'a> Choice<'a> {
         let has_tangents = stretch.system.tangents().is_some();
         // Of the implicit methods only Radau's carry sensitivities.
         let has_many = stretch.system.states() >= MANY_STATES;
-        let by_radau = rtol <= TIGHT || has_many && rtol <= LOOSE || has_tangents;
+        // Nor do errors of others keep small at kinks.
+        let has_kinks = stretch.system.simulator().kinks() > 0;
+        let by_radau = rtol <= TIGHT || has_many && rtol <= LOOSE || has_tangents || has_kinks;
         let implicit_name = if by_radau { "radau" } else { "rodas5p" };
         let of_pair = |name, pair: &'static Pair| Self {
             explicit: Explicit::Pair(pair),
             explicit_name: name,
-            limit: pair.stability,
+            limit: pair_limit(pair),
             implicit_name,
             by_radau,
             is_stiff_from_the_start: false,
@@ -218,9 +207,19 @@ impl<'a> Choice<'a> {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        let choice = Self { explicit_name: "dop853", limit: pair.stability, ..*self };
-        let look = |method: &ExplicitSteps<'_>, _| Some(method.stiffness());
-        let mut method = ExplicitSteps::new(pair, stretch);
+        let choice = Self { explicit_name: "dop853", limit: pair_limit(pair), ..*self };
+        let mut strain = Strain::new(stretch.system.simulator(), choice.limit, LOOKS_OF_PAIR_EVERY);
+        // Stages show nothing of a fast motion beside a much larger one, nor of one at rest.
+        let look = |method: &ExplicitSteps<'_>, step: f64| {
+            let (shown, (time, state)) = (method.stiffness(), method.start());
+            let looked_at = strain.look(stretch.until - time, step, |values| {
+                stretch.jacobian(time, state, values);
+            });
+            Some(looked_at.map_or(shown, |strain| shown.max(strain)))
+        };
+        let tighter = tolerances_at_kinks(Method::Dop853, stretch);
+        let tighter = stretch.at_tolerances(tighter.as_ref());
+        let mut method = ExplicitSteps::new(pair, &tighter);
         if !choice.is_stiff_from_the_start {
             method.begin(stretch.from, state);
         }
@@ -360,6 +359,11 @@ fn suitable_series(
     (Some(series), "")
 }
 
+/// |h lambda| up to which a pair is stable, likewise less a part.
+fn pair_limit(pair: &Pair) -> f64 {
+    VARIES * pair.stability
+}
+
 /// |h lambda| up to which Taylor's method of an order is stable, less a fifth, for steps
 /// that are held by stability vary around it.
 ///
@@ -369,5 +373,5 @@ fn suitable_series(
 /// R. Jeltsch, O. Nevanlinna, Numerische Mathematik 37, 1981). Steps held by accuracy
 /// end at less than half of it, for terms decay to the tolerance.
 fn taylor_limit(order: usize) -> f64 {
-    0.8 * (order as f64 / std::f64::consts::E + 1.4)
+    VARIES * (order as f64 / std::f64::consts::E + 1.4)
 }

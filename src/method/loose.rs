@@ -8,12 +8,13 @@
 use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_contract::{Real, Simulator};
 
+use super::faithful::is_conservative;
 use super::{Method, Problem, Run, Stopped};
 use crate::error::StopCause;
 
 /// Steps of `auto` are never looser than this where they are many: two digits less save less than
 /// half the time.
-const LOOSEST_OF_MANY: f64 = 1e-5;
+pub(super) const LOOSEST_OF_MANY: f64 = 1e-5;
 
 /// Nor than this where they are few: what slips when a force is large enough slips later by part of
 /// its period, and by a hundredth of that no motion is known any more.
@@ -68,24 +69,6 @@ pub(crate) fn few(
     let switches = simulator.events() > 0 || simulator.kinks() > 0 || bends == Some(Bends::Corners);
     let forgets = || !is_conservative(simulator, parameters, span, state);
     if simulator.constraints() == 0 && !switches && forgets() { FEW } else { 0.0 }
-}
-
-/// Whether no power is supplied or dissipated, neither at a state nor at some beside it: then
-/// it is exactly zero, for there are no terms of it.
-pub(super) fn is_conservative(
-    simulator: &dyn Simulator<f64>,
-    parameters: &[f64],
-    (from, until): (f64, f64),
-    state: &[f64],
-) -> bool {
-    let states = simulator.shape().states();
-    [0.0, 0.37, -0.61].into_iter().all(|shift| {
-        let beside = |index: usize| state[index] + shift * simulator.state_scale(index);
-        let beside: Vec<f64> = (0..states).map(beside).collect();
-        let time = from + f64::abs(shift) * (until - from);
-        let power = simulator.power_balance(time, &beside, parameters);
-        power.supplied == 0.0 && power.dissipated == 0.0
-    })
 }
 
 impl Method {

@@ -50,6 +50,16 @@ impl<'a> Stretch<'a> {
         Self { system, from, until, rtol: 1e-6, atol, max_steps: usize::MAX, watch: None }
     }
 
+    /// The stretch with other tolerances, relative and absolute, if there are any.
+    pub(super) fn at_tolerances<'b>(&self, tolerances: Option<&'b (f64, Vec<f64>)>) -> Stretch<'b>
+    where
+        'a: 'b,
+    {
+        let (rtol, atol) =
+            tolerances.map_or((self.rtol, self.atol), |(rtol, atol)| (*rtol, &atol[..]));
+        Stretch { rtol, atol, ..*self }
+    }
+
     /// The time over which somebody looks at the run \[s\]: the stretch, or all of the run that it
     /// is a piece of.
     pub(super) fn looked_at(&self) -> f64 {

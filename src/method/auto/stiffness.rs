@@ -10,6 +10,8 @@ const EASY_STEPS: usize = 6;
 /// Taylor's method looks for stiffness every so many steps, each of which costs as much
 /// as this many rates and more, while a look costs a Jacobian.
 pub(super) const LOOKS_EVERY: usize = 8;
+/// Steps of a pair show most of it themselves.
+pub(super) const LOOKS_OF_PAIR_EVERY: usize = 24;
 /// What is fast and decays has done so after so many explicit steps; an implicit method is not left
 /// for steps that are short before.
 pub(super) const TRANSIENT: f64 = 10.0;
@@ -58,18 +60,21 @@ pub(super) struct Strain<'a> {
     jacobian: Vec<f64>,
     limit: f64,
     few: f64,
+    every: usize,
     steps: usize,
     is_near: bool,
 }
 
 impl<'a> Strain<'a> {
-    pub(super) fn new(simulator: &'a dyn Simulator<f64>, limit: f64) -> Self {
+    /// Looked at every so many steps.
+    pub(super) fn new(simulator: &'a dyn Simulator<f64>, limit: f64, every: usize) -> Self {
         let entries = simulator.rate_jacobian_pattern().entries.len();
         Self {
             radius: SpectralRadius::new(simulator),
             jacobian: vec![0.0; entries],
             limit,
             few: few_steps(simulator.shape().states()),
+            every,
             steps: 0,
             is_near: false,
         }
@@ -84,7 +89,7 @@ impl<'a> Strain<'a> {
         jacobian: impl FnOnce(&mut [f64]),
     ) -> Option<f64> {
         self.steps += 1;
-        let is_due = self.is_near || self.steps.is_multiple_of(LOOKS_EVERY);
+        let is_due = self.is_near || self.steps.is_multiple_of(self.every);
         if !is_due || left < self.few * step {
             return None;
         }

@@ -78,10 +78,7 @@ impl Integrator for Auto {
             Explicit::Taylor(series) => {
                 let mut strain = Strain::new(stretch.system.simulator(), choice.limit, LOOKS_EVERY);
                 let look = |method: &TaylorSteps<'_>, step: f64| {
-                    let (time, state) = method.start();
-                    strain.look(stretch.until - time, step, |values| {
-                        stretch.jacobian(time, state, values);
-                    })
+                    strain.look(stretch, method.start(), step)
                 };
                 let mut method = TaylorSteps::new(stretch, series).looking_within();
                 if choice.is_stiff_from_the_start {
@@ -211,10 +208,8 @@ impl<'a> Choice<'a> {
         let mut strain = Strain::new(stretch.system.simulator(), choice.limit, LOOKS_OF_PAIR_EVERY);
         // Stages show nothing of a fast motion beside a much larger one, nor of one at rest.
         let look = |method: &ExplicitSteps<'_>, step: f64| {
-            let (shown, (time, state)) = (method.stiffness(), method.start());
-            let looked_at = strain.look(stretch.until - time, step, |values| {
-                stretch.jacobian(time, state, values);
-            });
+            let shown = method.stiffness();
+            let looked_at = strain.look(stretch, method.start(), step);
             Some(looked_at.map_or(shown, |strain| shown.max(strain)))
         };
         let tighter = tolerances_at_kinks(Method::Dop853, stretch);

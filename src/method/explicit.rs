@@ -76,7 +76,8 @@ pub(super) struct ExplicitSteps<'a> {
     estimates: Vec<Sum>,
     weights: Vec<f64>,
     has_extra_stages: bool,
-    middle: Middle,
+    /// Once it has been asked for.
+    middle: Option<Middle>,
     /// By so much errors are held stricter than the tolerances do.
     strictness: f64,
     carried: Option<Carried>,
@@ -105,7 +106,7 @@ impl<'a> ExplicitSteps<'a> {
             estimates: pair.estimates.iter().map(offsets).collect(),
             weights: vec![0.0; count],
             has_extra_stages: false,
-            middle: Middle::new(pair, width),
+            middle: None,
             strictness: 1.0,
             carried: stretch.system.tangents().map(|t| Carried::new(pair, t, width)),
         }
@@ -214,8 +215,11 @@ impl<'a> ExplicitSteps<'a> {
         }
     }
 
-    /// Evaluates the stages that only the dense output needs.
+    /// Evaluates the stages that only the dense output needs, unless they are there.
     fn add_extra_stages(&mut self) {
+        if self.has_extra_stages {
+            return;
+        }
         for stage in self.pair.rows.len()..self.pair.nodes.len() {
             let start = Some(&self.start[..]);
             // The error has served; the argument of the last stage but one has not.
@@ -351,10 +355,9 @@ impl OneStep for ExplicitSteps<'_> {
         if !is_sampled || self.pair.dense.extra.is_empty() {
             return 0.0;
         }
-        if !self.has_extra_stages {
-            self.add_extra_stages();
-        }
-        let (size, middle) = (self.size, &mut self.middle);
+        self.add_extra_stages();
+        let (size, pair, width) = (self.size, self.pair, self.width);
+        let middle = self.middle.get_or_insert_with(|| Middle::new(pair, width));
         combine(&middle.state, &self.stages, self.step, Some(&self.start), &mut self.error);
         let time = self.time + 0.5 * self.step;
         self.stretch.rate(time, &self.error[..size], &mut middle.rate[..size]);
@@ -368,9 +371,7 @@ impl OneStep for ExplicitSteps<'_> {
     }
 
     fn interpolate(&mut self, time: f64, state: &mut [f64]) {
-        if !self.has_extra_stages {
-            self.add_extra_stages();
-        }
+        self.add_extra_stages();
         let theta = (time - self.time) / self.step;
         (self.pair.dense.weights)(theta, &mut self.weights);
         state.copy_from_slice(&self.start[..self.size]);
@@ -424,9 +425,7 @@ impl OneStep for ExplicitSteps<'_> {
         _start: &[f64],
         into: &mut [f64],
     ) {
-        if !self.has_extra_stages {
-            self.add_extra_stages();
-        }
+        self.add_extra_stages();
         let Some(mut carried) = self.carried.take() else { return };
         if !carried.has_extra_stages {
             let extra = self.pair.rows.len()..self.pair.nodes.len();

@@ -3,6 +3,7 @@
 use machinist_contract::Simulator;
 
 use super::loose::LOOSEST_OF_MANY;
+use super::stretch::Tolerances;
 use super::{Method, Stretch};
 
 /// A machine with constraints that neither gains nor loses energy forgets no error: it drifts
@@ -29,9 +30,6 @@ pub(super) fn is_conservative(
         power.supplied == 0.0 && power.dissipated == 0.0
     })
 }
-
-/// Tolerances, relative and absolute.
-type Tolerances = (f64, Vec<f64>);
 
 /// Tolerances at which errors of a method's steps do not add up to many times those of a stretch;
 /// nothing if these will do.

@@ -269,12 +269,12 @@ fn attempt<M: OneStep>(
     (step, now): (f64, f64),
 ) -> Trial {
     let mut trial = method.attempt(step);
-    let is_sampled = || samples.next_until(now).is_some_and(|at| at < now);
+    let is_sampled = samples.next_until(now).is_some_and(|at| at < now);
     if let Trial::Error(error) = trial
         && error <= 1.0
-        && (stretch.watch.is_some() || is_sampled())
+        && (stretch.watch.is_some() || is_sampled)
     {
-        let between = method.error_between(is_sampled());
+        let between = method.error_between(is_sampled);
         trial = Trial::Error(if between <= error { error } else { between });
     }
     match (trial, stretch.system.tangents()) {

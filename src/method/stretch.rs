@@ -4,6 +4,9 @@ use super::system::FLOWS;
 use super::{Problem, Stopped, System, Watch};
 use crate::error::StopCause;
 
+/// Tolerances, relative and absolute.
+pub(super) type Tolerances = (f64, Vec<f64>);
+
 /// A stretch of a run on which the right-hand side is smooth.
 pub struct Stretch<'a> {
     /// The equations; ask for rates by [`Stretch::rate`], which keeps to the stretch.
@@ -50,8 +53,8 @@ impl<'a> Stretch<'a> {
         Self { system, from, until, rtol: 1e-6, atol, max_steps: usize::MAX, watch: None }
     }
 
-    /// The stretch with other tolerances, relative and absolute, if there are any.
-    pub(super) fn at_tolerances<'b>(&self, tolerances: Option<&'b (f64, Vec<f64>)>) -> Stretch<'b>
+    /// The stretch with other tolerances, if there are any.
+    pub(super) fn at_tolerances<'b>(&self, tolerances: Option<&'b Tolerances>) -> Stretch<'b>
     where
         'a: 'b,
     {

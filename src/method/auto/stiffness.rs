@@ -3,6 +3,8 @@
 
 use machinist_contract::{Describe, Real, Simulator};
 
+use crate::method::Stretch;
+
 /// So many steps of evidence change the method.
 pub(super) const STIFF_STEPS: usize = 15;
 /// So many without it make the evidence void.
@@ -54,7 +56,7 @@ pub(super) fn worth_beginning(states: usize) -> f64 {
     CLEARLY * few_steps(states)
 }
 
-/// How near Taylor's method is to the limit of its stability.
+/// How near an explicit method is to the limit of its stability.
 pub(super) struct Strain<'a> {
     radius: SpectralRadius<'a, f64>,
     jacobian: Vec<f64>,
@@ -80,20 +82,20 @@ impl<'a> Strain<'a> {
         }
     }
 
-    /// |h lambda| after a step, `left` of the stretch being left: now and then, and after every
-    /// one beyond the limit; not where few steps are left.
+    /// |h lambda| after a step to a time and a state: now and then, and after every one beyond
+    /// the limit; not where few steps are left.
     pub(super) fn look(
         &mut self,
-        left: f64,
+        stretch: &Stretch<'_>,
+        (time, state): (f64, &[f64]),
         step: f64,
-        jacobian: impl FnOnce(&mut [f64]),
     ) -> Option<f64> {
         self.steps += 1;
         let is_due = self.is_near || self.steps.is_multiple_of(self.every);
-        if !is_due || left < self.few * step {
+        if !is_due || stretch.until - time < self.few * step {
             return None;
         }
-        jacobian(&mut self.jacobian);
+        stretch.jacobian(time, state, &mut self.jacobian);
         let strain = step * self.radius.looked_at(&self.jacobian, 1.0);
         self.is_near = strain > self.limit;
         Some(strain)

@@ -275,6 +275,18 @@ pub enum StopCause {
         /// The limit.
         limit: usize,
     },
+    /// Steps so short that those that may be taken lead nowhere near the end.
+    #[error(
+        "steps are {step:.1e} s on average: {steps:.0e} of them would be left to the end. \
+         Hint: an explicit method on a stiff machine takes as many; try `auto` or `radau`, or \
+         look for a parameter of the wrong size"
+    )]
+    TooSlowPace {
+        /// Their mean \[s\].
+        step: f64,
+        /// How many are left to the end of the stretch.
+        steps: f64,
+    },
     /// The flag of [`Simulation::until_flagged`](crate::Simulation::until_flagged) was set.
     #[error("the run was interrupted")]
     Interrupted,

@@ -321,6 +321,24 @@ fn a_limit_on_steps_stops_every_method() {
 }
 
 #[test]
+fn steps_that_lead_nowhere_near_the_end_stop_long_before_the_limit() {
+    const STIFFNESS: f64 = 1e16;
+    let scalar = Scalar::new(|t, y| -STIFFNESS * (y - t.cos()), |_, _| -STIFFNESS, 2.0);
+    for method in [Method::Tsit5, Method::Dop853, Method::Tsit45] {
+        let stopped = Simulation::new(&scalar).method(method).until(1.0).run();
+        let Err(SimulateError::Stopped { cause, time, .. }) = stopped else {
+            panic!("{method} runs")
+        };
+        let StopCause::TooSlowPace { step, steps } = cause else { panic!("{method}: {cause}") };
+        assert!(time < 1e-9 && steps * step > 0.99, "{method} at {time}: {steps} of {step}");
+    }
+    // A million steps and more are no such thing.
+    let scalar = Scalar::new(|t, y| -1e6 * (y - t.cos()), |_, _| -1e6, 2.0);
+    let run = Simulation::new(&scalar).method(Method::Tsit5).until(1.0).run().expect("a run");
+    assert!(run.work.steps > 200_000, "{} steps", run.work.steps);
+}
+
+#[test]
 fn steps_so_many_that_their_errors_add_up_are_told_of() {
     let notes = |until: f64| {
         let simulator = scenes::find_f64("pendulum_chain").expect("a scene");

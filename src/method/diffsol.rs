@@ -230,8 +230,7 @@ fn step_to_end<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
         if arrived {
             return Ok(());
         }
-        if stretch.system.work().steps >= stretch.max_steps as u64 {
-            let cause = StopCause::TooManySteps { limit: stretch.max_steps };
+        if let Some(cause) = stretch.out_of_steps(now) {
             return Err(Stopped { time: now, cause });
         }
         stretch.require_uninterrupted(now)?;

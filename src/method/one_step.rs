@@ -235,12 +235,8 @@ pub(super) fn drive<M: OneStep>(
                 return Ok((!arrives).then_some(Left { time, step }));
             }
             stretch.require_wanted(time, &kept.end)?;
-            let cause = if stretch.system.work().steps >= stretch.max_steps as u64 {
-                Some(StopCause::TooManySteps { limit: stretch.max_steps })
-            } else {
-                (time + step <= time).then_some(StopCause::StepTooSmall)
-            };
-            if let Some(cause) = cause {
+            let stuck = (time + step <= time).then_some(StopCause::StepTooSmall);
+            if let Some(cause) = stretch.out_of_steps(time).or(stuck) {
                 let cause = stretch.cause_at(time, &kept.end, cause);
                 return Err(Stopped { time, cause });
             }

@@ -63,6 +63,8 @@ pub struct System<'a> {
     /// Length of the run that this is a piece of \[s\]; 0 if it is none.
     whole: f64,
     has_stepped: Cell<bool>,
+    /// Steps and time when last the pace was measured.
+    milestone: Cell<(u64, f64)>,
     /// What is tried with loose steps, while it is.
     trial: Cell<Option<Trial>>,
 }
@@ -95,6 +97,7 @@ impl<'a> System<'a> {
             onlooker: None,
             whole: 0.0,
             has_stepped: Cell::new(false),
+            milestone: Cell::default(),
             trial: Cell::new(None),
         }
     }
@@ -326,6 +329,19 @@ impl<'a> System<'a> {
     #[must_use]
     pub fn has_stepped(&self) -> bool {
         self.has_stepped.get()
+    }
+
+    /// The mean of many steps, of which the last ended at `time` \[s\]; once in as many.
+    pub(super) fn pace(&self, time: f64) -> Option<f64> {
+        /// A start from rest, a contact or a run-in is over by then.
+        const MANY: u64 = 100_000;
+        let steps = self.work().steps;
+        let (earlier, from) = self.milestone.get();
+        if steps.saturating_sub(earlier) < MANY {
+            return None;
+        }
+        self.milestone.set((steps, time));
+        (earlier > 0).then(|| (time - from) / (steps - earlier) as f64)
     }
 
     /// Begins or ends to try loose steps; gives what was tried.

@@ -230,7 +230,7 @@ fn word(error: &SimulateError, method: Method, simulator: &dyn Simulator<f64>) -
     match error {
         _ if !method.suits(simulator) => "unfit",
         SimulateError::Stopped { cause, .. } => match cause {
-            StopCause::TooManySteps { .. } => "steps",
+            StopCause::TooManySteps { .. } | StopCause::TooSlowPace { .. } => "steps",
             StopCause::StepTooSmall => "small",
             StopCause::NotFinite { .. } => "nan",
             StopCause::Newton => "newton",

@@ -1,7 +1,6 @@
 //! Steps that end where a guard passes zero.
 
 use super::{Kept, OneStep, constrain_tangents, sample};
-use crate::error::StopCause;
 use crate::method::sensitivity::{Passing, moment};
 use crate::method::{Samples, Stopped, Stretch, Watch};
 
@@ -43,8 +42,7 @@ pub(super) fn end_at<M: OneStep>(
         return Ok(Ending::NotReached);
     }
     stretch.system.count_step();
-    if stretch.system.work().steps >= stretch.max_steps as u64 {
-        let cause = StopCause::TooManySteps { limit: stretch.max_steps };
+    if let Some(cause) = stretch.out_of_steps(time) {
         return Err(Stopped { time, cause });
     }
     let mut kept = Kept::new(state);

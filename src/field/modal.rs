@@ -38,6 +38,9 @@ pub enum ModalError {
     /// Positions are left out, so that modes would not give the state.
     #[error("the scene has left positions out; take it whole")]
     LeftOut,
+    /// Constraints hold coordinates together, which modes would not.
+    #[error("the machine has constraints, which a sum of its modes would not keep")]
+    Constrained,
     /// M and K have no modes.
     #[error("the mass matrix is not positive definite, or the stiffness not finite")]
     NoModes,
@@ -77,6 +80,9 @@ impl<'a> ModalSimulator<'a> {
         let n = shape.coordinates;
         if shape.positions != n {
             return Err(ModalError::LeftOut);
+        }
+        if simulator.constraints() > 0 {
+            return Err(ModalError::Constrained);
         }
         if !(1..=n).contains(&modes) {
             return Err(ModalError::Modes { most: n, found: modes });

@@ -280,7 +280,8 @@ pub fn row(linearization: &Linearization<'_>, mode: &Mode) -> [String; 7] {
     let none = String::new;
     let moves = moving(linearization, mode);
     let (natural, ratio) = (shown(mode.natural_frequency()), shown(mode.damping_ratio()));
-    let decay = if mode.real == 0.0 { none() } else { shown(mode.decay_time()) };
+    let decay = mode.decay_time();
+    let decay = if decay.is_finite() { shown(decay) } else { none() };
     match mode.kind {
         ModeKind::Free => ["free".to_owned(), moves, none(), none(), none(), none(), none()],
         ModeKind::Aperiodic => {

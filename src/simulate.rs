@@ -772,17 +772,20 @@ impl<'a> Table<'a> {
         self.largest_active = self.largest_active.max(active);
     }
 
-    /// Tells of outputs that are no numbers where the states are, as a logarithm of what is negative.
+    /// Tells of outputs and energies that are no numbers where the states are, as a logarithm of
+    /// what is negative.
     fn note_not_finite(&self, system: &System<'_>, times: &[f64]) {
-        for (index, values) in self.outputs.iter().enumerate() {
+        let outputs = self.outputs.iter().enumerate();
+        let outputs = outputs.map(|(index, values)| {
+            (format!("output `{}`", self.simulator.output(index).name), values)
+        });
+        for (what, values) in outputs.chain([("the energy".to_owned(), &self.energy)]) {
             let count = values.iter().filter(|value| !value.is_finite()).count();
             let first = values.iter().zip(times).find(|(value, _)| !value.is_finite());
             if let Some((value, time)) = first {
-                let name = self.simulator.output(index).name;
                 let of = times.len();
                 system.note(format!(
-                    "output `{name}` is {value} at {time} s, and not a finite number at {count} of \
-                     {of} times"
+                    "{what} is {value} at {time} s, and not a finite number at {count} of {of} times"
                 ));
             }
         }

@@ -199,6 +199,9 @@ fn unknown_names_and_bad_ranges_are_refused_with_what_may_be_meant() {
         let refused = logarithmic_range(from, until, points);
         assert!(matches!(refused, Err(LinearError::BadRange { .. })), "{from} {until} {points}");
     }
+    // Their ratio is beyond what a number holds.
+    let range = logarithmic_range(1e-320, 1e300, 32).expect("a range");
+    assert!(range.is_sorted() && range.iter().all(|frequency| frequency.is_finite()), "{range:?}");
 }
 
 #[test]

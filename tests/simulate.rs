@@ -11,6 +11,7 @@ use machinist::trajectory::ColumnKind;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
+use machinist_scenes::scenes;
 
 /// Largest error of the oscillator's angle \[rad\] over all output times.
 fn oscillator_error(trajectory: &Trajectory) -> f64 {
@@ -420,4 +421,15 @@ fn outputs_that_are_no_numbers_are_told_of() {
     assert!(run.notes.iter().any(|note| note == told), "{:?}", run.notes);
     let before = Simulation::new(&scene).until(1.0).run().expect("all are");
     assert!(before.notes.iter().all(|note| !note.contains("not a finite number")));
+}
+
+#[test]
+fn energies_that_are_no_numbers_are_told_of() {
+    let scene = scenes::find_f64("two_mass").expect("a scene");
+    let heavy = Simulation::new(scene).parameter("cylinder.inertia", 1e308).expect("a parameter");
+    let turning = heavy.initial_value("cylinder.omega", 10.0).expect("a state");
+    let run = turning.until(0.1).points(3).run();
+    let notes = run.expect("the states are numbers").notes;
+    let told = "the energy is inf at 0 s, and not a finite number at 3 of 3 times";
+    assert!(notes.iter().any(|note| note == told), "{notes:?}");
 }

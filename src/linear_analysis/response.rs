@@ -375,7 +375,7 @@ pub fn logarithmic_range(from: f64, until: f64, points: usize) -> Result<Vec<f64
         return Err(LinearError::BadRange { from, until, points });
     }
     let last = points - 1;
-    let (low, span) = (from.ln(), (until / from).ln());
+    let (low, span) = (from.ln(), until.ln() - from.ln());
     let frequency = |index: usize| match index {
         0 => from,
         _ if index == last => until,

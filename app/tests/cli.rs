@@ -431,6 +431,9 @@ fn modes_without_an_equilibrium_say_what_changes_and_what_to_do() {
         &["no equilibrium", "`driver.omega` changes by", "--at initial"],
     );
     assert_refused(&["modes", "two_mass", "--at", "noon"], &["noon", "equilibrium, initial"]);
+    let nothing = ["--to", "velocity", "--range=1e-308:1e26"];
+    let response = ["response", "stick_slip", "--from", "slider.static_friction"];
+    assert_refused(&[&response[..], &nothing].concat(), &["singular"]);
     assert_refused(&["run", "four_bar", "--modes=1"], &["has constraints"]);
     assert_refused(&["modes", "two_mas"], &["did you mean `two_mass`?"]);
     assert_refused(&["modes", "two_mass", "--at", "t=-1"], &["must end after it starts"]);

@@ -61,6 +61,9 @@ const SMALL: &[&str] = &[
     "winder_linear",
     "contact_oscillator_smooth",
 ];
+/// Commands that simulate, or look for a place to linearize at.
+const RUNS: &[&str] =
+    &["run", "sweep", "modes", "response", "campbell", "sensitivity", "gradient", "spectrum"];
 /// What is no built-in scene.
 const OTHERS: &[&str] = &[
     "",
@@ -97,6 +100,10 @@ const COMMANDS: &[(&str, bool, &[&str])] = &[
     ("sweep", true, &["set", "rtol", "method", "points", "threads", "outputs", "extremes"]),
     ("modes", true, &["set", "at", "json"]),
     ("response", true, &["set", "at", "range", "points"]),
+    ("campbell", true, &["set", "at", "json", "orders"]),
+    ("sensitivity", true, &["set", "rtol", "method", "points", "outputs", "parameters", "json"]),
+    ("gradient", true, &["set", "rtol", "method", "points", "json", "top"]),
+    ("spectrum", true, &["set", "rtol", "method", "samples", "peaks", "outputs", "window"]),
     ("show", true, &["json"]),
     ("check", true, &[]),
     ("list", false, &[]),
@@ -127,10 +134,14 @@ fn option(rng: &mut Rng, taken: &[&str], names: &[String]) -> Vec<String> {
         "method" => Some(one(rng, METHODS)),
         "from" => Some(one(rng, TIMES)),
         "at" => Some(one(rng, PLACES)),
-        "columns" | "outputs" => Some(format!("{},{}", name(rng), name(rng))),
+        "columns" | "outputs" | "parameters" => Some(format!("{},{}", name(rng), name(rng))),
+        "orders" => Some(format!("{},{}", one(rng, EXTREMES), one(rng, EXTREMES))),
+        "window" => Some(one(rng, &["rectangle", "hann", "flat_top", "round"])),
         "out" => Some(one(rng, &["-", "-", "", "/nowhere/a.csv", "a.xls"])),
         "range" => Some(format!("{}:{}", one(rng, EXTREMES), one(rng, EXTREMES))),
-        "points" | "elements" | "order" | "modes" | "threads" => Some(one(rng, COUNTS)),
+        "points" | "elements" | "order" | "modes" | "threads" | "samples" | "peaks" | "top" => {
+            Some(one(rng, COUNTS))
+        }
         _ => Some(one(rng, EXTREMES)),
     };
     let flag = format!("--{flag}");
@@ -146,7 +157,7 @@ fn command_line(rng: &mut Rng) -> Vec<String> {
     let (command, takes_scene, options) = COMMANDS[rng.usize(0..COMMANDS.len())];
     let known = match command {
         _ if rng.u32(0..10) == 0 => OTHERS,
-        "modes" | "response" => SMALL,
+        "modes" | "response" | "campbell" => SMALL,
         _ => SCENES,
     };
     let scene = pick(rng, known).copied().unwrap_or_default();
@@ -155,11 +166,19 @@ fn command_line(rng: &mut Rng) -> Vec<String> {
     let mut line: Vec<String> = command.split(' ').map(str::to_owned).collect();
     line.extend(takes_scene.then(|| scene.to_owned()));
     match command {
-        "run" => line.extend(["--until", "0.01"].map(str::to_owned)),
-        "sweep" => {
+        "run" | "sensitivity" | "spectrum" => line.push("--until=0.01".to_owned()),
+        "sweep" | "campbell" => {
             let [low, high] = [(); 2].map(|()| EXTREMES[rng.usize(0..EXTREMES.len())]);
             let range = format!("--parameter={}={low}..{high}", name(rng));
-            line.extend([range, "--count=2".to_owned(), "--until=0.01".to_owned()]);
+            line.extend([range, "--count=2".to_owned()]);
+            line.extend((command == "sweep").then(|| "--until=0.01".to_owned()));
+        }
+        "gradient" => {
+            let of = ["max", "min", "mean", "end", "rms", "most"][rng.usize(0..6)];
+            let (a, b) = (name(rng), name(rng));
+            let of =
+                [format!("{of}({a})"), format!("{of}(abs({a} - {b}))"), format!("{a}*{of}({b})")];
+            line.extend([format!("--of={}", of[rng.usize(0..3)]), "--until=0.01".to_owned()]);
         }
         "response" => line.extend(["--from".to_owned(), name(rng), "--to".to_owned(), name(rng)]),
         _ => {}
@@ -185,7 +204,7 @@ fn answers(input: &[u8]) -> Result<bool, String> {
     let said = std::thread::spawn(move || std::io::read_to_string(error).unwrap_or_default());
     let out = child.stdout.take().expect("standard output");
     let answer = std::thread::spawn(move || std::io::read_to_string(out).unwrap_or_default());
-    let is_run = matches!(arguments[0], "run" | "sweep" | "modes" | "response");
+    let is_run = RUNS.contains(&arguments[0]);
     let mut is_interrupted = false;
     let status = loop {
         if is_run && !is_interrupted && start.elapsed() > RUN {

@@ -358,7 +358,9 @@ impl Linearization<'_> {
             let what = "j w - A, at an undamped resonance,";
             let state = matrix.lu().solve(&rate).ok_or(LinearError::Singular { what })?;
             let parts = (0..size).map(|i| state[i] * by_state[i]);
-            Ok(parts.sum::<Complex64>() + output.by_input)
+            let answer = parts.sum::<Complex64>() + output.by_input;
+            // A number next to nothing divides as nothing does.
+            if answer.is_finite() { Ok(answer) } else { Err(LinearError::Singular { what }) }
         };
         frequencies.iter().map(at).collect()
     }

@@ -443,6 +443,7 @@ impl<'a> Simulation<'a> {
             system.note(format!("{method} instead of {asked}, which does not carry sensitivities"));
         }
         self.check_guards(&system)?;
+        self.note_negative_inertia(&system, &initial);
         #[cfg(feature = "linear")]
         self.note_unstable(&system, &initial);
         let states = system.states();

@@ -424,6 +424,53 @@ fn outputs_that_are_no_numbers_are_told_of() {
 }
 
 #[test]
+fn masses_of_the_wrong_sign_are_told_of() {
+    let notes = |scene: &dyn Simulator<f64>, name: &str, value: f64| {
+        let run = Simulation::new(scene).parameter(name, value).expect("a parameter");
+        let run = run.until(run_end(scene)).rtol(1e-6).run();
+        run.map_or_else(|_| Vec::new(), |run| run.notes)
+    };
+    let told = |notes: &[String]| notes.iter().any(|note| note.contains("of the wrong sign"));
+    let two_mass = scenes::find_f64("two_mass").expect("a scene");
+    let negative = notes(two_mass, "driver.inertia", -1.0);
+    assert!(negative.iter().any(|note| note.contains("`driver.phi` is negative")), "{negative:?}");
+    let text = r#"
+        [scene]
+        name = "hidden"
+        title = "A mass that is negative along neither coordinate"
+        [units.s]
+        unit = "s"
+        [outputs]
+        x = "s.x"
+        [run]
+        until = 0.1
+        points = 3
+        [define.s.coordinates]
+        x = { unit = "m" }
+        y = { unit = "m" }
+        [define.s.parameters]
+        m = { value = 0.5, unit = "kg", doc = "beside the diagonal" }
+        [define.s.energy]
+        kinetic = "1 [kg]*x_dot^2/2 + 1 [kg]*y_dot^2/2 + m*x_dot*y_dot"
+        potential = "1 [N/m]*x^2/2 + 1 [N/m]*y^2/2"
+        "#;
+    let hidden = of_text(text, Keep::All);
+    assert!(told(&notes(&hidden, "s.m", 2.0)) && !told(&notes(&hidden, "s.m", 0.5)));
+    for name in scenes::NAMES {
+        let Some(scene) = scenes::find_f64(name) else { continue };
+        let run = Simulation::new(scene).until(run_end(scene)).rtol(1e-6).run();
+        let notes = run.map_or_else(|_| Vec::new(), |run| run.notes);
+        assert!(!told(&notes), "{name}: {notes:?}");
+    }
+}
+
+/// Soon after the start.
+fn run_end(scene: &dyn Simulator<f64>) -> f64 {
+    let run = scene.run_defaults();
+    run.from + 1e-3 * (run.until - run.from)
+}
+
+#[test]
 fn energies_that_are_no_numbers_are_told_of() {
     let scene = scenes::find_f64("two_mass").expect("a scene");
     let heavy = Simulation::new(scene).parameter("cylinder.inertia", 1e308).expect("a parameter");

@@ -1,5 +1,7 @@
 //! Where a run starts: as the spec says, as the caller does, or in the equilibrium near that.
 
+use nalgebra::DMatrix;
+
 #[cfg(feature = "linear")]
 use super::Problem;
 use super::Simulation;
@@ -7,9 +9,10 @@ use crate::constraints::{consistent, require_independent};
 use crate::error::SimulateError;
 #[cfg(feature = "linear")]
 use crate::linear_analysis::{Point, growth, steady_start};
-use crate::method::sensitivity::{By, Tangents};
 #[cfg(feature = "linear")]
-use crate::method::{Stopped, System};
+use crate::method::Stopped;
+use crate::method::System;
+use crate::method::sensitivity::{By, Tangents};
 
 impl Simulation<'_> {
     pub(super) fn checked_initial_state(&self) -> Result<Vec<f64>, SimulateError> {
@@ -116,6 +119,43 @@ impl Simulation<'_> {
                 "the equilibrium at the start is unstable: deviations grow by e in {:.3e} s",
                 1.0 / growth
             ));
+        }
+    }
+
+    /// Tells if some motion has less kinetic energy the faster it is, as by a mass of the wrong
+    /// sign: every force then moves it the other way.
+    pub(super) fn note_negative_inertia(&self, system: &System<'_>, state: &[f64]) {
+        /// Coordinates up to which a mass matrix is looked at as a whole; of more, the diagonal.
+        const WHOLE: usize = 64;
+        const ROUNDING: f64 = 1e-9;
+        let pattern = self.simulator.mass_matrix_pattern();
+        let mut values = vec![0.0; pattern.entries.len()];
+        self.simulator.mass_matrix(self.from, state, &self.parameters, &mut values);
+        let entries = || pattern.entries.iter().zip(&values);
+        if let Some(((row, _), value)) = entries().find(|((row, c), v)| row == c && **v < 0.0) {
+            let name = self.simulator.coordinate(*row as usize).name;
+            return system.note(format!(
+                "the inertia of `{name}` is negative at the start, {value:.3e}: forces move it the \
+                 other way; look for a parameter of the wrong sign"
+            ));
+        }
+        let n = self.simulator.shape().coordinates;
+        if n > WHOLE || values.is_empty() || self.simulator.constraints() > 0 {
+            return;
+        }
+        let mut mass = DMatrix::zeros(n, n);
+        for ((row, column), value) in entries() {
+            mass[(*row as usize, *column as usize)] = *value;
+        }
+        if mass.clone().cholesky().is_none() {
+            let inertias = mass.symmetric_eigenvalues();
+            if inertias.min() < -ROUNDING * inertias.max() {
+                system.note(
+                    "some motion has a negative kinetic energy at the start: forces move it the \
+                     other way; look for a parameter of the wrong sign"
+                        .to_owned(),
+                );
+            }
         }
     }
 

@@ -1,5 +1,5 @@
-//! Command lines and files of models made at random: the program answers in time with one of its
-//! exit codes, and never by a panic or a signal.
+//! Command lines, scenes and files of models made at random: the program answers in time with one
+//! of its exit codes, and never by a panic or a signal.
 
 #[path = "../../tests/common/damaged_model.rs"]
 mod damaged_model;
@@ -19,8 +19,9 @@ use machinist_model::file::read;
 use machinist_scenes::scenes;
 
 use crate::cli::{answer, machinist, text};
+use crate::process;
 use damaged_model::{damaged, refused_or_run};
-use mutation::{EXTREMES, Fuzz, Rule, pick};
+use mutation::{EXTREMES, Fuzz, Rule, damage, other_numbers, pick};
 
 /// What commands that simulate may take until they are interrupted: what was asked for may be
 /// very long.
@@ -249,6 +250,65 @@ fn random_command_lines_are_answered() {
     let make = |rng: &mut Rng| command_line(rng).join(&BETWEEN.to_string()).into_bytes();
     let rule: Rule = Arc::new(answers);
     Fuzz { name: "lines", few: 60, patience: PATIENCE }.run(make, &rule);
+}
+
+/// What is called with a scene of one's own, which stands for `FILE`.
+const OF_FILES: &[&str] = &[
+    "run FILE --until=0.01 --points=3",
+    "run FILE --until=0.01 --points=3 --method=radau",
+    "run FILE --until=0.01 --points=3 --method=taylor",
+    "run FILE --points=11",
+    "modes FILE",
+    "modes FILE --at=initial",
+    "explain FILE --without-times",
+    "derive FILE",
+    "sensitivity FILE --until=0.01 --points=3",
+    "sweep FILE --until=0.01 --points=3 --count=2 --parameter=a.b=0..1",
+];
+
+/// What must hold of a command in the first line, and a scene in those that follow.
+fn answers_of_file(input: &[u8]) -> Result<bool, String> {
+    let Some(end) = input.iter().position(|byte| *byte == b'\n') else { return Ok(false) };
+    let command = String::from_utf8_lossy(&input[..end]);
+    if !OF_FILES.contains(&&*command) {
+        return Ok(false);
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("made.toml");
+    std::fs::write(&file, &input[end + 1..]).expect("a file");
+    let named = |word| if word == "FILE" { text(&file) } else { word };
+    let own = ["--no-cache", "--algebra=plain"];
+    let words: Vec<&str> = command.split(' ').map(named).chain(own).collect();
+    answers(words.join(&BETWEEN.to_string()).as_bytes())
+}
+
+#[test]
+fn damaged_scenes_are_refused_or_answered() {
+    let mut open = ["specs/scenes", "codegen/tests/pass"]
+        .map(|folder| PathBuf::from(process::REPOSITORY).join(folder))
+        .to_vec();
+    let mut scenes = Vec::new();
+    while let Some(folder) = open.pop() {
+        for entry in std::fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            match path.extension() {
+                None => open.push(path),
+                Some(ending) if ending == "toml" => scenes.push(path),
+                Some(_) => {}
+            }
+        }
+    }
+    scenes.sort();
+    let scenes: Vec<Vec<u8>> = scenes.iter().map(|file| std::fs::read(file).expect("it")).collect();
+    let make = move |rng: &mut Rng| {
+        let [scene, other] = [(); 2].map(|()| &scenes[rng.usize(0..scenes.len())]);
+        let command = OF_FILES[rng.usize(0..OF_FILES.len())];
+        let few = rng.u32(0..3) > 0;
+        let made = if few { other_numbers(rng, scene) } else { damage(rng, scene, other) };
+        [command.as_bytes(), b"\n", &made].concat()
+    };
+    let rule: Rule = Arc::new(answers_of_file);
+    Fuzz { name: "files", few: 40, patience: PATIENCE }.run(make, &rule);
 }
 
 /// Bytes that hold a model are simulated for some steps as well.

@@ -322,6 +322,17 @@ pub fn damage(rng: &mut Rng, text: &[u8], other: &[u8]) -> Vec<u8> {
     text
 }
 
+/// Other numbers in some places of a text, at and beyond the ends of what there are or of any size.
+pub fn other_numbers(rng: &mut Rng, text: &[u8]) -> Vec<u8> {
+    let mut text = text.to_vec();
+    for _ in 0..=rng.u32(0..3) {
+        let number = format!("{:e}", any_number(rng));
+        let number = if rng.bool() { pick(rng, EXTREMES).copied() } else { Some(&*number) };
+        text = replace_token(rng, &text, is_number, number.as_slice());
+    }
+    text
+}
+
 fn damage_once(rng: &mut Rng, text: &[u8], other: &[u8]) -> Vec<u8> {
     match rng.u32(0..24) {
         0..5 => replace_token(rng, text, is_number, EXTREMES),

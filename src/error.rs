@@ -278,8 +278,9 @@ pub enum StopCause {
     /// Steps so short that those that may be taken lead nowhere near the end.
     #[error(
         "steps are {step:.1e} s on average: {steps:.0e} of them would be left to the end. \
-         Hint: an explicit method on a stiff machine takes as many; try `auto` or `radau`, or \
-         look for a parameter of the wrong size"
+         Hint: an explicit method on a stiff machine takes as many (`auto` and `radau` do not), \
+         and so does a motion that is far faster than the run is long; look for a parameter or \
+         a speed of the wrong size"
     )]
     TooSlowPace {
         /// Their mean \[s\].

@@ -10,6 +10,8 @@
 //! measured runs (`fit`).
 //! Without any of them, what remains runs any simulator by explicit methods.
 
+#[cfg(any(feature = "implicit", feature = "linear"))]
+mod balance;
 #[cfg(feature = "linear")]
 pub mod complex_step;
 pub mod constraints;

@@ -1,6 +1,8 @@
 //! Rates with kinks and jumps, by `abs`, `min`, `max` and `sign`: steps end where they are, and
 //! no digit is lost there. What chatters says so.
 
+use std::cell::Cell;
+
 use machinist::error::StopCause;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
@@ -277,5 +279,24 @@ fn a_ramp_that_ends_at_zero_does_not_chatter() {
                 );
             }
         }
+    }
+}
+
+#[test]
+fn a_run_all_of_whose_steps_end_at_kinks_is_left_when_it_is_told_to() {
+    // Where x is 0 already, v turns at every zero of the sine, far more often than steps need.
+    let block = block("0 [J]", "1 [N]*abs(sin(1e4 [1/s]*t + 0.1))");
+    for method in [Method::Tsit5, Method::Dop853, Method::Taylor, Method::Radau] {
+        let asked = Cell::new(0);
+        let told = || {
+            asked.set(asked.get() + 1);
+            (asked.get() > 200).then_some(StopCause::Interrupted)
+        };
+        let stopped = Simulation::new(&block).method(method).rtol(1e-3).until_told(&told).run();
+        let Err(SimulateError::Stopped { time, kept: Some(kept), .. }) = stopped else {
+            panic!("{method} runs on")
+        };
+        assert!(time < 0.2, "{method} is left at {time} s");
+        assert!(kept.work.steps < 1000, "{method} is left after {} steps", kept.work.steps);
     }
 }

@@ -424,6 +424,18 @@ fn outputs_that_are_no_numbers_are_told_of() {
 }
 
 #[test]
+fn a_linear_machine_of_coefficients_beyond_squares_is_refused() {
+    let scene = scenes::find_f64("two_mass").expect("a scene");
+    for damping in [-1.5e245, 1.5e245] {
+        let run = Simulation::new(scene).parameter("coupling.damping", damping).expect("it");
+        let run = run.initial_value("cylinder.omega", 3.0).expect("a state").until(0.01);
+        for method in [Method::Auto, Method::Exact] {
+            assert!(run.clone().method(method).run().is_err(), "{method} at {damping:e}");
+        }
+    }
+}
+
+#[test]
 fn masses_of_the_wrong_sign_are_told_of() {
     let notes = |scene: &dyn Simulator<f64>, name: &str, value: f64| {
         let run = Simulation::new(scene).parameter(name, value).expect("a parameter");

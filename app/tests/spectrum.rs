@@ -5,7 +5,8 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::cli::{answer, assert_refused, text};
+use crate::cli::{answer, assert_refused, machinist, text};
+use crate::process::{output, said};
 
 const MASS: f64 = 2.0;
 const STIFFNESS: f64 = 800.0;
@@ -110,4 +111,9 @@ fn spectra_of_nothing_are_refused() {
     assert_refused(&of(&["--from", "-1"]), &["begins at 0 s"]);
     assert_refused(&of(&["--window", "square"]), &["square", "rectangle"]);
     assert_refused(&of(&["--out", "lines.xls"]), &[".csv or .json"]);
+    let heavy =
+        ["spectrum", "winder_linear", "--until=0.01", "--set", "holder.bobbin_radius=1e308"];
+    let answer = output(machinist(&heavy));
+    assert_eq!(answer.status.code(), Some(1));
+    assert!(said(&answer).contains("`mass` is -inf at 0 s"), "{}", said(&answer));
 }

@@ -3,7 +3,6 @@
 use std::cmp::Ordering;
 
 use nalgebra::linalg::Schur;
-use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 use serde::Serialize;
@@ -15,6 +14,7 @@ use super::motions::Motions;
 use super::sparse_rows::SparseRows;
 use super::within::Within;
 use super::{LinearError, Linearization, require_small};
+use crate::balance::balance;
 
 /// Beside the norm of the matrix, an eigenvalue below this is zero.
 const ZERO: f64 = 1e-11;
@@ -219,7 +219,7 @@ impl Problem {
         if reduced.is_empty() {
             return Ok(Vec::new());
         }
-        balance_parlett_reinsch(&mut reduced);
+        balance(&mut reduced);
         let norm = reduced.norm();
         let schur = Schur::try_new(reduced, f64::EPSILON, MAX_ITERATIONS)
             .ok_or(LinearError::Eigenvalues)?;

@@ -192,6 +192,8 @@ pub(super) fn drive<M: OneStep>(
                         if behind >= stretch.until {
                             return Ok(None);
                         }
+                        // There may be no end of a step but at kinks.
+                        stretch.require_uninterrupted(behind)?;
                         continue;
                     }
                     Ending::NotReached => {}

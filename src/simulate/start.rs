@@ -147,7 +147,7 @@ impl Simulation<'_> {
         for ((row, column), value) in entries() {
             mass[(*row as usize, *column as usize)] = *value;
         }
-        if mass.clone().cholesky().is_none() {
+        if values.iter().all(|value| value.is_finite()) && mass.clone().cholesky().is_none() {
             let inertias = mass.symmetric_eigenvalues();
             if inertias.min() < -ROUNDING * inertias.max() {
                 system.note(

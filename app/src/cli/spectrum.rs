@@ -102,6 +102,14 @@ impl Spectrum {
         let simulation = self.simulation(&scene)?;
         let (from, until) = self.stretch(&scene)?;
         let run = during("simulating", || simulation.run())?;
+        let chosen = self.chosen(&run)?;
+        for column in &chosen {
+            let mut values = run.times.iter().zip(&column.values);
+            if let Some((time, value)) = values.find(|(_, value)| !value.is_finite()) {
+                let message = format!("`{}` is {value} at {time} s", column.name);
+                return Err(Failure::unsuccessful(message, "numbers alone have a spectrum"));
+            }
+        }
         let spectra = Spectra {
             scene: run.scene.clone(),
             window: self.window.name(),
@@ -109,7 +117,7 @@ impl Spectrum {
             until,
             samples: self.samples,
             frequencies: (0..=self.samples / 2).map(|k| k as f64 / (until - from)).collect(),
-            outputs: self.chosen(&run)?.into_iter().map(|column| self.of(column, &run)).collect(),
+            outputs: chosen.into_iter().map(|column| self.of(column, &run)).collect(),
         };
         if let Some(file) = &self.plot {
             let subtitle = format!("{}, amplitudes, window {}", run.scene, spectra.window);

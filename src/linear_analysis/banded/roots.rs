@@ -11,10 +11,10 @@
 use std::ops::Range;
 
 use nalgebra::linalg::Schur;
-use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use num_complex::Complex64;
 
 use super::pencil::Pencil;
+use crate::balance::balance;
 
 /// Rows up to which a full matrix is as good.
 const SMALL: usize = 16;
@@ -134,7 +134,7 @@ impl Search<'_> {
 
     fn of_full_matrix(&self) -> Option<Vec<Root>> {
         let mut matrix = self.pencil.companion(self.rows.clone());
-        balance_parlett_reinsch(&mut matrix);
+        balance(&mut matrix);
         let values = Schur::try_new(matrix, f64::EPSILON, 10_000)?.complex_eigenvalues();
         let upper = values.iter().filter(|value| value.im >= 0.0);
         Some(upper.map(|value| Root::at(*value, value.im > 0.0)).collect())

@@ -2,9 +2,9 @@
 
 use nalgebra::DMatrix;
 use nalgebra::linalg::Schur;
-use nalgebra::linalg::balancing::balance_parlett_reinsch;
 
 use super::Stretch;
+use crate::balance::balance;
 
 /// By so many tolerances more a closed form may err by rounding, where steps would do
 /// as much and more.
@@ -35,7 +35,7 @@ pub(super) fn rings(stretch: &Stretch<'_>) -> bool {
     if matrix.iter().any(|value| !value.is_finite()) {
         return false;
     }
-    balance_parlett_reinsch(&mut matrix);
+    balance(&mut matrix);
     let Some(schur) = Schur::try_new(matrix, f64::EPSILON, 10_000) else { return false };
     let span = stretch.until - stretch.from;
     schur.complex_eigenvalues().iter().all(|value| {

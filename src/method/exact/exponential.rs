@@ -5,11 +5,12 @@
 //! [w]  = [0 E] [w]      w = s^j e^(g s) (cos w s, sin w s)
 //! ```
 
-use nalgebra::linalg::balancing::{balance_parlett_reinsch, unbalance};
+use nalgebra::linalg::balancing::unbalance;
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::Solution;
 use super::piece::{Piece, Wave};
+use crate::balance::balance;
 use crate::method::Stretch;
 
 /// Larger matrices are better stepped.
@@ -55,7 +56,7 @@ impl<'a> Exponential<'a> {
             return Err("a coefficient of its equations is not finite".to_owned());
         }
         let mut balanced = matrix.clone();
-        balance_parlett_reinsch(&mut balanced);
+        balance(&mut balanced);
         let norm = balanced.column_iter().map(|column| column.lp_norm(1)).fold(0.0, f64::max);
         let error = ROUNDINGS * norm * piece.span();
         if error.is_nan() || error > rtol {
@@ -75,7 +76,7 @@ impl<'a> Exponential<'a> {
         let known = self.known.iter().position(|(span, _)| (span - h).abs() <= rounding);
         known.unwrap_or_else(|| {
             let mut exponent = &self.matrix * h;
-            let scales = balance_parlett_reinsch(&mut exponent);
+            let scales = balance(&mut exponent);
             let mut exponential = exponent.exp();
             unbalance(&mut exponential, &scales);
             if self.known.len() == KEPT {

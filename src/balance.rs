@@ -1,0 +1,36 @@
+//! Balanced matrices: rows and columns of like size, so that eigenvalues of small size are found
+//! beside large ones.
+
+use nalgebra::linalg::balancing::balance_parlett_reinsch;
+use nalgebra::{DMatrix, DVector};
+
+/// Scales D of D^-1 A D, which A becomes: by Parlett and Reinsch, in powers of 2.
+///
+/// Of a matrix with entries whose squares are not finite nothing is changed: nalgebra's loop over its
+/// rows would not end.
+pub(crate) fn balance(matrix: &mut DMatrix<f64>) -> DVector<f64> {
+    const LARGEST: f64 = 1e150;
+    if matrix.iter().all(|entry| entry.abs() <= LARGEST) {
+        balance_parlett_reinsch(matrix)
+    } else {
+        DVector::from_element(matrix.nrows(), 1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn entries_beyond_what_can_be_squared_are_left_and_others_balanced() {
+        for large in [1e245, f64::INFINITY, f64::NAN] {
+            let mut matrix = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, large, -large]);
+            assert_eq!(balance(&mut matrix), DVector::from_element(2, 1.0));
+        }
+        let mut matrix = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1e140, 0.0]);
+        let scales = balance(&mut matrix);
+        assert!(scales[1] / scales[0] > 1e60, "{scales}");
+        let ratio = matrix[(0, 1)] / matrix[(1, 0)];
+        assert!((0.1..10.0).contains(&ratio), "{matrix}");
+    }
+}

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::cli::{answer, assert_refused, machinist};
+use crate::cli::{answer, assert_refused, machinist, text};
 use crate::process;
 
 /// A run of the saw gin with a stiffer coupling, for half a second.
@@ -36,6 +36,38 @@ fn what_matters_stands_first_and_what_cannot_be_is_said() {
     let json = answer(&["sensitivity", "saw_gin", "--until", "0.1", "--json"]);
     let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
     assert!(json["effects"].as_array().is_some_and(|effects| effects.len() > 20));
+}
+
+#[test]
+fn an_effect_on_what_does_not_move_is_left_out_with_a_word() {
+    let still = r#"
+        [scene]
+        name = "still"
+        [units.body]
+        unit = "translational/mass"
+        [units.spring]
+        unit = "translational/spring_damper"
+        parameters = { stiffness = 10, damping = 1, free_length = 1 }
+        [units.wall]
+        unit = "translational/fixed"
+        [[joints]]
+        connect = ["wall.a", "spring.a"]
+        [[joints]]
+        connect = ["spring.b", "body.a"]
+        [initial]
+        "body.x" = 1
+        [outputs]
+        speed = "body.v"
+        [run]
+        until = 1
+        points = 3
+        "#;
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("still.toml");
+    fs::write(&file, still).expect("a scene");
+    let text = answer(&["sensitivity", text(&file)]);
+    assert!(text.contains("left out: the effect of spring.free_length on speed"), "{text}");
+    assert!(!text.contains("inf"), "{text}");
 }
 
 #[test]

@@ -116,6 +116,16 @@ impl Sensitivity {
             (Err(error), _) => return Err(self.stopped(error)),
         };
         let mut effects = effects(&simulation, &trajectory, &by, &outputs);
+        // Of what is zero all along, or next to it, no change is relative.
+        effects.retain(|effect| {
+            let is_number = effect.rms.is_finite();
+            let Effect { parameter, output, .. } = effect;
+            left_out.extend(
+                (!is_number)
+                    .then(|| format!("the effect of {parameter} on {output}, which hardly moves")),
+            );
+            is_number
+        });
         effects.sort_by(|a, b| b.rms.total_cmp(&a.rms));
         let relative = relative(&trajectory, &effects);
         match &self.out {

@@ -275,7 +275,8 @@ pub enum StopCause {
         /// The limit.
         limit: usize,
     },
-    /// Steps so short that those that may be taken lead nowhere near the end.
+    /// Steps so short that those that may be taken, and 100 000 times as many, lead nowhere near the
+    /// end; not of a run with a limit of time, or one that somebody looks at.
     #[error(
         "steps are {step:.1e} s on average: {steps:.0e} of them would be left to the end. \
          Hint: an explicit method on a stiff machine takes as many (`auto` and `radau` do not), \

@@ -332,6 +332,15 @@ fn steps_that_lead_nowhere_near_the_end_stop_long_before_the_limit() {
         let StopCause::TooSlowPace { step, steps } = cause else { panic!("{method}: {cause}") };
         assert!(time < 1e-9 && steps * step > 0.99, "{method} at {time}: {steps} of {step}");
     }
+    // Whoever may leave it before its end need not mean that to be reached.
+    let asked = std::cell::Cell::new(0);
+    let told = || {
+        asked.set(asked.get() + 1);
+        (asked.get() > 400_000).then_some(StopCause::Interrupted)
+    };
+    let left = Simulation::new(&scalar).method(Method::Tsit5).until_told(&told).run();
+    let Err(SimulateError::Stopped { cause, .. }) = left else { panic!("it runs") };
+    assert_eq!(cause, StopCause::Interrupted);
     // A million steps and more are no such thing.
     let scalar = Scalar::new(|t, y| -1e6 * (y - t.cos()), |_, _| -1e6, 2.0);
     let run = Simulation::new(&scalar).method(Method::Tsit5).until(1.0).run().expect("a run");

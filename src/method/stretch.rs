@@ -174,7 +174,7 @@ impl<'a> Stretch<'a> {
     pub(super) fn out_of_steps(&self, time: f64) -> Option<StopCause> {
         /// So many times the limit on steps at the pace of the last ones: no run becomes so much
         /// faster that it would end after all.
-        const HOPELESS: f64 = 1e4;
+        const HOPELESS: f64 = 1e5;
         if self.system.work().steps >= self.max_steps as u64 {
             return Some(StopCause::TooManySteps { limit: self.max_steps });
         }

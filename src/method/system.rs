@@ -331,10 +331,14 @@ impl<'a> System<'a> {
         self.has_stepped.get()
     }
 
-    /// The mean of many steps, of which the last ended at `time` \[s\]; once in as many.
+    /// The mean of many steps, of which the last ended at `time` \[s\]; once in as many. Nothing of a
+    /// run that others may leave before its end, which need not be meant to be reached.
     pub(super) fn pace(&self, time: f64) -> Option<f64> {
         /// A start from rest, a contact or a run-in is over by then.
         const MANY: u64 = 100_000;
+        if self.deadline.is_some() || self.asked.is_some() || self.onlooker.is_some() {
+            return None;
+        }
         let steps = self.work().steps;
         let (earlier, from) = self.milestone.get();
         if steps.saturating_sub(earlier) < MANY {

@@ -8,7 +8,8 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use machinist_contract::{Describe, Energy, Real, Shape, Simulator, SparsityPattern};
+pub use crate::dense::dense;
+use machinist_contract::{Describe, Energy, Real, Shape, Simulator};
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
@@ -288,20 +289,6 @@ pub fn time_derivative(
         simulator.rate(time[0], &lift(state), &lift(parameters), rate);
     });
     jacobian.column(0).into_owned()
-}
-
-/// The full matrix of a pattern and its values, to compare emitted Jacobians
-/// with the above.
-///
-/// # Panics
-/// If there are fewer values than entries, or an entry lies outside the matrix.
-#[must_use]
-pub fn dense(pattern: SparsityPattern<'_>, values: &[f64]) -> DMatrix<f64> {
-    let mut matrix = DMatrix::zeros(pattern.rows, pattern.columns);
-    for (&(row, column), &value) in pattern.entries.iter().zip(values) {
-        matrix[(row as usize, column as usize)] = value;
-    }
-    matrix
 }
 
 /// d function/d at, one column for each element of `at`.

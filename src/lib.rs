@@ -10,11 +10,10 @@
 //! measured runs (`fit`).
 //! Without any of them, what remains runs any simulator by explicit methods.
 
-#[cfg(any(feature = "implicit", feature = "linear"))]
-mod balance;
 #[cfg(feature = "linear")]
 pub mod complex_step;
 pub mod constraints;
+mod dense;
 pub mod error;
 pub mod field;
 #[cfg(feature = "fit")]

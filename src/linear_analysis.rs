@@ -169,7 +169,7 @@ impl<'a> Linearization<'a> {
         let mut values = vec![0.0; pattern.entries.len()];
         let Point { time, state, parameters } = &self.point;
         self.simulator.mass_matrix(*time, state, parameters, &mut values);
-        crate::complex_step::dense(pattern, &values)
+        crate::dense::dense(pattern, &values)
     }
 }
 

@@ -21,7 +21,7 @@ use machinist_scenes::scenes;
 use crate::cli::{answer, machinist, text};
 use crate::process;
 use damaged_model::{damaged, refused_or_run};
-use mutation::{EXTREMES, Fuzz, Rule, damage, other_numbers, pick};
+use mutation::{EXTREMES, Fuzz, Rule, damage, other_numbers, pick, texts};
 
 /// What commands that simulate may take until they are interrupted: what was asked for may be
 /// very long.
@@ -284,24 +284,9 @@ fn answers_of_file(input: &[u8]) -> Result<bool, String> {
 
 #[test]
 fn damaged_scenes_are_refused_or_answered() {
-    let mut open = ["specs/scenes", "codegen/tests/pass"]
-        .map(|folder| PathBuf::from(process::REPOSITORY).join(folder))
-        .to_vec();
-    let mut scenes = Vec::new();
-    while let Some(folder) = open.pop() {
-        for entry in std::fs::read_dir(folder).expect("a folder") {
-            let path = entry.expect("an entry").path();
-            match path.extension() {
-                None => open.push(path),
-                Some(ending) if ending == "toml" => scenes.push(path),
-                Some(_) => {}
-            }
-        }
-    }
-    scenes.sort();
-    let scenes: Vec<Vec<u8>> = scenes.iter().map(|file| std::fs::read(file).expect("it")).collect();
+    let scenes = texts(process::REPOSITORY, &["specs/scenes", "codegen/tests/pass"], "toml");
     let make = move |rng: &mut Rng| {
-        let [scene, other] = [(); 2].map(|()| &scenes[rng.usize(0..scenes.len())]);
+        let [scene, other] = [(); 2].map(|()| scenes[rng.usize(0..scenes.len())].as_bytes());
         let command = OF_FILES[rng.usize(0..OF_FILES.len())];
         let few = rng.u32(0..3) > 0;
         let made = if few { other_numbers(rng, scene) } else { damage(rng, scene, other) };

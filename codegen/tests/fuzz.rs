@@ -1,7 +1,6 @@
 //! Specs, tables, expressions and units of measure made by damaging good ones: each is read to a
 //! system that holds only numbers, or refused with a message, in time and without a panic.
 
-use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -17,33 +16,16 @@ use machinist_model::file::{Stamped, read, write};
 
 use crate::common::describe;
 use crate::damaged_model::refused_or_run;
-use crate::mutation::{Fuzz, Rule, damage, expression, pick};
+use crate::mutation::{Fuzz, Rule, damage, expression, pick, texts};
 
+/// From where folders are named.
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 const PATIENCE: Duration = Duration::from_secs(2);
 /// Begins each file of a bundle: a spec is damaged together with the units and tables it names.
 const FILE: &str = "#=== ";
 /// Where the files of a bundle may stand; what is none of these is taken for the scene.
 const PLACES: [&str; 4] = ["scenes/made.toml", "units/made.toml", "scenes/a.csv", "scenes/b.csv"];
 const TABLE: &str = "time [s],force [N]\n0,0\n1,40\n2,0\n4,-20.5\n";
-
-/// Every text file of some folders and those within them, in the order of their paths.
-fn texts(folders: &[&str], ending: &str) -> Vec<String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut open: Vec<PathBuf> = folders.iter().map(|folder| root.join(folder)).collect();
-    let mut files = Vec::new();
-    while let Some(folder) = open.pop() {
-        for entry in std::fs::read_dir(folder).expect("a folder") {
-            let path = entry.expect("an entry").path();
-            if path.is_dir() {
-                open.push(path);
-            } else if path.extension().is_some_and(|found| found == ending) {
-                files.push(path);
-            }
-        }
-    }
-    files.sort();
-    files.iter().filter_map(|file| std::fs::read_to_string(file).ok()).collect()
-}
 
 fn read_bundle(input: &[u8]) -> Result<bool, String> {
     read_system(input).map(|system| system.is_some())
@@ -120,9 +102,9 @@ fn holds_numbers(system: &LagrangianSystem) -> Result<(), String> {
 
 #[test]
 fn damaged_specs_are_read_to_numbers_or_refused() {
-    let scenes = texts(&["../specs/scenes", "tests/pass"], "toml");
-    let bad = texts(&["tests/fail"], "toml");
-    let units = texts(&["../specs/units"], "toml");
+    let scenes = texts(ROOT, &["../specs/scenes", "tests/pass"], "toml");
+    let bad = texts(ROOT, &["tests/fail"], "toml");
+    let units = texts(ROOT, &["../specs/units"], "toml");
     let make = move |rng: &mut Rng| {
         let begun = if rng.u32(0..5) == 0 { &bad } else { &scenes };
         let scene = pick(rng, begun).expect("a scene");
@@ -201,7 +183,7 @@ fn derive(input: &[u8]) -> Result<bool, String> {
 #[test]
 fn machines_of_random_expressions_are_derived_and_run() {
     // Small ones: whatever is made of them is derived at once, or has no bound.
-    let scenes = texts(&["tests/pass", "../specs/scenes/parts"], "toml");
+    let scenes = texts(ROOT, &["tests/pass", "../specs/scenes/parts"], "toml");
     let make = move |rng: &mut Rng| {
         if rng.u32(0..3) == 0 {
             let [scene, other] = [(); 2].map(|()| pick(rng, &scenes).expect("a scene"));
@@ -235,7 +217,7 @@ fn pure(text: &str) -> String {
 
 #[test]
 fn damaged_tables_are_read_to_numbers_or_refused() {
-    let tables = texts(&["tests/pass", "tests/fail", "../specs"], "csv");
+    let tables = texts(ROOT, &["tests/pass", "tests/fail", "../specs"], "csv");
     let make = move |rng: &mut Rng| {
         let short = |text: &str| text.lines().take(30).collect::<Vec<_>>().join("\n");
         let other = short(pick(rng, &tables).expect("a table"));

@@ -14,7 +14,7 @@ use super::motions::Motions;
 use super::sparse_rows::SparseRows;
 use super::within::Within;
 use super::{LinearError, Linearization, require_small};
-use crate::balance::balance;
+use crate::dense::balance;
 
 /// Beside the norm of the matrix, an eigenvalue below this is zero.
 const ZERO: f64 = 1e-11;

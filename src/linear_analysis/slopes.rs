@@ -307,7 +307,7 @@ fn equations(
         let pattern = simulator.rate_jacobian_pattern();
         let changes = changes(simulator, point, &directions)?;
         for (direction, values) in changes.iter().enumerate() {
-            let change = crate::complex_step::dense(pattern, values);
+            let change = crate::dense::dense(pattern, values);
             let bent = change.select_rows(&dynamic).select_columns(positions) * &rates;
             match direction.checked_sub(scales.len()) {
                 None => drift_by_state.column_mut(direction).add_assign(&bent),
@@ -403,7 +403,7 @@ fn parameter_jacobian(
     let pattern = simulator.parameter_jacobian_pattern();
     let mut values = vec![0.0; pattern.entries.len()];
     simulator.parameter_jacobian(point.time, &point.state, &point.parameters, &mut values);
-    crate::complex_step::dense(pattern, &values).select_columns(parameters)
+    crate::dense::dense(pattern, &values).select_columns(parameters)
 }
 
 /// Slopes of so many values of a function, along each of some directions: a parameter, if there

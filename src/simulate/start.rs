@@ -1,11 +1,10 @@
 //! Where a run starts: as the spec says, as the caller does, or in the equilibrium near that.
 
-use nalgebra::DMatrix;
-
 #[cfg(feature = "linear")]
 use super::Problem;
 use super::Simulation;
 use crate::constraints::{consistent, require_independent};
+use crate::dense::dense;
 use crate::error::SimulateError;
 #[cfg(feature = "linear")]
 use crate::linear_analysis::{Point, growth, steady_start};
@@ -131,23 +130,20 @@ impl Simulation<'_> {
         let pattern = self.simulator.mass_matrix_pattern();
         let mut values = vec![0.0; pattern.entries.len()];
         self.simulator.mass_matrix(self.from, state, &self.parameters, &mut values);
-        let entries = || pattern.entries.iter().zip(&values);
-        if let Some(((row, _), value)) = entries().find(|((row, c), v)| row == c && **v < 0.0) {
+        let mut entries = pattern.entries.iter().zip(&values);
+        if let Some(((row, _), value)) = entries.find(|((row, c), v)| row == c && **v < 0.0) {
             let name = self.simulator.coordinate(*row as usize).name;
             return system.note(format!(
                 "the inertia of `{name}` is negative at the start, {value:.3e}: forces move it the \
                  other way; look for a parameter of the wrong sign"
             ));
         }
-        let n = self.simulator.shape().coordinates;
-        if n > WHOLE || values.is_empty() || self.simulator.constraints() > 0 {
+        let is_looked_at = pattern.rows <= WHOLE && self.simulator.constraints() == 0;
+        if !is_looked_at || values.iter().any(|value| !value.is_finite()) || values.is_empty() {
             return;
         }
-        let mut mass = DMatrix::zeros(n, n);
-        for ((row, column), value) in entries() {
-            mass[(*row as usize, *column as usize)] = *value;
-        }
-        if values.iter().all(|value| value.is_finite()) && mass.clone().cholesky().is_none() {
+        let mass = dense(pattern, &values);
+        if mass.clone().cholesky().is_none() {
             let inertias = mass.symmetric_eigenvalues();
             if inertias.min() < -ROUNDING * inertias.max() {
                 system.note(

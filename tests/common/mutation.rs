@@ -5,7 +5,7 @@
 #![allow(dead_code, reason = "every test takes what it needs")]
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
@@ -312,6 +312,25 @@ const SNIPPETS: &[&str] = &[
     "atan2(0, 0)",
     "sign(0)",
 ];
+
+/// Every text file of some folders below a root and those within them, in the order of their paths.
+pub fn texts(root: &str, folders: &[&str], ending: &str) -> Vec<String> {
+    let mut open: Vec<PathBuf> =
+        folders.iter().map(|folder| Path::new(root).join(folder)).collect();
+    let mut files = Vec::new();
+    while let Some(folder) = open.pop() {
+        for entry in std::fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                open.push(path);
+            } else if path.extension().is_some_and(|found| found == ending) {
+                files.push(path);
+            }
+        }
+    }
+    files.sort();
+    files.iter().filter_map(|file| std::fs::read_to_string(file).ok()).collect()
+}
 
 /// Some damage to a text; `other` is a text to take pieces of.
 pub fn damage(rng: &mut Rng, text: &[u8], other: &[u8]) -> Vec<u8> {

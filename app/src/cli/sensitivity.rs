@@ -115,17 +115,13 @@ impl Sensitivity {
             (Ok(trajectory), by) => (trajectory, by),
             (Err(error), _) => return Err(self.stopped(error)),
         };
-        let mut effects = effects(&simulation, &trajectory, &by, &outputs);
         // Of what is zero all along, or next to it, no change is relative.
-        effects.retain(|effect| {
-            let is_number = effect.rms.is_finite();
-            let Effect { parameter, output, .. } = effect;
-            left_out.extend(
-                (!is_number)
-                    .then(|| format!("the effect of {parameter} on {output}, which hardly moves")),
-            );
-            is_number
-        });
+        let effects = effects(&simulation, &trajectory, &by, &outputs);
+        let (mut effects, endless): (Vec<_>, Vec<_>) =
+            effects.into_iter().partition(|effect| effect.rms.is_finite());
+        left_out.extend(endless.iter().map(|Effect { parameter, output, .. }| {
+            format!("the effect of {parameter} on {output}, which hardly moves")
+        }));
         effects.sort_by(|a, b| b.rms.total_cmp(&a.rms));
         let relative = relative(&trajectory, &effects);
         match &self.out {

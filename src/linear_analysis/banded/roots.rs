@@ -14,7 +14,7 @@ use nalgebra::linalg::Schur;
 use num_complex::Complex64;
 
 use super::pencil::Pencil;
-use crate::balance::balance;
+use crate::dense::balance;
 
 /// Rows up to which a full matrix is as good.
 const SMALL: usize = 16;

@@ -1,10 +1,9 @@
 //! Linear machines that no method could step through as exactly as closed forms do.
 
-use nalgebra::DMatrix;
 use nalgebra::linalg::Schur;
 
 use super::Stretch;
-use crate::balance::balance;
+use crate::dense::{balance, dense};
 
 /// By so many tolerances more a closed form may err by rounding, where steps would do
 /// as much and more.
@@ -25,13 +24,10 @@ pub(super) fn rings(stretch: &Stretch<'_>) -> bool {
     if system.simulator().linear().is_none() || states > MOST_STATES {
         return false;
     }
-    let mut matrix = DMatrix::zeros(states, states);
     let pattern = system.jacobian_pattern();
     let mut values = vec![0.0; pattern.entries.len()];
     stretch.jacobian(stretch.from, &vec![0.0; states], &mut values);
-    for (&(row, column), value) in pattern.entries.iter().zip(values) {
-        matrix[(row as usize, column as usize)] = value;
-    }
+    let mut matrix = dense(pattern, &values);
     if matrix.iter().any(|value| !value.is_finite()) {
         return false;
     }

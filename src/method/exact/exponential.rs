@@ -10,7 +10,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use super::Solution;
 use super::piece::{Piece, Wave};
-use crate::balance::balance;
+use crate::dense::balance;
 use crate::method::Stretch;
 
 /// Larger matrices are better stepped.

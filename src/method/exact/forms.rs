@@ -4,6 +4,7 @@ use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
 use super::chain;
 use super::piece::Piece;
+use crate::dense::dense;
 use crate::method::Stretch;
 
 /// Deviations from symmetry and from common modes that rounding makes, relative.
@@ -198,11 +199,7 @@ impl Mass {
             }
             return Mass::Diagonal(mass);
         }
-        let mut mass = DMatrix::zeros(n, n);
-        for (&(row, column), value) in pattern.entries.iter().zip(values) {
-            mass[(row as usize, column as usize)] = value;
-        }
-        Mass::Full(mass)
+        Mass::Full(dense(pattern, &values))
     }
 
     /// Number of coordinates.

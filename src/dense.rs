@@ -1,13 +1,29 @@
-//! Balanced matrices: rows and columns of like size, so that eigenvalues of small size are found
-//! beside large ones.
+//! Full matrices: of a pattern and its values; balanced, rows and columns of like size, so that
+//! eigenvalues of small size are found beside large ones.
 
-use nalgebra::linalg::balancing::balance_parlett_reinsch;
-use nalgebra::{DMatrix, DVector};
+use machinist_contract::SparsityPattern;
+use nalgebra::DMatrix;
+#[cfg(any(feature = "implicit", feature = "linear"))]
+use nalgebra::{DVector, linalg::balancing::balance_parlett_reinsch};
+
+/// The full matrix of a pattern and its values.
+///
+/// # Panics
+/// If an entry lies outside the matrix.
+#[must_use]
+pub fn dense(pattern: SparsityPattern<'_>, values: &[f64]) -> DMatrix<f64> {
+    let mut matrix = DMatrix::zeros(pattern.rows, pattern.columns);
+    for (&(row, column), &value) in pattern.entries.iter().zip(values) {
+        matrix[(row as usize, column as usize)] = value;
+    }
+    matrix
+}
 
 /// Scales D of D^-1 A D, which A becomes: by Parlett and Reinsch, in powers of 2.
 ///
 /// Of a matrix with entries whose squares are not finite nothing is changed: nalgebra's loop over its
 /// rows would not end.
+#[cfg(any(feature = "implicit", feature = "linear"))]
 pub(crate) fn balance(matrix: &mut DMatrix<f64>) -> DVector<f64> {
     const LARGEST: f64 = 1e150;
     if matrix.iter().all(|entry| entry.abs() <= LARGEST) {
@@ -17,7 +33,7 @@ pub(crate) fn balance(matrix: &mut DMatrix<f64>) -> DVector<f64> {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, any(feature = "implicit", feature = "linear")))]
 mod tests {
     use super::*;
 

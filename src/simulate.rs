@@ -2,6 +2,7 @@
 //! [`Trajectory`].
 
 #[cfg(all(feature = "fit", feature = "sweep"))]
+mod differentiate;
 mod elsewhere;
 mod gradient;
 mod start;
@@ -25,6 +26,7 @@ use crate::method::{Method, Problem, Run, Stopped, System, identically_zero};
 use crate::scales::scales;
 use crate::trajectory::{Column, ColumnKind, EnergyBalance, Stop, Trajectory};
 
+pub use differentiate::Differentiated;
 pub use gradient::{Gradient, Pull, Slope};
 
 /// Largest number of output times of a run.
@@ -443,7 +445,7 @@ impl<'a> Simulation<'a> {
             system.note(format!("{method} instead of {asked}, which does not carry sensitivities"));
         }
         self.check_guards(&system)?;
-        self.note_negative_inertia(&system, &initial);
+        self.negative_inertia_at(&initial).into_iter().for_each(|note| system.note(note));
         #[cfg(feature = "linear")]
         self.note_unstable(&system, &initial);
         let states = system.states();

@@ -384,6 +384,30 @@ fn the_list_names_every_scene() {
 }
 
 #[test]
+fn whatever_simulates_tells_of_a_mass_of_the_wrong_sign() {
+    const NOTE: &str = "the inertia of `driver.phi` is negative at the start";
+    let set = ["--set", "driver.inertia=-1", "--until", "0.02"];
+    let commands: [&[&str]; 4] = [
+        &["run", "two_mass"],
+        &["sensitivity", "two_mass", "--outputs", "twist"],
+        &["gradient", "two_mass", "--of", "max(abs(twist))"],
+        &["spectrum", "two_mass", "--from", "0"],
+    ];
+    for command in commands {
+        let told = answer(&[command, &set[..]].concat());
+        assert!(told.contains(NOTE), "{command:?}: {told}");
+        let told = answer(&[command, &["--until", "0.02"]].concat());
+        assert!(!told.contains("negative"), "{command:?}: {told}");
+    }
+    for command in &commands[1..3] {
+        let told = answer(&[command, &set[..], &["--json"]].concat());
+        let told: serde_json::Value = serde_json::from_str(&told).expect("JSON");
+        let notes = told["notes"].as_array().expect("notes");
+        assert!(notes.iter().any(|note| note.as_str().expect("text").contains(NOTE)), "{notes:?}");
+    }
+}
+
+#[test]
 fn modes_of_a_machine_in_balance_are_a_table() {
     let text = answer(&["modes", "two_mass", "--set", "drive_torque=843.72"]);
     let swing = text.lines().find(|line| line.starts_with("oscillation")).expect("a row");

@@ -45,6 +45,17 @@ fn a_table_holds_what_single_runs_give_built_in_or_from_a_file() {
 }
 
 #[test]
+fn masses_of_the_wrong_sign_are_told_of_beside_the_table() {
+    for method in ["tsit5", "taylor"] {
+        let range = ["--parameter", "driver.inertia=-1..2", "--count", "4", "--until", "0.01"];
+        let output = sweep(&[&["two_mass", "--method", method], &range[..]].concat());
+        let told = String::from_utf8_lossy(&output.stderr);
+        let words = "1 of 4 variants, the first in row 1: the inertia of `driver.phi` is negative";
+        assert!(told.contains(words), "{method}: {told}");
+    }
+}
+
+#[test]
 fn methods_lanes_threads_and_fields_change_no_number() {
     let fields = ["--parameter", "shaft.stiffness=7e5..8e5", "--count", "20", "--until", "1e-3"];
     let lanes = ["--parameter", STIFFNESS, "--count", "20", "--until", "0.02"];

@@ -4,7 +4,7 @@ use super::evaluate::Shown;
 use super::expression::Expression;
 use super::{parameter_of, stretches};
 use crate::error::SimulateError;
-use crate::simulate::{Gradient, Pull, Simulation, Slope};
+use crate::simulate::{Differentiated, Gradient, Pull, Simulation, Slope};
 use crate::trajectory::Trajectory;
 
 /// An expression over a run, and its derivatives.
@@ -107,19 +107,9 @@ fn forwards(
     expression: &Expression,
 ) -> Result<NumberGradient, SimulateError> {
     let simulator = simulation.simulator();
-    let mut by: Vec<String> = (0..simulator.shape().parameters)
-        .map(|index| simulator.parameter(index).name.to_owned())
-        .collect();
-    let mut left_out = Vec::new();
-    let run = loop {
-        match simulation.clone().sensitivities(&by)?.run() {
-            Err(SimulateError::NotDifferentiable { name, why }) if by.contains(&name) => {
-                by.retain(|other| *other != name);
-                left_out.push((name, why));
-            }
-            run => break run?,
-        }
-    };
+    let all = (0..simulator.shape().parameters).map(|index| simulator.parameter(index).name);
+    let Differentiated { run, by, left_out } =
+        simulation.differentiate(all.map(str::to_owned).collect())?;
     let parameter = |name: &str| parameter_of(simulation, name);
     let slopes = |column: &str, k: usize| run.sensitivity(column, &by[k]).unwrap_or_default();
     let stretches = stretches(simulation, &run);

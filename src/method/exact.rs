@@ -70,9 +70,12 @@ fn solution<'a>(
     let states = &state[..piece.states()];
     stretch.system.count(|work| work.factorizations += 1);
     if let Some(modal) = Modal::new(piece, stretch, states)? {
+        let modes = match modal.modes() {
+            1 => "mode".to_owned(),
+            count => format!("{count} modes"),
+        };
         stretch.system.note(format!(
-            "linear with constant coefficients: solved by its {} modes, without steps",
-            modal.modes()
+            "linear with constant coefficients: solved by its {modes}, without steps"
         ));
         return Ok(Box::new(modal));
     }

@@ -121,9 +121,15 @@ impl Simulation<'_> {
         }
     }
 
-    /// Tells if some motion has less kinetic energy the faster it is, as by a mass of the wrong
-    /// sign: every force then moves it the other way.
-    pub(super) fn note_negative_inertia(&self, system: &System<'_>, state: &[f64]) {
+    /// What a run says of a motion that has less kinetic energy the faster it is, as by a mass of
+    /// the wrong sign: every force then moves it the other way. Where the start is searched for,
+    /// it is looked for where the search begins.
+    #[must_use]
+    pub fn negative_inertia(&self) -> Option<String> {
+        self.negative_inertia_at(&self.guess())
+    }
+
+    pub(super) fn negative_inertia_at(&self, state: &[f64]) -> Option<String> {
         /// Coordinates up to which a mass matrix is looked at as a whole; of more, the diagonal.
         const WHOLE: usize = 64;
         const ROUNDING: f64 = 1e-9;
@@ -133,26 +139,25 @@ impl Simulation<'_> {
         let mut entries = pattern.entries.iter().zip(&values);
         if let Some(((row, _), value)) = entries.find(|((row, c), v)| row == c && **v < 0.0) {
             let name = self.simulator.coordinate(*row as usize).name;
-            return system.note(format!(
+            return Some(format!(
                 "the inertia of `{name}` is negative at the start, {value:.3e}: forces move it the \
                  other way; look for a parameter of the wrong sign"
             ));
         }
         let is_looked_at = pattern.rows <= WHOLE && self.simulator.constraints() == 0;
         if !is_looked_at || values.iter().any(|value| !value.is_finite()) || values.is_empty() {
-            return;
+            return None;
         }
         let mass = dense(pattern, &values);
-        if mass.clone().cholesky().is_none() {
-            let inertias = mass.symmetric_eigenvalues();
-            if inertias.min() < -ROUNDING * inertias.max() {
-                system.note(
-                    "some motion has a negative kinetic energy at the start: forces move it the \
-                     other way; look for a parameter of the wrong sign"
-                        .to_owned(),
-                );
-            }
+        if mass.clone().cholesky().is_some() {
+            return None;
         }
+        let inertias = mass.symmetric_eigenvalues();
+        (inertias.min() < -ROUNDING * inertias.max()).then(|| {
+            "some motion has a negative kinetic energy at the start: forces move it the other way; \
+             look for a parameter of the wrong sign"
+                .to_owned()
+        })
     }
 
     /// Compares how an equilibrium moves, where its equations leave some of it open, with

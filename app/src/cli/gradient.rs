@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use super::amount::{Amount, assignment};
 use super::improve::{expression, units};
-use super::output::{columns, print};
+use super::output::{columns, print, remarks};
 use super::scene::Scene;
 use super::settings::Told;
 use crate::failure::Failure;
@@ -79,6 +79,8 @@ struct Answer<'a> {
     in_reverse: bool,
     slopes: Vec<Row>,
     left_out: Vec<String>,
+    /// What the run remarks.
+    notes: Vec<String>,
 }
 
 impl GradientCommand {
@@ -92,13 +94,14 @@ impl GradientCommand {
         let flag = interrupt::flag();
         let simulation = self.simulation(simulator)?.until_flagged(&flag);
         let found = during("simulating", || gradient(&simulation, &of))?;
+        let remarks = remarks(&found.gradient.run, "--json");
         let answer = self.answer(found, units::of(&of, simulator), simulator);
         if self.json {
             let text = serde_json::to_string_pretty(&answer)
                 .map_err(|error| Failure::unsuccessful(error, ""))?;
             return print(&format!("{text}\n"));
         }
-        print(&self.told(&answer, &scene))
+        print(&self.told(&answer, &scene, &remarks))
     }
 
     fn simulation<'a>(&self, simulator: &'a dyn Simulator<f64>) -> Result<Simulation<'a>, Failure> {
@@ -133,13 +136,14 @@ impl GradientCommand {
             in_reverse: is_in_reverse,
             slopes,
             left_out: left_out.into_iter().map(|(name, why)| format!("{name} {why}")).collect(),
+            notes: gradient.run.notes,
         }
     }
 
-    fn told(&self, answer: &Answer<'_>, scene: &Scene) -> String {
+    fn told(&self, answer: &Answer<'_>, scene: &Scene, remarks: &str) -> String {
         let how = if answer.in_reverse { "in reverse" } else { "by sensitivities" };
         let mut text = format!(
-            "{}: {} ({})\n{}, rtol {:e}, {} steps; {how}\n{} = {} {}\n\n",
+            "{}: {} ({})\n{}, rtol {:e}, {} steps; {how}{remarks}\n{} = {} {}\n\n",
             answer.scene,
             scene.simulator().title(),
             scene.how(),

@@ -3,10 +3,11 @@
 use std::io::{self, BufWriter, Write as _, stdout};
 use std::path::Path;
 
-use crate::plot::PlotError;
+use machinist::trajectory::Trajectory;
 
 use crate::failure::Failure;
 use crate::parquet;
+use crate::plot::PlotError;
 
 /// Writes an answer to standard output. A reader that has gone away, as `head`
 /// does, is no failure.
@@ -130,4 +131,18 @@ pub fn columns<const N: usize>(rows: &[[String; N]], left: usize) -> String {
         text.push('\n');
     }
     text
+}
+
+/// Where the run was cut short, and what the method has to say, such as which one `auto` chose
+/// and why; a line each. `whole` is what all of them are told by.
+pub fn remarks(trajectory: &Trajectory, whole: &str) -> String {
+    /// A machine that turns stiff over and over has a remark for each time.
+    const MOST: usize = 8;
+    let Trajectory { notes, stopped, .. } = trajectory;
+    let stop =
+        stopped.iter().map(|stop| format!("stopped early, at {} s: {}", stop.time, stop.cause));
+    let more = notes.len().saturating_sub(MOST);
+    let more = (more > 0).then(|| format!("and {more} remarks more, which {whole} has"));
+    let lines = stop.chain(notes.iter().take(MOST).cloned()).chain(more);
+    lines.flat_map(|line| ["\n".to_owned(), line]).collect()
 }

@@ -14,7 +14,7 @@ use machinist_contract::Simulator;
 
 use super::amount::{Amount, as_json, assignment};
 use super::output::{
-    columns, draw_file, print, print_with, require_picture, require_table, write_file,
+    columns, draw_file, print, print_with, remarks, require_picture, require_table, write_file,
 };
 use super::scene::Scene;
 use super::settings::{with_method, with_parameters};
@@ -359,7 +359,7 @@ impl Run {
             trajectory.method,
             trajectory.rtol,
             trajectory.times.len(),
-            remarks(trajectory),
+            remarks(trajectory, "--out FILE.json"),
             work.steps,
             work.rejected,
             work.rate_evaluations,
@@ -378,20 +378,6 @@ impl Run {
         }
         text.trim_end().to_owned() + "\n"
     }
-}
-
-/// Where the run was cut short, and what the method has to say, such as which one `auto` chose
-/// and why; a line each.
-fn remarks(trajectory: &Trajectory) -> String {
-    /// A machine that turns stiff over and over has a remark for each time.
-    const MOST: usize = 8;
-    let Trajectory { notes, stopped, .. } = trajectory;
-    let stop =
-        stopped.iter().map(|stop| format!("stopped early, at {} s: {}", stop.time, stop.cause));
-    let more = notes.len().saturating_sub(MOST);
-    let more = (more > 0).then(|| format!("and {more} remarks more, which --out FILE.json has"));
-    let lines = stop.chain(notes.iter().take(MOST).cloned()).chain(more);
-    lines.flat_map(|line| ["\n".to_owned(), line]).collect()
 }
 
 /// How often each event happened, in a line of its own; nothing without events.

@@ -4,13 +4,16 @@ use std::path::PathBuf;
 
 use clap::Args;
 use machinist::error::StopCause;
+use machinist::simulate::Differentiated;
 use machinist::trajectory::{Column, ColumnKind, Trajectory, sensitivity_name};
 use machinist::{Method, SimulateError, Simulation};
 use machinist_contract::Simulator;
 use serde::Serialize;
 
 use super::amount::{Amount, assignment};
-use super::output::{columns, draw_file, print, require_picture, require_table, write_file};
+use super::output::{
+    columns, draw_file, print, remarks, require_picture, require_table, write_file,
+};
 use super::scene::Scene;
 use super::settings::{with_method, with_parameters};
 use crate::failure::{Failure, did_you_mean};
@@ -95,6 +98,8 @@ struct Answer<'a> {
     until: f64,
     effects: &'a [Effect],
     left_out: &'a [String],
+    /// What the run remarks.
+    notes: &'a [String],
 }
 
 impl Sensitivity {
@@ -110,11 +115,14 @@ impl Sensitivity {
         let (by, mut left_out) = self.directions(simulator, &simulation);
         let flag = interrupt::flag();
         let simulation = simulation.until_flagged(&flag);
-        let run = during("simulating", || differentiable(&simulation, by, &mut left_out))?;
-        let (trajectory, by) = match run {
-            (Ok(trajectory), by) => (trajectory, by),
-            (Err(error), _) => return Err(self.stopped(error)),
-        };
+        let found = during("simulating", || simulation.differentiate(by));
+        let Differentiated { run: trajectory, by, left_out: without } =
+            found.map_err(|error| self.stopped(error))?;
+        left_out.extend(without.into_iter().map(|(name, why)| format!("{name} {why}")));
+        if by.is_empty() {
+            let why = left_out.join("; ");
+            return Err(Failure::input("there is nothing to differentiate by", why));
+        }
         // Of what is zero all along, or next to it, no change is relative.
         let effects = effects(&simulation, &trajectory, &by, &outputs);
         let (mut effects, endless): (Vec<_>, Vec<_>) =
@@ -150,6 +158,7 @@ impl Sensitivity {
                 until: trajectory.times.last().copied().unwrap_or(f64::NAN),
                 effects: &effects,
                 left_out: &left_out,
+                notes: &trajectory.notes,
             };
             let text = serde_json::to_string_pretty(&answer)
                 .map_err(|error| Failure::unsuccessful(error, ""))?;
@@ -231,8 +240,8 @@ impl Sensitivity {
         left_out: &[String],
     ) -> String {
         let mut text = format!(
-            "{}: {} ({})\n{}, rtol {:e}, {} s to {} s\n{} steps, {} rate evaluations, {} \
-             Jacobians\n\nChange of an output, over its largest size, for a relative change of a \
+            "{}: {} ({})\n{}, rtol {:e}, {} s to {} s{}\n{} steps, {} rate evaluations, \
+             {} Jacobians\n\nChange of an output, over its largest size, for a relative change of a \
              parameter:\n\n",
             trajectory.scene,
             trajectory.title,
@@ -241,6 +250,7 @@ impl Sensitivity {
             trajectory.rtol,
             trajectory.times.first().copied().unwrap_or(f64::NAN),
             trajectory.times.last().copied().unwrap_or(f64::NAN),
+            remarks(trajectory, "--json"),
             trajectory.work.steps,
             trajectory.work.rate_evaluations,
             trajectory.work.jacobian_evaluations,
@@ -267,31 +277,6 @@ impl Sensitivity {
             text.extend(["\nwrote ", &file.display().to_string()]);
         }
         text.trim_end().to_owned() + "\n"
-    }
-}
-
-/// The run with derivatives by as many of these as there are derivatives by; what is refused
-/// of them is left out, and said to be.
-type Outcome = (Result<Trajectory, SimulateError>, Vec<String>);
-
-fn differentiable(
-    simulation: &Simulation<'_>,
-    mut by: Vec<String>,
-    left_out: &mut Vec<String>,
-) -> Result<Outcome, Failure> {
-    loop {
-        if by.is_empty() {
-            let why = left_out.join("; ");
-            return Err(Failure::input("there is nothing to differentiate by", why));
-        }
-        let run = simulation.clone().sensitivities(&by)?.run();
-        match run {
-            Err(SimulateError::NotDifferentiable { name, why }) if by.contains(&name) => {
-                by.retain(|other| *other != name);
-                left_out.push(format!("{name} {why}"));
-            }
-            run => return Ok((run, by)),
-        }
     }
 }
 

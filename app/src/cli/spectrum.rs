@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::amount::{Amount, assignment};
 use super::output::{
-    columns, draw_file, print, print_with, require_picture, require_table, write_file,
+    columns, draw_file, print, print_with, remarks, require_picture, require_table, write_file,
 };
 use super::scene::Scene;
 use super::settings::{with_method, with_parameters};
@@ -77,6 +77,8 @@ struct Spectra {
     /// k/(until - from) \[Hz\].
     frequencies: Vec<f64>,
     outputs: Vec<One>,
+    /// What the run remarks.
+    notes: Vec<String>,
 }
 
 #[derive(Debug, Serialize)]
@@ -118,6 +120,7 @@ impl Spectrum {
             samples: self.samples,
             frequencies: (0..=self.samples / 2).map(|k| k as f64 / (until - from)).collect(),
             outputs: chosen.into_iter().map(|column| self.of(column, &run)).collect(),
+            notes: run.notes.clone(),
         };
         if let Some(file) = &self.plot {
             let subtitle = format!("{}, amplitudes, window {}", run.scene, spectra.window);
@@ -205,12 +208,13 @@ impl Spectrum {
         let resolution = 1.0 / (until - from);
         let mut text = format!(
             "{}: {} ({})\n{samples} samples from {from} s to {until} s, window {window}: lines each {} Hz \
-             up to {} Hz\n\n",
+             up to {} Hz{}\n\n",
             run.scene,
             run.title,
             scene.how(),
             number(resolution, 6),
             number(resolution * (samples / 2) as f64, 6),
+            remarks(run, "--out FILE.json"),
         );
         let mut rows = vec![["", "unit", "mean", "frequency [Hz]", "amplitude"].map(str::to_owned)];
         for One { name, unit, amplitudes } in &spectra.outputs {

@@ -96,12 +96,28 @@ impl Sweep {
             Some(file) => write_file(file, |out| table.write(scene.simulator(), out))?,
             None => print_with(|out| table.write(scene.simulator(), out))?,
         }
+        self.tell_of_negative_inertias(scene.simulator(), &variants);
         let stopped = runs.iter().filter(|run| run.is_err()).count();
         if stopped == 0 {
             return Ok(());
         }
         let message = format!("{stopped} of {} variants stopped", runs.len());
         Err(Failure::unsuccessful(message, "the last column says where and why"))
+    }
+
+    /// Tells beside the table, on standard error, of variants with a mass of the wrong sign.
+    fn tell_of_negative_inertias(&self, simulator: &dyn Simulator<f64>, variants: &[Vec<f64>]) {
+        let run = self.adjusted(Simulation::new(simulator), None);
+        let notes = variants
+            .iter()
+            .enumerate()
+            .filter_map(|(row, all)| Some((row, run.clone().parameters(all).negative_inertia()?)));
+        let notes: Vec<(usize, String)> = notes.collect();
+        if let Some((row, note)) = notes.first() {
+            let (count, row) = (notes.len(), row + 1);
+            let all = variants.len();
+            eprintln!("machinist: {count} of {all} variants, the first in row {row}: {note}");
+        }
     }
 
     fn check_numbers(&self) -> Result<(), Failure> {

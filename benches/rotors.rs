@@ -13,7 +13,7 @@ use std::time::Instant;
 use growth::{Row, bytes, fastest, print};
 use machinist::Simulation;
 use machinist::linear_analysis::{Linearization, Place, operating_point};
-use machinist_codegen::cas::Algebra;
+use machinist_algebra::cas::Algebra;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_model::{Model, ModelSimulator, operations};

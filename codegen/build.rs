@@ -9,11 +9,11 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest as _, Sha256};
 
 /// Whose text decides what models are.
-const FOLDERS: [&str; 2] = ["src", "../model/src"];
+const FOLDERS: [&str; 3] = ["src", "../algebra/src", "../model/src"];
 
 fn main() -> io::Result<()> {
     let mut files = Vec::new();
-    // A package that stands alone has no folder of the model's text; its version says the rest.
+    // A package that stands alone has no folders of their text; their versions say the rest.
     for folder in FOLDERS.iter().map(Path::new).filter(|folder| folder.is_dir()) {
         println!("cargo:rerun-if-changed={}", folder.display());
         collect(folder, &mut files)?;

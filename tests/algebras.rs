@@ -6,7 +6,7 @@ use std::path::Path;
 use machinist::Simulation;
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist::trajectory::{ColumnKind, Trajectory};
-use machinist_codegen::cas::Algebra;
+use machinist_algebra::cas::Algebra;
 use machinist_codegen::independent::{Comparison, elements};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;

@@ -58,9 +58,8 @@ pub mod walk;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-
 #[cfg(feature = "derive")]
-use machinist_codegen::cas::Algebra;
+use machinist_algebra::cas::Algebra;
 
 #[cfg(feature = "derive")]
 use crate::deriving;

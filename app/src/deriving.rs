@@ -9,7 +9,7 @@ mod child;
 
 use std::sync::OnceLock;
 
-use machinist_codegen::cas::Algebra;
+use machinist_algebra::cas::Algebra;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline::Derivation;
 use machinist_codegen::spec::diagnostic::Diagnostics;

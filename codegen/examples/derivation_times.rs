@@ -15,7 +15,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use machinist_codegen::cas::{Algebra, session};
+use machinist_algebra::cas::{Algebra, session};
 use machinist_codegen::emit::EmitOptions;
 use machinist_codegen::emit::rust::emit;
 use machinist_codegen::mechanics::lagrange;

@@ -3,13 +3,8 @@
 //!
 //! The straight line is [`pipeline`]; each stage takes the previous one's type.
 
-#[macro_use]
-mod faults;
-
 mod build;
-pub mod cas;
 pub mod emit;
-pub mod expr;
 pub mod independent;
 pub mod lower;
 pub mod mechanics;

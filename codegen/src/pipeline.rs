@@ -10,11 +10,11 @@
 
 use std::path::Path;
 
+use machinist_algebra::cas::{Algebra, Cas, CasError, session};
 use machinist_model::Model;
 use machinist_model::file::Stamped;
 use serde::{Deserialize, Serialize};
 
-use crate::cas::{Algebra, Cas, CasError, session};
 use crate::emit::document::{Document, Notation};
 use crate::mechanics::density::{self, FieldEquations};
 use crate::mechanics::dependencies::Dependencies;
@@ -38,7 +38,7 @@ pub fn generate(scene: &Path, keep: Keep) -> Result<Model, Diagnostics> {
 /// # Errors
 /// As [`generate`].
 pub fn compile(system: LagrangianSystem, keep: Keep) -> Result<Model, Diagnostics> {
-    compile_by(Algebra::of(&system), system, keep)
+    compile_by(Algebra::of(system.coordinates.len()), system, keep)
 }
 
 /// A checked scene to its model, worked out by an algebra of one's choice.
@@ -155,7 +155,7 @@ pub struct Derivation {
 /// # Errors
 /// As [`generate`].
 pub fn derivation(system: LagrangianSystem, keep: Keep) -> Result<Derivation, Diagnostics> {
-    derivation_by(Algebra::of(&system), system, keep)
+    derivation_by(Algebra::of(system.coordinates.len()), system, keep)
 }
 
 /// The same, worked out by an algebra of one's choice.
@@ -211,7 +211,7 @@ pub fn check(scene: &Path) -> Result<LagrangianSystem, Diagnostics> {
 /// As [`generate`].
 pub fn derive(scene: &Path) -> Result<EquationsOfMotion, Diagnostics> {
     let system = check(scene)?;
-    let algebra = Algebra::of(&system);
+    let algebra = Algebra::of(system.coordinates.len());
     session(&system.name.clone(), algebra, move |cas| {
         let equations = lagrange::derive(cas, &system);
         decided(&equations)?;

@@ -22,11 +22,11 @@ mod typed;
 
 pub(crate) use evaluate::evaluate;
 
-use crate::expr::ParameterId;
 use crate::scene::system::LagrangianSystem;
 use crate::spec::SceneSpec;
 use crate::spec::diagnostic::{Diagnostic, Diagnostics, Mistake};
 use crate::spec::stack;
+use machinist_algebra::expr::ParameterId;
 
 /// Checks a scene and joins its units: instances get their parameters and inputs,
 /// joined coordinates become one, energies are summed, forces act by virtual work.

@@ -1,8 +1,8 @@
 //! What the computer algebra gives back.
 
-use machinist_codegen::cas::{Algebra, session};
-use machinist_codegen::expr::operations;
-use machinist_codegen::expr::{CoordinateId, Expr, Function, ParameterId, Symbol};
+use machinist_algebra::cas::{Algebra, session};
+use machinist_algebra::expr::operations;
+use machinist_algebra::expr::{CoordinateId, Expr, Function, ParameterId, Symbol};
 use machinist_model::TableId;
 use num_rational::BigRational;
 

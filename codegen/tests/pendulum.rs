@@ -6,8 +6,8 @@
 //! ```
 
 use crate::support;
-use machinist_codegen::cas::{Algebra, session};
-use machinist_codegen::expr::{CoordinateId, Expr, Function, ParameterId, Symbol};
+use machinist_algebra::cas::{Algebra, session};
+use machinist_algebra::expr::{CoordinateId, Expr, Function, ParameterId, Symbol};
 use machinist_codegen::lower::lower;
 use machinist_codegen::lower::structure::Structure;
 use machinist_codegen::mechanics::lagrange;

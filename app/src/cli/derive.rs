@@ -1,7 +1,7 @@
 //! `machinist derive`: the equations of motion of a scene, as text, LaTeX or JSON.
 
 use clap::Args;
-use machinist_codegen::cas::Algebra;
+use machinist_algebra::cas::Algebra;
 use machinist_codegen::emit::document::Equation;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline::Derivation;

@@ -55,6 +55,7 @@ const RESERVED: &[&str] = &[
     "examples",
     "incremental",
     "machinist",
+    "machinist_algebra",
     "machinist_codegen",
     "machinist_contract",
     "machinist_model",

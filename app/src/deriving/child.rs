@@ -7,7 +7,7 @@ use std::io::{Read as _, Write as _, stdin, stdout};
 use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use machinist_codegen::cas::{Algebra, GREETED};
+use machinist_algebra::cas::{Algebra, GREETED};
 use machinist_codegen::pipeline;
 use machinist_codegen::spec::diagnostic::Diagnostics;
 use machinist_model::file::{open, seal};
@@ -76,7 +76,7 @@ pub fn answer_parent() -> Result<(), Failure> {
 
 fn derive(request: &Request) -> Result<Derived, Diagnostics> {
     let system = request.system()?;
-    let algebra = request.algebra.unwrap_or_else(|| Algebra::of(&system));
+    let algebra = request.algebra.unwrap_or_else(|| Algebra::of(system.coordinates.len()));
     Ok(match request.wanted {
         Wanted::Model => {
             let model = pipeline::compile_by(algebra, system, request.keep)?;

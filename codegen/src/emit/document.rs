@@ -4,12 +4,12 @@ mod printer;
 
 use std::collections::BTreeMap;
 
-use crate::expr::{
-    ConstraintId, CoordinateId, Expr, FirstOrderId, HandedId, HelperId, ParameterId, Symbol,
-};
 use crate::mechanics::constraint::Constraints;
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::scene::system::LagrangianSystem;
+use machinist_algebra::expr::{
+    ConstraintId, CoordinateId, Expr, FirstOrderId, HandedId, HelperId, ParameterId, Symbol,
+};
 use machinist_model::Quantity;
 use printer::Printer;
 use serde::{Deserialize, Serialize};

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use machinist_algebra::expr::{Expr, FirstOrderId, Symbol};
 use machinist_contract::{Real, Simulator};
 use num_traits::ToPrimitive as _;
 
@@ -10,7 +11,6 @@ use super::lift::Entries;
 use super::motion::{Machine, Motion, Place};
 use super::random::Random;
 use super::rounded::Rounded;
-use crate::expr::{Expr, FirstOrderId, Symbol};
 use crate::scene::system::LagrangianSystem;
 
 /// Where a simulator is looked at.

@@ -9,9 +9,9 @@
 //! with Gauss-Lobatto points x_i and weights w_i, and the polynomials l_j through them, as the
 //! spec language has it. What fields hand over to the machine is then in the sums.
 
+use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 use num_rational::BigRational;
 
-use crate::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 use crate::scene::system::{Attachment, Coordinate, Field, GeneralizedForce, LagrangianSystem};
 use machinist_model::{Name, Place, Quantity};
 

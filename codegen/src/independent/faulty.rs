@@ -1,24 +1,49 @@
 //! Wrong signs where equations are made, each of which the second derivation finds.
 
+use machinist_algebra::cas::Algebra;
+use machinist_algebra::faults;
 use proptest::strategy::{Strategy as _, ValueTree as _};
 use proptest::test_runner::{Config, RngSeed, TestRunner};
 
 use super::systems::recipes;
 use super::tests::{LIMIT, deviation};
-use crate::cas::Algebra;
-use crate::faults::{self, Fault};
 
 /// Systems within which a fault is to be found.
 const SYSTEMS: usize = 20;
 /// Terms of a kind that they have at most.
 const TERMS: usize = 2;
 
+/// What [`machinist_algebra::unless_faulty`] can make wrong, by its name there.
+const FAULTS: [&str; 17] = [
+    // `lagrange`.
+    "dL/dq",
+    "(d2L/dq' dq) q'",
+    "(d2L/dq' dz) h",
+    "d2L/dq' dt",
+    "dD/dq'",
+    "M beside its diagonal",
+    // `constraint`.
+    "gamma",
+    "dg/dt",
+    "an entry of G",
+    // `reduce`.
+    "numbers in place of parameters",
+    "the rate of a relative position",
+    "an output of an absolute position",
+    "forces on what is sliced",
+    // `fold`.
+    "fold a - (-b)",
+    "fold (-a) b",
+    "fold a/(-b)",
+    "fold f(b - a)",
+];
+
 #[test]
 fn every_wrong_sign_is_found_within_twenty_systems() {
     let mut missed = Vec::new();
-    for fault in faults::ALL {
+    for fault in FAULTS {
         let found = first_found(fault);
-        println!("{fault:?}: found by system {found:?}");
+        println!("{fault}: found by system {found:?}");
         if found.is_none() {
             missed.push(fault);
         }
@@ -27,7 +52,7 @@ fn every_wrong_sign_is_found_within_twenty_systems() {
 }
 
 /// Which of the first systems shows a fault.
-fn first_found(fault: Fault) -> Option<usize> {
+fn first_found(fault: &'static str) -> Option<usize> {
     let config = Config { rng_seed: RngSeed::Fixed(0xfa01), ..Config::default() };
     let mut runner = TestRunner::new(config);
     (1..=SYSTEMS).find(|_| {

@@ -5,13 +5,13 @@
 
 use std::collections::BTreeSet;
 
+use machinist_algebra::expr::{Expr, Function, Symbol};
 use machinist_contract::{CubicTable, Real};
 use machinist_model::{Function as Unary, Table, TableId};
 use num_rational::BigRational;
 use num_traits::ToPrimitive as _;
 
 use super::hyper::Hyper;
-use crate::expr::{Expr, Function, Symbol};
 
 /// A step on a stack of values: expressions nest hundreds of levels deep, and nobody knows how
 /// much room a caller's own stack has.

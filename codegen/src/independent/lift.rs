@@ -9,6 +9,7 @@
 //! state lacks is random, for nothing that is left may depend on it: so a position that was
 //! left out although something changes with it shows as a difference.
 
+use machinist_algebra::expr::Expr;
 use machinist_contract::{Real, Simulator, StateKind};
 
 use super::compare::{At, Unlike};
@@ -16,7 +17,6 @@ use super::formula::Formula;
 use super::motion::{Machine, Place};
 use super::random::Random;
 use super::solve::inverse;
-use crate::expr::Expr;
 use crate::scene::system::{FirstOrderState, LagrangianSystem};
 
 /// How far what the state lacks lies from its start, beside its scale.

@@ -9,13 +9,13 @@
 //! by two velocities. A constraint is evaluated along the motion twice: what is then mixed is
 //! g'' but for its part in q''.
 
+use machinist_algebra::expr::{ConstraintId, CoordinateId, FirstOrderId, Symbol};
 use machinist_contract::Real;
 
 use super::formula::{Formula, pi};
 use super::hyper::Hyper;
 use super::rounded::Rounded;
 use super::solve::inverse;
-use crate::expr::{ConstraintId, CoordinateId, FirstOrderId, Symbol};
 use crate::scene::system::LagrangianSystem;
 use machinist_model::Table;
 

@@ -2,12 +2,14 @@
 
 use std::fmt;
 
+use machinist_algebra::expr::{
+    ConstraintId, CoordinateId, Expr, FirstOrderId, Function, ParameterId, Symbol,
+};
 use machinist_model::{Freeze, Name, Quantity, RunDefaults, Table, TableId};
 use num_rational::BigRational;
 use proptest::collection::vec;
 use proptest::prelude::*;
 
-use crate::expr::{ConstraintId, CoordinateId, Expr, FirstOrderId, Function, ParameterId, Symbol};
 use crate::mechanics::reduce::Keep;
 use crate::scene::system::{
     Constraint, Coordinate, Definition, FirstOrderState, GeneralizedForce, LagrangianSystem,

@@ -7,6 +7,8 @@
 use std::cell::RefCell;
 use std::str::FromStr;
 
+use machinist_algebra::cas::Algebra;
+use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Function, Symbol};
 use machinist_model::ModelSimulator;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestRunner};
@@ -16,8 +18,6 @@ use super::motion::{Machine, Place};
 use super::random::Random;
 use super::systems::{Recipe, recipes};
 use super::{Comparison, Deviation};
-use crate::cas::Algebra;
-use crate::expr::{CoordinateId, Expr, FirstOrderId, Function, Symbol};
 use crate::pipeline;
 use crate::scene::along::{NoRate, rate};
 use crate::scene::system::LagrangianSystem;

@@ -2,9 +2,8 @@
 
 use std::collections::{BTreeSet, HashMap};
 
+use machinist_algebra::expr::Graph;
 use machinist_model::{Function, NodeId, Op};
-
-use crate::expr::Graph;
 
 /// Rates of nodes along a motion: dx/dt by the chain rule, the state's own rate given.
 pub(super) fn along(graph: &mut Graph, rate: &[NodeId], of: &[NodeId]) -> Vec<NodeId> {

@@ -13,9 +13,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use machinist_algebra::expr::Graph;
 use machinist_model::{Function, NodeId, Op, Tape};
-
-use crate::expr::Graph;
 
 /// The tape with fewer calls, where angles are fewer than their sums.
 #[must_use]

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use machinist_algebra::expr::{Expr, Graph, ParameterId, Symbol};
 use machinist_model::{Check, ClosedForm, Op, Parameter, Reference, Table, TableId, Tape};
 use num_rational::BigRational;
 
-use crate::expr::{Expr, Graph, ParameterId, Symbol};
 use crate::scene::system::{self, LagrangianSystem};
 
 /// The checks of a system whose model has these parameters. Others that a check mentions

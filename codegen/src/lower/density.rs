@@ -1,8 +1,8 @@
 //! The generic element of a field on tapes.
 
+use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Graph, Symbol};
 use machinist_model::{Attachment, FieldModel, LocalForces, NodeId, Op, Tape};
 
-use crate::expr::{CoordinateId, Expr, FirstOrderId, Graph, Symbol};
 use crate::lower::excitation::is_homogeneous;
 use crate::mechanics::density::FieldEquations;
 use crate::mechanics::linearize::{Linearization, Partials};

@@ -1,10 +1,10 @@
 //! What a model says of itself, but for its tapes.
 
+use machinist_algebra::expr::Symbol;
 use machinist_model::{
     Constraint, Coordinate, Event, Model, Parameter, SourceFile, State, StateKind,
 };
 
-use crate::expr::Symbol;
 use crate::lower::checks::checks;
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::mechanics::state::Motion;

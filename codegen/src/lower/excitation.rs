@@ -13,9 +13,9 @@
 
 mod sum;
 
+use machinist_algebra::expr::Graph;
 use machinist_model::{Excitation, Node, NodeId, Op, Tape};
 
-use crate::expr::Graph;
 use sum::{Algebra, Sum};
 
 /// What excites a machine with this rate y'; nothing if it is not linear in the state with

@@ -8,7 +8,7 @@
 use std::collections::BTreeSet;
 
 use super::nonzeros::Nonzeros;
-use crate::expr::Graph;
+use machinist_algebra::expr::Graph;
 use machinist_model::NodeId;
 
 /// L (unit lower triangle) and 1/D.

@@ -12,10 +12,10 @@
 
 use std::collections::HashMap;
 
+use machinist_algebra::expr::Graph;
 use machinist_model::{Function, NodeId, Op, Table};
 
 use super::along::{along, reached};
-use crate::expr::Graph;
 
 /// What of a rate is not smooth.
 #[derive(Debug, Default)]

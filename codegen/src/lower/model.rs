@@ -5,10 +5,10 @@ mod watched;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use machinist_algebra::expr::abbreviate::Abbreviations;
+use machinist_algebra::expr::{Expr, Graph};
 use machinist_model::{MatrixTape, Model, NodeId, SparsityPattern, Tape, reachable};
 
-use crate::expr::abbreviate::Abbreviations;
-use crate::expr::{Expr, Graph};
 use crate::lower::angles::expand;
 use crate::lower::describe::{constraints, describe, events};
 use crate::lower::excitation::excitation;

@@ -2,9 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use machinist_algebra::expr::Graph;
 use machinist_model::NodeId;
-
-use crate::expr::Graph;
 
 /// Nodes by row and column; what is not there is zero.
 #[derive(Debug, Clone, Default)]

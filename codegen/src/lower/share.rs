@@ -97,7 +97,7 @@ fn behind(tape: &Tape, results: &[NodeId], places: &HashMap<NodeId, u32>) -> Tap
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expr::Graph;
+    use machinist_algebra::expr::Graph;
     use machinist_model::Function;
     use machinist_model::evaluate::{Evaluator, Inputs};
 

@@ -24,9 +24,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use machinist_algebra::expr::Graph;
 use machinist_model::NodeId;
 
-use crate::expr::Graph;
 use crate::lower::blocks::{Block, Blocks, blocks};
 use crate::lower::factor::{Factorization, factor};
 use crate::lower::nonzeros::Nonzeros;

@@ -10,11 +10,12 @@
 //! A constraint that holds in some modes only has a factor s, 1 while it holds and else 0:
 //! s G q'' + (1 - s) lambda = s gamma, M q'' = f + s G^T lambda.
 
-use crate::cas::{Cas, Form};
-use crate::expr::rank::null_columns;
-use crate::expr::{ConstraintId, CoordinateId, Expr, Matrix, Symbol};
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::scene::system::LagrangianSystem;
+use machinist_algebra::cas::{Cas, Form};
+use machinist_algebra::expr::rank::null_columns;
+use machinist_algebra::expr::{ConstraintId, CoordinateId, Expr, Matrix, Symbol};
+use machinist_algebra::unless_faulty;
 
 /// What the constraints of a system say of its positions, velocities and
 /// accelerations; m rows.
@@ -53,10 +54,10 @@ impl Constraints {
             };
             let slopes = by(cas, &rate, Symbol::Coordinate);
             let bend = along(cas, &rate, &slopes, &ids);
-            let gamma = unless_faulty!(Gamma, -&bend, bend);
+            let gamma = unless_faulty!("gamma", -&bend, bend);
             constraints.values.push(value);
             constraints.rates.push(cas.simplify(&rate));
-            let line = unless_faulty!(Border, row, first_negative(row));
+            let line = unless_faulty!("an entry of G", row, [&[-&row[0]], &row[1..]].concat());
             constraints.matrix.push(line.iter().map(|entry| cas.simplify(entry)).collect());
             constraints.accelerations.push(cas.simplify(&gamma));
             let holds = cas.form(&constraint.holds());
@@ -138,17 +139,10 @@ impl Constraints {
     }
 }
 
-/// The fault of one entry of G.
-#[cfg(test)]
-fn first_negative(mut row: Vec<Form>) -> Vec<Form> {
-    row[0] = -&row[0];
-    row
-}
-
 /// dx/dt of what does not depend on velocities, or its part without accelerations.
 fn along(cas: &mut Cas, form: &Form, slopes: &[Form], ids: &[CoordinateId]) -> Form {
     let rate = cas.derivative(form, Symbol::Time);
-    let mut rate = unless_faulty!(Moving, rate, -&rate);
+    let mut rate = unless_faulty!("dg/dt", rate, -&rate);
     for (slope, id) in slopes.iter().zip(ids) {
         let velocity = cas.form(&Expr::Symbol(Symbol::Velocity(*id)));
         rate = &rate + &(slope * &velocity);

@@ -17,10 +17,10 @@
 
 use std::collections::BTreeSet;
 
+use machinist_algebra::cas::Cas;
+use machinist_algebra::expr::{Expr, ParameterId, Symbol};
 use machinist_model::Quantity;
 
-use crate::cas::Cas;
-use crate::expr::{Expr, ParameterId, Symbol};
 use crate::mechanics::lagrange::{self, EquationsOfMotion};
 use crate::mechanics::linearize::{Linearization, linearize};
 use crate::scene::system::{

@@ -4,9 +4,9 @@
 
 use std::collections::{BTreeSet, HashMap};
 
+use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, ParameterId, Symbol};
 use serde::{Deserialize, Serialize};
 
-use crate::expr::{CoordinateId, Expr, FirstOrderId, ParameterId, Symbol};
 use crate::mechanics::lagrange::EquationsOfMotion;
 use machinist_model::{Reduction, What};
 

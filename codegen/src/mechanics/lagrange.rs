@@ -9,11 +9,12 @@
 
 use std::collections::BTreeMap;
 
-use crate::cas::{Cas, Form, Terms};
-use crate::expr::{CoordinateId, Expr, FirstOrderId, Matrix, Symbol};
 use crate::mechanics::constraint::Constraints;
 use crate::mechanics::state::Layout;
 use crate::scene::system::{Event, LagrangianSystem};
+use machinist_algebra::cas::{Cas, Form, Terms};
+use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Matrix, Symbol};
+use machinist_algebra::unless_faulty;
 use machinist_model::Reduction;
 
 /// M(q, t) q'' = f(q, q', z, t), z' = h(q, q', z, t), the constraints, if any, with
@@ -113,19 +114,21 @@ fn forcing(
     let ids = (0..).map(CoordinateId);
     let rows = ids.zip(momenta).zip(&system.generalized_force).map(|((id, momentum), force)| {
         let slope = lagrangian.derivative(cas, Symbol::Coordinate(id));
-        let mut parts = vec![unless_faulty!(Slope, slope, -&slope)];
+        let mut parts = vec![unless_faulty!("dL/dq", slope, -&slope)];
         for other in momentum.symbols(coordinate) {
             let coupling = momentum.derivative(cas, Symbol::Coordinate(other));
             let velocity = cas.form(&Expr::Symbol(Symbol::Velocity(other)));
             let part = &coupling * &velocity;
-            parts.push(unless_faulty!(Coupling, -&part, part));
+            parts.push(unless_faulty!("(d2L/dq' dq) q'", -&part, part));
         }
         let by_state = by_first_order(cas, system, momentum);
-        parts.extend(by_state.iter().map(|part| unless_faulty!(ByState, -part, part.clone())));
+        parts.extend(
+            by_state.iter().map(|part| unless_faulty!("(d2L/dq' dz) h", -part, part.clone())),
+        );
         let by_time = momentum.derivative(cas, Symbol::Time);
-        parts.push(unless_faulty!(ByTime, -&by_time, by_time));
+        parts.push(unless_faulty!("d2L/dq' dt", -&by_time, by_time));
         let friction = dissipation.derivative(cas, Symbol::Velocity(id));
-        parts.push(unless_faulty!(Dissipation, -&friction, friction));
+        parts.push(unless_faulty!("dD/dq'", -&friction, friction));
         parts.push(cas.form(&force.total));
         let f = cas.sum(parts);
         cas.simplify(&f)
@@ -180,7 +183,11 @@ fn mass_matrix(cas: &mut Cas, momenta: &[Terms]) -> Matrix {
     for (row, momentum) in momenta.iter().enumerate() {
         for column in momentum.symbols(velocity).into_iter().filter(|column| *column >= row) {
             let slope = momentum.derivative(cas, Symbol::Velocity(CoordinateId(column as u32)));
-            let entry = unless_faulty!(Inertia, slope, off_diagonal(slope, row == column));
+            let entry = unless_faulty!(
+                "M beside its diagonal",
+                slope,
+                if row == column { slope } else { -&slope }
+            );
             let entry = cas.simplify(&entry);
             lines[column].insert(row, entry.clone());
             lines[row].insert(column, entry);
@@ -191,12 +198,6 @@ fn mass_matrix(cas: &mut Cas, momenta: &[Terms]) -> Matrix {
         matrix.push(line);
     }
     matrix
-}
-
-/// The fault of an entry beside the diagonal.
-#[cfg(test)]
-fn off_diagonal(entry: Form, is_diagonal: bool) -> Form {
-    if is_diagonal { entry } else { -&entry }
 }
 
 struct Power {

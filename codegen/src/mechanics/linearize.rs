@@ -3,10 +3,10 @@
 
 use std::collections::HashMap;
 
-use crate::cas::{Cas, Form, Terms};
-use crate::expr::{ConstraintId, Expr, HandedId, ParameterId, Symbol};
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::mechanics::state::Motion;
+use machinist_algebra::cas::{Cas, Form, Terms};
+use machinist_algebra::expr::{ConstraintId, Expr, HandedId, ParameterId, Symbol};
 
 /// Derivatives of M, f, h and of the energies, structural nonzeros only.
 ///

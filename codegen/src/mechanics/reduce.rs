@@ -15,10 +15,11 @@ mod frozen;
 mod reach;
 mod unused;
 
-use crate::cas::Cas;
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::scene::system::LagrangianSystem;
 pub use frozen::FreezeError;
+use machinist_algebra::cas::Cas;
+use machinist_algebra::expr::Expr;
 use machinist_model::Reduction;
 use serde::{Deserialize, Serialize};
 
@@ -105,7 +106,7 @@ pub fn drop_unused(
 
 impl EquationsOfMotion {
     /// Every expression that motion, outputs, energies and powers are made of.
-    fn all(&self) -> impl Iterator<Item = &crate::expr::Expr> {
+    fn all(&self) -> impl Iterator<Item = &Expr> {
         let events = self.events.iter().flat_map(crate::scene::system::Event::exprs);
         self.dynamics().chain(events).chain(&self.outputs).chain(&self.energy).chain([
             &self.dissipation,
@@ -116,7 +117,7 @@ impl EquationsOfMotion {
     }
 
     /// h, outputs, energies and powers: what is read as it stands, not solved for.
-    fn plain_mut(&mut self) -> impl Iterator<Item = &mut crate::expr::Expr> {
+    fn plain_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
         self.rates.iter_mut().chain(&mut self.outputs).chain(&mut self.energy).chain([
             &mut self.dissipation,
             &mut self.supplied,
@@ -126,7 +127,7 @@ impl EquationsOfMotion {
     }
 
     /// M, f, h and the constraints.
-    fn dynamics(&self) -> impl Iterator<Item = &crate::expr::Expr> {
+    fn dynamics(&self) -> impl Iterator<Item = &Expr> {
         let free = self.mass_matrix.exprs().chain(&self.forcing).chain(&self.rates);
         free.chain(self.constraints.exprs())
     }

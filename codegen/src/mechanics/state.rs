@@ -4,8 +4,8 @@
 //! nothing depends on are gone, others are relative ones, and what is only
 //! integrated for an output stands last.
 
-use crate::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 use crate::scene::system::LagrangianSystem;
+use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 use machinist_model::Quantity;
 
 /// One entry of the state.

@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
+use machinist_algebra::cas::{Algebra, session};
+use machinist_algebra::expr::Expr;
 use machinist_contract::PowerBalance;
 use machinist_model::ModelSimulator;
 
-use crate::cas::{Algebra, session};
-use crate::expr::Expr;
 use crate::mechanics::lagrange::{self, EquationsOfMotion};
 use crate::mechanics::reduce::Keep;
 use crate::pipeline;

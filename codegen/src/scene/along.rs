@@ -5,12 +5,12 @@
 //! ```
 //!
 //! Differentiated as the expression stands, function by function and branch by branch, so that
-//! what comes out is no larger than it has to be. The algebra of [`crate::cas`] sees it later.
+//! what comes out is no larger than it has to be. [`machinist_algebra::cas`] sees it later.
 
+use machinist_algebra::expr::{Expr, Function, Symbol};
 use num_rational::BigRational;
 use num_traits::One as _;
 
-use crate::expr::{Expr, Function, Symbol};
 use crate::scene::typed::{integer, power, product, reciprocal, select_less, sum};
 
 /// Why an expression has no rate here.

@@ -10,8 +10,6 @@ mod outputs;
 mod precision;
 mod run;
 
-use crate::expr::rank::motion_without_energy;
-use crate::expr::{CoordinateId, Expr, Symbol};
 use crate::scene::layout::{Layout, Scope, coordinate_spec};
 use crate::scene::names::{Flat, name};
 use crate::scene::parameters;
@@ -28,6 +26,8 @@ use crate::spec::{
     Declared, EnergySpec, InstanceSpec, OutputSpec, PowerSpec, SceneSpec, StateSpec, UnitSpec,
     did_you_mean, quoted,
 };
+use machinist_algebra::expr::rank::motion_without_energy;
+use machinist_algebra::expr::{CoordinateId, Expr, Symbol};
 use machinist_model::{Name, Quantity, RunDefaults};
 
 /// The system; it means nothing if mistakes were found.

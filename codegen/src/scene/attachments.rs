@@ -1,6 +1,5 @@
 //! Where ports sit on fields, and which ends of fields are held.
 
-use crate::expr::{Expr, ParameterId};
 use crate::scene::evaluate::evaluate;
 use crate::scene::layout::{Attachment, Layout, Local, Scope};
 use crate::scene::resolve::{Resolver, Wanted};
@@ -8,6 +7,7 @@ use crate::scene::typed::Uses;
 use crate::spec::diagnostic::Mistake;
 use crate::spec::dimension::Dimension;
 use crate::spec::{Boundary, FieldSpec, Formula, InstanceSpec, SceneSpec, did_you_mean, quoted};
+use machinist_algebra::expr::{Expr, ParameterId};
 use machinist_model::Place;
 
 /// Finds the place of every port on a field, and checks what scenes choose for fields.

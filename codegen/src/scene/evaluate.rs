@@ -1,8 +1,8 @@
 //! Value of an expression of parameters at their values in the spec.
 
+use machinist_algebra::expr::{Expr, Function, ParameterId, Symbol};
 use num_traits::ToPrimitive as _;
 
-use crate::expr::{Expr, Function, ParameterId, Symbol};
 use machinist_model::evaluate::call;
 
 /// The value; NaN if the expression depends on anything but parameters.

@@ -1,6 +1,5 @@
 //! Calls: arguments checked, switches written with `select_less`, tables looked up.
 
-use crate::expr::{Expr, Function, Symbol};
 use crate::scene::along::{self, NoRate};
 use crate::scene::layout::Scope;
 use crate::scene::resolve::{MAX_TERMS, Resolved, Resolver, not_zero};
@@ -10,6 +9,7 @@ use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::dimension::{Angular, Dimension};
 use crate::spec::expression::{Ast, Node};
 use crate::spec::{did_you_mean, quoted};
+use machinist_algebra::expr::{Expr, Function, Symbol};
 use machinist_model::evaluate::call;
 use machinist_model::{Name, Table, TableId};
 

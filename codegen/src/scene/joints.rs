@@ -2,7 +2,6 @@
 
 use std::collections::VecDeque;
 
-use crate::expr::{CoordinateId, Expr, ParameterId};
 use crate::scene::layout::{Layout, Link, Scope, find_port};
 use crate::scene::ports::{dimension_of, ratio_of, require_ratio};
 use crate::scene::resolve::{Resolver, Wanted};
@@ -10,6 +9,7 @@ use crate::scene::typed::{Uses, integer, product, reciprocal};
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::dimension::Dimension;
 use crate::spec::{JointSpec, SceneSpec, quoted};
+use machinist_algebra::expr::{CoordinateId, Expr, ParameterId};
 
 /// q of slot `first` = ratio * q of slot `second`; `None` for 1.
 struct Edge {

@@ -3,7 +3,6 @@
 
 use std::collections::HashMap;
 
-use crate::expr::{ConstraintId, CoordinateId, Expr, FirstOrderId, HandedId, ParameterId};
 use crate::scene::parameters::numbers;
 use crate::scene::typed::integer;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
@@ -11,6 +10,9 @@ use crate::spec::dimension::{Dimension, Unit};
 use crate::spec::{
     CoordinateSpec, Declared, PortKind, PortSpec, SceneSpec, UnitSpec, did_you_mean, port_names,
     quoted,
+};
+use machinist_algebra::expr::{
+    ConstraintId, CoordinateId, Expr, FirstOrderId, HandedId, ParameterId,
 };
 use machinist_contract::field::HANDED;
 use machinist_model::Place;

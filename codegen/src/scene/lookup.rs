@@ -2,10 +2,10 @@
 
 use std::rc::Rc;
 
+use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 use num_rational::BigRational;
 use num_traits::Zero as _;
 
-use crate::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 use crate::scene::layout::{
     FieldPart, Layout, Link, Local, Scope, Side, find_inside, find_instance,
 };

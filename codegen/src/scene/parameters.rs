@@ -4,7 +4,6 @@
 //! expression (`inertia = "mass*radius^2/2"`, or that of an instance by the scene) is put in wherever it is read, as a helper is, and is none of the
 //! model's parameters.
 
-use crate::expr::{Expr, ParameterId};
 use crate::scene::evaluate::evaluate;
 use crate::scene::layout::{Layout, Local, Scope, find_inside};
 use crate::scene::resolve::{Resolver, Wanted};
@@ -13,6 +12,7 @@ use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::Unit;
 use crate::spec::expression::{Ast, Node};
 use crate::spec::{ParameterSpec, SceneSpec, Value, did_you_mean, quoted};
+use machinist_algebra::expr::{Expr, ParameterId};
 
 /// What a parameter is worth.
 pub enum Given<'a> {

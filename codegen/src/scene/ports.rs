@@ -1,6 +1,5 @@
 //! Ports that move by a multiple of their coordinate: gears, racks, levers.
 
-use crate::expr::{Expr, ParameterId};
 use crate::scene::evaluate::evaluate;
 use crate::scene::layout::{Layout, Scope, coordinate_spec};
 use crate::scene::resolve::{Resolver, Wanted, beyond_reason};
@@ -8,6 +7,7 @@ use crate::scene::typed::{Uses, integer};
 use crate::spec::diagnostic::Mistake;
 use crate::spec::dimension::Dimension;
 use crate::spec::{Formula, PortKind, PortSpec, SceneSpec};
+use machinist_algebra::expr::{Expr, ParameterId};
 
 /// What a port moves by: that of its kind, or of its coordinate if it has no ratio.
 pub fn dimension_of(spec: &SceneSpec, layout: &Layout, port: &PortSpec, slot: usize) -> Dimension {

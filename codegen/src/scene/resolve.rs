@@ -3,12 +3,12 @@
 
 use std::collections::HashMap;
 
+use machinist_algebra::expr::Expr;
+use machinist_algebra::expr::extent::derivatives;
+use machinist_algebra::expr::identity::{Identity, identity};
 use num_rational::BigRational;
 use num_traits::{One as _, Pow, Signed as _, ToPrimitive as _, Zero as _};
 
-use crate::expr::Expr;
-use crate::expr::extent::derivatives;
-use crate::expr::identity::{Identity, identity};
 use crate::scene::layout::{Layout, Scope};
 use crate::scene::lookup::{Definition, State};
 use crate::scene::spline::Course;

@@ -5,9 +5,11 @@
 
 use num_rational::BigRational;
 
+use machinist_algebra::expr::{
+    CoordinateId, Expr, FirstOrderId, Function, HandedId, ParameterId, Symbol,
+};
 use machinist_model::{Direction, Freeze, Name, Place, Quantity, RunDefaults, Table};
 
-use crate::expr::{CoordinateId, Expr, FirstOrderId, Function, HandedId, ParameterId, Symbol};
 use crate::scene::evaluate;
 use crate::spec::SourceFile;
 

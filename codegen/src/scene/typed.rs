@@ -1,10 +1,10 @@
 //! A resolved expression with what is known of it.
 
+use machinist_algebra::expr::{Expr, Function, Symbol};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One as _, Signed as _, ToPrimitive as _, Zero as _};
 
-use crate::expr::{Expr, Function, Symbol};
 use crate::spec::dimension::{Angular, Dimension};
 use crate::spec::measure::Factor;
 

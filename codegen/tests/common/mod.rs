@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use machinist_codegen::expr::{Expr, Function, Symbol};
+use machinist_algebra::expr::{Expr, Function, Symbol};
 use machinist_codegen::scene::system::{Check, LagrangianSystem, Reference};
 use machinist_model::Quantity;
 
@@ -119,7 +119,7 @@ fn grouped(expr: &Expr, system: &LagrangianSystem) -> String {
 }
 
 fn symbol(symbol: Symbol, system: &LagrangianSystem) -> String {
-    let coordinate = |id: machinist_codegen::expr::CoordinateId| &system.coordinates[id.0 as usize];
+    let coordinate = |id: machinist_algebra::expr::CoordinateId| &system.coordinates[id.0 as usize];
     match symbol {
         Symbol::Time => "t".to_owned(),
         Symbol::Pi => "pi".to_owned(),

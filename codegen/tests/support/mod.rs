@@ -4,7 +4,7 @@
 
 pub mod machines;
 
-use machinist_codegen::expr::Expr;
+use machinist_algebra::expr::Expr;
 use machinist_codegen::scene::system::{
     Coordinate, Definition, FirstOrderState, GeneralizedForce, LagrangianSystem, Parameter,
 };

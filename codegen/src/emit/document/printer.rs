@@ -3,12 +3,12 @@
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 
+use machinist_algebra::expr::abbreviate::Abbreviations;
+use machinist_algebra::expr::{Expr, Function, HelperId, Symbol};
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
 use super::{Notation, dotted, symbol_name};
-use crate::expr::abbreviate::Abbreviations;
-use crate::expr::{Expr, Function, HelperId, Symbol};
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::scene::system::LagrangianSystem;
 use machinist_model::Quantity;

@@ -1,9 +1,8 @@
 //! Sums of terms: a coefficient that parameters decide, times an entry of the state
 //! or a function of time.
 
+use machinist_algebra::expr::Graph;
 use machinist_model::{Excitation, Function, NodeId, Op};
-
-use crate::expr::Graph;
 
 /// More terms than this are no gain over stepping.
 const MOST_TERMS: usize = 400;

@@ -15,11 +15,12 @@ mod direction;
 
 use std::collections::BTreeSet;
 
-use crate::cas::Cas;
-use crate::expr::{CoordinateId, Expr, Symbol};
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::mechanics::state::{Motion, State};
 use direction::{Direction, is_invariant};
+use machinist_algebra::cas::Cas;
+use machinist_algebra::expr::{CoordinateId, Expr, Symbol};
+use machinist_algebra::unless_faulty;
 use machinist_model::{What, Why};
 
 /// The equations in relative positions, those that nothing needs left out.
@@ -164,7 +165,7 @@ fn rewrite_states(equations: &mut EquationsOfMotion, direction: &Direction, is_a
         let Some(at) = place(&layout.states, *id) else { continue };
         let state = &mut layout.states[at];
         let without = |own: &Expr, pivot: &Expr| {
-            let sign = Expr::integer(unless_faulty!(Relative, -1, 1));
+            let sign = Expr::integer(unless_faulty!("the rate of a relative position", -1, 1));
             let part = Expr::Product(vec![sign, factor.clone(), pivot.clone()]);
             Expr::Sum(vec![own.clone(), part])
         };

@@ -2,13 +2,14 @@
 
 use std::collections::BTreeSet;
 
+use machinist_algebra::expr::identity::{Identity, identity};
+use machinist_algebra::expr::{Expr, Function, ParameterId, Symbol};
+use machinist_algebra::unless_faulty;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Pow, Signed};
 
 use super::Step;
-use crate::expr::identity::{Identity, identity};
-use crate::expr::{Expr, Function, ParameterId, Symbol};
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::scene::system::LagrangianSystem;
 
@@ -44,7 +45,7 @@ fn number(symbol: Symbol, fixed: &BTreeSet<ParameterId>, values: &[f64]) -> Opti
     match symbol {
         Symbol::Parameter(id) if fixed.contains(&id) => {
             let value = exact(values[id.0 as usize]);
-            Some(Expr::Number(unless_faulty!(Fixed, value, -value)))
+            Some(Expr::Number(unless_faulty!("numbers in place of parameters", value, -value)))
         }
         _ => None,
     }

@@ -8,12 +8,12 @@
 use std::collections::BTreeSet;
 
 use super::Step;
-use crate::cas::Cas;
-use crate::expr::operations;
-use crate::expr::{CoordinateId, Expr, ParameterId, Symbol};
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::scene::evaluate;
 use crate::scene::system::LagrangianSystem;
+use machinist_algebra::cas::Cas;
+use machinist_algebra::expr::operations;
+use machinist_algebra::expr::{CoordinateId, Expr, ParameterId, Symbol};
 use machinist_model::{What, Why};
 
 /// Why a unit cannot be taken for rigid.

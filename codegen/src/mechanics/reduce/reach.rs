@@ -10,10 +10,11 @@
 use std::collections::BTreeSet;
 
 use super::Step;
-use crate::cas::Cas;
-use crate::expr::{ConstraintId, CoordinateId, Expr, FirstOrderId, Symbol};
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::scene::system::{Event, GeneralizedForce, LagrangianSystem};
+use machinist_algebra::cas::Cas;
+use machinist_algebra::expr::{ConstraintId, CoordinateId, Expr, FirstOrderId, Symbol};
+use machinist_algebra::unless_faulty;
 use machinist_model::{What, Why};
 
 /// The equations of what the outputs depend on. Of a scene without outputs,
@@ -164,7 +165,9 @@ impl Kept {
         }
         for GeneralizedForce { total, conversion } in &mut part.generalized_force {
             (*total, *conversion) = (held(total), held(conversion));
-            *total = unless_faulty!(Sliced, total.clone(), negative_of(total));
+            *total = unless_faulty!("forces on what is sliced", total.clone(), {
+                Expr::Product(vec![Expr::integer(-1), total.clone()])
+            });
         }
         for state in &mut part.first_order {
             state.rate = held(&state.rate);
@@ -283,12 +286,6 @@ fn blocks(equations: &EquationsOfMotion) -> Vec<usize> {
         held.windows(2).for_each(|pair| join(pair[0], pair[1]));
     }
     block
-}
-
-/// The fault of a force.
-#[cfg(test)]
-fn negative_of(expr: &Expr) -> Expr {
-    Expr::Product(vec![Expr::integer(-1), expr.clone()])
 }
 
 fn moving(symbol: Option<Symbol>) -> Expr {

@@ -3,11 +3,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::cas::Cas;
-use crate::expr::{Expr, Function, ParameterId, Symbol};
 use crate::mechanics::constraint::Constraints;
 use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::scene::system::{Event, LagrangianSystem};
+use machinist_algebra::cas::Cas;
+use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Function, ParameterId, Symbol};
 use machinist_model::{Reduction, TableId, What, Why};
 
 /// The equations with only what they mention. `whole` is what they were made of.
@@ -180,11 +180,11 @@ fn consume(equations: &mut EquationsOfMotion) {
     };
     for (id, coordinate) in (0..).zip(&mut system.coordinates) {
         coordinate.identified.clear();
-        coordinate.initial[0] = initial(Symbol::Coordinate(crate::expr::CoordinateId(id)));
+        coordinate.initial[0] = initial(Symbol::Coordinate(CoordinateId(id)));
     }
     for ((id, state), rate) in (0..).zip(&mut system.first_order).zip(&equations.rates) {
         state.rate = rate.clone();
-        state.initial = initial(Symbol::FirstOrder(crate::expr::FirstOrderId(id)));
+        state.initial = initial(Symbol::FirstOrder(FirstOrderId(id)));
     }
     for (output, expr) in system.outputs.iter_mut().zip(&equations.outputs) {
         output.expr = expr.clone();

@@ -3,7 +3,6 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::{Expr, Function, ParameterId, Symbol};
 use crate::scene::assemble::{Assembler, quantity};
 use crate::scene::layout::{Local, Scope};
 use crate::scene::names::Flat;
@@ -15,6 +14,7 @@ use crate::spec::dimension::Dimension;
 use crate::spec::expression::{Ast, Node};
 use crate::spec::measure::Factor;
 use crate::spec::{CheckSpec, Column, OutputSpec, ReferenceSpec, did_you_mean, quoted};
+use machinist_algebra::expr::{Expr, Function, ParameterId, Symbol};
 
 /// A quantity that is checked.
 struct Checked {

@@ -1,7 +1,6 @@
 //! Constraints: expressions of coordinates that are zero, or of velocities, in which
 //! they are linear.
 
-use crate::expr::{Expr, Symbol};
 use crate::scene::assemble::Assembler;
 use crate::scene::layout::Scope;
 use crate::scene::names::{Flat, name};
@@ -10,6 +9,7 @@ use crate::scene::typed::Typed;
 use crate::spec::diagnostic::Mistake;
 use crate::spec::dimension::Dimension;
 use crate::spec::{ConstraintSpec, quoted};
+use machinist_algebra::expr::{Expr, Symbol};
 
 impl Assembler<'_> {
     /// Every constraint, those of instances first.

@@ -2,9 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use machinist_algebra::expr::{
+    CoordinateId, Expr, FirstOrderId, Function, HandedId, ParameterId, Symbol,
+};
 use num_rational::BigRational;
 
-use crate::expr::{CoordinateId, Expr, FirstOrderId, HandedId, ParameterId, Symbol};
 use crate::scene::assemble::initial::Initial;
 use crate::scene::assemble::{Assembler, per_second, quantity};
 use crate::scene::attachments::ends;
@@ -202,7 +204,7 @@ impl Assembler<'_> {
         let tables = |expr: &Expr| {
             let mut found = false;
             expr.visit(&mut |part| {
-                found |= matches!(part, Expr::Call(crate::expr::Function::Table { .. }, _));
+                found |= matches!(part, Expr::Call(Function::Table { .. }, _));
             });
             found
         };

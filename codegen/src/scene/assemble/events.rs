@@ -1,6 +1,5 @@
 //! Events: guards, the modes in which they are watched, and what they set.
 
-use crate::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 use crate::scene::assemble::Assembler;
 use crate::scene::assemble::initial::Target;
 use crate::scene::layout::{Local, Scope, find_inside, find_instance};
@@ -11,6 +10,7 @@ use crate::scene::typed::{Uses, product, reciprocal};
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::dimension::Dimension;
 use crate::spec::{EventSpec, did_you_mean, quoted};
+use machinist_algebra::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 
 impl Assembler<'_> {
     /// Every event, those of instances first.

@@ -1,6 +1,5 @@
 //! Generalized forces of units and of the scene, by virtual work.
 
-use crate::expr::{CoordinateId, Expr, Symbol};
 use crate::scene::along::{self, NoRate};
 use crate::scene::assemble::Assembler;
 use crate::scene::layout::{Layout, Local, Scope, coordinate_spec, find_port, unknown_coordinate};
@@ -12,6 +11,7 @@ use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::dimension::Dimension;
 use crate::spec::expression::Ast;
 use crate::spec::{Acts, UnitSpec, quoted};
+use machinist_algebra::expr::{CoordinateId, Expr, Symbol};
 
 /// A force on a coordinate of the scene.
 type OnCoordinate = (CoordinateId, Expr);

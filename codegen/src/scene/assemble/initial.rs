@@ -1,6 +1,5 @@
 //! Initial values.
 
-use crate::expr::{Expr, ParameterId};
 use crate::scene::assemble::Assembler;
 use crate::scene::assemble::distributed::Profiles;
 use crate::scene::evaluate::evaluate;
@@ -10,6 +9,7 @@ use crate::scene::typed::{Uses, integer, product, reciprocal};
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::Dimension;
 use crate::spec::{Formula, did_you_mean, quoted};
+use machinist_algebra::expr::{Expr, ParameterId};
 
 /// Initial values of everything, of parameters only.
 pub struct Initial {

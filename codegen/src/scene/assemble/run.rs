@@ -1,6 +1,5 @@
 //! When a run starts and ends, and at which times it tells what there is, at the values of the spec.
 
-use crate::expr::ParameterId;
 use crate::scene::assemble::Assembler;
 use crate::scene::evaluate::evaluate;
 use crate::scene::layout::Scope;
@@ -9,6 +8,7 @@ use crate::scene::typed::Uses;
 use crate::spec::diagnostic::Mistake;
 use crate::spec::dimension::Dimension;
 use crate::spec::{Formula, SamplingSpec};
+use machinist_algebra::expr::ParameterId;
 
 impl Assembler<'_> {
     pub(super) fn span_of_run(&mut self) {

@@ -3,13 +3,16 @@
 
 use std::collections::BTreeSet;
 
+use machinist_algebra::cas::{Cas, Form};
+use machinist_algebra::expr::{
+    CoordinateId, Expr, Function, ParameterId, Symbol, identity, operations,
+};
+use machinist_algebra::unless_faulty;
 use machinist_model::Function as Unary;
 use machinist_model::evaluate::call;
 use num_rational::BigRational;
 use num_traits::{Signed as _, ToPrimitive as _};
 
-use crate::cas::{Cas, Form};
-use crate::expr::{CoordinateId, Expr, Function, ParameterId, Symbol, identity, operations};
 use crate::mechanics::lagrange::EquationsOfMotion;
 
 /// Coordinates beyond which directions of several are not looked for: the cost of
@@ -39,7 +42,11 @@ impl Direction {
     /// Any expression by relative positions and the pivot.
     pub(super) fn absolute(&self, expr: &Expr) -> Expr {
         let by = Symbol::Coordinate(self.pivot);
-        unless_faulty!(Absolute, self.shifted(expr, by, false), self.relative(expr))
+        unless_faulty!(
+            "an output of an absolute position",
+            self.shifted(expr, by, false),
+            self.relative(expr)
+        )
     }
 
     /// q + a s/s_r in place of q; the pivot itself only if asked for.

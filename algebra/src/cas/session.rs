@@ -51,7 +51,7 @@ where
     T: Send + 'static,
     F: FnOnce(&mut Cas) -> T + Send + 'static,
 {
-    #[cfg(test)]
+    #[cfg(feature = "faults")]
     let job = crate::faults::carried(job);
     let job: Job = Box::new(move |cas| Box::new(job(cas)));
     let done = match algebra {

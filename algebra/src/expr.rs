@@ -1,6 +1,6 @@
 //! Expressions after names are resolved, and the operations they are made of.
 //!
-//! Excluded: spans, strings and units (they stay in [`crate::spec`]), and any
+//! Excluded: spans, strings and units (they stay in the spec), and any
 //! type of the computer algebra system (it stays in [`crate::cas`]).
 
 pub mod abbreviate;

@@ -7,6 +7,7 @@
 use machinist_model::{Function, NodeId, Op, evaluate};
 
 use super::Graph;
+use crate::unless_faulty;
 
 /// The result of folding.
 pub enum Folded {
@@ -70,7 +71,9 @@ fn sub(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {
         _ if a == b => Folded::Op(Op::Literal(0.0)),
         _ if graph.is_zero(b) => Folded::Node(a),
         _ if graph.is_zero(a) => Folded::Node(graph.neg(b)),
-        (_, Op::Neg(y)) => Folded::Node(unless_faulty!(FoldSub, graph.add(a, y), graph.sub(a, y))),
+        (_, Op::Neg(y)) => {
+            Folded::Node(unless_faulty!("fold a - (-b)", graph.add(a, y), graph.sub(a, y)))
+        }
         (_, Op::Literal(value)) if value < 0.0 => {
             let positive = graph.literal(-value);
             Folded::Node(graph.add(a, positive))
@@ -98,7 +101,7 @@ fn mul(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {
         (Op::Neg(x), Op::Neg(y)) => Folded::Node(graph.mul(x, y)),
         (Op::Neg(x), _) => {
             let product = graph.mul(x, b);
-            Folded::Node(unless_faulty!(FoldMul, graph.neg(product), product))
+            Folded::Node(unless_faulty!("fold (-a) b", graph.neg(product), product))
         }
         (_, Op::Neg(y)) => {
             let product = graph.mul(a, y);
@@ -138,7 +141,7 @@ fn div(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {
         }
         (_, Op::Neg(y)) => {
             let quotient = graph.div(a, y);
-            Folded::Node(unless_faulty!(FoldDiv, graph.neg(quotient), quotient))
+            Folded::Node(unless_faulty!("fold a/(-b)", graph.neg(quotient), quotient))
         }
         (Op::Literal(value), _) if value < 0.0 => {
             let positive = graph.literal(-value);
@@ -163,7 +166,7 @@ fn call(graph: &mut Graph, function: Function, a: NodeId) -> Folded {
         _ => return Folded::Op(Op::Call(function, a)),
     };
     let value = graph.call(function, positive);
-    let is_negative = unless_faulty!(FoldOdd, is_odd, !is_odd);
+    let is_negative = unless_faulty!("fold f(b - a)", is_odd, !is_odd);
     Folded::Node(if is_negative { graph.neg(value) } else { value })
 }
 

@@ -13,7 +13,6 @@ mod symbolica;
 mod terms;
 
 use crate::expr::{Expr, Symbol, identity};
-use crate::scene::system::LagrangianSystem;
 use plain::Plain;
 use serde::{Deserialize, Serialize};
 pub use session::{CasError, GREETED, session};
@@ -48,10 +47,11 @@ impl Algebra {
         Algebra::Plain,
     ];
 
-    /// The one that a machine is worked out by unless somebody says otherwise.
+    /// The one that a machine of so many coordinates is worked out by unless somebody says
+    /// otherwise.
     #[must_use]
-    pub fn of(system: &LagrangianSystem) -> Self {
-        if system.coordinates.len() > MANY { Algebra::Plain } else { Algebra::default() }
+    pub fn of(coordinates: usize) -> Self {
+        if coordinates > MANY { Algebra::Plain } else { Algebra::default() }
     }
 
     /// Its name.

@@ -1,8 +1,8 @@
 //! Runs a simulator: checks what is asked, integrates, and hands back a
 //! [`Trajectory`].
 
-#[cfg(all(feature = "fit", feature = "sweep"))]
 mod differentiate;
+#[cfg(all(feature = "fit", feature = "sweep"))]
 mod elsewhere;
 mod gradient;
 mod start;

@@ -8,10 +8,9 @@ use crate::dense::dense;
 use crate::error::SimulateError;
 #[cfg(feature = "linear")]
 use crate::linear_analysis::{Point, growth, steady_start};
-#[cfg(feature = "linear")]
-use crate::method::Stopped;
-use crate::method::System;
 use crate::method::sensitivity::{By, Tangents};
+#[cfg(feature = "linear")]
+use crate::method::{Stopped, System};
 
 impl Simulation<'_> {
     pub(super) fn checked_initial_state(&self) -> Result<Vec<f64>, SimulateError> {

@@ -122,10 +122,13 @@ impl Simulation<'_> {
 
     /// What a run says of a motion that has less kinetic energy the faster it is, as by a mass of
     /// the wrong sign: every force then moves it the other way. Where the start is searched for,
-    /// it is looked for where the search begins.
+    /// it is looked for where the search begins. Nothing of what a run would refuse.
     #[must_use]
     pub fn negative_inertia(&self) -> Option<String> {
-        self.negative_inertia_at(&self.guess())
+        self.checked_parameters().ok()?;
+        let state = self.guess();
+        let is_whole = state.len() == self.simulator.shape().states();
+        is_whole.then(|| self.negative_inertia_at(&state)).flatten()
     }
 
     pub(super) fn negative_inertia_at(&self, state: &[f64]) -> Option<String> {

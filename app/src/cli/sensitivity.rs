@@ -113,6 +113,12 @@ impl Sensitivity {
         let outputs = self.wanted(simulator)?;
         let simulation = self.simulation(simulator)?;
         let (by, mut left_out) = self.directions(simulator, &simulation);
+        let nothing = |left_out: &[String]| {
+            Failure::input("there is nothing to differentiate by", left_out.join("; "))
+        };
+        if by.is_empty() {
+            return Err(nothing(&left_out));
+        }
         let flag = interrupt::flag();
         let simulation = simulation.until_flagged(&flag);
         let found = during("simulating", || simulation.differentiate(by));
@@ -120,8 +126,7 @@ impl Sensitivity {
             found.map_err(|error| self.stopped(error))?;
         left_out.extend(without.into_iter().map(|(name, why)| format!("{name} {why}")));
         if by.is_empty() {
-            let why = left_out.join("; ");
-            return Err(Failure::input("there is nothing to differentiate by", why));
+            return Err(nothing(&left_out));
         }
         // Of what is zero all along, or next to it, no change is relative.
         let effects = effects(&simulation, &trajectory, &by, &outputs);

@@ -2,13 +2,15 @@
 //! `cargo bench -p machinist-tests --features measure --bench backends`.
 //!
 //! For each scene: nanoseconds of a rate and of a Jacobian (as methods call them, with
-//! constants prepared), milliseconds of the scene's own run by `dop853` or `radau`, and
-//! what it takes until the machine code is there. Minima of several rounds, in turns.
+//! constants prepared; of one with fields, those of what is beside them), milliseconds of the
+//! scene's own run by `dop853` or `radau`, and what it takes until the machine code is there.
+//! Minima of several rounds, in turns.
 
 use std::hint::black_box;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use machinist::field::{Discretisation, FieldError, FieldSimulator};
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
@@ -16,11 +18,13 @@ use machinist_contract::Simulator;
 use machinist_model::{Model, ModelSimulator};
 use machinist_scenes::{bench, scenes};
 
-const SCENES: [(&str, Method); 12] = [
+const SCENES: [(&str, Method); 14] = [
     ("saw_gin", Method::Dop853),
     ("pendulum_chain", Method::Dop853),
     ("winder_linkage", Method::Radau),
     ("winder_full", Method::Dop853),
+    ("reed_beat_up", Method::Dop853),
+    ("saw_gin_shaft", Method::Radau),
     ("bench/m1", Method::Dop853),
     ("bench/m2", Method::Dop853),
     ("bench/m3_10", Method::Radau),
@@ -50,6 +54,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 fn row(scene: &str, model: &Model, method: Method) -> Result<(), Box<dyn std::error::Error>> {
     let name = scene.trim_start_matches("bench/");
     let emitted = scenes::find_f64(name).or_else(|| bench::find(name));
+    let with_fields = scenes::find_field_f64(name);
+    let emitted = emitted.or_else(|| with_fields.map(|scene| scene as &dyn Simulator<f64>));
     let emitted = emitted.ok_or_else(|| format!("{name} is not emitted"))?;
     let begin = Instant::now();
     let compiled = ModelSimulator::new(model.clone());
@@ -57,13 +63,21 @@ fn row(scene: &str, model: &Model, method: Method) -> Result<(), Box<dyn std::er
     let ready = begin.elapsed().as_secs_f64() * 1e3;
     let interpreted = ModelSimulator::interpreted(model.clone());
     let simulators: [&dyn Simulator<f64>; 3] = [emitted, &compiled, &interpreted];
+    let fields = with_fields.map(|emitted| -> Result<_, FieldError> {
+        let scenes = [emitted, compiled.with_fields(), interpreted.with_fields()];
+        let cut = |scene| FieldSimulator::new(scene, Discretisation::default());
+        let [a, b, c] = scenes.map(cut);
+        Ok([a?, b?, c?])
+    });
+    let fields = fields.transpose()?;
     let mut times = [[f64::INFINITY; 3]; 3];
     for _ in 0..ROUNDS {
         for (column, simulator) in simulators.into_iter().enumerate() {
             let mut inputs = Inputs::new(simulator);
             let [rate, jacobian] = inputs.nanoseconds(simulator);
+            let whole = fields.as_ref().map_or(simulator, |fields| fields[column].single());
             let begin = Instant::now();
-            Simulation::new(simulator).method(method).rtol(1e-8).run()?;
+            Simulation::new(whole).method(method).rtol(1e-8).run()?;
             let run = begin.elapsed().as_secs_f64() * 1e3;
             for (least, time) in times.iter_mut().zip([rate, jacobian, run]) {
                 least[column] = least[column].min(time);

@@ -88,3 +88,28 @@ fn a_state_of_another_length_is_refused() {
     let interpreted = ModelSimulator::new(support::pendulum());
     interpreted.rate(0.0, &[0.0; 4], &[1.0; 6], &mut [0.0; 3]);
 }
+
+/// Machine code is called again without comparing lengths with what it reads, as long as they are
+/// what they were.
+#[test]
+fn lengths_are_checked_at_later_calls_as_at_the_first() {
+    let simulator = ModelSimulator::new(support::pendulum());
+    let constants = Simulator::<f64>::constants(&simulator);
+    let call = |state: usize, parameters: usize, constants: usize, results: usize| {
+        let call = || {
+            let (state, parameters) = (vec![0.3; state], vec![1.5; parameters]);
+            filled(results, |values| {
+                simulator.prepared_rate(0.1, &state, &parameters, &vec![0.7; constants], values);
+            })
+        };
+        std::panic::catch_unwind(std::panic::AssertUnwindSafe(call)).ok()
+    };
+    let first = call(3, 6, constants, 3);
+    assert!(first.is_some());
+    for (state, parameters, results) in [(2, 6, 3), (4, 6, 3), (3, 5, 3), (3, 7, 3), (3, 6, 2)] {
+        assert_eq!(call(state, parameters, constants, results), None);
+        assert_eq!(call(3, 6, constants, 3), first);
+    }
+    assert_eq!(call(3, 6, constants + 5, 3), first);
+    assert_eq!(call(3, 6, 0, 3).is_some(), constants == 0);
+}

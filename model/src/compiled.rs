@@ -27,7 +27,7 @@ use crate::{Table, Tape};
 pub use native::is_available;
 pub use series::CompiledSeries;
 
-pub(crate) use native::Regions;
+pub(crate) use native::{Again, Regions};
 
 use crate::straight::Straight;
 use native::Code;
@@ -35,7 +35,7 @@ use native::Code;
 /// A tape as machine code: evaluating it allocates nothing, from any number of threads.
 #[derive(Debug)]
 pub struct CompiledTape {
-    code: Code,
+    code: Arc<Code>,
     results: usize,
 }
 
@@ -49,7 +49,7 @@ impl CompiledTape {
 
     pub(crate) fn with_lanes(tape: &Tape, tables: &Arc<[Table]>, lanes: usize) -> Option<Self> {
         let straight = Straight::of_tape(tape, tables.len())?;
-        let code = Code::new(&straight, tables, lanes)?;
+        let code = Arc::new(Code::new(&straight, tables, lanes)?);
         Some(Self { code, results: tape.results.len() * lanes })
     }
 
@@ -69,5 +69,10 @@ impl CompiledTape {
     pub(crate) fn run(&self, read: &Regions<'_>, results: &mut [f64]) {
         assert_eq!(results.len(), self.results, "one place for each result");
         self.code.run(read, results);
+    }
+
+    /// For calls with as many numbers as these; see [`Again::new`].
+    pub(crate) fn again(&self, read: &Regions<'_>) -> Option<Again> {
+        Again::new(&self.code, read, self.results)
     }
 }

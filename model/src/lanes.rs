@@ -14,6 +14,8 @@ pub trait Lane: Real + Send + Sync + sealed::Sealed + 'static {
     fn numbers(all: &[Self]) -> &[f64];
     /// The numbers, to be written.
     fn numbers_mut(all: &mut [Self]) -> &mut [f64];
+    /// The first number and the last.
+    fn ends(self) -> [f64; 2];
 }
 
 mod sealed {
@@ -32,6 +34,10 @@ impl Lane for f64 {
     fn numbers_mut(all: &mut [Self]) -> &mut [f64] {
         all
     }
+    #[inline(always)]
+    fn ends(self) -> [f64; 2] {
+        [self; 2]
+    }
 }
 
 impl Lane for F64x2 {
@@ -46,5 +52,9 @@ impl Lane for F64x2 {
     fn numbers_mut(all: &mut [Self]) -> &mut [f64] {
         // SAFETY: likewise, and any two numbers are an `F64x2`.
         unsafe { std::slice::from_raw_parts_mut(all.as_mut_ptr().cast(), 2 * all.len()) }
+    }
+    #[inline(always)]
+    fn ends(self) -> [f64; 2] {
+        self.0
     }
 }

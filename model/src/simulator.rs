@@ -40,7 +40,7 @@ pub struct ModelSimulator {
     motion: motion::MotionFunction,
     hoisted: OnceLock<Hoisted>,
     /// What parameters alone decide, then rate and Jacobians that read it.
-    prepared: [TapeFunction; 5],
+    prepared: [TapeFunction; Prepared::ALL.len()],
     series: Series,
     /// Excitation and switches.
     linear: [TapeFunction; 2],
@@ -167,27 +167,134 @@ impl ModelSimulator {
     }
 
     #[inline(always)]
-    fn run_prepared<R: Lane>(
-        &self,
-        (index, tape): (usize, fn(&Hoisted) -> &Tape),
-        read: &Read<'_>,
-        results: &mut [R],
-    ) {
-        let tape = (|| tape(self.hoisted()), self.running);
-        let (ready, results) = (&self.prepared[index], R::numbers_mut(results));
-        // Of what is prepared only the Jacobians may be behind the motion.
-        let jacobian = match index {
-            2 => Some(FunctionId::RateJacobian),
-            3 => Some(FunctionId::ParameterJacobian),
-            _ => None,
-        };
-        match jacobian.filter(|jacobian| self.motion.is_read_by(*jacobian)) {
-            Some(jacobian) => {
-                self.run_behind_motion((jacobian, ready), tape, R::COUNT, read, results);
-            }
-            None => ready.run(tape, R::COUNT, read, results),
+    fn function(&self, called: Called) -> &TapeFunction {
+        match called {
+            Called::Function(id) => &self.functions[id as usize],
+            Called::Prepared(prepared) => &self.prepared[prepared as usize],
         }
     }
+
+    fn tape(&self, called: Called) -> &Tape {
+        match called {
+            Called::Function(id) => self.model.tape(id),
+            Called::Prepared(Prepared::Constants) => &self.hoisted().constants,
+            Called::Prepared(Prepared::Rate) => &self.hoisted().rate,
+            Called::Prepared(Prepared::RateJacobian) => &self.hoisted().rate_jacobian,
+            Called::Prepared(Prepared::ParameterJacobian) => &self.hoisted().parameter_jacobian,
+            Called::Prepared(Prepared::Jacobians) => &self.hoisted().jacobians,
+        }
+    }
+
+    /// Which function of the table it is, if that goes behind the motion.
+    fn behind_motion(&self, called: Called) -> Option<FunctionId> {
+        let function = match called {
+            Called::Function(id) => id,
+            // Of what is prepared only the Jacobians may be.
+            Called::Prepared(Prepared::RateJacobian) => FunctionId::RateJacobian,
+            Called::Prepared(Prepared::ParameterJacobian) => FunctionId::ParameterJacobian,
+            Called::Prepared(_) => return None,
+        };
+        self.motion.is_read_by(function).then_some(function)
+    }
+
+    /// Writes what a tape gives that reads no constants, and no state if none is given.
+    #[inline(always)]
+    fn call<R: Lane>(
+        &self,
+        called: Called,
+        motion: Option<(R, &[R])>,
+        parameters: &[R],
+        results: &mut [R],
+    ) {
+        let (time, state) =
+            motion.map_or((R::literal(0.0), None), |(time, state)| (time, Some(state)));
+        let given = [state.unwrap_or(&[]), parameters, &[]].map(R::numbers);
+        let results = R::numbers_mut(results);
+        if !self.function(called).run_again(R::COUNT, time.ends(), given, results) {
+            self.call_with_care(called, time, state, parameters, &[], results);
+        }
+    }
+
+    /// Writes what a tape gives that reads constants.
+    #[inline(always)]
+    fn call_prepared<const PREPARED: usize, R: Lane>(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        results: &mut [R],
+    ) {
+        let given = [state, parameters, constants].map(R::numbers);
+        let written = R::numbers_mut(results);
+        if !self.prepared[PREPARED].run_again(R::COUNT, time.ends(), given, written) {
+            self.prepared_with_care::<PREPARED, R>(time, state, parameters, constants, results);
+        }
+    }
+
+    /// Called with what the method was called with, and so by a jump: who calls saves nothing.
+    #[inline(never)]
+    fn prepared_with_care<const PREPARED: usize, R: Lane>(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        results: &mut [R],
+    ) {
+        let called = Called::Prepared(Prepared::ALL[PREPARED]);
+        let results = R::numbers_mut(results);
+        self.call_with_care(called, time, Some(state), parameters, constants, results);
+    }
+
+    /// As it is called first, with other lengths, or if it is long or behind the motion.
+    #[inline(never)]
+    fn call_with_care<R: Lane>(
+        &self,
+        called: Called,
+        time: R,
+        state: Option<&[R]>,
+        parameters: &[R],
+        constants: &[R],
+        results: &mut [f64],
+    ) {
+        let read = match state {
+            Some(state) => self.read(&time, state, parameters),
+            None => self.read_without_state(&time, parameters),
+        };
+        let read = Read { constants: R::numbers(constants), ..read };
+        let tape = (|| self.tape(called), self.running);
+        let ready = self.function(called);
+        if let Some(function) = self.behind_motion(called) {
+            self.run_behind_motion((function, ready), tape, R::COUNT, &read, results);
+        } else {
+            ready.run(tape, R::COUNT, &read, results);
+            ready.keep(R::COUNT, &read);
+        }
+    }
+}
+
+/// What is run of a model: a function of the table, or what stands for one once parameters are
+/// known.
+#[derive(Debug, Clone, Copy)]
+enum Called {
+    Function(FunctionId),
+    Prepared(Prepared),
+}
+
+/// What parameters alone decide, and what reads it.
+#[derive(Debug, Clone, Copy)]
+enum Prepared {
+    Constants,
+    Rate,
+    RateJacobian,
+    ParameterJacobian,
+    Jacobians,
+}
+
+impl Prepared {
+    const ALL: [Self; 5] =
+        [Self::Constants, Self::Rate, Self::RateJacobian, Self::ParameterJacobian, Self::Jacobians];
 }
 
 impl ModelSimulator {
@@ -315,19 +422,8 @@ trait Runs<R> {
 impl<R: Lane> Runs<R> for ModelSimulator {
     #[inline(always)]
     fn run(&self, function: FunctionId, motion: Option<(&R, &[R])>, p: &[R], results: &mut [R]) {
-        let zero = R::literal(0.0);
-        let read = match motion {
-            Some((time, state)) => self.read(time, state, p),
-            None => self.read_without_state(&zero, p),
-        };
-        let tape = (|| self.model.tape(function), self.running);
-        let results = R::numbers_mut(results);
-        let ready = &self.functions[function as usize];
-        if self.motion.is_read_by(function) {
-            self.run_behind_motion((function, ready), tape, R::COUNT, &read, results);
-        } else {
-            ready.run(tape, R::COUNT, &read, results);
-        }
+        let motion = motion.map(|(time, state)| (*time, state));
+        self.call(Called::Function(function), motion, p, results);
     }
 }
 
@@ -385,9 +481,7 @@ impl<R: Lane> Simulator<R> for ModelSimulator {
         self.hoisted().constants.results.len()
     }
     fn prepare(&self, parameters: &[R], constants: &mut [R]) {
-        let zero = R::literal(0.0);
-        let read = self.read_without_state(&zero, parameters);
-        self.run_prepared((0, |hoisted| &hoisted.constants), &read, constants);
+        self.call(Called::Prepared(Prepared::Constants), None, parameters, constants);
     }
     fn prepared_rate(
         &self,
@@ -397,8 +491,8 @@ impl<R: Lane> Simulator<R> for ModelSimulator {
         constants: &[R],
         rate: &mut [R],
     ) {
-        let read = Read { constants: R::numbers(constants), ..self.read(&time, state, parameters) };
-        self.run_prepared((1, |hoisted| &hoisted.rate), &read, rate);
+        const PREPARED: usize = Prepared::Rate as usize;
+        self.call_prepared::<PREPARED, R>(time, state, parameters, constants, rate);
     }
     fn prepared_rate_jacobian(
         &self,
@@ -408,8 +502,8 @@ impl<R: Lane> Simulator<R> for ModelSimulator {
         constants: &[R],
         values: &mut [R],
     ) {
-        let read = Read { constants: R::numbers(constants), ..self.read(&time, state, parameters) };
-        self.run_prepared((2, |hoisted| &hoisted.rate_jacobian), &read, values);
+        const PREPARED: usize = Prepared::RateJacobian as usize;
+        self.call_prepared::<PREPARED, R>(time, state, parameters, constants, values);
     }
     fn prepared_parameter_jacobian(
         &self,
@@ -419,8 +513,8 @@ impl<R: Lane> Simulator<R> for ModelSimulator {
         constants: &[R],
         values: &mut [R],
     ) {
-        let read = Read { constants: R::numbers(constants), ..self.read(&time, state, parameters) };
-        self.run_prepared((3, |hoisted| &hoisted.parameter_jacobian), &read, values);
+        const PREPARED: usize = Prepared::ParameterJacobian as usize;
+        self.call_prepared::<PREPARED, R>(time, state, parameters, constants, values);
     }
     fn prepared_jacobians(
         &self,
@@ -433,8 +527,8 @@ impl<R: Lane> Simulator<R> for ModelSimulator {
         if !self.model.gives_jacobians_at_once() {
             return jacobians_apart(self, time, state, parameters, constants, values);
         }
-        let read = Read { constants: R::numbers(constants), ..self.read(&time, state, parameters) };
-        self.run_prepared((4, |hoisted| &hoisted.jacobians), &read, values);
+        const PREPARED: usize = Prepared::Jacobians as usize;
+        self.call_prepared::<PREPARED, R>(time, state, parameters, constants, values);
     }
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         self.model.constraints.is_empty().then_some(self as &dyn TaylorSeries<R>)

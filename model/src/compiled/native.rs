@@ -12,7 +12,7 @@ use cranelift_codegen::isa::OwnedTargetIsa;
 use cranelift_codegen::settings::{self, Configurable as _};
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use cranelift_jit::{JITBuilder, JITModule};
-use cranelift_module::{Linkage, Module as _, default_libcall_names};
+use cranelift_module::{FuncId, Linkage, Module as _, default_libcall_names};
 
 use super::schedule::Schedule;
 use super::thunks::Thunk;
@@ -20,6 +20,8 @@ use super::translate::{Translator, signature};
 use crate::Table;
 use crate::straight::{Region, Straight};
 
+/// A piece of a program: time, state, parameters, what fields hand over, constants, motion,
+/// results, room.
 type Piece = unsafe extern "C" fn(
     *const f64,
     *const f64,
@@ -30,6 +32,17 @@ type Piece = unsafe extern "C" fn(
     *mut f64,
     *mut MaybeUninit<f64>,
 );
+
+/// A program of one piece that reads nothing of the motion and has room of its own: time of the
+/// first lane and of the last, results, state, what fields hand over, parameters, constants.
+type Short =
+    unsafe extern "C" fn(f64, f64, *mut f64, *const f64, *const f64, *const f64, *const f64);
+
+#[derive(Debug)]
+enum Pieces {
+    Short(Short),
+    Long(Vec<Piece>),
+}
 
 /// Numbers of the room that are kept on the stack.
 const ON_STACK: usize = 256;
@@ -53,7 +66,7 @@ pub struct Regions<'a> {
 
 /// Machine code of a program.
 pub struct Code {
-    pieces: Vec<Piece>,
+    pieces: Pieces,
     /// How long regions must be.
     needs: [usize; Region::COUNT],
     /// Numbers that are put aside.
@@ -67,7 +80,7 @@ pub struct Code {
 
 impl std::fmt::Debug for Code {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Code").field("pieces", &self.pieces.len()).finish_non_exhaustive()
+        f.debug_struct("Code").field("pieces", &self.pieces).finish_non_exhaustive()
     }
 }
 
@@ -125,12 +138,18 @@ impl Code {
         }
         let mut module = JITModule::new(builder);
         let pointer = module.target_config().pointer_type();
-        let translator = Translator { straight, schedule: &schedule, lanes, tables };
+        let needs = straight.needs().map(|need| need * lanes);
+        let is_short = schedule.pieces.len() == 1
+            && schedule.room * lanes <= ON_STACK
+            && needs[Region::Motion as usize] == 0
+            && needs[Region::Time as usize] <= lanes
+            && straight.middles.is_none();
+        let translator = Translator { straight, schedule: &schedule, lanes, tables, is_short };
         let mut context = module.make_context();
         let mut of_builders = FunctionBuilderContext::new();
         let mut ids = Vec::new();
         for index in 0..schedule.pieces.len() {
-            context.func.signature = signature(module.make_signature(), pointer);
+            context.func.signature = signature(module.make_signature(), pointer, is_short);
             let name = format!("piece_{index}");
             let id =
                 module.declare_function(&name, Linkage::Local, &context.func.signature).ok()?;
@@ -155,15 +174,19 @@ impl Code {
             ids.push(id);
         }
         module.finalize_definitions().ok()?;
-        let address = |id| {
-            let address = module.get_finalized_function(id);
+        let address = |id: &FuncId| module.get_finalized_function(*id);
+        let pieces = if let (true, [id]) = (is_short, &*ids) {
             // SAFETY: the function has been made with this signature, for the calling
             // convention of the target.
-            unsafe { std::mem::transmute::<*const u8, Piece>(address) }
+            Pieces::Short(unsafe { std::mem::transmute::<*const u8, Short>(address(id)) })
+        } else {
+            // SAFETY: likewise.
+            let piece = |id| unsafe { std::mem::transmute::<*const u8, Piece>(address(id)) };
+            Pieces::Long(ids.iter().map(piece).collect())
         };
         Some(Self {
-            pieces: ids.into_iter().map(address).collect(),
-            needs: straight.needs().map(|need| need * lanes),
+            pieces,
+            needs,
             room: schedule.room * lanes,
             walks: straight.middles.map(|middles| middles.row * lanes),
             module: Mutex::new(Some(Box::new(module))),
@@ -191,21 +214,39 @@ impl Code {
         if !is_there {
             self.refuse(read, results.len());
         }
-        if self.room <= ON_STACK {
-            let mut room = [const { MaybeUninit::uninit() }; ON_STACK];
-            self.call(read, results, &mut room);
-        } else {
-            self.run_in_much_room(read, results);
+        match &self.pieces {
+            Pieces::Short(short) => {
+                let (Some(&first), Some(&last)) = (time.first(), time.last()) else {
+                    self.refuse(read, results.len())
+                };
+                // SAFETY: as in `call`.
+                unsafe {
+                    short(
+                        first,
+                        last,
+                        results.as_mut_ptr(),
+                        state.as_ptr(),
+                        handed.as_ptr(),
+                        parameters.as_ptr(),
+                        constants.as_ptr(),
+                    );
+                }
+            }
+            Pieces::Long(pieces) if self.room <= ON_STACK => {
+                let mut room = [const { MaybeUninit::uninit() }; ON_STACK];
+                Self::call(pieces, read, results, &mut room);
+            }
+            Pieces::Long(pieces) => self.run_in_much_room(pieces, read, results),
         }
     }
 
     #[inline(never)]
-    fn run_in_much_room(&self, read: &Regions<'_>, results: &mut [f64]) {
+    fn run_in_much_room(&self, pieces: &[Piece], read: &Regions<'_>, results: &mut [f64]) {
         ROOM.with_borrow_mut(|room| {
             if room.len() < self.room {
                 room.resize(self.room, MaybeUninit::uninit());
             }
-            self.call(read, results, room);
+            Self::call(pieces, read, results, room);
         });
     }
 
@@ -219,9 +260,14 @@ impl Code {
     }
 
     #[inline(always)]
-    fn call(&self, read: &Regions<'_>, results: &mut [f64], room: &mut [MaybeUninit<f64>]) {
+    fn call(
+        pieces: &[Piece],
+        read: &Regions<'_>,
+        results: &mut [f64],
+        room: &mut [MaybeUninit<f64>],
+    ) {
         let Regions { time, state, parameters, handed, constants, motion } = *read;
-        for piece in &self.pieces {
+        for piece in pieces {
             // SAFETY: the code reads and writes no entry beyond `needs` and `room`, which
             // the caller has compared with the lengths, nor, if it walks, beyond the rows
             // from the parameters to the state, which are all among the parameters; it
@@ -240,6 +286,69 @@ impl Code {
                 );
             }
         }
+    }
+}
+
+/// A short program that is called again and again with as many numbers: they are enough, and
+/// so only compared with what they were.
+#[derive(Debug)]
+pub struct Again {
+    short: Short,
+    /// Of state, parameters, constants and results.
+    lengths: [usize; 4],
+    /// Parameters before what fields hand over.
+    own: usize,
+    /// What the piece is part of.
+    _code: Arc<Code>,
+}
+
+impl Again {
+    /// For calls with as many numbers as these. `None` if the program is not short, or reads or
+    /// writes more than it is given.
+    pub fn new(code: &Arc<Code>, read: &Regions<'_>, results: usize) -> Option<Self> {
+        let Pieces::Short(short) = code.pieces else { return None };
+        let Regions { time, state, parameters, handed, constants, motion } = *read;
+        let [time, state, own, handed, constants, motion] =
+            [time, state, parameters, handed, constants, motion].map(<[f64]>::len);
+        let lengths = [time, state, own, handed, constants, motion, results];
+        let is_enough = code.needs.iter().zip(&lengths).all(|(need, length)| need <= length);
+        is_enough.then(|| Self {
+            short,
+            lengths: [state, own + handed, constants, results],
+            own,
+            _code: code.clone(),
+        })
+    }
+
+    /// Runs it, if there are as many numbers as before; else nothing is done. Given are time of
+    /// the first lane and of the last, and state, parameters with what fields hand over behind
+    /// them, and constants, of numbers whose lanes stand side by side.
+    #[inline(always)]
+    pub fn run(&self, time: [f64; 2], given: [&[f64]; 3], results: &mut [f64]) -> bool {
+        let [state, parameters, constants] = given;
+        // One by one: arrays are compared in memory, where they would be written first.
+        let [of_state, of_parameters, of_constants, of_results] = self.lengths;
+        let is_as_before = state.len() == of_state
+            && parameters.len() == of_parameters
+            && constants.len() == of_constants
+            && results.len() == of_results;
+        if is_as_before {
+            let handed = parameters.as_ptr().wrapping_add(self.own);
+            // SAFETY: as in `Code::call`; the lengths are those that `needs` has been
+            // compared with, and the code lives as long as this.
+            unsafe {
+                (self.short)(
+                    time[0],
+                    time[1],
+                    results.as_mut_ptr(),
+                    state.as_ptr(),
+                    handed,
+                    parameters.as_ptr(),
+                    constants.as_ptr(),
+                );
+            }
+        }
+        is_as_before
     }
 }
 

@@ -5,7 +5,8 @@
 use std::collections::HashMap;
 
 use cranelift_codegen::ir::{
-    AbiParam, BlockArg, FuncRef, InstBuilder as _, MemFlags, Signature, Type, Value,
+    AbiParam, Block, BlockArg, FuncRef, InstBuilder as _, MemFlags, Signature, StackSlotData,
+    StackSlotKind, Type, Value,
     condcodes::{FloatCC, IntCC},
     types,
 };
@@ -16,16 +17,41 @@ use super::thunks::Thunk;
 use crate::straight::{Middles, Region, Step, StepId, Straight};
 use crate::{Function, Table};
 
-/// Pointers a piece is called with: one for each region, then the room.
-pub const POINTERS: usize = Region::COUNT + 1;
+/// What a piece is called with pointers to.
+const POINTERS: [usize; Region::COUNT + 1] = [
+    Region::Time as usize,
+    Region::State as usize,
+    Region::Parameters as usize,
+    Region::Handed as usize,
+    Region::Constants as usize,
+    Region::Motion as usize,
+    Region::Results as usize,
+    ROOM,
+];
+
+/// What a short program is called with pointers to, behind time: most of what functions of the
+/// contract are called with stands in the same registers.
+const OF_SHORT: [usize; 5] = [
+    Region::Results as usize,
+    Region::State as usize,
+    Region::Handed as usize,
+    Region::Parameters as usize,
+    Region::Constants as usize,
+];
+
+/// The room, beside the regions.
+const ROOM: usize = Region::COUNT;
 
 /// Vectors of sums that are formed at once: two sums of each, and what is read, stay in
 /// registers.
 const BLOCK: usize = 6;
 
-/// The signature of pieces.
-pub fn signature(mut signature: Signature, pointer: Type) -> Signature {
-    signature.params.extend([AbiParam::new(pointer); POINTERS]);
+/// The signature of pieces, or of a short program.
+pub fn signature(mut signature: Signature, pointer: Type, is_short: bool) -> Signature {
+    let time = if is_short { 2 } else { 0 };
+    let pointers = if is_short { OF_SHORT.len() } else { POINTERS.len() };
+    signature.params.extend(vec![AbiParam::new(types::F64); time]);
+    signature.params.extend(vec![AbiParam::new(pointer); pointers]);
     signature
 }
 
@@ -39,6 +65,16 @@ pub struct Translator<'a> {
     pub lanes: usize,
     /// The model's tables; they must outlive the code.
     pub tables: &'a [Table],
+    /// One piece, called with time itself, nothing of the motion, and room of its own.
+    pub is_short: bool,
+}
+
+/// What a piece is called with.
+struct Given {
+    /// Of a short program.
+    time: Option<Value>,
+    /// By region, and to the room.
+    pointers: [Option<Value>; POINTERS.len()],
 }
 
 /// What the translation of one piece knows.
@@ -46,7 +82,7 @@ struct Piece<'a, 'b, 'c> {
     of: &'a Translator<'a>,
     builder: &'a mut FunctionBuilder<'b>,
     thunks: &'c mut dyn FnMut(Thunk, &mut cranelift_codegen::ir::Function) -> FuncRef,
-    pointers: Vec<Value>,
+    given: Given,
     pointer: Type,
     /// Values of this piece that are not in memory.
     values: HashMap<StepId, Value>,
@@ -68,10 +104,10 @@ impl Translator<'_> {
         builder.append_block_params_for_function_params(block);
         builder.switch_to_block(block);
         builder.seal_block(block);
-        let pointers = builder.block_params(block).to_vec();
-        let lane = if self.lanes == 2 { types::F64X2 } else { types::F64 };
+        let given = self.given(block, builder, pointer);
+        let lane = self.lane();
         let (values, read) = (HashMap::new(), HashMap::new());
-        let mut piece = Piece { of: self, builder, thunks, pointers, pointer, values, read, lane };
+        let mut piece = Piece { of: self, builder, thunks, given, pointer, values, read, lane };
         let mut writes: HashMap<StepId, Vec<u32>> = HashMap::new();
         for &(entry, id) in &self.straight.writes {
             writes.entry(id).or_default().push(entry);
@@ -85,7 +121,7 @@ impl Translator<'_> {
                     let value = piece.compute(*id);
                     piece.values.insert(*id, value);
                     if let Some(place) = self.schedule.places[id.0 as usize] {
-                        piece.store(Region::COUNT, place, value);
+                        piece.store(ROOM, place, value);
                     }
                     for &entry in writes.get(id).into_iter().flatten() {
                         piece.store(Region::Results as usize, entry, value);
@@ -104,6 +140,39 @@ impl Translator<'_> {
             }
         }
         piece.builder.ins().return_(&[]);
+    }
+
+    fn lane(&self) -> Type {
+        if self.lanes == 2 { types::F64X2 } else { types::F64 }
+    }
+
+    fn given(&self, block: Block, builder: &mut FunctionBuilder<'_>, pointer: Type) -> Given {
+        let all = builder.block_params(block).to_vec();
+        let mut given = Given { time: None, pointers: [None; POINTERS.len()] };
+        let mut note = |regions: &[usize], values: &[Value]| {
+            for (region, value) in regions.iter().zip(values) {
+                given.pointers[*region] = Some(*value);
+            }
+        };
+        if !self.is_short {
+            note(&POINTERS, &all);
+            return given;
+        }
+        let (time, rest) = all.split_at(2);
+        note(&OF_SHORT, rest);
+        given.time = Some(if self.lanes == 2 {
+            let both = builder.ins().splat(self.lane(), time[0]);
+            builder.ins().insertlane(both, time[1], 1)
+        } else {
+            time[0]
+        });
+        if self.schedule.room > 0 {
+            let bytes = (8 * self.lanes * self.schedule.room) as u32;
+            let slot = StackSlotData::new(StackSlotKind::ExplicitSlot, bytes, 4);
+            let slot = builder.create_sized_stack_slot(slot);
+            given.pointers[ROOM] = Some(builder.ins().stack_addr(pointer, slot, 0));
+        }
+        given
     }
 }
 
@@ -131,7 +200,7 @@ impl Piece<'_, '_, '_> {
         let flags = MemFlags::new().with_notrap();
         let row = self.offset(middles.row as u32);
         let of_rows = Region::Parameters as usize;
-        let [low, end] = [of_rows, Region::State as usize].map(|region| self.pointers[region]);
+        let [low, end] = [of_rows, Region::State as usize].map(|region| self.pointer_to(region));
         let low = self.builder.ins().iadd_imm(low, i64::from(row));
         let high = self.builder.ins().iadd_imm(end, -i64::from(row));
         let zeros = self.builder.func.dfg.constants.insert(vec![0; 16].into());
@@ -170,12 +239,17 @@ impl Piece<'_, '_, '_> {
             self.builder.seal_block(block);
         }
         self.builder.switch_to_block(tail);
-        let results = self.pointers[Region::Results as usize];
+        let results = self.pointer_to(Region::Results as usize);
         for vector in 0..count {
             let sum = self.builder.ins().fadd(sums[vector], sums[count + vector]);
             let at = self.offset(middles.sums as u32) + 16 * (first + vector) as i32;
             self.builder.ins().store(flags, sum, results, at);
         }
+    }
+
+    fn pointer_to(&self, region: usize) -> Value {
+        self.given.pointers[region]
+            .expect("a short program has no motion, and a room if it needs one")
     }
 
     fn offset(&self, entry: u32) -> i32 {
@@ -185,13 +259,15 @@ impl Piece<'_, '_, '_> {
     fn load(&mut self, pointer: usize, entry: u32) -> Value {
         let offset = self.offset(entry);
         let flags = MemFlags::new().with_notrap();
-        self.builder.ins().load(self.lane, flags, self.pointers[pointer], offset)
+        let pointer = self.pointer_to(pointer);
+        self.builder.ins().load(self.lane, flags, pointer, offset)
     }
 
     fn store(&mut self, pointer: usize, entry: u32, value: Value) {
         let offset = self.offset(entry);
         let flags = MemFlags::new().with_notrap();
-        self.builder.ins().store(flags, value, self.pointers[pointer], offset);
+        let pointer = self.pointer_to(pointer);
+        self.builder.ins().store(flags, value, pointer, offset);
     }
 
     /// The value of a step that has been computed, here or in an earlier piece.
@@ -201,10 +277,13 @@ impl Piece<'_, '_, '_> {
         }
         let value = match self.of.straight.step(id) {
             Step::Literal(literal) => return self.literal(literal),
-            Step::Read(region, entry) => return self.load(region as usize, entry),
+            Step::Read(region, entry) => {
+                let time = self.given.time.filter(|_| region == Region::Time);
+                return time.unwrap_or_else(|| self.load(region as usize, entry));
+            }
             _ => {
                 let place = self.of.schedule.places[id.0 as usize];
-                self.load(Region::COUNT, place.expect("what is read later has a place"))
+                self.load(ROOM, place.expect("what is read later has a place"))
             }
         };
         self.read.insert(id, value);
@@ -212,12 +291,14 @@ impl Piece<'_, '_, '_> {
     }
 
     fn literal(&mut self, literal: f64) -> Value {
-        if self.of.lanes == 1 {
+        if self.of.lanes == 1 && literal.to_bits() == 0 {
             return self.builder.ins().f64const(literal);
         }
         let bytes: Vec<u8> = [literal.to_le_bytes(); 2].concat();
         let constant = self.builder.func.dfg.constants.insert(bytes.into());
-        self.builder.ins().vconst(self.lane, constant)
+        let both = self.builder.ins().vconst(types::F64X2, constant);
+        // From memory: as a constant, a single number would go by way of an integer.
+        if self.of.lanes == 1 { self.builder.ins().extractlane(both, 0) } else { both }
     }
 
     fn compute(&mut self, id: StepId) -> Value {
@@ -322,7 +403,7 @@ impl Piece<'_, '_, '_> {
             all.extend((0..self.of.lanes).map(|lane| self.lane_of(argument, lane)));
         }
         let place = self.offset(batch.place);
-        let room = self.pointers[Region::COUNT];
+        let room = self.pointer_to(ROOM);
         let out = self.builder.ins().iadd_imm(room, i64::from(place));
         let is_alone = all.len() == 1;
         while !is_alone && all.len() < 4 {
@@ -336,7 +417,7 @@ impl Piece<'_, '_, '_> {
         };
         if let Thunk::Function(_) = thunk {
             let value = self.call(thunk, &all)[0];
-            self.store(Region::COUNT, batch.place, value);
+            self.store(ROOM, batch.place, value);
         } else {
             all.push(out);
             self.call(thunk, &all);

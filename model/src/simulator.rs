@@ -491,8 +491,9 @@ impl<R: Lane> Simulator<R> for ModelSimulator {
         constants: &[R],
         rate: &mut [R],
     ) {
-        const PREPARED: usize = Prepared::Rate as usize;
-        self.call_prepared::<PREPARED, R>(time, state, parameters, constants, rate);
+        self.call_prepared::<{ Prepared::Rate as usize }, R>(
+            time, state, parameters, constants, rate,
+        );
     }
     fn prepared_rate_jacobian(
         &self,
@@ -502,8 +503,9 @@ impl<R: Lane> Simulator<R> for ModelSimulator {
         constants: &[R],
         values: &mut [R],
     ) {
-        const PREPARED: usize = Prepared::RateJacobian as usize;
-        self.call_prepared::<PREPARED, R>(time, state, parameters, constants, values);
+        self.call_prepared::<{ Prepared::RateJacobian as usize }, R>(
+            time, state, parameters, constants, values,
+        );
     }
     fn prepared_parameter_jacobian(
         &self,
@@ -513,8 +515,9 @@ impl<R: Lane> Simulator<R> for ModelSimulator {
         constants: &[R],
         values: &mut [R],
     ) {
-        const PREPARED: usize = Prepared::ParameterJacobian as usize;
-        self.call_prepared::<PREPARED, R>(time, state, parameters, constants, values);
+        self.call_prepared::<{ Prepared::ParameterJacobian as usize }, R>(
+            time, state, parameters, constants, values,
+        );
     }
     fn prepared_jacobians(
         &self,
@@ -527,8 +530,9 @@ impl<R: Lane> Simulator<R> for ModelSimulator {
         if !self.model.gives_jacobians_at_once() {
             return jacobians_apart(self, time, state, parameters, constants, values);
         }
-        const PREPARED: usize = Prepared::Jacobians as usize;
-        self.call_prepared::<PREPARED, R>(time, state, parameters, constants, values);
+        self.call_prepared::<{ Prepared::Jacobians as usize }, R>(
+            time, state, parameters, constants, values,
+        );
     }
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         self.model.constraints.is_empty().then_some(self as &dyn TaylorSeries<R>)

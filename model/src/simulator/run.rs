@@ -172,7 +172,10 @@ impl TapeFunction {
     /// numbers; else says that it did not. Given are time of the first lane and of the last, and
     /// state, parameters with what fields hand over behind them, and constants.
     #[inline(always)]
-    #[cfg_attr(not(feature = "compiled"), allow(unused_variables, reason = "compiled by none"))]
+    #[cfg_attr(
+        not(feature = "compiled"),
+        allow(unused_variables, clippy::unused_self, reason = "compiled by none")
+    )]
     pub fn run_again(
         &self,
         lanes: usize,
@@ -189,7 +192,10 @@ impl TapeFunction {
 
     /// Keeps it for calls with as many numbers as it has just been called with, if it is short
     /// machine code: such calls take 3 ns beside what is computed, others 10.
-    #[cfg_attr(not(feature = "compiled"), allow(unused_variables, reason = "compiled by none"))]
+    #[cfg_attr(
+        not(feature = "compiled"),
+        allow(unused_variables, clippy::unused_self, reason = "compiled by none")
+    )]
     pub fn keep(&self, lanes: usize, read: &Read<'_>) {
         #[cfg(feature = "compiled")]
         if let Some(ready) = self.ready[lanes - 1].get()

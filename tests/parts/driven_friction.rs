@@ -449,7 +449,7 @@ fn every_part_with_friction_can_be_driven() {
     let gear = r#"part = { unit = "rotational/lossy_gear" }
             load = { unit = "rotational/inertia" }
             damper = { unit = "sources/torque", inputs = { torque = "7 [N m]" } }"#;
-    let scenes = [
+    let scenes = vec![
         scene(&format!("{slides}\n{guide}"), &[["drive.a", "part.a"]], "guide"),
         scene(
             &format!("{turns}\nscrew = {{ unit = \"rotational/screw\" }}\n{guide}"),

@@ -387,11 +387,14 @@ fn the_list_names_every_scene() {
 fn whatever_simulates_tells_of_a_mass_of_the_wrong_sign() {
     const NOTE: &str = "the inertia of `driver.phi` is negative at the start";
     let set = ["--set", "driver.inertia=-1", "--until", "0.02"];
-    let commands: [&[&str]; 4] = [
+    let stiffness = ["--parameters", "coupling.stiffness=1e3..1e5"];
+    let improve = ["improve", "two_mass", stiffness[0], stiffness[1], "--minimise", "max(twist)"];
+    let commands: [&[&str]; 5] = [
         &["run", "two_mass"],
         &["sensitivity", "two_mass", "--outputs", "twist"],
         &["gradient", "two_mass", "--of", "max(abs(twist))"],
         &["spectrum", "two_mass", "--from", "0"],
+        &improve,
     ];
     for command in commands {
         let told = answer(&[command, &set[..]].concat());
@@ -405,6 +408,14 @@ fn whatever_simulates_tells_of_a_mass_of_the_wrong_sign() {
         let notes = told["notes"].as_array().expect("notes");
         assert!(notes.iter().any(|note| note.as_str().expect("text").contains(NOTE)), "{notes:?}");
     }
+    for command in [commands[0], commands[3]] {
+        let output = output(&[command, &set[..], &["--out", "-"]].concat());
+        let [numbers, beside] = [output.stdout, output.stderr].map(String::from_utf8);
+        assert!(!numbers.expect("text").contains("negative"), "{command:?}");
+        assert!(beside.expect("text").contains(NOTE), "{command:?}");
+    }
+    let other = ["--compare-set", "driver.inertia=-1", "--until", "0.02"];
+    assert!(answer(&[commands[0], &other[..]].concat()).contains(NOTE));
 }
 
 #[test]

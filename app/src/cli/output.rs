@@ -3,7 +3,7 @@
 use std::io::{self, BufWriter, Write as _, stdout};
 use std::path::Path;
 
-use machinist::trajectory::Trajectory;
+use machinist::trajectory::{Stop, Trajectory};
 
 use crate::failure::Failure;
 use crate::parquet;
@@ -136,13 +136,31 @@ pub fn columns<const N: usize>(rows: &[[String; N]], left: usize) -> String {
 /// Where the run was cut short, and what the method has to say, such as which one `auto` chose
 /// and why; a line each. `whole` is what all of them are told by.
 pub fn remarks(trajectory: &Trajectory, whole: &str) -> String {
+    lines(trajectory.stopped.iter().map(told), &trajectory.notes, whole)
+}
+
+/// What methods have to say of runs, a line each.
+pub fn notes_told(notes: &[String], whole: &str) -> String {
+    lines([], notes, whole)
+}
+
+/// Remarks on standard error, where standard output is for numbers alone.
+pub fn remark_beside(trajectory: &Trajectory) {
+    let text = remarks(trajectory, "--out FILE.json");
+    for line in text.lines().filter(|line| !line.is_empty()) {
+        eprintln!("machinist: {line}");
+    }
+}
+
+fn told(stop: &Stop) -> String {
+    format!("stopped early, at {} s: {}", stop.time, stop.cause)
+}
+
+fn lines(first: impl IntoIterator<Item = String>, notes: &[String], whole: &str) -> String {
     /// A machine that turns stiff over and over has a remark for each time.
     const MOST: usize = 8;
-    let Trajectory { notes, stopped, .. } = trajectory;
-    let stop =
-        stopped.iter().map(|stop| format!("stopped early, at {} s: {}", stop.time, stop.cause));
     let more = notes.len().saturating_sub(MOST);
     let more = (more > 0).then(|| format!("and {more} remarks more, which {whole} has"));
-    let lines = stop.chain(notes.iter().take(MOST).cloned()).chain(more);
+    let lines = first.into_iter().chain(notes.iter().take(MOST).cloned()).chain(more);
     lines.flat_map(|line| ["\n".to_owned(), line]).collect()
 }

@@ -14,7 +14,8 @@ use machinist_contract::Simulator;
 
 use super::amount::{Amount, as_json, assignment};
 use super::output::{
-    columns, draw_file, print, print_with, remarks, require_picture, require_table, write_file,
+    columns, draw_file, print, print_with, remark_beside, remarks, require_picture, require_table,
+    write_file,
 };
 use super::scene::Scene;
 use super::settings::{with_method, with_parameters};
@@ -142,7 +143,12 @@ impl Run {
                 let (names, tables) = self.compare(others, &scene, &mut trajectory)?;
                 summary.push_str(&tables);
                 let written = self.write(&scene, format, &trajectory, &names)?;
-                if written { print(&summary) } else { Ok(()) }
+                if written {
+                    print(&summary)
+                } else {
+                    remark_beside(&trajectory);
+                    Ok(())
+                }
             }
             Err(error) => Err(self.stopped(&scene, format, error)?),
         }

@@ -10,7 +10,8 @@ use serde::Serialize;
 
 use super::amount::{Amount, assignment};
 use super::output::{
-    columns, draw_file, print, print_with, remarks, require_picture, require_table, write_file,
+    columns, draw_file, print, print_with, remark_beside, remarks, require_picture, require_table,
+    write_file,
 };
 use super::scene::Scene;
 use super::settings::{with_method, with_parameters};
@@ -130,7 +131,10 @@ impl Spectrum {
             })?;
         }
         match &self.out {
-            Some(_) if is_standard_output => return print_with(|out| spectra.write_csv(out)),
+            Some(_) if is_standard_output => {
+                remark_beside(&run);
+                return print_with(|out| spectra.write_csv(out));
+            }
             Some(file) if file.extension().is_some_and(|ending| ending == "json") => {
                 write_file(file, |out| Ok(serde_json::to_writer_pretty(out, &spectra)?))?;
             }

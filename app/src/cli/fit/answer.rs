@@ -10,7 +10,7 @@ use serde_json::{Map, Value};
 
 use super::experiments::Setup;
 use crate::cli::amount::as_json;
-use crate::cli::output::columns;
+use crate::cli::output::{columns, notes_told};
 use crate::cli::scene::Scene;
 use crate::number::{exact, number};
 
@@ -42,6 +42,8 @@ pub struct Answer {
     /// Variants that could not be simulated, and why the first could not.
     pub failed: usize,
     pub why_failed: Option<String>,
+    /// What the runs of what was found remark.
+    pub notes: Vec<String>,
     /// Of what they were asked for.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub profiles: Vec<Profile>,
@@ -74,6 +76,7 @@ impl Answer {
         let Findings { values, parameters, correlations, untold, outputs } = fit.findings(fitted);
         let experiments = experiments(fit, setups, gaps);
         let held = parameters.iter().filter(|found| found.is_at_bound).count();
+        let found_values: Vec<f64> = parameters.iter().map(|found| found.value).collect();
         Self {
             scene: simulator.name().to_owned(),
             title: simulator.title().to_owned(),
@@ -97,6 +100,7 @@ impl Answer {
             outputs,
             failed: found.failed.0 + lost.0,
             why_failed: found.failed.1.clone().or_else(|| lost.1.clone()),
+            notes: notes(fit, &found_values),
             profiles: Vec::new(),
         }
         .with_loss(*loss)
@@ -145,8 +149,11 @@ impl Answer {
             text.push_str(&self.experiments_told());
         }
         text.extend([format!(
-            "{} after {} steps, {} evaluations\n\n",
-            self.end, self.steps, self.runs
+            "{} after {} steps, {} evaluations{}\n\n",
+            self.end,
+            self.steps,
+            self.runs,
+            notes_told(&self.notes, "--json")
         )]);
         text.push_str(&columns(&self.parameter_rows(), 2));
         if self.t.is_nan() {
@@ -310,6 +317,22 @@ fn experiments(fit: &Fit<'_>, setups: &[Setup], gaps: &[usize]) -> Vec<Told> {
         }
     };
     fit.experiments.iter().zip(setups).zip(gaps).map(told).collect()
+}
+
+/// What the runs at these values remark, each once.
+fn notes(fit: &Fit<'_>, values: &[f64]) -> Vec<String> {
+    let mut notes = Vec::new();
+    for experiment in fit.experiments {
+        let times = &experiment.measured.times;
+        // Why one stops is told of otherwise.
+        let run = fit.run(experiment, values, times, false);
+        for note in run.into_iter().flat_map(|run| run.notes) {
+            if !notes.contains(&note) {
+                notes.push(note);
+            }
+        }
+    }
+    notes
 }
 
 fn sign(share: f64) -> char {

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::{Goal, Searched, before, units};
 use crate::cli::amount::quantity_of;
-use crate::cli::output::columns;
+use crate::cli::output::{columns, notes_told};
 use crate::cli::scene::Scene;
 use crate::failure::Failure;
 use crate::number::{exact, number};
@@ -31,6 +31,8 @@ pub struct Answer {
     /// Variants that could not be simulated, and why the first could not.
     pub failed: usize,
     pub why_failed: Option<String>,
+    /// What the run of what was found remarks.
+    pub notes: Vec<String>,
 }
 
 #[derive(Debug, Serialize)]
@@ -81,6 +83,7 @@ impl Answer {
         let Searched { found, sizes, lost, runs } = searched;
         let values = improvement.values(&found.at);
         let after = improvement.told(&values)?;
+        let notes = improvement.run(&values, false)?.notes;
         let before = before(improvement);
         let costs = improvement.costs(found, sizes);
         let limit = |k: usize| {
@@ -137,6 +140,7 @@ impl Answer {
             limits: (0..limits.len()).map(limit).collect(),
             failed: found.failed.0 + lost.0,
             why_failed: found.failed.1.clone().or_else(|| lost.1.clone()),
+            notes,
         })
     }
 
@@ -154,7 +158,7 @@ impl Answer {
         let before = before.map_or("what cannot be simulated".to_owned(), shown);
         let mut text = format!(
             "{}: {} ({})\n{best} {expression}: {}{unit}, from {before}\n{} after {} steps, {} \
-             runs\n\n",
+             runs{}\n\n",
             self.scene,
             self.title,
             scene.how(),
@@ -162,6 +166,7 @@ impl Answer {
             self.end,
             self.steps,
             self.runs,
+            notes_told(&self.notes, "--json"),
         );
         text.push_str(&columns(&self.parameter_rows(), 2));
         if !self.limits.is_empty() {

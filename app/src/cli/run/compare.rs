@@ -9,7 +9,7 @@ use machinist_contract::Simulator;
 
 use crate::cli::amount::{Amount, assignment};
 use crate::cli::fit::data::Reading;
-use crate::cli::output::columns;
+use crate::cli::output::{columns, notes_told};
 use crate::cli::scene::Scene;
 use crate::cli::settings::with_parameters;
 use crate::failure::Failure;
@@ -61,6 +61,8 @@ pub struct Beside {
     kind: ColumnKind,
     /// Of columns of the first run, by their places.
     values: Vec<(usize, Vec<f64>)>,
+    /// What it remarks and the first run does not.
+    notes: Vec<String>,
 }
 
 impl Others {
@@ -118,7 +120,10 @@ impl Other {
         let places = places.filter(|(_, column)| all_energies || !is_energy(column));
         let values =
             places.filter_map(|(place, column)| Some((place, same(column)?.values.clone())));
-        Beside { label, kind: ColumnKind::Output, values: values.collect() }.required(first)
+        let values = values.collect();
+        let notes = trajectory.notes.iter().filter(|note| !first.notes.contains(note));
+        let notes = notes.cloned().collect();
+        Beside { label, kind: ColumnKind::Output, values, notes }.required(first)
     }
 }
 
@@ -139,7 +144,8 @@ fn of_file(
         }
         Some((place, at_times))
     });
-    Beside { label, kind: ColumnKind::Measured, values: values.collect() }.required(first)
+    let (values, notes) = (values.collect(), Vec::new());
+    Beside { label, kind: ColumnKind::Measured, values, notes }.required(first)
 }
 
 impl Beside {
@@ -179,7 +185,8 @@ impl Beside {
             Some([column.name.clone(), column.unit.clone(), difference, time, share])
         });
         let rows: Vec<[String; 5]> = std::iter::once(header).chain(rows).collect();
-        format!("\ncompared with {}\n{}", self.label, columns(&rows, 2))
+        let notes = notes_told(&self.notes, "`machinist run` of it with --out FILE.json");
+        format!("\ncompared with {}{notes}\n{}", self.label, columns(&rows, 2))
     }
 }
 

@@ -50,6 +50,8 @@ pub struct Values {
     pub objective: f64,
     /// Both sides of each inequality.
     pub sides: Vec<(f64, f64)>,
+    /// What the run remarks.
+    pub notes: Vec<String>,
 }
 
 /// Sizes by which the objective and the inequalities are measured.
@@ -187,6 +189,7 @@ impl Improvement<'_> {
         Ok(Values {
             objective: value(self.objective)?,
             sides: sides.collect::<Result<_, SimulateError>>()?,
+            notes: run.notes,
         })
     }
 

@@ -56,7 +56,7 @@ fn off_differences(
             improvement.told(&improvement.values(inner)).expect("it runs").objective
         };
         let size = told(&start).abs();
-        let sizes = improvement.sizes(&Values { objective: 1.0, sides: Vec::new() });
+        let sizes = improvement.sizes(&Values { objective: 1.0, sides: vec![], notes: vec![] });
         let found = improvement.evaluate(&start, &sizes).expect("it runs");
         let branch = &found.objective[0];
         assert!((branch.value - told(&start)).abs() <= 1e-9 * size.max(1e-6), "{text}");

@@ -76,7 +76,7 @@ impl Answer {
         let Findings { values, parameters, correlations, untold, outputs } = fit.findings(fitted);
         let experiments = experiments(fit, setups, gaps);
         let held = parameters.iter().filter(|found| found.is_at_bound).count();
-        let found_values: Vec<f64> = parameters.iter().map(|found| found.value).collect();
+        let notes = notes(fit, &parameters);
         Self {
             scene: simulator.name().to_owned(),
             title: simulator.title().to_owned(),
@@ -100,7 +100,7 @@ impl Answer {
             outputs,
             failed: found.failed.0 + lost.0,
             why_failed: found.failed.1.clone().or_else(|| lost.1.clone()),
-            notes: notes(fit, &found_values),
+            notes,
             profiles: Vec::new(),
         }
         .with_loss(*loss)
@@ -319,13 +319,14 @@ fn experiments(fit: &Fit<'_>, setups: &[Setup], gaps: &[usize]) -> Vec<Told> {
     fit.experiments.iter().zip(setups).zip(gaps).map(told).collect()
 }
 
-/// What the runs at these values remark, each once.
-fn notes(fit: &Fit<'_>, values: &[f64]) -> Vec<String> {
+/// What the runs of what was found remark, each once.
+fn notes(fit: &Fit<'_>, parameters: &[FoundParameter]) -> Vec<String> {
+    let values: Vec<f64> = parameters.iter().map(|found| found.value).collect();
     let mut notes = Vec::new();
     for experiment in fit.experiments {
         let times = &experiment.measured.times;
         // Why one stops is told of otherwise.
-        let run = fit.run(experiment, values, times, false);
+        let run = fit.run(experiment, &values, times, false);
         for note in run.into_iter().flat_map(|run| run.notes) {
             if !notes.contains(&note) {
                 notes.push(note);

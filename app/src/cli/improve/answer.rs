@@ -83,7 +83,6 @@ impl Answer {
         let Searched { found, sizes, lost, runs } = searched;
         let values = improvement.values(&found.at);
         let after = improvement.told(&values)?;
-        let notes = improvement.run(&values, false)?.notes;
         let before = before(improvement);
         let costs = improvement.costs(found, sizes);
         let limit = |k: usize| {
@@ -140,7 +139,7 @@ impl Answer {
             limits: (0..limits.len()).map(limit).collect(),
             failed: found.failed.0 + lost.0,
             why_failed: found.failed.1.clone().or_else(|| lost.1.clone()),
-            notes,
+            notes: after.notes,
         })
     }
 

@@ -268,8 +268,7 @@ impl ModelSimulator {
         if let Some(function) = self.behind_motion(called) {
             self.run_behind_motion((function, ready), tape, R::COUNT, &read, results);
         } else {
-            ready.run(tape, R::COUNT, &read, results);
-            ready.keep(R::COUNT, &read);
+            ready.run_and_keep(tape, R::COUNT, &read, results);
         }
     }
 }

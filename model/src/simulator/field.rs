@@ -70,8 +70,7 @@ impl AtPoint for f64 {
     ) {
         if !function.run_again(1, [time; 2], [state, p, &[]], results) {
             let read = Read { state, ..simulator.read_without_state(&time, p) };
-            function.run((|| tape, simulator.running), 1, &read, results);
-            function.keep(1, &read);
+            function.run_and_keep((|| tape, simulator.running), 1, &read, results);
         }
     }
 }

@@ -190,13 +190,16 @@ impl TapeFunction {
         false
     }
 
-    /// Keeps it for calls with as many numbers as it has just been called with, if it is short
-    /// machine code: such calls take 3 ns beside what is computed, others 10.
-    #[cfg_attr(
-        not(feature = "compiled"),
-        allow(unused_variables, clippy::unused_self, reason = "compiled by none")
-    )]
-    pub fn keep(&self, lanes: usize, read: &Read<'_>) {
+    /// Writes the results of its tape, as [`TapeFunction::run`], and keeps it for calls with as many
+    /// numbers if it is short machine code; see docs/decisions/0013-models-compiled-at-once.md.
+    pub fn run_and_keep<'a>(
+        &self,
+        tape: (impl FnOnce() -> &'a Tape, Running),
+        lanes: usize,
+        read: &Read<'_>,
+        results: &mut [f64],
+    ) {
+        self.run(tape, lanes, read, results);
         #[cfg(feature = "compiled")]
         if let Some(ready) = self.ready[lanes - 1].get()
             && let Ready::Compiled(compiled) = &**ready

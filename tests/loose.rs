@@ -39,8 +39,7 @@ fn errors(name: &str, simulator: &dyn Simulator<f64>) -> [(f64, u64); ASKED.len(
         let run = by_auto(simulator, rtol).run();
         run.unwrap_or_else(|error| panic!("{name} at {rtol:e}: {error}"))
     };
-    // Tighter ones of that scene take millions of steps.
-    let exact = run(if name == "msl/preload" { 1e-9 } else { 1e-11 });
+    let exact = run(1e-11);
     ASKED.map(|rtol| {
         let run = run(rtol);
         (error(simulator, &run, &exact) / rtol, run.work.steps)

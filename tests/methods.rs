@@ -4,9 +4,11 @@
 use std::cell::RefCell;
 
 use crate::common::{HardSpring, Scalar};
+use crate::own_scene::of_specs;
 use machinist::error::StopCause;
 use machinist::method::Work;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
 use machinist_scenes::scenes;
 use machinist_studies::stability::machines::{PROTHERO_ROBINSON, ROBERTSON, VAN_DER_POL};
@@ -259,6 +261,25 @@ fn auto_returns_to_the_explicit_method_when_stiffness_ends() {
     let exact = Simulation::new(&scalar).method(Method::Radau).rtol(1e-11).until(20.0).run();
     let difference = run.last("y").unwrap() - exact.unwrap().last("y").unwrap();
     assert!(difference.abs() < 1e-5, "{difference:e}");
+}
+
+#[test]
+fn auto_doubts_an_explicit_method_whose_steps_rounding_keeps_short() {
+    // Contacts of a hundred tons a metre between plates that move by micrometres a second: what is
+    // rounded of their forces is an error before a step is unstable.
+    let preload = of_specs("msl/preload", Keep::Needed);
+    let run = |method, rtol| Simulation::new(&preload).method(method).rtol(rtol).run().unwrap();
+    let exact = run(Method::Radau, 1e-12);
+    for rtol in [1e-10, 1e-11] {
+        let auto = run(Method::Auto, rtol);
+        println!("{:?} {:?}", auto.notes, auto.work);
+        let is_doubted = |note: &String| note.contains("steps stayed near what stability allows");
+        assert!(auto.notes.iter().any(is_doubted), "{:?}", auto.notes);
+        // Without doubt there are millions of them.
+        assert!(auto.work.steps < 20_000, "{:?}", auto.work);
+        let found = error(&preload, &auto, &exact);
+        assert!(found < 100.0 * rtol, "{found:e} at {rtol:e}");
+    }
 }
 
 #[test]

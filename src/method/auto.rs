@@ -21,8 +21,8 @@ use super::taylor::TaylorSteps;
 use super::{Integrator, Method, Samples, Sealed, Stopped, Stretch};
 use ringing::{LENIENT, rings};
 use stiffness::{
-    Evidence, LOOKS_EVERY, LOOKS_OF_PAIR_EVERY, STIFF_STEPS, SpectralRadius, Strain, TRANSIENT,
-    is_worth_beginning, worth,
+    Doubt, Evidence, LOOKS_EVERY, LOOKS_OF_PAIR_EVERY, STIFF_STEPS, SpectralRadius, Strain,
+    TRANSIENT, is_worth_beginning, worth,
 };
 
 /// After so many changes within a stretch the run stays with the implicit method,
@@ -233,6 +233,8 @@ impl<'a> Choice<'a> {
     ) -> Result<(), Stopped> {
         let mut changes = 0;
         let mut patience = STIFF_STEPS;
+        // Of having left the implicit method.
+        let mut doubt = None::<Doubt>;
         let mut caution = Caution::default();
         let mut left = Left { time: stretch.from, step: 0.0 };
         let mut is_explicit = !self.is_stiff_from_the_start;
@@ -243,19 +245,24 @@ impl<'a> Choice<'a> {
             if is_explicit {
                 let mut evidence = Evidence::of(patience);
                 let mut seen = 0.0;
+                let mut why = "steps were held by stability";
                 let is_stiff = |method: &M, step| {
-                    look(method, step).is_some_and(|strain| {
-                        seen = strain;
-                        evidence.grows(strain > self.limit)
-                    })
+                    let looked_at = look(method, step);
+                    seen = looked_at.unwrap_or(seen);
+                    let is_stiff =
+                        looked_at.is_some_and(|strain| evidence.grows(strain > self.limit));
+                    let is_due = doubt.as_mut().is_some_and(|doubt| doubt.grows(seen / self.limit));
+                    if is_due && !is_stiff {
+                        why = "steps stayed near what stability allows";
+                    }
+                    is_stiff || is_due
                 };
                 let Some(at) = drive(explicit, stretch, left, state, samples, is_stiff)? else {
                     return Ok(());
                 };
                 left = at;
                 stretch.system.note(format!(
-                    "{} instead of {} from t = {:.6} s on: steps were held by stability, \
-                     |h lambda| = {seen:.1}",
+                    "{} instead of {} from t = {:.6} s on: {why}, |h lambda| = {seen:.1}",
                     self.implicit_name, self.explicit_name, left.time,
                 ));
             }
@@ -278,11 +285,13 @@ impl<'a> Choice<'a> {
                 self.explicit_name, self.implicit_name, at.time
             ));
             // What was changed for nothing is changed less readily.
-            if is_explicit && steps < 2 * STIFF_STEPS {
+            let was_for_nothing = is_explicit && steps < 2 * STIFF_STEPS;
+            if was_for_nothing {
                 patience *= 2;
             }
+            doubt.get_or_insert_with(|| Doubt::new(stretch.system.states())).begin(was_for_nothing);
             is_explicit = true;
-            explicit.hold_stricter(caution.strictness(stretch.rtol));
+            explicit.hold_to(stretch.rtol / caution.strictness(stretch.rtol));
             explicit.begin(at.time, state);
             left = Left { step: explicit.own_step().unwrap_or(at.step), ..at };
         }

@@ -336,8 +336,8 @@ impl OneStep for ExplicitSteps<'_> {
     }
 
     #[cfg(feature = "implicit")]
-    fn hold_stricter(&mut self, strictness: f64) {
-        self.strictness = strictness;
+    fn hold_to(&mut self, rtol: f64) {
+        self.strictness = (self.stretch.rtol / rtol).max(1.0);
     }
 
     fn end(&self) -> &[f64] {

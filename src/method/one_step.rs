@@ -25,10 +25,10 @@ pub(crate) trait OneStep {
     /// method may only be asked for their ends and what is before, or to try another.
     fn is_last(&mut self, _is_last: bool) {}
 
-    /// Holds errors of steps so many times stricter from now on than the tolerances do, where a
-    /// method can.
+    /// Holds errors of steps to a relative tolerance from now on, where a method can and that is
+    /// less than its own; to what is absolute in proportion.
     #[cfg(feature = "implicit")]
-    fn hold_stricter(&mut self, _strictness: f64) {}
+    fn hold_to(&mut self, _rtol: f64) {}
 
     /// State at the end of the current step.
     fn end(&self) -> &[f64];

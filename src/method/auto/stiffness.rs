@@ -131,6 +131,39 @@ impl Evidence {
     }
 }
 
+/// Doubt whether it was right to leave an implicit method because its steps were short.
+///
+/// An explicit method that is held by stability may never show it: at tolerances near rounding, what
+/// is rounded of a stiff force is an error of a step, and makes it shorter than stability would.
+/// After very many steps near what stability allows the implicit method is tried once more, which is
+/// left soon if its steps are short again.
+pub(super) struct Doubt {
+    steps: f64,
+    enough: f64,
+}
+
+impl Doubt {
+    pub(super) fn new(states: usize) -> Self {
+        Self { steps: 0.0, enough: worth_beginning(states) }
+    }
+
+    /// The explicit method goes on; another try that was for nothing is not repeated as soon.
+    pub(super) fn begin(&mut self, was_for_nothing: bool) {
+        self.steps = 0.0;
+        if was_for_nothing {
+            self.enough *= 2.0;
+        }
+    }
+
+    /// Takes a step of so much of what is stable; true if another try is due.
+    pub(super) fn grows(&mut self, strain: f64) -> bool {
+        /// Steps nearer than this may be held by stability.
+        const NEAR: f64 = 1.0 / 3.0;
+        self.steps += 1.0;
+        self.steps > self.enough && strain > NEAR
+    }
+}
+
 /// Largest |eigenvalue| of the Jacobian, by two more powers of it a step; of numbers in lanes each
 /// on its own.
 pub(super) struct SpectralRadius<'a, R> {

@@ -72,6 +72,9 @@ def fit(
     starts: int,
     steps: int,
 ) -> dict[str, Any]: ...
+def negative_inertias(
+    machine: Machine, settings: dict[str, Any], names: Sequence[str], values: Array
+) -> tuple[int, int, str] | None: ...
 def sweep_piece(
     machine: Machine,
     settings: dict[str, Any],

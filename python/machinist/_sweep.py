@@ -144,7 +144,18 @@ def sweep(
         ran += len(piece)
         computing += piece.seconds
     took = (time.perf_counter() - start, computing)
-    return Sweep(variants, store.table(), ran, took, path)
+    return Sweep(variants, store.table(), ran, took, path, _notes(model, plan, variants.values))
+
+
+def _notes(model: Model, plan: Plan, variants: Array) -> list[str]:
+    """What is to be said of all variants together."""
+    told = _machinist.negative_inertias(
+        model._machine, plan.settings, list(plan.names), np.ascontiguousarray(variants)
+    )
+    if told is None:
+        return []
+    count, first, note = told
+    return [f"{count} of {len(variants)} variants, the first is {first}: {note}"]
 
 
 def _here(
@@ -215,6 +226,7 @@ class Sweep:
         ran: int,
         took: tuple[float, float],
         path: str | os.PathLike[str] | None,
+        notes: list[str],
     ) -> None:
         #: What was run.
         self.design = variants
@@ -226,6 +238,8 @@ class Sweep:
         self.seconds, self.computing = took
         #: The folder or file of results, if there is one.
         self.path = path
+        #: What is remarkable: variants with a mass of the wrong sign.
+        self.notes = notes
 
     @property
     def failed(self) -> dict[int, str]:
@@ -271,7 +285,8 @@ class Sweep:
         return heading, rows
 
     def __repr__(self) -> str:
-        return "\n".join([self._title(), *text(*self._rows())])
+        notes = [f"note: {note}" for note in self.notes]
+        return "\n".join([self._title(), *text(*self._rows()), *notes])
 
     def _repr_html_(self) -> str:
         return html(self._title(), *self._rows())

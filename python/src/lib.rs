@@ -40,6 +40,8 @@ mod _machinist {
     #[pymodule_export]
     use crate::run::Run;
     #[pymodule_export]
+    use crate::sweep::negative_inertias;
+    #[pymodule_export]
     use crate::sweep::sweep_piece;
 
     use machinist::Method;

@@ -35,11 +35,7 @@ pub fn sweep_piece<'py>(
     threads: usize,
 ) -> Result<Piece<'py>, Failure> {
     let settings = Settings::of(settings)?;
-    if values.shape()[1] != names.len() {
-        let message = format!("{} columns for {} parameters", values.shape()[1], names.len());
-        return Err(Failure::Refused("ShapeError", message));
-    }
-    let rows: Vec<Vec<f64>> = values.as_array().rows().into_iter().map(|r| r.to_vec()).collect();
+    let rows = rows(&values, &names)?;
     let (width, found) = py.detach(|| -> Result<_, Failure> {
         let (wanted, variants) = machine
             .source
@@ -77,6 +73,36 @@ pub fn sweep_piece<'py>(
         }
     }
     Ok((table, PyArray1::from_vec(py, steps), errors))
+}
+
+/// How many variants have a mass of the wrong sign, the first of them and what a run says of it.
+#[pyfunction]
+#[expect(clippy::needless_pass_by_value, reason = "as Python hands it over")]
+pub fn negative_inertias(
+    py: Python<'_>,
+    machine: &Machine,
+    settings: &Bound<'_, PyDict>,
+    names: Vec<String>,
+    values: PyReadonlyArray2<'_, f64>,
+) -> Result<Option<(usize, usize, String)>, Failure> {
+    let settings = Settings::of(settings)?;
+    let rows = rows(&values, &names)?;
+    py.detach(|| {
+        machine.source.with(|simulator| {
+            let first = settings.apply(Simulation::new(simulator))?;
+            let (_, variants) = prepared(simulator, &settings, &names, &rows, &[], false)?;
+            Ok(first.negative_inertias(&variants))
+        })?
+    })
+}
+
+/// A row a variant, of as many numbers as there are names.
+fn rows(values: &PyReadonlyArray2<'_, f64>, names: &[String]) -> Result<Vec<Vec<f64>>, Failure> {
+    if values.shape()[1] != names.len() {
+        let message = format!("{} columns for {} parameters", values.shape()[1], names.len());
+        return Err(Failure::Refused("ShapeError", message));
+    }
+    Ok(values.as_array().rows().into_iter().map(|row| row.to_vec()).collect())
 }
 
 /// What is wanted, and all parameters of every variant; refuses what no variant could do.

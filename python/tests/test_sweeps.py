@@ -87,6 +87,15 @@ def test_a_variant_that_fails_or_takes_too_long_is_a_row_with_its_reason(gin):
     assert "limit of 0.3 s" in lanes.failed[0]
 
 
+def test_masses_of_the_wrong_sign_are_told_of():
+    drive = machinist.load("two_mass")
+    swept = drive.sweep({"driver.inertia": [0.05, -1.0, -2.0]}, until=0.01)
+    (note,) = swept.notes
+    assert note.startswith("2 of 3 variants, the first is 1: the inertia of `driver.phi` is negative")
+    assert f"note: {note}" in repr(swept)
+    assert drive.sweep({"driver.inertia": [0.05, 0.1]}, until=0.01).notes == []
+
+
 def test_what_is_in_a_folder_is_not_run_again(gin, tmp_path):
     ask = {"kind": "latin", "n": 60, "path": tmp_path, "chunk_seconds": 1e-3, **SHORT}
     pytest.importorskip("scipy")

@@ -131,6 +131,17 @@ impl Simulation<'_> {
         is_whole.then(|| self.negative_inertia_at(&state)).flatten()
     }
 
+    /// How many of some variants, each with all its parameters, have such a motion, which is the
+    /// first and what is said of it; nothing if none has.
+    #[must_use]
+    pub fn negative_inertias(&self, variants: &[Vec<f64>]) -> Option<(usize, usize, String)> {
+        let told = |all: &Vec<f64>| self.clone().parameters(all).negative_inertia();
+        let mut found =
+            variants.iter().enumerate().filter_map(|(index, all)| Some((index, told(all)?)));
+        let (first, note) = found.next()?;
+        Some((1 + found.count(), first, note))
+    }
+
     pub(super) fn negative_inertia_at(&self, state: &[f64]) -> Option<String> {
         /// Coordinates up to which a mass matrix is looked at as a whole; of more, the diagonal.
         const WHOLE: usize = 64;

@@ -108,14 +108,8 @@ impl Sweep {
     /// Tells beside the table, on standard error, of variants with a mass of the wrong sign.
     fn tell_of_negative_inertias(&self, simulator: &dyn Simulator<f64>, variants: &[Vec<f64>]) {
         let run = self.adjusted(Simulation::new(simulator), None);
-        let notes = variants
-            .iter()
-            .enumerate()
-            .filter_map(|(row, all)| Some((row, run.clone().parameters(all).negative_inertia()?)));
-        let notes: Vec<(usize, String)> = notes.collect();
-        if let Some((row, note)) = notes.first() {
-            let (count, row) = (notes.len(), row + 1);
-            let all = variants.len();
+        if let Some((count, first, note)) = run.negative_inertias(variants) {
+            let (all, row) = (variants.len(), first + 1);
             eprintln!("machinist: {count} of {all} variants, the first in row {row}: {note}");
         }
     }

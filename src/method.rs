@@ -22,6 +22,7 @@ mod lanes;
 pub(crate) mod loose;
 #[cfg(feature = "implicit")]
 mod lu;
+mod milestone;
 mod one_step;
 #[cfg(feature = "implicit")]
 mod onset;

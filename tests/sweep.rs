@@ -223,6 +223,33 @@ fn what_leaves_doubles_stops_as_alone_and_leaves_its_neighbours() {
 }
 
 #[test]
+fn a_variant_whose_steps_lead_nowhere_stops_as_alone_and_leaves_its_neighbours() {
+    fn each(run: Simulation<'_>) -> Simulation<'_> {
+        run.until(0.5).points(2).rtol(1e-6).max_steps(2_000_000).method(Method::Taylor)
+    }
+    // Steps of some 1e-14 of the run; and some that are many, but end.
+    let values = [1e4, 1e28, 1e13, 2e4];
+    let machine = InPairs(ModelSimulator::new(model_of_specs("saw_gin", Keep::Needed)));
+    let sweep = Sweep::new(&machine).each(each).vary("coupling.stiffness", &values);
+    let runs = sweep.expect("a parameter").run();
+    for (run, value) in runs.iter().zip(values) {
+        let alone = each(Simulation::new(machine.single())).parameter("coupling.stiffness", value);
+        let alone = one(&alone.expect("a parameter"));
+        let is_hopeless =
+            matches!(run, Err(SimulateError::Stopped { cause: StopCause::TooSlowPace { .. }, .. }));
+        assert_eq!(is_hopeless, value > 1e20, "{value:e}: {run:?}");
+        match (run, alone) {
+            (Ok(run), Ok(alone)) => {
+                assert_eq!(run.steps, alone.steps, "{value:e}");
+                assert_eq!(bits(&columns(run)), bits(&columns(&alone)), "{value:e}");
+            }
+            (Err(run), Err(alone)) => assert_eq!(run.to_string(), alone.to_string()),
+            other => panic!("{value:e}: {other:?}"),
+        }
+    }
+}
+
+#[test]
 fn machines_with_events_run_one_by_one() {
     let machine = &bouncing_mass::BouncingMass;
     let name = <_ as Describe>::parameter(machine, 0).name;

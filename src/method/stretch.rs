@@ -1,5 +1,6 @@
 //! A stretch of a run without jumps, and the samples wanted of the run.
 
+use super::milestone::too_slow;
 use super::system::FLOWS;
 use super::{Problem, Stopped, System, Watch};
 use crate::error::StopCause;
@@ -172,15 +173,10 @@ impl<'a> Stretch<'a> {
     /// The cause to end at `time` if all steps are taken, or if all that may be taken lead nowhere
     /// near the end of the stretch.
     pub(super) fn out_of_steps(&self, time: f64) -> Option<StopCause> {
-        /// So many times the limit on steps at the pace of the last ones: no run becomes so much
-        /// faster that it would end after all.
-        const HOPELESS: f64 = 1e5;
         if self.system.work().steps >= self.max_steps as u64 {
             return Some(StopCause::TooManySteps { limit: self.max_steps });
         }
-        let step = self.system.pace(time)?;
-        let steps = (self.until - time) / step;
-        (steps > HOPELESS * self.max_steps as f64).then_some(StopCause::TooSlowPace { step, steps })
+        too_slow(self.system.pace(time)?, self.until - time, self.max_steps)
     }
 
     /// The cause behind steps that became too short or too many: chattering, if that is

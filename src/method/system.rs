@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use super::Stopped;
 use super::loose::Trial;
+use super::milestone::Milestone;
 use crate::constraints::Constraints;
 use crate::error::StopCause;
 use crate::method::reverse::Log;
@@ -63,8 +64,7 @@ pub struct System<'a> {
     /// Length of the run that this is a piece of \[s\]; 0 if it is none.
     whole: f64,
     has_stepped: Cell<bool>,
-    /// Steps and time when last the pace was measured.
-    milestone: Cell<(u64, f64)>,
+    milestone: Cell<Milestone>,
     /// What is tried with loose steps, while it is.
     trial: Cell<Option<Trial>>,
 }
@@ -334,18 +334,13 @@ impl<'a> System<'a> {
     /// The mean of many steps, of which the last ended at `time` \[s\]; once in as many. Nothing of a
     /// run that others may leave before its end, which need not be meant to be reached.
     pub(super) fn pace(&self, time: f64) -> Option<f64> {
-        /// A start from rest, a contact or a run-in is over by then.
-        const MANY: u64 = 100_000;
         if self.deadline.is_some() || self.asked.is_some() || self.onlooker.is_some() {
             return None;
         }
-        let steps = self.work().steps;
-        let (earlier, from) = self.milestone.get();
-        if steps.saturating_sub(earlier) < MANY {
-            return None;
-        }
-        self.milestone.set((steps, time));
-        (earlier > 0).then(|| (time - from) / (steps - earlier) as f64)
+        let mut milestone = self.milestone.get();
+        let pace = milestone.pace(self.work().steps, time);
+        self.milestone.set(milestone);
+        pace
     }
 
     /// Begins or ends to try loose steps; gives what was tried.

@@ -263,12 +263,13 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         let stuck = passed & self.clock.stuck();
         for index in places(exhausted | stuck) {
             let Some(lane) = &mut lanes[index] else { continue };
-            let cause = if exhausted >> index & 1 == 1 {
-                StopCause::TooManySteps { limit: lane.variant.max_steps }
-            } else {
-                StopCause::StepTooSmall
-            };
-            lane.stop(self.clock.time.lane(index), cause);
+            let (steps, time) = (self.clock.steps.lane(index) as u64, self.clock.time.lane(index));
+            let cause = lane.out_of_steps(steps, time);
+            self.clock.allow(index, lane);
+            let stuck = (stuck >> index & 1 == 1).then_some(StopCause::StepTooSmall);
+            if let Some(cause) = cause.or(stuck) {
+                lane.stop(time, cause);
+            }
         }
         for index in places(starting) {
             self.clock.waits.set_lane(index, 0.0);

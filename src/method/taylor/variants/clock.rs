@@ -29,7 +29,7 @@ pub(super) struct Clock<R> {
     /// When the next sample is due.
     pub(super) sample: R,
     pub(super) steps: R,
-    /// So many steps are too many.
+    /// After so many steps a lane is asked whether it goes on.
     most: R,
     /// Start and length of the whole run.
     start: R,
@@ -66,7 +66,7 @@ impl<R: Lanes> Clock<R> {
         self.running |= 1 << index;
         self.time.set_lane(index, lane.from());
         self.steps.set_lane(index, 0.0);
-        self.most.set_lane(index, lane.variant.max_steps as f64);
+        self.allow(index, lane);
         self.sample.set_lane(index, lane.next_sample());
         let (start, whole) = lane.span();
         self.start.set_lane(index, start);
@@ -84,6 +84,11 @@ impl<R: Lanes> Clock<R> {
         self.longest.set_lane(index, (until - from) / GROWTH);
         self.longest_at_rest.set_lane(index, (until - from) / LOOKS);
         self.waits.set_lane(index, 1.0);
+    }
+
+    /// Lets a lane take more steps until it is asked.
+    pub(super) fn allow(&mut self, index: usize, lane: &Lane) {
+        self.most.set_lane(index, lane.steps_at_once() as f64);
     }
 
     /// Leaves a lane idle.
@@ -129,7 +134,7 @@ impl<R: Lanes> Clock<R> {
         smaller(step, self.longest)
     }
 
-    /// Lanes that have taken too many steps.
+    /// Lanes that have taken as many steps as they may without being asked.
     pub(super) fn exhausted(&self) -> u32 {
         !R::less(self.steps, self.most)
     }

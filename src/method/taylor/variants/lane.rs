@@ -1,6 +1,7 @@
 //! A variant, and what it is at in its lane.
 
 use crate::error::StopCause;
+use crate::method::milestone::{Milestone, too_slow};
 use crate::method::{Stopped, Work};
 
 /// A variant of a machine, to be run.
@@ -43,6 +44,7 @@ pub(super) struct Lane {
     pub(super) taken: usize,
     pub(super) rejected: u64,
     pub(super) stopped: Option<Stopped>,
+    milestone: Milestone,
     /// Whether it has taken too many loose steps.
     pub(super) is_over: bool,
 }
@@ -56,6 +58,7 @@ impl Lane {
             taken: 0,
             rejected: 0,
             stopped: None,
+            milestone: Milestone::default(),
             is_over: false,
             variant,
         }
@@ -78,6 +81,20 @@ impl Lane {
     /// The time of the sample that is due next; infinite if there is none.
     pub(super) fn next_sample(&self) -> f64 {
         self.variant.times.get(self.taken).copied().unwrap_or(f64::INFINITY)
+    }
+
+    /// After so many steps it is to be asked whether the variant goes on.
+    pub(super) fn steps_at_once(&self) -> u64 {
+        self.milestone.next().min(self.variant.max_steps as u64)
+    }
+
+    /// As [`crate::method::Stretch::out_of_steps`], after steps up to a time.
+    pub(super) fn out_of_steps(&mut self, steps: u64, time: f64) -> Option<StopCause> {
+        let limit = self.variant.max_steps;
+        if steps >= limit as u64 {
+            return Some(StopCause::TooManySteps { limit });
+        }
+        too_slow(self.milestone.pace(steps, time)?, self.until() - time, limit)
     }
 
     pub(super) fn stop(&mut self, time: f64, cause: StopCause) {

@@ -4,7 +4,7 @@
 use std::cell::RefCell;
 
 use crate::common::{HardSpring, Scalar};
-use crate::own_scene::of_specs;
+use crate::own_scene::{of_specs, of_text};
 use machinist::error::StopCause;
 use machinist::method::Work;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
@@ -280,6 +280,40 @@ fn auto_doubts_an_explicit_method_whose_steps_rounding_keeps_short() {
         let found = error(&preload, &auto, &exact);
         assert!(found < 100.0 * rtol, "{found:e} at {rtol:e}");
     }
+}
+
+#[test]
+fn doubts_cost_little_where_accuracy_holds_steps_near_what_is_stable() {
+    let text = r#"
+        [scene]
+        name = "late"
+        title = "A hard spring whose damper fails"
+        [units.s]
+        unit = "s"
+        [outputs]
+        x = "s.x"
+        [run]
+        until = 400.0
+        points = 3
+        [initial]
+        "s.x" = 0.1
+        [define.s.coordinates]
+        x = { unit = "m" }
+        [define.s.parameters]
+        c = { value = 1e5, unit = "N*s/m", doc = "damping at first" }
+        [define.s.energy]
+        kinetic = "1 [kg]*x_dot^2/2"
+        potential = "1e4 [N/m]*x^2/2 + 1e5 [N/m^3]*x^4/4"
+        dissipation = "c*(1 - tanh(20 [1/s]*(t - 1 [s])))*x_dot^2/4"
+        "#;
+    let scene = of_text(text, Keep::Needed);
+    let auto = Simulation::new(&scene).method(Method::Auto).rtol(1e-5).run().unwrap();
+    println!("{:?} {:?}", auto.notes, auto.work);
+    let is_doubted = |note: &&String| note.contains("steps stayed near what stability allows");
+    let doubts = auto.notes.iter().filter(is_doubted).count();
+    assert!((1..8).contains(&doubts), "{:?}", auto.notes);
+    // Of steps by series there are none.
+    assert!(auto.work.factorizations < auto.work.steps / 20, "{:?}", auto.work);
 }
 
 #[test]

@@ -233,8 +233,8 @@ impl<'a> Choice<'a> {
     ) -> Result<(), Stopped> {
         let mut changes = 0;
         let mut patience = STIFF_STEPS;
-        // Of having left the implicit method.
-        let mut doubt = None::<Doubt>;
+        // Of having left the implicit method, and whether that is why it is tried.
+        let (mut doubt, mut is_doubted) = (None::<Doubt>, false);
         let mut caution = Caution::default();
         let mut left = Left { time: stretch.from, step: 0.0 };
         let mut is_explicit = !self.is_stiff_from_the_start;
@@ -245,28 +245,31 @@ impl<'a> Choice<'a> {
             if is_explicit {
                 let mut evidence = Evidence::of(patience);
                 let mut seen = 0.0;
-                let mut why = "steps were held by stability";
                 let is_stiff = |method: &M, step| {
                     let looked_at = look(method, step);
                     seen = looked_at.unwrap_or(seen);
                     let is_stiff =
                         looked_at.is_some_and(|strain| evidence.grows(strain > self.limit));
                     let is_due = doubt.as_mut().is_some_and(|doubt| doubt.grows(seen / self.limit));
-                    if is_due && !is_stiff {
-                        why = "steps stayed near what stability allows";
-                    }
+                    is_doubted = is_due && !is_stiff;
                     is_stiff || is_due
                 };
                 let Some(at) = drive(explicit, stretch, left, state, samples, is_stiff)? else {
                     return Ok(());
                 };
                 left = at;
+                let why = if is_doubted {
+                    "steps stayed near what stability allows"
+                } else {
+                    "steps were held by stability"
+                };
                 stretch.system.note(format!(
                     "{} instead of {} from t = {:.6} s on: {why}, |h lambda| = {seen:.1}",
                     self.implicit_name, self.explicit_name, left.time,
                 ));
             }
-            changes += 2;
+            // Doubts become rare by themselves.
+            changes += if is_doubted { 0 } else { 2 };
             let may_return = changes < MOST_CHANGES;
             let mut steps = 0;
             let at = self.implicit_stretch(
@@ -285,11 +288,13 @@ impl<'a> Choice<'a> {
                 self.explicit_name, self.implicit_name, at.time
             ));
             // What was changed for nothing is changed less readily.
-            let was_for_nothing = is_explicit && steps < 2 * STIFF_STEPS;
-            if was_for_nothing {
+            if is_explicit && steps < 2 * STIFF_STEPS {
                 patience *= 2;
             }
-            doubt.get_or_insert_with(|| Doubt::new(stretch.system.states())).begin(was_for_nothing);
+            let states = stretch.system.states();
+            let step = (at.time - left.time) / steps as f64;
+            let was_right = step > worth(states) * left.step;
+            doubt.get_or_insert_with(|| Doubt::new(states)).begin(is_doubted && !was_right);
             is_explicit = true;
             explicit.hold_to(stretch.rtol / caution.strictness(stretch.rtol));
             explicit.begin(at.time, state);

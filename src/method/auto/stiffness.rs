@@ -147,10 +147,10 @@ impl Doubt {
         Self { steps: 0.0, enough: worth_beginning(states) }
     }
 
-    /// The explicit method goes on; another try that was for nothing is not repeated as soon.
-    pub(super) fn begin(&mut self, was_for_nothing: bool) {
+    /// The explicit method goes on; a doubt that was wrong is not repeated as soon.
+    pub(super) fn begin(&mut self, was_wrong: bool) {
         self.steps = 0.0;
-        if was_for_nothing {
+        if was_wrong {
             self.enough *= 2.0;
         }
     }

@@ -10,6 +10,7 @@ use machinist::method::Work;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
+use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;
 use machinist_studies::stability::machines::{PROTHERO_ROBINSON, ROBERTSON, VAN_DER_POL};
 
@@ -282,9 +283,10 @@ fn auto_doubts_an_explicit_method_whose_steps_rounding_keeps_short() {
     }
 }
 
-#[test]
-fn doubts_cost_little_where_accuracy_holds_steps_near_what_is_stable() {
-    let text = r#"
+/// A hard spring whose damper fails after a second, as an expression says that goes from 1 to 0.
+fn hard_spring_once_damped(failing: &str) -> ModelSimulator {
+    let text = format!(
+        r#"
         [scene]
         name = "late"
         title = "A hard spring whose damper fails"
@@ -298,15 +300,21 @@ fn doubts_cost_little_where_accuracy_holds_steps_near_what_is_stable() {
         [initial]
         "s.x" = 0.1
         [define.s.coordinates]
-        x = { unit = "m" }
+        x = {{ unit = "m" }}
         [define.s.parameters]
-        c = { value = 1e5, unit = "N*s/m", doc = "damping at first" }
+        c = {{ value = 1e5, unit = "N*s/m", doc = "damping at first" }}
         [define.s.energy]
         kinetic = "1 [kg]*x_dot^2/2"
         potential = "1e4 [N/m]*x^2/2 + 1e5 [N/m^3]*x^4/4"
-        dissipation = "c*(1 - tanh(20 [1/s]*(t - 1 [s])))*x_dot^2/4"
-        "#;
-    let scene = of_text(text, Keep::Needed);
+        dissipation = "c*{failing}*x_dot^2/2"
+        "#
+    );
+    of_text(&text, Keep::Needed)
+}
+
+#[test]
+fn doubts_cost_little_where_accuracy_holds_steps_near_what_is_stable() {
+    let scene = hard_spring_once_damped("(1 - tanh(20 [1/s]*(t - 1 [s])))/2");
     let auto = Simulation::new(&scene).method(Method::Auto).rtol(1e-5).run().unwrap();
     println!("{:?} {:?}", auto.notes, auto.work);
     let is_doubted = |note: &&String| note.contains("steps stayed near what stability allows");
@@ -314,6 +322,23 @@ fn doubts_cost_little_where_accuracy_holds_steps_near_what_is_stable() {
     assert!((1..8).contains(&doubts), "{:?}", auto.notes);
     // Of steps by series there are none.
     assert!(auto.work.factorizations < auto.work.steps / 20, "{:?}", auto.work);
+}
+
+#[test]
+fn auto_leaves_series_whose_terms_are_no_numbers() {
+    // The exponential overflows at t = 18.7, and its terms before; the quotient is zero.
+    let scene = hard_spring_once_damped("1/(1 + exp(40 [1/s]*(t - 1 [s])))");
+    let run = |method, rtol| Simulation::new(&scene).method(method).rtol(rtol).until(25.0).run();
+    let exact = run(Method::Dop853, 1e-13).unwrap();
+    for rtol in [1e-5, 1e-8] {
+        let auto = run(Method::Auto, rtol).unwrap();
+        println!("{:?} {:?}", auto.notes, auto.work);
+        let is_told = |note: &String| note.starts_with("dop853 instead of taylor from t = 18.");
+        assert!(auto.notes.iter().any(is_told), "{:?}", auto.notes);
+        assert!(auto.work.steps < 20_000, "{:?}", auto.work);
+        let found = error(&scene, &auto, &exact);
+        assert!(found < 2e3 * rtol, "{found:e} at {rtol:e}");
+    }
 }
 
 #[test]

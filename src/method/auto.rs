@@ -81,19 +81,25 @@ impl Integrator for Auto {
                     strain.look(stretch, method.start(), step)
                 };
                 let mut method = TaylorSteps::new(stretch, series).looking_within();
-                if choice.is_stiff_from_the_start {
-                    return choice.alternate(&mut method, stretch, (state, samples), look);
+                if !choice.is_stiff_from_the_start {
+                    method.begin(stretch.from, state);
+                    if method.has_no_series() {
+                        stretch.system.note(
+                            "dop853 instead of taylor: the solution has no power series at the \
+                             start, as where a root begins at zero"
+                                .to_owned(),
+                        );
+                        return choice.by_pair(&DOP853, stretch, state, samples);
+                    }
                 }
-                method.begin(stretch.from, state);
-                if method.is_cut_short() {
-                    stretch.system.note(
-                        "dop853 instead of taylor: the solution has no power series at the start, \
-                         as where a root begins at zero"
-                            .to_owned(),
-                    );
-                    return choice.by_pair(&DOP853, stretch, state, samples);
-                }
-                choice.alternate(&mut method, stretch, (state, samples), look)
+                let left = choice.alternate(&mut method, stretch, (state, samples), look)?;
+                let Some(Left { time: from, .. }) = left else { return Ok(()) };
+                stretch.system.note(format!(
+                    "dop853 instead of taylor from t = {from:.6} s on: the solution has no power \
+                     series there, or none whose terms are numbers"
+                ));
+                let choice = Choice { is_stiff_from_the_start: false, ..choice };
+                choice.by_pair(&DOP853, &Stretch { from, ..*stretch }, state, samples)
             }
             Explicit::Pair(pair) => choice.by_pair(pair, stretch, state, samples),
         }
@@ -218,19 +224,20 @@ impl<'a> Choice<'a> {
         if !choice.is_stiff_from_the_start {
             method.begin(stretch.from, state);
         }
-        choice.alternate(&mut method, stretch, (state, samples), look)
+        // Pairs go on anywhere.
+        choice.alternate(&mut method, stretch, (state, samples), look).map(|_| ())
     }
 
     /// Goes on by an explicit method that has begun while nothing is stiff, and implicitly
     /// while something is; `look` gives |h lambda| after a step of the explicit method, or
-    /// nothing if it has not looked.
+    /// nothing if it has not looked. Where the explicit method cannot go on is the answer.
     fn alternate<M: OneStep>(
         &self,
         explicit: &mut M,
         stretch: &Stretch<'_>,
         (state, samples): (&mut [f64], &mut Samples<'_>),
         mut look: impl FnMut(&M, f64) -> Option<f64>,
-    ) -> Result<(), Stopped> {
+    ) -> Result<Option<Left>, Stopped> {
         let mut changes = 0;
         let mut patience = STIFF_STEPS;
         // Of having left the implicit method, and whether that is why it is tried.
@@ -244,7 +251,7 @@ impl<'a> Choice<'a> {
         loop {
             if is_explicit {
                 let mut evidence = Evidence::of(patience);
-                let mut seen = 0.0;
+                let (mut seen, mut is_cut_short) = (0.0, false);
                 let is_stiff = |method: &M, step| {
                     let looked_at = look(method, step);
                     seen = looked_at.unwrap_or(seen);
@@ -252,12 +259,16 @@ impl<'a> Choice<'a> {
                         looked_at.is_some_and(|strain| evidence.grows(strain > self.limit));
                     let is_due = doubt.as_mut().is_some_and(|doubt| doubt.grows(seen / self.limit));
                     is_doubted = is_due && !is_stiff;
-                    is_stiff || is_due
+                    is_cut_short = method.is_cut_short();
+                    is_stiff || is_due || is_cut_short
                 };
                 let Some(at) = drive(explicit, stretch, left, state, samples, is_stiff)? else {
-                    return Ok(());
+                    return Ok(None);
                 };
                 left = at;
+                if is_cut_short {
+                    return Ok(Some(left));
+                }
                 let why = if is_doubted {
                     "steps stayed near what stability allows"
                 } else {
@@ -282,7 +293,7 @@ impl<'a> Choice<'a> {
                     may_return && easy
                 },
             )?;
-            let Some(at) = at else { return Ok(()) };
+            let Some(at) = at else { return Ok(None) };
             stretch.system.note(format!(
                 "{} instead of {} from t = {:.6} s on: no longer stiff",
                 self.explicit_name, self.implicit_name, at.time
@@ -299,6 +310,9 @@ impl<'a> Choice<'a> {
             explicit.hold_to(stretch.rtol / caution.strictness(stretch.rtol));
             explicit.begin(at.time, state);
             left = Left { step: explicit.own_step().unwrap_or(at.step), ..at };
+            if explicit.is_cut_short() {
+                return Ok(Some(left));
+            }
         }
     }
 

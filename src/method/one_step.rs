@@ -64,6 +64,13 @@ pub(crate) trait OneStep {
         false
     }
 
+    /// Whether much less is known of the solution ahead than is wanted, by a method that knows it
+    /// before it steps.
+    #[cfg(feature = "implicit")]
+    fn is_cut_short(&self) -> bool {
+        false
+    }
+
     /// Carries sensitivities over the current step, from its start to its end; gives their
     /// error over what is allowed, as [`Tangents::error`] has it.
     fn carry(&mut self, _tangents: &Tangents<'_>, _start: &[f64], _end: &mut [f64]) -> f64 {

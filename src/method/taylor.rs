@@ -143,6 +143,12 @@ impl<'a> TaylorSteps<'a> {
         order_for(rtol)
     }
 
+    /// Whether so few coefficients are finite that the solution has no power series.
+    #[cfg(feature = "implicit")]
+    pub(super) fn has_no_series(&self) -> bool {
+        self.finite < FEW
+    }
+
     /// Time and states at the start of the next step.
     #[cfg(feature = "implicit")]
     pub(super) fn start(&self) -> (f64, &[f64]) {
@@ -180,12 +186,6 @@ impl<'a> TaylorSteps<'a> {
         let broken = self.current.iter().position(|value| !value.is_finite());
         // State and rate are finite: what is not has been refused as a step's end.
         broken.map_or(self.order, |index| (index / self.states).max(2) - 1)
-    }
-
-    /// Whether so few coefficients are finite that steps would be of low order.
-    #[cfg(feature = "implicit")]
-    pub(super) fn is_cut_short(&self) -> bool {
-        self.finite < FEW
     }
 
     /// The coefficients that count.
@@ -308,6 +308,11 @@ impl OneStep for TaylorSteps<'_> {
 
     fn own_step(&mut self) -> Option<f64> {
         Some(self.first_step())
+    }
+
+    #[cfg(feature = "implicit")]
+    fn is_cut_short(&self) -> bool {
+        2 * self.finite < self.order
     }
 
     fn knows_ahead(&self) -> bool {

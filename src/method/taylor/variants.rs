@@ -320,6 +320,11 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             return true;
         }
         let order = broken / self.states - 1;
+        if self.overseer.is_some() && 2 * order < self.order {
+            // Who looks at the steps does not go on so.
+            lane.stop(self.clock.time.lane(index), StopCause::Interrupted);
+            return true;
+        }
         for value in &mut self.current[(order + 1) * self.states..] {
             value.set_lane(index, 0.0);
         }

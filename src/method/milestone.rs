@@ -33,8 +33,17 @@ impl Milestone {
     }
 }
 
-/// The cause to end if what is `left` \[s\] takes far too many steps of this length.
-pub(super) fn too_slow(step: f64, left: f64, max_steps: usize) -> Option<StopCause> {
+/// The cause to end after so many steps if they are all that may be taken, or if what is `left` \[s\]
+/// takes far too many steps of the length that is measured now and then.
+pub(super) fn out_of_steps(
+    (steps, limit): (u64, usize),
+    left: f64,
+    pace: impl FnOnce() -> Option<f64>,
+) -> Option<StopCause> {
+    if steps >= limit as u64 {
+        return Some(StopCause::TooManySteps { limit });
+    }
+    let step = pace()?;
     let steps = left / step;
-    (steps > HOPELESS * max_steps as f64).then_some(StopCause::TooSlowPace { step, steps })
+    (steps > HOPELESS * limit as f64).then_some(StopCause::TooSlowPace { step, steps })
 }

@@ -1,6 +1,6 @@
 //! A stretch of a run without jumps, and the samples wanted of the run.
 
-use super::milestone::too_slow;
+use super::milestone::out_of_steps;
 use super::system::FLOWS;
 use super::{Problem, Stopped, System, Watch};
 use crate::error::StopCause;
@@ -173,10 +173,8 @@ impl<'a> Stretch<'a> {
     /// The cause to end at `time` if all steps are taken, or if all that may be taken lead nowhere
     /// near the end of the stretch.
     pub(super) fn out_of_steps(&self, time: f64) -> Option<StopCause> {
-        if self.system.work().steps >= self.max_steps as u64 {
-            return Some(StopCause::TooManySteps { limit: self.max_steps });
-        }
-        too_slow(self.system.pace(time)?, self.until - time, self.max_steps)
+        let steps = self.system.work().steps;
+        out_of_steps((steps, self.max_steps), self.until - time, || self.system.pace(time))
     }
 
     /// The cause behind steps that became too short or too many: chattering, if that is

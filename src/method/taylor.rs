@@ -312,7 +312,7 @@ impl OneStep for TaylorSteps<'_> {
 
     #[cfg(feature = "implicit")]
     fn is_cut_short(&self) -> bool {
-        2 * self.finite < self.order
+        step::is_cut_short(self.finite, self.order)
     }
 
     fn knows_ahead(&self) -> bool {

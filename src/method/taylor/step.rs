@@ -211,6 +211,12 @@ pub(super) fn limit(terms: usize) -> f64 {
     (LARGEST_ERROR * terms as f64).next_up()
 }
 
+/// Whether coefficients are finite up to an order that is much lower than is wanted.
+#[cfg(any(feature = "implicit", feature = "sweep"))]
+pub(super) fn is_cut_short(finite: usize, order: usize) -> bool {
+    2 * finite < order
+}
+
 /// How steps shrink whose error is too large; how long the next one is, the series
 /// says.
 pub(super) fn pace(order: usize) -> Pace {

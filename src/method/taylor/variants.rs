@@ -320,7 +320,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             return true;
         }
         let order = broken / self.states - 1;
-        if self.overseer.is_some() && 2 * order < self.order {
+        if self.overseer.is_some() && step::is_cut_short(order, self.order) {
             // Who looks at the steps does not go on so.
             lane.stop(self.clock.time.lane(index), StopCause::Interrupted);
             return true;

@@ -1,7 +1,7 @@
 //! A variant, and what it is at in its lane.
 
 use crate::error::StopCause;
-use crate::method::milestone::{Milestone, too_slow};
+use crate::method::milestone::{Milestone, out_of_steps};
 use crate::method::{Stopped, Work};
 
 /// A variant of a machine, to be run.
@@ -90,11 +90,8 @@ impl Lane {
 
     /// As [`crate::method::Stretch::out_of_steps`], after steps up to a time.
     pub(super) fn out_of_steps(&mut self, steps: u64, time: f64) -> Option<StopCause> {
-        let limit = self.variant.max_steps;
-        if steps >= limit as u64 {
-            return Some(StopCause::TooManySteps { limit });
-        }
-        too_slow(self.milestone.pace(steps, time)?, self.until() - time, limit)
+        let left = self.until() - time;
+        out_of_steps((steps, self.variant.max_steps), left, || self.milestone.pace(steps, time))
     }
 
     pub(super) fn stop(&mut self, time: f64, cause: StopCause) {

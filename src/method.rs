@@ -26,6 +26,7 @@ mod milestone;
 mod one_step;
 #[cfg(feature = "implicit")]
 mod onset;
+pub(crate) mod patience;
 #[cfg(feature = "implicit")]
 pub mod published;
 #[cfg(feature = "implicit")]

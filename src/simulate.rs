@@ -18,6 +18,7 @@ use crate::error::{NotCompiledIn, SimulateError, StopCause, did_you_mean};
 use crate::method::cut;
 #[cfg(feature = "sweep")]
 use crate::method::loose::few;
+use crate::method::patience::Patience;
 use crate::method::reverse::Log;
 use crate::method::sensitivity::{By, Start, Tangents, columns};
 #[cfg(feature = "sweep")]
@@ -87,9 +88,7 @@ pub struct Simulation<'a> {
     energy_balance: bool,
     sensitivities: Vec<By>,
     controls_sensitivities: bool,
-    time_limit: Option<Duration>,
-    interrupt: Option<&'a AtomicBool>,
-    asked: Option<&'a dyn Fn() -> Option<StopCause>>,
+    patience: Patience<'a>,
 }
 
 #[derive(Clone)]
@@ -131,9 +130,7 @@ impl<'a> Simulation<'a> {
             energy_balance: false,
             sensitivities: Vec::new(),
             controls_sensitivities: true,
-            time_limit: None,
-            interrupt: None,
-            asked: None,
+            patience: Patience::default(),
         }
     }
 
@@ -291,24 +288,23 @@ impl<'a> Simulation<'a> {
     }
 
     /// Stops with [`StopCause::TooSlow`] soon after each run has computed for so long; there is
-    /// no limit unless set. Runs in the lanes of a sweep do not look at it.
+    /// no limit unless set. Runs in the lanes of a sweep share the time that they take together.
     pub fn time_limit(mut self, limit: Duration) -> Self {
-        self.time_limit = Some(limit);
+        self.patience.limit = Some(limit);
         self
     }
 
     /// Stops with [`StopCause::Interrupted`] soon after
     /// somebody sets this flag; what there is of the run is handed over with the error.
-    /// Runs in the lanes of a sweep do not look at it.
     pub fn until_flagged(mut self, flag: &'a AtomicBool) -> Self {
-        self.interrupt = Some(flag);
+        self.patience.flag = Some(flag);
         self
     }
 
     /// As [`Simulation::until_flagged`], once this says why, which is asked after every step: for
     /// somebody who cannot set a flag meanwhile, or for a limit on several runs together.
     pub fn until_told(mut self, why: &'a dyn Fn() -> Option<StopCause>) -> Self {
-        self.asked = Some(why);
+        self.patience.asked = Some(why);
         self
     }
 
@@ -386,8 +382,15 @@ impl<'a> Simulation<'a> {
             times: self.checked_times()?,
             atol,
             max_steps: self.max_steps,
+            time_spent: Duration::ZERO,
             initial,
         })
+    }
+
+    /// How long the run may go on.
+    #[cfg(feature = "sweep")]
+    pub(crate) fn patience(&self) -> Patience<'a> {
+        self.patience
     }
 
     /// The method of the run, and its relative tolerance.
@@ -436,9 +439,7 @@ impl<'a> Simulation<'a> {
         method.check(self.simulator)?;
         let mut initial = self.checked_initial_state()?;
         let system = System::new(self.simulator, parameters, self.energy_balance)
-            .until_flagged(self.interrupt)
-            .until_told(self.asked)
-            .within(self.time_limit)
+            .within(self.patience)
             .logged(log)
             .with_tangents(self.tangents(&initial)?);
         if method != asked {

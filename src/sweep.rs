@@ -10,13 +10,13 @@ use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_contract::{F64x2, SideBySide, Simulator};
 use rayon::prelude::*;
 
-use crate::error::SimulateError;
+use crate::error::{SimulateError, StopCause};
 use crate::lanes::{F64x8, Lanes};
 use crate::method::Method;
 #[cfg(feature = "implicit")]
 use crate::method::auto::in_lanes::goes_in_lanes;
 use crate::method::taylor::LEAST_RTOL;
-use crate::method::taylor::variants::{self, Ended, Outcome};
+use crate::method::taylor::variants::{self, Ended, Outcome, Spent};
 use crate::simulate::Simulation;
 use crate::trajectory::ColumnKind;
 
@@ -233,36 +233,38 @@ impl<'a> Sweep<'a> {
         // As `auto` does of a run of its own.
         let looks_within = method == Method::Auto && series.bends() == Bends::Saturates;
         let mut results: Vec<Option<Result<VariantRun, SimulateError>>> = vec![None; chunk.len()];
-        // Those that are still to be run, and the steps that each of them has taken in vain.
-        let mut left: Vec<(usize, u64)> = (0..chunk.len()).map(|index| (index, 0)).collect();
+        // Those that are still to be run, and what each of them has taken in vain.
+        let mut left: Vec<(usize, Spent)> =
+            (0..chunk.len()).map(|index| (index, Spent::default())).collect();
         for (rtol, is_left) in method.paces(rtol) {
             let variants = std::mem::take(&mut left);
             let (machine, how) = ((machine, series), (method, (rtol, is_left), looks_within));
             self.run_at_pace(chunk, variants, machine, how, |index, ended| match ended {
                 Ok(result) => results[index] = Some(result),
-                Err(steps) => left.push((index, steps)),
+                Err(spent) => left.push((index, spent)),
             });
         }
         Some(results.into_iter().flatten().collect())
     }
 
-    /// Runs variants of a chunk; `done` gets what came of each, or how many steps it has taken in
-    /// vain.
+    /// Runs variants of a chunk; `done` gets what came of each, or what it has taken in vain.
     fn run_at_pace<R: Lanes>(
         &self,
         chunk: &[Vec<f64>],
-        mut variants: Vec<(usize, u64)>,
+        mut variants: Vec<(usize, Spent)>,
         (machine, series): (&dyn SideBySide<R>, &dyn TaylorSeries<R>),
         (method, pace, looks_within): (Method, (f64, bool), bool),
-        mut done: impl FnMut(usize, Result<Result<VariantRun, SimulateError>, u64>),
+        mut done: impl FnMut(usize, Result<Result<VariantRun, SimulateError>, Spent>),
     ) {
+        let patience = (self.each)(Simulation::new(self.machine.single())).patience();
         let mut ready = Vec::with_capacity(variants.len());
         variants.retain(|(index, spent)| {
             match self.simulation(&chunk[*index]).variant_for(pace) {
                 // None of its steps may be loose.
                 Ok(variant) if variant.few == 0.0 => done(*index, Err(*spent)),
                 Ok(mut variant) => {
-                    variant.max_steps = variant.max_steps.saturating_sub(*spent as usize);
+                    variant.max_steps = variant.max_steps.saturating_sub(spent.steps as usize);
+                    variant.time_spent = spent.time;
                     ready.push(variant);
                     return true;
                 }
@@ -283,16 +285,21 @@ impl<'a> Sweep<'a> {
         }
         let times: Vec<Vec<f64>> = ready.iter().map(|variant| variant.times.clone()).collect();
         let mut ended = |number: usize, ended| {
-            let (index, spent): (usize, u64) = variants[number];
+            let (index, spent): (usize, Spent) = variants[number];
             let parameters = &chunk[index];
             let result = match ended {
-                Ended::Over(steps) => return done(index, Err(steps)),
+                Ended::Over(spent) => return done(index, Err(spent)),
                 Ended::Through(outcome) => {
                     let run = self.finished(parameters, &times[number], &outcome);
-                    Ok(VariantRun { steps: spent + run.steps, ..run })
+                    Ok(VariantRun { steps: spent.steps + run.steps, ..run })
                 }
                 // What `auto` would not do by Taylor's method; and it says more of what stops it.
-                Ended::Stopped(_) if method == Method::Auto => one(&self.simulation(parameters)),
+                Ended::Stopped(stopped)
+                    if method == Method::Auto
+                        && !matches!(stopped.cause, StopCause::TooSlow { .. }) =>
+                {
+                    one(&self.simulation(parameters))
+                }
                 Ended::Stopped(stopped) => Err(SimulateError::Stopped {
                     scene: self.machine.single().name().to_owned(),
                     method: method.name(),
@@ -304,7 +311,7 @@ impl<'a> Sweep<'a> {
             done(index, Ok(result));
         };
         let (ready, how) = (&mut ready.into_iter(), (pace.0, looks_within));
-        variants::integrate((machine, series), how, overseer, ready, &mut ended);
+        variants::integrate((machine, series), how, patience, overseer, ready, &mut ended);
     }
 
     fn finished(&self, parameters: &[f64], times: &[f64], outcome: &Outcome) -> VariantRun {

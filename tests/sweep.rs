@@ -1,5 +1,8 @@
 //! Many variants at once are what they are one by one, to the last bit.
 
+use std::sync::atomic::AtomicBool;
+use std::time::{Duration, Instant};
+
 use crate::own_scene::model_of_specs;
 use machinist::error::StopCause;
 use machinist::lanes::{F64x4, F64x8, Lanes};
@@ -245,6 +248,53 @@ fn a_variant_whose_steps_lead_nowhere_stops_as_alone_and_leaves_its_neighbours()
             }
             (Err(run), Err(alone)) => assert_eq!(run.to_string(), alone.to_string()),
             other => panic!("{value:e}: {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn a_variant_that_takes_too_long_stops_and_leaves_its_neighbours() {
+    // Steps of some 1e-14 of the run.
+    let values = [1e4, 1e28, 2e4, 3e4, 1e28];
+    let machine = InPairs(ModelSimulator::new(model_of_specs("saw_gin", Keep::Needed)));
+    for method in [Method::Taylor, Method::Tsit5] {
+        fn settings(run: Simulation<'_>, method: Method) -> Simulation<'_> {
+            let run = run.until(0.5).points(2).rtol(1e-6).max_steps(usize::MAX).method(method);
+            run.time_limit(Duration::from_secs(2))
+        }
+        let start = Instant::now();
+        let sweep = Sweep::new(&machine)
+            .each(|run| settings(run, method))
+            .vary("coupling.stiffness", &values);
+        let runs = sweep.expect("a parameter").run();
+        assert!(start.elapsed() < Duration::from_secs(20), "{:?}", start.elapsed());
+        for (run, value) in runs.iter().zip(values) {
+            match run {
+                Ok(run) => {
+                    let alone = settings(Simulation::new(machine.single()), method);
+                    let alone = alone.parameter("coupling.stiffness", value);
+                    let alone = one(&alone.expect("a parameter")).expect("a run");
+                    assert_eq!(bits(&columns(run)), bits(&columns(&alone)), "{value:e}");
+                }
+                Err(SimulateError::Stopped { cause: StopCause::TooSlow { seconds }, .. }) => {
+                    assert_eq!((value, *seconds), (1e28, 2.0));
+                }
+                Err(error) => panic!("{value:e}: {error}"),
+            }
+        }
+        assert_eq!(runs.iter().filter(|run| run.is_err()).count(), 2);
+    }
+}
+
+#[test]
+fn a_flag_stops_variants_in_lanes() {
+    let flag = AtomicBool::new(true);
+    for method in [Method::Taylor, Method::Auto] {
+        let sweep = Sweep::new(&saw_gin::SawGin)
+            .each(|run| run.until(1e9).points(2).method(method).until_flagged(&flag));
+        for run in sweep.vary("coupling.stiffness", &[1e4, 2e4]).expect("a parameter").run() {
+            let Err(SimulateError::Stopped { cause, .. }) = run else { panic!("{run:?}") };
+            assert_eq!(cause, StopCause::Interrupted);
         }
     }
 }

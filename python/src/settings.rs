@@ -2,7 +2,6 @@
 
 use std::time::Duration;
 
-use machinist::simulate::MAX_STEPS;
 use machinist::{Method, SimulateError, Simulation};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping, PyString};
@@ -86,19 +85,9 @@ impl Settings {
         Ok(())
     }
 
-    /// The method, if it is set.
-    pub fn method(&self) -> Option<Method> {
-        self.method
-    }
-
     /// Start time, if it is set \[s\].
     pub fn start(&self) -> Option<f64> {
         self.start
-    }
-
-    /// Steps at most.
-    pub fn max_steps(&self) -> usize {
-        self.max_steps.unwrap_or(MAX_STEPS)
     }
 
     /// A run so adjusted.

@@ -1,21 +1,16 @@
 //! Pieces of sweeps: some variants of a machine, on threads of this process.
 
-use machinist::error::{StopCause, nearest};
-use machinist::sweep::{Sweepable, VariantRun, Wanted, each_on_its_own, one};
-use machinist::{FieldSimulator, Method, SimulateError, Simulation, Sweep};
+use machinist::error::nearest;
+use machinist::sweep::{VariantRun, Wanted, each_on_its_own, one};
+use machinist::{FieldSimulator, SimulateError, Simulation, Sweep};
 use machinist_contract::Simulator;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use rayon::prelude::*;
 
 use crate::failure::Failure;
 use crate::machine::Machine;
 use crate::settings::Settings;
-
-/// Under a limit of time, variants run in lanes only for so many steps, since lanes do not look
-/// at a clock; what needs more begins anew on its own, with the same result.
-const STEPS_IN_LANES: usize = 50_000;
 
 /// Values of every variant, steps, and why it stopped if it did.
 type Piece<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u64>>, Vec<Option<String>>);
@@ -174,46 +169,9 @@ fn all_runs(
         };
         return each_on_its_own(variants, threads, || machine.source.cut(), run);
     };
-    let in_lanes = settings.method() == Some(Method::Taylor) && shared.in_lanes().is_some();
-    if settings.time_limit.is_none() || in_lanes {
-        let most = settings.time_limit.map(|_| settings.max_steps().min(STEPS_IN_LANES));
-        let sweep = Sweep::new(&shared).variants(variants.to_vec()).threads(threads);
-        let sweep = sweep.each(|run| {
-            // Names have been found before.
-            let run = settings.apply(run.clone()).unwrap_or(run);
-            most.into_iter().fold(run, Simulation::max_steps)
-        });
-        let mut runs = sweep.run();
-        if most.is_some_and(|most| most < settings.max_steps()) {
-            for (run, variant) in runs.iter_mut().zip(variants) {
-                if let Err(SimulateError::Stopped {
-                    cause: StopCause::TooManySteps { .. }, ..
-                }) = run
-                {
-                    *run = alone(shared.single(), settings, variant);
-                }
-            }
-        }
-        return Ok(runs);
-    }
-    Ok(one_by_one(&shared, settings, variants, threads))
-}
-
-/// Each on its own, on threads.
-fn one_by_one(
-    shared: &impl Sweepable,
-    settings: &Settings,
-    variants: &[Vec<f64>],
-    threads: usize,
-) -> Vec<Result<VariantRun, SimulateError>> {
-    let run_all = || {
-        let runs = variants.par_iter().with_max_len(1);
-        runs.map(|variant| alone(shared.single(), settings, variant)).collect()
-    };
-    match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
-        Ok(pool) => pool.install(run_all),
-        Err(_) => run_all(),
-    }
+    let sweep = Sweep::new(&shared).variants(variants.to_vec()).threads(threads);
+    // Names have been found before.
+    Ok(sweep.each(|run| settings.apply(run.clone()).unwrap_or(run)).run())
 }
 
 /// A variant on its own, within the limit of time.

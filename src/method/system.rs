@@ -1,12 +1,12 @@
 //! The equations a method integrates, and the count of how often it asks.
 
 use std::cell::{Cell, RefCell};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use super::Stopped;
 use super::loose::Trial;
 use super::milestone::Milestone;
+use super::patience::Patience;
 use crate::constraints::Constraints;
 use crate::error::StopCause;
 use crate::method::reverse::Log;
@@ -56,10 +56,9 @@ pub struct System<'a> {
     log: Option<&'a Log>,
     work: Cell<Work>,
     notes: RefCell<Vec<String>>,
-    interrupt: Option<&'a AtomicBool>,
-    asked: Option<&'a dyn Fn() -> Option<StopCause>>,
-    /// When it has to end, and how long that is after its start.
-    deadline: Option<(Instant, Duration)>,
+    patience: Patience<'a>,
+    /// When it began, if it may not take as long as it likes.
+    began: Option<Instant>,
     onlooker: Option<Onlooker<'a>>,
     /// Length of the run that this is a piece of \[s\]; 0 if it is none.
     whole: f64,
@@ -91,9 +90,8 @@ impl<'a> System<'a> {
             log: None,
             work: Cell::default(),
             notes: RefCell::default(),
-            interrupt: None,
-            asked: None,
-            deadline: None,
+            patience: Patience::default(),
+            began: None,
             onlooker: None,
             whole: 0.0,
             has_stepped: Cell::new(false),
@@ -102,21 +100,9 @@ impl<'a> System<'a> {
         }
     }
 
-    /// The same, to be left soon after a flag is set.
-    #[must_use]
-    pub fn until_flagged(self, interrupt: Option<&'a AtomicBool>) -> Self {
-        Self { interrupt, ..self }
-    }
-
-    /// The same, to be left after the step at which this says why.
-    pub(crate) fn until_told(self, asked: Option<&'a dyn Fn() -> Option<StopCause>>) -> Self {
-        Self { asked, ..self }
-    }
-
-    /// The same, to be left after so long from now on.
-    pub(crate) fn within(self, limit: Option<Duration>) -> Self {
-        let deadline = |limit| Some((Instant::now().checked_add(limit)?, limit));
-        Self { deadline: limit.and_then(deadline), ..self }
+    /// The same, that goes on only so long from now on.
+    pub(crate) fn within(self, patience: Patience<'a>) -> Self {
+        Self { patience, began: patience.limit.map(|_| Instant::now()), ..self }
     }
 
     /// The same, whose steps somebody looks at.
@@ -161,15 +147,7 @@ impl<'a> System<'a> {
 
     /// Why the run is to end where it is, if it is.
     pub(super) fn interruption(&self) -> Option<StopCause> {
-        if self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
-            return Some(StopCause::Interrupted);
-        }
-        if let Some((deadline, limit)) = self.deadline
-            && deadline <= Instant::now()
-        {
-            return Some(StopCause::TooSlow { seconds: limit.as_secs_f64() });
-        }
-        self.asked.and_then(|asked| asked())
+        self.patience.end(|| self.began.map_or(Duration::ZERO, |began| began.elapsed()))
     }
 
     /// The simulator, for methods that need more than rate and Jacobian.
@@ -334,7 +312,7 @@ impl<'a> System<'a> {
     /// The mean of many steps, of which the last ended at `time` \[s\]; once in as many. Nothing of a
     /// run that others may leave before its end, which need not be meant to be reached.
     pub(super) fn pace(&self, time: f64) -> Option<f64> {
-        if self.deadline.is_some() || self.asked.is_some() || self.onlooker.is_some() {
+        if self.patience.is_limited() || self.onlooker.is_some() {
             return None;
         }
         let mut milestone = self.milestone.get();

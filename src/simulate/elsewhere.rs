@@ -7,6 +7,7 @@ use machinist_contract::Simulator;
 
 use super::{Sampling, Simulation};
 use crate::method::Method;
+use crate::method::patience::Patience;
 use crate::method::sensitivity::By;
 
 /// A [`Simulation`] without its simulator, which threads may share; and without
@@ -27,15 +28,15 @@ pub(crate) struct Settings<'a> {
     energy_balance: bool,
     sensitivities: Vec<By>,
     controls_sensitivities: bool,
-    time_limit: Option<Duration>,
-    interrupt: Option<&'a AtomicBool>,
+    limit: Option<Duration>,
+    flag: Option<&'a AtomicBool>,
 }
 
 impl<'a> Simulation<'a> {
     /// They, if nobody asks by [`Simulation::until_told`].
     pub(crate) fn settings(&self) -> Option<Settings<'a>> {
         let own = self.clone();
-        own.asked.is_none().then_some(Settings {
+        own.patience.asked.is_none().then_some(Settings {
             parameters: own.parameters,
             initial_state: own.initial_state,
             initial_values: own.initial_values,
@@ -50,8 +51,8 @@ impl<'a> Simulation<'a> {
             energy_balance: own.energy_balance,
             sensitivities: own.sensitivities,
             controls_sensitivities: own.controls_sensitivities,
-            time_limit: own.time_limit,
-            interrupt: own.interrupt,
+            limit: own.patience.limit,
+            flag: own.patience.flag,
         })
     }
 }
@@ -75,9 +76,7 @@ impl<'a> Settings<'a> {
             energy_balance: self.energy_balance,
             sensitivities: self.sensitivities,
             controls_sensitivities: self.controls_sensitivities,
-            time_limit: self.time_limit,
-            interrupt: self.interrupt,
-            asked: None,
+            patience: Patience { flag: self.flag, asked: None, limit: self.limit },
         }
     }
 }

@@ -9,6 +9,8 @@ mod judge;
 mod lane;
 mod overseer;
 
+use std::time::{Duration, Instant};
+
 use machinist_contract::SideBySide;
 use machinist_contract::taylor::TaylorSeries;
 
@@ -17,21 +19,27 @@ use super::step::{self, Judges, Tolerance, order_for};
 use crate::error::StopCause;
 use crate::lanes::Lanes;
 use crate::method::one_step::resting;
+use crate::method::patience::Patience;
 use clock::Clock;
 use judge::zeros;
 use lane::Lane;
 
 pub(crate) use clock::places;
-pub(crate) use lane::{Ended, Outcome, Variant};
+pub(crate) use lane::{Ended, Outcome, Spent, Variant};
 pub(crate) use overseer::{Equations, Moment, Overseer};
 
-/// Runs variants of one relative tolerance until there are no more; `done` gets each
-/// with its number in the order of the iterator. Steps that are good at their ends are looked at
-/// in their middle too if told so. A variant that does not stay, by who looks at the steps if
-/// somebody does, is interrupted, and one of too many loose steps is left.
+/// Between looks at what may end variants from outside, all of them take so many steps.
+const TURNS: u32 = 16;
+
+/// Runs variants of one relative tolerance until there are no more, and each no longer than
+/// `patience` lasts; `done` gets each with its number in the order of the iterator. Steps that
+/// are good at their ends are looked at in their middle too if told so. A variant that does not
+/// stay, by who looks at the steps if somebody does, is interrupted, and one of too many loose
+/// steps is left.
 pub(crate) fn integrate<'a, R: Lanes>(
     (machine, series): (&'a dyn SideBySide<R>, &'a dyn TaylorSeries<R>),
     (rtol, looks_within): (f64, bool),
+    patience: Patience<'a>,
     overseer: Option<Box<dyn Overseer<R> + 'a>>,
     variants: &mut dyn Iterator<Item = Variant>,
     done: &mut dyn FnMut(usize, Ended),
@@ -44,6 +52,7 @@ pub(crate) fn integrate<'a, R: Lanes>(
     let mut bundle = Bundle::<R>::new((machine, series), rtol, &first.variant);
     bundle.middle = looks_within.then(|| Middle::new(&first.variant));
     bundle.overseer = overseer;
+    bundle.wait = Wait { patience, ..Wait::default() };
     for (index, lane) in lanes.iter_mut().enumerate() {
         match lane {
             Some(lane) => bundle.load(index, lane),
@@ -56,6 +65,7 @@ pub(crate) fn integrate<'a, R: Lanes>(
         bundle.expand();
         bundle.judge(&mut lanes);
         let finished = bundle.go_on(&mut lanes);
+        let finished = finished | bundle.lose_patience(!finished, &mut lanes);
         for index in places(finished) {
             let place = &mut lanes[index];
             if let Some(lane) = place.take() {
@@ -72,6 +82,31 @@ pub(crate) fn integrate<'a, R: Lanes>(
             bundle.equations.prepare();
         }
         bundle.leave();
+    }
+}
+
+/// How long lanes have computed.
+#[derive(Default)]
+struct Wait<'a> {
+    patience: Patience<'a>,
+    turns: u32,
+    /// When that was last looked at, if somebody limits it.
+    looked: Option<Instant>,
+}
+
+impl Wait<'_> {
+    /// Whether what may end variants is to be looked at, and then how long all have computed since
+    /// they were last.
+    fn look(&mut self) -> Option<Duration> {
+        let is_due = self.turns.is_multiple_of(TURNS);
+        self.turns = self.turns.wrapping_add(1);
+        if !is_due {
+            return None;
+        }
+        let now = self.patience.limit.map(|_| Instant::now());
+        let since = now.zip(self.looked).map(|(now, looked)| now - looked);
+        self.looked = now;
+        Some(since.unwrap_or_default())
     }
 }
 
@@ -134,6 +169,7 @@ struct Bundle<'a, R> {
     middle: Option<Middle<R>>,
     /// Who looks at the steps, if somebody does.
     overseer: Option<Box<dyn Overseer<R> + 'a>>,
+    wait: Wait<'a>,
 }
 
 impl<'a, R: Lanes> Bundle<'a, R> {
@@ -173,6 +209,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             scratch: vec![0.0; step::JUDGED.max(3) * states],
             middle: None,
             overseer: None,
+            wait: Wait::default(),
         }
     }
 
@@ -264,7 +301,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         for index in places(exhausted | stuck) {
             let Some(lane) = &mut lanes[index] else { continue };
             let (steps, time) = (self.clock.steps.lane(index) as u64, self.clock.time.lane(index));
-            let cause = lane.out_of_steps(steps, time);
+            let cause = lane.out_of_steps(steps, time, &self.wait.patience);
             self.clock.allow(index, lane);
             let stuck = (stuck >> index & 1 == 1).then_some(StopCause::StepTooSmall);
             if let Some(cause) = cause.or(stuck) {
@@ -295,6 +332,22 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             }
         }
         done
+    }
+
+    /// Stops those of these lanes that have computed for too long, each for its share of the time,
+    /// or that are told to end; gives them.
+    fn lose_patience(&mut self, of: u32, lanes: &mut [Option<Lane>]) -> u32 {
+        let Some(since) = self.wait.look() else { return 0 };
+        let share = since / self.clock.running.count_ones();
+        let mut ended = 0;
+        for index in places(self.clock.running & of) {
+            let Some(lane) = &mut lanes[index] else { continue };
+            if let Some(cause) = lane.out_of_patience(share, &self.wait.patience) {
+                lane.stop(self.clock.time.lane(index), cause);
+                ended |= 1 << index;
+            }
+        }
+        ended
     }
 
     /// Steps of the lanes with new coefficients, as if those were finite.

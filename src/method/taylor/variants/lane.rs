@@ -1,7 +1,10 @@
 //! A variant, and what it is at in its lane.
 
+use std::time::Duration;
+
 use crate::error::StopCause;
 use crate::method::milestone::{Milestone, out_of_steps};
+use crate::method::patience::Patience;
 use crate::method::{Stopped, Work};
 
 /// A variant of a machine, to be run.
@@ -14,6 +17,8 @@ pub(crate) struct Variant {
     pub(crate) times: Vec<f64>,
     pub(crate) atol: Vec<f64>,
     pub(crate) max_steps: usize,
+    /// It has computed for so long before.
+    pub(crate) time_spent: Duration,
     /// So many steps are few; infinite where many are no harm.
     pub(crate) few: f64,
 }
@@ -24,8 +29,15 @@ pub(crate) enum Ended {
     Through(Outcome),
     /// It cannot go on.
     Stopped(Stopped),
-    /// It was left, as its loose steps are too many; so many it took.
-    Over(u64),
+    /// It was left, as its loose steps are too many.
+    Over(Spent),
+}
+
+/// What a variant has taken in vain.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Spent {
+    pub(crate) steps: u64,
+    pub(crate) time: Duration,
 }
 
 /// States at the wanted times, one row after another.
@@ -45,6 +57,8 @@ pub(super) struct Lane {
     pub(super) rejected: u64,
     pub(super) stopped: Option<Stopped>,
     milestone: Milestone,
+    /// It has computed for so long.
+    time_spent: Duration,
     /// Whether it has taken too many loose steps.
     pub(super) is_over: bool,
 }
@@ -59,6 +73,7 @@ impl Lane {
             rejected: 0,
             stopped: None,
             milestone: Milestone::default(),
+            time_spent: variant.time_spent,
             is_over: false,
             variant,
         }
@@ -89,9 +104,26 @@ impl Lane {
     }
 
     /// As [`crate::method::Stretch::out_of_steps`], after steps up to a time.
-    pub(super) fn out_of_steps(&mut self, steps: u64, time: f64) -> Option<StopCause> {
+    pub(super) fn out_of_steps(
+        &mut self,
+        steps: u64,
+        time: f64,
+        patience: &Patience<'_>,
+    ) -> Option<StopCause> {
         let left = self.until() - time;
-        out_of_steps((steps, self.variant.max_steps), left, || self.milestone.pace(steps, time))
+        out_of_steps((steps, self.variant.max_steps), left, || {
+            if patience.is_limited() { None } else { self.milestone.pace(steps, time) }
+        })
+    }
+
+    /// Why it is to end after it has computed for some more time, if it is.
+    pub(super) fn out_of_patience(
+        &mut self,
+        more: Duration,
+        patience: &Patience<'_>,
+    ) -> Option<StopCause> {
+        self.time_spent += more;
+        patience.end(|| self.time_spent)
     }
 
     pub(super) fn stop(&mut self, time: f64, cause: StopCause) {
@@ -101,7 +133,8 @@ impl Lane {
     /// What came of the variant, after steps of so many orders.
     pub(super) fn ended(self, steps: u64, order: usize) -> Ended {
         if let Some(stopped) = self.stopped {
-            return if self.is_over { Ended::Over(steps) } else { Ended::Stopped(stopped) };
+            let spent = Spent { steps, time: self.time_spent };
+            return if self.is_over { Ended::Over(spent) } else { Ended::Stopped(stopped) };
         }
         // Coefficients are those of ends of steps, and of starts of stretches.
         let series = steps + self.rejected + self.stretch as u64;

@@ -1,6 +1,6 @@
 //! What residuals say of the unknowns and of the model.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 
 use super::least_squares::{Evaluation, Loss, weighed};
@@ -56,13 +56,16 @@ pub fn statistics(
     let deviation = variance.sqrt();
     let relative =
         DMatrix::from_fn(m, free.len(), |row, k| jacobian[(row, free[k])] * sizes[free[k]]);
-    let svd = relative.svd(false, true);
-    let turns = svd.v_t.unwrap_or_else(|| DMatrix::identity(free.len(), free.len()));
-    let largest = svd.singular_values.iter().copied().fold(0.0, f64::max);
+    // Of nothing there is no decomposition.
+    let svd = (!free.is_empty()).then(|| relative.svd(false, true));
+    let (values, turns) = svd
+        .and_then(|svd| Some((svd.singular_values, svd.v_t?)))
+        .unwrap_or_else(|| (DVector::zeros(0), DMatrix::zeros(0, free.len())));
+    let largest = values.iter().copied().fold(0.0, f64::max);
     let mut untold = Vec::new();
     let mut covariance = DMatrix::<f64>::zeros(all, all);
     let mut errors = vec![0.0; all];
-    for (value, turn) in svd.singular_values.iter().zip(turns.row_iter()) {
+    for (value, turn) in values.iter().zip(turns.row_iter()) {
         let is_told = *value > ROUNDING * largest;
         let error = if is_told { deviation / value } else { f64::INFINITY };
         if !is_told || error > far {
@@ -141,7 +144,6 @@ pub fn chance(residuals: &[f64]) -> Option<Chance> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::DVector;
 
     /// Tables of Student's t, as in any textbook.
     #[test]
@@ -152,6 +154,18 @@ mod tests {
             let t = students_t(freedom);
             assert!((t - wanted).abs() < 2e-6, "{freedom}: {t}");
         }
+    }
+
+    /// Where every unknown is at a bound, nothing is left to be told.
+    #[test]
+    fn what_bounds_hold_altogether_has_no_errors() {
+        let evaluation = Evaluation {
+            residuals: DVector::from_vec(vec![3.0, -4.0]),
+            jacobian: DMatrix::from_element(2, 1, 1.0),
+        };
+        let found = statistics(&evaluation, Loss::Squares, (&[1.0], 1e3), &[true]);
+        assert_eq!((found.freedom, found.errors, found.untold), (2, vec![0.0], vec![]));
+        assert!((found.deviation - 12.5_f64.sqrt()).abs() < 1e-15);
     }
 
     /// A line through five points: textbook sums.

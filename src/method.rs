@@ -264,6 +264,13 @@ impl Problem<'_> {
                     stretch.leap(state, samples);
                     continue;
                 }
+                if stretch.from <= ends[0]
+                    && let Some(behind) = stretch.behind_jump(state)
+                {
+                    Stretch { until: behind, ..stretch }.leap(state, samples);
+                    from = behind;
+                    continue;
+                }
                 let tighter = faithful_tolerances(method, &stretch, state);
                 let stretch = stretch.at_tolerances(tighter.as_ref());
                 let Some(watch) = stretch.watch else {

@@ -207,7 +207,8 @@ impl<'a> Sweep<'a> {
         match simulation.method_and_rtol().ok()? {
             // Lanes do not watch for events, nor for corners.
             (Method::Taylor, rtol) => {
-                let is_smooth = single.events() == 0 && single.taylor()?.bends() != Bends::Corners;
+                let is_smooth = single.events() + single.kinks() == 0
+                    && single.taylor()?.bends() != Bends::Corners;
                 (rtol >= LEAST_RTOL && is_smooth).then_some((Method::Taylor, rtol))
             }
             #[cfg(feature = "implicit")]

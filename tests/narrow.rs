@@ -125,3 +125,69 @@ fn a_pulse_in_a_table_is_seen_from_rest() {
         is_seen(&block, set, 0.1);
     }
 }
+
+#[test]
+fn a_pulse_in_every_turn_is_seen_from_rest() {
+    // Bells about 1, 2, 3.. s, as those of a crank; so many that no list of times has them all.
+    let pulses = [
+        "exp((cos(2*pi*(t - centre)/(1 [s])) - 1)/(2*pi*width/1 [s])^2*2)",
+        "exp(-((mod(t - centre + 0.5 [s], 1 [s]) - 0.5 [s])/width)^2)",
+    ];
+    for pulse in pulses {
+        let text = text(&format!("1 [N]*{pulse}"));
+        // Nothing holds the block, and blows add up.
+        let text = text.replace("1 [N/m]*x^2/2 + 1 [N/m^3]*x^4/4", "0 [J]");
+        let block = of_text(&text, Keep::Needed);
+        for width in [1e-2, 1e-3, 1e-5] {
+            let expected = 100.0 * 0.1 * std::f64::consts::PI.sqrt();
+            for method in OWN {
+                let v = run(&block, method, 1e-6, [0.3, width]).last("block.v").expect("a state");
+                // The first of them is no bell but to the width squared; `radau` errs by up to its
+                // tolerance in each of the hundred.
+                let error = (v / expected - 1.0).abs();
+                let allowed = if method == Method::Radau { 1e-3 } else { 1e-4 };
+                assert!(
+                    error < allowed + 20.0 * width * width,
+                    "{method}, {width:e}: {pulse}: {v}"
+                );
+            }
+        }
+    }
+}
+
+/// A mass of 1 kg with a damper of 1 N s/m under a force of 1 N that turns its sign: its speed.
+fn chopped(rate: f64, duty: f64, until: f64) -> f64 {
+    let mut ends: Vec<f64> = (0..=(rate * until) as usize + 1)
+        .flat_map(|k| [k as f64 / rate, (k as f64 + duty) / rate])
+        .collect();
+    ends.retain(|end| *end < until);
+    ends.push(until);
+    let pairs = ends.windows(2).enumerate();
+    pairs.fold(0.0, |v, (k, ends)| {
+        let force = if k % 2 == 0 { 1.0 } else { -1.0 };
+        force + (v - force) * (ends[0] - ends[1]).exp()
+    })
+}
+
+#[test]
+fn what_is_compared_with_a_sawtooth_switches_at_both_of_its_ends() {
+    let text = text("0 [N]")
+        .replace("1 [N/m]*x^2/2 + 1 [N/m^3]*x^4/4", "0 [J]")
+        .replace("unit = \"s\" }\n        width", "unit = \"Hz\" }\n        width")
+        .replace("value = 1e-3, unit = \"s\"", "value = 0.3, unit = \"1\"")
+        .replace(
+            "100*(0 [N])*1 [s]/width/1e3",
+            "piecewise(mod(centre*t, 1) < width, 1 [N], -1 [N]) - 1 [N*s/m]*v",
+        )
+        .replace("until = 100.0", "until = 0.2");
+    let block = of_text(&text, Keep::Needed);
+    // Runs that end with a turn and others; turns that begin with the run, the other way round.
+    for rate in [25.0, 77.0, 100.0, 125.0, 400.0, 1e3, -100.0] {
+        for method in OWN {
+            let v = run(&block, method, 1e-8, [rate, 0.3]).last("block.v").expect("a state");
+            let expected =
+                if rate > 0.0 { chopped(rate, 0.3, 0.2) } else { -chopped(-rate, 0.7, 0.2) };
+            assert!((v - expected).abs() < 1e-6, "{method}, {rate}: {v} for {expected}");
+        }
+    }
+}

@@ -129,6 +129,35 @@ impl<'a> Stretch<'a> {
         self.system.is_empty() || self.until - self.from <= ROUNDINGS * f64::EPSILON * size
     }
 
+    /// Whether one Euler step over the whole stretch moves no state by more than is allowed.
+    pub(super) fn hardly_moves(&self, state: &[f64]) -> bool {
+        let mut rate = vec![0.0; state.len()];
+        self.rate(self.from, state, &mut rate);
+        let length = self.until - self.from;
+        (0..self.system.states()).all(|index| {
+            (length * rate[index]).abs() <= self.atol[index] + self.rtol * state[index].abs()
+        })
+    }
+
+    /// A time just behind the start of the stretch, if the rate jumps between the two: as that of
+    /// `floor(-t)` does at zero.
+    pub(super) fn behind_jump(&self, state: &[f64]) -> Option<f64> {
+        const ROUNDINGS: f64 = 4.0;
+        /// Of a rate that does not jump, far less changes within rounding of time.
+        const JUMPS: f64 = 1e-6;
+        if self.system.simulator().kinks() == 0 {
+            return None;
+        }
+        let size = self.from.abs().max(self.until - self.from);
+        let behind = (self.from + ROUNDINGS * f64::EPSILON * size).min(self.until);
+        let [mut here, mut there] = [(); 2].map(|()| vec![0.0; state.len()]);
+        self.rate(self.from, state, &mut here);
+        self.rate(behind, state, &mut there);
+        let pairs = || here.iter().zip(&there);
+        let jumps = pairs().any(|(a, b)| (a - b).abs() > JUMPS * (a.abs() + b.abs()));
+        jumps.then_some(behind)
+    }
+
     /// One Euler step over the whole stretch, exact to rounding on a trivial
     /// one.
     pub(super) fn leap(&self, state: &mut [f64], samples: &mut Samples<'_>) {

@@ -2,13 +2,17 @@
 //! on the graph.
 //!
 //! - *Kinks* pass zero along a motion: arguments of `abs` and `sign`, differences of what
-//!   `min` and `max` compare, distances from the ends of tables, sin(pi x) of `floor(x)`. They come with their rates
+//!   `min` and `max` compare, distances from the ends of tables, +-sin(pi (x - floor(x))) of `floor(x)`. They come with their rates
 //!   along the motion, differentiated on the graph.
 //! - *Times* follow from parameters: where such an argument is linear in time alone, it
 //!   passes zero at a time known beforehand. So do centres of bells, of tanh and of other
 //!   functions of a polynomial of time, and the knots at which a table over time bends.
+//! - What comes and goes in each turn of something (`recurring`) turns where its argument does: the
+//!   rate of that is a guard too.
 //!
 //! Excluded: what parameters or modes alone decide, and what fields hand over.
+
+mod recurring;
 
 use std::collections::HashMap;
 
@@ -16,6 +20,7 @@ use machinist_algebra::expr::Graph;
 use machinist_model::{Function, NodeId, Op, Table};
 
 use super::along::{along, reached};
+use recurring::recurring;
 
 /// What of a rate is not smooth.
 #[derive(Debug, Default)]
@@ -31,6 +36,19 @@ pub struct Kinks {
 /// What takes less than a run over this is not left to steps to find.
 const SHARES: f64 = 300.0;
 
+/// What is known of the machine besides its rate.
+#[derive(Debug, Clone, Copy)]
+pub struct Given<'a> {
+    /// Of the state, which entries change at events only.
+    pub is_mode: &'a [bool],
+    /// Its tables.
+    pub tables: &'a [Table],
+    /// Start and end of runs, as its spec has them \[s\].
+    pub run: (f64, f64),
+    /// Values of parameters, as its spec has them.
+    pub parameters: &'a [f64],
+}
+
 /// By what a node changes along a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum By {
@@ -39,24 +57,24 @@ enum By {
     State,
 }
 
-/// The kinks of a rate, one node for each entry of the state; an entry that is a mode
-/// changes at events only. Runs take about `span` \[s\].
-pub fn kinks(
-    graph: &mut Graph,
-    rate: &[NodeId],
-    is_mode: &[bool],
-    (tables, span): (&[Table], f64),
-) -> Kinks {
+/// The kinks of a rate, one node for each entry of the state.
+pub fn kinks(graph: &mut Graph, rate: &[NodeId], given: &Given<'_>) -> Kinks {
     let nodes = reached(graph, rate);
-    let mut search = Search { is_mode, by: HashMap::new(), polynomials: HashMap::new() };
+    let mut search =
+        Search { is_mode: given.is_mode, by: HashMap::new(), polynomials: HashMap::new() };
     let mut found = Kinks::default();
+    let span = given.run.1 - given.run.0;
     for id in nodes {
         search.look(graph, id);
-        for guard in switched(graph, id, tables) {
+        for guard in switched(graph, id, given.tables) {
             found.add(graph, &mut search, guard);
         }
-        for time in search.features(graph, id, (tables, span)) {
+        for time in search.features(graph, id, (given.tables, span)) {
             found.add_time(time);
+        }
+        if let Some(argument) = recurring(&search, graph, id, given) {
+            let turns = along(graph, rate, &[argument])[0];
+            found.add(graph, &mut search, turns);
         }
     }
     found.rates = along(graph, rate, &found.guards);
@@ -69,10 +87,20 @@ fn switched(graph: &mut Graph, id: NodeId, tables: &[Table]) -> Vec<NodeId> {
         Op::SelectLess { lhs, rhs, .. } => vec![graph.sub(lhs, rhs)],
         Op::Call(Function::Abs, argument) => vec![argument],
         Op::Call(Function::Floor, argument) => {
-            // Passes zero at every whole number, in turns upwards and downwards.
+            // Passes zero at every whole number, in turns upwards and downwards; and, to the last bit,
+            // where the number itself does.
+            let [one, two, half] = [1.0, 2.0, 0.5].map(|value| graph.literal(value));
+            let half = graph.mul(half, id);
+            let half = graph.call(Function::Floor, half);
+            let even = graph.mul(two, half);
+            let odd = graph.sub(id, even);
+            let twice = graph.mul(two, odd);
+            let way = graph.sub(one, twice);
+            let beyond = graph.sub(argument, id);
             let half_turn = graph.literal(std::f64::consts::PI);
-            let angle = graph.mul(half_turn, argument);
-            vec![graph.call(Function::Sin, angle)]
+            let angle = graph.mul(half_turn, beyond);
+            let height = graph.call(Function::Sin, angle);
+            vec![graph.mul(way, height)]
         }
         Op::Table { table, argument, .. } => {
             let table = &tables[table.0 as usize];

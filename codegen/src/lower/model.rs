@@ -13,7 +13,7 @@ use crate::lower::angles::expand;
 use crate::lower::describe::{constraints, describe, events};
 use crate::lower::excitation::excitation;
 use crate::lower::implicit::{Columns, Implicit, implicit};
-use crate::lower::kinks::{Kinks, kinks};
+use crate::lower::kinks::{Given, Kinks, kinks};
 use crate::lower::nonzeros::Nonzeros;
 use crate::lower::share::{Parts, share};
 use crate::lower::substitute::{Step, Substitution};
@@ -477,8 +477,14 @@ impl<'a> Build<'a> {
         };
         let is_mode: Vec<bool> = equations.layout.states.iter().map(is_mode).collect();
         let run = &equations.system.run;
-        let given = (&equations.system.tables[..], run.until - run.from);
-        kinks(&mut self.graph, &self.rate, &is_mode, given)
+        let parameters: Vec<f64> = equations.system.parameters.iter().map(|p| p.value).collect();
+        let given = Given {
+            is_mode: &is_mode,
+            tables: &equations.system.tables,
+            run: (run.from, run.until),
+            parameters: &parameters,
+        };
+        kinks(&mut self.graph, &self.rate, &given)
     }
 
     /// dX/dt = dX/dy y' + partial dX/dt.

@@ -91,6 +91,18 @@ impl Watch<'_> {
             }
             by *= 4.0;
         }
+        // One that jumps has moved towards zero no more than away from it: it is on the other side at once.
+        let mut by = least;
+        while now <= time && from * here > 0.0 && by <= largest {
+            let ahead: Vec<f64> =
+                state.iter().zip(&rate).map(|(value, rate)| value + by * rate).collect();
+            if from * guard(time + by, &ahead).0 < 0.0 {
+                side = Side::Known(-from);
+                now = (time + by).min(stretch.until);
+                state[..states].copy_from_slice(&ahead[..states]);
+            }
+            by *= 4.0;
+        }
         self.inner.borrow_mut().sides[kink] = side;
         Ok(now)
     }

@@ -23,7 +23,8 @@ fn found(build: impl FnOnce(&mut Graph, [NodeId; 4]) -> NodeId, tables: &[Table]
     let leaves = leaves.map(|op| graph.insert(op));
     let rate = build(&mut graph, leaves);
     let zero = graph.literal(0.0);
-    let kinks = kinks(&mut graph, &[rate, zero], &[false, true], (tables, SPAN));
+    let given = Given { is_mode: &[false, true], tables, run: (0.0, SPAN), parameters: &[P] };
+    let kinks = kinks(&mut graph, &[rate, zero], &given);
     assert_eq!(kinks.guards.len(), kinks.rates.len());
     [kinks.guards, kinks.times].map(|nodes| {
         let tape = graph.tape(&nodes);

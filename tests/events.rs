@@ -162,6 +162,61 @@ fn an_event_that_leaves_the_mode_of_another_keeps_it_from_happening_too() {
     assert_eq!(run.last("ball.count"), Some(0.0));
 }
 
+/// Balls of 1 kg in a row that hit without loss, each from a place at a speed.
+fn row(balls: &[(f64, f64)]) -> ModelSimulator {
+    let masses = (0..balls.len()).map(|k| {
+        format!("[units.b{k}]\nunit = \"translational/mass\"\nparameters = {{ mass = 1.0 }}\n")
+    });
+    let hits = (1..balls.len()).zip(0..).map(|(next, k)| {
+        format!(
+            "[events.h{k}]\nguard = \"b{next}.x - b{k}.x\"\ndirection = \"falling\"\n\
+             set = {{ \"b{k}.v\" = \"b{next}.v\", \"b{next}.v\" = \"b{k}.v\" }}\n"
+        )
+    });
+    let starts = balls
+        .iter()
+        .zip(0..)
+        .map(|((place, speed), k)| format!("\"b{k}.x\" = {place:?}\n\"b{k}.v\" = {speed:?}\n"));
+    let (masses, hits, starts): (String, String, String) =
+        (masses.collect(), hits.collect(), starts.collect());
+    let text = format!(
+        r#"
+        [scene]
+        name = "row"
+        [run]
+        until = 10.0
+        points = 101
+        rtol = 1e-8
+        method = "auto"
+        {masses}
+        {hits}
+        [initial]
+        {starts}
+        "#
+    );
+    of_text(&text, Keep::Needed)
+}
+
+#[test]
+fn what_hits_at_one_time_hits_on_until_all_move_apart() {
+    // The middle one is hit from both sides; two hit three that touch, one soon after the other.
+    let both_sides = (vec![(-1.0, 1.0), (0.0, 0.0), (1.0, -1.0)], vec![-1.0, 0.0, 1.0]);
+    let touching = [(0.0, 0.0); 3];
+    let two_on_three =
+        ([&[(-1.2, 1.0), (-1.0, 1.0)], &touching[..]].concat(), vec![0.0, 0.0, 0.0, 1.0, 1.0]);
+    for (balls, speeds) in &[both_sides, two_on_three] {
+        let row = row(balls);
+        for method in watching() {
+            let run = Simulation::new(&row).method(method).run();
+            let run = run.unwrap_or_else(|error| panic!("{method}: {error}"));
+            for (k, speed) in speeds.iter().enumerate() {
+                let v = run.last(&format!("b{k}.v")).expect("a state");
+                assert!((v - speed).abs() < 1e-9, "{method}: ball {k} of {speeds:?} has {v}");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_sample_at_an_event_is_from_before_it_and_one_after_it_from_after() {
     let ball = scene(FALLS);

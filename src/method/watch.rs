@@ -316,6 +316,10 @@ impl<'a> Watch<'a> {
         self.inner.borrow_mut().happened = Happened::default();
         let guards_before = self.guards(time, state);
         let mut passed = vec![Passed::No; guards_before.len()];
+        // Where an event has happened, and has turned its guard back.
+        let mut turned_back: Vec<usize> = (0..passed.len())
+            .filter(|index| self.has_passed(*index) && !self.is_approached(*index, time, state))
+            .collect();
         for index in events {
             if self.is_kink(index) {
                 passed[index] = Passed::GoesOn;
@@ -324,6 +328,9 @@ impl<'a> Watch<'a> {
                 passed[index] =
                     if self.is_armed(index, state) { Passed::GoesOn } else { Passed::Left };
                 self.count(index, time)?;
+                if !self.is_approached(index, time, state) {
+                    turned_back.push(index);
+                }
             }
         }
         let all = passed.iter().enumerate().filter(|(_, passed)| **passed != Passed::No);
@@ -334,6 +341,10 @@ impl<'a> Watch<'a> {
             let residual = self.residual(index, time, state, guards[index]);
             Side::Fresh { passed: false, residual }
         };
+        // What other events send on again while it is there happens again, as where balls hit one from both
+        // sides.
+        turned_back.retain(|index| self.is_approached(*index, time, state));
+        let again = turned_back;
         let inner = &mut *self.inner.borrow_mut();
         inner.turn = None;
         for (index, side) in inner.sides.iter_mut().enumerate() {
@@ -344,6 +355,9 @@ impl<'a> Watch<'a> {
             } else if self.is_kink(index) && guards[index].abs() > inner.parts.rounding(index) {
                 // Kinks have no more than sides.
                 *side = Side::Known(guards[index].signum());
+            } else if again.contains(&index) && passed[index] != Passed::Left {
+                let residual = 4.0 * guards_before[index].abs();
+                *side = Side::Fresh { passed: false, residual };
             } else if passed[index] == Passed::GoesOn {
                 let residual = 4.0 * guards_before[index].abs();
                 *side = Side::Fresh { passed: true, residual };
@@ -363,6 +377,21 @@ impl<'a> Watch<'a> {
     /// A guard and its rate at a state.
     pub(crate) fn guard_at(&self, time: f64, state: &[f64], index: usize) -> (f64, f64) {
         self.inner.borrow_mut().parts.at(self.system, time, state, index)
+    }
+
+    /// Whether a guard has passed zero, and has not left it since.
+    fn has_passed(&self, index: usize) -> bool {
+        matches!(self.inner.borrow().sides[index], Side::Fresh { passed: true, .. })
+    }
+
+    /// Whether the guard of an event that happens one way moves that way.
+    fn is_approached(&self, index: usize, time: f64, state: &[f64]) -> bool {
+        let (_, rate) = self.guard_at(time, state, index);
+        match self.direction(index) {
+            Direction::Rising => rate > 0.0,
+            Direction::Falling => rate < 0.0,
+            Direction::Both => false,
+        }
     }
 
     /// How fast the rate of a guard changed in the step that was last looked at.

@@ -196,7 +196,7 @@ pub(super) fn drive<M: OneStep>(
                         stretch.watch.inspect(|watch| watch.start(behind, state));
                         step = method.own_step().unwrap_or(tried);
                         (time, before, rejected) = (behind, None, false);
-                        if leaps_to_end(stretch, behind, state, samples) {
+                        if stretch.leaps_to_end(behind, state, samples) {
                             return Ok(None);
                         }
                         // There may be no end of a step but at kinks.
@@ -210,7 +210,7 @@ pub(super) fn drive<M: OneStep>(
                 rejected = true;
                 if is_too_small(step, time) {
                     state.copy_from_slice(&kept.end);
-                    if leaps_to_end(stretch, time, state, samples) {
+                    if stretch.leaps_to_end(time, state, samples) {
                         return Ok(None);
                     }
                     let cause = stretch.cause_at(time, &kept.end, StopCause::StepTooSmall);
@@ -259,7 +259,7 @@ pub(super) fn drive<M: OneStep>(
             rejected = true;
             if is_too_small(step, time) {
                 state.copy_from_slice(&kept.end);
-                if leaps_to_end(stretch, time, state, samples) {
+                if stretch.leaps_to_end(time, state, samples) {
                     return Ok(None);
                 }
                 let Stopped { time, cause } = explain(stretch, trial, time);
@@ -271,22 +271,6 @@ pub(super) fn drive<M: OneStep>(
             }
         }
     }
-}
-
-/// Whether no more than rounding is left of a stretch after `time`, in which the state hardly moves;
-/// then that is at its end.
-fn leaps_to_end(
-    stretch: &Stretch<'_>,
-    time: f64,
-    state: &mut [f64],
-    samples: &mut Samples<'_>,
-) -> bool {
-    let rest = Stretch { from: time, ..*stretch };
-    let is_over = rest.is_trivial() && rest.hardly_moves(state);
-    if is_over {
-        rest.leap(state, samples);
-    }
-    is_over
 }
 
 /// Tries a step that ends at `now`; its error is also that of what is wanted between its ends,

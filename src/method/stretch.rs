@@ -129,8 +129,24 @@ impl<'a> Stretch<'a> {
         self.system.is_empty() || self.until - self.from <= ROUNDINGS * f64::EPSILON * size
     }
 
+    /// Whether no more than rounding is left after `time`, in which the state hardly moves; then that
+    /// is at the end.
+    pub(super) fn leaps_to_end(
+        &self,
+        time: f64,
+        state: &mut [f64],
+        samples: &mut Samples<'_>,
+    ) -> bool {
+        let rest = Stretch { from: time, ..*self };
+        let is_over = rest.is_trivial() && rest.hardly_moves(state);
+        if is_over {
+            rest.leap(state, samples);
+        }
+        is_over
+    }
+
     /// Whether one Euler step over the whole stretch moves no state by more than is allowed.
-    pub(super) fn hardly_moves(&self, state: &[f64]) -> bool {
+    fn hardly_moves(&self, state: &[f64]) -> bool {
         let mut rate = vec![0.0; state.len()];
         self.rate(self.from, state, &mut rate);
         let length = self.until - self.from;

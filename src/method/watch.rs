@@ -341,8 +341,8 @@ impl<'a> Watch<'a> {
             let residual = self.residual(index, time, state, guards[index]);
             Side::Fresh { passed: false, residual }
         };
-        // What other events send on again while it is there happens again, as where balls hit one from both
-        // sides.
+        // What other events send on again while it is there happens again, as where balls hit one
+        // from both sides.
         turned_back.retain(|index| self.is_approached(*index, time, state));
         let again = turned_back;
         let inner = &mut *self.inner.borrow_mut();
@@ -355,12 +355,11 @@ impl<'a> Watch<'a> {
             } else if self.is_kink(index) && guards[index].abs() > inner.parts.rounding(index) {
                 // Kinks have no more than sides.
                 *side = Side::Known(guards[index].signum());
-            } else if again.contains(&index) && passed[index] != Passed::Left {
+            } else if passed[index] == Passed::GoesOn
+                || passed[index] == Passed::No && again.contains(&index)
+            {
                 let residual = 4.0 * guards_before[index].abs();
-                *side = Side::Fresh { passed: false, residual };
-            } else if passed[index] == Passed::GoesOn {
-                let residual = 4.0 * guards_before[index].abs();
-                *side = Side::Fresh { passed: true, residual };
+                *side = Side::Fresh { passed: !again.contains(&index), residual };
             } else if passed[index] == Passed::Left || !(was_watched && is_same) {
                 *side = fresh(index);
             }

@@ -2,8 +2,8 @@
 //! on the graph.
 //!
 //! - *Kinks* pass zero along a motion: arguments of `abs` and `sign`, differences of what
-//!   `min` and `max` compare, distances from the ends of tables, +-sin(pi (x - floor(x))) of `floor(x)`. They come with their rates
-//!   along the motion, differentiated on the graph.
+//!   `min` and `max` compare, distances from the ends of tables, +-sin(pi (x - floor(x))) of
+//!   `floor(x)`. They come with their rates along the motion, differentiated on the graph.
 //! - *Times* follow from parameters: where such an argument is linear in time alone, it
 //!   passes zero at a time known beforehand. So do centres of bells, of tanh and of other
 //!   functions of a polynomial of time, and the knots at which a table over time bends.
@@ -87,8 +87,8 @@ fn switched(graph: &mut Graph, id: NodeId, tables: &[Table]) -> Vec<NodeId> {
         Op::SelectLess { lhs, rhs, .. } => vec![graph.sub(lhs, rhs)],
         Op::Call(Function::Abs, argument) => vec![argument],
         Op::Call(Function::Floor, argument) => {
-            // Passes zero at every whole number, in turns upwards and downwards; and, to the last bit,
-            // where the number itself does.
+            // Passes zero at every whole number, in turns upwards and downwards; to the last bit
+            // where `floor` jumps.
             let [one, two, half] = [1.0, 2.0, 0.5].map(|value| graph.literal(value));
             let half = graph.mul(half, id);
             let half = graph.call(Function::Floor, half);

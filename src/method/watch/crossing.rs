@@ -55,7 +55,7 @@ impl Watch<'_> {
         let (here, slope) = guard(time, state);
         // The state may be behind the kink already, where it is driven back.
         let way = if from * slope > 0.0 { -1.0 } else { 1.0 };
-        let shifted = |by: f64| -> Vec<f64> {
+        let shifted = |state: &[f64], by: f64| -> Vec<f64> {
             state.iter().zip(&rate).map(|(value, rate)| value + by * way * rate).collect()
         };
         let largest = BEHIND * time.abs().max(stretch.until - stretch.from);
@@ -75,9 +75,9 @@ impl Watch<'_> {
         }
         let mut now = time;
         while by <= largest {
-            let ahead = shifted(by);
+            let ahead = shifted(state, by);
             let (behind, slope_behind) = guard(time + by, &ahead);
-            let back = shifted(-by);
+            let back = shifted(state, -by);
             let (before, slope_before) = guard(time - by, &back);
             if from * behind < 0.0 && from * before > 0.0 {
                 let is_driven_back = from * slope_before < 0.0 && from * slope_behind > 0.0;
@@ -91,11 +91,10 @@ impl Watch<'_> {
             }
             by *= 4.0;
         }
-        // One that jumps has moved towards zero no more than away from it: it is on the other side at once.
+        // One that jumps tells nothing of it from in front: it is on the other side at once.
         let mut by = least;
         while now <= time && from * here > 0.0 && by <= largest {
-            let ahead: Vec<f64> =
-                state.iter().zip(&rate).map(|(value, rate)| value + by * rate).collect();
+            let ahead = shifted(state, way * by);
             if from * guard(time + by, &ahead).0 < 0.0 {
                 side = Side::Known(-from);
                 now = (time + by).min(stretch.until);

@@ -32,7 +32,7 @@ pub(super) fn recurring(
         Op::Div(_, divisor) => divisor,
         _ => return None,
     };
-    if search.by.get(&argument) != Some(&By::Time) || search.polynomials[&argument].is_some() {
+    if search.by[&argument] != By::Time || search.polynomials[&argument].is_some() {
         return None;
     }
     let recurs = |id: &NodeId| {

@@ -133,6 +133,42 @@ fn what_the_state_decides_is_a_guard_and_modes_are_not() {
 }
 
 #[test]
+fn functions_that_are_narrow_in_each_turn_are_guarded_where_their_argument_turns() {
+    // Of time at 0.25, by an exponent or a denominator that moves by so much, and by p = 3 times.
+    let turning = |size: f64, function: fn(&mut Graph, NodeId) -> NodeId| {
+        let [guards, times] = found(
+            |graph, [time, p, ..]| {
+                let (wave, size) = (graph.call(Function::Cos, time), graph.literal(size));
+                let wave = graph.mul(size, wave);
+                let wave = graph.mul(p, wave);
+                function(graph, wave)
+            },
+            &[],
+        );
+        assert!(times.is_empty(), "{times:?}");
+        guards
+    };
+    let bell = |graph: &mut Graph, wave| graph.call(Function::Exp, wave);
+    let pole = |graph: &mut Graph, wave| {
+        let [square, one] = [graph.mul(wave, wave), graph.literal(1.0)];
+        let below = graph.add(one, square);
+        graph.div(one, below)
+    };
+    for (size, is_narrow) in [(100.0, true), (1.4, true), (1.3, false), (0.01, false)] {
+        let slope = -size * P * 0.25_f64.sin();
+        let guards = turning(size, bell);
+        assert_eq!(guards.len(), usize::from(is_narrow), "{size}");
+        assert!(guards.iter().all(|guard| (guard / slope - 1.0).abs() < 1e-12), "{guards:?}");
+    }
+    for (size, is_narrow) in [(100.0, true), (2.4, true), (2.3, false)] {
+        let slope = -2.0 * (size * P).powi(2) * 0.25_f64.sin() * 0.25_f64.cos();
+        let guards = turning(size, pole);
+        assert_eq!(guards.len(), usize::from(is_narrow), "{size}");
+        assert!(guards.iter().all(|guard| (guard / slope - 1.0).abs() < 1e-12), "{guards:?}");
+    }
+}
+
+#[test]
 fn narrow_features_of_time_are_found_and_wide_ones_left_to_steps() {
     for (factor, is_found) in [(1e6, true), (9.1, true), (8.9, false), (1e-2, false)] {
         let expected = if is_found { vec![P] } else { vec![] };

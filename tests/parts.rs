@@ -10,6 +10,7 @@ mod hydraulics;
 mod laws;
 mod losses;
 mod planar;
+mod shaken_friction;
 mod shapes;
 mod shared_friction;
 mod winches;

@@ -20,6 +20,7 @@
 mod crossing;
 mod hosted;
 mod led;
+mod noise;
 mod passing;
 mod settle;
 
@@ -36,6 +37,7 @@ use crate::trajectory::Switch;
 pub(crate) use hosted::Memory;
 use led::Turn;
 use passing::{Guard, Outcome, Parts, guards_at};
+use settle::is_beyond;
 
 /// So many events within [`NO_TIME`] are taken for endless ones; more in a scene that has many.
 const ENDLESS: usize = 50;
@@ -144,11 +146,15 @@ impl<'a> Watch<'a> {
     ) -> Self {
         let Problem { system, from, until, rtol, atol, .. } = problem;
         let (events, kinks) = (system.simulator().events(), system.simulator().kinks());
+        let scale = |entry: usize| {
+            if system.simulator().is_mode(entry) { 0.0 } else { atol[entry] / rtol }
+        };
+        let scales = (0..system.states()).map(scale);
         let inner = Inner {
             sides,
             time: *from,
             start: state.to_vec(),
-            parts: Parts::new(events, kinks, state.len()),
+            parts: Parts::new([events, kinks], state.len(), scales.collect()),
             outcomes: Vec::new(),
             turn: None,
             happening: None,
@@ -207,6 +213,12 @@ impl<'a> Watch<'a> {
             return None;
         }
         self.look_into(inner, method, until);
+        self.let_pass_at_start(inner);
+        while let Some((index, _)) = inner.first()
+            && self.is_held(inner, index, until, method.end())
+        {
+            inner.outcomes[index] = Outcome::Stays(inner.sides[index]);
+        }
         inner.turn = self.turn_within(inner, method, until);
         let first = inner.first_time();
         if first.is_none() {
@@ -285,10 +297,16 @@ impl<'a> Watch<'a> {
                         inner.sides[index] = Side::Known(from);
                     }
                 }
-                Outcome::Stays(Side::Known(_))
+                Outcome::Stays(end @ Side::Known(_))
                     if guard.abs() > inner.parts.rounding(index) && time > inner.time =>
                 {
-                    inner.sides[index] = Side::Known(guard.signum());
+                    let side = Side::Known(guard.signum());
+                    let start = inner.sides[index];
+                    // An event that has not passed is not beyond but by rounding, as speeds of
+                    // what is held are.
+                    if !is_beyond(self.direction(index), guard) || [start, end].contains(&side) {
+                        inner.sides[index] = side;
+                    }
                 }
                 Outcome::Stays(_) => {}
             }

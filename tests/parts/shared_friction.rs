@@ -197,3 +197,79 @@ fn a_brake_and_a_lossy_gear_on_one_shaft_move_alike_in_either_order() {
     let apart = apart.fold(0.0, f64::max);
     assert!(apart < 1e-5, "{apart:e}");
 }
+
+/// Two brakes hold or slide together as one does that is as strong as both: through slides of
+/// either that begin and end while the other holds, and however fast rounding would turn the rotor.
+#[test]
+fn two_brakes_on_one_rotor_move_it_as_one_brake_would() {
+    let scene = |second: &str| {
+        let text = format!(
+            r#"
+            [scene]
+            name = "brakes"
+            [parameters]
+            size = {{ value = 1.3, unit = "N m" }}
+            pace = {{ value = 3.1, unit = "rad/s" }}
+            [units]
+            rotor = {{ unit = "rotational/inertia", parameters = {{ inertia = 0.2 }} }}
+            first = {{ unit = "rotational/brake", inputs = {{ normal_force = "1 [N]" }} }}
+            {second}
+            [[joints]]
+            connect = ["rotor.a", "first.a"]
+            [[forces]]
+            port = "rotor.b"
+            expression = "size*sin(pace*t)"
+            [outputs]
+            speed = "rotor.omega"
+            [run]
+            until = 20.0
+            points = 201
+            "#
+        );
+        of_text(&text, Keep::Needed)
+    };
+    let both = scene(
+        "second = { unit = \"rotational/brake\", inputs = { normal_force = \"1 [N]\" } }\n\
+         [[joints]]\nconnect = [\"rotor.a\", \"second.a\"]",
+    );
+    let alone = scene("");
+    let mut random = fastrand::Rng::with_seed(12);
+    for round in 0..60 {
+        let between = |random: &mut fastrand::Rng, least: f64, most: f64| {
+            least * (most / least).powf(random.f64())
+        };
+        let first = between(&mut random, 0.1, 2.0);
+        let second = if round % 4 == 0 { first } else { between(&mut random, 0.1, 2.0) };
+        let inertia = between(&mut random, 1e-3, 20.0);
+        let pace = between(&mut random, 0.1, 15.0);
+        let share = if round % 2 == 0 {
+            between(&mut random, 0.2, 0.999)
+        } else {
+            between(&mut random, 1.001, 3.0)
+        };
+        let method = METHODS[round % METHODS.len()];
+        let rtol = [1e-6, 1e-8, 1e-10][round % 3];
+        let set = [("rotor.inertia", inertia), ("size", share * (first + second)), ("pace", pace)];
+        let what = format!("{first} and {second}, {set:?}, {method} at {rtol:e}");
+        let run = |scene: &ModelSimulator, brakes: &[(&str, f64)], method, rtol| {
+            let mut run = Simulation::new(scene);
+            for (name, value) in set.iter().chain(brakes) {
+                run = run.parameter(name, *value).expect("a parameter");
+            }
+            let run = run.method(method).rtol(rtol).max_steps(100_000).run();
+            column(&run.unwrap_or_else(|error| panic!("{what}: {error}")), "speed").to_vec()
+        };
+        let brakes = [("first.friction", first), ("second.friction", second)];
+        let found = run(&both, &brakes, method, rtol);
+        let one = [("first.friction", first + second)];
+        let wanted = run(&alone, &one, Method::Dop853, 1e-11);
+        let fastest = wanted.iter().fold(1.0, |most: f64, speed| most.max(speed.abs()));
+        for (found, wanted) in found.iter().zip(&wanted) {
+            assert!(
+                (found - wanted).abs() < 300.0 * rtol * fastest,
+                "{what}: {found} for {wanted}"
+            );
+            assert!(share > 1.0 || *wanted == 0.0 || wanted.abs() < 1e-9, "{what}: {wanted}");
+        }
+    }
+}

@@ -61,6 +61,17 @@ impl Watch<'_> {
         there
     }
 
+    /// Whether constraints hold the guard of an event at zero, so that all it does over a step is
+    /// what its end is put back by.
+    pub(super) fn is_held(&self, inner: &mut Inner, index: usize, until: f64, end: &[f64]) -> bool {
+        let constraints = self.constraints().filter(|constraints| constraints.holds_in_modes());
+        let Some(constraints) = constraints.filter(|_| !self.is_kink(index)) else { return false };
+        let mut there = end.to_vec();
+        constraints.follow(&inner.parts.led, until, &mut there);
+        let (guard, _) = inner.parts.at(self.system, until, &there, index);
+        guard.abs() <= inner.parts.rounding(index)
+    }
+
     /// After how long what is led has gone another way than it would, if it does soon.
     fn goes_otherwise(&self, led: &[usize], time: f64, state: &[f64], within: f64) -> Option<f64> {
         /// Of the run.

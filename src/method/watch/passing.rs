@@ -6,6 +6,7 @@ use super::super::System;
 use super::super::one_step::OneStep;
 use super::super::stretch::within;
 use super::Side;
+use super::noise::Noise;
 
 /// Below this share of its largest value over a step, a guard is zero but for rounding.
 const ROUNDING: f64 = 1e-12;
@@ -32,14 +33,6 @@ pub(super) struct Parts {
     /// The largest value that each guard has had.
     sizes: Vec<f64>,
     noise: Noise,
-}
-
-/// What of guards is rounding of the states that they compare, which may be far larger.
-struct Noise {
-    /// Of each guard, at a relative change of 1 of all states.
-    slopes: Vec<f64>,
-    /// Steps since they were looked at.
-    age: usize,
 }
 
 /// A guard to be looked at.
@@ -69,14 +62,16 @@ impl Outcome {
 }
 
 impl Parts {
-    pub(super) fn new(events: usize, kinks: usize, states: usize) -> Self {
+    /// Of guards of events and of kinks, over so many entries of a state; of those that are
+    /// states, typical sizes, zero of modes.
+    pub(super) fn new([events, kinks]: [usize; 2], entries: usize, scales: Vec<f64>) -> Self {
         let count = events + kinks;
         let one = [vec![0.0; count], vec![0.0; count]];
         let none = Vec::new;
         let (times, guards, rates) = (none(), none(), none());
-        let (ends, state) = ((f64::NEG_INFINITY, f64::INFINITY), vec![0.0; states]);
+        let (ends, state) = ((f64::NEG_INFINITY, f64::INFINITY), vec![0.0; entries]);
         let [bends, sizes] = [vec![0.0; count], vec![0.0; count]];
-        let noise = Noise { slopes: vec![0.0; count], age: usize::MAX };
+        let noise = Noise::new(events, kinks, scales);
         let led = Vec::new();
         Self { ends, led, times, guards, rates, events, count, state, one, bends, sizes, noise }
     }
@@ -113,39 +108,19 @@ impl Parts {
         }
     }
 
-    /// Looks at how far rounding of states moves guards, where one is so small that it may be
-    /// nothing else; now and then, for that changes slowly.
+    /// Looks at how far rounding of states moves guards, where that is to be known.
     fn look_for_noise(&mut self, system: &System<'_>, time: f64, start: &[f64]) {
         const SMALL: f64 = 1e-6;
-        const FRESH: usize = 32;
-        const CHANGE: f64 = 1e-7;
-        self.noise.age = self.noise.age.saturating_add(1);
-        let is_small = |event: usize| self.largest(event) <= SMALL * self.sizes[event];
-        if self.noise.age < FRESH || !(0..self.count).any(is_small) {
-            return;
-        }
-        self.noise.age = 0;
-        self.noise.slopes.fill(0.0);
-        let of_system = (system.simulator(), system.parameters());
-        let states = system.states();
-        let mut state = start[..states].to_vec();
-        let (mut here, mut beside) = (vec![0.0; self.count], vec![0.0; self.count]);
-        guards_at(of_system, self.events, time, &state, &mut here);
-        for entry in 0..=states {
-            let at = if entry == states {
-                time * (1.0 + CHANGE)
-            } else {
-                state[entry] *= 1.0 + CHANGE;
-                time
-            };
-            guards_at(of_system, self.events, within(at, self.ends), &state, &mut beside);
-            if entry < states {
-                state[entry] = start[entry];
-            }
-            for ((slope, here), beside) in self.noise.slopes.iter_mut().zip(&here).zip(&beside) {
-                let change = (beside - here).abs() / CHANGE;
-                *slope += if change.is_finite() { change } else { 0.0 };
-            }
+        let is_small = |index: usize| {
+            self.largest(index) <= SMALL * self.sizes[index].max(self.noise.slope(index))
+        };
+        let is_any_small = (0..self.count).any(is_small);
+        if self.noise.is_due(is_any_small) {
+            let (events, ends) = (self.events, self.ends);
+            self.noise.look((time, &start[..system.states()]), |time, state, guards| {
+                let of_system = (system.simulator(), system.parameters());
+                guards_at(of_system, events, within(time, ends), state, guards);
+            });
         }
     }
 
@@ -355,10 +330,17 @@ impl Parts {
         let start = match side {
             Side::Idle => return Outcome::Stays(Side::Idle),
             Side::Known(known) => self.carried(event, known),
-            Side::Fresh { passed, residual } => self.first_seen(event, direction, passed, residual),
+            Side::Fresh { passed, residual } => {
+                self.first_seen(system, method, (event, direction), passed, residual)
+            }
         };
+        let mut clear = self.times[0];
         let (mut side, first_part) = match start {
             Start::On(side, part) => (side, part),
+            Start::Shortly(side, time) => {
+                clear = time;
+                (side, 0)
+            }
             Start::Leaves { from } if !is_kink && is_wanted(direction, from) => {
                 return Outcome::Passes { time: self.times[0], from };
             }
@@ -367,7 +349,7 @@ impl Parts {
         };
         let rounding = self.rounding(event);
         for part in first_part..self.parts() {
-            let mut bracket = [self.times[part], self.times[part + 1]];
+            let mut bracket = [self.times[part].max(clear), self.times[part + 1]];
             if is_kink && side * self.guard(part, event) < -rounding {
                 // It is behind, whatever was taken for its side.
                 side = -side;
@@ -380,7 +362,10 @@ impl Parts {
                 // By rounding it was there already as the part began.
                 side = -side;
             } else if crosses {
-                if side * self.guard(part, event) <= 0.0 && side * self.rate(part, event) > 0.0 {
+                let is_clear = bracket[0] > self.times[part];
+                let sets_out =
+                    side * self.guard(part, event) <= 0.0 && side * self.rate(part, event) > 0.0;
+                if sets_out && !is_clear {
                     // It sets out from zero, and is back beyond it: the top is between.
                     bracket[0] = self.turn(system, method, event, bracket, side);
                 }
@@ -414,7 +399,7 @@ impl Parts {
     /// passed, and of a kink the rate is the same on both sides.
     pub(super) fn rounding(&self, event: usize) -> f64 {
         const ROUNDINGS: f64 = 64.0;
-        let size = self.sizes[event].max(self.largest(event)).max(self.noise.slopes[event]);
+        let size = self.sizes[event].max(self.largest(event)).max(self.noise.slope(event));
         ROUNDINGS * f64::EPSILON * size
     }
 
@@ -434,7 +419,14 @@ impl Parts {
     }
 
     /// The start of a step for a guard whose side is not known.
-    fn first_seen(&self, event: usize, direction: Direction, passed: bool, residual: f64) -> Start {
+    fn first_seen<M: OneStep>(
+        &mut self,
+        system: &System<'_>,
+        method: &mut M,
+        (event, direction): (usize, Direction),
+        passed: bool,
+        residual: f64,
+    ) -> Start {
         let (guard, rate) = (self.guard(0, event), self.rate(0, event));
         let (largest, span) = (self.largest(event), self.times[self.parts()] - self.times[0]);
         let by_time = 16.0 * f64::EPSILON * self.times[0].abs() * rate.abs();
@@ -454,11 +446,49 @@ impl Parts {
             let least = zero.max(AT_REST * largest).max(self.rounding(event));
             let clear = |part: &usize| self.guard(*part, event).abs() > least;
             let Some(part) = (1..=self.parts()).find(clear) else { return Start::Unseen };
-            (self.guard(part, event).signum(), part)
+            let seen = self.guard(part, event).signum();
+            match self.sooner(system, method, event, part, zero) {
+                Some((before, time)) if before * seen < 0.0 && !is_far(before) => {
+                    return Start::Shortly(before, time);
+                }
+                Some((before, _)) => (before, part),
+                None => (seen, part),
+            }
         };
         // What has just passed at a finite rate goes on; what then rests does not.
         let goes_on = passed && part == 0;
         if !goes_on && is_far(seen) { Start::Leaves { from: -seen } } else { Start::On(seen, part) }
+    }
+
+    /// The side to which a guard leaves zero that does so at no rate, and the first time at which
+    /// it is seen there: by the start of `part`, where it is surely seen, it may be back, as where
+    /// something slides for a moment only.
+    fn sooner<M: OneStep>(
+        &mut self,
+        system: &System<'_>,
+        method: &mut M,
+        event: usize,
+        part: usize,
+        zero: f64,
+    ) -> Option<(f64, f64)> {
+        const SOONER: f64 = 0.125;
+        let span = self.times[part] - self.times[0];
+        let least = zero.max(self.rounding(event));
+        let mut looks = Vec::new();
+        let mut after = SOONER * span;
+        while self.times[0] + after > self.times[0] {
+            let time = self.times[0] + after;
+            let (guard, rate) = self.between(system, method, time, event);
+            if rate.abs() * after <= least {
+                break;
+            }
+            looks.push((time, guard, rate));
+            after *= SOONER;
+        }
+        // Near the start of a step its rate is exact, where its states err by more than they move.
+        let side = looks.last()?.2.signum();
+        let there = looks.iter().find(|(_, guard, _)| side * guard > least);
+        Some((side, there.or(looks.last())?.0))
     }
 
     /// Where `side` g is largest between two times, at which its rate is above and
@@ -572,6 +602,8 @@ pub(super) fn evaluate(
 enum Start {
     /// On a side, as seen at the start of this part.
     On(f64, usize),
+    /// On a side as the step starts, as seen at this time within its first part.
+    Shortly(f64, f64),
     /// It leaves this side right there.
     Leaves { from: f64 },
     /// Zero all the step.

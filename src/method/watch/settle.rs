@@ -7,7 +7,8 @@
 
 use machinist_contract::Direction;
 
-use super::{Passed, Side, Watch};
+use super::passing::Outcome;
+use super::{Inner, Passed, Side, Watch};
 use crate::constraints::{Constraints, Level};
 use crate::error::StopCause;
 use crate::method::Stopped;
@@ -85,6 +86,21 @@ impl Watch<'_> {
             happened += 1;
         }
         Ok(())
+    }
+
+    /// What ends a mode and is seen for the first time beyond zero has passed: a state beyond is
+    /// none of that mode.
+    pub(super) fn let_pass_at_start(&self, inner: &mut Inner) {
+        for index in 0..self.system.simulator().events() {
+            if let (Side::Fresh { passed: false, .. }, Outcome::Stays(Side::Known(side))) =
+                (inner.sides[index], inner.outcomes[index])
+                && is_beyond(self.direction(index), side)
+                && self.sets_its_mode(index)
+                && self.trial(index, inner.time, &inner.start).is_ok_and(|trial| trial.leaves)
+            {
+                inner.outcomes[index] = Outcome::Passes { time: inner.time, from: -side };
+            }
+        }
     }
 
     /// Whether some constraint holds in some modes only.

@@ -1,5 +1,7 @@
 //! Forces that last a thousandth or a millionth of a run, from rest: no method steps over them.
 
+use std::f64::consts::{PI, TAU};
+
 use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_model::ModelSimulator;
@@ -151,6 +153,70 @@ fn a_pulse_in_every_turn_is_seen_from_rest() {
                     "{method}, {width:e}: {pulse}: {v}"
                 );
             }
+        }
+    }
+}
+
+/// A torque for a moment of each turn, whose work is known, on a rotor that is free but for it: all
+/// methods see every one of them.
+#[test]
+fn a_pulse_in_every_turn_of_a_rotor_is_seen() {
+    let text = r#"
+        [scene]
+        name = "rotor"
+        [units.rotor]
+        unit = "rotor"
+        [initial]
+        "rotor.phi_dot" = 6.283185307179586
+        [run]
+        until = 60.0
+        points = 2
+        [define.rotor.coordinates]
+        phi = { unit = "rad" }
+        x = { unit = "m" }
+        [define.rotor.parameters]
+        width = { value = 1e-2, unit = "rad" }
+        torque = { value = 0.0, unit = "N m" }
+        [define.rotor.helpers]
+        pulse = { expression = "PULSE", unit = "1" }
+        [define.rotor.energy]
+        kinetic = "1 [kg m^2]*phi_dot^2/2 + 1 [kg]*x_dot^2/2"
+        [[define.rotor.forces]]
+        coordinate = "phi"
+        expression = "torque*pulse"
+        [[define.rotor.forces]]
+        coordinate = "x"
+        expression = "1 [N]*pulse/width"
+    "#;
+    // What a pulse has over a turn, but to the width squared.
+    let pulses = [
+        ("exp((cos(phi - 2) - 1)/width^2)", TAU.sqrt()),
+        ("1/(1 + (2*sin(phi/2 - 1)/width)^2)^2", PI / 2.0),
+        ("exp(-((mod(phi - 2 + pi, 2*pi) - pi)/width)^2)", PI.sqrt()),
+    ];
+    for (pulse, area) in pulses {
+        let rotor = of_text(&text.replace("PULSE", pulse), Keep::Needed);
+        for (width, torque, method) in [3e-2, 3e-3, 1e-4]
+            .into_iter()
+            .flat_map(|width| [0.0, 0.5].map(|torque| (width, torque)))
+            .flat_map(|(width, torque)| OWN.map(|method| (width, torque, method)))
+        {
+            let run = Simulation::new(&rotor).method(method).rtol(1e-6).max_steps(100_000);
+            let run = run.parameter("rotor.width", width).expect("a parameter");
+            let run = run.parameter("rotor.torque", torque / width).expect("a parameter");
+            let run = run.run().unwrap_or_else(|error| panic!("{method}, {pulse}: {error}"));
+            let [phi, speed, v] = ["rotor.phi", "rotor.phi_dot", "rotor.x_dot"]
+                .map(|name| run.last(name).expect("a state"));
+            let turns = ((phi - 2.0) / TAU).ceil();
+            let what = format!("{method}, {width:e}, {torque}: {pulse}: {v} after {turns}");
+            // Without a torque so many blows at one speed; else the speed has all work.
+            let (found, expected) = if torque == 0.0 {
+                (v, turns * area / TAU)
+            } else {
+                (speed * speed - TAU * TAU, 2.0 * turns * torque * area)
+            };
+            let error = (found / expected - 1.0).abs();
+            assert!(error < 2e-3 + width * width, "{what}: {error:e}");
         }
     }
 }

@@ -80,14 +80,21 @@ pub(crate) struct Happened {
 
 impl Inner {
     /// The first of the guards that pass, and when; nothing if something that is led turns before.
+    /// Of what passes at one time, what jumps there tells least of when that is.
     fn first(&self) -> Option<(usize, f64)> {
-        let guards = self.outcomes.iter().enumerate();
-        let passings = guards.filter_map(|(index, outcome)| Some((index, outcome.passing()?)));
-        let first = passings.min_by(|a, b| a.1.total_cmp(&b.1));
-        first.filter(|(_, time)| {
-            let near = 64.0 * f64::EPSILON * time.abs();
-            self.turn.as_ref().is_none_or(|turn| turn.time >= time - near)
-        })
+        let near = |time: f64| 64.0 * f64::EPSILON * time.abs();
+        let passings = || {
+            let guards = self.outcomes.iter().enumerate();
+            guards.filter_map(|(index, outcome)| match outcome {
+                Outcome::Passes { time, jumps, .. } => Some((index, *time, *jumps)),
+                Outcome::Stays(_) => None,
+            })
+        };
+        let first = passings().min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let at_once = passings().filter(|(_, time, _)| *time <= first.1 + near(first.1));
+        let (index, time, _) = at_once.min_by_key(|(_, _, jumps)| *jumps)?;
+        let turns_before = |turn: &Turn| turn.time < time - near(time);
+        (!self.turn.as_ref().is_some_and(turns_before)).then_some((index, time))
     }
 
     /// When a guard passes, or something that is led turns, whichever is first.
@@ -290,7 +297,7 @@ impl<'a> Watch<'a> {
         for (index, outcome) in inner.outcomes.iter().enumerate() {
             let (guard, _) = inner.parts.at(self.system, time, end, index);
             match *outcome {
-                Outcome::Passes { time: passing, from } => {
+                Outcome::Passes { time: passing, from, .. } => {
                     if passing <= first + near || guard * from < 0.0 {
                         happening.push(index);
                     } else {

@@ -48,17 +48,8 @@ pub(super) struct Guard {
 pub(super) enum Outcome {
     /// Its event does not happen; where it is at the end.
     Stays(Side),
-    /// Its event happens: the guard comes from this side (1 or -1).
-    Passes { time: f64, from: f64 },
-}
-
-impl Outcome {
-    pub(super) fn passing(&self) -> Option<f64> {
-        match self {
-            Outcome::Passes { time, .. } => Some(*time),
-            Outcome::Stays(_) => None,
-        }
-    }
+    /// Its event happens: the guard comes from this side (1 or -1), and may jump over zero.
+    Passes { time: f64, from: f64, jumps: bool },
 }
 
 impl Parts {
@@ -342,7 +333,7 @@ impl Parts {
                 (side, 0)
             }
             Start::Leaves { from } if !is_kink && is_wanted(direction, from) => {
-                return Outcome::Passes { time: self.times[0], from };
+                return Outcome::Passes { time: self.times[0], from, jumps: false };
             }
             Start::Leaves { from } => (-from, 0),
             Start::Unseen => return Outcome::Stays(side),
@@ -370,10 +361,10 @@ impl Parts {
                     bracket[0] = self.turn(system, method, event, bracket, side);
                 }
                 if is_wanted(direction, side) {
-                    let time = self.root(system, method, event, bracket, side);
+                    let (time, jumps) = self.root(system, method, event, bracket, side);
                     // A step cannot end at a kink at which it starts.
                     if !is_kink || time > self.times[0] {
-                        return Outcome::Passes { time, from: side };
+                        return Outcome::Passes { time, from: side, jumps };
                     }
                 }
                 side = -side;
@@ -385,9 +376,9 @@ impl Parts {
                     } else {
                         ([turn, bracket[1]], -side)
                     };
-                    let time = self.root(system, method, event, bracket, from);
+                    let (time, jumps) = self.root(system, method, event, bracket, from);
                     if !is_kink || time > self.times[0] {
-                        return Outcome::Passes { time, from };
+                        return Outcome::Passes { time, from, jumps };
                     }
                 }
             }
@@ -509,7 +500,8 @@ impl Parts {
     }
 
     /// Where g leaves `side` between two times, by the rule of false position with
-    /// halving (Illinois), to the last bit but some; never early.
+    /// halving (Illinois), to the last bit but some; never early; and whether
+    /// it jumps there.
     fn root<M: OneStep>(
         &mut self,
         system: &System<'_>,
@@ -517,7 +509,9 @@ impl Parts {
         event: usize,
         [mut low, mut high]: [f64; 2],
         side: f64,
-    ) -> f64 {
+    ) -> (f64, bool) {
+        /// A step is many roundings long: what does not jump is far smaller than that within one.
+        const JUMPS: f64 = 1e-2;
         let mut g_low = side * self.between(system, method, low, event).0;
         let mut g_high = side * self.between(system, method, high, event).0;
         let mut kept = 0;
@@ -545,7 +539,8 @@ impl Parts {
                 break;
             }
         }
-        high
+        let (least, largest) = (g_low.min(-g_high), self.largest(event));
+        (high, least > JUMPS * largest)
     }
 }
 

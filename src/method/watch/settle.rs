@@ -98,7 +98,8 @@ impl Watch<'_> {
                 && self.sets_its_mode(index)
                 && self.trial(index, inner.time, &inner.start).is_ok_and(|trial| trial.leaves)
             {
-                inner.outcomes[index] = Outcome::Passes { time: inner.time, from: -side };
+                inner.outcomes[index] =
+                    Outcome::Passes { time: inner.time, from: -side, jumps: false };
             }
         }
     }

@@ -1,5 +1,5 @@
 //! What comes and goes for a small share of a time that need not be known: a pulse in every turn of
-//! a crank, say, by `exp((cos(w*t) - 1)/1e-3)`.
+//! a crank, say, by `exp((cos(w*t) - 1)/1e-3)`, or of a rotor, by `exp((cos(phi) - 1)/1e-3)`.
 //!
 //! Between the places at which its argument turns such a function rises or falls, and so is seen by
 //! steps that end there.
@@ -17,8 +17,8 @@ const MOVES: f64 = 8.0;
 /// And so do denominators whose largest value is not so many times the least.
 const RATIO: f64 = 50.0;
 
-/// The argument of a function of time alone that may come and go within a small share of its turns,
-/// with the values that parameters have in the spec; of those of a polynomial the time is known.
+/// The argument of a function that may come and go within a small share of its turns, with the
+/// values that parameters have in the spec; of those of a polynomial of time the time is known.
 pub(super) fn recurring(
     search: &Search<'_>,
     graph: &Graph,
@@ -32,20 +32,25 @@ pub(super) fn recurring(
         Op::Div(_, divisor) => divisor,
         _ => return None,
     };
-    if search.by[&argument] != By::Time || search.polynomials[&argument].is_some() {
+    if search.by[&argument] == By::Nothing || search.polynomials[&argument].is_some() {
         return None;
     }
-    let recurs = |id: &NodeId| {
-        matches!(graph.op(*id), Op::Call(Function::Sin | Function::Cos | Function::Floor, _))
+    let inside = reached(graph, &[argument]);
+    let has = |functions: &[Function]| {
+        let is_one =
+            |id: &NodeId| matches!(graph.op(*id), Op::Call(of, _) if functions.contains(&of));
+        inside.iter().any(is_one)
     };
-    if !reached(graph, &[argument]).iter().any(recurs) {
+    if !has(&[Function::Sin, Function::Cos, Function::Floor]) {
         return None;
     }
-    let (low, high) = bounds(graph, argument, given, &mut HashMap::new())?.into_inner();
-    let is_sharp = match op {
-        Op::Call(..) => high - low > MOVES,
-        Op::Powi(_, exponent) => f64::from(exponent.abs()) > MOVES,
-        _ => {
+    let is_sharp = match (op, bounds(graph, argument, given, &mut HashMap::new())) {
+        (Op::Powi(_, exponent), Some(_)) => f64::from(exponent.abs()) > MOVES,
+        // A sawtooth of what has no bounds has some, which are not easily told.
+        (_, None) => has(&[Function::Floor]),
+        (Op::Call(..), Some(within)) => within.end() - within.start() > MOVES,
+        (_, Some(within)) => {
+            let (low, high) = within.into_inner();
             let [least, most] = [low.abs().min(high.abs()), low.abs().max(high.abs())];
             low * high > 0.0 && most > RATIO * least
         }
@@ -53,7 +58,7 @@ pub(super) fn recurring(
     is_sharp.then_some(argument)
 }
 
-/// Between which values a function of time and parameters is; nothing if that is not easily told.
+/// Between which values a function is; nothing if that is not easily told.
 fn bounds(
     graph: &Graph,
     id: NodeId,

@@ -169,6 +169,28 @@ fn functions_that_are_narrow_in_each_turn_are_guarded_where_their_argument_turns
 }
 
 #[test]
+fn functions_that_are_narrow_in_each_turn_of_a_state_are_guarded_along_its_motion() {
+    let tanh = |size: f64| {
+        let rate = |graph: &mut Graph, [_, p, x, _]: [NodeId; 4]| {
+            let (wave, size) = (graph.call(Function::Cos, x), graph.literal(size));
+            let wave = graph.mul(size, wave);
+            let wave = graph.mul(p, wave);
+            graph.call(Function::Tanh, wave)
+        };
+        let [guards, times] = found(rate, &[]);
+        assert!(times.is_empty(), "{times:?}");
+        guards
+    };
+    for (size, is_narrow) in [(100.0, true), (1.4, true), (1.3, false)] {
+        let [cos, sin] = [2.0_f64.cos(), 2.0_f64.sin()];
+        let slope = -size * P * sin * (size * P * cos).tanh();
+        let guards = tanh(size);
+        assert_eq!(guards.len(), usize::from(is_narrow), "{size}");
+        assert!(guards.iter().all(|guard| (guard / slope - 1.0).abs() < 1e-12), "{guards:?}");
+    }
+}
+
+#[test]
 fn narrow_features_of_time_are_found_and_wide_ones_left_to_steps() {
     for (factor, is_found) in [(1e6, true), (9.1, true), (8.9, false), (1e-2, false)] {
         let expected = if is_found { vec![P] } else { vec![] };

@@ -239,6 +239,21 @@ impl<'a> Constraints<'a> {
         is_finite.then(|| solution.rows(0, n).into_owned())
     }
 
+    /// Of an impulse that moves velocities so, G^T nu = -M dv: how much of it each row has; nothing
+    /// where that cannot be told.
+    pub(crate) fn shares_of_impulse(&self, time: f64, state: &[f64], moved: &[f64]) -> Vec<f64> {
+        let (n, m) = (self.coordinates, self.count);
+        let matrix = self.matrix(time, state);
+        let mut right_side = DVector::zeros(n + m);
+        right_side.rows_mut(n, m).copy_from(&(&matrix * DVector::from_column_slice(moved)));
+        let solution = self.saddle(time, state, &matrix).lu().solve(&right_side);
+        let multipliers = solution.unwrap_or_else(|| DVector::zeros(n + m));
+        let parts: Vec<f64> =
+            (0..m).map(|row| matrix.row(row).norm() * multipliers[n + row].abs()).collect();
+        let all: f64 = parts.iter().sum();
+        parts.iter().map(|part| if all > 0.0 { part / all } else { 0.0 }).collect()
+    }
+
     /// The matrix of \[M, G^T; G, 0\].
     pub(crate) fn saddle(&self, time: f64, state: &[f64], matrix: &DMatrix<f64>) -> DMatrix<f64> {
         let (n, m) = (self.coordinates, self.count);

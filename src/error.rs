@@ -377,6 +377,16 @@ pub enum StopCause {
         /// The constraint.
         constraint: String,
     },
+    /// What holds in some modes only would have to pull along what jumps in speed.
+    #[error(
+        "a speed that is imposed jumps, and constraint `{constraint}`, which holds in some modes \
+         only, as friction does that sticks, would have to pull along with a force without bound. \
+         Hint: let the speed change within a short time, as by `min(max((t - t0)/1e-3, 0), 1)`"
+    )]
+    Jerked {
+        /// The constraint.
+        constraint: String,
+    },
     /// A method that works on full matrices, on a scene that is too large for them.
     #[error(
         "it works on full matrices, and {states} states are more than {most}. \

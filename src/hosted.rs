@@ -14,7 +14,9 @@ use thiserror::Error;
 
 use crate::constraints::{Constraints, consistent, require_independent};
 use crate::error::{SimulateError, StopCause};
-use crate::method::{Memory, Method, Problem, Stopped, System, Watch, identically_zero, within};
+use crate::method::{
+    Memory, Method, Problem, Stopped, System, Watch, identically_zero, just_behind, within,
+};
 use crate::scales::scales;
 use crate::simulate::MAX_STEPS;
 
@@ -233,6 +235,8 @@ impl<'a> Hosted<'a> {
         let time = next.within(next.time);
         let mut state = next.state.clone();
         system.constrain(time, &mut state)?;
+        let times = (time.next_down(), just_behind(time, next.span.1));
+        system.take_up(times, (next.rtol, &next.atol), &mut state)?;
         let mut memory = next.memory.clone();
         let mut names = Vec::new();
         let problem = self.problem(&system, &next, next.span.1);

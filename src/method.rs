@@ -18,6 +18,7 @@ mod explicit;
 mod faithful;
 #[cfg(feature = "implicit")]
 pub mod fixed;
+mod jump;
 mod lanes;
 pub(crate) mod loose;
 #[cfg(feature = "implicit")]
@@ -58,6 +59,7 @@ use crate::error::{NotCompiledIn, StopCause, UnknownMethod, did_you_mean};
 use crate::method::sensitivity::Passing;
 use crate::trajectory::Switch;
 use faithful::faithful_tolerances;
+pub(crate) use jump::just_behind;
 pub(crate) use one_step::{OneStep, Trial};
 pub use stretch::{Samples, Stretch};
 pub(crate) use stretch::{cut, within};
@@ -250,11 +252,7 @@ impl Problem<'_> {
     ) -> Result<Option<f64>, Stopped> {
         for ends in cut(self.from, self.until, self.jumps.clone()).windows(2) {
             let mut from = ends[0];
-            if let Some(tangents) = self.system.tangents()
-                && from > self.from
-            {
-                tangents.jump(self.system, from, state)?;
-            }
+            self.jump((from, ends[1]), state)?;
             while from < ends[1] {
                 let stretch = Stretch::new(self, (from, ends[1]), watch);
                 from = stretch.until;
@@ -288,6 +286,19 @@ impl Problem<'_> {
             }
         }
         Ok(None)
+    }
+
+    /// What jumps in time as a stretch starts: speeds that constraints impose, and sensitivities.
+    fn jump(&self, (from, until): (f64, f64), state: &mut [f64]) -> Result<(), Stopped> {
+        let before = state.to_vec();
+        let (front, behind) = (from.next_down(), just_behind(from, until));
+        let has_moved = self.system.take_up((front, behind), (self.rtol, &self.atol), state)?;
+        match self.system.tangents() {
+            Some(tangents) if from > self.from || has_moved => {
+                tangents.jump(self.system, (from, &before), (behind, state), has_moved)
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Does what events say where the method stopped for some, and gives the time.

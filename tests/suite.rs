@@ -24,6 +24,7 @@ mod hosted;
 mod improvements;
 mod independent;
 mod interpreted;
+mod jumps;
 mod kinks;
 mod language;
 mod linear_analysis;

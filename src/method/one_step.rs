@@ -339,12 +339,41 @@ impl Kept {
             return Ok(false);
         }
         stretch.constrain(time, &mut self.end)?;
-        let states = 0..stretch.system.states();
-        let moved = states.map(|index| {
-            let allowed = stretch.atol[index] + stretch.rtol * end[index].abs();
-            (self.end[index] - end[index]).abs() / allowed
+        Ok(self.moved_from(stretch, end) > NOTICED)
+    }
+
+    /// The same where a step ends at a kink, in `front` of which the constraints may hold other
+    /// speeds than at it: what jumps there has not jumped yet.
+    fn stay_in_front<M: OneStep>(
+        &mut self,
+        method: &mut M,
+        stretch: &Stretch<'_>,
+        (front, time): (f64, f64),
+    ) -> Result<(), Stopped> {
+        self.put_back(method, stretch, time)?;
+        if self.moved_from(stretch, method.end()) > 1.0 {
+            let mut at = |time: f64| {
+                let mut state = self.end.clone();
+                method.interpolate(time, &mut state);
+                stretch.constrain(time, &mut state).map(|()| state)
+            };
+            let [earlier, nearer] = [at(front)?, at(0.5 * (front + time))?];
+            let off = self.moved_from(stretch, &earlier);
+            // What does not jump is half as far half as soon.
+            if off > 1.0 && self.moved_from(stretch, &nearer) > 0.75 * off {
+                self.end = earlier;
+            }
+        }
+        Ok(())
+    }
+
+    /// By how many tolerances the end is off a state.
+    fn moved_from(&self, stretch: &Stretch<'_>, state: &[f64]) -> f64 {
+        let moved = (0..stretch.system.states()).map(|index| {
+            let allowed = stretch.atol[index] + stretch.rtol * state[index].abs();
+            (self.end[index] - state[index]).abs() / allowed
         });
-        Ok(moved.fold(0.0, f64::max) > NOTICED)
+        moved.fold(0.0, f64::max)
     }
 }
 

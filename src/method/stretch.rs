@@ -2,7 +2,7 @@
 
 use super::milestone::out_of_steps;
 use super::system::FLOWS;
-use super::{Problem, Stopped, System, Watch};
+use super::{Problem, Stopped, System, Watch, just_behind};
 use crate::error::StopCause;
 
 /// Tolerances, relative and absolute.
@@ -158,14 +158,12 @@ impl<'a> Stretch<'a> {
     /// A time just behind the start of the stretch, if the rate jumps between the two: as that of
     /// `floor(-t)` does at zero.
     pub(super) fn behind_jump(&self, state: &[f64]) -> Option<f64> {
-        const ROUNDINGS: f64 = 4.0;
         /// Of a rate that does not jump, far less changes within rounding of time.
         const JUMPS: f64 = 1e-6;
         if self.system.simulator().kinks() == 0 {
             return None;
         }
-        let size = self.from.abs().max(self.until - self.from);
-        let behind = (self.from + ROUNDINGS * f64::EPSILON * size).min(self.until);
+        let behind = just_behind(self.from, self.until);
         let [mut here, mut there] = [(); 2].map(|()| vec![0.0; state.len()]);
         self.rate(self.from, state, &mut here);
         self.rate(behind, state, &mut there);

@@ -57,9 +57,10 @@ enum By {
     State,
 }
 
-/// The kinks of a rate, one node for each entry of the state.
-pub fn kinks(graph: &mut Graph, rate: &[NodeId], given: &Given<'_>) -> Kinks {
-    let nodes = reached(graph, rate);
+/// The kinks of a rate, one node for each entry of the state, and of what constraints hold: there
+/// the rate may be smooth, and speeds jump.
+pub fn kinks(graph: &mut Graph, rate: &[NodeId], holds: &[NodeId], given: &Given<'_>) -> Kinks {
+    let nodes = reached(graph, &[rate, holds].concat());
     let mut search =
         Search { is_mode: given.is_mode, by: HashMap::new(), polynomials: HashMap::new() };
     let mut found = Kinks::default();

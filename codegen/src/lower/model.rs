@@ -29,7 +29,9 @@ pub fn lower(linearization: &Linearization) -> Model {
     let jacobians = build.jacobians();
     let time_derivative = build.time_derivative();
     let initial = build.initial_state();
-    let Kinks { guards: kinks, rates: kink_rates, times } = build.kinks();
+    let [constraint_values, constraint_rates] = build.constraints();
+    let Kinks { guards: kinks, rates: kink_rates, times } =
+        build.kinks(&[&constraint_values[..], &constraint_rates].concat());
     let mut discontinuities: Vec<NodeId> =
         system.discontinuities.iter().map(|time| build.lower(time)).collect();
     for time in times {
@@ -41,7 +43,6 @@ pub fn lower(linearization: &Linearization) -> Model {
     let energy = linearization.equations.energy.each_ref().map(|e| build.lower(e));
     let power_balance = build.power_balance().to_vec();
     let [guards, guard_rates, resets] = build.events();
-    let [constraint_values, constraint_rates] = build.constraints();
     let motion = OfMotion { time_derivative, outputs, power_balance, guard_rates, kink_rates };
     let graph = &build.graph;
     let rate = graph.tape(&build.rate);
@@ -464,9 +465,9 @@ impl<'a> Build<'a> {
         [stored, supplied, dissipated]
     }
 
-    /// Where the rate is not smooth, or changes within no time. What fields do is not
-    /// looked at: it is not on the graph.
-    fn kinks(&mut self) -> Kinks {
+    /// Where the rate, or what holds, is not smooth, or changes within no time. What fields do is
+    /// not looked at: it is not on the graph.
+    fn kinks(&mut self, holds: &[NodeId]) -> Kinks {
         let equations = &self.linearization.equations;
         if !equations.system.handed.is_empty() {
             return Kinks::default();
@@ -484,7 +485,7 @@ impl<'a> Build<'a> {
             run: (run.from, run.until),
             parameters: &parameters,
         };
-        kinks(&mut self.graph, &self.rate, &given)
+        kinks(&mut self.graph, &self.rate, holds, &given)
     }
 
     /// dX/dt = dX/dy y' + partial dX/dt.

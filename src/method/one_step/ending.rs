@@ -46,16 +46,20 @@ pub(super) fn end_at<M: OneStep>(
         return Err(Stopped { time, cause });
     }
     let mut kept = Kept::new(state);
-    kept.put_back(method, stretch, time)?;
+    let front = (time - moment(stretch, time)).max(0.5 * (from + time));
+    if watch.passes_kink() {
+        kept.stay_in_front(method, stretch, (front, time))?;
+    } else {
+        kept.put_back(method, stretch, time)?;
+    }
     constrain_tangents(stretch, time, &kept.end);
     sample(method, stretch, (time, &kept.end), state, samples)?;
     if let Some(tangents) = stretch.system.tangents() {
         tangents.accept();
-        let earlier = (time - moment(stretch, time)).max(0.5 * (from + time));
         state.copy_from_slice(&kept.end);
         if stretch.system.simulator().kinks() > 0 {
-            method.interpolate(earlier, state);
-            tangents.comes_from(earlier, state);
+            method.interpolate(front, state);
+            tangents.comes_from(front, state);
         } else {
             tangents.comes_from(time, state);
         }
@@ -63,11 +67,12 @@ pub(super) fn end_at<M: OneStep>(
     state.copy_from_slice(&kept.end);
     watch.happens(time, passing, state);
     let Some((behind, kinks)) = watch.cross(stretch, state)? else { return Ok(Ending::Event) };
+    let has_moved = stretch.take_up((front, behind), state)?;
     if let Some(tangents) = stretch.system.tangents() {
         let (earlier, front) = tangents.front();
         let time = stretch.within(time);
         let passing = Passing { time, before: &kept.end, front: (earlier, &front) };
-        tangents.cross(stretch, watch, &passing, &kinks, (behind, state))?;
+        tangents.cross(stretch, watch, &passing, &kinks, ((behind, state), has_moved))?;
     }
     if watch.turns(stretch, behind, state) {
         return Ok(Ending::Event);

@@ -49,15 +49,17 @@ pub(crate) struct Passing<'p> {
 }
 
 impl Tangents<'_> {
-    /// Jumps S where the rate jumps in time, at `time`, in `state`.
+    /// Jumps S where the rate jumps in time; and where constraints move the state, from what it was
+    /// `before` to what it is `behind`.
     ///
     /// # Errors
     /// [`StopCause::AtOnce`] if several things happen there that are moved apart.
     pub(crate) fn jump(
         &self,
         system: &System<'_>,
-        time: f64,
-        state: &[f64],
+        (time, before): (f64, &[f64]),
+        (behind, after): (f64, &[f64]),
+        has_moved: bool,
     ) -> Result<(), Stopped> {
         let mut found: Option<Vec<f64>> = None;
         for (_, shifts) in
@@ -68,15 +70,36 @@ impl Tangents<'_> {
             }
             found = Some(shifts);
         }
-        let Some(shifts) = found else { return Ok(()) };
+        let still = || has_moved.then(|| vec![0.0; self.by.len()]);
+        let Some(shifts) = found.or_else(still) else { return Ok(()) };
         self.require_apart(time, &shifts)?;
-        let rate = |time: f64| {
+        let rate = |time: f64, state: &[f64]| {
             let mut rate = vec![0.0; system.len()];
             system.rate(time, state, &mut rate);
             rate
         };
-        self.shift(&rate(time.next_down()), &rate(time), &shifts);
+        let rate_before = rate(time.next_down(), before);
+        if has_moved {
+            let passing = Passing { time: behind, before, front: (time, before) };
+            self.take_up(system, &passing, &shifts, [&rate_before, &rate(behind, after)], after)?;
+        } else {
+            self.shift(&rate_before, &rate(time, before), &shifts);
+        }
         self.inner.borrow_mut().latest = Instant { time, shifts };
+        Ok(())
+    }
+
+    /// S where constraints move the state as its rate jumps.
+    fn take_up(
+        &self,
+        system: &System<'_>,
+        passing: &Passing<'_>,
+        shifts: &[f64],
+        [before, behind]: [&[f64]; 2],
+        after: &[f64],
+    ) -> Result<(), Stopped> {
+        self.map(system, passing, shifts, before, (&Happened::default(), after))?;
+        self.shift(&vec![0.0; behind.len()], behind, shifts);
         Ok(())
     }
 
@@ -93,7 +116,8 @@ impl Tangents<'_> {
         }
     }
 
-    /// Jumps S where kinks were passed and nothing else; `behind` is the state behind them.
+    /// Jumps S where kinks were passed and nothing else; `after` is the state behind them, to which
+    /// constraints may have moved it.
     ///
     /// # Errors
     /// If the rate jumps there, and the kinks are moved apart or grazed.
@@ -103,10 +127,10 @@ impl Tangents<'_> {
         watch: &Watch<'_>,
         passing: &Passing<'_>,
         kinks: &[usize],
-        (behind, after): (f64, &[f64]),
+        ((behind, after), has_moved): ((f64, &[f64]), bool),
     ) -> Result<(), Stopped> {
         let rates = rates_beside(stretch, passing.front, (behind, after));
-        if !self.rate_jumps(stretch, passing.front, (behind, after), &rates) {
+        if !has_moved && !self.rate_jumps(stretch, passing.front, (behind, after), &rates) {
             return Ok(());
         }
         let mut found: Option<Vec<f64>> = None;
@@ -118,7 +142,13 @@ impl Tangents<'_> {
             found = Some(shifts);
         }
         if let Some(shifts) = found {
-            self.shift(&rates[0], &rates[1], &shifts);
+            if has_moved {
+                let passing = Passing { time: stretch.within(behind), ..*passing };
+                let rates = rates.each_ref().map(Vec::as_slice);
+                self.take_up(stretch.system, &passing, &shifts, rates, after)?;
+            } else {
+                self.shift(&rates[0], &rates[1], &shifts);
+            }
             self.inner.borrow_mut().latest = Instant { time: passing.time, shifts };
         }
         Ok(())

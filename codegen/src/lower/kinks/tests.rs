@@ -24,7 +24,7 @@ fn found(build: impl FnOnce(&mut Graph, [NodeId; 4]) -> NodeId, tables: &[Table]
     let rate = build(&mut graph, leaves);
     let zero = graph.literal(0.0);
     let given = Given { is_mode: &[false, true], tables, run: (0.0, SPAN), parameters: &[P] };
-    let kinks = kinks(&mut graph, &[rate, zero], &given);
+    let kinks = kinks(&mut graph, &[rate, zero], &[], &given);
     assert_eq!(kinks.guards.len(), kinks.rates.len());
     [kinks.guards, kinks.times].map(|nodes| {
         let tape = graph.tape(&nodes);

@@ -16,6 +16,8 @@ use crate::error::StopCause;
 
 /// What moves by a smaller share of the tolerances does not jump.
 const NOTICED: f64 = 1e-3;
+/// Nor does what so many times the time between would do.
+const MOMENTS: f64 = 64.0;
 /// A smaller share of an impulse is rounding.
 const PULLS: f64 = 1e-6;
 
@@ -41,18 +43,17 @@ impl System<'_> {
         let Some(constraints) = self.constraints() else { return Ok(false) };
         let states = self.states();
         let led = constraints.led(behind, &state[..states]);
-        let put_onto = |time: f64| {
-            let mut after = state[..states].to_vec();
-            constraints.follow(&led, time, &mut after);
-            let moved = state.iter().zip(&after).zip(atol).map(|((before, after), atol)| {
-                (after - before).abs() / (atol + rtol * before.abs())
-            });
-            let moved = moved.fold(0.0, f64::max);
-            (after, moved)
+        let mut after = state[..states].to_vec();
+        constraints.follow(&led, behind, &mut after);
+        let [mut rate, mut rate_behind] = [(); 2].map(|()| vec![0.0; states]);
+        self.state_rate(front, &state[..states], &mut rate);
+        self.state_rate(behind, &state[..states], &mut rate_behind);
+        let jumps = |index: usize| {
+            let allowed = NOTICED * (atol[index] + rtol * state[index].abs());
+            let passed = (behind - front) * rate[index].abs().max(rate_behind[index].abs());
+            (after[index] - state[index]).abs() > allowed + MOMENTS * passed
         };
-        let (after, off) = put_onto(behind);
-        // What does not jump is far further off a little later.
-        if off <= NOTICED || put_onto(behind + 3.0 * (behind - front)).1 > 2.0 * off {
+        if !(0..states).any(jumps) {
             return Ok(false);
         }
         let simulator = self.simulator();

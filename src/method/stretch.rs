@@ -172,6 +172,22 @@ impl<'a> Stretch<'a> {
         jumps.then_some(behind)
     }
 
+    /// Whether the rate is another one at a state than a moment earlier, by as much as would be
+    /// noticed over a step.
+    pub(super) fn rate_jumps(&self, end: &[f64], (front, time): (f64, f64), step: f64) -> bool {
+        /// Of what the tolerances allow.
+        const NOTICED: f64 = 1e-2;
+        let [mut here, mut there] = [(); 2].map(|()| vec![0.0; end.len()]);
+        self.rate(time, end, &mut here);
+        let by = front - time;
+        let earlier: Vec<f64> = end.iter().zip(&here).map(|(y, f)| y + by * f).collect();
+        self.rate(front, &earlier, &mut there);
+        (0..self.system.states()).any(|index| {
+            let allowed = NOTICED * (self.atol[index] + self.rtol * end[index].abs());
+            step * (here[index] - there[index]).abs() > allowed
+        })
+    }
+
     /// One Euler step over the whole stretch, exact to rounding on a trivial
     /// one.
     pub(super) fn leap(&self, state: &mut [f64], samples: &mut Samples<'_>) {

@@ -32,10 +32,12 @@ pub(super) fn end_at<M: OneStep>(
         return Ok(Ending::Event);
     }
     method.is_last(true);
-    let reach = if watch.passes_kink() { approach } else { correct };
-    let Some(time) = reach(method, watch, (from, until), passing) else {
-        return Ok(Ending::NotReached);
+    let reached = if watch.passes_kink() {
+        approach(method, (stretch, watch), (from, until), passing)
+    } else {
+        correct(method, watch, (from, until), passing)
     };
+    let Some(time) = reached else { return Ok(Ending::NotReached) };
     if let Some(tangents) = stretch.system.tangents()
         && !tangents.carry(method, 0.0).is_good()
     {
@@ -114,12 +116,15 @@ fn correct<M: OneStep>(
 /// that they do: the root is foretold from in front of it.
 fn approach<M: OneStep>(
     method: &mut M,
-    watch: &Watch<'_>,
+    (stretch, watch): (&Stretch<'_>, &Watch<'_>),
     (from, until): (f64, f64),
     passing: f64,
 ) -> Option<f64> {
     const ROUNDS: usize = 12;
+    /// So many times what time resolves it goes back.
+    const MOST: f64 = 4.0;
     let resolved = 4.0 * f64::EPSILON * until.abs().max(until - from);
+    let mut back = 0.5 * resolved;
     let (mut front, mut beyond) = (from, until);
     let mut foretold = None;
     let mut time = passing;
@@ -127,7 +132,15 @@ fn approach<M: OneStep>(
         let is_good = method.attempt(time - from).is_good();
         let (distance, correction) = watch.before_kink(time, method.end());
         if is_good && (correction.abs() <= resolved || distance.abs() <= watch.rounding()) {
-            return Some(time);
+            let is_front = distance > 0.0 || time - back <= from || back > MOST * resolved;
+            let earlier = time - MOST * resolved;
+            if is_front || !stretch.rate_jumps(method.end(), (earlier, time), time - from) {
+                return Some(time);
+            }
+            // Methods ask for the rate at the end, which is to be that in front of the kink.
+            time -= back;
+            back *= 2.0;
+            continue;
         }
         let next = Some(time + correction);
         if is_good && distance > 0.0 {

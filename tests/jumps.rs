@@ -104,6 +104,25 @@ fn a_cart_whose_speed_jumps_swings_its_pendulum() {
     }
 }
 
+/// A short ramp is as a jump but for half of its length, and takes few steps: what is left of its
+/// polynomial in t - t0 is not multiplied out in t, which would be nothing but rounding.
+#[test]
+fn a_cart_whose_speed_changes_within_a_moment_swings_its_pendulum() {
+    for length in ["1e-2", "1e-4", "1e-5"] {
+        let ramp = format!("0.8 [m/s]*smooth_step((t - 0.77 [s])/{length} [s])");
+        let scene = trolley(&ramp);
+        let length: f64 = length.parse().expect("a number");
+        let expected = swings(&[(0.77 + 0.5 * length, 0.8)]);
+        for method in KEEPING {
+            let run = Simulation::new(&scene).method(method).rtol(1e-7).max_steps(2_000).run();
+            let run = run.unwrap_or_else(|error| panic!("{length:e}, {method}: {error}"));
+            let found = run.last("angle").expect("an output");
+            let allowed = 1e-5 + length * length;
+            assert!((found - expected).abs() < allowed, "{length:e}, {method}: {found}");
+        }
+    }
+}
+
 /// No list of times has these: they are found on the way.
 #[test]
 fn a_cart_whose_speed_jumps_to_and_fro_swings_its_pendulum() {

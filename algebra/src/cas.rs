@@ -4,6 +4,7 @@
 //! the [`Algebra`] that a session was opened with, and that nobody else looks into.
 
 #[cfg(feature = "symbolica")]
+mod digits;
 mod lock;
 mod plain;
 mod session;

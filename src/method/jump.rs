@@ -45,15 +45,18 @@ impl System<'_> {
         let led = constraints.led(behind, &state[..states]);
         let mut after = state[..states].to_vec();
         constraints.follow(&led, behind, &mut after);
+        let moved = |index: usize| (after[index] - state[index]).abs();
+        let is_noticed =
+            |index: usize| moved(index) > NOTICED * (atol[index] + rtol * state[index].abs());
+        if !(0..states).any(is_noticed) {
+            return Ok(false);
+        }
         let [mut rate, mut rate_behind] = [(); 2].map(|()| vec![0.0; states]);
         self.state_rate(front, &state[..states], &mut rate);
         self.state_rate(behind, &state[..states], &mut rate_behind);
-        let jumps = |index: usize| {
-            let allowed = NOTICED * (atol[index] + rtol * state[index].abs());
-            let passed = (behind - front) * rate[index].abs().max(rate_behind[index].abs());
-            (after[index] - state[index]).abs() > allowed + MOMENTS * passed
-        };
-        if !(0..states).any(jumps) {
+        let passed =
+            |index: usize| (behind - front) * rate[index].abs().max(rate_behind[index].abs());
+        if !(0..states).any(|index| is_noticed(index) && moved(index) > MOMENTS * passed(index)) {
             return Ok(false);
         }
         let simulator = self.simulator();

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use num_traits::Signed as _;
 
-use super::{Cas, Form, Kind, plain};
+use super::{Cas, Form, Kind, digits, plain};
 use crate::expr::extent::{self, bits};
 use crate::expr::trigonometry::{combine, has_sine};
 use crate::expr::{Expr, Function, operations, weigh};
@@ -56,8 +56,9 @@ pub(super) fn cheapest(cas: &mut Cas, form: &Form) -> Expr {
     };
     if is_expanded {
         let expanded = expanded(cas, form);
-        offer(collected(cas, &expanded));
-        offer(cas.expr(&expanded));
+        let candidates = [collected(cas, &expanded), cas.expr(&expanded)];
+        let own = cas.expr(form);
+        candidates.into_iter().filter(|candidate| !digits::loses(&own, candidate)).for_each(offer);
     } else {
         let combined = trigonometric(cas, form);
         offer(cas.expr(&combined));
@@ -82,7 +83,8 @@ pub(super) fn shorter(cas: &mut Cas, form: &Form) -> Form {
         return form.clone();
     }
     let expanded = expanded(cas, form);
-    if size(&expanded) < size(form) { expanded } else { form.clone() }
+    let is_shorter = size(&expanded) < size(form);
+    if is_shorter && !digits::loses(&expr, &cas.expr(&expanded)) { expanded } else { form.clone() }
 }
 
 fn size(form: &Form) -> usize {

@@ -1,0 +1,136 @@
+//! Whether multiplying out loses digits: powers of t - 0.77 are exact near 0.77 s, those of t that
+//! they are multiplied out to cancel there.
+
+use machinist_model::{NodeId, Op, Tape, evaluate};
+use num_traits::ToPrimitive as _;
+
+use crate::expr::{Expr, Function, Graph, Symbol};
+
+/// How near to where a sum passes zero both forms are looked at, as shares of its number.
+const NEAR: [f64; 3] = [1e-3, 1e-5, 1e-7];
+/// In the square of such a sum so many roundings may be lost.
+const ROUNDINGS: f64 = 100.0;
+/// So many sums are looked at.
+const MOST: usize = 8;
+
+/// Whether an expression is less exact multiplied out, near where a sum of a symbol and a number
+/// within it passes zero: by more than a square of that sum would be.
+pub(super) fn loses(expr: &Expr, multiplied_out: &Expr) -> bool {
+    let zeros = zeros(expr);
+    if zeros.is_empty() || ![expr, multiplied_out].into_iter().all(is_closed) {
+        return false;
+    }
+    let mut graph = Graph::new();
+    let mut roots: Vec<NodeId> = [expr, multiplied_out].map(|expr| graph.lower(expr)).to_vec();
+    roots.extend(zeros.iter().map(|(symbol, _)| graph.lower(&Expr::Symbol(*symbol))));
+    let tape = graph.tape(&roots);
+    zeros.iter().zip(&tape.results[2..]).any(|((_, zero), symbol)| {
+        NEAR.into_iter().any(|near| {
+            let [a, b] = values(&tape, *symbol, zero * (1.0 + near));
+            let lost = ROUNDINGS * f64::EPSILON / (near * near);
+            (a - b).abs() > lost * a.abs() && a.is_finite()
+        })
+    })
+}
+
+/// Where sums of a number and a multiple of one symbol pass zero.
+fn zeros(expr: &Expr) -> Vec<(Symbol, f64)> {
+    let mut zeros = Vec::new();
+    expr.visit(&mut |part| {
+        if let Expr::Sum(terms) = part
+            && let [a, b] = &terms[..]
+            && let Some(zero) = zero(a, b).or_else(|| zero(b, a))
+            && !zeros.contains(&zero)
+            && zeros.len() < MOST
+        {
+            zeros.push(zero);
+        }
+    });
+    zeros
+}
+
+/// Where c s + d is zero.
+fn zero(linear: &Expr, number: &Expr) -> Option<(Symbol, f64)> {
+    let Expr::Number(number) = number else { return None };
+    let (symbol, slope) = match linear {
+        Expr::Symbol(symbol) => (*symbol, 1.0),
+        Expr::Product(factors) => match &factors[..] {
+            [Expr::Number(slope), Expr::Symbol(symbol)]
+            | [Expr::Symbol(symbol), Expr::Number(slope)] => (*symbol, slope.to_f64()?),
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let zero = -number.to_f64()? / slope;
+    (symbol != Symbol::Pi && zero.is_finite() && zero != 0.0).then_some((symbol, zero))
+}
+
+/// Whether all in it has a value once time, states and parameters have.
+fn is_closed(expr: &Expr) -> bool {
+    let mut is_closed = true;
+    expr.visit(&mut |part| {
+        is_closed &= match part {
+            Expr::Symbol(symbol) => matches!(
+                symbol,
+                Symbol::Pi
+                    | Symbol::Time
+                    | Symbol::Coordinate(_)
+                    | Symbol::Velocity(_)
+                    | Symbol::FirstOrder(_)
+                    | Symbol::Parameter(_)
+            ),
+            Expr::Call(function, _) => !matches!(function, Function::Table { .. }),
+            _ => true,
+        };
+    });
+    is_closed
+}
+
+/// The first two results where one symbol has this value, and others some of their own.
+fn values(tape: &Tape, symbol: NodeId, value: f64) -> [f64; 2] {
+    let mut values: Vec<f64> = Vec::with_capacity(tape.nodes.len());
+    for (index, node) in tape.nodes.iter().enumerate() {
+        let own = |entry: u32| 0.4 + (0.618 * f64::from(entry)).fract();
+        values.push(match node.op {
+            _ if index == symbol.0 as usize => value,
+            Op::Time => own(0),
+            Op::State(entry) | Op::Parameter(entry) => own(entry + 1),
+            op => evaluate::operate(op, |id| values[id.0 as usize], &evaluate::Inputs::default()),
+        });
+    }
+    [0, 1].map(|result| values[tape.results[result].0 as usize])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn number(value: i64) -> Expr {
+        Expr::integer(value)
+    }
+
+    fn power(base: &Expr, exponent: i64) -> Expr {
+        Expr::Power(Box::new(base.clone()), Box::new(number(exponent)))
+    }
+
+    #[test]
+    fn powers_of_a_distance_lose_digits_multiplied_out_and_squares_do_not() {
+        let time = Expr::Symbol(Symbol::Time);
+        let distance = Expr::Sum(vec![time.clone(), number(-3)]);
+        // t^2 - 6 t + 9, t^3 - 9 t^2 + 27 t - 27
+        let multiple = |factor, power| Expr::Product(vec![number(factor), power]);
+        let square = Expr::Sum(vec![power(&time, 2), multiple(-6, time.clone()), number(9)]);
+        let cube = Expr::Sum(vec![
+            power(&time, 3),
+            multiple(-9, power(&time, 2)),
+            multiple(27, time.clone()),
+            number(-27),
+        ]);
+        assert!(!loses(&power(&distance, 2), &square));
+        assert!(loses(&power(&distance, 3), &cube));
+        // Nothing cancels there.
+        let beside = Expr::Sum(vec![power(&distance, 3), number(5)]);
+        let same = Expr::Sum(vec![cube, number(5)]);
+        assert!(!loses(&beside, &same));
+    }
+}

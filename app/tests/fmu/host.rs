@@ -355,6 +355,8 @@ pub struct Stepper<'a> {
     pub events: usize,
     /// An input and what it is over time.
     pub input: Option<Input>,
+    /// How fast states err, to one side and the other.
+    pub drift: f64,
 }
 
 impl<'a> Stepper<'a> {
@@ -363,8 +365,8 @@ impl<'a> Stepper<'a> {
         let (mut states, mut indicators) = (0, 0);
         ok!(unit, fmi3GetNumberOfContinuousStates(unit.handle, &raw mut states));
         ok!(unit, fmi3GetNumberOfEventIndicators(unit.handle, &raw mut indicators));
-        let (time, next, events, input) = (0.0, None, 0, None);
-        let mut stepper = Self { unit, time, next, states, indicators, events, input };
+        let (time, next, events, input, drift) = (0.0, None, 0, None, 0.0);
+        let mut stepper = Self { unit, time, next, states, indicators, events, input, drift };
         stepper.finish_event();
         stepper
     }
@@ -420,8 +422,9 @@ impl<'a> Stepper<'a> {
         let b = self.rate(time + half, &moved(&a, half));
         let c = self.rate(time + half, &moved(&b, half));
         let d = self.rate(time + step, &moved(&c, step));
+        let drift = step * self.drift * (1e3 * time).sin();
         (0..self.states)
-            .map(|i| state[i] + step / 6.0 * (a[i] + 2.0 * (b[i] + c[i]) + d[i]))
+            .map(|i| state[i] + step / 6.0 * (a[i] + 2.0 * (b[i] + c[i]) + d[i]) + drift)
             .collect()
     }
 

@@ -134,6 +134,47 @@ fn model_exchange_with_a_method_of_the_hosts_is_a_run_of_our_own() {
     }
 }
 
+/// Two brakes hold a shaft together, and one of them or the other is at its limit: what constraints
+/// hold drifts in the steps of a host, and is not taken for a slide that has ended or turned.
+#[test]
+fn brakes_that_hold_together_do_so_under_a_method_of_the_hosts() {
+    let text = r#"
+        [scene]
+        name = "brakes"
+        [units]
+        rotor = { unit = "rotational/inertia", parameters = { inertia = 0.0182 } }
+        first = { unit = "rotational/brake", parameters = { friction = 1.79 }, inputs = { normal_force = "1 [N]" } }
+        second = { unit = "rotational/brake", parameters = { friction = 1.6 }, inputs = { normal_force = "1 [N]" } }
+        [[joints]]
+        connect = ["rotor.a", "first.a"]
+        [[joints]]
+        connect = ["rotor.a", "second.a"]
+        [[forces]]
+        port = "rotor.b"
+        expression = "2.03 [N m]*sin(3.13 [rad/s]*t)"
+        [outputs]
+        speed = "rotor.omega"
+        [run]
+        until = 20.0
+    "#;
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("brakes.toml");
+    std::fs::write(&file, text).expect("written");
+    let archive = Archive::of(file.to_str().expect("a plain path"), &[]);
+    let speed = [archive.reference("speed")];
+    let unit = archive.exchange();
+    unit.begin(20.0);
+    let mut stepper = Stepper::new(&unit);
+    stepper.drift = 1e-7;
+    for step in 1..=100 {
+        stepper.go(0.2 * f64::from(step), 1e-2);
+        let speed = unit.get(&speed)[0];
+        assert!(speed.abs() < 1e-6, "{speed} after {step}");
+    }
+    // In each of ten turns of the torque they change hands some times, and are put back now and then.
+    assert!((10..160).contains(&stepper.events), "{}", stepper.events);
+}
+
 #[test]
 fn four_instances_on_four_threads_run_as_one_does() {
     let archive = Arc::new(Archive::of("saw_gin", &[]));

@@ -16,8 +16,12 @@ use machinist_contract::{Direction, Simulator};
 use serde::{Deserialize, Serialize};
 
 use super::passing::{AT_REST, guards_at, is_wanted};
+use super::settle::is_beyond;
 use super::{Problem, Side, Stopped, Switch, Watch};
 use crate::error::StopCause;
+
+/// Of what a guard compares, at the states' typical sizes: no more of it is zero.
+const ROUNDINGS: f64 = 64.0;
 
 /// What is known of guards between the pieces of a run.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -229,14 +233,19 @@ impl<'a> Watch<'a> {
             };
             memory.slack[index] = 0.0;
             let (guard, rate) = self.guard_at(time, state, index);
-            let zero = residual.max(16.0 * f64::EPSILON * time.abs() * rate.abs());
+            let blur = self.blur(index, time, state);
+            let size = blur / self.rtol;
+            let rounding = ROUNDINGS * f64::EPSILON * size;
+            let zero = residual.max(16.0 * f64::EPSILON * time.abs() * rate.abs()).max(rounding);
             let direction = self.direction(index);
-            if guard.abs() > zero {
+            if guard.abs() > if is_beyond(direction, guard) { zero.max(blur) } else { zero } {
                 self.inner.borrow_mut().sides[index] = Side::Known(guard.signum());
                 continue;
             }
-            let size = self.blur(index, time, state) / self.rtol;
             if rate == 0.0 || rate.abs() * self.span <= AT_REST * size {
+                // Whatever holds it there, who steps the run lets it drift within tolerances.
+                let residual = residual.max(blur);
+                self.inner.borrow_mut().sides[index] = Side::Fresh { passed, residual };
                 continue;
             }
             let seen = rate.signum();

@@ -3,8 +3,8 @@
 //! Takes [`Expr`] in and gives [`Expr`] back; in between stands [`Form`], an expression of
 //! the [`Algebra`] that a session was opened with, and that nobody else looks into.
 
-#[cfg(feature = "symbolica")]
 mod digits;
+#[cfg(feature = "symbolica")]
 mod lock;
 mod plain;
 mod session;

@@ -262,7 +262,7 @@ pub enum StopCause {
     #[error(
         "Newton's iteration does not converge. \
          Hint: the right-hand side is not smooth there; write jumps with `step` or `piecewise`, \
-         or try the method `tsit45`"
+         or try the method `dop853`"
     )]
     Newton,
     /// The limit on steps is reached.
@@ -407,7 +407,7 @@ pub enum StopCause {
     /// Taylor's method on a simulator without series.
     #[error(
         "this simulator has no Taylor series: it was written by hand, or is too large; \
-         try the method `bdf`"
+         try the method `auto`"
     )]
     NoSeries,
     /// The closed form of a machine that is not linear.

@@ -235,8 +235,8 @@ fn chopped(rate: f64, duty: f64, until: f64) -> f64 {
     })
 }
 
-#[test]
-fn what_is_compared_with_a_sawtooth_switches_at_both_of_its_ends() {
+/// A block with a damper under a force that turns its sign as a sawtooth passes a share of it.
+fn compared_with_a_sawtooth() -> ModelSimulator {
     let text = text("0 [N]")
         .replace("1 [N/m]*x^2/2 + 1 [N/m^3]*x^4/4", "0 [J]")
         .replace("unit = \"s\" }\n        width", "unit = \"Hz\" }\n        width")
@@ -246,7 +246,12 @@ fn what_is_compared_with_a_sawtooth_switches_at_both_of_its_ends() {
             "piecewise(mod(centre*t, 1) < width, 1 [N], -1 [N]) - 1 [N*s/m]*v",
         )
         .replace("until = 100.0", "until = 0.2");
-    let block = of_text(&text, Keep::Needed);
+    of_text(&text, Keep::Needed)
+}
+
+#[test]
+fn what_is_compared_with_a_sawtooth_switches_at_both_of_its_ends() {
+    let block = compared_with_a_sawtooth();
     // Runs that end with a turn and others; turns that begin with the run, the other way round.
     for rate in [25.0, 77.0, 100.0, 125.0, 400.0, 1e3, -100.0] {
         for method in OWN {
@@ -254,6 +259,31 @@ fn what_is_compared_with_a_sawtooth_switches_at_both_of_its_ends() {
             let expected =
                 if rate > 0.0 { chopped(rate, 0.3, 0.2) } else { -chopped(-rate, 0.7, 0.2) };
             assert!((v - expected).abs() < 1e-6, "{method}, {rate}: {v} for {expected}");
+        }
+    }
+}
+
+/// Where the sawtooth jumps, what it is compared with does not move the switch, and its own pace
+/// does.
+#[test]
+fn derivatives_go_through_both_ends_of_a_sawtooth() {
+    let block = compared_with_a_sawtooth();
+    for (rate, duty) in [(77.0, 0.3), (412.0, 0.9)] {
+        let step = 1e-5;
+        let by_rate = (chopped(rate + step, duty, 0.2) - chopped(rate - step, duty, 0.2)) / step;
+        let by_duty = (chopped(rate, duty + step, 0.2) - chopped(rate, duty - step, 0.2)) / step;
+        for method in [Method::Dop853, Method::Tsit5, Method::Radau, Method::Auto] {
+            let run = Simulation::new(&block).method(method).rtol(1e-9);
+            let run = run.parameter("block.centre", rate).expect("a parameter");
+            let run = run.parameter("block.width", duty).expect("a parameter");
+            let run = run.sensitivities(&["block.centre", "block.width"]).expect("parameters");
+            let run = run.run().unwrap_or_else(|error| panic!("{method}: {error}"));
+            for (by, twice) in [("block.centre", by_rate), ("block.width", by_duty)] {
+                let found = run.sensitivity("block.v", by).expect("a column");
+                let found = *found.last().expect("rows");
+                let error = (found - 0.5 * twice).abs();
+                assert!(error < 1e-6, "{method}, {rate}, by {by}: {found} for {}", 0.5 * twice);
+            }
         }
     }
 }

@@ -14,7 +14,7 @@ const BEHIND: f64 = 1e-12;
 
 impl Watch<'_> {
     /// If what happens at the end of a step, in `state`, is that kinks are passed and
-    /// nothing else: puts the state behind them, and gives the time and the kinks.
+    /// nothing else: puts the state behind them, and gives the time and the kinks that tell it.
     ///
     /// # Errors
     /// [`Chattering`](crate::error::StopCause::Chattering) if the state is driven back from behind.
@@ -33,7 +33,13 @@ impl Watch<'_> {
         for kink in &kinks {
             behind = self.put_behind(stretch, *kink, behind, state)?;
         }
-        Ok(Some((behind, kinks)))
+        let jumps = |index: &usize| {
+            let outcome = self.inner.borrow().outcomes[*index];
+            matches!(outcome, super::Outcome::Passes { jumps: true, .. })
+        };
+        // What only jumps there passes when the others do.
+        let tells: Vec<usize> = kinks.iter().copied().filter(|index| !jumps(index)).collect();
+        Ok(Some((behind, if tells.is_empty() { kinks } else { tells })))
     }
 
     /// Puts a state at a kink behind it; its new time.

@@ -103,3 +103,44 @@ mod emitted {
         assert!(many_time < 10 * few_time + Duration::from_secs(5));
     }
 }
+
+/// A port may be anywhere on its field, and not beyond it: there is no machine, and no number.
+#[test]
+fn a_port_beyond_the_end_of_its_field_is_refused() {
+    let text = r#"
+        [scene]
+        name = "shaft_line"
+        [units]
+        bar = { unit = "bar", fields = { phi = { elements = 6, order = 4 } } }
+        disk = { unit = "rotational/inertia", parameters = { inertia = 1.5 } }
+        [[joints]]
+        connect = ["disk.a", "bar.mid"]
+        [initial]
+        "bar.phi" = "0.001 [rad]*x/bar.length"
+        [run]
+        until = 0.1
+        points = 2
+        [define.bar.parameters]
+        length = { value = 12, unit = "m" }
+        place = { value = 4, unit = "m" }
+        [define.bar.fields.phi]
+        unit = "rad"
+        over = "length"
+        kinetic = "0.08 [kg m]*phi_dot^2/2"
+        potential = "8e5 [N m^2]*phi_x^2/2"
+        [define.bar.ports]
+        left = { kind = "rotational", field = "phi", at = "0 [m]" }
+        mid = { kind = "rotational", field = "phi", at = "place" }
+        right = { kind = "rotational", field = "phi", at = "length" }
+    "#;
+    let scene = crate::own_scene::of_text(text, machinist_codegen::mechanics::reduce::Keep::All);
+    let wanted = Discretisation { elements: Some(6), order: Some(4) };
+    let simulator = FieldSimulator::new(scene.with_fields(), wanted).expect("elements");
+    for place in [0.5, 4.0, 11.5, 13.0, -1.0] {
+        for method in [Method::Auto, Method::Dop853, Method::Radau] {
+            let run = Simulation::new(&simulator).method(method).parameter("bar.place", place);
+            let run = run.expect("a parameter").run();
+            assert_eq!(run.is_ok(), (0.0..=12.0).contains(&place), "{place}, {method}");
+        }
+    }
+}

@@ -216,6 +216,12 @@ impl<R: Real> FieldSimulator<'_, R> {
             }
             bounds[0] = R::literal(0.0);
             bounds[bound] = places[places.len() - 1];
+            // Beyond an end of the field, or of the part that another port ends, is nowhere: what
+            // follows from it is no number, and is told of as such.
+            for bound in 1..=bound {
+                let [before, here] = [bounds[bound - 1], bounds[bound]];
+                bounds[bound] = R::select_less(here, before, R::literal(f64::NAN), here);
+            }
         }
     }
 

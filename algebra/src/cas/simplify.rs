@@ -41,29 +41,27 @@ const NUMBER_LIMIT: u64 = 8192;
 /// factored: Symbolica's factors save two operations in a thousand of the scenes, and it does
 /// not find an end of one polynomial in some thousands.
 pub(super) fn cheapest(cas: &mut Cas, form: &Form) -> Expr {
-    let expr = cas.expr(form);
-    let (size, cost) = weigh(&expr);
-    let is_expanded = size <= EXPAND_LIMIT && may_be_expanded(&expr);
-    let mut best = (cost, expr);
+    let own = cas.expr(form);
+    let (size, cost) = weigh(&own);
     if size <= 1 {
-        return best.1;
+        return own;
     }
-    let mut offer = |candidate: Expr| {
-        let (_, cost) = weigh(&candidate);
-        if cost < best.0 {
-            best = (cost, candidate);
-        }
-    };
-    if is_expanded {
+    let is_expanded = size <= EXPAND_LIMIT && may_be_expanded(&own);
+    let candidates = if is_expanded {
         let expanded = expanded(cas, form);
-        let candidates = [collected(cas, &expanded), cas.expr(&expanded)];
-        let own = cas.expr(form);
-        candidates.into_iter().filter(|candidate| !digits::loses(&own, candidate)).for_each(offer);
+        vec![collected(cas, &expanded), cas.expr(&expanded)]
     } else {
         let combined = trigonometric(cas, form);
-        offer(cas.expr(&combined));
+        vec![cas.expr(&combined)]
+    };
+    let mut best = (cost, None);
+    for candidate in candidates {
+        let (_, cost) = weigh(&candidate);
+        if cost < best.0 && !(is_expanded && digits::loses(&own, &candidate)) {
+            best = (cost, Some(candidate));
+        }
     }
-    best.1
+    best.1.unwrap_or(own)
 }
 
 /// With factors that terms share before them.

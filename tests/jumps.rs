@@ -59,23 +59,32 @@ fn run(scene: &ModelSimulator, set: &[(&str, f64)], method: Method, rtol: f64) -
     run.unwrap_or_else(|error| panic!("{set:?}, {method} at {rtol:e}: {error}"))
 }
 
-/// theta'' = -g/l sin(theta) by steps of Runge and Kutta, and theta' -= cos(theta) dv/l at each jump
-/// of the cart's speed.
-fn swings(jumps: &[(f64, f64)]) -> f64 {
-    let rate = |[angle, speed]: [f64; 2]| [speed, -GRAVITY / LENGTH * f64::sin(angle)];
+/// Two states after steps of Runge and Kutta, so many a second.
+fn carried(
+    rate: impl Fn(f64, [f64; 2]) -> [f64; 2],
+    mut y: [f64; 2],
+    (from, until): (f64, f64),
+) -> [f64; 2] {
     let moved = |y: [f64; 2], f: [f64; 2], by: f64| [y[0] + by * f[0], y[1] + by * f[1]];
+    let steps = (10_000.0 * (until - from)).ceil();
+    let h = (until - from) / steps;
+    for step in 0..steps as usize {
+        let t = from + step as f64 * h;
+        let a = rate(t, y);
+        let b = rate(t + 0.5 * h, moved(y, a, 0.5 * h));
+        let c = rate(t + 0.5 * h, moved(y, b, 0.5 * h));
+        let d = rate(t + h, moved(y, c, h));
+        y = std::array::from_fn(|k| y[k] + h / 6.0 * (a[k] + 2.0 * (b[k] + c[k]) + d[k]));
+    }
+    y
+}
+
+/// theta'' = -g/l sin(theta) between jumps of the cart's speed, theta' -= cos(theta) dv/l at each.
+fn swings(jumps: &[(f64, f64)]) -> f64 {
+    let rate = |_, [angle, speed]: [f64; 2]| [speed, -GRAVITY / LENGTH * f64::sin(angle)];
     let ends = jumps.iter().copied().chain([(4.0, 0.0)]);
-    let start = (0.0, [0.3, 0.0]);
-    let (_, y) = ends.fold(start, |(from, mut y), (until, jump)| {
-        let steps = (10_000.0 * (until - from)).ceil();
-        let h = (until - from) / steps;
-        for _ in 0..steps as usize {
-            let a = rate(y);
-            let b = rate(moved(y, a, 0.5 * h));
-            let c = rate(moved(y, b, 0.5 * h));
-            let d = rate(moved(y, c, h));
-            y = std::array::from_fn(|k| y[k] + h / 6.0 * (a[k] + 2.0 * (b[k] + c[k]) + d[k]));
-        }
+    let (_, y) = ends.fold((0.0, [0.3, 0.0]), |(from, y), (until, jump)| {
+        let y = carried(rate, y, (from, until));
         (until, [y[0], y[1] - f64::cos(y[0]) * jump / LENGTH])
     });
     y[0]
@@ -166,19 +175,8 @@ fn a_rope_that_is_wound_from_a_moment_on_keeps_the_angular_momentum_of_its_load(
         let rate = |t: f64, [angle, spin]: [f64; 2]| {
             [spin / length(t).powi(2), -GRAVITY * length(t) * f64::sin(angle)]
         };
-        let moved = |y: [f64; 2], f: [f64; 2], by: f64| [y[0] + by * f[0], y[1] + by * f[1]];
-        let mut y = [f64::atan2(3.0, 4.0), 0.0];
-        for (from, until) in [(0.0, begins), (begins, 4.0)] {
-            let h = (until - from) / 20_000.0;
-            for step in 0..20_000 {
-                let t = from + f64::from(step) * h;
-                let a = rate(t, y);
-                let b = rate(t + 0.5 * h, moved(y, a, 0.5 * h));
-                let c = rate(t + 0.5 * h, moved(y, b, 0.5 * h));
-                let d = rate(t + h, moved(y, c, h));
-                y = std::array::from_fn(|k| y[k] + h / 6.0 * (a[k] + 2.0 * (b[k] + c[k]) + d[k]));
-            }
-        }
+        let start = [f64::atan2(3.0, 4.0), 0.0];
+        let y = carried(rate, carried(rate, start, (0.0, begins)), (begins, 4.0));
         check(&scene, &[("begins", begins), ("pace", pace)], y[0]);
     }
 }

@@ -10,6 +10,7 @@ mod fold;
 mod graph;
 pub mod identity;
 mod matrix;
+mod overflow;
 pub mod rank;
 mod signs;
 mod terms;

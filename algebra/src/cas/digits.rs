@@ -16,6 +16,9 @@ const MOST: usize = 8;
 /// Whether an expression is less exact multiplied out, near where a sum of a symbol and a number
 /// within it passes zero: by more than a square of that sum would be.
 pub(super) fn loses(expr: &Expr, multiplied_out: &Expr) -> bool {
+    if spreads(expr, multiplied_out) {
+        return true;
+    }
     let zeros = zeros(expr);
     if zeros.is_empty() || ![expr, multiplied_out].into_iter().all(is_closed) {
         return false;
@@ -31,6 +34,70 @@ pub(super) fn loses(expr: &Expr, multiplied_out: &Expr) -> bool {
             (a - b).abs() > lost * a.abs() && a.is_finite()
         })
     })
+}
+
+/// Whether the power of a distance from a place that parameters give is multiplied out: that is
+/// small where the two are near, what it is multiplied out to is not, and another parameter may be
+/// far smaller. Or that of a sum with an exponential: squares of it overflow sooner, and quotients
+/// with it are told as such no more.
+fn spreads(expr: &Expr, multiplied_out: &Expr) -> bool {
+    let mut distances = Vec::new();
+    expr.visit(&mut |part| {
+        if let Expr::Power(base, exponent) = part
+            && matches!(**exponent, Expr::Number(_))
+            && (is_distance(base) || grows(base))
+        {
+            distances.push(&**base);
+        }
+    });
+    if distances.is_empty() {
+        return false;
+    }
+    let mut kept = Vec::new();
+    multiplied_out.visit(&mut |part| {
+        if is_distance(part) || grows(part) {
+            kept.push(part);
+        }
+    });
+    distances.iter().any(|distance| !kept.contains(distance))
+}
+
+/// Whether an expression is a sum with an exponential.
+fn grows(expr: &Expr) -> bool {
+    let is_exponential = |expr: &Expr| matches!(expr, Expr::Call(Function::Exp, _));
+    let has_exponential = |term: &Expr| match term {
+        Expr::Product(factors) => factors.iter().any(is_exponential),
+        term => is_exponential(term),
+    };
+    matches!(expr, Expr::Sum(terms) if terms.iter().any(has_exponential))
+}
+
+/// Whether an expression is a multiple of a state or time, less a product of parameters.
+fn is_distance(expr: &Expr) -> bool {
+    let is_multiple = |expr: &Expr, is: fn(Symbol) -> bool| match expr {
+        Expr::Symbol(symbol) => is(*symbol),
+        Expr::Product(factors) => {
+            let is_one = |factor: &Expr| matches!(factor, Expr::Symbol(symbol) if is(*symbol));
+            let is_number = |factor: &Expr| matches!(factor, Expr::Number(_));
+            factors.iter().all(|factor| is_one(factor) || is_number(factor))
+                && factors.iter().any(is_one)
+        }
+        _ => false,
+    };
+    let is_of_place = |expr: &Expr| {
+        is_multiple(expr, |symbol| {
+            use Symbol::{Coordinate, FirstOrder, Time, Velocity};
+            matches!(symbol, Time | Coordinate(_) | Velocity(_) | FirstOrder(_))
+        })
+    };
+    let is_place = |expr: &Expr| is_multiple(expr, |symbol| matches!(symbol, Symbol::Parameter(_)));
+    match expr {
+        Expr::Sum(terms) => match &terms[..] {
+            [a, b] => (is_of_place(a) && is_place(b)) || (is_place(a) && is_of_place(b)),
+            _ => false,
+        },
+        _ => false,
+    }
 }
 
 /// Where sums of a number and a multiple of one symbol pass zero.
@@ -132,5 +199,20 @@ mod tests {
         let beside = Expr::Sum(vec![power(&distance, 3), number(5)]);
         let same = Expr::Sum(vec![cube, number(5)]);
         assert!(!loses(&beside, &same));
+    }
+
+    #[test]
+    fn squares_of_a_distance_from_a_parameter_and_of_exponentials_stay() {
+        use crate::expr::ParameterId;
+        let [x, place] = [Symbol::Time, Symbol::Parameter(ParameterId(0))].map(Expr::Symbol);
+        let minus = |expr: &Expr| Expr::Product(vec![number(-1), expr.clone()]);
+        let distance = Expr::Sum(vec![x.clone(), minus(&place)]);
+        let apart = Expr::Sum(vec![power(&x, 2), power(&place, 2)]);
+        assert!(loses(&power(&distance, 2), &apart));
+        assert!(!loses(&power(&distance, 2), &Expr::Product(vec![distance.clone(), x.clone()])));
+        assert!(!loses(&power(&Expr::Sum(vec![x.clone(), power(&place, 2)]), 2), &apart));
+        let exponential = Expr::Call(Function::Exp, vec![x]);
+        let sum = Expr::Sum(vec![number(1), exponential.clone()]);
+        assert!(loses(&power(&sum, -2), &power(&exponential, -2)));
     }
 }

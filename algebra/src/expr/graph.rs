@@ -176,6 +176,22 @@ impl Graph {
             _ => self.push(Op::Powi(a, exponent)),
         }
     }
+    /// Base and exponent of what [`Graph::powi`] makes; of all else itself and 1.
+    #[must_use]
+    pub fn as_power(&self, id: NodeId) -> (NodeId, i32) {
+        match self.op(id) {
+            Op::Powi(base, exponent) => (base, exponent),
+            Op::Mul(a, b) if a == b => {
+                let (base, exponent) = self.as_power(a);
+                (base, 2 * exponent)
+            }
+            Op::Mul(a, b) => match [a, b].map(|factor| self.as_power(factor)) {
+                [(base, first), (other, second)] if base == other => (base, first + second),
+                _ => (id, 1),
+            },
+            _ => (id, 1),
+        }
+    }
     /// a^b
     pub fn powf(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::Powf(a, b))

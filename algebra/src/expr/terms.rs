@@ -6,6 +6,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive};
 
 use super::graph::Graph;
+use super::overflow;
 use machinist_model::{Function as Unary, NodeId};
 
 use super::{Expr, Function};
@@ -91,7 +92,8 @@ fn product(graph: &mut Graph, factors: &[Expr]) -> NodeId {
         let varying = !graph.is_constant(node);
         parts[usize::from(below) + 2 * usize::from(varying)].push(node);
     }
-    let [parameters, under_parameters, varying, under_varying] = parts;
+    let [parameters, under_parameters, mut varying, mut under_varying] = parts;
+    overflow::avoid(graph, &mut varying, &mut under_varying);
     let sign = graph.literal(coefficient.signum());
     let coefficient = graph.literal(coefficient.abs());
     let constant = multiply(graph, coefficient, &parameters);

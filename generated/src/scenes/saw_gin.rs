@@ -21,7 +21,7 @@
 // Shapes: coordinates 2, first-order states 4, states 7, parameters 21, outputs 8, discontinuities 1.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 26 of 7 by 7, parameter_jacobian 39 of 7 by 21.
 // Operations: discontinuities 6, rate 77, forcing 42, rate_jacobian 72, parameter_jacobian 179,
-//     time_derivative 30, outputs 54, energy 39, power_balance 151, prepare 64, prepared_rate 54,
+//     time_derivative 32, outputs 54, energy 39, power_balance 151, prepare 64, prepared_rate 54,
 //     prepared_rate_jacobian 37, prepared_jacobians 155.
 
 use ::machinist_contract::{
@@ -313,8 +313,8 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
     let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
     let time_minus_load_engagement_time = time - p.load_engagement_time;
-    let t3 = (-(c.inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
-    let t4 = R::literal(1.0) + t3;
+    let t3 = c.inverse_load_engagement_width * time_minus_load_engagement_time;
+    let t4 = R::literal(1.0) + (-t3).exp();
     let load_engagement = R::literal(1.0) / t4;
     let t5 = p.load_mean.add_product(p.load_amplitude, t1);
     let t6 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
@@ -388,11 +388,11 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         * c.inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2 * t6
         * c.inverse_cylinder_inertia);
-    let t14 = t4 * t4;
-    let cylinder_omega_dot_by_load_engagement_time = c.inverse_load_engagement_width * t5 * t3 * t6
+    let t14 = t4 * (R::literal(1.0) + t3.exp());
+    let cylinder_omega_dot_by_load_engagement_time = c.inverse_load_engagement_width * t5 * t6
         / t14 * c.inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_engagement_width = c.t18 * time_minus_load_engagement_time * t5
-        * t3 * t6 / t14 * c.inverse_cylinder_inertia;
+        * t6 / t14 * c.inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_standstill_band = c.inverse_load_standstill_band_squared
         * cylinder_omega * load_engagement * t7 * t5 * c.inverse_cylinder_inertia;
     [R::literal(1.0), c.coupling_twist_dot_by_cylinder_omega, c.motor_omega_dot_by_coupling_twist,
@@ -427,7 +427,7 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         motor_psi_ry_dot_by_motor_alpha_r]
 }
 
-/// Partial derivative of `y'` with respect to time. 30 operations.
+/// Partial derivative of `y'` with respect to time. 32 operations.
 #[must_use]
 pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
     let [_, _, cylinder_omega, ..] = *state;
@@ -435,12 +435,12 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>)
     let t0 = p.load_phase.add_product(R::literal(core::f64::consts::PI) * load_omega_2, time);
     let (t1, t2) = t0.sin_cos();
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
-    let t3 = (inverse_load_engagement_width * (p.load_engagement_time - time)).exp();
-    let t4 = R::literal(1.0) + t3;
+    let t3 = inverse_load_engagement_width * (time - p.load_engagement_time);
+    let t4 = R::literal(1.0) + (-t3).exp();
     let load_engagement = R::literal(1.0) / t4;
     let t5 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let cylinder_omega_dot_by_time = (-(inverse_load_engagement_width * p.load_mean
-        .add_product(p.load_amplitude, t1) * t3 * t5 / (t4 * t4)))
+        .add_product(p.load_amplitude, t1) * t5 / (t4 * (R::literal(1.0) + t3.exp()))))
         .add_product(R::literal(-3.141_592_653_589_793) * p.load_amplitude * load_omega_2
         * load_engagement * t2, t5) * (R::literal(1.0) / p.cylinder_inertia);
     [R::literal(0.0), R::literal(0.0), cylinder_omega_dot_by_time, R::literal(0.0),

@@ -20,7 +20,7 @@
 // Shapes: coordinates 2, first-order states 4, states 8, parameters 23, outputs 5, discontinuities 1.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 30 of 8 by 8, parameter_jacobian 38 of 8 by 23.
 // Operations: discontinuities 6, rate 85, forcing 41, rate_jacobian 78, parameter_jacobian 179,
-//     time_derivative 30, outputs 42, energy 12, power_balance 62, prepare 61, prepared_rate 61,
+//     time_derivative 32, outputs 42, energy 12, power_balance 62, prepare 61, prepared_rate 61,
 //     prepared_rate_jacobian 42, prepared_jacobians 167.
 
 use ::machinist_contract::{
@@ -307,8 +307,8 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let (t1, t2) = t0.sin_cos();
     let motor_rotor_term = (p.motor_literal * motor_phi).add_product(c.t0, motor_omega);
     let time_minus_load_engagement_time = time - p.load_engagement_time;
-    let t3 = (-(c.inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
-    let t4 = R::literal(1.0) + t3;
+    let t3 = c.inverse_load_engagement_width * time_minus_load_engagement_time;
+    let t4 = R::literal(1.0) + (-t3).exp();
     let load_engagement = R::literal(1.0) / t4;
     let t5 = p.load_mean.add_product(p.load_amplitude, t1);
     let t6 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
@@ -391,11 +391,11 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         * c.inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2 * t6
         * c.inverse_cylinder_inertia);
-    let t9 = t4 * t4;
-    let cylinder_omega_dot_by_load_engagement_time = c.inverse_load_engagement_width * t5 * t3 * t6
-        / t9 * c.inverse_cylinder_inertia;
+    let t9 = t4 * (R::literal(1.0) + t3.exp());
+    let cylinder_omega_dot_by_load_engagement_time = c.inverse_load_engagement_width * t5 * t6 / t9
+        * c.inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_engagement_width = c.t20 * time_minus_load_engagement_time * t5
-        * t3 * t6 / t9 * c.inverse_cylinder_inertia;
+        * t6 / t9 * c.inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_standstill_band = c.inverse_load_standstill_band_squared
         * cylinder_omega * load_engagement * t7 * t5 * c.inverse_cylinder_inertia;
     [R::literal(1.0), R::literal(1.0), c.motor_omega_dot_by_motor_phi,
@@ -430,7 +430,7 @@ pub fn prepared_jacobians<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         motor_psi_y2_dot_by_motor_literal]
 }
 
-/// Partial derivative of `y'` with respect to time. 30 operations.
+/// Partial derivative of `y'` with respect to time. 32 operations.
 #[must_use]
 pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
     let [_, _, _, cylinder_omega, ..] = *state;
@@ -438,12 +438,12 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>)
     let t0 = p.load_phase.add_product(R::literal(core::f64::consts::PI) * load_omega_2, time);
     let (t1, t2) = t0.sin_cos();
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
-    let t3 = (inverse_load_engagement_width * (p.load_engagement_time - time)).exp();
-    let t4 = R::literal(1.0) + t3;
+    let t3 = inverse_load_engagement_width * (time - p.load_engagement_time);
+    let t4 = R::literal(1.0) + (-t3).exp();
     let load_engagement = R::literal(1.0) / t4;
     let t5 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let cylinder_omega_dot_by_time = (-(inverse_load_engagement_width * p.load_mean
-        .add_product(p.load_amplitude, t1) * t3 * t5 / (t4 * t4)))
+        .add_product(p.load_amplitude, t1) * t5 / (t4 * (R::literal(1.0) + t3.exp()))))
         .add_product(R::literal(-3.141_592_653_589_793) * p.load_amplitude * load_omega_2
         * load_engagement * t2, t5) * (R::literal(1.0) / p.cylinder_inertia);
     [R::literal(0.0), R::literal(0.0), R::literal(0.0), cylinder_omega_dot_by_time,

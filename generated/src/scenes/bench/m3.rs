@@ -19,9 +19,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 3, first-order states 4, states 10, parameters 33, outputs 3.
 // Nonzeros: mass_matrix 3 of 3 by 3, rate_jacobian 30 of 10 by 10, parameter_jacobian 50 of 10 by 33.
-// Operations: initial_state 18, rate 91, mass_matrix 4, forcing 50, rate_jacobian 87,
-//     parameter_jacobian 240, time_derivative 44, energy 50, power_balance 177, prepare 84,
-//     prepared_rate 62, prepared_rate_jacobian 42, prepared_parameter_jacobian 178.
+// Operations: initial_state 18, rate 91, mass_matrix 4, forcing 50, rate_jacobian 88,
+//     parameter_jacobian 241, time_derivative 46, energy 50, power_balance 177, prepare 85,
+//     prepared_rate 62, prepared_rate_jacobian 43, prepared_parameter_jacobian 179.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
@@ -109,15 +109,15 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 ::machinist_contract::constants! {
     motor_omega_0, motor_u_x, motor_u_y, t1, t3, t4, inverse_motor_inertia, t7, t8,
     inverse_shaft_standstill_band, t9, t10, t11, motor_alpha_s_times_motor_omega_0,
-    motor_alpha_r_times_motor_omega_0, shaft_driven_dot_dot_by_motor_phi,
-    motor_omega_dot_by_motor_phi, shaft_driven_dot_dot_by_shaft_driven,
-    motor_omega_dot_by_shaft_driven, shaft_driven_dot_dot_by_motor_omega,
-    motor_omega_dot_by_motor_omega, t12, t13, motor_omega_dot_by_shaft_driven_dot,
-    motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
-    motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
-    motor_psi_rx_dot_by_motor_psi_rx, t14, t15, t16, t17, t18, minus_motor_u_y, t19,
-    motor_k_r_over_motor_sigma, t20, motor_k_s_over_motor_sigma, t21, t22, t23, t24, t25, t26, t27,
-    t28, t29
+    motor_alpha_r_times_motor_omega_0, inverse_shaft_engagement_width,
+    shaft_driven_dot_dot_by_motor_phi, motor_omega_dot_by_motor_phi,
+    shaft_driven_dot_dot_by_shaft_driven, motor_omega_dot_by_shaft_driven,
+    shaft_driven_dot_dot_by_motor_omega, motor_omega_dot_by_motor_omega, t12, t13,
+    motor_omega_dot_by_shaft_driven_dot, motor_psi_sx_dot_by_motor_psi_sx,
+    motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
+    motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx, t14, t15, t16, t17, t18,
+    minus_motor_u_y, t19, motor_k_r_over_motor_sigma, t20, motor_k_s_over_motor_sigma, t21, t22,
+    t23, t24, t25, t26, t27, t28, t29
 }
 
 ::machinist_contract::field_scene! {
@@ -132,7 +132,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     at 2.322 => End, coordinate Some(2), handed 29;
 }
 
-/// What `rate` and its Jacobians need of the parameters, once a run. 84 operations.
+/// What `rate` and its Jacobians need of the parameters, once a run. 85 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -159,6 +159,7 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t11 = p.coupling_damping * p.coupling_ratio;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
+    let inverse_shaft_engagement_width = R::literal(1.0) / p.shaft_engagement_width;
     let shaft_driven_dot_dot_by_motor_phi = t10 * t7;
     let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
@@ -200,15 +201,15 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         * p.shaft_standstill_band));
     Constants { motor_omega_0, motor_u_x, motor_u_y, t1, t3, t4, inverse_motor_inertia, t7, t8,
         inverse_shaft_standstill_band, t9, t10, t11, motor_alpha_s_times_motor_omega_0,
-        motor_alpha_r_times_motor_omega_0, shaft_driven_dot_dot_by_motor_phi,
-        motor_omega_dot_by_motor_phi, shaft_driven_dot_dot_by_shaft_driven,
-        motor_omega_dot_by_shaft_driven, shaft_driven_dot_dot_by_motor_omega,
-        motor_omega_dot_by_motor_omega, t12, t13, motor_omega_dot_by_shaft_driven_dot,
-        motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
-        motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
-        motor_psi_rx_dot_by_motor_psi_rx, t14, t15, t16, t17, t18, minus_motor_u_y, t19,
-        motor_k_r_over_motor_sigma, t20, motor_k_s_over_motor_sigma, t21, t22, t23, t24, t25, t26,
-        t27, t28, t29 }
+        motor_alpha_r_times_motor_omega_0, inverse_shaft_engagement_width,
+        shaft_driven_dot_dot_by_motor_phi, motor_omega_dot_by_motor_phi,
+        shaft_driven_dot_dot_by_shaft_driven, motor_omega_dot_by_shaft_driven,
+        shaft_driven_dot_dot_by_motor_omega, motor_omega_dot_by_motor_omega, t12, t13,
+        motor_omega_dot_by_shaft_driven_dot, motor_psi_sx_dot_by_motor_psi_sx,
+        motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
+        motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx, t14, t15, t16, t17,
+        t18, minus_motor_u_y, t19, motor_k_r_over_motor_sigma, t20, motor_k_s_over_motor_sigma,
+        t21, t22, t23, t24, t25, t26, t27, t28, t29 }
 }
 
 /// State at the start of the run, in the units of the states. 18 operations.
@@ -308,7 +309,7 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     [motor_phi_forcing, shaft_driven_forcing, shaft_end_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 42 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 43 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 30] {
@@ -318,8 +319,8 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         c.inverse_shaft_standstill_band * shaft_end_dot]);
     let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
     let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
-    let shaft_engagement = R::literal(1.0) / (R::literal(1.0)
-        + (c.t1 * (time - p.shaft_engagement_time)).exp());
+    let shaft_engagement = R::literal(1.0) / (R::literal(1.0) + (-(c.inverse_shaft_engagement_width
+        * (time - p.shaft_engagement_time))).exp());
     let shaft_load = shaft_engagement * p.shaft_mean.add_product(p.shaft_amplitude, (c.t4 * time)
         .sin());
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
@@ -348,7 +349,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         motor_psi_ry_dot_by_motor_psi_rx, c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 178 operations.
+/// As `parameter_jacobian`, with the constants of the parameters from `prepare`. 179 operations.
 #[must_use]
 pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 50] {
@@ -363,8 +364,8 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let t5 = p.coupling_ratio * shaft_driven_dot;
     let coupling_twist_rate = motor_omega - t5;
     let time_minus_shaft_engagement_time = time - p.shaft_engagement_time;
-    let t6 = (c.t1 * time_minus_shaft_engagement_time).exp();
-    let t7 = R::literal(1.0) + t6;
+    let t6 = c.inverse_shaft_engagement_width * time_minus_shaft_engagement_time;
+    let t7 = R::literal(1.0) + (-t6).exp();
     let shaft_engagement = R::literal(1.0) / t7;
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
@@ -432,13 +433,13 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
     let t18 = c.t26 * time * shaft_engagement * t2;
     let shaft_end_dot_dot_by_shaft_speed = -(t18 * t4 * c.t8);
     let shaft_driven_dot_dot_by_shaft_speed = -(t18 * t3 * c.t7);
-    let t19 = t7 * t7;
-    let t20 = c.t27 * t11 * t6;
-    let shaft_end_dot_dot_by_shaft_engagement_time = t20 * t4 / t19 * c.t8;
-    let shaft_driven_dot_dot_by_shaft_engagement_time = t20 * t3 / t19 * c.t7;
-    let t21 = c.t28 * time_minus_shaft_engagement_time * t11 * t6;
-    let shaft_end_dot_dot_by_shaft_engagement_width = t21 * t4 / t19 * c.t8;
-    let shaft_driven_dot_dot_by_shaft_engagement_width = t21 * t3 / t19 * c.t7;
+    let t19 = c.t27 * t11;
+    let t20 = t7 * (R::literal(1.0) + t6.exp());
+    let shaft_end_dot_dot_by_shaft_engagement_time = t19 * t4 / t20 * c.t8;
+    let shaft_driven_dot_dot_by_shaft_engagement_time = t19 * t3 / t20 * c.t7;
+    let t21 = c.t28 * time_minus_shaft_engagement_time * t11;
+    let shaft_end_dot_dot_by_shaft_engagement_width = t21 * t4 / t20 * c.t8;
+    let shaft_driven_dot_dot_by_shaft_engagement_width = t21 * t3 / t20 * c.t7;
     let shaft_end_dot_dot_by_shaft_standstill_band = c.t29 * shaft_end_dot * shaft_load
         * R::literal(1.0).sub_product(t4, t4) * c.t8;
     let shaft_driven_dot_dot_by_shaft_standstill_band = c.t29 * shaft_driven_dot * shaft_load
@@ -472,7 +473,7 @@ pub fn prepared_parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Pa
         motor_psi_ry_dot_by_motor_alpha_r]
 }
 
-/// Partial derivative of `y'` with respect to time. 44 operations.
+/// Partial derivative of `y'` with respect to time. 46 operations.
 #[must_use]
 pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
     let [_, _, _, _, shaft_driven_dot, shaft_end_dot, ..] = *state;
@@ -482,18 +483,18 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>)
     let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
     let [t3, t4] = R::tanh_each([inverse_shaft_standstill_band * shaft_driven_dot,
         inverse_shaft_standstill_band * shaft_end_dot]);
-    let t5 = (R::literal(-1.0) / p.shaft_engagement_width * (time - p.shaft_engagement_time)).exp();
-    let t6 = R::literal(1.0) + t5;
+    let t5 = R::literal(1.0) / p.shaft_engagement_width * (time - p.shaft_engagement_time);
+    let t6 = R::literal(1.0) + (-t5).exp();
     let shaft_engagement = R::literal(1.0) / t6;
     let t7 = R::literal(0.5) * p.shaft_inertia / p.shaft_pieces;
-    let t8 = t6 * t6;
-    let t9 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width) * p.shaft_mean
-        .add_product(p.shaft_amplitude, t1) * t5;
+    let t8 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width) * p.shaft_mean
+        .add_product(p.shaft_amplitude, t1);
+    let t9 = t6 * (R::literal(1.0) + t5.exp());
     let t10 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_amplitude * shaft_omega_2
         / p.shaft_pieces * shaft_engagement * t2;
-    let shaft_end_dot_dot_by_time = (t9 * t4 / t8).add_product(t10, t4) * (R::literal(-1.0)
+    let shaft_end_dot_dot_by_time = (t8 * t4 / t9).add_product(t10, t4) * (R::literal(-1.0)
         / (t7 + p.shaft_end_field_inertia));
-    let shaft_driven_dot_dot_by_time = (t9 * t3 / t8).add_product(t10, t3) * (R::literal(-1.0)
+    let shaft_driven_dot_dot_by_time = (t8 * t3 / t9).add_product(t10, t3) * (R::literal(-1.0)
         / (t7 + p.shaft_driven_field_inertia));
     [R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
         shaft_driven_dot_dot_by_time, shaft_end_dot_dot_by_time, R::literal(0.0), R::literal(0.0),
@@ -685,7 +686,7 @@ pub mod shaft_phi {
             / p.shaft_engagement_width * (time - p.shaft_engagement_time)).exp()), R::literal(0.0),
             R::literal(0.0), -(t2 / t0), R::literal(0.0), -(t2 * p.shaft_loss_time / t0)]
     }
-    /// Derivatives of f_0 and f_1 with respect to x, to t, then to `PARAMETERS`. 97 operations.
+    /// Derivatives of f_0 and f_1 with respect to x, to t, then to `PARAMETERS`. 98 operations.
     #[must_use]
     #[inline]
     pub fn force_gradient<R: Real>(time: R, _x: R, point: &FieldPoint<R>,
@@ -697,16 +698,15 @@ pub mod shaft_phi {
         let t4 = R::literal(1.0) - R::literal(1.0) / p.shaft_pieces;
         let t5 = p.shaft_mean.add_product(p.shaft_amplitude, t1);
         let time_minus_shaft_engagement_time = time - p.shaft_engagement_time;
-        let t6 = (R::literal(-1.0) / p.shaft_engagement_width * time_minus_shaft_engagement_time)
-            .exp();
-        let t7 = R::literal(1.0) + t6;
+        let t6 = R::literal(1.0) / p.shaft_engagement_width * time_minus_shaft_engagement_time;
+        let t7 = R::literal(1.0) + (-t6).exp();
         let t8 = (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh();
         let t9 = t4 / p.shaft_length;
         let t10 = phi_x.add_product(p.shaft_loss_time, phi_x_dot);
         let t11 = p.shaft_pieces * p.shaft_shear_modulus;
         let t12 = t11 * p.shaft_polar_moment;
-        let t13 = t7 * t7;
-        let t14 = t4 / (p.shaft_length * p.shaft_engagement_width) * t5 * t6 * t8 / t13;
+        let t13 = t7 * (R::literal(1.0) + t6.exp());
+        let t14 = t4 / (p.shaft_length * p.shaft_engagement_width) * t5 * t8 / t13;
         let t15 = R::literal(0.033_333_333_333_333_33) * p.shaft_amplitude;
         [R::literal(0.0), R::literal(0.0),
             t15 * p.shaft_speed * t4 * R::literal(-9.869_604_401_089_358) / p.shaft_length * t2
@@ -720,7 +720,7 @@ pub mod shaft_phi {
             -(t9 * t1 * t8 / t7), R::literal(0.0),
             t15 * t4 * R::literal(-9.869_604_401_089_358) / p.shaft_length * time * t2 * t8 / t7,
             R::literal(0.0), t14, R::literal(0.0), t4 / (p.shaft_length * (p.shaft_engagement_width
-            * p.shaft_engagement_width)) * time_minus_shaft_engagement_time * t5 * t6 * t8 / t13,
+            * p.shaft_engagement_width)) * time_minus_shaft_engagement_time * t5 * t8 / t13,
             R::literal(0.0), t4 / (p.shaft_length * (p.shaft_standstill_band
             * p.shaft_standstill_band)) * phi_dot * R::literal(1.0).sub_product(t8, t8) * t5 / t7,
             R::literal(0.0)]
@@ -810,24 +810,23 @@ pub mod shaft_phi {
     }
     /// df_0/dt, at many points.
     ///
-    /// 25 operations for all points, 7 for each.
+    /// 27 operations for all points, 7 for each.
     pub fn on_value_by_time<R: Real>(time: R, at: &[R], u: &[R], u_t: &[R], p: &Parameters<R>,
             by_time: &mut [R]) {
         let t0 = R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time;
         let (t1, t2) = t0.sin_cos();
         let t3 = R::literal(1.0) - R::literal(1.0) / p.shaft_pieces;
-        let t4 = (R::literal(-1.0) / p.shaft_engagement_width * (time - p.shaft_engagement_time))
-            .exp();
-        let t5 = R::literal(1.0) + t4;
+        let t4 = R::literal(1.0) / p.shaft_engagement_width * (time - p.shaft_engagement_time);
+        let t5 = R::literal(1.0) + (-t4).exp();
         let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
-        let t6 = t5 * t5;
-        let t7 = t3 / (p.shaft_length * p.shaft_engagement_width) * p.shaft_mean
-            .add_product(p.shaft_amplitude, t1) * t4;
+        let t6 = t3 / (p.shaft_length * p.shaft_engagement_width) * p.shaft_mean
+            .add_product(p.shaft_amplitude, t1);
+        let t7 = t5 * (R::literal(1.0) + t4.exp());
         let t8 = R::literal(-0.033_333_333_333_333_33) * p.shaft_amplitude * p.shaft_speed * t3
             * R::literal(core::f64::consts::PI * core::f64::consts::PI) / p.shaft_length * t2;
         for (((_, _), &phi_dot), by_time) in at.iter().zip(u).zip(u_t).zip(by_time) {
             let t0 = (inverse_shaft_standstill_band * phi_dot).tanh();
-            *by_time = t8 * t0 / t5 - t7 * t0 / t6;
+            *by_time = t8 * t0 / t5 - t6 * t0 / t7;
         }
     }
     /// f_1 alone, at many points.

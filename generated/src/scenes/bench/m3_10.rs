@@ -20,7 +20,7 @@
 // All quantities are in SI units.
 // Shapes: coordinates 11, first-order states 4, states 26, outputs 26.
 // Nonzeros: mass_matrix 11 of 11 by 11, rate_jacobian 99 of 26 by 26, parameter_jacobian 0 of 26 by 0.
-// Operations: rate 168, forcing 123, rate_jacobian 99, time_derivative 85, outputs 10, energy 90,
+// Operations: rate 168, forcing 123, rate_jacobian 99, time_derivative 87, outputs 10, energy 90,
 //     power_balance 307.
 
 use ::machinist_contract::{
@@ -434,7 +434,7 @@ pub fn parameter_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Paramete
     []
 }
 
-/// Partial derivative of `y'` with respect to time. 85 operations.
+/// Partial derivative of `y'` with respect to time. 87 operations.
 #[must_use]
 pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
     let [_, _, _, _, _, _, _, _, _, _, _, piece_1_omega, piece_2_omega, piece_3_omega,
@@ -448,31 +448,31 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>
         R::literal(2.0) * piece_5_omega, R::literal(2.0) * piece_6_omega,
         R::literal(2.0) * piece_7_omega, R::literal(2.0) * piece_8_omega,
         R::literal(2.0) * piece_9_omega, R::literal(2.0) * piece_10_omega]);
-    let t13 = (R::literal(-50.0) * (time - R::literal(0.15))).exp();
-    let t14 = R::literal(1.0) + t13;
+    let t13 = R::literal(50.0) * (time - R::literal(0.15));
+    let t14 = R::literal(1.0) + (-t13).exp();
     let load_1_engagement = R::literal(1.0) / t14;
     let t15 = R::literal(1_904.942_215_058_658_1) * load_1_engagement * t2;
-    let t16 = t14 * t14;
-    let t17 = R::literal(50.0) * R::literal(84.372).add_product(R::literal(7.878), t1) * t13;
-    let piece_10_omega_dot_by_time = (t17 * t12 / t16).add_product(t15, t12)
+    let t16 = R::literal(50.0) * R::literal(84.372).add_product(R::literal(7.878), t1);
+    let t17 = t14 * (R::literal(1.0) + t13.exp());
+    let piece_10_omega_dot_by_time = (t16 * t12 / t17).add_product(t15, t12)
         * R::literal(-8.038_585_209_003_216);
-    let piece_9_omega_dot_by_time = (t17 * t11 / t16).add_product(t15, t11)
+    let piece_9_omega_dot_by_time = (t16 * t11 / t17).add_product(t15, t11)
         * R::literal(-8.038_585_209_003_216);
-    let piece_8_omega_dot_by_time = (t17 * t10 / t16).add_product(t15, t10)
+    let piece_8_omega_dot_by_time = (t16 * t10 / t17).add_product(t15, t10)
         * R::literal(-8.038_585_209_003_216);
-    let piece_7_omega_dot_by_time = (t17 * t9 / t16).add_product(t15, t9)
+    let piece_7_omega_dot_by_time = (t16 * t9 / t17).add_product(t15, t9)
         * R::literal(-8.038_585_209_003_216);
-    let piece_6_omega_dot_by_time = (t17 * t8 / t16).add_product(t15, t8)
+    let piece_6_omega_dot_by_time = (t16 * t8 / t17).add_product(t15, t8)
         * R::literal(-8.038_585_209_003_216);
-    let piece_5_omega_dot_by_time = (t17 * t7 / t16).add_product(t15, t7)
+    let piece_5_omega_dot_by_time = (t16 * t7 / t17).add_product(t15, t7)
         * R::literal(-8.038_585_209_003_216);
-    let piece_4_omega_dot_by_time = (t17 * t6 / t16).add_product(t15, t6)
+    let piece_4_omega_dot_by_time = (t16 * t6 / t17).add_product(t15, t6)
         * R::literal(-8.038_585_209_003_216);
-    let piece_3_omega_dot_by_time = (t17 * t5 / t16).add_product(t15, t5)
+    let piece_3_omega_dot_by_time = (t16 * t5 / t17).add_product(t15, t5)
         * R::literal(-8.038_585_209_003_216);
-    let piece_2_omega_dot_by_time = (t17 * t4 / t16).add_product(t15, t4)
+    let piece_2_omega_dot_by_time = (t16 * t4 / t17).add_product(t15, t4)
         * R::literal(-8.038_585_209_003_216);
-    let piece_1_omega_dot_by_time = (t17 * t3 / t16).add_product(t15, t3)
+    let piece_1_omega_dot_by_time = (t16 * t3 / t17).add_product(t15, t3)
         * R::literal(-8.038_585_209_003_216);
     [R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
         R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),

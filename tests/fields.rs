@@ -118,7 +118,7 @@ fn a_port_beyond_the_end_of_its_field_is_refused() {
         [initial]
         "bar.phi" = "0.001 [rad]*x/bar.length"
         [run]
-        until = 0.1
+        until = 0.01
         points = 2
         [define.bar.parameters]
         length = { value = 12, unit = "m" }

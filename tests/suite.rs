@@ -5,6 +5,7 @@ mod output_times;
 mod own_scene;
 
 mod algebras;
+mod bells;
 mod bench_scenes;
 mod bends;
 mod campbell;

@@ -295,6 +295,7 @@ impl<'a> RadauSteps<'a> {
     fn guess_stages(&mut self) {
         if !self.previous.is_known {
             self.stages.fill(0.0);
+            self.newton.expect_nothing();
             return;
         }
         let ratio = self.step / self.previous.step;

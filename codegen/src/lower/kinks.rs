@@ -9,9 +9,12 @@
 //!   functions of a polynomial of time, and the knots at which a table over time bends.
 //! - What comes and goes in each turn of something (`recurring`) turns where its argument does: the
 //!   rate of that is a guard too.
+//! - What is there near a place only (`bells`) is come near to, and left behind: so is that.
 //!
 //! Excluded: what parameters or modes alone decide, and what fields hand over.
 
+mod bells;
+mod extent;
 mod recurring;
 
 use std::collections::HashMap;
@@ -47,6 +50,10 @@ pub struct Given<'a> {
     pub run: (f64, f64),
     /// Values of parameters, as its spec has them.
     pub parameters: &'a [f64],
+    /// Of the state, which entries are positions.
+    pub is_place: &'a [bool],
+    /// The state at the start, as its spec has it.
+    pub start: &'a [f64],
 }
 
 /// By what a node changes along a motion.
@@ -60,12 +67,12 @@ enum By {
 /// The kinks of a rate, one node for each entry of the state, and of what constraints hold: there
 /// the rate may be smooth, and speeds jump.
 pub fn kinks(graph: &mut Graph, rate: &[NodeId], holds: &[NodeId], given: &Given<'_>) -> Kinks {
-    let nodes = reached(graph, &[rate, holds].concat());
+    let nodes: Vec<NodeId> = reached(graph, &[rate, holds].concat()).into_iter().collect();
     let mut search =
         Search { is_mode: given.is_mode, by: HashMap::new(), polynomials: HashMap::new() };
     let mut found = Kinks::default();
     let span = given.run.1 - given.run.0;
-    for id in nodes {
+    for &id in &nodes {
         search.look(graph, id);
         for guard in switched(graph, id, given.tables) {
             found.add(graph, &mut search, guard);
@@ -77,6 +84,9 @@ pub fn kinks(graph: &mut Graph, rate: &[NodeId], holds: &[NodeId], given: &Given
             let turns = along(graph, rate, &[argument])[0];
             found.add(graph, &mut search, turns);
         }
+    }
+    for guard in bells::near(&search, graph, &nodes, given) {
+        found.add(graph, &mut search, guard);
     }
     found.rates = along(graph, rate, &found.guards);
     found

@@ -7,6 +7,7 @@ use std::ops::Range;
 
 use machinist_algebra::expr::abbreviate::Abbreviations;
 use machinist_algebra::expr::{Expr, Graph};
+use machinist_model::evaluate::{Evaluator, Inputs};
 use machinist_model::{MatrixTape, Model, NodeId, SparsityPattern, Tape, reachable};
 
 use crate::lower::angles::expand;
@@ -31,7 +32,7 @@ pub fn lower(linearization: &Linearization) -> Model {
     let initial = build.initial_state();
     let [constraint_values, constraint_rates] = build.constraints();
     let Kinks { guards: kinks, rates: kink_rates, times } =
-        build.kinks(&[&constraint_values[..], &constraint_rates].concat());
+        build.kinks(&[&constraint_values[..], &constraint_rates].concat(), &initial);
     let mut discontinuities: Vec<NodeId> =
         system.discontinuities.iter().map(|time| build.lower(time)).collect();
     for time in times {
@@ -467,7 +468,7 @@ impl<'a> Build<'a> {
 
     /// Where the rate, or what holds, is not smooth, or changes within no time. What fields do is
     /// not looked at: it is not on the graph.
-    fn kinks(&mut self, holds: &[NodeId]) -> Kinks {
+    fn kinks(&mut self, holds: &[NodeId], initial: &[NodeId]) -> Kinks {
         let equations = &self.linearization.equations;
         if !equations.system.handed.is_empty() {
             return Kinks::default();
@@ -477,10 +478,19 @@ impl<'a> Build<'a> {
             _ => false,
         };
         let is_mode: Vec<bool> = equations.layout.states.iter().map(is_mode).collect();
+        let is_place = |state: &crate::mechanics::state::State| {
+            matches!(state.motion, Motion::Position { .. })
+        };
+        let is_place: Vec<bool> = equations.layout.states.iter().map(is_place).collect();
         let run = &equations.system.run;
         let parameters: Vec<f64> = equations.system.parameters.iter().map(|p| p.value).collect();
+        let mut start = vec![0.0; initial.len()];
+        let inputs = Inputs { time: run.from, parameters: &parameters, ..Inputs::default() };
+        Evaluator::new(&self.graph.tape(initial)).evaluate(&inputs, &mut start);
         let given = Given {
             is_mode: &is_mode,
+            is_place: &is_place,
+            start: &start,
             tables: &equations.system.tables,
             run: (run.from, run.until),
             parameters: &parameters,

@@ -46,6 +46,7 @@ pub(super) struct Newton<'a> {
     /// Convergence that is good enough, in units of the scale.
     tolerance: f64,
     iterations: usize,
+    least: usize,
     limit: usize,
     /// Rate of contraction, and what of the error is left after an iteration.
     contraction: f64,
@@ -80,6 +81,7 @@ impl<'a> Newton<'a> {
             state: vec![0.0; size],
             tolerance: 1e-3,
             iterations: 0,
+            least: 1,
             limit: 7,
             contraction: 0.0,
             remainder: 1.0,
@@ -100,7 +102,14 @@ impl<'a> Newton<'a> {
     pub(super) fn forget(&mut self) {
         self.jacobian_state = JacobianState::Unknown;
         self.onset.forget();
+        self.expect_nothing();
+    }
+
+    /// Forgets how well iterations converged: the next one starts from no guess, so that its first
+    /// iteration sees the rate at the start alone.
+    pub(super) fn expect_nothing(&mut self) {
         self.remainder = 1.0;
+        self.least = 2;
     }
 
     /// A step is accepted: its Jacobian is old now, and is used again only where
@@ -235,7 +244,8 @@ impl<'a> Newton<'a> {
                 1 => 1.0,
                 _ => self.remainder.max(carried),
             };
-            if remainder * change <= self.tolerance {
+            if remainder * change <= self.tolerance && self.iterations >= self.least {
+                self.least = 1;
                 if self.iterations == 1 {
                     self.contraction = 0.0;
                 }

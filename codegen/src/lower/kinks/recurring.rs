@@ -4,12 +4,10 @@
 //! Between the places at which its argument turns such a function rises or falls, and so is seen by
 //! steps that end there.
 
-use std::collections::HashMap;
-use std::ops::RangeInclusive;
-
 use machinist_algebra::expr::Graph;
 use machinist_model::{Function, NodeId, Op};
 
+use super::extent::{Extents, States};
 use super::{By, Given, Search, reached};
 
 /// Exponents that move by less make no pulse that steps would not see: it takes a tenth of a turn.
@@ -44,7 +42,7 @@ pub(super) fn recurring(
     if !has(&[Function::Sin, Function::Cos, Function::Floor]) {
         return None;
     }
-    let is_sharp = match (op, bounds(graph, argument, given, &mut HashMap::new())) {
+    let is_sharp = match (op, Extents::new(given, States::Unknown).of(graph, argument)) {
         (Op::Powi(_, exponent), Some(_)) => f64::from(exponent.abs()) > MOVES,
         // A sawtooth of what has no bounds has some, which are not easily told.
         (_, None) => has(&[Function::Floor]),
@@ -56,66 +54,4 @@ pub(super) fn recurring(
         }
     };
     is_sharp.then_some(argument)
-}
-
-/// Between which values a function is; nothing if that is not easily told.
-fn bounds(
-    graph: &Graph,
-    id: NodeId,
-    given: &Given<'_>,
-    known: &mut HashMap<NodeId, Option<RangeInclusive<f64>>>,
-) -> Option<RangeInclusive<f64>> {
-    if let Some(known) = known.get(&id) {
-        return known.clone();
-    }
-    let mut of = |id: NodeId| bounds(graph, id, given, known).map(RangeInclusive::into_inner);
-    let found = match graph.op(id) {
-        Op::Literal(value) => Some((value, value)),
-        Op::Parameter(place) => given.parameters.get(place as usize).map(|value| (*value, *value)),
-        Op::Time => Some(given.run),
-        Op::Neg(a) => of(a).map(|(low, high)| (-high, -low)),
-        Op::Add(a, b) => of(a).zip(of(b)).map(|(a, b)| (a.0 + b.0, a.1 + b.1)),
-        Op::Sub(a, b) => of(a).zip(of(b)).map(|(a, b)| (a.0 - b.1, a.1 - b.0)),
-        // Of a square, what is below zero.
-        Op::Mul(a, b) if a == b => of(a).map(|a| monotone(magnitudes(a), |a| a * a)),
-        Op::Mul(a, b) => of(a).zip(of(b)).map(|(a, b)| product(a, b)),
-        Op::Div(a, b) => of(a).zip(of(b)).and_then(|(a, (low, high))| {
-            (low * high > 0.0).then(|| product(a, (1.0 / high, 1.0 / low)))
-        }),
-        Op::Powi(a, exponent) if exponent > 0 => of(a).map(|a| {
-            let a = if exponent % 2 == 0 { magnitudes(a) } else { a };
-            monotone(a, |a| a.powi(exponent))
-        }),
-        Op::SelectLess { then, otherwise, .. } => {
-            of(then).zip(of(otherwise)).map(|(a, b)| (a.0.min(b.0), a.1.max(b.1)))
-        }
-        Op::Call(Function::Sin | Function::Cos, _) => Some((-1.0, 1.0)),
-        Op::Call(Function::Sqrt, a) => of(a).map(|a| monotone(a, |a| a.max(0.0).sqrt())),
-        Op::Call(Function::Abs, a) => of(a).map(magnitudes),
-        Op::Call(Function::Exp, a) => of(a).map(|a| monotone(a, f64::exp)),
-        Op::Call(Function::Cosh, a) => of(a).map(|a| monotone(magnitudes(a), f64::cosh)),
-        Op::Call(Function::Sinh, a) => of(a).map(|a| monotone(a, f64::sinh)),
-        Op::Call(Function::Tanh, a) => of(a).map(|a| monotone(a, f64::tanh)),
-        Op::Call(Function::Floor, a) => of(a).map(|a| monotone(a, f64::floor)),
-        _ => None,
-    };
-    let found = found.filter(|(low, high)| low <= high).map(|(low, high)| low..=high);
-    known.insert(id, found.clone());
-    found
-}
-
-fn monotone((low, high): (f64, f64), of: impl Fn(f64) -> f64) -> (f64, f64) {
-    (of(low), of(high))
-}
-
-/// Between which values the absolute value is.
-fn magnitudes((low, high): (f64, f64)) -> (f64, f64) {
-    let least = if low <= 0.0 && high >= 0.0 { 0.0 } else { low.abs().min(high.abs()) };
-    (least, low.abs().max(high.abs()))
-}
-
-fn product(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
-    let corners = [a.0 * b.0, a.0 * b.1, a.1 * b.0, a.1 * b.1];
-    let least = corners.iter().fold(f64::INFINITY, |least: f64, corner| least.min(*corner));
-    (least, corners.iter().fold(f64::NEG_INFINITY, |most: f64, corner| most.max(*corner)))
 }

@@ -23,7 +23,14 @@ fn found(build: impl FnOnce(&mut Graph, [NodeId; 4]) -> NodeId, tables: &[Table]
     let leaves = leaves.map(|op| graph.insert(op));
     let rate = build(&mut graph, leaves);
     let zero = graph.literal(0.0);
-    let given = Given { is_mode: &[false, true], tables, run: (0.0, SPAN), parameters: &[P] };
+    let given = Given {
+        is_mode: &[false, true],
+        tables,
+        run: (0.0, SPAN),
+        parameters: &[P],
+        is_place: &[true, false],
+        start: &[2.0, 1.0],
+    };
     let kinks = kinks(&mut graph, &[rate, zero], &[], &given);
     assert_eq!(kinks.guards.len(), kinks.rates.len());
     [kinks.guards, kinks.times].map(|nodes| {
@@ -187,6 +194,82 @@ fn functions_that_are_narrow_in_each_turn_of_a_state_are_guarded_along_its_motio
         let guards = tanh(size);
         assert_eq!(guards.len(), usize::from(is_narrow), "{size}");
         assert!(guards.iter().all(|guard| (guard / slope - 1.0).abs() < 1e-12), "{guards:?}");
+    }
+}
+
+#[test]
+fn what_is_there_only_near_a_place_is_guarded_where_it_begins() {
+    // Of x, which is 2, less p, which is 3.
+    type Of = fn(&mut Graph, NodeId, NodeId) -> NodeId;
+    let guards = |of: Of| {
+        let [guards, times] = found(
+            |graph, [_, p, x, _]| {
+                let distance = graph.sub(x, p);
+                let steep = graph.literal(30.0);
+                of(graph, distance, steep)
+            },
+            &[],
+        );
+        assert!(times.is_empty(), "{times:?}");
+        guards
+    };
+    let bell = guards(|graph, distance, steep| {
+        let argument = graph.mul(steep, distance);
+        let square = graph.mul(argument, argument);
+        let exponent = graph.neg(square);
+        graph.call(Function::Exp, exponent)
+    });
+    assert_eq!(bell, [(1.0 + 625.0_f64).sqrt().sqrt() - (1.0 + 900.0 * 900.0_f64).sqrt().sqrt()]);
+    let pole = guards(|graph, distance, steep| {
+        let argument = graph.mul(steep, distance);
+        let (one, square) = (graph.literal(1.0), graph.mul(argument, argument));
+        let below = graph.add(one, square);
+        let cube = graph.powi(below, 3);
+        graph.div(one, cube)
+    });
+    assert_eq!(pole, [100.0_f64.powf(0.5 / 3.0) - 901.0_f64.sqrt()]);
+    let sech = guards(|graph, distance, steep| {
+        let argument = graph.mul(steep, distance);
+        let (one, below) = (graph.literal(1.0), graph.call(Function::Cosh, argument));
+        graph.div(one, below)
+    });
+    assert_eq!(sech, [12.0 - 901.0_f64.sqrt()]);
+    // The square of a step is a bell, and two steps are the ends of a window.
+    assert!(guards(|graph, distance, _| graph.call(Function::Tanh, distance)).is_empty());
+    let square = guards(|graph, distance, _| {
+        let step = graph.call(Function::Tanh, distance);
+        graph.mul(step, step)
+    });
+    assert_eq!(square, [12.0 - 2.0_f64.sqrt()]);
+    let window = guards(|graph, distance, steep| {
+        let other = graph.add(distance, steep);
+        let steps = [distance, other].map(|distance| graph.call(Function::Tanh, distance));
+        graph.sub(steps[0], steps[1])
+    });
+    assert_eq!(window.len(), 2);
+    // The machine starts in it, is felt everywhere, or grows without bound.
+    let none: [Of; 3] = [
+        |graph, distance, _| {
+            let square = graph.mul(distance, distance);
+            let (one, below) = (graph.literal(1.0), graph.literal(1.0));
+            let below = graph.add(below, square);
+            graph.div(one, below)
+        },
+        |graph, distance, steep| {
+            let argument = graph.mul(steep, distance);
+            let square = graph.mul(argument, argument);
+            let (one, below) = (graph.literal(1.0), graph.literal(1.0));
+            let below = graph.add(below, square);
+            let below = graph.call(Function::Sqrt, below);
+            graph.div(one, below)
+        },
+        |graph, distance, steep| {
+            let argument = graph.mul(steep, distance);
+            graph.call(Function::Exp, argument)
+        },
+    ];
+    for (index, of) in none.into_iter().enumerate() {
+        assert!(guards(of).is_empty(), "{index}");
     }
 }
 

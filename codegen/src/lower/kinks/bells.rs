@@ -1,0 +1,303 @@
+//! What is there only near a place: a bump in a way, by `exp(-((x - place)/width)^2)`, say, or a
+//! magnet by `1/(1 + (x/width)^2)^2`.
+//!
+//! From far away nothing of it is felt, so that a long step goes over it. Steps end where they come
+//! near, and where they leave it behind, and so are inside no longer than it is wide. How far away
+//! a state is goes like its distance, both inside and far away, so that a watch foretells it:
+//! (1 + d^2)^(1/4), where d is by how many powers of e an exponential is below its largest value.
+//!
+//! A single step by `tanh` is felt behind it. Two may be the ends of a window, and its
+//! square is a bell.
+
+use machinist_algebra::expr::Graph;
+use machinist_model::{Function, NodeId, Op};
+
+use super::extent::{Extents, States};
+use super::{By, Given, Search, reached};
+
+/// What is e^25 times as small as it is at most is not felt.
+const EXPONENTIAL: f64 = 25.0;
+/// What falls as a power of the distance is felt from afar: where it is a hundredth, and further.
+const ALGEBRAIC: f64 = 100.0;
+/// `tanh` and `cosh` of so much are what they are at infinity, but for e^-24.
+const SATURATED: f64 = 12.0;
+
+/// How far away a state is, and from where on it is near.
+struct Bell {
+    far: NodeId,
+    near: f64,
+    is_of_place: bool,
+}
+
+/// What passes zero where a state comes near to bells that are among nodes, or goes away.
+pub(super) fn near(
+    search: &Search<'_>,
+    graph: &mut Graph,
+    nodes: &[NodeId],
+    given: &Given<'_>,
+) -> Vec<NodeId> {
+    let mut bells = Bells {
+        search,
+        given,
+        anywhere: Extents::new(given, States::Anywhere),
+        at_start: Extents::new(given, States::AtStart),
+    };
+    let mut found = Vec::new();
+    for &id in nodes {
+        found.extend(bells.exponential(graph, id));
+        found.extend(bells.algebraic(graph, id));
+    }
+    found.extend(bells.windows(graph, nodes));
+    found.retain(|Bell { far, near, is_of_place }| {
+        // What a friction law does at rest is felt where the machine starts.
+        let start = bells.at_start.of(graph, *far);
+        *is_of_place || start.is_some_and(|far| far.start() > near)
+    });
+    let mut guard = |Bell { far, near, .. }: &Bell| {
+        let near = graph.literal(*near);
+        graph.sub(near, *far)
+    };
+    found.iter().map(&mut guard).collect()
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum End {
+    Low,
+    High,
+}
+
+impl End {
+    fn other(self) -> Self {
+        if self == Self::Low { Self::High } else { Self::Low }
+    }
+}
+
+struct Bells<'a> {
+    search: &'a Search<'a>,
+    given: &'a Given<'a>,
+    anywhere: Extents<'a>,
+    at_start: Extents<'a>,
+}
+
+impl Bells<'_> {
+    fn is_of_state(&self, id: NodeId) -> bool {
+        self.search.by[&id] == By::State
+    }
+
+    fn is_of_place(&self, graph: &Graph, id: NodeId) -> bool {
+        let is_place = |id: &NodeId| match graph.op(*id) {
+            Op::State(entry) => self.given.is_place[entry as usize],
+            _ => false,
+        };
+        reached(graph, &[id]).iter().any(is_place)
+    }
+
+    /// e^u is far below its largest value where u is far below the most it can be.
+    fn exponential(&mut self, graph: &mut Graph, id: NodeId) -> Option<Bell> {
+        let Op::Call(Function::Exp, argument) = graph.op(id) else { return None };
+        if !self.is_of_state(argument) {
+            return None;
+        }
+        let (low, high) = self.anywhere.of(graph, argument)?.into_inner();
+        let end = match (low.is_finite(), high.is_finite()) {
+            (false, true) => End::High,
+            // Below a fraction.
+            (true, false) => End::Low,
+            _ => return None,
+        };
+        let end = self.end(graph, argument, end)?;
+        let depth = graph.sub(end, argument);
+        let far = root_of_one_and(graph, depth);
+        let far = graph.call(Function::Sqrt, far);
+        let near = (1.0 + EXPONENTIAL * EXPONENTIAL).sqrt().sqrt();
+        Some(Bell { far, near, is_of_place: self.is_of_place(graph, argument) })
+    }
+
+    /// Below a divisor it is where that is many times the least it can be.
+    fn algebraic(&mut self, graph: &mut Graph, id: NodeId) -> Option<Bell> {
+        let below = match graph.op(id) {
+            Op::Div(_, divisor) => (divisor, 1.0),
+            Op::Powi(base, power) if power < 0 => (base, -f64::from(power)),
+            Op::Powf(base, power) => (base, -self.anywhere.of(graph, power)?.end()),
+            _ => return None,
+        };
+        let (divisor, power) = self.base(graph, below);
+        // The reciprocal of a distance is felt everywhere.
+        if !self.is_of_state(divisor) || power < 0.75 {
+            return None;
+        }
+        if let Op::Call(Function::Cosh, argument) = graph.op(divisor) {
+            return Some(self.step(graph, argument));
+        }
+        let grows_fast = |id: &NodeId| {
+            matches!(graph.op(*id), Op::Call(Function::Exp | Function::Cosh | Function::Sinh, _))
+        };
+        let (low, high) = self.anywhere.of(graph, divisor)?.into_inner();
+        let is_bell = low > 0.0 && high.is_infinite();
+        if !is_bell || reached(graph, &[divisor]).iter().any(grows_fast) {
+            return None;
+        }
+        let least = self.end(graph, divisor, End::Low)?;
+        let ratio = graph.div(divisor, least);
+        let far = graph.call(Function::Sqrt, ratio);
+        // Whether a machine goes far away from what it is built around, as a bobbin from its
+        // radius, only its start can tell.
+        Some(Bell { far, near: ALGEBRAIC.powf(0.5 / power).max(2.0), is_of_place: false })
+    }
+
+    /// What a power is of, but for a factor that no state decides; and which.
+    fn base(&self, graph: &Graph, (id, power): (NodeId, f64)) -> (NodeId, f64) {
+        let (base, exponent) = graph.as_power(id);
+        if exponent > 1 {
+            return self.base(graph, (base, f64::from(exponent) * power));
+        }
+        match graph.op(id) {
+            Op::Mul(a, b) if !self.is_of_state(a) => self.base(graph, (b, power)),
+            Op::Mul(a, b) if !self.is_of_state(b) => self.base(graph, (a, power)),
+            Op::Call(Function::Sqrt, a) => self.base(graph, (a, 0.5 * power)),
+            _ => (id, power),
+        }
+    }
+
+    /// Steps of places, if two of them may be the ends of a window, or one is squared.
+    fn windows(&mut self, graph: &mut Graph, nodes: &[NodeId]) -> Vec<Bell> {
+        let step = |id: NodeId| match graph.op(id) {
+            Op::Call(Function::Tanh, argument) => Some(argument),
+            _ => None,
+        };
+        let is_squared = |id: &NodeId| match graph.op(*id) {
+            Op::Mul(a, b) => a == b && step(a).is_some(),
+            Op::Powi(a, power) => power % 2 == 0 && step(a).is_some(),
+            _ => false,
+        };
+        // 1/(1 + exp(-u)) is (1 + tanh(u/2))/2.
+        let logistic = |id: NodeId| match graph.op(id) {
+            Op::Div(_, below) | Op::Powi(below, -1) => match graph.op(below) {
+                Op::Add(a, b) => [a, b].into_iter().find_map(|part| match graph.op(part) {
+                    Op::Call(Function::Exp, argument) => Some(argument),
+                    _ => None,
+                }),
+                _ => None,
+            },
+            _ => None,
+        };
+        let mut is_bell = nodes.iter().any(is_squared);
+        let mut arguments: Vec<NodeId> =
+            nodes.iter().filter_map(|id| step(*id).or_else(|| logistic(*id))).collect();
+        arguments.retain(|id| self.is_of_place(graph, *id));
+        arguments.sort_unstable();
+        arguments.dedup();
+        is_bell |= arguments.len() > 1;
+        arguments.retain(|id| is_bell && self.goes_anywhere(graph, *id));
+        arguments.into_iter().map(|argument| self.step(graph, argument)).collect()
+    }
+
+    fn goes_anywhere(&mut self, graph: &Graph, id: NodeId) -> bool {
+        self.anywhere
+            .of(graph, id)
+            .is_some_and(|extent| extent.start().is_infinite() && extent.end().is_infinite())
+    }
+
+    /// Where the argument of `tanh` or `cosh` is large.
+    fn step(&self, graph: &mut Graph, argument: NodeId) -> Bell {
+        let is_of_place = self.is_of_place(graph, argument);
+        let far = root_of_one_and(graph, argument);
+        Bell { far, near: SATURATED, is_of_place }
+    }
+
+    /// The least or the most that a node can be, whatever states are.
+    fn end(&mut self, graph: &mut Graph, id: NodeId, end: End) -> Option<NodeId> {
+        if !self.is_of_state(id) {
+            return Some(id);
+        }
+        match graph.op(id) {
+            Op::Neg(a) => {
+                let a = self.end(graph, a, end.other())?;
+                Some(graph.neg(a))
+            }
+            Op::Add(a, b) => {
+                let (a, b) = (self.end(graph, a, end)?, self.end(graph, b, end)?);
+                Some(graph.add(a, b))
+            }
+            Op::Sub(a, b) => {
+                let (a, b) = (self.end(graph, a, end)?, self.end(graph, b, end.other())?);
+                Some(graph.sub(a, b))
+            }
+            Op::Mul(a, b) if a == b => {
+                let size = self.size(graph, a, end)?;
+                Some(graph.mul(size, size))
+            }
+            Op::Powi(a, power) if power > 0 && power % 2 == 0 => {
+                let size = self.size(graph, a, end)?;
+                Some(graph.powi(size, power))
+            }
+            Op::Powi(a, power) if power > 0 => {
+                let a = self.end(graph, a, end)?;
+                Some(graph.powi(a, power))
+            }
+            Op::Mul(a, b) if !self.is_of_state(a) => {
+                let end = self.times(graph, a, end)?;
+                let b = self.end(graph, b, end)?;
+                Some(graph.mul(a, b))
+            }
+            Op::Mul(a, b) if !self.is_of_state(b) => {
+                let end = self.times(graph, b, end)?;
+                let a = self.end(graph, a, end)?;
+                Some(graph.mul(a, b))
+            }
+            Op::Mul(a, b) => {
+                let mut is_positive = |id: NodeId| self.times(graph, id, end) == Some(end);
+                let (true, true) = (is_positive(a), is_positive(b)) else { return None };
+                let (a, b) = (self.end(graph, a, end)?, self.end(graph, b, end)?);
+                Some(graph.mul(a, b))
+            }
+            Op::Div(a, b) if !self.is_of_state(b) => {
+                let end = self.times(graph, b, end)?;
+                let a = self.end(graph, a, end)?;
+                Some(graph.div(a, b))
+            }
+            Op::Powf(a, power) if !self.is_of_state(power) => {
+                let end = self.times(graph, power, end)?;
+                let a = self.end(graph, a, end)?;
+                Some(graph.powf(a, power))
+            }
+            Op::Call(function @ (Function::Sqrt | Function::Exp), a) => {
+                let a = self.end(graph, a, end)?;
+                Some(graph.call(function, a))
+            }
+            Op::Call(Function::Abs, a) => {
+                let size = self.size(graph, a, end)?;
+                Some(graph.call(Function::Abs, size))
+            }
+            Op::Call(Function::Sin | Function::Cos, _) => {
+                Some(graph.literal(if end == End::Low { -1.0 } else { 1.0 }))
+            }
+            _ => None,
+        }
+    }
+
+    /// Which end of a factor makes this one of its product with a node.
+    fn times(&mut self, graph: &Graph, id: NodeId, end: End) -> Option<End> {
+        let (low, high) = self.anywhere.of(graph, id)?.into_inner();
+        (low >= 0.0 || high <= 0.0).then_some(if low >= 0.0 { end } else { end.other() })
+    }
+
+    /// The value at which the size of a node is least or most: zero, if it may be that.
+    fn size(&mut self, graph: &mut Graph, id: NodeId, end: End) -> Option<NodeId> {
+        let (low, high) = self.anywhere.of(graph, id)?.into_inner();
+        if low >= 0.0 {
+            self.end(graph, id, end)
+        } else if high <= 0.0 {
+            self.end(graph, id, end.other())
+        } else {
+            (end == End::Low).then(|| graph.literal(0.0))
+        }
+    }
+}
+
+/// sqrt(1 + a^2)
+fn root_of_one_and(graph: &mut Graph, a: NodeId) -> NodeId {
+    let (one, square) = (graph.literal(1.0), graph.mul(a, a));
+    let sum = graph.add(one, square);
+    graph.call(Function::Sqrt, sum)
+}

@@ -70,8 +70,8 @@ impl Method {
     /// `auto` and `radau` are cautious by themselves; what others offer is measured as it is.
     fn stricter_at_kinks(self) -> f64 {
         match self {
-            Self::Tsit5 | Self::Dop853 | Self::Rodas5p => 50.0,
-            Self::Taylor => 10.0,
+            Self::Tsit5 => 50.0,
+            Self::Dop853 | Self::Rodas5p | Self::Taylor => 10.0,
             _ => 1.0,
         }
     }

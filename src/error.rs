@@ -312,6 +312,19 @@ pub enum StopCause {
         /// Where, in its unit.
         value: f64,
     },
+    /// A state rests where its force jumps, and is pushed back to from both sides.
+    #[error(
+        "`{state}` rests at {value:e}, where the force on it jumps and pushes it back from both \
+         sides: nothing but that jump holds it, and it goes to and fro across it without end. \
+         Hint: hold it by a mode of its own while what pulls is less than the jump, or make the \
+         jump a steep slope, as of `sqrt(x^2 + e^2)` for `abs(x)`"
+    )]
+    RestsOnKink {
+        /// The state.
+        state: String,
+        /// Where, in its unit.
+        value: f64,
+    },
     /// Events follow on one another without end.
     #[error(
         "event `{event}` happens over and over: {count} events within no time (Zeno). \

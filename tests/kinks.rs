@@ -138,6 +138,66 @@ fn friction_by_sign_stops_at_once_where_it_sticks() {
     assert!(last.zip(first).is_some_and(|(last, first)| last - first < 1e-5), "{times:?}");
 }
 
+/// What a spring with preload does to a body that it holds, and to one beside.
+#[test]
+fn rest_on_a_kink_is_told_soon_by_all_methods() {
+    for (potential, force) in [
+        ("3 [N]*abs(x)", "-0.5 [N s/m]*v"),
+        ("3 [N]*abs(x) + 5 [N/m]*x^2", "0.7 [N] - 0.5 [N s/m]*v"),
+    ] {
+        let block = block(potential, force);
+        for method in OWN {
+            let run = Simulation::new(&block).method(method).until(1000.0);
+            let run = run.initial_value("block.v", 0.0).expect("a state");
+            let stopped = run.max_steps(300_000).run();
+            let SimulateError::Stopped { cause, kept, .. } = stopped.expect_err("it rests") else {
+                panic!("{method}: no stop")
+            };
+            let is_told = matches!(&cause, StopCause::RestsOnKink { state, value }
+                if state == "block.x" && value.abs() < 1e-9);
+            assert!(is_told, "{method}: {cause}");
+            let steps = kept.expect("the run until then").work.steps;
+            assert!(steps < 200_000, "{method}: {steps} steps");
+        }
+    }
+}
+
+/// A puck on a table, which stops: its friction turns with its way.
+#[test]
+fn plane_friction_stops_soon_where_it_sticks() {
+    let text = r#"
+        [scene]
+        name = "puck"
+        [units.puck]
+        unit = "puck"
+        [initial]
+        "puck.x_dot" = 2
+        "puck.y_dot" = 1
+        [run]
+        until = 50
+        points = 2
+        rtol = 1e-8
+        [define.puck.coordinates]
+        x = { unit = "m" }
+        y = { unit = "m" }
+        [define.puck.energy]
+        kinetic = "18 [kg]*(x_dot^2 + y_dot^2)/2"
+        dissipation = "17.658 [N]*sqrt(x_dot^2 + y_dot^2)"
+    "#;
+    let puck = crate::own_scene::of_text(text, machinist_codegen::mechanics::reduce::Keep::Needed);
+    for method in OWN {
+        let stopped = Simulation::new(&puck).method(method).run();
+        let SimulateError::Stopped { time, cause, kept, .. } = stopped.expect_err("it sticks")
+        else {
+            panic!("{method}: no stop")
+        };
+        let steps = kept.expect("the run until then").work.steps;
+        assert!(matches!(&cause, StopCause::Chattering { .. }), "{method}: {cause}");
+        let rest = 5.0f64.sqrt() / 0.981;
+        assert!((time - rest).abs() < 1e-3 && steps < 5000, "{method}: {time}, {steps} steps");
+    }
+}
+
 #[test]
 fn without_kinks_there_are_no_guards() {
     let smooth = block("stiffness*x^2/2", "0.3 [N]*cos(1.3 [rad/s]*t)*tanh(v/(1 [m/s]))");

@@ -2,6 +2,7 @@
 //! A method itself only tries steps.
 
 mod ending;
+mod kept;
 
 use machinist_contract::Real;
 
@@ -9,6 +10,7 @@ use super::{Samples, Stopped, Stretch};
 use crate::error::StopCause;
 use crate::method::sensitivity::Tangents;
 use ending::{Ending, end_at};
+use kept::Kept;
 
 /// A method that needs nothing but the state at the start of a step.
 pub(crate) trait OneStep {
@@ -248,9 +250,7 @@ pub(super) fn drive<M: OneStep>(
                 return Ok((!arrives).then_some(Left { time, step }));
             }
             stretch.require_wanted(time, &kept.end)?;
-            let stuck = (time + step <= time).then_some(StopCause::StepTooSmall);
-            if let Some(cause) = stretch.out_of_steps(time).or(stuck) {
-                let cause = stretch.cause_at(time, &kept.end, cause);
+            if let Some(cause) = stretch.leads_nowhere(step, time, &kept.end) {
                 return Err(Stopped { time, cause });
             }
         } else {
@@ -310,70 +310,6 @@ fn passing<M: OneStep>(
         watch.kink_within(method, now)
     } else {
         None
-    }
-}
-
-/// The end of a step, on the constraints.
-struct Kept {
-    end: Vec<f64>,
-}
-
-impl Kept {
-    fn new(state: &[f64]) -> Self {
-        Self { end: state.to_vec() }
-    }
-
-    /// Takes the end of the current step and puts it back onto the constraints; whether
-    /// that is a move that the next step should start with.
-    fn put_back<M: OneStep>(
-        &mut self,
-        method: &M,
-        stretch: &Stretch<'_>,
-        time: f64,
-    ) -> Result<bool, Stopped> {
-        /// Of what the tolerances allow a step.
-        const NOTICED: f64 = 1e-3;
-        let end = method.end();
-        self.end.copy_from_slice(end);
-        if stretch.system.constraints().is_none() {
-            return Ok(false);
-        }
-        stretch.constrain(time, &mut self.end)?;
-        Ok(self.moved_from(stretch, end) > NOTICED)
-    }
-
-    /// The same where a step ends at a kink, in `front` of which the constraints may hold other
-    /// speeds than at it: what jumps there has not jumped yet.
-    fn stay_in_front<M: OneStep>(
-        &mut self,
-        method: &mut M,
-        stretch: &Stretch<'_>,
-        (front, time): (f64, f64),
-    ) -> Result<(), Stopped> {
-        self.put_back(method, stretch, time)?;
-        if self.moved_from(stretch, method.end()) > 1.0 {
-            let mut at = |time: f64| {
-                let mut state = self.end.clone();
-                method.interpolate(time, &mut state);
-                stretch.constrain(time, &mut state).map(|()| state)
-            };
-            let [earlier, nearer] = [at(front)?, at(0.5 * (front + time))?];
-            let off = self.moved_from(stretch, &earlier);
-            // What does not jump is half as far half as soon.
-            if off > 1.0 && self.moved_from(stretch, &nearer) > 0.75 * off {
-                self.end = earlier;
-            }
-        }
-        Ok(())
-    }
-
-    /// By how many tolerances the end is off a state.
-    fn moved_from(&self, stretch: &Stretch<'_>, state: &[f64]) -> f64 {
-        let moved = (0..stretch.system.states()).map(|index| {
-            let allowed = stretch.atol[index] + stretch.rtol * state[index].abs();
-            (self.end[index] - state[index]).abs() / allowed
-        });
-        moved.fold(0.0, f64::max)
     }
 }
 

@@ -242,6 +242,21 @@ impl<'a> Stretch<'a> {
         self.chattering(time, state).unwrap_or(else_cause)
     }
 
+    /// The cause to end before a step from `time`: it is too short, all steps are taken or lead
+    /// nowhere, or are so short that all of them would not reach the end, for a state chatters.
+    pub(super) fn leads_nowhere(&self, step: f64, time: f64, state: &[f64]) -> Option<StopCause> {
+        /// Steps after which it is asked whether a state chatters.
+        const EVERY: u64 = 512;
+        let stuck = (time + step <= time).then_some(StopCause::StepTooSmall);
+        if let Some(cause) = self.out_of_steps(time).or(stuck) {
+            return Some(self.cause_at(time, state, cause));
+        }
+        let reached = step * self.max_steps as f64;
+        let steps = self.system.work().steps;
+        let is_asked = reached < self.until - time && steps.is_multiple_of(EVERY);
+        is_asked.then(|| self.chattering(time, state)).flatten()
+    }
+
     /// A state whose rate, near where it is, jumps through zero so that it is driven back
     /// from both sides: from either the rate is the same half as near, so that it is a jump
     /// and no slope.

@@ -22,6 +22,7 @@ mod hosted;
 mod led;
 mod noise;
 mod passing;
+mod resting;
 mod settle;
 
 use std::cell::RefCell;
@@ -37,6 +38,7 @@ use crate::trajectory::Switch;
 pub(crate) use hosted::Memory;
 use led::Turn;
 use passing::{Guard, Outcome, Parts, guards_at};
+use resting::Passages;
 use settle::is_beyond;
 
 /// So many events within [`NO_TIME`] are taken for endless ones; more in a scene that has many.
@@ -65,6 +67,7 @@ struct Inner {
     /// Time and events, where a guard passed.
     happening: Option<(f64, Vec<usize>)>,
     latest: VecDeque<f64>,
+    passages: Vec<Passages>,
     switches: Vec<Switch>,
     happened: Happened,
 }
@@ -166,6 +169,7 @@ impl<'a> Watch<'a> {
             turn: None,
             happening: None,
             latest,
+            passages: vec![Passages::default(); events + kinks],
             switches: Vec::new(),
             happened: Happened::default(),
         };

@@ -1,6 +1,7 @@
 //! Steps that end where a guard passes zero.
 
-use super::{Kept, OneStep, constrain_tangents, sample};
+use super::kept::Kept;
+use super::{OneStep, constrain_tangents, sample};
 use crate::method::sensitivity::{Passing, moment};
 use crate::method::{Samples, Stopped, Stretch, Watch};
 

@@ -17,7 +17,8 @@ impl Watch<'_> {
     /// nothing else: puts the state behind them, and gives the time and the kinks that tell it.
     ///
     /// # Errors
-    /// [`Chattering`](crate::error::StopCause::Chattering) if the state is driven back from behind.
+    /// [`Chattering`](crate::error::StopCause::Chattering) if the state is driven back from behind,
+    /// [`RestsOnKink`](crate::error::StopCause::RestsOnKink) if it goes to and fro without end.
     pub(in crate::method) fn cross(
         &self,
         stretch: &Stretch<'_>,
@@ -32,6 +33,9 @@ impl Watch<'_> {
         let mut behind = time;
         for kink in &kinks {
             behind = self.put_behind(stretch, *kink, behind, state)?;
+            if let Some(cause) = self.rests_on(stretch, *kink, (behind, state)) {
+                return Err(Stopped { time, cause });
+            }
         }
         let jumps = |index: &usize| {
             let outcome = self.inner.borrow().outcomes[*index];

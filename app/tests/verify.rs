@@ -193,6 +193,48 @@ fn a_drag_of_the_wrong_sign_fails_by_the_forces() {
 }
 
 #[test]
+fn a_voltage_that_goes_by_the_speed_is_no_force() {
+    let by_speed = "(supply + 0.5 [V s^2/m^2]*x_dot^2)";
+    let text = MAGNET.replace("\"supply -", &format!("\"{by_speed} -"));
+    let text = text.replace("\"supply*", &format!("\"{by_speed}*"));
+    let drag =
+        "[[define.magnet.forces]]\ncoordinate = \"x\"\nexpression = \"SIGN 3 [N s/m]*x_dot\"\n";
+    for (sign, expected) in [("-", vec![]), ("", vec!["no force feeds every motion".to_owned()])] {
+        let (_folder, path) = written(&[&text, "\n", &drag.replace("SIGN", sign)].concat());
+        assert_eq!(failed(&rows(&path, &[]).1), expected);
+    }
+}
+
+/// The third derivative of what is imposed jumps where the run begins.
+#[test]
+fn what_is_imposed_from_the_start_on_passes() {
+    let hoist = r#"
+        [scene]
+        name = "hoist"
+        [units.crane]
+        unit = "crane"
+        [initial]
+        "crane.th" = "5 [deg]"
+        [run]
+        until = 5
+        points = 51
+        rtol = 1e-9
+        [define.crane.coordinates]
+        th = { unit = "rad" }
+        l = { unit = "m" }
+        [define.crane.parameters]
+        mass = { value = 300, unit = "kg" }
+        [define.crane.energy]
+        kinetic = "mass/2*(l_dot^2 + (l*th_dot)^2)"
+        potential = "-mass*9.81 [m/s^2]*l*cos(th)"
+        [define.crane.constraints.hoist]
+        expression = "l - (10 [m] - 4 [m]*smooth_step(t/8 [s]))"
+    "#;
+    let (_folder, path) = written(hoist);
+    assert_eq!(failed(&rows(&path, &[]).1), Vec::<String>::new());
+}
+
+#[test]
 fn a_converting_force_of_the_wrong_sign_fails_by_the_power_balance() {
     let failed = failed_after(MAGNET, "\"-gain*flux^2/2\"", "\"gain*flux^2/2\"");
     let balance = "power balance along the run and around it".to_owned();

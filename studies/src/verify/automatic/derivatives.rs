@@ -210,7 +210,8 @@ fn shifted(point: &Point, along: Along, column: usize, step: f64) -> Point {
     point
 }
 
-/// A size, at most the one given, of which the largest step passes no kink.
+/// A size, at most the one given, of which the largest step passes no kink and no time at which
+/// the rate is known to change.
 fn away_from_kinks(
     visit: &Visit<'_>,
     point: &Point,
@@ -221,12 +222,14 @@ fn away_from_kinks(
     let simulator = visit.simulator;
     let guards = |point: &Point| {
         let mut values = vec![0.0; simulator.kinks()];
-        simulator.kink_guards(point.time, &point.state, &point.parameters, &mut values);
+        if !values.is_empty() {
+            simulator.kink_guards(point.time, &point.state, &point.parameters, &mut values);
+        }
+        let mut times = vec![0.0; simulator.shape().discontinuities];
+        simulator.discontinuities(&point.parameters, &mut times);
+        values.extend(times.iter().map(|time| point.time - time));
         values
     };
-    if simulator.kinks() == 0 {
-        return Some(size);
-    }
     let here = guards(point);
     for _ in 0..HALVINGS {
         let step = FINE * LARGEST * size;

@@ -59,7 +59,8 @@ pub(super) const EVENTS: Row = Row {
 pub(super) const FORCES: Row = Row {
     name: "no force feeds every motion",
     reference: "power supplied at the velocities of the run, and at their negatives: the less of \
-                the two, beside what is supplied at rest, relative to both",
+                the two, beside what is supplied at rest, relative to both; and no more than what \
+                both give to what moves",
     tolerance: 1e-6,
     reason: "a drive supplies power one way only, and what slows takes it both ways",
     matters: "Forces supply power whichever way the machine moves, as a drag of the wrong sign \
@@ -215,14 +216,53 @@ fn forces(visit: &Visit<'_>) -> Outcome {
             if !(ahead.is_finite() && back.is_finite()) {
                 continue;
             }
-            let size = ahead.abs() + back.abs() + factor * factor * least;
+            let least = factor * factor * least;
+            let size = ahead.abs() + back.abs() + least;
             let error = if ahead.min(back) > 0.0 { ahead.min(back) / size } else { 0.0 };
+            // What is supplied to first-order states, as by a controller that goes by the speed,
+            // pushes nothing by itself.
+            let error =
+                if error > 0.0 { error.min(fed(visit, point, factor, least)) } else { error };
             found.take(error, || {
                 format!("Worst at {} s: {ahead:.3e} W, and {back:.3e} W back.", point.time)
             });
         }
     }
     Outcome::Found(found)
+}
+
+/// Power that forces give to what moves, at velocities and at their negatives together, relative
+/// to its parts: v^T M q'' and what is lost. What drives, springs and masses do one way they do
+/// not the other.
+fn fed(visit: &Visit<'_>, point: &Point, factor: f64, least: f64) -> f64 {
+    let simulator = visit.simulator;
+    let lost = |factor: f64| power_at(simulator, point, factor).dissipated;
+    let [ahead, back] = [factor, -factor].map(|factor| push_at(visit, point, factor));
+    let lost = [factor, -factor].map(|factor| lost(factor) - lost(0.0));
+    let parts = [ahead, back, lost[0], lost[1]];
+    let size = parts.iter().map(|part| part.abs()).sum::<f64>() + least;
+    (parts.iter().sum::<f64>() / size).max(0.0)
+}
+
+/// v^T M q'' at velocities that are so many times as large.
+fn push_at(visit: &Visit<'_>, point: &Point, factor: f64) -> f64 {
+    let simulator = visit.simulator;
+    let mut point = point.clone();
+    let velocities: Vec<usize> = (0..point.state.len())
+        .filter(|index| simulator.state_kind(*index) == StateKind::Velocity)
+        .collect();
+    for index in &velocities {
+        point.state[*index] *= factor;
+    }
+    let rate = visit.rate(&point);
+    let pattern = simulator.mass_matrix_pattern();
+    let mut masses = vec![0.0; pattern.entries.len()];
+    simulator.mass_matrix(point.time, &point.state, &point.parameters, &mut masses);
+    let parts = pattern.entries.iter().zip(&masses).map(|((row, column), mass)| {
+        let [row, column] = [row, column].map(|index| velocities[*index as usize]);
+        point.state[row] * mass * rate[column]
+    });
+    parts.sum()
 }
 
 /// Whether a constraint moves while nothing else does.

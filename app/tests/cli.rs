@@ -497,6 +497,53 @@ fn a_response_is_written_and_drawn() {
 }
 
 #[test]
+fn a_run_takes_no_more_steps_than_it_may_and_parameters_once() {
+    let run = ["run", "two_mass", "--max-steps"];
+    answer(&[&run[..], &["1000"]].concat());
+    let limited = machinist(&[&run[..], &["2"]].concat()).output().expect("the program");
+    assert_eq!(limited.status.code(), Some(1));
+    let told = String::from_utf8_lossy(&limited.stderr).replace('\u{2502}', " ");
+    let told: Vec<&str> = told.split_whitespace().collect();
+    assert!(told.join(" ").contains("the limit of 2 steps is reached"), "{told:?}");
+    assert_refused(&[&run[..], &["0"]].concat(), &["--max-steps"]);
+    let twice = ["run", "two_mass", "--set", "load_torque=1", "--set", "load_torque=2"];
+    assert_refused(&twice, &["`--set load_torque` is given twice"]);
+}
+
+#[test]
+fn a_response_of_what_falls_over_is_told_to_settle_to_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("rod.toml");
+    let rod = |gravity: &str| {
+        format!(
+            r#"
+            [scene]
+            name = "rod"
+            [units.rod]
+            unit = "rod"
+            [run]
+            until = 1
+            [define.rod.coordinates.phi]
+            unit = "rad"
+            [define.rod.energy]
+            kinetic = "2 [kg m^2]*phi_dot^2/2"
+            potential = "{gravity} [N m]*cos(phi)"
+            dissipation = "0.1 [N m s]*phi_dot^2/2"
+            "#
+        )
+    };
+    for (gravity, falls) in [("8", true), ("-8", false)] {
+        fs::write(&file, rod(gravity)).expect("a scene");
+        let ask =
+            ["response", text(&file), "--at", "initial", "--from", "rod.phi", "--to", "rod.phi"];
+        // (-0.1 + sqrt(0.1^2 + 4 2 8))/(2 2)
+        assert_eq!(answer(&ask).contains("as e^(1.98 1/s t)"), falls);
+        let table = machinist(&[&ask[..], &["--out", "-"]].concat()).output().expect("the program");
+        assert_eq!(String::from_utf8_lossy(&table.stderr).contains("settles to these"), falls);
+    }
+}
+
+#[test]
 fn a_response_of_unknown_quantities_or_over_a_bad_range_is_refused() {
     let ask = |from, to, range| {
         ["response", "two_mass", "--at", "initial", "--from", from, "--to", to, "--range", range]

@@ -150,6 +150,19 @@ impl Linearization<'_> {
         Ok(if high > 0.0 { (low / BEYOND, high * BEYOND) } else { (1.0 / BEYOND, BEYOND) })
     }
 
+    /// How fast the fastest motion grows that is not disturbed \[1/s\], by its modes; nothing if none
+    /// grows: then, and only then, a harmonic disturbance has an answer that motions settle to.
+    ///
+    /// # Errors
+    /// As [`Linearization::modes`].
+    pub fn growth(&self) -> Result<Option<f64>, LinearError> {
+        /// Of the frequency of a motion that nothing damps, so much is rounding.
+        const ROUNDING: f64 = 1e-9;
+        let modes = self.modes()?;
+        let growing = modes.iter().filter(|mode| mode.real > ROUNDING * mode.natural_frequency());
+        Ok(growing.map(|mode| mode.real).reduce(f64::max))
+    }
+
     fn input(&self, name: &str) -> Result<Input, LinearError> {
         let shape = self.simulator.shape();
         if let Some(index) = position(name, shape.parameters, |i| self.simulator.parameter(i)) {

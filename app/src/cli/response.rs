@@ -53,13 +53,23 @@ impl FrequencyResponse {
         };
         let frequencies = logarithmic_range(lowest, highest, self.points)?;
         let response = linearization.response(&self.from, &self.to, &frequencies)?;
+        let remark = linearization.growth().ok().flatten().map(|growth| {
+            let growth = number(growth, 3);
+            format!(
+                "what is not disturbed grows there by itself, as e^({growth} 1/s t): no motion \
+                 settles to these amplitudes"
+            )
+        });
 
         let title = scene.simulator().title();
         if let Some(file) = &self.plot {
             draw_file(file, |path| plot_response(&response, title, path))?;
         }
         match &self.out {
-            Some(_) if to_standard_output => return print_with(|out| response.write_csv(out)),
+            Some(_) if to_standard_output => {
+                remark.inspect(|remark| eprintln!("machinist: {remark}"));
+                return print_with(|out| response.write_csv(out));
+            }
             Some(file) if parquet::is_named(file) => {
                 let Response { frequencies, amplitudes, phases, from, to, .. } = &response;
                 let columns = [
@@ -74,7 +84,11 @@ impl FrequencyResponse {
             None => {}
         }
         let place = self.at.described(&linearization);
-        print(&self.summary(&format!("{}: {title}\n{place}", scene.simulator().name()), &response))
+        let mut heading = format!("{}: {title}\n{place}", scene.simulator().name());
+        if let Some(remark) = remark {
+            heading.extend(["\n", &remark]);
+        }
+        print(&self.summary(&heading, &response))
     }
 
     fn summary(&self, heading: &str, response: &Response) -> String {

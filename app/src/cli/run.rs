@@ -2,6 +2,7 @@
 
 mod compare;
 
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use crate::failure::did_you_mean;
@@ -67,6 +68,9 @@ pub struct Run {
     /// Relative tolerance of a step
     #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
     rtol: Option<f64>,
+    /// Largest number of steps; ten million unless given
+    #[arg(long, value_name = "NUMBER")]
+    max_steps: Option<NonZeroUsize>,
     /// auto, exact, taylor, tsit5, dop853, rodas5p or radau; if it was built with the feature
     /// `diffsol`, also bdf, tr_bdf2, esdirk34 or tsit45
     #[arg(long, value_name = "NAME")]
@@ -300,6 +304,9 @@ impl Run {
         }
         if let Some(rtol) = self.rtol {
             simulation = simulation.rtol(rtol);
+        }
+        if let Some(steps) = self.max_steps {
+            simulation = simulation.max_steps(steps.get());
         }
         simulation = with_method(simulation, self.method.as_deref())?;
         if !self.sensitivities.is_empty() {

@@ -13,7 +13,11 @@ pub fn with_parameters<'a>(
     mut run: Simulation<'a>,
     set: &[(String, Amount)],
 ) -> Result<Simulation<'a>, Failure> {
-    for (name, amount) in set {
+    for (index, (name, amount)) in set.iter().enumerate() {
+        if set[..index].iter().any(|(earlier, _)| earlier == name) {
+            let twice = format!("`--set {name}` is given twice");
+            return Err(Failure::input(twice, "leave one of them out"));
+        }
         amount.check_of(name, &run)?;
         run = run.parameter(name, amount.value)?;
     }

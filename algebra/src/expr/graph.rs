@@ -179,16 +179,15 @@ impl Graph {
     /// Base and exponent of what [`Graph::powi`] makes; of all else itself and 1.
     #[must_use]
     pub fn as_power(&self, id: NodeId) -> (NodeId, i32) {
+        let is_square = |id: NodeId, of: NodeId| self.op(id) == Op::Mul(of, of);
         match self.op(id) {
             Op::Powi(base, exponent) => (base, exponent),
-            Op::Mul(a, b) if a == b => {
-                let (base, exponent) = self.as_power(a);
-                (base, 2 * exponent)
-            }
-            Op::Mul(a, b) => match [a, b].map(|factor| self.as_power(factor)) {
-                [(base, first), (other, second)] if base == other => (base, first + second),
-                _ => (id, 1),
+            Op::Mul(a, b) if a == b => match self.op(a) {
+                Op::Mul(c, d) if c == d => (c, 4),
+                _ => (a, 2),
             },
+            Op::Mul(a, b) if is_square(a, b) => (b, 3),
+            Op::Mul(a, b) if is_square(b, a) => (a, 3),
             _ => (id, 1),
         }
     }

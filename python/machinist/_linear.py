@@ -160,10 +160,13 @@ def _mode(row: dict[str, Any], names: Sequence[str], moving: Sequence[str], by: 
 class Response:
     """How an output answers a harmonic disturbance: o + a Re(H(w) e^(j w t))."""
 
-    def __init__(self, title: str, told: tuple[str, str, str, list[Array]]) -> None:
+    def __init__(self, title: str, told: tuple[str, str, str, list[Array], float | None]) -> None:
         self._title = title
         #: What varies, what answers, and the unit of the one over that of the other.
-        self.input, self.output, self.unit, arrays = told
+        self.input, self.output, self.unit, arrays, growth = told
+        #: How fast a motion grows by itself that is not disturbed [1/s], or None: only then do
+        #: motions settle to these amplitudes.
+        self.growth = growth
         #: Angular frequencies w [rad/s], |H|, and arg H [rad], continuous.
         self.frequencies, self.amplitudes, self.phases = arrays
 

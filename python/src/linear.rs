@@ -138,8 +138,9 @@ fn slopes_of(
     }
 }
 
-/// (what varies, what answers, the unit of amplitudes, frequencies, amplitudes, phases).
-type Answered<'py> = (String, String, String, [Bound<'py, PyAny>; 3]);
+/// (what varies, what answers, the unit of amplitudes, frequencies, amplitudes, phases, how fast
+/// a motion grows).
+type Answered<'py> = (String, String, String, [Bound<'py, PyAny>; 3], Option<f64>);
 
 /// How an output answers a parameter, or a force on a coordinate.
 #[pyfunction]
@@ -161,17 +162,18 @@ pub fn response<'py>(
             "frequencies hold {bad}; they are finite and not below 0"
         )));
     }
-    let (response, _) = looked_at(py, machine, &settings, at, |linearization, _, _| {
+    let ((response, growth), _) = looked_at(py, machine, &settings, at, |linearization, _, _| {
         let frequencies = if let Some(given) = given {
             given
         } else {
             let (low, high) = linearization.range_of_interest()?;
             machinist::linear_analysis::logarithmic_range(low, high, points)?
         };
-        linearization.response(&from, &to, &frequencies)
+        let response = linearization.response(&from, &to, &frequencies)?;
+        Ok((response, linearization.growth().ok().flatten()))
     })?;
     let unit = response.amplitude_unit();
     let arrays = [response.frequencies, response.amplitudes, response.phases];
     let arrays = arrays.map(|values| array(py, values).into_any());
-    Ok((response.from, response.to, unit, arrays))
+    Ok((response.from, response.to, unit, arrays, growth))
 }

@@ -45,6 +45,14 @@ def test_a_response_is_that_of_the_matrix(gin):
         assert abs(h - expected) < 1e-8 * abs(expected)
     assert response.peak[1] == response.amplitudes.max()
     assert "rad/s" in response._repr_svg_()
+    assert response.growth is None and all(mode.eigenvalue.real < 1e-9 for mode in modes)
+
+
+def test_a_response_tells_that_a_motion_grows(gin):
+    anti_damped = {"coupling.damping": -50.0}
+    response = gin.response("motor.phi", "motor.omega", points=5, at="initial", parameters=anti_damped)
+    modes = gin.modes(at="initial", parameters=anti_damped)
+    assert response.growth == max(mode.eigenvalue.real for mode in modes) > 0
 
 
 @pytest.mark.parametrize(

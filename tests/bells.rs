@@ -149,6 +149,113 @@ fn a_hill_holds_a_body_up_or_throws_it_back() {
     }
 }
 
+/// The force of which is a bell, whatever the potential is like.
+#[test]
+fn a_step_of_a_potential_slows_a_body_or_throws_it_back() {
+    for step in ["1/(1 + exp((place - x)/width))", "(1 + tanh((x - place)/width))/2"] {
+        let pair = pair(&format!("height*{step}"), "0", (0.0, 1.0), 100.0);
+        for (width, height) in [(0.5, 0.3), (1e-2, 0.3), (1e-2, 0.6), (1e-4, 0.3), (1e-4, 0.6)] {
+            for method in OWN.into_iter().filter(|method| !overflows(*method, step)) {
+                let run = Simulation::new(&pair).method(method).rtol(1e-7);
+                let run = run.parameter("pair.width", width).expect("a parameter");
+                let run = run.parameter("pair.height", height).and_then(|run| run.run());
+                let run = run.unwrap_or_else(|error| panic!("{method}, {width:e}: {error}"));
+                let v = run.last("pair.v").expect("a state");
+                let expected = if height < 0.5 { (1.0 - 2.0 * height).sqrt() } else { -1.0 };
+                assert!((v - expected).abs() < 1e-5, "{method}, {width:e}, {height}: {v}");
+            }
+        }
+    }
+}
+
+/// One to three hills, valleys and steps of random places and widths, in a valley of two
+/// coordinates; where it starts, at which speeds.
+fn random_landscape(random: &mut fastrand::Rng) -> String {
+    let mut between = |low: f64, high: f64| low + (high - low) * random.f64();
+    let start = [between(-4.0, 4.0), between(-3.0, 3.0), between(-3.0, 3.0)];
+    let terms = 1 + (3.0 * between(0.0, 1.0)) as usize;
+    let mut term = || {
+        let mut distance = || {
+            let along = ["x", "y", "(x + 0.5*y)"][(3.0 * between(0.0, 1.0)) as usize];
+            let width = [1.0, 0.1, 0.02, 0.004][(4.0 * between(0.0, 1.0)) as usize];
+            format!("(({along} - {} [m])/({width} [m]))", between(-3.0, 3.0))
+        };
+        let (s, t) = (distance(), distance());
+        let forms = [
+            format!("exp(-{s}^2)"),
+            format!("exp(-{s}^2 - {t}^2)"),
+            format!("{s}*exp(-{s}^2/2)"),
+            format!("exp(1 - sqrt(1 + {s}^2))"),
+            format!("1/(1 + {s}^2)^2"),
+            format!("1/(1 + {s}^2 + {t}^2)^1.5"),
+            format!("exp(-2*{s}^2)/(1 + {t}^2)"),
+            format!("tanh({s})"),
+            format!("(tanh({s}) - tanh({s} - 4))"),
+            format!("1/(1 + {s}^2)"),
+            format!("1/cosh({s})"),
+            format!("1/(1 + exp({s}))"),
+        ];
+        let form = &forms[(forms.len() as f64 * between(0.0, 1.0)) as usize];
+        format!("{} [J]*{form}", between(-2.0, 2.0))
+    };
+    let terms: Vec<String> = (0..terms).map(|_| term()).collect();
+    format!(
+        r#"
+        [scene]
+        name = "landscape"
+        [units.body]
+        unit = "body"
+        [initial]
+        "body.x" = {}
+        "body.v" = {}
+        "body.u" = {}
+        [run]
+        until = 10
+        points = 11
+        [define.body.coordinates]
+        x = {{ unit = "m", velocity = "v" }}
+        y = {{ unit = "m", velocity = "u" }}
+        [define.body.energy]
+        kinetic = "1 [kg]*(v^2 + u^2)/2"
+        potential = "0.5 [N/m]*(x^2 + 2*y^2) + {}"
+        dissipation = "0.05 [N s/m]*(v^2 + u^2)/2"
+        "#,
+        start[0],
+        start[1],
+        start[2],
+        terms.join(" + ")
+    )
+}
+
+#[test]
+fn bodies_move_through_random_landscapes_alike_by_all_methods() {
+    let mut random = fastrand::Rng::with_seed(1);
+    let count = std::env::var("MACHINIST_FUZZ").ok().and_then(|count| count.parse().ok());
+    let mut compared = 0;
+    for _ in 0..count.unwrap_or(40) {
+        let text = random_landscape(&mut random);
+        let body = of_text(&text, Keep::Needed);
+        let at = |method: Method, rtol: f64| {
+            let run = Simulation::new(&body).method(method).rtol(rtol).max_steps(100_000).run();
+            run.map(|run| ["body.x", "body.y"].map(|name| run.last(name).expect("a state")))
+        };
+        let off = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
+        let exact = at(Method::Dop853, 1e-12).expect("a run");
+        // What just gets over a hill, or just does not, no tolerance decides.
+        if off(at(Method::Dop853, 1e-8).expect("a run"), exact) > 1e-6 {
+            continue;
+        }
+        compared += 1;
+        for method in OWN.into_iter().filter(|method| !overflows(*method, &text)) {
+            let found =
+                at(method, 1e-7).unwrap_or_else(|error| panic!("{method}: {error}\n{text}"));
+            assert!(off(found, exact) < 1e-3, "{method}: {found:?} for {exact:?}\n{text}");
+        }
+    }
+    println!("{compared} landscapes");
+    assert!(compared > 20, "{compared}");
+}
+
 #[test]
 fn sensitivities_see_bells() {
     let pair = pair("0 [J]", "exp(-((x - place)/width)^2)*width/(1 [m])", (0.0, 1.0), 100.0);

@@ -63,7 +63,7 @@ fn spreads(expr: &Expr, multiplied_out: &Expr) -> bool {
 }
 
 /// Whether an expression is a sum with an exponential.
-fn grows(expr: &Expr) -> bool {
+pub(super) fn grows(expr: &Expr) -> bool {
     let is_exponential = |expr: &Expr| matches!(expr, Expr::Call(Function::Exp, _));
     let has_exponential = |term: &Expr| match term {
         Expr::Product(factors) => factors.iter().any(is_exponential),

@@ -28,6 +28,7 @@ pub(super) fn may_be_joined(expr: &Expr) -> bool {
     extent::expanded(expr).leaves <= JOINED_LIMIT
         && bits(expr) <= NUMBER_LIMIT
         && !has_high_degree(expr)
+        && !has_growing_denominator(expr)
 }
 
 /// Sums with higher powers than this are not put over one denominator.
@@ -57,7 +58,11 @@ pub(super) fn cheapest(cas: &mut Cas, form: &Form) -> Expr {
     let mut best = (cost, None);
     for candidate in candidates {
         let (_, cost) = weigh(&candidate);
-        if cost < best.0 && !(is_expanded && digits::loses(&own, &candidate)) {
+        let is_worse = || {
+            is_expanded && digits::loses(&own, &candidate)
+                || is_over_what_grows(&candidate) && !is_over_what_grows(&own)
+        };
+        if cost < best.0 && !is_worse() {
             best = (cost, Some(candidate));
         }
     }
@@ -115,6 +120,41 @@ fn has_high_degree(expr: &Expr) -> bool {
                     found |= matches!(part, Expr::Number(number) if number.abs() != one);
                 });
             }
+        }
+    });
+    found
+}
+
+/// Whether a power of what grows beyond all numbers is a denominator.
+fn has_growing_denominator(expr: &Expr) -> bool {
+    let mut found = false;
+    expr.visit(&mut |part| found |= growing_denominator(part).is_some());
+    found
+}
+
+/// What grows beyond all numbers, of a power that is a denominator.
+fn growing_denominator(expr: &Expr) -> Option<&Expr> {
+    let Expr::Power(base, exponent) = expr else { return None };
+    let Expr::Number(number) = &**exponent else { return None };
+    let two = BigRational::from_integer(2.into());
+    let is_cosh = matches!(**base, Expr::Call(Function::Cosh, _));
+    let grows = is_cosh || digits::grows(base) && number.abs() >= two;
+    (number.is_negative() && grows).then_some(base)
+}
+
+/// Whether a sum with what grows beyond all numbers is over that: infinity over infinity, where
+/// each term for itself is a number.
+fn is_over_what_grows(expr: &Expr) -> bool {
+    let mut found = false;
+    expr.visit(&mut |part| {
+        let Expr::Product(factors) = part else { return };
+        for below in factors.iter().filter_map(growing_denominator) {
+            let mut sums = factors.iter().filter(|factor| matches!(factor, Expr::Sum(_)));
+            found |= sums.any(|sum| {
+                let mut is_inside = false;
+                sum.visit(&mut |part| is_inside |= part == below);
+                is_inside
+            });
         }
     });
     found

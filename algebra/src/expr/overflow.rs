@@ -6,26 +6,37 @@ use machinist_model::{Function, NodeId, Op};
 use super::graph::Graph;
 
 /// Takes sinh(u)/cosh(u) of a quotient of products for tanh(u), and e^v/(a + b e^v) for
-/// 1/(a e^-v + b).
+/// 1/(a e^-v + b), and so for powers of them.
 pub(super) fn avoid(graph: &mut Graph, above: &mut Vec<NodeId>, below: &mut Vec<NodeId>) {
     let mut index = 0;
     while let Some(&factor) = above.get(index) {
-        match graph.op(factor) {
+        let (base, power) = graph.as_power(factor);
+        match graph.op(base) {
             Op::Call(Function::Sinh, u) => {
-                let cosh = |graph: &Graph, id| graph.op(id) == Op::Call(Function::Cosh, u);
-                if take_one(graph, below, cosh).is_some() {
-                    above[index] = graph.call(Function::Tanh, u);
+                let as_often = |graph: &Graph, id, _| {
+                    (graph.op(id) == Op::Call(Function::Cosh, u)).then_some(power)
+                };
+                if let Some((_, taken)) = take(graph, below, as_often) {
+                    let tanh = graph.call(Function::Tanh, u);
+                    let (tanh, rest) = (graph.powi(tanh, taken), graph.powi(base, power - taken));
+                    above[index] = graph.mul(tanh, rest);
                 }
             }
-            Op::Call(Function::Exp, v) => {
-                let has_exp = |graph: &Graph, id| parts(graph, id, factor).is_some();
-                let sum = take_one(graph, below, has_exp);
-                if let Some((a, b)) = sum.and_then(|sum| parts(graph, sum, factor)) {
-                    let opposite = graph.neg(v);
+            Op::Call(Function::Exp, w) if power == 1 => {
+                let as_often = |graph: &Graph, id, most| {
+                    let Parts { argument, .. } = parts(graph, id)?;
+                    multiple(graph, w, argument).filter(|times| *times <= most)
+                };
+                let sum = take(graph, below, as_often);
+                if let Some((Parts { a, b, argument }, times)) =
+                    sum.and_then(|(sum, times)| parts(graph, sum).zip(Some(times)))
+                {
+                    let opposite = graph.neg(argument);
                     let decaying = graph.call(Function::Exp, opposite);
                     let decaying = graph.mul(a, decaying);
                     let b = b.unwrap_or_else(|| graph.literal(1.0));
-                    below.push(graph.add(b, decaying));
+                    let bounded = graph.add(b, decaying);
+                    below.push(graph.powi(bounded, times));
                     above.remove(index);
                     continue;
                 }
@@ -36,33 +47,82 @@ pub(super) fn avoid(graph: &mut Graph, above: &mut Vec<NodeId>, below: &mut Vec<
     }
 }
 
-/// Takes one of the divisors that are powers of what is wanted, once; gives it.
-fn take_one(
+/// Takes a divisor, or as much of its power, as often as is wanted of a base that is there so many
+/// times; gives the base, and how often.
+fn take(
     graph: &mut Graph,
     below: &mut Vec<NodeId>,
-    is_wanted: impl Fn(&Graph, NodeId) -> bool,
-) -> Option<NodeId> {
-    let found = below.iter().position(|id| is_wanted(graph, graph.as_power(*id).0))?;
-    let (base, power) = graph.as_power(below[found]);
-    if power > 1 {
-        below[found] = graph.powi(base, power - 1);
+    wanted: impl Fn(&Graph, NodeId, i32) -> Option<i32>,
+) -> Option<(NodeId, i32)> {
+    let (found, base, power, taken) = below.iter().enumerate().find_map(|(index, id)| {
+        let (base, power) = graph.as_power(*id);
+        let taken = wanted(graph, base, power)?.min(power);
+        Some((index, base, power, taken))
+    })?;
+    if power > taken {
+        below[found] = graph.powi(base, power - taken);
     } else {
         below.remove(found);
     }
-    Some(base)
+    Some((base, taken))
 }
 
-/// Of a + b e^v, with a and b of parameters alone, these; no b is 1.
-fn parts(graph: &Graph, sum: NodeId, exp: NodeId) -> Option<(NodeId, Option<NodeId>)> {
+/// a + b e^v, with a and b of parameters alone; no b is 1.
+struct Parts {
+    a: NodeId,
+    b: Option<NodeId>,
+    argument: NodeId,
+}
+
+fn parts(graph: &Graph, sum: NodeId) -> Option<Parts> {
     let Op::Add(first, second) = graph.op(sum) else { return None };
-    [(first, second), (second, first)].into_iter().find_map(|(a, rest)| {
-        let b = match graph.op(rest) {
-            _ if rest == exp => None,
-            Op::Mul(b, e) | Op::Mul(e, b) if e == exp && graph.is_constant(b) => Some(b),
-            _ => return None,
+    let exponent = |id: NodeId| match graph.op(id) {
+        Op::Call(Function::Exp, argument) => Some(argument),
+        _ => None,
+    };
+    let term = |id: NodeId| {
+        let factors = match graph.op(id) {
+            Op::Mul(a, b) => [(a, b), (b, a)],
+            _ => return exponent(id).map(|argument| (None, argument)),
         };
-        graph.is_constant(a).then_some((a, b))
+        let is_constant = |b: &NodeId| graph.is_constant(*b);
+        factors
+            .into_iter()
+            .find_map(|(b, e)| Some((Some(b).filter(is_constant)?, exponent(e)?)))
+            .map(|(b, argument)| (Some(b), argument))
+    };
+    [(first, second), (second, first)].into_iter().find_map(|(a, rest)| {
+        let (b, argument) = term(rest)?;
+        graph.is_constant(a).then_some(Parts { a, b, argument })
     })
+}
+
+/// What multiple one node is of another, if that is a whole number above zero and told by literals.
+fn multiple(graph: &Graph, of: NodeId, one: NodeId) -> Option<i32> {
+    let monomial = |id: NodeId| {
+        let mut factors = Vec::new();
+        let literal = factor(graph, id, 1, &mut factors);
+        factors.sort_unstable();
+        (literal, factors)
+    };
+    let ((times, of), (once, one)) = (monomial(of), monomial(one));
+    let ratio = times / once;
+    let is_whole = ratio.fract() == 0.0 && (1.0..=8.0).contains(&ratio);
+    (of == one && is_whole).then_some(ratio as i32)
+}
+
+/// The literals of a product, or of its reciprocal where the power is -1; and the rest of its factors.
+fn factor(graph: &Graph, id: NodeId, power: i32, factors: &mut Vec<(NodeId, i32)>) -> f64 {
+    match graph.op(id) {
+        Op::Literal(value) => value.powi(power),
+        Op::Neg(a) => -factor(graph, a, power, factors),
+        Op::Mul(a, b) => factor(graph, a, power, factors) * factor(graph, b, power, factors),
+        Op::Div(a, b) => factor(graph, a, power, factors) * factor(graph, b, -power, factors),
+        _ => {
+            factors.push((id, power));
+            1.0
+        }
+    }
 }
 
 #[cfg(test)]
@@ -96,6 +156,7 @@ mod tests {
         let double = Expr::Product(vec![Expr::integer(2), exp.clone()]);
         let sum = |terms: [Expr; 2]| Expr::Sum(terms.to_vec());
         let [one, three] = [1, 3].map(Expr::integer);
+        let twice = Expr::Product(vec![Expr::integer(2), t.clone()]);
         // Values at 0.5, and where the argument is -1000 and 1000.
         let (e, [s, c]) = (0.5_f64.exp(), [0.5_f64.sinh(), 0.5_f64.cosh()]);
         let quotients = [
@@ -111,6 +172,14 @@ mod tests {
             (
                 vec![call(Function::Sinh, &t), power(call(Function::Cosh, &t), -1)],
                 [s / c, -1.0, 1.0],
+            ),
+            (
+                vec![power(call(Function::Sinh, &t), 2), power(call(Function::Cosh, &t), -3)],
+                [s * s / c.powi(3), 0.0, 0.0],
+            ),
+            (
+                vec![call(Function::Exp, &twice), power(sum([one, exp]), -3)],
+                [e * e / (1.0 + e).powi(3), 0.0, 0.0],
             ),
         ];
         for (factors, expected) in quotients {

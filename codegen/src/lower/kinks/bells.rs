@@ -165,29 +165,41 @@ impl Bells<'_> {
             Op::Call(Function::Tanh, argument) => Some(argument),
             _ => None,
         };
-        let is_squared = |id: &NodeId| match graph.op(*id) {
-            Op::Mul(a, b) => a == b && step(a).is_some(),
-            Op::Powi(a, power) => power % 2 == 0 && step(a).is_some(),
-            _ => false,
-        };
         // 1/(1 + exp(-u)) is (1 + tanh(u/2))/2.
         let logistic = |id: NodeId| match graph.op(id) {
-            Op::Div(_, below) | Op::Powi(below, -1) => match graph.op(below) {
-                Op::Add(a, b) => [a, b].into_iter().find_map(|part| match graph.op(part) {
-                    Op::Call(Function::Exp, argument) => Some(argument),
+            Op::Add(a, b) => [(a, b), (b, a)].into_iter().find_map(|(a, rest)| {
+                let rest = match graph.op(rest) {
+                    Op::Mul(factor, e) if graph.is_constant(factor) => e,
+                    Op::Mul(e, factor) if graph.is_constant(factor) => e,
+                    _ => rest,
+                };
+                match graph.op(rest) {
+                    Op::Call(Function::Exp, u) => graph.is_constant(a).then_some(u),
                     _ => None,
-                }),
-                _ => None,
-            },
+                }
+            }),
             _ => None,
         };
+        let either = |id: NodeId| step(id).or_else(|| logistic(id));
+        let is_squared = |id: &NodeId| {
+            let (base, power) = graph.as_power(*id);
+            power > 1 && either(base).is_some()
+        };
         let mut is_bell = nodes.iter().any(is_squared);
-        let mut arguments: Vec<NodeId> =
-            nodes.iter().filter_map(|id| step(*id).or_else(|| logistic(*id))).collect();
+        let mut arguments: Vec<NodeId> = nodes.iter().filter_map(|id| either(*id)).collect();
         arguments.retain(|id| self.is_of_place(graph, *id));
         arguments.sort_unstable();
         arguments.dedup();
         is_bell |= arguments.len() > 1;
+        // By its size: 1/((1 + e^u) (1 + e^-u)) has two of one.
+        let size = |id: &mut NodeId| {
+            if let Op::Neg(a) = graph.op(*id) {
+                *id = a;
+            }
+        };
+        arguments.iter_mut().for_each(size);
+        arguments.sort_unstable();
+        arguments.dedup();
         arguments.retain(|id| is_bell && self.goes_anywhere(graph, *id));
         arguments.into_iter().map(|argument| self.step(graph, argument)).collect()
     }

@@ -2,7 +2,7 @@
 //! they are multiplied out to cancel there.
 
 use machinist_model::{NodeId, Op, Tape, evaluate};
-use num_traits::ToPrimitive as _;
+use num_traits::{Signed as _, ToPrimitive as _};
 
 use crate::expr::{Expr, Function, Graph, Symbol};
 
@@ -41,25 +41,38 @@ pub(super) fn loses(expr: &Expr, multiplied_out: &Expr) -> bool {
 /// far smaller. Or that of a sum with an exponential: squares of it overflow sooner, and quotients
 /// with it are told as such no more.
 fn spreads(expr: &Expr, multiplied_out: &Expr) -> bool {
-    let mut distances = Vec::new();
-    expr.visit(&mut |part| {
-        if let Expr::Power(base, exponent) = part
-            && matches!(**exponent, Expr::Number(_))
-            && (is_distance(base) || grows(base))
-        {
-            distances.push(&**base);
-        }
+    let powers = |expr: &Expr, is: fn(&Expr) -> bool| {
+        let mut bases = Vec::new();
+        expr.visit(&mut |part| {
+            if let Expr::Power(base, exponent) = part
+                && matches!(**exponent, Expr::Number(_))
+                && is(base)
+            {
+                bases.push((**base).clone());
+            }
+        });
+        bases
+    };
+    let mut kept = powers(expr, |base| is_distance(base) || grows(base));
+    // In an exponent or below, where they say how near something is.
+    expr.visit(&mut |part| match part {
+        Expr::Call(Function::Exp, arguments) => kept.extend(powers(&arguments[0], is_linear)),
+        Expr::Power(base, exponent) if is_below(exponent) => kept.extend(powers(base, is_linear)),
+        _ => {}
     });
-    if distances.is_empty() {
+    if kept.is_empty() {
         return false;
     }
-    let mut kept = Vec::new();
     multiplied_out.visit(&mut |part| {
-        if is_distance(part) || grows(part) {
-            kept.push(part);
+        if matches!(part, Expr::Sum(_)) {
+            kept.retain(|kept| kept != part);
         }
     });
-    distances.iter().any(|distance| !kept.contains(distance))
+    !kept.is_empty()
+}
+
+fn is_below(exponent: &Expr) -> bool {
+    matches!(exponent, Expr::Number(number) if number.is_negative())
 }
 
 /// Whether an expression is a sum with an exponential.
@@ -74,29 +87,43 @@ pub(super) fn grows(expr: &Expr) -> bool {
 
 /// Whether an expression is a multiple of a state or time, less a product of parameters.
 fn is_distance(expr: &Expr) -> bool {
-    let is_multiple = |expr: &Expr, is: fn(Symbol) -> bool| match expr {
-        Expr::Symbol(symbol) => is(*symbol),
-        Expr::Product(factors) => {
-            let is_one = |factor: &Expr| matches!(factor, Expr::Symbol(symbol) if is(*symbol));
-            let is_number = |factor: &Expr| matches!(factor, Expr::Number(_));
-            factors.iter().all(|factor| is_one(factor) || is_number(factor))
-                && factors.iter().any(is_one)
-        }
-        _ => false,
-    };
-    let is_of_place = |expr: &Expr| {
-        is_multiple(expr, |symbol| {
-            use Symbol::{Coordinate, FirstOrder, Time, Velocity};
-            matches!(symbol, Time | Coordinate(_) | Velocity(_) | FirstOrder(_))
-        })
-    };
-    let is_place = |expr: &Expr| is_multiple(expr, |symbol| matches!(symbol, Symbol::Parameter(_)));
     match expr {
         Expr::Sum(terms) => match &terms[..] {
             [a, b] => (is_of_place(a) && is_place(b)) || (is_place(a) && is_of_place(b)),
             _ => false,
         },
         _ => false,
+    }
+}
+
+/// Whether an expression is a sum of multiples of states and time, and of parameters and numbers.
+fn is_linear(expr: &Expr) -> bool {
+    let is_term =
+        |term: &Expr| is_of_place(term) || is_place(term) || matches!(term, Expr::Number(_));
+    matches!(expr, Expr::Sum(terms) if terms.iter().all(is_term) && terms.iter().any(is_of_place))
+}
+
+fn is_of_place(expr: &Expr) -> bool {
+    is_multiple(expr, |symbol| {
+        use Symbol::{Coordinate, FirstOrder, Time, Velocity};
+        matches!(symbol, Time | Coordinate(_) | Velocity(_) | FirstOrder(_))
+    })
+}
+
+fn is_place(expr: &Expr) -> bool {
+    is_multiple(expr, |symbol| matches!(symbol, Symbol::Parameter(_)))
+}
+
+/// Whether an expression is a product of numbers and of such symbols.
+fn is_multiple(expr: &Expr, is: fn(Symbol) -> bool) -> bool {
+    let is_one = |factor: &Expr| matches!(factor, Expr::Symbol(symbol) if is(*symbol));
+    match expr {
+        Expr::Product(factors) => {
+            let is_number = |factor: &Expr| matches!(factor, Expr::Number(_));
+            factors.iter().all(|factor| is_one(factor) || is_number(factor))
+                && factors.iter().any(is_one)
+        }
+        expr => is_one(expr),
     }
 }
 
@@ -211,6 +238,12 @@ mod tests {
         assert!(loses(&power(&distance, 2), &apart));
         assert!(!loses(&power(&distance, 2), &Expr::Product(vec![distance.clone(), x.clone()])));
         assert!(!loses(&power(&Expr::Sum(vec![x.clone(), power(&place, 2)]), 2), &apart));
+        // By numbers, too, in an exponent: x^2 - 6 x + 9.
+        let near = power(&Expr::Sum(vec![x.clone(), number(-3)]), 2);
+        let middle = Expr::Product(vec![number(-6), x.clone()]);
+        let out = Expr::Sum(vec![power(&x, 2), middle, number(9)]);
+        let exp = |argument: &Expr| Expr::Call(Function::Exp, vec![argument.clone()]);
+        assert!(!loses(&near, &out) && loses(&exp(&near), &exp(&out)));
         let exponential = Expr::Call(Function::Exp, vec![x]);
         let sum = Expr::Sum(vec![number(1), exponential.clone()]);
         assert!(loses(&power(&sum, -2), &power(&exponential, -2)));

@@ -24,7 +24,7 @@ use num_rational::BigRational;
 use num_traits::Zero as _;
 
 pub use cost::{operations, weigh};
-pub use graph::Graph;
+pub use graph::{Graph, PlusExponential};
 pub use matrix::Matrix;
 
 /// Index of a generalized coordinate of a scene.

@@ -500,11 +500,9 @@ fn a_response_is_written_and_drawn() {
 fn a_run_takes_no_more_steps_than_it_may_and_parameters_once() {
     let run = ["run", "two_mass", "--max-steps"];
     answer(&[&run[..], &["1000"]].concat());
-    let limited = machinist(&[&run[..], &["2"]].concat()).output().expect("the program");
+    let limited = output(&[&run[..], &["2"]].concat());
     assert_eq!(limited.status.code(), Some(1));
-    let told = String::from_utf8_lossy(&limited.stderr).replace('\u{2502}', " ");
-    let told: Vec<&str> = told.split_whitespace().collect();
-    assert!(told.join(" ").contains("the limit of 2 steps is reached"), "{told:?}");
+    assert!(said(&limited).contains("the limit of 2 steps is reached"), "{}", said(&limited));
     assert_refused(&[&run[..], &["0"]].concat(), &["--max-steps"]);
     let twice = ["run", "two_mass", "--set", "load_torque=1", "--set", "load_torque=2"];
     assert_refused(&twice, &["`--set load_torque` is given twice"]);
@@ -538,8 +536,8 @@ fn a_response_of_what_falls_over_is_told_to_settle_to_nothing() {
             ["response", text(&file), "--at", "initial", "--from", "rod.phi", "--to", "rod.phi"];
         // (-0.1 + sqrt(0.1^2 + 4 2 8))/(2 2)
         assert_eq!(answer(&ask).contains("as e^(1.98 1/s t)"), falls);
-        let table = machinist(&[&ask[..], &["--out", "-"]].concat()).output().expect("the program");
-        assert_eq!(String::from_utf8_lossy(&table.stderr).contains("settles to these"), falls);
+        let table = output(&[&ask[..], &["--out", "-"]].concat());
+        assert_eq!(said(&table).contains("settles to these"), falls);
     }
 }
 

@@ -21,6 +21,17 @@ pub struct Graph {
     helpers: FxHashMap<HelperId, NodeId>,
 }
 
+/// a + b e^v.
+#[derive(Debug, Clone, Copy)]
+pub struct PlusExponential {
+    /// a.
+    pub a: NodeId,
+    /// b; none is 1.
+    pub b: Option<NodeId>,
+    /// v.
+    pub argument: NodeId,
+}
+
 impl Graph {
     /// A graph for one expression, whose symbols get entries as they come.
     #[must_use]
@@ -190,6 +201,26 @@ impl Graph {
             Op::Mul(a, b) if is_square(b, a) => (a, 3),
             _ => (id, 1),
         }
+    }
+    /// The parts of a + b e^v, where a and b are of parameters alone.
+    #[must_use]
+    pub fn plus_exponential(&self, id: NodeId) -> Option<PlusExponential> {
+        let Op::Add(first, second) = self.op(id) else { return None };
+        let argument = |id: NodeId| match self.op(id) {
+            Op::Call(Function::Exp, argument) => Some(argument),
+            _ => None,
+        };
+        let term = |id: NodeId| match self.op(id) {
+            Op::Mul(a, b) => [(a, b), (b, a)]
+                .into_iter()
+                .filter(|(factor, _)| self.is_constant(*factor))
+                .find_map(|(factor, exp)| Some((Some(factor), argument(exp)?))),
+            _ => argument(id).map(|argument| (None, argument)),
+        };
+        [(first, second), (second, first)].into_iter().find_map(|(a, rest)| {
+            let (b, argument) = term(rest)?;
+            self.is_constant(a).then_some(PlusExponential { a, b, argument })
+        })
     }
     /// a^b
     pub fn powf(&mut self, a: NodeId, b: NodeId) -> NodeId {

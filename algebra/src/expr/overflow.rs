@@ -3,7 +3,7 @@
 
 use machinist_model::{Function, NodeId, Op};
 
-use super::graph::Graph;
+use super::graph::{Graph, PlusExponential};
 
 /// Takes sinh(u)/cosh(u) of a quotient of products for tanh(u), and e^v/(a + b e^v) for
 /// 1/(a e^-v + b), and so for powers of them.
@@ -24,12 +24,12 @@ pub(super) fn avoid(graph: &mut Graph, above: &mut Vec<NodeId>, below: &mut Vec<
             }
             Op::Call(Function::Exp, w) if power == 1 => {
                 let as_often = |graph: &Graph, id, most| {
-                    let Parts { argument, .. } = parts(graph, id)?;
+                    let argument = graph.plus_exponential(id)?.argument;
                     multiple(graph, w, argument).filter(|times| *times <= most)
                 };
                 let sum = take(graph, below, as_often);
-                if let Some((Parts { a, b, argument }, times)) =
-                    sum.and_then(|(sum, times)| parts(graph, sum).zip(Some(times)))
+                if let Some((PlusExponential { a, b, argument }, times)) =
+                    sum.and_then(|(sum, times)| graph.plus_exponential(sum).zip(Some(times)))
                 {
                     let opposite = graph.neg(argument);
                     let decaying = graph.call(Function::Exp, opposite);
@@ -65,36 +65,6 @@ fn take(
         below.remove(found);
     }
     Some((base, taken))
-}
-
-/// a + b e^v, with a and b of parameters alone; no b is 1.
-struct Parts {
-    a: NodeId,
-    b: Option<NodeId>,
-    argument: NodeId,
-}
-
-fn parts(graph: &Graph, sum: NodeId) -> Option<Parts> {
-    let Op::Add(first, second) = graph.op(sum) else { return None };
-    let exponent = |id: NodeId| match graph.op(id) {
-        Op::Call(Function::Exp, argument) => Some(argument),
-        _ => None,
-    };
-    let term = |id: NodeId| {
-        let factors = match graph.op(id) {
-            Op::Mul(a, b) => [(a, b), (b, a)],
-            _ => return exponent(id).map(|argument| (None, argument)),
-        };
-        let is_constant = |b: &NodeId| graph.is_constant(*b);
-        factors
-            .into_iter()
-            .find_map(|(b, e)| Some((Some(b).filter(is_constant)?, exponent(e)?)))
-            .map(|(b, argument)| (Some(b), argument))
-    };
-    [(first, second), (second, first)].into_iter().find_map(|(a, rest)| {
-        let (b, argument) = term(rest)?;
-        graph.is_constant(a).then_some(Parts { a, b, argument })
-    })
 }
 
 /// What multiple one node is of another, if that is a whole number above zero and told by literals.

@@ -166,20 +166,7 @@ impl Bells<'_> {
             _ => None,
         };
         // 1/(1 + exp(-u)) is (1 + tanh(u/2))/2.
-        let logistic = |id: NodeId| match graph.op(id) {
-            Op::Add(a, b) => [(a, b), (b, a)].into_iter().find_map(|(a, rest)| {
-                let rest = match graph.op(rest) {
-                    Op::Mul(factor, e) if graph.is_constant(factor) => e,
-                    Op::Mul(e, factor) if graph.is_constant(factor) => e,
-                    _ => rest,
-                };
-                match graph.op(rest) {
-                    Op::Call(Function::Exp, u) => graph.is_constant(a).then_some(u),
-                    _ => None,
-                }
-            }),
-            _ => None,
-        };
+        let logistic = |id: NodeId| Some(graph.plus_exponential(id)?.argument);
         let either = |id: NodeId| step(id).or_else(|| logistic(id));
         let is_squared = |id: &NodeId| {
             let (base, power) = graph.as_power(*id);

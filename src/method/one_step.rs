@@ -275,8 +275,8 @@ pub(super) fn drive<M: OneStep>(
 
 /// Tries a step that ends at `now`; its error is also that of what is wanted between its ends,
 /// and of sensitivities.
-fn attempt<M: OneStep>(
-    method: &mut M,
+fn attempt(
+    method: &mut dyn OneStep,
     stretch: &Stretch<'_>,
     samples: &Samples<'_>,
     (step, now): (f64, f64),
@@ -297,8 +297,8 @@ fn attempt<M: OneStep>(
 }
 
 /// Where a guard passes first within the current step, which ends at `now`.
-fn passing<M: OneStep>(
-    method: &mut M,
+fn passing(
+    method: &mut dyn OneStep,
     stretch: &Stretch<'_>,
     now: f64,
     is_good: bool,
@@ -391,8 +391,8 @@ fn constrain_tangents(stretch: &Stretch<'_>, now: f64, end: &[f64]) {
 
 /// Pushes what is wanted until the end of the current step, `now`, all of it on the
 /// constraints.
-fn sample<M: OneStep>(
-    method: &mut M,
+fn sample(
+    method: &mut dyn OneStep,
     stretch: &Stretch<'_>,
     (now, end): (f64, &[f64]),
     scratch: &mut [f64],

@@ -262,7 +262,7 @@ impl<'a> Tangents<'a> {
 
     /// Carries S over the current step of a method, whose states have this error: what came of
     /// both.
-    pub(crate) fn carry<M: OneStep>(&self, method: &mut M, of_states: f64) -> Trial {
+    pub(crate) fn carry(&self, method: &mut dyn OneStep, of_states: f64) -> Trial {
         let Inner { start, end, .. } = &mut *self.inner.borrow_mut();
         let error = method.carry(self, start, end);
         match first_not_finite(end) {
@@ -334,9 +334,9 @@ impl<'a> Tangents<'a> {
     }
 
     /// S at a wanted time within the current step, where the state is `state`.
-    pub(crate) fn sample<M: OneStep>(
+    pub(crate) fn sample(
         &self,
-        method: &mut M,
+        method: &mut dyn OneStep,
         stretch: &Stretch<'_>,
         time: f64,
         state: &[f64],

@@ -203,7 +203,7 @@ impl<'a> Watch<'a> {
 
     /// The first time at which a kink is passed within a step that is too long: up to there
     /// it may do.
-    pub(super) fn kink_within<M: OneStep>(&self, method: &mut M, until: f64) -> Option<f64> {
+    pub(super) fn kink_within(&self, method: &mut dyn OneStep, until: f64) -> Option<f64> {
         if self.system.simulator().kinks() == 0 {
             return None;
         }
@@ -215,7 +215,7 @@ impl<'a> Watch<'a> {
 
     /// The first time at which a guard passes zero within the current step, which ends
     /// at `until`; if none does, the step's end is the start of the next one.
-    pub(super) fn first_passing<M: OneStep>(&self, method: &mut M, until: f64) -> Option<f64> {
+    pub(super) fn first_passing(&self, method: &mut dyn OneStep, until: f64) -> Option<f64> {
         let inner = &mut *self.inner.borrow_mut();
         let start = (&inner.start[..], &inner.sides[..]);
         if inner.parts.are_far(self.system, method, (inner.time, until), start) {
@@ -245,7 +245,7 @@ impl<'a> Watch<'a> {
     }
 
     /// Sees what all guards do within the current step.
-    fn look_into<M: OneStep>(&self, inner: &mut Inner, method: &mut M, until: f64) {
+    fn look_into(&self, inner: &mut Inner, method: &mut dyn OneStep, until: f64) {
         let start = (&inner.start[..], &inner.sides[..]);
         inner.parts.fill(self.system, method, (inner.time, until), start);
         inner.outcomes.clear();

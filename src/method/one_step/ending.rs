@@ -17,8 +17,8 @@ pub(super) enum Ending {
 
 /// Takes the current step anew, so that it ends where a guard passes zero, and leaves
 /// the rest to the watch.
-pub(super) fn end_at<M: OneStep>(
-    method: &mut M,
+pub(super) fn end_at(
+    method: &mut dyn OneStep,
     stretch: &Stretch<'_>,
     (from, until): (f64, f64),
     passing: f64,
@@ -85,8 +85,8 @@ pub(super) fn end_at<M: OneStep>(
 
 /// Takes steps that end where an event is, corrected by Newton's method; gives the time at
 /// which the last of them ends.
-fn correct<M: OneStep>(
-    method: &mut M,
+fn correct(
+    method: &mut dyn OneStep,
     watch: &Watch<'_>,
     (from, until): (f64, f64),
     passing: f64,
@@ -115,8 +115,8 @@ fn correct<M: OneStep>(
 ///
 /// A rate that jumps there spoils steps that end beyond it, so that these tell no more than
 /// that they do: the root is foretold from in front of it.
-fn approach<M: OneStep>(
-    method: &mut M,
+fn approach(
+    method: &mut dyn OneStep,
     (stretch, watch): (&Stretch<'_>, &Watch<'_>),
     (from, until): (f64, f64),
     passing: f64,

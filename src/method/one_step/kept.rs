@@ -15,9 +15,9 @@ impl Kept {
 
     /// Takes the end of the current step and puts it back onto the constraints; whether
     /// that is a move that the next step should start with.
-    pub(super) fn put_back<M: OneStep>(
+    pub(super) fn put_back(
         &mut self,
-        method: &M,
+        method: &dyn OneStep,
         stretch: &Stretch<'_>,
         time: f64,
     ) -> Result<bool, Stopped> {
@@ -34,9 +34,9 @@ impl Kept {
 
     /// The same where a step ends at a kink, in `front` of which the constraints may hold other
     /// speeds than at it: what jumps there has not jumped yet.
-    pub(super) fn stay_in_front<M: OneStep>(
+    pub(super) fn stay_in_front(
         &mut self,
-        method: &mut M,
+        method: &mut dyn OneStep,
         stretch: &Stretch<'_>,
         (front, time): (f64, f64),
     ) -> Result<(), Stopped> {

@@ -301,10 +301,10 @@ impl Watch<'_> {
 
     /// Where within the current step, which ends at `until`, something begins or ends to rest
     /// with what leads it.
-    pub(super) fn turn_within<M: OneStep>(
+    pub(super) fn turn_within(
         &self,
         inner: &Inner,
-        method: &mut M,
+        method: &mut dyn OneStep,
         until: f64,
     ) -> Option<Turn> {
         let constraints = self.constraints().filter(|it| it.may_lead())?;
@@ -337,10 +337,10 @@ impl Watch<'_> {
 
     /// Neighbouring times within the current step, at the latter of which something is so that
     /// is at its end.
-    fn first_time<M: OneStep>(
+    fn first_time(
         &self,
         inner: &Inner,
-        method: &mut M,
+        method: &mut dyn OneStep,
         (from, until): (f64, f64),
         is_so: impl Fn(f64, &[f64]) -> bool,
     ) -> (f64, f64) {

@@ -69,10 +69,10 @@ impl Parts {
 
     /// Looks at a step of `method`, in parts so short that guards between their ends are as
     /// these and their rates foretell: what goes round passes and comes back within a step.
-    pub(super) fn fill<M: OneStep>(
+    pub(super) fn fill(
         &mut self,
         system: &System<'_>,
-        method: &mut M,
+        method: &mut dyn OneStep,
         span: (f64, f64),
         (start, sides): (&[f64], &[Side]),
     ) {
@@ -80,7 +80,8 @@ impl Parts {
         const FINEST: usize = 32;
         let mut finer = 1;
         loop {
-            self.fill_parts(system, method, span, start, finer * method.parts());
+            let parts = finer * method.parts();
+            self.fill_parts(system, method, span, start, parts);
             if finer == 1 {
                 self.look_for_noise(system, span.0, start);
             }
@@ -117,10 +118,10 @@ impl Parts {
 
     /// Whether every guard that might pass is, between the ends of parts, as the cubic through
     /// its values and rates there has it.
-    fn is_foretold<M: OneStep>(
+    fn is_foretold(
         &mut self,
         system: &System<'_>,
-        method: &mut M,
+        method: &mut dyn OneStep,
         sides: &[Side],
     ) -> bool {
         /// Of what a guard goes over a step.
@@ -168,10 +169,10 @@ impl Parts {
         true
     }
 
-    fn fill_parts<M: OneStep>(
+    fn fill_parts(
         &mut self,
         system: &System<'_>,
-        method: &mut M,
+        method: &mut dyn OneStep,
         (from, until): (f64, f64),
         start: &[f64],
         parts: usize,
@@ -207,10 +208,10 @@ impl Parts {
     /// Whether no guard could pass within a step that ends in state `end`: there are kinks
     /// only, and each is further from zero at both ends than it moves in several such steps, by
     /// its rates and by how they changed in shorter steps before.
-    pub(super) fn are_far<M: OneStep>(
+    pub(super) fn are_far(
         &mut self,
         system: &System<'_>,
-        method: &M,
+        method: &dyn OneStep,
         (from, until): (f64, f64),
         (start, sides): (&[f64], &[Side]),
     ) -> bool {
@@ -276,10 +277,10 @@ impl Parts {
         (guards[event], rates[event])
     }
 
-    fn between<M: OneStep>(
+    fn between(
         &mut self,
         system: &System<'_>,
-        method: &mut M,
+        method: &mut dyn OneStep,
         time: f64,
         event: usize,
     ) -> (f64, f64) {
@@ -310,10 +311,10 @@ impl Parts {
     }
 
     /// What a guard does that is on `side` at the start of the step.
-    pub(super) fn outcome<M: OneStep>(
+    pub(super) fn outcome(
         &mut self,
         system: &System<'_>,
-        method: &mut M,
+        method: &mut dyn OneStep,
         guard: Guard,
         side: Side,
     ) -> Outcome {
@@ -410,10 +411,10 @@ impl Parts {
     }
 
     /// The start of a step for a guard whose side is not known.
-    fn first_seen<M: OneStep>(
+    fn first_seen(
         &mut self,
         system: &System<'_>,
-        method: &mut M,
+        method: &mut dyn OneStep,
         (event, direction): (usize, Direction),
         passed: bool,
         residual: f64,
@@ -454,10 +455,10 @@ impl Parts {
     /// The side to which a guard leaves zero that does so at no rate, and the first time at which
     /// it is seen there: by the start of `part`, where it is surely seen, it may be back, as where
     /// something slides for a moment only.
-    fn sooner<M: OneStep>(
+    fn sooner(
         &mut self,
         system: &System<'_>,
-        method: &mut M,
+        method: &mut dyn OneStep,
         event: usize,
         part: usize,
         zero: f64,
@@ -484,10 +485,10 @@ impl Parts {
 
     /// Where `side` g is largest between two times, at which its rate is above and
     /// below zero.
-    fn turn<M: OneStep>(
+    fn turn(
         &mut self,
         system: &System<'_>,
-        method: &mut M,
+        method: &mut dyn OneStep,
         event: usize,
         [mut low, mut high]: [f64; 2],
         side: f64,
@@ -502,10 +503,10 @@ impl Parts {
     /// Where g leaves `side` between two times, by the rule of false position with
     /// halving (Illinois), to the last bit but some; never early; and whether
     /// it jumps there.
-    fn root<M: OneStep>(
+    fn root(
         &mut self,
         system: &System<'_>,
-        method: &mut M,
+        method: &mut dyn OneStep,
         event: usize,
         [mut low, mut high]: [f64; 2],
         side: f64,

@@ -28,6 +28,8 @@ pub mod linear_analysis;
 pub mod method;
 mod scales;
 pub mod simulate;
+#[cfg(any(feature = "fit", feature = "linear"))]
+mod sorting;
 #[cfg(feature = "sweep")]
 pub mod sweep;
 pub mod trajectory;

@@ -17,6 +17,7 @@ use machinist_contract::{
 use nalgebra::{DMatrix, DVector};
 
 use crate::linear_analysis::{LinearError, Linearization, Point};
+use crate::sorting::sort_ascending;
 
 /// Why a simulator is not seen through its modes.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -164,7 +165,7 @@ fn slowest(mass: &DMatrix<f64>, stiffness: &DMatrix<f64>, modes: usize) -> Optio
     let inverse = mass.clone().cholesky()?.l().try_inverse()?;
     let eigen = (&inverse * stiffness * inverse.transpose()).symmetric_eigen();
     let mut order: Vec<usize> = (0..eigen.eigenvalues.len()).collect();
-    order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
+    sort_ascending(&mut order, |place| eigen.eigenvalues[*place]);
     order.truncate(modes);
     Some(inverse.transpose() * eigen.eigenvectors.select_columns(&order))
 }

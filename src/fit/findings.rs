@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use super::statistics::{Chance, Direction, Statistics, chance, statistics, students_t};
 use super::{ColumnResiduals, Fit, Fitted, Unknown};
+use crate::sorting::sort_descending;
 
 /// Unknowns that may go further than this share of themselves are not told.
 const FAR: f64 = 0.5;
@@ -141,7 +142,7 @@ impl Fit<'_> {
                 .filter(|(_, share)| share.abs() >= MINOR)
                 .map(|(unknown, share)| (unknown.name.clone(), *share))
                 .collect();
-            named.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+            sort_descending(&mut named, |(_, share)| share.abs());
             named
         };
         let combination = |direction: &Direction| Combination {

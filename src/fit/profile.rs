@@ -23,6 +23,7 @@ use super::least_squares::weighed;
 use super::rounds::Counter;
 use super::statistics::students_t;
 use super::{End, Evaluation, Fit, Fitted, Found, Loss, Plan, Search, Unknown, scale_of};
+use crate::sorting::sort_ascending;
 
 /// Steps of a walk until t, if tau grows evenly.
 const STEPS: f64 = 4.0;
@@ -253,9 +254,7 @@ impl Walk<'_> {
             })?;
             // In the order of the walk.
             points.insert(points.len() - 1, next.clone());
-            points.sort_by(|a, b| {
-                (self.outwards * a.at[self.held]).total_cmp(&(self.outwards * b.at[self.held]))
-            });
+            sort_ascending(points, |point| self.outwards * point.at[self.held]);
             if next.tau < self.t {
                 low = next;
             } else {

@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 
 use super::least_squares::{Evaluation, Loss, weighed};
+use crate::sorting::sort_descending;
 
 /// What the data tell of the unknowns, to first order about where the search ended.
 ///
@@ -86,7 +87,7 @@ pub fn statistics(
             }
         }
     }
-    untold.sort_by(|a, b| b.error.total_cmp(&a.error));
+    sort_descending(&mut untold, |direction| direction.error);
     for (k, error) in errors.iter_mut().enumerate() {
         *error += deviation * covariance[(k, k)].sqrt();
     }

@@ -5,6 +5,7 @@
 //! to first order, so that its derivative is that of the course at its time (the envelope
 //! theorem). All is exact for what is computed: derivatives are those of the very same sums.
 
+use crate::sorting::sort_descending;
 use nalgebra::{DMatrix, DVector};
 
 /// Samples that a polynomial goes through.
@@ -53,7 +54,7 @@ impl Course<'_> {
                 }
             }
         }
-        found.sort_by(|a, b| b.value.value.total_cmp(&a.value.value));
+        sort_descending(&mut found, |extreme| extreme.value.value);
         found.truncate(MOST);
         found
     }

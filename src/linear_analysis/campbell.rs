@@ -8,6 +8,7 @@ use super::operating_point::{Place, operating_point};
 use super::{LinearError, Linearization, Mode, ModeKind, position};
 use crate::error::did_you_mean;
 use crate::simulate::Simulation;
+use crate::sorting::sort_ascending;
 
 /// Natural frequencies of a machine over a parameter, each followed from value to value, and
 /// where orders of a speed meet them.
@@ -87,7 +88,7 @@ pub fn campbell(run: &Simulation<'_>, variation: &Variation<'_>) -> Result<Campb
         speeds.extend(found.speed);
         follow(&mut branches, index, found);
     }
-    branches.sort_by(|a, b| a.first().total_cmp(&b.first()));
+    sort_ascending(&mut branches, Followed::first);
     let critical = machine.critical(&branches, &speeds)?;
     let count = variation.values.len();
     Ok(Campbell {
@@ -211,7 +212,7 @@ impl Machine<'_> {
                 }
             }
         }
-        critical.sort_by(|a, b| a.value.total_cmp(&b.value));
+        sort_ascending(&mut critical, |speed| speed.value);
         Ok(critical)
     }
 
@@ -334,7 +335,7 @@ fn follow(branches: &mut Vec<Followed>, index: usize, found: Found) {
             pairs.push((known.distance(oscillation, followed.expected()), branch, place));
         }
     }
-    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_ascending(&mut pairs, |(distance, ..)| *distance);
     for (distance, branch, place) in pairs {
         let is_taken = branches[branch].places.last().is_some_and(|(last, _)| *last == index);
         if distance > UNLIKE || is_taken {

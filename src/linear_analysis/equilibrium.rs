@@ -8,6 +8,7 @@ use super::motions::{Motions, Places};
 use super::search::{ACCEPTED, Balance, Equations, newton};
 use super::sparse_rows::SparseRows;
 use super::{LinearError, Point, Residual, full, jacobian, rate};
+use crate::sorting::sort_descending;
 
 /// Directions in which rates change by less than that, over the sizes of their rows, are of
 /// drift: what rounding makes of nothing, and no soft spring beside stiff ones.
@@ -274,7 +275,7 @@ impl Balance for Solver<'_> {
         }
         let worst = |index: &usize| equations.residual[*index].abs().max(change[*index].abs());
         let mut order: Vec<usize> = (0..equations.residual.len()).collect();
-        order.sort_by(|a, b| worst(b).total_cmp(&worst(a)));
+        sort_descending(&mut order, worst);
         let residual = |index: usize| {
             let state = self.simulator.state(self.dynamic[index]);
             let rate = equations.residual[index] * equations.frame.row_sizes[index];

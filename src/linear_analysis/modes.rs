@@ -1,7 +1,5 @@
 //! Eigenvalues of dy'/dy and how the machine moves at each.
 
-use std::cmp::Ordering;
-
 use nalgebra::linalg::Schur;
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
@@ -15,6 +13,7 @@ use super::sparse_rows::SparseRows;
 use super::within::Within;
 use super::{LinearError, Linearization, require_small};
 use crate::dense::balance;
+use crate::sorting::sort_ascending;
 
 /// Beside the norm of the matrix, an eigenvalue below this is zero.
 const ZERO: f64 = 1e-11;
@@ -132,7 +131,7 @@ pub(super) fn of_full_matrices(
         (0..drift.ncols()).map(|column| problem.drift_mode(&drift, column)).collect();
     let mut values = problem.eigenvalues(&rest)?;
     values.retain(|value| value.im >= 0.0);
-    values.sort_by(order);
+    sort_values(&mut values, |value| *value);
     let mut found: Vec<(Complex64, DVector<Complex64>)> = Vec::new();
     for (number, value) in values.into_iter().enumerate() {
         let (mode, vector) = problem.mode(value, number, &found);
@@ -145,7 +144,7 @@ pub(super) fn of_full_matrices(
 /// By banded matrices, where these do.
 pub(super) fn of_bands(motions: &Motions) -> Option<Vec<Mode>> {
     let mut found = banded::spectrum(motions)?;
-    found.sort_by(|a, b| order(&a.value, &b.value));
+    sort_values(&mut found, |found| found.value);
     let shapes = Shapes::new(motions);
     let mode = |Found { value, right, left }: Found| {
         let shares = shapes.shares(&right, &left);
@@ -155,8 +154,9 @@ pub(super) fn of_bands(motions: &Motions) -> Option<Vec<Mode>> {
 }
 
 /// Slow motions first.
-fn order(a: &Complex64, b: &Complex64) -> Ordering {
-    a.norm().total_cmp(&b.norm()).then(a.re.total_cmp(&b.re))
+fn sort_values<T>(items: &mut [T], value: impl Fn(&T) -> Complex64) {
+    sort_ascending(items, |item| value(item).re);
+    sort_ascending(items, |item| value(item).norm());
 }
 
 /// A with states measured by their scales.

@@ -80,8 +80,7 @@ impl Motions {
             let of_positions = entries.clone().filter_map(|(at, x)| Some((positions[*at]?, *x)));
             let mut row = by_q.product(of_positions, &by_coordinates);
             row.extend(entries.filter_map(|(at, x)| Some((n + dynamic_places[*at]?, *x))));
-            row.sort_unstable_by_key(|(column, _)| *column);
-            matrix.push(row);
+            matrix.push_in_any_order(row);
         }
         let scales = scales(&super::scales(simulator), &places, &by_coordinates);
         let positions_by_coordinates = by_coordinates;

@@ -10,6 +10,7 @@ use super::sparse_rows::SparseRows;
 use super::within::Within;
 use super::{LinearError, Point, Residual, jacobian, rate, require_small};
 use crate::constraints::{Constraints, Level, Lost};
+use crate::sorting::sort_descending;
 
 /// A machine with constraints.
 pub(super) struct Solver<'a> {
@@ -291,7 +292,7 @@ impl Balance for Solver<'_> {
         let rates = rate(self.simulator, &point);
         let scale = |index: usize| rates[index].abs() / self.simulator.state_scale(index);
         let mut order = dynamic;
-        order.sort_by(|a, b| scale(*b).total_cmp(&scale(*a)));
+        sort_descending(&mut order, |index| scale(*index));
         let residual = |index: usize| {
             let state = self.simulator.state(index);
             let (name, unit) = (state.name.to_owned(), state.unit.to_owned());

@@ -28,6 +28,12 @@ impl SparseRows {
         self.starts.push(self.entries.len());
     }
 
+    /// Adds a row by its entries, each column once; zeros are left out.
+    pub(super) fn push_in_any_order(&mut self, mut row: Vec<(usize, f64)>) {
+        row.sort_unstable_by_key(|(column, _)| *column);
+        self.push(row);
+    }
+
     /// The nonzeros of a full matrix.
     pub(super) fn of(matrix: &DMatrix<f64>) -> Self {
         let mut rows = Self::new(matrix.ncols());
@@ -44,9 +50,8 @@ impl SparseRows {
             rows[row as usize].push((column as usize, *value));
         }
         let mut whole = Self::new(pattern.columns);
-        for mut row in rows {
-            row.sort_unstable_by_key(|(column, _)| *column);
-            whole.push(row);
+        for row in rows {
+            whole.push_in_any_order(row);
         }
         whole
     }

@@ -3,6 +3,7 @@
 use nalgebra::DVector;
 
 use super::order::parts;
+use crate::sorting::sort_ascending;
 
 /// Solutions of inverse iteration; the third changes but the last digits.
 const ITERATIONS: usize = 5;
@@ -106,7 +107,7 @@ impl Triangle {
         // From the first column on: so each meets no more rows of R than the band has.
         let mut order: Vec<_> =
             rows.iter().filter_map(|row| ends(row).map(|(_, first)| (first, row))).collect();
-        order.sort_by_key(|(first, _)| *first);
+        sort_ascending(&mut order, |(first, _)| *first as f64);
         let mut spread = vec![0.0; width + 1];
         for (first, row) in order {
             spread.fill(0.0);

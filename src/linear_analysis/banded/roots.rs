@@ -15,6 +15,7 @@ use num_complex::Complex64;
 
 use super::pencil::Pencil;
 use crate::dense::balance;
+use crate::sorting::{sort_ascending, sort_descending};
 
 /// Rows up to which a full matrix is as good.
 const SMALL: usize = 16;
@@ -107,7 +108,7 @@ impl Search<'_> {
             roots.extend(others);
             roots
         };
-        roots.sort_by(|a, b| b.value.norm().total_cmp(&a.value.norm()));
+        sort_descending(&mut roots, |root| root.value.norm());
         let degree = self.pencil.degree(self.rows.clone()).checked_sub(self.zeros)?;
         let mut count: usize = roots.iter().map(Root::count).sum();
         while count > degree {
@@ -223,7 +224,7 @@ fn exchange_kinds(roots: &mut Vec<Root>) {
         }
         false
     });
-    reals.sort_by(|a, b| a.value.re.total_cmp(&b.value.re));
+    sort_ascending(&mut reals, |root| root.value.re);
     for two in reals.chunks(2) {
         match two {
             [a, b] => {

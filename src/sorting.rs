@@ -1,0 +1,54 @@
+//! Sorting by a number of each item. What sorts is compiled here, once for all: the standard library's
+//! sort is some two thousand lines of LLVM's code for each closure that it is called with.
+
+/// Puts items in ascending order of their numbers, as [`f64::total_cmp`] has it; those of equal numbers
+/// stay as they stand.
+pub(crate) fn sort_ascending<T>(items: &mut [T], number: impl Fn(&T) -> f64) {
+    let numbers = items.iter().map(number).zip(0..).collect();
+    for (place, from) in sources(numbers).into_iter().enumerate() {
+        items.swap(place, from);
+    }
+}
+
+/// As [`sort_ascending`], in descending order.
+pub(crate) fn sort_descending<T>(items: &mut [T], number: impl Fn(&T) -> f64) {
+    sort_ascending(items, |item| -number(item));
+}
+
+/// Where what belongs at each place stands, once all places before are settled by exchanges.
+fn sources(mut numbers: Vec<(f64, usize)>) -> Vec<usize> {
+    numbers.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let mut sources: Vec<usize> = numbers.into_iter().map(|(_, place)| place).collect();
+    for place in 0..sources.len() {
+        // What stood before this place has been exchanged for what came from there.
+        while sources[place] < place {
+            sources[place] = sources[sources[place]];
+        }
+    }
+    sources
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn items_are_sorted_as_the_standard_library_does() {
+        let mut random = fastrand::Rng::with_seed(5);
+        for length in 0..60 {
+            let items: Vec<(f64, usize)> =
+                (0..length).map(|k| (f64::from(random.i8(-9..9)), k)).collect();
+            let (mut up, mut down) = (items.clone(), items.clone());
+            sort_ascending(&mut up, |item| item.0);
+            sort_descending(&mut down, |item| item.0);
+            let mut expected = items;
+            expected.sort_by(|a, b| a.0.total_cmp(&b.0));
+            assert_eq!(up, expected);
+            expected.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+            assert_eq!(down, expected);
+        }
+        let mut odd = [f64::NAN, 1.0, f64::NEG_INFINITY, -f64::NAN];
+        sort_ascending(&mut odd, |item| *item);
+        assert!(odd[0].is_nan() && odd[1] == f64::NEG_INFINITY && odd[3].is_nan(), "{odd:?}");
+    }
+}

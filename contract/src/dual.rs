@@ -35,13 +35,15 @@ impl Dual {
     #[inline(always)]
     fn chain(self, value: f64, slope: f64) -> Self {
         let by = |b: f64| if b == 0.0 { 0.0 } else { slope * b };
-        Self { value, slopes: self.slopes.map(by) }
+        // Written out, as below: closures over arrays are most of what a scene on these takes to compile.
+        let [a, b, c, d] = self.slopes;
+        Self { value, slopes: [by(a), by(b), by(c), by(d)] }
     }
 
     #[inline(always)]
     fn both(self, other: Self, value: f64, slope: impl Fn(f64, f64) -> f64) -> Self {
-        let slopes = core::array::from_fn(|k| slope(self.slopes[k], other.slopes[k]));
-        Self { value, slopes }
+        let ([a, b, c, d], [e, f, g, h]) = (self.slopes, other.slopes);
+        Self { value, slopes: [slope(a, e), slope(b, f), slope(c, g), slope(d, h)] }
     }
 }
 
@@ -85,7 +87,8 @@ impl Neg for Dual {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self { value: -self.value, slopes: self.slopes.map(f64::neg) }
+        let [a, b, c, d] = self.slopes;
+        Self { value: -self.value, slopes: [-a, -b, -c, -d] }
     }
 }
 

@@ -3,20 +3,19 @@
 #![allow(unsafe_code, reason = "machine code made here is called here, with checked lengths")]
 
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::io;
 use std::mem::MaybeUninit;
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::{Arc, OnceLock};
 
-use cranelift_codegen::ir::{AbiParam, types};
-use cranelift_codegen::isa::OwnedTargetIsa;
+use cranelift_codegen::Context;
+use cranelift_codegen::control::ControlPlane;
+use cranelift_codegen::isa::{self, OwnedTargetIsa};
 use cranelift_codegen::settings::{self, Configurable as _};
-use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
-use cranelift_jit::{JITBuilder, JITModule};
-use cranelift_module::{FuncId, Linkage, Module as _, default_libcall_names};
+use memmap2::{Mmap, MmapMut};
+use target_lexicon::Triple;
 
 use super::schedule::Schedule;
-use super::thunks::Thunk;
-use super::translate::{Translator, signature};
+use super::translate::Translator;
 use crate::Table;
 use crate::straight::{Region, Straight};
 
@@ -47,6 +46,9 @@ enum Pieces {
 /// Numbers of the room that are kept on the stack.
 const ON_STACK: usize = 256;
 
+/// Where pieces begin: on lines of the processor's cache, and where their literals may stand behind.
+const ALIGNMENT: u32 = 64;
+
 /// What a program reads, region by region, of numbers whose lanes stand side by side.
 #[derive(Debug, Clone, Copy)]
 pub struct Regions<'a> {
@@ -73,8 +75,8 @@ pub struct Code {
     room: usize,
     /// Numbers of a row, where rows from the parameters to the state are walked through.
     walks: Option<usize>,
-    /// What the code is part of, and the tables it points at: they live as long as it.
-    module: Mutex<Option<Box<JITModule>>>,
+    /// Where the code is, and the tables it points at: they live as long as it.
+    _memory: Mmap,
     _tables: Arc<[Table]>,
 }
 
@@ -84,32 +86,23 @@ impl std::fmt::Debug for Code {
     }
 }
 
-impl Drop for Code {
-    fn drop(&mut self) {
-        let module = self.module.get_mut().map_or(None, Option::take);
-        if let Some(module) = module {
-            // SAFETY: pieces are called through `Code` alone, which is no more.
-            unsafe { module.free_memory() };
-        }
-    }
-}
-
 /// Whether there is machine code on this target.
 #[must_use]
 pub fn is_available() -> bool {
-    isa().is_some()
+    host().is_some()
 }
 
 /// This machine; none where there is no backend for it.
-fn isa() -> Option<&'static OwnedTargetIsa> {
+fn host() -> Option<&'static OwnedTargetIsa> {
     static ISA: OnceLock<Option<OwnedTargetIsa>> = OnceLock::new();
     let made = || {
         let mut flags = settings::builder();
         let verifies = if cfg!(debug_assertions) { "true" } else { "false" };
         let chosen = [
-            ("opt_level", "speed"),
+            // Tapes share what they compute already; taking equal operations together once more
+            // is most of the time, and what runs is no faster for it.
+            ("opt_level", "none"),
             ("enable_verifier", verifies),
-            ("use_colocated_libcalls", "false"),
             ("is_pic", "false"),
             ("unwind_info", "false"),
             // Frames larger than a page of guards touch every page of theirs.
@@ -119,7 +112,10 @@ fn isa() -> Option<&'static OwnedTargetIsa> {
         for (name, value) in chosen {
             flags.set(name, value).ok()?;
         }
-        let isa = cranelift_native::builder().ok()?.finish(settings::Flags::new(flags)).ok()?;
+        let mut isa = isa::lookup(Triple::host()).ok()?;
+        #[cfg(target_arch = "x86_64")]
+        enable_what_is_there(&mut isa).ok()?;
+        let isa = isa.finish(settings::Flags::new(flags)).ok()?;
         // Numbers are laid out as machine code of these expects them.
         let is_known = cfg!(all(target_endian = "little", target_pointer_width = "64"));
         is_known.then_some(isa)
@@ -127,17 +123,44 @@ fn isa() -> Option<&'static OwnedTargetIsa> {
     ISA.get_or_init(made).as_ref()
 }
 
+/// Turns on what this processor has of what arithmetic is made of.
+#[cfg(target_arch = "x86_64")]
+fn enable_what_is_there(isa: &mut isa::Builder) -> Result<(), settings::SetError> {
+    let features = [
+        (std::is_x86_feature_detected!("sse3"), "has_sse3"),
+        (std::is_x86_feature_detected!("ssse3"), "has_ssse3"),
+        (std::is_x86_feature_detected!("sse4.1"), "has_sse41"),
+        (std::is_x86_feature_detected!("sse4.2"), "has_sse42"),
+        (std::is_x86_feature_detected!("avx"), "has_avx"),
+        (std::is_x86_feature_detected!("avx2"), "has_avx2"),
+    ];
+    for (_, name) in features.into_iter().filter(|(is_there, _)| *is_there) {
+        isa.enable(name)?;
+    }
+    Ok(())
+}
+
+/// Memory of its own that holds code, to be run and no longer written.
+fn executable(code: &[u8]) -> io::Result<Mmap> {
+    let mut memory = MmapMut::map_anon(code.len())?;
+    memory.copy_from_slice(code);
+    let memory = memory.make_exec()?;
+    // No thread goes on with what it has fetched before.
+    #[cfg(not(target_arch = "x86_64"))]
+    {
+        // SAFETY: the memory is there for as long as it takes.
+        unsafe { icache::clear_cache(memory.as_ptr().cast(), memory.len()) }
+            .map_err(io::Error::other)?;
+        icache::pipeline_flush_mt().map_err(io::Error::other)?;
+    }
+    Ok(memory)
+}
+
 impl Code {
     /// Compiles a program for numbers of 1 or 2 lanes. `None` where it cannot be.
     pub fn new(straight: &Straight, tables: &Arc<[Table]>, lanes: usize) -> Option<Self> {
+        let isa = host()?;
         let schedule = Schedule::new(straight, lanes);
-        let mut builder = JITBuilder::with_isa(isa()?.clone(), default_libcall_names());
-        let mut thunks = HashMap::new();
-        for thunk in Thunk::all() {
-            builder.symbol(thunk.name(), thunk.address());
-        }
-        let mut module = JITModule::new(builder);
-        let pointer = module.target_config().pointer_type();
         let needs = straight.needs().map(|need| need * lanes);
         let is_short = schedule.pieces.len() == 1
             && schedule.room * lanes <= ON_STACK
@@ -145,51 +168,37 @@ impl Code {
             && needs[Region::Time as usize] <= lanes
             && straight.middles.is_none();
         let translator = Translator { straight, schedule: &schedule, lanes, tables, is_short };
-        let mut context = module.make_context();
-        let mut of_builders = FunctionBuilderContext::new();
-        let mut ids = Vec::new();
+        let mut context = Context::new();
+        let (mut code, mut starts) = (Vec::new(), Vec::new());
         for index in 0..schedule.pieces.len() {
-            context.func.signature = signature(module.make_signature(), pointer, is_short);
-            let name = format!("piece_{index}");
-            let id =
-                module.declare_function(&name, Linkage::Local, &context.func.signature).ok()?;
-            let mut used = HashMap::new();
-            let mut function = |thunk: Thunk, of: &mut cranelift_codegen::ir::Function| {
-                let id = *thunks.entry(thunk).or_insert_with(|| {
-                    let mut signature = module.make_signature();
-                    let (parameters, result) = thunk.signature(pointer);
-                    signature.params.extend(parameters.into_iter().map(AbiParam::new));
-                    signature.returns.extend(result.then(|| AbiParam::new(types::F64)));
-                    module
-                        .declare_function(&thunk.name(), Linkage::Import, &signature)
-                        .expect("every function is declared once")
-                });
-                *used.entry(thunk).or_insert_with(|| module.declare_func_in_func(id, of))
-            };
-            let mut builder = FunctionBuilder::new(&mut context.func, &mut of_builders);
-            translator.translate(index, &mut builder, pointer, &mut function);
-            builder.finalize();
-            module.define_function(id, &mut context).ok()?;
-            module.clear_context(&mut context);
-            ids.push(id);
+            context.clear();
+            translator.translate(index, &mut context.func, &**isa);
+            let compiled = context.compile(&**isa, &mut ControlPlane::default()).ok()?;
+            // What is called is called by its address: nothing is left to be filled in.
+            if !compiled.buffer.relocs().is_empty() || compiled.buffer.alignment > ALIGNMENT {
+                return None;
+            }
+            code.resize(code.len().next_multiple_of(ALIGNMENT as usize), 0);
+            starts.push(code.len());
+            code.extend_from_slice(compiled.code_buffer());
         }
-        module.finalize_definitions().ok()?;
-        let address = |id: &FuncId| module.get_finalized_function(*id);
-        let pieces = if let (true, [id]) = (is_short, &*ids) {
+        let memory = executable(&code).ok()?;
+        let address = |start: &usize| memory[*start..].as_ptr();
+        let pieces = if let (true, [start]) = (is_short, &*starts) {
             // SAFETY: the function has been made with this signature, for the calling
             // convention of the target.
-            Pieces::Short(unsafe { std::mem::transmute::<*const u8, Short>(address(id)) })
+            Pieces::Short(unsafe { std::mem::transmute::<*const u8, Short>(address(start)) })
         } else {
             // SAFETY: likewise.
-            let piece = |id| unsafe { std::mem::transmute::<*const u8, Piece>(address(id)) };
-            Pieces::Long(ids.iter().map(piece).collect())
+            let piece = |start| unsafe { std::mem::transmute::<*const u8, Piece>(address(start)) };
+            Pieces::Long(starts.iter().map(piece).collect())
         };
         Some(Self {
             pieces,
             needs,
             room: schedule.room * lanes,
             walks: straight.middles.map(|middles| middles.row * lanes),
-            module: Mutex::new(Some(Box::new(module))),
+            _memory: memory,
             _tables: tables.clone(),
         })
     }

@@ -26,12 +26,6 @@ pub enum Thunk {
 }
 
 impl Thunk {
-    /// All of them.
-    pub fn all() -> impl Iterator<Item = Self> {
-        let others = [Self::Powf, Self::Table, Self::SinCos, Self::SinCosOfFour, Self::TanhOfFour];
-        Function::ALL.into_iter().map(|(function, _)| Self::Function(function)).chain(others)
-    }
-
     /// Types of what it takes, and whether it gives a number back.
     pub fn signature(self, pointer: Type) -> (Vec<Type>, bool) {
         match self {
@@ -42,18 +36,6 @@ impl Thunk {
             Self::SinCosOfFour | Self::TanhOfFour => {
                 (vec![types::F64, types::F64, types::F64, types::F64, pointer], false)
             }
-        }
-    }
-
-    /// Its name among the symbols of a module.
-    pub fn name(self) -> String {
-        match self {
-            Self::Function(function) => function.name().to_owned(),
-            Self::Powf => "powf".to_owned(),
-            Self::Table => "table".to_owned(),
-            Self::SinCos => "sin_cos".to_owned(),
-            Self::SinCosOfFour => "sin_cos_4".to_owned(),
-            Self::TanhOfFour => "tanh_4".to_owned(),
         }
     }
 

@@ -4,13 +4,14 @@
 
 use std::collections::HashMap;
 
+use cranelift_codegen::cursor::{Cursor as _, FuncCursor};
 use cranelift_codegen::ir::{
-    AbiParam, Block, BlockArg, FuncRef, InstBuilder as _, MemFlags, Signature, StackSlotData,
+    self, AbiParam, Block, BlockArg, InstBuilder as _, MemFlags, SigRef, Signature, StackSlotData,
     StackSlotKind, Type, Value,
     condcodes::{FloatCC, IntCC},
     types,
 };
-use cranelift_frontend::FunctionBuilder;
+use cranelift_codegen::isa::TargetIsa;
 
 use super::schedule::{Batch, BatchKind, Item, Schedule};
 use super::thunks::Thunk;
@@ -47,11 +48,12 @@ const ROOM: usize = Region::COUNT;
 const BLOCK: usize = 6;
 
 /// The signature of pieces, or of a short program.
-pub fn signature(mut signature: Signature, pointer: Type, is_short: bool) -> Signature {
+fn signature(isa: &dyn TargetIsa, is_short: bool) -> Signature {
     let time = if is_short { 2 } else { 0 };
     let pointers = if is_short { OF_SHORT.len() } else { POINTERS.len() };
+    let mut signature = Signature::new(isa.default_call_conv());
     signature.params.extend(vec![AbiParam::new(types::F64); time]);
-    signature.params.extend(vec![AbiParam::new(pointer); pointers]);
+    signature.params.extend(vec![AbiParam::new(isa.pointer_type()); pointers]);
     signature
 }
 
@@ -78,10 +80,12 @@ struct Given {
 }
 
 /// What the translation of one piece knows.
-struct Piece<'a, 'b, 'c> {
+struct Piece<'a, 'b> {
     of: &'a Translator<'a>,
-    builder: &'a mut FunctionBuilder<'b>,
-    thunks: &'c mut dyn FnMut(Thunk, &mut cranelift_codegen::ir::Function) -> FuncRef,
+    at: FuncCursor<'b>,
+    isa: &'a dyn TargetIsa,
+    /// Signatures of what is called.
+    signatures: HashMap<Thunk, SigRef>,
     given: Given,
     pointer: Type,
     /// Values of this piece that are not in memory.
@@ -93,21 +97,31 @@ struct Piece<'a, 'b, 'c> {
 
 impl Translator<'_> {
     /// Writes the body of a piece.
-    pub fn translate(
-        &self,
-        index: usize,
-        builder: &mut FunctionBuilder<'_>,
-        pointer: Type,
-        thunks: &mut dyn FnMut(Thunk, &mut cranelift_codegen::ir::Function) -> FuncRef,
-    ) {
-        let block = builder.create_block();
-        builder.append_block_params_for_function_params(block);
-        builder.switch_to_block(block);
-        builder.seal_block(block);
-        let given = self.given(block, builder, pointer);
+    pub fn translate(&self, index: usize, function: &mut ir::Function, isa: &dyn TargetIsa) {
+        function.signature = signature(isa, self.is_short);
+        let pointer = isa.pointer_type();
+        let mut at = FuncCursor::new(function);
+        let block = at.func.dfg.make_block();
+        at.func.layout.append_block(block);
+        at.goto_bottom(block);
+        let types: Vec<Type> =
+            at.func.signature.params.iter().map(|given| given.value_type).collect();
+        for given in types {
+            at.func.dfg.append_block_param(block, given);
+        }
+        let given = self.given(block, &mut at, pointer);
         let lane = self.lane();
-        let (values, read) = (HashMap::new(), HashMap::new());
-        let mut piece = Piece { of: self, builder, thunks, given, pointer, values, read, lane };
+        let mut piece = Piece {
+            of: self,
+            at,
+            isa,
+            signatures: HashMap::new(),
+            given,
+            pointer,
+            values: HashMap::new(),
+            read: HashMap::new(),
+            lane,
+        };
         let mut writes: HashMap<StepId, Vec<u32>> = HashMap::new();
         for &(entry, id) in &self.straight.writes {
             writes.entry(id).or_default().push(entry);
@@ -139,15 +153,15 @@ impl Translator<'_> {
                 }
             }
         }
-        piece.builder.ins().return_(&[]);
+        piece.at.ins().return_(&[]);
     }
 
     fn lane(&self) -> Type {
         if self.lanes == 2 { types::F64X2 } else { types::F64 }
     }
 
-    fn given(&self, block: Block, builder: &mut FunctionBuilder<'_>, pointer: Type) -> Given {
-        let all = builder.block_params(block).to_vec();
+    fn given(&self, block: Block, at: &mut FuncCursor<'_>, pointer: Type) -> Given {
+        let all = at.func.dfg.block_params(block).to_vec();
         let mut given = Given { time: None, pointers: [None; POINTERS.len()] };
         let mut note = |regions: &[usize], values: &[Value]| {
             for (region, value) in regions.iter().zip(values) {
@@ -161,22 +175,28 @@ impl Translator<'_> {
         let (time, rest) = all.split_at(2);
         note(&OF_SHORT, rest);
         given.time = Some(if self.lanes == 2 {
-            let both = builder.ins().splat(self.lane(), time[0]);
-            builder.ins().insertlane(both, time[1], 1)
+            let both = at.ins().splat(self.lane(), time[0]);
+            at.ins().insertlane(both, time[1], 1)
         } else {
             time[0]
         });
         if self.schedule.room > 0 {
             let bytes = (8 * self.lanes * self.schedule.room) as u32;
             let slot = StackSlotData::new(StackSlotKind::ExplicitSlot, bytes, 4);
-            let slot = builder.create_sized_stack_slot(slot);
-            given.pointers[ROOM] = Some(builder.ins().stack_addr(pointer, slot, 0));
+            let slot = at.func.create_sized_stack_slot(slot);
+            given.pointers[ROOM] = Some(at.ins().stack_addr(pointer, slot, 0));
         }
         given
     }
 }
 
-impl Piece<'_, '_, '_> {
+impl Piece<'_, '_> {
+    /// Goes on in a block behind all others.
+    fn append(&mut self, block: Block) {
+        self.at.func.layout.append_block(block);
+        self.at.goto_bottom(block);
+    }
+
     fn is_in_memory(&self, id: StepId) -> bool {
         match self.of.straight.step(id) {
             step if step.is_leaf() => true,
@@ -201,49 +221,46 @@ impl Piece<'_, '_, '_> {
         let row = self.offset(middles.row as u32);
         let of_rows = Region::Parameters as usize;
         let [low, end] = [of_rows, Region::State as usize].map(|region| self.pointer_to(region));
-        let low = self.builder.ins().iadd_imm(low, i64::from(row));
-        let high = self.builder.ins().iadd_imm(end, -i64::from(row));
-        let zeros = self.builder.func.dfg.constants.insert(vec![0; 16].into());
-        let zero = self.builder.ins().vconst(types::F64X2, zeros);
-        let [head, body, tail] = [(); 3].map(|()| self.builder.create_block());
+        let low = self.at.ins().iadd_imm(low, i64::from(row));
+        let high = self.at.ins().iadd_imm(end, -i64::from(row));
+        let zeros = self.at.func.dfg.constants.insert(vec![0; 16].into());
+        let zero = self.at.ins().vconst(types::F64X2, zeros);
+        let [head, body, tail] = [(); 3].map(|()| self.at.func.dfg.make_block());
         for pointer in [self.pointer; 2] {
-            self.builder.append_block_param(head, pointer);
+            self.at.func.dfg.append_block_param(head, pointer);
         }
         for _ in 0..2 * count {
-            self.builder.append_block_param(head, types::F64X2);
+            self.at.func.dfg.append_block_param(head, types::F64X2);
         }
         let begin: Vec<BlockArg> =
             [low, high].into_iter().chain(vec![zero; 2 * count]).map(BlockArg::from).collect();
-        self.builder.ins().jump(head, &begin);
-        self.builder.switch_to_block(head);
-        let known = self.builder.block_params(head).to_vec();
+        self.at.ins().jump(head, &begin);
+        self.append(head);
+        let known = self.at.func.dfg.block_params(head).to_vec();
         let (low, high, sums) = (known[0], known[1], &known[2..]);
-        let goes_on = self.builder.ins().icmp(IntCC::UnsignedLessThan, low, end);
-        self.builder.ins().brif(goes_on, body, &[], tail, &[]);
-        self.builder.switch_to_block(body);
+        let goes_on = self.at.ins().icmp(IntCC::UnsignedLessThan, low, end);
+        self.at.ins().brif(goes_on, body, &[], tail, &[]);
+        self.append(body);
         let mut next = sums[count..].to_vec();
         for (vector, sum) in sums[..count].iter().enumerate() {
             let at = 16 * (first + vector) as i32;
             let [left, right] = [(low, middles.left), (high, middles.right)].map(|(row, entry)| {
                 let offset = self.offset(entry as u32) + at;
-                self.builder.ins().load(types::F64X2, flags, row, offset)
+                self.at.ins().load(types::F64X2, flags, row, offset)
             });
-            let product = self.builder.ins().fmul(left, right);
-            next.push(self.builder.ins().fadd(*sum, product));
+            let product = self.at.ins().fmul(left, right);
+            next.push(self.at.ins().fadd(*sum, product));
         }
-        let low = self.builder.ins().iadd_imm(low, i64::from(row));
-        let high = self.builder.ins().iadd_imm(high, -i64::from(row));
+        let low = self.at.ins().iadd_imm(low, i64::from(row));
+        let high = self.at.ins().iadd_imm(high, -i64::from(row));
         let next: Vec<BlockArg> = [low, high].into_iter().chain(next).map(BlockArg::from).collect();
-        self.builder.ins().jump(head, &next);
-        for block in [head, body, tail] {
-            self.builder.seal_block(block);
-        }
-        self.builder.switch_to_block(tail);
+        self.at.ins().jump(head, &next);
+        self.append(tail);
         let results = self.pointer_to(Region::Results as usize);
         for vector in 0..count {
-            let sum = self.builder.ins().fadd(sums[vector], sums[count + vector]);
+            let sum = self.at.ins().fadd(sums[vector], sums[count + vector]);
             let at = self.offset(middles.sums as u32) + 16 * (first + vector) as i32;
-            self.builder.ins().store(flags, sum, results, at);
+            self.at.ins().store(flags, sum, results, at);
         }
     }
 
@@ -260,14 +277,14 @@ impl Piece<'_, '_, '_> {
         let offset = self.offset(entry);
         let flags = MemFlags::new().with_notrap();
         let pointer = self.pointer_to(pointer);
-        self.builder.ins().load(self.lane, flags, pointer, offset)
+        self.at.ins().load(self.lane, flags, pointer, offset)
     }
 
     fn store(&mut self, pointer: usize, entry: u32, value: Value) {
         let offset = self.offset(entry);
         let flags = MemFlags::new().with_notrap();
         let pointer = self.pointer_to(pointer);
-        self.builder.ins().store(flags, value, pointer, offset);
+        self.at.ins().store(flags, value, pointer, offset);
     }
 
     /// The value of a step that has been computed, here or in an earlier piece.
@@ -292,13 +309,13 @@ impl Piece<'_, '_, '_> {
 
     fn literal(&mut self, literal: f64) -> Value {
         if self.of.lanes == 1 && literal.to_bits() == 0 {
-            return self.builder.ins().f64const(literal);
+            return self.at.ins().f64const(literal);
         }
         let bytes: Vec<u8> = [literal.to_le_bytes(); 2].concat();
-        let constant = self.builder.func.dfg.constants.insert(bytes.into());
-        let both = self.builder.ins().vconst(types::F64X2, constant);
+        let constant = self.at.func.dfg.constants.insert(bytes.into());
+        let both = self.at.ins().vconst(types::F64X2, constant);
         // From memory: as a constant, a single number would go by way of an integer.
-        if self.of.lanes == 1 { self.builder.ins().extractlane(both, 0) } else { both }
+        if self.of.lanes == 1 { self.at.ins().extractlane(both, 0) } else { both }
     }
 
     fn compute(&mut self, id: StepId) -> Value {
@@ -308,31 +325,31 @@ impl Piece<'_, '_, '_> {
             Step::Literal(_) | Step::Read(..) => of(id),
             Step::Neg(a) => {
                 let a = of(a);
-                self.builder.ins().fneg(a)
+                self.at.ins().fneg(a)
             }
             Step::Add(a, b) => {
                 let (a, b) = (of(a), of(b));
-                self.builder.ins().fadd(a, b)
+                self.at.ins().fadd(a, b)
             }
             Step::Sub(a, b) => {
                 let (a, b) = (of(a), of(b));
-                self.builder.ins().fsub(a, b)
+                self.at.ins().fsub(a, b)
             }
             Step::Mul(a, b) => {
                 let (a, b) = (of(a), of(b));
-                self.builder.ins().fmul(a, b)
+                self.at.ins().fmul(a, b)
             }
             Step::Div(a, b) => {
                 let (a, b) = (of(a), of(b));
-                self.builder.ins().fdiv(a, b)
+                self.at.ins().fdiv(a, b)
             }
             Step::Call(Function::Sqrt, a) => {
                 let a = of(a);
-                self.builder.ins().sqrt(a)
+                self.at.ins().sqrt(a)
             }
             Step::Call(Function::Abs, a) => {
                 let a = of(a);
-                self.builder.ins().fabs(a)
+                self.at.ins().fabs(a)
             }
             Step::SelectLess(all) => {
                 let all = all.map(of);
@@ -349,21 +366,21 @@ impl Piece<'_, '_, '_> {
             Step::Table(table, order, a) => {
                 let a = of(a);
                 let address = &raw const self.of.tables[table.0 as usize];
-                let table = self.builder.ins().iconst(self.pointer, address as i64);
-                let order = self.builder.ins().iconst(types::I32, i64::from(order));
+                let table = self.at.ins().iconst(self.pointer, address as i64);
+                let order = self.at.ins().iconst(types::I32, i64::from(order));
                 self.each(Thunk::Table, &[table, order], &[a])
             }
         }
     }
 
     fn select_less(&mut self, [lhs, rhs, then, otherwise]: [Value; 4]) -> Value {
-        let is_less = self.builder.ins().fcmp(FloatCC::LessThan, lhs, rhs);
+        let is_less = self.at.ins().fcmp(FloatCC::LessThan, lhs, rhs);
         if self.of.lanes == 1 {
-            return self.builder.ins().select(is_less, then, otherwise);
+            return self.at.ins().select(is_less, then, otherwise);
         }
         let as_vector = MemFlags::new().with_endianness(cranelift_codegen::ir::Endianness::Little);
-        let mask = self.builder.ins().bitcast(self.lane, as_vector, is_less);
-        self.builder.ins().bitselect(mask, then, otherwise)
+        let mask = self.at.ins().bitcast(self.lane, as_vector, is_less);
+        self.at.ins().bitselect(mask, then, otherwise)
     }
 
     /// Calls a function lane by lane.
@@ -378,22 +395,34 @@ impl Piece<'_, '_, '_> {
             .collect();
         match results[..] {
             [low, high] => {
-                let both = self.builder.ins().splat(self.lane, low);
-                self.builder.ins().insertlane(both, high, 1)
+                let both = self.at.ins().splat(self.lane, low);
+                self.at.ins().insertlane(both, high, 1)
             }
             _ => results[0],
         }
     }
 
     fn lane_of(&mut self, value: Value, lane: usize) -> Value {
-        if self.of.lanes == 1 { value } else { self.builder.ins().extractlane(value, lane as u8) }
+        if self.of.lanes == 1 { value } else { self.at.ins().extractlane(value, lane as u8) }
     }
 
     fn call(&mut self, thunk: Thunk, arguments: &[Value]) -> Vec<Value> {
-        let function = (self.thunks)(thunk, self.builder.func);
-        let call = self.builder.ins().call(function, arguments);
+        let signature = self.signature_of(thunk);
+        let address = thunk.address() as i64;
+        let callee = self.at.ins().iconst(self.pointer, address);
+        let call = self.at.ins().call_indirect(signature, callee, arguments);
         self.read.clear();
-        self.builder.inst_results(call).to_vec()
+        self.at.func.dfg.inst_results(call).to_vec()
+    }
+
+    fn signature_of(&mut self, thunk: Thunk) -> SigRef {
+        *self.signatures.entry(thunk).or_insert_with(|| {
+            let mut signature = Signature::new(self.isa.default_call_conv());
+            let (parameters, result) = thunk.signature(self.pointer);
+            signature.params.extend(parameters.into_iter().map(AbiParam::new));
+            signature.returns.extend(result.then(|| AbiParam::new(types::F64)));
+            self.at.func.import_signature(signature)
+        })
     }
 
     fn batch(&mut self, batch: &Batch) {
@@ -404,7 +433,7 @@ impl Piece<'_, '_, '_> {
         }
         let place = self.offset(batch.place);
         let room = self.pointer_to(ROOM);
-        let out = self.builder.ins().iadd_imm(room, i64::from(place));
+        let out = self.at.ins().iadd_imm(room, i64::from(place));
         let is_alone = all.len() == 1;
         while !is_alone && all.len() < 4 {
             all.extend(all.last().copied());

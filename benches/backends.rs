@@ -58,7 +58,7 @@ fn row(scene: &str, model: &Model, method: Method) -> Result<(), Box<dyn std::er
     let emitted = emitted.or_else(|| with_fields.map(|scene| scene as &dyn Simulator<f64>));
     let emitted = emitted.ok_or_else(|| format!("{name} is not emitted"))?;
     let begin = Instant::now();
-    let compiled = ModelSimulator::new(model.clone());
+    let compiled = ModelSimulator::compiled_at_once(model.clone());
     Inputs::new(&compiled).call(&compiled);
     let ready = begin.elapsed().as_secs_f64() * 1e3;
     let interpreted = ModelSimulator::interpreted(model.clone());

@@ -52,7 +52,7 @@ fn costs(bodies: usize) -> Result<[f64; 7], Box<dyn Error>> {
     let begin = Instant::now();
     CompiledTape::new(&model.rate, &tables).ok_or("this target has no machine code")?;
     let code = begin.elapsed().as_secs_f64();
-    let simulator = ModelSimulator::new(model);
+    let simulator = ModelSimulator::compiled_at_once(model);
     let simulator: &dyn Simulator<f64> = &simulator;
     let shape = simulator.shape();
     let p: Vec<f64> = (0..shape.parameters).map(|i| simulator.parameter_default(i)).collect();

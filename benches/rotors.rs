@@ -62,7 +62,7 @@ fn derive(rotors: usize) -> Result<(Model, [f64; 3]), Box<dyn Error>> {
 /// From the spec to the natural motions.
 fn analyse(rotors: usize) -> Result<[f64; 4], Box<dyn Error>> {
     let (model, [derived, ..]) = derive(rotors)?;
-    let simulator = ModelSimulator::new(model);
+    let simulator = ModelSimulator::compiled_at_once(model);
     let run = Simulation::new(&simulator);
     let begin = Instant::now();
     let point = operating_point(&run, Place::Equilibrium)?;

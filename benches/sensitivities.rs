@@ -39,7 +39,7 @@ const ROUNDS: usize = 41;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let emitted = scenes::find_f64("saw_gin").ok_or("it is built in")?;
     let spec = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/scenes/saw_gin.toml"));
-    let compiled = ModelSimulator::new(pipeline::generate(spec, Keep::Needed)?);
+    let compiled = ModelSimulator::compiled_at_once(pipeline::generate(spec, Keep::Needed)?);
     println!(
         "{:24} {:7} {:>6} {:>24} {:>24} {:>18} {:>17}",
         "",

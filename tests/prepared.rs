@@ -105,7 +105,7 @@ fn compiled_at_once_too_to_the_last_bit() {
         let model = model_of_specs(name, Keep::Needed);
         assert_eq!(model.gives_jacobians_at_once(), name == "saw_gin");
         let (scene, tapes) =
-            (ModelSimulator::new(model.clone()), ModelSimulator::interpreted(model));
+            (ModelSimulator::compiled_at_once(model.clone()), ModelSimulator::interpreted(model));
         let (scene, tapes): (&dyn Simulator<f64>, &dyn Simulator<f64>) = (&scene, &tapes);
         assert_same(name, scene);
         let lengths = [scene.rate_jacobian_pattern(), scene.parameter_jacobian_pattern()];

@@ -136,7 +136,7 @@ impl Sweepable for InPairs {
 
 #[test]
 fn models_in_pairs_give_the_bits_of_single_runs() {
-    for make in [ModelSimulator::new, ModelSimulator::interpreted] {
+    for make in [ModelSimulator::compiled_at_once, ModelSimulator::interpreted] {
         let machine = InPairs(make(model_of_specs("saw_gin", Keep::Needed)));
         for method in [Method::Taylor, Method::Auto] {
             assert_same(&machine, "coupling.stiffness", &spread(1e3, 1e7, 9), |run| {
@@ -232,7 +232,8 @@ fn a_variant_whose_steps_lead_nowhere_stops_as_alone_and_leaves_its_neighbours()
     }
     // Steps of some 1e-14 of the run; and some that are many, but end.
     let values = [1e4, 1e28, 1e13, 2e4];
-    let machine = InPairs(ModelSimulator::new(model_of_specs("saw_gin", Keep::Needed)));
+    let machine =
+        InPairs(ModelSimulator::compiled_at_once(model_of_specs("saw_gin", Keep::Needed)));
     let sweep = Sweep::new(&machine).each(each).vary("coupling.stiffness", &values);
     let runs = sweep.expect("a parameter").run();
     for (run, value) in runs.iter().zip(values) {
@@ -256,7 +257,8 @@ fn a_variant_whose_steps_lead_nowhere_stops_as_alone_and_leaves_its_neighbours()
 fn a_variant_that_takes_too_long_stops_and_leaves_its_neighbours() {
     // Steps of some 1e-14 of the run.
     let values = [1e4, 1e28, 2e4, 3e4, 1e28];
-    let machine = InPairs(ModelSimulator::new(model_of_specs("saw_gin", Keep::Needed)));
+    let machine =
+        InPairs(ModelSimulator::compiled_at_once(model_of_specs("saw_gin", Keep::Needed)));
     for method in [Method::Taylor, Method::Tsit5] {
         fn settings(run: Simulation<'_>, method: Method) -> Simulation<'_> {
             let run = run.until(0.5).points(2).rtol(1e-6).max_steps(usize::MAX).method(method);

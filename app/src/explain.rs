@@ -194,7 +194,7 @@ fn measure_objects(stages: &mut [(Stage, &Model)]) -> Result<(), ObjectError> {
 
 impl Times {
     fn measure(whole: Model, needed: Model) -> Result<Self, SimulateError> {
-        let [whole, needed] = [whole, needed].map(ModelSimulator::new);
+        let [whole, needed] = [whole, needed].map(ModelSimulator::compiled_at_once);
         let (mut whole_times, mut needed_times) = (Vec::new(), Vec::new());
         let mut steps = (0, 0);
         // In turns, so that what slows the machine down slows both.

@@ -44,7 +44,7 @@ impl Price {
 
     fn measure(exact: Model, frozen: Model) -> Result<Self, SimulateError> {
         let states = frozen.states.len();
-        let [exact, frozen] = [exact, frozen].map(ModelSimulator::new);
+        let [exact, frozen] = [exact, frozen].map(ModelSimulator::compiled_at_once);
         let (mut exact_times, mut frozen_times) = (Vec::new(), Vec::new());
         for _ in 0..RUNS {
             exact_times.push(timed(&exact)?.0);

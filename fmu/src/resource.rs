@@ -112,7 +112,7 @@ impl Machine {
     /// [`Unfit`].
     pub fn of(model: Model, export: &Export, token: String) -> Result<Self, Unfit> {
         let has_fields = !model.fields.is_empty();
-        let model = Arc::new(ModelSimulator::new(model));
+        let model = Arc::new(ModelSimulator::compiled_at_once(model));
         let wanted = Discretisation { elements: export.elements, order: export.order };
         let cut = if has_fields {
             let cut = FieldSimulator::of_shared(model.clone().shared_with_fields(), wanted)?;

@@ -28,6 +28,7 @@ pub use native::is_available;
 pub use series::CompiledSeries;
 
 pub(crate) use native::{Again, Regions};
+pub(crate) use series::SeriesRoom;
 
 use crate::straight::Straight;
 use native::Code;

@@ -26,8 +26,8 @@ pub use run::Running;
 /// A model as a simulator: the numbers of the emitted code, to the last bit.
 ///
 /// On `f64`, or on [`F64x2`](crate::lanes::F64x2): two variants of a machine side by side.
-/// Functions are made ready when they are first called, and called by any number of threads
-/// at once; calls allocate nothing after that.
+/// Functions are made ready when they are first called, or have been called some thousand times, and
+/// called by any number of threads at once; calls allocate nothing after that.
 #[derive(Debug)]
 pub struct ModelSimulator {
     model: Model,
@@ -48,15 +48,19 @@ pub struct ModelSimulator {
 }
 
 impl ModelSimulator {
-    /// A model as machine code, where the target has a backend for it; else interpreted.
+    /// A model as machine code once that pays, where the target has a backend for it; else
+    /// interpreted.
     #[must_use]
     pub fn new(model: Model) -> Self {
-        #[cfg(feature = "compiled")]
-        let is_available = crate::compiled::is_available();
-        #[cfg(not(feature = "compiled"))]
-        let is_available = false;
-        let running = if is_available { Running::Compiled } else { Running::Interpreted };
-        Self::with(model, running)
+        Self::with(model, if is_compiled() { Running::Compiled } else { Running::Interpreted })
+    }
+
+    /// A model as machine code from the first call of each function on: for who must not wait later,
+    /// or asks for what machine code gives.
+    #[must_use]
+    pub fn compiled_at_once(model: Model) -> Self {
+        let at_once = Running::CompiledAtOnce;
+        Self::with(model, if is_compiled() { at_once } else { Running::Interpreted })
     }
 
     /// A model that is run operation by operation: ready at once, and several times slower.
@@ -271,6 +275,15 @@ impl ModelSimulator {
             ready.run_and_keep(tape, R::COUNT, &read, results);
         }
     }
+}
+
+/// Whether models are compiled here.
+fn is_compiled() -> bool {
+    #[cfg(feature = "compiled")]
+    let is_available = crate::compiled::is_available();
+    #[cfg(not(feature = "compiled"))]
+    let is_available = false;
+    is_available
 }
 
 /// What is run of a model: a function of the table, or what stands for one once parameters are
@@ -572,7 +585,7 @@ impl<R: Lane> LinearEquations<R> for ModelSimulator {
 
 impl<R: Lane> TaylorSeries<R> for ModelSimulator {
     fn series_workspace(&self, order: usize) -> usize {
-        self.series.workspace((&self.model, self.running), &self.tables, R::COUNT, order)
+        self.series.workspace((&self.model, self.running), &self.tables, order)
     }
     fn series(
         &self,

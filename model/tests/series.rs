@@ -35,7 +35,7 @@ fn series<R: machinist_model::Lane>(
 /// Series of a model in all four ways.
 fn check(rng: &mut Rng, model: &Model, what: &str) {
     let states = model.states.len();
-    let compiled = ModelSimulator::new(model.clone());
+    let compiled = ModelSimulator::compiled_at_once(model.clone());
     let interpreted = ModelSimulator::interpreted(model.clone());
     assert_eq!(interpreted.running(), Running::Interpreted);
     for order in [0, 1, 2, 3, 4, 5, 9, 20] {
@@ -190,12 +190,33 @@ fn random_rates_have_the_same_series() {
 }
 
 #[test]
+fn series_go_on_the_same_where_machine_code_takes_over() {
+    const CALLS: usize = 1100;
+    const ORDER: usize = 8;
+    let mut rng = Rng::with_seed(5);
+    let model = random_model(&mut rng, 60);
+    let states = model.states.len();
+    let interpreted = ModelSimulator::interpreted(model.clone());
+    let both = ModelSimulator::new(model);
+    // Asked for once, as methods do.
+    let mut workspace = vec![f64::NAN; TaylorSeries::<f64>::series_workspace(&both, ORDER)];
+    let mut found = vec![f64::NAN; (ORDER + 1) * states];
+    for call in 0..CALLS {
+        let (time, state) = (rng.f64(), numbers(&mut rng, states));
+        let parameters = numbers(&mut rng, PARAMETERS);
+        both.series(time, &state, &parameters, &mut found, &mut workspace);
+        let expected = series(&interpreted, (time, &state[..], &parameters[..]), ORDER);
+        assert_same(&found, &expected, &format!("call {call}"));
+    }
+}
+
+#[test]
 fn functions_are_the_same_in_lanes_and_on_threads() {
     let mut rng = Rng::with_seed(4);
     for length in [30, 300, 3000] {
         let model = random_model(&mut rng, length);
         let [compiled, interpreted] =
-            [ModelSimulator::new(model.clone()), ModelSimulator::interpreted(model)];
+            [ModelSimulator::compiled_at_once(model.clone()), ModelSimulator::interpreted(model)];
         let states: Vec<Vec<f64>> = (0..8).map(|_| numbers(&mut rng, 5)).collect();
         let parameters = numbers(&mut rng, PARAMETERS);
         let rate = |simulator: &ModelSimulator, state: &[f64]| {

@@ -108,7 +108,7 @@ impl Source {
         match self {
             Self::BuiltIn(_) | Self::BuiltInFields(..) => "emitted",
             Self::Model(simulator) | Self::Fields(simulator, _) => match simulator.running() {
-                Running::Compiled => "compiled",
+                Running::Compiled | Running::CompiledAtOnce => "compiled",
                 Running::Interpreted => "interpreted",
             },
         }

@@ -52,7 +52,7 @@ pub fn refused_or_run(bytes: &[u8]) -> Result<bool, String> {
 /// Every function of a model, called both ways.
 pub fn run(model: Model) -> Result<(), String> {
     let interpreted = ModelSimulator::interpreted(model.clone());
-    let compiled = ModelSimulator::new(model);
+    let compiled = ModelSimulator::compiled_at_once(model);
     // What describes it need only be there.
     let told = described(&interpreted);
     if told.is_empty() {

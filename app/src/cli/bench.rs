@@ -38,7 +38,7 @@ impl Bench {
         }
         plan.tolerances.clone_from(&self.rtols);
         plan.tolerances.sort_by(|a, b| b.total_cmp(a));
-        let scene = Scene::load(&self.scene, false)?;
+        let scene = Scene::load_compiled(&self.scene)?;
         let measured =
             during("timing the methods", || measure(scene.simulator(), scene.twin(), &plan))?;
         if self.json {

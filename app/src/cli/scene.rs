@@ -125,6 +125,22 @@ impl Scene {
         keep_all: bool,
         wanted: Discretisation,
     ) -> Result<Self, Failure> {
+        Self::load_as(argument, keep_all, wanted, ModelSimulator::new)
+    }
+
+    /// As [`Scene::load`], its functions machine code from the first call on: for who measures how long
+    /// they take.
+    pub fn load_compiled(argument: &str) -> Result<Self, Failure> {
+        let wanted = Discretisation::default();
+        Self::load_as(argument, false, wanted, ModelSimulator::compiled_at_once)
+    }
+
+    fn load_as(
+        argument: &str,
+        keep_all: bool,
+        wanted: Discretisation,
+        simulator: fn(Model) -> ModelSimulator,
+    ) -> Result<Self, Failure> {
         let is_named = !keep_all && !is_path(argument);
         let mut of_fields = scenes::FIELD_NAMES.iter();
         if is_named && let Some(name) = of_fields.find(|name| **name == argument) {
@@ -138,7 +154,7 @@ impl Scene {
             Given::Spec(source) => derived(&source, keep_all)?,
         };
         let has_fields = !model.fields.is_empty();
-        let simulator = Box::new(ModelSimulator::new(model));
+        let simulator = Box::new(simulator(model));
         if !has_fields {
             return without_fields(wanted, Self::Model(simulator));
         }
@@ -185,7 +201,7 @@ impl Scene {
         };
         match running {
             None => "emitted code",
-            Some(Running::Compiled) => "compiled at once",
+            Some(Running::Compiled | Running::CompiledAtOnce) => "compiled at once",
             Some(Running::Interpreted) => "interpreted",
         }
     }

@@ -68,11 +68,11 @@ impl Machine {
         let model = stages.needed().clone();
         let name = model.name.as_str();
         // Machine code is made only if nothing is built in.
-        let own = LazyCell::new(|| ModelSimulator::new(model.clone()));
+        let own = LazyCell::new(|| ModelSimulator::compiled_at_once(model.clone()));
         let by = |is_built_in| match is_built_in {
             true => By::Emitted,
-            false if own.running() == Running::Compiled => By::Compiled,
-            false => By::Interpreted,
+            false if own.running() == Running::Interpreted => By::Interpreted,
+            false => By::Compiled,
         };
         let mut along = Vec::new();
         let (run, modes, by) = if model.fields.is_empty() {

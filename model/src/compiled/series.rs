@@ -42,6 +42,31 @@ impl Sums {
     }
 }
 
+/// What machine code of recurrences asks for, told without making it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SeriesRoom {
+    /// Zeroth coefficients and what follows from them.
+    constants: usize,
+    /// Numbers of an order.
+    row: usize,
+}
+
+impl SeriesRoom {
+    /// That of recurrences with so many tables. `None` where they are too long to be written out.
+    pub(crate) fn of(tape: &TaylorTape, tables: usize) -> Option<Self> {
+        Lowered::new(tape, Orders::First, tables).map(|lowered| Self::of_lowered(tape, &lowered))
+    }
+
+    fn of_lowered(tape: &TaylorTape, lowered: &Lowered) -> Self {
+        Self { constants: lowered.constants, row: lowered.sums.row(tape.rate.len()) }
+    }
+
+    /// Numbers of workspace for series up to an order.
+    pub(crate) fn numbers(self, order: usize) -> usize {
+        self.constants + order.max(1) * self.row
+    }
+}
+
 /// Recurrences as machine code: evaluating them allocates nothing, from any number of
 /// threads.
 #[derive(Debug)]
@@ -50,8 +75,7 @@ pub struct CompiledSeries {
     /// For the first two orders, and for those behind them.
     higher: [Code; 2],
     states: usize,
-    /// Zeroth coefficients and what follows from them.
-    constants: usize,
+    room: SeriesRoom,
     sums: Sums,
     lanes: usize,
 }
@@ -76,7 +100,7 @@ impl CompiledSeries {
             zeroth: code(&first.zeroth)?,
             higher: [code(&first.higher)?, code(&later.higher)?],
             states: tape.rate.len(),
-            constants: first.constants,
+            room: SeriesRoom::of_lowered(tape, &first),
             sums: first.sums,
             lanes,
         })
@@ -85,7 +109,7 @@ impl CompiledSeries {
     /// Numbers of workspace for series up to an order.
     #[must_use]
     pub fn workspace(&self, order: usize) -> usize {
-        self.constants + order.max(1) * self.sums.row(self.states)
+        self.room.numbers(order)
     }
 
     /// Writes normalized coefficients of the solution, order after order, each as long as
@@ -108,8 +132,8 @@ impl CompiledSeries {
         if orders < 2 {
             return;
         }
-        let row = self.sums.row(self.states) * self.lanes;
-        let [kept, lanes] = [self.constants, self.sums.lanes()].map(|count| count * self.lanes);
+        let [row, kept, lanes] =
+            [self.room.row, self.room.constants, self.sums.lanes()].map(|count| count * self.lanes);
         let (constants, rows) = workspace.split_at_mut(kept);
         // Row 0 has nothing but the coefficients of order one; those of an order stand in
         // the row before, and are copied when they are long written.

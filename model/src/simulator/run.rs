@@ -6,27 +6,41 @@ use std::sync::{Arc, OnceLock};
 use machinist_contract::Dual;
 
 #[cfg(feature = "compiled")]
-use crate::compiled::{Again, CompiledSeries, CompiledTape, Regions};
+use crate::compiled::{Again, CompiledSeries, CompiledTape, Regions, SeriesRoom};
 use crate::evaluate::{Evaluator, Inputs};
 use crate::room::with_room;
 use crate::series::{SeriesEvaluator, TaylorTape, recurrences};
 use crate::{Model, Table, Tape};
 
-/// Nodes beyond which a tape is interpreted at first: machine code of as many takes some 20 ms.
-const LONG: usize = 4000;
+/// So often a tape is interpreted before machine code is made of it: by then as many calls have taken
+/// between a third and a half of what that takes, however long the tape is.
+const CALLS_AT_FIRST: u32 = 10_000;
 
-/// Calls that are: they take a tenth of what making machine code takes. Starts, equilibria and
-/// looks at single places have fewer.
-const CALLS_AT_FIRST: u32 = 100;
+/// Likewise of series, of which a call is some twenty orders.
+const SERIES_AT_FIRST: u32 = 1000;
 
 /// How the tapes of a model are run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Running {
-    /// As machine code, made when a function is first called, or of a long one when it has been
-    /// called a hundred times; what cannot be compiled is interpreted.
+    /// Operation by operation until a function has been called some thousand times, then as machine code;
+    /// what cannot be compiled is interpreted.
     Compiled,
+    /// As machine code, made when a function is first called; what cannot be compiled is
+    /// interpreted.
+    CompiledAtOnce,
     /// Operation by operation.
     Interpreted,
+}
+
+/// How often a function has been called before it is machine code.
+#[derive(Debug, Default)]
+struct Calls(AtomicU32);
+
+impl Calls {
+    /// Counts one more; whether it is to be interpreted, of so many that are.
+    fn is_interpreted(&self, running: Running, at_first: u32) -> bool {
+        running == Running::Compiled && self.0.fetch_add(1, Ordering::Relaxed) < at_first
+    }
 }
 
 /// What tapes read: region by region, numbers of one place side by side.
@@ -115,7 +129,7 @@ impl Ready {
     #[cfg_attr(not(feature = "compiled"), allow(unused_variables, reason = "compiled by none"))]
     fn new(tape: &Tape, tables: &Arc<[Table]>, running: Running, lanes: usize) -> Self {
         #[cfg(feature = "compiled")]
-        if running == Running::Compiled
+        if running != Running::Interpreted
             && let Some(compiled) = CompiledTape::with_lanes(tape, tables, lanes)
         {
             return Self::Compiled(compiled);
@@ -147,7 +161,7 @@ pub(super) struct TapeFunction {
     ready: [OnceLock<Box<Ready>>; 2],
     /// On dual numbers, and at first.
     evaluator: OnceLock<Box<Evaluator>>,
-    calls_at_first: AtomicU32,
+    calls: Calls,
 }
 
 impl TapeFunction {
@@ -230,8 +244,7 @@ impl TapeFunction {
         read: &Read<'_>,
         results: &mut [f64],
     ) {
-        let is_long = running == Running::Compiled && tape.nodes.len() > LONG;
-        if is_long && self.calls_at_first.fetch_add(1, Ordering::Relaxed) < CALLS_AT_FIRST {
+        if self.calls.is_interpreted(running, CALLS_AT_FIRST) {
             return interpret(self.evaluator(tape), lanes, read, results);
         }
         let ready = self.ready[lanes - 1]
@@ -245,7 +258,7 @@ impl TapeFunction {
 enum ReadySeries {
     #[cfg(feature = "compiled")]
     Compiled(Box<CompiledSeries>),
-    Interpreted(SeriesEvaluator),
+    Interpreted,
 }
 
 /// The Taylor series of a model.
@@ -253,6 +266,10 @@ enum ReadySeries {
 pub(super) struct Series {
     tape: OnceLock<TaylorTape>,
     ready: [OnceLock<ReadySeries>; 2],
+    evaluator: OnceLock<SeriesEvaluator>,
+    #[cfg(feature = "compiled")]
+    room: OnceLock<Option<SeriesRoom>>,
+    calls: Calls,
 }
 
 impl Series {
@@ -270,33 +287,33 @@ impl Series {
     ) -> &ReadySeries {
         self.ready[lanes - 1].get_or_init(|| {
             #[cfg(feature = "compiled")]
-            if running == Running::Compiled
+            if running != Running::Interpreted
                 && let Some(compiled) = CompiledSeries::with_lanes(self.tape(model), tables, lanes)
             {
                 return ReadySeries::Compiled(Box::new(compiled));
             }
-            ReadySeries::Interpreted(SeriesEvaluator::new(self.tape(model).clone()))
+            ReadySeries::Interpreted
         })
     }
 
-    /// Numbers of workspace, each of so many lanes.
+    /// Numbers of workspace that machine code asks for, each of so many lanes: it may be made
+    /// while a method goes on with the same.
     #[cfg_attr(not(feature = "compiled"), allow(unused_variables, reason = "compiled by none"))]
     pub fn workspace(
         &self,
         (model, running): (&Model, Running),
         tables: &Arc<[Table]>,
-        lanes: usize,
         order: usize,
     ) -> usize {
-        match self.ready(model, tables, running, lanes) {
-            #[cfg(feature = "compiled")]
-            ReadySeries::Compiled(compiled) => compiled.workspace(order),
-            ReadySeries::Interpreted(_) => 0,
+        #[cfg(feature = "compiled")]
+        if running != Running::Interpreted {
+            let room = || SeriesRoom::of(self.tape(model), tables.len());
+            return self.room.get_or_init(room).map_or(0, |room| room.numbers(order));
         }
+        0
     }
 
     /// Writes coefficients, order after order.
-    #[cfg_attr(not(feature = "compiled"), allow(unused_variables, reason = "compiled by none"))]
     pub fn run(
         &self,
         (model, running): (&Model, Running),
@@ -305,18 +322,25 @@ impl Series {
         coefficients: &mut [f64],
         workspace: &mut [f64],
     ) {
+        let is_ready = self.ready[lanes - 1].get().is_some();
+        if !is_ready && self.calls.is_interpreted(running, SERIES_AT_FIRST) {
+            return self.interpret(model, lanes, read, coefficients);
+        }
         match self.ready(model, read.tables, running, lanes) {
             #[cfg(feature = "compiled")]
             ReadySeries::Compiled(compiled) => {
                 compiled.run(&read.regions(), coefficients, workspace);
             }
-            ReadySeries::Interpreted(evaluator) => {
-                let evaluate = |inputs: &Inputs<'_>, coefficients: &mut [f64]| {
-                    evaluator.evaluate(inputs, coefficients);
-                };
-                read.for_each_lane(lanes, coefficients, evaluate);
-            }
+            ReadySeries::Interpreted => self.interpret(model, lanes, read, coefficients),
         }
+    }
+
+    fn interpret(&self, model: &Model, lanes: usize, read: &Read<'_>, coefficients: &mut [f64]) {
+        let evaluator =
+            self.evaluator.get_or_init(|| SeriesEvaluator::new(self.tape(model).clone()));
+        read.for_each_lane(lanes, coefficients, |inputs, coefficients| {
+            evaluator.evaluate(inputs, coefficients);
+        });
     }
 }
 
@@ -334,9 +358,11 @@ mod tests {
     }
 
     #[test]
-    fn long_tapes_are_interpreted_until_machine_code_pays() {
+    fn tapes_are_interpreted_until_machine_code_pays() {
         let tables: Arc<[Table]> = Arc::new([]);
-        for (additions, at_first) in [(10, 0), (LONG, CALLS_AT_FIRST)] {
+        let cases = [(Running::CompiledAtOnce, 0), (Running::Compiled, CALLS_AT_FIRST)];
+        for (running, at_first) in cases {
+            let additions = 10;
             let (function, tape) = (TapeFunction::default(), sums(additions));
             let mut before = 0;
             for call in 1..=CALLS_AT_FIRST + 2 {
@@ -351,12 +377,12 @@ mod tests {
                     tables: &tables,
                 };
                 let mut result = [0.0];
-                function.run((|| &tape, Running::Compiled), 1, &read, &mut result);
+                function.run((|| &tape, running), 1, &read, &mut result);
                 let expected = (0..additions).fold(1.0, |sum, _| sum + state[0]);
                 assert_eq!(result[0].to_bits(), f64::to_bits(expected), "call {call}");
                 before += u32::from(function.ready[0].get().is_none());
             }
-            assert_eq!(before, at_first, "{additions} additions");
+            assert_eq!(before, at_first, "{running:?}");
         }
     }
 }

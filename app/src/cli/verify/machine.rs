@@ -57,9 +57,9 @@ fn verify_model(
     changes: &Changes<'_>,
 ) -> Result<Vec<Verdict>, Failure> {
     let spec = spec.as_ref().map_err(String::clone);
-    let own = ModelSimulator::new(model.clone());
+    let own = ModelSimulator::compiled_at_once(model.clone());
     let interpreted = ModelSimulator::interpreted(model.clone());
-    let is_compiled = own.running() == Running::Compiled;
+    let is_compiled = own.running() != Running::Interpreted;
     if model.fields.is_empty() {
         let independent = |parameters: &[f64]| spec.clone()?.against(&own, parameters);
         let ways = Ways { simulator: &own, twin: &interpreted, is_compiled };

@@ -32,6 +32,8 @@ pub mod simulate;
 mod sorting;
 #[cfg(feature = "sweep")]
 pub mod sweep;
+#[cfg(feature = "sweep")]
+mod threads;
 pub mod trajectory;
 
 pub use error::SimulateError;

@@ -8,7 +8,6 @@
 
 use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_contract::{F64x2, SideBySide, Simulator};
-use rayon::prelude::*;
 
 use crate::error::{SimulateError, StopCause};
 use crate::lanes::{F64x8, Lanes};
@@ -18,6 +17,7 @@ use crate::method::auto::in_lanes::goes_in_lanes;
 use crate::method::taylor::LEAST_RTOL;
 use crate::method::taylor::variants::{self, Ended, Outcome, Spent};
 use crate::simulate::Simulation;
+use crate::threads;
 use crate::trajectory::ColumnKind;
 
 /// Variants that a thread takes at a time.
@@ -175,15 +175,11 @@ impl<'a> Sweep<'a> {
     /// Runs all variants; results are in their order.
     #[must_use]
     pub fn run(&self) -> Vec<Result<VariantRun, SimulateError>> {
-        let run_all = || {
-            let chunks = self.variants.par_chunks(CHUNK).map(|chunk| self.run_chunk(chunk));
-            chunks.flatten_iter().collect()
-        };
+        let chunks: Vec<_> = self.variants.chunks(CHUNK).collect();
         // Without threads of its own, a sweep still runs.
-        match rayon::ThreadPoolBuilder::new().num_threads(self.threads).build() {
-            Ok(pool) => pool.install(run_all),
-            Err(_) => run_all(),
-        }
+        let pool = threads::pool(self.threads);
+        let runs = threads::each(pool.as_ref(), chunks.len(), |at| self.run_chunk(chunks[at]));
+        runs.into_iter().flatten().collect()
     }
 
     fn run_chunk(&self, chunk: &[Vec<f64>]) -> Vec<Result<VariantRun, SimulateError>> {
@@ -364,12 +360,9 @@ pub fn each_on_its_own<S, E: Send>(
         let machine = make()?;
         Ok(chunk.iter().map(|variant| run(&machine, variant)).collect::<Vec<_>>())
     };
-    let run_all = || {
-        let chunks: Result<Vec<_>, E> = variants.par_chunks(CHUNK).map(of_chunk).collect();
-        Ok(chunks?.into_iter().flatten().collect())
-    };
-    match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
-        Ok(pool) => pool.install(run_all),
-        Err(_) => run_all(),
-    }
+    let chunks: Vec<_> = variants.chunks(CHUNK).collect();
+    let pool = threads::pool(threads);
+    let runs = threads::each(pool.as_ref(), chunks.len(), |at| of_chunk(chunks[at]));
+    let runs: Result<Vec<_>, E> = runs.into_iter().collect();
+    Ok(runs?.into_iter().flatten().collect())
 }

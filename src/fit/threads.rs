@@ -2,6 +2,8 @@
 //! profiles of several parameters.
 
 use super::Fit;
+#[cfg(feature = "sweep")]
+use crate::threads;
 
 /// Hands a simulator of the fit's machine to whoever is on the calling thread: one that all
 /// share, or one that is made for it.
@@ -32,8 +34,6 @@ impl Fit<'_> {
             && count > 1
             && let Some(settings) = self.simulation.settings()
         {
-            use rayon::prelude::*;
-
             let (unknowns, experiments) = (self.unknowns, self.experiments);
             let lent = |number: usize| {
                 let mut found = None;
@@ -44,12 +44,8 @@ impl Fit<'_> {
                 });
                 found
             };
-            let all = || (0..count).into_par_iter().map(lent).collect::<Vec<Option<T>>>();
-            let found = match pool() {
-                // Within work of another `each` it is the same pool.
-                Some(pool) => pool.install(all),
-                None => all(),
-            };
+            // Within work of another `each` it is the same pool.
+            let found = threads::each(pool(), count, lent);
             let own =
                 |(number, found): (usize, Option<T>)| found.unwrap_or_else(|| work(self, number));
             return found.into_iter().enumerate().map(own).collect();
@@ -65,5 +61,5 @@ fn pool() -> Option<&'static rayon::ThreadPool> {
     use std::sync::OnceLock;
 
     static POOL: OnceLock<Option<rayon::ThreadPool>> = OnceLock::new();
-    POOL.get_or_init(|| rayon::ThreadPoolBuilder::new().build().ok()).as_ref()
+    POOL.get_or_init(|| threads::pool(0)).as_ref()
 }

@@ -298,7 +298,10 @@ impl Series {
 
     /// Numbers of workspace that machine code asks for, each of so many lanes: it may be made
     /// while a method goes on with the same.
-    #[cfg_attr(not(feature = "compiled"), allow(unused_variables, reason = "compiled by none"))]
+    #[cfg_attr(
+        not(feature = "compiled"),
+        allow(unused_variables, clippy::unused_self, reason = "compiled by none")
+    )]
     pub fn workspace(
         &self,
         (model, running): (&Model, Running),
@@ -314,6 +317,7 @@ impl Series {
     }
 
     /// Writes coefficients, order after order.
+    #[cfg_attr(not(feature = "compiled"), allow(unused_variables, reason = "compiled by none"))]
     pub fn run(
         &self,
         (model, running): (&Model, Running),

@@ -14,6 +14,7 @@ mod distributed;
 mod event;
 pub mod expression;
 mod fields;
+mod friction;
 mod inside;
 mod lexer;
 pub mod library;
@@ -107,6 +108,8 @@ pub struct SceneSpec {
     pub events: Vec<EventSpec>,
     /// Constraints of the scene, of `instance.name`.
     pub constraints: Vec<ConstraintSpec>,
+    /// Dry friction of the scene, of `instance.name`.
+    pub frictions: Vec<FrictionSpec>,
     /// Initial values, by `instance.name`.
     pub initial: Vec<(Spanned<String>, Formula)>,
     /// Whether runs start in the equilibrium near these.
@@ -209,6 +212,8 @@ pub struct UnitSpec {
     pub events: Vec<EventSpec>,
     /// What coordinates must fulfil.
     pub constraints: Vec<ConstraintSpec>,
+    /// Dry friction.
+    pub frictions: Vec<FrictionSpec>,
     /// T, V, D and the energy of the first-order states.
     pub energy: EnergySpec,
     /// Power of the first-order states.
@@ -391,6 +396,19 @@ pub struct ConstraintSpec {
     pub when: Vec<(Spanned<String>, i32)>,
     /// Meaning.
     pub doc: String,
+    /// The friction that it is of, if it holds while that sticks.
+    pub friction: Option<Spanned<String>>,
+}
+
+/// Dry friction: what is not said by its mode, constraint, helpers and events.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrictionSpec {
+    /// How fast it slides, s, linear in velocities.
+    pub speed: Ast,
+    /// Its force F while it slides, 0 while it does not: Q_j = F ds/dq'_j.
+    pub slide: Ast,
+    /// All of its force, with that of the constraint while it sticks, under its name.
+    pub force: DefinitionSpec,
 }
 
 /// Energies of a unit.

@@ -5,6 +5,7 @@ mod constraints;
 mod distributed;
 mod events;
 mod forces;
+mod friction;
 mod initial;
 mod outputs;
 mod precision;
@@ -54,6 +55,8 @@ pub fn assemble(
     let [mut kinetic, potential, dissipation, stored_energy, supplied_power, dissipated_power] =
         energies;
     let mut generalized_force = assembler.forces();
+    let power = [supplied_power, dissipated_power];
+    let [supplied_power, dissipated_power] = assembler.friction(&mut generalized_force, power);
     let events = assembler.events();
     let constraints = assembler.constraints();
     let (initial, profiles) = assembler.initial();

@@ -33,6 +33,8 @@ pub enum Local {
     Output(usize),
     /// Stands for the multiplier.
     Constraint(usize),
+    /// Stands for its force, whether it slides or sticks.
+    Friction(usize),
     /// A field, or its rate.
     Field(usize, FieldPart),
     /// The derivative along the field at a port, before it or after it.
@@ -181,6 +183,9 @@ impl Layout {
         }
         for (index, constraint) in spec.constraints.iter().enumerate() {
             scene.add(&constraint.name, Local::Constraint(index), mistakes);
+        }
+        for (index, friction) in spec.frictions.iter().enumerate() {
+            scene.add(&friction.force.name, Local::Friction(index), mistakes);
         }
         let mut next = [0, spec.parameters.len(), 0, 0];
         let mut first = Vec::new();
@@ -453,6 +458,9 @@ fn unit_names(unit: &UnitSpec, mistakes: &mut Vec<Mistake>) -> Names {
     }
     for (index, constraint) in unit.constraints.iter().enumerate() {
         names.add(&constraint.name, Local::Constraint(index), mistakes);
+    }
+    for (index, friction) in unit.frictions.iter().enumerate() {
+        names.add(&friction.force.name, Local::Friction(index), mistakes);
     }
     names
 }

@@ -30,6 +30,8 @@ pub(super) enum Definition {
     Input(usize, usize),
     Output(usize, usize),
     Constraint(Scope, usize),
+    /// Its force.
+    Friction(Scope, usize),
     /// A parameter that is given by others.
     Parameter(Scope, usize),
 }
@@ -169,6 +171,9 @@ impl Resolver<'_> {
                 self.leaf(Symbol::Parameter(id), unit, Uses::default(), span)
             }
             (scope, Local::Constraint(index)) => self.multiplier(scope, index, span),
+            (scope, Local::Friction(index)) => {
+                self.definition(Definition::Friction(scope, index), span)
+            }
             (scope, Local::State(index)) => {
                 let states = match scope.base() {
                     Scope::Instance(instance) => {
@@ -327,6 +332,13 @@ impl Resolver<'_> {
                     _ => &spec.constraints[index],
                 };
                 self.resolve(&constraint.expression, scope, Uses::MOTION)
+            }
+            Definition::Friction(scope, index) => {
+                let friction = match scope.base() {
+                    Scope::Instance(instance) => &unit(instance).frictions[index],
+                    _ => &spec.frictions[index],
+                };
+                self.named(&friction.force, scope, "friction", Uses::GUARD)
             }
             Definition::Input(instance, index) => {
                 let input = &unit(instance).inputs[index];

@@ -15,5 +15,6 @@ pub fn constraint(entry: &Entry, found: &mut Findings) -> Option<ConstraintSpec>
     let when = whole_numbers(when, &mut fields);
     let doc = fields.text("doc");
     fields.close();
-    Some(ConstraintSpec { name: entry.key.clone(), expression: expression?, when, doc })
+    let name = entry.key.clone();
+    Some(ConstraintSpec { name, expression: expression?, when, doc, friction: None })
 }

@@ -46,17 +46,16 @@ pub fn mode(entry: &Entry, found: &mut Findings) -> Option<StateSpec> {
     {
         found.mistakes.push(no_whole_number(number.span, "a mode"));
     }
-    let span = entry.key.span;
-    let number = |value| Ast { span, node: Node::Number(Literal::of_integer(value), None) };
-    Some(StateSpec {
-        name: entry.key.clone(),
-        unit: Declared { text: "1".to_owned(), unit: Unit::default(), factor: Factor::one(), span },
-        doc,
-        rate: number(0),
-        is_mode: true,
-        initial,
-        scale: 1.0,
-    })
+    Some(mode_called(entry.key.clone(), initial, doc))
+}
+
+/// A mode of this name.
+pub fn mode_called(name: Spanned<String>, initial: Option<Formula>, doc: String) -> StateSpec {
+    let span = name.span;
+    let unit =
+        Declared { text: "1".to_owned(), unit: Unit::default(), factor: Factor::one(), span };
+    let rate = Ast { span, node: Node::Number(Literal::of_integer(0), None) };
+    StateSpec { name, unit, doc, rate, is_mode: true, initial, scale: 1.0 }
 }
 
 /// `rising`, `falling` or `both`, which is the default.

@@ -71,6 +71,7 @@ fn read(sources: Sources, file: FileId, folder: Option<&Path>) -> Result<SceneSp
             forces,
             events: scene.events,
             constraints: scene.constraints,
+            frictions: scene.frictions,
             initial: inside.initial,
             starts_in_equilibrium: scene.starts_in_equilibrium,
             guess: inside.guess,

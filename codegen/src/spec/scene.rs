@@ -7,13 +7,15 @@ use crate::spec::diagnostic::{FileId, Mistake, Span, Spanned};
 use crate::spec::event;
 use crate::spec::expression::Ast;
 use crate::spec::fields::{Fields, Findings};
+use crate::spec::friction;
 use crate::spec::inside::{self, Inside, values_by_name};
 use crate::spec::names::{self, did_you_mean};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::unit::{self, each};
 use crate::spec::{
-    CheckSpec, ConstraintSpec, DefinitionSpec, EnergySpec, EventSpec, Formula, OutputSpec,
-    ParameterSpec, PortForceSpec, PowerSpec, RunSpec, SamplingSpec, StateSpec, UnitSpec,
+    CheckSpec, ConstraintSpec, DefinitionSpec, EnergySpec, EventSpec, Formula, FrictionSpec,
+    OutputSpec, ParameterSpec, PortForceSpec, PowerSpec, RunSpec, SamplingSpec, StateSpec,
+    UnitSpec,
 };
 
 /// Methods a spec may name.
@@ -48,6 +50,7 @@ pub struct SceneText {
     pub forces: Vec<PortForceSpec>,
     pub events: Vec<EventSpec>,
     pub constraints: Vec<ConstraintSpec>,
+    pub frictions: Vec<FrictionSpec>,
     pub starts_in_equilibrium: bool,
     pub outputs: Vec<OutputSpec>,
     pub checks: Vec<CheckSpec>,
@@ -78,14 +81,21 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
     fields.require("units");
     let (instances, joints) = inside::parts(&mut fields);
     let parameters = each(&mut fields, "parameters", unit::parameter_of_scene);
-    let helpers = each(&mut fields, "helpers", unit::definition);
-    let states = unit::states(&mut fields);
+    let mut helpers = each(&mut fields, "helpers", unit::definition);
+    let mut states = unit::states(&mut fields);
     let energy = fields.take("energy").map(|tree| unit::energy(tree, fields.found()));
     let power = fields.take("power").map(|tree| unit::power(tree, fields.found()));
     let forces = fields.list("forces");
     let forces = forces.iter().filter_map(|tree| force(tree, fields.found())).collect();
-    let events = each(&mut fields, "events", event::event);
-    let constraints = each(&mut fields, "constraints", constraint);
+    let mut events = each(&mut fields, "events", event::event);
+    let mut constraints = each(&mut fields, "constraints", constraint);
+    let lists = friction::Lists {
+        states: &mut states,
+        helpers: &mut helpers,
+        constraints: &mut constraints,
+        events: &mut events,
+    };
+    let frictions = friction::all(&mut fields, lists);
     let initial = fields.entries("initial");
     let starts_in_equilibrium = starts_in_equilibrium(initial, &mut fields);
     let initial = values_by_name(initial.iter().filter(|entry| !is_from(entry)), &mut fields);
@@ -109,6 +119,7 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
         forces,
         events,
         constraints,
+        frictions,
         starts_in_equilibrium,
         outputs,
         checks,

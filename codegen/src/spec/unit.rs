@@ -6,6 +6,7 @@ use crate::spec::diagnostic::{FileId, Mistake, Spanned};
 use crate::spec::distributed::{self, AttachmentSpec};
 use crate::spec::event;
 use crate::spec::fields::{Fields, Findings};
+use crate::spec::friction;
 use crate::spec::inside::{self, Inside};
 use crate::spec::measure::{Measure, UnitError};
 use crate::spec::names::{self, did_you_mean, quoted};
@@ -35,10 +36,17 @@ pub fn read(
     coordinates.extend(ports.iter().filter_map(|port| distributed::coordinate(port, &distributed)));
     let parameters = each(&mut fields, "parameters", parameter);
     let inputs = each(&mut fields, "inputs", input);
-    let helpers = each(&mut fields, "helpers", definition);
-    let states = states(&mut fields);
-    let events = each(&mut fields, "events", event::event);
-    let constraints = each(&mut fields, "constraints", constraint);
+    let mut helpers = each(&mut fields, "helpers", definition);
+    let mut states = states(&mut fields);
+    let mut events = each(&mut fields, "events", event::event);
+    let mut constraints = each(&mut fields, "constraints", constraint);
+    let lists = friction::Lists {
+        states: &mut states,
+        helpers: &mut helpers,
+        constraints: &mut constraints,
+        events: &mut events,
+    };
+    let frictions = friction::all(&mut fields, lists);
     let energy = fields.take("energy").map(|tree| energy(tree, fields.found()));
     let power = fields.take("power").map(|tree| power(tree, fields.found()));
     let forces = fields.list("forces");
@@ -72,6 +80,7 @@ pub fn read(
         states,
         events,
         constraints,
+        frictions,
         energy: energy.unwrap_or_default(),
         power: power.unwrap_or_default(),
         forces,

@@ -48,7 +48,10 @@ impl Assembler<'_> {
 
 /// What makes an expression unfit to be a constraint.
 fn unfit(constraint: &ConstraintSpec, typed: &Typed) -> Option<Mistake> {
-    let name = quoted(&constraint.name.value);
+    let what = match &constraint.friction {
+        None => format!("constraint {}", quoted(&constraint.name.value)),
+        Some(friction) => format!("the speed of friction {}", quoted(&friction.value)),
+    };
     let refuse = |message: String, label: &str, help: &str| {
         Some(Mistake::new(constraint.expression.span, message, label).help(help))
     };
@@ -57,19 +60,24 @@ fn unfit(constraint: &ConstraintSpec, typed: &Typed) -> Option<Mistake> {
         matches!(symbol, Symbol::Coordinate(_) | Symbol::Velocity(_) | Symbol::FirstOrder(_))
     };
     if typed.expr.mentions(is_state) {
-        let message = format!("constraint {name} depends on a state or mode");
-        let help = "a constraint is of coordinates, velocities, time and parameters";
+        let message = format!("{what} depends on a state or mode");
+        let help = "write it with coordinates, velocities, time and parameters";
         return refuse(message, "of a first-order state", help);
     }
     if !typed.expr.mentions(moves) {
-        let message = format!("constraint {name} constrains no coordinate");
-        let help = "a constraint is an expression of coordinates that is to be zero";
+        let message = format!("{what} is of no coordinate");
+        let help = "it is an expression of coordinates, or of velocities, that is to be zero";
         return refuse(message, "of no coordinate", help);
     }
+    if constraint.friction.is_some() && !has_velocity(&typed.expr) {
+        let message = format!("{what} is of no velocity");
+        let help = "it is how fast one slides on the other: x_dot, v - belt_speed";
+        return refuse(message, "of no velocity", help);
+    }
     if is_bent(&typed.expr) {
-        let message = format!("constraint {name} is not linear in velocities");
-        let help = "a constraint of velocities is a sum of velocities with coefficients of \
-                    coordinates and time, such as rolling: v - radius*omega";
+        let message = format!("{what} is not linear in velocities");
+        let help = "it is a sum of velocities with coefficients of coordinates and time, such as \
+                    rolling: v - radius*omega";
         return refuse(message, "not linear in them", help);
     }
     None

@@ -103,6 +103,10 @@ impl Assembler<'_> {
                 Some(Local::Constraint(index)) => {
                     Ok((String::new(), force_of(&self.spec.constraints[index].doc)))
                 }
+                Some(Local::Friction(index)) => {
+                    let friction = &self.spec.frictions[index].force;
+                    plain(&friction.unit, &friction.doc)
+                }
                 _ => self.unknown_alias(name, of.span),
             },
             Node::Name(Some(instance), name) => {
@@ -136,6 +140,9 @@ impl Assembler<'_> {
                     Some(Local::Output(i)) => plain(&unit.outputs[i].unit, &unit.outputs[i].doc),
                     Some(Local::Constraint(i)) => {
                         Ok((String::new(), force_of(&unit.constraints[i].doc)))
+                    }
+                    Some(Local::Friction(i)) => {
+                        plain(&unit.frictions[i].force.unit, &unit.frictions[i].force.doc)
                     }
                     Some(Local::Slope(port, _)) => {
                         let at = self.layout.attachment_of(instance, port);

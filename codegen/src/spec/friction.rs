@@ -1,0 +1,238 @@
+//! `[friction.NAME]`: dry friction that sticks exactly, written out as what it is: a mode, a
+//! constraint while it sticks, a force while it slides, and events between them.
+//!
+//! Excluded: what it acts on, and what it loses, which follow from its speed; [`crate::scene`]
+//! works them out.
+
+use crate::spec::diagnostic::{Span, Spanned};
+use crate::spec::dimension::{Dimension, Unit};
+use crate::spec::event;
+use crate::spec::expression::{Ast, Literal, Node};
+use crate::spec::fields::{Fields, Findings};
+use crate::spec::names::quoted;
+use crate::spec::toml::Entry;
+use crate::spec::{
+    ConstraintSpec, Declared, DefinitionSpec, EventSpec, Formula, FrictionSpec, StateSpec,
+};
+use machinist_model::Direction;
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+/// The mode: it slides back.
+const BACK: i32 = -1;
+/// It sticks.
+const STUCK: i32 = 0;
+/// It slides forth.
+const FORTH: i32 = 1;
+/// There is none.
+const OPEN: i32 = 2;
+
+/// As friction begins, what is slower sticks, unless it says otherwise: one over this, in SI units.
+const SLOW: i64 = 1_000_000_000;
+/// What could hold no more is open: likewise.
+const IDLE: i64 = 1_000_000_000_000;
+
+/// What a unit or a scene has besides, which friction is written out to.
+pub struct Lists<'a> {
+    pub states: &'a mut Vec<StateSpec>,
+    pub helpers: &'a mut Vec<DefinitionSpec>,
+    pub constraints: &'a mut Vec<ConstraintSpec>,
+    pub events: &'a mut Vec<EventSpec>,
+}
+
+/// Reads `[friction]` of a unit or a scene.
+pub fn all(fields: &mut Fields<'_>, mut lists: Lists<'_>) -> Vec<FrictionSpec> {
+    let entries = fields.named("friction").iter();
+    let written = entries.filter_map(|entry| Written::read(entry, fields.found()));
+    written.map(|written| written.write_out(&mut lists)).collect()
+}
+
+/// As it is written.
+struct Written {
+    name: Spanned<String>,
+    /// How fast it slides.
+    speed: Ast,
+    /// Size of the force while it slides.
+    sliding: Ast,
+    /// The largest force that it takes to stick, if that is another.
+    breakaway: Option<Ast>,
+    /// As it begins, what is slower sticks.
+    sticking_speed: Ast,
+    unit: Declared,
+    doc: String,
+}
+
+impl Written {
+    fn read(entry: &Entry, found: &mut Findings) -> Option<Self> {
+        let what = format!("friction {}", quoted(&entry.key.value));
+        let mut fields = Fields::open(&entry.value, what, found);
+        let speed = fields.required_expression("speed");
+        let sliding = fields.required_expression("sliding");
+        let breakaway = fields.expression("breakaway");
+        let sticking_speed = fields.expression("sticking_speed");
+        let unit = fields.unit();
+        let doc = fields.text("doc");
+        fields.close();
+        let (name, unit) = (entry.key.clone(), unit?);
+        let of_speed = Dimension::POWER.over(unit.unit.dimension).unwrap_or(Dimension::ONE);
+        let slow = part(SLOW, of_speed, name.span);
+        Some(Self {
+            name,
+            speed: speed?,
+            sliding: sliding?,
+            breakaway,
+            sticking_speed: sticking_speed.unwrap_or(slow),
+            unit,
+            doc,
+        })
+    }
+
+    fn write_out(self, lists: &mut Lists<'_>) -> FrictionSpec {
+        lists.states.push(self.mode());
+        lists.helpers.extend(self.helpers());
+        lists.constraints.push(self.grip());
+        lists.events.extend(self.events());
+        let [slide, grip] = ["slide", "grip"].map(|suffix| self.ast(self.called(suffix)));
+        let force = sum([slide.clone(), grip]);
+        let force = self.definition(self.name.clone(), force, &self.doc);
+        FrictionSpec { speed: self.speed, slide, force }
+    }
+
+    fn mode(&self) -> StateSpec {
+        let initial = Spanned { value: Literal::of_integer(OPEN.into()), span: self.name.span };
+        let doc = "-1 while it slides back, 0 while it sticks, 1 while it slides forth, 2 while it is open";
+        event::mode_called(self.called("slip"), Some(Formula::Number(initial)), doc.to_owned())
+    }
+
+    /// Sizes of its forces, and the force while it slides.
+    fn helpers(&self) -> [DefinitionSpec; 3] {
+        let sliding = || self.ast(self.called("sliding"));
+        let breakaway = match &self.breakaway {
+            None => sliding(),
+            // What breaks away slides on.
+            Some(breakaway) => call("max", [breakaway.clone(), sliding()], breakaway.span),
+        };
+        let back = less(self.ast(self.called("slip")), self.number(STUCK));
+        let stuck = less(self.ast(self.called("slip")), self.number(FORTH));
+        let forth = less(self.ast(self.called("slip")), self.number(OPEN));
+        let [zero, open] = [self.number(0), self.number(0)];
+        let cases = [back, sliding(), stuck, zero, forth, negative(sliding()), open];
+        let slide = call("piecewise", cases, self.name.span);
+        let what = [
+            ("sliding", self.sliding.clone(), "size of the friction while it slides"),
+            ("breakaway", breakaway, "largest friction while it sticks"),
+            ("slide", slide, "friction while it slides"),
+        ];
+        what.map(|(suffix, ast, doc)| self.definition(self.called(suffix), ast, doc))
+    }
+
+    fn grip(&self) -> ConstraintSpec {
+        ConstraintSpec {
+            name: self.called("grip"),
+            expression: self.speed.clone(),
+            when: self.when(STUCK),
+            doc: "while it sticks there is no sliding".to_owned(),
+            friction: Some(self.name.clone()),
+        }
+    }
+
+    fn events(&self) -> Vec<EventSpec> {
+        let idle = part(IDLE, self.unit.unit.dimension, self.sliding.span);
+        let holds = || sum([self.ast(self.called("sliding")), negative(idle.clone())]);
+        let [grip, breakaway] = ["grip", "breakaway"].map(|suffix| self.ast(self.called(suffix)));
+        let above = sum([grip.clone(), negative(breakaway.clone())]);
+        let below = sum([grip, breakaway]);
+        let begins = "friction begins: it slides, or sticks at once";
+        let opens = "there is nothing that could hold";
+        let (rising, falling) = (Direction::Rising, Direction::Falling);
+        let mut events = vec![
+            self.event("closes", (holds(), rising), OPEN, self.begins(), begins),
+            self.event("opens_stuck", (holds(), falling), STUCK, self.number(OPEN), opens),
+            self.event("opens_back", (holds(), falling), BACK, self.number(OPEN), opens),
+            self.event("opens_forth", (holds(), falling), FORTH, self.number(OPEN), opens),
+        ];
+        for (suffix, direction, from, doc) in [
+            ("ends_back", rising, BACK, "it has slid back, and is at rest"),
+            ("ends_forth", falling, FORTH, "it has slid forth, and is at rest"),
+        ] {
+            let guard = (self.speed.clone(), direction);
+            events.push(self.event(suffix, guard, from, self.number(STUCK), doc));
+        }
+        for (suffix, guard, to, doc) in [
+            ("breaks_back", (above, rising), BACK, "it holds no longer, and slides back"),
+            ("breaks_forth", (below, falling), FORTH, "it holds no longer, and slides forth"),
+        ] {
+            events.push(self.event(suffix, guard, STUCK, self.number(to), doc));
+        }
+        events
+    }
+
+    /// The mode by the speed as it begins: (sign(s - slow) + sign(s + slow))/2.
+    fn begins(&self) -> Ast {
+        let sign = |by: Ast| call("sign", [sum([self.speed.clone(), by])], self.name.span);
+        let slow = self.sticking_speed.clone();
+        let twice = sum([sign(negative(slow.clone())), sign(slow)]);
+        let factors = vec![(false, twice), (true, self.number(2))];
+        Ast { span: self.name.span, node: Node::Product(factors) }
+    }
+
+    fn event(
+        &self,
+        suffix: &str,
+        (guard, direction): (Ast, Direction),
+        from: i32,
+        to: Ast,
+        doc: &str,
+    ) -> EventSpec {
+        let set = vec![(self.called("slip"), Formula::Expression(to))];
+        let (name, when) = (self.called(suffix), self.when(from));
+        EventSpec { name, guard, direction, when, set, doc: doc.to_owned() }
+    }
+
+    fn when(&self, value: i32) -> Vec<(Spanned<String>, i32)> {
+        vec![(self.called("slip"), value)]
+    }
+
+    fn definition(&self, name: Spanned<String>, expression: Ast, doc: &str) -> DefinitionSpec {
+        DefinitionSpec { name, expression, unit: self.unit.clone(), doc: doc.to_owned() }
+    }
+
+    /// The name of what belongs to it.
+    fn called(&self, suffix: &str) -> Spanned<String> {
+        Spanned { value: format!("{}_{suffix}", self.name.value), span: self.name.span }
+    }
+
+    fn ast(&self, name: Spanned<String>) -> Ast {
+        // Of sizes their own text is told.
+        let span = if name.value.ends_with("_sliding") { self.sliding.span } else { name.span };
+        Ast { span, node: Node::Name(None, name.value) }
+    }
+
+    fn number(&self, value: i32) -> Ast {
+        let literal = Literal::of_integer(value.into());
+        Ast { span: self.name.span, node: Node::Number(literal, None) }
+    }
+}
+
+/// One over a large number, of a dimension, in SI units.
+fn part(of: i64, dimension: Dimension, span: Span) -> Ast {
+    let literal = Literal(BigRational::new(BigInt::from(1), BigInt::from(of)));
+    Ast { span, node: Node::Number(literal, Some(Unit { dimension, rad: 0 })) }
+}
+
+fn sum<const N: usize>(terms: [Ast; N]) -> Ast {
+    let span = terms[0].span;
+    Ast { span, node: Node::Sum(terms.into_iter().map(|term| (false, term)).collect()) }
+}
+
+fn negative(of: Ast) -> Ast {
+    Ast { span: of.span, node: Node::Negative(Box::new(of)) }
+}
+
+fn less(a: Ast, b: Ast) -> Ast {
+    Ast { span: a.span, node: Node::Less(Box::new(a), Box::new(b)) }
+}
+
+fn call<const N: usize>(function: &str, arguments: [Ast; N], span: Span) -> Ast {
+    Ast { span, node: Node::Call(function.to_owned(), span, arguments.into()) }
+}

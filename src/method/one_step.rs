@@ -6,7 +6,7 @@ mod kept;
 
 use machinist_contract::Real;
 
-use super::{Samples, Stopped, Stretch};
+use super::{Samples, Stopped, Stretch, Watch};
 use crate::error::StopCause;
 use crate::method::sensitivity::Tangents;
 use ending::{Ending, end_at};
@@ -186,6 +186,11 @@ pub(super) fn drive<M: OneStep>(
         let pace = method.pace();
         let is_good = trial.is_good();
         let passing = passing(method, stretch, now, is_good);
+        if is_good && let Some(share) = stretch.watch.and_then(Watch::share_that_is_told) {
+            stretch.system.count(|work| work.rejected += 1);
+            (step, rejected) = (share * tried, true);
+            continue;
+        }
         if let Trial::Error(error) = trial
             && (is_good || passing.is_some())
         {
@@ -193,9 +198,7 @@ pub(super) fn drive<M: OneStep>(
                 match end_at(method, stretch, (time, now), passing, state, samples)? {
                     Ending::Event => return Ok(None),
                     Ending::Kink { time: behind } => {
-                        method.begin(behind, state);
-                        kept.end.copy_from_slice(state);
-                        stretch.watch.inspect(|watch| watch.start(behind, state));
+                        begin_behind(method, stretch, &mut kept, (behind, state));
                         step = method.own_step().unwrap_or(tried);
                         (time, before, rejected) = (behind, None, false);
                         if stretch.leaps_to_end(behind, state, samples) {
@@ -214,6 +217,11 @@ pub(super) fn drive<M: OneStep>(
                     state.copy_from_slice(&kept.end);
                     if stretch.leaps_to_end(time, state, samples) {
                         return Ok(None);
+                    }
+                    if let Some(behind) = stretch.leaps_over_kinks(time, state)? {
+                        begin_behind(method, stretch, &mut kept, (behind, state));
+                        (time, step, before) = (behind, tried, None);
+                        continue;
                     }
                     let cause = stretch.cause_at(time, &kept.end, StopCause::StepTooSmall);
                     return Err(Stopped { time, cause });
@@ -262,6 +270,11 @@ pub(super) fn drive<M: OneStep>(
                 if stretch.leaps_to_end(time, state, samples) {
                     return Ok(None);
                 }
+                if let Some(behind) = stretch.leaps_over_kinks(time, state)? {
+                    begin_behind(method, stretch, &mut kept, (behind, state));
+                    (time, step, before) = (behind, method.first_step(), None);
+                    continue;
+                }
                 let Stopped { time, cause } = explain(stretch, trial, time);
                 let cause = match cause {
                     StopCause::NotFinite { .. } => cause,
@@ -271,6 +284,18 @@ pub(super) fn drive<M: OneStep>(
             }
         }
     }
+}
+
+/// Begins anew behind a kink.
+fn begin_behind(
+    method: &mut dyn OneStep,
+    stretch: &Stretch<'_>,
+    kept: &mut Kept,
+    (behind, state): (f64, &[f64]),
+) {
+    method.begin(behind, state);
+    kept.end.copy_from_slice(state);
+    stretch.watch.inspect(|watch| watch.start(behind, state));
 }
 
 /// Tries a step that ends at `now`; its error is also that of what is wanted between its ends,

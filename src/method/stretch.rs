@@ -242,6 +242,19 @@ impl<'a> Stretch<'a> {
         self.chattering(time, state).unwrap_or(else_cause)
     }
 
+    /// Where no step can be taken because kinks are nearer than time resolves: puts the state behind
+    /// them, and gives its time.
+    pub(super) fn leaps_over_kinks(
+        &self,
+        time: f64,
+        state: &mut [f64],
+    ) -> Result<Option<f64>, Stopped> {
+        if self.system.simulator().kinks() == 0 || self.system.tangents().is_some() {
+            return Ok(None);
+        }
+        self.watch.map_or(Ok(None), |watch| watch.cross_at_once(self, time, state))
+    }
+
     /// The cause to end before a step from `time`: it is too short, all steps are taken or lead
     /// nowhere, or are so short that all of them would not reach the end, for a state chatters.
     pub(super) fn leads_nowhere(&self, step: f64, time: f64, state: &[f64]) -> Option<StopCause> {
@@ -259,24 +272,36 @@ impl<'a> Stretch<'a> {
 
     /// A state whose rate, near where it is, jumps through zero so that it is driven back
     /// from both sides: from either the rate is the same half as near, so that it is a jump
-    /// and no slope.
+    /// and no slope; and so it is a while later, so that the jump does not pass on, as where a
+    /// sawtooth in time is compared with it.
     pub(super) fn chattering(&self, time: f64, state: &[f64]) -> Option<StopCause> {
         /// So many tolerances from the state; steps that chatter end within that.
         const NEAR: [f64; 2] = [100.0, 50.0];
         const SAME: f64 = 0.1;
+        /// So many times what it takes to go as far as is looked.
+        const LATER: f64 = 100.0;
         let mut shifted = state.to_vec();
         let mut rate = vec![0.0; state.len()];
         let found = (0..self.system.states()).find(|&index| {
             let allowed = self.atol[index] + self.rtol * state[index].abs();
-            let mut at = |shift: f64| {
+            let mut at = |shift: f64, time: f64| {
                 shifted[index] = state[index] + shift;
                 self.rate(time, &shifted, &mut rate);
                 shifted[index] = state[index];
                 rate[index]
             };
-            let [far, near] = NEAR.map(|near| [at(near * allowed), at(-near * allowed)]);
+            let mut beside =
+                |time: f64| NEAR.map(|near| [at(near * allowed, time), at(-near * allowed, time)]);
             let is_same = |a: f64, b: f64| (a - b).abs() <= SAME * a.abs();
-            far[0] < 0.0 && far[1] > 0.0 && is_same(far[0], near[0]) && is_same(far[1], near[1])
+            let is_driven_back = |[far, near]: [[f64; 2]; 2]| {
+                far[0] < 0.0 && far[1] > 0.0 && is_same(far[0], near[0]) && is_same(far[1], near[1])
+            };
+            let [far, near] = beside(time);
+            if !is_driven_back([far, near]) {
+                return false;
+            }
+            let takes = NEAR[0] * allowed / far[0].abs().max(far[1].abs());
+            is_driven_back(beside(self.within(time + LATER * takes)))
         })?;
         Some(StopCause::Chattering { state: self.system.name(found), value: state[found] })
     }

@@ -37,12 +37,14 @@ use crate::error::StopCause;
 use crate::trajectory::Switch;
 pub(crate) use hosted::Memory;
 use led::Turn;
-use passing::{Guard, Outcome, Parts, guards_at};
+use passing::{Guard, Outcome, Parts, guards_at, is_wanted};
 use resting::Passages;
 use settle::is_beyond;
 
 /// So many events within [`NO_TIME`] are taken for endless ones; more in a scene that has many.
 const ENDLESS: usize = 50;
+/// Of the largest value that a guard has had: further from zero it is behind a jump.
+const JUMPED: f64 = 1e-2;
 /// Share of the time reached, or of the run if that is longer.
 const NO_TIME: f64 = 1e-10;
 
@@ -125,6 +127,8 @@ enum Side {
     Idle,
     /// Above zero (1) or below (-1).
     Known(f64),
+    /// It has jumped there, though by errors of the step it may be in front of its jump yet.
+    Jumped(f64),
     /// To be seen; what is not larger than `residual` is zero.
     Fresh { passed: bool, residual: f64 },
 }
@@ -224,6 +228,9 @@ impl<'a> Watch<'a> {
             return None;
         }
         self.look_into(inner, method, until);
+        if inner.parts.told().is_some() {
+            return None;
+        }
         self.let_pass_at_start(inner);
         while let Some((index, _)) = inner.first()
             && self.is_held(inner, index, until, method.end())
@@ -244,6 +251,12 @@ impl<'a> Watch<'a> {
         first
     }
 
+    /// The share of the current step that is to be tried instead, if guards do not tell what they
+    /// do in all of it.
+    pub(super) fn share_that_is_told(&self) -> Option<f64> {
+        self.inner.borrow().parts.told()
+    }
+
     /// Sees what all guards do within the current step.
     fn look_into(&self, inner: &mut Inner, method: &mut dyn OneStep, until: f64) {
         let start = (&inner.start[..], &inner.sides[..]);
@@ -255,6 +268,47 @@ impl<'a> Watch<'a> {
             inner.outcomes.push(inner.parts.outcome(self.system, method, guard, *side));
         }
         inner.turn = None;
+    }
+
+    /// Until when a step that ends at the kink that is passed first may be tried, within one
+    /// that ends at `until`: what happens before must not be passed on the way.
+    pub(super) fn next_event(&self, until: f64) -> f64 {
+        let inner = self.inner.borrow();
+        let events = inner.outcomes.iter().take(self.system.simulator().events());
+        let passings = events.filter_map(|outcome| match outcome {
+            Outcome::Passes { time, .. } => Some(*time),
+            Outcome::Stays(_) => None,
+        });
+        passings.fold(until, f64::min)
+    }
+
+    /// When the first guard passes of those that are on another side in front of the end of the
+    /// current step than at its start, although none was seen to pass before that end: a
+    /// comparison with a sawtooth may turn back with it, where looks are too far apart.
+    pub(super) fn passes_in_front(
+        &self,
+        method: &mut dyn OneStep,
+        (from, front): (f64, f64),
+    ) -> Option<f64> {
+        let inner = &mut *self.inner.borrow_mut();
+        let mut first = None;
+        for index in 0..inner.outcomes.len() {
+            let Side::Known(side) = inner.sides[index] else { continue };
+            let stays = match inner.outcomes[index] {
+                Outcome::Passes { time, .. } => time > front,
+                Outcome::Stays(end) => end == Side::Known(side),
+            };
+            if !stays || !is_wanted(self.direction(index), side) {
+                continue;
+            }
+            let passing =
+                inner.parts.passing_before(self.system, method, (from, front), index, side);
+            if let Some((time, jumps)) = passing {
+                inner.outcomes[index] = Outcome::Passes { time, from: side, jumps };
+                first = Some(first.map_or(time, |first: f64| first.min(time)));
+            }
+        }
+        first
     }
 
     /// Whether what passes first is a kink.
@@ -287,6 +341,9 @@ impl<'a> Watch<'a> {
     pub(super) fn correction(&self, time: f64, end: &[f64]) -> Option<f64> {
         let inner = &mut *self.inner.borrow_mut();
         let (index, _) = inner.first()?;
+        if matches!(inner.outcomes[index], Outcome::Passes { jumps: true, .. }) {
+            return None;
+        }
         let there = self.followed(inner, time, end);
         let (guard, rate) = inner.parts.at(self.system, time, &there, index);
         let correction = -guard / rate;
@@ -376,6 +433,15 @@ impl<'a> Watch<'a> {
         let again = turned_back;
         let inner = &mut *self.inner.borrow_mut();
         inner.turn = None;
+        let outcomes = &inner.outcomes;
+        let jumped_from = |index: usize| match outcomes.get(index) {
+            Some(Outcome::Passes { from, .. }) => Some(*from),
+            _ => None,
+        };
+        // What goes steadily is found far nearer to zero than that.
+        let (sizes, is_again) = (inner.parts.sizes(), |index| again.contains(&index));
+        let has_jumped =
+            |index: usize| !is_again(index) && guards[index].abs() > JUMPED * sizes[index];
         for (index, side) in inner.sides.iter_mut().enumerate() {
             let was_watched = *side != Side::Idle;
             let is_same = guards[index].to_bits() == guards_before[index].to_bits();
@@ -384,6 +450,9 @@ impl<'a> Watch<'a> {
             } else if self.is_kink(index) && guards[index].abs() > inner.parts.rounding(index) {
                 // Kinks have no more than sides.
                 *side = Side::Known(guards[index].signum());
+            } else if passed[index] == Passed::GoesOn && is_same && has_jumped(index) {
+                *side = jumped_from(index)
+                    .map_or(Side::Known(guards[index].signum()), |from| Side::Jumped(-from));
             } else if passed[index] == Passed::GoesOn
                 || passed[index] == Passed::No && again.contains(&index)
             {

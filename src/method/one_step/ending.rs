@@ -32,13 +32,23 @@ pub(super) fn end_at(
         watch.happens(from, passing, state);
         return Ok(Ending::Event);
     }
+    // Less than what time resolves is left until there: no step is so short.
+    let is_there = passing - from <= 4.0 * f64::EPSILON * passing.abs();
+    if is_there && watch.passes_kink() && stretch.system.tangents().is_none() {
+        watch.copy_start(state);
+        stretch.system.count_step();
+        if let Some(cause) = stretch.out_of_steps(from) {
+            return Err(Stopped { time: from, cause });
+        }
+        watch.happens(from, passing, state);
+        let Some((behind, _)) = watch.cross(stretch, state)? else { return Ok(Ending::Event) };
+        stretch.take_up((from, behind), state)?;
+        return Ok(Ending::Kink { time: behind });
+    }
     method.is_last(true);
-    let reached = if watch.passes_kink() {
-        approach(method, (stretch, watch), (from, until), passing)
-    } else {
-        correct(method, watch, (from, until), passing)
+    let Some((time, passing)) = reach(method, (stretch, watch), (from, until), passing) else {
+        return Ok(Ending::NotReached);
     };
-    let Some(time) = reached else { return Ok(Ending::NotReached) };
     if let Some(tangents) = stretch.system.tangents()
         && !tangents.carry(method, 0.0).is_good()
     {
@@ -49,7 +59,7 @@ pub(super) fn end_at(
         return Err(Stopped { time, cause });
     }
     let mut kept = Kept::new(state);
-    let front = (time - moment(stretch, time)).max(0.5 * (from + time));
+    let front = in_front(stretch, (from, time));
     if watch.passes_kink() {
         kept.stay_in_front(method, stretch, (front, time))?;
     } else {
@@ -68,6 +78,7 @@ pub(super) fn end_at(
         }
     }
     state.copy_from_slice(&kept.end);
+    let time = watch.leap_behind_jumps(stretch, (time, passing), state);
     watch.happens(time, passing, state);
     let Some((behind, kinks)) = watch.cross(stretch, state)? else { return Ok(Ending::Event) };
     let has_moved = stretch.take_up((front, behind), state)?;
@@ -81,6 +92,36 @@ pub(super) fn end_at(
         return Ok(Ending::Event);
     }
     Ok(Ending::Kink { time: behind })
+}
+
+/// Takes steps that end where a guard passes first; gives the time at which the last of them ends, and
+/// when that guard passes.
+fn reach(
+    method: &mut dyn OneStep,
+    (stretch, watch): (&Stretch<'_>, &Watch<'_>),
+    (from, until): (f64, f64),
+    mut passing: f64,
+) -> Option<(f64, f64)> {
+    /// So often another guard may turn out to pass before.
+    const MOST: usize = 16;
+    for _ in 0..MOST {
+        let time = if watch.passes_kink() {
+            approach(method, (stretch, watch), (from, watch.next_event(until)), passing)
+        } else {
+            correct(method, watch, (from, until), passing)
+        }?;
+        let front = in_front(stretch, (from, time));
+        let Some(earlier) = watch.passes_in_front(method, (from, front)) else {
+            return Some((time, passing));
+        };
+        passing = earlier;
+    }
+    None
+}
+
+/// A moment before the end of a step, where what jumps there has not jumped yet.
+fn in_front(stretch: &Stretch<'_>, (from, time): (f64, f64)) -> f64 {
+    (time - moment(stretch, time)).max(0.5 * (from + time))
 }
 
 /// Takes steps that end where an event is, corrected by Newton's method; gives the time at

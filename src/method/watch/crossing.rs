@@ -46,6 +46,51 @@ impl Watch<'_> {
         Ok(Some((behind, if tells.is_empty() { kinks } else { tells })))
     }
 
+    /// If a state from which no step can be taken is in front of kinks by less than time resolves:
+    /// puts it behind them, and gives its time.
+    ///
+    /// # Errors
+    /// As [`Watch::cross`].
+    pub(in crate::method) fn cross_at_once(
+        &self,
+        stretch: &Stretch<'_>,
+        time: f64,
+        state: &mut [f64],
+    ) -> Result<Option<f64>, Stopped> {
+        /// Roundings of the time.
+        const NEAR: f64 = 16.0;
+        let (events, all) = {
+            let inner = self.inner.borrow();
+            (self.system.simulator().events(), inner.sides.len())
+        };
+        let mut kinks = Vec::new();
+        for index in events..all {
+            let side = self.inner.borrow().sides[index];
+            let (guard, rate) = self.kink(index, stretch.within(time), state);
+            let away = -guard / rate;
+            if let Side::Known(from) = side
+                && from * guard >= 0.0
+                && (0.0..=NEAR * f64::EPSILON * time.abs()).contains(&away)
+            {
+                kinks.push((index, from));
+            }
+        }
+        if kinks.is_empty() {
+            return Ok(None);
+        }
+        {
+            let inner = &mut *self.inner.borrow_mut();
+            inner.outcomes = inner.sides.iter().map(|side| super::Outcome::Stays(*side)).collect();
+            for (index, from) in &kinks {
+                let passes = super::Outcome::Passes { time, from: *from, jumps: false };
+                inner.outcomes[*index] = passes;
+            }
+            inner.happening = Some((time, kinks.into_iter().map(|(index, _)| index).collect()));
+        }
+        let behind = self.cross(stretch, state)?.map(|(behind, _)| behind);
+        Ok(behind.filter(|behind| *behind > time))
+    }
+
     /// Puts a state at a kink behind it; its new time.
     fn put_behind(
         &self,
@@ -101,19 +146,69 @@ impl Watch<'_> {
             }
             by *= 4.0;
         }
-        // One that jumps tells nothing of it from in front: it is on the other side at once.
-        let mut by = least;
-        while now <= time && from * here > 0.0 && by <= largest {
-            let ahead = shifted(state, way * by);
-            if from * guard(time + by, &ahead).0 < 0.0 {
-                side = Side::Known(-from);
-                now = (time + by).min(stretch.until);
-                state[..states].copy_from_slice(&ahead[..states]);
-            }
-            by *= 4.0;
+        if now <= time
+            && let Some(behind) = self.leap(stretch, (kink, from), (time, state), way)
+        {
+            side = Side::Known(-from);
+            now = behind;
         }
         self.inner.borrow_mut().sides[kink] = side;
         Ok(now)
+    }
+
+    /// Puts a state in front of a guard that jumps behind it, `way` being 1 or, where it is driven back,
+    /// -1; its new time. One that jumps tells nothing of it from in front: it is on the other side at
+    /// once. Nothing if it is behind, or not near.
+    fn leap(
+        &self,
+        stretch: &Stretch<'_>,
+        (index, from): (usize, f64),
+        (time, state): (f64, &mut [f64]),
+        way: f64,
+    ) -> Option<f64> {
+        let guard = |time: f64, state: &[f64]| self.guards(stretch.within(time), state)[index];
+        if from * guard(time, state) <= 0.0 {
+            return None;
+        }
+        let states = self.system.states();
+        let mut rate = vec![0.0; state.len()];
+        stretch.rate(time, state, &mut rate);
+        let size = time.abs().max(stretch.until - stretch.from);
+        let mut by = 4.0 * f64::EPSILON * size;
+        while by <= BEHIND * size {
+            let ahead = state.iter().zip(&rate).map(|(value, rate)| value + by * way * rate);
+            let ahead: Vec<f64> = ahead.collect();
+            if from * guard(time + by, &ahead) < 0.0 {
+                state[..states].copy_from_slice(&ahead[..states]);
+                return Some((time + by).min(stretch.until));
+            }
+            by *= 4.0;
+        }
+        None
+    }
+
+    /// Puts a state at the end of a step behind the guards of events that jump there; its new time.
+    pub(in crate::method) fn leap_behind_jumps(
+        &self,
+        stretch: &Stretch<'_>,
+        (time, passing): (f64, f64),
+        state: &mut [f64],
+    ) -> f64 {
+        let near = 64.0 * f64::EPSILON * time.abs();
+        let jumped: Vec<(usize, f64)> = {
+            let inner = self.inner.borrow();
+            let outcomes = inner.outcomes.iter().enumerate();
+            let jumped = outcomes.filter_map(|(index, outcome)| match *outcome {
+                super::Outcome::Passes { time, from, jumps: true } if time <= passing + near => {
+                    Some((index, from))
+                }
+                _ => None,
+            });
+            jumped.filter(|(index, _)| !self.is_kink(*index)).collect()
+        };
+        jumped.into_iter().fold(time, |time, jumped| {
+            self.leap(stretch, jumped, (time, state), 1.0).unwrap_or(time)
+        })
     }
 
     /// A kink's guard and its rate.

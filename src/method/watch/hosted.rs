@@ -67,7 +67,7 @@ impl Memory {
             match self.sides[index] {
                 // Of an event that is not watched for, whatever the guard does.
                 Side::Idle => *value = 1.0,
-                Side::Known(side) => *value += side * self.slack[index],
+                Side::Known(side) | Side::Jumped(side) => *value += side * self.slack[index],
                 Side::Fresh { residual, .. } if index < events => {
                     *value += match simulator.event(index).direction {
                         Direction::Rising => -residual,
@@ -193,7 +193,7 @@ impl<'a> Watch<'a> {
             let slack = &mut memory.slack[index];
             let (from, is_wanted) = match inner.sides[index] {
                 Side::Idle => continue,
-                Side::Known(side) => {
+                Side::Known(side) | Side::Jumped(side) => {
                     let shown = side * guard + *slack;
                     let is_beyond = shown < 0.0 || shown == 0.0 && side * rate < 0.0;
                     if !is_beyond {

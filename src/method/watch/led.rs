@@ -65,7 +65,7 @@ impl Watch<'_> {
     /// what its end is put back by.
     pub(super) fn is_held(&self, inner: &mut Inner, index: usize, until: f64, end: &[f64]) -> bool {
         let constraints = self.constraints().filter(|constraints| constraints.holds_in_modes());
-        let Some(constraints) = constraints.filter(|_| !self.is_kink(index)) else { return false };
+        let Some(constraints) = constraints else { return false };
         let mut there = end.to_vec();
         constraints.follow(&inner.parts.led, until, &mut there);
         let (guard, _) = inner.parts.at(self.system, until, &there, index);

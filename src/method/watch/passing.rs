@@ -33,6 +33,8 @@ pub(super) struct Parts {
     /// The largest value that each guard has had.
     sizes: Vec<f64>,
     noise: Noise,
+    /// The share of the step that was looked at of which guards tell what they do, if that is not all.
+    told: Option<f64>,
 }
 
 /// A guard to be looked at.
@@ -64,7 +66,28 @@ impl Parts {
         let [bends, sizes] = [vec![0.0; count], vec![0.0; count]];
         let noise = Noise::new(events, kinks, scales);
         let led = Vec::new();
-        Self { ends, led, times, guards, rates, events, count, state, one, bends, sizes, noise }
+        let told = None;
+        Self {
+            ends,
+            led,
+            times,
+            guards,
+            rates,
+            events,
+            count,
+            state,
+            one,
+            bends,
+            sizes,
+            noise,
+            told,
+        }
+    }
+
+    /// The share of the step that was looked at of which guards tell what they do, if that is not
+    /// all of it: in what is longer one goes to and fro more often than is looked.
+    pub(super) fn told(&self) -> Option<f64> {
+        self.told
     }
 
     /// Looks at a step of `method`, in parts so short that guards between their ends are as
@@ -79,13 +102,18 @@ impl Parts {
         /// In so many times more parts at most: a guard that jumps is never foretold.
         const FINEST: usize = 32;
         let mut finer = 1;
+        self.told = None;
         loop {
             let parts = finer * method.parts();
             self.fill_parts(system, method, span, start, parts);
             if finer == 1 {
                 self.look_for_noise(system, span.0, start);
             }
-            if finer >= FINEST || self.is_foretold(system, method, sides) {
+            if self.is_foretold(system, method, sides) {
+                break;
+            }
+            if finer >= FINEST {
+                self.told = self.share_that_is_told(sides);
                 break;
             }
             finer *= 2;
@@ -144,8 +172,12 @@ impl Parts {
             if nearest > 4.0 * far || far <= AT_REST * self.largest(event) {
                 continue;
             }
-            let room = NEAR * (most - least).max(AT_REST * self.largest(event));
-            let room = room.max(self.rounding(event));
+            let range = (most - least).max(AT_REST * self.largest(event));
+            if rates * span > parts as f64 * range.max(self.rounding(event)) {
+                // It may be back where it was between any two looks.
+                return false;
+            }
+            let room = (NEAR * range).max(self.rounding(event));
             let ends = |low: usize, high: usize| {
                 [low, high]
                     .map(|part| [self.times[part], self.guard(part, event), self.rate(part, event)])
@@ -167,6 +199,30 @@ impl Parts {
             }
         }
         true
+    }
+
+    /// Of the step, where some guard goes further within its parts, at the rates it has, than it
+    /// ever is from where it was: a guard that jumps has no such rate.
+    fn share_that_is_told(&self, sides: &[Side]) -> Option<f64> {
+        /// Of the way between its least and its largest value, in a part.
+        const MOST: f64 = 1.0;
+        /// Of the stretch: shorter steps would not reach its end.
+        const SHORTEST: f64 = 1e-10;
+        let parts = self.parts();
+        let part = (self.times[parts] - self.times[0]) / parts as f64;
+        let shares = (0..self.count).filter(|event| sides[*event] != Side::Idle).map(|event| {
+            let values = (0..=parts).map(|part| self.guard(part, event));
+            let [least, most] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], value| {
+                [a.min(value), b.max(value)]
+            });
+            let rates = (0..=parts).map(|part| self.rate(part, event).abs());
+            let way = part * rates.filter(|rate| rate.is_finite()).fold(0.0, f64::max);
+            let range = (most - least).max(AT_REST * self.largest(event)).max(self.rounding(event));
+            MOST * range / way
+        });
+        let least = SHORTEST * (self.ends.1 - self.ends.0) / (part * parts as f64);
+        let share = shares.filter(|share| *share < 1.0).reduce(f64::min)?.min(0.5);
+        (share > least).then_some(share)
     }
 
     fn fill_parts(
@@ -254,6 +310,11 @@ impl Parts {
         })
     }
 
+    /// The largest value that each guard has had.
+    pub(super) fn sizes(&self) -> &[f64] {
+        &self.sizes
+    }
+
     /// The largest value that each guard has had, also in pieces of a run before.
     pub(super) fn sizes_mut(&mut self) -> &mut Vec<f64> {
         &mut self.sizes
@@ -322,6 +383,7 @@ impl Parts {
         let start = match side {
             Side::Idle => return Outcome::Stays(Side::Idle),
             Side::Known(known) => self.carried(event, known),
+            Side::Jumped(side) => Start::On(side, 1),
             Side::Fresh { passed, residual } => {
                 self.first_seen(system, method, (event, direction), passed, residual)
             }
@@ -498,6 +560,23 @@ impl Parts {
             if side * rate > 0.0 { low = middle } else { high = middle }
         }
         low
+    }
+
+    /// Where a guard passes within a step that starts with it on `side`, and whether it jumps there, if
+    /// in front of its end it is on the other.
+    pub(super) fn passing_before(
+        &mut self,
+        system: &System<'_>,
+        method: &mut dyn OneStep,
+        (from, front): (f64, f64),
+        event: usize,
+        side: f64,
+    ) -> Option<(f64, bool)> {
+        let beyond = |guard: f64, rounding: f64| side * guard < -rounding;
+        let rounding = self.rounding(event);
+        let is_there = beyond(self.between(system, method, front, event).0, rounding)
+            && !beyond(self.between(system, method, from, event).0, rounding);
+        is_there.then(|| self.root(system, method, event, [from, front], side))
     }
 
     /// Where g leaves `side` between two times, by the rule of false position with

@@ -18,7 +18,7 @@ use crate::method::{
     Memory, Method, Problem, Stopped, System, Watch, identically_zero, just_behind, within,
 };
 use crate::scales::scales;
-use crate::simulate::MAX_STEPS;
+use crate::simulate::{MAX_STEPS, Simulation};
 
 /// Jumps that are nearer than this many roundings of a time are at it.
 const AT_ONCE: f64 = 512.0;
@@ -59,10 +59,14 @@ pub struct Beginning<'b> {
     pub rtol: f64,
     /// Whether the host steps the run by a method of its own; else it is [carried](Hosted::carry).
     pub is_stepped: bool,
-    /// State at the start; a guess where it is not given.
+    /// State at the start; a guess where it is not given, or where an equilibrium is looked for.
     pub state: Vec<f64>,
-    /// Whether a state is given, so that constraints do not move it.
+    /// Whether a state is given, so that constraints do not move it, and an equilibrium no
+    /// further than it must.
     pub is_given: &'b dyn Fn(usize) -> bool,
+    /// Whether to begin in the equilibrium near the state, as
+    /// [`Simulation::in_equilibrium`](crate::Simulation::in_equilibrium).
+    pub in_equilibrium: bool,
 }
 
 /// Why a hosted run does not go on.
@@ -163,7 +167,8 @@ impl<'a> Hosted<'a> {
     /// [`HostedError`] for what [`Simulation::run`](crate::Simulation::run) refuses before its
     /// first step.
     pub fn begin(&self, beginning: Beginning<'_>) -> Result<Standing, HostedError> {
-        let Beginning { from, until, rtol, is_stepped, state, is_given } = beginning;
+        let Beginning { from, until, rtol, is_stepped, state, is_given, in_equilibrium } =
+            beginning;
         let Self { simulator, parameters } = *self;
         if !(from < until && (until - from).is_finite()) {
             return Err(SimulateError::BadSpan { from, until }.into());
@@ -171,7 +176,14 @@ impl<'a> Hosted<'a> {
         if !(rtol > 0.0 && rtol <= 1.0) {
             return Err(SimulateError::BadTolerance(rtol).into());
         }
-        let state = consistent(simulator, parameters, from, state, is_given)?;
+        let state = if in_equilibrium {
+            let run = Simulation::new(simulator).parameters(parameters);
+            let run = run.from(from).until(until).rtol(rtol);
+            let given: Vec<usize> = (0..state.len()).filter(|entry| is_given(*entry)).collect();
+            run.balanced(state, &given)?
+        } else {
+            consistent(simulator, parameters, from, state, is_given)?
+        };
         require_independent(simulator, parameters, from, &state)?;
         let scales = scales(simulator, parameters, from, &state);
         let mut standing = Standing {

@@ -21,7 +21,8 @@ fn begun(hosted: &Hosted<'_>, simulator: &dyn Simulator<f64>, until: f64) -> Sta
     let is_given = |index: usize| simulator.is_given(index);
     let is_given = &is_given;
     let (from, rtol, is_stepped) = (0.0, 1e-9, false);
-    let beginning = Beginning { from, until, rtol, is_stepped, state, is_given };
+    let beginning =
+        Beginning { from, until, rtol, is_stepped, state, is_given, in_equilibrium: false };
     hosted.begin(beginning).expect("it begins")
 }
 

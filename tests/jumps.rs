@@ -266,8 +266,15 @@ fn a_host_s_runs_go_through_jumps_of_imposed_speeds() {
         let mut state = vec![0.0; states];
         simulator.initial_state(&parameters, &mut state);
         let is_given = &|index: usize| simulator.is_given(index);
-        let beginning =
-            Beginning { from: 0.0, until: 4.0, rtol: 1e-8, is_stepped, state, is_given };
+        let beginning = Beginning {
+            from: 0.0,
+            until: 4.0,
+            rtol: 1e-8,
+            is_stepped,
+            state,
+            is_given,
+            in_equilibrium: false,
+        };
         let mut standing = hosted.begin(beginning).expect("it begins");
         for until in [0.5, 0.77, 2.0, 4.0] {
             if !is_stepped {

@@ -9,4 +9,5 @@ mod events;
 mod host;
 mod peers;
 mod runs;
+mod starts;
 mod states;

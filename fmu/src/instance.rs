@@ -262,9 +262,15 @@ impl Instance {
             return Err(Refusal::argument(format!("`{name}` starts at {}", state[entry])));
         }
         let Experiment { from, until, rtol } = self.now.experiment;
-        let is_given = |entry: usize| simulator.is_given(entry);
+        let in_equilibrium = simulator.starts_in_equilibrium();
+        // What the host sets is named to the search, as what `run` sets.
+        let is_given = |entry: usize| {
+            let is_set = in_equilibrium && self.now.chosen[entry].is_some();
+            is_set || simulator.is_given(entry)
+        };
         let is_stepped = self.is_exchange();
-        let beginning = Beginning { from, until, rtol, is_stepped, state, is_given: &is_given };
+        let beginning =
+            Beginning { from, until, rtol, is_stepped, state, is_given: &is_given, in_equilibrium };
         Ok(Hosted::new(simulator, parameters).begin(beginning)?)
     }
 

@@ -8,6 +8,7 @@ mod reads;
 use std::collections::BTreeSet;
 
 use machinist::field::FieldError;
+use machinist::hosted::{Beginning, Hosted};
 use machinist_contract::Simulator;
 use machinist_model::{Model, NodeId, Op};
 use thiserror::Error;
@@ -279,7 +280,7 @@ struct Gather<'a> {
     uses: &'a Uses,
     inputs: &'a [String],
     states: &'a Vec<usize>,
-    /// The state as the spec has it start.
+    /// The state as a run starts with the spec's parameters.
     start: Vec<f64>,
     names: BTreeSet<String>,
     all: Vec<Variable>,
@@ -297,6 +298,9 @@ impl<'a> Gather<'a> {
             (0..shape.parameters).map(|index| simulator.parameter_default(index)).collect();
         let mut start = vec![0.0; shape.states()];
         simulator.initial_state(&parameters, &mut start);
+        if simulator.starts_in_equilibrium() {
+            start = equilibrium((model, simulator), &parameters, &start).unwrap_or(start);
+        }
         // Outputs keep the names that scenes give them.
         let names = model.wanted.iter().map(|wanted| wanted.name.path.clone()).collect();
         let all = Vec::new();
@@ -379,7 +383,8 @@ impl<'a> Gather<'a> {
 
     fn push_state(&mut self, entry: usize) {
         let state = self.simulator.state(entry);
-        let is_free = !self.model.constraints.is_empty() && !self.simulator.is_given(entry);
+        let is_free = self.simulator.starts_in_equilibrium()
+            || !self.model.constraints.is_empty() && !self.simulator.is_given(entry);
         let is_of_none =
             self.model.fields.is_empty() && self.uses.initial[entry].parameters.is_empty();
         let initial = if is_free {
@@ -456,6 +461,21 @@ impl<'a> Gather<'a> {
             self.push(Variable { doc, ..continuous(&name, Kind::Indicator(events + kink)) });
         }
     }
+}
+
+/// The equilibrium near a state in which a run starts with these parameters; nothing if there is
+/// none, for the host may set others.
+fn equilibrium(
+    (model, simulator): (&Model, &dyn Simulator<f64>),
+    parameters: &[f64],
+    near: &[f64],
+) -> Option<Vec<f64>> {
+    let (from, until, rtol) = (model.run.from, model.run.until, model.run.rtol);
+    let is_given = &|entry: usize| simulator.is_given(entry);
+    let state = near.to_vec();
+    let [is_stepped, in_equilibrium] = [false, true];
+    let beginning = Beginning { from, until, rtol, is_stepped, state, is_given, in_equilibrium };
+    Some(Hosted::new(simulator, parameters).begin(beginning).ok()?.state)
 }
 
 /// A local variable that is calculated and changes with time, a pure number without a meaning.

@@ -19,7 +19,7 @@ impl Simulation<'_> {
         let name = |index| format!("initial value of `{}`", self.simulator.state(index).name);
         self.check_list("states", &state, states, name)?;
         if self.starts_in_equilibrium() {
-            return self.balanced(state);
+            return self.balanced(state, &self.named());
         }
         // A state of the caller's is near enough to the constraints, or a guess.
         let is_spec = self.initial_state.is_none();
@@ -58,10 +58,13 @@ impl Simulation<'_> {
         self.in_equilibrium.unwrap_or(is_of_spec && self.simulator.starts_in_equilibrium())
     }
 
-    /// The equilibrium near a state.
+    /// The equilibrium near a state, of which these entries move only as far as they must.
     #[cfg(feature = "linear")]
-    fn balanced(&self, guess: Vec<f64>) -> Result<Vec<f64>, SimulateError> {
-        let named = self.named();
+    pub(crate) fn balanced(
+        &self,
+        guess: Vec<f64>,
+        named: &[usize],
+    ) -> Result<Vec<f64>, SimulateError> {
         let parameters = self.checked_parameters()?;
         // Constraints are fulfilled as for any start where they can be, else by whatever moves.
         let given = |index| named.contains(&index);
@@ -71,12 +74,12 @@ impl Simulation<'_> {
         require_independent(self.simulator, parameters, self.from, &state)?;
         let guess = Point { time: self.from, state, parameters: parameters.to_vec() };
         let settle = |state: &mut Vec<f64>| self.settle(state);
-        let found = steady_start(self.simulator, guess, &named, &settle);
+        let found = steady_start(self.simulator, guess, named, &settle);
         Ok(found.map_err(SimulateError::no_equilibrium)?.state)
     }
 
     #[cfg(not(feature = "linear"))]
-    fn balanced(&self, _: Vec<f64>) -> Result<Vec<f64>, SimulateError> {
+    pub(crate) fn balanced(&self, _: Vec<f64>, _: &[usize]) -> Result<Vec<f64>, SimulateError> {
         let scene = self.simulator.name();
         Err(SimulateError::NoEquilibrium(format!(
             "the search that scene `{scene}` asks for is not compiled in. \

@@ -53,9 +53,11 @@ impl<'a> Structure<'a> {
         };
         let all = self.variables.with_references();
         all.filter(move |(_, variable)| is_unknown(variable)).map(|(at, variable)| {
-            let is_whole = self.model.constraints.is_empty() && self.model.events.is_empty();
+            let is_whole = self.model.constraints.is_empty()
+                && self.model.events.is_empty()
+                && !self.model.starts_in_equilibrium;
             if !is_whole || self.has_fields() {
-                // Constraints and modes that are set right join all of the start.
+                // Constraints, equilibria and modes that are set right join all of the start.
                 return Element::new("InitialUnknown").with("valueReference", at);
             }
             let reads = match variable.kind {

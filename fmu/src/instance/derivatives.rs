@@ -44,7 +44,7 @@ impl Instance {
     ///
     /// # Errors
     /// [`Refusal`] for variables that are none of these now, and before the start where
-    /// constraints decide it.
+    /// constraints decide it, or an equilibrium is looked for.
     pub fn directional_derivative(
         &mut self,
         (unknowns, knowns): (&[u32], &[u32]),
@@ -160,9 +160,15 @@ impl Instance {
             return Err(Refusal::OutOfOrder { call: "derivatives", phase });
         }
         let is_before = phase == Phase::Initialization;
-        if is_before && self.machine.simulator().constraints() > 0 {
-            let message = "there are no derivatives of a start that constraints decide";
-            return Err(Refusal::argument(message));
+        let simulator = self.machine.simulator();
+        if is_before && (simulator.constraints() > 0 || simulator.starts_in_equilibrium()) {
+            let by = if simulator.starts_in_equilibrium() {
+                "is looked for: it is an equilibrium"
+            } else {
+                "constraints decide"
+            };
+            let message = format!("there are no derivatives of a start that {by}");
+            return Err(Refusal::Argument(message));
         }
         let each = |references: &[u32], may: &dyn Fn(Kind, Causality) -> bool, what: &str| {
             let kind = |reference: &u32| {

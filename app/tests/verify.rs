@@ -234,6 +234,161 @@ fn what_is_imposed_from_the_start_on_passes() {
     assert_eq!(failed(&rows(&path, &[]).1), Vec::<String>::new());
 }
 
+/// A pendulum of length l(t) that a torque holds up, or that swings.
+fn pendulum(length: &str, torque: &str, start: &str) -> String {
+    format!(
+        r#"
+        [scene]
+        name = "pendulum"
+        [units.p]
+        unit = "pendulum"
+        [initial]
+        {start}
+        [run]
+        until = 4
+        points = 41
+        rtol = 1e-9
+        [define.pendulum.coordinates]
+        th = {{ unit = "rad" }}
+        [define.pendulum.parameters]
+        mass = {{ value = 0.3, unit = "kg" }}
+        torque = {{ value = 0.5, unit = "N m" }}
+        damping = {{ value = 0.001, unit = "N m s/rad" }}
+        [define.pendulum.helpers]
+        l = {{ expression = "{length}", unit = "m" }}
+        [define.pendulum.energy]
+        kinetic = "mass*(der(l*sin(th))^2 + der(l*cos(th))^2)/2"
+        potential = "-mass*9.81 [m/s^2]*l*cos(th)"
+        dissipation = "damping*th_dot^2/2"
+        [[define.pendulum.forces]]
+        coordinate = "th"
+        expression = "{torque}"
+        "#
+    )
+}
+
+/// At rest nothing moves but by what steps and rounding err: no row measures that by itself.
+#[test]
+fn what_rests_passes() {
+    let rests = pendulum("0.25 [m]", "torque", "from = \"equilibrium\"\n\"p.th\" = \"20 [deg]\"");
+    let linkage = r#"
+        [scene]
+        name = "linkage"
+        [units]
+        crank = { unit = "planar/link", parameters = { length = 0.2, mass = 1, inertia = 0.0033 } }
+        coupler = { unit = "planar/link", parameters = { length = 0.5, mass = 2, inertia = 0.042 } }
+        rocker = { unit = "planar/link", parameters = { length = 0.35, mass = 1.5, inertia = 0.015 } }
+        o = { unit = "planar/fixed" }
+        d = { unit = "planar/anchor", parameters = { place_x = 0.45 } }
+        spring = { unit = "rotational/spring_damper", parameters = { stiffness = 30, damping = 0.2 } }
+        frame = { unit = "rotational/fixed" }
+        [[joints]]
+        connect = ["crank.phi", "spring.a"]
+        [[joints]]
+        connect = ["spring.b", "frame.a"]
+        [[joints]]
+        connect = ["o.a", "crank.a"]
+        [[joints]]
+        connect = ["crank.b", "coupler.a"]
+        [[joints]]
+        connect = ["coupler.b", "rocker.b"]
+        [[joints]]
+        connect = ["rocker.a", "d.a"]
+        [initial]
+        from = "equilibrium"
+        [guess]
+        "crank.phi" = 1.05
+        "coupler.x_a" = 0.1
+        "coupler.y_a" = 0.17
+        "coupler.x_b" = 0.55
+        "coupler.y_b" = 0.3
+        "coupler.phi" = 0.3
+        "rocker.phi" = 1.2
+        "rocker.x_a" = 0.45
+        [run]
+        until = 2
+        points = 41
+        rtol = 1e-9
+    "#;
+    for text in [&*rests, linkage] {
+        let (_folder, path) = written(text);
+        let (_, rows) = rows(&path, &[]);
+        assert_eq!(failed(&rows), Vec::<&str>::new());
+        let account = rows.iter().find(|(name, _)| name.starts_with("energy account"));
+        assert_eq!(account.map(|(_, pass)| *pass), Some(Some(true)));
+    }
+}
+
+/// A rope that is wound up works on what hangs from it, whichever way that swings.
+#[test]
+fn what_is_wound_up_with_time_is_no_force_that_feeds() {
+    let forces = "no force feeds every motion";
+    let start = "\"p.th\" = \"10 [deg]\"";
+    let of = |length: &str, torque: &str| {
+        let (_folder, path) = written(&pendulum(length, torque, start));
+        let (_, rows) = rows(&path, &[]);
+        let row = rows.iter().find(|(name, _)| name == forces).expect("a row").1;
+        (row, failed(&rows).iter().map(|name| (*name).to_owned()).collect::<Vec<_>>())
+    };
+    let winding = "12 [m] - 0.5 [m/s]*t";
+    assert_eq!(of(winding, "0*torque"), (None, vec![]));
+    assert_eq!(of("12 [m]", "0*torque"), (Some(true), vec![]));
+    let feeding = "2 [N m s/rad]*th_dot";
+    assert_eq!(of("0.25 [m]", feeding), (Some(false), vec![forces.to_owned()]));
+}
+
+/// Which side of a switch rounding puts a time of the run on is no mistake of a derivative.
+#[test]
+fn times_of_a_run_at_which_something_switches_are_left_out() {
+    let switched = r#"
+        [scene]
+        name = "switched"
+        [units.m]
+        unit = "coil"
+        [define.coil.coordinates]
+        phi = { unit = "rad" }
+        [define.coil.parameters]
+        J = { value = 4e-6, unit = "kg m^2" }
+        b = { value = 2e-4, unit = "N m s" }
+        R = { value = 2, unit = "ohm" }
+        L = { value = 3e-3, unit = "H" }
+        U = { value = 6, unit = "V" }
+        K = { value = 0.01, unit = "V s" }
+        rate = { value = 200, unit = "1/s" }
+        acc = { value = 2000, unit = "1/s^2" }
+        [define.coil.helpers]
+        steps = { expression = "piecewise(t < rate/acc, acc*t^2/2, rate*t - rate^2/(2*acc))", unit = "1" }
+        u = { expression = "U*piecewise(mod(steps, 4) < 1, 1, mod(steps, 4) < 3, -1, 1)", unit = "V" }
+        [define.coil.states.i]
+        unit = "A"
+        rate = "(u - R*i - K*phi_dot)/L"
+        [define.coil.energy]
+        kinetic = "J*phi_dot^2/2"
+        dissipation = "b*phi_dot^2/2"
+        stored = "L*i^2/2"
+        [define.coil.power]
+        supplied = "u*i"
+        dissipated = "R*i^2"
+        [[define.coil.forces]]
+        coordinate = "phi"
+        expression = "K*i"
+        conversion = true
+        [run]
+        until = 0.5
+        points = 501
+        rtol = 1e-6
+    "#;
+    let (_folder, path) = written(switched);
+    let (_, all) = rows(&path, &[]);
+    assert_eq!(failed(&all), Vec::<&str>::new());
+    for name in
+        ["dy'/dp along the run and around it", "sensitivities to the parameters that matter most"]
+    {
+        let row = all.iter().find(|(row, _)| row == name).expect("a row");
+        assert_eq!(row.1, Some(true), "{name}");
+    }
+}
+
 #[test]
 fn a_converting_force_of_the_wrong_sign_fails_by_the_power_balance() {
     let failed = failed_after(MAGNET, "\"-gain*flux^2/2\"", "\"gain*flux^2/2\"");

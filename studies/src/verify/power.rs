@@ -29,12 +29,13 @@ pub(super) fn relative(
 }
 
 /// Largest residual of the account, divided by the integral of |supplied| + |lost| power, or
-/// where none of either flows by the largest energy in motion; 0 if nothing is off.
-pub(super) fn account_error(balance: &EnergyBalance) -> f64 {
+/// where none of either flows by the largest energy in motion, and by no less than `least` \[J\];
+/// 0 if nothing is off.
+pub(super) fn account_error(balance: &EnergyBalance, least: f64) -> f64 {
     let largest = balance.residual.iter().fold(0.0, |most, r| worse(most, r.abs()));
     let passed = balance.passed.last().copied().unwrap_or(0.0);
     let flows = passed > 1e-12 * balance.largest_active;
-    let scale = if flows { passed } else { balance.largest_active };
+    let scale = if flows { passed } else { balance.largest_active }.max(least);
     // Nothing that moves has nothing to lose.
     if largest == 0.0 { 0.0 } else { largest / scale }
 }

@@ -109,7 +109,7 @@ fn compare(
 ) -> Outcome {
     let mut found = Found::nothing();
     let mut settled = false;
-    for point in &visit.points {
+    for point in visit.points.iter().filter(|point| !visit.is_at_kink(point)) {
         let ours = ours(point);
         let Differences { values, changes } = differences(visit, point, along, sizes);
         let rate = visit.rate(point);
@@ -219,22 +219,11 @@ fn away_from_kinks(
     mut size: f64,
 ) -> Option<f64> {
     const HALVINGS: usize = 12;
-    let simulator = visit.simulator;
-    let guards = |point: &Point| {
-        let mut values = vec![0.0; simulator.kinks()];
-        if !values.is_empty() {
-            simulator.kink_guards(point.time, &point.state, &point.parameters, &mut values);
-        }
-        let mut times = vec![0.0; simulator.shape().discontinuities];
-        simulator.discontinuities(&point.parameters, &mut times);
-        values.extend(times.iter().map(|time| point.time - time));
-        values
-    };
-    let here = guards(point);
+    let here = visit.guards(point);
     for _ in 0..HALVINGS {
         let step = FINE * LARGEST * size;
         let [behind, ahead] =
-            [-step, step].map(|step| guards(&shifted(point, along, column, step)));
+            [-step, step].map(|step| visit.guards(&shifted(point, along, column, step)));
         let stays = |k: usize| {
             let signs = [behind[k], here[k], ahead[k]].map(|v| v.partial_cmp(&0.0));
             signs[0] == signs[1] && signs[1] == signs[2]

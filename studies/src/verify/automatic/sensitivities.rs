@@ -3,8 +3,9 @@
 use machinist::trajectory::{ColumnKind, Trajectory};
 use machinist::{Method, SimulateError, Simulation};
 
-use super::visit::Visit;
+use super::visit::{Visit, size};
 use super::{Found, Outcome, Row, states};
+use crate::verify::machine::Point;
 
 pub(super) const BY_DIFFERENCES: Row = Row {
     name: "sensitivities to the parameters that matter most",
@@ -20,6 +21,9 @@ const PARAMETERS: usize = 3;
 const TIMES: usize = 20;
 const RTOL: f64 = 1e-10;
 const STEPS: usize = 20_000;
+/// What moves by less than this part of its scale may be what steps err by, which is many times
+/// the tolerance where a machine rests.
+const NOTHING: f64 = 1e3 * RTOL;
 /// What is varied, relative.
 const STEP: f64 = 1e-4;
 /// What a parameter does less of than this, relative to a state, no difference tells.
@@ -41,13 +45,16 @@ fn compared(visit: &Visit<'_>) -> Result<Found, Outcome> {
     let base = visit.subject.simulation.clone().times(&times).rtol(RTOL).max_steps(STEPS);
     let base = base.method(method);
     let (run, by) = sensitivities(visit, &base)?;
+    let columns = states(&run);
+    let sizes: Vec<f64> =
+        (0..columns.len()).map(|k| size(visit.simulator, k, columns[k], NOTHING)).collect();
     let mut ranked: Vec<(f64, usize)> =
-        by.iter().map(|index| (effect(visit, &run, *index), *index)).collect();
+        by.iter().map(|index| (effect(visit, (&run, &sizes), *index), *index)).collect();
     ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut found = Found::nothing();
     for (effect, index) in ranked.into_iter().take(PARAMETERS) {
         if effect > LEAST {
-            compare(visit, &base, &run, index, &mut found)?;
+            compare(visit, &base, (&run, &sizes), index, &mut found)?;
         }
     }
     Ok(found)
@@ -77,21 +84,20 @@ fn sensitivities(
 }
 
 /// The largest relative change of a state for one of a parameter.
-fn effect(visit: &Visit<'_>, run: &Trajectory, index: usize) -> f64 {
+fn effect(visit: &Visit<'_>, (run, sizes): (&Trajectory, &[f64]), index: usize) -> f64 {
     let value = visit.subject.simulation.parameter_values()[index].abs();
     let name = visit.simulator.parameter(index).name;
     let of = |state: usize| {
         let slopes = run.sensitivity(visit.simulator.state(state).name, name).unwrap_or_default();
-        slopes.iter().fold(0.0_f64, |most, slope| most.max(slope.abs())) * value
-            / visit.sizes[state]
+        slopes.iter().fold(0.0_f64, |most, slope| most.max(slope.abs())) * value / sizes[state]
     };
-    (0..visit.sizes.len()).map(of).fold(0.0, f64::max)
+    (0..sizes.len()).map(of).fold(0.0, f64::max)
 }
 
 fn compare(
     visit: &Visit<'_>,
     base: &Simulation<'_>,
-    run: &Trajectory,
+    (run, sizes): (&Trajectory, &[f64]),
     index: usize,
     found: &mut Found,
 ) -> Result<(), Outcome> {
@@ -111,15 +117,36 @@ fn compare(
     let passed = |run: &Trajectory, time: f64| {
         run.switches.iter().filter(|switch| switch.time <= time).count()
     };
-    let all = [&near.0, &near.1, &far.0, &far.1];
-    let is_alike = |time: f64| all.iter().all(|other| passed(other, time) == passed(run, time));
+    let all = [(&near.0, 1.0), (&near.1, -1.0), (&far.0, 2.0), (&far.1, -2.0)];
+    let side = |run: &Trajectory, times: f64, row: usize| {
+        let mut parameters = base.parameter_values().to_vec();
+        parameters[index] += times * step;
+        let state = states(run).iter().map(|column| column[row]).collect();
+        visit.guards(&Point { time: run.times[row], state, parameters })
+    };
+    // Likewise on one side of what switches: a time of the run may be where it does.
+    let is_on_one_side = |row: usize| {
+        let (mut least, mut greatest) = (side(run, 0.0, row), side(run, 0.0, row));
+        for (other, times) in all {
+            for (index, value) in side(other, times, row).into_iter().enumerate() {
+                least[index] = least[index].min(value);
+                greatest[index] = greatest[index].max(value);
+            }
+        }
+        least.iter().zip(&greatest).all(|(least, greatest)| least * greatest >= 0.0)
+    };
+    let is_alike = |row: usize| {
+        let time = run.times[row];
+        all.iter().all(|(other, _)| passed(other, time) == passed(run, time)) && is_on_one_side(row)
+    };
+    let rows: Vec<usize> = (0..run.times.len()).filter(|row| is_alike(*row)).collect();
     for (state, column) in run.of_kind(ColumnKind::State).enumerate() {
         let Some(own) = run.sensitivity(&column.name, name) else { continue };
         let size = own.iter().fold(0.0_f64, |most, slope| most.max(slope.abs()));
-        if size * value.abs() <= LEAST * visit.sizes[state] || visit.simulator.is_mode(state) {
+        if size * value.abs() <= LEAST * sizes[state] || visit.simulator.is_mode(state) {
             continue;
         }
-        for (row, slope) in own.iter().enumerate().filter(|(row, _)| is_alike(run.times[*row])) {
+        for (row, slope) in rows.iter().map(|row| (*row, own[*row])) {
             let (one, two) = (slopes(&near, 1.0, state, row), slopes(&far, 2.0, state, row));
             // As far as differences themselves are sure.
             let off = ((slope - one).abs() - (one - two).abs()).max(0.0);

@@ -32,7 +32,10 @@ impl<'a> Visit<'a> {
     pub(super) fn new(subject: &'a Subject<'a>, run: &'a Trajectory) -> Self {
         let simulator = subject.simulation.simulator();
         let columns = states(run);
-        let sizes: Vec<f64> = (0..columns.len()).map(|k| size(simulator, k, columns[k])).collect();
+        // A run at a loose tolerance still tells such moves.
+        let nothing = run.rtol.min(1e-8);
+        let sizes: Vec<f64> =
+            (0..columns.len()).map(|k| size(simulator, k, columns[k], nothing)).collect();
         let references = OnceCell::new();
         let mut visit = Self { subject, simulator, run, sizes, points: Vec::new(), references };
         visit.points = visit.along_and_around(&columns);
@@ -67,6 +70,30 @@ impl<'a> Visit<'a> {
         self.rate(point).iter().all(|value| value.is_finite())
     }
 
+    /// What changes its sign where the rate is not smooth: guards of kinks, and times from those
+    /// at which it is known to change.
+    pub(super) fn guards(&self, point: &Point) -> Vec<f64> {
+        let simulator = self.simulator;
+        let mut values = vec![0.0; simulator.kinks()];
+        if !values.is_empty() {
+            simulator.kink_guards(point.time, &point.state, &point.parameters, &mut values);
+        }
+        let mut times = vec![0.0; simulator.shape().discontinuities];
+        simulator.discontinuities(&point.parameters, &mut times);
+        values.extend(times.iter().map(|time| point.time - time));
+        values
+    }
+
+    /// Whether a point is at a time of a kink, as output times may be: which side the rate is of
+    /// rounding decides there, and for its derivatives otherwise.
+    pub(super) fn is_at_kink(&self, point: &Point) -> bool {
+        const NEAR: f64 = 1e-9;
+        let near = NEAR * self.duration() + 4.0 * f64::EPSILON * point.time.abs();
+        let at = |time: f64| self.guards(&Point { time, ..point.clone() });
+        let signs = at(point.time - near).into_iter().zip(at(point.time + near));
+        signs.into_iter().any(|(before, behind)| before * behind < 0.0)
+    }
+
     /// y' at a point.
     pub(super) fn rate(&self, point: &Point) -> Vec<f64> {
         let mut rate = vec![0.0; point.state.len()];
@@ -88,14 +115,21 @@ impl<'a> Visit<'a> {
     }
 }
 
-/// How far a state goes in a run, and at most its scale; its scale if it stays.
-fn size(simulator: &dyn Simulator<f64>, index: usize, values: &[f64]) -> f64 {
+/// How far a state goes in a run, and at most its scale; its scale if it stays, or moves by no more
+/// than `nothing` of it.
+pub(super) fn size(
+    simulator: &dyn Simulator<f64>,
+    index: usize,
+    values: &[f64],
+    nothing: f64,
+) -> f64 {
     let scale = simulator.state_scale(index);
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);
     let greatest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let far = greatest - least;
-    // What moves by rounding alone stays, as what a constraint holds at zero.
-    let stays = far <= f64::max(1e-9 * greatest.abs().max(least.abs()), 1e-12 * scale);
+    // What moves by less than the tolerance stays, as what a constraint holds at zero, or what
+    // begins at rest.
+    let stays = far <= f64::max(1e-9 * greatest.abs().max(least.abs()), nothing * scale);
     if stays { scale } else { far.min(scale) }
 }
 

@@ -128,12 +128,26 @@ impl Ports<'_> {
         }
     }
 
+    /// What is wrong with a path of a unit that has no such port and no such connector.
+    fn no_port(&self, path: &Spanned<String>) -> Option<Mistake> {
+        let (instance, name) = path.value.rsplit_once('.')?;
+        let unit = &self.units[self.instances[*self.by_name.get(instance)?].unit];
+        if names_of(unit).any(|known| known == name) {
+            return None;
+        }
+        let message = format!("unit {} has no port {}", quoted(&unit.name), quoted(name));
+        let help = did_you_mean(name, names_of(unit));
+        Some(Mistake::new(path.span, message, "unknown").help(help))
+    }
+
     /// A joint of connectors as joints of their ports, one by one.
     fn pairs(&self, joint: &JointSpec) -> Result<Vec<JointSpec>, Box<Mistake>> {
         let [first, second] = &joint.connect;
         let [Some(ports), Some(others)] = [first, second].map(|path| self.ports(&path.value))
         else {
-            return Ok(vec![joint.clone()]);
+            // Taken as it is, the joint would be told of a connector that is none of its ports.
+            let unknown = [first, second].into_iter().find_map(|path| self.no_port(path));
+            return unknown.map_or_else(|| Ok(vec![joint.clone()]), |no| Err(Box::new(no)));
         };
         if ports.len() != others.len() {
             return Err(Box::new(of_unlike_counts([first, second], [&ports, &others])));

@@ -273,7 +273,7 @@ impl<'a> Parser<'a> {
         let (message, help) = match &token.value {
             Token::Mark('<') => (
                 "a comparison stands only in piecewise".to_owned(),
-                "write piecewise(t < t1, a, b); min, max and smooth_step switch on other things",
+                "write piecewise(x < y, a, b), which is a where x is less than y, and b elsewhere",
             ),
             Token::Mark(mark) => {
                 (format!("{} is not expected here", quoted(&mark.to_string())), "")

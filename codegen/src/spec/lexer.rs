@@ -17,6 +17,8 @@ const MAX_EXPRESSION: usize = 64 << 10;
 const MAX_DIGITS: usize = 800;
 /// Powers of ten beyond which no number of an expression can be meant.
 const MAX_POWER_OF_TEN: i64 = 70_000;
+/// What helps who writes another comparison.
+const ONLY_COMPARISON: &str = "the only comparison is `x < y`, within piecewise";
 
 /// An exact number, finite and nonzero as an f64 unless it is zero.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -140,7 +142,8 @@ impl Lexer<'_> {
             other => {
                 let range = self.at..self.at + other.len_utf8();
                 let help = match other {
-                    '>' | '=' | '!' => "the only comparison is `t < t1`, within piecewise",
+                    '>' => "the only comparison is `x < y`, within piecewise: turn this one round",
+                    '=' | '!' => ONLY_COMPARISON,
                     '.' => "a number starts with a digit: 0.5",
                     _ => "names and operators are ASCII",
                 };
@@ -156,7 +159,7 @@ impl Lexer<'_> {
         let next = self.rest().chars().next();
         let help = match (c, next) {
             ('*', Some('*')) => "a power is written x^2",
-            ('<', Some('=')) => "the only comparison is `t < t1`, within piecewise",
+            ('<', Some('=')) => ONLY_COMPARISON,
             _ => return Ok(()),
         };
         let range = self.at - 1..self.at + 1;

@@ -87,6 +87,38 @@ fn a_fit_finds_what_the_data_were_made_with() {
     assert_refused(&over, &["would overwrite"]);
 }
 
+/// The same numbers in other units are the same measurement.
+#[test]
+fn columns_in_other_units_are_converted() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let data = measured(folder.path());
+    let text = fs::read_to_string(&data).expect("a run");
+    let mut lines = text.lines();
+    assert_eq!(lines.next(), Some("time [s],twist [rad]"));
+    let mut other = "time [ms],twist [deg],sigma(twist) [deg]\n".to_owned();
+    for line in lines {
+        let (time, twist) = line.split_once(',').expect("two columns");
+        let [time, twist] = [time, twist].map(|cell| cell.parse::<f64>().expect("a number"));
+        let sigma = 0.01_f64.to_degrees();
+        other += &format!("{},{},{sigma}\n", 1e3 * time, twist.to_degrees());
+    }
+    let in_other = folder.path().join("other.csv");
+    fs::write(&in_other, other).expect("written");
+    let found = |data: &str, more: &[&str]| {
+        let asked = ["fit", "saw_gin", "--data", data, "--parameters", "coupling.stiffness"];
+        let json = answer(&[&asked[..], &["--json"], more].concat());
+        let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+        let of = |name: &str| json["parameters"][0][name].as_f64().expect("a number");
+        [of("value"), of("standard_error")]
+    };
+    let plain = found(&data, &["--sigma", "twist=0.01"]);
+    let converted = found(crate::cli::text(&in_other), &[]);
+    assert!((plain[0] / 30_000.0 - 1.0).abs() < 1e-4, "{plain:?}");
+    for (a, b) in plain.iter().zip(converted) {
+        assert!((a / b - 1.0).abs() < 1e-6, "{plain:?} {converted:?}");
+    }
+}
+
 #[test]
 fn bad_data_are_refused_with_the_place() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -104,7 +136,9 @@ fn bad_data_are_refused_with_the_place() {
     let stiffness = "coupling.stiffness";
     refused("time,twst\n0.1,1\n", stiffness, &["twst", "did you mean `twist`", "--map"]);
     refused("x,twist\n0.1,1\n", stiffness, &["not time"]);
-    refused("time,twist [deg]\n0.1,1\n", stiffness, &["in deg", "rad"]);
+    refused("time,twist [mm]\n0.1,1\n", stiffness, &["in mm", "rad"]);
+    refused("time [mm],twist\n0.1,1\n", stiffness, &["in mm", "no time"]);
+    refused("time [parsec],twist\n0.1,1\n", stiffness, &["in parsec", "no time"]);
     refused("time,twist\n0.1,1\n0.05,1\n", stiffness, &["line 3", "ascend"]);
     refused("time,twist\n-0.1,1\n", stiffness, &["before the start", "--from"]);
     refused("time,twist\n0.1,abc\n", stiffness, &["line 2", "no number"]);

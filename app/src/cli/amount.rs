@@ -82,6 +82,25 @@ pub fn is_alike(unit: &str, wanted: &str) -> bool {
     }
 }
 
+/// What a number in one unit is in another, `f x` or, where f < 1, `x / (1/f)`, which is exact of
+/// `ms` in s; nothing if these are of different quantities or not known.
+#[cfg(feature = "derive")]
+pub fn conversion(unit: &str, wanted: &str) -> Option<impl Fn(f64) -> f64 + use<>> {
+    use machinist_codegen::spec::measure::Measure;
+
+    let [unit, wanted] = [unit, wanted].map(|unit| Measure::parse(unit).ok());
+    let (unit, wanted) = (unit?, wanted?);
+    let [of, by] = [&unit, &wanted].map(|measure| measure.factor.to_f64());
+    let up = if of < by { by / of } else { 1.0 };
+    let down = if of < by { 1.0 } else { of / by };
+    (unit.unit.dimension == wanted.unit.dimension).then_some(move |value: f64| value * down / up)
+}
+
+#[cfg(not(feature = "derive"))]
+pub fn conversion(unit: &str, wanted: &str) -> Option<impl Fn(f64) -> f64 + use<>> {
+    (unit == wanted).then_some(|value: f64| value)
+}
+
 /// What reads units is the generator's, and to take `5 [mm]` for 5 would be wrong without a word.
 #[cfg(not(feature = "derive"))]
 fn factor_of(unit: &str) -> Result<f64, String> {

@@ -6,6 +6,7 @@ use std::path::Path;
 use machinist::fit::{Measured, Noise};
 use machinist_contract::Simulator;
 
+use crate::cli::amount::conversion;
 use crate::failure::{Failure, did_you_mean};
 
 /// How columns of files are told apart.
@@ -29,8 +30,12 @@ pub struct File {
     pub gaps: usize,
 }
 
+/// From the unit of a column to that of what it is of.
+type Conversion = Box<dyn Fn(f64) -> f64>;
+
 /// A column that is read.
 struct Wanted {
+    convert: Conversion,
     place: usize,
     /// Output or state.
     name: String,
@@ -61,12 +66,13 @@ impl Reading<'_> {
             .comment(Some(b'#'))
             .from_reader(text.as_bytes());
         let header = reader.headers().map_err(|error| refuse(error.to_string(), ""))?.clone();
+        let in_seconds = seconds(&header)?;
         let mut wanted = self.wanted(&header)?;
         let mut times: Vec<f64> = Vec::new();
         for record in reader.records() {
             let record = record.map_err(|error| refuse(error.to_string(), ""))?;
             let line = record.position().map_or(0, |position| line_of(text, position.byte()));
-            let time = cell(&record, 0, (line, "time"))?;
+            let time = in_seconds(cell(&record, 0, (line, "time"))?);
             self.check_time(time, times.last().copied(), line)?;
             times.push(time);
             for column in &mut wanted {
@@ -75,7 +81,7 @@ impl Reading<'_> {
                     let message = format!("line {line}: `{}` is infinite", column.name);
                     return Err(refuse(message, "an empty place is a gap, and so is NaN"));
                 }
-                column.values.push(value);
+                column.values.push((column.convert)(value));
             }
         }
         if times.last().is_none_or(|last| *last <= self.from) {
@@ -96,27 +102,17 @@ impl Reading<'_> {
 
     /// Columns that are to be read, and that there are some.
     fn wanted(&self, header: &csv::StringRecord) -> Result<Vec<Wanted>, Refusal> {
-        let (time, unit) = named(header.get(0).unwrap_or_default());
-        if !matches!(time.to_ascii_lowercase().as_str(), "t" | "time") {
-            let message = format!("the first column is `{}`, not time", time.escape_debug());
-            return Err(refuse(message, "a header begins with `time` or `time [s]`"));
-        }
-        if unit.is_some_and(|unit| unit != "s") {
-            let unit = unit.unwrap_or_default().escape_debug();
-            return Err(refuse(format!("time is in {unit}, not in s"), "times are in seconds"));
-        }
         let mut wanted: Vec<Wanted> = Vec::new();
         for (place, cell) in header.iter().enumerate().skip(1) {
             let deviation = deviation_of(cell);
             let is_deviation = deviation.is_some();
-            let Some(name) = self.output_of(deviation.as_deref().unwrap_or(cell))? else {
-                continue;
-            };
+            let read = self.output_of(deviation.as_deref().unwrap_or(cell))?;
+            let Some((name, convert)) = read else { continue };
             let is_same = |other: &Wanted| other.name == name && other.is_deviation == is_deviation;
             if wanted.iter().any(is_same) {
                 return Err(refuse(format!("`{name}` stands in two columns"), ""));
             }
-            wanted.push(Wanted { place, name, is_deviation, values: Vec::new() });
+            wanted.push(Wanted { convert, place, name, is_deviation, values: Vec::new() });
         }
         let has = |name: &str| wanted.iter().any(|other| !other.is_deviation && other.name == name);
         if let Some(missing) = self.outputs.iter().find(|name| !has(name)) {
@@ -148,8 +144,9 @@ impl Reading<'_> {
         Ok(())
     }
 
-    /// The output or state that a column is of; nothing if it is not wanted.
-    fn output_of(&self, cell: &str) -> Result<Option<String>, Refusal> {
+    /// The output or state that a column is of, and how it becomes that; nothing if it is not
+    /// wanted.
+    fn output_of(&self, cell: &str) -> Result<Option<(String, Conversion)>, Refusal> {
         let simulator = self.simulator;
         let shape = simulator.shape();
         let outputs = (0..shape.outputs).map(|index| simulator.output(index));
@@ -180,18 +177,34 @@ impl Reading<'_> {
             );
             return Err(refuse(message, help));
         };
-        if let Some(unit) = unit
-            && unit != quantity.unit
-        {
+        let Some(unit) = unit else { return Ok(Some((name.to_owned(), Box::new(|value| value)))) };
+        let Some(convert) = conversion(unit, quantity.unit) else {
             let message = format!(
                 "column `{column}` is in {}, but `{name}` in {}",
                 unit.escape_debug(),
                 quantity.unit
             );
-            return Err(refuse(message, "convert it, or leave the unit out of the header"));
-        }
-        Ok(Some(name.to_owned()))
+            let help = "units of one dimension are converted; leave the unit out of the header if \
+                        the numbers are right";
+            return Err(refuse(message, help));
+        };
+        Ok(Some((name.to_owned(), Box::new(convert))))
     }
+}
+
+/// From the unit of the first column, which is time, to seconds.
+fn seconds(header: &csv::StringRecord) -> Result<Conversion, Refusal> {
+    let (time, unit) = named(header.get(0).unwrap_or_default());
+    if !matches!(time.to_ascii_lowercase().as_str(), "t" | "time") {
+        let message = format!("the first column is `{}`, not time", time.escape_debug());
+        return Err(refuse(message, "a header begins with `time` or `time [s]`"));
+    }
+    let Some(unit) = unit else { return Ok(Box::new(|time| time)) };
+    let Some(convert) = conversion(unit, "s") else {
+        let message = format!("time is in {}, which is no time", unit.escape_debug());
+        return Err(refuse(message, "times are in seconds, or in a unit of time such as ms"));
+    };
+    Ok(Box::new(convert))
 }
 
 /// What is wrong with a file, and how to mend it.

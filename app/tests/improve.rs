@@ -77,6 +77,77 @@ fn what_is_asked_wrongly_is_refused_with_its_place() {
     assert_refused(&["improve", "saw_gin", "--parameters", VARIED], &["--minimise or --maximise"]);
 }
 
+/// A mass on a spring, of which one place is shown in three units.
+const SHOWN: &str = r#"
+    [scene]
+    name = "shown"
+    [units.m]
+    unit = "mass_on_spring"
+    [initial]
+    "m.x" = "20 [mm]"
+    [outputs]
+    x = { expression = "m.x", unit = "mm" }
+    y = { expression = "m.x", unit = "cm" }
+    si = "m.x"
+    [run]
+    until = 2
+    points = 201
+    [define.mass_on_spring.coordinates]
+    x = { unit = "m" }
+    [define.mass_on_spring.parameters]
+    mass = { value = 2.0, unit = "kg" }
+    stiffness = { value = 50.0, unit = "N/m" }
+    damping = { value = 2.0, unit = "N s/m" }
+    [define.mass_on_spring.energy]
+    kinetic = "mass*x_dot^2/2"
+    potential = "stiffness*x^2/2"
+    dissipation = "damping*x_dot^2/2"
+"#;
+
+#[test]
+fn outputs_shown_in_other_units_are_converted() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("shown.toml");
+    fs::write(&file, SHOWN).expect("written");
+    let file = file.display().to_string();
+    let json = |arguments: &[&str]| -> serde_json::Value {
+        serde_json::from_str(&answer(&[arguments, &["--json"]].concat())).expect("JSON")
+    };
+    let number = |value: &serde_json::Value| value.as_f64().expect("a number");
+    // One quantity stays in its unit; what joins several is in SI units.
+    let in_si = [("final(si)", 1.0), ("mean((si - 0.003)^2)", 1.0)];
+    let shown = [("final(x)", 1e3), ("mean((x - 3 [mm])*(y - 0.3 [cm]))", 1.0)];
+    for ((exact, _), (text, factor)) in in_si.iter().zip(shown) {
+        let [exact, found] = [exact, text].map(|text| json(&["gradient", &file, "--of", text]));
+        let slopes = |json: &serde_json::Value| {
+            let rows = json["slopes"].as_array().expect("slopes").iter();
+            rows.map(|row| number(&row["slope"]))
+                .chain([number(&json["value"])])
+                .collect::<Vec<_>>()
+        };
+        for (exact, found) in slopes(&exact).iter().zip(slopes(&found)) {
+            assert!((found / factor / exact - 1.0).abs() < 1e-9, "{text}: {found} for {exact}");
+        }
+    }
+    let improved = |limit: &str| {
+        let asked = ["improve", &file, "--minimise", "m.damping", "--parameters"];
+        let found = json(&[&asked[..], &["m.damping=0.5..10", "--subject-to", limit]].concat());
+        (number(&found["parameters"][0]["value"]), found["limits"][0]["unit"].to_string())
+    };
+    let (exact, _) = improved("max(-si) <= 0.009");
+    for (limit, unit) in [("max(-x) <= 9 [mm]", "mm"), ("0.9 [cm] >= max(-x)", "m")] {
+        let (found, of) = improved(limit);
+        assert!((found / exact - 1.0).abs() < 1e-6, "{limit}: {found} for {exact}");
+        assert_eq!(of, format!("\"{unit}\""));
+    }
+    // Nobody knows what a bare number beside them is in.
+    let bare = ["gradient", &file, "--of", "final(x) - 3"];
+    assert_refused(&bare, &["has no unit", "shown in mm", "5 [mm]"]);
+    let varied = ["improve", &file, "--minimise", "m.damping", "--parameters", "m.damping=1..9"];
+    assert_refused(&[&varied[..], &["--subject-to", "max(x) <= 9"]].concat(), &["shown in mm"]);
+    answer(&[&varied[..], &["--subject-to", "max(x) >= 0"]].concat());
+}
+
 #[test]
 fn modes_are_told_with_their_derivatives() {
     let asked = ["modes", "two_mass", "--set", "drive_torque=843.72", "--sensitivities"];

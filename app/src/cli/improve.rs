@@ -181,7 +181,7 @@ impl Improve {
                 check(&inequality.left, simulator)?;
                 check(&inequality.right, simulator)?;
                 units::check_sides(&inequality, simulator)?;
-                Ok(inequality)
+                Ok(units::sides_in_one_unit(inequality, simulator))
             });
             read.map_err(|error| wrong("--subject-to", text, &error))
         };
@@ -314,7 +314,7 @@ pub(super) fn expression(
     let read = Expression::parse(text).and_then(|expression| {
         check(&expression, simulator)?;
         units::check(&expression, simulator)?;
-        Ok(expression)
+        Ok(units::in_one_unit(expression, simulator))
     });
     read.map_err(|error| wrong(option, text, &error))
 }

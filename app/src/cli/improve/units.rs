@@ -1,14 +1,12 @@
 //! Units of measure of expressions over a run, where the program can read them.
 
 #[cfg(feature = "derive")]
-pub use readable::{check, check_sides, of};
+pub use readable::{check, check_sides, in_one_unit, of, sides_in_one_unit};
 #[cfg(not(feature = "derive"))]
-pub use unread::{check, check_sides, of};
+pub use unread::{check, check_sides, in_one_unit, of, sides_in_one_unit};
 
 #[cfg(feature = "derive")]
 mod readable {
-    use std::ops::Range;
-
     use machinist::improve::{
         Expression, ExpressionError, Function, Inequality, Node, Operator, Reduction,
     };
@@ -34,7 +32,76 @@ mod readable {
     ) -> Result<(), ExpressionError> {
         let left = dimension(&inequality.left, simulator)?;
         let right = dimension(&inequality.right, simulator)?;
-        alike(left, right, &inequality.right.range).map(|_| ())
+        let sides = (&inequality.left, &inequality.right);
+        alike((left, right), sides, simulator).map(|_| ())
+    }
+
+    /// An expression whose parts are in units that fit: in that of the one quantity of which it
+    /// only takes one number, else in SI units.
+    pub fn in_one_unit(expression: Expression, simulator: &dyn Simulator<f64>) -> Expression {
+        let stays = plain(&expression, simulator).is_some();
+        if stays { expression } else { in_si(expression, simulator) }
+    }
+
+    /// Likewise sides, in the unit of the left one if that is one quantity's.
+    pub fn sides_in_one_unit(sides: Inequality, simulator: &dyn Simulator<f64>) -> Inequality {
+        let Inequality { left, right, is_at_most } = sides;
+        let unit = plain(&left, simulator).and_then(|unit| Measure::parse(&unit).ok());
+        let mut right = in_si(right, simulator);
+        if let Some(Measure { factor, .. }) = unit
+            && !factor.is_one()
+        {
+            let range = right.range.clone();
+            let node = Node::Number(factor.to_f64(), None);
+            let by = Box::new(Expression { node, range: range.clone() });
+            right = Expression { node: Node::Binary(Operator::Divide, Box::new(right), by), range };
+        }
+        Inequality { left: in_one_unit(left, simulator), right, is_at_most }
+    }
+
+    /// The same number in SI units, whatever unit outputs are shown in: those are converted, and
+    /// so are numbers with a unit.
+    fn in_si(expression: Expression, simulator: &dyn Simulator<f64>) -> Expression {
+        let Expression { node, range } = expression;
+        let inner = |a: Box<Expression>| Box::new(in_si(*a, simulator));
+        let node = match node {
+            Node::Number(value, Some(unit)) => match Measure::parse(&unit) {
+                Ok(Measure { unit, factor }) => {
+                    Node::Number(value * factor.to_f64(), Some(unit.dimension.as_unit()))
+                }
+                Err(_) => Node::Number(value, Some(unit)),
+            },
+            Node::Name(name) => match factor_of(&name, simulator) {
+                None => Node::Name(name),
+                Some(factor) => {
+                    let [name, factor] = [Node::Name(name), Node::Number(factor, None)]
+                        .map(|node| Box::new(Expression { node, range: range.clone() }));
+                    Node::Binary(Operator::Multiply, name, factor)
+                }
+            },
+            Node::Negative(a) => Node::Negative(inner(a)),
+            Node::Binary(operator, a, b) => Node::Binary(operator, inner(a), inner(b)),
+            Node::Call(function, a) => Node::Call(function, inner(a)),
+            Node::Reduce(reduction, a) => Node::Reduce(reduction, inner(a)),
+            node @ Node::Number(..) => node,
+        };
+        Expression { node, range }
+    }
+
+    /// How much of its coherent unit the unit is in which a quantity is shown, where that is not 1.
+    fn factor_of(name: &str, simulator: &dyn Simulator<f64>) -> Option<f64> {
+        let measure = Measure::parse(unit_of(name, simulator)?).ok()?;
+        (!measure.factor.is_one()).then(|| measure.factor.to_f64())
+    }
+
+    /// The first quantity of an expression that is shown in such a unit.
+    fn shown<'e>(expression: &'e Expression, simulator: &dyn Simulator<f64>) -> Option<&'e str> {
+        match &expression.node {
+            Node::Number(..) => None,
+            Node::Name(name) => factor_of(name, simulator).map(|_| name.as_str()),
+            Node::Negative(a) | Node::Call(_, a) | Node::Reduce(_, a) => shown(a, simulator),
+            Node::Binary(_, a, b) => shown(a, simulator).or_else(|| shown(b, simulator)),
+        }
     }
 
     /// The unit of an expression; `1` if it has none.
@@ -83,8 +150,8 @@ mod readable {
             || ExpressionError::new("its unit has exponents that are too large", range.clone());
         match &expression.node {
             Node::Number(_, None) => Ok(None),
-            Node::Number(_, Some(unit)) => match Measure::coherent(unit) {
-                Ok(unit) => Ok(Some(unit.dimension)),
+            Node::Number(_, Some(unit)) => match Measure::parse(unit) {
+                Ok(Measure { unit, .. }) => Ok(Some(unit.dimension)),
                 Err(error) => {
                     let message = format!("`{unit}` is no unit of measure: {}", error.message);
                     Err(ExpressionError::new(message, range.clone()).with_help(error.help))
@@ -94,16 +161,8 @@ mod readable {
                 Ok(Some(seconds()))
             }
             Node::Name(name) => {
-                let Some(measure) = unit_of(name, simulator).map(Measure::parse) else {
-                    return Ok(None);
-                };
-                let Ok(Measure { unit, factor }) = measure else { return Ok(None) };
-                if factor.is_one() {
-                    return Ok(Some(unit.dimension));
-                }
-                let message = format!("`{name}` is shown in a unit that is not coherent");
-                let help = "add an output in its SI unit, and name that here";
-                Err(ExpressionError::new(message, range.clone()).with_help(help.to_owned()))
+                let measure = unit_of(name, simulator).map(Measure::parse);
+                Ok(measure.and_then(Result::ok).map(|measure| measure.unit.dimension))
             }
             Node::Negative(a) | Node::Call(Function::Abs, a) => dimension(a, simulator),
             Node::Call(Function::Sqrt, a) => match dimension(a, simulator)? {
@@ -130,7 +189,7 @@ mod readable {
                 let (left, right) = (dimension(a, simulator)?, dimension(b, simulator)?);
                 let none = Dimension::default();
                 match operator {
-                    Operator::Add | Operator::Subtract => alike(left, right, &b.range),
+                    Operator::Add | Operator::Subtract => alike((left, right), (a, b), simulator),
                     Operator::Multiply | Operator::Divide if left.is_none() && right.is_none() => {
                         Ok(None)
                     }
@@ -173,14 +232,33 @@ mod readable {
         Err("of what has a unit, an exponent is a whole number or a half".to_owned())
     }
 
-    fn alike(a: Known, b: Known, range: &Range<usize>) -> Result<Known, ExpressionError> {
-        match (a, b) {
-            (Some(a), Some(b)) if a != b => {
-                let message = format!("this is in {b}, but what it stands beside in {a}");
-                Err(ExpressionError::new(message, range.clone()))
-            }
-            (a, b) => Ok(a.or(b)),
+    /// The dimension of what stands beside each other, which is that of both.
+    fn alike(
+        of: (Known, Known),
+        (a, b): (&Expression, &Expression),
+        simulator: &dyn Simulator<f64>,
+    ) -> Result<Known, ExpressionError> {
+        if let (Some(a), Some(other)) = of
+            && a != other
+        {
+            let message = format!("this is in {other}, but what it stands beside in {a}");
+            return Err(ExpressionError::new(message, b.range.clone()));
         }
+        // Of a bare number nobody knows whether it is in that unit or in SI.
+        for ((known, bare), other) in [((of.0, a), b), ((of.1, b), a)] {
+            let is_nothing = matches!(bare.node, Node::Number(value, None) if value == 0.0);
+            if known.is_none()
+                && !is_nothing
+                && let Some(name) = shown(other, simulator)
+            {
+                let unit = unit_of(name, simulator).unwrap_or_default();
+                let message =
+                    format!("this has no unit, and `{name}` beside it is shown in {unit}");
+                let help = format!("give it one, as in `5 [{unit}]`");
+                return Err(ExpressionError::new(message, bare.range.clone()).with_help(help));
+            }
+        }
+        Ok(of.0.or(of.1))
     }
 }
 
@@ -206,6 +284,14 @@ mod unread {
 
     pub fn of(_: &Expression, _: &dyn Simulator<f64>) -> String {
         "1".to_owned()
+    }
+
+    pub fn in_one_unit(expression: Expression, _: &dyn Simulator<f64>) -> Expression {
+        expression
+    }
+
+    pub fn sides_in_one_unit(sides: Inequality, _: &dyn Simulator<f64>) -> Inequality {
+        sides
     }
 
     fn without_units(expression: &Expression) -> Result<(), ExpressionError> {

@@ -333,7 +333,7 @@ fn what_is_wound_up_with_time_is_no_force_that_feeds() {
     let winding = "12 [m] - 0.5 [m/s]*t";
     assert_eq!(of(winding, "0*torque"), (None, vec![]));
     assert_eq!(of("12 [m]", "0*torque"), (Some(true), vec![]));
-    let feeding = "2 [N m s/rad]*th_dot";
+    let feeding = "0.003 [N m s/rad]*th_dot";
     assert_eq!(of("0.25 [m]", feeding), (Some(false), vec![forces.to_owned()]));
 }
 

@@ -13,7 +13,7 @@ const CAR: &str = r#"
     sled = { unit = "translational/mass" }
     [initial]
     from = "equilibrium"
-    "sled.s" = 0.2
+    "sled.x" = 0.2
     [outputs]
     body = "car.body"
     [run]
@@ -55,11 +55,11 @@ fn archive() -> Archive {
 fn the_description_starts_in_the_equilibrium_of_a_run() {
     let variables = archive().variables();
     let start = |name: &str| variables[name]["start"].parse::<f64>().expect("a number");
-    near(&[start("car.body"), start("car.wheel"), start("sled.s")], &{
+    near(&[start("car.body"), start("car.wheel"), start("sled.x")], &{
         let [body, wheel] = at_rest(300.0);
         [body, wheel, 0.2]
     });
-    for name in ["car.body", "car.wheel", "sled.s"] {
+    for name in ["car.body", "car.wheel", "sled.x"] {
         assert_eq!(variables[name]["initial"], "approx", "{name}");
     }
 }
@@ -67,7 +67,7 @@ fn the_description_starts_in_the_equilibrium_of_a_run() {
 #[test]
 fn a_unit_rests_in_the_equilibrium_of_its_parameters() {
     let archive = archive();
-    let of = ["car.body", "car.wheel", "sled.s"].map(|name| archive.reference(name));
+    let of = ["car.body", "car.wheel", "sled.x"].map(|name| archive.reference(name));
     let mass = archive.reference("car.body_mass");
     for drive in [Drive::Exchange, Drive::Simulation, Drive::Events] {
         let unit = Unit::new(&archive, drive).expect("an instance");

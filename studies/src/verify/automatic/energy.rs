@@ -109,12 +109,12 @@ fn account(visit: &Visit<'_>) -> Outcome {
 }
 
 /// What an account is measured by at least \[J\]: of what rests, or all but rests, nothing passes, and
-/// what steps and rounding err by is large beside it. Times the tolerance of the account it is a
-/// little more than what moves of typical size make of the energy by the tolerance of a step,
-/// and its rounding.
+/// what steps and rounding err by is large beside it. Times the tolerance of the account it is
+/// what a hundred times the tolerance of a step makes of the energy where things are of typical
+/// size, and rounding. A wrong sign is off by the part itself.
 fn small_energy(visit: &Visit<'_>) -> f64 {
     /// Of typical moves.
-    const SMALL: f64 = 1e-4;
+    const SMALL: f64 = 1e-2;
     const ROUNDINGS: f64 = 64.0;
     let simulator = visit.simulator;
     let energy =

@@ -69,7 +69,7 @@ fn a_unit_rests_in_the_equilibrium_of_its_parameters() {
     let archive = archive();
     let of = ["car.body", "car.wheel", "sled.x"].map(|name| archive.reference(name));
     let mass = archive.reference("car.body_mass");
-    for drive in [Drive::Exchange, Drive::Simulation, Drive::Events] {
+    for drive in [Drive::Exchange, Drive::Simulation] {
         let unit = Unit::new(&archive, drive).expect("an instance");
         unit.begin(2.0);
         let [body, wheel] = at_rest(300.0);

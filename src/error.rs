@@ -302,9 +302,8 @@ pub enum StopCause {
     /// either side.
     #[error(
         "`{state}` chatters at {value:e}: its rate jumps from one side of that to the other and \
-         drives it back from both. Hint: dry friction by `sign`, most often; give sticking a \
-         mode of its own, as the unit `friction_slider` does, or smooth it, as \
-         `friction_slider_smooth`"
+         drives it back from both. Hint: dry friction by `sign`, most often; write it as \
+         `[friction.NAME]`, which sticks, or smooth it, as the unit `friction_slider_smooth` does"
     )]
     Chattering {
         /// The state.

@@ -44,6 +44,7 @@ mod place;
 mod prepared;
 mod profiles;
 mod remainders;
+mod rolling;
 mod scene_states;
 mod sensitivities;
 mod series;

@@ -322,7 +322,24 @@ pub(super) fn slopes(motions: &Motions) -> SparseRows {
 /// Drift directions at one point, and those across, both orthonormal in q divided
 /// by its scales.
 pub(super) fn drift_and_rest(motions: &Motions) -> (DMatrix<f64>, DMatrix<f64>) {
-    split(slopes(motions).full().columns(0, motions.coordinates).into_owned())
+    split(by_positions(motions))
+}
+
+/// How [q', q'', z'] change with q, measured as by [`slopes`]: q' do within constraints of
+/// velocities, such as those of wheels that steer.
+pub(super) fn by_positions(motions: &Motions) -> DMatrix<f64> {
+    let n = motions.coordinates;
+    let mut all = slopes(motions).full().columns(0, n).into_owned().insert_rows(0, n, 0.0);
+    for row in 0..n {
+        let entries = motions.matrix.row(row).iter();
+        let scaled = entries.map(|(column, entry)| (*column, entry * motions.scales[*column]));
+        let scaled: Vec<(usize, f64)> = scaled.collect();
+        let size = scaled.iter().map(|(_, entry)| entry * entry).sum::<f64>().sqrt();
+        for (column, entry) in scaled.into_iter().filter(|(column, _)| *column < n) {
+            all[(row, column)] = entry / size;
+        }
+    }
+    all
 }
 
 /// The null space of a matrix and its orthogonal complement, as columns.

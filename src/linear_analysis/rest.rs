@@ -3,7 +3,7 @@
 use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 
-use super::equilibrium::{may_meet_something, row_sizes, slopes, split};
+use super::equilibrium::{by_positions, may_meet_something, row_sizes, slopes, split};
 use super::motions::{Motions, Places};
 use super::search::{ACCEPTED, Balance, Equations};
 use super::sparse_rows::SparseRows;
@@ -65,7 +65,7 @@ impl<'a> Solver<'a> {
             let point = self.moved_by(guess, &frame, &step, None)?;
             let Frame { within, free, .. } = self.frame(&point)?;
             let allowed = within.positions.transpose();
-            rows.push(slopes(&free).full().columns(0, free.coordinates) * &allowed);
+            rows.push(by_positions(&free) * &allowed);
             rows.push(DMatrix::identity(n, n) - &within.positions * allowed);
         }
         let mut stacked = DMatrix::zeros(rows.iter().map(DMatrix::nrows).sum(), n);

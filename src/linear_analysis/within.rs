@@ -10,7 +10,8 @@
 //! ```
 //!
 //! A restricted to it has the eigenvalues of the machine, and none that only say that
-//! constraints stay fulfilled. Nothing else is needed: A holds how multipliers change, and so
+//! constraints stay fulfilled. W tells that s' depends on s, too, where constraints of velocities
+//! do: a wheel that rolls steers, and rolling on a turntable carries along. Nothing else is needed: A holds how multipliers change, and so
 //! the geometric stiffness sum lambda d2g/dq2, which projecting M, D and K of the machine
 //! without constraints would have to add.
 
@@ -36,6 +37,8 @@ pub(super) struct Within {
     basis: DMatrix<f64>,
     /// L, with L T = 1.
     dual: DMatrix<f64>,
+    /// Whether there are constraints of velocities.
+    steers: bool,
 }
 
 impl Within {
@@ -68,7 +71,8 @@ impl Within {
         dual.view_mut((0, 0), (d, n)).copy_from(&positions.transpose());
         dual.view_mut((d, n), (e, n)).copy_from(&velocities.transpose());
         dual.view_mut((d + e, 2 * n), (m, m)).fill_with_identity();
-        Some(Self { positions, velocities, basis, dual })
+        let steers = of_positions.len() < count;
+        Some(Self { positions, velocities, basis, dual, steers })
     }
 
     /// The motions of \[s, u, z\].
@@ -83,7 +87,12 @@ impl Within {
                 *value = 0.0;
             }
         });
-        Motions::alone(&matrix, self.positions.ncols(), whole.first_order)
+        let d = self.positions.ncols();
+        if !self.steers {
+            // N turns with the positions then, N' = W but for what is along N, and s' = N^T U u.
+            matrix.view_mut((0, 0), (d, d)).fill(0.0);
+        }
+        Motions::alone(&matrix, d, whole.first_order)
     }
 
     /// \[q, q', z\] over their scales, of \[s, u, z\].
@@ -97,29 +106,34 @@ impl Within {
     }
 }
 
-/// The matrix of a moving machine's constraints, dg'/dq N; zero at rest.
+/// dg'/dq N: how the matrix of a moving machine's constraints changes, and what a constraint of
+/// velocities has of positions, which it has at rest, too.
 fn bent(
     constraints: &Constraints<'_>,
     point: &Point,
     positions: &DMatrix<f64>,
     scales: &DVector<f64>,
 ) -> DMatrix<f64> {
+    /// Beside the terms of g', differences leave this much of nothing.
+    const LEFT: f64 = 1e-11;
     let (n, free) = (positions.nrows(), positions.ncols());
     let rates = |state: &[f64]| constraints.residual(Level::Velocities, point.time, state);
-    let count = rates(&point.state).len();
-    let mut bent = DMatrix::zeros(count, free);
-    if point.state[n..2 * n].iter().all(|velocity| *velocity == 0.0) {
-        return bent;
-    }
+    let matrix = constraints.matrix(point.time, &point.state);
+    let velocities = DVector::from_column_slice(&point.state[n..2 * n]);
+    let terms = matrix.abs() * velocities.abs();
+    let mut bent = DMatrix::zeros(matrix.nrows(), free);
     for (column, mut values) in bent.column_iter_mut().enumerate() {
-        let found = derivative(1.0, count, |step| {
+        let found = derivative(1.0, matrix.nrows(), |step| {
             let mut state = point.state.clone();
             for index in 0..n {
                 state[index] += step * scales[index] * positions[(index, column)];
             }
             rates(&state).as_slice().to_vec()
         });
-        values.copy_from_slice(&found);
+        let found = found.iter().zip(&terms);
+        let found =
+            found.map(|(value, terms)| if value.abs() > LEFT * terms { *value } else { 0.0 });
+        values.copy_from(&DVector::from_iterator(matrix.nrows(), found));
     }
     bent
 }

@@ -103,6 +103,7 @@ impl Modes {
             text.push('\n');
         } else {
             text.push_str(&columns(&table(&linearization, &modes), 2));
+            text.push_str(&doubts(&linearization, &modes));
         }
         if let Some(slopes) = &slopes {
             text.push_str(&slopes.told(&linearization, &modes));
@@ -272,6 +273,21 @@ pub const HEADING: [&str; 7] = [
 fn table(linearization: &Linearization<'_>, modes: &[Mode]) -> Vec<[String; 7]> {
     let heading = HEADING.map(str::to_owned);
     std::iter::once(heading).chain(modes.iter().map(|mode| row(linearization, mode))).collect()
+}
+
+/// Motions whose shapes are far from fulfilling the equations.
+fn doubts(linearization: &Linearization<'_>, modes: &[Mode]) -> String {
+    const LARGE: f64 = 1e-6;
+    let doubtful = modes.iter().filter(|mode| !(mode.residual <= LARGE));
+    let told = doubtful.map(|mode| {
+        let [kind, moves, ..] = row(linearization, mode);
+        let residual = number(mode.residual, 2);
+        format!(
+            "\nthe {kind} of {moves} misses the equations by {residual} of their size: as where the \
+             machine is not steady, or eigenvalues all but meet; its numbers are no better\n"
+        )
+    });
+    told.collect()
 }
 
 /// One motion for people; what does not apply is empty.

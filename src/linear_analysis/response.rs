@@ -52,7 +52,8 @@ impl Response {
         }
     }
 
-    /// Frequency \[rad/s\] and size of the largest amplitude.
+    /// Frequency \[rad/s\] and size of the largest amplitude of these frequencies; what lies
+    /// between them is in [`Linearization::largest`].
     #[must_use]
     pub fn peak(&self) -> Option<(f64, f64)> {
         let points = self.frequencies.iter().copied().zip(self.amplitudes.iter().copied());
@@ -124,7 +125,9 @@ impl Linearization<'_> {
     ) -> Result<Response, LinearError> {
         let input = self.input(from)?;
         let output = self.output(to, &input)?;
-        let values = self.transfer(&input, &output, frequencies)?;
+        let transfer = self.transfer(&input, &output)?;
+        let values = frequencies.iter().map(|frequency| transfer.at(*frequency));
+        let values = values.collect::<Result<Vec<Complex64>, _>>()?;
         Ok(Response {
             from: input.name,
             from_unit: input.unit,
@@ -353,29 +356,46 @@ impl Linearization<'_> {
         Ok(Scaled { matrix: within.motions(&motions).matrix.full(), rate, by_state })
     }
 
-    fn transfer(
-        &self,
-        input: &Input,
-        output: &Output,
-        frequencies: &[f64],
-    ) -> Result<Vec<Complex64>, LinearError> {
+    fn transfer(&self, input: &Input, output: &Output) -> Result<Transfer, LinearError> {
         let Scaled { matrix, rate, by_state } = self.scaled(input, output)?;
-        let size = matrix.nrows();
-        let scaled = matrix.map(|value| Complex64::from(-value));
-        let rate = rate.map(Complex64::from);
-        let at = |frequency: &f64| {
-            let mut matrix = scaled.clone();
-            for index in 0..size {
-                matrix[(index, index)] += Complex64::new(0.0, *frequency);
-            }
-            let what = "j w - A, at an undamped resonance,";
-            let state = matrix.lu().solve(&rate).ok_or(LinearError::Singular { what })?;
-            let parts = (0..size).map(|i| state[i] * by_state[i]);
-            let answer = parts.sum::<Complex64>() + output.by_input;
-            // A number next to nothing divides as nothing does.
-            if answer.is_finite() { Ok(answer) } else { Err(LinearError::Singular { what }) }
-        };
-        frequencies.iter().map(at).collect()
+        Ok(Transfer {
+            negative: matrix.map(|value| Complex64::from(-value)),
+            rate: rate.map(Complex64::from),
+            by_state,
+            by_input: output.by_input,
+        })
+    }
+
+    /// H of an input and an output, by their names.
+    pub(super) fn transfer_of(&self, from: &str, to: &str) -> Result<Transfer, LinearError> {
+        let input = self.input(from)?;
+        let output = self.output(to, &input)?;
+        self.transfer(&input, &output)
+    }
+}
+
+/// H(w) = C (j w - A)^-1 b + d.
+pub(super) struct Transfer {
+    /// -A.
+    negative: DMatrix<Complex64>,
+    rate: DVector<Complex64>,
+    by_state: DVector<f64>,
+    by_input: f64,
+}
+
+impl Transfer {
+    /// H at a frequency \[rad/s\].
+    pub fn at(&self, frequency: f64) -> Result<Complex64, LinearError> {
+        let mut matrix = self.negative.clone();
+        for index in 0..matrix.nrows() {
+            matrix[(index, index)] += Complex64::new(0.0, frequency);
+        }
+        let what = "j w - A, at an undamped resonance,";
+        let state = matrix.lu().solve(&self.rate).ok_or(LinearError::Singular { what })?;
+        let parts = state.iter().zip(&self.by_state).map(|(state, by_state)| state * *by_state);
+        let answer = parts.sum::<Complex64>() + self.by_input;
+        // A number next to nothing divides as nothing does.
+        if answer.is_finite() { Ok(answer) } else { Err(LinearError::Singular { what }) }
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use crate::plot::plot_response;
 use clap::Args;
-use machinist::linear_analysis::{Response, logarithmic_range};
+use machinist::linear_analysis::{Largest, Response, logarithmic_range};
 
 use super::linear::Where;
 use super::output::{
@@ -88,33 +88,45 @@ impl FrequencyResponse {
         if let Some(remark) = remark {
             heading.extend(["\n", &remark]);
         }
-        print(&self.summary(&heading, &response))
+        let largest = linearization.largest(&self.from, &self.to, &response)?;
+        print(&self.summary(&heading, &response, largest))
     }
 
-    fn summary(&self, heading: &str, response: &Response) -> String {
-        let Response { from, to, frequencies, .. } = response;
-        let amplitude_heading = format!("amplitude [{}]", response.amplitude_unit());
-        let mut rows =
-            vec![["", "frequency [rad/s]", &amplitude_heading, "phase [deg]"].map(str::to_owned)];
-        let peak = response.peak().map_or(0.0, |(frequency, _)| frequency);
-        let largest =
-            frequencies.iter().position(|frequency| frequency.to_bits() == peak.to_bits());
-        let last = frequencies.len() - 1;
-        for (what, index) in
-            [("lowest", 0), ("largest amplitude", largest.unwrap_or(0)), ("highest", last)]
-        {
-            let phase = response.phases[index].to_degrees();
-            let cells = [frequencies[index], response.amplitudes[index], phase];
-            let [frequency, amplitude, phase] = cells.map(|value| number(value, 6));
-            rows.push([what.to_owned(), frequency, amplitude, phase]);
-        }
+    fn summary(&self, heading: &str, response: &Response, largest: Option<Largest>) -> String {
+        let Response { from, to, .. } = response;
         let mut text = format!("{heading}\n{to} answers {from}\n\n");
-        text.push_str(&columns(&rows, 1));
+        if response.amplitudes.iter().all(|amplitude| *amplitude == 0.0) {
+            text.extend(["It does not: there, ", to, " does not change with ", from, ".\n"]);
+        } else {
+            text.push_str(&columns(&rows(response, largest), 1));
+        }
         for file in [&self.out, &self.plot].into_iter().flatten() {
             text.extend(["\nwrote ", &file.display().to_string()]);
         }
         text.trim_end().to_owned() + "\n"
     }
+}
+
+/// The ends of the range, and between them where the answer is largest.
+fn rows(response: &Response, largest: Option<Largest>) -> Vec<[String; 4]> {
+    let amplitude_heading = format!("amplitude [{}]", response.amplitude_unit());
+    let heading = ["", "frequency [rad/s]", &amplitude_heading, "phase [deg]"];
+    let end = |index: usize| {
+        [response.frequencies[index], response.amplitudes[index], response.phases[index]]
+    };
+    let top = largest.map(|top| ("largest amplitude", [top.frequency, top.amplitude, top.phase]));
+    let points = [Some(("lowest", end(0))), top, Some(("highest", end(response.phases.len() - 1)))];
+    let row = |(what, [frequency, amplitude, phase]): (&str, [f64; 3])| {
+        let shown = |value: f64| number(value, 6);
+        let (amplitude, phase) = if amplitude.is_finite() {
+            (shown(amplitude), shown(phase.to_degrees()))
+        } else {
+            ("without bound".to_owned(), String::new())
+        };
+        [what.to_owned(), shown(frequency), amplitude, phase]
+    };
+    let rows = points.into_iter().flatten().map(row);
+    std::iter::once(heading.map(str::to_owned)).chain(rows).collect()
 }
 
 /// `10:1000`.

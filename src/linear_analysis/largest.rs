@@ -1,0 +1,141 @@
+//! The largest answer within a range: that of a resonance, which may lie between any two
+//! frequencies of a table.
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex64;
+use serde::Serialize;
+
+use super::response::Transfer;
+use super::{LinearError, Linearization, Mode, ModeKind, Response};
+use crate::sorting::sort_ascending;
+
+/// Below this damping ratio nothing damps a resonance: what there is, is rounding.
+const UNDAMPED: f64 = 1e-9;
+
+/// Where an output answers most.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Largest {
+    /// The frequency \[rad/s\].
+    pub frequency: f64,
+    /// |H| there; infinite at a resonance that nothing damps.
+    pub amplitude: f64,
+    /// arg H \[rad\], continuous with that of the response; NaN where |H| is infinite.
+    pub phase: f64,
+}
+
+impl Linearization<'_> {
+    /// The largest |H| between the lowest and the highest frequency of a response, which may be
+    /// greater than at any of its frequencies.
+    ///
+    /// Besides these, H is looked at where resonances are by the eigenvalues -d +- j w: at w and,
+    /// of a single oscillator, at sqrt(w^2 - d^2). Between the neighbours of the largest ones the
+    /// maximum is found by golden sections.
+    ///
+    /// # Errors
+    /// As [`Linearization::response`] and [`Linearization::modes`].
+    pub fn largest(
+        &self,
+        from: &str,
+        to: &str,
+        response: &Response,
+    ) -> Result<Option<Largest>, LinearError> {
+        let transfer = self.transfer_of(from, to)?;
+        let known = response.frequencies.iter().zip(&response.amplitudes);
+        let mut points: Vec<(f64, f64)> = known.map(|(at, size)| (*at, *size)).collect();
+        sort_ascending(&mut points, |(at, _)| *at);
+        let [Some((low, _)), Some((high, _))] = [points.first(), points.last()] else {
+            return Ok(None);
+        };
+        let (low, high) = (*low, *high);
+        for mode in self.modes()?.iter().filter(|mode| mode.kind == ModeKind::Oscillation) {
+            for frequency in resonances(mode).filter(|at| low < *at && *at < high) {
+                if mode.damping_ratio().abs() <= UNDAMPED
+                    && grows_without_bound(&transfer, frequency)
+                {
+                    let (amplitude, phase) = (f64::INFINITY, f64::NAN);
+                    return Ok(Some(Largest { frequency, amplitude, phase }));
+                }
+                // Of a resonance that is not damped but not answered to, nothing may be there.
+                if let Ok(answer) = transfer.at(frequency) {
+                    points.push((frequency, answer.norm()));
+                }
+            }
+        }
+        sort_ascending(&mut points, |(at, _)| *at);
+        let frequency = greatest(&transfer, &points);
+        let answer = transfer.at(frequency)?;
+        let phase = continued(answer, frequency, response);
+        Ok(Some(Largest { frequency, amplitude: answer.norm(), phase }))
+    }
+}
+
+/// Where an oscillation may resound: at the frequency of its damped motion, and where a single
+/// oscillator does under a force.
+fn resonances(mode: &Mode) -> impl Iterator<Item = f64> {
+    let of_force = (mode.imaginary.powi(2) - mode.real.powi(2)).sqrt();
+    [mode.imaginary, of_force].into_iter().filter(|at| at.is_finite() && *at > 0.0)
+}
+
+/// Whether an answer grows as one over the distance from a resonance that nothing damps.
+fn grows_without_bound(transfer: &Transfer, frequency: f64) -> bool {
+    let [near, nearer] = [1e-5, 1e-6].map(|share| {
+        transfer.at(frequency * (1.0 + share)).map_or(f64::NAN, |answer| answer.norm())
+    });
+    nearer > 5.0 * near
+}
+
+/// The frequency of the largest answer, by points in the order of frequency.
+fn greatest(transfer: &Transfer, points: &[(f64, f64)]) -> f64 {
+    /// Beside the largest point, others that may be below a greater maximum.
+    const NEARLY: f64 = 0.7;
+    /// So many are looked at.
+    const MOST: usize = 6;
+    let size = |place: usize| points.get(place).map_or(0.0, |(_, size)| *size);
+    let largest = points.iter().fold(0.0_f64, |most, (_, size)| most.max(*size));
+    let is_top = |place: &usize| {
+        let beside = size(place.wrapping_sub(1)).max(size(place + 1));
+        size(*place) >= beside && size(*place) >= NEARLY * largest
+    };
+    let mut tops: Vec<usize> = (0..points.len()).filter(is_top).collect();
+    sort_ascending(&mut tops, |place| -size(*place));
+    let mut best = tops.first().map_or((f64::NAN, 0.0), |place| points[*place]);
+    for place in tops.into_iter().take(MOST) {
+        let (from, to) = (place.saturating_sub(1), (place + 1).min(points.len() - 1));
+        let found = maximum(transfer, points[from].0, points[to].0);
+        if found.1 > best.1 {
+            best = found;
+        }
+    }
+    best.0
+}
+
+/// The maximum of an answer between two frequencies, by golden sections.
+fn maximum(transfer: &Transfer, mut low: f64, mut high: f64) -> (f64, f64) {
+    const SHARE: f64 = 0.618_033_988_749_894_9;
+    /// Closer, amplitudes differ by rounding only.
+    const CLOSE: f64 = 1e-9;
+    let at =
+        |frequency: f64| (frequency, transfer.at(frequency).map_or(0.0, |answer| answer.norm()));
+    let mut inner = [at(high - SHARE * (high - low)), at(low + SHARE * (high - low))];
+    while high - low > CLOSE * high {
+        if inner[0].1 >= inner[1].1 {
+            high = inner[1].0;
+            inner = [at(high - SHARE * (high - low)), inner[0]];
+        } else {
+            low = inner[0].0;
+            inner = [inner[1], at(low + SHARE * (high - low))];
+        }
+    }
+    if inner[0].1 >= inner[1].1 { inner[0] } else { inner[1] }
+}
+
+/// arg H as near as whole turns allow to that at the nearest frequency of a response.
+fn continued(answer: Complex64, frequency: f64, response: &Response) -> f64 {
+    let known = response.frequencies.iter().zip(&response.phases);
+    let apart = |at: f64| (at - frequency).abs();
+    let nearest = known.min_by(|a, b| apart(*a.0).total_cmp(&apart(*b.0)));
+    let near = nearest.map_or(0.0, |(_, phase)| *phase);
+    let phase = answer.arg();
+    phase + ((near - phase) / TAU).round() * TAU
+}

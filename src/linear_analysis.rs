@@ -46,7 +46,7 @@ use nalgebra::{DMatrix, DVector};
 use sparse_rows::SparseRows;
 use within::Within;
 
-pub use campbell::{Branch, Campbell, Critical, Variation, campbell};
+pub use campbell::{Branch, Campbell, Critical, Growing, Variation, campbell};
 pub use equilibrium::equilibrium;
 pub use error::{LinearError, Residual};
 pub use largest::Largest;

@@ -157,3 +157,50 @@ fn orders_are_of_a_speed_and_names_are_known() {
     let by_state = ask("s.load", Some("s.a_dot")).expect("it is in rad/s");
     assert_eq!(by_state.speeds.as_deref(), Some(&[0.0, 0.0][..]));
 }
+
+/// Ziegler's column, M = mu \[3, 1; 1, 1\], K = \[2 k - P l, P l - k; -k, k\]:
+/// 2 mu^2 s^4 + mu (7 k - 2 P l) s^2 + k^2 = 0, which flutters from P l = (7/2 - sqrt 2) k on.
+#[test]
+fn a_column_under_a_load_that_follows_flutters_from_the_load_known_on() {
+    let scene = of_two(
+        "rad",
+        r#"load = { value = 100.0, unit = "N" }"#,
+        r#"kinetic = "0.25 [kg m^2]*(3*a_dot^2 + b_dot^2 + 2*a_dot*b_dot*cos(a - b))/2"
+        potential = "100 [N m]*(a^2 + (b - a)^2)/2"
+        [[define.s.forces]]
+        coordinate = "a"
+        expression = "load*0.5 [m]*sin(a - b)""#,
+    );
+    let values: Vec<f64> = (0..=25).map(|step| 40.0 * f64::from(step)).collect();
+    let found = over(&scene, "s.load", &values, &[]);
+    let [growing] = &found.growing[..] else { panic!("{:?}", found.growing) };
+    assert!((growing.from / ((3.5 - 2f64.sqrt()) * 200.0) - 1.0).abs() < 1e-7, "{growing:?}");
+    let growth = |load: &f64| {
+        let half = num_complex::Complex64::from(100.0 - load / 7.0) * 7.0;
+        let square = (-half + (half * half - 8e4).sqrt()) / (4.0 * 0.25);
+        square.sqrt().re.abs()
+    };
+    let exact = values.iter().map(growth).fold(0.0, f64::max);
+    assert!((growing.fastest / exact - 1.0).abs() < 1e-9, "{growing:?} is not {exact}");
+    assert_eq!((growing.to.to_bits(), growing.at.to_bits()), (1e3f64.to_bits(), 1e3f64.to_bits()));
+    assert_eq!(growing.moves.len(), 2, "{growing:?}");
+}
+
+#[test]
+fn a_machine_that_is_damped_grows_nowhere_and_one_driven_by_its_damping_everywhere() {
+    for (damping, stretches) in [("1", 0), ("-1", 1)] {
+        let energies = format!(
+            r#"kinetic = "1 [kg]*(a_dot^2 + b_dot^2)/2"
+            potential = "k*a^2/2 + 400 [N/m]*b^2/2"
+            dissipation = "{damping} [N s/m]*a_dot^2/2""#
+        );
+        let scene = of_two("m", r#"k = { value = 100.0, unit = "N/m" }"#, &energies);
+        let found = over(&scene, "s.k", &[100.0, 200.0, 300.0], &[]);
+        assert_eq!(found.growing.len(), stretches, "{:?}", found.growing);
+        for growing in &found.growing {
+            let ends = [growing.from, growing.to].map(f64::to_bits);
+            assert_eq!(ends, [100.0, 300.0].map(f64::to_bits));
+            assert!((growing.fastest - 0.5).abs() < 1e-12 && growing.moves == ["s.a"]);
+        }
+    }
+}

@@ -14,6 +14,7 @@ use machinist::linear_analysis::{
 };
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_contract::Simulator;
+use machinist_model::ModelSimulator;
 use machinist_studies::closed_form::induction_motor::MOTOR_4A280M8;
 use machinist_studies::closed_form::two_mass::SAW_GIN;
 use nalgebra::DMatrix;
@@ -389,4 +390,66 @@ fn a_machine_answers_within_constraints_as_it_does_by_its_angle() {
     }
     let refused = linear[1].response("cart.length", "place", &[1.0]).expect_err("a longer rod");
     assert!(matches!(refused, LinearError::MovesConstraint { .. }), "{refused}");
+}
+
+/// A mass of 2 kg on a spring of 800 N/m, 20 rad/s.
+fn oscillator() -> ModelSimulator {
+    let text = r#"
+        [scene]
+        name = "oscillator"
+        [units.o]
+        unit = "o"
+        [outputs]
+        way = "o.x"
+        [run]
+        until = 1.0
+        points = 11
+        rtol = 1e-9
+        method = "auto"
+        [define.o.coordinates.x]
+        unit = "m"
+        [define.o.parameters]
+        damping = { value = 1, unit = "N s/m" }
+        force = { value = 0, unit = "N" }
+        [define.o.energy]
+        kinetic = "2 [kg]*x_dot^2/2"
+        potential = "800 [N/m]*x^2/2"
+        dissipation = "damping*x_dot^2/2"
+        [[define.o.forces]]
+        coordinate = "x"
+        expression = "force"
+        "#;
+    of_text(text, Keep::All)
+}
+
+/// |H| = 1/|k - m w^2 + i d w| is largest at w_0 sqrt(1 - 2 z^2), 1/(2 z k sqrt(1 - z^2)).
+#[test]
+fn the_largest_answer_is_found_between_frequencies_however_sharp_it_is() {
+    let oscillator = oscillator();
+    for ratio in [0.5, 0.1, 1e-3, 1e-5, 1e-7] {
+        let run = Simulation::new(&oscillator).parameter("o.damping", ratio * 80.0).expect("one");
+        let linear = at_equilibrium(&run);
+        let frequencies = logarithmic_range(3.0, 97.0, 12).expect("a range");
+        for from in ["o.force", "o.x"] {
+            let response = linear.response(from, "way", &frequencies).expect("it answers");
+            let largest = linear.largest(from, "way", &response).expect("modes").expect("points");
+            let exact = 1.0 / (2.0 * ratio * 800.0 * (1.0 - ratio * ratio).sqrt());
+            assert!((largest.amplitude / exact - 1.0).abs() < 1e-8, "{ratio}: {largest:?}");
+            let at = 20.0 * (1.0 - 2.0 * ratio * ratio).sqrt();
+            assert!((largest.frequency / at - 1.0).abs() < 1e-6, "{ratio}: {largest:?}");
+            let phase = -(ratio * 80.0 * at).atan2(800.0 - 2.0 * at * at);
+            assert!((largest.phase - phase).abs() < 1e-3, "{ratio}: {largest:?}, {phase}");
+        }
+    }
+    let run = Simulation::new(&oscillator).parameter("o.damping", 0.0).expect("one");
+    let linear = at_equilibrium(&run);
+    let found = |frequencies: &[f64]| {
+        let response = linear.response("o.x", "way", frequencies).expect("it answers");
+        linear.largest("o.x", "way", &response).expect("modes").expect("points")
+    };
+    let resonance = found(&[1.0, 90.0]);
+    assert!(resonance.amplitude.is_infinite() && (resonance.frequency - 20.0).abs() < 1e-12);
+    let below = found(&[1.0, 10.0]);
+    assert_eq!(below.frequency, 10.0);
+    assert!((below.amplitude - 1.0 / 600.0).abs() < 1e-15);
 }

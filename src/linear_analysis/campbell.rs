@@ -29,6 +29,8 @@ pub struct Campbell {
     pub branches: Vec<Branch>,
     /// Where orders meet them, by the parameter.
     pub critical: Vec<Critical>,
+    /// Where motions grow by themselves, oscillations or not, by the parameter.
+    pub growing: Vec<Growing>,
 }
 
 /// An oscillation, followed over the values of the parameter by its shape and its frequency.
@@ -57,6 +59,21 @@ pub struct Critical {
     pub damping_ratio: f64,
 }
 
+/// A stretch of the parameter in which motions grow that are not disturbed.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Growing {
+    /// Where it begins: the first value, or found between two of them.
+    pub from: f64,
+    /// Where it ends, likewise.
+    pub to: f64,
+    /// What moves most in these motions: coordinates or first-order states.
+    pub moves: Vec<String>,
+    /// The fastest growth at any of the values, real part of the eigenvalue \[1/s\].
+    pub fastest: f64,
+    /// The value at which that is.
+    pub at: f64,
+}
+
 /// What is varied, and what orders are of.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variation<'a> {
@@ -82,10 +99,11 @@ pub fn campbell(run: &Simulation<'_>, variation: &Variation<'_>) -> Result<Campb
     let speed = speed(simulator, variation)?;
     let machine = Machine { run, variation, speed };
     let mut branches: Vec<Followed> = Vec::new();
-    let mut speeds = Vec::new();
+    let (mut speeds, mut growths) = (Vec::new(), Vec::new());
     for (index, value) in variation.values.iter().enumerate() {
-        let found = machine.at(*value)?;
+        let mut found = machine.at(*value)?;
         speeds.extend(found.speed);
+        growths.push(std::mem::take(&mut found.growing));
         follow(&mut branches, index, found);
     }
     sort_ascending(&mut branches, Followed::first);
@@ -98,6 +116,7 @@ pub fn campbell(run: &Simulation<'_>, variation: &Variation<'_>) -> Result<Campb
         speeds: speed.is_some().then_some(speeds),
         branches: branches.iter().map(|branch| branch.whole(count)).collect(),
         critical,
+        growing: machine.growing(&growths),
     })
 }
 
@@ -140,9 +159,10 @@ fn speed(
     }
 }
 
-/// The oscillations at a value.
+/// The oscillations at a value, and what grows: how fast, and what moves most.
 struct Found {
     speed: Option<f64>,
+    growing: Vec<(f64, String)>,
     oscillations: Vec<Oscillation>,
 }
 
@@ -176,7 +196,53 @@ impl Machine<'_> {
         let modes = linearization.modes()?;
         let oscillations = modes.iter().filter(|mode| is_seen(mode));
         let oscillations = oscillations.map(|mode| oscillation(mode, coordinates, &names));
-        Ok(Found { speed, oscillations: oscillations.collect() })
+        let growing = modes.iter().filter(|mode| mode.grows());
+        let growing = growing.map(|mode| (mode.real, leading(mode, coordinates, &names)));
+        Ok(Found { speed, growing: growing.collect(), oscillations: oscillations.collect() })
+    }
+
+    /// Stretches of neighbouring values at each of which something grows.
+    fn growing(&self, growths: &[Vec<(f64, String)>]) -> Vec<Growing> {
+        let values = self.variation.values;
+        let mut stretches: Vec<Growing> = Vec::new();
+        for (index, growing) in growths.iter().enumerate() {
+            if growing.is_empty() {
+                continue;
+            }
+            let value = values[index];
+            let before = index.checked_sub(1);
+            if before.is_none_or(|before| growths[before].is_empty()) {
+                let from = before.map_or(value, |before| self.onset(values[before], value));
+                let (moves, fastest, at) = (Vec::new(), 0.0, value);
+                stretches.push(Growing { from, to: value, moves, fastest, at });
+            }
+            let Some(stretch) = stretches.last_mut() else { continue };
+            for (growth, moves) in growing {
+                if *growth > stretch.fastest {
+                    (stretch.fastest, stretch.at) = (*growth, value);
+                }
+                if !stretch.moves.contains(moves) {
+                    stretch.moves.push(moves.clone());
+                }
+            }
+            let next = values.get(index + 1).filter(|_| growths[index + 1].is_empty());
+            stretch.to = next.map_or(value, |next| self.onset(*next, value));
+        }
+        stretches
+    }
+
+    /// Between a value at which nothing grows and one at which something does, where that begins.
+    fn onset(&self, mut still: f64, mut growing: f64) -> f64 {
+        const ROUNDS: usize = 30;
+        for _ in 0..ROUNDS {
+            let middle = still + (growing - still) / 2.0;
+            match self.at(middle) {
+                Ok(found) if found.growing.is_empty() => still = middle,
+                Ok(_) => growing = middle,
+                Err(_) => break,
+            }
+        }
+        growing
     }
 
     /// Where orders of the speed meet branches, found between two values to rounding.
@@ -260,19 +326,25 @@ fn is_seen(mode: &Mode) -> bool {
 
 fn oscillation(mode: &Mode, coordinates: usize, names: &[String]) -> Oscillation {
     let places = (0..coordinates).chain(2 * coordinates..names.len());
-    let shape = places.clone().zip(&mode.shares).map(|(place, share)| {
+    let shape = places.zip(&mode.shares).map(|(place, share)| {
         let [re, im] = mode.shape[place];
         let size = re.hypot(im);
         let direction = if size > 0.0 { Complex64::new(re, im) / size } else { Complex64::ONE };
         direction * share.sqrt()
     });
-    let most = places.zip(&mode.shares).max_by(|a, b| a.1.total_cmp(b.1));
     Oscillation {
         frequency: mode.imaginary,
         damping_ratio: mode.damping_ratio(),
         shape: shape.collect(),
-        moves: most.map_or_else(String::new, |(place, _)| names[place].clone()),
+        moves: leading(mode, coordinates, names),
     }
+}
+
+/// What moves most.
+fn leading(mode: &Mode, coordinates: usize, names: &[String]) -> String {
+    let places = (0..coordinates).chain(2 * coordinates..names.len());
+    let most = places.zip(&mode.shares).max_by(|a, b| a.1.total_cmp(b.1));
+    most.map_or_else(String::new, |(place, _)| names[place].clone())
 }
 
 impl Oscillation {

@@ -76,6 +76,14 @@ impl Mode {
         -self.real / self.natural_frequency()
     }
 
+    /// Whether it grows by more than rounding.
+    #[must_use]
+    pub fn grows(&self) -> bool {
+        /// Of the frequency of a motion that nothing damps, so much is rounding.
+        const ROUNDING: f64 = 1e-9;
+        self.real > ROUNDING * self.natural_frequency()
+    }
+
     /// -1/Re \[s\]: the time in which it fades to 1/e; negative if it grows.
     #[must_use]
     pub fn decay_time(&self) -> f64 {

@@ -159,10 +159,8 @@ impl Linearization<'_> {
     /// # Errors
     /// As [`Linearization::modes`].
     pub fn growth(&self) -> Result<Option<f64>, LinearError> {
-        /// Of the frequency of a motion that nothing damps, so much is rounding.
-        const ROUNDING: f64 = 1e-9;
         let modes = self.modes()?;
-        let growing = modes.iter().filter(|mode| mode.real > ROUNDING * mode.natural_frequency());
+        let growing = modes.iter().filter(|mode| mode.grows());
         Ok(growing.map(|mode| mode.real).reduce(f64::max))
     }
 

@@ -108,7 +108,7 @@ impl CampbellDiagram {
     }
 
     fn summary(&self, heading: &str, diagram: &Campbell) -> String {
-        let Campbell { parameter, unit, values, branches, critical, speeds } = diagram;
+        let Campbell { parameter, unit, values, branches, critical, speeds, .. } = diagram;
         let mut text = format!("{heading}\nfrequencies over {parameter} [{unit}]\n\n");
         if branches.is_empty() {
             text.push_str("Nothing oscillates.\n");
@@ -146,11 +146,48 @@ impl CampbellDiagram {
             text.push('\n');
             text.push_str(&columns(&rows, 0));
         }
+        text.push_str(&vanishing(diagram));
+        text.push_str(&growing(diagram));
         for file in [&self.out, &self.plot].into_iter().flatten() {
             text.extend(["\nwrote ", &file.display().to_string()]);
         }
         text.trim_end().to_owned() + "\n"
     }
+}
+
+/// Oscillations that are not at all values, and where they begin and end.
+fn vanishing(diagram: &Campbell) -> String {
+    let Campbell { parameter, unit, values, branches, .. } = diagram;
+    let between = |index: usize| {
+        let [from, to] = [values[index], values[index + 1]].map(|value| number(value, 6));
+        format!("between {parameter} = {from} and {to} {unit}")
+    };
+    let told = branches.iter().enumerate().filter_map(|(number, branch)| {
+        let first = branch.frequencies.iter().position(|value| value.is_finite())?;
+        let last = branch.frequencies.iter().rposition(|value| value.is_finite())?;
+        let begins = (first > 0).then(|| format!("begins {}", between(first - 1)));
+        let ends = (last + 1 < values.len()).then(|| format!("ends {}", between(last)));
+        let parts: Vec<String> = [begins, ends].into_iter().flatten().collect();
+        let number = number + 1;
+        (!parts.is_empty()).then(|| format!("Motion {number} {}.\n", parts.join(" and ")))
+    });
+    let told: String = told.collect();
+    if told.is_empty() { told } else { format!("\n{told}") }
+}
+
+/// Where motions grow by themselves.
+fn growing(diagram: &Campbell) -> String {
+    let Campbell { parameter, unit, growing, .. } = diagram;
+    let told = growing.iter().map(|stretch| {
+        let numbers = [stretch.from, stretch.to, stretch.at].map(|value| number(value, 6));
+        let ([from, to, at], fastest) = (numbers, number(stretch.fastest, 3));
+        let moves = stretch.moves.join(", ");
+        format!(
+            "\nUnstable from {parameter} = {from} to {to} {unit}: what is not disturbed grows by \
+             itself, fastest\nas e^({fastest} 1/s t) at {at} {unit}; {moves} most.\n"
+        )
+    });
+    told.collect()
 }
 
 /// As [`table`] has them.

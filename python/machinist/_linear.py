@@ -160,10 +160,14 @@ def _mode(row: dict[str, Any], names: Sequence[str], moving: Sequence[str], by: 
 class Response:
     """How an output answers a harmonic disturbance: o + a Re(H(w) e^(j w t))."""
 
-    def __init__(self, title: str, told: tuple[str, str, str, list[Array], float | None]) -> None:
+    def __init__(
+        self,
+        title: str,
+        told: tuple[str, str, str, list[Array], float | None, tuple[float, float] | None],
+    ) -> None:
         self._title = title
         #: What varies, what answers, and the unit of the one over that of the other.
-        self.input, self.output, self.unit, arrays, growth = told
+        self.input, self.output, self.unit, arrays, growth, self._largest = told
         #: How fast a motion grows by itself that is not disturbed [1/s], or None: only then do
         #: motions settle to these amplitudes.
         self.growth = growth
@@ -177,7 +181,10 @@ class Response:
 
     @property
     def peak(self) -> tuple[float, float]:
-        """Frequency [rad/s] and size of the largest amplitude."""
+        """Frequency [rad/s] and size of the largest amplitude in the range of the frequencies,
+        which may lie between two of them; infinite at a resonance that nothing damps."""
+        if self._largest is not None:
+            return self._largest
         place = int(np.argmax(self.amplitudes))
         return float(self.frequencies[place]), float(self.amplitudes[place])
 

@@ -61,7 +61,7 @@ def response(
     from_to: tuple[str, str],
     frequencies: ArrayLike | None,
     points: int,
-) -> tuple[str, str, str, list[Array], float | None]: ...
+) -> tuple[str, str, str, list[Array], float | None, tuple[float, float] | None]: ...
 def fit(
     machine: Machine,
     settings: dict[str, Any],

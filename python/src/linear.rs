@@ -140,7 +140,8 @@ fn slopes_of(
 
 /// (what varies, what answers, the unit of amplitudes, frequencies, amplitudes, phases, how fast
 /// a motion grows).
-type Answered<'py> = (String, String, String, [Bound<'py, PyAny>; 3], Option<f64>);
+type Answered<'py> =
+    (String, String, String, [Bound<'py, PyAny>; 3], Option<f64>, Option<(f64, f64)>);
 
 /// How an output answers a parameter, or a force on a coordinate.
 #[pyfunction]
@@ -162,7 +163,7 @@ pub fn response<'py>(
             "frequencies hold {bad}; they are finite and not below 0"
         )));
     }
-    let ((response, growth), _) = looked_at(py, machine, &settings, at, |linearization, _, _| {
+    let ((response, growth, largest), _) = looked_at(py, machine, &settings, at, |linearization, _, _| {
         let frequencies = if let Some(given) = given {
             given
         } else {
@@ -170,10 +171,12 @@ pub fn response<'py>(
             machinist::linear_analysis::logarithmic_range(low, high, points)?
         };
         let response = linearization.response(&from, &to, &frequencies)?;
-        Ok((response, linearization.growth().ok().flatten()))
+        let largest = linearization.largest(&from, &to, &response).ok().flatten();
+        let largest = largest.map(|largest| (largest.frequency, largest.amplitude));
+        Ok((response, linearization.growth().ok().flatten(), largest))
     })?;
     let unit = response.amplitude_unit();
     let arrays = [response.frequencies, response.amplitudes, response.phases];
     let arrays = arrays.map(|values| array(py, values).into_any());
-    Ok((response.from, response.to, unit, arrays, growth))
+    Ok((response.from, response.to, unit, arrays, growth, largest))
 }

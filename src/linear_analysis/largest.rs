@@ -70,6 +70,20 @@ impl Linearization<'_> {
     }
 }
 
+impl Response {
+    /// Takes in the largest answer of its range, in the order of frequencies, as for a plot;
+    /// not an infinite one.
+    pub fn add(&mut self, largest: &Largest) {
+        let place = self.frequencies.partition_point(|at| *at < largest.frequency);
+        let is_known = self.frequencies.get(place) == Some(&largest.frequency);
+        if largest.amplitude.is_finite() && !is_known {
+            self.frequencies.insert(place, largest.frequency);
+            self.amplitudes.insert(place, largest.amplitude);
+            self.phases.insert(place, largest.phase);
+        }
+    }
+}
+
 /// Where an oscillation may resound: at the frequency of its damped motion, and where a single
 /// oscillator does under a force.
 fn resonances(mode: &Mode) -> impl Iterator<Item = f64> {

@@ -62,8 +62,11 @@ impl FrequencyResponse {
         });
 
         let title = scene.simulator().title();
+        let largest = linearization.largest(&self.from, &self.to, &response)?;
         if let Some(file) = &self.plot {
-            draw_file(file, |path| plot_response(&response, title, path))?;
+            let mut drawn = response.clone();
+            largest.iter().for_each(|largest| drawn.add(largest));
+            draw_file(file, |path| plot_response(&drawn, title, path))?;
         }
         match &self.out {
             Some(_) if to_standard_output => {
@@ -88,7 +91,6 @@ impl FrequencyResponse {
         if let Some(remark) = remark {
             heading.extend(["\n", &remark]);
         }
-        let largest = linearization.largest(&self.from, &self.to, &response)?;
         print(&self.summary(&heading, &response, largest))
     }
 

@@ -401,6 +401,7 @@ fn oscillator() -> ModelSimulator {
         unit = "o"
         [outputs]
         way = "o.x"
+        jolt = { expression = "o.x_ddot", unit = "m/s^2" }
         [run]
         until = 1.0
         points = 11
@@ -452,4 +453,20 @@ fn the_largest_answer_is_found_between_frequencies_however_sharp_it_is() {
     let below = found(&[1.0, 10.0]);
     assert_eq!(below.frequency, 10.0);
     assert!((below.amplitude - 1.0 / 600.0).abs() < 1e-15);
+}
+
+/// An acceleration answers a force at once: -w^2/(k - m w^2 + i d w), towards 1/m.
+#[test]
+fn an_acceleration_answers_a_parameter_and_refuses_a_force_on_a_coordinate() {
+    let oscillator = oscillator();
+    let linear = at_equilibrium(&Simulation::new(&oscillator));
+    let frequencies = logarithmic_range(1.0, 1e4, 9).expect("a range");
+    let response = linear.response("o.force", "jolt", &frequencies).expect("it answers");
+    for (at, size) in frequencies.iter().zip(&response.amplitudes) {
+        let exact = at * at / Complex64::new(800.0 - 2.0 * at * at, *at).norm();
+        assert!((size / exact - 1.0).abs() < 1e-9, "{size} is not {exact}");
+    }
+    let refused = linear.response("o.x", "jolt", &frequencies).expect_err("it is left out");
+    let LinearError::AnswersAtOnce { output, coordinate } = &refused else { panic!("{refused}") };
+    assert_eq!((output.as_str(), coordinate.as_str()), ("jolt", "o.x"));
 }

@@ -231,6 +231,11 @@ pub trait Describe {
     fn parameter_default(&self, index: usize) -> f64;
     /// The `index`-th output.
     fn output(&self, index: usize) -> Quantity<'_>;
+    /// Whether the `index`-th output answers to a force at once: by accelerations or by forces of
+    /// constraints.
+    fn output_answers_at_once(&self, _index: usize) -> bool {
+        false
+    }
     /// Nonzeros of dy'/dy, `states` by `states`.
     fn rate_jacobian_pattern(&self) -> SparsityPattern<'_>;
     /// Nonzeros of dy'/dp, `states` by `parameters`.

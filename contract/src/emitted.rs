@@ -144,15 +144,21 @@ macro_rules! parameters {
 /// ```text
 /// field: "unit", "spec.name", "meaning";
 /// ```
+///
+/// with `at_once` before the unit where accelerations or forces of constraints are in it.
 #[macro_export]
 macro_rules! outputs {
-    ($($name:ident: $unit:literal, $path:literal, $doc:literal $(as $markdown:literal)?;)*) => {
+    ($(
+        $name:ident: $($at_once:ident)? $unit:literal, $path:literal, $doc:literal
+        $(as $markdown:literal)?;
+    )*) => {
         $crate::__record! {
             Outputs OUTPUTS ["Wanted outputs." "Wanted outputs, in SI units."]
             $($name [$crate::__meaning!($path, $unit, $doc $(, $markdown)?)])*
         }
         const OUTPUT_QUANTITIES: &[$crate::Quantity<'static>] =
             &[$($crate::Quantity { name: $path, unit: $unit, doc: $doc }),*];
+        const OUTPUTS_AT_ONCE: &[bool] = &[$(!stringify!($($at_once)?).is_empty()),*];
     };
 }
 

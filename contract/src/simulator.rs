@@ -80,6 +80,9 @@ macro_rules! simulator {
             fn output(&self, index: usize) -> $crate::Quantity<'_> {
                 OUTPUT_QUANTITIES[index]
             }
+            fn output_answers_at_once(&self, index: usize) -> bool {
+                OUTPUTS_AT_ONCE[index]
+            }
             fn rate_jacobian_pattern(&self) -> $crate::SparsityPattern<'_> {
                 RATE_JACOBIAN_PATTERN
             }

@@ -174,6 +174,8 @@ pub struct Model {
     pub handed: Vec<Parameter>,
     /// Wanted outputs.
     pub wanted: Vec<Quantity>,
+    /// Which of them have accelerations or forces of constraints in them.
+    pub at_once: Vec<u32>,
     /// Tables that tapes refer to.
     pub tables: Vec<Table>,
     /// The run unless told otherwise.

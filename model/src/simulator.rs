@@ -358,6 +358,9 @@ impl Describe for ModelSimulator {
     fn output(&self, index: usize) -> Quantity<'_> {
         self.model.wanted[index].described()
     }
+    fn output_answers_at_once(&self, index: usize) -> bool {
+        self.model.at_once.contains(&(index as u32))
+    }
     fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
         self.model.rate_jacobian.pattern.borrowed()
     }

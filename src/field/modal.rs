@@ -225,6 +225,9 @@ impl Describe for ModalSimulator<'_> {
     fn output(&self, index: usize) -> Quantity<'_> {
         self.simulator.output(index)
     }
+    fn output_answers_at_once(&self, index: usize) -> bool {
+        self.simulator.output_answers_at_once(index)
+    }
     fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
         let states = self.shape().states();
         SparsityPattern { rows: states, columns: states, entries: &self.jacobian }

@@ -89,6 +89,9 @@ impl<R: Real> Describe for FieldSimulator<'_, R> {
     fn output(&self, index: usize) -> Quantity<'_> {
         self.scene().output(index)
     }
+    fn output_answers_at_once(&self, index: usize) -> bool {
+        self.scene().output_answers_at_once(index)
+    }
     fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
         let states = self.shape().states();
         SparsityPattern { rows: states, columns: states, entries: &self.rate_jacobian }

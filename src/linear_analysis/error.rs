@@ -25,6 +25,18 @@ pub enum LinearError {
         /// How many would do.
         most: usize,
     },
+    /// An output has accelerations or forces of constraints in it, which a force changes at once.
+    #[error(
+        "how `{output}` answers a force on `{coordinate}` is not analysed: it has accelerations or \
+         forces of constraints in it, which answer at once. \
+         Hint: make the force a parameter of the scene, 0 if need be, and name that"
+    )]
+    AnswersAtOnce {
+        /// The output.
+        output: String,
+        /// The coordinate.
+        coordinate: String,
+    },
     /// A constraint would have to move with what varies.
     #[error(
         "what varies with `{parameter}` is not analysed: constraint `{constraint}` depends on it, \

@@ -18,6 +18,8 @@ use crate::error::did_you_mean;
 pub const MAX_POINTS: usize = 1_000_000;
 /// How far beyond the slowest and the fastest motion frequencies are looked at.
 const BEYOND: f64 = 10.0;
+/// What a force is called, before its coordinate.
+const FORCE_ON: &str = "force on ";
 
 /// An output's answer to a harmonic input, by frequency.
 ///
@@ -106,9 +108,9 @@ impl Linearization<'_> {
     ///
     /// `from` names a parameter, b = dy'/dp, or a coordinate, for a generalized force
     /// on it, b = M^-1 e in the rows of q'. `to` names an output or a state. Derivatives C and
-    /// d of outputs are extrapolated differences, good to about 1e-12. Of a force d = 0: what
-    /// an output has of accelerations or of forces of constraints answers without the part that
-    /// comes at once with the force.
+    /// d of outputs are extrapolated differences, good to about 1e-12. Of a force d = 0: an
+    /// output that has accelerations or forces of constraints in it, which answer at once, is
+    /// refused.
     ///
     /// A machine with constraints answers as these allow: b of a force is M^-1 (e + G^T lambda),
     /// with G b = 0, and A, b and C are those of the allowed motions.
@@ -116,7 +118,8 @@ impl Linearization<'_> {
     /// # Errors
     /// [`LinearError::Unknown`] for names, [`LinearError::NotFinite`] for derivatives,
     /// [`LinearError::Singular`] at an undamped resonance, [`LinearError::MovesConstraint`] for
-    /// a parameter that a constraint depends on.
+    /// a parameter that a constraint depends on, [`LinearError::AnswersAtOnce`] for a force to an
+    /// output that has accelerations or forces of constraints in it.
     pub fn response(
         &self,
         from: &str,
@@ -175,7 +178,7 @@ impl Linearization<'_> {
         if let Some(index) = position(name, shape.coordinates, |i| self.simulator.coordinate(i)) {
             let rate = self.force_column(index)?;
             let unit = force_unit(self.simulator.coordinate(index).unit);
-            let name = format!("force on {name}");
+            let name = format!("{FORCE_ON}{name}");
             return Ok(Input { name, unit, rate, parameter: None });
         }
         let parameters = (0..shape.parameters).map(|index| self.simulator.parameter(index).name);
@@ -237,6 +240,10 @@ impl Linearization<'_> {
     fn output(&self, name: &str, input: &Input) -> Result<Output, LinearError> {
         let (shape, states) = (self.simulator.shape(), self.matrix.rows());
         if let Some(index) = position(name, shape.outputs, |i| self.simulator.output(i)) {
+            if input.parameter.is_none() && self.simulator.output_answers_at_once(index) {
+                let coordinate = input.name.trim_start_matches(FORCE_ON).to_owned();
+                return Err(LinearError::AnswersAtOnce { output: name.to_owned(), coordinate });
+            }
             let unit = self.simulator.output(index).unit.to_owned();
             let by_state = DVector::from_vec(self.output_derivatives(index));
             let by_input =

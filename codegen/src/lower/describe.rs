@@ -39,6 +39,7 @@ pub fn describe(equations: &EquationsOfMotion) -> Model {
         parameters,
         handed: system.handed.iter().map(parameter).collect(),
         wanted: system.outputs.iter().map(|output| output.quantity.clone()).collect(),
+        at_once: at_once(equations),
         tables: system.tables.clone(),
         run: system.run.clone(),
         freeze: system.freeze.clone(),
@@ -46,6 +47,14 @@ pub fn describe(equations: &EquationsOfMotion) -> Model {
         starts_in_equilibrium: system.starts_in_equilibrium,
         ..Model::default()
     }
+}
+
+/// Outputs with accelerations or forces of constraints in them.
+fn at_once(equations: &EquationsOfMotion) -> Vec<u32> {
+    let answers = |symbol| matches!(symbol, Symbol::Acceleration(_) | Symbol::Multiplier(_));
+    let outputs = (0..).zip(&equations.outputs);
+    let at_once = outputs.filter(|(_, output)| output.mentions(answers));
+    at_once.map(|(index, _)| index).collect()
 }
 
 fn states(equations: &EquationsOfMotion) -> Vec<State> {

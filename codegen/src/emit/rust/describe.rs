@@ -118,8 +118,12 @@ fn parameters(scene: &Scene<'_>) -> Result<Vec<String>, EmitError> {
 }
 
 fn outputs(scene: &Scene<'_>) -> Vec<String> {
-    let rows = scene.model.wanted.iter().zip(&scene.outputs);
-    rows.map(|(output, name)| format!("{name}: {}", columns(output))).collect()
+    let rows = (0..).zip(scene.model.wanted.iter().zip(&scene.outputs));
+    let row = |(index, (output, name)): (u32, (&Quantity, &Ident))| {
+        let at_once = if scene.model.at_once.contains(&index) { "at_once " } else { "" };
+        format!("{name}: {at_once}{}", columns(output))
+    };
+    rows.map(row).collect()
 }
 
 fn states(scene: &Scene<'_>) -> Result<Vec<String>, EmitError> {

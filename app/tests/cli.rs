@@ -542,6 +542,56 @@ fn a_response_of_what_falls_over_is_told_to_settle_to_nothing() {
 }
 
 #[test]
+fn what_does_not_answer_resounds_without_bound_ends_or_grows_is_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("pair.toml");
+    let scene = r#"
+        [scene]
+        name = "pair"
+        [units.o]
+        unit = "o"
+        [outputs]
+        a = "o.a"
+        b = "o.b"
+        jolt = { expression = "o.a_ddot", unit = "m/s^2" }
+        [run]
+        until = 1
+        points = 2
+        rtol = 1e-6
+        method = "auto"
+        [define.o.coordinates]
+        a = { unit = "m" }
+        b = { unit = "m" }
+        [define.o.parameters]
+        k = { value = 100, unit = "N/m" }
+        d = { value = 0, unit = "N s/m" }
+        f = { value = 1, unit = "N" }
+        [define.o.energy]
+        kinetic = "1 [kg]*(a_dot^2 + b_dot^2)/2"
+        potential = "k*a^2/2 + 900 [N/m]*b^2/2"
+        dissipation = "d*a_dot^2/2 + 1 [N s/m]*b_dot^2/2"
+        [[define.o.forces]]
+        coordinate = "a"
+        expression = "f"
+        "#;
+    fs::write(&file, scene).expect("a scene");
+    let response = |to| ["response", text(&file), "--at", "initial", "--from", "o.f", "--to", to];
+    assert!(answer(&response("b")).contains("b does not change with o.f"));
+    let said = answer(&response("a"));
+    assert!(said.lines().any(|line| line.contains("10     without bound")), "{said}");
+    let force = ["response", text(&file), "--at", "initial", "--from", "o.a", "--to", "jolt"];
+    assert_refused(&force, &["`jolt`", "`o.a`", "parameter of the scene"]);
+    let varied = |by| ["campbell", text(&file), "--at", "initial", "--parameter", by];
+    // 100 - d^2/4 vanishes at 20.
+    let said = answer(&varied("o.d=1..41"));
+    assert!(said.contains("Motion 1 ends between o.d = 19.8 and 20.2 N s/m."), "{said}");
+    assert!(!said.contains("Unstable"), "{said}");
+    let said = answer(&varied("o.d=-1..1"));
+    assert!(said.contains("Unstable from o.d = -1 to "), "{said}");
+    assert!(said.contains("as e^(0.5 1/s t) at -1 N s/m; o.a most."), "{said}");
+}
+
+#[test]
 fn a_response_of_unknown_quantities_or_over_a_bad_range_is_refused() {
     let ask = |from, to, range| {
         ["response", "two_mass", "--at", "initial", "--from", from, "--to", to, "--range", range]

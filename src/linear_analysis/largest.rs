@@ -93,9 +93,8 @@ fn resonances(mode: &Mode) -> impl Iterator<Item = f64> {
 
 /// Whether an answer grows as one over the distance from a resonance that nothing damps.
 fn grows_without_bound(transfer: &Transfer, frequency: f64) -> bool {
-    let [near, nearer] = [1e-5, 1e-6].map(|share| {
-        transfer.at(frequency * (1.0 + share)).map_or(f64::NAN, |answer| answer.norm())
-    });
+    let [near, nearer] = [1e-5, 1e-6]
+        .map(|share| transfer.at(frequency * (1.0 + share)).map_or(f64::NAN, Complex64::norm));
     nearer > 5.0 * near
 }
 
@@ -129,8 +128,7 @@ fn maximum(transfer: &Transfer, mut low: f64, mut high: f64) -> (f64, f64) {
     const SHARE: f64 = 0.618_033_988_749_894_9;
     /// Closer, amplitudes differ by rounding only.
     const CLOSE: f64 = 1e-9;
-    let at =
-        |frequency: f64| (frequency, transfer.at(frequency).map_or(0.0, |answer| answer.norm()));
+    let at = |frequency: f64| (frequency, transfer.at(frequency).map_or(0.0, Complex64::norm));
     let mut inner = [at(high - SHARE * (high - low)), at(low + SHARE * (high - low))];
     while high - low > CLOSE * high {
         if inner[0].1 >= inner[1].1 {

@@ -60,8 +60,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real};
     coupler_angle: "rad", "coupler_angle", "angle of the bar from sideways";
     rocker_angle: "rad", "rocker_angle", "angle of the bar from sideways";
     crank_speed: "rad/s", "crank_speed", "rate of angle of the bar from sideways";
-    pin_force_x: "N", "pin_force_x", "force of the frame on the crank, sideways";
-    pin_force_y: "N", "pin_force_y", "force of the frame on the crank, upwards";
+    pin_force_x: at_once "N", "pin_force_x", "force of the frame on the crank, sideways";
+    pin_force_y: at_once "N", "pin_force_y", "force of the frame on the crank, upwards";
 }
 
 ::machinist_contract::states! {

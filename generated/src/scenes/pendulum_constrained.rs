@@ -56,9 +56,9 @@ use ::machinist_contract::{Energy, PowerBalance, Real};
 ::machinist_contract::outputs! {
     end_x: "m", "end_x", "place, sideways";
     end_y: "m", "end_y", "place, upwards";
-    force_1: "N", "force_1", "force in the first link, pushing";
-    force_2: "N", "force_2", "force in the second link, pushing";
-    force_3: "N", "force_3", "force in the third link, pushing";
+    force_1: at_once "N", "force_1", "force in the first link, pushing";
+    force_2: at_once "N", "force_2", "force in the second link, pushing";
+    force_3: at_once "N", "force_3", "force in the third link, pushing";
 }
 
 ::machinist_contract::states! {

@@ -72,7 +72,7 @@ use ::machinist_contract::{
     coupling_torque: "N m", "coupling_torque", "torque carried, on the driving side";
     load_torque: "N m", "load_torque", "resisting torque";
     twist: "rad", "twist", "twist";
-    cylinder_acceleration: "rad/s^2", "cylinder_acceleration", "rate of rate of angle";
+    cylinder_acceleration: at_once "rad/s^2", "cylinder_acceleration", "rate of rate of angle";
     stator_current: "A", "stator_current", "amplitude of the stator current";
 }
 

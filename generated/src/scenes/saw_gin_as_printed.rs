@@ -70,7 +70,7 @@ use ::machinist_contract::{
     cylinder_speed: "rad/s", "cylinder_speed", "rate of angle";
     motor_torque: "N m", "motor_torque", "driving torque";
     coupling_torque: "N m", "coupling_torque", "torque carried, on the driving side";
-    cylinder_acceleration: "rad/s^2", "cylinder_acceleration", "rate of rate of angle";
+    cylinder_acceleration: at_once "rad/s^2", "cylinder_acceleration", "rate of rate of angle";
 }
 
 ::machinist_contract::states! {

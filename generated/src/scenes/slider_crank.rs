@@ -57,9 +57,9 @@ use ::machinist_contract::{Energy, PowerBalance, Real};
     rod_angle: "rad", "rod_angle", "angle of the bar from sideways";
     stroke: "m", "stroke", "centre of mass, sideways";
     slider_speed: "m/s", "slider_speed", "rate of centre of mass, sideways";
-    slider_acceleration: "m/s^2", "slider_acceleration", "acceleration of the slider";
-    torque: "N m", "torque", "torque of the drive on the crank";
-    guide_force: "N", "guide_force", "force of the guide on the slider, upwards";
+    slider_acceleration: at_once "m/s^2", "slider_acceleration", "acceleration of the slider";
+    torque: at_once "N m", "torque", "torque of the drive on the crank";
+    guide_force: at_once "N", "guide_force", "force of the guide on the slider, upwards";
 }
 
 ::machinist_contract::states! {

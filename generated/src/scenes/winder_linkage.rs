@@ -57,8 +57,8 @@ use ::machinist_contract::{Energy, PowerBalance, Real, implicit::{Step, substitu
 }
 
 ::machinist_contract::outputs! {
-    contact_force: "N", "contact_force", "N, force of the drum on the bobbin at K";
-    stop_force: "N", "stop_force", "Q, force of the stop on the post at T";
+    contact_force: at_once "N", "contact_force", "N, force of the drum on the bobbin at K";
+    stop_force: at_once "N", "stop_force", "Q, force of the stop on the post at T";
     strut_push: "N", "strut_push", "force with which it pushes its ends apart";
     post_angle: "rad", "post_angle", "angle of the bar from sideways";
     plate_angle: "rad", "plate_angle", "angle of the bar from sideways";

@@ -278,7 +278,7 @@ fn table(linearization: &Linearization<'_>, modes: &[Mode]) -> Vec<[String; 7]> 
 /// Motions whose shapes are far from fulfilling the equations.
 fn doubts(linearization: &Linearization<'_>, modes: &[Mode]) -> String {
     const LARGE: f64 = 1e-6;
-    let doubtful = modes.iter().filter(|mode| !(mode.residual <= LARGE));
+    let doubtful = modes.iter().filter(|mode| mode.residual.is_nan() || mode.residual > LARGE);
     let told = doubtful.map(|mode| {
         let [kind, moves, ..] = row(linearization, mode);
         let residual = number(mode.residual, 2);

@@ -65,7 +65,9 @@ impl FrequencyResponse {
         let largest = linearization.largest(&self.from, &self.to, &response)?;
         if let Some(file) = &self.plot {
             let mut drawn = response.clone();
-            largest.iter().for_each(|largest| drawn.add(largest));
+            if let Some(largest) = &largest {
+                drawn.add(largest);
+            }
             draw_file(file, |path| plot_response(&drawn, title, path))?;
         }
         match &self.out {

@@ -140,9 +140,9 @@ fn narrow_windows_of_a_sawtooth_are_not_stepped_over() {
         for method in OWN {
             for rtol in [1e-6, 1e-9] {
                 let on = last(&run(&shaft, method, rtol), "p.on");
-                // 400 turns, each with two restarts of about a tolerance.
+                // 400 turns, each with two restarts of one or two tolerances.
                 let off = (on - 20.0 * share).abs();
-                assert!(off < 400.0 * rtol + 1e-8, "{method} at {rtol:e}, {share}: {on}");
+                assert!(off < 1500.0 * rtol + 1e-8, "{method} at {rtol:e}, {share}: {on}");
             }
         }
     }

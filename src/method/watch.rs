@@ -43,6 +43,9 @@ use settle::is_beyond;
 
 /// So many events within [`NO_TIME`] are taken for endless ones; more in a scene that has many.
 const ENDLESS: usize = 50;
+/// Of the time reached, or of the run: so long before the end of a step what jumps there has not
+/// jumped yet.
+const A_MOMENT: f64 = 1e-12;
 /// Of the largest value that a guard has had: further from zero it is behind a jump.
 const JUMPED: f64 = 1e-2;
 /// Share of the time reached, or of the run if that is longer.
@@ -213,6 +216,9 @@ impl<'a> Watch<'a> {
         }
         let inner = &mut *self.inner.borrow_mut();
         self.look_into(inner, method, until);
+        if inner.parts.told().is_some() {
+            return None;
+        }
         let (index, passing) = inner.first()?;
         self.is_kink(index).then_some(passing)
     }
@@ -238,7 +244,11 @@ impl<'a> Watch<'a> {
             inner.outcomes[index] = Outcome::Stays(inner.sides[index]);
         }
         inner.turn = self.turn_within(inner, method, until);
-        let first = inner.first_time();
+        let mut first = inner.first_time();
+        if first.is_none() && inner.parts.is_unclear() {
+            let front = until - A_MOMENT * until.abs().max(self.span);
+            first = self.first_in_front(inner, method, (inner.time, front));
+        }
         if first.is_none() {
             for (side, outcome) in inner.sides.iter_mut().zip(&inner.outcomes) {
                 if let Outcome::Stays(on) = outcome {
@@ -288,9 +298,17 @@ impl<'a> Watch<'a> {
     pub(super) fn passes_in_front(
         &self,
         method: &mut dyn OneStep,
+        span: (f64, f64),
+    ) -> Option<f64> {
+        self.first_in_front(&mut self.inner.borrow_mut(), method, span)
+    }
+
+    fn first_in_front(
+        &self,
+        inner: &mut Inner,
+        method: &mut dyn OneStep,
         (from, front): (f64, f64),
     ) -> Option<f64> {
-        let inner = &mut *self.inner.borrow_mut();
         let mut first = None;
         for index in 0..inner.outcomes.len() {
             let Side::Known(side) = inner.sides[index] else { continue };

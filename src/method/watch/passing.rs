@@ -35,6 +35,8 @@ pub(super) struct Parts {
     noise: Noise,
     /// The share of the step that was looked at of which guards tell what they do, if that is not all.
     told: Option<f64>,
+    /// Whether some guard was not foretold in it, as where one jumps.
+    is_unclear: bool,
 }
 
 /// A guard to be looked at.
@@ -66,7 +68,7 @@ impl Parts {
         let [bends, sizes] = [vec![0.0; count], vec![0.0; count]];
         let noise = Noise::new(events, kinks, scales);
         let led = Vec::new();
-        let told = None;
+        let (told, is_unclear) = (None, false);
         Self {
             ends,
             led,
@@ -81,6 +83,7 @@ impl Parts {
             sizes,
             noise,
             told,
+            is_unclear,
         }
     }
 
@@ -88,6 +91,11 @@ impl Parts {
     /// all of it: in what is longer one goes to and fro more often than is looked.
     pub(super) fn told(&self) -> Option<f64> {
         self.told
+    }
+
+    /// Whether some guard jumped, perhaps, in the step that was looked at.
+    pub(super) fn is_unclear(&self) -> bool {
+        self.is_unclear
     }
 
     /// Looks at a step of `method`, in parts so short that guards between their ends are as
@@ -102,7 +110,7 @@ impl Parts {
         /// In so many times more parts at most: a guard that jumps is never foretold.
         const FINEST: usize = 32;
         let mut finer = 1;
-        self.told = None;
+        (self.told, self.is_unclear) = (None, false);
         loop {
             let parts = finer * method.parts();
             self.fill_parts(system, method, span, start, parts);
@@ -113,7 +121,7 @@ impl Parts {
                 break;
             }
             if finer >= FINEST {
-                self.told = self.share_that_is_told(sides);
+                (self.told, self.is_unclear) = (self.share_that_is_told(sides), true);
                 break;
             }
             finer *= 2;
@@ -412,8 +420,9 @@ impl Parts {
             let turns =
                 side * self.rate(part, event) < 0.0 && side * self.rate(part + 1, event) > 0.0;
             let starts_beyond = side * self.guard(part, event) < 0.0;
-            if crosses && is_kink && starts_beyond && side * self.rate(part, event) <= 0.0 {
-                // By rounding it was there already as the part began.
+            let sinks = side * self.rate(part, event) <= 0.0;
+            if crosses && is_kink && part == 0 && starts_beyond && sinks {
+                // By rounding it was there already as the step began.
                 side = -side;
             } else if crosses {
                 let is_clear = bracket[0] > self.times[part];

@@ -143,11 +143,14 @@ impl Ports<'_> {
     /// A joint of connectors as joints of their ports, one by one.
     fn pairs(&self, joint: &JointSpec) -> Result<Vec<JointSpec>, Box<Mistake>> {
         let [first, second] = &joint.connect;
-        let [Some(ports), Some(others)] = [first, second].map(|path| self.ports(&path.value))
-        else {
+        let (ports, others) = match [first, second].map(|path| self.ports(&path.value)) {
+            [Some(ports), Some(others)] => (ports, others),
             // Taken as it is, the joint would be told of a connector that is none of its ports.
-            let unknown = [first, second].into_iter().find_map(|path| self.no_port(path));
-            return unknown.map_or_else(|| Ok(vec![joint.clone()]), |no| Err(Box::new(no)));
+            [Some(several), None] | [None, Some(several)] if several.len() > 1 => {
+                let unknown = [first, second].into_iter().find_map(|path| self.no_port(path));
+                return unknown.map_or_else(|| Ok(vec![joint.clone()]), |no| Err(Box::new(no)));
+            }
+            _ => return Ok(vec![joint.clone()]),
         };
         if ports.len() != others.len() {
             return Err(Box::new(of_unlike_counts([first, second], [&ports, &others])));

@@ -164,6 +164,7 @@ pub fn model(n: usize, rate: Tape, mass: MatrixTape, forcing: Tape) -> Model {
         handed: vec![],
         motion: None,
         wanted: vec![],
+        at_once: vec![],
         tables: vec![table()],
         run: RunDefaults {
             from: 0.0,

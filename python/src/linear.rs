@@ -163,18 +163,19 @@ pub fn response<'py>(
             "frequencies hold {bad}; they are finite and not below 0"
         )));
     }
-    let ((response, growth, largest), _) = looked_at(py, machine, &settings, at, |linearization, _, _| {
-        let frequencies = if let Some(given) = given {
-            given
-        } else {
-            let (low, high) = linearization.range_of_interest()?;
-            machinist::linear_analysis::logarithmic_range(low, high, points)?
-        };
-        let response = linearization.response(&from, &to, &frequencies)?;
-        let largest = linearization.largest(&from, &to, &response).ok().flatten();
-        let largest = largest.map(|largest| (largest.frequency, largest.amplitude));
-        Ok((response, linearization.growth().ok().flatten(), largest))
-    })?;
+    let ((response, growth, largest), _) =
+        looked_at(py, machine, &settings, at, |linearization, _, _| {
+            let frequencies = if let Some(given) = given {
+                given
+            } else {
+                let (low, high) = linearization.range_of_interest()?;
+                machinist::linear_analysis::logarithmic_range(low, high, points)?
+            };
+            let response = linearization.response(&from, &to, &frequencies)?;
+            let largest = linearization.largest(&from, &to, &response).ok().flatten();
+            let largest = largest.map(|largest| (largest.frequency, largest.amplitude));
+            Ok((response, linearization.growth().ok().flatten(), largest))
+        })?;
     let unit = response.amplitude_unit();
     let arrays = [response.frequencies, response.amplitudes, response.phases];
     let arrays = arrays.map(|values| array(py, values).into_any());

@@ -1,5 +1,6 @@
 //! Sensitivities and fits from the command line.
 
+use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
@@ -100,7 +101,7 @@ fn columns_in_other_units_are_converted() {
         let (time, twist) = line.split_once(',').expect("two columns");
         let [time, twist] = [time, twist].map(|cell| cell.parse::<f64>().expect("a number"));
         let sigma = 0.01_f64.to_degrees();
-        other += &format!("{},{},{sigma}\n", 1e3 * time, twist.to_degrees());
+        writeln!(other, "{},{},{sigma}", 1e3 * time, twist.to_degrees()).expect("room");
     }
     let in_other = folder.path().join("other.csv");
     fs::write(&in_other, other).expect("written");

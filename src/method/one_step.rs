@@ -214,17 +214,12 @@ pub(super) fn drive<M: OneStep>(
                 step = 0.5 * (passing - time);
                 rejected = true;
                 if is_too_small(step, time) {
-                    state.copy_from_slice(&kept.end);
-                    if stretch.leaps_to_end(time, state, samples) {
-                        return Ok(None);
+                    let from = (time, &mut *state);
+                    match leap_on(method, stretch, &mut kept, from, samples)? {
+                        Leap::ToEnd => return Ok(None),
+                        Leap::Behind(behind) => (time, step, before) = (behind, tried, None),
+                        Leap::Nowhere => return Err(explain(stretch, trial, (time, &kept.end))),
                     }
-                    if let Some(behind) = stretch.leaps_over_kinks(time, state)? {
-                        begin_behind(method, stretch, &mut kept, (behind, state));
-                        (time, step, before) = (behind, tried, None);
-                        continue;
-                    }
-                    let cause = stretch.cause_at(time, &kept.end, StopCause::StepTooSmall);
-                    return Err(Stopped { time, cause });
                 }
                 continue;
             }
@@ -237,10 +232,9 @@ pub(super) fn drive<M: OneStep>(
             sample(method, stretch, (now, &kept.end), state, samples)?;
             method.accept();
             stretch.system.tangents().inspect(|tangents| tangents.accept());
-            step = method.own_step().unwrap_or_else(|| {
-                let factor = pace.factor(pace.believed(error, tried, before), last_error);
-                tried * if rejected { factor.min(1.0) } else { factor }
-            });
+            let factor = pace.factor(pace.believed(error, tried, before), last_error);
+            let factor = if rejected { factor.min(1.0) } else { factor };
+            step = method.own_step().unwrap_or(tried * factor);
             if stood_still {
                 step = step.min(stretch.looked_at() / LOOKS);
             }
@@ -266,24 +260,43 @@ pub(super) fn drive<M: OneStep>(
             step = tried * shrink(trial, pace);
             rejected = true;
             if is_too_small(step, time) {
-                state.copy_from_slice(&kept.end);
-                if stretch.leaps_to_end(time, state, samples) {
-                    return Ok(None);
+                let from = (time, &mut *state);
+                match leap_on(method, stretch, &mut kept, from, samples)? {
+                    Leap::ToEnd => return Ok(None),
+                    Leap::Behind(behind) => {
+                        (time, step, before) = (behind, method.first_step(), None);
+                    }
+                    Leap::Nowhere => return Err(explain(stretch, trial, (time, &kept.end))),
                 }
-                if let Some(behind) = stretch.leaps_over_kinks(time, state)? {
-                    begin_behind(method, stretch, &mut kept, (behind, state));
-                    (time, step, before) = (behind, method.first_step(), None);
-                    continue;
-                }
-                let Stopped { time, cause } = explain(stretch, trial, time);
-                let cause = match cause {
-                    StopCause::NotFinite { .. } => cause,
-                    cause => stretch.cause_at(time, &kept.end, cause),
-                };
-                return Err(Stopped { time, cause });
             }
         }
     }
+}
+
+/// Where a run goes on from which no step can be taken.
+enum Leap {
+    /// No more than rounding was left of the stretch.
+    ToEnd,
+    /// At this time, behind kinks that were nearer than time resolves.
+    Behind(f64),
+    Nowhere,
+}
+
+/// Goes on from the end of the last step, if that needs no step.
+fn leap_on(
+    method: &mut dyn OneStep,
+    stretch: &Stretch<'_>,
+    kept: &mut Kept,
+    (time, state): (f64, &mut [f64]),
+    samples: &mut Samples<'_>,
+) -> Result<Leap, Stopped> {
+    state.copy_from_slice(&kept.end);
+    if stretch.leaps_to_end(time, state, samples) {
+        return Ok(Leap::ToEnd);
+    }
+    let Some(behind) = stretch.leaps_over_kinks(time, state)? else { return Ok(Leap::Nowhere) };
+    begin_behind(method, stretch, kept, (behind, state));
+    Ok(Leap::Behind(behind))
 }
 
 /// Begins anew behind a kink.
@@ -448,12 +461,13 @@ pub(super) fn is_too_small(step: f64, time: f64) -> bool {
 }
 
 /// The cause behind steps that shrank to nothing.
-fn explain(stretch: &Stretch<'_>, trial: Trial, time: f64) -> Stopped {
-    match trial {
-        Trial::NotFinite { what, index } => stretch.not_finite(what, index, time),
-        Trial::Unsolved { .. } => Stopped { time, cause: StopCause::Newton },
-        Trial::Error(_) => Stopped { time, cause: StopCause::StepTooSmall },
-    }
+fn explain(stretch: &Stretch<'_>, trial: Trial, (time, state): (f64, &[f64])) -> Stopped {
+    let cause = match trial {
+        Trial::NotFinite { what, index } => return stretch.not_finite(what, index, time),
+        Trial::Unsolved { .. } => StopCause::Newton,
+        Trial::Error(_) => StopCause::StepTooSmall,
+    };
+    Stopped { time, cause: stretch.cause_at(time, state, cause) }
 }
 
 /// Refuses tolerances that rounding alone exceeds: error estimates would be

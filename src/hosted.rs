@@ -4,7 +4,7 @@
 //! Where such a run stands is a [`Standing`], plain data. A [`Hosted`] machine begins one,
 //! carries it to a later time by a method of ours, or, where the host steps by a method of its
 //! own, tells it what to look out for and lets events happen. What happens at events, at the
-//! start and on constraints is what happens in a [a run](crate::Simulation).
+//! start and on constraints is what happens in [a run](crate::Simulation).
 
 use std::cell::RefCell;
 

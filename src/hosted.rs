@@ -65,7 +65,7 @@ pub struct Beginning<'b> {
     /// further than it must.
     pub is_given: &'b dyn Fn(usize) -> bool,
     /// Whether to begin in the equilibrium near the state, as
-    /// [`Simulation::in_equilibrium`](crate::Simulation::in_equilibrium).
+    /// `Simulation::in_equilibrium`.
     pub in_equilibrium: bool,
 }
 

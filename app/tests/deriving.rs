@@ -310,6 +310,60 @@ fn nobody_waits_for_a_simulation_of_somebody_else() {
     succeeded(&output);
 }
 
+/// A potential of many factors, whose derivatives take minutes.
+fn heavy() -> String {
+    use std::fmt::Write as _;
+    let coordinates = (0..8).fold(String::new(), |mut text, k| {
+        let _ = writeln!(text, "[define.bob.coordinates.q{k}]\nunit = \"1\"");
+        text
+    });
+    let squares: Vec<String> = (0..8).map(|k| format!("q{k}_dot^2")).collect();
+    let factor = |row: usize| {
+        let sum: Vec<String> = (0..8).map(|k| format!("{row}*q{k}")).collect();
+        format!("({} + q{}^2 + 1)", sum.join(" + "), row % 8)
+    };
+    let factors: Vec<String> = (1..21).map(factor).collect();
+    let (squares, factors) = (squares.join(" + "), factors.join("*"));
+    format!(
+        "[scene]\nname = \"heavy\"\n[units.bob]\nunit = \"bob\"\n[run]\nuntil = 0.001\n\
+         {coordinates}[define.bob.parameters]\nm = {{ value = 1, unit = \"kg m^2\" }}\n\
+         [define.bob.energy]\nkinetic = \"m*({squares})/2\"\n\
+         potential = \"1e-20 [J]*{factors}\"\n"
+    )
+}
+
+/// The child holds the other end of its parent's standard error: that ends with the last of them.
+#[test]
+fn a_parent_that_is_killed_takes_the_process_that_derives_with_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("heavy.toml"), heavy()).expect("a spec");
+    let mut parent = machinist(folder.path(), &["derive", "heavy.toml", "--algebra", "plain"]);
+    let parent = parent.stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
+    let mut parent = parent.expect("the program starts");
+    #[cfg(target_os = "linux")]
+    {
+        let children = format!("/proc/{0}/task/{0}/children", parent.id());
+        let begin = Instant::now();
+        while fs::read_to_string(&children).is_ok_and(|children| children.is_empty()) {
+            assert!(begin.elapsed() < Duration::from_secs(60), "it has a child");
+            std::thread::sleep(Duration::from_millis(10));
+        }
+    }
+    std::thread::sleep(Duration::from_secs(1));
+    let mut errors = parent.stderr.take().expect("it is piped");
+    assert!(parent.try_wait().expect("it is there").is_none(), "it still derives");
+    parent.kill().expect("it is there");
+    parent.wait().expect("it ends");
+    let (ended, end) = std::sync::mpsc::channel();
+    std::thread::spawn(move || {
+        let mut said = String::new();
+        let _ = std::io::Read::read_to_string(&mut errors, &mut said);
+        ended.send(said)
+    });
+    let said = end.recv_timeout(Duration::from_secs(20));
+    assert_eq!(said.as_deref(), Ok(""), "the child has ended, and said nothing");
+}
+
 #[test]
 fn a_model_of_another_kind_or_version_is_refused_by_name() {
     let folder = folder_with(0.7);

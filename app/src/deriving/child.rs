@@ -2,8 +2,10 @@
 //!
 //! It reads its requests from standard input and writes its answers to standard output;
 //! what is wrong with a spec it says on standard error, which it shares with its parent.
+//! Its parent leaves standard input open until it has the answers: where that ends before, the
+//! parent has ended, and the child ends too. So no child keeps the lock of the algebra for nobody.
 
-use std::io::{Read as _, Write as _, stdin, stdout};
+use std::io::{ErrorKind, Read as _, Write as _, stdin, stdout};
 use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -36,11 +38,18 @@ pub(super) fn ask(requests: &[&Request]) -> Result<Vec<Derived>, Failure> {
         command.env(GREETED, "1");
     }
     let mut child = command.spawn().map_err(|error| failed(&error))?;
-    if let Some(mut input) = child.stdin.take() {
+    // Open until the child has answered, and closed by the system if this process ends before.
+    let mut input = child.stdin.take();
+    if let Some(input) = &mut input {
+        let question = seal(QUESTION, &requests);
         // A child that does not listen has ended, and its exit code says so.
-        let _ = input.write_all(&seal(QUESTION, &requests));
+        let _ = input
+            .write_all(&(question.len() as u64).to_le_bytes())
+            .and_then(|()| input.write_all(&question))
+            .and_then(|()| input.flush());
     }
     let output = child.wait_with_output().map_err(|error| failed(&error))?;
+    drop(input);
     match output.status.code() {
         Some(0) => {}
         // It has said what is wrong.
@@ -64,14 +73,39 @@ pub(super) fn broken(how: &str) -> Failure {
 
 /// What the child does.
 pub fn answer_parent() -> Result<(), Failure> {
-    let mut bytes = Vec::new();
     let failed = |error: std::io::Error| Failure::unsuccessful(error, "");
-    stdin().read_to_end(&mut bytes).map_err(failed)?;
-    let requests: Vec<Request> = open(QUESTION, &bytes)
+    let question = question().map_err(failed)?;
+    end_with_parent();
+    let requests: Vec<Request> = open(QUESTION, &question)
         .map_err(|error| Failure::input(error, "this command is for the program's own use"))?;
     let answers = all(&requests, derive)?;
     let mut out = stdout().lock();
     out.write_all(&seal(ANSWER, &answers)).and_then(|()| out.flush()).map_err(failed)
+}
+
+/// What the parent asks: its length in eight bytes, then as many; less if it ends before.
+fn question() -> std::io::Result<Vec<u8>> {
+    let mut input = stdin().lock();
+    let mut length = [0; 8];
+    let mut bytes = Vec::new();
+    match input.read_exact(&mut length) {
+        Ok(()) => {
+            input.take(u64::from_le_bytes(length)).read_to_end(&mut bytes)?;
+        }
+        Err(error) if error.kind() == ErrorKind::UnexpectedEof => {}
+        Err(error) => return Err(error),
+    }
+    Ok(bytes)
+}
+
+/// Ends this process as soon as its parent has ended: standard input is the parent's to close,
+/// and every system closes it for a process that was killed.
+fn end_with_parent() {
+    std::thread::spawn(|| {
+        let mut byte = [0];
+        while stdin().read(&mut byte).is_ok_and(|count| count > 0) {}
+        std::process::exit(1);
+    });
 }
 
 fn derive(request: &Request) -> Result<Derived, Diagnostics> {

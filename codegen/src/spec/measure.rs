@@ -367,8 +367,7 @@ impl Reader<'_> {
         let help = if ["degC", "degF"].contains(&symbol) {
             "a temperature is in K: no offset is applied".to_owned()
         } else {
-            let all: Vec<_> = symbols().collect();
-            format!("known are {}", all.join(" "))
+            meant(symbol)
         };
         Err(UnitError { message: format!("unknown unit of measure {symbol:?}"), help, range })
     }
@@ -415,9 +414,98 @@ impl Reader<'_> {
     }
 }
 
+/// What an unknown symbol may have been meant for: a known one in other capitals (`RPM`), or known
+/// ones that a space keeps apart (`Nm`, `kgm2`); else all that are known.
+fn meant(symbol: &str) -> String {
+    let alike: Vec<String> = symbols()
+        .filter(|known| known.eq_ignore_ascii_case(symbol))
+        .map(|known| format!("`{known}`"))
+        .collect();
+    if !alike.is_empty() {
+        return format!("did you mean {}?", alike.join(" or "));
+    }
+    let mut ways = apart(symbol);
+    ways.sort_by_key(|way| (way.iter().any(|part| part.has_factor), way.len()));
+    let shown: Vec<String> = ways
+        .iter()
+        .take(2)
+        .map(|way| way.iter().map(|part| part.text.as_str()).collect::<Vec<_>>().join(" "))
+        .map(|way| format!("`{way}`"))
+        .collect();
+    if shown.is_empty() {
+        return format!("known are {}", symbols().collect::<Vec<_>>().join(" "));
+    }
+    format!("did you mean {}?", shown.join(" or "))
+}
+
+/// A part of a word that is a known symbol, perhaps with an exponent of one digit.
+#[derive(Clone)]
+struct Part {
+    text: String,
+    has_factor: bool,
+}
+
+/// The ways in which a word is made of known symbols, each of which it has once.
+fn apart(word: &str) -> Vec<Vec<Part>> {
+    if word.is_empty() {
+        return vec![Vec::new()];
+    }
+    let mut ways = Vec::new();
+    for known in symbols().filter(|known| word.starts_with(known)) {
+        let rest = &word[known.len()..];
+        let digits = rest.len() - rest.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+        let (exponent, rest) = rest.split_at(digits);
+        let text = match exponent {
+            "" => known.to_owned(),
+            _ if exponent.len() == 1 => format!("{known}^{exponent}"),
+            _ => continue,
+        };
+        let part = Part { text, has_factor: FACTORED.iter().any(|(symbol, ..)| *symbol == known) };
+        let others = apart(rest).into_iter();
+        let others = others.filter(|way| way.iter().all(|other| other.text != part.text));
+        ways.extend(others.map(|way| std::iter::once(part.clone()).chain(way).collect()));
+    }
+    ways
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_unknown_symbol_is_told_what_it_may_have_been_meant_for() {
+        let help = |text: &str| Measure::parse(text).expect_err(text).help;
+        for (text, wanted) in [
+            ("Nm", "did you mean `N m`?"),
+            ("kNm/deg", "did you mean `kN m`?"),
+            ("Nmm", "did you mean `N mm`?"),
+            ("kgm2", "did you mean `kg m^2`?"),
+            ("m2", "did you mean `m^2`?"),
+            ("Nms/rad", "did you mean `N m s` or `N ms`?"),
+            ("RPM", "did you mean `rpm`?"),
+            ("mh", "did you mean `mH`?"),
+            ("hz", "did you mean `Hz`?"),
+            ("Ohm", "did you mean `ohm`?"),
+            ("mn", "did you mean `mN` or `MN`?"),
+        ] {
+            assert_eq!(help(text), wanted, "{text}");
+        }
+        assert!(help("parsec").starts_with("known are kg m s"));
+        assert!(help("degC").contains("in K"));
+    }
+
+    #[test]
+    fn every_pair_of_known_symbols_written_as_one_is_taken_apart_or_is_another() {
+        for one in symbols() {
+            for other in symbols().filter(|other| *other != one) {
+                let word = format!("{one}{other}");
+                let is_temperature = ["degC", "degF"].contains(&word.as_str());
+                if let (Err(error), false) = (Measure::parse(&word), is_temperature) {
+                    assert!(error.help.starts_with("did you mean `"), "{word}: {}", error.help);
+                }
+            }
+        }
+    }
 
     fn unit(text: &str) -> Unit {
         Measure::coherent(text).unwrap_or_else(|error| panic!("{text}: {error:?}"))

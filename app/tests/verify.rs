@@ -136,6 +136,45 @@ fn rows(path: &Path, more: &[&str]) -> (Option<i32>, Rows) {
     (output.status.code(), rows.collect())
 }
 
+/// A mass on a spring for so long that no method gets through in the steps of a reference.
+const LONG: &str = r#"
+[scene]
+name = "long"
+[units.wall]
+unit = "translational/fixed"
+[units.spring]
+unit = "translational/spring"
+parameters = { stiffness = 1 }
+[units.mass]
+unit = "translational/mass"
+parameters = { mass = 1 }
+[[joints]]
+connect = ["wall.a", "spring.a"]
+[[joints]]
+connect = ["spring.b", "mass.a"]
+[initial]
+"mass.x" = 1
+[run]
+until = 2e5
+points = 11
+rtol = 1e-3
+method = "tsit5"
+"#;
+
+#[test]
+fn what_stops_is_told_as_not_checked_and_is_not_left_out() {
+    let (_folder, path) = written(LONG);
+    let path = path.to_str().expect("a path in UTF-8");
+    let output = machinist(&["verify", path, "--algebra", "plain"]);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let last = text.lines().last().expect("a last line");
+    let rows = ["two converged runs agree", "the run at its own method and tolerance"];
+    for row in rows {
+        assert!(last.contains(row), "{last}");
+    }
+    assert!(last.contains("not checked: "), "{last}");
+}
+
 fn failed(rows: &Rows) -> Vec<&str> {
     rows.iter().filter(|(_, pass)| *pass == Some(false)).map(|(name, _)| name.as_str()).collect()
 }

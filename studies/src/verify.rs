@@ -86,7 +86,8 @@ pub struct Verdict {
     pub tolerance: f64,
     /// Why the tolerance is what it is.
     pub reason: Cow<'static, str>,
-    /// Whether the error is at most the tolerance; so it is of a row that is left out.
+    /// Whether the error is at most the tolerance; so it is of a row that is left out. A row that
+    /// was not checked does not pass.
     pub pass: bool,
     /// The number found, for checks of one number.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -100,6 +101,9 @@ pub struct Verdict {
     /// Why the check cannot be asked of this machine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub skipped: Option<String>,
+    /// Why the check, which can be asked of this machine, was not done: what it takes stopped.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unchecked: Option<String>,
 }
 
 impl Verdict {
@@ -117,12 +121,19 @@ impl Verdict {
             expected: None,
             failure,
             skipped: None,
+            unchecked: None,
         }
     }
 
     /// A row that is left out.
     fn skipped(scene: &str, why: String) -> Self {
         Self { skipped: Some(why), ..Self::judged(scene, f64::NAN, 0.0, None) }
+    }
+
+    /// A row that could be asked and was not checked.
+    fn unchecked(scene: &str, why: String) -> Self {
+        let pass = false;
+        Self { unchecked: Some(why), pass, ..Self::judged(scene, f64::NAN, 0.0, None) }
     }
 }
 
@@ -135,6 +146,9 @@ pub struct Tally {
     pub passed: usize,
     /// Rows that cannot be asked, and count as neither.
     pub left_out: usize,
+    /// Rows that could be asked and were not checked: they count as neither, and nothing is known
+    /// of them.
+    pub unchecked: usize,
 }
 
 impl Tally {
@@ -142,9 +156,10 @@ impl Tally {
     #[must_use]
     pub fn of(verdicts: &[Verdict]) -> Self {
         let left_out = verdicts.iter().filter(|verdict| verdict.skipped.is_some()).count();
+        let unchecked = verdicts.iter().filter(|verdict| verdict.unchecked.is_some()).count();
         let passes = |verdict: &&Verdict| verdict.pass && verdict.skipped.is_none();
         let passed = verdicts.iter().filter(passes).count();
-        Self { checked: verdicts.len() - left_out, passed, left_out }
+        Self { checked: verdicts.len() - left_out - unchecked, passed, left_out, unchecked }
     }
 
     /// Whether no row failed.
@@ -247,29 +262,38 @@ pub fn render_table(verdicts: &[Verdict]) -> String {
         ]
     });
     let header = ["", "scene", "check", "error", "tolerance", "because", "against"];
-    let Tally { checked, passed, left_out } = Tally::of(verdicts);
+    let Tally { checked, passed, left_out, unchecked } = Tally::of(verdicts);
     let failed = checked - passed;
-    let left_out = if left_out == 0 { String::new() } else { format!(", {left_out} left out") };
-    format!("{}\n{checked} checks, {failed} failed{left_out}\n", text_table(header, cells))
+    let more = [(left_out, "left out"), (unchecked, "not checked")].into_iter();
+    let more =
+        more.filter(|(count, _)| *count > 0).map(|(count, what)| format!(", {count} {what}"));
+    let names = verdicts.iter().filter(|verdict| verdict.unchecked.is_some());
+    let names: Vec<String> = names.map(|row| format!("{} of {}", row.check, row.scene)).collect();
+    let names = if names.is_empty() { String::new() } else { format!(": {}", names.join("; ")) };
+    let more: String = more.chain([names]).collect();
+    format!("{}\n{checked} checks, {failed} failed{more}\n", text_table(header, cells))
 }
 
 fn outcome(verdict: &Verdict) -> &'static str {
     match verdict {
         Verdict { skipped: Some(_), .. } => "skip",
+        Verdict { unchecked: Some(_), .. } => "open",
         Verdict { pass: true, .. } => "pass",
         _ => "FAIL",
     }
 }
 
 fn number(verdict: &Verdict, value: f64) -> String {
-    if verdict.skipped.is_some() { String::new() } else { format!("{value:.1e}") }
+    let is_asked = verdict.skipped.is_none() && verdict.unchecked.is_none();
+    if is_asked { format!("{value:.1e}") } else { String::new() }
 }
 
-/// Why a check fails or is left out, else why its tolerance is what it is.
+/// Why a check fails, is left out or was not done, else why its tolerance is what it is.
 #[must_use]
 pub fn because(verdict: &Verdict) -> &str {
-    let other = verdict.failure.as_deref().or(verdict.skipped.as_deref());
-    other.unwrap_or(&verdict.reason)
+    let Verdict { failure, skipped, unchecked, reason, .. } = verdict;
+    let other = [failure, skipped, unchecked].into_iter().find_map(Option::as_deref);
+    other.unwrap_or(reason)
 }
 
 /// Aligned text: a header, a rule, and one line a row.

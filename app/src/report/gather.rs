@@ -11,7 +11,7 @@ use machinist_scenes::scenes;
 use machinist_studies::double_double::{Twin, precise};
 use machinist_studies::ledger::{LedgerRow, ledger as ledger_rows};
 use machinist_studies::stability::{Plan as Strain, Study, study};
-use machinist_studies::verify::{Verdict, VerifyOptions, verify_all};
+use machinist_studies::verify::{Tally, Verdict, VerifyOptions, verify_all};
 use machinist_studies::work_precision::{self, Plan, WorkPrecision};
 use maud::{Markup, html};
 
@@ -72,7 +72,7 @@ pub fn own(argument: &str, extent: Extent) -> Result<Pages, Failure> {
         }
     };
     let machine = of_spec(&spec, extent)?;
-    let all_passed = machine.verdicts.iter().all(|verdict| verdict.pass);
+    let all_passed = Tally::of(&machine.verdicts).is_clean();
     Ok(Pages { files: vec![file_of(&machine, false)], all_passed })
 }
 
@@ -146,7 +146,7 @@ pub fn whole(specs: &Path, emitted: &Path, extent: Extent) -> Result<Pages, Fail
     let mut verdicts = verdicts;
     verdicts.extend(drives.iter().flat_map(|drive| drive.verdicts.iter().cloned()));
     machines.extend(drives);
-    let all_passed = verdicts.iter().all(|verdict| verdict.pass);
+    let all_passed = Tally::of(&verdicts).is_clean();
     let report = Report { machines, emitted, verdicts, ledger, winder, fields, stability };
     let mut pages = vec![
         (PathBuf::from("index.html"), index::page(&report)),

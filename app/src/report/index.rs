@@ -52,9 +52,11 @@ fn card(machine: &Machine) -> Markup {
 }
 
 fn of_card(tally: Tally) -> String {
-    let Tally { checked, passed, left_out } = tally;
+    let Tally { checked, passed, left_out, unchecked } = tally;
     let left_out = if left_out == 0 { String::new() } else { format!(", {left_out} left out") };
-    format!("{passed} of {checked} checks{left_out}")
+    let unchecked =
+        if unchecked == 0 { String::new() } else { format!(", {unchecked} not checked") };
+    format!("{passed} of {checked} checks{left_out}{unchecked}")
 }
 
 fn introduction(report: &Report) -> Markup {

@@ -15,6 +15,7 @@ pub fn section(verdicts: &[Verdict], command: &str) -> Markup {
              tolerance. The same table is printed by " code { (command) } "."
         }
         @if let Some(left_out) = left_out(verdicts) { p { (left_out) } }
+        @if let Some(unchecked) = unchecked(verdicts) { p { (unchecked) } }
         div.scroll {
             table.verdicts {
                 thead {
@@ -31,11 +32,12 @@ pub fn section(verdicts: &[Verdict], command: &str) -> Markup {
 
 /// Rows that passed of those that were asked, as one of the figures of a page.
 pub fn entry(tally: Tally) -> Markup {
-    let Tally { checked, passed, left_out } = tally;
+    let Tally { checked, passed, left_out, unchecked } = tally;
     html! {
         div class=[(!tally.is_clean()).then_some("bad")] {
             dt { "checks passed" } dd { (passed) " / " (checked) }
             @if left_out > 0 { dd.note { (left_out) " left out" } }
+            @if unchecked > 0 { dd.note { (unchecked) " not checked" } }
         }
     }
 }
@@ -53,9 +55,22 @@ fn left_out(verdicts: &[Verdict]) -> Option<String> {
     Some(text)
 }
 
+/// That some rows were asked and not checked.
+fn unchecked(verdicts: &[Verdict]) -> Option<String> {
+    let Tally { unchecked, .. } = Tally::of(verdicts);
+    match unchecked {
+        0 => None,
+        1 => Some("One row was not checked: what it takes stopped; it says why.".to_owned()),
+        count => {
+            Some(format!("{count} rows were not checked: what they take stopped; each says why."))
+        }
+    }
+}
+
 fn row(verdict: &Verdict) -> Markup {
-    // What is left out has neither.
-    let asked = |value| if verdict.skipped.is_some() { String::new() } else { number(value, 2) };
+    // What was not checked has neither.
+    let is_checked = verdict.skipped.is_none() && verdict.unchecked.is_none();
+    let asked = |value| if is_checked { number(value, 2) } else { String::new() };
     html! {
         tr {
             td { (verdict.check) (numbers(verdict)) }
@@ -63,7 +78,11 @@ fn row(verdict: &Verdict) -> Markup {
             td.number { (asked(verdict.error)) }
             td.number { (asked(verdict.tolerance)) }
             td { (because(verdict)) }
-            td { @if verdict.skipped.is_some() { span.muted { "left out" } } @else { (badge(verdict.pass)) } }
+            td {
+                @if verdict.skipped.is_some() { span.muted { "left out" } }
+                @else if verdict.unchecked.is_some() { span.muted { "not checked" } }
+                @else { (badge(verdict.pass)) }
+            }
         }
     }
 }

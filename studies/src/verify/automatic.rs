@@ -52,6 +52,8 @@ enum Outcome {
     Found(Found),
     /// The row cannot be asked of this machine.
     Skipped(String),
+    /// It can be asked, and what it takes stopped, so that nothing is known.
+    Undone(String),
     /// What it takes was not done in time.
     TooSlow(String),
 }
@@ -123,6 +125,7 @@ impl Row {
     fn verdict(&self, scene: &str, visit: &Visit<'_>) -> Verdict {
         let judged = match (self.measure)(visit) {
             Outcome::Skipped(why) => Verdict::skipped(scene, why),
+            Outcome::Undone(why) => Verdict::unchecked(scene, why),
             Outcome::TooSlow(why) => {
                 Verdict::judged(scene, f64::INFINITY, self.tolerance, Some(why))
             }
@@ -147,8 +150,11 @@ impl Row {
 impl Outcome {
     /// Of a row that takes a run which stopped.
     fn without_run(error: &SimulateError) -> Self {
-        let is_slow = is_too_slow(error);
-        if is_slow { Self::TooSlow(told(error)) } else { Self::Skipped(told(error)) }
+        match error {
+            _ if is_too_slow(error) => Self::TooSlow(told(error)),
+            SimulateError::Stopped { .. } => Self::Undone(told(error)),
+            _ => Self::Skipped(told(error)),
+        }
     }
 }
 

@@ -185,9 +185,17 @@ fn a_table_has_one_line_a_check_and_counts_failures() {
     };
     let fails = Verdict { error: 1.0, pass: false, ..passes.clone() };
     let left_out = Verdict { reason: "".into(), ..Verdict::skipped("two_mass", "none".to_owned()) };
-    let text = render_table(&[passes, fails, left_out]);
+    let open = Verdict {
+        check: "the other".into(),
+        reason: "".into(),
+        ..Verdict::unchecked("two_mass", "it stopped".to_owned())
+    };
+    assert!(!open.pass);
+    let text = render_table(&[passes, fails, left_out, open]);
     assert_eq!(text.lines().filter(|line| line.contains("because")).count(), 3);
     assert_eq!(text.lines().filter(|line| line.contains("skip")).count(), 1);
     assert_eq!(text.lines().filter(|line| line.contains("FAIL")).count(), 1);
-    assert!(text.ends_with("2 checks, 1 failed, 1 left out\n"));
+    assert_eq!(text.lines().filter(|line| line.contains("open")).count(), 1);
+    let last = "2 checks, 1 failed, 1 left out, 1 not checked: the other of two_mass\n";
+    assert!(text.ends_with(last), "{text}");
 }

@@ -143,7 +143,7 @@ fn compare(
     if settled {
         Outcome::Found(found)
     } else {
-        Outcome::Skipped("differences settle no entry: the rate is not smooth anywhere".to_owned())
+        Outcome::Undone("differences settle no entry: the rate is not smooth anywhere".to_owned())
     }
 }
 

@@ -53,7 +53,7 @@ fn measure(visit: &Visit<'_>) -> Outcome {
     });
     let Difference { error, place, compared } = independent(&looks.collect::<Vec<_>>());
     if compared == 0 {
-        return Outcome::Skipped("its equations determine no motion at any place".to_owned());
+        return Outcome::Undone("its equations determine no motion at any place".to_owned());
     }
     Outcome::Found(Found { error, place: format!("Worst: {place}.") })
 }

@@ -76,7 +76,8 @@ pub struct Curve {
 pub struct Point {
     /// Relative tolerance.
     pub rtol: f64,
-    /// max over states of max over time |y - reference|/max over time |reference|.
+    /// max over states of max over time |y - reference|/size of the state: its largest value, or
+    /// its scale if that is only rounding.
     #[serde(serialize_with = "finite_or_null")]
     pub error: f64,
     /// Median time of a run \[ms\].
@@ -189,22 +190,42 @@ fn run(
     time_limit.into_iter().fold(run, Simulation::time_limit)
 }
 
-/// Names and values of the states.
-type States = Vec<(String, Vec<f64>)>;
+/// Beside its scale, a state that stays below this is rounding: its own size is no measure.
+const ROUNDING: f64 = 1e-12;
 
-fn states(trajectory: &Trajectory) -> States {
-    let columns = trajectory.of_kind(ColumnKind::State);
-    columns.map(|column| (column.name.clone(), column.values.clone())).collect()
+/// A state over time, as a reference knows it.
+#[derive(Debug, Clone, PartialEq)]
+struct KnownState {
+    name: String,
+    values: Vec<f64>,
+    /// What errors are relative to: its largest value, or its scale if that is only rounding.
+    size: f64,
 }
 
-/// max over states of max over time |a - b|/max over time |b|; NaN if a state is
-/// missing or a value is no number.
-fn distance(a: &Trajectory, b: &States) -> f64 {
-    let of_state = |(name, exact): &(String, Vec<f64>)| {
+impl KnownState {
+    fn new(name: String, values: Vec<f64>, scale: f64) -> Self {
+        let largest = values.iter().map(|value| value.abs()).fold(0.0, worse);
+        let size = if largest <= ROUNDING * scale { scale } else { largest };
+        Self { name, values, size }
+    }
+}
+
+/// The states of a run.
+fn states(simulator: &dyn Simulator<f64>, trajectory: &Trajectory) -> Vec<KnownState> {
+    let columns = trajectory.of_kind(ColumnKind::State).enumerate();
+    let known = columns.map(|(index, column)| {
+        let scale = simulator.state_scale(index);
+        KnownState::new(column.name.clone(), column.values.clone(), scale)
+    });
+    known.collect()
+}
+
+/// max over states of max over time |a - b|/size of b; NaN if a state is missing or a value is no
+/// number.
+fn distance(a: &Trajectory, b: &[KnownState]) -> f64 {
+    let of_state = |KnownState { name, values, size }: &KnownState| {
         let Some(ours) = a.column(name) else { return f64::NAN };
-        let distance = ours.iter().zip(exact).map(|(a, b)| (a - b).abs()).fold(0.0, worse);
-        let size = exact.iter().map(|value| value.abs()).fold(0.0, worse);
-        if size > 0.0 { distance / size } else { distance }
+        ours.iter().zip(values).map(|(a, b)| (a - b).abs()).fold(0.0, worse) / size
     };
     b.iter().map(of_state).fold(0.0, worse)
 }

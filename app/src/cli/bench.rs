@@ -53,7 +53,8 @@ impl Bench {
     fn table(&self, scene: &Scene, measured: &WorkPrecision) -> String {
         let mut text = format!(
             "{} ({}), measured against {}\n\
-             error: largest of all states over time, relative to the state's largest value\n\
+             error: largest of all states over time, relative to the state's largest value, or to its\n\
+             scale where that is only rounding\n\
              times: medians of up to {} runs; only their ratios mean anything elsewhere\n\n",
             measured.scene,
             scene.how(),

@@ -5,7 +5,7 @@ use std::time::Duration;
 use machinist_contract::Simulator;
 use serde::{Serialize, Serializer};
 
-use super::{States, distance, precise, run, states};
+use super::{KnownState, distance, precise, run, states};
 use crate::double_double::Twin;
 use machinist::error::SimulateError;
 use machinist::method::Method;
@@ -29,7 +29,7 @@ pub struct Reference {
     /// How far two ways to find it agree, as errors are measured. Errors below this
     /// mean nothing.
     pub agreement: f64,
-    states: States,
+    states: Vec<KnownState>,
 }
 
 impl Reference {
@@ -68,7 +68,10 @@ impl Reference {
             "Taylor series in numbers of 31 digits, two runs of which differ by {agreement:.1e}"
         );
         let columns = pilot.of_kind(ColumnKind::State).map(|column| column.name.clone());
-        let states = columns.zip(solved.states).collect();
+        let scales = (0..simulator.shape().states()).map(|index| simulator.state_scale(index));
+        let states = columns.zip(solved.states).zip(scales);
+        let states = states.map(|((name, values), scale)| KnownState::new(name, values, scale));
+        let states = states.collect();
         Ok(Some(Self { name, agreement, states }))
     }
 
@@ -100,7 +103,7 @@ impl Reference {
         runs.sort_by_key(|run| std::cmp::Reverse(run.method.order()));
         let pairs = runs.iter().enumerate().flat_map(|(index, first)| {
             let others = runs[index + 1..].iter();
-            others.map(move |second| (distance(second, &states(first)), first, second))
+            others.map(move |second| (distance(second, &states(simulator, first)), first, second))
         });
         let best = pairs.min_by(|a, b| a.0.total_cmp(&b.0));
         match (best, runs.first(), failure) {
@@ -110,21 +113,22 @@ impl Reference {
                      {agreement:.1e}",
                     first.method, first.rtol, second.method, second.rtol
                 );
-                Ok(Self { name, agreement, states: states(first) })
+                Ok(Self { name, agreement, states: states(simulator, first) })
             }
             (None, Some(only), _) => {
                 let name = format!(
                     "a run of {} at rtol {:.0e}, which no other method confirms",
                     only.method, only.rtol
                 );
-                Ok(Self { name, agreement: f64::NAN, states: states(only) })
+                Ok(Self { name, agreement: f64::NAN, states: states(simulator, only) })
             }
             (None, None, Some(error)) => Err(error),
             (None, None, None) => unreachable!("there are methods"),
         }
     }
 
-    /// max over states of max over time |y - reference|/max over time |reference|.
+    /// max over states of max over time |y - reference|/size of the state: its largest value, or
+    /// its scale if that is only rounding.
     #[must_use]
     pub fn distance(&self, trajectory: &Trajectory) -> f64 {
         distance(trajectory, &self.states)

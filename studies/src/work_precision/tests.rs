@@ -18,7 +18,7 @@ fn plan(method: Method, tolerances: &[f64]) -> Plan {
 }
 
 /// Angles and speeds of two rotors under the scene's own torques, from rest.
-fn closed_form_of_two_mass(times: &[f64]) -> States {
+fn closed_form_of_two_mass(times: &[f64]) -> Vec<KnownState> {
     type Quantity = (&'static str, fn(&Motion) -> f64);
     const TORQUES: Torques = Torques {
         driving: 974.4,
@@ -34,9 +34,10 @@ fn closed_form_of_two_mass(times: &[f64]) -> States {
     ];
     let motions: Vec<Motion> =
         times.iter().map(|time| SAW_GIN.motion(*time, Motion::default(), TORQUES)).collect();
-    let values = quantities
-        .iter()
-        .map(|(name, quantity)| ((*name).to_owned(), motions.iter().map(quantity).collect()));
+    let values = quantities.iter().map(|(name, quantity)| {
+        let values = motions.iter().map(quantity).collect();
+        KnownState::new((*name).to_owned(), values, 1.0)
+    });
     values.collect()
 }
 
@@ -91,6 +92,24 @@ fn tighter_tolerances_cost_more_and_err_less() {
 }
 
 #[test]
+fn a_state_that_is_only_rounding_is_measured_by_its_scale_and_a_small_one_by_itself() {
+    let trajectory = run(&TwoMass, Method::Tsit45, 1e-4, None).run().expect("a run");
+    let exact = states(&TwoMass, &trajectory);
+    for (size, error) in [(1e-17, 1e-17), (1e-9, 1.0), (1e-5, 1.0), (3.0, 1.0)] {
+        let mut noisy = trajectory.clone();
+        let mut known = exact.clone();
+        let values: Vec<f64> = (0..noisy.times.len()).map(|k| size * (k as f64).sin()).collect();
+        let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        known[0] = KnownState::new(known[0].name.clone(), values, 1.0);
+        let column = noisy.columns.iter_mut().find(|column| column.name == known[0].name);
+        column.expect("a state").values.iter_mut().for_each(|value| *value = 0.0);
+        let found = distance(&noisy, &known);
+        let expected = if error < 1.0 { largest } else { 1.0 };
+        assert!((found / expected - 1.0).abs() < 1e-12, "{size}: {found:e}");
+    }
+}
+
+#[test]
 fn a_tolerance_of_zero_is_refused() {
     let error = measure(&TwoMass, None, &plan(Method::Bdf, &[1e-3, 0.0])).expect_err("refused");
     assert_eq!(error, SimulateError::BadTolerance(0.0));
@@ -101,8 +120,8 @@ fn a_value_that_is_no_number_is_no_small_error() {
     let trajectory = run(&TwoMass, Method::Tsit45, 1e-4, None).run().expect("a run");
     let mut spoilt = trajectory.clone();
     spoilt.columns[1].values[3] = f64::NAN;
-    assert!(distance(&spoilt, &states(&trajectory)).is_nan());
-    assert!(distance(&trajectory, &states(&spoilt)).is_nan());
-    let unknown = vec![("nobody".to_owned(), vec![0.0])];
+    assert!(distance(&spoilt, &states(&TwoMass, &trajectory)).is_nan());
+    assert!(distance(&trajectory, &states(&TwoMass, &spoilt)).is_nan());
+    let unknown = vec![KnownState::new("nobody".to_owned(), vec![0.0], 1.0)];
     assert!(distance(&trajectory, &unknown).is_nan());
 }

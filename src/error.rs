@@ -19,6 +19,27 @@ pub enum SimulateError {
         /// The nearest known name, as a question, or nothing.
         hint: String,
     },
+    /// Nothing depends on the parameter, so that the scene was derived without it.
+    #[error(
+        "nothing in scene `{scene}` uses parameter `{name}`: another value of it would change \
+         nothing. Hint: leave it out, or derive the scene with all that its spec has"
+    )]
+    UnusedParameter {
+        /// The scene asked.
+        scene: String,
+        /// The parameter.
+        name: String,
+    },
+    /// Values of parameters with which the spec would be refused.
+    #[error("scene `{scene}`: {rule}, but it is {value}")]
+    RefusedParameters {
+        /// The scene asked.
+        scene: String,
+        /// What is asked of the value.
+        rule: String,
+        /// The value.
+        value: f64,
+    },
     /// No parameter and no state has this name.
     #[error("scene `{scene}` has no parameter and no state `{name}`{hint}")]
     UnknownDirection {
@@ -168,10 +189,7 @@ pub enum SimulateError {
         residuals: String,
     },
     /// A constraint says what others say, or nothing.
-    #[error(
-        "{scene}: constraint `{constraint}` {why}. \
-         Hint: its force could not be told from theirs; leave it out"
-    )]
+    #[error("{scene}: constraint `{constraint}` {why}. Hint: {hint}")]
     RedundantConstraint {
         /// The scene run.
         scene: String,
@@ -179,6 +197,8 @@ pub enum SimulateError {
         constraint: String,
         /// What is wrong with it.
         why: String,
+        /// How to mend it.
+        hint: &'static str,
     },
     /// The integration could not go on.
     #[error("{scene}: method `{method}` stopped at t = {time} s: {cause}")]

@@ -18,7 +18,7 @@ use crate::method::{
     Memory, Method, Problem, Stopped, System, Watch, identically_zero, just_behind, within,
 };
 use crate::scales::scales;
-use crate::simulate::{MAX_STEPS, Simulation};
+use crate::simulate::{MAX_STEPS, Simulation, require_admitted};
 
 /// Jumps that are nearer than this many roundings of a time are at it.
 const AT_ONCE: f64 = 512.0;
@@ -176,6 +176,7 @@ impl<'a> Hosted<'a> {
         if !(rtol > 0.0 && rtol <= 1.0) {
             return Err(SimulateError::BadTolerance(rtol).into());
         }
+        require_admitted(simulator, parameters)?;
         let state = if in_equilibrium {
             let run = Simulation::new(simulator).parameters(parameters);
             let run = run.from(from).until(until).rtol(rtol);

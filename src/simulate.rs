@@ -13,6 +13,8 @@ use std::time::Duration;
 use machinist_contract::Simulator;
 
 use crate::constraints::Constraints;
+#[cfg(feature = "linear")]
+use crate::constraints::consistent;
 use crate::error::{NotCompiledIn, SimulateError, StopCause, did_you_mean};
 #[cfg(feature = "sweep")]
 use crate::method::cut;
@@ -147,10 +149,13 @@ impl<'a> Simulation<'a> {
     /// Where a parameter stands.
     pub(crate) fn parameter_index(&self, name: &str) -> Result<usize, SimulateError> {
         let names = || (0..self.parameters.len()).map(|index| self.simulator.parameter(index).name);
-        names().position(|known| known == name).ok_or_else(|| SimulateError::UnknownParameter {
-            scene: self.simulator.name().to_owned(),
-            name: name.to_owned(),
-            hint: did_you_mean(name, names()),
+        names().position(|known| known == name).ok_or_else(|| {
+            let (scene, name) = (self.simulator.name().to_owned(), name.to_owned());
+            if self.simulator.is_unused(&name) {
+                return SimulateError::UnusedParameter { scene, name };
+            }
+            let hint = did_you_mean(&name, names());
+            SimulateError::UnknownParameter { scene, name, hint }
         })
     }
 
@@ -358,7 +363,13 @@ impl<'a> Simulation<'a> {
     #[cfg(feature = "linear")]
     pub(crate) fn checked_start(&self) -> Result<(Vec<f64>, Vec<f64>), SimulateError> {
         let parameters = self.checked_parameters()?.to_vec();
-        Ok((self.checked_initial_state()?, parameters))
+        let mut state = self.checked_initial_state()?;
+        if self.simulator.events() > 0 {
+            // In modes that do not contradict their guards, as a run starts, and on what holds then.
+            self.settle(&mut state)?;
+            state = consistent(self.simulator, &parameters, self.from, state, |_| false)?;
+        }
+        Ok((state, parameters))
     }
 
     /// What a method in lanes, whose steps keep to a relative tolerance, needs of a run, which is
@@ -371,9 +382,9 @@ impl<'a> Simulation<'a> {
         &self,
         (rtol, is_left): (f64, bool),
     ) -> Result<Variant, SimulateError> {
+        let parameters = self.checked_parameters()?;
         let initial = self.checked_initial_state()?;
         let atol = Method::tightened(&self.checked_atol(&initial)?, self.rtol, rtol);
-        let parameters = self.checked_parameters()?;
         let of_few = || few(self.simulator, parameters, (self.from, self.until), &initial);
         Ok(Variant {
             few: if is_left { of_few() } else { f64::INFINITY },
@@ -446,6 +457,7 @@ impl<'a> Simulation<'a> {
             system.note(format!("{method} instead of {asked}, which does not carry sensitivities"));
         }
         self.check_guards(&system)?;
+        self.note_projected(&system, &initial);
         self.negative_inertia_at(&initial).into_iter().for_each(|note| system.note(note));
         #[cfg(feature = "linear")]
         self.note_unstable(&system, &initial);
@@ -611,6 +623,7 @@ impl<'a> Simulation<'a> {
     fn checked_parameters(&self) -> Result<&[f64], SimulateError> {
         let name = |index| format!("parameter `{}`", self.simulator.parameter(index).name);
         self.check_list("parameters", &self.parameters, self.simulator.shape().parameters, name)?;
+        require_admitted(self.simulator, &self.parameters)?;
         Ok(&self.parameters)
     }
 
@@ -708,6 +721,17 @@ impl<'a> Simulation<'a> {
         let scale = size(initial).max(size(&scales));
         if scale.is_finite() && scale > 0.0 { scale } else { 1.0 }
     }
+}
+
+/// Refuses values of parameters with which the spec would be refused.
+pub(crate) fn require_admitted(
+    simulator: &dyn Simulator<f64>,
+    parameters: &[f64],
+) -> Result<(), SimulateError> {
+    simulator.refusal(parameters).map_or(Ok(()), |refusal| {
+        let (scene, rule) = (simulator.name().to_owned(), refusal.rule.to_owned());
+        Err(SimulateError::RefusedParameters { scene, rule, value: refusal.value })
+    })
 }
 
 /// Those of some times that lie within a run; an end of the run that cuts them off, or that they

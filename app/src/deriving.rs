@@ -7,14 +7,16 @@
 mod cache;
 mod child;
 
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 use machinist_algebra::cas::Algebra;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline::Derivation;
-use machinist_codegen::spec::diagnostic::Diagnostics;
+use machinist_codegen::scene::system::LagrangianSystem;
+use machinist_codegen::spec::diagnostic::{Diagnostic, Diagnostics};
 use machinist_model::file::Stamped;
 use machinist_model::{Model, SourceFile};
+use miette::Report;
 use serde::{Deserialize, Serialize};
 
 use crate::failure::{Failure, all};
@@ -75,7 +77,7 @@ impl Request {
     }
 
     /// The system of the scene, as asked for.
-    fn system(&self) -> Result<machinist_codegen::scene::system::LagrangianSystem, Diagnostics> {
+    fn system(&self) -> Result<LagrangianSystem, Diagnostics> {
         let mut system = self.scene.system()?;
         if let Some(rigid) = &self.rigid {
             system.freeze.rigid.clone_from(rigid);
@@ -136,11 +138,27 @@ pub fn derivation(scene: &SpecSource, keep: Keep) -> Result<Derivation, Failure>
     derivations.pop().ok_or_else(|| child::broken("nothing"))
 }
 
+/// Warnings that were shown by this process.
+static SHOWN: Mutex<Vec<Diagnostic>> = Mutex::new(Vec::new());
+
+/// Shows warnings of a spec on standard error, each once.
+pub fn warn(system: &LagrangianSystem) {
+    let mut shown = SHOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    for warning in &system.warnings {
+        if !shown.contains(warning) {
+            shown.push(warning.clone());
+            eprintln!("{:?}", Report::new(warning.clone()));
+        }
+    }
+}
+
 /// Answers requests, in their order: from the cache where it has them, by one child that
 /// derives all others.
 fn derive(requests: &[Request]) -> Result<Vec<Derived>, Failure> {
     let cache = Cache::of_user();
-    let read = all(requests, |request| Ok(request.system()?.files))?;
+    let systems = all(requests, Request::system)?;
+    systems.iter().for_each(warn);
+    let read: Vec<_> = systems.into_iter().map(|system| system.files).collect();
     let keys: Vec<Key> =
         requests.iter().zip(&read).map(|(request, files)| cache::key(request, files)).collect();
     let mut derived: Vec<Option<Derived>> = keys.iter().map(|key| cache.get(key)).collect();

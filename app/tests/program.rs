@@ -7,8 +7,10 @@
 mod accessible;
 mod anywhere;
 mod book;
+mod campbell;
 mod cli;
 mod cli_sweep;
+mod csv;
 mod deriving;
 mod fit;
 mod fmu;
@@ -17,6 +19,7 @@ mod improve;
 mod lists;
 mod live;
 mod process;
+mod refusals;
 mod report;
 mod schema;
 mod spectrum;

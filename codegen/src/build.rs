@@ -111,6 +111,10 @@ fn generate(scene: &Path) -> Result<Model, BuildError> {
     for file in system.files.iter().filter(|file| !file.path.as_os_str().is_empty()) {
         println!("cargo:rerun-if-changed={}", file.path.display());
     }
+    for warning in &system.warnings {
+        let (file, line) = (&warning.file, warning.line);
+        println!("cargo:warning={file}:{line}: {}", warning.message);
+    }
     let model = pipeline::compile(system, Keep::Needed)?;
     if !model.freeze.rigid.is_empty() {
         let scene = &model.name;

@@ -195,6 +195,15 @@ impl<R: Real> PowerBalance<R> {
     }
 }
 
+/// Why values of parameters make no machine.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Refusal<'a> {
+    /// What is asked of a value: `the ratio of port \`gear.a\` is a number other than 0`.
+    pub rule: &'a str,
+    /// What it is.
+    pub value: f64,
+}
+
 /// Names, units, shapes and structure of a simulator.
 pub trait Describe {
     /// The scene's name, a valid identifier.
@@ -284,6 +293,21 @@ pub trait Describe {
     /// Whether runs start in the equilibrium near the initial state, and not in that itself.
     fn starts_in_equilibrium(&self) -> bool {
         false
+    }
+    /// Why some values of the parameters make no machine, as the spec would be refused with them;
+    /// nothing if they do, or if it is not known.
+    fn refusal(&self, _parameters: &[f64]) -> Option<Refusal<'_>> {
+        None
+    }
+    /// Whether the spec has a parameter of this name on which nothing depends, so that the simulator
+    /// has it not.
+    fn is_unused(&self, _parameter: &str) -> bool {
+        false
+    }
+    /// Whether no power is supplied or dissipated at any state and time, for these parameters;
+    /// nothing if it is not known. Events may change the energy all the same.
+    fn conserves_energy(&self, _parameters: &[f64]) -> Option<bool> {
+        None
     }
     /// Whether the initial value of the `index`-th state is given; if not, it is a guess
     /// from which one is looked for that fulfils the constraints.

@@ -20,7 +20,7 @@ use thiserror::Error;
 use crate::{Malformed, Model};
 
 /// Version of the format; one more whenever the bytes of a model would mean something else.
-pub const VERSION: u32 = 6;
+pub const VERSION: u32 = 7;
 
 /// The first bytes of every file.
 pub const MARK: &[u8; 16] = b"machinist model\n";

@@ -13,6 +13,7 @@ mod check;
 pub mod compiled;
 pub mod evaluate;
 mod excitation;
+mod facts;
 mod field;
 pub mod file;
 pub mod fingerprint;
@@ -39,8 +40,8 @@ pub use excitation::Excitation;
 pub use field::{Attachment, FieldModel, LocalForces};
 pub use lanes::{F64x2, Lane};
 pub use model::{
-    Constraint, Coordinate, Event, Freeze, MatrixTape, Model, Parameter, SparsityPattern, State,
-    StateKind,
+    Bound, Constraint, Coordinate, Event, Freeze, MatrixTape, Model, Parameter, Requirement,
+    SparsityPattern, State, StateKind,
 };
 pub use motion::{Motion, Solve, SolveStep};
 pub use names::{Direction, Name, Place, Quantity, RunDefaults, SourceFile, Table};

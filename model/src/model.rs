@@ -135,6 +135,42 @@ pub struct Parameter {
     pub value: f64,
 }
 
+/// What a value that is made of parameters must fulfil.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Requirement {
+    /// In words: `the ratio of port \`gear.a\` is a number other than 0`.
+    pub rule: String,
+    /// Which values do.
+    pub bound: Bound,
+}
+
+/// Which values fulfil a requirement, of those that are finite.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Bound {
+    /// All.
+    Finite,
+    /// All but 0.
+    NotZero,
+    /// Those above 0.
+    Positive,
+    /// Those from 0 on.
+    NotNegative,
+}
+
+impl Bound {
+    /// Whether a value fulfils it.
+    #[must_use]
+    pub fn admits(self, value: f64) -> bool {
+        value.is_finite()
+            && match self {
+                Bound::Finite => true,
+                Bound::NotZero => value != 0.0,
+                Bound::Positive => value > 0.0,
+                Bound::NotNegative => value >= 0.0,
+            }
+    }
+}
+
 /// Approximations that the scene asked for.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Freeze {
@@ -237,6 +273,10 @@ pub struct Model {
     pub fields: Vec<FieldModel>,
     /// What its runs are held against.
     pub checks: Vec<Check>,
+    /// What values of parameters must fulfil.
+    pub requirements: Vec<Requirement>,
+    /// One result for each of them; of parameters only.
+    pub required: Tape,
 }
 
 impl Model {

@@ -11,7 +11,7 @@ use machinist_contract::linear::LinearEquations;
 use machinist_contract::taylor::{Bends, TaylorSeries};
 use machinist_contract::{
     Constraint, Derivatives, Describe, Direction, Dual, Energy, Event, PowerBalance, Quantity,
-    RunDefaults, Shape, SideBySide, Simulator, SparsityPattern, jacobians_apart,
+    Refusal, RunDefaults, Shape, SideBySide, Simulator, SparsityPattern, jacobians_apart,
 };
 
 use crate::functions::{FUNCTIONS, FunctionId};
@@ -422,6 +422,16 @@ impl Describe for ModelSimulator {
     }
     fn starts_in_equilibrium(&self) -> bool {
         self.model.starts_in_equilibrium
+    }
+    fn refusal(&self, parameters: &[f64]) -> Option<Refusal<'_>> {
+        let (requirement, value) = self.model.unfulfilled(parameters)?;
+        Some(Refusal { rule: &requirement.rule, value })
+    }
+    fn is_unused(&self, parameter: &str) -> bool {
+        self.model.is_unused(parameter)
+    }
+    fn conserves_energy(&self, parameters: &[f64]) -> Option<bool> {
+        self.model.conserves_energy(parameters)
     }
     fn is_given(&self, index: usize) -> bool {
         self.model.states[index].is_given

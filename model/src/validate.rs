@@ -73,6 +73,7 @@ impl Model {
                 return broken("excitation", format!("has time to the power {power}"));
             }
         }
+        check("required", &self.required, &self.room(), self.requirements.len())?;
         self.check_events()?;
         for field in &self.fields {
             self.check_field(field)?;

@@ -108,6 +108,7 @@ impl From<Failure> for PyErr {
 fn class_of(error: &SimulateError) -> &'static str {
     match error {
         SimulateError::UnknownParameter { .. }
+        | SimulateError::UnusedParameter { .. }
         | SimulateError::UnknownDirection { .. }
         | SimulateError::UnknownMethod(_) => "UnknownNameError",
         SimulateError::WrongLength { .. } => "ShapeError",

@@ -126,6 +126,7 @@ fn prepared(
                 SimulateError::ImpossibleStart { .. }
                     | SimulateError::NoEquilibrium(_)
                     | SimulateError::NotFinite { .. }
+                    | SimulateError::RefusedParameters { .. }
                     | SimulateError::GuardIsZero { .. }
                     | SimulateError::RedundantConstraint { .. }
             );

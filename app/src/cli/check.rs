@@ -45,6 +45,7 @@ impl Check {
             }
         }
         let systems = all(&files, SpecSource::system)?;
+        systems.iter().for_each(deriving::warn);
         for (file, system) in files.iter().zip(&systems) {
             let _ = writeln!(
                 text,
@@ -95,7 +96,7 @@ fn constraints(file: &SpecSource, system: &LagrangianSystem) -> Result<String, F
         Some(redundant) => {
             let (name, constraint) = (&system.name, &redundant.constraint);
             let message = format!("{name}: constraint `{constraint}` {}", redundant.why());
-            Err(Failure::input(message, counted))
+            Err(Failure::input(message, format!("{}; {counted}", redundant.hint())))
         }
     }
 }

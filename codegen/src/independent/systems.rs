@@ -391,6 +391,8 @@ impl Recipe {
             freeze: Freeze::default(),
             fields: Vec::new(),
             starts_in_equilibrium: false,
+            warnings: Vec::new(),
+            requirements: Vec::new(),
             files: Vec::new(),
         }
     }

@@ -45,6 +45,7 @@ pub fn describe(equations: &EquationsOfMotion) -> Model {
         freeze: system.freeze.clone(),
         reduction: equations.reduction.clone(),
         starts_in_equilibrium: system.starts_in_equilibrium,
+        requirements: system.requirements.iter().map(|one| one.requirement.clone()).collect(),
         ..Model::default()
     }
 }

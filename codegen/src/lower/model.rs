@@ -18,6 +18,7 @@ use crate::lower::kinks::{Given, Kinks, kinks};
 use crate::lower::nonzeros::Nonzeros;
 use crate::lower::share::{Parts, share};
 use crate::lower::substitute::{Step, Substitution};
+use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::mechanics::linearize::{Linearization, Partials};
 use crate::mechanics::state::Motion;
 
@@ -53,6 +54,7 @@ pub fn lower(linearization: &Linearization) -> Model {
         excitation: is_whole.then(|| excitation(&rate)).flatten(),
         initial_state: graph.tape(&initial),
         discontinuities: graph.tape(&discontinuities),
+        required: required(&linearization.equations),
         rate: expand(&rate),
         mass_matrix: build.mass_matrix_tape(),
         forcing: graph.tape(&build.forcing),
@@ -68,6 +70,14 @@ pub fn lower(linearization: &Linearization) -> Model {
         ..describe(&linearization.equations)
     };
     build.of_motion(model, jacobians, &motion)
+}
+
+/// What values of parameters must fulfil, on a graph of its own: it shares nothing with what runs.
+fn required(equations: &EquationsOfMotion) -> Tape {
+    let mut graph = Graph::for_scene(equations.layout.symbols());
+    let required = equations.system.requirements.iter();
+    let values: Vec<NodeId> = required.map(|required| graph.lower(&required.expr)).collect();
+    graph.tape(&values)
 }
 
 /// Products of a solve in all columns of the Jacobian, beyond which functions share the

@@ -49,7 +49,9 @@ pub fn assemble(
     let mut assembler =
         Assembler { spec, layout, values, resolver: Resolver::new(spec, layout), run, mistakes };
     assembler.span_of_run();
-    parameters::check(&mut assembler.resolver, values, assembler.mistakes);
+    // A ratio that is made of a parameter is no better than that.
+    let mut requirements = parameters::check(&mut assembler.resolver, values, assembler.mistakes);
+    requirements.extend(layout.required.iter().cloned());
     assembler.inputs();
     let (energies, springs) = assembler.energies();
     let [mut kinetic, potential, dissipation, stored_energy, supplied_power, dissipated_power] =
@@ -73,7 +75,7 @@ pub fn assemble(
     assembler.inertia(&kinetic, &constraints);
     assembler.motions(&kinetic, &constraints);
     assembler.clashes();
-    let (tables, discontinuities) = (assembler.resolver.tables, assembler.resolver.discontinuities);
+    let Resolver { tables, discontinuities, warnings, .. } = assembler.resolver;
     LagrangianSystem {
         name: spec.name.value.clone(),
         title: spec.title.clone(),
@@ -102,6 +104,8 @@ pub fn assemble(
         freeze,
         fields,
         starts_in_equilibrium: spec.starts_in_equilibrium,
+        warnings: spec.sources.warnings(&warnings),
+        requirements,
         files: spec.sources.files(),
     }
 }

@@ -3,12 +3,13 @@
 use crate::scene::evaluate::evaluate;
 use crate::scene::layout::{Attachment, Layout, Local, Scope};
 use crate::scene::resolve::{Resolver, Wanted};
-use crate::scene::typed::Uses;
+use crate::scene::system::Required;
+use crate::scene::typed::{Uses, integer, product, sum};
 use crate::spec::diagnostic::Mistake;
 use crate::spec::dimension::Dimension;
 use crate::spec::{Boundary, FieldSpec, Formula, InstanceSpec, SceneSpec, did_you_mean, quoted};
 use machinist_algebra::expr::{Expr, ParameterId};
-use machinist_model::Place;
+use machinist_model::{Bound, Place};
 
 /// Finds the place of every port on a field, and checks what scenes choose for fields.
 pub fn locate(
@@ -19,6 +20,7 @@ pub fn locate(
 ) {
     choices(spec, mistakes);
     let mut found = Vec::new();
+    let mut required = Vec::new();
     let mut resolver = Resolver::new(spec, layout);
     for (index, instance) in spec.instances.iter().enumerate() {
         let unit = &spec.units[instance.unit];
@@ -30,6 +32,10 @@ pub fn locate(
                     continue;
                 }
             };
+            let (length_expr, length) = length;
+            let name = |name: &str| quoted(&format!("{}.{name}", instance.name.value));
+            let rule = format!("the length of field {} is above 0 m", name(&field.name.value));
+            required.push(Required::new(&length_expr, Bound::Positive, rule));
             let fixed = ends(instance, field).map(|end| end == Boundary::Fixed);
             for (port_index, port) in unit.ports.iter().enumerate() {
                 let Some(attachment) = &port.attachment else { continue };
@@ -44,6 +50,18 @@ pub fn locate(
                         continue;
                     }
                 };
+                let after =
+                    sum(vec![length_expr.clone(), product(vec![integer(-1), expr.clone()])]);
+                let port_name = name(&port.name.value);
+                for (value, rule) in [
+                    (&expr, format!("the place of port {port_name} is at 0 m or beyond")),
+                    (
+                        &after,
+                        format!("the length of the field beyond port {port_name} is 0 m or more"),
+                    ),
+                ] {
+                    required.push(Required::new(value, Bound::NotNegative, rule));
+                }
                 let place = match x {
                     x if x <= 0.0 => Place::Start,
                     x if x >= length => Place::End,
@@ -68,6 +86,7 @@ pub fn locate(
         }
     }
     drop(resolver);
+    layout.required.extend(required);
     found.sort_by(|(a, _), (b, _)| {
         (a.instance, a.field).cmp(&(b.instance, b.field)).then(a.x.total_cmp(&b.x))
     });
@@ -128,13 +147,13 @@ fn choices(spec: &SceneSpec, mistakes: &mut Vec<Mistake>) {
     }
 }
 
-/// Length of a field at the values of the spec.
+/// Length of a field, and its value at those of the spec.
 fn length(
     resolver: &mut Resolver<'_>,
     index: usize,
     field: &FieldSpec,
     parameter: &impl Fn(ParameterId) -> f64,
-) -> Result<f64, Box<Mistake>> {
+) -> Result<(Expr, f64), Box<Mistake>> {
     let (layout, spec) = (resolver.layout, resolver.spec);
     let instance = &spec.instances[index];
     let unit = &spec.units[instance.unit];
@@ -154,9 +173,10 @@ fn length(
         return Err(Box::new(Mistake::new(field.over.span, message, label)));
     }
     let (over, scope) = (&field.over, Scope::Instance(index));
-    let value = evaluate(&resolver.value(&over.value, over.span, scope)?.expr, parameter);
+    let length = resolver.value(&over.value, over.span, scope)?.expr;
+    let value = evaluate(&length, parameter);
     if value > 0.0 && value.is_finite() {
-        return Ok(value);
+        return Ok((length, value));
     }
     let own = instance.parameters.iter().find(|(name, _)| name.value == field.over.value);
     let span = own.map_or(declared.name.span, |(name, _)| name.span);

@@ -40,7 +40,10 @@ const OTHERS: &[(&str, &str)] = &[
     ("smooth_step", "smooth_step(x)"),
     ("step", "step(t, t0)"),
     ("piecewise", "piecewise(t < t1, a, x < x2, b, c)"),
-    ("table", "table(\"file.csv\", \"column\", x), or with \"linear\" or \"monotone\" behind x"),
+    (
+        "table",
+        "table(\"file.csv\", \"column\", x), or with \"linear\", \"monotone\" or \"natural\" behind x",
+    ),
     ("der", "der(x)"),
 ];
 
@@ -77,7 +80,9 @@ impl Resolver<'_> {
                 self.piecewise(arguments, span, scope, allowed)
             }
             ("table", [file, column, x]) => {
-                self.table((file, column, Course::Natural), x, scope, allowed)
+                let typed = self.table((file, column, Course::Natural), x, scope, allowed)?;
+                self.warn_of_overshoot(file, column);
+                Ok(typed)
             }
             ("table", [file, column, x, course]) => {
                 let course = course_of(course)?;
@@ -504,6 +509,40 @@ impl Resolver<'_> {
         Ok(typed)
     }
 
+    /// Warns of a spline that nobody asked for by name and that leaves its data.
+    fn warn_of_overshoot(&mut self, file: &Ast, column: &Ast) {
+        let (Node::Text(path), Node::Text(name)) = (&file.node, &column.node) else { return };
+        let spec = self.spec;
+        let Some(csv) = spec.tables.iter().find(|t| t.spec == file.span.file && t.path == *path)
+        else {
+            return;
+        };
+        let Some(y) = csv.columns.iter().find(|column| column.name == *name) else { return };
+        let x = &csv.columns[0].values;
+        let Some(coefficients) = spline::natural(x, &y.values) else { return };
+        let Some(found) = spline::overshoot(x, &y.values, &coefficients) else { return };
+        let short = |value: f64| format!("{}", format!("{value:.3e}").parse().unwrap_or(value));
+        let [low, high] = found.range.map(short);
+        let message = format!(
+            "the natural cubic spline through {} of {} overshoots: it reaches {} between rows {} \
+             and {}, where the rows around are {low} to {high}",
+            quoted(name),
+            quoted(path),
+            short(found.reached),
+            found.row + 1,
+            found.row + 2,
+        );
+        let help = format!(
+            "write table(\"{path}\", \"{name}\", x, \"monotone\"), which stays within its \
+             data, or \"linear\"; \"natural\" there keeps this curve without a warning"
+        );
+        let span = csv.rows[found.row].to(csv.rows[found.row + 1]);
+        let warning = Mistake::new(span, message, "between these rows").help(help);
+        if !self.warnings.contains(&warning) {
+            self.warnings.push(warning);
+        }
+    }
+
     /// The table of a column, made at its first use.
     fn table_id(
         &mut self,
@@ -552,7 +591,7 @@ fn course_of(ast: &Ast) -> Result<Course, Box<Mistake>> {
         [("natural", Course::Natural), ("linear", Course::Linear), ("monotone", Course::Monotone)];
     let Node::Text(text) = &ast.node else {
         let mistake = Mistake::new(ast.span, "how a table goes is a text", "not a text");
-        return Err(Box::new(mistake.help("write \"linear\" or \"monotone\"")));
+        return Err(Box::new(mistake.help("write \"linear\", \"monotone\" or \"natural\"")));
     };
     let found = known.iter().find(|(name, _)| name == text);
     found.map(|(_, course)| *course).ok_or_else(|| {

@@ -5,16 +5,20 @@ use std::collections::VecDeque;
 use crate::scene::layout::{Layout, Link, Scope, find_port};
 use crate::scene::ports::{dimension_of, ratio_of, require_ratio};
 use crate::scene::resolve::{Resolver, Wanted};
+use crate::scene::system::Required;
 use crate::scene::typed::{Uses, integer, product, reciprocal};
 use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::dimension::Dimension;
-use crate::spec::{JointSpec, SceneSpec, quoted};
+use crate::spec::{Formula, JointSpec, SceneSpec, quoted};
 use machinist_algebra::expr::{CoordinateId, Expr, ParameterId};
+use machinist_model::Bound;
 
 /// q of slot `first` = ratio * q of slot `second`; `None` for 1.
 struct Edge {
     slots: [usize; 2],
     ratio: Option<Expr>,
+    /// What the ratios it is made of must fulfil.
+    required: Vec<Required>,
 }
 
 /// Identifies joined coordinates. Of a joined set, a place on a field, else the
@@ -42,6 +46,7 @@ pub fn identify(
         }
     }
     drop(resolver);
+    layout.required.extend(edges.iter().flat_map(|edge| edge.required.iter().cloned()));
     hold(spec, layout, &mut roots, mistakes);
     let starts = starts(spec, layout, &mut roots);
     follow(layout, &edges, &starts);
@@ -135,17 +140,27 @@ fn edge(
         }
         None => None,
     };
-    require_ratio(of_joint.as_ref(), joint.ratio.as_ref(), parameter)?;
-    let [own, others] = [(port, slot), (other, other_slot)].map(|(port, slot)| {
+    let mut required = Vec::new();
+    let mut require = |ratio: Option<&Expr>, formula: Option<&Formula>, of: String| {
+        require_ratio(ratio, formula, parameter)?;
+        let rule = format!("the ratio of {of} is a number other than 0");
+        required.extend(ratio.map(|ratio| Required::new(ratio, Bound::NotZero, rule)));
+        Ok::<_, Box<Mistake>>(())
+    };
+    let joint_of = format!("the joint of {} and {}", quoted(&first.value), quoted(&second.value));
+    require(of_joint.as_ref(), joint.ratio.as_ref(), joint_of)?;
+    let ends = [(port, slot, first), (other, other_slot, second)];
+    let [own, others] = ends.map(|(port, slot, name)| {
         let ratio = ratio_of(resolver, port, slot)?;
-        require_ratio(ratio.as_ref(), port.ratio.as_ref(), parameter)?;
+        require(ratio.as_ref(), port.ratio.as_ref(), format!("port {}", quoted(&name.value)))?;
         Ok::<_, Box<Mistake>>(ratio)
     });
     // p q = ratio p' q', with p and p' of the two ports.
     let factors: Vec<Expr> =
         of_joint.into_iter().chain(others?).chain(own?.map(reciprocal)).collect();
     let ratio = product(factors);
-    Ok(Edge { slots: [slot, other_slot], ratio: (ratio != integer(1)).then_some(ratio) })
+    let ratio = (ratio != integer(1)).then_some(ratio);
+    Ok(Edge { slots: [slot, other_slot], ratio, required })
 }
 
 /// What is joined to a fixed coordinate is fixed with it.

@@ -4,6 +4,7 @@
 use std::collections::HashMap;
 
 use crate::scene::parameters::numbers;
+use crate::scene::system::Required;
 use crate::scene::typed::integer;
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::{Dimension, Unit};
@@ -162,6 +163,8 @@ pub struct Layout {
     attached: Vec<Option<usize>>,
     /// Likewise, whether it is held at zero.
     held: Vec<bool>,
+    /// What ratios, and lengths and places of fields, must fulfil.
+    pub required: Vec<Required>,
 }
 
 impl Layout {
@@ -227,6 +230,7 @@ impl Layout {
             attachments,
             attached,
             held,
+            required: Vec::new(),
         }
     }
 

@@ -7,12 +7,14 @@
 use crate::scene::evaluate::evaluate;
 use crate::scene::layout::{Layout, Local, Scope, find_inside};
 use crate::scene::resolve::{Resolver, Wanted};
+use crate::scene::system::Required;
 use crate::scene::typed::{Typed, Uses};
 use crate::spec::diagnostic::{Mistake, Span, Spanned};
 use crate::spec::dimension::Unit;
 use crate::spec::expression::{Ast, Node};
 use crate::spec::{ParameterSpec, SceneSpec, Value, did_you_mean, quoted};
 use machinist_algebra::expr::{Expr, ParameterId};
+use machinist_model::Bound;
 
 /// What a parameter is worth.
 pub enum Given<'a> {
@@ -139,20 +141,39 @@ pub fn values(spec: &SceneSpec, layout: &Layout, mistakes: &mut Vec<Mistake>) ->
 
 /// Resolves every parameter that is an expression: each is of parameters, of its declared
 /// dimension, and finite at the values of the spec.
-pub fn check(resolver: &mut Resolver<'_>, values: &[f64], mistakes: &mut Vec<Mistake>) {
+pub fn check(
+    resolver: &mut Resolver<'_>,
+    values: &[f64],
+    mistakes: &mut Vec<Mistake>,
+) -> Vec<Required> {
     let spec = resolver.spec;
+    let mut required = Vec::new();
     for (scope, index) in all(spec) {
         let Given::Expression(ast, _) = given(spec, scope, index) else { continue };
         let name = &declared(spec, scope, index).name;
         let finite = resolver.value(&name.value, ast.span, scope).and_then(|typed| {
             let value = evaluate(&typed.expr, &|id: ParameterId| values[id.0 as usize]);
             if value.is_finite() {
+                let rule = format!(
+                    "parameter {} is a finite number",
+                    quoted(&path(spec, scope, &name.value))
+                );
+                required.push(Required::new(&typed.expr, Bound::Finite, rule));
                 return Ok(());
             }
             let message = format!("parameter {} is {value} here", quoted(&name.value));
             Err(Box::new(Mistake::new(ast.span, message, "not a finite number")))
         });
         mistakes.extend(finite.err().map(|mistake| *mistake));
+    }
+    required
+}
+
+/// The name of a parameter with that of its instance.
+fn path(spec: &SceneSpec, scope: Scope, name: &str) -> String {
+    match scope {
+        Scope::Instance(instance) => format!("{}.{name}", spec.instances[instance].name.value),
+        _ => name.to_owned(),
     }
 }
 

@@ -70,6 +70,8 @@ pub struct Resolver<'a> {
     pub(super) table_columns: Vec<(usize, usize, Course)>,
     /// Times of jumps, each once.
     pub(super) discontinuities: Vec<Expr>,
+    /// What is allowed and hardly meant, each once.
+    pub(super) warnings: Vec<Mistake>,
     pub(super) level: usize,
     pub(super) spent: usize,
     spent_in_all: usize,
@@ -85,6 +87,7 @@ impl<'a> Resolver<'a> {
             tables: Vec::new(),
             table_columns: Vec::new(),
             discontinuities: Vec::new(),
+            warnings: Vec::new(),
             level: 0,
             spent: 0,
             spent_in_all: 0,

@@ -111,9 +111,127 @@ fn second_derivatives(h: &[f64], slope: &[f64]) -> Vec<f64> {
     m
 }
 
+/// Rows on either side of an interval that its curve is compared with: the influence of a row on a
+/// natural spline falls by 2 - sqrt(3) = 0.27 a row, so that those beyond have less than a hundredth.
+const ROWS_AROUND: usize = 4;
+
+/// The part of a curve that leaves its data furthest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Overshoot {
+    /// The row that its interval begins with.
+    pub row: usize,
+    /// The value that the curve reaches.
+    pub reached: f64,
+    /// Least and greatest value of the rows around.
+    pub range: [f64; 2],
+}
+
+/// Where a curve leaves the range of the rows around by more than it could if they were evenly
+/// spaced; there the furthest place.
+///
+/// A cardinal cubic spline through data within +-1 stays within its Lebesgue constant,
+/// (1 + 3 sqrt(3))/4 = 1.549 (Richards, Aequationes Math. 9, 1973), so that it leaves a range by at
+/// most (1.549 - 1)/2 = 0.27 of it.
+pub fn overshoot(x: &[f64], y: &[f64], coefficients: &[[f64; 4]]) -> Option<Overshoot> {
+    let most = 3.0 * (3.0_f64.sqrt() - 1.0) / 8.0;
+    let mut furthest: Option<(f64, Overshoot)> = None;
+    for (row, (cubic, ends)) in coefficients.iter().zip(x.windows(2)).enumerate() {
+        let around = &y[(row + 1).saturating_sub(ROWS_AROUND)..y.len().min(row + 1 + ROWS_AROUND)];
+        let low = around.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = around.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        for reached in extremes(cubic, ends[1] - ends[0]) {
+            let beyond = (reached - high).max(low - reached);
+            // Where all rows are equal, what is left of a jump elsewhere says nothing of them.
+            if high > low
+                && beyond > most * (high - low)
+                && furthest.as_ref().is_none_or(|(far, _)| beyond > *far)
+            {
+                furthest = Some((beyond, Overshoot { row, reached, range: [low, high] }));
+            }
+        }
+    }
+    furthest.map(|(_, overshoot)| overshoot)
+}
+
+/// Values of a cubic where its slope is zero within (0, h).
+fn extremes(&[c0, c1, c2, c3]: &[f64; 4], h: f64) -> impl Iterator<Item = f64> {
+    // c1 + 2 c2 u + 3 c3 u^2 = 0, by the sum of equal signs first.
+    let root = (c2 * c2 - 3.0 * c1 * c3).sqrt();
+    let sum = -(c2 + root.copysign(c2));
+    let roots = [sum / (3.0 * c3), c1 / sum];
+    let inside = roots.into_iter().filter(move |u| *u > 0.0 && *u < h);
+    inside.map(move |u| c0 + u * (c1 + u * (c2 + u * c3)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A step from 0 to 1 between rows 3 and 4, its rows evenly spaced but for the step.
+    fn step_within(width: f64) -> Option<Overshoot> {
+        let x: Vec<f64> =
+            (0..8).map(|k| f64::from(k) + if k > 3 { width - 1.0 } else { 0.0 }).collect();
+        let y: Vec<f64> = (0..8).map(|k| f64::from(u8::from(k > 3))).collect();
+        overshoot(&x, &y, &natural(&x, &y)?)
+    }
+
+    #[test]
+    fn a_step_that_is_shorter_than_its_neighbours_overshoots_the_more_the_shorter() {
+        assert_eq!(step_within(1.0), None);
+        let mut before = 0.0;
+        for width in [0.1, 0.01, 1e-3, 1e-6] {
+            let found = step_within(width).expect("an overshoot");
+            let beyond = (found.reached - 1.0).max(-found.reached);
+            assert!(beyond > before, "{width}: {found:?}");
+            assert_eq!(found.range, [0.0, 1.0]);
+            assert!(found.row == 2 || found.row == 4, "beside the step: {found:?}");
+            // A step of slope 1/width between chords of slope 0: the spline leaves the data by
+            // a share of slope times the neighbour's length.
+            assert!((0.1..0.3).contains(&(beyond * width)), "{width}: {beyond}");
+            before = beyond;
+        }
+    }
+
+    #[test]
+    fn what_a_curve_reaches_is_found_between_samples_too() {
+        let x = [0.0, 1.0, 1.001, 2.0];
+        let y = [0.0, 0.0, 100.0, 100.0];
+        let rows = natural(&x, &y).expect("a spline");
+        let found = overshoot(&x, &y, &rows).expect("an overshoot");
+        let beyond = |value: f64| (value - 100.0).max(-value);
+        let ends = [(0, 1.0), (2, 0.999)];
+        let sampled = ends.into_iter().flat_map(|(row, length)| {
+            let rows = &rows;
+            (0..1000).map(move |k| beyond(at(&rows[row], length * f64::from(k) / 1000.0)[0]))
+        });
+        let (greatest, reached) = (sampled.fold(0.0, f64::max), beyond(found.reached));
+        assert!(greatest <= reached && greatest > reached * (1.0 - 1e-5), "{greatest} {found:?}");
+    }
+
+    #[test]
+    fn no_data_at_even_spaces_overshoot() {
+        // A sign for each row that is the worst for one place, and many others.
+        let x: Vec<f64> = (0..14).map(f64::from).collect();
+        for signs in 0..1 << 14 {
+            let y: Vec<f64> = (0..14).map(|k| f64::from(signs >> k & 1)).collect();
+            let rows = natural(&x, &y).expect("a spline");
+            assert_eq!(overshoot(&x, &y, &rows), None, "{y:?}");
+        }
+    }
+
+    #[test]
+    fn smooth_data_at_uneven_spaces_do_not_overshoot() {
+        for ratio in [1.1, 1.5, 2.0] {
+            let mut x = vec![0.0];
+            for k in 0..40 {
+                let last = x[k];
+                x.push(last + if k % 2 == 0 { 0.3 } else { 0.3 / ratio });
+            }
+            let y: Vec<f64> = x.iter().map(|x: &f64| x.sin() + 0.2 * (3.0 * x).cos()).collect();
+            let rows = natural(&x, &y).expect("a spline");
+            assert_eq!(overshoot(&x, &y, &rows), None, "{ratio}");
+        }
+    }
 
     /// Value and first two derivatives of a row at u.
     fn at(c: &[f64; 4], u: f64) -> [f64; 3] {

@@ -8,10 +8,13 @@ use num_rational::BigRational;
 use machinist_algebra::expr::{
     CoordinateId, Expr, FirstOrderId, Function, HandedId, ParameterId, Symbol,
 };
-use machinist_model::{Direction, Freeze, Name, Place, Quantity, RunDefaults, Table};
+use machinist_model::{
+    Bound, Direction, Freeze, Name, Place, Quantity, Requirement, RunDefaults, Table,
+};
 
 use crate::scene::evaluate;
 use crate::spec::SourceFile;
+use crate::spec::diagnostic::Diagnostic;
 
 /// A generalized coordinate with its velocity.
 #[derive(Debug, Clone, PartialEq)]
@@ -231,6 +234,23 @@ pub enum Reference {
     Values(Vec<[f64; 2]>),
 }
 
+/// What a value that is made of parameters must fulfil.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Required {
+    /// The value; of parameters only.
+    pub expr: Expr,
+    /// In words, and which values do.
+    pub requirement: Requirement,
+}
+
+impl Required {
+    /// That a value fulfils a bound, for people by `rule`.
+    #[must_use]
+    pub fn new(expr: &Expr, bound: Bound, rule: impl Into<String>) -> Self {
+        Required { expr: expr.clone(), requirement: Requirement { rule: rule.into(), bound } }
+    }
+}
+
 /// One Lagrangian system: L = T - V, D, Q, and first-order states.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LagrangianSystem {
@@ -289,6 +309,10 @@ pub struct LagrangianSystem {
     pub fields: Vec<Field>,
     /// Whether runs start in the equilibrium near the initial values.
     pub starts_in_equilibrium: bool,
+    /// What its spec may say and hardly means.
+    pub warnings: Vec<Diagnostic>,
+    /// What values made of parameters must fulfil, at others than those of the spec too.
+    pub requirements: Vec<Required>,
     /// Every file read, in the order read.
     pub files: Vec<SourceFile>,
 }
@@ -349,6 +373,7 @@ impl LagrangianSystem {
         all.extend(self.helpers.iter_mut().map(|helper| &mut helper.expr));
         all.extend(self.outputs.iter_mut().map(|output| &mut output.expr));
         all.extend(&mut self.discontinuities);
+        all.extend(self.requirements.iter_mut().map(|required| &mut required.expr));
         all.extend(self.events.iter_mut().flat_map(Event::exprs_mut));
         all.extend(self.constraints.iter_mut().map(|constraint| &mut constraint.expr));
         all

@@ -83,8 +83,8 @@ impl Mistake {
     }
 }
 
-/// One error of a spec, ready to be shown.
-#[derive(Debug, Clone)]
+/// One error or warning of a spec, ready to be shown.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Diagnostic {
     /// What is wrong, one sentence.
     pub message: String,
@@ -98,6 +98,8 @@ pub struct Diagnostic {
     pub label: String,
     /// How to mend it.
     pub help: Option<String>,
+    /// Whether the spec may stay as it is.
+    pub is_warning: bool,
     source: Option<Box<Excerpt>>,
 }
 
@@ -113,6 +115,7 @@ impl Diagnostic {
             column: 0,
             label: String::new(),
             help: (!help.is_empty()).then_some(help),
+            is_warning: false,
             source: None,
         }
     }
@@ -137,14 +140,21 @@ impl Diagnostic {
             column: before[line_start..].chars().count() + 1,
             label: mistake.label.clone(),
             help: (!mistake.help.is_empty()).then(|| mistake.help.clone()),
+            is_warning: false,
             source: Some(Box::new(Excerpt::new(label, text, start..end))),
         }
+    }
+
+    /// The same as a warning.
+    #[must_use]
+    pub fn as_warning(self) -> Self {
+        Diagnostic { is_warning: true, ..self }
     }
 }
 
 /// The lines around a mistake. Long ones are cut and control characters replaced,
 /// so that a report stays readable and cannot steer a terminal.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 struct Excerpt {
     name: String,
     text: String,
@@ -236,6 +246,10 @@ impl fmt::Display for Diagnostic {
 impl std::error::Error for Diagnostic {}
 
 impl miette::Diagnostic for Diagnostic {
+    fn severity(&self) -> Option<miette::Severity> {
+        Some(if self.is_warning { miette::Severity::Warning } else { miette::Severity::Error })
+    }
+
     fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
         self.help.as_ref().map(|help| Box::new(help) as Box<dyn fmt::Display>)
     }

@@ -109,6 +109,16 @@ impl Sources {
         shown.collect()
     }
 
+    /// Attaches the text around them to warnings.
+    #[must_use]
+    pub fn warnings(&self, warnings: &[Mistake]) -> Vec<Diagnostic> {
+        let shown = warnings.iter().map(|warning| {
+            let source = self.get(warning.span.file);
+            Diagnostic::of_text(warning, &source.file.label, &source.text).as_warning()
+        });
+        shown.collect()
+    }
+
     fn add(&mut self, path: PathBuf, label: String, text: &str) -> FileId {
         let mut sha256 = String::new();
         for byte in Sha256::digest(text.as_bytes()) {

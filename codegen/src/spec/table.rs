@@ -22,6 +22,8 @@ pub struct CsvTable {
     pub path: String,
     /// Its columns, the first being the abscissa.
     pub columns: Vec<Column>,
+    /// Where its rows stand, below the header.
+    pub rows: Vec<Span>,
 }
 
 /// A column of a CSV file.
@@ -50,14 +52,19 @@ pub(super) fn read_all(
             continue;
         }
         match read(path, sources) {
-            Ok(columns) => tables.push(CsvTable { spec, path: path.value.clone(), columns }),
+            Ok((columns, rows)) => {
+                tables.push(CsvTable { spec, path: path.value.clone(), columns, rows });
+            }
             Err(mistake) => mistakes.push(mistake),
         }
     }
     tables
 }
 
-fn read(path: &Spanned<String>, sources: &mut Sources) -> Result<Vec<Column>, Mistake> {
+fn read(
+    path: &Spanned<String>,
+    sources: &mut Sources,
+) -> Result<(Vec<Column>, Vec<Span>), Mistake> {
     let found = locate(path, sources)?;
     let file = sources
         .read(&found)
@@ -95,9 +102,11 @@ fn locate(path: &Spanned<String>, sources: &Sources) -> Result<PathBuf, Mistake>
     Ok(joined)
 }
 
-fn columns(text: &str, file: FileId) -> Result<Vec<Column>, Mistake> {
+/// Columns with their numbers, and where rows stand.
+fn columns(text: &str, file: FileId) -> Result<(Vec<Column>, Vec<Span>), Mistake> {
     let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(text.as_bytes());
     let mut columns: Vec<Column> = Vec::new();
+    let mut rows = Vec::new();
     for (row, record) in reader.records().enumerate() {
         let record = record.map_err(|error| csv_mistake(&error, text, file))?;
         let line = Line::of(&record, text, file);
@@ -108,6 +117,7 @@ fn columns(text: &str, file: FileId) -> Result<Vec<Column>, Mistake> {
         if row > MAX_ROWS {
             return Err(line.mistake(None, format!("a table has at most {MAX_ROWS} rows")));
         }
+        rows.push(line.cell(None));
         for (index, (cell, column)) in record.iter().zip(&mut columns).enumerate() {
             column.values.push(number(cell, column.factor).ok_or_else(|| {
                 line.mistake(Some(index), "a cell of a table is a finite number".to_owned())
@@ -124,7 +134,7 @@ fn columns(text: &str, file: FileId) -> Result<Vec<Column>, Mistake> {
         let message = format!("a table has at least {MIN_ROWS} rows below its header");
         return Err(Mistake::new(Span::new(file, 0..0), message, "too short"));
     }
-    Ok(columns)
+    Ok((columns, rows))
 }
 
 /// `time [s]` of each column.

@@ -134,6 +134,8 @@ fn described(system: &LagrangianSystem) -> Model {
         sha256: file.sha256.clone(),
     });
     Model {
+        requirements: Vec::new(),
+        required: Tape::default(),
         name: system.name.clone(),
         title: system.title.clone(),
         doc: system.doc.clone(),
@@ -157,6 +159,8 @@ fn described(system: &LagrangianSystem) -> Model {
 /// The pendulum's tapes under the names of a system.
 fn pendulum_of(system: &LagrangianSystem) -> Model {
     Model {
+        requirements: Vec::new(),
+        required: Tape::default(),
         initial_state: tape(|b| vec![b.number(0.5), b.number(0.0), b.number(0.0)]),
         discontinuities: tape(|b| vec![b.parameter(START)]),
         rate: tape(|b| {
@@ -259,6 +263,8 @@ pub fn pendulum_system() -> LagrangianSystem {
             method: "bdf".to_owned(),
         },
         freeze: Freeze::default(),
+        warnings: Vec::new(),
+        requirements: Vec::new(),
         files: vec![SourceFile {
             path: "specs/scenes/pendulum.toml".into(),
             label: "scenes/pendulum.toml".to_owned(),
@@ -392,7 +398,13 @@ pub fn oddities() -> Model {
         expr: zero(),
     });
     system.outputs = outputs.collect();
-    Model { outputs: every_output, starts_in_equilibrium: true, ..pendulum_of(&system) }
+    Model {
+        requirements: Vec::new(),
+        required: Tape::default(),
+        outputs: every_output,
+        starts_in_equilibrium: true,
+        ..pendulum_of(&system)
+    }
 }
 
 fn every_operation(b: &mut Builder) -> Vec<NodeId> {
@@ -553,6 +565,8 @@ fn bare(mut system: LagrangianSystem, name: &str, rate: Tape) -> Model {
         ..Default::default()
     };
     Model {
+        requirements: Vec::new(),
+        required: Tape::default(),
         initial_state: zeros(),
         time_derivative: zeros(),
         discontinuities: Tape::default(),

@@ -1,7 +1,7 @@
 //! What is to be fitted, as the command line says it.
 
-use machinist::Simulation;
 use machinist::fit::Unknown;
+use machinist::{SimulateError, Simulation};
 use machinist_contract::Simulator;
 
 use crate::cli::amount::Amount;
@@ -53,6 +53,10 @@ pub fn unknowns(
         let value = match (parameter, state) {
             (Some(index), _) => simulation.parameter_values()[index],
             (None, Some(index)) => start[index],
+            (None, None) if simulator.is_unused(name) => {
+                let (scene, name) = (simulator.name().to_owned(), name.clone());
+                return Err(SimulateError::UnusedParameter { scene, name }.into());
+            }
             (None, None) => {
                 let message = format!(
                     "scene `{}` has no parameter and no state `{}`",

@@ -23,6 +23,7 @@ pub(super) fn drop(
     let helpers = equations.system.helpers.drain(..).zip(equations.helpers.drain(..));
     let helpers = helpers.filter(|(_, expr)| used.has_all_of(expr));
     (equations.system.helpers, equations.helpers) = helpers.unzip();
+    equations.system.requirements.retain(|required| used.has_all_of(&required.expr));
     consume(&mut equations);
     renumber(&mut equations, &used);
     for unit in units(&whole.system).difference(&units(&equations.system)) {

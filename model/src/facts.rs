@@ -1,0 +1,162 @@
+//! What the tapes of a model say whatever its state: values that parameters alone decide.
+
+use crate::evaluate::{Evaluator, Inputs};
+use crate::{Function, Model, Op, Requirement, Tape, What};
+
+impl Model {
+    /// The first requirement that some values of the parameters do not fulfil, with the value.
+    ///
+    /// # Panics
+    /// If there are fewer values than parameters.
+    #[must_use]
+    pub fn unfulfilled(&self, parameters: &[f64]) -> Option<(&Requirement, f64)> {
+        if self.requirements.is_empty() {
+            return None;
+        }
+        let mut values = vec![0.0; self.requirements.len()];
+        let inputs = Inputs { parameters, tables: &self.tables, ..Inputs::default() };
+        Evaluator::new(&self.required).evaluate(&inputs, &mut values);
+        let mut values = self.requirements.iter().zip(values);
+        values.find(|(requirement, value)| !requirement.bound.admits(*value))
+    }
+
+    /// Whether the spec has a parameter of this name that was left out because nothing depends on
+    /// it.
+    #[must_use]
+    pub fn is_unused(&self, parameter: &str) -> bool {
+        let mut left_out = self.reduction.left_out.iter();
+        left_out.any(|one| one.what == What::Parameter && one.name == parameter)
+    }
+
+    /// Whether no power is supplied or dissipated at any state and time, for these parameters: both
+    /// are zero by the structure of their tape, after factors that these parameters make zero. Not
+    /// known for a machine with fields, whose densities are not looked at.
+    #[must_use]
+    pub fn conserves_energy(&self, parameters: &[f64]) -> Option<bool> {
+        let tape = &self.power_balance;
+        let [_, supplied, dissipated] = tape.results[..] else { return None };
+        if !self.fields.is_empty() {
+            return None;
+        }
+        let known = known(tape, parameters);
+        let is_zero = |node: crate::NodeId| known[node.0 as usize] == Some(0.0);
+        Some(is_zero(supplied) && is_zero(dissipated))
+    }
+}
+
+/// The value of each node that parameters alone decide; a product of zero is zero.
+fn known(tape: &Tape, parameters: &[f64]) -> Vec<Option<f64>> {
+    let mut known: Vec<Option<f64>> = Vec::with_capacity(tape.nodes.len());
+    for node in &tape.nodes {
+        let of = |id: crate::NodeId| known[id.0 as usize];
+        let is_zero = |id| of(id) == Some(0.0);
+        let value = match node.op {
+            Op::Literal(value) => Some(value),
+            Op::Parameter(index) => parameters.get(index as usize).copied(),
+            Op::Time
+            | Op::State(_)
+            | Op::Handed(_)
+            | Op::Constant(_)
+            | Op::Motion(_)
+            | Op::Table { .. } => None,
+            Op::Neg(a) => of(a).map(|a| -a),
+            Op::Add(a, b) => of(a).zip(of(b)).map(|(a, b)| a + b),
+            Op::Sub(a, b) if a == b => Some(0.0),
+            Op::Sub(a, b) => of(a).zip(of(b)).map(|(a, b)| a - b),
+            Op::Mul(a, b) if is_zero(a) || is_zero(b) => Some(0.0),
+            Op::Mul(a, b) => of(a).zip(of(b)).map(|(a, b)| a * b),
+            Op::Div(a, _) if is_zero(a) => Some(0.0),
+            Op::Div(a, b) => of(a).zip(of(b)).map(|(a, b)| a / b),
+            Op::Powi(a, exponent) => of(a).map(|a| a.powi(exponent)),
+            Op::Powf(a, b) => of(a).zip(of(b)).map(|(a, b)| a.powf(b)),
+            Op::Call(function, a) => of(a).map(|a| call(function, a)),
+            Op::SelectLess { lhs, rhs, then, otherwise } => match (of(lhs), of(rhs)) {
+                (Some(lhs), Some(rhs)) => of(if lhs < rhs { then } else { otherwise }),
+                _ => of(then).filter(|value| of(otherwise) == Some(*value)),
+            },
+        };
+        known.push(value);
+    }
+    known
+}
+
+fn call(function: Function, x: f64) -> f64 {
+    match function {
+        Function::Sqrt => x.sqrt(),
+        Function::Abs => x.abs(),
+        Function::Floor => x.floor(),
+        Function::Exp => x.exp(),
+        Function::Ln => x.ln(),
+        Function::Sin => x.sin(),
+        Function::Cos => x.cos(),
+        Function::Tan => x.tan(),
+        Function::Asin => x.asin(),
+        Function::Acos => x.acos(),
+        Function::Atan => x.atan(),
+        Function::Sinh => x.sinh(),
+        Function::Cosh => x.cosh(),
+        Function::Tanh => x.tanh(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Bound, Node, NodeId};
+
+    fn tape(ops: &[Op], results: &[u32]) -> Tape {
+        let nodes = ops.iter().map(|op| Node { op: *op, name: None }).collect();
+        Tape { nodes, results: results.iter().copied().map(NodeId).collect() }
+    }
+
+    /// Losses p0 v |v|, behind a comparison of the state; nothing supplied.
+    fn lossy() -> Model {
+        let [zero, speed, drag, size, share, loss, chosen] = [0, 1, 2, 3, 4, 5, 6].map(NodeId);
+        let ops = [
+            Op::Literal(0.0),
+            Op::State(1),
+            Op::Parameter(0),
+            Op::Call(Function::Abs, speed),
+            Op::Mul(drag, size),
+            Op::Mul(share, speed),
+            Op::SelectLess { lhs: zero, rhs: speed, then: loss, otherwise: zero },
+        ];
+        Model { power_balance: tape(&ops, &[0, zero.0, chosen.0]), ..Model::default() }
+    }
+
+    #[test]
+    fn losses_behind_a_comparison_are_losses_wherever_the_state_is() {
+        assert_eq!(lossy().conserves_energy(&[0.5]), Some(false));
+        assert_eq!(lossy().conserves_energy(&[1e-300]), Some(false));
+    }
+
+    #[test]
+    fn a_parameter_of_zero_takes_losses_away() {
+        assert_eq!(lossy().conserves_energy(&[0.0]), Some(true));
+        assert_eq!(lossy().conserves_energy(&[-0.0]), Some(true));
+    }
+
+    #[test]
+    fn what_is_supplied_counts_as_well() {
+        let ops = [Op::Literal(0.0), Op::Time];
+        let model = Model { power_balance: tape(&ops, &[0, 1, 0]), ..Model::default() };
+        assert_eq!(model.conserves_energy(&[]), Some(false));
+    }
+
+    #[test]
+    fn the_first_requirement_that_fails_is_found_with_its_value() {
+        let one = |bound| Requirement { rule: format!("{bound:?}"), bound };
+        let model = Model {
+            requirements: vec![one(Bound::NotZero), one(Bound::Positive)],
+            required: tape(&[Op::Parameter(0), Op::Parameter(1)], &[0, 1]),
+            ..Model::default()
+        };
+        let failed = |parameters: &[f64]| {
+            model.unfulfilled(parameters).map(|(requirement, value)| (requirement.bound, value))
+        };
+        assert_eq!(failed(&[-1.0, 2.0]), None);
+        assert_eq!(failed(&[0.0, -2.0]), Some((Bound::NotZero, 0.0)));
+        assert_eq!(failed(&[1.0, -2.0]), Some((Bound::Positive, -2.0)));
+        assert_eq!(failed(&[f64::INFINITY, 1.0]), Some((Bound::NotZero, f64::INFINITY)));
+    }
+}

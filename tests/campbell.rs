@@ -1,7 +1,9 @@
 //! Frequencies over a parameter, against closed forms.
 
 use machinist::Simulation;
-use machinist::linear_analysis::{Campbell, LinearError, Place, Variation, campbell};
+use machinist::linear_analysis::{
+    Campbell, LinearError, Place, Variation, campbell, campbell_over_speeds,
+};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_model::ModelSimulator;
 
@@ -202,5 +204,45 @@ fn a_machine_that_is_damped_grows_nowhere_and_one_driven_by_its_damping_everywhe
             assert_eq!(ends, [100.0, 300.0].map(f64::to_bits));
             assert!((growing.fastest - 0.5).abs() < 1e-12 && growing.moves == ["s.a"]);
         }
+    }
+}
+
+/// A torsional chain of two inertias: its frequency is that of every speed.
+#[test]
+fn a_machine_that_does_not_depend_on_speed_is_met_by_orders_at_its_frequency_over_them() {
+    let simulator = of_two(
+        "rad",
+        r#"motor = { value = 2.0, unit = "kg m^2" }
+        load = { value = 3.0, unit = "kg m^2" }
+        stiffness = { value = 1200.0, unit = "N m/rad" }
+        soft = { value = 7.0, unit = "N m/rad" }"#,
+        r#"kinetic = "motor*a_dot^2/2 + load*b_dot^2/2"
+        potential = "stiffness*(a - b)^2/2 + soft*b^2/2""#,
+    );
+    // w^4 - (k/m + (k + s)/l) w^2 + k s/(m l) = 0
+    let (k, s, m, l) = (1200.0, 7.0, 2.0, 3.0);
+    let (half, product) = ((k / m + (k + s) / l) / 2.0_f64, k * s / (m * l));
+    let fast = half + (half * half - product).sqrt();
+    let exact = [(product / fast).sqrt(), fast.sqrt()];
+    let speeds: Vec<f64> = (0..=20).map(f64::from).collect();
+    let run = Simulation::new(&simulator);
+    let orders = [0.5, 1.0, 2.0, 10.0];
+    let found = campbell_over_speeds(&run, Place::Initial, &speeds, &orders).expect("a diagram");
+    assert_eq!((found.branches.len(), found.speeds.as_deref()), (2, Some(&speeds[..])));
+    for (branch, exact) in found.branches.iter().zip(exact) {
+        assert_eq!(branch.frequencies.len(), speeds.len());
+        assert!(branch.frequencies.iter().all(|w| (w / exact - 1.0).abs() < 1e-12));
+    }
+    let mut expected: Vec<(f64, f64)> = orders
+        .iter()
+        .flat_map(|order| exact.map(|w| (*order, w / order)))
+        .filter(|(_, speed)| *speed <= 20.0)
+        .collect();
+    expected.sort_by(|a, b| a.1.total_cmp(&b.1));
+    assert_eq!(found.critical.len(), expected.len());
+    for (meeting, (order, speed)) in found.critical.iter().zip(expected) {
+        assert_eq!(meeting.order.to_bits(), order.to_bits());
+        assert!((meeting.value / speed - 1.0).abs() < 1e-12, "{meeting:?}");
+        assert!((meeting.order * meeting.value / meeting.frequency - 1.0).abs() < 1e-14);
     }
 }

@@ -116,6 +116,7 @@ fn panels<'a>(
                 columns: vec![column],
                 horizontal,
                 vertical,
+                marks: Vec::new(),
             }),
         }
     }

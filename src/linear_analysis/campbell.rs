@@ -17,8 +17,10 @@ use crate::sorting::sort_ascending;
 /// 1924.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Campbell {
-    /// The parameter.
+    /// The parameter, or `speed`.
     pub parameter: String,
+    /// Whether it is a speed on which the machine does not depend, and no parameter.
+    pub is_over_speed: bool,
     /// Its unit.
     pub unit: String,
     /// Its values.
@@ -111,12 +113,78 @@ pub fn campbell(run: &Simulation<'_>, variation: &Variation<'_>) -> Result<Campb
     let count = variation.values.len();
     Ok(Campbell {
         parameter: variation.parameter.to_owned(),
+        is_over_speed: false,
         unit: simulator.parameter(varied).unit.to_owned(),
         values: variation.values.to_vec(),
         speeds: speed.is_some().then_some(speeds),
         branches: branches.iter().map(|branch| branch.whole(count)).collect(),
         critical,
         growing: machine.growing(&growths),
+    })
+}
+
+/// Frequencies over a speed on which the machine does not depend: linearized once, each frequency is
+/// the same at all speeds, and an order meets it at the speed of frequency over order.
+///
+/// # Errors
+/// As [`campbell`].
+pub fn campbell_over_speeds(
+    run: &Simulation<'_>,
+    place: Place,
+    speeds: &[f64],
+    orders: &[f64],
+) -> Result<Campbell, LinearError> {
+    let simulator = run.simulator();
+    let linearization = Linearization::at(simulator, operating_point(run, place)?)?;
+    let (names, coordinates) = (linearization.motion_names(), simulator.shape().coordinates);
+    let modes = linearization.modes()?;
+    let seen = modes.iter().filter(|mode| is_seen(mode));
+    let mut found: Vec<Oscillation> =
+        seen.map(|mode| oscillation(mode, coordinates, &names)).collect();
+    sort_ascending(&mut found, |one| one.frequency);
+    let mut critical = Vec::new();
+    let ends = [speeds.first(), speeds.last()].map(|end| end.copied().unwrap_or(f64::NAN));
+    for order in orders {
+        for (branch, Oscillation { frequency, damping_ratio, .. }) in found.iter().enumerate() {
+            let (frequency, damping_ratio) = (*frequency, *damping_ratio);
+            let value = frequency / order;
+            if ends[0] <= value && value <= ends[1] {
+                critical.push(Critical { order: *order, branch, value, frequency, damping_ratio });
+            }
+        }
+    }
+    sort_ascending(&mut critical, |meeting| meeting.value);
+    let mut growing: Vec<Growing> = Vec::new();
+    for mode in modes.iter().filter(|mode| mode.grows()) {
+        let moves = leading(mode, coordinates, &names);
+        match growing.first_mut() {
+            Some(stretch) => {
+                stretch.fastest = stretch.fastest.max(mode.real);
+                stretch.moves.push(moves);
+            }
+            None => growing.push(Growing {
+                from: ends[0],
+                to: ends[1],
+                moves: vec![moves],
+                fastest: mode.real,
+                at: ends[0],
+            }),
+        }
+    }
+    let branch = |one: &Oscillation| Branch {
+        moves: one.moves.clone(),
+        frequencies: vec![one.frequency; speeds.len()],
+        damping_ratios: vec![one.damping_ratio; speeds.len()],
+    };
+    Ok(Campbell {
+        parameter: "speed".to_owned(),
+        is_over_speed: true,
+        unit: "rad/s".to_owned(),
+        values: speeds.to_vec(),
+        speeds: Some(speeds.to_vec()),
+        branches: found.iter().map(branch).collect(),
+        critical,
+        growing,
     })
 }
 

@@ -1,16 +1,19 @@
 //! `machinist campbell`: natural frequencies over a parameter, and where orders meet them.
 
+use std::f64::consts::{PI, TAU};
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
-use machinist::linear_analysis::{Campbell, Variation, campbell};
+use machinist::Simulation;
+use machinist::linear_analysis::{Campbell, Variation, campbell, campbell_over_speeds};
 
+use super::amount::{Amount, is_alike};
 use super::linear::Where;
 use super::output::{
     columns, draw_file, is_standard_output, print, print_with, require_picture, write_file,
 };
-use super::range::{Range, range};
+use super::range::{Range, ends, range};
 use crate::failure::Failure;
 use crate::number::number;
 use crate::parquet::{self, Column, Values};
@@ -26,8 +29,22 @@ pub struct CampbellDiagram {
     #[command(flatten)]
     at: Where,
     /// The parameter and its values, equally spaced, or with `:log` at equal ratios
-    #[arg(long, value_name = "UNIT.PARAMETER=FROM..TO[:log]", value_parser = range)]
-    parameter: Range,
+    #[arg(
+        long,
+        value_name = "UNIT.PARAMETER=FROM..TO[:log]",
+        value_parser = range,
+        required_unless_present = "speeds"
+    )]
+    parameter: Option<Range>,
+    /// Speeds that orders are of and on which the machine does not depend: in rad/s, or in a unit,
+    /// `0..6000 [rpm]`
+    #[arg(
+        long,
+        value_name = "FROM..TO",
+        value_parser = speeds,
+        conflicts_with_all = ["parameter", "speed"]
+    )]
+    speeds: Option<[Amount; 2]>,
     /// Number of values, both ends included
     #[arg(long, value_name = "NUMBER", default_value_t = 101)]
     count: usize,
@@ -45,9 +62,65 @@ pub struct CampbellDiagram {
     /// Plot the frequencies, with the orders, to a file that ends in .svg or .png
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
-    /// As JSON
+    /// Speeds in rpm, but in JSON
+    #[arg(long)]
+    rpm: bool,
+    /// Frequencies in Hz, but in JSON
+    #[arg(long)]
+    hz: bool,
+    /// As JSON, in SI units
     #[arg(long)]
     json: bool,
+}
+
+/// `from..to`, as `--speeds` takes it.
+fn speeds(text: &str) -> Result<[Amount; 2], String> {
+    let ends = ends(text, "write it as FROM..TO, such as 0..6000 [rpm]")?;
+    match &ends[1].unit {
+        Some(unit) if !is_alike(unit, "rad/s") => {
+            Err(format!("a speed is in rad/s, not in {unit}"))
+        }
+        _ => Ok(ends),
+    }
+}
+
+/// A diagram in units that people read it in.
+struct Shown {
+    diagram: Campbell,
+    /// Unit of frequencies.
+    frequency: &'static str,
+    /// Unit of speeds.
+    speed: &'static str,
+    /// A speed of 1 in that of frequencies.
+    per_speed: f64,
+}
+
+impl Shown {
+    /// In rpm, and in Hz, if asked for.
+    fn new(mut diagram: Campbell, rpm: bool, hz: bool) -> Self {
+        let of_speed = if rpm { 30.0 / PI } else { 1.0 };
+        let of_frequency = if hz { 1.0 / TAU } else { 1.0 };
+        let scale = |values: &mut [f64], factor: f64| values.iter_mut().for_each(|x| *x *= factor);
+        diagram.speeds.iter_mut().for_each(|speeds| scale(speeds, of_speed));
+        if diagram.unit == "rad/s" && rpm {
+            "rpm".clone_into(&mut diagram.unit);
+            scale(&mut diagram.values, of_speed);
+            diagram.critical.iter_mut().for_each(|meeting| meeting.value *= of_speed);
+            for stretch in &mut diagram.growing {
+                for value in [&mut stretch.from, &mut stretch.to, &mut stretch.at] {
+                    *value *= of_speed;
+                }
+            }
+        }
+        diagram.branches.iter_mut().for_each(|one| scale(&mut one.frequencies, of_frequency));
+        diagram.critical.iter_mut().for_each(|meeting| meeting.frequency *= of_frequency);
+        Self {
+            diagram,
+            frequency: if hz { "Hz" } else { "rad/s" },
+            speed: if rpm { "rpm" } else { "rad/s" },
+            per_speed: of_frequency / of_speed,
+        }
+    }
 }
 
 impl CampbellDiagram {
@@ -56,47 +129,62 @@ impl CampbellDiagram {
         require_picture(self.plot.as_deref(), "--plot")?;
         let values = self.values()?;
         let scene = self.at.load()?;
-        let run = self.at.run(&scene)?;
-        self.parameter.check(&run)?;
-        let variation = Variation {
-            parameter: &self.parameter.name,
-            values: &values,
-            place: self.at.place(),
-            speed: self.speed.as_deref(),
-            orders: &self.orders,
-        };
-        let diagram = during("linearizing", || campbell(&run, &variation))?;
+        let diagram = self.diagram(&self.at.run(&scene)?, &values)?;
         let title = scene.simulator().title();
+        let json = self.json.then(|| serde_json::to_string_pretty(&diagram)).transpose();
+        let json = json.map_err(|error| Failure::unsuccessful(error, ""))?;
+        let given = self.speeds.as_ref().and_then(|[_, to]| to.unit.as_deref());
+        let shown = Shown::new(diagram, self.rpm || given == Some("rpm"), self.hz);
         if let Some(file) = &self.plot {
-            draw_file(file, |path| plot_campbell(&diagram, &self.orders, title, path))?;
+            let units = (shown.frequency, shown.per_speed);
+            let draw =
+                |path: &Path| plot_campbell(&shown.diagram, &self.orders, units, title, path);
+            draw_file(file, draw)?;
         }
         match &self.out {
-            Some(_) if to_standard_output => return print_with(|out| table(&diagram, out)),
+            Some(_) if to_standard_output => return print_with(|out| table(&shown, out)),
             Some(file) if parquet::is_named(file) => {
                 let of = ("campbell", self.at.scene(), &scene);
-                let more = json!({ "parameter": diagram.parameter });
-                parquet::write_table(file, &as_columns(&diagram), of, more)?;
+                let more = json!({ "parameter": shown.diagram.parameter });
+                parquet::write_table(file, &as_columns(&shown), of, more)?;
             }
-            Some(file) => write_file(file, |out| table(&diagram, out))?,
+            Some(file) => write_file(file, |out| table(&shown, out))?,
             None => {}
         }
-        if self.json {
-            let text = serde_json::to_string_pretty(&diagram)
-                .map_err(|error| Failure::unsuccessful(error, ""))?;
+        if let Some(text) = json {
             return print(&format!("{text}\n"));
         }
-        print(&self.summary(&format!("{}: {title}", scene.simulator().name()), &diagram))
+        print(&self.summary(&format!("{}: {title}", scene.simulator().name()), &shown))
+    }
+
+    /// Over the parameter, or over speeds.
+    fn diagram(&self, run: &Simulation<'_>, values: &[f64]) -> Result<Campbell, Failure> {
+        let (place, orders) = (self.at.place(), &self.orders);
+        let Some(parameter) = &self.parameter else {
+            let over = || campbell_over_speeds(run, place, values, orders);
+            return Ok(during("linearizing", over)?);
+        };
+        parameter.check(run)?;
+        let speed = self.speed.as_deref();
+        let variation = Variation { parameter: &parameter.name, values, place, speed, orders };
+        Ok(during("linearizing", || campbell(run, &variation))?)
     }
 
     fn values(&self) -> Result<Vec<f64>, Failure> {
-        let Range { from, to, .. } = &self.parameter;
+        let (option, from, to) = match (&self.parameter, &self.speeds) {
+            (Some(Range { from, to, .. }), _) => ("--parameter", *from, *to),
+            (None, Some([from, to])) => ("--speeds", from.value, to.value),
+            (None, None) => ("--parameter", f64::NAN, f64::NAN),
+        };
+        if from < 0.0 && option == "--speeds" {
+            return Err(Failure::input("--speeds: a speed is 0 or more", ""));
+        }
         if !(2..=MOST_VALUES).contains(&self.count) {
             let message = format!("--count {}: a range has 2 to {MOST_VALUES} values", self.count);
             return Err(Failure::input(message, ""));
         }
-        if from >= to {
-            let message =
-                format!("--parameter: the values must grow, but {from} is not below {to}");
+        if from >= to || from.is_nan() {
+            let message = format!("{option}: the values must grow, but {from} is not below {to}");
             return Err(Failure::input(message, ""));
         }
         if let Some(order) = self.orders.iter().find(|order| !(order.is_finite() && **order > 0.0))
@@ -104,17 +192,24 @@ impl CampbellDiagram {
             let message = format!("--orders {order}: an order is a number above zero");
             return Err(Failure::input(message, "half an order is 0.5"));
         }
-        Ok((0..self.count).map(|index| self.parameter.value(index, self.count)).collect())
+        let last = (self.count - 1) as f64;
+        let value = |index: usize| match &self.parameter {
+            Some(parameter) => parameter.value(index, self.count),
+            None if index + 1 == self.count => to,
+            None => from + (to - from) * (index as f64 / last),
+        };
+        Ok((0..self.count).map(value).collect())
     }
 
-    fn summary(&self, heading: &str, diagram: &Campbell) -> String {
+    fn summary(&self, heading: &str, shown: &Shown) -> String {
+        let Shown { diagram, frequency: hertz, .. } = shown;
         let Campbell { parameter, unit, values, branches, critical, speeds, .. } = diagram;
         let mut text = format!("{heading}\nfrequencies over {parameter} [{unit}]\n\n");
         if branches.is_empty() {
             text.push_str("Nothing oscillates.\n");
         }
         let ends = [values.first(), values.last()].map(|end| end.copied().unwrap_or(f64::NAN));
-        let at = |end: f64| format!("at {} [rad/s]", number(end, 6));
+        let at = |end: f64| format!("at {} [{hertz}]", number(end, 6));
         let mut rows = vec![[String::new(), "moves".to_owned(), at(ends[0]), at(ends[1])]];
         let cell = |value: Option<&f64>| match value {
             Some(value) if value.is_finite() => number(*value, 6),
@@ -134,8 +229,8 @@ impl CampbellDiagram {
         } else if critical.is_empty() {
             text.push_str("\nNo order meets a frequency here.\n");
         } else {
-            let heads = ["order", "motion", "at [rad/s]", "damping ratio"].map(str::to_owned);
-            let [order, branch, frequency, ratio] = heads;
+            let heads = ["order", "motion", "damping ratio"].map(str::to_owned);
+            let ([order, branch, ratio], frequency) = (heads, format!("at [{hertz}]"));
             let mut rows = vec![[order, branch, format!("{parameter} [{unit}]"), frequency, ratio]];
             for meeting in critical {
                 let numbers = [meeting.value, meeting.frequency, meeting.damping_ratio];
@@ -191,7 +286,8 @@ fn growing(diagram: &Campbell) -> String {
 }
 
 /// As [`table`] has them.
-fn as_columns(diagram: &Campbell) -> Vec<Column> {
+fn as_columns(shown: &Shown) -> Vec<Column> {
+    let Shown { diagram, frequency, speed, .. } = shown;
     let some = |values: &[f64]| {
         Values::Some(values.iter().copied().map(|x| x.is_finite().then_some(x)).collect())
     };
@@ -202,10 +298,12 @@ fn as_columns(diagram: &Campbell) -> Vec<Column> {
     };
     let mut columns = vec![column(diagram.parameter.clone(), &diagram.unit, &diagram.values)];
     let speeds = diagram.speeds.iter();
-    columns.extend(speeds.map(|speeds| column("speed".to_owned(), "rad/s", speeds)));
+    if !diagram.is_over_speed {
+        columns.extend(speeds.map(|speeds| column("speed".to_owned(), speed, speeds)));
+    }
     for (index, branch) in diagram.branches.iter().enumerate() {
         let name = format!("{} {}", index + 1, branch.moves);
-        columns.push(column(name.clone(), "rad/s", &branch.frequencies));
+        columns.push(column(name.clone(), frequency, &branch.frequencies));
         columns.push(column(format!("{name} damping ratio"), "1", &branch.damping_ratios));
     }
     columns
@@ -213,19 +311,21 @@ fn as_columns(diagram: &Campbell) -> Vec<Column> {
 
 /// The parameter, the speed, then frequency and damping ratio of each oscillation; empty where
 /// it is none.
-fn table(diagram: &Campbell, out: &mut dyn io::Write) -> io::Result<()> {
+fn table(shown: &Shown, out: &mut dyn io::Write) -> io::Result<()> {
+    let Shown { diagram, frequency, speed, .. } = shown;
+    let speeds = diagram.speeds.as_ref().filter(|_| !diagram.is_over_speed);
     let mut writer = csv::Writer::from_writer(out);
     let mut header = vec![format!("{} [{}]", diagram.parameter, diagram.unit)];
-    header.extend(diagram.speeds.as_ref().map(|_| "speed [rad/s]".to_owned()));
+    header.extend(speeds.map(|_| format!("speed [{speed}]")));
     for (index, branch) in diagram.branches.iter().enumerate() {
         let name = format!("{} {}", index + 1, branch.moves);
-        header.extend([format!("{name} [rad/s]"), format!("{name} damping ratio [1]")]);
+        header.extend([format!("{name} [{frequency}]"), format!("{name} damping ratio [1]")]);
     }
     writer.write_record(header)?;
     for (row, value) in diagram.values.iter().enumerate() {
         let cell = |value: f64| if value.is_finite() { value.to_string() } else { String::new() };
         let mut record = vec![cell(*value)];
-        record.extend(diagram.speeds.as_ref().map(|speeds| cell(speeds[row])));
+        record.extend(speeds.map(|speeds| cell(speeds[row])));
         for branch in &diagram.branches {
             record.extend([branch.frequencies[row], branch.damping_ratios[row]].map(cell));
         }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::panel::Panel;
+use super::panel::{Mark, Panel};
 use super::ruler::Axis;
 use super::{Picture, PlotError};
 use machinist::linear_analysis::{Campbell, Linearization, Mode, ModeKind, Response};
@@ -31,34 +31,52 @@ pub fn plot_response(response: &Response, title: &str, path: &Path) -> Result<()
     picture.write(path)
 }
 
-/// Draws frequencies over a parameter, with orders of the speed if there is one, into an
-/// `.svg` or `.png` file.
+/// Draws frequencies over a parameter, with orders of the speed if there is one and circles where
+/// they meet, into an `.svg` or `.png` file; frequencies and what orders give are in `unit`, of which
+/// a speed of the diagram's unit is `per_speed`.
 ///
 /// # Errors
 /// As [`plot_response`]; [`PlotError::Nothing`] if nothing oscillates.
 pub fn plot_campbell(
     diagram: &Campbell,
     orders: &[f64],
+    (unit, per_speed): (&str, f64),
     title: &str,
     path: &Path,
 ) -> Result<(), PlotError> {
     let branches = diagram.branches.iter().enumerate().map(|(index, branch)| {
         let name = format!("{} {}", index + 1, branch.moves);
-        column(&name, "rad/s", branch.frequencies.clone())
+        column(&name, unit, branch.frequencies.clone())
     });
     let mut drawn: Vec<Column> = branches.collect();
+    let mut marks = Vec::new();
     let fastest = drawn.iter().flat_map(|column| &column.values).copied().fold(0.0, f64::max);
     for (order, speeds) in orders.iter().zip(diagram.speeds.iter().cycle()) {
         // No farther than the frequencies go.
-        let along = speeds.iter().map(|speed| order * speed.abs());
+        let along = speeds.iter().map(|speed| order * speed.abs() * per_speed);
         let along = along.map(|line| if line <= 1.05 * fastest { line } else { f64::NAN });
-        drawn.push(column(&format!("order {order}"), "rad/s", along.collect()));
+        let along: Vec<f64> = along.collect();
+        let last = along.iter().rposition(|line| line.is_finite());
+        marks.extend(last.map(|last| Mark {
+            place: diagram.values[last],
+            value: along[last],
+            label: format!("order {order}"),
+            is_circled: false,
+        }));
+        drawn.push(column(&format!("order {order}"), unit, along));
     }
+    marks.extend(diagram.critical.iter().map(|meeting| Mark {
+        place: meeting.value,
+        value: meeting.frequency,
+        label: rounded(meeting.value),
+        is_circled: true,
+    }));
     let axes = [
         Axis::Linear(format!("{} [{}]", diagram.parameter, diagram.unit).into()),
         Axis::Linear("".into()),
     ];
-    let panel = over(&diagram.values, drawn.iter().collect(), [&axes[0], &axes[1]]);
+    let mut panel = over(&diagram.values, drawn.iter().collect(), [&axes[0], &axes[1]]);
+    panel.marks = marks;
     let subtitle = format!("natural frequencies over {}", diagram.parameter);
     Picture { title, subtitle, panels: vec![panel] }.write(path)
 }
@@ -202,5 +220,5 @@ fn over<'a>(
     [horizontal, vertical]: [&'a Axis; 2],
 ) -> Panel<'a> {
     let unit = columns.first().map_or("", |column| column.unit.as_str());
-    Panel { unit, places, columns, horizontal, vertical }
+    Panel { unit, places, columns, horizontal, vertical, marks: Vec::new() }
 }

@@ -42,6 +42,17 @@ pub(super) struct Panel<'a> {
     pub columns: Vec<&'a Column>,
     pub horizontal: &'a Axis,
     pub vertical: &'a Axis,
+    /// What is written or circled within.
+    pub marks: Vec<Mark>,
+}
+
+/// A point of a panel with a few words beside it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Mark {
+    pub place: f64,
+    pub value: f64,
+    pub label: String,
+    pub is_circled: bool,
 }
 
 type Chart<'c, DB> = ChartContext<'c, DB, Cartesian2d<Ruler, Ruler>>;
@@ -84,7 +95,29 @@ impl Panel<'_> {
         match self.horizontal {
             Axis::Names(_) => self.draw_stems(&mut chart),
             Axis::Linear(_) | Axis::Logarithmic(_) => self.draw_lines(&mut chart),
+        }?;
+        self.draw_marks(&mut chart)
+    }
+
+    /// Circles, and words to the left above their points, away from the right edge.
+    fn draw_marks<DB: DrawingBackend>(&self, chart: &mut Chart<'_, DB>) -> DrawResult<DB> {
+        let style = text(12, INK).pos(Pos::new(HPos::Right, VPos::Bottom));
+        let away = (4 * SCALE) as i32;
+        for Mark { place, value, label, is_circled } in &self.marks {
+            let place = self.horizontal.placed(&[*place])[0];
+            let value = self.vertical.placed(&[*value])[0];
+            if !(place.is_finite() && value.is_finite()) {
+                continue;
+            }
+            if *is_circled {
+                let ring = Circle::new((place, value), 5 * SCALE, INK.stroke_width(SCALE));
+                chart.draw_series(std::iter::once(ring))?;
+            }
+            let words = EmptyElement::at((place, value))
+                + Text::new(label.clone(), (-away, -away), style.clone());
+            chart.draw_series(std::iter::once(words))?;
         }
+        Ok(())
     }
 
     fn draw_lines<DB: DrawingBackend>(&self, chart: &mut Chart<'_, DB>) -> DrawResult<DB> {

@@ -54,8 +54,9 @@ impl<'a> Solver<'a> {
         Ok(Frame { whole, within, free })
     }
 
-    /// Directions that are allowed, and in which no rate depends on the coordinates: at the
-    /// guess, and at two places nearby, so that a slope that happens to be level is not one.
+    /// Directions that are allowed, as moves and as speeds, and in which no rate depends on the
+    /// coordinates: at the guess, and at two places nearby, so that a slope that happens to be
+    /// level is not one.
     fn drift_directions(&self, guess: &Point) -> Result<DMatrix<f64>, LinearError> {
         let frame = self.frame(guess)?;
         let (n, free) = (frame.whole.coordinates, frame.free.coordinates);
@@ -63,8 +64,14 @@ impl<'a> Solver<'a> {
         for shift in [0.0, 0.0137, -0.0071] {
             let step = DVector::from_fn(free, |index, _| shift * (1.0 + index as f64).sqrt());
             let point = self.moved_by(guess, &frame, &step, None)?;
-            let Frame { within, free, .. } = self.frame(&point)?;
+            let Frame { within, free, whole } = self.frame(&point)?;
             let allowed = within.positions.transpose();
+            let mut speeds =
+                DMatrix::identity(n, n) - &within.velocities * within.velocities.transpose();
+            for (index, mut column) in speeds.column_iter_mut().enumerate() {
+                column *= whole.scales[index] / whole.scales[n + index];
+            }
+            rows.push(speeds);
             rows.push(by_positions(&free) * &allowed);
             rows.push(DMatrix::identity(n, n) - &within.positions * allowed);
         }

@@ -5,14 +5,15 @@
 //! s of positions and u of velocities:
 //!
 //! ```text
-//! dq = N s               N: null space of dg/dq
+//! dq = N s               N: null space of dg/dq, and of dg'/dv of what holds in modes
 //! dv = W s + U u         U: null space of dg'/dv, (dg'/dv) W = -(dg'/dq) N
 //! ```
 //!
 //! A restricted to it has the eigenvalues of the machine, and none that only say that
 //! constraints stay fulfilled. W tells that s' depends on s, too, where constraints of velocities
-//! do: a wheel that rolls steers, and rolling on a turntable carries along. Nothing else is needed: A holds how multipliers change, and so
-//! the geometric stiffness sum lambda d2g/dq2, which projecting M, D and K of the machine
+//! do: a wheel that rolls steers, and rolling on a turntable carries along. What a constraint of
+//! velocities holds in some modes only, as dry friction that sticks, stays where it is: it is no way of
+//! moving. Nothing else is needed: A holds how multipliers change, and so the geometric stiffness sum lambda d2g/dq2, which projecting M, D and K of the machine
 //! without constraints would have to add.
 
 use machinist_contract::Simulator;
@@ -48,8 +49,11 @@ impl Within {
         let (n, m) = (motions.coordinates, motions.first_order);
         let matrix = constraints.matrix(point.time, &point.state);
         let count = matrix.nrows();
-        let of_positions: Vec<usize> =
-            (0..count).filter(|index| simulator.constraint(*index).is_of_positions).collect();
+        let holds_positions = |index: &usize| {
+            let constraint = simulator.constraint(*index);
+            constraint.is_of_positions || constraint.in_modes
+        };
+        let of_positions: Vec<usize> = (0..count).filter(holds_positions).collect();
         let [of_q, of_v] = [0, n].map(|first| motions.scales.rows(first, n).into_owned());
         let (positions, _) = split(unit_rows(&matrix.select_rows(&of_positions), &of_q).0);
         let (rows, sizes) = unit_rows(&matrix, &of_v);
@@ -73,6 +77,11 @@ impl Within {
         dual.view_mut((d + e, 2 * n), (m, m)).fill_with_identity();
         let steers = of_positions.len() < count;
         Some(Self { positions, velocities, basis, dual, steers })
+    }
+
+    /// Seen from a frame that turns along, in which N stays: s' depends on s as W says.
+    pub fn seen_turning(self) -> Self {
+        Self { steers: true, ..self }
     }
 
     /// The motions of \[s, u, z\].

@@ -44,8 +44,10 @@ const ACROSS: f64 = 1e-7;
 const RESIDUAL: f64 = 1e-11;
 /// Solutions of inverse iteration.
 const ITERATIONS: usize = 3;
-/// How often that is done with a better eigenvalue.
-const ROUNDS: usize = 3;
+/// How often that is done with a better eigenvalue, at most.
+const ROUNDS: usize = 12;
+/// Two eigenvalues that differ by less, beside their size, are one if their shapes are.
+const SAME: f64 = 1e-7;
 
 /// An eigenvalue, with imaginary part not negative, and its vectors of \[q, q', z\] over the
 /// scales of these. Of eigenvalue zero the left one is the right one.
@@ -153,7 +155,7 @@ impl<'m> Part<'m> {
         }
         let found: Option<Vec<Found>> = values.iter().map(|value| self.found(*value)).collect();
         let found = found?;
-        if !self.is_all(&found) {
+        if !self.is_all(&found) || has_one_twice(&found) {
             return None;
         }
         let still = drift.iter().cycle().take(zeros).map(|drift| {
@@ -224,9 +226,11 @@ impl<'m> Part<'m> {
         self.motions.scales[n + index] / self.motions.scales[index]
     }
 
-    /// An eigenvalue with its vectors.
+    /// An eigenvalue with its vectors: until it changes no more, for beside the largest terms of
+    /// T x a residual says nothing of a small eigenvalue.
     fn found(&self, value: Complex64) -> Option<Found> {
         let mut value = value;
+        let mut change = f64::INFINITY;
         for _ in 0..ROUNDS {
             let [right, left] = self.vectors(value);
             let [residual, _] = self.pencil.times(value, &right);
@@ -239,9 +243,13 @@ impl<'m> Part<'m> {
                 return None;
             }
             let better = value - dot(&residual) / overlap;
-            value = if value.im == 0.0 { Complex64::from(better.re) } else { better };
+            let better = if value.im == 0.0 { Complex64::from(better.re) } else { better };
+            let before = std::mem::replace(&mut change, (better - value).norm());
+            value = better;
+            // Newton's steps shrink until they are rounding.
+            let is_settled = change <= 4.0 * f64::EPSILON * value.norm() || change >= 0.5 * before;
             let [residual, size] = self.pencil.times(value, &right);
-            if largest(&residual) <= RESIDUAL * largest(&size) {
+            if is_settled && largest(&residual) <= RESIDUAL * largest(&size) {
                 let moving = right
                     .iter()
                     .enumerate()
@@ -304,6 +312,17 @@ impl<'m> Part<'m> {
         }
         whole
     }
+}
+
+/// Whether two of them are one: near eigenvalues with one shape.
+fn has_one_twice(found: &[Found]) -> bool {
+    let mut order: Vec<&Found> = found.iter().collect();
+    order.sort_by(|a, b| a.value.im.total_cmp(&b.value.im).then(a.value.re.total_cmp(&b.value.re)));
+    order.windows(2).any(|pair| {
+        let [a, b] = pair else { return false };
+        let alike = a.right.dotc(&b.right).norm() / (a.right.norm() * b.right.norm());
+        (a.value - b.value).norm() <= SAME * a.value.norm() && alike > 1.0 - SAME
+    })
 }
 
 /// The size of the largest entry.

@@ -71,6 +71,53 @@ fn an_impossible_position_is_refused_by_the_constraint_s_name() {
     assert!(text.contains("[m^2]"), "{text}");
 }
 
+/// Both coordinates of a mass given, to as many digits as somebody writes.
+#[test]
+fn a_start_off_by_less_than_the_tolerance_is_projected_and_told() {
+    let given = |y: f64, v_y: f64| {
+        let rods = RODS.replace("\"a.y\" = -1\n", "");
+        let both = format!("\"a.v_x\" = 0.3\n\"a.y\" = {y:?}\n\"a.v_y\" = {v_y:?}");
+        scene(&rods.replace("\"a.v_x\" = 0.3", &both))
+    };
+    for off in [2e-10, -7e-10, 3e-12] {
+        for off_v in [0.0, 4e-10] {
+            let scene = given(-0.8 + off, 0.225 + off_v);
+            let run = Simulation::new(&scene).run().expect("it starts");
+            let at_start = |name: &str| run.column(name).expect("a state")[0];
+            let [x, y, v_x, v_y] = ["a.x", "a.y", "a.v_x", "a.v_y"].map(at_start);
+            assert!((x * x + y * y - 1.0).abs() < 1e-14 && (x * v_x + y * v_y).abs() < 1e-14);
+            // The shortest move, along the rod.
+            assert!((y + 0.8 - off * 0.36).abs() < 1e-3 * off.abs() + 1e-15, "{y}");
+            let notes = run.notes.join("\n");
+            assert!(notes.contains("is projected onto them: `a.x` by"), "{notes}");
+        }
+    }
+    let exact = Simulation::new(&given(-0.8, 0.225)).run().expect("it starts").notes.join("\n");
+    assert!(!exact.contains("projected"), "{exact}");
+    for (off, off_v, what) in [(1e-6, 0.0, "position"), (0.0, 1e-6, "velocity")] {
+        let refused = start_of(&given(-0.8 + off, 0.225 + off_v)).expect_err("it is off");
+        let wanted = format!("no initial {what} fulfils constraint `rod_a`");
+        assert!(refused.to_string().contains(&wanted), "{refused}");
+    }
+}
+
+#[test]
+fn a_constraint_at_its_extremum_is_told_and_how_to_write_it() {
+    for (expression, at) in [
+        ("1 - cos(a.x/1 [m])", 0.0),
+        ("(a.x - 2 [m])^2", 2.0),
+        ("(a.x^2 - 4 [m^2])^2*(1 + b.y^2/1 [m^2])", 2.0),
+    ] {
+        let scene = scene(&format!(
+            "[constraints]\nlevel = {{ expression = \"{expression}\" }}\n\
+             [initial]\n\"a.x\" = {at:?}"
+        ));
+        let refused = Simulation::new(&scene).run().expect_err("it holds nothing").to_string();
+        assert!(refused.contains("`level` is at an extremum"), "{refused}");
+        assert!(refused.contains("`phi` instead of `1 - cos(phi)`"), "{refused}");
+    }
+}
+
 #[test]
 fn an_impossible_velocity_is_refused_by_the_constraint_s_name() {
     let both = scene(&RODS.replace("\"a.v_x\" = 0.3", "\"a.v_x\" = 0.3\n\"a.v_y\" = 0.3"));

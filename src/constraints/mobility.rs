@@ -29,6 +29,8 @@ pub struct Redundant {
     pub is_led: bool,
     /// Names of those it follows from; none if no coordinate can change it.
     pub repeats: Vec<String>,
+    /// Whether it is at an extremum: no coordinate changes it at the state, but beside it.
+    pub is_level: bool,
     /// Whether the motion is the same whoever carries the force: it holds in modes, and none of
     /// them moves by itself. Its force is then 0, theirs is all of it.
     pub is_shared: bool,
@@ -53,11 +55,28 @@ impl Redundant {
     /// What is wrong with it, for people.
     #[must_use]
     pub fn why(&self) -> String {
+        if self.is_level {
+            return "is at an extremum: its derivatives by all coordinates are zero where it is \
+                    fulfilled, so that it holds nothing"
+                .to_owned();
+        }
         if self.repeats.is_empty() {
             return "does not change with any coordinate".to_owned();
         }
         let names = self.repeats.iter().map(|name| format!("`{name}`"));
         format!("says nothing that is new beside {}", names.collect::<Vec<_>>().join(", "))
+    }
+
+    /// How to mend it, for people.
+    #[must_use]
+    pub fn hint(&self) -> &'static str {
+        match self {
+            Self { is_level: true, .. } => {
+                "write it so that it passes zero, as `phi` instead of `1 - cos(phi)`"
+            }
+            Self { repeats, .. } if repeats.is_empty() => "leave it out: nothing can fulfil it",
+            _ => "the constraint forces are not unique; leave it out",
+        }
     }
 
     /// Who carries the force where the motion does not tell, for people.
@@ -106,7 +125,8 @@ pub fn mobility(
                 .all(|row| stands_still(&constraints, *row, time, state));
         let repeats = sources.iter().map(|row| constraints.name(*row).to_owned()).collect();
         let constraint = constraints.name(row).to_owned();
-        Redundant { constraint, in_modes, is_led, repeats, is_shared }
+        let is_level = sources.is_empty() && changes_beside(&constraints, row, time, state);
+        Redundant { constraint, in_modes, is_led, repeats, is_level, is_shared }
     });
     let (redundant, coordinates) = (redundant.collect(), constraints.coordinates);
     Some(Mobility { coordinates, constraints: all, rank, redundant })
@@ -163,6 +183,18 @@ fn rows(constraints: &Constraints<'_>, matrix: &DMatrix<f64>) -> Rows {
         }
     }
     found
+}
+
+/// Whether coordinates change a constraint at places beside a state.
+fn changes_beside(constraints: &Constraints<'_>, row: usize, time: f64, state: &[f64]) -> bool {
+    let scales = constraints.scales(Level::Positions);
+    [0.0137, -0.0071].into_iter().any(|shift| {
+        let mut beside = state.to_vec();
+        for (index, scale) in scales.iter().enumerate() {
+            beside[index] += shift * scale * (1.0 + index as f64).sqrt();
+        }
+        constraints.matrix(time, &beside).row(row).iter().any(|slope| *slope != 0.0)
+    })
 }
 
 /// Whether a constraint asks for no motion while nothing moves, now and at other times.

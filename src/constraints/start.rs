@@ -10,7 +10,9 @@ use crate::error::SimulateError;
 const SMALLEST: f64 = 1e-11;
 
 /// A state that fulfils the constraints: what is given stays, the rest is solved for
-/// from where it stands, by the shortest moves that the sizes of states measure.
+/// from where it stands, by the shortest moves that the sizes of states measure. Where that does
+/// not do and the relative tolerance of the spec's run is more than what is given is off by, such as
+/// the last digit that it was written with, what is given is projected too.
 ///
 /// Gauss and Newton's iteration with halved steps; each by the least squares of an SVD,
 /// so that neither too few nor repeated constraints stop it.
@@ -26,7 +28,14 @@ pub(crate) fn consistent(
 ) -> Result<Vec<f64>, SimulateError> {
     let Some(constraints) = Constraints::of(simulator, parameters) else { return Ok(state) };
     for (level, what) in [(Level::Positions, "position"), (Level::Velocities, "velocity")] {
+        let given = state.clone();
         let off = constraints.solve(level, time, &mut state, &is_given);
+        if off.is_some()
+            && let Some(projected) = constraints.projected(level, time, (&given, &state), &is_given)
+        {
+            state = projected;
+            continue;
+        }
         if let Some(worst) = off {
             let residuals = constraints.residual(level, time, &state);
             let unit = if level == Level::Positions { "" } else { " per second" };
@@ -143,12 +152,36 @@ pub(crate) fn require_independent(
         Err(SimulateError::RedundantConstraint {
             scene: simulator.name().to_owned(),
             why: redundant.why(),
+            hint: redundant.hint(),
             constraint: redundant.constraint,
         })
     })
 }
 
 impl Constraints<'_> {
+    /// The state nearest to `near` that fulfils one level, if that moves entries that are given from
+    /// there by no more than the tolerance of the spec's run.
+    fn projected(
+        &self,
+        level: Level,
+        time: f64,
+        (given, near): (&[f64], &[f64]),
+        is_given: &impl Fn(usize) -> bool,
+    ) -> Option<Vec<f64>> {
+        let mut state = near.to_vec();
+        if self.solve(level, time, &mut state, &|_| false).is_some() {
+            return None;
+        }
+        let (first, rtol) = (self.first(level), self.simulator.run_defaults().rtol);
+        let scales = self.scales(level);
+        let is_near = |(index, scale): (usize, &f64)| {
+            let entry = first + index;
+            let size = scale.max(given[entry].abs());
+            !is_given(entry) || (state[entry] - given[entry]).abs() <= rtol * size
+        };
+        scales.iter().enumerate().all(is_near).then_some(state)
+    }
+
     /// Solves one level; gives the worst constraint if it cannot be.
     fn solve(
         &self,

@@ -8,9 +8,10 @@ use crate::dense::dense;
 use crate::error::SimulateError;
 #[cfg(feature = "linear")]
 use crate::linear_analysis::{Point, growth, steady_start};
-use crate::method::sensitivity::{By, Tangents};
 #[cfg(feature = "linear")]
-use crate::method::{Stopped, System};
+use crate::method::Stopped;
+use crate::method::System;
+use crate::method::sensitivity::{By, Tangents};
 
 impl Simulation<'_> {
     pub(super) fn checked_initial_state(&self) -> Result<Vec<f64>, SimulateError> {
@@ -89,7 +90,7 @@ impl Simulation<'_> {
 
     /// Sets the modes of a start right.
     #[cfg(feature = "linear")]
-    fn settle(&self, state: &mut [f64]) -> Result<(), SimulateError> {
+    pub(super) fn settle(&self, state: &mut [f64]) -> Result<(), SimulateError> {
         let system = System::new(self.simulator, &self.parameters, false);
         let problem = Problem {
             system: &system,
@@ -105,6 +106,30 @@ impl Simulation<'_> {
         problem.settle(state).map_err(|Stopped { cause, .. }| {
             SimulateError::NoEquilibrium(format!("{}: {cause}", self.simulator.name()))
         })
+    }
+
+    /// Tells of given entries of the start that were off the constraints by less than the tolerance,
+    /// and were moved onto them.
+    pub(super) fn note_projected(&self, system: &System<'_>, initial: &[f64]) {
+        const SHOWN: usize = 3;
+        if self.starts_in_equilibrium() || self.initial_state.is_some() {
+            return;
+        }
+        let given = self.guess();
+        let moved = (0..given.len())
+            .filter(|index| self.simulator.is_given(*index))
+            .map(|index| (self.simulator.state(index), initial[index] - given[index]))
+            .filter(|(_, moved)| *moved != 0.0)
+            .map(|(state, moved)| format!("`{}` by {moved:.1e} {}", state.name, state.unit));
+        let moved: Vec<String> = moved.collect();
+        if !moved.is_empty() {
+            let more = if moved.len() > SHOWN { ", ..." } else { "" };
+            let shown = moved.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ");
+            system.note(format!(
+                "the start was off the constraints by less than the tolerance of its scene, and is \
+                 projected onto them: {shown}{more}"
+            ));
+        }
     }
 
     /// Tells if the equilibrium in which the run starts is unstable.

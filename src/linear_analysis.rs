@@ -36,6 +36,8 @@ mod search;
 mod slopes;
 mod sparse_rows;
 mod steady;
+mod turning;
+mod undamped;
 mod within;
 
 use std::sync::OnceLock;
@@ -46,7 +48,9 @@ use nalgebra::{DMatrix, DVector};
 use sparse_rows::SparseRows;
 use within::Within;
 
-pub use campbell::{Branch, Campbell, Critical, Growing, Variation, campbell};
+pub use campbell::{
+    Branch, Campbell, Critical, Growing, Variation, campbell, campbell_over_speeds,
+};
 pub use equilibrium::equilibrium;
 pub use error::{LinearError, Residual};
 pub use largest::Largest;
@@ -172,32 +176,6 @@ impl<'a> Linearization<'a> {
         let Point { time, state, parameters } = &self.point;
         self.simulator.mass_matrix(*time, state, parameters, &mut values);
         crate::dense::dense(pattern, &values)
-    }
-}
-
-impl SecondOrder {
-    /// Natural frequencies without damping, ascending \[rad/s\]: w of
-    /// (K - w^2 M) x = 0, with the symmetric part of K. A free motion has 0, and a
-    /// direction in which the machine is unstable, w^2 < 0, has NaN.
-    ///
-    /// # Errors
-    /// [`LinearError::Singular`] if M is not positive definite.
-    pub fn undamped_frequencies(&self) -> Result<Vec<f64>, LinearError> {
-        let singular = LinearError::Singular { what: "the mass matrix" };
-        let inverse = self.mass.clone().cholesky().ok_or(singular.clone())?.l();
-        let inverse = inverse.try_inverse().ok_or(singular)?;
-        let symmetric = (&self.stiffness + self.stiffness.transpose()) / 2.0;
-        if symmetric.is_empty() {
-            return Ok(Vec::new());
-        }
-        let squares = (&inverse * symmetric * inverse.transpose()).symmetric_eigenvalues();
-        let largest = squares.amax();
-        let frequency = |square: &f64| {
-            if square.abs() <= 1e-13 * largest { 0.0 } else { square.sqrt() }
-        };
-        let mut frequencies: Vec<f64> = squares.iter().map(frequency).collect();
-        frequencies.sort_by(f64::total_cmp);
-        Ok(frequencies)
     }
 }
 

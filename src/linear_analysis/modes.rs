@@ -10,6 +10,7 @@ use super::equilibrium::drift_and_rest;
 use super::inverse_iteration::InverseIteration;
 use super::motions::Motions;
 use super::sparse_rows::SparseRows;
+use super::turning::turning;
 use super::within::Within;
 use super::{LinearError, Linearization, require_small};
 use crate::dense::balance;
@@ -17,6 +18,9 @@ use crate::sorting::sort_ascending;
 
 /// Beside the norm of the matrix, an eigenvalue below this is zero.
 const ZERO: f64 = 1e-11;
+/// Likewise about a steady rotation, where turning further and turning faster are a double zero: the
+/// square root of what a symmetry is known to.
+const DOUBLE_ZERO: f64 = 1e-5;
 /// Eigenvalues closer than this, likewise, share a space of shapes.
 const CLUSTER: f64 = 1e-7;
 const MAX_ITERATIONS: usize = 100_000;
@@ -109,6 +113,10 @@ impl Linearization<'_> {
     /// Of a machine with constraints, all this is done with the motions that these
     /// allow, in coordinates of their own; shapes are those of all coordinates again.
     ///
+    /// About a steady rotation in coordinates that turn with it, such as the quaternion of a top, they
+    /// are those seen from a frame that turns along; of several such frames, from one that outputs see
+    /// least of.
+    ///
     /// # Errors
     /// [`LinearError::Eigenvalues`] if the iteration does not converge, [`LinearError::TooLarge`]
     /// of more states than full matrices take if the machine needs them.
@@ -117,6 +125,11 @@ impl Linearization<'_> {
             require_small(self.simulator)?;
         }
         let motions = Motions::new(self.simulator, &self.matrix);
+        if let Some(turns) = turning(self.simulator, &self.point) {
+            let within = Within::of(self.simulator, &self.point, &motions);
+            let motions = motions.seen_turning(&turns);
+            return of_steady_rotation(within.map(Within::seen_turning), motions);
+        }
         let within = Within::of(self.simulator, &self.point, &motions);
         if within.is_none()
             && let Some(modes) = of_bands(&motions)
@@ -135,9 +148,21 @@ pub(super) fn of_full_matrices(
 ) -> Result<Vec<Mode>, LinearError> {
     let problem = Problem::new(within, motions);
     let (drift, rest) = drift_and_rest(&problem.solved);
-    let mut modes: Vec<Mode> =
-        (0..drift.ncols()).map(|column| problem.drift_mode(&drift, column)).collect();
-    let mut values = problem.eigenvalues(&rest)?;
+    let modes = (0..drift.ncols()).map(|column| problem.drift_mode(&drift, column)).collect();
+    let values = problem.eigenvalues(&rest, ZERO)?;
+    Ok(with_modes_of(&problem, modes, values))
+}
+
+/// Seen from a frame that turns along: no direction of coordinates alone is a motion.
+fn of_steady_rotation(within: Option<Within>, motions: Motions) -> Result<Vec<Mode>, LinearError> {
+    let problem = Problem::new(within, motions);
+    let n = problem.solved.coordinates;
+    let values = problem.eigenvalues(&DMatrix::identity(n, n), DOUBLE_ZERO)?;
+    Ok(with_modes_of(&problem, Vec::new(), values))
+}
+
+/// Adds the modes of eigenvalues.
+fn with_modes_of(problem: &Problem, mut modes: Vec<Mode>, mut values: Vec<Complex64>) -> Vec<Mode> {
     values.retain(|value| value.im >= 0.0);
     sort_values(&mut values, |value| *value);
     let mut found: Vec<(Complex64, DVector<Complex64>)> = Vec::new();
@@ -146,7 +171,7 @@ pub(super) fn of_full_matrices(
         found.push((value, vector));
         modes.push(mode);
     }
-    Ok(modes)
+    modes
 }
 
 /// By banded matrices, where these do.
@@ -167,15 +192,20 @@ fn sort_values<T>(items: &mut [T], value: impl Fn(&T) -> Complex64) {
     sort_ascending(items, |item| value(item).norm());
 }
 
-/// A with states measured by their scales.
+/// A with states measured by their scales, and balanced: as its norm is that of the fastest motion
+/// then, and not of its square, slow motions are found beside fast ones.
 struct Problem {
     shapes: Shapes,
     within: Option<Within>,
     /// Of those whose modes are looked for: all, or those within constraints.
     solved: Motions,
     matrix: DMatrix<f64>,
-    complex: DMatrix<Complex64>,
+    /// D of D^-1 A D.
+    balance: DVector<f64>,
+    /// D^-1 A D.
+    balanced: DMatrix<Complex64>,
     iteration: InverseIteration,
+    /// Of D^-1 A D.
     norm: f64,
 }
 
@@ -187,16 +217,28 @@ impl Problem {
             None => motions,
         };
         let matrix = solved.scaled().full();
-        let complex = matrix.map(Complex64::from);
+        let mut balanced = matrix.clone();
+        let balance = if balanced.is_empty() { DVector::zeros(0) } else { balance(&mut balanced) };
         Self {
             shapes,
             within,
-            norm: matrix.norm(),
-            iteration: InverseIteration::new(&matrix),
+            norm: balanced.norm(),
+            iteration: InverseIteration::new(&balanced),
             solved,
             matrix,
-            complex,
+            balance,
+            balanced: balanced.map(Complex64::from),
         }
+    }
+
+    /// A right eigenvector of D^-1 A D as one of A, in motions of all coordinates.
+    fn right_of_balanced(&self, vector: &DVector<Complex64>) -> DVector<Complex64> {
+        self.right(&vector.zip_map(&self.balance, |entry, scale| entry * scale))
+    }
+
+    /// A left one likewise.
+    fn left_of_balanced(&self, vector: &DVector<Complex64>) -> DVector<Complex64> {
+        self.left(&vector.zip_map(&self.balance, |entry, scale| entry / scale))
     }
 
     /// A right eigenvector as motions of all coordinates.
@@ -217,7 +259,8 @@ impl Problem {
 
     /// Eigenvalues but those of drift: A between the states whose coordinates lie
     /// across the drift, `rest` being orthonormal columns.
-    fn eigenvalues(&self, rest: &DMatrix<f64>) -> Result<Vec<Complex64>, LinearError> {
+    /// Those below `zero` beside the norm are zero.
+    fn eigenvalues(&self, rest: &DMatrix<f64>, zero: f64) -> Result<Vec<Complex64>, LinearError> {
         let (n, size) = (self.solved.coordinates, self.matrix.nrows());
         let kept = rest.ncols();
         let mut basis = DMatrix::zeros(size, kept + size - n);
@@ -229,10 +272,13 @@ impl Problem {
         }
         balance(&mut reduced);
         let norm = reduced.norm();
-        let schur = Schur::try_new(reduced, f64::EPSILON, MAX_ITERATIONS)
-            .ok_or(LinearError::Eigenvalues)?;
+        // Where eigenvalues all but meet, the iteration may not end at the last digit.
+        let schur = [1.0, 8.0, 64.0].into_iter().find_map(|digits| {
+            Schur::try_new(reduced.clone(), digits * f64::EPSILON, MAX_ITERATIONS)
+        });
+        let schur = schur.ok_or(LinearError::Eigenvalues)?;
         let cleaned = |value: &Complex64| {
-            if value.norm() <= ZERO * norm { Complex64::ZERO } else { *value }
+            if value.norm() <= zero * norm { Complex64::ZERO } else { *value }
         };
         Ok(schur.complex_eigenvalues().iter().map(cleaned).collect())
     }
@@ -247,7 +293,7 @@ impl Problem {
         self.shapes.described(Complex64::ZERO, &vector, shares)
     }
 
-    /// The mode of an eigenvalue, and its vector; `found` are those before it.
+    /// The mode of an eigenvalue, and its vector of D^-1 A D; `found` are those before it.
     fn mode(
         &self,
         value: Complex64,
@@ -261,14 +307,14 @@ impl Problem {
         let overlap = left.dot(&right);
         let is_simple = value != Complex64::ZERO && same.is_empty() && overlap.norm() > CLUSTER;
         if is_simple {
-            let better = left.dot(&(&self.complex * &right)) / overlap;
+            let better = left.dot(&(&self.balanced * &right)) / overlap;
             let value = if value.im == 0.0 { Complex64::from(better.re) } else { better };
-            let moved = self.right(&right);
-            let shares = self.shapes.shares(&moved, &self.left(&left));
+            let moved = self.right_of_balanced(&right);
+            let shares = self.shapes.shares(&moved, &self.left_of_balanced(&left));
             return (self.shapes.described(value, &moved, shares), right);
         }
         // Of several motions with one eigenvalue, left vectors do not pair up.
-        let moved = self.right(&right);
+        let moved = self.right_of_balanced(&right);
         let shares = self.shapes.shares(&moved, &moved.conjugate());
         (self.shapes.described(value, &moved, shares), right)
     }

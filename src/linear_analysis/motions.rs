@@ -97,6 +97,18 @@ impl Motions {
         Self { coordinates, first_order, matrix, scales, positions_by_coordinates, places }
     }
 
+    /// A less S for positions and velocities: of motions seen from a frame that turns along.
+    pub fn seen_turning(mut self, turns: &DMatrix<f64>) -> Self {
+        let n = self.coordinates;
+        let mut matrix = self.matrix.full();
+        for first in [0, n] {
+            let mut part = matrix.view_mut((first, first), (n, n));
+            part -= turns;
+        }
+        self.matrix = SparseRows::of(&matrix);
+        self
+    }
+
     /// A with x measured by its scales.
     pub fn scaled(&self) -> SparseRows {
         let scales = &self.scales;

@@ -2,6 +2,7 @@
 
 use std::str::FromStr;
 
+use super::turning::steady_rotation;
 use super::{LinearError, Point, equilibrium};
 use crate::simulate::Simulation;
 use crate::trajectory::ColumnKind;
@@ -50,7 +51,13 @@ pub fn operating_point(run: &Simulation<'_>, place: Place) -> Result<Point, Line
         Place::Initial => Ok(start(run)?),
         Place::Time(time) if time.to_bits() == run.start_time().to_bits() => Ok(start(run)?),
         Place::Time(time) => Ok(end(&run.clone().until(time))?),
-        Place::Equilibrium => equilibrium(run.simulator(), &end(run)?),
+        Place::Equilibrium => {
+            let end = end(run)?;
+            match steady_rotation(run.simulator(), &end) {
+                Some(point) => Ok(point),
+                None => equilibrium(run.simulator(), &end),
+            }
+        }
     }
 }
 

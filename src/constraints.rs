@@ -11,6 +11,7 @@
 //! M dv + G^T nu = 0,  G dv = -g'     likewise
 //! ```
 
+mod lasting;
 mod led;
 mod mobility;
 mod saddle;
@@ -22,6 +23,7 @@ use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
+pub use lasting::{Lasting, lasting};
 pub use mobility::{Mobility, Redundant, mobility};
 use saddle::Saddle;
 pub use start::start;

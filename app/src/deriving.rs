@@ -9,13 +9,14 @@ mod child;
 
 use std::sync::{Mutex, OnceLock, PoisonError};
 
+use machinist::constraints::{self, Lasting};
 use machinist_algebra::cas::Algebra;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline::Derivation;
 use machinist_codegen::scene::system::LagrangianSystem;
 use machinist_codegen::spec::diagnostic::{Diagnostic, Diagnostics};
 use machinist_model::file::Stamped;
-use machinist_model::{Model, SourceFile};
+use machinist_model::{Model, ModelSimulator, SourceFile};
 use miette::Report;
 use serde::{Deserialize, Serialize};
 
@@ -39,6 +40,9 @@ pub struct Request {
     pub wanted: Wanted,
     /// What works it out, if somebody said so.
     pub algebra: Option<Algebra>,
+    /// Constraints to be dropped because they follow from others, each with the parameters that this
+    /// needs as the spec has them.
+    pub dropped: Vec<(String, Vec<String>)>,
 }
 
 /// What everything is worked out by from now on in this process.
@@ -73,7 +77,8 @@ impl Request {
     /// A request for the model of a scene.
     pub fn model(scene: &SpecSource, keep: Keep) -> Self {
         let algebra = ALGEBRA.get().copied();
-        Self { scene: scene.clone(), keep, rigid: None, wanted: Wanted::Model, algebra }
+        let (rigid, wanted, dropped) = (None, Wanted::Model, Vec::new());
+        Self { scene: scene.clone(), keep, rigid, wanted, algebra, dropped }
     }
 
     /// The system of the scene, as asked for.
@@ -81,6 +86,9 @@ impl Request {
         let mut system = self.scene.system()?;
         if let Some(rigid) = &self.rigid {
             system.freeze.rigid.clone_from(rigid);
+        }
+        for (constraint, needs) in &self.dropped {
+            system.drop_constraint(constraint, needs);
         }
         Ok(system)
     }
@@ -91,8 +99,45 @@ pub fn model(scene: &SpecSource, keep: Keep) -> Result<Model, Failure> {
     Ok(stamped(&Request::model(scene, keep))?.model)
 }
 
-/// The model of a request, with word of what made it.
+/// The model of a request, with word of what made it; without constraints that follow from others
+/// wherever the machine goes, of which it says so.
 pub fn stamped(request: &Request) -> Result<Stamped, Failure> {
+    let whole = derived_as_asked(request)?;
+    if whole.model.constraints.is_empty() || !whole.model.fields.is_empty() {
+        return Ok(whole);
+    }
+    let parameters: Vec<f64> = whole.model.all_parameters().map(|one| one.value).collect();
+    let time = whole.model.run.from;
+    let simulator = ModelSimulator::new(whole.model.clone());
+    let lasting = constraints::lasting(&simulator, &parameters, time);
+    if lasting.is_empty() {
+        return Ok(whole);
+    }
+    for Lasting { constraint, repeats, .. } in &lasting {
+        let others: Vec<String> = repeats.iter().map(|name| format!("`{name}`")).collect();
+        tell_once(format!(
+            "constraint `{constraint}` of {} follows from {} wherever the machine goes: it is \
+             dropped, and these carry its force",
+            whole.model.name,
+            others.join(", ")
+        ));
+    }
+    let dropped = lasting.into_iter().map(|one| (one.constraint, one.needs)).collect();
+    derived_as_asked(&Request { dropped, ..request.clone() })
+}
+
+/// Notes that were shown by this process.
+static TOLD: Mutex<Vec<String>> = Mutex::new(Vec::new());
+
+fn tell_once(note: String) {
+    let mut told = TOLD.lock().unwrap_or_else(PoisonError::into_inner);
+    if !told.contains(&note) {
+        eprintln!("machinist: {note}");
+        told.push(note);
+    }
+}
+
+fn derived_as_asked(request: &Request) -> Result<Stamped, Failure> {
     let mut derived = derive(std::slice::from_ref(request))?;
     match derived.pop() {
         Some(Derived::Model(stamped)) => Ok(*stamped),

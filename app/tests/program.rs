@@ -19,6 +19,7 @@ mod improve;
 mod lists;
 mod live;
 mod process;
+mod redundant;
 mod refusals;
 mod report;
 mod schema;

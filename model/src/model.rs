@@ -155,6 +155,8 @@ pub enum Bound {
     Positive,
     /// Those from 0 on.
     NotNegative,
+    /// 0.
+    Zero,
 }
 
 impl Bound {
@@ -167,6 +169,7 @@ impl Bound {
                 Bound::NotZero => value != 0.0,
                 Bound::Positive => value > 0.0,
                 Bound::NotNegative => value >= 0.0,
+                Bound::Zero => value == 0.0,
             }
     }
 }

@@ -37,6 +37,8 @@ pub enum What {
     Jump,
     /// A named expression.
     Helper,
+    /// A constraint.
+    Constraint,
 }
 
 /// Why something is not needed.
@@ -52,6 +54,8 @@ pub enum Why {
     Zero,
     /// The scene wants it frozen: an approximation.
     Frozen,
+    /// It follows from others.
+    Redundant,
 }
 
 impl Reduction {
@@ -73,6 +77,7 @@ impl What {
             What::Table => "table",
             What::Jump => "jump",
             What::Helper => "helper",
+            What::Constraint => "constraint",
         }
     }
 }
@@ -87,6 +92,7 @@ impl Why {
             Why::Fixed => "fixed",
             Why::Zero => "zero",
             Why::Frozen => "frozen",
+            Why::Redundant => "redundant",
         }
     }
 }

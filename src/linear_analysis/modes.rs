@@ -24,6 +24,8 @@ const DOUBLE_ZERO: f64 = 1e-5;
 /// Eigenvalues closer than this, likewise, share a space of shapes.
 const CLUSTER: f64 = 1e-7;
 const MAX_ITERATIONS: usize = 100_000;
+/// Matrices of the same eigenvalues on which that is tried.
+const ATTEMPTS: usize = 4;
 
 /// One natural motion: dy = Re(shape e^(eigenvalue t)).
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -155,7 +157,8 @@ pub(super) fn of_full_matrices(
 
 /// Seen from a frame that turns along: no direction of coordinates alone is a motion.
 fn of_steady_rotation(within: Option<Within>, motions: Motions) -> Result<Vec<Mode>, LinearError> {
-    let problem = Problem::new(within, motions);
+    let mut problem = Problem::new(within, motions);
+    problem.shapes.has_double_zeros = true;
     let n = problem.solved.coordinates;
     let values = problem.eigenvalues(&DMatrix::identity(n, n), DOUBLE_ZERO)?;
     Ok(with_modes_of(&problem, Vec::new(), values))
@@ -172,6 +175,14 @@ fn with_modes_of(problem: &Problem, mut modes: Vec<Mode>, mut values: Vec<Comple
         modes.push(mode);
     }
     modes
+}
+
+/// H A H of a reflection H.
+fn mirrored(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+    let size = matrix.nrows();
+    let normal = DVector::from_fn(size, |index, _| (1.0 + index as f64).sqrt().cos()).normalize();
+    let mirror = DMatrix::identity(size, size) - &normal * normal.transpose() * 2.0;
+    &mirror * matrix * &mirror
 }
 
 /// By banded matrices, where these do.
@@ -272,10 +283,11 @@ impl Problem {
         }
         balance(&mut reduced);
         let norm = reduced.norm();
-        // Where eigenvalues all but meet, the iteration may not end at the last digit.
-        let schur = [1.0, 8.0, 64.0].into_iter().find_map(|digits| {
-            Schur::try_new(reduced.clone(), digits * f64::EPSILON, MAX_ITERATIONS)
-        });
+        // Where the iteration goes round, it does not on another matrix of the same eigenvalues.
+        let mirrored = std::iter::successors(Some(reduced), |matrix| Some(mirrored(matrix)));
+        let schur = mirrored
+            .take(ATTEMPTS)
+            .find_map(|matrix| Schur::try_new(matrix, f64::EPSILON, MAX_ITERATIONS));
         let schur = schur.ok_or(LinearError::Eigenvalues)?;
         let cleaned = |value: &Complex64| {
             if value.norm() <= zero * norm { Complex64::ZERO } else { *value }
@@ -328,6 +340,8 @@ struct Shapes {
     /// A with states measured by their scales.
     matrix: SparseRows,
     norm: f64,
+    /// Whether a motion of eigenvalue zero may be one that begins another: A A x is zero then.
+    has_double_zeros: bool,
 }
 
 impl Shapes {
@@ -339,6 +353,7 @@ impl Shapes {
             scales: motions.scales.clone(),
             norm: matrix.norm(),
             matrix,
+            has_double_zeros: false,
         }
     }
 
@@ -361,8 +376,11 @@ impl Shapes {
         } else {
             ModeKind::Oscillation
         };
-        let distance = self.matrix.times(vector) - vector * value;
-        let size = self.norm * vector.norm();
+        let mut distance = self.matrix.times(vector) - vector * value;
+        let mut size = self.norm * vector.norm();
+        if self.has_double_zeros && kind == ModeKind::Free {
+            (distance, size) = (self.matrix.times(&distance), size * self.norm);
+        }
         let residual = if size > 0.0 { distance.norm() / size } else { 0.0 };
         let in_units =
             DVector::from_fn(vector.len(), |index, _| vector[index] * self.scales[index]);

@@ -61,8 +61,8 @@ pub(super) fn key(request: &Request, files: &[SourceFile]) -> Key {
     };
     add(&VERSION.to_string());
     add(GENERATOR);
-    let Request { wanted, keep, rigid, algebra, .. } = request;
-    add(&format!("{wanted:?} {keep:?} {rigid:?} {algebra:?}"));
+    let Request { wanted, keep, rigid, algebra, dropped, .. } = request;
+    add(&format!("{wanted:?} {keep:?} {rigid:?} {algebra:?} {dropped:?}"));
     for file in files {
         add(&file.label);
         add(&file.sha256);

@@ -59,6 +59,7 @@ struct Held<R> {
     formula: Formula<Rounded<R>>,
     is_of_positions: bool,
     when: Vec<(FirstOrderId, i32)>,
+    is_dropped: bool,
 }
 
 /// A system made ready to be evaluated.
@@ -97,6 +98,7 @@ impl<R: Real> Machine<R> {
             formula: Formula::new(&constraint.expr),
             is_of_positions: constraint.is_of_positions,
             when: constraint.when.clone(),
+            is_dropped: constraint.is_dropped,
         });
         let is_rigid = |instance: &String| system.freeze.rigid.contains(instance);
         let springs = system.springs.iter().filter(|spring| is_rigid(&spring.instance));
@@ -233,10 +235,12 @@ impl<R: Real> Machine<R> {
     }
 
     fn holds(&self, constraint: usize, place: &Place<R>) -> bool {
-        self.constraints[constraint].when.iter().all(|(FirstOrderId(mode), value)| {
-            let mode = (self.to_f64)(place.z[*mode as usize]);
-            (mode - f64::from(*value)).abs() < 0.5
-        })
+        let held = &self.constraints[constraint];
+        !held.is_dropped
+            && held.when.iter().all(|(FirstOrderId(mode), value)| {
+                let mode = (self.to_f64)(place.z[*mode as usize]);
+                (mode - f64::from(*value)).abs() < 0.5
+            })
     }
 
     /// M, each entry by itself: that it is symmetric is not taken for granted.

@@ -307,6 +307,7 @@ impl Recipe {
             expr,
             is_of_positions: *is_of_positions,
             when: mode.iter().map(|mode| (FirstOrderId(0), i32::from(*mode))).collect(),
+            is_dropped: false,
         }
     }
 

@@ -2,7 +2,8 @@
 
 use machinist_algebra::expr::Symbol;
 use machinist_model::{
-    Constraint, Coordinate, Event, Model, Parameter, SourceFile, State, StateKind,
+    Constraint, Coordinate, Event, Model, Parameter, Reduction, SourceFile, State, StateKind, What,
+    Why,
 };
 
 use crate::lower::checks::checks;
@@ -43,11 +44,21 @@ pub fn describe(equations: &EquationsOfMotion) -> Model {
         tables: system.tables.clone(),
         run: system.run.clone(),
         freeze: system.freeze.clone(),
-        reduction: equations.reduction.clone(),
+        reduction: reduction(equations),
         starts_in_equilibrium: system.starts_in_equilibrium,
         requirements: system.requirements.iter().map(|one| one.requirement.clone()).collect(),
         ..Model::default()
     }
+}
+
+/// What has been left out, constraints that follow from others among it.
+fn reduction(equations: &EquationsOfMotion) -> Reduction {
+    let mut reduction = equations.reduction.clone();
+    for constraint in equations.system.constraints.iter().filter(|one| one.is_dropped) {
+        let instead = "the constraints it follows from carry its force";
+        reduction.add(What::Constraint, &constraint.name.path, Why::Redundant, instead);
+    }
+    reduction
 }
 
 /// Outputs with accelerations or forces of constraints in them.
@@ -106,7 +117,7 @@ pub fn constraints(system: &LagrangianSystem) -> Vec<Constraint> {
         doc: constraint.doc.clone(),
         unit: constraint.unit.clone(),
         is_of_positions: constraint.is_of_positions,
-        in_modes: !constraint.when.is_empty(),
+        in_modes: !constraint.holds_always(),
     });
     shapes.collect()
 }

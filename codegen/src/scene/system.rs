@@ -82,12 +82,23 @@ pub struct Constraint {
     pub is_of_positions: bool,
     /// Modes with the values that they must have for it to hold; always, if there are none.
     pub when: Vec<(FirstOrderId, i32)>,
+    /// Whether it never holds, because it follows from others: these carry its force.
+    pub is_dropped: bool,
 }
 
 impl Constraint {
+    /// Whether it holds whatever the modes are.
+    #[must_use]
+    pub fn holds_always(&self) -> bool {
+        self.when.is_empty() && !self.is_dropped
+    }
+
     /// 1 while it holds, else 0.
     #[must_use]
     pub fn holds(&self) -> Expr {
+        if self.is_dropped {
+            return Expr::integer(0);
+        }
         let half = |doubled: i64| Expr::Number(BigRational::new(doubled.into(), 2.into()));
         self.when.iter().fold(Expr::integer(1), |all, (mode, value)| {
             let less = |bound: i64, then: Expr, otherwise: Expr| {
@@ -341,6 +352,27 @@ impl LagrangianSystem {
     #[must_use]
     pub fn value(&self, expr: &Expr) -> f64 {
         evaluate(expr, &|id| self.parameter(id).value)
+    }
+
+    /// Drops a constraint that follows from others, as long as some parameters are those of the
+    /// spec.
+    pub fn drop_constraint(&mut self, name: &str, needs: &[String]) {
+        let found = self.constraints.iter_mut().find(|constraint| constraint.name.path == name);
+        let Some(constraint) = found else { return };
+        constraint.is_dropped = true;
+        for (id, parameter) in (0..).map(ParameterId).zip(&self.parameters) {
+            let path = &parameter.quantity.name.path;
+            let Some(value) = BigRational::from_float(parameter.value) else { continue };
+            if needs.contains(path) {
+                let change =
+                    Expr::Sum(vec![Expr::Symbol(Symbol::Parameter(id)), Expr::Number(-value)]);
+                let rule = format!(
+                    "the change of parameter `{path}` is 0, so that constraint `{name}`, which is \
+                     dropped, follows from others"
+                );
+                self.requirements.push(Required::new(&change, Bound::Zero, rule));
+            }
+        }
     }
 
     /// An expression without the parameters that the spec sets to zero: a mass of 0 is none.

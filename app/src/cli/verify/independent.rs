@@ -4,7 +4,7 @@ use machinist::{Discretisation, FieldSimulator};
 use machinist_codegen::independent::{At, Comparison, Deviation, elements};
 use machinist_codegen::scene::system::LagrangianSystem;
 use machinist_contract::Simulator;
-use machinist_model::{Model, ModelSimulator};
+use machinist_model::{Model, ModelSimulator, What};
 use machinist_studies::double_double::DoubleDouble;
 use machinist_studies::verify::automatic::{Difference, Independent, Look};
 
@@ -31,7 +31,11 @@ pub struct Spec {
 impl Spec {
     /// Of a spec, or why it cannot be asked.
     pub fn of(source: &SpecSource, model: &Model) -> Result<Result<Self, String>, Failure> {
-        let system = source.system()?;
+        let mut system = source.system()?;
+        let left_out = &model.reduction.left_out;
+        for dropped in left_out.iter().filter(|one| one.what == What::Constraint) {
+            system.drop_constraint(&dropped.name, &[]);
+        }
         let read = system.files.iter().map(|file| &file.sha256);
         if !read.eq(model.files.iter().map(|file| &file.sha256)) {
             return Ok(Err("the spec has changed while it was checked".to_owned()));

@@ -40,7 +40,16 @@ impl Assembler<'_> {
             let unit = dimension.unwrap_or(Dimension::ONE).as_unit();
             let expr = self.note(resolved);
             let when = self.modes(&constraint.when, scope);
-            constraints.push(Constraint { name, doc, unit, expr, is_of_positions, when });
+            let is_dropped = false;
+            constraints.push(Constraint {
+                name,
+                doc,
+                unit,
+                expr,
+                is_of_positions,
+                when,
+                is_dropped,
+            });
         }
         constraints
     }

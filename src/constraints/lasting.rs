@@ -1,0 +1,101 @@
+//! Constraints that follow from others wherever the machine goes, as those of a second hinge.
+
+use machinist_contract::Simulator;
+
+use super::start::{consistent, start};
+use super::{Redundant, mobility};
+
+/// Places at which a constraint has to follow from others.
+const PLACES: usize = 4;
+/// How far these are from the start, in scales of states.
+const REACH: f64 = 0.2;
+/// Beside a parameter, a change that shows whether it matters.
+const CHANGE: f64 = 1e-3;
+
+/// A constraint that follows from others wherever the machine goes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Lasting {
+    /// Its name.
+    pub constraint: String,
+    /// Names of those it follows from.
+    pub repeats: Vec<String>,
+    /// Parameters that have to stay as they are for it.
+    pub needs: Vec<String>,
+}
+
+/// Constraints that always hold and follow from others that do, consistently: at the start and at
+/// places around it, all of which fulfil all constraints. Without them the machine moves in the same
+/// way; which of all carries how much of the force is not decided by anything.
+#[must_use]
+pub fn lasting(simulator: &dyn Simulator<f64>, parameters: &[f64], time: f64) -> Vec<Lasting> {
+    let Ok(state) = start(simulator, parameters, time) else { return Vec::new() };
+    if followers(simulator, parameters, time, &state).is_empty() {
+        return Vec::new();
+    }
+    let Some(found) = everywhere(simulator, parameters, time, &state) else { return Vec::new() };
+    let mut lasting: Vec<Lasting> = found
+        .into_iter()
+        .map(|Redundant { constraint, repeats, .. }| Lasting {
+            constraint,
+            repeats,
+            needs: Vec::new(),
+        })
+        .collect();
+    for index in 0..parameters.len() {
+        let mut changed = parameters.to_vec();
+        changed[index] += if changed[index] == 0.0 { CHANGE } else { CHANGE * changed[index] };
+        let still = everywhere(simulator, &changed, time, &state).unwrap_or_default();
+        for one in &mut lasting {
+            if !still.iter().any(|other| other.constraint == one.constraint) {
+                one.needs.push(simulator.parameter(index).name.to_owned());
+            }
+        }
+    }
+    lasting
+}
+
+/// Those that follow from others at all places; nothing where constraints contradict each other.
+fn everywhere(
+    simulator: &dyn Simulator<f64>,
+    parameters: &[f64],
+    time: f64,
+    state: &[f64],
+) -> Option<Vec<Redundant>> {
+    let mut found: Option<Vec<Redundant>> = None;
+    for place in 0..PLACES {
+        let moved = state.iter().enumerate().map(|(index, value)| {
+            let wave = (1.0 + (1 + index) as f64 * 1.7 * place as f64).sin();
+            let moves = place > 0 && !simulator.is_mode(index);
+            value + if moves { REACH * wave * simulator.state_scale(index) } else { 0.0 }
+        });
+        let there = consistent(simulator, parameters, time, moved.collect(), |_| false).ok()?;
+        let followers = followers(simulator, parameters, time, &there);
+        found = Some(match found {
+            None => followers,
+            Some(mut found) => {
+                found
+                    .retain(|one| followers.iter().any(|other| other.constraint == one.constraint));
+                found
+            }
+        });
+    }
+    found
+}
+
+/// Those that always hold and follow from others that do, at a state.
+fn followers(
+    simulator: &dyn Simulator<f64>,
+    parameters: &[f64],
+    time: f64,
+    state: &[f64],
+) -> Vec<Redundant> {
+    let found = mobility(simulator, parameters, time, state);
+    let mut redundant = found.map_or_else(Vec::new, |found| found.redundant);
+    let always = |name: &String| {
+        let mut all = (0..simulator.constraints()).map(|index| simulator.constraint(index));
+        all.any(|constraint| constraint.name == name && !constraint.in_modes)
+    };
+    redundant
+        .retain(|one| !one.in_modes && !one.repeats.is_empty() && one.repeats.iter().all(always));
+    redundant
+}

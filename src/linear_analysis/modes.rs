@@ -23,7 +23,8 @@ const ZERO: f64 = 1e-11;
 const DOUBLE_ZERO: f64 = 1e-5;
 /// Eigenvalues closer than this, likewise, share a space of shapes.
 const CLUSTER: f64 = 1e-7;
-const MAX_ITERATIONS: usize = 100_000;
+/// Iterations for each eigenvalue, of which two or three do.
+const ITERATIONS: usize = 100;
 /// Matrices of the same eigenvalues on which that is tried.
 const ATTEMPTS: usize = 4;
 
@@ -284,10 +285,11 @@ impl Problem {
         balance(&mut reduced);
         let norm = reduced.norm();
         // Where the iteration goes round, it does not on another matrix of the same eigenvalues.
+        let iterations = ITERATIONS * reduced.nrows();
         let mirrored = std::iter::successors(Some(reduced), |matrix| Some(mirrored(matrix)));
         let schur = mirrored
             .take(ATTEMPTS)
-            .find_map(|matrix| Schur::try_new(matrix, f64::EPSILON, MAX_ITERATIONS));
+            .find_map(|matrix| Schur::try_new(matrix, f64::EPSILON, iterations));
         let schur = schur.ok_or(LinearError::Eigenvalues)?;
         let cleaned = |value: &Complex64| {
             if value.norm() <= zero * norm { Complex64::ZERO } else { *value }

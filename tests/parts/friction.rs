@@ -534,7 +534,7 @@ fn trains_of_clutches_and_a_brake_move_as_by_small_impulses() {
 #[test]
 fn a_clutch_that_sticks_takes_a_motion_from_the_modes() {
     use machinist::linear_analysis::{Linearization, ModeKind, Place, operating_point};
-    let text = |slip: i32| {
+    let text = |slip: i32, normal_force: f64| {
         format!(
             r#"
             [scene]
@@ -549,7 +549,7 @@ fn a_clutch_that_sticks_takes_a_motion_from_the_modes() {
             parameters = {{ inertia = 2 }}
             [units.clutch]
             unit = "rotational/clutch"
-            inputs = {{ normal_force = "10 [N]" }}
+            inputs = {{ normal_force = "{normal_force} [N]" }}
             [units.right]
             unit = "rotational/inertia"
             parameters = {{ inertia = 3 }}
@@ -571,9 +571,10 @@ fn a_clutch_that_sticks_takes_a_motion_from_the_modes() {
             "#
         )
     };
-    // Stuck, both inertias swing as one; open, the left one alone.
-    for (slip, inertia) in [(0, 5.0), (2, 2.0)] {
-        let scene = of_text(&text(slip), Keep::All);
+    // Stuck, both inertias swing as one; open, the left one alone. What is pressed is not open for
+    // long: a start is in modes that agree with their guards.
+    for (slip, normal_force, inertia) in [(0, 10.0, 5.0), (2, 0.0, 2.0), (2, 10.0, 5.0)] {
+        let scene = of_text(&text(slip, normal_force), Keep::All);
         let run = Simulation::new(&scene);
         let point = operating_point(&run, Place::Initial).expect("a state");
         let modes = Linearization::at(&scene, point).expect("regular").modes().expect("modes");

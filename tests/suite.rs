@@ -12,6 +12,7 @@ mod campbell;
 mod chains;
 mod classics;
 mod complex_step;
+mod conserves;
 mod constraints;
 mod contacts;
 mod equilibrium;

@@ -317,9 +317,12 @@ impl Problem {
         let near = |other: &Complex64| (other - value).norm() <= CLUSTER * self.norm;
         let same: Vec<&DVector<Complex64>> =
             found.iter().filter(|(other, _)| near(other)).map(|(_, vector)| vector).collect();
+        if value == Complex64::ZERO {
+            return self.mode_of_zero(number, &same);
+        }
         let [right, left] = self.iteration.vectors(value, number, &same);
         let overlap = left.dot(&right);
-        let is_simple = value != Complex64::ZERO && same.is_empty() && overlap.norm() > CLUSTER;
+        let is_simple = same.is_empty() && overlap.norm() > CLUSTER;
         if is_simple {
             let better = left.dot(&(&self.balanced * &right)) / overlap;
             let value = if value.im == 0.0 { Complex64::from(better.re) } else { better };
@@ -331,6 +334,33 @@ impl Problem {
         let moved = self.right_of_balanced(&right);
         let shares = self.shapes.shares(&moved, &moved.conjugate());
         (self.shapes.described(value, &moved, shares), right)
+    }
+}
+
+impl Problem {
+    /// Of eigenvalue zero: by A itself, whose large entries keep what begins a motion, and so
+    /// belongs to a double zero, out of its vector.
+    fn mode_of_zero(
+        &self,
+        number: usize,
+        same: &[&DVector<Complex64>],
+    ) -> (Mode, DVector<Complex64>) {
+        let scaled = |vector: &DVector<Complex64>, back: bool| {
+            let scale = |entry: Complex64, scale: f64| {
+                if back { entry / scale } else { entry * scale }
+            };
+            let vector = vector.zip_map(&self.balance, scale);
+            let size = vector.norm();
+            vector / Complex64::from(size)
+        };
+        let same: Vec<DVector<Complex64>> =
+            same.iter().map(|vector| scaled(vector, false)).collect();
+        let same: Vec<&DVector<Complex64>> = same.iter().collect();
+        let iteration = InverseIteration::new(&self.matrix);
+        let [right, _] = iteration.vectors(Complex64::ZERO, number, &same);
+        let moved = self.right(&right);
+        let shares = self.shapes.shares(&moved, &moved.conjugate());
+        (self.shapes.described(Complex64::ZERO, &moved, shares), scaled(&right, true))
     }
 }
 

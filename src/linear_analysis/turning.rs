@@ -54,7 +54,7 @@ struct Steady {
 pub(super) fn turning(simulator: &dyn Simulator<f64>, point: &Point) -> Option<DMatrix<f64>> {
     let symmetries = Symmetries::around(simulator, point)?;
     let steady = symmetries.fitted(point);
-    if !(steady.off <= STEADY) {
+    if steady.off.is_nan() || steady.off > STEADY {
         return None;
     }
     let (turns, _) = symmetries.together(&steady.shares);
@@ -210,7 +210,7 @@ impl<'a> Symmetries<'a> {
         let open = DMatrix::identity(count, count) - decided;
         let seen = &self.seen * &open;
         let size = seen.amax();
-        if !(size > NOTHING * self.seen.amax()) {
+        if size.is_nan() || size <= NOTHING * self.seen.amax() {
             return nearest;
         }
         let back = seen.svd(true, true).solve(&(&self.seen * &nearest), NOTHING * size);

@@ -36,8 +36,11 @@ pub struct Winder {
     pub force: f64,
     /// Amplitude of the drum's shape twice a turn \[m\].
     pub shape: f64,
-    /// Pressure at rest \[N\].
+    /// Pressure at rest \[N\], with the empty bobbin.
     pub preload: f64,
+    /// How much it grows with the radius of the package \[N/m\]: by equation (15) the holder's
+    /// reduced stiffness where a spring alone presses; 0 where something keeps the pressure.
+    pub growth: f64,
     /// Tension of the thread \[N\].
     pub tension: f64,
     /// \[Nmax\], pressure that the yarn bears \[N\]; only the map asks for it.
@@ -65,6 +68,7 @@ impl Winder {
             force: machine.value("force_amplitude")? * share * share,
             shape: machine.value("ovality")?,
             preload: machine.value("holder.preload")?,
+            growth: 0.0,
             tension: machine.value("pair.tension")?,
             largest: map::LARGEST,
         })
@@ -80,7 +84,12 @@ impl Winder {
             ("pressure at rest", self.preload),
             ("largest pressure", self.largest),
         ];
-        let others = [("force", self.force), ("shape", self.shape), ("tension", self.tension)];
+        let others = [
+            ("force", self.force),
+            ("shape", self.shape),
+            ("tension", self.tension),
+            ("growth of the pressure", self.growth),
+        ];
         let bad = positive.iter().find(|(_, value)| !(value.is_finite() && *value > 0.0));
         if let Some((name, value)) = bad {
             return Some(format!("the {name} is {value}, but must be above zero"));
@@ -94,6 +103,12 @@ impl Winder {
         }
         let (least, most) = self.radii;
         (least >= most).then(|| format!("the least radius {least} m is not below {most} m"))
+    }
+
+    /// Pressure at rest \[N\] at a radius of the package \[m\].
+    #[must_use]
+    pub fn pressure(&self, radius: f64) -> f64 {
+        self.preload + self.growth * (radius - self.radii.0)
     }
 
     /// So many radii from the least to the largest \[m\].

@@ -33,6 +33,10 @@ pub struct WalkCommand {
     /// Pressure at rest [N]
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
     preload: Option<f64>,
+    /// Growth of that pressure with the radius of the package [N/m]: the holder's spring, 3800 N/m,
+    /// where it alone presses
+    #[arg(long, value_name = "STIFFNESS", default_value_t = 0.0, allow_hyphen_values = true)]
+    growth: f64,
     /// Tension of the thread [N]
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
     tension: Option<f64>,
@@ -93,6 +97,7 @@ impl WalkCommand {
             force: self.force.unwrap_or(winder.force),
             shape: self.shape.unwrap_or(winder.shape),
             preload: self.preload.unwrap_or(winder.preload),
+            growth: self.growth,
             tension: self.tension.unwrap_or(winder.tension),
             largest: self.largest.unwrap_or(winder.largest),
             ..winder

@@ -149,6 +149,18 @@ pub mod pendulum_relative;
 )]
 pub mod reed_beat_up;
 
+/// Beat-up of a reed against a fell that only pushes
+#[cfg(feature = "reed_beat_up_one_sided")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod reed_beat_up_one_sided;
+
 /// Saw gin: motor, coupling and saw cylinder
 #[cfg(feature = "saw_gin")]
 #[rustfmt::skip]
@@ -293,6 +305,18 @@ pub mod winder_holder_drop;
 )]
 pub mod winder_linear;
 
+/// Bobbin on a winding drum as printed
+#[cfg(feature = "winder_linear_as_printed")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod winder_linear_as_printed;
+
 /// Four-link bobbin holder, at work
 #[cfg(feature = "winder_linkage")]
 #[rustfmt::skip]
@@ -358,6 +382,8 @@ pub const NAMES: &[&str] = &[
     "winder_holder_drop",
     #[cfg(feature = "winder_linear")]
     "winder_linear",
+    #[cfg(feature = "winder_linear_as_printed")]
+    "winder_linear_as_printed",
     #[cfg(feature = "winder_linkage")]
     "winder_linkage",
     #[cfg(feature = "winder_nonlinear")]
@@ -410,6 +436,10 @@ pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
         "winder_holder_drop" => Some(&winder_holder_drop::WinderHolderDrop),
         #[cfg(feature = "winder_linear")]
         "winder_linear" => Some(&winder_linear::WinderLinear),
+        #[cfg(feature = "winder_linear_as_printed")]
+        "winder_linear_as_printed" => {
+            Some(&winder_linear_as_printed::WinderLinearAsPrinted)
+        }
         #[cfg(feature = "winder_linkage")]
         "winder_linkage" => Some(&winder_linkage::WinderLinkage),
         #[cfg(feature = "winder_nonlinear")]
@@ -432,6 +462,8 @@ pub const FIELD_NAMES: &[&str] = &[
     "loom_drive",
     #[cfg(feature = "reed_beat_up")]
     "reed_beat_up",
+    #[cfg(feature = "reed_beat_up_one_sided")]
+    "reed_beat_up_one_sided",
     #[cfg(feature = "saw_gin_shaft")]
     "saw_gin_shaft",
     #[cfg(feature = "shaft_step_torque")]
@@ -449,6 +481,8 @@ pub fn find_field<R: Real>(name: &str) -> Option<&'static dyn FieldScene<R>> {
         "loom_drive" => Some(&loom_drive::LoomDrive),
         #[cfg(feature = "reed_beat_up")]
         "reed_beat_up" => Some(&reed_beat_up::ReedBeatUp),
+        #[cfg(feature = "reed_beat_up_one_sided")]
+        "reed_beat_up_one_sided" => Some(&reed_beat_up_one_sided::ReedBeatUpOneSided),
         #[cfg(feature = "saw_gin_shaft")]
         "saw_gin_shaft" => Some(&saw_gin_shaft::SawGinShaft),
         #[cfg(feature = "shaft_step_torque")]

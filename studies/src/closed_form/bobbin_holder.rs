@@ -62,6 +62,19 @@ impl BobbinHolder {
     /// N and Q \[N\]; NaN if the package does not reach the drum.
     #[must_use]
     pub fn forces(&self) -> [f64; 2] {
+        self.balances().forces(self.winding_force, 0.0)
+    }
+
+    /// N and Q \[N\] where the drum holds the bobbin by a share of its pressure, P = share N:
+    /// the friction f of a turning drum, or k/R of a bobbin that rolls at rest, to the left over
+    /// the drum if above zero. Equations (11) to (14) of the study: Q is largest for f and least
+    /// for -f.
+    #[must_use]
+    pub fn forces_by_share(&self, share: f64) -> [f64; 2] {
+        self.balances().forces(0.0, share)
+    }
+
+    fn balances(&self) -> Balances {
         let [post_mass, plate_mass, cylinder_mass, rod_mass, bobbin_mass] = self.masses;
         let distance_t = self.stop[0].hypot(self.stop[1]);
         let along_post = [self.stop[0] / distance_t, self.stop[1] / distance_t];
@@ -76,13 +89,17 @@ impl BobbinHolder {
         let k = [a[0] - self.radii[0] * n[0], a[1] - self.radii[0] * n[1]];
         let plate_x = 0.5 * (c[0] + d[0]);
         let weights = |x: f64| -GRAVITY * (plate_mass * (plate_x - x) + bobbin_mass * (a[0] - x));
-        let about_c = moment(c, d, of_strut) + weights(c[0]) + self.winding_force * moment(c, k, t);
-        let normal = -about_c / moment(c, k, n);
         let o = [0.0, 0.0];
-        let about_o = moment(o, d, of_strut) + weights(0.0) - GRAVITY * post_mass * 0.5 * c[0]
-            + self.winding_force * moment(o, k, t)
-            + normal * moment(o, k, n);
-        [normal, -about_o / distance_t]
+        let without = |point, x| moment(point, d, of_strut) + weights(x);
+        Balances {
+            about_c: [without(c, c[0]), moment(c, k, n), moment(c, k, t)],
+            about_o: [
+                without(o, 0.0) - GRAVITY * post_mass * 0.5 * c[0],
+                moment(o, k, n),
+                moment(o, k, t),
+            ],
+            stop_arm: distance_t,
+        }
     }
 
     /// Angles of post and plate \[rad\] where the post is on its stop and the package on the
@@ -143,6 +160,24 @@ impl BobbinHolder {
     }
 }
 
+/// Moments of strut and weights, of N = 1 N and of P = 1 N, about C and about O, and the arm of Q.
+struct Balances {
+    about_c: [f64; 3],
+    about_o: [f64; 3],
+    stop_arm: f64,
+}
+
+impl Balances {
+    /// N and Q with P = force + share N.
+    fn forces(&self, force: f64, share: f64) -> [f64; 2] {
+        let [others, of_normal, of_winding] = self.about_c;
+        let normal = -(others + force * of_winding) / (of_normal + share * of_winding);
+        let [others, of_normal, of_winding] = self.about_o;
+        let winding = force + share * normal;
+        [normal, -(others + winding * of_winding + normal * of_normal) / self.stop_arm]
+    }
+}
+
 /// Moment about a point of a force at another.
 fn moment(about: [f64; 2], at: [f64; 2], force: [f64; 2]) -> f64 {
     (at[0] - about[0]) * force[1] - (at[1] - about[1]) * force[0]
@@ -157,6 +192,15 @@ mod tests {
         for winding_force in [-8.0, 0.0, 8.0] {
             let [normal, stop] = BobbinHolder { winding_force, ..HOLDER }.forces();
             assert!(normal > 0.0 && stop > 0.0, "{winding_force}: {normal} {stop}");
+        }
+    }
+
+    #[test]
+    fn the_law_of_the_winding_force_is_that_force() {
+        for share in [-0.18, -0.02, 0.0, 0.02, 0.18] {
+            let [normal, stop] = HOLDER.forces_by_share(share);
+            let given = BobbinHolder { winding_force: share * normal, ..HOLDER }.forces();
+            assert!((given[0] - normal).abs() < 1e-12 && (given[1] - stop).abs() < 1e-12);
         }
     }
 

@@ -130,10 +130,14 @@ fn later(harmonic: Harmonic, time: f64) -> Harmonic {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::closed_form::winder::{BENCH_M5, FORCE_M5, SHAPE_M5};
+    use crate::closed_form::winder::{BENCH_BOBBIN, BENCH_FORCE, BENCH_SHAPE};
 
-    const BENCH: BouncingBobbin =
-        BouncingBobbin { bobbin: BENCH_M5, preload: 40.0, force: FORCE_M5, shape: SHAPE_M5 };
+    const BENCH: BouncingBobbin = BouncingBobbin {
+        bobbin: BENCH_BOBBIN,
+        preload: 40.0,
+        force: BENCH_FORCE,
+        shape: BENCH_SHAPE,
+    };
 
     fn times() -> Vec<f64> {
         (0..4000).map(|step| 1e-4 * f64::from(step)).collect()
@@ -145,7 +149,7 @@ mod tests {
         let (motion, switches) = hard.motion(&times());
         assert_eq!(switches, 0);
         let (start, time) = (Deflection::default(), 3999.0 * 1e-4);
-        let exact = BENCH_M5.motion(time, start, &[FORCE_M5], &[SHAPE_M5]);
+        let exact = BENCH_BOBBIN.motion(time, start, &[BENCH_FORCE], &[BENCH_SHAPE]);
         assert_eq!(motion[3999].deflection, exact);
     }
 

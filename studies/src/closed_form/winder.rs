@@ -36,19 +36,20 @@ pub struct BobbinOscillator {
     pub spring_stiffness: f64,
 }
 
-/// The study's bench model M5.
-pub const BENCH_M5: BobbinOscillator = BobbinOscillator {
-    mass: 2.1,
+/// The bench winder, whose numbers are ours: the study gives no masses, stiffnesses or
+/// dimensions.
+pub const BENCH_BOBBIN: BobbinOscillator = BobbinOscillator {
+    mass: 1.9,
     viscosity: 95.0,
     layer_stiffness: 42_000.0,
     spring_stiffness: 3800.0,
 };
 
-/// Force disturbance of the bench model M5 \[N\].
-pub const FORCE_M5: Harmonic = Harmonic { amplitude: 25.0, frequency: 110.0, phase: 0.0 };
+/// Force disturbance of the bench winder \[N\]; ours.
+pub const BENCH_FORCE: Harmonic = Harmonic { amplitude: 25.0, frequency: 110.0, phase: 0.0 };
 
-/// Drum-shape disturbance of the bench model M5 \[m\].
-pub const SHAPE_M5: Harmonic = Harmonic { amplitude: 2e-4, frequency: 220.0, phase: 0.0 };
+/// Drum-shape disturbance of the bench winder \[m\]; ours.
+pub const BENCH_SHAPE: Harmonic = Harmonic { amplitude: 2e-4, frequency: 220.0, phase: 0.0 };
 
 /// amplitude cos(frequency t + phase).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -89,9 +90,33 @@ impl BobbinOscillator {
         forces: &[Harmonic],
         shapes: &[Harmonic],
     ) -> Deflection {
+        let to_shapes = shapes.iter().map(|shape| self.answer_to_shape(shape));
+        self.motion_of(t, start, forces, &to_shapes.collect::<Vec<_>>())
+    }
+
+    /// The same by the study's equation of motion, whose forcing by the shape is c Y alone.
+    #[must_use]
+    pub fn motion_as_printed(
+        &self,
+        t: f64,
+        start: Deflection,
+        forces: &[Harmonic],
+        shapes: &[Harmonic],
+    ) -> Deflection {
+        let to_shapes = shapes.iter().map(|shape| self.answer_to_shape_as_printed(shape));
+        self.motion_of(t, start, forces, &to_shapes.collect::<Vec<_>>())
+    }
+
+    fn motion_of(
+        &self,
+        t: f64,
+        start: Deflection,
+        forces: &[Harmonic],
+        to_shapes: &[Harmonic],
+    ) -> Deflection {
         let answers = || {
             let to_forces = forces.iter().map(|force| self.answer_to_force(force));
-            to_forces.chain(shapes.iter().map(|shape| self.answer_to_shape(shape)))
+            to_forces.chain(to_shapes.iter().copied())
         };
         let steady = |t| {
             answers().fold(Deflection::default(), |sum, answer| {
@@ -144,6 +169,14 @@ impl BobbinOscillator {
     pub fn amplitude_as_printed(&self, forcing: f64, frequency: f64) -> f64 {
         let in_phase = self.stiffness() - self.mass * frequency * frequency;
         forcing / in_phase.hypot(self.viscosity * self.mass * frequency)
+    }
+
+    /// The study's phase (21) \[rad\], arctan(h m p/(c + c_p - m p^2)): h m for h, and of the
+    /// other sign than the lag of the motion behind its forcing.
+    #[must_use]
+    pub fn phase_as_printed(&self, frequency: f64) -> f64 {
+        let in_phase = self.stiffness() - self.mass * frequency * frequency;
+        (self.viscosity * self.mass * frequency / in_phase).atan()
     }
 
     /// Plain sum of the amplitudes \[m\]: the bound that no phases exceed.
@@ -203,7 +236,16 @@ impl BobbinOscillator {
     }
 }
 
-/// Reduced mass m0 + mn lbc/lab + pi (R^2 - Rmin^2) H rho \[kg\] of a bobbin holder.
+/// Mass of a bobbin holder reduced to the bobbin's centre \[kg\].
+///
+/// ```text
+/// m(R) = m0 + mn (lbc/lab)^2 + pi (R^2 - Rmin^2) H rho      (consistent)
+/// m(R) = m0 + mn lbc/lab     + pi (R^2 - Rmin^2) H rho      (printed)
+/// ```
+///
+/// A mass on the arm lbc moves lbc/lab times as fast as the bobbin on the arm lab, so that its
+/// kinetic energy takes the square. Equation (16) reduces weights, which are linear in the
+/// arms; the study takes its masses from there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReducedMass {
     /// m0 \[kg\].
@@ -220,9 +262,8 @@ pub struct ReducedMass {
     pub density: f64,
 }
 
-/// Parts of which the mass of the bench model M5, 2.1 kg, could consist: plausible
-/// numbers, since the study states the sum only.
-pub const MASS_M5: ReducedMass = ReducedMass {
+/// Masses of the bench winder, ours: 1.9 kg with an empty bobbin, 2.1 kg as printed.
+pub const BENCH_MASS: ReducedMass = ReducedMass {
     bobbin: 1.5,
     links: 0.9,
     arm_ratio: 0.1 / 0.15,
@@ -232,11 +273,21 @@ pub const MASS_M5: ReducedMass = ReducedMass {
 };
 
 impl ReducedMass {
-    /// m(R) at a package radius \[m\].
+    /// m(R) at a package radius \[m\], by kinetic energy.
     #[must_use]
     pub fn at(&self, radius: f64) -> f64 {
+        self.bobbin + self.links * self.arm_ratio * self.arm_ratio + self.yarn(radius)
+    }
+
+    /// m(R) at a package radius \[m\] by equation (16), which reduces weights.
+    #[must_use]
+    pub fn as_printed(&self, radius: f64) -> f64 {
+        self.bobbin + self.links * self.arm_ratio + self.yarn(radius)
+    }
+
+    fn yarn(&self, radius: f64) -> f64 {
         let area = PI * (radius * radius - self.bobbin_radius * self.bobbin_radius);
-        self.bobbin + self.links * self.arm_ratio + area * self.width * self.density
+        area * self.width * self.density
     }
 }
 

@@ -21,6 +21,8 @@
 
 use std::f64::consts::PI;
 
+use super::winder::ReducedMass;
+
 /// Share of N f that practice lets the thread's tension take.
 pub const DESIGN_SHARE: f64 = 0.9;
 
@@ -102,6 +104,18 @@ impl WindingPair {
 pub fn pressure_variation(amplitude: f64, dynamic_stiffness: f64, spread: f64) -> f64 {
     amplitude * dynamic_stiffness * (1.0 + spread)
 }
+
+/// N(R) \[N\] of a bobbin that a spring presses on its drum, equation (15) without thread: `rest`
+/// with the empty bobbin; a package of radius R turns the lever by (R - Rmin)/h_N, which
+/// stretches the spring on its arm h_F by h_F/h_N times as much, and so presses with c_p (R - Rmin)
+/// more, c_p = c_s (h_F/h_N)^2; and its weight presses a bobbin above the drum harder.
+#[must_use]
+pub fn pressure_over_growth(rest: f64, spring: f64, mass: &ReducedMass, radius: f64) -> f64 {
+    let weight = GRAVITY * (mass.as_printed(radius) - mass.as_printed(mass.bobbin_radius));
+    rest + spring * (radius - mass.bobbin_radius) + weight
+}
+
+const GRAVITY: f64 = 9.81;
 
 /// Radius \[m\] of a package after t \[s\]: sqrt(Rmin^2 + V' t/(pi H)), from Rmin \[m\],
 /// width H \[m\] and volume V' of thread a second \[m^3/s\].
@@ -200,6 +214,37 @@ mod tests {
         let band = PAIR.pressure_band(0.5, (0.02, 0.06), 25.0, variation);
         assert!((band.least - (0.5 / 0.13 + 4.62)).abs() < 1e-12);
         assert!((band.most - 20.38).abs() < 1e-12);
+    }
+
+    #[test]
+    fn pressure_over_the_growth_of_a_package_is_the_balance_of_moments_about_the_lever() {
+        use crate::closed_form::winder::BENCH_MASS;
+        // Arms of spring and pressure, and the spring's stiffness and force at the start.
+        let (spring_arm, arm, spring, pull) = (0.06, 0.15, 23_750.0, 50.0);
+        let at = |radius: f64| {
+            let force = pull + spring * (radius - 0.03) * spring_arm / arm;
+            let weights =
+                9.81 * (1.5 + BENCH_MASS.as_printed(radius) - 2.1) * arm + 9.81 * 0.9 * 0.1;
+            (force * spring_arm + weights) / arm
+        };
+        for radius in [0.03, 0.04, 0.06] {
+            let ours = pressure_over_growth(at(0.03), 3800.0, &BENCH_MASS, radius);
+            assert!((ours - at(radius)).abs() < 1e-12, "{ours}");
+        }
+    }
+
+    #[test]
+    fn a_turning_drum_speeds_up_and_slows_down_as_far_as_conditions_4_and_5_say() {
+        // (4): P R >= Pn R + MA + Mk + JA e;  (5): P R >= JA e' - Pn R - MA - Mk, e' = -e.
+        let (pressure, tension, radius, inertia) = (10.0, 0.5, 0.05, 1e-3);
+        let resisting = tension * radius + pressure * 1e-3;
+        let friction = pressure * 0.18 * radius;
+        let faster = (friction - resisting) / inertia;
+        let slower = -(friction + resisting) / inertia;
+        let margin = |e: f64| PAIR.adhesion_margin(pressure, tension, radius, inertia, e);
+        assert!(margin(faster).abs() < 1e-15 && margin(slower).abs() < 1e-15);
+        assert!(margin(1.01 * faster) < 0.0 && margin(1.01 * slower) < 0.0);
+        assert!(margin(0.99 * faster) > 0.0 && margin(0.99 * slower) > 0.0);
     }
 
     #[test]

@@ -7,7 +7,9 @@ use num_complex::Complex64;
 
 use super::sensitivities::{SMOOTH, against_complex_runs};
 use super::{Check, CheckFailure, Machine, Measured, relative_distance, worse};
-use crate::closed_form::winder::{BENCH_M5, Deflection, FORCE_M5, Harmonic, MASS_M5, SHAPE_M5};
+use crate::closed_form::winder::{
+    BENCH_BOBBIN, BENCH_FORCE, BENCH_MASS, BENCH_SHAPE, BobbinOscillator, Deflection, Harmonic,
+};
 use crate::closed_form::winding_pair::HOLDER_POSITIONS;
 
 const NEAR_ROUNDING: &str = "the run is held to 1e-12 a step; some thousand steps add up";
@@ -33,32 +35,32 @@ pub(super) const CHECKS: &[Check] = &[
         reference: "closed form, relative",
         tolerance: 1e-9,
         reason: NEAR_ROUNDING,
-        measure: |machine| amplitude(machine, &BENCH_M5.answer_to_force(&FORCE_M5)),
+        measure: |machine| amplitude(machine, &BENCH_BOBBIN.answer_to_force(&BENCH_FORCE)),
     },
     Check {
         name: "phase of the steady answer to force",
         reference: "closed form, rad",
         tolerance: 1e-9,
         reason: NEAR_ROUNDING,
-        measure: |machine| phase(machine, &BENCH_M5.answer_to_force(&FORCE_M5)),
+        measure: |machine| phase(machine, &BENCH_BOBBIN.answer_to_force(&BENCH_FORCE)),
     },
     Check {
         name: "amplitude of the steady answer to drum shape",
         reference: "closed form, relative",
         tolerance: 1e-9,
         reason: NEAR_ROUNDING,
-        measure: |machine| amplitude(machine, &BENCH_M5.answer_to_shape(&SHAPE_M5)),
+        measure: |machine| amplitude(machine, &BENCH_BOBBIN.answer_to_shape(&BENCH_SHAPE)),
     },
     Check {
         name: "phase of the steady answer to drum shape",
         reference: "closed form, rad",
         tolerance: 1e-9,
         reason: NEAR_ROUNDING,
-        measure: |machine| phase(machine, &BENCH_M5.answer_to_shape(&SHAPE_M5)),
+        measure: |machine| phase(machine, &BENCH_BOBBIN.answer_to_shape(&BENCH_SHAPE)),
     },
     Check {
         name: "reduced mass of a package of 50 mm",
-        reference: "m0 + mn lbc/lab + pi (R^2 - Rmin^2) H rho, relative",
+        reference: "m0 + mn (lbc/lab)^2 + pi (R^2 - Rmin^2) H rho, relative",
         tolerance: 1e-14,
         reason: "both are algebra",
         measure: reduced_mass,
@@ -89,16 +91,66 @@ pub(super) const CHECKS: &[Check] = &[
     },
 ];
 
+/// Of the equation as printed.
+pub(super) const PRINTED_CHECKS: &[Check] = &[
+    Check {
+        name: "transient under force and drum shape, as printed",
+        reference: TRANSIENT,
+        tolerance: 1e-9,
+        reason: NEAR_ROUNDING,
+        measure: printed_transient,
+    },
+    Check {
+        name: "reduced mass of a package of 50 mm, as printed",
+        reference: "m0 + mn lbc/lab + pi (R^2 - Rmin^2) H rho, relative",
+        tolerance: 1e-14,
+        reason: "both are algebra",
+        measure: |machine| {
+            let point = machine.point(&[("holder.package_radius", 0.05)], &[])?;
+            Ok(Measured::relative(machine.output(&point, "mass")?, BENCH_MASS.as_printed(0.05)))
+        },
+    },
+    Check {
+        name: "undamped natural frequency, as printed",
+        reference: "sqrt(45800/2.1) = 147.68 rad/s, relative",
+        tolerance: 1e-12,
+        reason: "both are algebra",
+        measure: |machine| {
+            let found = natural_frequency(machine)?;
+            Ok(Measured::relative(found, (45_800.0_f64 / 2.1).sqrt()))
+        },
+    },
+];
+
+/// sqrt(-dv'/dx) \[rad/s\].
+pub(crate) fn natural_frequency(machine: &Machine) -> Result<f64, CheckFailure> {
+    let jacobian = machine.rate_jacobian(&machine.point(&[], &[])?);
+    let (x, v) = (machine.state_index("holder.x")?, machine.state_index("holder.v")?);
+    Ok((-jacobian[(v, x)]).sqrt())
+}
+
 /// The study's table of W, in the order of [`HOLDER_POSITIONS`].
 pub(crate) const PRINTED_MOBILITY: [i32; 5] = [2, 2, 3, 3, 3];
 
 fn free_decay(machine: &Machine) -> Result<Measured, CheckFailure> {
     let settings = [("force_amplitude", 0.0), ("ovality", 0.0), ("initial_deflection", 1e-3)];
     let start = Deflection { value: 1e-3, rate: 0.0 };
-    distance(machine, &settings, start, &[], &[])
+    distance(machine, &settings, |time| BENCH_BOBBIN.motion(time, start, &[], &[]))
 }
 
 fn transient(machine: &Machine) -> Result<Measured, CheckFailure> {
+    shaken(machine, |t, start, forces, shapes| BENCH_BOBBIN.motion(t, start, forces, shapes))
+}
+
+fn printed_transient(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let bobbin = BobbinOscillator { mass: BENCH_MASS.as_printed(0.03), ..BENCH_BOBBIN };
+    shaken(machine, |t, start, forces, shapes| bobbin.motion_as_printed(t, start, forces, shapes))
+}
+
+fn shaken(
+    machine: &Machine,
+    motion: impl Fn(f64, Deflection, &[Harmonic], &[Harmonic]) -> Deflection,
+) -> Result<Measured, CheckFailure> {
     let settings = [
         ("initial_velocity", 0.05),
         ("force_phase", 0.4),
@@ -109,21 +161,20 @@ fn transient(machine: &Machine) -> Result<Measured, CheckFailure> {
     let start = Deflection { value: 0.0, rate: 0.05 };
     // The empty bobbin turns with 5.5 m/s over 30 mm, the drum with 110 rad/s.
     let package = Harmonic { amplitude: 10.0, frequency: 5.5 / 0.03, phase: 0.0 };
-    let forces = [Harmonic { phase: 0.4, ..FORCE_M5 }, package];
+    let forces = [Harmonic { phase: 0.4, ..BENCH_FORCE }, package];
     let eccentric = Harmonic { amplitude: 1e-4, frequency: 110.0, phase: 0.0 };
-    distance(machine, &settings, start, &forces, &[Harmonic { phase: -1.1, ..SHAPE_M5 }, eccentric])
+    let shapes = [Harmonic { phase: -1.1, ..BENCH_SHAPE }, eccentric];
+    distance(machine, &settings, |time| motion(time, start, &forces, &shapes))
 }
 
 /// Largest distance over 0.2 s of both states from the closed form.
 fn distance(
     machine: &Machine,
     settings: &[(&str, f64)],
-    start: Deflection,
-    forces: &[Harmonic],
-    shapes: &[Harmonic],
+    exact: impl Fn(f64) -> Deflection,
 ) -> Result<Measured, CheckFailure> {
     let run = machine.simulation(settings)?.until(0.2).points(401).rtol(1e-12).run()?;
-    let exact = run.times.iter().map(|time| BENCH_M5.motion(*time, start, forces, shapes));
+    let exact = run.times.iter().map(|time| exact(*time));
     let (values, rates): (Vec<f64>, Vec<f64>) = exact.map(|q| (q.value, q.rate)).unzip();
     let deflection = relative_distance(machine.column(&run, "holder.x")?, &values);
     let velocity = relative_distance(machine.column(&run, "holder.v")?, &rates);
@@ -142,7 +193,7 @@ fn phase(machine: &Machine, answer: &Harmonic) -> Result<Measured, CheckFailure>
 /// over one turn of the drum after 1.5 s, when the transient has faded to e^-33.
 fn steady(machine: &Machine, frequency: f64) -> Result<Complex64, CheckFailure> {
     const SAMPLES: u32 = 64;
-    let turn = 2.0 * PI / FORCE_M5.frequency;
+    let turn = 2.0 * PI / BENCH_FORCE.frequency;
     let times: Vec<f64> =
         (0..SAMPLES).map(|k| 1.5 + turn * f64::from(k) / f64::from(SAMPLES)).collect();
     let run = machine.simulation(&[])?.until(1.5 + turn).times(&times).rtol(1e-12).run()?;
@@ -155,7 +206,7 @@ fn steady(machine: &Machine, frequency: f64) -> Result<Complex64, CheckFailure> 
 
 fn reduced_mass(machine: &Machine) -> Result<Measured, CheckFailure> {
     let point = machine.point(&[("holder.package_radius", 0.05)], &[])?;
-    Ok(Measured::relative(machine.output(&point, "mass")?, MASS_M5.at(0.05)))
+    Ok(Measured::relative(machine.output(&point, "mass")?, BENCH_MASS.at(0.05)))
 }
 
 fn positions_that_differ() -> f64 {

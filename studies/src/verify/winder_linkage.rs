@@ -26,6 +26,13 @@ pub(super) const CHECKS: &[Check] = &[
         measure: forces,
     },
     Check {
+        name: "forces at contact and stop while the package grows from 30 to 60 mm",
+        reference: "equation (15): balances of moments, relative to the larger",
+        tolerance: 1e-8,
+        reason: "at rest; rounding, grown by sixteen constraints solved together",
+        measure: growing,
+    },
+    Check {
         name: "places of post, plate, cylinder, rod and bobbin along the run",
         reference: "where circles meet, over the shortest link",
         tolerance: 1e-12,
@@ -41,6 +48,13 @@ pub(super) const DROP_CHECKS: &[Check] = &[
         tolerance: 1e-6,
         reason: "what is left of its swinging after 3 s, and second orders of contacts that give",
         measure: settled,
+    },
+    Check {
+        name: "forces at contact and stop once it has settled, P = N f and N k/R either way",
+        reference: "equations (11) to (14): balances of moments, relative to the larger",
+        tolerance: 1e-6,
+        reason: "as above",
+        measure: settled_under_friction,
     },
     Check {
         name: "frequencies and dampings of small oscillations at work, on both contacts",
@@ -133,15 +147,49 @@ fn places(
     Ok(Measured::error(error))
 }
 
+/// The same with P = N f either way and with P = N k/R, in the scene a law.
+fn settled_under_friction(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let mut error = 0.0;
+    for share in [-0.18, -0.01, 0.01, 0.18] {
+        error = worse(error, settled_with(machine, share)?.error);
+    }
+    Ok(Measured::error(error))
+}
+
+/// N over the growth of the package, which lifts the plate against its spring.
+fn growing(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let mut error = 0.0;
+    for radius in [0.03, 0.04, 0.05, 0.06] {
+        let run = machine.simulation(&[("bobbin_radius", radius)])?.until(0.01).points(2);
+        let run = run.method(Method::Dop853).run()?;
+        let holder = BobbinHolder { radii: [radius, HOLDER.radii[1]], ..HOLDER };
+        let [normal, stop] = holder.forces();
+        for (name, exact) in [("contact_force", normal), ("stop_force", stop)] {
+            let found = machine.column(&run, name)?[0];
+            error = worse(error, (found - exact).abs() / worse(normal.abs(), stop.abs()));
+        }
+    }
+    Ok(Measured::error(error))
+}
+
+fn settled(machine: &Machine) -> Result<Measured, CheckFailure> {
+    settled_with(machine, 0.0)
+}
+
 /// Forces after 3 s, against those of a rigid holder whose package and stop are moved by as
 /// much as the contacts give.
-fn settled(machine: &Machine) -> Result<Measured, CheckFailure> {
+fn settled_with(machine: &Machine, share: f64) -> Result<Measured, CheckFailure> {
     let stiffness = machine.value("contact.stiffness")?;
-    let run = machine.simulation(&[])?.until(3.0).points(2).rtol(1e-9).method(Method::Auto);
+    let run = machine
+        .simulation(&[("grip", share)])?
+        .until(3.0)
+        .points(2)
+        .rtol(1e-9)
+        .method(Method::Auto);
     let run = run.run()?;
     let (mut holder, mut forces) = (HOLDER, [0.0, 0.0]);
     for _ in 0..20 {
-        forces = holder.forces();
+        forces = holder.forces_by_share(share);
         holder.radii[0] = HOLDER.radii[0] - forces[0] / stiffness;
         // The stop gives along the post's circle.
         let [x, y] = HOLDER.stop;

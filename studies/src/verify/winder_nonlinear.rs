@@ -7,7 +7,7 @@ use super::sensitivities::{ClosedForm, SMOOTH, of_closed_form};
 use super::{Check, CheckFailure, Machine, Measured, relative_distance, worse};
 use crate::closed_form::Number;
 use crate::closed_form::duffing::Duffing;
-use crate::closed_form::winder::{BENCH_M5, Deflection, FORCE_M5, SHAPE_M5};
+use crate::closed_form::winder::{BENCH_BOBBIN, BENCH_FORCE, BENCH_SHAPE, Deflection};
 use crate::winder_walk::balance;
 
 const HELD: &str = "the run is held to 1e-12 a step; some thousand steps add up";
@@ -50,7 +50,8 @@ pub(super) const CHECKS: &[Check] = &[
     },
 ];
 
-const LAYER: Duffing = Duffing { mass: 2.1, stiffness: 45_800.0, cubic_stiffness: 2e9 };
+const LAYER: Duffing =
+    Duffing { mass: BENCH_BOBBIN.mass, stiffness: 45_800.0, cubic_stiffness: 2e9 };
 
 fn free_vibration(machine: &Machine, amplitude: f64) -> Result<Measured, CheckFailure> {
     let settings = [
@@ -64,7 +65,7 @@ fn free_vibration(machine: &Machine, amplitude: f64) -> Result<Measured, CheckFa
 
 fn linear_limit(machine: &Machine) -> Result<Measured, CheckFailure> {
     distance(machine, &[("layer.cubic_stiffness", 0.0)], |time| {
-        let now = BENCH_M5.motion(time, Deflection::default(), &[FORCE_M5], &[SHAPE_M5]);
+        let now = BENCH_BOBBIN.motion(time, Deflection::default(), &[BENCH_FORCE], &[BENCH_SHAPE]);
         (now.value, now.rate)
     })
 }
@@ -84,9 +85,9 @@ fn distance(
 
 /// Over the thirtieth turn of the drum, when the transient has faded to e^-38.
 fn balanced(machine: &Machine) -> Result<Measured, CheckFailure> {
-    let turning = FORCE_M5.frequency;
-    let both = (&FORCE_M5, &SHAPE_M5);
-    let exact = balance::steady(&BENCH_M5, LAYER.cubic_stiffness, turning, both);
+    let turning = BENCH_FORCE.frequency;
+    let both = (&BENCH_FORCE, &BENCH_SHAPE);
+    let exact = balance::steady(&BENCH_BOBBIN, LAYER.cubic_stiffness, turning, both);
     let exact = exact.ok_or(CheckFailure::Singular)?;
     let time = |k: usize| TAU / turning * (30.0 + k as f64 / balance::SAMPLES as f64);
     let times: Vec<f64> = (0..balance::SAMPLES).map(time).collect();
@@ -108,7 +109,7 @@ fn slopes(machine: &Machine) -> Result<Measured, CheckFailure> {
             ("layer.stiffness", LAYER.stiffness - own),
             ("layer.cubic_stiffness", LAYER.cubic_stiffness),
             ("initial_deflection", amplitude),
-            // Of 2.1 kg that move.
+            // Of 1.9 kg that move.
             ("holder.bobbin_mass", 1.5),
         ],
         until: 0.1,

@@ -37,7 +37,7 @@ pub(super) fn run(
         ("winding_speed", winder.speed),
         ("force_amplitude", winder.force),
         ("ovality", winder.shape),
-        ("holder.preload", winder.preload),
+        ("holder.preload", winder.pressure(radius)),
         ("pair.tension", winder.tension),
         ("pair.bobbin_radius", winder.radii.0),
         ("pair.package_radius", radius),

@@ -30,7 +30,8 @@ pub fn stage(winder: &Winder) -> Result<Stage, CheckFailure> {
     let mut running = Running::NOTHING;
     for radius in winder.radii(RADII) {
         let Steady { deflections, compressions, pressures } = steady(&machine, winder, radius)?;
-        let pressures: Vec<f64> = pressures.iter().map(|beyond| winder.preload + beyond).collect();
+        let rest = winder.pressure(radius);
+        let pressures: Vec<f64> = pressures.iter().map(|beyond| rest + beyond).collect();
         running = running.worse(Running::of(&deflections, &pressures));
         let amplitude = compressions.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
         spectrum.push((radius, backbone(&machine, radius, amplitude)?));

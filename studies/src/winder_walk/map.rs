@@ -76,7 +76,7 @@ pub struct Limits {
     /// f, fa r and k.
     #[serde(skip)]
     pub pair: WindingPair,
-    /// N \[N\].
+    /// N \[N\]; of a map, with the empty bobbin.
     pub pressure: f64,
     /// Pn \[N\].
     pub tension: f64,
@@ -168,6 +168,7 @@ impl StabilityMap {
             let force = winder.force * (speed / winder.speed).powi(2);
             let there = Winder { speed: *speed, force, ..*winder };
             let cell = |(radius, bobbin): (&f64, &BobbinOscillator)| {
+                let limits = Limits { pressure: winder.pressure(*radius), ..limits };
                 limits.judge(*radius, limits.variation(bobbin, &there, speed / drum_radius))
             };
             radii.iter().zip(&bobbins).map(cell).collect()

@@ -27,7 +27,12 @@ pub fn stage(winder: &Winder) -> Result<Stage, CheckFailure> {
     for radius in winder.radii(RADII) {
         spectrum.push((radius, resonance(&machine, radius)?));
         let bobbin = bobbin(&machine, radius)?;
-        running = running.worse(steady(winder, &bobbin, winder.speed / drum_radius));
+        running = running.worse(steady(
+            winder,
+            &bobbin,
+            winder.speed / drum_radius,
+            winder.pressure(radius),
+        ));
     }
     let frequencies: [Operating; 3] = winder.frequencies(drum_radius);
     Ok(Stage {
@@ -50,7 +55,7 @@ fn resonance(machine: &Machine, radius: f64) -> Result<f64, CheckFailure> {
 }
 
 /// The linear bobbin of the scene at a radius of its package \[m\].
-pub(super) fn bobbin(machine: &Machine, radius: f64) -> Result<BobbinOscillator, CheckFailure> {
+pub(crate) fn bobbin(machine: &Machine, radius: f64) -> Result<BobbinOscillator, CheckFailure> {
     let point = machine.point(&[("holder.package_radius", radius)], &[])?;
     Ok(BobbinOscillator {
         mass: machine.output(&point, "mass")?,
@@ -61,15 +66,15 @@ pub(super) fn bobbin(machine: &Machine, radius: f64) -> Result<BobbinOscillator,
 }
 
 /// Force and shape of a drum that turns with `drum` rad/s.
-pub(super) fn disturbances(winder: &Winder, drum: f64) -> [Harmonic; 2] {
+pub(crate) fn disturbances(winder: &Winder, drum: f64) -> [Harmonic; 2] {
     [
         Harmonic { amplitude: winder.force, frequency: drum, phase: 0.0 },
         Harmonic { amplitude: winder.shape, frequency: 2.0 * drum, phase: 0.0 },
     ]
 }
 
-/// The steady motion over a turn of the drum.
-fn steady(winder: &Winder, bobbin: &BobbinOscillator, drum: f64) -> Running {
+/// The steady motion over a turn of the drum, about a pressure at rest \[N\].
+fn steady(winder: &Winder, bobbin: &BobbinOscillator, drum: f64, rest: f64) -> Running {
     let [force, shape] = disturbances(winder, drum);
     let answers = [bobbin.answer_to_force(&force), bobbin.answer_to_shape(&shape)];
     let times = (0..SAMPLES).map(|k| TAU / drum * f64::from(k) / f64::from(SAMPLES));
@@ -77,7 +82,7 @@ fn steady(winder: &Winder, bobbin: &BobbinOscillator, drum: f64) -> Running {
         let [by_force, by_shape] = answers.map(|answer| answer.at(time));
         let (value, rate) = (by_force.value + by_shape.value, by_force.rate + by_shape.rate);
         let drum = shape.at(time);
-        let pressure = winder.preload
+        let pressure = rest
             + bobbin.layer_stiffness * (drum.value - value)
             + bobbin.viscosity * (drum.rate - rate);
         (value, pressure)

@@ -24,6 +24,7 @@ mod pendulum_chain;
 mod power;
 mod random;
 mod reed_beat_up;
+mod reed_one_sided;
 mod reference;
 mod saw_gin;
 pub(crate) mod saw_gin_as_printed;
@@ -212,6 +213,7 @@ fn own_checks(scene: &str) -> &'static [Check] {
         "saw_gin_as_printed" => saw_gin_as_printed::CHECKS,
         "motor_stationary_axes" => motor_stationary_axes::CHECKS,
         "winder_linear" => winder_linear::CHECKS,
+        "winder_linear_as_printed" => winder_linear::PRINTED_CHECKS,
         "winder_nonlinear" => winder_nonlinear::CHECKS,
         "winder_full" => winder_full::CHECKS,
         "pendulum_chain" => pendulum_chain::CHECKS,
@@ -230,10 +232,22 @@ fn own_checks(scene: &str) -> &'static [Check] {
         "shaft_step_torque" => shaft_step_torque::CHECKS,
         "shaft_with_rotors" => shaft_with_rotors::CHECKS,
         "reed_beat_up" => reed_beat_up::CHECKS,
+        "reed_beat_up_one_sided" => reed_one_sided::CHECKS,
         "saw_gin_shaft" => saw_gin_shaft::CHECKS,
         "loom_drive" => loom_drive::CHECKS,
         _ => &[],
     }
+}
+
+/// Names of the checks of every scene, as `scene: check`.
+#[cfg(test)]
+pub(crate) fn check_names() -> Vec<String> {
+    let names = |machine: &Machine| {
+        let checks = own_checks(machine.name()).iter().chain(every_scene::CHECKS);
+        let scene = machine.name();
+        checks.map(|check| format!("{scene}: {}", check.name)).collect::<Vec<_>>()
+    };
+    machine::all().iter().flat_map(names).collect()
 }
 
 fn override_parameter(machines: &mut [Machine], name: &str, value: f64) -> Result<(), VerifyError> {

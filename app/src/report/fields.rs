@@ -13,7 +13,9 @@ use machinist_contract::Describe as _;
 use machinist_contract::field::FieldScene;
 use machinist_scenes::scenes::shaft_step_torque::ShaftStepTorque;
 use machinist_studies::closed_form::shaft::SAW_GIN_SHAFT;
+use machinist_studies::reed_cells::Fell;
 use machinist_studies::reed_study::{Beat, COMPARED, beats};
+use machinist_studies::verify::CheckFailure;
 use maud::{Markup, html};
 
 use super::figure::{self, Named};
@@ -159,7 +161,8 @@ pub fn section(scene: &str, fields: &[Along]) -> Markup {
 /// What is measured of fields apart from scenes.
 pub struct Study {
     errors: Result<Vec<Named>, String>,
-    beats: Result<Vec<Beat>, String>,
+    /// With a fell that only pushes, and with one that also pulls.
+    beats: Result<[[Beat; 3]; 2], String>,
 }
 
 impl Study {
@@ -167,7 +170,7 @@ impl Study {
     pub fn new() -> Self {
         Self {
             errors: errors().map_err(|error| error.to_string()),
-            beats: beats().map_err(|error| error.to_string()),
+            beats: both().map_err(|error| error.to_string()),
         }
     }
 
@@ -185,11 +188,22 @@ impl Study {
             }
             h3 { "What a stiffer contact changes" }
             @match &self.beats {
-                Ok(beats) => (contact(beats)),
+                Ok([machine, linear]) => {
+                    p {
+                        "The study concludes that a stiffer contact with the cloth fell changes the
+                         motion little and the stress markedly."
+                    }
+                    (contact("fell that only pushes", "one-sided", machine))
+                    (contact("fell that also pulls, as a linear reading has it", "linear", linear))
+                }
                 Err(error) => p.warning { "The reed did not run: " (error) },
             }
         }
     }
+}
+
+fn both() -> Result<[[Beat; 3]; 2], CheckFailure> {
+    Ok([beats(Fell::OnlyPushes)?, beats(Fell::PushesAndPulls)?])
 }
 
 fn errors() -> Result<Vec<Named>, LinearError> {
@@ -215,22 +229,31 @@ fn errors() -> Result<Vec<Named>, LinearError> {
     Ok(curves)
 }
 
-fn contact(beats: &[Beat]) -> Markup {
-    let names = beats.iter().map(|beat| format!("C2 = {} C1", number(beat.share, 2)));
-    let names: Vec<String> = names.collect();
-    let [none, half, whole] = beats else { return html! {} };
+fn contact(fell: &str, id: &str, beats: &[Beat; 3]) -> Markup {
+    let names = beats.each_ref().map(|beat| format!("C2 = {} C1", number(beat.share, 2)));
+    let [none, half, whole] = beats;
     let (first, last) = (none.change_to(half), half.change_to(whole));
     let of = |index: usize| -> Vec<Named> {
         let beats = beats.iter().zip(&names);
         beats.map(|(b, name)| (name.clone(), b.times.clone(), b.columns[index].clone())).collect()
     };
+    let curves = |index: usize, what: &str, axis: &str| {
+        let caption = html! { (what) ", " (fell) "." };
+        figure::curves(
+            &format!("fields-{id}-{index}"),
+            ["time [s]", axis],
+            &of(index),
+            false,
+            &caption,
+        )
+    };
     html! {
+        h4 { "With a " (fell) }
         p {
-            "The study concludes that a stiffer contact with the cloth fell changes the motion little
-             and the stress markedly. From C1/2 to C1 the largest angle of the shaft at the reed
-             changes by " (number(last[0], 2)) " %, that of the reed by " (number(last[1], 2))
+            "From C1/2 to C1 the largest angle of the shaft at the reed changes by "
+            (number(last[0], 2)) " %, that of the reed by " (number(last[1], 2))
             " %, the stress before the reed by " (number(last[2], 2)) " % and the torque of the fell by "
-            (number(last[4], 2)) " %: so it is for the shaft, not for the reed."
+            (number(last[4], 2)) " %."
         }
         div.scroll {
             table {
@@ -252,7 +275,9 @@ fn contact(beats: &[Beat]) -> Markup {
                 }
             }
         }
-        (figure::curves("fields-reed", ["time [s]", "angle of the reed [rad]"], &of(1), false, &html! { "Angle of the reed." }))
-        (figure::curves("fields-stress", ["time [s]", "stress [Pa]"], &of(2), false, &html! { "Stress at the shaft's surface before the reed." }))
+        (curves(1, "Angle of the reed", "angle of the reed [rad]"))
+        (curves(0, "Angle of the shaft at the reed", "angle of the shaft [rad]"))
+        (curves(2, "Stress at the shaft's surface before the reed", "stress [Pa]"))
+        (curves(3, "Stress beyond it", "stress [Pa]"))
     }
 }

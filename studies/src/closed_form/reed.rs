@@ -214,6 +214,20 @@ impl ReedShaft {
             - s * (s * (s * end).sin() - (s * end).cos())
     }
 
+    /// The study's own scales, as it prints them: xi/x, tau/t and alpha. For dimensions to agree
+    /// xi/x would be 1/L in 1/m, tau/t 1/T in 1/s, and alpha a number; xi/x comes out without a
+    /// dimension, tau/t in m/s and alpha in 1/m.
+    #[must_use]
+    pub fn printed_scales(&self) -> [f64; 3] {
+        let stiffness = self.drive_stiffness * self.radius * self.radius;
+        let section = self.polar_moment() * self.length;
+        [
+            (stiffness / (self.shear_modulus() * section)).sqrt(),
+            (stiffness / (self.density * section)).sqrt(),
+            self.reed_mass * self.radius / (self.density * section),
+        ]
+    }
+
     /// k-th frequency s in 1/T, k from 1; s/T is in rad/s.
     ///
     /// With the angle theta of (u, u_xi/s), which grows by s times the length along

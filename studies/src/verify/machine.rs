@@ -44,6 +44,7 @@ pub(crate) fn all() -> Vec<Machine> {
         saw_gin_as_printed(),
         motor_stationary_axes(),
         winder_linear(),
+        winder_linear_as_printed(),
         winder_nonlinear(),
         winder_full(),
         pendulum_chain(),
@@ -62,6 +63,7 @@ pub(crate) fn all() -> Vec<Machine> {
         shaft_step_torque(),
         shaft_with_rotors(),
         reed_beat_up(),
+        reed_beat_up_one_sided(),
         saw_gin_shaft(),
         loom_drive(),
     ]
@@ -95,6 +97,11 @@ pub(crate) fn motor_stationary_axes() -> Machine {
 /// The bobbin on a linear layer.
 pub(crate) fn winder_linear() -> Machine {
     Machine::new(&scenes::winder_linear::WinderLinear)
+}
+
+/// The bobbin by the equation as printed.
+pub(crate) fn winder_linear_as_printed() -> Machine {
+    Machine::new(&scenes::winder_linear_as_printed::WinderLinearAsPrinted)
 }
 
 /// The bobbin on a stiffening layer.
@@ -180,6 +187,11 @@ pub(crate) fn shaft_step_torque() -> Machine {
 /// The reed on its driven shaft, likewise.
 pub(crate) fn reed_beat_up() -> Machine {
     Machine::with_fields("reed_beat_up")
+}
+
+/// The reed against a fell that only pushes, likewise.
+pub(crate) fn reed_beat_up_one_sided() -> Machine {
+    Machine::with_fields("reed_beat_up_one_sided")
 }
 
 /// The saw gin with a distributed shaft, likewise.

@@ -73,6 +73,13 @@ pub(super) const CHECKS: &[Check] = &[
         measure: |machine| Ok(Measured::absolute(torque_at_slip(machine, 1.0)?, 373.5342)),
     },
     Check {
+        name: "current, power factor and efficiency at slip 0.02",
+        reference: "closed form of the steady fluxes, each relative",
+        tolerance: 1e-10,
+        reason: "both are algebra",
+        measure: rated,
+    },
+    Check {
         name: "no-load speed after 3 s",
         reference: "2 pi 50/4 rad/s",
         tolerance: 1e-6,
@@ -152,6 +159,23 @@ pub(crate) fn torque_at_slip(machine: &Machine, slip: f64) -> Result<f64, CheckF
     let settings = [("motor.omega", MOTOR_4A280M8.speed(slip))];
     let point = machine.steady_point(&[], &settings, &FLUX)?;
     machine.output(&point, "torque")
+}
+
+/// Current, cos phi and efficiency by the emitted equations: outputs and the power account.
+fn rated(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let exact = MOTOR_4A280M8.load_point(0.02);
+    let speed = MOTOR_4A280M8.speed(0.02);
+    let point = machine.steady_point(&[], &[("motor.omega", speed)], &FLUX)?;
+    let current = machine.output(&point, "stator_current")?;
+    let supplied = machine.real.power_balance(point.time, &point.state, &point.parameters).supplied;
+    let apparent = 1.5 * 2.0_f64.sqrt() * 220.0 * current;
+    let shaft = machine.output(&point, "torque")? * speed;
+    let pairs = [
+        (current / 2.0_f64.sqrt(), exact.current),
+        (supplied / apparent, exact.power_factor),
+        (shaft / supplied, exact.efficiency()),
+    ];
+    Ok(Measured::error(pairs.iter().fold(0.0, |most, (a, b)| worse(most, (a / b - 1.0).abs()))))
 }
 
 /// Breakdown slip and torque of the emitted equations.

@@ -1,48 +1,184 @@
-//! The reproduction ledger: what the saw-gin, winder and reed studies print, what their equations as
-//! printed give, what the consistent reading gives, and what to make of it.
+//! The reproduction ledger: every equation, table, figure and number that the saw-gin, winder and
+//! reed studies print, what their equations as printed give, what the consistent reading gives,
+//! where it is here, and what holds it.
 //!
 //! Only the printed figures are written down here; every other number is computed
-//! from the emitted scenes and the closed forms when the ledger is asked for.
+//! from the emitted scenes and the closed forms when the ledger is asked for. The report and the
+//! book's chapter of the studies show these rows.
 
 mod motor;
+mod page;
 mod reed;
+mod reed_told;
 mod run_up;
+mod saw_gin_told;
 mod shaft;
 mod winder;
+mod winder_told;
 
 use serde::Serialize;
 
+pub use page::page_table;
+
+use crate::verify::machine::Machine;
 use crate::verify::{CheckFailure, text_table};
 
-/// One printed figure and what became of it.
+/// A study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Study {
+    /// Saw gin: motor, coupling, cylinder, shaft.
+    SawGin,
+    /// Winding mechanisms.
+    Winder,
+    /// Reed of the beat-up mechanism.
+    Reed,
+}
+
+impl Study {
+    /// All three.
+    pub const ALL: [Self; 3] = [Self::SawGin, Self::Winder, Self::Reed];
+
+    /// In two words.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::SawGin => "Saw gin",
+            Self::Winder => "Winder",
+            Self::Reed => "Reed",
+        }
+    }
+}
+
+/// What holds a row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Held {
+    /// A row of `machinist verify`, as `scene: check`.
+    Verify(&'static str),
+    /// A test of this name.
+    Test(&'static str),
+}
+
+impl Held {
+    /// In words.
+    #[must_use]
+    pub fn told(self) -> String {
+        match self {
+            Self::Verify(check) => format!("verify `{check}`"),
+            Self::Test(name) => format!("test `{name}`"),
+        }
+    }
+}
+
+/// One thing that a study prints, and what became of it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LedgerRow {
-    /// What the figure is of.
+    /// The study.
+    pub study: Study,
+    /// Where it stands there: `(16)`, `table 1`, `figure 3`, `section 4.1`.
+    pub at: &'static str,
+    /// What it is.
     pub figure: &'static str,
-    /// Its unit: SI, and deg where the study has deg.
+    /// Its unit, if it is a number: SI, and deg where the study has deg.
     pub unit: &'static str,
-    /// The figure as printed, if the study prints one.
+    /// The number as printed, if the study prints one.
     pub printed: Option<f64>,
     /// What equations and numbers as printed give, if they give one.
     pub as_printed: Option<f64>,
-    /// What the consistent reading gives, if the figure has a meaning there.
+    /// What the consistent reading gives, if it is a number there.
     pub consistent: Option<f64>,
-    /// One sentence on what to make of it.
+    /// Its readings, in a sentence.
     pub verdict: String,
+    /// Where it is here: scenes, units, rooms.
+    pub place: &'static str,
+    /// What holds it.
+    pub held: Held,
 }
 
-/// Computes every row of the ledger.
+impl LedgerRow {
+    /// A row without a number or words.
+    fn of(study: Study, at: &'static str, place: &'static str, held: Held) -> Self {
+        Self {
+            study,
+            at,
+            figure: "",
+            unit: "",
+            printed: None,
+            as_printed: None,
+            consistent: None,
+            verdict: String::new(),
+            place,
+            held,
+        }
+    }
+}
+
+/// An equation or a figure that is no number.
+struct Told {
+    at: &'static str,
+    figure: &'static str,
+    verdict: &'static str,
+    place: &'static str,
+    held: Held,
+}
+
+impl Told {
+    fn row(&self, study: Study) -> LedgerRow {
+        LedgerRow {
+            figure: self.figure,
+            verdict: self.verdict.to_owned(),
+            ..LedgerRow::of(study, self.at, self.place, self.held)
+        }
+    }
+}
+
+/// A printed number that is a parameter of a scene.
+struct Parameter {
+    at: &'static str,
+    figure: &'static str,
+    unit: &'static str,
+    printed: f64,
+    /// Name in the consistent scene.
+    name: &'static str,
+    place: &'static str,
+    held: Held,
+}
+
+impl Parameter {
+    fn row(&self, study: Study, machine: &Machine) -> Result<LedgerRow, CheckFailure> {
+        let ours = machine.value(self.name)?;
+        // A number is printed to four digits or more, or rounded.
+        let is_same = (ours - self.printed).abs() <= 1e-12 * self.printed.abs();
+        let verdict = if is_same { "as printed".to_owned() } else { compare(self.printed, ours) };
+        Ok(LedgerRow {
+            figure: self.figure,
+            unit: self.unit,
+            printed: Some(self.printed),
+            as_printed: Some(self.printed),
+            consistent: Some(ours),
+            verdict,
+            ..LedgerRow::of(study, self.at, self.place, self.held)
+        })
+    }
+}
+
+/// Computes every row of the ledger, study by study: its equations, figures and text first, its
+/// numbers then.
 ///
 /// # Errors
 /// [`CheckFailure`] if a consistent run stops. A run as printed that stops is told
 /// in the verdicts of its rows.
 pub fn ledger() -> Result<Vec<LedgerRow>, CheckFailure> {
     let runs = run_up::Runs::new()?;
-    let mut rows = motor::rows()?;
+    let mut rows = saw_gin_told::rows()?;
+    rows.extend(motor::rows()?);
     rows.extend(run_up::rows(&runs));
-    rows.extend(shaft::rows(&runs));
-    rows.extend(winder::rows());
-    rows.extend(reed::rows());
+    rows.extend(shaft::rows()?);
+    rows.extend(winder_told::rows()?);
+    rows.extend(winder::rows()?);
+    rows.extend(reed_told::rows()?);
+    rows.extend(reed::rows()?);
     Ok(rows)
 }
 
@@ -52,15 +188,31 @@ pub fn render_ledger(rows: &[LedgerRow]) -> String {
     let number = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), digits);
     let cells = rows.iter().map(|row| {
         [
+            row.study.name().to_owned(),
+            row.at.to_owned(),
             row.figure.to_owned(),
             row.unit.to_owned(),
             number(row.printed),
             number(row.as_printed),
             number(row.consistent),
             row.verdict.clone(),
+            row.place.to_owned(),
+            row.held.told(),
         ]
     });
-    text_table(["figure", "unit", "printed", "as printed", "consistent", "verdict"], cells)
+    let header = [
+        "study",
+        "at",
+        "figure",
+        "unit",
+        "printed",
+        "as printed",
+        "consistent",
+        "verdict",
+        "where",
+        "held by",
+    ];
+    text_table(header, cells)
 }
 
 /// `within 0.3 %` or `1.6 times larger`, of ours against the printed.

@@ -9,8 +9,9 @@ use crate::number::number;
 pub fn section(ledger: &Result<Vec<LedgerRow>, String>) -> Markup {
     html! {
         p {
-            "The figures that the studies print, next to what their equations and numbers give
-             as printed, and in the consistent reading that the scenes follow. Every number but the
+            "Every equation, table, figure and number that the studies print, next to what their
+             equations and numbers give as printed, and in the consistent reading that the scenes
+             follow; where it is, and what holds it. Every number but the
              printed ones was computed for this page."
         }
         @match ledger {
@@ -26,23 +27,37 @@ fn table(rows: &[LedgerRow]) -> Markup {
             table.ledger {
                 thead {
                     tr {
-                        th { "Figure" } th { "Unit" } th.number { "Printed" }
-                        th.number { "As printed gives" } th.number { "Consistent" } th { "Verdict" }
+                        th { "Study" } th { "At" } th { "What" } th { "Unit" } th.number { "Printed" }
+                        th.number { "As printed gives" } th.number { "Consistent" } th { "Reading" }
+                        th { "Where" } th { "Held by" }
                     }
                 }
                 tbody {
                     @for row in rows {
                         tr {
+                            td { (row.study.name()) }
+                            td { (row.at) }
                             td { (row.figure) }
                             td.unit { (row.unit) }
                             td.number { (optional(row.printed)) }
                             td.number { (optional(row.as_printed)) }
                             td.number { (optional(row.consistent)) }
                             td { (row.verdict) }
+                            td { (coded(row.place)) }
+                            td { (coded(&row.held.told())) }
                         }
                     }
                 }
             }
+        }
+    }
+}
+
+/// Text with what stands between backticks as code.
+fn coded(text: &str) -> Markup {
+    html! {
+        @for (index, part) in text.split('`').enumerate() {
+            @if index % 2 == 1 { code { (part) } } @else { (part) }
         }
     }
 }

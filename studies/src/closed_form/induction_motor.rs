@@ -79,6 +79,12 @@ pub struct Nameplate {
     pub slip: f64,
     /// Slip at the breakdown torque.
     pub breakdown_slip: f64,
+    /// Root mean square of a phase current at rated load \[A\].
+    pub current: f64,
+    /// cos phi at rated load.
+    pub power_factor: f64,
+    /// Efficiency at rated load.
+    pub efficiency: f64,
 }
 
 /// Nameplate of the motor 4A280M8, as printed in the study.
@@ -89,7 +95,32 @@ pub const NAMEPLATE_4A280M8: Nameplate = Nameplate {
     breakdown_torque: 1948.8,
     slip: 0.02,
     breakdown_slip: 0.074_64,
+    current: 144.53,
+    power_factor: 0.85,
+    efficiency: 0.925,
 };
+
+/// A steady state of the motor. Losses are those of the windings: the equations have none in
+/// iron, by friction or fan.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoadPoint {
+    /// Root mean square of a phase current \[A\].
+    pub current: f64,
+    /// cos phi.
+    pub power_factor: f64,
+    /// Power from the supply \[W\].
+    pub supplied: f64,
+    /// Power at the shaft \[W\].
+    pub shaft_power: f64,
+}
+
+impl LoadPoint {
+    /// Power at the shaft over that from the supply.
+    #[must_use]
+    pub fn efficiency(&self) -> f64 {
+        self.shaft_power / self.supplied
+    }
+}
 
 /// Flux linkages of stator and rotor \[V s\].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -120,6 +151,21 @@ impl InductionMotor {
     pub fn breakdown_torque(&self) -> f64 {
         let [n, a, h, b] = self.torque_coefficients();
         n / (2.0 * ((a * b).sqrt() + h))
+    }
+
+    /// What the motor takes and gives at a slip, in steady state.
+    #[must_use]
+    pub fn load_point(&self, slip: f64) -> LoadPoint {
+        let flux = self.steady_flux(slip);
+        let current = self.synchronous_frequency() * (flux.stator - self.k_r * flux.rotor)
+            / (self.leakage() * self.x_s);
+        let apparent = 1.5 * self.supply() * current.conj();
+        LoadPoint {
+            current: current.norm() / SQRT_2,
+            power_factor: apparent.re / apparent.norm(),
+            supplied: apparent.re,
+            shaft_power: self.torque(slip) * self.speed(slip),
+        }
     }
 
     /// Steady torque at standstill \[N m\].

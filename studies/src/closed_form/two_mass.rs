@@ -163,6 +163,14 @@ impl TwoMass {
         }
     }
 
+    /// Torque of the coupling over that of a harmonic load, in amplitude: twist times
+    /// |c + j b w|.
+    #[must_use]
+    pub fn load_gain(&self, frequency: f64) -> f64 {
+        let stiffness = self.stiffness.hypot(self.damping * frequency);
+        self.harmonic_response(1.0, frequency).amplitude * stiffness
+    }
+
     /// Motion of the whole as a rigid body: angle and speed of the mean weighted by
     /// inertia, (Jd + J2) Omega' = Md - M, integrated exactly.
     #[must_use]

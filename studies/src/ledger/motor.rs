@@ -1,7 +1,8 @@
 //! Figures of the motor and the coupling at constant speed.
 
-use super::{LedgerRow, compare, digits, reproduced};
-use crate::closed_form::induction_motor::NAMEPLATE_4A280M8;
+use super::{Held, LedgerRow, Study, compare, digits, digits_of, reproduced};
+use crate::closed_form::induction_motor::{MOTOR_4A280M8, NAMEPLATE_4A280M8};
+use crate::closed_form::two_mass::SAW_GIN;
 use crate::verify::CheckFailure;
 use crate::verify::machine::{Machine, motor_run_up, saw_gin, saw_gin_as_printed};
 use crate::verify::motor_run_up::{maximum, torque_at_slip};
@@ -12,9 +13,140 @@ const LOAD: f64 = 843.72;
 
 pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
     let mut rows = number_rows()?;
+    rows.extend(derived_rows());
     rows.extend(torque_rows()?);
+    rows.extend(rated_rows());
     rows.push(frequency_row()?);
+    rows.extend(gain_rows());
     Ok(rows)
+}
+
+const NO_LOAD: Held = Held::Verify("motor_run_up: no-load speed after 3 s");
+const CURVE: Held = Held::Verify("motor_run_up: torque-speed curve at 50 slips");
+const RATED: Held = Held::Verify("motor_run_up: current, power factor and efficiency at slip 0.02");
+
+fn plate(place: &'static str, held: Held) -> LedgerRow {
+    LedgerRow::of(Study::SawGin, "4.1", place, held)
+}
+
+/// Numbers of the data sheet that follow from others of it.
+fn derived_rows() -> Vec<LedgerRow> {
+    let (mutual, stator, rotor) = (3.957, 4.14, 4.155);
+    let sigma = MOTOR_4A280M8.leakage();
+    let pi = std::f64::consts::PI;
+    [
+        ("rated speed", "rad/s", 76.97, 735.0 * pi / 30.0, "735/min", 5e-3),
+        ("rated torque", "N m", 974.4, 75_000.0 * 30.0 / (735.0 * pi), "75 kW at 735/min", 5e-2),
+        ("rated torque from the breakdown torque", "N m", 974.4, 1948.8 / 2.0, "MK/2", 5e-2),
+        ("rated slip", "1", 0.02, 1.0 - 735.0 / 750.0, "735 of 750/min", 5e-3),
+        (
+            "magnetizing reactance",
+            "ohm",
+            mutual,
+            MOTOR_4A280M8.k_s * MOTOR_4A280M8.x_s,
+            "Ks xs",
+            5e-4,
+        ),
+        ("stator reactance from its leakage", "ohm", stator, mutual + 0.1826, "x_mu + x1", 5e-3),
+        ("rotor reactance from its leakage", "ohm", rotor, mutual + 0.1979, "x_mu + x2", 5e-4),
+        ("alpha_s", "1", 0.0103, 0.043 / stator, "r1/xs", 5e-5),
+        ("alpha_r", "1", 0.0077, 0.032 / rotor, "r2/xr", 5e-5),
+        ("alpha_s' from resistance", "1", 0.115, 0.043 / (stator * sigma), "r1/(sigma xs)", 5e-4),
+        ("alpha_r' from resistance", "1", 0.0858, 0.032 / (rotor * sigma), "r2/(sigma xr)", 5e-5),
+    ]
+    .map(|(figure, unit, printed, ours, from, half_digit)| LedgerRow {
+        figure,
+        unit,
+        printed: Some(printed),
+        as_printed: Some(printed),
+        consistent: Some(ours),
+        verdict: match reproduced(printed, ours, half_digit) {
+            "reproduced" => format!("reproduced by {from}"),
+            other => format!("{other} by {from} ({})", compare(printed, ours)),
+        },
+        ..plate("`closed_form::induction_motor`", CURVE)
+    })
+    .into()
+}
+
+/// Current, power factor and efficiency at the rated slip.
+fn rated_rows() -> Vec<LedgerRow> {
+    let stated = NAMEPLATE_4A280M8;
+    let ours = MOTOR_4A280M8.load_point(stated.slip);
+    let supplied = stated.power / stated.efficiency;
+    let row = |figure, unit, printed: f64, consistent: f64, why: String| LedgerRow {
+        figure,
+        unit,
+        printed: Some(printed),
+        consistent: Some(consistent),
+        verdict: format!("{}; {why}", compare(printed, consistent)),
+        ..plate("`motor_run_up`; `closed_form::induction_motor`", RATED)
+    };
+    let kilowatts = |watts: f64| digits_of(1e-3 * watts, 3);
+    let missing = (supplied - stated.power) - (ours.supplied - ours.shaft_power);
+    vec![
+        row(
+            "phase current at rated slip",
+            "A",
+            stated.current,
+            ours.current,
+            "the equivalent circuit has windings only, and gives less power at this slip"
+                .to_owned(),
+        ),
+        row(
+            "power factor at rated slip",
+            "1",
+            stated.power_factor,
+            ours.power_factor,
+            "as above".to_owned(),
+        ),
+        row(
+            "efficiency at rated slip",
+            "1",
+            stated.efficiency,
+            ours.efficiency(),
+            format!(
+                "losses in copper are {} kW; the data sheet's {} kW leave {} kW to iron, friction and \
+                 fan, which the equations lack",
+                kilowatts(ours.supplied - ours.shaft_power),
+                kilowatts(supplied - stated.power),
+                kilowatts(missing)
+            ),
+        ),
+        row(
+            "power at the shaft at rated slip",
+            "W",
+            stated.power,
+            ours.shaft_power,
+            "electromagnetic torque times speed".to_owned(),
+        ),
+    ]
+}
+
+/// What each writing of the load does to the coupling.
+fn gain_rows() -> Vec<LedgerRow> {
+    let rated = 735.0 * std::f64::consts::PI / 30.0;
+    [
+        ("torque of the coupling over the load's, sin(w2 t)", "(1)", rated),
+        ("torque of the coupling over the load's, sin(pi w2 t)", "4.1", std::f64::consts::PI * rated),
+        ("torque of the coupling over the load's, cos(pi w2 t)", "(9)", std::f64::consts::PI * rated),
+    ]
+    .map(|(figure, at, frequency)| LedgerRow {
+        figure,
+        unit: "1",
+        consistent: Some(SAW_GIN.load_gain(frequency)),
+        verdict: format!(
+            "not printed; at {} rad/s; sine or cosine shifts the load by a quarter of its period only",
+            digits_of(frequency, 4)
+        ),
+        ..LedgerRow::of(
+            Study::SawGin,
+            at,
+            "`two_mass`; unit `technological_load`",
+            Held::Verify("two_mass: frequency response of the twist to the load"),
+        )
+    })
+    .into()
 }
 
 /// Numbers that follow from parameters alone.
@@ -38,6 +170,7 @@ fn number_rows() -> Result<Vec<LedgerRow>, CheckFailure> {
                 reproduced(78.54, speed, 5e-3),
                 digits(electrical)
             ),
+            ..plate("unit `induction_motor`", NO_LOAD)
         },
         LedgerRow {
             figure: "leakage factor 1 - Ks Kr",
@@ -50,6 +183,7 @@ fn number_rows() -> Result<Vec<LedgerRow>, CheckFailure> {
                 reproduced(0.0896, sigma, 5e-5),
                 compare(0.0896, sigma)
             ),
+            ..plate("unit `induction_motor`", CURVE)
         },
     ])
 }
@@ -62,7 +196,7 @@ fn torque_rows() -> Result<Vec<LedgerRow>, CheckFailure> {
     let literal = |slip| printed_torque_at_slip(&as_printed, slip);
     let (slip, torque) = maximum(0.01, 0.5, ours)?;
     let (printed_slip, printed_torque) = maximum(0.01, 0.5, literal)?;
-    let plate = NAMEPLATE_4A280M8;
+    let stated = NAMEPLATE_4A280M8;
     let row = |figure, unit, printed: f64, as_printed: f64, consistent: f64| LedgerRow {
         figure,
         unit,
@@ -74,12 +208,13 @@ fn torque_rows() -> Result<Vec<LedgerRow>, CheckFailure> {
             compare(printed, consistent),
             compare(printed, as_printed)
         ),
+        ..plate("`motor_run_up`", CURVE)
     };
     // The study states the multiple of the rated torque: 2.
     let mut starting = row(
         "starting torque, twice the rated",
         "N m",
-        2.0 * plate.torque,
+        2.0 * stated.torque,
         literal(1.0)?,
         ours(1.0)?,
     );
@@ -87,9 +222,9 @@ fn torque_rows() -> Result<Vec<LedgerRow>, CheckFailure> {
     let load = format!("; the load of {} N m {side} the consistent one", digits(LOAD));
     starting.verdict.push_str(&load);
     Ok(vec![
-        row("torque at slip 0.02", "N m", plate.torque, literal(plate.slip)?, ours(plate.slip)?),
-        row("breakdown torque", "N m", plate.breakdown_torque, printed_torque, torque),
-        row("breakdown slip", "1", plate.breakdown_slip, printed_slip, slip),
+        row("torque at slip 0.02", "N m", stated.torque, literal(stated.slip)?, ours(stated.slip)?),
+        row("breakdown torque", "N m", stated.breakdown_torque, printed_torque, torque),
+        row("breakdown slip", "1", stated.breakdown_slip, printed_slip, slip),
         starting,
     ])
 }
@@ -102,6 +237,12 @@ fn frequency_row() -> Result<LedgerRow, CheckFailure> {
         as_printed: Some(natural_frequency(&saw_gin_as_printed())?),
         consistent: Some(natural_frequency(&saw_gin())?),
         verdict: "not printed; both readings share coupling and inertias".to_owned(),
+        ..LedgerRow::of(
+            Study::SawGin,
+            "(1)",
+            "`two_mass`, `saw_gin`",
+            Held::Verify("two_mass: natural frequency of the coupling"),
+        )
     })
 }
 

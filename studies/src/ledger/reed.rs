@@ -1,62 +1,226 @@
-//! Figures of the reed on its driven shaft.
+//! Numbers of the reed on its driven shaft.
 
-use super::{LedgerRow, compare, digits};
-use crate::closed_form::reed::{REED_STUDY, Reed, ReedShaft};
+use super::{Held, LedgerRow, Study, compare, digits_of};
+use crate::closed_form::reed::{DRIVE_HALF_PERIOD, DRIVE_SPEED, REED_STUDY, Reed};
+use crate::reed_cells::Fell;
+use crate::reed_study::{Beat, beats};
+use crate::verify::CheckFailure;
 
 const ROOTS: [&str; 3] = [
     "first root of the reed's frequency equation",
     "second root of the reed's frequency equation",
     "third root of the reed's frequency equation",
 ];
+const SCALES: Held = Held::Test("scales_are_those_of_the_study");
 
-pub(super) fn rows() -> Vec<LedgerRow> {
-    let as_printed = REED_STUDY.printed_frequencies(3);
-    let mut rows: Vec<LedgerRow> = (1..)
-        .zip(ROOTS)
-        .zip(as_printed)
-        .map(|((k, figure), as_printed)| {
-            let consistent = REED_STUDY.frequency(k, Reed::Held);
-            LedgerRow {
-                figure,
-                unit: "1",
-                printed: None,
-                as_printed: Some(as_printed),
-                consistent: Some(consistent),
-                verdict: format!(
-                    "equation (15) as printed has xi1 for xi0 in its first bracket: {}; the scene's \
-                     elements agree with the consistent one",
-                    compare(consistent, as_printed)
-                ),
-            }
-        })
-        .collect();
-    rows.push(conclusion());
-    rows
+pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
+    let mut rows = scales();
+    rows.extend(drive());
+    rows.extend(roots());
+    rows.extend(conclusion()?);
+    Ok(rows)
 }
 
-/// Steady amplitudes under the study's drive, with C2 = C1/2 and C1.
-fn conclusion() -> LedgerRow {
-    let answer = |share: f64| {
-        let contact_stiffness = share * REED_STUDY.reed_stiffness;
-        let shaft = ReedShaft { contact_stiffness, ..REED_STUDY };
-        let [amplitude, frequency] = [shaft.drive_amplitude(), shaft.drive_frequency()];
-        let answer = shaft.harmonic_response(amplitude, frequency, Reed::Free);
-        [answer.angle(shaft.reed_position), answer.reed_angle(), answer.stress_beside_reed()[0]]
+fn of(at: &'static str, place: &'static str, held: Held) -> LedgerRow {
+    LedgerRow::of(Study::Reed, at, place, held)
+}
+
+/// Scales as printed, which keep dimensions, and the consistent ones.
+fn scales() -> Vec<LedgerRow> {
+    let shaft = REED_STUDY;
+    let [xi, tau, alpha] = shaft.printed_scales();
+    let unscaled = "the printed scale keeps a dimension";
+    let row = |figure, unit, as_printed: f64, consistent: f64, why: &str| LedgerRow {
+        figure,
+        unit,
+        as_printed: Some(as_printed),
+        consistent: Some(consistent),
+        verdict: format!("not printed; {why}"),
+        ..of("before (6)", "`closed_form::reed`", SCALES)
     };
-    let (soft, stiff) = (answer(0.5), answer(1.0));
-    let [shaft, reed, stress] =
-        [0, 1, 2].map(|index: usize| 100.0 * (stiff[index] / soft[index] - 1.0));
-    LedgerRow {
-        figure: "change of stress at the reed as the contact stiffens from C1/2 to C1",
-        unit: "%",
-        printed: None,
-        as_printed: None,
-        consistent: Some(stress),
-        verdict: format!(
-            "concluded: motion little, stress markedly; steady, the shaft's angle changes by {} % and \
-             the reed's by {} %: true of the shaft, not of the reed",
-            digits(shaft.round()),
-            digits(reed.round())
+    vec![
+        row(
+            "xi over x",
+            "1/m",
+            xi,
+            1.0 / shaft.length_scale(),
+            "printed without a dimension, so that xi is a length",
         ),
+        row(
+            "tau over t",
+            "1/s",
+            tau,
+            1.0 / shaft.time_scale(),
+            "printed as a speed, so that tau is a length",
+        ),
+        row("alpha", "1", alpha, shaft.alpha(), &format!("{unscaled}, 1/m")),
+        row("beta = C1/C0", "1", shaft.beta(), shaft.beta(), "printed and consistent alike"),
+        LedgerRow {
+            at: "after (10)",
+            ..row(
+                "xi0, place of the reed",
+                "1",
+                xi * shaft.reed_position,
+                shaft.reed_place(),
+                unscaled,
+            )
+        },
+        LedgerRow {
+            at: "after (10)",
+            ..row(
+                "xi1, end of the shaft",
+                "1",
+                xi * shaft.reed_position,
+                shaft.end_place(),
+                "printed with l0, as xi0 is; l is meant",
+            )
+        },
+    ]
+}
+
+/// The law of the drive.
+fn drive() -> Vec<LedgerRow> {
+    let shaft = REED_STUDY;
+    let row = |figure, unit, printed, as_printed, consistent: f64, verdict: &str, held| LedgerRow {
+        figure,
+        unit,
+        printed,
+        as_printed,
+        consistent: Some(consistent),
+        verdict: verdict.to_owned(),
+        ..of("results", "unit `imposed_drive`", held)
+    };
+    let steady = Held::Verify(
+        "reed_beat_up: steady answer at 1, 3 and 10 times the drive's frequency, 10 elements of order 8",
+    );
+    vec![
+        row(
+            "speed v0 of the drive",
+            "rad/s",
+            Some(30.0),
+            Some(30.0),
+            DRIVE_SPEED,
+            "as printed",
+            steady,
+        ),
+        row(
+            "half period tau0 of the drive",
+            "1",
+            Some(80.0),
+            Some(80.0),
+            DRIVE_HALF_PERIOD,
+            "as printed",
+            steady,
+        ),
+        row(
+            "amplitude of the drive, v0 tau0/pi",
+            "rad",
+            None,
+            Some(DRIVE_SPEED * DRIVE_HALF_PERIOD / std::f64::consts::PI),
+            shaft.drive_amplitude(),
+            "not printed; tau0 is a number, so that the amplitude takes T",
+            SCALES,
+        ),
+        row(
+            "shear modulus from E = 2e11 Pa and nu = 0.3",
+            "Pa",
+            None,
+            None,
+            shaft.shear_modulus(),
+            "not printed; E/(2 (1 + nu))",
+            SCALES,
+        ),
+    ]
+}
+
+fn roots() -> Vec<LedgerRow> {
+    let as_printed = REED_STUDY.printed_frequencies(3);
+    let rows = (1..).zip(ROOTS).zip(as_printed).map(|((k, figure), as_printed)| {
+        let consistent = REED_STUDY.frequency(k, Reed::Held);
+        LedgerRow {
+            figure,
+            unit: "1",
+            printed: None,
+            as_printed: Some(as_printed),
+            consistent: Some(consistent),
+            verdict: format!(
+                "not printed; (15) has xi1 for xi0 in its first bracket: {}; the scene's elements agree \
+                 with the consistent one",
+                compare(consistent, as_printed)
+            ),
+            ..of(
+                "(15)",
+                "`closed_form::reed`; `reed_beat_up`",
+                Held::Verify(
+                    "reed_beat_up: first three frequencies with the reed held, 10 elements of order 8",
+                ),
+            )
+        }
+    });
+    rows.collect()
+}
+
+/// What a stiffer fell changes, by a fell that only pushes and, as printed, by one that pulls too.
+fn conclusion() -> Result<Vec<LedgerRow>, CheckFailure> {
+    let [_, soft, stiff] = &beats(Fell::PushesAndPulls)?;
+    let [_, one_soft, one_stiff] = &beats(Fell::OnlyPushes)?;
+    let held = Held::Verify(
+        "reed_beat_up_one_sided: largest angles and stress before the reed, C2 = C1/2 and C1",
+    );
+    let row = |at, figure, unit, as_printed: f64, consistent: f64, verdict: String| LedgerRow {
+        figure,
+        unit,
+        printed: None,
+        as_printed: Some(as_printed),
+        consistent: Some(consistent),
+        verdict,
+        ..of(at, "`reed_beat_up_one_sided`; with a fell that pulls `reed_beat_up`", held)
+    };
+    let mut rows = Vec::new();
+    let figures = [
+        [
+            "largest angle of the shaft at the reed, C2 = C1/2",
+            "largest angle of the shaft at the reed, C2 = C1",
+        ],
+        ["largest angle of the reed, C2 = C1/2", "largest angle of the reed, C2 = C1"],
+        ["largest stress before the reed, C2 = C1/2", "largest stress before the reed, C2 = C1"],
+        ["largest stress beyond the reed, C2 = C1/2", "largest stress beyond the reed, C2 = C1"],
+    ];
+    for (index, ([first, second], (at, unit))) in figures
+        .into_iter()
+        .zip([("figure 2", "rad"), ("figure 2", "rad"), ("figure 3", "Pa"), ("figure 3", "Pa")])
+        .enumerate()
+    {
+        for (figure, linear, machine) in [(first, soft, one_soft), (second, stiff, one_stiff)] {
+            let [as_printed, consistent] = [linear, machine].map(|beat| beat.largest()[index]);
+            let words =
+                "curves without numbers in the study; over a period of the drive".to_owned();
+            rows.push(row(at, figure, unit, as_printed, consistent, words));
+        }
     }
+    let [printed, ours] = [soft.change_to(stiff), one_soft.change_to(one_stiff)];
+    let told = |value: f64| format!("{} %", digits_of(value, 2));
+    let changes = [
+        "change of the shaft's largest angle as the contact stiffens from C1/2 to C1",
+        "change of the reed's largest angle as the contact stiffens from C1/2 to C1",
+        "change of stress at the reed as the contact stiffens from C1/2 to C1",
+    ];
+    for (index, figure) in changes.into_iter().enumerate() {
+        rows.push(row("conclusion", figure, "%", printed[index], ours[index], format!(
+            "concluded: motion little, stress markedly; so it is of a fell that only pushes: shaft {}, \
+             reed {}, stress {}; a fell that also pulls would change the reed by {}",
+            told(ours[0]), told(ours[1]), told(ours[2]), told(printed[1])
+        )));
+    }
+    let forward = |soft: &Beat, stiff: &Beat| 100.0 * (stiff.forward() / soft.forward() - 1.0);
+    rows.push(row(
+        "conclusion",
+        "change of the reed's way into the fell as the contact stiffens from C1/2 to C1",
+        "%",
+        forward(soft, stiff),
+        forward(one_soft, one_stiff),
+        "not printed; the largest angle is that of the way back, where nothing touches the reed"
+            .to_owned(),
+    ));
+    Ok(rows)
 }

@@ -1,6 +1,6 @@
 //! Figures of the run-up, from the scenes run in every reading.
 
-use super::{LedgerRow, compare, digits_of, reproduced};
+use super::{Held, LedgerRow, Study, compare, digits_of, reproduced};
 use crate::closed_form::printed_laws::{PEAK_ACCELERATION_TIME, acceleration};
 use crate::verify::CheckFailure;
 use crate::verify::machine::{Machine, saw_gin, saw_gin_as_printed};
@@ -16,9 +16,7 @@ const EMPTY: [(&str, f64); 2] = [("load.mean", 0.0), ("load.amplitude", 0.0)];
 /// The runs behind the figures, all from rest over 5 s.
 pub(super) struct Runs {
     /// Consistent, without load.
-    pub(super) empty: Outcome,
-    /// Consistent, loaded at 1.2 s.
-    pub(super) loaded: Outcome,
+    empty: Outcome,
     /// As printed, literally with the rotor's angle, without load.
     angle: Result<Outcome, CheckFailure>,
     /// As printed, with the rotor's speed for its angle, without load.
@@ -28,9 +26,7 @@ pub(super) struct Runs {
 /// What is kept of a run.
 pub(super) struct Outcome {
     /// Largest size of the motor's torque \[N m\].
-    pub(super) peak_torque: f64,
-    /// Largest size of the coupling's torque \[N m\].
-    pub(super) peak_coupling_torque: f64,
+    peak_torque: f64,
     /// Largest size of the cylinder's acceleration \[rad/s^2\], and when \[s\].
     peak_acceleration: (f64, f64),
     /// Least and largest speed of the motor \[rad/s\].
@@ -61,6 +57,7 @@ pub(super) fn rows(runs: &Runs) -> Vec<LedgerRow> {
         speed.verdict.push_str(&swing);
     }
     rows.push(law_row());
+    rows.push(rounded_row());
     rows
 }
 
@@ -89,6 +86,34 @@ fn law_row() -> LedgerRow {
             digits_of(low, 6),
             compare(ACCELERATION, law)
         ),
+        ..of_law()
+    }
+}
+
+fn of_law() -> LedgerRow {
+    LedgerRow::of(
+        Study::SawGin,
+        "(3)",
+        "`closed_form::printed_laws`",
+        Held::Verify("saw_gin_as_printed: printed law of acceleration at 1.844 s"),
+    )
+}
+
+/// The discussion's peak, which is not that of the results.
+fn rounded_row() -> LedgerRow {
+    let (peak, time) = (9000.0, 1.8);
+    LedgerRow {
+        figure: "largest cylinder acceleration at 1.8 s",
+        unit: "rad/s^2",
+        printed: Some(peak),
+        as_printed: Some(acceleration(time).abs()),
+        consistent: None,
+        verdict: format!(
+            "the discussion rounds {} rad/s^2 at 1.844 s; the law has {} at 1.8 s",
+            digits_of(ACCELERATION, 7),
+            digits_of(acceleration(time), 5)
+        ),
+        ..LedgerRow { at: "section 5", ..of_law() }
     }
 }
 
@@ -100,7 +125,6 @@ impl Runs {
         };
         Ok(Self {
             empty: Outcome::of(&saw_gin(), &EMPTY)?,
-            loaded: Outcome::of(&saw_gin(), &[])?,
             angle: printed(1.0),
             speed: printed(0.0),
         })
@@ -138,6 +162,12 @@ impl Runs {
                 "consistent {}; as printed {literal}; with speed for angle {other}",
                 tell(consistent)
             ),
+            ..LedgerRow::of(
+                Study::SawGin,
+                "figure 3",
+                "`saw_gin`, `saw_gin_as_printed`",
+                Held::Verify("saw_gin: run-up and loading, state after 2 s"),
+            )
         }
     }
 }
@@ -152,7 +182,6 @@ impl Outcome {
         let settled = last_off.map_or(Some(0), |last| Some(last + 1));
         Ok(Self {
             peak_torque: peak(&run.times, column("motor_torque")?).0,
-            peak_coupling_torque: peak(&run.times, column("coupling_torque")?).0,
             peak_acceleration: peak(&run.times, column("cylinder_acceleration")?),
             speeds: speed.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), speed| {
                 (low.min(*speed), high.max(*speed))

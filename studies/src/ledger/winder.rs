@@ -1,38 +1,217 @@
-//! Figures of the winder study: amplitudes of the bobbin and mobility of its holder.
+//! Numbers of the winder study: mobility of its holder, reactions, pressures, masses, amplitudes.
+//! The study gives none of them but the mobilities: where a number takes parameters, they are ours.
 
-use super::{LedgerRow, compare, reproduced};
-use crate::closed_form::winder::{BENCH_M5, FORCE_M5, SHAPE_M5};
-use crate::closed_form::winding_pair::HOLDER_POSITIONS;
-use crate::verify::winder_linear::PRINTED_MOBILITY;
+use super::{Held, LedgerRow, Study, compare, digits_of, reproduced};
+use crate::closed_form::bobbin_holder::{BobbinHolder, HOLDER};
+use crate::closed_form::winder::{BENCH_BOBBIN, BENCH_FORCE, BENCH_MASS, BENCH_SHAPE};
+use crate::closed_form::winding_pair::{HOLDER_POSITIONS, pressure_over_growth};
+use crate::verify::CheckFailure;
+use crate::verify::machine::{winder_full, winder_linear, winder_linear_as_printed};
+use crate::verify::winder_linear::{PRINTED_MOBILITY, natural_frequency};
 
-pub(super) fn rows() -> Vec<LedgerRow> {
-    let layer = BENCH_M5.layer_stiffness;
-    let force = amplitude(
-        "amplitude of the bobbin under force, bench model M5",
-        BENCH_M5.amplitude_as_printed(FORCE_M5.amplitude, FORCE_M5.frequency),
-        BENCH_M5.answer_to_force(&FORCE_M5).amplitude,
-        "the printed h^2 m^2 p^2 belongs to a damping term h m q'",
-    );
-    let shape = amplitude(
-        "amplitude of the bobbin over the drum's shape, bench model M5",
-        BENCH_M5.amplitude_as_printed(layer * SHAPE_M5.amplitude, SHAPE_M5.frequency),
-        BENCH_M5.answer_to_shape(&SHAPE_M5).amplitude,
-        "besides, the layer's viscosity carries the shape's rate",
-    );
-    [force, shape].into_iter().chain(mobility()).collect()
+pub(super) fn rows() -> Result<Vec<LedgerRow>, CheckFailure> {
+    let mut rows: Vec<LedgerRow> = mobility().collect();
+    rows.extend(reactions()?);
+    rows.extend(pressures()?);
+    rows.extend(masses()?);
+    rows.extend(amplitudes());
+    rows.extend(phases());
+    rows.push(variation());
+    Ok(rows)
 }
 
-fn amplitude(figure: &'static str, as_printed: f64, consistent: f64, why: &str) -> LedgerRow {
-    LedgerRow {
+fn of(at: &'static str, place: &'static str, held: Held) -> LedgerRow {
+    LedgerRow::of(Study::Winder, at, place, held)
+}
+
+/// (13) and (14) with P = N f, and at rest with P = N k/R.
+fn reactions() -> Result<Vec<LedgerRow>, CheckFailure> {
+    let machine = winder_full();
+    let friction = machine.value("pair.friction")?;
+    let rolling = machine.value("pair.rolling_arm")? / HOLDER.radii[0];
+    let row = |at, figure, share: f64| {
+        let [pressure, reaction] = HOLDER.forces_by_share(share);
+        LedgerRow {
+            figure,
+            unit: "N",
+            consistent: Some(reaction),
+            verdict: format!(
+                "not printed; {}, with N = {} N and P = {} N of the holder of ours",
+                if reaction > 0.0 { "above zero: a stable position" } else { "the post lifts" },
+                digits_of(pressure, 4),
+                digits_of(share * pressure, 3)
+            ),
+            ..of(
+                at,
+                "`winder_holder_drop`, parameter `grip`; `closed_form::bobbin_holder`",
+                Held::Verify(
+                    "winder_holder_drop: forces at contact and stop once it has settled, P = N f and N k/R either way",
+                ),
+            )
+        }
+    };
+    Ok(vec![
+        row("(13)", "reaction Q of the stop, P = N f to the left", friction),
+        row("(14)", "reaction Q of the stop, P = N f to the right", -friction),
+        row("(9)", "reaction Q of the stop at rest, P = N k/R to the left", rolling),
+        row("(9)", "reaction Q of the stop at rest, P = N k/R to the right", -rolling),
+    ])
+}
+
+/// (15) over the growth of the package.
+fn pressures() -> Result<Vec<LedgerRow>, CheckFailure> {
+    let machine = winder_full();
+    let rest = machine.value("holder.preload")?;
+    let spring = machine.value("holder.stiffness")?;
+    let holder = |radius| BobbinHolder { radii: [radius, HOLDER.radii[1]], ..HOLDER }.forces()[0];
+    let row = |figure, ours: f64, words: &str, place, held| LedgerRow {
+        figure,
+        unit: "N",
+        consistent: Some(ours),
+        verdict: format!("not printed; {words}"),
+        ..of("(15), figure 8", place, held)
+    };
+    let linkage = Held::Verify(
+        "winder_linkage: forces at contact and stop while the package grows from 30 to 60 mm",
+    );
+    let lever = Held::Test(
+        "pressure_over_the_growth_of_a_package_is_the_balance_of_moments_about_the_lever",
+    );
+    let (place, words) = ("`winder_linkage`", "the strut's spring gives as the package grows");
+    Ok(vec![
+        row("pressure N of the four-link holder, R = 30 mm", holder(0.03), words, place, linkage),
+        row("pressure N of the four-link holder, R = 60 mm", holder(0.06), words, place, linkage),
+        row(
+            "pressure N of the bench winder, R = 60 mm",
+            pressure_over_growth(rest, spring, &BENCH_MASS, 0.06),
+            &format!(
+                "{} N with the empty bobbin, and all of the spring's {} N/m taken by the package's \
+                 growth; the scenes hold N",
+                digits_of(rest, 3),
+                digits_of(spring, 4)
+            ),
+            "`closed_form::winding_pair`; `machinist walk --growth`",
+            lever,
+        ),
+    ])
+}
+
+/// Masses by (16), and what resonance they give.
+fn masses() -> Result<Vec<LedgerRow>, CheckFailure> {
+    let held =
+        Held::Verify("winder_linear_as_printed: reduced mass of a package of 50 mm, as printed");
+    let why = "(16) reduces weights, linear in lbc/lab; a mass reduced for its kinetic energy takes \
+               the square";
+    let row = |at, figure, unit, as_printed, consistent, held| LedgerRow {
+        figure,
+        unit,
+        as_printed: Some(as_printed),
+        consistent: Some(consistent),
+        verdict: format!("not printed; {why}; masses and arms are ours"),
+        ..of(at, "`winder_linear`, `winder_linear_as_printed`", held)
+    };
+    let mass = |figure, radius| {
+        row("(16)", figure, "kg", BENCH_MASS.as_printed(radius), BENCH_MASS.at(radius), held)
+    };
+    Ok(vec![
+        mass("reduced mass of the bench winder, empty bobbin", 0.03),
+        mass("reduced mass of the bench winder, R = 60 mm", 0.06),
+        row(
+            "(18)",
+            "natural frequency of the bench winder, empty bobbin",
+            "rad/s",
+            natural_frequency(&winder_linear_as_printed())?,
+            natural_frequency(&winder_linear())?,
+            Held::Verify("winder_linear_as_printed: undamped natural frequency, as printed"),
+        ),
+    ])
+}
+
+/// (20): the printed formula at the consistent mass, so that only its damping differs.
+fn amplitudes() -> [LedgerRow; 2] {
+    let layer = BENCH_BOBBIN.layer_stiffness;
+    let row = |figure, as_printed: f64, consistent: f64, why, held| LedgerRow {
         figure,
         unit: "m",
-        printed: None,
         as_printed: Some(as_printed),
         consistent: Some(consistent),
         verdict: format!(
             "not printed; the consistent one is {}: {why}",
             compare(as_printed, consistent)
         ),
+        ..of("(20)", "`winder_linear`; `closed_form::winder`", held)
+    };
+    [
+        row(
+            "amplitude of the bench winder's bobbin under force",
+            BENCH_BOBBIN.amplitude_as_printed(BENCH_FORCE.amplitude, BENCH_FORCE.frequency),
+            BENCH_BOBBIN.answer_to_force(&BENCH_FORCE).amplitude,
+            "the printed h^2 m^2 p^2 belongs to a damping term h m q', not to (18)",
+            Held::Verify("winder_linear: amplitude of the steady answer to force"),
+        ),
+        row(
+            "amplitude of the bench winder's bobbin over the drum's shape",
+            BENCH_BOBBIN.amplitude_as_printed(layer * BENCH_SHAPE.amplitude, BENCH_SHAPE.frequency),
+            BENCH_BOBBIN.answer_to_shape(&BENCH_SHAPE).amplitude,
+            "besides, the layer's viscosity carries the shape's rate",
+            Held::Verify("winder_linear: amplitude of the steady answer to drum shape"),
+        ),
+    ]
+}
+
+/// (21): the printed phase is added to the forcing's and so leads where the motion lags.
+fn phases() -> [LedgerRow; 2] {
+    let row = |figure, as_printed: f64, consistent: f64, held| LedgerRow {
+        figure,
+        unit: "rad",
+        as_printed: Some(as_printed),
+        consistent: Some(consistent),
+        verdict:
+            "not printed; (21) has h m for h, takes an arctangent that forgets the side beyond \
+                  resonance, and leads where the motion lags"
+                .to_owned(),
+        ..of("(21)", "`winder_linear`; `closed_form::winder`", held)
+    };
+    [
+        row(
+            "phase of the bench winder's bobbin under force",
+            BENCH_BOBBIN.phase_as_printed(BENCH_FORCE.frequency),
+            BENCH_BOBBIN.answer_to_force(&BENCH_FORCE).phase,
+            Held::Verify("winder_linear: phase of the steady answer to force"),
+        ),
+        row(
+            "phase of the bench winder's bobbin over the drum's shape",
+            BENCH_BOBBIN.phase_as_printed(BENCH_SHAPE.frequency),
+            BENCH_BOBBIN.answer_to_shape(&BENCH_SHAPE).phase,
+            Held::Verify("winder_linear: phase of the steady answer to drum shape"),
+        ),
+    ]
+}
+
+/// (22): with a shaken drum the layer's compression presses, not the bobbin's own motion.
+fn variation() -> LedgerRow {
+    let by_bobbin = |harmonic: &crate::closed_form::winder::Harmonic, amplitude: f64| {
+        amplitude * BENCH_BOBBIN.dynamic_layer_stiffness(harmonic.frequency)
+    };
+    let (force, shape) = (BENCH_FORCE, BENCH_SHAPE);
+    let as_printed = by_bobbin(&force, BENCH_BOBBIN.answer_to_force(&force).amplitude)
+        + by_bobbin(&shape, BENCH_BOBBIN.answer_to_shape(&shape).amplitude);
+    let consistent = BENCH_BOBBIN.pressure_variation(&[force], &[shape]);
+    LedgerRow {
+        figure: "variation dN of the bench winder's pressure, delta = 0",
+        unit: "N",
+        as_printed: Some(as_printed),
+        consistent: Some(consistent),
+        verdict: format!(
+            "not printed; with the amplitude B of the layer's compression for that of the bobbin, which \
+             misses the drum's own motion: {}",
+            compare(as_printed, consistent)
+        ),
+        ..of(
+            "(22)",
+            "`winder_walk::map`; `closed_form::winder`",
+            Held::Test("the_pressure_varies_as_evaluated_by_hand"),
+        )
     }
 }
 
@@ -52,6 +231,11 @@ fn mobility() -> impl Iterator<Item = LedgerRow> {
                      multiplications",
                     reproduced(printed, ours, 0.0)
                 ),
+                ..of(
+                    "table, (9)",
+                    "`closed_form::winding_pair`; `winder_linkage`",
+                    Held::Verify("winder_linkage: mobility of five positions, by rank and by Gruebler's count"),
+                )
             }
         },
     )

@@ -53,6 +53,11 @@ pub fn work_out_by(algebra: Algebra) {
     let _ = ALGEBRA.set(algebra);
 }
 
+/// Whether somebody named the algebra. What is emitted is what the default one gives.
+pub fn is_algebra_named() -> bool {
+    ALGEBRA.get().is_some()
+}
+
 /// How much is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Wanted {

@@ -5,6 +5,7 @@
 //! Data are gathered first; then the files in `src/report/` turn them into sections, and
 //! `page.rs` puts a head on them.
 
+mod conclusions;
 mod equations;
 mod fields;
 mod figure;

@@ -23,7 +23,7 @@ pub struct Report {
     /// The folder of the scenes
     #[arg(long, value_name = "DIR", default_value = scene::SCENES, conflicts_with = "scene")]
     specs: PathBuf,
-    /// The folder of the emitted files, which are brought up to date
+    /// The folder of the emitted files, which are brought up to date unless `--algebra` is given
     #[arg(long, value_name = "DIR", default_value = EMITTED, conflicts_with = "scene")]
     emitted: PathBuf,
     /// Leave out error against run time: pages are then the same every time

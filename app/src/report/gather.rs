@@ -16,7 +16,7 @@ use machinist_studies::work_precision::{self, Plan, WorkPrecision};
 use maud::{Markup, html};
 
 use super::machine::Machine;
-use super::{fields, index, scene, studies, winder_walk};
+use super::{conclusions, fields, index, scene, studies, winder_walk};
 use crate::cli::scene::Given;
 use crate::cli::specs;
 use crate::cli::verify::{Changes, verify_spec};
@@ -42,10 +42,12 @@ pub struct Pages {
 /// What there is to say of all scenes.
 pub(super) struct Report {
     pub(super) machines: Vec<Machine>,
-    pub(super) emitted: Summary,
+    /// Files of emitted code; none were looked at if an algebra was named.
+    pub(super) emitted: Option<Summary>,
     /// All checks; those of a machine are also with the machine.
     pub(super) verdicts: Vec<Verdict>,
     pub(super) ledger: Result<Vec<LedgerRow>, String>,
+    pub(super) conclusions: Result<conclusions::Study, String>,
     pub(super) winder: Result<winder_walk::Study, String>,
     /// Where a scene has fields.
     pub(super) fields: Option<fields::Study>,
@@ -99,7 +101,7 @@ fn file_of(machine: &Machine, has_index: bool) -> (PathBuf, String) {
 }
 
 /// The pages of all scenes. Brings emitted scenes up to
-/// date on the way.
+/// date on the way, unless an algebra was named.
 pub fn whole(specs: &Path, emitted: &Path, extent: Extent) -> Result<Pages, Failure> {
     let with_times = extent.with_times;
     let files = specs::scene_files(specs)?;
@@ -108,7 +110,11 @@ pub fn whole(specs: &Path, emitted: &Path, extent: Extent) -> Result<Pages, Fail
         admit(file, derived.stages.needed())?;
     }
     let models: Vec<_> = derived.iter().map(|derived| derived.stages.needed().clone()).collect();
-    let emitted = emit_scenes(emitted, &models, Mode::Write)?;
+    // Algebras arrange equations differently: what is emitted must not depend on how a report
+    // was asked for.
+    let emitted = (!deriving::is_algebra_named())
+        .then(|| emit_scenes(emitted, &models, Mode::Write))
+        .transpose()?;
     let names = models.iter().map(|model| model.name.clone()).collect();
     let has_fields = models.iter().any(|model| !model.fields.is_empty());
     let options = VerifyOptions { scenes: Some(names), ..VerifyOptions::default() };
@@ -132,6 +138,7 @@ pub fn whole(specs: &Path, emitted: &Path, extent: Extent) -> Result<Pages, Fail
         during("timing the methods", || measure_built_in(&mut machines, extent.time_limit))?;
     }
     let ledger = during("filling the ledger", || ledger_rows().map_err(|e| e.to_string()));
+    let conclusions = during("drawing conclusions", conclusions::Study::new);
     let winder = during("walking winders", || winder_walk::Study::new(with_times));
     let fields = has_fields.then(|| during("cutting fields", fields::Study::new));
     let strain = || {
@@ -147,7 +154,8 @@ pub fn whole(specs: &Path, emitted: &Path, extent: Extent) -> Result<Pages, Fail
     verdicts.extend(drives.iter().flat_map(|drive| drive.verdicts.iter().cloned()));
     machines.extend(drives);
     let all_passed = Tally::of(&verdicts).is_clean();
-    let report = Report { machines, emitted, verdicts, ledger, winder, fields, stability };
+    let report =
+        Report { machines, emitted, verdicts, ledger, conclusions, winder, fields, stability };
     let mut pages = vec![
         (PathBuf::from("index.html"), index::page(&report)),
         (PathBuf::from("studies.html"), studies::page(&report)),
@@ -189,7 +197,7 @@ impl Report {
 
     /// Emitted files that were not what the specs give.
     pub(super) fn stale(&self) -> impl Iterator<Item = &str> {
-        let files = self.emitted.files.iter();
+        let files = self.emitted.iter().flat_map(|emitted| &emitted.files);
         files.filter(|(_, written)| *written != Written::Unchanged).map(|(file, _)| file.as_str())
     }
 }

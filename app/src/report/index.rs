@@ -73,7 +73,12 @@ fn introduction(report: &Report) -> Markup {
                 (verification::entry(Tally::of(&report.verdicts)))
                 div { dt { "machines" } dd { (report.machines.len()) } }
                 div class=[(!stale.is_empty()).then_some("bad")] {
-                    dt { "emitted code" } dd { @if stale.is_empty() { "fresh" } @else { "stale" } }
+                    dt { "emitted code" }
+                    dd {
+                        @if report.emitted.is_none() { "not compared" }
+                        @else if stale.is_empty() { "fresh" }
+                        @else { "stale" }
+                    }
                 }
                 div { dt { "Machinist" } dd { (env!("CARGO_PKG_VERSION")) } }
                 @for (package, version) in PINNED.into_iter().filter(|(package, _)| is_in(package)) { div { dt { (package) } dd { (version) } } }
@@ -84,7 +89,7 @@ fn introduction(report: &Report) -> Markup {
                      of this report are by the code built before; make it again to see the new."
                 }
             }
-            @for orphan in &report.emitted.orphans {
+            @for orphan in report.emitted.iter().flat_map(|emitted| &emitted.orphans) {
                 p.warning { (orphan) " is of a scene that is no more; delete it." }
             }
             p {

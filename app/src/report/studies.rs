@@ -1,15 +1,20 @@
-//! The page of what does not belong to one machine: the reproduction ledger, which model a
+//! The page of what does not belong to one machine: what the studies' authors wanted to know, the
+//! reproduction ledger, which model a
 //! winder needs, fields, extreme cases.
 
 use maud::html;
 
 use super::gather::Report;
 use super::page::{Page, section};
-use super::{ledger, stability, winder_walk};
+use super::{conclusions, ledger, stability, winder_walk};
 
 /// The page.
 pub(super) fn page(report: &Report) -> String {
-    let mut contents = vec![("ledger", "Reproduction ledger"), ("winder-walk", WINDERS)];
+    let mut contents = vec![
+        ("conclusions", CONCLUSIONS),
+        ("ledger", "Reproduction ledger"),
+        ("winder-walk", WINDERS),
+    ];
     if report.fields.is_some() {
         contents.push(("fields", "Fields"));
     }
@@ -23,6 +28,7 @@ pub(super) fn page(report: &Report) -> String {
         has_equations: false,
         body: html! {
             header { h1 { "Studies and extreme cases" } }
+            (section("conclusions", CONCLUSIONS, &conclusions::section(&report.conclusions)))
             (section("ledger", "Reproduction ledger", &ledger::section(&report.ledger)))
             (section("winder-walk", WINDERS, &winder_walk::section(report)))
             @if let Some(fields) = &report.fields {
@@ -36,4 +42,5 @@ pub(super) fn page(report: &Report) -> String {
     page.render()
 }
 
+const CONCLUSIONS: &str = "What the authors wanted to know";
 const WINDERS: &str = "Which model a winder needs";

@@ -1,0 +1,214 @@
+//! What the authors of the studies wanted to know, a picture and two sentences each.
+
+use machinist_studies::conclusions::{
+    Couplings, Limit, PressureWindow, StableSpeeds, fells, limit, peaks,
+};
+use machinist_studies::reed_study::Beat;
+use machinist_studies::verify::CheckFailure;
+use machinist_studies::winder_walk::Winder;
+use maud::{Markup, html};
+
+use super::figure::{self, Named};
+use crate::number::number;
+
+/// Answers, computed.
+pub struct Study {
+    couplings: Couplings,
+    /// Largest acceleration and torque with the study's own coupling.
+    own: (f64, f64),
+    speeds: StableSpeeds,
+    /// Of the bench winder.
+    bench: (Winder, Limit),
+    window: PressureWindow,
+    fells: Vec<Beat>,
+}
+
+/// Stiffness and dissipation of the saw-gin study's coupling.
+const OWN: (f64, f64) = (23_065.2, 128.5346);
+/// Share by which a peak may exceed that of a soft coupling before the coupling counts as hard.
+const SPARED: f64 = 1.1;
+
+impl Study {
+    /// Computes.
+    ///
+    /// # Errors
+    /// Why that could not be done.
+    pub fn new() -> Result<Self, String> {
+        Self::computed().map_err(|error| error.to_string())
+    }
+
+    fn computed() -> Result<Self, CheckFailure> {
+        let bench = Winder::at_speed(5.5)?;
+        let ends = limit(&bench)?;
+        let share = ends.speed / bench.speed;
+        let stable = Winder { speed: ends.speed, force: bench.force * share * share, ..bench };
+        Ok(Self {
+            couplings: Couplings::new()?,
+            own: peaks(OWN.0, OWN.1)?,
+            speeds: StableSpeeds::new()?,
+            window: PressureWindow::of(&stable)?,
+            bench: (bench, ends),
+            fells: fells()?,
+        })
+    }
+}
+
+/// Answers, or why there are none.
+pub fn section(study: &Result<Study, String>) -> Markup {
+    html! {
+        @match study {
+            Ok(study) => {
+                h3 { "Which coupling for the saw gin" }
+                (coupling(study))
+                h3 { "Where a winder winds stably" }
+                (winding(study))
+                h3 { "How stiff the cloth fell may be for the reed" }
+                (fell(&study.fells))
+            }
+            Err(error) => p.warning { "There are no answers: " (error) },
+        }
+    }
+}
+
+fn coupling(study: &Study) -> Markup {
+    let Couplings { stiffnesses, rows } = &study.couplings;
+    let of =
+        |values: fn(&machinist_studies::conclusions::DampedCouplings) -> &Vec<f64>| -> Vec<Named> {
+            let named = |row| {
+                let row: &machinist_studies::conclusions::DampedCouplings = row;
+                let name = format!("{} N m s/rad", number(row.damping, 4));
+                (name, stiffnesses.clone(), values(row).clone())
+            };
+            rows.iter().map(named).collect()
+        };
+    let axis = "stiffness of the coupling [N m/rad]";
+    let caption = html! {
+        "Largest acceleration of the cylinder over run-up and load, by stiffness and dissipation of
+         the coupling."
+    };
+    let torque = html! { "Largest torque of the coupling, likewise." };
+    html! {
+        @if let [_, own, _] = rows.as_slice() {
+            (judged(stiffnesses, &own.accelerations, study.own))
+        }
+        (figure::curves("conclusions-acceleration", [axis, "acceleration [rad/s\u{b2}]"], &of(|row| &row.accelerations), true, &caption))
+        (figure::curves("conclusions-torque", [axis, "torque [N m]"], &of(|row| &row.torques), true, &torque))
+    }
+}
+
+/// Two sentences on the couplings of the study's dissipation.
+fn judged(stiffnesses: &[f64], accelerations: &[f64], own: (f64, f64)) -> Markup {
+    let soft = accelerations.first().copied().unwrap_or(f64::NAN);
+    let pairs = || stiffnesses.iter().zip(accelerations);
+    let spared = pairs().take_while(|(_, peak)| **peak <= SPARED * soft).last();
+    let spared = spared.map_or(f64::NAN, |(stiffness, _)| *stiffness);
+    let worst = pairs().max_by(|a, b| a.1.total_cmp(b.1));
+    let (at, peak) = worst.map_or((f64::NAN, f64::NAN), |(at, peak)| (*at, *peak));
+    let kilo = |stiffness: f64| number(1e-3 * stiffness, 3);
+    html! {
+        p {
+            "With the study's dissipation the cylinder's largest acceleration stays within 10 % of "
+            (number(soft, 3)) " rad/s\u{b2} up to " (kilo(spared)) " kN m/rad; the study's own coupling, "
+            (kilo(OWN.0)) " kN m/rad, lets through " (number(own.0, 3)) " rad/s\u{b2} and "
+            (number(own.1, 3)) " N m. It grows to " (number(peak, 3)) " rad/s\u{b2} near " (kilo(at))
+            " kN m/rad, where the coupling meets the motor's transient at supply frequency, so that a
+             soft coupling is to be chosen, or one of more dissipation."
+        }
+    }
+}
+
+fn winding(study: &Study) -> Markup {
+    let (bench, ends) = &study.bench;
+    let StableSpeeds { pressures, kept, growing } = &study.speeds;
+    let curve = |name: &str, limits: &[Limit]| -> Named {
+        (name.to_owned(), pressures.clone(), limits.iter().map(|limit| limit.speed).collect())
+    };
+    let curves =
+        [curve("pressure kept", kept), curve("pressure grows with the package, (15)", growing)];
+    let best = pressures.iter().zip(kept).max_by(|a, b| a.1.speed.total_cmp(&b.1.speed));
+    html! {
+        p {
+            "Pressed with " (number(bench.preload, 3)) " N the bench winder winds stably at every radius
+             up to " (number(ends.speed, 3)) " m/s; beyond, at R = " (number(1e3 * ends.radius, 3))
+            " mm, " (ends.condition.name()) ", and what varies the pressure most is "
+            (ends.disturbance.name()) ". "
+            @if let Some((pressure, limit)) = best {
+                "The greatest speed of all pressures is " (number(limit.speed, 3)) " m/s at "
+                (number(*pressure, 3)) " N, where " (limit.condition.name()) " first, by "
+                (limit.disturbance.name()) "."
+            }
+        }
+        (figure::curves(
+            "conclusions-speeds",
+            ["pressure with the empty bobbin [N]", "greatest stable speed [m/s]"],
+            &curves,
+            false,
+            &html! {
+                "Greatest speed up to which winding is stable at every radius, over the pressure, at
+                 worst phases."
+            },
+        ))
+        (window(&study.window))
+    }
+}
+
+/// Figure 8 of the study.
+fn window(window: &PressureWindow) -> Markup {
+    let radii: Vec<f64> = window.radii.iter().map(|radius| 1e3 * radius).collect();
+    let curve = |name: &str, values: &[f64]| (name.to_owned(), radii.clone(), values.to_vec());
+    let curves = [
+        curve("N", &window.pressure),
+        curve("[Nmin] + dN", &window.least),
+        curve("[Nmax] - dN", &window.most),
+    ];
+    figure::curves(
+        "conclusions-window",
+        ["radius of the package [mm]", "pressure [N]"],
+        &curves,
+        false,
+        &html! {
+            "Figure 8 of the study for the bench winder at " (number(window.speed, 3))
+            " m/s: the pressure and the window that it has to keep."
+        },
+    )
+}
+
+fn fell(beats: &[Beat]) -> Markup {
+    let shares: Vec<f64> = beats.iter().map(|beat| beat.share).collect();
+    let Some(none) = beats.first() else { return html! {} };
+    let relative = |name: &str, of: &dyn Fn(&Beat) -> f64| -> Named {
+        let values = beats.iter().map(|beat| of(beat) / of(none)).collect();
+        (name.to_owned(), shares.clone(), values)
+    };
+    let curves = [
+        relative("angle of the shaft", &|beat| beat.largest()[0]),
+        relative("angle of the reed", &|beat| beat.largest()[1]),
+        relative("stress before the reed", &|beat| beat.largest()[2]),
+        relative("stress beyond it", &|beat| beat.largest()[3]),
+        relative("way into the fell", &Beat::forward),
+    ];
+    let at = |share: f64| beats.iter().find(|beat| (beat.share - share).abs() < 1e-9);
+    html! {
+        @if let (Some(soft), Some(stiff), Some(last)) = (at(0.5), at(1.0), beats.last()) {
+            @let change = soft.change_to(stiff);
+            p {
+                "Against a fell that only pushes, from C2 = C1/2 to C1, the shaft's largest angle changes
+                 by " (number(change[0], 2)) " %, the reed's by " (number(change[1], 2))
+                " %, the stress before the reed by " (number(change[2], 3))
+                " %: the study's conclusion holds. The way into the fell shortens by "
+                (number(100.0 * (1.0 - stiff.forward() / soft.forward()), 2))
+                " % meanwhile, and the stress goes on growing, from "
+                (number(1e-6 * none.largest()[2], 3)) " MPa without a fell to "
+                (number(1e-6 * last.largest()[2], 3)) " MPa at C2 = " (number(last.share, 2))
+                " C1; the study states no limit of it."
+            }
+        }
+        (figure::curves(
+            "conclusions-fell",
+            ["stiffness of the fell, C2/C1", "over that without a fell"],
+            &curves,
+            false,
+            &html! { "Largest angles and stresses over a period of the drive, a fell that only pushes." },
+        ))
+    }
+}

@@ -1,0 +1,249 @@
+//! What the authors of the studies wanted to know, answered by runs of the consistent machines:
+//! which coupling a saw gin takes, where a winder winds stably, how stiff the cloth fell may be.
+
+use crate::closed_form::winder::Harmonic;
+use crate::reed_cells::Fell;
+use crate::reed_study::{Beat, beat};
+use crate::verify::CheckFailure;
+use crate::verify::machine::{saw_gin, winder_linear};
+use crate::winder_walk::Winder;
+use crate::winder_walk::map::{Condition, FASTEST, StabilityMap};
+use crate::winder_walk::spectrum::{bobbin, disturbances};
+use machinist::Method;
+
+/// Largest acceleration of the saw cylinder and torque of its coupling, over the coupling.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Couplings {
+    /// Stiffnesses \[N m/rad\].
+    pub stiffnesses: Vec<f64>,
+    /// A row for each damping.
+    pub rows: Vec<DampedCouplings>,
+}
+
+/// Couplings of one damping.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DampedCouplings {
+    /// Dissipation \[N m s/rad\].
+    pub damping: f64,
+    /// Largest acceleration of the cylinder over run-up and load \[rad/s^2\].
+    pub accelerations: Vec<f64>,
+    /// Largest torque of the coupling \[N m\].
+    pub torques: Vec<f64>,
+}
+
+/// Stiffnesses from 3 to 300 kN m/rad, so many to a factor of ten.
+const TO_A_DECADE: i32 = 10;
+
+impl Couplings {
+    /// Runs the gin up and loads it, with half of the study's dissipation, with it and with twice as
+    /// much.
+    ///
+    /// # Errors
+    /// [`CheckFailure`] if a run stops.
+    pub fn new() -> Result<Self, CheckFailure> {
+        let damping = saw_gin().value("coupling.damping")?;
+        let stiffnesses: Vec<f64> = (0..=2 * TO_A_DECADE)
+            .map(|k| 3e3 * 10.0_f64.powf(f64::from(k) / f64::from(TO_A_DECADE)))
+            .collect();
+        let row = |damping| {
+            let runs = stiffnesses.iter().map(|stiffness| peaks(*stiffness, damping));
+            let runs = runs.collect::<Result<Vec<_>, CheckFailure>>()?;
+            let (accelerations, torques) = runs.into_iter().unzip();
+            Ok(DampedCouplings { damping, accelerations, torques })
+        };
+        let rows = [0.5, 1.0, 2.0].map(|share| row(share * damping));
+        Ok(Self { rows: rows.into_iter().collect::<Result<_, CheckFailure>>()?, stiffnesses })
+    }
+}
+
+/// Largest acceleration of the cylinder \[rad/s^2\] and torque of the coupling \[N m\] over run-up
+/// and load.
+///
+/// # Errors
+/// [`CheckFailure`] if the run stops.
+pub fn peaks(stiffness: f64, damping: f64) -> Result<(f64, f64), CheckFailure> {
+    let machine = saw_gin();
+    let settings = [("coupling.stiffness", stiffness), ("coupling.damping", damping)];
+    // A vibration of 314 rad/s has its peak to a part in a thousand.
+    let run = machine.simulation(&settings)?.until(2.0).points(8001).rtol(1e-7);
+    let run = run.method(Method::Dop853).run()?;
+    let largest = |name| -> Result<f64, CheckFailure> {
+        let values = machine.column(&run, name)?;
+        Ok(values.iter().fold(0.0, |most: f64, value| most.max(value.abs())))
+    };
+    Ok((largest("cylinder_acceleration")?, largest("coupling_torque")?))
+}
+
+/// Up to which speed the bench winder winds stably, over its pressure at rest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StableSpeeds {
+    /// Pressures with the empty bobbin \[N\].
+    pub pressures: Vec<f64>,
+    /// Where pressure is kept while the package grows.
+    pub kept: Vec<Limit>,
+    /// Where the holder's spring alone presses, by equation (15).
+    pub growing: Vec<Limit>,
+}
+
+/// The first thing that ends stability as the speed rises.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limit {
+    /// Greatest speed up to which winding is stable at every radius \[m/s\]; 0 if at none.
+    pub speed: f64,
+    /// Radius at which it ends \[m\].
+    pub radius: f64,
+    /// What fails there.
+    pub condition: Condition,
+    /// Which disturbance varies the pressure most there.
+    pub disturbance: Disturbance,
+}
+
+/// What shakes the bobbin.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Disturbance {
+    /// The drum's unbalance, once a turn.
+    Unbalance,
+    /// The drum's shape, twice a turn.
+    Shape,
+}
+
+impl Disturbance {
+    /// In words.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Unbalance => "the drum's unbalance, once a turn",
+            Self::Shape => "the drum's shape, twice a turn",
+        }
+    }
+}
+
+impl StableSpeeds {
+    /// Limits over pressures from 10 N to what the yarn bears.
+    ///
+    /// # Errors
+    /// [`CheckFailure`] if a scene lacks what is asked for.
+    pub fn new() -> Result<Self, CheckFailure> {
+        let bench = Winder::at_speed(winder_linear().value("winding_speed")?)?;
+        let growth = winder_linear().value("holder.stiffness")?;
+        let pressures: Vec<f64> =
+            (1..).map(|k| 10.0 * f64::from(k)).take_while(|n| *n < bench.largest).collect();
+        let limits = |growth| -> Result<Vec<Limit>, CheckFailure> {
+            pressures.iter().map(|n| limit(&Winder { preload: *n, growth, ..bench })).collect()
+        };
+        Ok(Self { kept: limits(0.0)?, growing: limits(growth)?, pressures })
+    }
+}
+
+/// Where a winder's stability ends as it winds faster.
+///
+/// # Errors
+/// [`CheckFailure`] if a scene lacks what is asked for.
+pub fn limit(winder: &Winder) -> Result<Limit, CheckFailure> {
+    let map = StabilityMap::of(winder, FASTEST)?;
+    let fails = |row: &usize| map.cells[*row].iter().any(|c| c.condition != Condition::Stable);
+    let row = (0..map.speeds.len()).find(fails).unwrap_or(map.speeds.len() - 1);
+    let cells = &map.cells[row];
+    let column = cells.iter().position(|cell| cell.condition != Condition::Stable).unwrap_or(0);
+    let (speed, radius) = (map.speeds[row], map.radii[column]);
+    let machine = winder_linear();
+    let force = winder.force * (speed / winder.speed).powi(2);
+    let there = Winder { speed, force, ..*winder };
+    let bobbin = bobbin(&machine, radius)?;
+    let [force, shape] = disturbances(&there, speed / machine.value("drum_radius")?);
+    let by = |forces: &[Harmonic], shapes: &[Harmonic]| bobbin.pressure_variation(forces, shapes);
+    let is_shape = by(&[], &[shape]) > by(&[force], &[]);
+    Ok(Limit {
+        speed: if row == 0 { 0.0 } else { map.speeds[row - 1] },
+        radius,
+        condition: cells[column].condition,
+        disturbance: if is_shape { Disturbance::Shape } else { Disturbance::Unbalance },
+    })
+}
+
+/// Figure 8: the pressure over the radius of the package, and the window it has to keep.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PressureWindow {
+    /// Winding speed \[m/s\].
+    pub speed: f64,
+    /// Radii \[m\].
+    pub radii: Vec<f64>,
+    /// N \[N\].
+    pub pressure: Vec<f64>,
+    /// \[Nmin\] + dN \[N\].
+    pub least: Vec<f64>,
+    /// \[Nmax\] - dN \[N\].
+    pub most: Vec<f64>,
+}
+
+impl PressureWindow {
+    /// Of a winder at its speed.
+    ///
+    /// # Errors
+    /// [`CheckFailure`] if a scene lacks what is asked for.
+    pub fn of(winder: &Winder) -> Result<Self, CheckFailure> {
+        // The last row of a map that ends at the winder's speed.
+        let map = StabilityMap::of(winder, winder.speed)?;
+        let cells = map.cells.last().into_iter().flatten();
+        let bands = map.radii.iter().zip(cells).map(|(radius, cell)| {
+            let radii = (*radius, *radius);
+            let limits = &map.limits;
+            limits.pair.pressure_band(limits.tension, radii, limits.largest, cell.variation)
+        });
+        let (least, most) = bands.map(|band| (band.least, band.most)).unzip();
+        let pressure = map.radii.iter().map(|radius| winder.pressure(*radius)).collect();
+        Ok(Self { speed: winder.speed, radii: map.radii, pressure, least, most })
+    }
+}
+
+/// Runs of the reed against a fell that only pushes, by its stiffness.
+///
+/// # Errors
+/// [`CheckFailure`] if a run stops.
+pub fn fells() -> Result<Vec<Beat>, CheckFailure> {
+    (0..=8).map(|k| beat(Fell::OnlyPushes, 0.25 * f64::from(k))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_soft_coupling_spares_the_cylinder_and_one_near_the_transient_does_not() {
+        let damping = 128.5346;
+        let acceleration = |stiffness| peaks(stiffness, damping).expect("it runs").0;
+        let [soft, given, near, stiff] = [11e3, 23_065.2, 112e3, 200e3].map(acceleration);
+        println!("{soft} {given} {near} {stiff}");
+        assert!((soft - 277.0).abs() < 10.0, "{soft}");
+        assert!((near - 841.0).abs() < 10.0 && (stiff - 595.0).abs() < 10.0, "{near} {stiff}");
+        assert!(given > soft && given < near);
+    }
+
+    #[test]
+    fn stability_ends_between_the_last_stable_speed_and_the_next() {
+        let bench = Winder::at_speed(5.5).expect("it has what it needs");
+        for (preload, growth) in [(40.0, 0.0), (100.0, 0.0), (40.0, 3800.0)] {
+            let winder = Winder { preload, growth, ..bench };
+            let found = limit(&winder).expect("it has what it needs");
+            let stable = |speed: f64| {
+                let share: f64 = speed / bench.speed;
+                let there = Winder { speed, force: bench.force * share * share, ..winder };
+                let window = PressureWindow::of(&there).expect("it has what it needs");
+                let within =
+                    |k: usize| (window.least[k]..=window.most[k]).contains(&window.pressure[k]);
+                (0..window.radii.len()).all(within)
+            };
+            assert!(stable(found.speed), "{found:?}");
+            assert!(!stable(found.speed + 1.001 * FASTEST / 141.0), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn a_stiffer_fell_stops_the_reed_earlier_and_stresses_the_shaft_more() {
+        let fells = fells().expect("it runs");
+        for pair in fells.windows(2) {
+            assert!(pair[1].forward() < pair[0].forward());
+            assert!(pair[1].largest()[2] > pair[0].largest()[2]);
+        }
+    }
+}

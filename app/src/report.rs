@@ -18,6 +18,7 @@ mod live;
 mod machine;
 mod modes;
 mod page;
+mod printed_figures;
 mod reduction;
 mod scene;
 mod schematic;

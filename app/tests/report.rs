@@ -57,6 +57,8 @@ fn the_report_is_pages_that_need_nothing_else_and_come_out_the_same() {
     assert!(index.contains(&format!("{checked} of {checked} checks, {left_out} left out")));
     assert!(index.contains(&format!("<dd class=\"note\">{left_out} left out</dd>")));
     assert!(index.contains("fresh") && studies.contains("Reproduction ledger"));
+    let conclusions = ["What the authors wanted to know", "the study's conclusion holds"];
+    assert!(conclusions.iter().all(|words| studies.contains(words)));
     let two_mass = page(&folders[0].join("machines/two_mass.html"));
     for part in ["Content-Security-Policy", "<math", "href=\"../index.html\"", "class=\"symbol\""] {
         assert!(two_mass.contains(part), "the page lacks {part}");
@@ -64,6 +66,26 @@ fn the_report_is_pages_that_need_nothing_else_and_come_out_the_same() {
     // Not every machine runs in its page, and then it says why and offers nothing.
     let shaft = page(&folders[0].join("machines/shaft_with_rotors.html"));
     assert!(shaft.contains("cannot run it: it has fields") && !shaft.contains("id=\"live\""));
+}
+
+#[test]
+fn a_report_by_an_algebra_that_is_named_leaves_emitted_files_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let specs = folder.path().join("specs");
+    copy_specs(&specs);
+    let [scenes, emitted] = [specs.join("scenes"), folder.path().join("emitted")];
+    for file in names_in(&scenes).iter().filter(|file| *file != "two_mass.toml") {
+        fs::remove_file(scenes.join(file)).expect("removed");
+    }
+    answer(&["gen", "--specs", text(&scenes), "--out", text(&emitted)]);
+    let file = emitted.join("two_mass.rs");
+    let before = fs::read_to_string(&file).expect("emitted").replace("Two", "Twin");
+    fs::write(&file, &before).expect("written");
+    let out = folder.path().join("out");
+    let places = ["--specs", text(&scenes), "--emitted", text(&emitted), "--out", text(&out)];
+    answer(&[&["report", "--no-times", "--algebra", "plain"], &places[..]].concat());
+    assert_eq!(fs::read_to_string(&file).expect("still there"), before);
+    assert!(page(&out.join("index.html")).contains("not compared"));
 }
 
 #[test]

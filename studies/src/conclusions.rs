@@ -8,7 +8,7 @@ use crate::verify::CheckFailure;
 use crate::verify::machine::{saw_gin, winder_linear};
 use crate::winder_walk::Winder;
 use crate::winder_walk::map::{Condition, FASTEST, StabilityMap};
-use crate::winder_walk::spectrum::{bobbin, disturbances};
+use crate::winder_walk::spectrum::{bobbin, disturbances, package};
 use machinist::Method;
 
 /// Largest acceleration of the saw cylinder and torque of its coupling, over the coupling.
@@ -32,7 +32,7 @@ pub struct DampedCouplings {
 }
 
 /// Stiffnesses from 3 to 300 kN m/rad, so many to a factor of ten.
-const TO_A_DECADE: i32 = 10;
+const TO_A_DECADE: i32 = 6;
 
 impl Couplings {
     /// Runs the gin up and loads it, with half of the study's dissipation, with it and with twice as
@@ -105,6 +105,8 @@ pub enum Disturbance {
     Unbalance,
     /// The drum's shape, twice a turn.
     Shape,
+    /// An irregular package, once a turn.
+    Package,
 }
 
 impl Disturbance {
@@ -114,6 +116,7 @@ impl Disturbance {
         match self {
             Self::Unbalance => "the drum's unbalance, once a turn",
             Self::Shape => "the drum's shape, twice a turn",
+            Self::Package => "the package, once a turn",
         }
     }
 }
@@ -147,17 +150,23 @@ pub fn limit(winder: &Winder) -> Result<Limit, CheckFailure> {
     let column = cells.iter().position(|cell| cell.condition != Condition::Stable).unwrap_or(0);
     let (speed, radius) = (map.speeds[row], map.radii[column]);
     let machine = winder_linear();
-    let force = winder.force * (speed / winder.speed).powi(2);
-    let there = Winder { speed, force, ..*winder };
+    let square = (speed / winder.speed).powi(2);
+    let force = winder.force * square;
+    let there = Winder { speed, force, package: winder.package * square, ..*winder };
     let bobbin = bobbin(&machine, radius)?;
     let [force, shape] = disturbances(&there, speed / machine.value("drum_radius")?);
     let by = |forces: &[Harmonic], shapes: &[Harmonic]| bobbin.pressure_variation(forces, shapes);
-    let is_shape = by(&[], &[shape]) > by(&[force], &[]);
+    let shares = [
+        (by(&[force], &[]), Disturbance::Unbalance),
+        (by(&[], &[shape]), Disturbance::Shape),
+        (by(&[package(&there, radius)], &[]), Disturbance::Package),
+    ];
+    let largest = shares.iter().max_by(|a, b| a.0.total_cmp(&b.0));
     Ok(Limit {
         speed: if row == 0 { 0.0 } else { map.speeds[row - 1] },
         radius,
         condition: cells[column].condition,
-        disturbance: if is_shape { Disturbance::Shape } else { Disturbance::Unbalance },
+        disturbance: largest.map_or(Disturbance::Unbalance, |(_, disturbance)| *disturbance),
     })
 }
 

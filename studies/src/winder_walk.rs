@@ -36,6 +36,8 @@ pub struct Winder {
     pub force: f64,
     /// Amplitude of the drum's shape twice a turn \[m\].
     pub shape: f64,
+    /// Force once a turn of the package \[N\], of one that is irregular.
+    pub package: f64,
     /// Pressure at rest \[N\], with the empty bobbin.
     pub preload: f64,
     /// How much it grows with the radius of the package \[N/m\]: by equation (15) the holder's
@@ -67,6 +69,7 @@ impl Winder {
             radii: (machine.value("pair.bobbin_radius")?, 0.06),
             force: machine.value("force_amplitude")? * share * share,
             shape: machine.value("ovality")?,
+            package: machine.value("package_force")?,
             preload: machine.value("holder.preload")?,
             growth: 0.0,
             tension: machine.value("pair.tension")?,
@@ -87,6 +90,7 @@ impl Winder {
         let others = [
             ("force", self.force),
             ("shape", self.shape),
+            ("force of the package", self.package),
             ("tension", self.tension),
             ("growth of the pressure", self.growth),
         ];

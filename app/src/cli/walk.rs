@@ -30,7 +30,10 @@ pub struct WalkCommand {
     /// Amplitude of the drum's shape twice a turn [m]
     #[arg(long, value_name = "AMPLITUDE", allow_hyphen_values = true)]
     shape: Option<f64>,
-    /// Pressure at rest [N]
+    /// Force once a turn of the package [N], of an irregular one
+    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
+    package: Option<f64>,
+    /// Pressure at rest [N], with the empty bobbin
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
     preload: Option<f64>,
     /// Growth of that pressure with the radius of the package [N/m]: the holder's spring, 3800 N/m,
@@ -96,6 +99,7 @@ impl WalkCommand {
             radii: (self.radius_min.unwrap_or(least), self.radius_max.unwrap_or(most)),
             force: self.force.unwrap_or(winder.force),
             shape: self.shape.unwrap_or(winder.shape),
+            package: self.package.unwrap_or(winder.package),
             preload: self.preload.unwrap_or(winder.preload),
             growth: self.growth,
             tension: self.tension.unwrap_or(winder.tension),

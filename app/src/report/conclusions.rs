@@ -1,7 +1,8 @@
 //! What the authors of the studies wanted to know, a picture and two sentences each.
 
+use machinist_studies::closed_form::two_mass::{SAW_GIN, TwoMass};
 use machinist_studies::conclusions::{
-    Couplings, Limit, PressureWindow, StableSpeeds, fells, limit, peaks,
+    Couplings, DampedCouplings, Limit, PressureWindow, StableSpeeds, fells, limit, peaks,
 };
 use machinist_studies::reed_study::Beat;
 use machinist_studies::verify::CheckFailure;
@@ -25,6 +26,8 @@ pub struct Study {
 
 /// Stiffness and dissipation of the saw-gin study's coupling.
 const OWN: (f64, f64) = (23_065.2, 128.5346);
+/// Frequency of the supply \[rad/s\].
+const SUPPLY: f64 = 100.0 * std::f64::consts::PI;
 /// Share by which a peak may exceed that of a soft coupling before the coupling counts as hard.
 const SPARED: f64 = 1.1;
 
@@ -72,15 +75,14 @@ pub fn section(study: &Result<Study, String>) -> Markup {
 
 fn coupling(study: &Study) -> Markup {
     let Couplings { stiffnesses, rows } = &study.couplings;
-    let of =
-        |values: fn(&machinist_studies::conclusions::DampedCouplings) -> &Vec<f64>| -> Vec<Named> {
-            let named = |row| {
-                let row: &machinist_studies::conclusions::DampedCouplings = row;
-                let name = format!("{} N m s/rad", number(row.damping, 4));
-                (name, stiffnesses.clone(), values(row).clone())
-            };
-            rows.iter().map(named).collect()
+    let of = |values: fn(&DampedCouplings) -> &Vec<f64>| -> Vec<Named> {
+        let named = |row| {
+            let row: &DampedCouplings = row;
+            let name = format!("{} N m s/rad", number(row.damping, 4));
+            (name, stiffnesses.clone(), values(row).clone())
         };
+        rows.iter().map(named).collect()
+    };
     let axis = "stiffness of the coupling [N m/rad]";
     let caption = html! {
         "Largest acceleration of the cylinder over run-up and load, by stiffness and dissipation of
@@ -88,8 +90,8 @@ fn coupling(study: &Study) -> Markup {
     };
     let torque = html! { "Largest torque of the coupling, likewise." };
     html! {
-        @if let [_, own, _] = rows.as_slice() {
-            (judged(stiffnesses, &own.accelerations, study.own))
+        @if let [_, own, more] = rows.as_slice() {
+            (judged(stiffnesses, [&own.accelerations, &more.accelerations], study.own))
         }
         (figure::curves("conclusions-acceleration", [axis, "acceleration [rad/s\u{b2}]"], &of(|row| &row.accelerations), true, &caption))
         (figure::curves("conclusions-torque", [axis, "torque [N m]"], &of(|row| &row.torques), true, &torque))
@@ -97,13 +99,15 @@ fn coupling(study: &Study) -> Markup {
 }
 
 /// Two sentences on the couplings of the study's dissipation.
-fn judged(stiffnesses: &[f64], accelerations: &[f64], own: (f64, f64)) -> Markup {
+fn judged(stiffnesses: &[f64], [accelerations, of_more]: [&[f64]; 2], own: (f64, f64)) -> Markup {
     let soft = accelerations.first().copied().unwrap_or(f64::NAN);
     let pairs = || stiffnesses.iter().zip(accelerations);
     let spared = pairs().take_while(|(_, peak)| **peak <= SPARED * soft).last();
     let spared = spared.map_or(f64::NAN, |(stiffness, _)| *stiffness);
     let worst = pairs().max_by(|a, b| a.1.total_cmp(b.1));
     let (at, peak) = worst.map_or((f64::NAN, f64::NAN), |(at, peak)| (*at, *peak));
+    let natural = TwoMass { stiffness: at, ..SAW_GIN }.natural_frequency();
+    let most = |values: &[f64]| values.iter().fold(0.0, |most: f64, value| most.max(*value));
     let kilo = |stiffness: f64| number(1e-3 * stiffness, 3);
     html! {
         p {
@@ -111,8 +115,9 @@ fn judged(stiffnesses: &[f64], accelerations: &[f64], own: (f64, f64)) -> Markup
             (number(soft, 3)) " rad/s\u{b2} up to " (kilo(spared)) " kN m/rad; the study's own coupling, "
             (kilo(OWN.0)) " kN m/rad, lets through " (number(own.0, 3)) " rad/s\u{b2} and "
             (number(own.1, 3)) " N m. It grows to " (number(peak, 3)) " rad/s\u{b2} near " (kilo(at))
-            " kN m/rad, where the coupling meets the motor's transient at supply frequency, so that a
-             soft coupling is to be chosen, or one of more dissipation."
+            " kN m/rad, whose natural frequency of " (number(natural, 3)) " rad/s is near that of the
+             motor's switching transient, the supply's " (number(SUPPLY, 3)) " rad/s; twice the
+             dissipation makes that " (number(most(of_more), 3)) " rad/s\u{b2} at most."
         }
     }
 }
@@ -173,6 +178,16 @@ fn window(window: &PressureWindow) -> Markup {
     )
 }
 
+/// Whether motion changes little and stress markedly, as the study concludes.
+fn verdict(change: &[f64; 5]) -> &'static str {
+    let motion = change[0].abs().max(change[1].abs());
+    if motion < 0.2 * change[2].abs() {
+        "the study's conclusion holds"
+    } else {
+        "the study's conclusion does not hold"
+    }
+}
+
 fn fell(beats: &[Beat]) -> Markup {
     let shares: Vec<f64> = beats.iter().map(|beat| beat.share).collect();
     let Some(none) = beats.first() else { return html! {} };
@@ -195,9 +210,9 @@ fn fell(beats: &[Beat]) -> Markup {
                 "Against a fell that only pushes, from C2 = C1/2 to C1, the shaft's largest angle changes
                  by " (number(change[0], 2)) " %, the reed's by " (number(change[1], 2))
                 " %, the stress before the reed by " (number(change[2], 3))
-                " %: the study's conclusion holds. The way into the fell shortens by "
+                " %: " (verdict(&change)) ". The way into the fell shortens by "
                 (number(100.0 * (1.0 - stiff.forward() / soft.forward()), 2))
-                " % meanwhile, and the stress goes on growing, from "
+                " % meanwhile, and the stress goes from "
                 (number(1e-6 * none.largest()[2], 3)) " MPa without a fell to "
                 (number(1e-6 * last.largest()[2], 3)) " MPa at C2 = " (number(last.share, 2))
                 " C1; the study states no limit of it."

@@ -6,13 +6,14 @@ use maud::html;
 
 use super::gather::Report;
 use super::page::{Page, section};
-use super::{conclusions, ledger, stability, winder_walk};
+use super::{conclusions, ledger, printed_figures, stability, winder_walk};
 
 /// The page.
 pub(super) fn page(report: &Report) -> String {
     let mut contents = vec![
         ("conclusions", CONCLUSIONS),
         ("ledger", "Reproduction ledger"),
+        ("printed-figures", FIGURES),
         ("winder-walk", WINDERS),
     ];
     if report.fields.is_some() {
@@ -30,6 +31,7 @@ pub(super) fn page(report: &Report) -> String {
             header { h1 { "Studies and extreme cases" } }
             (section("conclusions", CONCLUSIONS, &conclusions::section(&report.conclusions)))
             (section("ledger", "Reproduction ledger", &ledger::section(&report.ledger)))
+            (section("printed-figures", FIGURES, &printed_figures::section()))
             (section("winder-walk", WINDERS, &winder_walk::section(report)))
             @if let Some(fields) = &report.fields {
                 (section("fields", "Fields", &fields.section()))
@@ -43,4 +45,5 @@ pub(super) fn page(report: &Report) -> String {
 }
 
 const CONCLUSIONS: &str = "What the authors wanted to know";
+const FIGURES: &str = "Figures of the saw gin's shaft";
 const WINDERS: &str = "Which model a winder needs";

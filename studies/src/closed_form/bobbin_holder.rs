@@ -14,6 +14,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use super::roots::turning_point;
+
 /// Places and masses, as the scene's spec has them; see there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BobbinHolder {
@@ -57,6 +59,8 @@ pub const HOLDER: BobbinHolder = BobbinHolder {
 };
 
 const GRAVITY: f64 = 9.81;
+/// Within this the bobbin reaches the drum \[rad\].
+const LARGEST_LIFT: f64 = 0.3;
 
 impl BobbinHolder {
     /// N and Q \[N\]; NaN if the package does not reach the drum.
@@ -72,6 +76,22 @@ impl BobbinHolder {
     #[must_use]
     pub fn forces_by_share(&self, share: f64) -> [f64; 2] {
         self.balances().forces(0.0, share)
+    }
+
+    /// Angle \[rad\] by which the post stands off its stop in the unstable working position, the
+    /// bobbin on a drum that drags it by a share of its pressure: below it the post falls onto its
+    /// stop, above it lifts away. It is where the post would rest on a stop without pressing it.
+    #[must_use]
+    pub fn unstable_lift(&self, share: f64) -> f64 {
+        turning_point(0.0, LARGEST_LIFT, |lift| self.lifted(lift).forces_by_share(share)[1] > 0.0)
+    }
+
+    /// The holder with its stop as much farther up.
+    #[must_use]
+    pub fn lifted(&self, lift: f64) -> Self {
+        let (sin, cos) = lift.sin_cos();
+        let [x, y] = self.stop;
+        Self { stop: [x * cos - y * sin, x * sin + y * cos], ..*self }
     }
 
     fn balances(&self) -> Balances {

@@ -130,8 +130,8 @@ const TOLD: &[Told] = &[
     Told {
         at: "figures 5, 6",
         figure: "slope over time for several x; angle along x at 1.8 s",
-        verdict: "formulas (14), (15); their headline numbers below",
-        place: "`closed_form::printed_laws`; `saw_gin_shaft`",
+        verdict: "formulas (14), (15), drawn as printed beside the consistent twist; headline numbers below",
+        place: "report, page of studies; `closed_form::printed_laws`; `saw_gin_shaft`",
         held: Held::Verify("saw_gin_as_printed: relative twist, density J, load halved"),
     },
     Told {

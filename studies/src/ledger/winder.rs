@@ -36,7 +36,8 @@ fn reactions() -> Result<Vec<LedgerRow>, CheckFailure> {
             unit: "N",
             consistent: Some(reaction),
             verdict: format!(
-                "not printed; {}, with N = {} N and P = {} N of the holder of ours",
+                "not printed; {}, with N = {} N and P = {} N of the holder of ours, whose Q is larger with P \
+                 to the right",
                 if reaction > 0.0 { "above zero: a stable position" } else { "the post lifts" },
                 digits_of(pressure, 4),
                 digits_of(share * pressure, 3)
@@ -55,7 +56,30 @@ fn reactions() -> Result<Vec<LedgerRow>, CheckFailure> {
         row("(14)", "reaction Q of the stop, P = N f to the right", -friction),
         row("(9)", "reaction Q of the stop at rest, P = N k/R to the left", rolling),
         row("(9)", "reaction Q of the stop at rest, P = N k/R to the right", -rolling),
+        lift("lift of the post in the unstable position, drum at rest", 0.0),
+        lift("lift of the post in the unstable position, P = N f to the left", friction),
+        lift("lift of the post in the unstable position, P = N f to the right", -friction),
     ])
+}
+
+/// Figure 4: where the post balances off its stop.
+fn lift(figure: &'static str, share: f64) -> LedgerRow {
+    LedgerRow {
+        figure,
+        unit: "rad",
+        consistent: Some(HOLDER.unstable_lift(share)),
+        verdict:
+            "not printed; below it the post falls onto its stop, above it lifts away; for the \
+                  holder of ours a drum that drags to the right raises it"
+                .to_owned(),
+        ..of(
+            "figure 4",
+            "`winder_holder_drop`; `closed_form::bobbin_holder`",
+            Held::Verify(
+                "winder_holder_drop: where the post goes from 0.02 rad below and above its unstable position",
+            ),
+        )
+    }
 }
 
 /// (15) over the growth of the package.

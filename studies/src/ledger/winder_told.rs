@@ -182,11 +182,21 @@ const TOLD: &[Told] = &[
     },
     Told {
         at: "section 3",
+        figure: "irregular shape or fitting of the bobbin, a disturbance",
+        verdict: "consistent: a force once a turn of the package, beside the drum's once and twice a turn",
+        place: "parameter `package_force` of the scenes; `machinist walk --package`",
+        held: Held::Test("an_irregular_package_shakes_every_stage_once_a_turn_of_its_own"),
+    },
+    Told {
+        at: "section 3",
         figure: "a turning drum pulls the mechanism into its stable position",
-        verdict: "consistent for our dimensions: let go above its stop, the post comes to rest on it, \
-                  with P = N f either way and with a drum at rest",
-        place: "`winder_holder_drop`, parameter `grip`",
-        held: LAWS,
+        verdict: "consistent: between the unstable positions of a drum at rest and of one that drags \
+                  the bobbin, numbers below, the post lifts away at rest and falls onto its stop under \
+                  the turning drum; which way drags it there depends on the dimensions",
+        place: "`winder_holder_drop`, parameters `lift`, `plate_angle`, `grip`",
+        held: Held::Verify(
+            "winder_holder_drop: where the post goes from 0.02 rad below and above its unstable position",
+        ),
     },
     Told {
         at: "(9), (10)",

@@ -57,6 +57,13 @@ pub(super) const DROP_CHECKS: &[Check] = &[
         measure: settled_under_friction,
     },
     Check {
+        name: "where the post goes from 0.02 rad below and above its unstable position",
+        reference: "closed form of that position, drum at rest and dragging either way, wrong ends",
+        tolerance: 0.0,
+        reason: "a count",
+        measure: falling,
+    },
+    Check {
         name: "frequencies and dampings of small oscillations at work, on both contacts",
         reference: "M, D and V'' in the angles of post and plate by hand, relative",
         tolerance: 1e-9,
@@ -154,6 +161,24 @@ fn settled_under_friction(machine: &Machine) -> Result<Measured, CheckFailure> {
         error = worse(error, settled_with(machine, share)?.error);
     }
     Ok(Measured::error(error))
+}
+
+/// Onto its stop from below the unstable position, away from above it; with a drum that drags
+/// the bobbin that position is elsewhere.
+fn falling(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let mut wrong = 0;
+    for share in [-0.18, 0.0, 0.18] {
+        for off in [-0.02, 0.02] {
+            let lift = HOLDER.unstable_lift(share) + off;
+            let [_, plate] = HOLDER.lifted(lift).working_angles();
+            let settings = [("lift", lift), ("plate_angle", plate), ("grip", share)];
+            let run = machine.simulation(&settings)?.until(3.0).points(2).rtol(1e-7);
+            let run = run.method(Method::Auto).run()?;
+            let is_at_stop = machine.last(&run, "stop_force")? > 0.0;
+            wrong += u64::from(is_at_stop != (off < 0.0));
+        }
+    }
+    Ok(super::counted(wrong, 0))
 }
 
 /// N over the growth of the package, which lifts the plate against its spring.

@@ -37,6 +37,7 @@ pub(super) fn run(
         ("winding_speed", winder.speed),
         ("force_amplitude", winder.force),
         ("ovality", winder.shape),
+        ("package_force", winder.package),
         ("holder.preload", winder.pressure(radius)),
         ("pair.tension", winder.tension),
         ("pair.bobbin_radius", winder.radii.0),

@@ -15,7 +15,7 @@ pub(super) const RADII: u32 = 7;
 /// When transients have faded to a thousandth \[s\].
 pub(super) const SETTLED: f64 = 0.6;
 /// Turns of the drum looked at after that.
-const TURNS: f64 = 8.0;
+pub(super) const TURNS: f64 = 8.0;
 const SAMPLES_A_TURN: f64 = 240.0;
 
 /// Runs of the scene `winder_nonlinear`, and the resonance at the amplitude of compression
@@ -77,6 +77,7 @@ pub(super) fn steady(
         ("winding_speed", winder.speed),
         ("force_amplitude", winder.force),
         ("ovality", winder.shape),
+        ("package_force", winder.package),
         ("holder.package_radius", radius),
     ];
     let times = sampled(drum);

@@ -18,7 +18,7 @@
 use serde::Serialize;
 
 use super::Winder;
-use super::spectrum::{bobbin, disturbances};
+use super::spectrum::{bobbin, disturbances, package};
 use crate::closed_form::WindingPair;
 use crate::closed_form::winder::BobbinOscillator;
 use crate::closed_form::winding_pair::DESIGN_SHARE;
@@ -107,12 +107,18 @@ impl Limits {
         Cell { variation, margin, condition }
     }
 
-    /// dN \[N\] of a winder with the bobbin of some radius, its drum turning with `drum`
-    /// rad/s.
+    /// dN \[N\] of a winder with the bobbin of a package of some radius \[m\], its drum turning with
+    /// `drum` rad/s.
     #[must_use]
-    pub fn variation(&self, bobbin: &BobbinOscillator, winder: &Winder, drum: f64) -> f64 {
+    pub fn variation(
+        &self,
+        bobbin: &BobbinOscillator,
+        winder: &Winder,
+        [drum, radius]: [f64; 2],
+    ) -> f64 {
         let [force, shape] = disturbances(winder, drum);
-        (1.0 + self.spread) * bobbin.pressure_variation(&[force], &[shape])
+        let forces = [force, package(winder, radius)];
+        (1.0 + self.spread) * bobbin.pressure_variation(&forces, &[shape])
     }
 }
 
@@ -139,8 +145,8 @@ pub const LARGEST: f64 = 190.0;
 pub const SPREAD: f64 = 0.1;
 
 impl StabilityMap {
-    /// The map of a winder up to a speed \[m/s\]. Its unbalance goes with
-    /// the square of the speed, and is the winder's at the winder's own.
+    /// The map of a winder up to a speed \[m/s\]. Unbalances of drum and package go with
+    /// the square of the speed, and are the winder's at the winder's own.
     ///
     /// # Errors
     /// [`CheckFailure`] if a scene lacks what is asked for.
@@ -166,10 +172,14 @@ impl StabilityMap {
         let speeds: Vec<f64> = (0..SIZE.1).map(|k| fastest * share(k)).collect();
         let row = |speed: &f64| {
             let force = winder.force * (speed / winder.speed).powi(2);
-            let there = Winder { speed: *speed, force, ..*winder };
+            let package = winder.package * (speed / winder.speed).powi(2);
+            let there = Winder { speed: *speed, force, package, ..*winder };
             let cell = |(radius, bobbin): (&f64, &BobbinOscillator)| {
                 let limits = Limits { pressure: winder.pressure(*radius), ..limits };
-                limits.judge(*radius, limits.variation(bobbin, &there, speed / drum_radius))
+                limits.judge(
+                    *radius,
+                    limits.variation(bobbin, &there, [speed / drum_radius, *radius]),
+                )
             };
             radii.iter().zip(&bobbins).map(cell).collect()
         };

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::layer::TURNS;
 use super::{Operating, Running, Stage, Winder, clearances, ends};
 use crate::closed_form::winder::{BobbinOscillator, Harmonic};
 use crate::verify::CheckFailure;
@@ -11,7 +12,7 @@ use crate::verify::machine::{Machine, winder_linear};
 pub const ENOUGH: f64 = 2.0;
 
 const RADII: u32 = 61;
-/// Samples over a turn of the drum, which is the period of the steady motion.
+/// Samples over a turn of the drum, which is the period of the steady motion of an even package.
 const SAMPLES: u32 = 720;
 
 /// Resonances by the emitted scene `winder_linear`, and how the winder runs by the closed
@@ -27,12 +28,7 @@ pub fn stage(winder: &Winder) -> Result<Stage, CheckFailure> {
     for radius in winder.radii(RADII) {
         spectrum.push((radius, resonance(&machine, radius)?));
         let bobbin = bobbin(&machine, radius)?;
-        running = running.worse(steady(
-            winder,
-            &bobbin,
-            winder.speed / drum_radius,
-            winder.pressure(radius),
-        ));
+        running = running.worse(steady(winder, &bobbin, winder.speed / drum_radius, radius));
     }
     let frequencies: [Operating; 3] = winder.frequencies(drum_radius);
     Ok(Stage {
@@ -73,14 +69,25 @@ pub(crate) fn disturbances(winder: &Winder, drum: f64) -> [Harmonic; 2] {
     ]
 }
 
-/// The steady motion over a turn of the drum, about a pressure at rest \[N\].
-fn steady(winder: &Winder, bobbin: &BobbinOscillator, drum: f64, rest: f64) -> Running {
+/// Force of a package of some radius \[m\].
+pub(crate) fn package(winder: &Winder, radius: f64) -> Harmonic {
+    Harmonic { amplitude: winder.package, frequency: winder.speed / radius, phase: 0.0 }
+}
+
+/// The steady motion with a package of some radius \[m\] over a turn of the drum, over several if
+/// the package shakes it too.
+fn steady(winder: &Winder, bobbin: &BobbinOscillator, drum: f64, radius: f64) -> Running {
+    let rest = winder.pressure(radius);
     let [force, shape] = disturbances(winder, drum);
-    let answers = [bobbin.answer_to_force(&force), bobbin.answer_to_shape(&shape)];
-    let times = (0..SAMPLES).map(|k| TAU / drum * f64::from(k) / f64::from(SAMPLES));
+    let by_package = bobbin.answer_to_force(&package(winder, radius));
+    let answers = [bobbin.answer_to_force(&force), bobbin.answer_to_shape(&shape), by_package];
+    let turns = if winder.package > 0.0 { TURNS as u32 } else { 1 };
+    let times = (0..turns * SAMPLES).map(|k| TAU / drum * f64::from(k) / f64::from(SAMPLES));
     let motion = times.map(|time| {
-        let [by_force, by_shape] = answers.map(|answer| answer.at(time));
-        let (value, rate) = (by_force.value + by_shape.value, by_force.rate + by_shape.rate);
+        let (value, rate) = answers.iter().fold((0.0, 0.0), |(value, rate), answer| {
+            let now = answer.at(time);
+            (value + now.value, rate + now.rate)
+        });
         let drum = shape.at(time);
         let pressure = rest
             + bobbin.layer_stiffness * (drum.value - value)

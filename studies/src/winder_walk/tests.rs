@@ -92,6 +92,25 @@ fn a_pressure_that_grows_with_the_package_is_that_of_equation_15_at_every_stage(
 }
 
 #[test]
+fn an_irregular_package_shakes_every_stage_once_a_turn_of_its_own() {
+    let still = Winder { force: 0.0, shape: 0.0, ..Winder::at_speed(2.2).expect("it has it") };
+    let winder = Winder { package: 10.0, ..still };
+    // 2.2 m/s over 30 mm: 73.3 rad/s.
+    let force = spectrum::package(&winder, 0.03);
+    let exact = BENCH_BOBBIN.answer_to_force(&force).amplitude;
+    let compressed = exact * BENCH_BOBBIN.dynamic_layer_stiffness(force.frequency);
+    let found = Limits { spread: 0.0, ..LIMITS }.variation(&BENCH_BOBBIN, &winder, [44.0, 0.03]);
+    assert!((found - compressed).abs() < 1e-12);
+    let run = layer::steady(&winder_nonlinear(), &winder, 0.03).expect("it runs").deflections;
+    let most = run.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    assert!((most / exact - 1.0).abs() < 5e-3, "{most} {exact}");
+    let full = full::run(&winder_full(), &winder, 0.03).expect("it runs");
+    assert!((full.amplitude / exact - 1.0).abs() < 5e-3, "{} {exact}", full.amplitude);
+    let linear = spectrum::stage(&winder).expect("it has what it needs").running;
+    assert!(linear.amplitude >= 0.999 * exact);
+}
+
+#[test]
 fn what_makes_no_sense_is_named() {
     let bench = Winder::at_speed(5.5).expect("it has what it needs");
     assert_eq!(bench.mistake(), None);
@@ -133,7 +152,7 @@ fn the_pressure_varies_as_evaluated_by_hand() {
     let by_force = 25.0 / 22_810.0_f64.hypot(10_450.0) * 42_000.0_f64.hypot(10_450.0);
     // Shape: Z = 45800 - 1.9 220^2 + 220 95 j = -46160 + 20900 j, c_p - m p^2 = -88160.
     let by_shape = 2e-4 * 88_160.0 / 46_160.0_f64.hypot(20_900.0) * 42_000.0_f64.hypot(20_900.0);
-    let found = LIMITS.variation(&BENCH_BOBBIN, &winder, 110.0);
+    let found = LIMITS.variation(&BENCH_BOBBIN, &winder, [110.0, 0.03]);
     assert!((found - 1.1 * (by_force + by_shape)).abs() < 1e-11);
     assert!((by_force - 43.13).abs() < 0.01 && (by_shape - 16.32).abs() < 0.01);
 }
@@ -203,7 +222,8 @@ fn single_harmonics_press_the_emitted_layer_as_much_as_the_map_says() {
         let winder = Winder { force, shape, ..Winder::at_speed(5.5).expect("it has it") };
         let found = layer::steady(&machine, &winder, 0.03).expect("it runs").pressures;
         let most = found.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-        let exact = Limits { spread: 0.0, ..LIMITS }.variation(&BENCH_BOBBIN, &winder, 110.0);
+        let exact =
+            Limits { spread: 0.0, ..LIMITS }.variation(&BENCH_BOBBIN, &winder, [110.0, 0.03]);
         assert!((most / exact - 1.0).abs() < 1e-3, "{most} is not {exact}");
     }
 }

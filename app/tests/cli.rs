@@ -753,6 +753,11 @@ fn a_winder_is_walked_and_its_later_stages_are_told() {
         assert!(text.contains(part), "{part} in {text}");
     }
     assert!(answer(&["walk", "--speed", "2.2"]).contains("Stage 2, stiffening layer, is enough"));
+    let text = answer(&["walk", "--speed", "1.5", "--growth", "3800", "--package", "5"]);
+    for part in ["of the drum and 5 N of the package", "40 N pressure that grows by 3800 N/m"] {
+        assert!(text.contains(part), "{part} in {text}");
+    }
+    assert_refused(&["walk", "--growth", "-1"], &["the growth of the pressure is -1"]);
 }
 
 #[test]

@@ -32,6 +32,9 @@ macro_rules! find_carried {
             "saw_gin_as_printed" => Some(&$crate::scenes::saw_gin_as_printed::SawGinAsPrinted),
             "two_mass" => Some(&$crate::scenes::two_mass::TwoMass),
             "winder_linear" => Some(&$crate::scenes::winder_linear::WinderLinear),
+            "winder_linear_as_printed" => {
+                Some(&$crate::scenes::winder_linear_as_printed::WinderLinearAsPrinted)
+            }
             "winder_nonlinear" => Some(&$crate::scenes::winder_nonlinear::WinderNonlinear),
             _ => None,
         }

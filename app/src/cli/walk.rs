@@ -110,10 +110,13 @@ impl WalkCommand {
 }
 
 fn described(walk: &Walk) -> String {
-    let Winder { speed, radii, force, shape, preload, tension, .. } = walk.winder;
+    let Winder { speed, radii, force, shape, package, preload, growth, tension, .. } = walk.winder;
+    let when = |is: bool, words: String| if is { words } else { String::new() };
+    let of_package = when(package > 0.0, format!(" and {} N of the package", number(package, 4)));
+    let growing = when(growth > 0.0, format!(" that grows by {} N/m", number(growth, 4)));
     let mut text = format!(
-        "Winder at {speed} m/s, package of {} to {} mm, {} N and {} mm of the drum,\n\
-         {preload} N pressure, {tension} N tension\n\n",
+        "Winder at {speed} m/s, package of {} to {} mm, {} N and {} mm of the drum{of_package},\n\
+         {preload} N pressure{growing}, {tension} N tension\n\n",
         number(1e3 * radii.0, 4),
         number(1e3 * radii.1, 4),
         number(force, 4),

@@ -129,8 +129,8 @@ impl StableSpeeds {
     pub fn new() -> Result<Self, CheckFailure> {
         let bench = Winder::at_speed(winder_linear().value("winding_speed")?)?;
         let growth = winder_linear().value("holder.stiffness")?;
-        let pressures: Vec<f64> =
-            (1..).map(|k| 10.0 * f64::from(k)).take_while(|n| *n < bench.largest).collect();
+        let count = (bench.largest / 10.0).ceil() as u32;
+        let pressures: Vec<f64> = (1..count).map(|k| 10.0 * f64::from(k)).collect();
         let limits = |growth| -> Result<Vec<Limit>, CheckFailure> {
             pressures.iter().map(|n| limit(&Winder { preload: *n, growth, ..bench })).collect()
         };

@@ -8,6 +8,7 @@ mod algebras;
 mod bells;
 mod bench_scenes;
 mod bends;
+mod c99;
 mod campbell;
 mod chains;
 mod classics;

@@ -57,7 +57,7 @@ fn every_function_of_a_machine_gives_the_same_bits() {
     }
 }
 
-fn assert_same(what: &str, found: &[f64], expected: &[f64]) {
+pub(crate) fn assert_same(what: &str, found: &[f64], expected: &[f64]) {
     // Zeros that a substitution would carry through are none: their signs may differ.
     let bits = |value: f64| (value + 0.0).to_bits();
     for (index, (a, b)) in found.iter().zip(expected).enumerate() {
@@ -66,7 +66,8 @@ fn assert_same(what: &str, found: &[f64], expected: &[f64]) {
     }
 }
 
-fn expected(
+/// What a simulator gives for a function of the table, by its name.
+pub(crate) fn expected(
     s: &dyn Simulator<f64>,
     function: &str,
     (t, y, p): (f64, &[f64], &[f64]),

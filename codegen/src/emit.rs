@@ -4,9 +4,11 @@
 //! decides names and layout only; what is computed, and in which order, is the
 //! tape's.
 
+pub mod c99;
 pub mod document;
 pub mod literal;
 pub mod rust;
+mod telling;
 pub mod text;
 
 use machinist_model::Malformed;
@@ -60,6 +62,12 @@ pub enum EmitError {
         name: String,
         /// What both are.
         kind: &'static str,
+    },
+    /// A target has no way to express a part of the model.
+    #[error("{message}")]
+    Unsupported {
+        /// What cannot be emitted, and why.
+        message: String,
     },
     /// The model breaks a rule of models.
     #[error("{0}")]

@@ -13,6 +13,7 @@ use std::fs;
 use std::io::{self, Write as _};
 use std::path::{Component, Path, PathBuf};
 
+use crate::emit::c99::{self, C99Options};
 use crate::emit::rust::{MARK, emit, emit_index};
 use crate::emit::{EmitError, EmitOptions};
 use machinist_model::Model;
@@ -124,6 +125,34 @@ pub fn emit_scenes(folder: &Path, models: &[Model], mode: Mode) -> Result<Summar
         }
         Mode::Check => check_all(files, orphans),
     }
+}
+
+/// Emits a model as C99 to `folder`: `<scene>.h`, `<scene>.c`, `CMakeLists.txt` and an example.
+///
+/// # Errors
+/// As [`emit_scenes`].
+pub fn emit_c99(
+    folder: &Path,
+    model: &Model,
+    options: &C99Options,
+    mode: Mode,
+) -> Result<Summary, WriteError> {
+    let refuse = |source| WriteError::Emit { scene: model.name.clone(), source };
+    let emitted = c99::emit(model, options).map_err(refuse)?;
+    let mut files = Vec::with_capacity(emitted.len());
+    for c99::C99File { name, text } in emitted {
+        files.push((path_within(folder, &name)?, name, text));
+    }
+    if mode == Mode::Check {
+        return check_all(files, Vec::new());
+    }
+    refuse_foreign(files.iter().map(|(path, _, text)| (path.as_path(), text.as_str())))?;
+    let files = files.into_iter().map(|(path, file, text)| {
+        let failed = |source| WriteError::Io { path: path.clone(), source };
+        fs::create_dir_all(folder).map_err(failed)?;
+        Ok((file, write_if_changed(&path, &text).map_err(failed)?))
+    });
+    Ok(Summary { files: files.collect::<Result<_, WriteError>>()?, orphans: Vec::new() })
 }
 
 /// The manifest of a crate.
@@ -271,7 +300,8 @@ fn orphans(folder: &Path, texts: &[(String, String)]) -> Result<Vec<String>, Wri
 
 /// Whether a file begins as emitted files do.
 fn is_emitted(path: &Path) -> bool {
-    fs::read(path).is_ok_and(|bytes| bytes.starts_with(MARK.as_bytes()))
+    let marks = [MARK.to_owned(), format!("/* {}", c99::MARK), format!("# {}", c99::MARK)];
+    fs::read(path).is_ok_and(|bytes| marks.iter().any(|mark| bytes.starts_with(mark.as_bytes())))
 }
 
 /// The path of a plain file name in a folder.

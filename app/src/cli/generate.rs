@@ -1,8 +1,10 @@
-//! `machinist gen`: specs to emitted Rust, or the check that it is fresh.
+//! `machinist gen`: specs to emitted Rust or C99, or the check that it is fresh.
+
+mod c99;
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
 use machinist_model::Model;
@@ -17,33 +19,75 @@ use crate::spec_source::SpecSource;
 /// Where emitted scenes are kept.
 pub const EMITTED: &str = "generated/src/scenes";
 
+/// What is emitted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Target {
+    /// All scenes of a folder as modules of a crate
+    Rust,
+    /// One scene as a header, a source, a CMake file and an example
+    C99,
+}
+
 #[derive(Debug, Args)]
 pub struct Generate {
+    /// With --target c99: name or file of the scene, or a model file
+    scene: Option<String>,
+    /// The language
+    #[arg(long, value_name = "NAME", default_value = "rust")]
+    target: Target,
     /// Write nothing; fail if any emitted file is not what the specs give
     #[arg(long)]
     check: bool,
     /// The folder of the scenes
     #[arg(long, value_name = "DIR", default_value = scene::SCENES)]
     specs: PathBuf,
-    /// The folder of the emitted files
-    #[arg(long, value_name = "DIR", default_value = EMITTED)]
-    out: PathBuf,
+    /// The folder of the emitted files; of Rust generated/src/scenes unless given
+    #[arg(short, long, value_name = "DIR")]
+    out: Option<PathBuf>,
     /// Leave nothing out, whether the outputs need it or not
     #[arg(long)]
     keep_all: bool,
+    #[command(flatten)]
+    c99: c99::Options,
 }
 
 impl Generate {
-    /// Everything is derived and emitted in memory before anything is written.
     pub fn execute(&self) -> Result<(), Failure> {
+        let mode = if self.check { Mode::Check } else { Mode::Write };
+        match (self.target, &self.scene) {
+            (Target::C99, Some(scene)) => {
+                let Some(out) = &self.out else {
+                    let message = "--target c99 needs a folder for the files of the scene";
+                    return Err(Failure::input(message, format!("-o {scene}")));
+                };
+                self.c99.execute(scene, self.keep_all, out, mode)
+            }
+            (Target::C99, None) => {
+                let message = "--target c99 emits one scene at a time, and none is given";
+                Err(Failure::input(message, "machinist gen --target c99 SCENE -o FOLDER"))
+            }
+            (Target::Rust, Some(scene)) => {
+                let message = format!("--target rust emits all scenes of a folder, not `{scene}`");
+                let help = "leave the name out; `--specs` names another folder of scenes";
+                Err(Failure::input(message, help))
+            }
+            (Target::Rust, None) => {
+                self.c99.refuse()?;
+                self.rust(mode)
+            }
+        }
+    }
+
+    /// Everything is derived and emitted in memory before anything is written.
+    fn rust(&self, mode: Mode) -> Result<(), Failure> {
+        let out = self.out.clone().unwrap_or_else(|| PathBuf::from(EMITTED));
         let files = specs::scene_files(&self.specs)?;
         let bench_files = specs::scene_files_below(&self.specs, scene::BENCH)?;
         let models = self.models(&files)?;
         let bench_programs = self.models(&bench_files)?;
-        let mode = if self.check { Mode::Check } else { Mode::Write };
-        let mut text = describe(&emit_scenes(&self.out, &models, mode)?, "");
+        let mut text = describe(&emit_scenes(&out, &models, mode)?, "");
         if !bench_programs.is_empty() {
-            let emitted = emit_scenes(&self.out.join(scene::BENCH), &bench_programs, mode)?;
+            let emitted = emit_scenes(&out.join(scene::BENCH), &bench_programs, mode)?;
             text.push_str(&describe(&emitted, "bench/"));
         }
         print(&text)

@@ -18,7 +18,7 @@ mod layout;
 mod motion;
 mod names;
 mod operation;
-mod plan;
+pub(super) mod plan;
 mod points;
 mod prepare;
 mod series;

@@ -18,6 +18,7 @@ use super::names::{Namer, identifier};
 use super::operation::{Expressions, Strength, Written};
 use super::plan::{Place, plan};
 use crate::emit::EmitError;
+use crate::emit::telling::{LONGEST_NAME, describe, is_temporary};
 use machinist_model::{NodeId, Op, Tape};
 
 /// Names a body may use.
@@ -200,7 +201,7 @@ impl Writer<'_> {
         if let Some(name) = &self.names[index] {
             return name.clone();
         }
-        let telling = self.describe(&self.tape.nodes[index].op);
+        let telling = describe(self.tape, &self.tape.nodes[index].op, |id| self.word(id));
         let telling = telling.filter(|name| name.len() <= LONGEST_NAME);
         let wanted = telling.or_else(|| self.spare_names[index].take()).unwrap_or_else(|| {
             self.temporaries += 1;
@@ -302,27 +303,6 @@ impl Writer<'_> {
         }
     }
 
-    /// A telling name for the value of an operation on named things.
-    fn describe(&self, op: &Op) -> Option<String> {
-        let joined = |a, word, b| Some(format!("{}_{word}_{}", self.word(a)?, self.word(b)?));
-        match *op {
-            Op::Call(function, a) => Some(format!("{}_{}", function.name(), self.word(a)?)),
-            Op::Neg(a) => Some(format!("minus_{}", self.word(a)?)),
-            Op::Powi(a, -1) => Some(format!("inverse_{}", self.word(a)?)),
-            Op::Powi(a, 2) => Some(format!("{}_squared", self.word(a)?)),
-            Op::Powi(a, 3) => Some(format!("{}_cubed", self.word(a)?)),
-            Op::Mul(a, b) if a == b => Some(format!("{}_squared", self.word(a)?)),
-            Op::Mul(a, b) => joined(a, "times", b),
-            Op::Add(a, b) => joined(a, "plus", b),
-            Op::Sub(a, b) => joined(a, "minus", b),
-            Op::Div(a, b) if self.tape[a].op == Op::Literal(1.0) => {
-                Some(format!("inverse_{}", self.word(b)?))
-            }
-            Op::Div(a, b) => joined(a, "over", b),
-            _ => None,
-        }
-    }
-
     /// The name by which an operand is known, if it has a telling one.
     fn word(&self, id: NodeId) -> Option<String> {
         let index = id.0 as usize;
@@ -338,16 +318,10 @@ impl Writer<'_> {
                 let name = self.scope.given(op)?.to_string();
                 (!is_temporary(&name)).then_some(name)
             }
-            _ if self.places[index] != Place::Statement => self.describe(op),
+            _ if self.places[index] != Place::Statement => {
+                describe(self.tape, op, |id| self.word(id))
+            }
             _ => None,
         }
     }
 }
-
-/// Whether a name is one of our own making that says nothing.
-fn is_temporary(name: &str) -> bool {
-    name.strip_prefix('t').is_some_and(|rest| rest.parse::<u32>().is_ok())
-}
-
-/// Longer names say no more than a number does.
-const LONGEST_NAME: usize = 36;

@@ -11,12 +11,12 @@ const LONGEST_EXPRESSION: usize = 24;
 
 /// What becomes of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Place {
+pub(in crate::emit) enum Place {
     /// No result needs it, or it is part of a fused sum.
     Nowhere,
     /// Written into the expression that uses it.
     Inline,
-    /// A `let` of its own.
+    /// A variable of its own.
     Statement,
 }
 
@@ -63,6 +63,11 @@ pub(super) fn plan(
         }
     }
     places
+}
+
+/// [`plan`] for a target that fuses no products and puts no calls together.
+pub(in crate::emit) fn plain(tape: &Tape, spread_results: bool) -> Vec<Place> {
+    plan(tape, &vec![None; tape.nodes.len()], &[], spread_results)
 }
 
 /// Size of the expression of an operation with all that is inlined into it,

@@ -1,0 +1,290 @@
+//! A scene as C99: one header, one source, a CMake file and an example.
+//!
+//! No heap, no mutable globals, no recursion, no input or output. The functions compute the same
+//! operations in the same order as the emitted Rust, so that both agree bit for bit where
+//! products are not fused.
+
+mod body;
+mod description;
+mod events;
+mod expression;
+mod functions;
+mod helpers;
+mod layout;
+mod names;
+mod project;
+mod solve;
+mod step;
+
+use machinist_model::hoist::Hoisted;
+use machinist_model::{Model, StateKind};
+
+use super::EmitError;
+use body::{Scope, body};
+use expression::Written;
+use names::Namer;
+
+/// The type of numbers of emitted C.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Real {
+    /// `double`.
+    #[default]
+    Double,
+    /// `float`.
+    Float,
+}
+
+impl Real {
+    /// Its name in C.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Double => "double",
+            Self::Float => "float",
+        }
+    }
+
+    /// A function of the standard library on numbers of this type.
+    fn function(self, name: &str) -> String {
+        match self {
+            Self::Double => name.to_owned(),
+            Self::Float => format!("{name}f"),
+        }
+    }
+
+    /// The shortest literal that reads back as the number of this type that is nearest to a
+    /// value; nothing if that is not finite.
+    fn literal(self, value: f64) -> Option<String> {
+        #[allow(clippy::cast_possible_truncation, reason = "the nearest number of C's float")]
+        match self {
+            Self::Double => value.is_finite().then(|| format!("{value:?}")),
+            Self::Float => {
+                let value = value as f32;
+                value.is_finite().then(|| format!("{value:?}f"))
+            }
+        }
+    }
+}
+
+/// How steps of a fixed length are taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum FixedMethod {
+    /// The classical Runge-Kutta method of order 4.
+    #[default]
+    RungeKutta4,
+    /// Heun's method, of order 2.
+    Heun,
+}
+
+impl FixedMethod {
+    /// Each with its name on the command line.
+    pub const ALL: [(Self, &'static str); 2] = [(Self::RungeKutta4, "rk4"), (Self::Heun, "heun")];
+
+    /// What it is, within a sentence.
+    fn meaning(self) -> &'static str {
+        match self {
+            Self::RungeKutta4 => "the classical Runge-Kutta method of order 4",
+            Self::Heun => "Heun's method of order 2",
+        }
+    }
+}
+
+/// What to emit.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct C99Options {
+    /// The type of numbers.
+    pub real: Real,
+    /// How steps are taken.
+    pub method: FixedMethod,
+    /// The command that makes the files again, for their headers.
+    pub command: String,
+    /// Names of parameters that are inputs: they get a struct of their own.
+    pub inputs: Vec<String>,
+    /// The state in which a run of the spec starts, where that is more than its initial values:
+    /// on the constraints, or in equilibrium.
+    pub start: Option<Vec<f64>>,
+}
+
+/// An emitted file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct C99File {
+    /// Its name, without folders.
+    pub name: String,
+    /// What it holds.
+    pub text: String,
+}
+
+/// The first words of every emitted file, by which it is recognised.
+pub(crate) const MARK: &str = "Emitted by Machinist";
+
+/// The files of a scene: header, source, CMake file and example.
+///
+/// # Errors
+/// [`EmitError::Unsupported`] of a scene with fields, which are cut into elements when a run
+/// begins, and of an input that is no parameter; else as [`rust::emit`](super::rust::emit).
+pub fn emit(model: &Model, options: &C99Options) -> Result<Vec<C99File>, EmitError> {
+    model.validate()?;
+    if let Some(field) = model.fields.first() {
+        return Err(fields_are_unsupported(&field.quantities[0].name.path));
+    }
+    let scene = Scene::new(model, options)?;
+    let functions = functions::functions(&scene)?;
+    let name = &model.name;
+    let file = |name: String, text: String| C99File { name, text };
+    Ok(vec![
+        file(format!("{name}.h"), description::header(&scene, &functions)?),
+        file(format!("{name}.c"), description::source(&scene, &functions)?),
+        file("CMakeLists.txt".to_owned(), project::cmake(&scene)),
+        file(format!("{name}_example.c"), project::example(&scene)?),
+    ])
+}
+
+/// Why a scene with fields is refused.
+fn fields_are_unsupported(field: &str) -> EmitError {
+    let message = format!(
+        "the field `{field}` is cut into elements when a run begins, which emitted C99 does not do"
+    );
+    EmitError::Unsupported { message }
+}
+
+/// A model with the names of its emitted files.
+struct Scene<'a> {
+    model: &'a Model,
+    options: &'a C99Options,
+    /// Variables that hold entries of the state.
+    states: Vec<String>,
+    /// Members of the state.
+    state_members: Vec<String>,
+    /// Members of the parameters.
+    parameter_members: Vec<String>,
+    /// Expressions of the parameters that tapes read.
+    parameters: Vec<Written>,
+    /// Members of the outputs.
+    output_members: Vec<String>,
+    tables: Vec<String>,
+    /// Names that variables must not take.
+    namer: Namer,
+    hoisted: Hoisted,
+    /// Members of the constants.
+    constants: Vec<String>,
+    /// Statements that compute the constants.
+    prepare: Vec<String>,
+    /// Expressions of the results of the motion.
+    motion: Vec<String>,
+    /// Which parameters are inputs.
+    inputs: Vec<usize>,
+}
+
+impl<'a> Scene<'a> {
+    fn new(model: &'a Model, options: &'a C99Options) -> Result<Self, EmitError> {
+        let idents = model.states.iter().map(|state| state.quantity.name.ident.as_str());
+        let state_members = Namer::members(idents);
+        let parameter_members =
+            Namer::members(model.parameters.iter().map(|p| p.quantity.name.ident.as_str()));
+        let output_members = Namer::members(model.wanted.iter().map(|o| o.name.ident.as_str()));
+        let hoisted = Hoisted::new(model);
+        let mut namer = Namer::for_locals(helpers::names(model, &hoisted, options.real));
+        let tables = model.tables.iter();
+        let tables: Vec<String> =
+            tables.map(|table| namer.claim(&format!("{}_table", table.name.ident))).collect();
+        let states: Vec<String> = state_members.iter().map(|name| namer.claim(name)).collect();
+        let parameters = parameter_members.iter().map(|name| Written::call(format!("p->{name}")));
+        let parameters = parameters.collect();
+        let mut scene = Self {
+            model,
+            options,
+            states,
+            state_members,
+            parameter_members,
+            parameters,
+            output_members,
+            tables,
+            namer,
+            hoisted,
+            constants: Vec::new(),
+            prepare: Vec::new(),
+            motion: Vec::new(),
+            inputs: inputs(model, &options.inputs)?,
+        };
+        scene.name_constants()?;
+        scene.motion = solve::results(&scene)?;
+        Ok(scene)
+    }
+
+    /// Names what is computed once a run by the variables that compute it.
+    fn name_constants(&mut self) -> Result<(), EmitError> {
+        let prepare = body(&self.hoisted.constants, &self.scope("prepare"), true)?;
+        // Every constant is an operation, so what stands for it is a variable.
+        self.constants = prepare.results;
+        self.prepare = prepare.statements;
+        Ok(())
+    }
+
+    /// What bodies may name.
+    fn scope<'s>(&'s self, function: &'s str) -> Scope<'s> {
+        Scope {
+            function,
+            real: self.options.real,
+            states: &self.states,
+            parameters: &self.parameters,
+            constants: &self.constants,
+            motion: &self.motion,
+            tables: &self.tables,
+            namer: &self.namer,
+        }
+    }
+
+    /// The type of numbers.
+    fn real(&self) -> &'static str {
+        self.options.real.name()
+    }
+
+    /// A public name: `saw_gin_rate`.
+    fn public(&self, name: &str) -> String {
+        format!("{}_{name}", self.model.name)
+    }
+
+    /// A macro: `SAW_GIN_STATES`.
+    fn macro_name(&self, name: &str) -> String {
+        format!("{}_{name}", self.model.name.to_ascii_uppercase())
+    }
+
+    /// A text of ours with this scene's names and type of numbers in it.
+    fn filled(&self, snippet: &str) -> String {
+        let text = snippet
+            .replace("scene_real_t", self.real())
+            .replace("scene_index_t", self.index_type())
+            .replace("scene_", &format!("{}_", self.model.name))
+            .replace("SCENE_", &self.macro_name(""));
+        helpers::with_literals(&text, self.options.real)
+    }
+
+    /// The smallest type of C that holds every index of the scene.
+    fn index_type(&self) -> &'static str {
+        let model = self.model;
+        let nonzeros = model.functions().filter_map(|row| Some(row.pattern?(model).entries.len()));
+        let motion = model.motion.as_ref().map_or(0, |motion| motion.tape.results.len());
+        let terms = model.functions().filter_map(|row| model.solve(row.id)).map(|solve| {
+            let terms: usize = solve.steps.iter().map(|step| step.terms.len()).sum();
+            terms.max(solve.inputs()).max(solve.rows as usize).max(solve.columns as usize)
+        });
+        let most = nonzeros.chain(terms).chain([motion, model.states.len()]).max().unwrap_or(0);
+        if most < usize::from(u16::MAX) { "uint16_t" } else { "uint32_t" }
+    }
+
+    /// Entries of the state that are modes.
+    fn is_mode(&self, entry: usize) -> bool {
+        self.model.states[entry].kind == StateKind::Mode
+    }
+}
+
+/// Which parameters these names mean.
+fn inputs(model: &Model, names: &[String]) -> Result<Vec<usize>, EmitError> {
+    let find = |name: &String| {
+        let found = model.parameters.iter().position(|p| p.quantity.name.path == *name);
+        found.ok_or_else(|| EmitError::Unsupported {
+            message: format!("the input `{name}` is no parameter"),
+        })
+    };
+    names.iter().map(find).collect()
+}

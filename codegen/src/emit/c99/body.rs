@@ -1,0 +1,247 @@
+//! One tape as the body of a C function.
+//!
+//! Statements come in the tape's order and expressions keep the tape's association, so that C
+//! that is compiled without fused products gives the bits of
+//! [`machinist_model::evaluate`], as emitted Rust does.
+
+use std::collections::BTreeSet;
+
+use machinist_model::{Function, NodeId, Op, Tape};
+
+use super::Real;
+use super::expression::{Strength, Written, operation};
+use super::names::Namer;
+use crate::emit::EmitError;
+use crate::emit::rust::plan::{Place, plain};
+use crate::emit::telling::{LONGEST_NAME, describe, is_temporary};
+
+/// Names a body may use.
+#[derive(Clone, Copy)]
+pub(super) struct Scope<'a> {
+    /// The function, for messages.
+    pub(super) function: &'a str,
+    /// The type of numbers.
+    pub(super) real: Real,
+    /// Variables that hold the entries of the state.
+    pub(super) states: &'a [String],
+    /// Expressions for the parameters.
+    pub(super) parameters: &'a [Written],
+    /// Members of the constants.
+    pub(super) constants: &'a [String],
+    /// Expressions for the results of the motion.
+    pub(super) motion: &'a [String],
+    /// Tables.
+    pub(super) tables: &'a [String],
+    /// Names not to be taken by new variables; holds those of the states.
+    pub(super) namer: &'a Namer,
+}
+
+/// What a body reads.
+#[derive(Debug, Default)]
+#[allow(clippy::struct_excessive_bools, reason = "one for each argument of a function")]
+pub(super) struct Reads {
+    pub(super) time: bool,
+    pub(super) parameters: bool,
+    pub(super) constants: bool,
+    pub(super) motion: bool,
+    /// Entries of the state.
+    pub(super) state: BTreeSet<usize>,
+}
+
+/// A body: statements, then one expression for each result.
+pub(super) struct Body {
+    pub(super) statements: Vec<String>,
+    pub(super) results: Vec<String>,
+    pub(super) reads: Reads,
+}
+
+/// Turns a tape into a body. With `spread_results`, results that are more than leaves are
+/// variables.
+pub(super) fn body(
+    tape: &Tape,
+    scope: &Scope<'_>,
+    spread_results: bool,
+) -> Result<Body, EmitError> {
+    let mut places = plain(tape, spread_results);
+    let pairs = sine_cosine_pairs(tape, &mut places, scope.real);
+    let mut writer = Writer {
+        tape,
+        scope,
+        places,
+        names: vec![None; tape.nodes.len()],
+        namer: scope.namer.clone(),
+        temporaries: 0,
+    };
+    writer.name_from_spec();
+    let mut statements = Vec::new();
+    for index in 0..tape.nodes.len() {
+        if writer.places[index] != Place::Statement {
+            continue;
+        }
+        match pairs[index] {
+            Pair::No => {
+                let value = writer.node(index)?.text;
+                let name = writer.variable(index);
+                statements.push(format!("const {} {name} = {value};", scope.real.name()));
+            }
+            Pair::First { sine, cosine } => {
+                let argument = writer.argument(index)?;
+                let [sine, cosine] = [sine, cosine].map(|at| writer.variable(at));
+                statements.push(format!("{} {sine}, {cosine};", scope.real.name()));
+                statements.push(format!("sine_and_cosine({argument}, &{sine}, &{cosine});"));
+            }
+            Pair::Second => {}
+        }
+    }
+    let results = tape.results.iter().map(|&id| Ok(writer.operand(id)?.text));
+    let results = results.collect::<Result<_, EmitError>>()?;
+    let reads = reads(tape, &writer.places, scope);
+    Ok(Body { statements, results, reads })
+}
+
+/// What a written node reads from outside.
+fn reads(tape: &Tape, places: &[Place], scope: &Scope<'_>) -> Reads {
+    let mut reads = Reads::default();
+    let written = tape.nodes.iter().zip(places).filter(|(_, place)| **place != Place::Nowhere);
+    for (node, _) in written {
+        match node.op {
+            Op::Time => reads.time = true,
+            Op::State(entry) => {
+                reads.state.insert(entry as usize);
+            }
+            Op::Parameter(entry) => {
+                reads.parameters |= scope.parameters[entry as usize].text.starts_with("p->");
+            }
+            Op::Constant(_) => reads.constants = true,
+            Op::Motion(_) => reads.motion = true,
+            _ => {}
+        }
+    }
+    reads
+}
+
+/// Whether a node is the sine or the cosine of what the other is taken of too.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Pair {
+    No,
+    /// The first of the two on the tape, where both are computed.
+    First {
+        sine: usize,
+        cosine: usize,
+    },
+    Second,
+}
+
+/// Sines and cosines of the same argument, which one call computes. They become variables.
+fn sine_cosine_pairs(tape: &Tape, places: &mut [Place], real: Real) -> Vec<Pair> {
+    let mut pairs = vec![Pair::No; tape.nodes.len()];
+    if real != Real::Double {
+        return pairs;
+    }
+    let of = |index: usize| match tape.nodes[index].op {
+        Op::Call(function @ (Function::Sin | Function::Cos), argument) => {
+            Some((argument, function == Function::Sin))
+        }
+        _ => None,
+    };
+    let mut open: Vec<(NodeId, bool, usize)> = Vec::new();
+    for index in (0..tape.nodes.len()).filter(|index| places[*index] != Place::Nowhere) {
+        let Some((argument, is_sine)) = of(index) else { continue };
+        let other = open.iter().position(|&(of, sine, _)| of == argument && sine != is_sine);
+        match other {
+            None => open.push((argument, is_sine, index)),
+            Some(other) => {
+                let (_, _, first) = open.swap_remove(other);
+                let (sine, cosine) = if is_sine { (index, first) } else { (first, index) };
+                pairs[first] = Pair::First { sine, cosine };
+                pairs[index] = Pair::Second;
+            }
+        }
+    }
+    for (place, pair) in places.iter_mut().zip(&pairs) {
+        if *pair != Pair::No {
+            *place = Place::Statement;
+        }
+    }
+    pairs
+}
+
+struct Writer<'a> {
+    tape: &'a Tape,
+    scope: &'a Scope<'a>,
+    places: Vec<Place>,
+    names: Vec<Option<String>>,
+    namer: Namer,
+    temporaries: u32,
+}
+
+impl Writer<'_> {
+    /// Claims the spec's names, before any name of our own making can take them.
+    fn name_from_spec(&mut self) {
+        for (index, node) in self.tape.nodes.iter().enumerate() {
+            if let (Some(name), Place::Statement) = (&node.name, self.places[index]) {
+                self.names[index] = Some(self.namer.claim(name));
+            }
+        }
+    }
+
+    /// The variable of a node, named on first use.
+    fn variable(&mut self, index: usize) -> String {
+        if let Some(name) = &self.names[index] {
+            return name.clone();
+        }
+        let telling = describe(self.tape, &self.tape.nodes[index].op, |id| self.word(id));
+        let telling = telling.filter(|name| name.len() <= LONGEST_NAME);
+        let wanted = telling.unwrap_or_else(|| {
+            self.temporaries += 1;
+            format!("t{}", self.temporaries - 1)
+        });
+        let name = self.namer.claim(&wanted);
+        self.names[index] = Some(name.clone());
+        name
+    }
+
+    fn operand(&mut self, id: NodeId) -> Result<Written, EmitError> {
+        let index = id.0 as usize;
+        if self.places[index] == Place::Statement {
+            return Ok(Written::call(self.variable(index)));
+        }
+        self.node(index)
+    }
+
+    /// The expression of a node.
+    fn node(&mut self, index: usize) -> Result<Written, EmitError> {
+        let (op, scope) = (self.tape.nodes[index].op, self.scope);
+        operation(&op, scope, &mut |id| self.operand(id))
+    }
+
+    /// The argument of a call.
+    fn argument(&mut self, index: usize) -> Result<String, EmitError> {
+        match self.tape.nodes[index].op {
+            Op::Call(_, argument) => Ok(self.operand(argument)?.at_least(Strength::Sum)),
+            _ => Ok(self.node(index)?.text),
+        }
+    }
+
+    /// The name by which an operand is known, if it has a telling one.
+    fn word(&self, id: NodeId) -> Option<String> {
+        let index = id.0 as usize;
+        let telling = |name: &str| (!is_temporary(name)).then(|| name.to_owned());
+        if let (Place::Statement, Some(name)) = (self.places[index], &self.names[index]) {
+            return telling(name);
+        }
+        let op = &self.tape.nodes[index].op;
+        match *op {
+            Op::Time => Some("time".to_owned()),
+            Op::State(entry) => Some(self.scope.states[entry as usize].clone()),
+            Op::Parameter(entry) => {
+                self.scope.parameters[entry as usize].text.strip_prefix("p->").and_then(telling)
+            }
+            Op::Constant(entry) => telling(&self.scope.constants[entry as usize]),
+            _ if self.places[index] != Place::Statement => {
+                describe(self.tape, op, |id| self.word(id))
+            }
+            _ => None,
+        }
+    }
+}

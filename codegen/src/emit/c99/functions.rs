@@ -1,0 +1,288 @@
+//! The functions of the table of functions, one for each tape, and what goes before them.
+
+use machinist_model::functions::{FunctionId, FunctionRow, Gives, Reads};
+use machinist_model::{SparsityPattern, Tape, operations};
+
+use super::Scene;
+use super::body::{self, Body, body};
+use super::layout::{comment, remark, statement, statements};
+use super::solve;
+use crate::emit::EmitError;
+
+/// A function: its meaning, its head without a semicolon, its body.
+pub(super) struct Emitted {
+    pub(super) doc: String,
+    pub(super) head: String,
+    pub(super) body: String,
+    /// Whether only the source knows it.
+    pub(super) is_local: bool,
+}
+
+impl Emitted {
+    /// Its declaration, with what it means.
+    pub(super) fn declaration(&self) -> String {
+        format!("{}{};\n", comment([&self.doc]), self.head)
+    }
+
+    /// Its definition, with what it means if no declaration says it.
+    pub(super) fn definition(&self) -> String {
+        let doc = if self.is_local { comment([&self.doc]) } else { String::new() };
+        format!("{doc}{}\n{{\n{}}}\n", self.head, self.body)
+    }
+}
+
+/// What every function of time and state takes first.
+pub(super) fn arguments(scene: &Scene<'_>) -> String {
+    format!(
+        "{} time, const {} *state, const {} *p, const {} *c",
+        scene.real(),
+        scene.public("state_t"),
+        scene.public("parameters_t"),
+        scene.public("constants_t")
+    )
+}
+
+/// All functions, in the order in which they can be defined.
+pub(super) fn functions(scene: &Scene<'_>) -> Result<Vec<Emitted>, EmitError> {
+    let mut functions = vec![defaults(scene)?, prepare(scene)];
+    if scene.model.motion.is_some() {
+        functions.push(solve::motion(scene)?);
+    }
+    for row in scene.model.functions() {
+        if (row.results)(scene.model) > 0 {
+            functions.push(function(scene, row)?);
+        }
+    }
+    Ok(functions)
+}
+
+/// The parameters of the spec.
+fn defaults(scene: &Scene<'_>) -> Result<Emitted, EmitError> {
+    let mut body = String::new();
+    for (parameter, member) in scene.model.parameters.iter().zip(&scene.parameter_members) {
+        let value = scene.options.real.literal(parameter.value);
+        let value = value.ok_or_else(|| EmitError::NotFinite {
+            place: format!("parameter `{}`", parameter.quantity.name.path),
+            value: parameter.value,
+        })?;
+        body.push_str(&statement(&format!("p->{member} = {value};"), 4));
+    }
+    if body.is_empty() {
+        body.push_str("    p->none = 0;\n");
+    }
+    let (name, parameters) = (scene.public("default_parameters"), scene.public("parameters_t"));
+    Ok(Emitted {
+        doc: "Sets all parameters to the values of the spec.".to_owned(),
+        head: format!("void {name}({parameters} *p)"),
+        body,
+        is_local: false,
+    })
+}
+
+/// What parameters alone decide.
+fn prepare(scene: &Scene<'_>) -> Emitted {
+    let mut body = statements(&scene.prepare);
+    for name in &scene.constants {
+        body.push_str(&statement(&format!("c->{name} = {name};"), 4));
+    }
+    if scene.constants.is_empty() {
+        body.push_str("    (void)p;\n    c->none = 0;\n");
+    }
+    let (name, count) = (scene.public("prepare"), scene.hoisted.operations());
+    let [parameters, constants] = ["parameters_t", "constants_t"].map(|name| scene.public(name));
+    Emitted {
+        doc: format!(
+            "Computes what parameters alone decide: call it whenever parameters have changed. {}",
+            counted(count)
+        ),
+        head: format!("void {name}(const {parameters} *p, {constants} *c)"),
+        body,
+        is_local: false,
+    }
+}
+
+/// The function of a row.
+fn function(scene: &Scene<'_>, row: &FunctionRow) -> Result<Emitted, EmitError> {
+    let tape = tape(scene, row);
+    let solved = scene.model.solve(row.id);
+    let Body { statements: lines, results, reads } = body(tape, &scene.scope(row.name), false)?;
+    let reads_motion = reads.motion || solved.is_some();
+    let mut text = opening(scene, row, &reads, reads_motion);
+    text.push_str(&statements(&lines));
+    if let (Some(of), Some(matrix)) = (solved, row.matrix) {
+        text.push_str(&solve::call(scene, row.name, of, &matrix(scene.model).pattern, &results));
+    } else {
+        for ((place, remark), result) in places(scene, row).into_iter().zip(&results) {
+            let mut line = statement(&format!("{place} = {result};"), 4);
+            if !remark.is_empty() && line.lines().count() == 1 && line.len() + remark.len() < 100 {
+                line = format!("{} {remark}\n", line.trim_end());
+            }
+            text.push_str(&line);
+        }
+    }
+    let (name, out) = (scene.public(row.name), out(scene, row));
+    let head = match row.reads {
+        Reads::Motion => format!("void {name}({}, {out})", arguments(scene)),
+        Reads::Parameters => {
+            format!("void {name}(const {} *p, {out})", scene.public("parameters_t"))
+        }
+    };
+    let doc = format!("{} {}", plain(row.doc), counted(operations(tape)));
+    Ok(Emitted { doc, head: broken_head(&head), body: text, is_local: false })
+}
+
+/// The tape that is emitted of a row.
+fn tape<'a>(scene: &'a Scene<'_>, row: &FunctionRow) -> &'a Tape {
+    match row.id {
+        FunctionId::Rate => &scene.hoisted.rate,
+        FunctionId::RateJacobian => &scene.hoisted.rate_jacobian,
+        FunctionId::ParameterJacobian => &scene.hoisted.parameter_jacobian,
+        _ => (row.tape)(scene.model),
+    }
+}
+
+/// Variables for the entries of the state that are read, and arguments that are not.
+fn opening(
+    scene: &Scene<'_>,
+    row: &FunctionRow,
+    reads: &body::Reads,
+    reads_motion: bool,
+) -> String {
+    let mut text = String::new();
+    let of_motion = row.reads == Reads::Motion;
+    for &entry in &reads.state {
+        let (name, member) = (&scene.states[entry], &scene.state_members[entry]);
+        text.push_str(&statement(&format!("const {} {name} = state->{member};", scene.real()), 4));
+    }
+    if reads_motion {
+        text.push_str("    struct motion m;\n");
+    }
+    let unused = [
+        ("time", of_motion && !reads.time && !reads_motion),
+        ("state", of_motion && reads.state.is_empty() && !reads_motion),
+        ("p", !reads.parameters && !reads_motion),
+        ("c", of_motion && !reads.constants && !reads_motion),
+    ];
+    for (name, _) in unused.iter().filter(|(_, is_unused)| *is_unused) {
+        text.push_str(&format!("    (void){name};\n"));
+    }
+    if reads_motion {
+        text.push_str("    motion(time, state, p, c, &m);\n");
+    }
+    text
+}
+
+/// Where the result of a function goes: its last argument.
+fn out(scene: &Scene<'_>, row: &FunctionRow) -> String {
+    let real = scene.real();
+    match row.gives {
+        Gives::Numbers("STATES") => format!("{} *values", scene.public("state_t")),
+        Gives::Numbers(length) => format!("{real} values[{}]", scene.macro_name(length)),
+        Gives::Matrix(_) => format!("{real} values[{}]", nonzeros(scene, row.name)),
+        Gives::Record(..) => format!("{} *values", scene.public("outputs_t")),
+        Gives::Structure(..) => {
+            format!("{} *values", scene.public(&format!("{}_t", row.name)))
+        }
+    }
+}
+
+/// The macro that holds the number of nonzeros of a matrix.
+pub(super) fn nonzeros(scene: &Scene<'_>, name: &str) -> String {
+    scene.macro_name(&format!("{}_NONZEROS", name.to_ascii_uppercase()))
+}
+
+/// Where each result goes, and a remark on it.
+fn places(scene: &Scene<'_>, row: &FunctionRow) -> Vec<(String, String)> {
+    let members = |names: &[String]| {
+        names.iter().map(|name| (format!("values->{name}"), String::new())).collect()
+    };
+    let entries = |names: Vec<String>| {
+        let names = names.into_iter().enumerate();
+        names
+            .map(|(index, name)| {
+                let remark = if name.is_empty() { String::new() } else { remark(&name) };
+                (format!("values[{index}]"), remark)
+            })
+            .collect()
+    };
+    let count = (row.results)(scene.model);
+    match row.gives {
+        Gives::Numbers("STATES") => members(&scene.state_members),
+        Gives::Record(..) => members(&scene.output_members),
+        Gives::Structure(_, fields) => {
+            members(&fields.iter().map(|&field| field.to_owned()).collect::<Vec<_>>())
+        }
+        Gives::Matrix(_) => match row.pattern {
+            Some(pattern) => entries(matrix_remarks(scene, row.id, pattern(scene.model))),
+            None => entries(vec![String::new(); count]),
+        },
+        Gives::Numbers(_) => entries(remarks(scene, row.id, count)),
+    }
+}
+
+/// What the entries of an array are.
+fn remarks(scene: &Scene<'_>, id: FunctionId, count: usize) -> Vec<String> {
+    let model = scene.model;
+    match id {
+        FunctionId::Forcing => {
+            model.coordinates.iter().map(|c| c.position.name.path.clone()).collect()
+        }
+        FunctionId::Guards | FunctionId::GuardRates => {
+            model.events.iter().map(|event| event.name.path.clone()).collect()
+        }
+        FunctionId::Resets => {
+            let sets = model.events.iter().flat_map(|event| {
+                let states = event.sets.iter();
+                states.map(|&entry| {
+                    let state = &model.states[entry as usize].quantity.name.path;
+                    format!("{state} after {}", event.name.path)
+                })
+            });
+            sets.collect()
+        }
+        FunctionId::ConstraintValues | FunctionId::ConstraintRates => {
+            model.constraints.iter().map(|constraint| constraint.name.path.clone()).collect()
+        }
+        _ => vec![String::new(); count],
+    }
+}
+
+/// What the nonzeros of a matrix are.
+fn matrix_remarks(scene: &Scene<'_>, id: FunctionId, pattern: &SparsityPattern) -> Vec<String> {
+    let model = scene.model;
+    let path = |quantity: &machinist_model::Quantity| quantity.name.path.clone();
+    let states: Vec<String> = model.states.iter().map(|state| path(&state.quantity)).collect();
+    let coordinates: Vec<String> = model.coordinates.iter().map(|c| path(&c.position)).collect();
+    let parameters = || model.parameters.iter().map(|p| path(&p.quantity)).collect();
+    let constraints = || model.constraints.iter().map(|c| c.name.path.clone()).collect();
+    let (rows, columns) = match id {
+        FunctionId::RateJacobian => (states.clone(), states),
+        FunctionId::ParameterJacobian => (states, parameters()),
+        FunctionId::ConstraintMatrix => (constraints(), coordinates),
+        _ => (coordinates.clone(), coordinates),
+    };
+    let name = |names: &[String], at: u32| names.get(at as usize).cloned().unwrap_or_default();
+    let entries = pattern.entries.iter();
+    entries
+        .map(|&(row, column)| format!("{}, {}", name(&rows, row), name(&columns, column)))
+        .collect()
+}
+
+/// A head of a function in lines that fit.
+pub(super) fn broken_head(head: &str) -> String {
+    statement(head, 0).trim_end().to_owned()
+}
+
+/// Documentation of the contract as plain text.
+fn plain(doc: &str) -> String {
+    doc.replace('`', "").replace("\\[", "[").replace("\\]", "]")
+}
+
+/// How many operations a function takes.
+pub(super) fn counted(operations: usize) -> String {
+    match operations {
+        0 => "No operations.".to_owned(),
+        1 => "1 operation.".to_owned(),
+        many => format!("{many} operations."),
+    }
+}

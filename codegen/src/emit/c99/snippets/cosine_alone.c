@@ -1,0 +1,6 @@
+static double cosine(double x)
+{
+    double s, c;
+    sine_and_cosine(x, &s, &c);
+    return c;
+}

@@ -1,0 +1,213 @@
+/* 1 of a number above zero, -1 below, 0 else. */
+static int sign_of(scene_real_t x)
+{
+    return (R(0.0) < x) ? 1 : ((x < R(0.0)) ? -1 : 0);
+}
+
+/* Whether an event happens where its guard passes zero from a side. */
+static int is_wanted(size_t event, int side)
+{
+    return (side != 0) && (directions[event] != side);
+}
+
+/* Whether a guard is on the far side of zero, on which its event has happened. */
+static int is_beyond(size_t event, scene_real_t guard)
+{
+    return (directions[event] != 0) && (sign_of(guard) == directions[event]);
+}
+
+/* Whether a guard is beyond zero by no more than its rate takes back within h: at zero. */
+static int comes_back(scene_real_t guard, scene_real_t rate, scene_real_t h)
+{
+    return (sign_of(guard) * sign_of(rate) < 0) && (fabs(guard) <= h * fabs(rate));
+}
+
+/* Share of a step of length h at which a guard passes zero: the root of the cubic through its
+ * values and rates at both ends, by as many bisections as a number has digits. */
+static scene_real_t passing(int side, scene_real_t h, const scene_real_t guard[2],
+                            const scene_real_t rate[2])
+{
+    scene_real_t low = R(0.0);
+    scene_real_t high = R(1.0);
+    unsigned int digit;
+
+    for (digit = 0u; digit < SCENE_DIGITS; ++digit) {
+        const scene_real_t s = R(0.5) * (low + high);
+        const scene_real_t u = R(1.0) - s;
+        const scene_real_t start = (R(1.0) + R(2.0) * s) * guard[0] + s * h * rate[0];
+        const scene_real_t end = (R(3.0) - R(2.0) * s) * guard[1] - u * h * rate[1];
+        if (sign_of(u * u * start + s * s * end) == side) {
+            low = s;
+        } else {
+            high = s;
+        }
+    }
+    return high;
+}
+
+/* Sets right modes that contradict their guards: an event that leaves the modes it is watched for
+ * in and whose guard is beyond zero happens at once. `asked` says which; it is cleared of those
+ * that happen. Gives their number. */
+static int settle(scene_machine_t *machine, scene_real_t h, int asked[SCENE_EVENTS])
+{
+    scene_real_t guards[SCENE_EVENTS], rates[SCENE_EVENTS];
+    int happened = 0;
+    size_t round, event;
+
+    for (round = 0u; round < 2u * SCENE_EVENTS; ++round) {
+        int found = 0;
+        scene_guards(machine->time, &machine->state, &machine->p, &machine->c, guards);
+        scene_guard_rates(machine->time, &machine->state, &machine->p, &machine->c, rates);
+        for (event = 0u; (event < SCENE_EVENTS) && (found == 0); ++event) {
+            scene_state_t trial = machine->state;
+            if ((asked[event] == 0) || (scene_is_watched((unsigned int)event, &trial) == 0)
+                || (is_beyond(event, guards[event]) == 0)
+                || (comes_back(guards[event], rates[event], h) != 0)) {
+                continue;
+            }
+            scene_apply((unsigned int)event, machine->time, &trial, &machine->p, &machine->c);
+            if (scene_is_watched((unsigned int)event, &trial) == 0) {
+                machine->state = trial;
+                asked[event] = 0;
+                found = 1;
+            }
+        }
+        if (found == 0) {
+            break;
+        }
+        ++happened;
+HOLD
+    }
+    return happened;
+}
+
+/* Sees on which side of zero every guard is after events: `passed` have just happened. */
+static void look(scene_machine_t *machine, scene_real_t h, const int passed[SCENE_EVENTS])
+{
+    scene_real_t guards[SCENE_EVENTS], rates[SCENE_EVENTS];
+    size_t event;
+
+    scene_guards(machine->time, &machine->state, &machine->p, &machine->c, guards);
+    scene_guard_rates(machine->time, &machine->state, &machine->p, &machine->c, rates);
+    for (event = 0u; event < SCENE_EVENTS; ++event) {
+        int side = sign_of(guards[event]);
+        if (scene_is_watched((unsigned int)event, &machine->state) == 0) {
+            side = 0;
+        } else if ((passed[event] != 0) || (side == 0)) {
+            side = sign_of(rates[event]);
+        } else if ((machine->side[event] == 0) && (is_beyond(event, guards[event]) != 0)
+                   && (comes_back(guards[event], rates[event], h) != 0)) {
+            side = -side;
+        }
+        machine->side[event] = (signed char)side;
+    }
+}
+
+void scene_settle(scene_machine_t *machine)
+{
+    int asked[SCENE_EVENTS], passed[SCENE_EVENTS];
+    size_t event;
+
+    for (event = 0u; event < SCENE_EVENTS; ++event) {
+        asked[event] = 1;
+        passed[event] = 0;
+        machine->side[event] = 0;
+    }
+    (void)settle(machine, R(0.0), asked);
+    look(machine, R(0.0), passed);
+}
+
+/* Gives new values where guards have passed zero, at the end of a part of a step. */
+static int happen(scene_machine_t *machine, scene_real_t h, int passed[SCENE_EVENTS])
+{
+    scene_real_t before[SCENE_EVENTS];
+    int asked[SCENE_EVENTS];
+    int happened = 0;
+    size_t event;
+
+    scene_guards(machine->time, &machine->state, &machine->p, &machine->c, before);
+    for (event = 0u; event < SCENE_EVENTS; ++event) {
+        if ((passed[event] != 0)
+            && (scene_is_watched((unsigned int)event, &machine->state) != 0)) {
+            scene_apply((unsigned int)event, machine->time, &machine->state, &machine->p,
+                        &machine->c);
+            ++happened;
+        }
+    }
+HOLD
+    for (event = 0u; event < SCENE_EVENTS; ++event) {
+        asked[event] = (machine->side[event] == 0)
+            || ((passed[event] == 0) && (is_beyond(event, before[event]) == 0));
+    }
+    happened += settle(machine, h, asked);
+    look(machine, h, passed);
+    return happened;
+}
+
+int scene_step(scene_machine_t *machine, scene_real_t step)
+{
+    scene_real_t guards[2][SCENE_EVENTS], rates[2][SCENE_EVENTS];
+    scene_real_t shares[SCENE_EVENTS];
+    int passed[SCENE_EVENTS];
+    const scene_real_t start = machine->time;
+    const scene_real_t rest = machine->time_rest;
+    scene_real_t left = step;
+    scene_state_t end;
+    int happened = 0;
+    size_t part, event;
+
+    for (part = 0u; part <= SCENE_EVENTS_A_STEP; ++part) {
+        scene_real_t first = R(1.0);
+        int found = 0;
+        scene_guards(machine->time, &machine->state, &machine->p, &machine->c, guards[0]);
+        scene_guard_rates(machine->time, &machine->state, &machine->p, &machine->c, rates[0]);
+        advance(machine->time, left, &machine->state, &machine->p, &machine->c, &end);
+PROJECT_END
+        scene_guards(machine->time + left, &end, &machine->p, &machine->c, guards[1]);
+        scene_guard_rates(machine->time + left, &end, &machine->p, &machine->c, rates[1]);
+        for (event = 0u; event < SCENE_EVENTS; ++event) {
+            const int side = machine->side[event];
+            passed[event] = 0;
+            if ((is_wanted(event, side) != 0) && (sign_of(guards[1][event]) == -side)
+                && (scene_is_watched((unsigned int)event, &machine->state) != 0)) {
+                const scene_real_t guard[2] = { guards[0][event], guards[1][event] };
+                const scene_real_t rate[2] = { rates[0][event], rates[1][event] };
+                shares[event] = passing(side, left, guard, rate);
+                first = (shares[event] < first) ? shares[event] : first;
+                passed[event] = 1;
+                found = 1;
+            }
+        }
+        if ((found == 0) || (part == SCENE_EVENTS_A_STEP)) {
+            machine->state = end;
+            for (event = 0u; event < SCENE_EVENTS; ++event) {
+                const int side = sign_of(guards[1][event]);
+                if (scene_is_watched((unsigned int)event, &end) == 0) {
+                    machine->side[event] = 0;
+                } else if ((passed[event] == 0) && (side != 0)) {
+                    machine->side[event] = (signed char)side;
+                }
+            }
+            happened = (found == 0) ? happened : -1;
+            break;
+        }
+        if (first < R(1.0)) {
+            advance(machine->time, first * left, &machine->state, &machine->p, &machine->c, &end);
+PROJECT_FIRST
+        }
+        machine->state = end;
+        machine->time = machine->time + first * left;
+        left = left - first * left;
+        scene_guards(machine->time, &machine->state, &machine->p, &machine->c, guards[1]);
+        for (event = 0u; event < SCENE_EVENTS; ++event) {
+            passed[event] = (passed[event] != 0)
+                && ((shares[event] <= first)
+                    || (sign_of(guards[1][event]) == -machine->side[event]));
+        }
+        happened += happen(machine, left, passed);
+    }
+    machine->time = start;
+    machine->time_rest = rest;
+    pass_time(machine, step);
+    return happened;
+}

@@ -1,0 +1,16 @@
+/* The hyperbolic tangent, E/(E + 2) with E = e^(2 |x|) - 1; off by two units in the last place
+ * at most. */
+static double hyperbolic_tangent(double x)
+{
+    const double size = fabs(x);
+    const double near = (22.0 < size) ? 22.0 : size;
+    double n, r, rest, power, low, part, high, e;
+
+    n = reduced(near + near, &r, &rest);
+    power = power_of_two(n);
+    low = power - 1.0;
+    part = power * r;
+    high = low + part;
+    e = high + (power * rest + (part - (high - low)));
+    return copysign(e / (e + 2.0), x);
+}

@@ -1,0 +1,280 @@
+//! Steps of a fixed length: a struct that runs, how it begins, and one step.
+
+use std::fmt::Write as _;
+
+use machinist_model::{Direction, StateKind};
+
+use super::description::needs_start;
+use super::layout::{comment, statement};
+use super::{FixedMethod, Real, Scene};
+use crate::emit::EmitError;
+
+const RUNGE_KUTTA: &str = include_str!("snippets/runge_kutta.c");
+const HEUN: &str = include_str!("snippets/heun.c");
+const PROJECT: &str = include_str!("snippets/project.c");
+const TIME: &str = include_str!("snippets/time.c");
+const STEP: &str = include_str!("snippets/step.c");
+const EVENTS: &str = include_str!("snippets/events.c");
+
+/// The struct that runs, and its functions.
+pub(super) fn declarations(scene: &Scene<'_>) -> String {
+    let has_events = !scene.model.events.is_empty();
+    let mut text = String::new();
+    if has_events {
+        let most = scene.macro_name("EVENTS_A_STEP");
+        text.push_str(&comment([
+            "Largest number of times at which events happen within a step; what passes zero after \
+             that happens in the next step. Each event once, unless set otherwise.",
+        ]));
+        let count = scene.macro_name("EVENTS");
+        let _ = writeln!(text, "#ifndef {most}\n#define {most} {count}\n#endif\n");
+    }
+    text.push_str(&machine(scene));
+    let [machine, begin, step] = ["machine_t", "begin", "step"].map(|name| scene.public(name));
+    let prepare = scene.public("prepare");
+    let begins = if scene.options.start.is_some() {
+        "Sets parameters and time to those of the spec, and the state to the one in which its run \
+         starts with these parameters."
+    } else {
+        "Sets parameters, time and state to those of the spec."
+    };
+    let _ = write!(text, "\n{}void {begin}({machine} *machine);\n", comment([begins]));
+    if has_events {
+        let settle = scene.public("settle");
+        let doc = "Sets right modes that contradict their guards. Call it whenever the state has \
+                   been changed by hand.";
+        let _ = write!(text, "\n{}void {settle}({machine} *machine);\n", comment([doc]));
+    }
+    if !scene.inputs.is_empty() {
+        let _ = write!(
+            text,
+            "\n{}{};\n",
+            comment(["Sets the inputs, which hold until they are set again."]),
+            set_head(scene)
+        );
+    }
+    let events = if has_events {
+        " Gives the number of events that happened, or -1 if there were more than may be."
+    } else {
+        " Gives 0."
+    };
+    let doc = format!(
+        "Advances the machine by a step [s], by {}.{events} Parameters and inputs may be changed \
+         between steps; call {prepare} after that of parameters.",
+        scene.options.method.meaning()
+    );
+    let _ = write!(
+        text,
+        "\n{}int {step}({machine} *machine, {} step);\n",
+        comment([doc]),
+        scene.real()
+    );
+    text
+}
+
+fn machine(scene: &Scene<'_>) -> String {
+    let real = scene.real();
+    let [state, parameters, constants] =
+        ["state_t", "parameters_t", "constants_t"].map(|name| scene.public(name));
+    let mut text = inputs(scene);
+    text.push_str(&comment(["A machine that runs. There may be any number of them."]));
+    let _ = write!(
+        text,
+        "typedef struct {{\n    {real} time; /* [s] */\n    {real} time_rest; /* what the sum of \
+         steps leaves out of the time */\n    {state} state;\n    {parameters} p;\n    {constants} \
+         c;\n"
+    );
+    if !scene.model.events.is_empty() {
+        let count = scene.macro_name("EVENTS");
+        let _ = writeln!(
+            text,
+            "    signed char side[{count}]; /* on which side of zero guards are; 0: not watched */"
+        );
+    }
+    let _ = writeln!(text, "}} {};", scene.public("machine_t"));
+    text
+}
+
+/// The struct of the inputs, if there are any.
+fn inputs(scene: &Scene<'_>) -> String {
+    if scene.inputs.is_empty() {
+        return String::new();
+    }
+    let mut text = comment(["Inputs: parameters that change along a run."]);
+    text.push_str("typedef struct {\n");
+    for &input in &scene.inputs {
+        let meaning = super::description::meaning(&scene.model.parameters[input].quantity);
+        let member = &scene.parameter_members[input];
+        let remark = super::layout::remark(&meaning);
+        let _ = writeln!(text, "    {} {member}; {remark}", scene.real());
+    }
+    let _ = writeln!(text, "}} {};\n", scene.public("inputs_t"));
+    text
+}
+
+fn set_head(scene: &Scene<'_>) -> String {
+    let [set, machine, inputs] =
+        ["set_inputs", "machine_t", "inputs_t"].map(|name| scene.public(name));
+    format!("void {set}({machine} *machine, const {inputs} *inputs)")
+}
+
+/// What is declared above.
+pub(super) fn definitions(scene: &Scene<'_>) -> Result<String, EmitError> {
+    let is_constrained = !scene.model.constraints.is_empty();
+    let mut parts = vec![ahead(scene)];
+    parts.push(scene.filled(match scene.options.method {
+        FixedMethod::RungeKutta4 => RUNGE_KUTTA,
+        FixedMethod::Heun => HEUN,
+    }));
+    if is_constrained {
+        parts.push(shifts(scene));
+        parts.push(scene.filled(&with_library_names(PROJECT, scene.options.real)));
+    }
+    parts.push(scene.filled(TIME));
+    if !scene.inputs.is_empty() {
+        parts.push(set_inputs(scene));
+    }
+    if scene.model.events.is_empty() {
+        let project = "    project(machine->time + step, &end, &machine->p, &machine->c);\n";
+        let project = if is_constrained { project } else { "" };
+        parts.push(scene.filled(&STEP.replace("PROJECT\n", project)));
+    } else {
+        parts.push(events(scene, is_constrained));
+    }
+    parts.push(begin(scene)?);
+    Ok(parts.join("\n"))
+}
+
+/// `out = state + h slope`, member by member.
+fn ahead(scene: &Scene<'_>) -> String {
+    let (real, state) = (scene.real(), scene.public("state_t"));
+    let mut text = comment(["out = state + h slope."]);
+    let head = format!(
+        "static void ahead({state} *out, const {state} *state, {real} h, const {state} *slope)"
+    );
+    text.push_str(&statement(&head, 0));
+    text.push_str("{\n");
+    for member in &scene.state_members {
+        text.push_str(&statement(
+            &format!("out->{member} = state->{member} + h * slope->{member};"),
+            4,
+        ));
+    }
+    text.push_str("}\n");
+    text
+}
+
+/// Shifts of positions and of velocities, of which the state of a scene with constraints holds
+/// all.
+fn shifts(scene: &Scene<'_>) -> String {
+    let real = scene.real();
+    let total = scene.model.coordinates.len() + scene.model.constraints.len();
+    let mut text = String::new();
+    for (what, is_position) in [("positions", true), ("velocities", false)] {
+        let head = format!(
+            "static void shift_{what}({} *state, const {real} shift[{total}])",
+            scene.public("state_t")
+        );
+        text.push_str(&statement(&head, 0));
+        text.push_str("{\n");
+        for (member, state) in scene.state_members.iter().zip(&scene.model.states) {
+            let coordinate = match state.kind {
+                StateKind::Position(coordinate) if is_position => coordinate,
+                StateKind::Velocity(coordinate) if !is_position => coordinate,
+                _ => continue,
+            };
+            let _ = writeln!(text, "    state->{member} = state->{member} - shift[{coordinate}];");
+        }
+        text.push_str("}\n\n");
+    }
+    text
+}
+
+fn set_inputs(scene: &Scene<'_>) -> String {
+    let mut text = format!("{}\n{{\n", set_head(scene));
+    for &input in &scene.inputs {
+        let member = &scene.parameter_members[input];
+        let _ = writeln!(text, "    machine->p.{member} = inputs->{member};");
+    }
+    let _ = writeln!(text, "    {}(&machine->p, &machine->c);\n}}", scene.public("prepare"));
+    text
+}
+
+/// A step within which events happen.
+fn events(scene: &Scene<'_>, is_constrained: bool) -> String {
+    let directions = scene.model.events.iter().map(|event| match event.direction {
+        Direction::Rising => "1",
+        Direction::Falling => "-1",
+        Direction::Both => "0",
+    });
+    let directions = directions.collect::<Vec<_>>().join(", ");
+    let call = |indent: &str, time: &str, state: &str| {
+        let of = "&machine->p, &machine->c";
+        if is_constrained {
+            format!("{indent}project({time}, {state}, {of});\n")
+        } else {
+            String::new()
+        }
+    };
+    let text = EVENTS
+        .replace(
+            "HOLD\n    }",
+            &format!("{}    }}", call("        ", "machine->time", "&machine->state")),
+        )
+        .replace("HOLD\n", &call("    ", "machine->time", "&machine->state"))
+        .replace("PROJECT_END\n", &call("        ", "machine->time + left", "&end"))
+        .replace("PROJECT_FIRST\n", &call("            ", "machine->time + first * left", "&end"));
+    let text = scene.filled(&with_library_names(&text, scene.options.real));
+    let list = statement(&directions, 4);
+    let doc = format!(
+        "{}static const signed char directions[{}] = {{\n{list}}};\n",
+        comment(["Which way guards pass zero where events happen: 1 rising, -1 falling, 0 both."]),
+        scene.macro_name("EVENTS")
+    );
+    format!("{doc}\n{text}")
+}
+
+/// Names of the C library that texts of ours use, for the type of numbers.
+fn with_library_names(text: &str, real: Real) -> String {
+    let [absolute, epsilon, digits] = match real {
+        Real::Double => ["fabs(", "DBL_EPSILON", "(unsigned int)DBL_MANT_DIG"],
+        Real::Float => ["fabsf(", "FLT_EPSILON", "(unsigned int)FLT_MANT_DIG"],
+    };
+    let text = text.replace("fabs(", absolute);
+    text.replace("SCENE_EPSILON", epsilon).replace("SCENE_DIGITS", digits)
+}
+
+/// How a run begins.
+fn begin(scene: &Scene<'_>) -> Result<String, EmitError> {
+    let (model, real) = (scene.model, scene.options.real);
+    let number = |place: &str, value: f64| {
+        let literal = real.literal(value);
+        literal.ok_or_else(|| EmitError::NotFinite { place: place.to_owned(), value })
+    };
+    let [begin, machine, defaults, prepare] =
+        ["begin", "machine_t", "default_parameters", "prepare"].map(|name| scene.public(name));
+    let mut text = format!(
+        "void {begin}({machine} *machine)\n{{\n    {defaults}(&machine->p);\n    \
+         {prepare}(&machine->p, &machine->c);\n    machine->time = {};\n    machine->time_rest = {};\n",
+        number("run", model.run.from)?,
+        number("run", 0.0)?
+    );
+    match &scene.options.start {
+        None => {
+            let initial = scene.public("initial_state");
+            let _ = writeln!(text, "    {initial}(&machine->p, &machine->state);");
+        }
+        Some(start) => {
+            for (member, value) in scene.state_members.iter().zip(start) {
+                let value = number("state at the start", *value)?;
+                let _ = writeln!(text, "    machine->state.{member} = {value};");
+            }
+        }
+    }
+    if !model.events.is_empty() {
+        let _ = writeln!(text, "    {}(machine);", scene.public("settle"));
+    }
+    text.push_str("}\n");
+    debug_assert!(scene.options.start.is_some() || !needs_start(model) || cfg!(test));
+    Ok(text)
+}

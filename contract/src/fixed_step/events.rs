@@ -1,0 +1,311 @@
+//! Events within a step of a fixed length.
+
+use super::{FixedSteps, Room, Scratch, StepNumber, Stepped, take};
+use crate::{Direction, Real};
+
+/// Guards and their rates, at the start or the end of a part of a step.
+struct Guards<'w, R> {
+    values: &'w mut [R],
+    rates: &'w mut [R],
+}
+
+/// What is known of every event within a step.
+struct Watch<'w, R> {
+    sides: &'w mut [i8],
+    passed: &'w mut [i8],
+    asked: &'w mut [i8],
+    shares: &'w mut [R],
+    before: &'w mut [R],
+    start: Guards<'w, R>,
+    end: Guards<'w, R>,
+    trial: &'w mut [R],
+    values: &'w mut [R],
+}
+
+/// 1 of a number above zero, -1 below, 0 else.
+fn sign_of<R: StepNumber>(x: R) -> i8 {
+    let zero = R::literal(0.0);
+    i8::from(zero < x) - i8::from(x < zero)
+}
+
+/// Whether a guard is beyond zero by no more than its rate takes back within h: at zero.
+fn comes_back<R: StepNumber>(guard: R, rate: R, h: R) -> bool {
+    sign_of(guard) * sign_of(rate) < 0 && guard.abs() <= h * rate.abs()
+}
+
+/// Share of a step of length h at which a guard passes zero: the root of the cubic through its
+/// values and rates at both ends, by as many bisections as a number has digits.
+fn passing<R: StepNumber>(side: i8, h: R, guard: [R; 2], rate: [R; 2]) -> R {
+    let l = R::literal;
+    let (mut low, mut high) = (l(0.0), l(1.0));
+    for _ in 0..R::DIGITS {
+        let s = l(0.5) * (low + high);
+        let u = l(1.0) - s;
+        let start = (l(1.0) + l(2.0) * s) * guard[0] + s * h * rate[0];
+        let end = (l(3.0) - l(2.0) * s) * guard[1] - u * h * rate[1];
+        if sign_of(u * u * start + s * s * end) == side {
+            low = s;
+        } else {
+            high = s;
+        }
+    }
+    high
+}
+
+impl<R: StepNumber> FixedSteps<'_, R> {
+    /// 1 where an event happens as its guard rises, -1 as it falls, 0 for both.
+    fn direction(&self, event: usize) -> i8 {
+        match self.simulator.event(event).direction {
+            Direction::Rising => 1,
+            Direction::Falling => -1,
+            Direction::Both => 0,
+        }
+    }
+
+    fn is_watched(&self, event: usize, state: &[R]) -> bool {
+        self.simulator.event(event).when.iter().all(|&(entry, value)| {
+            let (mode, value) = (state[entry as usize], R::literal(value));
+            mode <= value && value <= mode
+        })
+    }
+
+    fn is_wanted(&self, event: usize, side: i8) -> bool {
+        side != 0 && self.direction(event) != side
+    }
+
+    fn is_beyond(&self, event: usize, guard: R) -> bool {
+        let direction = self.direction(event);
+        direction != 0 && sign_of(guard) == direction
+    }
+
+    fn look_at(&self, time: R, state: &[R], guards: &mut Guards<'_, R>) {
+        self.simulator.guards(time, state, self.parameters, guards.values);
+        self.simulator.guard_rates(time, state, self.parameters, guards.rates);
+    }
+
+    /// Gives the new values of an event; `values` has a place for each entry of the state, of
+    /// which resets may be more or fewer.
+    fn apply(&self, event: usize, time: R, state: &mut [R], values: &mut [R]) {
+        let before = |event: usize| self.simulator.event(event).sets.len();
+        let first: usize = (0..event).map(before).sum();
+        self.simulator.resets(time, state, self.parameters, values);
+        for (place, &entry) in self.simulator.event(event).sets.iter().enumerate() {
+            state[entry as usize] = values[first + place];
+        }
+    }
+
+    /// Number of values that events set.
+    pub(super) fn resets(&self) -> usize {
+        (0..self.simulator.events()).map(|event| self.simulator.event(event).sets.len()).sum()
+    }
+
+    fn watch<'w>(
+        &self,
+        rest: &mut &'w mut [R],
+        signs: &'w mut [i8],
+    ) -> Watch<'w, R> {
+        let events = self.simulator.events();
+        let mut signs = signs;
+        Watch {
+            sides: take(&mut signs, events),
+            passed: take(&mut signs, events),
+            asked: take(&mut signs, events),
+            shares: take(rest, events),
+            before: take(rest, events),
+            start: Guards { values: take(rest, events), rates: take(rest, events) },
+            end: Guards { values: take(rest, events), rates: take(rest, events) },
+            trial: take(rest, self.simulator.shape().states()),
+            values: take(rest, self.resets()),
+        }
+    }
+
+    /// Sets right modes that contradict their guards, and sees on which side of zero guards are:
+    /// to be called once before the first step, and whenever a state was changed by hand.
+    ///
+    /// # Panics
+    /// As [`FixedSteps::step`].
+    pub fn settle(&self, time: R, state: &mut [R], room: &mut Room<'_, R>) {
+        if self.simulator.events() == 0 {
+            return;
+        }
+        let mut rest = &mut *room.numbers;
+        let mut scratch = self.scratch(&mut rest);
+        let _end = take(&mut rest, state.len());
+        let mut watch = self.watch(&mut rest, room.signs);
+        watch.asked.fill(1);
+        watch.passed.fill(0);
+        watch.sides.fill(0);
+        let h = R::literal(0.0);
+        self.settle_asked((time, h), state, &mut watch, &mut scratch);
+        self.look((time, h), state, &mut watch);
+    }
+
+    /// An event that leaves the modes it is watched for in and whose guard is beyond zero happens
+    /// at once, if it is asked for. Gives the number of those that did.
+    fn settle_asked(
+        &self,
+        (time, h): (R, R),
+        state: &mut [R],
+        watch: &mut Watch<'_, R>,
+        scratch: &mut Scratch<'_, R>,
+    ) -> usize {
+        let events = self.simulator.events();
+        let mut happened = 0;
+        for _ in 0..2 * events {
+            self.look_at(time, state, &mut watch.end);
+            let mut found = false;
+            for event in 0..events {
+                let (guard, rate) = (watch.end.values[event], watch.end.rates[event]);
+                if watch.asked[event] == 0
+                    || !self.is_watched(event, state)
+                    || !self.is_beyond(event, guard)
+                    || comes_back(guard, rate, h)
+                {
+                    continue;
+                }
+                watch.trial.copy_from_slice(state);
+                self.apply(event, time, watch.trial, watch.values);
+                if !self.is_watched(event, watch.trial) {
+                    state.copy_from_slice(watch.trial);
+                    watch.asked[event] = 0;
+                    found = true;
+                    break;
+                }
+            }
+            if !found {
+                break;
+            }
+            happened += 1;
+            self.project(time, state, scratch);
+        }
+        happened
+    }
+
+    /// Sees on which side of zero every guard is after events.
+    fn look(&self, (time, h): (R, R), state: &[R], watch: &mut Watch<'_, R>) {
+        self.look_at(time, state, &mut watch.end);
+        for event in 0..self.simulator.events() {
+            let (guard, rate) = (watch.end.values[event], watch.end.rates[event]);
+            let side = sign_of(guard);
+            watch.sides[event] = if !self.is_watched(event, state) {
+                0
+            } else if watch.passed[event] != 0 || side == 0 {
+                sign_of(rate)
+            } else if watch.sides[event] == 0
+                && self.is_beyond(event, guard)
+                && comes_back(guard, rate, h)
+            {
+                -side
+            } else {
+                side
+            };
+        }
+    }
+
+    /// Gives new values where guards have passed zero, at the end of a part of a step.
+    fn happen(
+        &self,
+        (time, h): (R, R),
+        state: &mut [R],
+        watch: &mut Watch<'_, R>,
+        scratch: &mut Scratch<'_, R>,
+    ) -> usize {
+        let events = self.simulator.events();
+        let mut happened = 0;
+        self.simulator.guards(time, state, self.parameters, watch.before);
+        for event in 0..events {
+            if watch.passed[event] != 0 && self.is_watched(event, state) {
+                self.apply(event, time, state, watch.values);
+                happened += 1;
+            }
+        }
+        self.project(time, state, scratch);
+        for event in 0..events {
+            let is_new = watch.passed[event] == 0 && !self.is_beyond(event, watch.before[event]);
+            watch.asked[event] = i8::from(watch.sides[event] == 0 || is_new);
+        }
+        happened += self.settle_asked((time, h), state, watch, scratch);
+        self.look((time, h), state, watch);
+        happened
+    }
+
+    /// The guards that pass within a part of a step, and the share of it at which the first does.
+    fn passings(&self, h: R, state: &[R], watch: &mut Watch<'_, R>) -> Option<R> {
+        let mut first = None;
+        for event in 0..self.simulator.events() {
+            let side = watch.sides[event];
+            let passes = self.is_wanted(event, side)
+                && sign_of(watch.end.values[event]) == -side
+                && self.is_watched(event, state);
+            watch.passed[event] = i8::from(passes);
+            if !passes {
+                continue;
+            }
+            let both = |of: fn(&Guards<'_, R>) -> &[R]| {
+                [of(&watch.start)[event], of(&watch.end)[event]]
+            };
+            let share = passing(side, h, both(|g| g.values), both(|g| g.rates));
+            watch.shares[event] = share;
+            first = Some(match first {
+                Some(first) if first <= share => first,
+                _ => share,
+            });
+        }
+        first
+    }
+
+    /// A part of a step after which nothing more happens within it.
+    fn accept(&self, end: &[R], watch: &mut Watch<'_, R>) {
+        for event in 0..self.simulator.events() {
+            let side = sign_of(watch.end.values[event]);
+            if !self.is_watched(event, end) {
+                watch.sides[event] = 0;
+            } else if watch.passed[event] == 0 && side != 0 {
+                watch.sides[event] = side;
+            }
+        }
+    }
+
+    pub(super) fn step_with_events(
+        &self,
+        time: R,
+        step: R,
+        state: &mut [R],
+        room: &mut Room<'_, R>,
+    ) -> Stepped {
+        let mut rest = &mut *room.numbers;
+        let mut scratch = self.scratch(&mut rest);
+        let end = take(&mut rest, state.len());
+        let mut watch = self.watch(&mut rest, room.signs);
+        let (mut now, mut left, mut happened) = (time, step, 0);
+        for part in 0..=self.events_a_step {
+            self.look_at(now, state, &mut watch.start);
+            self.advance(now, left, state, end, &mut scratch);
+            self.look_at(now + left, end, &mut watch.end);
+            let first = self.passings(left, state, &mut watch);
+            let Some(first) = first.filter(|_| part < self.events_a_step) else {
+                self.accept(end, &mut watch);
+                state.copy_from_slice(end);
+                if first.is_some() {
+                    return Stepped::TooManyEvents;
+                }
+                break;
+            };
+            if first < R::literal(1.0) {
+                self.advance(now, first * left, state, end, &mut scratch);
+            }
+            state.copy_from_slice(end);
+            now = now + first * left;
+            left = left - first * left;
+            self.simulator.guards(now, state, self.parameters, watch.end.values);
+            for event in 0..self.simulator.events() {
+                let passed = watch.passed[event] != 0
+                    && (watch.shares[event] <= first
+                        || sign_of(watch.end.values[event]) == -watch.sides[event]);
+                watch.passed[event] = i8::from(passed);
+            }
+            happened += self.happen((now, left), state, &mut watch, &mut scratch);
+        }
+        Stepped::Events(happened)
+    }
+}

@@ -1,0 +1,160 @@
+//! One step of Newton's method each that puts positions and velocities back onto constraints.
+
+use super::{FixedSteps, StepNumber, take};
+use crate::{Real, Simulator};
+
+/// Where shifts are computed.
+pub(super) struct Projection<'w, R> {
+    /// The matrix of `[M, G^T; G, 0]`, row by row.
+    matrix: &'w mut [R],
+    shift: &'w mut [R],
+    off: &'w mut [R],
+    mass: &'w mut [R],
+    slopes: &'w mut [R],
+}
+
+/// Which level is put back.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Level {
+    Positions,
+    Velocities,
+}
+
+impl<'w, R: StepNumber> Projection<'w, R> {
+    /// Numbers that it takes.
+    pub(super) fn room(simulator: &dyn Simulator<R>) -> usize {
+        let [size, constraints, mass, slopes] = sizes(simulator);
+        size * size + size + constraints + mass + slopes
+    }
+
+    pub(super) fn new(simulator: &dyn Simulator<R>, rest: &mut &'w mut [R]) -> Self {
+        let [size, constraints, mass, slopes] = sizes(simulator);
+        Self {
+            matrix: take(rest, size * size),
+            shift: take(rest, size),
+            off: take(rest, constraints),
+            mass: take(rest, mass),
+            slopes: take(rest, slopes),
+        }
+    }
+
+    pub(super) fn project(&mut self, of: &FixedSteps<'_, R>, time: R, state: &mut [R]) {
+        for level in [Level::Positions, Level::Velocities] {
+            match level {
+                Level::Positions => {
+                    of.simulator.constraint_values(time, state, of.parameters, self.off);
+                }
+                Level::Velocities => {
+                    of.simulator.constraint_rates(time, state, of.parameters, self.off);
+                }
+            }
+            self.shortest(of, time, state);
+            let coordinates = of.simulator.shape().coordinates;
+            let first = if level == Level::Positions { 0 } else { coordinates };
+            let entries = &mut state[first..first + coordinates];
+            for (entry, &shift) in entries.iter_mut().zip(self.shift.iter()) {
+                *entry = *entry - shift;
+            }
+        }
+    }
+
+    /// The shortest shift, as the mass matrix measures it: `M d + G^T mu = 0`, `G d = off`.
+    fn shortest(&mut self, of: &FixedSteps<'_, R>, time: R, state: &[R]) {
+        let simulator = of.simulator;
+        let [size, constraints, ..] = sizes(simulator);
+        let coordinates = size - constraints;
+        let zero = R::literal(0.0);
+        self.matrix.fill(zero);
+        self.shift.fill(zero);
+        simulator.mass_matrix(time, state, of.parameters, self.mass);
+        let entries = simulator.mass_matrix_pattern().entries;
+        for (&(row, column), &value) in entries.iter().zip(self.mass.iter()) {
+            self.matrix[row as usize * size + column as usize] = value;
+        }
+        simulator.constraint_matrix(time, state, of.parameters, self.slopes);
+        let entries = simulator.constraint_matrix_pattern().entries;
+        for (&(row, column), &value) in entries.iter().zip(self.slopes.iter()) {
+            let (row, column) = (coordinates + row as usize, column as usize);
+            self.matrix[row * size + column] = value;
+            self.matrix[column * size + row] = value;
+        }
+        for constraint in 0..constraints {
+            let row = coordinates + constraint;
+            let holds = self.matrix[row * size..row * size + coordinates]
+                .iter()
+                .any(|value| *value < zero || zero < *value);
+            if holds {
+                self.shift[row] = self.off[constraint];
+            } else {
+                // In these modes it does not hold.
+                self.matrix[row * size + row] = R::literal(1.0);
+            }
+        }
+        eliminate(self.matrix, self.shift);
+    }
+}
+
+/// Coordinates and constraints together, constraints, nonzeros of M and G.
+fn sizes<R: Real>(simulator: &dyn Simulator<R>) -> [usize; 4] {
+    let constraints = simulator.constraints();
+    if constraints == 0 {
+        return [0; 4];
+    }
+    let [mass, slopes] =
+        [simulator.mass_matrix_pattern(), simulator.constraint_matrix_pattern()];
+    [
+        simulator.shape().coordinates + constraints,
+        constraints,
+        mass.entries.len(),
+        slopes.entries.len(),
+    ]
+}
+
+/// Solves `a x = b` in place by elimination with exchange of rows. Unknowns of rows that vanish
+/// but for rounding, as of constraints that repeat others, are zero.
+fn eliminate<R: StepNumber>(a: &mut [R], b: &mut [R]) {
+    let size = b.len();
+    let zero = R::literal(0.0);
+    let largest = a.iter().fold(zero, |largest, entry| {
+        let entry = entry.abs();
+        if largest < entry { entry } else { largest }
+    });
+    let least = largest * R::literal(size as f64) * R::literal(R::EPSILON);
+    for column in 0..size {
+        let mut pivot = column;
+        for row in column + 1..size {
+            if a[pivot * size + column].abs() < a[row * size + column].abs() {
+                pivot = row;
+            }
+        }
+        let is_sound = least < a[pivot * size + column].abs();
+        if !is_sound {
+            a[column * size..(column + 1) * size].fill(zero);
+            a[column * size + column] = R::literal(1.0);
+            b[column] = zero;
+            continue;
+        }
+        if pivot != column {
+            b.swap(pivot, column);
+            for k in column..size {
+                a.swap(pivot * size + k, column * size + k);
+            }
+        }
+        for row in column + 1..size {
+            let factor = a[row * size + column] / a[column * size + column];
+            if factor < zero || zero < factor {
+                for k in column..size {
+                    a[row * size + k] = a[row * size + k] - factor * a[column * size + k];
+                }
+                b[row] = b[row] - factor * b[column];
+            }
+        }
+    }
+    for row in (0..size).rev() {
+        let mut sum = b[row];
+        for k in row + 1..size {
+            sum = sum - a[row * size + k] * b[k];
+        }
+        b[row] = sum / a[row * size + row];
+    }
+}

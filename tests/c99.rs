@@ -1,0 +1,187 @@
+//! Emitted C99, compiled and run: no warnings, no undefined behaviour, and the bits of the same
+//! machine in Rust.
+//!
+//! Where there is no `cc`, tests say so and pass; `MACHINIST_C99=all` tries every scene of
+//! `specs/scenes`.
+
+mod compiler;
+mod driver;
+
+use machinist::Simulation;
+use machinist::linear_analysis::{Place, operating_point};
+use machinist_codegen::emit::c99::{C99Options, FixedMethod, Real, emit};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_model::{Model, ModelSimulator};
+
+use crate::own_scene::{folder_of_specs, model_of_specs, specs_in};
+use crate::wasm::{assert_same, expected};
+use compiler::{Compiler, Program};
+
+/// A motor, events and modes, branches, tables, constraints, those in modes, a motion that goes
+/// before and solves for the Jacobian, and twenty scenes of standard parts.
+const SCENES: [&str; 36] = [
+    "saw_gin",
+    "saw_gin_shaft",
+    "winder_full",
+    "winder_nonlinear",
+    "stick_slip",
+    "bouncing_mass",
+    "coulomb_oscillator",
+    "contact_oscillator_smooth",
+    "pendulum_chain",
+    "slider_crank",
+    "four_bar",
+    "winder_linkage",
+    "winder_holder_drop",
+    "reed_beat_up",
+    "drives/winch",
+    "drives/press",
+    "parts/control/pi_controller",
+    "parts/control/pid_controller",
+    "parts/control/relay",
+    "parts/electrical/capacitor",
+    "parts/electrical/dc_motor",
+    "parts/electrical/pmsm",
+    "parts/hydraulic/cylinder",
+    "parts/hydraulic/valve",
+    "parts/planar/body",
+    "parts/planar/slot",
+    "parts/rotational/backlash",
+    "parts/rotational/clutch",
+    "parts/rotational/gear",
+    "parts/rotational/table_cam",
+    "parts/rotational/one_way_clutch",
+    "parts/rotational/lossy_gear",
+    "parts/sources/fan",
+    "parts/translational/brake",
+    "parts/translational/rope",
+    "parts/translational/end_stops",
+];
+
+/// Scenes that are tried: those named above, or all without fields.
+fn scenes() -> Vec<String> {
+    if std::env::var("MACHINIST_C99").is_ok_and(|which| which == "all") {
+        let folder = folder_of_specs();
+        let name = |path: std::path::PathBuf| {
+            let path = path.strip_prefix(&folder).expect("within").with_extension("");
+            path.to_str().expect("a name").to_owned()
+        };
+        return specs_in(&folder).into_iter().map(name).collect();
+    }
+    SCENES.map(str::to_owned).to_vec()
+}
+
+fn options(real: Real, model: &Model) -> C99Options {
+    let start = (!model.constraints.is_empty() || model.starts_in_equilibrium).then(|| {
+        let simulator = ModelSimulator::interpreted(model.clone());
+        operating_point(&Simulation::new(&simulator), Place::Initial).expect("a start").state
+    });
+    C99Options { real, command: "a test".to_owned(), start, ..C99Options::default() }
+}
+
+/// Time, state and parameters away from those of the spec.
+fn sample(model: &Model, sample: usize) -> (f64, Vec<f64>, Vec<f64>) {
+    let value = |index: usize| ((index * 7 + sample) as f64 * 0.37).sin();
+    let parameters = model.parameters.iter().enumerate();
+    let p = parameters.map(|(index, p)| p.value * (1.0 + 0.1 * value(index))).collect();
+    let states = model.states.iter().enumerate();
+    let y = states.map(|(index, state)| value(index) * state.scale).collect();
+    (0.02 * sample as f64, y, p)
+}
+
+/// The files of a scene with the program that drives it, compiled.
+fn compiled(compiler: &Compiler, model: &Model, options: &C99Options) -> Program {
+    let files = emit(model, options).unwrap_or_else(|error| panic!("{}: {error}", model.name));
+    compiler.build(&model.name, &files, &driver::text(model, options.real))
+}
+
+#[test]
+fn every_function_of_emitted_c_gives_the_bits_of_the_machine_in_rust() {
+    let Some(compiler) = Compiler::found() else { return };
+    for name in scenes() {
+        let model = model_of_specs(&name, Keep::Needed);
+        if !model.fields.is_empty() {
+            continue;
+        }
+        let mut program = compiled(&compiler, &model, &options(Real::Double, &model));
+        let simulator = ModelSimulator::interpreted(model.clone());
+        for index in 0..6 {
+            let (t, y, p) = sample(&model, index);
+            program.send(&[&[t], &y[..], &p[..]].concat());
+            for row in driver::functions(&model) {
+                let count = (row.results)(&model);
+                let found = program.receive(count);
+                let wanted = expected(&simulator, row.name, (t, &y, &p), count);
+                assert_same(&format!("{name}: {}", row.name), &found, &wanted);
+            }
+        }
+    }
+}
+
+/// The last row of a run by equal steps, and how many events there were.
+fn end_of(program: &Program, model: &Model, steps: usize) -> (Vec<f64>, f64) {
+    let step = (model.run.until - model.run.from) / steps as f64;
+    let rows = program.run(step, steps, model.states.len());
+    assert_eq!(rows.len(), steps + 1, "{}", model.name);
+    assert!(rows.iter().all(|(.., events)| *events >= 0.0), "{}: too many events", model.name);
+    let events = rows.iter().map(|(.., events)| events).sum();
+    let (time, state, _) = rows.last().expect("a row");
+    let error = (time - model.run.until).abs() / model.run.until;
+    assert!(error < 4.0 * f64::EPSILON, "{}: the run ends at {time}", model.name);
+    (state.clone(), events)
+}
+
+/// The largest difference of two states, each entry over its typical size.
+fn difference(model: &Model, a: &[f64], b: &[f64]) -> f64 {
+    let entries = model.states.iter().zip(a).zip(b);
+    entries.fold(0.0, |most: f64, ((state, a), b)| most.max((a - b).abs() / state.scale))
+}
+
+/// The state at the end of an adaptive run, and how many events it had.
+fn adaptive(model: &Model) -> (Vec<f64>, usize) {
+    let simulator = ModelSimulator::new(model.clone());
+    let run = Simulation::new(&simulator).rtol(1e-11).run().expect("a run");
+    let last = |column: &machinist::trajectory::Column| *column.values.last().expect("a value");
+    let states = run.of_kind(machinist::trajectory::ColumnKind::State).map(last).collect();
+    (states, run.switches.len())
+}
+
+#[test]
+fn steps_of_emitted_c_converge_to_the_adaptive_run_with_their_order() {
+    let Some(compiler) = Compiler::found() else { return };
+    // Errors still far above rounding, and steps short enough for the order to show.
+    let orders = [(FixedMethod::RungeKutta4, 4.0), (FixedMethod::Heun, 2.0)];
+    for (name, steps) in [("saw_gin", 40_000), ("pendulum_constrained", 2000), ("two_mass", 4000)] {
+        let model = model_of_specs(name, Keep::Needed);
+        let (exact, _) = adaptive(&model);
+        for (method, order) in orders {
+            let options = C99Options { method, ..options(Real::Double, &model) };
+            let program = compiled(&compiler, &model, &options);
+            let error = |steps| difference(&model, &end_of(&program, &model, steps).0, &exact);
+            let [coarse, fine] = [steps, 2 * steps].map(error);
+            eprintln!("{name} {method:?} {coarse:e} {fine:e} {}", (coarse / fine).log2());
+            let measured = (coarse / fine).log2();
+            assert!((measured - order).abs() < 0.3, "{name}, {method:?}: order {measured}");
+        }
+    }
+}
+
+#[test]
+fn steps_of_emitted_c_find_the_events_of_the_adaptive_run() {
+    let Some(compiler) = Compiler::found() else { return };
+    for (name, steps, allowed) in [
+        ("bouncing_mass", 20_000, 1e-6),
+        ("stick_slip", 20_000, 1e-4),
+        ("coulomb_oscillator", 20_000, 1e-4),
+        ("drives/winch", 40_000, 1e-3),
+        ("winder_holder_drop", 20_000, 1e-3),
+    ] {
+        let model = model_of_specs(name, Keep::Needed);
+        let (exact, switches) = adaptive(&model);
+        let program = compiled(&compiler, &model, &options(Real::Double, &model));
+        let (state, events) = end_of(&program, &model, steps);
+        let error = difference(&model, &state, &exact);
+        eprintln!("{name}: {events} events, {switches} expected, error {error:e}");
+        assert!(events.to_bits() == (switches as f64).to_bits() && error < allowed, "{name}");
+    }
+}

@@ -14,20 +14,25 @@ const HEUN: &str = include_str!("snippets/heun.c");
 const PROJECT: &str = include_str!("snippets/project.c");
 const TIME: &str = include_str!("snippets/time.c");
 const STEP: &str = include_str!("snippets/step.c");
+const JUMPS: &str = include_str!("snippets/jumps.c");
+const NEXT_JUMP: &str = include_str!("snippets/next_jump.c");
 const EVENTS: &str = include_str!("snippets/events.c");
+const EVENTS_NEXT_JUMP: &str = include_str!("snippets/events_next_jump.c");
+const EVENTS_AT_JUMP: &str = include_str!("snippets/events_at_jump.c");
 
 /// The struct that runs, and its functions.
 pub(super) fn declarations(scene: &Scene<'_>) -> String {
     let has_events = !scene.model.events.is_empty();
     let mut text = String::new();
-    if has_events {
-        let most = scene.macro_name("EVENTS_A_STEP");
+    if has_parts(scene) {
+        let most = scene.macro_name("PARTS_A_STEP");
         text.push_str(&comment([
-            "Largest number of times at which events happen within a step; what passes zero after \
-             that happens in the next step. Each event once, unless set otherwise.",
+            "Largest number of parts of a step: events and times at which the rate jumps end one. \
+             What passes zero after that happens in the next step. Each event once and one jump, \
+             unless set otherwise.",
         ]));
-        let count = scene.macro_name("EVENTS");
-        let _ = writeln!(text, "#ifndef {most}\n#define {most} {count}\n#endif\n");
+        let parts = parts(scene);
+        let _ = writeln!(text, "#ifndef {most}\n#define {most} {parts}u\n#endif\n");
     }
     text.push_str(&machine(scene));
     let [machine, begin, step] = ["machine_t", "begin", "step"].map(|name| scene.public(name));
@@ -53,10 +58,10 @@ pub(super) fn declarations(scene: &Scene<'_>) -> String {
             set_head(scene)
         );
     }
-    let events = if has_events {
-        " Gives the number of events that happened, or -1 if there were more than may be."
-    } else {
-        " Gives 0."
+    let events = match (has_events, has_parts(scene)) {
+        (true, _) => " Gives the number of events, or -1 if the step had more parts than may be.",
+        (false, true) => " Gives 0, or -1 if the step had more parts than may be.",
+        (false, false) => " Gives 0.",
     };
     let doc = format!(
         "Advances the machine by a step [s], by {}.{events} Parameters and inputs may be changed \
@@ -70,6 +75,20 @@ pub(super) fn declarations(scene: &Scene<'_>) -> String {
         scene.real()
     );
     text
+}
+
+/// Whether a step may have several parts.
+fn has_parts(scene: &Scene<'_>) -> bool {
+    !scene.model.events.is_empty() || has_jumps(scene)
+}
+
+fn has_jumps(scene: &Scene<'_>) -> bool {
+    !scene.model.discontinuities.results.is_empty()
+}
+
+/// Parts of a step: up to each event once, up to one jump, and what is left.
+fn parts(scene: &Scene<'_>) -> usize {
+    scene.model.events.len() + usize::from(has_jumps(scene)) + 1
 }
 
 fn machine(scene: &Scene<'_>) -> String {
@@ -130,17 +149,28 @@ pub(super) fn definitions(scene: &Scene<'_>) -> Result<String, EmitError> {
         parts.push(shifts(scene));
         parts.push(scene.filled(&with_library_names(PROJECT, scene.options.real)));
     }
+    let put_back = |text: &str, time: &str| {
+        let line = text.lines().position(|line| line == "PROJECT").map_or("", |at| {
+            // Indented as what stands before it.
+            let before = text.lines().nth(at - 1).unwrap_or_default();
+            &before[..before.len() - before.trim_start().len()]
+        });
+        let call = format!("{line}project({time}, &end, &machine->p, &machine->c);\n");
+        text.replace("PROJECT\n", if is_constrained { &call } else { "" })
+    };
     parts.push(scene.filled(TIME));
     if !scene.inputs.is_empty() {
         parts.push(set_inputs(scene));
     }
-    if scene.model.events.is_empty() {
-        let project = "    project(machine->time + step, &end, &machine->p, &machine->c);\n";
-        let project = if is_constrained { project } else { "" };
-        parts.push(scene.filled(&STEP.replace("PROJECT\n", project)));
-    } else {
-        parts.push(events(scene, is_constrained));
+    let real = scene.options.real;
+    if has_jumps(scene) {
+        parts.push(scene.filled(&with_library_names(NEXT_JUMP, real)));
     }
+    parts.push(match (scene.model.events.is_empty(), has_jumps(scene)) {
+        (true, false) => scene.filled(&put_back(STEP, "machine->time + step")),
+        (true, true) => scene.filled(&put_back(JUMPS, "machine->time + length")),
+        (false, _) => events(scene, is_constrained),
+    });
     parts.push(begin(scene)?);
     Ok(parts.join("\n"))
 }
@@ -222,14 +252,33 @@ fn events(scene: &Scene<'_>, is_constrained: bool) -> String {
             &format!("{}    }}", call("        ", "machine->time", "&machine->state")),
         )
         .replace("HOLD\n", &call("    ", "machine->time", "&machine->state"))
-        .replace("PROJECT_END\n", &call("        ", "machine->time + left", "&end"))
-        .replace("PROJECT_FIRST\n", &call("            ", "machine->time + first * left", "&end"));
+        .replace("PROJECT_END\n", &call("        ", "machine->time + length", "&end"))
+        .replace(
+            "PROJECT_FIRST\n",
+            &call("            ", "machine->time + first * length", "&end"),
+        );
+    let (next, at, declared) = if has_jumps(scene) {
+        let declared = "        scene_real_t after;\n        int found, jumps;\n";
+        (EVENTS_NEXT_JUMP, EVENTS_AT_JUMP, declared)
+    } else {
+        ("", "", "        int found;\n")
+    };
+    let text = text
+        .replace("        int found;\nNEXT_JUMP\n", &format!("{declared}{next}"))
+        .replace("AT_JUMP\n", at);
     let text = scene.filled(&with_library_names(&text, scene.options.real));
     let list = statement(&directions, 4);
+    let ends = scene.model.events.iter().map(|event| {
+        let ends = event.when.iter().any(|(entry, _)| event.sets.contains(entry));
+        if ends { "1" } else { "0" }
+    });
+    let ends = statement(&ends.collect::<Vec<_>>().join(", "), 4);
+    let count = scene.macro_name("EVENTS");
     let doc = format!(
-        "{}static const signed char directions[{}] = {{\n{list}}};\n",
+        "{}static const signed char directions[{count}] = {{\n{list}}};\n\n\
+         {}static const signed char ends_its_mode[{count}] = {{\n{ends}}};\n",
         comment(["Which way guards pass zero where events happen: 1 rising, -1 falling, 0 both."]),
-        scene.macro_name("EVENTS")
+        comment(["Whether an event sets a mode that it is watched for in."]),
     );
     format!("{doc}\n{text}")
 }

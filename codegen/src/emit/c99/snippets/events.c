@@ -60,7 +60,8 @@ static int settle(scene_machine_t *machine, scene_real_t h, int asked[SCENE_EVEN
         scene_guard_rates(machine->time, &machine->state, &machine->p, &machine->c, rates);
         for (event = 0u; (event < SCENE_EVENTS) && (found == 0); ++event) {
             scene_state_t trial = machine->state;
-            if ((asked[event] == 0) || (scene_is_watched((unsigned int)event, &trial) == 0)
+            if ((asked[event] == 0) || (ends_its_mode[event] == 0)
+                || (scene_is_watched((unsigned int)event, &trial) == 0)
                 || (is_beyond(event, guards[event]) == 0)
                 || (comes_back(guards[event], rates[event], h) != 0)) {
                 continue;
@@ -144,6 +145,27 @@ HOLD
     return happened;
 }
 
+/* Guards that pass zero until the end of a part of a step, where they have these values: they are
+ * marked. One that was at zero, and whose event ends the mode it is watched for in, has passed when
+ * it is beyond: a state beyond is none of that mode. Gives whether there are any. */
+static int pass(const scene_machine_t *machine, const scene_real_t guards[SCENE_EVENTS],
+                int passed[SCENE_EVENTS])
+{
+    size_t event;
+    int found = 0;
+
+    for (event = 0u; event < SCENE_EVENTS; ++event) {
+        const int side = machine->side[event];
+        const int crosses = (is_wanted(event, side) != 0) && (sign_of(guards[event]) == -side);
+        const int leaves = (side == 0) && (ends_its_mode[event] != 0)
+            && (is_beyond(event, guards[event]) != 0);
+        passed[event] = ((crosses != 0) || (leaves != 0))
+            && (scene_is_watched((unsigned int)event, &machine->state) != 0);
+        found = (passed[event] != 0) ? 1 : found;
+    }
+    return found;
+}
+
 int scene_step(scene_machine_t *machine, scene_real_t step)
 {
     scene_real_t guards[2][SCENE_EVENTS], rates[2][SCENE_EVENTS];
@@ -154,31 +176,24 @@ int scene_step(scene_machine_t *machine, scene_real_t step)
     scene_real_t left = step;
     scene_state_t end;
     int happened = 0;
+    int too_many = 0;
     size_t part, event;
 
-    for (part = 0u; part <= SCENE_EVENTS_A_STEP; ++part) {
+    for (part = 1u; (part <= SCENE_PARTS_A_STEP) && (R(0.0) < left); ++part) {
+        const int is_last = (part == SCENE_PARTS_A_STEP);
+        scene_real_t length = left;
         scene_real_t first = R(1.0);
-        int found = 0;
+        int found;
+NEXT_JUMP
         scene_guards(machine->time, &machine->state, &machine->p, &machine->c, guards[0]);
         scene_guard_rates(machine->time, &machine->state, &machine->p, &machine->c, rates[0]);
-        advance(machine->time, left, &machine->state, &machine->p, &machine->c, &end);
+        advance(machine->time, length, &machine->state, &machine->p, &machine->c, &end);
 PROJECT_END
-        scene_guards(machine->time + left, &end, &machine->p, &machine->c, guards[1]);
-        scene_guard_rates(machine->time + left, &end, &machine->p, &machine->c, rates[1]);
-        for (event = 0u; event < SCENE_EVENTS; ++event) {
-            const int side = machine->side[event];
-            passed[event] = 0;
-            if ((is_wanted(event, side) != 0) && (sign_of(guards[1][event]) == -side)
-                && (scene_is_watched((unsigned int)event, &machine->state) != 0)) {
-                const scene_real_t guard[2] = { guards[0][event], guards[1][event] };
-                const scene_real_t rate[2] = { rates[0][event], rates[1][event] };
-                shares[event] = passing(side, left, guard, rate);
-                first = (shares[event] < first) ? shares[event] : first;
-                passed[event] = 1;
-                found = 1;
-            }
-        }
-        if ((found == 0) || (part == SCENE_EVENTS_A_STEP)) {
+        scene_guards(machine->time + length, &end, &machine->p, &machine->c, guards[1]);
+        scene_guard_rates(machine->time + length, &end, &machine->p, &machine->c, rates[1]);
+        found = pass(machine, guards[1], passed);
+        if ((found == 0) || is_last) {
+            too_many = (found != 0) ? 1 : too_many;
             machine->state = end;
             for (event = 0u; event < SCENE_EVENTS; ++event) {
                 const int side = sign_of(guards[1][event]);
@@ -188,16 +203,25 @@ PROJECT_END
                     machine->side[event] = (signed char)side;
                 }
             }
-            happened = (found == 0) ? happened : -1;
+AT_JUMP
             break;
         }
+        for (event = 0u; event < SCENE_EVENTS; ++event) {
+            if (passed[event] != 0) {
+                const scene_real_t guard[2] = { guards[0][event], guards[1][event] };
+                const scene_real_t rate[2] = { rates[0][event], rates[1][event] };
+                shares[event] = passing(machine->side[event], length, guard, rate);
+                first = (shares[event] < first) ? shares[event] : first;
+            }
+        }
         if (first < R(1.0)) {
-            advance(machine->time, first * left, &machine->state, &machine->p, &machine->c, &end);
+            advance(machine->time, first * length, &machine->state, &machine->p, &machine->c,
+                    &end);
 PROJECT_FIRST
         }
         machine->state = end;
-        machine->time = machine->time + first * left;
-        left = left - first * left;
+        machine->time = machine->time + first * length;
+        left = left - first * length;
         scene_guards(machine->time, &machine->state, &machine->p, &machine->c, guards[1]);
         for (event = 0u; event < SCENE_EVENTS; ++event) {
             passed[event] = (passed[event] != 0)
@@ -209,5 +233,5 @@ PROJECT_FIRST
     machine->time = start;
     machine->time_rest = rest;
     pass_time(machine, step);
-    return happened;
+    return (too_many != 0) ? -1 : happened;
 }

@@ -11,8 +11,9 @@
 //! - Constraints are met again after each step by one step of Newton's method for positions and
 //!   one for velocities.
 //!
-//! Times at which the rate jumps, and kinks, are passed over: there the error of a step is of the
-//! order of its length.
+//! - Times at which the rate jumps end parts of a step too.
+//!
+//! Kinks are passed over: there the error of a step is of the second order of its length.
 
 mod events;
 mod projection;
@@ -23,7 +24,7 @@ use projection::Projection;
 
 /// A number that steps of a fixed length are taken in.
 pub trait StepNumber: Real + PartialOrd {
-    /// Half the distance of one to the next number, doubled: the machine epsilon.
+    /// Distance of one to the next number.
     const EPSILON: f64;
     /// Binary digits of a number.
     const DIGITS: u32;
@@ -73,8 +74,8 @@ pub struct FixedSteps<'a, R: Real> {
     pub constants: &'a [R],
     /// How a step is taken.
     pub method: FixedMethod<'a>,
-    /// Largest number of times at which events happen within a step.
-    pub events_a_step: usize,
+    /// Largest number of parts of a step: events and times at which the rate jumps end one.
+    pub parts_a_step: usize,
 }
 
 /// Numbers and signs that steps are computed in, as many as [`FixedSteps::room`] says.
@@ -91,15 +92,50 @@ pub struct Room<'w, R> {
 pub enum Stepped {
     /// After so many events.
     Events(usize),
-    /// There were more events than may be in a step; the next step goes on with them.
-    TooManyEvents,
+    /// There were more parts than may be; what passes zero after them happens in the next step.
+    TooManyParts,
 }
 
-/// Takes so many numbers from the front of what is left.
-fn take<'w, T>(rest: &mut &'w mut [T], count: usize) -> &'w mut [T] {
-    let (taken, left) = core::mem::take(rest).split_at_mut(count);
-    *rest = left;
-    taken
+/// What is left of a slice whose parts are handed out.
+struct Rest<'w, T>(&'w mut [T]);
+
+impl<'w, T> Rest<'w, T> {
+    /// So many from the front.
+    fn take(&mut self, count: usize) -> &'w mut [T] {
+        let (taken, left) = core::mem::take(&mut self.0).split_at_mut(count);
+        self.0 = left;
+        taken
+    }
+}
+
+/// The time of a run by steps, to the last digit however many there are: what a sum leaves out is
+/// kept for the next one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Clock<R> {
+    time: R,
+    rest: R,
+}
+
+impl<R: Real> Clock<R> {
+    /// At a time.
+    #[must_use]
+    pub fn new(time: R) -> Self {
+        Self { time, rest: R::literal(0.0) }
+    }
+
+    /// The time.
+    #[must_use]
+    pub fn time(&self) -> R {
+        self.time
+    }
+
+    /// Adds a step.
+    pub fn pass(&mut self, step: R) {
+        let whole = step + self.rest;
+        let before = self.time;
+        self.time = before + whole;
+        self.rest = whole - (self.time - before);
+    }
 }
 
 /// Where one step is computed.
@@ -110,6 +146,13 @@ struct Scratch<'w, R> {
     jacobian: &'w mut [R],
     factors: &'w mut [R],
     projection: Projection<'w, R>,
+}
+
+/// How far it is to just before a jump: there the rate has not jumped yet.
+fn before_jump<R: StepNumber>(now: R, left: R, jump: R) -> R {
+    let zero = R::literal(0.0);
+    let length = (jump - R::literal(R::EPSILON) * (jump.abs() + left)) - now;
+    if zero < length { length } else { zero }
 }
 
 /// `out = state + h slope`.
@@ -134,7 +177,8 @@ impl<R: StepNumber> FixedSteps<'_, R> {
     pub fn room(&self) -> [usize; 2] {
         let states = self.simulator.shape().states();
         let events = self.simulator.events();
-        let numbers = self.scratch_room() + 2 * states + 6 * events + self.resets();
+        let jumps = self.simulator.shape().discontinuities;
+        let numbers = self.scratch_room() + 2 * states + 6 * events + self.resets() + jumps;
         [numbers, 3 * events]
     }
 
@@ -154,15 +198,15 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         }
     }
 
-    fn scratch<'w>(&self, rest: &mut &'w mut [R]) -> Scratch<'w, R> {
+    fn scratch<'w>(&self, rest: &mut Rest<'w, R>) -> Scratch<'w, R> {
         let states = self.simulator.shape().states();
         let [jacobian, places] = self.implicit_room();
         Scratch {
-            slope: take(rest, states),
-            sum: take(rest, states),
-            stage: take(rest, states),
-            jacobian: take(rest, jacobian),
-            factors: take(rest, places),
+            slope: rest.take(states),
+            sum: rest.take(states),
+            stage: rest.take(states),
+            jacobian: rest.take(jacobian),
+            factors: rest.take(places),
             projection: Projection::new(self.simulator, rest),
         }
     }
@@ -176,12 +220,54 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         if self.simulator.events() > 0 {
             return self.step_with_events(time, step, state, room);
         }
-        let mut rest = &mut *room.numbers;
+        let mut rest = Rest(room.numbers);
         let mut scratch = self.scratch(&mut rest);
-        let end = take(&mut rest, state.len());
-        self.advance(time, step, state, end, &mut scratch);
-        state.copy_from_slice(end);
-        Stepped::Events(0)
+        let end = rest.take(state.len());
+        let count = self.simulator.shape().discontinuities;
+        if count == 0 {
+            self.advance(time, step, state, end, &mut scratch);
+            state.copy_from_slice(end);
+            return Stepped::Events(0);
+        }
+        let jumps = rest.take(count);
+        let (mut now, mut left) = (time, step);
+        let mut stepped = Stepped::Events(0);
+        for part in 1..=self.parts_a_step {
+            if left <= R::literal(0.0) {
+                break;
+            }
+            let mut jump = self.next_jump(now, now + left, jumps);
+            if part == self.parts_a_step && jump.take().is_some() {
+                stepped = Stepped::TooManyParts;
+            }
+            let length = jump.map_or(left, |jump| before_jump(now, left, jump));
+            if R::literal(0.0) < length {
+                self.advance(now, length, state, end, &mut scratch);
+                state.copy_from_slice(end);
+            }
+            let Some(jump) = jump else { break };
+            left = left - (jump - now);
+            now = jump;
+        }
+        stepped
+    }
+
+    /// Parts of a step that suffice where each event happens once in it and the rate jumps once.
+    #[must_use]
+    pub fn enough_parts(simulator: &dyn Simulator<R>) -> usize {
+        simulator.events() + usize::from(simulator.shape().discontinuities > 0) + 1
+    }
+
+    /// The first of the times at which the rate jumps that is after `now` and not after `until`.
+    fn next_jump(&self, now: R, until: R, times: &mut [R]) -> Option<R> {
+        self.simulator.discontinuities(self.parameters, times);
+        let mut first = None;
+        for &time in times.iter() {
+            if now < time && time <= first.unwrap_or(until) {
+                first = Some(time);
+            }
+        }
+        first
     }
 
     fn rate(&self, time: R, state: &[R], rate: &mut [R]) {
@@ -241,8 +327,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         scratch: &mut Scratch<'_, R>,
     ) {
         let Scratch { slope, sum, stage, jacobian, factors, .. } = scratch;
-        let (simulator, parameters, constants) =
-            (self.simulator, self.parameters, self.constants);
+        let (simulator, parameters, constants) = (self.simulator, self.parameters, self.constants);
         let scale = R::literal(ROSENBROCK_GAMMA) * h;
         simulator.prepared_rate_jacobian(time, state, parameters, constants, jacobian);
         of.factor(scale, jacobian, factors);
@@ -253,8 +338,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         of.solve(factors, slope);
         ahead(stage, state, h, slope);
         ahead(end, state, R::literal(1.5) * h, slope);
-        // The Jacobian has been used: its place is too short in general, so k1 stays in `slope`
-        // and the second right side is made of it.
+        // The second right side is made in place of k1 and of the time derivative.
         for (first, by_time) in slope.iter_mut().zip(sum.iter()) {
             *first = -(R::literal(2.0) * *first) - scale * *by_time;
         }

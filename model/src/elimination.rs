@@ -77,8 +77,7 @@ impl Elimination {
         let cost = |rows: &[BTreeSet<u32>], columns: &[BTreeSet<u32>], unknown: u32| {
             rows[unknown as usize].len() * columns[unknown as usize].len()
         };
-        while let Some(&pivot) =
-            left.iter().min_by_key(|&&unknown| cost(&rows, &columns, unknown))
+        while let Some(&pivot) = left.iter().min_by_key(|&&unknown| cost(&rows, &columns, unknown))
         {
             left.remove(&pivot);
             order.push(pivot);
@@ -119,8 +118,9 @@ impl Elimination {
         }
         let side = |unknown: u32, is_lower: bool| {
             let entries = places.rows[unknown as usize].iter();
-            let of = move |&&(column, _): &&(u32, u32)| {
-                let (of, at) = (rank[column as usize], rank[unknown as usize]);
+            let at = rank[unknown as usize];
+            let of = |&&(column, _): &&(u32, u32)| {
+                let of = rank[column as usize];
                 if is_lower { of < at } else { of > at }
             };
             entries.filter(of).map(|&(column, place)| (place, column)).collect::<Vec<_>>()

@@ -11,6 +11,7 @@
 mod check;
 #[cfg(feature = "compiled")]
 pub mod compiled;
+mod elimination;
 pub mod evaluate;
 mod excitation;
 mod facts;
@@ -36,6 +37,7 @@ mod validate;
 pub mod wasm;
 
 pub use check::{Check, ClosedForm, Reference};
+pub use elimination::Elimination;
 pub use excitation::Excitation;
 pub use field::{Attachment, FieldModel, LocalForces};
 pub use lanes::{F64x2, Lane};

@@ -1,7 +1,7 @@
 //! Events within a step of a fixed length.
 
-use super::{FixedSteps, Room, Scratch, StepNumber, Stepped, take};
-use crate::{Direction, Real};
+use super::{FixedSteps, Rest, Room, Scratch, StepNumber, Stepped, before_jump};
+use crate::Direction;
 
 /// Guards and their rates, at the start or the end of a part of a step.
 struct Guards<'w, R> {
@@ -78,6 +78,12 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         direction != 0 && sign_of(guard) == direction
     }
 
+    /// Whether an event sets a mode that it is watched for in.
+    fn ends_its_mode(&self, event: usize) -> bool {
+        let event = self.simulator.event(event);
+        event.when.iter().any(|(entry, _)| event.sets.contains(entry))
+    }
+
     fn look_at(&self, time: R, state: &[R], guards: &mut Guards<'_, R>) {
         self.simulator.guards(time, state, self.parameters, guards.values);
         self.simulator.guard_rates(time, state, self.parameters, guards.rates);
@@ -99,23 +105,19 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         (0..self.simulator.events()).map(|event| self.simulator.event(event).sets.len()).sum()
     }
 
-    fn watch<'w>(
-        &self,
-        rest: &mut &'w mut [R],
-        signs: &'w mut [i8],
-    ) -> Watch<'w, R> {
+    fn watch<'w>(&self, rest: &mut Rest<'w, R>, signs: &'w mut [i8]) -> Watch<'w, R> {
         let events = self.simulator.events();
-        let mut signs = signs;
+        let mut signs = Rest(signs);
         Watch {
-            sides: take(&mut signs, events),
-            passed: take(&mut signs, events),
-            asked: take(&mut signs, events),
-            shares: take(rest, events),
-            before: take(rest, events),
-            start: Guards { values: take(rest, events), rates: take(rest, events) },
-            end: Guards { values: take(rest, events), rates: take(rest, events) },
-            trial: take(rest, self.simulator.shape().states()),
-            values: take(rest, self.resets()),
+            sides: signs.take(events),
+            passed: signs.take(events),
+            asked: signs.take(events),
+            shares: rest.take(events),
+            before: rest.take(events),
+            start: Guards { values: rest.take(events), rates: rest.take(events) },
+            end: Guards { values: rest.take(events), rates: rest.take(events) },
+            trial: rest.take(self.simulator.shape().states()),
+            values: rest.take(self.resets()),
         }
     }
 
@@ -128,9 +130,9 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         if self.simulator.events() == 0 {
             return;
         }
-        let mut rest = &mut *room.numbers;
+        let mut rest = Rest(room.numbers);
         let mut scratch = self.scratch(&mut rest);
-        let _end = take(&mut rest, state.len());
+        let _end = rest.take(state.len());
         let mut watch = self.watch(&mut rest, room.signs);
         watch.asked.fill(1);
         watch.passed.fill(0);
@@ -157,6 +159,7 @@ impl<R: StepNumber> FixedSteps<'_, R> {
             for event in 0..events {
                 let (guard, rate) = (watch.end.values[event], watch.end.rates[event]);
                 if watch.asked[event] == 0
+                    || !self.ends_its_mode(event)
                     || !self.is_watched(event, state)
                     || !self.is_beyond(event, guard)
                     || comes_back(guard, rate, h)
@@ -229,27 +232,31 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         happened
     }
 
-    /// The guards that pass within a part of a step, and the share of it at which the first does.
-    fn passings(&self, h: R, state: &[R], watch: &mut Watch<'_, R>) -> Option<R> {
-        let mut first = None;
+    /// Marks guards that pass zero until the end of a part of a step. One that was at zero, and
+    /// whose event ends the mode it is watched for in, has passed when it is beyond: a state beyond
+    /// is none of that mode. Gives whether there are any.
+    fn pass(&self, state: &[R], watch: &mut Watch<'_, R>) -> bool {
+        let mut found = false;
         for event in 0..self.simulator.events() {
-            let side = watch.sides[event];
-            let passes = self.is_wanted(event, side)
-                && sign_of(watch.end.values[event]) == -side
-                && self.is_watched(event, state);
+            let (side, guard) = (watch.sides[event], watch.end.values[event]);
+            let crosses = self.is_wanted(event, side) && sign_of(guard) == -side;
+            let leaves = side == 0 && self.ends_its_mode(event) && self.is_beyond(event, guard);
+            let passes = (crosses || leaves) && self.is_watched(event, state);
             watch.passed[event] = i8::from(passes);
-            if !passes {
-                continue;
-            }
-            let both = |of: fn(&Guards<'_, R>) -> &[R]| {
-                [of(&watch.start)[event], of(&watch.end)[event]]
-            };
-            let share = passing(side, h, both(|g| g.values), both(|g| g.rates));
+            found |= passes;
+        }
+        found
+    }
+
+    /// The share of a part of a step at which the first of the marked guards passes.
+    fn first_share(&self, h: R, watch: &mut Watch<'_, R>) -> R {
+        let mut first = R::literal(1.0);
+        for event in (0..self.simulator.events()).filter(|event| watch.passed[*event] != 0) {
+            let guard = [watch.start.values[event], watch.end.values[event]];
+            let rate = [watch.start.rates[event], watch.end.rates[event]];
+            let share = passing(watch.sides[event], h, guard, rate);
             watch.shares[event] = share;
-            first = Some(match first {
-                Some(first) if first <= share => first,
-                _ => share,
-            });
+            first = if share < first { share } else { first };
         }
         first
     }
@@ -273,30 +280,46 @@ impl<R: StepNumber> FixedSteps<'_, R> {
         state: &mut [R],
         room: &mut Room<'_, R>,
     ) -> Stepped {
-        let mut rest = &mut *room.numbers;
+        let mut rest = Rest(room.numbers);
         let mut scratch = self.scratch(&mut rest);
-        let end = take(&mut rest, state.len());
+        let end = rest.take(state.len());
         let mut watch = self.watch(&mut rest, room.signs);
+        let jumps = rest.take(self.simulator.shape().discontinuities);
         let (mut now, mut left, mut happened) = (time, step, 0);
-        for part in 0..=self.events_a_step {
-            self.look_at(now, state, &mut watch.start);
-            self.advance(now, left, state, end, &mut scratch);
-            self.look_at(now + left, end, &mut watch.end);
-            let first = self.passings(left, state, &mut watch);
-            let Some(first) = first.filter(|_| part < self.events_a_step) else {
-                self.accept(end, &mut watch);
-                state.copy_from_slice(end);
-                if first.is_some() {
-                    return Stepped::TooManyEvents;
-                }
+        let mut too_many = false;
+        for part in 1..=self.parts_a_step {
+            if left <= R::literal(0.0) {
                 break;
-            };
+            }
+            let is_last = part == self.parts_a_step;
+            let jump = self.next_jump(now, now + left, jumps);
+            too_many |= is_last && jump.is_some();
+            let jump = jump.filter(|_| !is_last);
+            let length = jump.map_or(left, |jump| before_jump(now, left, jump));
+            self.look_at(now, state, &mut watch.start);
+            self.advance(now, length, state, end, &mut scratch);
+            self.look_at(now + length, end, &mut watch.end);
+            let found = self.pass(state, &mut watch);
+            if !found || is_last {
+                too_many |= found;
+                state.copy_from_slice(end);
+                self.accept(state, &mut watch);
+                let Some(jump) = jump else { break };
+                left = left - (jump - now);
+                now = jump;
+                self.simulator.guards(now, state, self.parameters, watch.end.values);
+                if self.pass(state, &mut watch) {
+                    happened += self.happen((now, left), state, &mut watch, &mut scratch);
+                }
+                continue;
+            }
+            let first = self.first_share(length, &mut watch);
             if first < R::literal(1.0) {
-                self.advance(now, first * left, state, end, &mut scratch);
+                self.advance(now, first * length, state, end, &mut scratch);
             }
             state.copy_from_slice(end);
-            now = now + first * left;
-            left = left - first * left;
+            now = now + first * length;
+            left = left - first * length;
             self.simulator.guards(now, state, self.parameters, watch.end.values);
             for event in 0..self.simulator.events() {
                 let passed = watch.passed[event] != 0
@@ -306,6 +329,6 @@ impl<R: StepNumber> FixedSteps<'_, R> {
             }
             happened += self.happen((now, left), state, &mut watch, &mut scratch);
         }
-        Stepped::Events(happened)
+        if too_many { Stepped::TooManyParts } else { Stepped::Events(happened) }
     }
 }

@@ -1,6 +1,6 @@
 //! One step of Newton's method each that puts positions and velocities back onto constraints.
 
-use super::{FixedSteps, StepNumber, take};
+use super::{FixedSteps, Rest, StepNumber};
 use crate::{Real, Simulator};
 
 /// Where shifts are computed.
@@ -27,14 +27,14 @@ impl<'w, R: StepNumber> Projection<'w, R> {
         size * size + size + constraints + mass + slopes
     }
 
-    pub(super) fn new(simulator: &dyn Simulator<R>, rest: &mut &'w mut [R]) -> Self {
+    pub(super) fn new(simulator: &dyn Simulator<R>, rest: &mut Rest<'w, R>) -> Self {
         let [size, constraints, mass, slopes] = sizes(simulator);
         Self {
-            matrix: take(rest, size * size),
-            shift: take(rest, size),
-            off: take(rest, constraints),
-            mass: take(rest, mass),
-            slopes: take(rest, slopes),
+            matrix: rest.take(size * size),
+            shift: rest.take(size),
+            off: rest.take(constraints),
+            mass: rest.take(mass),
+            slopes: rest.take(slopes),
         }
     }
 
@@ -100,8 +100,7 @@ fn sizes<R: Real>(simulator: &dyn Simulator<R>) -> [usize; 4] {
     if constraints == 0 {
         return [0; 4];
     }
-    let [mass, slopes] =
-        [simulator.mass_matrix_pattern(), simulator.constraint_matrix_pattern()];
+    let [mass, slopes] = [simulator.mass_matrix_pattern(), simulator.constraint_matrix_pattern()];
     [
         simulator.shape().coordinates + constraints,
         constraints,

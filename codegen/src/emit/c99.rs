@@ -5,11 +5,13 @@
 //! products are not fused.
 
 mod body;
+mod cost;
 mod description;
 mod events;
 mod expression;
 mod functions;
 mod helpers;
+mod implicit;
 mod layout;
 mod names;
 mod project;
@@ -21,6 +23,7 @@ use machinist_model::{Model, StateKind};
 
 use super::EmitError;
 use body::{Scope, body};
+pub use cost::{StepCalls, StepCost, step_calls, step_cost};
 use expression::Written;
 use names::Namer;
 
@@ -74,17 +77,30 @@ pub enum FixedMethod {
     RungeKutta4,
     /// Heun's method, of order 2.
     Heun,
+    /// A linearly implicit method of order 2, for stiff machines.
+    Rosenbrock2,
 }
 
 impl FixedMethod {
-    /// Each with its name on the command line.
-    pub const ALL: [(Self, &'static str); 2] = [(Self::RungeKutta4, "rk4"), (Self::Heun, "heun")];
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::RungeKutta4, Self::Heun, Self::Rosenbrock2];
+
+    /// Its name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::RungeKutta4 => "rk4",
+            Self::Heun => "heun",
+            Self::Rosenbrock2 => "ros2",
+        }
+    }
 
     /// What it is, within a sentence.
     fn meaning(self) -> &'static str {
         match self {
             Self::RungeKutta4 => "the classical Runge-Kutta method of order 4",
             Self::Heun => "Heun's method of order 2",
+            Self::Rosenbrock2 => "a linearly implicit Rosenbrock method of order 2",
         }
     }
 }

@@ -6,7 +6,7 @@ use machinist_model::{Direction, StateKind};
 
 use super::description::needs_start;
 use super::layout::{comment, statement};
-use super::{FixedMethod, Real, Scene};
+use super::{FixedMethod, Real, Scene, cost, implicit};
 use crate::emit::EmitError;
 
 const RUNGE_KUTTA: &str = include_str!("snippets/runge_kutta.c");
@@ -31,7 +31,7 @@ pub(super) fn declarations(scene: &Scene<'_>) -> String {
              What passes zero after that happens in the next step. Each event once and one jump, \
              unless set otherwise.",
         ]));
-        let parts = parts(scene);
+        let parts = cost::parts(scene.model);
         let _ = writeln!(text, "#ifndef {most}\n#define {most} {parts}u\n#endif\n");
     }
     text.push_str(&machine(scene));
@@ -63,10 +63,17 @@ pub(super) fn declarations(scene: &Scene<'_>) -> String {
         (false, true) => " Gives 0, or -1 if the step had more parts than may be.",
         (false, false) => " Gives 0.",
     };
+    let cost = cost::step_cost(scene.model, scene.options.method);
+    let most = if has_parts(scene) {
+        format!(", at most {} in {} parts", cost.most, cost.parts)
+    } else {
+        String::new()
+    };
     let doc = format!(
         "Advances the machine by a step [s], by {}.{events} Parameters and inputs may be changed \
-         between steps; call {prepare} after that of parameters.",
-        scene.options.method.meaning()
+         between steps; call {prepare} after that of parameters. {} operations{most}.",
+        scene.options.method.meaning(),
+        cost.usual
     );
     let _ = write!(
         text,
@@ -84,11 +91,6 @@ fn has_parts(scene: &Scene<'_>) -> bool {
 
 fn has_jumps(scene: &Scene<'_>) -> bool {
     !scene.model.discontinuities.results.is_empty()
-}
-
-/// Parts of a step: up to each event once, up to one jump, and what is left.
-fn parts(scene: &Scene<'_>) -> usize {
-    scene.model.events.len() + usize::from(has_jumps(scene)) + 1
 }
 
 fn machine(scene: &Scene<'_>) -> String {
@@ -141,10 +143,11 @@ fn set_head(scene: &Scene<'_>) -> String {
 pub(super) fn definitions(scene: &Scene<'_>) -> Result<String, EmitError> {
     let is_constrained = !scene.model.constraints.is_empty();
     let mut parts = vec![ahead(scene)];
-    parts.push(scene.filled(match scene.options.method {
-        FixedMethod::RungeKutta4 => RUNGE_KUTTA,
-        FixedMethod::Heun => HEUN,
-    }));
+    parts.push(match scene.options.method {
+        FixedMethod::RungeKutta4 => scene.filled(RUNGE_KUTTA),
+        FixedMethod::Heun => scene.filled(HEUN),
+        FixedMethod::Rosenbrock2 => implicit::advance(scene)?,
+    });
     if is_constrained {
         parts.push(shifts(scene));
         parts.push(scene.filled(&with_library_names(PROJECT, scene.options.real)));

@@ -4,15 +4,18 @@
 //! Where there is no `cc`, tests say so and pass; `MACHINIST_C99=all` tries every scene of
 //! `specs/scenes`.
 
+mod board;
 mod compiler;
 mod driver;
 
 use machinist::Simulation;
 use machinist::linear_analysis::{Place, operating_point};
-use machinist_codegen::emit::c99::{C99Options, FixedMethod, Real, emit};
+use machinist_codegen::emit::c99::{C99Options, FixedMethod, Real, StepCalls, emit, step_calls};
 use machinist_codegen::mechanics::reduce::Keep;
+use machinist_contract::Simulator;
+use machinist_contract::fixed_step::{self, Clock, FixedSteps, Room};
 use machinist_model::evaluate::{Evaluator, Inputs};
-use machinist_model::{Model, ModelSimulator, Tape};
+use machinist_model::{Elimination, Model, ModelSimulator, Tape};
 
 use crate::own_scene::{folder_of_specs, model_of_specs, specs_in};
 use crate::wasm::{assert_same, expected};
@@ -159,7 +162,11 @@ fn steps_of_emitted_c_converge_to_the_adaptive_run_with_their_order() {
     {
         let model = model_of_specs(name, Keep::Needed);
         let (exact, _) = adaptive(&model);
-        for (method, order) in [(FixedMethod::RungeKutta4, 4.0), (FixedMethod::Heun, 2.0)] {
+        for (method, order) in [
+            (FixedMethod::RungeKutta4, 4.0),
+            (FixedMethod::Heun, 2.0),
+            (FixedMethod::Rosenbrock2, 2.0),
+        ] {
             let options = C99Options { method, ..options(Real::Double, &model) };
             let program = compiled(&compiler, &model, &options);
             let error = |steps| difference(&model, &end_of(&program, &model, steps).0, &exact);
@@ -191,6 +198,79 @@ fn steps_of_emitted_c_find_the_events_of_the_adaptive_run() {
         let error = difference(&model, &state, &exact);
         let said = format!("{name}: {events} events of {switches}, off by {error:e}");
         assert!(events.to_bits() == (switches as f64).to_bits() && error < allowed, "{said}");
+    }
+}
+
+/// Time and state after each of so many steps of the contract, from a start.
+fn steps_in_rust(
+    model: &Model,
+    method: FixedMethod,
+    (start, step, steps): (&[f64], f64, usize),
+) -> Vec<Vec<f64>> {
+    let simulator = ModelSimulator::interpreted(model.clone());
+    let parameters: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
+    let mut constants = vec![0.0; Simulator::<f64>::constants(&simulator)];
+    simulator.prepare(&parameters, &mut constants);
+    let states = model.states.len();
+    let elimination = Elimination::new(states, &model.rate_jacobian.pattern.entries);
+    let machine = FixedSteps {
+        simulator: &simulator,
+        parameters: &parameters,
+        constants: &constants,
+        method: match method {
+            FixedMethod::RungeKutta4 => fixed_step::FixedMethod::RungeKutta4,
+            FixedMethod::Heun => fixed_step::FixedMethod::Heun,
+            FixedMethod::Rosenbrock2 => {
+                fixed_step::FixedMethod::Rosenbrock2(elimination.borrowed())
+            }
+        },
+        parts_a_step: FixedSteps::<f64>::enough_parts(&simulator),
+    };
+    let [numbers, signs] = machine.room();
+    let (mut numbers, mut signs) = (vec![f64::NAN; numbers], vec![0; signs]);
+    let mut room = Room { numbers: &mut numbers, signs: &mut signs };
+    let mut state = start.to_vec();
+    let mut clock = Clock::new(model.run.from);
+    machine.settle(clock.time(), &mut state, &mut room);
+    let mut rows = vec![state.clone()];
+    for _ in 0..steps {
+        machine.step(clock.time(), step, &mut state, &mut room);
+        clock.pass(step);
+        rows.push(state.clone());
+    }
+    rows
+}
+
+#[test]
+fn steps_of_emitted_c_give_the_bits_of_steps_in_rust() {
+    let Some(compiler) = Compiler::found() else { return };
+    let methods = [FixedMethod::RungeKutta4, FixedMethod::Heun, FixedMethod::Rosenbrock2];
+    for (name, steps) in [
+        ("saw_gin", 300),
+        ("stick_slip", 2000),
+        ("pendulum_constrained", 300),
+        ("drives/winch", 4000),
+        ("msl/coupled_clutches", 1000),
+        ("parts/sources/torque", 200),
+    ] {
+        let model = model_of_specs(name, Keep::Needed);
+        let step = (model.run.until - model.run.from) / steps as f64;
+        for method in methods {
+            let options = C99Options { method, ..options(Real::Double, &model) };
+            let start = options.start.clone().unwrap_or_else(|| {
+                let simulator = ModelSimulator::interpreted(model.clone());
+                let p: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
+                let mut state = vec![0.0; model.states.len()];
+                simulator.initial_state(&p, &mut state);
+                state
+            });
+            let program = compiled(&compiler, &model, &options);
+            let of_c = program.run(step, steps, model.states.len());
+            let of_rust = steps_in_rust(&model, method, (&start, step, steps));
+            for (index, ((_, found, _), wanted)) in of_c.iter().zip(&of_rust).enumerate() {
+                assert_same(&format!("{name} by {method:?}: step {index}"), found, wanted);
+            }
+        }
     }
 }
 
@@ -254,4 +334,82 @@ fn a_scene_with_fields_is_refused_by_the_name_of_its_field() {
     let error = emit(&model, &C99Options::default()).expect_err("fields").to_string();
     let field = &model.fields[0].quantities[0].name.path;
     assert!(error.starts_with(&format!("the field `{field}` is cut into elements")), "{error}");
+}
+
+#[test]
+fn no_step_calls_more_than_is_said() {
+    let Some(compiler) = Compiler::found() else { return };
+    for (name, steps) in [
+        ("saw_gin", 200),
+        ("stick_slip", 300),
+        ("drives/winch", 2000),
+        ("msl/coupled_clutches", 300),
+        ("parts/rotational/lossy_gear", 300),
+    ] {
+        let model = model_of_specs(name, Keep::Needed);
+        let step = (model.run.until - model.run.from) / steps as f64;
+        for method in [FixedMethod::RungeKutta4, FixedMethod::Rosenbrock2] {
+            let options = C99Options { method, ..options(Real::Double, &model) };
+            let files = emit(&model, &options).expect("emitted");
+            let program = (&*model.name, &files[..], &*driver::counting(&model));
+            let rows = compiler.count(program, (step, steps), driver::COUNTED.len());
+            assert_eq!(rows.len(), steps, "{name}");
+            let [usual, most] = step_calls(&model, method).map(|calls| {
+                let StepCalls { rates, jacobians, guards, guard_rates, resets, .. } = calls;
+                let all = [rates, jacobians, guards, guard_rates, resets, calls.discontinuities];
+                all.map(|count| count as f64)
+            });
+            for row in &rows {
+                let is_within = row.iter().zip(&most).all(|(found, most)| found <= most);
+                assert!(is_within, "{name} by {method:?}: {row:?} of {most:?}");
+            }
+            // What is usual is just what most steps do.
+            let usual = rows.iter().filter(|row| row[..] == usual).count();
+            assert!(2 * usual > steps, "{name} by {method:?}: {usual} steps of {steps}");
+        }
+    }
+}
+
+#[test]
+fn microcontrollers_give_the_bits_of_the_host() {
+    let Some(compiler) = Compiler::found() else { return };
+    if !board::are_here() {
+        return;
+    }
+    let head = ["scene", "processor", "numbers", "code", "ram", "stack", "a step", "at most"];
+    let row = |cells: [String; 8]| {
+        let [scene, processor, numbers, rest @ ..] = cells;
+        let rest = rest.map(|cell| format!("{cell:>8}")).join("");
+        eprintln!("{scene:<14}{processor:<11}{numbers:<8}{rest}");
+    };
+    row(head.map(str::to_owned));
+    for (name, step) in [("saw_gin", 1e-3), ("drives/winch", 5e-4), ("stick_slip", 1e-3)] {
+        let model = model_of_specs(name, Keep::Needed);
+        let steps = (1.0_f64 / step).round() as usize;
+        for real in [Real::Double, Real::Float] {
+            let options = options(real, &model);
+            let files = emit(&model, &options).expect("emitted");
+            let program = compiler.build(&model.name, &files, &driver::text(&model, real));
+            let rows = program.run(step, steps, model.states.len());
+            let host = &rows.last().expect("a row").1;
+            for board in &board::BOARDS {
+                let ran = board.run((&model.name, &files, real), step, steps);
+                let what = format!("{name} on {}", board.processor);
+                match real {
+                    Real::Double => assert_same(&what, &ran.state, host),
+                    Real::Float => {
+                        let error = difference(&model, &ran.state, host);
+                        assert!(error < 1e-3, "{what}: off by {error:e}");
+                    }
+                }
+                let events: f64 = rows.iter().map(|(.., events)| events).sum();
+                assert_eq!(ran.events, events as u64, "{what}");
+                let [mean, most] = ran.instructions;
+                let numbers = [ran.code, ran.ram, ran.stack, mean, most].map(|n| n.to_string());
+                let [code, ram, stack, mean, most] = numbers;
+                let [scene, processor] = [name, board.processor].map(str::to_owned);
+                row([scene, processor, real.name().to_owned(), code, ram, stack, mean, most]);
+            }
+        }
+    }
 }

@@ -78,3 +78,43 @@ pub fn text(model: &Model, real: Real) -> String {
         read("p", 1 + states, parameters),
     )
 }
+
+/// Functions whose calls are counted.
+pub const COUNTED: [&str; 6] =
+    ["rate", "rate_jacobian", "guards", "guard_rates", "resets", "discontinuities"];
+
+/// A program that steps, and writes how often each step has called these functions; a compiler
+/// that notes calls calls it.
+pub fn counting(model: &Model) -> String {
+    let name = &model.name;
+    let mut text = format!(
+        "#include \"{name}.h\"\n#include <stdio.h>\n#include <stdlib.h>\n\
+         #define UNSEEN __attribute__((no_instrument_function))\n\
+         static double counts[{}];\n\
+         void __cyg_profile_func_enter(void *function, void *from) UNSEEN;\n\
+         void __cyg_profile_func_exit(void *function, void *from) UNSEEN;\n\
+         void __cyg_profile_func_enter(void *function, void *from)\n{{\n    (void)from;\n",
+        COUNTED.len()
+    );
+    let is_there = |name: &&str| functions(model).iter().any(|row| row.name == *name);
+    for (at, function) in COUNTED.iter().enumerate().filter(|(_, name)| is_there(name)) {
+        let _ = writeln!(
+            text,
+            "    if (function == (void *){name}_{function}) {{\n        counts[{at}] += 1.0;\n    }}"
+        );
+    }
+    let count = COUNTED.len();
+    let _ = write!(
+        text,
+        "}}\nvoid __cyg_profile_func_exit(void *function, void *from)\n{{\n    (void)function;\n    \
+         (void)from;\n}}\n\
+         UNSEEN int main(int argc, char **argv)\n{{\n    {name}_machine_t machine;\n    long k;\n    \
+         int entry;\n    if (argc < 3) {{\n        return 1;\n    }}\n    {name}_begin(&machine);\n    \
+         for (k = 0; k < strtol(argv[2], NULL, 10); ++k) {{\n        \
+         for (entry = 0; entry < {count}; ++entry) {{\n            counts[entry] = 0.0;\n        }}\n        \
+         {name}_step(&machine, strtod(argv[1], NULL));\n        \
+         if (fwrite(counts, sizeof counts, 1, stdout) != 1) {{\n            return 1;\n        }}\n    }}\n    \
+         return 0;\n}}\n"
+    );
+    text
+}

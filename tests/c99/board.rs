@@ -1,0 +1,137 @@
+//! Emitted C on microcontrollers, by QEMU: the bits of the host, and what a step takes.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use machinist_codegen::emit::c99::{C99File, Real};
+
+const PROGRAM: &str = include_str!("board/board.c");
+const SCRIPT: &str = include_str!("board/board.ld");
+
+/// A microcontroller that QEMU has.
+pub struct Board {
+    /// Its processor.
+    pub processor: &'static str,
+    unit: &'static str,
+    machine: &'static str,
+}
+
+/// A Cortex-M4F, which computes `double` by software, and a Cortex-M7 with a unit for it.
+pub const BOARDS: [Board; 2] = [
+    Board { processor: "cortex-m4", unit: "fpv4-sp-d16", machine: "mps2-an386" },
+    Board { processor: "cortex-m7", unit: "fpv5-d16", machine: "mps2-an500" },
+];
+
+const GCC: &str = "arm-none-eabi-gcc";
+const QEMU: &str = "qemu-system-arm";
+
+/// What a run on a board gave.
+pub struct Ran {
+    /// The state at the end.
+    pub state: Vec<f64>,
+    /// Events.
+    pub events: u64,
+    /// Bytes of the code and constants of the scene, without libraries.
+    pub code: u64,
+    /// Bytes of the struct that runs.
+    pub ram: u64,
+    /// Bytes of stack.
+    pub stack: u64,
+    /// Instructions of a step, on average and at most.
+    pub instructions: [u64; 2],
+}
+
+/// Whether a compiler for these processors and QEMU are here; says so if not.
+pub fn are_here() -> bool {
+    let is_here = |name: &&str| {
+        let quiet = Command::new(name).arg("--version").stdout(Stdio::null()).status();
+        quiet.is_ok_and(|status| status.success())
+    };
+    let missing = [GCC, QEMU].into_iter().find(|name| !is_here(name));
+    if let Some(missing) = missing {
+        eprintln!("skipped: there is no {missing} to run emitted C on a microcontroller");
+    }
+    missing.is_none()
+}
+
+/// SysTick counts at 25 MHz, and QEMU takes a nanosecond for an instruction.
+const INSTRUCTIONS_A_TICK: u64 = 40;
+
+impl Board {
+    /// Runs a scene by so many steps of a length.
+    pub fn run(
+        &self,
+        (name, files, real): (&str, &[C99File], Real),
+        step: f64,
+        steps: usize,
+    ) -> Ran {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path();
+        for file in files {
+            std::fs::write(path.join(&file.name), &file.text).expect("written");
+        }
+        std::fs::write(path.join("board.c"), PROGRAM).expect("written");
+        std::fs::write(path.join("board.ld"), SCRIPT).expect("written");
+        let target = [
+            format!("-mcpu={}", self.processor),
+            "-mthumb".to_owned(),
+            format!("-mfpu={}", self.unit),
+            "-mfloat-abi=hard".to_owned(),
+            "-O2".to_owned(),
+            "-ffp-contract=off".to_owned(),
+        ];
+        let source = format!("{name}.c");
+        let strict = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"];
+        run(Command::new(GCC).args(&target).args(strict).args(["-c", &source]), path);
+        let object = format!("{name}.o");
+        let defined = [
+            format!("-DSCENE={name}"),
+            format!("-DSCENE_HEADER=\"{name}.h\""),
+            format!("-DREAL={}", real.name()),
+            format!("-DSTEP={step:e}"),
+            format!("-DSTEPS={steps}"),
+        ];
+        let mut link = Command::new(GCC);
+        link.args(&target).args(defined).args(["board.c", &object, "-o", "board.elf"]);
+        link.args(["-nostartfiles", "-ffreestanding", "-T", "board.ld", "-lm", "-lc", "-lgcc"]);
+        run(link.arg("--specs=nosys.specs"), path);
+        let size = run(Command::new("arm-none-eabi-size").arg(&object), path);
+        let code = size.lines().nth(1).and_then(|line| line.split_whitespace().next());
+        let code = code.and_then(|code| code.parse().ok()).expect("bytes of text");
+        self.answer(path, real, steps as u64, code)
+    }
+
+    fn answer(&self, path: &Path, real: Real, steps: u64, code: u64) -> Ran {
+        let mut command = Command::new(QEMU);
+        command.args(["-M", self.machine, "-nographic", "-icount", "shift=0"]);
+        command.args(["-semihosting-config", "enable=on,target=native", "-kernel", "board.elf"]);
+        let said = run(command.stdin(Stdio::null()), path);
+        let numbers = |what: &str| -> Vec<u64> {
+            let lines = said.lines().filter_map(|line| line.strip_prefix(what)?.strip_prefix(' '));
+            lines.map(|hex| u64::from_str_radix(hex.trim(), 16).expect("a number")).collect()
+        };
+        let one = |what: &str| numbers(what).first().copied().unwrap_or_else(|| panic!("{said}"));
+        let state = numbers("state").into_iter().map(|bits| match real {
+            Real::Double => f64::from_bits(bits),
+            Real::Float => f64::from(f32::from_bits(bits as u32)),
+        });
+        Ran {
+            state: state.collect(),
+            events: one("events"),
+            code,
+            ram: one("ram"),
+            stack: one("stack"),
+            instructions: [one("ticks") / steps, one("most")].map(|n| n * INSTRUCTIONS_A_TICK),
+        }
+    }
+}
+
+/// What a command says, which must succeed.
+fn run(command: &mut Command, folder: &Path) -> String {
+    let output = command.current_dir(folder).output().expect("a program that is here");
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    // QEMU's console for semihosting may be either.
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{command:?}:\n{said}{errors}");
+    format!("{said}{errors}")
+}

@@ -7,6 +7,7 @@
 mod accessible;
 mod anywhere;
 mod book;
+mod c99;
 mod campbell;
 mod cli;
 mod cli_sweep;

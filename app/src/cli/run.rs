@@ -1,6 +1,7 @@
 //! `machinist run`: one scene over time, to numbers and plots.
 
 mod compare;
+mod fixed;
 
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -27,6 +28,7 @@ use crate::number::number;
 use crate::parquet;
 use crate::progress::during;
 use compare::{Other, Others};
+use fixed::Fixed;
 use serde_json::json;
 
 #[derive(Debug, Args)]
@@ -90,6 +92,8 @@ pub struct Run {
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     columns: Vec<String>,
     #[command(flatten)]
+    fixed: fixed::Options,
+    #[command(flatten)]
     others: Others,
 }
 
@@ -135,6 +139,9 @@ impl Run {
         require_picture(self.plot.as_deref(), "--plot")?;
         let wanted = Discretisation { elements: self.elements, order: self.order };
         let scene = Scene::load_cut(&self.scene, self.keep_all, wanted)?;
+        if let Some(fixed) = self.fixed.asked()? {
+            return self.by_fixed_steps(&fixed, &scene, format);
+        }
         self.check_columns(scene.simulator())?;
         self.check_sensitivities()?;
         let from = self.from.unwrap_or(scene.simulator().run_defaults().from);
@@ -156,6 +163,37 @@ impl Run {
             }
             Err(error) => Err(self.stopped(&scene, format, error)?),
         }
+    }
+
+    /// Steps of a fixed length, compared with the adaptive run at the same times.
+    fn by_fixed_steps(
+        &self,
+        fixed: &Fixed,
+        scene: &Scene,
+        format: Option<Format>,
+    ) -> Result<(), Failure> {
+        let simulator = scene.simulator();
+        let run = self.adjusted(with_parameters(Simulation::new(simulator), &self.set)?)?;
+        let until = self.until.unwrap_or(simulator.run_defaults().until);
+        let rows = self.points.unwrap_or(simulator.run_defaults().points).max(2) - 1;
+        let stepping = during("stepping", || fixed.run(&run, until, rows))?;
+        let exact = run.clone().times(stepping.times());
+        let mut trajectory = during("simulating", || exact.run())?;
+        let mut summary =
+            fixed.compare(&stepping, simulator, run.parameter_values(), &mut trajectory);
+        if let Some(unknown) = self.columns.iter().find(|name| trajectory.find(name).is_none()) {
+            let known = trajectory.columns.iter().map(|column| column.name.as_str());
+            let message = format!("there is no column `{unknown}`");
+            return Err(Failure::input(message, did_you_mean(unknown, known)));
+        }
+        let trajectory = self.chosen_columns(trajectory);
+        if !self.write(scene, format, &trajectory, &self.columns)? {
+            return Ok(());
+        }
+        for file in [&self.out, &self.plot].into_iter().flatten() {
+            summary.push_str(&format!("\nwrote {}\n", file.display()));
+        }
+        print(&summary)
     }
 
     /// What there is of a run that stopped is written all the same, and summed up if it was

@@ -5,9 +5,10 @@ use std::path::Path;
 use clap::{Args, ValueEnum};
 use machinist::Simulation;
 use machinist::linear_analysis::{Place, operating_point};
-use machinist_codegen::emit::c99::{C99Options, FixedMethod, Real};
+use machinist_codegen::emit::c99::{C99Options, FixedMethod, Real, step_cost};
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::write::{Mode, emit_c99};
+use machinist_codegen::write::{Mode, WriteError, emit_c99};
+use machinist_fmu::variables::{Unfit, Variables};
 use machinist_model::{Model, ModelSimulator};
 
 use super::describe;
@@ -22,26 +23,26 @@ enum Width {
     F32,
 }
 
-/// How steps are taken.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Step {
-    /// Runge-Kutta's classical method of order 4
-    Rk4,
-    /// Heun's method of order 2
-    Heun,
-}
-
 #[derive(Debug, Args)]
 pub struct Options {
     /// With --target c99: the type of numbers, double or float; f64 unless given
     #[arg(long, value_name = "TYPE")]
     real: Option<Width>,
-    /// With --target c99: the method of a step; rk4 unless given
-    #[arg(long, value_name = "NAME")]
-    step: Option<Step>,
+    /// With --target c99: the method of a step, rk4, heun or ros2; rk4 unless given
+    #[arg(long, value_name = "NAME", value_parser = fixed_method)]
+    step: Option<FixedMethod>,
     /// With --target c99: parameters that are set along the run, which get a struct of their own
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     inputs: Vec<String>,
+}
+
+/// The method of a name.
+fn fixed_method(name: &str) -> Result<FixedMethod, String> {
+    let found = FixedMethod::ALL.into_iter().find(|method| method.name() == name);
+    found.ok_or_else(|| {
+        let names = FixedMethod::ALL.map(FixedMethod::name).join(", ");
+        format!("there are {names}")
+    })
 }
 
 impl Options {
@@ -68,25 +69,48 @@ impl Options {
         mode: Mode,
     ) -> Result<(), Failure> {
         let model = model(scene, keep_all)?;
-        let known = model.parameters.iter().map(|p| p.quantity.name.path.as_str());
-        if let Some(name) = self.inputs.iter().find(|name| !known.clone().any(|k| k == **name)) {
-            let message = format!("scene `{}` has no parameter `{name}`", model.name);
-            return Err(Failure::input(message, did_you_mean(name, known)));
-        }
+        self.check_inputs(&model)?;
         let options = C99Options {
             real: match self.real {
                 None | Some(Width::F64) => Real::Double,
                 Some(Width::F32) => Real::Float,
             },
-            method: match self.step {
-                None | Some(Step::Rk4) => FixedMethod::RungeKutta4,
-                Some(Step::Heun) => FixedMethod::Heun,
-            },
+            method: self.step.unwrap_or_default(),
             command: self.command(scene, keep_all),
             inputs: self.inputs.clone(),
             start: start(&model)?,
         };
-        print(&describe(&emit_c99(out, &model, &options, mode)?, ""))
+        match emit_c99(out, &model, &options, mode) {
+            Ok(summary) => {
+                let cost = step_cost(&model, options.method);
+                let most = match cost.parts {
+                    1 => String::new(),
+                    parts => format!(", at most {} in {parts} parts", cost.most),
+                };
+                let step = format!("a step takes {} operations{most}\n", cost.usual);
+                print(&(describe(&summary, "") + &step))
+            }
+            Err(WriteError::NotFresh { files, .. }) => {
+                let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+                let message = format!("not what the spec gives: {}", names.join(", "));
+                Err(Failure::unsuccessful(message, "leave `--check` out to write it again"))
+            }
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    /// Refuses inputs that there are not, or that the equations take for constant.
+    fn check_inputs(&self, model: &Model) -> Result<(), Failure> {
+        if self.inputs.is_empty() || !model.fields.is_empty() {
+            return Ok(());
+        }
+        let all = &self.inputs;
+        if let Some(twice) = (1..all.len()).find(|at| all[..*at].contains(&all[*at])) {
+            return Err(Failure::input(format!("--inputs {} is given twice", all[twice]), ""));
+        }
+        let simulator = ModelSimulator::interpreted(model.clone());
+        let unfit = Variables::of(model, simulator.single(), all).err();
+        unfit.map_or(Ok(()), |unfit| Err(refused(&unfit, model)))
     }
 
     /// The command that makes the files again, in a folder that the reader names.
@@ -97,8 +121,8 @@ impl Options {
         if self.real == Some(Width::F32) {
             command.push_str(" --real f32");
         }
-        if self.step == Some(Step::Heun) {
-            command.push_str(" --step heun");
+        if let Some(step) = self.step {
+            command.push_str(&format!(" --step {}", step.name()));
         }
         if !self.inputs.is_empty() {
             command.push_str(&format!(" --inputs {}", self.inputs.join(",")));
@@ -108,6 +132,20 @@ impl Options {
         }
         command
     }
+}
+
+/// Why a parameter is no input.
+fn refused(unfit: &Unfit, model: &Model) -> Failure {
+    let help = match unfit {
+        Unfit::UnknownInput { name, .. } => {
+            did_you_mean(name, model.parameters.iter().map(|p| p.quantity.name.path.as_str()))
+        }
+        Unfit::NotAnInput { .. } => {
+            "forces, torques, voltages and other terms of the motion can be".to_owned()
+        }
+        Unfit::NoFields { .. } | Unfit::Cut(_) => String::new(),
+    };
+    Failure::input(unfit, help)
 }
 
 fn model(scene: &str, keep_all: bool) -> Result<Model, Failure> {

@@ -1,0 +1,206 @@
+//! `machinist run --fixed`: the steps of a fixed length that emitted C99 takes, compared with the
+//! adaptive run.
+
+use clap::Args;
+use machinist::Simulation;
+use machinist::linear_analysis::{Place, operating_point};
+use machinist::trajectory::{Column, ColumnKind, Trajectory};
+use machinist_contract::Simulator;
+use machinist_contract::fixed_step::{Clock, FixedMethod, FixedSteps, Room, Stepped};
+use machinist_model::Elimination;
+
+use super::columns;
+use crate::failure::Failure;
+use crate::number::number;
+
+/// Methods, by their names.
+const METHODS: [(&str, &str); 3] = [
+    ("rk4", "the classical Runge-Kutta method of order 4"),
+    ("heun", "Heun's method of order 2"),
+    ("ros2", "a linearly implicit Rosenbrock method of order 2"),
+];
+
+#[derive(Debug, Args)]
+pub struct Options {
+    /// Take steps of this length, s, as emitted C99 does, and report their errors against the
+    /// adaptive run
+    #[arg(long, value_name = "STEP", conflicts_with_all = ["sensitivities", "modes"])]
+    fixed: Option<f64>,
+    /// With --fixed: rk4, heun or ros2; rk4 unless given
+    #[arg(long, value_name = "NAME", requires = "fixed", value_parser = name_of_method)]
+    step_method: Option<&'static str>,
+}
+
+fn name_of_method(name: &str) -> Result<&'static str, String> {
+    let found = METHODS.iter().find(|(known, _)| *known == name);
+    found.map(|(known, _)| *known).ok_or_else(|| {
+        let names = METHODS.map(|(name, _)| name).join(", ");
+        format!("there are {names}")
+    })
+}
+
+/// Steps of a fixed length, as they are asked for.
+pub struct Fixed {
+    step: f64,
+    method: &'static str,
+}
+
+/// What became of the steps.
+pub struct Stepping {
+    times: Vec<f64>,
+    /// A state for each time.
+    states: Vec<Vec<f64>>,
+    steps: usize,
+    step: f64,
+    events: usize,
+    /// Steps that had more parts than may be.
+    crowded: usize,
+}
+
+impl Options {
+    /// The steps that are asked for, if any are.
+    pub fn asked(&self) -> Result<Option<Fixed>, Failure> {
+        let Some(step) = self.fixed else { return Ok(None) };
+        if !(step > 0.0 && step.is_finite()) {
+            let message = format!("--fixed {step}: a step is a finite time above zero");
+            return Err(Failure::input(message, "such as `--fixed 1e-4`, in seconds"));
+        }
+        Ok(Some(Fixed { step, method: self.step_method.unwrap_or(METHODS[0].0) }))
+    }
+}
+
+impl Fixed {
+    /// Steps over the time of a run. Their number is whole, so each is a little shorter than asked
+    /// for where that does not fit.
+    pub fn run(&self, run: &Simulation<'_>, until: f64, rows: usize) -> Result<Stepping, Failure> {
+        let simulator = run.simulator();
+        let point = operating_point(run, Place::Initial)?;
+        let (from, mut state) = (point.time, point.state);
+        /// Steps of a run that one waits for.
+        const MOST: f64 = 1e9;
+        let wanted = (until - from) / self.step;
+        if wanted > MOST {
+            let message = format!("--fixed {}: the run would take {wanted:.0} steps", self.step);
+            return Err(Failure::input(message, "take longer steps, or a shorter run"));
+        }
+        // A step that fits but for rounding fits.
+        let per_row = (wanted / rows as f64 * (1.0 - 1e-9)).ceil().max(1.0) as usize;
+        let step = (until - from) / (rows * per_row) as f64;
+        let pattern = simulator.rate_jacobian_pattern();
+        let elimination = Elimination::new(state.len(), pattern.entries);
+        let mut constants = vec![0.0; simulator.constants()];
+        simulator.prepare(&point.parameters, &mut constants);
+        let machine = FixedSteps {
+            simulator,
+            parameters: &point.parameters,
+            constants: &constants,
+            method: match self.method {
+                "heun" => FixedMethod::Heun,
+                "ros2" => FixedMethod::Rosenbrock2(elimination.borrowed()),
+                _ => FixedMethod::RungeKutta4,
+            },
+            parts_a_step: FixedSteps::enough_parts(simulator),
+        };
+        let [numbers, signs] = machine.room();
+        let (mut numbers, mut signs) = (vec![0.0; numbers], vec![0; signs]);
+        let mut room = Room { numbers: &mut numbers, signs: &mut signs };
+        let mut clock = Clock::new(from);
+        machine.settle(from, &mut state, &mut room);
+        let mut stepping = Stepping {
+            times: vec![from],
+            states: vec![state.clone()],
+            steps: rows * per_row,
+            step,
+            events: 0,
+            crowded: 0,
+        };
+        for row in 1..=rows {
+            for _ in 0..per_row {
+                match machine.step(clock.time(), step, &mut state, &mut room) {
+                    Stepped::Events(events) => stepping.events += events,
+                    Stepped::TooManyParts => stepping.crowded += 1,
+                }
+                clock.pass(step);
+            }
+            stepping.times.push(if row == rows { until } else { clock.time() });
+            stepping.states.push(state.clone());
+        }
+        if let Some(lost) = stepping.first_lost() {
+            let message = format!(
+                "{} with steps of {step:.3e} s: the state is not finite at {lost} s",
+                self.method
+            );
+            let help = "take shorter steps, or `--step-method ros2` for a stiff machine";
+            return Err(Failure::unsuccessful(message, help));
+        }
+        Ok(stepping)
+    }
+
+    /// Puts the steps in place of the adaptive run, with a column of errors behind each of its
+    /// states and outputs; and says how large these are.
+    pub fn compare(
+        &self,
+        stepping: &Stepping,
+        simulator: &dyn Simulator<f64>,
+        parameters: &[f64],
+        adaptive: &mut Trajectory,
+    ) -> String {
+        let shape = simulator.shape();
+        let mut outputs = vec![vec![0.0; shape.outputs]; stepping.times.len()];
+        for ((time, state), outputs) in
+            stepping.times.iter().zip(&stepping.states).zip(&mut outputs)
+        {
+            simulator.outputs(*time, state, parameters, outputs);
+        }
+        let mut compared = Vec::new();
+        let mut lines = vec![["", "unit", "final", "greatest", "largest error"].map(str::to_owned)];
+        for (kind, of) in [(ColumnKind::State, &stepping.states), (ColumnKind::Output, &outputs)] {
+            let columns: Vec<Column> = adaptive.of_kind(kind).cloned().collect();
+            for (entry, exact) in columns.into_iter().enumerate() {
+                let values: Vec<f64> = of.iter().map(|row| row[entry]).collect();
+                let errors: Vec<f64> =
+                    values.iter().zip(&exact.values).map(|(value, exact)| value - exact).collect();
+                let largest = |values: &[f64]| values.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+                let last = values.last().copied().unwrap_or(f64::NAN);
+                let shown = [last, largest(&values), largest(&errors)];
+                let [last, greatest, error] = shown.map(|value| number(value, 6));
+                lines.push([exact.name.clone(), exact.unit.clone(), last, greatest, error]);
+                let name = format!("error({})", exact.name);
+                compared.push(Column { values, ..exact.clone() });
+                compared.push(Column { name, values: errors, ..exact });
+            }
+        }
+        adaptive.columns = compared;
+        adaptive.energy_balance = None;
+        let parts = match stepping.crowded {
+            0 => String::new(),
+            some => format!("\n{some} steps had more parts than may be: take shorter ones"),
+        };
+        let meaning = METHODS.iter().find(|(name, _)| *name == self.method);
+        let meaning = meaning.map_or("", |(_, meaning)| meaning);
+        format!(
+            "{}: {}\n{} steps of {:e} s by {meaning}, {} events{parts}\nerrors against {}, rtol {:e}\n\n{}",
+            adaptive.scene,
+            adaptive.title,
+            stepping.steps,
+            stepping.step,
+            stepping.events,
+            adaptive.method,
+            adaptive.rtol,
+            columns(&lines, 2)
+        )
+    }
+}
+
+impl Stepping {
+    /// Times at which there are states.
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// The first time at which the state is not finite.
+    fn first_lost(&self) -> Option<f64> {
+        let mut rows = self.times.iter().zip(&self.states);
+        rows.find(|(_, state)| state.iter().any(|value| !value.is_finite())).map(|(time, _)| *time)
+    }
+}

@@ -22,6 +22,7 @@ mod exact;
 mod fast_guards;
 mod fields;
 mod fits;
+mod fixed_steps;
 mod forces_along;
 mod friction;
 mod gradients;

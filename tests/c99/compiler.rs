@@ -43,6 +43,11 @@ impl Compiler {
         Some(compiler)
     }
 
+    /// The same, that only makes programs: warnings and undefined behaviour are looked for elsewhere.
+    pub fn plain(self) -> Self {
+        Self { others: Vec::new(), sanitizes: false, ..self }
+    }
+
     fn links_sanitizer(&self) -> bool {
         let folder = tempfile::tempdir().expect("a folder");
         let source = folder.path().join("empty.c");

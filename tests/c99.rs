@@ -412,3 +412,12 @@ fn microcontrollers_give_the_bits_of_the_host() {
         }
     }
 }
+
+#[test]
+fn a_scene_whose_start_is_searched_for_is_refused_without_a_start() {
+    let model = model_of_specs("pendulum_constrained", Keep::Needed);
+    let said = |options: &C99Options| emit(&model, options).expect_err("no start").to_string();
+    assert!(said(&C99Options::default()).contains("no start is given"));
+    let short = C99Options { start: Some(vec![0.0]), ..C99Options::default() };
+    assert!(said(&short).contains("the start has 1 entries"), "{}", said(&short));
+}

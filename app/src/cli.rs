@@ -85,7 +85,7 @@ enum Command {
     /// Begin a machine of your own: a crate that simulates it, or only its spec
     #[cfg(feature = "derive")]
     New(new::New),
-    /// Emit the simulators of all scenes as Rust
+    /// Emit the simulators of all scenes as Rust, or of one as C99
     #[cfg(feature = "derive")]
     Gen(generate::Generate),
     /// Check specs and say what is wrong with them

@@ -312,9 +312,18 @@ fn begin(scene: &Scene<'_>) -> Result<String, EmitError> {
         number("run", 0.0)?
     );
     match &scene.options.start {
+        None if needs_start(model) => {
+            let message = "a run starts on constraints or in equilibrium, and no start is given";
+            return Err(EmitError::Unsupported { message: message.to_owned() });
+        }
         None => {
             let initial = scene.public("initial_state");
             let _ = writeln!(text, "    {initial}(&machine->p, &machine->state);");
+        }
+        Some(start) if start.len() != model.states.len() => {
+            let [given, states] = [start.len(), model.states.len()];
+            let message = format!("the start has {given} entries, and the state {states}");
+            return Err(EmitError::Unsupported { message });
         }
         Some(start) => {
             for (member, value) in scene.state_members.iter().zip(start) {
@@ -327,6 +336,5 @@ fn begin(scene: &Scene<'_>) -> Result<String, EmitError> {
         let _ = writeln!(text, "    {}(machine);", scene.public("settle"));
     }
     text.push_str("}\n");
-    debug_assert!(scene.options.start.is_some() || !needs_start(model) || cfg!(test));
     Ok(text)
 }

@@ -39,6 +39,9 @@ fn name_of_method(name: &str) -> Result<&'static str, String> {
     })
 }
 
+/// Steps of a run that one waits for.
+const MOST_STEPS: f64 = 1e9;
+
 /// Steps of a fixed length, as they are asked for.
 pub struct Fixed {
     step: f64,
@@ -76,10 +79,12 @@ impl Fixed {
         let simulator = run.simulator();
         let point = operating_point(run, Place::Initial)?;
         let (from, mut state) = (point.time, point.state);
-        /// Steps of a run that one waits for.
-        const MOST: f64 = 1e9;
+        if until <= from {
+            let message = format!("the run ends at {until} s, which is not after {from} s");
+            return Err(Failure::input(message, "`--until` and `--from` set both"));
+        }
         let wanted = (until - from) / self.step;
-        if wanted > MOST {
+        if wanted > MOST_STEPS {
             let message = format!("--fixed {}: the run would take {wanted:.0} steps", self.step);
             return Err(Failure::input(message, "take longer steps, or a shorter run"));
         }

@@ -6,7 +6,6 @@ use clap::{Args, ValueEnum};
 use machinist::Simulation;
 use machinist::linear_analysis::{Place, operating_point};
 use machinist_codegen::emit::c99::{C99Options, FixedMethod, Real, step_cost};
-use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::write::{Mode, WriteError, emit_c99};
 use machinist_fmu::variables::{Unfit, Variables};
 use machinist_model::{Model, ModelSimulator};
@@ -88,7 +87,7 @@ impl Options {
                     parts => format!(", at most {} in {parts} parts", cost.most),
                 };
                 let step = format!("a step takes {} operations{most}\n", cost.usual);
-                print(&(describe(&summary, "") + &step))
+                print(&format!("{}{step}", describe(&summary, "")))
             }
             Err(WriteError::NotFresh { files, .. }) => {
                 let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();

@@ -73,8 +73,8 @@ impl Options {
 }
 
 impl Fixed {
-    /// Steps over the time of a run. Their number is whole, so each is a little shorter than asked
-    /// for where that does not fit.
+    /// Steps over the time of a run, with about so many rows. The number of steps is whole, so each
+    /// is a little shorter than asked for where that does not fit.
     pub fn run(&self, run: &Simulation<'_>, until: f64, rows: usize) -> Result<Stepping, Failure> {
         let simulator = run.simulator();
         let point = operating_point(run, Place::Initial)?;
@@ -89,8 +89,8 @@ impl Fixed {
             return Err(Failure::input(message, "take longer steps, or a shorter run"));
         }
         // A step that fits but for rounding fits.
-        let per_row = (wanted / rows as f64 * (1.0 - 1e-9)).ceil().max(1.0) as usize;
-        let step = (until - from) / (rows * per_row) as f64;
+        let steps = (wanted * (1.0 - 1e-9)).ceil().max(1.0) as usize;
+        let (step, every) = ((until - from) / steps as f64, (steps / rows).max(1));
         let pattern = simulator.rate_jacobian_pattern();
         let elimination = Elimination::new(state.len(), pattern.entries);
         let mut constants = vec![0.0; simulator.constants()];
@@ -114,21 +114,21 @@ impl Fixed {
         let mut stepping = Stepping {
             times: vec![from],
             states: vec![state.clone()],
-            steps: rows * per_row,
+            steps,
             step,
             events: 0,
             crowded: 0,
         };
-        for row in 1..=rows {
-            for _ in 0..per_row {
-                match machine.step(clock.time(), step, &mut state, &mut room) {
-                    Stepped::Events(events) => stepping.events += events,
-                    Stepped::TooManyParts => stepping.crowded += 1,
-                }
-                clock.pass(step);
+        for index in 1..=steps {
+            match machine.step(clock.time(), step, &mut state, &mut room) {
+                Stepped::Events(events) => stepping.events += events,
+                Stepped::TooManyParts => stepping.crowded += 1,
             }
-            stepping.times.push(if row == rows { until } else { clock.time() });
-            stepping.states.push(state.clone());
+            clock.pass(step);
+            if index == steps || index % every == 0 {
+                stepping.times.push(if index == steps { until } else { clock.time() });
+                stepping.states.push(state.clone());
+            }
         }
         if let Some(lost) = stepping.first_lost() {
             let message = format!(

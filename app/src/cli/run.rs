@@ -191,7 +191,7 @@ impl Run {
             return Ok(());
         }
         for file in [&self.out, &self.plot].into_iter().flatten() {
-            summary.push_str(&format!("\nwrote {}\n", file.display()));
+            summary.extend(["\nwrote ", &file.display().to_string(), "\n"]);
         }
         print(&summary)
     }

@@ -148,7 +148,7 @@ pub fn emit(model: &Model, options: &C99Options) -> Result<Vec<C99File>, EmitErr
     let name = &model.name;
     let file = |name: String, text: String| C99File { name, text };
     Ok(vec![
-        file(format!("{name}.h"), description::header(&scene, &functions)?),
+        file(format!("{name}.h"), description::header(&scene, &functions)),
         file(format!("{name}.c"), description::source(&scene, &functions)?),
         file("CMakeLists.txt".to_owned(), project::cmake(&scene)),
         file(format!("{name}_example.c"), project::example(&scene)?),

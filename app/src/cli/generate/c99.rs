@@ -121,10 +121,10 @@ impl Options {
             command.push_str(" --real f32");
         }
         if let Some(step) = self.step {
-            command.push_str(&format!(" --step {}", step.name()));
+            command.extend([" --step ", step.name()]);
         }
         if !self.inputs.is_empty() {
-            command.push_str(&format!(" --inputs {}", self.inputs.join(",")));
+            command.extend([" --inputs ", &*self.inputs.join(",")]);
         }
         if keep_all {
             command.push_str(" --keep-all");

@@ -74,11 +74,11 @@ pub(super) fn body(
     };
     writer.name_from_spec();
     let mut statements = Vec::new();
-    for index in 0..tape.nodes.len() {
+    for (index, pair) in pairs.into_iter().enumerate() {
         if writer.places[index] != Place::Statement {
             continue;
         }
-        match pairs[index] {
+        match pair {
             Pair::No => {
                 let value = writer.node(index)?.text;
                 let name = writer.variable(index);

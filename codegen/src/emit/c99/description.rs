@@ -11,7 +11,7 @@ use super::{MARK, Real, Scene, events, helpers, solve, step};
 use crate::emit::EmitError;
 
 /// The header of a scene.
-pub(super) fn header(scene: &Scene<'_>, functions: &[Emitted]) -> Result<String, EmitError> {
+pub(super) fn header(scene: &Scene<'_>, functions: &[Emitted]) -> String {
     let guard = scene.macro_name("H");
     let declared = functions.iter().filter(|function| !function.is_local);
     let declared: Vec<String> = declared.map(Emitted::declaration).collect();
@@ -28,7 +28,7 @@ pub(super) fn header(scene: &Scene<'_>, functions: &[Emitted]) -> Result<String,
         "#ifdef __cplusplus\n}\n#endif\n".to_owned(),
         format!("#endif /* {guard} */\n"),
     ];
-    Ok(joined(&parts))
+    joined(&parts)
 }
 
 /// The source of a scene.

@@ -164,7 +164,7 @@ fn opening(
         ("c", of_motion && !reads.constants && !reads_motion),
     ];
     for (name, _) in unused.iter().filter(|(_, is_unused)| *is_unused) {
-        text.push_str(&format!("    (void){name};\n"));
+        text.extend(["    (void)", name, ";\n"]);
     }
     if reads_motion {
         text.push_str("    motion(time, state, p, c, &m);\n");

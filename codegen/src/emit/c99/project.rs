@@ -55,8 +55,8 @@ pub(super) fn example(scene: &Scene<'_>) -> Result<String, EmitError> {
     let mut titles = String::new();
     let mut values = String::new();
     for (member, path) in columns {
-        let _ = write!(titles, "    (void)printf(\",{}\");\n", path.replace(['%', '"', '\\'], "_"));
-        let _ = write!(values, "        (void)printf(\",%.9g\", (double){of}.{member});\n");
+        let _ = writeln!(titles, "    (void)printf(\",{}\");", path.replace(['%', '"', '\\'], "_"));
+        let _ = writeln!(values, "        (void)printf(\",%.9g\", (double){of}.{member});");
     }
     let (outputs, compute) = if has_outputs {
         let outputs = format!("    {name}_outputs_t outputs;\n");

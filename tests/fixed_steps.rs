@@ -42,15 +42,14 @@ fn every_method_keeps_its_order_over_a_jump_within_a_step() {
     // The torque steps at 0.7 s, which is no multiple of these steps.
     let elimination = Elimination::new(2, Oscillator.rate_jacobian_pattern().entries);
     let methods = [
-        (FixedMethod::RungeKutta4, 4.0, 1e-5),
-        (FixedMethod::Heun, 2.0, 1e-2),
-        (FixedMethod::Rosenbrock2(elimination.borrowed()), 2.0, 2e-2),
+        (FixedMethod::RungeKutta4, 4.0),
+        (FixedMethod::Heun, 2.0),
+        (FixedMethod::Rosenbrock2(elimination.borrowed()), 2.0),
     ];
-    for (method, order, allowed) in methods {
+    for (method, order) in methods {
         let [coarse, fine] = [97, 194].map(|steps| error(method, steps));
         let measured = (coarse / fine).log2();
         assert!((measured - order).abs() < 0.15, "{method:?}: order {measured}");
-        assert!(coarse < allowed, "{method:?}: {coarse:e}");
     }
 }
 
